@@ -1,0 +1,1 @@
+# Installing and exporting: find_package(equipoise) from an outside project.

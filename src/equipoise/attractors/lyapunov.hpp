@@ -1,0 +1,20 @@
+// Lyapunov functions of linear systems.
+#pragma once
+
+#include <Eigen/Dense>
+
+namespace equipoise {
+
+/// Solves A^T P + P A = -Q for symmetric Q; all eigenvalues of A must have negative real parts.
+Eigen::MatrixXd solve_lyapunov(const Eigen::MatrixXd& a, const Eigen::MatrixXd& q);
+
+/// P = sum_k weight_k Re(conj(w_k) w_k^T) over A's left eigenvectors w_k (unit length; one weight an eigenvalue, in the
+/// order of `rates`). V = z^T P z then falls at the rate 2 Re(rate_k) in every mode.
+struct Modes {
+  Eigen::VectorXcd rates;
+  Eigen::MatrixXcd left;  ///< columns w_k
+};
+Modes left_modes(const Eigen::MatrixXd& a);
+Eigen::MatrixXd modal_form(const Modes& modes, const Eigen::VectorXd& weights);
+
+}  // namespace equipoise

@@ -1,0 +1,38 @@
+// What a lane block works on: many trajectories of one rotor over one segment.
+#pragma once
+
+#include <cstddef>
+
+#include "equipoise/base/error.hpp"
+#include "equipoise/model/parameters.hpp"
+#include "equipoise/model/speed.hpp"
+
+namespace equipoise {
+
+/// Trajectories from segment.begin to `end`. A trajectory's result depends on its own initial state and on nothing else
+/// here: not on its place, its neighbours or `count`.
+struct LaneTask {
+  const model::Parameters* parameters = nullptr;
+  model::Segment segment{};
+  double end = 0.0;          ///< finite, after segment.begin
+  double tolerance = 1e-7;   ///< error allowed a step, in units of lane_error_scale()
+  std::size_t count = 0;     ///< trajectories
+  double* states = nullptr;  ///< count rows of dimension(balls) numbers; states at segment.begin in, final states out
+  const StopFlag* stop = nullptr;
+};
+
+/// How a trajectory left its lane.
+enum class LaneEnd {
+  reached_end,
+  decided,   ///< the observer ended it
+  diverged,
+  failed,    ///< the step size vanished
+};
+
+/// Size of an error that counts as one: ball angles and rates 1, the rotor's position and velocity the displacement
+/// that eccentricity and balls together can make. Constant, so that step control costs no comparison per component.
+inline double lane_error_scale(const model::Parameters& p, int component) {
+  return component < 4 ? p.eccentricity + p.total_mass() : 1.0;
+}
+
+}  // namespace equipoise

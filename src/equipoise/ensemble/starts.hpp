@@ -1,0 +1,12 @@
+// Random starts addressed by (seed, index): any one is replayable alone.
+#pragma once
+
+#include <cstdint>
+
+namespace equipoise {
+
+/// Writes the ball angles of start `index`: independent, uniform on [0, 2 pi). Philox 4x64-10 (Salmon and others,
+/// "Parallel random numbers: as easy as 1, 2, 3", SC 2011) with the seed as key and the index as counter.
+void start_angles(std::uint64_t seed, std::uint64_t index, int balls, double* phi);
+
+}  // namespace equipoise

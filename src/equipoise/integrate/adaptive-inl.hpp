@@ -1,0 +1,134 @@
+// One trajectory in double precision with step control and dense output: the accurate, unhurried integrator behind
+// `simulate` and the clamped spin-up. Ensembles use ensemble/lane_block-inl.hpp.
+#if defined(EQUIPOISE_INTEGRATE_ADAPTIVE_INL) == defined(HWY_TARGET_TOGGLE)
+#ifdef EQUIPOISE_INTEGRATE_ADAPTIVE_INL
+#undef EQUIPOISE_INTEGRATE_ADAPTIVE_INL
+#else
+#define EQUIPOISE_INTEGRATE_ADAPTIVE_INL
+#endif
+
+#include <algorithm>
+#include <array>
+#include <atomic>
+#include <cmath>
+#include <limits>
+
+#include "equipoise/integrate/dop853-inl.hpp"
+#include "equipoise/integrate/status.hpp"
+
+HWY_BEFORE_NAMESPACE();
+namespace equipoise {
+namespace HWY_NAMESPACE {
+
+// Error allowed in component i of a step: tolerance * max(floor[i], |y_i|), or tolerance * floor[i] where
+// `absolute[i]` (angles, whose size has no meaning).
+template <int dimension>
+struct ErrorScale {
+  double tolerance = 1e-12;
+  std::array<double, dimension> floor{};
+  std::array<bool, dimension> absolute{};
+};
+
+// `System`: callable (t, y, dy) with `dimension` components, smooth over every interval passed to advance().
+template <class System, int dimension>
+class AdaptiveIntegrator {
+ public:
+  AdaptiveIntegrator(const System& system, const ErrorScale<dimension>& scale) : system_(system), scale_(scale) {}
+
+  // Integrates `y` from `begin` to exactly `end`. After each accepted step calls
+  // observe(t_old, t_new, state_at), where state_at(t, out) is the dense output within the step. Returns early, as
+  // `done`, once `stop` is set.
+  template <class Observe>
+  IntegrationStatus advance(double begin, double end, double* y, Observe&& observe,
+                            const std::atomic<bool>* stop = nullptr) {
+    double t = begin, previous_error = 1.0;
+    double h = first_step(begin, end, y);
+    bool rejected = false;
+    for (long steps = 0; t < end && !(stop && stop->load(std::memory_order_relaxed)); ++steps) {
+      if (steps == max_steps) return IntegrationStatus::failed;
+      const bool last = t + 1.0000001 * h >= end;
+      if (last) h = end - t;
+      double y_new[dimension];
+      dop853::evaluate_stages(system_, t, h, y, k_, y_new);
+      double inverse_scale[dimension];
+      for (int i = 0; i < dimension; ++i) {
+        const double size = scale_.absolute[i] ? 0.0 : std::max(std::fabs(y[i]), std::fabs(y_new[i]));
+        inverse_scale[i] = 1.0 / (scale_.tolerance * std::max(scale_.floor[i], size));
+      }
+      const double error = std::sqrt(dop853::squared_error<double, dimension>(h, k_, inverse_scale));
+      if (!(error <= 1.0)) {  // not-a-number is a rejection too
+        rejected = true;
+        h *= error < 1e10 ? std::max(0.2, 0.9 * std::pow(error, -0.125)) : 0.2;
+        if (!(h > 16 * std::numeric_limits<double>::epsilon() * std::max(1e-300, std::fabs(t))))
+          return IntegrationStatus::failed;
+        continue;
+      }
+      const double t_new = last ? end : t + h;
+      system_(t_new, static_cast<const double*>(y_new), k_[12]);
+      observe(t, t_new, StateAt{*this, t, h, y, y_new});
+      const double growth = 0.9 * std::pow(std::max(error, 1e-10), -0.0875) * std::pow(previous_error, 0.05);
+      previous_error = std::max(error, 1e-4);
+      std::copy(y_new, y_new + dimension, y);
+      std::copy(k_[12], k_[12] + dimension, k_[0]);
+      t = t_new;
+      h *= std::clamp(growth, 0.2, rejected ? 1.0 : 6.0);
+      rejected = false;
+      for (int i = 0; i < dimension; ++i)
+        if (!(std::fabs(y[i]) < divergence_limit)) return IntegrationStatus::diverged;
+    }
+    return IntegrationStatus::done;
+  }
+
+ private:
+  static constexpr long max_steps = 100'000'000;
+
+  // Dense output within the step just accepted; the three stages it needs are evaluated at the first call.
+  struct StateAt {
+    AdaptiveIntegrator& owner;
+    double t, h;
+    const double *y, *y_new;
+    bool ready = false;
+    double rows[7][dimension];
+
+    StateAt(AdaptiveIntegrator& o, double t0, double step, const double* from, const double* to)
+        : owner(o), t(t0), h(step), y(from), y_new(to) {}
+
+    void operator()(double time, double* out) {
+      if (!ready) prepare();
+      dop853::dense_state<double, dimension>((time - t) / h, y, rows, out);
+    }
+
+    void prepare() {
+      double stage[dimension];
+      dop853::stage_state<13, double, dimension>(h, y, owner.k_, stage);
+      owner.system_(t + dop853::tableau::c[13] * h, static_cast<const double*>(stage), owner.k_[13]);
+      dop853::stage_state<14, double, dimension>(h, y, owner.k_, stage);
+      owner.system_(t + dop853::tableau::c[14] * h, static_cast<const double*>(stage), owner.k_[14]);
+      dop853::stage_state<15, double, dimension>(h, y, owner.k_, stage);
+      owner.system_(t + dop853::tableau::c[15] * h, static_cast<const double*>(stage), owner.k_[15]);
+      dop853::dense_coefficients<double, dimension>(h, y, y_new, owner.k_, rows);
+      ready = true;
+    }
+  };
+
+  // A step over which the solution, moving at its present rate, changes by a hundredth of its size.
+  double first_step(double begin, double end, const double* y) {
+    system_(begin, y, k_[0]);
+    double h = end - begin;
+    for (int i = 0; i < dimension; ++i) {
+      const double size = std::max(scale_.absolute[i] ? 0.0 : std::fabs(y[i]), scale_.floor[i]);
+      h = std::min(h, 0.01 * size / std::max(std::fabs(k_[0][i]), 1e-300));
+    }
+    return std::max(h, 1e-12 * (end - begin));
+  }
+
+  const System& system_;
+  ErrorScale<dimension> scale_;
+  double k_[dop853::tableau::dense_stages][dimension];
+};
+
+}  // namespace HWY_NAMESPACE
+}  // namespace equipoise
+HWY_AFTER_NAMESPACE();
+
+#endif

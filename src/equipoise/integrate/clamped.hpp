@@ -1,0 +1,34 @@
+// Spin-up with the balls held: three linear solutions serve every start of an ensemble.
+#pragma once
+
+#include <array>
+#include <functional>
+#include <vector>
+
+#include "equipoise/integrate/status.hpp"
+#include "equipoise/model/parameters.hpp"
+#include "equipoise/model/speed.hpp"
+
+namespace equipoise {
+
+/// (x, y, u, v) = base + Ux times per_x + Uy times per_y with the unbalance U = lambda + sum mu_i e^{i phi_i}.
+struct ClampedBasis {
+  std::array<double, 12> values{};  ///< base, per_x, per_y; each x, y, u, v
+
+  /// Centre O with the balls held at `phi`; writes x, y, u, v.
+  void centre(const model::Parameters& p, const double* phi, double* xyuv) const;
+};
+
+/// psi' jumps by `jump` while the rotating-frame position and velocity (x, y, x', y') stay: u and v jump. `xyuv`: a state.
+void apply_speed_jump(double jump, double* xyuv);
+
+/// Called with the time, the segment it lies in and the basis there.
+using ClampedObserver = std::function<void(double t, const model::Segment& segment, const ClampedBasis& basis)>;
+
+/// Integrates from t = 0 with (x, y, u, v) = `initial` through all clamped segments; `basis` ends as it is at release,
+/// any jump of psi' there included. `times` (increasing): where `observe` is called, those before release only.
+IntegrationStatus integrate_clamped(const model::Parameters& p, const std::vector<model::Segment>& segments,
+                                    const std::array<double, 4>& initial, double tolerance, ClampedBasis& basis,
+                                    const std::vector<double>& times = {}, const ClampedObserver& observe = {});
+
+}  // namespace equipoise

@@ -1,0 +1,73 @@
+// Balanced states: closed forms for one and two balls, Newton's method on the family for more.
+#include "equipoise/model/balanced_state.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "equipoise/base/angles.hpp"
+
+namespace equipoise::model {
+
+namespace {
+// Relative difference below which masses and unbalance count as equal: a user's "equal" values are equal to the last
+// digits, and a real difference this small moves the balanced state by less than 1e-6 rad.
+constexpr double equal_within = 1e-12;
+}  // namespace
+
+BalancedStates balanced_states(const Parameters& p) {
+  BalancedStates result;
+  const double lambda = p.eccentricity, total = p.total_mass();
+  if (p.gravity != 0.0) {
+    result.reason = "gravity keeps the balls moving in the rotating frame";
+    return result;
+  }
+  double largest = lambda;
+  for (int i = 0; i < p.balls; ++i) largest = std::max(largest, p.mass[i]);
+  const double slack = lambda + total - 2.0 * largest;
+  if (slack < -equal_within * (lambda + total)) {
+    result.reason = lambda == largest ? "the unbalance is larger than all balls together can cancel"
+                                      : "one ball outweighs the unbalance and the other balls together";
+    return result;
+  }
+  if (p.balls == 1) {
+    result.kind = BalancedStates::Kind::isolated;
+    result.angles.push_back({pi});
+    return result;
+  }
+  if (p.balls > 2 || lambda == 0.0) {
+    result.kind = BalancedStates::Kind::family;
+    return result;
+  }
+  const double m1 = p.mass[0], m2 = p.mass[1];
+  const double c1 = std::clamp((m2 * m2 - lambda * lambda - m1 * m1) / (2.0 * lambda * m1), -1.0, 1.0);
+  const double c2 = std::clamp((m1 * m1 - lambda * lambda - m2 * m2) / (2.0 * lambda * m2), -1.0, 1.0);
+  const double phi1 = std::acos(c1), phi2 = std::acos(c2);
+  result.kind = BalancedStates::Kind::isolated;
+  result.angles.push_back({phi1, -phi2});
+  if (slack > equal_within * (lambda + total)) result.angles.push_back({-phi1, phi2});
+  return result;
+}
+
+bool project_to_balanced(const Parameters& p, double* phi) {
+  const double target = 1e-15 * (p.eccentricity + p.total_mass());
+  for (int iteration = 0; iteration < 30; ++iteration) {
+    double gx = p.eccentricity, gy = 0.0, a = 0.0, b = 0.0, d = 0.0;
+    for (int i = 0; i < p.balls; ++i) {
+      const double s = p.mass[i] * std::sin(phi[i]), c = p.mass[i] * std::cos(phi[i]);
+      gx += c;
+      gy += s;
+      a += s * s;
+      b -= s * c;
+      d += c * c;
+    }
+    if (std::hypot(gx, gy) <= 4.0 * target) return true;
+    const double determinant = a * d - b * b;  // zero where all balls lie on one line through the centre
+    if (!(determinant > 0.0)) return false;
+    const double lx = (d * gx - b * gy) / determinant, ly = (a * gy - b * gx) / determinant;
+    for (int i = 0; i < p.balls; ++i)
+      phi[i] -= p.mass[i] * (-std::sin(phi[i]) * lx + std::cos(phi[i]) * ly);
+  }
+  return false;
+}
+
+}  // namespace equipoise::model

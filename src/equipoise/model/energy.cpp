@@ -1,0 +1,77 @@
+// Energy balance beside the equations: its residual along a trajectory is the sharpest check on both.
+#include "equipoise/model/energy.hpp"
+
+#include <cmath>
+
+#include "equipoise/model/ball_count.hpp"
+#include "equipoise/model/equations-inl.hpp"
+
+namespace equipoise::model {
+
+namespace {
+namespace kernels = HWY_NAMESPACE;
+
+kernels::RotorMotion<double> motion_at(const Segment& s, double t) {
+  const double psi = s.psi_at(t);
+  return {s.speed_at(t), s.acceleration, std::sin(psi), std::cos(psi)};
+}
+}  // namespace
+
+double energy(const Parameters& p, double inertia, const Segment& segment, double t, const double* z) {
+  const auto rotor = motion_at(segment, t);
+  const double w = rotor.speed, lambda = p.eccentricity;
+  const double x = z[index::x], y = z[index::y], u = z[index::u], v = z[index::v];
+  const double X = x * rotor.cos_psi - y * rotor.sin_psi, Y = x * rotor.sin_psi + y * rotor.cos_psi;
+  double e = 0.5 * inertia * w * w + 0.5 * (u * u + (v + lambda * w) * (v + lambda * w)) +
+             0.5 * p.stiffness[0] * X * X + 0.5 * p.stiffness[1] * Y * Y + p.gravity * (Y + lambda * rotor.sin_psi);
+  for (int i = 0; i < p.balls; ++i) {
+    const double phi = z[index::phi(i)], rate = w + z[index::q(i, p.balls)];
+    const double s = std::sin(phi), c = std::cos(phi);
+    const double vx = u - rate * s, vy = v + rate * c;
+    const double height = Y + rotor.sin_psi * c + rotor.cos_psi * s;
+    e += p.mass[i] * (0.5 * (vx * vx + vy * vy) + p.gravity * height);
+  }
+  return e;
+}
+
+Powers powers(const Parameters& p, double inertia, const Segment& segment, double t, const double* z) {
+  return with_ball_count(p.balls, [&](auto n) {
+    const kernels::BallBalancer<double, n, kernels::Terms{}> balancer(p);
+    const auto rotor = motion_at(segment, t);
+    const double w = rotor.speed, lambda = p.eccentricity;
+    double dz[dimension(n)];
+    kernels::Vector2<double> a;
+    double drag_torque = 0.0, drag_power = 0.0;
+    double ux = lambda, uy = 0.0, clamped_inertia = 0.0;
+    if (segment.clamped) {
+      for (int i = 0; i < n; ++i) {
+        ux += p.mass[i] * std::cos(z[index::phi(i)]);
+        uy += p.mass[i] * std::sin(z[index::phi(i)]);
+        clamped_inertia += p.mass[i];
+      }
+      balancer.clamped_derivative(rotor, {ux, uy}, p.gravity, z, dz, &a);
+    } else {
+      balancer.free_derivative(rotor, z, dz, &a);
+      for (int i = 0; i < n; ++i) {
+        const double q = z[index::q(i, n)];
+        drag_torque += p.mass[i] * p.drag[i] * q;
+        drag_power += p.mass[i] * p.drag[i] * q * q;
+      }
+    }
+    // Torque: row of psi in the equations of motion, free or clamped.
+    const double torque =
+        (inertia + lambda * lambda + clamped_inertia) * rotor.acceleration + ux * a.y - uy * a.x - drag_torque;
+    const double u = z[index::u], v = z[index::v];
+    const double Xd = u * rotor.cos_psi - v * rotor.sin_psi, Yd = u * rotor.sin_psi + v * rotor.cos_psi;
+    return Powers{torque * w, p.damping[0] * Xd * Xd + p.damping[1] * Yd * Yd, drag_power};
+  });
+}
+
+std::array<double, 2> bearing_force(const Parameters& p, const Segment& segment, double t, const double* z) {
+  const kernels::BallBalancer<double, 1, kernels::Terms{}> balancer(p);
+  const auto rotor = motion_at(segment, t);
+  const auto f = balancer.bearing_force(rotor, z);
+  return {f.x * rotor.cos_psi - f.y * rotor.sin_psi, f.x * rotor.sin_psi + f.y * rotor.cos_psi};
+}
+
+}  // namespace equipoise::model

@@ -1,0 +1,47 @@
+// Jacobians by running the one set of equations on dual numbers.
+#include "equipoise/model/linearisation.hpp"
+
+#include "equipoise/base/dual.hpp"
+#include "equipoise/model/ball_count.hpp"
+#include "equipoise/model/flow-inl.hpp"
+
+namespace equipoise::model {
+
+namespace {
+namespace kernels = HWY_NAMESPACE;
+constexpr kernels::Terms autonomous{false, false, false};
+
+Segment constant_speed(double speed) { return {0.0, 0.0, 0.0, speed, 0.0, false}; }
+}  // namespace
+
+Eigen::MatrixXd jacobian(const Parameters& p, double speed, const double* z) {
+  return with_ball_count(p.balls, [&](auto n) -> Eigen::MatrixXd {
+    constexpr int size = dimension(n);
+    const kernels::FreeFlow<Dual, n, autonomous> flow(p, constant_speed(speed));
+    Eigen::MatrixXd result(size, size);
+    for (int column = 0; column < size; ++column) {
+      Dual state[size], rate[size];
+      for (int i = 0; i < size; ++i) state[i] = Dual(z[i], i == column ? 1.0 : 0.0);
+      flow(Dual(0.0), state, rate);
+      for (int i = 0; i < size; ++i) result(i, column) = rate[i].slope;
+    }
+    return result;
+  });
+}
+
+Eigen::VectorXd derivative(const Parameters& p, double speed, const double* z) {
+  return with_ball_count(p.balls, [&](auto n) -> Eigen::VectorXd {
+    const kernels::FreeFlow<double, n, autonomous> flow(p, constant_speed(speed));
+    Eigen::VectorXd rate(dimension(n));
+    flow(0.0, z, rate.data());
+    return rate;
+  });
+}
+
+Eigen::VectorXd centred_state(const Parameters& p, const double* phi) {
+  Eigen::VectorXd z = Eigen::VectorXd::Zero(dimension(p.balls));
+  for (int i = 0; i < p.balls; ++i) z[index::phi(i)] = phi[i];
+  return z;
+}
+
+}  // namespace equipoise::model

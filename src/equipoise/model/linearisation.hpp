@@ -1,0 +1,20 @@
+// The equations linearised about a steady state at constant speed.
+#pragma once
+
+#include <Eigen/Dense>
+
+#include "equipoise/model/parameters.hpp"
+
+namespace equipoise::model {
+
+/// d(dz/dt)/dz of the free-ball equations at state `z` and constant `speed`, isotropic supports, no gravity: the exact
+/// derivative, from the equations run on dual numbers. Variables as in parameters.hpp.
+Eigen::MatrixXd jacobian(const Parameters& p, double speed, const double* z);
+
+/// dz/dt of the same equations.
+Eigen::VectorXd derivative(const Parameters& p, double speed, const double* z);
+
+/// State with the balls at rest at `phi` and the rotor centred.
+Eigen::VectorXd centred_state(const Parameters& p, const double* phi);
+
+}  // namespace equipoise::model

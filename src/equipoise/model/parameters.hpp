@@ -1,0 +1,47 @@
+// The dimensionless parameters of a rotor with a ball balancer (length R, time 1/omega_c, mass M).
+#pragma once
+
+#include <array>
+
+namespace equipoise::model {
+
+inline constexpr int max_balls = 8;
+
+/// Rotor, supports and balls. Constant while anything moves.
+/// Symbols as in Wright and Peng (2019) and docs/equations.md; ranges are checked where a study is read.
+struct Parameters {
+  int balls = 2;                             ///< n, 1 to 8
+  double eccentricity = 0.01;                ///< lambda = eps/R, >= 0
+  std::array<double, 2> damping{0.5, 0.5};   ///< zeta_x, zeta_y = c/sqrt(k M), >= 0 (twice the damping ratio)
+  std::array<double, 2> stiffness{1.0, 1.0}; ///< kappa_x, kappa_y = k/(M omega_c^2), > 0
+  double gravity = 0.0;                      ///< G = g/(R omega_c^2), acting along -Y
+  std::array<double, max_balls> mass{};      ///< mu_i = m_i/M, > 0
+  std::array<double, max_balls> drag{};      ///< beta_i = D_i/(m_i R^2 omega_c), >= 0
+
+  /// Sum of mu_i.
+  double total_mass() const {
+    double sum = 0.0;
+    for (int i = 0; i < balls; ++i) sum += mass[i];
+    return sum;
+  }
+  bool isotropic() const { return damping[0] == damping[1] && stiffness[0] == stiffness[1]; }
+  bool equal_balls() const {
+    for (int i = 1; i < balls; ++i)
+      if (mass[i] != mass[0] || drag[i] != drag[0]) return false;
+    return true;
+  }
+};
+
+/// Number of state variables: x, y, u, v, phi_1..phi_n, q_1..q_n.
+constexpr int dimension(int balls) { return 4 + 2 * balls; }
+
+/// Where each variable sits in a state array.
+/// x, y: centre O in the rotating frame; u, v: INERTIAL velocity of O in rotating components, u = x' - psi' y,
+/// v = y' + psi' x; phi_i: ball angle in the rotating frame, unwrapped; q_i = phi_i'.
+namespace index {
+inline constexpr int x = 0, y = 1, u = 2, v = 3;
+constexpr int phi(int i) { return 4 + i; }
+constexpr int q(int i, int balls) { return 4 + balls + i; }
+}  // namespace index
+
+}  // namespace equipoise::model

@@ -1,0 +1,54 @@
+// Ramp functions and their segments under both speed laws.
+#include "equipoise/model/speed.hpp"
+
+#include <algorithm>
+#include <cstddef>
+
+namespace equipoise::model {
+
+double SpeedProfile::ramp_function(double t) const {
+  if (t <= times.front()) return speeds.front();
+  for (std::size_t i = 1; i < times.size(); ++i)
+    if (t < times[i])
+      return speeds[i - 1] + (speeds[i] - speeds[i - 1]) * (t - times[i - 1]) / (times[i] - times[i - 1]);
+  return speeds.back();
+}
+
+std::optional<double> SpeedProfile::first_time_at(double speed) const {
+  if (speeds.front() == speed) return times.front();
+  for (std::size_t i = 1; i < times.size(); ++i) {
+    const double from = speeds[i - 1], to = speeds[i];
+    if (speed == to) return times[i];
+    if ((speed - from) * (speed - to) < 0.0)
+      return times[i - 1] + (times[i] - times[i - 1]) * ((speed - from) / (to - from));
+  }
+  return std::nullopt;
+}
+
+std::vector<Segment> segments(const SpeedProfile& profile, double release_time) {
+  std::vector<double> cuts = profile.times;
+  if (std::find(cuts.begin(), cuts.end(), release_time) == cuts.end()) cuts.push_back(release_time);
+  std::sort(cuts.begin(), cuts.end());
+
+  std::vector<Segment> result;
+  double psi = profile.initial_angle;
+  for (std::size_t i = 0; i < cuts.size(); ++i) {
+    const double begin = cuts[i];
+    const bool last = i + 1 == cuts.size();
+    const double end = last ? std::numeric_limits<double>::infinity() : cuts[i + 1];
+    const double omega = profile.ramp_function(begin);
+    const bool settled = begin >= profile.settled_time();
+    const double slope = settled ? 0.0 : (profile.ramp_function(std::min(end, profile.settled_time())) - omega) / (end - begin);
+    Segment segment{begin, end, psi, omega, slope, begin < release_time};
+    if (profile.law == SpeedLaw::published) {  // psi = t Omega(t): psi' = Omega + t Omega', psi'' = 2 Omega'
+      segment.psi = profile.initial_angle + begin * omega;
+      segment.speed = omega + begin * slope;
+      segment.acceleration = 2.0 * slope;
+    }
+    result.push_back(segment);
+    if (!last) psi = segment.psi_at(end);
+  }
+  return result;
+}
+
+}  // namespace equipoise::model

@@ -1,0 +1,67 @@
+// The main question: with what probability do the balls end up balancing the rotor?
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "equipoise/attractors/fate.hpp"
+#include "equipoise/base/error.hpp"
+#include "equipoise/statistics/share.hpp"
+#include "equipoise/study/study.hpp"
+
+namespace equipoise {
+
+/// How far a run has come.
+struct BasinProgress {
+  std::uint64_t done = 0;   ///< starts decided, in order
+  std::uint64_t total = 0;  ///< starts asked for; 0 while sampling until a half-width is reached
+  Share balanced;           ///< so far
+};
+
+struct BasinOptions {
+  int threads = 0;           ///< 0: all cores
+  double half_width = 0.0;   ///< > 0: sample until every outcome's interval is this narrow, at most study.sampling.starts
+                             ///< if limit_given, else at most 10^9
+  bool limit_given = false;
+  std::string output;        ///< NetCDF file for per-start results; empty: none. An unfinished file of the same study is
+                             ///< resumed, a finished one extended or simply read
+  const StopFlag* stop = nullptr;
+  std::function<void(const BasinProgress&)> progress;  ///< called in order, from any thread but never from two at once
+};
+
+/// Everything a report needs.
+struct BasinResult {
+  Study study;
+  std::uint64_t starts = 0;         ///< decided and counted: starts 0 to starts - 1
+  bool partial = false;             ///< stopped before all requested starts were done
+  std::uint64_t resumed_from = 0;   ///< starts read from an earlier run's file
+  std::array<Share, outcome_count> shares;        ///< by Outcome; 95 % Wilson intervals
+  std::array<double, outcome_count> mean_time{};  ///< mean time from the last branch's begin (and release) to decision
+  bool balanced_stable = false;     ///< a linearly stable balanced state exists at the final speed
+  std::string note;                 ///< why no start can end balanced, if so
+  std::size_t motions_found = 0;    ///< stationary motions away from balance that the pilot could tell apart
+  int threads = 0;
+  std::string cpu_target;
+  double seconds = 0.0, cpu_seconds = 0.0;        ///< of this run, pilot included
+};
+
+/// One start replayed alone.
+struct StartReplay {
+  std::uint64_t index = 0;
+  std::array<double, model::max_balls> phi{};
+  Fate fate;
+};
+
+/// Runs the ensemble: study.sampling.starts starts, or as many as options.half_width asks for. The outcome of start i
+/// depends on the study and i alone (for one CPU target; see docs/numerics.md).
+/// Throws InputError for studies that cannot be decided (anisotropic supports, gravity) and unusable output files,
+/// RunError if the output file fails later.
+BasinResult basin(const Study& study, const BasinOptions& options = {});
+
+/// The fate of start `index` (any, also beyond study.sampling.starts), with the very bits basin() would give it.
+StartReplay replay_start(const Study& study, std::uint64_t index, const BasinOptions& options = {});
+
+}  // namespace equipoise

@@ -1,0 +1,143 @@
+// Kernels for every CPU target: this file is compiled once per instruction set by Highway's foreach_target.
+#include "equipoise/run/lane_kernels.hpp"
+
+#include <cmath>
+#include <memory>
+
+#include "equipoise/model/ball_count.hpp"
+
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "equipoise/run/lane_kernels.cpp"
+#include "hwy/foreach_target.h"
+#include "hwy/highway.h"
+
+#include "equipoise/attractors/decision-inl.hpp"
+#include "equipoise/ensemble/lane_block-inl.hpp"
+#include "equipoise/model/flow-inl.hpp"
+
+HWY_BEFORE_NAMESPACE();
+namespace equipoise {
+namespace HWY_NAMESPACE {
+
+// Groups of lanes taken in turn: three hide latencies best for two balls; more balls fill registers and cache alone.
+template <int n>
+inline constexpr int lane_groups = n <= 2 ? 3 : 1;
+
+// Records trajectories that are lost on the way; the others simply arrive.
+template <int n>
+class WatchForLoss : public NoObserver<n> {
+ public:
+  explicit WatchForLoss(std::vector<Fate>& fates) : fates_(fates) {}
+  void end(int, std::size_t start, LaneEnd how, double t, const double*) {
+    if (how == LaneEnd::diverged) fates_[start] = {Outcome::diverged, t};
+    if (how == LaneEnd::failed) fates_[start] = {Outcome::failed, t};
+  }
+
+ private:
+  std::vector<Fate>& fates_;
+};
+
+template <int n>
+bool advance_balls(const LaneTask& task, std::vector<Fate>& fates) {
+  using Flow = FreeFlow<Pack, n, Terms{true, false, false}>;
+  WatchForLoss<n> observer(fates);
+  const auto block = std::make_unique<LaneBlock<Flow, WatchForLoss<n>, lane_groups<n>>>(
+      task, Flow(*task.parameters, task.segment), observer);
+  return block->run();
+}
+
+template <int n>
+bool decide_balls(const LaneTask& task, const DecisionRule& rule, std::vector<Fate>& fates, std::vector<PilotRecord>* pilot) {
+  using Flow = FreeFlow<Pack, n, Terms{false, false, false}>;
+  using Observer = DecideFate<n, lane_groups<n>>;
+  const auto observer = std::make_unique<Observer>(*task.parameters, rule, fates, pilot);
+  const auto block = std::make_unique<LaneBlock<Flow, Observer, lane_groups<n>>>(
+      task, Flow(*task.parameters, task.segment), *observer);
+  return block->run();
+}
+
+template <int n>
+int evaluate_balls(const model::Parameters& p, double speed, long count, double* checksum) {
+  using Flow = FreeFlow<Pack, n, Terms{false, false, false}>;
+  const Flow flow(p, model::Segment{0.0, 0.0, 0.0, speed, 0.0, false});
+  constexpr int groups = lane_groups<n>;
+  Pack z[groups][Flow::dimension];
+  for (int g = 0; g < groups; ++g)
+    for (int i = 0; i < Flow::dimension; ++i) z[g][i] = Pack(0.01 * (i + g));
+  for (long k = 0; k < count; ++k)
+#pragma GCC unroll 1
+    for (int g = 0; g < groups; ++g) {
+      Pack rate[Flow::dimension];
+      flow(Pack(0.0), z[g], rate);
+      for (int i = 0; i < Flow::dimension; ++i) z[g][i] = multiply_add(Pack(1e-3), rate[i], z[g][i]);
+    }
+  Pack sum(0.0);
+  for (int g = 0; g < groups; ++g)
+    for (int i = 0; i < Flow::dimension; ++i) sum = sum + z[g][i];
+  alignas(64) double lanes[8];
+  sum.store(lanes);
+  *checksum = lanes[0];
+  return groups * static_cast<int>(pack_lanes);
+}
+
+bool advance_target(const LaneTask& task, std::vector<Fate>& fates) {
+  return model::with_ball_count(task.parameters->balls, [&](auto n) { return advance_balls<n>(task, fates); });
+}
+
+bool decide_target(const LaneTask& task, const DecisionRule& rule, std::vector<Fate>& fates, std::vector<PilotRecord>* pilot) {
+  return model::with_ball_count(task.parameters->balls, [&](auto n) { return decide_balls<n>(task, rule, fates, pilot); });
+}
+
+int evaluate_target(const model::Parameters& p, double speed, long count, double* checksum) {
+  return model::with_ball_count(p.balls, [&](auto n) { return evaluate_balls<n>(p, speed, count, checksum); });
+}
+
+const char* target_name() { return hwy::TargetName(HWY_TARGET); }
+
+}  // namespace HWY_NAMESPACE
+}  // namespace equipoise
+HWY_AFTER_NAMESPACE();
+
+#if HWY_ONCE
+namespace equipoise {
+
+HWY_EXPORT(advance_target);
+HWY_EXPORT(decide_target);
+HWY_EXPORT(evaluate_target);
+HWY_EXPORT(target_name);
+
+bool advance_lanes(const LaneTask& task, std::vector<Fate>& fates) {
+  return HWY_DYNAMIC_DISPATCH(advance_target)(task, fates);
+}
+
+bool decide_lanes(const LaneTask& task, const DecisionRule& rule, std::vector<Fate>& fates, std::vector<PilotRecord>* pilot) {
+  return HWY_DYNAMIC_DISPATCH(decide_target)(task, rule, fates, pilot);
+}
+
+int evaluate_derivatives(const model::Parameters& p, double speed, long count, double* checksum) {
+  return HWY_DYNAMIC_DISPATCH(evaluate_target)(p, speed, count, checksum);
+}
+
+std::string cpu_target() { return HWY_DYNAMIC_DISPATCH(target_name)(); }
+
+std::vector<std::string> cpu_targets() {
+  std::vector<std::string> names;
+  for (auto target : hwy::SupportedAndGeneratedTargets()) names.push_back(hwy::TargetName(target));
+  return names;
+}
+
+bool use_cpu_target(const std::string& name) {
+  hwy::SetSupportedTargetsForTest(0);  // back to what the machine has
+  hwy::GetChosenTarget().DeInit();
+  if (name.empty()) return true;
+  for (auto target : hwy::SupportedAndGeneratedTargets())
+    if (name == hwy::TargetName(target)) {
+      hwy::SetSupportedTargetsForTest(target);
+      hwy::GetChosenTarget().DeInit();
+      return true;
+    }
+  return false;
+}
+
+}  // namespace equipoise
+#endif

@@ -1,0 +1,135 @@
+// One trajectory: clamped spin-up by superposition, then the free equations segment by segment.
+#include "equipoise/run/simulate.hpp"
+
+#include <array>
+#include <cmath>
+#include <cstddef>
+
+#include <fmt/format.h>
+
+#include "equipoise/integrate/adaptive-inl.hpp"
+#include "equipoise/integrate/clamped.hpp"
+#include "equipoise/model/ball_count.hpp"
+#include "equipoise/model/energy.hpp"
+#include "equipoise/model/flow-inl.hpp"
+
+namespace equipoise {
+
+namespace {
+namespace kernels = HWY_NAMESPACE;
+
+void check_times(const std::vector<double>& times) {
+  for (std::size_t i = 0; i < times.size(); ++i) {
+    if (!std::isfinite(times[i]) || times[i] < 0.0)
+      throw InputError("output times", fmt::format("time {}", i + 1), fmt::format("{}", times[i]),
+                       "must be a finite number, 0 or more");
+    if (i > 0 && !(times[i] > times[i - 1]))
+      throw InputError("output times", fmt::format("time {}", i + 1), fmt::format("{}", times[i]),
+                       fmt::format("times out of order: must be later than the time before it, {}", times[i - 1]));
+  }
+}
+
+// Appends state `z` at `t` to every array.
+void record(Trajectory& out, const model::Parameters& p, const model::Segment& segment, double t, const double* z) {
+  using namespace model::index;
+  const double w = segment.speed_at(t);
+  out.t.push_back(t);
+  out.psi.push_back(segment.psi_at(t));
+  out.psi_dot.push_back(w);
+  out.x.push_back(z[x]);
+  out.y.push_back(z[y]);
+  out.x_dot.push_back(z[u] + w * z[y]);
+  out.y_dot.push_back(z[v] - w * z[x]);
+  for (int i = 0; i < p.balls; ++i) {
+    out.phi[i].push_back(z[phi(i)]);
+    out.phi_dot[i].push_back(z[q(i, p.balls)]);
+  }
+  out.radial.push_back(std::hypot(z[x], z[y]));
+  const auto force = model::bearing_force(p, segment, t, z);
+  out.bearing_x.push_back(force[0]);
+  out.bearing_y.push_back(force[1]);
+}
+
+template <int n>
+void simulate_free(const Study& study, const std::vector<model::Segment>& segments, std::size_t first, double tolerance,
+                   std::vector<double>& z, const std::vector<double>& times, std::size_t next, const StopFlag* stop,
+                   Trajectory& out) {
+  using Flow = kernels::FreeFlow<double, n, kernels::Terms{}>;
+  const model::Parameters& p = study.parameters;
+  kernels::ErrorScale<Flow::dimension> scale;
+  scale.tolerance = tolerance;
+  for (int j = 0; j < 4; ++j) scale.floor[j] = 0.01 * (p.eccentricity + p.total_mass());
+  for (int i = 0; i < n; ++i) {
+    scale.floor[model::index::phi(i)] = 1.0;
+    scale.absolute[model::index::phi(i)] = true;
+    scale.floor[model::index::q(i, n)] = 0.01;
+  }
+  for (std::size_t k = first; k < segments.size() && next < times.size(); ++k) {
+    const model::Segment& segment = segments[k];
+    for (; next < times.size() && times[next] == segment.begin; ++next) record(out, p, segment, segment.begin, z.data());
+    const double end = std::min(segment.end, times.back());
+    if (!(segment.begin < end)) continue;
+    const Flow flow(p, segment);
+    kernels::AdaptiveIntegrator<Flow, Flow::dimension> integrator(flow, scale);
+    out.status = integrator.advance(
+        segment.begin, end, z.data(),
+        [&](double, double t_new, auto&& state_at) {
+          for (; next < times.size() && times[next] <= t_new && times[next] < segment.end; ++next) {
+            double at[Flow::dimension];
+            state_at(times[next], at);
+            record(out, p, segment, times[next], at);
+          }
+        },
+        stop);
+    out.stopped = stop && stop->load(std::memory_order_relaxed);
+    if (out.status != IntegrationStatus::done || out.stopped) return;
+    if (k + 1 < segments.size()) apply_speed_jump(segments[k + 1].speed - segment.speed_at(segment.end), z.data());
+  }
+}
+}  // namespace
+
+Trajectory simulate(const Study& study, const std::vector<double>& times, const StopFlag* stop) {
+  check_times(times);
+  const model::Parameters& p = study.parameters;
+  const double release = study.release_time();
+  const auto segments = model::segments(study.speed_profile(), release);
+  const double tolerance = study.numerics.tolerance.value_or(default_simulate_tolerance);
+  const InitialState& start = study.initial;
+
+  Trajectory out;
+  out.phi.resize(p.balls);
+  out.phi_dot.resize(p.balls);
+
+  std::vector<double> z(model::dimension(p.balls), 0.0);
+  const double w = segments.front().speed;
+  z[0] = start.x;
+  z[1] = start.y;
+  z[2] = start.x_dot - w * start.y;
+  z[3] = start.y_dot + w * start.x;
+  for (int i = 0; i < p.balls; ++i) {
+    z[model::index::phi(i)] = start.phi[i];
+    z[model::index::q(i, p.balls)] = start.phi_dot[i];
+  }
+
+  std::size_t free_from = 0;
+  while (segments[free_from].clamped) ++free_from;
+  std::size_t next = 0;
+  if (free_from > 0) {
+    ClampedBasis basis;
+    std::vector<double> at = z;
+    out.status = integrate_clamped(p, segments, {z[0], z[1], z[2], z[3]}, tolerance, basis, times,
+                                   [&](double t, const model::Segment& segment, const ClampedBasis& there) {
+                                     there.centre(p, start.phi.data(), at.data());
+                                     record(out, p, segment, t, at.data());
+                                   });
+    next = out.t.size();
+    if (out.status != IntegrationStatus::done) return out;
+    basis.centre(p, start.phi.data(), z.data());
+  }
+  model::with_ball_count(p.balls, [&](auto n) {
+    simulate_free<n>(study, segments, free_from, tolerance, z, times, next, stop, out);
+  });
+  return out;
+}
+
+}  // namespace equipoise

@@ -1,0 +1,50 @@
+// Per-start results as NetCDF-4, appended in order and resumable.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "equipoise/attractors/fate.hpp"
+#include "equipoise/statistics/share.hpp"
+
+namespace equipoise {
+
+/// What a basin file says of the run that made it.
+struct BasinFileHeader {
+  std::string study;       ///< resolved study as TOML, without its number of starts
+  std::uint64_t seed = 0;
+  int balls = 2;
+  std::string cpu_target;
+};
+
+/// dimension start: variables phi(start, ball), outcome(start), decision_time(start); dimension outcome_kind: counts and
+/// shares. Every variable has units and long_name. Readable by xarray, ncdump, ncview.
+class BasinFile {
+ public:
+  /// Creates `path`, or opens it for more if it holds results of the same study, seed and CPU target.
+  /// Throws InputError if it cannot be written or holds something else.
+  BasinFile(const std::string& path, const BasinFileHeader& header);
+  ~BasinFile();
+  BasinFile(const BasinFile&) = delete;
+  BasinFile& operator=(const BasinFile&) = delete;
+
+  /// Starts already there (0 .. stored() - 1).
+  std::uint64_t stored() const;
+  /// Fates of starts first .. first + count - 1.
+  std::vector<Fate> read(std::uint64_t first, std::size_t count) const;
+  /// Appends `count` starts: phi row-major count x balls. Throws RunError if the file cannot take them.
+  void append(std::size_t count, const double* phi, const Fate* fates);
+  /// Brings what is appended to disk.
+  void sync();
+  /// Writes the summary and the resolved study; `complete` marks whether all requested starts are there.
+  void finish(const std::string& resolved_study, const std::array<Share, outcome_count>& shares, bool complete);
+
+ private:
+  struct State;
+  std::unique_ptr<State> state_;
+};
+
+}  // namespace equipoise

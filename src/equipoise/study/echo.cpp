@@ -1,0 +1,60 @@
+// The resolved study as TOML: what a result remembers of the question it answers.
+#include <string>
+#include <vector>
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include "equipoise/study/study.hpp"
+#include "equipoise/study/table_reader.hpp"
+
+namespace equipoise {
+
+namespace {
+using study::number_text;
+
+template <class Container>
+std::string array(const Container& values, std::size_t count) {
+  std::vector<std::string> parts;
+  for (std::size_t i = 0; i < count; ++i) parts.push_back(number_text(values[i]));
+  return fmt::format("[{}]", fmt::join(parts, ", "));
+}
+
+std::string speed_keys(const SpeedSetting& s) {
+  if (s.profile == "constant") return fmt::format("speed = {}\n", number_text(s.speed));
+  if (s.profile == "ramp")
+    return fmt::format("initial = {}\nfinal = {}\nduration = {}\n", number_text(s.initial), number_text(s.final),
+                       number_text(s.duration));
+  if (s.profile == "trapezoid")
+    return fmt::format("initial = {}\npeak = {}\nfinal = {}\nrise_until = {}\nhold_until = {}\nfall_until = {}\n",
+                       number_text(s.initial), number_text(s.peak), number_text(s.final), number_text(s.rise_until),
+                       number_text(s.hold_until), number_text(s.fall_until));
+  return fmt::format("times = {}\nspeeds = {}\n", array(s.times, s.times.size()), array(s.speeds, s.speeds.size()));
+}
+
+}  // namespace
+
+std::string to_toml(const Study& study) {
+  const model::Parameters& p = study.parameters;
+  const std::size_t n = static_cast<std::size_t>(p.balls);
+  std::string text = fmt::format("[rotor]\neccentricity = {}\ndamping = {}\nstiffness = {}\ngravity = {}\n\n",
+                                 number_text(p.eccentricity), array(p.damping, 2), array(p.stiffness, 2),
+                                 number_text(p.gravity));
+  text += fmt::format("[balancer]\nballs = {}\nmass = {}\ndrag = {}\n\n", n, array(p.mass, n), array(p.drag, n));
+  text += fmt::format("[speed]\nprofile = \"{}\"\n{}law = \"{}\"\n\n", study.speed.profile, speed_keys(study.speed),
+                      study.speed.law == model::SpeedLaw::kinematic ? "kinematic" : "published");
+  if (study.release.speed) text += fmt::format("[release]\nspeed = {}\n\n", number_text(*study.release.speed));
+  if (study.release.time) text += fmt::format("[release]\ntime = {}\n\n", number_text(*study.release.time));
+  const InitialState& s = study.initial;
+  text += fmt::format("[initial]\npsi = {}\nx = {}\ny = {}\nx_dot = {}\ny_dot = {}\n", number_text(s.psi),
+                      number_text(s.x), number_text(s.y), number_text(s.x_dot), number_text(s.y_dot));
+  text += fmt::format("phi = {}\nphi_dot = {}\n\n", array(s.phi, n), array(s.phi_dot, n));
+  text += fmt::format("[sampling]\nstarts = {}\nseed = {}\nmethod = \"random\"\n\n", study.sampling.starts,
+                      study.sampling.seed);
+  text += "[numerics]\n";
+  if (study.numerics.tolerance) text += fmt::format("tolerance = {}\n", number_text(*study.numerics.tolerance));
+  text += fmt::format("horizon = {}\n", number_text(study.numerics.horizon));
+  return text;
+}
+
+}  // namespace equipoise

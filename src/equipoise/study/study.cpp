@@ -1,0 +1,204 @@
+// From TOML to a checked study and back.
+#include "equipoise/study/study.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <filesystem>
+#include <fstream>
+#include <limits>
+#include <system_error>
+#include <utility>
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include "equipoise/base/error.hpp"
+#include "equipoise/study/table_reader.hpp"
+
+namespace equipoise {
+
+namespace {
+using namespace study;
+
+void read_rotor(const Document& document, model::Parameters& p) {
+  TableReader rotor(document, "rotor");
+  p.eccentricity = rotor.number("eccentricity", not_negative);
+  const auto damping = rotor.one_or_each("damping", not_negative, 2, "direction (x, y)");
+  const auto stiffness = rotor.one_or_each("stiffness", positive, 2, "direction (x, y)", 1.0);
+  p.damping = {damping[0], damping[1]};
+  p.stiffness = {stiffness[0], stiffness[1]};
+  p.gravity = rotor.number("gravity", not_negative, 0.0);
+  rotor.finish();
+}
+
+void read_balancer(const Document& document, model::Parameters& p) {
+  TableReader balancer(document, "balancer");
+  p.balls = static_cast<int>(balancer.integer("balls", 1, model::max_balls));
+  const auto mass = balancer.one_or_each("mass", positive, p.balls, "ball");
+  const auto drag = balancer.one_or_each("drag", not_negative, p.balls, "ball");
+  std::copy(mass.begin(), mass.end(), p.mass.begin());
+  std::copy(drag.begin(), drag.end(), p.drag.begin());
+  balancer.finish();
+}
+
+void read_points(TableReader& reader, SpeedSetting& speed) {
+  speed.times = reader.numbers("times", not_negative);
+  speed.speeds = reader.numbers("speeds", any_number);
+  if (speed.times.front() != 0.0) reader.fail("times", "the first time must be 0");
+  for (std::size_t i = 1; i < speed.times.size(); ++i)
+    if (!(speed.times[i] > speed.times[i - 1]))
+      reader.fail("times",
+                  fmt::format("times out of order: entry {} must be greater than {}", i + 1, speed.times[i - 1]));
+  if (speed.times.size() != speed.speeds.size())
+    reader.fail("speeds",
+                fmt::format("has {} entries; must have one a time, {}", speed.speeds.size(), speed.times.size()));
+}
+
+void read_speed(const Document& document, SpeedSetting& speed) {
+  TableReader reader(document, "speed");
+  speed.profile = reader.choice("profile", {"constant", "ramp", "trapezoid", "points"});
+  speed.law = reader.choice("law", {"kinematic", "published"}, "kinematic") == "kinematic" ? model::SpeedLaw::kinematic
+                                                                                         : model::SpeedLaw::published;
+  if (speed.profile == "constant") {
+    speed.speed = reader.number("speed", any_number);
+  } else if (speed.profile == "ramp") {
+    speed.initial = reader.number("initial", any_number, 0.0);
+    speed.final = reader.number("final", any_number);
+    speed.duration = reader.number("duration", positive);
+  } else if (speed.profile == "trapezoid") {
+    speed.initial = reader.number("initial", any_number, 0.0);
+    speed.peak = reader.number("peak", any_number);
+    speed.final = reader.number("final", any_number);
+    speed.rise_until = reader.number("rise_until", positive);
+    speed.hold_until = reader.number("hold_until", positive);
+    speed.fall_until = reader.number("fall_until", positive);
+    if (!(speed.hold_until > speed.rise_until))
+      reader.fail("hold_until", fmt::format("must be greater than rise_until, {}", speed.rise_until));
+    if (!(speed.fall_until > speed.hold_until))
+      reader.fail("fall_until", fmt::format("must be greater than hold_until, {}", speed.hold_until));
+  } else {
+    read_points(reader, speed);
+  }
+  reader.finish();
+}
+
+std::string reached_speeds(const model::SpeedProfile& profile) {
+  const auto [low, high] = std::minmax_element(profile.speeds.begin(), profile.speeds.end());
+  return fmt::format("the ramp function never reaches it; must be from {} to {}", *low, *high);
+}
+
+void read_release(const Document& document, Study& study) {
+  TableReader reader(document, "release");
+  study.release.speed = reader.optional_number("speed", any_number);
+  study.release.time = reader.optional_number("time", not_negative);
+  reader.finish();
+  if (study.release.speed && study.release.time)
+    reader.fail("time", "give either release.speed or release.time, not both");
+  const model::SpeedProfile profile = study.speed_profile();
+  if (study.release.speed && !profile.first_time_at(*study.release.speed))
+    reader.fail("speed", reached_speeds(profile));
+}
+
+void read_initial(const Document& document, Study& study) {
+  TableReader reader(document, "initial");
+  InitialState& s = study.initial;
+  s.psi = reader.number("psi", any_number, 0.0);
+  s.x = reader.number("x", any_number, 0.0);
+  s.y = reader.number("y", any_number, 0.0);
+  s.x_dot = reader.number("x_dot", any_number, 0.0);
+  s.y_dot = reader.number("y_dot", any_number, 0.0);
+  const int balls = study.parameters.balls;
+  const auto phi = reader.one_or_each("phi", any_number, balls, "ball", 0.0);
+  const auto phi_dot = reader.one_or_each("phi_dot", any_number, balls, "ball", 0.0);
+  std::copy(phi.begin(), phi.end(), s.phi.begin());
+  std::copy(phi_dot.begin(), phi_dot.end(), s.phi_dot.begin());
+  if (study.release_time() > 0.0)
+    for (double rate : phi_dot)
+      if (rate != 0.0) reader.fail("phi_dot", "must be 0: the balls are clamped until their release");
+  reader.finish();
+}
+
+void read_sampling(const Document& document, Sampling& sampling) {
+  TableReader reader(document, "sampling");
+  reader.choice("method", {"random"}, "random");
+  constexpr std::int64_t largest_seed = std::numeric_limits<std::int64_t>::max();  // of a TOML integer
+  sampling.starts = reader.integer("starts", 1, 1'000'000'000'000, static_cast<std::int64_t>(sampling.starts));
+  sampling.seed = reader.integer("seed", 0, largest_seed, static_cast<std::int64_t>(sampling.seed));
+  reader.finish();
+}
+
+void read_numerics(const Document& document, Numerics& numerics) {
+  TableReader reader(document, "numerics");
+  numerics.tolerance = reader.optional_number("tolerance", {1e-14, 1e-2});
+  numerics.horizon = reader.number("horizon", {1.0, 1e7}, numerics.horizon);
+  reader.finish();
+}
+
+std::string read_file(const std::string& path) {
+  const auto reject = [&](const std::string& why) {
+    throw InputError(path, "", "", fmt::format("cannot be read ({}); must be a readable study file (TOML)", why));
+  };
+  std::error_code ignored;
+  if (std::filesystem::is_directory(path, ignored)) reject("a directory");
+  std::ifstream file(path, std::ios::binary);
+  if (!file) reject(std::filesystem::exists(path, ignored) ? "not open to this user" : "no such file");
+  std::string text;
+  std::array<char, 65536> block;
+  while (file.read(block.data(), block.size()), file.gcount() > 0) text.append(block.data(), file.gcount());
+  if (file.bad()) reject("reading broke off");
+  return text;
+}
+
+}  // namespace
+
+model::SpeedProfile Study::speed_profile() const {
+  model::SpeedProfile profile;
+  profile.law = speed.law;
+  profile.initial_angle = initial.psi;
+  if (speed.profile == "constant") {
+    profile.speeds = {speed.speed};
+  } else if (speed.profile == "ramp") {
+    profile.times = {0.0, speed.duration};
+    profile.speeds = {speed.initial, speed.final};
+  } else if (speed.profile == "trapezoid") {
+    profile.times = {0.0, speed.rise_until, speed.hold_until, speed.fall_until};
+    profile.speeds = {speed.initial, speed.peak, speed.peak, speed.final};
+  } else {
+    profile.times = speed.times;
+    profile.speeds = speed.speeds;
+  }
+  return profile;
+}
+
+double Study::release_time() const {
+  if (release.time) return *release.time;
+  const model::SpeedProfile profile = speed_profile();
+  if (release.speed) {
+    const auto time = profile.first_time_at(*release.speed);
+    if (!time) throw InputError(name, "release.speed", fmt::format("{}", *release.speed), reached_speeds(profile));
+    return *time;
+  }
+  return speed.profile == "trapezoid" ? speed.rise_until : profile.settled_time();
+}
+
+Study parse_study(const std::string& toml_text, const std::string& name, const std::vector<std::string>& overrides) {
+  const Document document = parse_document(toml_text, name, overrides);
+  check_tables(document, {"rotor", "balancer", "speed", "release", "initial", "sampling", "numerics"});
+  Study result;
+  result.name = name;
+  read_rotor(document, result.parameters);
+  read_balancer(document, result.parameters);
+  read_speed(document, result.speed);
+  read_release(document, result);
+  read_initial(document, result);
+  read_sampling(document, result.sampling);
+  read_numerics(document, result.numerics);
+  return result;
+}
+
+Study read_study(const std::string& path, const std::vector<std::string>& overrides) {
+  return parse_study(read_file(path), path, overrides);
+}
+
+}  // namespace equipoise

@@ -1,0 +1,88 @@
+// A study: what is asked, as plain data with visible defaults. docs/guide/study-file.md is its reference.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "equipoise/model/parameters.hpp"
+#include "equipoise/model/speed.hpp"
+
+namespace equipoise {
+
+/// [speed]: the ramp function by name, and the law that turns it into psi(t).
+struct SpeedSetting {
+  std::string profile = "constant";  ///< constant | ramp | trapezoid | points
+  double speed = 0.0;                ///< constant
+  double initial = 0.0;              ///< ramp, trapezoid
+  double final = 0.0;                ///< ramp, trapezoid
+  double duration = 0.0;             ///< ramp: T0, > 0
+  double peak = 0.0;                 ///< trapezoid
+  double rise_until = 0.0;           ///< trapezoid: T0
+  double hold_until = 0.0;           ///< trapezoid: T1
+  double fall_until = 0.0;           ///< trapezoid: T2
+  std::vector<double> times;         ///< points
+  std::vector<double> speeds;        ///< points
+  model::SpeedLaw law = model::SpeedLaw::kinematic;
+};
+
+/// [release]: when the balls are let go; at most one is set.
+struct ReleaseSetting {
+  std::optional<double> speed;  ///< when the ramp function first equals this
+  std::optional<double> time;
+};
+
+/// [initial]: state at t = 0, rotating frame. Ensembles draw phi and ignore the one given here.
+struct InitialState {
+  double psi = 0.0, x = 0.0, y = 0.0, x_dot = 0.0, y_dot = 0.0;
+  std::array<double, model::max_balls> phi{}, phi_dot{};
+};
+
+/// [sampling]: the random starts of an ensemble.
+struct Sampling {
+  std::uint64_t starts = 100000;
+  std::uint64_t seed = 1;
+};
+
+/// [numerics]: all optional.
+struct Numerics {
+  std::optional<double> tolerance;  ///< per step; default_*_tolerance where unset
+  double horizon = 3000.0;          ///< time after the last branch begins (and release) until a start is `undecided`
+};
+
+inline constexpr double default_simulate_tolerance = 1e-12;
+inline constexpr double default_basin_tolerance = 1e-7;
+
+/// A complete study. What read_study() returns is checked; one filled in by hand is checked by
+/// parse_study(to_toml(study), name).
+struct Study {
+  std::string name;  ///< file it came from; for messages and results only
+  model::Parameters parameters;
+  SpeedSetting speed;
+  ReleaseSetting release;
+  InitialState initial;
+  Sampling sampling;
+  Numerics numerics;
+
+  /// The ramp function and law as the model sees them.
+  model::SpeedProfile speed_profile() const;
+  /// Time at which the balls are let go, >= 0. With no [release]: 0 at constant speed, else the end of the ramp
+  /// (trapezoid: of the rise; points: the last time).
+  /// Throws InputError if the ramp function never reaches release.speed.
+  double release_time() const;
+};
+
+/// Reads and checks a study file. `overrides`: "key=value" with dotted keys, as given to --set.
+/// Throws InputError for anything unusable.
+Study read_study(const std::string& path, const std::vector<std::string>& overrides = {});
+
+/// The same from TOML text; `name` stands in for the file name in messages.
+Study parse_study(const std::string& toml_text, const std::string& name,
+                  const std::vector<std::string>& overrides = {});
+
+/// The resolved study, defaults included, as TOML that read_study() takes back to an equal study.
+std::string to_toml(const Study& study);
+
+}  // namespace equipoise

@@ -1,0 +1,90 @@
+// Reading TOML values with errors that name file, line, key, value and allowed range, and that catch unknown keys.
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <initializer_list>
+#include <optional>
+#include <set>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include <toml++/toml.h>
+
+#include "equipoise/base/error.hpp"
+
+namespace equipoise::study {
+
+/// Shortest text that reads back to the same number, always as a TOML float.
+std::string number_text(double v);
+
+/// What a number may be.
+struct Range {
+  double low, high;
+  bool low_open = false, high_open = false;
+
+  bool contains(double v) const;  ///< false for not-a-number and infinity
+  std::string text() const;       ///< "a finite number greater than 0"
+};
+
+/// Far beyond any use, and small enough that a difference of two numbers stays finite.
+inline constexpr double unbounded = 1e300;
+inline constexpr Range any_number{-unbounded, unbounded};
+inline constexpr Range not_negative{0.0, unbounded};
+inline constexpr Range positive{0.0, unbounded, true};
+
+/// A parsed document with its overrides applied, and the knowledge of where each value came from.
+struct Document {
+  toml::table root;
+  std::string name;
+  std::set<std::string> overridden;  ///< dotted keys given by --set
+
+  std::string where(const std::string& dotted_key, const toml::node* node) const;
+};
+
+/// Parses TOML text and applies overrides "dotted.key=value". The value is TOML; what is not TOML and does not begin
+/// like an array, table or string counts as a string: --set speed.law=published.
+Document parse_document(std::string_view text, const std::string& name, const std::vector<std::string>& overrides);
+
+/// One table of the document. Every read marks its key as known; finish() rejects the others.
+class TableReader {
+ public:
+  /// `prefix` is the table's name; an absent table reads as empty.
+  TableReader(const Document& document, std::string prefix);
+
+  bool has(const std::string& key);
+  double number(const std::string& key, const Range& range);
+  double number(const std::string& key, const Range& range, double fallback);
+  std::optional<double> optional_number(const std::string& key, const Range& range);
+  std::int64_t integer(const std::string& key, std::int64_t low, std::int64_t high);
+  std::int64_t integer(const std::string& key, std::int64_t low, std::int64_t high, std::int64_t fallback);
+  std::string choice(const std::string& key, std::initializer_list<std::string_view> allowed,
+                     std::optional<std::string> fallback = std::nullopt);
+  std::vector<double> numbers(const std::string& key, const Range& range);
+  /// `count` numbers from an array of that length, or one number repeated.
+  std::vector<double> one_or_each(const std::string& key, const Range& range, int count, const std::string& each,
+                                  std::optional<double> fallback = std::nullopt);
+  /// Throws for the first key that no read asked for.
+  void finish() const;
+
+  /// Throws an InputError about `key`.
+  [[noreturn]] void fail(const std::string& key, const std::string& problem) const;
+
+ private:
+  const toml::node* find(const std::string& key);
+  const toml::node& require(const std::string& key, const std::string& wanted);
+  double as_number(const std::string& key, const toml::node& node, const Range& range,
+                   std::optional<std::size_t> entry = std::nullopt) const;
+  std::string dotted(const std::string& key) const;
+
+  const Document& document_;
+  std::string prefix_;
+  const toml::table* table_ = nullptr;
+  std::vector<std::string> known_;
+};
+
+/// Throws for a top-level key that is not one of `tables`.
+void check_tables(const Document& document, std::initializer_list<std::string_view> tables);
+
+}  // namespace equipoise::study
