@@ -45,11 +45,12 @@ class DecideFate {
     if constexpr (row == second_sample) take(second_[g], z);
   }
 
-  HWY_INLINE unsigned step(int g, Mask accepted, Pack t, Pack h, const Pack* z) {
+  HWY_INLINE unsigned step(int g, unsigned active, Mask accepted, Pack t, Pack h, const Pack* z) {
     gather(g, accepted, h, z);
-    const unsigned accepted_bits = lane_bits(accepted);
+    const unsigned accepted_bits = lane_bits(accepted) & active;
     unsigned done = 0;
-    const unsigned caught = caught_by_trap(g, accepted, z) | (rule_.family.caught ? caught_by_family(g, accepted_bits, z) : 0);
+    unsigned caught = caught_by_trap(accepted, z) & accepted_bits;
+    if (rule_.family.caught) caught |= caught_by_family(g, accepted_bits, z);
     if (caught) done |= mark(g, caught, Outcome::balanced);
     const unsigned full = accepted_bits & ~lane_bits(t < window_end_[g]) & ~done;
     if (full) done |= close_windows(g, full, t, z);
@@ -99,8 +100,7 @@ class DecideFate {
   }
 
   // Lanes inside a trap's level set. The box test costs little and spares most of them the quadratic form.
-  HWY_INLINE unsigned caught_by_trap(int g, Mask accepted, const Pack* z) {
-    (void)g;
+  HWY_INLINE unsigned caught_by_trap(Mask accepted, const Pack* z) {
     unsigned caught = 0;
     for (const BalancedTrap& trap : rule_.traps) {
       Mask near = accepted;

@@ -25,14 +25,15 @@ namespace HWY_NAMESPACE {
 // An observer of a lane block. Bound by the composing layer; this one sees every hook and does nothing.
 //   begin(slot, start, t, z)   trajectory `start` enters lane `slot` in state z (scalars)
 //   stage<row>(group, z)       state at stage `row` of the step being tried
-//   step(group, accepted, t, h, z) -> bits of lanes to end now, called after every step tried; t, z: where it leads
+//   step(group, active, accepted, t, h, z) -> bits of lanes to end now, called after every step tried; t, z: where it
+//                              leads; active: bits of lanes that hold a trajectory
 //   end(slot, start, how, t, z)    trajectory leaves
 template <int n>
 struct NoObserver {
   void begin(int, std::size_t, double, const double*) {}
   template <int row>
   HWY_INLINE void stage(int, const Pack*) {}
-  HWY_INLINE unsigned step(int, Mask, Pack, Pack, const Pack*) { return 0; }
+  HWY_INLINE unsigned step(int, unsigned, Mask, Pack, Pack, const Pack*) { return 0; }
   void end(int, std::size_t, LaneEnd, double, const double*) {}
 };
 
@@ -100,7 +101,7 @@ class LaneBlock {
     const Pack t_try = t_[g] + step_[g];
     const Pack t_new = select(end_ - t_[g] <= h_[g], end_, t_try);
     rate(t_new, z, k_end);
-    const unsigned decided = observer_.step(g, accepted, t_new, step_[g], z) & active_[g];
+    const unsigned decided = observer_.step(g, active_[g], accepted, t_new, step_[g], z);
 
     const StepChange change = step_change(error2, log_error_[g]);
     const Mask moving = t_[g] < t_try;

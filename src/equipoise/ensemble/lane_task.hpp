@@ -15,7 +15,7 @@ struct LaneTask {
   const model::Parameters* parameters = nullptr;
   model::Segment segment{};
   double end = 0.0;          ///< finite, after segment.begin
-  double tolerance = 1e-7;   ///< error allowed a step, in units of lane_error_scale()
+  double tolerance = 1e-6;   ///< error allowed a step, in units of lane_error_scale()
   std::size_t count = 0;     ///< trajectories
   double* states = nullptr;  ///< count rows of dimension(balls) numbers; states at segment.begin in, final states out
   const StopFlag* stop = nullptr;

@@ -9,6 +9,7 @@
 
 #include "equipoise/attractors/fate.hpp"
 #include "equipoise/base/error.hpp"
+#include "equipoise/report/basin_result.hpp"
 #include "equipoise/statistics/share.hpp"
 #include "equipoise/study/study.hpp"
 
@@ -30,22 +31,6 @@ struct BasinOptions {
                              ///< resumed, a finished one extended or simply read
   const StopFlag* stop = nullptr;
   std::function<void(const BasinProgress&)> progress;  ///< called in order, from any thread but never from two at once
-};
-
-/// Everything a report needs.
-struct BasinResult {
-  Study study;
-  std::uint64_t starts = 0;         ///< decided and counted: starts 0 to starts - 1
-  bool partial = false;             ///< stopped before all requested starts were done
-  std::uint64_t resumed_from = 0;   ///< starts read from an earlier run's file
-  std::array<Share, outcome_count> shares;        ///< by Outcome; 95 % Wilson intervals
-  std::array<double, outcome_count> mean_time{};  ///< mean time from the last branch's begin (and release) to decision
-  bool balanced_stable = false;     ///< a linearly stable balanced state exists at the final speed
-  std::string note;                 ///< why no start can end balanced, if so
-  std::size_t motions_found = 0;    ///< stationary motions away from balance that the pilot could tell apart
-  int threads = 0;
-  std::string cpu_target;
-  double seconds = 0.0, cpu_seconds = 0.0;        ///< of this run, pilot included
 };
 
 /// One start replayed alone.

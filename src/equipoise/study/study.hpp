@@ -53,7 +53,7 @@ struct Numerics {
 };
 
 inline constexpr double default_simulate_tolerance = 1e-12;
-inline constexpr double default_basin_tolerance = 1e-7;
+inline constexpr double default_basin_tolerance = 1e-6;
 
 /// A complete study. What read_study() returns is checked; one filled in by hand is checked by
 /// parse_study(to_toml(study), name).

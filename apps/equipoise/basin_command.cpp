@@ -1,0 +1,101 @@
+// equipoise basin: the shares of starts that end balanced.
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include <fmt/format.h>
+
+#include "commands.hpp"
+#include "equipoise/run/basin.hpp"
+#include "equipoise/run/lane_kernels.hpp"
+#include "progress.hpp"
+
+namespace equipoise::app {
+
+namespace {
+
+struct BasinArguments {
+  std::string study;
+  std::vector<std::string> overrides;
+  std::optional<std::string> starts, seed, start_index, half_width, threads;
+  std::string output, cpu;
+  bool json = false, quiet = false;
+};
+
+// A number given as an option, checked here so that a bad one gets the same kind of error as in a study.
+template <class T>
+T option_number(const char* option, const std::string& text, T low, T high, const char* allowed) {
+  T value{};
+  if (!CLI::detail::lexical_cast(text, value) || !(value >= low && value <= high))
+    throw InputError(option, "", text, fmt::format("must be {}", allowed));
+  return value;
+}
+
+Study study_from(const BasinArguments& a) {
+  std::vector<std::string> overrides = a.overrides;
+  if (a.starts) overrides.push_back("sampling.starts=" + *a.starts);
+  if (a.seed) overrides.push_back("sampling.seed=" + *a.seed);
+  return read_study(a.study, overrides);
+}
+
+int print_replay(const Study& study, const BasinOptions& options, const std::string& text) {
+  constexpr std::uint64_t largest = 999'999'999'999;
+  const auto index = option_number<std::uint64_t>("--start-index", text, 0, largest, "a whole number from 0 to 999999999999");
+  const StartReplay replay = replay_start(study, index, options);
+  fmt::print("start {} of seed {}\n", index, study.sampling.seed);
+  for (int i = 0; i < study.parameters.balls; ++i) fmt::print("phi_{} = {}\n", i + 1, replay.phi[i]);
+  fmt::print("outcome = {}\ndecision_time = {}\n", outcome_names[static_cast<int>(replay.fate.outcome)], replay.fate.time);
+  return done;
+}
+
+void choose_cpu(const std::string& name) {
+  if (name.empty() || use_cpu_target(name)) return;
+  std::string known;
+  for (const std::string& target : cpu_targets()) known += (known.empty() ? "" : ", ") + target;
+  throw InputError("--cpu", "", name, "must be one of those this machine has: " + known);
+}
+
+int run_basin(const BasinArguments& a) {
+  choose_cpu(a.cpu);
+  const Study study = study_from(a);
+  BasinOptions options;
+  if (a.threads) options.threads = option_number<int>("--threads", *a.threads, 1, 4096, "a whole number from 1 to 4096");
+  if (a.half_width)
+    options.half_width = option_number<double>("--half-width", *a.half_width, 1e-6, 0.5, "a fraction of one from 1e-6 to 0.5");
+  options.limit_given = a.starts.has_value();
+  options.output = a.output;
+  options.stop = &stop_flag();
+  if (a.start_index) return print_replay(study, options, *a.start_index);
+
+  ProgressLine progress(a.quiet);
+  options.progress = [&](const BasinProgress& p) {
+    progress.update(p.done, p.total, fmt::format("balanced {:.2f} %", 100.0 * p.balanced.share));
+  };
+  const BasinResult result = basin(study, options);
+  progress.finish();
+  fmt::print("{}", a.json ? basin_json(result) : basin_text(result));
+  return result.partial && stop_flag() ? interrupted : done;
+}
+
+}  // namespace
+
+Command add_basin(CLI::App& app) {
+  const auto a = std::make_shared<BasinArguments>();
+  app.add_option("study", a->study, "study file (TOML)")->required()->type_name("STUDY");
+  app.add_option("--starts", a->starts, "number of starts (with --half-width: at most so many)")->type_name("N");
+  app.add_option("--seed", a->seed, "seed of the random starts")->type_name("S");
+  app.add_option("--half-width", a->half_width, "sample until every share's 95 % interval is within +- H (a fraction of one)")
+      ->type_name("H");
+  app.add_option("--start-index", a->start_index, "replay start I alone and print its angles and outcome")->type_name("I");
+  app.add_option("-o,--output", a->output, "per-start results (NetCDF); the same command resumes or extends them")->type_name("FILE.nc");
+  app.add_option("--threads", a->threads, "threads (default: all cores)")->type_name("T");
+  app.add_option("--set", a->overrides, "override a study key, e.g. speed.final=2.6; may be repeated")->type_name("KEY=VALUE")->take_all();
+  app.add_option("--cpu", a->cpu, "instruction set to use instead of the best (see --version)")->type_name("NAME");
+  app.add_flag("--json", a->json, "print one JSON object");
+  app.add_flag("--quiet", a->quiet, "no progress");
+  return [a] { return run_basin(*a); };
+}
+
+}  // namespace equipoise::app

@@ -1,0 +1,28 @@
+// The program's commands: each adds itself to the command line and returns what to run if it is chosen.
+#pragma once
+
+#include <functional>
+
+#include <CLI/CLI.hpp>
+
+#include "equipoise/base/error.hpp"
+
+namespace equipoise::app {
+
+/// Exit codes (docs/guide/command-line.md).
+enum ExitCode : int {
+  done = 0,
+  failed = 1,
+  bad_input = 2,
+  check_failed = 3,
+  interrupted = 130,
+};
+
+/// Set by Ctrl-C and by a request to terminate.
+StopFlag& stop_flag();
+
+using Command = std::function<int()>;
+Command add_basin(CLI::App& app);
+Command add_simulate(CLI::App& app);
+
+}  // namespace equipoise::app

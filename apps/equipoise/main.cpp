@@ -1,0 +1,75 @@
+// equipoise: will this automatic balancer balance this rotor, how surely, how fast?
+#include <csignal>
+#include <cstdio>
+#include <exception>
+#include <string>
+#include <vector>
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include "commands.hpp"
+#include "equipoise/base/version.hpp"
+#include "equipoise/run/lane_kernels.hpp"
+
+namespace equipoise::app {
+
+StopFlag& stop_flag() {
+  static StopFlag flag{false};
+  return flag;
+}
+
+namespace {
+
+void ask_to_stop(int signal) {
+  stop_flag().store(true);
+  std::signal(signal, SIG_DFL);  // a second Ctrl-C ends at once
+}
+
+std::string version_text() {
+  return fmt::format("equipoise {}\ncompiler: {}\nCPU targets here: {}; using {}\n", version_string, __VERSION__,
+                     fmt::join(cpu_targets(), ", "), cpu_target());
+}
+
+int run(int argc, char** argv) {
+  CLI::App app("Will this automatic balancer balance this rotor, how surely and how fast?");
+  app.name("equipoise");
+  app.require_subcommand(1);
+  app.set_version_flag("--version", version_text);
+  app.footer("Exit codes: 0 done, 1 failed, 2 bad usage or study, 130 interrupted with results kept.\n"
+             "Data go to standard output, all else to standard error.");
+  std::vector<std::pair<CLI::App*, Command>> commands;
+  const auto add = [&](const char* name, const char* description, Command (*make)(CLI::App&)) {
+    CLI::App* sub = app.add_subcommand(name, description);
+    commands.emplace_back(sub, make(*sub));
+  };
+  add("basin", "shares of starts that end balanced, with intervals", add_basin);
+  add("simulate", "one trajectory at stated times", add_simulate);
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::ParseError& e) {
+    const int code = app.exit(e);
+    return code == 0 ? done : bad_input;
+  }
+  for (auto& [sub, command] : commands)
+    if (sub->parsed()) return command();
+  return bad_input;
+}
+
+}  // namespace
+}  // namespace equipoise::app
+
+int main(int argc, char** argv) {
+  using namespace equipoise;
+  std::signal(SIGINT, app::ask_to_stop);
+  std::signal(SIGTERM, app::ask_to_stop);
+  try {
+    return app::run(argc, argv);
+  } catch (const InputError& e) {
+    fmt::print(stderr, "equipoise: {}\n", e.what());
+    return app::bad_input;
+  } catch (const std::exception& e) {
+    fmt::print(stderr, "equipoise: {}\n", e.what());
+    return app::failed;
+  }
+}

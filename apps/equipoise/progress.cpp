@@ -1,0 +1,78 @@
+// Drawing of progress: at most ten times a second as a bar, every five seconds as lines.
+#include "progress.hpp"
+
+#include <cmath>
+#include <cstdio>
+
+#include <fmt/format.h>
+#include <sys/ioctl.h>
+#include <unistd.h>
+
+namespace equipoise::app {
+
+namespace {
+
+std::string duration(double seconds) {
+  if (seconds < 60.0) return fmt::format("{:.0f} s", seconds);
+  if (seconds < 3600.0) return fmt::format("{:.0f} min {:02.0f} s", std::floor(seconds / 60.0), std::fmod(seconds, 60.0));
+  return fmt::format("{:.0f} h {:02.0f} min", std::floor(seconds / 3600.0), std::fmod(seconds / 60.0, 60.0));
+}
+
+std::size_t terminal_width() {
+  winsize size{};
+  return ioctl(STDERR_FILENO, TIOCGWINSZ, &size) == 0 && size.ws_col > 0 ? size.ws_col : 80;
+}
+
+}  // namespace
+
+ProgressLine::ProgressLine(bool quiet)
+    : style_(quiet ? Style::none : isatty(STDERR_FILENO) ? Style::bar : Style::lines), begin_(Clock::now()), last_(begin_) {}
+
+ProgressLine::~ProgressLine() { finish(); }
+
+void ProgressLine::update(std::uint64_t done, std::uint64_t total, const std::string& detail) {
+  if (style_ == Style::none) return;
+  const auto now = Clock::now();
+  if (!counting_) {  // what came from an earlier run does not count towards this one's rate
+    counting_ = true;
+    first_ = done;
+    begin_ = now;
+  }
+  const double interval = style_ == Style::bar ? 0.1 : 5.0;
+  if (std::chrono::duration<double>(now - last_).count() < interval) return;
+  last_ = now;
+  const double elapsed = std::chrono::duration<double>(now - begin_).count();
+  const double rate = elapsed > 0.0 ? static_cast<double>(done - first_) / elapsed : 0.0;
+  std::string text;
+  if (total > 0) {
+    const double fraction = static_cast<double>(done) / static_cast<double>(total);
+    if (style_ == Style::bar) {
+      constexpr int cells = 24;
+      const int full = static_cast<int>(fraction * cells);
+      text += "[" + std::string(full, '#') + std::string(cells - full, '.') + "] ";
+    }
+    text += fmt::format("{:3.0f} %  {} of {}", 100.0 * fraction, done, total);
+    if (rate > 0.0) text += fmt::format("  {:.0f}/s  {} left", rate, duration(static_cast<double>(total - done) / rate));
+  } else {
+    text += fmt::format("{} starts  {:.0f}/s", done, rate);
+  }
+  text += "  " + detail;
+  if (style_ == Style::bar) {
+    text = text.substr(0, terminal_width() - 1);
+    fmt::print(stderr, "\r{}\x1b[K", text);
+  } else {
+    fmt::print(stderr, "{}\n", text);
+  }
+  std::fflush(stderr);
+  shown_ = true;
+}
+
+void ProgressLine::finish() {
+  if (shown_ && style_ == Style::bar) {
+    fmt::print(stderr, "\r\x1b[K");
+    std::fflush(stderr);
+  }
+  shown_ = false;
+}
+
+}  // namespace equipoise::app
