@@ -1,1 +1,28 @@
 # Installing and exporting: find_package(equipoise) from an outside project.
+include(CMakePackageConfigHelpers)
+
+set(config_dir ${CMAKE_INSTALL_LIBDIR}/cmake/equipoise)
+install(TARGETS equipoise EXPORT equipoise_targets
+  ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR} LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR}
+  RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
+if(EQUIPOISE_BUILD_PROGRAM)
+  install(TARGETS equipoise_program RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
+endif()
+
+# The public interface: equipoise/equipoise.hpp and what it includes. Templates and kernels stay inside.
+foreach(header
+    equipoise.hpp base/error.hpp model/parameters.hpp model/speed.hpp model/balanced_state.hpp model/energy.hpp
+    integrate/status.hpp attractors/decision_rule.hpp attractors/fate.hpp statistics/share.hpp study/study.hpp
+    store/trajectory.hpp report/basin_result.hpp run/basin.hpp run/simulate.hpp)
+  get_filename_component(folder ${header} DIRECTORY)
+  install(FILES ${PROJECT_SOURCE_DIR}/src/equipoise/${header} DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/equipoise/${folder})
+endforeach()
+install(FILES ${PROJECT_BINARY_DIR}/src/equipoise/include/equipoise/base/version.hpp
+  DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/equipoise/base)
+
+install(EXPORT equipoise_targets NAMESPACE equipoise:: DESTINATION ${config_dir})
+configure_package_config_file(${CMAKE_CURRENT_LIST_DIR}/equipoise-config.cmake.in
+  ${PROJECT_BINARY_DIR}/equipoise-config.cmake INSTALL_DESTINATION ${config_dir})
+write_basic_package_version_file(${PROJECT_BINARY_DIR}/equipoise-config-version.cmake COMPATIBILITY SameMinorVersion)
+install(FILES ${PROJECT_BINARY_DIR}/equipoise-config.cmake ${PROJECT_BINARY_DIR}/equipoise-config-version.cmake
+  DESTINATION ${config_dir})

@@ -66,7 +66,7 @@ void WindowTracker::begin(const DecisionRule& rule) {
   elapsed_ = 0.0;
   long_end_ = rule.first_long_window;
   box_ = -1;
-  hits_ = 0;
+  hits_ = repeats_ = 0;
   fresh_ = true;
   has_previous_ = false;
 }
@@ -105,7 +105,8 @@ WindowVerdict WindowTracker::finish_long_window() {
   has_previous_ = true;
   long_end_ *= 2.0;
   fresh_ = true;
-  return repeats ? WindowVerdict::stationary : WindowVerdict::open;
+  repeats_ = repeats ? repeats_ + 1 : 0;
+  return repeats_ >= rule_->repeats_needed ? WindowVerdict::stationary : WindowVerdict::open;
 }
 
 }  // namespace equipoise

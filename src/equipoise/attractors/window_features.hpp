@@ -24,7 +24,7 @@ bool same_motion(const Features& a, const Features& b, int balls, double samenes
 enum class WindowVerdict {
   open,
   known,       ///< in one box for hits_needed short windows in a row
-  stationary,  ///< a long window repeats the one before it
+  stationary,  ///< repeats_needed long windows in a row repeated the one before (a chaotic transient matches once in 10^5)
 };
 
 /// One trajectory's windows.
@@ -42,7 +42,7 @@ class WindowTracker {
 
   const DecisionRule* rule_ = nullptr;
   double elapsed_ = 0.0, long_end_ = 0.0;
-  int box_ = -1, hits_ = 0;
+  int box_ = -1, hits_ = 0, repeats_ = 0;
   bool fresh_ = true, has_previous_ = false;
   WindowSums long_;
   FeatureBox range_;

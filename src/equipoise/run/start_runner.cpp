@@ -21,7 +21,8 @@ namespace {
 // motion that 2048 starts miss is still decided by stationarity, only later.
 constexpr std::uint64_t pilot_seed = 0x9e3779b97f4a7c15;
 constexpr std::size_t pilot_starts = 2048, pilot_chunk = 256;
-// Long windows end at 1, 2, 4, 8 and 16 times the first: four comparisons for each pilot start.
+// Long windows end at 1, 2, 4, 8 and 16 times the first: four comparisons, of which two in a
+// row must agree.
 constexpr double pilot_windows = 16.0;
 
 DecisionRule rule_for(const Study& study, const BalancedAnalysis& balanced, double final_speed) {

@@ -1,0 +1,19 @@
+// The library's front door: a study in, shares or a trajectory out.
+//
+//     const equipoise::Study study = equipoise::read_study("spin-up.toml");
+//     const equipoise::BasinResult answer = equipoise::basin(study);
+//     const equipoise::Share& balanced = answer.shares[int(equipoise::Outcome::balanced)];
+//     // balanced.share, balanced.low, balanced.high
+//     const equipoise::Trajectory one = equipoise::simulate(study, {0.0, 10.0, 20.0});
+//
+// The library throws equipoise::InputError for unusable input before any work starts and RunError for work it cannot
+// finish. It does not print, exit or abort. docs/guide/library.md is the tour.
+#pragma once
+
+#include "equipoise/base/error.hpp"
+#include "equipoise/base/version.hpp"
+#include "equipoise/model/balanced_state.hpp"
+#include "equipoise/model/energy.hpp"
+#include "equipoise/run/basin.hpp"
+#include "equipoise/run/simulate.hpp"
+#include "equipoise/study/study.hpp"

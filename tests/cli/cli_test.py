@@ -1,0 +1,216 @@
+#!/usr/bin/env python3
+"""The program as its users meet it: output, exit codes, errors, progress, interruption.
+
+    cli_test.py PROGRAM STUDIES
+"""
+import csv
+import io
+import json
+import math
+import os
+import pty
+import signal
+import subprocess
+import sys
+import tempfile
+import time
+import unittest
+
+PROGRAM, STUDIES = sys.argv[1], sys.argv[2]
+ROW = os.path.join(STUDIES, "paper", "table-2-omega-2.4.toml")
+
+
+def run(*arguments, **options):
+    return subprocess.run([PROGRAM, *arguments], capture_output=True, text=True, timeout=300, check=False, **options)
+
+
+class Basin(unittest.TestCase):
+    def test_json_has_shares_as_fractions_with_intervals(self):
+        done = run("basin", ROW, "--starts", "3000", "--json", "--quiet")
+        self.assertEqual((done.returncode, done.stderr), (0, ""))
+        answer = json.loads(done.stdout)
+        self.assertEqual(answer["starts"], 3000)
+        balanced = answer["outcomes"][0]
+        self.assertEqual((balanced["id"], balanced["name"]), (1, "balanced"))
+        self.assertLess(balanced["low"], balanced["share"])
+        self.assertLess(balanced["share"], balanced["high"])
+        # Published 60.54 %; 3000 starts have a standard error of 0.9 %: five of them.
+        self.assertAlmostEqual(balanced["share"], 0.6054, delta=0.045)
+        counts = [o["count"] for o in answer["outcomes"]] + [answer[k]["count"] for k in ("undecided", "diverged", "failed")]
+        self.assertEqual(sum(counts), 3000)
+        self.assertEqual(answer["study"]["sampling"], {"starts": 3000, "seed": 1, "method": "random"})
+        self.assertEqual(answer["study"]["speed"]["speed"], 2.4)
+
+    def test_seed_changes_the_sample_and_nothing_else(self):
+        one, again, two = (json.loads(run("basin", ROW, "--starts", "2000", "--json", "--quiet", "--seed", s).stdout)
+                           for s in ("1", "1", "2"))
+        self.assertEqual(one["outcomes"], again["outcomes"])
+        self.assertNotEqual(one["outcomes"], two["outcomes"])
+
+    def test_table_names_every_outcome_and_the_interval(self):
+        text = run("basin", ROW, "--starts", "1000", "--quiet").stdout
+        for word in ("balanced", "not balanced", "undecided", "diverged", "failed", "95 % interval", "1000 starts", "seed 1"):
+            self.assertIn(word, text)
+
+    def test_published_law_is_named_wherever_it_was_used(self):
+        study = os.path.join(STUDIES, "paper", "table-5-t0-300.toml")
+        self.assertIn("PUBLISHED speed law", run("basin", study, "--starts", "500", "--quiet").stdout)
+        self.assertEqual(json.loads(run("basin", study, "--starts", "500", "--json", "--quiet").stdout)["law"], "published")
+        self.assertIn("published speed law", run("simulate", study, "--at", "0,1").stderr)
+
+    def test_half_width_is_reached(self):
+        answer = json.loads(run("basin", ROW, "--half-width", "0.02", "--json", "--quiet").stdout)
+        balanced = answer["outcomes"][0]
+        self.assertLessEqual((balanced["high"] - balanced["low"]) / 2, 0.02)
+        self.assertLess(answer["starts"], 20000)
+
+    def test_replayed_start_prints_angles_outcome_and_time(self):
+        lines = run("basin", ROW, "--start-index", "5").stdout.splitlines()
+        self.assertEqual(lines[0], "start 5 of seed 1")
+        values = dict(line.split(" = ") for line in lines[1:])
+        self.assertEqual(set(values), {"phi_1", "phi_2", "outcome", "decision_time"})
+        self.assertTrue(0 <= float(values["phi_1"]) < 2 * math.pi)
+
+    def test_lines_of_progress_where_standard_error_is_no_terminal(self):
+        with tempfile.TemporaryDirectory() as folder:
+            process = subprocess.Popen([PROGRAM, "basin", ROW, "--starts", "100000000"], stdout=subprocess.PIPE,
+                                       stderr=subprocess.PIPE, text=True, cwd=folder)
+            line = process.stderr.readline()
+            process.send_signal(signal.SIGINT)
+            process.communicate(timeout=60)
+            self.assertRegex(line, r"% +\d+ of 100000000 .*/s .* left  balanced \d")
+
+    def test_interrupted_run_says_what_is_known_so_far(self):
+        with tempfile.TemporaryDirectory() as folder:
+            output = os.path.join(folder, "out.nc")
+            process = subprocess.Popen([PROGRAM, "basin", ROW, "--starts", "100000000", "--json", "--quiet", "-o", output],
+                                       stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
+            time.sleep(3)
+            process.send_signal(signal.SIGINT)
+            out, _ = process.communicate(timeout=60)
+            self.assertEqual(process.returncode, 130)
+            answer = json.loads(out)
+            self.assertTrue(answer["partial"])
+            self.assertTrue(0 < answer["starts"] < 100000000)
+            self.assertGreater(os.path.getsize(output), 1000)
+
+    def test_bar_on_a_terminal(self):
+        pid, terminal = pty.fork()
+        if pid == 0:
+            os.execv(PROGRAM, [PROGRAM, "basin", ROW, "--starts", "400000"])
+        seen = b""
+        while True:
+            try:
+                part = os.read(terminal, 65536)
+            except OSError:
+                break
+            if not part:
+                break
+            seen += part
+        _, status = os.waitpid(pid, 0)
+        self.assertEqual(os.waitstatus_to_exitcode(status), 0)
+        self.assertRegex(seen.decode(), r"\r\[#*\.+\] +\d+ % +\d+ of 400000 .*balanced")
+
+
+class Simulate(unittest.TestCase):
+    COLUMNS = "t,psi,psi_dot,x,y,x_dot,y_dot,phi_1,phi_2,phi_dot_1,phi_dot_2,radial,bearing_x,bearing_y"
+
+    def rows(self, *arguments):
+        done = run("simulate", *arguments)
+        self.assertEqual((done.returncode, done.stderr), (0, ""))
+        self.assertEqual(done.stdout.splitlines()[0], self.COLUMNS)
+        return [{k: float(v) for k, v in row.items()} for row in csv.DictReader(io.StringIO(done.stdout))]
+
+    def test_rows_at_the_stated_times(self):
+        self.assertEqual([r["t"] for r in self.rows(ROW, "--at", "0.5,2,5")], [0.5, 2.0, 5.0])
+        self.assertEqual([r["t"] for r in self.rows(ROW, "--every", "0.25", "--until", "1")], [0, 0.25, 0.5, 0.75, 1])
+
+    def test_states_do_not_depend_on_which_times_are_asked_for(self):
+        few = self.rows(ROW, "--at", "7.3,20", "--set", "initial.phi=[1.0,4.0]")
+        many = self.rows(ROW, "--every", "0.1", "--until", "20", "--set", "initial.phi=[1.0,4.0]")
+        # Dense output: the steps are the same but for the last, which ends at the last time in both.
+        for row in few:
+            same = min(many, key=lambda r: abs(r["t"] - row["t"]))
+            for key in ("x", "y", "phi_1", "phi_2"):
+                self.assertAlmostEqual(row[key], same[key], delta=1e-10)
+
+    def test_csv_and_netcdf_files(self):
+        with tempfile.TemporaryDirectory() as folder:
+            for name in ("a.csv", "a.nc"):
+                path = os.path.join(folder, name)
+                done = run("simulate", ROW, "--at", "1,2", "-o", path)
+                self.assertEqual((done.returncode, done.stdout), (0, ""))
+                self.assertGreater(os.path.getsize(path), 100)
+
+
+class Errors(unittest.TestCase):
+    def refused(self, arguments, *words):
+        with tempfile.TemporaryDirectory() as folder:
+            done = run(*arguments, cwd=folder)
+            self.assertEqual(done.returncode, 2, done.stderr)
+            self.assertEqual(done.stdout, "")
+            self.assertEqual(os.listdir(folder), [], "nothing may be written")
+        self.assertEqual(len(done.stderr.strip().splitlines()), 1, done.stderr)
+        for word in words:
+            self.assertIn(word, done.stderr)
+
+    def test_bad_studies_are_one_line_naming_key_value_and_range(self):
+        for override, words in {
+            "balancer.masss=0.05": ("balancer.masss", "unknown key", "did you mean \"mass\""),
+            "balancer.mass=light": ("balancer.mass", "light", "greater than 0"),
+            "balancer.mass=-0.05": ("balancer.mass", "-0.05", "greater than 0"),
+            "balancer.mass=nan": ("balancer.mass", "nan", "finite"),
+            "balancer.balls=0": ("balancer.balls", "0", "1 to 8"),
+            "release.speed=3.0": ("release.speed", "3.0", "never reaches"),
+            "rotor.stiffness=[1.0,2.0]": ("rotor.stiffness", "[1, 2]", "equal values"),
+        }.items():
+            for command in ("basin", "simulate"):
+                if command == "simulate" and override.startswith("rotor.stiffness"):
+                    continue  # simulate takes anisotropic supports
+                with self.subTest(override=override, command=command):
+                    self.refused([command, ROW, "--set", override], *words)
+
+    def test_bad_options(self):
+        for arguments, words in (
+            (["basin", "no-such.toml"], ("no-such.toml", "cannot be read")),
+            (["basin", ROW, "--starts", "0"], ("sampling.starts", "0", "from 1")),
+            (["basin", ROW, "--half-width", "2"], ("--half-width", "2", "0.5")),
+            (["basin", ROW, "--threads", "none"], ("--threads", "none", "whole number")),
+            (["basin", ROW, "--start-index", "-1"], ("--start-index", "-1", "from 0")),
+            (["basin", ROW, "--cpu", "Z80"], ("--cpu", "Z80", "must be one of")),
+            (["basin", ROW, "-o", "/nowhere/out.nc"], ("/nowhere/out.nc", "can")),
+            (["simulate", ROW, "-o", "/nowhere/out.csv"], ("/nowhere/out.csv", "cannot be written")),
+            (["simulate", ROW, "-o", "out.txt"], ("out.txt", ".csv or .nc")),
+            (["simulate", ROW, "--at", "2,1"], ("--at", "1", "out of order")),
+            (["simulate", ROW, "--at", "nan"], ("--at", "nan", "finite")),
+            (["simulate", ROW, "--at", "1", "--every", "2"], ("--at", "not both")),
+            (["simulate", ROW, "--every", "0", "--until", "1"], ("--every", "0", "greater than 0")),
+            (["simulate", ROW, "--tolerance", "1"], ("numerics.tolerance", "1", "at most 0.01")),
+        ):
+            with self.subTest(arguments=arguments[2:]):
+                self.refused(arguments, *words)
+
+    def test_results_of_another_study_are_not_overwritten(self):
+        with tempfile.TemporaryDirectory() as folder:
+            path = os.path.join(folder, "out.nc")
+            self.assertEqual(run("basin", ROW, "--starts", "300", "--quiet", "-o", path).returncode, 0)
+            size = os.path.getsize(path)
+            done = run("basin", ROW, "--starts", "300", "--quiet", "-o", path, "--set", "balancer.drag=0.06")
+            self.assertEqual(done.returncode, 2)
+            self.assertIn("other than results of this study", done.stderr)
+            self.assertEqual(os.path.getsize(path), size)
+
+    def test_unknown_option_or_command_is_exit_code_2(self):
+        for arguments in (["basin", ROW, "--nonsense"], ["nonsense"], [], ["basin"]):
+            done = run(*arguments)
+            self.assertEqual((done.returncode, done.stdout), (2, ""))
+
+    def test_help_and_version_go_to_standard_output(self):
+        for arguments in (["--help"], ["basin", "--help"], ["simulate", "--help"], ["--version"]):
+            done = run(*arguments)
+            self.assertEqual((done.returncode, done.stderr), (0, ""))
+            self.assertIn("equipoise" if arguments == ["--version"] else "--help", done.stdout)
+
+
+if __name__ == "__main__":
+    unittest.main(argv=[sys.argv[0]])

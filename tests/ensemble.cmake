@@ -1,0 +1,26 @@
+# Tests of ensembles: lanes, windows, deciding, same bits; the program; the published tables.
+equipoise_test(pack_test unit unit/pack_test.cpp)
+target_include_directories(pack_test PRIVATE ${CMAKE_CURRENT_SOURCE_DIR})
+target_compile_definitions(pack_test PRIVATE "HWY_DISABLED_TARGETS=(HWY_SSSE3|HWY_AVX3_DL)")
+equipoise_test(statistics_test unit unit/statistics_test.cpp)
+equipoise_test(window_test unit unit/window_test.cpp)
+equipoise_test(basin_test equivalence equivalence/basin_test.cpp)
+equipoise_test(decisions_test equivalence equivalence/decisions_test.cpp)
+
+find_package(Python3 COMPONENTS Interpreter)
+if(Python3_FOUND AND EQUIPOISE_BUILD_PROGRAM)
+  add_test(NAME cli.program_as_its_users_meet_it
+    COMMAND Python3::Interpreter ${CMAKE_CURRENT_SOURCE_DIR}/cli/cli_test.py $<TARGET_FILE:equipoise_program>
+      ${PROJECT_SOURCE_DIR}/studies)
+  set_tests_properties(cli.program_as_its_users_meet_it PROPERTIES LABELS cli TIMEOUT 600)
+
+  # Every row of tables 1 to 6 from a few thousand starts each; at the paper's sample sizes: ./dev validate.
+  set(literature_starts 4000)
+  if(EQUIPOISE_SANITIZE)
+    set(literature_starts 300)
+  endif()
+  add_test(NAME literature.tables_1_to_6_agree_with_the_published_ones
+    COMMAND Python3::Interpreter ${CMAKE_CURRENT_SOURCE_DIR}/literature/compare_with_published.py
+      $<TARGET_FILE:equipoise_program> ${PROJECT_SOURCE_DIR}/studies/paper --starts ${literature_starts})
+  set_tests_properties(literature.tables_1_to_6_agree_with_the_published_ones PROPERTIES LABELS literature TIMEOUT 900)
+endif()

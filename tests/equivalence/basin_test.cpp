@@ -1,0 +1,165 @@
+// Ensembles: same bits however they are cut, outcomes that mean what they say, files that resume.
+#include <filesystem>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include "equipoise/run/basin.hpp"
+#include "equipoise/run/lane_kernels.hpp"
+#include "equipoise/run/start_runner.hpp"
+#include "equipoise/store/basin_file.hpp"
+
+namespace equipoise {
+namespace {
+
+Study paper_row(const std::string& name, std::uint64_t starts) {
+  Study study = read_study(std::string(EQUIPOISE_SOURCE_DIR) + "/studies/paper/" + name + ".toml");
+  study.sampling.starts = starts;
+  return study;
+}
+
+std::uint64_t count(const BasinResult& r, Outcome outcome) { return r.shares[static_cast<std::size_t>(outcome)].count; }
+
+std::string scratch_file(const std::string& name) {
+  const std::string path = testing::TempDir() + "equipoise_" + name;
+  std::filesystem::remove(path);
+  return path;
+}
+
+void expect_same(const std::vector<Fate>& a, const std::vector<Fate>& b) {
+  ASSERT_EQ(a.size(), b.size());
+  for (std::size_t i = 0; i < a.size(); ++i) {
+    ASSERT_EQ(a[i].outcome, b[i].outcome) << "start " << i;
+    ASSERT_EQ(a[i].time, b[i].time) << "start " << i;  // every bit: one instruction set does one arithmetic
+  }
+}
+
+class SameBits : public testing::TestWithParam<const char*> {};
+
+TEST_P(SameBits, HoweverTheStartsAreCut) {
+  const StartRunner runner(paper_row(GetParam(), 1500), 2, nullptr);
+  std::vector<double> phi;
+  std::vector<Fate> whole, joined;
+  ASSERT_TRUE(runner.run(0, 1500, phi, whole));
+  std::uint64_t first = 0;
+  for (std::size_t size : {1, 2, 5, 23, 24, 25, 400, 1020}) {
+    std::vector<Fate> part;
+    ASSERT_TRUE(runner.run(first, size, phi, part));
+    joined.insert(joined.end(), part.begin(), part.end());
+    first += size;
+  }
+  expect_same(whole, joined);
+}
+
+TEST_P(SameBits, ForOneThreadAndTwoAndForAStartAlone) {
+  const Study study = paper_row(GetParam(), 6000);
+  BasinOptions one, two;
+  one.threads = 1;
+  two.threads = 2;
+  one.output = scratch_file("one.nc");
+  two.output = scratch_file("two.nc");
+  const BasinResult a = basin(study, one), b = basin(study, two);
+  for (int k = 0; k < outcome_count; ++k) EXPECT_EQ(a.shares[k].count, b.shares[k].count);
+  const BasinFileHeader header{[&] { Study s = study; s.sampling.starts = 1; return to_toml(s); }(), study.sampling.seed,
+                               study.parameters.balls, cpu_target()};
+  const std::vector<Fate> from_one = BasinFile(one.output, header).read(0, 6000);
+  expect_same(from_one, BasinFile(two.output, header).read(0, 6000));
+  for (std::uint64_t index : {0u, 777u, 5999u}) {
+    const StartReplay alone = replay_start(study, index);
+    EXPECT_EQ(alone.fate.outcome, from_one[index].outcome);
+    EXPECT_EQ(alone.fate.time, from_one[index].time);
+  }
+}
+
+// A smooth row, a row with a fractal boundary, a ramp released on the way (two branches with free balls).
+INSTANTIATE_TEST_SUITE_P(Rows, SameBits, testing::Values("table-2-omega-2.4", "table-1-beta-0.01-omega-4.0", "table-5-t0-300"));
+
+TEST(Basin, EveryInstructionSetGivesTheSameShares) {
+  const Study study = paper_row("table-2-omega-2.4", 2000);
+  std::vector<std::uint64_t> balanced;
+  for (const std::string& target : cpu_targets()) {
+    ASSERT_TRUE(use_cpu_target(target));
+    EXPECT_EQ(cpu_target(), target);
+    balanced.push_back(count(basin(study), Outcome::balanced));
+  }
+  ASSERT_TRUE(use_cpu_target(""));
+  // Rounding differs (fused multiply-add); on this row it moves fewer than one start in 10^5 across a boundary.
+  for (std::uint64_t b : balanced) EXPECT_NEAR(double(b), double(balanced.front()), 1.0);
+}
+
+TEST(Basin, AnUnstableBalancedStateCatchesNobody) {
+  // Growth rate 1.4e-4: a test on r alone would call some of these balanced.
+  const BasinResult r = basin(paper_row("table-1-beta-0.01-omega-2.0", 4096));
+  EXPECT_EQ(count(r, Outcome::balanced), 0u);
+  EXPECT_FALSE(r.balanced_stable);
+  EXPECT_NE(r.note.find("unstable"), std::string::npos);
+}
+
+TEST(Basin, BallsTooLightForTheUnbalanceCatchNobody) {
+  Study study = paper_row("table-2-omega-2.4", 500);
+  study.parameters.eccentricity = 0.11;  // two balls of 0.05 reach 0.1
+  const BasinResult r = basin(study);
+  EXPECT_EQ(count(r, Outcome::balanced), 0u);
+  EXPECT_NE(r.note.find("no balanced state"), std::string::npos);
+}
+
+TEST(Basin, LostTrajectoriesAreCountedAsWhatTheyAre) {
+  Study study = paper_row("table-2-omega-2.4", 100);
+  study.initial.x = 1e8;
+  EXPECT_EQ(count(basin(study), Outcome::diverged), 100u);
+  study.initial.x = 1e200;  // overflows within the first step, whatever its size
+  EXPECT_EQ(count(basin(study), Outcome::failed), 100u);
+}
+
+TEST(Basin, SamplesUntilTheIntervalIsAsNarrowAsAsked) {
+  const Study study = paper_row("table-2-omega-2.4", 100000);
+  BasinOptions one, two;
+  one.half_width = two.half_width = 0.01;
+  one.threads = 1;
+  two.threads = 2;
+  const BasinResult a = basin(study, one), b = basin(study, two);
+  EXPECT_EQ(a.starts, b.starts);
+  EXPECT_FALSE(a.partial);
+  for (const Share& s : a.shares) EXPECT_LE(s.half_width(), 0.01);
+  EXPECT_LT(a.starts, 11000u);  // 0.605 x 0.395 (1.96/0.01)^2 = 9180, rounded up to a checkpoint of 1024
+  EXPECT_GE(a.starts, 9180u);
+}
+
+TEST(Basin, AnInterruptedRunKeepsAPrefixAndResumesToTheSameResult) {
+  const Study study = paper_row("table-2-omega-2.4", 20000);
+  BasinOptions options;
+  options.output = scratch_file("resumed.nc");
+  StopFlag stop{false};
+  options.stop = &stop;
+  options.progress = [&](const BasinProgress& p) { stop = p.done > 5000; };
+  const BasinResult first = basin(study, options);
+  EXPECT_TRUE(first.partial);
+  EXPECT_GT(first.starts, 5000u);
+  EXPECT_LT(first.starts, 20000u);
+  stop = false;
+  options.progress = {};
+  const BasinResult second = basin(study, options);
+  EXPECT_FALSE(second.partial);
+  EXPECT_EQ(second.resumed_from, first.starts);
+  const BasinResult whole = basin(study);
+  for (int k = 0; k < outcome_count; ++k) EXPECT_EQ(second.shares[k].count, whole.shares[k].count);
+
+  Study longer = study;  // more starts of the same study extend the file
+  longer.sampling.starts = 21000;
+  EXPECT_EQ(basin(longer, options).resumed_from, 20000u);
+  Study other = study;
+  other.parameters.drag = {0.06, 0.06};
+  EXPECT_THROW(basin(other, options), InputError);
+}
+
+TEST(Basin, RefusesWhatItCannotDecide) {
+  Study study = paper_row("table-2-omega-2.4", 10);
+  study.parameters.gravity = 0.1;
+  EXPECT_THROW(basin(study), InputError);
+  study.parameters.gravity = 0.0;
+  study.parameters.stiffness = {1.0, 1.1};
+  EXPECT_THROW(basin(study), InputError);
+}
+
+}  // namespace
+}  // namespace equipoise

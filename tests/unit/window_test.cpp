@@ -1,0 +1,121 @@
+// Windows of time: how densely they are sampled, features, stationarity.
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include "equipoise/attractors/window_features.hpp"
+#include "equipoise/ensemble/lane_block-inl.hpp"
+#include "equipoise/model/flow-inl.hpp"
+#include "equipoise/study/study.hpp"
+
+namespace equipoise {
+namespace {
+
+namespace kernels = HWY_NAMESPACE;
+
+// Remembers the longest accepted step after a time.
+struct StepWatch : kernels::NoObserver<2> {
+  double after = 0.0, longest = 0.0;
+
+  unsigned step(int, unsigned, kernels::Mask accepted, kernels::Pack t, kernels::Pack h, const kernels::Pack*) {
+    const double time = reinterpret_cast<const double*>(&t)[0];
+    if ((kernels::lane_bits(accepted) & 1u) && time > after) longest = std::max(longest, reinterpret_cast<const double*>(&h)[0]);
+    return 0;
+  }
+};
+
+double longest_step(double drag, double speed, double phi_1, double phi_2) {
+  model::Parameters p;
+  p.mass = {0.05, 0.05};
+  p.drag = {drag, drag};
+  std::vector<double> state{0, 0, 0, 0, phi_1, phi_2, 0, 0};
+  LaneTask task;
+  task.parameters = &p;
+  task.segment = {0.0, 1e300, 0.0, speed, 0.0, false};
+  task.end = 1200.0;
+  task.tolerance = default_basin_tolerance;
+  task.count = 1;
+  task.states = state.data();
+  StepWatch watch;
+  watch.after = 800.0;
+  using Flow = kernels::FreeFlow<kernels::Pack, 2, kernels::Terms{false, false, false}>;
+  const Flow flow(p, task.segment);
+  kernels::LaneBlock<Flow, StepWatch, 1> block(task, flow, watch);
+  EXPECT_TRUE(block.run());
+  EXPECT_GT(std::hypot(state[0], state[1]), 1e-3) << "not on the motion meant";
+  return watch.longest;
+}
+
+struct Motion {
+  const char* name;
+  double speed, phi_1, phi_2, period;
+};
+
+// Periods of the periodic motions at beta = 0.05 (V1: both balls together; V3: one captured), where they are shortest.
+// Coincident balls stay so exactly, which reaches V1 from any common angle.
+TEST(Windows, AreSampledEightTimesAPeriodOfEveryPeriodicMotion) {
+  for (const Motion& m : {Motion{"V1", 2.0, 1.0, 1.0, 5.1933}, Motion{"V1", 3.0, 1.0, 1.0, 2.9361},
+                          Motion{"V1", 4.0, 1.0, 1.0, 2.04}, Motion{"V3", 4.4, 1.5452, 1.2033, 3.9944},
+                          Motion{"V3", 6.0, 1.771, 1.4684, 3.1658}}) {
+    const double step = longest_step(0.05, m.speed, m.phi_1, m.phi_2);
+    // Samples sit at 1/3, 0.6 and 1 of every step: the widest gap is 0.4 of it.
+    EXPECT_GE(m.period, 8 * 0.4 * step) << m.name << " at " << m.speed;
+  }
+}
+
+WindowSums circling(double rate, double r) {
+  WindowSums sums;
+  sums.duration = 16.0;
+  sums.r2_min = sums.r2_max = r * r;
+  sums.r2_integral = 16.0 * r * r;
+  sums.turned = {16.0 * rate, 0.0};
+  sums.q_min = sums.q_max = {rate, 0.0};
+  return sums;
+}
+
+TEST(Windows, FeaturesDoNotDependOnTheOrderOfInterchangeableBalls) {
+  WindowSums a = circling(-1.0, 0.1), b = a;
+  std::swap(b.turned[0], b.turned[1]);
+  std::swap(b.q_min[0], b.q_min[1]);
+  std::swap(b.q_max[0], b.q_max[1]);
+  EXPECT_EQ(features(a, 2, true), features(b, 2, true));
+  EXPECT_NE(features(a, 2, false), features(b, 2, false));
+}
+
+TEST(Windows, AMotionThatRepeatsIsStationaryAndOneThatShrinksIsNot) {
+  DecisionRule rule;
+  WindowTracker steady, shrinking;
+  steady.begin(rule);
+  shrinking.begin(rule);
+  bool repeated = false;
+  for (int k = 0; k < 200; ++k) {
+    repeated = repeated || steady.add(circling(-1.0, 0.1)) == WindowVerdict::stationary;
+    // A slow approach to balance: r falls by a tenth in a hundred time units.
+    EXPECT_EQ(shrinking.add(circling(0.0, 0.1 * std::exp(-0.001 * 16.0 * k))), WindowVerdict::open);
+  }
+  EXPECT_TRUE(repeated);
+}
+
+TEST(Windows, ABoxNeedsSeveralHitsInARow) {
+  DecisionRule rule;
+  FeatureBox box;
+  const Features centre = features(circling(-1.0, 0.1), 2, true);
+  for (int i = 0; i < feature_count(2); ++i) {
+    box.low[i] = centre[i] - 0.01;
+    box.high[i] = centre[i] + 0.01;
+  }
+  rule.boxes = {box};
+  WindowTracker tracker;
+  tracker.begin(rule);
+  EXPECT_EQ(tracker.add(circling(-1.0, 0.1)), WindowVerdict::open);
+  EXPECT_EQ(tracker.add(circling(-1.0, 0.1)), WindowVerdict::open);
+  EXPECT_EQ(tracker.add(circling(-0.5, 0.1)), WindowVerdict::open);
+  EXPECT_EQ(tracker.add(circling(-1.0, 0.1)), WindowVerdict::open);
+  EXPECT_EQ(tracker.add(circling(-1.0, 0.1)), WindowVerdict::open);
+  EXPECT_EQ(tracker.add(circling(-1.0, 0.1)), WindowVerdict::known);
+}
+
+}  // namespace
+}  // namespace equipoise
