@@ -10,13 +10,13 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include "equipoise/study/text_guard.hpp"
+
 namespace equipoise::study {
 
 namespace {
 
 constexpr std::size_t longest_shown = 60;
-// A study needs four parts at most; the parser and its trees recurse once a part, on a stack that ends.
-constexpr int most_key_parts = 16;
 // A misspelling is this close to what was meant.
 constexpr std::size_t nearest_distance = 2;
 
@@ -108,28 +108,14 @@ std::string unknown_key(std::string_view key, const std::vector<std::string>& kn
   return text + fmt::format(" (allowed: {})", fmt::join(known, ", "));
 }
 
-// Whether some key has more parts than any study needs. Follows TOML's strings and comments, nothing else of it.
-bool has_overlong_key(std::string_view text) {
-  int parts = 1;
-  for (std::size_t i = 0; i < text.size(); ++i) {
-    const char c = text[i];
-    if (c == '#') {
-      i = std::min(text.find('\n', i), text.size()) - 1;
-    } else if (c == '"' || c == '\'') {
-      const bool many_lines = text.substr(i, 3) == std::string(3, c);
-      const std::string_view end = text.substr(i, many_lines ? 3 : 1);
-      for (i += end.size(); i < text.size() && text.substr(i, end.size()) != end; ++i) {
-        if (!many_lines && text[i] == '\n') break;
-        if (c == '"' && text[i] == '\\') ++i;
-      }
-      i += end.size() - 1;
-    } else if (c == '.') {
-      if (++parts > most_key_parts) return true;
-    } else if (std::string_view(",=\n[]{}").find(c) != std::string_view::npos) {
-      parts = 1;
-    }
+// Throws TextFault for what is not TOML.
+toml::table parse_toml(std::string_view text, const std::string& name) {
+  if (const auto fault = TextGuard(text).first_fault()) throw *fault;
+  try {
+    return toml::parse(text, name);
+  } catch (const toml::parse_error& e) {
+    throw TextFault{e.source().begin.line, e.source().begin.column, fmt::format("not TOML: {}", e.description())};
   }
-  return false;
 }
 
 std::string trimmed(const std::string& text) {
@@ -142,11 +128,10 @@ std::string trimmed(const std::string& text) {
 toml::table parse_value(const std::string& key, const std::string& value) {
   toml::table parsed;
   try {
-    if (has_overlong_key(value)) throw InputError("--set", printable(key), printable(value), "is nested too deeply");
-    parsed = toml::parse("value = " + value);
-  } catch (const toml::parse_error& e) {
+    parsed = parse_toml("value = " + value, "--set");
+  } catch (const TextFault& fault) {
     if (std::string_view("[{\"'").find(value.front()) != std::string_view::npos)
-      throw InputError("--set", printable(key), printable(value), fmt::format("not TOML: {}", e.description()));
+      throw InputError("--set", printable(key), printable(value), fault.problem);
     parsed = toml::table{{"value", value}};
   }
   if (parsed.size() != 1) throw InputError("--set", printable(key), printable(value), "must be a single TOML value");
@@ -215,13 +200,10 @@ std::string Document::where(const std::string& dotted_key, const toml::node* nod
 Document parse_document(std::string_view text, const std::string& name, const std::vector<std::string>& overrides) {
   Document document;
   document.name = name;
-  if (has_overlong_key(text))
-    throw InputError(name, "", "", fmt::format("a key has more than {} parts; no key of a study does", most_key_parts));
   try {
-    document.root = toml::parse(text, name);
-  } catch (const toml::parse_error& e) {
-    throw InputError(fmt::format("{}:{}:{}", name, e.source().begin.line, e.source().begin.column), "", "",
-                     fmt::format("not TOML: {}", e.description()));
+    document.root = parse_toml(text, name);
+  } catch (const TextFault& fault) {
+    throw InputError(fmt::format("{}:{}:{}", name, fault.line, fault.column), "", "", fault.problem);
   }
   for (const std::string& item : overrides) apply_override(document, item);
   return document;
