@@ -1,4 +1,6 @@
 // Ensembles: same bits however they are cut, outcomes that mean what they say, files that resume.
+#include <unistd.h>
+
 #include <filesystem>
 #include <vector>
 
@@ -21,7 +23,7 @@ Study paper_row(const std::string& name, std::uint64_t starts) {
 std::uint64_t count(const BasinResult& r, Outcome outcome) { return r.shares[static_cast<std::size_t>(outcome)].count; }
 
 std::string scratch_file(const std::string& name) {
-  const std::string path = testing::TempDir() + "equipoise_" + name;
+  const std::string path = testing::TempDir() + "equipoise_" + std::to_string(getpid()) + name;
   std::filesystem::remove(path);
   return path;
 }
@@ -158,6 +160,20 @@ TEST(Basin, RefusesWhatItCannotDecide) {
   EXPECT_THROW(basin(study), InputError);
   study.parameters.gravity = 0.0;
   study.parameters.stiffness = {1.0, 1.1};
+  EXPECT_THROW(basin(study), InputError);
+}
+
+TEST(Basin, ChecksStudiesFilledInByCode) {
+  Study study = paper_row("table-2-omega-2.4", 10);
+  study.parameters.mass[1] = -0.05;
+  try {
+    basin(study);
+    FAIL() << "a negative mass was accepted";
+  } catch (const InputError& e) {
+    EXPECT_EQ(e.key(), "balancer.mass");
+  }
+  study.parameters.mass[1] = 0.05;
+  study.parameters.balls = 9;
   EXPECT_THROW(basin(study), InputError);
 }
 

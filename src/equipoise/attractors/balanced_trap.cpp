@@ -169,8 +169,10 @@ BalancedAnalysis analyse_balanced(const model::Parameters& p, double speed) {
   result.stable = !result.traps.empty();
   if (result.stable)
     result.slowest_rate = slowest;
-  else
+  else if (result.growth_rate > 1e-9)
     result.note = fmt::format("the balanced state exists but is unstable at speed {} (growth rate {:.3g})", speed, result.growth_rate);
+  else
+    result.note = fmt::format("the balanced state exists but is not linearly stable at speed {} (largest rate 0)", speed);
   return result;
 }
 

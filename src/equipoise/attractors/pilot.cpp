@@ -20,13 +20,16 @@ struct Group {
 constexpr int members_needed = 3;
 // Two motions this close in every feature are recognised together: what matters here is that neither is balance.
 constexpr double grouping = 0.05;
+// Least margin of a box, relative to the largest r or rate: what is this close to a stable motion in every feature for
+// several windows does not leave it again (no such case among 400 000 starts followed to t = 3000).
+constexpr double box_floor = 0.02;
 
-FeatureBox widened(const FeatureBox& range, int balls, double sameness) {
+FeatureBox widened(const FeatureBox& range, int balls) {
   FeatureBox box;
   double rate = 0.0;
   for (int k = 3; k < feature_count(balls); ++k) rate = std::max({rate, std::fabs(range.low[k]), std::fabs(range.high[k])});
   for (int k = 0; k < feature_count(balls); ++k) {
-    const double margin = (range.high[k] - range.low[k]) + sameness * (k < 3 ? range.high[1] : rate);
+    const double margin = (range.high[k] - range.low[k]) + box_floor * (k < 3 ? range.high[1] : rate);
     box.low[k] = range.low[k] - margin;
     box.high[k] = range.high[k] + margin;
   }
@@ -60,7 +63,7 @@ std::vector<FeatureBox> boxes_from_pilot(const std::vector<PilotRecord>& records
   }
   std::vector<FeatureBox> boxes;
   for (const Group& group : groups) {
-    const FeatureBox box = widened(group.range, rule.balls, rule.sameness);
+    const FeatureBox box = widened(group.range, rule.balls);
     if (group.members >= members_needed && !admits_balance(box, rule.balls)) boxes.push_back(box);
   }
   return boxes;

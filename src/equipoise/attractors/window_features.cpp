@@ -53,12 +53,24 @@ Features features(const WindowSums& sums, int balls, bool interchangeable) {
 }
 
 bool same_motion(const Features& a, const Features& b, int balls, double sameness) {
-  double rate = rest_rate;
-  for (int k = 3; k < feature_count(balls); ++k) rate = std::max({rate, std::fabs(a[k]), std::fabs(b[k])});
+  // Extremes of phi' over all balls together: on a torus each ball alone may take very long to show its own.
+  const auto slowest = [&](const Features& f) {
+    double q = f[4];
+    for (int i = 1; i < balls; ++i) q = std::min(q, f[4 + 3 * i]);
+    return q;
+  };
+  const auto fastest = [&](const Features& f) {
+    double q = f[5];
+    for (int i = 1; i < balls; ++i) q = std::max(q, f[5 + 3 * i]);
+    return q;
+  };
+  const auto close = [&](double p, double q, double scale) { return std::fabs(p - q) <= sameness * scale; };
+  const double rate = std::max({rest_rate, std::fabs(slowest(a)), std::fabs(slowest(b)), std::fabs(fastest(a)), std::fabs(fastest(b))});
   const double radius = std::max(a[1], b[1]);
-  for (int k = 0; k < feature_count(balls); ++k)
-    if (!(std::fabs(a[k] - b[k]) <= sameness * (k < 3 ? radius : rate))) return false;
-  return true;
+  bool same = close(slowest(a), slowest(b), rate) && close(fastest(a), fastest(b), rate);
+  for (int k = 0; k < 3; ++k) same = same && close(a[k], b[k], radius);
+  for (int i = 0; i < balls; ++i) same = same && close(a[3 + 3 * i], b[3 + 3 * i], rate);
+  return same;
 }
 
 void WindowTracker::begin(const DecisionRule& rule) {

@@ -18,7 +18,8 @@ struct WindowSums {
 
 Features features(const WindowSums& sums, int balls, bool interchangeable);
 
-/// Two windows' features agree: displacements to `sameness` of the largest r, rates to `sameness` of the largest rate.
+/// Two windows agree in the three features of r, to `sameness` of the largest r, and in the balls' mean rates and the
+/// extremes of all rates together, to `sameness` of the largest rate.
 bool same_motion(const Features& a, const Features& b, int balls, double sameness);
 
 enum class WindowVerdict {

@@ -1,6 +1,7 @@
 // Integration of the clamped basis over the spin-up's segments.
 #include "equipoise/integrate/clamped.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
 
@@ -29,7 +30,8 @@ void apply_speed_jump(double jump, double* xyuv) {
 
 IntegrationStatus integrate_clamped(const model::Parameters& p, const std::vector<model::Segment>& segments,
                                     const std::array<double, 4>& initial, double tolerance, ClampedBasis& basis,
-                                    const std::vector<double>& times, const ClampedObserver& observe) {
+                                    const std::vector<double>& times, const ClampedObserver& observe, double until,
+                                    const std::atomic<bool>* stop) {
   basis = {};
   for (int j = 0; j < 4; ++j) basis.values[j] = initial[j];
   kernels::ErrorScale<kernels::ClampedBasisFlow::dimension> scale;
@@ -39,17 +41,23 @@ IntegrationStatus integrate_clamped(const model::Parameters& p, const std::vecto
   std::size_t next = 0;
   for (std::size_t k = 0; k < segments.size() && segments[k].clamped; ++k) {
     const model::Segment& segment = segments[k];
+    if (stop && stop->load(std::memory_order_relaxed)) return IntegrationStatus::done;
     for (; next < times.size() && times[next] == segment.begin; ++next) observe(segment.begin, segment, basis);
+    const double end = std::min(segment.end, until);
+    if (!(segment.begin < end)) return IntegrationStatus::done;
     const kernels::ClampedBasisFlow flow(p, segment);
     kernels::AdaptiveIntegrator<kernels::ClampedBasisFlow, kernels::ClampedBasisFlow::dimension> integrator(flow, scale);
     const IntegrationStatus status =
-        integrator.advance(segment.begin, segment.end, basis.values.data(), [&](double, double t_new, auto&& state_at) {
-          for (; next < times.size() && times[next] <= t_new && times[next] < segment.end; ++next) {
-            ClampedBasis at;
-            state_at(times[next], at.values.data());
-            observe(times[next], segment, at);
-          }
-        });
+        integrator.advance(
+            segment.begin, end, basis.values.data(),
+            [&](double, double t_new, auto&& state_at) {
+              for (; next < times.size() && times[next] <= t_new && times[next] < segment.end; ++next) {
+                ClampedBasis at;
+                state_at(times[next], at.values.data());
+                observe(times[next], segment, at);
+              }
+            },
+            stop);
     if (status != IntegrationStatus::done) return status;
     const double jump = segments[k + 1].speed - segment.speed_at(segment.end);
     for (int solution = 0; solution < 3; ++solution) apply_speed_jump(jump, basis.values.data() + 4 * solution);

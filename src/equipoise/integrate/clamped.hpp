@@ -2,7 +2,9 @@
 #pragma once
 
 #include <array>
+#include <atomic>
 #include <functional>
+#include <limits>
 #include <vector>
 
 #include "equipoise/integrate/status.hpp"
@@ -26,9 +28,12 @@ void apply_speed_jump(double jump, double* xyuv);
 using ClampedObserver = std::function<void(double t, const model::Segment& segment, const ClampedBasis& basis)>;
 
 /// Integrates from t = 0 with (x, y, u, v) = `initial` through all clamped segments; `basis` ends as it is at release,
-/// any jump of psi' there included. `times` (increasing): where `observe` is called, those before release only.
+/// any jump of psi' there included. `times` (increasing): where `observe` is called, those before release only. Returns
+/// early, as `done`, at `until` or once `stop` is set.
 IntegrationStatus integrate_clamped(const model::Parameters& p, const std::vector<model::Segment>& segments,
                                     const std::array<double, 4>& initial, double tolerance, ClampedBasis& basis,
-                                    const std::vector<double>& times = {}, const ClampedObserver& observe = {});
+                                    const std::vector<double>& times = {}, const ClampedObserver& observe = {},
+                                    double until = std::numeric_limits<double>::infinity(),
+                                    const std::atomic<bool>* stop = nullptr);
 
 }  // namespace equipoise

@@ -29,9 +29,12 @@ BalancedStates balanced_states(const Parameters& p) {
                                       : "one ball outweighs the unbalance and the other balls together";
     return result;
   }
-  if (p.balls == 1) {
+  if (lambda > 0.0 && slack <= equal_within * (lambda + total)) {
+    // Equality: one state, all on a line. The largest balances the rest: lambda at angle 0, or one ball at pi.
     result.kind = BalancedStates::Kind::isolated;
-    result.angles.push_back({pi});
+    std::array<double, max_balls> phi{};
+    for (int i = 0; i < p.balls; ++i) phi[i] = lambda == largest || p.mass[i] == largest ? pi : 0.0;
+    result.angles.push_back(phi);
     return result;
   }
   if (p.balls > 2 || lambda == 0.0) {
@@ -44,7 +47,7 @@ BalancedStates balanced_states(const Parameters& p) {
   const double phi1 = std::acos(c1), phi2 = std::acos(c2);
   result.kind = BalancedStates::Kind::isolated;
   result.angles.push_back({phi1, -phi2});
-  if (slack > equal_within * (lambda + total)) result.angles.push_back({-phi1, phi2});
+  result.angles.push_back({-phi1, phi2});
   return result;
 }
 
@@ -61,9 +64,14 @@ bool project_to_balanced(const Parameters& p, double* phi) {
       d += c * c;
     }
     if (std::hypot(gx, gy) <= 4.0 * target) return true;
-    const double determinant = a * d - b * b;  // zero where all balls lie on one line through the centre
-    if (!(determinant > 0.0)) return false;
-    const double lx = (d * gx - b * gy) / determinant, ly = (a * gy - b * gx) / determinant;
+    // Least change: the pseudo-inverse of the 2 x 2 matrix J J^T, whose smaller eigenvalue vanishes where all balls lie
+    // on one line through the centre. What is left along that line is of second order and shrinks by itself.
+    const double mean = 0.5 * (a + d), half = std::hypot(0.5 * (a - d), b);
+    const double angle = 0.5 * std::atan2(b, 0.5 * (a - d));  // of the larger eigenvalue's direction
+    const double ex = std::cos(angle), ey = std::sin(angle);
+    const double along = (gx * ex + gy * ey) / (mean + half);
+    const double across = mean - half > 1e-9 * mean ? (gy * ex - gx * ey) / (mean - half) : 0.0;
+    const double lx = along * ex - across * ey, ly = along * ey + across * ex;
     for (int i = 0; i < p.balls; ++i)
       phi[i] -= p.mass[i] * (-std::sin(phi[i]) * lx + std::cos(phi[i]) * ly);
   }

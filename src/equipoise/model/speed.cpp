@@ -6,12 +6,26 @@
 
 namespace equipoise::model {
 
+namespace {
+
+struct Branch {
+  double begin, speed, slope;
+};
+
+// The branch of the ramp function that holds at `t` and just after.
+Branch branch_at(const SpeedProfile& p, double t) {
+  for (std::size_t i = 1; i < p.times.size(); ++i)
+    if (t < p.times[i])
+      return {p.times[i - 1], p.speeds[i - 1], (p.speeds[i] - p.speeds[i - 1]) / (p.times[i] - p.times[i - 1])};
+  return {p.times.back(), p.speeds.back(), 0.0};
+}
+
+}  // namespace
+
 double SpeedProfile::ramp_function(double t) const {
   if (t <= times.front()) return speeds.front();
-  for (std::size_t i = 1; i < times.size(); ++i)
-    if (t < times[i])
-      return speeds[i - 1] + (speeds[i] - speeds[i - 1]) * (t - times[i - 1]) / (times[i] - times[i - 1]);
-  return speeds.back();
+  const Branch branch = branch_at(*this, t);
+  return branch.speed + branch.slope * (t - branch.begin);
 }
 
 std::optional<double> SpeedProfile::first_time_at(double speed) const {
@@ -37,8 +51,7 @@ std::vector<Segment> segments(const SpeedProfile& profile, double release_time) 
     const bool last = i + 1 == cuts.size();
     const double end = last ? std::numeric_limits<double>::infinity() : cuts[i + 1];
     const double omega = profile.ramp_function(begin);
-    const bool settled = begin >= profile.settled_time();
-    const double slope = settled ? 0.0 : (profile.ramp_function(std::min(end, profile.settled_time())) - omega) / (end - begin);
+    const double slope = branch_at(profile, begin).slope;  // of the whole branch: a short piece of it has no digits to lose
     Segment segment{begin, end, psi, omega, slope, begin < release_time};
     if (profile.law == SpeedLaw::published) {  // psi = t Omega(t): psi' = Omega + t Omega', psi'' = 2 Omega'
       segment.psi = profile.initial_angle + begin * omega;

@@ -12,6 +12,7 @@
 #include "equipoise/model/ball_count.hpp"
 #include "equipoise/model/energy.hpp"
 #include "equipoise/model/flow-inl.hpp"
+#include "equipoise/run/initial_state.hpp"
 
 namespace equipoise {
 
@@ -89,27 +90,20 @@ void simulate_free(const Study& study, const std::vector<model::Segment>& segmen
 }  // namespace
 
 Trajectory simulate(const Study& study, const std::vector<double>& times, const StopFlag* stop) {
+  check(study);
   check_times(times);
   const model::Parameters& p = study.parameters;
   const double release = study.release_time();
   const auto segments = model::segments(study.speed_profile(), release);
   const double tolerance = study.numerics.tolerance.value_or(default_simulate_tolerance);
-  const InitialState& start = study.initial;
+  const double* phi = study.initial.phi.data();
 
   Trajectory out;
   out.phi.resize(p.balls);
   out.phi_dot.resize(p.balls);
 
-  std::vector<double> z(model::dimension(p.balls), 0.0);
-  const double w = segments.front().speed;
-  z[0] = start.x;
-  z[1] = start.y;
-  z[2] = start.x_dot - w * start.y;
-  z[3] = start.y_dot + w * start.x;
-  for (int i = 0; i < p.balls; ++i) {
-    z[model::index::phi(i)] = start.phi[i];
-    z[model::index::q(i, p.balls)] = start.phi_dot[i];
-  }
+  std::vector<double> z(model::dimension(p.balls));
+  initial_state(study, segments.front().speed, phi, z.data());
 
   std::size_t free_from = 0;
   while (segments[free_from].clamped) ++free_from;
@@ -117,14 +111,16 @@ Trajectory simulate(const Study& study, const std::vector<double>& times, const 
   if (free_from > 0) {
     ClampedBasis basis;
     std::vector<double> at = z;
-    out.status = integrate_clamped(p, segments, {z[0], z[1], z[2], z[3]}, tolerance, basis, times,
-                                   [&](double t, const model::Segment& segment, const ClampedBasis& there) {
-                                     there.centre(p, start.phi.data(), at.data());
-                                     record(out, p, segment, t, at.data());
-                                   });
+    const auto observe = [&](double t, const model::Segment& segment, const ClampedBasis& there) {
+      there.centre(p, phi, at.data());
+      record(out, p, segment, t, at.data());
+    };
+    out.status = integrate_clamped(p, segments, {z[0], z[1], z[2], z[3]}, tolerance, basis, times, observe,
+                                   times.empty() ? 0.0 : times.back(), stop);
     next = out.t.size();
-    if (out.status != IntegrationStatus::done) return out;
-    basis.centre(p, start.phi.data(), z.data());
+    out.stopped = stop && stop->load(std::memory_order_relaxed);
+    if (out.status != IntegrationStatus::done || out.stopped) return out;
+    basis.centre(p, phi, z.data());
   }
   model::with_ball_count(p.balls, [&](auto n) {
     simulate_free<n>(study, segments, free_from, tolerance, z, times, next, stop, out);

@@ -11,6 +11,7 @@
 #include "equipoise/attractors/pilot.hpp"
 #include "equipoise/ensemble/lane_task.hpp"
 #include "equipoise/ensemble/starts.hpp"
+#include "equipoise/run/initial_state.hpp"
 #include "equipoise/run/lane_kernels.hpp"
 
 namespace equipoise {
@@ -46,6 +47,7 @@ DecisionRule rule_for(const Study& study, const BalancedAnalysis& balanced, doub
 }  // namespace
 
 void check_decidable(const Study& study) {
+  check(study);
   const model::Parameters& p = study.parameters;
   if (!p.isotropic()) {
     const bool stiffness = p.stiffness[0] != p.stiffness[1];
@@ -62,10 +64,10 @@ StartRunner::StartRunner(const Study& study, int threads, const StopFlag* stop)
   segments_ = model::segments(study.speed_profile(), study.release_time());
   while (segments_[first_free_].clamped) ++first_free_;
   if (first_free_ > 0) {
-    const InitialState& s = study.initial;
-    const double w = segments_.front().speed;
+    double z[max_dimension];
+    initial_state(study, segments_.front().speed, study.initial.phi.data(), z);
     // The spin-up is shared by all starts, so its accuracy costs nothing: as tight as a single trajectory's.
-    const auto status = integrate_clamped(study.parameters, segments_, {s.x, s.y, s.x_dot - w * s.y, s.y_dot + w * s.x},
+    const auto status = integrate_clamped(study.parameters, segments_, {z[0], z[1], z[2], z[3]},
                                           default_simulate_tolerance, basis_);
     if (status != IntegrationStatus::done) throw RunError("the clamped spin-up could not be integrated");
   }
@@ -93,24 +95,6 @@ void StartRunner::run_pilot(int threads) {
   rule_.boxes = boxes_from_pilot(records, rule_);
 }
 
-void StartRunner::initial_state(const double* phi, double* z) const {
-  const model::Parameters& p = study_.parameters;
-  const InitialState& s = study_.initial;
-  if (first_free_ > 0) {
-    basis_.centre(p, phi, z);
-  } else {
-    const double w = segments_.front().speed;
-    z[0] = s.x;
-    z[1] = s.y;
-    z[2] = s.x_dot - w * s.y;
-    z[3] = s.y_dot + w * s.x;
-  }
-  for (int i = 0; i < p.balls; ++i) {
-    z[model::index::phi(i)] = phi[i];
-    z[model::index::q(i, p.balls)] = first_free_ > 0 ? 0.0 : s.phi_dot[i];
-  }
-}
-
 bool StartRunner::run(std::uint64_t first, std::size_t count, std::vector<double>& phi, std::vector<Fate>& fates) const {
   return run_seeded(study_.sampling.seed, first, count, study_.numerics.horizon, phi, fates, nullptr);
 }
@@ -124,7 +108,8 @@ bool StartRunner::run_seeded(std::uint64_t seed, std::uint64_t first, std::size_
   fates.assign(count, Fate{});
   for (std::size_t i = 0; i < count; ++i) {
     start_angles(seed, first + i, p.balls, &phi[i * n]);
-    initial_state(&phi[i * n], &states[i * size]);
+    initial_state(study_, segments_.front().speed, &phi[i * n], &states[i * size]);
+    if (first_free_ > 0) basis_.centre(p, &phi[i * n], &states[i * size]);
   }
 
   LaneTask task;

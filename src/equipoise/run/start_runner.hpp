@@ -14,7 +14,7 @@
 
 namespace equipoise {
 
-/// Throws InputError for studies whose starts cannot be decided: anisotropic supports, gravity.
+/// Throws InputError for invalid studies and those whose starts cannot be decided: anisotropic supports, gravity.
 void check_decidable(const Study& study);
 
 /// Everything about a study that all its starts share. Thread-safe once made.
@@ -36,7 +36,6 @@ class StartRunner {
  private:
   bool run_seeded(std::uint64_t seed, std::uint64_t first, std::size_t count, double horizon, std::vector<double>& phi,
                   std::vector<Fate>& fates, std::vector<PilotRecord>* pilot) const;
-  void initial_state(const double* phi, double* z) const;
   void run_pilot(int threads);
 
   Study study_;

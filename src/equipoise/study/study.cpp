@@ -201,4 +201,16 @@ Study read_study(const std::string& path, const std::vector<std::string>& overri
   return parse_study(read_file(path), path, overrides);
 }
 
+void check(const Study& study) {
+  const std::string name = study.name.empty() ? "study" : study.name;
+  if (study.parameters.balls < 1 || study.parameters.balls > model::max_balls)
+    throw InputError(name, "balancer.balls", fmt::format("{}", study.parameters.balls),
+                     fmt::format("must be a whole number from 1 to {}", model::max_balls));
+  try {
+    parse_study(to_toml(study), name);  // one set of rules, whether a study comes from a file or from code
+  } catch (const InputError& e) {
+    throw InputError(name, e.key(), e.value(), e.problem());  // without a line of a text that nobody wrote
+  }
+}
+
 }  // namespace equipoise

@@ -55,8 +55,7 @@ struct Numerics {
 inline constexpr double default_simulate_tolerance = 1e-12;
 inline constexpr double default_basin_tolerance = 1e-6;
 
-/// A complete study. What read_study() returns is checked; one filled in by hand is checked by
-/// parse_study(to_toml(study), name).
+/// A complete study: made by read_study(), or filled in by code (see check()).
 struct Study {
   std::string name;  ///< file it came from; for messages and results only
   model::Parameters parameters;
@@ -81,6 +80,10 @@ Study read_study(const std::string& path, const std::vector<std::string>& overri
 /// The same from TOML text; `name` stands in for the file name in messages.
 Study parse_study(const std::string& toml_text, const std::string& name,
                   const std::vector<std::string>& overrides = {});
+
+/// Throws InputError unless read_study() would accept `study`: for studies filled in by code. simulate() and basin() call
+/// it themselves.
+void check(const Study& study);
 
 /// The resolved study, defaults included, as TOML that read_study() takes back to an equal study.
 std::string to_toml(const Study& study);

@@ -21,12 +21,12 @@ constexpr std::size_t longest_shown = 60;
 constexpr std::size_t nearest_distance = 2;
 
 // Text from outside as part of a one-line message: control characters escaped, cut at a whole UTF-8 character.
-std::string printable(std::string_view text) {
+std::string printable(std::string_view text, std::size_t longest = longest_shown) {
   std::string result;
   for (const char c : text) {
     const auto byte = static_cast<unsigned char>(c);
     const bool continues_character = (byte & 0xC0) == 0x80;
-    if (result.size() >= longest_shown && !continues_character) return result + "...";
+    if (result.size() >= longest && !continues_character) return result + "...";
     if (byte < 0x20 || byte == 0x7F)
       result += fmt::format("\\u{:04X}", byte);
     else
@@ -114,7 +114,9 @@ toml::table parse_toml(std::string_view text, const std::string& name) {
   try {
     return toml::parse(text, name);
   } catch (const toml::parse_error& e) {
-    throw TextFault{e.source().begin.line, e.source().begin.column, fmt::format("not TOML: {}", e.description())};
+    constexpr std::size_t longest_description = 300;  // it may quote the text
+    throw TextFault{e.source().begin.line, e.source().begin.column,
+                    fmt::format("not TOML: {}", printable(e.description(), longest_description))};
   }
 }
 

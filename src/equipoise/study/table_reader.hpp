@@ -10,6 +10,11 @@
 #include <string_view>
 #include <vector>
 
+// toml++ (3.3) asserts some things that malformed text can break, and reports each of them as an error right after: a
+// debug build that has it as headers must get there too.
+#ifndef TOML_ASSERT
+#define TOML_ASSERT(condition) static_assert(true)
+#endif
 #include <toml++/toml.h>
 
 #include "equipoise/base/error.hpp"

@@ -1,5 +1,5 @@
-// What TOML text must not hold when it reaches the parser: the few faults that toml++ meets with undefined behaviour, a
-// failed assertion or an exhausted stack instead of an error (3.3; github.com/marzer/tomlplusplus issues 190 and 295).
+// What text must not hold when it reaches the TOML parser: the few faults that toml++ meets with undefined behaviour or
+// an exhausted stack instead of an error (3.3; github.com/marzer/tomlplusplus, issues 190 and 295).
 #pragma once
 
 #include <algorithm>
@@ -10,7 +10,7 @@
 
 namespace equipoise::study {
 
-/// Why text cannot be read, and where; line and column count from 1.
+/// Why text cannot be read, and where; line and column (in bytes) count from 1.
 struct TextFault {
   std::size_t line, column;
   std::string problem;
@@ -19,80 +19,62 @@ struct TextFault {
 /// A study needs four parts at most; the parser and its trees recurse once a part, on a stack that ends.
 inline constexpr int most_key_parts = 16;
 
-/// Walks over text by TOML's strings, comments and brackets, and nothing else of its grammar. Up to the first fault that
-/// the parser itself would report, both see the text alike.
+/// Follows TOML's strings and comments, and nothing else of its grammar. Up to the first error that the parser itself
+/// would report, both see the text alike.
 class TextGuard {
  public:
   explicit TextGuard(std::string_view text) : text_(text) {}
 
+  /// Empty where the parser may have the text.
   std::optional<TextFault> first_fault() {
-    if (text_.starts_with("\xEF\xBB\xBF")) at_ = 3;  // a byte order mark
-    for (; at_ < text_.size() && !fault_; ++at_) step(text_[at_]);
+    constexpr std::string_view byte_order_mark = "\xEF\xBB\xBF";
+    if (text_.starts_with(byte_order_mark)) text_.remove_prefix(byte_order_mark.size());
+    for (; at_ < text_.size() && !fault_; ++at_) {
+      const char c = text_[at_];
+      if (not_ascii(c)) {
+        fail("not TOML: a character that is not ASCII, outside of quotes");
+      } else if (c == '#') {
+        at_ = std::min(text_.find('\n', at_), text_.size()) - 1;
+      } else if ((c == '"' || c == '\'') && string_may_begin()) {
+        skip_string(c);
+      } else if (c == '.') {
+        if (++key_parts_ > most_key_parts)
+          fail("a key has more than " + std::to_string(most_key_parts) + " parts; no key of a study does");
+      } else if (std::string_view(",=\n[]{}").find(c) != std::string_view::npos) {
+        key_parts_ = 1;
+      }
+    }
     return fault_;
   }
 
  private:
-  void step(char c) {
-    if (static_cast<unsigned char>(c) >= 0x80) return fail("not TOML: a character that is not ASCII, outside of quotes");
-    switch (c) {
-      case '#': at_ = std::min(text_.find('\n', at_), text_.size()) - 1; break;
-      case '"':
-      case '\'': skip_string(c); break;
-      case '.':
-        if (++parts_ > most_key_parts) fail("a key has more than 16 parts; no key of a study does");
-        break;
-      case '\n':
-        if (depth_ == 0) in_value_ = false;
-        parts_ = 1;
-        break;
-      case '=':
-        in_value_ = true;
-        parts_ = 1;
-        break;
-      case '[':
-        if (in_value_) ++depth_;
-        else check_header();
-        parts_ = 1;
-        break;
-      case '{': ++depth_; parts_ = 1; break;
-      case ']':
-      case '}': depth_ = std::max(depth_ - 1, 0); parts_ = 1; break;
-      case ',': parts_ = 1; break;
-      default: break;
-    }
+  static bool not_ascii(char c) { return static_cast<unsigned char>(c) >= 0x80; }
+
+  // Elsewhere, as in 3"x, a quote is part of the malformed word before it.
+  bool string_may_begin() const {
+    return at_ == 0 || std::string_view(" \t\n.,=[{").find(text_[at_ - 1]) != std::string_view::npos;
   }
 
-  // Leaves at_ on the last character of the string.
+  // Leaves at_ on the last character of the string, or before the end of line that breaks it off.
   void skip_string(char quote) {
-    const bool many_lines = text_.substr(at_, 3) == std::string(3, quote);
+    const bool many_lines = text_.substr(at_).starts_with(std::string(3, quote));
     const std::string_view end = text_.substr(at_, many_lines ? 3 : 1);
-    for (at_ += end.size(); at_ < text_.size() && text_.substr(at_, end.size()) != end; ++at_) {
-      if (!many_lines && text_[at_] == '\n') break;
-      if (many_lines && static_cast<unsigned char>(text_[at_]) >= 0x80)
+    for (at_ += end.size(); at_ < text_.size(); ++at_) {
+      if (text_.substr(at_).starts_with(end)) {
+        at_ += end.size() - 1;
+        return;
+      }
+      if (!many_lines && text_[at_] == '\n') {
+        --at_;
+        return;
+      }
+      if (many_lines && not_ascii(text_[at_]))
         return fail("a character that is not ASCII, in a string of many lines; no string of a study has them");
       if (quote == '"' && text_[at_] == '\\') ++at_;
     }
-    const bool closed = text_.substr(at_, end.size()) == end;
-    at_ = closed ? at_ + end.size() - 1 : at_ - 1;
   }
 
-  // A table's name begins after "[" or "[[" and blanks.
-  void check_header() {
-    std::size_t begin = std::min(text_.find_first_not_of(" \t", at_ + 1), text_.size());
-    if (begin == at_ + 1 && begin < text_.size() && text_[begin] == '[')
-      begin = std::min(text_.find_first_not_of(" \t", begin + 1), text_.size());
-    if (begin == text_.size() || text_[begin] == '[') return;  // the parser has errors for these
-    constexpr std::string_view may_begin =
-        "]\"'-_0123456789ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz";
-    if (may_begin.find(text_[begin]) != std::string_view::npos) {
-      at_ = begin - 1;
-    } else {
-      at_ = begin;
-      fail("not TOML: a table's name must follow its bracket");
-    }
-  }
-
-  void fail(const char* problem) {
+  void fail(const std::string& problem) {
     const std::string_view before = text_.substr(0, at_);
     const std::size_t line_begin = before.rfind('\n') + 1;  // npos + 1 = 0
     fault_ = TextFault{1 + static_cast<std::size_t>(std::count(before.begin(), before.end(), '\n')),
@@ -101,9 +83,7 @@ class TextGuard {
 
   std::string_view text_;
   std::size_t at_ = 0;
-  int parts_ = 1;   // of the key here, if it is one
-  int depth_ = 0;   // of brackets within a value
-  bool in_value_ = false;
+  int key_parts_ = 1;  // of the key here, if it is one
   std::optional<TextFault> fault_;
 };
 

@@ -1,0 +1,16 @@
+# The equations and their integration against independent derivations (included by CMakeLists.txt).
+find_package(SUNDIALS REQUIRED COMPONENTS arkode nvecserial)
+
+equipoise_test(inertial_frame_test equivalence
+  equivalence/inertial_frame_test.cpp equivalence/lagrangian.cpp equivalence/cases.cpp
+  LIBRARIES SUNDIALS::arkode_shared SUNDIALS::nvecserial_shared)
+equipoise_test(energy_balance_test equivalence
+  equivalence/energy_balance_test.cpp equivalence/lagrangian.cpp equivalence/cases.cpp
+  LIBRARIES SUNDIALS::arkode_shared SUNDIALS::nvecserial_shared)
+equipoise_test(linearisation_test unit unit/linearisation_test.cpp)
+equipoise_test(balanced_state_test unit unit/balanced_state_test.cpp)
+equipoise_test(steady_state_test unit unit/steady_state_test.cpp)
+equipoise_test(convergence_test order order/convergence_test.cpp)
+equipoise_test(coincident_balls_test equivalence equivalence/coincident_balls_test.cpp)
+equipoise_test(speed_test unit unit/speed_test.cpp)
+equipoise_test(symmetry_test unit unit/symmetry_test.cpp LIBRARIES rapidcheck rapidcheck_gtest)

@@ -1,0 +1,242 @@
+// The energy balance dE/dt = torque psi' - dissipation along trajectories, for every case of cases.hpp, and energy,
+// torque and dissipation against the fixed-axes formulas of lagrangian.hpp.
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <vector>
+
+#include "cases.hpp"
+#include "equipoise/integrate/adaptive-inl.hpp"
+#include "equipoise/integrate/clamped.hpp"
+#include "equipoise/model/ball_count.hpp"
+#include "equipoise/model/energy.hpp"
+#include "equipoise/model/flow-inl.hpp"
+#include "equipoise/run/simulate.hpp"
+#include "lagrangian.hpp"
+
+namespace {
+
+namespace kernels = equipoise::HWY_NAMESPACE;
+namespace model = equipoise::model;
+using cases::Case;
+using lagrangian::FixedState;
+
+// iota: a rotor whose own spin energy is of the order of the balls'.
+constexpr double inertia = 0.3;
+
+// The library's state followed by the works of the drive, the supports' dampers and the ball drag.
+template <int n>
+class StateAndWork {
+ public:
+  static constexpr int state = model::dimension(n), dimension = state + 3;
+
+  StateAndWork(const model::Parameters& p, const model::Segment& s)
+      : p_(p), s_(s), motion_(s), balancer_(p), free_(p, s) {}
+
+  void operator()(double t, const double* z, double* dz) const {
+    if (s_.clamped) {
+      double ux = p_.eccentricity, uy = 0.0;
+      for (int i = 0; i < n; ++i) {
+        ux += p_.mass[i] * std::cos(z[4 + i]);
+        uy += p_.mass[i] * std::sin(z[4 + i]);
+      }
+      balancer_.clamped_derivative(motion_.at(t), {ux, uy}, p_.gravity, z, dz);
+      std::fill(dz + 4, dz + state, 0.0);
+    } else {
+      free_(t, z, dz);
+    }
+    const model::Powers powers = model::powers(p_, inertia, s_, t, z);
+    dz[state] = powers.drive;
+    dz[state + 1] = powers.supports;
+    dz[state + 2] = powers.balls;
+  }
+
+ private:
+  const model::Parameters& p_;
+  const model::Segment& s_;
+  kernels::SegmentMotion<double, kernels::Terms{}> motion_;
+  kernels::BallBalancer<double, n, kernels::Terms{}> balancer_;
+  kernels::FreeFlow<double, n, kernels::Terms{}> free_;
+};
+
+FixedState fixed(const model::Parameters& p, const model::Segment& segment, double t, const double* z) {
+  FixedState s;
+  s.t = t;
+  s.rotor = {segment.psi_at(t), segment.speed_at(t), segment.acceleration};
+  const double cosine = std::cos(s.rotor.angle), sine = std::sin(s.rotor.angle);
+  s.X = z[0] * cosine - z[1] * sine;
+  s.Y = z[0] * sine + z[1] * cosine;
+  s.X_dot = z[2] * cosine - z[3] * sine;
+  s.Y_dot = z[2] * sine + z[3] * cosine;
+  for (int i = 0; i < p.balls; ++i) {
+    s.theta.push_back(s.rotor.angle + z[4 + i]);
+    s.theta_dot.push_back(s.rotor.rate + z[4 + p.balls + i]);
+  }
+  return s;
+}
+
+std::vector<double> initial_state(const Case& c, double w, int extra) {
+  const int n = c.study.parameters.balls;
+  const auto& start = c.study.initial;
+  std::vector<double> z(model::dimension(n) + extra, 0.0);
+  z[0] = start.x;
+  z[1] = start.y;
+  z[2] = start.x_dot - w * start.y;
+  z[3] = start.y_dot + w * start.x;
+  for (int i = 0; i < n; ++i) {
+    z[4 + i] = start.phi[i];
+    z[4 + n + i] = start.phi_dot[i];
+  }
+  return z;
+}
+
+using At = std::function<void(const model::Segment& segment, double t, const double* z)>;
+using Jump = std::function<void(const model::Segment& before, const model::Segment& after, const double* z)>;
+
+// Walks the case's segments to t = 100 with the works: `at` after every accepted step, `jump` between segments, with
+// the state just before.
+template <int n>
+void walk(const Case& c, const At& at, const Jump& jump) {
+  using System = StateAndWork<n>;
+  const model::Parameters& p = c.study.parameters;
+  const auto segments = model::segments(c.study.speed_profile(), c.release);
+  kernels::ErrorScale<System::dimension> scale;
+  scale.tolerance = 1e-13;
+  scale.floor.fill(0.01);
+  std::vector<double> z = initial_state(c, segments.front().speed, 3);
+  for (std::size_t k = 0; k < segments.size(); ++k) {
+    const model::Segment& segment = segments[k];
+    const double end = std::min(segment.end, 100.0);
+    const System system(p, segment);
+    kernels::AdaptiveIntegrator<System, System::dimension> integrator(system, scale);
+    at(segment, segment.begin, z.data());
+    const auto status = integrator.advance(segment.begin, end, z.data(), [&](double, double t_new, auto&& state_at) {
+      double there[System::dimension];
+      state_at(t_new, there);
+      at(segment, t_new, there);
+    });
+    ASSERT_EQ(status, equipoise::IntegrationStatus::done);
+    if (k + 1 == segments.size()) break;
+    jump(segment, segments[k + 1], z.data());
+    equipoise::apply_speed_jump(segments[k + 1].speed - segment.speed_at(segment.end), z.data());
+  }
+}
+
+class EnergyBalance : public testing::TestWithParam<Case> {};
+
+TEST_P(EnergyBalance, closes_along_the_trajectory) {
+  const Case& c = GetParam();
+  const model::Parameters& p = c.study.parameters;
+  model::with_ball_count(p.balls, [&](auto n) {
+    constexpr int state = model::dimension(n);
+    bool begun = false;
+    double start = 0.0, jumps = 0.0, residual = 0.0, size = 0.0;
+    walk<n>(
+        c,
+        [&](const model::Segment& segment, double t, const double* z) {
+          const double e = model::energy(p, inertia, segment, t, z);
+          if (!begun) start = e;
+          begun = true;
+          const double work = z[state] - z[state + 1] - z[state + 2];
+          residual = std::max(residual, std::fabs(e - start - jumps - work));
+          size = std::max({size, std::fabs(e - start), std::fabs(z[state]), z[state + 1] + z[state + 2]});
+        },
+        [&](const model::Segment& before, const model::Segment& after, const double* z) {
+          // Energy of the imposed jump, from the fixed-axes formula on both sides.
+          FixedState s = fixed(p, before, before.end, z);
+          const double energy_before = lagrangian::energy(p, inertia, s);
+          const double jump = after.speed - before.speed_at(before.end);
+          lagrangian::apply_speed_jump(jump, s);
+          s.rotor.rate += jump;
+          jumps += lagrangian::energy(p, inertia, s) - energy_before;
+        });
+    ASSERT_TRUE(begun);
+    RecordProperty("residual", fmt::format("{:.2g}", residual / size));
+    // Steps are good to 1e-13 each, and there are up to a thousand of them.
+    EXPECT_LT(residual, 1e-10 * size);
+  });
+}
+
+TEST_P(EnergyBalance, agrees_with_energy_and_powers_in_fixed_axes) {
+  const Case& c = GetParam();
+  const model::Parameters& p = c.study.parameters;
+  model::with_ball_count(p.balls, [&](auto n) {
+    double difference = 0.0, size = 0.0;
+    const auto compare = [&](double value, double reference) {
+      difference = std::max(difference, std::fabs(value - reference));
+      size = std::max(size, std::fabs(reference));
+    };
+    walk<n>(
+        c,
+        [&](const model::Segment& segment, double t, const double* z) {
+          const FixedState s = fixed(p, segment, t, z);
+          compare(model::energy(p, inertia, segment, t, z), lagrangian::energy(p, inertia, s));
+          const model::Powers powers = model::powers(p, inertia, segment, t, z);
+          compare(powers.drive, s.rotor.rate * lagrangian::accelerations(p, inertia, s, segment.clamped).torque);
+          compare(powers.supports, p.damping[0] * s.X_dot * s.X_dot + p.damping[1] * s.Y_dot * s.Y_dot);
+          double drag = 0.0;
+          for (int i = 0; i < n; ++i) drag += p.mass[i] * p.drag[i] * std::pow(s.theta_dot[i] - s.rotor.rate, 2);
+          compare(powers.balls, drag);
+          const auto force = model::bearing_force(p, segment, t, z);
+          compare(force[0], p.damping[0] * s.X_dot + p.stiffness[0] * s.X);
+          compare(force[1], p.damping[1] * s.Y_dot + p.stiffness[1] * s.Y);
+        },
+        [](auto&&...) {});
+    RecordProperty("largest_difference", fmt::format("{:.2g}", difference / size));
+    // Rounding: angles of 250 rad are known to 3e-14, and tens of terms are summed.
+    EXPECT_LT(difference, 1e-12 * size);
+  });
+}
+
+INSTANTIATE_TEST_SUITE_P(Case, EnergyBalance, testing::ValuesIn(cases::all()),
+                         [](const auto& info) { return info.param.name; });
+
+// Nodes and weights of Gauss and Legendre on [0, 1], five points.
+constexpr double gauss_nodes[] = {0.046910077030668, 0.2307653449471585, 0.5, 0.7692346550528415, 0.953089922969332};
+constexpr double gauss_weights[] = {0.118463442528095, 0.2393143352496832, 0.2844444444444444, 0.2393143352496832,
+                                    0.118463442528095};
+
+TEST(EnergyBalanceOfSimulate, closes_over_its_samples) {
+  for (const Case& c : cases::all()) {
+    if (c.name.find("everything_3") == std::string::npos) continue;
+    const model::Parameters& p = c.study.parameters;
+    const auto segments = model::segments(c.study.speed_profile(), c.release);
+    // One segment: psi' does not jump and the rule meets no corner.
+    const model::Segment& segment = segments.back();
+    constexpr int panels = 400;
+    constexpr double width = 0.1;  // the rule's relative error, 4e-13 (frequency width)^10, is below rounding
+    std::vector<double> times;
+    for (int panel = 0; panel < panels; ++panel)
+      for (double node : gauss_nodes) times.push_back(segment.begin + (panel + node) * width);
+    times.push_back(segment.begin + panels * width);
+    times.insert(times.begin(), segment.begin);
+    const equipoise::Trajectory run = equipoise::simulate(c.study, times);
+    ASSERT_EQ(run.t, times);
+
+    const int n = p.balls;
+    const auto state = [&](std::size_t k) {
+      std::vector<double> z{run.x[k], run.y[k], run.x_dot[k] - run.psi_dot[k] * run.y[k],
+                            run.y_dot[k] + run.psi_dot[k] * run.x[k]};
+      for (int i = 0; i < n; ++i) z.push_back(run.phi[i][k]);
+      for (int i = 0; i < n; ++i) z.push_back(run.phi_dot[i][k]);
+      return z;
+    };
+    double work = 0.0, throughput = 0.0;
+    for (std::size_t k = 1; k + 1 < times.size(); ++k) {
+      const model::Powers powers = model::powers(p, inertia, segment, times[k], state(k).data());
+      const double weight = gauss_weights[(k - 1) % 5] * width;
+      work += weight * (powers.drive - powers.supports - powers.balls);
+      throughput += weight * (powers.supports + powers.balls);
+    }
+    const double change = model::energy(p, inertia, segment, times.back(), state(times.size() - 1).data()) -
+                          model::energy(p, inertia, segment, times.front(), state(0).data());
+    RecordProperty(c.name, fmt::format("{:.2g}", std::fabs(change - work) / throughput));
+    // simulate() promises 1e-9 for each variable over 100 time units; energies inherit it.
+    EXPECT_NEAR(change, work, 1e-9 * throughput) << c.name;
+  }
+}
+
+}  // namespace

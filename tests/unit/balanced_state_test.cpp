@@ -1,0 +1,149 @@
+// Existence and angles of balanced states: the polygon inequality and its edge cases (docs/equations.md, "Existence").
+#include "equipoise/model/balanced_state.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <complex>
+#include <initializer_list>
+
+#include "equipoise/base/angles.hpp"
+
+namespace {
+
+using equipoise::pi;
+using equipoise::model::balanced_states;
+using equipoise::model::Parameters;
+using Kind = equipoise::model::BalancedStates::Kind;
+
+Parameters rotor(double lambda, std::initializer_list<double> masses) {
+  Parameters p;
+  p.eccentricity = lambda;
+  p.balls = 0;
+  for (double m : masses) p.mass[p.balls++] = m;
+  p.drag.fill(0.05);
+  return p;
+}
+
+double unbalance(const Parameters& p, const double* phi) {
+  std::complex<double> sum = p.eccentricity;
+  for (int i = 0; i < p.balls; ++i) sum += std::polar(p.mass[i], phi[i]);
+  return std::abs(sum);
+}
+
+void expect_none(const Parameters& p) {
+  const auto states = balanced_states(p);
+  EXPECT_EQ(states.kind, Kind::none);
+  EXPECT_TRUE(states.angles.empty());
+  EXPECT_FALSE(states.reason.empty());
+}
+
+void expect_isolated(const Parameters& p, std::size_t count) {
+  const auto states = balanced_states(p);
+  ASSERT_EQ(states.kind, Kind::isolated);
+  ASSERT_EQ(states.angles.size(), count);
+  EXPECT_TRUE(states.reason.empty());
+  // Rounding of the cosines; where the polygon is flat (one state) an angle is only good to the root of that.
+  for (const auto& phi : states.angles) EXPECT_LT(unbalance(p, phi.data()), 1e-15 * (count == 2 ? 1.0 : 10.0));
+}
+
+TEST(BalancedStates, of_one_ball_exist_only_if_it_weighs_what_the_unbalance_does) {
+  expect_isolated(rotor(0.01, {0.01}), 1);
+  EXPECT_EQ(balanced_states(rotor(0.01, {0.01})).angles[0][0], pi);
+  expect_none(rotor(0.01, {0.02}));
+  expect_none(rotor(0.02, {0.01}));
+  expect_none(rotor(0.0, {0.01}));
+}
+
+TEST(BalancedStates, of_two_equal_balls_are_mirror_images) {
+  const Parameters p = rotor(0.01, {0.05, 0.05});
+  expect_isolated(p, 2);
+  const auto states = balanced_states(p);
+  const double expected = std::acos(-0.01 / 0.1);
+  EXPECT_NEAR(expected, 1.67096, 5e-6);  // the recorded angle, as printed
+  // A few roundings of the arc cosine and its argument.
+  EXPECT_NEAR(states.angles[0][0], expected, 1e-15);
+  EXPECT_NEAR(states.angles[0][1], -expected, 1e-15);
+  EXPECT_EQ(states.angles[1][0], -states.angles[0][0]);
+  EXPECT_EQ(states.angles[1][1], -states.angles[0][1]);
+}
+
+TEST(BalancedStates, of_two_unequal_balls_satisfy_the_law_of_cosines) {
+  const Parameters p = rotor(0.03, {0.05, 0.04});
+  expect_isolated(p, 2);
+  for (const auto& phi : balanced_states(p).angles) {
+    // Triangle with sides 3, 4, 5: ball 2 is perpendicular to the heavy side, ball 1 closes it. Rounding only.
+    EXPECT_NEAR(std::cos(phi[0]), -0.6, 1e-15);
+    EXPECT_NEAR(std::cos(phi[1]), 0.0, 1e-15);
+    EXPECT_LT(std::sin(phi[0]) * std::sin(phi[1]), 0.0);
+  }
+}
+
+TEST(BalancedStates, of_two_balls_merge_where_the_triangle_is_flat) {
+  expect_isolated(rotor(0.1, {0.06, 0.04}), 1);   // together opposite the heavy side
+  expect_isolated(rotor(0.01, {0.05, 0.04}), 1);  // on one line, the lighter one on the heavy side
+  expect_isolated(rotor(0.01, {0.04, 0.05}), 1);
+  expect_isolated(rotor(0.1, {0.05, 0.05}), 1);
+}
+
+TEST(BalancedStates, are_ruled_out_by_the_polygon_inequality) {
+  expect_none(rotor(0.11, {0.05, 0.05}));
+  expect_none(rotor(0.01, {0.05, 0.03}));  // heavy enough together, yet ball 1 outweighs the rest
+  expect_none(rotor(0.2, {0.05, 0.05, 0.05}));
+  expect_none(rotor(0.01, {0.2, 0.05, 0.05}));
+  expect_none(rotor(0.01, {0.05, 0.05, 0.05, 0.05, 0.3}));
+}
+
+TEST(BalancedStates, without_unbalance_form_a_family_if_the_balls_balance_each_other) {
+  EXPECT_EQ(balanced_states(rotor(0.0, {0.05, 0.05})).kind, Kind::family);
+  EXPECT_EQ(balanced_states(rotor(0.0, {0.05, 0.06, 0.07})).kind, Kind::family);
+  expect_none(rotor(0.0, {0.05, 0.04}));
+  expect_none(rotor(0.0, {0.2, 0.05, 0.06}));
+}
+
+TEST(BalancedStates, do_not_exist_under_gravity) {
+  Parameters p = rotor(0.01, {0.05, 0.05});
+  p.gravity = 1e-3;
+  expect_none(p);
+}
+
+TEST(BalancedStates, do_not_depend_on_the_supports) {
+  Parameters p = rotor(0.01, {0.05, 0.05});
+  p.stiffness = {1.0, 2.0};
+  p.damping = {0.1, 0.7};
+  expect_isolated(p, 2);
+}
+
+TEST(BalancedStates, of_three_balls_or_more_are_found_near_any_generic_start) {
+  for (int n = 3; n <= 8; ++n) {
+    Parameters p = rotor(0.01, {});
+    p.balls = n;
+    for (int i = 0; i < n; ++i) p.mass[i] = 0.03 + 0.002 * i;
+    EXPECT_EQ(balanced_states(p).kind, Kind::family);
+    double phi[8];
+    for (int i = 0; i < n; ++i) phi[i] = 2.0 * pi * i / n + 0.3 * std::sin(3.0 * i);
+    ASSERT_TRUE(equipoise::model::project_to_balanced(p, phi)) << n << " balls";
+    // Rounding of the sum of the masses.
+    EXPECT_LT(unbalance(p, phi), 4e-15 * (p.eccentricity + p.total_mass())) << n << " balls";
+  }
+}
+
+TEST(ProjectionToBalanced, moves_a_balanced_state_not_at_all_and_a_neighbour_little) {
+  const Parameters p = rotor(0.01, {0.05, 0.05, 0.06});
+  double phi[] = {0.3, 2.4, 4.4};
+  ASSERT_TRUE(equipoise::model::project_to_balanced(p, phi));
+  double again[] = {phi[0], phi[1], phi[2]};
+  ASSERT_TRUE(equipoise::model::project_to_balanced(p, again));
+  for (int i = 0; i < 3; ++i) EXPECT_EQ(again[i], phi[i]);
+  double near[] = {phi[0] + 1e-3, phi[1] - 1e-3, phi[2] + 2e-3};
+  ASSERT_TRUE(equipoise::model::project_to_balanced(p, near));
+  // No longer than the way back to the state it came from, 2.45e-3, as it is the nearest member of the family.
+  EXPECT_LT(std::hypot(near[0] - phi[0] - 1e-3, near[1] - phi[1] + 1e-3, near[2] - phi[2] - 2e-3), 2.45e-3);
+}
+
+TEST(ProjectionToBalanced, gives_up_where_there_is_no_balanced_state) {
+  double phi[] = {0.1, 2.0, 4.0};
+  EXPECT_FALSE(equipoise::model::project_to_balanced(rotor(0.2, {0.05, 0.05, 0.05}), phi));
+}
+
+}  // namespace

@@ -1,0 +1,207 @@
+// The rotor's motion cut into segments: psi and its derivatives under both laws, jumps, clamp and the ramp function.
+#include "equipoise/model/speed.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <vector>
+
+namespace {
+
+using equipoise::model::Segment;
+using equipoise::model::segments;
+using equipoise::model::SpeedLaw;
+using equipoise::model::SpeedProfile;
+
+constexpr double infinity = std::numeric_limits<double>::infinity();
+// A few roundings of angles up to 300.
+constexpr double rounding = 1e-12;
+
+const std::vector<SpeedProfile>& profiles() {
+  static const std::vector<SpeedProfile> all = [] {
+    std::vector<SpeedProfile> result;
+    for (SpeedLaw law : {SpeedLaw::kinematic, SpeedLaw::published})
+      for (double angle : {0.0, -1.3}) {
+        result.push_back({{0.0}, {2.4}, law, angle});
+        result.push_back({{0.0}, {0.0}, law, angle});
+        result.push_back({{0.0, 50.0}, {0.0, 2.4}, law, angle});
+        result.push_back({{0.0, 50.0}, {3.0, -1.0}, law, angle});
+        result.push_back({{0.0, 25.0, 60.0, 80.0}, {0.5, 3.0, 3.0, 2.4}, law, angle});
+        result.push_back({{0.0, 7.5, 12.0, 40.0, 41.0}, {1.0, 1.0, 2.5, 2.0, 2.6}, law, angle});
+      }
+    return result;
+  }();
+  return all;
+}
+
+// Releases at the start, within branches, at corners and after the last one.
+constexpr double releases[] = {0.0, 3.3, 12.0, 25.0, 30.0, 50.0, 80.0, 123.0};
+
+double omega(const SpeedProfile& p, double t) {  // the ramp function, by a search of its own
+  std::size_t i = 0;
+  while (i + 1 < p.times.size() && p.times[i + 1] <= t) ++i;
+  if (i + 1 == p.times.size()) return p.speeds[i];
+  const double share = (t - p.times[i]) / (p.times[i + 1] - p.times[i]);
+  return (1.0 - share) * p.speeds[i] + share * p.speeds[i + 1];
+}
+
+double slope(const SpeedProfile& p, double t) {  // of the ramp function, from t on
+  const std::size_t i = std::upper_bound(p.times.begin(), p.times.end(), t) - p.times.begin();
+  return i == p.times.size() ? 0.0 : (p.speeds[i] - p.speeds[i - 1]) / (p.times[i] - p.times[i - 1]);
+}
+
+// Times inside a segment, its begin included.
+std::vector<double> times_in(const Segment& s) {
+  const double length = std::min(s.end - s.begin, 50.0);
+  return {s.begin, s.begin + 0.25 * length, s.begin + 0.5 * length, s.begin + 0.9 * length};
+}
+
+TEST(Segments, follow_each_other_without_gaps_up_to_infinity) {
+  for (const auto& profile : profiles())
+    for (double release : releases) {
+      const auto all = segments(profile, release);
+      EXPECT_EQ(all.front().begin, 0.0);
+      EXPECT_EQ(all.back().end, infinity);
+      for (std::size_t i = 0; i + 1 < all.size(); ++i) {
+        EXPECT_EQ(all[i].end, all[i + 1].begin);
+        EXPECT_LT(all[i].begin, all[i].end);
+      }
+    }
+}
+
+TEST(Segments, are_cut_at_corners_and_at_the_release_only) {
+  for (const auto& profile : profiles())
+    for (double release : releases) {
+      std::vector<double> expected = profile.times;
+      if (std::find(expected.begin(), expected.end(), release) == expected.end()) expected.push_back(release);
+      std::sort(expected.begin(), expected.end());
+      std::vector<double> begins;
+      for (const auto& s : segments(profile, release)) begins.push_back(s.begin);
+      EXPECT_EQ(begins, expected);
+    }
+}
+
+TEST(Segments, are_clamped_exactly_until_the_release) {
+  for (const auto& profile : profiles())
+    for (double release : releases)
+      for (const auto& s : segments(profile, release)) EXPECT_EQ(s.clamped, s.begin < release);
+}
+
+TEST(Segments, have_a_continuous_angle_that_starts_where_told) {
+  for (const auto& profile : profiles())
+    for (double release : releases) {
+      const auto all = segments(profile, release);
+      EXPECT_EQ(all.front().psi, profile.initial_angle);
+      for (std::size_t i = 0; i + 1 < all.size(); ++i) EXPECT_NEAR(all[i].psi_at(all[i].end), all[i + 1].psi, rounding);
+    }
+}
+
+TEST(Segments, have_speed_and_acceleration_that_are_the_derivatives_of_the_angle) {
+  for (const auto& profile : profiles())
+    for (double release : releases)
+      for (const auto& s : segments(profile, release))
+        for (double t : times_in(s)) {
+          // psi is a quadratic, for which central differences are exact but for the rounding of angles.
+          const double h = 4.0;
+          const double up = s.psi_at(t + h), here = s.psi_at(t), down = s.psi_at(t - h);
+          EXPECT_NEAR(s.speed_at(t), (up - down) / (2.0 * h), rounding);
+          EXPECT_NEAR(s.acceleration, (up - 2.0 * here + down) / (h * h), rounding);
+        }
+}
+
+TEST(KinematicLaw, turns_the_rotor_at_the_ramp_function) {
+  for (const auto& profile : profiles())
+    if (profile.law == SpeedLaw::kinematic)
+      for (double release : releases)
+        for (const auto& s : segments(profile, release))
+          for (double t : times_in(s)) {
+            EXPECT_NEAR(s.speed_at(t), omega(profile, t), rounding);
+            EXPECT_NEAR(s.acceleration, slope(profile, t), rounding);
+          }
+}
+
+TEST(KinematicLaw, has_no_jump_of_speed) {
+  for (const auto& profile : profiles())
+    if (profile.law == SpeedLaw::kinematic)
+      for (double release : releases) {
+        const auto all = segments(profile, release);
+        for (std::size_t i = 0; i + 1 < all.size(); ++i)
+          EXPECT_NEAR(all[i].speed_at(all[i].end), all[i + 1].speed, rounding);
+      }
+}
+
+TEST(PublishedLaw, has_angle_t_times_the_ramp_function) {
+  for (const auto& profile : profiles())
+    if (profile.law == SpeedLaw::published)
+      for (double release : releases)
+        for (const auto& s : segments(profile, release))
+          for (double t : times_in(s)) {
+            EXPECT_NEAR(s.psi_at(t), profile.initial_angle + t * omega(profile, t), rounding);
+            EXPECT_NEAR(s.speed_at(t), omega(profile, t) + t * slope(profile, t), rounding);
+            EXPECT_NEAR(s.acceleration, 2.0 * slope(profile, t), rounding);
+          }
+}
+
+TEST(PublishedLaw, jumps_at_corners_by_t_times_the_change_of_slope_and_nowhere_else) {
+  for (const auto& profile : profiles())
+    if (profile.law == SpeedLaw::published)
+      for (double release : releases) {
+        const auto all = segments(profile, release);
+        for (std::size_t i = 0; i + 1 < all.size(); ++i) {
+          const double t = all[i].end;
+          const bool corner = std::find(profile.times.begin(), profile.times.end(), t) != profile.times.end();
+          const double change = corner ? slope(profile, t) - slope(profile, std::nextafter(t, 0.0)) : 0.0;
+          EXPECT_NEAR(all[i + 1].speed - all[i].speed_at(t), t * change, rounding);
+        }
+      }
+}
+
+TEST(PublishedLaw, doubles_a_ramp_from_rest_and_drops_at_its_end) {
+  const SpeedProfile ramp{{0.0, 50.0}, {0.4, 2.4}, SpeedLaw::published, 0.0};
+  const auto all = segments(ramp, 50.0);
+  ASSERT_EQ(all.size(), 2u);
+  EXPECT_NEAR(all[0].speed_at(50.0), 2.0 * 2.4 - 0.4, rounding);
+  EXPECT_EQ(all[1].speed, 2.4);
+  EXPECT_EQ(all[1].acceleration, 0.0);
+}
+
+TEST(PublishedLaw, reverses_the_rotor_in_the_paper_s_trapezoid) {
+  const SpeedProfile trapezoid{{0.0, 50.0, 400.0, 500.0}, {0.0, 3.0, 3.0, 2.0}, SpeedLaw::published, 0.0};
+  const auto all = segments(trapezoid, 50.0);
+  ASSERT_EQ(all.size(), 4u);
+  EXPECT_NEAR(all[2].speed, -1.0, rounding);
+  EXPECT_NEAR(all[2].speed_at(500.0), -3.0, rounding);
+}
+
+TEST(SpeedProfile, has_the_ramp_function_of_its_points) {
+  for (const auto& profile : profiles())
+    for (double t = 0.0; t < 130.0; t += 0.7) EXPECT_NEAR(profile.ramp_function(t), omega(profile, t), rounding);
+  const SpeedProfile ramp{{0.0, 50.0}, {0.0, 2.4}, SpeedLaw::kinematic, 0.0};
+  EXPECT_EQ(ramp.ramp_function(25.0), 1.2);
+  EXPECT_EQ(ramp.ramp_function(50.0), 2.4);
+  EXPECT_EQ(ramp.ramp_function(1e6), 2.4);
+  EXPECT_EQ(ramp.final_speed(), 2.4);
+  EXPECT_EQ(ramp.settled_time(), 50.0);
+}
+
+TEST(FirstTimeAt, is_the_first_time_the_ramp_function_has_the_speed) {
+  const SpeedProfile p{{0.0, 10.0, 20.0, 30.0}, {1.0, 3.0, 2.0, 2.5}, SpeedLaw::kinematic, 0.0};
+  EXPECT_EQ(p.first_time_at(1.0), 0.0);
+  EXPECT_EQ(p.first_time_at(2.0), 5.0);  // on the way up, not on the way down
+  EXPECT_EQ(p.first_time_at(2.5), 7.5);
+  EXPECT_EQ(p.first_time_at(3.0), 10.0);  // a corner
+  EXPECT_EQ(p.first_time_at(0.9), std::nullopt);
+  EXPECT_EQ(p.first_time_at(3.1), std::nullopt);
+  const SpeedProfile falling{{0.0, 10.0}, {2.0, -2.0}, SpeedLaw::published, 0.0};
+  EXPECT_EQ(falling.first_time_at(0.0), 5.0);  // a rule on the ramp function, whatever the law
+  const SpeedProfile constant{{0.0}, {2.4}, SpeedLaw::kinematic, 0.0};
+  EXPECT_EQ(constant.first_time_at(2.4), 0.0);
+  EXPECT_EQ(constant.first_time_at(2.0), std::nullopt);
+  const SpeedProfile waiting{{0.0, 5.0, 9.0}, {1.0, 1.0, 2.0}, SpeedLaw::kinematic, 0.0};
+  EXPECT_EQ(waiting.first_time_at(1.0), 0.0);
+  EXPECT_EQ(waiting.first_time_at(1.5), 7.0);
+}
+
+}  // namespace
