@@ -43,8 +43,12 @@ std::string to_toml(const Study& study) {
   text += fmt::format("[balancer]\nballs = {}\nmass = {}\ndrag = {}\n\n", n, array(p.mass, n), array(p.drag, n));
   text += fmt::format("[speed]\nprofile = \"{}\"\n{}law = \"{}\"\n\n", study.speed.profile, speed_keys(study.speed),
                       study.speed.law == model::SpeedLaw::kinematic ? "kinematic" : "published");
-  if (study.release.speed) text += fmt::format("[release]\nspeed = {}\n\n", number_text(*study.release.speed));
-  if (study.release.time) text += fmt::format("[release]\ntime = {}\n\n", number_text(*study.release.time));
+  if (study.release.speed || study.release.time) {
+    text += "[release]\n";
+    if (study.release.speed) text += fmt::format("speed = {}\n", number_text(*study.release.speed));
+    if (study.release.time) text += fmt::format("time = {}\n", number_text(*study.release.time));
+    text += "\n";
+  }
   const InitialState& s = study.initial;
   text += fmt::format("[initial]\npsi = {}\nx = {}\ny = {}\nx_dot = {}\ny_dot = {}\n", number_text(s.psi),
                       number_text(s.x), number_text(s.y), number_text(s.x_dot), number_text(s.y_dot));
