@@ -83,8 +83,8 @@ Verdicts compare(const Study& study, std::size_t count, double end) {
 class Decisions : public testing::TestWithParam<Row> {};
 
 TEST_P(Decisions, AgreeWithLongIntegration) {
-  const char* more = std::getenv("EQUIPOISE_DECISION_STARTS");
-  const std::size_t count = more ? std::strtoull(more, nullptr, 10) : 3000;
+  const char* more = std::getenv("EQUIPOISE_DECISION_STARTS");  // for a longer search than the tests'
+  const std::size_t count = more ? std::strtoull(more, nullptr, 10) : DECISION_STARTS;
   const Verdicts v = compare(study_of(GetParam()), count, 3000.0);
   EXPECT_EQ(v.falsely_balanced, 0u);
   EXPECT_EQ(v.falsely_not_balanced, 0u);
@@ -114,7 +114,7 @@ TEST(DecisionsFor, OtherBallCountsAgreeWithLongIntegration) {
     study.parameters.eccentricity = c.eccentricity;
     study.parameters.mass = c.mass;
     study.parameters.drag.fill(c.drag);
-    const std::size_t count = 300;
+    const std::size_t count = BALL_COUNT_STARTS;
     const Verdicts v = compare(study, count, 6000.0);
     EXPECT_EQ(v.falsely_balanced, 0u) << c.balls << " balls";
     EXPECT_EQ(v.falsely_not_balanced, 0u) << c.balls << " balls";

@@ -27,7 +27,7 @@ namespace {
 
 constexpr const char* usage =
     "usage: study_fuzz [--inputs N] [--seed S] [--dictionary FILE] [--only I] FILE-OR-FOLDER...\n"
-    "Feeds N mutations (default 20000) of the *.toml files given, or of those in the folders given, to the fuzz target.\n"
+    "Feeds N mutations (default 20000) of the *.toml files given, or of those in the folders given, to the target.\n"
     "--only I prints input I and feeds that one only. Exits with 0 if the target took every input.\n";
 
 // Far above every shipped study, and low enough to keep each input quick.
@@ -95,7 +95,7 @@ class Mutator {
     std::seed_seq words{seed, seed >> 32, index, index >> 32};
     random_.seed(words);
     std::string text = pick(seeds_);
-    for (std::size_t left = 1 + below(8); left > 0; --left) mutate(text);
+    for (std::size_t left = 1 + below(1 + below(6)); left > 0; --left) mutate(text);  // few: many inputs stay studies
     if (text.size() > longest_input) text.resize(longest_input);
     return text;
   }
@@ -107,15 +107,17 @@ class Mutator {
   const std::string& pick(const std::vector<std::string>& from) { return from[below(from.size())]; }
 
   void mutate(std::string& text) {
-    switch (below(8)) {
+    switch (below(10)) {
       case 0: return flip_bit(text);
       case 1: return splice(text);
       case 2: return insert(text, text.empty() ? "" : piece(text));
       case 3: text.erase(below(text.size() + 1), 1 + below(40)); return;
       case 4: return replace_word(text, "0123456789.+-eE_", pick(tokens_));
-      case 5: return replace_word(text, "abcdefghijklmnopqrstuvwxyz_\"", pick(tokens_));
-      case 6: return insert(text, pick(tokens_));
-      default: return add_override(text);
+      case 5: return replace_word(text, "0123456789.", number());
+      case 6: return replace_word(text, "abcdefghijklmnopqrstuvwxyz_\"", pick(tokens_));
+      case 7: return insert(text, pick(tokens_));
+      case 8: return add_override(text, pick(tokens_));
+      default: return add_override(text, number());
     }
   }
 
@@ -141,12 +143,21 @@ class Mutator {
     text.replace(begin, end - begin, by);
   }
 
-  void add_override(std::string& text) {
-    static constexpr std::array<const char*, 7> tables{"rotor",   "balancer", "speed",   "release",
-                                                       "initial", "sampling", "numerics"};
-    text += std::string("\n#--set ") + tables[below(tables.size())];
-    if (below(4) > 0) text += "." + pick(tokens_);
-    text += "=" + pick(tokens_) + "\n";
+  // Mostly of a size that a study may hold.
+  std::string number() {
+    std::string text = std::to_string(below(1000));
+    if (below(2) == 0) text.insert(below(text.size()) + 1, below(2) == 0 ? ".0" : "e-2");
+    return below(8) == 0 ? "-" + text : text;
+  }
+
+  void add_override(std::string& text, const std::string& value) {
+    static constexpr std::array<const char*, 24> keys{
+        "rotor.eccentricity", "rotor.damping",     "rotor.stiffness",  "rotor.gravity",   "balancer.balls",
+        "balancer.mass",      "balancer.drag",     "speed.speed",      "speed.initial",   "speed.final",
+        "speed.duration",     "speed.peak",        "speed.rise_until", "speed.law",       "release.speed",
+        "release.time",       "initial.psi",       "initial.x",        "initial.y_dot",   "initial.phi",
+        "sampling.starts",    "numerics.horizon",  "speed",            "numerics.tolerance"};
+    text += std::string("\n#--set ") + (below(6) == 0 ? pick(tokens_) : keys[below(keys.size())]) + "=" + value + "\n";
   }
 
   std::vector<std::string> seeds_, tokens_;

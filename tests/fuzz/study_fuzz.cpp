@@ -16,6 +16,7 @@
 
 #include "equipoise/base/error.hpp"
 #include "equipoise/study/study.hpp"
+#include "../unit/study_difference.hpp"
 
 namespace {
 
@@ -56,8 +57,10 @@ void check_study(const equipoise::Study& study) {
   for (std::size_t i = 1; i < profile.times.size(); ++i)
     require(profile.times[i] > profile.times[i - 1], "a profile runs forward", echo);
   try {
-    const std::string again = equipoise::to_toml(equipoise::parse_study(echo, "echo"));
-    require(again == echo, "an echo reads back to itself", echo + "\nbecame\n" + again);
+    const equipoise::Study back = equipoise::parse_study(echo, "echo");
+    const std::string difference = equipoise::first_difference(study, back);
+    require(difference.empty(), "an echo reads back to the study", difference + " differs from\n" + echo);
+    require(equipoise::to_toml(back) == echo, "an echo reads back to itself", echo);
   } catch (const equipoise::InputError& error) {
     require(false, error.what(), echo);
   }

@@ -1,5 +1,6 @@
 // The study reader on bad input: every message names the place, the key, the value and what is allowed, on one line.
 #include <cctype>
+#include <cmath>
 #include <cstdio>
 #include <fstream>
 #include <string>
@@ -247,9 +248,9 @@ TEST(BadInput, WhatIsNotTomlIsNamedByLineAndColumn) {
 // toml++ 3.3 has undefined behaviour or, in some builds, a failed assertion for these.
 TEST(BadInput, WhatTheTomlLibraryWouldStumbleOverIsStoppedBefore) {
   expect_rejected({
-      {with("0.5", "0.5 \u00e9"), {}, "f.toml:3:15", "", "", "a character that is not ASCII, outside of quotes"},
-      {"\u03bb = 1\n", {}, "f.toml:1:1", "", "", "a character that is not ASCII, outside of quotes"},
-      {good + "x = \"\"\"\\\n\u00a7\"\"\"\n", {}, "f.toml:19:1", "", "", "in a string of many lines"},
+      {with("0.5", "0.5 \u00e9"), {}, "f.toml:3:15", "", "", "a character that is not ASCII, outside of comments"},
+      {"\u03bb = 1\n", {}, "f.toml:1:1", "", "", "a character that is not ASCII, outside of comments"},
+      {good + "x = \"\"\"\\\n\u00a7\"\"\"\n", {}, "f.toml:19:1", "", "", "outside of comments"},
       {good + "[ = ]\n", {}, "f.toml:18:", "", "", "not TOML: "},
       {good + "[[[a]]]\n", {}, "f.toml:18:", "", "", "not TOML: "},
       {good + "x = [1, } 2]\n", {}, "f.toml:18:", "", "", "not TOML: "},
@@ -272,7 +273,7 @@ TEST(BadInput, StrangeTextStaysOnOneLineAndIsCutToLength) {
       {with("\"ramp\"", "\"" + std::string(100000, 'x') + "\""), {}, "f.toml:9", "speed.profile",
        "\"" + std::string(59, 'x') + "...", "one of"},
       // Never cut within a character.
-      {with("\"ramp\"", "\"" + std::string(58, 'x') + "\u00e9\u00e9\""), {}, "f.toml:9", "speed.profile",
+      {good, {"speed.profile=" + std::string(58, 'x') + "\u00e9\u00e9"}, "--set", "speed.profile",
        "\"" + std::string(58, 'x') + "\u00e9...", "one of"},
   });
 }
@@ -338,6 +339,33 @@ TEST(BadInput, OverridesAreOneTomlValue) {
   expect_override_rejected("initial={psi=1", "--set", "initial", "{psi=1", "not TOML: ");
   expect_override_rejected("rotor.gravity=1\n[numerics]\nhorizon=1", "--set", "rotor.gravity",
                            "1\\u000A[numerics]\\u000Ahorizon=1", "must be a single TOML value");
+}
+
+TEST(BadInput, StudiesFilledInByCodeObeyTheSameRules) {
+  const auto expect_bad = [](Study study, const std::string& key, const std::string& problem) {
+    try {
+      check(study);
+      ADD_FAILURE() << "accepted";
+    } catch (const InputError& error) {
+      EXPECT_EQ(error.key(), key);
+      EXPECT_NE(error.problem().find(problem), std::string::npos) << error.problem();
+      expect_one_line(error);
+    }
+  };
+  const Study fine = parse_study(good, "f.toml");
+  EXPECT_NO_THROW(check(fine));
+  Study study = fine;
+  study.release.time = 1.0;
+  expect_bad(study, "release.time", "not both");
+  study = fine;
+  study.parameters.mass[1] = std::nan("");
+  expect_bad(study, "balancer.mass", "entry 2 must be a finite number greater than 0");
+  study = fine;
+  study.parameters.balls = 9;
+  expect_bad(study, "balancer.balls", "from 1 to 8");
+  study = fine;
+  study.speed.duration = 0.0;
+  expect_bad(study, "speed.duration", "greater than 0");
 }
 
 TEST(BadInput, FilesThatCannotBeReadAreNamedWithTheReason) {

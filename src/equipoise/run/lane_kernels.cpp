@@ -2,6 +2,7 @@
 #include "equipoise/run/lane_kernels.hpp"
 
 #include <cmath>
+#include <cstdint>
 #include <memory>
 
 #include "equipoise/model/ball_count.hpp"
@@ -92,7 +93,7 @@ int evaluate_target(const model::Parameters& p, double speed, long count, double
   return model::with_ball_count(p.balls, [&](auto n) { return evaluate_balls<n>(p, speed, count, checksum); });
 }
 
-const char* target_name() { return hwy::TargetName(HWY_TARGET); }
+std::int64_t target_code() { return HWY_TARGET; }
 
 }  // namespace HWY_NAMESPACE
 }  // namespace equipoise
@@ -104,7 +105,14 @@ namespace equipoise {
 HWY_EXPORT(advance_target);
 HWY_EXPORT(decide_target);
 HWY_EXPORT(evaluate_target);
-HWY_EXPORT(target_name);
+HWY_EXPORT(target_code);
+
+namespace {
+// The names people know: Highway calls AVX-512 "AVX3".
+std::string name_of(std::int64_t target) {
+  return target == HWY_AVX3 ? "AVX-512" : target == HWY_SCALAR ? "scalar" : hwy::TargetName(target);
+}
+}  // namespace
 
 bool advance_lanes(const LaneTask& task, std::vector<Fate>& fates) {
   return HWY_DYNAMIC_DISPATCH(advance_target)(task, fates);
@@ -118,11 +126,11 @@ int evaluate_derivatives(const model::Parameters& p, double speed, long count, d
   return HWY_DYNAMIC_DISPATCH(evaluate_target)(p, speed, count, checksum);
 }
 
-std::string cpu_target() { return HWY_DYNAMIC_DISPATCH(target_name)(); }
+std::string cpu_target() { return name_of(HWY_DYNAMIC_DISPATCH(target_code)()); }
 
 std::vector<std::string> cpu_targets() {
   std::vector<std::string> names;
-  for (auto target : hwy::SupportedAndGeneratedTargets()) names.push_back(hwy::TargetName(target));
+  for (auto target : hwy::SupportedAndGeneratedTargets()) names.push_back(name_of(target));
   return names;
 }
 
@@ -131,7 +139,7 @@ bool use_cpu_target(const std::string& name) {
   hwy::GetChosenTarget().DeInit();
   if (name.empty()) return true;
   for (auto target : hwy::SupportedAndGeneratedTargets())
-    if (name == hwy::TargetName(target)) {
+    if (name == name_of(target)) {
       hwy::SetSupportedTargetsForTest(target);
       hwy::GetChosenTarget().DeInit();
       return true;

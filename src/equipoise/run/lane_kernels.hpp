@@ -24,7 +24,7 @@ bool decide_lanes(const LaneTask& task, const DecisionRule& rule, std::vector<Fa
 /// each from the result of the one before. Returns the number of lanes.
 int evaluate_derivatives(const model::Parameters& p, double speed, long count, double* checksum);
 
-/// Instruction set in use: "AVX3" (AVX-512), "AVX2", "SSE4" or "SCALAR".
+/// Instruction set in use: "AVX-512", "AVX2", "SSE4" or "scalar".
 std::string cpu_target();
 /// Every instruction set this program was built for that this machine has, best first.
 std::vector<std::string> cpu_targets();

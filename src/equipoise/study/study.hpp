@@ -81,8 +81,8 @@ Study read_study(const std::string& path, const std::vector<std::string>& overri
 Study parse_study(const std::string& toml_text, const std::string& name,
                   const std::vector<std::string>& overrides = {});
 
-/// Throws InputError unless read_study() would accept `study`: for studies filled in by code. simulate() and basin() call
-/// it themselves.
+/// Throws InputError unless read_study() would accept `study`: for studies filled in by code. simulate() and basin()
+/// call it themselves.
 void check(const Study& study);
 
 /// The resolved study, defaults included, as TOML that read_study() takes back to an equal study.

@@ -31,35 +31,34 @@ class TextGuard {
     if (text_.starts_with(byte_order_mark)) text_.remove_prefix(byte_order_mark.size());
     for (; at_ < text_.size() && !fault_; ++at_) {
       const char c = text_[at_];
-      if (not_ascii(c)) {
-        fail("not TOML: a character that is not ASCII, outside of quotes");
-      } else if (c == '#') {
+      if (c == '#') {
         at_ = std::min(text_.find('\n', at_), text_.size()) - 1;
-      } else if ((c == '"' || c == '\'') && string_may_begin()) {
+      } else if (c == '"' || c == '\'') {
         skip_string(c);
       } else if (c == '.') {
         if (++key_parts_ > most_key_parts)
           fail("a key has more than " + std::to_string(most_key_parts) + " parts; no key of a study does");
       } else if (std::string_view(",=\n[]{}").find(c) != std::string_view::npos) {
         key_parts_ = 1;
+      } else {
+        check_ascii();
       }
     }
     return fault_;
   }
 
  private:
-  static bool not_ascii(char c) { return static_cast<unsigned char>(c) >= 0x80; }
-
-  // Elsewhere, as in 3"x, a quote is part of the malformed word before it.
-  bool string_may_begin() const {
-    return at_ == 0 || std::string_view(" \t\n.,=[{").find(text_[at_ - 1]) != std::string_view::npos;
+  // Not in strings either: where a quote stands in the wrong place, the parser does not take what follows for a string.
+  void check_ascii() {
+    if (static_cast<unsigned char>(text_[at_]) >= 0x80)
+      fail("a character that is not ASCII, outside of comments; no study needs one");
   }
 
   // Leaves at_ on the last character of the string, or before the end of line that breaks it off.
   void skip_string(char quote) {
     const bool many_lines = text_.substr(at_).starts_with(std::string(3, quote));
     const std::string_view end = text_.substr(at_, many_lines ? 3 : 1);
-    for (at_ += end.size(); at_ < text_.size(); ++at_) {
+    for (at_ += end.size(); at_ < text_.size() && !fault_; ++at_) {
       if (text_.substr(at_).starts_with(end)) {
         at_ += end.size() - 1;
         return;
@@ -68,8 +67,7 @@ class TextGuard {
         --at_;
         return;
       }
-      if (many_lines && not_ascii(text_[at_]))
-        return fail("a character that is not ASCII, in a string of many lines; no string of a study has them");
+      check_ascii();
       if (quote == '"' && text_[at_] == '\\') ++at_;
     }
   }

@@ -1,0 +1,41 @@
+// Whether two studies ask the same, member by member; for the tests of the study reader and its fuzz target.
+#pragma once
+
+#include <string>
+
+#include "equipoise/study/study.hpp"
+
+namespace equipoise {
+
+/// The first member that differs by so much as a bit, or empty. Not the name, nor what the profile does not use.
+inline std::string first_difference(const Study& a, const Study& b) {
+  const model::Parameters &p = a.parameters, &q = b.parameters;
+  if (p.balls != q.balls) return "parameters.balls";
+  if (p.eccentricity != q.eccentricity) return "parameters.eccentricity";
+  if (p.damping != q.damping) return "parameters.damping";
+  if (p.stiffness != q.stiffness) return "parameters.stiffness";
+  if (p.gravity != q.gravity) return "parameters.gravity";
+  if (p.mass != q.mass) return "parameters.mass";
+  if (p.drag != q.drag) return "parameters.drag";
+  if (a.speed.profile != b.speed.profile) return "speed.profile";
+  if (a.speed.law != b.speed.law) return "speed.law";
+  if (a.speed_profile().times != b.speed_profile().times) return "the profile's times";
+  if (a.speed_profile().speeds != b.speed_profile().speeds) return "the profile's speeds";
+  if (a.release.speed != b.release.speed) return "release.speed";
+  if (a.release.time != b.release.time) return "release.time";
+  if (a.release_time() != b.release_time()) return "release_time()";
+  if (a.initial.psi != b.initial.psi) return "initial.psi";
+  if (a.initial.x != b.initial.x) return "initial.x";
+  if (a.initial.y != b.initial.y) return "initial.y";
+  if (a.initial.x_dot != b.initial.x_dot) return "initial.x_dot";
+  if (a.initial.y_dot != b.initial.y_dot) return "initial.y_dot";
+  if (a.initial.phi != b.initial.phi) return "initial.phi";
+  if (a.initial.phi_dot != b.initial.phi_dot) return "initial.phi_dot";
+  if (a.sampling.starts != b.sampling.starts) return "sampling.starts";
+  if (a.sampling.seed != b.sampling.seed) return "sampling.seed";
+  if (a.numerics.tolerance != b.numerics.tolerance) return "numerics.tolerance";
+  if (a.numerics.horizon != b.numerics.horizon) return "numerics.horizon";
+  return "";
+}
+
+}  // namespace equipoise
