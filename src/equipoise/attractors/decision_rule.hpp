@@ -44,7 +44,7 @@ struct DecisionRule {
   FamilyTrap family;                 ///< `caught` empty: no continuum
   double window = 16.0;              ///< length of a short window
   double first_long_window = 100.0;  ///< long windows end at this time and at its doublings
-  double sameness = 0.01;            ///< relative change between long windows that counts as none
+  double sameness = 0.02;            ///< relative change between long windows that counts as none
   int hits_needed = 3;               ///< successive short windows inside one box
   int repeats_needed = 2;            ///< successive long windows that repeat the one before
   std::vector<FeatureBox> boxes;     ///< motions found by the pilot

@@ -18,7 +18,7 @@ struct WindowSums {
 
 Features features(const WindowSums& sums, int balls, bool interchangeable);
 
-/// Two windows agree in the three features of r, to `sameness` of the largest r, and in the balls' mean rates and the
+/// Two windows agree in the largest and rms r, to `sameness` of the largest (the smallest: twice that), and in the balls' mean rates and the
 /// extremes of all rates together, to `sameness` of the largest rate.
 bool same_motion(const Features& a, const Features& b, int balls, double sameness);
 
