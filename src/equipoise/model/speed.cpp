@@ -33,7 +33,7 @@ std::optional<double> SpeedProfile::first_time_at(double speed) const {
   for (std::size_t i = 1; i < times.size(); ++i) {
     const double from = speeds[i - 1], to = speeds[i];
     if (speed == to) return times[i];
-    if ((speed - from) * (speed - to) < 0.0)
+    if ((from < speed && speed < to) || (to < speed && speed < from))
       return times[i - 1] + (times[i] - times[i - 1]) * ((speed - from) / (to - from));
   }
   return std::nullopt;
