@@ -23,7 +23,8 @@ void row(benchmark::State& state, const std::string& name, std::uint64_t starts)
 }
 
 BENCHMARK_CAPTURE(row, omega_2_4, std::string("table-2-omega-2.4"), 50000)->Unit(benchmark::kMillisecond);
-BENCHMARK_CAPTURE(row, omega_4_beta_0_01, std::string("table-1-beta-0.01-omega-4.0"), 20000)->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(row, omega_4_beta_0_01, std::string("table-1-beta-0.01-omega-4.0"), 20000)
+    ->Unit(benchmark::kMillisecond);
 BENCHMARK_CAPTURE(row, ramp_released_at_2_2, std::string("table-5-t0-500"), 50000)->Unit(benchmark::kMillisecond);
 
 }  // namespace

@@ -42,11 +42,13 @@ Study study_from(const BasinArguments& a) {
 
 int print_replay(const Study& study, const BasinOptions& options, const std::string& text) {
   constexpr std::uint64_t largest = 999'999'999'999;
-  const auto index = option_number<std::uint64_t>("--start-index", text, 0, largest, "a whole number from 0 to 999999999999");
+  const auto index =
+      option_number<std::uint64_t>("--start-index", text, 0, largest, "a whole number from 0 to 999999999999");
   const StartReplay replay = replay_start(study, index, options);
   fmt::print("start {} of seed {}\n", index, study.sampling.seed);
   for (int i = 0; i < study.parameters.balls; ++i) fmt::print("phi_{} = {}\n", i + 1, replay.phi[i]);
-  fmt::print("outcome = {}\ndecision_time = {}\n", outcome_names[static_cast<int>(replay.fate.outcome)], replay.fate.time);
+  fmt::print("outcome = {}\ndecision_time = {}\n", outcome_names[static_cast<int>(replay.fate.outcome)],
+             replay.fate.time);
   return done;
 }
 
@@ -61,9 +63,11 @@ int run_basin(const BasinArguments& a) {
   choose_cpu(a.cpu);
   const Study study = study_from(a);
   BasinOptions options;
-  if (a.threads) options.threads = option_number<int>("--threads", *a.threads, 1, 4096, "a whole number from 1 to 4096");
+  if (a.threads)
+    options.threads = option_number<int>("--threads", *a.threads, 1, 4096, "a whole number from 1 to 4096");
   if (a.half_width)
-    options.half_width = option_number<double>("--half-width", *a.half_width, 1e-6, 0.5, "a fraction of one from 1e-6 to 0.5");
+    options.half_width =
+        option_number<double>("--half-width", *a.half_width, 1e-6, 0.5, "a fraction of one from 1e-6 to 0.5");
   options.limit_given = a.starts.has_value();
   options.output = a.output;
   options.stop = &stop_flag();
@@ -86,12 +90,17 @@ Command add_basin(CLI::App& app) {
   app.add_option("study", a->study, "study file (TOML)")->required()->type_name("STUDY");
   app.add_option("--starts", a->starts, "number of starts (with --half-width: at most so many)")->type_name("N");
   app.add_option("--seed", a->seed, "seed of the random starts")->type_name("S");
-  app.add_option("--half-width", a->half_width, "sample until every share's 95 % interval is within +- H (a fraction of one)")
+  app.add_option("--half-width", a->half_width,
+                 "sample until every share's 95 % interval is within +- H (a fraction of one)")
       ->type_name("H");
-  app.add_option("--start-index", a->start_index, "replay start I alone and print its angles and outcome")->type_name("I");
-  app.add_option("-o,--output", a->output, "per-start results (NetCDF); the same command resumes or extends them")->type_name("FILE.nc");
+  app.add_option("--start-index", a->start_index, "replay start I alone and print its angles and outcome")
+      ->type_name("I");
+  app.add_option("-o,--output", a->output, "per-start results (NetCDF); the same command resumes or extends them")
+      ->type_name("FILE.nc");
   app.add_option("--threads", a->threads, "threads (default: all cores)")->type_name("T");
-  app.add_option("--set", a->overrides, "override a study key, e.g. speed.final=2.6; may be repeated")->type_name("KEY=VALUE")->take_all();
+  app.add_option("--set", a->overrides, "override a study key, e.g. speed.final=2.6; may be repeated")
+      ->type_name("KEY=VALUE")
+      ->take_all();
   app.add_option("--cpu", a->cpu, "instruction set to use instead of the best (see --version)")->type_name("NAME");
   app.add_flag("--json", a->json, "print one JSON object");
   app.add_flag("--quiet", a->quiet, "no progress");

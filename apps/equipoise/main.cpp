@@ -36,8 +36,9 @@ int run(int argc, char** argv) {
   app.name("equipoise");
   app.require_subcommand(1);
   app.set_version_flag("--version", version_text);
-  app.footer("Exit codes: 0 done, 1 failed, 2 bad usage or study, 130 interrupted with results kept.\n"
-             "Data go to standard output, all else to standard error.");
+  app.footer(
+      "Exit codes: 0 done, 1 failed, 2 bad usage or study, 130 interrupted with results kept.\n"
+      "Data go to standard output, all else to standard error.");
   std::vector<std::pair<CLI::App*, Command>> commands;
   const auto add = [&](const char* name, const char* description, Command (*make)(CLI::App&)) {
     CLI::App* sub = app.add_subcommand(name, description);

@@ -14,7 +14,8 @@ namespace {
 
 std::string duration(double seconds) {
   if (seconds < 60.0) return fmt::format("{:.0f} s", seconds);
-  if (seconds < 3600.0) return fmt::format("{:.0f} min {:02.0f} s", std::floor(seconds / 60.0), std::fmod(seconds, 60.0));
+  if (seconds < 3600.0)
+    return fmt::format("{:.0f} min {:02.0f} s", std::floor(seconds / 60.0), std::fmod(seconds, 60.0));
   return fmt::format("{:.0f} h {:02.0f} min", std::floor(seconds / 3600.0), std::fmod(seconds / 60.0, 60.0));
 }
 
@@ -26,7 +27,11 @@ std::size_t terminal_width() {
 }  // namespace
 
 ProgressLine::ProgressLine(bool quiet)
-    : style_(quiet ? Style::none : isatty(STDERR_FILENO) ? Style::bar : Style::lines), begin_(Clock::now()), last_(begin_) {}
+    : style_(quiet                   ? Style::none
+             : isatty(STDERR_FILENO) ? Style::bar
+                                     : Style::lines),
+      begin_(Clock::now()),
+      last_(begin_) {}
 
 ProgressLine::~ProgressLine() { finish(); }
 
@@ -52,7 +57,8 @@ void ProgressLine::update(std::uint64_t done, std::uint64_t total, const std::st
       text += "[" + std::string(full, '#') + std::string(cells - full, '.') + "] ";
     }
     text += fmt::format("{:3.0f} %  {} of {}", 100.0 * fraction, done, total);
-    if (rate > 0.0) text += fmt::format("  {:.0f}/s  {} left", rate, duration(static_cast<double>(total - done) / rate));
+    if (rate > 0.0)
+      text += fmt::format("  {:.0f}/s  {} left", rate, duration(static_cast<double>(total - done) / rate));
   } else {
     text += fmt::format("{} starts  {:.0f}/s", done, rate);
   }

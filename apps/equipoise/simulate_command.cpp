@@ -27,7 +27,8 @@ constexpr double most_rows = 1e8;
 double number(const char* option, const std::string& text, bool zero_allowed) {
   double value = 0.0;
   if (!CLI::detail::lexical_cast(text, value) || !std::isfinite(value) || !(zero_allowed ? value >= 0.0 : value > 0.0))
-    throw InputError(option, "", text, fmt::format("must be a finite number {}", zero_allowed ? "0 or more" : "greater than 0"));
+    throw InputError(option, "", text,
+                     fmt::format("must be a finite number {}", zero_allowed ? "0 or more" : "greater than 0"));
   return value;
 }
 
@@ -46,7 +47,8 @@ std::vector<double> output_times(const SimulateArguments& a, const Study& study)
   const double until = a.until ? number("--until", *a.until, true) : settled + 100.0;
   const double every = a.every ? number("--every", *a.every, false) : until > 0.0 ? until / 100.0 : 1.0;
   if (until / every > most_rows)
-    throw InputError("--every", "", fmt::format("{}", every), fmt::format("makes more than {:.0f} rows; must be at least {}", most_rows, until / most_rows));
+    throw InputError("--every", "", fmt::format("{}", every),
+                     fmt::format("makes more than {:.0f} rows; must be at least {}", most_rows, until / most_rows));
   const auto rows = static_cast<std::size_t>(std::floor(until / every * (1.0 + 1e-12)));
   for (std::size_t k = 0; k <= rows; ++k) times.push_back(static_cast<double>(k) * every);
   return times;
@@ -108,8 +110,11 @@ Command add_simulate(CLI::App& app) {
   app.add_option("--every", a->every, "time between rows")->type_name("DT");
   app.add_option("--until", a->until, "last time")->type_name("T");
   app.add_option("--tolerance", a->tolerance, "error allowed a step, relative (default 1e-12)")->type_name("E");
-  app.add_option("-o,--output", a->output, "write here (.csv or .nc) instead of CSV on standard output")->type_name("FILE");
-  app.add_option("--set", a->overrides, "override a study key, e.g. initial.phi=[1.0,4.0]; may be repeated")->type_name("KEY=VALUE")->take_all();
+  app.add_option("-o,--output", a->output, "write here (.csv or .nc) instead of CSV on standard output")
+      ->type_name("FILE");
+  app.add_option("--set", a->overrides, "override a study key, e.g. initial.phi=[1.0,4.0]; may be repeated")
+      ->type_name("KEY=VALUE")
+      ->take_all();
   return [a] { return run_simulate(*a); };
 }
 

@@ -62,8 +62,12 @@ TEST_P(SameBits, ForOneThreadAndTwoAndForAStartAlone) {
   two.output = scratch_file("two.nc");
   const BasinResult a = basin(study, one), b = basin(study, two);
   for (int k = 0; k < outcome_count; ++k) EXPECT_EQ(a.shares[k].count, b.shares[k].count);
-  const BasinFileHeader header{[&] { Study s = study; s.sampling.starts = 1; return to_toml(s); }(), study.sampling.seed,
-                               study.parameters.balls, cpu_target()};
+  const BasinFileHeader header{[&] {
+                                 Study s = study;
+                                 s.sampling.starts = 1;
+                                 return to_toml(s);
+                               }(),
+                               study.sampling.seed, study.parameters.balls, cpu_target()};
   const std::vector<Fate> from_one = BasinFile(one.output, header).read(0, 6000);
   expect_same(from_one, BasinFile(two.output, header).read(0, 6000));
   for (std::uint64_t index : {0u, 777u, 5999u}) {
@@ -74,7 +78,8 @@ TEST_P(SameBits, ForOneThreadAndTwoAndForAStartAlone) {
 }
 
 // A smooth row, a row with a fractal boundary, a ramp released on the way (two branches with free balls).
-INSTANTIATE_TEST_SUITE_P(Rows, SameBits, testing::Values("table-2-omega-2.4", "table-1-beta-0.01-omega-4.0", "table-5-t0-300"));
+INSTANTIATE_TEST_SUITE_P(Rows, SameBits,
+                         testing::Values("table-2-omega-2.4", "table-1-beta-0.01-omega-4.0", "table-5-t0-300"));
 
 TEST(Basin, EveryInstructionSetGivesTheSameShares) {
   const Study study = paper_row("table-2-omega-2.4", 2000);

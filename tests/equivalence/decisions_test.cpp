@@ -49,8 +49,8 @@ std::vector<double> states_at(const Study& study, std::size_t count, double end)
   return states;
 }
 
-// Centred rotor, resting balls. Rates of approach are at least 0.004 here, so by the ends below a balanced start is within
-// e^-12 of balance, and no other motion of these rows comes closer than r = 1e-3 with all balls at rest.
+// Centred rotor, resting balls. Rates of approach are at least 0.004 here, so by the ends below a balanced start is
+// within e^-12 of balance, and no other motion of these rows comes closer than r = 1e-3 with all balls at rest.
 bool at_balance(const double* z, int balls) {
   bool resting = std::hypot(z[0], z[1]) < 1e-4;
   for (int i = 0; i < balls; ++i) resting = resting && std::fabs(z[model::index::q(i, balls)]) < 1e-4;
@@ -107,8 +107,9 @@ TEST(DecisionsFor, OtherBallCountsAgreeWithLongIntegration) {
     std::array<double, model::max_balls> mass;
   };
   for (const Case& c :
-       {Case{1, 0.05, 0.05, 3.0, {0.05}}, Case{2, 0.01, 0.05, 3.0, {0.05, 0.045}}, Case{3, 0.01, 0.15, 2.6, {0.02, 0.02, 0.02}},
-        Case{4, 0.02, 0.15, 3.0, {0.03, 0.02, 0.03, 0.02}}, Case{8, 0.01, 0.1, 2.6, {.02, .02, .02, .02, .02, .02, .02, .02}}}) {
+       {Case{1, 0.05, 0.05, 3.0, {0.05}}, Case{2, 0.01, 0.05, 3.0, {0.05, 0.045}},
+        Case{3, 0.01, 0.15, 2.6, {0.02, 0.02, 0.02}}, Case{4, 0.02, 0.15, 3.0, {0.03, 0.02, 0.03, 0.02}},
+        Case{8, 0.01, 0.1, 2.6, {.02, .02, .02, .02, .02, .02, .02, .02}}}) {
     Study study = study_of({c.drag, c.speed});
     study.parameters.balls = c.balls;
     study.parameters.eccentricity = c.eccentricity;

@@ -108,16 +108,27 @@ class Mutator {
 
   void mutate(std::string& text) {
     switch (below(10)) {
-      case 0: return flip_bit(text);
-      case 1: return splice(text);
-      case 2: return insert(text, text.empty() ? "" : piece(text));
-      case 3: text.erase(below(text.size() + 1), 1 + below(40)); return;
-      case 4: return replace_word(text, "0123456789.+-eE_", pick(tokens_));
-      case 5: return replace_word(text, "0123456789.", number());
-      case 6: return replace_word(text, "abcdefghijklmnopqrstuvwxyz_\"", pick(tokens_));
-      case 7: return insert(text, pick(tokens_));
-      case 8: return add_override(text, pick(tokens_));
-      default: return add_override(text, number());
+      case 0:
+        return flip_bit(text);
+      case 1:
+        return splice(text);
+      case 2:
+        return insert(text, text.empty() ? "" : piece(text));
+      case 3:
+        text.erase(below(text.size() + 1), 1 + below(40));
+        return;
+      case 4:
+        return replace_word(text, "0123456789.+-eE_", pick(tokens_));
+      case 5:
+        return replace_word(text, "0123456789.", number());
+      case 6:
+        return replace_word(text, "abcdefghijklmnopqrstuvwxyz_\"", pick(tokens_));
+      case 7:
+        return insert(text, pick(tokens_));
+      case 8:
+        return add_override(text, pick(tokens_));
+      default:
+        return add_override(text, number());
     }
   }
 
@@ -152,11 +163,12 @@ class Mutator {
 
   void add_override(std::string& text, const std::string& value) {
     static constexpr std::array<const char*, 24> keys{
-        "rotor.eccentricity", "rotor.damping",     "rotor.stiffness",  "rotor.gravity",   "balancer.balls",
-        "balancer.mass",      "balancer.drag",     "speed.speed",      "speed.initial",   "speed.final",
-        "speed.duration",     "speed.peak",        "speed.rise_until", "speed.law",       "release.speed",
-        "release.time",       "initial.psi",       "initial.x",        "initial.y_dot",   "initial.phi",
-        "sampling.starts",    "numerics.horizon",  "speed",            "numerics.tolerance"};
+        "rotor.eccentricity", "rotor.damping",    "rotor.stiffness", "rotor.gravity",
+        "balancer.balls",     "balancer.mass",    "balancer.drag",   "speed.speed",
+        "speed.initial",      "speed.final",      "speed.duration",  "speed.peak",
+        "speed.rise_until",   "speed.law",        "release.speed",   "release.time",
+        "initial.psi",        "initial.x",        "initial.y_dot",   "initial.phi",
+        "sampling.starts",    "numerics.horizon", "speed",           "numerics.tolerance"};
     text += std::string("\n#--set ") + (below(6) == 0 ? pick(tokens_) : keys[below(keys.size())]) + "=" + value + "\n";
   }
 
@@ -187,11 +199,16 @@ Options read_options(int count, char** words) {
     }
     if (++i == count) throw std::runtime_error(word + " needs a value");
     const std::string value = words[i];
-    if (word == "--inputs") options.inputs = std::stoull(value);
-    else if (word == "--seed") options.seed = std::stoull(value);
-    else if (word == "--only") options.only = std::stoll(value);
-    else if (word == "--dictionary") options.dictionary = value;
-    else throw std::runtime_error("unknown option " + word);
+    if (word == "--inputs")
+      options.inputs = std::stoull(value);
+    else if (word == "--seed")
+      options.seed = std::stoull(value);
+    else if (word == "--only")
+      options.only = std::stoll(value);
+    else if (word == "--dictionary")
+      options.dictionary = value;
+    else
+      throw std::runtime_error("unknown option " + word);
   }
   return options;
 }

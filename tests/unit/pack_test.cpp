@@ -95,7 +95,8 @@ TEST(Pack, StepFactorsFollowTheErrorWithinTheCoarseLogarithm) {
       EXPECT_NEAR(HWY_DYNAMIC_DISPATCH(step_factor)(error * error, -1.0), std::min(exact, 6.0), 0.08 * exact);
     }
     for (double error : {1.5, 10.0, 1e4})
-      EXPECT_NEAR(HWY_DYNAMIC_DISPATCH(step_factor)(error * error, 0.0), std::max(0.2, 0.9 * std::pow(error, -0.125)), 0.08);
+      EXPECT_NEAR(HWY_DYNAMIC_DISPATCH(step_factor)(error * error, 0.0), std::max(0.2, 0.9 * std::pow(error, -0.125)),
+                  0.08);
     EXPECT_NEAR(HWY_DYNAMIC_DISPATCH(step_factor)(std::nan(""), 0.0), 0.2, 0.02);
     EXPECT_NEAR(HWY_DYNAMIC_DISPATCH(step_factor)(HUGE_VAL, 0.0), 0.2, 0.02);
     const double floor = 0.9 * std::pow(1e-6, -0.1);  // errors count as 1e-6 at least

@@ -70,7 +70,8 @@ TEST(Share, IntervalsCoverTheTruthAsOftenAsTheySay) {
       const Share s = wilson_share(draw(random), 1000);
       covered += s.low <= truth && truth <= s.high;
     }
-    // 95 % nominal; the discrete count moves coverage by a point and a half, 4000 trials by five standard errors of 0.34 %.
+    // 95 % nominal; the discrete count moves coverage by a point and a half, 4000 trials by five standard errors of
+    // 0.34 %.
     EXPECT_NEAR(covered / double(trials), 0.95, 0.032) << truth;
   }
 }

@@ -21,7 +21,8 @@ struct StepWatch : kernels::NoObserver<2> {
 
   unsigned step(int, unsigned, kernels::Mask accepted, kernels::Pack t, kernels::Pack h, const kernels::Pack*) {
     const double time = reinterpret_cast<const double*>(&t)[0];
-    if ((kernels::lane_bits(accepted) & 1u) && time > after) longest = std::max(longest, reinterpret_cast<const double*>(&h)[0]);
+    if ((kernels::lane_bits(accepted) & 1u) && time > after)
+      longest = std::max(longest, reinterpret_cast<const double*>(&h)[0]);
     return 0;
   }
 };
@@ -56,9 +57,9 @@ struct Motion {
 // Periods of the periodic motions at beta = 0.05 (V1: both balls together; V3: one captured), where they are shortest.
 // Coincident balls stay so exactly, which reaches V1 from any common angle.
 TEST(Windows, AreSampledEightTimesAPeriodOfEveryPeriodicMotion) {
-  for (const Motion& m : {Motion{"V1", 2.0, 1.0, 1.0, 5.1933}, Motion{"V1", 3.0, 1.0, 1.0, 2.9361},
-                          Motion{"V1", 4.0, 1.0, 1.0, 2.04}, Motion{"V3", 4.4, 1.5452, 1.2033, 3.9944},
-                          Motion{"V3", 6.0, 1.771, 1.4684, 3.1658}}) {
+  for (const Motion& m :
+       {Motion{"V1", 2.0, 1.0, 1.0, 5.1933}, Motion{"V1", 3.0, 1.0, 1.0, 2.9361}, Motion{"V1", 4.0, 1.0, 1.0, 2.04},
+        Motion{"V3", 4.4, 1.5452, 1.2033, 3.9944}, Motion{"V3", 6.0, 1.771, 1.4684, 3.1658}}) {
     const double step = longest_step(0.05, m.speed, m.phi_1, m.phi_2);
     // Samples sit at 1/3, 0.6 and 1 of every step: the widest gap is 0.4 of it.
     EXPECT_GE(m.period, 8 * 0.4 * step) << m.name << " at " << m.speed;

@@ -17,7 +17,7 @@ namespace equipoise {
 namespace {
 
 constexpr int rays_while_weighing = 300;  // with descent enough to rank weights; without it thousands mislead
-constexpr int rays_for_level = 20000;      // plus descent: two seeds agree to 1e-4
+constexpr int rays_for_level = 20000;     // plus descent: two seeds agree to 1e-4
 
 // Mean time the linear flow needs from ball angles up to `spread` away from balance into the level set, the quantity
 // that a good choice of weights makes small. The spread is where the balls are when the last slow approach begins.
@@ -80,7 +80,8 @@ Eigen::MatrixXd best_modal_form(const model::Parameters& p, double speed, const 
         for (double by : {factor, 1.0 / factor}) {
           Eigen::VectorXd trial = weights;
           for (Eigen::Index j = 0; j < size; ++j)
-            if (std::abs(modes.rates[j] - modes.rates[k]) < 1e-12 || std::abs(modes.rates[j] - std::conj(modes.rates[k])) < 1e-12)
+            if (std::abs(modes.rates[j] - modes.rates[k]) < 1e-12 ||
+                std::abs(modes.rates[j] - std::conj(modes.rates[k])) < 1e-12)
               trial[j] *= by;
           const double value = cost(trial);
           if (value < least) {
@@ -112,8 +113,8 @@ BalancedTrap make_trap(const model::Parameters& p, const std::array<double, mode
   return trap;
 }
 
-// The form whose sampled level set is entered soonest, among modal ones and Lyapunov's for Q = 1 (where modes are nearly
-// defective the former degenerate).
+// The form whose sampled level set is entered soonest, among modal ones and Lyapunov's for Q = 1 (where modes are
+// nearly defective the former degenerate).
 BalancedTrap isolated_trap(const model::Parameters& p, double speed, const std::array<double, model::max_balls>& phi,
                            const Eigen::MatrixXd& a) {
   const Eigen::MatrixXd modal = best_modal_form(p, speed, phi.data(), a);
@@ -130,7 +131,8 @@ BalancedTrap isolated_trap(const model::Parameters& p, double speed, const std::
 // The same trap with balls 1 and 2 exchanged.
 BalancedTrap exchanged(const model::Parameters& p, const BalancedTrap& trap) {
   const int size = model::dimension(2);
-  const Eigen::Map<const Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>> factor(trap.factor.data(), size, size);
+  const Eigen::Map<const Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>> factor(
+      trap.factor.data(), size, size);
   Eigen::VectorXi order(size);
   order << 0, 1, 2, 3, 5, 4, 7, 6;
   const Eigen::PermutationMatrix<Eigen::Dynamic> swap(order);
@@ -170,9 +172,11 @@ BalancedAnalysis analyse_balanced(const model::Parameters& p, double speed) {
   if (result.stable)
     result.slowest_rate = slowest;
   else if (result.growth_rate > 1e-9)
-    result.note = fmt::format("the balanced state exists but is unstable at speed {} (growth rate {:.3g})", speed, result.growth_rate);
+    result.note = fmt::format("the balanced state exists but is unstable at speed {} (growth rate {:.3g})", speed,
+                              result.growth_rate);
   else
-    result.note = fmt::format("the balanced state exists but is not linearly stable at speed {} (largest rate 0)", speed);
+    result.note =
+        fmt::format("the balanced state exists but is not linearly stable at speed {} (largest rate 0)", speed);
   return result;
 }
 

@@ -12,21 +12,21 @@ namespace equipoise {
 /// The balanced states at the final speed and what they can catch.
 struct BalancedAnalysis {
   model::BalancedStates states;
-  bool stable = false;         ///< at least one balanced state exists and is linearly stable
-  double slowest_rate = 0.0;   ///< largest real part of an eigenvalue among the stable states (negative), 0 if none;
-                               ///< along a continuum its own zero eigenvalues are left out
-  double growth_rate = 0.0;    ///< largest real part among unstable ones, 0 if none
+  bool stable = false;        ///< at least one balanced state exists and is linearly stable
+  double slowest_rate = 0.0;  ///< largest real part of an eigenvalue among the stable states (negative), 0 if none;
+                              ///< along a continuum its own zero eigenvalues are left out
+  double growth_rate = 0.0;   ///< largest real part among unstable ones, 0 if none
   std::vector<BalancedTrap> traps;
   FamilyTrap family;
-  std::string note;            ///< one sentence for the reader when no start can end balanced, else empty
+  std::string note;  ///< one sentence for the reader when no start can end balanced, else empty
 };
 
 /// Analyses the balanced states at constant `speed`. For isolated states each trap's level is level_margin times the
 /// smallest value of V at which dV/dt >= 0 was found by sampling rays and descending from the worst.
 BalancedAnalysis analyse_balanced(const model::Parameters& p, double speed);
 
-/// Share of the sampled critical level that is used: two independent searches agree to 1e-4 and the level enters decision
-/// times only through its logarithm, so a wide margin is cheap.
+/// Share of the sampled critical level that is used: two independent searches agree to 1e-4 and the level enters
+/// decision times only through its logarithm, so a wide margin is cheap.
 inline constexpr double level_margin = 0.9;
 
 }  // namespace equipoise

@@ -25,7 +25,10 @@ class RaySearch {
   using Matrix = Eigen::Matrix<double, size, size>;
 
   RaySearch(const model::Parameters& p, double speed, const double* phi, const Matrix& form, const Matrix& factor)
-      : flow_(p, model::Segment{0.0, 0.0, 0.0, speed, 0.0, false}), form_(form), factor_(factor), centre_(Vector::Zero()) {
+      : flow_(p, model::Segment{0.0, 0.0, 0.0, speed, 0.0, false}),
+        form_(form),
+        factor_(factor),
+        centre_(Vector::Zero()) {
     for (int i = 0; i < n; ++i) centre_[model::index::phi(i)] = phi[i];
   }
 
@@ -75,7 +78,8 @@ class RaySearch {
 };
 
 template <int n>
-double search(const model::Parameters& p, double speed, const double* phi, const Eigen::MatrixXd& form, int rays, bool refine) {
+double search(const model::Parameters& p, double speed, const double* phi, const Eigen::MatrixXd& form, int rays,
+              bool refine) {
   using Search = RaySearch<n>;
   using Vector = typename Search::Vector;
   const typename Search::Matrix fixed = form;
@@ -114,7 +118,8 @@ double search(const model::Parameters& p, double speed, const double* phi, const
   for (Ray& ray : worst) {
     double amplitude = 0.3;
     for (int step = 0; step < 300; ++step) {
-      const Vector direction = (ray.direction + amplitude * random_vector() / std::sqrt(double(Search::size))).normalized();
+      const Vector direction =
+          (ray.direction + amplitude * random_vector() / std::sqrt(double(Search::size))).normalized();
       const double reach = search.first_growth(search.edge(direction), ray.reach);
       if (reach < ray.reach)
         ray = {reach, direction};
@@ -128,8 +133,8 @@ double search(const model::Parameters& p, double speed, const double* phi, const
 
 }  // namespace
 
-double critical_level(const model::Parameters& p, double speed, const double* phi, const Eigen::MatrixXd& form, int rays,
-                      bool refine) {
+double critical_level(const model::Parameters& p, double speed, const double* phi, const Eigen::MatrixXd& form,
+                      int rays, bool refine) {
   return model::with_ball_count(p.balls, [&](auto n) { return search<n>(p, speed, phi, form, rays, refine); });
 }
 

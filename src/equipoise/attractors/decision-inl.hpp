@@ -29,8 +29,14 @@ class DecideFate {
   static constexpr int dimension = model::dimension(n);
   static constexpr int lanes = static_cast<int>(pack_lanes);
 
-  DecideFate(const model::Parameters& p, const DecisionRule& rule, std::vector<Fate>& fates, std::vector<PilotRecord>* pilot)
-      : rule_(rule), parameters_(p), fates_(fates), pilot_(pilot), trackers_(groups * lanes), family_reach_(groups * lanes) {}
+  DecideFate(const model::Parameters& p, const DecisionRule& rule, std::vector<Fate>& fates,
+             std::vector<PilotRecord>* pilot)
+      : rule_(rule),
+        parameters_(p),
+        fates_(fates),
+        pilot_(pilot),
+        trackers_(groups * lanes),
+        family_reach_(groups * lanes) {}
 
   void begin(int slot, std::size_t, double t, const double* z) {
     open_window(slot / lanes, slot % lanes, t, z + 4);

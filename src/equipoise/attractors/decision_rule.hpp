@@ -17,8 +17,8 @@ struct BalancedTrap {
   std::array<double, model::max_balls> phi{};  ///< ball angles of the balanced state
   /// Upper triangular F, row-major dimension x dimension: the Lyapunov function of a deviation d is V = |F d|^2.
   std::vector<double> factor;
-  double level = 0.0;                          ///< inside: V < level
-  std::array<double, max_dimension> reach{};   ///< no point inside deviates further in that component
+  double level = 0.0;                         ///< inside: V < level
+  std::array<double, max_dimension> reach{};  ///< no point inside deviates further in that component
 };
 
 /// Features of a window: smallest, largest and root-mean-square r; then for each ball mean, smallest and largest rate
@@ -33,13 +33,13 @@ struct FeatureBox {
 
 /// Decides for states near a continuum of balanced states whether they are caught by it (three balls or more).
 struct FamilyTrap {
-  double reach = 0.0;                              ///< asked only when all velocities, x, y and imbalance are below this
-  std::function<bool(const double* state)> caught; ///< thread-safe
+  double reach = 0.0;  ///< asked only when all velocities, x, y and imbalance are below this
+  std::function<bool(const double* state)> caught;  ///< thread-safe
 };
 
 struct DecisionRule {
   int balls = 2;
-  bool interchangeable = true;       ///< equal balls: features do not depend on their order
+  bool interchangeable = true;  ///< equal balls: features do not depend on their order
   std::vector<BalancedTrap> traps;
   FamilyTrap family;                 ///< `caught` empty: no continuum
   double window = 16.0;              ///< length of a short window

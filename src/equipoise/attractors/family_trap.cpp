@@ -17,8 +17,8 @@ namespace equipoise {
 namespace {
 
 // Largest |f(z* + d) - A d| / |d|^2 over random directions at distance `radius`, times a margin for those not drawn.
-double remainder_constant(const model::Parameters& p, double speed, const Eigen::VectorXd& centre, const Eigen::MatrixXd& a,
-                          double radius) {
+double remainder_constant(const model::Parameters& p, double speed, const Eigen::VectorXd& centre,
+                          const Eigen::MatrixXd& a, double radius) {
   constexpr int directions = 24;
   constexpr double margin = 4.0;
   std::mt19937_64 random(20190614);
@@ -65,7 +65,8 @@ bool caught(const model::Parameters& p, double speed, const double* state) {
 
 FamilyTrap family_trap(const model::Parameters& p, double speed) {
   // First asked a hundredth of the balls' reach away from balance; refused states are asked again ten times closer.
-  return {0.01 * (p.eccentricity + p.total_mass()), [p, speed](const double* state) { return caught(p, speed, state); }};
+  return {0.01 * (p.eccentricity + p.total_mass()),
+          [p, speed](const double* state) { return caught(p, speed, state); }};
 }
 
 }  // namespace equipoise

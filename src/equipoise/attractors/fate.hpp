@@ -16,8 +16,8 @@ enum class Outcome : signed char {
   failed = 4,        ///< the integrator's step size vanished
 };
 inline constexpr int outcome_count = 5;
-inline constexpr std::array<const char*, outcome_count> outcome_names{"balanced", "not balanced", "undecided", "diverged",
-                                                                      "failed"};
+inline constexpr std::array<const char*, outcome_count> outcome_names{"balanced", "not balanced", "undecided",
+                                                                      "diverged", "failed"};
 
 struct Fate {
   Outcome outcome = Outcome::undecided;

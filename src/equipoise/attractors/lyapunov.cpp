@@ -33,7 +33,8 @@ Modes left_modes(const Eigen::MatrixXd& a) {
 }
 
 Eigen::MatrixXd modal_form(const Modes& modes, const Eigen::VectorXd& weights) {
-  const Eigen::MatrixXcd form = modes.left.conjugate() * weights.cast<std::complex<double>>().asDiagonal() * modes.left.transpose();
+  const Eigen::MatrixXcd form =
+      modes.left.conjugate() * weights.cast<std::complex<double>>().asDiagonal() * modes.left.transpose();
   const Eigen::MatrixXd p = form.real();
   return 0.5 * (p + p.transpose());
 }

@@ -27,7 +27,8 @@ constexpr double box_floor = 0.02;
 FeatureBox widened(const FeatureBox& range, int balls) {
   FeatureBox box;
   double rate = 0.0;
-  for (int k = 3; k < feature_count(balls); ++k) rate = std::max({rate, std::fabs(range.low[k]), std::fabs(range.high[k])});
+  for (int k = 3; k < feature_count(balls); ++k)
+    rate = std::max({rate, std::fabs(range.low[k]), std::fabs(range.high[k])});
   for (int k = 0; k < feature_count(balls); ++k) {
     const double margin = (range.high[k] - range.low[k]) + box_floor * (k < 3 ? range.high[1] : rate);
     box.low[k] = range.low[k] - margin;

@@ -10,7 +10,8 @@ namespace equipoise {
 
 namespace {
 
-// Below this a ball counts as at rest when rates are compared: a hundredth of a radian in half a time unit of the rotor.
+// Below this a ball counts as at rest when rates are compared: a hundredth of a radian in half a time unit of the
+// rotor.
 constexpr double rest_rate = 0.02;
 
 void extend(WindowSums& whole, const WindowSums& part, int balls, bool fresh) {
@@ -65,10 +66,12 @@ bool same_motion(const Features& a, const Features& b, int balls, double samenes
     return q;
   };
   const auto close = [&](double p, double q, double scale) { return std::fabs(p - q) <= sameness * scale; };
-  const double rate = std::max({rest_rate, std::fabs(slowest(a)), std::fabs(slowest(b)), std::fabs(fastest(a)), std::fabs(fastest(b))});
+  const double rate =
+      std::max({rest_rate, std::fabs(slowest(a)), std::fabs(slowest(b)), std::fabs(fastest(a)), std::fabs(fastest(b))});
   const double radius = std::max(a[1], b[1]);
   bool same = close(slowest(a), slowest(b), rate) && close(fastest(a), fastest(b), rate);
-  // r passes its minimum like |t|, so samples a fraction of a step apart miss it by far more than they miss the maximum.
+  // r passes its minimum like |t|, so samples a fraction of a step apart miss it by far more than they miss the
+  // maximum.
   same = same && close(a[0], b[0], 2.0 * radius) && close(a[1], b[1], radius) && close(a[2], b[2], radius);
   for (int i = 0; i < balls; ++i) same = same && close(a[3 + 3 * i], b[3 + 3 * i], rate);
   return same;

@@ -12,20 +12,21 @@ namespace equipoise {
 /// What a lane gathers over one short window.
 struct WindowSums {
   double duration = 0.0;
-  double r2_min = 0.0, r2_max = 0.0, r2_integral = 0.0;       ///< of r^2
+  double r2_min = 0.0, r2_max = 0.0, r2_integral = 0.0;             ///< of r^2
   std::array<double, model::max_balls> turned{}, q_min{}, q_max{};  ///< change of phi_i; extremes of q_i
 };
 
 Features features(const WindowSums& sums, int balls, bool interchangeable);
 
-/// Two windows agree in the largest and rms r, to `sameness` of the largest (the smallest: twice that), and in the balls' mean rates and the
-/// extremes of all rates together, to `sameness` of the largest rate.
+/// Two windows agree in the largest and rms r, to `sameness` of the largest (the smallest: twice that), and in the
+/// balls' mean rates and the extremes of all rates together, to `sameness` of the largest rate.
 bool same_motion(const Features& a, const Features& b, int balls, double sameness);
 
 enum class WindowVerdict {
   open,
   known,       ///< in one box for hits_needed short windows in a row
-  stationary,  ///< repeats_needed long windows in a row repeated the one before (a chaotic transient matches once in 10^5)
+  stationary,  ///< repeats_needed long windows in a row repeated the one before (a chaotic transient matches once in
+               ///< 10^5)
 };
 
 /// One trajectory's windows.

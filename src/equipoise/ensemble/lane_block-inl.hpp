@@ -145,7 +145,8 @@ class LaneBlock {
     if (filled) start_rates(g, filled);
   }
 
-  // Puts the next trajectory into an empty lane and returns the lane's bit, or parks the lane at the end with step zero.
+  // Puts the next trajectory into an empty lane and returns the lane's bit, or parks the lane at the end with step
+  // zero.
   unsigned fill(int g, int lane) {
     if (next_ == task_.count) {
       for (int i = 0; i < dimension; ++i) element(y_[g][i], lane) = 0.0;

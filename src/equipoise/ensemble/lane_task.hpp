@@ -24,9 +24,9 @@ struct LaneTask {
 /// How a trajectory left its lane.
 enum class LaneEnd {
   reached_end,
-  decided,   ///< the observer ended it
+  decided,  ///< the observer ended it
   diverged,
-  failed,    ///< the step size vanished
+  failed,  ///< the step size vanished
 };
 
 /// Size of an error that counts as one: ball angles and rates 1, the rotor's position and velocity the displacement

@@ -46,18 +46,18 @@ IntegrationStatus integrate_clamped(const model::Parameters& p, const std::vecto
     const double end = std::min(segment.end, until);
     if (!(segment.begin < end)) return IntegrationStatus::done;
     const kernels::ClampedBasisFlow flow(p, segment);
-    kernels::AdaptiveIntegrator<kernels::ClampedBasisFlow, kernels::ClampedBasisFlow::dimension> integrator(flow, scale);
-    const IntegrationStatus status =
-        integrator.advance(
-            segment.begin, end, basis.values.data(),
-            [&](double, double t_new, auto&& state_at) {
-              for (; next < times.size() && times[next] <= t_new && times[next] < segment.end; ++next) {
-                ClampedBasis at;
-                state_at(times[next], at.values.data());
-                observe(times[next], segment, at);
-              }
-            },
-            stop);
+    kernels::AdaptiveIntegrator<kernels::ClampedBasisFlow, kernels::ClampedBasisFlow::dimension> integrator(flow,
+                                                                                                            scale);
+    const IntegrationStatus status = integrator.advance(
+        segment.begin, end, basis.values.data(),
+        [&](double, double t_new, auto&& state_at) {
+          for (; next < times.size() && times[next] <= t_new && times[next] < segment.end; ++next) {
+            ClampedBasis at;
+            state_at(times[next], at.values.data());
+            observe(times[next], segment, at);
+          }
+        },
+        stop);
     if (status != IntegrationStatus::done) return status;
     const double jump = segments[k + 1].speed - segment.speed_at(segment.end);
     for (int solution = 0; solution < 3; ++solution) apply_speed_jump(jump, basis.values.data() + 4 * solution);

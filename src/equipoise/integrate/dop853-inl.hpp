@@ -58,8 +58,7 @@ HWY_INLINE T weighted_sum(const T (*k)[dimension], int component) {
 // out = y + h sum_j a[row][j] k[j]: the state at which stage `row` is evaluated (row 12: the step's end).
 template <int row, class T, int dimension>
 HWY_INLINE void stage_state(const T& h, const T* y, const T (*k)[dimension], T* out) {
-  for (int i = 0; i < dimension; ++i)
-    out[i] = multiply_add(h, weighted_sum<StageWeights<row>>(k, i), y[i]);
+  for (int i = 0; i < dimension; ++i) out[i] = multiply_add(h, weighted_sum<StageWeights<row>>(k, i), y[i]);
 }
 
 // Evaluates stages `row` to 11, then writes the step's end to `end`. k[0] = f(t, y) must be there.
@@ -90,7 +89,8 @@ HWY_INLINE T squared_error(const T& h, const T (*k)[dimension], const T* inverse
 
 // The seven coefficient rows of the dense output; stages 12 to 15 of k are needed.
 template <class T, int dimension>
-HWY_INLINE void dense_coefficients(const T& h, const T* y, const T* end, const T (*k)[dimension], T (*rows)[dimension]) {
+HWY_INLINE void dense_coefficients(const T& h, const T* y, const T* end, const T (*k)[dimension],
+                                   T (*rows)[dimension]) {
   for (int i = 0; i < dimension; ++i) {
     const T change = end[i] - y[i];
     rows[0][i] = change;

@@ -72,8 +72,7 @@ bool project_to_balanced(const Parameters& p, double* phi) {
     const double along = (gx * ex + gy * ey) / (mean + half);
     const double across = mean - half > 1e-9 * mean ? (gy * ex - gx * ey) / (mean - half) : 0.0;
     const double lx = along * ex - across * ey, ly = along * ey + across * ex;
-    for (int i = 0; i < p.balls; ++i)
-      phi[i] -= p.mass[i] * (-std::sin(phi[i]) * lx + std::cos(phi[i]) * ly);
+    for (int i = 0; i < p.balls; ++i) phi[i] -= p.mass[i] * (-std::sin(phi[i]) * lx + std::cos(phi[i]) * ly);
   }
   return false;
 }

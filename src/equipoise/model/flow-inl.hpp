@@ -50,9 +50,7 @@ class FreeFlow {
 
   FreeFlow(const model::Parameters& p, const model::Segment& s) : balancer_(p), motion_(s) {}
 
-  HWY_INLINE void operator()(const T& t, const T* z, T* dz) const {
-    balancer_.free_derivative(motion_.at(t), z, dz);
-  }
+  HWY_INLINE void operator()(const T& t, const T* z, T* dz) const { balancer_.free_derivative(motion_.at(t), z, dz); }
 
  private:
   BallBalancer<T, n, terms> balancer_;
@@ -60,8 +58,8 @@ class FreeFlow {
 };
 
 // Balls clamped: three solutions (x, y, u, v) side by side, from which every clamped motion is
-// z = z0 + Ux z1 + Uy z2 with the unbalance U = lambda + sum mu_i e^{i phi_i}. z0 carries the initial state and gravity;
-// z1 and z2 start at rest with U = (1, 0) and (0, 1).
+// z = z0 + Ux z1 + Uy z2 with the unbalance U = lambda + sum mu_i e^{i phi_i}. z0 carries the initial state and
+// gravity; z1 and z2 start at rest with U = (1, 0) and (0, 1).
 class ClampedBasisFlow {
  public:
   static constexpr int dimension = 12;

@@ -10,13 +10,13 @@ inline constexpr int max_balls = 8;
 /// Rotor, supports and balls. Constant while anything moves.
 /// Symbols as in Wright and Peng (2019) and docs/equations.md; ranges are checked where a study is read.
 struct Parameters {
-  int balls = 2;                             ///< n, 1 to 8
-  double eccentricity = 0.01;                ///< lambda = eps/R, >= 0
-  std::array<double, 2> damping{0.5, 0.5};   ///< zeta_x, zeta_y = c/sqrt(k M), >= 0 (twice the damping ratio)
-  std::array<double, 2> stiffness{1.0, 1.0}; ///< kappa_x, kappa_y = k/(M omega_c^2), > 0
-  double gravity = 0.0;                      ///< G = g/(R omega_c^2), acting along -Y
-  std::array<double, max_balls> mass{};      ///< mu_i = m_i/M, > 0
-  std::array<double, max_balls> drag{};      ///< beta_i = D_i/(m_i R^2 omega_c), >= 0
+  int balls = 2;                              ///< n, 1 to 8
+  double eccentricity = 0.01;                 ///< lambda = eps/R, >= 0
+  std::array<double, 2> damping{0.5, 0.5};    ///< zeta_x, zeta_y = c/sqrt(k M), >= 0 (twice the damping ratio)
+  std::array<double, 2> stiffness{1.0, 1.0};  ///< kappa_x, kappa_y = k/(M omega_c^2), > 0
+  double gravity = 0.0;                       ///< G = g/(R omega_c^2), acting along -Y
+  std::array<double, max_balls> mass{};       ///< mu_i = m_i/M, > 0
+  std::array<double, max_balls> drag{};       ///< beta_i = D_i/(m_i R^2 omega_c), >= 0
 
   /// Sum of mu_i.
   double total_mass() const {

@@ -46,19 +46,19 @@ std::string speed_text(const Study& study) {
   else if (s.profile == "ramp")
     text = fmt::format("ramp {} to {} in {}", s.initial, s.final, s.duration);
   else if (s.profile == "trapezoid")
-    text = fmt::format("trapezoid {} to {} by {}, held to {}, to {} by {}", s.initial, s.peak, s.rise_until, s.hold_until,
-                       s.final, s.fall_until);
+    text = fmt::format("trapezoid {} to {} by {}, held to {}, to {} by {}", s.initial, s.peak, s.rise_until,
+                       s.hold_until, s.final, s.fall_until);
   else
     text = fmt::format("{} speed points to {} at {}", s.times.size(), s.speeds.back(), s.times.back());
-  if (const double release = study.release_time(); release > 0.0) text += fmt::format(", balls released at t = {:.6g}", release);
+  if (const double release = study.release_time(); release > 0.0)
+    text += fmt::format(", balls released at t = {:.6g}", release);
   if (s.profile != "constant")
-    text += s.law == model::SpeedLaw::published ? "; PUBLISHED speed law, psi = t Omega(t)" : "; kinematic speed law, psi' = Omega(t)";
+    text += s.law == model::SpeedLaw::published ? "; PUBLISHED speed law, psi = t Omega(t)"
+                                                : "; kinematic speed law, psi' = Omega(t)";
   return text;
 }
 
-Json share_json(const Share& s) {
-  return {{"count", s.count}, {"share", s.share}, {"low", s.low}, {"high", s.high}};
-}
+Json share_json(const Share& s) { return {{"count", s.count}, {"share", s.share}, {"low", s.low}, {"high", s.high}}; }
 
 Json study_json(const Study& study) {
   std::ostringstream text;
@@ -71,9 +71,9 @@ Json study_json(const Study& study) {
 std::string basin_text(const BasinResult& r) {
   const model::Parameters& p = r.study.parameters;
   std::string text = fmt::format("{}\n", r.study.name);
-  text += fmt::format("{} ball{}: mass {}, drag {}; rotor: eccentricity {}, damping {}\n", p.balls, p.balls == 1 ? "" : "s",
-                      list(p.mass.data(), p.balls, p.equal_balls()), list(p.drag.data(), p.balls, p.equal_balls()),
-                      p.eccentricity, p.damping[0]);
+  text += fmt::format("{} ball{}: mass {}, drag {}; rotor: eccentricity {}, damping {}\n", p.balls,
+                      p.balls == 1 ? "" : "s", list(p.mass.data(), p.balls, p.equal_balls()),
+                      list(p.drag.data(), p.balls, p.equal_balls()), p.eccentricity, p.damping[0]);
   text += speed_text(r.study) + "\n\n";
   text += fmt::format("{:<14}{:>11}  {:<24}{:>11}{:>13}\n", "outcome", "share", "95 % interval", "starts", "mean time");
   for (int k = 0; k < outcome_count; ++k) {
@@ -85,9 +85,9 @@ std::string basin_text(const BasinResult& r) {
   text += "\n";
   if (!r.note.empty()) text += fmt::format("Note: {}.\n", r.note);
   if (r.partial) text += "PARTIAL: stopped before all starts were done; the shares above are of those that were.\n";
-  text += fmt::format("{} starts, seed {}; {:.2f} s, {:.2f} s CPU on {} thread{} ({}), {:.0f} starts/s; equipoise {}\n", r.starts,
-                      r.study.sampling.seed, r.seconds, r.cpu_seconds, r.threads, r.threads == 1 ? "" : "s", r.cpu_target,
-                      static_cast<double>(r.starts - r.resumed_from) / r.seconds, version_string);
+  text += fmt::format("{} starts, seed {}; {:.2f} s, {:.2f} s CPU on {} thread{} ({}), {:.0f} starts/s; equipoise {}\n",
+                      r.starts, r.study.sampling.seed, r.seconds, r.cpu_seconds, r.threads, r.threads == 1 ? "" : "s",
+                      r.cpu_target, static_cast<double>(r.starts - r.resumed_from) / r.seconds, version_string);
   return text;
 }
 

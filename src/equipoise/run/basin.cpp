@@ -68,7 +68,8 @@ class Tally {
 
 // Large enough that lanes seldom wait for a chunk's last trajectory, small enough that every thread gets many.
 std::size_t chunk_size(std::uint64_t starts, int threads) {
-  return static_cast<std::size_t>(std::clamp<std::uint64_t>(starts / (16 * static_cast<std::uint64_t>(threads)), 256, 8192));
+  return static_cast<std::size_t>(
+      std::clamp<std::uint64_t>(starts / (16 * static_cast<std::uint64_t>(threads)), 256, 8192));
 }
 
 int thread_count(int asked) { return asked > 0 ? asked : tbb::info::default_concurrency(); }
@@ -98,8 +99,8 @@ class BasinRun {
     const Study& study = result_.study;
     check_decidable(study);
     if (!options_.output.empty())
-      file_ = std::make_unique<BasinFile>(
-          options_.output, BasinFileHeader{identity(study), study.sampling.seed, study.parameters.balls, result_.cpu_target});
+      file_ = std::make_unique<BasinFile>(options_.output, BasinFileHeader{identity(study), study.sampling.seed,
+                                                                           study.parameters.balls, result_.cpu_target});
     runner_.emplace(study, threads_, options_.stop);
     tally_.emplace(options_.half_width, runner_->settled());
     read_stored();
@@ -143,19 +144,19 @@ class BasinRun {
     arena.execute([&] {
       tbb::parallel_pipeline(
           2 * static_cast<std::size_t>(threads_),
-          tbb::make_filter<void, std::shared_ptr<Chunk>>(
-              tbb::filter_mode::serial_in_order,
-              [&](tbb::flow_control& control) -> std::shared_ptr<Chunk> {
-                if (finished_ || lost_ || stop_asked() || next >= limit_) {
-                  control.stop();
-                  return nullptr;
-                }
-                auto chunk = std::make_shared<Chunk>();
-                chunk->first = next;
-                chunk->count = static_cast<std::size_t>(std::min<std::uint64_t>(size, limit_ - next));
-                next += chunk->count;
-                return chunk;
-              }) &
+          tbb::make_filter<void, std::shared_ptr<Chunk>>(tbb::filter_mode::serial_in_order,
+                                                         [&](tbb::flow_control& control) -> std::shared_ptr<Chunk> {
+                                                           if (finished_ || lost_ || stop_asked() || next >= limit_) {
+                                                             control.stop();
+                                                             return nullptr;
+                                                           }
+                                                           auto chunk = std::make_shared<Chunk>();
+                                                           chunk->first = next;
+                                                           chunk->count = static_cast<std::size_t>(
+                                                               std::min<std::uint64_t>(size, limit_ - next));
+                                                           next += chunk->count;
+                                                           return chunk;
+                                                         }) &
               tbb::make_filter<std::shared_ptr<Chunk>, std::shared_ptr<Chunk>>(
                   tbb::filter_mode::parallel,
                   [&](std::shared_ptr<Chunk> chunk) {

@@ -48,7 +48,8 @@ bool advance_balls(const LaneTask& task, std::vector<Fate>& fates) {
 }
 
 template <int n>
-bool decide_balls(const LaneTask& task, const DecisionRule& rule, std::vector<Fate>& fates, std::vector<PilotRecord>* pilot) {
+bool decide_balls(const LaneTask& task, const DecisionRule& rule, std::vector<Fate>& fates,
+                  std::vector<PilotRecord>* pilot) {
   using Flow = FreeFlow<Pack, n, Terms{false, false, false}>;
   using Observer = DecideFate<n, lane_groups<n>>;
   const auto observer = std::make_unique<Observer>(*task.parameters, rule, fates, pilot);
@@ -85,8 +86,10 @@ bool advance_target(const LaneTask& task, std::vector<Fate>& fates) {
   return model::with_ball_count(task.parameters->balls, [&](auto n) { return advance_balls<n>(task, fates); });
 }
 
-bool decide_target(const LaneTask& task, const DecisionRule& rule, std::vector<Fate>& fates, std::vector<PilotRecord>* pilot) {
-  return model::with_ball_count(task.parameters->balls, [&](auto n) { return decide_balls<n>(task, rule, fates, pilot); });
+bool decide_target(const LaneTask& task, const DecisionRule& rule, std::vector<Fate>& fates,
+                   std::vector<PilotRecord>* pilot) {
+  return model::with_ball_count(task.parameters->balls,
+                                [&](auto n) { return decide_balls<n>(task, rule, fates, pilot); });
 }
 
 int evaluate_target(const model::Parameters& p, double speed, long count, double* checksum) {
@@ -118,7 +121,8 @@ bool advance_lanes(const LaneTask& task, std::vector<Fate>& fates) {
   return HWY_DYNAMIC_DISPATCH(advance_target)(task, fates);
 }
 
-bool decide_lanes(const LaneTask& task, const DecisionRule& rule, std::vector<Fate>& fates, std::vector<PilotRecord>* pilot) {
+bool decide_lanes(const LaneTask& task, const DecisionRule& rule, std::vector<Fate>& fates,
+                  std::vector<PilotRecord>* pilot) {
   return HWY_DYNAMIC_DISPATCH(decide_target)(task, rule, fates, pilot);
 }
 

@@ -18,7 +18,8 @@ bool advance_lanes(const LaneTask& task, std::vector<Fate>& fates);
 
 /// Decides every trajectory of a task whose segment has constant speed; fates[i] and states are set. `pilot`, if given,
 /// receives what is known of each stationary motion. False if stopped early.
-bool decide_lanes(const LaneTask& task, const DecisionRule& rule, std::vector<Fate>& fates, std::vector<PilotRecord>* pilot);
+bool decide_lanes(const LaneTask& task, const DecisionRule& rule, std::vector<Fate>& fates,
+                  std::vector<PilotRecord>* pilot);
 
 /// Derivative evaluations alone, for benchmarks: evaluates the equations of `balls` balls `count` times in every lane,
 /// each from the result of the one before. Returns the number of lanes.

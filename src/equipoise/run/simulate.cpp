@@ -67,7 +67,8 @@ void simulate_free(const Study& study, const std::vector<model::Segment>& segmen
   }
   for (std::size_t k = first; k < segments.size() && next < times.size(); ++k) {
     const model::Segment& segment = segments[k];
-    for (; next < times.size() && times[next] == segment.begin; ++next) record(out, p, segment, segment.begin, z.data());
+    for (; next < times.size() && times[next] == segment.begin; ++next)
+      record(out, p, segment, segment.begin, z.data());
     const double end = std::min(segment.end, times.back());
     if (!(segment.begin < end)) continue;
     const Flow flow(p, segment);
@@ -122,9 +123,8 @@ Trajectory simulate(const Study& study, const std::vector<double>& times, const 
     if (out.status != IntegrationStatus::done || out.stopped) return out;
     basis.centre(p, phi, z.data());
   }
-  model::with_ball_count(p.balls, [&](auto n) {
-    simulate_free<n>(study, segments, free_from, tolerance, z, times, next, stop, out);
-  });
+  model::with_ball_count(
+      p.balls, [&](auto n) { simulate_free<n>(study, segments, free_from, tolerance, z, times, next, stop, out); });
   return out;
 }
 

@@ -32,7 +32,8 @@ DecisionRule rule_for(const Study& study, const BalancedAnalysis& balanced, doub
   rule.interchangeable = study.parameters.equal_balls();
   rule.traps = balanced.traps;
   rule.family = balanced.family;
-  // Slow rotors move slowly: a window holds several revolutions of every motion met between 1.4 and 6.5 critical speeds.
+  // Slow rotors move slowly: a window holds several revolutions of every motion met between 1.4 and 6.5 critical
+  // speeds.
   rule.window = std::max(16.0, 32.0 / std::max(std::fabs(final_speed), 0.1));
   rule.first_long_window = std::max(100.0, 6.0 * rule.window);
   if (balanced.slowest_rate < 0.0) {
@@ -56,7 +57,8 @@ void check_decidable(const Study& study) {
                      "basins need equal values in x and y (simulate takes both)");
   }
   if (p.gravity != 0.0)
-    throw InputError(study.name, "rotor.gravity", fmt::format("{}", p.gravity), "basins need gravity 0 (simulate takes any)");
+    throw InputError(study.name, "rotor.gravity", fmt::format("{}", p.gravity),
+                     "basins need gravity 0 (simulate takes any)");
 }
 
 StartRunner::StartRunner(const Study& study, int threads, const StopFlag* stop)
@@ -67,8 +69,8 @@ StartRunner::StartRunner(const Study& study, int threads, const StopFlag* stop)
     double z[max_dimension];
     initial_state(study, segments_.front().speed, study.initial.phi.data(), z);
     // The spin-up is shared by all starts, so its accuracy costs nothing: as tight as a single trajectory's.
-    const auto status = integrate_clamped(study.parameters, segments_, {z[0], z[1], z[2], z[3]},
-                                          default_simulate_tolerance, basis_);
+    const auto status =
+        integrate_clamped(study.parameters, segments_, {z[0], z[1], z[2], z[3]}, default_simulate_tolerance, basis_);
     if (status != IntegrationStatus::done) throw RunError("the clamped spin-up could not be integrated");
   }
   const double final_speed = segments_.back().speed;
@@ -95,12 +97,14 @@ void StartRunner::run_pilot(int threads) {
   rule_.boxes = boxes_from_pilot(records, rule_);
 }
 
-bool StartRunner::run(std::uint64_t first, std::size_t count, std::vector<double>& phi, std::vector<Fate>& fates) const {
+bool StartRunner::run(std::uint64_t first, std::size_t count, std::vector<double>& phi,
+                      std::vector<Fate>& fates) const {
   return run_seeded(study_.sampling.seed, first, count, study_.numerics.horizon, phi, fates, nullptr);
 }
 
 bool StartRunner::run_seeded(std::uint64_t seed, std::uint64_t first, std::size_t count, double horizon,
-                             std::vector<double>& phi, std::vector<Fate>& fates, std::vector<PilotRecord>* pilot) const {
+                             std::vector<double>& phi, std::vector<Fate>& fates,
+                             std::vector<PilotRecord>* pilot) const {
   const model::Parameters& p = study_.parameters;
   const std::size_t n = static_cast<std::size_t>(p.balls), size = model::dimension(p.balls);
   std::vector<double> states(count * size);

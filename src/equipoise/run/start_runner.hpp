@@ -20,8 +20,8 @@ void check_decidable(const Study& study);
 /// Everything about a study that all its starts share. Thread-safe once made.
 class StartRunner {
  public:
-  /// Analyses the balanced states, integrates the clamped spin-up and runs the pilot on `threads` threads. The study has
-  /// passed check_decidable(). Ask stopped() afterwards.
+  /// Analyses the balanced states, integrates the clamped spin-up and runs the pilot on `threads` threads. The study
+  /// has passed check_decidable(). Ask stopped() afterwards.
   StartRunner(const Study& study, int threads, const StopFlag* stop);
 
   /// Decides starts first .. first + count - 1. False if stopped early.

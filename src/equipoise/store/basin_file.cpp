@@ -20,7 +20,8 @@ constexpr std::size_t chunk_length = 8192;
 
 // What a file must share with a run for the run to add to it.
 std::string identity(const BasinFileHeader& header) {
-  return fmt::format("{}\n# seed {}\n# cpu target {}\n# version {}\n", header.study, header.seed, header.cpu_target, version_string);
+  return fmt::format("{}\n# seed {}\n# cpu target {}\n# version {}\n", header.study, header.seed, header.cpu_target,
+                     version_string);
 }
 }  // namespace
 
@@ -41,9 +42,11 @@ void BasinFile::State::create(const BasinFileHeader& header) {
   const int start = f.dimension("start", store::NetcdfFile::unlimited);
   const int ball = f.dimension("ball", balls);
   const int kind = f.dimension("outcome_kind", outcome_count);
-  phi = f.variable("phi", NC_DOUBLE, {start, ball}, "radian", "initial ball angle from the direction of the centre of mass, rotating frame");
+  phi = f.variable("phi", NC_DOUBLE, {start, ball}, "radian",
+                   "initial ball angle from the direction of the centre of mass, rotating frame");
   outcome = f.variable("outcome", NC_BYTE, {start}, "1", "what became of the start");
-  time = f.variable("decision_time", NC_DOUBLE, {start}, "1", "study time at which the outcome was known, in 1/omega_c");
+  time =
+      f.variable("decision_time", NC_DOUBLE, {start}, "1", "study time at which the outcome was known, in 1/omega_c");
   f.chunk(phi, {chunk_length, balls});
   f.chunk(outcome, {chunk_length});
   f.chunk(time, {chunk_length});
@@ -61,7 +64,8 @@ void BasinFile::State::create(const BasinFileHeader& header) {
   kind_count = f.variable("kind_count", NC_UINT64, {kind}, "1", "starts with the outcome");
   kind_share = f.variable("kind_share", NC_DOUBLE, {kind}, "1", "share of the starts with the outcome");
   kind_low = f.variable("kind_share_low", NC_DOUBLE, {kind}, "1", "lower end of the 95 % Wilson interval of the share");
-  kind_high = f.variable("kind_share_high", NC_DOUBLE, {kind}, "1", "upper end of the 95 % Wilson interval of the share");
+  kind_high =
+      f.variable("kind_share_high", NC_DOUBLE, {kind}, "1", "upper end of the 95 % Wilson interval of the share");
   f.attribute(NC_GLOBAL, "Conventions", "CF-1.8");
   f.attribute(NC_GLOBAL, "title", "Basins of a rotor with an automatic ball balancer");
   f.attribute(NC_GLOBAL, "source", fmt::format("equipoise {}", version_string));
@@ -83,7 +87,8 @@ void BasinFile::State::open(const BasinFileHeader& header) {
   }
   if (file->attribute("identity") != identity(header)) {
     file.reset();
-    throw InputError(path, "", "", "holds something other than results of this study, seed, version and CPU target; must be a "
+    throw InputError(path, "", "",
+                     "holds something other than results of this study, seed, version and CPU target; must be a "
                      "new file, or results of the same study");
   }
   stored = file->length("start");
@@ -149,7 +154,8 @@ void BasinFile::append(std::size_t count, const double* phi, const Fate* fates) 
 
 void BasinFile::sync() { state_->file->sync(); }
 
-void BasinFile::finish(const std::string& resolved_study, const std::array<Share, outcome_count>& shares, bool complete) {
+void BasinFile::finish(const std::string& resolved_study, const std::array<Share, outcome_count>& shares,
+                       bool complete) {
   std::array<unsigned long long, outcome_count> counts{};
   std::array<double, outcome_count> share{}, low{}, high{};
   for (std::size_t k = 0; k < outcome_count; ++k) {

@@ -14,14 +14,14 @@ namespace equipoise {
 
 /// What a basin file says of the run that made it.
 struct BasinFileHeader {
-  std::string study;       ///< resolved study as TOML, without its number of starts
+  std::string study;  ///< resolved study as TOML, without its number of starts
   std::uint64_t seed = 0;
   int balls = 2;
   std::string cpu_target;
 };
 
-/// dimension start: variables phi(start, ball), outcome(start), decision_time(start); dimension outcome_kind: counts and
-/// shares. Every variable has units and long_name. Readable by xarray, ncdump, ncview.
+/// dimension start: variables phi(start, ball), outcome(start), decision_time(start); dimension outcome_kind: counts
+/// and shares. Every variable has units and long_name. Readable by xarray, ncdump, ncview.
 class BasinFile {
  public:
   /// Creates `path`, or opens it for more if it holds results of the same study, seed and CPU target.

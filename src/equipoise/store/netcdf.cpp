@@ -36,8 +36,8 @@ std::size_t NetcdfFile::length(const std::string& dimension) const {
   return length;
 }
 
-int NetcdfFile::variable(const std::string& name, int type, const std::vector<int>& dimensions, const std::string& units,
-                         const std::string& long_name) {
+int NetcdfFile::variable(const std::string& name, int type, const std::vector<int>& dimensions,
+                         const std::string& units, const std::string& long_name) {
   int variable = -1;
   check(nc_def_var(id_, name.c_str(), type, static_cast<int>(dimensions.size()), dimensions.data(), &variable),
         "variable " + name);

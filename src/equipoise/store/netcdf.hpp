@@ -29,8 +29,10 @@ class NetcdfFile {
   void attribute(int variable, const std::string& name, const std::vector<signed char>& values);
   std::string attribute(const std::string& name) const;  ///< global text attribute; empty if absent
   void end_definitions();
-  void write(int variable, const std::vector<std::size_t>& start, const std::vector<std::size_t>& count, const void* data);
-  void read(int variable, const std::vector<std::size_t>& start, const std::vector<std::size_t>& count, void* data) const;
+  void write(int variable, const std::vector<std::size_t>& start, const std::vector<std::size_t>& count,
+             const void* data);
+  void read(int variable, const std::vector<std::size_t>& start, const std::vector<std::size_t>& count,
+            void* data) const;
   void sync();
 
   void check(int status, const std::string& what) const;

@@ -57,7 +57,8 @@ void write_netcdf(const std::string& path, const Trajectory& r, const std::strin
   };
   std::vector<int> ids;
   for (const Column& c : columns) ids.push_back(file.variable(c.name, NC_DOUBLE, {time}, c.units, c.long_name));
-  const int phi = file.variable("phi", NC_DOUBLE, {time, ball}, "radian", "ball angle in the rotating frame, not wrapped");
+  const int phi =
+      file.variable("phi", NC_DOUBLE, {time, ball}, "radian", "ball angle in the rotating frame, not wrapped");
   const int phi_dot = file.variable("phi_dot", NC_DOUBLE, {time, ball}, "1", "rate of the ball angle in omega_c");
   file.attribute(NC_GLOBAL, "Conventions", "CF-1.8");
   file.attribute(NC_GLOBAL, "title", "Trajectory of a rotor with an automatic ball balancer");

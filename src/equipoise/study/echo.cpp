@@ -37,9 +37,9 @@ std::string speed_keys(const SpeedSetting& s) {
 std::string to_toml(const Study& study) {
   const model::Parameters& p = study.parameters;
   const std::size_t n = static_cast<std::size_t>(p.balls);
-  std::string text = fmt::format("[rotor]\neccentricity = {}\ndamping = {}\nstiffness = {}\ngravity = {}\n\n",
-                                 number_text(p.eccentricity), array(p.damping, 2), array(p.stiffness, 2),
-                                 number_text(p.gravity));
+  std::string text =
+      fmt::format("[rotor]\neccentricity = {}\ndamping = {}\nstiffness = {}\ngravity = {}\n\n",
+                  number_text(p.eccentricity), array(p.damping, 2), array(p.stiffness, 2), number_text(p.gravity));
   text += fmt::format("[balancer]\nballs = {}\nmass = {}\ndrag = {}\n\n", n, array(p.mass, n), array(p.drag, n));
   text += fmt::format("[speed]\nprofile = \"{}\"\n{}law = \"{}\"\n\n", study.speed.profile, speed_keys(study.speed),
                       study.speed.law == model::SpeedLaw::kinematic ? "kinematic" : "published");

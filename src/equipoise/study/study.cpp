@@ -59,7 +59,7 @@ void read_speed(const Document& document, SpeedSetting& speed) {
   TableReader reader(document, "speed");
   speed.profile = reader.choice("profile", {"constant", "ramp", "trapezoid", "points"});
   speed.law = reader.choice("law", {"kinematic", "published"}, "kinematic") == "kinematic" ? model::SpeedLaw::kinematic
-                                                                                         : model::SpeedLaw::published;
+                                                                                           : model::SpeedLaw::published;
   if (speed.profile == "constant") {
     speed.speed = reader.number("speed", any_number);
   } else if (speed.profile == "ramp") {
