@@ -69,7 +69,7 @@ Eigen::MatrixXd best_modal_form(const model::Parameters& p, double speed, const 
   Eigen::VectorXd weights = Eigen::VectorXd::Ones(size);
   const EntryTime entry_time(modes, p.balls);
   const auto cost = [&](const Eigen::VectorXd& w) {
-    return entry_time(w, critical_level(p, speed, phi, modal_form(modes, w), rays_while_weighing, true));
+    return entry_time(w, critical_level(p, speed, phi, modal_form(modes, w), rays_while_weighing));
   };
   double least = cost(weights);
   for (double factor : {2.0, 1.4}) {
@@ -119,8 +119,8 @@ BalancedTrap isolated_trap(const model::Parameters& p, double speed, const std::
                            const Eigen::MatrixXd& a) {
   const Eigen::MatrixXd modal = best_modal_form(p, speed, phi.data(), a);
   const Eigen::MatrixXd plain = solve_lyapunov(a, Eigen::MatrixXd::Identity(a.rows(), a.cols()));
-  const double modal_level = critical_level(p, speed, phi.data(), modal, rays_for_level, true);
-  const double plain_level = critical_level(p, speed, phi.data(), plain, rays_for_level, true);
+  const double modal_level = critical_level(p, speed, phi.data(), modal, rays_for_level);
+  const double plain_level = critical_level(p, speed, phi.data(), plain, rays_for_level);
   const auto log_volume = [&](const Eigen::MatrixXd& form, double level) {
     return level > 0.0 ? 0.5 * (a.rows() * std::log(level) - std::log(form.determinant())) : -1e300;
   };

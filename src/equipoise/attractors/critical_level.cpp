@@ -78,8 +78,7 @@ class RaySearch {
 };
 
 template <int n>
-double search(const model::Parameters& p, double speed, const double* phi, const Eigen::MatrixXd& form, int rays,
-              bool refine) {
+double search(const model::Parameters& p, double speed, const double* phi, const Eigen::MatrixXd& form, int rays) {
   using Search = RaySearch<n>;
   using Vector = typename Search::Vector;
   const typename Search::Matrix fixed = form;
@@ -104,12 +103,9 @@ double search(const model::Parameters& p, double speed, const double* phi, const
   double best = search.half_turn();
   for (int ray = 0; ray < rays; ++ray) {
     const Vector direction = random_vector().normalized();
-    const double limit = refine ? 1.3 * best : best;  // look a little beyond, to keep several worst rays
+    const double limit = 1.3 * best;  // look a little beyond, to keep several worst rays
     const double reach = search.first_growth(search.edge(direction), limit);
-    if (!refine || reach >= limit) {
-      best = std::min(best, reach);
-      continue;
-    }
+    if (reach >= limit) continue;
     best = std::min(best, reach);
     worst.push_back({reach, direction});
     std::sort(worst.begin(), worst.end(), [](const Ray& a, const Ray& b) { return a.reach < b.reach; });
@@ -134,8 +130,8 @@ double search(const model::Parameters& p, double speed, const double* phi, const
 }  // namespace
 
 double critical_level(const model::Parameters& p, double speed, const double* phi, const Eigen::MatrixXd& form,
-                      int rays, bool refine) {
-  return model::with_ball_count(p.balls, [&](auto n) { return search<n>(p, speed, phi, form, rays, refine); });
+                      int rays) {
+  return model::with_ball_count(p.balls, [&](auto n) { return search<n>(p, speed, phi, form, rays); });
 }
 
 }  // namespace equipoise

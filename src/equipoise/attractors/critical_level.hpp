@@ -8,9 +8,9 @@
 namespace equipoise {
 
 /// Smallest V = d^T P d > 0 at which dV/dt >= 0 was found around the balanced state with ball angles `phi`, by sampling
-/// `rays` directions (fixed pseudo-random sequence) and, with `refine`, descending from the worst. Infinite-precision
-/// truth is below or equal; 0 if P is not positive definite or V grows at once.
+/// `rays` directions (fixed pseudo-random sequence) and descending from the worst. The true one is below or
+/// equal; 0 if P is not positive definite or V grows at once.
 double critical_level(const model::Parameters& p, double speed, const double* phi, const Eigen::MatrixXd& form,
-                      int rays, bool refine);
+                      int rays);
 
 }  // namespace equipoise

@@ -21,7 +21,7 @@ constexpr int members_needed = 3;
 // Two motions this close in every feature are recognised together: what matters here is that neither is balance.
 constexpr double grouping = 0.05;
 // Least margin of a box, relative to the largest r or rate: what is this close to a stable motion in every feature for
-// several windows does not leave it again (no such case among 400 000 starts followed to t = 3000).
+// several windows does not leave it again (no such case among 300 000 starts followed to t = 3000).
 constexpr double box_floor = 0.02;
 
 FeatureBox widened(const FeatureBox& range, int balls) {
