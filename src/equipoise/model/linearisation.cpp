@@ -17,14 +17,16 @@ Segment constant_speed(double speed) { return {0.0, 0.0, 0.0, speed, 0.0, false}
 Eigen::MatrixXd jacobian(const Parameters& p, double speed, const double* z) {
   return with_ball_count(p.balls, [&](auto n) -> Eigen::MatrixXd {
     constexpr int size = dimension(n);
-    const kernels::FreeFlow<Dual, n, autonomous> flow(p, constant_speed(speed));
-    Eigen::MatrixXd result(size, size);
-    for (int column = 0; column < size; ++column) {
-      Dual state[size], rate[size];
-      for (int i = 0; i < size; ++i) state[i] = Dual(z[i], i == column ? 1.0 : 0.0);
-      flow(Dual(0.0), state, rate);
-      for (int i = 0; i < size; ++i) result(i, column) = rate[i].slope;
+    const kernels::FreeFlow<Dual<size>, n, autonomous> flow(p, constant_speed(speed));
+    Dual<size> state[size], rate[size];
+    for (int i = 0; i < size; ++i) {
+      state[i] = Dual<size>(z[i]);
+      state[i].slope[i] = 1.0;
     }
+    flow(Dual<size>(0.0), state, rate);
+    Eigen::MatrixXd result(size, size);
+    for (int i = 0; i < size; ++i)
+      for (int column = 0; column < size; ++column) result(i, column) = rate[i].slope[column];
     return result;
   });
 }

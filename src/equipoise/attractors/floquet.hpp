@@ -1,0 +1,19 @@
+// Floquet multipliers of a periodic orbit from the derivatives along its arcs.
+#pragma once
+
+#include <vector>
+
+#include <Eigen/Dense>
+
+#include "equipoise/model/parameters.hpp"
+
+namespace equipoise {
+
+/// `arcs[k]`: derivative of the state at node k + 1 with respect to that at node k. First the multiplier of the shift
+/// in time, 1 but for errors, then the others with falling modulus. Their absolute accuracy is about 1e-12 times the
+/// norm of the product of all arcs (the integration's errors; a multiplier below that is noise).
+Eigen::VectorXcd floquet_multipliers(const model::Parameters& p, double speed,
+                                     const std::vector<Eigen::VectorXd>& nodes,
+                                     const std::vector<Eigen::MatrixXd>& arcs);
+
+}  // namespace equipoise
