@@ -1,0 +1,280 @@
+// From a trajectory to the motion it settles on.
+//
+// The trajectory is followed over stretches, each as long as all before it together. After every stretch it is asked,
+// in this order: does it come to rest, does it come back (then Newton's method finds the periodic orbit long before the
+// trajectory reaches it), do its statistics repeat themselves. A steady motion is only believed when the trajectory is
+// seen to approach it, or, if it has none to approach, when it goes on as before for as long again.
+#include "equipoise/attractors/motion.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numeric>
+
+#include "equipoise/attractors/motion_description.hpp"
+#include "equipoise/attractors/motion_statistics.hpp"
+#include "equipoise/attractors/motion_symmetry.hpp"
+#include "equipoise/attractors/recurrence.hpp"
+#include "equipoise/base/angles.hpp"
+#include "equipoise/model/balanced_state.hpp"
+#include "equipoise/model/linearisation.hpp"
+
+namespace equipoise {
+
+namespace {
+
+// Trajectories are followed at a tolerance that leaves r true to 1e-8.
+constexpr double follow_tolerance = 1e-9;
+// The first question is asked after about this time, the longest a quick attractor takes to pull a start in.
+constexpr double first_stretch = 100.0;
+// Returns are looked for within the last part of a stretch: longer than any period met (pair drift, under 300).
+constexpr double longest_memory = 1200.0;
+constexpr int most_returns = 6;
+// A trajectory this close to a stable motion, in natural sizes, and still approaching has reached it.
+constexpr double reached = 1e-3;
+// Farther than this from a stable motion nothing is concluded yet.
+constexpr double in_reach = 0.5;
+
+// The member of the continuum nearest to `state`, described as an equilibrium.
+std::optional<Equilibrium> nearest_of_continuum(const model::Parameters& p, double speed,
+                                                const Eigen::VectorXd& state) {
+  double phi[model::max_balls];
+  for (int i = 0; i < p.balls; ++i) phi[i] = state[model::index::phi(i)];
+  if (!model::project_to_balanced(p, phi)) return std::nullopt;
+  Equilibrium result;
+  result.state = model::centred_state(p, phi);
+  result.eigenvalues = model::jacobian(p, speed, result.state.data()).eigenvalues();
+  std::sort(result.eigenvalues.begin(), result.eigenvalues.end(),
+            [](const auto& a, const auto& b) { return a.real() > b.real(); });
+  result.residual = model::derivative(p, speed, result.state.data()).cwiseAbs().maxCoeff();
+  return result;
+}
+
+// A trajectory with its past.
+class Journey {
+ public:
+  Journey(const model::Parameters& p, double speed, const Eigen::VectorXd& state, double patience)
+      : p_(p), speed_(speed), difference_(p, speed), state_(state), patience_(patience) {}
+
+  std::optional<Motion> settle();
+
+ private:
+  void nudge();
+  bool travel_stretch(double duration);
+  bool travel(double duration, MotionStatistics& statistics, std::vector<Eigen::VectorXd>* samples = nullptr);
+  template <class Distance>
+  bool approaches(double rate, const Distance& distance);
+  std::optional<Motion> rest();
+  std::optional<Motion> recurrence();
+  std::optional<Motion> persistence();
+  bool worth_trying(const Return& now);
+  bool statistics_repeat(double share_of_extremes, double share_of_means) const;
+
+  const model::Parameters& p_;
+  const double speed_;
+  const StateDifference difference_;
+  Eigen::VectorXd state_;
+  const double patience_;
+  double elapsed_ = 0.0;
+  std::vector<Eigen::VectorXd> samples_;  // of the last part of the stretch
+  MotionStatistics previous_, last_;      // of the last two stretches
+  int repeats_ = 0;                       // stretches in a row that repeated the one before
+  std::vector<PeriodicOrbit> orbits_;     // stable ones met so far
+  std::vector<Return> tried_;             // Newton's method did not find the motion from these
+};
+
+bool Journey::travel(double duration, MotionStatistics& statistics, std::vector<Eigen::VectorXd>* samples) {
+  const auto end = follow(p_, speed_, state_, duration, follow_tolerance, statistics, samples);
+  if (end) state_ = *end;
+  return end.has_value();
+}
+
+// Equal balls in one place stay there in exact arithmetic of equal operations, even where that is unstable. From the
+// second stretch on they are kept this far apart, so that an unstable companionship breaks up.
+void Journey::nudge() {
+  constexpr double nudge = 1e-9;
+  for (int i = 0; i < p_.balls; ++i)
+    for (int k = 0; k < i; ++k)
+      if (std::fabs(wrapped(state_[model::index::phi(i)] - state_[model::index::phi(k)])) < nudge)
+        state_[model::index::phi(i)] += nudge * (i + 1);
+}
+
+bool Journey::travel_stretch(double duration) {
+  if (elapsed_ > 0.0) nudge();
+  previous_ = last_;
+  last_ = {};
+  const double memory = std::min(duration, longest_memory);
+  elapsed_ += duration;
+  if (duration > memory && !travel(duration - memory, last_)) return false;
+  if (!travel(memory, last_, &samples_)) return false;
+  state_ = with_angles_reduced(p_, state_);  // only now: statistics count turns of unwrapped angles
+  return true;
+}
+
+// Follows a copy of the trajectory that should come closer to a stable motion, whose slowest deviation shrinks at
+// `rate` (negative), and says whether it does.
+template <class Distance>
+bool Journey::approaches(double rate, const Distance& distance) {
+  const double first = distance(state_);
+  if (first > in_reach) return false;
+  if (first < 1e-9) return true;
+  const double chunk = std::max(1.0 / -rate, 1.0);
+  Eigen::VectorXd z = state_;
+  double left = patience_ - elapsed_, travelled = 0.0, now = first;
+  // Away from the linear regime the distance may grow for a while; a motion left behind is not approached again soon.
+  for (int k = 0; k < 40 && now < 2.0 * in_reach; ++k) {
+    const double duration = std::min(chunk, left);
+    if (duration <= 0.0) break;
+    MotionStatistics unused;
+    const auto end = follow(p_, speed_, z, duration, follow_tolerance, unused);
+    if (!end) return false;
+    z = with_angles_reduced(p_, *end);
+    left -= duration;
+    travelled += duration;
+    now = distance(z);
+    if (now < reached && now < 0.5 * first) return true;
+    if (now < 1e-6) return true;
+  }
+  // Out of patience: what was seen must at least be half the decay that the linear theory promises.
+  return now < 0.1 * in_reach && now < first * std::exp(0.5 * rate * travelled) && travelled * -rate > 0.5;
+}
+
+std::optional<Motion> Journey::rest() {
+  // Faster than this no equilibrium is near: it swings at a rate of order one, so it would be as far away.
+  if (difference_.length(model::derivative(p_, speed_, state_.data())) > in_reach) return std::nullopt;
+  const int dimension = continuum_dimension(p_);
+  if (dimension > 0) {
+    const auto balanced = nearest_of_continuum(p_, speed_, state_);
+    if (balanced && attracts(balanced->eigenvalues, dimension)) {
+      double slowest = -1.0;
+      for (const auto& value : balanced->eigenvalues)
+        if (std::abs(value) >= zero_eigenvalue) slowest = std::max(slowest, value.real());
+      std::optional<Equilibrium> end;
+      const auto distance = [&](const Eigen::VectorXd& z) {
+        end = nearest_of_continuum(p_, speed_, z);
+        return end ? difference_.distance(z, end->state) : std::numeric_limits<double>::infinity();
+      };
+      if (approaches(slowest, distance) && end && attracts(end->eigenvalues, dimension))
+        return describe_equilibrium(p_, speed_, *end);
+    }
+  }
+  const auto equilibrium = refine_equilibrium(p_, speed_, state_);
+  if (!equilibrium || !attracts(equilibrium->eigenvalues, 0)) return std::nullopt;
+  const bool comes = approaches(equilibrium->eigenvalues[0].real(),
+                                [&](const Eigen::VectorXd& z) { return difference_.distance(z, equilibrium->state); });
+  if (!comes) return std::nullopt;
+  return describe_equilibrium(p_, speed_, *equilibrium);
+}
+
+std::optional<Motion> Journey::recurrence() {
+  const auto accepted = [&](const PeriodicOrbit& orbit) {
+    const OrbitCurve curve(p_, speed_, orbit);
+    const double slowest =
+        orbit.multipliers.size() > 1 ? std::log(std::max(1e-300, std::abs(orbit.multipliers[1]))) / orbit.period : -1.0;
+    return approaches(slowest, [&](const Eigen::VectorXd& z) { return curve.distance(z); });
+  };
+  for (const PeriodicOrbit& orbit : orbits_)
+    if (accepted(orbit)) return describe_orbit(p_, speed_, orbit);
+  for (const Return& now : returns_to_last(samples_, sample_spacing(speed_), p_.balls, difference_, most_returns)) {
+    if (!worth_trying(now)) continue;
+    const auto guess = shoot(p_, speed_, state_, now.time, difference_, in_reach);
+    if (!guess) continue;
+    const auto orbit = refine_orbit(p_, speed_, guess->state, guess->period);
+    if (!orbit || !orbit->stable()) continue;
+    if (accepted(*orbit)) return describe_orbit(p_, speed_, *orbit);
+    orbits_.push_back(*orbit);
+  }
+  return std::nullopt;
+}
+
+// Newton's method that failed from a return is not asked again before the return has become twice as close: on the way
+// to a periodic motion it does, on a torus it does not.
+bool Journey::worth_trying(const Return& now) {
+  constexpr double same_time = 0.02;
+  for (Return& before : tried_) {
+    if (std::fabs(before.time - now.time) > same_time * now.time) continue;
+    if (now.distance > 0.5 * before.distance) return false;
+    before = now;
+    return true;
+  }
+  tried_.push_back(now);
+  return true;
+}
+
+bool Journey::statistics_repeat(double share_of_extremes, double share_of_means) const {
+  const MotionStatistics &a = previous_, &b = last_;
+  if (a.duration == 0.0) return false;
+  const int n = p_.balls;
+  const auto close = [](double f, double g, double within) { return std::fabs(f - g) <= within; };
+  double rate = 0.0;
+  for (int i = 0; i < n; ++i) rate = std::max({rate, std::fabs(b.rate_min[i]), std::fabs(b.rate_max[i])});
+  bool same = close(a.r_max, b.r_max, share_of_extremes * b.r_max) &&
+              close(a.r_min, b.r_min, share_of_extremes * b.r_max) &&
+              close(a.r_mean(), b.r_mean(), share_of_means * b.r_mean());
+  double slowest_a = 0.0, slowest_b = 0.0, fastest_a = 0.0, fastest_b = 0.0, drift_a = 0.0, drift_b = 0.0;
+  for (int i = 0; i < n; ++i) {
+    slowest_a = std::min(slowest_a, a.rate_min[i]);
+    slowest_b = std::min(slowest_b, b.rate_min[i]);
+    fastest_a = std::max(fastest_a, a.rate_max[i]);
+    fastest_b = std::max(fastest_b, b.rate_max[i]);
+    drift_a += a.turned[i] / (a.duration * n);
+    drift_b += b.turned[i] / (b.duration * n);
+  }
+  same = same && close(slowest_a, slowest_b, share_of_extremes * rate) &&
+         close(fastest_a, fastest_b, share_of_extremes * rate) &&
+         close(drift_a, drift_b, share_of_means * rate + two_pi / a.duration);
+  return same;
+}
+
+std::optional<Motion> Journey::persistence() {
+  const bool tight = statistics_repeat(0.01, 0.005), loose = statistics_repeat(0.1, 0.05);
+  repeats_ = tight ? repeats_ + 1 : 0;
+  const bool final_stretch = elapsed_ >= patience_ * (1.0 - 1e-9);
+  if (last_.duration < 1000.0 || !(repeats_ >= 2 || (final_stretch && loose))) return std::nullopt;
+  const int count = std::min<int>(4, model::dimension(p_.balls));
+  const double duration = std::max(last_.duration, 4000.0);
+  const std::vector<double> exponents = lyapunov_exponents(p_, speed_, state_, duration, count);
+  if (static_cast<int>(exponents.size()) < 2) return std::nullopt;
+  const double zero = 8.0 / duration;
+  Motion motion;
+  if (exponents[0] > zero) {
+    if (!final_stretch) return std::nullopt;
+    motion.kind = MotionKind::chaotic;
+  } else if (exponents[0] > -zero && exponents[1] > -zero && repeats_ >= 2) {
+    motion.kind = MotionKind::quasi_periodic;
+  } else {
+    return std::nullopt;
+  }
+  // A torus is measured afresh: the stretch that showed it may have begun before balls had quite joined.
+  MotionStatistics fresh;
+  if (motion.kind == MotionKind::quasi_periodic && !travel(last_.duration, fresh)) return std::nullopt;
+  motion.speed = speed_;
+  motion.state = with_angles_reduced(p_, state_);
+  motion.exponents = exponents;
+  motion.stable = true;
+  describe_statistics(p_, motion.kind == MotionKind::quasi_periodic ? fresh : last_, motion);
+  motion.copies = count_copies(p_, motion);
+  return motion;
+}
+
+std::optional<Motion> Journey::settle() {
+  const double doublings = std::max(0.0, std::floor(std::log2(patience_ / first_stretch)));
+  for (double stretch = patience_ / std::exp2(doublings); elapsed_ < patience_ * (1.0 - 1e-9); stretch = elapsed_) {
+    if (!travel_stretch(stretch)) return std::nullopt;
+    if (auto motion = rest()) return motion;
+    if (auto motion = recurrence()) return motion;
+    if (auto motion = persistence()) return motion;
+  }
+  return std::nullopt;
+}
+
+}  // namespace
+
+std::optional<Motion> motion_from(const model::Parameters& p, double speed, const Eigen::VectorXd& state,
+                                  double patience) {
+  // Anisotropic supports and gravity make the equations depend on time, and nothing is steady in the rotating frame.
+  if (!p.isotropic() || p.gravity != 0.0) return std::nullopt;
+  return Journey(p, speed, state, patience).settle();
+}
+
+}  // namespace equipoise

@@ -1,0 +1,194 @@
+// Following a trajectory by adaptive DOP853 and gathering what it does from the dense output.
+#include "equipoise/attractors/motion_statistics.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "equipoise/integrate/adaptive-inl.hpp"
+#include "equipoise/model/ball_count.hpp"
+#include "equipoise/model/flow-inl.hpp"
+
+namespace equipoise {
+
+namespace {
+namespace kernels = HWY_NAMESPACE;
+constexpr kernels::Terms autonomous{false, false, false};
+
+// A state with its rate of change, and what is watched: r^2 and the ball rates, each with its derivative.
+template <int n>
+struct Instant {
+  static constexpr int size = model::dimension(n);
+  double t = 0.0;
+  double z[size], dz[size];
+
+  double half_slope(int watched) const {  // of r^2 (0) or of phi_i' (i + 1); u - x' and v - y' are perpendicular to r
+    return watched == 0 ? z[0] * z[2] + z[1] * z[3] : dz[4 + n + watched - 1];
+  }
+  double value(int watched) const { return watched == 0 ? std::hypot(z[0], z[1]) : z[4 + n + watched - 1]; }
+  double r_slope() const {
+    const double r = value(0);
+    return r > 0.0 ? half_slope(0) / r : 0.0;
+  }
+};
+
+template <int n>
+class Gatherer {
+ public:
+  using Flow = kernels::FreeFlow<double, n, autonomous>;
+  static constexpr int size = Flow::dimension;
+
+  Gatherer(const Flow& flow, MotionStatistics& statistics, const double* z) : flow_(flow), statistics_(statistics) {
+    std::copy(z, z + size, last_.z);
+    flow_(0.0, last_.z, last_.dz);
+    const bool fresh = statistics.duration == 0.0;
+    for (int i = 0; i < n; ++i) {
+      start_[i] = z[4 + i];
+      if (fresh) statistics.rate_min[i] = statistics.rate_max[i] = z[4 + n + i];
+      if (fresh) statistics.ball[i].begin(z[4 + i]);
+      for (int j = i + 1; fresh && j < n; ++j) statistics.pair[i][j].begin(z[4 + i] - z[4 + j]);
+    }
+    take_extremes(last_);
+  }
+
+  // Adds one accepted step of the integrator.
+  template <class StateAt>
+  void step(double begin, double end, double spacing, StateAt& state_at) {
+    const int parts = std::max(1, static_cast<int>(std::ceil((end - begin) / spacing)));
+    for (int k = 1; k <= parts; ++k) {
+      Instant<n> now = instant(begin + (end - begin) * k / parts, state_at);
+      for (int watched = 0; watched <= n; ++watched)
+        if (last_.half_slope(watched) * now.half_slope(watched) < 0.0)
+          take_extremes(turning_point(watched, last_, now, state_at));
+      add_interval(now);
+      last_ = now;
+    }
+  }
+
+  void finish(double duration) {
+    statistics_.duration += duration;
+    for (int i = 0; i < n; ++i) statistics_.turned[i] += last_.z[4 + i] - start_[i];
+  }
+
+ private:
+  template <class StateAt>
+  Instant<n> instant(double t, StateAt& state_at) const {
+    Instant<n> result;
+    result.t = t;
+    state_at(t, result.z);
+    flow_(t, result.z, result.dz);
+    return result;
+  }
+
+  // Where a slope changes sign, by false position (Illinois): five evaluations leave the time uncertain by less than
+  // 1e-5, to which the extreme is insensitive in first order.
+  template <class StateAt>
+  Instant<n> turning_point(int watched, const Instant<n>& from, const Instant<n>& to, StateAt& state_at) const {
+    double a = from.t, b = to.t, fa = from.half_slope(watched), fb = to.half_slope(watched);
+    Instant<n> middle = to;
+    for (int k = 0; k < 5 && fa != fb; ++k) {
+      middle = instant(a + (b - a) * fa / (fa - fb), state_at);
+      const double f = middle.half_slope(watched);
+      if (f * fb < 0.0) {
+        a = b;
+        fa = fb;
+      } else {
+        fa *= 0.5;
+      }
+      b = middle.t;
+      fb = f;
+      if (f == 0.0) break;
+    }
+    return middle;
+  }
+
+  void take_extremes(const Instant<n>& at) {
+    statistics_.r_min = std::min(statistics_.r_min, at.value(0));
+    statistics_.r_max = std::max(statistics_.r_max, at.value(0));
+    for (int i = 0; i < n; ++i) {
+      statistics_.rate_min[i] = std::min(statistics_.rate_min[i], at.value(i + 1));
+      statistics_.rate_max[i] = std::max(statistics_.rate_max[i], at.value(i + 1));
+    }
+  }
+
+  void add_interval(const Instant<n>& now) {
+    take_extremes(now);
+    const double h = now.t - last_.t;  // trapezium with end correction: fourth order
+    statistics_.r_integral +=
+        0.5 * h * (last_.value(0) + now.value(0)) + h * h / 12.0 * (last_.r_slope() - now.r_slope());
+    for (int i = 0; i < n; ++i) {
+      statistics_.ball[i].add(now.z[4 + i]);
+      for (int j = i + 1; j < n; ++j) statistics_.pair[i][j].add(now.z[4 + i] - now.z[4 + j]);
+    }
+  }
+
+  const Flow& flow_;
+  MotionStatistics& statistics_;
+  Instant<n> last_;
+  double start_[n];
+};
+
+template <int n>
+std::optional<Eigen::VectorXd> follow_balls(const model::Parameters& p, double speed, const Eigen::VectorXd& state,
+                                            double duration, double tolerance, MotionStatistics& statistics,
+                                            std::vector<Eigen::VectorXd>* samples) {
+  using Flow = typename Gatherer<n>::Flow;
+  constexpr int size = Flow::dimension;
+  kernels::ErrorScale<size> scale;
+  scale.tolerance = tolerance;
+  for (int j = 0; j < 4; ++j) scale.floor[j] = 0.01 * (p.eccentricity + p.total_mass());
+  for (int i = 0; i < n; ++i) {
+    scale.floor[model::index::phi(i)] = 1.0;
+    scale.absolute[model::index::phi(i)] = true;
+    scale.floor[model::index::q(i, n)] = 0.01;
+  }
+  const Flow flow(p, {0.0, 0.0, 0.0, speed, 0.0, false});
+  kernels::AdaptiveIntegrator<Flow, size> integrator(flow, scale);
+  const double spacing = sample_spacing(speed);
+  Eigen::VectorXd z = state;
+  Gatherer<n> gatherer(flow, statistics, z.data());
+  std::size_t next = 1;
+  if (samples) samples->assign(1, z);
+  const IntegrationStatus status = integrator.advance(0.0, duration, z.data(), [&](double t, double t_new, auto at) {
+    gatherer.step(t, t_new, spacing, at);
+    for (; samples && static_cast<double>(next) * spacing <= t_new; ++next) {
+      samples->emplace_back(size);
+      at(static_cast<double>(next) * spacing, samples->back().data());
+    }
+  });
+  gatherer.finish(duration);
+  if (status != IntegrationStatus::done) return std::nullopt;
+  return z;
+}
+
+}  // namespace
+
+void AngleHistory::add_distance(double angle) {
+  const double distance = std::fabs(angle - two_pi * std::floor(angle / two_pi + 0.5));  // faster than wrapped()
+  farthest = std::max(farthest, distance);
+}
+
+void AngleHistory::add(double angle) {
+  const long from = static_cast<long>(std::floor(last_ / pi)), to = static_cast<long>(std::floor(angle / pi));
+  for (long k = from; k != to;) {
+    const long crossed = to > from ? ++k : k--;
+    if (crossed % 2 != 0) ++passed_pi;
+    if (!has_landmark_) landmark_ = crossed;
+    has_landmark_ = true;
+    if (std::labs(crossed - landmark_) >= 2) {
+      ++slips;
+      landmark_ = crossed;
+    }
+  }
+  add_distance(last_ = angle);
+}
+
+double sample_spacing(double speed) { return 0.2 / std::max(1.0, std::fabs(speed)); }
+
+std::optional<Eigen::VectorXd> follow(const model::Parameters& p, double speed, const Eigen::VectorXd& state,
+                                      double duration, double tolerance, MotionStatistics& statistics,
+                                      std::vector<Eigen::VectorXd>* samples) {
+  return model::with_ball_count(
+      p.balls, [&](auto n) { return follow_balls<n>(p, speed, state, duration, tolerance, statistics, samples); });
+}
+
+}  // namespace equipoise

@@ -1,0 +1,56 @@
+// What a trajectory does over a stretch of time: extremes and means of the rotor's excursion, how far each ball turned,
+// and how the angles between them moved.
+#pragma once
+
+#include <array>
+#include <limits>
+#include <optional>
+#include <vector>
+
+#include <Eigen/Dense>
+
+#include "equipoise/base/angles.hpp"
+#include "equipoise/model/parameters.hpp"
+
+namespace equipoise {
+
+/// The history of one angle, unwrapped: how far from 0 it went (modulo whole turns), how often it passed pi, and how
+/// many whole turns it slipped, in either direction.
+struct AngleHistory {
+  double farthest = 0.0;  ///< largest |angle modulo 2 pi|, as sampled
+  long passed_pi = 0;     ///< times it passed pi, modulo whole turns
+  long slips = 0;         ///< times it was last seen at a multiple of pi two away from where it was counted before
+
+  void begin(double angle) { add_distance(last_ = angle); }
+  void add(double angle);
+
+ private:
+  void add_distance(double angle);
+  double last_ = 0.0;
+  long landmark_ = 0;
+  bool has_landmark_ = false;
+};
+
+struct MotionStatistics {
+  double duration = 0.0;
+  double r_min = std::numeric_limits<double>::infinity(), r_max = 0.0;
+  double r_integral = 0.0;                                                ///< of r over time
+  std::array<double, model::max_balls> turned{}, rate_min{}, rate_max{};  ///< change of phi_i; extremes of phi_i'
+  std::array<AngleHistory, model::max_balls> ball;                        ///< phi_i
+  std::array<std::array<AngleHistory, model::max_balls>, model::max_balls> pair;  ///< phi_i - phi_j for i < j
+
+  double r_mean() const { return r_integral / duration; }
+};
+
+/// Follows the trajectory from `state` for `duration` and adds it to `statistics`; its angles must go
+/// on from where those of the last call ended. Extremes are found to about 1e-8 of
+/// their size from the signs of the derivatives at times at most `spacing` apart. Returns the state reached, empty if
+/// the integration fails or diverges. `samples`, if given, receives the states at the times k spacing, k = 0, 1, ...
+std::optional<Eigen::VectorXd> follow(const model::Parameters& p, double speed, const Eigen::VectorXd& state,
+                                      double duration, double tolerance, MotionStatistics& statistics,
+                                      std::vector<Eigen::VectorXd>* samples = nullptr);
+
+/// Times between samples: at speed Omega a ball that the rotor leaves behind turns by Omega times this, 0.2 rad.
+double sample_spacing(double speed);
+
+}  // namespace equipoise
