@@ -1,0 +1,78 @@
+// equipoise certify: a proof that trajectories close to balance end balanced, and the check of such a proof.
+#include <fstream>
+#include <memory>
+#include <sstream>
+#include <string>
+#include <vector>
+
+#include <fmt/format.h>
+
+#include "commands.hpp"
+#include "equipoise/report/certificate_json.hpp"
+#include "equipoise/run/certify.hpp"
+
+namespace equipoise::app {
+
+namespace {
+
+struct CertifyArguments {
+  std::string study, output, check;
+  std::vector<std::string> overrides;
+  bool json = false;
+};
+
+int check_file(const std::string& path, bool as_json) {
+  std::ifstream file(path, std::ios::binary);
+  std::ostringstream content;
+  content << file.rdbuf();
+  if (!file || !content)
+    throw InputError("--check", "", path, "cannot be read; must be a file written by equipoise certify -o");
+  CertificateFile checked{path, certificates_from_json(content.str(), path), {}};
+  for (const Certificate& certificate : checked.certificates) checked.checks.push_back(check_certificate(certificate));
+  fmt::print("{}", as_json ? check_json(checked) : check_text(checked));
+  return checked.proved() ? done : check_failed;
+}
+
+void write_certificates(const std::string& path, const CertifyResult& result) {
+  std::vector<Certificate> certificates;
+  for (const StateProof& state : result.states)
+    if (state.certificate.level > 0.0) certificates.push_back(state.certificate);
+  if (certificates.empty()) {
+    fmt::print(stderr, "equipoise: nothing is proved, so {} is not written\n", path);
+    return;
+  }
+  std::ofstream file(path, std::ios::binary);
+  if (!file) throw InputError("--output", "", path, "cannot be written; must be a file that can be");
+  file << certificates_json(certificates);
+  if (!file.flush()) throw RunError(path + ": cannot be written");
+}
+
+int run_certify(const CertifyArguments& a) {
+  if (a.check.empty() == a.study.empty())
+    throw InputError("certify", "", "", "give either a study or --check with a certificate's file");
+  if (!a.check.empty()) {
+    if (!a.overrides.empty() || !a.output.empty())
+      throw InputError("--check", "", a.check, "a certificate is checked as it is: --set and -o need a study");
+    return check_file(a.check, a.json);
+  }
+  const CertifyResult result = certify(read_study(a.study, a.overrides));
+  fmt::print("{}", a.json ? certify_json(result) : certify_text(result));
+  if (!a.output.empty()) write_certificates(a.output, result);
+  return result.proved() ? done : check_failed;
+}
+
+}  // namespace
+
+Command add_certify(CLI::App& app) {
+  const auto a = std::make_shared<CertifyArguments>();
+  app.add_option("study", a->study, "study file (TOML)")->type_name("STUDY");
+  app.add_option("--check", a->check, "verify a certificate's file instead, from its own data")->type_name("FILE.json");
+  app.add_option("--set", a->overrides, "override a study key, e.g. speed.final=2.6; may be repeated")
+      ->type_name("KEY=VALUE")
+      ->take_all();
+  app.add_option("-o,--output", a->output, "write the certificates here")->type_name("FILE.json");
+  app.add_flag("--json", a->json, "print one JSON object");
+  return [a] { return run_certify(*a); };
+}
+
+}  // namespace equipoise::app

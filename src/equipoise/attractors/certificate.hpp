@@ -1,0 +1,59 @@
+// A proof, checkable by machine, that a level set around a balanced state leads nowhere else.
+#pragma once
+
+#include <array>
+#include <string>
+#include <vector>
+
+#include <Eigen/Dense>
+
+#include "equipoise/model/parameters.hpp"
+
+namespace equipoise {
+
+/// The statement: with V(d) = d^T P d, d the deviation from the balanced state nearest to `phi` (angles modulo 2 pi),
+/// dV/dt < 0 along the full nonlinear flow wherever 0 < V <= level (1 + level_slack); so every trajectory that enters
+/// V <= level converges to that state. The rest is what makes the proof checkable without search.
+struct Certificate {
+  model::Parameters parameters;
+  double speed = 0.0;
+  std::array<double, model::max_balls> phi{};  ///< approximate ball angles; the proof encloses the exact ones
+  Eigen::MatrixXd form;                        ///< P
+  double level = 0.0;                          ///< c; 0 if nothing is proved
+  /// Columns span coordinates (eta, tau) of the deviation, d = frame (eta; tau), in which V <= c is the unit ball. The
+  /// last columns, one a ball, are tau: the ball angles depend on tau alone.
+  Eigen::MatrixXd frame;
+  /// A box in tau. Where its closure holds 0 one bound on the flow's slope proves decrease; elsewhere a multiplier of
+  /// the S-lemma does, one for each choice of the smallest or largest ball speeds (bit i: largest for ball i).
+  struct Box {
+    std::array<double, 2> low{}, high{};
+    std::array<double, 4> multiplier{};
+  };
+  std::vector<Box> boxes;  ///< cover the unit disc of tau, the projection of V <= c on the ball angles
+};
+
+/// What the proof covers beyond `level`, relative: a program may test V < level with rounded angles of the balanced
+/// state, a rounded factor of P and rounding in V itself, whose sum is far below this.
+inline constexpr double level_slack = 1e-9;
+
+/// What check_certificate() or prove_level() found.
+struct CertificateResult {
+  bool proved = false;
+  std::string reason;  ///< why not, in one sentence
+};
+
+/// Tries to prove the given level. On success `certificate` is complete. Works for one or two balls with isolated
+/// balanced states, isotropic supports, no gravity; refuses (with the reason) otherwise, for forms that are not
+/// positive definite and for states that are not linearly stable. `budget`: most boxes to try.
+CertificateResult prove_level(const model::Parameters& p, double speed, const double* phi, const Eigen::MatrixXd& form,
+                              double level, Certificate& certificate, long budget = 20000);
+
+/// Verifies a certificate from its own data alone, with outward rounding.
+CertificateResult check_certificate(const Certificate& certificate);
+
+/// The largest provable share of `critical` (the sampled critical level), by bisection between shares; `reason`, if
+/// given, receives why there is none, in which case the level is 0.
+Certificate largest_certificate(const model::Parameters& p, double speed, const double* phi,
+                                const Eigen::MatrixXd& form, double critical, std::string* reason = nullptr);
+
+}  // namespace equipoise

@@ -1,0 +1,89 @@
+// The equations' dependence on the motion beside the ball angles, read off the equations themselves: polynomials in
+// (x, y, u, v, q_1..q_n) of first degree plus the squares q_i^2, with coefficients of any number type.
+//
+// A number type of the equations (see base/pack-inl.hpp for what that asks). Run on it, the equations of motion return
+// their own coefficients, without cancellation; a product that leaves this set of polynomials, which the equations as
+// they are never form, is reported by `beyond`, so nothing is assumed of them.
+#pragma once
+
+namespace equipoise {
+
+template <class T, int n>
+struct Expansion {
+  static constexpr int variables = 4 + n;          ///< x, y, u, v, then q_i
+  static constexpr int terms = 1 + variables + n;  ///< 1, the variables, the squares of q_i
+  static constexpr int square_of(int ball) { return 1 + variables + ball; }
+
+  T coefficient[terms]{};
+  unsigned present = 0;  ///< one bit a term: absent ones are exactly 0
+  bool beyond = false;
+
+  Expansion() = default;
+  Expansion(double v) : Expansion(T(v)) {}
+  explicit Expansion(const T& constant) : present(1u) { coefficient[0] = constant; }
+  /// The variable number `index`.
+  static Expansion variable(int index) {
+    Expansion r;
+    r.add(1 + index, T(1.0));
+    return r;
+  }
+
+  bool constant() const { return present <= 1u; }
+
+  friend Expansion operator+(const Expansion& a, const Expansion& b) {
+    Expansion r = a;
+    r.beyond = a.beyond || b.beyond;
+    for (int i = 0; i < terms; ++i)
+      if (b.has(i)) r.add(i, b.coefficient[i]);
+    return r;
+  }
+  friend Expansion operator-(const Expansion& a) {
+    Expansion r = a;
+    for (int i = 0; i < terms; ++i)
+      if (a.has(i)) r.coefficient[i] = -a.coefficient[i];
+    return r;
+  }
+  friend Expansion operator-(const Expansion& a, const Expansion& b) { return a + (-b); }
+  friend Expansion operator*(const Expansion& a, const Expansion& b) {
+    Expansion r;
+    r.beyond = a.beyond || b.beyond;
+    for (int i = 0; i < terms; ++i) {
+      if (!a.has(i)) continue;
+      for (int j = 0; j < terms; ++j) {
+        if (!b.has(j)) continue;
+        if (i == 0 || j == 0)
+          r.add(i + j, a.coefficient[i] * b.coefficient[j]);
+        else if (i == j && i > 4 && i <= variables)
+          r.add(square_of(i - 5), a.coefficient[i] * b.coefficient[j]);
+        else
+          r.beyond = true;
+      }
+    }
+    return r;
+  }
+  friend Expansion operator/(const Expansion& a, const Expansion& b) {
+    Expansion r = a;
+    r.beyond = a.beyond || b.beyond || !b.constant();
+    for (int i = 0; i < terms; ++i)
+      if (a.has(i)) r.coefficient[i] = a.coefficient[i] / b.coefficient[0];
+    return r;
+  }
+
+ private:
+  bool has(int term) const { return (present >> term) & 1u; }
+  void add(int term, const T& value) {
+    coefficient[term] = has(term) ? coefficient[term] + value : value;
+    present |= 1u << term;
+  }
+};
+
+template <class T, int n>
+void sin_cos(const Expansion<T, n>& a, Expansion<T, n>& sine, Expansion<T, n>& cosine) {
+  T s, c;
+  sin_cos(a.coefficient[0], s, c);
+  sine = Expansion<T, n>(s);
+  cosine = Expansion<T, n>(c);
+  sine.beyond = cosine.beyond = a.beyond || !a.constant();
+}
+
+}  // namespace equipoise

@@ -1,0 +1,173 @@
+// Certificates as JSON, written line by line so that a person can read them and a box is one line.
+#include "equipoise/report/certificate_json.hpp"
+
+#include <cmath>
+#include <utility>
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include "equipoise/base/error.hpp"
+#include "equipoise/base/version.hpp"
+
+namespace equipoise {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+constexpr const char* format_name = "equipoise certificate 1";
+
+// nlohmann/json writes the shortest text that reads back to the same double.
+template <class Values>
+std::string numbers(const Values& values, std::size_t count) {
+  Json list = Json::array();
+  for (std::size_t i = 0; i < count; ++i) list.push_back(values[i]);
+  return list.dump();
+}
+
+std::string rows(const Eigen::MatrixXd& m) {
+  std::string text = "[";
+  for (Eigen::Index i = 0; i < m.rows(); ++i) {
+    const Eigen::VectorXd row = m.row(i);
+    text += (i ? ",\n   " : "\n   ") + numbers(row, static_cast<std::size_t>(row.size()));
+  }
+  return text + "\n  ]";
+}
+
+std::string certificate_text(const Certificate& c) {
+  const model::Parameters& p = c.parameters;
+  const auto n = static_cast<std::size_t>(p.balls), vertices = std::size_t{1} << n;
+  std::string text = " {\n";
+  text += fmt::format("  \"balls\": {},\n", p.balls);
+  text += fmt::format("  \"eccentricity\": {},\n", Json(p.eccentricity).dump());
+  text += fmt::format("  \"damping\": {},\n", Json(p.damping[0]).dump());
+  text += fmt::format("  \"stiffness\": {},\n", Json(p.stiffness[0]).dump());
+  text += fmt::format("  \"mass\": {},\n", numbers(p.mass, n));
+  text += fmt::format("  \"drag\": {},\n", numbers(p.drag, n));
+  text += fmt::format("  \"speed\": {},\n", Json(c.speed).dump());
+  text += fmt::format("  \"phi\": {},\n", numbers(c.phi, n));
+  text += fmt::format("  \"level\": {},\n", Json(c.level).dump());
+  text += fmt::format("  \"form\": {},\n", rows(c.form));
+  text += fmt::format("  \"frame\": {},\n", rows(c.frame));
+  text += "  \"boxes\": [";
+  for (std::size_t i = 0; i < c.boxes.size(); ++i) {
+    std::vector<double> line;
+    for (std::size_t k = 0; k < n; ++k) {
+      line.push_back(c.boxes[i].low[k]);
+      line.push_back(c.boxes[i].high[k]);
+    }
+    line.insert(line.end(), c.boxes[i].multiplier.begin(), c.boxes[i].multiplier.begin() + vertices);
+    text += (i ? ",\n   " : "\n   ") + numbers(line, line.size());
+  }
+  return text + "\n  ]\n }";
+}
+
+// Reads one certificate, naming the key of what does not fit.
+class Reader {
+ public:
+  Reader(const Json& object, std::string where, std::string prefix)
+      : object_(object), where_(std::move(where)), prefix_(std::move(prefix)) {
+    if (!object.is_object()) fail("", "must be an object");
+  }
+
+  [[noreturn]] void fail(const std::string& key, const std::string& problem) const {
+    throw InputError(where_, key.empty() ? prefix_ : prefix_ + "." + key, "", problem);
+  }
+  double number(const std::string& key) const { return as_number(member(key), key); }
+  std::vector<double> list(const std::string& key, std::size_t count) const { return as_list(member(key), key, count); }
+  Eigen::MatrixXd matrix(const std::string& key, int size) const {
+    const auto values = lists(key, static_cast<std::size_t>(size));
+    if (values.size() != static_cast<std::size_t>(size)) fail(key, fmt::format("must have {} rows", size));
+    Eigen::MatrixXd result(size, size);
+    for (int i = 0; i < size; ++i)
+      for (int j = 0; j < size; ++j) result(i, j) = values[i][j];
+    return result;
+  }
+  std::vector<std::vector<double>> lists(const std::string& key, std::size_t count) const {
+    const Json& array = member(key);
+    if (!array.is_array()) fail(key, "must be an array of arrays of numbers");
+    std::vector<std::vector<double>> result;
+    for (const Json& row : array) result.push_back(as_list(row, key, count));
+    return result;
+  }
+
+ private:
+  const Json& member(const std::string& key) const {
+    const auto found = object_.find(key);
+    if (found == object_.end()) fail(key, "is missing");
+    return *found;
+  }
+  double as_number(const Json& value, const std::string& key) const {
+    if (!value.is_number() || !std::isfinite(value.get<double>())) fail(key, "must be a finite number");
+    return value.get<double>();
+  }
+  std::vector<double> as_list(const Json& array, const std::string& key, std::size_t count) const {
+    if (!array.is_array() || array.size() != count) fail(key, fmt::format("must be an array of {} numbers", count));
+    std::vector<double> result;
+    for (const Json& value : array) result.push_back(as_number(value, key));
+    return result;
+  }
+
+  const Json& object_;
+  std::string where_, prefix_;
+};
+
+Certificate certificate_from(const Reader& r) {
+  Certificate c;
+  model::Parameters& p = c.parameters;
+  const double balls = r.number("balls");
+  if (balls != 1.0 && balls != 2.0) r.fail("balls", "must be 1 or 2");
+  p.balls = static_cast<int>(balls);
+  const auto n = static_cast<std::size_t>(p.balls), vertices = std::size_t{1} << n;
+  p.eccentricity = r.number("eccentricity");
+  p.damping.fill(r.number("damping"));
+  p.stiffness.fill(r.number("stiffness"));
+  const std::vector<double> mass = r.list("mass", n), drag = r.list("drag", n), phi = r.list("phi", n);
+  for (std::size_t i = 0; i < n; ++i) {
+    if (!(mass[i] > 0.0)) r.fail("mass", "must be greater than 0");
+    p.mass[i] = mass[i];
+    p.drag[i] = drag[i];
+    c.phi[i] = phi[i];
+  }
+  c.speed = r.number("speed");
+  c.level = r.number("level");
+  c.form = r.matrix("form", model::dimension(p.balls));
+  c.frame = r.matrix("frame", model::dimension(p.balls));
+  for (const std::vector<double>& line : r.lists("boxes", 2 * n + vertices)) {
+    Certificate::Box box;
+    for (std::size_t k = 0; k < n; ++k) {
+      box.low[k] = line[2 * k];
+      box.high[k] = line[2 * k + 1];
+    }
+    for (std::size_t v = 0; v < vertices; ++v) box.multiplier[v] = line[2 * n + v];
+    c.boxes.push_back(box);
+  }
+  return c;
+}
+
+}  // namespace
+
+std::string certificates_json(const std::vector<Certificate>& certificates) {
+  std::string text =
+      fmt::format("{{\n\"format\": \"{}\",\n\"version\": \"{}\",\n\"certificates\": [", format_name, version_string);
+  for (std::size_t i = 0; i < certificates.size(); ++i) text += (i ? ",\n" : "\n") + certificate_text(certificates[i]);
+  return text + "\n]\n}\n";
+}
+
+std::vector<Certificate> certificates_from_json(const std::string& text, const std::string& where) {
+  const Json json = Json::parse(text, nullptr, false);
+  if (json.is_discarded())
+    throw InputError(where, "", "", "is not JSON; must be a file written by equipoise certify -o");
+  if (!json.is_object() || json.value("format", Json()) != format_name)
+    throw InputError(where, "format", "", fmt::format("must be \"{}\"", format_name));
+  const auto list = json.find("certificates");
+  if (list == json.end() || !list->is_array() || list->empty())
+    throw InputError(where, "certificates", "", "must be an array of at least one certificate");
+  std::vector<Certificate> result;
+  for (const Json& entry : *list)
+    result.push_back(certificate_from(Reader(entry, where, fmt::format("certificates[{}]", result.size()))));
+  return result;
+}
+
+}  // namespace equipoise
