@@ -9,7 +9,7 @@
 
 #include "commands.hpp"
 #include "equipoise/run/basin.hpp"
-#include "equipoise/run/lane_kernels.hpp"
+#include "options.hpp"
 #include "progress.hpp"
 
 namespace equipoise::app {
@@ -19,25 +19,30 @@ namespace {
 struct BasinArguments {
   std::string study;
   std::vector<std::string> overrides;
-  std::optional<std::string> starts, seed, start_index, half_width, threads;
+  std::optional<std::string> starts, seed, start_index, half_width, threads, decide;
   std::string output, cpu;
   bool json = false, quiet = false;
 };
-
-// A number given as an option, checked here so that a bad one gets the same kind of error as in a study.
-template <class T>
-T option_number(const char* option, const std::string& text, T low, T high, const char* allowed) {
-  T value{};
-  if (!CLI::detail::lexical_cast(text, value) || !(value >= low && value <= high))
-    throw InputError(option, "", text, fmt::format("must be {}", allowed));
-  return value;
-}
 
 Study study_from(const BasinArguments& a) {
   std::vector<std::string> overrides = a.overrides;
   if (a.starts) overrides.push_back("sampling.starts=" + *a.starts);
   if (a.seed) overrides.push_back("sampling.seed=" + *a.seed);
+  if (a.decide) overrides.push_back("numerics.decide=" + *a.decide);
   return read_study(a.study, overrides);
+}
+
+std::string outcome_text(const StartReplay& replay) {
+  switch (replay.fate.outcome) {
+    case Outcome::attracted:
+      return replay.name;
+    case Outcome::undecided:
+      return "undecided";
+    case Outcome::diverged:
+      return "diverged";
+    default:
+      return "failed";
+  }
 }
 
 int print_replay(const Study& study, const BasinOptions& options, const std::string& text) {
@@ -47,16 +52,10 @@ int print_replay(const Study& study, const BasinOptions& options, const std::str
   const StartReplay replay = replay_start(study, index, options);
   fmt::print("start {} of seed {}\n", index, study.sampling.seed);
   for (int i = 0; i < study.parameters.balls; ++i) fmt::print("phi_{} = {}\n", i + 1, replay.phi[i]);
-  fmt::print("outcome = {}\ndecision_time = {}\n", outcome_names[static_cast<int>(replay.fate.outcome)],
+  const auto by = static_cast<std::size_t>(replay.fate.by);
+  fmt::print("outcome = {}\ndecided_by = {}\ndecision_time = {}\n", outcome_text(replay), decided_by_names[by],
              replay.fate.time);
   return done;
-}
-
-void choose_cpu(const std::string& name) {
-  if (name.empty() || use_cpu_target(name)) return;
-  std::string known;
-  for (const std::string& target : cpu_targets()) known += (known.empty() ? "" : ", ") + target;
-  throw InputError("--cpu", "", name, "must be one of those this machine has: " + known);
 }
 
 int run_basin(const BasinArguments& a) {
@@ -95,12 +94,12 @@ Command add_basin(CLI::App& app) {
       ->type_name("H");
   app.add_option("--start-index", a->start_index, "replay start I alone and print its angles and outcome")
       ->type_name("I");
+  app.add_option("--decide", a->decide, "grounds of decision: validated (default), proof (of balance) or horizon")
+      ->type_name("HOW");
   app.add_option("-o,--output", a->output, "per-start results (NetCDF); the same command resumes or extends them")
       ->type_name("FILE.nc");
   app.add_option("--threads", a->threads, "threads (default: all cores)")->type_name("T");
-  app.add_option("--set", a->overrides, "override a study key, e.g. speed.final=2.6; may be repeated")
-      ->type_name("KEY=VALUE")
-      ->take_all();
+  add_overrides(app, a->overrides);
   app.add_option("--cpu", a->cpu, "instruction set to use instead of the best (see --version)")->type_name("NAME");
   app.add_flag("--json", a->json, "print one JSON object");
   app.add_flag("--quiet", a->quiet, "no progress");

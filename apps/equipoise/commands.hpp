@@ -22,7 +22,9 @@ enum ExitCode : int {
 StopFlag& stop_flag();
 
 using Command = std::function<int()>;
+Command add_attractors(CLI::App& app);
 Command add_basin(CLI::App& app);
+Command add_certify(CLI::App& app);
 Command add_simulate(CLI::App& app);
 
 }  // namespace equipoise::app

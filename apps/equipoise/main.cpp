@@ -37,14 +37,16 @@ int run(int argc, char** argv) {
   app.require_subcommand(1);
   app.set_version_flag("--version", version_text);
   app.footer(
-      "Exit codes: 0 done, 1 failed, 2 bad usage or study, 130 interrupted with results kept.\n"
+      "Exit codes: 0 done, 1 failed, 2 bad usage or study, 3 not proved, 130 interrupted with results kept.\n"
       "Data go to standard output, all else to standard error.");
   std::vector<std::pair<CLI::App*, Command>> commands;
   const auto add = [&](const char* name, const char* description, Command (*make)(CLI::App&)) {
     CLI::App* sub = app.add_subcommand(name, description);
     commands.emplace_back(sub, make(*sub));
   };
-  add("basin", "shares of starts that end balanced, with intervals", add_basin);
+  add("attractors", "every steady motion of the final speed: refined, named, with its share", add_attractors);
+  add("basin", "shares of starts that end in each attractor, with intervals", add_basin);
+  add("certify", "a proof that trajectories near balance end balanced, or the check of one", add_certify);
   add("simulate", "one trajectory at stated times", add_simulate);
   try {
     app.parse(argc, argv);

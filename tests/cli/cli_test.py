@@ -49,7 +49,7 @@ class Basin(unittest.TestCase):
 
     def test_table_names_every_outcome_and_the_interval(self):
         text = run("basin", ROW, "--starts", "1000", "--quiet").stdout
-        for word in ("balanced", "not balanced", "undecided", "diverged", "failed", "95 % interval", "1000 starts", "seed 1"):
+        for word in ("balanced", "co-drifting (V1)", "drifting apart (V2)", "undecided", "diverged", "failed", "95 % interval", "1000 starts", "seed 1"):
             self.assertIn(word, text)
 
     def test_published_law_is_named_wherever_it_was_used(self):
@@ -68,7 +68,7 @@ class Basin(unittest.TestCase):
         lines = run("basin", ROW, "--start-index", "5").stdout.splitlines()
         self.assertEqual(lines[0], "start 5 of seed 1")
         values = dict(line.split(" = ") for line in lines[1:])
-        self.assertEqual(set(values), {"phi_1", "phi_2", "outcome", "decision_time"})
+        self.assertEqual(set(values), {"phi_1", "phi_2", "outcome", "decided_by", "decision_time"})
         self.assertTrue(0 <= float(values["phi_1"]) < 2 * math.pi)
 
     def test_lines_of_progress_where_standard_error_is_no_terminal(self):

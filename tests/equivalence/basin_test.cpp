@@ -20,7 +20,17 @@ Study paper_row(const std::string& name, std::uint64_t starts) {
   return study;
 }
 
-std::uint64_t count(const BasinResult& r, Outcome outcome) { return r.shares[static_cast<std::size_t>(outcome)].count; }
+std::uint64_t balanced_count(const BasinResult& r) { return r.attractors.front().share.count; }
+
+void expect_same_shares(const BasinResult& a, const BasinResult& b) {
+  ASSERT_EQ(a.attractors.size(), b.attractors.size());
+  for (std::size_t k = 0; k < a.attractors.size(); ++k) {
+    EXPECT_EQ(a.attractors[k].id, b.attractors[k].id);
+    EXPECT_EQ(a.attractors[k].name, b.attractors[k].name);
+    EXPECT_EQ(a.attractors[k].share.count, b.attractors[k].share.count);
+  }
+  EXPECT_EQ(a.undecided.count, b.undecided.count);
+}
 
 std::string scratch_file(const std::string& name) {
   const std::string path = testing::TempDir() + "equipoise_" + std::to_string(getpid()) + name;
@@ -32,6 +42,8 @@ void expect_same(const std::vector<Fate>& a, const std::vector<Fate>& b) {
   ASSERT_EQ(a.size(), b.size());
   for (std::size_t i = 0; i < a.size(); ++i) {
     ASSERT_EQ(a[i].outcome, b[i].outcome) << "start " << i;
+    ASSERT_EQ(a[i].attractor, b[i].attractor) << "start " << i;
+    ASSERT_EQ(a[i].by, b[i].by) << "start " << i;
     ASSERT_EQ(a[i].time, b[i].time) << "start " << i;  // every bit: one instruction set does one arithmetic
   }
 }
@@ -39,14 +51,15 @@ void expect_same(const std::vector<Fate>& a, const std::vector<Fate>& b) {
 class SameBits : public testing::TestWithParam<const char*> {};
 
 TEST_P(SameBits, HoweverTheStartsAreCut) {
-  const StartRunner runner(paper_row(GetParam(), 1500), 2, nullptr);
+  const StartRunner runner(paper_row(GetParam(), 1500), {2, nullptr, {}});
   std::vector<double> phi;
   std::vector<Fate> whole, joined;
-  ASSERT_TRUE(runner.run(0, 1500, phi, whole));
+  std::vector<UnlistedStart> unlisted;
+  ASSERT_TRUE(runner.run(0, 1500, phi, whole, unlisted));
   std::uint64_t first = 0;
   for (std::size_t size : {1, 2, 5, 23, 24, 25, 400, 1020}) {
     std::vector<Fate> part;
-    ASSERT_TRUE(runner.run(first, size, phi, part));
+    ASSERT_TRUE(runner.run(first, size, phi, part, unlisted));
     joined.insert(joined.end(), part.begin(), part.end());
     first += size;
   }
@@ -61,7 +74,7 @@ TEST_P(SameBits, ForOneThreadAndTwoAndForAStartAlone) {
   one.output = scratch_file("one.nc");
   two.output = scratch_file("two.nc");
   const BasinResult a = basin(study, one), b = basin(study, two);
-  for (int k = 0; k < outcome_count; ++k) EXPECT_EQ(a.shares[k].count, b.shares[k].count);
+  expect_same_shares(a, b);
   const BasinFileHeader header{[&] {
                                  Study s = study;
                                  s.sampling.starts = 1;
@@ -72,7 +85,7 @@ TEST_P(SameBits, ForOneThreadAndTwoAndForAStartAlone) {
   expect_same(from_one, BasinFile(two.output, header).read(0, 6000));
   for (std::uint64_t index : {0u, 777u, 5999u}) {
     const StartReplay alone = replay_start(study, index);
-    EXPECT_EQ(alone.fate.outcome, from_one[index].outcome);
+    EXPECT_EQ(alone.fate.attractor, from_one[index].attractor);
     EXPECT_EQ(alone.fate.time, from_one[index].time);
   }
 }
@@ -81,13 +94,32 @@ TEST_P(SameBits, ForOneThreadAndTwoAndForAStartAlone) {
 INSTANTIATE_TEST_SUITE_P(Rows, SameBits,
                          testing::Values("table-2-omega-2.4", "table-1-beta-0.01-omega-4.0", "table-5-t0-300"));
 
+// Three grounds of decision, one answer: row 2.4 has a smooth boundary, on which no start changes sides.
+TEST(Basin, EveryGroundOfDecisionGivesTheSameFates) {
+  Study study = paper_row("table-2-omega-2.4", 2000);
+  const BasinResult validated = basin(study);
+  study.numerics.decide = DecideMode::proof;
+  const BasinResult proof = basin(study);
+  study.numerics.decide = DecideMode::horizon;
+  const BasinResult horizon = basin(study);
+  expect_same_shares(validated, proof);
+  expect_same_shares(validated, horizon);
+  const auto by = [](const BasinResult& r, DecidedBy ground) {
+    return r.attractors.front().decided_by[static_cast<std::size_t>(ground)];
+  };
+  EXPECT_EQ(by(validated, DecidedBy::validated), balanced_count(validated));
+  EXPECT_EQ(by(proof, DecidedBy::proof), balanced_count(proof));
+  EXPECT_EQ(by(horizon, DecidedBy::horizon), balanced_count(horizon));
+  EXPECT_LT(validated.attractors.front().mean_time, proof.attractors.front().mean_time);
+}
+
 TEST(Basin, EveryInstructionSetGivesTheSameShares) {
   const Study study = paper_row("table-2-omega-2.4", 2000);
   std::vector<std::uint64_t> balanced;
   for (const std::string& target : cpu_targets()) {
     ASSERT_TRUE(use_cpu_target(target));
     EXPECT_EQ(cpu_target(), target);
-    balanced.push_back(count(basin(study), Outcome::balanced));
+    balanced.push_back(balanced_count(basin(study)));
   }
   ASSERT_TRUE(use_cpu_target(""));
   // Rounding differs (fused multiply-add); on this row it moves fewer than one start in 10^5 across a boundary.
@@ -97,7 +129,7 @@ TEST(Basin, EveryInstructionSetGivesTheSameShares) {
 TEST(Basin, AnUnstableBalancedStateCatchesNobody) {
   // Growth rate 1.4e-4: a test on r alone would call some of these balanced.
   const BasinResult r = basin(paper_row("table-1-beta-0.01-omega-2.0", 4096));
-  EXPECT_EQ(count(r, Outcome::balanced), 0u);
+  EXPECT_EQ(balanced_count(r), 0u);
   EXPECT_FALSE(r.balanced_stable);
   EXPECT_NE(r.note.find("unstable"), std::string::npos);
 }
@@ -106,16 +138,16 @@ TEST(Basin, BallsTooLightForTheUnbalanceCatchNobody) {
   Study study = paper_row("table-2-omega-2.4", 500);
   study.parameters.eccentricity = 0.11;  // two balls of 0.05 reach 0.1
   const BasinResult r = basin(study);
-  EXPECT_EQ(count(r, Outcome::balanced), 0u);
+  EXPECT_EQ(balanced_count(r), 0u);
   EXPECT_NE(r.note.find("no balanced state"), std::string::npos);
 }
 
 TEST(Basin, LostTrajectoriesAreCountedAsWhatTheyAre) {
   Study study = paper_row("table-2-omega-2.4", 100);
   study.initial.x = 1e8;
-  EXPECT_EQ(count(basin(study), Outcome::diverged), 100u);
+  EXPECT_EQ(basin(study).diverged.count, 100u);
   study.initial.x = 1e200;  // overflows within the first step, whatever its size
-  EXPECT_EQ(count(basin(study), Outcome::failed), 100u);
+  EXPECT_EQ(basin(study).failed.count, 100u);
 }
 
 TEST(Basin, SamplesUntilTheIntervalIsAsNarrowAsAsked) {
@@ -127,7 +159,7 @@ TEST(Basin, SamplesUntilTheIntervalIsAsNarrowAsAsked) {
   const BasinResult a = basin(study, one), b = basin(study, two);
   EXPECT_EQ(a.starts, b.starts);
   EXPECT_FALSE(a.partial);
-  for (const Share& s : a.shares) EXPECT_LE(s.half_width(), 0.01);
+  for (const AttractorShare& s : a.attractors) EXPECT_LE(s.share.half_width(), 0.01);
   EXPECT_LT(a.starts, 11000u);  // 0.605 x 0.395 (1.96/0.01)^2 = 9180, rounded up to a checkpoint of 1024
   EXPECT_GE(a.starts, 9180u);
 }
@@ -149,7 +181,7 @@ TEST(Basin, AnInterruptedRunKeepsAPrefixAndResumesToTheSameResult) {
   EXPECT_FALSE(second.partial);
   EXPECT_EQ(second.resumed_from, first.starts);
   const BasinResult whole = basin(study);
-  for (int k = 0; k < outcome_count; ++k) EXPECT_EQ(second.shares[k].count, whole.shares[k].count);
+  expect_same_shares(second, whole);
 
   Study longer = study;  // more starts of the same study extend the file
   longer.sampling.starts = 21000;

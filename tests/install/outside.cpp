@@ -15,7 +15,7 @@ int main() {
   equipoise::BasinOptions options;
   options.threads = 1;
   const auto answer = equipoise::basin(study, options);
-  const equipoise::Share& balanced = answer.shares[static_cast<int>(equipoise::Outcome::balanced)];
+  const equipoise::Share& balanced = answer.attractors.front().share;
   const auto trajectory = equipoise::simulate(study, {0.0, 400.0});
   std::printf("balanced %.4f [%.4f, %.4f], r(400) = %.3g\n", balanced.share, balanced.low, balanced.high,
               trajectory.radial.back());

@@ -35,6 +35,7 @@ inline std::string first_difference(const Study& a, const Study& b) {
   if (a.sampling.seed != b.sampling.seed) return "sampling.seed";
   if (a.numerics.tolerance != b.numerics.tolerance) return "numerics.tolerance";
   if (a.numerics.horizon != b.numerics.horizon) return "numerics.horizon";
+  if (a.numerics.decide != b.numerics.decide) return "numerics.decide";
   return "";
 }
 

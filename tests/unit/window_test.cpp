@@ -49,7 +49,7 @@ double longest_step(double drag, double speed, double phi_1, double phi_2) {
   return watch.longest;
 }
 
-struct Motion {
+struct Known {
   const char* name;
   double speed, phi_1, phi_2, period;
 };
@@ -57,9 +57,9 @@ struct Motion {
 // Periods of the periodic motions at beta = 0.05 (V1: both balls together; V3: one captured), where they are shortest.
 // Coincident balls stay so exactly, which reaches V1 from any common angle.
 TEST(Windows, AreSampledEightTimesAPeriodOfEveryPeriodicMotion) {
-  for (const Motion& m :
-       {Motion{"V1", 2.0, 1.0, 1.0, 5.1933}, Motion{"V1", 3.0, 1.0, 1.0, 2.9361}, Motion{"V1", 4.0, 1.0, 1.0, 2.04},
-        Motion{"V3", 4.4, 1.5452, 1.2033, 3.9944}, Motion{"V3", 6.0, 1.771, 1.4684, 3.1658}}) {
+  for (const Known& m :
+       {Known{"V1", 2.0, 1.0, 1.0, 5.1933}, Known{"V1", 3.0, 1.0, 1.0, 2.9361}, Known{"V1", 4.0, 1.0, 1.0, 2.04},
+        Known{"V3", 4.4, 1.5452, 1.2033, 3.9944}, Known{"V3", 6.0, 1.771, 1.4684, 3.1658}}) {
     const double step = longest_step(0.05, m.speed, m.phi_1, m.phi_2);
     // Samples sit at 1/3, 0.6 and 1 of every step: the widest gap is 0.4 of it.
     EXPECT_GE(m.period, 8 * 0.4 * step) << m.name << " at " << m.speed;
@@ -68,10 +68,10 @@ TEST(Windows, AreSampledEightTimesAPeriodOfEveryPeriodicMotion) {
 
 WindowSums circling(double rate, double r) {
   WindowSums sums;
-  sums.duration = 16.0;
+  sums.duration = 8.0;
   sums.r2_min = sums.r2_max = r * r;
-  sums.r2_integral = 16.0 * r * r;
-  sums.turned = {16.0 * rate, 0.0};
+  sums.r2_integral = 8.0 * r * r;
+  sums.turned = {8.0 * rate, 0.0};
   sums.q_min = sums.q_max = {rate, 0.0};
   return sums;
 }
@@ -91,10 +91,10 @@ TEST(Windows, AMotionThatRepeatsIsStationaryAndOneThatShrinksIsNot) {
   steady.begin(rule);
   shrinking.begin(rule);
   bool repeated = false;
-  for (int k = 0; k < 200; ++k) {
-    repeated = repeated || steady.add(circling(-1.0, 0.1)) == WindowVerdict::stationary;
+  for (int k = 0; k < 400; ++k) {
+    repeated = repeated || steady.add(circling(-1.0, 0.1)).decided;
     // A slow approach to balance: r falls by a tenth in a hundred time units.
-    EXPECT_EQ(shrinking.add(circling(0.0, 0.1 * std::exp(-0.001 * 16.0 * k))), WindowVerdict::open);
+    EXPECT_FALSE(shrinking.add(circling(0.0, 0.1 * std::exp(-0.001 * 8.0 * k))).decided);
   }
   EXPECT_TRUE(repeated);
 }
@@ -107,15 +107,53 @@ TEST(Windows, ABoxNeedsSeveralHitsInARow) {
     box.low[i] = centre[i] - 0.01;
     box.high[i] = centre[i] + 0.01;
   }
+  box.attractor = 4;
+  box.hits_needed = 3;
   rule.boxes = {box};
   WindowTracker tracker;
   tracker.begin(rule);
-  EXPECT_EQ(tracker.add(circling(-1.0, 0.1)), WindowVerdict::open);
-  EXPECT_EQ(tracker.add(circling(-1.0, 0.1)), WindowVerdict::open);
-  EXPECT_EQ(tracker.add(circling(-0.5, 0.1)), WindowVerdict::open);
-  EXPECT_EQ(tracker.add(circling(-1.0, 0.1)), WindowVerdict::open);
-  EXPECT_EQ(tracker.add(circling(-1.0, 0.1)), WindowVerdict::open);
-  EXPECT_EQ(tracker.add(circling(-1.0, 0.1)), WindowVerdict::known);
+  const auto hit = [&] { return tracker.add(circling(-1.0, 0.1)); };
+  // A window is two halves; every half but the first ends one.
+  for (int half = 0; half < 3; ++half) EXPECT_FALSE(hit().decided);
+  EXPECT_FALSE(tracker.add(circling(-0.5, 0.1)).decided);
+  for (int half = 0; half < 3; ++half) EXPECT_FALSE(hit().decided);
+  const WindowVerdict verdict = hit();
+  EXPECT_TRUE(verdict.decided);
+  EXPECT_EQ(verdict.attractor, 4);
+  EXPECT_EQ(tracker.record().longest_run[0], 3);
+}
+
+TEST(Windows, LongWindowsNameTheKnownMotionTheyResemble) {
+  const Features slow = features(circling(-1.0, 0.1), 2, true), fast = features(circling(-2.0, 0.1), 2, true);
+  const std::vector<KnownFeatures> known{{slow, 3}, {fast, 5}};
+  EXPECT_EQ(nearest_known(features(circling(-1.01, 0.1), 2, true), known, 2)->attractor, 3);
+  EXPECT_EQ(nearest_known(features(circling(-1.98, 0.1), 2, true), known, 2)->attractor, 5);
+  EXPECT_EQ(nearest_known(features(circling(-1.5, 0.1), 2, true), known, 2), nullptr);
+}
+
+TEST(Windows, ChaosIsKnownByWindowsThatResembleItWithoutRepeating) {
+  DecisionRule rule;
+  rule.window = 16.0;
+  rule.first_long_window = 64.0;
+  rule.known = {{features(circling(-1.0, 0.1), 2, true), 9, true}};
+  WindowTracker tracker;
+  const auto decided_after = [&] {  // long windows end at 64 and its doublings; each differs from the last by 3 %
+    tracker.begin(rule);
+    double rate = -0.985;
+    for (double t = 8.0, end = 64.0; t <= 1024.0; t += 8.0) {
+      const WindowVerdict verdict = tracker.add(circling(rate, 0.1));
+      if (verdict.decided) return std::pair{t, verdict.attractor};
+      if (t == end) {
+        rate = rate == -0.985 ? -1.015 : -0.985;
+        end *= 2.0;
+      }
+    }
+    return std::pair{0.0, 0};
+  };
+  EXPECT_EQ(decided_after(), (std::pair{256.0, 9}));
+  rule.known.front().chaotic = false;
+  EXPECT_EQ(decided_after(), (std::pair{0.0, 0}));
+  EXPECT_EQ(tracker.attractor_at_end(), 9);
 }
 
 }  // namespace

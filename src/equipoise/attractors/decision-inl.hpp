@@ -1,5 +1,5 @@
-// The observer of a lane block that decides fates: entry into a Lyapunov level set of a balanced state, or a stationary
-// motion away from it. Included once per CPU target.
+// The observer of a lane block that decides fates: entry into a trap of a balanced state or of a periodic orbit, or
+// windows of time that show a known or a stationary motion. Included once per CPU target.
 #if defined(EQUIPOISE_ATTRACTORS_DECISION_INL) == defined(HWY_TARGET_TOGGLE)
 #ifdef EQUIPOISE_ATTRACTORS_DECISION_INL
 #undef EQUIPOISE_ATTRACTORS_DECISION_INL
@@ -11,8 +11,8 @@
 
 #include "equipoise/attractors/decision_rule.hpp"
 #include "equipoise/attractors/fate.hpp"
+#include "equipoise/attractors/traps-inl.hpp"
 #include "equipoise/attractors/window_features.hpp"
-#include "equipoise/base/angles.hpp"
 #include "equipoise/base/pack-inl.hpp"
 #include "equipoise/ensemble/lane_task.hpp"
 
@@ -42,7 +42,8 @@ class DecideFate {
     open_window(slot / lanes, slot % lanes, t, z + 4);
     trackers_[slot].begin(rule_);
     family_reach_[slot] = rule_.family.reach;
-    verdict_[slot / lanes][slot % lanes] = Outcome::undecided;
+    verdict_[slot] = {};
+    element(least_value_[slot / lanes], slot % lanes) = 1e300;
   }
 
   template <int row>
@@ -52,26 +53,42 @@ class DecideFate {
   }
 
   HWY_INLINE unsigned step(int g, unsigned active, Mask accepted, Pack t, Pack h, const Pack* z) {
-    gather(g, accepted, h, z);
+    gather_samples(g, accepted, h, z);
     const unsigned accepted_bits = lane_bits(accepted) & active;
-    unsigned done = 0;
-    unsigned caught = caught_by_trap(accepted, z) & accepted_bits;
-    if (rule_.family.caught) caught |= caught_by_family(g, accepted_bits, z);
-    if (caught) done |= mark(g, caught, Outcome::balanced);
+    unsigned done = caught_by_traps(g, accepted, accepted_bits, z);
+    if (rule_.at_horizon)
+      done = 0;
+    else if (rule_.family.caught)
+      done |= caught_by_family(g, accepted_bits & ~done, z);
     const unsigned full = accepted_bits & ~lane_bits(t < window_end_[g]) & ~done;
     if (full) done |= close_windows(g, full, t, z);
     return done;
   }
 
-  void end(int slot, std::size_t start, LaneEnd how, double t, const double*) {
+  void end(int slot, std::size_t start, LaneEnd how, double t, const double* z) {
     Fate& fate = fates_[start];
-    fate.time = t;
-    fate.outcome = how == LaneEnd::decided    ? verdict_[slot / lanes][slot % lanes]
-                   : how == LaneEnd::diverged ? Outcome::diverged
-                   : how == LaneEnd::failed   ? Outcome::failed
-                                              : Outcome::undecided;
-    if (pilot_ && how == LaneEnd::decided && fate.outcome == Outcome::not_balanced)
-      (*pilot_)[start] = {trackers_[slot].long_features(), trackers_[slot].range(), true};
+    fate = {how == LaneEnd::decided    ? Outcome::attracted
+            : how == LaneEnd::diverged ? Outcome::diverged
+            : how == LaneEnd::failed   ? Outcome::failed
+                                       : Outcome::undecided,
+            DecidedBy::nothing, 0, t};
+    Verdict verdict = verdict_[slot];
+    if (how == LaneEnd::reached_end && rule_.at_horizon) {
+      if (!verdict.attractor && rule_.family.caught && rule_.family.caught(z)) verdict.attractor = balanced_id;
+      if (!verdict.attractor) verdict.attractor = trackers_[slot].attractor_at_end();
+      if (verdict.attractor) {
+        fate.outcome = Outcome::attracted;
+        verdict.by = DecidedBy::horizon;
+      }
+    }
+    if (fate.outcome == Outcome::attracted) {
+      fate.attractor = static_cast<short>(verdict.attractor);
+      fate.by = verdict.by;
+    }
+    if (pilot_) {
+      (*pilot_)[start] = trackers_[slot].record();
+      if (rule_.blind) (*pilot_)[start].least_value = element(least_value_[slot / lanes], slot % lanes);
+    }
   }
 
  private:
@@ -88,7 +105,7 @@ class DecideFate {
   }
 
   // Adds the samples of an accepted step to the windows of its lanes.
-  HWY_INLINE void gather(int g, Mask accepted, Pack h, const Pack* z) {
+  HWY_INLINE void gather_samples(int g, Mask accepted, Pack h, const Pack* z) {
     Sample last;
     take(last, z);
     const Pack low = minimum(minimum(first_[g].r2, second_[g].r2), last.r2);
@@ -105,33 +122,50 @@ class DecideFate {
     }
   }
 
-  // Lanes inside a trap's level set. The box test costs little and spares most of them the quadratic form.
-  HWY_INLINE unsigned caught_by_trap(Mask accepted, const Pack* z) {
+  struct Verdict {
+    DecidedBy by = DecidedBy::nothing;
+    int attractor = 0;
+  };
+
+  // Lanes inside a trap. Box tests cost little and spare most of them the quadratic forms.
+  HWY_INLINE unsigned caught_by_traps(int g, Mask accepted, unsigned accepted_bits, const Pack* z) {
     unsigned caught = 0;
     for (const BalancedTrap& trap : rule_.traps) {
       Mask near = accepted;
       for (int i = 0; i < 4; ++i) near = near & (absolute(z[i]) < Pack(trap.reach[i]));
       for (int i = 0; i < n; ++i) near = near & (absolute(z[4 + n + i]) < Pack(trap.reach[4 + n + i]));
-      if (any(near)) caught |= lane_bits(near & inside_level(trap, z));
+      if (!any(near)) continue;
+      const unsigned inside = lane_bits(near & inside_balanced(trap, z)) & accepted_bits & ~caught;
+      if (inside) caught |= mark(g, inside, {trap.by, balanced_id});
     }
+    if (rule_.blind) watch_values(g, accepted, z);
+    const Pack r2 = z[0] * z[0] + z[1] * z[1];
+    for (const OrbitTrap& trap : rule_.orbits) {
+      Mask near = accepted & (Pack(trap.r2_low) < r2) & (r2 < Pack(trap.r2_high));
+      for (int i = 0; i < n; ++i)
+        near = near & (Pack(trap.q_low[i]) < z[4 + n + i]) & (z[4 + n + i] < Pack(trap.q_high[i]));
+      if (!any(near)) continue;
+      const unsigned inside = lane_bits(near & inside_orbit(trap, z)) & accepted_bits & ~caught;
+      if (inside) caught |= mark(g, inside, {DecidedBy::validated, trap.attractor});
+    }
+    if (rule_.at_horizon) mark(g, accepted_bits & ~caught, {});
     return caught;
   }
 
-  HWY_NOINLINE Mask inside_level(const BalancedTrap& trap, const Pack* z) {
-    Pack d[dimension];
-    for (int i = 0; i < dimension; ++i) d[i] = z[i];
-    for (int i = 0; i < n; ++i) {
-      const Pack away = z[4 + i] - Pack(trap.phi[i]);
-      d[4 + i] = away - Pack(two_pi) * nearest_integer(away * Pack(1.0 / two_pi));
+  HWY_NOINLINE Mask inside_balanced(const BalancedTrap& trap, const Pack* z) {
+    return trap_value<n, Pack>(trap, z) < Pack(trap.level);
+  }
+
+  // How near to balance each lane has come.
+  HWY_NOINLINE void watch_values(int g, Mask accepted, const Pack* z) {
+    for (const BalancedTrap& trap : rule_.traps) {
+      const Pack least = minimum(least_value_[g], trap_value<n, Pack>(trap, z));
+      least_value_[g] = select(accepted, least, least_value_[g]);
     }
-    Pack v(0.0);
-    for (int row = 0; row < dimension; ++row) {
-      Pack sum(0.0);
-      for (int column = row; column < dimension; ++column)
-        sum = multiply_add(Pack(trap.factor[row * dimension + column]), d[column], sum);
-      v = multiply_add(sum, sum, v);
-    }
-    return v < Pack(trap.level);
+  }
+
+  HWY_NOINLINE Mask inside_orbit(const OrbitTrap& trap, const Pack* z) {
+    return trap_value<n, Pack>(trap, z) < Pack(trap.level);
   }
 
   // Lanes caught by a continuum of balanced states: asked one by one, and after a refusal only again at a tenth of the
@@ -155,20 +189,20 @@ class DecideFate {
       }
       if (std::hypot(imbalance_x, imbalance_y) >= reach) continue;
       if (rule_.family.caught(state))
-        caught |= 1u << lane;
+        caught |= mark(g, 1u << lane, {DecidedBy::validated, balanced_id});
       else
         reach *= 0.1;
     }
     return caught;
   }
 
-  HWY_NOINLINE unsigned mark(int g, unsigned bits, Outcome outcome) {
+  HWY_NOINLINE unsigned mark(int g, unsigned bits, Verdict verdict) {
     for (int lane = 0; lane < lanes; ++lane)
-      if (bits & (1u << lane)) verdict_[g][lane] = outcome;
+      if (bits & (1u << lane)) verdict_[g * lanes + lane] = verdict;
     return bits;
   }
 
-  // Hands the finished windows of the `full` lanes to their trackers and opens new ones.
+  // Hands the finished half windows of the `full` lanes to their trackers and opens new ones.
   HWY_NOINLINE unsigned close_windows(int g, unsigned full, Pack t, const Pack* z) {
     unsigned decided = 0;
     for (int lane = 0; lane < lanes; ++lane) {
@@ -176,7 +210,7 @@ class DecideFate {
       const double now = element(t, lane);
       double phi[n];
       WindowSums sums;
-      sums.duration = now - (element(window_end_[g], lane) - rule_.window);
+      sums.duration = now - (element(window_end_[g], lane) - 0.5 * rule_.window);
       sums.r2_min = element(r2_min_[g], lane);
       sums.r2_max = element(r2_max_[g], lane);
       sums.r2_integral = element(r2_integral_[g], lane);
@@ -186,14 +220,18 @@ class DecideFate {
         sums.q_min[i] = element(q_min_[g][i], lane);
         sums.q_max[i] = element(q_max_[g][i], lane);
       }
-      if (trackers_[g * lanes + lane].add(sums) != WindowVerdict::open) decided |= 1u << lane;
+      const WindowVerdict verdict = trackers_[g * lanes + lane].add(sums);
+      if (verdict.decided && !rule_.at_horizon) {
+        verdict_[g * lanes + lane] = {DecidedBy::windows, verdict.attractor};
+        decided |= 1u << lane;
+      }
       open_window(g, lane, now, phi);
     }
-    return mark(g, decided, Outcome::not_balanced);
+    return decided;
   }
 
   void open_window(int g, int lane, double t, const double* phi) {
-    element(window_end_[g], lane) = t + rule_.window;
+    element(window_end_[g], lane) = t + 0.5 * rule_.window;
     element(r2_min_[g], lane) = 1e300;
     element(r2_max_[g], lane) = 0.0;
     element(r2_integral_[g], lane) = 0.0;
@@ -212,9 +250,10 @@ class DecideFate {
   std::vector<Fate>& fates_;
   std::vector<PilotRecord>* pilot_;
   Sample first_[groups], second_[groups];
+  Pack least_value_[groups];
   Pack r2_min_[groups], r2_max_[groups], r2_integral_[groups], window_end_[groups];
   Pack q_min_[groups][n], q_max_[groups][n], phi_start_[groups][n];
-  Outcome verdict_[groups][lanes] = {};
+  Verdict verdict_[groups * lanes];
   std::vector<WindowTracker> trackers_;
   std::vector<double> family_reach_;
 };

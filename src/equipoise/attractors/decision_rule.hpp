@@ -11,15 +11,44 @@ namespace equipoise {
 
 inline constexpr int max_dimension = model::dimension(model::max_balls);
 
-/// A linearly stable balanced state and a level set of a Lyapunov function around it, inside which that function
-/// decreases along the full nonlinear flow: whoever enters stays and ends balanced.
+/// On what grounds a fate was decided. The numbers are stored in result files.
+enum class DecidedBy : signed char {
+  nothing = 0,
+  proof = 1,      ///< inside a level set proved to lead to the attractor only
+  validated = 2,  ///< inside a level set from whose edge, and from twice its edge, every one of thousands of tried
+                  ///< states came to the attractor
+  windows = 3,    ///< features of successive windows of time
+  horizon = 4,    ///< there at the horizon
+};
+inline constexpr int decided_by_count = 5;
+inline constexpr std::array<const char*, decided_by_count> decided_by_names{"nothing", "proof", "validated", "windows",
+                                                                            "horizon"};
+
+/// A linearly stable balanced state and a level set of a Lyapunov function around it.
 struct BalancedTrap {
   std::array<double, model::max_balls> phi{};  ///< ball angles of the balanced state
   /// Upper triangular F, row-major dimension x dimension: the Lyapunov function of a deviation d is V = |F d|^2.
   std::vector<double> factor;
   double level = 0.0;                         ///< inside: V < level
   std::array<double, max_dimension> reach{};  ///< no point inside deviates further in that component
+  DecidedBy by = DecidedBy::validated;
 };
+
+/// A stable periodic orbit and a level set of a quadratic form in Floquet coordinates around it. The phase is read from
+/// the angle of one ball, the clock, which advances steadily along the orbit; the other coordinates are compared with a
+/// table over that angle. Columns of a row, D = dimension - 1 (all but the clock's angle, in the order of the state):
+/// D values where the cell begins, D changes across the cell, D (D + 1) / 2 entries of the upper triangular F.
+struct OrbitTrap {
+  int attractor = 0;
+  int clock = 0;                                           ///< ball whose angle tells the phase
+  int turns = 1;                                           ///< of the clock in one period
+  int cells = 0;                                           ///< of the table a turn
+  std::vector<double> table;                               ///< turns x cells rows, by growing clock angle
+  double level = 0.0;                                      ///< inside: |F d|^2 < level
+  double r2_low = 0.0, r2_high = 0.0;                      ///< r^2 of everything inside
+  std::array<double, model::max_balls> q_low{}, q_high{};  ///< ball rates of everything inside
+};
+constexpr int orbit_trap_columns(int dimension) { return 2 * (dimension - 1) + (dimension - 1) * dimension / 2; }
 
 /// Features of a window: smallest, largest and root-mean-square r; then for each ball mean, smallest and largest rate
 /// phi'. Interchangeable balls are sorted by mean rate. feature_count(balls) of them are used.
@@ -29,6 +58,16 @@ constexpr int feature_count(int balls) { return 3 + 3 * balls; }
 /// Bounds on the features of short windows.
 struct FeatureBox {
   Features low{}, high{};
+  int attractor = 0;
+  int hits_needed = 3;  ///< successive short windows inside that decide
+};
+inline constexpr int most_boxes = 24;
+
+/// Long-window features of an attractor.
+struct KnownFeatures {
+  Features features{};
+  int attractor = 0;
+  bool chaotic = false;  ///< no two windows are quite the same
 };
 
 /// Decides for states near a continuum of balanced states whether they are caught by it (three balls or more).
@@ -40,14 +79,20 @@ struct FamilyTrap {
 struct DecisionRule {
   int balls = 2;
   bool interchangeable = true;  ///< equal balls: features do not depend on their order
+  bool at_horizon = false;      ///< nothing ends early; what holds at the task's end decides
+  bool blind = false;           ///< audits: boxes are watched and decide nothing; V is recorded
   std::vector<BalancedTrap> traps;
+  std::vector<OrbitTrap> orbits;
   FamilyTrap family;                 ///< `caught` empty: no continuum
   double window = 16.0;              ///< length of a short window
   double first_long_window = 100.0;  ///< long windows end at this time and at its doublings
   double sameness = 0.02;            ///< relative change between long windows that counts as none
-  int hits_needed = 3;               ///< successive short windows inside one box
   int repeats_needed = 2;            ///< successive long windows that repeat the one before
-  std::vector<FeatureBox> boxes;     ///< motions found by the pilot
+  std::vector<FeatureBox> boxes;     ///< at most most_boxes
+  std::vector<KnownFeatures> known;  ///< attractors by their long windows
 };
+
+/// The identifier of the balanced state in every catalogue.
+inline constexpr int balanced_id = 1;
 
 }  // namespace equipoise

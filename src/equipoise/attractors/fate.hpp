@@ -2,33 +2,35 @@
 #pragma once
 
 #include <array>
+#include <vector>
 
 #include "equipoise/attractors/decision_rule.hpp"
 
 namespace equipoise {
 
-/// Outcomes of a start. The numbers are stored in result files.
+/// Outcomes of a start.
 enum class Outcome : signed char {
-  balanced = 0,      ///< entered a level set that leads to a linearly stable balanced state
-  not_balanced = 1,  ///< came to a stationary motion away from balance
-  undecided = 2,     ///< neither by the horizon
-  diverged = 3,      ///< left every motion a balancer can make (divergence_limit)
-  failed = 4,        ///< the integrator's step size vanished
+  attracted = 0,  ///< came to an attractor; Fate::attractor says which
+  undecided = 1,  ///< to none by the horizon
+  diverged = 2,   ///< left every motion a balancer can make (divergence_limit)
+  failed = 3,     ///< the integrator's step size vanished
 };
-inline constexpr int outcome_count = 5;
-inline constexpr std::array<const char*, outcome_count> outcome_names{"balanced", "not balanced", "undecided",
-                                                                      "diverged", "failed"};
 
 struct Fate {
   Outcome outcome = Outcome::undecided;
-  double time = 0.0;  ///< study time at which it was known
+  DecidedBy by = DecidedBy::nothing;
+  short attractor = 0;  ///< identifier in the catalogue, from 1; 0: none, or stationary in a way the rule does not list
+  double time = 0.0;    ///< study time at which it was known
 };
 
-/// What the pilot keeps of a stationary motion: its long-window features and the range of its short-window features.
+/// What the pilot keeps of a trajectory: the features of its last long window, the range of that window's short ones,
+/// for every box of the rule the longest run of windows inside, and how near it came to balance.
 struct PilotRecord {
   Features features{};
   FeatureBox range;
-  bool stationary = false;  ///< false: this start came to no such motion
+  bool finished_window = false;  ///< features and range hold something
+  std::array<int, most_boxes> longest_run{};
+  double least_value = 1e300;  ///< smallest V of any balanced trap along the way; known in audits (DecisionRule::blind)
 };
 
 }  // namespace equipoise

@@ -4,7 +4,9 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <utility>
+#include <vector>
 
 namespace equipoise {
 
@@ -27,6 +29,13 @@ void extend(WindowSums& whole, const WindowSums& part, int balls, bool fresh) {
     whole.turned[i] += part.turned[i];
     whole.q_min[i] = std::min(whole.q_min[i], part.q_min[i]);
     whole.q_max[i] = std::max(whole.q_max[i], part.q_max[i]);
+  }
+}
+
+void extend(FeatureBox& range, const Features& f, int count, bool fresh) {
+  for (int i = 0; i < count; ++i) {
+    range.low[i] = fresh ? f[i] : std::min(range.low[i], f[i]);
+    range.high[i] = fresh ? f[i] : std::max(range.high[i], f[i]);
   }
 }
 
@@ -77,52 +86,93 @@ bool same_motion(const Features& a, const Features& b, int balls, double samenes
   return same;
 }
 
+const KnownFeatures* nearest_known(const Features& f, const std::vector<KnownFeatures>& known, int balls) {
+  // A finite window of a torus or of chaos shows its extremes and means to a few percent.
+  constexpr double tolerance = 0.05;
+  const KnownFeatures* nearest = nullptr;
+  double least = std::numeric_limits<double>::infinity();
+  for (const KnownFeatures& k : known) {
+    if (!same_motion(k.features, f, balls, tolerance)) continue;
+    double distance = 0.0;
+    for (int i = 0; i < feature_count(balls); ++i) distance += std::fabs(k.features[i] - f[i]);
+    if (distance < least) {
+      least = distance;
+      nearest = &k;
+    }
+  }
+  return nearest;
+}
+
 void WindowTracker::begin(const DecisionRule& rule) {
   rule_ = &rule;
   elapsed_ = 0.0;
   long_end_ = rule.first_long_window;
-  box_ = -1;
-  hits_ = repeats_ = 0;
-  fresh_ = true;
-  has_previous_ = false;
+  repeats_ = chaotic_ = chaotic_repeats_ = 0;
+  has_half_ = has_previous_ = false;
+  fresh_ = fresh_range_ = true;
+  runs_.fill(0);
+  longest_.fill(0);
 }
 
-WindowVerdict WindowTracker::add(const WindowSums& sums) {
+WindowVerdict WindowTracker::add(const WindowSums& half) {
   const int balls = rule_->balls;
-  const int count = feature_count(balls);
-  const Features f = features(sums, balls, rule_->interchangeable);
-  elapsed_ += sums.duration;
-
-  int box = box_ >= 0 && inside(rule_->boxes[box_], f, count) ? box_ : -1;
-  for (std::size_t b = 0; box < 0 && b < rule_->boxes.size(); ++b)
-    if (inside(rule_->boxes[b], f, count)) box = static_cast<int>(b);
-  hits_ = box < 0 ? 0 : box == box_ ? hits_ + 1 : 1;
-  box_ = box;
-
-  extend(long_, sums, balls, fresh_);
-  if (fresh_) {
-    range_ = {f, f};
-  } else {
-    for (int i = 0; i < count; ++i) {
-      range_.low[i] = std::min(range_.low[i], f[i]);
-      range_.high[i] = std::max(range_.high[i], f[i]);
+  elapsed_ += half.duration;
+  extend(long_, half, balls, fresh_);
+  fresh_ = false;
+  if (has_half_) {
+    WindowSums whole = half_;
+    extend(whole, half, balls, false);
+    const Features f = features(whole, balls, rule_->interchangeable);
+    extend(range_, f, feature_count(balls), fresh_range_);
+    fresh_range_ = false;
+    for (std::size_t b = 0; b < rule_->boxes.size(); ++b) {
+      runs_[b] = inside(rule_->boxes[b], f, feature_count(balls)) ? runs_[b] + 1 : 0;
+      longest_[b] = std::max(longest_[b], runs_[b]);
     }
   }
-  fresh_ = false;
+  half_ = half;
+  has_half_ = true;
+  if (!rule_->blind)
+    if (const int attractor = attractor_now()) return {true, attractor};
+  return elapsed_ >= long_end_ ? finish_long_window() : WindowVerdict{};
+}
 
-  if (hits_ >= rule_->hits_needed) return WindowVerdict::known;
-  return elapsed_ >= long_end_ ? finish_long_window() : WindowVerdict::open;
+int WindowTracker::attractor_now() const {
+  for (std::size_t b = 0; b < rule_->boxes.size(); ++b)
+    if (runs_[b] >= rule_->boxes[b].hits_needed) return rule_->boxes[b].attractor;
+  return 0;
+}
+
+int WindowTracker::attractor_at_end() const {
+  if (const int attractor = attractor_now()) return attractor;
+  const KnownFeatures* known = has_previous_ ? nearest_known(previous_, rule_->known, rule_->balls) : nullptr;
+  return known ? known->attractor : 0;
+}
+
+PilotRecord WindowTracker::record() const {
+  PilotRecord record;
+  record.features = previous_;
+  record.range = previous_range_;
+  record.finished_window = has_previous_;
+  record.longest_run = longest_;
+  return record;
 }
 
 WindowVerdict WindowTracker::finish_long_window() {
   const Features f = features(long_, rule_->balls, rule_->interchangeable);
   const bool repeats = has_previous_ && same_motion(previous_, f, rule_->balls, rule_->sameness);
   previous_ = f;
+  previous_range_ = range_;
   has_previous_ = true;
   long_end_ *= 2.0;
-  fresh_ = true;
+  fresh_ = fresh_range_ = true;
   repeats_ = repeats ? repeats_ + 1 : 0;
-  return repeats_ >= rule_->repeats_needed ? WindowVerdict::stationary : WindowVerdict::open;
+  const KnownFeatures* known = nearest_known(f, rule_->known, rule_->balls);
+  const int chaotic = known && known->chaotic ? known->attractor : 0;
+  chaotic_repeats_ = chaotic && chaotic == chaotic_ ? chaotic_repeats_ + 1 : 0;
+  chaotic_ = chaotic;
+  if (repeats_ < rule_->repeats_needed && chaotic_repeats_ < rule_->repeats_needed) return {};
+  return {true, known ? known->attractor : 0};
 }
 
 }  // namespace equipoise

@@ -62,6 +62,12 @@ HWY_INLINE Pack maximum(Pack a, Pack b) { return Pack(hn::Max(a.v, b.v)); }
 HWY_INLINE Pack absolute(Pack a) { return Pack(hn::Abs(a.v)); }
 HWY_INLINE Pack nearest_integer(Pack a) { return Pack(hn::Round(a.v)); }
 HWY_INLINE Pack select(Mask m, Pack yes, Pack no) { return Pack(hn::IfThenElse(m.m, yes.v, no.v)); }
+// base[index] in every lane; index: whole numbers >= 0.
+HWY_INLINE Pack gather(const double* base, Pack index) {
+  const PackTag d;
+  const hn::RebindToSigned<PackTag> di;
+  return Pack(hn::GatherIndex(d, base, hn::ConvertTo(di, index.v)));
+}
 HWY_INLINE bool any(Mask m) { return !hn::AllFalse(PackTag(), m.m); }
 
 // One bit a lane.
@@ -110,6 +116,8 @@ HWY_INLINE double square_root(double a) { return std::sqrt(a); }
 HWY_INLINE double minimum(double a, double b) { return b < a ? b : a; }
 HWY_INLINE double maximum(double a, double b) { return a < b ? b : a; }
 HWY_INLINE double absolute(double a) { return std::fabs(a); }
+HWY_INLINE double nearest_integer(double a) { return std::nearbyint(a); }
+HWY_INLINE double gather(const double* base, double index) { return base[static_cast<std::ptrdiff_t>(index)]; }
 HWY_INLINE void sin_cos(double a, double& sine, double& cosine) {
   sine = std::sin(a);
   cosine = std::cos(a);

@@ -4,9 +4,11 @@
 #include <algorithm>
 #include <chrono>
 #include <ctime>
+#include <map>
 #include <memory>
 #include <optional>
 #include <stdexcept>
+#include <utility>
 
 #include <fmt/format.h>
 #include <oneapi/tbb/info.h>
@@ -33,6 +35,7 @@ struct Chunk {
   bool complete = false;
   std::vector<double> phi;
   std::vector<Fate> fates;
+  std::vector<UnlistedStart> unlisted;
 };
 
 // Counts in index order, and says when enough is known.
@@ -42,27 +45,48 @@ class Tally {
 
   // Takes in the next fate; true if sampling may end after it.
   bool add(const Fate& fate) {
-    const auto k = static_cast<std::size_t>(fate.outcome);
-    ++counts_[k];
-    time_[k] += fate.time - settled_;
+    Line& line = lines_[key(fate.outcome, fate.attractor)];
+    ++line.count;
+    line.time += fate.time - settled_;
+    ++line.by[static_cast<std::size_t>(fate.by)];
     ++total_;
     return half_width_ > 0.0 && total_ % checkpoint == 0 && total_ >= fewest_starts && narrow();
   }
 
   std::uint64_t total() const { return total_; }
-  Share share(Outcome outcome) const { return wilson_share(counts_[static_cast<std::size_t>(outcome)], total_); }
-  double mean_time(std::size_t k) const { return counts_[k] ? time_[k] / static_cast<double>(counts_[k]) : 0.0; }
+  Share share(Outcome outcome, int attractor = 0) const {
+    const auto at = lines_.find(key(outcome, attractor));
+    return wilson_share(at == lines_.end() ? 0 : at->second.count, total_);
+  }
+  AttractorShare share(const Attractor& a) const {
+    AttractorShare result{a.id, a.name, a.alias, name_of(a.motion.kind), share(Outcome::attracted, a.id), 0.0, {}};
+    if (const auto at = lines_.find(key(Outcome::attracted, a.id)); at != lines_.end()) {
+      result.mean_time = at->second.time / static_cast<double>(at->second.count);
+      result.decided_by = at->second.by;
+    }
+    return result;
+  }
 
  private:
+  struct Line {
+    std::uint64_t count = 0;
+    double time = 0.0;
+    std::array<std::uint64_t, decided_by_count> by{};
+  };
+  static std::pair<int, int> key(Outcome outcome, int attractor) {
+    return {static_cast<int>(outcome), outcome == Outcome::attracted ? attractor : 0};
+  }
+
+  // Every outcome that was met, and one that was not.
   bool narrow() const {
-    for (std::uint64_t count : counts_)
-      if (wilson_share(count, total_).half_width() > half_width_) return false;
-    return true;
+    bool narrow = wilson_share(0, total_).half_width() <= half_width_;
+    for (const auto& [key, line] : lines_)
+      narrow = narrow && wilson_share(line.count, total_).half_width() <= half_width_;
+    return narrow;
   }
 
   double half_width_, settled_;
-  std::array<std::uint64_t, outcome_count> counts_{};
-  std::array<double, outcome_count> time_{};
+  std::map<std::pair<int, int>, Line> lines_;
   std::uint64_t total_ = 0;
 };
 
@@ -80,6 +104,21 @@ double cpu_now() { return static_cast<double>(std::clock()) / CLOCKS_PER_SEC; }
 std::string identity(Study study) {
   study.sampling.starts = 1;
   return to_toml(study);
+}
+
+DiscoverySettings settings_for(const BasinOptions& options, int threads) {
+  DiscoverySettings settings{threads, options.stop, {}};
+  for (const std::vector<double>& seed : options.seeds)
+    settings.seeds.push_back(Eigen::Map<const Eigen::VectorXd>(seed.data(), static_cast<Eigen::Index>(seed.size())));
+  return settings;
+}
+
+// What an unlisted start turned out to have come to; 0: to nothing steady.
+void settle(Fate& fate, int attractor) {
+  fate.attractor = static_cast<short>(attractor);
+  if (attractor > 0) return;
+  fate.outcome = Outcome::undecided;
+  fate.by = DecidedBy::nothing;
 }
 
 class BasinRun {
@@ -101,29 +140,45 @@ class BasinRun {
     if (!options_.output.empty())
       file_ = std::make_unique<BasinFile>(options_.output, BasinFileHeader{identity(study), study.sampling.seed,
                                                                            study.parameters.balls, result_.cpu_target});
-    runner_.emplace(study, threads_, options_.stop);
+    runner_.emplace(study, settings_for(options_, threads_));
     tally_.emplace(options_.half_width, runner_->settled());
     read_stored();
     if (!finished_ && !runner_->stopped()) compute();
 
     result_.starts = tally_->total();
     result_.partial = !finished_;
-    for (std::size_t k = 0; k < outcome_count; ++k) {
-      result_.shares[k] = tally_->share(static_cast<Outcome>(k));
-      result_.mean_time[k] = tally_->mean_time(k);
+    if (!runner_->catalogue().find(balanced_id)) {
+      Attractor none{balanced_id, "balanced", "", {}, false};
+      result_.attractors.push_back(tally_->share(none));
     }
+    for (const Attractor& a : runner_->catalogue().attractors()) result_.attractors.push_back(tally_->share(a));
+    result_.undecided = tally_->share(Outcome::undecided);
+    result_.diverged = tally_->share(Outcome::diverged);
+    result_.failed = tally_->share(Outcome::failed);
     result_.balanced_stable = runner_->balanced().stable;
     result_.note = runner_->balanced().note;
-    result_.motions_found = runner_->motions_found();
-    if (file_) file_->finish(to_toml(study), result_.shares, finished_);
+    if (file_) file_->finish(to_toml(study), summary(), finished_);
     result_.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
     result_.cpu_seconds = cpu_now() - cpu_begin;
     return result_;
   }
 
+  const Catalogue& catalogue() const { return runner_->catalogue(); }
+
  private:
-  // Counts what an earlier run left in the file.
+  std::vector<OutcomeSummary> summary() const {
+    std::vector<OutcomeSummary> lines;
+    for (const AttractorShare& a : result_.attractors) lines.push_back({a.id, a.name, a.alias, a.share});
+    lines.push_back({undecided_code, "undecided", "", result_.undecided});
+    lines.push_back({diverged_code, "diverged", "", result_.diverged});
+    lines.push_back({failed_code, "failed", "", result_.failed});
+    return lines;
+  }
+
+  // Counts what an earlier run left in the file, once the motions that it met on its way are listed again.
   void read_stored() {
+    if (file_)
+      for (const std::vector<double>& state : file_->discoveries()) runner_->identify(state);
     const std::uint64_t stored = file_ ? std::min(file_->stored(), limit_) : 0;
     constexpr std::size_t block = 65536;
     for (std::uint64_t first = 0; first < stored && !finished_; first += block)
@@ -160,7 +215,8 @@ class BasinRun {
               tbb::make_filter<std::shared_ptr<Chunk>, std::shared_ptr<Chunk>>(
                   tbb::filter_mode::parallel,
                   [&](std::shared_ptr<Chunk> chunk) {
-                    chunk->complete = !finished_ && runner_->run(chunk->first, chunk->count, chunk->phi, chunk->fates);
+                    chunk->complete = !finished_ && runner_->run(chunk->first, chunk->count, chunk->phi, chunk->fates,
+                                                                 chunk->unlisted);
                     return chunk;
                   }) &
               tbb::make_filter<std::shared_ptr<Chunk>, void>(
@@ -170,17 +226,31 @@ class BasinRun {
   }
 
   // Takes a chunk in, in order. After one that was not completed no later one counts: the result stays a prefix.
-  void commit(const Chunk& chunk) {
+  void commit(Chunk& chunk) {
     if (finished_ || lost_) return;
     if (!chunk.complete) {
       lost_ = true;
       return;
     }
     std::size_t taken = 0;
-    while (taken < chunk.count && !finished_) take(chunk.fates[taken++]);
+    auto unlisted = chunk.unlisted.begin();
+    while (taken < chunk.count && !finished_) {
+      Fate& fate = chunk.fates[taken];
+      if (unlisted != chunk.unlisted.end() && unlisted->place == taken) name_fate(fate, (unlisted++)->state);
+      take(fate);
+      ++taken;
+    }
     if (file_) file_->append(taken, chunk.phi.data(), chunk.fates.data());
     if (options_.progress)
-      options_.progress({tally_->total(), options_.half_width > 0.0 ? 0 : limit_, tally_->share(Outcome::balanced)});
+      options_.progress(
+          {tally_->total(), options_.half_width > 0.0 ? 0 : limit_, tally_->share(Outcome::attracted, balanced_id)});
+  }
+
+  // A stationary motion that the rule does not list: what it is decides, whenever it was first met.
+  void name_fate(Fate& fate, const std::vector<double>& state) {
+    const std::size_t listed = runner_->catalogue().attractors().size();
+    settle(fate, runner_->identify(state));
+    if (file_ && runner_->catalogue().attractors().size() > listed) file_->append_discovery(state);
   }
 
   const BasinOptions& options_;
@@ -195,18 +265,27 @@ class BasinRun {
 
 }  // namespace
 
-BasinResult basin(const Study& study, const BasinOptions& options) { return BasinRun(study, options).run(); }
+BasinResult basin(const Study& study, const BasinOptions& options, Catalogue* catalogue) {
+  BasinRun run(study, options);
+  BasinResult result = run.run();
+  if (catalogue) *catalogue = run.catalogue();
+  return result;
+}
 
 StartReplay replay_start(const Study& study, std::uint64_t index, const BasinOptions& options) {
   check_decidable(study);
-  const StartRunner runner(study, thread_count(options.threads), options.stop);
+  StartRunner runner(study, settings_for(options, thread_count(options.threads)));
   std::vector<double> phi;
   std::vector<Fate> fates;
+  std::vector<UnlistedStart> unlisted;
   StartReplay replay;
   replay.index = index;
-  if (runner.stopped() || !runner.run(index, 1, phi, fates)) throw RunError("stopped before the start was decided");
+  if (runner.stopped() || !runner.run(index, 1, phi, fates, unlisted))
+    throw RunError("stopped before the start was decided");
   std::copy(phi.begin(), phi.end(), replay.phi.begin());
   replay.fate = fates.front();
+  if (!unlisted.empty()) settle(replay.fate, runner.identify(unlisted.front().state));
+  if (const Attractor* a = runner.catalogue().find(replay.fate.attractor)) replay.name = a->name;
   return replay;
 }
 

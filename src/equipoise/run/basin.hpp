@@ -15,6 +15,8 @@
 
 namespace equipoise {
 
+class Catalogue;
+
 /// How far a run has come.
 struct BasinProgress {
   std::uint64_t done = 0;   ///< starts decided, in order
@@ -29,6 +31,8 @@ struct BasinOptions {
   bool limit_given = false;
   std::string output;  ///< NetCDF file for per-start results; empty: none. An unfinished file of the same study is
                        ///< resumed, a finished one extended or simply read
+  /// States near motions known from elsewhere, each dimension(balls) numbers: rare attractors that pilot starts miss.
+  std::vector<std::vector<double>> seeds;
   const StopFlag* stop = nullptr;
   std::function<void(const BasinProgress&)> progress;  ///< called in order, from any thread but never from two at once
 };
@@ -38,13 +42,15 @@ struct StartReplay {
   std::uint64_t index = 0;
   std::array<double, model::max_balls> phi{};
   Fate fate;
+  std::string name;  ///< of the attractor, empty if there is none
 };
 
 /// Runs the ensemble: study.sampling.starts starts, or as many as options.half_width asks for. The outcome of start i
 /// depends on the study and i alone (for one CPU target; see docs/numerics.md).
 /// Throws InputError for studies that cannot be decided (anisotropic supports, gravity) and unusable output files,
 /// RunError if the output file fails later.
-BasinResult basin(const Study& study, const BasinOptions& options = {});
+/// `catalogue`, if given, receives the attractors found, refined and named.
+BasinResult basin(const Study& study, const BasinOptions& options = {}, Catalogue* catalogue = nullptr);
 
 /// The fate of start `index` (any, also beyond study.sampling.starts), with the very bits basin() would give it.
 StartReplay replay_start(const Study& study, std::uint64_t index, const BasinOptions& options = {});

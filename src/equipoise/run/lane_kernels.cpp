@@ -30,8 +30,8 @@ class WatchForLoss : public NoObserver<n> {
  public:
   explicit WatchForLoss(std::vector<Fate>& fates) : fates_(fates) {}
   void end(int, std::size_t start, LaneEnd how, double t, const double*) {
-    if (how == LaneEnd::diverged) fates_[start] = {Outcome::diverged, t};
-    if (how == LaneEnd::failed) fates_[start] = {Outcome::failed, t};
+    if (how == LaneEnd::diverged) fates_[start] = {Outcome::diverged, DecidedBy::nothing, 0, t};
+    if (how == LaneEnd::failed) fates_[start] = {Outcome::failed, DecidedBy::nothing, 0, t};
   }
 
  private:

@@ -1,15 +1,13 @@
-// From a start's index to its fate: spin-up, release, remaining branches, decision. Shared by basin(), its pilot and
-// replay_start().
+// One study's starts, from index to fate. Shared by basin(), attractors() and replay_start().
 #pragma once
 
 #include <cstdint>
 #include <vector>
 
-#include "equipoise/attractors/balanced_trap.hpp"
 #include "equipoise/attractors/fate.hpp"
 #include "equipoise/base/error.hpp"
-#include "equipoise/integrate/clamped.hpp"
-#include "equipoise/model/speed.hpp"
+#include "equipoise/run/discovery.hpp"
+#include "equipoise/run/start_source.hpp"
 #include "equipoise/study/study.hpp"
 
 namespace equipoise {
@@ -17,36 +15,37 @@ namespace equipoise {
 /// Throws InputError for invalid studies and those whose starts cannot be decided: anisotropic supports, gravity.
 void check_decidable(const Study& study);
 
-/// Everything about a study that all its starts share. Thread-safe once made.
+/// A start that came to a stationary motion which the catalogue does not list.
+struct UnlistedStart {
+  std::size_t place = 0;      ///< among the starts of the call
+  std::vector<double> state;  ///< when it was found stationary
+};
+
+/// Everything about a study that all its starts share.
 class StartRunner {
  public:
-  /// Analyses the balanced states, integrates the clamped spin-up and runs the pilot on `threads` threads. The study
-  /// has passed check_decidable(). Ask stopped() afterwards.
-  StartRunner(const Study& study, int threads, const StopFlag* stop);
+  /// Spins up and discovers the attractors. The study has passed check_decidable(). Ask stopped() afterwards.
+  StartRunner(const Study& study, const DiscoverySettings& settings);
 
-  /// Decides starts first .. first + count - 1. False if stopped early.
-  bool run(std::uint64_t first, std::size_t count, std::vector<double>& phi, std::vector<Fate>& fates) const;
+  /// Decides starts first .. first + count - 1. Thread-safe. False if stopped early. Starts in `unlisted` have the
+  /// attractor 0 and wait for identify().
+  bool run(std::uint64_t first, std::size_t count, std::vector<double>& phi, std::vector<Fate>& fates,
+           std::vector<UnlistedStart>& unlisted) const;
+  /// Names what an unlisted start came to, listing it if need be: an identifier, or 0 if it was not steady after all.
+  /// Not thread-safe: called in the order of starts, so that identifiers do not depend on threads.
+  int identify(const std::vector<double>& state);
 
-  const BalancedAnalysis& balanced() const { return balanced_; }
-  std::size_t motions_found() const { return rule_.boxes.size(); }
-  /// When the last branch has begun and the balls are free.
-  double settled() const { return segments_.back().begin; }
-  bool stopped() const { return stopped_; }
+  const BalancedAnalysis& balanced() const { return discovery_.balanced; }
+  const Catalogue& catalogue() const { return discovery_.catalogue; }
+  const DecisionRule& rule() const { return discovery_.rule; }
+  double settled() const { return source_.settled(); }
+  bool stopped() const { return discovery_.stopped; }
 
  private:
-  bool run_seeded(std::uint64_t seed, std::uint64_t first, std::size_t count, double horizon, std::vector<double>& phi,
-                  std::vector<Fate>& fates, std::vector<PilotRecord>* pilot) const;
-  void run_pilot(int threads);
-
   Study study_;
   const StopFlag* stop_;
-  std::vector<model::Segment> segments_;
-  std::size_t first_free_ = 0;
-  ClampedBasis basis_;
-  BalancedAnalysis balanced_;
-  DecisionRule rule_;
-  double tolerance_;
-  bool stopped_ = false;
+  StartSource source_;
+  Discovery discovery_;
 };
 
 }  // namespace equipoise

@@ -28,8 +28,9 @@ std::string identity(const BasinFileHeader& header) {
 struct BasinFile::State {
   std::string path;
   std::optional<store::NetcdfFile> file;
-  std::size_t balls = 2, stored = 0;
-  int phi = -1, outcome = -1, time = -1, kind_count = -1, kind_share = -1, kind_low = -1, kind_high = -1;
+  std::size_t balls = 2, stored = 0, discovered = 0;
+  int phi = -1, outcome = -1, time = -1, by = -1, discovery = -1;
+  int kind_code = -1, kind_name = -1, kind_alias = -1, kind_count = -1, kind_share = -1, kind_low = -1, kind_high = -1;
 
   void create(const BasinFileHeader& header);
   void open(const BasinFileHeader& header);
@@ -41,26 +42,29 @@ void BasinFile::State::create(const BasinFileHeader& header) {
   store::NetcdfFile& f = *file;
   const int start = f.dimension("start", store::NetcdfFile::unlimited);
   const int ball = f.dimension("ball", balls);
-  const int kind = f.dimension("outcome_kind", outcome_count);
+  const int kind = f.dimension("outcome_kind", store::NetcdfFile::unlimited);
+  const int met = f.dimension("discovery", store::NetcdfFile::unlimited);
+  const int component = f.dimension("component", 4 + 2 * balls);
   phi = f.variable("phi", NC_DOUBLE, {start, ball}, "radian",
                    "initial ball angle from the direction of the centre of mass, rotating frame");
-  outcome = f.variable("outcome", NC_BYTE, {start}, "1", "what became of the start");
+  outcome = f.variable("outcome", NC_SHORT, {start}, "1",
+                       "attractor that the start came to (kind_code), or 0 undecided, -1 diverged, -2 failed");
   time =
       f.variable("decision_time", NC_DOUBLE, {start}, "1", "study time at which the outcome was known, in 1/omega_c");
+  by = f.variable("decided_by", NC_BYTE, {start}, "1", "grounds on which the outcome was decided");
   f.chunk(phi, {chunk_length, balls});
   f.chunk(outcome, {chunk_length});
   f.chunk(time, {chunk_length});
+  f.chunk(by, {chunk_length});
   std::vector<signed char> values;
-  std::string meanings;
-  for (int k = 0; k < outcome_count; ++k) {
-    values.push_back(static_cast<signed char>(k));
-    std::string name = outcome_names[k];
-    std::replace(name.begin(), name.end(), ' ', '_');
-    meanings += (k ? " " : "") + name;
-  }
-  f.attribute(outcome, "flag_values", values);
-  f.attribute(outcome, "flag_meanings", meanings);
-  const int kind_name = f.variable("kind_name", NC_STRING, {kind}, "1", "name of the outcome");
+  for (int k = 0; k < decided_by_count; ++k) values.push_back(static_cast<signed char>(k));
+  f.attribute(by, "flag_values", values);
+  f.attribute(by, "flag_meanings", fmt::format("{}", fmt::join(decided_by_names, " ")));
+  discovery = f.variable("discovery_state", NC_DOUBLE, {met, component}, "1",
+                         "state on a motion first met during the run: x, y, u, v, phi, phi_dot");
+  kind_code = f.variable("kind_code", NC_SHORT, {kind}, "1", "value of outcome");
+  kind_name = f.variable("kind_name", NC_STRING, {kind}, "1", "name of the outcome");
+  kind_alias = f.variable("kind_alias", NC_STRING, {kind}, "1", "name that Wright and Peng (2019) give it");
   kind_count = f.variable("kind_count", NC_UINT64, {kind}, "1", "starts with the outcome");
   kind_share = f.variable("kind_share", NC_DOUBLE, {kind}, "1", "share of the starts with the outcome");
   kind_low = f.variable("kind_share_low", NC_DOUBLE, {kind}, "1", "lower end of the 95 % Wilson interval of the share");
@@ -74,8 +78,6 @@ void BasinFile::State::create(const BasinFileHeader& header) {
   f.attribute(NC_GLOBAL, "study", header.study);
   f.attribute(NC_GLOBAL, "complete", "no");
   f.end_definitions();
-  std::array<const char*, outcome_count> names = outcome_names;
-  f.write(kind_name, {0}, {outcome_count}, names.data());
   f.sync();
 }
 
@@ -92,12 +94,18 @@ void BasinFile::State::open(const BasinFileHeader& header) {
                      "new file, or results of the same study");
   }
   stored = file->length("start");
+  discovered = file->length("discovery");
 }
 
 void BasinFile::State::find_variables() {
   phi = file->variable("phi");
   outcome = file->variable("outcome");
   time = file->variable("decision_time");
+  by = file->variable("decided_by");
+  discovery = file->variable("discovery_state");
+  kind_code = file->variable("kind_code");
+  kind_name = file->variable("kind_name");
+  kind_alias = file->variable("kind_alias");
   kind_count = file->variable("kind_count");
   kind_share = file->variable("kind_share");
   kind_low = file->variable("kind_share_low");
@@ -124,51 +132,79 @@ BasinFile::~BasinFile() = default;
 std::uint64_t BasinFile::stored() const { return state_->stored; }
 
 std::vector<Fate> BasinFile::read(std::uint64_t first, std::size_t count) const {
-  std::vector<signed char> outcomes(count);
+  std::vector<short> codes(count);
   std::vector<double> times(count);
-  state_->file->read(state_->outcome, {first}, {count}, outcomes.data());
+  std::vector<signed char> grounds(count);
+  state_->file->read(state_->outcome, {first}, {count}, codes.data());
   state_->file->read(state_->time, {first}, {count}, times.data());
+  state_->file->read(state_->by, {first}, {count}, grounds.data());
   std::vector<Fate> fates(count);
   for (std::size_t i = 0; i < count; ++i) {
-    if (outcomes[i] < 0 || outcomes[i] >= outcome_count)
+    if (codes[i] < failed_code || grounds[i] < 0 || grounds[i] >= decided_by_count)
       throw RunError(fmt::format("{}: start {} has no valid outcome; the file is damaged", state_->path, first + i));
-    fates[i] = {static_cast<Outcome>(outcomes[i]), times[i]};
+    fates[i].outcome = codes[i] == undecided_code  ? Outcome::undecided
+                       : codes[i] == diverged_code ? Outcome::diverged
+                       : codes[i] == failed_code   ? Outcome::failed
+                                                   : Outcome::attracted;
+    fates[i].attractor = std::max<short>(codes[i], 0);
+    fates[i].by = static_cast<DecidedBy>(grounds[i]);
+    fates[i].time = times[i];
   }
   return fates;
 }
 
 void BasinFile::append(std::size_t count, const double* phi, const Fate* fates) {
   if (count == 0) return;
-  std::vector<signed char> outcomes(count);
+  std::vector<short> codes(count);
   std::vector<double> times(count);
+  std::vector<signed char> grounds(count);
   for (std::size_t i = 0; i < count; ++i) {
-    outcomes[i] = static_cast<signed char>(fates[i].outcome);
-    times[i] = fates[i].time;
+    const Fate& fate = fates[i];
+    codes[i] = fate.outcome == Outcome::attracted   ? fate.attractor
+               : fate.outcome == Outcome::undecided ? undecided_code
+               : fate.outcome == Outcome::diverged  ? diverged_code
+                                                    : failed_code;
+    times[i] = fate.time;
+    grounds[i] = static_cast<signed char>(fate.by);
   }
   const std::size_t at = state_->stored;
   state_->file->write(state_->phi, {at, 0}, {count, state_->balls}, phi);
-  state_->file->write(state_->outcome, {at}, {count}, outcomes.data());
+  state_->file->write(state_->outcome, {at}, {count}, codes.data());
   state_->file->write(state_->time, {at}, {count}, times.data());
+  state_->file->write(state_->by, {at}, {count}, grounds.data());
   state_->stored += count;
+}
+
+std::vector<std::vector<double>> BasinFile::discoveries() const {
+  const std::size_t size = 4 + 2 * state_->balls;
+  std::vector<std::vector<double>> result(state_->discovered, std::vector<double>(size));
+  for (std::size_t k = 0; k < result.size(); ++k)
+    state_->file->read(state_->discovery, {k, 0}, {1, size}, result[k].data());
+  return result;
+}
+
+void BasinFile::append_discovery(const std::vector<double>& state) {
+  state_->file->write(state_->discovery, {state_->discovered, 0}, {1, state.size()}, state.data());
+  ++state_->discovered;
 }
 
 void BasinFile::sync() { state_->file->sync(); }
 
-void BasinFile::finish(const std::string& resolved_study, const std::array<Share, outcome_count>& shares,
-                       bool complete) {
-  std::array<unsigned long long, outcome_count> counts{};
-  std::array<double, outcome_count> share{}, low{}, high{};
-  for (std::size_t k = 0; k < outcome_count; ++k) {
-    counts[k] = shares[k].count;
-    share[k] = shares[k].share;
-    low[k] = shares[k].low;
-    high[k] = shares[k].high;
-  }
+void BasinFile::finish(const std::string& resolved_study, const std::vector<OutcomeSummary>& summary, bool complete) {
   store::NetcdfFile& f = *state_->file;
-  f.write(state_->kind_count, {0}, {outcome_count}, counts.data());
-  f.write(state_->kind_share, {0}, {outcome_count}, share.data());
-  f.write(state_->kind_low, {0}, {outcome_count}, low.data());
-  f.write(state_->kind_high, {0}, {outcome_count}, high.data());
+  for (std::size_t k = 0; k < summary.size(); ++k) {
+    const OutcomeSummary& s = summary[k];
+    const short code = static_cast<short>(s.code);
+    const char *name = s.name.c_str(), *alias = s.alias.c_str();
+    const unsigned long long count = s.share.count;
+    f.write(state_->kind_code, {k}, {1}, &code);
+    f.write(state_->kind_name, {k}, {1}, &name);
+    f.write(state_->kind_alias, {k}, {1}, &alias);
+    f.write(state_->kind_count, {k}, {1}, &count);
+    f.write(state_->kind_share, {k}, {1}, &s.share.share);
+    f.write(state_->kind_low, {k}, {1}, &s.share.low);
+    f.write(state_->kind_high, {k}, {1}, &s.share.high);
+  }
   f.attribute(NC_GLOBAL, "study", resolved_study);
   f.attribute(NC_GLOBAL, "complete", complete ? "yes" : "no");
   f.sync();

@@ -20,8 +20,17 @@ struct BasinFileHeader {
   std::string cpu_target;
 };
 
-/// dimension start: variables phi(start, ball), outcome(start), decision_time(start); dimension outcome_kind: counts
-/// and shares. Every variable has units and long_name. Readable by xarray, ncdump, ncview.
+/// A line of the summary.
+struct OutcomeSummary {
+  int code = 0;  ///< attractor's identifier, or undecided_code and its like
+  std::string name, alias;
+  Share share;
+};
+inline constexpr short undecided_code = 0, diverged_code = -1, failed_code = -2;
+
+/// dimension start: variables phi(start, ball), outcome(start), decision_time(start), decided_by(start); dimension
+/// outcome_kind: code, name, alias, count and share; dimension discovery: states of motions met during the run. Every
+/// variable has units and long_name. Readable by xarray, ncdump, ncview.
 class BasinFile {
  public:
   /// Creates `path`, or opens it for more if it holds results of the same study, seed and CPU target.
@@ -37,10 +46,13 @@ class BasinFile {
   std::vector<Fate> read(std::uint64_t first, std::size_t count) const;
   /// Appends `count` starts: phi row-major count x balls. Throws RunError if the file cannot take them.
   void append(std::size_t count, const double* phi, const Fate* fates);
+  /// States on motions that were first met during earlier runs, in the order of starts: enough to name them again.
+  std::vector<std::vector<double>> discoveries() const;
+  void append_discovery(const std::vector<double>& state);
   /// Brings what is appended to disk.
   void sync();
   /// Writes the summary and the resolved study; `complete` marks whether all requested starts are there.
-  void finish(const std::string& resolved_study, const std::array<Share, outcome_count>& shares, bool complete);
+  void finish(const std::string& resolved_study, const std::vector<OutcomeSummary>& summary, bool complete);
 
  private:
   struct State;

@@ -46,10 +46,19 @@ struct Sampling {
   std::uint64_t seed = 1;
 };
 
+/// On what grounds a start may be called decided.
+enum class DecideMode {
+  validated,  ///< as early as tried states allow
+  proof,      ///< balanced only inside a level set proved to lead there
+  horizon,    ///< every start is followed to the horizon
+};
+inline constexpr std::array<const char*, 3> decide_mode_names{"validated", "proof", "horizon"};
+
 /// [numerics]: all optional.
 struct Numerics {
   std::optional<double> tolerance;  ///< per step; default_*_tolerance where unset
   double horizon = 3000.0;          ///< time after the last branch begins (and release) until a start is `undecided`
+  DecideMode decide = DecideMode::validated;
 };
 
 inline constexpr double default_simulate_tolerance = 1e-12;

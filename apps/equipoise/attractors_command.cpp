@@ -1,0 +1,80 @@
+// equipoise attractors: every steady motion of the final speed.
+#include <fstream>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include <fmt/format.h>
+
+#include "commands.hpp"
+#include "equipoise/run/attractors.hpp"
+#include "options.hpp"
+#include "progress.hpp"
+
+namespace equipoise::app {
+
+namespace {
+
+struct AttractorsArguments {
+  std::string study, cpu;
+  std::vector<std::string> overrides, states;
+  std::optional<std::string> starts, seed, threads;
+  bool json = false, quiet = false;
+};
+
+// "x,y,u,v,phi_1,..,phi_n,q_1,..,q_n" as --state takes it.
+std::vector<double> parse_state(const std::string& text, int balls) {
+  std::vector<double> state;
+  const std::size_t size = 4 + 2 * static_cast<std::size_t>(balls);
+  const std::string allowed = fmt::format("{} numbers separated by commas: x,y,u,v, ball angles, ball rates", size);
+  for (std::size_t at = 0; at <= text.size();) {
+    const std::size_t comma = std::min(text.find(',', at), text.size());
+    state.push_back(option_number<double>("--state", text.substr(at, comma - at), -1e6, 1e6, allowed.c_str()));
+    at = comma + 1;
+  }
+  if (state.size() != size) throw InputError("--state", "", text, "must be " + allowed);
+  return state;
+}
+
+int run_attractors(const AttractorsArguments& a) {
+  choose_cpu(a.cpu);
+  std::vector<std::string> overrides = a.overrides;
+  overrides.push_back("sampling.starts=" + a.starts.value_or(std::to_string(search_starts)));
+  if (a.seed) overrides.push_back("sampling.seed=" + *a.seed);
+  const Study study = read_study(a.study, overrides);
+  BasinOptions options;
+  if (a.threads)
+    options.threads = option_number<int>("--threads", *a.threads, 1, 4096, "a whole number from 1 to 4096");
+  for (const std::string& text : a.states) options.seeds.push_back(parse_state(text, study.parameters.balls));
+  options.stop = &stop_flag();
+  ProgressLine progress(a.quiet);
+  options.progress = [&](const BasinProgress& p) { progress.update(p.done, p.total, "starts searched"); };
+  const AttractorsResult result = attractors(study, options);
+  progress.finish();
+  fmt::print("{}", a.json ? attractors_json(result) : attractors_text(result));
+  return result.basin.partial && stop_flag() ? interrupted : done;
+}
+
+}  // namespace
+
+Command add_attractors(CLI::App& app) {
+  const auto a = std::make_shared<AttractorsArguments>();
+  app.add_option("study", a->study, "study file (TOML)")->required()->type_name("STUDY");
+  app.add_option("--starts", a->starts, fmt::format("starts to search (default {})", search_starts))->type_name("N");
+  app.add_option("--seed", a->seed, "seed of the random starts")->type_name("S");
+  app.add_option(
+         "--state", a->states,
+         "also follow this state, for attractors too rare to be met by chance: x,y,u,v, ball angles, ball rates, "
+         "as \"state\" in --json prints them; may be repeated")
+      ->type_name("X,Y,...")
+      ->take_all();
+  app.add_option("--threads", a->threads, "threads (default: all cores)")->type_name("T");
+  add_overrides(app, a->overrides);
+  app.add_option("--cpu", a->cpu, "instruction set to use instead of the best (see --version)")->type_name("NAME");
+  app.add_flag("--json", a->json, "print one JSON object");
+  app.add_flag("--quiet", a->quiet, "no progress");
+  return [a] { return run_attractors(*a); };
+}
+
+}  // namespace equipoise::app

@@ -1,0 +1,29 @@
+// Options that several commands share.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include <CLI/CLI.hpp>
+#include <fmt/format.h>
+
+#include "equipoise/base/error.hpp"
+
+namespace equipoise::app {
+
+/// A number given as an option, checked so that a bad one gets the same kind of error as in a study.
+template <class T>
+T option_number(const char* option, const std::string& text, T low, T high, const char* allowed) {
+  T value{};
+  if (!CLI::detail::lexical_cast(text, value) || !(value >= low && value <= high))
+    throw InputError(option, "", text, fmt::format("must be {}", allowed));
+  return value;
+}
+
+/// --cpu NAME. Throws InputError if this machine does not have it.
+void choose_cpu(const std::string& name);
+
+/// --set KEY=VALUE, repeated.
+void add_overrides(CLI::App& app, std::vector<std::string>& overrides);
+
+}  // namespace equipoise::app

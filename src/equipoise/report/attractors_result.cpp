@@ -1,0 +1,156 @@
+// Attractors as text and as JSON.
+#include "equipoise/report/attractors_result.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include "equipoise/base/version.hpp"
+#include "equipoise/report/text.hpp"
+
+namespace equipoise {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+// The smallest share that is missed with a probability of at most `miss`.
+double detection_limit(std::uint64_t starts, double miss) {
+  return starts == 0 ? 1.0 : -std::expm1(std::log(miss) / static_cast<double>(starts));
+}
+
+Json attractor_json(const Attractor& a, const AttractorShare& share, int balls) {
+  const Motion& m = a.motion;
+  Json json = {{"id", a.id}, {"name", a.name}, {"alias", a.alias}, {"kind", name_of(m.kind)}, {"copies", m.copies}};
+  if (a.continuum) json["continuum"] = true;
+  if (m.kind == MotionKind::periodic) {
+    json["period"] = m.period;
+    json["winding"] = std::vector<int>(m.winding.begin(), m.winding.begin() + balls);
+  } else {
+    json["period"] = nullptr;
+    json["winding"] = Json::array();
+  }
+  const auto list = [&](const auto& values) { return std::vector<double>(values.begin(), values.begin() + balls); };
+  json["drift"] = list(m.drift);
+  json["rate"] = {{"min", list(m.rate_min)}, {"max", list(m.rate_max)}};
+  json["radial"] = {{"min", m.r_min}, {"mean", m.r_mean}, {"max", m.r_max}};
+  if (m.kind == MotionKind::equilibrium || m.kind == MotionKind::periodic) {
+    Json spectrum = Json::array();
+    for (Eigen::Index k = 0; k < m.spectrum.size(); ++k)
+      spectrum.push_back({m.spectrum[k].real(), m.spectrum[k].imag()});
+    json[m.kind == MotionKind::equilibrium ? "eigenvalues" : "multipliers"] = spectrum;
+    json["residual"] = m.residual;
+  }
+  json["exponents"] = m.exponents;
+  json["stable"] = m.stable;
+  json["share"] = share.share.share;
+  json["share_interval"] = {share.share.low, share.share.high};
+  json["starts"] = share.share.count;
+  json["state"] = std::vector<double>(m.state.data(), m.state.data() + m.state.size());
+  return json;
+}
+
+const AttractorShare& share_of(const AttractorsResult& r, int id) {
+  return *std::find_if(r.basin.attractors.begin(), r.basin.attractors.end(),
+                       [&](const AttractorShare& s) { return s.id == id; });
+}
+
+// The slowest way in which a deviation dies out, shifts in time and along a continuum left out.
+std::string stability_text(const Attractor& a) {
+  const Motion& m = a.motion;
+  const char* verdict = m.stable ? "stable" : "UNSTABLE";
+  if (m.kind == MotionKind::equilibrium && m.spectrum.size() > 0) {
+    double slowest = -1e300;
+    for (Eigen::Index k = 0; k < m.spectrum.size(); ++k)
+      if (!a.continuum || std::abs(m.spectrum[k]) > 1e-7) slowest = std::max(slowest, m.spectrum[k].real());
+    return fmt::format("{}, slowest rate {:.5f}", verdict, slowest);
+  }
+  if (m.kind == MotionKind::periodic && m.spectrum.size() > 1)
+    return fmt::format("{}, largest multiplier {:.4f}", verdict, std::abs(m.spectrum[1]));
+  std::string text = fmt::format("{}, exponents", verdict);
+  for (std::size_t k = 0; k < std::min<std::size_t>(3, m.exponents.size()); ++k)
+    text += fmt::format(" {:.4f}", m.exponents[k]);
+  return text;
+}
+
+using Row = std::vector<std::string>;
+enum Alignment { left, right };
+
+// Columns as wide as their widest entry, two spaces apart.
+std::string aligned(const std::vector<Row>& rows, const std::vector<Alignment>& alignment) {
+  std::vector<std::size_t> width(alignment.size(), 0);
+  for (const Row& row : rows)
+    for (std::size_t k = 0; k < row.size(); ++k) width[k] = std::max(width[k], row[k].size());
+  std::string text;
+  for (const Row& row : rows) {
+    std::string line;
+    for (std::size_t k = 0; k < row.size(); ++k)
+      line += (k ? "  " : "") + (alignment[k] == right ? fmt::format("{:>{}}", row[k], width[k])
+                                                       : fmt::format("{:<{}}", row[k], width[k]));
+    text += line.substr(0, line.find_last_not_of(' ') + 1) + "\n";
+  }
+  return text;
+}
+
+}  // namespace
+
+double miss_probability(double share, std::uint64_t starts) {
+  return std::exp(static_cast<double>(starts) * std::log1p(-share));
+}
+
+std::string attractors_text(const AttractorsResult& r) {
+  const int balls = r.basin.study.parameters.balls;
+  std::string text = study_heading(r.basin.study);
+  std::vector<Row> rows{{"id", "attractor", "kind", "share", "copies", "period", "r min", "mean", "max",
+                         "drift of the balls", "stability"}};
+  for (const Attractor& a : r.catalogue.attractors()) {
+    const Motion& m = a.motion;
+    const Share& share = share_of(r, a.id).share;
+    std::string drift;
+    for (int i = 0; i < balls; ++i) drift += fmt::format("{}{:.4f}", i ? ", " : "", m.drift[i] + 0.0);
+    rows.push_back({fmt::format("{}", a.id), a.alias.empty() ? a.name : fmt::format("{} ({})", a.name, a.alias),
+                    name_of(m.kind), share.total ? percent(share.share, share.count == 0 ? 0 : digits_for(share)) : "-",
+                    a.continuum ? "-" : fmt::format("{}", m.copies),
+                    m.kind == MotionKind::periodic ? fmt::format("{:.5f}", m.period) : "-",
+                    fmt::format("{:.4f}", m.r_min), fmt::format("{:.4f}", m.r_mean), fmt::format("{:.4f}", m.r_max),
+                    drift, stability_text(a)});
+  }
+  text += aligned(rows, {right, left, left, right, right, right, right, right, right, left, left}) + "\n";
+  if (!r.basin.note.empty()) text += fmt::format("Note: {}.\n", r.basin.note);
+  if (r.basin.partial) text += "PARTIAL: stopped before all starts were done.\n";
+  const std::uint64_t starts = r.basin.starts;
+  text += fmt::format(
+      "{} starts searched ({:.2f} % undecided): an attractor with a share above {:.2g} is missed with probability "
+      "below "
+      "1e-9.\n",
+      starts, 100.0 * r.basin.undecided.share, detection_limit(starts, 1e-9));
+  text += fmt::format("seed {}; {:.2f} s, {:.2f} s CPU on {} thread{} ({}); equipoise {}\n",
+                      r.basin.study.sampling.seed, r.basin.seconds, r.basin.cpu_seconds, r.basin.threads,
+                      r.basin.threads == 1 ? "" : "s", r.basin.cpu_target, version_string);
+  return text;
+}
+
+std::string attractors_json(const AttractorsResult& r) {
+  Json json;
+  json["attractors"] = Json::array();
+  for (const Attractor& a : r.catalogue.attractors())
+    json["attractors"].push_back(attractor_json(a, share_of(r, a.id), r.basin.study.parameters.balls));
+  json["starts"] = r.basin.starts;
+  json["partial"] = r.basin.partial;
+  json["undecided"] = r.basin.undecided.share;
+  json["diverged"] = r.basin.diverged.share;
+  json["failed"] = r.basin.failed.share;
+  json["detection"] = {{"share", detection_limit(r.basin.starts, 1e-9)}, {"miss_probability", 1e-9}};
+  json["note"] = r.basin.note;
+  json["seconds"] = r.basin.seconds;
+  json["threads"] = r.basin.threads;
+  json["cpu_target"] = r.basin.cpu_target;
+  json["study_name"] = r.basin.study.name;
+  json["study"] = study_json(r.basin.study);
+  json["version"] = version_string;
+  return json.dump(2) + "\n";
+}
+
+}  // namespace equipoise

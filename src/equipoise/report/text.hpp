@@ -1,0 +1,24 @@
+// Pieces that the reports share.
+#pragma once
+
+#include <string>
+
+#include <nlohmann/json_fwd.hpp>
+
+#include "equipoise/statistics/share.hpp"
+#include "equipoise/study/study.hpp"
+
+namespace equipoise {
+
+/// "60.40 %".
+std::string percent(double share, int digits);
+/// Digits of a percentage that its interval supports.
+int digits_for(const Share& s);
+/// "60.22 to 60.57 %", "below 0.0013 %".
+std::string interval(const Share& s);
+/// Name, balls, rotor, speed: what every report begins with; ends with an empty line.
+std::string study_heading(const Study& study);
+/// The resolved study.
+nlohmann::ordered_json study_json(const Study& study);
+
+}  // namespace equipoise

@@ -1,0 +1,43 @@
+// What a study's starts can come to: the attractors of the final speed, found by a pilot, refined, named, and the rule
+// that recognises them early.
+#pragma once
+
+#include <vector>
+
+#include <Eigen/Dense>
+
+#include "equipoise/attractors/balanced_trap.hpp"
+#include "equipoise/attractors/catalogue.hpp"
+#include "equipoise/attractors/decision_rule.hpp"
+#include "equipoise/base/error.hpp"
+#include "equipoise/run/start_source.hpp"
+#include "equipoise/study/study.hpp"
+
+namespace equipoise {
+
+struct DiscoverySettings {
+  int threads = 1;
+  const StopFlag* stop = nullptr;
+  /// States near motions known from elsewhere (a neighbouring parameter, an earlier run), each dimension(balls)
+  /// numbers.
+  std::vector<Eigen::VectorXd> seeds;
+};
+
+/// Everything found before the first start is decided. Depends on the study but not on its seed or number of starts.
+struct Discovery {
+  BalancedAnalysis balanced;
+  Catalogue catalogue;
+  DecisionRule rule;
+  bool stopped = false;
+};
+
+/// Analyses the balanced states; runs pilot starts and starts in the invariant subspace of coincident balls until they
+/// are stationary; follows, refines and names one of each group; makes traps and boxes and tries them. Starts that come
+/// to something else later are named by identify().
+Discovery discover(const Study& study, const StartSource& source, const DiscoverySettings& settings);
+
+/// Follows a trajectory from `state` at the final speed until it is steady, lists the motion if it is new and stable,
+/// and returns its identifier; 0 if it does not become steady.
+int identify(const Study& study, const double* state, Catalogue& catalogue);
+
+}  // namespace equipoise

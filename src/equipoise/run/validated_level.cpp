@@ -1,0 +1,163 @@
+// Tries: states on a level set, followed by the kernels that decide.
+#include "equipoise/run/validated_level.hpp"
+
+#include <algorithm>
+#include <atomic>
+#include <cmath>
+#include <random>
+#include <vector>
+
+#include <Eigen/Dense>
+#include <oneapi/tbb/parallel_for.h>
+#include <oneapi/tbb/task_arena.h>
+
+#include "equipoise/attractors/fate.hpp"
+#include "equipoise/attractors/orbit_trap.hpp"
+#include "equipoise/base/angles.hpp"
+#include "equipoise/run/lane_kernels.hpp"
+
+namespace equipoise {
+
+namespace {
+
+constexpr std::size_t balanced_tries = 4096, orbit_tries = 1024, few_tries = 128, chunk = 128;
+constexpr double widest_factor = 64.0;
+// How much nearer, in V, than any pilot trajectory that ended elsewhere.
+constexpr double foreign_margin = 4.0;
+// A trajectory this much nearer, in |F d|^2, than where it started has come to the orbit.
+constexpr double come_close = 1e-3;
+
+// Unit vectors, the same for every study.
+class Directions {
+ public:
+  explicit Directions(int size) : v_(size) {}
+  const Eigen::VectorXd& next() {
+    for (double& x : v_) x = normal_(random_);
+    v_.normalize();
+    return v_;
+  }
+
+ private:
+  std::mt19937_64 random_{20190614};
+  std::normal_distribution<double> normal_;
+  Eigen::VectorXd v_;
+};
+
+// Calls work(first, count) for chunks of `total` until one returns false. True if none did.
+template <class Work>
+bool all_chunks(std::size_t total, int threads, Work&& work) {
+  std::atomic<bool> good{true};
+  tbb::task_arena arena(threads);
+  arena.execute([&] {
+    tbb::parallel_for(std::size_t{0}, (total + chunk - 1) / chunk, [&](std::size_t k) {
+      if (good && !work(k * chunk, std::min(chunk, total - k * chunk))) good = false;
+    });
+  });
+  return good;
+}
+
+LaneTask task_for(const TrialSettings& settings, double end, std::size_t count, double* states) {
+  LaneTask task;
+  task.parameters = settings.parameters;
+  task.segment = {0.0, 1e300, 0.0, settings.speed, 0.0, false};
+  task.end = end;
+  task.tolerance = settings.tolerance;
+  task.count = count;
+  task.states = states;
+  task.stop = settings.stop;
+  return task;
+}
+
+bool all_attracted(LaneTask task, const DecisionRule& rule) {
+  std::vector<Fate> fates(task.count);
+  return decide_lanes(task, rule, fates, nullptr) &&
+         std::all_of(fates.begin(), fates.end(), [](const Fate& fate) { return fate.outcome == Outcome::attracted; });
+}
+
+// All states on the level `factor` times the trap's own enter the trap again.
+bool all_return(const BalancedTrap& trap, const TrialSettings& settings, double slowest_rate, double factor) {
+  const int balls = settings.parameters->balls, size = model::dimension(balls);
+  const Eigen::Map<const Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>> f(trap.factor.data(),
+                                                                                                   size, size);
+  std::vector<double> states(balanced_tries * size);
+  Directions directions(size);
+  for (std::size_t i = 0; i < balanced_tries; ++i) {
+    const Eigen::VectorXd d =
+        std::sqrt(factor * trap.level) * f.triangularView<Eigen::Upper>().solve(directions.next());
+    for (int k = 0; k < size; ++k) states[i * size + k] = d[k];
+    for (int k = 0; k < balls; ++k) states[i * size + 4 + k] += trap.phi[k];
+  }
+  DecisionRule rule;
+  rule.balls = balls;
+  rule.traps = {trap};
+  rule.window = rule.first_long_window = 1e9;
+  // Ten times what the linear flow needs, and time to settle on it.
+  const double end = 10.0 * std::log(factor) / -slowest_rate + 500.0;
+  return all_chunks(balanced_tries, settings.threads, [&](std::size_t first, std::size_t count) {
+    return all_attracted(task_for(settings, end, count, &states[first * size]), rule);
+  });
+}
+
+// All of `tries` states on the level come to the orbit.
+bool all_approach(const OrbitTrap& trap, const TrialSettings& settings, double slowest_rate, double level,
+                  std::size_t tries) {
+  const int balls = settings.parameters->balls, size = model::dimension(balls), others = size - 1;
+  const int rows = trap.turns * trap.cells;
+  std::vector<double> states(tries * size);
+  Directions directions(others);
+  for (std::size_t i = 0; i < tries; ++i) {
+    const Eigen::VectorXd d = std::sqrt(level) * directions.next();
+    // Rows in an order that spreads any first few tries over the whole orbit (golden section).
+    const double share = 0.6180339887498949 * static_cast<double>(i);
+    trap_state(trap, balls, static_cast<int>(rows * (share - std::floor(share))), d.data(), &states[i * size]);
+  }
+  DecisionRule rule;
+  rule.balls = balls;
+  rule.orbits = {trap};
+  set_level(rule.orbits.front(), balls, come_close * level);
+  rule.window = rule.first_long_window = 1e9;
+  const double end = 2.0 * std::log(1.0 / come_close) / (2.0 * -slowest_rate) + 200.0;
+  return all_chunks(tries, settings.threads, [&](std::size_t first, std::size_t count) {
+    return all_attracted(task_for(settings, end, count, &states[first * size]), rule);
+  });
+}
+
+}  // namespace
+
+void widen(BalancedTrap& trap, const TrialSettings& settings, double slowest_rate, double nearest_foreign) {
+  const int balls = settings.parameters->balls;
+  double widest = widest_factor;  // no ball may deviate by half a turn on twice the level
+  for (int i = 0; i < balls; ++i) widest = std::min(widest, 0.5 * std::pow(pi / trap.reach[model::index::phi(i)], 2));
+  double good = std::clamp(nearest_foreign / (foreign_margin * trap.level), 1.0, widest);
+  for (double factor = widest; factor > good; factor *= 0.5)
+    if (all_return(trap, settings, slowest_rate, 2.0 * factor)) good = factor;
+  set_level(trap, good * trap.level);
+}
+
+void set_level(BalancedTrap& trap, double level) {
+  const double stretch = std::sqrt(level / trap.level);
+  trap.level = level;
+  for (double& reach : trap.reach) reach *= stretch;
+}
+
+bool validate(std::vector<OrbitTrap>& copies, const TrialSettings& settings, double slowest_rate) {
+  // Slower ones are decided by windows: following the tries would take longer than the ensemble.
+  constexpr double slowest_worth_it = 5e-4, highest = 16.0;
+  constexpr int rungs = 24;  // of a ladder of halvings
+  if (copies.empty() || !(slowest_rate < -slowest_worth_it)) return false;
+  const auto good = [&](int rung, std::size_t tries) {
+    return all_approach(copies.front(), settings, slowest_rate, std::ldexp(highest, -rung), tries);
+  };
+  // A few tries find where to begin, all of them where to stop.
+  int low = -1, high = rungs;
+  while (high - low > 1) {
+    const int middle = (low + high) / 2;
+    (good(middle, few_tries) ? high : low) = middle;
+  }
+  while (high < rungs && !good(high, orbit_tries)) ++high;
+  if (high == rungs) return false;
+  for (OrbitTrap& trap : copies) set_level(trap, settings.parameters->balls, 0.5 * std::ldexp(highest, -high));
+  return true;
+}
+
+}  // namespace equipoise
