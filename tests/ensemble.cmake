@@ -6,6 +6,7 @@ equipoise_test(statistics_test unit unit/statistics_test.cpp)
 equipoise_test(window_test unit unit/window_test.cpp)
 equipoise_test(basin_test equivalence equivalence/basin_test.cpp)
 equipoise_test(decisions_test equivalence equivalence/decisions_test.cpp)
+equipoise_test(continuation_test equivalence equivalence/continuation_test.cpp)
 if(EQUIPOISE_SANITIZE)  # instrumented kernels run at a hundredth of the speed
   target_compile_definitions(decisions_test PRIVATE DECISION_STARTS=40 BALL_COUNT_STARTS=20)
 else()
@@ -18,6 +19,16 @@ if(Python3_FOUND AND EQUIPOISE_BUILD_PROGRAM)
     COMMAND Python3::Interpreter ${CMAKE_CURRENT_SOURCE_DIR}/cli/cli_test.py $<TARGET_FILE:equipoise_program>
       ${PROJECT_SOURCE_DIR}/studies)
   set_tests_properties(cli.program_as_its_users_meet_it PROPERTIES LABELS cli TIMEOUT 600)
+
+  add_test(NAME cli.attractors_and_proofs
+    COMMAND Python3::Interpreter ${CMAKE_CURRENT_SOURCE_DIR}/cli/attractors_test.py $<TARGET_FILE:equipoise_program>
+      ${PROJECT_SOURCE_DIR}/studies)
+  set_tests_properties(cli.attractors_and_proofs PROPERTIES LABELS cli TIMEOUT 600)
+
+  add_test(NAME cli.attractors_along_a_parameter
+    COMMAND Python3::Interpreter ${CMAKE_CURRENT_SOURCE_DIR}/cli/along_test.py $<TARGET_FILE:equipoise_program>
+      ${PROJECT_SOURCE_DIR}/studies)
+  set_tests_properties(cli.attractors_along_a_parameter PROPERTIES LABELS cli TIMEOUT 600)
 
   # Every row of tables 1 to 6 from a few thousand starts each; at the paper's sample sizes: ./dev validate.
   set(literature_starts 4000)

@@ -7,6 +7,7 @@
 
 #include <fmt/format.h>
 
+#include "along_command.hpp"
 #include "commands.hpp"
 #include "equipoise/run/attractors.hpp"
 #include "options.hpp"
@@ -17,7 +18,7 @@ namespace equipoise::app {
 namespace {
 
 struct AttractorsArguments {
-  std::string study, cpu;
+  std::string study, cpu, along, output, plot;
   std::vector<std::string> overrides, states;
   std::optional<std::string> starts, seed, threads;
   bool json = false, quiet = false;
@@ -37,15 +38,38 @@ std::vector<double> parse_state(const std::string& text, int balls) {
   return state;
 }
 
+int threads_from(const AttractorsArguments& a) {
+  return a.threads ? option_number<int>("--threads", *a.threads, 1, 4096, "a whole number from 1 to 4096") : 0;
+}
+
+int follow_along(const AttractorsArguments& a) {
+  std::vector<std::string> overrides = a.overrides;
+  if (a.starts) overrides.push_back("sampling.starts=" + *a.starts);
+  if (a.seed) overrides.push_back("sampling.seed=" + *a.seed);
+  const Study study = read_study(a.study, overrides);
+  AlongArguments along;
+  along.along = a.along;
+  along.output = a.output;
+  along.plot = a.plot;
+  along.starts = a.starts ? study.sampling.starts : 0;
+  along.threads = threads_from(a);
+  for (const std::string& text : a.states) along.states.push_back(parse_state(text, study.parameters.balls));
+  along.json = a.json;
+  along.quiet = a.quiet;
+  return run_along(study, along);
+}
+
 int run_attractors(const AttractorsArguments& a) {
   choose_cpu(a.cpu);
+  if (!a.along.empty()) return follow_along(a);
+  for (const auto& [option, value] : {std::pair{"--output", &a.output}, std::pair{"--plot", &a.plot}})
+    if (!value->empty()) throw InputError(option, "", *value, "goes with --along KEY=FROM:TO:STEP only");
   std::vector<std::string> overrides = a.overrides;
   overrides.push_back("sampling.starts=" + a.starts.value_or(std::to_string(search_starts)));
   if (a.seed) overrides.push_back("sampling.seed=" + *a.seed);
   const Study study = read_study(a.study, overrides);
   BasinOptions options;
-  if (a.threads)
-    options.threads = option_number<int>("--threads", *a.threads, 1, 4096, "a whole number from 1 to 4096");
+  options.threads = threads_from(a);
   for (const std::string& text : a.states) options.seeds.push_back(parse_state(text, study.parameters.balls));
   options.stop = &stop_flag();
   ProgressLine progress(a.quiet);
@@ -70,6 +94,15 @@ Command add_attractors(CLI::App& app) {
       ->type_name("X,Y,...")
       ->take_all();
   app.add_option("--threads", a->threads, "threads (default: all cores)")->type_name("T");
+  app.add_option("--along", a->along,
+                 "follow every attractor along a study key, e.g. speed.final=1.4:6.5:0.05; with --starts: that many "
+                 "searched at every value besides the pilot's")
+      ->type_name("KEY=FROM:TO:STEP");
+  app.add_option("-o,--output", a->output,
+                 "with --along: a line a value and attractor (.csv), or the same as NetCDF (.nc)")
+      ->type_name("FILE");
+  app.add_option("--plot", a->plot, "with --along: a picture of r_min to r_max (.png or .svg), drawn by gnuplot")
+      ->type_name("FILE");
   add_overrides(app, a->overrides);
   app.add_option("--cpu", a->cpu, "instruction set to use instead of the best (see --version)")->type_name("NAME");
   app.add_flag("--json", a->json, "print one JSON object");

@@ -10,6 +10,7 @@
 #include "commands.hpp"
 #include "equipoise/report/certificate_json.hpp"
 #include "equipoise/run/certify.hpp"
+#include "options.hpp"
 
 namespace equipoise::app {
 
@@ -42,9 +43,8 @@ void write_certificates(const std::string& path, const CertifyResult& result) {
     return;
   }
   std::ofstream file(path, std::ios::binary);
-  if (!file) throw InputError("--output", "", path, "cannot be written; must be a file that can be");
   file << certificates_json(certificates);
-  if (!file.flush()) throw RunError(path + ": cannot be written");
+  if (!file || !file.flush()) throw RunError(path + ": cannot be written");
 }
 
 int run_certify(const CertifyArguments& a) {
@@ -55,6 +55,7 @@ int run_certify(const CertifyArguments& a) {
       throw InputError("--check", "", a.check, "a certificate is checked as it is: --set and -o need a study");
     return check_file(a.check, a.json);
   }
+  require_writable("--output", a.output);
   const CertifyResult result = certify(read_study(a.study, a.overrides));
   fmt::print("{}", a.json ? certify_json(result) : certify_text(result));
   if (!a.output.empty()) write_certificates(a.output, result);
@@ -67,9 +68,7 @@ Command add_certify(CLI::App& app) {
   const auto a = std::make_shared<CertifyArguments>();
   app.add_option("study", a->study, "study file (TOML)")->type_name("STUDY");
   app.add_option("--check", a->check, "verify a certificate's file instead, from its own data")->type_name("FILE.json");
-  app.add_option("--set", a->overrides, "override a study key, e.g. speed.final=2.6; may be repeated")
-      ->type_name("KEY=VALUE")
-      ->take_all();
+  add_overrides(app, a->overrides);
   app.add_option("-o,--output", a->output, "write the certificates here")->type_name("FILE.json");
   app.add_flag("--json", a->json, "print one JSON object");
   return [a] { return run_certify(*a); };

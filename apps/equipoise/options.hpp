@@ -23,6 +23,10 @@ T option_number(const char* option, const std::string& text, T low, T high, cons
 /// --cpu NAME. Throws InputError if this machine does not have it.
 void choose_cpu(const std::string& name);
 
+/// Throws InputError unless a file can be written at `path`, so that work is not lost to a missing folder. Nothing is
+/// left behind. An empty path is none.
+void require_writable(const char* option, const std::string& path);
+
 /// --set KEY=VALUE, repeated.
 void add_overrides(CLI::App& app, std::vector<std::string>& overrides);
 

@@ -1,8 +1,8 @@
-// The library's front door: a study in, shares or a trajectory out.
+// The library's front door: a study in; shares, attractors, proofs or a trajectory out.
 //
 //     const equipoise::Study study = equipoise::read_study("spin-up.toml");
 //     const equipoise::BasinResult answer = equipoise::basin(study);
-//     const equipoise::Share& balanced = answer.shares[int(equipoise::Outcome::balanced)];
+//     const equipoise::Share& balanced = answer.attractors.front().share;
 //     // balanced.share, balanced.low, balanced.high
 //     const equipoise::Trajectory one = equipoise::simulate(study, {0.0, 10.0, 20.0});
 //
@@ -14,6 +14,8 @@
 #include "equipoise/base/version.hpp"
 #include "equipoise/model/balanced_state.hpp"
 #include "equipoise/model/energy.hpp"
+#include "equipoise/run/attractors.hpp"
 #include "equipoise/run/basin.hpp"
+#include "equipoise/run/certify.hpp"
 #include "equipoise/run/simulate.hpp"
 #include "equipoise/study/study.hpp"

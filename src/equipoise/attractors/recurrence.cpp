@@ -16,8 +16,9 @@ namespace {
 
 // A return farther off than this share of the trajectory's typical distance from its last state is none.
 constexpr double close_share = 0.3;
-// The longest recurrence known takes eight turns of a ball (the doubled period-four motion at Omega = 4.41).
-constexpr double most_turns = 12.5, longest_multiple = 16.5;
+// The longest recurrence known takes twenty turns of a ball (five times the period of V4, beside which it lives at
+// Omega = 4.4).
+constexpr double most_turns = 24.5, longest_multiple = 32.5;
 // Interpolation errs by rate^4 step^4/384 of a harmonic's size: 2e-8 at 0.05 rad a step.
 constexpr double radians_per_step = 0.05;
 constexpr int most_steps = 40000;

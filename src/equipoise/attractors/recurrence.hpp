@@ -33,7 +33,7 @@ struct Return {
 };
 
 /// Returns to the last of `samples` (equally spaced in time, angles unwrapped), shortest first, each at least twice as
-/// close as all shorter ones and none longer than twelve turns of a ball or sixteen times the first; `most` at most.
+/// close as all shorter ones and none longer than 24 turns of a ball or 32 times the first; `most` at most.
 std::vector<Return> returns_to_last(const std::vector<Eigen::VectorXd>& samples, double spacing, int balls,
                                     const StateDifference& difference, int most);
 

@@ -178,7 +178,7 @@ class BasinRun {
   // Counts what an earlier run left in the file, once the motions that it met on its way are listed again.
   void read_stored() {
     if (file_)
-      for (const std::vector<double>& state : file_->discoveries()) runner_->identify(state);
+      for (const std::vector<double>& state : file_->discoveries()) runner_->list(runner_->follow(state));
     const std::uint64_t stored = file_ ? std::min(file_->stored(), limit_) : 0;
     constexpr std::size_t block = 65536;
     for (std::uint64_t first = 0; first < stored && !finished_; first += block)
@@ -236,7 +236,7 @@ class BasinRun {
     auto unlisted = chunk.unlisted.begin();
     while (taken < chunk.count && !finished_) {
       Fate& fate = chunk.fates[taken];
-      if (unlisted != chunk.unlisted.end() && unlisted->place == taken) name_fate(fate, (unlisted++)->state);
+      if (unlisted != chunk.unlisted.end() && unlisted->place == taken) name_fate(fate, *unlisted++);
       take(fate);
       ++taken;
     }
@@ -247,10 +247,10 @@ class BasinRun {
   }
 
   // A stationary motion that the rule does not list: what it is decides, whenever it was first met.
-  void name_fate(Fate& fate, const std::vector<double>& state) {
+  void name_fate(Fate& fate, const UnlistedStart& start) {
     const std::size_t listed = runner_->catalogue().attractors().size();
-    settle(fate, runner_->identify(state));
-    if (file_ && runner_->catalogue().attractors().size() > listed) file_->append_discovery(state);
+    settle(fate, runner_->list(start));
+    if (file_ && runner_->catalogue().attractors().size() > listed) file_->append_discovery(start.state);
   }
 
   const BasinOptions& options_;
@@ -284,7 +284,7 @@ StartReplay replay_start(const Study& study, std::uint64_t index, const BasinOpt
     throw RunError("stopped before the start was decided");
   std::copy(phi.begin(), phi.end(), replay.phi.begin());
   replay.fate = fates.front();
-  if (!unlisted.empty()) settle(replay.fate, runner.identify(unlisted.front().state));
+  if (!unlisted.empty()) settle(replay.fate, runner.list(unlisted.front()));
   if (const Attractor* a = runner.catalogue().find(replay.fate.attractor)) replay.name = a->name;
   return replay;
 }

@@ -26,7 +26,11 @@ namespace {
 // Pilot starts are drawn from a seed of their own, so the decision rule depends on the study but not on its seed.
 constexpr std::uint64_t pilot_seed = 0x9e3779b97f4a7c15;
 // Scouts find motions; with their traps in place all of the pilot shows how far those and the boxes can be trusted.
+#ifdef EQUIPOISE_INSTRUMENTED
+constexpr std::size_t scouts = 64, coincident_starts = 8, pilot_starts = 128, chunk = 32;
+#else
 constexpr std::size_t scouts = 1024, coincident_starts = 32, pilot_starts = 4096, chunk = 256;
+#endif
 // Long windows end at 1, 2, 4, 8 and 16 times the first: four comparisons, of which two in a row must agree.
 constexpr double pilot_windows = 16.0;
 // Windows of one motion agree this well; motions met so far differ by more.
@@ -337,13 +341,6 @@ class Discoverer {
 
 Discovery discover(const Study& study, const StartSource& source, const DiscoverySettings& settings) {
   return Discoverer(study, source, settings).run();
-}
-
-int identify(const Study& study, const double* state, Catalogue& catalogue) {
-  const model::Parameters& p = study.parameters;
-  const Eigen::VectorXd z = Eigen::Map<const Eigen::VectorXd>(state, model::dimension(p.balls));
-  const auto motion = motion_from(p, study.speed_profile().final_speed(), z);
-  return motion && motion->stable ? catalogue.add(p, *motion) : 0;
 }
 
 }  // namespace equipoise

@@ -33,11 +33,7 @@ struct Discovery {
 
 /// Analyses the balanced states; runs pilot starts and starts in the invariant subspace of coincident balls until they
 /// are stationary; follows, refines and names one of each group; makes traps and boxes and tries them. Starts that come
-/// to something else later are named by identify().
+/// to something else later are followed and listed by StartRunner.
 Discovery discover(const Study& study, const StartSource& source, const DiscoverySettings& settings);
-
-/// Follows a trajectory from `state` at the final speed until it is steady, lists the motion if it is new and stable,
-/// and returns its identifier; 0 if it does not become steady.
-int identify(const Study& study, const double* state, Catalogue& catalogue);
 
 }  // namespace equipoise

@@ -46,16 +46,22 @@ bool StartRunner::run(std::uint64_t first, std::size_t count, std::vector<double
   for (std::size_t i = 0; i < count; ++i) {
     if (fates[i].outcome != Outcome::undecided) continue;  // lost on an earlier branch, and stays lost
     fates[i] = decided[i];
-    if (fates[i].outcome == Outcome::attracted && fates[i].attractor == 0)
-      unlisted.push_back({i,
-                          {states.begin() + static_cast<std::ptrdiff_t>(i * size),
-                           states.begin() + static_cast<std::ptrdiff_t>((i + 1) * size)}});
+    if (fates[i].outcome == Outcome::attracted && fates[i].attractor == 0) {
+      unlisted.push_back(follow({states.data() + i * size, states.data() + (i + 1) * size}));
+      unlisted.back().place = i;
+    }
   }
   return true;
 }
 
-int StartRunner::identify(const std::vector<double>& state) {
-  return equipoise::identify(study_, state.data(), discovery_.catalogue);
+UnlistedStart StartRunner::follow(const std::vector<double>& state) const {
+  const Eigen::Map<const Eigen::VectorXd> z(state.data(), static_cast<Eigen::Index>(state.size()));
+  return {0, state, motion_from(study_.parameters, study_.speed_profile().final_speed(), z)};
+}
+
+int StartRunner::list(const UnlistedStart& start) {
+  const bool stable = start.motion && start.motion->stable;
+  return stable ? discovery_.catalogue.add(study_.parameters, *start.motion) : 0;
 }
 
 }  // namespace equipoise

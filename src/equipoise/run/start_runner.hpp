@@ -2,9 +2,11 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 #include "equipoise/attractors/fate.hpp"
+#include "equipoise/attractors/motion.hpp"
 #include "equipoise/base/error.hpp"
 #include "equipoise/run/discovery.hpp"
 #include "equipoise/run/start_source.hpp"
@@ -17,8 +19,9 @@ void check_decidable(const Study& study);
 
 /// A start that came to a stationary motion which the catalogue does not list.
 struct UnlistedStart {
-  std::size_t place = 0;      ///< among the starts of the call
-  std::vector<double> state;  ///< when it was found stationary
+  std::size_t place = 0;         ///< among the starts of the call
+  std::vector<double> state;     ///< when it was found stationary
+  std::optional<Motion> motion;  ///< what it settles on; none if it is not steady after all
 };
 
 /// Everything about a study that all its starts share.
@@ -28,12 +31,14 @@ class StartRunner {
   StartRunner(const Study& study, const DiscoverySettings& settings);
 
   /// Decides starts first .. first + count - 1. Thread-safe. False if stopped early. Starts in `unlisted` have the
-  /// attractor 0 and wait for identify().
+  /// attractor 0 and wait for list().
   bool run(std::uint64_t first, std::size_t count, std::vector<double>& phi, std::vector<Fate>& fates,
            std::vector<UnlistedStart>& unlisted) const;
-  /// Names what an unlisted start came to, listing it if need be: an identifier, or 0 if it was not steady after all.
+  /// The identifier of what an unlisted start settles on, which is listed if need be; 0 if that is nothing stable.
   /// Not thread-safe: called in the order of starts, so that identifiers do not depend on threads.
-  int identify(const std::vector<double>& state);
+  int list(const UnlistedStart& start);
+  /// An unlisted start from its state when it was found stationary, as an earlier run kept it.
+  UnlistedStart follow(const std::vector<double>& state) const;
 
   const BalancedAnalysis& balanced() const { return discovery_.balanced; }
   const Catalogue& catalogue() const { return discovery_.catalogue; }

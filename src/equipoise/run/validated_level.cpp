@@ -20,7 +20,12 @@ namespace equipoise {
 
 namespace {
 
+// Instrumented builds try fewer.
+#ifdef EQUIPOISE_INSTRUMENTED
+constexpr std::size_t balanced_tries = 128, orbit_tries = 32, few_tries = 8, chunk = 8;
+#else
 constexpr std::size_t balanced_tries = 4096, orbit_tries = 1024, few_tries = 128, chunk = 128;
+#endif
 constexpr double widest_factor = 64.0;
 // How much nearer, in V, than any pilot trajectory that ended elsewhere.
 constexpr double foreign_margin = 4.0;
@@ -142,7 +147,7 @@ void set_level(BalancedTrap& trap, double level) {
 
 bool validate(std::vector<OrbitTrap>& copies, const TrialSettings& settings, double slowest_rate) {
   // Slower ones are decided by windows: following the tries would take longer than the ensemble.
-  constexpr double slowest_worth_it = 5e-4, highest = 16.0;
+  constexpr double slowest_worth_it = 2e-3, highest = 16.0;
   constexpr int rungs = 24;  // of a ladder of halvings
   if (copies.empty() || !(slowest_rate < -slowest_worth_it)) return false;
   const auto good = [&](int rung, std::size_t tries) {

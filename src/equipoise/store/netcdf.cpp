@@ -52,6 +52,10 @@ int NetcdfFile::variable(const std::string& name) const {
   return variable;
 }
 
+void NetcdfFile::fill(int variable, const void* value) {
+  check(nc_def_var_fill(id_, variable, NC_FILL, value), "fill value");
+}
+
 void NetcdfFile::chunk(int variable, const std::vector<std::size_t>& sizes) {
   check(nc_def_var_chunking(id_, variable, NC_CHUNKED, sizes.data()), "chunking");
 }

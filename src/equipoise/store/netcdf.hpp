@@ -24,6 +24,8 @@ class NetcdfFile {
   int variable(const std::string& name, int type, const std::vector<int>& dimensions, const std::string& units,
                const std::string& long_name);
   int variable(const std::string& name) const;
+  /// What stands where nothing was written, of the variable's type; also its attribute _FillValue.
+  void fill(int variable, const void* value);
   void chunk(int variable, const std::vector<std::size_t>& sizes);
   void attribute(int variable, const std::string& name, const std::string& text);
   void attribute(int variable, const std::string& name, const std::vector<signed char>& values);

@@ -1,0 +1,45 @@
+// A parameter of a study and the values it takes: what --along asks for.
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+#include "equipoise/model/parameters.hpp"
+#include "equipoise/study/study.hpp"
+
+namespace equipoise {
+
+inline constexpr std::size_t most_line_values = 2000;
+
+/// The constant-speed system at one value.
+struct LineSystem {
+  model::Parameters parameters;
+  double speed = 0.0;
+};
+
+class ParameterLine {
+ public:
+  /// `text`: KEY=FROM:TO:STEP. KEY is a key of rotor, balancer or speed that takes a number, or speed.final, which is
+  /// the final speed whatever the profile. Throws InputError for anything else, and if the study cannot be decided at
+  /// one of the values.
+  ParameterLine(const Study& study, const std::string& text);
+
+  const std::string& key() const { return key_; }
+  /// Rising, whichever way FROM and TO were given, to twelve digits.
+  const std::vector<double>& values() const { return values_; }
+  double step() const { return step_; }
+
+  Study study_at(double value) const;
+  LineSystem system_at(double value) const;
+
+ private:
+  void parse(const std::string& text);
+
+  Study study_;
+  std::string key_;
+  std::vector<double> values_;
+  double step_ = 0.0;
+};
+
+}  // namespace equipoise

@@ -1,0 +1,132 @@
+// Branches in NetCDF-4, written in one go.
+#include "equipoise/store/branches_file.hpp"
+
+#include <limits>
+
+#include <fmt/format.h>
+#include <netcdf.h>
+
+#include "equipoise/base/version.hpp"
+#include "equipoise/store/netcdf.hpp"
+
+namespace equipoise {
+
+namespace {
+
+class Writer {
+ public:
+  Writer(const std::string& path, const BranchTable& table)
+      : table_(table), file_(path, store::NetcdfFile::Mode::create), balls_(static_cast<std::size_t>(table.balls)) {}
+
+  void write() {
+    define();
+    for (std::size_t k = 0; k < table_.values.size(); ++k) file_.write(value_, {k}, {1}, &table_.values[k]);
+    std::size_t event = 0;
+    for (std::size_t b = 0; b < table_.branches.size(); ++b) {
+      const Branch& branch = table_.branches[b];
+      put(id_, b, branch.id);
+      put(name_, b, branch.name.c_str());
+      put(alias_, b, branch.alias.c_str());
+      for (const BranchPoint& point : branch.points) put_point(point, b);
+      for (const BranchEvent& e : branch.events) put_event(e, event++);
+    }
+    file_.sync();
+  }
+
+ private:
+  void define() {
+    store::NetcdfFile& f = file_;
+    const int value = f.dimension("value", table_.values.size());
+    const int attractor = f.dimension("attractor", store::NetcdfFile::unlimited);
+    const int ball = f.dimension("ball", balls_);
+    const int event = f.dimension("event", store::NetcdfFile::unlimited);
+    value_ = f.variable("value", NC_DOUBLE, {value}, "1", fmt::format("{}: {}", table_.key, table_.label));
+    id_ = f.variable("id", NC_INT, {attractor}, "1", "identifier, the same along the whole range");
+    name_ = f.variable("name", NC_STRING, {attractor}, "1", "name of the attractor");
+    alias_ = f.variable("alias", NC_STRING, {attractor}, "1", "name that Wright and Peng (2019) give it");
+    const auto number = [&](const char* name, const char* units, const char* meaning) {
+      return filled(name, {value, attractor}, units, meaning);
+    };
+    const signed char none = -1;
+    kind_ = f.variable("kind", NC_BYTE, {value, attractor}, "1", "kind of motion");
+    f.fill(kind_, &none);
+    f.attribute(kind_, "flag_values", std::vector<signed char>{0, 1, 2, 3});
+    f.attribute(kind_, "flag_meanings", "equilibrium periodic quasi-periodic chaotic");
+    stable_ = f.variable("stable", NC_BYTE, {value, attractor}, "1", "whether the motion attracts its neighbourhood");
+    f.fill(stable_, &none);
+    f.attribute(stable_, "flag_values", std::vector<signed char>{0, 1});
+    f.attribute(stable_, "flag_meanings", "unstable stable");
+    period_ = number("period", "1", "period of a periodic motion, in 1/omega_c");
+    r_min_ = number("r_min", "1", "smallest distance of the rotor's centre from the axis, in race radii");
+    r_mean_ = number("r_mean", "1", "mean distance of the rotor's centre from the axis, in race radii");
+    r_max_ = number("r_max", "1", "largest distance of the rotor's centre from the axis, in race radii");
+    multiplier_ = number("multiplier", "1", "largest modulus of a Floquet multiplier but the shift in time");
+    rate_ = number("growth_rate", "1", "growth rate of the slowest deviation, in omega_c; negative where it dies out");
+    drift_ = filled("drift", {value, attractor, ball}, "1",
+                    "mean rate of a ball in the rotating frame, radians times omega_c");
+    event_id_ = f.variable("event_id", NC_INT, {event}, "1", "identifier of the attractor to which it happens");
+    event_change_ = f.variable("event_change", NC_STRING, {event}, "1", "what happens");
+    event_type_ = f.variable("event_type", NC_STRING, {event}, "1", "type of the bifurcation");
+    event_low_ = f.variable("event_low", NC_DOUBLE, {event}, "1", "it happens above this value of the parameter");
+    event_high_ = f.variable("event_high", NC_DOUBLE, {event}, "1", "it happens below this value of the parameter");
+    f.attribute(NC_GLOBAL, "Conventions", "CF-1.8");
+    f.attribute(NC_GLOBAL, "title", "Attractors of a rotor with an automatic ball balancer along a parameter");
+    f.attribute(NC_GLOBAL, "source", fmt::format("equipoise {}", version_string));
+    f.attribute(NC_GLOBAL, "identity",
+                fmt::format("{}\n# along {}\n# version {}\n", table_.study, table_.key, version_string));
+    f.attribute(NC_GLOBAL, "parameter", table_.key);
+    f.attribute(NC_GLOBAL, "study", table_.study);
+    f.attribute(NC_GLOBAL, "complete", table_.complete ? "yes" : "no");
+    f.end_definitions();
+  }
+
+  int filled(const char* name, const std::vector<int>& dimensions, const char* units, const char* meaning) {
+    const double none = std::numeric_limits<double>::quiet_NaN();
+    const int variable = file_.variable(name, NC_DOUBLE, dimensions, units, meaning);
+    file_.fill(variable, &none);
+    return variable;
+  }
+
+  template <class T>
+  void put(int variable, std::size_t at, const T& value) {
+    file_.write(variable, {at}, {1}, &value);
+  }
+  template <class T>
+  void put(int variable, const BranchPoint& point, std::size_t attractor, const T& value) {
+    file_.write(variable, {point.at, attractor}, {1, 1}, &value);
+  }
+
+  void put_point(const BranchPoint& point, std::size_t b) {
+    const Motion& m = point.motion;
+    put(kind_, point, b, static_cast<signed char>(m.kind));
+    put(stable_, point, b, static_cast<signed char>(m.stable ? 1 : 0));
+    if (m.kind == MotionKind::periodic) put(period_, point, b, m.period);
+    put(r_min_, point, b, m.r_min);
+    put(r_mean_, point, b, m.r_mean);
+    put(r_max_, point, b, m.r_max);
+    put(multiplier_, point, b, largest_multiplier(m));
+    put(rate_, point, b, growth_rate(m));
+    file_.write(drift_, {point.at, b, 0}, {1, 1, balls_}, m.drift.data());
+  }
+
+  void put_event(const BranchEvent& e, std::size_t at) {
+    put(event_id_, at, e.id);
+    put(event_change_, at, name_of(e.change));
+    put(event_type_, at, name_of(e.cause));
+    put(event_low_, at, e.low);
+    put(event_high_, at, e.high);
+  }
+
+  const BranchTable& table_;
+  store::NetcdfFile file_;
+  std::size_t balls_;
+  int value_ = -1, id_ = -1, name_ = -1, alias_ = -1, kind_ = -1, stable_ = -1, period_ = -1;
+  int r_min_ = -1, r_mean_ = -1, r_max_ = -1, multiplier_ = -1, rate_ = -1, drift_ = -1;
+  int event_id_ = -1, event_change_ = -1, event_type_ = -1, event_low_ = -1, event_high_ = -1;
+};
+
+}  // namespace
+
+void write_branches_file(const std::string& path, const BranchTable& table) { Writer(path, table).write(); }
+
+}  // namespace equipoise

@@ -1,0 +1,133 @@
+#!/usr/bin/env python3
+"""equipoise attractors --along as its users meet it: table, files, picture, errors, interruption.
+
+    along_test.py PROGRAM STUDIES
+"""
+import csv
+import io
+import json
+import os
+import shutil
+import signal
+import subprocess
+import sys
+import tempfile
+import time
+import unittest
+
+PROGRAM, STUDIES = os.path.abspath(sys.argv[1]), os.path.abspath(sys.argv[2])
+ROW = os.path.join(STUDIES, "paper", "table-2-omega-2.4.toml")
+LINE = "speed.final=2.9:2.95:0.05"
+
+
+def run(*arguments, **options):
+    return subprocess.run([PROGRAM, "attractors", ROW, *arguments], capture_output=True, text=True, timeout=300,
+                          check=False, **options)
+
+
+class Results(unittest.TestCase):
+    @classmethod
+    def setUpClass(cls):
+        cls.folder = tempfile.TemporaryDirectory()
+        cls.csv, cls.picture = (os.path.join(cls.folder.name, name) for name in ("out.csv", "out.svg"))
+        plot = ("--plot", cls.picture) if shutil.which("gnuplot") else ()
+        cls.done = run("--along", LINE, "--json", "--quiet", "-o", cls.csv, *plot)
+        cls.answer = json.loads(cls.done.stdout)
+
+    @classmethod
+    def tearDownClass(cls):
+        cls.folder.cleanup()
+
+    def test_json_has_branches_points_and_events(self):
+        self.assertEqual((self.done.returncode, self.done.stderr), (0, ""))
+        self.assertEqual((self.answer["parameter"], self.answer["values"]), ("speed.final", [2.9, 2.95]))
+        by_id = {b["id"]: b for b in self.answer["branches"]}
+        self.assertEqual([by_id[k]["name"] for k in (1, 2, 4)], ["balanced", "co-drifting", "one captured"])
+        self.assertEqual([p["value"] for p in by_id[2]["points"]], [2.9, 2.95])
+        births = [e for e in self.answer["events"] if e["id"] == 4]
+        self.assertEqual([(e["change"], e["type"]) for e in births], [("birth", "fold")])
+        self.assertEqual(by_id[4]["stable"], [by_id[4]["exists"]])
+
+    def test_csv_has_a_line_a_value_and_attractor(self):
+        with open(self.csv, encoding="utf-8") as file:
+            lines = file.read().splitlines()
+        comments = [line for line in lines if line.startswith("#")]
+        self.assertIn("equipoise", comments[0])
+        self.assertIn("# drag = [0.05, 0.05]", comments)
+        rows = list(csv.DictReader(io.StringIO("\n".join(line for line in lines if not line.startswith("#")))))
+        points = {(p["value"], b["id"]): p for b in self.answer["branches"] for p in b["points"]}
+        self.assertEqual({(float(r["speed.final"]), int(r["id"])) for r in rows}, set(points))
+        for row in rows:
+            point = points[float(row["speed.final"]), int(row["id"])]
+            self.assertEqual(float(row["r_max"]), point["radial"]["max"])
+            self.assertEqual(row["period"], "" if point["period"] is None else repr(point["period"]))
+
+    @unittest.skipUnless(shutil.which("gnuplot"), "gnuplot is not installed")
+    def test_picture_has_names_and_units(self):
+        with open(self.picture, encoding="utf-8") as file:
+            text = file.read()
+        for word in ("V1: co-drifting", "V3: one captured", "balanced", "critical speed", "race radius", "unstable"):
+            self.assertIn(word, text)
+
+
+class Files(unittest.TestCase):
+    def test_netcdf_and_table(self):
+        with tempfile.TemporaryDirectory() as folder:
+            path = os.path.join(folder, "out.nc")
+            done = run("--along", "speed.speed=3:3:0.1", "--quiet", "-o", path)
+            self.assertEqual((done.returncode, done.stderr), (0, ""))
+            for word in ("along speed.speed", "exists", "attracts", "one captured (V3)", "event"):
+                self.assertIn(word, done.stdout)
+            with open(path, "rb") as file:
+                self.assertEqual(file.read(4), b"\x89HDF")
+
+    def test_interrupted_run_is_written_and_marked_partial(self):
+        with tempfile.TemporaryDirectory() as folder:
+            path = os.path.join(folder, "out.csv")
+            process = subprocess.Popen([PROGRAM, "attractors", ROW, "--along", "speed.final=2.6:6:0.01", "--json", "--quiet",
+                                        "-o", path], stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
+            time.sleep(6)
+            process.send_signal(signal.SIGINT)
+            out, _ = process.communicate(timeout=60)
+            self.assertEqual(process.returncode, 130)
+            self.assertTrue(json.loads(out)["partial"])
+            with open(path, encoding="utf-8") as file:
+                self.assertIn("PARTIAL", file.readline())
+
+
+class Errors(unittest.TestCase):
+    def refused(self, arguments, *words, **options):
+        with tempfile.TemporaryDirectory() as folder:
+            done = run(*arguments, cwd=folder, **options)
+            self.assertEqual((done.returncode, done.stdout), (2, ""), done.stderr)
+            self.assertEqual(os.listdir(folder), [], "nothing may be written")
+        self.assertEqual(len(done.stderr.strip().splitlines()), 1, done.stderr)
+        for word in words:
+            self.assertIn(word, done.stderr)
+
+    def test_bad_options_are_one_line_naming_option_value_and_form(self):
+        for arguments, words in (
+            (["--along", "speed.final"], ("--along", "speed.final", "KEY=FROM:TO:STEP")),
+            (["--along", "speed.final=2:3"], ("--along", "2:3", "KEY=FROM:TO:STEP")),
+            (["--along", "speed.final=2:x:1"], ("--along", "2:x:1", "three numbers")),
+            (["--along", "speed.final=2:3:0"], ("--along", "2:3:0", "must not be 0")),
+            (["--along", "speed.final=2:3:-0.1"], ("--along", "-0.1", "sign of TO - FROM")),
+            (["--along", "speed.final=2:3:0.0001"], ("--along", "10001 values", "at most 2000")),
+            (["--along", "balancer.dragg=1:2:1"], ("--along", "balancer.dragg", "unknown key", "drag")),
+            (["--along", "numerics.horizon=1:2:1"], ("--along", "numerics.horizon", "rotor, balancer or speed")),
+            (["--along", "balancer.mass=-0.05:0.05:0.01"], ("--along", "balancer.mass", "-0.05", "greater than 0")),
+            (["--along", LINE, "-o", "out.txt"], ("--output", "out.txt", ".csv or .nc")),
+            (["--along", LINE, "--plot", "out.pdf"], ("--plot", "out.pdf", ".png or .svg")),
+            (["--along", LINE, "-o", "/nowhere/out.nc"], ("--output", "/nowhere/out.nc", "cannot be written")),
+            (["--along", LINE, "--state", "1,2"], ("--state", "1,2", "8 numbers")),
+            (["-o", "out.csv"], ("--output", "out.csv", "--along")),
+        ):
+            with self.subTest(arguments=arguments):
+                self.refused(arguments, *words)
+
+    def test_missing_gnuplot_is_told_before_the_work(self):
+        self.refused(["--along", LINE, "--plot", "out.png"], "--plot", "gnuplot-nox", env={**os.environ, "PATH": "/nowhere"})
+
+
+if __name__ == "__main__":
+    unittest.main(argv=[sys.argv[0]])

@@ -1,0 +1,175 @@
+// Attractors followed along the speed (two balls, mu = 0.05 each, lambda = 0.01, zeta = 0.5, beta = 0.05): where an
+// earlier, independent code had seen them, tighter figures recorded with this one, and what must hold of branches
+// however they are found.
+#include "equipoise/run/continuation.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <map>
+#include <string>
+#include <vector>
+
+#include "equipoise/base/error.hpp"
+
+namespace {
+
+using namespace equipoise;
+
+Study study() { return read_study(EQUIPOISE_SOURCE_DIR "/studies/paper/table-2-omega-2.4.toml"); }
+
+BranchesResult along(const std::string& text, std::vector<std::vector<double>> seeds = {}, int threads = 2) {
+  const Study s = study();
+  ContinuationOptions options;
+  options.threads = threads;
+  options.seeds = std::move(seeds);
+  return follow_attractors(s, ParameterLine(s, text), options);
+}
+
+const Branch* branch(const BranchesResult& result, int id) {
+  const auto at =
+      std::find_if(result.branches.begin(), result.branches.end(), [&](const Branch& b) { return b.id == id; });
+  return at == result.branches.end() ? nullptr : &*at;
+}
+
+const BranchEvent* event(const Branch& b, BranchChange change) {
+  const auto at =
+      std::find_if(b.events.begin(), b.events.end(), [&](const BranchEvent& e) { return e.change == change; });
+  return at == b.events.end() ? nullptr : &*at;
+}
+
+// A state on the motion of coincident balls at 4.4: at this speed starts with coincident balls come to other motions.
+std::vector<double> coincident_at_4_4() {
+  const model::Parameters p = study().parameters;
+  Eigen::VectorXd start = Eigen::VectorXd::Zero(8);
+  start[4] = start[5] = 1.0;
+  const auto motion = motion_from(p, 3.4, start);
+  if (!motion) return {};
+  PeriodicOrbit orbit = motion->orbit;
+  for (int k = 1; k <= 10; ++k) {
+    const auto next = refine_orbit(p, 3.4 + 0.1 * k, orbit.nodes, orbit.period);
+    if (!next) return {};
+    orbit = *next;
+  }
+  return {orbit.nodes[0].data(), orbit.nodes[0].data() + 8};
+}
+
+TEST(Branches, one_captured_is_born_in_a_fold_at_2_9043) {
+  const BranchesResult result = along("speed.final=2.85:2.95:0.05");
+  const Branch* b = branch(result, 4);
+  ASSERT_TRUE(b);
+  EXPECT_EQ(b->alias, "V3");
+  EXPECT_EQ(b->points.size(), 1u);  // 2.95
+  const BranchEvent* birth = event(*b, BranchChange::birth);
+  ASSERT_TRUE(birth);
+  EXPECT_EQ(birth->cause, BranchCause::fold);
+  // Recorded with this code by other steps (orbit_test.cpp; the independent one: 2.90 to 2.95). The bracket is 2^-16 of
+  // the step wide, and Newton's method may fail a little before the fold.
+  EXPECT_NEAR(birth->middle(), 2.904337, 2e-6);
+  EXPECT_LT(birth->high - birth->low, 0.05 / 16);
+  // The motion of coincident balls and balance are there all along, with the identifiers they have everywhere.
+  for (const int id : {1, 2}) {
+    ASSERT_TRUE(branch(result, id));
+    EXPECT_EQ(branch(result, id)->points.size(), result.values.size());
+    EXPECT_TRUE(branch(result, id)->events.empty());
+  }
+  // An isola of its own between 2.73 and 3.06, of the same name but larger: first met here, so a regression test.
+  const Branch* isola = branch(result, 8);
+  ASSERT_TRUE(isola);
+  EXPECT_EQ(isola->name, "one captured (2)");
+  EXPECT_EQ(isola->alias, "");
+  EXPECT_EQ(isola->points.size(), 3u);
+}
+
+TEST(Branches, lose_stability_where_they_did_before) {
+  const BranchesResult result =
+      along("speed.final=4.4:4.45:0.05", {coincident_at_4_4(), {0, 0, 0, 0, 1.17174, 1.00534, 0, 0}});
+  const Branch* coincident = branch(result, 2);
+  ASSERT_TRUE(coincident);
+  const BranchEvent* pitchfork = event(*coincident, BranchChange::stability_lost);
+  ASSERT_TRUE(pitchfork);
+  EXPECT_EQ(pitchfork->cause, BranchCause::pitchfork);
+  EXPECT_GT(pitchfork->low, 4.41);  // recorded with this code; the independent one: 4.40 to 4.50
+  EXPECT_LT(pitchfork->high, 4.42);
+  EXPECT_LE(pitchfork->high - pitchfork->low, 0.05 / 16);
+  EXPECT_EQ(coincident->points.size(), 2u);
+  EXPECT_FALSE(coincident->points.back().motion.stable);  // followed through instability
+
+  const Branch* period_four = branch(result, 5);
+  ASSERT_TRUE(period_four);
+  EXPECT_EQ(period_four->alias, "V4");
+  const BranchEvent* doubling = event(*period_four, BranchChange::stability_lost);
+  ASSERT_TRUE(doubling);
+  EXPECT_EQ(doubling->cause, BranchCause::period_doubling);
+  EXPECT_GT(doubling->low, 4.408);  // recorded between these
+  EXPECT_LT(doubling->high, 4.409);
+}
+
+// A torus at 2.4 and 2.45, chaotic at 2.5, gone at 2.6: one motion with one identifier.
+TEST(Branches, torus_that_turns_chaotic_keeps_its_identifier) {
+  const BranchesResult result = along("speed.final=2.45:2.55:0.05");
+  const Branch* b = branch(result, 3);
+  ASSERT_TRUE(b);
+  EXPECT_EQ(b->alias, "V2");
+  ASSERT_EQ(b->points.size(), 2u);
+  EXPECT_EQ(b->points[0].motion.kind, MotionKind::quasi_periodic);
+  EXPECT_EQ(b->points[1].motion.kind, MotionKind::chaotic);
+  const BranchEvent *kind = event(*b, BranchChange::kind), *death = event(*b, BranchChange::death);
+  ASSERT_TRUE(kind && death);
+  EXPECT_EQ(kind->cause, BranchCause::torus_to_chaos);
+  EXPECT_GT(kind->low, 2.45);
+  EXPECT_LT(kind->high, 2.5);
+  EXPECT_EQ(death->cause, BranchCause::attraction_ends);
+  EXPECT_GT(death->low, 2.5);
+  EXPECT_LE(death->high, 2.55);
+  for (const Branch& other : result.branches) {
+    if (other.id != 3) {
+      EXPECT_NE(other.name, b->name);
+    }
+  }
+}
+
+TEST(Branches, do_not_depend_on_threads) {
+  const BranchesResult one = along("speed.final=2.9:2.95:0.05", {}, 1), two = along("speed.final=2.9:2.95:0.05", {}, 2);
+  EXPECT_EQ(branches_csv(one), branches_csv(two));
+}
+
+// No motion is on two branches; events of a branch lie in its order.
+TEST(Branches, are_disjoint_and_ordered) {
+  const BranchesResult result = along("balancer.drag=0.05:0.1:0.05");
+  ASSERT_EQ(result.values.size(), 2u);
+  for (const Branch& a : result.branches) {
+    for (std::size_t i = 0; i + 1 < a.points.size(); ++i) EXPECT_LT(a.points[i].at, a.points[i + 1].at);
+    for (std::size_t i = 0; i + 1 < a.events.size(); ++i) EXPECT_LE(a.events[i].middle(), a.events[i + 1].middle());
+    for (const Branch& b : result.branches) {
+      if (a.id >= b.id) continue;
+      for (const BranchPoint& x : a.points)
+        for (const BranchPoint& y : b.points) {
+          if (x.at != y.at) continue;
+          EXPECT_FALSE(same_motion(study().parameters, x.motion, y.motion)) << a.id << " " << b.id;
+        }
+    }
+  }
+}
+
+TEST(ParameterLine, has_decimal_values_whichever_way_it_is_given) {
+  const ParameterLine line(study(), "speed.final=1.4:6.5:0.05"), back(study(), "speed.final=6.5:1.4:-0.05");
+  ASSERT_EQ(line.values().size(), 103u);
+  EXPECT_EQ(line.values()[20], 2.4);
+  EXPECT_EQ(line.values().back(), 6.5);
+  EXPECT_EQ(back.values(), line.values());
+  EXPECT_EQ(line.system_at(2.4).speed, 2.4);
+  EXPECT_EQ(ParameterLine(study(), "balancer.drag=0.1:0.1:1").system_at(0.1).parameters.drag[1], 0.1);
+}
+
+TEST(ParameterLine, refuses_what_it_cannot_follow) {
+  for (const char* text :
+       {"", "speed.final", "=1:2:1", "speed.final=1:2", "speed.final=1:2:3:4", "speed.final=a:2:1", "speed.final=1:2:0",
+        "speed.final=1:2:-0.1", "speed.final=2:1:0.1", "speed.final=1:nan:0.1", "speed.final=0:1:0.5",
+        "speed.final=1:2:0.0001", "balancer.balls=1:3:1", "numerics.horizon=1000:2000:500", "balancer.dragg=1:2:1",
+        "balancer.mass=-1:1:0.5", "rotor.gravity=0:1:1", "speed.law=1:2:1", "rotor=1:2:1"})
+    EXPECT_THROW(ParameterLine(study(), text), InputError) << text;
+}
+
+}  // namespace
