@@ -13,7 +13,6 @@ import signal
 import subprocess
 import sys
 import tempfile
-import time
 import unittest
 
 PROGRAM, STUDIES = sys.argv[1], sys.argv[2]
@@ -83,9 +82,9 @@ class Basin(unittest.TestCase):
     def test_interrupted_run_says_what_is_known_so_far(self):
         with tempfile.TemporaryDirectory() as folder:
             output = os.path.join(folder, "out.nc")
-            process = subprocess.Popen([PROGRAM, "basin", ROW, "--starts", "100000000", "--json", "--quiet", "-o", output],
+            process = subprocess.Popen([PROGRAM, "basin", ROW, "--starts", "100000000", "--json", "-o", output],
                                        stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
-            time.sleep(3)
+            process.stderr.readline()  # of progress: starts have been counted
             process.send_signal(signal.SIGINT)
             out, _ = process.communicate(timeout=60)
             self.assertEqual(process.returncode, 130)
