@@ -1,4 +1,4 @@
-// equipoise basin: the shares of starts that end balanced.
+// equipoise basin: the share of starts that comes to each attractor.
 #include <cstdint>
 #include <memory>
 #include <optional>
