@@ -1,5 +1,4 @@
 // equipoise attractors: every steady motion of the final speed.
-#include <fstream>
 #include <memory>
 #include <optional>
 #include <string>

@@ -131,16 +131,25 @@ BalancedTrap isolated_trap(const model::Parameters& p, double speed, const std::
 // The same trap with balls 1 and 2 exchanged.
 BalancedTrap exchanged(const model::Parameters& p, const BalancedTrap& trap) {
   const int size = model::dimension(2);
-  const Eigen::Map<const Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>> factor(
-      trap.factor.data(), size, size);
   Eigen::VectorXi order(size);
   order << 0, 1, 2, 3, 5, 4, 7, 6;
   const Eigen::PermutationMatrix<Eigen::Dynamic> swap(order);
-  const Eigen::MatrixXd form = swap * Eigen::MatrixXd(factor.transpose() * factor) * swap.transpose();
+  const Eigen::MatrixXd form = swap * form_of(trap) * swap.transpose();
   return make_trap(p, {trap.phi[1], trap.phi[0]}, form, trap.level);
 }
 
 }  // namespace
+
+Eigen::Map<const Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>> factor_of(
+    const BalancedTrap& trap) {
+  const auto size = static_cast<Eigen::Index>(std::lround(std::sqrt(static_cast<double>(trap.factor.size()))));
+  return {trap.factor.data(), size, size};
+}
+
+Eigen::MatrixXd form_of(const BalancedTrap& trap) {
+  const auto factor = factor_of(trap);
+  return factor.transpose() * factor;
+}
 
 BalancedAnalysis analyse_balanced(const model::Parameters& p, double speed) {
   BalancedAnalysis result;

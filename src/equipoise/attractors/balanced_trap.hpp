@@ -4,6 +4,8 @@
 #include <string>
 #include <vector>
 
+#include <Eigen/Dense>
+
 #include "equipoise/attractors/decision_rule.hpp"
 #include "equipoise/model/balanced_state.hpp"
 
@@ -24,6 +26,11 @@ struct BalancedAnalysis {
 /// Analyses the balanced states at constant `speed`. For isolated states each trap's level is level_margin times the
 /// smallest value of V at which dV/dt >= 0 was found by sampling rays and descending from the worst.
 BalancedAnalysis analyse_balanced(const model::Parameters& p, double speed);
+
+/// F and P = F^T F of the trap's Lyapunov function V = |F d|^2 = d^T P d. The first is a view of the trap.
+Eigen::Map<const Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>> factor_of(
+    const BalancedTrap& trap);
+Eigen::MatrixXd form_of(const BalancedTrap& trap);
 
 /// Share of the sampled critical level that is used: two independent searches agree to 1e-4 and the level enters
 /// decision times only through its logarithm, so a wide margin is cheap.

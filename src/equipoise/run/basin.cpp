@@ -107,10 +107,7 @@ std::string identity(Study study) {
 }
 
 DiscoverySettings settings_for(const BasinOptions& options, int threads) {
-  DiscoverySettings settings{threads, options.stop, {}};
-  for (const std::vector<double>& seed : options.seeds)
-    settings.seeds.push_back(Eigen::Map<const Eigen::VectorXd>(seed.data(), static_cast<Eigen::Index>(seed.size())));
-  return settings;
+  return {threads, options.stop, options.seeds};
 }
 
 // What an unlisted start turned out to have come to; 0: to nothing steady.

@@ -17,13 +17,11 @@ double seconds_since(std::chrono::steady_clock::time_point begin) {
 
 StateProof prove(const model::Parameters& p, double speed, const BalancedTrap& trap) {
   const int size = model::dimension(p.balls);
-  const Eigen::Map<const Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>> factor(
-      trap.factor.data(), size, size);
-  const Eigen::MatrixXd form = factor.transpose() * factor;
   StateProof proof;
   proof.critical = trap.level / level_margin;
   auto begin = std::chrono::steady_clock::now();
-  proof.certificate = largest_certificate(p, speed, trap.phi.data(), form, proof.critical, &proof.check.reason);
+  proof.certificate =
+      largest_certificate(p, speed, trap.phi.data(), form_of(trap), proof.critical, &proof.check.reason);
   proof.seconds = seconds_since(begin);
   if (proof.certificate.level == 0.0) {
     proof.certificate.phi = trap.phi;

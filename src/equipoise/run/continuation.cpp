@@ -111,11 +111,7 @@ class Continuation {
   }
 
   Catalogue catalogue_from_pilot(const Study& study) const {
-    DiscoverySettings settings;
-    settings.stop = options_.stop;
-    for (const auto& seed : options_.seeds)
-      settings.seeds.push_back(Eigen::Map<const Eigen::VectorXd>(seed.data(), static_cast<Eigen::Index>(seed.size())));
-    return discover(study, StartSource(study, options_.stop), settings).catalogue;
+    return discover(study, StartSource(study, options_.stop), {1, options_.stop, options_.seeds}).catalogue;
   }
 
   Catalogue catalogue_from_starts(Study study) const {

@@ -155,12 +155,8 @@ class Discoverer {
   }
 
   void prove(BalancedTrap& trap) {
-    const int size = model::dimension(study_.parameters.balls);
-    const Eigen::Map<const Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>> factor(
-        trap.factor.data(), size, size);
-    const Eigen::MatrixXd form = factor.transpose() * factor;
     const Certificate certificate =
-        largest_certificate(study_.parameters, speed_, trap.phi.data(), form, trap.level / level_margin);
+        largest_certificate(study_.parameters, speed_, trap.phi.data(), form_of(trap), trap.level / level_margin);
     // What the kernels compute in place of V is off by rounding: a part in 10^13.
     set_level(trap, certificate.level * (1.0 - 1e-9));
     trap.by = DecidedBy::proof;
@@ -250,7 +246,9 @@ class Discoverer {
   }
 
   void add_seeds() {
-    for (const Eigen::VectorXd& seed : settings_.seeds) candidates_.push_back({{}, {}, {}, seed, {}, 0});
+    for (const std::vector<double>& seed : settings_.seeds)
+      candidates_.push_back(
+          {{}, {}, {}, Eigen::Map<const Eigen::VectorXd>(seed.data(), static_cast<Eigen::Index>(seed.size())), {}, 0});
   }
 
   // Follows the candidates until they are steady; lists those that become so, with what recognises them.

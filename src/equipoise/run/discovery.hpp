@@ -4,8 +4,6 @@
 
 #include <vector>
 
-#include <Eigen/Dense>
-
 #include "equipoise/attractors/balanced_trap.hpp"
 #include "equipoise/attractors/catalogue.hpp"
 #include "equipoise/attractors/decision_rule.hpp"
@@ -20,7 +18,7 @@ struct DiscoverySettings {
   const StopFlag* stop = nullptr;
   /// States near motions known from elsewhere (a neighbouring parameter, an earlier run), each dimension(balls)
   /// numbers.
-  std::vector<Eigen::VectorXd> seeds;
+  std::vector<std::vector<double>> seeds;
 };
 
 /// Everything found before the first start is decided. Depends on the study but not on its seed or number of starts.

@@ -11,6 +11,7 @@
 #include <oneapi/tbb/parallel_for.h>
 #include <oneapi/tbb/task_arena.h>
 
+#include "equipoise/attractors/balanced_trap.hpp"
 #include "equipoise/attractors/fate.hpp"
 #include "equipoise/attractors/orbit_trap.hpp"
 #include "equipoise/base/angles.hpp"
@@ -82,8 +83,7 @@ bool all_attracted(LaneTask task, const DecisionRule& rule) {
 // All states on the level `factor` times the trap's own enter the trap again.
 bool all_return(const BalancedTrap& trap, const TrialSettings& settings, double slowest_rate, double factor) {
   const int balls = settings.parameters->balls, size = model::dimension(balls);
-  const Eigen::Map<const Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>> f(trap.factor.data(),
-                                                                                                   size, size);
+  const auto f = factor_of(trap);
   std::vector<double> states(balanced_tries * size);
   Directions directions(size);
   for (std::size_t i = 0; i < balanced_tries; ++i) {
