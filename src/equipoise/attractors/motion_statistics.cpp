@@ -135,12 +135,7 @@ std::optional<Eigen::VectorXd> follow_balls(const model::Parameters& p, double s
   constexpr int size = Flow::dimension;
   kernels::ErrorScale<size> scale;
   scale.tolerance = tolerance;
-  for (int j = 0; j < 4; ++j) scale.floor[j] = 0.01 * (p.eccentricity + p.total_mass());
-  for (int i = 0; i < n; ++i) {
-    scale.floor[model::index::phi(i)] = 1.0;
-    scale.absolute[model::index::phi(i)] = true;
-    scale.floor[model::index::q(i, n)] = 0.01;
-  }
+  kernels::set_state_scale<n>(p, 1, scale);
   const Flow flow(p, {0.0, 0.0, 0.0, speed, 0.0, false});
   kernels::AdaptiveIntegrator<Flow, size> integrator(flow, scale);
   const double spacing = sample_spacing(speed);

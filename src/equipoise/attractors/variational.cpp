@@ -20,21 +20,6 @@ constexpr kernels::Terms autonomous{false, false, false};
 
 model::Segment constant_speed(double speed) { return {0.0, 0.0, 0.0, speed, 0.0, false}; }
 
-// Below this share of a variable's scale its error is absolute.
-constexpr double smallest_share = 0.01;
-
-// The state's error scale, that of `simulate`: relative, but absolute for angles and for all that is small. Written for
-// every `stride`-th component.
-template <int n, int dimension>
-void set_state_scale(const model::Parameters& p, int stride, kernels::ErrorScale<dimension>& scale) {
-  const VectorXd size = state_scale(p);
-  for (int i = 0; i < model::dimension(n); ++i) {
-    const bool angle = i >= 4 && i < 4 + n;
-    scale.floor[stride * i] = angle ? 1.0 : smallest_share * size[i];
-    scale.absolute[stride * i] = angle;
-  }
-}
-
 // `width` tangent vectors along a trajectory. Component (1 + width) i is variable i, the next `width` are its tangents.
 template <int n, int width>
 class TangentFlow {
@@ -70,7 +55,7 @@ std::optional<TangentFlight> follow(const model::Parameters& p, double speed, co
   const VectorXd unit = state_scale(p);
   kernels::ErrorScale<Flow::dimension> scale;
   scale.tolerance = tolerance;
-  set_state_scale<n>(p, stride, scale);
+  kernels::set_state_scale<n>(p, stride, scale);
   double y[Flow::dimension] = {};
   for (int i = 0; i < size; ++i) {
     y[stride * i] = state[i];
@@ -122,7 +107,7 @@ std::optional<VectorXd> advance_state(const model::Parameters& p, double speed, 
     using Flow = kernels::FreeFlow<double, n, autonomous>;
     kernels::ErrorScale<Flow::dimension> scale;
     scale.tolerance = 1e-12;
-    set_state_scale<n>(p, 1, scale);
+    kernels::set_state_scale<n>(p, 1, scale);
     const Flow flow(p, constant_speed(speed));
     kernels::AdaptiveIntegrator<Flow, Flow::dimension> integrator(flow, scale);
     VectorXd end = state;

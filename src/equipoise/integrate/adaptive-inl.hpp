@@ -15,6 +15,7 @@
 
 #include "equipoise/integrate/dop853-inl.hpp"
 #include "equipoise/integrate/status.hpp"
+#include "equipoise/model/parameters.hpp"
 
 HWY_BEFORE_NAMESPACE();
 namespace equipoise {
@@ -28,6 +29,19 @@ struct ErrorScale {
   std::array<double, dimension> floor{};
   std::array<bool, dimension> absolute{};
 };
+
+// The scale of n free balls' state, for every `stride`-th component: relative, but absolute for angles and for all that
+// is small.
+template <int n, int dimension>
+void set_state_scale(const model::Parameters& p, int stride, ErrorScale<dimension>& scale) {
+  // Below this share of a variable's size its error is absolute.
+  constexpr double smallest_share = 0.01;
+  for (int i = 0; i < model::dimension(n); ++i) {
+    const bool rotor = i < 4, angle = !rotor && i < 4 + n;
+    scale.floor[stride * i] = rotor ? smallest_share * (p.eccentricity + p.total_mass()) : angle ? 1.0 : smallest_share;
+    scale.absolute[stride * i] = angle;
+  }
+}
 
 // `System`: callable (t, y, dy) with `dimension` components, smooth over every interval passed to advance().
 template <class System, int dimension>

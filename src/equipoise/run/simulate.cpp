@@ -59,12 +59,7 @@ void simulate_free(const Study& study, const std::vector<model::Segment>& segmen
   const model::Parameters& p = study.parameters;
   kernels::ErrorScale<Flow::dimension> scale;
   scale.tolerance = tolerance;
-  for (int j = 0; j < 4; ++j) scale.floor[j] = 0.01 * (p.eccentricity + p.total_mass());
-  for (int i = 0; i < n; ++i) {
-    scale.floor[model::index::phi(i)] = 1.0;
-    scale.absolute[model::index::phi(i)] = true;
-    scale.floor[model::index::q(i, n)] = 0.01;
-  }
+  kernels::set_state_scale<n>(p, 1, scale);
   for (std::size_t k = first; k < segments.size() && next < times.size(); ++k) {
     const model::Segment& segment = segments[k];
     for (; next < times.size() && times[next] == segment.begin; ++next)
