@@ -12,7 +12,7 @@ import tempfile
 import unittest
 from pathlib import Path
 
-LAYERS = ["base", "model", "integrate", "ensemble", "attractors", "statistics", "study", "store", "report", "run"]
+LAYERS = ["base", "model", "integrate", "ensemble", "attractors", "statistics", "study", "literature", "store", "report", "run"]
 SOURCES = {".hpp", ".h", ".cpp", ".cc", ".cu", ".in"}
 # Highway compiles a file once per target by including the path that this macro names.
 INCLUDE = re.compile(r'^\s*#\s*(?:include|define\s+HWY_TARGET_INCLUDE)\s*["<]([^">]+)[">]', re.MULTILINE)

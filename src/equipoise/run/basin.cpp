@@ -100,12 +100,6 @@ int thread_count(int asked) { return asked > 0 ? asked : tbb::info::default_conc
 
 double cpu_now() { return static_cast<double>(std::clock()) / CLOCKS_PER_SEC; }
 
-// The study a file is about: all that decides the fate of start i.
-std::string identity(Study study) {
-  study.sampling.starts = 1;
-  return to_toml(study);
-}
-
 DiscoverySettings settings_for(const BasinOptions& options, int threads) {
   return {threads, options.stop, options.seeds};
 }
@@ -135,8 +129,7 @@ class BasinRun {
     const Study& study = result_.study;
     check_decidable(study);
     if (!options_.output.empty())
-      file_ = std::make_unique<BasinFile>(options_.output, BasinFileHeader{identity(study), study.sampling.seed,
-                                                                           study.parameters.balls, result_.cpu_target});
+      file_ = std::make_unique<BasinFile>(options_.output, basin_file_header(study, options_.store_angles));
     runner_.emplace(study, settings_for(options_, threads_));
     tally_.emplace(options_.half_width, runner_->settled());
     read_stored();
@@ -154,9 +147,9 @@ class BasinRun {
     result_.failed = tally_->share(Outcome::failed);
     result_.balanced_stable = runner_->balanced().stable;
     result_.note = runner_->balanced().note;
-    if (file_) file_->finish(to_toml(study), summary(), finished_);
     result_.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
     result_.cpu_seconds = cpu_now() - cpu_begin;
+    if (file_) file_->finish(to_toml(study), summary(), finished_, {result_.seconds, result_.cpu_seconds});
     return result_;
   }
 
@@ -186,7 +179,10 @@ class BasinRun {
     result_.resumed_from = tally_->total();
   }
 
-  void take(const Fate& fate) { finished_ = tally_->add(fate) || tally_->total() == limit_; }
+  void take(const Fate& fate) {
+    finished_ = tally_->add(fate) || tally_->total() == limit_;
+    if (options_.fate) options_.fate(fate);
+  }
 
   void compute() {
     const std::size_t size = chunk_size(limit_ - tally_->total(), threads_);
@@ -261,6 +257,12 @@ class BasinRun {
 };
 
 }  // namespace
+
+BasinFileHeader basin_file_header(const Study& study, bool angles) {
+  Study identity = study;  // all that decides the fate of start i
+  identity.sampling.starts = 1;
+  return {to_toml(identity), study.sampling.seed, study.parameters.balls, cpu_target(), angles};
+}
 
 BasinResult basin(const Study& study, const BasinOptions& options, Catalogue* catalogue) {
   BasinRun run(study, options);

@@ -11,6 +11,7 @@
 #include "equipoise/base/error.hpp"
 #include "equipoise/report/basin_result.hpp"
 #include "equipoise/statistics/share.hpp"
+#include "equipoise/store/basin_file.hpp"
 #include "equipoise/study/study.hpp"
 
 namespace equipoise {
@@ -31,11 +32,16 @@ struct BasinOptions {
   bool limit_given = false;
   std::string output;  ///< NetCDF file for per-start results; empty: none. An unfinished file of the same study is
                        ///< resumed, a finished one extended or simply read
+  bool store_angles = true;  ///< in `output`
   /// States near motions known from elsewhere, each dimension(balls) numbers: rare attractors that pilot starts miss.
   std::vector<std::vector<double>> seeds;
   const StopFlag* stop = nullptr;
   std::function<void(const BasinProgress&)> progress;  ///< called in order, from any thread but never from two at once
+  std::function<void(const Fate&)> fate;  ///< every start counted, in order of index, those read from `output` included
 };
+
+/// What the output file of a basin() says of its run.
+BasinFileHeader basin_file_header(const Study& study, bool angles);
 
 /// One start replayed alone.
 struct StartReplay {

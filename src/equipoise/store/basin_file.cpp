@@ -2,6 +2,7 @@
 #include "equipoise/store/basin_file.hpp"
 
 #include <algorithm>
+#include <cstdlib>
 #include <filesystem>
 #include <optional>
 
@@ -20,8 +21,8 @@ constexpr std::size_t chunk_length = 8192;
 
 // What a file must share with a run for the run to add to it.
 std::string identity(const BasinFileHeader& header) {
-  return fmt::format("{}\n# seed {}\n# cpu target {}\n# version {}\n", header.study, header.seed, header.cpu_target,
-                     version_string);
+  return fmt::format("{}\n# seed {}\n# cpu target {}\n# version {}\n{}", header.study, header.seed, header.cpu_target,
+                     version_string, header.angles ? "" : "# without angles\n");
 }
 }  // namespace
 
@@ -34,7 +35,7 @@ struct BasinFile::State {
 
   void create(const BasinFileHeader& header);
   void open(const BasinFileHeader& header);
-  void find_variables();
+  void find_variables(bool angles);
 };
 
 void BasinFile::State::create(const BasinFileHeader& header) {
@@ -45,17 +46,20 @@ void BasinFile::State::create(const BasinFileHeader& header) {
   const int kind = f.dimension("outcome_kind", store::NetcdfFile::unlimited);
   const int met = f.dimension("discovery", store::NetcdfFile::unlimited);
   const int component = f.dimension("component", 4 + 2 * balls);
-  phi = f.variable("phi", NC_DOUBLE, {start, ball}, "radian",
-                   "initial ball angle from the direction of the centre of mass, rotating frame");
+  if (header.angles) {
+    phi = f.variable("phi", NC_DOUBLE, {start, ball}, "radian",
+                     "initial ball angle from the direction of the centre of mass, rotating frame");
+    f.chunk(phi, {chunk_length, balls});
+  }
   outcome = f.variable("outcome", NC_SHORT, {start}, "1",
                        "attractor that the start came to (kind_code), or 0 undecided, -1 diverged, -2 failed");
   time =
       f.variable("decision_time", NC_DOUBLE, {start}, "1", "study time at which the outcome was known, in 1/omega_c");
   by = f.variable("decided_by", NC_BYTE, {start}, "1", "grounds on which the outcome was decided");
-  f.chunk(phi, {chunk_length, balls});
-  f.chunk(outcome, {chunk_length});
-  f.chunk(time, {chunk_length});
-  f.chunk(by, {chunk_length});
+  for (const int variable : {outcome, time, by}) {
+    f.chunk(variable, {chunk_length});
+    f.compress(variable);
+  }
   std::vector<signed char> values;
   for (int k = 0; k < decided_by_count; ++k) values.push_back(static_cast<signed char>(k));
   f.attribute(by, "flag_values", values);
@@ -97,8 +101,8 @@ void BasinFile::State::open(const BasinFileHeader& header) {
   discovered = file->length("discovery");
 }
 
-void BasinFile::State::find_variables() {
-  phi = file->variable("phi");
+void BasinFile::State::find_variables(bool angles) {
+  if (angles) phi = file->variable("phi");
   outcome = file->variable("outcome");
   time = file->variable("decision_time");
   by = file->variable("decided_by");
@@ -117,7 +121,7 @@ BasinFile::BasinFile(const std::string& path, const BasinFileHeader& header) : s
   state_->balls = static_cast<std::size_t>(header.balls);
   if (std::filesystem::exists(path)) {
     state_->open(header);
-    state_->find_variables();
+    state_->find_variables(header.angles);
     return;
   }
   try {
@@ -168,7 +172,7 @@ void BasinFile::append(std::size_t count, const double* phi, const Fate* fates) 
     grounds[i] = static_cast<signed char>(fate.by);
   }
   const std::size_t at = state_->stored;
-  state_->file->write(state_->phi, {at, 0}, {count, state_->balls}, phi);
+  if (state_->phi >= 0) state_->file->write(state_->phi, {at, 0}, {count, state_->balls}, phi);
   state_->file->write(state_->outcome, {at}, {count}, codes.data());
   state_->file->write(state_->time, {at}, {count}, times.data());
   state_->file->write(state_->by, {at}, {count}, grounds.data());
@@ -190,7 +194,32 @@ void BasinFile::append_discovery(const std::vector<double>& state) {
 
 void BasinFile::sync() { state_->file->sync(); }
 
-void BasinFile::finish(const std::string& resolved_study, const std::vector<OutcomeSummary>& summary, bool complete) {
+bool BasinFile::complete() const { return state_->file->attribute("complete") == "yes"; }
+
+std::vector<OutcomeSummary> BasinFile::summary() const {
+  const store::NetcdfFile& f = *state_->file;
+  std::vector<OutcomeSummary> lines(f.length("outcome_kind"));
+  for (std::size_t k = 0; k < lines.size(); ++k) {
+    OutcomeSummary& s = lines[k];
+    short code = 0;
+    unsigned long long count = 0;
+    f.read(state_->kind_code, {k}, {1}, &code);
+    f.read(state_->kind_count, {k}, {1}, &count);
+    s.code = code;
+    s.name = f.read_string(state_->kind_name, k);
+    s.alias = f.read_string(state_->kind_alias, k);
+    s.share = wilson_share(count, state_->stored);
+  }
+  return lines;
+}
+
+RunTime BasinFile::time() const {
+  const auto number = [&](const char* name) { return std::strtod(state_->file->attribute(name).c_str(), nullptr); };
+  return {number("seconds"), number("cpu_seconds")};
+}
+
+void BasinFile::finish(const std::string& resolved_study, const std::vector<OutcomeSummary>& summary, bool complete,
+                       const RunTime& time) {
   store::NetcdfFile& f = *state_->file;
   for (std::size_t k = 0; k < summary.size(); ++k) {
     const OutcomeSummary& s = summary[k];
@@ -207,6 +236,9 @@ void BasinFile::finish(const std::string& resolved_study, const std::vector<Outc
   }
   f.attribute(NC_GLOBAL, "study", resolved_study);
   f.attribute(NC_GLOBAL, "complete", complete ? "yes" : "no");
+  const RunTime before = this->time();
+  f.attribute(NC_GLOBAL, "seconds", fmt::format("{:.3f}", before.seconds + time.seconds));
+  f.attribute(NC_GLOBAL, "cpu_seconds", fmt::format("{:.3f}", before.cpu_seconds + time.cpu_seconds));
   f.sync();
 }
 

@@ -18,6 +18,7 @@ struct BasinFileHeader {
   std::uint64_t seed = 0;
   int balls = 2;
   std::string cpu_target;
+  bool angles = true;  ///< false: leave phi out; it follows from seed and index
 };
 
 /// A line of the summary.
@@ -27,6 +28,11 @@ struct OutcomeSummary {
   Share share;
 };
 inline constexpr short undecided_code = 0, diverged_code = -1, failed_code = -2;
+
+/// Time that all runs into a file took together.
+struct RunTime {
+  double seconds = 0.0, cpu_seconds = 0.0;
+};
 
 /// dimension start: variables phi(start, ball), outcome(start), decision_time(start), decided_by(start); dimension
 /// outcome_kind: code, name, alias, count and share; dimension discovery: states of motions met during the run. Every
@@ -51,8 +57,14 @@ class BasinFile {
   void append_discovery(const std::vector<double>& state);
   /// Brings what is appended to disk.
   void sync();
-  /// Writes the summary and the resolved study; `complete` marks whether all requested starts are there.
-  void finish(const std::string& resolved_study, const std::vector<OutcomeSummary>& summary, bool complete);
+  /// Writes the summary and the resolved study; `complete` marks whether all requested starts are there. `time`: of
+  /// this run; it is added to what earlier ones took.
+  void finish(const std::string& resolved_study, const std::vector<OutcomeSummary>& summary, bool complete,
+              const RunTime& time);
+  /// What the last run's finish() said; complete() is false if there was none.
+  bool complete() const;
+  std::vector<OutcomeSummary> summary() const;
+  RunTime time() const;
 
  private:
   struct State;

@@ -27,6 +27,8 @@ class NetcdfFile {
   /// What stands where nothing was written, of the variable's type; also its attribute _FillValue.
   void fill(int variable, const void* value);
   void chunk(int variable, const std::vector<std::size_t>& sizes);
+  /// Lossless compression; the variable is chunked.
+  void compress(int variable);
   void attribute(int variable, const std::string& name, const std::string& text);
   void attribute(int variable, const std::string& name, const std::vector<signed char>& values);
   std::string attribute(const std::string& name) const;  ///< global text attribute; empty if absent
@@ -35,6 +37,7 @@ class NetcdfFile {
              const void* data);
   void read(int variable, const std::vector<std::size_t>& start, const std::vector<std::size_t>& count,
             void* data) const;
+  std::string read_string(int variable, std::size_t index) const;
   void sync();
 
   void check(int status, const std::string& what) const;

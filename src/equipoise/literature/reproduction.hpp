@@ -1,0 +1,77 @@
+// The tables computed again: every number beside the printed one, judged, under either speed law.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "equipoise/literature/conclusions.hpp"
+#include "equipoise/literature/published_tables.hpp"
+#include "equipoise/statistics/comparison.hpp"
+
+namespace equipoise {
+
+/// One row's starts under one law.
+struct EnsembleResult {
+  std::uint64_t starts = 0, seed = 0;
+  struct Line {
+    std::string name, alias;  ///< alias: V1 to V4
+    Share share;
+  };
+  std::vector<Line> attractors;
+  Share undecided, diverged, failed;
+  std::vector<bool> balanced;               ///< start by start, for comparisons on common starts
+  double seconds = 0.0, cpu_seconds = 0.0;  ///< of all runs that it took
+  bool complete = false;
+  /// Share of the attractor that the paper calls so ("balanced", "V1"); of none where it was not met.
+  Share share_of(const std::string& attractor) const;
+};
+
+enum class Verdict { agrees, differs, not_comparable };
+/// "agrees", "differs", "not comparable".
+const char* name_of(Verdict verdict);
+
+struct ReproducedCell {
+  const PublishedCell* published = nullptr;
+  Share computed;        ///< 95 % Wilson interval
+  double p_value = 1.0;  ///< of a difference at least this large by chance
+  Verdict verdict = Verdict::not_comparable;
+  std::string reason;  ///< why it is not comparable
+};
+
+struct ReproducedRow {
+  const PublishedRow* published = nullptr;
+  std::optional<EnsembleResult> by_published_law, by_kinematic_law;  ///< at constant speed only the first is set
+  std::vector<ReproducedCell> cells;                                 ///< judged under the published law
+  std::optional<ShareDifference> law_difference;  ///< balanced share, kinematic minus published, 99 %, common starts
+};
+
+struct ReproducedTable {
+  const PublishedTable* published = nullptr;
+  std::vector<ReproducedRow> rows;
+  double single_limit = 0.0;  ///< a cell differs if its p value is below: 1 % over all judged cells of the table
+  int agreeing = 0, differing = 0, not_comparable = 0;
+  int below_one_percent = 0;  ///< judged cells with p < 0.01 each; chance gives one in a hundred
+};
+
+/// A conclusion asked of one law.
+struct ConclusionResult {
+  enum class Answer { holds, reversed, mixed, not_asked };
+  Answer answer = Answer::not_asked;
+  std::vector<ShareDifference> differences;  ///< one a contrast, 99 %, common starts
+};
+const char* name_of(ConclusionResult::Answer answer);
+
+struct ConclusionRow {
+  const Conclusion* conclusion = nullptr;
+  ConclusionResult published, kinematic;
+};
+
+/// Counts and verdicts of a table whose rows are computed.
+void judge(ReproducedTable& table);
+/// Conclusions from whatever rows are there.
+std::vector<ConclusionRow> judge_conclusions(const std::vector<ReproducedTable>& tables);
+
+}  // namespace equipoise

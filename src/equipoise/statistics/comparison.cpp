@@ -1,0 +1,89 @@
+// Tests and intervals for two shares.
+#include "equipoise/statistics/comparison.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include <boost/math/distributions/binomial.hpp>
+#include <boost/math/distributions/normal.hpp>
+
+namespace equipoise {
+
+namespace {
+
+double normal_quantile(double confidence) {
+  return boost::math::quantile(boost::math::normal(), 0.5 + 0.5 * confidence);
+}
+
+// Two-sided exact test that two rare counts have one rate: given their sum, the first is binomial.
+double rare_p_value(std::uint64_t k1, double n1, std::uint64_t k2, double n2) {
+  const std::uint64_t sum = k1 + k2;
+  if (sum == 0) return 1.0;
+  const boost::math::binomial law(static_cast<double>(sum), n1 / (n1 + n2));
+  // Outcomes as likely as the one seen count; the factor keeps ties from being decided by rounding.
+  const double seen = boost::math::pdf(law, static_cast<double>(k1)) * (1.0 + 1e-9);
+  double p = 0.0;
+  for (std::uint64_t k = 0; k <= sum; ++k)
+    if (const double q = boost::math::pdf(law, static_cast<double>(k)); q <= seen) p += q;
+  return std::min(1.0, p);
+}
+
+}  // namespace
+
+double agreement_p_value(std::uint64_t count, std::uint64_t starts, const PublishedShare& published) {
+  const double n1 = static_cast<double>(starts), n2 = static_cast<double>(published.starts);
+  const double share = static_cast<double>(count) / n1;
+  const double target =
+      std::clamp(share, std::max(0.0, published.share - published.rounding), published.share + published.rounding);
+  const double published_count = target * n2;
+  const double pooled = (static_cast<double>(count) + published_count) / (n1 + n2);
+  if (std::min(pooled, 1.0 - pooled) * std::min(n1, n2) < 10.0) {
+    auto k1 = count, k2 = static_cast<std::uint64_t>(std::llround(std::min(published_count, n2)));
+    if (pooled > 0.5) {
+      k1 = starts - k1;
+      k2 = published.starts - k2;
+    }
+    return rare_p_value(k1, n1, k2, n2);
+  }
+  const double deviation = std::sqrt(pooled * (1.0 - pooled) * (1.0 / n1 + 1.0 / n2));
+  return std::erfc(std::fabs(share - target) / deviation / std::sqrt(2.0));
+}
+
+ShareDifference independent_difference(const Share& first, const Share& second, double confidence) {
+  const Share a = wilson_share(first.count, first.total, confidence);
+  const Share b = wilson_share(second.count, second.total, confidence);
+  ShareDifference result;
+  result.difference = b.share - a.share;
+  result.low = result.difference - std::hypot(b.share - b.low, a.high - a.share);
+  result.high = result.difference + std::hypot(b.high - b.share, a.share - a.low);
+  return result;
+}
+
+CommonStarts compare_starts(const std::vector<bool>& first, const std::vector<bool>& second) {
+  CommonStarts result;
+  const std::size_t count = std::min(first.size(), second.size());
+  for (std::size_t i = 0; i < count; ++i) {
+    if (first[i])
+      ++(second[i] ? result.both : result.first_only);
+    else
+      ++(second[i] ? result.second_only : result.neither);
+  }
+  return result;
+}
+
+ShareDifference paired_difference(const CommonStarts& starts, double confidence) {
+  ShareDifference result;
+  if (starts.total() == 0) return result;
+  const double n = static_cast<double>(starts.total());
+  const double gained = static_cast<double>(starts.second_only), lost = static_cast<double>(starts.first_only);
+  result.difference = (gained - lost) / n;
+  const double p_gained = (gained + 1.0) / (n + 2.0), p_lost = (lost + 1.0) / (n + 2.0);
+  const double centre = p_gained - p_lost;
+  const double half =
+      normal_quantile(confidence) * std::sqrt(std::max(0.0, p_gained + p_lost - centre * centre) / (n + 2.0));
+  result.low = std::max(-1.0, centre - half);
+  result.high = std::min(1.0, centre + half);
+  return result;
+}
+
+}  // namespace equipoise

@@ -1,0 +1,44 @@
+// Two samples compared: a computed share with a printed one, and one design with another on common starts.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "equipoise/statistics/share.hpp"
+
+namespace equipoise {
+
+/// A share known from print only.
+struct PublishedShare {
+  double share = 0.0;     ///< a fraction of one
+  double rounding = 0.0;  ///< half a unit of the last printed digit
+  std::uint64_t starts = 0;
+};
+
+/// Probability of a difference at least this large if `count` of `starts` and the published share are two samples of
+/// one probability: normal approximation with pooled variance where both expect ten or more of each kind, else the
+/// exact test given the sum of both counts. The rounding is granted first: the printed value nearest to ours counts.
+double agreement_p_value(std::uint64_t count, std::uint64_t starts, const PublishedShare& published);
+
+/// A difference of two shares, second minus first, with its interval.
+struct ShareDifference {
+  double difference = 0.0, low = -1.0, high = 1.0;
+};
+
+/// Difference between two independent samples: Newcombe's interval from two Wilson intervals (R. G. Newcombe, Statist.
+/// Med. 17 (1998) 873, method 10).
+ShareDifference independent_difference(const Share& first, const Share& second, double confidence = 0.95);
+
+/// Which of the same starts ended as asked in two designs.
+struct CommonStarts {
+  std::uint64_t both = 0, first_only = 0, second_only = 0, neither = 0;
+  std::uint64_t total() const { return both + first_only + second_only + neither; }
+};
+/// Compares start by start, as far as both go.
+CommonStarts compare_starts(const std::vector<bool>& first, const std::vector<bool>& second);
+
+/// Difference between two designs on common starts: the adjusted Wald interval for paired shares (D. G. Bonett, R. M.
+/// Price, J. Educ. Behav. Stat. 37 (2012) 479).
+ShareDifference paired_difference(const CommonStarts& starts, double confidence = 0.95);
+
+}  // namespace equipoise
