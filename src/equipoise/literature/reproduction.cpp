@@ -29,21 +29,23 @@ const EnsembleResult* ensemble(const ByName& rows, const std::string& study, mod
 ConclusionResult ask(const Conclusion& conclusion, const ByName& rows, model::SpeedLaw law) {
   using Answer = ConclusionResult::Answer;
   ConclusionResult result;
-  int rising = 0, falling = 0, still = 0;
+  const bool rises = conclusion.kind == Conclusion::Kind::rises;
+  std::size_t holding = 0, opposed = 0;
   for (const Contrast& contrast : conclusion.contrasts) {
     const EnsembleResult* first = ensemble(rows, contrast.first, law);
     const EnsembleResult* second = ensemble(rows, contrast.second, law);
     if (!first || !second) return {};
     const auto d = paired_difference(compare_starts(first->balanced, second->balanced), difference_confidence);
     result.differences.push_back(d);
-    rising += d.low > 0.0;
-    falling += d.high < 0.0;
-    still += d.low > -unchanged_margin && d.high < unchanged_margin;
+    const bool still = d.low > -unchanged_margin && d.high < unchanged_margin;
+    holding += rises ? d.low > 0.0 : still;
+    opposed += rises ? d.high < 0.0 : d.low > unchanged_margin || d.high < -unchanged_margin;
   }
-  const int all = static_cast<int>(conclusion.contrasts.size());
-  const int holding = conclusion.kind == Conclusion::Kind::rises ? rising : still;
-  const bool reversed = conclusion.kind == Conclusion::Kind::rises && falling == all;
-  result.answer = holding == all ? Answer::holds : reversed ? Answer::reversed : Answer::mixed;
+  const std::size_t all = conclusion.contrasts.size();
+  result.answer = holding == all            ? Answer::holds
+                  : rises && opposed == all ? Answer::reversed
+                  : opposed > 0             ? Answer::contradicted
+                                            : Answer::open;
   return result;
 }
 
@@ -55,10 +57,11 @@ const char* name_of(Verdict verdict) {
 
 const char* name_of(ConclusionResult::Answer answer) {
   using Answer = ConclusionResult::Answer;
-  return answer == Answer::holds      ? "holds"
-         : answer == Answer::reversed ? "reversed"
-         : answer == Answer::mixed    ? "does not hold"
-                                      : "not asked";
+  return answer == Answer::holds          ? "holds"
+         : answer == Answer::reversed     ? "reversed"
+         : answer == Answer::contradicted ? "does not hold"
+         : answer == Answer::open         ? "not shown"
+                                          : "not asked";
 }
 
 Share EnsembleResult::share_of(const std::string& attractor) const {

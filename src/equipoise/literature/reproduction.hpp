@@ -58,7 +58,13 @@ struct ReproducedTable {
 
 /// A conclusion asked of one law.
 struct ConclusionResult {
-  enum class Answer { holds, reversed, mixed, not_asked };
+  enum class Answer {
+    holds,         ///< every difference surely lies where the conclusion puts it
+    reversed,      ///< every difference surely lies on the other side
+    contradicted,  ///< at least one surely does
+    open,          ///< none does, but not all are sure
+    not_asked,
+  };
   Answer answer = Answer::not_asked;
   std::vector<ShareDifference> differences;  ///< one a contrast, 99 %, common starts
 };

@@ -7,11 +7,13 @@
 
 #include <fmt/format.h>
 
-#include "equipoise/base/version.hpp"
+#include "equipoise/report/gnuplot_text.hpp"
 
 namespace equipoise {
 
 namespace {
+
+using gnuplot::quoted;
 
 // Colours that people with any kind of colour vision tell apart (M. Okabe, K. Ito, Color Universal Design, 2008), by
 // identifier; the later ones (P. Tol, muted scheme) serve attractors without an identifier of their own.
@@ -49,13 +51,6 @@ std::vector<Stretch> stretches_of(const Branch& branch) {
   return stretches;
 }
 
-// Single quotes keep gnuplot from reading anything into a text; they are doubled inside.
-std::string quoted(const std::string& text) {
-  std::string result = "'";
-  for (const char c : text) result += c == '\'' ? std::string("''") : std::string(1, c);
-  return result + "'";
-}
-
 std::string axis_label(const std::string& key) {
   if (key == "speed.final" || key == "speed.speed") return "final rotor speed Ω / critical speed";
   if (key == "rotor.eccentricity") return "eccentricity λ / race radius";
@@ -80,11 +75,7 @@ std::string subtitle(const BranchesResult& r) {
 }  // namespace
 
 std::string branch_plot_script(const BranchesResult& r, const std::string& path) {
-  const bool svg = path.ends_with(".svg");
-  std::string script = "set encoding utf8\n";
-  script += svg ? "set terminal svg size 1600,1000 font 'Helvetica,22' linewidth 1.3 background '#ffffff' noenhanced\n"
-                : "set terminal pngcairo size 1600,1000 font 'DejaVu Sans,17' linewidth 1.5 noenhanced\n";
-  script += fmt::format("set output {}\n", quoted(path));
+  std::string script = gnuplot::output(path, 1600, 1000);
   double highest = 0.0;
   std::string bands, edges, keys;
   const auto add = [](std::string& list, const std::string& item) { list += (list.empty() ? "" : ", \\\n  ") + item; };
@@ -125,9 +116,9 @@ std::string branch_plot_script(const BranchesResult& r, const std::string& path)
       quoted(axis_label(r.key)));
   script += fmt::format("set xrange [{:.12g}:{:.12g}]\nset yrange [{:.6g}:{:.6g}]\n", low - margin, high + margin,
                         -0.012 * highest, 1.08 * std::max(highest, 1e-6));
+  script += gnuplot::frame;
   script +=
-      "set border 3 linecolor rgb '#444444'\nset tics nomirror out textcolor rgb '#222222'\n"
-      "set grid linecolor rgb '#dddddd' linewidth 0.6\nset mxtics 5\n"
+      "set mxtics 5\n"
       "set lmargin 11\nset key outside right top vertical Left reverse samplen 2.2 spacing 1.3 width 1\n";
   std::string items;
   for (const std::string* list : {&bands, &edges, &keys})

@@ -96,12 +96,10 @@ std::size_t chunk_size(std::uint64_t starts, int threads) {
       std::clamp<std::uint64_t>(starts / (16 * static_cast<std::uint64_t>(threads)), 256, 8192));
 }
 
-int thread_count(int asked) { return asked > 0 ? asked : tbb::info::default_concurrency(); }
-
 double cpu_now() { return static_cast<double>(std::clock()) / CLOCKS_PER_SEC; }
 
 DiscoverySettings settings_for(const BasinOptions& options, int threads) {
-  return {threads, options.stop, options.seeds};
+  return {threads, options.stop, options.seeds, options.discoveries};
 }
 
 // What an unlisted start turned out to have come to; 0: to nothing steady.
@@ -257,6 +255,8 @@ class BasinRun {
 };
 
 }  // namespace
+
+int thread_count(int asked) { return asked > 0 ? asked : tbb::info::default_concurrency(); }
 
 BasinFileHeader basin_file_header(const Study& study, bool angles) {
   Study identity = study;  // all that decides the fate of start i

@@ -17,6 +17,7 @@
 namespace equipoise {
 
 class Catalogue;
+struct DiscoveryCache;
 
 /// How far a run has come.
 struct BasinProgress {
@@ -35,10 +36,15 @@ struct BasinOptions {
   bool store_angles = true;  ///< in `output`
   /// States near motions known from elsewhere, each dimension(balls) numbers: rare attractors that pilot starts miss.
   std::vector<std::vector<double>> seeds;
+  DiscoveryCache* discoveries = nullptr;  ///< shared by runs one after the other that end at the same speed; results do
+                                          ///< not depend on it
   const StopFlag* stop = nullptr;
   std::function<void(const BasinProgress&)> progress;  ///< called in order, from any thread but never from two at once
   std::function<void(const Fate&)> fate;  ///< every start counted, in order of index, those read from `output` included
 };
+
+/// Threads that work on an ensemble: as asked, or all cores for 0.
+int thread_count(int asked);
 
 /// What the output file of a basin() says of its run.
 BasinFileHeader basin_file_header(const Study& study, bool angles);

@@ -111,7 +111,7 @@ class Continuation {
   }
 
   Catalogue catalogue_from_pilot(const Study& study) const {
-    return discover(study, StartSource(study, options_.stop), {1, options_.stop, options_.seeds}).catalogue;
+    return discover(study, {1, options_.stop, options_.seeds}).catalogue;
   }
 
   Catalogue catalogue_from_starts(Study study) const {

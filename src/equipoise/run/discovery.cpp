@@ -6,6 +6,9 @@
 #include <cmath>
 #include <optional>
 
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
 #include <oneapi/tbb/parallel_for.h>
 #include <oneapi/tbb/task_arena.h>
 
@@ -17,6 +20,7 @@
 #include "equipoise/model/balanced_state.hpp"
 #include "equipoise/model/linearisation.hpp"
 #include "equipoise/run/lane_kernels.hpp"
+#include "equipoise/run/start_source.hpp"
 #include "equipoise/run/validated_level.hpp"
 
 namespace equipoise {
@@ -335,10 +339,28 @@ class Discoverer {
   std::vector<Candidate> candidates_;
 };
 
+// What is discovered of a study depends on this much of it.
+Study at_final_speed(const Study& study) {
+  Study steady = study;
+  steady.speed = {};
+  steady.speed.speed = study.speed_profile().final_speed();
+  steady.release = {};
+  steady.initial = {};
+  steady.sampling = {};
+  return steady;
+}
+
 }  // namespace
 
-Discovery discover(const Study& study, const StartSource& source, const DiscoverySettings& settings) {
-  return Discoverer(study, source, settings).run();
+Discovery discover(const Study& study, const DiscoverySettings& settings) {
+  const Study steady = at_final_speed(study);
+  const auto make = [&] { return Discoverer(steady, StartSource(steady, settings.stop), settings).run(); };
+  if (!settings.cache) return make();
+  const std::string key = fmt::format("{}\n{}", to_toml(steady), settings.seeds);
+  if (const auto at = settings.cache->made.find(key); at != settings.cache->made.end()) return at->second;
+  Discovery discovery = make();
+  if (!discovery.stopped) settings.cache->made.emplace(key, discovery);
+  return discovery;
 }
 
 }  // namespace equipoise

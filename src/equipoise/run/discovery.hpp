@@ -2,16 +2,19 @@
 // that recognises them early.
 #pragma once
 
+#include <map>
+#include <string>
 #include <vector>
 
 #include "equipoise/attractors/balanced_trap.hpp"
 #include "equipoise/attractors/catalogue.hpp"
 #include "equipoise/attractors/decision_rule.hpp"
 #include "equipoise/base/error.hpp"
-#include "equipoise/run/start_source.hpp"
 #include "equipoise/study/study.hpp"
 
 namespace equipoise {
+
+struct DiscoveryCache;
 
 struct DiscoverySettings {
   int threads = 1;
@@ -19,9 +22,11 @@ struct DiscoverySettings {
   /// States near motions known from elsewhere (a neighbouring parameter, an earlier run), each dimension(balls)
   /// numbers.
   std::vector<std::vector<double>> seeds;
+  DiscoveryCache* cache = nullptr;
 };
 
-/// Everything found before the first start is decided. Depends on the study but not on its seed or number of starts.
+/// Everything found before the first start is decided. Depends on the rotor, its final speed, [numerics] and
+/// settings.seeds alone: not on how the speed is reached, so that all spin-ups to one speed share it.
 struct Discovery {
   BalancedAnalysis balanced;
   Catalogue catalogue;
@@ -29,9 +34,14 @@ struct Discovery {
   bool stopped = false;
 };
 
-/// Analyses the balanced states; runs pilot starts and starts in the invariant subspace of coincident balls until they
-/// are stationary; follows, refines and names one of each group; makes traps and boxes and tries them. Starts that come
-/// to something else later are followed and listed by StartRunner.
-Discovery discover(const Study& study, const StartSource& source, const DiscoverySettings& settings);
+/// Discoveries made so far, by what they depend on. Not to be used by two runs at once.
+struct DiscoveryCache {
+  std::map<std::string, Discovery> made;
+};
+
+/// Analyses the balanced states; runs pilot starts, free from rest at the final speed, and starts in the invariant
+/// subspace of coincident balls until they are stationary; follows, refines and names one of each group; makes traps
+/// and boxes and tries them. Starts that come to something else later are followed and listed by StartRunner.
+Discovery discover(const Study& study, const DiscoverySettings& settings);
 
 }  // namespace equipoise

@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include "equipoise/run/basin.hpp"
+#include "equipoise/run/discovery.hpp"
 
 namespace equipoise {
 
@@ -107,6 +108,7 @@ class TableRun {
     options.output = path;
     options.store_angles = false;
     options.stop = options_.stop;
+    options.discoveries = &discoveries_;
     options.fate = [&](const Fate& fate) { result.balanced.push_back(is_balanced(fate)); };
     options.progress = [&](const BasinProgress& p) { report(p.done); };
     const BasinResult basin = equipoise::basin(study, options);
@@ -131,6 +133,7 @@ class TableRun {
 
   const ReproduceOptions& options_;
   ReproduceProgress progress_;
+  DiscoveryCache discoveries_;
   std::uint64_t before_ = 0;
 };
 

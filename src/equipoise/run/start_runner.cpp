@@ -22,10 +22,7 @@ void check_decidable(const Study& study) {
 }
 
 StartRunner::StartRunner(const Study& study, const DiscoverySettings& settings)
-    : study_(study),
-      stop_(settings.stop),
-      source_(study, settings.stop),
-      discovery_(discover(study_, source_, settings)) {}
+    : study_(study), stop_(settings.stop), source_(study, settings.stop), discovery_(discover(study_, settings)) {}
 
 bool StartRunner::run(std::uint64_t first, std::size_t count, std::vector<double>& phi, std::vector<Fate>& fates,
                       std::vector<UnlistedStart>& unlisted) const {

@@ -1,0 +1,34 @@
+// Charts as data: drawn by gnuplot into pictures and by plotly.js in pages.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include <nlohmann/json_fwd.hpp>
+
+namespace equipoise {
+
+struct ChartSeries {
+  enum class Style { line, dashed, points };
+  std::string label;
+  std::string colour;
+  Style style = Style::line;
+  std::vector<double> x, y;
+  std::vector<double> low, high;  ///< ends of intervals; empty if there are none
+};
+
+struct Chart {
+  std::string title, x_label, y_label;
+  bool log_x = false;
+  bool curves = false;  ///< thin lines without markers
+  bool from_zero = false;
+  std::vector<ChartSeries> series;
+};
+
+/// {"data": [...], "layout": {...}} for Plotly.newPlot.
+nlohmann::ordered_json plotly_json(const Chart& chart);
+
+/// A picture of charts, two beside each other, as a script for gnuplot. `path`: .png or .svg.
+std::string chart_plot_script(const std::string& title, const std::vector<Chart>& charts, const std::string& path);
+
+}  // namespace equipoise
