@@ -7,6 +7,7 @@ equipoise_test(window_test unit unit/window_test.cpp)
 equipoise_test(basin_test equivalence equivalence/basin_test.cpp)
 equipoise_test(decisions_test equivalence equivalence/decisions_test.cpp)
 equipoise_test(continuation_test equivalence equivalence/continuation_test.cpp)
+equipoise_test(observation_test equivalence equivalence/observation_test.cpp)
 if(EQUIPOISE_SANITIZE)  # instrumented kernels run at a hundredth of the speed
   target_compile_definitions(decisions_test PRIVATE DECISION_STARTS=40 BALL_COUNT_STARTS=20)
 else()
