@@ -105,7 +105,7 @@ Table7Reading table_7_lead() {
   Table7Reading lead;
   lead.protocol.rise = lead.protocol.fall = BranchLaw::kinematic;
   lead.protocol.release_speed = 2.2;
-  lead.test = {560.0, 560.0, lead.protocol.eccentricity};
+  lead.test = {630.0, 730.0, 1.34e-3};
   return lead;
 }
 
