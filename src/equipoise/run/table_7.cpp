@@ -111,7 +111,7 @@ Table7Reading table_7_lead() {
 
 std::vector<ObservationReading> observe_table_7(const Table7Reading& reading, std::uint64_t starts, int threads,
                                                 const StopFlag* stop) {
-  constexpr std::uint64_t batch = 32768;  // 16 MB of r^2 at 62 windows
+  constexpr std::uint64_t batch = 32768;  // 20 MB of r^2 at 73 windows
   ObservationSettings settings;
   settings.window = table_7_window;
   settings.until = reading.test.to;

@@ -68,8 +68,8 @@ struct Table7Reading {
 };
 
 /// The best lead, not a claim (docs/table-7.md): kinematic law, balls released when the ramp reaches 2.2, balanced if r
-/// stays below 0.00134 from t = 630 to 730. The release was chosen among 96 protocols, time and tolerance were FITTED to
-/// the four printed shares; none is in the paper's text.
+/// stays below 0.00134 from t = 630 to 730. The release was chosen among 96 protocols, time and tolerance were FITTED
+/// to the four printed shares; none is in the paper's text.
 Table7Reading table_7_lead();
 
 /// What a reading says of one row.
