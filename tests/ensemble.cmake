@@ -7,11 +7,19 @@ equipoise_test(window_test unit unit/window_test.cpp)
 equipoise_test(basin_test equivalence equivalence/basin_test.cpp)
 equipoise_test(decisions_test equivalence equivalence/decisions_test.cpp)
 equipoise_test(continuation_test equivalence equivalence/continuation_test.cpp)
+equipoise_test(observation_test equivalence equivalence/observation_test.cpp)
+equipoise_test(table_7_test equivalence equivalence/table_7_test.cpp)
 if(EQUIPOISE_SANITIZE)  # instrumented kernels run at a hundredth of the speed
   target_compile_definitions(decisions_test PRIVATE DECISION_STARTS=40 BALL_COUNT_STARTS=20)
 else()
   target_compile_definitions(decisions_test PRIVATE DECISION_STARTS=3000 BALL_COUNT_STARTS=300)
 endif()
+
+# The search for table 7's protocol: minutes to hours, run by hand (docs/table-7.md).
+add_executable(table_7_evidence EXCLUDE_FROM_ALL literature/table_7_evidence.cpp literature/table_7_elsewhere.cpp
+  literature/table_7_fit.cpp literature/table_7_variants.cpp)
+target_compile_options(table_7_evidence PRIVATE -Wall -Wextra)
+target_link_libraries(table_7_evidence PRIVATE equipoise fmt::fmt)
 
 find_package(Python3 COMPONENTS Interpreter)
 if(Python3_FOUND AND EQUIPOISE_BUILD_PROGRAM)

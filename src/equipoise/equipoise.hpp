@@ -17,5 +17,6 @@
 #include "equipoise/run/attractors.hpp"
 #include "equipoise/run/basin.hpp"
 #include "equipoise/run/certify.hpp"
+#include "equipoise/run/observation.hpp"
 #include "equipoise/run/simulate.hpp"
 #include "equipoise/study/study.hpp"

@@ -14,6 +14,7 @@
 
 #include "equipoise/attractors/decision-inl.hpp"
 #include "equipoise/ensemble/lane_block-inl.hpp"
+#include "equipoise/ensemble/watch_radius-inl.hpp"
 #include "equipoise/model/flow-inl.hpp"
 
 HWY_BEFORE_NAMESPACE();
@@ -44,6 +45,16 @@ bool advance_balls(const LaneTask& task, std::vector<Fate>& fates) {
   WatchForLoss<n> observer(fates);
   const auto block = std::make_unique<LaneBlock<Flow, WatchForLoss<n>, lane_groups<n>>>(
       task, Flow(*task.parameters, task.segment), observer);
+  return block->run();
+}
+
+template <int n>
+bool watch_balls(const LaneTask& task, const RadiusWindows& record) {
+  using Flow = FreeFlow<Pack, n, Terms{true, false, false}>;
+  using Observer = WatchRadius<n, lane_groups<n>>;
+  Observer observer(record);
+  const auto block =
+      std::make_unique<LaneBlock<Flow, Observer, lane_groups<n>>>(task, Flow(*task.parameters, task.segment), observer);
   return block->run();
 }
 
@@ -86,6 +97,10 @@ bool advance_target(const LaneTask& task, std::vector<Fate>& fates) {
   return model::with_ball_count(task.parameters->balls, [&](auto n) { return advance_balls<n>(task, fates); });
 }
 
+bool watch_target(const LaneTask& task, const RadiusWindows& record) {
+  return model::with_ball_count(task.parameters->balls, [&](auto n) { return watch_balls<n>(task, record); });
+}
+
 bool decide_target(const LaneTask& task, const DecisionRule& rule, std::vector<Fate>& fates,
                    std::vector<PilotRecord>* pilot) {
   return model::with_ball_count(task.parameters->balls,
@@ -106,6 +121,7 @@ HWY_AFTER_NAMESPACE();
 namespace equipoise {
 
 HWY_EXPORT(advance_target);
+HWY_EXPORT(watch_target);
 HWY_EXPORT(decide_target);
 HWY_EXPORT(evaluate_target);
 HWY_EXPORT(target_code);
@@ -119,6 +135,10 @@ std::string name_of(std::int64_t target) {
 
 bool advance_lanes(const LaneTask& task, std::vector<Fate>& fates) {
   return HWY_DYNAMIC_DISPATCH(advance_target)(task, fates);
+}
+
+bool watch_lanes(const LaneTask& task, const RadiusWindows& record) {
+  return HWY_DYNAMIC_DISPATCH(watch_target)(task, record);
 }
 
 bool decide_lanes(const LaneTask& task, const DecisionRule& rule, std::vector<Fate>& fates,

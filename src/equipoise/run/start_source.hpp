@@ -6,6 +6,7 @@
 
 #include "equipoise/attractors/fate.hpp"
 #include "equipoise/base/error.hpp"
+#include "equipoise/ensemble/lane_task.hpp"
 #include "equipoise/integrate/clamped.hpp"
 #include "equipoise/model/speed.hpp"
 #include "equipoise/study/study.hpp"
@@ -17,6 +18,9 @@ class StartSource {
  public:
   /// Integrates the clamped spin-up, which all starts share.
   StartSource(const Study& study, const StopFlag* stop);
+  /// The same for a rotor that moves by `segments` instead of the study's [speed] and [release]: contiguous from 0, the
+  /// clamped ones first, the last one free and without end.
+  StartSource(const Study& study, std::vector<model::Segment> segments, const StopFlag* stop);
 
   /// Starts first .. first + count - 1 of `seed`: ball angles into `phi`, states at settled() into `states`, both
   /// row-major; fates[i] says which were lost on the way. False if stopped early.
@@ -24,6 +28,17 @@ class StartSource {
             std::vector<double>& states, std::vector<Fate>& fates) const;
   /// The same for given ball angles: phi.size() / balls starts.
   bool follow(const std::vector<double>& phi, std::vector<double>& states, std::vector<Fate>& fates) const;
+
+  /// The states in which given ball angles are released, row-major.
+  void release(const std::vector<double>& phi, std::vector<double>& states) const;
+  /// All that an ensemble's task over free segment `k` has in common: the states enter at its beginning. For k other
+  /// than the last it ends with the segment.
+  LaneTask task(std::size_t k, std::vector<double>& states) const;
+  /// Takes states at the end of segment `k`, not the last, across the jump of psi' that follows.
+  void cross(std::size_t k, std::vector<double>& states) const;
+
+  const std::vector<model::Segment>& segments() const { return segments_; }
+  std::size_t first_free() const { return first_free_; }
 
   /// When the last branch has begun and the balls are free.
   double settled() const { return segments_.back().begin; }
