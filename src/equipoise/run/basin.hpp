@@ -1,7 +1,6 @@
 // The main question: with what probability do the balls end up balancing the rotor?
 #pragma once
 
-#include <array>
 #include <cstdint>
 #include <functional>
 #include <string>
@@ -40,7 +39,7 @@ struct BasinOptions {
 /// One start replayed alone.
 struct StartReplay {
   std::uint64_t index = 0;
-  std::array<double, model::max_balls> phi{};
+  InitialState start;  ///< state at t = 0
   Fate fate;
   std::string name;  ///< of the attractor, empty if there is none
 };

@@ -1,8 +1,9 @@
 // States of starts at the final speed.
 #include "equipoise/run/start_source.hpp"
 
+#include <algorithm>
+
 #include "equipoise/ensemble/lane_task.hpp"
-#include "equipoise/ensemble/starts.hpp"
 #include "equipoise/run/initial_state.hpp"
 #include "equipoise/run/lane_kernels.hpp"
 
@@ -14,32 +15,50 @@ StartSource::StartSource(const Study& study, const StopFlag* stop)
   while (segments_[first_free_].clamped) ++first_free_;
   if (first_free_ == 0) return;
   double z[max_dimension];
-  initial_state(study, segments_.front().speed, study.initial.phi.data(), z);
+  initial_state(study.initial, study.parameters.balls, segments_.front().speed, z);
   // The spin-up is shared by all starts, so its accuracy costs nothing: as tight as a single trajectory's.
   const auto status =
       integrate_clamped(study.parameters, segments_, {z[0], z[1], z[2], z[3]}, default_simulate_tolerance, basis_);
   if (status != IntegrationStatus::done) throw RunError("the clamped spin-up could not be integrated");
 }
 
+// The state when the balls become free.
+void StartSource::place(const InitialState& start, double* state) const {
+  initial_state(start, study_.parameters.balls, segments_.front().speed, state);
+  if (first_free_ > 0) basis_.centre(study_.parameters, start.phi.data(), state);
+}
+
 bool StartSource::make(std::uint64_t seed, std::uint64_t first, std::size_t count, std::vector<double>& phi,
                        std::vector<double>& states, std::vector<Fate>& fates) const {
-  const std::size_t n = static_cast<std::size_t>(study_.parameters.balls);
-  phi.resize(count * n);
-  for (std::size_t i = 0; i < count; ++i) start_angles(seed, first + i, study_.parameters.balls, &phi[i * n]);
-  return follow(phi, states, fates);
+  const int balls = study_.parameters.balls, size = model::dimension(balls);
+  phi.clear();
+  states.assign(count * static_cast<std::size_t>(size), 0.0);
+  for (std::size_t i = 0; i < count; ++i) {
+    const InitialState start = start_of(study_, seed, first + i);
+    phi.insert(phi.end(), start.phi.begin(), start.phi.begin() + balls);
+    place(start, &states[i * static_cast<std::size_t>(size)]);
+  }
+  return advance(states, fates);
 }
 
 bool StartSource::follow(const std::vector<double>& phi, std::vector<double>& states, std::vector<Fate>& fates) const {
-  const model::Parameters& p = study_.parameters;
-  const std::size_t n = static_cast<std::size_t>(p.balls), size = model::dimension(p.balls), count = phi.size() / n;
+  const std::size_t n = static_cast<std::size_t>(study_.parameters.balls), count = phi.size() / n;
+  const std::size_t size = model::dimension(study_.parameters.balls);
   states.assign(count * size, 0.0);
-  fates.assign(count, Fate{});
+  InitialState start = study_.initial;
   for (std::size_t i = 0; i < count; ++i) {
-    initial_state(study_, segments_.front().speed, &phi[i * n], &states[i * size]);
-    if (first_free_ > 0) basis_.centre(p, &phi[i * n], &states[i * size]);
+    std::copy(&phi[i * n], &phi[i * n] + n, start.phi.begin());
+    place(start, &states[i * size]);
   }
+  return advance(states, fates);
+}
+
+// From where the balls become free to settled().
+bool StartSource::advance(std::vector<double>& states, std::vector<Fate>& fates) const {
+  const std::size_t size = model::dimension(study_.parameters.balls), count = states.size() / size;
+  fates.assign(count, Fate{});
   LaneTask task;
-  task.parameters = &p;
+  task.parameters = &study_.parameters;
   task.tolerance = tolerance_;
   task.count = count;
   task.states = states.data();
