@@ -2,23 +2,15 @@
 #include "equipoise/report/branch_plot.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 
 #include <fmt/format.h>
 
-#include "equipoise/base/version.hpp"
+#include "equipoise/report/plot_parts.hpp"
 
 namespace equipoise {
 
 namespace {
-
-// Colours that people with any kind of colour vision tell apart (M. Okabe, K. Ito, Color Universal Design, 2008), by
-// identifier; the later ones (P. Tol, muted scheme) serve attractors without an identifier of their own.
-constexpr std::array colours{"#009E73", "#0072B2", "#D55E00", "#E69F00", "#CC79A7", "#56B4E9", "#666666",
-                             "#882255", "#332288", "#999933", "#44AA99", "#AA4499", "#117733", "#661100"};
-
-const char* colour_of(int id) { return colours[static_cast<std::size_t>(std::max(id, 1) - 1) % colours.size()]; }
 
 struct Sample {
   double value, low, mean, high;
@@ -49,42 +41,14 @@ std::vector<Stretch> stretches_of(const Branch& branch) {
   return stretches;
 }
 
-// Single quotes keep gnuplot from reading anything into a text; they are doubled inside.
-std::string quoted(const std::string& text) {
-  std::string result = "'";
-  for (const char c : text) result += c == '\'' ? std::string("''") : std::string(1, c);
-  return result + "'";
-}
-
-std::string axis_label(const std::string& key) {
-  if (key == "speed.final" || key == "speed.speed") return "final rotor speed Ω / critical speed";
-  if (key == "rotor.eccentricity") return "eccentricity λ / race radius";
-  if (key == "rotor.damping") return "external damping ζ = c / √(k M)";
-  if (key == "rotor.stiffness") return "support stiffness κ";
-  if (key == "balancer.mass") return "mass of a ball μ / rotor mass";
-  if (key == "balancer.drag") return "drag of a ball β";
-  return key;
-}
-
 std::string subtitle(const BranchesResult& r) {
-  const model::Parameters& p = r.study.parameters;
-  std::string text = fmt::format("{} ball{}", p.balls, p.balls == 1 ? "" : "s");
-  if (r.key != "balancer.mass" && p.equal_balls()) text += fmt::format(", μ = {}", p.mass[0]);
-  if (r.key != "balancer.drag" && p.equal_balls()) text += fmt::format(", β = {}", p.drag[0]);
-  if (r.key != "rotor.eccentricity") text += fmt::format(", λ = {}", p.eccentricity);
-  if (r.key != "rotor.damping") text += fmt::format(", ζ = {}", p.damping[0]);
-  if (!r.key.starts_with("speed.")) text += fmt::format(", Ω = {}", r.study.speed_profile().final_speed());
-  return text + (r.partial ? " (PARTIAL: stopped early)" : "");
+  return parameters_text(r.study, {r.key}) + (r.partial ? " (PARTIAL: stopped early)" : "");
 }
 
 }  // namespace
 
 std::string branch_plot_script(const BranchesResult& r, const std::string& path) {
-  const bool svg = path.ends_with(".svg");
-  std::string script = "set encoding utf8\n";
-  script += svg ? "set terminal svg size 1600,1000 font 'Helvetica,22' linewidth 1.3 background '#ffffff' noenhanced\n"
-                : "set terminal pngcairo size 1600,1000 font 'DejaVu Sans,17' linewidth 1.5 noenhanced\n";
-  script += fmt::format("set output {}\n", quoted(path));
+  std::string script = canvas(path);
   double highest = 0.0;
   std::string bands, edges, keys;
   const auto add = [](std::string& list, const std::string& item) { list += (list.empty() ? "" : ", \\\n  ") + item; };
