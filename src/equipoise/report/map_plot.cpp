@@ -18,17 +18,33 @@ namespace {
 
 using Point = std::array<double, 2>;
 
-// A field known at the pixels' centres, and continued from there to the map's edges.
+// A field known at the pixels' centres, and continued from there in a straight line to the map's edges.
 class Field {
  public:
   Field(const PlaneMap& map, const std::vector<double>& values) : map_(map), values_(values) {}
 
   double value(int column, int row) const {
-    return values_[map_.at(std::clamp(column, 0, map_.x.pixels - 1), std::clamp(row, 0, map_.y.pixels - 1))];
+    const Weights a = weights(column, map_.x.pixels), b = weights(row, map_.y.pixels);
+    double sum = 0.0;
+    for (int i = 0; i < 2; ++i)
+      for (int j = 0; j < 2; ++j)
+        if (a.share[i] * b.share[j] != 0.0) sum += a.share[i] * b.share[j] * values_[map_.at(a.pixel[i], b.pixel[j])];
+    // What is only extrapolated shows no change of sign.
+    const double nearest = values_[map_.at(a.pixel[0], b.pixel[0])];
+    return (sum < 0.0) == (nearest < 0.0) ? sum : nearest;
   }
   Point place(int column, int row) const { return {along(map_.x, column), along(map_.y, row)}; }
 
  private:
+  struct Weights {
+    int pixel[2];
+    double share[2];
+  };
+  static Weights weights(int k, int pixels) {
+    const int inside = std::clamp(k, 0, pixels - 1);
+    if (k == inside || pixels == 1) return {{inside, inside}, {1.0, 0.0}};
+    return {{inside, k < 0 ? 1 : pixels - 2}, {1.5, -0.5}};  // half a pixel beyond the last centre
+  }
   static double along(const MapAxis& axis, int k) { return std::clamp(axis.centre(k), axis.low, axis.high); }
   const PlaneMap& map_;
   const std::vector<double>& values_;

@@ -14,7 +14,7 @@
 namespace equipoise {
 
 struct OpenQuestionSettings {
-  int map_pixels = 64;           ///< along each side of both maps; a pixel takes about 10 ms, chaotic ones 200
+  int map_pixels = 64;           ///< along each side of both maps; a pixel takes 10 to 25 ms on the mean
   std::uint64_t starts = 20000;  ///< a sample, two samples a speed
   std::uint64_t seed = 1;
   int threads = 0;  ///< 0: all cores

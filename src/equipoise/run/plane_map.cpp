@@ -4,6 +4,7 @@
 #include "equipoise/run/plane_map.hpp"
 
 #include <algorithm>
+#include <array>
 #include <atomic>
 #include <chrono>
 #include <cmath>
@@ -34,6 +35,12 @@ namespace {
 constexpr int most_pixels = 20000;  // along one side
 // Orbits that a line of one system keeps, the latest first.
 constexpr std::size_t most_known = 12;
+
+// Motions of two balls without an identifier of their own that maps are known to show: they have the same code, and
+// with it the same colour, in every map. Others come after them.
+constexpr std::array usual_names{
+    "both captured",       "both captured, chaotic", "both captured, quasi-periodic", "one captured, quasi-periodic",
+    "pair drift, chaotic", "one captured, period 2"};
 
 bool is_start_key(const std::string& key) { return key.starts_with("initial."); }
 
@@ -188,9 +195,10 @@ class Mapper {
     settings_.progress(++done_, pixels_.size());
   }
 
-  // Counts codes; gives free ones to names without, in the order of pixels.
+  // Counts codes; gives free ones to names without: the usual ones first, then in the order of pixels.
   void give_codes() {
     std::map<std::string, short> free_codes;
+    for (const char* name : usual_names) free_codes.emplace(name, first_free_id + free_codes.size());
     std::map<short, MapCode> attractors;
     std::map<short, std::size_t> counts;
     std::size_t total = 0;
