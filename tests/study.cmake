@@ -1,5 +1,5 @@
 # Tests of the study reader, of the shipped studies and of the house's layers.
-equipoise_test(study_test unit unit/study_test.cpp unit/study_errors_test.cpp)
+equipoise_test(study_test unit unit/study_test.cpp unit/study_errors_test.cpp unit/sampling_box_test.cpp)
 
 find_package(Python3 COMPONENTS Interpreter)
 if(Python3_FOUND)

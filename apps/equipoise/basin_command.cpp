@@ -51,7 +51,12 @@ int print_replay(const Study& study, const BasinOptions& options, const std::str
       option_number<std::uint64_t>("--start-index", text, 0, largest, "a whole number from 0 to 999999999999");
   const StartReplay replay = replay_start(study, index, options);
   fmt::print("start {} of seed {}\n", index, study.sampling.seed);
-  for (int i = 0; i < study.parameters.balls; ++i) fmt::print("phi_{} = {}\n", i + 1, replay.phi[i]);
+  const InitialState& s = replay.start;
+  for (int i = 0; i < study.parameters.balls; ++i) fmt::print("phi_{} = {}\n", i + 1, s.phi[i]);
+  if (!study.sampling.box.empty()) {
+    fmt::print("x = {}\ny = {}\nx_dot = {}\ny_dot = {}\n", s.x, s.y, s.x_dot, s.y_dot);
+    for (int i = 0; i < study.parameters.balls; ++i) fmt::print("phi_dot_{} = {}\n", i + 1, s.phi_dot[i]);
+  }
   const auto by = static_cast<std::size_t>(replay.fate.by);
   fmt::print("outcome = {}\ndecided_by = {}\ndecision_time = {}\n", outcome_text(replay), decided_by_names[by],
              replay.fate.time);

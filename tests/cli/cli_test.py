@@ -70,6 +70,16 @@ class Basin(unittest.TestCase):
         self.assertEqual(set(values), {"phi_1", "phi_2", "outcome", "decided_by", "decision_time"})
         self.assertTrue(0 <= float(values["phi_1"]) < 2 * math.pi)
 
+    def test_replayed_start_of_a_box_prints_its_whole_state(self):
+        whole = ["--set", "sampling.box.x=[-0.1,0.1]", "--set", "sampling.box.phi_dot=[0.5,2.0]"]
+        free = ["--set", "release={time=0.0}"]
+        lines = run("basin", ROW, "--start-index", "5", *free, *whole).stdout.splitlines()
+        values = dict(line.split(" = ") for line in lines[1:])
+        self.assertEqual(set(values), {"phi_1", "phi_2", "x", "y", "x_dot", "y_dot", "phi_dot_1", "phi_dot_2",
+                                       "outcome", "decided_by", "decision_time"})
+        self.assertTrue(-0.1 <= float(values["x"]) <= 0.1 and 0.5 <= float(values["phi_dot_2"]) <= 2.0)
+        self.assertEqual(float(values["y"]), 0.0)
+
     def test_lines_of_progress_where_standard_error_is_no_terminal(self):
         with tempfile.TemporaryDirectory() as folder:
             process = subprocess.Popen([PROGRAM, "basin", ROW, "--starts", "100000000"], stdout=subprocess.PIPE,

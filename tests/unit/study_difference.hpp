@@ -33,6 +33,10 @@ inline std::string first_difference(const Study& a, const Study& b) {
   if (a.initial.phi_dot != b.initial.phi_dot) return "initial.phi_dot";
   if (a.sampling.starts != b.sampling.starts) return "sampling.starts";
   if (a.sampling.seed != b.sampling.seed) return "sampling.seed";
+  for (const auto& [key, side] : box_sides) {
+    const auto &s = a.sampling.box.*side, &t = b.sampling.box.*side;
+    if (s.has_value() != t.has_value() || (s && (s->low != t->low || s->high != t->high))) return key;
+  }
   if (a.numerics.tolerance != b.numerics.tolerance) return "numerics.tolerance";
   if (a.numerics.horizon != b.numerics.horizon) return "numerics.horizon";
   if (a.numerics.decide != b.numerics.decide) return "numerics.decide";

@@ -15,6 +15,7 @@
 #include "equipoise/attractors/motion_statistics.hpp"
 #include "equipoise/attractors/motion_symmetry.hpp"
 #include "equipoise/attractors/recurrence.hpp"
+#include "equipoise/attractors/settling.hpp"
 #include "equipoise/base/angles.hpp"
 #include "equipoise/model/balanced_state.hpp"
 #include "equipoise/model/linearisation.hpp"
@@ -55,10 +56,11 @@ std::optional<Equilibrium> nearest_of_continuum(const model::Parameters& p, doub
 // A trajectory with its past.
 class Journey {
  public:
-  Journey(const model::Parameters& p, double speed, const Eigen::VectorXd& state, double patience)
-      : p_(p), speed_(speed), difference_(p, speed), state_(state), patience_(patience) {}
+  Journey(const model::Parameters& p, double speed, const Eigen::VectorXd& state, double patience,
+          const std::vector<KnownOrbit>& known)
+      : p_(p), speed_(speed), difference_(p, speed), state_(state), patience_(patience), known_(known) {}
 
-  std::optional<Motion> settle();
+  Settling settle();
 
  private:
   void nudge();
@@ -81,14 +83,20 @@ class Journey {
   std::vector<Eigen::VectorXd> samples_;  // of the last part of the stretch
   MotionStatistics previous_, last_;      // of the last two stretches
   int repeats_ = 0;                       // stretches in a row that repeated the one before
-  std::vector<PeriodicOrbit> orbits_;     // stable ones met so far
-  std::vector<Return> tried_;             // Newton's method did not find the motion from these
+  const std::vector<KnownOrbit>& known_;
+  std::vector<KnownOrbit> orbits_;  // further stable ones met so far
+  std::vector<Return> tried_;       // Newton's method did not find the motion from these
+  IntegrationStatus status_ = IntegrationStatus::done;
+  double ahead_ = 0.0;  // how far the last approach was followed beyond elapsed_
+  bool recognised_ = false;
 };
 
 bool Journey::travel(double duration, MotionStatistics& statistics, std::vector<Eigen::VectorXd>* samples) {
-  const auto end = follow(p_, speed_, state_, duration, follow_tolerance, statistics, samples);
-  if (end) state_ = *end;
-  return end.has_value();
+  Eigen::VectorXd end = state_;
+  status_ = follow(p_, speed_, end, duration, follow_tolerance, &statistics, samples);
+  if (status_ != IntegrationStatus::done) return false;
+  state_ = end;
+  return true;
 }
 
 // Equal balls in one place stay there in exact arithmetic of equal operations, even where that is unstable. From the
@@ -117,20 +125,20 @@ bool Journey::travel_stretch(double duration) {
 // `rate` (negative), and says whether it does.
 template <class Distance>
 bool Journey::approaches(double rate, const Distance& distance) {
+  ahead_ = 0.0;
   const double first = distance(state_);
   if (first > in_reach) return false;
   if (first < 1e-9) return true;
   const double chunk = std::max(1.0 / -rate, 1.0);
   Eigen::VectorXd z = state_;
-  double left = patience_ - elapsed_, travelled = 0.0, now = first;
+  double left = patience_ - elapsed_, now = first;
+  double& travelled = ahead_;
   // Away from the linear regime the distance may grow for a while; a motion left behind is not approached again soon.
   for (int k = 0; k < 40 && now < 2.0 * in_reach; ++k) {
     const double duration = std::min(chunk, left);
     if (duration <= 0.0) break;
-    MotionStatistics unused;
-    const auto end = follow(p_, speed_, z, duration, follow_tolerance, unused);
-    if (!end) return false;
-    z = with_angles_reduced(p_, *end);
+    if (follow(p_, speed_, z, duration, follow_tolerance) != IntegrationStatus::done) return false;
+    z = with_angles_reduced(p_, z);
     left -= duration;
     travelled += duration;
     now = distance(z);
@@ -169,22 +177,30 @@ std::optional<Motion> Journey::rest() {
 }
 
 std::optional<Motion> Journey::recurrence() {
-  const auto accepted = [&](const PeriodicOrbit& orbit) {
-    const OrbitCurve curve(p_, speed_, orbit);
+  const auto accepted = [&](const KnownOrbit& known) {
+    const PeriodicOrbit& orbit = known.orbit;
     const double slowest =
         orbit.multipliers.size() > 1 ? std::log(std::max(1e-300, std::abs(orbit.multipliers[1]))) / orbit.period : -1.0;
-    return approaches(slowest, [&](const Eigen::VectorXd& z) { return curve.distance(z); });
+    return approaches(slowest, [&](const Eigen::VectorXd& z) { return known.curve->distance(z); });
   };
-  for (const PeriodicOrbit& orbit : orbits_)
-    if (accepted(orbit)) return describe_orbit(p_, speed_, orbit);
+  const auto described = [&](const KnownOrbit& known) {
+    return known.motion ? *known.motion : describe_orbit(p_, speed_, known.orbit);
+  };
+  for (const KnownOrbit& known : known_) {
+    if (!accepted(known)) continue;
+    recognised_ = true;
+    return described(known);
+  }
+  for (const KnownOrbit& known : orbits_)
+    if (accepted(known)) return described(known);
   for (const Return& now : returns_to_last(samples_, sample_spacing(speed_), p_.balls, difference_, most_returns)) {
     if (!worth_trying(now)) continue;
     const auto guess = shoot(p_, speed_, state_, now.time, difference_, in_reach);
     if (!guess) continue;
     const auto orbit = refine_orbit(p_, speed_, guess->state, guess->period);
     if (!orbit || !orbit->stable()) continue;
-    if (accepted(*orbit)) return describe_orbit(p_, speed_, *orbit);
-    orbits_.push_back(*orbit);
+    orbits_.push_back(known_orbit(p_, speed_, *orbit));
+    if (accepted(orbits_.back())) return described(orbits_.back());
   }
   return std::nullopt;
 }
@@ -232,6 +248,7 @@ std::optional<Motion> Journey::persistence() {
   const bool tight = statistics_repeat(0.01, 0.005), loose = statistics_repeat(0.1, 0.05);
   repeats_ = tight ? repeats_ + 1 : 0;
   const bool final_stretch = elapsed_ >= patience_ * (1.0 - 1e-9);
+  ahead_ = 0.0;
   if (last_.duration < 1000.0 || !(repeats_ >= 2 || (final_stretch && loose))) return std::nullopt;
   const int count = std::min<int>(4, model::dimension(p_.balls));
   double duration = std::max(last_.duration, 4000.0);
@@ -265,24 +282,46 @@ std::optional<Motion> Journey::persistence() {
   return motion;
 }
 
-std::optional<Motion> Journey::settle() {
+Settling Journey::settle() {
   const double doublings = std::max(0.0, std::floor(std::log2(patience_ / first_stretch)));
+  Settling result;
   for (double stretch = patience_ / std::exp2(doublings); elapsed_ < patience_ * (1.0 - 1e-9); stretch = elapsed_) {
-    if (!travel_stretch(stretch)) return std::nullopt;
-    if (auto motion = rest()) return motion;
-    if (auto motion = recurrence()) return motion;
-    if (auto motion = persistence()) return motion;
+    if (!travel_stretch(stretch)) break;
+    result.motion = rest();
+    if (!result.motion) result.motion = recurrence();
+    if (!result.motion) result.motion = persistence();
+    if (!result.motion) continue;
+    result.time = elapsed_ + ahead_;
+    result.known = recognised_;
+    return result;
   }
-  return std::nullopt;
+  result.status = status_;
+  result.time = elapsed_;
+  return result;
 }
 
 }  // namespace
 
+KnownOrbit known_orbit(const model::Parameters& p, double speed, const PeriodicOrbit& orbit) {
+  return {orbit, std::make_shared<const OrbitCurve>(p, speed, orbit), nullptr};
+}
+
+KnownOrbit known_orbit(const model::Parameters& p, double speed, const Motion& motion) {
+  KnownOrbit result = known_orbit(p, speed, motion.orbit);
+  result.motion = std::make_shared<const Motion>(motion);
+  return result;
+}
+
+Settling settle(const model::Parameters& p, double speed, const Eigen::VectorXd& state, double patience,
+                const std::vector<KnownOrbit>& known) {
+  // Anisotropic supports and gravity make the equations depend on time, and nothing is steady in the rotating frame.
+  if (!p.isotropic() || p.gravity != 0.0) return {};
+  return Journey(p, speed, state, patience, known).settle();
+}
+
 std::optional<Motion> motion_from(const model::Parameters& p, double speed, const Eigen::VectorXd& state,
                                   double patience) {
-  // Anisotropic supports and gravity make the equations depend on time, and nothing is steady in the rotating frame.
-  if (!p.isotropic() || p.gravity != 0.0) return std::nullopt;
-  return Journey(p, speed, state, patience).settle();
+  return settle(p, speed, state, patience).motion;
 }
 
 }  // namespace equipoise

@@ -179,8 +179,8 @@ Motion describe_orbit(const model::Parameters& p, double speed, const PeriodicOr
   motion.residual = orbit.residual;
   MotionStatistics statistics;
   const double arc = orbit.period / static_cast<double>(orbit.nodes.size());
-  for (const Eigen::VectorXd& node : orbit.nodes)  // arc by arc: an unstable orbit would not be followed for long
-    follow(p, speed, node, arc, tolerance, statistics);
+  for (Eigen::VectorXd state : orbit.nodes)  // arc by arc: an unstable orbit would not be followed for long
+    follow(p, speed, state, arc, tolerance, &statistics);
   describe_statistics(p, statistics, motion);
   motion.half_period_exchange = is_half_period_exchange(p, speed, orbit);
   motion.copies = count_copies(p, motion);

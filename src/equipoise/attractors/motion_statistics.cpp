@@ -128,9 +128,8 @@ class Gatherer {
 };
 
 template <int n>
-std::optional<Eigen::VectorXd> follow_balls(const model::Parameters& p, double speed, const Eigen::VectorXd& state,
-                                            double duration, double tolerance, MotionStatistics& statistics,
-                                            std::vector<Eigen::VectorXd>* samples) {
+IntegrationStatus follow_balls(const model::Parameters& p, double speed, Eigen::VectorXd& z, double duration,
+                               double tolerance, MotionStatistics* statistics, std::vector<Eigen::VectorXd>* samples) {
   using Flow = typename Gatherer<n>::Flow;
   constexpr int size = Flow::dimension;
   kernels::ErrorScale<size> scale;
@@ -138,9 +137,10 @@ std::optional<Eigen::VectorXd> follow_balls(const model::Parameters& p, double s
   kernels::set_state_scale<n>(p, 1, scale);
   const Flow flow(p, {0.0, 0.0, 0.0, speed, 0.0, false});
   kernels::AdaptiveIntegrator<Flow, size> integrator(flow, scale);
+  if (!statistics && !samples) return integrator.advance(0.0, duration, z.data(), [](double, double, auto&&) {});
   const double spacing = sample_spacing(speed);
-  Eigen::VectorXd z = state;
-  Gatherer<n> gatherer(flow, statistics, z.data());
+  MotionStatistics unused;
+  Gatherer<n> gatherer(flow, statistics ? *statistics : unused, z.data());
   std::size_t next = 1;
   if (samples) samples->assign(1, z);
   const IntegrationStatus status = integrator.advance(0.0, duration, z.data(), [&](double t, double t_new, auto at) {
@@ -151,8 +151,7 @@ std::optional<Eigen::VectorXd> follow_balls(const model::Parameters& p, double s
     }
   });
   gatherer.finish(duration);
-  if (status != IntegrationStatus::done) return std::nullopt;
-  return z;
+  return status;
 }
 
 }  // namespace
@@ -179,9 +178,8 @@ void AngleHistory::add(double angle) {
 
 double sample_spacing(double speed) { return 0.2 / std::max(1.0, std::fabs(speed)); }
 
-std::optional<Eigen::VectorXd> follow(const model::Parameters& p, double speed, const Eigen::VectorXd& state,
-                                      double duration, double tolerance, MotionStatistics& statistics,
-                                      std::vector<Eigen::VectorXd>* samples) {
+IntegrationStatus follow(const model::Parameters& p, double speed, Eigen::VectorXd& state, double duration,
+                         double tolerance, MotionStatistics* statistics, std::vector<Eigen::VectorXd>* samples) {
   return model::with_ball_count(
       p.balls, [&](auto n) { return follow_balls<n>(p, speed, state, duration, tolerance, statistics, samples); });
 }

@@ -4,12 +4,12 @@
 
 #include <array>
 #include <limits>
-#include <optional>
 #include <vector>
 
 #include <Eigen/Dense>
 
 #include "equipoise/base/angles.hpp"
+#include "equipoise/integrate/status.hpp"
 #include "equipoise/model/parameters.hpp"
 
 namespace equipoise {
@@ -42,13 +42,13 @@ struct MotionStatistics {
   double r_mean() const { return r_integral / duration; }
 };
 
-/// Follows the trajectory from `state` for `duration` and adds it to `statistics`; its angles must go
-/// on from where those of the last call ended. Extremes are found to about 1e-8 of
-/// their size from the signs of the derivatives at times at most `spacing` apart. Returns the state reached, empty if
-/// the integration fails or diverges. `samples`, if given, receives the states at the times k spacing, k = 0, 1, ...
-std::optional<Eigen::VectorXd> follow(const model::Parameters& p, double speed, const Eigen::VectorXd& state,
-                                      double duration, double tolerance, MotionStatistics& statistics,
-                                      std::vector<Eigen::VectorXd>* samples = nullptr);
+/// Takes `state` along its trajectory for `duration`; unless the answer is `done` it is left where it was lost. What is
+/// not asked for costs nothing. `statistics`: the stretch is added to it; angles must go on from where those of the
+/// last call ended. Extremes are found to about 1e-8 of their size from the signs of the derivatives at times at most
+/// sample_spacing() apart. `samples` receives the states at the times k sample_spacing(), k = 0, 1, ...
+IntegrationStatus follow(const model::Parameters& p, double speed, Eigen::VectorXd& state, double duration,
+                         double tolerance, MotionStatistics* statistics = nullptr,
+                         std::vector<Eigen::VectorXd>* samples = nullptr);
 
 /// Times between samples: at speed Omega a ball that the rotor leaves behind turns by Omega times this, 0.2 rad.
 double sample_spacing(double speed);

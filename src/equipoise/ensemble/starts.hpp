@@ -9,4 +9,7 @@ namespace equipoise {
 /// "Parallel random numbers: as easy as 1, 2, 3", SC 2011) with the seed as key and the index as counter.
 void start_angles(std::uint64_t seed, std::uint64_t index, int balls, double* phi);
 
+/// Writes `count` further numbers of start `index`, independent of its angles and of each other, uniform on [0, 1).
+void start_fractions(std::uint64_t seed, std::uint64_t index, int count, double* fractions);
+
 }  // namespace equipoise

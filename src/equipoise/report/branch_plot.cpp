@@ -2,25 +2,15 @@
 #include "equipoise/report/branch_plot.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 
 #include <fmt/format.h>
 
-#include "equipoise/report/gnuplot_text.hpp"
+#include "equipoise/report/plot_parts.hpp"
 
 namespace equipoise {
 
 namespace {
-
-using gnuplot::quoted;
-
-// Colours that people with any kind of colour vision tell apart (M. Okabe, K. Ito, Color Universal Design, 2008), by
-// identifier; the later ones (P. Tol, muted scheme) serve attractors without an identifier of their own.
-constexpr std::array colours{"#009E73", "#0072B2", "#D55E00", "#E69F00", "#CC79A7", "#56B4E9", "#666666",
-                             "#882255", "#332288", "#999933", "#44AA99", "#AA4499", "#117733", "#661100"};
-
-const char* colour_of(int id) { return colours[static_cast<std::size_t>(std::max(id, 1) - 1) % colours.size()]; }
 
 struct Sample {
   double value, low, mean, high;
@@ -51,31 +41,14 @@ std::vector<Stretch> stretches_of(const Branch& branch) {
   return stretches;
 }
 
-std::string axis_label(const std::string& key) {
-  if (key == "speed.final" || key == "speed.speed") return "final rotor speed Ω / critical speed";
-  if (key == "rotor.eccentricity") return "eccentricity λ / race radius";
-  if (key == "rotor.damping") return "external damping ζ = c / √(k M)";
-  if (key == "rotor.stiffness") return "support stiffness κ";
-  if (key == "balancer.mass") return "mass of a ball μ / rotor mass";
-  if (key == "balancer.drag") return "drag of a ball β";
-  return key;
-}
-
 std::string subtitle(const BranchesResult& r) {
-  const model::Parameters& p = r.study.parameters;
-  std::string text = fmt::format("{} ball{}", p.balls, p.balls == 1 ? "" : "s");
-  if (r.key != "balancer.mass" && p.equal_balls()) text += fmt::format(", μ = {}", p.mass[0]);
-  if (r.key != "balancer.drag" && p.equal_balls()) text += fmt::format(", β = {}", p.drag[0]);
-  if (r.key != "rotor.eccentricity") text += fmt::format(", λ = {}", p.eccentricity);
-  if (r.key != "rotor.damping") text += fmt::format(", ζ = {}", p.damping[0]);
-  if (!r.key.starts_with("speed.")) text += fmt::format(", Ω = {}", r.study.speed_profile().final_speed());
-  return text + (r.partial ? " (PARTIAL: stopped early)" : "");
+  return parameters_text(r.study, {r.key}) + (r.partial ? " (PARTIAL: stopped early)" : "");
 }
 
 }  // namespace
 
 std::string branch_plot_script(const BranchesResult& r, const std::string& path) {
-  std::string script = gnuplot::output(path, 1600, 1000);
+  std::string script = canvas(path, 1600, 1000);
   double highest = 0.0;
   std::string bands, edges, keys;
   const auto add = [](std::string& list, const std::string& item) { list += (list.empty() ? "" : ", \\\n  ") + item; };
@@ -116,7 +89,7 @@ std::string branch_plot_script(const BranchesResult& r, const std::string& path)
       quoted(axis_label(r.key)));
   script += fmt::format("set xrange [{:.12g}:{:.12g}]\nset yrange [{:.6g}:{:.6g}]\n", low - margin, high + margin,
                         -0.012 * highest, 1.08 * std::max(highest, 1e-6));
-  script += gnuplot::frame;
+  script += quiet_frame;
   script +=
       "set mxtics 5\n"
       "set lmargin 11\nset key outside right top vertical Left reverse samplen 2.2 spacing 1.3 width 1\n";

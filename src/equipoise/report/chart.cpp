@@ -7,13 +7,12 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
-#include "equipoise/report/gnuplot_text.hpp"
+#include "equipoise/report/plot_parts.hpp"
 
 namespace equipoise {
 
 namespace {
 
-using gnuplot::quoted;
 using Json = nlohmann::ordered_json;
 
 // Five digits are more than a screen shows; they halve a page's size.
@@ -129,7 +128,7 @@ std::string chart_plot_script(const std::string& title, const std::vector<Chart>
   const int count = static_cast<int>(charts.size()), columns = std::min(count, 2);
   const int rows = (count + columns - 1) / std::max(columns, 1);
   const int row_height = charts.empty() || charts.front().curves ? 420 : 600;
-  std::string script = gnuplot::output(path, 1600, 90 + std::max(rows * row_height, 560)) + gnuplot::frame;
+  std::string script = canvas(path, 1600, 90 + std::max(rows * row_height, 560)) + quiet_frame;
   script += "set lmargin 10\n";
   script += fmt::format("set multiplot layout {},{} title {}\n", rows, columns, quoted(title));
   for (int k = 0; k < count; ++k) script += script_of(charts[static_cast<std::size_t>(k)], k + 1);

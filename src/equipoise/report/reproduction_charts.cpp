@@ -6,7 +6,7 @@
 
 #include <fmt/format.h>
 
-#include "equipoise/report/gnuplot_text.hpp"
+#include "equipoise/report/plot_parts.hpp"
 
 namespace equipoise {
 
@@ -73,8 +73,8 @@ std::optional<Chart> table_chart(const ReproducedTable& table) {
       series.style = style;
       chart.series.push_back(std::move(series));
     };
-    take(curves.published, table.published->ramps ? "published law" : "computed", many ? four[k % 4] : gnuplot::dark);
-    take(curves.kinematic, "kinematic law", gnuplot::light);
+    take(curves.published, table.published->ramps ? "published law" : "computed", many ? four[k % 4] : dark_colour);
+    take(curves.kinematic, "kinematic law", light_colour);
     ChartSeries printed = curves.printed;
     printed.label = k == 0 ? "printed" : "";
     printed.colour = "#222222";
@@ -91,7 +91,7 @@ std::vector<Chart> figure_charts(const PaperFigure& figure) {
     for (std::size_t k = 0; k < panel.series.size(); ++k) {
       const FigureSeries& s = panel.series[k];
       chart.series.push_back(
-          {label_of(s), k == 0 ? gnuplot::dark : gnuplot::light, ChartSeries::Style::line, s.t, s.r, {}, {}});
+          {label_of(s), k == 0 ? dark_colour : light_colour, ChartSeries::Style::line, s.t, s.r, {}, {}});
     }
     charts.push_back(std::move(chart));
   }

@@ -15,6 +15,7 @@
 #include <oneapi/tbb/parallel_pipeline.h>
 #include <oneapi/tbb/task_arena.h>
 
+#include "equipoise/run/initial_state.hpp"
 #include "equipoise/run/lane_kernels.hpp"
 #include "equipoise/run/start_runner.hpp"
 #include "equipoise/store/basin_file.hpp"
@@ -231,10 +232,22 @@ class BasinRun {
       take(fate);
       ++taken;
     }
-    if (file_) file_->append(taken, chunk.phi.data(), chunk.fates.data());
+    if (file_) store(chunk, taken);
     if (options_.progress)
       options_.progress(
           {tally_->total(), options_.half_width > 0.0 ? 0 : limit_, tally_->share(Outcome::attracted, balanced_id)});
+  }
+
+  // Starts are functions of their index, so what they drew besides angles is made again for the file alone.
+  void store(const Chunk& chunk, std::size_t count) {
+    const Study& study = result_.study;
+    std::vector<double> rotor, phi_dot;
+    for (std::size_t i = 0; i < count && !study.sampling.box.empty(); ++i) {
+      const InitialState s = start_of(study, study.sampling.seed, chunk.first + i);
+      rotor.insert(rotor.end(), {s.x, s.y, s.x_dot, s.y_dot});
+      phi_dot.insert(phi_dot.end(), s.phi_dot.begin(), s.phi_dot.begin() + study.parameters.balls);
+    }
+    file_->append(count, chunk.phi.data(), chunk.fates.data(), rotor.data(), phi_dot.data());
   }
 
   // A stationary motion that the rule does not list: what it is decides, whenever it was first met.
@@ -261,7 +274,7 @@ int thread_count(int asked) { return asked > 0 ? asked : tbb::info::default_conc
 BasinFileHeader basin_file_header(const Study& study, bool angles) {
   Study identity = study;  // all that decides the fate of start i
   identity.sampling.starts = 1;
-  return {to_toml(identity), study.sampling.seed, study.parameters.balls, cpu_target(), angles};
+  return {to_toml(identity), study.sampling.seed, study.parameters.balls, cpu_target(), angles, !study.sampling.box.empty()};
 }
 
 BasinResult basin(const Study& study, const BasinOptions& options, Catalogue* catalogue) {
@@ -281,7 +294,7 @@ StartReplay replay_start(const Study& study, std::uint64_t index, const BasinOpt
   replay.index = index;
   if (runner.stopped() || !runner.run(index, 1, phi, fates, unlisted))
     throw RunError("stopped before the start was decided");
-  std::copy(phi.begin(), phi.end(), replay.phi.begin());
+  replay.start = start_of(study, study.sampling.seed, index);
   replay.fate = fates.front();
   if (!unlisted.empty()) settle(replay.fate, runner.list(unlisted.front()));
   if (const Attractor* a = runner.catalogue().find(replay.fate.attractor)) replay.name = a->name;

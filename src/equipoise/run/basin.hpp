@@ -1,7 +1,6 @@
 // The main question: with what probability do the balls end up balancing the rotor?
 #pragma once
 
-#include <array>
 #include <cstdint>
 #include <functional>
 #include <string>
@@ -52,7 +51,7 @@ BasinFileHeader basin_file_header(const Study& study, bool angles);
 /// One start replayed alone.
 struct StartReplay {
   std::uint64_t index = 0;
-  std::array<double, model::max_balls> phi{};
+  InitialState start;  ///< state at t = 0
   Fate fate;
   std::string name;  ///< of the attractor, empty if there is none
 };

@@ -82,9 +82,14 @@ void ParameterLine::parse(const std::string& text) {
   step_ = std::fabs(step);
 }
 
-Study ParameterLine::study_at(double value) const {
-  if (key_ != "speed.final") return parse_study(to_toml(study_), study_.name, {key_ + "=" + study::number_text(value)});
-  Study study = study_;
+Study study_with(const Study& original, const std::string& key, double value) {
+  Study study = original;
+  for (int i = 0; i < study.parameters.balls; ++i)
+    if (key == fmt::format("initial.phi_{}", i + 1)) {
+      study.initial.phi[static_cast<std::size_t>(i)] = value;
+      return study;
+    }
+  if (key != "speed.final") return parse_study(to_toml(study), study.name, {key + "=" + study::number_text(value)});
   if (study.speed.profile == "constant")
     study.speed.speed = value;
   else if (study.speed.profile == "points")
@@ -94,6 +99,8 @@ Study ParameterLine::study_at(double value) const {
   check(study);
   return study;
 }
+
+Study ParameterLine::study_at(double value) const { return study_with(study_, key_, value); }
 
 LineSystem ParameterLine::system_at(double value) const {
   const Study study = study_at(value);

@@ -18,6 +18,11 @@ struct LineSystem {
   double speed = 0.0;
 };
 
+/// `study` with another value of a number, as --set would give it; also for the keys speed.final, the final speed
+/// whatever the profile, and initial.phi_1 to initial.phi_n, one ball's initial angle. Throws InputError if the study
+/// then is none.
+Study study_with(const Study& study, const std::string& key, double value);
+
 class ParameterLine {
  public:
   /// `text`: KEY=FROM:TO:STEP. KEY is a key of rotor, balancer or speed that takes a number, or speed.final, which is

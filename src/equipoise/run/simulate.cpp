@@ -99,7 +99,7 @@ Trajectory simulate(const Study& study, const std::vector<double>& times, const 
   out.phi_dot.resize(p.balls);
 
   std::vector<double> z(model::dimension(p.balls));
-  initial_state(study, segments.front().speed, phi, z.data());
+  initial_state(study.initial, p.balls, segments.front().speed, z.data());
 
   std::size_t free_from = 0;
   while (segments[free_from].clamped) ++free_from;

@@ -1,9 +1,9 @@
 // States of starts at the final speed.
 #include "equipoise/run/start_source.hpp"
 
+#include <algorithm>
 #include <utility>
 
-#include "equipoise/ensemble/starts.hpp"
 #include "equipoise/run/initial_state.hpp"
 #include "equipoise/run/lane_kernels.hpp"
 
@@ -20,28 +20,40 @@ StartSource::StartSource(const Study& study, std::vector<model::Segment> segment
   while (segments_[first_free_].clamped) ++first_free_;
   if (first_free_ == 0) return;
   double z[max_dimension];
-  initial_state(study, segments_.front().speed, study.initial.phi.data(), z);
+  initial_state(study.initial, study.parameters.balls, segments_.front().speed, z);
   // The spin-up is shared by all starts, so its accuracy costs nothing: as tight as a single trajectory's.
   const auto status =
       integrate_clamped(study.parameters, segments_, {z[0], z[1], z[2], z[3]}, default_simulate_tolerance, basis_);
   if (status != IntegrationStatus::done) throw RunError("the clamped spin-up could not be integrated");
 }
 
+// The state when the balls become free.
+void StartSource::place(const InitialState& start, double* state) const {
+  initial_state(start, study_.parameters.balls, segments_.front().speed, state);
+  if (first_free_ > 0) basis_.centre(study_.parameters, start.phi.data(), state);
+}
+
 bool StartSource::make(std::uint64_t seed, std::uint64_t first, std::size_t count, std::vector<double>& phi,
                        std::vector<double>& states, std::vector<Fate>& fates) const {
-  const std::size_t n = static_cast<std::size_t>(study_.parameters.balls);
-  phi.resize(count * n);
-  for (std::size_t i = 0; i < count; ++i) start_angles(seed, first + i, study_.parameters.balls, &phi[i * n]);
-  return follow(phi, states, fates);
+  const int balls = study_.parameters.balls, size = model::dimension(balls);
+  phi.clear();
+  states.assign(count * static_cast<std::size_t>(size), 0.0);
+  for (std::size_t i = 0; i < count; ++i) {
+    const InitialState start = start_of(study_, seed, first + i);
+    phi.insert(phi.end(), start.phi.begin(), start.phi.begin() + balls);
+    place(start, &states[i * static_cast<std::size_t>(size)]);
+  }
+  return advance(states, fates);
 }
 
 void StartSource::release(const std::vector<double>& phi, std::vector<double>& states) const {
-  const model::Parameters& p = study_.parameters;
-  const std::size_t n = static_cast<std::size_t>(p.balls), size = model::dimension(p.balls), count = phi.size() / n;
+  const std::size_t n = static_cast<std::size_t>(study_.parameters.balls), count = phi.size() / n;
+  const std::size_t size = model::dimension(study_.parameters.balls);
   states.assign(count * size, 0.0);
+  InitialState start = study_.initial;
   for (std::size_t i = 0; i < count; ++i) {
-    initial_state(study_, segments_.front().speed, &phi[i * n], &states[i * size]);
-    if (first_free_ > 0) basis_.centre(p, &phi[i * n], &states[i * size]);
+    std::copy(&phi[i * n], &phi[i * n] + n, start.phi.begin());
+    place(start, &states[i * size]);
   }
 }
 
@@ -65,7 +77,12 @@ void StartSource::cross(std::size_t k, std::vector<double>& states) const {
 
 bool StartSource::follow(const std::vector<double>& phi, std::vector<double>& states, std::vector<Fate>& fates) const {
   release(phi, states);
-  fates.assign(phi.size() / static_cast<std::size_t>(study_.parameters.balls), Fate{});
+  return advance(states, fates);
+}
+
+// From where the balls become free to settled().
+bool StartSource::advance(std::vector<double>& states, std::vector<Fate>& fates) const {
+  fates.assign(states.size() / model::dimension(study_.parameters.balls), Fate{});
   for (std::size_t k = first_free_; k + 1 < segments_.size(); ++k) {
     if (!advance_lanes(task(k, states), fates)) return false;
     cross(k, states);

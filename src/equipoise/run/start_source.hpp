@@ -26,7 +26,7 @@ class StartSource {
   /// row-major; fates[i] says which were lost on the way. False if stopped early.
   bool make(std::uint64_t seed, std::uint64_t first, std::size_t count, std::vector<double>& phi,
             std::vector<double>& states, std::vector<Fate>& fates) const;
-  /// The same for given ball angles: phi.size() / balls starts.
+  /// The same for given ball angles, all else as in [initial]: phi.size() / balls starts.
   bool follow(const std::vector<double>& phi, std::vector<double>& states, std::vector<Fate>& fates) const;
 
   /// The states in which given ball angles are released, row-major.
@@ -46,6 +46,9 @@ class StartSource {
   double tolerance() const { return tolerance_; }
 
  private:
+  void place(const InitialState& start, double* state) const;
+  bool advance(std::vector<double>& states, std::vector<Fate>& fates) const;
+
   Study study_;
   const StopFlag* stop_;
   std::vector<model::Segment> segments_;

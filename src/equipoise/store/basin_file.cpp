@@ -30,13 +30,26 @@ struct BasinFile::State {
   std::string path;
   std::optional<store::NetcdfFile> file;
   std::size_t balls = 2, stored = 0, discovered = 0;
-  int phi = -1, outcome = -1, time = -1, by = -1, discovery = -1;
+  bool full_starts = false;
+  int phi = -1, rotor = -1, phi_dot = -1, outcome = -1, time = -1, by = -1, discovery = -1;
   int kind_code = -1, kind_name = -1, kind_alias = -1, kind_count = -1, kind_share = -1, kind_low = -1, kind_high = -1;
 
   void create(const BasinFileHeader& header);
   void open(const BasinFileHeader& header);
+  void define_full_starts(int start, int ball);
   void find_variables(bool angles);
 };
+
+void BasinFile::State::define_full_starts(int start, int ball) {
+  store::NetcdfFile& f = *file;
+  const int component = f.dimension("rotor_component", 4);
+  rotor = f.variable("rotor_state", NC_DOUBLE, {start, component}, "1",
+                     "initial x, y in race radii and x_dot, y_dot, their derivatives in the rotating frame");
+  phi_dot = f.variable("phi_dot", NC_DOUBLE, {start, ball}, "1",
+                       "initial rate of a ball in the rotating frame, radians times omega_c");
+  f.chunk(rotor, {chunk_length, 4});
+  f.chunk(phi_dot, {chunk_length, balls});
+}
 
 void BasinFile::State::create(const BasinFileHeader& header) {
   file.emplace(path, store::NetcdfFile::Mode::create);
@@ -51,6 +64,7 @@ void BasinFile::State::create(const BasinFileHeader& header) {
                      "initial ball angle from the direction of the centre of mass, rotating frame");
     f.chunk(phi, {chunk_length, balls});
   }
+  if (full_starts) define_full_starts(start, ball);
   outcome = f.variable("outcome", NC_SHORT, {start}, "1",
                        "attractor that the start came to (kind_code), or 0 undecided, -1 diverged, -2 failed");
   time =
@@ -103,6 +117,8 @@ void BasinFile::State::open(const BasinFileHeader& header) {
 
 void BasinFile::State::find_variables(bool angles) {
   if (angles) phi = file->variable("phi");
+  if (full_starts) rotor = file->variable("rotor_state");
+  if (full_starts) phi_dot = file->variable("phi_dot");
   outcome = file->variable("outcome");
   time = file->variable("decision_time");
   by = file->variable("decided_by");
@@ -119,6 +135,7 @@ void BasinFile::State::find_variables(bool angles) {
 BasinFile::BasinFile(const std::string& path, const BasinFileHeader& header) : state_(std::make_unique<State>()) {
   state_->path = path;
   state_->balls = static_cast<std::size_t>(header.balls);
+  state_->full_starts = header.full_starts;
   if (std::filesystem::exists(path)) {
     state_->open(header);
     state_->find_variables(header.angles);
@@ -157,7 +174,8 @@ std::vector<Fate> BasinFile::read(std::uint64_t first, std::size_t count) const 
   return fates;
 }
 
-void BasinFile::append(std::size_t count, const double* phi, const Fate* fates) {
+void BasinFile::append(std::size_t count, const double* phi, const Fate* fates, const double* rotor,
+                       const double* phi_dot) {
   if (count == 0) return;
   std::vector<short> codes(count);
   std::vector<double> times(count);
@@ -173,6 +191,10 @@ void BasinFile::append(std::size_t count, const double* phi, const Fate* fates) 
   }
   const std::size_t at = state_->stored;
   if (state_->phi >= 0) state_->file->write(state_->phi, {at, 0}, {count, state_->balls}, phi);
+  if (state_->full_starts) {
+    state_->file->write(state_->rotor, {at, 0}, {count, 4}, rotor);
+    state_->file->write(state_->phi_dot, {at, 0}, {count, state_->balls}, phi_dot);
+  }
   state_->file->write(state_->outcome, {at}, {count}, codes.data());
   state_->file->write(state_->time, {at}, {count}, times.data());
   state_->file->write(state_->by, {at}, {count}, grounds.data());

@@ -19,6 +19,7 @@ struct BasinFileHeader {
   int balls = 2;
   std::string cpu_target;
   bool angles = true;  ///< false: leave phi out; it follows from seed and index
+  bool full_starts = false;  ///< starts differ in more than their ball angles
 };
 
 /// A line of the summary.
@@ -34,7 +35,8 @@ struct RunTime {
   double seconds = 0.0, cpu_seconds = 0.0;
 };
 
-/// dimension start: variables phi(start, ball), outcome(start), decision_time(start), decided_by(start); dimension
+/// dimension start: variables phi(start, ball), outcome(start), decision_time(start), decided_by(start), and with
+/// full_starts rotor_state(start, rotor_component) and phi_dot(start, ball); dimension
 /// outcome_kind: code, name, alias, count and share; dimension discovery: states of motions met during the run. Every
 /// variable has units and long_name. Readable by xarray, ncdump, ncview.
 class BasinFile {
@@ -50,8 +52,10 @@ class BasinFile {
   std::uint64_t stored() const;
   /// Fates of starts first .. first + count - 1.
   std::vector<Fate> read(std::uint64_t first, std::size_t count) const;
-  /// Appends `count` starts: phi row-major count x balls. Throws RunError if the file cannot take them.
-  void append(std::size_t count, const double* phi, const Fate* fates);
+  /// Appends `count` starts: phi row-major count x balls; with full_starts `rotor`, count x 4 (x, y, x_dot, y_dot), and
+  /// `phi_dot`, count x balls. Throws RunError if the file cannot take them.
+  void append(std::size_t count, const double* phi, const Fate* fates, const double* rotor = nullptr,
+              const double* phi_dot = nullptr);
   /// States on motions that were first met during earlier runs, in the order of starts: enough to name them again.
   std::vector<std::vector<double>> discoveries() const;
   void append_discovery(const std::vector<double>& state);

@@ -71,6 +71,10 @@ void NetcdfFile::attribute(int variable, const std::string& name, const std::vec
   check(nc_put_att_schar(id_, variable, name.c_str(), NC_BYTE, values.size(), values.data()), "attribute " + name);
 }
 
+void NetcdfFile::attribute(int variable, const std::string& name, const std::vector<short>& values) {
+  check(nc_put_att_short(id_, variable, name.c_str(), NC_SHORT, values.size(), values.data()), "attribute " + name);
+}
+
 std::string NetcdfFile::attribute(const std::string& name) const {
   std::size_t length = 0;
   if (nc_inq_attlen(id_, NC_GLOBAL, name.c_str(), &length) != NC_NOERR) return {};

@@ -31,6 +31,7 @@ class NetcdfFile {
   void compress(int variable);
   void attribute(int variable, const std::string& name, const std::string& text);
   void attribute(int variable, const std::string& name, const std::vector<signed char>& values);
+  void attribute(int variable, const std::string& name, const std::vector<short>& values);
   std::string attribute(const std::string& name) const;  ///< global text attribute; empty if absent
   void end_definitions();
   void write(int variable, const std::vector<std::size_t>& start, const std::vector<std::size_t>& count,

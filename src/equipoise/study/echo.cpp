@@ -55,6 +55,13 @@ std::string to_toml(const Study& study) {
   text += fmt::format("phi = {}\nphi_dot = {}\n\n", array(s.phi, n), array(s.phi_dot, n));
   text += fmt::format("[sampling]\nstarts = {}\nseed = {}\nmethod = \"random\"\n\n", study.sampling.starts,
                       study.sampling.seed);
+  if (!study.sampling.box.empty()) {
+    text += "[sampling.box]\n";
+    for (const auto& [key, side] : box_sides)
+      if (const auto& bounds = study.sampling.box.*side)
+        text += fmt::format("{} = [{}, {}]\n", key, number_text(bounds->low), number_text(bounds->high));
+    text += "\n";
+  }
   text += "[numerics]\n";
   if (study.numerics.tolerance) text += fmt::format("tolerance = {}\n", number_text(*study.numerics.tolerance));
   text += fmt::format("horizon = {}\n", number_text(study.numerics.horizon));

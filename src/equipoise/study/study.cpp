@@ -119,8 +119,31 @@ void read_initial(const Document& document, Study& study) {
   reader.finish();
 }
 
-void read_sampling(const Document& document, Sampling& sampling) {
+std::optional<SamplingBox::Side> read_side(TableReader& box, const std::string& key) {
+  if (!box.has(key)) return std::nullopt;
+  const auto bounds = box.numbers(key, any_number);
+  if (bounds.size() != 2)
+    box.fail(key, fmt::format("has {} entries; must be two finite numbers, [low, high]", bounds.size()));
+  if (!(bounds[0] <= bounds[1])) box.fail(key, "bounds out of order; must be [low, high] with low at most high");
+  return SamplingBox::Side{bounds[0], bounds[1]};
+}
+
+void read_box(const Document& document, double release_time, SamplingBox& box) {
+  TableReader reader(document, "sampling.box");
+  for (const auto& [key, side] : box_sides) {
+    box.*side = read_side(reader, key);
+    if (box.*side && release_time > 0.0)
+      reader.fail(key,
+                  fmt::format("needs balls that are free from t = 0, but their release is at t = {} (clamped balls "
+                              "share one spin-up); set release.time = 0 or leave [sampling.box] out",
+                              release_time));
+  }
+  reader.finish();
+}
+
+void read_sampling(const Document& document, double release_time, Sampling& sampling) {
   TableReader reader(document, "sampling");
+  if (reader.has("box")) read_box(document, release_time, sampling.box);
   reader.choice("method", {"random"}, "random");
   constexpr std::int64_t largest_seed = std::numeric_limits<std::int64_t>::max();  // of a TOML integer
   sampling.starts = reader.integer("starts", 1, 1'000'000'000'000, static_cast<std::int64_t>(sampling.starts));
@@ -195,7 +218,7 @@ Study parse_study(const std::string& toml_text, const std::string& name, const s
   read_speed(document, result.speed);
   read_release(document, result);
   read_initial(document, result);
-  read_sampling(document, result.sampling);
+  read_sampling(document, result.release_time(), result.sampling);
   read_numerics(document, result.numerics);
   return result;
 }

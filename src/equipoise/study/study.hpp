@@ -40,10 +40,33 @@ struct InitialState {
   std::array<double, model::max_balls> phi{}, phi_dot{};
 };
 
+/// [sampling.box]: what starts draw besides the ball angles, uniformly between two bounds; the absent keep the value of
+/// [initial]. Rotating frame; phi_dot is drawn for each ball.
+struct SamplingBox {
+  struct Side {
+    double low = 0.0, high = 0.0;
+  };
+  std::optional<Side> x, y, x_dot, y_dot, phi_dot;
+
+  bool empty() const { return !x && !y && !x_dot && !y_dot && !phi_dot; }
+};
+
+/// The keys of [sampling.box].
+struct BoxSide {
+  const char* key;
+  std::optional<SamplingBox::Side> SamplingBox::*side;
+};
+inline constexpr std::array<BoxSide, 5> box_sides{{{"x", &SamplingBox::x},
+                                                   {"y", &SamplingBox::y},
+                                                   {"x_dot", &SamplingBox::x_dot},
+                                                   {"y_dot", &SamplingBox::y_dot},
+                                                   {"phi_dot", &SamplingBox::phi_dot}}};
+
 /// [sampling]: the random starts of an ensemble.
 struct Sampling {
   std::uint64_t starts = 100000;
   std::uint64_t seed = 1;
+  SamplingBox box;
 };
 
 /// On what grounds a start may be called decided.

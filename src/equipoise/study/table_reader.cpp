@@ -213,7 +213,12 @@ Document parse_document(std::string_view text, const std::string& name, const st
 
 TableReader::TableReader(const Document& document, std::string prefix)
     : document_(document), prefix_(std::move(prefix)) {
-  const toml::node* node = document.root.get(prefix_);
+  const toml::node* node = document.root.get(prefix_.substr(0, prefix_.find('.')));
+  for (std::size_t dot = prefix_.find('.'); node && dot != std::string::npos;) {
+    const std::size_t begin = dot + 1;
+    dot = prefix_.find('.', begin);
+    node = node->as_table() ? node->as_table()->get(prefix_.substr(begin, dot - begin)) : nullptr;
+  }
   if (!node) return;
   table_ = node->as_table();
   if (!table_)

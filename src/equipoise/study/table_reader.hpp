@@ -55,7 +55,7 @@ Document parse_document(std::string_view text, const std::string& name, const st
 /// One table of the document. Every read marks its key as known; finish() rejects the others.
 class TableReader {
  public:
-  /// `prefix` is the table's name; an absent table reads as empty.
+  /// `prefix` is the table's dotted name; an absent table reads as empty.
   TableReader(const Document& document, std::string prefix);
 
   bool has(const std::string& key);

@@ -1,0 +1,14 @@
+// A picture of a plane map, as a script for gnuplot with the data in it.
+#pragma once
+
+#include <string>
+
+#include "equipoise/store/map_file.hpp"
+
+namespace equipoise {
+
+/// Draws the outcomes of `map` into `path` (.png or .svg): one colour an identifier in all pictures, names and shares
+/// beside it; where balance ends (dashed) and where it changes stability (solid). `title` goes before the parameters.
+std::string map_plot_script(const PlaneMap& map, const std::string& title, const std::string& path);
+
+}  // namespace equipoise

@@ -1,0 +1,31 @@
+// Maps: the outcome of one start at every pixel of a plane of two quantities.
+#pragma once
+
+#include <cstddef>
+#include <functional>
+#include <vector>
+
+#include "equipoise/base/error.hpp"
+#include "equipoise/store/map_file.hpp"
+#include "equipoise/study/study.hpp"
+
+namespace equipoise {
+
+struct PlaneMapSettings {
+  MapAxis x, y;
+  std::vector<AngleLink> links;  ///< applied in order, after the axes
+  int threads = 0;               ///< 0: all cores
+  const StopFlag* stop = nullptr;
+  std::function<void(std::size_t done, std::size_t total)>
+      progress;  ///< pixels; from any thread, never from two at once
+};
+
+/// Follows the start [initial] of `study`, with the pixel's two values, until it is seen to approach a motion that
+/// exists and is linearly stable there (settle()), for numerics.horizon after the last branch begins. What becomes
+/// steady in no way by then is undecided. Codes are the identifiers of the catalogue; motions without one of their own
+/// get the next ones, one a name: those usual in maps the same ones everywhere, others in the order of pixels. The map
+/// depends on the study and the axes alone.
+/// Throws InputError for keys, links and values that make no study, and studies that cannot be decided.
+PlaneMap plane_map(const Study& study, const PlaneMapSettings& settings);
+
+}  // namespace equipoise

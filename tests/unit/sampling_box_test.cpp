@@ -1,0 +1,156 @@
+// [sampling.box]: reading, echo, errors, and what it draws.
+#include <cmath>
+#include <set>
+#include <string>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include "equipoise/base/angles.hpp"
+#include "equipoise/base/error.hpp"
+#include "equipoise/run/initial_state.hpp"
+#include "equipoise/run/start_source.hpp"
+#include "equipoise/study/study.hpp"
+#include "study_difference.hpp"
+
+namespace equipoise {
+namespace {
+
+const std::string free_balls = R"([rotor]
+eccentricity = 0.01
+damping = 0.5
+[balancer]
+balls = 2
+mass = 0.05
+drag = 0.05
+[speed]
+profile = "constant"
+speed = 2.4
+[initial]
+x = 0.01
+y = -0.02
+phi_dot = 0.125
+)";
+const std::string box = R"([sampling.box]
+x = [-0.2, 0.2]
+y_dot = [0, 0.5]
+phi_dot = [-2.4, 2.4]
+)";
+
+Study parse(const std::string& text, const std::vector<std::string>& overrides = {}) {
+  return parse_study(text, "box.toml", overrides);
+}
+
+TEST(SamplingBox, IsReadAndEchoed) {
+  const Study study = parse(free_balls + box);
+  ASSERT_TRUE(study.sampling.box.x && study.sampling.box.y_dot && study.sampling.box.phi_dot);
+  EXPECT_FALSE(study.sampling.box.y || study.sampling.box.x_dot);
+  EXPECT_EQ(study.sampling.box.x->low, -0.2);
+  EXPECT_EQ(study.sampling.box.y_dot->high, 0.5);
+  const Study back = parse(to_toml(study));
+  EXPECT_EQ(first_difference(study, back), "");
+  EXPECT_EQ(to_toml(back), to_toml(study));
+  EXPECT_NO_THROW(check(study));
+}
+
+TEST(SamplingBox, LeavesTheEchoOfOtherStudiesAlone) {
+  EXPECT_EQ(to_toml(parse(free_balls)).find("box"), std::string::npos);
+  EXPECT_EQ(to_toml(parse(free_balls + "[sampling.box]\n")), to_toml(parse(free_balls)));
+}
+
+TEST(SamplingBox, CanBeOverridden) {
+  const Study study = parse(free_balls + box, {"sampling.box.x=[0.1, 0.3]", "sampling.seed=3"});
+  EXPECT_EQ(study.sampling.box.x->low, 0.1);
+  EXPECT_EQ(study.sampling.seed, 3u);
+}
+
+struct BadBox {
+  std::string keys, key, where, problem;
+};
+
+TEST(SamplingBox, ErrorsNamePlaceKeyAndRule) {
+  const std::vector<BadBox> cases{
+      {"z = [0, 1]", "sampling.box.z", "box.toml:16", "unknown key"},
+      {"x = [1]", "sampling.box.x", "box.toml:16", "must be two finite numbers, [low, high]"},
+      {"x = [0, 1, 2]", "sampling.box.x", "box.toml:16", "has 3 entries"},
+      {"x = [0.5, 0.25]", "sampling.box.x", "box.toml:16", "low at most high"},
+      {"phi_dot = [0, inf]", "sampling.box.phi_dot", "box.toml:16", "finite number"},
+      {"y = [nan, 0]", "sampling.box.y", "box.toml:16", "finite number"},
+      {"x_dot = 1", "sampling.box.x_dot", "box.toml:16", "must be"},
+      {"y_dot = [\"0\", 1]", "sampling.box.y_dot", "box.toml:16", "is a string"},
+  };
+  for (const BadBox& bad : cases) {
+    SCOPED_TRACE(bad.keys);
+    try {
+      parse(free_balls + "[sampling.box]\n" + bad.keys + "\n");
+      ADD_FAILURE() << "accepted";
+    } catch (const InputError& e) {
+      EXPECT_EQ(e.key(), bad.key);
+      EXPECT_EQ(e.where(), bad.where);
+      EXPECT_NE(e.problem().find(bad.problem), std::string::npos) << e.what();
+    }
+  }
+  EXPECT_THROW(parse(free_balls + "[sampling]\nbox = 3\n"), InputError);
+}
+
+TEST(SamplingBox, NeedsFreeBalls) {
+  const std::vector<std::string> clamped{"release.time=5.0", "initial.phi_dot=0.0"};
+  EXPECT_NO_THROW(parse(free_balls, clamped));
+  try {
+    parse(free_balls + box, clamped);
+    ADD_FAILURE() << "accepted";
+  } catch (const InputError& e) {
+    EXPECT_EQ(e.key(), "sampling.box.x");
+    EXPECT_NE(e.problem().find("free from t = 0"), std::string::npos) << e.what();
+  }
+  EXPECT_NO_THROW(parse(free_balls + box, {"release.time=0.0"}));
+}
+
+TEST(SamplingBox, DrawsWhatItNamesAndKeepsAnglesAndTheRest) {
+  const Study with = parse(free_balls + box), without = parse(free_balls);
+  double x_sum = 0.0, rate_product = 0.0;
+  constexpr int count = 4000;
+  std::set<double> values;
+  for (int i = 0; i < count; ++i) {
+    const InitialState s = start_of(with, 1, i), plain = start_of(without, 1, i);
+    EXPECT_EQ(s.phi, plain.phi);
+    EXPECT_EQ(plain.x, 0.01);
+    EXPECT_EQ(s.y, -0.02);
+    EXPECT_EQ(s.x_dot, 0.0);
+    EXPECT_TRUE(s.x >= -0.2 && s.x <= 0.2 && s.y_dot >= 0.0 && s.y_dot <= 0.5);
+    for (int k = 0; k < 2; ++k) EXPECT_TRUE(std::abs(s.phi_dot[k]) <= 2.4);
+    x_sum += s.x / 0.2;
+    rate_product += s.phi_dot[0] * s.phi_dot[1] / (2.4 * 2.4);
+    for (const double v : {s.x / 0.2, s.y_dot / 0.5, s.phi_dot[0] / 2.4, s.phi_dot[1] / 2.4, s.phi[0] / two_pi})
+      values.insert(v);
+  }
+  // Means of 4000 numbers of standard deviation 1/sqrt(3) and 1/3: five standard errors.
+  EXPECT_NEAR(x_sum / count, 0.0, 5.0 / std::sqrt(3.0 * count));
+  EXPECT_NEAR(rate_product / count, 0.0, 5.0 / (3.0 * std::sqrt(count)));
+  EXPECT_EQ(values.size(), 5u * count);  // no number serves twice
+}
+
+TEST(SamplingBox, SourcePlacesTheDrawnState) {
+  const Study study = parse(free_balls + box);
+  const StartSource source(study, nullptr);
+  std::vector<double> phi, states;
+  std::vector<Fate> fates;
+  ASSERT_TRUE(source.make(1, 7, 2, phi, states, fates));
+  for (int i = 0; i < 2; ++i) {
+    const InitialState s = start_of(study, 1, 7 + i);
+    const double* z = &states[8 * i];
+    EXPECT_EQ(z[0], s.x);
+    EXPECT_EQ(z[1], s.y);
+    // Inertial velocity from the rotating frame's derivatives: one product and one sum, a rounding each.
+    EXPECT_DOUBLE_EQ(z[2], s.x_dot - 2.4 * s.y);
+    EXPECT_DOUBLE_EQ(z[3], s.y_dot + 2.4 * s.x);
+    for (int k = 0; k < 2; ++k) {
+      EXPECT_EQ(phi[2 * i + k], s.phi[k]);
+      EXPECT_EQ(z[4 + k], s.phi[k]);
+      EXPECT_EQ(z[6 + k], s.phi_dot[k]);
+    }
+  }
+}
+
+}  // namespace
+}  // namespace equipoise
