@@ -1,7 +1,8 @@
 // equipoise reproduce: the tables and figures of Wright and Peng (2019), computed again and judged.
 #include <algorithm>
+#include <chrono>
+#include <ctime>
 #include <filesystem>
-#include <fstream>
 #include <memory>
 #include <optional>
 #include <string>
@@ -12,15 +13,16 @@
 
 #include "commands.hpp"
 #include "equipoise/report/reproduction.hpp"
-#include "equipoise/report/reproduction_charts.hpp"
-#include "equipoise/report/reproduction_document.hpp"
 #include "equipoise/run/basin.hpp"
 #include "equipoise/run/lane_kernels.hpp"
+#include "equipoise/run/open_questions.hpp"
 #include "equipoise/run/paper_figures.hpp"
 #include "equipoise/run/reproduce.hpp"
+#include "equipoise/run/table_7.hpp"
 #include "gnuplot.hpp"
 #include "options.hpp"
 #include "progress.hpp"
+#include "reproduce_files.hpp"
 
 namespace equipoise::app {
 
@@ -30,7 +32,7 @@ namespace fs = std::filesystem;
 
 struct ReproduceArguments {
   std::vector<std::string> what;
-  std::optional<std::string> starts, threads;
+  std::optional<std::string> starts, threads, pixels;
   std::string law = "both", output, report, cpu;
   bool json = false, quiet = false;
 };
@@ -39,13 +41,14 @@ struct ReproduceArguments {
 struct Plan {
   std::vector<int> tables;
   std::vector<std::string> figures;
+  bool future = false;
 };
 
 std::vector<std::string> choices() {
   std::vector<std::string> list;
   for (int table = 1; table <= 7; ++table) list.push_back(fmt::format("table-{}", table));
   list.insert(list.end(), paper_figure_ids().begin(), paper_figure_ids().end());
-  list.insert(list.end(), {"tables", "figures", "all"});
+  list.insert(list.end(), {"future", "tables", "figures", "all"});
   return list;
 }
 
@@ -62,70 +65,8 @@ Plan plan_of(const std::vector<std::string>& what) {
     if (asked(fmt::format("table-{}", table), "tables")) plan.tables.push_back(table);
   for (const std::string& id : paper_figure_ids())
     if (asked(id, "figures")) plan.figures.push_back(id);
+  plan.future = asked("future", "future");
   return plan;
-}
-
-// Where pictures go: into the folder of results, else beside a Markdown report, else, for a page that takes them in,
-// into a folder that is removed afterwards.
-class PictureFolder {
- public:
-  explicit PictureFolder(const ReproduceArguments& a) {
-    if (!a.output.empty())
-      path_ = a.output + "/pictures";
-    else if (a.report.ends_with(".md"))
-      path_ = a.report.substr(0, a.report.size() - 3) + "-pictures";
-    else if (!a.report.empty()) {
-      std::string name = (fs::temp_directory_path() / "equipoise-XXXXXX").string();
-      if (!mkdtemp(name.data())) throw RunError(name + ": no temporary folder can be made");
-      path_ = name;
-      temporary_ = true;
-    }
-    if (path_.empty()) return;
-    std::error_code error;
-    fs::create_directories(path_, error);
-    if (error) throw InputError("--output", "", path_, "must be a folder that can be written");
-  }
-  ~PictureFolder() {
-    std::error_code ignored;
-    if (temporary_) fs::remove_all(path_, ignored);
-  }
-  PictureFolder(const PictureFolder&) = delete;
-  PictureFolder& operator=(const PictureFolder&) = delete;
-
-  const std::string& path() const { return path_; }
-  bool temporary() const { return temporary_; }
-
- private:
-  std::string path_;
-  bool temporary_ = false;
-};
-
-void write_file(const std::string& path, const std::string& text) {
-  std::ofstream file(path, std::ios::binary);
-  file << text;
-  if (!file.flush()) throw RunError(path + ": writing failed");
-}
-
-// A picture as PNG, and as SVG where it is kept.
-void picture(Reproduction& r, const PictureFolder& folder, const std::string& id, const std::string& title,
-             const std::vector<Chart>& charts) {
-  const std::string stem = folder.path() + "/" + id;
-  draw(stem + ".png", chart_plot_script(title, charts, stem + ".png"));
-  if (!folder.temporary()) draw(stem + ".svg", chart_plot_script(title, charts, stem + ".svg"));
-  r.pictures.push_back({id, title, stem + ".png"});
-}
-
-void draw_all(Reproduction& r, const PictureFolder& folder) {
-  for (const ReproducedTable& t : r.tables)
-    if (const auto chart = table_chart(t)) {
-      Chart untitled = *chart;
-      untitled.title.clear();
-      picture(r, folder, fmt::format("table-{}", t.published->number), chart->title, {untitled});
-    }
-  for (const PaperFigure& f : r.figures) {
-    picture(r, folder, f.id, f.title, figure_charts(f));
-    if (!folder.temporary()) write_file(folder.path() + "/" + f.id + ".csv", figure_csv(f));
-  }
 }
 
 ReproduceOptions table_options(const ReproduceArguments& a, const Plan& plan) {
@@ -148,6 +89,7 @@ std::string command_line(const ReproduceArguments& a) {
   std::string text = "equipoise reproduce";
   for (const std::string& w : a.what) text += " " + w;
   if (a.starts) text += " --starts " + *a.starts;
+  if (a.pixels) text += " --pixels " + *a.pixels;
   if (a.law != "both") text += " --law " + a.law;
   if (!a.report.empty()) text += " --report " + fs::path(a.report).filename().string();
   return text;
@@ -165,38 +107,72 @@ void total(Reproduction& r) {
       }
 }
 
+// Starts a row from which the best lead on table 7 is computed anew: enough for half-widths of .2 to .4 points.
+constexpr std::uint64_t lead_starts = 20000;
+
+void lead_on_table_7(Reproduction& r, const ReproduceOptions& options) {
+  const std::uint64_t starts = options.starts > 0 ? std::min(options.starts, lead_starts) : lead_starts;
+  for (const ObservationReading& reading : observe_table_7(table_7_lead(), starts, options.threads, options.stop))
+    r.table_7_lead.push_back({fmt::format("{}, {}, {}", reading.row.t0, reading.row.t1, reading.row.t2),
+                              reading.row.printed, reading.balanced});
+}
+
+OpenQuestions future(const ReproduceArguments& a, const ReproduceOptions& options, ProgressLine& progress) {
+  OpenQuestionSettings settings;
+  if (a.pixels)
+    settings.map_pixels = option_number<int>("--pixels", *a.pixels, 2, 4096, "a whole number from 2 to 4096");
+  if (options.starts > 0) settings.starts = std::min(settings.starts, options.starts);
+  settings.folder = options.folder;
+  settings.threads = options.threads;
+  settings.stop = options.stop;
+  settings.progress = [&](const std::string& part, double share) {
+    progress.update(static_cast<std::uint64_t>(100.0 * share), 100, part);
+  };
+  return open_questions(settings);
+}
+
+void compute(Reproduction& r, const ReproduceArguments& a, const Plan& plan, ReproduceOptions& options) {
+  ProgressLine progress(a.quiet);
+  options.progress = [&](const ReproduceProgress& p) { progress.update(p.done, p.total, p.what); };
+  r.tables = reproduce_tables(options);
+  r.conclusions = judge_conclusions(r.tables);
+  const auto stopped = [] { return stop_flag().load(); };
+  if (!stopped() && std::count(plan.tables.begin(), plan.tables.end(), 7)) lead_on_table_7(r, options);
+  for (const std::string& id : plan.figures)
+    if (!stopped()) r.figures.push_back(paper_figure(id, &stop_flag()));
+  if (plan.future && !stopped()) r.open = future(a, options, progress);
+  r.partial = stopped();
+}
+
+void check_paths(const ReproduceArguments& a) {
+  if (!a.report.empty() && !a.report.ends_with(".html") && !a.report.ends_with(".md"))
+    throw InputError("--report", "", a.report, "must be a file name that ends in .html or .md");
+  require_writable("--report", a.report);
+  if (!a.report.empty()) require_gnuplot("--report", a.report);
+  if (!a.output.empty()) require_gnuplot("--output", a.output);
+}
+
 int run_reproduce(const ReproduceArguments& a) {
   choose_cpu(a.cpu);
   const Plan plan = plan_of(a.what);
   ReproduceOptions options = table_options(a, plan);
-  if (!a.report.empty() && !a.report.ends_with(".html") && !a.report.ends_with(".md"))
-    throw InputError("--report", "", a.report, "must be a file name that ends in .html or .md");
-  require_writable("--report", a.report);
-  const bool pictures = !a.report.empty() || !a.output.empty();
-  if (pictures) require_gnuplot(a.report.empty() ? "--output" : "--report", a.report.empty() ? a.output : a.report);
-  const PictureFolder folder(a);
-
-  ProgressLine progress(a.quiet);
-  options.progress = [&](const ReproduceProgress& p) { progress.update(p.done, p.total, p.what); };
+  check_paths(a);
+  const PictureFolder folder(a.output, a.report);
   Reproduction r;
   r.command = command_line(a);
   r.cpu_target = cpu_target();
-  r.tables = reproduce_tables(options);
   r.threads = thread_count(options.threads);
-  r.conclusions = judge_conclusions(r.tables);
+  const auto begin = std::chrono::steady_clock::now();
+  compute(r, a, plan, options);
+  r.run_seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+  r.run_cpu_seconds = static_cast<double>(std::clock()) / CLOCKS_PER_SEC;
   total(r);
-  for (const std::string& id : plan.figures)
-    if (!stop_flag()) r.figures.push_back(paper_figure(id, &stop_flag()));
-  progress.finish();
-  r.partial = stop_flag();
-  if (pictures && !r.partial) draw_all(r, folder);
-
-  if (a.report.ends_with(".html")) write_file(a.report, document_html(reproduction_document(r)));
-  if (a.report.ends_with(".md"))
-    write_file(a.report, document_markdown(reproduction_document(r),
-                                           fs::proximate(folder.path(), fs::path(a.report).parent_path()).string()));
-  if (!a.output.empty()) write_file(a.output + "/reproduction.json", reproduction_json(r));
+  if (!folder.path().empty() && !r.partial) {
+    draw_pictures(r, folder);
+    if (!a.report.empty()) write_report(r, a.report, folder);
+  }
   if (folder.temporary()) r.pictures.clear();
+  if (!a.output.empty()) write_file(a.output + "/reproduction.json", reproduction_json(r));
   fmt::print("{}", a.json ? reproduction_json(r) : reproduction_text(r));
   return r.partial ? interrupted : r.differs() ? check_failed : done;
 }
@@ -215,6 +191,7 @@ Command add_reproduce(CLI::App& app) {
       ->type_name("FILE.html|.md");
   app.add_option("-o,--output", a->output, "folder for ensembles, pictures and tables; the same command resumes")
       ->type_name("DIR");
+  app.add_option("--pixels", a->pixels, "pixels along each side of the maps of `future` (default: 64)")->type_name("P");
   app.add_option("--threads", a->threads, "threads (default: all cores)")->type_name("T");
   app.add_option("--cpu", a->cpu, "instruction set to use instead of the best (see --version)")->type_name("NAME");
   app.add_flag("--json", a->json, "print one JSON object");

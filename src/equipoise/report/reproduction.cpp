@@ -72,6 +72,24 @@ Json table_json(const ReproducedTable& t) {
           {"rows", rows}};
 }
 
+Json map_json(const PlaneMap& map) {
+  Json codes = Json::array();
+  for (const MapCode& c : map.codes) {
+    Json one{{"name", c.name}, {"alias", c.alias}};
+    one.update(share_json(c.share));
+    codes.push_back(one);
+  }
+  return {{"x", map.x.key}, {"y", map.y.key}, {"pixels", {map.x.pixels, map.y.pixels}}, {"outcomes", codes}};
+}
+
+Json open_json(const OpenQuestions& open) {
+  Json boxes = Json::array();
+  for (const BoxShares& b : open.boxes)
+    boxes.push_back(
+        {{"speed", b.speed}, {"box", Json::parse(basin_json(b.box))}, {"rest", Json::parse(basin_json(b.rest))}});
+  return {{"maps", {map_json(open.eccentricity_and_angle), map_json(open.eccentricity_and_mass)}}, {"boxes", boxes}};
+}
+
 Json answer_json(const ConclusionResult& c) {
   Json differences = Json::array();
   for (const ShareDifference& d : c.differences) differences.push_back(difference_json(d));
@@ -84,7 +102,7 @@ std::string cell_line(const ReproducedRow& row, const ReproducedCell& c, bool fi
                                     ? percentage(row.by_kinematic_law->share_of(c.published->attractor))
                                     : "";
   const bool known = computed && computed->starts > 0;
-  return fmt::format("{:<24}{:<9}{:>9} {:>9}  {:<20}{:>8}{:>10}  {}\n", first ? row.published->label : "",
+  return fmt::format("{:<26}{:<9}{:>9} {:>9}  {:<20}{:>8}{:>10}  {}\n", first ? row.published->label : "",
                      c.published->attractor, printed_percentage(*c.published), known ? percentage(c.computed) : "-",
                      known ? interval(c.computed) : "-", known ? p_value_text(c.p_value) : "-", kinematic,
                      c.verdict == Verdict::agrees ? "" : verdict_text(c));
@@ -92,7 +110,7 @@ std::string cell_line(const ReproducedRow& row, const ReproducedCell& c, bool fi
 
 std::string table_text(const ReproducedTable& t) {
   std::string text = fmt::format("Table {}: {}\n", t.published->number, t.published->title);
-  text += fmt::format("{:<24}{:<9}{:>9} {:>9}  {:<20}{:>8}{:>10}\n", "row", "motion", "printed", "computed",
+  text += fmt::format("{:<26}{:<9}{:>9} {:>9}  {:<20}{:>8}{:>10}\n", "row", "motion", "printed", "computed",
                       "95 % interval", "p", t.published->ramps ? "kinematic" : "");
   std::uint64_t undecided = 0, lost = 0, starts = 0;
   for (const ReproducedRow& row : t.rows) {
@@ -115,6 +133,31 @@ std::string table_text(const ReproducedTable& t) {
       t.agreeing, t.differing, t.differing == 1 ? "s" : "", t.not_comparable, t.below_one_percent,
       0.01 * (t.agreeing + t.differing), starts, undecided, lost);
   return text;
+}
+
+std::string lead_text(const Reproduction& r) {
+  if (r.table_7_lead.empty()) return "";
+  std::string text =
+      "Table 7, the best lead (docs/table-7.md; fitted to the printed shares, not claimed): kinematic law, balls "
+      "released at "
+      "2.2, balanced if r < 0.00134 from t = 630 to 730\n";
+  for (const LeadRow& row : r.table_7_lead)
+    text += fmt::format("  {:<22}{:>9.2f} {:>9}  {:<20}\n", row.label, row.printed, percentage(row.balanced),
+                        interval(row.balanced));
+  return text + "\n";
+}
+
+std::string open_text(const OpenQuestions& open) {
+  std::string text = "Open questions: balanced share of starts in a box of the whole state space, and at rest\n";
+  for (const BoxShares& b : open.boxes) {
+    const Share box = b.box.attractors.front().share, rest = b.rest.attractors.front().share;
+    text += fmt::format("  Omega {:<4} box {:>6} ({}), at rest {:>6} ({})\n", b.speed, percentage(box), interval(box),
+                        percentage(rest), interval(rest));
+  }
+  for (const auto& [name, map] :
+       {std::pair{"(lambda, phi_1)", &open.eccentricity_and_angle}, {"(lambda, mu)", &open.eccentricity_and_mass}})
+    text += fmt::format("  plane {}, {} x {} pixels: {}\n", name, map->x.pixels, map->y.pixels, codes_text(*map));
+  return text + "\n";
 }
 
 std::string conclusions_text(const Reproduction& r) {
@@ -141,13 +184,15 @@ bool Reproduction::differs() const {
 std::string reproduction_text(const Reproduction& r) {
   std::string text;
   for (const ReproducedTable& t : r.tables) text += table_text(t);
-  text += conclusions_text(r);
+  text += lead_text(r) + conclusions_text(r);
+  if (r.open) text += open_text(*r.open);
   if (!r.tables.empty()) {
     text += summary_text(r);
-    text += fmt::format("{} ensembles, {} starts: {:.0f} s, {:.0f} s CPU on {} thread{} ({}); equipoise {}\n",
-                        r.ensembles, r.starts, r.seconds, r.cpu_seconds, r.threads, r.threads == 1 ? "" : "s",
-                        r.cpu_target, version_string);
+    text += fmt::format("{} ensembles, {} starts: {:.0f} s, {:.0f} s CPU on {} thread{} ({}).\n", r.ensembles, r.starts,
+                        r.seconds, r.cpu_seconds, r.threads, r.threads == 1 ? "" : "s", r.cpu_target);
   }
+  text += fmt::format("This run, all else included: {:.0f} s, {:.0f} s CPU; equipoise {}\n", r.run_seconds,
+                      r.run_cpu_seconds, version_string);
   for (const Picture& p : r.pictures) text += fmt::format("{}: {}\n", p.title, p.path);
   if (r.partial) text += "PARTIAL: stopped before all was done.\n";
   return text;
@@ -162,11 +207,30 @@ std::string reproduction_json(const Reproduction& r) {
                            {"published_law", answer_json(c.published)},
                            {"kinematic_law", answer_json(c.kinematic)}});
   for (const Picture& p : r.pictures) pictures.push_back({{"id", p.id}, {"title", p.title}, {"path", p.path}});
-  const Json json{{"command", r.command},       {"version", version_string}, {"citation", published_citation},
-                  {"partial", r.partial},       {"differs", r.differs()},    {"tables", tables},
-                  {"conclusions", conclusions}, {"pictures", pictures},      {"ensembles", r.ensembles},
-                  {"starts", r.starts},         {"seconds", r.seconds},      {"cpu_seconds", r.cpu_seconds},
-                  {"threads", r.threads},       {"cpu_target", r.cpu_target}};
+  Json lead = Json::array();
+  for (const LeadRow& row : r.table_7_lead) {
+    Json one{{"row", row.label}, {"printed", row.printed}};
+    one.update(share_json(row.balanced));
+    lead.push_back(one);
+  }
+  const Json json{{"command", r.command},
+                  {"version", version_string},
+                  {"citation", published_citation},
+                  {"partial", r.partial},
+                  {"differs", r.differs()},
+                  {"tables", tables},
+                  {"table_7_lead", lead},
+                  {"conclusions", conclusions},
+                  {"open_questions", r.open ? open_json(*r.open) : Json(nullptr)},
+                  {"pictures", pictures},
+                  {"run_seconds", r.run_seconds},
+                  {"run_cpu_seconds", r.run_cpu_seconds},
+                  {"ensembles", r.ensembles},
+                  {"starts", r.starts},
+                  {"seconds", r.seconds},
+                  {"cpu_seconds", r.cpu_seconds},
+                  {"threads", r.threads},
+                  {"cpu_target", r.cpu_target}};
   return json.dump(2) + "\n";
 }
 

@@ -98,6 +98,18 @@ std::vector<Chart> figure_charts(const PaperFigure& figure) {
   return charts;
 }
 
+Chart box_chart(const OpenQuestions& open) {
+  Chart chart{"", "speed Ω / critical speed", "balanced share, %", false, false, false, {}};
+  ChartSeries box{"starts in the box", light_colour, ChartSeries::Style::line, {}, {}, {}, {}};
+  ChartSeries rest{"starts at rest", dark_colour, ChartSeries::Style::line, {}, {}, {}, {}};
+  for (const BoxShares& b : open.boxes) {
+    add(box, b.speed, b.box.attractors.front().share);  // balanced is always the first
+    add(rest, b.speed, b.rest.attractors.front().share);
+  }
+  chart.series = {rest, box};
+  return chart;
+}
+
 std::string figure_csv(const PaperFigure& figure) {
   std::string text = fmt::format("# {}. {}\n", figure.title, figure.caption);
   if (!figure.choice.empty()) text += fmt::format("# {}\n", figure.choice);

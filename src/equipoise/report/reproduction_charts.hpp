@@ -15,6 +15,9 @@ std::optional<Chart> table_chart(const ReproducedTable& table);
 /// One chart a panel.
 std::vector<Chart> figure_charts(const PaperFigure& figure);
 
+/// Balanced share against speed, of starts in the box and at rest.
+Chart box_chart(const OpenQuestions& open);
+
 /// Columns panel, series, law, t, r, after comment lines with the caption and every curve's study.
 std::string figure_csv(const PaperFigure& figure);
 

@@ -21,4 +21,7 @@ std::string answer_text(const ConclusionResult& c);
 /// One line a table: cells agreeing, differing, not comparable.
 std::string summary_text(const Reproduction& r);
 
+/// Shares of the motions of a map, the largest first.
+std::string codes_text(const PlaneMap& map);
+
 }  // namespace equipoise

@@ -54,7 +54,7 @@ PlaneMap mapped(const Study& study, const OpenQuestionSettings& settings, const 
   return plane_map(study, map);
 }
 
-BasinResult sampled(Study study, const SamplingBox& box, const OpenQuestionSettings& settings,
+BasinResult sampled(Study study, const SamplingBox& box, const OpenQuestionSettings& settings, const std::string& file,
                     const std::string& part) {
   study.sampling.starts = settings.starts;
   study.sampling.seed = settings.seed;
@@ -62,6 +62,8 @@ BasinResult sampled(Study study, const SamplingBox& box, const OpenQuestionSetti
   BasinOptions options;
   options.threads = settings.threads;
   options.stop = settings.stop;
+  if (!settings.folder.empty())
+    options.output = fmt::format("{}/{}-speed-{}.nc", settings.folder, file, study.speed.speed);
   if (settings.progress)
     options.progress = [&](const BasinProgress& now) {
       settings.progress(part, static_cast<double>(now.done) / static_cast<double>(now.total));
@@ -87,8 +89,8 @@ OpenQuestions open_questions(const OpenQuestionSettings& settings) {
   for (const double speed : speeds) {
     if (stopped(settings)) break;
     BoxShares shares{speed, {}, {}};
-    shares.box = sampled(rotor_at(speed), stated_box(), settings, fmt::format("box at speed {}", speed));
-    shares.rest = sampled(rotor_at(speed), {}, settings, fmt::format("starts at rest at speed {}", speed));
+    shares.box = sampled(rotor_at(speed), stated_box(), settings, "box", fmt::format("box at speed {}", speed));
+    shares.rest = sampled(rotor_at(speed), {}, settings, "rest", fmt::format("starts at rest at speed {}", speed));
     result.complete = result.complete && !shares.box.partial && !shares.rest.partial;
     result.boxes.push_back(std::move(shares));
   }

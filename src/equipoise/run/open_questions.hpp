@@ -5,11 +5,9 @@
 #include <cstdint>
 #include <functional>
 #include <string>
-#include <vector>
 
 #include "equipoise/base/error.hpp"
-#include "equipoise/report/basin_result.hpp"
-#include "equipoise/store/map_file.hpp"
+#include "equipoise/report/open_questions_result.hpp"
 
 namespace equipoise {
 
@@ -17,22 +15,10 @@ struct OpenQuestionSettings {
   int map_pixels = 64;           ///< along each side of both maps; a pixel takes 10 to 25 ms on the mean
   std::uint64_t starts = 20000;  ///< a sample, two samples a speed
   std::uint64_t seed = 1;
-  int threads = 0;  ///< 0: all cores
+  int threads = 0;     ///< 0: all cores
+  std::string folder;  ///< an existing folder for per-start results of the samples (NetCDF), resumed; empty: none
   const StopFlag* stop = nullptr;
   std::function<void(const std::string& part, double share)> progress;  ///< from any thread, never from two at once
-};
-
-/// Shares at one speed: of starts all over the box, and of starts at rest with the same ball angles.
-struct BoxShares {
-  double speed = 0.0;
-  BasinResult box, rest;
-};
-
-struct OpenQuestions {
-  PlaneMap eccentricity_and_angle;  ///< lambda and phi_1, the balls opposite one another
-  PlaneMap eccentricity_and_mass;   ///< lambda and mu, the balls at -pi/2 and pi/2
-  std::vector<BoxShares> boxes;     ///< by rising speed
-  bool complete = true;             ///< false: stopped; what is there counts
 };
 
 /// The rotor of the paper's section 4 (zeta = 0.5, mu = beta = 0.05, lambda = 0.01) at constant speed 2.4, balls free

@@ -1,0 +1,95 @@
+// Files of a reproduction: pictures, data, report.
+#include "reproduce_files.hpp"
+
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+
+#include <fmt/format.h>
+
+#include "equipoise/base/error.hpp"
+#include "equipoise/report/map_plot.hpp"
+#include "equipoise/report/reproduction_charts.hpp"
+#include "equipoise/report/reproduction_document.hpp"
+#include "gnuplot.hpp"
+
+namespace equipoise::app {
+
+namespace fs = std::filesystem;
+
+PictureFolder::PictureFolder(const std::string& output, const std::string& report) {
+  if (!output.empty())
+    path_ = output + "/pictures";
+  else if (report.ends_with(".md"))
+    path_ = report.substr(0, report.size() - 3) + "-pictures";
+  else if (!report.empty()) {
+    path_ = (fs::temp_directory_path() / "equipoise-XXXXXX").string();
+    if (!mkdtemp(path_.data())) throw RunError(path_ + ": no temporary folder can be made");
+    temporary_ = true;
+  }
+  if (path_.empty()) return;
+  std::error_code error;
+  fs::create_directories(path_, error);
+  if (error) throw InputError("--output", "", path_, "must be a folder that can be written");
+}
+
+PictureFolder::~PictureFolder() {
+  std::error_code ignored;
+  if (temporary_) fs::remove_all(path_, ignored);
+}
+
+void write_file(const std::string& path, const std::string& text) {
+  std::ofstream file(path, std::ios::binary);
+  file << text;
+  if (!file.flush()) throw RunError(path + ": writing failed");
+}
+
+namespace {
+
+// A picture as PNG, and as SVG where it is kept. `script`: makes the one that draws into a path.
+template <class Script>
+void picture(Reproduction& r, const PictureFolder& folder, const std::string& id, const std::string& title,
+             const Script& script) {
+  const std::string stem = folder.path() + "/" + id;
+  draw(stem + ".png", script(stem + ".png"));
+  if (!folder.temporary()) draw(stem + ".svg", script(stem + ".svg"));
+  r.pictures.push_back({id, title, stem + ".png"});
+}
+
+void map_picture(Reproduction& r, const PictureFolder& folder, const std::string& id, const std::string& title,
+                 const PlaneMap& map) {
+  picture(r, folder, id, title, [&](const std::string& path) { return map_plot_script(map, title, path); });
+  if (!folder.temporary()) write_map_file(folder.path() + "/" + id + ".nc", map);
+}
+
+}  // namespace
+
+void draw_pictures(Reproduction& r, const PictureFolder& folder) {
+  const auto charts = [&](const std::string& id, const std::string& title, const std::vector<Chart>& list) {
+    picture(r, folder, id, title, [&](const std::string& path) { return chart_plot_script(title, list, path); });
+  };
+  for (const ReproducedTable& t : r.tables)
+    if (auto chart = table_chart(t)) {
+      const std::string title = chart->title;
+      chart->title.clear();
+      charts(fmt::format("table-{}", t.published->number), title, {*chart});
+    }
+  for (const PaperFigure& f : r.figures) {
+    charts(f.id, f.title, figure_charts(f));
+    if (!folder.temporary()) write_file(folder.path() + "/" + f.id + ".csv", figure_csv(f));
+  }
+  if (!r.open) return;
+  map_picture(r, folder, "future-eccentricity-angle", "Basins by eccentricity and ball angle",
+              r.open->eccentricity_and_angle);
+  map_picture(r, folder, "future-eccentricity-mass", "Outcomes by eccentricity and ball mass",
+              r.open->eccentricity_and_mass);
+  charts("future-box", "Balanced share of starts in an eight-dimensional box and at rest", {box_chart(*r.open)});
+}
+
+void write_report(const Reproduction& r, const std::string& path, const PictureFolder& folder) {
+  const Document document = reproduction_document(r);
+  const std::string pictures = fs::proximate(folder.path(), fs::path(path).parent_path()).string();
+  write_file(path, path.ends_with(".md") ? document_markdown(document, pictures) : document_html(document));
+}
+
+}  // namespace equipoise::app

@@ -1,0 +1,37 @@
+// Files of a reproduction: pictures, data, report.
+#pragma once
+
+#include <string>
+
+#include "equipoise/report/reproduction.hpp"
+
+namespace equipoise::app {
+
+/// Where pictures go: into the folder of results, else beside a Markdown report, else, for a page that takes them in,
+/// into a folder that is removed afterwards.
+class PictureFolder {
+ public:
+  /// Either path may be empty; with both empty there is no folder.
+  PictureFolder(const std::string& output, const std::string& report);
+  ~PictureFolder();
+  PictureFolder(const PictureFolder&) = delete;
+  PictureFolder& operator=(const PictureFolder&) = delete;
+
+  const std::string& path() const { return path_; }
+  bool temporary() const { return temporary_; }
+
+ private:
+  std::string path_;
+  bool temporary_ = false;
+};
+
+/// Draws every table, figure and map of `r` (PNG, and SVG where they are kept), lists them in r.pictures, and puts the
+/// figures' curves (CSV) and the maps (NetCDF) beside them.
+void draw_pictures(Reproduction& r, const PictureFolder& folder);
+
+/// Writes the report (.html or .md); throws RunError if it cannot.
+void write_report(const Reproduction& r, const std::string& path, const PictureFolder& folder);
+
+void write_file(const std::string& path, const std::string& text);
+
+}  // namespace equipoise::app

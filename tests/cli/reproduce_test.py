@@ -1,0 +1,165 @@
+#!/usr/bin/env python3
+"""The command reproduce as its users meet it: choices, verdicts, resuming, report.
+
+    reproduce_test.py PROGRAM STUDIES
+"""
+import json
+import os
+import re
+import shutil
+import signal
+import subprocess
+import sys
+import tempfile
+import time
+import unittest
+
+PROGRAM, STUDIES = os.path.abspath(sys.argv[1]), os.path.abspath(sys.argv[2])
+
+
+def run(*arguments):
+    return subprocess.run([PROGRAM, *arguments], capture_output=True, text=True, timeout=500, check=False)
+
+
+def answers(folder, *arguments):
+    done = run("reproduce", *arguments, "-o", folder, "--json", "--quiet")
+    return done, json.loads(done.stdout)
+
+
+def numbers(answer):
+    """All that does not depend on the clock or on where files lie."""
+    text = json.dumps([answer["tables"], answer["conclusions"], answer["differs"]])
+    return re.sub(r'"(cpu_)?seconds": [0-9.e-]+', '"time"', text)
+
+
+class Tables(unittest.TestCase):
+    @classmethod
+    def setUpClass(cls):
+        cls.folder = tempfile.mkdtemp()
+        cls.done, cls.answer = answers(cls.folder, "table-5", "--starts", "600")
+
+    @classmethod
+    def tearDownClass(cls):
+        shutil.rmtree(cls.folder)
+
+    def test_every_cell_is_judged(self):
+        self.assertEqual((self.done.returncode, self.done.stderr), (0, ""))
+        table = self.answer["tables"][0]
+        self.assertEqual([table[k] for k in ("table", "agrees", "differs", "not_comparable")], [5, 21, 0, 3])
+        row = table["rows"][6]
+        self.assertEqual((row["study"], row["slip"]), ("table-5-t0-700.toml", "the printed row sums to 100.46"))
+        self.assertEqual(row["cells"][0]["verdict"], "not comparable")
+        self.assertEqual({row["published_law"]["starts"], row["kinematic_law"]["starts"]}, {600})
+        self.assertEqual(self.answer["starts"], 2 * 8 * 600)
+        self.assertEqual(self.answer["ensembles"], 16)
+
+    def test_shares_are_those_of_basin(self):
+        row = self.answer["tables"][0]["rows"][0]
+        for law in ("published", "kinematic"):
+            basin = json.loads(run("basin", os.path.join(STUDIES, "paper", row["study"]), "--starts", "600", "--set",
+                                   f"speed.law={law}", "--json", "--quiet").stdout)
+            self.assertEqual([(o["name"], o["count"]) for o in row[law + "_law"]["outcomes"]],
+                             [(o["name"], o["count"]) for o in basin["outcomes"]])
+
+    def test_a_second_run_takes_all_from_the_folder(self):
+        begin = time.monotonic()
+        done, answer = answers(self.folder, "table-5", "--starts", "600")
+        self.assertEqual(done.returncode, 0)
+        self.assertEqual(numbers(answer), numbers(self.answer))
+        self.assertEqual(answer["cpu_seconds"], self.answer["cpu_seconds"])  # what they cost when they were computed
+        self.assertLess(time.monotonic() - begin, 30)
+
+    def test_pictures_are_kept(self):
+        for picture in self.answer["pictures"]:
+            with open(picture["path"], "rb") as file:
+                self.assertEqual(file.read(8), b"\x89PNG\r\n\x1a\n")
+            self.assertTrue(os.path.exists(picture["path"].replace(".png", ".svg")))
+
+    def test_the_conclusion_that_rests_on_the_law(self):
+        early = [c for c in self.answer["conclusions"] if c["table"] == 5]
+        self.assertEqual(len(early), 3)
+        # Rows of tables 3 and 4 were not asked for.
+        self.assertEqual(early[0]["published_law"]["answer"], "not asked")
+        self.assertEqual(len(early[2]["published_law"]["differences"]), 5)
+
+
+class Interruption(unittest.TestCase):
+    def test_what_was_interrupted_is_resumed_to_the_same_numbers(self):
+        with tempfile.TemporaryDirectory() as folder, tempfile.TemporaryDirectory() as whole:
+            arguments = ["table-3", "--law", "published", "--starts", "3000"]
+            process = subprocess.Popen([PROGRAM, "reproduce", *arguments, "-o", folder, "--quiet"],
+                                       stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
+            ensembles = os.path.join(folder, "ensembles")
+            while process.poll() is None and not (os.path.isdir(ensembles) and len(os.listdir(ensembles)) >= 3):
+                time.sleep(0.01)
+            process.send_signal(signal.SIGINT)
+            out, _ = process.communicate(timeout=120)
+            self.assertEqual(process.returncode, 130)
+            self.assertIn("PARTIAL", out)
+            self.assertLess(len(os.listdir(ensembles)), 13)
+            resumed, answer = answers(folder, *arguments)
+            self.assertEqual(resumed.returncode, 0)
+            self.assertEqual(numbers(answer), numbers(answers(whole, *arguments)[1]))
+
+
+class Reports(unittest.TestCase):
+    def test_one_page_and_markdown(self):
+        with tempfile.TemporaryDirectory() as folder:
+            page, text = os.path.join(folder, "paper.html"), os.path.join(folder, "paper.md")
+            what = ["table-7", "figure-transients", "--starts", "200"]
+            self.assertEqual(run("reproduce", *what, "--report", page, "--quiet").returncode, 0)
+            self.assertEqual(run("reproduce", *what, "--report", text, "--quiet").returncode, 0)
+            with open(page, encoding="utf-8") as file:
+                html = file.read()
+            body = re.sub(r"<script.*?</script>", "", html, flags=re.S)
+            self.assertNotRegex(body, r'(src|href)="(?!data:image|#)')
+            for words in ("Table 7", "best lead", "Transients after ramps", "kinematic law", "--starts 200"):
+                self.assertIn(words, body)
+            with open(text, encoding="utf-8") as file:
+                markdown = file.read()
+            for picture in re.findall(r"!\[[^]]*]\(([^)]*)\)", markdown):
+                self.assertTrue(os.path.exists(os.path.join(folder, picture)), picture)
+            self.assertIn("figure-transients.png", markdown)
+            self.assertEqual(sorted(os.listdir(folder)), ["paper-pictures", "paper.html", "paper.md"])
+
+    def test_open_questions_as_pictures_and_netcdf(self):
+        with tempfile.TemporaryDirectory() as folder:
+            done, answer = answers(folder, "future", "--starts", "64", "--pixels", "4")
+            self.assertEqual(done.returncode, 0)
+            names = set(os.listdir(os.path.join(folder, "pictures")))
+            for stem in ("future-eccentricity-angle", "future-eccentricity-mass"):
+                self.assertLessEqual({stem + ".png", stem + ".svg", stem + ".nc"}, names)
+            self.assertEqual([m["pixels"] for m in answer["open_questions"]["maps"]], [[4, 4], [4, 4]])
+            self.assertEqual([b["box"]["starts"] for b in answer["open_questions"]["boxes"]], [64] * 6)
+            self.assertIn("box-speed-2.4.nc", os.listdir(os.path.join(folder, "ensembles")))
+
+
+class Refusals(unittest.TestCase):
+    def refused(self, *arguments, words):
+        done = run("reproduce", *arguments)
+        self.assertEqual((done.returncode, done.stdout), (2, ""), done.stderr)
+        for word in words:
+            self.assertIn(word, done.stderr)
+
+    def test_bad_usage_is_refused_before_any_work(self):
+        self.refused("table-8", words=["table-8", "table-7", "figure-attractors", "future"])
+        self.refused("table-1", "--starts", "0", words=["--starts", "0", "from 1"])
+        self.refused("table-1", "--law", "real", words=["--law", "published"])
+        self.refused("table-1", "--report", "x.pdf", words=["--report", "x.pdf", ".html or .md"])
+        self.refused("table-1", "--report", "/nowhere/x.html", words=["--report", "/nowhere/x.html"])
+        self.refused("table-1", "-o", "/proc/x", words=["/proc/x", "folder"])
+        self.refused("future", "--pixels", "1", words=["--pixels", "1", "from 2"])
+
+    def test_a_folder_of_other_results_is_refused(self):
+        with tempfile.TemporaryDirectory() as folder:
+            self.assertEqual(run("reproduce", "table-7", "--law", "kinematic", "--starts", "50", "-o", folder,
+                                 "--quiet").returncode, 0)
+            ensembles = os.path.join(folder, "ensembles")
+            os.rename(os.path.join(ensembles, "table-7-t0-50-t1-400-t2-500-kinematic.nc"),
+                      os.path.join(ensembles, "table-7-t0-100-t1-300-t2-500-kinematic.nc"))
+            self.refused("table-7", "--law", "kinematic", "--starts", "50", "-o", folder, "--quiet",
+                         words=["table-7-t0-100-t1-300", "something other"])
+
+
+if __name__ == "__main__":
+    unittest.main(argv=sys.argv[:1], verbosity=2)
