@@ -69,11 +69,9 @@ void draw_pictures(Reproduction& r, const PictureFolder& folder) {
     picture(r, folder, id, title, [&](const std::string& path) { return chart_plot_script(title, list, path); });
   };
   for (const ReproducedTable& t : r.tables)
-    if (auto chart = table_chart(t)) {
-      const std::string title = chart->title;
-      chart->title.clear();
-      charts(fmt::format("table-{}", t.published->number), title, {*chart});
-    }
+    if (const auto chart = table_chart(t))
+      charts(fmt::format("table-{}", t.published->number),
+             fmt::format("Table {}: {}", t.published->number, t.published->title), {*chart});
   for (const PaperFigure& f : r.figures) {
     charts(f.id, f.title, figure_charts(f));
     if (!folder.temporary()) write_file(folder.path() + "/" + f.id + ".csv", figure_csv(f));

@@ -84,7 +84,7 @@ ReproducedTable as_printed(int number, Change change) {
   ReproducedTable table;
   table.published = &published_tables()[static_cast<std::size_t>(number) - 1];
   for (const PublishedRow& row : table.published->rows) {
-    ReproducedRow r{&row, ensemble(20000, row.cells.front().share.share), {}, {}, {}};
+    ReproducedRow r{&row, ensemble(20000, row.cells.front().share.share), {}, {}, {}, {}};
     for (std::size_t k = 1; k < row.cells.size(); ++k) {
       const auto count = static_cast<std::uint64_t>(std::llround(20000 * row.cells[k].share.share));
       r.by_published_law->attractors.push_back({"named otherwise", row.cells[k].attractor, wilson_share(count, 20000)});

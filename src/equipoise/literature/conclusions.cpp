@@ -39,8 +39,7 @@ const std::vector<Conclusion>& conclusions() {
         {"table-3-t0-300", "table-3-t0-50"},
         {"table-3-t0-300", "table-3-t0-100"}}},
       {"Clamping the balls until the final speed is reached (T0 = 500) balances more often than starting with free "
-       "balls "
-       "at that speed, for 2.0 to 4.0",
+       "balls at that speed, for 2.0 to 4.0",
        4,
        Kind::rises,
        {speeds_of_tables_2_and_4("2.0"), speeds_of_tables_2_and_4("2.2"), speeds_of_tables_2_and_4("2.4"),
@@ -58,8 +57,7 @@ const std::vector<Conclusion>& conclusions() {
        Kind::rises,
        {{"table-5-t0-100", "table-3-t0-100"}, {"table-5-t0-200", "table-3-t0-200"}}},
       {"Balls released at 2.2: the slower the spin-up to 2.4, the larger the balanced share (steps of at least 100 "
-       "from "
-       "T0 = 100 to 600)",
+       "from T0 = 100 to 600)",
        5, Kind::rises, along("table-5-t0-", {"100", "200", "300", "400", "500", "600"})},
       {"Balls released at 2: the slower the spin-up to 5, the larger the balanced share", 6, Kind::rises,
        along("table-6-release-2-t0-", {"100", "150", "200", "300", "400", "500", "1000"})},

@@ -46,6 +46,7 @@ struct ReproducedRow {
   std::optional<EnsembleResult> by_published_law, by_kinematic_law;  ///< at constant speed only the first is set
   std::vector<ReproducedCell> cells;                                 ///< judged under the published law
   std::optional<ShareDifference> law_difference;  ///< balanced share, kinematic minus published, 99 %, common starts
+  std::string follow_up;  ///< why more starts than asked were taken; empty if not
 };
 
 struct ReproducedTable {

@@ -112,16 +112,19 @@ nlohmann::ordered_json plotly_json(const Chart& chart) {
   Json y{{"title", {{"text", chart.y_label}}}, {"automargin", true}, {"zeroline", false}};
   if (chart.from_zero) y["rangemode"] = "tozero";
   Json x{{"title", {{"text", chart.x_label}}}, {"automargin", true}, {"zeroline", false}};
-  if (chart.log_x) x["type"] = "log";
+  if (chart.log_x) {
+    x["type"] = "log";
+    x["exponentformat"] = "power";
+  }
   return {{"data", data},
           {"layout",
            {{"title", {{"text", chart.title}, {"font", {{"size", 14}}}}},
-            {"margin", {{"l", 55}, {"r", 12}, {"t", 42}, {"b", 45}}},
+            {"margin", {{"l", 55}, {"r", 12}, {"t", chart.title.empty() ? 12 : 42}, {"b", 45}}},
             {"xaxis", x},
             {"yaxis", y},
             {"hovermode", "closest"},
             {"showlegend", chart.series.size() > 1},
-            {"legend", {{"orientation", "h"}, {"y", -0.28}}}}}};
+            {"legend", {{"orientation", "h"}, {"x", 0}, {"y", 1}, {"yanchor", "bottom"}}}}}};
 }
 
 std::string chart_plot_script(const std::string& title, const std::vector<Chart>& charts, const std::string& path) {

@@ -16,6 +16,7 @@ struct DocumentCell {
   std::string text;
   Tone tone = Tone::plain;
   bool number = false;  ///< set to the right
+  bool label = false;   ///< kept on one line where there is room
 };
 
 struct Heading {

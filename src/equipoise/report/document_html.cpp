@@ -85,7 +85,6 @@ class Writer {
   void operator()(const DocumentTable& t) {
     if (t.folded) out += fmt::format("<details><summary>{}</summary>\n", escaped(t.caption));
     out += "<div class=\"scroll\"><table>\n";
-    if (!t.folded && !t.caption.empty()) out += fmt::format("<caption>{}</caption>\n", escaped(t.caption));
     const auto spare = [&](std::size_t k) { return std::find(t.spare.begin(), t.spare.end(), k) != t.spare.end(); };
     out += "<thead><tr>";
     for (std::size_t k = 0; k < t.header.size(); ++k) {
@@ -98,11 +97,15 @@ class Writer {
       out += "<tr>";
       for (std::size_t k = 0; k < row.size(); ++k)
         out += fmt::format("<td{}>{}</td>",
-                           style_of(row[k].number ? "number" : "", spare(k) ? "spare" : "", name_of(row[k].tone)),
+                           style_of(row[k].number  ? "number"
+                                    : row[k].label ? "label"
+                                                   : "",
+                                    spare(k) ? "spare" : "", name_of(row[k].tone)),
                            escaped(row[k].text));
       out += "</tr>\n";
     }
     out += "</tbody></table></div>\n";
+    if (!t.folded && !t.caption.empty()) out += fmt::format("<p class=\"caption\">{}</p>\n", escaped(t.caption));
     if (t.folded) out += "</details>\n";
   }
 

@@ -58,6 +58,7 @@ Json table_json(const ReproducedTable& t) {
         {{"row", row.published->label},
          {"study", row.published->study + ".toml"},
          {"slip", row.published->slip},
+         {"follow_up", row.follow_up},
          {"cells", cells},
          {"published_law", ensemble_json(row.by_published_law)},
          {"kinematic_law", ensemble_json(row.by_kinematic_law)},
@@ -128,8 +129,8 @@ std::string table_text(const ReproducedTable& t) {
       }
   }
   text += fmt::format(
-      "{} cells agree, {} differ{}, {} not comparable; {} of the judged below p = 0.01 ({:.1f} expected "
-      "by chance). {} starts, {} undecided, {} lost.\n\n",
+      "{} cells agree, {} differ{}, {} not comparable; {} of the judged below p = 0.01 ({:.1f} expected by chance). "
+      "{} starts, {} undecided, {} lost.\n\n",
       t.agreeing, t.differing, t.differing == 1 ? "s" : "", t.not_comparable, t.below_one_percent,
       0.01 * (t.agreeing + t.differing), starts, undecided, lost);
   return text;
@@ -139,8 +140,7 @@ std::string lead_text(const Reproduction& r) {
   if (r.table_7_lead.empty()) return "";
   std::string text =
       "Table 7, the best lead (docs/table-7.md; fitted to the printed shares, not claimed): kinematic law, balls "
-      "released at "
-      "2.2, balanced if r < 0.00134 from t = 630 to 730\n";
+      "released at 2.2, balanced if r < 0.00134 from t = 630 to 730\n";
   for (const LeadRow& row : r.table_7_lead)
     text += fmt::format("  {:<22}{:>9.2f} {:>9}  {:<20}\n", row.label, row.printed, percentage(row.balanced),
                         interval(row.balanced));

@@ -32,9 +32,9 @@ struct Reproduction {
   std::vector<PaperFigure> figures;
   std::optional<OpenQuestions> open;
   std::vector<Picture> pictures;
-  std::string command;                      ///< that made it
-  bool partial = false;                     ///< stopped before all was done
-  double seconds = 0.0, cpu_seconds = 0.0;  ///< of all ensembles, with what earlier runs spent on stored ones
+  std::string command;                              ///< that made it
+  bool partial = false;                             ///< stopped before all was done
+  double seconds = 0.0, cpu_seconds = 0.0;          ///< of all ensembles, with what earlier runs spent on stored ones
   double run_seconds = 0.0, run_cpu_seconds = 0.0;  ///< of this run, with figures, maps and what was not stored
   std::uint64_t starts = 0, ensembles = 0;
   int threads = 0;

@@ -52,7 +52,7 @@ std::vector<std::pair<std::string, Curves>> curves_of(const ReproducedTable& tab
 
 std::optional<Chart> table_chart(const ReproducedTable& table) {
   if (table.published->number == 7) return {};
-  Chart chart{fmt::format("Table {}: {}", table.published->number, table.published->title),
+  Chart chart{"",
               table.published->parameter == "T0" ? "duration of the ramp, T0" : "final speed Ω / critical speed",
               "balanced share, %",
               table.published->number == 3,

@@ -21,6 +21,9 @@ using Answer = ConclusionResult::Answer;
 DocumentCell text(const std::string& words, Tone tone = Tone::plain) { return {words, tone, false}; }
 DocumentCell number(const std::string& words) { return {words, Tone::plain, true}; }
 
+// A row's name: on one line where there is room.
+DocumentCell label(const std::string& words) { return {words, Tone::plain, false, true}; }
+
 std::string picture_of(const Reproduction& r, const std::string& id) {
   for (const Picture& p : r.pictures)
     if (p.id == id) return p.path;
@@ -56,10 +59,9 @@ void verdicts(const Reproduction& r, Document& d) {
   }
   table.caption =
       "Cells of each table. A cell differs if chance alone would make a cell of the table differ so in less than one "
-      "table "
-      "of a hundred (99 % jointly, Bonferroni), by the sampling errors of both samples and half a unit of the last "
-      "printed "
-      "digit. The last two columns: judged cells with a p value below 0.01 each, and how many chance gives.";
+      "table of a hundred (99 % jointly, Bonferroni), by the sampling errors of both samples and half a unit of the "
+      "last printed digit; what differs at first is sampled five times as far, and the larger sample decides. The "
+      "last two columns: judged cells with a p value below 0.01 each, and how many chance gives.";
   if (r.tables.empty()) return;
   d.blocks.push_back(Heading{2, "Verdict", "verdict"});
   d.blocks.push_back(Paragraph{
@@ -93,18 +95,16 @@ void laws(const Reproduction& r, Document& d) {
   }
   if (table.rows.empty()) return;
   table.caption =
-      "Differences of balanced shares in points, with 99 % intervals, from the same starts in both designs; of several "
-      "pairs the smallest and the largest difference. \"Holds\": every interval lies on the stated side of zero (for "
-      "\"does not matter\": within one point of zero); \"reversed\": every interval lies on the other side; \"does not "
-      "hold\": at least one does; \"not shown\": none does, but some intervals hold zero.";
+      "Differences of balanced shares in points, with 99 % intervals, from the same starts in both designs; of "
+      "several pairs the smallest and the largest difference. \"Holds\": every interval lies on the stated side of "
+      "zero (for \"does not matter\": within one point of zero); \"reversed\": every interval lies on the other "
+      "side; \"does not hold\": at least one does; \"not shown\": none does, but some intervals hold zero.";
   d.blocks.push_back(Heading{2, "What rests on ψ = t Ω(t)", "laws"});
   d.blocks.push_back(Paragraph{
       "The paper's tables 3 to 6 follow the rotation angle ψ = t Ω(t) literally. A rotor that turns so has the speed "
       "ψ' = Ω + t Ω' during a ramp: twice the ramp's slope, up to nearly twice the final speed, and a jump back when "
-      "the ramp "
-      "ends. That is the published law. A rotor that really has the speed Ω(t), ψ' = Ω(t), follows the kinematic law. "
-      "At "
-      "constant speed the two are one."});
+      "the ramp ends. That is the published law. A rotor that really has the speed Ω(t), ψ' = Ω(t), follows the "
+      "kinematic law. At constant speed the two are one."});
   d.blocks.push_back(std::move(table));
 }
 
@@ -113,21 +113,18 @@ void table_7_evidence(const Reproduction& r, Document& d) {
   d.blocks.push_back(Heading{3, "Table 7: the best lead, and why it is none", "table-7-evidence"});
   d.blocks.push_back(
       Paragraph{"The printed shares look like those of starts observed for too short a time. So 96 protocols (laws of "
-                "rise and fall, "
-                "times of release) and 30 departures from the paper's numbers were tried, each with a test at a finite "
-                "time whose time "
-                "and tolerance were fitted to the four shares. Many fit; none with the time and the law that the other "
-                "tables need. "
-                "docs/table-7.md has the search, the test of the lead on tables 1 to 6, and the commands."});
+                "rise and fall, times of release) and 30 departures from the paper's numbers were tried, each with a "
+                "test at a finite time whose time and tolerance were fitted to the four shares. Many fit; none with "
+                "the time and the law that the other tables need. docs/table-7.md has the search, the test of the "
+                "lead on tables 1 to 6, and the commands."});
   if (!r.table_7_lead.empty()) {
     DocumentTable table{{"T0, T1, T2", "printed", "best lead", "95 % interval"}, {}, "", false, {}};
     for (const LeadRow& row : r.table_7_lead)
-      table.rows.push_back({text(row.label), number(fmt::format("{:.2f}", row.printed)),
+      table.rows.push_back({label(row.label), number(fmt::format("{:.2f}", row.printed)),
                             number(percentage(row.balanced)), number(interval(row.balanced))});
     table.caption = fmt::format(
         "Best lead: kinematic law, balls released when the ramp reaches 2.2, balanced if r < 0.00134 from t = 630 to "
-        "730; "
-        "computed anew from {} starts a row. Release, time and tolerance were chosen by these very numbers.",
+        "730; computed anew from {} starts a row. Release, time and tolerance were chosen by these very numbers.",
         r.table_7_lead.front().balanced.total);
     d.blocks.push_back(std::move(table));
   }
@@ -140,9 +137,8 @@ void table_7_evidence(const Reproduction& r, Document& d) {
          number(std::to_string(c.starts)), number(fmt::format("{:.1f}", c.chi_squared)),
          number(std::to_string(c.free_cells))});
   table.caption =
-      "Fitted readings: χ² is the deviance from the printed 98.43, 97.19, 97.64, 93.64 with both samples' errors; 95 % "
-      "of a "
-      "true reading's lie below 6.0 on two free cells, less the freedom that choosing among protocols adds";
+      "Fitted readings: χ² is the deviance from the printed 98.43, 97.19, 97.64, 93.64 with both samples' errors; 95 "
+      "% of a true reading's lie below 6.0 on two free cells, less the freedom that choosing among protocols adds";
   d.blocks.push_back(std::move(table));
 }
 
@@ -168,8 +164,8 @@ void table_section(const Reproduction& r, const ReproducedTable& t, Document& d)
   DocumentTable table{{"row", "motion", "printed", "computed", "95 % interval", "p", "verdict"}, {}, "", false, {4, 5}};
   const bool kinematic = t.published->ramps;
   if (kinematic) {
-    table.header.push_back("kinematic law");
-    table.header.push_back("kinematic − published, points (99 %)");
+    table.header.push_back("kinematic");
+    table.header.push_back("kinematic − published (99 %)");
     table.spare.push_back(8);
   }
   for (const ReproducedRow& row : t.rows) {
@@ -179,10 +175,10 @@ void table_section(const Reproduction& r, const ReproducedTable& t, Document& d)
           c.published->share.share == 0.0 && c.computed.count == 0 && c.published->attractor != "balanced";
       if (idle && c.verdict == Verdict::agrees) continue;
       const bool known = row.by_published_law && row.by_published_law->starts > 0;
-      table.rows.push_back({text(first ? row.published->label : ""), text(c.published->attractor),
+      table.rows.push_back({label(first ? row.published->label : ""), text(c.published->attractor),
                             number(printed_percentage(*c.published)), number(known ? percentage(c.computed) : "-"),
                             number(known ? interval(c.computed) : "-"), number(known ? p_value_text(c.p_value) : "-"),
-                            text(verdict_text(c), tone_of(c.verdict))});
+                            text(name_of(c.verdict), tone_of(c.verdict))});
       if (kinematic) {
         table.rows.back().push_back(number(kinematic_cell(row, *c.published)));
         const bool balanced = c.published->attractor == "balanced";
@@ -193,9 +189,13 @@ void table_section(const Reproduction& r, const ReproducedTable& t, Document& d)
   }
   table.caption = fmt::format(
       "{} agree, {} differ, {} not comparable. Rows of attractors that were neither printed nor found are left out, "
-      "but are "
-      "judged. *: printed as a fraction of one.",
+      "but are judged. *: printed as a fraction of one.",
       t.agreeing, t.differing, t.not_comparable);
+  for (const ReproducedRow& row : t.rows)
+    if (const std::string& reason = row.cells.front().reason; !reason.empty() && reason != t.published->unclaimed)
+      table.caption += fmt::format(" {} is not comparable: {}.", row.published->label, reason);
+  for (const ReproducedRow& row : t.rows)
+    if (!row.follow_up.empty()) table.caption += fmt::format(" {}.", row.follow_up);
   d.blocks.push_back(std::move(table));
   if (t.published->number == 7) table_7_evidence(r, d);
 }
@@ -205,8 +205,7 @@ void open_questions(const Reproduction& r, Document& d) {
   d.blocks.push_back(Heading{2, "Open questions of the paper", "future"});
   d.blocks.push_back(
       Paragraph{"Three studies that the paper leaves to others. Base: Ω = 2.4, μ = 0.05, λ = 0.01, ζ = 0.5, β = 0.05, "
-                "constant speed, "
-                "balls free, all at rest in the rotating frame. A pixel is one start of one rotor."});
+                "constant speed, balls free, all at rest in the rotating frame. A pixel is one start of one rotor."});
   const auto map = [&](const PlaneMap& m, const std::string& id, const std::string& title) {
     d.blocks.push_back(Heading{3, title, id});
     d.blocks.push_back(
@@ -217,10 +216,8 @@ void open_questions(const Reproduction& r, Document& d) {
   d.blocks.push_back(Heading{3, "Basins in the whole eight-dimensional state space", "future-box"});
   d.blocks.push_back(
       Paragraph{"Shares of starts uniform in the box |x|, |y| ≤ 0.2, |x'|, |y'| ≤ 0.5, |φ_i'| ≤ 2.4, any φ_i, beside "
-                "those of starts at "
-                "rest. The box takes in every motion that starts at rest come to; the shares depend on it, since the "
-                "whole space has "
-                "no uniform distribution."});
+                "those of starts at rest. The box takes in every motion that starts at rest come to; the shares "
+                "depend on it, since the whole space has no uniform distribution."});
   d.blocks.push_back(Figure{"Balanced share of starts in the box and at rest; intervals: 95 %.",
                             {box_chart(*r.open)},
                             picture_of(r, "future-box")});
@@ -266,18 +263,16 @@ void settings(const Reproduction& r, Document& d) {
   d.blocks.push_back(Heading{2, "Settings", "settings"});
   d.blocks.push_back(Paragraph{fmt::format("Made by: {}", r.command)});
   d.blocks.push_back(Paragraph{fmt::format(
-      "equipoise {}, {} thread{}, {}. {} ensembles, {} starts: {:.0f} s, {:.0f} s of CPU time. The run that "
-      "wrote this page, without the ensembles it found stored: {:.0f} s, {:.0f} s of CPU time.",
+      "equipoise {}, {} thread{}, {}. {} ensembles, {} starts: {:.0f} s, {:.0f} s of CPU time. The run that wrote "
+      "this page, without the ensembles it found stored: {:.0f} s, {:.0f} s of CPU time.",
       version_string, r.threads, r.threads == 1 ? "" : "s", r.cpu_target, r.ensembles, r.starts, r.seconds,
       r.cpu_seconds, r.run_seconds, r.run_cpu_seconds)});
   d.blocks.push_back(
       Paragraph{"Two equal balls, μ = 0.05 each, λ = 0.01, ζ = 0.5, β = 0.05 unless said; starts at rest in the "
-                "rotating frame with "
-                "ball angles uniform on [0, 2π). \"Balanced\" means that a start entered a level set of a Lyapunov "
-                "function around a "
-                "stable balanced state; a start that comes to no attractor by the horizon is undecided. All lengths "
-                "are in race radii "
-                "R, times in 1/ω_c, speeds in critical speeds ω_c."});
+                "rotating frame with ball angles uniform on [0, 2π). \"Balanced\" means that a start entered a level "
+                "set of a Lyapunov function around a stable balanced state; a start that comes to no attractor by "
+                "the horizon is undecided. All lengths are in race radii R, times in 1/ω_c, speeds in critical "
+                "speeds ω_c."});
   DocumentTable table{
       {"study", "law", "starts", "undecided (95 %)", "lost", "seed", "CPU s", "command"}, {}, "", true, {4, 5}};
   table.caption = "Every ensemble: its study, seed, cost, and the command that computes it alone";
@@ -297,8 +292,7 @@ Document reproduction_document(const Reproduction& r) {
   Document d{"Wright and Peng (2019), computed again", {}};
   d.blocks.push_back(
       Paragraph{"With what probability does an automatic ball balancer balance its rotor? Every number and figure of "
-                "the paper that "
-                "asked this of a rotor whose speed varies, set beside the same computed by Equipoise."});
+                "the paper that asked this of a rotor whose speed varies, set beside the same computed by Equipoise."});
   verdicts(r, d);
   laws(r, d);
   for (const ReproducedTable& t : r.tables) table_section(r, t, d);

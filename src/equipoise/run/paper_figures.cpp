@@ -21,9 +21,8 @@ constexpr double sampling = 0.1;             // at least fifteen samples in the 
 constexpr std::size_t longest_curve = 1800;  // points of a curve in a picture
 constexpr double omitted_duration = 500.0;   // T0 where a caption does not say it
 const char* const omitted_reason =
-    "The caption gives no T0. Chosen: T0 = 500, the duration that the paper fixes for its table 4 and that its tables "
-    "5 "
-    "and 6 share.";
+    "The caption gives no T0. Chosen: T0 = 500, the duration that the paper fixes for its table 4 and that its "
+    "tables 5 and 6 share.";
 
 Study base_study(double zeta, double beta) {
   Study study;
@@ -121,9 +120,9 @@ PaperFigure attractors_figure(const StopFlag* stop) {
   PaperFigure figure{
       "figure-attractors",
       "The vibrating attractors V1 to V4",
-      "Radial displacement r against time on the motions other than balance, at constant speed; β = 0.05, "
-      "ζ = 0.5. V1: balls coincident; V2: a torus, never quite repeating; V3: one ball captured; V4: the "
-      "same with four times the period.",
+      "Radial displacement r against time on the motions other than balance, at constant speed; β = 0.05, ζ = 0.5. "
+      "V1: balls coincident; V2: a torus, never quite repeating; V3: one ball captured; V4: the same with four times "
+      "the period.",
       "",
       false,
       {}};
@@ -136,10 +135,9 @@ PaperFigure transients_figure(const StopFlag* stop) {
   PaperFigure figure{
       "figure-transients",
       "Transients after ramps of six durations",
-      "r against time: ramp 0 to 2.4 in T0, balls clamped at φ = −π/2, π/2 and released at 2.4; β = 0.05, "
-      "ζ = 0.5.",
-      "The caption starts both balls at −π and π, which is one point; −π/2 and π/2, as in the later "
-      "figures, makes them opposite, as the text says.",
+      "r against time: ramp 0 to 2.4 in T0, balls clamped at φ = −π/2, π/2 and released at 2.4; β = 0.05, ζ = 0.5.",
+      "The caption starts both balls at −π and π, which is one point; −π/2 and π/2, as in the later figures, makes "
+      "them opposite, as the text says.",
       true,
       {}};
   for (const double duration : {1e-4, 0.1, 5.0, 50.0, 100.0, 300.0}) {
@@ -181,8 +179,8 @@ PaperFigure release_figure(const StopFlag* stop) {
   PaperFigure figure{
       "figure-release",
       "Release at 2.4 against 2.2",
-      "r against time: ramp 0 to 2.4, balls at φ = −π/2, π/2 released at 2.4 (i) and at 2.2 (ii), for four "
-      "pairs of external and internal damping.",
+      "r against time: ramp 0 to 2.4, balls at φ = −π/2, π/2 released at 2.4 (i) and at 2.2 (ii), for four pairs of "
+      "external and internal damping.",
       omitted_reason,
       true,
       {}};
