@@ -18,13 +18,13 @@ Document sample(const std::string& picture) {
   d.blocks.push_back(Paragraph{"x < y | z", Tone::bad});
   d.blocks.push_back(
       DocumentTable{{"a", "b|c"}, {{{"1 < 2", Tone::good, false}, {"3", Tone::plain, true}}}, "Cap", false, {1}});
-  Chart chart{"</script>",
+  Chart chart{"<i>",
               "x",
               "y",
               true,
               false,
               false,
-              {{"s", "#0072B2", ChartSeries::Style::line, {1, 10}, {2, 3}, {1, 2}, {3, 4}}}};
+              {{"</script>", "#0072B2", ChartSeries::Style::line, {1, 10}, {2, 3}, {1, 2}, {3, 4}}}};
   d.blocks.push_back(Figure{"Fig", {chart}, picture});
   return d;
 }
@@ -48,7 +48,7 @@ TEST(Html, IsSelfContainedAndEscaped) {
   EXPECT_NE(page.find("data:image/png;base64,TWFu\""), std::string::npos);  // RFC 4648's own example
   for (const char* outside : {"src=\"http", "href=\"http", "@import", "src=\"/", "<link"})
     EXPECT_EQ(page.substr(0, page.find("</main>")).find(outside), std::string::npos) << outside;
-  // The chart's title must not end its script element.
+  // A chart's label must not end its script element.
   EXPECT_NE(page.find("<\\/script>"), std::string::npos);
   EXPECT_EQ(count(page, "<script"), count(page, "</script>"));
 }

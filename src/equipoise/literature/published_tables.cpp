@@ -154,7 +154,7 @@ PublishedTable table_7() {
   for (const Line& line : lines_of(7)) {
     const std::string t0 = plain(line.at("T0")), t1 = plain(line.at("T1")), t2 = plain(line.at("T2"));
     table.rows.push_back(row_of(fmt::format("table-7-t0-{}-t1-{}-t2-{}", t0, t1, t2),
-                                fmt::format("T0, T1, T2 = {}, {}, {}", t0, t1, t2), value_of(t0), line, 300000));
+                                fmt::format("{}, {}, {}", t0, t1, t2), value_of(t0), line, 300000));
   }
   return table;
 }

@@ -118,8 +118,7 @@ nlohmann::ordered_json plotly_json(const Chart& chart) {
   }
   return {{"data", data},
           {"layout",
-           {{"title", {{"text", chart.title}, {"font", {{"size", 14}}}}},
-            {"margin", {{"l", 55}, {"r", 12}, {"t", chart.title.empty() ? 12 : 42}, {"b", 45}}},
+           {{"margin", {{"l", 55}, {"r", 12}, {"t", 12}, {"b", 45}}},
             {"xaxis", x},
             {"yaxis", y},
             {"hovermode", "closest"},

@@ -25,7 +25,7 @@ struct Chart {
   std::vector<ChartSeries> series;
 };
 
-/// {"data": [...], "layout": {...}} for Plotly.newPlot.
+/// {"data": [...], "layout": {...}} for Plotly.newPlot; the title is for the page to set.
 nlohmann::ordered_json plotly_json(const Chart& chart);
 
 /// A picture of charts, two beside each other, as a script for gnuplot. `path`: .png or .svg.

@@ -8,8 +8,7 @@
     Object.assign(chart.layout.xaxis, quiet);
     Object.assign(chart.layout.yaxis, quiet);
     chart.layout.font = { family: "system-ui, DejaVu Sans, sans-serif", size: 12, color: "#1b1f24" };
-    Plotly.newPlot(element, chart.data, chart.layout, { responsive: true, displaylogo: false, displayModeBar: window.innerWidth < 600 ? false : "hover",
-      modeBarButtonsToRemove: ["lasso2d", "select2d"] });
+    Plotly.newPlot(element, chart.data, chart.layout, { responsive: true, displayModeBar: false });
   };
   const waiting = Array.from(document.querySelectorAll(".chart"));
   const next = () => {

@@ -124,7 +124,8 @@ class Writer {
       out += fmt::format("<div class=\"charts{}\">", f.charts.front().curves ? " curves" : "");
       for (const Chart& chart : f.charts) {
         ++charts_;
-        out += fmt::format("<div class=\"chart\" data-chart=\"c{}\"></div>", charts_);
+        const std::string title = chart.title.empty() ? "" : fmt::format("<p>{}</p>", escaped(chart.title));
+        out += fmt::format("<div>{}<div class=\"chart\" data-chart=\"c{}\"></div></div>", title, charts_);
         data_ += fmt::format("<script type=\"application/json\" id=\"c{}\">{}</script>\n", charts_,
                              script_safe(plotly_json(chart).dump()));
       }

@@ -19,7 +19,9 @@ std::string printed_percentage(const PublishedCell& cell) {
   return fmt::format("{:.2g}*", value);
 }
 
-std::string p_value_text(double p) { return p < 1e-4 ? fmt::format("{:.0e}", p) : fmt::format("{:.4f}", p); }
+std::string p_value_text(double p) {
+  return p < 1e-12 ? "< 1e-12" : p < 1e-4 ? fmt::format("{:.0e}", p) : fmt::format("{:.4f}", p);
+}
 
 std::string verdict_text(const ReproducedCell& cell) {
   if (cell.reason.empty()) return name_of(cell.verdict);
