@@ -17,11 +17,18 @@ namespace equipoise::app {
 
 namespace fs = std::filesystem;
 
+namespace {
+
+// Where a Markdown report keeps its pictures.
+std::string pictures_beside(const std::string& report) { return report.substr(0, report.size() - 3) + "-pictures"; }
+
+}  // namespace
+
 PictureFolder::PictureFolder(const std::string& output, const std::string& report) {
   if (!output.empty())
     path_ = output + "/pictures";
   else if (report.ends_with(".md"))
-    path_ = report.substr(0, report.size() - 3) + "-pictures";
+    path_ = pictures_beside(report);
   else if (!report.empty()) {
     path_ = (fs::temp_directory_path() / "equipoise-XXXXXX").string();
     if (!mkdtemp(path_.data())) throw RunError(path_ + ": no temporary folder can be made");
@@ -86,8 +93,16 @@ void draw_pictures(Reproduction& r, const PictureFolder& folder) {
 
 void write_report(const Reproduction& r, const std::string& path, const PictureFolder& folder) {
   const Document document = reproduction_document(r);
-  const std::string pictures = fs::proximate(folder.path(), fs::path(path).parent_path()).string();
-  write_file(path, path.ends_with(".md") ? document_markdown(document, pictures) : document_html(document));
+  if (path.ends_with(".html")) return write_file(path, document_html(document));
+  const fs::path beside = pictures_beside(path);
+  std::error_code error;
+  fs::create_directories(beside, error);
+  if (folder.path() != beside.string())
+    for (const Picture& p : r.pictures)
+      if (!error)
+        fs::copy_file(p.path, beside / fs::path(p.path).filename(), fs::copy_options::overwrite_existing, error);
+  if (error) throw RunError(fmt::format("{}: {}", beside.string(), error.message()));
+  write_file(path, document_markdown(document, beside.filename().string()));
 }
 
 }  // namespace equipoise::app

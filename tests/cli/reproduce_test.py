@@ -122,6 +122,16 @@ class Reports(unittest.TestCase):
             self.assertIn("figure-transients.png", markdown)
             self.assertEqual(sorted(os.listdir(folder)), ["paper-pictures", "paper.html", "paper.md"])
 
+    def test_markdown_has_its_pictures_beside_it_whatever_the_folder_of_results(self):
+        with tempfile.TemporaryDirectory() as folder, tempfile.TemporaryDirectory() as results:
+            text = os.path.join(folder, "paper.md")
+            self.assertEqual(run("reproduce", "figure-transients", "--report", text, "-o", results,
+                                 "--quiet").returncode, 0)
+            self.assertEqual(os.listdir(os.path.join(folder, "paper-pictures")), ["figure-transients.png"])
+            self.assertIn("figure-transients.svg", os.listdir(os.path.join(results, "pictures")))
+            with open(text, encoding="utf-8") as file:
+                self.assertIn("](paper-pictures/figure-transients.png)", file.read())
+
     def test_open_questions_as_pictures_and_netcdf(self):
         with tempfile.TemporaryDirectory() as folder:
             done, answer = answers(folder, "future", "--starts", "64", "--pixels", "4")

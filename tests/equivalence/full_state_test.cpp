@@ -16,22 +16,13 @@
 #include "equipoise/run/start_runner.hpp"
 #include "equipoise/run/start_source.hpp"
 #include "equipoise/store/netcdf.hpp"
+#include "../base_study.hpp"
 
 namespace equipoise {
 namespace {
 
 Study boxed(std::uint64_t starts) {
-  Study study = parse_study(R"([rotor]
-eccentricity = 0.01
-damping = 0.5
-[balancer]
-balls = 2
-mass = 0.05
-drag = 0.05
-[speed]
-profile = "constant"
-speed = 2.4
-[sampling.box]
+  Study study = parse_study(constant_speed + R"([sampling.box]
 x = [-0.2, 0.2]
 y = [-0.2, 0.2]
 x_dot = [-0.5, 0.5]

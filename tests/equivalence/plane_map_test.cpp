@@ -21,22 +21,13 @@
 #include "equipoise/run/simulate.hpp"
 #include "equipoise/store/basin_file.hpp"
 #include "equipoise/store/netcdf.hpp"
+#include "../base_study.hpp"
 
 namespace equipoise {
 namespace {
 
 Study rotor() {
-  return parse_study(R"([rotor]
-eccentricity = 0.01
-damping = 0.5
-[balancer]
-balls = 2
-mass = 0.05
-drag = 0.05
-[speed]
-profile = "constant"
-speed = 2.4
-[initial]
+  return parse_study(constant_speed + R"([initial]
 phi = [-1.5707963267948966, 1.5707963267948966]
 )",
                      "rotor");

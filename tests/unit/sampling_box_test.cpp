@@ -12,21 +12,12 @@
 #include "equipoise/run/start_source.hpp"
 #include "equipoise/study/study.hpp"
 #include "study_difference.hpp"
+#include "../base_study.hpp"
 
 namespace equipoise {
 namespace {
 
-const std::string free_balls = R"([rotor]
-eccentricity = 0.01
-damping = 0.5
-[balancer]
-balls = 2
-mass = 0.05
-drag = 0.05
-[speed]
-profile = "constant"
-speed = 2.4
-[initial]
+const std::string free_balls = constant_speed + R"([initial]
 x = 0.01
 y = -0.02
 phi_dot = 0.125

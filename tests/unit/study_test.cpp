@@ -14,20 +14,12 @@
 
 #include "equipoise/base/error.hpp"
 #include "equipoise/study/study.hpp"
+#include "../base_study.hpp"
 #include "study_difference.hpp"
 
 namespace equipoise {
 namespace {
 
-const std::string rotor_and_balancer = R"([rotor]
-eccentricity = 0.01
-damping = 0.5
-[balancer]
-balls = 2
-mass = 0.05
-drag = 0.05
-)";
-const std::string constant_speed = rotor_and_balancer + "[speed]\nprofile = \"constant\"\nspeed = 2.4\n";
 const std::string ramp = rotor_and_balancer + "[speed]\nprofile = \"ramp\"\nfinal = 2.4\nduration = 500.0\n";
 const std::string trapezoid = rotor_and_balancer + R"([speed]
 profile = "trapezoid"

@@ -274,7 +274,8 @@ int thread_count(int asked) { return asked > 0 ? asked : tbb::info::default_conc
 BasinFileHeader basin_file_header(const Study& study, bool angles) {
   Study identity = study;  // all that decides the fate of start i
   identity.sampling.starts = 1;
-  return {to_toml(identity), study.sampling.seed, study.parameters.balls, cpu_target(), angles, !study.sampling.box.empty()};
+  return {to_toml(identity),          study.sampling.seed, study.parameters.balls, cpu_target(), angles,
+          !study.sampling.box.empty()};
 }
 
 BasinResult basin(const Study& study, const BasinOptions& options, Catalogue* catalogue) {

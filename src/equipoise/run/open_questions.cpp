@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include "equipoise/base/angles.hpp"
+#include "equipoise/literature/paper_rotor.hpp"
 #include "equipoise/run/basin.hpp"
 #include "equipoise/run/plane_map.hpp"
 
@@ -17,14 +18,8 @@ namespace {
 constexpr std::array speeds{2.0, 2.2, 2.4, 3.0, 4.0, 5.0};
 
 Study rotor_at(double speed) {
-  Study study;
+  Study study = paper_rotor();
   study.name = fmt::format("future work at speed {}", speed);
-  model::Parameters& p = study.parameters;
-  p.balls = 2;
-  p.eccentricity = 0.01;
-  p.damping = {0.5, 0.5};
-  p.mass[0] = p.mass[1] = 0.05;
-  p.drag[0] = p.drag[1] = 0.05;
   study.speed.speed = speed;
   return study;
 }

@@ -9,6 +9,7 @@
 
 #include "equipoise/attractors/motion.hpp"
 #include "equipoise/ensemble/starts.hpp"
+#include "equipoise/literature/paper_rotor.hpp"
 #include "equipoise/run/simulate.hpp"
 
 namespace equipoise {
@@ -23,17 +24,6 @@ constexpr double omitted_duration = 500.0;   // T0 where a caption does not say 
 const char* const omitted_reason =
     "The caption gives no T0. Chosen: T0 = 500, the duration that the paper fixes for its table 4 and that its "
     "tables 5 and 6 share.";
-
-Study base_study(double zeta, double beta) {
-  Study study;
-  model::Parameters& p = study.parameters;
-  p.balls = 2;
-  p.eccentricity = 0.01;
-  p.damping = {zeta, zeta};
-  p.mass[0] = p.mass[1] = 0.05;
-  p.drag[0] = p.drag[1] = beta;
-  return study;
-}
 
 // Smallest and largest of every bucket, in the order in which they come: the envelope survives, whatever the width.
 void thin(std::vector<double>& t, std::vector<double>& r) {
@@ -65,7 +55,7 @@ FigureSeries curve(const Study& study, const std::string& label, double until, c
 }
 
 Study ramp_study(double zeta, double beta, double final, double duration, double release, SpeedLaw law) {
-  Study study = base_study(zeta, beta);
+  Study study = paper_rotor(zeta, beta);
   study.speed.profile = "ramp";
   study.speed.final = final;
   study.speed.duration = duration;
@@ -96,7 +86,7 @@ std::optional<Eigen::VectorXd> state_on(const std::string& alias, const model::P
 }
 
 FigurePanel attractor_panel(const std::string& alias, double speed, double until, const StopFlag* stop) {
-  Study study = base_study(0.5, 0.05);
+  Study study = paper_rotor(0.5, 0.05);
   study.name = "figure";
   study.speed.speed = speed;
   FigurePanel panel{fmt::format("{}, Ω = {}", alias, speed), {}};

@@ -5,6 +5,8 @@
 #include <cmath>
 #include <limits>
 
+#include "equipoise/literature/paper_rotor.hpp"
+
 namespace equipoise {
 
 namespace {
@@ -70,13 +72,10 @@ std::vector<model::Segment> Table7Protocol::segments(const Table7Row& row) const
 
 Study Table7Protocol::study(const Table7Row& row) const {
   const auto [t0, t1, t2] = ends(row);
-  Study study;
+  Study study = paper_rotor(damping, drag);
   study.name = "table 7";
-  study.parameters.balls = 2;
   study.parameters.eccentricity = eccentricity;
-  study.parameters.damping = {damping, damping};
   study.parameters.mass = {mass, mass};
-  study.parameters.drag = {drag, drag};
   study.speed.profile = "trapezoid";
   study.speed.peak = peak;
   study.speed.final = final;
