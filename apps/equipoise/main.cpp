@@ -9,6 +9,7 @@
 #include <fmt/ranges.h>
 
 #include "commands.hpp"
+#include "equipoise/base/embedded.hpp"
 #include "equipoise/base/version.hpp"
 #include "equipoise/run/lane_kernels.hpp"
 
@@ -27,8 +28,9 @@ void ask_to_stop(int signal) {
 }
 
 std::string version_text() {
-  return fmt::format("equipoise {}\ncompiler: {}\nCPU targets here: {}; using {}\n", version_string, __VERSION__,
-                     fmt::join(cpu_targets(), ", "), cpu_target());
+  return fmt::format("equipoise {}\ncompiler: {}\nCPU targets here: {}; using {}\nreports: {}\n", version_string,
+                     __VERSION__, fmt::join(cpu_targets(), ", "), cpu_target(),
+                     embedded::find("plotly.js").empty() ? "pictures only" : "interactive charts and pictures");
 }
 
 int run(int argc, char** argv) {

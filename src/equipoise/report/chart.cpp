@@ -59,48 +59,71 @@ Json trace(const ChartSeries& s, bool curves) {
   return t;
 }
 
+std::string data_block(const ChartSeries& s, const std::string& name) {
+  std::string block = name + " << EOD\n";
+  for (std::size_t i = 0; i < s.x.size(); ++i) {
+    block += fmt::format("{:.7g} {:.6g}", s.x[i], s.y[i]);
+    if (!s.low.empty()) block += fmt::format(" {:.6g} {:.6g}", s.low[i], s.high[i]);
+    block += "\n";
+  }
+  return block + "EOD\n";
+}
+
+// How a series is drawn. Intervals are plain strokes: error bars would cut the lines at their points.
+std::string plot_items(const ChartSeries& s, const std::string& block, bool curves, bool first) {
+  const std::string colour = fmt::format("linecolor rgb '{}'", s.colour);
+  const char* dash = s.style == ChartSeries::Style::dashed ? " dashtype (10,6)" : "";
+  const std::string title = quoted(s.label);
+  if (s.style == ChartSeries::Style::points)
+    return fmt::format("{} using 1:2 with points pointtype 6 pointsize 1.7 linewidth 1.5 {} title {}", block, colour,
+                       title);
+  if (curves)
+    return fmt::format("{} using 1:2 with lines linewidth {} {}{} title {}", block, first ? "1.4" : "1.1", colour, dash,
+                       title);
+  std::string items = fmt::format("{} using 1:2 with lines linewidth 1.6 {}{} title {}", block, colour, dash, title);
+  items += fmt::format(", \\\n  {} using 1:2 with points pointtype 7 pointsize 0.7 {} notitle", block, colour);
+  if (!s.low.empty())
+    items +=
+        fmt::format(", \\\n  {} using 1:3:(0):($4-$3) with vectors nohead linewidth 1.2 {} notitle", block, colour);
+  return items;
+}
+
+// Ranges a little wider than the data; gnuplot's own would put points on the frame.
+std::string ranges(const Chart& chart) {
+  double left = 1e300, right = -1e300, low = 1e300, high = -1e300;
+  for (const ChartSeries& s : chart.series)
+    for (std::size_t i = 0; i < s.x.size(); ++i) {
+      left = std::min(left, s.x[i]);
+      right = std::max(right, s.x[i]);
+      low = std::min(low, s.low.empty() ? s.y[i] : s.low[i]);
+      high = std::max(high, s.high.empty() ? s.y[i] : s.high[i]);
+    }
+  if (left > right) return "set xrange [0:1]\nset yrange [0:1]\n";
+  if (chart.from_zero) low = 0.0;
+  const double pad = 0.05 * std::max(high - low, 1e-6), margin = chart.curves ? 0.0 : 0.02 * (right - left);
+  const double room = chart.curves && chart.series.size() > 1 ? 5.0 * pad : pad;  // for the legend inside
+  if (chart.log_x)
+    return fmt::format("set xrange [{:.6g}:{:.6g}]\nset yrange [{:.6g}:{:.6g}]\n", left / 2.0, 2.0 * right, low - pad,
+                       high + room);
+  return fmt::format("set xrange [{:.6g}:{:.6g}]\nset yrange [{:.6g}:{:.6g}]\n", left - margin, right + margin,
+                     low - pad, high + room);
+}
+
 std::string script_of(const Chart& chart, int number) {
   std::string script, items;
-  double top = 1e-12;
   for (std::size_t k = 0; k < chart.series.size(); ++k) {
-    const ChartSeries& s = chart.series[k];
     const std::string block = fmt::format("$chart_{}_{}", number, k + 1);
-    script += block + " << EOD\n";
-    for (std::size_t i = 0; i < s.x.size(); ++i) {
-      script += fmt::format("{:.7g} {:.6g}", s.x[i], s.y[i]);
-      if (!s.low.empty()) script += fmt::format(" {:.6g} {:.6g}", s.low[i], s.high[i]);
-      script += "\n";
-      top = std::max(top, s.y[i]);
-    }
-    script += "EOD\n";
-    const std::string colour = fmt::format("linecolor rgb '{}'", s.colour);
-    const std::string joint = k ? ", \\\n  " : "";
-    const char* dash = s.style == ChartSeries::Style::dashed ? " dashtype (10,6)" : "";
-    if (s.style == ChartSeries::Style::points)
-      items += fmt::format("{}{} using 1:2 with points pointtype 6 pointsize 1.7 linewidth 1.5 {} title {}", joint,
-                           block, colour, quoted(s.label));
-    else if (chart.curves)
-      items += fmt::format("{}{} using 1:2 with lines linewidth {} {}{} title {}", joint, block, k == 0 ? "1.4" : "1.1",
-                           colour, dash, s.label.empty() ? "''" : quoted(s.label));
-    else
-      items += fmt::format("{}{} using 1:2 with linespoints pointtype 7 pointsize 0.7 linewidth 1.6 {}{} title {}",
-                           joint, block, colour, dash, quoted(s.label));
-    if (!s.low.empty())
-      items += fmt::format(", \\\n  {} using 1:2:3:4 with yerrorbars pointtype 0 {} notitle", block, colour);
+    script += data_block(chart.series[k], block);
+    items += (k ? ", \\\n  " : "") + plot_items(chart.series[k], block, chart.curves, k == 0);
   }
   if (items.empty()) items = "NaN notitle";
   script += fmt::format("set title {} offset 0,-0.4\nset xlabel {} offset 0,0.4\nset ylabel {} offset 0.8,0\n",
                         quoted(chart.title), quoted(chart.x_label), quoted(chart.y_label));
-  script += chart.log_x ? "set logscale x\nset format x '10^{%T}'\nset xtics enhanced\n"
-                        : "unset logscale x\nset format x '%g'\n";
-  const bool key = chart.series.size() > 1;
-  script += chart.from_zero
-                ? fmt::format("set yrange [{:.6g}:{:.6g}]\n", -0.02 * top, (key && chart.curves ? 1.28 : 1.08) * top)
-                : std::string("set yrange [*:*]\nset offsets graph 0, graph 0, graph 0.08, graph 0.08\n");
-  script += chart.curves ? "set xrange [*:*] noextend\n" : "set xrange [*:*]\n";
-  script += !key           ? "unset key\n"
-            : chart.curves ? "set key inside top right horizontal samplen 1.6\n"
-                           : "set key outside bottom center horizontal samplen 2.5\n";
+  script += chart.log_x ? "set logscale x\nset format x '%g'\n" : "unset logscale x\n";
+  script += ranges(chart);
+  script += chart.series.size() < 2 ? "unset key\n"
+            : chart.curves          ? "set key inside top right horizontal samplen 1.6\n"
+                                    : "set key outside top center horizontal samplen 2.5\n";
   return script + "plot " + items + "\n";
 }
 
