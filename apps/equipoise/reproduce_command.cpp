@@ -112,9 +112,13 @@ constexpr std::uint64_t lead_starts = 20000;
 
 void lead_on_table_7(Reproduction& r, const ReproduceOptions& options) {
   const std::uint64_t starts = options.starts > 0 ? std::min(options.starts, lead_starts) : lead_starts;
-  for (const ObservationReading& reading : observe_table_7(table_7_lead(), starts, options.threads, options.stop))
-    r.table_7_lead.push_back({fmt::format("{}, {}, {}", reading.row.t0, reading.row.t1, reading.row.t2),
-                              reading.row.printed, reading.balanced});
+  try {
+    for (const ObservationReading& reading : observe_table_7(table_7_lead(), starts, options.threads, options.stop))
+      r.table_7_lead.push_back({fmt::format("{}, {}, {}", reading.row.t0, reading.row.t1, reading.row.t2),
+                                reading.row.printed, reading.balanced});
+  } catch (const RunError&) {
+    if (!stop_flag()) throw;  // stopped: what is there so far counts
+  }
 }
 
 OpenQuestions future(const ReproduceArguments& a, const ReproduceOptions& options, ProgressLine& progress) {
