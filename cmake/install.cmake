@@ -13,10 +13,12 @@ endif()
 foreach(header
     equipoise.hpp base/error.hpp model/parameters.hpp model/speed.hpp model/balanced_state.hpp model/energy.hpp
     integrate/status.hpp attractors/catalogue.hpp attractors/certificate.hpp attractors/decision_rule.hpp
-    attractors/fate.hpp attractors/motion.hpp attractors/orbit.hpp statistics/share.hpp study/study.hpp
-    store/basin_file.hpp store/map_file.hpp store/trajectory.hpp report/attractors_result.hpp report/basin_result.hpp
-    report/certify_result.hpp report/map_plot.hpp run/attractors.hpp run/basin.hpp run/certify.hpp run/observation.hpp
-    run/open_questions.hpp run/plane_map.hpp run/simulate.hpp)
+    attractors/fate.hpp attractors/motion.hpp attractors/orbit.hpp statistics/comparison.hpp statistics/share.hpp
+    study/study.hpp literature/conclusions.hpp literature/paper_figure.hpp literature/published_tables.hpp
+    literature/reproduction.hpp store/basin_file.hpp store/map_file.hpp store/trajectory.hpp
+    report/attractors_result.hpp report/basin_result.hpp report/certify_result.hpp report/map_plot.hpp
+    report/open_questions_result.hpp run/attractors.hpp run/basin.hpp run/certify.hpp run/observation.hpp
+    run/open_questions.hpp run/paper_figures.hpp run/plane_map.hpp run/reproduce.hpp run/simulate.hpp)
   get_filename_component(folder ${header} DIRECTORY)
   install(FILES ${PROJECT_SOURCE_DIR}/src/equipoise/${header} DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/equipoise/${folder})
 endforeach()
