@@ -13,8 +13,6 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-Json share_json(const Share& s) { return {{"count", s.count}, {"share", s.share}, {"low", s.low}, {"high", s.high}}; }
-
 // On what grounds the starts were decided, as shares of all starts.
 std::string decided_text(const BasinResult& r) {
   if (r.starts == 0) return "";

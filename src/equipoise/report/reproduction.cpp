@@ -17,8 +17,6 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-Json share_json(const Share& s) { return {{"count", s.count}, {"share", s.share}, {"low", s.low}, {"high", s.high}}; }
-
 Json ensemble_json(const std::optional<EnsembleResult>& e) {
   if (!e) return nullptr;
   Json outcomes = Json::array();

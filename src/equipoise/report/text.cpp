@@ -64,6 +64,10 @@ std::string study_heading(const Study& study) {
   return text + speed_text(study) + "\n\n";
 }
 
+nlohmann::ordered_json share_json(const Share& s) {
+  return {{"count", s.count}, {"share", s.share}, {"low", s.low}, {"high", s.high}};
+}
+
 nlohmann::ordered_json study_json(const Study& study) {
   std::ostringstream text;
   text << toml::json_formatter{toml::parse(to_toml(study))};
