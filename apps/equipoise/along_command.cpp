@@ -2,7 +2,6 @@
 #include "along_command.hpp"
 
 #include <cstdio>
-#include <fstream>
 
 #include <fmt/format.h>
 
@@ -21,12 +20,6 @@ namespace {
 void require_ending(const char* option, const std::string& path, const char* first, const char* second) {
   if (path.empty() || path.ends_with(first) || path.ends_with(second)) return;
   throw InputError(option, "", path, fmt::format("must be a file name that ends in {} or {}", first, second));
-}
-
-void write_csv(const std::string& path, const BranchesResult& result) {
-  std::ofstream file(path, std::ios::binary);
-  file << branches_csv(result);
-  if (!file.flush()) throw RunError(path + ": writing failed");
 }
 
 }  // namespace
@@ -50,7 +43,7 @@ int run_along(const Study& study, const AlongArguments& a) {
   progress.finish();
   fmt::print("{}", a.json ? branches_json(result) : branches_text(result));
   std::fflush(stdout);
-  if (a.output.ends_with(".csv")) write_csv(a.output, result);
+  if (a.output.ends_with(".csv")) write_file(a.output, branches_csv(result));
   if (a.output.ends_with(".nc")) write_branches_file(a.output, branch_table(result));
   if (!a.plot.empty()) draw(a.plot, branch_plot_script(result, a.plot));
   return result.partial ? interrupted : done;

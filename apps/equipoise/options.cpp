@@ -24,6 +24,12 @@ void require_writable(const char* option, const std::string& path) {
   if (!opens) throw InputError(option, "", path, "cannot be written; must be a file in a folder that exists");
 }
 
+void write_file(const std::string& path, const std::string& text) {
+  std::ofstream file(path, std::ios::binary);
+  file << text;
+  if (!file.flush()) throw RunError(path + ": writing failed");
+}
+
 void add_overrides(CLI::App& app, std::vector<std::string>& overrides) {
   app.add_option("--set", overrides, "override a study key, e.g. speed.final=2.6; may be repeated")
       ->type_name("KEY=VALUE")

@@ -42,6 +42,7 @@ struct Plan {
   std::vector<int> tables;
   std::vector<std::string> figures;
   bool future = false;
+  OpenQuestionSettings questions;
 };
 
 std::vector<std::string> choices() {
@@ -121,10 +122,7 @@ void lead_on_table_7(Reproduction& r, const ReproduceOptions& options) {
   }
 }
 
-OpenQuestions future(const ReproduceArguments& a, const ReproduceOptions& options, ProgressLine& progress) {
-  OpenQuestionSettings settings;
-  if (a.pixels)
-    settings.map_pixels = option_number<int>("--pixels", *a.pixels, 2, 4096, "a whole number from 2 to 4096");
+OpenQuestions future(OpenQuestionSettings settings, const ReproduceOptions& options, ProgressLine& progress) {
   if (options.starts > 0) settings.starts = std::min(settings.starts, options.starts);
   settings.folder = options.folder;
   settings.threads = options.threads;
@@ -135,8 +133,8 @@ OpenQuestions future(const ReproduceArguments& a, const ReproduceOptions& option
   return open_questions(settings);
 }
 
-void compute(Reproduction& r, const ReproduceArguments& a, const Plan& plan, ReproduceOptions& options) {
-  ProgressLine progress(a.quiet);
+void compute(Reproduction& r, const Plan& plan, ReproduceOptions& options, bool quiet) {
+  ProgressLine progress(quiet);
   options.progress = [&](const ReproduceProgress& p) { progress.update(p.done, p.total, p.what); };
   r.tables = reproduce_tables(options);
   r.conclusions = judge_conclusions(r.tables);
@@ -144,7 +142,7 @@ void compute(Reproduction& r, const ReproduceArguments& a, const Plan& plan, Rep
   if (!stopped() && std::count(plan.tables.begin(), plan.tables.end(), 7)) lead_on_table_7(r, options);
   for (const std::string& id : plan.figures)
     if (!stopped()) r.figures.push_back(paper_figure(id, &stop_flag()));
-  if (plan.future && !stopped()) r.open = future(a, options, progress);
+  if (plan.future && !stopped()) r.open = future(plan.questions, options, progress);
   r.partial = stopped();
 }
 
@@ -158,7 +156,9 @@ void check_paths(const ReproduceArguments& a) {
 
 int run_reproduce(const ReproduceArguments& a) {
   choose_cpu(a.cpu);
-  const Plan plan = plan_of(a.what);
+  Plan plan = plan_of(a.what);
+  if (a.pixels)
+    plan.questions.map_pixels = option_number<int>("--pixels", *a.pixels, 2, 4096, "a whole number from 2 to 4096");
   ReproduceOptions options = table_options(a, plan);
   check_paths(a);
   const PictureFolder folder(a.output, a.report);
@@ -167,7 +167,7 @@ int run_reproduce(const ReproduceArguments& a) {
   r.cpu_target = cpu_target();
   r.threads = thread_count(options.threads);
   const auto begin = std::chrono::steady_clock::now();
-  compute(r, a, plan, options);
+  compute(r, plan, options, a.quiet);
   r.run_seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
   r.run_cpu_seconds = static_cast<double>(std::clock()) / CLOCKS_PER_SEC;
   total(r);

@@ -3,7 +3,6 @@
 
 #include <cstdlib>
 #include <filesystem>
-#include <fstream>
 
 #include <fmt/format.h>
 
@@ -12,6 +11,7 @@
 #include "equipoise/report/reproduction_charts.hpp"
 #include "equipoise/report/reproduction_document.hpp"
 #include "gnuplot.hpp"
+#include "options.hpp"
 
 namespace equipoise::app {
 
@@ -43,12 +43,6 @@ PictureFolder::PictureFolder(const std::string& output, const std::string& repor
 PictureFolder::~PictureFolder() {
   std::error_code ignored;
   if (temporary_) fs::remove_all(path_, ignored);
-}
-
-void write_file(const std::string& path, const std::string& text) {
-  std::ofstream file(path, std::ios::binary);
-  file << text;
-  if (!file.flush()) throw RunError(path + ": writing failed");
 }
 
 namespace {

@@ -32,6 +32,4 @@ void draw_pictures(Reproduction& r, const PictureFolder& folder);
 /// Writes the report (.html or .md); throws RunError if it cannot.
 void write_report(const Reproduction& r, const std::string& path, const PictureFolder& folder);
 
-void write_file(const std::string& path, const std::string& text);
-
 }  // namespace equipoise::app

@@ -159,6 +159,9 @@ class Refusals(unittest.TestCase):
         self.refused("table-1", "--report", "/nowhere/x.html", words=["--report", "/nowhere/x.html"])
         self.refused("table-1", "-o", "/proc/x", words=["/proc/x", "folder"])
         self.refused("future", "--pixels", "1", words=["--pixels", "1", "from 2"])
+        with tempfile.TemporaryDirectory() as folder:
+            self.refused("all", "--pixels", "1", "-o", folder, words=["--pixels", "1", "from 2"])
+            self.assertEqual(os.listdir(folder), [])
 
     def test_a_folder_of_other_results_is_refused(self):
         with tempfile.TemporaryDirectory() as folder:

@@ -77,7 +77,7 @@ std::string basin_json(const BasinResult& r) {
   json["resumed_from"] = r.resumed_from;
   json["threads"] = r.threads;
   json["cpu_target"] = r.cpu_target;
-  json["law"] = r.study.speed.law == model::SpeedLaw::published ? "published" : "kinematic";
+  json["law"] = name_of(r.study.speed.law);
   json["study_name"] = r.study.name;
   json["study"] = study_json(r.study);
   json["version"] = version_string;

@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include "equipoise/report/plot_parts.hpp"
+#include "equipoise/report/text.hpp"
 
 namespace equipoise {
 
@@ -17,7 +18,7 @@ constexpr std::array four{"#0072B2", "#D55E00", "#009E73", "#E69F00"};
 
 std::string label_of(const FigureSeries& s) {
   if (!s.label.empty()) return s.label;
-  return s.law == model::SpeedLaw::published ? "published law" : "kinematic law";
+  return fmt::format("{} law", name_of(s.law));
 }
 
 void add(ChartSeries& series, double x, const Share& share) {
@@ -126,8 +127,7 @@ std::string figure_csv(const PaperFigure& figure) {
   for (const FigurePanel& panel : figure.panels)
     for (const FigureSeries& s : panel.series)
       for (std::size_t i = 0; i < s.t.size(); ++i)
-        text += fmt::format("\"{}\",\"{}\",{},{},{}\n", panel.title, label_of(s),
-                            s.law == model::SpeedLaw::published ? "published" : "kinematic", s.t[i], s.r[i]);
+        text += fmt::format("\"{}\",\"{}\",{},{},{}\n", panel.title, label_of(s), name_of(s.law), s.t[i], s.r[i]);
   return text;
 }
 

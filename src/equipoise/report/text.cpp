@@ -64,6 +64,8 @@ std::string study_heading(const Study& study) {
   return text + speed_text(study) + "\n\n";
 }
 
+const char* name_of(model::SpeedLaw law) { return law == model::SpeedLaw::published ? "published" : "kinematic"; }
+
 nlohmann::ordered_json share_json(const Share& s) {
   return {{"count", s.count}, {"share", s.share}, {"low", s.low}, {"high", s.high}};
 }

@@ -18,6 +18,8 @@ int digits_for(const Share& s);
 std::string interval(const Share& s);
 /// Name, balls, rotor, speed: what every report begins with; ends with an empty line.
 std::string study_heading(const Study& study);
+/// "published" or "kinematic".
+const char* name_of(model::SpeedLaw law);
 /// count, share, low, high.
 nlohmann::ordered_json share_json(const Share& s);
 /// The resolved study.

@@ -7,11 +7,11 @@
 #include <limits>
 
 #include <fmt/format.h>
-#include <oneapi/tbb/info.h>
 #include <oneapi/tbb/parallel_for.h>
 #include <oneapi/tbb/task_arena.h>
 
 #include "equipoise/ensemble/starts.hpp"
+#include "equipoise/run/basin.hpp"
 #include "equipoise/run/lane_kernels.hpp"
 #include "equipoise/run/start_runner.hpp"
 #include "equipoise/run/start_source.hpp"
@@ -84,7 +84,7 @@ Observation observe_from(const Study& study, const StartSource& source, const Ob
   blank(source, result);
   const Observer observer(study, source, settings, result);
   std::atomic<bool> lost{false};
-  tbb::task_arena arena(settings.threads > 0 ? settings.threads : tbb::info::default_concurrency());
+  tbb::task_arena arena(thread_count(settings.threads));
   arena.execute([&] {
     const std::size_t chunks = (result.starts + chunk_size - 1) / chunk_size;
     tbb::parallel_for(std::size_t{0}, chunks, [&](std::size_t chunk) {

@@ -9,6 +9,7 @@
 #include "equipoise/base/angles.hpp"
 #include "equipoise/literature/paper_rotor.hpp"
 #include "equipoise/run/basin.hpp"
+#include "equipoise/run/discovery.hpp"
 #include "equipoise/run/plane_map.hpp"
 
 namespace equipoise {
@@ -49,14 +50,15 @@ PlaneMap mapped(const Study& study, const OpenQuestionSettings& settings, const 
   return plane_map(study, map);
 }
 
-BasinResult sampled(Study study, const SamplingBox& box, const OpenQuestionSettings& settings, const std::string& file,
-                    const std::string& part) {
+BasinResult sampled(Study study, const SamplingBox& box, const OpenQuestionSettings& settings,
+                    DiscoveryCache& discoveries, const std::string& file, const std::string& part) {
   study.sampling.starts = settings.starts;
   study.sampling.seed = settings.seed;
   study.sampling.box = box;
   BasinOptions options;
   options.threads = settings.threads;
   options.stop = settings.stop;
+  options.discoveries = &discoveries;
   if (!settings.folder.empty())
     options.output = fmt::format("{}/{}-speed-{}.nc", settings.folder, file, study.speed.speed);
   if (settings.progress)
@@ -84,8 +86,11 @@ OpenQuestions open_questions(const OpenQuestionSettings& settings) {
   for (const double speed : speeds) {
     if (stopped(settings)) break;
     BoxShares shares{speed, {}, {}};
-    shares.box = sampled(rotor_at(speed), stated_box(), settings, "box", fmt::format("box at speed {}", speed));
-    shares.rest = sampled(rotor_at(speed), {}, settings, "rest", fmt::format("starts at rest at speed {}", speed));
+    DiscoveryCache discoveries;  // both samples end at one speed
+    shares.box =
+        sampled(rotor_at(speed), stated_box(), settings, discoveries, "box", fmt::format("box at speed {}", speed));
+    shares.rest =
+        sampled(rotor_at(speed), {}, settings, discoveries, "rest", fmt::format("starts at rest at speed {}", speed));
     result.complete = result.complete && !shares.box.partial && !shares.rest.partial;
     result.boxes.push_back(std::move(shares));
   }

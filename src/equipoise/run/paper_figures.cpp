@@ -10,6 +10,7 @@
 #include "equipoise/attractors/motion.hpp"
 #include "equipoise/ensemble/starts.hpp"
 #include "equipoise/literature/paper_rotor.hpp"
+#include "equipoise/report/text.hpp"
 #include "equipoise/run/simulate.hpp"
 
 namespace equipoise {
@@ -150,7 +151,7 @@ FigurePanel release_panel(const std::string& title, double zeta, double beta, do
   return panel;
 }
 
-const char* law_title(SpeedLaw law) { return law == SpeedLaw::published ? "published law" : "kinematic law"; }
+std::string law_title(SpeedLaw law) { return fmt::format("{} law", name_of(law)); }
 
 PaperFigure ball_lag_figure(const StopFlag* stop) {
   PaperFigure figure{"figure-ball-lag",

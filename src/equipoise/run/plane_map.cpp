@@ -15,7 +15,6 @@
 #include <string>
 
 #include <fmt/format.h>
-#include <oneapi/tbb/info.h>
 #include <oneapi/tbb/parallel_for.h>
 #include <oneapi/tbb/task_arena.h>
 
@@ -23,6 +22,7 @@
 #include "equipoise/attractors/settling.hpp"
 #include "equipoise/model/balanced_state.hpp"
 #include "equipoise/model/linearisation.hpp"
+#include "equipoise/run/basin.hpp"
 #include "equipoise/run/parameter_line.hpp"
 #include "equipoise/run/start_runner.hpp"
 #include "equipoise/run/start_source.hpp"
@@ -119,7 +119,7 @@ class Mapper {
 
   void prepare() {
     const std::size_t size = static_cast<std::size_t>(map_.x.pixels) * static_cast<std::size_t>(map_.y.pixels);
-    map_.threads = settings_.threads > 0 ? settings_.threads : tbb::info::default_concurrency();
+    map_.threads = thread_count(settings_.threads);
     pixels_.resize(size);
     map_.balance_margin.assign(size, std::numeric_limits<double>::quiet_NaN());
     map_.balance_growth = map_.balance_margin;

@@ -6,14 +6,13 @@
 
 #include <fmt/format.h>
 
+#include "equipoise/report/text.hpp"
 #include "equipoise/run/basin.hpp"
 #include "equipoise/run/discovery.hpp"
 
 namespace equipoise {
 
 namespace {
-
-const char* name_of(model::SpeedLaw law) { return law == model::SpeedLaw::published ? "published" : "kinematic"; }
 
 bool is_balanced(const Fate& fate) { return fate.outcome == Outcome::attracted && fate.attractor == balanced_id; }
 
