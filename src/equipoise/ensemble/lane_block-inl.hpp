@@ -10,8 +10,8 @@
 #define EQUIPOISE_ENSEMBLE_LANE_BLOCK_INL
 #endif
 
+#include <bit>
 #include <cstddef>
-#include <cstdint>
 
 #include "equipoise/ensemble/lane_task.hpp"
 #include "equipoise/ensemble/step_control-inl.hpp"
@@ -66,6 +66,10 @@ class LaneBlock {
       if (task_.stop && task_.stop->load(std::memory_order_relaxed)) return false;
       advance();
     }
+    if (task_.work) {
+      task_.work->steps += work_.steps;
+      task_.work->accepted += work_.accepted;
+    }
     return true;
   }
 
@@ -117,6 +121,8 @@ class LaneBlock {
     log_error_[g] = select(accepted, change.log_error, log_error_[g]);
 
     const unsigned accepted_bits = lane_bits(accepted);
+    work_.steps += static_cast<unsigned>(std::popcount(active_[g]));
+    work_.accepted += static_cast<unsigned>(std::popcount(active_[g] & accepted_bits));
     const unsigned reached = accepted_bits & ~lane_bits(t_[g] < end_);
     const unsigned diverged = accepted_bits & ~lane_bits(bounded);
     const unsigned failed = ~lane_bits(moving);
@@ -209,6 +215,7 @@ class LaneBlock {
   std::size_t start_of_[groups][lanes];
   std::size_t next_ = 0;
   int working_ = 0;
+  LaneWork work_;
 };
 
 }  // namespace HWY_NAMESPACE

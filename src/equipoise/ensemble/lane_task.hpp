@@ -2,12 +2,20 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 
 #include "equipoise/base/error.hpp"
 #include "equipoise/model/parameters.hpp"
 #include "equipoise/model/speed.hpp"
 
 namespace equipoise {
+
+/// Work done for the trajectories of a task. An accepted or rejected step takes 12 evaluations of the equations, a
+/// trajectory's beginning one.
+struct LaneWork {
+  std::uint64_t steps = 0;     ///< tried
+  std::uint64_t accepted = 0;  ///< of these
+};
 
 /// Trajectories from segment.begin to `end`. A trajectory's result depends on its own initial state and on nothing else
 /// here: not on its place, its neighbours or `count`.
@@ -19,6 +27,7 @@ struct LaneTask {
   std::size_t count = 0;     ///< trajectories
   double* states = nullptr;  ///< count rows of dimension(balls) numbers; states at segment.begin in, final states out
   const StopFlag* stop = nullptr;
+  LaneWork* work = nullptr;  ///< if given, the work done is added to it
 };
 
 /// How a trajectory left its lane.

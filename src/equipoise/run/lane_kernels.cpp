@@ -39,9 +39,9 @@ class WatchForLoss : public NoObserver<n> {
   std::vector<Fate>& fates_;
 };
 
-template <int n>
+template <int n, bool accelerating>
 bool advance_balls(const LaneTask& task, std::vector<Fate>& fates) {
-  using Flow = FreeFlow<Pack, n, Terms{true, false, false}>;
+  using Flow = FreeFlow<Pack, n, Terms{accelerating, false, false}>;
   WatchForLoss<n> observer(fates);
   const auto block = std::make_unique<LaneBlock<Flow, WatchForLoss<n>, lane_groups<n>>>(
       task, Flow(*task.parameters, task.segment), observer);
@@ -94,7 +94,9 @@ int evaluate_balls(const model::Parameters& p, double speed, long count, double*
 }
 
 bool advance_target(const LaneTask& task, std::vector<Fate>& fates) {
-  return model::with_ball_count(task.parameters->balls, [&](auto n) { return advance_balls<n>(task, fates); });
+  return model::with_ball_count(task.parameters->balls, [&](auto n) {
+    return task.segment.acceleration == 0.0 ? advance_balls<n, false>(task, fates) : advance_balls<n, true>(task, fates);
+  });
 }
 
 bool watch_target(const LaneTask& task, const RadiusWindows& record) {
