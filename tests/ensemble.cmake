@@ -2,6 +2,7 @@
 equipoise_test(pack_test unit unit/pack_test.cpp)
 target_include_directories(pack_test PRIVATE ${CMAKE_CURRENT_SOURCE_DIR})
 target_compile_definitions(pack_test PRIVATE "HWY_DISABLED_TARGETS=(HWY_SSSE3|HWY_AVX3_DL)")
+equipoise_test(kernel_speed_test unit unit/kernel_speed_test.cpp)
 equipoise_test(statistics_test unit unit/statistics_test.cpp unit/comparison_test.cpp)
 equipoise_test(reproduction_test unit unit/document_test.cpp unit/published_tables_test.cpp LIBRARIES nlohmann_json::nlohmann_json)
 equipoise_test(window_test unit unit/window_test.cpp)

@@ -39,25 +39,22 @@ struct Step {
 
 template <int dimension, class System>
 Step<dimension> take_step(const System& f, double t, double h, const State<dimension>& y) {
-  double k[tableau::dense_stages][dimension], stage[dimension], unit[dimension];
+  double k[tableau::dense_stages][dimension], stage[dimension], unit[dimension], error5[dimension], error3[dimension];
   Step<dimension> step{.end = {}, .error5 = 0.0, .error3 = 0.0, .combined = 0.0, .rows = {}, .begin = y};
   std::fill(unit, unit + dimension, 1.0);
   f(t, y.data(), k[0]);
-  dop853::evaluate_stages(f, t, h, y.data(), k, step.end.data());
+  dop853::evaluate_stages(f, t, h, y.data(), k);
+  dop853::step_end(h, y.data(), k, step.end.data(), error5, error3);
   for (int i = 0; i < dimension; ++i) {
-    const double e5 = h * dop853::weighted_sum<dop853::Error5Weights, double, dimension>(k, i);
-    const double e3 = h * dop853::weighted_sum<dop853::Error3Weights, double, dimension>(k, i);
-    step.error5 = std::max(step.error5, std::fabs(e5));
-    step.error3 = std::max(step.error3, std::fabs(e3));
+    step.error5 = std::max(step.error5, std::fabs(h * error5[i]));
+    step.error3 = std::max(step.error3, std::fabs(h * error3[i]));
   }
-  step.combined = std::sqrt(dop853::squared_error<double, dimension>(h, k, unit));
+  step.combined = std::sqrt(dop853::squared_error<double, dimension>(h, error5, error3, unit));
   f(t + h, step.end.data(), k[12]);
-  dop853::stage_state<13, double, dimension>(h, y.data(), k, stage);
-  f(t + tableau::c[13] * h, stage, k[13]);
-  dop853::stage_state<14, double, dimension>(h, y.data(), k, stage);
-  f(t + tableau::c[14] * h, stage, k[14]);
-  dop853::stage_state<15, double, dimension>(h, y.data(), k, stage);
-  f(t + tableau::c[15] * h, stage, k[15]);
+  for (int row = 13; row < tableau::dense_stages; ++row) {
+    dop853::stage_state(row, h, y.data(), k, stage);
+    f(t + tableau::c[row] * h, stage, k[row]);
+  }
   dop853::dense_coefficients<double, dimension>(h, y.data(), step.end.data(), k, step.rows);
   return step;
 }

@@ -46,10 +46,9 @@ class DecideFate {
     element(least_value_[slot / lanes], slot % lanes) = 1e300;
   }
 
-  template <int row>
-  HWY_INLINE void stage(int g, const Pack* z) {
-    if constexpr (row == first_sample) take(first_[g], z);
-    if constexpr (row == second_sample) take(second_[g], z);
+  HWY_INLINE void stage(int row, int g, const Pack* z) {
+    if (row == first_sample) take(first_[g], z);
+    if (row == second_sample) take(second_[g], z);
   }
 
   HWY_INLINE unsigned step(int g, unsigned active, Mask accepted, Pack t, Pack h, const Pack* z) {

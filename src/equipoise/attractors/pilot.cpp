@@ -46,13 +46,13 @@ std::vector<MotionGroup> group_records(const std::vector<PilotRecord>& records, 
   return groups;
 }
 
-FeatureBox box_around(const FeatureBox& range, int balls, int attractor) {
+FeatureBox box_around(const FeatureBox& range, int balls, int attractor, double widths) {
   FeatureBox box;
   double rate = 0.0;
   for (int k = 3; k < feature_count(balls); ++k)
     rate = std::max({rate, std::fabs(range.low[k]), std::fabs(range.high[k])});
   for (int k = 0; k < feature_count(balls); ++k) {
-    const double margin = (range.high[k] - range.low[k]) + box_floor * (k < 3 ? range.high[1] : rate);
+    const double margin = widths * (range.high[k] - range.low[k]) + box_floor * (k < 3 ? range.high[1] : rate);
     box.low[k] = range.low[k] - margin;
     box.high[k] = range.high[k] + margin;
   }

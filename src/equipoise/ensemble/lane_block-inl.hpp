@@ -1,8 +1,8 @@
 // The time loop of ensembles: groups of SIMD lanes, each lane one trajectory with its own time and step, refilled as
 // trajectories end. Included once per CPU target.
 //
-// Several groups take each stage in turn, so that one group's chain of dependent operations hides behind another's; the
-// loop over groups stays rolled, since its unrolled body no longer fits the instruction cache.
+// Several groups may take each stage in turn, so that one group's chain of dependent operations hides behind another's.
+// The loops over groups and stages stay rolled: what they would become unrolled no longer fits the instruction caches.
 #if defined(EQUIPOISE_ENSEMBLE_LANE_BLOCK_INL) == defined(HWY_TARGET_TOGGLE)
 #ifdef EQUIPOISE_ENSEMBLE_LANE_BLOCK_INL
 #undef EQUIPOISE_ENSEMBLE_LANE_BLOCK_INL
@@ -24,15 +24,14 @@ namespace HWY_NAMESPACE {
 
 // An observer of a lane block. Bound by the composing layer; this one sees every hook and does nothing.
 //   begin(slot, start, t, z)   trajectory `start` enters lane `slot` in state z (scalars)
-//   stage<row>(group, z)       state at stage `row` of the step being tried
+//   stage(row, group, z)       state at stage `row` of the step being tried
 //   step(group, active, accepted, t, h, z) -> bits of lanes to end now, called after every step tried; t, z: where it
 //                              leads; active: bits of lanes that hold a trajectory
 //   end(slot, start, how, t, z)    trajectory leaves
 template <int n>
 struct NoObserver {
   void begin(int, std::size_t, double, const double*) {}
-  template <int row>
-  HWY_INLINE void stage(int, const Pack*) {}
+  HWY_INLINE void stage(int, int, const Pack*) {}
   HWY_INLINE unsigned step(int, unsigned, Mask, Pack, Pack, const Pack*) { return 0; }
   void end(int, std::size_t, LaneEnd, double, const double*) {}
 };
@@ -62,9 +61,10 @@ class LaneBlock {
       for (int lane = 0; lane < lanes; ++lane) filled |= fill(g, lane);
       start_rates(g, filled);
     }
+    const Flow flow = flow_;  // one that no store can change: what is constant in it is computed once
     while (working_ > 0) {
       if (task_.stop && task_.stop->load(std::memory_order_relaxed)) return false;
-      advance();
+      advance(flow);
     }
     if (task_.work) {
       task_.work->steps += work_.steps;
@@ -75,36 +75,30 @@ class LaneBlock {
 
  private:
   // One step tried in every lane.
-  void advance() {
+  HWY_INLINE void advance(const Flow& flow) {
     for (int g = 0; g < groups; ++g) step_[g] = minimum(h_[g], end_ - t_[g]);
-    stages_from<1>();
 #pragma GCC unroll 1
-    for (int g = 0; g < groups; ++g) finish_step(g);
-  }
-
-  template <int row>
-  HWY_INLINE void stages_from() {
-    if constexpr (row < dop853::tableau::stages) {
+    for (int row = 1; row < dop853::tableau::stages; ++row)
 #pragma GCC unroll 1
       for (int g = 0; g < groups; ++g) {
         Pack z[dimension];
-        dop853::stage_state<row, Pack, dimension>(step_[g], y_[g], k_[g], z);
-        observer_.template stage<row>(g, z);
-        rate(multiply_add(Pack(dop853::tableau::c[row]), step_[g], t_[g]), z, k_[g][row]);
+        dop853::stage_state(row, step_[g], y_[g], k_[g], z);
+        observer_.stage(row, g, z);
+        flow(multiply_add(Pack(dop853::tableau::c[row]), step_[g], t_[g]), z, k_[g][row]);
       }
-      stages_from<row + 1>();
-    }
+#pragma GCC unroll 1
+    for (int g = 0; g < groups; ++g) finish_step(flow, g);
   }
 
-  HWY_INLINE void finish_step(int g) {
-    Pack z[dimension], k_end[dimension];
-    dop853::stage_state<12, Pack, dimension>(step_[g], y_[g], k_[g], z);
-    const Pack error2 = dop853::squared_error<Pack, dimension>(step_[g], k_[g], inverse_scale_);
+  HWY_INLINE void finish_step(const Flow& flow, int g) {
+    Pack z[dimension], error5[dimension], error3[dimension], k_end[dimension];
+    dop853::step_end(step_[g], y_[g], k_[g], z, error5, error3);
+    const Pack error2 = dop853::squared_error<Pack, dimension>(step_[g], error5, error3, inverse_scale_);
     const Mask accepted = error2 <= Pack(1.0);  // false for not-a-number
     // The last step lands on the end exactly.
     const Pack t_try = t_[g] + step_[g];
     const Pack t_new = select(end_ - t_[g] <= h_[g], end_, t_try);
-    rate(t_new, z, k_end);
+    flow(t_new, z, k_end);
     const unsigned decided = observer_.step(g, active_[g], accepted, t_new, step_[g], z);
 
     const StepChange change = step_change(error2, log_error_[g]);
@@ -186,25 +180,16 @@ class LaneBlock {
   // equations differently, and a trajectory must not feel when its neighbours are replaced.
   HWY_NOINLINE void start_rates(int g, unsigned filled) {
     Pack k_start[dimension];
-    rate(t_[g], y_[g], k_start);
+    flow_(t_[g], y_[g], k_start);
     for (int lane = 0; lane < lanes; ++lane)
       if (filled & (1u << lane))
         for (int i = 0; i < dimension; ++i) element(k_[g][0][i], lane) = element(k_start[i], lane);
   }
 
-  // Up to two balls the equations are inlined into every stage (+28 % when measured); beyond, code size decides.
-  HWY_INLINE void rate(Pack t, const Pack* z, Pack* dz) {
-    if constexpr (Flow::balls <= 2)
-      flow_(t, z, dz);
-    else
-      rate_called(t, z, dz);
-  }
-  HWY_NOINLINE void rate_called(Pack t, const Pack* z, Pack* dz) { flow_(t, z, dz); }
-
   static double& element(Pack& p, int lane) { return reinterpret_cast<double*>(&p)[lane]; }
 
   const LaneTask& task_;
-  Flow flow_;
+  const Flow flow_;
   Observer& observer_;
   Pack end_;
   Pack inverse_scale_[dimension];

@@ -62,14 +62,15 @@ class AdaptiveIntegrator {
       if (steps == max_steps) return IntegrationStatus::failed;
       const bool last = t + 1.0000001 * h >= end;
       if (last) h = end - t;
-      double y_new[dimension];
-      dop853::evaluate_stages(system_, t, h, y, k_, y_new);
+      double y_new[dimension], error5[dimension], error3[dimension];
+      dop853::evaluate_stages(system_, t, h, y, k_);
+      dop853::step_end(h, y, k_, y_new, error5, error3);
       double inverse_scale[dimension];
       for (int i = 0; i < dimension; ++i) {
         const double size = scale_.absolute[i] ? 0.0 : std::max(std::fabs(y[i]), std::fabs(y_new[i]));
         inverse_scale[i] = 1.0 / (scale_.tolerance * std::max(scale_.floor[i], size));
       }
-      const double error = std::sqrt(dop853::squared_error<double, dimension>(h, k_, inverse_scale));
+      const double error = std::sqrt(dop853::squared_error<double, dimension>(h, error5, error3, inverse_scale));
       if (!(error <= 1.0)) {  // not-a-number is a rejection too
         rejected = true;
         h *= error < 1e10 ? std::max(0.2, 0.9 * std::pow(error, -0.125)) : 0.2;
@@ -114,12 +115,10 @@ class AdaptiveIntegrator {
 
     void prepare() {
       double stage[dimension];
-      dop853::stage_state<13, double, dimension>(h, y, owner.k_, stage);
-      owner.system_(t + dop853::tableau::c[13] * h, static_cast<const double*>(stage), owner.k_[13]);
-      dop853::stage_state<14, double, dimension>(h, y, owner.k_, stage);
-      owner.system_(t + dop853::tableau::c[14] * h, static_cast<const double*>(stage), owner.k_[14]);
-      dop853::stage_state<15, double, dimension>(h, y, owner.k_, stage);
-      owner.system_(t + dop853::tableau::c[15] * h, static_cast<const double*>(stage), owner.k_[15]);
+      for (int row = 13; row < dop853::tableau::dense_stages; ++row) {
+        dop853::stage_state(row, h, y, owner.k_, stage);
+        owner.system_(t + dop853::tableau::c[row] * h, static_cast<const double*>(stage), owner.k_[row]);
+      }
       dop853::dense_coefficients<double, dimension>(h, y, y_new, owner.k_, rows);
       ready = true;
     }

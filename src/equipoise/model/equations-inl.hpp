@@ -48,11 +48,12 @@ class BallBalancer {
         kappa_mean_(0.5 * (p.stiffness[0] + p.stiffness[1])),
         kappa_half_(0.5 * (p.stiffness[0] - p.stiffness[1])),
         gravity_(p.gravity),
-        mean_inertia_(1.0 + 0.5 * p.total_mass()),
-        total_inertia_(1.0 + p.total_mass()) {
+        total_inertia_(1.0 + p.total_mass()),
+        inertia_sum_(2.0 + p.total_mass()) {
     for (int i = 0; i < n; ++i) {
       mu_[i] = T(p.mass[i]);
       beta_[i] = T(p.drag[i]);
+      drag_force_[i] = T(p.mass[i] * p.drag[i]);
     }
   }
 
@@ -76,34 +77,37 @@ class BallBalancer {
     const Vector2<T> f = bearing_force(rotor, z);
     T s[n], c[n];
     T force_x = lambda_ * (w * w) - f.x;
-    T force_y = -f.y;
-    if constexpr (terms.acceleration) force_y = force_y - lambda_ * rotor.acceleration;
-    T double_cos(0.0), double_sin(0.0);  // half the sum of mu_i e^{2 i phi_i}, up to signs below
+    T resisting_y = f.y;
+    if constexpr (terms.acceleration) resisting_y = resisting_y + lambda_ * rotor.acceleration;
+    T force_y(0.0);
+    T inertia_y(1.0), coupling(0.0);  // 1 + sum mu_i sin^2 phi_i, sum mu_i sin phi_i cos phi_i
     for (int i = 0; i < n; ++i) {
       const T q = z[4 + n + i];
       sin_cos(z[4 + i], s[i], c[i]);
       const T total = w + q;
-      const T centrifugal = total * total;
-      const T drag = beta_[i] * q;
-      force_x = force_x + mu_[i] * (centrifugal * c[i] - drag * s[i]);
-      force_y = force_y + mu_[i] * (centrifugal * s[i] + drag * c[i]);
-      double_cos = double_cos + mu_[i] * (T(0.5) - s[i] * s[i]);
-      double_sin = double_sin + mu_[i] * (s[i] * c[i]);
+      const T centrifugal = mu_[i] * total * total;
+      const T drag = drag_force_[i] * q;
+      const T mass_sine = mu_[i] * s[i];
+      force_x = force_x + centrifugal * c[i] - drag * s[i];
+      force_y = centrifugal * s[i] + (i == 0 ? drag * c[i] - resisting_y : drag * c[i] + force_y);
+      inertia_y = inertia_y + mass_sine * s[i];
+      coupling = coupling + mass_sine * c[i];
     }
-    // [K + C, S; S, K - C] (Ax, Ay) = (Fx, Fy), K = 1 + sum mu_i/2: symmetric positive definite.
-    const T determinant = mean_inertia_ * mean_inertia_ - double_cos * double_cos - double_sin * double_sin;
-    const T inverse = T(1.0) / determinant;
-    const T ax = ((mean_inertia_ - double_cos) * force_x - double_sin * force_y) * inverse;
-    const T ay = ((mean_inertia_ + double_cos) * force_y - double_sin * force_x) * inverse;
+    // [inertia_x, coupling; coupling, inertia_y] (Ax, Ay) = (Fx, Fy): symmetric positive definite. The solution is
+    // left as (solved_x, solved_y) inverse, so that all that can be done without the quotient need not wait for it.
+    const T inertia_x = inertia_sum_ - inertia_y;
+    const T inverse = T(1.0) / (inertia_x * inertia_y - coupling * coupling);
+    const T solved_x = inertia_y * force_x - coupling * force_y;
+    const T solved_y = inertia_x * force_y - coupling * force_x;
     for (int i = 0; i < n; ++i) {
       const T q = z[4 + n + i];
-      T rate = ax * s[i] - ay * c[i] - beta_[i] * q;
-      if constexpr (terms.acceleration) rate = rate - rotor.acceleration;
+      T resisting = beta_[i] * q;
+      if constexpr (terms.acceleration) resisting = resisting + rotor.acceleration;
       dz[4 + i] = q;
-      dz[4 + n + i] = rate;
+      dz[4 + n + i] = (solved_x * s[i] - solved_y * c[i]) * inverse - resisting;
     }
-    if (acceleration_of_centre) *acceleration_of_centre = {ax, ay};
-    move_centre(rotor, z, {ax, ay}, T(gravity_), dz);
+    if (acceleration_of_centre) *acceleration_of_centre = {solved_x * inverse, solved_y * inverse};
+    move_centre(rotor, z, {solved_x, solved_y}, inverse, T(gravity_), dz);
   }
 
   // d/dt of (x, y, u, v) with the balls held at unbalance U = lambda + sum mu_i e^{i phi_i}, under `gravity`: linear
@@ -117,24 +121,26 @@ class BallBalancer {
     const T ax = (unbalance.x * w2 + unbalance.y * a - f.x) * inverse;
     const T ay = (unbalance.y * w2 - unbalance.x * a - f.y) * inverse;
     if (acceleration_of_centre) *acceleration_of_centre = {ax, ay};
-    move_centre(rotor, z, {ax, ay}, gravity, dz);
+    move_centre(rotor, z, {ax, ay}, T(1.0), gravity, dz);
   }
 
  private:
-  HWY_INLINE void move_centre(const RotorMotion<T>& rotor, const T* z, Vector2<T> a, const T& gravity, T* dz) const {
+  // d/dt of (x, y, u, v) where O accelerates by a factor, less gravity.
+  HWY_INLINE void move_centre(const RotorMotion<T>& rotor, const T* z, const Vector2<T>& a, const T& factor,
+                              const T& gravity, T* dz) const {
     const T w = rotor.speed;
-    if constexpr (terms.gravity) {  // gravity acts only through A = acceleration + (g sin psi, g cos psi)
-      a.x = a.x - gravity * rotor.sin_psi;
-      a.y = a.y - gravity * rotor.cos_psi;
-    }
     dz[0] = z[2] + w * z[1];
     dz[1] = z[3] - w * z[0];
-    dz[2] = a.x + w * z[3];
-    dz[3] = a.y - w * z[2];
+    dz[2] = a.x * factor + w * z[3];
+    dz[3] = a.y * factor - w * z[2];
+    if constexpr (terms.gravity) {  // acts only through A = acceleration + (g sin psi, g cos psi)
+      dz[2] = dz[2] - gravity * rotor.sin_psi;
+      dz[3] = dz[3] - gravity * rotor.cos_psi;
+    }
   }
 
-  T lambda_, zeta_mean_, zeta_half_, kappa_mean_, kappa_half_, gravity_, mean_inertia_, total_inertia_;
-  T mu_[n], beta_[n];
+  T lambda_, zeta_mean_, zeta_half_, kappa_mean_, kappa_half_, gravity_, total_inertia_, inertia_sum_;
+  T mu_[n], beta_[n], drag_force_[n];
 };
 
 }  // namespace HWY_NAMESPACE

@@ -2,6 +2,7 @@
 #include "equipoise/run/discovery.hpp"
 
 #include <algorithm>
+#include <array>
 #include <atomic>
 #include <cmath>
 #include <optional>
@@ -43,6 +44,10 @@ constexpr double grouping = 0.05;
 constexpr double loose_grouping = 0.3;
 // Groups that are followed, the largest first: more are the debris of a motion that does not settle.
 constexpr std::size_t most_groups = 24;
+
+// Boxes around what a motion does, widened by so many times its range: a wide one is entered sooner, and the audit makes
+// it ask for more hits. Whichever is satisfied first decides.
+constexpr std::array box_widths{1.0, 2.0, 4.0};
 
 DecisionRule first_rule(const Study& study, const BalancedAnalysis& balanced, double final_speed) {
   DecisionRule rule;
@@ -297,14 +302,15 @@ class Discoverer {
   void make_boxes() {
     constexpr std::size_t members_needed = 3;
     DecisionRule& rule = result_.rule;
-    for (const Candidate& c : candidates_) {
-      const Attractor* a = result_.catalogue.find(c.attractor);
-      if (!a || c.attractor == balanced_id) continue;
-      // A refined orbit vouches for a lone member.
-      if (c.members.size() < (a->motion.kind == MotionKind::periodic ? 1 : members_needed)) continue;
-      const FeatureBox box = box_around(c.range, rule.balls, c.attractor);
-      if (box.attractor && rule.boxes.size() < most_boxes) rule.boxes.push_back(box);
-    }
+    for (const double widths : box_widths)
+      for (const Candidate& c : candidates_) {
+        const Attractor* a = result_.catalogue.find(c.attractor);
+        if (!a || c.attractor == balanced_id) continue;
+        // A refined orbit vouches for a lone member.
+        if (c.members.size() < (a->motion.kind == MotionKind::periodic ? 1 : members_needed)) continue;
+        const FeatureBox box = box_around(c.range, rule.balls, c.attractor, widths);
+        if (box.attractor && rule.boxes.size() < most_boxes) rule.boxes.push_back(box);
+      }
   }
 
   // How many hits each box takes, from what the whole pilot did where only traps and stationarity decided.

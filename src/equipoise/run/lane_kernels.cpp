@@ -21,9 +21,10 @@ HWY_BEFORE_NAMESPACE();
 namespace equipoise {
 namespace HWY_NAMESPACE {
 
-// Groups of lanes taken in turn: three hide latencies best for two balls; more balls fill registers and cache alone.
+// Groups of lanes taken in turn. Eight lanes and 32 registers (AVX-512) profit from three for up to two balls; narrower
+// registers, or more balls, keep the processor busy with one.
 template <int n>
-inline constexpr int lane_groups = n <= 2 ? 3 : 1;
+inline constexpr int lane_groups = n <= 2 && pack_lanes == 8 ? 3 : 1;
 
 // Records trajectories that are lost on the way; the others simply arrive.
 template <int n>
