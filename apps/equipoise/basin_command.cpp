@@ -93,7 +93,7 @@ Command add_basin(CLI::App& app) {
   const auto a = std::make_shared<BasinArguments>();
   app.add_option("study", a->study, "study file (TOML)")->required()->type_name("STUDY");
   app.add_option("--starts", a->starts, "number of starts (with --half-width: at most so many)")->type_name("N");
-  app.add_option("--seed", a->seed, "seed of the random starts")->type_name("S");
+  app.add_option("--seed", a->seed, "seed of the starts")->type_name("S");
   app.add_option("--half-width", a->half_width,
                  "sample until every share's 95 % interval is within +- H (a fraction of one)")
       ->type_name("H");
