@@ -167,6 +167,42 @@ TEST(HalfWidth, ChoosesSobolStartsWhereTheyAreCheaper) {
   EXPECT_EQ(basin(row(SamplingMethod::sobol, 50000), longer).resumed_from, std::min<std::uint64_t>(b.starts, 50000));
 }
 
+TEST(HalfWidth, AnInterruptedPilotTellsWhatItCountedAndBeginsNoFile) {
+  BasinOptions options;
+  options.half_width = 0.004;
+  options.output = scratch_file("pilot.nc");
+  StopFlag stop{false};
+  options.stop = &stop;
+  options.progress = [&](const BasinProgress& p) { stop = p.done > 2000; };
+  const BasinResult r = basin(row(std::nullopt, 1), options);
+  EXPECT_TRUE(r.partial);
+  EXPECT_FALSE(r.choice.has_value());
+  EXPECT_GT(r.starts, 2000u);
+  EXPECT_LT(r.starts, pilot_starts);
+  EXPECT_EQ(r.study.sampling.method, SamplingMethod::sobol);
+  EXPECT_FALSE(std::filesystem::exists(options.output));
+}
+
+// An interrupted run that goes on past its pilot is taken up by the same command.
+TEST(HalfWidth, ResumesWhatItChose) {
+  BasinOptions options;
+  options.half_width = 0.003;
+  options.output = scratch_file("chosen_resumed.nc");
+  StopFlag stop{false};
+  options.stop = &stop;
+  options.progress = [&](const BasinProgress& p) { stop = p.done > pilot_starts + 1000; };
+  const BasinResult first = basin(row(std::nullopt, 1), options);
+  EXPECT_TRUE(first.partial);
+  EXPECT_GT(first.starts, pilot_starts);
+  stop = false;
+  options.progress = {};
+  const BasinResult second = basin(row(std::nullopt, 1), options);
+  EXPECT_EQ(second.resumed_from, first.starts);
+  BasinOptions whole;
+  whole.half_width = 0.003;
+  expect_same(second, basin(row(SamplingMethod::sobol, 1), whole));  // and the pilot leaves no trace
+}
+
 TEST(HalfWidth, ObeysTheMethodOfTheStudy) {
   BasinOptions options;
   options.half_width = 0.007;  // random: 18 770 starts

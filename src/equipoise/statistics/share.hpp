@@ -40,7 +40,7 @@ Share wilson_share(std::uint64_t count, std::uint64_t total, double counted, dou
 /// Fewest starts with an outcome, and without it, for which a normal law of its share's error is believed, where the
 /// spread of an even sample is measured. The skewness of a Poisson count of 80 is 1/9, by which a symmetric 95 %
 /// interval misses more often on one side than on the other, but hardly more often in all. A set that so few starts hit
-/// is finer than their spacing, so that even sampling gains little there: Wilson's interval fits.
+/// is little wider than their spacing: even sampling gains little there, and Wilson's interval is on the safe side.
 inline constexpr std::uint64_t fewest_for_spread = 80;
 
 }  // namespace equipoise
