@@ -201,7 +201,11 @@ class BasinRun {
 
   void take(const Fate& fate) {
     tally_->add(fate);
-    const bool narrow = options_.half_width > 0.0 && tally_->at_checkpoint() && tally_->narrow(options_.half_width);
+    // What a pilot has decided counts, whether or not less would have done.
+    const std::uint64_t least = result_.choice ? result_.choice->pilot : 0;
+    const bool may_end = options_.half_width > 0.0 && tally_->at_checkpoint() &&
+                         (tally_->total() >= least || sampler_->method() == SamplingMethod::random);
+    const bool narrow = may_end && tally_->narrow(options_.half_width);
     finished_ = narrow || tally_->total() == limit_;
     if (options_.fate) options_.fate(fate);
   }
