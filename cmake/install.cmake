@@ -12,7 +12,7 @@ endif()
 # The public interface: equipoise/equipoise.hpp and what it includes. Templates and kernels stay inside.
 foreach(header
     equipoise.hpp base/error.hpp model/parameters.hpp model/speed.hpp model/balanced_state.hpp model/energy.hpp
-    integrate/status.hpp attractors/catalogue.hpp attractors/certificate.hpp attractors/decision_rule.hpp
+    integrate/status.hpp ensemble/jittered_grid.hpp ensemble/sampling.hpp attractors/catalogue.hpp attractors/certificate.hpp attractors/decision_rule.hpp
     attractors/fate.hpp attractors/motion.hpp attractors/orbit.hpp statistics/comparison.hpp statistics/share.hpp
     study/study.hpp literature/conclusions.hpp literature/paper_figure.hpp literature/published_tables.hpp
     literature/reproduction.hpp store/basin_file.hpp store/map_file.hpp store/trajectory.hpp

@@ -50,7 +50,11 @@ int print_replay(const Study& study, const BasinOptions& options, const std::str
   const auto index =
       option_number<std::uint64_t>("--start-index", text, 0, largest, "a whole number from 0 to 999999999999");
   const StartReplay replay = replay_start(study, index, options);
-  fmt::print("start {} of seed {}\n", index, study.sampling.seed);
+  const SamplingMethod method = study.sampling.method.value_or(SamplingMethod::random);
+  fmt::print("start {} of seed {}{}\n", index, study.sampling.seed,
+             method == SamplingMethod::random
+                 ? std::string()
+                 : fmt::format(", method {}", sampling_method_names[static_cast<std::size_t>(method)]));
   const InitialState& s = replay.start;
   for (int i = 0; i < study.parameters.balls; ++i) fmt::print("phi_{} = {}\n", i + 1, s.phi[i]);
   if (!study.sampling.box.empty()) {
@@ -72,6 +76,7 @@ int run_basin(const BasinArguments& a) {
   if (a.half_width)
     options.half_width =
         option_number<double>("--half-width", *a.half_width, 1e-6, 0.5, "a fraction of one from 1e-6 to 0.5");
+  if (a.half_width) require_writable("-o", a.output);  // a pilot may come before the file is opened
   options.limit_given = a.starts.has_value();
   options.output = a.output;
   options.stop = &stop_flag();
@@ -93,7 +98,7 @@ Command add_basin(CLI::App& app) {
   const auto a = std::make_shared<BasinArguments>();
   app.add_option("study", a->study, "study file (TOML)")->required()->type_name("STUDY");
   app.add_option("--starts", a->starts, "number of starts (with --half-width: at most so many)")->type_name("N");
-  app.add_option("--seed", a->seed, "seed of the random starts")->type_name("S");
+  app.add_option("--seed", a->seed, "seed of the starts")->type_name("S");
   app.add_option("--half-width", a->half_width,
                  "sample until every share's 95 % interval is within +- H (a fraction of one)")
       ->type_name("H");

@@ -63,6 +63,35 @@ class Basin(unittest.TestCase):
         self.assertLessEqual((balanced["high"] - balanced["low"]) / 2, 0.02)
         self.assertLess(answer["starts"], 20000)
 
+    def test_half_width_chooses_the_cheaper_way_and_says_so(self):
+        text = run("basin", ROW, "--half-width", "0.004", "--quiet").stdout
+        self.assertRegex(text, r"Sampling: scrambled Sobol, 16 x \d[\d ]* starts; random starts would have needed about 57 \d00\.")
+        answer = json.loads(run("basin", ROW, "--half-width", "0.004", "--json", "--quiet").stdout)
+        self.assertEqual(answer["study"]["sampling"]["method"], "sobol")
+        self.assertEqual(answer["sampling"]["replicates"], 16)
+        self.assertEqual(16 * answer["sampling"]["points_per_replicate"], answer["starts"])
+        self.assertLess(answer["starts"], answer["sampling"]["random_starts_needed"])
+        self.assertIn("scrambled Sobol", answer["sampling"]["why"])
+        obeyed = run("basin", ROW, "--half-width", "0.006", "--set", "sampling.method=random", "--json", "--quiet")
+        self.assertEqual(json.loads(obeyed.stdout)["sampling"], {"method": "random", "half_width": 0.006})
+
+    def test_sobol_and_grid_say_what_they_are_worth(self):
+        for method, by in (("sobol", "replicates"), ("grid", "pairs")):
+            way = ["--set", "sampling.method=" + method, "--starts", "8192", "--quiet"]
+            balanced = json.loads(run("basin", ROW, *way, "--json").stdout)["outcomes"][0]
+            self.assertEqual(balanced["interval"], by)
+            self.assertGreater(balanced["effective_random_starts"], 8192)
+            # Known to 0.005 points; five standard errors, themselves known to 18 %.
+            self.assertAlmostEqual(balanced["share"], 0.60495, delta=5 * balanced["standard_error"])
+            text = run("basin", ROW, *way).stdout
+            self.assertIn("as good as", text)
+            self.assertIn("16 x 512 starts" if method == "sobol" else "90^2 cells, two starts a cell", text)
+
+    def test_grid_refuses_a_half_width(self):
+        done = run("basin", ROW, "--half-width", "0.001", "--set", "sampling.method=grid")
+        self.assertEqual((done.returncode, done.stdout), (2, ""))
+        self.assertIn("sampling.method", done.stderr)
+
     def test_replayed_start_prints_angles_outcome_and_time(self):
         lines = run("basin", ROW, "--start-index", "5").stdout.splitlines()
         self.assertEqual(lines[0], "start 5 of seed 1")

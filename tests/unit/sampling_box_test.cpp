@@ -1,4 +1,5 @@
 // [sampling.box]: reading, echo, errors, and what it draws.
+#include <array>
 #include <cmath>
 #include <set>
 #include <string>
@@ -119,6 +120,22 @@ TEST(SamplingBox, DrawsWhatItNamesAndKeepsAnglesAndTheRest) {
   EXPECT_NEAR(x_sum / count, 0.0, 5.0 / std::sqrt(3.0 * count));
   EXPECT_NEAR(rate_product / count, 0.0, 5.0 / (3.0 * std::sqrt(count)));
   EXPECT_EQ(values.size(), 5u * count);  // no number serves twice
+}
+
+TEST(SamplingBox, TakesFurtherCoordinatesOfTheSameSobolPoint) {
+  const Study with = parse(free_balls + box, {"sampling.method=sobol"});
+  const Study without = parse(free_balls, {"sampling.method=sobol"});
+  // Balls' angles, x, y_dot, balls' rates: each of 2^6 points of a replicate in a cell of its own, in each of them.
+  std::array<std::set<int>, 6> cells;
+  for (std::uint64_t i = 3; i < 16 * 64; i += 16) {
+    const InitialState s = start_of(with, 1, i);
+    EXPECT_EQ(s.phi, start_of(without, 1, i).phi);
+    EXPECT_EQ(s.y, -0.02);
+    const double turns[] = {s.phi[0] / two_pi, s.phi[1] / two_pi,          (s.x + 0.2) / 0.4,
+                            s.y_dot / 0.5,     (s.phi_dot[0] + 2.4) / 4.8, (s.phi_dot[1] + 2.4) / 4.8};
+    for (std::size_t d = 0; d < cells.size(); ++d) cells[d].insert(static_cast<int>(64 * turns[d]));
+  }
+  for (const auto& one : cells) EXPECT_EQ(one.size(), 64u);
 }
 
 TEST(SamplingBox, SourcePlacesTheDrawnState) {

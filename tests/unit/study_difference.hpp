@@ -33,6 +33,8 @@ inline std::string first_difference(const Study& a, const Study& b) {
   if (a.initial.phi_dot != b.initial.phi_dot) return "initial.phi_dot";
   if (a.sampling.starts != b.sampling.starts) return "sampling.starts";
   if (a.sampling.seed != b.sampling.seed) return "sampling.seed";
+  const SamplingMethod random = SamplingMethod::random;  // what an unset method says in the echo
+  if (a.sampling.method.value_or(random) != b.sampling.method.value_or(random)) return "sampling.method";
   for (const auto& [key, side] : box_sides) {
     const auto &s = a.sampling.box.*side, &t = b.sampling.box.*side;
     if (s.has_value() != t.has_value() || (s && (s->low != t->low || s->high != t->high))) return key;

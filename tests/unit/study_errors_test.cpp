@@ -97,6 +97,14 @@ void expect_override_rejected(const std::string& item, const std::string& where,
 
 TEST(BadInput, TheFileThatTheCasesChangeIsGood) { EXPECT_NO_THROW(parse_study(good, "f.toml")); }
 
+TEST(BadInput, SamplingMethodsAreThree) {
+  const std::string wanted = "must be one of: random, sobol, grid";
+  expect_rejected({{good + "method = \"lattice\"\n", {}, "f.toml:18", "sampling.method", "\"lattice\"", wanted},
+                   {good + "method = 2\n", {}, "f.toml:18", "sampling.method", "2", wanted}});
+  const std::vector<std::string> lone{"sampling.method=grid", "sampling.starts=1"};
+  expect_rejected({{good, lone, "--set", "sampling.starts", "1", "must be 2 or more"}});
+}
+
 TEST(BadInput, UnknownKeysAndTablesAreNamedWithTheNearestKnownOne) {
   expect_rejected({
       {with("damping = 0.5", "damping = 0.5\nstifness = 1.0"),

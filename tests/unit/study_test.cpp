@@ -223,10 +223,17 @@ TEST(Echo, HoldsEveryKeyOfAStudyThatSetsThemAll) {
       points, {"rotor.damping=[0.1, 0.2]", "rotor.stiffness=[1.0, 1.1]", "rotor.gravity=0.01",
                "balancer={balls=3, mass=[0.1, 0.2, 0.3], drag=[0.0, 0.4, 0.5]}", "speed.law=published",
                "release.time=0.0", "initial={psi=1, x=2, y=3, x_dot=4, y_dot=5, phi=[6, 7, 8], phi_dot=[9, 10, 11]}",
-               "sampling={starts=12, seed=13, method=\"random\"}", "numerics={tolerance=1e-10, horizon=500}"});
+               "sampling={starts=12, seed=13, method=\"sobol\"}", "numerics={tolerance=1e-10, horizon=500}"});
   expect_round_trip(study);
   EXPECT_EQ(study.initial.phi_dot[2], 11.0);
+  EXPECT_EQ(study.sampling.method, SamplingMethod::sobol);
   EXPECT_EQ(study.numerics.horizon, 500.0);
+}
+
+TEST(Echo, NamesTheMethodThatAnUnsetOneMeans) {
+  EXPECT_FALSE(parse(ramp).sampling.method.has_value());
+  EXPECT_NE(to_toml(parse(ramp)).find("method = \"random\""), std::string::npos);
+  EXPECT_NE(to_toml(parse(ramp, {"sampling.method=grid"})).find("method = \"grid\""), std::string::npos);
 }
 
 TEST(Echo, KeepsLargestSeedAndCountOfStarts) {

@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include "equipoise/base/version.hpp"
+#include "equipoise/report/sampling_text.hpp"
 #include "equipoise/report/text.hpp"
 
 namespace equipoise {
@@ -31,11 +32,13 @@ std::string decided_text(const BasinResult& r) {
 
 std::string basin_text(const BasinResult& r) {
   std::string text = study_heading(r.study);
-  constexpr const char* row = "{:<28}{:>11}  {:<24}{:>11}{:>13}\n";
-  text += fmt::format(row, "outcome", "share", "95 % interval", "starts", "mean time");
+  constexpr const char* row = "{:<28}{:>11}  {:<24}{:>11}{:>13}{}\n";
+  const bool even = r.study.sampling.method.value_or(SamplingMethod::random) != SamplingMethod::random;
+  text += fmt::format(row, "outcome", "share", "95 % interval", "starts", "mean time",
+                      even ? fmt::format("{:>16}", "as good as") : "");
   const auto line = [&](const std::string& name, const Share& s, const std::string& time) {
     const std::string share = s.total == 0 ? "-" : percent(s.share, s.count == 0 ? 0 : digits_for(s));
-    text += fmt::format(row, name, share, interval(s), s.count, time);
+    text += fmt::format(row, name, share, interval(s), s.count, time, even ? fmt::format("{:>16}", as_good_as(s)) : "");
   };
   for (const AttractorShare& a : r.attractors)
     line(a.alias.empty() ? a.name : fmt::format("{} ({})", a.name, a.alias), a.share,
@@ -44,6 +47,7 @@ std::string basin_text(const BasinResult& r) {
   line("diverged", r.diverged, "-");
   line("failed", r.failed, "-");
   text += "\n";
+  text += sampling_text(r);
   text += decided_text(r);
   if (!r.note.empty()) text += fmt::format("Note: {}.\n", r.note);
   if (r.partial) text += "PARTIAL: stopped before all starts were done; the shares above are of those that were.\n";
@@ -57,17 +61,24 @@ std::string basin_json(const BasinResult& r) {
   Json json;
   json["starts"] = r.starts;
   json["partial"] = r.partial;
+  json["sampling"] = sampling_json(r);
+  const auto share = [&](const Share& s) {
+    Json one = share_json(s);
+    if (r.study.sampling.method.value_or(SamplingMethod::random) != SamplingMethod::random)
+      one.update(precision_json(s));
+    return one;
+  };
   json["outcomes"] = Json::array();
   for (const AttractorShare& a : r.attractors) {
     Json outcome = {{"id", a.id}, {"name", a.name}, {"alias", a.alias}, {"kind", a.kind}};
-    outcome.update(share_json(a.share));
+    outcome.update(share(a.share));
     outcome["mean_time"] = a.mean_time;
     for (int k = 1; k < decided_by_count; ++k) outcome["decided_by"][decided_by_names[k]] = a.decided_by[k];
     json["outcomes"].push_back(outcome);
   }
-  json["undecided"] = share_json(r.undecided);
-  json["diverged"] = share_json(r.diverged);
-  json["failed"] = share_json(r.failed);
+  json["undecided"] = share(r.undecided);
+  json["diverged"] = share(r.diverged);
+  json["failed"] = share(r.failed);
   json["confidence"] = 0.95;
   json["balanced_stable"] = r.balanced_stable;
   json["note"] = r.note;

@@ -4,9 +4,9 @@
 #include <algorithm>
 #include <chrono>
 #include <ctime>
-#include <map>
 #include <memory>
 #include <optional>
+#include <set>
 #include <stdexcept>
 #include <utility>
 
@@ -17,7 +17,9 @@
 
 #include "equipoise/run/initial_state.hpp"
 #include "equipoise/run/lane_kernels.hpp"
+#include "equipoise/run/sampling_choice.hpp"
 #include "equipoise/run/start_runner.hpp"
+#include "equipoise/run/tally.hpp"
 #include "equipoise/store/basin_file.hpp"
 
 namespace equipoise {
@@ -25,10 +27,6 @@ namespace equipoise {
 namespace {
 
 constexpr std::uint64_t open_ended_limit = 1'000'000'000;
-// A half-width is looked at after every so many starts, whatever the chunks: where sampling ends is part of the result.
-constexpr std::uint64_t checkpoint = 1024;
-// Fewest starts before sampling may end: with less, an interval of a rare outcome is narrow by luck.
-constexpr std::uint64_t fewest_starts = 4096;
 
 struct Chunk {
   std::uint64_t first = 0;
@@ -39,58 +37,6 @@ struct Chunk {
   std::vector<UnlistedStart> unlisted;
 };
 
-// Counts in index order, and says when enough is known.
-class Tally {
- public:
-  Tally(double half_width, double settled) : half_width_(half_width), settled_(settled) {}
-
-  // Takes in the next fate; true if sampling may end after it.
-  bool add(const Fate& fate) {
-    Line& line = lines_[key(fate.outcome, fate.attractor)];
-    ++line.count;
-    line.time += fate.time - settled_;
-    ++line.by[static_cast<std::size_t>(fate.by)];
-    ++total_;
-    return half_width_ > 0.0 && total_ % checkpoint == 0 && total_ >= fewest_starts && narrow();
-  }
-
-  std::uint64_t total() const { return total_; }
-  Share share(Outcome outcome, int attractor = 0) const {
-    const auto at = lines_.find(key(outcome, attractor));
-    return wilson_share(at == lines_.end() ? 0 : at->second.count, total_);
-  }
-  AttractorShare share(const Attractor& a) const {
-    AttractorShare result{a.id, a.name, a.alias, name_of(a.motion.kind), share(Outcome::attracted, a.id), 0.0, {}};
-    if (const auto at = lines_.find(key(Outcome::attracted, a.id)); at != lines_.end()) {
-      result.mean_time = at->second.time / static_cast<double>(at->second.count);
-      result.decided_by = at->second.by;
-    }
-    return result;
-  }
-
- private:
-  struct Line {
-    std::uint64_t count = 0;
-    double time = 0.0;
-    std::array<std::uint64_t, decided_by_count> by{};
-  };
-  static std::pair<int, int> key(Outcome outcome, int attractor) {
-    return {static_cast<int>(outcome), outcome == Outcome::attracted ? attractor : 0};
-  }
-
-  // Every outcome that was met, and one that was not.
-  bool narrow() const {
-    bool narrow = wilson_share(0, total_).half_width() <= half_width_;
-    for (const auto& [key, line] : lines_)
-      narrow = narrow && wilson_share(line.count, total_).half_width() <= half_width_;
-    return narrow;
-  }
-
-  double half_width_, settled_;
-  std::map<std::pair<int, int>, Line> lines_;
-  std::uint64_t total_ = 0;
-};
-
 // Large enough that lanes seldom wait for a chunk's last trajectory, small enough that every thread gets many.
 std::size_t chunk_size(std::uint64_t starts, int threads) {
   return static_cast<std::size_t>(
@@ -98,10 +44,6 @@ std::size_t chunk_size(std::uint64_t starts, int threads) {
 }
 
 double cpu_now() { return static_cast<double>(std::clock()) / CLOCKS_PER_SEC; }
-
-DiscoverySettings settings_for(const BasinOptions& options, int threads) {
-  return {threads, options.stop, options.seeds, options.discoveries};
-}
 
 // What an unlisted start turned out to have come to; 0: to nothing steady.
 void settle(Fate& fate, int attractor) {
@@ -115,27 +57,112 @@ class BasinRun {
  public:
   BasinRun(const Study& study, const BasinOptions& options)
       : options_(options),
-        limit_(options.half_width > 0.0 && !options.limit_given ? open_ended_limit : study.sampling.starts),
-        threads_(thread_count(options.threads)) {
+        threads_(thread_count(options.threads)),
+        discoveries_(options.discoveries ? *options.discoveries : own_discoveries_) {
     result_.study = study;
     result_.threads = threads_;
     result_.cpu_target = cpu_target();
+    result_.half_width = options.half_width;
   }
 
   BasinResult run() {
     const auto begin = std::chrono::steady_clock::now();
     const double cpu_begin = cpu_now();
-    const Study& study = result_.study;
-    check_decidable(study);
-    if (!options_.output.empty())
-      file_ = std::make_unique<BasinFile>(options_.output, basin_file_header(study, options_.store_angles));
-    runner_.emplace(study, settings_for(options_, threads_));
-    tally_.emplace(options_.half_width, runner_->settled());
-    read_stored();
-    if (!finished_ && !runner_->stopped()) compute();
-
+    check_decidable(result_.study);
+    sample();
     result_.starts = tally_->total();
     result_.partial = !finished_;
+    result_.grid = sampler_->grid();
+    count_outcomes();
+    result_.balanced_stable = runner_->balanced().stable;
+    result_.note = runner_->balanced().note;
+    result_.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+    result_.cpu_seconds = cpu_now() - cpu_begin;
+    if (file_) file_->finish(to_toml(result_.study), summary(), finished_, {result_.seconds, result_.cpu_seconds});
+    return result_;
+  }
+
+  const Catalogue& catalogue() const { return runner_->catalogue(); }
+
+ private:
+  void sample() {
+    const std::optional<SamplingMethod> given = result_.study.sampling.method;
+    if (!given && options_.half_width > 0.0)
+      choose_method();
+    else
+      set_method(given.value_or(SamplingMethod::random));
+    if (lost_) {  // interrupted before a method was chosen: no file is begun, what the pilot counted is told
+      for (auto& chunk : pilot_) commit(*chunk);
+      return;
+    }
+    open_file();
+    if (!runner_) make_runner();
+    read_stored();
+    for (auto& chunk : pilot_) commit(*chunk);
+    pilot_.clear();
+    if (finished_ || runner_->stopped()) return;
+    compute(tally_->total(), limit_, [&](const std::shared_ptr<Chunk>& chunk) { commit(*chunk); });
+    if (file_) file_->sync();
+  }
+
+  void set_method(SamplingMethod method) {
+    Study& study = result_.study;
+    study.sampling.method = method;
+    const bool open_ended = options_.half_width > 0.0 && !options_.limit_given;
+    if (options_.half_width > 0.0 && method == SamplingMethod::grid)
+      throw InputError(
+          study.name, "sampling.method", "grid",
+          "sampling until a half-width needs \"random\" or \"sobol\": a grid is as large as `starts` says");
+    sampler_.emplace(sampler_of(study));
+    limit_ = open_ended ? open_ended_limit : sampler_->grid() ? sampler_->grid()->starts() : study.sampling.starts;
+    runner_.reset();
+  }
+
+  void make_runner() {
+    const Study& study = result_.study;
+    runner_.emplace(study, DiscoverySettings{threads_, options_.stop, options_.seeds, &discoveries_});
+    tally_.emplace(*sampler_, study.sampling.seed, runner_->settled());
+    filed_.clear();
+    for (const Attractor& a : runner_->catalogue().attractors()) filed_.insert(a.id);
+  }
+
+  // Pilot starts are the first ones of a Sobol sample, so that none is lost if it goes on.
+  void choose_method() {
+    SamplingChoice choice;
+    choice.random_starts = most_random_starts(options_.half_width);
+    const bool worth_it = choice.random_starts > static_cast<double>(pilot_starts);
+    if (worth_it && (!options_.limit_given || result_.study.sampling.starts > pilot_starts)) {
+      set_method(SamplingMethod::sobol);
+      make_runner();
+      Tally tally = *tally_;
+      compute(0, pilot_starts, [&](const std::shared_ptr<Chunk>& chunk) { try_chunk(chunk, tally); });
+      if (lost_ || runner_->stopped()) {
+        lost_ = true;
+        return;
+      }
+      choice = choose_sampling(tally.shares(), options_.half_width);
+    }
+    result_.choice = choice;
+    if (choice.method == SamplingMethod::sobol) return;
+    pilot_.clear();
+    set_method(SamplingMethod::random);
+  }
+
+  void try_chunk(const std::shared_ptr<Chunk>& chunk, Tally& tally) {
+    lost_ = lost_ || !chunk->complete;
+    if (lost_) return;
+    for (const UnlistedStart& start : chunk->unlisted) settle(chunk->fates[start.place], runner_->list(start));
+    for (const Fate& fate : chunk->fates) tally.add(fate);
+    pilot_.push_back(chunk);
+    if (options_.progress) options_.progress({tally.total(), 0, tally.share(Outcome::attracted, balanced_id)});
+  }
+
+  void open_file() {
+    if (!options_.output.empty())
+      file_ = std::make_unique<BasinFile>(options_.output, basin_file_header(result_.study, options_.store_angles));
+  }
+
+  void count_outcomes() {
     if (!runner_->catalogue().find(balanced_id)) {
       Attractor none{balanced_id, "balanced", "", {}, false};
       result_.attractors.push_back(tally_->share(none));
@@ -144,17 +171,10 @@ class BasinRun {
     result_.undecided = tally_->share(Outcome::undecided);
     result_.diverged = tally_->share(Outcome::diverged);
     result_.failed = tally_->share(Outcome::failed);
-    result_.balanced_stable = runner_->balanced().stable;
-    result_.note = runner_->balanced().note;
-    result_.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
-    result_.cpu_seconds = cpu_now() - cpu_begin;
-    if (file_) file_->finish(to_toml(study), summary(), finished_, {result_.seconds, result_.cpu_seconds});
-    return result_;
+    if (result_.choice && result_.choice->method == SamplingMethod::sobol)  // known better by now
+      result_.choice->random_starts = random_starts_for(tally_->shares(), options_.half_width);
   }
 
-  const Catalogue& catalogue() const { return runner_->catalogue(); }
-
- private:
   std::vector<OutcomeSummary> summary() const {
     std::vector<OutcomeSummary> lines;
     for (const AttractorShare& a : result_.attractors) lines.push_back({a.id, a.name, a.alias, a.share});
@@ -167,7 +187,8 @@ class BasinRun {
   // Counts what an earlier run left in the file, once the motions that it met on its way are listed again.
   void read_stored() {
     if (file_)
-      for (const std::vector<double>& state : file_->discoveries()) runner_->list(runner_->follow(state));
+      for (const std::vector<double>& state : file_->discoveries())
+        filed_.insert(runner_->list(runner_->follow(state)));
     const std::uint64_t stored = file_ ? std::min(file_->stored(), limit_) : 0;
     constexpr std::size_t block = 65536;
     for (std::uint64_t first = 0; first < stored && !finished_; first += block)
@@ -179,92 +200,111 @@ class BasinRun {
   }
 
   void take(const Fate& fate) {
-    finished_ = tally_->add(fate) || tally_->total() == limit_;
+    tally_->add(fate);
+    // What a pilot has decided counts, whether or not less would have done.
+    const std::uint64_t least = result_.choice ? result_.choice->pilot : 0;
+    const bool may_end = options_.half_width > 0.0 && tally_->at_checkpoint() &&
+                         (tally_->total() >= least || sampler_->method() == SamplingMethod::random);
+    const bool narrow = may_end && tally_->narrow(options_.half_width);
+    finished_ = narrow || tally_->total() == limit_;
     if (options_.fate) options_.fate(fate);
   }
 
-  void compute() {
-    const std::size_t size = chunk_size(limit_ - tally_->total(), threads_);
-    std::uint64_t next = tally_->total();
-    const auto stop_asked = [&] { return options_.stop && options_.stop->load(std::memory_order_relaxed); };
+  using Sink = std::function<void(const std::shared_ptr<Chunk>&)>;
+  // Decides starts first .. limit - 1, or fewer once finished_ or lost_; `sink` gets the chunks in order.
+  void compute(std::uint64_t first, std::uint64_t limit, const Sink& sink) {
+    const std::size_t size = chunk_size(limit - first, threads_);
+    std::uint64_t next = first;
+    const auto make = [&](tbb::flow_control& control) -> std::shared_ptr<Chunk> {
+      const bool stop_asked = options_.stop && options_.stop->load(std::memory_order_relaxed);
+      if (finished_ || lost_ || stop_asked || next >= limit) {
+        lost_ = lost_ || (!finished_ && next < limit);
+        control.stop();
+        return nullptr;
+      }
+      auto chunk = std::make_shared<Chunk>();
+      chunk->first = next;
+      chunk->count = static_cast<std::size_t>(std::min<std::uint64_t>(size, limit - next));
+      next += chunk->count;
+      return chunk;
+    };
+    const auto decide = [&](std::shared_ptr<Chunk> chunk) {
+      chunk->complete =
+          !finished_ && runner_->run(chunk->first, chunk->count, chunk->phi, chunk->fates, chunk->unlisted);
+      return chunk;
+    };
     tbb::task_arena arena(threads_);
     arena.execute([&] {
       tbb::parallel_pipeline(
           2 * static_cast<std::size_t>(threads_),
-          tbb::make_filter<void, std::shared_ptr<Chunk>>(tbb::filter_mode::serial_in_order,
-                                                         [&](tbb::flow_control& control) -> std::shared_ptr<Chunk> {
-                                                           if (finished_ || lost_ || stop_asked() || next >= limit_) {
-                                                             control.stop();
-                                                             return nullptr;
-                                                           }
-                                                           auto chunk = std::make_shared<Chunk>();
-                                                           chunk->first = next;
-                                                           chunk->count = static_cast<std::size_t>(
-                                                               std::min<std::uint64_t>(size, limit_ - next));
-                                                           next += chunk->count;
-                                                           return chunk;
-                                                         }) &
-              tbb::make_filter<std::shared_ptr<Chunk>, std::shared_ptr<Chunk>>(
-                  tbb::filter_mode::parallel,
-                  [&](std::shared_ptr<Chunk> chunk) {
-                    chunk->complete = !finished_ && runner_->run(chunk->first, chunk->count, chunk->phi, chunk->fates,
-                                                                 chunk->unlisted);
-                    return chunk;
-                  }) &
-              tbb::make_filter<std::shared_ptr<Chunk>, void>(
-                  tbb::filter_mode::serial_in_order, [&](const std::shared_ptr<Chunk>& chunk) { commit(*chunk); }));
+          tbb::make_filter<void, std::shared_ptr<Chunk>>(tbb::filter_mode::serial_in_order, make) &
+              tbb::make_filter<std::shared_ptr<Chunk>, std::shared_ptr<Chunk>>(tbb::filter_mode::parallel, decide) &
+              tbb::make_filter<std::shared_ptr<Chunk>, void>(tbb::filter_mode::serial_in_order, sink));
     });
-    if (file_) file_->sync();
   }
 
-  // Takes a chunk in, in order. After one that was not completed no later one counts: the result stays a prefix.
+  // Takes a chunk in, in order. After one that was not completed no later one counts: the result stays a prefix. What
+  // a file held already is left out.
   void commit(Chunk& chunk) {
-    if (finished_ || lost_) return;
-    if (!chunk.complete) {
-      lost_ = true;
+    if (finished_) return;
+    if (!chunk.complete || stop_counting_) {
+      lost_ = stop_counting_ = true;
       return;
     }
-    std::size_t taken = 0;
+    if (chunk.first + chunk.count <= tally_->total()) return;
+    const std::size_t begin = static_cast<std::size_t>(tally_->total() - chunk.first);
+    std::size_t taken = begin;
     auto unlisted = chunk.unlisted.begin();
     while (taken < chunk.count && !finished_) {
+      while (unlisted != chunk.unlisted.end() && unlisted->place < taken) ++unlisted;
       Fate& fate = chunk.fates[taken];
-      if (unlisted != chunk.unlisted.end() && unlisted->place == taken) name_fate(fate, *unlisted++);
+      if (unlisted != chunk.unlisted.end() && unlisted->place == taken) name_fate(fate, *unlisted);
       take(fate);
       ++taken;
     }
-    if (file_) store(chunk, taken);
+    if (file_) store(chunk, begin, taken);
     if (options_.progress)
       options_.progress(
           {tally_->total(), options_.half_width > 0.0 ? 0 : limit_, tally_->share(Outcome::attracted, balanced_id)});
   }
 
   // Starts are functions of their index, so what they drew besides angles is made again for the file alone.
-  void store(const Chunk& chunk, std::size_t count) {
+  void store(const Chunk& chunk, std::size_t begin, std::size_t end) {
     const Study& study = result_.study;
-    std::vector<double> rotor, phi_dot;
-    for (std::size_t i = 0; i < count && !study.sampling.box.empty(); ++i) {
-      const InitialState s = start_of(study, study.sampling.seed, chunk.first + i);
+    std::vector<double> rotor, phi_dot, weight;
+    for (std::size_t i = begin; i < end; ++i) {
+      if (sampler_->grid()) weight.push_back(sampler_->weight(study.sampling.seed, chunk.first + i));
+      if (study.sampling.box.empty()) continue;
+      const InitialState s = start_of(study, *sampler_, study.sampling.seed, chunk.first + i);
       rotor.insert(rotor.end(), {s.x, s.y, s.x_dot, s.y_dot});
       phi_dot.insert(phi_dot.end(), s.phi_dot.begin(), s.phi_dot.begin() + study.parameters.balls);
     }
-    file_->append(count, chunk.phi.data(), chunk.fates.data(), rotor.data(), phi_dot.data());
+    const std::size_t balls = static_cast<std::size_t>(study.parameters.balls);
+    file_->append(end - begin, chunk.phi.data() + begin * balls, chunk.fates.data() + begin, rotor.data(),
+                  phi_dot.data(), weight.data());
   }
 
   // A stationary motion that the rule does not list: what it is decides, whenever it was first met.
   void name_fate(Fate& fate, const UnlistedStart& start) {
-    const std::size_t listed = runner_->catalogue().attractors().size();
-    settle(fate, runner_->list(start));
-    if (file_ && runner_->catalogue().attractors().size() > listed) file_->append_discovery(start.state);
+    const int id = runner_->list(start);
+    settle(fate, id);
+    if (file_ && id > 0 && filed_.insert(id).second) file_->append_discovery(start.state);
   }
 
   const BasinOptions& options_;
-  std::uint64_t limit_;
   int threads_;
+  DiscoveryCache own_discoveries_;
+  DiscoveryCache& discoveries_;
   BasinResult result_;
+  std::uint64_t limit_ = 0;
   std::unique_ptr<BasinFile> file_;
+  std::optional<Sampler> sampler_;
   std::optional<StartRunner> runner_;
   std::optional<Tally> tally_;
+  std::vector<std::shared_ptr<Chunk>> pilot_;
+  std::set<int> filed_;  // motions known before the first start, or in the file
   std::atomic<bool> finished_{false}, lost_{false};
+  bool stop_counting_ = false;
 };
 
 }  // namespace
@@ -273,9 +313,12 @@ int thread_count(int asked) { return asked > 0 ? asked : tbb::info::default_conc
 
 BasinFileHeader basin_file_header(const Study& study, bool angles) {
   Study identity = study;  // all that decides the fate of start i
-  identity.sampling.starts = 1;
-  return {to_toml(identity),          study.sampling.seed, study.parameters.balls, cpu_target(), angles,
-          !study.sampling.box.empty()};
+  const Sampler sampler = sampler_of(study);
+  identity.sampling.starts = sampler.grid() ? sampler.grid()->starts() : 1;
+  BasinFileHeader header{to_toml(identity),          study.sampling.seed, study.parameters.balls, cpu_target(), angles,
+                         !study.sampling.box.empty()};
+  header.method = sampler.method();
+  return header;
 }
 
 BasinResult basin(const Study& study, const BasinOptions& options, Catalogue* catalogue) {
@@ -287,7 +330,11 @@ BasinResult basin(const Study& study, const BasinOptions& options, Catalogue* ca
 
 StartReplay replay_start(const Study& study, std::uint64_t index, const BasinOptions& options) {
   check_decidable(study);
-  StartRunner runner(study, settings_for(options, thread_count(options.threads)));
+  const Sampler sampler = sampler_of(study);
+  if (sampler.grid() && index >= sampler.grid()->starts())
+    throw InputError(study.name, "start index", fmt::format("{}", index),
+                     fmt::format("must be below {}, the starts of this grid", sampler.grid()->starts()));
+  StartRunner runner(study, {thread_count(options.threads), options.stop, options.seeds, options.discoveries});
   std::vector<double> phi;
   std::vector<Fate> fates;
   std::vector<UnlistedStart> unlisted;

@@ -28,7 +28,8 @@ struct BasinProgress {
 struct BasinOptions {
   int threads = 0;          ///< 0: all cores
   double half_width = 0.0;  ///< > 0: sample until every outcome's interval is this narrow, at most
-                            ///< study.sampling.starts if limit_given, else at most 10^9
+                            ///< study.sampling.starts if limit_given, else at most 10^9. A study that leaves
+                            ///< sampling.method open gets the cheaper of random and Sobol starts
   bool limit_given = false;
   std::string output;  ///< NetCDF file for per-start results; empty: none. An unfinished file of the same study is
                        ///< resumed, a finished one extended or simply read

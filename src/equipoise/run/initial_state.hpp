@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cstdint>
 
-#include "equipoise/ensemble/starts.hpp"
+#include "equipoise/ensemble/sampling.hpp"
 #include "equipoise/study/study.hpp"
 
 namespace equipoise {
@@ -21,15 +21,34 @@ inline void initial_state(const InitialState& s, int balls, double speed, double
   }
 }
 
-/// [initial] of `study` with the ball angles of start `index` of `seed`, and what [sampling.box] asks for.
-inline InitialState start_of(const Study& study, std::uint64_t seed, std::uint64_t index) {
+/// Whether exchanging balls changes no start's probability and no start's fate but for the balls' names: equal balls,
+/// which start alike. Their angles, and rates in a box, are drawn alike in any case.
+inline bool balls_exchange(const Study& study) {
+  const auto& rates = study.initial.phi_dot;
+  bool alike = study.parameters.equal_balls();
+  for (int i = 1; i < study.parameters.balls && !study.sampling.box.phi_dot; ++i) alike = alike && rates[i] == rates[0];
+  return alike;
+}
+
+/// What draws the starts of `study`.
+inline Sampler sampler_of(const Study& study) {
+  return {study.sampling.method.value_or(SamplingMethod::random), study.parameters.balls, study.sampling.starts,
+          balls_exchange(study)};
+}
+
+/// [initial] of `study` with the ball angles of start `index` of `seed`, and what [sampling.box] asks for. `sampler` is
+/// sampler_of(study).
+inline InitialState start_of(const Study& study, const Sampler& sampler, std::uint64_t seed, std::uint64_t index) {
   const int balls = study.parameters.balls;
   const SamplingBox& box = study.sampling.box;
   InitialState s = study.initial;
-  start_angles(seed, index, balls, s.phi.data());
+  sampler.angles(seed, index, s.phi.data());
   if (box.empty()) return s;
   double fractions[4 + model::max_balls];
-  start_fractions(seed, index, 4 + balls, fractions);
+  bool drawn[4 + model::max_balls] = {box.x.has_value(), box.y.has_value(), box.x_dot.has_value(),
+                                      box.y_dot.has_value()};
+  std::fill_n(drawn + 4, balls, box.phi_dot.has_value());
+  sampler.fractions(seed, index, 4 + balls, drawn, fractions);
   const auto draw = [&](const std::optional<SamplingBox::Side>& side, int k, double& value) {
     // A weighted mean: between the bounds also where their difference rounds.
     if (side) value = std::clamp((1.0 - fractions[k]) * side->low + fractions[k] * side->high, side->low, side->high);
@@ -40,6 +59,9 @@ inline InitialState start_of(const Study& study, std::uint64_t seed, std::uint64
   draw(box.y_dot, 3, s.y_dot);
   for (int i = 0; i < balls; ++i) draw(box.phi_dot, 4 + i, s.phi_dot[i]);
   return s;
+}
+inline InitialState start_of(const Study& study, std::uint64_t seed, std::uint64_t index) {
+  return start_of(study, sampler_of(study), seed, index);
 }
 
 }  // namespace equipoise

@@ -32,9 +32,10 @@ struct Observation {
   double end_of(std::size_t k) const { return static_cast<double>(k + 1) * window; }
 };
 
-/// Follows the starts of `study` through its spin-up, release and branches. What is recorded of start i depends on the
-/// study and i alone (for one CPU target), whatever the threads. Between steps r^2 is a cubic: largest values are good
-/// to 1 %. Throws InputError for studies that cannot be decided (see basin()) and unusable settings.
+/// Follows random starts (whatever [sampling] method says) of `study` through its spin-up, release and branches. What
+/// is recorded of start i depends on the study and i alone (for one CPU target), whatever the threads. Between steps
+/// r^2 is a cubic: largest values are good to 1 %. Throws InputError for studies that cannot be decided (see basin())
+/// and unusable settings.
 Observation observe(const Study& study, const ObservationSettings& settings);
 
 /// The same for a rotor that moves by `segments` in place of the study's [speed] and [release]: contiguous from 0, the

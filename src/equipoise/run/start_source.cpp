@@ -14,6 +14,7 @@ StartSource::StartSource(const Study& study, const StopFlag* stop)
 
 StartSource::StartSource(const Study& study, std::vector<model::Segment> segments, const StopFlag* stop)
     : study_(study),
+      sampler_(sampler_of(study)),
       stop_(stop),
       segments_(std::move(segments)),
       tolerance_(study.numerics.tolerance.value_or(default_basin_tolerance)) {
@@ -39,7 +40,7 @@ bool StartSource::make(std::uint64_t seed, std::uint64_t first, std::size_t coun
   phi.clear();
   states.assign(count * static_cast<std::size_t>(size), 0.0);
   for (std::size_t i = 0; i < count; ++i) {
-    const InitialState start = start_of(study_, seed, first + i);
+    const InitialState start = start_of(study_, sampler_, seed, first + i);
     phi.insert(phi.end(), start.phi.begin(), start.phi.begin() + balls);
     place(start, &states[i * static_cast<std::size_t>(size)]);
   }

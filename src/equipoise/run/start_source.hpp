@@ -7,6 +7,7 @@
 #include "equipoise/attractors/fate.hpp"
 #include "equipoise/base/error.hpp"
 #include "equipoise/ensemble/lane_task.hpp"
+#include "equipoise/ensemble/sampling.hpp"
 #include "equipoise/integrate/clamped.hpp"
 #include "equipoise/model/speed.hpp"
 #include "equipoise/study/study.hpp"
@@ -50,6 +51,7 @@ class StartSource {
   bool advance(std::vector<double>& states, std::vector<Fate>& fates) const;
 
   Study study_;
+  Sampler sampler_;
   const StopFlag* stop_;
   std::vector<model::Segment> segments_;
   std::size_t first_free_ = 0;

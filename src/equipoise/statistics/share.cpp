@@ -8,16 +8,36 @@
 
 namespace equipoise {
 
+namespace {
+
+// `n` starts, not a whole number if they have weights.
+void put_interval(Share& result, double n, double confidence) {
+  const double z = boost::math::quantile(boost::math::normal(), 0.5 + 0.5 * confidence), p = result.share;
+  const double centre = (p + 0.5 * z * z / n) / (1.0 + z * z / n);
+  const double half = z / (1.0 + z * z / n) * std::sqrt(p * (1.0 - p) / n + 0.25 * z * z / (n * n));
+  result.low = result.count == 0 ? 0.0 : std::max(0.0, centre - half);
+  result.high = result.count == result.total ? 1.0 : std::min(1.0, centre + half);
+  result.standard_error = std::sqrt(p * (1.0 - p) / n);
+  result.effective_starts = n;
+}
+
+}  // namespace
+
 Share wilson_share(std::uint64_t count, std::uint64_t total, double confidence) {
   Share result{count, total};
   if (total == 0) return result;
-  const double z = boost::math::quantile(boost::math::normal(), 0.5 + 0.5 * confidence);
-  const double n = static_cast<double>(total), p = static_cast<double>(count) / n;
-  const double centre = (p + 0.5 * z * z / n) / (1.0 + z * z / n);
-  const double half = z / (1.0 + z * z / n) * std::sqrt(p * (1.0 - p) / n + 0.25 * z * z / (n * n));
-  result.share = p;
-  result.low = count == 0 ? 0.0 : std::max(0.0, centre - half);
-  result.high = count == total ? 1.0 : std::min(1.0, centre + half);
+  const double n = static_cast<double>(total);
+  result.share = static_cast<double>(count) / n;
+  put_interval(result, n, confidence);
+  return result;
+}
+
+Share wilson_share(std::uint64_t count, std::uint64_t total, double counted, double weight, double weight_squared,
+                   double confidence) {
+  Share result{count, total};
+  if (total == 0) return result;
+  result.share = counted / weight;
+  put_interval(result, weight * weight / weight_squared, confidence);
   return result;
 }
 

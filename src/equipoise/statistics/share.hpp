@@ -1,21 +1,46 @@
 // A share with its uncertainty.
 #pragma once
 
+#include <array>
 #include <cstdint>
 
 namespace equipoise {
 
-/// Estimate of a probability from `count` of `total` independent starts, with a Wilson score interval (E. B. Wilson,
-/// J. Am. Stat. Assoc. 22 (1927) 209). For zero counts the interval starts at 0 and its end is an upper bound.
+/// Where an interval comes from.
+enum class IntervalBy {
+  wilson,      ///< the binomial law
+  replicates,  ///< the spread of independent replicates (replicated_share.hpp)
+  pairs,       ///< the differences within pairs of starts of one cell (stratified_share.hpp)
+};
+
+inline constexpr std::array<const char*, 3> interval_names{"wilson", "replicates", "pairs"};
+
+/// Estimate of a probability from `count` of `total` starts, with its interval. For zero counts the interval starts at
+/// 0 and its end is an upper bound.
 struct Share {
   std::uint64_t count = 0, total = 0;
-  double share = 0.0;  ///< count/total, a fraction of one (0 if total is 0)
+  double share = 0.0;  ///< count/total, or the weighted mean where starts have weights; 0 if total is 0
   double low = 0.0, high = 1.0;
+  IntervalBy by = IntervalBy::wilson;
+  double standard_error = 0.0;    ///< of `share`
+  double effective_starts = 0.0;  ///< how many independent random starts have that standard error
 
   double half_width() const { return 0.5 * (high - low); }
 };
 
+/// A share of independent starts with Wilson's score interval (E. B. Wilson, J. Am. Stat. Assoc. 22 (1927) 209).
 /// `confidence`: two-sided coverage, between 0 and 1. count <= total.
 Share wilson_share(std::uint64_t count, std::uint64_t total, double confidence = 0.95);
+
+/// The same where each start has a weight: `weight` and `weight_squared` are sums over all starts, `counted` the sum of
+/// the weights of those that count. Wilson's interval for Kish's number of starts, weight^2 / weight_squared.
+Share wilson_share(std::uint64_t count, std::uint64_t total, double counted, double weight, double weight_squared,
+                   double confidence = 0.95);
+
+/// Fewest starts with an outcome, and without it, for which a normal law of its share's error is believed, where the
+/// spread of an even sample is measured. The skewness of a Poisson count of 80 is 1/9, by which a symmetric 95 %
+/// interval misses more often on one side than on the other, but hardly more often in all. A set that so few starts hit
+/// is little wider than their spacing: even sampling gains little there, and Wilson's interval is on the safe side.
+inline constexpr std::uint64_t fewest_for_spread = 80;
 
 }  // namespace equipoise

@@ -2,6 +2,7 @@
 #include "equipoise/store/basin_file.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <cstdlib>
 #include <filesystem>
 #include <optional>
@@ -12,6 +13,7 @@
 
 #include "equipoise/base/error.hpp"
 #include "equipoise/base/version.hpp"
+#include "equipoise/ensemble/scrambled_sobol.hpp"
 #include "equipoise/store/netcdf.hpp"
 
 namespace equipoise {
@@ -31,12 +33,15 @@ struct BasinFile::State {
   std::optional<store::NetcdfFile> file;
   std::size_t balls = 2, stored = 0, discovered = 0;
   bool full_starts = false;
+  SamplingMethod method = SamplingMethod::random;
+  int weight = -1, kind_interval = -1, kind_effective = -1;
   int phi = -1, rotor = -1, phi_dot = -1, outcome = -1, time = -1, by = -1, discovery = -1;
   int kind_code = -1, kind_name = -1, kind_alias = -1, kind_count = -1, kind_share = -1, kind_low = -1, kind_high = -1;
 
   void create(const BasinFileHeader& header);
   void open(const BasinFileHeader& header);
   void define_full_starts(int start, int ball);
+  void define_sampling(int start, int kind);
   void find_variables(bool angles);
 };
 
@@ -49,6 +54,24 @@ void BasinFile::State::define_full_starts(int start, int ball) {
                        "initial rate of a ball in the rotating frame, radians times omega_c");
   f.chunk(rotor, {chunk_length, 4});
   f.chunk(phi_dot, {chunk_length, balls});
+}
+
+// What differs from random starts: those alone need no more than their counts.
+void BasinFile::State::define_sampling(int start, int kind) {
+  store::NetcdfFile& f = *file;
+  f.attribute(NC_GLOBAL, "sampling_method", sampling_method_names[static_cast<std::size_t>(method)]);
+  if (method == SamplingMethod::random) return;
+  kind_interval = f.variable("kind_interval", NC_STRING, {kind}, "1",
+                             "where the interval is from: wilson, replicates (their spread) or pairs (of a cell)");
+  kind_effective = f.variable("kind_effective_starts", NC_DOUBLE, {kind}, "1",
+                              "independent random starts that have the same standard error of the share");
+  if (method == SamplingMethod::sobol) {
+    f.attribute(NC_GLOBAL, "sampling_replicates", fmt::format("{}", sobol_replicates));
+    return;
+  }
+  weight = f.variable("weight", NC_DOUBLE, {start}, "1", "cells of the grid that the start's cell stands for");
+  f.chunk(weight, {chunk_length});
+  f.compress(weight);
 }
 
 void BasinFile::State::create(const BasinFileHeader& header) {
@@ -65,6 +88,7 @@ void BasinFile::State::create(const BasinFileHeader& header) {
     f.chunk(phi, {chunk_length, balls});
   }
   if (full_starts) define_full_starts(start, ball);
+  define_sampling(start, kind);
   outcome = f.variable("outcome", NC_SHORT, {start}, "1",
                        "attractor that the start came to (kind_code), or 0 undecided, -1 diverged, -2 failed");
   time =
@@ -85,9 +109,8 @@ void BasinFile::State::create(const BasinFileHeader& header) {
   kind_alias = f.variable("kind_alias", NC_STRING, {kind}, "1", "name that Wright and Peng (2019) give it");
   kind_count = f.variable("kind_count", NC_UINT64, {kind}, "1", "starts with the outcome");
   kind_share = f.variable("kind_share", NC_DOUBLE, {kind}, "1", "share of the starts with the outcome");
-  kind_low = f.variable("kind_share_low", NC_DOUBLE, {kind}, "1", "lower end of the 95 % Wilson interval of the share");
-  kind_high =
-      f.variable("kind_share_high", NC_DOUBLE, {kind}, "1", "upper end of the 95 % Wilson interval of the share");
+  kind_low = f.variable("kind_share_low", NC_DOUBLE, {kind}, "1", "lower end of the 95 % interval of the share");
+  kind_high = f.variable("kind_share_high", NC_DOUBLE, {kind}, "1", "upper end of the 95 % interval of the share");
   f.attribute(NC_GLOBAL, "Conventions", "CF-1.8");
   f.attribute(NC_GLOBAL, "title", "Basins of a rotor with an automatic ball balancer");
   f.attribute(NC_GLOBAL, "source", fmt::format("equipoise {}", version_string));
@@ -119,6 +142,9 @@ void BasinFile::State::find_variables(bool angles) {
   if (angles) phi = file->variable("phi");
   if (full_starts) rotor = file->variable("rotor_state");
   if (full_starts) phi_dot = file->variable("phi_dot");
+  if (method == SamplingMethod::grid) weight = file->variable("weight");
+  if (method != SamplingMethod::random) kind_interval = file->variable("kind_interval");
+  if (method != SamplingMethod::random) kind_effective = file->variable("kind_effective_starts");
   outcome = file->variable("outcome");
   time = file->variable("decision_time");
   by = file->variable("decided_by");
@@ -136,6 +162,7 @@ BasinFile::BasinFile(const std::string& path, const BasinFileHeader& header) : s
   state_->path = path;
   state_->balls = static_cast<std::size_t>(header.balls);
   state_->full_starts = header.full_starts;
+  state_->method = header.method;
   if (std::filesystem::exists(path)) {
     state_->open(header);
     state_->find_variables(header.angles);
@@ -175,7 +202,7 @@ std::vector<Fate> BasinFile::read(std::uint64_t first, std::size_t count) const 
 }
 
 void BasinFile::append(std::size_t count, const double* phi, const Fate* fates, const double* rotor,
-                       const double* phi_dot) {
+                       const double* phi_dot, const double* weight) {
   if (count == 0) return;
   std::vector<short> codes(count);
   std::vector<double> times(count);
@@ -195,6 +222,7 @@ void BasinFile::append(std::size_t count, const double* phi, const Fate* fates, 
     state_->file->write(state_->rotor, {at, 0}, {count, 4}, rotor);
     state_->file->write(state_->phi_dot, {at, 0}, {count, state_->balls}, phi_dot);
   }
+  if (state_->weight >= 0) state_->file->write(state_->weight, {at}, {count}, weight);
   state_->file->write(state_->outcome, {at}, {count}, codes.data());
   state_->file->write(state_->time, {at}, {count}, times.data());
   state_->file->write(state_->by, {at}, {count}, grounds.data());
@@ -218,6 +246,20 @@ void BasinFile::sync() { state_->file->sync(); }
 
 bool BasinFile::complete() const { return state_->file->attribute("complete") == "yes"; }
 
+// What a count does not tell.
+void BasinFile::read_share(std::size_t k, Share& share) const {
+  const store::NetcdfFile& f = *state_->file;
+  f.read(state_->kind_share, {k}, {1}, &share.share);
+  f.read(state_->kind_low, {k}, {1}, &share.low);
+  f.read(state_->kind_high, {k}, {1}, &share.high);
+  f.read(state_->kind_effective, {k}, {1}, &share.effective_starts);
+  const std::string by = f.read_string(state_->kind_interval, k);
+  share.by =
+      static_cast<IntervalBy>(std::find(interval_names.begin(), interval_names.end(), by) - interval_names.begin());
+  share.standard_error =
+      share.effective_starts > 0.0 ? std::sqrt(share.share * (1.0 - share.share) / share.effective_starts) : 0.0;
+}
+
 std::vector<OutcomeSummary> BasinFile::summary() const {
   const store::NetcdfFile& f = *state_->file;
   std::vector<OutcomeSummary> lines(f.length("outcome_kind"));
@@ -231,6 +273,7 @@ std::vector<OutcomeSummary> BasinFile::summary() const {
     s.name = f.read_string(state_->kind_name, k);
     s.alias = f.read_string(state_->kind_alias, k);
     s.share = wilson_share(count, state_->stored);
+    if (state_->method != SamplingMethod::random) read_share(k, s.share);
   }
   return lines;
 }
@@ -255,7 +298,13 @@ void BasinFile::finish(const std::string& resolved_study, const std::vector<Outc
     f.write(state_->kind_share, {k}, {1}, &s.share.share);
     f.write(state_->kind_low, {k}, {1}, &s.share.low);
     f.write(state_->kind_high, {k}, {1}, &s.share.high);
+    if (state_->method == SamplingMethod::random) continue;
+    const char* interval = interval_names[static_cast<std::size_t>(s.share.by)];
+    f.write(state_->kind_interval, {k}, {1}, &interval);
+    f.write(state_->kind_effective, {k}, {1}, &s.share.effective_starts);
   }
+  if (state_->method == SamplingMethod::sobol)
+    f.attribute(NC_GLOBAL, "sampling_points_per_replicate", fmt::format("{}", state_->stored / sobol_replicates));
   f.attribute(NC_GLOBAL, "study", resolved_study);
   f.attribute(NC_GLOBAL, "complete", complete ? "yes" : "no");
   const RunTime before = this->time();

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "equipoise/attractors/fate.hpp"
+#include "equipoise/ensemble/sampling.hpp"
 #include "equipoise/statistics/share.hpp"
 
 namespace equipoise {
@@ -18,8 +19,9 @@ struct BasinFileHeader {
   std::uint64_t seed = 0;
   int balls = 2;
   std::string cpu_target;
-  bool angles = true;  ///< false: leave phi out; it follows from seed and index
+  bool angles = true;        ///< false: leave phi out; it follows from seed and index
   bool full_starts = false;  ///< starts differ in more than their ball angles
+  SamplingMethod method = SamplingMethod::random;
 };
 
 /// A line of the summary.
@@ -35,9 +37,10 @@ struct RunTime {
   double seconds = 0.0, cpu_seconds = 0.0;
 };
 
-/// dimension start: variables phi(start, ball), outcome(start), decision_time(start), decided_by(start), and with
-/// full_starts rotor_state(start, rotor_component) and phi_dot(start, ball); dimension
-/// outcome_kind: code, name, alias, count and share; dimension discovery: states of motions met during the run. Every
+/// Dimension start: variables phi(start, ball), outcome(start), decision_time(start), decided_by(start), and with
+/// full_starts rotor_state(start, rotor_component) and phi_dot(start, ball), on a grid weight(start); dimension
+/// outcome_kind: code, name, alias, count, share and its interval, and but for random starts where the interval is from
+/// and how many random starts would have done; dimension discovery: states of motions met during the run. Every
 /// variable has units and long_name. Readable by xarray, ncdump, ncview.
 class BasinFile {
  public:
@@ -53,9 +56,9 @@ class BasinFile {
   /// Fates of starts first .. first + count - 1.
   std::vector<Fate> read(std::uint64_t first, std::size_t count) const;
   /// Appends `count` starts: phi row-major count x balls; with full_starts `rotor`, count x 4 (x, y, x_dot, y_dot), and
-  /// `phi_dot`, count x balls. Throws RunError if the file cannot take them.
+  /// `phi_dot`, count x balls; on a grid `weight`. Throws RunError if the file cannot take them.
   void append(std::size_t count, const double* phi, const Fate* fates, const double* rotor = nullptr,
-              const double* phi_dot = nullptr);
+              const double* phi_dot = nullptr, const double* weight = nullptr);
   /// States on motions that were first met during earlier runs, in the order of starts: enough to name them again.
   std::vector<std::vector<double>> discoveries() const;
   void append_discovery(const std::vector<double>& state);
@@ -71,6 +74,8 @@ class BasinFile {
   RunTime time() const;
 
  private:
+  void read_share(std::size_t kind, Share& share) const;
+
   struct State;
   std::unique_ptr<State> state_;
 };

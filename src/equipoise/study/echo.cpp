@@ -53,8 +53,9 @@ std::string to_toml(const Study& study) {
   text += fmt::format("[initial]\npsi = {}\nx = {}\ny = {}\nx_dot = {}\ny_dot = {}\n", number_text(s.psi),
                       number_text(s.x), number_text(s.y), number_text(s.x_dot), number_text(s.y_dot));
   text += fmt::format("phi = {}\nphi_dot = {}\n\n", array(s.phi, n), array(s.phi_dot, n));
-  text += fmt::format("[sampling]\nstarts = {}\nseed = {}\nmethod = \"random\"\n\n", study.sampling.starts,
-                      study.sampling.seed);
+  const auto method = static_cast<std::size_t>(study.sampling.method.value_or(SamplingMethod::random));
+  text += fmt::format("[sampling]\nstarts = {}\nseed = {}\nmethod = \"{}\"\n\n", study.sampling.starts,
+                      study.sampling.seed, sampling_method_names[method]);
   if (!study.sampling.box.empty()) {
     text += "[sampling.box]\n";
     for (const auto& [key, side] : box_sides)

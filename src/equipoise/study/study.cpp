@@ -144,9 +144,15 @@ void read_box(const Document& document, double release_time, SamplingBox& box) {
 void read_sampling(const Document& document, double release_time, Sampling& sampling) {
   TableReader reader(document, "sampling");
   if (reader.has("box")) read_box(document, release_time, sampling.box);
-  reader.choice("method", {"random"}, "random");
+  const auto& methods = sampling_method_names;
+  if (reader.has("method")) {
+    const std::string method = reader.choice("method", {methods[0], methods[1], methods[2]});
+    sampling.method = static_cast<SamplingMethod>(std::find(methods.begin(), methods.end(), method) - methods.begin());
+  }
   constexpr std::int64_t largest_seed = std::numeric_limits<std::int64_t>::max();  // of a TOML integer
   sampling.starts = reader.integer("starts", 1, 1'000'000'000'000, static_cast<std::int64_t>(sampling.starts));
+  if (sampling.method == SamplingMethod::grid && sampling.starts < 2)
+    reader.fail("starts", "must be 2 or more: a grid has two starts in every cell");
   sampling.seed = reader.integer("seed", 0, largest_seed, static_cast<std::int64_t>(sampling.seed));
   reader.finish();
 }

@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "equipoise/ensemble/sampling.hpp"
 #include "equipoise/model/parameters.hpp"
 #include "equipoise/model/speed.hpp"
 
@@ -62,8 +63,9 @@ inline constexpr std::array<BoxSide, 5> box_sides{{{"x", &SamplingBox::x},
                                                    {"y_dot", &SamplingBox::y_dot},
                                                    {"phi_dot", &SamplingBox::phi_dot}}};
 
-/// [sampling]: the random starts of an ensemble.
+/// [sampling]: the starts of an ensemble.
 struct Sampling {
+  std::optional<SamplingMethod> method;  ///< unset: random, unless basin() is to choose (BasinOptions::half_width)
   std::uint64_t starts = 100000;
   std::uint64_t seed = 1;
   SamplingBox box;

@@ -1,0 +1,37 @@
+// A grid of cells over the ball angles with two random starts in each.
+#pragma once
+
+#include <cstdint>
+
+namespace equipoise {
+
+/// Stratified sampling of the torus of ball angles: m^n equal cells, m to a turn, two independent uniform starts in
+/// each, so that the differences within cells give the variance without bias (S. Haber, Math. Comp. 21 (1967) 388).
+/// With `exchange` (balls that can be exchanged without changing any outcome's probability) only cells c_1 <= ... <=
+/// c_n are evaluated, each in place of all its mirror images: the jitter of those is mirrored with them. Cells come in
+/// an order shuffled by the seed, so that a prefix of the starts is a fair sample too.
+class JitteredGrid {
+ public:
+  /// The largest grid that `starts` starts can fill. starts >= 2.
+  JitteredGrid(int balls, bool exchange, std::uint64_t starts);
+
+  std::uint64_t side() const { return side_; }         ///< m
+  std::uint64_t cells() const { return cells_; }       ///< evaluated
+  std::uint64_t starts() const { return 2 * cells_; }  ///< starts 0 to starts() - 1 fill the grid
+  double all_cells() const;                            ///< m^n
+  bool exchange() const { return exchange_; }
+
+  /// Writes the ball angles of start `index` < starts(): starts 2 k and 2 k + 1 share a cell.
+  void angles(std::uint64_t seed, std::uint64_t index, double* phi) const;
+  /// How many cells of the whole grid the cell of start `index` stands for: 1 to n!.
+  double weight(std::uint64_t seed, std::uint64_t index) const;
+
+ private:
+  void cell(std::uint64_t seed, std::uint64_t index, std::uint64_t* coordinates) const;
+
+  int balls_;
+  bool exchange_;
+  std::uint64_t side_ = 1, cells_ = 1;
+};
+
+}  // namespace equipoise

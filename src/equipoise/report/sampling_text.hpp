@@ -1,0 +1,21 @@
+// How the starts of an ensemble were sampled, in words and as JSON.
+#pragma once
+
+#include <string>
+
+#include <nlohmann/json_fwd.hpp>
+
+#include "equipoise/report/basin_result.hpp"
+
+namespace equipoise {
+
+/// Sentences for the terminal, each on a line of its own; empty for random starts that nobody chose.
+std::string sampling_text(const BasinResult& result);
+/// "as good as" so many random starts, in two digits: "850 000".
+std::string as_good_as(const Share& share);
+/// Method, replicates, points per replicate; a grid's cells; what was chosen and why.
+nlohmann::ordered_json sampling_json(const BasinResult& result);
+/// Where an interval is from, its standard error, and how many random starts would have done.
+nlohmann::ordered_json precision_json(const Share& share);
+
+}  // namespace equipoise
