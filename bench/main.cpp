@@ -75,15 +75,15 @@ int run(int argc, char** argv) {
   app.add_option("--works", options.works,
                  fmt::format("what to measure, comma-separated: {}", fmt::join(all_works, ",")))
       ->delimiter(',')
-      ->check(CLI::IsMember(all_works))
+      ->check(CLI::IsMember(all_works).description(""))
       ->type_name("LIST")
       ->default_str("all");
   auto* rounds = app.add_option("--rounds", options.rounds, "how often each is measured, in turns")
-                     ->check(CLI::Range(1, 1000))
+                     ->check(CLI::Range(1, 1000).description(""))
                      ->type_name("N")
                      ->default_str("5");
   app.add_option("--threads", options.threads, "threads for this engine and all rivals (default: all cores)")
-      ->check(CLI::Range(1, 4096))
+      ->check(CLI::Range(1, 4096).description(""))
       ->type_name("N");
   app.add_option("--json", options.json, "write everything, raw figures of every round too, to this file")
       ->type_name("FILE");

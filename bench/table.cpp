@@ -29,14 +29,14 @@ void Table::print() const {
 
 void print_heading(const std::string& text) { fmt::print("\n{}\n{}\n", text, std::string(text.size(), '-')); }
 
-void print_paragraph(const std::string& text) {
+void print_paragraph(const std::string& text, std::size_t hang) {
   constexpr std::size_t columns = 118;
   std::istringstream words(text);
   std::string line = " ", word;
   while (words >> word) {
     if (line.size() + 1 + word.size() > columns) {
       fmt::print("{}\n", line);
-      line = "   ";  // later lines hang
+      line.assign(1 + hang, ' ');
     }
     line += " " + word;
   }

@@ -19,8 +19,8 @@ class Table {
 
 /// A heading, underlined.
 void print_heading(const std::string& text);
-/// A paragraph, broken before column 120; lines after the first are indented.
-void print_paragraph(const std::string& text);
+/// A paragraph, broken before column 120; its later lines are indented by `hang` more.
+void print_paragraph(const std::string& text, std::size_t hang = 0);
 /// A line on standard error, for who is waiting.
 void say(const std::string& text);
 

@@ -22,6 +22,8 @@ Stopwatch::Stopwatch() : wall_(seconds(CLOCK_MONOTONIC)), cpu_(seconds(CLOCK_PRO
 
 Cost Stopwatch::cost() const { return {seconds(CLOCK_MONOTONIC) - wall_, seconds(CLOCK_PROCESS_CPUTIME_ID) - cpu_, 0}; }
 
+double thread_seconds() { return seconds(CLOCK_THREAD_CPUTIME_ID); }
+
 Cost in_parallel(std::size_t total, int threads,
                  const std::function<std::uint64_t(std::size_t first, std::size_t count)>& work) {
   const auto parts = static_cast<std::size_t>(threads);

@@ -24,6 +24,9 @@ class Stopwatch {
   double wall_, cpu_;
 };
 
+/// Processor time of the calling thread, in seconds.
+double thread_seconds();
+
 /// Calls `work(first, count)` once on each of `threads` threads, shares of `total` as equal as can be, and times all of
 /// it. `work` returns evaluations made. An exception in a thread is thrown again here.
 Cost in_parallel(std::size_t total, int threads,

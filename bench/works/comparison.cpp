@@ -46,10 +46,11 @@ std::size_t find_size(const Comparison& comparison, Rival& rival, const Options&
   const std::size_t least = threads * (options.quick ? 1 : rival.least_starts);
   for (std::size_t starts = least;; starts *= 2) {
     std::vector<double> states = comparison.problem.states(0, starts);
-    const double wall = rival.run(comparison.problem.problem(), states, options.threads).wall;
+    // Processor time: a moment's wait for a core must not shrink all rounds.
+    const double taken = rival.run(comparison.problem.problem(), states, options.threads).cpu / options.threads;
     if (options.quick) return starts;
-    if (wall < 0.1 * options.round_seconds && starts < 1'000'000) continue;
-    const double wanted = static_cast<double>(starts) * options.round_seconds / wall;
+    if (taken < 0.1 * options.round_seconds && starts < 1'000'000) continue;
+    const double wanted = static_cast<double>(starts) * options.round_seconds / taken;
     return std::max(least, threads * static_cast<std::size_t>(wanted / static_cast<double>(threads)));
   }
 }
@@ -134,7 +135,8 @@ Json report(const Comparison& comparison, const std::vector<Contestant>& contest
       relative_tolerance, absolute_tolerance, options.threads, options.rounds, options.rounds == 1 ? "" : "s"));
   for (const Contestant& c : contestants)
     print_paragraph(fmt::format("{} ({} starts a round): {}.", c.rival->name, count(static_cast<double>(c.starts)),
-                                c.rival->settings));
+                                c.rival->settings),
+                    2);
   for (const std::string& who : missing) print_paragraph("Missing here: " + who + ".");
   return {{"problem", comparison.what},
           {"relative_tolerance", relative_tolerance},

@@ -20,13 +20,13 @@ struct Row {
 };
 
 constexpr Row rows[] = {
-    {"table-2-omega-2.4", "beta 0.05, Omega 2.4", DecideMode::validated, true},
-    {"table-2-omega-2.4", "beta 0.05, Omega 2.4", DecideMode::proof, true},
-    {"table-1-beta-0.01-omega-3.0", "beta 0.01, Omega 3.0", DecideMode::validated, false},
-    {"table-1-beta-0.01-omega-4.0", "beta 0.01, Omega 4.0", DecideMode::validated, false},
-    {"table-1-beta-0.01-omega-5.0", "beta 0.01, Omega 5.0", DecideMode::validated, false},
-    {"table-1-beta-0.01-omega-6.0", "beta 0.01, Omega 6.0", DecideMode::validated, false},
-    {"table-1-beta-0.01-omega-4.0", "beta 0.01, Omega 4.0", DecideMode::proof, false},
+    {"table-2-omega-2.4", "0.05, 2.4", DecideMode::validated, true},
+    {"table-2-omega-2.4", "0.05, 2.4", DecideMode::proof, true},
+    {"table-1-beta-0.01-omega-3.0", "0.01, 3.0", DecideMode::validated, false},
+    {"table-1-beta-0.01-omega-4.0", "0.01, 4.0", DecideMode::validated, false},
+    {"table-1-beta-0.01-omega-5.0", "0.01, 5.0", DecideMode::validated, false},
+    {"table-1-beta-0.01-omega-6.0", "0.01, 6.0", DecideMode::validated, false},
+    {"table-1-beta-0.01-omega-4.0", "0.01, 4.0", DecideMode::proof, false},
 };
 
 struct Outcome {
@@ -64,7 +64,7 @@ Json decided(const Options& options, const Json& full) {
       Study study = paper_study(rows[k].study);
       study.numerics.decide = rows[k].mode;
       if (options.quick) study.sampling.starts = 1000;
-      say(fmt::format("decided: {}, {}, round {} of {}", rows[k].label,
+      say(fmt::format("decided: beta, Omega = {}, {}, round {} of {}", rows[k].label,
                       decide_mode_names[static_cast<std::size_t>(rows[k].mode)], round + 1, options.rounds));
       BasinOptions how;
       how.threads = options.threads;
@@ -81,7 +81,7 @@ Json decided(const Options& options, const Json& full) {
                   "rounds of a row.",
                   options.threads));
   fmt::print("\n");
-  Table table({"row", "decided by", "starts", "rounds", "wall, s", "least .. most", "CPU, s", "starts/s",
+  Table table({"beta, Omega", "decided by", "starts", "rounds", "wall, s", "least .. most", "CPU, s", "starts/s",
                "balanced, % (95 %)", "undecided"});
   Json list = Json::array();
   for (std::size_t k = 0; k < std::size(rows); ++k) {
