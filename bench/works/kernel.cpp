@@ -6,6 +6,7 @@
 
 #include "../problems.hpp"
 #include "../table.hpp"
+#include "equipoise/base/error.hpp"
 #include "equipoise/run/lane_kernels.hpp"
 #include "kernel_count.hpp"
 #include "kernel_peak.hpp"
@@ -70,6 +71,19 @@ Measured measure(const Options& options) {
     }
   }
   return m;
+}
+
+// Operations of a step, from a trajectory that must end where the engine's own does: so the counting numbers compute.
+double count_checked() {
+  const StudyProblem source(paper_study("table-2-omega-2.4"), 100.0);
+  std::vector<double> counted = source.states(0, 1), followed = counted;
+  const Problem& problem = source.problem();
+  const double flops = count_step(problem.parameters, problem.segment.speed, counted.data(), problem.end);
+  engine()->run(problem, followed, 1);
+  for (std::size_t i = 0; i < counted.size(); ++i)
+    if (!(std::fabs(counted[i] - followed[i]) < 1e-4))
+      throw RunError("the counting numbers and the engine disagree about a trajectory");
+  return flops;
 }
 
 Json report_peak(const Measured& m, double flops_step, double flops_rhs, const Options& options) {
@@ -141,10 +155,8 @@ Json report_balls(const Measured& m) {
 
 Json kernel(const Options& options) {
   const Measured m = measure(options);
-  StudyProblem problem(paper_study("table-2-omega-2.4"), 1500.0);
+  const double flops_step = count_checked();
   const model::Parameters p = rotor(2);
-  const std::vector<double> state = problem.states(0, 1);
-  const double flops_step = count_step(p, 2.4, state.data(), 200.0);
   print_heading(fmt::format("kernel: what is reached of what {} can", cpu_target()));
   Json out = report_peak(m, flops_step, static_cast<double>(count_right_hand_side(p).flops), options);
   out["instruction_set"] = cpu_target();

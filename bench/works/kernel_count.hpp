@@ -16,7 +16,7 @@ struct FlopCount {
 FlopCount count_right_hand_side(const model::Parameters& p);
 
 /// Operations of one step tried, all in: stages, solution, error, step control and 12 evaluations. Counted over a whole
-/// trajectory of the lane block from `state` to `end` at constant speed (two balls).
-double count_step(const model::Parameters& p, double speed, const double* state, double end);
+/// trajectory of the lane block from `state` to `end` at constant speed (two balls); `state` becomes its final state.
+double count_step(const model::Parameters& p, double speed, double* state, double end);
 
 }  // namespace equipoise::bench
