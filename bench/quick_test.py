@@ -13,7 +13,7 @@ LARGEST_MEDIAN_ERROR = 1e-3
 
 def check_comparison(work):
     names = [engine["name"] for engine in work["engines"]]
-    assert names[0] == "Equipoise" and "Boost.Odeint dopri5" in names and "Boost.Odeint fehlberg78" in names, names
+    assert names[0] == "Equipoise" and "Odeint dopri5" in names and "Odeint fehlberg78" in names, names
     assert any("SUNDIALS" in text for text in names + work["missing"]), (names, work["missing"])
     assert any("SciPy" in text for text in names + work["missing"]), (names, work["missing"])
     assert work["reference_error_median"] < 1e-9, work["reference_error_median"]

@@ -39,8 +39,8 @@ template <class Stepper>
 class Odeint : public Rival {
  public:
   Odeint(const char* stepper, const char* method) {
-    name = std::string("Boost.Odeint ") + stepper;
-    settings = std::string(method) + ", controlled, one trajectory after another";
+    name = std::string("Odeint ") + stepper;
+    settings = std::string("Boost.Odeint, ") + method + ", controlled, one trajectory after another";
   }
 
   Cost run(const Problem& problem, std::vector<double>& states, int threads) override {

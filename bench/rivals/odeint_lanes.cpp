@@ -76,9 +76,10 @@ std::uint64_t follow(const Problem& problem, double* states, std::size_t count) 
 class OdeintLanes : public Rival {
  public:
   OdeintLanes() {
-    name = "Boost.Odeint dopri5, " + std::to_string(lanes) + " lanes";
+    name = "Odeint dopri5, " + std::to_string(lanes) + " lanes";
     settings =
-        "Dormand-Prince 5(4), controlled, on a state of SIMD registers: one trajectory a lane, a common step, the "
+        "Boost.Odeint, Dormand-Prince 5(4), controlled, on a state of SIMD registers: one trajectory a lane, a common "
+        "step, the "
         "error "
         "of the worst lane; vector sine and cosine of this engine";
     least_starts = 64;

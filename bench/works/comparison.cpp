@@ -96,8 +96,7 @@ Json report(const Comparison& comparison, const std::vector<Contestant>& contest
   print_heading(comparison.title);
   print_paragraph(comparison.what);
   fmt::print("\n");
-  Table table(
-      {"", "starts/s", "least .. most", "starts/CPU s", "evals/start", "Equipoise / it", "error, median", "90 %"});
+  Table table({"", "starts/s", "least .. most", "starts/CPU s", "evals/start", "times slower", "error median", "90 %"});
   Json engines = Json::array();
   for (const Contestant& c : contestants) {
     const Spread rate = c.over_rounds([](const Cost& cost, double starts) { return starts / cost.wall; });
