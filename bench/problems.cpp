@@ -1,0 +1,34 @@
+// The problems that this engine and its rivals are given, made from studies of the repository.
+#include "problems.hpp"
+
+#include <cmath>
+
+#include "equipoise/base/embedded.hpp"
+#include "equipoise/base/error.hpp"
+#include "equipoise/ensemble/starts.hpp"
+
+namespace equipoise::bench {
+
+Study paper_study(const std::string& name) {
+  const auto text = embedded::find("studies/" + name + ".toml");
+  if (text.empty()) throw RunError("this program carries no study " + name);
+  return parse_study(std::string(text), name + ".toml");
+}
+
+StudyProblem::StudyProblem(const Study& study, double end)
+    : study_(study), source_(std::make_unique<StartSource>(study, nullptr)) {
+  problem_.parameters = study.parameters;
+  problem_.segment = source_->segments()[source_->first_free()];
+  problem_.end = std::isfinite(problem_.segment.end) ? problem_.segment.end : end;
+}
+
+std::vector<double> StudyProblem::states(std::uint64_t first, std::size_t count) const {
+  const auto balls = static_cast<std::size_t>(study_.parameters.balls);
+  std::vector<double> phi(count * balls), states;
+  for (std::size_t i = 0; i < count; ++i)
+    start_angles(study_.sampling.seed, first + i, study_.parameters.balls, &phi[i * balls]);
+  source_->release(phi, states);
+  return states;
+}
+
+}  // namespace equipoise::bench
