@@ -3,7 +3,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include "options.hpp"
+#include "bench_options.hpp"
 
 namespace equipoise::bench {
 

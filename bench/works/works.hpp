@@ -4,7 +4,7 @@
 #include <string>
 
 #include "../machine.hpp"
-#include "../options.hpp"
+#include "../bench_options.hpp"
 #include "../timing.hpp"
 
 namespace equipoise::bench {
