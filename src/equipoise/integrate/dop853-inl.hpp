@@ -45,21 +45,31 @@ struct SparseRows {
 };
 inline constexpr SparseRows sparse_rows;
 
+// The largest divisor of `dimension` up to `most`: components whose sums stay in registers.
+constexpr int components_at_a_time(int dimension, int most) {
+  while (dimension % most != 0) --most;
+  return most;
+}
+
 // out = y + h sum_j a[row][j] k[j]: the state at which stage `row` >= 1 is evaluated (row 12: the step's end). Stage by
 // stage, so that each weight is loaded once and the chains of additions, one per component, run side by side.
 template <class T, int dimension>
 HWY_INLINE void stage_state(int row, const T& h, const T* y, const T (*k)[dimension], T* out) {
-  T sum[dimension];
+  constexpr int block = components_at_a_time(dimension, 14);
   const int begin = sparse_rows.begin[row], end = sparse_rows.begin[row + 1];
-  const T first(sparse_rows.weight[begin]);  // every row has a weight for stage 0
-  for (int i = 0; i < dimension; ++i) sum[i] = first * k[0][i];
 #pragma GCC unroll 1
-  for (int at = begin + 1; at < end; ++at) {
-    const T weight(sparse_rows.weight[at]);
-    const T* stage = k[sparse_rows.stage[at]];
-    for (int i = 0; i < dimension; ++i) sum[i] = multiply_add(weight, stage[i], sum[i]);
+  for (int from = 0; from < dimension; from += block) {
+    T sum[block];
+    const T first(sparse_rows.weight[begin]);  // every row has a weight for stage 0
+    for (int i = 0; i < block; ++i) sum[i] = first * k[0][from + i];
+#pragma GCC unroll 1
+    for (int at = begin + 1; at < end; ++at) {
+      const T weight(sparse_rows.weight[at]);
+      const T* stage = k[sparse_rows.stage[at]] + from;
+      for (int i = 0; i < block; ++i) sum[i] = multiply_add(weight, stage[i], sum[i]);
+    }
+    for (int i = 0; i < block; ++i) out[from + i] = multiply_add(h, sum[i], y[from + i]);
   }
-  for (int i = 0; i < dimension; ++i) out[i] = multiply_add(h, sum[i], y[i]);
 }
 
 // Evaluates stages 1 to 11. k[0] = f(t, y) must be there.
@@ -73,19 +83,12 @@ HWY_INLINE void evaluate_stages(const System& f, const T& t, const T& h, const T
   }
 }
 
-// The largest divisor of `dimension` for which two sums a component stay in registers.
-constexpr int components_at_a_time(int dimension) {
-  int block = 5;
-  while (dimension % block != 0) --block;
-  return block;
-}
-
 // What stages 0 to 11 lead to: the state at the step's end, and over h its differences from the embedded solutions of
 // orders 5 and 3. The latter differs from the solution in the weights of three stages only.
 template <class T, int dimension>
 HWY_INLINE void step_end(const T& h, const T* y, const T (*k)[dimension], T* end, T* error5, T* error3) {
   constexpr int last = tableau::stages;
-  constexpr int block = components_at_a_time(dimension);
+  constexpr int block = components_at_a_time(dimension, 5);  // two sums each
   const auto embedded3 = [](int j) { return tableau::a[last][j] - tableau::error3[j]; };
 #pragma GCC unroll 1
   for (int from = 0; from < dimension; from += block) {
