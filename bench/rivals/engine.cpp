@@ -38,7 +38,7 @@ class Engine : public Rival {
       advance_lanes(task, fates);
       for (std::size_t i = 0; i < count; ++i)
         if (fates[i].outcome != Outcome::undecided) task.states[i * size] = std::numeric_limits<double>::quiet_NaN();
-      return 12 * work.steps + count;
+      return work.evaluations(count);
     });
   }
 

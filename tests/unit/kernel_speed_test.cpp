@@ -10,6 +10,7 @@
 
 #include "equipoise/ensemble/starts.hpp"
 #include "equipoise/integrate/adaptive-inl.hpp"
+#include "equipoise/literature/paper_rotor.hpp"
 #include "equipoise/model/flow-inl.hpp"
 #include "equipoise/run/lane_kernels.hpp"
 
@@ -17,15 +18,6 @@ namespace equipoise {
 namespace {
 
 namespace kernels = HWY_NAMESPACE;
-
-model::Parameters paper_balancer() {
-  model::Parameters p;
-  p.eccentricity = 0.01;
-  p.damping = {0.5, 0.5};
-  p.balls = 2;
-  for (int i = 0; i < p.balls; ++i) p.mass[i] = p.drag[i] = 0.05;
-  return p;
-}
 
 constexpr model::Segment constant_speed{0.0, 1e9, 0.0, 2.4, 0.0, false};
 constexpr double until = 100.0;
@@ -40,7 +32,7 @@ double seconds() { return static_cast<double>(std::clock()) / CLOCKS_PER_SEC; }
 
 // Of CPU time, an evaluation and trajectory.
 double lane_nanoseconds() {
-  const model::Parameters p = paper_balancer();
+  const model::Parameters p = paper_rotor().parameters;
   constexpr int count = 256;
   std::vector<double> states = starts(count);
   std::vector<Fate> fates(count);
@@ -50,12 +42,12 @@ double lane_nanoseconds() {
   EXPECT_TRUE(advance_lanes(task, fates));
   const double spent = seconds() - begin;
   EXPECT_GT(work.accepted, 0u);
-  return 1e9 * spent / (12.0 * static_cast<double>(work.steps) + count);
+  return 1e9 * spent / static_cast<double>(work.evaluations(count));
 }
 
 double scalar_nanoseconds() {
   using Flow = kernels::FreeFlow<double, 2, kernels::Terms{false, false, false}>;
-  const model::Parameters p = paper_balancer();
+  const model::Parameters p = paper_rotor().parameters;
   const Flow flow(p, constant_speed);
   long evaluations = 0;
   const auto counted = [&](double t, const double* z, double* dz) {

@@ -14,6 +14,7 @@ enum class Outcome : signed char {
   undecided = 1,  ///< to none by the horizon
   diverged = 2,   ///< left every motion a balancer can make (divergence_limit)
   failed = 3,     ///< the integrator's step size vanished
+  stalled = 4,    ///< a driven rotor whose motor did not bring it up to speed (Sommerfeld capture)
 };
 
 struct Fate {

@@ -10,11 +10,13 @@
 
 namespace equipoise {
 
-/// Work done for the trajectories of a task. An accepted or rejected step takes 12 evaluations of the equations, a
-/// trajectory's beginning one.
+/// Work done for the trajectories of a task.
 struct LaneWork {
   std::uint64_t steps = 0;     ///< tried
   std::uint64_t accepted = 0;  ///< of these
+
+  /// Evaluations of the equations: 12 for every step tried, one where a trajectory begins.
+  std::uint64_t evaluations(std::uint64_t trajectories) const { return 12 * steps + trajectories; }
 };
 
 /// Trajectories from segment.begin to `end`. A trajectory's result depends on its own initial state and on nothing else
@@ -28,6 +30,9 @@ struct LaneTask {
   double* states = nullptr;  ///< count rows of dimension(balls) numbers; states at segment.begin in, final states out
   const StopFlag* stop = nullptr;
   LaneWork* work = nullptr;  ///< if given, the work done is added to it
+
+  /// Whether the equations with anisotropic supports and gravity are needed.
+  bool general() const { return !parameters->isotropic() || parameters->gravity != 0.0; }
 };
 
 /// How a trajectory left its lane.

@@ -18,6 +18,14 @@ struct Parameters {
   std::array<double, max_balls> mass{};       ///< mu_i = m_i/M, > 0
   std::array<double, max_balls> drag{};       ///< beta_i = D_i/(m_i R^2 omega_c), >= 0
 
+  // Beyond the paper, each off at its default; docs/equations.md says where each comes from.
+  double inertia = 0.0;                         ///< iota = I_C/(M R^2) about the centre of mass; driven rotor only
+  std::array<double, 2> race_offset{0.0, 0.0};  ///< e/R: centre of the race from the shaft's, in the rotating frame
+  std::array<double, max_balls> rolling{};      ///< resistance of a moving ball over its normal force, >= 0
+  std::array<double, max_balls> stiction{};     ///< largest resistance of a resting ball over its normal force
+  double contact_angle = 0.0;                   ///< between touching balls, seen from the race's centre; 0: they pass
+  double restitution = 0.5;                     ///< of ball on ball, 0 to 1
+
   /// Sum of mu_i.
   double total_mass() const {
     double sum = 0.0;
@@ -27,8 +35,16 @@ struct Parameters {
   bool isotropic() const { return damping[0] == damping[1] && stiffness[0] == stiffness[1]; }
   bool equal_balls() const {
     for (int i = 1; i < balls; ++i)
-      if (mass[i] != mass[0] || drag[i] != drag[0]) return false;
+      if (mass[i] != mass[0] || drag[i] != drag[0] || rolling[i] != rolling[0] || stiction[i] != stiction[0])
+        return false;
     return true;
+  }
+  bool race_is_centred() const { return race_offset[0] == 0.0 && race_offset[1] == 0.0; }
+  bool balls_collide() const { return contact_angle > 0.0; }
+  bool balls_stick() const {
+    for (int i = 0; i < balls; ++i)
+      if (rolling[i] > 0.0 || stiction[i] > 0.0) return true;
+    return false;
   }
 };
 

@@ -6,6 +6,7 @@
 #include <memory>
 
 #include "equipoise/model/ball_count.hpp"
+#include "equipoise/run/general_kernels.hpp"
 
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "equipoise/run/lane_kernels.cpp"
@@ -15,30 +16,12 @@
 #include "equipoise/attractors/decision-inl.hpp"
 #include "equipoise/ensemble/lane_block-inl.hpp"
 #include "equipoise/ensemble/watch_radius-inl.hpp"
+#include "equipoise/run/lane_group-inl.hpp"
 #include "equipoise/model/flow-inl.hpp"
 
 HWY_BEFORE_NAMESPACE();
 namespace equipoise {
 namespace HWY_NAMESPACE {
-
-// Groups of lanes taken in turn. Eight lanes and 32 registers (AVX-512) profit from three for up to two balls; narrower
-// registers, or more balls, keep the processor busy with one.
-template <int n>
-inline constexpr int lane_groups = n <= 2 && pack_lanes == 8 ? 3 : 1;
-
-// Records trajectories that are lost on the way; the others simply arrive.
-template <int n>
-class WatchForLoss : public NoObserver<n> {
- public:
-  explicit WatchForLoss(std::vector<Fate>& fates) : fates_(fates) {}
-  void end(int, std::size_t start, LaneEnd how, double t, const double*) {
-    if (how == LaneEnd::diverged) fates_[start] = {Outcome::diverged, DecidedBy::nothing, 0, t};
-    if (how == LaneEnd::failed) fates_[start] = {Outcome::failed, DecidedBy::nothing, 0, t};
-  }
-
- private:
-  std::vector<Fate>& fates_;
-};
 
 template <int n, bool accelerating>
 bool advance_balls(const LaneTask& task, std::vector<Fate>& fates) {
@@ -96,7 +79,8 @@ int evaluate_balls(const model::Parameters& p, double speed, long count, double*
 
 bool advance_target(const LaneTask& task, std::vector<Fate>& fates) {
   return model::with_ball_count(task.parameters->balls, [&](auto n) {
-    return task.segment.acceleration == 0.0 ? advance_balls<n, false>(task, fates) : advance_balls<n, true>(task, fates);
+    return task.segment.acceleration == 0.0 ? advance_balls<n, false>(task, fates)
+                                            : advance_balls<n, true>(task, fates);
   });
 }
 
@@ -137,6 +121,7 @@ std::string name_of(std::int64_t target) {
 }  // namespace
 
 bool advance_lanes(const LaneTask& task, std::vector<Fate>& fates) {
+  if (task.general()) return advance_general_lanes(task, fates);
   return HWY_DYNAMIC_DISPATCH(advance_target)(task, fates);
 }
 
@@ -146,6 +131,7 @@ bool watch_lanes(const LaneTask& task, const RadiusWindows& record) {
 
 bool decide_lanes(const LaneTask& task, const DecisionRule& rule, std::vector<Fate>& fates,
                   std::vector<PilotRecord>* pilot) {
+  if (task.general()) return decide_general_lanes(task, rule, fates, pilot);
   return HWY_DYNAMIC_DISPATCH(decide_target)(task, rule, fates, pilot);
 }
 

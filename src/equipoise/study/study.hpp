@@ -9,15 +9,16 @@
 
 #include "equipoise/ensemble/sampling.hpp"
 #include "equipoise/model/parameters.hpp"
+#include "equipoise/model/scales.hpp"
 #include "equipoise/model/speed.hpp"
 
 namespace equipoise {
 
-/// [speed]: the ramp function by name, and the law that turns it into psi(t).
-struct SpeedSetting {
-  std::string profile = "constant";  ///< constant | ramp | trapezoid | points
+/// A ramp function by name: [speed], or the target of a speed control.
+struct RampSetting {
+  std::string profile = "constant";  ///< constant | ramp | trapezoid | points; [speed] also torque
   double speed = 0.0;                ///< constant
-  double initial = 0.0;              ///< ramp, trapezoid
+  double initial = 0.0;              ///< ramp, trapezoid; torque: psi' at t = 0
   double final = 0.0;                ///< ramp, trapezoid
   double duration = 0.0;             ///< ramp: T0, > 0
   double peak = 0.0;                 ///< trapezoid
@@ -26,7 +27,31 @@ struct SpeedSetting {
   double fall_until = 0.0;           ///< trapezoid: T2
   std::vector<double> times;         ///< points
   std::vector<double> speeds;        ///< points
+};
+
+/// speed.torque: the motor of a driven rotor, as model::MotorLaw has it, by the keys that were given.
+struct TorqueSetting {
+  std::string kind = "linear";  ///< linear | stall | table | control
+  double constant = 0.0;        ///< linear: tau = constant + slope psi' until `until`, then 0
+  double slope = 0.0;           ///< linear
+  std::optional<double> until;  ///< linear
+  double stall = 0.0;           ///< stall: torque at rest
+  double no_load_speed = 0.0;   ///< stall: where the torque has fallen to 0
+  std::vector<double> times;    ///< table
+  std::vector<double> values;   ///< table
+  double gain = 0.0;            ///< control: torque for a speed error of 1
+  double integral = 0.0;        ///< control: rate of torque for a speed error of 1
+  std::optional<double> limit;  ///< control: largest |tau|
+  RampSetting target;           ///< control
+};
+
+/// [speed]: how the rotor turns: a prescribed ramp function and the law that turns it into psi(t), or a motor.
+struct SpeedSetting : RampSetting {
   model::SpeedLaw law = model::SpeedLaw::kinematic;
+  TorqueSetting torque;                 ///< profile torque
+  std::optional<double> stalled_below;  ///< profile torque: mean speed below which a rotor has not come through
+
+  bool driven() const { return profile == "torque"; }
 };
 
 /// [release]: when the balls are let go; at most one is set.
@@ -89,6 +114,14 @@ struct Numerics {
 inline constexpr double default_simulate_tolerance = 1e-12;
 inline constexpr double default_basin_tolerance = 1e-6;
 
+/// [limits]: what the machine is asked to keep, for the statistics of transients. Dimensionless.
+struct Limits {
+  std::optional<double> displacement;  ///< radial, in R
+  std::optional<double> force;         ///< on the supports, in M R omega_c^2
+  std::optional<double> velocity;      ///< root mean square, of the centre of the race, in R omega_c
+  std::optional<double> settled;       ///< radial displacement below which the rotor counts as settled, in R
+};
+
 /// A complete study: made by read_study(), or filled in by code (see check()).
 struct Study {
   std::string name;  ///< file it came from; for messages and results only
@@ -98,6 +131,8 @@ struct Study {
   InitialState initial;
   Sampling sampling;
   Numerics numerics;
+  Limits limits;
+  std::optional<model::Scales> scales;  ///< of a study in physical units
 
   /// The ramp function and law as the model sees them.
   model::SpeedProfile speed_profile() const;
