@@ -13,8 +13,9 @@
 
 namespace equipoise {
 
-enum class MotionKind { equilibrium, periodic, quasi_periodic, chaotic };
-/// "equilibrium", "periodic", "quasi-periodic", "chaotic".
+/// `measured`: told by windows of time alone (attractors/steady_watch.hpp).
+enum class MotionKind { equilibrium, periodic, quasi_periodic, chaotic, measured };
+/// "equilibrium", "periodic", "quasi-periodic", "chaotic", "measured".
 const char* name_of(MotionKind kind);
 
 /// Everything known of one motion of the constant-speed system, refined as far as its kind allows.

@@ -139,8 +139,10 @@ const char* name_of(MotionKind kind) {
       return "periodic";
     case MotionKind::quasi_periodic:
       return "quasi-periodic";
-    default:
+    case MotionKind::chaotic:
       return "chaotic";
+    default:
+      return "measured";
   }
 }
 

@@ -50,6 +50,16 @@ class BallContacts {
     return z[4 + n + flow.order[(k + 1) % n]] - z[4 + n + flow.order[k]];
   }
 
+  // Whether pairs can meet, or joined ones part, in a step between two states: apart by more than both rates allow,
+  // with a margin of three for what they do in between, they cannot.
+  bool may_meet(double h, const double* from, const double* to, const MachineFlow<n>& flow) const {
+    for (int k = 0; k < pairs; ++k) {
+      const double rates = std::fabs(gap_rate(k, from, flow)) + std::fabs(gap_rate(k, to, flow));
+      if (flow.joined[k] || std::min(gap(k, from, flow), gap(k, to, flow)) < 3.0 * h * rates + 0.1 * h * h) return true;
+    }
+    return false;
+  }
+
   // Marks pairs that touch, and joined ones that pull instead of press. True if there is any.
   bool look(double t, const double* z, const MachineFlow<n>& flow, std::array<bool, n>& pair) const {
     bool any = false, evaluated = false;

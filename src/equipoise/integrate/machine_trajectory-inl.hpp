@@ -180,6 +180,12 @@ class MachineTrajectory {
     if (!watches()) return to;
     constexpr int looks = 4;
     double z[dimension], low = from;
+    if (!clamped_ && !p_.balls_stick()) {
+      double end[dimension];
+      state_at.roughly(from, z);
+      state_at.roughly(to, end);
+      if (!contacts_.may_meet(to - from, z, end, flow_)) return to;
+    }
     for (int k = 1; k <= looks; ++k) {
       double high = k == looks ? to : from + (to - from) * k / looks;
       state_at(high, z);

@@ -128,6 +128,7 @@ class MachineFlow {
   // (symmetric positive definite, like the inverse of the mass matrix that it is made of).
   void hold_together(const RotorMotion<double>& at, double torque, const double* z, const double* dz,
                      BallActions<double, n>& actions) const {
+    if constexpr (n == 1) return;
     int pairs = 0, pair_of[n];
     double matrix[n][n], right[n];
     const auto apart = [&](int pair, const double* rates) {
