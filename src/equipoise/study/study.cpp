@@ -14,6 +14,7 @@
 #include <fmt/ranges.h>
 
 #include "equipoise/base/error.hpp"
+#include "equipoise/study/physical.hpp"
 #include "equipoise/study/table_reader.hpp"
 
 namespace equipoise {
@@ -48,8 +49,8 @@ void read_points(TableReader& reader, SpeedSetting& speed) {
   if (speed.times.front() != 0.0) reader.fail("times", "the first time must be 0");
   for (std::size_t i = 1; i < speed.times.size(); ++i)
     if (!(speed.times[i] > speed.times[i - 1]))
-      reader.fail("times",
-                  fmt::format("times out of order: entry {} must be greater than {}", i + 1, speed.times[i - 1]));
+      reader.fail("times", fmt::format("times out of order: entry {} must be greater than {}", i + 1,
+                                       reader.time_text(speed.times[i - 1])));
   if (speed.times.size() != speed.speeds.size())
     reader.fail("speeds",
                 fmt::format("has {} entries; must have one a time, {}", speed.speeds.size(), speed.times.size()));
@@ -74,18 +75,17 @@ void read_speed(const Document& document, SpeedSetting& speed) {
     speed.hold_until = reader.number("hold_until", positive);
     speed.fall_until = reader.number("fall_until", positive);
     if (!(speed.hold_until > speed.rise_until))
-      reader.fail("hold_until", fmt::format("must be greater than rise_until, {}", speed.rise_until));
+      reader.fail("hold_until", fmt::format("must be greater than rise_until, {}", reader.time_text(speed.rise_until)));
     if (!(speed.fall_until > speed.hold_until))
-      reader.fail("fall_until", fmt::format("must be greater than hold_until, {}", speed.hold_until));
+      reader.fail("fall_until", fmt::format("must be greater than hold_until, {}", reader.time_text(speed.hold_until)));
   } else {
     read_points(reader, speed);
   }
   reader.finish();
 }
 
-std::string reached_speeds(const model::SpeedProfile& profile) {
-  const auto [low, high] = std::minmax_element(profile.speeds.begin(), profile.speeds.end());
-  return fmt::format("the ramp function never reaches it; must be from {} to {}", *low, *high);
+std::string never_reached(const std::string& low, const std::string& high) {
+  return fmt::format("the ramp function never reaches it; must be from {} to {}", low, high);
 }
 
 void read_release(const Document& document, Study& study) {
@@ -96,8 +96,10 @@ void read_release(const Document& document, Study& study) {
   if (study.release.speed && study.release.time)
     reader.fail("time", "give either release.speed or release.time, not both");
   const model::SpeedProfile profile = study.speed_profile();
-  if (study.release.speed && !profile.first_time_at(*study.release.speed))
-    reader.fail("speed", reached_speeds(profile));
+  if (study.release.speed && !profile.first_time_at(*study.release.speed)) {
+    const auto [low, high] = std::minmax_element(profile.speeds.begin(), profile.speeds.end());
+    reader.fail("speed", never_reached(reader.speed_text(*low), reader.speed_text(*high)));
+  }
 }
 
 void read_initial(const Document& document, Study& study) {
@@ -136,7 +138,7 @@ void read_box(const Document& document, double release_time, SamplingBox& box) {
       reader.fail(key,
                   fmt::format("needs balls that are free from t = 0, but their release is at t = {} (clamped balls "
                               "share one spin-up); set release.time = 0 or leave [sampling.box] out",
-                              release_time));
+                              reader.time_text(release_time)));
   }
   reader.finish();
 }
@@ -160,11 +162,31 @@ void read_sampling(const Document& document, double release_time, Sampling& samp
 void read_numerics(const Document& document, Numerics& numerics) {
   TableReader reader(document, "numerics");
   numerics.tolerance = reader.optional_number("tolerance", {1e-14, 1e-2});
-  numerics.horizon = reader.number("horizon", {1.0, 1e7}, numerics.horizon);
+  numerics.horizon = reader.number("horizon", horizon_range, numerics.horizon);
   const auto& modes = decide_mode_names;
   const std::string decide = reader.choice("decide", {modes[0], modes[1], modes[2]}, modes[0]);
   numerics.decide = static_cast<DecideMode>(std::find(modes.begin(), modes.end(), decide) - modes.begin());
   reader.finish();
+}
+
+void read_limits(const Document& document, Limits& limits) {
+  TableReader reader(document, "limits");
+  limits.displacement = reader.optional_number("displacement", positive);
+  limits.force = reader.optional_number("force", positive);
+  limits.velocity = reader.optional_number("velocity", positive);
+  limits.settled = reader.optional_number("settled", positive);
+  reader.finish();
+}
+
+// What a dimensionless study may say of its units, so that results can be shown in physical ones.
+std::optional<model::Scales> read_units(const Document& document) {
+  if (document.scales || !document.root.contains("units")) return document.scales;
+  constexpr Range size{1e-30, 1e30};  // products of all three stay finite
+  TableReader reader(document, "units");
+  const model::Scales scales{reader.number("mass", size), reader.number("length", size),
+                             reader.number("frequency", size)};
+  reader.finish();
+  return scales;
 }
 
 std::string read_file(const std::string& path) {
@@ -208,15 +230,21 @@ double Study::release_time() const {
   const model::SpeedProfile profile = speed_profile();
   if (release.speed) {
     const auto time = profile.first_time_at(*release.speed);
-    if (!time) throw InputError(name, "release.speed", fmt::format("{}", *release.speed), reached_speeds(profile));
+    if (!time) {
+      const auto [low, high] = std::minmax_element(profile.speeds.begin(), profile.speeds.end());
+      throw InputError(name, "release.speed", fmt::format("{}", *release.speed),
+                       never_reached(fmt::format("{}", *low), fmt::format("{}", *high)));
+    }
     return *time;
   }
   return speed.profile == "trapezoid" ? speed.rise_until : profile.settled_time();
 }
 
 Study parse_study(const std::string& toml_text, const std::string& name, const std::vector<std::string>& overrides) {
-  const Document document = parse_document(toml_text, name, overrides);
-  check_tables(document, {"rotor", "balancer", "speed", "release", "initial", "sampling", "numerics"});
+  Document document = parse_document(toml_text, name, overrides);
+  check_tables(document,
+               {"rotor", "balancer", "speed", "release", "initial", "sampling", "numerics", "limits", "units"});
+  make_dimensionless(document);
   Study result;
   result.name = name;
   read_rotor(document, result.parameters);
@@ -226,6 +254,8 @@ Study parse_study(const std::string& toml_text, const std::string& name, const s
   read_initial(document, result);
   read_sampling(document, result.release_time(), result.sampling);
   read_numerics(document, result.numerics);
+  read_limits(document, result.limits);
+  result.scales = read_units(document);
   return result;
 }
 
