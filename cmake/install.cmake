@@ -14,7 +14,7 @@ foreach(header
     equipoise.hpp base/error.hpp model/parameters.hpp model/speed.hpp model/balance_grade.hpp model/balanced_state.hpp model/energy.hpp model/scales.hpp
     integrate/status.hpp ensemble/jittered_grid.hpp ensemble/sampling.hpp attractors/catalogue.hpp attractors/certificate.hpp attractors/decision_rule.hpp
     attractors/fate.hpp attractors/motion.hpp attractors/orbit.hpp statistics/comparison.hpp statistics/share.hpp
-    study/physical_echo.hpp study/study.hpp literature/conclusions.hpp literature/paper_figure.hpp literature/published_tables.hpp
+    study/ball_details.hpp study/physical_echo.hpp study/study.hpp study/units.hpp literature/conclusions.hpp literature/paper_figure.hpp literature/published_tables.hpp
     literature/reproduction.hpp store/basin_file.hpp store/map_file.hpp store/trajectory.hpp
     report/attractors_result.hpp report/basin_result.hpp report/certify_result.hpp report/explain_result.hpp report/map_plot.hpp
     report/open_questions_result.hpp run/attractors.hpp run/basin.hpp run/certify.hpp run/explain.hpp run/observation.hpp

@@ -64,6 +64,7 @@ struct Balancer {
   std::vector<double> mass;    // kg
   std::vector<double> torque;  // N m s: drag torque for a rate relative to the race
   std::vector<double> race_offset;
+  BallDetails details;
   std::optional<double> contact_angle;
   std::string mass_from, drag_from, contact_from;
 };
@@ -84,6 +85,7 @@ class BalancerReader {
     b_.race_offset = reader_.one_or_each("race_offset", {Dimension::length}, any_number, 2, "direction (x, y)");
     for (const char* plain : {"rolling", "stiction", "restitution"}) reader_.has(plain);  // as in any study
     reader_.finish();
+    b_.details.diameter = diameter_;
     return std::move(b_);
   }
 
@@ -132,6 +134,8 @@ class BalancerReader {
         reader_.fail("oil_viscosity", "is a kinematic viscosity and needs balancer.oil_density, such as \"900 kg/m3\"");
       viscosity *= *density;
     }
+    b_.details.oil_viscosity = viscosity;
+    b_.details.oil_density = density;
     need_diameter("oil_viscosity");
     const auto channel = reader_.optional_quantity("channel_diameter", Dimension::length, positive);
     std::vector<double> torque;
@@ -274,6 +278,10 @@ bool is_physical(const Document& document) {
   return has("rotor", {"mass", "damping_ratio", "unbalance"}) ||
          has("balancer", {"race_radius", "ball_diameter", "ball_density", "oil_viscosity", "oil_density",
                           "channel_diameter", "contact"});
+}
+
+BallDetails ball_details(const Document& document) {
+  return is_physical(document) ? BalancerReader(document).read().details : BallDetails{};
 }
 
 void make_dimensionless(Document& document) {

@@ -2,6 +2,7 @@
 // reader takes.
 #pragma once
 
+#include "equipoise/study/ball_details.hpp"
 #include "equipoise/study/table_reader.hpp"
 
 namespace equipoise::study {
@@ -17,5 +18,8 @@ bool is_physical(const Document& document);
 /// written is kept for messages. A dimensionless study stays as it is.
 /// Throws InputError for what is missing, given twice, of the wrong dimension, out of range, or a plain number.
 void make_dimensionless(Document& document);
+
+/// What a physical study says of its balls, before it is made dimensionless.
+BallDetails ball_details(const Document& document);
 
 }  // namespace equipoise::study

@@ -263,6 +263,15 @@ Study read_study(const std::string& path, const std::vector<std::string>& overri
   return parse_study(read_file(path), path, overrides);
 }
 
+BallDetails parse_ball_details(const std::string& toml_text, const std::string& name,
+                               const std::vector<std::string>& overrides) {
+  return ball_details(parse_document(toml_text, name, overrides));
+}
+
+BallDetails read_ball_details(const std::string& path, const std::vector<std::string>& overrides) {
+  return parse_ball_details(read_file(path), path, overrides);
+}
+
 void check(const Study& study) {
   const std::string name = study.name.empty() ? "study" : study.name;
   if (study.parameters.balls < 1 || study.parameters.balls > model::max_balls)
