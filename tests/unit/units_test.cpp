@@ -40,6 +40,11 @@ TEST(Units, AreWorthTheirSiValue) {
            {"7800 kg/m3", Dimension::density, 7800.0},
            {"2 min", Dimension::time, 120.0},
            {"30 ms", Dimension::time, 0.03},
+           {"1 kg/(m s)", Dimension::viscosity, 1.0},
+           {"1 kg m^-1 s^-1", Dimension::viscosity, 1.0},
+           {"1 N.m-1", Dimension::stiffness, 1.0},
+           {"2 N*m", Dimension::torque, 2.0},
+           {"2 N-m", Dimension::torque, 2.0},
            {"30 degree", Dimension::angle, pi / 6.0},
            {"+1.5e3 rpm", Dimension::speed, 50.0 * pi},
            {"3000 rpm", Dimension::speed, 100.0 * pi},
@@ -92,6 +97,9 @@ TEST(Units, RefuseWhatIsNotInProportion) {
   EXPECT_NE(measure("3 lg(re 1 kg)", {Dimension::mass}).problem, "");
   EXPECT_NE(measure("3 1", {Dimension::angle}).problem, "");
   EXPECT_NE(measure("3 rad2/s", {Dimension::speed}).problem, "");
+  for (const char* text :
+       {"3 m m-", "3 m/", "3 /m", "3 (m", "3 m)", "3 ((m))", "3 m^", "3 m22", "3 m per", "3 m 1e9", "3 m%"})
+    EXPECT_NE(measure(text, {Dimension::length}).problem, "") << text;
 }
 
 TEST(Units, AreShownSoThatTheyReadBack) {
