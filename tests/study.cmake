@@ -1,5 +1,7 @@
 # Tests of the study reader, of the shipped studies and of the house's layers.
 equipoise_test(study_test unit unit/study_test.cpp unit/study_errors_test.cpp unit/sampling_box_test.cpp)
+equipoise_test(physical_study_test unit unit/units_test.cpp unit/physical_study_test.cpp LIBRARIES rapidcheck)
+equipoise_test(explain_test unit unit/explain_test.cpp LIBRARIES nlohmann_json::nlohmann_json)
 
 find_package(Python3 COMPONENTS Interpreter)
 if(Python3_FOUND)
@@ -29,7 +31,7 @@ if(EQUIPOISE_BUILD_FUZZER)
   target_sources(study_fuzz PRIVATE ${reader} ${library}/base/error.cpp ${library}/model/speed.cpp)
   target_include_directories(study_fuzz PRIVATE ${PROJECT_SOURCE_DIR}/src
     $<TARGET_PROPERTY:tomlplusplus::tomlplusplus,INTERFACE_INCLUDE_DIRECTORIES>)
-  target_link_libraries(study_fuzz PRIVATE fmt::fmt-header-only)
+  target_link_libraries(study_fuzz PRIVATE fmt::fmt-header-only UDUNITS2::UDUNITS2)
   target_compile_options(study_fuzz PRIVATE -fsanitize=fuzzer,address,undefined -fno-sanitize-recover=undefined)
   target_link_options(study_fuzz PRIVATE -fsanitize=fuzzer,address,undefined)
   set(corpus ${CMAKE_CURRENT_BINARY_DIR}/study_corpus)  # new inputs go here; the seeds are only read

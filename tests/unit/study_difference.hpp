@@ -42,6 +42,14 @@ inline std::string first_difference(const Study& a, const Study& b) {
   if (a.numerics.tolerance != b.numerics.tolerance) return "numerics.tolerance";
   if (a.numerics.horizon != b.numerics.horizon) return "numerics.horizon";
   if (a.numerics.decide != b.numerics.decide) return "numerics.decide";
+  if (a.limits.displacement != b.limits.displacement) return "limits.displacement";
+  if (a.limits.force != b.limits.force) return "limits.force";
+  if (a.limits.velocity != b.limits.velocity) return "limits.velocity";
+  if (a.limits.settled != b.limits.settled) return "limits.settled";
+  if (a.scales.has_value() != b.scales.has_value()) return "scales";
+  if (a.scales && a.scales->mass != b.scales->mass) return "scales.mass";
+  if (a.scales && a.scales->length != b.scales->length) return "scales.length";
+  if (a.scales && a.scales->frequency != b.scales->frequency) return "scales.frequency";
   return "";
 }
 

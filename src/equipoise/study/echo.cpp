@@ -1,4 +1,5 @@
 // The resolved study as TOML: what a result remembers of the question it answers.
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -71,6 +72,25 @@ std::string race_keys(const model::Parameters& p) {
   return text;
 }
 
+std::string limits_text(const Limits& limits) {
+  std::string keys;
+  const auto add = [&](const char* key, const std::optional<double>& limit) {
+    if (limit) keys += fmt::format("{} = {}\n", key, number_text(*limit));
+  };
+  add("displacement", limits.displacement);
+  add("force", limits.force);
+  add("velocity", limits.velocity);
+  add("settled", limits.settled);
+  return keys.empty() ? "" : "\n[limits]\n" + keys;
+}
+
+// SI: kg, m, rad/s.
+std::string units_text(const std::optional<model::Scales>& scales) {
+  if (!scales) return "";
+  return fmt::format("\n[units]\nmass = {}\nlength = {}\nfrequency = {}\n", number_text(scales->mass),
+                     number_text(scales->length), number_text(scales->frequency));
+}
+
 }  // namespace
 
 std::string to_toml(const Study& study) {
@@ -107,7 +127,7 @@ std::string to_toml(const Study& study) {
   if (study.numerics.tolerance) text += fmt::format("tolerance = {}\n", number_text(*study.numerics.tolerance));
   text += fmt::format("horizon = {}\n", number_text(study.numerics.horizon));
   text += fmt::format("decide = \"{}\"\n", decide_mode_names[static_cast<std::size_t>(study.numerics.decide)]);
-  return text;
+  return text + limits_text(study.limits) + units_text(study.scales);
 }
 
 }  // namespace equipoise

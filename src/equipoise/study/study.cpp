@@ -15,6 +15,7 @@
 
 #include "equipoise/base/angles.hpp"
 #include "equipoise/base/error.hpp"
+#include "equipoise/study/physical.hpp"
 #include "equipoise/study/table_reader.hpp"
 
 namespace equipoise {
@@ -76,7 +77,8 @@ void check_times(TableReader& reader, const std::vector<double>& times, const ch
                  const std::vector<double>& values) {
   for (std::size_t i = 1; i < times.size(); ++i)
     if (!(times[i] > times[i - 1]))
-      reader.fail("times", fmt::format("times out of order: entry {} must be greater than {}", i + 1, times[i - 1]));
+      reader.fail("times", fmt::format("times out of order: entry {} must be greater than {}", i + 1,
+                                       reader.time_text(times[i - 1])));
   if (times.size() != values.size())
     reader.fail(values_key, fmt::format("has {} entries; must have one a time, {}", values.size(), times.size()));
 }
@@ -103,9 +105,9 @@ void read_ramp(TableReader& reader, RampSetting& speed) {
     speed.hold_until = reader.number("hold_until", positive);
     speed.fall_until = reader.number("fall_until", positive);
     if (!(speed.hold_until > speed.rise_until))
-      reader.fail("hold_until", fmt::format("must be greater than rise_until, {}", speed.rise_until));
+      reader.fail("hold_until", fmt::format("must be greater than rise_until, {}", reader.time_text(speed.rise_until)));
     if (!(speed.fall_until > speed.hold_until))
-      reader.fail("fall_until", fmt::format("must be greater than hold_until, {}", speed.hold_until));
+      reader.fail("fall_until", fmt::format("must be greater than hold_until, {}", reader.time_text(speed.hold_until)));
   } else {
     read_points(reader, speed);
   }
@@ -167,9 +169,8 @@ void read_speed(const Document& document, const model::Parameters& p, SpeedSetti
   reader.finish();
 }
 
-std::string reached_speeds(const model::SpeedProfile& profile) {
-  const auto [low, high] = std::minmax_element(profile.speeds.begin(), profile.speeds.end());
-  return fmt::format("the ramp function never reaches it; must be from {} to {}", *low, *high);
+std::string never_reached(const std::string& low, const std::string& high) {
+  return fmt::format("the ramp function never reaches it; must be from {} to {}", low, high);
 }
 
 void read_release(const Document& document, Study& study) {
@@ -180,8 +181,10 @@ void read_release(const Document& document, Study& study) {
   if (study.release.speed && study.release.time)
     reader.fail("time", "give either release.speed or release.time, not both");
   const model::SpeedProfile profile = study.speed_profile();
-  if (study.release.speed && !study.speed.driven() && !profile.first_time_at(*study.release.speed))
-    reader.fail("speed", reached_speeds(profile));
+  if (study.release.speed && !study.speed.driven() && !profile.first_time_at(*study.release.speed)) {
+    const auto [low, high] = std::minmax_element(profile.speeds.begin(), profile.speeds.end());
+    reader.fail("speed", never_reached(reader.speed_text(*low), reader.speed_text(*high)));
+  }
 }
 
 void read_initial(const Document& document, Study& study) {
@@ -220,7 +223,7 @@ void read_box(const Document& document, double release_time, SamplingBox& box) {
       reader.fail(key,
                   fmt::format("needs balls that are free from t = 0, but their release is at t = {} (clamped balls "
                               "share one spin-up); set release.time = 0 or leave [sampling.box] out",
-                              release_time));
+                              reader.time_text(release_time)));
   }
   reader.finish();
 }
@@ -244,11 +247,31 @@ void read_sampling(const Document& document, double release_time, Sampling& samp
 void read_numerics(const Document& document, Numerics& numerics) {
   TableReader reader(document, "numerics");
   numerics.tolerance = reader.optional_number("tolerance", {1e-14, 1e-2});
-  numerics.horizon = reader.number("horizon", {1.0, 1e7}, numerics.horizon);
+  numerics.horizon = reader.number("horizon", horizon_range, numerics.horizon);
   const auto& modes = decide_mode_names;
   const std::string decide = reader.choice("decide", {modes[0], modes[1], modes[2]}, modes[0]);
   numerics.decide = static_cast<DecideMode>(std::find(modes.begin(), modes.end(), decide) - modes.begin());
   reader.finish();
+}
+
+void read_limits(const Document& document, Limits& limits) {
+  TableReader reader(document, "limits");
+  limits.displacement = reader.optional_number("displacement", positive);
+  limits.force = reader.optional_number("force", positive);
+  limits.velocity = reader.optional_number("velocity", positive);
+  limits.settled = reader.optional_number("settled", positive);
+  reader.finish();
+}
+
+// What a dimensionless study may say of its units, so that results can be shown in physical ones.
+std::optional<model::Scales> read_units(const Document& document) {
+  if (document.scales || !document.root.contains("units")) return document.scales;
+  constexpr Range size{1e-30, 1e30};  // products of all three stay finite
+  TableReader reader(document, "units");
+  const model::Scales scales{reader.number("mass", size), reader.number("length", size),
+                             reader.number("frequency", size)};
+  reader.finish();
+  return scales;
 }
 
 std::string read_file(const std::string& path) {
@@ -307,7 +330,11 @@ double Study::release_time() const {
   const model::SpeedProfile profile = speed_profile();
   if (release.speed) {
     const auto time = profile.first_time_at(*release.speed);
-    if (!time) throw InputError(name, "release.speed", fmt::format("{}", *release.speed), reached_speeds(profile));
+    if (!time) {
+      const auto [low, high] = std::minmax_element(profile.speeds.begin(), profile.speeds.end());
+      throw InputError(name, "release.speed", fmt::format("{}", *release.speed),
+                       never_reached(fmt::format("{}", *low), fmt::format("{}", *high)));
+    }
     return *time;
   }
   return speed.profile == "trapezoid" ? speed.rise_until : profile.settled_time();
@@ -350,8 +377,10 @@ double Study::stall_speed() const {
 }
 
 Study parse_study(const std::string& toml_text, const std::string& name, const std::vector<std::string>& overrides) {
-  const Document document = parse_document(toml_text, name, overrides);
-  check_tables(document, {"rotor", "balancer", "speed", "release", "initial", "sampling", "numerics"});
+  Document document = parse_document(toml_text, name, overrides);
+  check_tables(document,
+               {"rotor", "balancer", "speed", "release", "initial", "sampling", "numerics", "limits", "units"});
+  make_dimensionless(document);
   Study result;
   result.name = name;
   read_rotor(document, result.parameters);
@@ -361,11 +390,22 @@ Study parse_study(const std::string& toml_text, const std::string& name, const s
   read_initial(document, result);
   read_sampling(document, result.release_time(), result.sampling);
   read_numerics(document, result.numerics);
+  read_limits(document, result.limits);
+  result.scales = read_units(document);
   return result;
 }
 
 Study read_study(const std::string& path, const std::vector<std::string>& overrides) {
   return parse_study(read_file(path), path, overrides);
+}
+
+BallDetails parse_ball_details(const std::string& toml_text, const std::string& name,
+                               const std::vector<std::string>& overrides) {
+  return ball_details(parse_document(toml_text, name, overrides));
+}
+
+BallDetails read_ball_details(const std::string& path, const std::vector<std::string>& overrides) {
+  return parse_ball_details(read_file(path), path, overrides);
 }
 
 void check(const Study& study) {

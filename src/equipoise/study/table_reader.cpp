@@ -10,6 +10,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include "equipoise/base/angles.hpp"
 #include "equipoise/study/text_guard.hpp"
 
 namespace equipoise::study {
@@ -72,13 +73,11 @@ std::string shown(const toml::node& node) {
   return printable(text);
 }
 
-std::string kind(const toml::node& node) {
-  if (node.is_string()) return "a string";
-  if (node.is_table()) return "a table";
-  if (node.is_array()) return "an array";
-  if (node.is_boolean()) return "a boolean";
-  if (node.is_integer() || node.is_floating_point()) return "a number";
-  return "a date or time";
+// "12 kg", where a plain number was wanted.
+bool looks_physical(const toml::node& node) {
+  const auto* text = node.as_string();
+  return text && !text->get().empty() &&
+         std::string_view("+-.0123456789").find(text->get().front()) != std::string::npos;
 }
 
 std::size_t edit_distance(std::string_view a, std::string_view b) {
@@ -188,7 +187,13 @@ std::string Range::text() const {
   return "a finite number";
 }
 
+std::string Document::value_text(const std::string& dotted_key, const toml::node& node) const {
+  const auto found = written.find(dotted_key);
+  return found == written.end() ? shown(node) : found->second.value;
+}
+
 std::string Document::where(const std::string& dotted_key, const toml::node* node) const {
+  if (const auto found = written.find(dotted_key); found != written.end()) return found->second.where;
   for (std::size_t dot = 0; dot != std::string::npos;) {
     dot = dotted_key.find('.', dot + 1);
     if (overridden.count(dotted_key.substr(0, dot))) return "--set";
@@ -247,16 +252,39 @@ const toml::node& TableReader::require(const std::string& key, const std::string
 
 void TableReader::fail(const std::string& key, const std::string& problem) const {
   const toml::node* node = table_ ? table_->get(key) : nullptr;
-  throw InputError(document_.where(dotted(key), node), dotted(key), node ? shown(*node) : "", problem);
+  throw InputError(document_.where(dotted(key), node), dotted(key),
+                   node ? document_.value_text(dotted(key), *node) : "", problem);
+}
+
+std::string TableReader::time_text(double time) const {
+  return document_.scales ? fmt::format("{:.6g} s", time * document_.scales->time()) : fmt::format("{}", time);
+}
+
+std::string TableReader::speed_text(double speed) const {
+  constexpr double rpm = pi / 30.0;
+  return document_.scales ? fmt::format("{:.6g} rpm", speed * document_.scales->frequency / rpm)
+                          : fmt::format("{}", speed);
+}
+
+std::string TableReader::kind(const toml::node& node) {
+  if (node.is_string()) return "a string";
+  if (node.is_table()) return "a table";
+  if (node.is_array()) return "an array";
+  if (node.is_boolean()) return "a boolean";
+  if (node.is_integer() || node.is_floating_point()) return "a number";
+  return "a date or time";
 }
 
 double TableReader::as_number(const std::string& key, const toml::node& node, const Range& range,
                               std::optional<std::size_t> entry) const {
   const std::string which = entry ? fmt::format("entry {} ", *entry + 1) : "";
   const auto reject = [&](const std::string& problem) {
-    throw InputError(document_.where(dotted(key), &node), dotted(key), shown(node), which + problem);
+    throw InputError(document_.where(dotted(key), &node), dotted(key), document_.value_text(dotted(key), node),
+                     which + problem);
   };
-  if (!node.is_number()) reject(fmt::format("is {}; must be {}", kind(node), range.text()));
+  if (!node.is_number())
+    reject(fmt::format("is {}; must be {}{}", kind(node), range.text(),
+                       looks_physical(node) ? " (a study in physical units states rotor.mass)" : ""));
   const double value =
       node.is_integer() ? static_cast<double>(node.as_integer()->get()) : node.as_floating_point()->get();
   if (!range.contains(value)) {
@@ -329,8 +357,8 @@ void TableReader::finish() const {
   for (const auto& [key, node] : *table_) {
     const std::string name(key.str());
     if (std::find(known_.begin(), known_.end(), name) == known_.end())
-      throw InputError(document_.where(dotted(name), &node), dotted(printable(name)), shown(node),
-                       unknown_key(name, known_));
+      throw InputError(document_.where(dotted(name), &node), dotted(printable(name)),
+                       document_.value_text(dotted(name), node), unknown_key(name, known_));
   }
 }
 

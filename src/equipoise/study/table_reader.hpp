@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <functional>
 #include <initializer_list>
+#include <map>
 #include <optional>
 #include <set>
 #include <string>
@@ -18,6 +19,7 @@
 #include <toml++/toml.h>
 
 #include "equipoise/base/error.hpp"
+#include "equipoise/model/scales.hpp"
 
 namespace equipoise::study {
 
@@ -44,8 +46,16 @@ struct Document {
   toml::table root;
   std::string name;
   std::set<std::string> overridden;  ///< dotted keys given by --set
+  /// Where a value has been converted (physical.hpp): what was written, and where; by dotted key.
+  struct Written {
+    std::string value, where;
+  };
+  std::map<std::string, Written> written;
+  std::optional<model::Scales> scales;  ///< of a physical study, for messages in its units
 
   std::string where(const std::string& dotted_key, const toml::node* node) const;
+  /// The value as it was written, shortened, for a message.
+  std::string value_text(const std::string& dotted_key, const toml::node& node) const;
 };
 
 /// Parses TOML text and applies overrides "dotted.key=value". The value is TOML; what is not TOML and does not begin
@@ -76,13 +86,20 @@ class TableReader {
   /// Throws an InputError about `key`.
   [[noreturn]] void fail(const std::string& key, const std::string& problem) const;
 
- private:
+  /// A dimensionless time or speed in the study's own terms: 3.2, or "0.05 s" and "2400 rpm" in a physical study.
+  std::string time_text(double time) const;
+  std::string speed_text(double speed) const;
+
+ protected:
   const toml::node* find(const std::string& key);
   const toml::node& require(const std::string& key, const std::string& wanted);
   double as_number(const std::string& key, const toml::node& node, const Range& range,
                    std::optional<std::size_t> entry = std::nullopt) const;
   std::string dotted(const std::string& key) const;
+  /// "a number", "a string": what a node is, for a message.
+  static std::string kind(const toml::node& node);
 
+ private:
   const Document& document_;
   std::string prefix_;
   const toml::table* table_ = nullptr;

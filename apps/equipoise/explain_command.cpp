@@ -1,0 +1,38 @@
+// equipoise explain: a study in physical and dimensionless form, and what follows without simulation.
+#include <memory>
+#include <string>
+#include <vector>
+
+#include <fmt/format.h>
+
+#include "commands.hpp"
+#include "equipoise/run/explain.hpp"
+#include "options.hpp"
+
+namespace equipoise::app {
+
+namespace {
+
+struct ExplainArguments {
+  std::string study;
+  std::vector<std::string> overrides;
+  bool json = false;
+};
+
+int run_explain(const ExplainArguments& a) {
+  const Explanation e = explain(read_study(a.study, a.overrides), read_ball_details(a.study, a.overrides));
+  fmt::print("{}", a.json ? explain_json(e) : explain_text(e));
+  return done;
+}
+
+}  // namespace
+
+Command add_explain(CLI::App& app) {
+  const auto a = std::make_shared<ExplainArguments>();
+  app.add_option("study", a->study, "study file (TOML)")->required()->type_name("STUDY");
+  add_overrides(app, a->overrides);
+  app.add_flag("--json", a->json, "print one JSON object");
+  return [a] { return run_explain(*a); };
+}
+
+}  // namespace equipoise::app

@@ -1,0 +1,13 @@
+// What a study's numbers say before anything is simulated.
+#pragma once
+
+#include "equipoise/report/explain_result.hpp"
+#include "equipoise/study/ball_details.hpp"
+#include "equipoise/study/study.hpp"
+
+namespace equipoise {
+
+/// Takes any study that read_study() accepts. `balls`: for the Reynolds number and for whether the balls have room.
+Explanation explain(const Study& study, const BallDetails& balls = {});
+
+}  // namespace equipoise

@@ -1,0 +1,22 @@
+// What a physical study says of its balls beyond the dimensionless numbers.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace equipoise {
+
+/// In SI units; empty where the study does not say.
+struct BallDetails {
+  std::vector<double> diameter;         ///< one a ball
+  std::optional<double> oil_viscosity;  ///< dynamic, Pa s
+  std::optional<double> oil_density;    ///< kg/m^3
+};
+
+/// Reads them from a study that read_study() accepts.
+BallDetails read_ball_details(const std::string& path, const std::vector<std::string>& overrides = {});
+BallDetails parse_ball_details(const std::string& toml_text, const std::string& name,
+                               const std::vector<std::string>& overrides = {});
+
+}  // namespace equipoise

@@ -1,0 +1,304 @@
+// From a machine in physical units to the dimensionless study (docs/equations.md, "Units").
+#include "equipoise/study/physical.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "equipoise/base/angles.hpp"
+#include "equipoise/model/ball_drag.hpp"
+#include "equipoise/model/parameters.hpp"
+#include "equipoise/study/physical_keys.hpp"
+#include "equipoise/study/quantity_reader.hpp"
+
+namespace equipoise::study {
+
+namespace {
+
+// A key of a dimensionless table: its values, and the physical key that they come from.
+struct Derived {
+  std::string key, from;
+  std::vector<double> values;
+};
+
+struct Rotor {
+  double mass = 0.0;                       // M, kg
+  std::vector<double> stiffness;           // N/m, x and y
+  double mean_stiffness = 0.0;             // k
+  std::vector<double> damping_ratio;       // c/(2 sqrt(k M)) of each direction, if given so
+  std::vector<double> damping;             // N s/m, if given so
+  std::optional<double> unbalance;         // kg m, if given so
+  std::optional<double> eccentricity;      // m
+  std::optional<double> gravity, inertia;  // m/s^2, kg m^2
+};
+
+Rotor read_rotor(const Document& document) {
+  QuantityReader reader(document, "rotor");
+  const std::string direction = "direction (x, y)";
+  Rotor r;
+  r.mass = reader.quantity("mass", Dimension::mass, positive);
+  if (!reader.has("stiffness")) reader.quantity("stiffness", Dimension::stiffness, positive);  // says what is missing
+  r.stiffness = reader.one_or_each("stiffness", {Dimension::stiffness}, positive, 2, direction);
+  r.mean_stiffness = r.stiffness[0] + 0.5 * (r.stiffness[1] - r.stiffness[0]);  // of equal ones exactly their value
+  reader.exactly_one("damping", "a damping coefficient of 0 or more, such as \"200 N s/m\"", "damping_ratio",
+                     "a plain number, c/(2 sqrt(k M))");
+  r.damping = reader.one_or_each("damping", {Dimension::damping}, not_negative, 2, direction);
+  if (reader.has("damping_ratio"))
+    r.damping_ratio = reader.one_or_each("damping_ratio", {0.0, largest_si}, 2, direction);
+  reader.exactly_one("eccentricity", "a length of 0 or more, such as \"0.2 mm\"", "unbalance",
+                     "mass times eccentricity, such as \"300 g mm\"");
+  r.eccentricity = reader.optional_quantity("eccentricity", Dimension::length, not_negative);
+  r.unbalance = reader.optional_quantity("unbalance", Dimension::unbalance, not_negative);
+  r.gravity = reader.optional_quantity("gravity", Dimension::acceleration, not_negative);
+  r.inertia = reader.optional_quantity("inertia", Dimension::inertia, positive);
+  reader.finish();
+  return r;
+}
+
+struct Balancer {
+  int balls = 0;
+  double radius = 0.0;         // R, m
+  std::vector<double> mass;    // kg
+  std::vector<double> torque;  // N m s: drag torque for a rate relative to the race
+  std::vector<double> race_offset;
+  BallDetails details;
+  std::optional<double> contact_angle;
+  std::string mass_from, drag_from, contact_from;
+};
+
+class BalancerReader {
+ public:
+  explicit BalancerReader(const Document& document) : reader_(document, "balancer") {}
+
+  Balancer read() {
+    b_.balls = static_cast<int>(reader_.integer("balls", 1, model::max_balls));
+    b_.radius = reader_.quantity("race_radius", Dimension::length, positive);
+    diameter_ = reader_.one_or_each("ball_diameter", {Dimension::length}, positive, b_.balls, "ball");
+    for (const double d : diameter_)
+      if (d >= 2.0 * b_.radius) reader_.fail("ball_diameter", "must be less than twice balancer.race_radius");
+    read_mass();
+    read_drag();
+    read_contact();
+    b_.race_offset = reader_.one_or_each("race_offset", {Dimension::length}, any_number, 2, "direction (x, y)");
+    for (const char* plain : {"rolling", "stiction", "restitution"}) reader_.has(plain);  // as in any study
+    reader_.finish();
+    b_.details.diameter = diameter_;
+    return std::move(b_);
+  }
+
+ private:
+  void need_diameter(const char* key) {
+    if (diameter_.empty()) reader_.fail(key, "needs balancer.ball_diameter, such as \"8 mm\"");
+  }
+
+  void read_mass() {
+    reader_.exactly_one("mass", "a mass greater than 0, such as \"5 g\"", "ball_density",
+                        "with balancer.ball_diameter");
+    b_.mass = reader_.one_or_each("mass", {Dimension::mass}, positive, b_.balls, "ball");
+    b_.mass_from = reader_.has("mass") ? "mass" : "ball_density";
+    if (reader_.has("mass")) return;
+    b_.mass = reader_.one_or_each("ball_density", {Dimension::density}, positive, b_.balls, "ball");
+    need_diameter("ball_density");
+    for (std::size_t i = 0; i < b_.mass.size(); ++i)
+      b_.mass[i] *= pi / 6.0 * diameter_[i] * diameter_[i] * diameter_[i];
+  }
+
+  void read_drag() {
+    reader_.exactly_one("drag",
+                        "a torque for a rate, such as \"1e-6 N m s\", or a force for a velocity, such as "
+                        "\"0.01 N s/m\"",
+                        "oil_viscosity", "with balancer.ball_diameter");
+    b_.drag_from = reader_.has("drag") ? "drag" : "oil_viscosity";
+    Dimension measured{};
+    b_.torque =
+        reader_.one_or_each("drag", {Dimension::gain, Dimension::damping}, not_negative, b_.balls, "ball", &measured);
+    if (!b_.torque.empty() && measured == Dimension::damping)
+      for (double& d : b_.torque) d *= b_.radius * b_.radius;
+    if (b_.torque.empty())
+      b_.torque = drag_in_oil();
+    else
+      for (const char* key : {"oil_density", "channel_diameter"})
+        if (reader_.has(key)) reader_.fail(key, "has a meaning only with balancer.oil_viscosity");
+  }
+
+  std::vector<double> drag_in_oil() {
+    Dimension measured{};
+    const std::vector<Dimension> viscosities{Dimension::viscosity, Dimension::kinematic_viscosity};
+    double viscosity = reader_.one_or_each("oil_viscosity", viscosities, positive, 1, "balancer", &measured).front();
+    const auto density = reader_.optional_quantity("oil_density", Dimension::density, positive);
+    if (measured == Dimension::kinematic_viscosity) {
+      if (!density)
+        reader_.fail("oil_viscosity", "is a kinematic viscosity and needs balancer.oil_density, such as \"900 kg/m3\"");
+      viscosity *= *density;
+    }
+    b_.details.oil_viscosity = viscosity;
+    b_.details.oil_density = density;
+    need_diameter("oil_viscosity");
+    const auto channel = reader_.optional_quantity("channel_diameter", Dimension::length, positive);
+    std::vector<double> torque;
+    for (const double d : diameter_) {
+      if (channel && !(d <= model::widest_ball_in_channel * *channel))
+        reader_.fail("channel_diameter",
+                     fmt::format("must be at least {:.6g} mm: the wall correction holds for balls up to {} of the "
+                                 "channel; in a closer fit state the drag itself",
+                                 1000.0 * d / model::widest_ball_in_channel, model::widest_ball_in_channel));
+      torque.push_back(model::stokes_drag(viscosity, d) * (channel ? model::wall_correction(d / *channel) : 1.0) *
+                       b_.radius * b_.radius);
+    }
+    return torque;
+  }
+
+  void read_contact() {
+    if (reader_.has("contact_angle")) {
+      if (reader_.has("contact"))
+        reader_.fail("contact", "give either balancer.contact_angle or balancer.contact, not both");
+      b_.contact_angle = reader_.optional_quantity("contact_angle", Dimension::angle, not_negative);
+      b_.contact_from = "contact_angle";
+    } else if (reader_.flag("contact")) {
+      need_diameter("contact");
+      if (std::any_of(diameter_.begin(), diameter_.end(), [&](double d) { return d != diameter_.front(); }))
+        reader_.fail("contact", "needs balls of one diameter");
+      b_.contact_angle = 2.0 * std::asin(0.5 * diameter_.front() / b_.radius);
+      b_.contact_from = "contact";
+    }
+  }
+
+  QuantityReader reader_;
+  Balancer b_;
+  std::vector<double> diameter_;
+};
+
+// Puts numbers in the place of one physical key's value.
+void put(Document& document, toml::table& table, const std::string& prefix, const Derived& d, bool as_array) {
+  if (const toml::node* source = table.get(d.from)) {
+    const std::string from = prefix + "." + d.from;
+    document.written[prefix + "." + d.key] = {document.value_text(from, *source), document.where(from, source)};
+  }
+  if (!as_array) {
+    table.insert_or_assign(d.key, d.values.front());
+    return;
+  }
+  toml::array array;
+  for (const double v : d.values) array.push_back(v);
+  table.insert_or_assign(d.key, std::move(array));
+}
+
+// Puts the `derived` keys into a table and takes the `physical` ones out.
+void replace(Document& document, const std::string& name, const std::vector<Derived>& derived,
+             std::initializer_list<const char*> physical) {
+  toml::table& table = *document.root.get_as<toml::table>(name);
+  for (const Derived& d : derived) put(document, table, name, d, d.values.size() > 1);
+  for (const char* key : physical)
+    if (std::none_of(derived.begin(), derived.end(), [&](const Derived& d) { return d.key == key; })) table.erase(key);
+}
+
+void replace_rotor(Document& document, const Rotor& r, const model::Scales& s) {
+  const auto over = [](std::vector<double> values, double scale) {
+    for (double& v : values) v /= scale;
+    return values;
+  };
+  const std::vector<double> kappa = over(r.stiffness, r.mean_stiffness);
+  std::vector<Derived> derived{{"stiffness", "stiffness", kappa}};
+  if (r.damping_ratio.empty())
+    derived.push_back({"damping", "damping", over(r.damping, scale_of(Dimension::damping, s))});
+  else
+    derived.push_back(
+        {"damping",
+         "damping_ratio",
+         {2.0 * r.damping_ratio[0] * std::sqrt(kappa[0]), 2.0 * r.damping_ratio[1] * std::sqrt(kappa[1])}});
+  if (r.unbalance)
+    derived.push_back({"eccentricity", "unbalance", {*r.unbalance / (s.mass * s.length)}});
+  else
+    derived.push_back({"eccentricity", "eccentricity", {*r.eccentricity / s.length}});
+  if (r.gravity) derived.push_back({"gravity", "gravity", {*r.gravity / s.acceleration()}});
+  if (r.inertia) derived.push_back({"inertia", "inertia", {*r.inertia / s.inertia()}});
+  replace(document, "rotor", derived, {"mass", "damping_ratio", "unbalance"});
+}
+
+void replace_balancer(Document& document, const Balancer& b, const model::Scales& s) {
+  std::vector<double> mu, beta;
+  for (std::size_t i = 0; i < b.mass.size(); ++i) {
+    mu.push_back(b.mass[i] / s.mass);
+    beta.push_back(b.torque[i] / (b.mass[i] * s.length * s.length * s.frequency));
+  }
+  std::vector<Derived> derived{{"mass", b.mass_from, mu}, {"drag", b.drag_from, beta}};
+  if (!b.race_offset.empty())
+    derived.push_back({"race_offset", "race_offset", {b.race_offset[0] / s.length, b.race_offset[1] / s.length}});
+  if (b.contact_angle) derived.push_back({"contact_angle", b.contact_from, {*b.contact_angle}});
+  replace(
+      document, "balancer", derived,
+      {"race_radius", "ball_diameter", "ball_density", "oil_viscosity", "oil_density", "channel_diameter", "contact"});
+}
+
+void replace_quantities(Document& document, const QuantityTable& quantities, const model::Scales& s) {
+  toml::table* table = find_table(document.root, quantities.name);
+  if (!table) return;  // absent, or not a table: the study reader says so
+  TableReader reader(document, quantities.name);
+  for (const auto& [key, dimension, range] : quantities.keys) {
+    const toml::node* node = table->get(key);
+    if (!node) continue;
+    const double scale = scale_of(dimension, s);
+    Derived derived{key, key, {}};
+    const toml::array* array = node->as_array();
+    if (!array) {
+      const auto reject = [&](const std::string& problem) { reader.fail(key, problem); };
+      derived.values.push_back(measure_node(*node, {dimension}, range, reject).value / scale);
+    } else {
+      for (const toml::node& entry : *array) {
+        const auto reject = [&](const std::string& problem) {
+          reader.fail(key, fmt::format("entry {} {}", derived.values.size() + 1, problem));
+        };
+        derived.values.push_back(measure_node(entry, {dimension}, range, reject).value / scale);
+      }
+    }
+    put(document, *table, quantities.name, derived, array != nullptr);
+  }
+}
+
+void check_horizon(const Document& document, const model::Scales& s) {
+  TableReader numerics(document, "numerics");
+  if (!numerics.has("horizon")) return;
+  const double horizon = numerics.number("horizon", any_number);
+  if (!horizon_range.contains(horizon))
+    numerics.fail("horizon", fmt::format("must be a time from {:.6g} s to {:.6g} s ({} to {} times 1/omega_c)",
+                                         horizon_range.low * s.time(), horizon_range.high * s.time(), horizon_range.low,
+                                         horizon_range.high));
+}
+
+}  // namespace
+
+bool is_physical(const Document& document) {
+  const auto has = [&](const char* table, std::initializer_list<const char*> keys) {
+    const toml::table* found = document.root.get_as<toml::table>(table);
+    return found && std::any_of(keys.begin(), keys.end(), [&](const char* key) { return found->contains(key); });
+  };
+  return has("rotor", {"mass", "damping_ratio", "unbalance"}) ||
+         has("balancer", {"race_radius", "ball_diameter", "ball_density", "oil_viscosity", "oil_density",
+                          "channel_diameter", "contact"});
+}
+
+BallDetails ball_details(const Document& document) {
+  return is_physical(document) ? BalancerReader(document).read().details : BallDetails{};
+}
+
+void make_dimensionless(Document& document) {
+  if (!is_physical(document)) return;
+  if (document.root.contains("units"))
+    throw InputError(
+        document.where("units", document.root.get("units")), "units", "",
+        "belongs to a dimensionless study; here the units follow from rotor.mass, balancer.race_radius and "
+        "rotor.stiffness");
+  const Rotor rotor = read_rotor(document);
+  const Balancer balancer = BalancerReader(document).read();
+  const model::Scales scales{rotor.mass, balancer.radius, std::sqrt(rotor.mean_stiffness / rotor.mass)};
+  replace_rotor(document, rotor, scales);
+  replace_balancer(document, balancer, scales);
+  for (const QuantityTable& table : quantity_tables()) replace_quantities(document, table, scales);
+  document.scales = scales;
+  check_horizon(document, scales);
+}
+
+}  // namespace equipoise::study

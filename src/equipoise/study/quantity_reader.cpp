@@ -1,0 +1,97 @@
+// Quantities with their dimension and range.
+#include "equipoise/study/quantity_reader.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include <fmt/format.h>
+
+namespace equipoise::study {
+
+namespace {
+
+// "a length of 0 or more, such as "0.2 mm"".
+std::string wanted(const std::vector<Dimension>& dimensions, const Range& range) {
+  const std::string bound = range.low != 0.0 ? "" : range.low_open ? " greater than 0" : " of 0 or more";
+  std::string text;
+  for (const Dimension d : dimensions)
+    text += fmt::format("{}{}{}, such as \"{}\"", text.empty() ? "" : ", or ", words(d).name, bound, words(d).example);
+  return text;
+}
+
+}  // namespace
+
+Measured measure_node(const toml::node& node, const std::vector<Dimension>& dimensions, const Range& range,
+                      const std::function<void(const std::string&)>& reject) {
+  if (dimensions.front() == Dimension::angle && node.is_number()) {  // in radians
+    const double angle = *node.value<double>();
+    if (!range.contains(angle)) reject("must be " + wanted(dimensions, range));
+    return {angle, Dimension::angle, ""};
+  }
+  if (!node.is_string())
+    reject(fmt::format("is {} and rotor.mass makes this a study in physical units; must be {}",
+                       node.is_number() ? "a plain number" : "no quantity", wanted(dimensions, range)));
+  const Measured result = measure(node.as_string()->get(), dimensions);
+  if (!result.problem.empty()) reject(result.problem);
+  if (!range.contains(result.value)) reject("must be " + wanted({result.dimension}, range));
+  const double size = std::abs(result.value);
+  if (size > largest_si || (size < smallest_si && (size > 0.0 || range.low_open)))
+    reject(fmt::format("must be {}; in SI units from {} to {} in size", wanted({result.dimension}, range), smallest_si,
+                       largest_si));
+  return result;
+}
+
+double QuantityReader::quantity(const std::string& key, Dimension dimension, const Range& range) {
+  require(key, wanted({dimension}, range));
+  return *optional_quantity(key, dimension, range);
+}
+
+std::optional<double> QuantityReader::optional_quantity(const std::string& key, Dimension dimension,
+                                                        const Range& range) {
+  const toml::node* node = find(key);
+  if (!node) return std::nullopt;
+  return measure_node(*node, {dimension}, range, [&](const std::string& problem) { fail(key, problem); }).value;
+}
+
+std::vector<double> QuantityReader::one_or_each(const std::string& key, const std::vector<Dimension>& dimensions,
+                                                const Range& range, int count, const std::string& each,
+                                                Dimension* measured) {
+  const toml::node* node = find(key);
+  if (!node) return {};
+  Dimension ignored{};
+  Dimension& dimension = measured ? *measured : ignored;
+  const toml::array* array = node->as_array();
+  if (!array) {
+    const Measured one = measure_node(*node, dimensions, range, [&](const std::string& p) { fail(key, p); });
+    dimension = one.dimension;
+    return std::vector<double>(static_cast<std::size_t>(count), one.value);
+  }
+  if (array->size() != static_cast<std::size_t>(count))
+    fail(key, fmt::format("has {} entries; must be {}, or an array of {}, one a {}", array->size(),
+                          wanted(dimensions, range), count, each));
+  std::vector<double> values;
+  for (const toml::node& entry : *array) {
+    const std::vector<Dimension> allowed = values.empty() ? dimensions : std::vector<Dimension>{dimension};
+    const auto reject = [&](const std::string& p) { fail(key, fmt::format("entry {} {}", values.size() + 1, p)); };
+    const Measured one = measure_node(entry, allowed, range, reject);
+    dimension = one.dimension;
+    values.push_back(one.value);
+  }
+  return values;
+}
+
+bool QuantityReader::flag(const std::string& key) {
+  const toml::node* node = find(key);
+  if (!node) return false;
+  if (!node->is_boolean()) fail(key, fmt::format("is {}; must be true or false", kind(*node)));
+  return node->as_boolean()->get();
+}
+
+void QuantityReader::exactly_one(const std::string& a, const std::string& a_words, const std::string& b,
+                                 const std::string& b_words) {
+  const bool has_a = has(a), has_b = has(b);
+  if (has_a && has_b) fail(b, fmt::format("give either {} or {}, not both", dotted(a), dotted(b)));
+  if (!has_a && !has_b) fail(a, fmt::format("missing; must be {}, or give {}, {}", a_words, dotted(b), b_words));
+}
+
+}  // namespace equipoise::study

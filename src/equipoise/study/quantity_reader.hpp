@@ -1,0 +1,40 @@
+// Reading the quantities of a physical study: TableReader's checks for strings with units.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "equipoise/study/table_reader.hpp"
+#include "equipoise/study/units.hpp"
+
+namespace equipoise::study {
+
+/// Everything a machine measures in SI units lies well within: what is computed from such values stays a finite number
+/// that is not 0.
+inline constexpr double largest_si = 1e30, smallest_si = 1e-30;
+
+/// One table of a physical study. Values are in SI units; a plain number is an error.
+class QuantityReader : public TableReader {
+ public:
+  using TableReader::TableReader;
+
+  double quantity(const std::string& key, Dimension dimension, const Range& range);
+  std::optional<double> optional_quantity(const std::string& key, Dimension dimension, const Range& range);
+  /// One quantity, or an array with one an `each`: always `count` values, or none if the key is absent. All measure
+  /// the same one of `dimensions`, which is returned in `measured`.
+  std::vector<double> one_or_each(const std::string& key, const std::vector<Dimension>& dimensions, const Range& range,
+                                  int count, const std::string& each, Dimension* measured = nullptr);
+  using TableReader::one_or_each;
+  /// A boolean; false if absent.
+  bool flag(const std::string& key);
+  /// Throws unless exactly one of the two keys is there, saying what each would be.
+  void exactly_one(const std::string& a, const std::string& a_words, const std::string& b, const std::string& b_words);
+};
+
+/// The SI value of one node (a string, or an array's entry) with its checks; `reject` throws. Angles may be plain
+/// numbers.
+Measured measure_node(const toml::node& node, const std::vector<Dimension>& dimensions, const Range& range,
+                      const std::function<void(const std::string&)>& reject);
+
+}  // namespace equipoise::study

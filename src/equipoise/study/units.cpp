@@ -1,0 +1,276 @@
+// The one place that knows UDUNITS-2.
+#include "equipoise/study/units.hpp"
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <cmath>
+#include <memory>
+#include <mutex>
+#include <stdexcept>
+#include <string_view>
+
+#include <fmt/format.h>
+#include <udunits2.h>
+
+#include "equipoise/base/angles.hpp"
+#include "equipoise/base/error.hpp"
+
+namespace equipoise::study {
+
+namespace {
+
+constexpr std::array<DimensionWords, 17> all_words{{
+    {"a mass", "kg", "12 kg", "kg"},
+    {"a length", "m", "0.2 mm", "mm"},
+    {"a time", "s", "10 s", "s"},
+    {"a speed of rotation", "rad/s", "3000 rpm", "rpm"},
+    {"a velocity", "m/s", "4.5 mm/s", "mm/s"},
+    {"an acceleration", "m/s2", "9.81 m/s2", "m/s2"},
+    {"a force", "N", "500 N", "N"},
+    {"a stiffness", "N/m", "48 kN/m", "N/m"},
+    {"a damping coefficient", "N s/m", "200 N s/m", "N s/m"},
+    {"a torque", "N m", "0.5 N m", "N m"},
+    {"a torque for a speed of rotation", "N m s", "0.01 N m s", "N m s"},
+    {"a moment of inertia", "kg m2", "0.02 kg m2", "kg m2"},
+    {"an unbalance", "kg m", "300 g mm", "g mm"},
+    {"a density", "kg/m3", "7800 kg/m3", "kg/m3"},
+    {"a viscosity", "Pa s", "100 mPa s", "mPa s"},
+    {"a kinematic viscosity", "m2/s", "100 cSt", "cSt"},
+    {"an angle", "rad", "30 degree", "rad"},
+}};
+
+using UnitPointer = std::unique_ptr<ut_unit, decltype(&ut_free)>;
+using ConverterPointer = std::unique_ptr<cv_converter, decltype(&cv_free)>;
+
+// UDUNITS keeps its state for the whole process and is not made for threads.
+std::mutex& library_mutex() {
+  static std::mutex mutex;
+  return mutex;
+}
+
+ut_system* unit_system() {
+  static const std::unique_ptr<ut_system, decltype(&ut_free_system)> system = [] {
+    ut_set_error_message_handler(ut_ignore);  // it would print; status and null pointers say the same
+    return std::unique_ptr<ut_system, decltype(&ut_free_system)>(ut_read_xml(nullptr), &ut_free_system);
+  }();
+  if (!system) throw RunError("the unit database of UDUNITS-2 cannot be read (Debian package libudunits2-data)");
+  return system.get();
+}
+
+UnitPointer parse_unit(const std::string& text) { return {ut_parse(unit_system(), text.c_str(), UT_ASCII), &ut_free}; }
+
+// Whether a text is a product of units: names with a one-digit power at most, numbers, one level of brackets. That is
+// all a study needs, and nothing else reaches the parser of UDUNITS, which knows dates, offsets and logarithms as well
+// and loses memory over what it cannot read.
+class UnitText {
+ public:
+  explicit UnitText(std::string_view text) : text_(text) {}
+
+  bool holds() {
+    constexpr std::size_t longest = 60;
+    return text_.size() <= longest && product(0) && at_ == text_.size();
+  }
+  const std::vector<std::string>& names() const { return names_; }
+
+ private:
+  bool product(int depth) {
+    for (;;) {
+      if (!power(depth)) return false;
+      const std::size_t end = at_;
+      skip_blanks();
+      if (at_ == text_.size() || text_[at_] == ')') return true;
+      if (take("./*-"))
+        skip_blanks();
+      else if (at_ == end)
+        return false;
+    }
+  }
+
+  bool power(int depth) {
+    if (at_ == text_.size()) return false;
+    if (take("(")) {
+      if (depth > 0 || !product(depth + 1) || !take(")")) return false;
+    } else if (digit()) {
+      for (int count = 0; digit(); ++at_)
+        if (++count > 6) return false;
+      return true;
+    } else if (!name()) {
+      return false;
+    }
+    const bool caret = take("^");
+    at_ += at_ + 1 < text_.size() && text_[at_] == '-' && is_digit(text_[at_ + 1]);
+    if (!digit()) return !caret;
+    ++at_;
+    return !digit();
+  }
+
+  bool name() {
+    const std::size_t begin = at_;
+    while (at_ < text_.size() && (is_letter(text_[at_]) || text_[at_] == '_')) ++at_;
+    if (at_ == begin) return take("%");
+    std::string word(text_.substr(begin, at_ - begin));
+    names_.push_back(word);
+    for (char& c : word) c = static_cast<char>(c | 0x20);
+    constexpr std::array<std::string_view, 5> grammar{"per", "after", "from", "since", "ref"};
+    return std::find(grammar.begin(), grammar.end(), word) == grammar.end();
+  }
+
+  static bool is_digit(char c) { return c >= '0' && c <= '9'; }
+  static bool is_letter(char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z'); }
+  bool digit() const { return at_ < text_.size() && is_digit(text_[at_]); }
+  bool take(std::string_view any_of) {
+    const bool there = at_ < text_.size() && any_of.find(text_[at_]) != std::string_view::npos;
+    at_ += there;
+    return there;
+  }
+  void skip_blanks() {
+    while (at_ < text_.size() && text_[at_] == ' ') ++at_;
+  }
+
+  std::string_view text_;
+  std::size_t at_ = 0;
+  std::vector<std::string> names_;
+};
+
+// UDUNITS takes angles for pure numbers and so would let a frequency pass for a speed: whether the unit counts radians
+// to the first power is seen in its definition, such as "0.104719755 s-1.rad".
+bool counts_radians(const ut_unit* unit) {
+  std::array<char, 256> text{};
+  const int length = ut_format(unit, text.data(), text.size() - 1, UT_ASCII | UT_DEFINITION);
+  if (length < 0 || length >= static_cast<int>(text.size())) return false;
+  const std::string_view definition(text.data(), static_cast<std::size_t>(length));
+  const std::size_t at = definition.find("rad");
+  if (at == std::string_view::npos) return false;
+  const std::string_view after = definition.substr(at + 3);
+  return after.empty() || after.front() == '.' || after.front() == ' ';
+}
+
+bool names_hertz(std::string_view unit) {
+  return unit.find("Hz") != std::string_view::npos || unit.find("hertz") != std::string_view::npos;
+}
+
+// What one of `unit` is worth in the dimension's SI unit; 0 if it measures something else.
+double factor(const ut_unit* unit, std::string_view unit_text, Dimension wanted) {
+  const UnitPointer si = parse_unit(words(wanted).si);
+  const ConverterPointer converter(ut_get_converter(const_cast<ut_unit*>(unit), si.get()), &cv_free);
+  if (!converter) return 0.0;
+  const double one = cv_convert_double(converter.get(), 1.0);
+  // Reciprocal units (s for 1/s), offsets and logarithms convert too, but not in proportion.
+  if (cv_convert_double(converter.get(), 0.0) != 0.0 || !(one > 0.0) || !std::isfinite(one)) return 0.0;
+  if (wanted == Dimension::angle && !counts_radians(unit)) return 0.0;
+  if (wanted == Dimension::speed && !counts_radians(unit)) return names_hertz(unit_text) ? 2.0 * pi * one : 0.0;
+  if (wanted != Dimension::speed && names_hertz(unit_text)) return 0.0;  // of turns or of radians?
+  return one;
+}
+
+std::string wanted_text(const std::vector<Dimension>& wanted) {
+  std::string text;
+  for (std::size_t i = 0; i < wanted.size(); ++i)
+    text += fmt::format("{}{}, such as \"{}\"", i ? ", or " : "", words(wanted[i]).name, words(wanted[i]).example);
+  return text;
+}
+
+std::string trimmed(std::string_view text) {
+  while (!text.empty() && text.front() == ' ') text.remove_prefix(1);
+  while (!text.empty() && text.back() == ' ') text.remove_suffix(1);
+  return std::string(text);
+}
+
+}  // namespace
+
+const DimensionWords& words(Dimension dimension) { return all_words.at(static_cast<std::size_t>(dimension)); }
+
+double scale_of(Dimension dimension, const model::Scales& s) {
+  switch (dimension) {
+    case Dimension::mass:
+      return s.mass;
+    case Dimension::length:
+      return s.length;
+    case Dimension::time:
+      return s.time();
+    case Dimension::speed:
+      return s.frequency;
+    case Dimension::velocity:
+      return s.velocity();
+    case Dimension::acceleration:
+      return s.acceleration();
+    case Dimension::force:
+      return s.force();
+    case Dimension::stiffness:
+      return s.mass * s.frequency * s.frequency;
+    case Dimension::damping:
+      return s.mass * s.frequency;
+    case Dimension::torque:
+      return s.torque();
+    case Dimension::gain:
+      return s.inertia() * s.frequency;
+    case Dimension::inertia:
+      return s.inertia();
+    case Dimension::unbalance:
+      return s.mass * s.length;
+    case Dimension::angle:
+      return 1.0;
+    case Dimension::density:
+    case Dimension::viscosity:
+    case Dimension::kinematic_viscosity:
+      break;
+  }
+  throw std::logic_error("no dimensionless study has this dimension");
+}
+
+Measured measure(const std::string& text, const std::vector<Dimension>& wanted) {
+  const std::string quantity = trimmed(text);
+  const std::string must_be = "must be " + wanted_text(wanted);
+  Measured result;
+  const std::size_t sign = !quantity.empty() && quantity.front() == '+' ? 1 : 0;  // from_chars takes none
+  const char* end = quantity.data() + quantity.size();
+  const auto [after, error] = std::from_chars(quantity.data() + sign, end, result.value);
+  if (error == std::errc::invalid_argument) {
+    result.problem = "does not begin with a number; " + must_be;
+    return result;
+  }
+  if (error != std::errc() || !std::isfinite(result.value)) {
+    result.problem = "the number is out of range; " + must_be;
+    return result;
+  }
+  const std::string unit_text = trimmed({after, static_cast<std::size_t>(end - after)});
+  if (unit_text.empty()) {
+    result.problem = "has no unit; " + must_be;
+    return result;
+  }
+  const std::lock_guard lock(library_mutex());
+  UnitText checked(unit_text);
+  if (!checked.holds()) {
+    result.problem = "is no number with a unit; " + must_be;
+    return result;
+  }
+  for (const std::string& name : checked.names()) {
+    if (parse_unit(name)) continue;
+    result.problem = fmt::format("UDUNITS knows no unit \"{}\"; {}", name, must_be);
+    return result;
+  }
+  const UnitPointer unit = parse_unit(unit_text);
+  if (!unit) {
+    result.problem = fmt::format("UDUNITS cannot read the unit \"{}\"; {}", unit_text, must_be);
+    return result;
+  }
+  for (const Dimension dimension : wanted) {
+    const double one = factor(unit.get(), unit_text, dimension);
+    if (one == 0.0) continue;
+    result.value *= one;
+    result.dimension = dimension;
+    return result;
+  }
+  result.problem = fmt::format("\"{}\" does not measure that; {}", unit_text, must_be);
+  if (wanted.front() == Dimension::speed) result.problem += "; in rpm, rad/s or Hz (turns a second)";
+  return result;
+}
+
+std::string quantity_text(double si, Dimension dimension) {
+  const std::lock_guard lock(library_mutex());
+  const UnitPointer shown = parse_unit(words(dimension).shown);
+  return fmt::format("{} {}", si / factor(shown.get(), words(dimension).shown, dimension), words(dimension).shown);
+}
+
+}  // namespace equipoise::study

@@ -1,0 +1,61 @@
+// Values with units, as text: "48 kN/m". UDUNITS-2 reads the units; this file says what each quantity must measure.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "equipoise/model/scales.hpp"
+
+namespace equipoise::study {
+
+/// What a value measures. Speeds are of rotation; gain is torque for a speed (also the drag of a ball).
+enum class Dimension {
+  mass,
+  length,
+  time,
+  speed,
+  velocity,
+  acceleration,
+  force,
+  stiffness,
+  damping,
+  torque,
+  gain,
+  inertia,
+  unbalance,
+  density,
+  viscosity,
+  kinematic_viscosity,
+  angle,
+};
+
+/// How a dimension is called, measured and shown.
+struct DimensionWords {
+  const char* name;     ///< with its article: "a mass"
+  const char* si;       ///< the unit of every number inside: "kg"
+  const char* example;  ///< "12 kg"
+  const char* shown;    ///< the unit of an echo: "mm"
+};
+const DimensionWords& words(Dimension dimension);
+
+/// What one dimensionless unit of the dimension is worth in its SI unit. Of those that a dimensionless study has; all
+/// others throw std::logic_error.
+double scale_of(Dimension dimension, const model::Scales& scales);
+
+/// A value read, in SI units; or what is wrong with its text.
+struct Measured {
+  double value = 0.0;
+  Dimension dimension{};
+  std::string problem;  ///< empty: the value holds
+};
+
+/// Reads "number unit" as a value of the first of `wanted` that the unit measures. Speeds: rad/s, rpm, and Hz for turns
+/// a second (UDUNITS would read 1 rad/s); a bare 1/s is refused. Any finite number passes; ranges are the caller's.
+/// Throws RunError if the unit database of UDUNITS cannot be read.
+Measured measure(const std::string& text, const std::vector<Dimension>& wanted);
+
+/// The value in the unit that is shown, with all its digits: "0.2 mm" from 0.0002 m.
+std::string quantity_text(double si, Dimension dimension);
+
+}  // namespace equipoise::study

@@ -1,0 +1,179 @@
+// A study explained: figures against hand calculations and closed forms, warnings each by a study that earns it.
+#include <algorithm>
+#include <cmath>
+#include <string>
+#include <vector>
+
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include "equipoise/base/angles.hpp"
+#include "equipoise/run/explain.hpp"
+#include "equipoise/study/study.hpp"
+#include "../base_study.hpp"
+
+namespace equipoise {
+namespace {
+
+// omega_c = sqrt(48000/12) = 20 sqrt(10) rad/s; each ball 1.8 kg mm, the unbalance 2.4 kg mm.
+const std::string machine = R"([rotor]
+mass = "12 kg"
+stiffness = "48 kN/m"
+damping = "400 N s/m"
+eccentricity = "0.2 mm"
+[balancer]
+balls = 2
+race_radius = "30 mm"
+mass = "60 g"
+drag = "2e-4 N m s"
+[speed]
+profile = "ramp"
+final = "2000 rpm"
+duration = "10 s"
+)";
+
+Explanation of(const std::string& text, const std::vector<std::string>& overrides = {}) {
+  return explain(parse_study(text, "m.toml", overrides), parse_ball_details(text, "m.toml", overrides));
+}
+
+bool warned(const Explanation& e, const std::string& words) {
+  return std::any_of(e.warnings.begin(), e.warnings.end(),
+                     [&](const std::string& w) { return w.find(words) != std::string::npos; });
+}
+
+double quantity(const Explanation& e, const std::string& symbol) {
+  for (const auto& q : e.quantities)
+    if (q.symbol == symbol) return q.value;
+  ADD_FAILURE() << symbol;
+  return 0.0;
+}
+
+TEST(Explain, HasTheCriticalSpeedsAndWhatTheBallsCancel) {
+  const Explanation e = of(machine);
+  EXPECT_EQ(e.critical_alone[0], 1.0);
+  EXPECT_DOUBLE_EQ(e.critical_with_balls[1], 1.0 / std::sqrt(1.0 + 0.12 / 12.0));
+  EXPECT_DOUBLE_EQ(*e.speed, 2000.0 * pi / 30.0 / (20.0 * std::sqrt(10.0)));
+  EXPECT_DOUBLE_EQ(e.largest_unbalance, 0.01);
+  EXPECT_EQ(e.least_unbalance, 0.0);
+  EXPECT_DOUBLE_EQ(quantity(e, "M eps"), 0.2 / 30.0);
+  EXPECT_DOUBLE_EQ(quantity(e, "D"), 2e-4 / (12.0 * 9e-4 * 20.0 * std::sqrt(10.0)));
+  EXPECT_TRUE(e.warnings.empty()) << e.warnings.front();
+}
+
+TEST(Explain, FindsTheLeastUnbalanceOfUnequalBalls) {
+  // Sides 2, 7, 3 (per mille): the polygon closes from 7 - 3 = 4 to 10.
+  const Explanation e = of(machine, {"balancer.mass=['84 g', '36 g']", "rotor.eccentricity=0.06 mm"});
+  EXPECT_NEAR(e.least_unbalance, 0.004, 1e-16);
+  EXPECT_NEAR(e.largest_unbalance, 0.01, 1e-16);
+  EXPECT_EQ(e.balanced.kind, model::BalancedStates::Kind::none);
+  EXPECT_TRUE(warned(e, "below the least"));
+  EXPECT_TRUE(warned(of(machine, {"balancer.mass=['84 g', '36 g']", "rotor.eccentricity=0.125 mm"}),
+                     "within 10 % of the least"));
+}
+
+TEST(Explain, KnowsTheVibrationOfTheBareRotor) {
+  const Explanation e = of(machine);
+  const double w = *e.speed, zeta = 400.0 / std::sqrt(48000.0 * 12.0), lambda = 0.2 / 30.0;
+  const double r = lambda * w * w / std::sqrt((1.0 - w * w) * (1.0 - w * w) + zeta * zeta * w * w);
+  EXPECT_DOUBLE_EQ(e.bare->displacement[0], r);
+  EXPECT_DOUBLE_EQ(e.bare->force[1], r * std::sqrt(1.0 + zeta * zeta * w * w));
+  const Explanation x = of(machine, {"rotor.stiffness=['40 kN/m', '56 kN/m']"});
+  EXPECT_GT(x.bare->displacement[1], x.bare->displacement[0]);  // the stiffer direction is nearer to resonance
+  EXPECT_DOUBLE_EQ(x.critical_alone[0], std::sqrt(40.0 / 48.0));
+}
+
+TEST(Explain, LinearisesTheWayIntoBalance) {
+  const Explanation e = of(machine);
+  ASSERT_TRUE(e.motion.has_value());
+  EXPECT_TRUE(e.motion->stable);
+  EXPECT_EQ(e.motion->eigenvalues.size(), 8u);
+  // Equal balls: cos phi = -lambda/(2 mu).
+  EXPECT_NEAR(std::cos(e.motion->angles[0]), -(0.2 / 30.0) / (2.0 * 0.005), 1e-12);
+  for (const auto& v : e.motion->eigenvalues) EXPECT_LE(v.real(), e.motion->slowest_rate);
+  // The sensitivity tells which way the slowest rate moves.
+  const Explanation more = of(machine, {"balancer.drag=2.02e-4 N m s"});
+  EXPECT_EQ(e.motion->drag_sensitivity > 0.0, more.motion->slowest_rate < e.motion->slowest_rate);
+  // Of WP's first table: unstable at Omega = 1.5, beta = 0.01 with rate 0.0218.
+  const Explanation u = of(constant_speed, {"speed.speed=1.5", "balancer.drag=0.01"});
+  EXPECT_FALSE(u.motion->stable);
+  EXPECT_NEAR(u.motion->slowest_rate, 0.0218, 5e-5);  // printed digits of docs/equations.md
+  EXPECT_TRUE(warned(u, "balance is unstable"));
+}
+
+TEST(Explain, LeavesTheContinuumsOwnZerosOut) {
+  const Explanation e = of(machine, {"balancer.balls=4"});
+  ASSERT_TRUE(e.motion.has_value());
+  EXPECT_EQ(e.motion->eigenvalues.size(), 12u - 2u);  // n - 2 zeros of 4 + 2 n
+  double x = 0.2 / 30.0, y = 0.0;
+  for (int i = 0; i < 4; ++i) {
+    x += 0.005 * std::cos(e.motion->angles[static_cast<std::size_t>(i)]);
+    y += 0.005 * std::sin(e.motion->angles[static_cast<std::size_t>(i)]);
+  }
+  EXPECT_LT(std::hypot(x, y), 1e-14);
+}
+
+TEST(Explain, SaysWhyItDoesNotLinearise) {
+  EXPECT_NE(of(machine, {"rotor.gravity=9.81 m/s2"}).no_motion.find("gravity"), std::string::npos);
+  EXPECT_NE(of(machine, {"rotor.stiffness=['40 kN/m', '56 kN/m']"}).no_motion.find("differ"), std::string::npos);
+  EXPECT_NE(of(machine, {"rotor.eccentricity=1 mm"}).no_motion.find("no balanced state"), std::string::npos);
+  EXPECT_NE(of(machine, {"speed.final=0 rpm"}).no_motion.find("does not turn"), std::string::npos);
+}
+
+TEST(Explain, Warns) {
+  const auto with = [](const char* item) { return of(machine, {item}); };
+  EXPECT_TRUE(warned(with("speed.final=300 rpm"), "below the critical speed"));
+  EXPECT_TRUE(warned(with("speed.final=650 rpm"), "within 10 % of a critical speed"));
+  EXPECT_FALSE(warned(with("speed.final=650 rpm"), "below"));
+  EXPECT_TRUE(warned(with("speed.final=800 rpm"), "less than sqrt(2)"));
+  EXPECT_TRUE(warned(with("rotor.eccentricity=0.6 mm"), "2 times what all balls"));
+  EXPECT_TRUE(warned(with("rotor.eccentricity=0.29 mm"), "within 10 % of the most"));
+  EXPECT_TRUE(warned(with("balancer.drag=1e-7 N m s"), "drag too low; more drag would settle them sooner"));
+  EXPECT_TRUE(warned(with("balancer.drag=1 N m s"), "drag too high; less drag would settle them sooner"));
+  EXPECT_TRUE(warned(with("balancer.drag=1 N m s"), "overdamped"));
+  EXPECT_TRUE(warned(with("speed.duration=10 ms"), "more slowly than the rotor spins up"));
+  EXPECT_TRUE(warned(with("balancer.mass=7 kg"), "heavier than the rotor"));
+  // Two balls of 59 mm in a race of 60 mm: each takes 2 asin(59/60) = 159 degrees; four do not fit.
+  EXPECT_FALSE(warned(with("balancer.ball_diameter=59 mm"), "do not fit"));
+  EXPECT_TRUE(warned(of(machine, {"balancer.ball_diameter=59 mm", "balancer.balls=4"}), "do not fit"));
+}
+
+TEST(Explain, HasTheReynoldsNumberOfASlippingBall) {
+  std::string oiled = machine;
+  oiled.replace(oiled.find("drag = \"2e-4 N m s\""), 19,
+                "ball_diameter = \"10 mm\"\noil_viscosity = \"1 Pa s\"\noil_density = \"900 kg/m3\"");
+  const Explanation e = of(oiled);
+  const double slip = 2000.0 * pi / 30.0 - 20.0 * std::sqrt(10.0) / std::sqrt(1.01);
+  EXPECT_NEAR(*e.reynolds, 900.0 * slip * 0.03 * 0.01 / 1.0, 1e-9);
+  EXPECT_TRUE(warned(e, "Reynolds"));
+  EXPECT_FALSE(of(machine).reynolds.has_value());
+}
+
+TEST(ExplainText, ShowsBothFormsOrTheOneThereIs) {
+  const std::string both = explain_text(of(machine));
+  for (const char* part : {"physical", "12 kg", "30 mm", "603.95 rpm", "48 kN/m", "2.4 kg mm", "3.6 kg mm",
+                           "rms velocity", "ISO 21940-11", "within grade G 100", "not a certification", "no warnings"})
+    EXPECT_NE(both.find(part), std::string::npos) << part << "\n" << both;
+  const std::string plain = explain_text(of(constant_speed));
+  for (const char* part : {"rpm", "physical", "ISO"}) EXPECT_EQ(plain.find(part), std::string::npos) << plain;
+  const std::string units = explain_text(of(constant_speed + "[units]\nmass=12\nlength=0.03\nfrequency=63.2\n"));
+  EXPECT_NE(units.find("12 kg"), std::string::npos) << units;
+}
+
+TEST(ExplainJson, HasEveryFigureInBothForms) {
+  const auto json = nlohmann::json::parse(explain_json(of(machine)));
+  EXPECT_EQ(json["quantities"][0]["symbol"], "M");
+  EXPECT_EQ(json["quantities"][0]["unit"], "kg");
+  EXPECT_DOUBLE_EQ(json["critical_speed"][0]["si"].get<double>(), 20.0 * std::sqrt(10.0));
+  EXPECT_TRUE(json["can_balance"]);
+  EXPECT_DOUBLE_EQ(json["largest_unbalance"]["si"].get<double>(), 3.6e-3);
+  // 0.2 mm at 209.4 rad/s.
+  EXPECT_NEAR(json["balance_grade"]["mm_per_s"].get<double>(), 41.89, 0.01);
+  EXPECT_EQ(json["balance_grade"]["standard"], 100.0);
+  EXPECT_EQ(json["study"]["units"]["mass"], 12.0);
+  const auto plain = nlohmann::json::parse(explain_json(of(constant_speed)));
+  EXPECT_TRUE(plain["balance_grade"].is_null());
+  EXPECT_FALSE(plain["final_speed"].contains("si"));
+}
+
+}  // namespace
+}  // namespace equipoise

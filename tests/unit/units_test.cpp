@@ -1,0 +1,138 @@
+// Values with units: what each text is worth in SI units, and what is refused and how.
+#include <string>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include "equipoise/base/angles.hpp"
+#include "equipoise/model/balance_grade.hpp"
+#include "equipoise/model/ball_drag.hpp"
+#include "equipoise/study/units.hpp"
+
+namespace equipoise::study {
+namespace {
+
+struct Reading {
+  const char* text;
+  Dimension dimension;
+  double si;
+};
+
+// A factor and a product: one rounding each (EXPECT_DOUBLE_EQ allows four).
+TEST(Units, AreWorthTheirSiValue) {
+  for (const auto& [text, dimension, si] : std::vector<Reading>{
+           {"12 kg", Dimension::mass, 12.0},
+           {"5 g", Dimension::mass, 5e-3},
+           {"48 kN/m", Dimension::stiffness, 48000.0},
+           {"200 N s/m", Dimension::damping, 200.0},
+           {"0.2 mm", Dimension::length, 0.2e-3},
+           {"10 um", Dimension::length, 10e-6},
+           {"10 micrometer", Dimension::length, 10e-6},
+           {"300 g mm", Dimension::unbalance, 300e-6},
+           {"9.81 m/s2", Dimension::acceleration, 9.81},
+           {"9.81 m s-2", Dimension::acceleration, 9.81},
+           {"0.02 kg m2", Dimension::inertia, 0.02},
+           {"-0.01 N m s", Dimension::gain, -0.01},
+           {"0.01 N m s/rad", Dimension::gain, 0.01},
+           {"1 N m/rpm", Dimension::gain, 30.0 / pi},
+           {"100 mPa s", Dimension::viscosity, 0.1},
+           {"100 cSt", Dimension::kinematic_viscosity, 1e-4},
+           {"7800 kg/m3", Dimension::density, 7800.0},
+           {"2 min", Dimension::time, 120.0},
+           {"30 ms", Dimension::time, 0.03},
+           {"1 kg/(m s)", Dimension::viscosity, 1.0},
+           {"1 kg m^-1 s^-1", Dimension::viscosity, 1.0},
+           {"1 N.m-1", Dimension::stiffness, 1.0},
+           {"2 N*m", Dimension::torque, 2.0},
+           {"2 N-m", Dimension::torque, 2.0},
+           {"30 degree", Dimension::angle, pi / 6.0},
+           {"+1.5e3 rpm", Dimension::speed, 50.0 * pi},
+           {"3000 rpm", Dimension::speed, 100.0 * pi},
+           {"314 rad/s", Dimension::speed, 314.0},
+           {"90 degree/s", Dimension::speed, pi / 2.0},
+           {"50 revolution/s", Dimension::speed, 100.0 * pi},
+       }) {
+    const Measured read = measure(text, {dimension});
+    EXPECT_EQ(read.problem, "") << text;
+    EXPECT_DOUBLE_EQ(read.value, si) << text;
+  }
+}
+
+TEST(Units, HertzOfARotorAreTurnsASecond) {
+  EXPECT_DOUBLE_EQ(measure("50 Hz", {Dimension::speed}).value, 100.0 * pi);
+  EXPECT_DOUBLE_EQ(measure("0.05 kHz", {Dimension::speed}).value, 100.0 * pi);
+  EXPECT_NE(measure("50 1/s", {Dimension::speed}).problem, "");  // turns or radians?
+  EXPECT_NE(measure("1 N m/Hz", {Dimension::gain}).problem, "");
+}
+
+TEST(Units, OneTextMayMeasureEitherOfTwo) {
+  const std::vector<Dimension> either{Dimension::gain, Dimension::damping};
+  EXPECT_EQ(measure("1 N m s", either).dimension, Dimension::gain);
+  EXPECT_EQ(measure("1 N s/m", either).dimension, Dimension::damping);
+  EXPECT_EQ(measure("1 kg", either).problem,
+            "\"kg\" does not measure that; must be a torque for a speed of rotation, such as \"0.01 N m s\", or a "
+            "damping coefficient, such as \"200 N s/m\"");
+}
+
+TEST(Units, SayWhatIsWrong) {
+  const auto problem = [](const char* text) { return measure(text, {Dimension::mass}).problem; };
+  EXPECT_EQ(problem("12"), "has no unit; must be a mass, such as \"12 kg\"");
+  EXPECT_EQ(problem("kg"), "does not begin with a number; must be a mass, such as \"12 kg\"");
+  EXPECT_EQ(problem(""), "does not begin with a number; must be a mass, such as \"12 kg\"");
+  EXPECT_EQ(problem("12 mm"), "\"mm\" does not measure that; must be a mass, such as \"12 kg\"");
+  EXPECT_EQ(problem("12 stones"), "UDUNITS knows no unit \"stones\"; must be a mass, such as \"12 kg\"");
+  EXPECT_EQ(problem("12 kg\n"), "is no number with a unit; must be a mass, such as \"12 kg\"");
+  EXPECT_EQ(problem("1e999 kg"), "the number is out of range; must be a mass, such as \"12 kg\"");
+  EXPECT_EQ(problem("nan kg"), "the number is out of range; must be a mass, such as \"12 kg\"");
+  EXPECT_EQ(
+      measure("3 s", {Dimension::speed}).problem,
+      "\"s\" does not measure that; must be a speed of rotation, such as \"3000 rpm\"; in rpm, rad/s or Hz (turns "
+      "a second)");
+}
+
+// UDUNITS would convert each: a reciprocal, an offset, a logarithm, a pure number.
+TEST(Units, RefuseWhatIsNotInProportion) {
+  EXPECT_NE(measure("3 Hz", {Dimension::time}).problem, "");
+  EXPECT_NE(measure("3 m @ 4", {Dimension::length}).problem, "");
+  EXPECT_NE(measure("3 lg(re 1 kg)", {Dimension::mass}).problem, "");
+  EXPECT_NE(measure("3 1", {Dimension::angle}).problem, "");
+  EXPECT_NE(measure("3 rad2/s", {Dimension::speed}).problem, "");
+  for (const char* text :
+       {"3 m m-", "3 m/", "3 /m", "3 (m", "3 m)", "3 ((m))", "3 m^", "3 m22", "3 m per", "3 m 1e9", "3 m%"})
+    EXPECT_NE(measure(text, {Dimension::length}).problem, "") << text;
+}
+
+TEST(Units, AreShownSoThatTheyReadBack) {
+  for (int i = 0; i <= static_cast<int>(Dimension::angle); ++i) {
+    const auto dimension = static_cast<Dimension>(i);
+    const Measured read = measure(quantity_text(0.123456789, dimension), {dimension});
+    EXPECT_EQ(read.problem, "") << words(dimension).name;
+    EXPECT_DOUBLE_EQ(read.value, 0.123456789) << words(dimension).name;
+    EXPECT_EQ(measure(words(dimension).example, {dimension}).problem, "");
+  }
+}
+
+TEST(BalanceGrade, IsEccentricityTimesSpeed) {
+  // 50 um at 3000 rpm: 50e-6 m * 314.16 rad/s = 15.7 mm/s, within G 16.
+  EXPECT_NEAR(model::balance_grade(50e-6, 100.0 * pi), 15.708, 1e-3);
+  EXPECT_DOUBLE_EQ(model::balance_grade(1e-3, -2.0), 2.0);
+  EXPECT_EQ(model::standard_grade_met(15.7), 16.0);
+  EXPECT_EQ(model::standard_grade_met(16.0), 16.0);
+  EXPECT_EQ(model::standard_grade_met(0.0), 0.4);
+  EXPECT_FALSE(model::standard_grade_met(4001.0).has_value());
+}
+
+TEST(BallDrag, WallsMultiplyItAsInTheTableOfTheExactSolution) {
+  EXPECT_DOUBLE_EQ(model::stokes_drag(0.1, 8e-3), 3.0 * pi * 0.1 * 8e-3);
+  EXPECT_DOUBLE_EQ(model::wall_correction(0.0), 1.0);
+  // Happel and Brenner (1983), table 7-3.1, exact values after Haberman; the formula's own error grows to 6 % at 0.6.
+  EXPECT_NEAR(model::wall_correction(0.1), 1.263, 0.001);
+  EXPECT_NEAR(model::wall_correction(0.2), 1.680, 0.002);
+  EXPECT_NEAR(model::wall_correction(0.3), 2.371, 0.005);
+  EXPECT_NEAR(model::wall_correction(0.4), 3.596, 0.02);
+  EXPECT_NEAR(model::wall_correction(0.5), 5.970, 0.12);
+  EXPECT_NEAR(model::wall_correction(0.6), 11.135, 0.6);
+}
+
+}  // namespace
+}  // namespace equipoise::study
