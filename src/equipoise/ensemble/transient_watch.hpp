@@ -5,7 +5,7 @@
 //     watch.begin(sample_at(t));                   // again wherever u, v or the force jumps
 //     for each step from t to t + h:
 //       watch.step({sample_at(t + h * TransientWatch::nodes[0]), ..[1], sample_at(t + h)});
-//       if (outcome has just been decided) watch.decided(t + h, balanced);
+//       if (its outcome has just been decided) watch.decided(balanced);
 //       if (watch.may_leave()) stop;
 //     watch.finish();                              // at the horizon too
 //     transient_row(settings, watch.sums(), lost);
@@ -54,11 +54,12 @@ class TransientWatch {
   struct Window {
     double begin = 0.0, length = 0.0, peak = 0.0, velocity = 0.0, unbalance = 0.0;
   };
+  void open_window();
 
   TransientSettings settings_;
   TransientSums sums_;
   TransientSample last_{};
-  Window open_, closed_;
+  Window open_, closed_;  // closed_ is empty unless it ends where open_ begins
   bool free_ = true, decided_ = false, until_settled_ = false, may_leave_ = false;
 };
 
