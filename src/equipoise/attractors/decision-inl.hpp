@@ -64,6 +64,9 @@ class DecideFate {
     return done;
   }
 
+  // Of a lane that step() has just ended; 0: a stationary motion that the rule does not list.
+  int attractor_of(int slot) const { return verdict_[slot].attractor; }
+
   void end(int slot, std::size_t start, LaneEnd how, double t, const double* z) {
     Fate& fate = fates_[start];
     fate = {how == LaneEnd::decided    ? Outcome::attracted

@@ -47,6 +47,7 @@ std::string basin_text(const BasinResult& r) {
   line("diverged", r.diverged, "-");
   line("failed", r.failed, "-");
   text += "\n";
+  if (r.transients) text += transient_text(*r.transients, r.study);
   text += sampling_text(r);
   text += decided_text(r);
   if (!r.note.empty()) text += fmt::format("Note: {}.\n", r.note);
@@ -80,6 +81,7 @@ std::string basin_json(const BasinResult& r) {
   json["diverged"] = share(r.diverged);
   json["failed"] = share(r.failed);
   json["confidence"] = 0.95;
+  if (r.transients) json["transients"] = transient_json(*r.transients, r.study);
   json["balanced_stable"] = r.balanced_stable;
   json["note"] = r.note;
   json["seconds"] = r.seconds;

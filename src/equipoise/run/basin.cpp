@@ -20,6 +20,7 @@
 #include "equipoise/run/sampling_choice.hpp"
 #include "equipoise/run/start_runner.hpp"
 #include "equipoise/run/tally.hpp"
+#include "equipoise/run/transient_tally.hpp"
 #include "equipoise/store/basin_file.hpp"
 
 namespace equipoise {
@@ -35,6 +36,9 @@ struct Chunk {
   std::vector<double> phi;
   std::vector<Fate> fates;
   std::vector<UnlistedStart> unlisted;
+  std::vector<TransientRow> transients;  // none unless asked for
+
+  const TransientRow* row(std::size_t place) const { return transients.empty() ? nullptr : &transients[place]; }
 };
 
 // Large enough that lanes seldom wait for a chunk's last trajectory, small enough that every thread gets many.
@@ -120,8 +124,10 @@ class BasinRun {
 
   void make_runner() {
     const Study& study = result_.study;
-    runner_.emplace(study, DiscoverySettings{threads_, options_.stop, options_.seeds, &discoveries_});
+    runner_.emplace(study, DiscoverySettings{threads_, options_.stop, options_.seeds, &discoveries_},
+                    options_.transients);
     tally_.emplace(*sampler_, study.sampling.seed, runner_->settled());
+    transients_.emplace(study, *sampler_);
     filed_.clear();
     for (const Attractor& a : runner_->catalogue().attractors()) filed_.insert(a.id);
   }
@@ -159,7 +165,8 @@ class BasinRun {
 
   void open_file() {
     if (!options_.output.empty())
-      file_ = std::make_unique<BasinFile>(options_.output, basin_file_header(result_.study, options_.store_angles));
+      file_ = std::make_unique<BasinFile>(options_.output,
+                                          basin_file_header(result_.study, options_.store_angles, options_.transients));
   }
 
   void count_outcomes() {
@@ -171,6 +178,7 @@ class BasinRun {
     result_.undecided = tally_->share(Outcome::undecided);
     result_.diverged = tally_->share(Outcome::diverged);
     result_.failed = tally_->share(Outcome::failed);
+    if (options_.transients) result_.transients = transients_->result(runner_->catalogue());
     if (result_.choice && result_.choice->method == SamplingMethod::sobol)  // known better by now
       result_.choice->random_starts = random_starts_for(tally_->shares(), options_.half_width);
   }
@@ -191,16 +199,19 @@ class BasinRun {
         filed_.insert(runner_->list(runner_->follow(state)));
     const std::uint64_t stored = file_ ? std::min(file_->stored(), limit_) : 0;
     constexpr std::size_t block = 65536;
-    for (std::uint64_t first = 0; first < stored && !finished_; first += block)
-      for (const Fate& fate : file_->read(first, std::min<std::uint64_t>(block, stored - first))) {
-        if (finished_) break;
-        take(fate);
-      }
+    for (std::uint64_t first = 0; first < stored && !finished_; first += block) {
+      const std::size_t count = std::min<std::uint64_t>(block, stored - first);
+      const std::vector<Fate> fates = file_->read(first, count);
+      const std::vector<TransientRow> rows =
+          options_.transients ? file_->read_transients(first, count) : std::vector<TransientRow>{};
+      for (std::size_t i = 0; i < count && !finished_; ++i) take(fates[i], rows.empty() ? nullptr : &rows[i]);
+    }
     result_.resumed_from = tally_->total();
   }
 
-  void take(const Fate& fate) {
+  void take(const Fate& fate, const TransientRow* row) {
     tally_->add(fate);
+    if (row) transients_->add(fate, *row);
     // What a pilot has decided counts, whether or not less would have done.
     const std::uint64_t least = result_.choice ? result_.choice->pilot : 0;
     const bool may_end = options_.half_width > 0.0 && tally_->at_checkpoint() &&
@@ -229,8 +240,8 @@ class BasinRun {
       return chunk;
     };
     const auto decide = [&](std::shared_ptr<Chunk> chunk) {
-      chunk->complete =
-          !finished_ && runner_->run(chunk->first, chunk->count, chunk->phi, chunk->fates, chunk->unlisted);
+      chunk->complete = !finished_ && runner_->run(chunk->first, chunk->count, chunk->phi, chunk->fates,
+                                                   chunk->unlisted, options_.transients ? &chunk->transients : nullptr);
       return chunk;
     };
     tbb::task_arena arena(threads_);
@@ -259,7 +270,7 @@ class BasinRun {
       while (unlisted != chunk.unlisted.end() && unlisted->place < taken) ++unlisted;
       Fate& fate = chunk.fates[taken];
       if (unlisted != chunk.unlisted.end() && unlisted->place == taken) name_fate(fate, *unlisted);
-      take(fate);
+      take(fate, chunk.row(taken));
       ++taken;
     }
     if (file_) store(chunk, begin, taken);
@@ -281,7 +292,7 @@ class BasinRun {
     }
     const std::size_t balls = static_cast<std::size_t>(study.parameters.balls);
     file_->append(end - begin, chunk.phi.data() + begin * balls, chunk.fates.data() + begin, rotor.data(),
-                  phi_dot.data(), weight.data());
+                  phi_dot.data(), weight.data(), chunk.row(begin));
   }
 
   // A stationary motion that the rule does not list: what it is decides, whenever it was first met.
@@ -301,6 +312,7 @@ class BasinRun {
   std::optional<Sampler> sampler_;
   std::optional<StartRunner> runner_;
   std::optional<Tally> tally_;
+  std::optional<TransientTally> transients_;
   std::vector<std::shared_ptr<Chunk>> pilot_;
   std::set<int> filed_;  // motions known before the first start, or in the file
   std::atomic<bool> finished_{false}, lost_{false};
@@ -311,13 +323,20 @@ class BasinRun {
 
 int thread_count(int asked) { return asked > 0 ? asked : tbb::info::default_concurrency(); }
 
-BasinFileHeader basin_file_header(const Study& study, bool angles) {
+BasinFileHeader basin_file_header(const Study& study, bool angles, bool transients) {
   Study identity = study;  // all that decides the fate of start i
   const Sampler sampler = sampler_of(study);
   identity.sampling.starts = sampler.grid() ? sampler.grid()->starts() : 1;
-  BasinFileHeader header{to_toml(identity),          study.sampling.seed, study.parameters.balls, cpu_target(), angles,
-                         !study.sampling.box.empty()};
+  BasinFileHeader header;
+  header.study = to_toml(identity);
+  header.seed = study.sampling.seed;
+  header.balls = study.parameters.balls;
+  header.cpu_target = cpu_target();
+  header.angles = angles;
+  header.full_starts = !study.sampling.box.empty();
   header.method = sampler.method();
+  header.scales = study.scales;
+  if (transients) header.transients = transient_settings(study);
   return header;
 }
 
@@ -334,16 +353,19 @@ StartReplay replay_start(const Study& study, std::uint64_t index, const BasinOpt
   if (sampler.grid() && index >= sampler.grid()->starts())
     throw InputError(study.name, "start index", fmt::format("{}", index),
                      fmt::format("must be below {}, the starts of this grid", sampler.grid()->starts()));
-  StartRunner runner(study, {thread_count(options.threads), options.stop, options.seeds, options.discoveries});
+  StartRunner runner(study, {thread_count(options.threads), options.stop, options.seeds, options.discoveries},
+                     options.transients);
   std::vector<double> phi;
   std::vector<Fate> fates;
   std::vector<UnlistedStart> unlisted;
+  std::vector<TransientRow> rows;
   StartReplay replay;
   replay.index = index;
-  if (runner.stopped() || !runner.run(index, 1, phi, fates, unlisted))
+  if (runner.stopped() || !runner.run(index, 1, phi, fates, unlisted, options.transients ? &rows : nullptr))
     throw RunError("stopped before the start was decided");
   replay.start = start_of(study, study.sampling.seed, index);
   replay.fate = fates.front();
+  if (!rows.empty()) replay.transients = rows.front();
   if (!unlisted.empty()) settle(replay.fate, runner.list(unlisted.front()));
   if (const Attractor* a = runner.catalogue().find(replay.fate.attractor)) replay.name = a->name;
   return replay;

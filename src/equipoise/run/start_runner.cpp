@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include "equipoise/run/lane_kernels.hpp"
+#include "equipoise/run/transient_tally.hpp"
 
 namespace equipoise {
 
@@ -21,13 +22,21 @@ void check_decidable(const Study& study) {
                      "basins and attractors need gravity 0 (simulate takes any)");
 }
 
-StartRunner::StartRunner(const Study& study, const DiscoverySettings& settings)
-    : study_(study), stop_(settings.stop), source_(study, settings.stop), discovery_(discover(study_, settings)) {}
+StartRunner::StartRunner(const Study& study, const DiscoverySettings& settings, bool transients)
+    : study_(study),
+      stop_(settings.stop),
+      transients_(transient_settings(study)),
+      source_(study, settings.stop),
+      discovery_(discover(study_, settings)) {
+  if (transients) source_.watch(transients_);
+}
 
 bool StartRunner::run(std::uint64_t first, std::size_t count, std::vector<double>& phi, std::vector<Fate>& fates,
-                      std::vector<UnlistedStart>& unlisted) const {
+                      std::vector<UnlistedStart>& unlisted, std::vector<TransientRow>* rows) const {
   std::vector<double> states;
-  if (!source_.make(study_.sampling.seed, first, count, phi, states, fates)) return false;
+  TransientTable table{transients_, {}};
+  TransientTable* transients = rows ? &table : nullptr;
+  if (!source_.make(study_.sampling.seed, first, count, phi, states, fates, transients)) return false;
   LaneTask task;
   task.parameters = &study_.parameters;
   task.segment = source_.last_segment();
@@ -36,6 +45,7 @@ bool StartRunner::run(std::uint64_t first, std::size_t count, std::vector<double
   task.count = count;
   task.states = states.data();
   task.stop = stop_;
+  task.transients = transients;
   std::vector<Fate> decided(count);
   if (!decide_lanes(task, discovery_.rule, decided, nullptr)) return false;
   const std::size_t size = model::dimension(study_.parameters.balls);
@@ -47,6 +57,12 @@ bool StartRunner::run(std::uint64_t first, std::size_t count, std::vector<double
       unlisted.push_back(follow({states.data() + i * size, states.data() + (i + 1) * size}));
       unlisted.back().place = i;
     }
+  }
+  if (!rows) return true;
+  rows->clear();
+  for (std::size_t i = 0; i < count; ++i) {
+    const bool lost = fates[i].outcome == Outcome::diverged || fates[i].outcome == Outcome::failed;
+    rows->push_back(transient_row(transients_, table.rows[i], lost));
   }
   return true;
 }

@@ -8,6 +8,7 @@
 #include "equipoise/attractors/fate.hpp"
 #include "equipoise/attractors/motion.hpp"
 #include "equipoise/base/error.hpp"
+#include "equipoise/ensemble/transient_table.hpp"
 #include "equipoise/run/discovery.hpp"
 #include "equipoise/run/start_source.hpp"
 #include "equipoise/study/study.hpp"
@@ -28,12 +29,13 @@ struct UnlistedStart {
 class StartRunner {
  public:
   /// Spins up and discovers the attractors. The study has passed check_decidable(). Ask stopped() afterwards.
-  StartRunner(const Study& study, const DiscoverySettings& settings);
+  /// `transients`: run() can be asked for rows.
+  StartRunner(const Study& study, const DiscoverySettings& settings, bool transients = false);
 
   /// Decides starts first .. first + count - 1. Thread-safe. False if stopped early. Starts in `unlisted` have the
-  /// attractor 0 and wait for list().
+  /// attractor 0 and wait for list(). `rows`, if given, receives the transients of every start.
   bool run(std::uint64_t first, std::size_t count, std::vector<double>& phi, std::vector<Fate>& fates,
-           std::vector<UnlistedStart>& unlisted) const;
+           std::vector<UnlistedStart>& unlisted, std::vector<TransientRow>* rows = nullptr) const;
   /// The identifier of what an unlisted start settles on, which is listed if need be; 0 if that is nothing stable.
   /// Not thread-safe: called in the order of starts, so that identifiers do not depend on threads.
   int list(const UnlistedStart& start);
@@ -49,6 +51,7 @@ class StartRunner {
  private:
   Study study_;
   const StopFlag* stop_;
+  TransientSettings transients_;
   StartSource source_;
   Discovery discovery_;
 };
