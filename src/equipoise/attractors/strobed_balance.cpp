@@ -58,6 +58,7 @@ StrobedBalance analyse_strobed_balance(const model::Parameters& p, double speed)
       fastest_growth = std::max(fastest_growth, rate);
   }
   if (analysis.states.kind == Kind::family) return result;
+  std::stable_partition(result.motions.begin(), result.motions.end(), [](const Motion& m) { return m.stable; });
   analysis.stable = std::isfinite(slowest);
   if (analysis.stable)
     analysis.slowest_rate = slowest;

@@ -12,7 +12,7 @@ namespace equipoise {
 
 struct StrobedBalance {
   BalancedAnalysis analysis;  ///< without traps
-  /// The balanced motions found beforehand, stable or not; of a continuum one member stands for all.
+  /// The balanced motions found beforehand, stable ones first; of a continuum one member stands for all.
   std::vector<Motion> motions;
   StrobedFamilyTest family;  ///< empty: no continuum
 };

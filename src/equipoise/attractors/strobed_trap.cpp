@@ -144,16 +144,17 @@ double strobed_value(const model::Parameters& p, double speed, const StrobedTrap
     VectorXd d = in_places(p, orbit, state) - orbit;
     for (int i = 0; i < p.balls; ++i) d[model::index::phi(i)] = wrapped(d[model::index::phi(i)]);
     d = d.cwiseQuotient(unit);
-    // V = 1 lies within |d| < 1: what is far off need not be weighed.
-    if (d.squaredNorm() > least) continue;
+    // V is |d|^2 or more: what is far off need not be weighed.
+    const double square = d.squaredNorm();
+    if (square > least || (trap.level > 0.0 && square > trap.level)) continue;
     least = std::min(least, r * d.dot(trap.forms[j] * d) + s * d.dot(trap.forms[j + 1] * d));
   }
   return least;
 }
 
-VectorXd strobed_trap_state(const model::Parameters& p, const StrobedTrap& trap, int node, double level,
+VectorXd strobed_trap_state(const model::Parameters& p, const StrobedTrap& trap, int row, double level,
                             const VectorXd& direction) {
-  const std::size_t j = static_cast<std::size_t>(node * trap.cells);
+  const std::size_t j = static_cast<std::size_t>(row);
   const Eigen::LLT<MatrixXd> factor(trap.forms[j]);
   const VectorXd d = std::sqrt(level) * factor.matrixU().solve(direction);
   return trap.states[j] + state_scale(p).cwiseProduct(d);

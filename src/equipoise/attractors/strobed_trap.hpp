@@ -30,13 +30,14 @@ struct StrobedTrap {
 /// e^{-2 a t}. Scaled so that V = 1 lies within |d| < 1. Empty for unstable motions and failed integrations.
 std::optional<StrobedTrap> strobed_trap(const model::Parameters& p, double speed, const Motion& motion, int attractor);
 
-/// Smallest V of a state, when the rotor's angle is psi, over the phases that the angle leaves open; equal balls take
-/// the places of those on the orbit that they are nearest to.
+/// Smallest V of a state, when the rotor's angle is psi, over the phases that the angle leaves open, or infinity if it
+/// is plain that all are above the trap's level; equal balls take the places of those on the orbit that they are
+/// nearest to.
 double strobed_value(const model::Parameters& p, double speed, const StrobedTrap& trap, const double* state,
                      double psi);
 
-/// A state on the level `level` at strobe `node`: `direction` is a unit vector.
-Eigen::VectorXd strobed_trap_state(const model::Parameters& p, const StrobedTrap& trap, int node, double level,
+/// A state on the level `level` where row `row` of the table begins: `direction` is a unit vector.
+Eigen::VectorXd strobed_trap_state(const model::Parameters& p, const StrobedTrap& trap, int row, double level,
                                    const Eigen::VectorXd& direction);
 
 /// Slowest rate at which deviations from the orbit die out, negative if it is stable.

@@ -108,11 +108,13 @@ class Discoverer {
         strobed_(model::is_strobed(study.parameters)) {}
 
   Discovery run() {
+    std::vector<Motion> balanced;
     if (strobed_) {
       StrobedBalance found = analyse_strobed_balance(study_.parameters, speed_);
       result_.balanced = std::move(found.analysis);
       family_ = std::move(found.family);
-      for (const Motion& motion : found.motions)
+      balanced = std::move(found.motions);
+      for (const Motion& motion : balanced)
         result_.catalogue.add(study_.parameters, motion, continuum_dimension(study_.parameters) > 0);
     } else {
       result_.balanced = analyse_balanced(study_.parameters, speed_);
@@ -121,7 +123,7 @@ class Discoverer {
     result_.rule = first_rule(study_, result_.balanced, speed_);
     result_.rule.blind = true;
     if (strobed_) {
-      for (const Attractor& a : result_.catalogue.attractors()) make_strobed_trap(a);
+      for (const Motion& motion : balanced) make_strobed_trap(motion, balanced_id);
       result_.rule.strobed = traps_as_rule(study_.parameters, speed_, strobed_traps_, family_);
     }
     if (!make_pilot() || !follow_pilot(scouts + coincident_starts)) return stopped();
@@ -318,16 +320,17 @@ class Discoverer {
     }
     for (const Attractor& a : result_.catalogue.attractors())
       if (std::none_of(before.begin(), before.end(), [&](const Attractor& b) { return b.id == a.id; }))
-        make_strobed_trap(a);
+        make_strobed_trap(a.motion, a.id);
     result_.rule.strobed = traps_as_rule(study_.parameters, speed_, strobed_traps_, family_);
     return !is_stopped();
   }
 
-  void make_strobed_trap(const Attractor& a) {
-    const bool continuum = a.motion.kind == MotionKind::equilibrium && continuum_dimension(study_.parameters) > 0;
-    if (continuum || (a.motion.kind != MotionKind::periodic && a.motion.kind != MotionKind::equilibrium)) return;
-    auto trap = strobed_trap(study_.parameters, speed_, a.motion, a.id);
-    if (trap && validate(*trap, trial_settings(), slowest_strobed_rate(a.motion)))
+  void make_strobed_trap(const Motion& motion, int id) {
+    constexpr int most_strobes = 8;  // all of them are compared with every state
+    const bool continuum = motion.kind == MotionKind::equilibrium && continuum_dimension(study_.parameters) > 0;
+    if (!motion.stable || continuum || motion.strobes == 0 || motion.strobes > most_strobes) return;
+    auto trap = strobed_trap(study_.parameters, speed_, motion, id);
+    if (trap && validate(*trap, trial_settings(), slowest_strobed_rate(motion)))
       strobed_traps_.push_back(std::make_shared<StrobedTrap>(*std::move(trap)));
   }
 

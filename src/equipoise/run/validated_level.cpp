@@ -16,6 +16,7 @@
 #include "equipoise/attractors/fate.hpp"
 #include "equipoise/attractors/orbit_trap.hpp"
 #include "equipoise/base/angles.hpp"
+#include "equipoise/model/strobe.hpp"
 #include "equipoise/run/lane_kernels.hpp"
 
 namespace equipoise {
@@ -165,15 +166,18 @@ double highest_good_level(double highest, Good&& good) {
 // Slower ones are decided by windows: following the tries would take longer than the ensemble.
 constexpr double slowest_worth_it = 2e-3;
 
-// All of `tries` states on the level, spread over the orbit's strobes, come to the orbit.
+// All of `tries` states on the level, a chunk each at angles and strobes spread over the orbit, come to the orbit.
 bool all_approach(const StrobedTrap& trap, const TrialSettings& settings, double slowest_rate, double level,
                   std::size_t tries) {
   const model::Parameters& p = *settings.parameters;
   const int size = model::dimension(p.balls);
+  const auto row_of = [&](std::size_t first) {
+    return static_cast<int>(first / chunk) * 7 % (trap.strobes * trap.cells);
+  };
   std::vector<double> states(tries * size);
   Directions directions(size);
   for (std::size_t i = 0; i < tries; ++i) {
-    const Eigen::VectorXd z = strobed_trap_state(p, trap, static_cast<int>(i % trap.strobes), level, directions.next());
+    const Eigen::VectorXd z = strobed_trap_state(p, trap, row_of(i), level, directions.next());
     std::copy(z.begin(), z.end(), &states[i * size]);
   }
   auto close = std::make_shared<StrobedTrap>(trap);
@@ -183,8 +187,11 @@ bool all_approach(const StrobedTrap& trap, const TrialSettings& settings, double
   rule.strobed = traps_as_rule(p, settings.speed, {close}, {});
   rule.first_long_window = 1e9;
   const double end = 2.0 * std::log(1.0 / come_close) / (2.0 * -slowest_rate) + 200.0;
+  const double cell_angle = model::strobe_angle(p) / trap.cells * (settings.speed < 0.0 ? -1.0 : 1.0);
   return all_chunks(tries, settings.threads, [&](std::size_t first, std::size_t count) {
-    return all_attracted(task_for(settings, end, count, &states[first * size]), rule);
+    LaneTask task = task_for(settings, end, count, &states[first * size]);
+    task.segment.psi = cell_angle * (row_of(first) % trap.cells);
+    return all_attracted(task, rule);
   });
 }
 
