@@ -48,7 +48,7 @@ bool decide_balls(const LaneTask& task, const DecisionRule& rule, std::vector<Fa
                   std::vector<PilotRecord>* pilot) {
   using Flow = FreeFlow<Pack, n, Terms{false, false, false}>;
   using Observer = DecideFate<n, lane_groups<n>>;
-  const auto observer = std::make_unique<Observer>(*task.parameters, rule, fates, pilot);
+  const auto observer = std::make_unique<Observer>(*task.parameters, task.segment, rule, fates, pilot);
   const auto block = std::make_unique<LaneBlock<Flow, Observer, lane_groups<n>>>(
       task, Flow(*task.parameters, task.segment), *observer);
   return block->run();

@@ -15,13 +15,17 @@
 
 namespace equipoise {
 
-/// Throws InputError for invalid studies and those whose starts cannot be decided: anisotropic supports, gravity.
+/// Throws InputError for invalid studies and those whose starts cannot be decided: anisotropic supports or gravity on a
+/// rotor that comes to rest, or with decisions by proof.
 void check_decidable(const Study& study);
+/// The same, and for anisotropic supports and gravity altogether: what `asked` ("maps") answers for equations that do
+/// not depend on the rotor's angle only.
+void check_autonomous(const Study& study, const char* asked);
 
 /// A start that came to a stationary motion which the catalogue does not list.
 struct UnlistedStart {
   std::size_t place = 0;         ///< among the starts of the call
-  std::vector<double> state;     ///< when it was found stationary
+  std::vector<double> state;     ///< when it was found stationary (at the next strobe, with anisotropy or gravity)
   std::optional<Motion> motion;  ///< what it settles on; none if it is not steady after all
 };
 
@@ -49,6 +53,8 @@ class StartRunner {
   bool stopped() const { return discovery_.stopped; }
 
  private:
+  std::vector<double> when_recognised(const std::vector<double>& state, const Fate& fate) const;
+
   Study study_;
   const StopFlag* stop_;
   TransientSettings transients_;
