@@ -168,7 +168,8 @@ TEST(MachineEnsemble, agrees_with_the_lanes) {
   equipoise::basin(plain, options);
   equipoise::check_machine(machine);
   std::vector<double> phi;
-  ASSERT_TRUE(equipoise::MachineRunner(machine, nullptr).run(0, 100, phi, fates));
+  std::vector<equipoise::UnlistedStart> unlisted;
+  ASSERT_TRUE(equipoise::MachineRunner(machine, nullptr).run(0, 100, phi, fates, unlisted));
   ASSERT_EQ(lanes.size(), fates.size());
   int differ = 0;
   for (std::size_t i = 0; i < fates.size(); ++i) {
@@ -193,7 +194,8 @@ TEST(MachineEnsemble, a_weak_motor_stalls_and_a_strong_one_does_not) {
     const Study study = parse_study(text, "motor");
     std::vector<equipoise::Fate> fates;
     std::vector<double> phi;
-    EXPECT_TRUE(equipoise::MachineRunner(study, nullptr).run(0, 12, phi, fates));
+    std::vector<equipoise::UnlistedStart> unlisted;
+    EXPECT_TRUE(equipoise::MachineRunner(study, nullptr).run(0, 12, phi, fates, unlisted));
     std::map<equipoise::Outcome, int> count;
     for (const auto& fate : fates) ++count[fate.outcome];
     return count;

@@ -43,6 +43,7 @@ std::string basin_text(const BasinResult& r) {
   for (const AttractorShare& a : r.attractors)
     line(a.alias.empty() ? a.name : fmt::format("{} ({})", a.name, a.alias), a.share,
          a.share.count == 0 ? "-" : fmt::format("{:.1f}", a.mean_time));
+  if (r.stalled) line("stalled below " + rotor_speed_text(r.study, r.study.stall_speed()), *r.stalled, "-");
   line("undecided", r.undecided, "-");
   line("diverged", r.diverged, "-");
   line("failed", r.failed, "-");
@@ -76,6 +77,10 @@ std::string basin_json(const BasinResult& r) {
     outcome["mean_time"] = a.mean_time;
     for (int k = 1; k < decided_by_count; ++k) outcome["decided_by"][decided_by_names[k]] = a.decided_by[k];
     json["outcomes"].push_back(outcome);
+  }
+  if (r.stalled) {
+    json["stalled"] = share(*r.stalled);
+    json["stalled"]["below"] = r.study.stall_speed();
   }
   json["undecided"] = share(r.undecided);
   json["diverged"] = share(r.diverged);

@@ -18,7 +18,7 @@
 #include "equipoise/run/initial_state.hpp"
 #include "equipoise/run/lane_kernels.hpp"
 #include "equipoise/run/sampling_choice.hpp"
-#include "equipoise/run/start_runner.hpp"
+#include "equipoise/run/runner.hpp"
 #include "equipoise/run/tally.hpp"
 #include "equipoise/run/transient_tally.hpp"
 #include "equipoise/store/basin_file.hpp"
@@ -72,14 +72,15 @@ class BasinRun {
   BasinResult run() {
     const auto begin = std::chrono::steady_clock::now();
     const double cpu_begin = cpu_now();
-    check_decidable(result_.study);
+    check_runnable(result_.study);
     sample();
     result_.starts = tally_->total();
     result_.partial = !finished_;
     result_.grid = sampler_->grid();
     count_outcomes();
-    result_.balanced_stable = runner_->balanced().stable;
-    result_.note = runner_->balanced().note;
+    const BalanceNote balance = runner_->balance();
+    result_.balanced_stable = balance.stable;
+    result_.note = balance.note;
     result_.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
     result_.cpu_seconds = cpu_now() - cpu_begin;
     if (file_) file_->finish(to_toml(result_.study), summary(), finished_, {result_.seconds, result_.cpu_seconds});
@@ -124,8 +125,8 @@ class BasinRun {
 
   void make_runner() {
     const Study& study = result_.study;
-    runner_.emplace(study, DiscoverySettings{threads_, options_.stop, options_.seeds, &discoveries_},
-                    options_.transients);
+    runner_ = equipoise::make_runner(study, DiscoverySettings{threads_, options_.stop, options_.seeds, &discoveries_},
+                                     options_.transients);
     tally_.emplace(*sampler_, study.sampling.seed, runner_->settled());
     transients_.emplace(study, *sampler_);
     filed_.clear();
@@ -174,10 +175,16 @@ class BasinRun {
       Attractor none{balanced_id, "balanced", "", {}, false};
       result_.attractors.push_back(tally_->share(none));
     }
-    for (const Attractor& a : runner_->catalogue().attractors()) result_.attractors.push_back(tally_->share(a));
+    for (const Attractor& a : runner_->catalogue().attractors()) {
+      AttractorShare share = tally_->share(a);
+      // Kinds of motion that a machine might come to are told only if one did.
+      if (share.share.count > 0 || a.id == balanced_id || a.motion.kind != MotionKind::measured)
+        result_.attractors.push_back(std::move(share));
+    }
     result_.undecided = tally_->share(Outcome::undecided);
     result_.diverged = tally_->share(Outcome::diverged);
     result_.failed = tally_->share(Outcome::failed);
+    if (result_.study.speed.driven()) result_.stalled = tally_->share(Outcome::stalled);
     if (options_.transients) result_.transients = transients_->result(runner_->catalogue());
     if (result_.choice && result_.choice->method == SamplingMethod::sobol)  // known better by now
       result_.choice->random_starts = random_starts_for(tally_->shares(), options_.half_width);
@@ -189,6 +196,7 @@ class BasinRun {
     lines.push_back({undecided_code, "undecided", "", result_.undecided});
     lines.push_back({diverged_code, "diverged", "", result_.diverged});
     lines.push_back({failed_code, "failed", "", result_.failed});
+    if (result_.stalled) lines.push_back({stalled_code, "stalled", "", *result_.stalled});
     return lines;
   }
 
@@ -310,7 +318,7 @@ class BasinRun {
   std::uint64_t limit_ = 0;
   std::unique_ptr<BasinFile> file_;
   std::optional<Sampler> sampler_;
-  std::optional<StartRunner> runner_;
+  std::unique_ptr<Runner> runner_;
   std::optional<Tally> tally_;
   std::optional<TransientTally> transients_;
   std::vector<std::shared_ptr<Chunk>> pilot_;
@@ -348,26 +356,26 @@ BasinResult basin(const Study& study, const BasinOptions& options, Catalogue* ca
 }
 
 StartReplay replay_start(const Study& study, std::uint64_t index, const BasinOptions& options) {
-  check_decidable(study);
+  check_runnable(study);
   const Sampler sampler = sampler_of(study);
   if (sampler.grid() && index >= sampler.grid()->starts())
     throw InputError(study.name, "start index", fmt::format("{}", index),
                      fmt::format("must be below {}, the starts of this grid", sampler.grid()->starts()));
-  StartRunner runner(study, {thread_count(options.threads), options.stop, options.seeds, options.discoveries},
-                     options.transients);
+  const std::unique_ptr<Runner> runner = make_runner(
+      study, {thread_count(options.threads), options.stop, options.seeds, options.discoveries}, options.transients);
   std::vector<double> phi;
   std::vector<Fate> fates;
   std::vector<UnlistedStart> unlisted;
   std::vector<TransientRow> rows;
   StartReplay replay;
   replay.index = index;
-  if (runner.stopped() || !runner.run(index, 1, phi, fates, unlisted, options.transients ? &rows : nullptr))
+  if (runner->stopped() || !runner->run(index, 1, phi, fates, unlisted, options.transients ? &rows : nullptr))
     throw RunError("stopped before the start was decided");
   replay.start = start_of(study, study.sampling.seed, index);
   replay.fate = fates.front();
   if (!rows.empty()) replay.transients = rows.front();
-  if (!unlisted.empty()) settle(replay.fate, runner.list(unlisted.front()));
-  if (const Attractor* a = runner.catalogue().find(replay.fate.attractor)) replay.name = a->name;
+  if (!unlisted.empty()) settle(replay.fate, runner->list(unlisted.front()));
+  if (const Attractor* a = runner->catalogue().find(replay.fate.attractor)) replay.name = a->name;
   return replay;
 }
 

@@ -29,6 +29,12 @@ void check_decidable(const Study& study) {
 
 void check_autonomous(const Study& study, const char* asked) {
   check(study);
+  if (study.needs_machine())
+    throw InputError(study.name, study.speed.driven() ? "speed.profile" : "balancer",
+                     study.speed.driven() ? "torque" : "",
+                     fmt::format("{} need a prescribed speed, a centred race and balls without contact, rolling "
+                                 "resistance or stiction (simulate and basin take all)",
+                                 asked));
   const model::Parameters& p = study.parameters;
   if (!p.isotropic()) {
     const bool stiffness = p.stiffness[0] != p.stiffness[1];

@@ -120,7 +120,8 @@ void BasinFile::State::create(const BasinFileHeader& header) {
   define_sampling(start, kind);
   if (transients) define_transients(start, header);
   outcome = f.variable("outcome", NC_SHORT, {start}, "1",
-                       "attractor that the start came to (kind_code), or 0 undecided, -1 diverged, -2 failed");
+                       "attractor that the start came to (kind_code), or 0 undecided, -1 diverged, -2 failed, "
+                       "-3 stalled");
   time =
       f.variable("decision_time", NC_DOUBLE, {start}, "1", "study time at which the outcome was known, in 1/omega_c");
   by = f.variable("decided_by", NC_BYTE, {start}, "1", "grounds on which the outcome was decided");
@@ -220,10 +221,11 @@ std::vector<Fate> BasinFile::read(std::uint64_t first, std::size_t count) const 
   state_->file->read(state_->by, {first}, {count}, grounds.data());
   std::vector<Fate> fates(count);
   for (std::size_t i = 0; i < count; ++i) {
-    if (codes[i] < failed_code || grounds[i] < 0 || grounds[i] >= decided_by_count)
+    if (codes[i] < stalled_code || grounds[i] < 0 || grounds[i] >= decided_by_count)
       throw RunError(fmt::format("{}: start {} has no valid outcome; the file is damaged", state_->path, first + i));
     fates[i].outcome = codes[i] == undecided_code  ? Outcome::undecided
                        : codes[i] == diverged_code ? Outcome::diverged
+                       : codes[i] == stalled_code  ? Outcome::stalled
                        : codes[i] == failed_code   ? Outcome::failed
                                                    : Outcome::attracted;
     fates[i].attractor = std::max<short>(codes[i], 0);
@@ -263,6 +265,7 @@ void BasinFile::append(std::size_t count, const double* phi, const Fate* fates, 
     codes[i] = fate.outcome == Outcome::attracted   ? fate.attractor
                : fate.outcome == Outcome::undecided ? undecided_code
                : fate.outcome == Outcome::diverged  ? diverged_code
+               : fate.outcome == Outcome::stalled   ? stalled_code
                                                     : failed_code;
     times[i] = fate.time;
     grounds[i] = static_cast<signed char>(fate.by);
