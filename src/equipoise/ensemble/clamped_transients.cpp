@@ -69,7 +69,7 @@ ClampedTransients::ClampedTransients(const model::Parameters& p, const std::vect
     for (std::size_t k = 0; k < 3; ++k) {
       const double* z = basis.values.data() + 4 * k;
       centre[k] = {z[0], z[1]};
-      force[k] = model::bearing_force(p, segment, t, z);
+      force[k] = model::bearing_force(p, segment.psi_at(t), z);
     }
     radius_.add(centre);
     force_.add(force);

@@ -36,10 +36,7 @@ std::optional<double> last_time(const RampSetting& s) {
 }
 
 std::optional<double> final_speed(const Study& study) {
-  if (!study.speed.driven()) return last_speed(study.speed);
-  if (study.speed.torque.kind == "control") return last_speed(study.speed.torque.target);
-  if (study.speed.torque.kind == "stall") return study.speed.torque.no_load_speed;
-  return std::nullopt;
+  return study.speed.driven() ? study.motor().final_speed() : last_speed(study.speed);
 }
 
 // The table of quantities, in the order of the study's tables.
@@ -135,14 +132,15 @@ class Quantities {
   void motor() {
     const TorqueSetting& t = study_.speed.torque;
     add("psi'(0)", "initial speed", study_.speed.initial, Dimension::speed);
-    if (t.kind == "linear") {
+    using Kind = model::MotorLaw::Kind;
+    if (t.kind == Kind::linear && !t.by_stall) {
       add("tau_0", "motor torque at rest", t.constant, Dimension::torque);
       add("slope", "motor torque for a speed", t.slope, Dimension::gain);
       if (t.until) add("until", "motor off at", *t.until, Dimension::time);
-    } else if (t.kind == "stall") {
+    } else if (t.by_stall) {
       add("tau_0", "motor torque at rest", t.stall, Dimension::torque);
       add("Omega_n", "no-load speed", t.no_load_speed, Dimension::speed);
-    } else if (t.kind == "table") {
+    } else if (t.kind == Kind::table) {
       add("tau_max", "largest motor torque", *std::max_element(t.values.begin(), t.values.end()), Dimension::torque);
     } else {
       add("K_p", "control gain", t.gain, Dimension::gain);
