@@ -127,7 +127,11 @@ TEST(Explain, Warns) {
   EXPECT_TRUE(warned(with("speed.final=800 rpm"), "less than sqrt(2)"));
   EXPECT_TRUE(warned(with("rotor.eccentricity=0.6 mm"), "2 times what all balls"));
   EXPECT_TRUE(warned(with("rotor.eccentricity=0.29 mm"), "within 10 % of the most"));
-  EXPECT_TRUE(warned(with("balancer.drag=1e-7 N m s"), "drag too low; more drag would settle them sooner"));
+  EXPECT_TRUE(warned(of(constant_speed, {"speed.speed=6.0", "balancer.drag=0.002"}),
+                     "drag too low; more drag would settle them sooner"));
+  EXPECT_TRUE(warned(with("balancer.drag=1e-7 N m s"),
+                     "balance is unstable at the final speed: the balls do not stay "
+                     "there; more drag makes it less so"));
   EXPECT_TRUE(warned(with("balancer.drag=1 N m s"), "drag too high; less drag would settle them sooner"));
   EXPECT_TRUE(warned(with("balancer.drag=1 N m s"), "overdamped"));
   EXPECT_TRUE(warned(with("speed.duration=10 ms"), "more slowly than the rotor spins up"));

@@ -10,6 +10,7 @@
 #include "equipoise/base/angles.hpp"
 #include "equipoise/base/version.hpp"
 #include "equipoise/model/balance_grade.hpp"
+#include "equipoise/report/engineering.hpp"
 #include "equipoise/report/text.hpp"
 
 namespace equipoise {
@@ -19,45 +20,6 @@ namespace {
 using Json = nlohmann::ordered_json;
 using model::Scales;
 using study::Dimension;
-
-struct Unit {
-  const char* name;
-  double si;
-};
-
-// What engineers read a dimension in, smallest first.
-std::vector<Unit> units_for(Dimension d) {
-  switch (d) {
-    case Dimension::mass:
-      return {{"g", 1e-3}, {"kg", 1.0}};
-    case Dimension::length:
-      return {{"um", 1e-6}, {"mm", 1e-3}, {"m", 1.0}};
-    case Dimension::time:
-      return {{"ms", 1e-3}, {"s", 1.0}};
-    case Dimension::speed:
-      return {{"rpm", pi / 30.0}};
-    case Dimension::velocity:
-      return {{"mm/s", 1e-3}, {"m/s", 1.0}};
-    case Dimension::force:
-      return {{"N", 1.0}, {"kN", 1e3}};
-    case Dimension::stiffness:
-      return {{"N/m", 1.0}, {"kN/m", 1e3}, {"MN/m", 1e6}};
-    case Dimension::unbalance:
-      return {{"g mm", 1e-6}, {"kg mm", 1e-3}};
-    default:
-      return {{study::words(d).si, 1.0}};
-  }
-}
-
-// "0.2 mm": in the largest unit that leaves at least one whole.
-std::string engineering(double si, Dimension d) {
-  const std::vector<Unit> units = units_for(d);
-  const Unit* chosen = &units.front();
-  for (const Unit& unit : units)
-    if (std::abs(si) >= unit.si) chosen = &unit;
-  if (si == 0.0) chosen = &units[units.size() / 2];
-  return fmt::format("{:.5g} {}", si / chosen->si, chosen->name);
-}
 
 double in_degrees(double angle) {
   const double turn = std::fmod(angle * 180.0 / pi, 360.0);

@@ -1,37 +1,59 @@
 // Numbers and studies as text.
 #include "equipoise/report/text.hpp"
 
+#include <optional>
 #include <sstream>
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 #include <toml++/toml.h>
 
+#include "equipoise/report/engineering.hpp"
+
 namespace equipoise {
 
 namespace {
 
-std::string list(const double* values, int count, bool same) {
-  if (same) return fmt::format("{}", values[0]);
-  std::string text = "[";
-  for (int i = 0; i < count; ++i) text += fmt::format("{}{}", i ? ", " : "", values[i]);
-  return text + "]";
-}
+using study::Dimension;
+
+// A number of the study, in physical units where it has them.
+class Shown {
+ public:
+  explicit Shown(const Study& study) : scales_(study.scales) {}
+
+  std::string operator()(double value, Dimension d) const {
+    return scales_ ? engineering(value * study::scale_of(d, *scales_), d) : fmt::format("{}", value);
+  }
+  // One for all, or one a ball; `factor` (in physical units only) times each value.
+  std::string list(const double* values, const double* factor, int count, bool same, Dimension d) const {
+    const auto entry = [&](int i) { return (*this)(scales_ && factor ? values[i] * factor[i] : values[i], d); };
+    if (same) return entry(0);
+    std::string text = "[";
+    for (int i = 0; i < count; ++i) text += (i ? ", " : "") + entry(i);
+    return text + "]";
+  }
+
+ private:
+  const std::optional<model::Scales>& scales_;
+};
 
 std::string speed_text(const Study& study) {
   const SpeedSetting& s = study.speed;
+  const Shown shown(study);
+  const auto speed = [&](double value) { return shown(value, Dimension::speed); };
+  const auto time = [&](double value) { return shown(value, Dimension::time); };
   std::string text;
   if (s.profile == "constant")
-    text = fmt::format("constant speed {}", s.speed);
+    text = fmt::format("constant speed {}", speed(s.speed));
   else if (s.profile == "ramp")
-    text = fmt::format("ramp {} to {} in {}", s.initial, s.final, s.duration);
+    text = fmt::format("ramp {} to {} in {}", speed(s.initial), speed(s.final), time(s.duration));
   else if (s.profile == "trapezoid")
-    text = fmt::format("trapezoid {} to {} by {}, held to {}, to {} by {}", s.initial, s.peak, s.rise_until,
-                       s.hold_until, s.final, s.fall_until);
+    text = fmt::format("trapezoid {} to {} by {}, held to {}, to {} by {}", speed(s.initial), speed(s.peak),
+                       time(s.rise_until), time(s.hold_until), speed(s.final), time(s.fall_until));
   else
-    text = fmt::format("{} speed points to {} at {}", s.times.size(), s.speeds.back(), s.times.back());
+    text = fmt::format("{} speed points to {} at {}", s.times.size(), speed(s.speeds.back()), time(s.times.back()));
   if (const double release = study.release_time(); release > 0.0)
-    text += fmt::format(", balls released at t = {:.6g}", release);
+    text += ", balls released at t = " + (study.scales ? time(release) : fmt::format("{:.6g}", release));
   if (s.profile != "constant")
     text += s.law == model::SpeedLaw::published ? "; PUBLISHED speed law, psi = t Omega(t)"
                                                 : "; kinematic speed law, psi' = Omega(t)";
@@ -58,9 +80,15 @@ std::string interval(const Share& s) {
 std::string study_heading(const Study& study) {
   const model::Parameters& p = study.parameters;
   std::string text = fmt::format("{}\n", study.name);
+  const Shown shown(study);
+  const bool same = p.equal_balls();
   text += fmt::format("{} ball{}: mass {}, drag {}; rotor: eccentricity {}, damping {}\n", p.balls,
-                      p.balls == 1 ? "" : "s", list(p.mass.data(), p.balls, p.equal_balls()),
-                      list(p.drag.data(), p.balls, p.equal_balls()), p.eccentricity, p.damping[0]);
+                      p.balls == 1 ? "" : "s", shown.list(p.mass.data(), nullptr, p.balls, same, Dimension::mass),
+                      shown.list(p.drag.data(), p.mass.data(), p.balls, same, Dimension::gain),
+                      shown(p.eccentricity, Dimension::length), shown(p.damping[0], Dimension::damping));
+  if (study.scales)
+    text += fmt::format("critical speed {}; times below are in units of {}\n", shown(1.0, Dimension::speed),
+                        shown(1.0, Dimension::time));
   return text + speed_text(study) + "\n\n";
 }
 

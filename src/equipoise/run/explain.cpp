@@ -243,8 +243,10 @@ class Warnings {
     room(balls);
     if (p_.total_mass() >= 1.0) warn("the balls together are heavier than the rotor");
     if (e.reynolds && *e.reynolds > 1.0)
-      warn("the Reynolds number of a ball that slips is {:.3g}: Stokes' drag holds below about 1 and is too small here",
-           *e.reynolds);
+      warn(
+          "the Reynolds number of a ball that slips is {:.3g}: Stokes' drag holds below about 1, so only near "
+          "balance, where balls creep, and is too small before",
+          *e.reynolds);
   }
 
  private:
@@ -283,8 +285,11 @@ class Warnings {
 
   void motion(const BalancedMotion& m) {
     if (!m.stable) {
-      warn("balance is {} at the final speed: the balls do not stay there",
-           m.slowest_rate > least_rate ? "unstable" : "not linearly stable");
+      if (m.slowest_rate <= least_rate)
+        warn("balance is not linearly stable at the final speed: its largest rate is 0");
+      else
+        warn("balance is unstable at the final speed: the balls do not stay there; {} drag makes it less so",
+             m.drag_sensitivity < 0.0 ? "more" : "less");
       return;
     }
     const double constant = -1.0 / m.slowest_rate;
