@@ -99,11 +99,14 @@ class Text {
 
   void balance() {
     const bool possible = e_.balanced.kind != model::BalancedStates::Kind::none;
-    item("can balance", possible ? "yes" : "no: " + e_.balanced.reason);
+    item("can balance",
+         possible ? (e_.study.parameters.gravity > 0.0 ? "yes, but for gravity" : "yes") : "no: " + e_.balanced.reason);
     item("",
          fmt::format("unbalance {}; these balls cancel from {} to {}",
                      both(e_.study.parameters.eccentricity, Dimension::unbalance),
                      both(e_.least_unbalance, Dimension::unbalance), both(e_.largest_unbalance, Dimension::unbalance)));
+    if (e_.gravity_ratio)
+      item("gravity", fmt::format("{:.3g} of a ball's centrifugal force at the final speed", *e_.gravity_ratio));
     if (!e_.motion) item("way into balance", "not linearised: " + e_.no_motion);
   }
 
@@ -116,7 +119,8 @@ class Text {
                                         family                          ? " (one of a continuum)"
                                         : e_.balanced.angles.size() > 1 ? " (and their mirror image)"
                                                                         : ""));
-    item("way into balance", m.stable ? fmt::format("stable; slowest time constant {}, {} with more drag",
+    item("way into balance", m.stable ? fmt::format("stable{}; slowest time constant {}, {} with more drag",
+                                                    e_.study.speed.driven() ? " at constant speed" : "",
                                                     either(-1.0 / m.slowest_rate, Dimension::time),
                                                     m.drag_sensitivity < 0.0 ? "longer" : "shorter")
                                       : fmt::format("NOT stable: largest growth rate {:.3g}", m.slowest_rate));
@@ -196,6 +200,7 @@ std::string explain_json(const Explanation& e) {
   json["final_speed"] = e.speed ? value_json(*e.speed, Dimension::speed, scales) : Json(nullptr);
   json["can_balance"] = e.balanced.kind != model::BalancedStates::Kind::none;
   json["reason"] = e.balanced.reason;
+  json["gravity_ratio"] = e.gravity_ratio ? Json(*e.gravity_ratio) : Json(nullptr);
   json["unbalance"] = value_json(e.study.parameters.eccentricity, Dimension::unbalance, scales);
   json["least_unbalance"] = value_json(e.least_unbalance, Dimension::unbalance, scales);
   json["largest_unbalance"] = value_json(e.largest_unbalance, Dimension::unbalance, scales);
