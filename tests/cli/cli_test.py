@@ -23,6 +23,29 @@ def run(*arguments, **options):
     return subprocess.run([PROGRAM, *arguments], capture_output=True, text=True, timeout=300, check=False, **options)
 
 
+class Explain(unittest.TestCase):
+    STUDY = os.path.join(STUDIES, "examples", "washing-machine.toml")
+
+    def test_shows_a_machine_in_both_forms(self):
+        done = run("explain", self.STUDY)
+        self.assertEqual((done.returncode, done.stderr), (0, ""))
+        for words in ("40 kg", "1200 rpm", "critical speed", "can balance           yes", "ISO 21940-11"):
+            self.assertIn(words, done.stdout)
+
+    def test_json_has_si_values_and_overrides_are_physical(self):
+        answer = json.loads(run("explain", self.STUDY, "--json", "--set", "rotor.stiffness=16 kN/m").stdout)
+        # sqrt(16000 / 40) rad/s; two roundings.
+        self.assertAlmostEqual(answer["critical_speed"][0]["si"], 20.0, places=12)
+        self.assertTrue(answer["can_balance"])
+        self.assertEqual(answer["study"]["units"]["length"], 0.25)
+
+    def test_bad_units_are_one_line_with_exit_code_2(self):
+        done = run("explain", self.STUDY, "--set", "rotor.mass=40 mm")
+        self.assertEqual((done.returncode, done.stdout), (2, ""))
+        self.assertEqual(done.stderr, 'equipoise: --set: rotor.mass = "40 mm": "mm" does not measure that; must be a mass, '
+                                      'such as "12 kg"\n')
+
+
 class Basin(unittest.TestCase):
     def test_json_has_shares_as_fractions_with_intervals(self):
         done = run("basin", ROW, "--starts", "3000", "--json", "--quiet")

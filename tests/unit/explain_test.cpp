@@ -127,7 +127,11 @@ TEST(Explain, Warns) {
   EXPECT_TRUE(warned(with("speed.final=800 rpm"), "less than sqrt(2)"));
   EXPECT_TRUE(warned(with("rotor.eccentricity=0.6 mm"), "2 times what all balls"));
   EXPECT_TRUE(warned(with("rotor.eccentricity=0.29 mm"), "within 10 % of the most"));
-  EXPECT_TRUE(warned(with("balancer.drag=1e-7 N m s"), "drag too low; more drag would settle them sooner"));
+  EXPECT_TRUE(warned(of(constant_speed, {"speed.speed=6.0", "balancer.drag=0.002"}),
+                     "drag too low; more drag would settle them sooner"));
+  EXPECT_TRUE(warned(with("balancer.drag=1e-7 N m s"),
+                     "balance is unstable at the final speed: the balls do not stay "
+                     "there; more drag makes it less so"));
   EXPECT_TRUE(warned(with("balancer.drag=1 N m s"), "drag too high; less drag would settle them sooner"));
   EXPECT_TRUE(warned(with("balancer.drag=1 N m s"), "overdamped"));
   EXPECT_TRUE(warned(with("speed.duration=10 ms"), "more slowly than the rotor spins up"));
@@ -135,6 +139,35 @@ TEST(Explain, Warns) {
   // Two balls of 59 mm in a race of 60 mm: each takes 2 asin(59/60) = 159 degrees; four do not fit.
   EXPECT_FALSE(warned(with("balancer.ball_diameter=59 mm"), "do not fit"));
   EXPECT_TRUE(warned(of(machine, {"balancer.ball_diameter=59 mm", "balancer.balls=4"}), "do not fit"));
+}
+
+TEST(Explain, LeavesGravityOutOfWhatTheBallsCancel) {
+  const Explanation e = of(machine, {"rotor.gravity=9.81 m/s2"});
+  EXPECT_EQ(e.balanced.kind, model::BalancedStates::Kind::isolated);
+  const double omega = 2000.0 * pi / 30.0;
+  EXPECT_NEAR(*e.gravity_ratio, 9.81 / (0.03 * omega * omega), 1e-14);
+  EXPECT_NE(explain_text(e).find("yes, but for gravity"), std::string::npos);
+  EXPECT_FALSE(warned(e, "falls off"));
+  // 9.81 m/s2 = R omega^2 at 172.7 rpm.
+  EXPECT_TRUE(warned(of(machine, {"rotor.gravity=9.81 m/s2", "speed.final=170 rpm"}), "falls off"));
+}
+
+TEST(Explain, TakesTheTargetOfAMotorForTheFinalSpeed) {
+  Study driven = parse_study(machine, "m.toml");
+  driven.speed.profile = "torque";
+  driven.speed.torque.kind = "control";
+  driven.speed.torque.gain = 0.1;
+  driven.speed.torque.target.profile = "ramp";
+  driven.speed.torque.target.final = 3.0;
+  driven.speed.torque.target.duration = 100.0;
+  const Explanation e = explain(driven);
+  EXPECT_EQ(e.speed, 3.0);
+  EXPECT_EQ(e.spin_up, 100.0);
+  EXPECT_EQ(quantity(e, "K_p"), 0.1);
+  EXPECT_NE(explain_text(e).find("at constant speed"), std::string::npos);
+  driven.speed.torque.kind = "linear";
+  EXPECT_FALSE(explain(driven).speed.has_value());
+  EXPECT_NE(explain_text(explain(driven)).find("the motor, not the study"), std::string::npos);
 }
 
 TEST(Explain, HasTheReynoldsNumberOfASlippingBall) {

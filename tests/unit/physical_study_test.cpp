@@ -2,6 +2,7 @@
 #include <array>
 #include <cctype>
 #include <cmath>
+#include <filesystem>
 #include <random>
 #include <string>
 #include <vector>
@@ -188,6 +189,16 @@ TEST(PhysicalStudy, ConvertsMotorContactAndOffset) {
   EXPECT_DOUBLE_EQ(at(d, "speed.torque.target.duration"), 5.0 * omega_c);
   EXPECT_FALSE(d.root["balancer"].as_table()->contains("ball_diameter"));
   EXPECT_FALSE(d.root["balancer"].as_table()->contains("contact"));
+}
+
+TEST(PhysicalStudy, ShippedExamplesAreRead) {
+  int count = 0;
+  for (const auto& entry : std::filesystem::directory_iterator(EQUIPOISE_SOURCE_DIR "/studies/examples")) {
+    const Study s = read_study(entry.path().string());
+    EXPECT_EQ(first_difference(s, parse(to_toml(s))), "") << entry.path();
+    ++count;
+  }
+  EXPECT_GT(count, 0);
 }
 
 TEST(PhysicalStudy, TakesOverridesOfPhysicalKeys) {

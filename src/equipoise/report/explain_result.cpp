@@ -10,6 +10,7 @@
 #include "equipoise/base/angles.hpp"
 #include "equipoise/base/version.hpp"
 #include "equipoise/model/balance_grade.hpp"
+#include "equipoise/report/engineering.hpp"
 #include "equipoise/report/text.hpp"
 
 namespace equipoise {
@@ -19,45 +20,6 @@ namespace {
 using Json = nlohmann::ordered_json;
 using model::Scales;
 using study::Dimension;
-
-struct Unit {
-  const char* name;
-  double si;
-};
-
-// What engineers read a dimension in, smallest first.
-std::vector<Unit> units_for(Dimension d) {
-  switch (d) {
-    case Dimension::mass:
-      return {{"g", 1e-3}, {"kg", 1.0}};
-    case Dimension::length:
-      return {{"um", 1e-6}, {"mm", 1e-3}, {"m", 1.0}};
-    case Dimension::time:
-      return {{"ms", 1e-3}, {"s", 1.0}};
-    case Dimension::speed:
-      return {{"rpm", pi / 30.0}};
-    case Dimension::velocity:
-      return {{"mm/s", 1e-3}, {"m/s", 1.0}};
-    case Dimension::force:
-      return {{"N", 1.0}, {"kN", 1e3}};
-    case Dimension::stiffness:
-      return {{"N/m", 1.0}, {"kN/m", 1e3}, {"MN/m", 1e6}};
-    case Dimension::unbalance:
-      return {{"g mm", 1e-6}, {"kg mm", 1e-3}};
-    default:
-      return {{study::words(d).si, 1.0}};
-  }
-}
-
-// "0.2 mm": in the largest unit that leaves at least one whole.
-std::string engineering(double si, Dimension d) {
-  const std::vector<Unit> units = units_for(d);
-  const Unit* chosen = &units.front();
-  for (const Unit& unit : units)
-    if (std::abs(si) >= unit.si) chosen = &unit;
-  if (si == 0.0) chosen = &units[units.size() / 2];
-  return fmt::format("{:.5g} {}", si / chosen->si, chosen->name);
-}
 
 double in_degrees(double angle) {
   const double turn = std::fmod(angle * 180.0 / pi, 360.0);
@@ -137,11 +99,14 @@ class Text {
 
   void balance() {
     const bool possible = e_.balanced.kind != model::BalancedStates::Kind::none;
-    item("can balance", possible ? "yes" : "no: " + e_.balanced.reason);
+    item("can balance",
+         possible ? (e_.study.parameters.gravity > 0.0 ? "yes, but for gravity" : "yes") : "no: " + e_.balanced.reason);
     item("",
          fmt::format("unbalance {}; these balls cancel from {} to {}",
                      both(e_.study.parameters.eccentricity, Dimension::unbalance),
                      both(e_.least_unbalance, Dimension::unbalance), both(e_.largest_unbalance, Dimension::unbalance)));
+    if (e_.gravity_ratio)
+      item("gravity", fmt::format("{:.3g} of a ball's centrifugal force at the final speed", *e_.gravity_ratio));
     if (!e_.motion) item("way into balance", "not linearised: " + e_.no_motion);
   }
 
@@ -154,7 +119,8 @@ class Text {
                                         family                          ? " (one of a continuum)"
                                         : e_.balanced.angles.size() > 1 ? " (and their mirror image)"
                                                                         : ""));
-    item("way into balance", m.stable ? fmt::format("stable; slowest time constant {}, {} with more drag",
+    item("way into balance", m.stable ? fmt::format("stable{}; slowest time constant {}, {} with more drag",
+                                                    e_.study.speed.driven() ? " at constant speed" : "",
                                                     either(-1.0 / m.slowest_rate, Dimension::time),
                                                     m.drag_sensitivity < 0.0 ? "longer" : "shorter")
                                       : fmt::format("NOT stable: largest growth rate {:.3g}", m.slowest_rate));
@@ -234,6 +200,7 @@ std::string explain_json(const Explanation& e) {
   json["final_speed"] = e.speed ? value_json(*e.speed, Dimension::speed, scales) : Json(nullptr);
   json["can_balance"] = e.balanced.kind != model::BalancedStates::Kind::none;
   json["reason"] = e.balanced.reason;
+  json["gravity_ratio"] = e.gravity_ratio ? Json(*e.gravity_ratio) : Json(nullptr);
   json["unbalance"] = value_json(e.study.parameters.eccentricity, Dimension::unbalance, scales);
   json["least_unbalance"] = value_json(e.least_unbalance, Dimension::unbalance, scales);
   json["largest_unbalance"] = value_json(e.largest_unbalance, Dimension::unbalance, scales);

@@ -43,7 +43,8 @@ struct Explanation {
   std::optional<double> speed;                                    ///< final; none: nothing prescribes one
   std::optional<double> spin_up;  ///< time until it is reached; none: it does not change, or depends on the motor
   double least_unbalance = 0.0, largest_unbalance = 0.0;  ///< lambda that the balls can cancel
-  model::BalancedStates balanced;
+  model::BalancedStates balanced;                         ///< gravity left out
+  std::optional<double> gravity_ratio;  ///< weight of a ball over its centrifugal force; none without gravity or speed
   std::optional<BalancedMotion> motion;
   std::string no_motion;  ///< why `motion` is not there
   std::optional<BareVibration> bare;

@@ -2,6 +2,7 @@
 #include "equipoise/report/text.hpp"
 
 #include <cmath>
+#include <optional>
 #include <sstream>
 
 #include <fmt/format.h>
@@ -9,35 +10,54 @@
 #include <toml++/toml.h>
 
 #include "equipoise/base/angles.hpp"
+#include "equipoise/report/engineering.hpp"
 
 namespace equipoise {
 
 namespace {
 
-std::string list(const double* values, int count, bool same) {
-  if (same) return fmt::format("{}", values[0]);
-  std::string text = "[";
-  for (int i = 0; i < count; ++i) text += fmt::format("{}{}", i ? ", " : "", values[i]);
-  return text + "]";
-}
+using study::Dimension;
+
+// A number of the study, in physical units where it has them.
+class Shown {
+ public:
+  explicit Shown(const Study& study) : scales_(study.scales) {}
+
+  std::string operator()(double value, Dimension d) const {
+    return scales_ ? engineering(value * study::scale_of(d, *scales_), d) : fmt::format("{}", value);
+  }
+  // One for all, or one a ball; `factor` (in physical units only) times each value.
+  std::string list(const double* values, const double* factor, int count, bool same, Dimension d) const {
+    const auto entry = [&](int i) { return (*this)(scales_ && factor ? values[i] * factor[i] : values[i], d); };
+    if (same) return entry(0);
+    std::string text = "[";
+    for (int i = 0; i < count; ++i) text += (i ? ", " : "") + entry(i);
+    return text + "]";
+  }
+
+ private:
+  const std::optional<model::Scales>& scales_;
+};
 
 std::string motor_text(const Study& study) {
   const TorqueSetting& t = study.speed.torque;
   using Kind = model::MotorLaw::Kind;
+  const Shown shown(study);
+  const auto torque = [&](double value) { return shown(value, Dimension::torque); };
+  const auto speed = [&](double value) { return shown(value, Dimension::speed); };
   std::string law;
   if (t.by_stall)
-    law = fmt::format("torque {:.6g} at rest, 0 at {}", t.stall, rotor_speed_text(study, t.no_load_speed));
+    law = fmt::format("torque {} at rest, none at {}", torque(t.stall), speed(t.no_load_speed));
   else if (t.kind == Kind::table)
     law = fmt::format("torque by {} points in time", t.times.size());
   else if (t.kind == Kind::control)
-    law = fmt::format("speed control to {}, gain {:.6g}, integral {:.6g}{}",
-                      rotor_speed_text(study, study.motor().target.final_speed()), t.gain, t.integral,
-                      t.limit ? fmt::format(", torque at most {:.6g}", *t.limit) : "");
+    law = fmt::format("speed control to {}, gain {}{}", speed(study.motor().target.final_speed()),
+                      shown(t.gain, Dimension::gain),
+                      t.limit ? fmt::format(", torque at most {}", torque(*t.limit)) : "");
   else
-    law = fmt::format("torque {:.6g} {:+.6g} psi'{}", t.constant, t.slope,
-                      t.until ? fmt::format(" until t = {:.6g}", *t.until) : "");
-  return fmt::format("driven from {}: {}; inertia {:.6g}", rotor_speed_text(study, study.speed.initial), law,
-                     study.parameters.inertia);
+    law = fmt::format("torque {}, {} a unit of speed{}", torque(t.constant), shown(t.slope, Dimension::gain),
+                      t.until ? fmt::format(", until t = {}", shown(*t.until, Dimension::time)) : "");
+  return fmt::format("driven from {}: {}", speed(study.speed.initial), law);
 }
 
 // What goes beyond the isotropic, horizontal rotor with balls that meet nothing but drag; empty if nothing does.
@@ -54,31 +74,28 @@ std::string more_text(const model::Parameters& p) {
   return text.empty() ? "" : text + "\n";
 }
 
-std::string units_text(const Study& study) {
-  if (!study.scales) return "";
-  return fmt::format("units: M = {:.6g} kg, R = {:.6g} mm, omega_c = {:.6g} rad/s ({:.6g} rpm)\n", study.scales->mass,
-                     1e3 * study.scales->length, study.scales->frequency, study.scales->frequency * 30.0 / pi);
-}
-
 std::string speed_text(const Study& study) {
   const SpeedSetting& s = study.speed;
+  const Shown shown(study);
+  const auto speed = [&](double value) { return shown(value, Dimension::speed); };
+  const auto time = [&](double value) { return shown(value, Dimension::time); };
   std::string text;
   if (s.driven())
     text = motor_text(study);
   else if (s.profile == "constant")
-    text = fmt::format("constant speed {}", s.speed);
+    text = fmt::format("constant speed {}", speed(s.speed));
   else if (s.profile == "ramp")
-    text = fmt::format("ramp {} to {} in {}", s.initial, s.final, s.duration);
+    text = fmt::format("ramp {} to {} in {}", speed(s.initial), speed(s.final), time(s.duration));
   else if (s.profile == "trapezoid")
-    text = fmt::format("trapezoid {} to {} by {}, held to {}, to {} by {}", s.initial, s.peak, s.rise_until,
-                       s.hold_until, s.final, s.fall_until);
+    text = fmt::format("trapezoid {} to {} by {}, held to {}, to {} by {}", speed(s.initial), speed(s.peak),
+                       time(s.rise_until), time(s.hold_until), speed(s.final), time(s.fall_until));
   else
-    text = fmt::format("{} speed points to {} at {}", s.times.size(), s.speeds.back(), s.times.back());
+    text = fmt::format("{} speed points to {} at {}", s.times.size(), speed(s.speeds.back()), time(s.times.back()));
   const double release = study.release_time();
   if (std::isinf(release))
-    text += fmt::format(", balls released at {}", rotor_speed_text(study, *study.release.speed));
+    text += ", balls released at " + speed(*study.release.speed);
   else if (release > 0.0)
-    text += fmt::format(", balls released at t = {:.6g}", release);
+    text += ", balls released at t = " + (study.scales ? time(release) : fmt::format("{:.6g}", release));
   if (s.profile != "constant" && !s.driven())
     text += s.law == model::SpeedLaw::published ? "; PUBLISHED speed law, psi = t Omega(t)"
                                                 : "; kinematic speed law, psi' = Omega(t)";
@@ -105,16 +122,19 @@ std::string interval(const Share& s) {
 std::string study_heading(const Study& study) {
   const model::Parameters& p = study.parameters;
   std::string text = fmt::format("{}\n", study.name);
+  const Shown shown(study);
+  const bool same = p.equal_balls();
   text += fmt::format("{} ball{}: mass {}, drag {}; rotor: eccentricity {}, damping {}\n", p.balls,
-                      p.balls == 1 ? "" : "s", list(p.mass.data(), p.balls, p.equal_balls()),
-                      list(p.drag.data(), p.balls, p.equal_balls()), p.eccentricity, p.damping[0]);
-  return text + more_text(p) + speed_text(study) + "\n" + units_text(study) + "\n";
+                      p.balls == 1 ? "" : "s", shown.list(p.mass.data(), nullptr, p.balls, same, Dimension::mass),
+                      shown.list(p.drag.data(), p.mass.data(), p.balls, same, Dimension::gain),
+                      shown(p.eccentricity, Dimension::length), shown(p.damping[0], Dimension::damping));
+  if (study.scales)
+    text += fmt::format("critical speed {}; times below are in units of {}\n", shown(1.0, Dimension::speed),
+                        shown(1.0, Dimension::time));
+  return text + more_text(p) + speed_text(study) + "\n\n";
 }
 
-std::string rotor_speed_text(const Study& study, double speed) {
-  return study.scales ? fmt::format("{:.4g} rpm", speed * study.scales->frequency * 30.0 / pi)
-                      : fmt::format("{:.6g}", speed);
-}
+std::string rotor_speed_text(const Study& study, double speed) { return Shown(study)(speed, Dimension::speed); }
 
 const char* name_of(model::SpeedLaw law) { return law == model::SpeedLaw::published ? "published" : "kinematic"; }
 

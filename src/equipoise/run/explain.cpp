@@ -239,10 +239,14 @@ class Warnings {
     unbalance();
     if (e.motion) motion(*e.motion);
     room(balls);
+    if (e.gravity_ratio && *e.gravity_ratio >= 1.0)
+      warn("at the final speed the weight of a ball exceeds its centrifugal force: it falls off the top of the race");
     if (p_.total_mass() >= 1.0) warn("the balls together are heavier than the rotor");
     if (e.reynolds && *e.reynolds > 1.0)
-      warn("the Reynolds number of a ball that slips is {:.3g}: Stokes' drag holds below about 1 and is too small here",
-           *e.reynolds);
+      warn(
+          "the Reynolds number of a ball that slips is {:.3g}: Stokes' drag holds below about 1, so only near "
+          "balance, where balls creep, and is too small before",
+          *e.reynolds);
   }
 
  private:
@@ -281,8 +285,11 @@ class Warnings {
 
   void motion(const BalancedMotion& m) {
     if (!m.stable) {
-      warn("balance is {} at the final speed: the balls do not stay there",
-           m.slowest_rate > least_rate ? "unstable" : "not linearly stable");
+      if (m.slowest_rate <= least_rate)
+        warn("balance is not linearly stable at the final speed: its largest rate is 0");
+      else
+        warn("balance is unstable at the final speed: the balls do not stay there; {} drag makes it less so",
+             m.drag_sensitivity < 0.0 ? "more" : "less");
       return;
     }
     const double constant = -1.0 / m.slowest_rate;
@@ -335,7 +342,10 @@ Explanation explain(const Study& study, const BallDetails& balls) {
   const double heaviest = *std::max_element(p.mass.begin(), p.mass.begin() + p.balls);
   e.largest_unbalance = p.total_mass();
   e.least_unbalance = std::max(0.0, 2.0 * heaviest - p.total_mass());
-  e.balanced = model::balanced_states(p);
+  model::Parameters weightless = p;
+  weightless.gravity = 0.0;
+  e.balanced = model::balanced_states(weightless);
+  if (p.gravity > 0.0 && e.speed && *e.speed != 0.0) e.gravity_ratio = p.gravity / (*e.speed * *e.speed);
   linearise(e);
   if (e.speed) e.bare = bare_vibration(p, *e.speed);
   if (e.speed && study.scales && balls.oil_viscosity && balls.oil_density) {
