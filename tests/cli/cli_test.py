@@ -80,6 +80,31 @@ class Basin(unittest.TestCase):
         self.assertEqual(json.loads(run("basin", study, "--starts", "500", "--json", "--quiet").stdout)["law"], "published")
         self.assertIn("published speed law", run("simulate", study, "--at", "0,1").stderr)
 
+    def test_transients_are_told_by_outcome_when_asked_for(self):
+        common = ("basin", ROW, "--starts", "1000", "--quiet")
+        self.assertNotIn("transients", json.loads(run(*common, "--json").stdout))
+        done = run(*common, "--json", "--transients")
+        self.assertEqual((done.returncode, done.stderr), (0, ""))
+        answer = json.loads(done.stdout)["transients"]
+        everything, *outcomes = answer["groups"]
+        self.assertEqual((everything["name"], everything["starts"], answer["lost"]), ("all", 1000, 0))
+        self.assertEqual(sum(g["starts"] for g in outcomes), 1000)
+        self.assertEqual(answer["units"]["displacement"], "R")
+        for name, figure in everything["figures"].items():
+            self.assertEqual(figure["count"], 1000)
+            middle = [q["value"] for q in figure["quantiles"]]
+            self.assertEqual(middle, sorted(middle), name)
+            for q in figure["quantiles"]:
+                self.assertTrue(q["low"] <= q["value"] <= (q["high"] or math.inf), name)
+            self.assertTrue(figure["mean_low"] < figure["mean"] < figure["mean_high"] < figure["largest"], name)
+        self.assertNotIn("settling_time", everything["figures"])  # no limit to settle below
+        self.assertLess(everything["figures"]["rms_force"]["mean"], everything["figures"]["peak_force"]["mean"])
+        text = run(*common, "--transients").stdout
+        for word in ("peak displacement", "peak bearing force", "RMS velocity at the end", "all outcomes, 1000 starts"):
+            self.assertIn(word, text)
+        one = dict(line.split(" = ") for line in run("basin", ROW, "--transients", "--start-index", "5").stdout.splitlines()[1:])
+        self.assertLessEqual(float(one["peak_radial"]), everything["figures"]["peak_radial"]["largest"])
+
     def test_half_width_is_reached(self):
         answer = json.loads(run("basin", ROW, "--half-width", "0.02", "--json", "--quiet").stdout)
         balanced = answer["outcomes"][0]

@@ -22,20 +22,44 @@ struct TransientSettings {
   bool watches_settling() const { return settled > 0.0; }
 };
 
+/// Sums over a window of time.
+struct TransientWindow {
+  double length = 0.0;
+  double peak = 0.0;       ///< largest r^2
+  double velocity = 0.0;   ///< integral of u^2 + v^2
+  double unbalance = 0.0;  ///< integral of |lambda + sum mu_i e^{i phi_i}|
+};
+
+/// Whether a trajectory whose outcome is known may end with the window `last`. `before`: the window before it, empty
+/// for the first since then; `windows`: how many since then, this one included. A balanced one decays for ever: it may
+/// end when it has settled, or at once where settling is not watched. Any other is on its way to its attractor: it may
+/// end when two windows agree in peak and root mean square velocity to 2 %, and in any case after eight, since those of
+/// a chaotic motion need not.
+inline bool seen_enough(const TransientSettings& settings, bool balanced, const TransientWindow& before,
+                        const TransientWindow& last, int windows) {
+  constexpr int most_windows = 8;
+  constexpr double sameness = 0.04;  // of squares
+  if (balanced) return !settings.watches_settling() || last.peak <= settings.settled * settings.settled;
+  if (windows >= most_windows) return true;
+  const auto same = [](double a, double b) { return a - b <= sameness * a && b - a <= sameness * b; };
+  return before.length > 0.0 && same(before.peak, last.peak) &&
+         same(before.velocity / before.length, last.velocity / last.length);
+}
+
 /// What one trajectory has come to so far; grows over spin-up, release and branches. Squares, so that no root is taken
 /// in the time loop.
 struct TransientSums {
-  double end = 0.0;                  ///< study time up to which all this holds
-  double clamped_peak = 0.0;         ///< largest r^2 before release
-  double free_peak = 0.0;            ///< largest r^2 from release on
-  double force_peak = 0.0;           ///< largest |f|^2
-  double force_integral = 0.0;       ///< of |f|^2 over time, from t = 0
-  double time_above = 0.0;           ///< with r > settings.displacement, from t = 0
-  double last_above = 0.0;           ///< study time at which r > settings.settled held last, from release on; else 0
-  double window_length = 0.0;        ///< of what the window's sums are over
-  double window_peak = 0.0;          ///< largest r^2 in it
-  double window_velocity = 0.0;      ///< integral of u^2 + v^2
-  double window_unbalance = 0.0;     ///< integral of |lambda + sum mu_i e^{i phi_i}|
+  double end = 0.0;               ///< study time up to which all this holds
+  double clamped_peak = 0.0;      ///< largest r^2 before release
+  double free_peak = 0.0;         ///< largest r^2 from release on
+  double force_peak = 0.0;        ///< largest |f|^2
+  double force_integral = 0.0;    ///< of |f|^2 over time, from t = 0
+  double time_above = 0.0;        ///< with r > settings.displacement, from t = 0
+  double last_above = 0.0;        ///< study time at which r > settings.settled held last, from release on; else 0
+  double window_length = 0.0;     ///< of what the window's sums are over
+  double window_peak = 0.0;       ///< largest r^2 in it
+  double window_velocity = 0.0;   ///< integral of u^2 + v^2
+  double window_unbalance = 0.0;  ///< integral of |lambda + sum mu_i e^{i phi_i}|
 };
 
 /// The figures of one start, as they are stored and counted; not-a-number for one that was lost. Dimensionless: lengths
@@ -75,7 +99,8 @@ inline constexpr std::array<TransientColumn, 10> transient_columns{{
     {"time_above", "time with the radial displacement above limits.displacement, in 1/omega_c",
      &TransientRow::time_above},
     {"settling_time",
-     "time from release until the radial displacement was last above limits.settled, in 1/omega_c; missing: not settled",
+     "time from release until the radial displacement was last above limits.settled, in 1/omega_c; missing: not "
+     "settled",
      &TransientRow::settling_time},
     {"followed_until", "study time up to which the start was followed, in 1/omega_c", &TransientRow::followed_until},
 }};

@@ -21,14 +21,14 @@ TransientWatch::TransientWatch(const TransientSettings& settings, const Transien
     : settings_(settings), sums_(sums) {}
 
 void TransientWatch::begin(const TransientSample& first, bool free) {
-  const bool entering = open_.begin == 0.0 && open_.length == 0.0;
   free_ = free;
   last_ = first;
   double& peak = free ? sums_.free_peak : sums_.clamped_peak;
   peak = std::max(peak, first.r2);
   sums_.force_peak = std::max(sums_.force_peak, first.force2);
   sums_.end = first.t;
-  if (entering) open_window();
+  if (!begun_) open_window();
+  begun_ = true;
   open_.peak = std::max(open_.peak, first.r2);
 }
 
@@ -56,23 +56,25 @@ void TransientWatch::step(const std::array<TransientSample, 3>& samples) {
   open_.unbalance += 0.5 * h * (last_.unbalance + samples[2].unbalance);
   last_ = samples[2];
   sums_.end = last_.t;
-  open_.length = last_.t - open_.begin;
+  open_.length = last_.t - opened_;
   if (open_.length < settings_.window) return;
+  ++windows_;
+  may_leave_ = decided_ && seen_enough(settings_, balanced_, closed_, open_, windows_);
   closed_ = open_;
   open_window();
-  may_leave_ = decided_ && (!until_settled_ || closed_.peak <= settings_.settled * settings_.settled);
 }
 
-void TransientWatch::decided(bool until_settled) {
+void TransientWatch::decided(bool balanced) {
   decided_ = true;
-  until_settled_ = until_settled && settings_.watches_settling();
+  balanced_ = balanced;
+  windows_ = 0;
   open_window();
   closed_ = {};  // what went before is not of the end
 }
 
 void TransientWatch::open_window() {
   open_ = {};
-  open_.begin = last_.t;
+  opened_ = last_.t;
   open_.peak = last_.r2;
 }
 

@@ -39,11 +39,9 @@ class TransientWatch {
   void begin(const TransientSample& first, bool free = true);
   /// A step from the last sample on.
   void step(const std::array<TransientSample, 3>& samples);
-  /// The outcome is known at the end of the last step. The trajectory is followed on for one window, and, if
-  /// `until_settled` (the outcome is balanced) and settings.watches_settling(), until r has stayed below
-  /// settings.settled throughout a window.
-  void decided(bool until_settled);
-  /// Whether a decided trajectory has been followed far enough.
+  /// The outcome is known at the end of the last step: windows count from here.
+  void decided(bool balanced);
+  /// Whether a decided trajectory has been followed far enough (seen_enough()).
   bool may_leave() const { return may_leave_; }
   /// Completes the last window of a trajectory that ends, for whatever reason.
   void finish();
@@ -51,16 +49,15 @@ class TransientWatch {
   const TransientSums& sums() const { return sums_; }
 
  private:
-  struct Window {
-    double begin = 0.0, length = 0.0, peak = 0.0, velocity = 0.0, unbalance = 0.0;
-  };
   void open_window();
 
   TransientSettings settings_;
   TransientSums sums_;
   TransientSample last_{};
-  Window open_, closed_;  // closed_ is empty unless it ends where open_ begins
-  bool free_ = true, decided_ = false, until_settled_ = false, may_leave_ = false;
+  TransientWindow open_, closed_;  // closed_ is empty unless it ends where open_ begins
+  double opened_ = 0.0;            // when open_ began
+  int windows_ = 0;                // since the decision
+  bool begun_ = false, free_ = true, decided_ = false, balanced_ = false, may_leave_ = false;
 };
 
 }  // namespace equipoise

@@ -97,11 +97,14 @@ class WatchTransients {
   // Begins the window of a lane anew at the trajectory's present time: what went before is not of its end.
   void restart(int slot, double t) {
     open(slot, t, element(from_[slot / lanes].r2, slot % lanes));
-    closed_[slot] = {};
+    before_[slot] = closed_[slot] = {};
+    count_[slot] = 0;
   }
 
-  // Whether r stayed below settings.settled throughout the window that has just ended.
-  bool settled(int slot) const { return closed_[slot].peak <= element(settled2_, 0); }
+  // Whether a trajectory restarted when it was decided may end with the window that has just ended.
+  bool seen_enough(int slot, bool balanced) const {
+    return equipoise::seen_enough(table_.settings, balanced, before_[slot], closed_[slot], count_[slot]);
+  }
 
   void end(int slot, std::size_t start, double t) {
     const int g = slot / lanes, lane = slot % lanes;
@@ -113,7 +116,7 @@ class WatchTransients {
     row.time_above = element(time_above_[g], lane);
     row.last_above = element(last_above_[g], lane);
     if constexpr (!windows) return;
-    const Window& before = closed_[slot];  // empty unless it ends where the open one begins
+    const TransientWindow& before = closed_[slot];  // empty unless it ends where the open one begins
     row.window_length = before.length + (t - element(window_begin_[g], lane));
     row.window_peak = std::fmax(before.peak, element(window_peak_[g], lane));
     row.window_velocity = before.velocity + element(window_velocity_[g], lane);
@@ -127,9 +130,6 @@ class WatchTransients {
  private:
   struct Sample {
     Pack r2, slope, force2, velocity2;
-  };
-  struct Window {
-    double length = 0.0, peak = 0.0, velocity = 0.0, unbalance = 0.0;
   };
 
   static HWY_INLINE void keep(Mask accepted, Pack value, Pack& kept) { kept = select(accepted, value, kept); }
@@ -199,6 +199,8 @@ class WatchTransients {
       if (!(full & (1u << lane))) continue;
       const int slot = g * lanes + lane;
       const double now = element(t, lane);
+      before_[slot] = closed_[slot];
+      ++count_[slot];
       closed_[slot] = {now - element(window_begin_[g], lane), element(window_peak_[g], lane),
                        element(window_velocity_[g], lane), element(window_unbalance_[g], lane)};
       open(slot, now, element(r2, lane));
@@ -227,7 +229,8 @@ class WatchTransients {
   Pack peak_[groups], force_peak_[groups], force_integral_[groups], time_above_[groups], last_above_[groups];
   Pack from_unbalance_[groups], window_begin_[groups], window_peak_[groups], window_velocity_[groups],
       window_unbalance_[groups];
-  Window closed_[groups * lanes];
+  TransientWindow before_[groups * lanes], closed_[groups * lanes];  // the last two
+  int count_[groups * lanes];                                        // since restart()
 };
 
 }  // namespace HWY_NAMESPACE

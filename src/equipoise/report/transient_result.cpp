@@ -80,13 +80,14 @@ std::string number(double value, double size, const char* open) {
 
 std::string figure_line(const Told& t, const SampleSummary& s, const Unit& unit) {
   const char* open = s.open > 0 ? t.open : no_bound;
-  const auto with_interval = [&](double value, double low, double high) {
+  const auto with_interval = [&](double value, double low, double high) -> std::string {
+    if (std::isinf(low)) return open;
     return fmt::format("{} ({} to {})", number(value, unit.size, open), number(low, unit.size, open),
                        number(high, unit.size, open));
   };
-  std::string line = fmt::format("  {:<26}{:<10}", t.title, unit.name);
-  line += fmt::format("{:<30}", s.open == s.count ? open : with_interval(s.mean, s.mean_low, s.mean_high));
-  for (const QuantileEstimate& q : s.quantiles) line += fmt::format("{:<30}", with_interval(q.value, q.low, q.high));
+  std::string line = fmt::format("  {:<26}{:<15}", t.title, unit.name);
+  line += fmt::format("{:<33}", s.open == s.count ? open : with_interval(s.mean, s.mean_low, s.mean_high));
+  for (const QuantileEstimate& q : s.quantiles) line += fmt::format("{:<33}", with_interval(q.value, q.low, q.high));
   line.erase(line.find_last_not_of(' ') + 1);
   return line + "\n";
 }
@@ -106,8 +107,9 @@ std::string group_text(const TransientGroup& group, const TransientResult& r, co
     if (!group.exceeded[k]) continue;
     const Share& s = *group.exceeded[k];
     const Unit& unit = units.*limit_units[k];
-    text += fmt::format("  {} {} above {:.4g} {}: {} ({})\n", k == 2 ? "RMS" : "peak", transient_limit_names[k],
-                        *limits[k] * unit.size, unit.name, percent(s.share, digits_for(s)), interval(s));
+    text +=
+        fmt::format("  {} {} above {:.4g} {}: {} ({})\n", k == 2 ? "RMS" : "peak", transient_limit_names[k],
+                    *limits[k] * unit.size, unit.name, percent(s.share, s.count == 0 ? 0 : digits_for(s)), interval(s));
   }
   if (study.scales)
     text += fmt::format("  residual unbalance at the final speed: e omega = {:.3g} mm/s (as ISO 21940-11 grades it)\n",
@@ -138,7 +140,7 @@ Json figure_json(const SampleSummary& s, const Unit& unit) {
 
 std::string transient_text(const TransientResult& r, const Study& study) {
   const Units units = units_of(study);
-  std::string text = fmt::format("  {:<36}{:<30}{:<30}{:<30}{}\n", "transients (95 % intervals)", "mean", "median",
+  std::string text = fmt::format("  {:<41}{:<33}{:<33}{:<33}{}\n", "transients (95 % intervals)", "mean", "median",
                                  "90 % of starts below", "99 % of starts below");
   for (const TransientGroup& group : r.groups)
     // A single outcome says all.
@@ -146,9 +148,9 @@ std::string transient_text(const TransientResult& r, const Study& study) {
   if (r.settings.watches_settling())
     text += fmt::format("Settled: displacement below {:.4g} {}.\n", r.settings.settled * units.displacement.size,
                         units.displacement.name);
-  text += fmt::format("\"At the end\": over a window of {:.4g} {} after the outcome was known{}.\n",
-                      r.settings.window * units.time.size, units.time.name,
-                      r.settings.watches_settling() ? ", for balanced starts the first one settled throughout"
+  text += fmt::format("\"At the end\": over the last window of {:.4g} {}{}.\n", r.settings.window * units.time.size,
+                      units.time.name,
+                      r.settings.watches_settling() ? "; that of a balanced start is the first one settled throughout"
                                                     : "; balanced starts are then still decaying");
   if (r.lost > 0) text += fmt::format("{} starts diverged or failed and are left out here.\n", r.lost);
   return text + "\n";

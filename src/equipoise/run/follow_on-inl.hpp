@@ -19,13 +19,11 @@ namespace HWY_NAMESPACE {
 // `Fates` tells by attractor_of(slot) what it has just decided; one without that function never decides. Its fates are
 // those it would give alone: it sees nothing of a lane after its decision.
 //
-// A decided trajectory leaves after one window of time, whose vibration is that of its end. One that comes to balance
-// still decays: where settling is watched, it leaves after the first window in which it stayed settled.
+// A decided trajectory leaves when its watch has seen enough of where it ends (seen_enough()).
 template <class Fates, class Watch, int groups>
 class FollowOn {
  public:
-  FollowOn(Fates& fates, Watch& watch, bool until_settled)
-      : fates_(fates), watch_(watch), until_settled_(until_settled) {}
+  FollowOn(Fates& fates, Watch& watch) : fates_(fates), watch_(watch) {}
 
   void begin(int slot, std::size_t start, double t, const double* z) {
     fates_.begin(slot, start, t, z);
@@ -67,7 +65,7 @@ class FollowOn {
       if (!(fresh & (1u << lane))) continue;
       const int slot = g * lanes + lane;
       decided_at_[slot] = times[lane];
-      waits_[slot] = until_settled_ && fates_.attractor_of(slot) == balanced_id;
+      balanced_[slot] = fates_.attractor_of(slot) == balanced_id;
       watch_.restart(slot, times[lane]);
     }
     decided_[g] |= fresh;
@@ -77,17 +75,16 @@ class FollowOn {
     unsigned leaving = 0;
     for (int lane = 0; lane < lanes; ++lane) {
       const int slot = g * lanes + lane;
-      if ((full & (1u << lane)) && (!waits_[slot] || watch_.settled(slot))) leaving |= 1u << lane;
+      if ((full & (1u << lane)) && watch_.seen_enough(slot, balanced_[slot])) leaving |= 1u << lane;
     }
     return leaving;
   }
 
   Fates& fates_;
   Watch& watch_;
-  const bool until_settled_;
   unsigned decided_[groups] = {};
   double decided_at_[groups * lanes] = {};
-  bool waits_[groups * lanes] = {};
+  bool balanced_[groups * lanes] = {};
 };
 
 }  // namespace HWY_NAMESPACE

@@ -28,7 +28,7 @@ bool run_watched(const LaneTask& task, Fates& fates) {
   using Watch = WatchTransients<n, lane_groups<n>, terms, windows>;
   using Observer = FollowOn<Fates, Watch, lane_groups<n>>;
   const auto watch = std::make_unique<Watch>(task, *task.transients);
-  const auto observer = std::make_unique<Observer>(fates, *watch, task.transients->settings.watches_settling());
+  const auto observer = std::make_unique<Observer>(fates, *watch);
   const auto block = std::make_unique<LaneBlock<Flow, Observer, lane_groups<n>>>(
       task, Flow(*task.parameters, task.segment), *observer);
   return block->run();
