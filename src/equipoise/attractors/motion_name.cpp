@@ -142,7 +142,7 @@ MotionName motion_name(const model::Parameters& p, const Motion& motion) {
            : p.balls == 2 ? name_of_two(motion, topology)
                           : name_of_many(motion, topology);
   }
-  if (p.balls != 2) name.id = other;
+  if (p.balls != 2 && name.id != balanced) name.id = other;
   return name;
 }
 

@@ -214,6 +214,11 @@ class StrobedJourney {
     motion.stable = true;
     describe_statistics(p_, motion.kind == MotionKind::quasi_periodic ? fresh : last_, motion);
     motion.copies = count_copies(p_, motion);
+    const auto captured = [](int group) { return group == 0; };
+    if (motion.kind == MotionKind::quasi_periodic && p_.gravity != 0.0 && p_.balls > 2 &&
+        std::all_of(motion.drift_group.begin(), motion.drift_group.begin() + p_.balls, captured))
+      motion.balanced = relaxes_to_balance(p_, speed_, z);
+    if (motion.balanced) motion.copies = 1;
     return motion;
   }
 

@@ -13,6 +13,7 @@
 
 #include "equipoise/attractors/variational.hpp"
 #include "equipoise/base/angles.hpp"
+#include "equipoise/model/balanced_state.hpp"
 #include "equipoise/model/linearisation.hpp"
 #include "equipoise/model/strobe.hpp"
 
@@ -235,6 +236,28 @@ bool leads_to_balance(const model::Parameters& p, double speed, const PeriodicOr
   if (orbit.nodes.size() != 1 || orbit.winding != std::array<int, model::max_balls>{}) return false;
   const auto end = continued(p, speed, orbit, 1.0, 0.0);
   return end && std::hypot(end->nodes[0][0], end->nodes[0][1]) < centred * (p.eccentricity + p.total_mass());
+}
+
+bool relaxes_to_balance(const model::Parameters& p, double speed, const VectorXd& state) {
+  constexpr int fading = 400, settling = 400;
+  // In state_scale(): what is left of the switching, some e^-10, against motions that are not balanced (0.01 or more).
+  constexpr double centred = 1e-3;
+  const double step = model::strobe_period(p, speed);
+  VectorXd z = state;
+  for (int k = 1; k <= fading + settling; ++k) {
+    const double share = std::max(0.0, 1.0 - static_cast<double>(k) / fading);
+    auto next = advance_state(weakened(p, share), speed, z, step);
+    if (!next) return false;
+    z = *std::move(next);
+  }
+  double phi[model::max_balls];
+  for (int i = 0; i < p.balls; ++i) {
+    phi[i] = z[model::index::phi(i)];
+    if (std::fabs(phi[i] - state[model::index::phi(i)]) > 0.5 * pi) return false;
+  }
+  if (!model::project_to_balanced(weakened(p, 0.0), phi)) return false;
+  const VectorXd away = z - model::centred_state(p, phi);
+  return away.cwiseQuotient(state_scale(p)).lpNorm<Eigen::Infinity>() < centred;
 }
 
 std::vector<double> strobed_exponents(const model::Parameters& p, double speed, const VectorXd& state, long strobes) {

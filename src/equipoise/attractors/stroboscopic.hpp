@@ -39,6 +39,11 @@ std::optional<PeriodicOrbit> balanced_orbit(const model::Parameters& p, double s
 /// state (its centre comes to rest on the axis).
 bool leads_to_balance(const model::Parameters& p, double speed, const PeriodicOrbit& orbit);
 
+/// The same for a motion that is no such orbit (along what gravity leaves of a continuum of balanced states balls creep
+/// for ever): while gravity and anisotropy fade over 400 strobes the trajectory from `state` comes to balance, and no
+/// ball passes a quarter of a turn.
+bool relaxes_to_balance(const model::Parameters& p, double speed, const Eigen::VectorXd& state);
+
 /// The two largest Lyapunov exponents over `strobes` strobes; an exponent of 0 that belonged to a shift in time is not
 /// among them. Empty if the integration fails.
 std::vector<double> strobed_exponents(const model::Parameters& p, double speed, const Eigen::VectorXd& state,

@@ -379,12 +379,23 @@ class Discoverer {
 
   // A torus or chaos may not repeat itself within the pilot's time; its last long window tells it all the same.
   void name_undecided() {
+    const DecisionRule& rule = result_.rule;
     for (std::size_t i = 0; i < pilot_.followed; ++i) {
       if (pilot_.fates[i].outcome != Outcome::undecided || !pilot_.records[i].finished_window) continue;
-      const DecisionRule& rule = result_.rule;
-      if (const KnownFeatures* known = nearest_known(pilot_.records[i].features, rule.known, rule.balls))
+      const Features& features = pilot_.records[i].features;
+      if (const KnownFeatures* known = nearest_known(features, rule.known, rule.balls))
         pilot_.fates[i].attractor = static_cast<short>(known->attractor);
+      else if (strobed_)
+        pilot_.fates[i].attractor = static_cast<short>(loosely_known(features));
     }
+  }
+
+  // Modulated by the rotor, a torus has a frequency more, and its extremes take longer to show than any window lasts.
+  int loosely_known(const Features& features) const {
+    constexpr double tolerance = 0.15;
+    for (const KnownFeatures& known : result_.rule.known)
+      if (same_motion(known.features, features, result_.rule.balls, tolerance)) return known.attractor;
+    return 0;
   }
 
   const Study& study_;
