@@ -21,7 +21,7 @@ struct BasinArguments {
   std::vector<std::string> overrides;
   std::optional<std::string> starts, seed, start_index, half_width, threads, decide;
   std::string output, cpu;
-  bool json = false, quiet = false;
+  bool json = false, quiet = false, transients = false;
 };
 
 Study study_from(const BasinArguments& a) {
@@ -64,6 +64,9 @@ int print_replay(const Study& study, const BasinOptions& options, const std::str
   const auto by = static_cast<std::size_t>(replay.fate.by);
   fmt::print("outcome = {}\ndecided_by = {}\ndecision_time = {}\n", outcome_text(replay), decided_by_names[by],
              replay.fate.time);
+  if (replay.transients)
+    for (const TransientColumn& column : transient_columns)
+      fmt::print("{} = {}\n", column.name, (*replay.transients).*column.value);
   return done;
 }
 
@@ -78,6 +81,8 @@ int run_basin(const BasinArguments& a) {
         option_number<double>("--half-width", *a.half_width, 1e-6, 0.5, "a fraction of one from 1e-6 to 0.5");
   if (a.half_width) require_writable("-o", a.output);  // a pilot may come before the file is opened
   options.limit_given = a.starts.has_value();
+  const Limits& limits = study.limits;
+  options.transients = a.transients || limits.displacement || limits.force || limits.velocity || limits.settled;
   options.output = a.output;
   options.stop = &stop_flag();
   if (a.start_index) return print_replay(study, options, *a.start_index);
@@ -108,6 +113,8 @@ Command add_basin(CLI::App& app) {
       ->type_name("HOW");
   app.add_option("-o,--output", a->output, "per-start results (NetCDF); the same command resumes or extends them")
       ->type_name("FILE.nc");
+  app.add_flag("--transients", a->transients,
+               "peak vibration, bearing force, settling time and their like (default where the study has [limits])");
   app.add_option("--threads", a->threads, "threads (default: all cores)")->type_name("T");
   add_overrides(app, a->overrides);
   app.add_option("--cpu", a->cpu, "instruction set to use instead of the best (see --version)")->type_name("NAME");

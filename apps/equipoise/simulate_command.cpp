@@ -43,7 +43,8 @@ std::vector<double> output_times(const SimulateArguments& a, const Study& study)
         throw InputError("--at", "", a.at[i], fmt::format("times out of order: must be later than {}", a.at[i - 1]));
     return times;
   }
-  const double settled = std::max(study.speed_profile().settled_time(), study.release_time());
+  const model::Drive drive = study.drive();
+  const double settled = std::max(drive.pieces.back().begin, study.speed.driven() ? 0.0 : drive.release_time);
   const double until = a.until ? number("--until", *a.until, true) : settled + 100.0;
   const double every = a.every ? number("--every", *a.every, false) : until > 0.0 ? until / 100.0 : 1.0;
   if (until / every > most_rows)

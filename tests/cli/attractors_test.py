@@ -78,7 +78,6 @@ class Attractors(unittest.TestCase):
         refused(self, ["attractors", ROW, "--state", "1,2,3,4,5,6,7,up"], "--state", "up", "8 numbers")
         refused(self, ["attractors", ROW, "--starts", "0"], "sampling.starts", "0")
         refused(self, ["attractors", "nowhere.toml"], "nowhere.toml", "cannot be read")
-        refused(self, ["attractors", ROW, "--set", "rotor.gravity=0.1"], "gravity")
 
     def test_interrupted_search_says_so(self):
         process = subprocess.Popen([PROGRAM, "attractors", ROW, "--starts", "100000000", "--json"],

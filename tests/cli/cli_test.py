@@ -223,13 +223,18 @@ class Errors(unittest.TestCase):
             "balancer.mass=nan": ("balancer.mass", "nan", "finite"),
             "balancer.balls=0": ("balancer.balls", "0", "1 to 8"),
             "release.speed=3.0": ("release.speed", "3.0", "never reaches"),
-            "rotor.stiffness=[1.0,2.0]": ("rotor.stiffness", "[1, 2]", "equal values"),
         }.items():
             for command in ("basin", "simulate"):
-                if command == "simulate" and override.startswith("rotor.stiffness"):
-                    continue  # simulate takes anisotropic supports
                 with self.subTest(override=override, command=command):
                     self.refused([command, ROW, "--set", override], *words)
+
+    def test_what_gravity_and_anisotropic_supports_do_not_allow(self):
+        for command in (["certify", ROW], ["attractors", ROW, "--along", "speed.speed=2.4:2.5"]):
+            with self.subTest(command=command[0]):
+                self.refused([*command, "--set", "rotor.stiffness=[1.0,2.0]"], "rotor.stiffness", "[1, 2]", "equal values")
+                self.refused([*command, "--set", "rotor.gravity=0.1"], "rotor.gravity", "0.1", "gravity 0")
+        self.refused(["basin", ROW, "--set", "rotor.gravity=0.1", "--decide", "proof"], "numerics.decide", "proof", "horizon")
+        self.refused(["basin", ROW, "--set", "rotor.gravity=0.1", "--set", "speed.speed=0"], "speed.speed", "turns")
 
     def test_bad_options(self):
         for arguments, words in (

@@ -180,7 +180,7 @@ TEST_P(EnergyBalance, agrees_with_energy_and_powers_in_fixed_axes) {
           double drag = 0.0;
           for (int i = 0; i < n; ++i) drag += p.mass[i] * p.drag[i] * std::pow(s.theta_dot[i] - s.rotor.rate, 2);
           compare(powers.balls, drag);
-          const auto force = model::bearing_force(p, segment, t, z);
+          const auto force = model::bearing_force(p, segment.psi_at(t), z);
           compare(force[0], p.damping[0] * s.X_dot + p.stiffness[0] * s.X);
           compare(force[1], p.damping[1] * s.Y_dot + p.stiffness[1] * s.Y);
         },

@@ -2,6 +2,7 @@
 #include "equipoise/attractors/catalogue.hpp"
 
 #include <algorithm>
+#include <utility>
 
 #include <fmt/format.h>
 
@@ -31,9 +32,13 @@ int Catalogue::add(const model::Parameters& p, const Motion& motion, bool contin
     name.id = first_free_id;
     while (find(name.id)) ++name.id;
   }
-  attractors_.push_back({name.id, name.name, name.alias, motion, continuum});
-  std::sort(attractors_.begin(), attractors_.end(), [](const Attractor& a, const Attractor& b) { return a.id < b.id; });
+  add({name.id, name.name, name.alias, motion, continuum});
   return name.id;
+}
+
+void Catalogue::add(Attractor attractor) {
+  attractors_.push_back(std::move(attractor));
+  std::sort(attractors_.begin(), attractors_.end(), [](const Attractor& a, const Attractor& b) { return a.id < b.id; });
 }
 
 }  // namespace equipoise

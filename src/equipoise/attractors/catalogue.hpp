@@ -27,6 +27,8 @@ class Catalogue {
   /// Lists a motion unless it is listed, and returns its identifier. A second motion of the same name gets a free
   /// identifier and a number behind its name.
   int add(const model::Parameters& p, const Motion& motion, bool continuum = false);
+  /// Lists an attractor under the identifier that it brings, which must be free.
+  void add(Attractor attractor);
 
  private:
   std::vector<Attractor> attractors_;  // by identifier

@@ -21,14 +21,15 @@ template <int n>
 class RaySearch {
  public:
   static constexpr int size = model::dimension(n);
-  using Vector = Eigen::Matrix<double, size, 1>;
-  using Matrix = Eigen::Matrix<double, size, size>;
+  // Sizes known at run time, storage at compile time: unrolled for eight ball counts this file took minutes to compile.
+  using Vector = Eigen::Matrix<double, Eigen::Dynamic, 1, 0, size, 1>;
+  using Matrix = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, 0, size, size>;
 
   RaySearch(const model::Parameters& p, double speed, const double* phi, const Matrix& form, const Matrix& factor)
       : flow_(p, model::Segment{0.0, 0.0, 0.0, speed, 0.0, false}),
         form_(form),
         factor_(factor),
-        centre_(Vector::Zero()) {
+        centre_(Vector::Zero(size)) {
     for (int i = 0; i < n; ++i) centre_[model::index::phi(i)] = phi[i];
   }
 
@@ -58,7 +59,7 @@ class RaySearch {
 
   bool grows(const Vector& e, double s) const {
     const Vector z = centre_ + s * e;
-    Vector rate;
+    Vector rate(size);
     flow_(0.0, z.data(), rate.data());
     return e.dot(form_ * rate) >= 0.0;
   }
@@ -89,7 +90,7 @@ double search(const model::Parameters& p, double speed, const double* phi, const
   std::mt19937_64 random(20190614);  // any fixed number: the same study has the same traps
   std::normal_distribution<double> normal;
   const auto random_vector = [&] {
-    Vector v;
+    Vector v(Search::size);
     for (int i = 0; i < Search::size; ++i) v[i] = normal(random);
     return v;
   };

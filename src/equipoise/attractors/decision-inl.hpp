@@ -7,6 +7,7 @@
 #define EQUIPOISE_ATTRACTORS_DECISION_INL
 #endif
 
+#include <type_traits>
 #include <vector>
 
 #include "equipoise/attractors/decision_rule.hpp"
@@ -15,6 +16,7 @@
 #include "equipoise/attractors/window_features.hpp"
 #include "equipoise/base/pack-inl.hpp"
 #include "equipoise/ensemble/lane_task.hpp"
+#include "equipoise/model/speed.hpp"
 
 HWY_BEFORE_NAMESPACE();
 namespace equipoise {
@@ -23,15 +25,19 @@ namespace HWY_NAMESPACE {
 // Hooks: see NoObserver in ensemble/lane_block-inl.hpp. Windows are sampled at two stages inside each step and at its
 // end (a third of a step apart), so that no motion is seen fewer than eight times a period at the steps the tolerance
 // allows; tests/unit/window_test.cpp measures it.
-template <int n, int groups>
+//
+// `strobed`: the rotor's angle is known, r is measured from where gravity lets the rotor sag to, and
+// DecisionRule::strobed is asked. Without it none of that leaves an operation behind.
+template <int n, int groups, bool strobed = false>
 class DecideFate {
  public:
   static constexpr int dimension = model::dimension(n);
   static constexpr int lanes = static_cast<int>(pack_lanes);
 
-  DecideFate(const model::Parameters& p, const DecisionRule& rule, std::vector<Fate>& fates,
-             std::vector<PilotRecord>* pilot)
+  DecideFate(const model::Parameters& p, const model::Segment& segment, const DecisionRule& rule,
+             std::vector<Fate>& fates, std::vector<PilotRecord>* pilot)
       : rule_(rule),
+        segment_(segment),
         parameters_(p),
         fates_(fates),
         pilot_(pilot),
@@ -52,7 +58,7 @@ class DecideFate {
   }
 
   HWY_INLINE unsigned step(int g, unsigned active, Mask accepted, Pack t, Pack h, const Pack* z) {
-    gather_samples(g, accepted, h, z);
+    gather_samples(g, accepted, t, h, z);
     const unsigned accepted_bits = lane_bits(accepted) & active;
     unsigned done = caught_by_traps(g, accepted, accepted_bits, z);
     if (rule_.at_horizon)
@@ -64,6 +70,9 @@ class DecideFate {
     return done;
   }
 
+  // Of a lane that step() has just ended; 0: a stationary motion that the rule does not list.
+  int attractor_of(int slot) const { return verdict_[slot].attractor; }
+
   void end(int slot, std::size_t start, LaneEnd how, double t, const double* z) {
     Fate& fate = fates_[start];
     fate = {how == LaneEnd::decided    ? Outcome::attracted
@@ -74,6 +83,8 @@ class DecideFate {
     Verdict verdict = verdict_[slot];
     if (how == LaneEnd::reached_end && rule_.at_horizon) {
       if (!verdict.attractor && rule_.family.caught && rule_.family.caught(z)) verdict.attractor = balanced_id;
+      if constexpr (strobed)
+        if (rule_.strobed.caught) verdict.attractor = rule_.strobed.caught(z, segment_.psi_at(t));
       if (!verdict.attractor) verdict.attractor = trackers_[slot].attractor_at_end();
       if (verdict.attractor) {
         fate.outcome = Outcome::attracted;
@@ -97,16 +108,38 @@ class DecideFate {
   struct Sample {
     Pack r2, q[n];
   };
+  struct PlacedSample : Sample {
+    Pack x, y;
+  };
+  using Taken = std::conditional_t<strobed, PlacedSample, Sample>;
 
-  static HWY_INLINE void take(Sample& sample, const Pack* z) {
-    sample.r2 = z[0] * z[0] + z[1] * z[1];
+  static HWY_INLINE void take(Taken& sample, const Pack* z) {
+    if constexpr (strobed) {
+      sample.x = z[0];
+      sample.y = z[1];
+    } else {
+      sample.r2 = z[0] * z[0] + z[1] * z[1];
+    }
     for (int i = 0; i < n; ++i) sample.q[i] = z[4 + n + i];
   }
 
+  // r^2 of a sample taken at time t, from where the rotor would rest.
+  HWY_INLINE void measure(PlacedSample& sample, Pack t) const {
+    Pack sine, cosine;
+    sin_cos(multiply_add(Pack(segment_.speed), t - Pack(segment_.begin), Pack(segment_.psi)), sine, cosine);
+    const Pack x = sample.x - Pack(rule_.sag) * sine, y = sample.y - Pack(rule_.sag) * cosine;
+    sample.r2 = x * x + y * y;
+  }
+
   // Adds the samples of an accepted step to the windows of its lanes.
-  HWY_INLINE void gather_samples(int g, Mask accepted, Pack h, const Pack* z) {
-    Sample last;
+  HWY_INLINE void gather_samples(int g, Mask accepted, [[maybe_unused]] Pack t, Pack h, const Pack* z) {
+    Taken last;
     take(last, z);
+    if constexpr (strobed) {
+      measure(first_[g], t - Pack(2.0 / 3) * h);
+      measure(second_[g], t - Pack(0.4) * h);
+      measure(last, t);
+    }
     const Pack low = minimum(minimum(first_[g].r2, second_[g].r2), last.r2);
     const Pack high = maximum(maximum(first_[g].r2, second_[g].r2), last.r2);
     r2_min_[g] = select(accepted, minimum(r2_min_[g], low), r2_min_[g]);
@@ -219,14 +252,27 @@ class DecideFate {
         sums.q_min[i] = element(q_min_[g][i], lane);
         sums.q_max[i] = element(q_max_[g][i], lane);
       }
-      const WindowVerdict verdict = trackers_[g * lanes + lane].add(sums);
+      WindowVerdict verdict = trackers_[g * lanes + lane].add(sums);
+      DecidedBy by = DecidedBy::windows;
+      if constexpr (strobed)
+        if (const int attractor = caught_by_strobed(lane, now, z)) {
+          verdict = {true, attractor};
+          by = DecidedBy::validated;
+        }
       if (verdict.decided && !rule_.at_horizon) {
-        verdict_[g * lanes + lane] = {DecidedBy::windows, verdict.attractor};
+        verdict_[g * lanes + lane] = {by, verdict.attractor};
         decided |= 1u << lane;
       }
       open_window(g, lane, now, phi);
     }
     return decided;
+  }
+
+  int caught_by_strobed(int lane, double now, const Pack* z) const {
+    if (!rule_.strobed.caught || rule_.at_horizon) return 0;
+    double state[dimension];
+    for (int i = 0; i < dimension; ++i) state[i] = element(z[i], lane);
+    return rule_.strobed.caught(state, segment_.psi_at(now));
   }
 
   void open_window(int g, int lane, double t, const double* phi) {
@@ -245,10 +291,11 @@ class DecideFate {
   static double element(const Pack& p, int lane) { return reinterpret_cast<const double*>(&p)[lane]; }
 
   const DecisionRule& rule_;
+  const model::Segment segment_;
   const model::Parameters& parameters_;
   std::vector<Fate>& fates_;
   std::vector<PilotRecord>* pilot_;
-  Sample first_[groups], second_[groups];
+  Taken first_[groups], second_[groups];
   Pack least_value_[groups];
   Pack r2_min_[groups], r2_max_[groups], r2_integral_[groups], window_end_[groups];
   Pack q_min_[groups][n], q_max_[groups][n], phi_start_[groups][n];

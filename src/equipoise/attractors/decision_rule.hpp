@@ -76,6 +76,13 @@ struct FamilyTrap {
   std::function<bool(const double* state)> caught;  ///< thread-safe
 };
 
+/// Decides for states of a rotor with anisotropic supports or gravity whether an attractor has caught them. Asked where
+/// half a short window ends.
+struct StrobedTraps {
+  /// The attractor's identifier, 0 if there is none; `psi`: the rotor's angle. Thread-safe.
+  std::function<int(const double* state, double psi)> caught;
+};
+
 struct DecisionRule {
   int balls = 2;
   bool interchangeable = true;  ///< equal balls: features do not depend on their order
@@ -84,6 +91,8 @@ struct DecisionRule {
   std::vector<BalancedTrap> traps;
   std::vector<OrbitTrap> orbits;
   FamilyTrap family;                 ///< `caught` empty: no continuum
+  StrobedTraps strobed;              ///< `caught` empty: none; general kernels only
+  double sag = 0.0;                  ///< r is measured from Y = sag, X = 0 in fixed axes; general kernels only
   double window = 16.0;              ///< length of a short window
   double first_long_window = 100.0;  ///< long windows end at this time and at its doublings
   double sameness = 0.02;            ///< relative change between long windows that counts as none

@@ -16,9 +16,11 @@
 #include "equipoise/attractors/motion_symmetry.hpp"
 #include "equipoise/attractors/recurrence.hpp"
 #include "equipoise/attractors/settling.hpp"
+#include "equipoise/attractors/strobed_motion.hpp"
 #include "equipoise/base/angles.hpp"
 #include "equipoise/model/balanced_state.hpp"
 #include "equipoise/model/linearisation.hpp"
+#include "equipoise/model/strobe.hpp"
 
 namespace equipoise {
 
@@ -220,28 +222,7 @@ bool Journey::worth_trying(const Return& now) {
 }
 
 bool Journey::statistics_repeat(double share_of_extremes, double share_of_means) const {
-  const MotionStatistics &a = previous_, &b = last_;
-  if (a.duration == 0.0) return false;
-  const int n = p_.balls;
-  const auto close = [](double f, double g, double within) { return std::fabs(f - g) <= within; };
-  double rate = 0.0;
-  for (int i = 0; i < n; ++i) rate = std::max({rate, std::fabs(b.rate_min[i]), std::fabs(b.rate_max[i])});
-  bool same = close(a.r_max, b.r_max, share_of_extremes * b.r_max) &&
-              close(a.r_min, b.r_min, share_of_extremes * b.r_max) &&
-              close(a.r_mean(), b.r_mean(), share_of_means * b.r_mean());
-  double slowest_a = 0.0, slowest_b = 0.0, fastest_a = 0.0, fastest_b = 0.0, drift_a = 0.0, drift_b = 0.0;
-  for (int i = 0; i < n; ++i) {
-    slowest_a = std::min(slowest_a, a.rate_min[i]);
-    slowest_b = std::min(slowest_b, b.rate_min[i]);
-    fastest_a = std::max(fastest_a, a.rate_max[i]);
-    fastest_b = std::max(fastest_b, b.rate_max[i]);
-    drift_a += a.turned[i] / (a.duration * n);
-    drift_b += b.turned[i] / (b.duration * n);
-  }
-  same = same && close(slowest_a, slowest_b, share_of_extremes * rate) &&
-         close(fastest_a, fastest_b, share_of_extremes * rate) &&
-         close(drift_a, drift_b, share_of_means * rate + two_pi / a.duration);
-  return same;
+  return previous_.duration > 0.0 && similar(previous_, last_, p_.balls, share_of_extremes, share_of_means);
 }
 
 std::optional<Motion> Journey::persistence() {
@@ -314,8 +295,12 @@ KnownOrbit known_orbit(const model::Parameters& p, double speed, const Motion& m
 
 Settling settle(const model::Parameters& p, double speed, const Eigen::VectorXd& state, double patience,
                 const std::vector<KnownOrbit>& known) {
-  // Anisotropic supports and gravity make the equations depend on time, and nothing is steady in the rotating frame.
-  if (!p.isotropic() || p.gravity != 0.0) return {};
+  if (model::is_strobed(p)) {
+    Settling result;
+    result.motion = strobed_motion_from(p, speed, state, patience);
+    result.time = patience;
+    return result;
+  }
   return Journey(p, speed, state, patience, known).settle();
 }
 

@@ -13,8 +13,9 @@
 
 namespace equipoise {
 
-enum class MotionKind { equilibrium, periodic, quasi_periodic, chaotic };
-/// "equilibrium", "periodic", "quasi-periodic", "chaotic".
+/// `measured`: told by windows of time alone (attractors/steady_watch.hpp).
+enum class MotionKind { equilibrium, periodic, quasi_periodic, chaotic, measured };
+/// "equilibrium", "periodic", "quasi-periodic", "chaotic", "measured".
 const char* name_of(MotionKind kind);
 
 /// Everything known of one motion of the constant-speed system, refined as far as its kind allows.
@@ -32,7 +33,13 @@ struct Motion {
   bool stable = false;            ///< attracts its neighbourhood (linear stability; measured for the other two kinds)
   double residual = 0.0;          ///< of the refinement; 0 for motions that cannot be refined
   PeriodicOrbit orbit;            ///< periodic only
-  double duration = 0.0;          ///< time over which the statistics were taken; 0 for an equilibrium
+  /// Of a rotor with anisotropic supports or gravity, whose equations depend on its angle. `state` then holds where
+  /// psi = 0, r is measured from where the rotor rests under gravity, and every multiplier counts: `spectrum` of an
+  /// equilibrium too are multipliers, over strobe_period().
+  bool strobed = false;
+  int strobes = 0;        ///< strobed and periodic only: `period` in units of strobe_period()
+  bool balanced = false;  ///< strobed only: gravity and anisotropy taken away gradually lead to a balanced state
+  double duration = 0.0;  ///< time over which the statistics were taken; 0 for an equilibrium
 
   // What the balls do, by topology.
   /// Balls that move as one (angles equal modulo 2 pi all along) share a number; numbers count from 0.

@@ -21,40 +21,6 @@ constexpr double tolerance = 1e-12;
 // distance that exchange could show.
 constexpr double coincident = 1e-6;
 
-void describe_pairs(const model::Parameters& p, const MotionStatistics& statistics, Motion& motion) {
-  const int n = p.balls;
-  const auto as_one = [&](int i, int k) { return statistics.pair[i][k].farthest < coincident; };
-  int clusters = 0;
-  for (int k = 0; k < n; ++k) {
-    motion.cluster[k] = -1;
-    for (int i = 0; i < k && motion.cluster[k] < 0; ++i)
-      if (as_one(i, k)) motion.cluster[k] = motion.cluster[i];
-    if (motion.cluster[k] < 0) motion.cluster[k] = clusters++;
-  }
-  bool opposite = false;
-  for (int i = 0; i < n; ++i) {
-    for (int k = i + 1; k < n; ++k) {
-      if (motion.cluster[i] == motion.cluster[k]) continue;
-      opposite = opposite || statistics.pair[i][k].passed_pi > 0;
-    }
-  }
-  if (n == 2 && motion.drift_group[0] != 0 && motion.drift_group[0] == motion.drift_group[1]) {
-    const double turns = motion.kind == MotionKind::periodic
-                             ? std::abs(motion.winding[0])
-                             : 0.5 * std::fabs(statistics.turned[0] + statistics.turned[1]) / two_pi;
-    motion.oppositions_per_turn = static_cast<double>(statistics.pair[0][1].passed_pi) / turns;
-  }
-  // Balls spread all around the race (three, a third of a turn apart) pass no opposite either, but no arc of half a
-  // turn holds the angles between them.
-  bool one_side = clusters > 1 && !opposite && motion.kind != MotionKind::equilibrium;
-  const auto ahead = [&](int i) {
-    return wrapped(motion.state[model::index::phi(i)] - motion.state[model::index::phi(0)]);
-  };
-  for (int i = 0; one_side && i < n; ++i)
-    for (int k = 0; k < i; ++k) one_side = one_side && std::fabs(ahead(i) - ahead(k)) < pi;
-  motion.together = one_side;
-}
-
 // Rates are the same if the angle between them, after all that time, has slipped by no more turns than chance allows:
 // one, or as many as three standard deviations of so many slips in random directions.
 bool no_net_slip(double turned, const AngleHistory& history) {
@@ -91,6 +57,40 @@ void group_by_drift(const model::Parameters& p, const MotionStatistics& statisti
 }
 
 }  // namespace
+
+void describe_pairs(const model::Parameters& p, const MotionStatistics& statistics, Motion& motion) {
+  const int n = p.balls;
+  const auto as_one = [&](int i, int k) { return statistics.pair[i][k].farthest < coincident; };
+  int clusters = 0;
+  for (int k = 0; k < n; ++k) {
+    motion.cluster[k] = -1;
+    for (int i = 0; i < k && motion.cluster[k] < 0; ++i)
+      if (as_one(i, k)) motion.cluster[k] = motion.cluster[i];
+    if (motion.cluster[k] < 0) motion.cluster[k] = clusters++;
+  }
+  bool opposite = false;
+  for (int i = 0; i < n; ++i) {
+    for (int k = i + 1; k < n; ++k) {
+      if (motion.cluster[i] == motion.cluster[k]) continue;
+      opposite = opposite || statistics.pair[i][k].passed_pi > 0;
+    }
+  }
+  if (n == 2 && motion.drift_group[0] != 0 && motion.drift_group[0] == motion.drift_group[1]) {
+    const double turns = motion.kind == MotionKind::periodic
+                             ? std::abs(motion.winding[0])
+                             : 0.5 * std::fabs(statistics.turned[0] + statistics.turned[1]) / two_pi;
+    motion.oppositions_per_turn = static_cast<double>(statistics.pair[0][1].passed_pi) / turns;
+  }
+  // Balls spread all around the race (three, a third of a turn apart) pass no opposite either, but no arc of half a
+  // turn holds the angles between them.
+  bool one_side = clusters > 1 && !opposite && motion.kind != MotionKind::equilibrium;
+  const auto ahead = [&](int i) {
+    return wrapped(motion.state[model::index::phi(i)] - motion.state[model::index::phi(0)]);
+  };
+  for (int i = 0; one_side && i < n; ++i)
+    for (int k = 0; k < i; ++k) one_side = one_side && std::fabs(ahead(i) - ahead(k)) < pi;
+  motion.together = one_side;
+}
 
 Eigen::VectorXd with_angles_reduced(const model::Parameters& p, Eigen::VectorXd state) {
   for (int i = 0; i < p.balls; ++i) {
@@ -139,8 +139,10 @@ const char* name_of(MotionKind kind) {
       return "periodic";
     case MotionKind::quasi_periodic:
       return "quasi-periodic";
-    default:
+    case MotionKind::chaotic:
       return "chaotic";
+    default:
+      return "measured";
   }
 }
 

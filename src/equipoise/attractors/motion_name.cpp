@@ -1,6 +1,7 @@
 // Names of motions, from topology alone: which balls wind, which move as one, and when the motion comes back.
 // The table is in docs/numerics.md ("Names").
 #include <algorithm>
+#include <cmath>
 #include <cstdlib>
 #include <string>
 #include <vector>
@@ -8,6 +9,7 @@
 #include <fmt/format.h>
 
 #include "equipoise/attractors/motion.hpp"
+#include "equipoise/base/angles.hpp"
 
 namespace equipoise {
 
@@ -47,10 +49,12 @@ struct Topology {
   }
 };
 
-// "", ", period m", ", quasi-periodic" or ", chaotic": what tells a motion from its plain, once-around form.
+// "", ", period m", ", quasi-periodic" or ", chaotic": what tells a motion from its plain, once-around form. Strobed
+// motions that come back are told by the strobes they take.
 std::string suffix(const Motion& motion, int turns) {
   if (motion.kind == MotionKind::quasi_periodic || motion.kind == MotionKind::chaotic)
     return fmt::format(", {}", name_of(motion.kind));
+  if (motion.strobed) return fmt::format(", back after {} strobe{}", motion.strobes, motion.strobes > 1 ? "s" : "");
   return turns > 1 ? fmt::format(", period {}", turns) : "";
 }
 
@@ -67,6 +71,20 @@ MotionName name_at_rest(const Motion& motion) {
   return motion.r_max < centred ? MotionName{"balanced", "", balanced} : MotionName{"locked", "", locked};
 }
 
+// Motions that keep step with the rotor: all balls captured, or all of them left behind by a turn every turn, at rest
+// in space but for what shakes them.
+bool keeps_step(const model::Parameters& p, const Motion& motion) {
+  if (!motion.strobed || motion.kind != MotionKind::periodic || motion.strobes != 1) return false;
+  return std::all_of(motion.winding.begin(), motion.winding.begin() + p.balls, [](int turns) { return turns == 0; });
+}
+
+bool hangs(const model::Parameters& p, const Motion& motion) {
+  if (!motion.strobed || motion.kind != MotionKind::periodic) return false;
+  const double turns = -motion.speed * motion.period / two_pi;
+  return std::all_of(motion.winding.begin(), motion.winding.begin() + p.balls,
+                     [turns](int winding) { return std::fabs(winding - turns) < 0.5; });
+}
+
 MotionName name_of_one(const Motion& motion, const Topology& topology) {
   return {(topology.captured ? "captured" : "drifting") + suffix(motion, topology.turns), "", other};
 }
@@ -75,6 +93,7 @@ MotionName name_of_two(const Motion& motion, const Topology& topology) {
   const std::string ending = suffix(motion, topology.turns);
   if (topology.captured == 2) return {"both captured" + ending, "", other};
   if (topology.captured == 1) {
+    if (motion.strobed) return {"one captured" + ending, "", other};  // V3 and V4 are motions of isotropic rotors
     if (motion.kind == MotionKind::periodic && topology.turns == 1) return {"one captured", "V3", one_captured};
     if (motion.kind == MotionKind::periodic && topology.turns == 4) return {"one captured" + ending, "V4", period_four};
     return {"one captured" + ending, "", other};
@@ -87,7 +106,8 @@ MotionName name_of_two(const Motion& motion, const Topology& topology) {
   if (motion.oppositions_per_turn > twice_a_turn)
     return motion.kind == MotionKind::chaotic ? MotionName{"pair drift" + ending, "", other}
                                               : MotionName{"pair drift", "", pair_drift};
-  return {"drifting apart", "V2", drifting_apart};
+  return motion.strobed ? MotionName{"drifting apart" + ending, "", other}
+                        : MotionName{"drifting apart", "V2", drifting_apart};
 }
 
 MotionName name_of_many(const Motion& motion, const Topology& topology) {
@@ -108,8 +128,14 @@ MotionName name_of_many(const Motion& motion, const Topology& topology) {
 
 MotionName motion_name(const model::Parameters& p, const Motion& motion) {
   MotionName name;
-  if (motion.kind == MotionKind::equilibrium) {
+  if (motion.strobed && motion.balanced) {
+    name = {"balanced", "", balanced};
+  } else if (motion.kind == MotionKind::equilibrium) {
     name = name_at_rest(motion);
+  } else if (keeps_step(p, motion)) {
+    name = {"locked", "", locked};
+  } else if (hangs(p, motion)) {
+    name = {"hanging" + (motion.strobes > 1 ? suffix(motion, 0) : ""), "", other};
   } else {
     const Topology topology(p, motion);
     name = p.balls == 1   ? name_of_one(motion, topology)

@@ -7,12 +7,12 @@
 #include "equipoise/integrate/adaptive-inl.hpp"
 #include "equipoise/model/ball_count.hpp"
 #include "equipoise/model/flow-inl.hpp"
+#include "equipoise/model/strobe.hpp"
 
 namespace equipoise {
 
 namespace {
 namespace kernels = HWY_NAMESPACE;
-constexpr kernels::Terms autonomous{false, false, false};
 
 // A state with its rate of change, and what is watched: r^2 and the ball rates, each with its derivative.
 template <int n>
@@ -20,26 +20,28 @@ struct Instant {
   static constexpr int size = model::dimension(n);
   double t = 0.0;
   double z[size], dz[size];
+  double x, y;  // position that r is the length of
 
-  double half_slope(int watched) const {  // of r^2 (0) or of phi_i' (i + 1); u - x' and v - y' are perpendicular to r
-    return watched == 0 ? z[0] * z[2] + z[1] * z[3] : dz[4 + n + watched - 1];
-  }
-  double value(int watched) const { return watched == 0 ? std::hypot(z[0], z[1]) : z[4 + n + watched - 1]; }
+  // Of r^2 (0) or of phi_i' (i + 1). What r is measured from rests in fixed axes, so that (u, v) is its rate of change.
+  double half_slope(int watched) const { return watched == 0 ? x * z[2] + y * z[3] : dz[4 + n + watched - 1]; }
+  double value(int watched) const { return watched == 0 ? std::hypot(x, y) : z[4 + n + watched - 1]; }
   double r_slope() const {
     const double r = value(0);
     return r > 0.0 ? half_slope(0) / r : 0.0;
   }
 };
 
-template <int n>
+template <int n, kernels::Terms terms>
 class Gatherer {
  public:
-  using Flow = kernels::FreeFlow<double, n, autonomous>;
+  using Flow = kernels::FreeFlow<double, n, terms>;
   static constexpr int size = Flow::dimension;
 
-  Gatherer(const Flow& flow, MotionStatistics& statistics, const double* z) : flow_(flow), statistics_(statistics) {
+  Gatherer(const model::Parameters& p, const Flow& flow, const model::Segment& segment, MotionStatistics& statistics,
+           const double* z)
+      : flow_(flow), segment_(segment), sag_(model::static_sag(p)), statistics_(statistics) {
     std::copy(z, z + size, last_.z);
-    flow_(0.0, last_.z, last_.dz);
+    complete(last_);
     const bool fresh = statistics.duration == 0.0;
     for (int i = 0; i < n; ++i) {
       start_[i] = z[4 + i];
@@ -75,8 +77,18 @@ class Gatherer {
     Instant<n> result;
     result.t = t;
     state_at(t, result.z);
-    flow_(t, result.z, result.dz);
+    complete(result);
     return result;
+  }
+
+  void complete(Instant<n>& at) const {
+    flow_(at.t, at.z, at.dz);
+    at.x = at.z[0];
+    at.y = at.z[1];
+    if constexpr (terms.gravity) {
+      at.x -= sag_ * std::sin(segment_.psi_at(at.t));
+      at.y -= sag_ * std::cos(segment_.psi_at(at.t));
+    }
   }
 
   // Where a slope changes sign, by false position (Illinois): five evaluations leave the time uncertain by less than
@@ -122,25 +134,28 @@ class Gatherer {
   }
 
   const Flow& flow_;
+  const model::Segment& segment_;
+  const double sag_;
   MotionStatistics& statistics_;
   Instant<n> last_;
   double start_[n];
 };
 
-template <int n>
+template <int n, kernels::Terms terms>
 IntegrationStatus follow_balls(const model::Parameters& p, double speed, Eigen::VectorXd& z, double duration,
                                double tolerance, MotionStatistics* statistics, std::vector<Eigen::VectorXd>* samples) {
-  using Flow = typename Gatherer<n>::Flow;
+  using Flow = kernels::FreeFlow<double, n, terms>;
   constexpr int size = Flow::dimension;
   kernels::ErrorScale<size> scale;
   scale.tolerance = tolerance;
   kernels::set_state_scale<n>(p, 1, scale);
-  const Flow flow(p, {0.0, 0.0, 0.0, speed, 0.0, false});
+  const model::Segment segment{0.0, 0.0, 0.0, speed, 0.0, false};
+  const Flow flow(p, segment);
   kernels::AdaptiveIntegrator<Flow, size> integrator(flow, scale);
   if (!statistics && !samples) return integrator.advance(0.0, duration, z.data(), [](double, double, auto&&) {});
   const double spacing = sample_spacing(speed);
   MotionStatistics unused;
-  Gatherer<n> gatherer(flow, statistics ? *statistics : unused, z.data());
+  Gatherer<n, terms> gatherer(p, flow, segment, statistics ? *statistics : unused, z.data());
   std::size_t next = 1;
   if (samples) samples->assign(1, z);
   const IntegrationStatus status = integrator.advance(0.0, duration, z.data(), [&](double t, double t_new, auto at) {
@@ -176,12 +191,39 @@ void AngleHistory::add(double angle) {
   add_distance(last_ = angle);
 }
 
+bool similar(const MotionStatistics& a, const MotionStatistics& b, int n, double share_of_extremes,
+             double share_of_means) {
+  const auto close = [](double f, double g, double within) { return std::fabs(f - g) <= within; };
+  double rate = 0.0;
+  for (int i = 0; i < n; ++i) rate = std::max({rate, std::fabs(b.rate_min[i]), std::fabs(b.rate_max[i])});
+  bool same = close(a.r_max, b.r_max, share_of_extremes * b.r_max) &&
+              close(a.r_min, b.r_min, share_of_extremes * b.r_max) &&
+              close(a.r_mean(), b.r_mean(), share_of_means * b.r_mean());
+  double slowest_a = 0.0, slowest_b = 0.0, fastest_a = 0.0, fastest_b = 0.0, drift_a = 0.0, drift_b = 0.0;
+  for (int i = 0; i < n; ++i) {
+    slowest_a = std::min(slowest_a, a.rate_min[i]);
+    slowest_b = std::min(slowest_b, b.rate_min[i]);
+    fastest_a = std::max(fastest_a, a.rate_max[i]);
+    fastest_b = std::max(fastest_b, b.rate_max[i]);
+    drift_a += a.turned[i] / (a.duration * n);
+    drift_b += b.turned[i] / (b.duration * n);
+  }
+  same = same && close(slowest_a, slowest_b, share_of_extremes * rate) &&
+         close(fastest_a, fastest_b, share_of_extremes * rate) &&
+         close(drift_a, drift_b, share_of_means * rate + two_pi / a.duration);
+  return same;
+}
+
 double sample_spacing(double speed) { return 0.2 / std::max(1.0, std::fabs(speed)); }
 
 IntegrationStatus follow(const model::Parameters& p, double speed, Eigen::VectorXd& state, double duration,
                          double tolerance, MotionStatistics* statistics, std::vector<Eigen::VectorXd>* samples) {
-  return model::with_ball_count(
-      p.balls, [&](auto n) { return follow_balls<n>(p, speed, state, duration, tolerance, statistics, samples); });
+  constexpr kernels::Terms autonomous{false, false, false}, strobed{false, true, true};
+  return model::with_ball_count(p.balls, [&](auto n) {
+    return model::is_strobed(p)
+               ? follow_balls<n, strobed>(p, speed, state, duration, tolerance, statistics, samples)
+               : follow_balls<n, autonomous>(p, speed, state, duration, tolerance, statistics, samples);
+  });
 }
 
 }  // namespace equipoise

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <limits>
 #include <numeric>
 #include <vector>
 
@@ -13,6 +14,19 @@
 namespace equipoise {
 
 namespace {
+
+// From a state to the nearest of a motion's: its curve, or, if it is strobed, its states at strobes.
+std::function<double(const Eigen::VectorXd&)> distance_from(const model::Parameters& p, const Motion& motion) {
+  if (motion.strobed)
+    return [difference = StateDifference(p, motion.speed), nodes = motion.orbit.nodes](const Eigen::VectorXd& state) {
+      double least = std::numeric_limits<double>::infinity();
+      for (const Eigen::VectorXd& node : nodes) least = std::min(least, difference.distance(node, state));
+      return least;
+    };
+  return [curve = OrbitCurve(p, motion.speed, motion.orbit)](const Eigen::VectorXd& state) {
+    return curve.distance(state);
+  };
+}
 
 // Point sets are the same if they come this close. Refined motions are exact to 1e-10 or better and different ones that
 // a study meets lie much farther apart, but for those just born in a bifurcation.
@@ -106,7 +120,7 @@ int count_copies(const model::Parameters& p, const Motion& motion) {
       for (int k = 0; k < i; ++k) place += motion.cluster[k] == motion.cluster[i] && equal_balls(p, i, k);
       within *= place;
     }
-    const OrbitCurve curve(p, motion.speed, motion.orbit);
+    const auto distance = distance_from(p, motion);
     any_order(
         n,
         [&](int i, int k) { return equal_balls(p, i, k) && same_ball(motion, i, motion, k, sameness(motion), rate); },
@@ -115,7 +129,7 @@ int count_copies(const model::Parameters& p, const Motion& motion) {
             for (int k = 0; k < i; ++k)
               if (motion.cluster[order[k]] == motion.cluster[order[i]] && equal_balls(p, i, k) && order[k] > order[i])
                 return false;
-          if (curve.distance(exchanged(motion.state, n, order)) < same_point) unchanged += within;
+          if (distance(exchanged(motion.state, n, order)) < same_point) unchanged += within;
           return false;
         });
   } else {
@@ -160,9 +174,9 @@ bool same_motion(const model::Parameters& p, const Motion& a, const Motion& b) {
   }
   if (std::fabs(a.period - b.period) > same_point * a.period) return false;
   // One point in common is enough: orbits that meet are one orbit.
-  const OrbitCurve curve(p, b.speed, b.orbit);
+  const auto distance = distance_from(p, b);
   return any_order(n, may_replace,
-                   [&](const Order& order) { return curve.distance(exchanged(a.state, n, order)) < same_point; });
+                   [&](const Order& order) { return distance(exchanged(a.state, n, order)) < same_point; });
 }
 
 }  // namespace equipoise

@@ -75,6 +75,6 @@ std::vector<double> lyapunov_exponents(const model::Parameters& p, double speed,
 
 /// The state a time `duration` >= 0 later (adaptive DOP853, tolerance 1e-12), or empty if the integration fails.
 std::optional<Eigen::VectorXd> advance_state(const model::Parameters& p, double speed, const Eigen::VectorXd& state,
-                                             double duration);
+                                             double duration, double psi = 0.0);
 
 }  // namespace equipoise

@@ -8,6 +8,7 @@
 #include "equipoise/integrate/adaptive-inl.hpp"
 #include "equipoise/model/ball_count.hpp"
 #include "equipoise/model/flow-inl.hpp"
+#include "equipoise/model/strobe.hpp"
 
 namespace equipoise {
 
@@ -16,26 +17,26 @@ namespace kernels = HWY_NAMESPACE;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
-constexpr kernels::Terms autonomous{false, false, false};
+constexpr kernels::Terms autonomous{false, false, false}, strobed{false, true, true};
 
-model::Segment constant_speed(double speed) { return {0.0, 0.0, 0.0, speed, 0.0, false}; }
+model::Segment constant_speed(double speed, double psi) { return {0.0, 0.0, psi, speed, 0.0, false}; }
 
 // `width` tangent vectors along a trajectory. Component (1 + width) i is variable i, the next `width` are its tangents.
-template <int n, int width>
+template <int n, int width, kernels::Terms terms>
 class TangentFlow {
  public:
   static constexpr int size = model::dimension(n), dimension = size * (1 + width);
 
-  TangentFlow(const model::Parameters& p, double speed) : flow_(p, constant_speed(speed)) {}
+  TangentFlow(const model::Parameters& p, const model::Segment& segment) : flow_(p, segment) {}
 
   // Not inlined: the integrator calls it in sixteen places.
-  HWY_NOINLINE void operator()(double, const double* y, double* dy) const {
+  HWY_NOINLINE void operator()(double t, const double* y, double* dy) const {
     Dual<width> z[size], rate[size];
     for (int i = 0; i < size; ++i) {
       z[i].value = y[(1 + width) * i];
       std::copy_n(y + (1 + width) * i + 1, width, z[i].slope);
     }
-    flow_(Dual<width>(0.0), z, rate);
+    flow_(Dual<width>(t), z, rate);
     for (int i = 0; i < size; ++i) {
       dy[(1 + width) * i] = rate[i].value;
       std::copy_n(rate[i].slope, width, dy + (1 + width) * i + 1);
@@ -43,13 +44,13 @@ class TangentFlow {
   }
 
  private:
-  kernels::FreeFlow<Dual<width>, n, autonomous> flow_;
+  kernels::FreeFlow<Dual<width>, n, terms> flow_;
 };
 
-template <int n, int width>
-std::optional<TangentFlight> follow(const model::Parameters& p, double speed, const VectorXd& state,
+template <int n, int width, kernels::Terms terms>
+std::optional<TangentFlight> follow(const model::Parameters& p, const model::Segment& segment, const VectorXd& state,
                                     const MatrixXd& vectors, double duration, double tolerance) {
-  using Flow = TangentFlow<n, width>;
+  using Flow = TangentFlow<n, width, terms>;
   constexpr int size = Flow::size, stride = 1 + width;
   const int count = static_cast<int>(vectors.cols());
   const VectorXd unit = state_scale(p);
@@ -66,7 +67,7 @@ std::optional<TangentFlight> follow(const model::Parameters& p, double speed, co
       if (k < count) y[stride * i + 1 + k] = vectors(i, k);
     }
   }
-  const Flow flow(p, speed);
+  const Flow flow(p, segment);
   kernels::AdaptiveIntegrator<Flow, Flow::dimension> integrator(flow, scale);
   const auto status = integrator.advance(0.0, duration, y, [](double, double, auto&&) {});
   if (status != IntegrationStatus::done) return std::nullopt;
@@ -87,33 +88,50 @@ VectorXd state_scale(const model::Parameters& p) {
 }
 
 std::optional<TangentFlight> follow_tangents(const model::Parameters& p, double speed, const VectorXd& state,
-                                             const MatrixXd& vectors, double duration, double tolerance) {
+                                             const MatrixXd& vectors, double duration, double tolerance, double psi) {
   // Few vectors, as for the leading Lyapunov exponents, are carried at less cost.
   constexpr int few = 4;
+  const model::Segment segment = constant_speed(speed, psi);
   return model::with_ball_count(p.balls, [&](auto n) {
-    if (vectors.cols() <= few) return follow<n, few>(p, speed, state, vectors, duration, tolerance);
-    return follow<n, model::dimension(n)>(p, speed, state, vectors, duration, tolerance);
+    constexpr int all = model::dimension(n);
+    if (model::is_strobed(p))
+      return vectors.cols() <= few ? follow<n, few, strobed>(p, segment, state, vectors, duration, tolerance)
+                                   : follow<n, all, strobed>(p, segment, state, vectors, duration, tolerance);
+    return vectors.cols() <= few ? follow<n, few, autonomous>(p, segment, state, vectors, duration, tolerance)
+                                 : follow<n, all, autonomous>(p, segment, state, vectors, duration, tolerance);
   });
 }
 
 std::optional<TangentFlight> follow_derivative(const model::Parameters& p, double speed, const VectorXd& state,
-                                               double duration, double tolerance) {
-  return follow_tangents(p, speed, state, MatrixXd::Identity(state.size(), state.size()), duration, tolerance);
+                                               double duration, double tolerance, double psi) {
+  return follow_tangents(p, speed, state, MatrixXd::Identity(state.size(), state.size()), duration, tolerance, psi);
 }
 
-std::optional<VectorXd> advance_state(const model::Parameters& p, double speed, const VectorXd& state,
-                                      double duration) {
+namespace {
+
+template <int n, kernels::Terms terms>
+std::optional<VectorXd> advance(const model::Parameters& p, const model::Segment& segment, const VectorXd& state,
+                                double duration) {
+  using Flow = kernels::FreeFlow<double, n, terms>;
+  kernels::ErrorScale<Flow::dimension> scale;
+  scale.tolerance = 1e-12;
+  kernels::set_state_scale<n>(p, 1, scale);
+  const Flow flow(p, segment);
+  kernels::AdaptiveIntegrator<Flow, Flow::dimension> integrator(flow, scale);
+  VectorXd end = state;
+  const auto status = integrator.advance(0.0, duration, end.data(), [](double, double, auto&&) {});
+  if (status != IntegrationStatus::done) return std::nullopt;
+  return end;
+}
+
+}  // namespace
+
+std::optional<VectorXd> advance_state(const model::Parameters& p, double speed, const VectorXd& state, double duration,
+                                      double psi) {
+  const model::Segment segment = constant_speed(speed, psi);
   return model::with_ball_count(p.balls, [&](auto n) -> std::optional<VectorXd> {
-    using Flow = kernels::FreeFlow<double, n, autonomous>;
-    kernels::ErrorScale<Flow::dimension> scale;
-    scale.tolerance = 1e-12;
-    kernels::set_state_scale<n>(p, 1, scale);
-    const Flow flow(p, constant_speed(speed));
-    kernels::AdaptiveIntegrator<Flow, Flow::dimension> integrator(flow, scale);
-    VectorXd end = state;
-    const auto status = integrator.advance(0.0, duration, end.data(), [](double, double, auto&&) {});
-    if (status != IntegrationStatus::done) return std::nullopt;
-    return end;
+    return model::is_strobed(p) ? advance<n, strobed>(p, segment, state, duration)
+                                : advance<n, autonomous>(p, segment, state, duration);
   });
 }
 

@@ -22,12 +22,14 @@ struct TangentFlight {
 /// Follows `state` and small deviations from it, the columns of `vectors` (any number up to the state's size, any
 /// length), for `duration` >= 0, by adaptive DOP853. Errors a step: `tolerance` times the size of each state variable
 /// (angles: of one radian); for tangents the same relative to the larger of their own size and the given vector's.
+/// `psi`: the rotor's angle at the beginning; it matters with anisotropic supports or gravity only.
 /// Empty if the integration fails.
 std::optional<TangentFlight> follow_tangents(const model::Parameters& p, double speed, const Eigen::VectorXd& state,
-                                             const Eigen::MatrixXd& vectors, double duration, double tolerance);
+                                             const Eigen::MatrixXd& vectors, double duration, double tolerance,
+                                             double psi = 0.0);
 
 /// The same with the identity: `tangents` is then the derivative of the end with respect to the start.
 std::optional<TangentFlight> follow_derivative(const model::Parameters& p, double speed, const Eigen::VectorXd& state,
-                                               double duration, double tolerance);
+                                               double duration, double tolerance, double psi = 0.0);
 
 }  // namespace equipoise

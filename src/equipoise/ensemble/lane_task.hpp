@@ -10,6 +10,8 @@
 
 namespace equipoise {
 
+struct TransientTable;
+
 /// Work done for the trajectories of a task.
 struct LaneWork {
   std::uint64_t steps = 0;     ///< tried
@@ -29,7 +31,8 @@ struct LaneTask {
   std::size_t count = 0;     ///< trajectories
   double* states = nullptr;  ///< count rows of dimension(balls) numbers; states at segment.begin in, final states out
   const StopFlag* stop = nullptr;
-  LaneWork* work = nullptr;  ///< if given, the work done is added to it
+  LaneWork* work = nullptr;              ///< if given, the work done is added to it
+  TransientTable* transients = nullptr;  ///< if given, gathers transients, one row a trajectory
 
   /// Whether the equations with anisotropic supports and gravity are needed.
   bool general() const { return !parameters->isotropic() || parameters->gravity != 0.0; }

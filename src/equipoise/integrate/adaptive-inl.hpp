@@ -12,6 +12,7 @@
 #include <atomic>
 #include <cmath>
 #include <limits>
+#include <type_traits>
 
 #include "equipoise/integrate/dop853-inl.hpp"
 #include "equipoise/integrate/status.hpp"
@@ -51,11 +52,13 @@ class AdaptiveIntegrator {
 
   // Integrates `y` from `begin` to exactly `end`. After each accepted step calls
   // observe(t_old, t_new, state_at), where state_at(t, out) is the dense output within the step. Returns early, as
-  // `done`, once `stop` is set.
+  // `done`, once `stop` is set. If observe answers a time before t_new, integration ends there: with a step of that
+  // length, not with the dense output, so that what follows starts as accurately as every other step ends.
   template <class Observe>
   IntegrationStatus advance(double begin, double end, double* y, Observe&& observe,
                             const std::atomic<bool>* stop = nullptr) {
     double t = begin, previous_error = 1.0;
+    reached_ = begin;
     double h = first_step(begin, end, y);
     bool rejected = false;
     for (long steps = 0; t < end && !(stop && stop->load(std::memory_order_relaxed)); ++steps) {
@@ -80,12 +83,20 @@ class AdaptiveIntegrator {
       }
       const double t_new = last ? end : t + h;
       system_(t_new, static_cast<const double*>(y_new), k_[12]);
-      observe(t, t_new, StateAt{*this, t, h, y, y_new});
+      if constexpr (std::is_same_v<decltype(observe(t, t_new, StateAt{*this, t, h, y, y_new})), double>) {
+        const double until = observe(t, t_new, StateAt{*this, t, h, y, y_new});
+        if (until < t_new) {
+          finish_at(t, until, y);
+          return IntegrationStatus::done;
+        }
+      } else {
+        observe(t, t_new, StateAt{*this, t, h, y, y_new});
+      }
       const double growth = 0.9 * std::pow(std::max(error, 1e-10), -0.0875) * std::pow(previous_error, 0.05);
       previous_error = std::max(error, 1e-4);
       std::copy(y_new, y_new + dimension, y);
       std::copy(k_[12], k_[12] + dimension, k_[0]);
-      t = t_new;
+      reached_ = t = t_new;
       h *= std::clamp(growth, 0.2, rejected ? 1.0 : 6.0);
       rejected = false;
       for (int i = 0; i < dimension; ++i)
@@ -93,6 +104,9 @@ class AdaptiveIntegrator {
     }
     return IntegrationStatus::done;
   }
+
+  // The time that advance() came to.
+  double reached() const { return reached_; }
 
  private:
   static constexpr long max_steps = 100'000'000;
@@ -113,6 +127,14 @@ class AdaptiveIntegrator {
       dop853::dense_state<double, dimension>((time - t) / h, y, rows, out);
     }
 
+    // A cubic through both ends, for looks that need no more: no evaluation of the system.
+    void roughly(double time, double* out) const {
+      const double s = (time - t) / h, r = 1.0 - s;
+      for (int i = 0; i < dimension; ++i)
+        out[i] = r * r * ((1.0 + 2.0 * s) * y[i] + s * h * owner.k_[0][i]) +
+                 s * s * ((1.0 + 2.0 * r) * y_new[i] - r * h * owner.k_[12][i]);
+    }
+
     void prepare() {
       double stage[dimension];
       for (int row = 13; row < dop853::tableau::dense_stages; ++row) {
@@ -123,6 +145,16 @@ class AdaptiveIntegrator {
       ready = true;
     }
   };
+
+  // The state at `until` within the step just tried from t, whose stages other than the first are given up.
+  void finish_at(double t, double until, double* y) {
+    reached_ = until;
+    if (!(until > t)) return;
+    double end[dimension], error5[dimension], error3[dimension];
+    dop853::evaluate_stages(system_, t, until - t, y, k_);
+    dop853::step_end(until - t, y, k_, end, error5, error3);
+    std::copy(end, end + dimension, y);
+  }
 
   // A step over which the solution, moving at its present rate, changes by a hundredth of its size.
   double first_step(double begin, double end, const double* y) {
@@ -137,6 +169,7 @@ class AdaptiveIntegrator {
 
   const System& system_;
   ErrorScale<dimension> scale_;
+  double reached_ = 0.0;
   double k_[dop853::tableau::dense_stages][dimension];
 };
 

@@ -17,8 +17,11 @@ kernels::RotorMotion<double> motion_at(const Segment& s, double t) {
 }
 }  // namespace
 
-double energy(const Parameters& p, double inertia, const Segment& segment, double t, const double* z) {
-  const auto rotor = motion_at(segment, t);
+namespace {
+
+// With the balls' race centred at `offset` from O.
+double energy_at(const Parameters& p, double inertia, const std::array<double, 2>& offset,
+                 const kernels::RotorMotion<double>& rotor, const double* z) {
   const double w = rotor.speed, lambda = p.eccentricity;
   const double x = z[index::x], y = z[index::y], u = z[index::u], v = z[index::v];
   const double X = x * rotor.cos_psi - y * rotor.sin_psi, Y = x * rotor.sin_psi + y * rotor.cos_psi;
@@ -27,11 +30,23 @@ double energy(const Parameters& p, double inertia, const Segment& segment, doubl
   for (int i = 0; i < p.balls; ++i) {
     const double phi = z[index::phi(i)], rate = w + z[index::q(i, p.balls)];
     const double s = std::sin(phi), c = std::cos(phi);
-    const double vx = u - rate * s, vy = v + rate * c;
-    const double height = Y + rotor.sin_psi * c + rotor.cos_psi * s;
+    const double vx = u - w * offset[1] - rate * s, vy = v + w * offset[0] + rate * c;
+    const double height = Y + rotor.sin_psi * (offset[0] + c) + rotor.cos_psi * (offset[1] + s);
     e += p.mass[i] * (0.5 * (vx * vx + vy * vy) + p.gravity * height);
   }
   return e;
+}
+
+}  // namespace
+
+double energy(const Parameters& p, double inertia, const Segment& segment, double t, const double* z) {
+  return energy_at(p, inertia, {0.0, 0.0}, motion_at(segment, t), z);
+}
+
+double machine_energy(const Parameters& p, const double* z) {
+  const double psi = z[machine_index::psi(p.balls)];
+  return energy_at(p, p.inertia, p.race_offset, {z[machine_index::speed(p.balls)], 0.0, std::sin(psi), std::cos(psi)},
+                   z);
 }
 
 Powers powers(const Parameters& p, double inertia, const Segment& segment, double t, const double* z) {
@@ -67,9 +82,9 @@ Powers powers(const Parameters& p, double inertia, const Segment& segment, doubl
   });
 }
 
-std::array<double, 2> bearing_force(const Parameters& p, const Segment& segment, double t, const double* z) {
+std::array<double, 2> bearing_force(const Parameters& p, double psi, const double* z) {
   const kernels::BallBalancer<double, 1, kernels::Terms{}> balancer(p);
-  const auto rotor = motion_at(segment, t);
+  const kernels::RotorMotion<double> rotor{0.0, 0.0, std::sin(psi), std::cos(psi)};
   const auto f = balancer.bearing_force(rotor, z);
   return {f.x * rotor.cos_psi - f.y * rotor.sin_psi, f.x * rotor.sin_psi + f.y * rotor.cos_psi};
 }

@@ -2,6 +2,7 @@
 // Units: energy M R^2 omega_c^2, power M R^2 omega_c^3, force M R omega_c^2. docs/equations.md, "Energy".
 #pragma once
 
+#include "equipoise/model/machine.hpp"
 #include "equipoise/model/parameters.hpp"
 #include "equipoise/model/speed.hpp"
 
@@ -22,7 +23,10 @@ double energy(const Parameters& p, double inertia, const Segment& segment, doubl
 /// Powers at the same instant, with the segment's clamp respected.
 Powers powers(const Parameters& p, double inertia, const Segment& segment, double t, const double* z);
 
-/// Force of springs and dampers on the support in fixed axes, zeta X' + kappa X, as {X, Y}.
-std::array<double, 2> bearing_force(const Parameters& p, const Segment& segment, double t, const double* z);
+/// Energy of a machine in state `z` (machine_dimension(balls) numbers), with its own inertia and race.
+double machine_energy(const Parameters& p, const double* z);
+
+/// Force of springs and dampers on the support in fixed axes, zeta X' + kappa X, as {X, Y}, at rotor angle `psi`.
+std::array<double, 2> bearing_force(const Parameters& p, double psi, const double* z);
 
 }  // namespace equipoise::model

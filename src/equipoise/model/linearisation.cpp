@@ -4,6 +4,7 @@
 #include "equipoise/base/dual.hpp"
 #include "equipoise/model/ball_count.hpp"
 #include "equipoise/model/flow-inl.hpp"
+#include "equipoise/model/strobe.hpp"
 
 namespace equipoise::model {
 
@@ -31,8 +32,15 @@ Eigen::MatrixXd jacobian(const Parameters& p, double speed, const double* z) {
   });
 }
 
-Eigen::VectorXd derivative(const Parameters& p, double speed, const double* z) {
+Eigen::VectorXd derivative(const Parameters& p, double speed, const double* z, double psi) {
   return with_ball_count(p.balls, [&](auto n) -> Eigen::VectorXd {
+    if (is_strobed(p)) {
+      constexpr kernels::Terms strobed{false, true, true};
+      const kernels::FreeFlow<double, n, strobed> flow(p, {0.0, 0.0, psi, speed, 0.0, false});
+      Eigen::VectorXd rate(dimension(n));
+      flow(0.0, z, rate.data());
+      return rate;
+    }
     const kernels::FreeFlow<double, n, autonomous> flow(p, constant_speed(speed));
     Eigen::VectorXd rate(dimension(n));
     flow(0.0, z, rate.data());

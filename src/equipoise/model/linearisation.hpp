@@ -11,8 +11,8 @@ namespace equipoise::model {
 /// derivative, from the equations run on dual numbers. Variables as in parameters.hpp.
 Eigen::MatrixXd jacobian(const Parameters& p, double speed, const double* z);
 
-/// dz/dt of the same equations.
-Eigen::VectorXd derivative(const Parameters& p, double speed, const double* z);
+/// dz/dt of the same equations; with anisotropic supports or gravity where the rotor's angle is `psi`.
+Eigen::VectorXd derivative(const Parameters& p, double speed, const double* z, double psi = 0.0);
 
 /// State with the balls at rest at `phi` and the rotor centred.
 Eigen::VectorXd centred_state(const Parameters& p, const double* phi);

@@ -3,11 +3,13 @@
 
 #include <algorithm>
 #include <cmath>
+#include <complex>
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
 #include "equipoise/base/version.hpp"
+#include "equipoise/model/strobe.hpp"
 #include "equipoise/report/text.hpp"
 
 namespace equipoise {
@@ -28,6 +30,7 @@ Json attractor_json(const Attractor& a, const AttractorShare& share, int balls) 
   if (m.kind == MotionKind::periodic) {
     json["period"] = m.period;
     json["winding"] = std::vector<int>(m.winding.begin(), m.winding.begin() + balls);
+    if (m.strobed) json["strobes"] = m.strobes;
   } else {
     json["period"] = nullptr;
     json["winding"] = Json::array();
@@ -40,7 +43,7 @@ Json attractor_json(const Attractor& a, const AttractorShare& share, int balls) 
     Json spectrum = Json::array();
     for (Eigen::Index k = 0; k < m.spectrum.size(); ++k)
       spectrum.push_back({m.spectrum[k].real(), m.spectrum[k].imag()});
-    json[m.kind == MotionKind::equilibrium ? "eigenvalues" : "multipliers"] = spectrum;
+    json[m.kind == MotionKind::equilibrium && !m.strobed ? "eigenvalues" : "multipliers"] = spectrum;
     json["residual"] = m.residual;
   }
   json["exponents"] = m.exponents;
@@ -61,6 +64,12 @@ const AttractorShare& share_of(const AttractorsResult& r, int id) {
 std::string stability_text(const Attractor& a) {
   const Motion& m = a.motion;
   const char* verdict = m.stable ? "stable" : "UNSTABLE";
+  if (m.strobed && m.spectrum.size() > 0) {
+    double largest = 0.0;
+    for (const std::complex<double>& value : m.spectrum)
+      if (!a.continuum || std::abs(value - 1.0) > 1e-7) largest = std::max(largest, std::abs(value));
+    return fmt::format("{}, largest multiplier {:.4f}", verdict, largest);
+  }
   if (m.kind == MotionKind::equilibrium && m.spectrum.size() > 0) {
     double slowest = -1e300;
     for (Eigen::Index k = 0; k < m.spectrum.size(); ++k)
@@ -118,6 +127,16 @@ std::string attractors_text(const AttractorsResult& r) {
                     drift, stability_text(a)});
   }
   text += aligned(rows, {right, left, left, right, right, right, right, right, right, left, left}) + "\n";
+  if (model::is_strobed(r.basin.study.parameters)) {
+    const double speed = r.basin.study.speed_profile().final_speed();
+    const bool gravity = r.basin.study.parameters.gravity != 0.0;
+    text += fmt::format("A strobe is {} of the rotor, {:.5f}{}; multipliers are over the period, without one of 1.\n",
+                        gravity ? "a revolution" : "half a revolution",
+                        model::strobe_period(r.basin.study.parameters, speed),
+                        gravity ? fmt::format("; r is measured from where the rotor would rest, Y = {:.5g}",
+                                              model::static_sag(r.basin.study.parameters))
+                                : "");
+  }
   if (!r.basin.note.empty()) text += fmt::format("Note: {}.\n", r.basin.note);
   if (r.basin.partial) text += "PARTIAL: stopped before all starts were done.\n";
   const std::uint64_t starts = r.basin.starts;

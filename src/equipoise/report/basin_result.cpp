@@ -43,10 +43,12 @@ std::string basin_text(const BasinResult& r) {
   for (const AttractorShare& a : r.attractors)
     line(a.alias.empty() ? a.name : fmt::format("{} ({})", a.name, a.alias), a.share,
          a.share.count == 0 ? "-" : fmt::format("{:.1f}", a.mean_time));
+  if (r.stalled) line("stalled below " + rotor_speed_text(r.study, r.study.stall_speed()), *r.stalled, "-");
   line("undecided", r.undecided, "-");
   line("diverged", r.diverged, "-");
   line("failed", r.failed, "-");
   text += "\n";
+  if (r.transients) text += transient_text(*r.transients, r.study);
   text += sampling_text(r);
   text += decided_text(r);
   if (!r.note.empty()) text += fmt::format("Note: {}.\n", r.note);
@@ -76,10 +78,15 @@ std::string basin_json(const BasinResult& r) {
     for (int k = 1; k < decided_by_count; ++k) outcome["decided_by"][decided_by_names[k]] = a.decided_by[k];
     json["outcomes"].push_back(outcome);
   }
+  if (r.stalled) {
+    json["stalled"] = share(*r.stalled);
+    json["stalled"]["below"] = r.study.stall_speed();
+  }
   json["undecided"] = share(r.undecided);
   json["diverged"] = share(r.diverged);
   json["failed"] = share(r.failed);
   json["confidence"] = 0.95;
+  if (r.transients) json["transients"] = transient_json(*r.transients, r.study);
   json["balanced_stable"] = r.balanced_stable;
   json["note"] = r.note;
   json["seconds"] = r.seconds;

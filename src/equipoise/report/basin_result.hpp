@@ -9,6 +9,7 @@
 
 #include "equipoise/attractors/fate.hpp"
 #include "equipoise/ensemble/sampling.hpp"
+#include "equipoise/report/transient_result.hpp"
 #include "equipoise/statistics/share.hpp"
 #include "equipoise/study/study.hpp"
 
@@ -39,11 +40,13 @@ struct BasinResult {
   std::uint64_t resumed_from = 0;          ///< starts read from an earlier run's file
   std::vector<AttractorShare> attractors;  ///< by identifier; balanced is always the first
   Share undecided, diverged, failed;
-  double half_width = 0.0;               ///< asked for; 0: none
-  std::optional<SamplingChoice> choice;  ///< if the method was left open
-  std::optional<JitteredGrid> grid;      ///< for that method
-  bool balanced_stable = false;          ///< a linearly stable balanced state exists at the final speed
-  std::string note;                      ///< why no start can end balanced, if so
+  std::optional<Share> stalled;               ///< of a driven rotor: its motor did not bring it to stall_speed()
+  std::optional<TransientResult> transients;  ///< if they were gathered
+  double half_width = 0.0;                    ///< asked for; 0: none
+  std::optional<SamplingChoice> choice;       ///< if the method was left open
+  std::optional<JitteredGrid> grid;           ///< for that method
+  bool balanced_stable = false;               ///< a linearly stable balanced state exists at the final speed
+  std::string note;                           ///< why no start can end balanced, if so
   int threads = 0;
   std::string cpu_target;
   double seconds = 0.0, cpu_seconds = 0.0;  ///< of this run, discovery included

@@ -1,6 +1,7 @@
 // Numbers and studies as text.
 #include "equipoise/report/text.hpp"
 
+#include <cmath>
 #include <optional>
 #include <sstream>
 
@@ -8,6 +9,7 @@
 #include <nlohmann/json.hpp>
 #include <toml++/toml.h>
 
+#include "equipoise/base/angles.hpp"
 #include "equipoise/report/engineering.hpp"
 
 namespace equipoise {
@@ -37,13 +39,54 @@ class Shown {
   const std::optional<model::Scales>& scales_;
 };
 
+std::string motor_text(const Study& study) {
+  const TorqueSetting& t = study.speed.torque;
+  using Kind = model::MotorLaw::Kind;
+  std::string law;
+  if (t.by_stall)
+    law = fmt::format("torque {:.6g} at rest, 0 at {}", t.stall, rotor_speed_text(study, t.no_load_speed));
+  else if (t.kind == Kind::table)
+    law = fmt::format("torque by {} points in time", t.times.size());
+  else if (t.kind == Kind::control)
+    law = fmt::format("speed control to {}, gain {:.6g}, integral {:.6g}{}",
+                      rotor_speed_text(study, study.motor().target.final_speed()), t.gain, t.integral,
+                      t.limit ? fmt::format(", torque at most {:.6g}", *t.limit) : "");
+  else
+    law = fmt::format("torque {:.6g} {:+.6g} psi'{}", t.constant, t.slope,
+                      t.until ? fmt::format(" until t = {:.6g}", *t.until) : "");
+  return fmt::format("driven from {}: {}; inertia {:.6g}", rotor_speed_text(study, study.speed.initial), law,
+                     study.parameters.inertia);
+}
+
+// What goes beyond the isotropic, horizontal rotor with balls that meet nothing but drag; empty if nothing does.
+std::string more_text(const model::Parameters& p) {
+  std::string text;
+  const auto add = [&](const std::string& part) { text += (text.empty() ? "" : "; ") + part; };
+  if (p.stiffness[0] != p.stiffness[1]) add(fmt::format("stiffness [{:.6g}, {:.6g}]", p.stiffness[0], p.stiffness[1]));
+  if (p.damping[0] != p.damping[1]) add(fmt::format("damping [{:.6g}, {:.6g}]", p.damping[0], p.damping[1]));
+  if (p.gravity != 0.0) add(fmt::format("gravity {:.6g}", p.gravity));
+  if (!p.race_is_centred()) add(fmt::format("race offset [{:.6g}, {:.6g}]", p.race_offset[0], p.race_offset[1]));
+  if (p.balls_collide())
+    add(fmt::format("balls touch at {:.6g} rad, restitution {:.6g}", p.contact_angle, p.restitution));
+  if (p.balls_stick()) add(fmt::format("rolling resistance {:.6g}, stiction {:.6g}", p.rolling[0], p.stiction[0]));
+  return text.empty() ? "" : text + "\n";
+}
+
+std::string units_text(const Study& study) {
+  if (!study.scales) return "";
+  return fmt::format("units: M = {:.6g} kg, R = {:.6g} mm, omega_c = {:.6g} rad/s ({:.6g} rpm)\n", study.scales->mass,
+                     1e3 * study.scales->length, study.scales->frequency, study.scales->frequency * 30.0 / pi);
+}
+
 std::string speed_text(const Study& study) {
   const SpeedSetting& s = study.speed;
   const Shown shown(study);
   const auto speed = [&](double value) { return shown(value, Dimension::speed); };
   const auto time = [&](double value) { return shown(value, Dimension::time); };
   std::string text;
-  if (s.profile == "constant")
+  if (s.driven())
+    text = motor_text(study);
+  else if (s.profile == "constant")
     text = fmt::format("constant speed {}", speed(s.speed));
   else if (s.profile == "ramp")
     text = fmt::format("ramp {} to {} in {}", speed(s.initial), speed(s.final), time(s.duration));
@@ -52,9 +95,12 @@ std::string speed_text(const Study& study) {
                        time(s.rise_until), time(s.hold_until), speed(s.final), time(s.fall_until));
   else
     text = fmt::format("{} speed points to {} at {}", s.times.size(), speed(s.speeds.back()), time(s.times.back()));
-  if (const double release = study.release_time(); release > 0.0)
+  const double release = study.release_time();
+  if (std::isinf(release))
+    text += fmt::format(", balls released at {}", rotor_speed_text(study, *study.release.speed));
+  else if (release > 0.0)
     text += ", balls released at t = " + (study.scales ? time(release) : fmt::format("{:.6g}", release));
-  if (s.profile != "constant")
+  if (s.profile != "constant" && !s.driven())
     text += s.law == model::SpeedLaw::published ? "; PUBLISHED speed law, psi = t Omega(t)"
                                                 : "; kinematic speed law, psi' = Omega(t)";
   return text;
@@ -86,10 +132,12 @@ std::string study_heading(const Study& study) {
                       p.balls == 1 ? "" : "s", shown.list(p.mass.data(), nullptr, p.balls, same, Dimension::mass),
                       shown.list(p.drag.data(), p.mass.data(), p.balls, same, Dimension::gain),
                       shown(p.eccentricity, Dimension::length), shown(p.damping[0], Dimension::damping));
-  if (study.scales)
-    text += fmt::format("critical speed {}; times below are in units of {}\n", shown(1.0, Dimension::speed),
-                        shown(1.0, Dimension::time));
-  return text + speed_text(study) + "\n\n";
+  return text + more_text(p) + speed_text(study) + "\n" + units_text(study) + "\n";
+}
+
+std::string rotor_speed_text(const Study& study, double speed) {
+  return study.scales ? fmt::format("{:.4g} rpm", speed * study.scales->frequency * 30.0 / pi)
+                      : fmt::format("{:.6g}", speed);
 }
 
 const char* name_of(model::SpeedLaw law) { return law == model::SpeedLaw::published ? "published" : "kinematic"; }

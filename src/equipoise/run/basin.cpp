@@ -18,8 +18,9 @@
 #include "equipoise/run/initial_state.hpp"
 #include "equipoise/run/lane_kernels.hpp"
 #include "equipoise/run/sampling_choice.hpp"
-#include "equipoise/run/start_runner.hpp"
+#include "equipoise/run/runner.hpp"
 #include "equipoise/run/tally.hpp"
+#include "equipoise/run/transient_tally.hpp"
 #include "equipoise/store/basin_file.hpp"
 
 namespace equipoise {
@@ -35,6 +36,9 @@ struct Chunk {
   std::vector<double> phi;
   std::vector<Fate> fates;
   std::vector<UnlistedStart> unlisted;
+  std::vector<TransientRow> transients;  // none unless asked for
+
+  const TransientRow* row(std::size_t place) const { return transients.empty() ? nullptr : &transients[place]; }
 };
 
 // Large enough that lanes seldom wait for a chunk's last trajectory, small enough that every thread gets many.
@@ -68,14 +72,15 @@ class BasinRun {
   BasinResult run() {
     const auto begin = std::chrono::steady_clock::now();
     const double cpu_begin = cpu_now();
-    check_decidable(result_.study);
+    check_runnable(result_.study);
     sample();
     result_.starts = tally_->total();
     result_.partial = !finished_;
     result_.grid = sampler_->grid();
     count_outcomes();
-    result_.balanced_stable = runner_->balanced().stable;
-    result_.note = runner_->balanced().note;
+    const BalanceNote balance = runner_->balance();
+    result_.balanced_stable = balance.stable;
+    result_.note = balance.note;
     result_.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
     result_.cpu_seconds = cpu_now() - cpu_begin;
     if (file_) file_->finish(to_toml(result_.study), summary(), finished_, {result_.seconds, result_.cpu_seconds});
@@ -120,8 +125,10 @@ class BasinRun {
 
   void make_runner() {
     const Study& study = result_.study;
-    runner_.emplace(study, DiscoverySettings{threads_, options_.stop, options_.seeds, &discoveries_});
+    runner_ = equipoise::make_runner(study, DiscoverySettings{threads_, options_.stop, options_.seeds, &discoveries_},
+                                     options_.transients);
     tally_.emplace(*sampler_, study.sampling.seed, runner_->settled());
+    transients_.emplace(study, *sampler_);
     filed_.clear();
     for (const Attractor& a : runner_->catalogue().attractors()) filed_.insert(a.id);
   }
@@ -159,7 +166,8 @@ class BasinRun {
 
   void open_file() {
     if (!options_.output.empty())
-      file_ = std::make_unique<BasinFile>(options_.output, basin_file_header(result_.study, options_.store_angles));
+      file_ = std::make_unique<BasinFile>(options_.output,
+                                          basin_file_header(result_.study, options_.store_angles, options_.transients));
   }
 
   void count_outcomes() {
@@ -167,10 +175,17 @@ class BasinRun {
       Attractor none{balanced_id, "balanced", "", {}, false};
       result_.attractors.push_back(tally_->share(none));
     }
-    for (const Attractor& a : runner_->catalogue().attractors()) result_.attractors.push_back(tally_->share(a));
+    for (const Attractor& a : runner_->catalogue().attractors()) {
+      AttractorShare share = tally_->share(a);
+      // Kinds of motion that a machine might come to are told only if one did.
+      if (share.share.count > 0 || a.id == balanced_id || a.motion.kind != MotionKind::measured)
+        result_.attractors.push_back(std::move(share));
+    }
     result_.undecided = tally_->share(Outcome::undecided);
     result_.diverged = tally_->share(Outcome::diverged);
     result_.failed = tally_->share(Outcome::failed);
+    if (result_.study.speed.driven()) result_.stalled = tally_->share(Outcome::stalled);
+    if (options_.transients) result_.transients = transients_->result(runner_->catalogue());
     if (result_.choice && result_.choice->method == SamplingMethod::sobol)  // known better by now
       result_.choice->random_starts = random_starts_for(tally_->shares(), options_.half_width);
   }
@@ -181,6 +196,7 @@ class BasinRun {
     lines.push_back({undecided_code, "undecided", "", result_.undecided});
     lines.push_back({diverged_code, "diverged", "", result_.diverged});
     lines.push_back({failed_code, "failed", "", result_.failed});
+    if (result_.stalled) lines.push_back({stalled_code, "stalled", "", *result_.stalled});
     return lines;
   }
 
@@ -191,16 +207,19 @@ class BasinRun {
         filed_.insert(runner_->list(runner_->follow(state)));
     const std::uint64_t stored = file_ ? std::min(file_->stored(), limit_) : 0;
     constexpr std::size_t block = 65536;
-    for (std::uint64_t first = 0; first < stored && !finished_; first += block)
-      for (const Fate& fate : file_->read(first, std::min<std::uint64_t>(block, stored - first))) {
-        if (finished_) break;
-        take(fate);
-      }
+    for (std::uint64_t first = 0; first < stored && !finished_; first += block) {
+      const std::size_t count = std::min<std::uint64_t>(block, stored - first);
+      const std::vector<Fate> fates = file_->read(first, count);
+      const std::vector<TransientRow> rows =
+          options_.transients ? file_->read_transients(first, count) : std::vector<TransientRow>{};
+      for (std::size_t i = 0; i < count && !finished_; ++i) take(fates[i], rows.empty() ? nullptr : &rows[i]);
+    }
     result_.resumed_from = tally_->total();
   }
 
-  void take(const Fate& fate) {
+  void take(const Fate& fate, const TransientRow* row) {
     tally_->add(fate);
+    if (row) transients_->add(fate, *row);
     // What a pilot has decided counts, whether or not less would have done.
     const std::uint64_t least = result_.choice ? result_.choice->pilot : 0;
     const bool may_end = options_.half_width > 0.0 && tally_->at_checkpoint() &&
@@ -229,8 +248,8 @@ class BasinRun {
       return chunk;
     };
     const auto decide = [&](std::shared_ptr<Chunk> chunk) {
-      chunk->complete =
-          !finished_ && runner_->run(chunk->first, chunk->count, chunk->phi, chunk->fates, chunk->unlisted);
+      chunk->complete = !finished_ && runner_->run(chunk->first, chunk->count, chunk->phi, chunk->fates,
+                                                   chunk->unlisted, options_.transients ? &chunk->transients : nullptr);
       return chunk;
     };
     tbb::task_arena arena(threads_);
@@ -259,7 +278,7 @@ class BasinRun {
       while (unlisted != chunk.unlisted.end() && unlisted->place < taken) ++unlisted;
       Fate& fate = chunk.fates[taken];
       if (unlisted != chunk.unlisted.end() && unlisted->place == taken) name_fate(fate, *unlisted);
-      take(fate);
+      take(fate, chunk.row(taken));
       ++taken;
     }
     if (file_) store(chunk, begin, taken);
@@ -281,7 +300,7 @@ class BasinRun {
     }
     const std::size_t balls = static_cast<std::size_t>(study.parameters.balls);
     file_->append(end - begin, chunk.phi.data() + begin * balls, chunk.fates.data() + begin, rotor.data(),
-                  phi_dot.data(), weight.data());
+                  phi_dot.data(), weight.data(), chunk.row(begin));
   }
 
   // A stationary motion that the rule does not list: what it is decides, whenever it was first met.
@@ -299,8 +318,9 @@ class BasinRun {
   std::uint64_t limit_ = 0;
   std::unique_ptr<BasinFile> file_;
   std::optional<Sampler> sampler_;
-  std::optional<StartRunner> runner_;
+  std::unique_ptr<Runner> runner_;
   std::optional<Tally> tally_;
+  std::optional<TransientTally> transients_;
   std::vector<std::shared_ptr<Chunk>> pilot_;
   std::set<int> filed_;  // motions known before the first start, or in the file
   std::atomic<bool> finished_{false}, lost_{false};
@@ -311,13 +331,20 @@ class BasinRun {
 
 int thread_count(int asked) { return asked > 0 ? asked : tbb::info::default_concurrency(); }
 
-BasinFileHeader basin_file_header(const Study& study, bool angles) {
+BasinFileHeader basin_file_header(const Study& study, bool angles, bool transients) {
   Study identity = study;  // all that decides the fate of start i
   const Sampler sampler = sampler_of(study);
   identity.sampling.starts = sampler.grid() ? sampler.grid()->starts() : 1;
-  BasinFileHeader header{to_toml(identity),          study.sampling.seed, study.parameters.balls, cpu_target(), angles,
-                         !study.sampling.box.empty()};
+  BasinFileHeader header;
+  header.study = to_toml(identity);
+  header.seed = study.sampling.seed;
+  header.balls = study.parameters.balls;
+  header.cpu_target = cpu_target();
+  header.angles = angles;
+  header.full_starts = !study.sampling.box.empty();
   header.method = sampler.method();
+  header.scales = study.scales;
+  if (transients) header.transients = transient_settings(study);
   return header;
 }
 
@@ -329,23 +356,26 @@ BasinResult basin(const Study& study, const BasinOptions& options, Catalogue* ca
 }
 
 StartReplay replay_start(const Study& study, std::uint64_t index, const BasinOptions& options) {
-  check_decidable(study);
+  check_runnable(study);
   const Sampler sampler = sampler_of(study);
   if (sampler.grid() && index >= sampler.grid()->starts())
     throw InputError(study.name, "start index", fmt::format("{}", index),
                      fmt::format("must be below {}, the starts of this grid", sampler.grid()->starts()));
-  StartRunner runner(study, {thread_count(options.threads), options.stop, options.seeds, options.discoveries});
+  const std::unique_ptr<Runner> runner = make_runner(
+      study, {thread_count(options.threads), options.stop, options.seeds, options.discoveries}, options.transients);
   std::vector<double> phi;
   std::vector<Fate> fates;
   std::vector<UnlistedStart> unlisted;
+  std::vector<TransientRow> rows;
   StartReplay replay;
   replay.index = index;
-  if (runner.stopped() || !runner.run(index, 1, phi, fates, unlisted))
+  if (runner->stopped() || !runner->run(index, 1, phi, fates, unlisted, options.transients ? &rows : nullptr))
     throw RunError("stopped before the start was decided");
   replay.start = start_of(study, study.sampling.seed, index);
   replay.fate = fates.front();
-  if (!unlisted.empty()) settle(replay.fate, runner.list(unlisted.front()));
-  if (const Attractor* a = runner.catalogue().find(replay.fate.attractor)) replay.name = a->name;
+  if (!rows.empty()) replay.transients = rows.front();
+  if (!unlisted.empty()) settle(replay.fate, runner->list(unlisted.front()));
+  if (const Attractor* a = runner->catalogue().find(replay.fate.attractor)) replay.name = a->name;
   return replay;
 }
 

@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -34,6 +35,7 @@ struct BasinOptions {
   std::string output;  ///< NetCDF file for per-start results; empty: none. An unfinished file of the same study is
                        ///< resumed, a finished one extended or simply read
   bool store_angles = true;  ///< in `output`
+  bool transients = false;   ///< gather the statistics of transients (study.limits says what for); `output` holds them
   /// States near motions known from elsewhere, each dimension(balls) numbers: rare attractors that pilot starts miss.
   std::vector<std::vector<double>> seeds;
   DiscoveryCache* discoveries = nullptr;  ///< shared by runs one after the other that end at the same speed; results do
@@ -47,14 +49,15 @@ struct BasinOptions {
 int thread_count(int asked);
 
 /// What the output file of a basin() says of its run.
-BasinFileHeader basin_file_header(const Study& study, bool angles);
+BasinFileHeader basin_file_header(const Study& study, bool angles, bool transients = false);
 
 /// One start replayed alone.
 struct StartReplay {
   std::uint64_t index = 0;
   InitialState start;  ///< state at t = 0
   Fate fate;
-  std::string name;  ///< of the attractor, empty if there is none
+  std::string name;                        ///< of the attractor, empty if there is none
+  std::optional<TransientRow> transients;  ///< if options.transients
 };
 
 /// Runs the ensemble: study.sampling.starts starts, or as many as options.half_width asks for. The outcome of start i

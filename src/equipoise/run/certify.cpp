@@ -37,7 +37,7 @@ StateProof prove(const model::Parameters& p, double speed, const BalancedTrap& t
 }  // namespace
 
 CertifyResult certify(const Study& study) {
-  check_decidable(study);
+  check_autonomous(study, "proofs");
   const model::Parameters& p = study.parameters;
   CertifyResult result;
   result.study = study;

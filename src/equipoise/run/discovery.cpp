@@ -5,6 +5,7 @@
 #include <array>
 #include <atomic>
 #include <cmath>
+#include <memory>
 #include <optional>
 
 #include <fmt/format.h>
@@ -15,11 +16,16 @@
 
 #include "equipoise/attractors/certificate.hpp"
 #include "equipoise/attractors/orbit_trap.hpp"
+#include "equipoise/attractors/motion_description.hpp"
 #include "equipoise/attractors/pilot.hpp"
+#include "equipoise/attractors/strobed_balance.hpp"
+#include "equipoise/attractors/strobed_trap.hpp"
+#include "equipoise/attractors/stroboscopic.hpp"
 #include "equipoise/attractors/window_features.hpp"
 #include "equipoise/base/angles.hpp"
 #include "equipoise/model/balanced_state.hpp"
 #include "equipoise/model/linearisation.hpp"
+#include "equipoise/model/strobe.hpp"
 #include "equipoise/run/lane_kernels.hpp"
 #include "equipoise/run/start_source.hpp"
 #include "equipoise/run/validated_level.hpp"
@@ -45,9 +51,12 @@ constexpr double loose_grouping = 0.3;
 // Groups that are followed, the largest first: more are the debris of a motion that does not settle.
 constexpr std::size_t most_groups = 24;
 
-// Boxes around what a motion does, widened by so many times its range: a wide one is entered sooner, and the audit makes
-// it ask for more hits. Whichever is satisfied first decides.
+// Boxes around what a motion does, widened by so many times its range: a wide one is entered sooner, and the audit
+// makes it ask for more hits. Whichever is satisfied first decides.
 constexpr std::array box_widths{1.0, 2.0, 4.0};
+
+// Half a window holds whole strobes, so that what repeats with the rotor looks the same in all of them.
+double whole_strobes(double window, double strobe) { return 2.0 * strobe * std::ceil(0.5 * window / strobe - 1e-9); }
 
 DecisionRule first_rule(const Study& study, const BalancedAnalysis& balanced, double final_speed) {
   DecisionRule rule;
@@ -58,6 +67,10 @@ DecisionRule first_rule(const Study& study, const BalancedAnalysis& balanced, do
   // Slow rotors move slowly: a window holds several revolutions of every motion met between 1.4 and 6.5 critical
   // speeds.
   rule.window = std::max(16.0, 32.0 / std::max(std::fabs(final_speed), 0.1));
+  if (model::is_strobed(study.parameters)) {
+    rule.window = whole_strobes(rule.window, model::strobe_period(study.parameters, final_speed));
+    rule.sag = model::static_sag(study.parameters);
+  }
   rule.first_long_window = std::max(100.0, 6.0 * rule.window);
   if (balanced.slowest_rate < 0.0) {
     // Long enough that whatever is only on its slow way to balance shrinks visibly from one window to the next.
@@ -88,13 +101,31 @@ struct Candidate {
 class Discoverer {
  public:
   Discoverer(const Study& study, const StartSource& source, const DiscoverySettings& settings)
-      : study_(study), source_(source), settings_(settings), speed_(source.last_segment().speed) {}
+      : study_(study),
+        source_(source),
+        settings_(settings),
+        speed_(source.last_segment().speed),
+        strobed_(model::is_strobed(study.parameters)) {}
 
   Discovery run() {
-    result_.balanced = analyse_balanced(study_.parameters, speed_);
-    list_balanced();
+    std::vector<Motion> balanced;
+    if (strobed_) {
+      StrobedBalance found = analyse_strobed_balance(study_.parameters, speed_);
+      result_.balanced = std::move(found.analysis);
+      family_ = std::move(found.family);
+      balanced = std::move(found.motions);
+      for (const Motion& motion : balanced)
+        result_.catalogue.add(study_.parameters, motion, continuum_dimension(study_.parameters) > 0);
+    } else {
+      result_.balanced = analyse_balanced(study_.parameters, speed_);
+      list_balanced();
+    }
     result_.rule = first_rule(study_, result_.balanced, speed_);
     result_.rule.blind = true;
+    if (strobed_) {
+      for (const Motion& motion : balanced) make_strobed_trap(motion, balanced_id);
+      result_.rule.strobed = traps_as_rule(study_.parameters, speed_, strobed_traps_, family_);
+    }
     if (!make_pilot() || !follow_pilot(scouts + coincident_starts)) return stopped();
     find_candidates();
     add_seeds();
@@ -227,7 +258,11 @@ class Discoverer {
 
   Eigen::VectorXd pilot_state(std::size_t i) const {
     const int size = model::dimension(study_.parameters.balls);
-    return Eigen::Map<const Eigen::VectorXd>(&pilot_.states[i * size], size);
+    const Eigen::Map<const Eigen::VectorXd> state(&pilot_.states[i * size], size);
+    if (!strobed_) return state;
+    const auto strobed =
+        at_next_strobe(study_.parameters, speed_, state, source_.last_segment().psi_at(pilot_.fates[i].time));
+    return strobed.value_or(state);
   }
 
   // Groups of trajectories that the rule cannot name yet: stationary ones, and ones that neither settled nor came to
@@ -271,16 +306,32 @@ class Discoverer {
           },
           tbb::simple_partitioner());
     });
-    const std::size_t listed = result_.catalogue.attractors().size();
+    const std::vector<Attractor> before = result_.catalogue.attractors();
     for (Candidate& c : candidates_) {
       if (!c.motion || !c.motion->stable) continue;
       c.attractor = result_.catalogue.add(study_.parameters, *c.motion);
-      if (c.members.empty() || c.attractor == balanced_id) continue;
+      if (c.members.empty() || (c.attractor == balanced_id && !strobed_)) continue;
       result_.rule.known.push_back({c.features, c.attractor, c.motion->kind == MotionKind::chaotic});
     }
-    for (std::size_t k = listed; k < result_.catalogue.attractors().size(); ++k)
-      make_orbit_traps(result_.catalogue.attractors()[k]);
+    if (!strobed_) {
+      for (std::size_t k = before.size(); k < result_.catalogue.attractors().size(); ++k)
+        make_orbit_traps(result_.catalogue.attractors()[k]);
+      return !is_stopped();
+    }
+    for (const Attractor& a : result_.catalogue.attractors())
+      if (std::none_of(before.begin(), before.end(), [&](const Attractor& b) { return b.id == a.id; }))
+        make_strobed_trap(a.motion, a.id);
+    result_.rule.strobed = traps_as_rule(study_.parameters, speed_, strobed_traps_, family_);
     return !is_stopped();
+  }
+
+  void make_strobed_trap(const Motion& motion, int id) {
+    constexpr int most_strobes = 8;  // all of them are compared with every state
+    const bool continuum = motion.kind == MotionKind::equilibrium && continuum_dimension(study_.parameters) > 0;
+    if (!motion.stable || continuum || motion.strobes == 0 || motion.strobes > most_strobes) return;
+    auto trap = strobed_trap(study_.parameters, speed_, motion, id);
+    if (trap && validate(*trap, trial_settings(), slowest_strobed_rate(motion)))
+      strobed_traps_.push_back(std::make_shared<StrobedTrap>(*std::move(trap)));
   }
 
   void make_orbit_traps(const Attractor& a) {
@@ -305,7 +356,7 @@ class Discoverer {
     for (const double widths : box_widths)
       for (const Candidate& c : candidates_) {
         const Attractor* a = result_.catalogue.find(c.attractor);
-        if (!a || c.attractor == balanced_id) continue;
+        if (!a || (c.attractor == balanced_id && !strobed_)) continue;
         // A refined orbit vouches for a lone member.
         if (c.members.size() < (a->motion.kind == MotionKind::periodic ? 1 : members_needed)) continue;
         const FeatureBox box = box_around(c.range, rule.balls, c.attractor, widths);
@@ -340,7 +391,10 @@ class Discoverer {
   const StartSource& source_;
   const DiscoverySettings& settings_;
   double speed_;
+  bool strobed_;
   Discovery result_;
+  std::vector<std::shared_ptr<const StrobedTrap>> strobed_traps_;
+  StrobedFamilyTest family_;
   Pilot pilot_;
   std::vector<Candidate> candidates_;
 };

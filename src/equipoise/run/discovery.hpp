@@ -26,7 +26,8 @@ struct DiscoverySettings {
 };
 
 /// Everything found before the first start is decided. Depends on the rotor, its final speed, [numerics] and
-/// settings.seeds alone: not on how the speed is reached, so that all spin-ups to one speed share it.
+/// settings.seeds alone (each state where the rotor's angle is 0, if that matters): not on how the speed is reached, so
+/// that all spin-ups to one speed share it.
 struct Discovery {
   BalancedAnalysis balanced;
   Catalogue catalogue;
@@ -41,7 +42,8 @@ struct DiscoveryCache {
 
 /// Analyses the balanced states; runs pilot starts, free from rest at the final speed, and starts in the invariant
 /// subspace of coincident balls until they are stationary; follows, refines and names one of each group; makes traps
-/// and boxes and tries them. Starts that come to something else later are followed and listed by StartRunner.
+/// and boxes and tries them. With anisotropic supports or gravity motions are strobed ones. Starts that come to
+/// something else later are followed and listed by StartRunner.
 Discovery discover(const Study& study, const DiscoverySettings& settings);
 
 }  // namespace equipoise

@@ -37,9 +37,7 @@ std::optional<double> last_time(const RampSetting& s) {
 
 std::optional<double> final_speed(const Study& study) {
   if (!study.speed.driven()) return last_speed(study.speed);
-  if (study.speed.torque.kind == "control") return last_speed(study.speed.torque.target);
-  if (study.speed.torque.kind == "stall") return study.speed.torque.no_load_speed;
-  return std::nullopt;
+  return study.motor().final_speed();
 }
 
 // The table of quantities, in the order of the study's tables.
@@ -135,14 +133,15 @@ class Quantities {
   void motor() {
     const TorqueSetting& t = study_.speed.torque;
     add("psi'(0)", "initial speed", study_.speed.initial, Dimension::speed);
-    if (t.kind == "linear") {
+    using Kind = model::MotorLaw::Kind;
+    if (t.by_stall) {
+      add("tau_0", "motor torque at rest", t.stall, Dimension::torque);
+      add("Omega_n", "no-load speed", t.no_load_speed, Dimension::speed);
+    } else if (t.kind == Kind::linear) {
       add("tau_0", "motor torque at rest", t.constant, Dimension::torque);
       add("slope", "motor torque for a speed", t.slope, Dimension::gain);
       if (t.until) add("until", "motor off at", *t.until, Dimension::time);
-    } else if (t.kind == "stall") {
-      add("tau_0", "motor torque at rest", t.stall, Dimension::torque);
-      add("Omega_n", "no-load speed", t.no_load_speed, Dimension::speed);
-    } else if (t.kind == "table") {
+    } else if (t.kind == Kind::table) {
       add("tau_max", "largest motor torque", *std::max_element(t.values.begin(), t.values.end()), Dimension::torque);
     } else {
       add("K_p", "control gain", t.gain, Dimension::gain);
@@ -340,7 +339,10 @@ Explanation explain(const Study& study, const BallDetails& balls) {
     e.critical_with_balls[i] = std::sqrt(p.stiffness[i] / (1.0 + p.total_mass()));
   }
   e.speed = final_speed(study);
-  e.spin_up = study.speed.driven() ? last_time(study.speed.torque.target) : last_time(study.speed);
+  e.spin_up = study.speed.driven()
+                  ? (study.speed.torque.kind == model::MotorLaw::Kind::control ? last_time(study.speed.torque.target)
+                                                                               : std::nullopt)
+                  : last_time(study.speed);
   const double heaviest = *std::max_element(p.mass.begin(), p.mass.begin() + p.balls);
   e.largest_unbalance = p.total_mass();
   e.least_unbalance = std::max(0.0, 2.0 * heaviest - p.total_mass());

@@ -32,8 +32,8 @@ template <int n>
 bool decide_general_balls(const LaneTask& task, const DecisionRule& rule, std::vector<Fate>& fates,
                           std::vector<PilotRecord>* pilot) {
   using Flow = FreeFlow<Pack, n, Terms{false, true, true}>;
-  using Observer = DecideFate<n, lane_groups<n>>;
-  const auto observer = std::make_unique<Observer>(*task.parameters, rule, fates, pilot);
+  using Observer = DecideFate<n, lane_groups<n>, true>;
+  const auto observer = std::make_unique<Observer>(*task.parameters, task.segment, rule, fates, pilot);
   const auto block = std::make_unique<LaneBlock<Flow, Observer, lane_groups<n>>>(
       task, Flow(*task.parameters, task.segment), *observer);
   return block->run();

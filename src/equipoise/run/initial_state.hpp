@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cstdint>
 
+#include "equipoise/base/angles.hpp"
 #include "equipoise/ensemble/sampling.hpp"
 #include "equipoise/study/study.hpp"
 
@@ -36,6 +37,20 @@ inline Sampler sampler_of(const Study& study) {
           balls_exchange(study)};
 }
 
+/// From angles drawn evenly to angles of balls that do not overlap, drawn evenly among all such: the gaps beyond
+/// touching are those of the angles drawn, shrunk to the room that the balls leave.
+inline void make_room(const model::Parameters& p, double* phi) {
+  const double room = (two_pi - p.balls * p.contact_angle) / two_pi;
+  int place[model::max_balls];
+  for (int i = 1; i < p.balls; ++i) {
+    place[i] = 1;
+    for (int j = 1; j < p.balls; ++j)
+      if (wrapped_positive(phi[j] - phi[0]) < wrapped_positive(phi[i] - phi[0])) ++place[i];
+  }
+  for (int i = 1; i < p.balls; ++i)
+    phi[i] = wrapped_positive(phi[0] + wrapped_positive(phi[i] - phi[0]) * room + place[i] * p.contact_angle);
+}
+
 /// [initial] of `study` with the ball angles of start `index` of `seed`, and what [sampling.box] asks for. `sampler` is
 /// sampler_of(study).
 inline InitialState start_of(const Study& study, const Sampler& sampler, std::uint64_t seed, std::uint64_t index) {
@@ -43,6 +58,7 @@ inline InitialState start_of(const Study& study, const Sampler& sampler, std::ui
   const SamplingBox& box = study.sampling.box;
   InitialState s = study.initial;
   sampler.angles(seed, index, s.phi.data());
+  if (study.parameters.balls_collide()) make_room(study.parameters, s.phi.data());
   if (box.empty()) return s;
   double fractions[4 + model::max_balls];
   bool drawn[4 + model::max_balls] = {box.x.has_value(), box.y.has_value(), box.x_dot.has_value(),

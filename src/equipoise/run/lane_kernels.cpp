@@ -7,6 +7,7 @@
 
 #include "equipoise/model/ball_count.hpp"
 #include "equipoise/run/general_kernels.hpp"
+#include "equipoise/run/transient_kernels.hpp"
 
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "equipoise/run/lane_kernels.cpp"
@@ -47,7 +48,7 @@ bool decide_balls(const LaneTask& task, const DecisionRule& rule, std::vector<Fa
                   std::vector<PilotRecord>* pilot) {
   using Flow = FreeFlow<Pack, n, Terms{false, false, false}>;
   using Observer = DecideFate<n, lane_groups<n>>;
-  const auto observer = std::make_unique<Observer>(*task.parameters, rule, fates, pilot);
+  const auto observer = std::make_unique<Observer>(*task.parameters, task.segment, rule, fates, pilot);
   const auto block = std::make_unique<LaneBlock<Flow, Observer, lane_groups<n>>>(
       task, Flow(*task.parameters, task.segment), *observer);
   return block->run();
@@ -121,6 +122,7 @@ std::string name_of(std::int64_t target) {
 }  // namespace
 
 bool advance_lanes(const LaneTask& task, std::vector<Fate>& fates) {
+  if (task.transients) return advance_transient_lanes(task, fates);
   if (task.general()) return advance_general_lanes(task, fates);
   return HWY_DYNAMIC_DISPATCH(advance_target)(task, fates);
 }
@@ -131,6 +133,7 @@ bool watch_lanes(const LaneTask& task, const RadiusWindows& record) {
 
 bool decide_lanes(const LaneTask& task, const DecisionRule& rule, std::vector<Fate>& fates,
                   std::vector<PilotRecord>* pilot) {
+  if (task.transients && !pilot) return decide_transient_lanes(task, rule, fates);
   if (task.general()) return decide_general_lanes(task, rule, fates, pilot);
   return HWY_DYNAMIC_DISPATCH(decide_target)(task, rule, fates, pilot);
 }

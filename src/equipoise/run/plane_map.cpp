@@ -114,7 +114,7 @@ class Mapper {
         throw InputError("map", "links", fmt::format("phi_{} = phi_{} + {}", link.ball, link.of, link.offset),
                          fmt::format("must name two different balls from 1 to {}", map_.study.parameters.balls));
     for (const int column : {0, map_.x.pixels - 1})
-      for (const int row : {0, map_.y.pixels - 1}) check_decidable(study_at(column, row));
+      for (const int row : {0, map_.y.pixels - 1}) check_autonomous(study_at(column, row), "maps");
   }
 
   void prepare() {

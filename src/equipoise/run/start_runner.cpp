@@ -3,31 +3,65 @@
 
 #include <fmt/format.h>
 
+#include "equipoise/attractors/stroboscopic.hpp"
+#include "equipoise/model/strobe.hpp"
 #include "equipoise/run/lane_kernels.hpp"
+#include "equipoise/run/transient_tally.hpp"
 
 namespace equipoise {
 
 void check_decidable(const Study& study) {
   check(study);
+  if (!model::is_strobed(study.parameters)) return;
+  const std::string& profile = study.speed.profile;
+  if (study.speed_profile().final_speed() == 0.0)
+    throw InputError(study.name,
+                     profile == "constant" ? "speed.speed"
+                     : profile == "points" ? "speed.speeds"
+                                           : "speed.final",
+                     "0",
+                     "basins and attractors need a rotor that turns in the end (other than 0) where supports are "
+                     "anisotropic or gravity acts");
+  if (study.numerics.decide == DecideMode::proof)
+    throw InputError(study.name, "numerics.decide", "proof",
+                     "with anisotropic supports or gravity there are no proofs: use \"validated\" or \"horizon\"");
+}
+
+void check_autonomous(const Study& study, const char* asked) {
+  check(study);
+  if (study.needs_machine())
+    throw InputError(study.name, study.speed.driven() ? "speed.profile" : "balancer",
+                     study.speed.driven() ? "torque" : "",
+                     fmt::format("{} need a prescribed speed, a centred race and balls without contact, rolling "
+                                 "resistance or stiction (simulate and basin take all)",
+                                 asked));
   const model::Parameters& p = study.parameters;
   if (!p.isotropic()) {
     const bool stiffness = p.stiffness[0] != p.stiffness[1];
     const auto& v = stiffness ? p.stiffness : p.damping;
     throw InputError(study.name, stiffness ? "rotor.stiffness" : "rotor.damping", fmt::format("[{}, {}]", v[0], v[1]),
-                     "basins and attractors need equal values in x and y (simulate takes both)");
+                     fmt::format("{} need equal values in x and y (simulate, basin and attractors take both)", asked));
   }
   if (p.gravity != 0.0)
     throw InputError(study.name, "rotor.gravity", fmt::format("{}", p.gravity),
-                     "basins and attractors need gravity 0 (simulate takes any)");
+                     fmt::format("{} need gravity 0 (simulate, basin and attractors take any)", asked));
 }
 
-StartRunner::StartRunner(const Study& study, const DiscoverySettings& settings)
-    : study_(study), stop_(settings.stop), source_(study, settings.stop), discovery_(discover(study_, settings)) {}
+StartRunner::StartRunner(const Study& study, const DiscoverySettings& settings, bool transients)
+    : study_(study),
+      stop_(settings.stop),
+      transients_(transient_settings(study)),
+      source_(study, settings.stop),
+      discovery_(discover(study_, settings)) {
+  if (transients) source_.watch(transients_);
+}
 
 bool StartRunner::run(std::uint64_t first, std::size_t count, std::vector<double>& phi, std::vector<Fate>& fates,
-                      std::vector<UnlistedStart>& unlisted) const {
+                      std::vector<UnlistedStart>& unlisted, std::vector<TransientRow>* rows) const {
   std::vector<double> states;
-  if (!source_.make(study_.sampling.seed, first, count, phi, states, fates)) return false;
+  TransientTable table{transients_, {}};
+  TransientTable* transients = rows ? &table : nullptr;
+  if (!source_.make(study_.sampling.seed, first, count, phi, states, fates, transients)) return false;
   LaneTask task;
   task.parameters = &study_.parameters;
   task.segment = source_.last_segment();
@@ -36,6 +70,7 @@ bool StartRunner::run(std::uint64_t first, std::size_t count, std::vector<double
   task.count = count;
   task.states = states.data();
   task.stop = stop_;
+  task.transients = transients;
   std::vector<Fate> decided(count);
   if (!decide_lanes(task, discovery_.rule, decided, nullptr)) return false;
   const std::size_t size = model::dimension(study_.parameters.balls);
@@ -44,11 +79,27 @@ bool StartRunner::run(std::uint64_t first, std::size_t count, std::vector<double
     if (fates[i].outcome != Outcome::undecided) continue;  // lost on an earlier branch, and stays lost
     fates[i] = decided[i];
     if (fates[i].outcome == Outcome::attracted && fates[i].attractor == 0) {
-      unlisted.push_back(follow({states.data() + i * size, states.data() + (i + 1) * size}));
+      unlisted.push_back(follow(when_recognised({states.data() + i * size, states.data() + (i + 1) * size}, fates[i])));
       unlisted.back().place = i;
     }
   }
+  if (!rows) return true;
+  rows->clear();
+  for (std::size_t i = 0; i < count; ++i) {
+    const bool lost = fates[i].outcome == Outcome::diverged || fates[i].outcome == Outcome::failed;
+    rows->push_back(transient_row(transients_, table.rows[i], lost));
+  }
   return true;
+}
+
+// The state from which a start is followed further: with anisotropy or gravity one at a strobe, so that it needs no
+// angle beside it.
+std::vector<double> StartRunner::when_recognised(const std::vector<double>& state, const Fate& fate) const {
+  if (!model::is_strobed(study_.parameters)) return state;
+  const model::Segment& segment = source_.last_segment();
+  const Eigen::Map<const Eigen::VectorXd> z(state.data(), static_cast<Eigen::Index>(state.size()));
+  const auto at_strobe = at_next_strobe(study_.parameters, segment.speed, z, segment.psi_at(fate.time));
+  return at_strobe ? std::vector<double>(at_strobe->begin(), at_strobe->end()) : state;
 }
 
 UnlistedStart StartRunner::follow(const std::vector<double>& state) const {

@@ -28,6 +28,14 @@ StartSource::StartSource(const Study& study, std::vector<model::Segment> segment
   if (status != IntegrationStatus::done) throw RunError("the clamped spin-up could not be integrated");
 }
 
+void StartSource::watch(const TransientSettings& settings) {
+  if (first_free_ == 0) return;
+  double z[max_dimension];
+  initial_state(study_.initial, study_.parameters.balls, segments_.front().speed, z);
+  clamped_ =
+      ClampedTransients(study_.parameters, segments_, {z[0], z[1], z[2], z[3]}, default_simulate_tolerance, settings);
+}
+
 // The state when the balls become free.
 void StartSource::place(const InitialState& start, double* state) const {
   initial_state(start, study_.parameters.balls, segments_.front().speed, state);
@@ -35,16 +43,18 @@ void StartSource::place(const InitialState& start, double* state) const {
 }
 
 bool StartSource::make(std::uint64_t seed, std::uint64_t first, std::size_t count, std::vector<double>& phi,
-                       std::vector<double>& states, std::vector<Fate>& fates) const {
+                       std::vector<double>& states, std::vector<Fate>& fates, TransientTable* transients) const {
   const int balls = study_.parameters.balls, size = model::dimension(balls);
   phi.clear();
+  if (transients) transients->rows.clear();
   states.assign(count * static_cast<std::size_t>(size), 0.0);
   for (std::size_t i = 0; i < count; ++i) {
     const InitialState start = start_of(study_, sampler_, seed, first + i);
     phi.insert(phi.end(), start.phi.begin(), start.phi.begin() + balls);
     place(start, &states[i * static_cast<std::size_t>(size)]);
+    if (transients) transients->rows.push_back(clamped_.sums(study_.parameters, start.phi.data()));
   }
-  return advance(states, fates);
+  return advance(states, fates, transients);
 }
 
 void StartSource::release(const std::vector<double>& phi, std::vector<double>& states) const {
@@ -82,10 +92,12 @@ bool StartSource::follow(const std::vector<double>& phi, std::vector<double>& st
 }
 
 // From where the balls become free to settled().
-bool StartSource::advance(std::vector<double>& states, std::vector<Fate>& fates) const {
+bool StartSource::advance(std::vector<double>& states, std::vector<Fate>& fates, TransientTable* transients) const {
   fates.assign(states.size() / model::dimension(study_.parameters.balls), Fate{});
   for (std::size_t k = first_free_; k + 1 < segments_.size(); ++k) {
-    if (!advance_lanes(task(k, states), fates)) return false;
+    LaneTask branch = task(k, states);
+    branch.transients = transients;
+    if (!advance_lanes(branch, fates)) return false;
     cross(k, states);
   }
   return true;

@@ -6,6 +6,7 @@
 
 #include "equipoise/attractors/fate.hpp"
 #include "equipoise/base/error.hpp"
+#include "equipoise/ensemble/clamped_transients.hpp"
 #include "equipoise/ensemble/lane_task.hpp"
 #include "equipoise/ensemble/sampling.hpp"
 #include "equipoise/integrate/clamped.hpp"
@@ -19,14 +20,17 @@ class StartSource {
  public:
   /// Integrates the clamped spin-up, which all starts share.
   StartSource(const Study& study, const StopFlag* stop);
+  /// Prepares make() for tables with these settings.
+  void watch(const TransientSettings& settings);
   /// The same for a rotor that moves by `segments` instead of the study's [speed] and [release]: contiguous from 0, the
   /// clamped ones first, the last one free and without end.
   StartSource(const Study& study, std::vector<model::Segment> segments, const StopFlag* stop);
 
   /// Starts first .. first + count - 1 of `seed`: ball angles into `phi`, states at settled() into `states`, both
-  /// row-major; fates[i] says which were lost on the way. False if stopped early.
+  /// row-major; fates[i] says which were lost on the way. False if stopped early. `transients`, if given, receives a
+  /// row for each start up to there; its settings are those of watch().
   bool make(std::uint64_t seed, std::uint64_t first, std::size_t count, std::vector<double>& phi,
-            std::vector<double>& states, std::vector<Fate>& fates) const;
+            std::vector<double>& states, std::vector<Fate>& fates, TransientTable* transients = nullptr) const;
   /// The same for given ball angles, all else as in [initial]: phi.size() / balls starts.
   bool follow(const std::vector<double>& phi, std::vector<double>& states, std::vector<Fate>& fates) const;
 
@@ -48,7 +52,7 @@ class StartSource {
 
  private:
   void place(const InitialState& start, double* state) const;
-  bool advance(std::vector<double>& states, std::vector<Fate>& fates) const;
+  bool advance(std::vector<double>& states, std::vector<Fate>& fates, TransientTable* transients = nullptr) const;
 
   Study study_;
   Sampler sampler_;
@@ -56,6 +60,7 @@ class StartSource {
   std::vector<model::Segment> segments_;
   std::size_t first_free_ = 0;
   ClampedBasis basis_;
+  ClampedTransients clamped_;
   double tolerance_;
 };
 

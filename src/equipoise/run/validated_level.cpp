@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <atomic>
 #include <cmath>
+#include <memory>
 #include <random>
 #include <vector>
 
@@ -15,6 +16,7 @@
 #include "equipoise/attractors/fate.hpp"
 #include "equipoise/attractors/orbit_trap.hpp"
 #include "equipoise/base/angles.hpp"
+#include "equipoise/model/strobe.hpp"
 #include "equipoise/run/lane_kernels.hpp"
 
 namespace equipoise {
@@ -145,24 +147,74 @@ void set_level(BalancedTrap& trap, double level) {
   for (double& reach : trap.reach) reach *= stretch;
 }
 
-bool validate(std::vector<OrbitTrap>& copies, const TrialSettings& settings, double slowest_rate) {
-  // Slower ones are decided by windows: following the tries would take longer than the ensemble.
-  constexpr double slowest_worth_it = 2e-3, highest = 16.0;
+namespace {
+
+// Half the largest of a falling series of levels for which good(level, tries) holds; 0 if it never does. A few tries
+// find where to begin, all of them where to stop.
+template <class Good>
+double highest_good_level(double highest, Good&& good) {
   constexpr int rungs = 24;  // of a ladder of halvings
-  if (copies.empty() || !(slowest_rate < -slowest_worth_it)) return false;
-  const auto good = [&](int rung, std::size_t tries) {
-    return all_approach(copies.front(), settings, slowest_rate, std::ldexp(highest, -rung), tries);
-  };
-  // A few tries find where to begin, all of them where to stop.
   int low = -1, high = rungs;
   while (high - low > 1) {
     const int middle = (low + high) / 2;
-    (good(middle, few_tries) ? high : low) = middle;
+    (good(std::ldexp(highest, -middle), few_tries) ? high : low) = middle;
   }
-  while (high < rungs && !good(high, orbit_tries)) ++high;
-  if (high == rungs) return false;
-  for (OrbitTrap& trap : copies) set_level(trap, settings.parameters->balls, 0.5 * std::ldexp(highest, -high));
-  return true;
+  while (high < rungs && !good(std::ldexp(highest, -high), orbit_tries)) ++high;
+  return high == rungs ? 0.0 : 0.5 * std::ldexp(highest, -high);
+}
+
+// Slower ones are decided by windows: following the tries would take longer than the ensemble.
+constexpr double slowest_worth_it = 2e-3;
+
+// All of `tries` states on the level, a chunk each at angles and strobes spread over the orbit, come to the orbit.
+bool all_approach(const StrobedTrap& trap, const TrialSettings& settings, double slowest_rate, double level,
+                  std::size_t tries) {
+  const model::Parameters& p = *settings.parameters;
+  const int size = model::dimension(p.balls);
+  const auto row_of = [&](std::size_t first) {
+    return static_cast<int>(first / chunk) * 7 % (trap.strobes * trap.cells);
+  };
+  std::vector<double> states(tries * size);
+  Directions directions(size);
+  for (std::size_t i = 0; i < tries; ++i) {
+    const Eigen::VectorXd z = strobed_trap_state(p, trap, row_of(i), level, directions.next());
+    std::copy(z.begin(), z.end(), &states[i * size]);
+  }
+  auto close = std::make_shared<StrobedTrap>(trap);
+  close->level = come_close * level;
+  DecisionRule rule;
+  rule.balls = p.balls;
+  rule.strobed = traps_as_rule(p, settings.speed, {close}, {});
+  rule.first_long_window = 1e9;
+  const double end = 2.0 * std::log(1.0 / come_close) / (2.0 * -slowest_rate) + 200.0;
+  const double cell_angle = model::strobe_angle(p) / trap.cells * (settings.speed < 0.0 ? -1.0 : 1.0);
+  return all_chunks(tries, settings.threads, [&](std::size_t first, std::size_t count) {
+    LaneTask task = task_for(settings, end, count, &states[first * size]);
+    task.segment.psi = cell_angle * (row_of(first) % trap.cells);
+    return all_attracted(task, rule);
+  });
+}
+
+}  // namespace
+
+bool validate(std::vector<OrbitTrap>& copies, const TrialSettings& settings, double slowest_rate) {
+  constexpr double highest = 16.0;
+  if (copies.empty() || !(slowest_rate < -slowest_worth_it)) return false;
+  const double level = highest_good_level(highest, [&](double tried, std::size_t tries) {
+    return all_approach(copies.front(), settings, slowest_rate, tried, tries);
+  });
+  for (OrbitTrap& trap : copies)
+    if (level > 0.0) set_level(trap, settings.parameters->balls, level);
+  return level > 0.0;
+}
+
+bool validate(StrobedTrap& trap, const TrialSettings& settings, double slowest_rate) {
+  constexpr double highest = 4.0;
+  if (!(slowest_rate < -slowest_worth_it)) return false;
+  trap.level = highest_good_level(highest, [&](double level, std::size_t tries) {
+    return all_approach(trap, settings, slowest_rate, level, tries);
+  });
+  return trap.level > 0.0;
 }
 
 }  // namespace equipoise

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "equipoise/attractors/decision_rule.hpp"
+#include "equipoise/attractors/strobed_trap.hpp"
 #include "equipoise/base/error.hpp"
 #include "equipoise/model/parameters.hpp"
 
@@ -27,5 +28,8 @@ void set_level(BalancedTrap& trap, double level);
 /// Sets the level of an orbit's trap, and of its exchange copies alike: half the largest of a falling series of levels
 /// from which all of 2048 states came to the orbit. `slowest_rate`: of approach, negative. False if there is none.
 bool validate(std::vector<OrbitTrap>& copies, const TrialSettings& settings, double slowest_rate);
+
+/// The same for an orbit of a rotor with anisotropic supports or gravity.
+bool validate(StrobedTrap& trap, const TrialSettings& settings, double slowest_rate);
 
 }  // namespace equipoise

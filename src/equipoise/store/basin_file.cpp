@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstdlib>
 #include <filesystem>
+#include <limits>
 #include <optional>
 
 #include <fmt/format.h>
@@ -20,11 +21,16 @@ namespace equipoise {
 
 namespace {
 constexpr std::size_t chunk_length = 8192;
+constexpr float missing = NC_FILL_FLOAT;
 
 // What a file must share with a run for the run to add to it.
 std::string identity(const BasinFileHeader& header) {
-  return fmt::format("{}\n# seed {}\n# cpu target {}\n# version {}\n{}", header.study, header.seed, header.cpu_target,
-                     version_string, header.angles ? "" : "# without angles\n");
+  const auto& asked = header.transients;
+  return fmt::format("{}\n# seed {}\n# cpu target {}\n# version {}\n{}{}", header.study, header.seed, header.cpu_target,
+                     version_string, header.angles ? "" : "# without angles\n",
+                     asked ? fmt::format("# transients: displacement {}, settled {}, window {}\n", asked->displacement,
+                                         asked->settled, asked->window)
+                           : "");
 }
 }  // namespace
 
@@ -34,6 +40,8 @@ struct BasinFile::State {
   std::size_t balls = 2, stored = 0, discovered = 0;
   bool full_starts = false;
   SamplingMethod method = SamplingMethod::random;
+  bool transients = false;
+  std::array<int, transient_columns.size()> columns{};
   int weight = -1, kind_interval = -1, kind_effective = -1;
   int phi = -1, rotor = -1, phi_dot = -1, outcome = -1, time = -1, by = -1, discovery = -1;
   int kind_code = -1, kind_name = -1, kind_alias = -1, kind_count = -1, kind_share = -1, kind_low = -1, kind_high = -1;
@@ -42,6 +50,7 @@ struct BasinFile::State {
   void open(const BasinFileHeader& header);
   void define_full_starts(int start, int ball);
   void define_sampling(int start, int kind);
+  void define_transients(int start, const BasinFileHeader& header);
   void find_variables(bool angles);
 };
 
@@ -74,6 +83,26 @@ void BasinFile::State::define_sampling(int start, int kind) {
   f.compress(weight);
 }
 
+// Dimensionless like all else; a study in physical units says what the units are worth.
+void BasinFile::State::define_transients(int start, const BasinFileHeader& header) {
+  store::NetcdfFile& f = *file;
+  for (std::size_t k = 0; k < columns.size(); ++k) {
+    columns[k] = f.variable(transient_columns[k].name, NC_FLOAT, {start}, "1", transient_columns[k].long_name);
+    f.chunk(columns[k], {chunk_length});
+    f.compress(columns[k]);
+    f.fill(columns[k], &missing);
+  }
+  const TransientSettings& asked = *header.transients;
+  f.attribute(NC_GLOBAL, "transients_window", fmt::format("{}", asked.window));
+  f.attribute(NC_GLOBAL, "limits_displacement", fmt::format("{}", asked.displacement));
+  f.attribute(NC_GLOBAL, "limits_settled", fmt::format("{}", asked.settled));
+  if (!header.scales) return;
+  f.attribute(NC_GLOBAL, "unit_of_length_m", fmt::format("{}", header.scales->length));
+  f.attribute(NC_GLOBAL, "unit_of_force_N", fmt::format("{}", header.scales->force()));
+  f.attribute(NC_GLOBAL, "unit_of_velocity_m_per_s", fmt::format("{}", header.scales->velocity()));
+  f.attribute(NC_GLOBAL, "unit_of_time_s", fmt::format("{}", header.scales->time()));
+}
+
 void BasinFile::State::create(const BasinFileHeader& header) {
   file.emplace(path, store::NetcdfFile::Mode::create);
   store::NetcdfFile& f = *file;
@@ -89,8 +118,10 @@ void BasinFile::State::create(const BasinFileHeader& header) {
   }
   if (full_starts) define_full_starts(start, ball);
   define_sampling(start, kind);
+  if (transients) define_transients(start, header);
   outcome = f.variable("outcome", NC_SHORT, {start}, "1",
-                       "attractor that the start came to (kind_code), or 0 undecided, -1 diverged, -2 failed");
+                       "attractor that the start came to (kind_code), or 0 undecided, -1 diverged, -2 failed, "
+                       "-3 stalled");
   time =
       f.variable("decision_time", NC_DOUBLE, {start}, "1", "study time at which the outcome was known, in 1/omega_c");
   by = f.variable("decided_by", NC_BYTE, {start}, "1", "grounds on which the outcome was decided");
@@ -145,6 +176,7 @@ void BasinFile::State::find_variables(bool angles) {
   if (method == SamplingMethod::grid) weight = file->variable("weight");
   if (method != SamplingMethod::random) kind_interval = file->variable("kind_interval");
   if (method != SamplingMethod::random) kind_effective = file->variable("kind_effective_starts");
+  for (std::size_t k = 0; transients && k < columns.size(); ++k) columns[k] = file->variable(transient_columns[k].name);
   outcome = file->variable("outcome");
   time = file->variable("decision_time");
   by = file->variable("decided_by");
@@ -163,6 +195,7 @@ BasinFile::BasinFile(const std::string& path, const BasinFileHeader& header) : s
   state_->balls = static_cast<std::size_t>(header.balls);
   state_->full_starts = header.full_starts;
   state_->method = header.method;
+  state_->transients = header.transients.has_value();
   if (std::filesystem::exists(path)) {
     state_->open(header);
     state_->find_variables(header.angles);
@@ -188,10 +221,11 @@ std::vector<Fate> BasinFile::read(std::uint64_t first, std::size_t count) const 
   state_->file->read(state_->by, {first}, {count}, grounds.data());
   std::vector<Fate> fates(count);
   for (std::size_t i = 0; i < count; ++i) {
-    if (codes[i] < failed_code || grounds[i] < 0 || grounds[i] >= decided_by_count)
+    if (codes[i] < stalled_code || grounds[i] < 0 || grounds[i] >= decided_by_count)
       throw RunError(fmt::format("{}: start {} has no valid outcome; the file is damaged", state_->path, first + i));
     fates[i].outcome = codes[i] == undecided_code  ? Outcome::undecided
                        : codes[i] == diverged_code ? Outcome::diverged
+                       : codes[i] == stalled_code  ? Outcome::stalled
                        : codes[i] == failed_code   ? Outcome::failed
                                                    : Outcome::attracted;
     fates[i].attractor = std::max<short>(codes[i], 0);
@@ -201,8 +235,27 @@ std::vector<Fate> BasinFile::read(std::uint64_t first, std::size_t count) const 
   return fates;
 }
 
+// What has no value is missing in the file: every figure of a start that was lost, the settling time of one that did
+// not settle.
+std::vector<TransientRow> BasinFile::read_transients(std::uint64_t first, std::size_t count) const {
+  std::vector<TransientRow> rows(count);
+  std::vector<float> values(count);
+  for (std::size_t k = 0; k < transient_columns.size(); ++k) {
+    const auto column = transient_columns[k].value;
+    state_->file->read(state_->columns[k], {first}, {count}, values.data());
+    for (std::size_t i = 0; i < count; ++i) rows[i].*column = values[i];
+  }
+  for (TransientRow& row : rows) {
+    const bool lost = row.peak_radial == missing;
+    for (const TransientColumn& column : transient_columns)
+      if (lost) row.*column.value = std::numeric_limits<float>::quiet_NaN();
+    if (row.settling_time == missing) row.settling_time = std::numeric_limits<float>::infinity();
+  }
+  return rows;
+}
+
 void BasinFile::append(std::size_t count, const double* phi, const Fate* fates, const double* rotor,
-                       const double* phi_dot, const double* weight) {
+                       const double* phi_dot, const double* weight, const TransientRow* rows) {
   if (count == 0) return;
   std::vector<short> codes(count);
   std::vector<double> times(count);
@@ -212,6 +265,7 @@ void BasinFile::append(std::size_t count, const double* phi, const Fate* fates, 
     codes[i] = fate.outcome == Outcome::attracted   ? fate.attractor
                : fate.outcome == Outcome::undecided ? undecided_code
                : fate.outcome == Outcome::diverged  ? diverged_code
+               : fate.outcome == Outcome::stalled   ? stalled_code
                                                     : failed_code;
     times[i] = fate.time;
     grounds[i] = static_cast<signed char>(fate.by);
@@ -223,6 +277,14 @@ void BasinFile::append(std::size_t count, const double* phi, const Fate* fates, 
     state_->file->write(state_->phi_dot, {at, 0}, {count, state_->balls}, phi_dot);
   }
   if (state_->weight >= 0) state_->file->write(state_->weight, {at}, {count}, weight);
+  std::vector<float> values(count);
+  for (std::size_t k = 0; rows && state_->transients && k < transient_columns.size(); ++k) {
+    for (std::size_t i = 0; i < count; ++i) {
+      const float value = rows[i].*transient_columns[k].value;
+      values[i] = std::isfinite(value) ? value : missing;
+    }
+    state_->file->write(state_->columns[k], {at}, {count}, values.data());
+  }
   state_->file->write(state_->outcome, {at}, {count}, codes.data());
   state_->file->write(state_->time, {at}, {count}, times.data());
   state_->file->write(state_->by, {at}, {count}, grounds.data());

@@ -4,11 +4,14 @@
 #include <array>
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "equipoise/attractors/fate.hpp"
 #include "equipoise/ensemble/sampling.hpp"
+#include "equipoise/ensemble/transient_table.hpp"
+#include "equipoise/model/scales.hpp"
 #include "equipoise/statistics/share.hpp"
 
 namespace equipoise {
@@ -22,6 +25,8 @@ struct BasinFileHeader {
   bool angles = true;        ///< false: leave phi out; it follows from seed and index
   bool full_starts = false;  ///< starts differ in more than their ball angles
   SamplingMethod method = SamplingMethod::random;
+  std::optional<TransientSettings> transients;  ///< if the file holds transients
+  std::optional<model::Scales> scales;          ///< of a study in physical units; stated in files with transients
 };
 
 /// A line of the summary.
@@ -30,7 +35,7 @@ struct OutcomeSummary {
   std::string name, alias;
   Share share;
 };
-inline constexpr short undecided_code = 0, diverged_code = -1, failed_code = -2;
+inline constexpr short undecided_code = 0, diverged_code = -1, failed_code = -2, stalled_code = -3;
 
 /// Time that all runs into a file took together.
 struct RunTime {
@@ -40,8 +45,9 @@ struct RunTime {
 /// Dimension start: variables phi(start, ball), outcome(start), decision_time(start), decided_by(start), and with
 /// full_starts rotor_state(start, rotor_component) and phi_dot(start, ball), on a grid weight(start); dimension
 /// outcome_kind: code, name, alias, count, share and its interval, and but for random starts where the interval is from
-/// and how many random starts would have done; dimension discovery: states of motions met during the run. Every
-/// variable has units and long_name. Readable by xarray, ncdump, ncview.
+/// and how many random starts would have done; with transients the columns of TransientRow by start; dimension
+/// discovery: states of motions met during the run. Every variable has units and long_name. Readable by xarray, ncdump,
+/// ncview.
 class BasinFile {
  public:
   /// Creates `path`, or opens it for more if it holds results of the same study, seed and CPU target.
@@ -55,10 +61,13 @@ class BasinFile {
   std::uint64_t stored() const;
   /// Fates of starts first .. first + count - 1.
   std::vector<Fate> read(std::uint64_t first, std::size_t count) const;
+  /// Their transients, of a file that holds them.
+  std::vector<TransientRow> read_transients(std::uint64_t first, std::size_t count) const;
   /// Appends `count` starts: phi row-major count x balls; with full_starts `rotor`, count x 4 (x, y, x_dot, y_dot), and
-  /// `phi_dot`, count x balls; on a grid `weight`. Throws RunError if the file cannot take them.
+  /// `phi_dot`, count x balls; on a grid `weight`; with transients `rows`. Throws RunError if the file cannot take
+  /// them.
   void append(std::size_t count, const double* phi, const Fate* fates, const double* rotor = nullptr,
-              const double* phi_dot = nullptr, const double* weight = nullptr);
+              const double* phi_dot = nullptr, const double* weight = nullptr, const TransientRow* rows = nullptr);
   /// States on motions that were first met during earlier runs, in the order of starts: enough to name them again.
   std::vector<std::vector<double>> discoveries() const;
   void append_discovery(const std::vector<double>& state);

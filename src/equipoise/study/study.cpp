@@ -13,6 +13,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include "equipoise/base/angles.hpp"
 #include "equipoise/base/error.hpp"
 #include "equipoise/study/physical.hpp"
 #include "equipoise/study/table_reader.hpp"
@@ -30,7 +31,34 @@ void read_rotor(const Document& document, model::Parameters& p) {
   p.damping = {damping[0], damping[1]};
   p.stiffness = {stiffness[0], stiffness[1]};
   p.gravity = rotor.number("gravity", not_negative, 0.0);
+  p.inertia = rotor.number("inertia", not_negative, 0.0);
   rotor.finish();
+}
+
+// What real races and balls add.
+void read_race(TableReader& balancer, model::Parameters& p) {
+  if (balancer.has("race_offset")) {
+    const auto offset = balancer.numbers("race_offset", any_number);
+    if (offset.size() != 2)
+      balancer.fail("race_offset", fmt::format("has {} entries; must be two finite numbers, [x, y]", offset.size()));
+    p.race_offset = {offset[0], offset[1]};
+  }
+  const auto rolling = balancer.one_or_each("rolling", not_negative, p.balls, "ball", 0.0);
+  std::copy(rolling.begin(), rolling.end(), p.rolling.begin());
+  p.stiction = p.rolling;
+  if (balancer.has("stiction")) {
+    const auto stiction = balancer.one_or_each("stiction", not_negative, p.balls, "ball");
+    std::copy(stiction.begin(), stiction.end(), p.stiction.begin());
+    for (int i = 0; i < p.balls; ++i)
+      if (p.stiction[i] < p.rolling[i])
+        balancer.fail("stiction",
+                      fmt::format("must be at least rolling, {}: a ball at rest resists no less", p.rolling[i]));
+  }
+  p.contact_angle = balancer.number("contact_angle", {0.0, two_pi / p.balls, false, true}, 0.0);
+  p.restitution = balancer.number("restitution", {0.0, 1.0}, p.restitution);
+  if (p.balls_collide() && p.balls_stick())
+    balancer.fail("contact_angle",
+                  "must be 0 where balls have rolling resistance or stiction: the two are not combined");
 }
 
 void read_balancer(const Document& document, model::Parameters& p) {
@@ -40,27 +68,29 @@ void read_balancer(const Document& document, model::Parameters& p) {
   const auto drag = balancer.one_or_each("drag", not_negative, p.balls, "ball");
   std::copy(mass.begin(), mass.end(), p.mass.begin());
   std::copy(drag.begin(), drag.end(), p.drag.begin());
+  read_race(balancer, p);
   balancer.finish();
 }
 
-void read_points(TableReader& reader, SpeedSetting& speed) {
+// Increasing times and a value for each.
+void check_times(TableReader& reader, const std::vector<double>& times, const char* values_key,
+                 const std::vector<double>& values) {
+  for (std::size_t i = 1; i < times.size(); ++i)
+    if (!(times[i] > times[i - 1]))
+      reader.fail("times", fmt::format("times out of order: entry {} must be greater than {}", i + 1,
+                                       reader.time_text(times[i - 1])));
+  if (times.size() != values.size())
+    reader.fail(values_key, fmt::format("has {} entries; must have one a time, {}", values.size(), times.size()));
+}
+
+void read_points(TableReader& reader, RampSetting& speed) {
   speed.times = reader.numbers("times", not_negative);
   speed.speeds = reader.numbers("speeds", any_number);
   if (speed.times.front() != 0.0) reader.fail("times", "the first time must be 0");
-  for (std::size_t i = 1; i < speed.times.size(); ++i)
-    if (!(speed.times[i] > speed.times[i - 1]))
-      reader.fail("times", fmt::format("times out of order: entry {} must be greater than {}", i + 1,
-                                       reader.time_text(speed.times[i - 1])));
-  if (speed.times.size() != speed.speeds.size())
-    reader.fail("speeds",
-                fmt::format("has {} entries; must have one a time, {}", speed.speeds.size(), speed.times.size()));
+  check_times(reader, speed.times, "speeds", speed.speeds);
 }
 
-void read_speed(const Document& document, SpeedSetting& speed) {
-  TableReader reader(document, "speed");
-  speed.profile = reader.choice("profile", {"constant", "ramp", "trapezoid", "points"});
-  speed.law = reader.choice("law", {"kinematic", "published"}, "kinematic") == "kinematic" ? model::SpeedLaw::kinematic
-                                                                                           : model::SpeedLaw::published;
+void read_ramp(TableReader& reader, RampSetting& speed) {
   if (speed.profile == "constant") {
     speed.speed = reader.number("speed", any_number);
   } else if (speed.profile == "ramp") {
@@ -81,6 +111,61 @@ void read_speed(const Document& document, SpeedSetting& speed) {
   } else {
     read_points(reader, speed);
   }
+}
+
+// The keys that are there say which law it is.
+void read_torque(const Document& document, TorqueSetting& torque) {
+  using Kind = model::MotorLaw::Kind;
+  TableReader reader(document, "speed.torque");
+  if (reader.has("stall") || reader.has("no_load_speed")) {
+    torque.by_stall = true;
+    torque.stall = reader.number("stall", any_number);
+    torque.no_load_speed = reader.number("no_load_speed", positive);
+  } else if (reader.has("times") || reader.has("values")) {
+    torque.kind = Kind::table;
+    torque.times = reader.numbers("times", not_negative);
+    torque.values = reader.numbers("values", any_number);
+    check_times(reader, torque.times, "values", torque.values);
+  } else if (reader.has("gain") || reader.has("integral") || reader.has("target")) {
+    torque.kind = Kind::control;
+    torque.gain = reader.number("gain", not_negative);
+    torque.integral = reader.number("integral", not_negative, 0.0);
+    torque.limit = reader.optional_number("limit", positive);
+    if (!reader.has("target")) reader.fail("target", "missing; must be a table like { profile = \"ramp\", ... }");
+    TableReader target(document, "speed.torque.target");
+    torque.target.profile = target.choice("profile", {"constant", "ramp", "trapezoid", "points"});
+    read_ramp(target, torque.target);
+    target.finish();
+  } else {
+    torque.constant = reader.number("constant", any_number);
+    torque.slope = reader.number("slope", any_number, 0.0);
+    torque.until = reader.optional_number("until", not_negative);
+  }
+  reader.finish();
+}
+
+void read_driven(TableReader& reader, const Document& document, const model::Parameters& p, SpeedSetting& speed) {
+  speed.initial = reader.number("initial", any_number, 0.0);
+  speed.stalled_below = reader.optional_number("stalled_below", any_number);
+  if (!reader.has("torque")) reader.fail("torque", "missing; must be a table, as { constant = 0.12, slope = -0.04 }");
+  read_torque(document, speed.torque);
+  if (speed.law != model::SpeedLaw::kinematic)
+    reader.fail("law", "must be \"kinematic\": the speed of a driven rotor follows from its motor");
+  if (!(p.inertia > 0.0)) {
+    TableReader rotor(document, "rotor");
+    rotor.fail("inertia", "must be a finite number greater than 0 for a driven rotor (profile \"torque\")");
+  }
+}
+
+void read_speed(const Document& document, const model::Parameters& p, SpeedSetting& speed) {
+  TableReader reader(document, "speed");
+  speed.profile = reader.choice("profile", {"constant", "ramp", "trapezoid", "points", "torque"});
+  speed.law = reader.choice("law", {"kinematic", "published"}, "kinematic") == "kinematic" ? model::SpeedLaw::kinematic
+                                                                                           : model::SpeedLaw::published;
+  if (speed.driven())
+    read_driven(reader, document, p, speed);
+  else
+    read_ramp(reader, speed);
   reader.finish();
 }
 
@@ -96,7 +181,7 @@ void read_release(const Document& document, Study& study) {
   if (study.release.speed && study.release.time)
     reader.fail("time", "give either release.speed or release.time, not both");
   const model::SpeedProfile profile = study.speed_profile();
-  if (study.release.speed && !profile.first_time_at(*study.release.speed)) {
+  if (study.release.speed && !study.speed.driven() && !profile.first_time_at(*study.release.speed)) {
     const auto [low, high] = std::minmax_element(profile.speeds.begin(), profile.speeds.end());
     reader.fail("speed", never_reached(reader.speed_text(*low), reader.speed_text(*high)));
   }
@@ -206,10 +291,10 @@ std::string read_file(const std::string& path) {
 
 }  // namespace
 
-model::SpeedProfile Study::speed_profile() const {
+namespace {
+
+model::SpeedProfile profile_of(const RampSetting& speed) {
   model::SpeedProfile profile;
-  profile.law = speed.law;
-  profile.initial_angle = initial.psi;
   if (speed.profile == "constant") {
     profile.speeds = {speed.speed};
   } else if (speed.profile == "ramp") {
@@ -225,8 +310,23 @@ model::SpeedProfile Study::speed_profile() const {
   return profile;
 }
 
+}  // namespace
+
+model::SpeedProfile Study::speed_profile() const {
+  model::SpeedProfile profile;
+  if (speed.driven())
+    profile.speeds = {motor().final_speed().value_or(speed.initial)};
+  else
+    profile = profile_of(speed);
+  profile.law = speed.law;
+  profile.initial_angle = initial.psi;
+  return profile;
+}
+
 double Study::release_time() const {
   if (release.time) return *release.time;
+  if (speed.driven())
+    return release.speed && *release.speed != speed.initial ? std::numeric_limits<double>::infinity() : 0.0;
   const model::SpeedProfile profile = speed_profile();
   if (release.speed) {
     const auto time = profile.first_time_at(*release.speed);
@@ -240,6 +340,42 @@ double Study::release_time() const {
   return speed.profile == "trapezoid" ? speed.rise_until : profile.settled_time();
 }
 
+model::MotorLaw Study::motor() const {
+  const TorqueSetting& t = speed.torque;
+  model::MotorLaw law;
+  law.kind = t.kind;
+  law.constant = t.by_stall ? t.stall : t.constant;
+  law.slope = t.by_stall ? -t.stall / t.no_load_speed : t.slope;
+  law.until = t.until;
+  law.times = t.times;
+  law.values = t.values;
+  law.gain = t.gain;
+  law.integral = t.integral;
+  law.limit = t.limit;
+  if (t.kind == model::MotorLaw::Kind::control) law.target = profile_of(t.target);
+  return law;
+}
+
+model::Drive Study::drive() const {
+  const double release_at = release_time();
+  if (!speed.driven()) return model::prescribed_drive(model::segments(speed_profile(), release_at));
+  model::Drive drive = model::motor_drive(motor(), initial.psi, speed.initial);
+  drive.release_time = release_at;
+  drive.release_speed = release.speed;
+  return drive;
+}
+
+bool Study::needs_machine() const {
+  const model::Parameters& p = parameters;
+  return speed.driven() || !p.race_is_centred() || p.balls_collide() || p.balls_stick();
+}
+
+double Study::stall_speed() const {
+  if (speed.stalled_below) return *speed.stalled_below;
+  const auto aim = motor().final_speed();
+  return aim ? std::min(std::sqrt(2.0), 0.9 * *aim) : std::sqrt(2.0);
+}
+
 Study parse_study(const std::string& toml_text, const std::string& name, const std::vector<std::string>& overrides) {
   Document document = parse_document(toml_text, name, overrides);
   check_tables(document,
@@ -249,7 +385,7 @@ Study parse_study(const std::string& toml_text, const std::string& name, const s
   result.name = name;
   read_rotor(document, result.parameters);
   read_balancer(document, result.parameters);
-  read_speed(document, result.speed);
+  read_speed(document, result.parameters, result.speed);
   read_release(document, result);
   read_initial(document, result);
   read_sampling(document, result.release_time(), result.sampling);

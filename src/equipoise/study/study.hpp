@@ -8,6 +8,8 @@
 #include <vector>
 
 #include "equipoise/ensemble/sampling.hpp"
+#include "equipoise/model/machine.hpp"
+#include "equipoise/model/motor.hpp"
 #include "equipoise/model/parameters.hpp"
 #include "equipoise/model/scales.hpp"
 #include "equipoise/model/speed.hpp"
@@ -31,7 +33,8 @@ struct RampSetting {
 
 /// speed.torque: the motor of a driven rotor, as model::MotorLaw has it, by the keys that were given.
 struct TorqueSetting {
-  std::string kind = "linear";  ///< linear | stall | table | control
+  model::MotorLaw::Kind kind = model::MotorLaw::Kind::linear;
+  bool by_stall = false;        ///< linear, given by stall torque and no-load speed
   double constant = 0.0;        ///< linear: tau = constant + slope psi' until `until`, then 0
   double slope = 0.0;           ///< linear
   std::optional<double> until;  ///< linear
@@ -134,12 +137,22 @@ struct Study {
   Limits limits;
   std::optional<model::Scales> scales;  ///< of a study in physical units
 
-  /// The ramp function and law as the model sees them.
+  /// The ramp function and law as the model sees them; of a driven rotor the speed that its motor aims at, else that at
+  /// t = 0, as a constant.
   model::SpeedProfile speed_profile() const;
-  /// Time at which the balls are let go, >= 0. With no [release]: 0 at constant speed, else the end of the ramp
-  /// (trapezoid: of the rise; points: the last time).
-  /// Throws InputError if the ramp function never reaches release.speed.
+  /// Time at which the balls are let go, >= 0. With no [release]: 0 at constant speed and of a driven rotor, else the
+  /// end of the ramp (trapezoid: of the rise; points: the last time). Infinite for a driven rotor that lets go at a
+  /// speed. Throws InputError if the ramp function never reaches release.speed.
   double release_time() const;
+  /// The motor of profile torque.
+  model::MotorLaw motor() const;
+  /// How the rotor is brought to speed and when it lets go of its balls.
+  model::Drive drive() const;
+  /// Whether trajectories need model/machine.hpp: a motor, an off-centre race, contact, rolling resistance or stiction.
+  bool needs_machine() const;
+  /// Of a driven rotor: the mean speed below which it counts as stalled. stalled_below of [speed]; else the smaller of
+  /// sqrt(2), from where supports isolate, and nine tenths of the speed that the motor aims at.
+  double stall_speed() const;
 };
 
 /// Reads and checks a study file. `overrides`: "key=value" with dotted keys, as given to --set.

@@ -1,0 +1,20 @@
+// From a trajectory of a rotor with anisotropic supports or gravity to the motion it settles on.
+#pragma once
+
+#include <optional>
+
+#include <Eigen/Dense>
+
+#include "equipoise/attractors/motion.hpp"
+#include "equipoise/model/parameters.hpp"
+
+namespace equipoise {
+
+/// motion_from() for such rotors; `state` holds at a strobe (psi = 0, attractors/stroboscopic.hpp), speed is not 0.
+std::optional<Motion> strobed_motion_from(const model::Parameters& p, double speed, const Eigen::VectorXd& state,
+                                          double patience);
+
+/// The same for an orbit already refined (refine_strobed()).
+Motion describe_strobed(const model::Parameters& p, double speed, const PeriodicOrbit& orbit);
+
+}  // namespace equipoise

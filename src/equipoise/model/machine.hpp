@@ -1,0 +1,45 @@
+// The state of a machine, and what moves its rotor between two events.
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "equipoise/model/motor.hpp"
+#include "equipoise/model/parameters.hpp"
+#include "equipoise/model/speed.hpp"
+
+namespace equipoise::model {
+
+/// The state of parameters.hpp, then psi, psi' and the integral of a speed control's error.
+constexpr int machine_dimension(int balls) { return dimension(balls) + 3; }
+
+namespace machine_index {
+constexpr int psi(int balls) { return dimension(balls); }
+constexpr int speed(int balls) { return dimension(balls) + 1; }
+constexpr int error_integral(int balls) { return dimension(balls) + 2; }
+}  // namespace machine_index
+
+/// What drives the rotor on one piece of time.
+struct DrivePiece {
+  double begin = 0.0, end = 0.0;
+  bool prescribed = true;
+  double psi = 0.0, speed = 0.0, acceleration = 0.0;  ///< if prescribed: psi, psi' at `begin`, and psi''
+  DriveSegment motor{};                               ///< else
+
+  bool driven() const { return !prescribed; }
+};
+
+/// How a rotor is brought to speed and when it lets go of its balls.
+struct Drive {
+  std::vector<DrivePiece> pieces;       ///< contiguous from 0, the last without end
+  double psi = 0.0, speed = 0.0;        ///< at t = 0
+  double release_time = 0.0;            ///< balls are held until then; infinite if `release_speed` decides
+  std::optional<double> release_speed;  ///< driven rotor: when psi' first equals this
+};
+
+/// A rotor that turns as prescribed.
+Drive prescribed_drive(const std::vector<Segment>& segments);
+/// A rotor driven by a motor.
+Drive motor_drive(const MotorLaw& law, double psi, double speed);
+
+}  // namespace equipoise::model

@@ -1,0 +1,26 @@
+// Rotors whose equations at constant speed repeat themselves with the rotor's angle: anisotropic supports, gravity.
+#pragma once
+
+#include <cmath>
+
+#include "equipoise/base/angles.hpp"
+#include "equipoise/model/parameters.hpp"
+
+namespace equipoise::model {
+
+/// The equations in the rotating frame depend on psi.
+inline bool is_strobed(const Parameters& p) { return !p.isotropic() || p.gravity != 0.0; }
+
+/// The rotor turns by this before the equations are what they were: anisotropic supports look the same after half a
+/// turn, gravity does not.
+inline double strobe_angle(const Parameters& p) { return p.gravity != 0.0 ? two_pi : pi; }
+
+/// The time that takes at constant `speed`, not 0.
+inline double strobe_period(const Parameters& p, double speed) { return strobe_angle(p) / std::fabs(speed); }
+
+/// Where the centre rests under the weight of rotor and balls: Y in fixed axes (X = 0). Zero without gravity.
+inline double static_sag(const Parameters& p) {
+  return p.gravity == 0.0 ? 0.0 : -(1.0 + p.total_mass()) * p.gravity / p.stiffness[1];
+}
+
+}  // namespace equipoise::model

@@ -1,0 +1,188 @@
+// Transients as text and as JSON.
+#include "equipoise/report/transient_result.hpp"
+
+#include <cmath>
+#include <limits>
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include "equipoise/model/balance_grade.hpp"
+#include "equipoise/report/text.hpp"
+
+namespace equipoise {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+struct Unit {
+  const char* name;
+  double size;  // in it, of the dimensionless unit
+};
+struct Units {
+  Unit displacement, force, velocity, time;
+};
+
+Units units_of(const Study& study) {
+  if (!study.scales) return {{"R", 1.0}, {"M R omega_c^2", 1.0}, {"R omega_c", 1.0}, {"1/omega_c", 1.0}};
+  const model::Scales& s = *study.scales;
+  return {{"mm", 1000.0 * s.length}, {"N", s.force()}, {"mm/s", 1000.0 * s.velocity()}, {"s", s.time()}};
+}
+
+// How a column is told. `open`: the word for a figure without end.
+struct Told {
+  float TransientRow::*value;
+  const char* title;
+  Unit Units::*unit;
+  const char* open;
+};
+constexpr const char* no_bound = "?";
+constexpr std::array<Told, transient_columns.size()> told{{
+    {&TransientRow::peak_radial, "peak displacement", &Units::displacement, no_bound},
+    {&TransientRow::peak_radial_after_release, "  after release", &Units::displacement, no_bound},
+    {&TransientRow::peak_radial_at_end, "  at the end", &Units::displacement, no_bound},
+    {&TransientRow::peak_force, "peak bearing force", &Units::force, no_bound},
+    {&TransientRow::rms_force, "RMS bearing force", &Units::force, no_bound},
+    {&TransientRow::rms_velocity, "RMS velocity at the end", &Units::velocity, no_bound},
+    {&TransientRow::residual_unbalance, "residual unbalance U/M", &Units::displacement, no_bound},
+    {&TransientRow::time_above, "time above the limit", &Units::time, "lasting"},
+    {&TransientRow::settling_time, "settling time", &Units::time, "never"},
+    {&TransientRow::followed_until, "followed until", &Units::time, no_bound},
+}};
+
+std::size_t column_of(float TransientRow::*value) {
+  std::size_t k = 0;
+  while (transient_columns[k].value != value) ++k;
+  return k;
+}
+
+bool applies(const Told& t, const TransientSettings& settings) {
+  if (t.value == &TransientRow::time_above) return std::isfinite(settings.displacement);
+  return t.value != &TransientRow::settling_time || settings.watches_settling();
+}
+
+std::array<std::optional<double>, 3> limits_of(const Study& study) {
+  return {study.limits.displacement, study.limits.force, study.limits.velocity};
+}
+constexpr std::array<Unit Units::*, 3> limit_units{&Units::displacement, &Units::force, &Units::velocity};
+
+// e omega of the mean residual unbalance at the end, in mm/s.
+double grade_of(const TransientGroup& group, const Study& study) {
+  const double mean = group.figures[column_of(&TransientRow::residual_unbalance)].mean;
+  return model::balance_grade(mean * study.scales->length,
+                              study.speed_profile().final_speed() * study.scales->frequency);
+}
+
+std::string number(double value, double size, const char* open) {
+  return std::isfinite(value) ? fmt::format("{:.4g}", value * size) : open;
+}
+
+std::string figure_line(const Told& t, const SampleSummary& s, const Unit& unit) {
+  const char* open = s.open > 0 ? t.open : no_bound;
+  const auto with_interval = [&](double value, double low, double high) {
+    return fmt::format("{} ({} to {})", number(value, unit.size, open), number(low, unit.size, open),
+                       number(high, unit.size, open));
+  };
+  std::string line = fmt::format("  {:<26}{:<10}", t.title, unit.name);
+  line += fmt::format("{:<30}", s.open == s.count ? open : with_interval(s.mean, s.mean_low, s.mean_high));
+  for (const QuantileEstimate& q : s.quantiles) line += fmt::format("{:<30}", with_interval(q.value, q.low, q.high));
+  line.erase(line.find_last_not_of(' ') + 1);
+  return line + "\n";
+}
+
+std::string group_text(const TransientGroup& group, const TransientResult& r, const Study& study, const Units& units) {
+  std::string text = fmt::format("{}, {} start{}\n", group.name == "all" ? "all outcomes" : group.name, group.starts,
+                                 group.starts == 1 ? "" : "s");
+  for (const Told& t : told) {
+    if (!applies(t, r.settings) || t.value == &TransientRow::followed_until) continue;
+    const SampleSummary& s = group.figures[column_of(t.value)];
+    text += figure_line(t, s, units.*t.unit);
+    if (s.open > 0)
+      text += fmt::format("    {}: {} of {} starts; the mean is of the others\n", t.open, s.open, s.count);
+  }
+  const auto limits = limits_of(study);
+  for (std::size_t k = 0; k < limits.size(); ++k) {
+    if (!group.exceeded[k]) continue;
+    const Share& s = *group.exceeded[k];
+    const Unit& unit = units.*limit_units[k];
+    text += fmt::format("  {} {} above {:.4g} {}: {} ({})\n", k == 2 ? "RMS" : "peak", transient_limit_names[k],
+                        *limits[k] * unit.size, unit.name, percent(s.share, digits_for(s)), interval(s));
+  }
+  if (study.scales)
+    text += fmt::format("  residual unbalance at the final speed: e omega = {:.3g} mm/s (as ISO 21940-11 grades it)\n",
+                        grade_of(group, study));
+  return text;
+}
+
+Json json_number(double value, double size) { return std::isfinite(value) ? Json(value * size) : Json(nullptr); }
+
+Json figure_json(const SampleSummary& s, const Unit& unit) {
+  Json one = {{"unit", unit.name}, {"count", s.count}, {"open", s.open}};
+  const bool some = s.open < s.count;
+  one["mean"] = some ? json_number(s.mean, unit.size) : Json(nullptr);
+  one["mean_low"] = some ? json_number(s.mean_low, unit.size) : Json(nullptr);
+  one["mean_high"] = some ? json_number(s.mean_high, unit.size) : Json(nullptr);
+  one["largest"] = json_number(s.largest, unit.size);
+  one["quantiles"] = Json::array();
+  for (std::size_t k = 0; k < s.quantiles.size(); ++k)
+    one["quantiles"].push_back({{"probability", reported_quantiles[k]},
+                                {"value", json_number(s.quantiles[k].value, unit.size)},
+                                {"low", json_number(s.quantiles[k].low, unit.size)},
+                                {"high", json_number(s.quantiles[k].high, unit.size)}});
+  one["exact"] = s.exact;
+  return one;
+}
+
+}  // namespace
+
+std::string transient_text(const TransientResult& r, const Study& study) {
+  const Units units = units_of(study);
+  std::string text = fmt::format("  {:<36}{:<30}{:<30}{:<30}{}\n", "transients (95 % intervals)", "mean", "median",
+                                 "90 % of starts below", "99 % of starts below");
+  for (const TransientGroup& group : r.groups)
+    // A single outcome says all.
+    if (group.starts > 0 && !(group.name == "all" && r.groups.size() == 2)) text += group_text(group, r, study, units);
+  if (r.settings.watches_settling())
+    text += fmt::format("Settled: displacement below {:.4g} {}.\n", r.settings.settled * units.displacement.size,
+                        units.displacement.name);
+  text += fmt::format("\"At the end\": over a window of {:.4g} {} after the outcome was known{}.\n",
+                      r.settings.window * units.time.size, units.time.name,
+                      r.settings.watches_settling() ? ", for balanced starts the first one settled throughout"
+                                                    : "; balanced starts are then still decaying");
+  if (r.lost > 0) text += fmt::format("{} starts diverged or failed and are left out here.\n", r.lost);
+  return text + "\n";
+}
+
+nlohmann::ordered_json transient_json(const TransientResult& r, const Study& study) {
+  const Units units = units_of(study);
+  Json json;
+  json["units"] = {{"displacement", units.displacement.name},
+                   {"force", units.force.name},
+                   {"velocity", units.velocity.name},
+                   {"time", units.time.name}};
+  json["window"] = r.settings.window * units.time.size;
+  json["limits"] = Json::object();
+  const auto limits = limits_of(study);
+  for (std::size_t k = 0; k < limits.size(); ++k)
+    if (limits[k]) json["limits"][transient_limit_names[k]] = *limits[k] * (units.*limit_units[k]).size;
+  if (r.settings.watches_settling()) json["limits"]["settled"] = r.settings.settled * units.displacement.size;
+  json["lost"] = r.lost;
+  json["groups"] = Json::array();
+  for (const TransientGroup& group : r.groups) {
+    Json one = {{"name", group.name}, {"id", group.id < 0 ? Json(nullptr) : Json(group.id)}, {"starts", group.starts}};
+    for (const Told& t : told) {
+      const std::size_t k = column_of(t.value);
+      if (applies(t, r.settings))
+        one["figures"][transient_columns[k].name] = figure_json(group.figures[k], units.*t.unit);
+    }
+    one["exceeded"] = Json::object();
+    for (std::size_t k = 0; k < limits.size(); ++k)
+      if (group.exceeded[k]) one["exceeded"][transient_limit_names[k]] = share_json(*group.exceeded[k]);
+    if (study.scales) one["balance_grade"] = grade_of(group, study);
+    json["groups"].push_back(one);
+  }
+  return json;
+}
+
+}  // namespace equipoise

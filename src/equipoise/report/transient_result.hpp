@@ -1,0 +1,44 @@
+// What the transients of an ensemble cost, and its forms for people and for machines.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include <nlohmann/json_fwd.hpp>
+
+#include "equipoise/ensemble/transient_table.hpp"
+#include "equipoise/statistics/quantile.hpp"
+#include "equipoise/statistics/share.hpp"
+#include "equipoise/study/study.hpp"
+
+namespace equipoise {
+
+/// Limits whose exceedance is counted, in the order of TransientGroup::exceeded: peak_radial above
+/// limits.displacement, peak_force above limits.force, rms_velocity above limits.velocity.
+inline constexpr std::array<const char*, 3> transient_limit_names{"displacement", "force", "velocity"};
+
+/// The starts of one outcome, or all.
+struct TransientGroup {
+  std::string name;  ///< "all" or the outcome's
+  int id = -1;       ///< attractor; 0: undecided or stalled; -1: all
+  std::uint64_t starts = 0;
+  std::array<SampleSummary, transient_columns.size()> figures{};  ///< by column
+  std::array<std::optional<Share>, 3> exceeded{};                 ///< of the starts of this group; none without a limit
+};
+
+/// Starts that were lost (diverged, failed) have no figures and are in no group.
+struct TransientResult {
+  TransientSettings settings;
+  std::uint64_t lost = 0;
+  std::vector<TransientGroup> groups;  ///< all, then by outcome
+};
+
+/// A table for the terminal, in the units of the study's scales: mm, N, mm/s, s; else dimensionless.
+std::string transient_text(const TransientResult& result, const Study& study);
+/// The object "transients" of basin_json(), in the same units, which it names.
+nlohmann::ordered_json transient_json(const TransientResult& result, const Study& study);
+
+}  // namespace equipoise

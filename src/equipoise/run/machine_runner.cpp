@@ -1,0 +1,245 @@
+// One machine trajectory after the other.
+#include "equipoise/run/machine_runner.hpp"
+
+#include <array>
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include "equipoise/attractors/steady_watch.hpp"
+#include "equipoise/ensemble/transient_watch.hpp"
+#include "equipoise/integrate/machine_trajectory-inl.hpp"
+#include "equipoise/model/balanced_state.hpp"
+#include "equipoise/model/ball_count.hpp"
+#include "equipoise/model/energy.hpp"
+#include "equipoise/run/initial_state.hpp"
+#include "equipoise/run/transient_tally.hpp"
+
+namespace equipoise {
+
+namespace {
+namespace kernels = HWY_NAMESPACE;
+
+// Of a step, where it is looked at.
+constexpr auto& nodes = TransientWatch::nodes;
+
+// Distance from where gravity alone would hold the rotor with its balls.
+template <int n>
+SteadySample sample(const model::Parameters& p, const double* z) {
+  double x = z[model::index::x], y = z[model::index::y];
+  if (p.gravity != 0.0) {
+    const double sag = (1.0 + p.total_mass()) * p.gravity / p.stiffness[1], psi = z[model::machine_index::psi(n)];
+    x += sag * std::sin(psi);
+    y += sag * std::cos(psi);
+  }
+  SteadySample s;
+  s.r2 = x * x + y * y;
+  for (int i = 0; i < n; ++i) s.rate[i] = z[model::index::q(i, n)];
+  return s;
+}
+
+template <int n>
+TransientSample transient_sample(const model::Parameters& p, double t, const double* z) {
+  using namespace model::index;
+  TransientSample s;
+  s.t = t;
+  s.r2 = z[x] * z[x] + z[y] * z[y];
+  s.r2_slope = 2.0 * (z[x] * z[u] + z[y] * z[v]);
+  const auto force = model::bearing_force(p, z[model::machine_index::psi(n)], z);
+  s.force2 = force[0] * force[0] + force[1] * force[1];
+  s.velocity2 = z[u] * z[u] + z[v] * z[v];
+  double unbalance_x = p.eccentricity + p.total_mass() * p.race_offset[0];
+  double unbalance_y = p.total_mass() * p.race_offset[1];
+  for (int i = 0; i < n; ++i) {
+    unbalance_x += p.mass[i] * std::cos(z[phi(i)]);
+    unbalance_y += p.mass[i] * std::sin(z[phi(i)]);
+  }
+  s.unbalance = std::hypot(unbalance_x, unbalance_y);
+  return s;
+}
+
+// The transients of one machine, whose balls are let go at a time of its own.
+template <int n>
+class MachineTransients {
+ public:
+  using Machine = kernels::MachineTrajectory<n>;
+
+  MachineTransients(const Study& study, const Machine& machine)
+      : p_(study.parameters), settings_(transient_settings(study)), machine_(machine), watch_(settings(machine)) {}
+
+  // A step, of which state_at is asked.
+  template <class StateAt>
+  void step(double from, double to, StateAt&& state_at) {
+    double z[Machine::dimension];
+    state_at.roughly(from, z);
+    // Wherever the motion has a corner, speeds or forces may have jumped.
+    if (events_ != machine_.events() || from != last_) {
+      if (events_ != machine_.events() && free_ == machine_.clamped()) {
+        watch_ = TransientWatch(settings(machine_), watch_.sums());
+        free_ = !machine_.clamped();
+      }
+      events_ = machine_.events();
+      watch_.begin(transient_sample<n>(p_, from, z), free_);
+    }
+    std::array<TransientSample, 3> samples;
+    for (std::size_t k = 0; k < nodes.size(); ++k) {
+      const double t = k + 1 == nodes.size() ? to : from + nodes[k] * (to - from);
+      state_at.roughly(t, z);
+      samples[k] = transient_sample<n>(p_, t, z);
+    }
+    watch_.step(samples);
+    last_ = to;
+  }
+
+  void decided(bool balanced) { watch_.decided(balanced); }
+  bool may_leave() const { return watch_.may_leave(); }
+
+  TransientRow row(bool lost) {
+    watch_.finish();
+    return transient_row(settings(machine_), watch_.sums(), lost);
+  }
+
+ private:
+  TransientSettings settings(const Machine& machine) const {
+    TransientSettings s = settings_;
+    s.release = std::isfinite(machine.released()) ? machine.released() : 0.0;
+    return s;
+  }
+
+  const model::Parameters& p_;
+  TransientSettings settings_;
+  const Machine& machine_;
+  TransientWatch watch_;
+  long events_ = -1;
+  bool free_ = false;
+  double last_ = -1.0;
+};
+
+// Errors as in ensembles on lanes (lane_error_scale()); angles and speeds of the rotor like those of balls.
+template <int n>
+typename kernels::MachineTrajectory<n>::Scale ensemble_scale(const Study& study) {
+  typename kernels::MachineTrajectory<n>::Scale scale;
+  scale.tolerance = study.numerics.tolerance.value_or(default_basin_tolerance);
+  scale.floor.fill(1.0);
+  for (int i = 0; i < 4; ++i) scale.floor[i] = study.parameters.eccentricity + study.parameters.total_mass();
+  scale.absolute.fill(true);
+  return scale;
+}
+}  // namespace
+
+void check_machine(const Study& study) {
+  check(study);
+  if (study.numerics.decide == DecideMode::proof)
+    throw InputError(study.name, "numerics.decide", "proof",
+                     "a machine (motor, race offset, contact, rolling resistance) has no proved balance; must be "
+                     "\"validated\" or \"horizon\"");
+}
+
+MachineRunner::MachineRunner(const Study& study, const StopFlag* stop)
+    : study_(study),
+      stop_(stop),
+      drive_(study.drive()),
+      sampler_(sampler_of(study)),
+      settled_(drive_.pieces.back().begin) {
+  if (!study.speed.driven()) settled_ = std::max(settled_, drive_.release_time);
+  for (const SteadyKind& kind : steady_kinds(study.parameters.balls)) {
+    Motion motion;
+    motion.kind = MotionKind::measured;
+    catalogue_.add({kind.id, kind.name, "", motion, false});
+  }
+}
+
+BalanceNote MachineRunner::balance() const {
+  // Exact balance needs a centred race; whether it is stable at the final speed shows in the shares.
+  const model::Parameters& p = study_.parameters;
+  const model::BalancedStates states = model::balanced_states(p);
+  if (states.kind == model::BalancedStates::Kind::none) return {false, states.reason};
+  return {p.race_is_centred(), ""};
+}
+
+bool MachineRunner::run(std::uint64_t first, std::size_t count, std::vector<double>& phi, std::vector<Fate>& fates,
+                        std::vector<UnlistedStart>& unlisted, std::vector<TransientRow>* rows) const {
+  const int balls = study_.parameters.balls;
+  phi.clear();
+  unlisted.clear();
+  fates.assign(count, Fate{});
+  if (rows) rows->assign(count, TransientRow{});
+  for (std::size_t i = 0; i < count; ++i) {
+    if (stop_ && stop_->load(std::memory_order_relaxed)) return false;
+    const InitialState start = start_of(study_, sampler_, study_.sampling.seed, first + i);
+    phi.insert(phi.end(), start.phi.begin(), start.phi.begin() + balls);
+    TransientRow* row = rows ? &(*rows)[i] : nullptr;
+    fates[i] = model::with_ball_count(balls, [&](auto n) { return decide<n>(start, row); });
+  }
+  return true;
+}
+
+template <int n>
+Fate MachineRunner::decide(const InitialState& start, TransientRow* row) const {
+  using Machine = kernels::MachineTrajectory<n>;
+  using model::machine_index::psi;
+  const model::Parameters& p = study_.parameters;
+  double z[Machine::dimension];
+  initial_state(start, n, drive_.speed, z);
+  Machine machine(p, drive_, ensemble_scale<n>(study_), z);
+  MachineTransients<n> transients(study_, machine);
+  SteadyWatch watch(p, study_.speed_profile().final_speed());
+  bool watching = false, watched_clamped = false, steady = false;
+  Fate fate;
+  const auto steady_at = [&](double from, double to, auto&& state_at) {
+    double at[Machine::dimension];
+    // Windows begin anew where the balls are let go: a rotor that is steady with its balls held may never do so.
+    if (!watching || (watched_clamped && !machine.clamped())) {
+      state_at.roughly(from, at);
+      watch.begin(from, at[psi(n)], at + 4);
+      watching = true;
+      watched_clamped = machine.clamped();
+    }
+    std::array<SteadySample, 3> samples;
+    for (std::size_t k = 0; k < nodes.size(); ++k) {
+      state_at.roughly(k + 1 == nodes.size() ? to : from + nodes[k] * (to - from), at);
+      samples[k] = sample<n>(p, at);
+    }
+    return watch.step(to, at[psi(n)], at + 4, samples);
+  };
+  const bool at_horizon = study_.numerics.decide == DecideMode::horizon;
+  const auto observe = [&](double from, double to, auto&& state_at) {
+    if (row) transients.step(from, to, state_at);
+    if (steady && !at_horizon) return transients.may_leave();
+    if (to <= settled_ || !steady_at(from, to, state_at)) return false;
+    steady = true;
+    if (at_horizon) return false;
+    fate = judge(watch, machine.clamped());
+    fate.time = to;
+    if (!row) return true;
+    transients.decided(fate.attractor == balanced_id);
+    return false;
+  };
+  const auto status = machine.advance(settled_ + study_.numerics.horizon, observe, stop_);
+  const bool lost = status != IntegrationStatus::done;
+  if (row) *row = transients.row(lost);
+  if (lost) {
+    fate = {status == IntegrationStatus::diverged ? Outcome::diverged : Outcome::failed, DecidedBy::nothing, 0,
+            machine.time()};
+  } else if (!steady || at_horizon) {
+    const bool known = steady || (watch.has_features() && watch.speed_repeats());
+    if (known) fate = judge(watch, machine.clamped() || !steady);
+    if (fate.outcome != Outcome::undecided) fate.by = DecidedBy::horizon;
+    fate.time = machine.time();
+  }
+  return fate;
+}
+
+// What a start that is steady has come to. `nothing_but_speed`: only its mean speed is known to be steady, or its balls
+// are held: chaotic motion of a captured rotor repeats its mean speed and nothing else, and still it has stalled.
+Fate MachineRunner::judge(const SteadyWatch& watch, bool nothing_but_speed) const {
+  Fate fate;
+  if (study_.speed.driven() && watch.mean_speed() < study_.stall_speed())
+    fate = {Outcome::stalled, DecidedBy::windows, 0, 0.0};
+  else if (!nothing_but_speed)
+    fate = {Outcome::attracted, DecidedBy::windows,
+            static_cast<short>(steady_kind(study_.parameters, watch.features(), watch.mean_speed()).id), 0.0};
+  return fate;
+}
+
+}  // namespace equipoise

@@ -1,0 +1,49 @@
+// Figures of transients counted in the order of starts, by outcome.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <map>
+#include <utility>
+
+#include "equipoise/attractors/catalogue.hpp"
+#include "equipoise/attractors/fate.hpp"
+#include "equipoise/ensemble/sampling.hpp"
+#include "equipoise/ensemble/transient_table.hpp"
+#include "equipoise/report/transient_result.hpp"
+#include "equipoise/statistics/quantile.hpp"
+#include "equipoise/study/study.hpp"
+
+namespace equipoise {
+
+/// What is asked of every trajectory of `study`.
+TransientSettings transient_settings(const Study& study);
+
+/// Takes starts in by index, from start 0 on.
+class TransientTally {
+ public:
+  TransientTally(const Study& study, const Sampler& sampler);
+
+  void add(const Fate& fate, const TransientRow& row);
+  TransientResult result(const Catalogue& catalogue) const;
+
+ private:
+  struct Line {
+    std::uint64_t count = 0;
+    double weight = 0.0, weight_squared = 0.0;
+    std::array<Distribution, transient_columns.size()> figures;
+    std::array<std::uint64_t, 3> exceeding{};
+    std::array<double, 3> exceeding_weight{};
+
+    void merge(const Line& other);
+  };
+  TransientGroup group(const Line& line) const;
+
+  Limits limits_;
+  TransientSettings settings_;
+  Sampler sampler_;
+  std::uint64_t seed_, total_ = 0, lost_ = 0;
+  std::map<std::pair<int, int>, Line> lines_;  // by outcome and attractor
+};
+
+}  // namespace equipoise

@@ -1,0 +1,206 @@
+// Anisotropic supports and gravity: the stroboscopic map against the linearisation and against simulate(), motions and
+// shares against those of the isotropic rotor they tend to, decisions against longer integration.
+#include <algorithm>
+#include <cmath>
+#include <complex>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include "equipoise/attractors/strobed_motion.hpp"
+#include "equipoise/attractors/stroboscopic.hpp"
+#include "equipoise/base/angles.hpp"
+#include "equipoise/model/balanced_state.hpp"
+#include "equipoise/model/linearisation.hpp"
+#include "equipoise/model/strobe.hpp"
+#include "equipoise/run/attractors.hpp"
+#include "equipoise/run/lane_kernels.hpp"
+#include "equipoise/run/simulate.hpp"
+#include "equipoise/run/start_runner.hpp"
+
+namespace equipoise {
+namespace {
+
+// The paper's rotor at Omega = 2.4.
+Study paper_rotor(double gravity, std::array<double, 2> stiffness) {
+  Study study;
+  study.name = "rotor";
+  study.parameters.mass = {0.05, 0.05};
+  study.parameters.drag = {0.05, 0.05};
+  study.parameters.gravity = gravity;
+  study.parameters.stiffness = stiffness;
+  study.speed.profile = "constant";
+  study.speed.speed = 2.4;
+  return study;
+}
+
+std::vector<Fate> fates_of(StartRunner& runner, std::size_t count) {
+  std::vector<double> phi;
+  std::vector<Fate> fates;
+  std::vector<UnlistedStart> unlisted;
+  EXPECT_TRUE(runner.run(0, count, phi, fates, unlisted));
+  for (const UnlistedStart& start : unlisted) fates[start.place].attractor = static_cast<short>(runner.list(start));
+  return fates;
+}
+
+// Names without what tells a modulated motion from its plain form: "co-drifting, quasi-periodic" is what gravity makes
+// of "co-drifting".
+std::string plain_name(const Catalogue& catalogue, const Fate& fate) {
+  const Attractor* a = catalogue.find(fate.attractor);
+  return a ? a->name.substr(0, a->name.find(',')) : "";
+}
+
+// Simulates from psi = 0 for whole strobes and says how far from the orbit's own state it ends.
+double closure(const Study& study, const Motion& motion) {
+  const model::Parameters& p = study.parameters;
+  Study alone = study;
+  double z[model::dimension(model::max_balls)];
+  std::copy(motion.state.begin(), motion.state.end(), z);
+  const double w = study.speed.speed;
+  alone.initial.x = z[0];
+  alone.initial.y = z[1];
+  alone.initial.x_dot = z[2] + w * z[1];
+  alone.initial.y_dot = z[3] - w * z[0];
+  for (int i = 0; i < p.balls; ++i) {
+    alone.initial.phi[i] = z[model::index::phi(i)];
+    alone.initial.phi_dot[i] = z[model::index::q(i, p.balls)];
+  }
+  const Trajectory path = simulate(alone, {0.0, motion.period});
+  double miss = std::max(std::fabs(path.x.back() - z[0]), std::fabs(path.y.back() - z[1]));
+  for (int i = 0; i < p.balls; ++i)
+    miss = std::max({miss, std::fabs(wrapped(path.phi[i].back() - z[model::index::phi(i)])),
+                     std::fabs(path.phi_dot[i].back() - z[model::index::q(i, p.balls)])});
+  return miss;
+}
+
+TEST(Stroboscopic, MultipliersOfTheBalancedStateAreThoseOfItsEigenvalues) {
+  // Equal supports but for rounding: the general equations, and a motion whose multipliers are known otherwise.
+  model::Parameters p = paper_rotor(0.0, {1.0, 1.0 + 1e-13}).parameters;
+  ASSERT_TRUE(model::is_strobed(p));
+  model::Parameters isotropic = p;
+  isotropic.stiffness = {1.0, 1.0};
+  const auto phi = model::balanced_states(isotropic).angles.front();
+  const auto orbit = balanced_orbit(p, 2.4, phi.data());
+  ASSERT_TRUE(orbit);
+  const Eigen::VectorXcd rates =
+      model::jacobian(isotropic, 2.4, model::centred_state(isotropic, phi.data()).data()).eigenvalues();
+  ASSERT_EQ(orbit->multipliers.size(), rates.size());
+  for (const std::complex<double>& rate : rates) {
+    const std::complex<double> expected = std::exp(rate * model::strobe_period(p, 2.4));
+    double nearest = 1e300;
+    for (const auto& m : orbit->multipliers) nearest = std::min(nearest, std::abs(m - expected));
+    EXPECT_LT(nearest, 1e-9);  // integration at 1e-12 a step, some twenty steps
+  }
+}
+
+TEST(Stroboscopic, OrbitsCloseUnderSimulate) {
+  const Study study = paper_rotor(0.01, {1.0, 1.3});
+  const auto phi = model::balanced_states(paper_rotor(0.0, {1.0, 1.0}).parameters).angles.front();
+  const auto orbit = balanced_orbit(study.parameters, 2.4, phi.data());
+  ASSERT_TRUE(orbit);
+  EXPECT_LE(orbit->residual, 1e-9);
+  const Motion motion = describe_strobed(study.parameters, 2.4, *orbit);
+  EXPECT_TRUE(motion.balanced);
+  EXPECT_EQ(motion_name(study.parameters, motion).name, "balanced");
+  EXPECT_EQ(motion.kind, MotionKind::periodic);
+  EXPECT_NEAR(motion.period, two_pi / 2.4, 1e-12);
+  EXPECT_GT(motion.r_max, 1e-5);  // gravity rocks the balls, and the rotor shakes
+  // What Newton's method left, and what simulate() adds over a revolution.
+  EXPECT_LT(closure(study, motion), 1e-9);
+}
+
+TEST(Stroboscopic, WeakGravityAndAnisotropyChangeNextToNothing) {
+  constexpr std::size_t count = 500;
+  StartRunner plain(paper_rotor(0.0, {1.0, 1.0}), {2, nullptr, {}}),
+      weak(paper_rotor(1e-6, {1.0, 1.0 + 1e-6}), {2, nullptr, {}});
+  const auto before = fates_of(plain, count), after = fates_of(weak, count);
+  std::size_t other = 0, undecided = 0;
+  for (std::size_t i = 0; i < count; ++i) {
+    undecided += after[i].attractor == 0;
+    other += plain_name(plain.catalogue(), before[i]) != plain_name(weak.catalogue(), after[i]);
+  }
+  EXPECT_EQ(undecided, 0u);
+  // Only starts within about 1e-6 of a boundary, or so long in a chaotic transient that rounding decides, may differ.
+  EXPECT_LE(other, 5u);
+}
+
+TEST(Stroboscopic, ADriftingMotionIsModulatedByGravity) {
+  const Study study = paper_rotor(1e-3, {1.0, 1.0});
+  Eigen::VectorXd state = Eigen::VectorXd::Zero(8);
+  state[4] = state[5] = 1.0;  // balls together: they co-drift
+  const auto motion = motion_from(study.parameters, 2.4, state, 8000.0);
+  ASSERT_TRUE(motion);
+  EXPECT_TRUE(motion->strobed);
+  EXPECT_EQ(motion->kind, MotionKind::quasi_periodic);
+  EXPECT_EQ(motion_name(study.parameters, *motion).name.rfind("co-drifting", 0), 0u);
+  EXPECT_NEAR(motion->exponents[0], 0.0, 2e-3);  // 8 / duration, as classified
+  EXPECT_LT(motion->exponents[1], 0.0);
+}
+
+TEST(Stroboscopic, DecisionsHoldMuchLater) {
+  for (const Study& study : {paper_rotor(0.01, {1.0, 1.0}), paper_rotor(0.0, {1.0, 1.3})}) {
+    constexpr std::size_t count = 128;
+    StartRunner runner(study, {2, nullptr, {}});
+    const auto early = fates_of(runner, count);
+    std::vector<double> phi, states;
+    std::vector<Fate> late(count);
+    std::vector<UnlistedStart> unlisted;
+    StartSource source(study, nullptr);
+    ASSERT_TRUE(source.make(study.sampling.seed, 0, count, phi, states, late));
+    DecisionRule rule = runner.rule();
+    rule.at_horizon = true;
+    LaneTask task = source.task(0, states);
+    task.end = 2000.0;
+    ASSERT_TRUE(decide_lanes(task, rule, late, nullptr));
+    std::size_t decided = 0, confirmed = 0, contradicted = 0;
+    for (std::size_t i = 0; i < count; ++i) {
+      if (early[i].attractor == 0) continue;
+      ++decided;
+      confirmed += late[i].attractor == early[i].attractor;
+      contradicted += late[i].attractor != 0 && late[i].attractor != early[i].attractor;
+    }
+    EXPECT_GE(decided, count - 4);
+    EXPECT_EQ(contradicted, 0u);
+    EXPECT_GE(confirmed, decided - 4);  // chance windows of a torus fit no box
+  }
+}
+
+TEST(Stroboscopic, AnisotropyLeavesTheBalancedStateAndItsEquilibrium) {
+  Study study = paper_rotor(0.0, {1.0, 1.3});
+  study.sampling.starts = 512;
+  const AttractorsResult found = attractors(study, {});
+  const Attractor* balanced = found.catalogue.find(balanced_id);
+  ASSERT_TRUE(balanced);
+  EXPECT_EQ(balanced->motion.kind, MotionKind::equilibrium);
+  EXPECT_TRUE(balanced->motion.stable);
+  EXPECT_LT(std::abs(balanced->motion.spectrum[0]), 1.0);
+  EXPECT_GT(found.basin.attractors.front().share.count, 100u);
+  EXPECT_LT(found.basin.undecided.share, 0.02);
+}
+
+TEST(Stroboscopic, ThreeUnequalBallsRunWithTheSameBitsOnAnyNumberOfThreads) {
+  Study study = paper_rotor(0.01, {1.0, 1.2});
+  study.parameters.balls = 3;
+  study.parameters.mass = {0.03, 0.02, 0.025};
+  study.parameters.drag = {0.05, 0.06, 0.05};
+  study.parameters.damping = {0.5, 0.6};
+  study.sampling.starts = 96;
+  std::vector<Fate> one, two;
+  BasinOptions options;
+  options.threads = 1;
+  options.fate = [&](const Fate& fate) { one.push_back(fate); };
+  basin(study, options);
+  options.threads = 2;
+  options.fate = [&](const Fate& fate) { two.push_back(fate); };
+  basin(study, options);
+  ASSERT_EQ(one.size(), 96u);
+  ASSERT_EQ(two.size(), one.size());
+  for (std::size_t i = 0; i < one.size(); ++i) {
+    EXPECT_EQ(one[i].attractor, two[i].attractor) << i;
+    EXPECT_EQ(one[i].time, two[i].time) << i;
+    EXPECT_EQ(one[i].by, two[i].by) << i;
+  }
+}
+
+}  // namespace
+}  // namespace equipoise
