@@ -474,6 +474,28 @@ TEST(PhysicalEcho, NeedsScales) {
   EXPECT_THROW(to_physical_toml(s), InputError);
 }
 
+TEST(PhysicalEcho, HoldsMotorContactAndOffset) {
+  const Study a = parse(
+      machine, {"rotor.inertia=0.0108 kg m2", "balancer.race_offset=['30 um', '-10 um']", "balancer.ball_diameter=8 mm",
+                "balancer.contact=true", "speed={profile='torque', initial='100 rpm', stalled_below='1500 rpm'}",
+                "speed.torque={gain='0.1 N m s', integral='0.2 N m', limit='5 N m', "
+                "target={profile='ramp', final='3000 rpm', duration='5 s'}}"});
+  EXPECT_EQ(first_difference(a, parse(to_toml(a))), "");
+  const Study b = parse(to_physical_toml(a));
+  const auto close = [](double u, double v) { EXPECT_NEAR(u, v, 1e-12 * std::abs(u)); };  // a handful of roundings
+  close(a.parameters.inertia, b.parameters.inertia);
+  close(a.parameters.race_offset[0], b.parameters.race_offset[0]);
+  close(a.parameters.race_offset[1], b.parameters.race_offset[1]);
+  close(a.parameters.contact_angle, b.parameters.contact_angle);
+  close(*a.speed.stalled_below, *b.speed.stalled_below);
+  close(a.speed.initial, b.speed.initial);
+  close(a.motor().gain, b.motor().gain);
+  close(a.motor().integral, b.motor().integral);
+  close(*a.motor().limit, *b.motor().limit);
+  close(a.motor().target.final_speed(), b.motor().target.final_speed());
+  close(a.motor().target.settled_time(), b.motor().target.settled_time());
+}
+
 // Physical, dimensionless, physical, dimensionless: products and quotients of a handful of factors, one rounding each.
 TEST(PhysicalEcho, LeadsBackToTheSameMachine) {
   EXPECT_TRUE(rc::check("physical echo", [] {

@@ -112,7 +112,7 @@ TEST(BadInput, UnknownKeysAndTablesAreNamedWithTheNearestKnownOne) {
        "f.toml:4",
        "rotor.stifness",
        "1.0",
-       "unknown key; did you mean \"stiffness\"? (allowed: eccentricity, damping, stiffness, gravity)"},
+       "unknown key; did you mean \"stiffness\"? (allowed: eccentricity, damping, stiffness, gravity, inertia)"},
       {good + "horizon = 1\n",
        {},
        "f.toml:18",
