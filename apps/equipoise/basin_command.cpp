@@ -64,9 +64,13 @@ int print_replay(const Study& study, const BasinOptions& options, const std::str
   const auto by = static_cast<std::size_t>(replay.fate.by);
   fmt::print("outcome = {}\ndecided_by = {}\ndecision_time = {}\n", outcome_text(replay), decided_by_names[by],
              replay.fate.time);
-  if (replay.transients)
-    for (const TransientColumn& column : transient_columns)
-      fmt::print("{} = {}\n", column.name, (*replay.transients).*column.value);
+  if (!replay.transients) return done;
+  for (const TransientColumn& column : transient_columns) {
+    const bool asked = column.value == &TransientRow::time_above      ? study.limits.displacement.has_value()
+                       : column.value == &TransientRow::settling_time ? study.limits.settled.has_value()
+                                                                      : true;
+    if (asked) fmt::print("{} = {}\n", column.name, (*replay.transients).*column.value);
+  }
   return done;
 }
 
