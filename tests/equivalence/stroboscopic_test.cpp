@@ -13,7 +13,7 @@
 #include "equipoise/model/balanced_state.hpp"
 #include "equipoise/model/linearisation.hpp"
 #include "equipoise/model/strobe.hpp"
-#include "equipoise/run/attractors.hpp"
+#include "equipoise/run/basin.hpp"
 #include "equipoise/run/lane_kernels.hpp"
 #include "equipoise/run/simulate.hpp"
 #include "equipoise/run/start_runner.hpp"
@@ -141,10 +141,13 @@ TEST(Stroboscopic, DecisionsHoldMuchLater) {
   for (const Study& study : {paper_rotor(0.01, {1.0, 1.0}), paper_rotor(0.0, {1.0, 1.3})}) {
     constexpr std::size_t count = 128;
     StartRunner runner(study, {2, nullptr, {}});
+    const Attractor* balanced = runner.catalogue().find(balanced_id);
+    ASSERT_TRUE(balanced);
+    EXPECT_TRUE(balanced->motion.stable);
+    EXPECT_EQ(balanced->motion.kind, study.parameters.gravity == 0.0 ? MotionKind::equilibrium : MotionKind::periodic);
     const auto early = fates_of(runner, count);
     std::vector<double> phi, states;
     std::vector<Fate> late(count);
-    std::vector<UnlistedStart> unlisted;
     StartSource source(study, nullptr);
     ASSERT_TRUE(source.make(study.sampling.seed, 0, count, phi, states, late));
     DecisionRule rule = runner.rule();
@@ -165,26 +168,15 @@ TEST(Stroboscopic, DecisionsHoldMuchLater) {
   }
 }
 
-TEST(Stroboscopic, AnisotropyLeavesTheBalancedStateAndItsEquilibrium) {
-  Study study = paper_rotor(0.0, {1.0, 1.3});
-  study.sampling.starts = 512;
-  const AttractorsResult found = attractors(study, {});
-  const Attractor* balanced = found.catalogue.find(balanced_id);
-  ASSERT_TRUE(balanced);
-  EXPECT_EQ(balanced->motion.kind, MotionKind::equilibrium);
-  EXPECT_TRUE(balanced->motion.stable);
-  EXPECT_LT(std::abs(balanced->motion.spectrum[0]), 1.0);
-  EXPECT_GT(found.basin.attractors.front().share.count, 100u);
-  EXPECT_LT(found.basin.undecided.share, 0.02);
-}
-
 TEST(Stroboscopic, ThreeUnequalBallsRunWithTheSameBitsOnAnyNumberOfThreads) {
   Study study = paper_rotor(0.01, {1.0, 1.2});
   study.parameters.balls = 3;
-  study.parameters.mass = {0.03, 0.02, 0.025};
-  study.parameters.drag = {0.05, 0.06, 0.05};
+  study.parameters.mass = {0.05, 0.045, 0.055};
+  study.parameters.drag = {0.25, 0.24, 0.25};
   study.parameters.damping = {0.5, 0.6};
-  study.sampling.starts = 96;
+  study.speed.speed = 4.0;
+  study.numerics.horizon = 400.0;  // short: what is decided by then is not the point
+  study.sampling.starts = 48;
   std::vector<Fate> one, two;
   BasinOptions options;
   options.threads = 1;
@@ -193,7 +185,7 @@ TEST(Stroboscopic, ThreeUnequalBallsRunWithTheSameBitsOnAnyNumberOfThreads) {
   options.threads = 2;
   options.fate = [&](const Fate& fate) { two.push_back(fate); };
   basin(study, options);
-  ASSERT_EQ(one.size(), 96u);
+  ASSERT_EQ(one.size(), 48u);
   ASSERT_EQ(two.size(), one.size());
   for (std::size_t i = 0; i < one.size(); ++i) {
     EXPECT_EQ(one[i].attractor, two[i].attractor) << i;
