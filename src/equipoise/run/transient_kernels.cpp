@@ -41,10 +41,16 @@ bool advance_transient_target(const LaneTask& task, std::vector<Fate>& fates) {
   });
 }
 
+template <int n, bool strobed>
+bool decide_watched(const LaneTask& task, const DecisionRule& rule, std::vector<Fate>& fates) {
+  const auto decide = std::make_unique<DecideFate<n, lane_groups<n>, strobed>>(*task.parameters, task.segment, rule,
+                                                                               fates, nullptr);
+  return run_watched<n, Terms{false, strobed, strobed}, true>(task, *decide);
+}
+
 bool decide_transient_target(const LaneTask& task, const DecisionRule& rule, std::vector<Fate>& fates) {
   return model::with_ball_count(task.parameters->balls, [&](auto n) {
-    const auto decide = std::make_unique<DecideFate<n, lane_groups<n>>>(*task.parameters, rule, fates, nullptr);
-    return run_watched<n, Terms{false, true, true}, true>(task, *decide);
+    return task.general() ? decide_watched<n, true>(task, rule, fates) : decide_watched<n, false>(task, rule, fates);
   });
 }
 
