@@ -59,7 +59,7 @@ class Machine {
     const double w = y[3 + n_ + 2];
     using Kind = equipoise::model::MotorLaw::Kind;
     if (s.by_stall) return s.stall * (1.0 - w / s.no_load_speed);
-    if (s.kind == Kind::linear) return s.until && t >= *s.until ? 0.0 : s.constant + s.slope * w;
+    if (s.kind == Kind::linear) return s.until && began >= *s.until ? 0.0 : s.constant + s.slope * w;
     if (s.kind == Kind::table) {
       if (t <= s.times.front()) return s.values.front();
       for (std::size_t i = 1; i < s.times.size(); ++i)
@@ -155,7 +155,8 @@ class Machine {
     return dy;
   }
 
-  VectorXd step(double t, const VectorXd& y, double h) const {
+  VectorXd step(double t, const VectorXd& y, double h) {
+    began = t;
     const VectorXd k1 = derivative(t, y), k2 = derivative(t + h / 2, y + h / 2 * k1),
                    k3 = derivative(t + h / 2, y + h / 2 * k2), k4 = derivative(t + h, y + h * k3);
     return y + h / 6 * (k1 + 2 * k2 + 2 * k3 + k4);
@@ -238,6 +239,7 @@ class Machine {
   }
 
   bool clamped = false;
+  double began = 0.0;  // of the step under way: which piece of the motor's law holds
 
  private:
   double weight(int k) const { return k < 0 ? 1.0 : p_.mass[k]; }

@@ -78,7 +78,7 @@ std::vector<Case> cases() {
   all.push_back(
       {"rolling_at_constant_speed", rotor("") + balls(3, "rolling = [0.01, 0.02, 0.03]") + constant, 25.0, 5e-9});
   all.push_back({"contact",
-                 rotor() + balls(3, "contact_angle = 0.3\nrestitution = 0.9") +
+                 rotor() + balls(3, "contact_angle = 1.0\nrestitution = 0.9") +
                      torque("{ constant = 0.3, slope = -0.1 }") + at_speed,
                  20.0, 5e-9});
   all.push_back({"contact_at_constant_speed", rotor("") + balls(2, "contact_angle = 1.2\nrestitution = 1.0") + constant,
@@ -120,8 +120,8 @@ TEST_P(Machine, moves_as_mass_points_do) {
   RecordProperty("largest_difference", fmt::format("{:.2g} in {}", largest, worst));
   EXPECT_LT(largest, c.accuracy) << worst;
 
-  // The reference's own balance, so that what both agree on also keeps energy: neither drag, nor rolling resistance, nor
-  // impacts give any back. The powers are integrated with the error of its steps.
+  // The reference's own balance, so that what both agree on also keeps energy: neither drag, nor rolling resistance,
+  // nor impacts give any back. The powers are integrated with the error of its steps.
   const auto &from = reference.front(), &to = reference.back();
   const double taken = to.supports - from.supports + to.balls - from.balls + to.impacts - from.impacts;
   EXPECT_NEAR(to.energy - from.energy, to.work - from.work - taken, 1e-8 * (1.0 + std::fabs(to.energy)));

@@ -295,10 +295,18 @@ TEST(Motion, OfUnequalBalls) {
   EXPECT_NE(travellers->cluster[0], travellers->cluster[1]);
 }
 
-TEST(Motion, IsSoughtOnlyWhereThereIsASteadyOne) {
+// With gravity a motion is steady from strobe to strobe.
+TEST(Motion, WithGravityComesBackOnceARevolution) {
   model::Parameters p = rotor(0.05);
   p.gravity = 0.01;
-  EXPECT_FALSE(motion_from(p, 2.4, at_rest({1, 2})));
+  const auto motion = motion_from(p, 2.4, at_rest({1, 2}));
+  ASSERT_TRUE(motion);
+  EXPECT_TRUE(motion->stable);
+  if (motion->kind == MotionKind::periodic) {
+    const double turns = motion->period * 2.4 / two_pi;
+    EXPECT_NEAR(turns, std::round(turns), 1e-12);  // whole revolutions, exactly but for rounding
+  }
 }
 
 }  // namespace
+}  // namespace equipoise

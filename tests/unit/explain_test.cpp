@@ -153,21 +153,20 @@ TEST(Explain, LeavesGravityOutOfWhatTheBallsCancel) {
 }
 
 TEST(Explain, TakesTheTargetOfAMotorForTheFinalSpeed) {
-  Study driven = parse_study(machine, "m.toml");
-  driven.speed.profile = "torque";
-  driven.speed.torque.kind = "control";
-  driven.speed.torque.gain = 0.1;
-  driven.speed.torque.target.profile = "ramp";
-  driven.speed.torque.target.final = 3.0;
-  driven.speed.torque.target.duration = 100.0;
-  const Explanation e = explain(driven);
-  EXPECT_EQ(e.speed, 3.0);
-  EXPECT_EQ(e.spin_up, 100.0);
-  EXPECT_EQ(quantity(e, "K_p"), 0.1);
+  const auto driven = [](const char* torque) {
+    return of(machine,
+              {"speed={profile='torque'}", "rotor.inertia=0.0108 kg m2", std::string("speed.torque=") + torque});
+  };
+  const Explanation e = driven("{gain='0.1 N m s', target={profile='ramp', final='2000 rpm', duration='5 s'}}");
+  EXPECT_DOUBLE_EQ(*e.speed, 2000.0 * pi / 30.0 / (20.0 * std::sqrt(10.0)));
+  EXPECT_DOUBLE_EQ(*e.spin_up, 5.0 * 20.0 * std::sqrt(10.0));
+  EXPECT_DOUBLE_EQ(quantity(e, "K_p"), 0.1 / (12.0 * 9e-4 * 20.0 * std::sqrt(10.0)));
   EXPECT_NE(explain_text(e).find("at constant speed"), std::string::npos);
-  driven.speed.torque.kind = "linear";
-  EXPECT_FALSE(explain(driven).speed.has_value());
-  EXPECT_NE(explain_text(explain(driven)).find("the motor, not the study"), std::string::npos);
+  EXPECT_DOUBLE_EQ(*driven("{stall='1 N m', no_load_speed='2000 rpm'}").speed, *e.speed);
+  // A constant torque aims at no speed.
+  const Explanation free = driven("{constant='1 N m'}");
+  EXPECT_FALSE(free.speed.has_value());
+  EXPECT_NE(explain_text(free).find("the motor, not the study"), std::string::npos);
 }
 
 TEST(Explain, HasTheReynoldsNumberOfASlippingBall) {

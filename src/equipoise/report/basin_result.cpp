@@ -51,6 +51,9 @@ std::string basin_text(const BasinResult& r) {
   if (r.transients) text += transient_text(*r.transients, r.study);
   text += sampling_text(r);
   text += decided_text(r);
+  if (r.passed)
+    text += fmt::format("Came through the resonance: {} of all starts ({}).\n",
+                        percent(r.passed->share, digits_for(*r.passed)), interval(*r.passed));
   if (!r.note.empty()) text += fmt::format("Note: {}.\n", r.note);
   if (r.partial) text += "PARTIAL: stopped before all starts were done; the shares above are of those that were.\n";
   text += fmt::format("{} starts, seed {}; {:.2f} s, {:.2f} s CPU on {} thread{} ({}), {:.0f} starts/s; equipoise {}\n",
@@ -81,6 +84,7 @@ std::string basin_json(const BasinResult& r) {
   if (r.stalled) {
     json["stalled"] = share(*r.stalled);
     json["stalled"]["below"] = r.study.stall_speed();
+    if (r.passed) json["passed"] = share_json(*r.passed);
   }
   json["undecided"] = share(r.undecided);
   json["diverged"] = share(r.diverged);

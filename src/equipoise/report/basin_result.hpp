@@ -40,7 +40,8 @@ struct BasinResult {
   std::uint64_t resumed_from = 0;          ///< starts read from an earlier run's file
   std::vector<AttractorShare> attractors;  ///< by identifier; balanced is always the first
   Share undecided, diverged, failed;
-  std::optional<Share> stalled;               ///< of a driven rotor: its motor did not bring it to stall_speed()
+  std::optional<Share> stalled;  ///< of a driven rotor: its motor did not bring it to stall_speed()
+  std::optional<Share> passed;   ///< of a driven rotor: came to a steady motion above it (Wilson's interval)
   std::optional<TransientResult> transients;  ///< if they were gathered
   double half_width = 0.0;                    ///< asked for; 0: none
   std::optional<SamplingChoice> choice;       ///< if the method was left open

@@ -134,7 +134,9 @@ std::string study_heading(const Study& study) {
   return text + more_text(p) + speed_text(study) + "\n\n";
 }
 
-std::string rotor_speed_text(const Study& study, double speed) { return Shown(study)(speed, Dimension::speed); }
+std::string rotor_speed_text(const Study& study, double speed) {
+  return study.scales ? Shown(study)(speed, Dimension::speed) : fmt::format("{:.6g}", speed);
+}
 
 const char* name_of(model::SpeedLaw law) { return law == model::SpeedLaw::published ? "published" : "kinematic"; }
 

@@ -86,8 +86,8 @@ std::string figure_line(const Told& t, const SampleSummary& s, const Unit& unit)
                        number(high, unit.size, open));
   };
   std::string line = fmt::format("  {:<26}{:<15}", t.title, unit.name);
-  line += fmt::format("{:<33}", s.open == s.count ? open : with_interval(s.mean, s.mean_low, s.mean_high));
-  for (const QuantileEstimate& q : s.quantiles) line += fmt::format("{:<33}", with_interval(q.value, q.low, q.high));
+  line += fmt::format("{:<36}", s.open == s.count ? open : with_interval(s.mean, s.mean_low, s.mean_high));
+  for (const QuantileEstimate& q : s.quantiles) line += fmt::format("{:<36}", with_interval(q.value, q.low, q.high));
   line.erase(line.find_last_not_of(' ') + 1);
   return line + "\n";
 }
@@ -140,7 +140,7 @@ Json figure_json(const SampleSummary& s, const Unit& unit) {
 
 std::string transient_text(const TransientResult& r, const Study& study) {
   const Units units = units_of(study);
-  std::string text = fmt::format("  {:<41}{:<33}{:<33}{:<33}{}\n", "transients (95 % intervals)", "mean", "median",
+  std::string text = fmt::format("  {:<41}{:<36}{:<36}{:<36}{}\n", "transients (95 % intervals)", "mean", "median",
                                  "90 % of starts below", "99 % of starts below");
   for (const TransientGroup& group : r.groups)
     // A single outcome says all.

@@ -1,9 +1,12 @@
 // The search for attractors is an ensemble whose catalogue is kept.
 #include "equipoise/run/attractors.hpp"
 
+#include "equipoise/run/start_runner.hpp"
+
 namespace equipoise {
 
 AttractorsResult attractors(const Study& study, const BasinOptions& options) {
+  check_prescribed(study, "attractors");
   AttractorsResult result;
   result.basin = basin(study, options, &result.catalogue);
   return result;

@@ -184,7 +184,12 @@ class BasinRun {
     result_.undecided = tally_->share(Outcome::undecided);
     result_.diverged = tally_->share(Outcome::diverged);
     result_.failed = tally_->share(Outcome::failed);
-    if (result_.study.speed.driven()) result_.stalled = tally_->share(Outcome::stalled);
+    if (result_.study.speed.driven()) {
+      result_.stalled = tally_->share(Outcome::stalled);
+      std::uint64_t passed = 0;
+      for (const AttractorShare& a : result_.attractors) passed += a.share.count;
+      if (!result_.grid) result_.passed = wilson_share(passed, tally_->total());
+    }
     if (options_.transients) result_.transients = transients_->result(runner_->catalogue());
     if (result_.choice && result_.choice->method == SamplingMethod::sobol)  // known better by now
       result_.choice->random_starts = random_starts_for(tally_->shares(), options_.half_width);

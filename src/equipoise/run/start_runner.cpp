@@ -27,14 +27,23 @@ void check_decidable(const Study& study) {
                      "with anisotropic supports or gravity there are no proofs: use \"validated\" or \"horizon\"");
 }
 
-void check_autonomous(const Study& study, const char* asked) {
+void check_prescribed(const Study& study, const char* asked) {
   check(study);
-  if (study.needs_machine())
-    throw InputError(study.name, study.speed.driven() ? "speed.profile" : "balancer",
-                     study.speed.driven() ? "torque" : "",
-                     fmt::format("{} need a prescribed speed, a centred race and balls without contact, rolling "
-                                 "resistance or stiction (simulate and basin take all)",
-                                 asked));
+  if (!study.needs_machine()) return;
+  const model::Parameters& p = study.parameters;
+  const auto reject = [&](const char* key, const std::string& value, const char* needed) {
+    throw InputError(study.name, key, value, fmt::format("{} need {} (simulate and basin take any)", asked, needed));
+  };
+  if (study.speed.driven()) reject("speed.profile", "torque", "a prescribed speed");
+  if (p.balls_collide())
+    reject("balancer.contact_angle", fmt::format("{}", p.contact_angle), "balls that pass each other, 0");
+  if (p.balls_stick())
+    reject("balancer.rolling", fmt::format("{}", p.rolling[0]), "balls without rolling resistance or stiction, 0");
+  reject("balancer.race_offset", fmt::format("[{}, {}]", p.race_offset[0], p.race_offset[1]), "a centred race, [0, 0]");
+}
+
+void check_autonomous(const Study& study, const char* asked) {
+  check_prescribed(study, asked);
   const model::Parameters& p = study.parameters;
   if (!p.isotropic()) {
     const bool stiffness = p.stiffness[0] != p.stiffness[1];

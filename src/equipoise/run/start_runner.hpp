@@ -17,6 +17,9 @@ namespace equipoise {
 /// Throws InputError for invalid studies and those whose starts cannot be decided: anisotropic supports or gravity on a
 /// rotor that comes to rest, or with decisions by proof.
 void check_decidable(const Study& study);
+/// Throws InputError for invalid studies and machines: what `asked` ("attractors") answers for rotors that turn as
+/// prescribed only.
+void check_prescribed(const Study& study, const char* asked);
 /// The same, and for anisotropic supports and gravity altogether: what `asked` ("maps") answers for equations that do
 /// not depend on the rotor's angle only.
 void check_autonomous(const Study& study, const char* asked);

@@ -43,8 +43,8 @@ bool advance_transient_target(const LaneTask& task, std::vector<Fate>& fates) {
 
 template <int n, bool strobed>
 bool decide_watched(const LaneTask& task, const DecisionRule& rule, std::vector<Fate>& fates) {
-  const auto decide = std::make_unique<DecideFate<n, lane_groups<n>, strobed>>(*task.parameters, task.segment, rule,
-                                                                               fates, nullptr);
+  const auto decide =
+      std::make_unique<DecideFate<n, lane_groups<n>, strobed>>(*task.parameters, task.segment, rule, fates, nullptr);
   return run_watched<n, Terms{false, strobed, strobed}, true>(task, *decide);
 }
 
