@@ -12,7 +12,7 @@ wc = sqrt(110e3/10)          # omega_c of the study, rad/s
 rpm = wc*30/pi
 R = 60                       # race radius, mm
 set grid lc rgb "#dddddd"
-set multiplot layout 2,1 margins 0.09,0.97,0.10,0.95 spacing 0.06
+set multiplot layout 2,1 margins 0.11,0.97,0.10,0.95 spacing 0.06
 set key right center
 set format x ""
 set ylabel "speed, rpm"

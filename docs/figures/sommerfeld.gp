@@ -5,14 +5,13 @@ set output "docs/figures/sommerfeld.png"
 set datafile separator ","
 file = "docs/figures/sommerfeld.csv"
 set grid lc rgb "#dddddd"
-set multiplot layout 2,1 margins 0.09,0.97,0.10,0.96 spacing 0.06
+set multiplot layout 2,1 margins 0.10,0.97,0.10,0.96 spacing 0.06
 set key right center
 set format x ""
 set ylabel "starts, %"
 set yrange [-4:104]
 plot file using 1:($2*100):($3*100):($4*100) skip 1 with yerrorlines pt 7 lw 2 lc rgb "#d62728" \
        title "stalled, with 95 % intervals", \
-     file using 1:($5*100) skip 1 with linespoints pt 4 lw 2 lc rgb "#999999" title "undecided after 150 s", \
      file using 1:($6*100) skip 1 with linespoints pt 6 lw 2 lc rgb "#2ca02c" title "balanced"
 set format x "%g"
 set xlabel "stall torque, N m"
