@@ -46,6 +46,40 @@ class Explain(unittest.TestCase):
                                       'such as "12 kg"\n')
 
 
+class Examples(unittest.TestCase):
+    """The machines of docs/guide: every example can be read, explained and sampled as it stands."""
+    FOLDER = os.path.join(STUDIES, "examples")
+
+    def studies(self):
+        found = sorted(name for name in os.listdir(self.FOLDER) if name.endswith(".toml"))
+        self.assertGreaterEqual(len(found), 4)
+        for name in found:
+            with self.subTest(study=name):
+                yield os.path.join(self.FOLDER, name)
+
+    def test_every_example_is_explained(self):
+        for study in self.studies():
+            done = run("explain", study)
+            self.assertEqual((done.returncode, done.stderr), (0, ""))
+            for words in ("critical speed", "can balance           yes", "without balls", "limit"):
+                self.assertIn(words, done.stdout)
+            self.assertIn("length", json.loads(run("explain", study, "--json").stdout)["study"]["units"])
+
+    def test_every_example_runs(self):
+        for study in self.studies():
+            done = run("basin", study, "--starts", "20", "--json", "--quiet")
+            self.assertEqual((done.returncode, done.stderr), (0, ""))
+            answer = json.loads(done.stdout)
+            self.assertEqual(answer["starts"], 20)
+            # What is lost or undecided would not be an example of anything.
+            for status in ("undecided", "diverged", "failed"):
+                self.assertEqual(answer[status]["count"], 0, status)
+            everything = answer["transients"]["groups"][0]
+            self.assertEqual((everything["starts"], answer["transients"]["units"]["displacement"]), (20, "mm"))
+            self.assertGreater(everything["figures"]["peak_radial"]["largest"], 0)
+            self.assertTrue(everything["exceeded"])
+
+
 class Basin(unittest.TestCase):
     def test_json_has_shares_as_fractions_with_intervals(self):
         done = run("basin", ROW, "--starts", "3000", "--json", "--quiet")
