@@ -309,4 +309,3 @@ TEST(Motion, WithGravityComesBackOnceARevolution) {
 }
 
 }  // namespace
-}  // namespace equipoise

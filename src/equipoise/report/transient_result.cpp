@@ -152,6 +152,11 @@ std::string transient_text(const TransientResult& r, const Study& study) {
                       units.time.name,
                       r.settings.watches_settling() ? "; that of a balanced start is the first one settled throughout"
                                                     : "; balanced starts are then still decaying");
+  text += "RMS velocity: of both directions together; one alone has about 0.71 of it.\n";
+  if (const model::Parameters& p = study.parameters; p.gravity != 0.0)
+    text += fmt::format("Displacements hold the sag of {:.4g} {} under the rotor's weight.\n",
+                        (1.0 + p.total_mass()) * p.gravity / p.stiffness[1] * units.displacement.size,
+                        units.displacement.name);
   if (r.lost > 0) text += fmt::format("{} starts diverged or failed and are left out here.\n", r.lost);
   return text + "\n";
 }
