@@ -41,19 +41,19 @@ std::string torque(const std::string& law, const std::string& initial = "0.5") {
 }
 const std::string constant = "[speed]\nprofile = \"constant\"\nspeed = 2.0\n";
 
-// Error of a reference step of 2e-3 over these times, from a run with half the step: below 1e-11 where all is smooth.
-// An impact or a start is placed to rounding and adds no more.
+// The reference's step of 4e-3 errs by 6e-11 until t = 35 with five balls, from a run with half the step; an impact or
+// a start is placed to rounding. What of that grows on the way differs from case to case.
 std::vector<Case> cases() {
   std::vector<Case> all;
   const std::string at_speed = "[release]\nspeed = 0.9\n", at_time = "[release]\ntime = 7.3\n";
   for (int n : {1, 2, 3, 5})
     all.push_back({fmt::format("linear_{}", n),
-                   rotor() + balls(n) + torque("{ constant = 0.3, slope = -0.1, until = 30.0 }") + at_speed, 50.0,
+                   rotor() + balls(n) + torque("{ constant = 0.3, slope = -0.1, until = 30.0 }") + at_speed, 35.0,
                    1e-9});
   all.push_back({"stall", rotor() + balls(2) + torque("{ stall = 0.4, no_load_speed = 3.0 }"), 25.0, 5e-9});
   all.push_back({"table",
                  rotor() + balls(3) + torque("{ times = [2.0, 20.0, 30.0], values = [0.4, 0.2, -0.1] }") + at_time,
-                 25.0, 5e-9});
+                 35.0, 5e-9});
   all.push_back({"control",
                  rotor() + balls(2) +
                      torque("{ gain = 0.8, target = { profile = \"ramp\", final = 2.5, duration = 20.0 } }", "0.0") +
