@@ -72,14 +72,10 @@ SteadyWatch::SteadyWatch(const model::Parameters& p, double typical_speed) : p_(
 }
 
 void SteadyWatch::begin(double t, double psi, const double* phi) {
-  begin_ = last_ = half_begin_ = long_begin_ = t;
+  begin_ = last_ = long_begin_ = t;
   long_end_ = t + rule_.first_long_window;
   long_psi_ = psi;
-  std::copy(phi, phi + p_.balls, half_phi_.begin());
-  sums_ = {};
-  sums_.r2_min = 1e300;
-  sums_.q_min.fill(1e300);
-  sums_.q_max.fill(-1e300);
+  open_half(t, phi);
   tracker_.begin(rule_);
   speed_repeats_ = 0;
   repeats_ = speed_windows_ = kind_repeats_ = kind_ = 0;
@@ -111,6 +107,10 @@ void SteadyWatch::finish_half(double t, const double* phi) {
   sums_.duration = t - half_begin_;
   for (int i = 0; i < p_.balls; ++i) sums_.turned[i] = phi[i] - half_phi_[i];
   tracker_.add(sums_);  // its long windows end with the same half windows as those here
+  open_half(t, phi);
+}
+
+void SteadyWatch::open_half(double t, const double* phi) {
   half_begin_ = t;
   std::copy(phi, phi + p_.balls, half_phi_.begin());
   sums_ = {};

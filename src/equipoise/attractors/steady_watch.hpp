@@ -56,6 +56,7 @@ class SteadyWatch {
   bool has_features() const { return has_features_; }
 
  private:
+  void open_half(double t, const double* phi);
   void finish_half(double t, const double* phi);
   bool finish_long(double t, double psi);
   bool repeats(const Features& before) const;

@@ -41,10 +41,12 @@ struct Chunk {
   const TransientRow* row(std::size_t place) const { return transients.empty() ? nullptr : &transients[place]; }
 };
 
-// Large enough that lanes seldom wait for a chunk's last trajectory, small enough that every thread gets many.
-std::size_t chunk_size(std::uint64_t starts, int threads) {
+// Large enough that lanes seldom wait for a chunk's last trajectory, small enough that every thread gets many. A
+// machine's starts ride in no lanes and take milliseconds each.
+std::size_t chunk_size(std::uint64_t starts, int threads, bool machine) {
+  const std::uint64_t least = machine ? 4 : 256, most = machine ? 128 : 8192;
   return static_cast<std::size_t>(
-      std::clamp<std::uint64_t>(starts / (16 * static_cast<std::uint64_t>(threads)), 256, 8192));
+      std::clamp<std::uint64_t>(starts / (16 * static_cast<std::uint64_t>(threads)), least, most));
 }
 
 double cpu_now() { return static_cast<double>(std::clock()) / CLOCKS_PER_SEC; }
@@ -237,7 +239,7 @@ class BasinRun {
   using Sink = std::function<void(const std::shared_ptr<Chunk>&)>;
   // Decides starts first .. limit - 1, or fewer once finished_ or lost_; `sink` gets the chunks in order.
   void compute(std::uint64_t first, std::uint64_t limit, const Sink& sink) {
-    const std::size_t size = chunk_size(limit - first, threads_);
+    const std::size_t size = chunk_size(limit - first, threads_, result_.study.needs_machine());
     std::uint64_t next = first;
     const auto make = [&](tbb::flow_control& control) -> std::shared_ptr<Chunk> {
       const bool stop_asked = options_.stop && options_.stop->load(std::memory_order_relaxed);

@@ -165,11 +165,11 @@ bool MachineRunner::run(std::uint64_t first, std::size_t count, std::vector<doub
   fates.assign(count, Fate{});
   if (rows) rows->assign(count, TransientRow{});
   for (std::size_t i = 0; i < count; ++i) {
-    if (stop_ && stop_->load(std::memory_order_relaxed)) return false;
     const InitialState start = start_of(study_, sampler_, study_.sampling.seed, first + i);
     phi.insert(phi.end(), start.phi.begin(), start.phi.begin() + balls);
     TransientRow* row = rows ? &(*rows)[i] : nullptr;
     fates[i] = model::with_ball_count(balls, [&](auto n) { return decide<n>(start, row); });
+    if (stop_ && stop_->load(std::memory_order_relaxed)) return false;  // the last one may have been cut short
   }
   return true;
 }
