@@ -95,7 +95,7 @@ void describe_pairs(const model::Parameters& p, const MotionStatistics& statisti
 Eigen::VectorXd with_angles_reduced(const model::Parameters& p, Eigen::VectorXd state) {
   for (int i = 0; i < p.balls; ++i) {
     double& phi = state[model::index::phi(i)];
-    phi -= two_pi * std::floor(phi / two_pi);
+    phi = wrapped_positive(phi);
   }
   return state;
 }

@@ -148,7 +148,7 @@ bool SteadyWatch::finish_long(double t, double psi) {
     repeats_ = 0;
   }
   const int kind = steady_kind(p_, features_, speed).id;
-  kind_repeats_ = same && kind == kind_ && kind != 1 ? kind_repeats_ + 1 : 0;
+  kind_repeats_ = same && kind == kind_ && kind != balanced_id ? kind_repeats_ + 1 : 0;
   kind_ = kind;
   return balancing || (speed_repeats() && (repeats_ >= 2 || kind_repeats_ >= most_kind_repeats));
 }

@@ -55,7 +55,6 @@ class MachineTrajectory {
   double released() const { return released_; }
   // Events that changed what the balls do, release included.
   long events() const { return events_; }
-  const model::Parameters& parameters() const { return p_; }
 
   // Past the end of a piece of the drive, if the time is there: psi' may jump.
   void enter() {
@@ -137,7 +136,7 @@ class MachineTrajectory {
     return flow_.forces_on(i, z, flow_.evaluate(t_, z, dz));
   }
 
-  // What each ball and pair has come to do at a state; bits as in `happened_`.
+  // What has come to happen at a state: the release, to balls, to pairs of neighbours.
   struct Happened {
     bool release = false;
     std::array<bool, n> ball{}, pair{};

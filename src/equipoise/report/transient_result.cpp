@@ -8,6 +8,7 @@
 #include <nlohmann/json.hpp>
 
 #include "equipoise/model/balance_grade.hpp"
+#include "equipoise/model/strobe.hpp"
 #include "equipoise/report/text.hpp"
 
 namespace equipoise {
@@ -155,8 +156,7 @@ std::string transient_text(const TransientResult& r, const Study& study) {
   text += "RMS velocity: of both directions together; one alone has about 0.71 of it.\n";
   if (const model::Parameters& p = study.parameters; p.gravity != 0.0)
     text += fmt::format("Displacements hold the sag of {:.4g} {} under the rotor's weight.\n",
-                        (1.0 + p.total_mass()) * p.gravity / p.stiffness[1] * units.displacement.size,
-                        units.displacement.name);
+                        -model::static_sag(p) * units.displacement.size, units.displacement.name);
   if (r.lost > 0) text += fmt::format("{} starts diverged or failed and are left out here.\n", r.lost);
   return text + "\n";
 }

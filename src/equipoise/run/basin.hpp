@@ -62,7 +62,7 @@ struct StartReplay {
 
 /// Runs the ensemble: study.sampling.starts starts, or as many as options.half_width asks for. The outcome of start i
 /// depends on the study and i alone (for one CPU target; see docs/numerics.md).
-/// Throws InputError for studies that cannot be decided (anisotropic supports, gravity) and unusable output files,
+/// Throws InputError for studies that cannot be decided (see check_runnable()) and unusable output files,
 /// RunError if the output file fails later.
 /// `catalogue`, if given, receives the attractors found, refined and named.
 BasinResult basin(const Study& study, const BasinOptions& options = {}, Catalogue* catalogue = nullptr);

@@ -12,7 +12,7 @@
 
 namespace equipoise {
 
-/// Takes every trajectory to task.end. Isotropic supports, no gravity. False if stopped early.
+/// Takes every trajectory to task.end. False if stopped early.
 /// `fates[i]` becomes diverged or failed for a trajectory lost on the way and is left alone otherwise; a lost one's
 /// state stays where it was lost.
 bool advance_lanes(const LaneTask& task, std::vector<Fate>& fates);

@@ -12,6 +12,7 @@
 #include "equipoise/model/balanced_state.hpp"
 #include "equipoise/model/ball_count.hpp"
 #include "equipoise/model/energy.hpp"
+#include "equipoise/model/strobe.hpp"
 #include "equipoise/run/initial_state.hpp"
 #include "equipoise/run/transient_tally.hpp"
 
@@ -28,9 +29,9 @@ template <int n>
 SteadySample sample(const model::Parameters& p, const double* z) {
   double x = z[model::index::x], y = z[model::index::y];
   if (p.gravity != 0.0) {
-    const double sag = (1.0 + p.total_mass()) * p.gravity / p.stiffness[1], psi = z[model::machine_index::psi(n)];
-    x += sag * std::sin(psi);
-    y += sag * std::cos(psi);
+    const double sag = model::static_sag(p), psi = z[model::machine_index::psi(n)];
+    x -= sag * std::sin(psi);
+    y -= sag * std::cos(psi);
   }
   SteadySample s;
   s.r2 = x * x + y * y;
