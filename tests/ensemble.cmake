@@ -6,6 +6,7 @@ equipoise_test(kernel_speed_test unit unit/kernel_speed_test.cpp)
 equipoise_test(statistics_test unit unit/statistics_test.cpp unit/comparison_test.cpp unit/quantile_test.cpp)
 equipoise_test(sampling_test unit unit/sampling_test.cpp unit/even_share_test.cpp)
 equipoise_test(reproduction_test unit unit/document_test.cpp unit/published_tables_test.cpp LIBRARIES nlohmann_json::nlohmann_json)
+equipoise_test(store_test unit unit/store_test.cpp)
 equipoise_test(window_test unit unit/window_test.cpp)
 equipoise_test(basin_test equivalence equivalence/basin_test.cpp equivalence/basin_sampling_test.cpp equivalence/full_state_test.cpp)
 equipoise_test(decisions_test equivalence equivalence/decisions_test.cpp)
@@ -48,6 +49,13 @@ if(Python3_FOUND AND EQUIPOISE_BUILD_PROGRAM)
     COMMAND Python3::Interpreter ${CMAKE_CURRENT_SOURCE_DIR}/cli/reproduce_test.py $<TARGET_FILE:equipoise_program>
       ${PROJECT_SOURCE_DIR}/studies)
   set_tests_properties(cli.reproduce_as_its_users_meet_it PROPERTIES LABELS cli TIMEOUT 600)
+
+  if(NOT EQUIPOISE_SANITIZE)  # runs are killed at moments measured in seconds
+    add_test(NAME faults.nothing_is_lost
+      COMMAND Python3::Interpreter ${CMAKE_CURRENT_SOURCE_DIR}/faults/faults.py $<TARGET_FILE:equipoise_program>
+        ${PROJECT_SOURCE_DIR}/studies --quick)
+    set_tests_properties(faults.nothing_is_lost PROPERTIES LABELS faults TIMEOUT 900)
+  endif()
 
   # Every table from a few thousand starts a row, judged by the errors of both samples (exit code 3 if a cell that is
   # claimed to agree differs); at the paper's sample sizes: ./dev validate.

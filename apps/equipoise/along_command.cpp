@@ -45,7 +45,7 @@ int run_along(const Study& study, const AlongArguments& a) {
   std::fflush(stdout);
   if (a.output.ends_with(".csv")) write_file(a.output, branches_csv(result));
   if (a.output.ends_with(".nc")) write_branches_file(a.output, branch_table(result));
-  if (!a.plot.empty()) draw(a.plot, branch_plot_script(result, a.plot));
+  if (!a.plot.empty()) draw(a.plot, [&](const std::string& file) { return branch_plot_script(result, file); });
   return result.partial ? interrupted : done;
 }
 

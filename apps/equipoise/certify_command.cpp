@@ -42,9 +42,7 @@ void write_certificates(const std::string& path, const CertifyResult& result) {
     fmt::print(stderr, "equipoise: nothing is proved, so {} is not written\n", path);
     return;
   }
-  std::ofstream file(path, std::ios::binary);
-  file << certificates_json(certificates);
-  if (!file || !file.flush()) throw RunError(path + ": cannot be written");
+  write_file(path, certificates_json(certificates));
 }
 
 int run_certify(const CertifyArguments& a) {

@@ -4,11 +4,13 @@
 #include <csignal>
 #include <cstdio>
 #include <cstdlib>
+#include <fstream>
 #include <sstream>
 
 #include <unistd.h>
 
 #include "equipoise/base/error.hpp"
+#include "equipoise/store/replacement.hpp"
 
 namespace equipoise::app {
 
@@ -22,12 +24,32 @@ void require_gnuplot(const char* option, const std::string& value) {
                    "package gnuplot-nox)");
 }
 
-void draw(const std::string& path, const std::string& script) {
+namespace {
+
+// gnuplot says nothing of a disk that fills up: whether a picture is whole shows at its end.
+bool is_whole(const std::string& path) {
+  const std::string end = path.ends_with(".svg") ? "</svg>" : "IEND";
+  std::ifstream file(path, std::ios::binary | std::ios::ate);
+  constexpr std::streamoff last = 16;
+  if (!file || file.tellg() < last) return false;
+  std::string tail(static_cast<std::size_t>(last), '\0');
+  file.seekg(-last, std::ios::end);
+  file.read(tail.data(), last);
+  return file && tail.find(end) != tail.npos;
+}
+
+}  // namespace
+
+void draw(const std::string& path, const std::function<std::string(const std::string&)>& script_for) {
+  store::Replacement place(path, ".new" + path.substr(path.rfind('.')));
+  const std::string script = script_for(place.file());
   std::signal(SIGPIPE, SIG_IGN);  // a gnuplot that gives up is told by its exit code
   std::FILE* gnuplot = popen("gnuplot", "w");
   if (!gnuplot) throw RunError("gnuplot cannot be started");
   const bool written = std::fwrite(script.data(), 1, script.size(), gnuplot) == script.size();
   if (pclose(gnuplot) != 0 || !written) throw RunError(path + ": gnuplot could not draw it");
+  if (!is_whole(place.file())) throw RunError(path + ": gnuplot could not write it whole; is the disk full?");
+  place.commit();
 }
 
 }  // namespace equipoise::app

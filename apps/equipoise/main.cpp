@@ -70,6 +70,7 @@ int main(int argc, char** argv) {
   using namespace equipoise;
   std::signal(SIGINT, app::ask_to_stop);
   std::signal(SIGTERM, app::ask_to_stop);
+  std::signal(SIGXFSZ, SIG_IGN);  // a file that may not grow is told like a full disk
   try {
     return app::run(argc, argv);
   } catch (const InputError& e) {

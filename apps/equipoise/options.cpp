@@ -1,10 +1,8 @@
 // Options that several commands share.
 #include "options.hpp"
 
-#include <filesystem>
-#include <fstream>
-
 #include "equipoise/run/lane_kernels.hpp"
+#include "equipoise/store/replacement.hpp"
 
 namespace equipoise::app {
 
@@ -17,18 +15,11 @@ void choose_cpu(const std::string& name) {
 
 void require_writable(const char* option, const std::string& path) {
   if (path.empty()) return;
-  std::error_code ignored;
-  const bool there = std::filesystem::exists(path, ignored);
-  const bool opens = static_cast<bool>(std::ofstream(path, std::ios::app));
-  if (opens && !there) std::filesystem::remove(path, ignored);
-  if (!opens) throw InputError(option, "", path, "cannot be written; must be a file in a folder that exists");
+  if (const std::string problem = store::why_not_writable(path); !problem.empty())
+    throw InputError(option, "", path, "cannot be written: " + problem + "; must be a file in a folder that exists");
 }
 
-void write_file(const std::string& path, const std::string& text) {
-  std::ofstream file(path, std::ios::binary);
-  file << text;
-  if (!file.flush()) throw RunError(path + ": writing failed");
-}
+void write_file(const std::string& path, const std::string& text) { store::write_whole(path, text); }
 
 void add_overrides(CLI::App& app, std::vector<std::string>& overrides) {
   app.add_option("--set", overrides, "override a study key, e.g. speed.final=2.6; may be repeated")

@@ -27,7 +27,7 @@ void choose_cpu(const std::string& name);
 /// left behind. An empty path is none.
 void require_writable(const char* option, const std::string& path);
 
-/// Throws RunError, naming the file, if `text` cannot be written there whole.
+/// Throws RunError, naming the file, if `text` cannot be written there whole; what was there stays then.
 void write_file(const std::string& path, const std::string& text);
 
 /// --set KEY=VALUE, repeated.

@@ -10,6 +10,7 @@
 #include "equipoise/report/map_plot.hpp"
 #include "equipoise/report/reproduction_charts.hpp"
 #include "equipoise/report/reproduction_document.hpp"
+#include "equipoise/store/replacement.hpp"
 #include "gnuplot.hpp"
 #include "options.hpp"
 
@@ -18,6 +19,12 @@ namespace equipoise::app {
 namespace fs = std::filesystem;
 
 namespace {
+
+void copy_whole(const fs::path& from, const fs::path& to, std::error_code& error) {
+  store::Replacement place(to.string());
+  fs::copy_file(from, place.file(), fs::copy_options::overwrite_existing, error);
+  if (!error) place.commit();
+}
 
 // Where a Markdown report keeps its pictures.
 std::string pictures_beside(const std::string& report) { return report.substr(0, report.size() - 3) + "-pictures"; }
@@ -52,8 +59,8 @@ template <class Script>
 void picture(Reproduction& r, const PictureFolder& folder, const std::string& id, const std::string& title,
              const Script& script) {
   const std::string stem = folder.path() + "/" + id;
-  draw(stem + ".png", script(stem + ".png"));
-  if (!folder.temporary()) draw(stem + ".svg", script(stem + ".svg"));
+  draw(stem + ".png", script);
+  if (!folder.temporary()) draw(stem + ".svg", script);
   r.pictures.push_back({id, title, stem + ".png"});
 }
 
@@ -93,8 +100,7 @@ void write_report(const Reproduction& r, const std::string& path, const PictureF
   fs::create_directories(beside, error);
   if (folder.path() != beside.string())
     for (const Picture& p : r.pictures)
-      if (!error)
-        fs::copy_file(p.path, beside / fs::path(p.path).filename(), fs::copy_options::overwrite_existing, error);
+      if (!error) copy_whole(p.path, beside / fs::path(p.path).filename(), error);
   if (error) throw RunError(fmt::format("{}: {}", beside.string(), error.message()));
   write_file(path, document_markdown(document, beside.filename().string()));
 }

@@ -1,6 +1,5 @@
 // equipoise simulate: one trajectory at stated times.
 #include <cmath>
-#include <fstream>
 #include <iostream>
 #include <memory>
 #include <optional>
@@ -11,6 +10,7 @@
 
 #include "commands.hpp"
 #include "equipoise/run/simulate.hpp"
+#include "options.hpp"
 
 namespace equipoise::app {
 
@@ -59,13 +59,10 @@ bool ends_with(const std::string& text, const std::string& end) {
   return text.size() >= end.size() && text.compare(text.size() - end.size(), end.size(), end) == 0;
 }
 
-// Opened before any work, so that an unwritable place is known at once.
-std::ofstream open_output(const std::string& path) {
-  if (!ends_with(path, ".csv") && !ends_with(path, ".nc"))
+void check_output(const std::string& path) {
+  if (!path.empty() && !ends_with(path, ".csv") && !ends_with(path, ".nc"))
     throw InputError("--output", "", path, "must be a file name ending in .csv or .nc");
-  std::ofstream file(path, std::ios::binary);
-  if (!file) throw InputError("--output", "", path, "cannot be written; must be a file that can be");
-  return file;
+  require_writable("--output", path);
 }
 
 int run_simulate(const SimulateArguments& a) {
@@ -73,18 +70,15 @@ int run_simulate(const SimulateArguments& a) {
   if (a.tolerance) overrides.push_back("numerics.tolerance=" + *a.tolerance);
   const Study study = read_study(a.study, overrides);
   const std::vector<double> times = output_times(a, study);
-  std::ofstream file;
-  if (!a.output.empty()) file = open_output(a.output);
+  check_output(a.output);
 
   const Trajectory trajectory = simulate(study, times, &stop_flag());
   if (a.output.empty()) {
     write_csv(std::cout, trajectory);
     if (!std::cout.flush()) throw RunError("standard output cannot be written");
   } else if (ends_with(a.output, ".csv")) {
-    write_csv(file, trajectory);
-    if (!file.flush()) throw RunError(a.output + ": cannot be written");
+    write_csv_file(a.output, trajectory);
   } else {
-    file.close();
     write_netcdf(a.output, trajectory, to_toml(study));
   }
   if (study.speed.law == model::SpeedLaw::published)

@@ -75,12 +75,7 @@ TEST_P(SameBits, ForOneThreadAndTwoAndForAStartAlone) {
   two.output = scratch_file("two.nc");
   const BasinResult a = basin(study, one), b = basin(study, two);
   expect_same_shares(a, b);
-  const BasinFileHeader header{[&] {
-                                 Study s = study;
-                                 s.sampling.starts = 1;
-                                 return to_toml(s);
-                               }(),
-                               study.sampling.seed, study.parameters.balls, cpu_target()};
+  const BasinFileHeader header = basin_file_header(study, true);
   const std::vector<Fate> from_one = BasinFile(one.output, header).read(0, 6000);
   expect_same(from_one, BasinFile(two.output, header).read(0, 6000));
   for (std::uint64_t index : {0u, 777u, 5999u}) {

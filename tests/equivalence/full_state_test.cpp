@@ -75,7 +75,7 @@ TEST(FullState, StartsComeToWhatTheirTrajectoriesComeToAlone) {
 
 void expect_whole_starts(const std::string& path, const Study& study) {
   const std::size_t count = study.sampling.starts;
-  const store::NetcdfFile file(path, store::NetcdfFile::Mode::update);
+  const store::NetcdfFile file(path, store::NetcdfFile::Mode::read);
   std::vector<double> rotor(4 * count), rates(2 * count), phi(2 * count);
   file.read(file.variable("rotor_state"), {0, 0}, {count, 4}, rotor.data());
   file.read(file.variable("phi_dot"), {0, 0}, {count, 2}, rates.data());

@@ -207,7 +207,7 @@ TEST(PlaneMap, FileHoldsWhatTheMapHolds) {
   const PlaneMap map = plane_map(rotor(), mass_plane(4, 3));
   const std::string path = testing::TempDir() + "plane_map_test.nc";
   write_map_file(path, map);
-  const store::NetcdfFile file(path, store::NetcdfFile::Mode::update);
+  const store::NetcdfFile file(path, store::NetcdfFile::Mode::read);
   EXPECT_EQ(file.length("x"), 4u);
   EXPECT_EQ(file.length("y"), 3u);
   EXPECT_EQ(file.length("outcome_kind"), map.codes.size());

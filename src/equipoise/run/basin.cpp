@@ -2,6 +2,7 @@
 #include "equipoise/run/basin.hpp"
 
 #include <algorithm>
+#include <atomic>
 #include <chrono>
 #include <ctime>
 #include <memory>
@@ -11,6 +12,7 @@
 #include <utility>
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <oneapi/tbb/info.h>
 #include <oneapi/tbb/parallel_pipeline.h>
 #include <oneapi/tbb/task_arena.h>
@@ -41,15 +43,39 @@ struct Chunk {
   const TransientRow* row(std::size_t place) const { return transients.empty() ? nullptr : &transients[place]; }
 };
 
-// Large enough that lanes seldom wait for a chunk's last trajectory, small enough that every thread gets many. A
-// machine's starts ride in no lanes and take milliseconds each.
-std::size_t chunk_size(std::uint64_t starts, int threads, bool machine) {
-  const std::uint64_t least = machine ? 4 : 256, most = machine ? 128 : 8192;
-  return static_cast<std::size_t>(
-      std::clamp<std::uint64_t>(starts / (16 * static_cast<std::uint64_t>(threads)), least, most));
-}
+// Large enough that lanes seldom wait for a chunk's last trajectory, small enough that every thread gets many and that
+// none takes much longer than a second: what is complete is in the file soon. A machine's starts ride in no lanes and
+// take milliseconds each. Results depend on none of this.
+class ChunkSize {
+ public:
+  ChunkSize(std::uint64_t starts, int threads, bool machine)
+      : least_(machine ? 4 : 256),
+        most_(std::clamp<std::uint64_t>(starts / (16 * static_cast<std::uint64_t>(threads)), least_,
+                                        machine ? 128 : 8192)) {}
+
+  std::uint64_t next() const {
+    const double pace = pace_.load(std::memory_order_relaxed);
+    return pace > 0.0 ? std::clamp(static_cast<std::uint64_t>(1.0 / pace), least_, most_) : least_;
+  }
+  void took(std::size_t starts, double seconds) { pace_ = seconds / static_cast<double>(starts); }
+
+ private:
+  std::uint64_t least_, most_;
+  std::atomic<double> pace_{0.0};  // seconds a start, of the chunk that ended last
+};
 
 double cpu_now() { return static_cast<double>(std::clock()) / CLOCKS_PER_SEC; }
+
+// Kernels do the same operations in the same order on every instruction set of x86, but where it has fused
+// multiplications and additions, compilers use them: results are the same to the bit among those that have them (AVX2
+// and AVX-512), and among those that have not. Of other machines nothing is known.
+std::string arithmetic_of(const std::string& target) {
+  if (target == "AVX-512" || target == "AVX2") return "with fused multiply-add (AVX2, AVX-512)";
+#if defined(__x86_64__)
+  if (target == "SSE4" || target == "scalar") return "without fused multiply-add (SSE4, scalar)";
+#endif
+  return "of " + target;
+}
 
 // What an unlisted start turned out to have come to; 0: to nothing steady.
 void settle(Fate& fate, int attractor) {
@@ -72,8 +98,6 @@ class BasinRun {
   }
 
   BasinResult run() {
-    const auto begin = std::chrono::steady_clock::now();
-    const double cpu_begin = cpu_now();
     check_runnable(result_.study);
     sample();
     result_.starts = tally_->total();
@@ -83,9 +107,10 @@ class BasinRun {
     const BalanceNote balance = runner_->balance();
     result_.balanced_stable = balance.stable;
     result_.note = balance.note;
-    result_.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
-    result_.cpu_seconds = cpu_now() - cpu_begin;
-    if (file_) file_->finish(to_toml(result_.study), summary(), finished_, {result_.seconds, result_.cpu_seconds});
+    const RunTime time = time_so_far();
+    result_.seconds = time.seconds;
+    result_.cpu_seconds = time.cpu_seconds;
+    if (file_) finish_file(time);
     return result_;
   }
 
@@ -109,7 +134,10 @@ class BasinRun {
     pilot_.clear();
     if (finished_ || runner_->stopped()) return;
     compute(tally_->total(), limit_, [&](const std::shared_ptr<Chunk>& chunk) { commit(*chunk); });
-    if (file_) file_->sync();
+  }
+
+  RunTime time_so_far() const {
+    return {std::chrono::duration<double>(std::chrono::steady_clock::now() - begin_).count(), cpu_now() - cpu_begin_};
   }
 
   void set_method(SamplingMethod method) {
@@ -172,17 +200,23 @@ class BasinRun {
                                           basin_file_header(result_.study, options_.store_angles, options_.transients));
   }
 
-  void count_outcomes() {
+  std::vector<AttractorShare> attractor_shares(const Tally& tally) const {
+    std::vector<AttractorShare> shares;
     if (!runner_->catalogue().find(balanced_id)) {
       Attractor none{balanced_id, "balanced", "", {}, false};
-      result_.attractors.push_back(tally_->share(none));
+      shares.push_back(tally.share(none));
     }
     for (const Attractor& a : runner_->catalogue().attractors()) {
-      AttractorShare share = tally_->share(a);
+      AttractorShare share = tally.share(a);
       // Kinds of motion that a machine might come to are told only if one did.
       if (share.share.count > 0 || a.id == balanced_id || a.motion.kind != MotionKind::measured)
-        result_.attractors.push_back(std::move(share));
+        shares.push_back(std::move(share));
     }
+    return shares;
+  }
+
+  void count_outcomes() {
+    result_.attractors = attractor_shares(*tally_);
     result_.undecided = tally_->share(Outcome::undecided);
     result_.diverged = tally_->share(Outcome::diverged);
     result_.failed = tally_->share(Outcome::failed);
@@ -197,14 +231,28 @@ class BasinRun {
       result_.choice->random_starts = random_starts_for(tally_->shares(), options_.half_width);
   }
 
-  std::vector<OutcomeSummary> summary() const {
+  std::vector<OutcomeSummary> summary(const Tally& tally) const {
     std::vector<OutcomeSummary> lines;
-    for (const AttractorShare& a : result_.attractors) lines.push_back({a.id, a.name, a.alias, a.share});
-    lines.push_back({undecided_code, "undecided", "", result_.undecided});
-    lines.push_back({diverged_code, "diverged", "", result_.diverged});
-    lines.push_back({failed_code, "failed", "", result_.failed});
-    if (result_.stalled) lines.push_back({stalled_code, "stalled", "", *result_.stalled});
+    for (const AttractorShare& a : attractor_shares(tally)) lines.push_back({a.id, a.name, a.alias, a.share});
+    lines.push_back({undecided_code, "undecided", "", tally.share(Outcome::undecided)});
+    lines.push_back({diverged_code, "diverged", "", tally.share(Outcome::diverged)});
+    lines.push_back({failed_code, "failed", "", tally.share(Outcome::failed)});
+    if (result_.study.speed.driven())
+      lines.push_back({stalled_code, "stalled", "", tally.share(Outcome::stalled)});
     return lines;
+  }
+
+  // A file may hold more starts than were asked for now. Its summary is of all that it holds; one that says so already
+  // is left as it is.
+  void finish_file(const RunTime& time) {
+    if (runner_->stopped()) return;  // before it knew the attractors by which outcomes are named
+    const bool all = tally_->total() == file_->stored();
+    if (file_->unfinished() == 0 && (!all || !finished_ || file_->complete())) return;
+    Tally whole = *tally_;
+    for_each_stored(tally_->total(), file_->stored(), [&](const Fate& fate, const TransientRow*) { whole.add(fate); });
+    Study study = result_.study;
+    if (finished_ && !sampler_->grid()) study.sampling.starts = file_->stored();
+    file_->finish(to_toml(study), summary(whole), finished_, time);
   }
 
   // Counts what an earlier run left in the file, once the motions that it met on its way are listed again.
@@ -213,15 +261,50 @@ class BasinRun {
       for (const std::vector<double>& state : file_->discoveries())
         filed_.insert(runner_->list(runner_->follow(state)));
     const std::uint64_t stored = file_ ? std::min(file_->stored(), limit_) : 0;
+    for_each_stored(0, stored, [&](const Fate& fate, const TransientRow* row) {
+      if (!finished_) take(fate, row);
+    });
+    result_.resumed_from = tally_->total();
+    if (stored > 0 && !finished_ && !runner_->stopped()) check_stored(stored);
+  }
+
+  // Starts of the file are decided again before any are added: a program built otherwise, or another instruction set,
+  // that gives other bits would make a file of two kinds. Few suffice: where arithmetic differs, the times of decision
+  // of most starts do.
+  void check_stored(std::uint64_t stored) {
+    const auto& targets = file_->cpu_targets();
+    const bool known = std::find(targets.begin(), targets.end(), result_.cpu_target) != targets.end();
+    const std::uint64_t each = std::min<std::uint64_t>(known ? 4 : 64, stored);
+    for (const std::uint64_t first : {std::uint64_t{0}, stored - each}) {
+      Chunk chunk;
+      if (!runner_->run(first, each, chunk.phi, chunk.fates, chunk.unlisted,
+                        options_.transients ? &chunk.transients : nullptr))
+        return;  // stopped
+      for (const UnlistedStart& start : chunk.unlisted) settle(chunk.fates[start.place], runner_->list(start));
+      const std::vector<Fate> fates = file_->read(first, each);
+      for (std::size_t i = 0; i < each; ++i)
+        if (!same(fates[i], chunk.fates[i]))
+          throw InputError(options_.output, "", "",
+                           fmt::format("start {}, computed with {}, comes out otherwise in this program with {}; must be "
+                                       "a new file, or one that this program and instruction set made",
+                                       first + i, fmt::join(targets, ", "), result_.cpu_target));
+    }
+  }
+
+  static bool same(const Fate& a, const Fate& b) {
+    return a.outcome == b.outcome && a.attractor == b.attractor && a.by == b.by && a.time == b.time;
+  }
+
+  template <class Visit>
+  void for_each_stored(std::uint64_t begin, std::uint64_t end, const Visit& visit) const {
     constexpr std::size_t block = 65536;
-    for (std::uint64_t first = 0; first < stored && !finished_; first += block) {
-      const std::size_t count = std::min<std::uint64_t>(block, stored - first);
+    for (std::uint64_t first = begin; first < end; first += block) {
+      const std::size_t count = std::min<std::uint64_t>(block, end - first);
       const std::vector<Fate> fates = file_->read(first, count);
       const std::vector<TransientRow> rows =
           options_.transients ? file_->read_transients(first, count) : std::vector<TransientRow>{};
-      for (std::size_t i = 0; i < count && !finished_; ++i) take(fates[i], rows.empty() ? nullptr : &rows[i]);
+      for (std::size_t i = 0; i < count; ++i) visit(fates[i], rows.empty() ? nullptr : &rows[i]);
     }
-    result_.resumed_from = tally_->total();
   }
 
   void take(const Fate& fate, const TransientRow* row) {
@@ -239,7 +322,7 @@ class BasinRun {
   using Sink = std::function<void(const std::shared_ptr<Chunk>&)>;
   // Decides starts first .. limit - 1, or fewer once finished_ or lost_; `sink` gets the chunks in order.
   void compute(std::uint64_t first, std::uint64_t limit, const Sink& sink) {
-    const std::size_t size = chunk_size(limit - first, threads_, result_.study.needs_machine());
+    ChunkSize size(limit - first, threads_, result_.study.needs_machine());
     std::uint64_t next = first;
     const auto make = [&](tbb::flow_control& control) -> std::shared_ptr<Chunk> {
       const bool stop_asked = options_.stop && options_.stop->load(std::memory_order_relaxed);
@@ -250,13 +333,15 @@ class BasinRun {
       }
       auto chunk = std::make_shared<Chunk>();
       chunk->first = next;
-      chunk->count = static_cast<std::size_t>(std::min<std::uint64_t>(size, limit - next));
+      chunk->count = static_cast<std::size_t>(std::min<std::uint64_t>(size.next(), limit - next));
       next += chunk->count;
       return chunk;
     };
     const auto decide = [&](std::shared_ptr<Chunk> chunk) {
+      const auto begin = std::chrono::steady_clock::now();
       chunk->complete = !finished_ && runner_->run(chunk->first, chunk->count, chunk->phi, chunk->fates,
                                                    chunk->unlisted, options_.transients ? &chunk->transients : nullptr);
+      size.took(chunk->count, std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count());
       return chunk;
     };
     tbb::task_arena arena(threads_);
@@ -306,8 +391,9 @@ class BasinRun {
       phi_dot.insert(phi_dot.end(), s.phi_dot.begin(), s.phi_dot.begin() + study.parameters.balls);
     }
     const std::size_t balls = static_cast<std::size_t>(study.parameters.balls);
-    file_->append(end - begin, chunk.phi.data() + begin * balls, chunk.fates.data() + begin, rotor.data(),
-                  phi_dot.data(), weight.data(), chunk.row(begin));
+    file_->append({end - begin, chunk.phi.data() + begin * balls, chunk.fates.data() + begin, rotor.data(),
+                   phi_dot.data(), weight.data(), chunk.row(begin)},
+                  time_so_far());
   }
 
   // A stationary motion that the rule does not list: what it is decides, whenever it was first met.
@@ -318,6 +404,8 @@ class BasinRun {
   }
 
   const BasinOptions& options_;
+  std::chrono::steady_clock::time_point begin_ = std::chrono::steady_clock::now();
+  double cpu_begin_ = cpu_now();
   int threads_;
   DiscoveryCache own_discoveries_;
   DiscoveryCache& discoveries_;
@@ -344,9 +432,9 @@ BasinFileHeader basin_file_header(const Study& study, bool angles, bool transien
   identity.sampling.starts = sampler.grid() ? sampler.grid()->starts() : 1;
   BasinFileHeader header;
   header.study = to_toml(identity);
-  header.seed = study.sampling.seed;
   header.balls = study.parameters.balls;
   header.cpu_target = cpu_target();
+  header.arithmetic = arithmetic_of(header.cpu_target);
   header.angles = angles;
   header.full_starts = !study.sampling.box.empty();
   header.method = sampler.method();

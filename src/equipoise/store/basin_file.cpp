@@ -1,237 +1,213 @@
-// Basin results in NetCDF-4: created once, appended in index order, resumed.
+// Basin results: what is finished in NetCDF, what is new in a journal, read as one.
 #include "equipoise/store/basin_file.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
+#include <cstring>
 #include <filesystem>
 #include <limits>
 #include <optional>
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 #include <netcdf.h>
 
 #include "equipoise/base/error.hpp"
-#include "equipoise/base/version.hpp"
-#include "equipoise/ensemble/scrambled_sobol.hpp"
+#include "equipoise/store/basin_netcdf.hpp"
+#include "equipoise/store/journal.hpp"
 #include "equipoise/store/netcdf.hpp"
+#include "equipoise/store/replacement.hpp"
+#include "equipoise/store/result_identity.hpp"
+#include "equipoise/store/sealed_file.hpp"
+#include "equipoise/store/start_columns.hpp"
 
 namespace equipoise {
 
 namespace {
-constexpr std::size_t chunk_length = 8192;
-constexpr float missing = NC_FILL_FLOAT;
 
-// What a file must share with a run for the run to add to it.
-std::string identity(const BasinFileHeader& header) {
-  const auto& asked = header.transients;
-  return fmt::format("{}\n# seed {}\n# cpu target {}\n# version {}\n{}{}", header.study, header.seed, header.cpu_target,
-                     version_string, header.angles ? "" : "# without angles\n",
-                     asked ? fmt::format("# transients: displacement {}, settled {}, window {}\n", asked->displacement,
-                                         asked->settled, asked->window)
-                           : "");
-}
+constexpr const char* allowed = "must be a new file, or results of the same study";
+
+double number(const std::string& text) { return std::strtod(text.c_str(), nullptr); }
+
 }  // namespace
 
 struct BasinFile::State {
-  std::string path;
-  std::optional<store::NetcdfFile> file;
-  std::size_t balls = 2, stored = 0, discovered = 0;
-  bool full_starts = false;
-  SamplingMethod method = SamplingMethod::random;
-  bool transients = false;
-  std::array<int, transient_columns.size()> columns{};
-  int weight = -1, kind_interval = -1, kind_effective = -1;
-  int phi = -1, rotor = -1, phi_dot = -1, outcome = -1, time = -1, by = -1, discovery = -1;
-  int kind_code = -1, kind_name = -1, kind_alias = -1, kind_count = -1, kind_share = -1, kind_low = -1, kind_high = -1;
+  // Starts first .. first + count - 1, found in a record of the journal.
+  struct Piece {
+    std::uint64_t first = 0, count = 0;
+    store::Journal::Record record;
+  };
 
-  void create(const BasinFileHeader& header);
-  void open(const BasinFileHeader& header);
-  void define_full_starts(int start, int ball);
-  void define_sampling(int start, int kind);
-  void define_transients(int start, const BasinFileHeader& header);
-  void find_variables(bool angles);
+  std::string path;
+  BasinFileHeader header;
+  std::vector<store::StartColumn> columns;
+  std::size_t start_bytes = 0;  // of all columns
+  std::uint64_t stored = 0, finished = 0;
+  std::vector<Piece> pieces;
+  std::vector<std::vector<double>> discoveries;
+  std::vector<std::string> cpu_targets;
+  RunTime time;
+  std::optional<store::NetcdfFile> file;
+  std::vector<int> variables;  // of the columns, in `file`
+  std::optional<store::Journal> journal;
+
+  std::size_t state_size() const { return 4 + 2 * static_cast<std::size_t>(header.balls); }
+  std::size_t column(const char* name) const;
+  void require_same(const std::string& there, const std::string& identity) const;
+  void open_results();
+  void read_results();
+  void read_journal();
+  void take(const store::Journal::Record& record);
+  void note_target(const std::string& target);
+  void append(store::Journal::Record record, const void* payload, std::size_t bytes);
+  void read(std::size_t column, std::uint64_t first, std::size_t count, void* values) const;
+  template <class T>
+  std::vector<T> values(const char* column, std::uint64_t first, std::size_t count) const {
+    std::vector<T> result(count);
+    read(this->column(column), first, count, result.data());
+    return result;
+  }
+  void read_share(std::size_t kind, Share& share) const;
 };
 
-void BasinFile::State::define_full_starts(int start, int ball) {
-  store::NetcdfFile& f = *file;
-  const int component = f.dimension("rotor_component", 4);
-  rotor = f.variable("rotor_state", NC_DOUBLE, {start, component}, "1",
-                     "initial x, y in race radii and x_dot, y_dot, their derivatives in the rotating frame");
-  phi_dot = f.variable("phi_dot", NC_DOUBLE, {start, ball}, "1",
-                       "initial rate of a ball in the rotating frame, radians times omega_c");
-  f.chunk(rotor, {chunk_length, 4});
-  f.chunk(phi_dot, {chunk_length, balls});
+std::size_t BasinFile::State::column(const char* name) const {
+  const auto found = std::find_if(columns.begin(), columns.end(), [&](const auto& c) { return c.name == name; });
+  if (found == columns.end()) throw RunError(fmt::format("{}: holds no {}", path, name));
+  return static_cast<std::size_t>(found - columns.begin());
 }
 
-// What differs from random starts: those alone need no more than their counts.
-void BasinFile::State::define_sampling(int start, int kind) {
-  store::NetcdfFile& f = *file;
-  f.attribute(NC_GLOBAL, "sampling_method", sampling_method_names[static_cast<std::size_t>(method)]);
-  if (method == SamplingMethod::random) return;
-  kind_interval = f.variable("kind_interval", NC_STRING, {kind}, "1",
-                             "where the interval is from: wilson, replicates (their spread) or pairs (of a cell)");
-  kind_effective = f.variable("kind_effective_starts", NC_DOUBLE, {kind}, "1",
-                              "independent random starts that have the same standard error of the share");
-  if (method == SamplingMethod::sobol) {
-    f.attribute(NC_GLOBAL, "sampling_replicates", fmt::format("{}", sobol_replicates));
+void BasinFile::State::require_same(const std::string& there, const std::string& of) const {
+  const std::string how = store::difference(there, store::identity_of(header));
+  if (!how.empty())
+    throw InputError(of, "", "", fmt::format("holds something other than results of this study: {}; {}", how, allowed));
+}
+
+void BasinFile::State::open_results() {
+  if (!std::filesystem::exists(path)) return;
+  if (const std::string damage = store::why_not_whole(path); !damage.empty())
+    throw InputError(path, "", "", fmt::format("{}; {}", damage, allowed));
+  try {
+    file.emplace(path, store::NetcdfFile::Mode::read);
+    require_same(file->attribute("identity"), path);
+    read_results();
+  } catch (const RunError& e) {
+    throw InputError("output", "", "", fmt::format("{} ({})", e.what(), allowed));
+  }
+}
+
+void BasinFile::State::read_results() {
+  stored = finished = file->length("start");
+  for (const store::StartColumn& c : columns) {
+    std::vector<std::size_t> shape{finished};
+    if (!c.dimension.empty()) shape.push_back(c.width);
+    variables.push_back(file->variable(c.name, c.type, shape));
+  }
+  discoveries.assign(file->length("discovery"), std::vector<double>(state_size()));
+  if (!discoveries.empty()) {
+    const int states = file->variable("discovery_state", NC_DOUBLE, {discoveries.size(), state_size()});
+    for (std::size_t k = 0; k < discoveries.size(); ++k)
+      file->read(states, {k, 0}, {1, state_size()}, discoveries[k].data());
+  }
+  time = {number(file->attribute("seconds")), number(file->attribute("cpu_seconds"))};
+  const std::string targets = file->attribute("cpu_target");
+  for (std::size_t at = 0; at < targets.size();) {
+    const std::size_t end = std::min(targets.find(", ", at), targets.size());
+    cpu_targets.push_back(targets.substr(at, end - at));
+    at = end + 2;
+  }
+}
+
+void BasinFile::State::read_journal() {
+  require_same(journal->identity(), path + ".part");
+  for (const store::Journal::Record& record : journal->records()) take(record);
+}
+
+// A run that was killed between putting its results in place and removing its journal left both: what is known
+// already is passed over.
+void BasinFile::State::take(const store::Journal::Record& record) {
+  using Kind = store::Journal::Kind;
+  if (record.kind == Kind::cpu_target && record.bytes < 100) {
+    std::string target(record.bytes, '\0');
+    journal->read(record, 0, record.bytes, target.data());
+    return note_target(target);
+  }
+  const bool states = record.kind == Kind::discovery;
+  const std::uint64_t known = states ? discoveries.size() : stored;
+  const std::size_t each = states ? state_size() * sizeof(double) : start_bytes;
+  const bool fits = (states || record.kind == Kind::starts) && record.count <= record.bytes &&
+                    record.bytes == record.count * each && record.first <= known && (!states || record.count == 1);
+  if (!fits)
+    throw InputError(path + ".part", "", "", fmt::format("does not go on where {} ends; must be removed first", path));
+  if (record.first + record.count <= known) return;
+  time = {std::max(time.seconds, record.seconds), std::max(time.cpu_seconds, record.cpu_seconds)};
+  if (states) {
+    journal->read(record, 0, record.bytes, discoveries.emplace_back(state_size()).data());
     return;
   }
-  weight = f.variable("weight", NC_DOUBLE, {start}, "1", "cells of the grid that the start's cell stands for");
-  f.chunk(weight, {chunk_length});
-  f.compress(weight);
+  pieces.push_back({known, record.first + record.count - known, record});
+  stored = record.first + record.count;
 }
 
-// Dimensionless like all else; a study in physical units says what the units are worth.
-void BasinFile::State::define_transients(int start, const BasinFileHeader& header) {
-  store::NetcdfFile& f = *file;
-  for (std::size_t k = 0; k < columns.size(); ++k) {
-    columns[k] = f.variable(transient_columns[k].name, NC_FLOAT, {start}, "1", transient_columns[k].long_name);
-    f.chunk(columns[k], {chunk_length});
-    f.compress(columns[k]);
-    f.fill(columns[k], &missing);
-  }
-  const TransientSettings& asked = *header.transients;
-  f.attribute(NC_GLOBAL, "transients_window", fmt::format("{}", asked.window));
-  f.attribute(NC_GLOBAL, "limits_displacement", fmt::format("{}", asked.displacement));
-  f.attribute(NC_GLOBAL, "limits_settled", fmt::format("{}", asked.settled));
-  if (!header.scales) return;
-  f.attribute(NC_GLOBAL, "unit_of_length_m", fmt::format("{}", header.scales->length));
-  f.attribute(NC_GLOBAL, "unit_of_force_N", fmt::format("{}", header.scales->force()));
-  f.attribute(NC_GLOBAL, "unit_of_velocity_m_per_s", fmt::format("{}", header.scales->velocity()));
-  f.attribute(NC_GLOBAL, "unit_of_time_s", fmt::format("{}", header.scales->time()));
+void BasinFile::State::note_target(const std::string& target) {
+  if (std::find(cpu_targets.begin(), cpu_targets.end(), target) == cpu_targets.end()) cpu_targets.push_back(target);
 }
 
-void BasinFile::State::create(const BasinFileHeader& header) {
-  file.emplace(path, store::NetcdfFile::Mode::create);
-  store::NetcdfFile& f = *file;
-  const int start = f.dimension("start", store::NetcdfFile::unlimited);
-  const int ball = f.dimension("ball", balls);
-  const int kind = f.dimension("outcome_kind", store::NetcdfFile::unlimited);
-  const int met = f.dimension("discovery", store::NetcdfFile::unlimited);
-  const int component = f.dimension("component", 4 + 2 * balls);
-  if (header.angles) {
-    phi = f.variable("phi", NC_DOUBLE, {start, ball}, "radian",
-                     "initial ball angle from the direction of the centre of mass, rotating frame");
-    f.chunk(phi, {chunk_length, balls});
+void BasinFile::State::read(std::size_t k, std::uint64_t first, std::size_t count, void* values) const {
+  char* to = static_cast<char*>(values);
+  const std::size_t each = columns[k].bytes();
+  if (first < finished) {
+    const std::size_t part = std::min<std::uint64_t>(count, finished - first);
+    std::vector<std::size_t> begin{first}, length{part};
+    if (!columns[k].dimension.empty()) begin.push_back(0), length.push_back(columns[k].width);
+    file->read(variables[k], begin, length, to);
+    to += part * each;
+    first += part;
+    count -= part;
   }
-  if (full_starts) define_full_starts(start, ball);
-  define_sampling(start, kind);
-  if (transients) define_transients(start, header);
-  outcome = f.variable("outcome", NC_SHORT, {start}, "1",
-                       "attractor that the start came to (kind_code), or 0 undecided, -1 diverged, -2 failed, "
-                       "-3 stalled");
-  time =
-      f.variable("decision_time", NC_DOUBLE, {start}, "1", "study time at which the outcome was known, in 1/omega_c");
-  by = f.variable("decided_by", NC_BYTE, {start}, "1", "grounds on which the outcome was decided");
-  for (const int variable : {outcome, time, by}) {
-    f.chunk(variable, {chunk_length});
-    f.compress(variable);
+  std::size_t before = 0;  // bytes a start of the columns before this one
+  for (std::size_t j = 0; j < k; ++j) before += columns[j].bytes();
+  auto piece = std::upper_bound(pieces.begin(), pieces.end(), first,
+                                [](std::uint64_t value, const Piece& p) { return value < p.first + p.count; });
+  for (; count > 0; ++piece) {
+    if (piece == pieces.end()) throw RunError(fmt::format("{}: start {} is not there", path, first));
+    const std::size_t part = std::min<std::uint64_t>(count, piece->first + piece->count - first);
+    const std::uint64_t offset = before * piece->record.count + (first - piece->record.first) * each;
+    journal->read(piece->record, offset, part * each, to);
+    to += part * each;
+    first += part;
+    count -= part;
   }
-  std::vector<signed char> values;
-  for (int k = 0; k < decided_by_count; ++k) values.push_back(static_cast<signed char>(k));
-  f.attribute(by, "flag_values", values);
-  f.attribute(by, "flag_meanings", fmt::format("{}", fmt::join(decided_by_names, " ")));
-  discovery = f.variable("discovery_state", NC_DOUBLE, {met, component}, "1",
-                         "state on a motion first met during the run: x, y, u, v, phi, phi_dot");
-  kind_code = f.variable("kind_code", NC_SHORT, {kind}, "1", "value of outcome");
-  kind_name = f.variable("kind_name", NC_STRING, {kind}, "1", "name of the outcome");
-  kind_alias = f.variable("kind_alias", NC_STRING, {kind}, "1", "name that Wright and Peng (2019) give it");
-  kind_count = f.variable("kind_count", NC_UINT64, {kind}, "1", "starts with the outcome");
-  kind_share = f.variable("kind_share", NC_DOUBLE, {kind}, "1", "share of the starts with the outcome");
-  kind_low = f.variable("kind_share_low", NC_DOUBLE, {kind}, "1", "lower end of the 95 % interval of the share");
-  kind_high = f.variable("kind_share_high", NC_DOUBLE, {kind}, "1", "upper end of the 95 % interval of the share");
-  f.attribute(NC_GLOBAL, "Conventions", "CF-1.8");
-  f.attribute(NC_GLOBAL, "title", "Basins of a rotor with an automatic ball balancer");
-  f.attribute(NC_GLOBAL, "source", fmt::format("equipoise {}", version_string));
-  f.attribute(NC_GLOBAL, "identity", identity(header));
-  f.attribute(NC_GLOBAL, "cpu_target", header.cpu_target);
-  f.attribute(NC_GLOBAL, "study", header.study);
-  f.attribute(NC_GLOBAL, "complete", "no");
-  f.end_definitions();
-  f.sync();
-}
-
-void BasinFile::State::open(const BasinFileHeader& header) {
-  try {
-    file.emplace(path, store::NetcdfFile::Mode::update);
-  } catch (const RunError& e) {
-    throw InputError("output", "", "", fmt::format("{} (must be a new file, or results of this study)", e.what()));
-  }
-  if (file->attribute("identity") != identity(header)) {
-    file.reset();
-    throw InputError(path, "", "",
-                     "holds something other than results of this study, seed, version and CPU target; must be a "
-                     "new file, or results of the same study");
-  }
-  stored = file->length("start");
-  discovered = file->length("discovery");
-}
-
-void BasinFile::State::find_variables(bool angles) {
-  if (angles) phi = file->variable("phi");
-  if (full_starts) rotor = file->variable("rotor_state");
-  if (full_starts) phi_dot = file->variable("phi_dot");
-  if (method == SamplingMethod::grid) weight = file->variable("weight");
-  if (method != SamplingMethod::random) kind_interval = file->variable("kind_interval");
-  if (method != SamplingMethod::random) kind_effective = file->variable("kind_effective_starts");
-  for (std::size_t k = 0; transients && k < columns.size(); ++k) columns[k] = file->variable(transient_columns[k].name);
-  outcome = file->variable("outcome");
-  time = file->variable("decision_time");
-  by = file->variable("decided_by");
-  discovery = file->variable("discovery_state");
-  kind_code = file->variable("kind_code");
-  kind_name = file->variable("kind_name");
-  kind_alias = file->variable("kind_alias");
-  kind_count = file->variable("kind_count");
-  kind_share = file->variable("kind_share");
-  kind_low = file->variable("kind_share_low");
-  kind_high = file->variable("kind_share_high");
 }
 
 BasinFile::BasinFile(const std::string& path, const BasinFileHeader& header) : state_(std::make_unique<State>()) {
-  state_->path = path;
-  state_->balls = static_cast<std::size_t>(header.balls);
-  state_->full_starts = header.full_starts;
-  state_->method = header.method;
-  state_->transients = header.transients.has_value();
-  if (std::filesystem::exists(path)) {
-    state_->open(header);
-    state_->find_variables(header.angles);
-    return;
-  }
-  try {
-    state_->create(header);
-  } catch (const RunError& e) {
-    throw InputError("output", "", "", fmt::format("{} (must be a file that can be written)", e.what()));
-  }
+  State& s = *state_;
+  if (const std::string problem = store::why_not_writable(path); !problem.empty())
+    throw InputError("output", "", path, problem + "; must be a file that can be written");
+  s.path = store::resolved(path);
+  s.header = header;
+  s.columns = store::start_columns(header);
+  for (const store::StartColumn& c : s.columns) s.start_bytes += c.bytes();
+  if (std::filesystem::exists(s.path) && !std::filesystem::is_regular_file(s.path))
+    throw InputError("output", "", path, fmt::format("is no regular file; {}", allowed));
+  s.journal.emplace(s.path + ".part", s.path, store::identity_of(header));
+  s.open_results();
+  s.read_journal();
 }
 
 BasinFile::~BasinFile() = default;
 
 std::uint64_t BasinFile::stored() const { return state_->stored; }
 
+std::uint64_t BasinFile::unfinished() const { return state_->stored - state_->finished; }
+
 std::vector<Fate> BasinFile::read(std::uint64_t first, std::size_t count) const {
-  std::vector<short> codes(count);
-  std::vector<double> times(count);
-  std::vector<signed char> grounds(count);
-  state_->file->read(state_->outcome, {first}, {count}, codes.data());
-  state_->file->read(state_->time, {first}, {count}, times.data());
-  state_->file->read(state_->by, {first}, {count}, grounds.data());
+  const auto codes = state_->values<short>("outcome", first, count);
+  const auto times = state_->values<double>("decision_time", first, count);
+  const auto grounds = state_->values<signed char>("decided_by", first, count);
   std::vector<Fate> fates(count);
-  for (std::size_t i = 0; i < count; ++i) {
-    if (codes[i] < stalled_code || grounds[i] < 0 || grounds[i] >= decided_by_count)
+  for (std::size_t i = 0; i < count; ++i)
+    if (!store::fate_from(codes[i], grounds[i], times[i], fates[i]))
       throw RunError(fmt::format("{}: start {} has no valid outcome; the file is damaged", state_->path, first + i));
-    fates[i].outcome = codes[i] == undecided_code  ? Outcome::undecided
-                       : codes[i] == diverged_code ? Outcome::diverged
-                       : codes[i] == stalled_code  ? Outcome::stalled
-                       : codes[i] == failed_code   ? Outcome::failed
-                                                   : Outcome::attracted;
-    fates[i].attractor = std::max<short>(codes[i], 0);
-    fates[i].by = static_cast<DecidedBy>(grounds[i]);
-    fates[i].time = times[i];
-  }
   return fates;
 }
 
@@ -239,140 +215,119 @@ std::vector<Fate> BasinFile::read(std::uint64_t first, std::size_t count) const 
 // not settle.
 std::vector<TransientRow> BasinFile::read_transients(std::uint64_t first, std::size_t count) const {
   std::vector<TransientRow> rows(count);
-  std::vector<float> values(count);
-  for (std::size_t k = 0; k < transient_columns.size(); ++k) {
-    const auto column = transient_columns[k].value;
-    state_->file->read(state_->columns[k], {first}, {count}, values.data());
-    for (std::size_t i = 0; i < count; ++i) rows[i].*column = values[i];
+  for (const TransientColumn& column : transient_columns) {
+    const auto values = state_->values<float>(column.name, first, count);
+    for (std::size_t i = 0; i < count; ++i) rows[i].*column.value = values[i];
   }
   for (TransientRow& row : rows) {
-    const bool lost = row.peak_radial == missing;
+    const bool lost = row.peak_radial == store::missing_figure;
     for (const TransientColumn& column : transient_columns)
       if (lost) row.*column.value = std::numeric_limits<float>::quiet_NaN();
-    if (row.settling_time == missing) row.settling_time = std::numeric_limits<float>::infinity();
+    if (row.settling_time == store::missing_figure) row.settling_time = std::numeric_limits<float>::infinity();
   }
   return rows;
 }
 
-void BasinFile::append(std::size_t count, const double* phi, const Fate* fates, const double* rotor,
-                       const double* phi_dot, const double* weight, const TransientRow* rows) {
-  if (count == 0) return;
-  std::vector<short> codes(count);
-  std::vector<double> times(count);
-  std::vector<signed char> grounds(count);
-  for (std::size_t i = 0; i < count; ++i) {
-    const Fate& fate = fates[i];
-    codes[i] = fate.outcome == Outcome::attracted   ? fate.attractor
-               : fate.outcome == Outcome::undecided ? undecided_code
-               : fate.outcome == Outcome::diverged  ? diverged_code
-               : fate.outcome == Outcome::stalled   ? stalled_code
-                                                    : failed_code;
-    times[i] = fate.time;
-    grounds[i] = static_cast<signed char>(fate.by);
+void BasinFile::State::append(store::Journal::Record record, const void* payload, std::size_t bytes) {
+  try {
+    journal->append(record, payload, bytes);
+  } catch (const RunError& e) {
+    throw RunError(fmt::format("{}; {} starts are kept, from which the same command goes on", e.what(), stored));
   }
-  const std::size_t at = state_->stored;
-  if (state_->phi >= 0) state_->file->write(state_->phi, {at, 0}, {count, state_->balls}, phi);
-  if (state_->full_starts) {
-    state_->file->write(state_->rotor, {at, 0}, {count, 4}, rotor);
-    state_->file->write(state_->phi_dot, {at, 0}, {count, state_->balls}, phi_dot);
-  }
-  if (state_->weight >= 0) state_->file->write(state_->weight, {at}, {count}, weight);
-  std::vector<float> values(count);
-  for (std::size_t k = 0; rows && state_->transients && k < transient_columns.size(); ++k) {
-    for (std::size_t i = 0; i < count; ++i) {
-      const float value = rows[i].*transient_columns[k].value;
-      values[i] = std::isfinite(value) ? value : missing;
-    }
-    state_->file->write(state_->columns[k], {at}, {count}, values.data());
-  }
-  state_->file->write(state_->outcome, {at}, {count}, codes.data());
-  state_->file->write(state_->time, {at}, {count}, times.data());
-  state_->file->write(state_->by, {at}, {count}, grounds.data());
-  state_->stored += count;
 }
 
-std::vector<std::vector<double>> BasinFile::discoveries() const {
-  const std::size_t size = 4 + 2 * state_->balls;
-  std::vector<std::vector<double>> result(state_->discovered, std::vector<double>(size));
-  for (std::size_t k = 0; k < result.size(); ++k)
-    state_->file->read(state_->discovery, {k, 0}, {1, size}, result[k].data());
-  return result;
+void BasinFile::append(const StartBatch& batch, const RunTime& so_far) {
+  if (batch.count == 0) return;
+  State& s = *state_;
+  const std::string& target = s.header.cpu_target;
+  if (std::find(s.cpu_targets.begin(), s.cpu_targets.end(), target) == s.cpu_targets.end()) {
+    s.append({.kind = store::Journal::Kind::cpu_target}, target.data(), target.size());
+    s.note_target(target);
+  }
+  const std::vector<char> payload = store::pack(s.columns, batch);
+  s.append({.first = s.stored,
+            .count = batch.count,
+            .seconds = s.time.seconds + so_far.seconds,
+            .cpu_seconds = s.time.cpu_seconds + so_far.cpu_seconds},
+           payload.data(), payload.size());
+  s.pieces.push_back({s.stored, batch.count, s.journal->records().back()});
+  s.stored += batch.count;
 }
+
+const std::vector<std::string>& BasinFile::cpu_targets() const { return state_->cpu_targets; }
+
+std::vector<std::vector<double>> BasinFile::discoveries() const { return state_->discoveries; }
 
 void BasinFile::append_discovery(const std::vector<double>& state) {
-  state_->file->write(state_->discovery, {state_->discovered, 0}, {1, state.size()}, state.data());
-  ++state_->discovered;
+  state_->append({.kind = store::Journal::Kind::discovery, .first = state_->discoveries.size(), .count = 1},
+                 state.data(), state.size() * sizeof(double));
+  state_->discoveries.push_back(state);
 }
 
-void BasinFile::sync() { state_->file->sync(); }
-
-bool BasinFile::complete() const { return state_->file->attribute("complete") == "yes"; }
+bool BasinFile::complete() const {
+  return state_->file && unfinished() == 0 && state_->file->attribute("complete") == "yes";
+}
 
 // What a count does not tell.
-void BasinFile::read_share(std::size_t k, Share& share) const {
-  const store::NetcdfFile& f = *state_->file;
-  f.read(state_->kind_share, {k}, {1}, &share.share);
-  f.read(state_->kind_low, {k}, {1}, &share.low);
-  f.read(state_->kind_high, {k}, {1}, &share.high);
-  f.read(state_->kind_effective, {k}, {1}, &share.effective_starts);
-  const std::string by = f.read_string(state_->kind_interval, k);
-  share.by =
-      static_cast<IntervalBy>(std::find(interval_names.begin(), interval_names.end(), by) - interval_names.begin());
+void BasinFile::State::read_share(std::size_t k, Share& share) const {
+  const std::size_t kinds = file->length("outcome_kind");
+  const auto get = [&](const char* name, double& value) {
+    file->read(file->variable(name, NC_DOUBLE, {kinds}), {k}, {1}, &value);
+  };
+  get("kind_share", share.share);
+  get("kind_share_low", share.low);
+  get("kind_share_high", share.high);
+  get("kind_effective_starts", share.effective_starts);
+  const std::string by = file->read_text("kind_interval", k);
+  const auto found = std::find(interval_names.begin(), interval_names.end(), by);
+  if (found == interval_names.end()) throw RunError(fmt::format("{}: kind_interval {} is none", path, by));
+  share.by = static_cast<IntervalBy>(found - interval_names.begin());
   share.standard_error =
       share.effective_starts > 0.0 ? std::sqrt(share.share * (1.0 - share.share) / share.effective_starts) : 0.0;
 }
 
 std::vector<OutcomeSummary> BasinFile::summary() const {
+  if (!state_->file) return {};
   const store::NetcdfFile& f = *state_->file;
   std::vector<OutcomeSummary> lines(f.length("outcome_kind"));
+  const bool few = state_->finished <= static_cast<std::uint64_t>(std::numeric_limits<int>::max());
+  const int codes = f.variable("kind_code", NC_SHORT, {lines.size()});
+  const int counts = f.variable("kind_count", few ? NC_INT : NC_DOUBLE, {lines.size()});
   for (std::size_t k = 0; k < lines.size(); ++k) {
     OutcomeSummary& s = lines[k];
     short code = 0;
-    unsigned long long count = 0;
-    f.read(state_->kind_code, {k}, {1}, &code);
-    f.read(state_->kind_count, {k}, {1}, &count);
+    int small = 0;
+    double large = 0.0;
+    f.read(codes, {k}, {1}, &code);
+    f.read(counts, {k}, {1}, few ? static_cast<void*>(&small) : &large);
     s.code = code;
-    s.name = f.read_string(state_->kind_name, k);
-    s.alias = f.read_string(state_->kind_alias, k);
-    s.share = wilson_share(count, state_->stored);
-    if (state_->method != SamplingMethod::random) read_share(k, s.share);
+    s.name = f.read_text("kind_name", k);
+    s.alias = f.read_text("kind_alias", k);
+    s.share = wilson_share(few ? static_cast<std::uint64_t>(small) : static_cast<std::uint64_t>(large), state_->finished);
+    if (state_->header.method != SamplingMethod::random) state_->read_share(k, s.share);
   }
   return lines;
 }
 
-RunTime BasinFile::time() const {
-  const auto number = [&](const char* name) { return std::strtod(state_->file->attribute(name).c_str(), nullptr); };
-  return {number("seconds"), number("cpu_seconds")};
-}
+RunTime BasinFile::time() const { return state_->time; }
 
 void BasinFile::finish(const std::string& resolved_study, const std::vector<OutcomeSummary>& summary, bool complete,
                        const RunTime& time) {
-  store::NetcdfFile& f = *state_->file;
-  for (std::size_t k = 0; k < summary.size(); ++k) {
-    const OutcomeSummary& s = summary[k];
-    const short code = static_cast<short>(s.code);
-    const char *name = s.name.c_str(), *alias = s.alias.c_str();
-    const unsigned long long count = s.share.count;
-    f.write(state_->kind_code, {k}, {1}, &code);
-    f.write(state_->kind_name, {k}, {1}, &name);
-    f.write(state_->kind_alias, {k}, {1}, &alias);
-    f.write(state_->kind_count, {k}, {1}, &count);
-    f.write(state_->kind_share, {k}, {1}, &s.share.share);
-    f.write(state_->kind_low, {k}, {1}, &s.share.low);
-    f.write(state_->kind_high, {k}, {1}, &s.share.high);
-    if (state_->method == SamplingMethod::random) continue;
-    const char* interval = interval_names[static_cast<std::size_t>(s.share.by)];
-    f.write(state_->kind_interval, {k}, {1}, &interval);
-    f.write(state_->kind_effective, {k}, {1}, &s.share.effective_starts);
+  State& s = *state_;
+  if (s.stored == 0) return;
+  store::BasinContents contents{s.header, s.columns, s.stored, {}, s.discoveries, s.cpu_targets,
+                                summary,  resolved_study, complete, {}};
+  contents.read = [&s](std::size_t column, std::uint64_t first, std::size_t count, void* values) {
+    s.read(column, first, count, values);
+  };
+  contents.time = {s.time.seconds + time.seconds, s.time.cpu_seconds + time.cpu_seconds};
+  try {
+    store::write_basin_netcdf(s.path, contents);
+  } catch (const RunError& e) {
+    throw RunError(fmt::format("{}; {} starts are kept in {}.part and put in place by the same command", e.what(),
+                               s.stored, s.path));
   }
-  if (state_->method == SamplingMethod::sobol)
-    f.attribute(NC_GLOBAL, "sampling_points_per_replicate", fmt::format("{}", state_->stored / sobol_replicates));
-  f.attribute(NC_GLOBAL, "study", resolved_study);
-  f.attribute(NC_GLOBAL, "complete", complete ? "yes" : "no");
-  const RunTime before = this->time();
-  f.attribute(NC_GLOBAL, "seconds", fmt::format("{:.3f}", before.seconds + time.seconds));
-  f.attribute(NC_GLOBAL, "cpu_seconds", fmt::format("{:.3f}", before.cpu_seconds + time.cpu_seconds));
-  f.sync();
+  s.journal->remove();
 }
 
 }  // namespace equipoise

@@ -1,4 +1,4 @@
-// Per-start results as NetCDF-4, appended in order and resumable.
+// Per-start results as NetCDF, kept as they come and resumable.
 #pragma once
 
 #include <array>
@@ -13,15 +13,16 @@
 #include "equipoise/ensemble/transient_table.hpp"
 #include "equipoise/model/scales.hpp"
 #include "equipoise/statistics/share.hpp"
+#include "equipoise/store/start_columns.hpp"
 
 namespace equipoise {
 
 /// What a basin file says of the run that made it.
 struct BasinFileHeader {
   std::string study;  ///< resolved study as TOML, without its number of starts
-  std::uint64_t seed = 0;
   int balls = 2;
-  std::string cpu_target;
+  std::string cpu_target;    ///< of this run; a file may hold results of several
+  std::string arithmetic;    ///< what they must share for their results to be the same to the bit
   bool angles = true;        ///< false: leave phi out; it follows from seed and index
   bool full_starts = false;  ///< starts differ in more than their ball angles
   SamplingMethod method = SamplingMethod::random;
@@ -42,16 +43,20 @@ struct RunTime {
   double seconds = 0.0, cpu_seconds = 0.0;
 };
 
-/// Dimension start: variables phi(start, ball), outcome(start), decision_time(start), decided_by(start), and with
+/// Two files. The results, `path`, are NetCDF (classic, 64-bit offsets), always written whole beside and renamed: dimension
+/// start with its index and variables phi(start, ball), outcome(start), decision_time(start), decided_by(start), and with
 /// full_starts rotor_state(start, rotor_component) and phi_dot(start, ball), on a grid weight(start); dimension
 /// outcome_kind: code, name, alias, count, share and its interval, and but for random starts where the interval is from
 /// and how many random starts would have done; with transients the columns of TransientRow by start; dimension
 /// discovery: states of motions met during the run. Every variable has units and long_name. Readable by xarray, ncdump,
-/// ncview.
+/// ncview. Behind it all stands a checksum; a file without it, or with another, is not read.
+///
+/// While a run goes on, `path`.part holds what is new (store/journal.hpp), so that a run that is killed loses a second's
+/// work; it is gone once the results are in place. One run at a time has a file.
 class BasinFile {
  public:
-  /// Creates `path`, or opens it for more if it holds results of the same study, seed and CPU target.
-  /// Throws InputError if it cannot be written or holds something else.
+  /// Opens what `path` and `path`.part hold of the same study, seed, version and arithmetic, or begins anew.
+  /// Throws InputError if it cannot be written, is in use, damaged, or holds something else: which, it says.
   BasinFile(const std::string& path, const BasinFileHeader& header);
   ~BasinFile();
   BasinFile(const BasinFile&) = delete;
@@ -59,22 +64,23 @@ class BasinFile {
 
   /// Starts already there (0 .. stored() - 1).
   std::uint64_t stored() const;
+  /// Of them, those that `path` does not hold yet.
+  std::uint64_t unfinished() const;
+  /// The CPU targets that they were computed on.
+  const std::vector<std::string>& cpu_targets() const;
   /// Fates of starts first .. first + count - 1.
   std::vector<Fate> read(std::uint64_t first, std::size_t count) const;
   /// Their transients, of a file that holds them.
   std::vector<TransientRow> read_transients(std::uint64_t first, std::size_t count) const;
-  /// Appends `count` starts: phi row-major count x balls; with full_starts `rotor`, count x 4 (x, y, x_dot, y_dot), and
-  /// `phi_dot`, count x balls; on a grid `weight`; with transients `rows`. Throws RunError if the file cannot take
-  /// them.
-  void append(std::size_t count, const double* phi, const Fate* fates, const double* rotor = nullptr,
-              const double* phi_dot = nullptr, const double* weight = nullptr, const TransientRow* rows = nullptr);
+  /// Appends starts; they are on disk within about a second of work. `so_far`: of this run. Throws RunError, with all
+  /// before them kept, if the disk cannot take them.
+  void append(const StartBatch& batch, const RunTime& so_far);
   /// States on motions that were first met during earlier runs, in the order of starts: enough to name them again.
   std::vector<std::vector<double>> discoveries() const;
   void append_discovery(const std::vector<double>& state);
-  /// Brings what is appended to disk.
-  void sync();
-  /// Writes the summary and the resolved study; `complete` marks whether all requested starts are there. `time`: of
-  /// this run; it is added to what earlier ones took.
+  /// Writes the results: all that is stored, the summary of all of it, the resolved study; `complete` marks whether all
+  /// requested starts are there. `time`: of this run; it is added to what earlier ones took. Nothing is written where
+  /// nothing is stored. To be called last. Throws RunError, with everything kept as it was, if the disk cannot take it.
   void finish(const std::string& resolved_study, const std::vector<OutcomeSummary>& summary, bool complete,
               const RunTime& time);
   /// What the last run's finish() said; complete() is false if there was none.

@@ -1,4 +1,4 @@
-// Branches in NetCDF-4, written in one go.
+// Branches in NetCDF, written in one go.
 #include "equipoise/store/branches_file.hpp"
 
 #include <limits>
@@ -15,8 +15,17 @@ namespace {
 
 class Writer {
  public:
-  Writer(const std::string& path, const BranchTable& table)
-      : table_(table), file_(path, store::NetcdfFile::Mode::create), balls_(static_cast<std::size_t>(table.balls)) {}
+  Writer(store::NetcdfFile& file, const BranchTable& table)
+      : table_(table), file_(file), balls_(static_cast<std::size_t>(table.balls)) {
+    for (const Branch& branch : table.branches) {
+      names_.push_back(branch.name);
+      aliases_.push_back(branch.alias);
+      for (const BranchEvent& e : branch.events) {
+        changes_.emplace_back(name_of(e.change));
+        types_.emplace_back(name_of(e.cause));
+      }
+    }
+  }
 
   void write() {
     define();
@@ -25,25 +34,42 @@ class Writer {
     for (std::size_t b = 0; b < table_.branches.size(); ++b) {
       const Branch& branch = table_.branches[b];
       put(id_, b, branch.id);
-      put(name_, b, branch.name.c_str());
-      put(alias_, b, branch.alias.c_str());
       for (const BranchPoint& point : branch.points) put_point(point, b);
       for (const BranchEvent& e : branch.events) put_event(e, event++);
     }
-    file_.sync();
+    if (table_.branches.empty()) return;
+    file_.write_texts(name_, names_);
+    file_.write_texts(alias_, aliases_);
+    if (changes_.empty()) return;
+    file_.write_texts(event_change_, changes_);
+    file_.write_texts(event_type_, types_);
   }
 
  private:
   void define() {
     store::NetcdfFile& f = file_;
     const int value = f.dimension("value", table_.values.size());
-    const int attractor = f.dimension("attractor", store::NetcdfFile::unlimited);
-    const int ball = f.dimension("ball", balls_);
-    const int event = f.dimension("event", store::NetcdfFile::unlimited);
     value_ = f.variable("value", NC_DOUBLE, {value}, "1", fmt::format("{}: {}", table_.key, table_.label));
+    if (!table_.branches.empty()) define_branches(value);
+    if (!changes_.empty()) define_events();
+    f.attribute(NC_GLOBAL, "Conventions", "CF-1.8");
+    f.attribute(NC_GLOBAL, "title", "Attractors of a rotor with an automatic ball balancer along a parameter");
+    f.attribute(NC_GLOBAL, "source", fmt::format("equipoise {}", version_string));
+    f.attribute(NC_GLOBAL, "identity",
+                fmt::format("{}\n# along {}\n# version {}\n", table_.study, table_.key, version_string));
+    f.attribute(NC_GLOBAL, "parameter", table_.key);
+    f.attribute(NC_GLOBAL, "study", table_.study);
+    f.attribute(NC_GLOBAL, "complete", table_.complete ? "yes" : "no");
+    f.end_definitions();
+  }
+
+  void define_branches(int value) {
+    store::NetcdfFile& f = file_;
+    const int attractor = f.dimension("attractor", table_.branches.size());
+    const int ball = f.dimension("ball", balls_);
     id_ = f.variable("id", NC_INT, {attractor}, "1", "identifier, the same along the whole range");
-    name_ = f.variable("name", NC_STRING, {attractor}, "1", "name of the attractor");
-    alias_ = f.variable("alias", NC_STRING, {attractor}, "1", "name that Wright and Peng (2019) give it");
+    name_ = f.text_variable("name", attractor, names_, "name of the attractor");
+    alias_ = f.text_variable("alias", attractor, aliases_, "name that Wright and Peng (2019) give it");
     const auto number = [&](const char* name, const char* units, const char* meaning) {
       return filled(name, {value, attractor}, units, meaning);
     };
@@ -64,20 +90,16 @@ class Writer {
     rate_ = number("growth_rate", "1", "growth rate of the slowest deviation, in omega_c; negative where it dies out");
     drift_ = filled("drift", {value, attractor, ball}, "1",
                     "mean rate of a ball in the rotating frame, radians times omega_c");
+  }
+
+  void define_events() {
+    store::NetcdfFile& f = file_;
+    const int event = f.dimension("event", changes_.size());
     event_id_ = f.variable("event_id", NC_INT, {event}, "1", "identifier of the attractor to which it happens");
-    event_change_ = f.variable("event_change", NC_STRING, {event}, "1", "what happens");
-    event_type_ = f.variable("event_type", NC_STRING, {event}, "1", "type of the bifurcation");
+    event_change_ = f.text_variable("event_change", event, changes_, "what happens");
+    event_type_ = f.text_variable("event_type", event, types_, "type of the bifurcation");
     event_low_ = f.variable("event_low", NC_DOUBLE, {event}, "1", "it happens above this value of the parameter");
     event_high_ = f.variable("event_high", NC_DOUBLE, {event}, "1", "it happens below this value of the parameter");
-    f.attribute(NC_GLOBAL, "Conventions", "CF-1.8");
-    f.attribute(NC_GLOBAL, "title", "Attractors of a rotor with an automatic ball balancer along a parameter");
-    f.attribute(NC_GLOBAL, "source", fmt::format("equipoise {}", version_string));
-    f.attribute(NC_GLOBAL, "identity",
-                fmt::format("{}\n# along {}\n# version {}\n", table_.study, table_.key, version_string));
-    f.attribute(NC_GLOBAL, "parameter", table_.key);
-    f.attribute(NC_GLOBAL, "study", table_.study);
-    f.attribute(NC_GLOBAL, "complete", table_.complete ? "yes" : "no");
-    f.end_definitions();
   }
 
   int filled(const char* name, const std::vector<int>& dimensions, const char* units, const char* meaning) {
@@ -111,15 +133,14 @@ class Writer {
 
   void put_event(const BranchEvent& e, std::size_t at) {
     put(event_id_, at, e.id);
-    put(event_change_, at, name_of(e.change));
-    put(event_type_, at, name_of(e.cause));
     put(event_low_, at, e.low);
     put(event_high_, at, e.high);
   }
 
   const BranchTable& table_;
-  store::NetcdfFile file_;
+  store::NetcdfFile& file_;
   std::size_t balls_;
+  std::vector<std::string> names_, aliases_, changes_, types_;
   int value_ = -1, id_ = -1, name_ = -1, alias_ = -1, kind_ = -1, stable_ = -1, period_ = -1;
   int r_min_ = -1, r_mean_ = -1, r_max_ = -1, multiplier_ = -1, rate_ = -1, drift_ = -1;
   int event_id_ = -1, event_change_ = -1, event_type_ = -1, event_low_ = -1, event_high_ = -1;
@@ -127,6 +148,8 @@ class Writer {
 
 }  // namespace
 
-void write_branches_file(const std::string& path, const BranchTable& table) { Writer(path, table).write(); }
+void write_branches_file(const std::string& path, const BranchTable& table) {
+  store::write_netcdf_file(path, [&](store::NetcdfFile& file) { Writer(file, table).write(); });
+}
 
 }  // namespace equipoise

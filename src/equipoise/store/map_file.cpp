@@ -1,4 +1,4 @@
-// A map in NetCDF-4, written in one go.
+// A map in NetCDF, written in one go.
 #include "equipoise/store/map_file.hpp"
 
 #include <algorithm>
@@ -28,18 +28,18 @@ std::string links_text(const PlaneMap& map) {
 // flag_meanings are words with blanks between them.
 std::string flag_meanings(const std::vector<MapCode>& codes) {
   std::string text;
-  for (const MapCode& c : codes) {
-    std::string word = c.name;
-    std::replace_if(
-        word.begin(), word.end(), [](char ch) { return ch == ' ' || ch == ','; }, '_');
-    text += (text.empty() ? "" : " ") + word;
-  }
+  for (const MapCode& c : codes) text += (text.empty() ? "" : " ") + store::flag_word(c.name);
   return text;
 }
 
 class Writer {
  public:
-  Writer(const std::string& path, const PlaneMap& map) : map_(map), file_(path, store::NetcdfFile::Mode::create) {}
+  Writer(store::NetcdfFile& file, const PlaneMap& map) : map_(map), file_(file) {
+    for (const MapCode& c : map.codes) {
+      names_.push_back(c.name);
+      aliases_.push_back(c.alias);
+    }
+  }
 
   void write() {
     define();
@@ -49,8 +49,12 @@ class Writer {
     file_.write(outcome_, {0, 0}, {rows, columns}, map_.code.data());
     const std::vector<double>* fields[]{&map_.time, &map_.r_max, &map_.balance_margin, &map_.balance_growth};
     for (std::size_t k = 0; k < 4; ++k) file_.write(fields_[k], {0, 0}, {rows, columns}, fields[k]->data());
-    for (std::size_t k = 0; k < map_.codes.size(); ++k) write_code(map_.codes[k], k);
-    file_.sync();
+    for (std::size_t k = 0; k < map_.codes.size(); ++k) {
+      file_.write(code_, {k}, {1}, &map_.codes[k].code);
+      file_.write(share_, {k}, {1}, &map_.codes[k].share.share);
+    }
+    file_.write_texts(name_, names_);
+    file_.write_texts(alias_, aliases_);
   }
 
  private:
@@ -83,8 +87,8 @@ class Writer {
       f.fill(fields_[k], &none);
     }
     code_ = f.variable("code", NC_SHORT, {kind}, "1", "value of outcome");
-    name_ = f.variable("name", NC_STRING, {kind}, "1", "name of the outcome");
-    alias_ = f.variable("alias", NC_STRING, {kind}, "1", "name that Wright and Peng (2019) give it");
+    name_ = f.text_variable("name", kind, names_, "name of the outcome");
+    alias_ = f.text_variable("alias", kind, aliases_, "name that Wright and Peng (2019) give it");
     share_ = f.variable("share", NC_DOUBLE, {kind}, "1", "share of the map's pixels");
     define_attributes();
     f.end_definitions();
@@ -109,22 +113,17 @@ class Writer {
     file_.write(variable, {0}, {centres.size()}, centres.data());
   }
 
-  void write_code(const MapCode& c, std::size_t at) {
-    const char *name = c.name.c_str(), *alias = c.alias.c_str();
-    file_.write(code_, {at}, {1}, &c.code);
-    file_.write(name_, {at}, {1}, &name);
-    file_.write(alias_, {at}, {1}, &alias);
-    file_.write(share_, {at}, {1}, &c.share.share);
-  }
-
   const PlaneMap& map_;
-  store::NetcdfFile file_;
+  store::NetcdfFile& file_;
+  std::vector<std::string> names_, aliases_;
   int x_ = -1, y_ = -1, outcome_ = -1, code_ = -1, name_ = -1, alias_ = -1, share_ = -1;
   int fields_[4] = {-1, -1, -1, -1};
 };
 
 }  // namespace
 
-void write_map_file(const std::string& path, const PlaneMap& map) { Writer(path, map).write(); }
+void write_map_file(const std::string& path, const PlaneMap& map) {
+  store::write_netcdf_file(path, [&](store::NetcdfFile& file) { Writer(file, map).write(); });
+}
 
 }  // namespace equipoise

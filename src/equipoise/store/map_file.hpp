@@ -1,4 +1,4 @@
-// A plane of starts or parameters with the outcome of one start at every pixel, and its NetCDF-4 file.
+// A plane of starts or parameters with the outcome of one start at every pixel, and its NetCDF file.
 #pragma once
 
 #include <cstddef>

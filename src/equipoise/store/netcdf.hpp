@@ -1,34 +1,45 @@
 // A thin, owning wrapper around the NetCDF C library: every call is checked, every failure an exception.
+//
+// Files are of the classic kind with 64-bit offsets, for which the library uses plain calls of the system. HDF5, in
+// which NetCDF-4 files are kept, loses a file to a full disk, ends the process when it closes such a file at exit, and
+// reads damaged files at the process's peril.
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
+#include <functional>
 #include <string>
 #include <vector>
 
 namespace equipoise::store {
 
-/// One open NetCDF-4 file, closed on destruction.
+/// One open NetCDF file, closed on destruction.
 class NetcdfFile {
  public:
-  enum class Mode { create, update };
-  /// Throws RunError naming the file.
-  NetcdfFile(const std::string& path, Mode mode);
+  enum class Mode { create, create_large, read };
+  /// create: an existing, empty file is filled; create_large: with variables of 2 GiB and more. `name`: of the file in
+  /// messages, if not `path`. Throws RunError naming the file.
+  NetcdfFile(const std::string& path, Mode mode, const std::string& name = {});
   ~NetcdfFile();
   NetcdfFile(const NetcdfFile&) = delete;
   NetcdfFile& operator=(const NetcdfFile&) = delete;
 
-  static constexpr std::size_t unlimited = 0;
+  /// Of length 0: one that grows, of which a file has at most one.
   int dimension(const std::string& name, std::size_t length);
-  std::size_t length(const std::string& dimension) const;
+  std::size_t length(const std::string& dimension) const;  ///< 0 for one that is not there
   /// Every variable carries its units and a long_name.
   int variable(const std::string& name, int type, const std::vector<int>& dimensions, const std::string& units,
                const std::string& long_name);
   int variable(const std::string& name) const;
+  /// Throws RunError unless the variable is there with just this type and shape.
+  int variable(const std::string& name, int type, const std::vector<std::size_t>& shape) const;
+  /// Texts along a dimension, in characters; they are `texts`, written by write_texts() after the definitions.
+  int text_variable(const std::string& name, int dimension, const std::vector<std::string>& texts,
+                    const std::string& long_name);
   /// What stands where nothing was written, of the variable's type; also its attribute _FillValue.
   void fill(int variable, const void* value);
-  void chunk(int variable, const std::vector<std::size_t>& sizes);
-  /// Lossless compression; the variable is chunked.
-  void compress(int variable);
+  /// Every value is written: nothing stands anywhere before.
+  void leave_unfilled();
   void attribute(int variable, const std::string& name, const std::string& text);
   void attribute(int variable, const std::string& name, const std::vector<signed char>& values);
   void attribute(int variable, const std::string& name, const std::vector<short>& values);
@@ -36,16 +47,26 @@ class NetcdfFile {
   void end_definitions();
   void write(int variable, const std::vector<std::size_t>& start, const std::vector<std::size_t>& count,
              const void* data);
+  void write_texts(int variable, const std::vector<std::string>& texts);
   void read(int variable, const std::vector<std::size_t>& start, const std::vector<std::size_t>& count,
             void* data) const;
-  std::string read_string(int variable, std::size_t index) const;
-  void sync();
+  std::string read_text(const std::string& variable, std::size_t index) const;
+  /// Hands everything to the system.
+  void close();
 
   void check(int status, const std::string& what) const;
 
  private:
-  std::string path_;
+  std::string name_;
+  bool defining_ = true;
   int id_ = -1;
 };
+
+/// A name as one word for the attribute flag_meanings.
+std::string flag_word(const std::string& name);
+
+/// Writes `path` anew by `define_and_write`; what was there is replaced once all is written. Throws RunError.
+void write_netcdf_file(const std::string& path, const std::function<void(NetcdfFile&)>& define_and_write,
+                       NetcdfFile::Mode mode = NetcdfFile::Mode::create);
 
 }  // namespace equipoise::store

@@ -1,6 +1,9 @@
 // Trajectories as CSV and NetCDF.
 #include "equipoise/store/trajectory.hpp"
 
+#include <algorithm>
+#include <cerrno>
+#include <fstream>
 #include <iterator>
 #include <ostream>
 #include <utility>
@@ -8,8 +11,10 @@
 #include <fmt/format.h>
 #include <netcdf.h>
 
+#include "equipoise/base/error.hpp"
 #include "equipoise/base/version.hpp"
 #include "equipoise/store/netcdf.hpp"
+#include "equipoise/store/replacement.hpp"
 
 namespace equipoise {
 
@@ -34,10 +39,21 @@ void write_csv(std::ostream& out, const Trajectory& r) {
   out.write(line.data(), static_cast<std::streamsize>(line.size()));  // the header alone, if there were no rows
 }
 
-void write_netcdf(const std::string& path, const Trajectory& r, const std::string& study) {
-  store::NetcdfFile file(path, store::NetcdfFile::Mode::create);
+void write_csv_file(const std::string& path, const Trajectory& trajectory) {
+  store::Replacement place(path);
+  errno = 0;
+  std::ofstream file(place.file(), std::ios::binary);
+  write_csv(file, trajectory);
+  file.close();
+  if (!file) throw RunError(path + ": cannot be written: " + store::error_text(errno));
+  place.commit();
+}
+
+namespace {
+
+void fill_file(store::NetcdfFile& file, const Trajectory& r, const std::string& study) {
   const std::size_t rows = r.t.size(), balls = r.phi.size();
-  const int time = file.dimension("t", rows > 0 ? rows : store::NetcdfFile::unlimited);
+  const int time = file.dimension("t", rows);
   const int ball = file.dimension("ball", balls);
   struct Column {
     const char *name, *units, *long_name;
@@ -75,7 +91,15 @@ void write_netcdf(const std::string& path, const Trajectory& r, const std::strin
     }
   file.write(phi, {0, 0}, {rows, balls}, by_ball.data());
   file.write(phi_dot, {0, 0}, {rows, balls}, rate_by_ball.data());
-  file.sync();
+}
+
+}  // namespace
+
+void write_netcdf(const std::string& path, const Trajectory& r, const std::string& study) {
+  using Mode = store::NetcdfFile::Mode;
+  const bool large = r.t.size() * std::max<std::size_t>(r.phi.size(), 1) * sizeof(double) >= std::size_t{1} << 31;
+  store::write_netcdf_file(
+      path, [&](store::NetcdfFile& file) { fill_file(file, r, study); }, large ? Mode::create_large : Mode::create);
 }
 
 }  // namespace equipoise

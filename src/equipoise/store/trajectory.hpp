@@ -26,7 +26,10 @@ struct Trajectory {
 /// shortest form that reads back to the same bits.
 void write_csv(std::ostream& out, const Trajectory& trajectory);
 
-/// The same as NetCDF-4 with coordinate t, `study` (TOML) as an attribute. Replaces an existing file.
+/// The same to a file, which it replaces once all is written. Throws RunError if it cannot be.
+void write_csv_file(const std::string& path, const Trajectory& trajectory);
+
+/// The same as NetCDF with coordinate t, `study` (TOML) as an attribute. Replaces an existing file.
 /// Throws RunError if it cannot be written.
 void write_netcdf(const std::string& path, const Trajectory& trajectory, const std::string& study);
 

@@ -1,0 +1,65 @@
+// Identities written and compared key by key.
+#include "equipoise/store/result_identity.hpp"
+
+#include <map>
+#include <sstream>
+
+#include <fmt/format.h>
+
+#include "equipoise/base/version.hpp"
+#include "equipoise/store/basin_file.hpp"
+
+namespace equipoise::store {
+
+namespace {
+
+// More than these would hide which differ.
+constexpr std::size_t most_told = 3;
+
+// Values by dotted key. The texts are the program's own: a table or a key a line.
+std::map<std::string, std::string> values_of(const std::string& identity) {
+  std::map<std::string, std::string> values;
+  std::istringstream lines(identity);
+  std::string table;
+  for (std::string line; std::getline(lines, line);) {
+    const std::size_t equals = line.find(" = ");
+    if (line.starts_with("["))
+      table = line.substr(1, line.find(']') - 1) + ".";
+    else if (equals != std::string::npos)
+      values[(table == "file." ? "" : table) + line.substr(0, equals)] = line.substr(equals + 3);
+  }
+  return values;
+}
+
+}  // namespace
+
+std::string identity_of(const BasinFileHeader& header) {
+  const auto& asked = header.transients;
+  const std::string transients =
+      asked ? fmt::format("displacement {}, settled {}, window {}", asked->displacement, asked->settled, asked->window)
+            : "none";
+  return fmt::format("{}\n[file]\nversion = {}\narithmetic = {}\nangles = {}\ntransients = {}\n",
+                     header.study, version_string, header.arithmetic, header.angles ? "kept" : "left out", transients);
+}
+
+std::string difference(const std::string& there, const std::string& here) {
+  const auto old_values = values_of(there), values = values_of(here);
+  auto all = old_values;
+  all.insert(values.begin(), values.end());
+  std::string text;
+  std::size_t count = 0;
+  const auto told = [](const std::map<std::string, std::string>& from, const std::string& key) {
+    const auto found = from.find(key);
+    return found == from.end() ? "not given" : found->second;
+  };
+  for (const auto& [key, unused] : all) {
+    const std::string before = told(old_values, key), now = told(values, key);
+    if (before == now) continue;
+    if (++count <= most_told)
+      text += fmt::format("{}{} is {} there and {} here", count > 1 ? ", " : "", key, before, now);
+  }
+  if (count > most_told) text += fmt::format(", and {} more", count - most_told);
+  return count == 0 && there != here ? "its header has another form" : text;
+}
+
+}  // namespace equipoise::store

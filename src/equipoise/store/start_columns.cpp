@@ -1,0 +1,114 @@
+// The list of columns and their values.
+#include "equipoise/store/start_columns.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+
+#include <netcdf.h>
+
+#include "equipoise/store/basin_file.hpp"
+
+namespace equipoise::store {
+
+const float missing_figure = NC_FILL_FLOAT;
+
+std::vector<StartColumn> start_columns(const BasinFileHeader& header) {
+  const std::size_t balls = static_cast<std::size_t>(header.balls);
+  std::vector<StartColumn> columns;
+  if (header.angles)
+    columns.push_back({"phi", NC_DOUBLE, 8, balls, "ball", "radian",
+                       "initial ball angle from the direction of the centre of mass, rotating frame"});
+  if (header.full_starts) {
+    columns.push_back({"rotor_state", NC_DOUBLE, 8, 4, "rotor_component", "1",
+                       "initial x, y in race radii and x_dot, y_dot, their derivatives in the rotating frame"});
+    columns.push_back({"phi_dot", NC_DOUBLE, 8, balls, "ball", "1",
+                       "initial rate of a ball in the rotating frame, radians times omega_c"});
+  }
+  if (header.method == SamplingMethod::grid)
+    columns.push_back({"weight", NC_DOUBLE, 8, 1, "", "1", "cells of the grid that the start's cell stands for"});
+  if (header.transients)
+    for (const TransientColumn& c : transient_columns)
+      columns.push_back({c.name, NC_FLOAT, 4, 1, "", "1", c.long_name});
+  columns.push_back({"outcome", NC_SHORT, 2, 1, "", "1",
+                     "attractor that the start came to (kind_code), or 0 undecided, -1 diverged, -2 failed, -3 stalled"});
+  columns.push_back(
+      {"decision_time", NC_DOUBLE, 8, 1, "", "1", "study time at which the outcome was known, in 1/omega_c"});
+  columns.push_back({"decided_by", NC_BYTE, 1, 1, "", "1", "grounds on which the outcome was decided"});
+  return columns;
+}
+
+namespace {
+
+template <class T, class Value>
+void put(std::vector<char>& bytes, std::size_t count, const Value& value_of) {
+  for (std::size_t i = 0; i < count; ++i) {
+    const T value = value_of(i);
+    const char* from = reinterpret_cast<const char*>(&value);
+    bytes.insert(bytes.end(), from, from + sizeof value);
+  }
+}
+
+void put_given(std::vector<char>& bytes, std::size_t count, const double* values) {
+  const char* from = reinterpret_cast<const char*>(values);
+  bytes.insert(bytes.end(), from, from + count * sizeof(double));
+}
+
+}  // namespace
+
+std::vector<char> pack(const std::vector<StartColumn>& columns, const StartBatch& b) {
+  std::vector<char> bytes;
+  for (const StartColumn& c : columns) {
+    const double* given = c.name == "phi"           ? b.phi
+                          : c.name == "rotor_state" ? b.rotor
+                          : c.name == "phi_dot"     ? b.phi_dot
+                          : c.name == "weight"      ? b.weight
+                                                    : nullptr;
+    if (given)
+      put_given(bytes, b.count * c.width, given);
+    else if (c.name == "outcome")
+      put<short>(bytes, b.count, [&](std::size_t i) { return code_of(b.fates[i]); });
+    else if (c.name == "decision_time")
+      put<double>(bytes, b.count, [&](std::size_t i) { return b.fates[i].time; });
+    else if (c.name == "decided_by")
+      put<signed char>(bytes, b.count, [&](std::size_t i) { return static_cast<signed char>(b.fates[i].by); });
+    else
+      for (const TransientColumn& figure : transient_columns)
+        if (c.name == figure.name)
+          put<float>(bytes, b.count, [&](std::size_t i) {
+            const float value = b.rows[i].*figure.value;
+            return std::isfinite(value) ? value : missing_figure;
+          });
+  }
+  return bytes;
+}
+
+short code_of(const Fate& fate) {
+  switch (fate.outcome) {
+    case Outcome::attracted:
+      return fate.attractor;
+    case Outcome::undecided:
+      return undecided_code;
+    case Outcome::diverged:
+      return diverged_code;
+    case Outcome::stalled:
+      return stalled_code;
+    default:
+      return failed_code;
+  }
+}
+
+bool fate_from(short code, signed char by, double time, Fate& fate) {
+  if (code < stalled_code || by < 0 || by >= decided_by_count) return false;
+  fate.outcome = code == undecided_code  ? Outcome::undecided
+                 : code == diverged_code ? Outcome::diverged
+                 : code == stalled_code  ? Outcome::stalled
+                 : code == failed_code   ? Outcome::failed
+                                         : Outcome::attracted;
+  fate.attractor = std::max<short>(code, 0);
+  fate.by = static_cast<DecidedBy>(by);
+  fate.time = time;
+  return true;
+}
+
+}  // namespace equipoise::store

@@ -1,0 +1,127 @@
+"""Runs the program and says what no fault may ever lead to: death by a signal, a hang, silence, half a file."""
+import os
+import random
+import resource
+import signal
+import subprocess
+import time
+
+import classic_netcdf
+
+LONGEST = 300  # seconds; nothing here takes a tenth of it on an idle machine
+
+
+class Finding(Exception):
+    """The program did what it must not."""
+
+
+class Bench:
+    """The program, a folder for one case, and its random numbers."""
+
+    def __init__(self, program, studies, folder, seed, quick):
+        self.program, self.studies, self.folder, self.quick = program, studies, folder, quick
+        self.random = random.Random(seed)
+        self.study = os.path.join(studies, "paper", "table-2-omega-2.4.toml")
+
+    def path(self, name):
+        return os.path.join(self.folder, name)
+
+    def start(self, *arguments, **options):
+        options = {"stdout": subprocess.PIPE, "stderr": subprocess.PIPE, "cwd": self.folder, **options}
+        return subprocess.Popen([self.program, *map(str, arguments)], **options)
+
+    def run(self, *arguments, **options):
+        return ended(self.start(*arguments, **options), arguments)
+
+    def basin(self, *arguments):
+        return ("basin", self.study, "--quiet", "--threads", "2", *arguments)
+
+
+class Ended:
+    def __init__(self, code, out, err, arguments):
+        self.code, self.out, self.err, self.arguments = code, out, err, arguments
+
+    def __str__(self):
+        return f"{' '.join(map(str, self.arguments))}: exit {self.code}, standard error {self.err!r}"
+
+
+def ended(process, arguments=()):
+    """Waits for it. Never a hang, never a signal but the one that the case sent itself."""
+    try:
+        out, err = process.communicate(timeout=LONGEST)
+    except subprocess.TimeoutExpired:
+        process.kill()
+        process.communicate()
+        raise Finding(f"{' '.join(map(str, arguments))}: still at work after {LONGEST} s") from None
+    done = Ended(process.returncode, out or b"", (err or b"").decode(errors="replace"), arguments)
+    if done.code < 0 and done.code != -signal.SIGKILL:
+        raise Finding(f"{done}: ended by signal {-done.code}")
+    return done
+
+
+def refused(done, *codes, words=()):
+    """One line on standard error, one of these codes, nothing on standard output."""
+    if done.code not in codes:
+        raise Finding(f"{done}: expected exit {' or '.join(map(str, codes))}")
+    lines = done.err.strip("\n").split("\n")
+    if len(lines) != 1 or not lines[0].startswith("equipoise: "):
+        raise Finding(f"{done}: expected one line")
+    for word in words:
+        if word not in done.err:
+            raise Finding(f"{done}: does not say {word!r}")
+
+
+def expect(condition, what):
+    if not condition:
+        raise Finding(what)
+
+
+def limited(size):
+    """To be called in the child: no file that it writes may grow beyond `size` bytes."""
+    return lambda: resource.setrlimit(resource.RLIMIT_FSIZE, (size, resource.RLIM_INFINITY))
+
+
+def catches_signals(process):
+    """Whether it has come so far as to have its own answer to SIGTERM."""
+    try:
+        with open(f"/proc/{process.pid}/status", encoding="utf-8") as file:
+            caught = next(int(line.split()[1], 16) for line in file if line.startswith("SigCgt"))
+    except (OSError, StopIteration):
+        return False
+    return bool(caught >> (signal.SIGTERM - 1) & 1)
+
+
+def wait_until(condition, process):
+    """False if the process ended first."""
+    while not condition():
+        if process.poll() is not None:
+            return False
+        time.sleep(0.002)
+    return True
+
+
+def content(path):
+    with open(path, "rb") as file:
+        return file.read()
+
+
+def result(path):
+    """All that a file of results says but the time that it took."""
+    dimensions, attributes, variables = classic_netcdf.read(path)
+    return dimensions, {k: v for k, v in attributes.items() if k not in ("seconds", "cpu_seconds")}, variables
+
+
+def same_result(path, reference, what):
+    found = result(path)
+    for name, one, other in zip(("dimensions", "attributes", "variables"), found, reference):
+        for key in one.keys() | other.keys():
+            if one.get(key) != other.get(key):
+                raise Finding(f"{what}: {name} differ in {key} from those of a run without the fault")
+
+
+def adds_up(path):
+    """The summary counts all starts of the file, and no start lacks an outcome."""
+    dimensions, _, variables = classic_netcdf.read(path)
+    total = sum(int.from_bytes(variables["kind_count"][i:i + 4], "big")
+                for i in range(0, len(variables["kind_count"]), 4))
+    expect(total == dimensions["start"], f"{path}: {dimensions['start']} starts, and counts for {total}")

@@ -1,0 +1,418 @@
+// Files of results under faults: cut off, spoilt, a full disk, two writers; every prefix of a journal can be read.
+#include <csignal>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include <gtest/gtest.h>
+#include <sys/resource.h>
+#include <unistd.h>
+
+#include "equipoise/base/error.hpp"
+#include "equipoise/store/basin_file.hpp"
+#include "equipoise/store/checksum.hpp"
+#include "equipoise/store/journal.hpp"
+#include "equipoise/store/netcdf.hpp"
+#include "equipoise/store/replacement.hpp"
+#include "equipoise/store/sealed_file.hpp"
+
+namespace equipoise {
+namespace {
+
+namespace fs = std::filesystem;
+
+std::string content(const std::string& path) {
+  std::ifstream file(path, std::ios::binary);
+  return {std::istreambuf_iterator<char>(file), {}};
+}
+
+void overwrite(const std::string& path, const std::string& text) {
+  std::ofstream(path, std::ios::binary | std::ios::trunc) << text;
+}
+
+// In place: cutting a file to nothing and writing it again waits for the disk on some file systems.
+void flip_bit(const std::string& path, std::size_t at) {
+  std::fstream file(path, std::ios::binary | std::ios::in | std::ios::out);
+  file.seekg(static_cast<std::streamoff>(at));
+  const char byte = static_cast<char>(file.get() ^ (1 << (at % 8)));
+  file.seekp(static_cast<std::streamoff>(at));
+  file.put(byte);
+}
+
+class Files : public testing::Test {
+ protected:
+  void SetUp() override {
+    folder_ = testing::TempDir() + "equipoise_store_" + std::to_string(getpid());
+    fs::create_directories(folder_);
+    path_ = folder_ + "/result.nc";
+    part_ = path_ + ".part";
+  }
+  void TearDown() override { fs::remove_all(folder_); }
+
+  std::string folder_, path_, part_;
+};
+
+// No file of this process may grow beyond `bytes`: writing fails then as on a full disk.
+class SmallDisk {
+ public:
+  explicit SmallDisk(rlim_t bytes) {
+    std::signal(SIGXFSZ, SIG_IGN);
+    getrlimit(RLIMIT_FSIZE, &before_);
+    const rlimit small{bytes, before_.rlim_max};
+    setrlimit(RLIMIT_FSIZE, &small);
+  }
+  ~SmallDisk() { setrlimit(RLIMIT_FSIZE, &before_); }
+
+ private:
+  rlimit before_{};
+};
+
+BasinFileHeader header_of(const std::string& drag = "0.05") {
+  BasinFileHeader header;
+  header.study = "[balancer]\nballs = 2\ndrag = " + drag + "\n\n[sampling]\nseed = 1\n";
+  header.cpu_target = "AVX2";
+  header.arithmetic = "fused";
+  return header;
+}
+
+// Start i as no other.
+Fate fate_of(std::uint64_t i) {
+  Fate fate;
+  fate.outcome = i % 5 == 0 ? Outcome::undecided : Outcome::attracted;
+  fate.attractor = i % 5 == 0 ? 0 : static_cast<short>(1 + i % 3);
+  fate.by = i % 5 == 0 ? DecidedBy::nothing : DecidedBy::windows;
+  fate.time = 0.5 * static_cast<double>(i);
+  return fate;
+}
+
+void append(BasinFile& file, std::size_t count) {
+  std::vector<double> phi;
+  std::vector<Fate> fates;
+  for (std::uint64_t i = file.stored(); i < file.stored() + count; ++i) {
+    phi.insert(phi.end(), {static_cast<double>(i), -static_cast<double>(i)});
+    fates.push_back(fate_of(i));
+  }
+  StartBatch batch;
+  batch.count = count;
+  batch.phi = phi.data();
+  batch.fates = fates.data();
+  file.append(batch, {0.25, 0.5});
+}
+
+void expect_starts(const BasinFile& file, std::uint64_t count) {
+  ASSERT_EQ(file.stored(), count);
+  const std::vector<Fate> fates = file.read(0, count);
+  for (std::uint64_t i = 0; i < count; ++i) {
+    const Fate expected = fate_of(i);
+    ASSERT_EQ(fates[i].outcome, expected.outcome) << i;
+    ASSERT_EQ(fates[i].attractor, expected.attractor) << i;
+    ASSERT_EQ(fates[i].by, expected.by) << i;
+    ASSERT_EQ(fates[i].time, expected.time) << i;
+  }
+}
+
+std::vector<OutcomeSummary> summary_of(std::uint64_t count) {
+  return {{1, "balanced", "", wilson_share(count / 2, count)}, {0, "undecided", "", wilson_share(count / 5, count)}};
+}
+
+std::string refusal(const std::string& path, const BasinFileHeader& header) {
+  try {
+    BasinFile file(path, header);
+    return {};
+  } catch (const InputError& e) {
+    return e.what();
+  }
+}
+
+TEST(Checksum, SeesEveryChangeOfASingleByteWhateverThePieces) {
+  std::string text(1000, '\0');
+  for (std::size_t i = 0; i < text.size(); ++i) text[i] = static_cast<char>(i * 37);
+  store::Checksum whole;
+  whole.add(text.data(), text.size());
+  for (const std::size_t piece : {1, 3, 8, 13, 64}) {
+    store::Checksum sum;
+    for (std::size_t at = 0; at < text.size(); at += piece)
+      sum.add(text.data() + at, std::min(piece, text.size() - at));
+    EXPECT_EQ(sum.value(), whole.value()) << piece;
+  }
+  for (std::size_t at = 0; at < text.size(); ++at) {
+    std::string other = text;
+    other[at] ^= static_cast<char>(1 << (at % 8));
+    store::Checksum sum;
+    sum.add(other.data(), other.size());
+    EXPECT_NE(sum.value(), whole.value()) << at;
+  }
+  store::Checksum longer = whole;
+  longer.add("", 1);  // one byte of 0
+  EXPECT_NE(longer.value(), whole.value());
+}
+
+TEST_F(Files, AJournalCutAnywhereInItsLastRecordEndsBeforeItAndGoesOn) {
+  std::uint64_t before = 0;
+  {
+    BasinFile file(path_, header_of());
+    append(file, 7);
+    append(file, 5);
+    before = fs::file_size(part_);
+    append(file, 3);
+  }
+  const std::string whole = content(part_);
+  ASSERT_GT(whole.size(), before);
+  for (std::size_t size = before; size <= whole.size(); ++size) {
+    overwrite(part_, whole.substr(0, size));
+    BasinFile file(path_, header_of());
+    expect_starts(file, size == whole.size() ? 15 : 12);
+    append(file, 4);
+    expect_starts(file, size == whole.size() ? 19 : 16);
+  }
+  BasinFile file(path_, header_of());
+  expect_starts(file, 19);
+}
+
+TEST_F(Files, AJournalCutAnywhereIsReadOrRefused) {
+  {
+    BasinFile file(path_, header_of());
+    append(file, 6);
+    file.append_discovery(std::vector<double>(8, 1.5));
+    append(file, 6);
+  }
+  const std::string whole = content(part_);
+  std::uint64_t most = 0;
+  for (std::size_t size = 0; size <= whole.size(); ++size) {
+    overwrite(part_, whole.substr(0, size));
+    BasinFile file(path_, header_of());  // whoever was killed at any moment is taken up
+    EXPECT_GE(file.stored(), most);
+    most = file.stored();
+    expect_starts(file, most);
+  }
+  EXPECT_EQ(most, 12u);
+}
+
+TEST_F(Files, AJournalWithAnyByteSpoiltGivesNothingButWhatWasWritten) {
+  {
+    BasinFile file(path_, header_of());
+    append(file, 6);
+    file.append_discovery(std::vector<double>(8, 1.5));
+    append(file, 6);
+  }
+  const std::string whole = content(part_);
+  for (std::size_t at = 0; at < whole.size(); ++at) {
+    std::string spoilt = whole;
+    spoilt[at] ^= static_cast<char>(1 << (at % 8));
+    overwrite(part_, spoilt);
+    try {
+      const BasinFile file(path_, header_of());
+      EXPECT_LT(file.stored(), 12u) << at;  // every byte counts for something
+      expect_starts(file, file.stored());
+    } catch (const InputError& e) {
+      EXPECT_NE(std::string(e.what()).find(".part"), std::string::npos) << e.what();
+    }
+  }
+}
+
+TEST_F(Files, ResultsAreFinishedExtendedAndReadAgain) {
+  {
+    BasinFile file(path_, header_of());
+    append(file, 100);
+    file.append_discovery(std::vector<double>(8, 2.5));
+    EXPECT_EQ(file.unfinished(), 100u);
+    file.finish("starts = 100", summary_of(100), true, {1.0, 2.0});
+  }
+  EXPECT_FALSE(fs::exists(part_));
+  {
+    BasinFile file(path_, header_of());
+    expect_starts(file, 100);
+    EXPECT_TRUE(file.complete());
+    EXPECT_EQ(file.unfinished(), 0u);
+    EXPECT_EQ(file.discoveries().size(), 1u);
+    EXPECT_EQ(file.cpu_targets(), std::vector<std::string>{"AVX2"});
+    append(file, 50);
+    EXPECT_FALSE(file.complete());
+    expect_starts(file, 150);
+  }
+  BasinFileHeader elsewhere = header_of();
+  elsewhere.cpu_target = "AVX-512";  // the same arithmetic
+  BasinFile file(path_, elsewhere);
+  expect_starts(file, 150);
+  append(file, 1);
+  file.finish("starts = 151", summary_of(151), true, {1.0, 2.0});
+  BasinFile again(path_, header_of());
+  expect_starts(again, 151);
+  EXPECT_EQ(again.discoveries(), std::vector<std::vector<double>>{std::vector<double>(8, 2.5)});
+  EXPECT_EQ(again.cpu_targets(), (std::vector<std::string>{"AVX2", "AVX-512"}));
+  // This run's own second, and the quarter that its last record says of the one before that was not finished.
+  EXPECT_EQ(again.time().seconds, 1.0 + 0.25 + 1.0);
+  const std::vector<OutcomeSummary> summary = again.summary();
+  ASSERT_EQ(summary.size(), 2u);
+  EXPECT_EQ(summary[1].name, "undecided");
+  EXPECT_EQ(summary[0].share.count, 75u);
+  EXPECT_EQ(summary[0].share.total, 151u);
+}
+
+// Killed after the results were put in place and before the journal was removed.
+TEST_F(Files, AJournalThatIsNoLongerNeededAddsNothing) {
+  std::string journal;
+  {
+    BasinFile file(path_, header_of());
+    append(file, 10);
+    file.append_discovery(std::vector<double>(8, 2.5));
+    append(file, 10);
+    journal = content(part_);
+    file.finish("", summary_of(20), true, {});
+  }
+  overwrite(part_, journal);
+  BasinFile file(path_, header_of());
+  expect_starts(file, 20);
+  EXPECT_EQ(file.unfinished(), 0u);
+  EXPECT_EQ(file.discoveries().size(), 1u);
+}
+
+TEST_F(Files, AJournalThatGoesOnElsewhereIsRefused) {
+  {
+    BasinFile file(path_, header_of());
+    append(file, 10);
+    file.finish("", summary_of(10), true, {});
+  }
+  const std::string ten = content(path_);
+  {
+    BasinFile file(path_, header_of());
+    append(file, 10);
+  }
+  fs::remove(path_);
+  EXPECT_NE(refusal(path_, header_of()).find("must be removed first"), std::string::npos);
+  overwrite(path_, ten);
+  EXPECT_EQ(refusal(path_, header_of()), "");
+}
+
+TEST_F(Files, DamagedResultsAreRefusedWhateverIsDamaged) {
+  {
+    BasinFile file(path_, header_of());
+    append(file, 40);
+    file.finish("", summary_of(40), true, {});
+  }
+  const std::string whole = content(path_);
+  for (std::size_t at = 0; at < whole.size(); ++at) {
+    flip_bit(path_, at);
+    ASSERT_NE(refusal(path_, header_of()), "") << at;
+    flip_bit(path_, at);
+  }
+  EXPECT_EQ(content(path_), whole);
+  for (std::size_t size = 0; size < whole.size(); size += 97) {
+    overwrite(path_, whole.substr(0, size));
+    ASSERT_NE(refusal(path_, header_of()), "") << size;
+  }
+  overwrite(path_, whole + "x");
+  EXPECT_NE(refusal(path_, header_of()), "");
+  overwrite(path_, whole);
+  EXPECT_EQ(refusal(path_, header_of()), "");
+}
+
+TEST_F(Files, ARefusalSaysWhatDiffers) {
+  {
+    BasinFile file(path_, header_of());
+    append(file, 10);
+    file.finish("", summary_of(10), true, {});
+  }
+  EXPECT_NE(refusal(path_, header_of("0.06")).find("balancer.drag is 0.05 there and 0.06 here"), std::string::npos);
+  BasinFileHeader other = header_of();
+  other.arithmetic = "plain";
+  EXPECT_NE(refusal(path_, other).find("arithmetic is fused there and plain here"), std::string::npos);
+  other = header_of();
+  other.angles = false;
+  EXPECT_NE(refusal(path_, other).find("angles"), std::string::npos);
+  other = header_of();
+  other.transients = TransientSettings{};
+  EXPECT_NE(refusal(path_, other).find("transients is none there"), std::string::npos);
+  EXPECT_EQ(fs::exists(part_), false) << "a refusal leaves nothing behind";
+}
+
+TEST_F(Files, ASecondWriterIsRefusedAndTheFirstLosesNothing) {
+  BasinFile first(path_, header_of());
+  append(first, 10);
+  EXPECT_NE(refusal(path_, header_of()).find("another process"), std::string::npos);
+  append(first, 10);
+  first.finish("", summary_of(20), true, {});
+  BasinFile second(path_, header_of());
+  expect_starts(second, 20);
+}
+
+TEST_F(Files, AFullDiskKeepsWhatIsThere) {
+  {
+    BasinFile file(path_, header_of());
+    append(file, 1000);
+    file.finish("", summary_of(1000), true, {});
+  }
+  const std::string finished = content(path_);
+  std::uint64_t kept = 0;
+  {
+    const SmallDisk disk(20000);
+    BasinFile file(path_, header_of());
+    EXPECT_THROW(
+        for (;;) append(file, 100), RunError);
+    kept = file.stored();
+    EXPECT_GT(kept, 1000u);
+    EXPECT_THROW(file.finish("", summary_of(kept), true, {}), RunError);
+    EXPECT_THROW(append(file, 100), RunError);  // and is still in order
+  }
+  EXPECT_EQ(content(path_), finished);
+  EXPECT_FALSE(fs::exists(path_ + ".new"));
+  BasinFile file(path_, header_of());
+  expect_starts(file, kept);
+  append(file, 100);
+  file.finish("", summary_of(kept + 100), true, {});
+  expect_starts(BasinFile(path_, header_of()), kept + 100);
+}
+
+TEST_F(Files, AFileIsReplacedWholeOrNotAtAll) {
+  const std::string text(5000, 'a');
+  store::write_whole(path_, "before");
+  {
+    const SmallDisk disk(1000);
+    EXPECT_THROW(store::write_whole(path_, text), RunError);
+  }
+  EXPECT_EQ(content(path_), "before");
+  store::write_whole(path_, text);
+  EXPECT_EQ(content(path_), text);
+  const std::string link = folder_ + "/link.nc";
+  fs::create_symlink(path_, link);
+  store::write_whole(link, "through the link");
+  EXPECT_TRUE(fs::is_symlink(link));
+  EXPECT_EQ(content(path_), "through the link");
+  EXPECT_EQ(std::distance(fs::directory_iterator(folder_), {}), 2) << "nothing is left beside them";
+}
+
+TEST_F(Files, ANetcdfFileThatCannotBeWrittenLeavesTheOldOne) {
+  const auto write = [&](double value, std::size_t count) {
+    store::write_netcdf_file(path_, [&](store::NetcdfFile& file) {
+      const int n = file.dimension("n", count);
+      const int variable = file.variable("v", 6 /* double */, {n}, "1", "values");
+      file.end_definitions();
+      const std::vector<double> values(count, value);
+      file.write(variable, {0}, {count}, values.data());
+    });
+  };
+  write(1.0, 10);
+  const std::string before = content(path_);
+  {
+    const SmallDisk disk(4000);
+    EXPECT_THROW(write(2.0, 10000), RunError);
+  }
+  EXPECT_EQ(content(path_), before);
+  write(2.0, 10000);
+  EXPECT_GT(fs::file_size(path_), 80000u);
+}
+
+TEST_F(Files, WhereNothingCanBeWrittenIsSaid) {
+  EXPECT_EQ(store::why_not_writable(path_), "");
+  EXPECT_EQ(store::why_not_writable(folder_), "is a folder");
+  EXPECT_EQ(store::why_not_writable(folder_ + "/a/b/c.nc"), "the folder " + folder_ + "/a/b does not exist");
+  overwrite(path_, "a file");
+  EXPECT_EQ(store::why_not_writable(path_ + "/c.nc"), path_ + " is not a folder");
+  EXPECT_EQ(std::distance(fs::directory_iterator(folder_), {}), 1);
+}
+
+}  // namespace
+}  // namespace equipoise
