@@ -79,7 +79,7 @@ class Files(unittest.TestCase):
             for word in ("along speed.speed", "exists", "attracts", "one captured (V3)", "event"):
                 self.assertIn(word, done.stdout)
             with open(path, "rb") as file:
-                self.assertEqual(file.read(4), b"\x89HDF")
+                self.assertEqual(file.read(4), b"CDF\x02")
 
     def test_interrupted_run_is_written_and_marked_partial(self):
         with tempfile.TemporaryDirectory() as folder:

@@ -186,6 +186,78 @@ TEST(Basin, AnInterruptedRunKeepsAPrefixAndResumesToTheSameResult) {
   EXPECT_THROW(basin(other, options), InputError);
 }
 
+// What a file says of itself is true of all that it holds, whatever was asked for last.
+void expect_consistent(const std::string& path, const Study& study, std::uint64_t starts, bool complete) {
+  const BasinFile file(path, basin_file_header(study, true));
+  EXPECT_EQ(file.stored(), starts);
+  EXPECT_EQ(file.unfinished(), 0u);
+  EXPECT_EQ(file.complete(), complete);
+  std::uint64_t counted = 0;
+  for (const OutcomeSummary& line : file.summary()) counted += line.share.count;
+  EXPECT_EQ(counted, starts);
+}
+
+TEST(Basin, FewerStartsThanAFileHoldsAreCountedAndTheFileStaysTrue) {
+  Study study = paper_row("table-2-omega-2.4", 2000);
+  BasinOptions options;
+  options.output = scratch_file("fewer.nc");
+  basin(study, options);
+  expect_consistent(options.output, study, 2000, true);
+  study.sampling.starts = 900;
+  expect_same_shares(basin(study, options), basin(study));
+  expect_consistent(options.output, study, 2000, true);
+  study.sampling.starts = 2500;
+  EXPECT_EQ(basin(study, options).resumed_from, 2000u);
+  expect_consistent(options.output, study, 2500, true);
+}
+
+// As a killed process leaves it: starts in the journal, no results in place.
+TEST(Basin, FewerStartsThanAKilledRunLeftAreCountedAndTheFileTakesAll) {
+  Study study = paper_row("table-2-omega-2.4", 2000);
+  BasinOptions options;
+  options.output = scratch_file("killed.nc");
+  options.fate = [&, counted = 0](const Fate&) mutable {
+    if (++counted == 1500) throw RunError("killed");
+  };
+  EXPECT_THROW(basin(study, options), RunError);
+  EXPECT_FALSE(std::filesystem::exists(options.output));
+  options.fate = {};
+  const std::uint64_t left = BasinFile(options.output, basin_file_header(study, true)).stored();
+  ASSERT_GT(left, 700u);
+  study.sampling.starts = 600;
+  expect_same_shares(basin(study, options), basin(study));
+  expect_consistent(options.output, study, left, true);
+  study.sampling.starts = 2000;
+  EXPECT_EQ(basin(study, options).resumed_from, left);
+  expect_consistent(options.output, study, 2000, true);
+}
+
+TEST(Basin, AFileOfResultsThatComeOutOtherwiseHereIsRefusedBeforeAnyAreAdded) {
+  Study study = paper_row("table-2-omega-2.4", 300);
+  BasinOptions options;
+  options.output = scratch_file("otherwise.nc");
+  {
+    BasinFile file(options.output, basin_file_header(study, true));
+    const std::vector<double> phi(600, 1.0);
+    std::vector<Fate> fates(300);
+    for (Fate& fate : fates) fate.time = 1.0;
+    StartBatch batch;
+    batch.count = 300;
+    batch.phi = phi.data();
+    batch.fates = fates.data();
+    file.append(batch, {});
+    file.finish("", {{undecided_code, "undecided", "", wilson_share(300, 300)}}, true, {});
+  }
+  study.sampling.starts = 400;
+  try {
+    basin(study, options);
+    FAIL() << "another program's results were extended";
+  } catch (const InputError& e) {
+    EXPECT_NE(std::string(e.what()).find("start 0"), std::string::npos) << e.what();
+  }
+  expect_consistent(options.output, study, 300, true);
+}
+
 // What depends on the rotor's angle, and machines, have no proofs.
 TEST(Basin, RefusesWhatItCannotDecide) {
   Study study = paper_row("table-2-omega-2.4", 10);

@@ -7,6 +7,7 @@ Prints a line a case. Exit 1 if the program did what it must not: died by a sign
 """
 import argparse
 import os
+import struct
 import sys
 import tempfile
 import time
@@ -37,8 +38,8 @@ def main():
             try:
                 said = cases[name](bench)
                 verdict = "ok"
-            except Finding as finding:
-                said, verdict, bad = str(finding), "FAULT", bad + 1
+            except (Finding, ValueError, LookupError, OSError, struct.error) as finding:  # or a file is none
+                said, verdict, bad = f"{type(finding).__name__}: {finding}", "FAULT", bad + 1
         print(f"{verdict:6} {name:20} {time.monotonic() - begin:6.1f} s  {said}", flush=True)
     return 1 if bad else 0
 

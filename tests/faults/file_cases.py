@@ -102,15 +102,40 @@ def on_full_disk(bench, reference, path, options, room):
     finish(bench, reference, path, "after a full disk")
 
 
+def kills_of_reproduce(bench):
+    """kill -9 while tables are computed again: finished rows are kept, the row at work goes on."""
+    if not shutil.which("gnuplot"):
+        return "left out: needs gnuplot"
+    command = ("reproduce", "table-7", "--law", "kinematic", "--quiet", "--starts", 200 if bench.quick else 20000, "-o")
+    undisturbed, killed = bench.path("undisturbed"), bench.path("killed")
+    begin = time.monotonic()
+    done = bench.run(*command, undisturbed)
+    seconds = time.monotonic() - begin
+    expect(done.code in (0, 3), f"{done}")
+    for _ in range(1 if bench.quick else 5):
+        process = bench.start(*command, killed)
+        time.sleep(bench.random.uniform(0.2, 0.9) * seconds)
+        process.kill()
+        ended(process)
+    again = bench.run(*command, killed)
+    expect(again.code == done.code, f"{again}")
+    names = sorted(os.listdir(os.path.join(undisturbed, "ensembles")))
+    expect(sorted(os.listdir(os.path.join(killed, "ensembles"))) == names, "other ensembles than without the kill")
+    for name in names:
+        same_result(os.path.join(killed, "ensembles", name), result(os.path.join(undisturbed, "ensembles", name)), name)
+    return f"{len(names)} ensembles"
+
+
 def full_disks(bench):
     """No room for a new file, nor for more in a finished one: exit 1, one line, nothing lost."""
     reference = Reference(bench, 20000)
     small = max(1000, len(content(bench.path("reference.nc"))))
-    for size in (100, small // 3, int(small * 0.97)):  # at once, on the way, when the results are put in place
+    sizes = (100, small // 3, int(small * 0.97))  # at once, on the way, when the results are put in place
+    for size in sizes[2:] if bench.quick else sizes:
         on_full_disk(bench, reference, bench.path(f"new-{size}.nc"), {"preexec_fn": limited(size)}, lambda: None)
     path = bench.path("extended.nc")
     expect(bench.run(*bench.basin("--starts", 10000, "-o", path)).code == 0, "no file to extend")
-    for size in (100, small // 3):
+    for size in sizes[1:2] if bench.quick else sizes[:2]:
         copy = bench.path(f"extended-{size}.nc")
         shutil.copy(path, copy)
         on_full_disk(bench, reference, copy, {"preexec_fn": limited(size)}, lambda: None)
@@ -236,4 +261,5 @@ def damaged_parts(bench):
     return f"{rounds} files"
 
 
-CASES = [kills, kept_within_seconds, signals, full_disks, two_writers, fewer_starts, damaged_results, damaged_parts]
+CASES = [kills, kills_of_reproduce, kept_within_seconds, signals, full_disks, two_writers, fewer_starts,
+         damaged_results, damaged_parts]

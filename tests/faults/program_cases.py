@@ -80,11 +80,12 @@ def other_files(bench):
 
 def bad_places(bench):
     """Places where nothing can be written: exit 2 and why, before any work."""
-    for place, words in (("missing/dir/a.nc", ("missing/dir", "does not exist")), ("", ("--output",)), (".", ("folder",)),
-                         ("/dev/null/a.nc", ("not a folder",))):
+    places = {"missing/dir/a.nc": ("missing/dir", "does not exist"), "": ("--output",), ".": ("is a folder",),
+              "/dev/null/a.nc": ("not a folder",)}
+    for place, words in places.items():
         refused(bench.run("basin", bench.study, "--quiet", "-o", place), 2, words=words)
         refused(bench.run("certify", bench.study, "-o", place), 2, words=words)
-    return "4 places"
+    return f"{len(places)} places"
 
 
 class Mutator:
@@ -182,7 +183,8 @@ def run_and_stop(bench, path, text):
     begin = time.monotonic()
     done = ended(process, ("basin", path))
     expect(done.code in (0, 130, 1, 2), f"{done}\nthe study:\n{text.decode(errors='replace')}")
-    expect(time.monotonic() - begin < 60, f"a minute from Ctrl-C to the end\nthe study:\n{text.decode(errors='replace')}")
+    expect(time.monotonic() - begin < 60,
+           f"a minute from Ctrl-C to the end\nthe study:\n{text.decode(errors='replace')}")
     return 1
 
 

@@ -350,8 +350,7 @@ TEST_F(Files, AFullDiskKeepsWhatIsThere) {
   {
     const SmallDisk disk(20000);
     BasinFile file(path_, header_of());
-    EXPECT_THROW(
-        for (;;) append(file, 100), RunError);
+    EXPECT_THROW(for (;;) append(file, 100), RunError);
     kept = file.stored();
     EXPECT_GT(kept, 1000u);
     EXPECT_THROW(file.finish("", summary_of(kept), true, {}), RunError);

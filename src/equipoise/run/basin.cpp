@@ -237,8 +237,7 @@ class BasinRun {
     lines.push_back({undecided_code, "undecided", "", tally.share(Outcome::undecided)});
     lines.push_back({diverged_code, "diverged", "", tally.share(Outcome::diverged)});
     lines.push_back({failed_code, "failed", "", tally.share(Outcome::failed)});
-    if (result_.study.speed.driven())
-      lines.push_back({stalled_code, "stalled", "", tally.share(Outcome::stalled)});
+    if (result_.study.speed.driven()) lines.push_back({stalled_code, "stalled", "", tally.share(Outcome::stalled)});
     return lines;
   }
 
@@ -284,10 +283,11 @@ class BasinRun {
       const std::vector<Fate> fates = file_->read(first, each);
       for (std::size_t i = 0; i < each; ++i)
         if (!same(fates[i], chunk.fates[i]))
-          throw InputError(options_.output, "", "",
-                           fmt::format("start {}, computed with {}, comes out otherwise in this program with {}; must be "
-                                       "a new file, or one that this program and instruction set made",
-                                       first + i, fmt::join(targets, ", "), result_.cpu_target));
+          throw InputError(
+              options_.output, "", "",
+              fmt::format("start {}, computed with {}, comes out otherwise in this program with {}; must be "
+                          "a new file, or one that this program and instruction set made",
+                          first + i, fmt::join(targets, ", "), result_.cpu_target));
     }
   }
 

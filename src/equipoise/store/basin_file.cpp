@@ -303,7 +303,8 @@ std::vector<OutcomeSummary> BasinFile::summary() const {
     s.code = code;
     s.name = f.read_text("kind_name", k);
     s.alias = f.read_text("kind_alias", k);
-    s.share = wilson_share(few ? static_cast<std::uint64_t>(small) : static_cast<std::uint64_t>(large), state_->finished);
+    s.share =
+        wilson_share(few ? static_cast<std::uint64_t>(small) : static_cast<std::uint64_t>(large), state_->finished);
     if (state_->header.method != SamplingMethod::random) state_->read_share(k, s.share);
   }
   return lines;
@@ -315,8 +316,8 @@ void BasinFile::finish(const std::string& resolved_study, const std::vector<Outc
                        const RunTime& time) {
   State& s = *state_;
   if (s.stored == 0) return;
-  store::BasinContents contents{s.header, s.columns, s.stored, {}, s.discoveries, s.cpu_targets,
-                                summary,  resolved_study, complete, {}};
+  store::BasinContents contents{s.header,      s.columns, s.stored,       {},       s.discoveries,
+                                s.cpu_targets, summary,   resolved_study, complete, {}};
   contents.read = [&s](std::size_t column, std::uint64_t first, std::size_t count, void* values) {
     s.read(column, first, count, values);
   };

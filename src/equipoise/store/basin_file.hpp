@@ -43,16 +43,17 @@ struct RunTime {
   double seconds = 0.0, cpu_seconds = 0.0;
 };
 
-/// Two files. The results, `path`, are NetCDF (classic, 64-bit offsets), always written whole beside and renamed: dimension
-/// start with its index and variables phi(start, ball), outcome(start), decision_time(start), decided_by(start), and with
-/// full_starts rotor_state(start, rotor_component) and phi_dot(start, ball), on a grid weight(start); dimension
-/// outcome_kind: code, name, alias, count, share and its interval, and but for random starts where the interval is from
-/// and how many random starts would have done; with transients the columns of TransientRow by start; dimension
-/// discovery: states of motions met during the run. Every variable has units and long_name. Readable by xarray, ncdump,
-/// ncview. Behind it all stands a checksum; a file without it, or with another, is not read.
+/// Two files. The results, `path`, are NetCDF (classic, 64-bit offsets), always written whole beside and renamed:
+/// dimension start with its index and variables phi(start, ball), outcome(start), decision_time(start),
+/// decided_by(start), and with full_starts rotor_state(start, rotor_component) and phi_dot(start, ball), on a grid
+/// weight(start); dimension outcome_kind: code, name, alias, count, share and its interval, and but for random starts
+/// where the interval is from and how many random starts would have done; with transients the columns of TransientRow
+/// by start; dimension discovery: states of motions met during the run. Every variable has units and long_name.
+/// Readable by xarray, ncdump, ncview. Behind it all stands a checksum; a file without it, or with another, is not
+/// read.
 ///
-/// While a run goes on, `path`.part holds what is new (store/journal.hpp), so that a run that is killed loses a second's
-/// work; it is gone once the results are in place. One run at a time has a file.
+/// While a run goes on, `path`.part holds what is new (store/journal.hpp), so that a run that is killed loses a
+/// second's work; it is gone once the results are in place. One run at a time has a file.
 class BasinFile {
  public:
   /// Opens what `path` and `path`.part hold of the same study, seed, version and arithmetic, or begins anew.

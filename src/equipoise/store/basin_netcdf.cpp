@@ -111,8 +111,9 @@ class Writer {
     kind_high_ =
         file_.variable("kind_share_high", NC_DOUBLE, {kind}, "1", "upper end of the 95 % interval of the share");
     if (random_) return;  // those alone need no more than their counts
-    kind_interval_ = file_.text_variable("kind_interval", kind, intervals_,
-                                         "where the interval is from: wilson, replicates (their spread) or pairs (of a cell)");
+    kind_interval_ =
+        file_.text_variable("kind_interval", kind, intervals_,
+                            "where the interval is from: wilson, replicates (their spread) or pairs (of a cell)");
     kind_effective_ = file_.variable("kind_effective_starts", NC_DOUBLE, {kind}, "1",
                                      "independent random starts that have the same standard error of the share");
   }

@@ -94,12 +94,15 @@ void Journal::open_locked(const std::string& output) {
   for (;;) {
     file_ = open(path_.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0666);
     if (file_ < 0)
-      throw InputError("output", "", "", fmt::format("{}: {} (must be a file that can be written)", path_, error_text(errno)));
+      throw InputError("output", "", "",
+                       fmt::format("{}: {} (must be a file that can be written)", path_, error_text(errno)));
     if (flock(file_, LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK) {  // other errors: no locks on this file system
       close(file_);
-      throw InputError(output, "", "", "is being written by another process; must be a file that no other run writes to");
+      throw InputError(output, "", "",
+                       "is being written by another process; must be a file that no other run writes to");
     }
-    struct stat locked {}, named {};
+    struct stat locked {
+    }, named{};
     if (fstat(file_, &locked) == 0 && stat(path_.c_str(), &named) == 0 && locked.st_ino == named.st_ino) return;
     close(file_);
   }
@@ -145,8 +148,8 @@ void Journal::read_records(std::uint64_t size) {
     Checksum sum;
     sum.add(&header, summed);
     if (!add_to(sum, file_, payload, header.bytes) || sum.value() != header.checksum) return;
-    records_.push_back({static_cast<Kind>(header.kind), header.first, header.count, header.seconds,
-                        header.cpu_seconds, payload, header.bytes});
+    records_.push_back({static_cast<Kind>(header.kind), header.first, header.count, header.seconds, header.cpu_seconds,
+                        payload, header.bytes});
     end_ = payload + header.bytes;
   }
 }
@@ -202,8 +205,7 @@ void Journal::write(const std::vector<char>& bytes) {
 
 void Journal::sync() {
   const auto begin = std::chrono::steady_clock::now();
-  if (fdatasync(file_) != 0)
-    throw RunError(fmt::format("{}: cannot be written: {}", path_, error_text(errno)));
+  if (fdatasync(file_) != 0) throw RunError(fmt::format("{}: cannot be written: {}", path_, error_text(errno)));
   synced_ = std::chrono::steady_clock::now();
   sync_took_ = synced_ - begin;
 }

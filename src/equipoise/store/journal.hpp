@@ -18,9 +18,9 @@ class Journal {
   enum class Kind : std::uint64_t { starts = 1, discovery = 2, cpu_target = 3 };
   struct Record {
     Kind kind = Kind::starts;
-    std::uint64_t first = 0, count = 0;         ///< things of that kind: their places in the whole
-    double seconds = 0.0, cpu_seconds = 0.0;    ///< time of all runs when it was written
-    std::uint64_t payload = 0, bytes = 0;       ///< where in the file
+    std::uint64_t first = 0, count = 0;       ///< things of that kind: their places in the whole
+    double seconds = 0.0, cpu_seconds = 0.0;  ///< time of all runs when it was written
+    std::uint64_t payload = 0, bytes = 0;     ///< where in the file
     std::uint64_t end() const { return payload + bytes; }
   };
 

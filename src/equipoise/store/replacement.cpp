@@ -94,7 +94,8 @@ Replacement::Replacement(const std::string& path, const std::string& ending) : p
   unlink(file_.c_str());  // left by a process that was killed
   const int file = open(file_.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
   if (file < 0) fail(path_, errno);
-  if (there) (void)!fchmod(file, old.st_mode & 07777);  // as open to others as the one it replaces, where that can be had
+  if (there)
+    (void)!fchmod(file, old.st_mode & 07777);  // as open to others as the one it replaces, where that can be had
   close(file);
 }
 

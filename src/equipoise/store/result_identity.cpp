@@ -38,8 +38,8 @@ std::string identity_of(const BasinFileHeader& header) {
   const std::string transients =
       asked ? fmt::format("displacement {}, settled {}, window {}", asked->displacement, asked->settled, asked->window)
             : "none";
-  return fmt::format("{}\n[file]\nversion = {}\narithmetic = {}\nangles = {}\ntransients = {}\n",
-                     header.study, version_string, header.arithmetic, header.angles ? "kept" : "left out", transients);
+  return fmt::format("{}\n[file]\nversion = {}\narithmetic = {}\nangles = {}\ntransients = {}\n", header.study,
+                     version_string, header.arithmetic, header.angles ? "kept" : "left out", transients);
 }
 
 std::string difference(const std::string& there, const std::string& here) {

@@ -71,7 +71,8 @@ std::string why_not_whole(const std::string& path) {
     file.seekg(0);
   }
   if (s.mark != seal_mark)
-    return "is no file of results as this version leaves them: of an earlier one, changed since, cut short or something else";
+    return "is no file of results as this version leaves them: of an earlier one, changed since, cut short or "
+           "something else";
   Checksum sum;
   const bool whole = s.length == length - sizeof s && sum_up(file, s.length, sum) && sum.value() == s.checksum;
   return whole ? "" : "is damaged: its content does not match its checksum";

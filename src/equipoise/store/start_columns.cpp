@@ -30,8 +30,9 @@ std::vector<StartColumn> start_columns(const BasinFileHeader& header) {
   if (header.transients)
     for (const TransientColumn& c : transient_columns)
       columns.push_back({c.name, NC_FLOAT, 4, 1, "", "1", c.long_name});
-  columns.push_back({"outcome", NC_SHORT, 2, 1, "", "1",
-                     "attractor that the start came to (kind_code), or 0 undecided, -1 diverged, -2 failed, -3 stalled"});
+  columns.push_back(
+      {"outcome", NC_SHORT, 2, 1, "", "1",
+       "attractor that the start came to (kind_code), or 0 undecided, -1 diverged, -2 failed, -3 stalled"});
   columns.push_back(
       {"decision_time", NC_DOUBLE, 8, 1, "", "1", "study time at which the outcome was known, in 1/omega_c"});
   columns.push_back({"decided_by", NC_BYTE, 1, 1, "", "1", "grounds on which the outcome was decided"});

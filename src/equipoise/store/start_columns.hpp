@@ -15,7 +15,7 @@ struct BasinFileHeader;
 /// Starts in a row, as they come from a run. Every array has `count` entries or, where said, so many a start.
 struct StartBatch {
   std::size_t count = 0;
-  const double* phi = nullptr;      ///< initial ball angles, one a ball
+  const double* phi = nullptr;  ///< initial ball angles, one a ball
   const Fate* fates = nullptr;
   const double* rotor = nullptr;    ///< with full_starts: x, y, x_dot, y_dot
   const double* phi_dot = nullptr;  ///< with full_starts: one a ball
@@ -27,10 +27,10 @@ namespace store {
 
 struct StartColumn {
   std::string name;
-  int type = 0;               ///< of NetCDF
-  std::size_t value = 8;      ///< bytes of one
-  std::size_t width = 1;      ///< values a start
-  std::string dimension;      ///< along which they stand; empty for a single one
+  int type = 0;           ///< of NetCDF
+  std::size_t value = 8;  ///< bytes of one
+  std::size_t width = 1;  ///< values a start
+  std::string dimension;  ///< along which they stand; empty for a single one
   std::string units, long_name;
   std::size_t bytes() const { return value * width; }
 };
