@@ -313,14 +313,15 @@ class Discoverer {
       if (c.members.empty() || (c.attractor == balanced_id && !strobed_)) continue;
       result_.rule.known.push_back({c.features, c.attractor, c.motion->kind == MotionKind::chaotic});
     }
-    if (!strobed_) {
-      for (std::size_t k = before.size(); k < result_.catalogue.attractors().size(); ++k)
-        make_orbit_traps(result_.catalogue.attractors()[k]);
-      return !is_stopped();
-    }
-    for (const Attractor& a : result_.catalogue.attractors())
-      if (std::none_of(before.begin(), before.end(), [&](const Attractor& b) { return b.id == a.id; }))
+    // The list is kept by identifier: what is new in it need not stand at its end.
+    for (const Attractor& a : result_.catalogue.attractors()) {
+      if (std::any_of(before.begin(), before.end(), [&](const Attractor& b) { return b.id == a.id; })) continue;
+      if (strobed_)
         make_strobed_trap(a.motion, a.id);
+      else
+        make_orbit_traps(a);
+    }
+    if (!strobed_) return !is_stopped();
     result_.rule.strobed = traps_as_rule(study_.parameters, speed_, strobed_traps_, family_);
     return !is_stopped();
   }
