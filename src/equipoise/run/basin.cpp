@@ -83,6 +83,9 @@ class BasinRun {
     const BalanceNote balance = runner_->balance();
     result_.balanced_stable = balance.stable;
     result_.note = balance.note;
+    constexpr double worth_a_reason = 0.01;
+    if (!balance.undecided.empty() && result_.undecided.share > worth_a_reason)
+      result_.note += (result_.note.empty() ? "" : "; ") + balance.undecided;
     result_.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
     result_.cpu_seconds = cpu_now() - cpu_begin;
     if (file_) file_->finish(to_toml(result_.study), summary(), finished_, {result_.seconds, result_.cpu_seconds});
@@ -174,7 +177,7 @@ class BasinRun {
 
   void count_outcomes() {
     if (!runner_->catalogue().find(balanced_id)) {
-      Attractor none{balanced_id, "balanced", "", {}, false};
+      Attractor none{balanced_id, "balanced", "", {}, {}};
       result_.attractors.push_back(tally_->share(none));
     }
     for (const Attractor& a : runner_->catalogue().attractors()) {
