@@ -9,6 +9,8 @@ equipoise_test(energy_balance_test equivalence
   LIBRARIES SUNDIALS::arkode_shared SUNDIALS::nvecserial_shared)
 equipoise_test(linearisation_test unit unit/linearisation_test.cpp)
 equipoise_test(balanced_state_test unit unit/balanced_state_test.cpp)
+equipoise_test(equation_constants_test unit unit/equation_constants_test.cpp)
+equipoise_test(continuum_test unit unit/continuum_test.cpp)
 equipoise_test(steady_state_test unit unit/steady_state_test.cpp)
 equipoise_test(convergence_test order order/convergence_test.cpp)
 equipoise_test(coincident_balls_test equivalence equivalence/coincident_balls_test.cpp)

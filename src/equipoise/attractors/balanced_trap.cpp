@@ -8,7 +8,6 @@
 #include <fmt/format.h>
 
 #include "equipoise/attractors/critical_level.hpp"
-#include "equipoise/attractors/family_trap.hpp"
 #include "equipoise/attractors/lyapunov.hpp"
 #include "equipoise/model/linearisation.hpp"
 
@@ -151,6 +150,17 @@ Eigen::MatrixXd form_of(const BalancedTrap& trap) {
   return factor.transpose() * factor;
 }
 
+void judge_continuum(double speed, BalancedAnalysis& analysis) {
+  const ContinuumSurvey& survey = analysis.survey;
+  analysis.stable = survey.attracts();
+  analysis.growth_rate = survey.most_growth;
+  if (!analysis.stable)
+    analysis.note = fmt::format(
+        "the balanced states form a continuum, and all {} drawn evenly from it are unstable at speed {} (growth rates "
+        "{:.3g} to {:.3g})",
+        survey.drawn, speed, survey.least_growth, survey.most_growth);
+}
+
 BalancedAnalysis analyse_balanced(const model::Parameters& p, double speed) {
   BalancedAnalysis result;
   result.states = model::balanced_states(p);
@@ -159,8 +169,9 @@ BalancedAnalysis analyse_balanced(const model::Parameters& p, double speed) {
     return result;
   }
   if (result.states.kind == model::BalancedStates::Kind::family) {
-    result.family = family_trap(p, speed);
-    result.stable = true;  // judged where a trajectory settles: stability varies along the continuum
+    result.continuum = std::make_shared<BalancedContinuum>(p, speed);
+    result.survey = result.continuum->survey();
+    judge_continuum(speed, result);
     return result;
   }
   double slowest = -std::numeric_limits<double>::infinity();

@@ -1,11 +1,13 @@
 // Traps around the balanced states: what stability allows, and how far a Lyapunov function reaches.
 #pragma once
 
+#include <memory>
 #include <string>
 #include <vector>
 
 #include <Eigen/Dense>
 
+#include "equipoise/attractors/balanced_continuum.hpp"
 #include "equipoise/attractors/decision_rule.hpp"
 #include "equipoise/model/balanced_state.hpp"
 
@@ -14,14 +16,18 @@ namespace equipoise {
 /// The balanced states at the final speed and what they can catch.
 struct BalancedAnalysis {
   model::BalancedStates states;
-  bool stable = false;        ///< at least one balanced state exists and is linearly stable
+  bool stable = false;        ///< at least one balanced state exists and is linearly stable (across a continuum)
   double slowest_rate = 0.0;  ///< largest real part of an eigenvalue among the stable states (negative), 0 if none;
-                              ///< along a continuum its own zero eigenvalues are left out
+                              ///< and along a continuum
   double growth_rate = 0.0;   ///< largest real part among unstable ones, 0 if none
   std::vector<BalancedTrap> traps;
-  FamilyTrap family;
+  std::shared_ptr<const BalancedContinuum> continuum;  ///< null: the states are isolated
+  ContinuumSurvey survey;                              ///< of that
   std::string note;  ///< one sentence for the reader when no start can end balanced, else empty
 };
+
+/// What a survey of a continuum found, for BalancedAnalysis: `stable`, rates and, if none is stable, `note`.
+void judge_continuum(double speed, BalancedAnalysis& analysis);
 
 /// Analyses the balanced states at constant `speed`. For isolated states each trap's level is level_margin times the
 /// smallest value of V at which dV/dt >= 0 was found by sampling rays and descending from the worst.

@@ -22,7 +22,7 @@ int Catalogue::find(const model::Parameters& p, const Motion& motion) const {
   return 0;
 }
 
-int Catalogue::add(const model::Parameters& p, const Motion& motion, bool continuum) {
+int Catalogue::add(const model::Parameters& p, const Motion& motion, const std::optional<ContinuumPart>& continuum) {
   if (const int id = find(p, motion)) return id;
   MotionName name = motion_name(p, motion);
   const auto same_name = [&](const Attractor& a) { return a.name.substr(0, a.name.rfind(" (")) == name.name; };

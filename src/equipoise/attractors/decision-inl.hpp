@@ -23,7 +23,7 @@ namespace equipoise {
 namespace HWY_NAMESPACE {
 
 // Hooks: see NoObserver in ensemble/lane_block-inl.hpp. Windows are sampled at two stages inside each step and at its
-// end (a third of a step apart), so that no motion is seen fewer than eight times a period at the steps the tolerance
+// end (at 1/3, 0.6 and 1 of it, 0.4 apart at most), so that no motion is seen fewer than eight times a period at the steps the tolerance
 // allows; tests/unit/window_test.cpp measures it.
 //
 // `strobed`: the rotor's angle is known, r is measured from where gravity lets the rotor sag to, and
@@ -81,7 +81,8 @@ class DecideFate {
                                        : Outcome::undecided,
             DecidedBy::nothing, 0, t};
     Verdict verdict = verdict_[slot];
-    if (how == LaneEnd::reached_end && rule_.at_horizon) {
+    // What nothing decided on the way is judged by where it is in the end, on either way of deciding.
+    if (how == LaneEnd::reached_end && !rule_.blind) {
       if (!verdict.attractor && rule_.family.caught && rule_.family.caught(z)) verdict.attractor = balanced_id;
       if constexpr (strobed)
         if (rule_.strobed.caught) verdict.attractor = rule_.strobed.caught(z, segment_.psi_at(t));
@@ -200,20 +201,21 @@ class DecideFate {
     return trap_value<n, Pack>(trap, z) < Pack(trap.level);
   }
 
-  // Lanes caught by a continuum of balanced states: asked one by one, and after a refusal only again at a tenth of the
-  // distance.
+  // Lanes caught by a continuum of balanced states: asked one by one, and after a refusal only again at half the
+  // distance, or when they come back from far away.
   HWY_NOINLINE unsigned caught_by_family(int g, unsigned accepted, const Pack* z) {
     unsigned caught = 0;
     for (int lane = 0; lane < lanes; ++lane) {
       if (!(accepted & (1u << lane))) continue;
       double state[dimension];
       double& reach = family_reach_[g * lanes + lane];
-      bool near = true;
+      double away = 0.0;
       for (int i = 0; i < dimension; ++i) {
         state[i] = element(z[i], lane);
-        if (i < 4 || i >= 4 + n) near = near && std::fabs(state[i]) < reach;
+        if (i < 4 || i >= 4 + n) away = std::fmax(away, std::fabs(state[i]));
       }
-      if (!near) continue;
+      if (away >= rule_.family.reach) reach = rule_.family.reach;
+      if (!(away < reach)) continue;
       double imbalance_x = parameters_.eccentricity, imbalance_y = 0.0;
       for (int i = 0; i < n; ++i) {
         imbalance_x += parameters_.mass[i] * std::cos(state[4 + i]);
@@ -223,7 +225,7 @@ class DecideFate {
       if (rule_.family.caught(state))
         caught |= mark(g, 1u << lane, {DecidedBy::validated, balanced_id});
       else
-        reach *= 0.1;
+        reach *= 0.5;
     }
     return caught;
   }

@@ -15,14 +15,15 @@ inline constexpr int max_dimension = model::dimension(model::max_balls);
 enum class DecidedBy : signed char {
   nothing = 0,
   proof = 1,      ///< inside a level set proved to lead to the attractor only
-  validated = 2,  ///< inside a level set from whose edge, and from twice its edge, every one of thousands of tried
-                  ///< states came to the attractor
+  validated = 2,  ///< inside a level set from the edge of one of twice the level every one of a thousand tried states
+                  ///< or more came to the attractor
   windows = 3,    ///< features of successive windows of time
   horizon = 4,    ///< there at the horizon
+  followed = 5,   ///< stationary by its windows in a way that the rule did not know; then followed to its motion
 };
-inline constexpr int decided_by_count = 5;
-inline constexpr std::array<const char*, decided_by_count> decided_by_names{"nothing", "proof", "validated", "windows",
-                                                                            "horizon"};
+inline constexpr int decided_by_count = 6;
+inline constexpr std::array<const char*, decided_by_count> decided_by_names{"nothing", "proof",   "validated",
+                                                                            "windows", "horizon", "followed"};
 
 /// A linearly stable balanced state and a level set of a Lyapunov function around it.
 struct BalancedTrap {

@@ -25,6 +25,18 @@ Eigen::MatrixXd solve_lyapunov(const Eigen::MatrixXd& a, const Eigen::MatrixXd& 
   return 0.5 * (p + p.transpose());
 }
 
+std::optional<Eigen::MatrixXd> solve_stein(Eigen::MatrixXd m, Eigen::MatrixXd q) {
+  constexpr int most_doublings = 60;
+  for (int k = 0; k < most_doublings; ++k) {
+    const Eigen::MatrixXd more = m.transpose() * q * m;
+    q += more;
+    if (!q.allFinite()) return std::nullopt;
+    if (more.norm() < 1e-14 * q.norm()) return q;
+    m = m * m;
+  }
+  return std::nullopt;
+}
+
 Modes left_modes(const Eigen::MatrixXd& a) {
   const Eigen::EigenSolver<Eigen::MatrixXd> solver(a.transpose());
   Modes modes{solver.eigenvalues(), solver.eigenvectors()};

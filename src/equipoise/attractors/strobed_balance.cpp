@@ -30,12 +30,15 @@ StrobedBalance analyse_strobed_balance(const model::Parameters& p, double speed)
   }
   std::vector<std::array<double, model::max_balls>> angles = analysis.states.angles;
   if (analysis.states.kind == Kind::family) {
-    analysis.stable = true;  // judged where a trajectory settles: stability varies along the continuum
-    if (p.gravity != 0.0) return result;
-    result.family = strobed_family_test(p, speed);
-    std::array<double, model::max_balls> phi{};
-    for (int i = 0; i < p.balls; ++i) phi[i] = two_pi * (i + 0.5) / p.balls;
-    if (model::project_to_balanced(p, phi.data())) angles = {phi};
+    analysis.continuum = std::make_shared<BalancedContinuum>(p, speed);
+    analysis.survey = analysis.continuum->survey();
+    judge_continuum(speed, analysis);
+    if (p.gravity != 0.0) {  // whatever is balanced then, starts have to find
+      analysis.stable = true;
+      analysis.note.clear();
+      return result;
+    }
+    angles = {analysis.survey.typical};
   } else if (p.balls == 2 && p.equal_balls() && angles.size() == 2) {
     angles.pop_back();  // mirror images are one motion
   }

@@ -14,7 +14,6 @@ struct StrobedBalance {
   BalancedAnalysis analysis;  ///< without traps
   /// The balanced motions found beforehand, stable ones first; of a continuum one member stands for all.
   std::vector<Motion> motions;
-  StrobedFamilyTest family;  ///< empty: no continuum
 };
 
 /// Anisotropic supports leave the balanced states of the isotropic rotor what they are, and change their stability.

@@ -241,6 +241,23 @@ std::optional<Motion> strobed_motion_from(const model::Parameters& p, double spe
   return StrobedJourney(p, speed, state, patience).settle();
 }
 
+Motion describe_creep(const model::Parameters& p, double speed, const VectorXd& state, double rate) {
+  constexpr int strobes = 100;
+  Motion motion;
+  motion.kind = MotionKind::quasi_periodic;
+  motion.strobed = motion.balanced = motion.stable = true;
+  motion.speed = speed;
+  motion.state = with_angles_reduced(p, state);
+  motion.exponents = {0.0, rate};
+  MotionStatistics statistics;
+  VectorXd z = state;
+  follow(p, speed, z, strobes * model::strobe_period(p, speed), follow_tolerance, &statistics);
+  describe_statistics(p, statistics, motion);
+  motion.drift.fill(0.0);
+  motion.drift_group.fill(0);
+  return motion;
+}
+
 Motion describe_strobed(const model::Parameters& p, double speed, const PeriodicOrbit& orbit) {
   Motion motion;
   motion.strobed = true;

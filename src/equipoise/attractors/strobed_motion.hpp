@@ -17,4 +17,8 @@ std::optional<Motion> strobed_motion_from(const model::Parameters& p, double spe
 /// The same for an orbit already refined (refine_strobed()).
 Motion describe_strobed(const model::Parameters& p, double speed, const PeriodicOrbit& orbit);
 
+/// Balance under gravity with three balls or more: the motion along what gravity leaves of a continuum of balanced
+/// states, from `state` next to it; deviations across it die out at `rate`.
+Motion describe_creep(const model::Parameters& p, double speed, const Eigen::VectorXd& state, double rate);
+
 }  // namespace equipoise

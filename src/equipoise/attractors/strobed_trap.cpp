@@ -1,4 +1,4 @@
-// Quadratic forms along strobed orbits, and capture by a continuum under the stroboscopic map.
+// Quadratic forms along strobed orbits.
 #include "equipoise/attractors/strobed_trap.hpp"
 
 #include <algorithm>
@@ -6,16 +6,15 @@
 #include <cmath>
 #include <complex>
 #include <limits>
-#include <random>
+#include <utility>
 
 #include <Eigen/Cholesky>
 #include <Eigen/Eigenvalues>
-#include <Eigen/QR>
 
+#include "equipoise/attractors/lyapunov.hpp"
 #include "equipoise/attractors/stroboscopic.hpp"
 #include "equipoise/attractors/variational.hpp"
 #include "equipoise/base/angles.hpp"
-#include "equipoise/model/balanced_state.hpp"
 #include "equipoise/model/linearisation.hpp"
 #include "equipoise/model/strobe.hpp"
 
@@ -33,19 +32,6 @@ constexpr double tolerance = 1e-12;
 constexpr int cells_a_strobe = 32;
 // Share of the slowest rate that the form's decay is asked to reach: nearer to 1 it would be all slow directions.
 constexpr double share_of_rate = 0.8;
-
-// The sum of (M^T)^i S M^i over all i >= 0, by doubling. M's eigenvalues lie inside the unit circle.
-std::optional<MatrixXd> sum_of_powers(MatrixXd m, MatrixXd s) {
-  constexpr int most_doublings = 60;
-  for (int k = 0; k < most_doublings; ++k) {
-    const MatrixXd more = m.transpose() * s * m;
-    s += more;
-    if (!s.allFinite()) return std::nullopt;
-    if (more.norm() < 1e-14 * s.norm()) return s;
-    m = m * m;
-  }
-  return std::nullopt;
-}
 
 // The places on the orbit that equal balls of a state are nearest to, one after the other.
 VectorXd in_places(const model::Parameters& p, const VectorXd& orbit, const double* state) {
@@ -111,7 +97,7 @@ std::optional<StrobedTrap> strobed_trap(const model::Parameters& p, double speed
   for (const MatrixXd& arc : arcs) all = growth * arc * all;
   for (auto arc = arcs.rbegin(); arc != arcs.rend(); ++arc)
     once = h * MatrixXd::Identity(size, size) + growth * growth * arc->transpose() * once * *arc;
-  auto form = sum_of_powers(all, once);
+  auto form = solve_stein(all, once);
   if (!form) return std::nullopt;
   trap.forms.assign(arcs.size() + 1, *form);
   double least = std::numeric_limits<double>::infinity();
@@ -160,69 +146,20 @@ VectorXd strobed_trap_state(const model::Parameters& p, const StrobedTrap& trap,
   return trap.states[j] + state_scale(p).cwiseProduct(d);
 }
 
-StrobedFamilyTest strobed_family_test(const model::Parameters& p, double speed) {
-  const VectorXd unit = state_scale(p);
-  const double strobe = model::strobe_period(p, speed);
-  // Largest |map(z* + d) - z* - M d| / |d|^2 over random balanced states and directions, with a margin for those not
-  // drawn.
-  constexpr int drawn = 32;
-  constexpr double radius = 1e-3, margin = 4.0;
-  std::mt19937_64 random(20190614);
-  std::normal_distribution<double> normal;
-  std::uniform_real_distribution<double> angle(0.0, two_pi);
-  double remainder = 0.0;
-  for (int k = 0; k < drawn; ++k) {
-    double phi[model::max_balls];
-    for (int i = 0; i < p.balls; ++i) phi[i] = angle(random);
-    if (!model::project_to_balanced(p, phi)) continue;
-    const VectorXd centre = model::centred_state(p, phi);
-    VectorXd d(centre.size());
-    for (double& x : d) x = normal(random);
-    d *= radius / d.norm();
-    const auto flight = follow_derivative(p, speed, centre, strobe, tolerance);
-    const auto end = advance_state(p, speed, centre + unit.cwiseProduct(d), strobe);
-    if (!flight || !end) continue;
-    const VectorXd rest = *end - centre - flight->tangents * unit.cwiseProduct(d);
-    remainder = std::max(remainder, rest.cwiseQuotient(unit).norm() / (radius * radius));
-  }
-  remainder *= margin;
-
-  // First asked a hundredth of the balls' reach away from balance.
-  const double near = 0.01 * (p.eccentricity + p.total_mass());
-  return [p, speed, unit, strobe, remainder, near](const double* state, double psi) {
+StrobedFamilyTest strobed_family_test(const model::Parameters& p, double speed, ContinuumTrap trap) {
+  return [p, speed, trap = std::move(trap)](const double* state, double psi) {
     const int n = p.balls;
-    double x = p.eccentricity, y = 0.0;
+    double x = p.eccentricity, y = 0.0, away = 0.0;
     for (int i = 0; i < n; ++i) {
       x += p.mass[i] * std::cos(state[model::index::phi(i)]);
       y += p.mass[i] * std::sin(state[model::index::phi(i)]);
-      if (std::fabs(state[model::index::q(i, n)]) >= near) return false;
+      away = std::max(away, std::fabs(state[model::index::q(i, n)]));
     }
-    for (int i = 0; i < 4; ++i)
-      if (std::fabs(state[i]) >= near) return false;
-    if (std::hypot(x, y) >= near) return false;
-    const auto at_strobe = at_next_strobe(p, speed, Eigen::Map<const VectorXd>(state, unit.size()), psi);
-    if (!at_strobe) return false;
-    double phi[model::max_balls];
-    for (int i = 0; i < n; ++i) phi[i] = (*at_strobe)[model::index::phi(i)];
-    if (!model::project_to_balanced(p, phi)) return false;
-    const VectorXd centre = model::centred_state(p, phi);
-    // A start asks once or twice, and of the map no more is wanted than its level sets.
-    const auto flight = follow_derivative(p, speed, centre, strobe, 1e-9);
-    if (!flight) return false;
-    const Index size = unit.size(), across = size - std::max<Index>(n - 2, 1);
-    const MatrixXd map = unit.cwiseInverse().asDiagonal() * flight->tangents * unit.asDiagonal();
-    const Eigen::ColPivHouseholderQR<MatrixXd> qr(map - MatrixXd::Identity(size, size));
-    const MatrixXd range = MatrixXd(qr.householderQ()).leftCols(across);
-    const MatrixXd reduced = range.transpose() * map * range;
-    if (!(reduced.eigenvalues().cwiseAbs().maxCoeff() < 1.0 - 1e-6)) return false;
-    const auto form = sum_of_powers(reduced, MatrixXd::Identity(across, across));
-    if (!form) return false;
-    const Eigen::SelfAdjointEigenSolver<MatrixXd> spectrum(*form, Eigen::EigenvaluesOnly);
-    const double largest = spectrum.eigenvalues().maxCoeff(), smallest = spectrum.eigenvalues().minCoeff();
-    // V after a strobe less V <= -|s|^2 + 2 |P| |M| C |s|^3 + |P| C^2 |s|^4 < 0 for |s| below this.
-    const double farthest = 1.0 / (remainder * (2.0 * largest * reduced.norm() + std::sqrt(2.0 * largest)));
-    const VectorXd s = range.transpose() * (*at_strobe - centre).cwiseQuotient(unit);
-    return s.dot(*form * s) < smallest * farthest * farthest;
+    for (int i = 0; i < 4; ++i) away = std::max(away, std::fabs(state[i]));
+    if (!(std::max(away, std::hypot(x, y)) < trap.reach)) return false;
+    const Index size = model::dimension(n);
+    const auto at_strobe = at_next_strobe(p, speed, Eigen::Map<const VectorXd>(state, size), psi);
+    return at_strobe && trap.holds(*at_strobe);
   };
 }
 

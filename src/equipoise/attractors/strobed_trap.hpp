@@ -9,6 +9,7 @@
 
 #include <Eigen/Dense>
 
+#include "equipoise/attractors/balanced_continuum.hpp"
 #include "equipoise/attractors/decision_rule.hpp"
 #include "equipoise/attractors/motion.hpp"
 #include "equipoise/model/parameters.hpp"
@@ -45,9 +46,8 @@ double slowest_strobed_rate(const Motion& motion);
 
 using StrobedFamilyTest = std::function<bool(const double* state, double psi)>;
 
-/// family_trap() for anisotropic supports without gravity: capture by a continuum of balanced states, judged by the
-/// stroboscopic map where the trajectory comes close.
-StrobedFamilyTest strobed_family_test(const model::Parameters& p, double speed);
+/// Capture by a continuum of balanced states, or by what gravity leaves of it, asked at any angle `psi`.
+StrobedFamilyTest strobed_family_test(const model::Parameters& p, double speed, ContinuumTrap trap);
 
 /// What DecisionRule::strobed asks: all of these traps, and the continuum if there is one.
 StrobedTraps traps_as_rule(const model::Parameters& p, double speed,

@@ -64,18 +64,22 @@ class BallBalancer {
         zeta_half_(0.5 * (p.damping[0] - p.damping[1])),
         kappa_mean_(0.5 * (p.stiffness[0] + p.stiffness[1])),
         kappa_half_(0.5 * (p.stiffness[0] - p.stiffness[1])),
-        gravity_(p.gravity),
-        total_inertia_(1.0 + p.total_mass()),
-        inertia_sum_(2.0 + p.total_mass()) {
+        gravity_(p.gravity) {
+    // Sums and products of parameters are formed in T: where T is an interval they are bounded like all that follows,
+    // where it is a double they have the same bits as ever. The means above are exact where supports are isotropic.
     if constexpr (terms.machine) {
       offset_ = {T(p.race_offset[0]), T(p.race_offset[1])};
       inertia_ = p.inertia;
     }
+    T mass(0.0);
     for (int i = 0; i < n; ++i) {
       mu_[i] = T(p.mass[i]);
       beta_[i] = T(p.drag[i]);
-      drag_force_[i] = T(p.mass[i] * p.drag[i]);
+      drag_force_[i] = mu_[i] * beta_[i];
+      mass = mass + mu_[i];
     }
+    total_inertia_ = T(1.0) + mass;
+    inertia_sum_ = T(2.0) + mass;
   }
 
   // What springs and dampers exert on the support, in rotating components (fx, fy).

@@ -26,7 +26,11 @@ double detection_limit(std::uint64_t starts, double miss) {
 Json attractor_json(const Attractor& a, const AttractorShare& share, int balls) {
   const Motion& m = a.motion;
   Json json = {{"id", a.id}, {"name", a.name}, {"alias", a.alias}, {"kind", name_of(m.kind)}, {"copies", m.copies}};
-  if (a.continuum) json["continuum"] = true;
+  if (a.continuum)
+    json["continuum"] = {{"drawn", a.continuum->drawn},
+                         {"stable", a.continuum->stable},
+                         {"slowest_rate", {a.continuum->slowest_rate, a.continuum->fastest_rate}},
+                         {"growth_rate", {a.continuum->least_growth, a.continuum->most_growth}}};
   if (m.kind == MotionKind::periodic) {
     json["period"] = m.period;
     json["winding"] = std::vector<int>(m.winding.begin(), m.winding.begin() + balls);
@@ -60,20 +64,31 @@ const AttractorShare& share_of(const AttractorsResult& r, int id) {
                        [&](const AttractorShare& s) { return s.id == id; });
 }
 
-// The slowest way in which a deviation dies out, shifts in time and along a continuum left out.
+// Of a continuum each member has its own stability.
+std::string continuum_text(const ContinuumPart& part) {
+  if (part.slowest_rate == 0.0)
+    return fmt::format("UNSTABLE, all of {} states drawn from the continuum, growth rates {:.5f} to {:.5f}", part.drawn,
+                       part.least_growth, part.most_growth);
+  const std::string share = part.stable == part.drawn ? "all"
+                            : part.stable == 0        ? fmt::format("less than 1 in {}", part.drawn)
+                                                      : fmt::format("{:.2g} %", 100.0 * part.share());
+  return fmt::format("stable in part: {} of the continuum, slowest rates {:.5f} to {:.5f}", share, part.fastest_rate,
+                     part.slowest_rate);
+}
+
+// The slowest way in which a deviation dies out, shifts in time left out.
 std::string stability_text(const Attractor& a) {
+  if (a.continuum) return continuum_text(*a.continuum);
   const Motion& m = a.motion;
   const char* verdict = m.stable ? "stable" : "UNSTABLE";
   if (m.strobed && m.spectrum.size() > 0) {
     double largest = 0.0;
-    for (const std::complex<double>& value : m.spectrum)
-      if (!a.continuum || std::abs(value - 1.0) > 1e-7) largest = std::max(largest, std::abs(value));
+    for (const std::complex<double>& value : m.spectrum) largest = std::max(largest, std::abs(value));
     return fmt::format("{}, largest multiplier {:.4f}", verdict, largest);
   }
   if (m.kind == MotionKind::equilibrium && m.spectrum.size() > 0) {
     double slowest = -1e300;
-    for (Eigen::Index k = 0; k < m.spectrum.size(); ++k)
-      if (!a.continuum || std::abs(m.spectrum[k]) > 1e-7) slowest = std::max(slowest, m.spectrum[k].real());
+    for (Eigen::Index k = 0; k < m.spectrum.size(); ++k) slowest = std::max(slowest, m.spectrum[k].real());
     return fmt::format("{}, slowest rate {:.5f}", verdict, slowest);
   }
   if (m.kind == MotionKind::periodic && m.spectrum.size() > 1)

@@ -107,6 +107,9 @@ class BasinRun {
     const BalanceNote balance = runner_->balance();
     result_.balanced_stable = balance.stable;
     result_.note = balance.note;
+    constexpr double worth_a_reason = 0.01;
+    if (!balance.undecided.empty() && result_.undecided.share > worth_a_reason)
+      result_.note += (result_.note.empty() ? "" : "; ") + balance.undecided;
     const RunTime time = time_so_far();
     result_.seconds = time.seconds;
     result_.cpu_seconds = time.cpu_seconds;
@@ -203,7 +206,7 @@ class BasinRun {
   std::vector<AttractorShare> attractor_shares(const Tally& tally) const {
     std::vector<AttractorShare> shares;
     if (!runner_->catalogue().find(balanced_id)) {
-      Attractor none{balanced_id, "balanced", "", {}, false};
+      Attractor none{balanced_id, "balanced", "", {}, {}};
       shares.push_back(tally.share(none));
     }
     for (const Attractor& a : runner_->catalogue().attractors()) {

@@ -19,6 +19,7 @@
 #include "equipoise/attractors/motion_description.hpp"
 #include "equipoise/attractors/pilot.hpp"
 #include "equipoise/attractors/strobed_balance.hpp"
+#include "equipoise/attractors/strobed_motion.hpp"
 #include "equipoise/attractors/strobed_trap.hpp"
 #include "equipoise/attractors/stroboscopic.hpp"
 #include "equipoise/attractors/window_features.hpp"
@@ -26,6 +27,7 @@
 #include "equipoise/model/balanced_state.hpp"
 #include "equipoise/model/linearisation.hpp"
 #include "equipoise/model/strobe.hpp"
+#include "equipoise/run/chaotic_stay.hpp"
 #include "equipoise/run/lane_kernels.hpp"
 #include "equipoise/run/start_source.hpp"
 #include "equipoise/run/validated_level.hpp"
@@ -37,11 +39,7 @@ namespace {
 // Pilot starts are drawn from a seed of their own, so the decision rule depends on the study but not on its seed.
 constexpr std::uint64_t pilot_seed = 0x9e3779b97f4a7c15;
 // Scouts find motions; with their traps in place all of the pilot shows how far those and the boxes can be trusted.
-#ifdef EQUIPOISE_INSTRUMENTED
-constexpr std::size_t scouts = 64, coincident_starts = 8, pilot_starts = 128, chunk = 32;
-#else
 constexpr std::size_t scouts = 1024, coincident_starts = 32, pilot_starts = 4096, chunk = 256;
-#endif
 // Long windows end at 1, 2, 4, 8 and 16 times the first: four comparisons, of which two in a row must agree.
 constexpr double pilot_windows = 16.0;
 // Windows of one motion agree this well; motions met so far differ by more.
@@ -63,7 +61,6 @@ DecisionRule first_rule(const Study& study, const BalancedAnalysis& balanced, do
   rule.balls = study.parameters.balls;
   rule.interchangeable = study.parameters.equal_balls();
   rule.traps = balanced.traps;
-  rule.family = balanced.family;
   // Slow rotors move slowly: a window holds several revolutions of every motion met between 1.4 and 6.5 critical
   // speeds.
   rule.window = std::max(16.0, 32.0 / std::max(std::fabs(final_speed), 0.1));
@@ -112,16 +109,19 @@ class Discoverer {
     if (strobed_) {
       StrobedBalance found = analyse_strobed_balance(study_.parameters, speed_);
       result_.balanced = std::move(found.analysis);
-      family_ = std::move(found.family);
       balanced = std::move(found.motions);
-      for (const Motion& motion : balanced)
-        result_.catalogue.add(study_.parameters, motion, continuum_dimension(study_.parameters) > 0);
+      for (const Motion& motion : balanced) result_.catalogue.add(study_.parameters, motion, continuum());
     } else {
       result_.balanced = analyse_balanced(study_.parameters, speed_);
       list_balanced();
     }
     result_.rule = first_rule(study_, result_.balanced, speed_);
     result_.rule.blind = true;
+    if (const auto trap = continuum_trap(result_.balanced.continuum, result_.balanced.survey, trial_settings())) {
+      if (strobed_) family_ = strobed_family_test(study_.parameters, speed_, *trap);
+      if (strobed_ && !result_.catalogue.find(balanced_id)) list_creep(*trap);
+      if (!strobed_) result_.rule.family = family_test(*trap, study_.parameters.balls);
+    }
     if (strobed_) {
       for (const Motion& motion : balanced) make_strobed_trap(motion, balanced_id);
       result_.rule.strobed = traps_as_rule(study_.parameters, speed_, strobed_traps_, family_);
@@ -136,6 +136,7 @@ class Discoverer {
     level_balanced();
     find_candidates();
     if (!refine_and_list()) return stopped();
+    note_chaos();
     result_.rule.blind = false;
     result_.rule.at_horizon = study_.numerics.decide == DecideMode::horizon;
     return std::move(result_);
@@ -146,6 +147,11 @@ class Discoverer {
   Discovery stopped() {
     result_.stopped = true;
     return std::move(result_);
+  }
+
+  std::optional<ContinuumPart> continuum() const {
+    if (!result_.balanced.continuum) return std::nullopt;
+    return result_.balanced.survey;
   }
 
   void list_balanced() {
@@ -163,13 +169,25 @@ class Discoverer {
       }
       return;
     }
-    // Of a continuum, the state nearest to evenly spread balls stands for all.
-    double phi[model::max_balls];
-    for (int i = 0; i < p.balls; ++i) phi[i] = two_pi * (i + 0.5) / p.balls;
-    if (!model::project_to_balanced(p, phi)) return;
-    centre = model::centred_state(p, phi);
+    // Of a continuum one state stands for all, an attracting one if there are any.
+    centre = model::centred_state(p, result_.balanced.survey.typical.data());
     if (const auto refined = refine_equilibrium(p, speed_, centre))
-      result_.catalogue.add(p, describe_equilibrium(p, speed_, *refined), true);
+      result_.catalogue.add(p, describe_equilibrium(p, speed_, *refined), continuum());
+  }
+
+  // Under gravity one of the motions that the continuum's trap leads to stands for all.
+  void list_creep(const ContinuumTrap& trap) {
+    const auto m = trap.continuum->member(result_.balanced.survey.typical.data());
+    if (m)
+      result_.catalogue.add(study_.parameters, describe_creep(study_.parameters, speed_, m->centre, m->rate),
+                            continuum());
+  }
+
+  void note_chaos() {
+    const double begin = source_.last_segment().begin;
+    result_.undecided =
+        chaotic_stay(study_.parameters, speed_,
+                     {&pilot_.fates, begin, begin + pilot_horizon(), [this](std::size_t i) { return pilot_state(i); }});
   }
 
   // Proved or widened levels of the balanced traps.
@@ -227,12 +245,16 @@ class Discoverer {
     return true;
   }
 
+  double pilot_horizon() const {
+    return std::min(study_.numerics.horizon, pilot_windows * result_.rule.first_long_window);
+  }
+
   // Decides the first `count` of the pilot's starts by the rule as it stands.
   bool follow_pilot(std::size_t count) {
     const int size = model::dimension(study_.parameters.balls);
     pilot_.followed = count;
     pilot_.states = pilot_.begin;
-    const double horizon = std::min(study_.numerics.horizon, pilot_windows * result_.rule.first_long_window);
+    const double horizon = pilot_horizon();
     std::atomic<bool> complete{true};
     tbb::task_arena arena(settings_.threads);
     arena.execute([&] {
@@ -310,17 +332,19 @@ class Discoverer {
     for (Candidate& c : candidates_) {
       if (!c.motion || !c.motion->stable) continue;
       c.attractor = result_.catalogue.add(study_.parameters, *c.motion);
-      if (c.members.empty() || (c.attractor == balanced_id && !strobed_)) continue;
+      // Balance is never told by what it looks like: traps know it, or the way to it is followed.
+      if (c.members.empty() || c.attractor == balanced_id) continue;
       result_.rule.known.push_back({c.features, c.attractor, c.motion->kind == MotionKind::chaotic});
     }
-    if (!strobed_) {
-      for (std::size_t k = before.size(); k < result_.catalogue.attractors().size(); ++k)
-        make_orbit_traps(result_.catalogue.attractors()[k]);
-      return !is_stopped();
-    }
-    for (const Attractor& a : result_.catalogue.attractors())
-      if (std::none_of(before.begin(), before.end(), [&](const Attractor& b) { return b.id == a.id; }))
+    // The list is kept by identifier: what is new in it need not stand at its end.
+    for (const Attractor& a : result_.catalogue.attractors()) {
+      if (std::any_of(before.begin(), before.end(), [&](const Attractor& b) { return b.id == a.id; })) continue;
+      if (strobed_)
         make_strobed_trap(a.motion, a.id);
+      else
+        make_orbit_traps(a);
+    }
+    if (!strobed_) return !is_stopped();
     result_.rule.strobed = traps_as_rule(study_.parameters, speed_, strobed_traps_, family_);
     return !is_stopped();
   }
@@ -356,7 +380,7 @@ class Discoverer {
     for (const double widths : box_widths)
       for (const Candidate& c : candidates_) {
         const Attractor* a = result_.catalogue.find(c.attractor);
-        if (!a || (c.attractor == balanced_id && !strobed_)) continue;
+        if (!a || c.attractor == balanced_id) continue;
         // A refined orbit vouches for a lone member.
         if (c.members.size() < (a->motion.kind == MotionKind::periodic ? 1 : members_needed)) continue;
         const FeatureBox box = box_around(c.range, rule.balls, c.attractor, widths);

@@ -90,6 +90,7 @@ bool StartRunner::run(std::uint64_t first, std::size_t count, std::vector<double
     if (fates[i].outcome == Outcome::attracted && fates[i].attractor == 0) {
       unlisted.push_back(follow(when_recognised({states.data() + i * size, states.data() + (i + 1) * size}, fates[i])));
       unlisted.back().place = i;
+      fates[i].by = DecidedBy::followed;
     }
   }
   if (!rows) return true;

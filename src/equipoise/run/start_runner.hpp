@@ -37,7 +37,9 @@ class StartRunner : public Runner {
   UnlistedStart follow(const std::vector<double>& state) const override;
 
   const Catalogue& catalogue() const override { return discovery_.catalogue; }
-  BalanceNote balance() const override { return {discovery_.balanced.stable, discovery_.balanced.note}; }
+  BalanceNote balance() const override {
+    return {discovery_.balanced.stable, discovery_.balanced.note, discovery_.undecided};
+  }
   double settled() const override { return source_.settled(); }
   bool stopped() const override { return discovery_.stopped; }
 

@@ -23,15 +23,8 @@ namespace equipoise {
 
 namespace {
 
-// Instrumented builds try fewer.
-#ifdef EQUIPOISE_INSTRUMENTED
-constexpr std::size_t balanced_tries = 128, orbit_tries = 32, few_tries = 8, chunk = 8;
-#else
 constexpr std::size_t balanced_tries = 4096, orbit_tries = 1024, few_tries = 128, chunk = 128;
-#endif
 constexpr double widest_factor = 64.0;
-// How much nearer, in V, than any pilot trajectory that ended elsewhere.
-constexpr double foreign_margin = 4.0;
 // A trajectory this much nearer, in |F d|^2, than where it started has come to the orbit.
 constexpr double come_close = 1e-3;
 
@@ -133,12 +126,12 @@ bool all_approach(const OrbitTrap& trap, const TrialSettings& settings, double s
 
 void widen(BalancedTrap& trap, const TrialSettings& settings, double slowest_rate, double nearest_foreign) {
   const int balls = settings.parameters->balls;
-  double widest = widest_factor;  // no ball may deviate by half a turn on twice the level
-  for (int i = 0; i < balls; ++i) widest = std::min(widest, 0.5 * std::pow(pi / trap.reach[model::index::phi(i)], 2));
-  double good = std::clamp(nearest_foreign / (foreign_margin * trap.level), 1.0, widest);
-  for (double factor = widest; factor > good; factor *= 0.5)
-    if (all_return(trap, settings, slowest_rate, 2.0 * factor)) good = factor;
-  set_level(trap, good * trap.level);
+  double factor = widest_factor;  // no ball may deviate by half a turn on twice the level
+  for (int i = 0; i < balls; ++i) factor = std::min(factor, 0.5 * std::pow(pi / trap.reach[model::index::phi(i)], 2));
+  factor = std::min(factor, 0.5 * nearest_foreign / trap.level);
+  // At half the level and below, twice of it is where V decreases, and nothing is left to try.
+  while (factor > 0.5 && !all_return(trap, settings, slowest_rate, 2.0 * factor)) factor *= 0.5;
+  set_level(trap, factor * trap.level);
 }
 
 void set_level(BalancedTrap& trap, double level) {
@@ -163,8 +156,9 @@ double highest_good_level(double highest, Good&& good) {
   return high == rungs ? 0.0 : 0.5 * std::ldexp(highest, -high);
 }
 
-// Slower ones are decided by windows: following the tries would take longer than the ensemble.
-constexpr double slowest_worth_it = 2e-3;
+// Slower ones are decided by windows: following the tries would take longer than the ensemble. Balance is not, so that
+// more patience is worth it there.
+constexpr double slowest_worth_it = 2e-3, slowest_balance = 2e-4;
 
 // All of `tries` states on the level, a chunk each at angles and strobes spread over the orbit, come to the orbit.
 bool all_approach(const StrobedTrap& trap, const TrialSettings& settings, double slowest_rate, double level,
@@ -195,7 +189,96 @@ bool all_approach(const StrobedTrap& trap, const TrialSettings& settings, double
   });
 }
 
+// A state of a continuum's trap falls to this share of its V: so much nearer, it is where linear theory holds.
+constexpr double come_near = 0.03;
+
+// Members of a continuum to try levels around, and how far from rest what gravity makes of them is.
+struct Members {
+  std::vector<ContinuumMember> all;
+  double unit = 0.0, slowest_rate = 0.0, unrest = 0.0;
+};
+
+Members members_to_try(const BalancedContinuum& continuum, const ContinuumSurvey& survey, int balls) {
+  constexpr std::size_t most = 64;
+  // Following the tries around slower ones would take longer than the ensemble.
+  constexpr double slowest_share = 0.02, slowest_of_all = 2e-4;
+  Members result;
+  result.slowest_rate = std::min(-slowest_of_all, slowest_share * survey.fastest_rate);
+  const auto first = static_cast<std::size_t>(
+      std::find_if(survey.rates.begin(), survey.rates.end(), [&](double r) { return r <= result.slowest_rate; }) -
+      survey.rates.begin());
+  const std::size_t count = survey.members.size() - first, taken = std::min(most, count);
+  for (std::size_t k = 0; k < taken; ++k) {
+    auto m = continuum.member(survey.members[first + k * count / taken].data());
+    if (!m || m->form.size() == 0 || !(m->rate <= result.slowest_rate)) continue;
+    result.unit = std::max(result.unit, m->unit);
+    for (Eigen::Index i = 0; i < m->centre.size(); ++i)
+      if (i < 4 || i >= 4 + balls) result.unrest = std::max(result.unrest, std::fabs(m->centre[i]));
+    result.all.push_back(*std::move(m));
+  }
+  return result;
+}
+
+DecisionRule rule_of(const ContinuumTrap& trap, const TrialSettings& settings) {
+  const model::Parameters& p = *settings.parameters;
+  DecisionRule rule;
+  rule.balls = p.balls;
+  rule.first_long_window = 1e9;
+  if (model::is_strobed(p))
+    rule.strobed = traps_as_rule(p, settings.speed, {}, strobed_family_test(p, settings.speed, trap));
+  else
+    rule.family = family_test(trap, p.balls);
+  return rule;
+}
+
+double reach_of(const Members& members, double factor) {
+  return 1.5 * members.unrest + std::sqrt(std::min(factor * members.unit, 0.5));
+}
+
+// All of `tries` states at `factor` times the members' units of V come near to the continuum.
+bool all_approach(const ContinuumTrap& trap, const Members& members, const TrialSettings& settings, double factor,
+                  std::size_t tries) {
+  const std::size_t size = model::dimension(settings.parameters->balls), count = members.all.size();
+  std::vector<double> states(tries * size);
+  Directions directions(static_cast<int>(trap.continuum->directions()));
+  const auto member_of = [&](std::size_t i) -> const ContinuumMember& { return members.all[i * count / tries]; };
+  for (std::size_t i = 0; i < tries; ++i) {
+    const ContinuumMember& m = member_of(i);
+    const Eigen::VectorXd z = trap.continuum->state_at(m, factor * m.unit, directions.next());
+    std::copy(z.begin(), z.end(), &states[i * size]);
+  }
+  ContinuumTrap near = trap;
+  near.factor = come_near * factor;
+  near.reach = reach_of(members, near.factor);
+  const DecisionRule rule = rule_of(near, settings);
+  return all_chunks(tries, settings.threads, [&](std::size_t first, std::size_t length) {
+    const double rate = -member_of(first).rate;  // the slowest of the chunk
+    const double end = 2.0 * std::log(1.0 / come_near) / (2.0 * rate) + 500.0;
+    return all_attracted(task_for(settings, end, length, &states[first * size]), rule);
+  });
+}
+
 }  // namespace
+
+FamilyTrap family_test(const ContinuumTrap& trap, int balls) {
+  return {trap.reach, [trap, size = model::dimension(balls)](const double* state) {
+            return trap.holds(Eigen::Map<const Eigen::VectorXd>(state, size));
+          }};
+}
+
+std::optional<ContinuumTrap> continuum_trap(const std::shared_ptr<const BalancedContinuum>& continuum,
+                                            const ContinuumSurvey& survey, const TrialSettings& settings) {
+  if (!continuum || !survey.attracts()) return std::nullopt;
+  const Members members = members_to_try(*continuum, survey, settings.parameters->balls);
+  if (members.all.empty()) return std::nullopt;
+  ContinuumTrap trap{continuum, 0.0, members.slowest_rate, 0.0};
+  trap.factor = highest_good_level(0.5 / members.unit, [&](double factor, std::size_t tries) {
+    return all_approach(trap, members, settings, factor, tries);
+  });
+  if (!(trap.factor > 0.0)) return std::nullopt;
+  trap.reach = reach_of(members, trap.factor);
+  return trap;
+}
 
 bool validate(std::vector<OrbitTrap>& copies, const TrialSettings& settings, double slowest_rate) {
   constexpr double highest = 16.0;
@@ -210,7 +293,7 @@ bool validate(std::vector<OrbitTrap>& copies, const TrialSettings& settings, dou
 
 bool validate(StrobedTrap& trap, const TrialSettings& settings, double slowest_rate) {
   constexpr double highest = 4.0;
-  if (!(slowest_rate < -slowest_worth_it)) return false;
+  if (!(slowest_rate < -(trap.attractor == balanced_id ? slowest_balance : slowest_worth_it))) return false;
   trap.level = highest_good_level(highest, [&](double level, std::size_t tries) {
     return all_approach(trap, settings, slowest_rate, level, tries);
   });

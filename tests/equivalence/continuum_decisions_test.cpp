@@ -1,0 +1,118 @@
+// Balance that is a continuum, or that gravity rocks: what decides it, against the same starts followed to the horizon.
+#include <cmath>
+#include <set>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include "equipoise/attractors/decision_rule.hpp"
+#include "equipoise/run/attractors.hpp"
+#include "equipoise/run/start_runner.hpp"
+
+namespace equipoise {
+namespace {
+
+Study rotor(int balls) {
+  Study study;
+  study.name = "rotor";
+  study.parameters.balls = balls;
+  study.parameters.mass.fill(0.05);
+  study.parameters.drag.fill(0.05);
+  study.speed.profile = "constant";
+  study.speed.speed = 2.4;
+  return study;
+}
+
+std::vector<Fate> fates_of(const Study& study, std::size_t count) {
+  StartRunner runner(study, {2, nullptr, {}});
+  std::vector<double> phi;
+  std::vector<Fate> fates;
+  std::vector<UnlistedStart> unlisted;
+  EXPECT_TRUE(runner.run(0, count, phi, fates, unlisted));
+  for (const UnlistedStart& u : unlisted) {
+    fates[u.place].attractor = static_cast<short>(runner.list(u));
+    if (fates[u.place].attractor == 0) fates[u.place].outcome = Outcome::undecided;
+  }
+  return fates;
+}
+
+bool is_balanced(const Fate& fate) { return fate.outcome == Outcome::attracted && fate.attractor == balanced_id; }
+
+// The level is one that was tried, not one so small that its remainder could be estimated: half of four balls' starts
+// balance, and with rates of 0.02 a level of natural size is entered within 20 e-foldings.
+TEST(ContinuumDecisions, AreQuickAndHold) {
+  Study study = rotor(4);
+  constexpr std::size_t count = 100;
+  const std::vector<Fate> early = fates_of(study, count);
+  study.numerics.decide = DecideMode::horizon;
+  const std::vector<Fate> late = fates_of(study, count);
+  double sum = 0.0;
+  int balanced = 0;
+  for (std::size_t i = 0; i < count; ++i) {
+    if (is_balanced(early[i])) {
+      sum += early[i].time;
+      ++balanced;
+      EXPECT_TRUE(is_balanced(late[i])) << i;
+      EXPECT_EQ(early[i].by, DecidedBy::validated) << i;
+    }
+    if (is_balanced(late[i])) EXPECT_TRUE(is_balanced(early[i])) << i;
+  }
+  ASSERT_GT(balanced, 30);
+  EXPECT_LT(sum / balanced, 500.0);
+}
+
+// The state that stands for the continuum is one that attracts wherever any does.
+TEST(ContinuumDecisions, TheCatalogueListsAnAttractingMember) {
+  for (const int balls : {4, 6}) {
+    const Discovery discovery = discover(rotor(balls), {2, nullptr, {}});
+    const Attractor* a = discovery.catalogue.find(balanced_id);
+    ASSERT_TRUE(a) << balls;
+    EXPECT_TRUE(a->motion.stable) << balls;
+    ASSERT_TRUE(a->continuum) << balls;
+    EXPECT_GT(a->continuum->share(), 0.0) << balls;
+    EXPECT_LT(a->continuum->share(), 1.0) << balls;
+    EXPECT_TRUE(discovery.rule.family.caught) << balls;
+  }
+}
+
+// Gravity and anisotropic supports: balance is known by a level set, or by the way to it, never by its windows.
+TEST(ContinuumDecisions, BalanceIsNotToldByWindows) {
+  for (const double gravity : {0.0, 0.01}) {
+    Study study = rotor(2);
+    study.parameters.gravity = gravity;
+    study.parameters.stiffness = {1.0, 1.3};
+    const Discovery discovery = discover(study, {2, nullptr, {}});
+    for (const FeatureBox& box : discovery.rule.boxes) EXPECT_NE(box.attractor, balanced_id);
+    for (const KnownFeatures& known : discovery.rule.known) EXPECT_NE(known.attractor, balanced_id);
+    int balanced = 0;
+    for (const Fate& fate : fates_of(study, 100)) {
+      if (!is_balanced(fate)) continue;
+      ++balanced;
+      EXPECT_TRUE(fate.by == DecidedBy::validated || fate.by == DecidedBy::followed);
+    }
+    EXPECT_GT(balanced, 20);
+  }
+}
+
+// Nothing that `horizon` can name is left undecided by `validated`, and what both name is the same.
+TEST(ContinuumDecisions, WhatTheHorizonNamesIsDecided) {
+  for (const bool gravity : {true, false}) {
+    Study study = rotor(4);
+    if (gravity)
+      study.parameters.gravity = 0.001;
+    else
+      study.parameters.stiffness = {1.0, 1.48};
+    constexpr std::size_t count = 16;
+    const std::vector<Fate> early = fates_of(study, count);
+    study.numerics.decide = DecideMode::horizon;
+    const std::vector<Fate> late = fates_of(study, count);
+    for (std::size_t i = 0; i < count; ++i) {
+      if (late[i].outcome != Outcome::attracted) continue;
+      EXPECT_EQ(early[i].outcome, Outcome::attracted) << gravity << " " << i;
+      EXPECT_EQ(early[i].attractor, late[i].attractor) << gravity << " " << i;
+    }
+  }
+}
+
+}  // namespace
+}  // namespace equipoise
