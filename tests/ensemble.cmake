@@ -9,6 +9,7 @@ equipoise_test(reproduction_test unit unit/document_test.cpp unit/published_tabl
 equipoise_test(window_test unit unit/window_test.cpp)
 equipoise_test(basin_test equivalence equivalence/basin_test.cpp equivalence/basin_sampling_test.cpp equivalence/full_state_test.cpp)
 equipoise_test(decisions_test equivalence equivalence/decisions_test.cpp)
+equipoise_test(horizon_test equivalence equivalence/horizon_test.cpp)
 equipoise_test(stroboscopic_test equivalence equivalence/stroboscopic_test.cpp)
 equipoise_test(plane_map_test equivalence equivalence/plane_map_test.cpp)
 equipoise_test(continuation_test equivalence equivalence/continuation_test.cpp)

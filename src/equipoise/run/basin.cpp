@@ -15,6 +15,7 @@
 #include <oneapi/tbb/parallel_pipeline.h>
 #include <oneapi/tbb/task_arena.h>
 
+#include "equipoise/run/horizon.hpp"
 #include "equipoise/run/initial_state.hpp"
 #include "equipoise/run/lane_kernels.hpp"
 #include "equipoise/run/sampling_choice.hpp"
@@ -75,6 +76,8 @@ class BasinRun {
     const auto begin = std::chrono::steady_clock::now();
     const double cpu_begin = cpu_now();
     check_runnable(result_.study);
+    horizon_ = choose_horizon(result_.study);
+    result_.study.numerics.horizon = horizon_.time;
     sample();
     result_.starts = tally_->total();
     result_.partial = !finished_;
@@ -83,6 +86,7 @@ class BasinRun {
     const BalanceNote balance = runner_->balance();
     result_.balanced_stable = balance.stable;
     result_.note = balance.note;
+    explain_undecided();
     result_.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
     result_.cpu_seconds = cpu_now() - cpu_begin;
     if (file_) file_->finish(to_toml(result_.study), summary(), finished_, {result_.seconds, result_.cpu_seconds});
@@ -233,7 +237,19 @@ class BasinRun {
                          (tally_->total() >= least || sampler_->method() == SamplingMethod::random);
     const bool narrow = may_end && tally_->narrow(options_.half_width);
     finished_ = narrow || tally_->total() == limit_;
+    if (fate.outcome == Outcome::undecided && undecided_.size() < undecided_looked_at)
+      undecided_.push_back(tally_->total() - 1);
     if (options_.fate) options_.fate(fate);
+  }
+
+  // Many undecided starts are no answer: the note then says why there are so many.
+  void explain_undecided() {
+    const double share = result_.undecided.share;
+    if (result_.starts == 0 || !(share > undecided_worth_a_word)) return;
+    const bool stopped = runner_->stopped() || (options_.stop && options_.stop->load(std::memory_order_relaxed));
+    const std::vector<UndecidedEnd> ends = stopped ? std::vector<UndecidedEnd>{} : runner_->look_at(undecided_);
+    result_.note += fmt::format("{}{:.0f} % are undecided: {}", result_.note.empty() ? "" : "; ", 100.0 * share,
+                                why_undecided(horizon_, ends));
   }
 
   using Sink = std::function<void(const std::shared_ptr<Chunk>&)>;
@@ -332,6 +348,8 @@ class BasinRun {
   std::set<int> filed_;  // motions known before the first start, or in the file
   std::atomic<bool> finished_{false}, lost_{false};
   bool stop_counting_ = false;
+  Horizon horizon_;
+  std::vector<std::uint64_t> undecided_;  // numbers of the first ones
 };
 
 }  // namespace
@@ -339,7 +357,7 @@ class BasinRun {
 int thread_count(int asked) { return asked > 0 ? asked : tbb::info::default_concurrency(); }
 
 BasinFileHeader basin_file_header(const Study& study, bool angles, bool transients) {
-  Study identity = study;  // all that decides the fate of start i
+  Study identity = with_horizon(study);  // all that decides the fate of start i
   const Sampler sampler = sampler_of(study);
   identity.sampling.starts = sampler.grid() ? sampler.grid()->starts() : 1;
   BasinFileHeader header;

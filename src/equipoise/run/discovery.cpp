@@ -26,6 +26,7 @@
 #include "equipoise/model/balanced_state.hpp"
 #include "equipoise/model/linearisation.hpp"
 #include "equipoise/model/strobe.hpp"
+#include "equipoise/run/horizon.hpp"
 #include "equipoise/run/lane_kernels.hpp"
 #include "equipoise/run/start_source.hpp"
 #include "equipoise/run/validated_level.hpp"
@@ -75,7 +76,7 @@ DecisionRule first_rule(const Study& study, const BalancedAnalysis& balanced, do
   if (balanced.slowest_rate < 0.0) {
     // Long enough that whatever is only on its slow way to balance shrinks visibly from one window to the next.
     rule.first_long_window = std::max(rule.first_long_window, 1.0 / -balanced.slowest_rate);
-    rule.first_long_window = std::min(rule.first_long_window, study.numerics.horizon / 8.0);
+    rule.first_long_window = std::min(rule.first_long_window, *study.numerics.horizon / 8.0);
     rule.sameness = std::min(rule.sameness, 0.2 * -balanced.slowest_rate * rule.first_long_window);
   }
   return rule;
@@ -232,7 +233,7 @@ class Discoverer {
     const int size = model::dimension(study_.parameters.balls);
     pilot_.followed = count;
     pilot_.states = pilot_.begin;
-    const double horizon = std::min(study_.numerics.horizon, pilot_windows * result_.rule.first_long_window);
+    const double horizon = std::min(*study_.numerics.horizon, pilot_windows * result_.rule.first_long_window);
     std::atomic<bool> complete{true};
     tbb::task_arena arena(settings_.threads);
     arena.execute([&] {
@@ -418,7 +419,7 @@ Study at_final_speed(const Study& study) {
   steady.release = {};
   steady.initial = {};
   steady.sampling = {};
-  return steady;
+  return with_horizon(steady);
 }
 
 }  // namespace
