@@ -96,7 +96,8 @@ class Deciding(unittest.TestCase):
     def test_three_ways_agree_start_by_start(self):
         shares, grounds, times = [], [], []
         for how in ("validated", "proof", "horizon"):
-            answer = json.loads(run("basin", ROW, "--starts", "1000", "--json", "--quiet", "--decide", how).stdout)
+            answer = json.loads(run("basin", ROW, "--starts", "1000", "--json", "--quiet", "--decide", how,
+                                    "--set", "numerics.horizon=3000").stdout)
             self.assertEqual(answer["study"]["numerics"]["decide"], how)
             shares.append([(o["id"], o["count"]) for o in answer["outcomes"]])
             grounds.append({k: sum(o["decided_by"][k] for o in answer["outcomes"]) for k in

@@ -102,6 +102,7 @@ TEST(FullState, FileHoldsWholeStartsResumesAndEarlyDecisionsAgreeWithThoseAtTheH
   expect_whole_starts(path, study);
   std::filesystem::remove(path);
   study.numerics.decide = DecideMode::horizon;
+  study.numerics.horizon = 3000.0;
   EXPECT_EQ(counts(early), counts(basin(study)));
   EXPECT_EQ(early.diverged.count + early.failed.count, 0u);
 }

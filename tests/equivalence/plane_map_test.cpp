@@ -93,7 +93,7 @@ TEST(PlaneMap, PixelsComeToWhatTheirTrajectoriesComeToAlone) {
         const Study study = pixel(map, column, row);
         const auto alone =
             motion_from(study.parameters, 2.4, model::centred_state(study.parameters, study.initial.phi.data()),
-                        study.numerics.horizon);
+                        *study.numerics.horizon);
         const std::size_t at = map.at(column, row);
         const std::string name = alone ? motion_name(study.parameters, *alone).name : "undecided";
         EXPECT_EQ(name_of(map, at), name) << column << ", " << row;

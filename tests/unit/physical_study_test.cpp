@@ -76,7 +76,7 @@ TEST(PhysicalStudy, BecomesTheDimensionlessOneOfTheTextbook) {
   EXPECT_DOUBLE_EQ(s.speed.final, 100.0 * pi / omega_c);
   EXPECT_DOUBLE_EQ(s.speed.duration, 10.0 * omega_c);
   EXPECT_EQ(s.speed.initial, 0.0);
-  EXPECT_EQ(s.numerics.horizon, 3000.0);
+  EXPECT_FALSE(s.numerics.horizon);
 }
 
 TEST(PhysicalStudy, SaysOneThingInSeveralWays) {
@@ -162,7 +162,7 @@ settled = "0.1 mm")"),
   EXPECT_DOUBLE_EQ(s.initial.phi_dot[1], -turn);
   EXPECT_DOUBLE_EQ(s.sampling.box.x->low, -1.0 / 30.0);
   EXPECT_DOUBLE_EQ(s.sampling.box.phi_dot->high, turn);
-  EXPECT_DOUBLE_EQ(s.numerics.horizon, 60.0 * omega_c);
+  EXPECT_DOUBLE_EQ(s.numerics.horizon.value(), 60.0 * omega_c);
   EXPECT_DOUBLE_EQ(*s.limits.displacement, 2.0 / 30.0);
   EXPECT_DOUBLE_EQ(*s.limits.force, 500.0 / (48000.0 * 0.03));
   EXPECT_DOUBLE_EQ(*s.limits.velocity, 4.5e-3 / (0.03 * omega_c));
@@ -543,7 +543,7 @@ TEST(PhysicalEcho, LeadsBackToTheSameMachine) {
     close(a.initial.y_dot, b.initial.y_dot);
     close(*a.limits.displacement, *b.limits.displacement);
     close(*a.limits.force, *b.limits.force);
-    close(a.numerics.horizon, b.numerics.horizon);
+    close(a.numerics.horizon.value_or(0.0), b.numerics.horizon.value_or(0.0));
   }));
 }
 

@@ -108,7 +108,7 @@ TEST(Defaults, AreThoseOfTheManual) {
   EXPECT_EQ(study.sampling.starts, 100000u);
   EXPECT_EQ(study.sampling.seed, 1u);
   EXPECT_FALSE(study.numerics.tolerance);
-  EXPECT_EQ(study.numerics.horizon, 3000.0);
+  EXPECT_FALSE(study.numerics.horizon);
 }
 
 TEST(Parameters, GivenOnceHoldForEveryBallAndDirection) {

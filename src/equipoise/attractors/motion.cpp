@@ -75,6 +75,8 @@ class Journey {
   std::optional<Motion> persistence();
   bool worth_trying(const Return& now);
   bool statistics_repeat(double share_of_extremes, double share_of_means) const;
+  bool comes_back() const;
+  bool creeps() const;
 
   const model::Parameters& p_;
   const double speed_;
@@ -225,11 +227,36 @@ bool Journey::statistics_repeat(double share_of_extremes, double share_of_means)
   return previous_.duration > 0.0 && similar(previous_, last_, p_.balls, share_of_extremes, share_of_means);
 }
 
+// Whether all is so nearly at rest that the trajectory will not get anywhere in the time that is left: neither by its
+// rate of change nor by what grows.
+bool Journey::creeps() const {
+  if (difference_.length(model::derivative(p_, speed_, state_.data())) * patience_ > in_reach) return false;
+  return model::jacobian(p_, speed_, state_.data()).eigenvalues().real().maxCoeff() * patience_ < 1.0;
+}
+
+// Whether the trajectory, after it had been farthest from where it is now, came half as near again. What creeps has the
+// same statistics in every stretch and no positive exponent, and was never where it is.
+bool Journey::comes_back() const {
+  if (samples_.empty()) return false;
+  double farthest = 0.0;
+  bool back = false;
+  for (auto state = samples_.rbegin(); state != samples_.rend(); ++state) {
+    const double now = difference_.distance(*state, state_);
+    if (now > farthest) {
+      farthest = now;
+      back = false;
+    }
+    back = back || now < 0.5 * farthest;
+  }
+  return back;
+}
+
 std::optional<Motion> Journey::persistence() {
   const bool tight = statistics_repeat(0.01, 0.005), loose = statistics_repeat(0.1, 0.05);
   repeats_ = tight ? repeats_ + 1 : 0;
   const bool final_stretch = elapsed_ >= patience_ * (1.0 - 1e-9);
   ahead_ = 0.0;
+  if (!comes_back()) return std::nullopt;
   if (last_.duration < 1000.0 || !(repeats_ >= 2 || (final_stretch && loose))) return std::nullopt;
   const int count = std::min<int>(4, model::dimension(p_.balls));
   double duration = std::max(last_.duration, 4000.0);
@@ -253,8 +280,14 @@ std::optional<Motion> Journey::persistence() {
   }
   // A torus is measured afresh: the stretch that showed it may have begun before balls had quite joined.
   MotionStatistics fresh;
+  const double last_duration = last_.duration;
   if (motion.kind == MotionKind::quasi_periodic && !travel(last_.duration, fresh)) return std::nullopt;
   motion.speed = speed_;
+  // Slips of chaotic motion average out like the root of time: whether they do is worth a few stretches more.
+  constexpr double longest = 16.0;
+  while (motion.kind == MotionKind::chaotic && !drifts_are_known(p_, last_, motion) &&
+         last_.duration < longest * last_duration)
+    if (!travel(last_duration, last_)) return std::nullopt;
   motion.state = with_angles_reduced(p_, state_);
   motion.exponents = exponents;
   motion.stable = true;
@@ -271,6 +304,7 @@ Settling Journey::settle() {
     result.motion = rest();
     if (!result.motion) result.motion = recurrence();
     if (!result.motion) result.motion = persistence();
+    if (!result.motion && creeps()) break;
     if (!result.motion) continue;
     result.time = elapsed_ + ahead_;
     result.known = recognised_;

@@ -21,10 +21,12 @@ constexpr double tolerance = 1e-12;
 // distance that exchange could show.
 constexpr double coincident = 1e-6;
 
-// Rates are the same if the angle between them, after all that time, has slipped by no more turns than chance allows:
-// one, or as many as three standard deviations of so many slips in random directions.
-bool no_net_slip(double turned, const AngleHistory& history) {
-  return std::fabs(turned) / two_pi <= 1.0 + 3.0 * std::sqrt(static_cast<double>(history.slips));
+// Drifts of chaotic motion below this part of the rotor's speed are not told from none.
+constexpr double least_drift = 0.01;
+
+Drift drift_of(const AngleRecord& angle, const Motion& motion) {
+  const bool regular = motion.kind != MotionKind::chaotic;
+  return drift_of(mean_rate(angle, regular), regular, least_drift * std::fabs(motion.speed));
 }
 
 void group_by_drift(const model::Parameters& p, const MotionStatistics& statistics, Motion& motion) {
@@ -33,26 +35,14 @@ void group_by_drift(const model::Parameters& p, const MotionStatistics& statisti
   for (int k = 0; k < p.balls; ++k) {
     int& group = motion.drift_group[k];
     group = -1;
-    if (exact ? motion.winding[k] == 0 : no_net_slip(statistics.turned[k], statistics.ball[k])) group = 0;
+    if (exact ? motion.winding[k] == 0 : drift_of(statistics.angle[k], motion) == Drift::none) group = 0;
     for (int i = 0; i < k && group < 0; ++i) {
       if (motion.drift_group[i] == 0) continue;
       const bool same = exact ? motion.winding[i] == motion.winding[k]
-                              : no_net_slip(statistics.turned[i] - statistics.turned[k], statistics.pair[i][k]);
+                              : drift_of(statistics.angle[i] - statistics.angle[k], motion) != Drift::some;
       if (same) group = motion.drift_group[i];
     }
     if (group < 0) group = groups++;
-  }
-  if (exact) return;
-  for (int group = 0; group < groups; ++group) {  // what differs within a group is where the balls were seen last
-    double sum = 0.0;
-    int size = 0;
-    for (int i = 0; i < p.balls; ++i) {
-      if (motion.drift_group[i] != group) continue;
-      sum += motion.drift[i];
-      ++size;
-    }
-    for (int i = 0; i < p.balls; ++i)
-      if (motion.drift_group[i] == group) motion.drift[i] = group == 0 ? 0.0 : sum / size;
   }
 }
 
@@ -106,13 +96,23 @@ void describe_statistics(const model::Parameters& p, const MotionStatistics& sta
   motion.r_mean = statistics.r_mean();
   motion.r_max = statistics.r_max;
   for (int i = 0; i < p.balls; ++i) {
-    motion.drift[i] = motion.kind == MotionKind::periodic ? two_pi * motion.winding[i] / motion.period
-                                                          : statistics.turned[i] / statistics.duration;
+    motion.drift[i] = motion.kind == MotionKind::periodic
+                          ? two_pi * motion.winding[i] / motion.period
+                          : mean_rate(statistics.angle[i], motion.kind != MotionKind::chaotic).rate;
     motion.rate_min[i] = statistics.rate_min[i];
     motion.rate_max[i] = statistics.rate_max[i];
   }
   group_by_drift(p, statistics, motion);
   describe_pairs(p, statistics, motion);
+}
+
+bool drifts_are_known(const model::Parameters& p, const MotionStatistics& statistics, const Motion& motion) {
+  for (int i = 0; i < p.balls; ++i) {
+    if (drift_of(statistics.angle[i], motion) == Drift::unknown) return false;
+    for (int k = 0; k < i; ++k)
+      if (drift_of(statistics.angle[i] - statistics.angle[k], motion) == Drift::unknown) return false;
+  }
+  return true;
 }
 
 int continuum_dimension(const model::Parameters& p) {

@@ -18,6 +18,9 @@ Eigen::VectorXd with_angles_reduced(const model::Parameters& p, Eigen::VectorXd 
 /// Fills what follows from statistics: r, rates, drift and what the balls do. Kind, period and winding must be there.
 void describe_statistics(const model::Parameters& p, const MotionStatistics& statistics, Motion& motion);
 
+/// Whether statistics of a measured motion are long enough to tell which balls drift, and which of them alike.
+bool drifts_are_known(const model::Parameters& p, const MotionStatistics& statistics, const Motion& motion);
+
 /// The part of that which tells what pairs of balls do.
 void describe_pairs(const model::Parameters& p, const MotionStatistics& statistics, Motion& motion);
 

@@ -46,7 +46,6 @@ class Gatherer {
     for (int i = 0; i < n; ++i) {
       start_[i] = z[4 + i];
       if (fresh) statistics.rate_min[i] = statistics.rate_max[i] = z[4 + n + i];
-      if (fresh) statistics.ball[i].begin(z[4 + i]);
       for (int j = i + 1; fresh && j < n; ++j) statistics.pair[i][j].begin(z[4 + i] - z[4 + j]);
     }
     take_extremes(last_);
@@ -128,7 +127,6 @@ class Gatherer {
     statistics_.r_integral +=
         0.5 * h * (last_.value(0) + now.value(0)) + h * h / 12.0 * (last_.r_slope() - now.r_slope());
     for (int i = 0; i < n; ++i) {
-      statistics_.ball[i].add(now.z[4 + i]);
       for (int j = i + 1; j < n; ++j) statistics_.pair[i][j].add(now.z[4 + i] - now.z[4 + j]);
     }
   }
@@ -139,6 +137,37 @@ class Gatherer {
   MotionStatistics& statistics_;
   Instant<n> last_;
   double start_[n];
+};
+
+// Takes angles at equally spaced times, which run on from one stretch to the next.
+template <int n>
+class Recorder {
+ public:
+  Recorder(double speed, MotionStatistics& statistics, const double* z)
+      : spacing_(record_spacing(speed)), before_(statistics.duration), statistics_(statistics) {
+    if (statistics.recorded > 0) return;
+    statistics.angle.fill(AngleRecord(spacing_));
+    take(z);
+  }
+
+  // Up to time `end` of this stretch.
+  template <class StateAt>
+  void step(double end, StateAt& state_at) {
+    double z[model::dimension(n)];
+    for (double t; (t = static_cast<double>(statistics_.recorded) * spacing_ - before_) <= end;) {
+      state_at(t, z);
+      take(z);
+    }
+  }
+
+ private:
+  void take(const double* z) {
+    for (int i = 0; i < n; ++i) statistics_.angle[i].add(z[4 + i]);
+    ++statistics_.recorded;
+  }
+
+  const double spacing_, before_;
+  MotionStatistics& statistics_;
 };
 
 template <int n, kernels::Terms terms>
@@ -156,10 +185,12 @@ IntegrationStatus follow_balls(const model::Parameters& p, double speed, Eigen::
   const double spacing = sample_spacing(speed);
   MotionStatistics unused;
   Gatherer<n, terms> gatherer(p, flow, segment, statistics ? *statistics : unused, z.data());
+  Recorder<n> recorder(speed, statistics ? *statistics : unused, z.data());
   std::size_t next = 1;
   if (samples) samples->assign(1, z);
   const IntegrationStatus status = integrator.advance(0.0, duration, z.data(), [&](double t, double t_new, auto at) {
     gatherer.step(t, t_new, spacing, at);
+    recorder.step(t_new, at);
     for (; samples && static_cast<double>(next) * spacing <= t_new; ++next) {
       samples->emplace_back(size);
       at(static_cast<double>(next) * spacing, samples->back().data());
@@ -181,12 +212,6 @@ void AngleHistory::add(double angle) {
   for (long k = from; k != to;) {
     const long crossed = to > from ? ++k : k--;
     if (crossed % 2 != 0) ++passed_pi;
-    if (!has_landmark_) landmark_ = crossed;
-    has_landmark_ = true;
-    if (std::labs(crossed - landmark_) >= 2) {
-      ++slips;
-      landmark_ = crossed;
-    }
   }
   add_distance(last_ = angle);
 }
@@ -213,6 +238,8 @@ bool similar(const MotionStatistics& a, const MotionStatistics& b, int n, double
          close(drift_a, drift_b, share_of_means * rate + two_pi / a.duration);
   return same;
 }
+
+double record_spacing(double speed) { return 4.0 * sample_spacing(speed); }
 
 double sample_spacing(double speed) { return 0.2 / std::max(1.0, std::fabs(speed)); }
 

@@ -8,18 +8,17 @@
 
 #include <Eigen/Dense>
 
+#include "equipoise/attractors/mean_rate.hpp"
 #include "equipoise/base/angles.hpp"
 #include "equipoise/integrate/status.hpp"
 #include "equipoise/model/parameters.hpp"
 
 namespace equipoise {
 
-/// The history of one angle, unwrapped: how far from 0 it went (modulo whole turns), how often it passed pi, and how
-/// many whole turns it slipped, in either direction.
+/// The history of one angle, unwrapped: how far from 0 it went (modulo whole turns) and how often it passed pi.
 struct AngleHistory {
   double farthest = 0.0;  ///< largest |angle modulo 2 pi|, as sampled
   long passed_pi = 0;     ///< times it passed pi, modulo whole turns
-  long slips = 0;         ///< times it was last seen at a multiple of pi two away from where it was counted before
 
   void begin(double angle) { add_distance(last_ = angle); }
   void add(double angle);
@@ -27,8 +26,6 @@ struct AngleHistory {
  private:
   void add_distance(double angle);
   double last_ = 0.0;
-  long landmark_ = 0;
-  bool has_landmark_ = false;
 };
 
 struct MotionStatistics {
@@ -36,7 +33,8 @@ struct MotionStatistics {
   double r_min = std::numeric_limits<double>::infinity(), r_max = 0.0;
   double r_integral = 0.0;                                                ///< of r over time
   std::array<double, model::max_balls> turned{}, rate_min{}, rate_max{};  ///< change of phi_i; extremes of phi_i'
-  std::array<AngleHistory, model::max_balls> ball;                        ///< phi_i
+  std::array<AngleRecord, model::max_balls> angle;                        ///< phi_i
+  long recorded = 0;                                                      ///< times at which `angle` took one
   std::array<std::array<AngleHistory, model::max_balls>, model::max_balls> pair;  ///< phi_i - phi_j for i < j
 
   double r_mean() const { return r_integral / duration; }
@@ -57,6 +55,8 @@ IntegrationStatus follow(const model::Parameters& p, double speed, Eigen::Vector
                          double tolerance, MotionStatistics* statistics = nullptr,
                          std::vector<Eigen::VectorXd>* samples = nullptr);
 
+/// Times between the values of MotionStatistics::angle.
+double record_spacing(double speed);
 /// Times between samples: at speed Omega a ball that the rotor leaves behind turns by Omega times this, 0.2 rad.
 double sample_spacing(double speed);
 

@@ -17,6 +17,7 @@
 #include <oneapi/tbb/parallel_pipeline.h>
 #include <oneapi/tbb/task_arena.h>
 
+#include "equipoise/run/horizon.hpp"
 #include "equipoise/run/initial_state.hpp"
 #include "equipoise/run/lane_kernels.hpp"
 #include "equipoise/run/sampling_choice.hpp"
@@ -99,6 +100,8 @@ class BasinRun {
 
   BasinResult run() {
     check_runnable(result_.study);
+    horizon_ = choose_horizon(result_.study);
+    result_.study.numerics.horizon = horizon_.time;
     sample();
     result_.starts = tally_->total();
     result_.partial = !finished_;
@@ -110,6 +113,7 @@ class BasinRun {
     constexpr double worth_a_reason = 0.01;
     if (!balance.undecided.empty() && result_.undecided.share > worth_a_reason)
       result_.note += (result_.note.empty() ? "" : "; ") + balance.undecided;
+    explain_undecided();
     const RunTime time = time_so_far();
     result_.seconds = time.seconds;
     result_.cpu_seconds = time.cpu_seconds;
@@ -319,7 +323,19 @@ class BasinRun {
                          (tally_->total() >= least || sampler_->method() == SamplingMethod::random);
     const bool narrow = may_end && tally_->narrow(options_.half_width);
     finished_ = narrow || tally_->total() == limit_;
+    if (fate.outcome == Outcome::undecided && undecided_.size() < undecided_looked_at)
+      undecided_.push_back(tally_->total() - 1);
     if (options_.fate) options_.fate(fate);
+  }
+
+  // Many undecided starts are no answer: the note then says why there are so many.
+  void explain_undecided() {
+    const double share = result_.undecided.share;
+    if (result_.starts == 0 || !(share > undecided_worth_a_word)) return;
+    const bool stopped = runner_->stopped() || (options_.stop && options_.stop->load(std::memory_order_relaxed));
+    const std::vector<UndecidedEnd> ends = stopped ? std::vector<UndecidedEnd>{} : runner_->look_at(undecided_);
+    result_.note += fmt::format("{}{:.0f} % are undecided: {}", result_.note.empty() ? "" : "; ", 100.0 * share,
+                                why_undecided(horizon_, ends));
   }
 
   using Sink = std::function<void(const std::shared_ptr<Chunk>&)>;
@@ -423,6 +439,8 @@ class BasinRun {
   std::set<int> filed_;  // motions known before the first start, or in the file
   std::atomic<bool> finished_{false}, lost_{false};
   bool stop_counting_ = false;
+  Horizon horizon_;
+  std::vector<std::uint64_t> undecided_;  // numbers of the first ones
 };
 
 }  // namespace
@@ -430,7 +448,7 @@ class BasinRun {
 int thread_count(int asked) { return asked > 0 ? asked : tbb::info::default_concurrency(); }
 
 BasinFileHeader basin_file_header(const Study& study, bool angles, bool transients) {
-  Study identity = study;  // all that decides the fate of start i
+  Study identity = with_horizon(study);  // all that decides the fate of start i
   const Sampler sampler = sampler_of(study);
   identity.sampling.starts = sampler.grid() ? sampler.grid()->starts() : 1;
   BasinFileHeader header;

@@ -28,6 +28,7 @@
 #include "equipoise/model/linearisation.hpp"
 #include "equipoise/model/strobe.hpp"
 #include "equipoise/run/chaotic_stay.hpp"
+#include "equipoise/run/horizon.hpp"
 #include "equipoise/run/lane_kernels.hpp"
 #include "equipoise/run/start_source.hpp"
 #include "equipoise/run/validated_level.hpp"
@@ -72,7 +73,7 @@ DecisionRule first_rule(const Study& study, const BalancedAnalysis& balanced, do
   if (balanced.slowest_rate < 0.0) {
     // Long enough that whatever is only on its slow way to balance shrinks visibly from one window to the next.
     rule.first_long_window = std::max(rule.first_long_window, 1.0 / -balanced.slowest_rate);
-    rule.first_long_window = std::min(rule.first_long_window, study.numerics.horizon / 8.0);
+    rule.first_long_window = std::min(rule.first_long_window, *study.numerics.horizon / 8.0);
     rule.sameness = std::min(rule.sameness, 0.2 * -balanced.slowest_rate * rule.first_long_window);
   }
   return rule;
@@ -246,7 +247,7 @@ class Discoverer {
   }
 
   double pilot_horizon() const {
-    return std::min(study_.numerics.horizon, pilot_windows * result_.rule.first_long_window);
+    return std::min(*study_.numerics.horizon, pilot_windows * result_.rule.first_long_window);
   }
 
   // Decides the first `count` of the pilot's starts by the rule as it stands.
@@ -442,7 +443,7 @@ Study at_final_speed(const Study& study) {
   steady.release = {};
   steady.initial = {};
   steady.sampling = {};
-  return steady;
+  return with_horizon(steady);
 }
 
 }  // namespace

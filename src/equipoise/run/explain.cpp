@@ -11,6 +11,9 @@
 #include "equipoise/base/angles.hpp"
 #include "equipoise/model/ball_drag.hpp"
 #include "equipoise/model/linearisation.hpp"
+#include "equipoise/run/cost.hpp"
+#include "equipoise/run/horizon.hpp"
+#include "equipoise/run/undecided.hpp"
 
 namespace equipoise {
 
@@ -155,7 +158,8 @@ class Quantities {
     if (study_.release.time || !study_.speed.driven())
       add("t_r", "release at time", study_.release.time ? *study_.release.time : study_.release_time(),
           Dimension::time);
-    add("horizon", "undecided after", study_.numerics.horizon, Dimension::time);
+    const Horizon horizon = choose_horizon(study_);
+    add("horizon", horizon.given ? "undecided after" : "undecided after (chosen)", horizon.time, Dimension::time);
     const Limits& l = study_.limits;
     if (l.displacement) add("limit", "displacement", *l.displacement, Dimension::length);
     if (l.force) add("limit", "support force", *l.force, Dimension::force);
@@ -238,6 +242,7 @@ class Warnings {
     speed();
     unbalance();
     if (e.motion) motion(*e.motion);
+    patience();
     room(balls);
     if (e.gravity_ratio && *e.gravity_ratio >= 1.0)
       warn("at the final speed the weight of a ball exceeds its centrifugal force: it falls off the top of the race");
@@ -309,6 +314,18 @@ class Warnings {
           warn("balls {} and {} would overlap in the balanced state shown", j + 1, i + 1);
           return;
         }
+  }
+
+  // What basin and attractors will make of it.
+  void patience() {
+    const StartCost cost = start_cost(e_.study);
+    const char* key = cost.by_drag ? "balancer.drag" : "rotor.damping";
+    if (!cost.bearable())
+      warn("stiff: with {} = {:.4g} a start takes about {:.1g} steps; basin and attractors refuse above {:.3g}", key,
+           cost.fastest, cost.steps, cost.allowed);
+    const Horizon horizon = choose_horizon(e_.study);
+    if (!horizon.long_enough())
+      warn("{}: of starts that are followed for {:.6g} many may stay undecided", slowness_text(horizon), horizon.time);
   }
 
   void room(const BallDetails& balls) {

@@ -13,6 +13,7 @@
 #include "equipoise/model/ball_count.hpp"
 #include "equipoise/model/energy.hpp"
 #include "equipoise/model/strobe.hpp"
+#include "equipoise/run/horizon.hpp"
 #include "equipoise/run/initial_state.hpp"
 #include "equipoise/run/transient_tally.hpp"
 
@@ -137,7 +138,7 @@ void check_machine(const Study& study) {
 }
 
 MachineRunner::MachineRunner(const Study& study, const StopFlag* stop)
-    : study_(study),
+    : study_(with_horizon(study)),
       stop_(stop),
       drive_(study.drive()),
       sampler_(sampler_of(study)),
@@ -216,7 +217,7 @@ Fate MachineRunner::decide(const InitialState& start, TransientRow* row) const {
     transients.decided(fate.attractor == balanced_id);
     return false;
   };
-  const auto status = machine.advance(settled_ + study_.numerics.horizon, observe, stop_);
+  const auto status = machine.advance(settled_ + *study_.numerics.horizon, observe, stop_);
   const bool lost = status != IntegrationStatus::done;
   if (row) *row = transients.row(lost);
   if (lost) {

@@ -33,6 +33,8 @@ namespace equipoise {
 namespace {
 
 constexpr int most_pixels = 20000;  // along one side
+// Unless the study says. Pixels are followed one by one, and what is chaotic is only known at the end.
+constexpr double default_horizon = 3000.0;
 // Orbits that a line of one system keeps, the latest first.
 constexpr std::size_t most_known = 12;
 
@@ -72,6 +74,7 @@ class Mapper {
         one_system_(is_start_key(settings.x.key) || is_start_key(settings.y.key)),
         lines_along_y_(one_system_ && !is_start_key(settings.x.key)) {
     map_.study = study;
+    map_.study.numerics.horizon = study.numerics.horizon.value_or(default_horizon);
     map_.x = settings.x;
     map_.y = settings.y;
     map_.links = settings.links;
@@ -167,7 +170,7 @@ class Mapper {
       return pixel;
     }
     const Eigen::VectorXd state = Eigen::Map<const Eigen::VectorXd>(states.data(), model::dimension(p.balls));
-    const Settling settling = settle(p, speed, state, study.numerics.horizon, known);
+    const Settling settling = settle(p, speed, state, *study.numerics.horizon, known);
     if (one_system_) remember(p, speed, settling, known);
     pixel.time = source.settled() + settling.time;
     pixel.code = settling.status == IntegrationStatus::diverged ? diverged_code

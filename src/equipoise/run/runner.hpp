@@ -12,6 +12,7 @@
 #include "equipoise/attractors/motion.hpp"
 #include "equipoise/ensemble/transient_table.hpp"
 #include "equipoise/run/discovery.hpp"
+#include "equipoise/run/undecided.hpp"
 #include "equipoise/study/study.hpp"
 
 namespace equipoise {
@@ -43,6 +44,10 @@ class Runner {
   virtual int list(const UnlistedStart& start) = 0;
   /// An unlisted start from its state when it was found stationary, as an earlier run kept it.
   virtual UnlistedStart follow(const std::vector<double>& state) const = 0;
+
+  /// What some starts that are undecided, by their numbers, do at the horizon: one for each, or none where only the
+  /// horizon can be blamed.
+  virtual std::vector<UndecidedEnd> look_at(const std::vector<std::uint64_t>& /*undecided*/) const { return {}; }
 
   virtual const Catalogue& catalogue() const = 0;
   virtual BalanceNote balance() const = 0;

@@ -5,6 +5,8 @@
 
 #include "equipoise/attractors/stroboscopic.hpp"
 #include "equipoise/model/strobe.hpp"
+#include "equipoise/run/cost.hpp"
+#include "equipoise/run/horizon.hpp"
 #include "equipoise/run/lane_kernels.hpp"
 #include "equipoise/run/transient_tally.hpp"
 
@@ -12,6 +14,7 @@ namespace equipoise {
 
 void check_decidable(const Study& study) {
   check(study);
+  check_cost(study);
   if (!model::is_strobed(study.parameters)) return;
   const std::string& profile = study.speed.profile;
   if (study.speed_profile().final_speed() == 0.0)
@@ -57,7 +60,7 @@ void check_autonomous(const Study& study, const char* asked) {
 }
 
 StartRunner::StartRunner(const Study& study, const DiscoverySettings& settings, bool transients)
-    : study_(study),
+    : study_(with_horizon(study)),
       stop_(settings.stop),
       transients_(transient_settings(study)),
       source_(study, settings.stop),
@@ -71,14 +74,7 @@ bool StartRunner::run(std::uint64_t first, std::size_t count, std::vector<double
   TransientTable table{transients_, {}};
   TransientTable* transients = rows ? &table : nullptr;
   if (!source_.make(study_.sampling.seed, first, count, phi, states, fates, transients)) return false;
-  LaneTask task;
-  task.parameters = &study_.parameters;
-  task.segment = source_.last_segment();
-  task.end = task.segment.begin + study_.numerics.horizon;
-  task.tolerance = source_.tolerance();
-  task.count = count;
-  task.states = states.data();
-  task.stop = stop_;
+  LaneTask task = task_from(states, count);
   task.transients = transients;
   std::vector<Fate> decided(count);
   if (!decide_lanes(task, discovery_.rule, decided, nullptr)) return false;
@@ -100,6 +96,38 @@ bool StartRunner::run(std::uint64_t first, std::size_t count, std::vector<double
     rows->push_back(transient_row(transients_, table.rows[i], lost));
   }
   return true;
+}
+
+// States at the beginning of the final speed, followed to the horizon.
+LaneTask StartRunner::task_from(std::vector<double>& states, std::size_t count) const {
+  LaneTask task;
+  task.parameters = &study_.parameters;
+  task.segment = source_.last_segment();
+  task.end = task.segment.begin + *study_.numerics.horizon;
+  task.tolerance = source_.tolerance();
+  task.count = count;
+  task.states = states.data();
+  task.stop = stop_;
+  return task;
+}
+
+std::vector<UndecidedEnd> StartRunner::look_at(const std::vector<std::uint64_t>& undecided) const {
+  const std::size_t size = model::dimension(study_.parameters.balls);
+  std::vector<double> all, phi, states;
+  std::vector<Fate> fates;
+  for (const std::uint64_t number : undecided)
+    if (source_.make(study_.sampling.seed, number, 1, phi, states, fates))
+      all.insert(all.end(), states.begin(), states.end());
+  const std::size_t count = all.size() / size;
+  std::vector<Fate> decided(count);
+  if (!decide_lanes(task_from(all, count), discovery_.rule, decided, nullptr)) return {};
+  std::vector<UndecidedEnd> ends;
+  for (std::size_t i = 0; i < count; ++i) {
+    const std::vector<double> z = when_recognised({all.data() + i * size, all.data() + (i + 1) * size}, decided[i]);
+    ends.push_back(look_at_undecided(study_.parameters, source_.last_segment().speed,
+                                     Eigen::Map<const Eigen::VectorXd>(z.data(), static_cast<Eigen::Index>(size))));
+  }
+  return ends;
 }
 
 // The state from which a start is followed further: with anisotropy or gravity one at a strobe, so that it needs no

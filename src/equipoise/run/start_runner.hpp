@@ -35,6 +35,7 @@ class StartRunner : public Runner {
            std::vector<UnlistedStart>& unlisted, std::vector<TransientRow>* rows = nullptr) const override;
   int list(const UnlistedStart& start) override;
   UnlistedStart follow(const std::vector<double>& state) const override;
+  std::vector<UndecidedEnd> look_at(const std::vector<std::uint64_t>& undecided) const override;
 
   const Catalogue& catalogue() const override { return discovery_.catalogue; }
   BalanceNote balance() const override {
@@ -47,6 +48,7 @@ class StartRunner : public Runner {
   const DecisionRule& rule() const { return discovery_.rule; }
 
  private:
+  LaneTask task_from(std::vector<double>& states, std::size_t count) const;
   std::vector<double> when_recognised(const std::vector<double>& state, const Fate& fate) const;
 
   Study study_;

@@ -125,7 +125,7 @@ std::string to_toml(const Study& study) {
   }
   text += "[numerics]\n";
   if (study.numerics.tolerance) text += fmt::format("tolerance = {}\n", number_text(*study.numerics.tolerance));
-  text += fmt::format("horizon = {}\n", number_text(study.numerics.horizon));
+  if (study.numerics.horizon) text += fmt::format("horizon = {}\n", number_text(*study.numerics.horizon));
   text += fmt::format("decide = \"{}\"\n", decide_mode_names[static_cast<std::size_t>(study.numerics.decide)]);
   return text + limits_text(study.limits) + units_text(study.scales);
 }

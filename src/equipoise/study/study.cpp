@@ -247,7 +247,7 @@ void read_sampling(const Document& document, double release_time, Sampling& samp
 void read_numerics(const Document& document, Numerics& numerics) {
   TableReader reader(document, "numerics");
   numerics.tolerance = reader.optional_number("tolerance", {1e-14, 1e-2});
-  numerics.horizon = reader.number("horizon", horizon_range, numerics.horizon);
+  numerics.horizon = reader.optional_number("horizon", horizon_range);
   const auto& modes = decide_mode_names;
   const std::string decide = reader.choice("decide", {modes[0], modes[1], modes[2]}, modes[0]);
   numerics.decide = static_cast<DecideMode>(std::find(modes.begin(), modes.end(), decide) - modes.begin());

@@ -110,7 +110,9 @@ inline constexpr std::array<const char*, 3> decide_mode_names{"validated", "proo
 /// [numerics]: all optional.
 struct Numerics {
   std::optional<double> tolerance;  ///< per step; default_*_tolerance where unset
-  double horizon = 3000.0;          ///< time after the last branch begins (and release) until a start is `undecided`
+  /// Time after the last branch begins (and release) until a start is `undecided`. Unset: chosen when a run begins
+  /// (run/horizon.hpp), and stated in what it answers.
+  std::optional<double> horizon;
   DecideMode decide = DecideMode::validated;
 };
 

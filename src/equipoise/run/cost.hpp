@@ -1,0 +1,29 @@
+// What deciding a start costs, as far as linear theory tells: stiff studies are refused before they begin.
+#pragma once
+
+#include "equipoise/study/study.hpp"
+
+namespace equipoise {
+
+/// The work for one start that comes to balance.
+struct StartCost {
+  double time = 0.0;     ///< until it is decided: about one e-folding on the slow way into balance (drag 20: 0.8)
+  double fastest = 0.0;  ///< rate of decay that limits the step of an explicit method
+  bool by_drag = false;  ///< it is that of balls in their race, else of the supports
+  double steps = 0.0;    ///< of integration
+  /// The largest ball drag (or support damping) with which a start took no more than most_steps, all else being equal.
+  double allowed = 0.0;
+
+  bool bearable() const;
+};
+
+/// Steps a start beyond which a study is refused: pilots and tries are about 10^4 starts, at ten million steps a
+/// second.
+inline constexpr double most_steps = 1e5;
+
+StartCost start_cost(const Study& study);
+
+/// Throws InputError for a study whose starts would take more than most_steps each because it is stiff.
+void check_cost(const Study& study);
+
+}  // namespace equipoise

@@ -1,0 +1,151 @@
+// How long starts are followed by default, what is then still undecided, and what is said of it.
+#include <cmath>
+#include <string>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include "equipoise/report/basin_result.hpp"
+#include "equipoise/run/attractors.hpp"
+#include "equipoise/run/basin.hpp"
+#include "equipoise/run/cost.hpp"
+#include "equipoise/run/explain.hpp"
+#include "equipoise/run/horizon.hpp"
+
+namespace equipoise {
+namespace {
+
+Study rotor(int balls, double drag, double speed) {
+  Study study;
+  study.name = "rotor";
+  study.parameters.balls = balls;
+  study.parameters.mass.fill(0.05);
+  study.parameters.drag.fill(drag);
+  study.speed.profile = "constant";
+  study.speed.speed = speed;
+  study.sampling.starts = 1000;
+  return study;
+}
+
+TEST(Horizon, FollowsTheSlowestKnownRate) {
+  const Horizon unstable = choose_horizon(rotor(2, 0.01, 2.0));
+  EXPECT_FALSE(unstable.given);
+  EXPECT_NEAR(unstable.rates.growth, 1.43e-4, 1e-6);  // as the table of the paper's rates has it
+  EXPECT_EQ(unstable.rates.approach, 0.0);
+  EXPECT_GE(unstable.time * unstable.rates.growth, std::log(1e4));
+  EXPECT_TRUE(unstable.long_enough());
+  const Horizon quick = choose_horizon(rotor(2, 0.05, 2.4));
+  EXPECT_LT(quick.time, unstable.time);
+  EXPECT_GE(quick.time * quick.rates.approach, std::log(1e4));
+  EXPECT_DOUBLE_EQ(quick.rates.drag, 0.025);
+  // Growth of 1e-6 and less: no horizon is long enough, and the longest is not spent on it.
+  const Horizon tiny = choose_horizon(rotor(2, 1e-6, 2.0));
+  EXPECT_FALSE(tiny.long_enough());
+  EXPECT_EQ(tiny.time, quick.time);
+}
+
+TEST(Horizon, IsThatOfTheStudyWhereItSaysOne) {
+  Study study = rotor(2, 0.01, 2.0);
+  study.numerics.horizon = 1234.5;
+  EXPECT_EQ(choose_horizon(study).time, 1234.5);
+  EXPECT_TRUE(choose_horizon(study).given);
+  EXPECT_EQ(with_horizon(study).numerics.horizon, 1234.5);
+}
+
+TEST(Horizon, DoesNotDependOnHowStartsAreDrawn) {
+  Study study = rotor(2, 0.01, 2.0);
+  const double before = choose_horizon(study).time;
+  study.sampling.seed = 77;
+  study.sampling.starts = 5;
+  study.numerics.tolerance = 1e-8;
+  EXPECT_EQ(choose_horizon(study).time, before);
+}
+
+TEST(Horizon, IsStatedInWhatARunAnswers) {
+  Study study = rotor(2, 0.05, 2.4);
+  study.sampling.starts = 200;
+  const BasinResult chosen = basin(study);
+  ASSERT_TRUE(chosen.study.numerics.horizon);
+  EXPECT_NE(to_toml(chosen.study).find("horizon = "), std::string::npos);
+  EXPECT_NE(basin_file_header(study, false).study.find("horizon = "), std::string::npos);
+  const BasinResult again = basin(parse_study(to_toml(chosen.study), "echo"));
+  EXPECT_EQ(again.study.numerics.horizon, chosen.study.numerics.horizon);
+  EXPECT_EQ(basin_file_header(again.study, false).study, basin_file_header(study, false).study);
+  for (std::size_t k = 0; k < chosen.attractors.size(); ++k)
+    EXPECT_EQ(again.attractors[k].share.count, chosen.attractors[k].share.count);
+}
+
+// With a horizon of 3000: 8 %, 12 %, 1.8 % and 4 %.
+TEST(Horizon, LeavesNextToNothingUndecidedByDefault) {
+  for (const Study& study : {rotor(2, 0.01, 2.0), rotor(2, 0.05, 1.5), rotor(2, 0.01, 4.0), rotor(3, 0.05, 2.4)}) {
+    const BasinResult r = basin(study);
+    EXPECT_LE(r.undecided.count, study.sampling.starts / 200) << study.parameters.balls << " " << study.speed.speed;
+    EXPECT_EQ(r.note.find("undecided"), std::string::npos);
+  }
+}
+
+TEST(WhyUndecided, NamesTheRateThatTheHorizonWasTooShortFor) {
+  Study study = rotor(2, 0.05, 2.4);
+  study.sampling.starts = 200;
+  study.numerics.horizon = 25.0;
+  const BasinResult r = basin(study);
+  ASSERT_GT(r.undecided.share, 0.2);
+  EXPECT_NE(r.note.find("undecided"), std::string::npos) << r.note;
+  EXPECT_NE(r.note.find("followed for 25 (numerics.horizon)"), std::string::npos) << r.note;
+  EXPECT_NE(r.note.find("asks for a horizon of"), std::string::npos) << r.note;
+  study.parameters.drag.fill(1e-6);  // nothing can be waited for
+  study.speed.speed = 2.0;
+  study.numerics.horizon = 500.0;
+  const BasinResult slow = basin(study);
+  ASSERT_GT(slow.undecided.share, 0.2);
+  EXPECT_NE(slow.note.find("asks for a horizon of"), std::string::npos) << slow.note;
+}
+
+TEST(WhyUndecided, SaysThatTrajectoriesWanderChaotically) {
+  Study study = rotor(3, 0.05, 2.4);
+  study.parameters.gravity = 0.01;
+  study.numerics.horizon = 1000.0;
+  study.sampling.starts = 64;
+  const BasinResult r = basin(study);
+  ASSERT_GT(r.undecided.share, 0.2);
+  EXPECT_NE(r.note.find("wandering chaotically (largest Lyapunov exponent 0.0"), std::string::npos) << r.note;
+}
+
+// Rotors far below the critical speed: balls creep for 10^8 units of time. What creeps is no motion to be listed.
+TEST(SlowRotors, ListNothingOnWhichNoStartSettles) {
+  for (const double speed : {0.01, 0.03}) {
+    Study study = rotor(2, 0.01, speed);
+    study.sampling.starts = 100;
+    const AttractorsResult r = attractors(study);
+    for (const Attractor& a : r.catalogue.attractors()) EXPECT_EQ(a.id, balanced_id) << a.name << " at " << speed;
+    if (r.basin.undecided.share > 0.2) EXPECT_NE(r.basin.note.find("creeping"), std::string::npos) << r.basin.note;
+  }
+}
+
+TEST(StiffStudies, AreRefusedBeforeTheyBeginWithWhatIsAllowed) {
+  for (const double drag : {100.0, 1000.0}) {
+    const Study study = rotor(2, drag, 2.4);
+    try {
+      basin(study);
+      FAIL() << drag;
+    } catch (const InputError& error) {
+      EXPECT_EQ(error.key(), "balancer.drag");
+      EXPECT_EQ(std::stod(error.value()), drag);
+      EXPECT_NE(error.problem().find("stiff"), std::string::npos) << error.what();
+      EXPECT_NE(error.problem().find("take up to"), std::string::npos) << error.what();
+    }
+    bool warned = false;
+    for (const std::string& warning : explain(study).warnings) warned = warned || warning.rfind("stiff", 0) == 0;
+    EXPECT_TRUE(warned);
+    // What is said to be allowed is.
+    Study allowed = rotor(2, 0.99 * start_cost(study).allowed, 2.4);
+    EXPECT_NO_THROW(check_cost(allowed));
+  }
+  EXPECT_NO_THROW(check_cost(rotor(2, 5.0, 2.4)));
+  Study shortened = rotor(2, 100.0, 2.4);
+  shortened.numerics.horizon = 1000.0;
+  EXPECT_NO_THROW(check_cost(shortened));
+}
+
+}  // namespace
+}  // namespace equipoise
