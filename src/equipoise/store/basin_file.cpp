@@ -38,12 +38,12 @@ struct BasinFile::State {
   std::string path;
   std::optional<store::NetcdfFile> file;
   std::size_t balls = 2, stored = 0, discovered = 0;
-  bool full_starts = false;
+  bool driven = false, full_starts = false;
   SamplingMethod method = SamplingMethod::random;
   bool transients = false;
   std::array<int, transient_columns.size()> columns{};
   int weight = -1, kind_interval = -1, kind_effective = -1;
-  int phi = -1, rotor = -1, phi_dot = -1, outcome = -1, time = -1, by = -1, discovery = -1;
+  int mean_speed = -1, phi = -1, rotor = -1, phi_dot = -1, outcome = -1, time = -1, by = -1, discovery = -1;
   int kind_code = -1, kind_name = -1, kind_alias = -1, kind_count = -1, kind_share = -1, kind_low = -1, kind_high = -1;
 
   void create(const BasinFileHeader& header);
@@ -129,6 +129,13 @@ void BasinFile::State::create(const BasinFileHeader& header) {
     f.chunk(variable, {chunk_length});
     f.compress(variable);
   }
+  if (driven) {
+    mean_speed = f.variable("mean_speed", NC_FLOAT, {start}, "1",
+                            "mean rotor speed over the last long window, in omega_c; missing where never measured");
+    f.chunk(mean_speed, {chunk_length});
+    f.compress(mean_speed);
+    f.fill(mean_speed, &missing);
+  }
   std::vector<signed char> values;
   for (int k = 0; k < decided_by_count; ++k) values.push_back(static_cast<signed char>(k));
   f.attribute(by, "flag_values", values);
@@ -171,6 +178,7 @@ void BasinFile::State::open(const BasinFileHeader& header) {
 
 void BasinFile::State::find_variables(bool angles) {
   if (angles) phi = file->variable("phi");
+  if (driven) mean_speed = file->variable("mean_speed");
   if (full_starts) rotor = file->variable("rotor_state");
   if (full_starts) phi_dot = file->variable("phi_dot");
   if (method == SamplingMethod::grid) weight = file->variable("weight");
@@ -194,6 +202,7 @@ BasinFile::BasinFile(const std::string& path, const BasinFileHeader& header) : s
   state_->path = path;
   state_->balls = static_cast<std::size_t>(header.balls);
   state_->full_starts = header.full_starts;
+  state_->driven = header.driven;
   state_->method = header.method;
   state_->transients = header.transients.has_value();
   if (std::filesystem::exists(path)) {
@@ -231,6 +240,12 @@ std::vector<Fate> BasinFile::read(std::uint64_t first, std::size_t count) const 
     fates[i].attractor = std::max<short>(codes[i], 0);
     fates[i].by = static_cast<DecidedBy>(grounds[i]);
     fates[i].time = times[i];
+  }
+  if (state_->driven) {
+    std::vector<float> speeds(count);
+    state_->file->read(state_->mean_speed, {first}, {count}, speeds.data());
+    for (std::size_t i = 0; i < count; ++i)
+      if (speeds[i] != missing) fates[i].mean_speed = speeds[i];
   }
   return fates;
 }
@@ -278,6 +293,11 @@ void BasinFile::append(std::size_t count, const double* phi, const Fate* fates, 
   }
   if (state_->weight >= 0) state_->file->write(state_->weight, {at}, {count}, weight);
   std::vector<float> values(count);
+  if (state_->driven) {
+    for (std::size_t i = 0; i < count; ++i)
+      values[i] = std::isfinite(fates[i].mean_speed) ? fates[i].mean_speed : missing;
+    state_->file->write(state_->mean_speed, {at}, {count}, values.data());
+  }
   for (std::size_t k = 0; rows && state_->transients && k < transient_columns.size(); ++k) {
     for (std::size_t i = 0; i < count; ++i) {
       const float value = rows[i].*transient_columns[k].value;

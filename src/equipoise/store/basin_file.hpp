@@ -23,6 +23,7 @@ struct BasinFileHeader {
   int balls = 2;
   std::string cpu_target;
   bool angles = true;        ///< false: leave phi out; it follows from seed and index
+  bool driven = false;       ///< a motor turns the rotor: each start has a mean speed of its own
   bool full_starts = false;  ///< starts differ in more than their ball angles
   SamplingMethod method = SamplingMethod::random;
   std::optional<TransientSettings> transients;  ///< if the file holds transients
@@ -42,7 +43,8 @@ struct RunTime {
   double seconds = 0.0, cpu_seconds = 0.0;
 };
 
-/// Dimension start: variables phi(start, ball), outcome(start), decision_time(start), decided_by(start), and with
+/// Dimension start: variables phi(start, ball), outcome(start), decision_time(start), decided_by(start), of driven
+/// rotors mean_speed(start), and with
 /// full_starts rotor_state(start, rotor_component) and phi_dot(start, ball), on a grid weight(start); dimension
 /// outcome_kind: code, name, alias, count, share and its interval, and but for random starts where the interval is from
 /// and how many random starts would have done; with transients the columns of TransientRow by start; dimension
