@@ -40,9 +40,12 @@ std::string outcome_text(const StartReplay& replay) {
       return "undecided";
     case Outcome::diverged:
       return "diverged";
-    default:
+    case Outcome::stalled:
+      return "stalled";
+    case Outcome::failed:
       return "failed";
   }
+  return "failed";
 }
 
 int print_replay(const Study& study, const BasinOptions& options, const std::string& text) {
@@ -64,6 +67,7 @@ int print_replay(const Study& study, const BasinOptions& options, const std::str
   const auto by = static_cast<std::size_t>(replay.fate.by);
   fmt::print("outcome = {}\ndecided_by = {}\ndecision_time = {}\n", outcome_text(replay), decided_by_names[by],
              replay.fate.time);
+  if (study.speed.driven()) fmt::print("mean_speed = {}\n", replay.fate.mean_speed);
   if (!replay.transients) return done;
   for (const TransientColumn& column : transient_columns) {
     const bool asked = column.value == &TransientRow::time_above      ? study.limits.displacement.has_value()

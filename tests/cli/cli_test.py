@@ -181,6 +181,55 @@ class Basin(unittest.TestCase):
         self.assertEqual(set(values), {"phi_1", "phi_2", "outcome", "decided_by", "decision_time"})
         self.assertTrue(0 <= float(values["phi_1"]) < 2 * math.pi)
 
+    def test_replayed_start_that_stalls_says_so(self):
+        with tempfile.NamedTemporaryFile("w", suffix=".toml") as study:
+            study.write("""[rotor]
+eccentricity = 0.05
+damping = 0.1
+inertia = 1.0
+[balancer]
+balls = 2
+mass = 0.05
+drag = 0.05
+[speed]
+profile = "torque"
+torque = { stall = 0.005, no_load_speed = 3.0 }
+""")
+            study.flush()
+            done = run("basin", study.name, "--start-index", "0")
+            self.assertEqual(done.returncode, 0)
+            self.assertIn("outcome = stalled\n", done.stdout)
+            speed = float(done.stdout.split("mean_speed = ")[1].split()[0])
+            self.assertTrue(0.0 < speed < math.sqrt(2.0))
+
+    def test_grade_is_at_the_speed_that_starts_come_to(self):
+        """A motor that is switched off leaves the rotor at a speed that nobody aimed at, and it is not 0."""
+        with tempfile.NamedTemporaryFile("w", suffix=".toml") as study:
+            study.write("""[rotor]
+mass = "4 kg"
+stiffness = "10 kN/m"
+damping_ratio = 0.25
+unbalance = "300 g mm"
+inertia = "0.02 kg m2"
+[balancer]
+balls = 1
+race_radius = "60 mm"
+mass = "20 g"
+drag = "2e-4 N m s"
+[speed]
+profile = "torque"
+torque = { constant = "1 N m", until = "5 s" }
+[numerics]
+horizon = "20 s"
+""")
+            study.flush()
+            answer = json.loads(run("basin", study.name, "--starts", "8", "--quiet", "--transients", "--json").stdout)
+            every = answer["transients"]["groups"][0]
+            self.assertGreater(every["mean_speed"], 0.0)
+            residual = every["figures"]["residual_unbalance"]["mean"]  # mm
+            # e omega, omega_c = 50 rad/s; the figure is stored in single precision.
+            self.assertAlmostEqual(every["balance_grade"] / (residual * every["mean_speed"] * 50.0), 1.0, places=5)
+
     def test_replayed_start_of_a_box_prints_its_whole_state(self):
         whole = ["--set", "sampling.box.x=[-0.1,0.1]", "--set", "sampling.box.phi_dot=[0.5,2.0]"]
         free = ["--set", "release={time=0.0}"]

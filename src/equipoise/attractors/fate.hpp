@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <limits>
 #include <vector>
 
 #include "equipoise/attractors/decision_rule.hpp"
@@ -22,6 +23,8 @@ struct Fate {
   DecidedBy by = DecidedBy::nothing;
   short attractor = 0;  ///< identifier in the catalogue, from 1; 0: none, or stationary in a way the rule does not list
   double time = 0.0;    ///< study time at which it was known
+  /// Of a driven rotor: mean psi' over the last long window, signed; NaN where it was never measured, and for all others.
+  float mean_speed = std::numeric_limits<float>::quiet_NaN();
 };
 
 /// What the pilot keeps of a trajectory: the features of its last long window, the range of that window's short ones,

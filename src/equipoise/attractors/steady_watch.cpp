@@ -1,29 +1,93 @@
-// Steadiness by windows of time, and the kinds of steady motion.
+// Steadiness by trends over parts of time, and the kinds of steady motion.
 #include "equipoise/attractors/steady_watch.hpp"
 
 #include <algorithm>
 #include <cmath>
-#include <utility>
-#include <vector>
+#include <cstdlib>
 
 #include "equipoise/attractors/catalogue.hpp"
+#include "equipoise/attractors/decision_rule.hpp"
+#include "equipoise/base/angles.hpp"
 
 namespace equipoise {
 
 namespace {
 
-// Balls whose mean rate is below this share of the rotor's speed stay where they are: over a window of a hundred time
-// units they would turn by a tenth of a radian for every time unit that the rotor needs for a radian.
-constexpr double captured_rate = 1e-3;
+constexpr int parts = 8;
+using Series = std::array<double, parts>;
+
+// Block lengths: two turns of the rotor, but no shorter than a few periods of the supports, and no longer than it would
+// take to wait for a rotor that hardly turns.
+constexpr double shortest_block = 16.0, longest_block = 100.0, block_turns = 2.0;
 // Balls rest if no rate exceeds this share of the rotor's speed; more is rocking, once a revolution, under gravity.
 constexpr double resting_rate = 0.1;
-// Mean speeds of two windows that count as one.
-constexpr double same_speed = 0.005;
-// A torus or chaos shows other extremes in every window. It is told by its kind alone after so many windows, each twice
-// as long as the one before: 1500 time units at common speeds.
-constexpr int most_kind_repeats = 4;
-// Towards balance: how near in bare responses, how slow in rotor speeds, and the shrinking from one window to the next.
-constexpr double near_balance = 0.05, slow_balls = 0.01, shrinking = 0.7;
+// Ids of kinds that have one of their own.
+constexpr int drifting = 2, apart = 3, one_captured = 4, locked = 7;
+
+double range(const Series& v) {
+  const auto [low, high] = std::minmax_element(v.begin(), v.end());
+  return *high - *low;
+}
+
+// Pairs in rising order less pairs in falling order: 28 if each part exceeds the one before. Of eight numbers in random
+// order one in 71 reaches 20, one in 180 reaches 22 and one in 576 reaches 24 (either sign). What grows or shrinks
+// steadily reaches 28, and 24 with two neighbours exchanged by chance.
+constexpr int trend = 24;
+int kendall(const Series& v) {
+  int s = 0;
+  for (int i = 0; i < parts; ++i)
+    for (int k = 0; k < i; ++k) s += (v[i] > v[k]) - (v[i] < v[k]);
+  return s;
+}
+
+// Grows or shrinks from part to part, and by more than `floor` altogether.
+bool trends(const Series& v, double floor) { return std::abs(kendall(v)) >= trend && range(v) > floor; }
+
+enum class Drift { none, some, unclear };
+
+// Whether an angle that turned by so much in each part drifts: it has gone right round, evenly. Between half a turn and
+// that it may be either; so it may while a small angle keeps its sense. Many slips to and fro, as in chaos, add up to
+// turns that mean nothing.
+Drift drift_of(const Series& turned, double small) {
+  double sum = 0.0, squares = 0.0;
+  int forward = 0;
+  for (const double v : turned) {
+    sum += v;
+    squares += v * v;
+    forward += v > 0.0;
+  }
+  const double mean = sum / parts;
+  const double error = std::sqrt(std::max(0.0, squares / parts - mean * mean) / (parts - 1));
+  if (std::fabs(sum) > two_pi && std::fabs(mean) > 4.0 * error) return Drift::some;
+  const bool keeps_sense = forward == 0 || forward == parts;
+  if (std::fabs(sum) <= pi && (std::fabs(sum) <= small || !keeps_sense)) return Drift::none;
+  if (!keeps_sense && std::fabs(mean) < 2.0 * error) return Drift::none;
+  return Drift::unclear;
+}
+
+// Of the balls: how many are captured, and whether the others drift alike. 0: unclear.
+int kind_of(const model::Parameters& p, const std::array<Series, model::max_balls>& turned, double small) {
+  int captured = 0;
+  std::vector<int> moving;
+  for (int i = 0; i < p.balls; ++i) {
+    const Drift drift = drift_of(turned[i], small);
+    if (drift == Drift::unclear) return 0;
+    captured += drift == Drift::none;
+    if (drift == Drift::some) moving.push_back(i);
+  }
+  if (captured == p.balls) return locked;
+  if (captured == 1) return one_captured;
+  if (captured > 1) return first_free_id + captured - 2;
+  bool alike = true;
+  for (std::size_t k = 1; k < moving.size(); ++k) {
+    Series ahead;
+    for (int part = 0; part < parts; ++part) ahead[part] = turned[moving[k]][part] - turned[moving[0]][part];
+    const Drift drift = drift_of(ahead, small);
+    if (drift == Drift::unclear) return 0;
+    alike = alike && drift == Drift::none;
+  }
+  return alike ? drifting : apart;
+}
 
 }  // namespace
 
@@ -32,140 +96,140 @@ double bare_response(const model::Parameters& p, double speed) {
   return p.eccentricity * speed * speed / std::hypot(stiffness - speed * speed, damping * speed);
 }
 
-SteadyKind steady_kind(const model::Parameters& p, const Features& f, double speed) {
-  const double size = std::max(std::fabs(speed), 1e-3);
-  int captured = 0;
-  bool resting = true, alike = true;
-  for (int i = 0; i < p.balls; ++i) {
-    const double mean = f[3 + 3 * i], slowest = f[4 + 3 * i], fastest = f[5 + 3 * i];
-    captured += std::fabs(mean) <= captured_rate * size;
-    resting = resting && std::max(std::fabs(slowest), std::fabs(fastest)) <= resting_rate * size;
-    alike = alike && std::fabs(mean - f[3]) <= captured_rate * size + 0.02 * std::fabs(mean);
-  }
-  const std::vector<SteadyKind> kinds = steady_kinds(p.balls);
-  const auto kind = [&](const std::string& name) {
-    return *std::find_if(kinds.begin(), kinds.end(), [&](const SteadyKind& k) { return k.name == name; });
-  };
-  if (captured == p.balls && resting)
-    return kind(f[1] < 0.5 * bare_response(p, speed) || f[1] < 1e-6 ? "balanced" : "locked");
-  if (captured == p.balls) return kind("locked");
-  if (captured > 0) return kind(captured == 1 ? "one captured" : std::to_string(captured) + " captured");
-  return kind(p.balls == 1 ? "drifting" : alike ? "co-drifting" : "drifting apart");
-}
-
 std::vector<SteadyKind> steady_kinds(int balls) {
-  std::vector<SteadyKind> kinds{{1, "balanced"}};
+  std::vector<SteadyKind> kinds{{balanced_id, "balanced"}};
   if (balls == 1)
-    kinds.push_back({2, "drifting"});
+    kinds.push_back({drifting, "drifting"});
   else
-    kinds.insert(kinds.end(), {{2, "co-drifting"}, {3, "drifting apart"}, {4, "one captured"}});
-  kinds.push_back({7, "locked"});
+    kinds.insert(kinds.end(), {{drifting, "co-drifting"}, {apart, "drifting apart"}, {one_captured, "one captured"}});
+  kinds.push_back({locked, "locked"});
   for (int k = 2; k < balls; ++k) kinds.push_back({first_free_id + k - 2, std::to_string(k) + " captured"});
   return kinds;
 }
 
-SteadyWatch::SteadyWatch(const model::Parameters& p, double typical_speed) : p_(p) {
-  rule_.balls = p.balls;
-  rule_.interchangeable = p.equal_balls();
-  rule_.window = std::max(16.0, 32.0 / std::max(std::fabs(typical_speed), 0.1));
-  rule_.first_long_window = std::max(100.0, 6.0 * rule_.window);
+void SteadyStretch::add(const SteadyStretch& next) {
+  duration += next.duration;
+  turned += next.turned;
+  r2_min = std::min(r2_min, next.r2_min);
+  r2_max = std::max(r2_max, next.r2_max);
+  r2_integral += next.r2_integral;
+  for (int i = 0; i < model::max_balls; ++i) {
+    ball[i].turned += next.ball[i].turned;
+    ball[i].slowest = std::min(ball[i].slowest, next.ball[i].slowest);
+    ball[i].fastest = std::max(ball[i].fastest, next.ball[i].fastest);
+  }
 }
 
+double SteadyStretch::r_rms() const { return std::sqrt(r2_integral / duration); }
+
+SteadyWatch::SteadyWatch(const model::Parameters& p, bool creeps)
+    : p_(p), creeps_(creeps), interchangeable_(p.equal_balls()) {}
+
 void SteadyWatch::begin(double t, double psi, const double* phi) {
-  begin_ = last_ = long_begin_ = t;
-  long_end_ = t + rule_.first_long_window;
-  long_psi_ = psi;
-  open_half(t, phi);
-  tracker_.begin(rule_);
-  speed_repeats_ = 0;
-  repeats_ = speed_windows_ = kind_repeats_ = kind_ = 0;
-  has_features_ = false;
-  largest_r_ = fastest_ = 0.0;
-  previous_r_ = previous_fastest_ = 1e300;
+  blocks_.clear();
+  begin_ = last_ = t;
+  begin_psi_ = last_psi_ = psi;
+  open(t, psi, phi);
+}
+
+void SteadyWatch::open(double t, double psi, const double* phi) {
+  open_ = {};
+  block_begin_ = t;
+  psi_ = psi;
+  std::copy(phi, phi + p_.balls, phi_.begin());
 }
 
 bool SteadyWatch::step(double t, double psi, const double* phi, const std::array<SteadySample, 3>& samples) {
   const double h = t - last_;
   last_ = t;
+  last_psi_ = psi;
   for (const SteadySample& s : samples) {
-    sums_.r2_min = std::min(sums_.r2_min, s.r2);
-    sums_.r2_max = std::max(sums_.r2_max, s.r2);
-    sums_.r2_integral += h / 3.0 * s.r2;
-    largest_r_ = std::max(largest_r_, s.r2);
+    open_.r2_min = std::min(open_.r2_min, s.r2);
+    open_.r2_max = std::max(open_.r2_max, s.r2);
+    open_.r2_integral += h / 3.0 * s.r2;
     for (int i = 0; i < p_.balls; ++i) {
-      sums_.q_min[i] = std::min(sums_.q_min[i], s.rate[i]);
-      sums_.q_max[i] = std::max(sums_.q_max[i], s.rate[i]);
-      fastest_ = std::max(fastest_, std::fabs(s.rate[i]));
+      open_.ball[i].slowest = std::min(open_.ball[i].slowest, s.rate[i]);
+      open_.ball[i].fastest = std::max(open_.ball[i].fastest, s.rate[i]);
     }
   }
-  if (t - half_begin_ < 0.5 * rule_.window) return false;
-  finish_half(t, phi);
-  return t >= long_end_ && finish_long(t, psi);
+  open_.duration = t - block_begin_;
+  open_.turned = psi - psi_;
+  const bool turned = std::fabs(open_.turned) >= block_turns * two_pi;
+  if (open_.duration < shortest_block || (!turned && open_.duration < longest_block)) return false;
+  for (int i = 0; i < p_.balls; ++i) open_.ball[i].turned = phi[i] - phi_[i];
+  blocks_.push_back(open_);
+  open(t, psi, phi);
+  return true;
 }
 
-void SteadyWatch::finish_half(double t, const double* phi) {
-  sums_.duration = t - half_begin_;
-  for (int i = 0; i < p_.balls; ++i) sums_.turned[i] = phi[i] - half_phi_[i];
-  tracker_.add(sums_);  // its long windows end with the same half windows as those here
-  open_half(t, phi);
+double SteadyWatch::mean_speed() const {
+  if (blocks_.empty()) return last_ > begin_ ? (last_psi_ - begin_psi_) / (last_ - begin_) : 0.0;
+  SteadyStretch later;
+  for (std::size_t k = blocks_.size() / 2; k < blocks_.size(); ++k) later.add(blocks_[k]);
+  return later.speed();
 }
 
-void SteadyWatch::open_half(double t, const double* phi) {
-  half_begin_ = t;
-  std::copy(phi, phi + p_.balls, half_phi_.begin());
-  sums_ = {};
-  sums_.r2_min = 1e300;
-  sums_.q_min.fill(1e300);
-  sums_.q_max.fill(-1e300);
-}
-
-bool SteadyWatch::finish_long(double t, double psi) {
-  const double speed = (psi - long_psi_) / (t - long_begin_);
-  const bool fresh = speed_windows_ == 0;
-  const double before_speed = mean_speed_;
-  const bool same = !fresh && std::fabs(speed - before_speed) <= same_speed * std::fabs(speed);
-  ++speed_windows_;
-  speed_repeats_ = same ? speed_repeats_ + 1 : 0;
-  mean_speed_ = speed;
-  const Features before = std::exchange(features_, tracker_.record().features);
-  repeats_ = !fresh && repeats(before) ? repeats_ + 1 : 0;
-  has_features_ = true;
-  const double r = std::sqrt(largest_r_), bare = bare_response(p_, speed);
-  const bool nearly_same = !fresh && std::fabs(speed - before_speed) <= 4.0 * same_speed * std::fabs(speed);
-  const bool balancing = nearly_same && r < near_balance * bare && fastest_ < slow_balls * std::fabs(speed) &&
-                         r < shrinking * previous_r_ && fastest_ < shrinking * previous_fastest_;
-  previous_r_ = r;
-  previous_fastest_ = fastest_;
-  largest_r_ = fastest_ = 0.0;
-  long_begin_ = t;
-  long_psi_ = psi;
-  long_end_ = begin_ + 2.0 * (long_end_ - begin_);
-  if (!fresh && !same) {
-    // On its way to another speed: what will repeat begins here, with short windows again.
-    begin_ = t;
-    long_end_ = t + rule_.first_long_window;
-    tracker_.begin(rule_);
-    repeats_ = 0;
+SteadyLook SteadyWatch::look() const {
+  SteadyLook look;
+  const std::size_t each = blocks_.size() / 2 / parts;
+  look.enough = each > 0;
+  if (!look.enough) return look;
+  std::array<SteadyStretch, parts> part;
+  SteadyStretch all;
+  std::array<Series, model::max_balls> turned{};
+  for (int k = 0; k < parts; ++k) {
+    const std::size_t first = blocks_.size() - (parts - k) * each;
+    for (std::size_t i = first; i < first + each; ++i) part[k].add(blocks_[i]);
+    all.add(part[k]);
+    for (int i = 0; i < p_.balls; ++i) turned[i][k] = part[k].ball[i].turned;
+    // Equal balls may take each other's places: that is no trend.
+    if (interchangeable_)
+      std::sort(part[k].ball.begin(), part[k].ball.begin() + p_.balls,
+                [](const SteadyStretch::Ball& a, const SteadyStretch::Ball& b) { return a.turned < b.turned; });
   }
-  const int kind = steady_kind(p_, features_, speed).id;
-  kind_repeats_ = same && kind == kind_ && kind != balanced_id ? kind_repeats_ + 1 : 0;
-  kind_ = kind;
-  return balancing || (speed_repeats() && (repeats_ >= 2 || kind_repeats_ >= most_kind_repeats));
-}
-
-// Balls at rest and a rotor that is almost still repeat themselves only up to the errors of integration, which are no
-// smaller for being all that moves.
-bool SteadyWatch::repeats(const Features& before) const {
-  const auto at_rest = [&](const Features& f) {
-    bool rest = true;
-    for (int i = 0; i < p_.balls; ++i)
-      rest = rest && std::max(std::fabs(f[4 + 3 * i]), std::fabs(f[5 + 3 * i])) < slow_balls * std::fabs(mean_speed_);
-    return rest;
+  const auto series = [&](auto&& value) {
+    Series v;
+    for (int k = 0; k < parts; ++k) v[k] = value(part[k]);
+    return v;
   };
-  const double small = 0.01 * bare_response(p_, mean_speed_);
-  bool same_r = true;
-  for (int k = 0; k < 3; ++k) same_r = same_r && std::fabs(features_[k] - before[k]) < small;
-  return same_motion(before, features_, p_.balls, rule_.sameness) || (same_r && at_rest(before) && at_rest(features_));
+  look.speed = all.speed();
+  look.r_rms = all.r_rms();
+  const double size = std::max(std::fabs(look.speed), 1e-3);
+  const Series speeds = series([](const SteadyStretch& s) { return std::fabs(s.speed()); });
+  // Mean speeds of eight parts wander by a few per cent in chaos; a trend of a thousandth has not come to its end.
+  look.speed_steady = range(speeds) < 0.03 * size && !trends(speeds, 1e-4 * size);
+  look.slowing = kendall(speeds) <= -trend;
+  // Three samples a step tell an extreme to a per cent or two; what trends within a thousandth is told by no sample.
+  bool trending = false, same = true, alike = true;
+  const auto judge = [&](const Series& v, double unit) {
+    trending = trending || trends(v, 1e-3 * unit);
+    same = same && range(v) < 0.02 * unit;
+    alike = alike && range(v) < 0.2 * unit;
+  };
+  // What is at rest on the axis up to the errors of steps has nothing left to compare with but the unbalance.
+  const double r = look.r_rms + 1e-7 * (p_.eccentricity + p_.total_mass());
+  judge(series([](const SteadyStretch& s) { return s.r_rms(); }), r);
+  judge(series([](const SteadyStretch& s) { return std::sqrt(s.r2_max); }), r);
+  judge(series([](const SteadyStretch& s) { return std::sqrt(s.r2_min); }), r);
+  bool slow = true;
+  for (int i = 0; i < p_.balls; ++i) {
+    judge(series([i](const SteadyStretch& s) { return s.ball[i].slowest; }), size);
+    judge(series([i](const SteadyStretch& s) { return s.ball[i].fastest; }), size);
+    slow = slow && std::max(std::fabs(all.ball[i].slowest), std::fabs(all.ball[i].fastest)) <= resting_rate * size;
+  }
+  const double small = slow && creeps_ ? 0.25 * pi : 0.05;
+  look.kind = kind_of(p_, turned, small);
+  look.resting = look.kind == locked && slow;
+  for (int i = 0; i < p_.balls; ++i) {
+    const double sum = std::fabs(all.ball[i].turned);
+    if (!look.resting || !creeps_) trending = trending || trends(turned[i], 0.02 + 1e-3 * sum);
+    same = same && range(turned[i]) < (look.resting ? small : two_pi + 0.02 * sum / parts);
+    alike = alike && range(turned[i]) < two_pi + 0.2 * sum / parts;
+  }
+  look.trending = trending;
+  look.alike = alike;
+  look.repeats = same && !trending && range(speeds) < 0.002 * size;
+  return look;
 }
 
 }  // namespace equipoise

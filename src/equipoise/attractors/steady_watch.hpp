@@ -3,10 +3,10 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
 #include <string>
+#include <vector>
 
-#include "equipoise/attractors/decision_rule.hpp"
-#include "equipoise/attractors/window_features.hpp"
 #include "equipoise/model/parameters.hpp"
 
 namespace equipoise {
@@ -23,54 +23,72 @@ struct SteadyKind {
   int id = 0;
   std::string name;
 };
-
-/// Kinds by what each ball does: `balanced` where all rest on the rotor and it shakes less than half as much as without
-/// balls at that speed, `locked` where they rest and it does not; else by how many are captured (no mean drift) and
-/// whether the others drift alike.
-SteadyKind steady_kind(const model::Parameters& p, const Features& features, double speed);
-/// Every kind of n balls, in the order of identifiers.
+/// Every kind of n balls, in the order of identifiers: `balanced`, `locked`, else by how many are captured (no mean
+/// drift) and whether the others drift alike.
 std::vector<SteadyKind> steady_kinds(int balls);
 
 /// Distance at which the rotor without balls would whirl at `speed` (mean of both supports).
 double bare_response(const model::Parameters& p, double speed);
 
-/// Watches one trajectory. Steady is a motion whose features and mean speed repeat from each of two long windows to the
-/// next (window_features.hpp), one that is of the same kind throughout five of them (a torus, chaos), or one that
-/// shrinks towards balance within 1/20 of the bare rotor's response.
+/// What was seen of a stretch of time.
+struct SteadyStretch {
+  double duration = 0.0, turned = 0.0;  ///< and psi's change
+  double r2_min = 1e300, r2_max = 0.0, r2_integral = 0.0;
+  struct Ball {
+    double turned = 0.0, slowest = 1e300, fastest = -1e300;
+  };
+  std::array<Ball, model::max_balls> ball{};
+
+  void add(const SteadyStretch& next);
+  double speed() const { return turned / duration; }
+  double r_rms() const;
+};
+
+/// How the later half of what was seen looks.
+struct SteadyLook {
+  bool enough = false;        ///< there are eight parts to compare
+  bool speed_steady = false;  ///< the rotor's mean speed neither trends nor wanders
+  bool slowing = false;       ///< it fell from part to part
+  bool trending = false;      ///< something grew or shrank from part to part
+  bool repeats = false;       ///< all parts look the same
+  bool alike = false;         ///< they do to a fifth: a torus, mild chaos
+  bool resting = false;       ///< all balls stay where they are, give or take a little rocking
+  int kind = 0;               ///< 0: a ball drifts so little that it may be captured, or the other way round. Resting
+                              ///< balls are 7 (locked) here, balanced or not
+  double speed = 0.0;         ///< mean
+  double r_rms = 0.0;
+};
+
+/// Watches one trajectory in blocks of time that hold whole turns of the rotor as fast as it turns then. The later half
+/// of all blocks is cut into eight parts. Nothing is steady in which a ball's drift, an extreme of r or of a ball's
+/// rate, or the mean speed grows or shrinks from part to part (Kendall's rank correlation).
 class SteadyWatch {
  public:
-  /// `typical_speed` sets the windows' lengths: they hold several turns of it.
-  SteadyWatch(const model::Parameters& p, double typical_speed);
+  /// `creeps`: balls at rest may move on slowly without an end to it (what gravity or a race off-centre leaves of a
+  /// continuum of balanced states): a resting ball's small drift then counts for nothing.
+  explicit SteadyWatch(const model::Parameters& p, bool creeps = false);
 
   /// Forgets all, and begins at time `t` with the rotor at angle `psi` and the balls at `phi`.
   void begin(double t, double psi, const double* phi);
-  /// A step to time `t`: samples at a third, two thirds and its end; angles there. True once steady.
+  /// A step to time `t`: samples at a third, two thirds and its end; angles there. True whenever a block has ended.
   bool step(double t, double psi, const double* phi, const std::array<SteadySample, 3>& samples);
 
-  /// Whether the mean speed repeats, steady or not.
-  bool speed_repeats() const { return speed_repeats_ >= 2; }
-  /// Of the last long window; begin() leaves them.
-  const Features& features() const { return features_; }
-  double mean_speed() const { return mean_speed_; }
-  /// Whether a long window has been finished since begin().
-  bool has_features() const { return has_features_; }
+  /// Since begin().
+  std::size_t blocks() const { return blocks_.size(); }
+  double watched() const { return last_ - begin_; }
+  SteadyLook look() const;
+  /// psi' averaged over the later half; over all that was seen if that is nothing yet.
+  double mean_speed() const;
 
  private:
-  void open_half(double t, const double* phi);
-  void finish_half(double t, const double* phi);
-  bool finish_long(double t, double psi);
-  bool repeats(const Features& before) const;
+  void open(double t, double psi, const double* phi);
 
   const model::Parameters& p_;
-  DecisionRule rule_;
-  WindowTracker tracker_;
-  WindowSums sums_;
-  double begin_ = 0.0, half_begin_ = 0.0, long_begin_ = 0.0, long_end_ = 0.0, long_psi_ = 0.0, last_ = 0.0;
-  std::array<double, model::max_balls> half_phi_{};
-  double mean_speed_ = 0.0, largest_r_ = 0.0, previous_r_ = 0.0, fastest_ = 0.0, previous_fastest_ = 0.0;
-  int speed_repeats_ = 0, repeats_ = 0, speed_windows_ = 0, kind_repeats_ = 0, kind_ = 0;
-  bool has_features_ = false;
-  Features features_{};
+  bool creeps_, interchangeable_;
+  std::vector<SteadyStretch> blocks_;
+  SteadyStretch open_;
+  double begin_ = 0.0, last_ = 0.0, block_begin_ = 0.0, psi_ = 0.0, begin_psi_ = 0.0, last_psi_ = 0.0;
+  std::array<double, model::max_balls> phi_{};
 };
 
 }  // namespace equipoise

@@ -29,6 +29,7 @@ struct ErrorScale {
   double tolerance = 1e-12;
   std::array<double, dimension> floor{};
   std::array<bool, dimension> absolute{};
+  std::array<bool, dimension> angle{};  // may grow without limit: no sign of divergence
 };
 
 // The scale of n free balls' state, for every `stride`-th component: relative, but absolute for angles and for all that
@@ -40,7 +41,7 @@ void set_state_scale(const model::Parameters& p, int stride, ErrorScale<dimensio
   for (int i = 0; i < model::dimension(n); ++i) {
     const bool rotor = i < 4, angle = !rotor && i < 4 + n;
     scale.floor[stride * i] = rotor ? smallest_share * (p.eccentricity + p.total_mass()) : angle ? 1.0 : smallest_share;
-    scale.absolute[stride * i] = angle;
+    scale.absolute[stride * i] = scale.angle[stride * i] = angle;
   }
 }
 
@@ -100,7 +101,7 @@ class AdaptiveIntegrator {
       h *= std::clamp(growth, 0.2, rejected ? 1.0 : 6.0);
       rejected = false;
       for (int i = 0; i < dimension; ++i)
-        if (!(std::fabs(y[i]) < divergence_limit)) return IntegrationStatus::diverged;
+        if (!(std::fabs(y[i]) < (scale_.angle[i] ? angle_limit : divergence_limit))) return IntegrationStatus::diverged;
     }
     return IntegrationStatus::done;
   }
@@ -110,6 +111,7 @@ class AdaptiveIntegrator {
 
  private:
   static constexpr long max_steps = 100'000'000;
+  static constexpr double angle_limit = 1e12;  // its last digit is then a hundredth of a degree
 
   // Dense output within the step just accepted; the three stages it needs are evaluated at the first call.
   struct StateAt {

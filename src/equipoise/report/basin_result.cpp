@@ -54,6 +54,9 @@ std::string basin_text(const BasinResult& r) {
   if (r.passed)
     text += fmt::format("Came through the resonance: {} of all starts ({}).\n",
                         percent(r.passed->share, digits_for(*r.passed)), interval(*r.passed));
+  if (r.passed && r.undecided.count > 0)
+    text += fmt::format("  With the undecided, of which it is not known: at most {}.\n",
+                        percent(r.passed_at_most->share, digits_for(*r.passed_at_most)));
   if (!r.note.empty()) text += fmt::format("Note: {}.\n", r.note);
   if (r.partial) text += "PARTIAL: stopped before all starts were done; the shares above are of those that were.\n";
   text += fmt::format("{} starts, seed {}; {:.2f} s, {:.2f} s CPU on {} thread{} ({}), {:.0f} starts/s; equipoise {}\n",
@@ -84,7 +87,10 @@ std::string basin_json(const BasinResult& r) {
   if (r.stalled) {
     json["stalled"] = share(*r.stalled);
     json["stalled"]["below"] = r.study.stall_speed();
-    if (r.passed) json["passed"] = share_json(*r.passed);
+    if (r.passed) {
+      json["passed"] = share_json(*r.passed);
+      json["passed"]["at_most"] = r.passed_at_most->share;
+    }
   }
   json["undecided"] = share(r.undecided);
   json["diverged"] = share(r.diverged);

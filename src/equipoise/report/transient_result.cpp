@@ -68,11 +68,14 @@ std::array<std::optional<double>, 3> limits_of(const Study& study) {
 }
 constexpr std::array<Unit Units::*, 3> limit_units{&Units::displacement, &Units::force, &Units::velocity};
 
-// e omega of the mean residual unbalance at the end, in mm/s.
-double grade_of(const TransientGroup& group, const Study& study) {
+// e omega of the mean residual unbalance at the end, in mm/s, at the speed that the starts came to. None where a driven
+// rotor's was never measured.
+std::optional<double> grade_of(const TransientGroup& group, const Study& study) {
   const double mean = group.figures[column_of(&TransientRow::residual_unbalance)].mean;
-  return model::balance_grade(mean * study.scales->length,
-                              study.speed_profile().final_speed() * study.scales->frequency);
+  const std::optional<double> speed =
+      study.speed.driven() ? group.mean_speed : std::optional(study.speed_profile().final_speed());
+  if (!speed) return std::nullopt;
+  return model::balance_grade(mean * study.scales->length, *speed * study.scales->frequency);
 }
 
 std::string number(double value, double size, const char* open) {
@@ -112,9 +115,10 @@ std::string group_text(const TransientGroup& group, const TransientResult& r, co
         fmt::format("  {} {} above {:.4g} {}: {} ({})\n", k == 2 ? "RMS" : "peak", transient_limit_names[k],
                     *limits[k] * unit.size, unit.name, percent(s.share, s.count == 0 ? 0 : digits_for(s)), interval(s));
   }
-  if (study.scales)
+  const std::optional<double> grade = study.scales ? grade_of(group, study) : std::nullopt;
+  if (grade)
     text += fmt::format("  residual unbalance at the final speed: e omega = {:.3g} mm/s (as ISO 21940-11 grades it)\n",
-                        grade_of(group, study));
+                        *grade);
   return text;
 }
 
@@ -186,7 +190,9 @@ nlohmann::ordered_json transient_json(const TransientResult& r, const Study& stu
     one["exceeded"] = Json::object();
     for (std::size_t k = 0; k < limits.size(); ++k)
       if (group.exceeded[k]) one["exceeded"][transient_limit_names[k]] = share_json(*group.exceeded[k]);
-    if (study.scales) one["balance_grade"] = grade_of(group, study);
+    const std::optional<double> grade = study.scales ? grade_of(group, study) : std::nullopt;
+    if (grade) one["balance_grade"] = *grade;
+    if (group.mean_speed) one["mean_speed"] = *group.mean_speed;
     json["groups"].push_back(one);
   }
   return json;

@@ -25,6 +25,7 @@ struct TransientGroup {
   std::string name;  ///< "all" or the outcome's
   int id = -1;       ///< attractor; 0: undecided or stalled; -1: all
   std::uint64_t starts = 0;
+  std::optional<double> mean_speed;  ///< of driven rotors: |psi'| in the end, mean over starts
   std::array<SampleSummary, transient_columns.size()> figures{};  ///< by column
   std::array<std::optional<Share>, 3> exceeded{};                 ///< of the starts of this group; none without a limit
 };

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <atomic>
 #include <chrono>
+#include <cmath>
 #include <ctime>
 #include <memory>
 #include <optional>
@@ -93,6 +94,7 @@ class BasinRun {
         threads_(thread_count(options.threads)),
         discoveries_(options.discoveries ? *options.discoveries : own_discoveries_) {
     result_.study = study;
+    if (study.speed.driven()) stall_speed_ = study.stall_speed();
     result_.threads = threads_;
     result_.cpu_target = cpu_target();
     result_.half_width = options.half_width;
@@ -229,9 +231,12 @@ class BasinRun {
     result_.failed = tally_->share(Outcome::failed);
     if (result_.study.speed.driven()) {
       result_.stalled = tally_->share(Outcome::stalled);
-      std::uint64_t passed = 0;
-      for (const AttractorShare& a : result_.attractors) passed += a.share.count;
-      if (!result_.grid) result_.passed = wilson_share(passed, tally_->total());
+      // What is undecided may yet come through or not.
+      const std::uint64_t open = result_.undecided.count;
+      if (!result_.grid) {
+        result_.passed = wilson_share(passed_, tally_->total());
+        result_.passed_at_most = wilson_share(passed_ + open, tally_->total());
+      }
     }
     if (options_.transients) result_.transients = transients_->result(runner_->catalogue());
     if (result_.choice && result_.choice->method == SamplingMethod::sobol)  // known better by now
@@ -316,6 +321,7 @@ class BasinRun {
 
   void take(const Fate& fate, const TransientRow* row) {
     tally_->add(fate);
+    passed_ += fate.outcome == Outcome::attracted && std::fabs(fate.mean_speed) >= stall_speed_;
     if (row) transients_->add(fate, *row);
     // What a pilot has decided counts, whether or not less would have done.
     const std::uint64_t least = result_.choice ? result_.choice->pilot : 0;
@@ -436,6 +442,8 @@ class BasinRun {
   std::optional<Tally> tally_;
   std::optional<TransientTally> transients_;
   std::vector<std::shared_ptr<Chunk>> pilot_;
+  std::uint64_t passed_ = 0;  // the resonance
+  double stall_speed_ = 0.0;
   std::set<int> filed_;  // motions known before the first start, or in the file
   std::atomic<bool> finished_{false}, lost_{false};
   bool stop_counting_ = false;
@@ -457,6 +465,7 @@ BasinFileHeader basin_file_header(const Study& study, bool angles, bool transien
   header.cpu_target = cpu_target();
   header.arithmetic = arithmetic_of(header.cpu_target);
   header.angles = angles;
+  header.driven = study.speed.driven();
   header.full_starts = !study.sampling.box.empty();
   header.method = sampler.method();
   header.scales = study.scales;

@@ -3,10 +3,11 @@
 
 #include <array>
 #include <cmath>
+#include <limits>
+#include <optional>
 
 #include <fmt/format.h>
 
-#include "equipoise/attractors/steady_watch.hpp"
 #include "equipoise/ensemble/transient_watch.hpp"
 #include "equipoise/integrate/machine_trajectory-inl.hpp"
 #include "equipoise/model/balanced_state.hpp"
@@ -15,6 +16,7 @@
 #include "equipoise/model/strobe.hpp"
 #include "equipoise/run/horizon.hpp"
 #include "equipoise/run/initial_state.hpp"
+#include "equipoise/run/machine_scale.hpp"
 #include "equipoise/run/transient_tally.hpp"
 
 namespace equipoise {
@@ -117,16 +119,6 @@ class MachineTransients {
   double last_ = -1.0;
 };
 
-// Errors as in ensembles on lanes (lane_error_scale()); angles and speeds of the rotor like those of balls.
-template <int n>
-typename kernels::MachineTrajectory<n>::Scale ensemble_scale(const Study& study) {
-  typename kernels::MachineTrajectory<n>::Scale scale;
-  scale.tolerance = study.numerics.tolerance.value_or(default_basin_tolerance);
-  scale.floor.fill(1.0);
-  for (int i = 0; i < 4; ++i) scale.floor[i] = study.parameters.eccentricity + study.parameters.total_mass();
-  scale.absolute.fill(true);
-  return scale;
-}
 }  // namespace
 
 void check_machine(const Study& study) {
@@ -142,6 +134,7 @@ MachineRunner::MachineRunner(const Study& study, const StopFlag* stop)
       stop_(stop),
       drive_(study.drive()),
       sampler_(sampler_of(study)),
+      facts_(study_, drive_, stop),
       settled_(drive_.pieces.back().begin) {
   if (!study.speed.driven()) settled_ = std::max(settled_, drive_.release_time);
   for (const SteadyKind& kind : steady_kinds(study.parameters.balls)) {
@@ -149,14 +142,6 @@ MachineRunner::MachineRunner(const Study& study, const StopFlag* stop)
     motion.kind = MotionKind::measured;
     catalogue_.add({kind.id, kind.name, "", motion, false});
   }
-}
-
-BalanceNote MachineRunner::balance() const {
-  // Exact balance needs a centred race; whether it is stable at the final speed shows in the shares.
-  const model::Parameters& p = study_.parameters;
-  const model::BalancedStates states = model::balanced_states(p);
-  if (states.kind == model::BalancedStates::Kind::none) return {false, states.reason};
-  return {p.race_is_centred(), ""};
 }
 
 bool MachineRunner::run(std::uint64_t first, std::size_t count, std::vector<double>& phi, std::vector<Fate>& fates,
@@ -179,39 +164,39 @@ bool MachineRunner::run(std::uint64_t first, std::size_t count, std::vector<doub
 template <int n>
 Fate MachineRunner::decide(const InitialState& start, TransientRow* row) const {
   using Machine = kernels::MachineTrajectory<n>;
-  using model::machine_index::psi;
   const model::Parameters& p = study_.parameters;
   double z[Machine::dimension];
   initial_state(start, n, drive_.speed, z);
-  Machine machine(p, drive_, ensemble_scale<n>(study_), z);
+  const double tolerance = study_.numerics.tolerance.value_or(default_basin_tolerance);
+  Machine machine(p, drive_, ensemble_scale<n>(p, tolerance), z);
   MachineTransients<n> transients(study_, machine);
-  SteadyWatch watch(p, study_.speed_profile().final_speed());
-  bool watching = false, watched_clamped = false, steady = false;
-  Fate fate;
-  const auto steady_at = [&](double from, double to, auto&& state_at) {
-    double at[Machine::dimension];
-    // Windows begin anew where the balls are let go: a rotor that is steady with its balls held may never do so.
-    if (!watching || (watched_clamped && !machine.clamped())) {
-      state_at.roughly(from, at);
-      watch.begin(from, at[psi(n)], at + 4);
-      watching = true;
-      watched_clamped = machine.clamped();
+  std::optional<MachineJudge> judge;
+  std::optional<Fate> decided;
+  double last[Machine::dimension];
+  const bool at_horizon = study_.numerics.decide == DecideMode::horizon;
+  const auto decided_at = [&](double from, double to, auto&& state_at) {
+    // Anew where the balls are let go: a rotor that is steady with its balls held may never do so.
+    if (!judge || (judge->clamped() && !machine.clamped())) {
+      state_at.roughly(from, last);
+      judge.emplace(facts_, from, last, machine.clamped(), at_horizon);
     }
     std::array<SteadySample, 3> samples;
     for (std::size_t k = 0; k < nodes.size(); ++k) {
-      state_at.roughly(k + 1 == nodes.size() ? to : from + nodes[k] * (to - from), at);
-      samples[k] = sample<n>(p, at);
+      state_at.roughly(k + 1 == nodes.size() ? to : from + nodes[k] * (to - from), last);
+      samples[k] = sample<n>(p, last);
     }
-    return watch.step(to, at[psi(n)], at + 4, samples);
+    if (judge->step(to, last, samples)) decided = judge->look(to, last);
+    // What runs away for ever has no horizon.
+    return decided && (!at_horizon || decided->outcome == Outcome::undecided);
   };
-  const bool at_horizon = study_.numerics.decide == DecideMode::horizon;
+  Fate fate;
+  bool known = false;
   const auto observe = [&](double from, double to, auto&& state_at) {
     if (row) transients.step(from, to, state_at);
-    if (steady && !at_horizon) return transients.may_leave();
-    if (to <= settled_ || !steady_at(from, to, state_at)) return false;
-    steady = true;
-    if (at_horizon) return false;
-    fate = judge(watch, machine.clamped());
+    if (known) return transients.may_leave();
+    if (to <= settled_ || !decided_at(from, to, state_at)) return false;
+    known = true;
+    fate = *decided;
     fate.time = to;
     if (!row) return true;
     transients.decided(fate.attractor == balanced_id);
@@ -223,24 +208,11 @@ Fate MachineRunner::decide(const InitialState& start, TransientRow* row) const {
   if (lost) {
     fate = {status == IntegrationStatus::diverged ? Outcome::diverged : Outcome::failed, DecidedBy::nothing, 0,
             machine.time()};
-  } else if (!steady || at_horizon) {
-    const bool known = steady || (watch.has_features() && watch.speed_repeats());
-    if (known) fate = judge(watch, machine.clamped() || !steady);
-    if (fate.outcome != Outcome::undecided) fate.by = DecidedBy::horizon;
+  } else if (!known) {
+    if (judge) fate = judge->at_horizon(machine.state());
     fate.time = machine.time();
   }
-  return fate;
-}
-
-// What a start that is steady has come to. `nothing_but_speed`: only its mean speed is known to be steady, or its balls
-// are held: chaotic motion of a captured rotor repeats its mean speed and nothing else, and still it has stalled.
-Fate MachineRunner::judge(const SteadyWatch& watch, bool nothing_but_speed) const {
-  Fate fate;
-  if (study_.speed.driven() && watch.mean_speed() < study_.stall_speed())
-    fate = {Outcome::stalled, DecidedBy::windows, 0, 0.0};
-  else if (!nothing_but_speed)
-    fate = {Outcome::attracted, DecidedBy::windows,
-            static_cast<short>(steady_kind(study_.parameters, watch.features(), watch.mean_speed()).id), 0.0};
+  if (!study_.speed.driven()) fate.mean_speed = std::numeric_limits<float>::quiet_NaN();
   return fate;
 }
 

@@ -9,6 +9,7 @@
 #include "equipoise/attractors/fate.hpp"
 #include "equipoise/base/error.hpp"
 #include "equipoise/ensemble/sampling.hpp"
+#include "equipoise/run/machine_judge.hpp"
 #include "equipoise/run/runner.hpp"
 #include "equipoise/study/study.hpp"
 
@@ -17,14 +18,12 @@ namespace equipoise {
 /// Throws InputError for a machine whose starts cannot be decided as the study asks.
 void check_machine(const Study& study);
 
-class SteadyWatch;
-
 class MachineRunner : public Runner {
  public:
   /// `study` has passed check_machine().
   MachineRunner(const Study& study, const StopFlag* stop);
 
-  /// Fates are kinds of steady motion (steady_kind()), stalled, or lost; none is ever unlisted.
+  /// Fates are kinds of steady motion (steady_kinds()), stalled, or lost; none is ever unlisted.
   bool run(std::uint64_t first, std::size_t count, std::vector<double>& phi, std::vector<Fate>& fates,
            std::vector<UnlistedStart>& unlisted, std::vector<TransientRow>* rows = nullptr) const override;
   int list(const UnlistedStart&) override { return 0; }
@@ -32,7 +31,7 @@ class MachineRunner : public Runner {
 
   /// Every kind that there is, met or not; their motions are not described.
   const Catalogue& catalogue() const override { return catalogue_; }
-  BalanceNote balance() const override;
+  BalanceNote balance() const override { return facts_.note(); }
   /// When the drive's last piece has begun: from then on a trajectory whose balls are free may be called steady.
   double settled() const override { return settled_; }
   bool stopped() const override { return false; }
@@ -40,13 +39,13 @@ class MachineRunner : public Runner {
  private:
   template <int n>
   Fate decide(const InitialState& start, TransientRow* row) const;
-  Fate judge(const SteadyWatch& watch, bool nothing_but_speed) const;
 
   Study study_;
   const StopFlag* stop_;
   model::Drive drive_;
   Sampler sampler_;
   Catalogue catalogue_;
+  MachineFacts facts_;
   double settled_;
 };
 

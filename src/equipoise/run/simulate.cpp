@@ -101,7 +101,7 @@ void simulate_machine(const Study& study, double tolerance, const std::vector<do
   scale.tolerance = tolerance;
   kernels::set_state_scale<n>(p, 1, scale);
   scale.floor[psi(n)] = scale.floor[speed(n)] = scale.floor[error_integral(n)] = 1.0;
-  scale.absolute[psi(n)] = true;
+  scale.absolute[psi(n)] = scale.angle[psi(n)] = true;
   double z[Machine::dimension];
   initial_state(study.initial, n, drive.speed, z);
   Machine machine(p, drive, scale, z);

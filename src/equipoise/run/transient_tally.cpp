@@ -35,6 +35,10 @@ void TransientTally::add(const Fate& fate, const TransientRow& row) {
   ++line.count;
   line.weight += weight;
   line.weight_squared += weight * weight;
+  if (std::isfinite(fate.mean_speed)) {
+    line.speed += weight * std::fabs(fate.mean_speed);
+    line.speed_weight += weight;
+  }
   for (std::size_t k = 0; k < transient_columns.size(); ++k) {
     float value = row.*transient_columns[k].value;
     // A rotor that still exceeds the limit when it is last seen goes on exceeding it.
@@ -55,6 +59,8 @@ void TransientTally::Line::merge(const Line& other) {
   count += other.count;
   weight += other.weight;
   weight_squared += other.weight_squared;
+  speed += other.speed;
+  speed_weight += other.speed_weight;
   for (std::size_t k = 0; k < figures.size(); ++k) figures[k].merge(other.figures[k]);
   for (std::size_t k = 0; k < exceeding.size(); ++k) {
     exceeding[k] += other.exceeding[k];
@@ -65,6 +71,7 @@ void TransientTally::Line::merge(const Line& other) {
 TransientGroup TransientTally::group(const Line& line) const {
   TransientGroup result;
   result.starts = line.count;
+  if (line.speed_weight > 0.0) result.mean_speed = line.speed / line.speed_weight;
   for (std::size_t k = 0; k < line.figures.size(); ++k) result.figures[k] = line.figures[k].summary();
   const std::array<std::optional<double>, 3> limits{limits_.displacement, limits_.force, limits_.velocity};
   for (std::size_t k = 0; k < limits.size(); ++k)

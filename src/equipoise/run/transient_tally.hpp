@@ -31,6 +31,7 @@ class TransientTally {
   struct Line {
     std::uint64_t count = 0;
     double weight = 0.0, weight_squared = 0.0;
+    double speed = 0.0, speed_weight = 0.0;  // of driven rotors: weighted |mean speed|, and the weight that has one
     std::array<Distribution, transient_columns.size()> figures;
     std::array<std::uint64_t, 3> exceeding{};
     std::array<double, 3> exceeding_weight{};

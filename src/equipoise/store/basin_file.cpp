@@ -208,6 +208,11 @@ std::vector<Fate> BasinFile::read(std::uint64_t first, std::size_t count) const 
   for (std::size_t i = 0; i < count; ++i)
     if (!store::fate_from(codes[i], grounds[i], times[i], fates[i]))
       throw RunError(fmt::format("{}: start {} has no valid outcome; the file is damaged", state_->path, first + i));
+  if (state_->header.driven) {
+    const auto speeds = state_->values<float>("mean_speed", first, count);
+    for (std::size_t i = 0; i < count; ++i)
+      if (speeds[i] != store::missing_figure) fates[i].mean_speed = speeds[i];
+  }
   return fates;
 }
 

@@ -24,6 +24,7 @@ struct BasinFileHeader {
   std::string cpu_target;    ///< of this run; a file may hold results of several
   std::string arithmetic;    ///< what they must share for their results to be the same to the bit
   bool angles = true;        ///< false: leave phi out; it follows from seed and index
+  bool driven = false;       ///< a motor turns the rotor: each start has a mean speed of its own
   bool full_starts = false;  ///< starts differ in more than their ball angles
   SamplingMethod method = SamplingMethod::random;
   std::optional<TransientSettings> transients;  ///< if the file holds transients
@@ -45,7 +46,7 @@ struct RunTime {
 
 /// Two files. The results, `path`, are NetCDF (classic, 64-bit offsets), always written whole beside and renamed:
 /// dimension start with its index and variables phi(start, ball), outcome(start), decision_time(start),
-/// decided_by(start), and with full_starts rotor_state(start, rotor_component) and phi_dot(start, ball), on a grid
+/// decided_by(start), of driven rotors mean_speed(start), and with full_starts rotor_state(start, rotor_component) and phi_dot(start, ball), on a grid
 /// weight(start); dimension outcome_kind: code, name, alias, count, share and its interval, and but for random starts
 /// where the interval is from and how many random starts would have done; with transients the columns of TransientRow
 /// by start; dimension discovery: states of motions met during the run. Every variable has units and long_name.

@@ -35,6 +35,10 @@ std::vector<StartColumn> start_columns(const BasinFileHeader& header) {
        "attractor that the start came to (kind_code), or 0 undecided, -1 diverged, -2 failed, -3 stalled"});
   columns.push_back(
       {"decision_time", NC_DOUBLE, 8, 1, "", "1", "study time at which the outcome was known, in 1/omega_c"});
+  if (header.driven)
+    columns.push_back({"mean_speed", NC_FLOAT, 4, 1, "", "1",
+                       "mean rotor speed over the later half of what was seen of the start, in omega_c; missing where "
+                       "never measured"});
   columns.push_back({"decided_by", NC_BYTE, 1, 1, "", "1", "grounds on which the outcome was decided"});
   return columns;
 }
@@ -71,6 +75,11 @@ std::vector<char> pack(const std::vector<StartColumn>& columns, const StartBatch
       put<short>(bytes, b.count, [&](std::size_t i) { return code_of(b.fates[i]); });
     else if (c.name == "decision_time")
       put<double>(bytes, b.count, [&](std::size_t i) { return b.fates[i].time; });
+    else if (c.name == "mean_speed")
+      put<float>(bytes, b.count, [&](std::size_t i) {
+        const float speed = b.fates[i].mean_speed;
+        return std::isfinite(speed) ? speed : missing_figure;
+      });
     else if (c.name == "decided_by")
       put<signed char>(bytes, b.count, [&](std::size_t i) { return static_cast<signed char>(b.fates[i].by); });
     else

@@ -373,7 +373,7 @@ bool Study::needs_machine() const {
 double Study::stall_speed() const {
   if (speed.stalled_below) return *speed.stalled_below;
   const auto aim = motor().final_speed();
-  return aim ? std::min(std::sqrt(2.0), 0.9 * *aim) : std::sqrt(2.0);
+  return aim ? std::min(std::sqrt(2.0), 0.9 * std::fabs(*aim)) : std::sqrt(2.0);
 }
 
 Study parse_study(const std::string& toml_text, const std::string& name, const std::vector<std::string>& overrides) {

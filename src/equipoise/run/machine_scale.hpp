@@ -1,0 +1,21 @@
+// The errors allowed a machine's steps in ensembles.
+#pragma once
+
+#include "equipoise/integrate/machine_trajectory-inl.hpp"
+
+namespace equipoise {
+
+/// As on lanes (lane_error_scale()): absolute; angles and speeds of the rotor like those of balls.
+template <int n>
+typename HWY_NAMESPACE::MachineTrajectory<n>::Scale ensemble_scale(const model::Parameters& p, double tolerance) {
+  typename HWY_NAMESPACE::MachineTrajectory<n>::Scale scale;
+  scale.tolerance = tolerance;
+  scale.floor.fill(1.0);
+  for (int i = 0; i < 4; ++i) scale.floor[i] = p.eccentricity + p.total_mass();
+  scale.absolute.fill(true);
+  for (int i = 0; i < n; ++i) scale.angle[model::index::phi(i)] = true;
+  scale.angle[model::machine_index::psi(n)] = true;
+  return scale;
+}
+
+}  // namespace equipoise
