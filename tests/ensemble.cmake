@@ -1,7 +1,7 @@
 # Tests of ensembles: lanes, windows, deciding, same bits; the program; the published tables.
 equipoise_test(pack_test unit unit/pack_test.cpp)
 target_include_directories(pack_test PRIVATE ${CMAKE_CURRENT_SOURCE_DIR})
-target_compile_definitions(pack_test PRIVATE "HWY_DISABLED_TARGETS=(HWY_SSSE3|HWY_AVX3_DL)")
+target_compile_definitions(pack_test PRIVATE "HWY_DISABLED_TARGETS=(${EQUIPOISE_TARGETS_LEFT_OUT})")
 equipoise_test(kernel_speed_test unit unit/kernel_speed_test.cpp)
 equipoise_test(statistics_test unit unit/statistics_test.cpp unit/comparison_test.cpp unit/quantile_test.cpp)
 equipoise_test(sampling_test unit unit/sampling_test.cpp unit/even_share_test.cpp)
@@ -36,6 +36,11 @@ if(Python3_FOUND AND EQUIPOISE_BUILD_PROGRAM)
     COMMAND Python3::Interpreter ${CMAKE_CURRENT_SOURCE_DIR}/cli/cli_test.py $<TARGET_FILE:equipoise_program>
       ${PROJECT_SOURCE_DIR}/studies)
   set_tests_properties(cli.program_as_its_users_meet_it PROPERTIES LABELS cli TIMEOUT 600)
+
+  add_test(NAME cli.streams_and_usage
+    COMMAND Python3::Interpreter ${CMAKE_CURRENT_SOURCE_DIR}/cli/streams_test.py $<TARGET_FILE:equipoise_program>
+      ${PROJECT_SOURCE_DIR}/studies)
+  set_tests_properties(cli.streams_and_usage PROPERTIES LABELS cli TIMEOUT 600)
 
   add_test(NAME cli.attractors_and_proofs
     COMMAND Python3::Interpreter ${CMAKE_CURRENT_SOURCE_DIR}/cli/attractors_test.py $<TARGET_FILE:equipoise_program>

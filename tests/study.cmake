@@ -28,7 +28,7 @@ if(EQUIPOISE_BUILD_FUZZER)
   # into all three, and nothing else of the library has to be instrumented.
   set(library ${PROJECT_SOURCE_DIR}/src/equipoise)
   file(GLOB reader CONFIGURE_DEPENDS ${library}/study/*.cpp)
-  target_sources(study_fuzz PRIVATE ${reader} ${library}/base/error.cpp ${library}/model/speed.cpp)
+  target_sources(study_fuzz PRIVATE ${reader} ${library}/base/display_text.cpp ${library}/base/error.cpp ${library}/model/speed.cpp)
   target_include_directories(study_fuzz PRIVATE ${PROJECT_SOURCE_DIR}/src
     $<TARGET_PROPERTY:tomlplusplus::tomlplusplus,INTERFACE_INCLUDE_DIRECTORIES>)
   target_link_libraries(study_fuzz PRIVATE fmt::fmt-header-only UDUNITS2::UDUNITS2)

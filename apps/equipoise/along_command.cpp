@@ -1,8 +1,6 @@
 // Attractors along a parameter: files, picture, exit code.
 #include "along_command.hpp"
 
-#include <cstdio>
-
 #include <fmt/format.h>
 
 #include "commands.hpp"
@@ -12,6 +10,7 @@
 #include "gnuplot.hpp"
 #include "options.hpp"
 #include "progress.hpp"
+#include "streams.hpp"
 
 namespace equipoise::app {
 
@@ -41,8 +40,7 @@ int run_along(const Study& study, const AlongArguments& a) {
   options.progress = [&](const ContinuationProgress& p) { progress.update(p.done, p.total, p.what); };
   const BranchesResult result = follow_attractors(study, line, options);
   progress.finish();
-  fmt::print("{}", a.json ? branches_json(result) : branches_text(result));
-  std::fflush(stdout);
+  put(a.json ? branches_json(result) : branches_text(result));
   if (a.output.ends_with(".csv")) write_file(a.output, branches_csv(result));
   if (a.output.ends_with(".nc")) write_branches_file(a.output, branch_table(result));
   if (!a.plot.empty()) draw(a.plot, [&](const std::string& file) { return branch_plot_script(result, file); });

@@ -11,6 +11,7 @@
 #include "equipoise/run/attractors.hpp"
 #include "options.hpp"
 #include "progress.hpp"
+#include "streams.hpp"
 
 namespace equipoise::app {
 
@@ -37,21 +38,16 @@ std::vector<double> parse_state(const std::string& text, int balls) {
   return state;
 }
 
-int threads_from(const AttractorsArguments& a) {
-  return a.threads ? option_number<int>("--threads", *a.threads, 1, 4096, "a whole number from 1 to 4096") : 0;
-}
-
 int follow_along(const AttractorsArguments& a) {
   std::vector<std::string> overrides = a.overrides;
-  if (a.starts) overrides.push_back("sampling.starts=" + *a.starts);
-  if (a.seed) overrides.push_back("sampling.seed=" + *a.seed);
+  override_starts(a.starts, a.seed, overrides);
   const Study study = read_study(a.study, overrides);
   AlongArguments along;
   along.along = a.along;
   along.output = a.output;
   along.plot = a.plot;
   along.starts = a.starts ? study.sampling.starts : 0;
-  along.threads = threads_from(a);
+  along.threads = threads_option(a.threads);
   for (const std::string& text : a.states) along.states.push_back(parse_state(text, study.parameters.balls));
   along.json = a.json;
   along.quiet = a.quiet;
@@ -64,18 +60,17 @@ int run_attractors(const AttractorsArguments& a) {
   for (const auto& [option, value] : {std::pair{"--output", &a.output}, std::pair{"--plot", &a.plot}})
     if (!value->empty()) throw InputError(option, "", *value, "goes with --along KEY=FROM:TO:STEP only");
   std::vector<std::string> overrides = a.overrides;
-  overrides.push_back("sampling.starts=" + a.starts.value_or(std::to_string(search_starts)));
-  if (a.seed) overrides.push_back("sampling.seed=" + *a.seed);
+  override_starts(a.starts.value_or(std::to_string(search_starts)), a.seed, overrides);
   const Study study = read_study(a.study, overrides);
   BasinOptions options;
-  options.threads = threads_from(a);
+  options.threads = threads_option(a.threads);
   for (const std::string& text : a.states) options.seeds.push_back(parse_state(text, study.parameters.balls));
   options.stop = &stop_flag();
   ProgressLine progress(a.quiet);
   options.progress = [&](const BasinProgress& p) { progress.update(p.done, p.total, "starts searched"); };
   const AttractorsResult result = attractors(study, options);
   progress.finish();
-  fmt::print("{}", a.json ? attractors_json(result) : attractors_text(result));
+  put(a.json ? attractors_json(result) : attractors_text(result));
   return result.basin.partial && stop_flag() ? interrupted : done;
 }
 

@@ -11,6 +11,7 @@
 #include "equipoise/run/basin.hpp"
 #include "options.hpp"
 #include "progress.hpp"
+#include "streams.hpp"
 
 namespace equipoise::app {
 
@@ -26,9 +27,8 @@ struct BasinArguments {
 
 Study study_from(const BasinArguments& a) {
   std::vector<std::string> overrides = a.overrides;
-  if (a.starts) overrides.push_back("sampling.starts=" + *a.starts);
-  if (a.seed) overrides.push_back("sampling.seed=" + *a.seed);
-  if (a.decide) overrides.push_back("numerics.decide=" + *a.decide);
+  override_starts(a.starts, a.seed, overrides);
+  if (a.decide) overrides.push_back("numerics.decide=" + option_choice("--decide", *a.decide, decide_mode_names));
   return read_study(a.study, overrides);
 }
 
@@ -48,33 +48,39 @@ std::string outcome_text(const StartReplay& replay) {
   return "failed";
 }
 
-int print_replay(const Study& study, const BasinOptions& options, const std::string& text) {
-  constexpr std::uint64_t largest = 999'999'999'999;
-  const auto index =
-      option_number<std::uint64_t>("--start-index", text, 0, largest, "a whole number from 0 to 999999999999");
-  const StartReplay replay = replay_start(study, index, options);
-  const SamplingMethod method = study.sampling.method.value_or(SamplingMethod::random);
-  fmt::print("start {} of seed {}{}\n", index, study.sampling.seed,
-             method == SamplingMethod::random
-                 ? std::string()
-                 : fmt::format(", method {}", sampling_method_names[static_cast<std::size_t>(method)]));
-  const InitialState& s = replay.start;
-  for (int i = 0; i < study.parameters.balls; ++i) fmt::print("phi_{} = {}\n", i + 1, s.phi[i]);
-  if (!study.sampling.box.empty()) {
-    fmt::print("x = {}\ny = {}\nx_dot = {}\ny_dot = {}\n", s.x, s.y, s.x_dot, s.y_dot);
-    for (int i = 0; i < study.parameters.balls; ++i) fmt::print("phi_dot_{} = {}\n", i + 1, s.phi_dot[i]);
-  }
-  const auto by = static_cast<std::size_t>(replay.fate.by);
-  fmt::print("outcome = {}\ndecided_by = {}\ndecision_time = {}\n", outcome_text(replay), decided_by_names[by],
-             replay.fate.time);
-  if (study.speed.driven()) fmt::print("mean_speed = {}\n", replay.fate.mean_speed);
-  if (!replay.transients) return done;
+std::string transients_text(const Study& study, const TransientRow& row) {
+  std::string text;
   for (const TransientColumn& column : transient_columns) {
     const bool asked = column.value == &TransientRow::time_above      ? study.limits.displacement.has_value()
                        : column.value == &TransientRow::settling_time ? study.limits.settled.has_value()
                                                                       : true;
-    if (asked) fmt::print("{} = {}\n", column.name, (*replay.transients).*column.value);
+    if (asked) text += fmt::format("{} = {}\n", column.name, row.*column.value);
   }
+  return text;
+}
+
+int print_replay(const Study& study, const BasinOptions& options, const std::string& given) {
+  constexpr std::uint64_t largest = 999'999'999'999;
+  const auto index =
+      option_number<std::uint64_t>("--start-index", given, 0, largest, "a whole number from 0 to 999999999999");
+  const StartReplay replay = replay_start(study, index, options);
+  const SamplingMethod method = study.sampling.method.value_or(SamplingMethod::random);
+  std::string text = fmt::format("start {} of seed {}{}\n", index, study.sampling.seed,
+                                 method == SamplingMethod::random
+                                     ? std::string()
+                                     : fmt::format(", method {}", sampling_method_names[static_cast<std::size_t>(method)]));
+  const InitialState& s = replay.start;
+  for (int i = 0; i < study.parameters.balls; ++i) text += fmt::format("phi_{} = {}\n", i + 1, s.phi[i]);
+  if (!study.sampling.box.empty()) {
+    text += fmt::format("x = {}\ny = {}\nx_dot = {}\ny_dot = {}\n", s.x, s.y, s.x_dot, s.y_dot);
+    for (int i = 0; i < study.parameters.balls; ++i) text += fmt::format("phi_dot_{} = {}\n", i + 1, s.phi_dot[i]);
+  }
+  const auto by = static_cast<std::size_t>(replay.fate.by);
+  text += fmt::format("outcome = {}\ndecided_by = {}\ndecision_time = {}\n", outcome_text(replay), decided_by_names[by],
+                      replay.fate.time);
+  if (study.speed.driven()) text += fmt::format("mean_speed = {}\n", replay.fate.mean_speed);
+  if (replay.transients) text += transients_text(study, *replay.transients);
+  put(text);
   return done;
 }
 
@@ -82,8 +88,7 @@ int run_basin(const BasinArguments& a) {
   choose_cpu(a.cpu);
   const Study study = study_from(a);
   BasinOptions options;
-  if (a.threads)
-    options.threads = option_number<int>("--threads", *a.threads, 1, 4096, "a whole number from 1 to 4096");
+  options.threads = threads_option(a.threads);
   if (a.half_width)
     options.half_width =
         option_number<double>("--half-width", *a.half_width, 1e-6, 0.5, "a fraction of one from 1e-6 to 0.5");
@@ -101,7 +106,7 @@ int run_basin(const BasinArguments& a) {
   };
   const BasinResult result = basin(study, options);
   progress.finish();
-  fmt::print("{}", a.json ? basin_json(result) : basin_text(result));
+  put(a.json ? basin_json(result) : basin_text(result));
   return result.partial && stop_flag() ? interrupted : done;
 }
 

@@ -1,16 +1,18 @@
 // equipoise certify: a proof that trajectories close to balance end balanced, and the check of such a proof.
+#include <array>
 #include <fstream>
 #include <memory>
-#include <sstream>
 #include <string>
 #include <vector>
 
 #include <fmt/format.h>
 
 #include "commands.hpp"
+#include "equipoise/base/display_text.hpp"
 #include "equipoise/report/certificate_json.hpp"
 #include "equipoise/run/certify.hpp"
 #include "options.hpp"
+#include "streams.hpp"
 
 namespace equipoise::app {
 
@@ -22,15 +24,31 @@ struct CertifyArguments {
   bool json = false;
 };
 
-int check_file(const std::string& path, bool as_json) {
+// Certificates take some kilobytes; what never ends, as /dev/zero, ends here.
+constexpr std::size_t longest_certificates = std::size_t{64} << 20;
+
+std::string read_certificates(const std::string& path) {
+  const auto reject = [&](const char* why) {
+    throw InputError("--check", "", display_text(path),
+                     fmt::format("cannot be read{}; must be a file written by equipoise certify -o", why));
+  };
   std::ifstream file(path, std::ios::binary);
-  std::ostringstream content;
-  content << file.rdbuf();
-  if (!file || !content)
-    throw InputError("--check", "", path, "cannot be read; must be a file written by equipoise certify -o");
-  CertificateFile checked{path, certificates_from_json(content.str(), path), {}};
+  if (!file) reject("");
+  std::string text;
+  std::array<char, 65536> block;
+  while (file.read(block.data(), block.size()), file.gcount() > 0) {
+    text.append(block.data(), static_cast<std::size_t>(file.gcount()));
+    if (text.size() > longest_certificates) reject(" (more than 64 MiB)");
+  }
+  if (file.bad()) reject(" (reading broke off)");
+  return text;
+}
+
+int check_file(const std::string& path, bool as_json) {
+  const std::string name = display_text(path);
+  CertificateFile checked{name, certificates_from_json(read_certificates(path), name), {}};
   for (const Certificate& certificate : checked.certificates) checked.checks.push_back(check_certificate(certificate));
-  fmt::print("{}", as_json ? check_json(checked) : check_text(checked));
+  put(as_json ? check_json(checked) : check_text(checked));
   return checked.proved() ? done : check_failed;
 }
 
@@ -39,7 +57,7 @@ void write_certificates(const std::string& path, const CertifyResult& result) {
   for (const StateProof& state : result.states)
     if (state.certificate.level > 0.0) certificates.push_back(state.certificate);
   if (certificates.empty()) {
-    fmt::print(stderr, "equipoise: nothing is proved, so {} is not written\n", path);
+    say("nothing is proved, so {} is not written", display_text(path));
     return;
   }
   write_file(path, certificates_json(certificates));
@@ -55,7 +73,7 @@ int run_certify(const CertifyArguments& a) {
   }
   require_writable("--output", a.output);
   const CertifyResult result = certify(read_study(a.study, a.overrides));
-  fmt::print("{}", a.json ? certify_json(result) : certify_text(result));
+  put(a.json ? certify_json(result) : certify_text(result));
   if (!a.output.empty()) write_certificates(a.output, result);
   return result.proved() ? done : check_failed;
 }

@@ -3,11 +3,11 @@
 #include <string>
 #include <vector>
 
-#include <fmt/format.h>
-
 #include "commands.hpp"
+#include "equipoise/base/display_text.hpp"
 #include "equipoise/run/explain.hpp"
 #include "options.hpp"
+#include "streams.hpp"
 
 namespace equipoise::app {
 
@@ -20,8 +20,9 @@ struct ExplainArguments {
 };
 
 int run_explain(const ExplainArguments& a) {
-  const Explanation e = explain(read_study(a.study, a.overrides), read_ball_details(a.study, a.overrides));
-  fmt::print("{}", a.json ? explain_json(e) : explain_text(e));
+  const std::string text = read_study_text(a.study), name = display_text(a.study);
+  const Explanation e = explain(parse_study(text, name, a.overrides), parse_ball_details(text, name, a.overrides));
+  put(a.json ? explain_json(e) : explain_text(e));
   return done;
 }
 

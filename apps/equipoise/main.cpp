@@ -1,6 +1,5 @@
 // equipoise: will this automatic balancer balance this rotor, how surely, how fast?
 #include <csignal>
-#include <cstdio>
 #include <exception>
 #include <string>
 #include <vector>
@@ -12,6 +11,8 @@
 #include "equipoise/base/embedded.hpp"
 #include "equipoise/base/version.hpp"
 #include "equipoise/run/lane_kernels.hpp"
+#include "streams.hpp"
+#include "usage.hpp"
 
 namespace equipoise::app {
 
@@ -55,12 +56,28 @@ int run(int argc, char** argv) {
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& e) {
-    const int code = app.exit(e);
-    return code == 0 ? done : bad_input;
+    if (e.get_exit_code() == 0) return app.exit(e);
+    say(usage_error(app, e, argc, argv));
+    return bad_input;
   }
-  for (auto& [sub, command] : commands)
-    if (sub->parsed()) return command();
+  for (auto& [sub, command] : commands) {
+    if (!sub->parsed()) continue;
+    refuse_empty_values(*sub);
+    return command();
+  }
   return bad_input;
+}
+
+int run_guarded(int argc, char** argv) {
+  try {
+    return run(argc, argv);
+  } catch (const InputError& e) {
+    say(e.what());
+    return bad_input;
+  } catch (const std::exception& e) {
+    say(e.what());
+    return failed;
+  }
 }
 
 }  // namespace
@@ -68,16 +85,9 @@ int run(int argc, char** argv) {
 
 int main(int argc, char** argv) {
   using namespace equipoise;
+  app::claim_streams();
   std::signal(SIGINT, app::ask_to_stop);
   std::signal(SIGTERM, app::ask_to_stop);
   std::signal(SIGXFSZ, SIG_IGN);  // a file that may not grow is told like a full disk
-  try {
-    return app::run(argc, argv);
-  } catch (const InputError& e) {
-    fmt::print(stderr, "equipoise: {}\n", e.what());
-    return app::bad_input;
-  } catch (const std::exception& e) {
-    fmt::print(stderr, "equipoise: {}\n", e.what());
-    return app::failed;
-  }
+  return app::close_output(app::run_guarded(argc, argv));
 }

@@ -1,6 +1,13 @@
 // Options that several commands share.
 #include "options.hpp"
 
+#include <algorithm>
+#include <cstdint>
+#include <limits>
+
+#include <oneapi/tbb/global_control.h>
+#include <oneapi/tbb/info.h>
+
 #include "equipoise/run/lane_kernels.hpp"
 #include "equipoise/store/replacement.hpp"
 
@@ -10,7 +17,31 @@ void choose_cpu(const std::string& name) {
   if (name.empty() || use_cpu_target(name)) return;
   std::string known;
   for (const std::string& target : cpu_targets()) known += (known.empty() ? "" : ", ") + target;
-  throw InputError("--cpu", "", name, "must be one of those this machine has: " + known);
+  throw InputError("--cpu", "", display_text(name), "must be one of those this machine has: " + known);
+}
+
+int threads_option(const std::optional<std::string>& text) {
+  if (!text) return 0;
+  const int threads = option_number<int>("--threads", *text, 1, 4096, "a whole number from 1 to 4096");
+  // TBB makes no more than the machine has cores unless it is told so, and complains on standard error.
+  static std::optional<tbb::global_control> allowed;
+  const auto cores = static_cast<std::size_t>(tbb::info::default_concurrency());
+  allowed.emplace(tbb::global_control::max_allowed_parallelism, std::max(cores, static_cast<std::size_t>(threads)));
+  return threads;
+}
+
+void override_starts(const std::optional<std::string>& starts, const std::optional<std::string>& seed,
+                     std::vector<std::string>& overrides) {
+  constexpr std::uint64_t most = 1'000'000'000'000, largest = std::numeric_limits<std::int64_t>::max();
+  if (starts) {
+    const auto n = option_number<std::uint64_t>("--starts", *starts, 1, most, "a whole number from 1 to 1000000000000");
+    overrides.push_back(fmt::format("sampling.starts={}", n));
+  }
+  if (seed) {
+    const auto s =
+        option_number<std::uint64_t>("--seed", *seed, 0, largest, "a whole number from 0 to 9223372036854775807");
+    overrides.push_back(fmt::format("sampling.seed={}", s));
+  }
 }
 
 void require_writable(const char* option, const std::string& path) {

@@ -1,24 +1,46 @@
 // Options that several commands share.
 #pragma once
 
+#include <charconv>
+#include <optional>
 #include <string>
+#include <system_error>
 #include <vector>
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
+#include "equipoise/base/display_text.hpp"
 #include "equipoise/base/error.hpp"
 
 namespace equipoise::app {
 
-/// A number given as an option, checked so that a bad one gets the same kind of error as in a study.
+/// A number given as an option, decimal, checked so that a bad one gets the same kind of error as in a study.
 template <class T>
 T option_number(const char* option, const std::string& text, T low, T high, const char* allowed) {
   T value{};
-  if (!CLI::detail::lexical_cast(text, value) || !(value >= low && value <= high))
-    throw InputError(option, "", text, fmt::format("must be {}", allowed));
+  const char* end = text.data() + text.size();
+  const auto read = std::from_chars(text.data(), end, value);
+  if (read.ec != std::errc() || read.ptr != end || !(value >= low && value <= high))
+    throw InputError(option, "", display_text(text), fmt::format("must be {}", allowed));
   return value;
 }
+
+/// One of `choices`, given as an option.
+template <class Choices>
+const std::string& option_choice(const char* option, const std::string& text, const Choices& choices) {
+  for (const auto& choice : choices)
+    if (text == choice) return text;
+  throw InputError(option, "", display_text(text), fmt::format("must be one of: {}", fmt::join(choices, ", ")));
+}
+
+/// --threads T: 0 if it is not given, for all cores. More threads than cores are made if so many are asked for.
+int threads_option(const std::optional<std::string>& text);
+
+/// --starts N and --seed S as overrides of the study.
+void override_starts(const std::optional<std::string>& starts, const std::optional<std::string>& seed,
+                     std::vector<std::string>& overrides);
 
 /// --cpu NAME. Throws InputError if this machine does not have it.
 void choose_cpu(const std::string& name);

@@ -2,11 +2,12 @@
 #include "progress.hpp"
 
 #include <cmath>
-#include <cstdio>
 
 #include <fmt/format.h>
 #include <sys/ioctl.h>
 #include <unistd.h>
+
+#include "streams.hpp"
 
 namespace equipoise::app {
 
@@ -65,19 +66,15 @@ void ProgressLine::update(std::uint64_t done, std::uint64_t total, const std::st
   text += "  " + detail;
   if (style_ == Style::bar) {
     text = text.substr(0, terminal_width() - 1);
-    fmt::print(stderr, "\r{}\x1b[K", text);
+    put_error("\r" + text + "\x1b[K");
   } else {
-    fmt::print(stderr, "{}\n", text);
+    put_error(text + "\n");
   }
-  std::fflush(stderr);
   shown_ = true;
 }
 
 void ProgressLine::finish() {
-  if (shown_ && style_ == Style::bar) {
-    fmt::print(stderr, "\r\x1b[K");
-    std::fflush(stderr);
-  }
+  if (shown_ && style_ == Style::bar) put_error("\r\x1b[K");
   shown_ = false;
 }
 

@@ -1,5 +1,6 @@
 // equipoise reproduce: the tables and figures of Wright and Peng (2019), computed again and judged.
 #include <algorithm>
+#include <array>
 #include <chrono>
 #include <ctime>
 #include <filesystem>
@@ -23,6 +24,7 @@
 #include "options.hpp"
 #include "progress.hpp"
 #include "reproduce_files.hpp"
+#include "streams.hpp"
 
 namespace equipoise::app {
 
@@ -56,7 +58,7 @@ std::vector<std::string> choices() {
 Plan plan_of(const std::vector<std::string>& what) {
   for (const std::string& w : what)
     if (const auto known = choices(); std::find(known.begin(), known.end(), w) == known.end())
-      throw InputError("reproduce", "", w, fmt::format("must be among {}", fmt::join(known, ", ")));
+      throw InputError("reproduce", "", display_text(w), fmt::format("must be among {}", fmt::join(known, ", ")));
   const auto asked = [&](const std::string& one, const std::string& group) {
     return what.empty() || std::any_of(what.begin(), what.end(),
                                        [&](const std::string& w) { return w == "all" || w == group || w == one; });
@@ -73,11 +75,11 @@ Plan plan_of(const std::vector<std::string>& what) {
 ReproduceOptions table_options(const ReproduceArguments& a, const Plan& plan) {
   ReproduceOptions options;
   options.tables = plan.tables;
-  if (a.threads)
-    options.threads = option_number<int>("--threads", *a.threads, 1, 4096, "a whole number from 1 to 4096");
+  options.threads = threads_option(a.threads);
   if (a.starts)
     options.starts =
         option_number<std::uint64_t>("--starts", *a.starts, 1, 1'000'000'000, "a whole number from 1 to 1000000000");
+  option_choice("--law", a.law, std::array{"published", "kinematic", "both"});
   options.laws = a.law == "published"   ? LawChoice::published
                  : a.law == "kinematic" ? LawChoice::kinematic
                                         : LawChoice::both;
@@ -92,7 +94,7 @@ std::string command_line(const ReproduceArguments& a) {
   if (a.starts) text += " --starts " + *a.starts;
   if (a.pixels) text += " --pixels " + *a.pixels;
   if (a.law != "both") text += " --law " + a.law;
-  if (!a.report.empty()) text += " --report " + fs::path(a.report).filename().string();
+  if (!a.report.empty()) text += " --report " + display_text(fs::path(a.report).filename().string());
   return text;
 }
 
@@ -177,7 +179,7 @@ int run_reproduce(const ReproduceArguments& a) {
   }
   if (folder.temporary()) r.pictures.clear();
   if (!a.output.empty()) write_file(a.output + "/reproduction.json", reproduction_json(r));
-  fmt::print("{}", a.json ? reproduction_json(r) : reproduction_text(r));
+  put(a.json ? reproduction_json(r) : reproduction_text(r));
   return r.partial ? interrupted : r.differs() ? check_failed : done;
 }
 
@@ -189,7 +191,6 @@ Command add_reproduce(CLI::App& app) {
       ->type_name("WHAT");
   app.add_option("--starts", a->starts, "starts an ensemble (default: as many as the paper used)")->type_name("N");
   app.add_option("--law", a->law, "speed law of ramps (default: both)")
-      ->check(CLI::IsMember({"published", "kinematic", "both"}))
       ->type_name("LAW");
   app.add_option("--report", a->report, "one page with everything (HTML), or Markdown with pictures beside it")
       ->type_name("FILE.html|.md");

@@ -11,6 +11,7 @@
 #include "commands.hpp"
 #include "equipoise/run/simulate.hpp"
 #include "options.hpp"
+#include "streams.hpp"
 
 namespace equipoise::app {
 
@@ -24,12 +25,22 @@ struct SimulateArguments {
 
 constexpr double most_rows = 1e8;
 
-double number(const char* option, const std::string& text, bool zero_allowed) {
-  double value = 0.0;
-  if (!CLI::detail::lexical_cast(text, value) || !std::isfinite(value) || !(zero_allowed ? value >= 0.0 : value > 0.0))
-    throw InputError(option, "", text,
-                     fmt::format("must be a finite number {}", zero_allowed ? "0 or more" : "greater than 0"));
-  return value;
+// Later than that a double does not know the rotor's angle.
+constexpr double last_time = 1e9;
+
+double time_option(const char* option, const std::string& text) {
+  return option_number<double>(option, text, 0.0, last_time, "a number from 0 to 1e9");
+}
+
+// "T,T,..."
+std::vector<double> parse_times(const std::string& text) {
+  std::vector<double> times;
+  for (std::size_t at = 0; at <= text.size();) {
+    const std::size_t comma = std::min(text.find(',', at), text.size());
+    times.push_back(time_option("--at", text.substr(at, comma - at)));
+    at = comma + 1;
+  }
+  return times;
 }
 
 // --at, or the grid of --every and --until; by default a hundred times until 100 after the last branch begins.
@@ -37,16 +48,18 @@ std::vector<double> output_times(const SimulateArguments& a, const Study& study)
   std::vector<double> times;
   if (!a.at.empty()) {
     if (a.every || a.until) throw InputError("--at", "", "", "give either --at or --every and --until, not both");
-    for (const std::string& text : a.at) times.push_back(number("--at", text, true));
+    for (const std::string& text : a.at)
+      for (const double time : parse_times(text)) times.push_back(time);
     for (std::size_t i = 1; i < times.size(); ++i)
       if (!(times[i] > times[i - 1]))
-        throw InputError("--at", "", a.at[i], fmt::format("times out of order: must be later than {}", a.at[i - 1]));
+        throw InputError("--at", "", fmt::format("{}", times[i]),
+                         fmt::format("times out of order: must be later than {}", times[i - 1]));
     return times;
   }
   const model::Drive drive = study.drive();
   const double settled = std::max(drive.pieces.back().begin, study.speed.driven() ? 0.0 : drive.release_time);
-  const double until = a.until ? number("--until", *a.until, true) : settled + 100.0;
-  const double every = a.every ? number("--every", *a.every, false) : until > 0.0 ? until / 100.0 : 1.0;
+  const double until = a.until ? time_option("--until", *a.until) : settled + 100.0;
+  const double every = a.every ? option_number<double>("--every", *a.every, 1e-300, last_time, "a number above 0, at most 1e9") : until > 0.0 ? until / 100.0 : 1.0;
   if (until / every > most_rows)
     throw InputError("--every", "", fmt::format("{}", every),
                      fmt::format("makes more than {:.0f} rows; must be at least {}", most_rows, until / most_rows));
@@ -67,7 +80,9 @@ void check_output(const std::string& path) {
 
 int run_simulate(const SimulateArguments& a) {
   std::vector<std::string> overrides = a.overrides;
-  if (a.tolerance) overrides.push_back("numerics.tolerance=" + *a.tolerance);
+  if (a.tolerance)
+    overrides.push_back(fmt::format("numerics.tolerance={}", option_number<double>("--tolerance", *a.tolerance, 1e-14, 1e-2,
+                                                                                 "a number from 1e-14 to 1e-2")));
   const Study study = read_study(a.study, overrides);
   const std::vector<double> times = output_times(a, study);
   check_output(a.output);
@@ -75,22 +90,21 @@ int run_simulate(const SimulateArguments& a) {
   const Trajectory trajectory = simulate(study, times, &stop_flag());
   if (a.output.empty()) {
     write_csv(std::cout, trajectory);
-    if (!std::cout.flush()) throw RunError("standard output cannot be written");
   } else if (ends_with(a.output, ".csv")) {
     write_csv_file(a.output, trajectory);
   } else {
     write_netcdf(a.output, trajectory, to_toml(study));
   }
   if (study.speed.law == model::SpeedLaw::published)
-    fmt::print(stderr, "equipoise: published speed law, psi = t Omega(t)\n");
+    say("published speed law, psi = t Omega(t)");
   const double last = trajectory.t.empty() ? 0.0 : trajectory.t.back();
   if (trajectory.stopped) {
-    fmt::print(stderr, "equipoise: interrupted after t = {}; the rows so far are kept\n", last);
+    say("interrupted after t = {}; the rows so far are kept", last);
     return interrupted;
   }
   if (trajectory.status != IntegrationStatus::done) {
-    fmt::print(stderr, "equipoise: the trajectory {} after t = {}; the rows so far are kept\n",
-               trajectory.status == IntegrationStatus::diverged ? "diverged" : "could not be integrated further", last);
+    say("the trajectory {} after t = {}; the rows so far are kept",
+        trajectory.status == IntegrationStatus::diverged ? "diverged" : "could not be integrated further", last);
     return failed;
   }
   return done;
@@ -101,7 +115,7 @@ int run_simulate(const SimulateArguments& a) {
 Command add_simulate(CLI::App& app) {
   const auto a = std::make_shared<SimulateArguments>();
   app.add_option("study", a->study, "study file (TOML)")->required()->type_name("STUDY");
-  app.add_option("--at", a->at, "times, separated by commas")->delimiter(',')->type_name("T,T,...");
+  app.add_option("--at", a->at, "times, separated by commas")->take_all()->type_name("T,T,...");
   app.add_option("--every", a->every, "time between rows")->type_name("DT");
   app.add_option("--until", a->until, "last time")->type_name("T");
   app.add_option("--tolerance", a->tolerance, "error allowed a step, relative (default 1e-12)")->type_name("E");

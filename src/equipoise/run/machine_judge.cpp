@@ -176,7 +176,7 @@ bool MachineFacts::fades(const double* z, const SteadyLook& look) const {
     if (look.r_rms > std::max(0.5 * bare, 1e-6)) return false;
   }
   const double tolerance = study_.numerics.tolerance.value_or(default_basin_tolerance);
-  return fades_to_balance(p, look.speed, z, tolerance, study_.numerics.horizon, stop_);
+  return fades_to_balance(p, look.speed, z, tolerance, *study_.numerics.horizon, stop_);
 }
 
 std::optional<bool> MachineFacts::rests_balanced(const double* z, const SteadyLook& look) const {

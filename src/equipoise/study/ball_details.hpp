@@ -14,8 +14,7 @@ struct BallDetails {
   std::optional<double> oil_density;    ///< kg/m^3
 };
 
-/// Reads them from a study that read_study() accepts.
-BallDetails read_ball_details(const std::string& path, const std::vector<std::string>& overrides = {});
+/// Reads them from the text of a study that parse_study() accepts.
 BallDetails parse_ball_details(const std::string& toml_text, const std::string& name,
                                const std::vector<std::string>& overrides = {});
 

@@ -14,6 +14,7 @@
 #include <fmt/ranges.h>
 
 #include "equipoise/base/angles.hpp"
+#include "equipoise/base/display_text.hpp"
 #include "equipoise/base/error.hpp"
 #include "equipoise/study/physical.hpp"
 #include "equipoise/study/table_reader.hpp"
@@ -274,9 +275,15 @@ std::optional<model::Scales> read_units(const Document& document) {
   return scales;
 }
 
-std::string read_file(const std::string& path) {
+// The longest study that anybody wrote is a thousandth of this. What never ends, as /dev/zero, ends here.
+constexpr std::size_t longest_study = std::size_t{16} << 20;
+
+}  // namespace
+
+std::string read_study_text(const std::string& path) {
   const auto reject = [&](const std::string& why) {
-    throw InputError(path, "", "", fmt::format("cannot be read ({}); must be a readable study file (TOML)", why));
+    throw InputError(display_text(path), "", "",
+                     fmt::format("cannot be read ({}); must be a readable study file (TOML)", why));
   };
   std::error_code ignored;
   if (std::filesystem::is_directory(path, ignored)) reject("a directory");
@@ -284,12 +291,13 @@ std::string read_file(const std::string& path) {
   if (!file) reject(std::filesystem::exists(path, ignored) ? "not open to this user" : "no such file");
   std::string text;
   std::array<char, 65536> block;
-  while (file.read(block.data(), block.size()), file.gcount() > 0) text.append(block.data(), file.gcount());
+  while (file.read(block.data(), block.size()), file.gcount() > 0) {
+    text.append(block.data(), file.gcount());
+    if (text.size() > longest_study) reject(fmt::format("more than {} MiB", longest_study >> 20));
+  }
   if (file.bad()) reject("reading broke off");
   return text;
 }
-
-}  // namespace
 
 namespace {
 
@@ -396,16 +404,12 @@ Study parse_study(const std::string& toml_text, const std::string& name, const s
 }
 
 Study read_study(const std::string& path, const std::vector<std::string>& overrides) {
-  return parse_study(read_file(path), path, overrides);
+  return parse_study(read_study_text(path), display_text(path), overrides);
 }
 
 BallDetails parse_ball_details(const std::string& toml_text, const std::string& name,
                                const std::vector<std::string>& overrides) {
   return ball_details(parse_document(toml_text, name, overrides));
-}
-
-BallDetails read_ball_details(const std::string& path, const std::vector<std::string>& overrides) {
-  return parse_ball_details(read_file(path), path, overrides);
 }
 
 void check(const Study& study) {

@@ -157,6 +157,9 @@ struct Study {
   double stall_speed() const;
 };
 
+/// The text of a study file; a pipe can be read once only. Throws InputError if it cannot be read or does not end.
+std::string read_study_text(const std::string& path);
+
 /// Reads and checks a study file. `overrides`: "key=value" with dotted keys, as given to --set.
 /// Throws InputError for anything unusable.
 Study read_study(const std::string& path, const std::vector<std::string>& overrides = {});

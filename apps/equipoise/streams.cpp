@@ -1,0 +1,88 @@
+// Errors of standard output are kept until the end; those of standard error are passed over.
+#include "streams.hpp"
+
+#include <array>
+#include <cerrno>
+#include <csignal>
+#include <cstdio>
+#include <cstring>
+#include <iostream>
+#include <streambuf>
+
+#include <fcntl.h>
+#include <unistd.h>
+
+#include "commands.hpp"
+
+namespace equipoise::app {
+
+namespace {
+
+// Of the first write that failed.
+int output_error = 0;
+
+// What the library and the reader of options write as streams.
+class OutputBuffer : public std::streambuf {
+ public:
+  OutputBuffer() { setp(block_.data(), block_.data() + block_.size()); }
+
+ protected:
+  int_type overflow(int_type c) override {
+    sync();
+    if (!traits_type::eq_int_type(c, traits_type::eof())) sputc(traits_type::to_char_type(c));
+    return traits_type::not_eof(c);
+  }
+  int sync() override {
+    put({pbase(), pptr()});
+    setp(block_.data(), block_.data() + block_.size());
+    return 0;
+  }
+
+ private:
+  std::array<char, 65536> block_;
+};
+
+OutputBuffer& output_buffer() {
+  static OutputBuffer buffer;
+  return buffer;
+}
+
+}  // namespace
+
+void claim_streams() {
+  std::signal(SIGPIPE, SIG_IGN);
+  std::cout.rdbuf(&output_buffer());
+  // open() takes the lowest place that is free. A reader's place is opened for writing and a writer's for reading:
+  // using it fails as on a closed stream. Standard error has nobody to complain to, and swallows.
+  const int modes[] = {O_WRONLY, O_RDONLY, O_WRONLY};
+  for (int place = 0; place < 3; ++place)
+    if (fcntl(place, F_GETFD) < 0 && errno == EBADF && open("/dev/null", modes[place]) != place) return;
+}
+
+void put(const std::string& text) {
+  if (output_error != 0) return;
+  errno = 0;
+  const bool written = std::fwrite(text.data(), 1, text.size(), stdout) == text.size() && std::fflush(stdout) == 0;
+  if (!written) output_error = errno != 0 ? errno : EIO;
+}
+
+void put_error(const std::string& text) {
+  std::fwrite(text.data(), 1, text.size(), stderr);
+  std::fflush(stderr);
+}
+
+void say(const std::string& line) { put_error("equipoise: " + line + "\n"); }
+
+int close_output(int code) {
+  std::cout.flush();
+  errno = 0;
+  const bool lost = std::ferror(stdout) != 0;
+  const bool closed = std::fclose(stdout) == 0;
+  if (output_error == 0 && (lost || !closed)) output_error = errno != 0 ? errno : EIO;
+  if (output_error == 0) return code;
+  if (output_error == EPIPE) return 128 + SIGPIPE;
+  say("standard output cannot be written: {}", std::strerror(output_error));
+  return failed;
+}
+
+}  // namespace equipoise::app

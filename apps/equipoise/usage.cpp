@@ -1,0 +1,127 @@
+// CLI11 tells what it did not understand; the rest is looked up in the application.
+#include "usage.hpp"
+
+#include <algorithm>
+#include <numeric>
+#include <vector>
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include "equipoise/base/display_text.hpp"
+#include "equipoise/base/error.hpp"
+
+namespace equipoise::app {
+
+namespace {
+
+// Characters to add, drop or change (V. I. Levenshtein, Soviet Physics Doklady 10 (1966) 707), or to exchange with the
+// next.
+std::size_t distance(const std::string& a, const std::string& b) {
+  std::vector<std::size_t> before, row(b.size() + 1), next(b.size() + 1);
+  std::iota(row.begin(), row.end(), std::size_t{0});
+  for (std::size_t i = 1; i <= a.size(); ++i) {
+    next[0] = i;
+    for (std::size_t j = 1; j <= b.size(); ++j) {
+      next[j] = std::min({row[j] + 1, next[j - 1] + 1, row[j - 1] + (a[i - 1] != b[j - 1])});
+      if (i > 1 && j > 1 && a[i - 1] == b[j - 2] && a[i - 2] == b[j - 1]) next[j] = std::min(next[j], before[j - 2] + 1);
+    }
+    before = row;
+    row = next;
+  }
+  return row.back();
+}
+
+// " (is "basin" meant?)", or nothing where no name is near.
+std::string meant(const std::string& typed, const std::vector<std::string>& names) {
+  std::string best;
+  std::size_t least = 1 + std::min<std::size_t>(2, typed.size() / 2);
+  for (const std::string& name : names) {
+    const bool begins = typed.size() >= 3 && name.starts_with(typed);
+    const std::size_t away = begins ? 0 : distance(typed, name);
+    if (away >= least) continue;
+    least = away;
+    best = name;
+  }
+  return best.empty() ? "" : fmt::format(" (is \"{}\" meant?)", best);
+}
+
+// "N, number of starts"
+std::string takes(const CLI::Option& option) {
+  return fmt::format("{}, {}", option.get_type_name(), option.get_description());
+}
+
+std::vector<std::string> command_names(const CLI::App& app) {
+  std::vector<std::string> names;
+  for (const CLI::App* sub : app.get_subcommands({})) names.push_back(sub->get_name());
+  return names;
+}
+
+std::vector<std::string> option_names(const CLI::App& app) {
+  std::vector<std::string> names;
+  for (const CLI::Option* option : app.get_options())
+    for (const std::string& name : option->get_lnames()) names.push_back("--" + name);
+  return names;
+}
+
+// The value of "--starts=5" does not count.
+std::string unknown_option(const CLI::App& app, const std::string& place, const std::string& typed) {
+  const std::string name = typed.substr(0, typed.find('='));
+  return fmt::format("{}unknown option \"{}\"{}; {} --help lists all", place, display_text(name),
+                     meant(name, option_names(app)), app.get_parent() ? "equipoise " + app.get_name() : "equipoise");
+}
+
+// Without a command.
+std::string no_command(const CLI::App& app, int argc, char** argv) {
+  const std::string allowed = fmt::format("must be one of: {}", fmt::join(command_names(app), ", "));
+  if (argc < 2) return fmt::format("a command is missing; {} (equipoise --help says more)", allowed);
+  const std::string typed = argv[1];
+  if (typed.starts_with("-")) return unknown_option(app, "", typed);
+  return fmt::format("unknown command \"{}\"{}; {}", display_text(typed), meant(typed, command_names(app)), allowed);
+}
+
+std::string unexpected(const CLI::App& command) {
+  const std::vector<std::string> words = command.remaining();
+  const auto option = std::find_if(words.begin(), words.end(), [](const std::string& w) { return w.starts_with("-"); });
+  const std::string place = command.get_name() + ": ";
+  if (option != words.end() && *option != "--") return unknown_option(command, place, *option);
+  return fmt::format("{}unexpected \"{}\"; one study is enough, and options begin with --", place,
+                     display_text(words.empty() ? "" : words.front()));
+}
+
+// An option without its value, or given more than once. CLI11 names it before a colon.
+std::string mismatch(const CLI::App& command, const std::string& message) {
+  for (const CLI::Option* option : command.get_options()) {
+    if (option->count() > 1 && option->get_items_expected_max() <= 1 && !option->get_positional())
+      return fmt::format("{}: {}: given {} times ({}); must be given once", command.get_name(), option->get_name(),
+                         option->count(), display_text(fmt::format("{}", fmt::join(option->results(), ", "))));
+  }
+  const CLI::Option* option = command.get_option_no_throw(message.substr(0, message.find(':')));
+  return option ? fmt::format("{}: {}: its value is missing; it takes {}", command.get_name(), option->get_name(),
+                              takes(*option))
+                : "";
+}
+
+}  // namespace
+
+std::string usage_error(const CLI::App& app, const CLI::ParseError& error, int argc, char** argv) {
+  const std::vector<CLI::App*> chosen = app.get_subcommands();
+  if (chosen.empty()) return no_command(app, argc, argv);
+  const CLI::App& command = *chosen.front();
+  if (dynamic_cast<const CLI::ExtrasError*>(&error)) return unexpected(command);
+  std::string text = dynamic_cast<const CLI::ArgumentMismatch*>(&error) ? mismatch(command, error.what()) : "";
+  if (text.empty() && dynamic_cast<const CLI::RequiredError*>(&error))
+    text = fmt::format("{}: STUDY is missing; must be a study file (TOML)", command.get_name());
+  if (text.empty()) text = command.get_name() + ": " + display_text(error.what());
+  return text;
+}
+
+void refuse_empty_values(const CLI::App& command) {
+  for (const CLI::Option* option : command.get_options())
+    for (const std::string& value : option->results())
+      if (value.empty())
+        throw InputError(option->get_positional() ? option->get_type_name() : option->get_name(), "", "",
+                         fmt::format("is empty; it takes {}", takes(*option)));
+}
+
+}  // namespace equipoise::app

@@ -1,0 +1,53 @@
+// UTF-8 as RFC 3629 has it: shortest forms only, no surrogates, at most U+10FFFF.
+#include "equipoise/base/display_text.hpp"
+
+#include <cstddef>
+
+namespace equipoise {
+
+namespace {
+
+unsigned char byte_at(std::string_view text, std::size_t at) {
+  return at < text.size() ? static_cast<unsigned char>(text[at]) : 0;
+}
+
+// Bytes of the character that begins at `at`; 0 if none does.
+std::size_t character_length(std::string_view text, std::size_t at) {
+  const unsigned char lead = byte_at(text, at), next = byte_at(text, at + 1);
+  if (lead < 0x80) return 1;
+  const std::size_t length = lead >= 0xC2 && lead <= 0xDF ? 2 : (lead & 0xF0) == 0xE0 ? 3 : lead >= 0xF0 && lead <= 0xF4 ? 4 : 0;
+  if ((lead == 0xE0 && next < 0xA0) || (lead == 0xED && next > 0x9F)) return 0;
+  if ((lead == 0xF0 && next < 0x90) || (lead == 0xF4 && next > 0x8F)) return 0;
+  for (std::size_t k = 1; k < length; ++k)
+    if ((byte_at(text, at + k) & 0xC0) != 0x80) return 0;
+  return length;
+}
+
+void append_escaped(std::string& text, unsigned char control) {
+  constexpr const char* digits = "0123456789ABCDEF";
+  text += "\\u00";
+  text += digits[control >> 4];
+  text += digits[control & 15];
+}
+
+}  // namespace
+
+std::string display_text(std::string_view text) {
+  std::string shown;
+  for (std::size_t at = 0; at < text.size();) {
+    const std::size_t length = character_length(text, at);
+    const unsigned char lead = byte_at(text, at), next = byte_at(text, at + 1);
+    if (length == 0)
+      shown += "\xEF\xBF\xBD";
+    else if (length == 1 && (lead < 0x20 || lead == 0x7F))
+      append_escaped(shown, lead);
+    else if (length == 2 && lead == 0xC2 && next < 0xA0)  // control characters again
+      append_escaped(shown, next);
+    else
+      shown += text.substr(at, length);
+    at += length == 0 ? 1 : length;
+  }
+  return shown;
+}
+
+}  // namespace equipoise

@@ -1,0 +1,110 @@
+// The audit: studies drawn over all legal settings, each answered, followed on and turned over in every way that may
+// not change its answer.
+//
+//     equipoise_audit [--studies N] [--seed S] [--only K] [--starts N] [--seconds T] [--threads T] [--folder DIR]
+//                     [--json FILE]
+#include <algorithm>
+#include <cstdio>
+#include <cstdlib>
+#include <exception>
+#include <fstream>
+#include <string>
+#include <thread>
+#include <vector>
+
+#include <fmt/format.h>
+#include <oneapi/tbb/global_control.h>
+
+#include "checks.hpp"
+#include "table.hpp"
+
+namespace {
+
+using namespace equipoise::audit;
+
+struct Arguments {
+  Settings settings;
+  int studies = 40, only = -1;
+  std::uint64_t seed = 1;
+  std::string json;
+};
+
+int usage() {
+  fmt::print(stderr,
+             "usage: equipoise_audit [--studies N (40)] [--seed S (1)] [--only NUMBER] [--starts N (300)]\n"
+             "                       [--seconds CPU_A_STUDY (40)] [--threads T] [--folder DIR] [--json FILE]\n");
+  return 2;
+}
+
+bool read(int argc, char** argv, Arguments& a) {
+  a.settings.threads = static_cast<int>(std::max(1u, std::thread::hardware_concurrency()));
+  for (int i = 1; i + 1 < argc; i += 2) {
+    const std::string option = argv[i], value = argv[i + 1];
+    char* end = nullptr;
+    const double number = std::strtod(value.c_str(), &end);
+    const bool whole = end && *end == '\0' && !value.empty() && number >= 0.0 && number <= 1e9;
+    if (option == "--folder")
+      a.settings.folder = value;
+    else if (option == "--json")
+      a.json = value;
+    else if (!whole)
+      return false;
+    else if (option == "--studies")
+      a.studies = static_cast<int>(number);
+    else if (option == "--only")
+      a.only = static_cast<int>(number);
+    else if (option == "--seed")
+      a.seed = static_cast<std::uint64_t>(number);
+    else if (option == "--starts" && number >= 1.0)
+      a.settings.starts = static_cast<std::uint64_t>(number);
+    else if (option == "--seconds")
+      a.settings.seconds = number;
+    else if (option == "--threads" && number >= 1.0)
+      a.settings.threads = static_cast<int>(number);
+    else
+      return false;
+  }
+  a.settings.machine_starts = std::max<std::uint64_t>(1, a.settings.starts / 3);
+  return argc % 2 == 1;
+}
+
+int run(const Arguments& a) {
+  // Threads beyond the machine's cores are made too: what may not depend on their number is tried with three.
+  const tbb::global_control allowed(tbb::global_control::max_allowed_parallelism,
+                                    std::max<std::size_t>(3, static_cast<std::size_t>(a.settings.threads)));
+  std::vector<StudyAudit> audits;
+  std::string faults;
+  int failed = 0;
+  double seconds = 0.0;
+  fmt::print("{}", table_head());
+  for (int k = 0; k < a.studies; ++k) {
+    if (a.only >= 0 && k > 0) break;
+    audits.push_back(audit_study(draw_study(a.seed, a.only >= 0 ? a.only : k), a.settings));
+    failed += audits.back().failed();
+    seconds += audits.back().seconds;
+    fmt::print("{}", table_line(audits.back()));
+    std::fflush(stdout);
+    faults += faults_text(audits.back());
+  }
+  fmt::print("\n{}{} of {} studies failed a check; seed {}; {:.0f} s CPU\n", faults.empty() ? "" : faults + "\n", failed,
+             audits.size(), a.seed, seconds);
+  if (!a.json.empty()) {
+    std::ofstream file(a.json);
+    if (!(file << audits_json(audits, a.seed)).flush()) throw std::runtime_error(a.json + ": cannot be written");
+  }
+  if (std::fflush(stdout) != 0) throw std::runtime_error("standard output cannot be written");
+  return failed > 0 ? 3 : 0;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  Arguments a;
+  if (!read(argc, argv, a)) return usage();
+  try {
+    return run(a);
+  } catch (const std::exception& e) {
+    fmt::print(stderr, "equipoise_audit: {}\n", e.what());
+    return 1;
+  }
+}

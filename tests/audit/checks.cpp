@@ -1,0 +1,338 @@
+// The checks, in the order in which a study's time is spent.
+#include "checks.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <ctime>
+#include <filesystem>
+#include <fstream>
+#include <sstream>
+
+#include <fmt/format.h>
+
+#include "claims.hpp"
+#include "equipoise/base/error.hpp"
+#include "equipoise/model/strobe.hpp"
+#include "equipoise/run/discovery.hpp"
+#include "equipoise/run/lane_kernels.hpp"
+#include "figures.hpp"
+#include "late_motion.hpp"
+#include "same_study.hpp"
+
+namespace equipoise::audit {
+
+const std::array<const char*, column_count> column_names{"later",    "horizon", "proof",     "rotated",  "mirror",  "order",
+                                                         "physical", "threads", "processor", "replayed", "figures", "undecided"};
+
+bool StudyAudit::failed() const {
+  return std::any_of(checks.begin(), checks.end(), [](const Check& c) { return c.verdict == Verdict::failed; });
+}
+
+namespace {
+
+// Two independent samples of one law differ as much as this less than once in ten audits (40 studies, two comparisons,
+// some four kinds).
+constexpr double improbable = 3e-4;
+// Of the same trajectories but for roundings: those that pass a boundary of basins go either way, and where transients
+// are chaotic that may be a few in a hundred.
+constexpr double boundary_share = 0.04;
+constexpr std::size_t boundary_starts = 4;
+// From here on an answer that says nothing of why is none.
+constexpr double many_undecided = 0.2;
+
+double cpu_seconds() { return static_cast<double>(std::clock()) / CLOCKS_PER_SEC; }
+
+class StudyChecks {
+ public:
+  StudyChecks(const DrawnStudy& drawn, const Settings& settings)
+      : settings_(settings), study_(drawn.study), begin_(cpu_seconds()) {
+    audit_.drawn = drawn;
+    starts_ = study_.needs_machine() ? settings.machine_starts : settings.starts;
+  }
+
+  StudyAudit run() {
+    try {
+      base_ = run_ensemble(study_, starts_, options());
+    } catch (const InputError& refusal) {
+      audit_.refused = refusal.what();
+      return finish();
+    }
+    describe();
+    using Member = void (StudyChecks::*)();
+    const std::array<Member, 11> members{
+        &StudyChecks::check_later,    &StudyChecks::check_horizon,  &StudyChecks::check_figures, &StudyChecks::check_replay,
+        &StudyChecks::check_rotation, &StudyChecks::check_mirror,   &StudyChecks::check_proof,   &StudyChecks::check_order,
+        &StudyChecks::check_physical, &StudyChecks::check_threads,  &StudyChecks::check_processor};
+    // Where time runs out differs from study to study, so that no check is always the one passed over.
+    constexpr std::size_t always = 4;
+    for (std::size_t k = 0; k < members.size(); ++k) {
+      const std::size_t rest = members.size() - always, turn = static_cast<std::size_t>(audit_.drawn.number);
+      const Member member = members[k < always ? k : always + (k - always + turn) % rest];
+      if (k < always || cpu_seconds() - begin_ < settings_.seconds) (this->*member)();
+    }
+    return finish();
+  }
+
+ private:
+  StudyAudit finish() {
+    audit_.seconds = cpu_seconds() - begin_;
+    return audit_;
+  }
+
+  BasinOptions options() {
+    BasinOptions options;
+    options.threads = settings_.threads;
+    options.discoveries = &discoveries_;
+    return options;
+  }
+
+  void describe() {
+    std::vector<std::pair<std::uint64_t, std::string>> kinds;
+    for (const auto& [kind, count] : base_.kinds()) kinds.emplace_back(count, kind);
+    std::sort(kinds.rbegin(), kinds.rend());
+    for (const auto& [count, kind] : kinds)
+      audit_.answer += fmt::format("{}{} {:.0f} %", audit_.answer.empty() ? "" : ", ", kind,
+                                   100.0 * static_cast<double>(count) / static_cast<double>(base_.fates.size()));
+    const Share& undecided = base_.result.undecided;
+    audit_.undecided_share = undecided.share;
+    Check& check = audit_.at(Column::undecided);
+    check = Check::passed(fmt::format("{:.0f} %", 100.0 * undecided.share));
+    if (undecided.share > many_undecided && !note_says("ndecided"))
+      check.fail(fmt::format("{:.0f} % undecided, and no note says why", 100.0 * undecided.share), command(""));
+  }
+
+  // Whether a line of the answer that is a note holds these letters.
+  bool note_says(const char* letters) const {
+    std::istringstream lines(basin_text(base_.result));
+    for (std::string line; std::getline(lines, line);)
+      if (line.starts_with("Note:") && line.find(letters) != std::string::npos) return true;
+    return false;
+  }
+
+  // The program's command for the study; its file is written where it is needed.
+  std::string command(const std::string& arguments, const Study* other = nullptr, const char* suffix = "") {
+    const Study& study = other ? *other : study_;
+    std::string name = std::filesystem::path(study_.name).stem().string() + suffix + ".toml";
+    if (!settings_.folder.empty()) {
+      std::filesystem::create_directories(settings_.folder);
+      name = settings_.folder + "/" + name;
+      std::ofstream(name) << to_toml(study);
+    }
+    return fmt::format("equipoise basin {} --starts {}{}{}", name, starts_, arguments.empty() ? "" : " ", arguments);
+  }
+
+  std::string replay(std::size_t start) { return command(fmt::format("--start-index {}", start)); }
+
+  // Decision times since the last branch began, of the decided.
+  std::vector<double> decision_times() const {
+    double settled = study_.speed.driven() ? study_.drive().pieces.back().begin : 0.0;
+    if (!study_.speed.driven()) settled = std::max(study_.speed_profile().settled_time(), study_.release_time());
+    std::vector<double> times;
+    for (std::size_t i = 0; i < base_.fates.size(); ++i)
+      if (base_.decided(i)) times.push_back(std::max(base_.fates[i].time - settled, 0.0));
+    std::sort(times.begin(), times.end());
+    return times;
+  }
+
+  // Starts are followed as long as nine in ten of them have been decided `longer` times over, and the slowest twice;
+  // as long as a study's share of time allows.
+  void check_later() {
+    Check& check = audit_.at(Column::later);
+    const std::vector<double> decided = decision_times();
+    if (decided.empty()) return;
+    const double most = decided.back(), usual = decided[decided.size() * 9 / 10];
+    const std::size_t count = std::min<std::size_t>(base_.fates.size(), study_.needs_machine() ? 100 : 200);
+    // What a processor's core does in a share of time, in units of time of one trajectory.
+    const double reach = settings_.seconds * (study_.needs_machine() ? 2e4 : 4e5) / static_cast<double>(count);
+    LookTimes times;
+    times.length = window_length(study_);
+    times.second = std::clamp(settings_.longer * usual, 2.0 * most + 2.0 * times.length, std::max(reach, 2.5 * most + 500.0));
+    times.first = std::max(0.5 * times.second, 1.02 * most);
+    const std::vector<LateMotion> late = follow_late(study_, count, times, settings_.threads);
+    std::size_t judged = 0, wrong = 0;
+    std::map<std::string, int> told;  // one fault of a kind
+    for (std::size_t i = 0; i < count; ++i) {
+      if (!base_.decided(i)) continue;
+      ++judged;
+      const std::string against = contradiction(study_, base_, i, late[i], times);
+      if (against.empty()) continue;
+      ++wrong;
+      if (told[base_.kind(i)]++ == 0)
+        check.fail(fmt::format("start {} is \"{}\" at {:.0f}, but at {:.0f} {}", i, base_.name(i), base_.fates[i].time,
+                               times.second, against),
+                   replay(i));
+    }
+    if (check.verdict != Verdict::failed) check.verdict = Verdict::passed;
+    check.seen = fmt::format("{} of {}, x{:.0f}", judged - wrong, judged, times.second / std::max(usual, 1.0));
+  }
+
+  void check_horizon() {
+    Check& check = audit_.at(Column::horizon);
+    const std::uint64_t count = study_.needs_machine() ? std::min<std::uint64_t>(starts_, 60) : starts_;
+    const Study longer = parse_study(to_toml(study_), study_.name,
+                                     {"numerics.decide=horizon", fmt::format("numerics.horizon={:.1f}", long_horizon())});
+    const Ensemble followed = run_ensemble(longer, count, options());
+    const Pairs pairs = compare_pairs(base_, followed, false);
+    std::size_t lost = 0;
+    for (std::size_t i = 0; i < count; ++i) lost += base_.decided(i) && !followed.decided(i);
+    check = Check::passed(fmt::format("{} of {}{}", pairs.compared - pairs.differ, pairs.compared,
+                                      lost ? fmt::format(", {} open", lost) : ""));
+    const std::size_t at = pairs.first_difference;
+    if (pairs.differ)
+      check.fail(fmt::format("{} starts are something else at the horizon: start {} is \"{}\", then \"{}\"", pairs.differ, at,
+                             base_.name(at), followed.name(at)),
+                 replay(at) + fmt::format(" --decide horizon --set numerics.horizon={:.1f}", long_horizon()));
+  }
+
+  double long_horizon() const {
+    const std::vector<double> decided = decision_times();
+    const double most = decided.empty() ? 0.0 : decided.back();
+    return std::clamp(3.0 * most, 9000.0, 60000.0);
+  }
+
+  void check_proof() {
+    if (study_.needs_machine() || model::is_strobed(study_.parameters) || study_.parameters.balls > 2) return;
+    const Study by_proof = parse_study(to_toml(study_), study_.name, {"numerics.decide=proof"});
+    same_starts(Column::proof, run_ensemble(by_proof, starts_, options()), 0, "decided by proof", "--decide proof");
+  }
+
+  // The same trajectories: no start may differ, but for `allowed`.
+  void same_starts(Column column, const Ensemble& other, std::size_t allowed, const std::string& what,
+                   const std::string& arguments) {
+    Check& check = audit_.at(column);
+    const Pairs pairs = compare_pairs(base_, other, false);
+    check = Check::passed(fmt::format("{} of {}", pairs.compared - pairs.differ, pairs.compared));
+    const std::size_t at = pairs.first_difference;
+    if (pairs.differ > allowed)
+      check.fail(fmt::format("{} of {} starts differ {}: start {} is \"{}\", then \"{}\"", pairs.differ, pairs.compared, what,
+                             at, base_.name(at), other.name(at)),
+                 command(arguments));
+    const double more = other.result.undecided.share - base_.result.undecided.share;
+    const bool other_grounds = column == Column::proof;  // decides later by its nature
+    if (!other_grounds && std::fabs(more) > 2.0 * boundary_share + 0.02)
+      check.fail(fmt::format("{:.0f} % undecided, {} {:.0f} %", 100.0 * base_.result.undecided.share, what,
+                             100.0 * other.result.undecided.share),
+                 command(arguments));
+  }
+
+  std::size_t at_boundaries(const Ensemble& other) const {
+    return boundary_starts + static_cast<std::size_t>(boundary_share * static_cast<double>(other.fates.size()));
+  }
+
+  // Without gravity and with equal supports nothing depends on the rotor's angle. On lanes not even a bit; a machine's
+  // angle is a state, whose rounding is another.
+  void check_rotation() {
+    if (model::is_strobed(study_.parameters)) return;
+    Study turned = study_;
+    turned.initial.psi += 2.1;
+    const Ensemble other = run_ensemble(turned, starts_, options());
+    same_starts(Column::rotated, other, study_.needs_machine() ? at_boundaries(other) : 0, "with the rotor turned",
+                fmt::format("--set initial.psi={:.17g}", turned.initial.psi));
+  }
+
+  void same_shares(Column column, const Study& other, const char* what, const char* suffix) {
+    Check& check = audit_.at(column);
+    // The mirrored study's fates are those of other starts: two samples.
+    const Ensemble ensemble = run_ensemble(other, starts_, options());
+    const SharesApart apart = compare_shares(base_, ensemble);
+    check = Check::passed(fmt::format("p {:.2g}", apart.probability));
+    if (apart.probability < improbable)
+      check.fail(fmt::format("\"{}\" {:.0f} %, {} {:.0f} %", apart.kind, 100.0 * apart.first, what, 100.0 * apart.second),
+                 command("") + " ; " + command("", &other, suffix));
+  }
+
+  void check_mirror() {
+    const std::optional<Study> other = mirrored(study_);
+    if (other) same_shares(Column::mirror, *other, "mirrored", "-mirrored");
+  }
+
+  void check_order() {
+    if (study_.parameters.equal_balls()) return;
+    same_shares(Column::order, reversed(study_), "with its balls in the opposite order", "-reversed");
+  }
+
+  void check_physical() {
+    Check& check = audit_.at(Column::physical);
+    const model::Scales scales{2.5, 0.04, 60.0};
+    const std::optional<std::string> text = physical_text(study_, scales);
+    if (!text) return;
+    const Study physical = parse_study(*text, study_.name);
+    const std::string differ = numbers_differ(study_, physical);
+    BasinOptions with_transients = options();
+    with_transients.transients = true;
+    const Ensemble other = run_ensemble(physical, starts_, with_transients);
+    const Ensemble again = run_ensemble(study_, starts_, with_transients);
+    same_starts(Column::physical, other, at_boundaries(other), "in SI units", "");
+    if (!differ.empty()) check.fail("numbers differ: " + differ, command("", &physical, "-physical"));
+    for (const Ensemble* e : {&again, &other})
+      for (const std::string& fault : impossible_figures(e->result))
+        audit_.at(Column::figures).fail(fault, command("--transients"));
+    for (const std::string& fault : wrong_units(again.result, other.result))
+      check.fail(fault, command("--transients", &physical, "-physical"));
+  }
+
+  void check_threads() {
+    BasinOptions one = options(), three = options();
+    one.discoveries = three.discoveries = nullptr;  // what is found beforehand may not depend on threads either
+    one.threads = 1;
+    three.threads = 3;
+    const std::uint64_t count = std::min<std::uint64_t>(starts_, 64);
+    const Ensemble a = run_ensemble(study_, count, one), b = run_ensemble(study_, count, three);
+    Check& check = audit_.at(Column::threads);
+    check = Check::passed("same bits");
+    for (std::size_t i = 0; i < a.fates.size(); ++i) {
+      const Fate &x = a.fates[i], &y = b.fates[i];
+      if (x.outcome != y.outcome || x.by != y.by || x.attractor != y.attractor || x.time != y.time) {
+        check.fail(fmt::format("start {}: \"{}\" at {} on one thread, \"{}\" at {} on three", i, a.name(i), x.time, b.name(i),
+                               y.time),
+                   command("--threads 1") + " ; --threads 3");
+        return;
+      }
+    }
+  }
+
+  void check_processor() {
+    const std::vector<std::string> targets = cpu_targets();
+    if (targets.size() < 2 || study_.needs_machine()) return;  // machines run in plain doubles everywhere
+    // Half the speed or less: fewer starts, by the list of motions already found.
+    const std::uint64_t count = std::min<std::uint64_t>(starts_, 100);
+    const std::string& target = targets[1 + static_cast<std::size_t>(audit_.drawn.number) % (targets.size() - 1)];
+    use_cpu_target(target);
+    const Ensemble other = run_ensemble(study_, count, options());
+    use_cpu_target("");
+    same_starts(Column::processor, other, at_boundaries(other), "on " + target, "--cpu " + target);
+  }
+
+  void check_replay() {
+    Check& check = audit_.at(Column::replayed);
+    check = Check::passed("3 of 3");
+    for (const std::size_t i : {std::size_t{0}, base_.fates.size() / 2, base_.fates.size() - 1}) {
+      const StartReplay again = replay_start(study_, i, options());
+      const Fate &x = base_.fates[i], &y = again.fate;
+      const std::string name = y.outcome == Outcome::attracted ? again.name : base_.name(i);
+      if (x.outcome != y.outcome || x.time != y.time || x.by != y.by || name != base_.name(i))
+        check.fail(fmt::format("start {} is \"{}\" at {}, replayed \"{}\" at {}", i, base_.name(i), x.time, name, y.time),
+                   replay(i));
+    }
+  }
+
+  void check_figures() {
+    Check& check = audit_.at(Column::figures);
+    check = Check::passed("");
+    for (const std::string& fault : impossible_figures(base_.result)) check.fail(fault, command(""));
+  }
+
+  const Settings& settings_;
+  Study study_;
+  double begin_;
+  std::uint64_t starts_ = 0;
+  DiscoveryCache discoveries_;
+  Ensemble base_;
+  StudyAudit audit_;
+};
+
+}  // namespace
+
+StudyAudit audit_study(const DrawnStudy& drawn, const Settings& settings) { return StudyChecks(drawn, settings).run(); }
+
+}  // namespace equipoise::audit

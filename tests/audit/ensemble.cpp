@@ -1,0 +1,87 @@
+// Running, naming, comparing.
+#include "ensemble.hpp"
+
+#include <algorithm>
+#include <set>
+
+#include "equipoise/statistics/comparison.hpp"
+
+namespace equipoise::audit {
+
+std::string kind_of_name(const std::string& name) {
+  std::string kind = name.substr(0, name.find(" ("));
+  for (const char* mark : {", period", ", quasi-periodic", ", chaotic", ", back after"})
+    kind = kind.substr(0, kind.find(mark));
+  return kind;
+}
+
+std::string Ensemble::name(std::size_t i) const {
+  switch (fates[i].outcome) {
+    case Outcome::attracted: {
+      const Attractor* a = catalogue.find(fates[i].attractor);
+      return a ? a->name : "unlisted";
+    }
+    case Outcome::undecided:
+      return "undecided";
+    case Outcome::diverged:
+      return "diverged";
+    case Outcome::stalled:
+      return "stalled";
+    default:
+      return "failed";
+  }
+}
+
+std::string Ensemble::kind(std::size_t i) const { return kind_of_name(name(i)); }
+
+bool Ensemble::decided(std::size_t i) const {
+  return fates[i].outcome == Outcome::attracted || fates[i].outcome == Outcome::stalled;
+}
+
+std::map<std::string, std::uint64_t> Ensemble::kinds() const {
+  std::map<std::string, std::uint64_t> counts;
+  for (std::size_t i = 0; i < fates.size(); ++i) ++counts[kind(i)];
+  return counts;
+}
+
+Ensemble run_ensemble(Study study, std::uint64_t starts, const BasinOptions& options) {
+  Ensemble ensemble;
+  BasinOptions all = options;
+  all.fate = [&](const Fate& fate) { ensemble.fates.push_back(fate); };
+  study.sampling.starts = starts;
+  ensemble.result = basin(study, all, &ensemble.catalogue);
+  return ensemble;
+}
+
+Pairs compare_pairs(const Ensemble& a, const Ensemble& b, bool undecided_too) {
+  Pairs pairs;
+  for (std::size_t i = 0; i < std::min(a.fates.size(), b.fates.size()); ++i) {
+    if (!undecided_too && !(a.decided(i) && b.decided(i))) continue;
+    ++pairs.compared;
+    if (a.kind(i) == b.kind(i)) continue;
+    if (pairs.differ++ == 0) pairs.first_difference = i;
+  }
+  return pairs;
+}
+
+SharesApart compare_shares(const Ensemble& a, const Ensemble& b) {
+  SharesApart worst;
+  const auto first = a.kinds(), second = b.kinds();
+  std::set<std::string> kinds;
+  for (const auto& list : {first, second})
+    for (const auto& [kind, count] : list) kinds.insert(kind);
+  const auto count = [](const auto& list, const std::string& kind) {
+    const auto at = list.find(kind);
+    return at == list.end() ? std::uint64_t{0} : at->second;
+  };
+  for (const std::string& kind : kinds) {
+    const std::uint64_t n = a.fates.size(), m = b.fates.size(), k = count(first, kind), l = count(second, kind);
+    const double share = static_cast<double>(l) / static_cast<double>(m);
+    const double probability = agreement_p_value(k, n, {share, 0.0, m});
+    if (probability < worst.probability)
+      worst = {probability, kind, static_cast<double>(k) / static_cast<double>(n), share};
+  }
+  return worst;
+}
+
+}  // namespace equipoise::audit

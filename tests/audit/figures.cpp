@@ -1,0 +1,118 @@
+// Reads the JSON and the text that people and programs get.
+#include "figures.hpp"
+
+#include <cmath>
+#include <map>
+#include <optional>
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+namespace equipoise::audit {
+
+namespace {
+
+using Json = nlohmann::json;
+
+std::optional<double> number(const Json& json, const char* key) {
+  const auto at = json.find(key);
+  if (at == json.end() || !at->is_number()) return std::nullopt;
+  return at->get<double>();
+}
+
+void check_share(const Json& share, const std::string& name, double starts, std::vector<std::string>& faults) {
+  const auto p = number(share, "share"), low = number(share, "low"), high = number(share, "high");
+  if (!p || !low || !high || !(0.0 <= *low && *low <= *p && *p <= *high && *high <= 1.0))
+    faults.push_back(fmt::format("share of {} outside its interval: {}", name, share.dump()));
+  const auto count = number(share, "count");
+  if (!count || *count < 0.0 || *count > starts)
+    faults.push_back(fmt::format("count of {}: {}", name, share.dump()));
+}
+
+void check_transients(const Json& transients, std::vector<std::string>& faults) {
+  for (const Json& group : transients.at("groups")) {
+    const std::string name = group.at("name");
+    std::map<std::string, double> largest;
+    for (const auto& [key, figure] : group.at("figures").items()) {
+      for (const char* what : {"mean", "largest"})
+        if (const auto value = number(figure, what); value && !(*value >= 0.0))
+          faults.push_back(fmt::format("{} of {}: {} is {}", key, name, what, *value));
+      if (const auto value = number(figure, "largest")) largest[key] = *value;
+      double before = 0.0;
+      for (const Json& q : figure.at("quantiles")) {
+        const auto value = number(q, "value");
+        if (!value) continue;
+        if (*value < before) faults.push_back(fmt::format("quantiles of {} of {} fall", key, name));
+        before = *value;
+      }
+    }
+    const auto above = [&](const char* more, const char* less) {
+      // Single precision.
+      if (largest.count(more) && largest.count(less) && largest[less] > largest[more] * (1.0 + 1e-6))
+        faults.push_back(fmt::format("{}: largest {} {} exceeds {} {}", name, less, largest[less], more, largest[more]));
+    };
+    above("peak_radial", "peak_radial_after_release");
+    above("peak_radial_after_release", "peak_radial_at_end");
+    above("peak_force", "rms_force");
+    above("followed_until", "settling_time");
+    above("followed_until", "time_above");
+  }
+}
+
+}  // namespace
+
+std::vector<std::string> impossible_figures(const BasinResult& result) {
+  std::vector<std::string> faults;
+  const std::string json_text = basin_json(result), text = basin_text(result);
+  for (const char* word : {"nan", "inf ", "-0.0 %", "-0 %"})
+    if (text.find(std::string(" ") + word) != std::string::npos)
+      faults.push_back(fmt::format("the text holds \"{}\"", word));
+  const Json json = Json::parse(json_text);
+  const double starts = json.at("starts");
+  double sum = 0.0;
+  const auto add = [&](const Json& share, const std::string& name) {
+    check_share(share, name, starts, faults);
+    sum += number(share, "count").value_or(0.0);
+  };
+  for (const Json& outcome : json.at("outcomes")) {
+    add(outcome, outcome.at("name"));
+    const auto time = number(outcome, "mean_time");
+    if (outcome.at("count") > 0 && (!time || !(*time >= 0.0)))
+      faults.push_back(fmt::format("mean time of {} is {}", outcome.at("name").dump(), outcome.at("mean_time").dump()));
+  }
+  for (const char* word : {"undecided", "diverged", "failed", "stalled"})
+    if (json.contains(word)) add(json.at(word), word);
+  if (sum != starts) faults.push_back(fmt::format("outcomes of {} starts sum to {}", starts, sum));
+  if (json.contains("transients")) check_transients(json.at("transients"), faults);
+  return faults;
+}
+
+std::vector<std::string> wrong_units(const BasinResult& dimensionless, const BasinResult& physical) {
+  std::vector<std::string> faults;
+  const Json a = Json::parse(basin_json(dimensionless)), b = Json::parse(basin_json(physical));
+  if (!a.contains("transients") || !b.contains("transients")) return {"no transients where they were asked for"};
+  const model::Scales& u = *physical.study.scales;
+  const std::map<std::string, double> units{{"mm", 1e3 * u.length}, {"N", u.force()}, {"mm/s", 1e3 * u.velocity()},
+                                            {"s", u.time()},        {"ms", 1e3 * u.time()}};
+  // Medians: a start or two that chance sends elsewhere after a rounding move a mean by much.
+  const auto median = [](const Json& figure) -> std::optional<double> {
+    for (const Json& q : figure.value("quantiles", Json::array()))
+      if (number(q, "probability") == 0.5) return number(q, "value");
+    return std::nullopt;
+  };
+  // What a balanced rotor is left with is rounding: 1e-5 of a unit.
+  const auto least = [&](const std::string& unit) { return 1e-5 * units.at(unit); };
+  const Json& first = a["transients"]["groups"][0]["figures"];
+  for (const auto& [key, figure] : b["transients"]["groups"][0]["figures"].items()) {
+    const std::string unit = figure.value("unit", "");
+    const auto at = units.find(unit);
+    const auto x = median(first.value(key, Json::object())), y = median(figure);
+    if (at == units.end())
+      faults.push_back(fmt::format("{} is in \"{}\"", key, unit));
+    else if (x && y && std::fabs(*y - *x * at->second) > 0.05 * std::fabs(*y) + least(unit))
+      faults.push_back(fmt::format("median {} is {:.4g} {}, dimensionless {:.4g}", key, *y, unit, *x));
+  }
+  return faults;
+}
+
+}  // namespace equipoise::audit
