@@ -11,6 +11,7 @@
 #include "equipoise/run/cost.hpp"
 #include "equipoise/run/explain.hpp"
 #include "equipoise/run/horizon.hpp"
+#include "equipoise/run/undecided.hpp"
 
 namespace equipoise {
 namespace {
@@ -93,12 +94,14 @@ TEST(WhyUndecided, NamesTheRateThatTheHorizonWasTooShortFor) {
   EXPECT_NE(r.note.find("undecided"), std::string::npos) << r.note;
   EXPECT_NE(r.note.find("followed for 25 (numerics.horizon)"), std::string::npos) << r.note;
   EXPECT_NE(r.note.find("asks for a horizon of"), std::string::npos) << r.note;
-  study.parameters.drag.fill(1e-6);  // nothing can be waited for
-  study.speed.speed = 2.0;
-  study.numerics.horizon = 500.0;
-  const BasinResult slow = basin(study);
-  ASSERT_GT(slow.undecided.share, 0.2);
-  EXPECT_NE(slow.note.find("asks for a horizon of"), std::string::npos) << slow.note;
+}
+
+TEST(WhyUndecided, BlamesDragThatIsTooWeakToWaitFor) {
+  const std::string weak = why_undecided(choose_horizon(rotor(2, 1e-6, 2.0)), {});
+  EXPECT_NE(weak.find("drag damps the balls at a rate of 5e-07, which asks for a horizon of 2e+07"), std::string::npos)
+      << weak;
+  const std::string none = why_undecided(choose_horizon(rotor(2, 0.0, 2.0)), {});
+  EXPECT_NE(none.find("balls without drag never settle"), std::string::npos) << none;
 }
 
 TEST(WhyUndecided, SaysThatTrajectoriesWanderChaotically) {

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "equipoise/attractors/motion.hpp"
+#include "equipoise/attractors/motion_statistics.hpp"
 #include "equipoise/base/angles.hpp"
 #include "equipoise/model/balanced_state.hpp"
 #include "equipoise/model/linearisation.hpp"
@@ -305,6 +306,28 @@ TEST(Motion, WithGravityComesBackOnceARevolution) {
   if (motion->kind == MotionKind::periodic) {
     const double turns = motion->period * 2.4 / two_pi;
     EXPECT_NEAR(turns, std::round(turns), 1e-12);  // whole revolutions, exactly but for rounding
+  }
+}
+
+// Three balls a third of a turn apart that creep around the race together: a turn in 166 units of time. They were called
+// captured, and their drift 0.
+TEST(SlowDrift, IsMeasuredAndNamed) {
+  const model::Parameters p = rotor(0.1, 3);
+  const auto motion = motion_from(p, 2.4, at_rest({0.3, 2.5, 4.4}));
+  ASSERT_TRUE(motion);
+  EXPECT_EQ(motion->kind, MotionKind::quasi_periodic);
+  EXPECT_EQ(motion_name(p, *motion).name, "drifting apart, quasi-periodic");
+  for (int i = 0; i < 3; ++i) {
+    EXPECT_NEAR(motion->drift[i], -0.0377, 2e-4);  // measured before by the turns of a long trajectory: -0.0378
+    EXPECT_NE(motion->drift_group[i], 0);
+    EXPECT_EQ(motion->drift_group[i], motion->drift_group[0]);
+  }
+  VectorXd z = motion->state;  // the turns of the same trajectory, known to one
+  constexpr double duration = 5000.0;
+  ASSERT_EQ(follow(p, 2.4, z, duration, 1e-9), IntegrationStatus::done);
+  for (int i = 0; i < 3; ++i) {
+    const double turned = z[model::index::phi(i)] - motion->state[model::index::phi(i)];
+    EXPECT_NEAR(turned / duration, motion->drift[i], two_pi / duration);
   }
 }
 

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "equipoise/base/angles.hpp"
 
@@ -78,13 +79,21 @@ MeanRate mean_rate(const AngleRecord& record, bool regular) {
     return result;
   }
   result.rate = weighted_mean(record, 0, last);
-  result.error = std::fabs(weighted_mean(record, 0, last / 2) - weighted_mean(record, last / 2, last));
+  // What shorter stretches say differs by more than the whole is wrong by; two that agree may do so by chance.
+  result.error = 0.0;
+  const std::size_t quarter = last / 4;
+  for (const auto& [from, to] : {std::pair{std::size_t{0}, 2 * quarter},
+                                 {2 * quarter, last},
+                                 {quarter, 3 * quarter},
+                                 {std::size_t{0}, 3 * quarter},
+                                 {quarter, last}})
+    result.error = std::max(result.error, 3.0 * std::fabs(weighted_mean(record, from, to) - result.rate));
   return result;
 }
 
 Drift drift_of(const MeanRate& mean, bool regular, double matters) {
-  // Trajectories are followed with errors of 1e-9 a unit of time.
-  constexpr double noise = 1e-8;
+  // Trajectories are followed with errors of 1e-9 a unit of time, and still come nearer to their motion.
+  constexpr double noise = 1e-7;
   if (std::fabs(mean.rate) > mean.error + noise) return Drift::some;
   // What comes and goes on a torus never gets a turn ahead: a turn is a slip, and slips of regular motion add up.
   if (regular) return std::fabs(mean.turned) > two_pi ? Drift::some : Drift::none;

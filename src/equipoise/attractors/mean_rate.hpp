@@ -29,7 +29,7 @@ class AngleRecord {
 
 struct MeanRate {
   double rate = 0.0;
-  double error = 0.0;   ///< three standard deviations (irregular), or what two halves differ by (regular)
+  double error = 0.0;   ///< three standard deviations (irregular), or what parts of the record say otherwise (regular)
   double turned = 0.0;  ///< over the record
 };
 

@@ -17,9 +17,8 @@ struct StartCost {
   bool bearable() const;
 };
 
-/// Steps a start beyond which a study is refused: pilots and tries are about 10^4 starts, at ten million steps a
-/// second.
-inline constexpr double most_steps = 1e5;
+/// Steps a start beyond which a study is refused: pilots and tries, 10^4 starts and more, then take a minute.
+inline constexpr double most_steps = 3e4;
 
 StartCost start_cost(const Study& study);
 
