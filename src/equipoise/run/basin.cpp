@@ -190,7 +190,7 @@ class BasinRun {
       result_.stalled = tally_->share(Outcome::stalled);
       std::uint64_t passed = 0;
       for (const AttractorShare& a : result_.attractors) passed += a.share.count;
-      if (!result_.grid) result_.passed = wilson_share(passed, tally_->total());
+      if (!result_.grid) result_.passed = open_share(passed, passed + result_.undecided.count, tally_->total());
     }
     if (options_.transients) result_.transients = transients_->result(runner_->catalogue());
     if (result_.choice && result_.choice->method == SamplingMethod::sobol)  // known better by now
