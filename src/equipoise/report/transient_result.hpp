@@ -25,6 +25,8 @@ struct TransientGroup {
   std::string name;  ///< "all" or the outcome's
   int id = -1;       ///< attractor; 0: undecided or stalled; -1: all
   std::uint64_t starts = 0;
+  std::uint64_t lasting = 0;  ///< of these, whose motion exceeds limits.displacement for good
+  std::uint64_t never = 0;    ///< whose motion exceeds limits.settled for good
   std::array<SampleSummary, transient_columns.size()> figures{};  ///< by column
   std::array<std::optional<Share>, 3> exceeded{};                 ///< of the starts of this group; none without a limit
 };
