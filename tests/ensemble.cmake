@@ -7,6 +7,7 @@ equipoise_test(statistics_test unit unit/statistics_test.cpp unit/comparison_tes
 equipoise_test(sampling_test unit unit/sampling_test.cpp unit/even_share_test.cpp)
 equipoise_test(reproduction_test unit unit/document_test.cpp unit/published_tables_test.cpp LIBRARIES nlohmann_json::nlohmann_json)
 equipoise_test(store_test unit unit/store_test.cpp)
+equipoise_test(report_test unit unit/report_test.cpp LIBRARIES nlohmann_json::nlohmann_json)
 equipoise_test(window_test unit unit/window_test.cpp)
 equipoise_test(basin_test equivalence equivalence/basin_test.cpp equivalence/basin_sampling_test.cpp equivalence/full_state_test.cpp)
 equipoise_test(decisions_test equivalence equivalence/decisions_test.cpp)

@@ -64,7 +64,7 @@ class Attractors(unittest.TestCase):
         # (1 - share)^3000 = 1e-9
         self.assertAlmostEqual((1 - self.answer["detection"]["share"]) ** 3000 / 1e-9, 1.0, places=6)
         text = run("attractors", ROW, "--starts", "1000", "--quiet").stdout
-        for word in ("co-drifting (V1)", "quasi-periodic", "missed with probability below 1e-9", "1000 starts searched"):
+        for word in ("co-drifting (V1)", "quasi-periodic", "missed with probability below 1e-9", "1000 starts searched, 1000 decided"):
             self.assertIn(word, text)
 
     def test_a_state_printed_by_one_run_finds_its_motion_in_the_next(self):

@@ -71,6 +71,20 @@ TEST(Explain, FindsTheLeastUnbalanceOfUnequalBalls) {
                      "within 10 % of the least"));
 }
 
+TEST(Explain, ShowsTheSagAndWarnsWhereItExceedsTheClearance) {
+  // (12 + 0.12) kg 9.81 m/s2 / 48 kN/m = 2.477 mm.
+  const std::vector<std::string> lying{"rotor.gravity='9.81 m/s2'", "limits.displacement='2 mm'"};
+  const Explanation e = of(machine, lying);
+  EXPECT_NEAR(e.sag * 30.0, 12.12 * 9.81 / 48.0, 1e-12);
+  EXPECT_NE(explain_text(e).find("2.477 mm"), std::string::npos) << explain_text(e);
+  EXPECT_TRUE(warned(e, "the rotor sags by 2.477 mm under its weight, more than limits.displacement, 2 mm"));
+  const auto json = nlohmann::json::parse(explain_json(e));
+  EXPECT_NEAR(json["static_sag"]["si"], 12.12 * 9.81 / 48000.0, 1e-12);
+  EXPECT_NEAR(json["weight"]["si"], 12.12 * 9.81, 1e-9);
+  EXPECT_FALSE(warned(of(machine, {lying[0], "limits.displacement='3 mm'"}), "sags"));
+  EXPECT_EQ(explain_text(of(machine)).find("sag"), std::string::npos);
+}
+
 TEST(Explain, KnowsTheVibrationOfTheBareRotor) {
   const Explanation e = of(machine);
   const double w = *e.speed, zeta = 400.0 / std::sqrt(48000.0 * 12.0), lambda = 0.2 / 30.0;

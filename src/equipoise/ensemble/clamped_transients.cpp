@@ -8,6 +8,7 @@
 #include "equipoise/base/error.hpp"
 #include "equipoise/integrate/clamped.hpp"
 #include "equipoise/model/energy.hpp"
+#include "equipoise/model/strobe.hpp"
 
 namespace equipoise {
 
@@ -66,21 +67,20 @@ ClampedTransients::ClampedTransients(const model::Parameters& p, const std::vect
   ClampedBasis at_release;
   const auto observe = [&](double t, const model::Segment& segment, const ClampedBasis& basis) {
     std::array<std::array<double, 2>, 3> centre, force;
+    const double psi = segment.psi_at(t);
     for (std::size_t k = 0; k < 3; ++k) {
       const double* z = basis.values.data() + 4 * k;
       centre[k] = {z[0], z[1]};
-      force[k] = model::bearing_force(p, segment.psi_at(t), z);
+      force[k] = model::bearing_force(p, psi, z);
     }
+    const std::array<double, 2> rest = model::rest_position(p, psi);
+    for (std::size_t i = 0; i < 2; ++i) centre[0][i] -= rest[i];
     radius_.add(centre);
     force_.add(force);
   };
   const auto status = integrate_clamped(p, segments, initial, tolerance, at_release, times_, observe);
   if (status != IntegrationStatus::done || radius_.coefficient[0].size() != times_.size())
     throw RunError("the clamped spin-up could not be integrated");
-  for (std::size_t j = 0; j < force_integral_.size(); ++j)
-    for (std::size_t k = 1; k < times_.size(); ++k)
-      force_integral_[j] +=
-          0.5 * (times_[k] - times_[k - 1]) * (force_.coefficient[j][k - 1] + force_.coefficient[j][k]);
   if (!proportional_) return;
   const Monomials one{1.0, 1.0, 0.0, 1.0, 0.0, 0.0};
   radius_peak_ = radius_.largest(one);
@@ -100,7 +100,6 @@ TransientSums ClampedTransients::sums(const model::Parameters& p, const double* 
   result.end = settings_.release;
   result.clamped_peak = proportional_ ? square * radius_peak_ : radius_.largest(m);
   result.force_peak = proportional_ ? square * force_peak_ : force_.largest(m);
-  for (std::size_t j = 0; j < m.size(); ++j) result.force_integral += m[j] * force_integral_[j];
   const double limit = settings_.displacement * settings_.displacement;
   if (!(result.clamped_peak > limit)) return result;
   // r^2 linear between the times of the grid.

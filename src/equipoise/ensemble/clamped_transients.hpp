@@ -1,7 +1,8 @@
-// Peaks, integrals and times above a limit of the clamped spin-up: one grid in time serves every start.
+// Peaks and times above a limit of the clamped spin-up: one grid in time serves every start.
 //
-// With the balls held, state and bearing force are base + Ux per_x + Uy per_y (integrate/clamped.hpp), so the squares
-// of displacement and force at any time are quadratic polynomials in the start's unbalance U.
+// With the balls held, state, displacement from the place of rest and bearing force are base + Ux per_x + Uy per_y
+// (integrate/clamped.hpp), so the squares of displacement and force at any time are quadratic polynomials in the
+// start's unbalance U.
 #pragma once
 
 #include <array>
@@ -43,7 +44,6 @@ class ClampedTransients {
   bool proportional_ = false;  // all is proportional to |U|: isotropic supports, no gravity, from rest
   std::vector<double> times_;
   Squares radius_, force_;
-  Monomials force_integral_{};
   double radius_peak_ = 0.0, force_peak_ = 0.0;  // of U = 1, if proportional_
 };
 

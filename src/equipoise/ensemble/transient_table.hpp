@@ -2,8 +2,10 @@
 #pragma once
 
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <limits>
+#include <optional>
 #include <vector>
 
 namespace equipoise {
@@ -15,66 +17,109 @@ struct TransientSettings {
   /// Radial displacement below which a rotor has settled; 0: settling is not watched.
   double settled = 0.0;
   double release = 0.0;  ///< study time at which the balls are let go
-  /// Length of the windows of time at whose last the vibration "at the end" is taken. Many turns of the rotor, and
-  /// several of the slow turns of balls about it.
+  /// Length of the windows of time in which a trajectory is watched once its outcome is known. Many turns of the rotor,
+  /// and several of the slow turns of balls about it.
   double window = 16.0;
 
   bool watches_settling() const { return settled > 0.0; }
 };
 
-/// Sums over a window of time.
+/// Sums over a window of time. r: from where the rotor rests under its weight.
 struct TransientWindow {
   double length = 0.0;
   double peak = 0.0;       ///< largest r^2
+  double force = 0.0;      ///< integral of |f|^2
   double velocity = 0.0;   ///< integral of u^2 + v^2
   double unbalance = 0.0;  ///< integral of |lambda + sum mu_i e^{i phi_i}|
 };
 
-/// Whether a trajectory whose outcome is known may end with the window `last`. `before`: the window before it, empty
-/// for the first since then; `windows`: how many since then, this one included. A balanced one decays for ever: it may
-/// end when it has settled, or at once where settling is not watched. Any other is on its way to its attractor: it may
-/// end when two windows agree in peak and root mean square velocity to 2 %, and in any case after eight, since those of
-/// a chaotic motion need not.
-inline bool seen_enough(const TransientSettings& settings, bool balanced, const TransientWindow& before,
-                        const TransientWindow& last, int windows) {
-  constexpr int most_windows = 8;
-  constexpr double sameness = 0.04;  // of squares
-  if (balanced) return !settings.watches_settling() || last.peak <= settings.settled * settings.settled;
-  if (windows >= most_windows) return true;
-  const auto same = [](double a, double b) { return a - b <= sameness * a && b - a <= sameness * b; };
-  return before.length > 0.0 && same(before.peak, last.peak) &&
-         same(before.velocity / before.length, last.velocity / last.length);
+/// A window and what follows on it.
+inline TransientWindow last_windows(const TransientWindow& before, const TransientWindow& last) {
+  return {before.length + last.length, before.peak > last.peak ? before.peak : last.peak, before.force + last.force,
+          before.velocity + last.velocity, before.unbalance + last.unbalance};
+}
+
+/// A steady motion's own figures: what every start that comes to it ends with. All zero: exact balance.
+struct MotionFigures {
+  double radial = 0.0;      ///< largest r
+  double peak_force = 0.0;  ///< largest |f|
+  double rms_force = 0.0, rms_velocity = 0.0;
+  double unbalance = 0.0;  ///< mean |lambda + sum mu_i e^{i phi_i}|
+};
+
+/// What is known of where a decided trajectory goes.
+struct KnownEnd {
+  std::optional<MotionFigures> figures;  ///< none: they have to be measured
+  double wait = 0.0;                     ///< without figures: time after which what is left of the way there is small
+};
+
+/// Whether a trajectory whose outcome is known may end with the window `last`: what is still to come adds nothing to
+/// its figures. `before`: the windows before `last`, the nearest first, empty where there is none since the decision;
+/// `windows`: how many since then, `last` included; `peak`: largest r^2 from release on.
+///
+/// With known figures the end needs no measuring. The way there is over when r has stayed, throughout a window, in the
+/// nearer half of the way from the motion's own largest r to every limit above that, since a deviation that dies out
+/// does not come back to twice its size, and a tenth of that way below the peak so far.
+///
+/// Else two windows must agree to 2 % in peak and root mean square velocity, and a third must show that they do not
+/// creep: of differences that shrink from d1 to d2 there are d2^2/(d1 - d2) to come. A chaotic motion's windows need
+/// not agree: 32 are enough.
+inline bool seen_enough(const TransientSettings& settings, const KnownEnd& end,
+                        const std::array<TransientWindow, 2>& before, const TransientWindow& last, int windows,
+                        double peak) {
+  if (end.figures) {
+    const double own = end.figures->radial;
+    const auto below = [&](double limit, double part) {
+      const double level = own + part * (limit - own);
+      return last.peak <= level * level;
+    };
+    const bool timed = std::isfinite(settings.displacement);
+    if (own < settings.settled && !below(settings.settled, 0.5)) return false;
+    if (timed && own < settings.displacement && !below(settings.displacement, 0.5)) return false;
+    // The largest r of a torus or of chaos is known to about 2 %: less is no excess.
+    return peak <= own * own * 1.04 || below(std::sqrt(peak), 0.9);
+  }
+  constexpr int most_windows = 32;
+  if (windows * settings.window < end.wait) return false;
+  if (windows >= most_windows + static_cast<int>(end.wait / settings.window)) return true;
+  if (!(before[1].length > 0.0)) return false;
+  const auto steady = [](double a, double b, double c) {
+    constexpr double sameness = 0.04, noise = 0.002;  // of squares
+    const double d1 = std::fabs(b - a), d2 = std::fabs(c - b);
+    if (d2 > sameness * c) return false;
+    return d2 <= noise * c || d2 * d2 <= sameness * c * (d1 - d2);
+  };
+  const auto mean = [](const TransientWindow& w) { return w.velocity / w.length; };
+  return steady(before[1].peak, before[0].peak, last.peak) && steady(mean(before[1]), mean(before[0]), mean(last));
 }
 
 /// What one trajectory has come to so far; grows over spin-up, release and branches. Squares, so that no root is taken
 /// in the time loop.
 struct TransientSums {
-  double end = 0.0;               ///< study time up to which all this holds
-  double clamped_peak = 0.0;      ///< largest r^2 before release
-  double free_peak = 0.0;         ///< largest r^2 from release on
-  double force_peak = 0.0;        ///< largest |f|^2
-  double force_integral = 0.0;    ///< of |f|^2 over time, from t = 0
-  double time_above = 0.0;        ///< with r > settings.displacement, from t = 0
-  double last_above = 0.0;        ///< study time at which r > settings.settled held last, from release on; else 0
-  double window_length = 0.0;     ///< of what the window's sums are over
-  double window_peak = 0.0;       ///< largest r^2 in it
-  double window_velocity = 0.0;   ///< integral of u^2 + v^2
-  double window_unbalance = 0.0;  ///< integral of |lambda + sum mu_i e^{i phi_i}|
+  double end = 0.0;           ///< study time up to which all this holds
+  double clamped_peak = 0.0;  ///< largest r^2 before release
+  double free_peak = 0.0;     ///< largest r^2 from release on
+  double force_peak = 0.0;    ///< largest |f|^2
+  double time_above = 0.0;    ///< with r > settings.displacement, from t = 0
+  double last_above = 0.0;    ///< study time at which r > settings.settled held last, from release on; else 0
+  TransientWindow window;     ///< the last one, or the last two, up to `end`
 };
 
 /// The figures of one start, as they are stored and counted; not-a-number for one that was lost. Dimensionless: lengths
-/// in R, forces in M R omega_c^2, velocities in R omega_c, times in 1/omega_c.
+/// in R, forces in M R omega_c^2, velocities in R omega_c, times in 1/omega_c. Displacements are from where the rotor
+/// rests under its weight; bearing forces hold the weight. "At the end": of the steady motion that the start came to;
+/// of an undecided start, and where that motion's own figures are not known, in the last window.
 struct TransientRow {
   float peak_radial = 0.0f;                ///< of the centre O, over the whole run
   float peak_radial_after_release = 0.0f;  ///< from release on
-  float peak_radial_at_end = 0.0f;         ///< in the last window
-  float peak_force = 0.0f;                 ///< of springs and dampers on the support, over the whole run
-  float rms_force = 0.0f;                  ///< the same, root mean square from t = 0 to followed_until
-  float rms_velocity = 0.0f;               ///< of O, root mean square of the inertial velocity in the last window
-  float residual_unbalance = 0.0f;         ///< mean |lambda + sum mu_i e^{i phi_i}| in the last window
-  float time_above = 0.0f;     ///< with r above the displacement limit, from t = 0 to followed_until; 0 without a limit
-  float settling_time = 0.0f;  ///< from release until r was last above `settled`; infinite: not below throughout the
-                               ///< last window
+  float peak_radial_at_end = 0.0f;
+  float peak_force = 0.0f;          ///< of springs and dampers on the support, over the whole run
+  float rms_force = 0.0f;           ///< the same, root mean square at the end
+  float rms_velocity = 0.0f;        ///< of O, root mean square of the inertial velocity at the end
+  float residual_unbalance = 0.0f;  ///< mean |lambda + sum mu_i e^{i phi_i}| at the end
+  float time_above = 0.0f;      ///< with r above the displacement limit, from t = 0; 0 without a limit; infinite: the
+                                ///< motion at the end exceeds it, or r still did when the start was last followed
+  float settling_time = 0.0f;   ///< from release until r was last above `settled`; infinite in the same cases
   float followed_until = 0.0f;  ///< study time
 };
 
@@ -85,18 +130,18 @@ struct TransientColumn {
   float TransientRow::*value;
 };
 inline constexpr std::array<TransientColumn, 10> transient_columns{{
-    {"peak_radial", "largest radial displacement of the centre, in race radii", &TransientRow::peak_radial},
+    {"peak_radial", "largest radial displacement of the centre from its place at rest, in race radii",
+     &TransientRow::peak_radial},
     {"peak_radial_after_release", "largest radial displacement from release on, in race radii",
      &TransientRow::peak_radial_after_release},
-    {"peak_radial_at_end", "largest radial displacement in the last window, in race radii",
+    {"peak_radial_at_end", "largest radial displacement of the motion at the end, in race radii",
      &TransientRow::peak_radial_at_end},
-    {"peak_force", "largest bearing force, in M R omega_c^2", &TransientRow::peak_force},
-    {"rms_force", "root mean square bearing force of the run, in M R omega_c^2", &TransientRow::rms_force},
-    {"rms_velocity", "root mean square velocity of the centre in the last window, in R omega_c",
-     &TransientRow::rms_velocity},
-    {"residual_unbalance", "mean unbalance of rotor and balls in the last window, in M R",
-     &TransientRow::residual_unbalance},
-    {"time_above", "time with the radial displacement above limits.displacement, in 1/omega_c",
+    {"peak_force", "largest bearing force, the weight included, in M R omega_c^2", &TransientRow::peak_force},
+    {"rms_force", "root mean square bearing force at the end, the weight included, in M R omega_c^2",
+     &TransientRow::rms_force},
+    {"rms_velocity", "root mean square velocity of the centre at the end, in R omega_c", &TransientRow::rms_velocity},
+    {"residual_unbalance", "mean unbalance of rotor and balls at the end, in M R", &TransientRow::residual_unbalance},
+    {"time_above", "time with the radial displacement above limits.displacement, in 1/omega_c; missing: it goes on",
      &TransientRow::time_above},
     {"settling_time",
      "time from release until the radial displacement was last above limits.settled, in 1/omega_c; missing: not "
@@ -110,9 +155,18 @@ inline constexpr std::array<TransientColumn, 10> transient_columns{{
 struct TransientTable {
   TransientSettings settings;
   std::vector<TransientSums> rows;
+  std::vector<KnownEnd> ends;  ///< by the attractor's identifier; nothing is known of what is not there
+
+  const KnownEnd& end_of(int attractor) const {
+    static const KnownEnd unknown;
+    const bool listed = attractor > 0 && static_cast<std::size_t>(attractor) < ends.size();
+    return listed ? ends[static_cast<std::size_t>(attractor)] : unknown;
+  }
 };
 
-/// The figures of sums that are complete; `lost`: of a trajectory that diverged or failed.
-TransientRow transient_row(const TransientSettings& settings, const TransientSums& sums, bool lost);
+/// The figures of sums that are complete; `lost`: of a trajectory that diverged or failed. `end`: of the motion that it
+/// came to, if known.
+TransientRow transient_row(const TransientSettings& settings, const TransientSums& sums, bool lost,
+                           const std::optional<MotionFigures>& end = std::nullopt);
 
 }  // namespace equipoise

@@ -12,9 +12,9 @@ namespace {
 namespace kernels = HWY_NAMESPACE::transient;
 static_assert(TransientWatch::nodes[0] == kernels::node1 && TransientWatch::nodes[1] == kernels::node2);
 
-constexpr float unknown = std::numeric_limits<float>::quiet_NaN();
+constexpr float unknown = std::numeric_limits<float>::quiet_NaN(), endless = std::numeric_limits<float>::infinity();
 
-float root(double square) { return static_cast<float>(std::sqrt(std::max(square, 0.0))); }
+double root(double square) { return std::sqrt(std::max(square, 0.0)); }
 }  // namespace
 
 TransientWatch::TransientWatch(const TransientSettings& settings, const TransientSums& sums)
@@ -44,7 +44,6 @@ void TransientWatch::step(const std::array<TransientSample, 3>& samples) {
   }
   const kernels::SquaredRadiusOfStep<double> r2(s, h);
   const auto force2 = kernels::Cubic<double>::through(s.force2);
-  sums_.force_integral += h * force2.integral();
   sums_.force_peak = kernels::raised(sums_.force_peak, force2);
   kernels::raise(free_ ? sums_.free_peak : sums_.clamped_peak, open_.peak, r2);
   double unused = 0.0;
@@ -52,6 +51,7 @@ void TransientWatch::step(const std::array<TransientSample, 3>& samples) {
     kernels::time_above(r2, settings_.displacement * settings_.displacement, begin, h, sums_.time_above, unused);
   if (free_ && settings_.watches_settling())
     kernels::time_above(r2, settings_.settled * settings_.settled, begin, h, unused, sums_.last_above);
+  open_.force += h * force2.integral();
   open_.velocity += h * kernels::Cubic<double>::through(s.velocity2).integral();
   open_.unbalance += 0.5 * h * (last_.unbalance + samples[2].unbalance);
   last_ = samples[2];
@@ -59,14 +59,14 @@ void TransientWatch::step(const std::array<TransientSample, 3>& samples) {
   open_.length = last_.t - opened_;
   if (open_.length < settings_.window) return;
   ++windows_;
-  may_leave_ = decided_ && seen_enough(settings_, balanced_, closed_, open_, windows_);
-  closed_ = open_;
+  may_leave_ = decided_ && seen_enough(settings_, end_, closed_, open_, windows_, sums_.free_peak);
+  closed_ = {open_, closed_[0]};
   open_window();
 }
 
-void TransientWatch::decided(bool balanced) {
+void TransientWatch::decided(const KnownEnd& end) {
   decided_ = true;
-  balanced_ = balanced;
+  end_ = end;
   windows_ = 0;
   open_window();
   closed_ = {};  // what went before is not of the end
@@ -79,33 +79,36 @@ void TransientWatch::open_window() {
 }
 
 void TransientWatch::finish() {
-  sums_.window_length = closed_.length + open_.length;
-  sums_.window_peak = std::max(closed_.peak, open_.peak);
-  sums_.window_velocity = closed_.velocity + open_.velocity;
-  sums_.window_unbalance = closed_.unbalance + open_.unbalance;
-  if (sums_.window_length > 0.0) return;
-  sums_.window_length = 1.0;  // ended where it began: the state there is all there is
-  sums_.window_velocity = last_.velocity2;
-  sums_.window_unbalance = last_.unbalance;
+  TransientWindow& window = sums_.window = last_windows(closed_[0], open_);
+  if (window.length > 0.0) return;
+  window = {1.0, last_.r2, last_.force2, last_.velocity2, last_.unbalance};  // ended where it began
 }
 
-TransientRow transient_row(const TransientSettings& settings, const TransientSums& sums, bool lost) {
+TransientRow transient_row(const TransientSettings& settings, const TransientSums& sums, bool lost,
+                           const std::optional<MotionFigures>& end) {
   TransientRow row;
   if (lost) {
     for (const TransientColumn& column : transient_columns) row.*column.value = unknown;
     return row;
   }
-  row.peak_radial = root(std::max(sums.clamped_peak, sums.free_peak));
-  row.peak_radial_after_release = root(sums.free_peak);
-  row.peak_radial_at_end = root(sums.window_peak);
-  row.peak_force = root(sums.force_peak);
-  row.rms_force = root(sums.force_integral / sums.end);
-  row.rms_velocity = root(sums.window_velocity / sums.window_length);
-  row.residual_unbalance = static_cast<float>(sums.window_unbalance / sums.window_length);
-  row.time_above = static_cast<float>(sums.time_above);
-  const bool settled = settings.watches_settling() && sums.window_peak <= settings.settled * settings.settled;
-  row.settling_time = settled ? static_cast<float>(std::max(0.0, sums.last_above - settings.release))
-                              : std::numeric_limits<float>::infinity();
+  const TransientWindow& w = sums.window;
+  const MotionFigures last = end ? *end
+                                 : MotionFigures{root(w.peak), 0.0, root(w.force / w.length),
+                                                 root(w.velocity / w.length), w.unbalance / w.length};
+  const double after_release = std::max(root(sums.free_peak), last.radial);
+  row.peak_radial = static_cast<float>(std::max(root(sums.clamped_peak), after_release));
+  row.peak_radial_after_release = static_cast<float>(after_release);
+  row.peak_radial_at_end = static_cast<float>(last.radial);
+  row.peak_force = static_cast<float>(std::max(root(sums.force_peak), last.peak_force));
+  row.rms_force = static_cast<float>(last.rms_force);
+  row.rms_velocity = static_cast<float>(last.rms_velocity);
+  row.residual_unbalance = static_cast<float>(last.unbalance);
+  // For good below a limit: the motion at the end is, and the trajectory was when last seen.
+  const auto below = [&](double limit) { return last.radial <= limit && root(w.peak) <= limit; };
+  row.time_above = below(settings.displacement) ? static_cast<float>(sums.time_above) : endless;
+  row.settling_time = settings.watches_settling() && below(settings.settled)
+                          ? static_cast<float>(std::max(0.0, sums.last_above - settings.release))
+                          : endless;
   row.followed_until = static_cast<float>(sums.end);
   return row;
 }

@@ -5,10 +5,10 @@
 //     watch.begin(sample_at(t));                   // again wherever u, v or the force jumps
 //     for each step from t to t + h:
 //       watch.step({sample_at(t + h * TransientWatch::nodes[0]), ..[1], sample_at(t + h)});
-//       if (its outcome has just been decided) watch.decided(balanced);
+//       if (its outcome has just been decided) watch.decided({figures of the motion that it comes to, if known});
 //       if (watch.may_leave()) stop;
 //     watch.finish();                              // at the horizon too
-//     transient_row(settings, watch.sums(), lost);
+//     transient_row(settings, watch.sums(), lost, figures);
 #pragma once
 
 #include <array>
@@ -20,8 +20,8 @@ namespace equipoise {
 /// The motion at one time. Frame invariant: rotating or fixed components give the same.
 struct TransientSample {
   double t = 0.0;          ///< study time
-  double r2 = 0.0;         ///< x^2 + y^2
-  double r2_slope = 0.0;   ///< its derivative, 2 (x u + y v)
+  double r2 = 0.0;         ///< squared distance of O from where the rotor rests under its weight
+  double r2_slope = 0.0;   ///< its derivative: twice that distance times (u, v)
   double force2 = 0.0;     ///< |f|^2 of the bearing force
   double velocity2 = 0.0;  ///< u^2 + v^2
   double unbalance = 0.0;  ///< |lambda + sum mu_i e^{i phi_i}|; read at step ends only
@@ -40,7 +40,7 @@ class TransientWatch {
   /// A step from the last sample on.
   void step(const std::array<TransientSample, 3>& samples);
   /// The outcome is known at the end of the last step: windows count from here.
-  void decided(bool balanced);
+  void decided(const KnownEnd& end);
   /// Whether a decided trajectory has been followed far enough (seen_enough()).
   bool may_leave() const { return may_leave_; }
   /// Completes the last window of a trajectory that ends, for whatever reason.
@@ -54,10 +54,12 @@ class TransientWatch {
   TransientSettings settings_;
   TransientSums sums_;
   TransientSample last_{};
-  TransientWindow open_, closed_;  // closed_ is empty unless it ends where open_ begins
-  double opened_ = 0.0;            // when open_ began
-  int windows_ = 0;                // since the decision
-  bool begun_ = false, free_ = true, decided_ = false, balanced_ = false, may_leave_ = false;
+  KnownEnd end_;
+  TransientWindow open_;
+  std::array<TransientWindow, 2> closed_;  // the nearest first; empty unless they end where open_ begins
+  double opened_ = 0.0;                    // when open_ began
+  int windows_ = 0;                        // since the decision
+  bool begun_ = false, free_ = true, decided_ = false, may_leave_ = false;
 };
 
 }  // namespace equipoise

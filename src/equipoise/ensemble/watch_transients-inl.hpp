@@ -7,6 +7,7 @@
 #define EQUIPOISE_ENSEMBLE_WATCH_TRANSIENTS_INL
 #endif
 
+#include <array>
 #include <cmath>
 #include <cstddef>
 
@@ -14,6 +15,7 @@
 #include "equipoise/ensemble/transient_step-inl.hpp"
 #include "equipoise/ensemble/transient_table.hpp"
 #include "equipoise/model/flow-inl.hpp"
+#include "equipoise/model/strobe.hpp"
 
 HWY_BEFORE_NAMESPACE();
 namespace equipoise {
@@ -34,7 +36,8 @@ class WatchTransients {
         displacement2_(table.settings.displacement * table.settings.displacement),
         settled2_(table.settings.settled * table.settings.settled),
         timed_(std::isfinite(table.settings.displacement)),
-        turning_force_(!task.parameters->isotropic()) {
+        turning_(!task.parameters->isotropic() || task.parameters->gravity != 0.0),
+        sag_(model::static_sag(*task.parameters)) {
     for (int i = 0; i < n; ++i) mass_[i] = Pack(task.parameters->mass[i]);
   }
 
@@ -50,7 +53,6 @@ class WatchTransients {
     const TransientSums& row = table_.rows[start];
     element(peak_[g], lane) = std::fmax(row.free_peak, element(here.r2, 0));
     element(force_peak_[g], lane) = std::fmax(row.force_peak, element(here.force2, 0));
-    element(force_integral_[g], lane) = row.force_integral;
     element(time_above_[g], lane) = row.time_above;
     element(last_above_[g], lane) = row.last_above;
     if constexpr (windows) {
@@ -73,7 +75,6 @@ class WatchTransients {
     const transient::SquaredRadiusOfStep<Pack> r2(samples, h);
     const auto force2 = transient::Cubic<Pack>::through(samples.force2);
 
-    keep(accepted, multiply_add(h, force2.integral(), force_integral_[g]), force_integral_[g]);
     keep(accepted, transient::raised(force_peak_[g], force2), force_peak_[g]);
     Pack peak = peak_[g];
     if constexpr (windows) {
@@ -86,7 +87,7 @@ class WatchTransients {
     keep(accepted, peak, peak_[g]);
     watch_limits(g, accepted, r2, begin, h);
     unsigned full = 0;
-    if constexpr (windows) full = add_to_windows(g, active, accepted, t, h, samples, z);
+    if constexpr (windows) full = add_to_windows(g, active, accepted, t, h, samples, force2.integral(), z);
     keep(accepted, last.r2, from_[g].r2);
     keep(accepted, last.slope, from_[g].slope);
     keep(accepted, last.force2, from_[g].force2);
@@ -97,13 +98,15 @@ class WatchTransients {
   // Begins the window of a lane anew at the trajectory's present time: what went before is not of its end.
   void restart(int slot, double t) {
     open(slot, t, element(from_[slot / lanes].r2, slot % lanes));
-    before_[slot] = closed_[slot] = {};
+    closed_[slot] = {};
     count_[slot] = 0;
   }
 
-  // Whether a trajectory restarted when it was decided may end with the window that has just ended.
-  bool seen_enough(int slot, bool balanced) const {
-    return equipoise::seen_enough(table_.settings, balanced, before_[slot], closed_[slot], count_[slot]);
+  // Whether a trajectory restarted when it was decided for `attractor` may end with the window that has just ended.
+  bool seen_enough(int slot, int attractor) const {
+    const auto& [last, before, first] = closed_[slot];
+    return equipoise::seen_enough(table_.settings, table_.end_of(attractor), {before, first}, last, count_[slot],
+                                  element(peak_[slot / lanes], slot % lanes));
   }
 
   void end(int slot, std::size_t start, double t) {
@@ -112,19 +115,15 @@ class WatchTransients {
     row.end = t;
     row.free_peak = element(peak_[g], lane);
     row.force_peak = element(force_peak_[g], lane);
-    row.force_integral = element(force_integral_[g], lane);
     row.time_above = element(time_above_[g], lane);
     row.last_above = element(last_above_[g], lane);
     if constexpr (!windows) return;
-    const TransientWindow& before = closed_[slot];  // empty unless it ends where the open one begins
-    row.window_length = before.length + (t - element(window_begin_[g], lane));
-    row.window_peak = std::fmax(before.peak, element(window_peak_[g], lane));
-    row.window_velocity = before.velocity + element(window_velocity_[g], lane);
-    row.window_unbalance = before.unbalance + element(window_unbalance_[g], lane);
-    if (row.window_length > 0.0) return;
-    row.window_length = 1.0;  // lost in its first step: the state there is all there is
-    row.window_velocity = element(from_[g].velocity2, lane);
-    row.window_unbalance = element(from_unbalance_[g], lane);
+    // The window that has ended last is empty unless the open one follows on it.
+    row.window = last_windows(closed_[slot][0], open_window(slot, t));
+    if (row.window.length > 0.0) return;
+    const Sample& only = from_[g];  // lost in its first step: the state there is all there is
+    row.window = {1.0, element(only.r2, lane), element(only.force2, lane), element(only.velocity2, lane),
+                  element(from_unbalance_[g], lane)};
   }
 
  private:
@@ -136,11 +135,16 @@ class WatchTransients {
 
   HWY_INLINE Sample sample(Pack t, const Pack* z) const {
     using namespace model::index;
-    // An isotropic support's force does not ask where the rotor points.
-    const Vector2<Pack> f = balancer_.bearing_force(
-        turning_force_ ? motion_.at(t) : RotorMotion<Pack>{Pack(0.0), Pack(0.0), Pack(0.0), Pack(1.0)}, z);
-    return {z[x] * z[x] + z[y] * z[y], Pack(2.0) * (z[x] * z[u] + z[y] * z[v]), f.x * f.x + f.y * f.y,
-            z[u] * z[u] + z[v] * z[v]};
+    // The force of isotropic supports does not ask where the rotor points, and only gravity lets it sag.
+    const RotorMotion<Pack> rotor =
+        turning_ ? motion_.at(t) : RotorMotion<Pack>{Pack(0.0), Pack(0.0), Pack(0.0), Pack(1.0)};
+    const Vector2<Pack> f = balancer_.bearing_force(rotor, z);
+    Pack rx = z[x], ry = z[y];
+    if constexpr (terms.gravity) {
+      rx = rx - sag_ * rotor.sin_psi;
+      ry = ry - sag_ * rotor.cos_psi;
+    }
+    return {rx * rx + ry * ry, Pack(2.0) * (rx * z[u] + ry * z[v]), f.x * f.x + f.y * f.y, z[u] * z[u] + z[v] * z[v]};
   }
 
   HWY_INLINE transient::StepSamples<Pack> samples_of(int g, Pack begin, Pack h, const Sample& last) const {
@@ -182,7 +186,8 @@ class WatchTransients {
   }
 
   HWY_INLINE unsigned add_to_windows(int g, unsigned active, Mask accepted, Pack t, Pack h,
-                                     const transient::StepSamples<Pack>& samples, const Pack* z) {
+                                     const transient::StepSamples<Pack>& samples, Pack force, const Pack* z) {
+    keep(accepted, multiply_add(h, force, window_force_[g]), window_force_[g]);
     const Pack velocity = transient::Cubic<Pack>::through(samples.velocity2).integral();
     keep(accepted, multiply_add(h, velocity, window_velocity_[g]), window_velocity_[g]);
     const Pack now = unbalance(z);
@@ -199,18 +204,24 @@ class WatchTransients {
       if (!(full & (1u << lane))) continue;
       const int slot = g * lanes + lane;
       const double now = element(t, lane);
-      before_[slot] = closed_[slot];
       ++count_[slot];
-      closed_[slot] = {now - element(window_begin_[g], lane), element(window_peak_[g], lane),
-                       element(window_velocity_[g], lane), element(window_unbalance_[g], lane)};
+      closed_[slot] = {open_window(slot, now), closed_[slot][0], closed_[slot][1]};
       open(slot, now, element(r2, lane));
     }
+  }
+
+  // What the open window of a lane holds at time `t`.
+  TransientWindow open_window(int slot, double t) const {
+    const int g = slot / lanes, lane = slot % lanes;
+    return {t - element(window_begin_[g], lane), element(window_peak_[g], lane), element(window_force_[g], lane),
+            element(window_velocity_[g], lane), element(window_unbalance_[g], lane)};
   }
 
   void open(int slot, double t, double r2) {
     const int g = slot / lanes, lane = slot % lanes;
     element(window_begin_[g], lane) = t;
     element(window_peak_[g], lane) = r2;
+    element(window_force_[g], lane) = 0.0;
     element(window_velocity_[g], lane) = 0.0;
     element(window_unbalance_[g], lane) = 0.0;
   }
@@ -223,14 +234,15 @@ class WatchTransients {
   TransientTable& table_;
   const Pack lambda_, displacement2_, settled2_;
   Pack mass_[n];
-  const bool timed_, turning_force_;
+  const bool timed_, turning_;
+  const Pack sag_;
   Sample from_[groups];  // where the step begins
   Pack first_[groups][4], second_[groups][4];
-  Pack peak_[groups], force_peak_[groups], force_integral_[groups], time_above_[groups], last_above_[groups];
-  Pack from_unbalance_[groups], window_begin_[groups], window_peak_[groups], window_velocity_[groups],
-      window_unbalance_[groups];
-  TransientWindow before_[groups * lanes], closed_[groups * lanes];  // the last two
-  int count_[groups * lanes];                                        // since restart()
+  Pack peak_[groups], force_peak_[groups], time_above_[groups], last_above_[groups];
+  Pack from_unbalance_[groups], window_begin_[groups], window_peak_[groups], window_force_[groups],
+      window_velocity_[groups], window_unbalance_[groups];
+  std::array<TransientWindow, 3> closed_[groups * lanes];  // the last ones, the latest first
+  int count_[groups * lanes];                              // since restart()
 };
 
 }  // namespace HWY_NAMESPACE

@@ -1,6 +1,7 @@
 // Rotors whose equations at constant speed repeat themselves with the rotor's angle: anisotropic supports, gravity.
 #pragma once
 
+#include <array>
 #include <cmath>
 
 #include "equipoise/base/angles.hpp"
@@ -21,6 +22,12 @@ inline double strobe_period(const Parameters& p, double speed) { return strobe_a
 /// Where the centre rests under the weight of rotor and balls: Y in fixed axes (X = 0). Zero without gravity.
 inline double static_sag(const Parameters& p) {
   return p.gravity == 0.0 ? 0.0 : -(1.0 + p.total_mass()) * p.gravity / p.stiffness[1];
+}
+
+/// The same in the rotating frame, as x and y, with the rotor at angle `psi`.
+inline std::array<double, 2> rest_position(const Parameters& p, double psi) {
+  if (p.gravity == 0.0) return {0.0, 0.0};
+  return {static_sag(p) * std::sin(psi), static_sag(p) * std::cos(psi)};
 }
 
 }  // namespace equipoise::model

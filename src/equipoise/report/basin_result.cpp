@@ -1,6 +1,8 @@
 // The answer of an ensemble as text and as JSON.
 #include "equipoise/report/basin_result.hpp"
 
+#include <algorithm>
+
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
@@ -28,35 +30,49 @@ std::string decided_text(const BasinResult& r) {
   return text.empty() ? "" : fmt::format("Decided by: {} of all starts.\n", text);
 }
 
+std::string title_of(const AttractorShare& a) {
+  return a.alias.empty() ? a.name : fmt::format("{} ({})", a.name, a.alias);
+}
+
 }  // namespace
 
 std::string basin_text(const BasinResult& r) {
   std::string text = study_heading(r.study);
-  constexpr const char* row = "{:<28}{:>11}  {:<24}{:>11}{:>13}{}\n";
   const bool even = r.study.sampling.method.value_or(SamplingMethod::random) != SamplingMethod::random;
-  text += fmt::format(row, "outcome", "share", "95 % interval", "starts", "mean time",
-                      even ? fmt::format("{:>16}", "as good as") : "");
+  const bool open = r.undecided.count > 0;
+  const double second = r.study.scales ? r.study.scales->time() : 1.0;
+  std::size_t width = 28;
+  for (const AttractorShare& a : r.attractors) width = std::max(width, title_of(a).size());
+  const auto row = [&](const std::string& name, const std::string& share, const std::string& within,
+                       const std::string& bounds, const std::string& starts, const std::string& time,
+                       const std::string& as_good) {
+    text += fmt::format("{:<{}}{:>11}  {:<24}{}{:>11}{:>14}{}\n", name, width, share, within,
+                        open ? fmt::format("{:<24}", bounds) : "", starts, time,
+                        even ? fmt::format("{:>16}", as_good) : "");
+  };
+  row("outcome", "share", "95 % interval", "surely within", "starts", r.study.scales ? "mean time, s" : "mean time",
+      "as good as");
   const auto line = [&](const std::string& name, const Share& s, const std::string& time) {
-    const std::string share = s.total == 0 ? "-" : percent(s.share, s.count == 0 ? 0 : digits_for(s));
-    text += fmt::format(row, name, share, interval(s), s.count, time, even ? fmt::format("{:>16}", as_good_as(s)) : "");
+    row(name, s.total == 0 ? "-" : percent(s.share, s.count == 0 ? 0 : digits_for(s)), interval(s),
+        &s == &r.undecided ? "-" : bounds_text(s), fmt::format("{}", s.count), time, as_good_as(s));
   };
   for (const AttractorShare& a : r.attractors)
-    line(a.alias.empty() ? a.name : fmt::format("{} ({})", a.name, a.alias), a.share,
-         a.share.count == 0 ? "-" : fmt::format("{:.1f}", a.mean_time));
+    line(title_of(a), a.share, a.share.count == 0 ? "-" : fmt::format("{:.4g}", a.mean_time * second));
   if (r.stalled) line("stalled below " + rotor_speed_text(r.study, r.study.stall_speed()), *r.stalled, "-");
   line("undecided", r.undecided, "-");
   line("diverged", r.diverged, "-");
   line("failed", r.failed, "-");
   text += "\n";
+  if (open) text += "Surely within: with 95 % confidence, whatever the undecided starts would come to.\n";
+  text += fmt::format("Mean time: from the begin of the last branch, and release, to the decision{}.\n\n",
+                      r.study.scales ? "" : ", in 1/omega_c");
   if (r.transients) text += transient_text(*r.transients, r.study);
   text += sampling_text(r);
   text += decided_text(r);
   if (r.passed)
-    text += fmt::format("Came through the resonance: {} of all starts ({}).\n",
-                        percent(r.passed->share, digits_for(*r.passed)), interval(*r.passed));
-  if (r.passed && r.undecided.count > 0)
-    text += fmt::format("  With the undecided, of which it is not known: at most {}.\n",
-                        percent(r.passed_at_most->share, digits_for(*r.passed_at_most)));
+    text += fmt::format("Came through the resonance: {} of all starts ({}){}.\n",
+                        percent(r.passed->share, digits_for(*r.passed)), interval(*r.passed),
+                        open ? "; surely " + bounds_text(*r.passed) : "");
   if (!r.note.empty()) text += fmt::format("Note: {}.\n", r.note);
   if (r.partial) text += "PARTIAL: stopped before all starts were done; the shares above are of those that were.\n";
   text += fmt::format("{} starts, seed {}; {:.2f} s, {:.2f} s CPU on {} thread{} ({}), {:.0f} starts/s; equipoise {}\n",
@@ -72,6 +88,8 @@ std::string basin_json(const BasinResult& r) {
   json["sampling"] = sampling_json(r);
   const auto share = [&](const Share& s) {
     Json one = share_json(s);
+    one["least"] = s.least;
+    one["most"] = s.most;
     if (r.study.sampling.method.value_or(SamplingMethod::random) != SamplingMethod::random)
       one.update(precision_json(s));
     return one;
@@ -81,21 +99,22 @@ std::string basin_json(const BasinResult& r) {
     Json outcome = {{"id", a.id}, {"name", a.name}, {"alias", a.alias}, {"kind", a.kind}};
     outcome.update(share(a.share));
     outcome["mean_time"] = a.mean_time;
+    if (r.study.scales) outcome["mean_time_si"] = a.mean_time * r.study.scales->time();
     for (int k = 1; k < decided_by_count; ++k) outcome["decided_by"][decided_by_names[k]] = a.decided_by[k];
     json["outcomes"].push_back(outcome);
   }
   if (r.stalled) {
     json["stalled"] = share(*r.stalled);
     json["stalled"]["below"] = r.study.stall_speed();
-    if (r.passed) {
-      json["passed"] = share_json(*r.passed);
-      json["passed"]["at_most"] = r.passed_at_most->share;
-    }
+    if (r.passed) json["passed"] = share(*r.passed);
   }
   json["undecided"] = share(r.undecided);
   json["diverged"] = share(r.diverged);
   json["failed"] = share(r.failed);
   json["confidence"] = 0.95;
+  json["units"] = {{"mean_time", "1/omega_c"}};
+  if (r.study.scales) json["units"]["mean_time_si"] = "s";
+  if (r.stalled) json["units"]["below"] = "omega_c";
   if (r.transients) json["transients"] = transient_json(*r.transients, r.study);
   json["balanced_stable"] = r.balanced_stable;
   json["note"] = r.note;

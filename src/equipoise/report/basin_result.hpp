@@ -41,9 +41,9 @@ struct BasinResult {
   std::vector<AttractorShare> attractors;  ///< by identifier; balanced is always the first
   Share undecided, diverged, failed;
   std::optional<Share> stalled;  ///< of a driven rotor: its motor did not bring it to stall_speed()
-  /// Of a driven rotor: starts whose own mean speed in a steady motion is above it, and the same with all that are
-  /// undecided (Wilson's intervals). The truth lies between the two.
-  std::optional<Share> passed, passed_at_most;
+  /// Of a driven rotor: starts whose own mean speed in a steady motion is above it; what is undecided may come through
+  /// or not (least, most).
+  std::optional<Share> passed;
   std::optional<TransientResult> transients;  ///< if they were gathered
   double half_width = 0.0;                    ///< asked for; 0: none
   std::optional<SamplingChoice> choice;       ///< if the method was left open

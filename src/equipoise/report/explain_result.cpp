@@ -105,6 +105,11 @@ class Text {
          fmt::format("unbalance {}; these balls cancel from {} to {}",
                      both(e_.study.parameters.eccentricity, Dimension::unbalance),
                      both(e_.least_unbalance, Dimension::unbalance), both(e_.largest_unbalance, Dimension::unbalance)));
+    if (e_.sag > 0.0)
+      item("static sag",
+           fmt::format("{} under the weight of {}; displacements count from there, bearing forces hold it",
+                       both(e_.sag, Dimension::length),
+                       both(e_.sag * e_.study.parameters.stiffness[1], Dimension::force)));
     if (e_.gravity_ratio)
       item("gravity", fmt::format("{:.3g} of a ball's centrifugal force at the final speed", *e_.gravity_ratio));
     if (!e_.motion) item("way into balance", "not linearised: " + e_.no_motion);
@@ -200,6 +205,8 @@ std::string explain_json(const Explanation& e) {
   json["final_speed"] = e.speed ? value_json(*e.speed, Dimension::speed, scales) : Json(nullptr);
   json["can_balance"] = e.balanced.kind != model::BalancedStates::Kind::none;
   json["reason"] = e.balanced.reason;
+  json["static_sag"] = value_json(e.sag, Dimension::length, scales);
+  json["weight"] = value_json(e.sag * e.study.parameters.stiffness[1], Dimension::force, scales);
   json["gravity_ratio"] = e.gravity_ratio ? Json(*e.gravity_ratio) : Json(nullptr);
   json["unbalance"] = value_json(e.study.parameters.eccentricity, Dimension::unbalance, scales);
   json["least_unbalance"] = value_json(e.least_unbalance, Dimension::unbalance, scales);

@@ -44,6 +44,7 @@ struct Explanation {
   std::optional<double> spin_up;  ///< time until it is reached; none: it does not change, or depends on the motor
   double least_unbalance = 0.0, largest_unbalance = 0.0;  ///< lambda that the balls can cancel
   model::BalancedStates balanced;                         ///< gravity left out
+  double sag = 0.0;                                       ///< of the rotor's centre under the weight of rotor and balls
   std::optional<double> gravity_ratio;  ///< weight of a ball over its centrifugal force; none without gravity or speed
   std::optional<BalancedMotion> motion;
   std::string no_motion;  ///< why `motion` is not there

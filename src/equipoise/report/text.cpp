@@ -61,13 +61,21 @@ std::string motor_text(const Study& study) {
 }
 
 // What goes beyond the isotropic, horizontal rotor with balls that meet nothing but drag; empty if nothing does.
-std::string more_text(const model::Parameters& p) {
+std::string more_text(const Study& study) {
+  const model::Parameters& p = study.parameters;
+  const Shown shown(study);
+  const auto both = [&](const std::array<double, 2>& v, Dimension d) {
+    return study.scales ? fmt::format("[{}, {}]", shown(v[0], d), shown(v[1], d))
+                        : fmt::format("[{:.6g}, {:.6g}]", v[0], v[1]);
+  };
   std::string text;
   const auto add = [&](const std::string& part) { text += (text.empty() ? "" : "; ") + part; };
-  if (p.stiffness[0] != p.stiffness[1]) add(fmt::format("stiffness [{:.6g}, {:.6g}]", p.stiffness[0], p.stiffness[1]));
-  if (p.damping[0] != p.damping[1]) add(fmt::format("damping [{:.6g}, {:.6g}]", p.damping[0], p.damping[1]));
-  if (p.gravity != 0.0) add(fmt::format("gravity {:.6g}", p.gravity));
-  if (!p.race_is_centred()) add(fmt::format("race offset [{:.6g}, {:.6g}]", p.race_offset[0], p.race_offset[1]));
+  if (p.stiffness[0] != p.stiffness[1]) add("stiffness " + both(p.stiffness, Dimension::stiffness));
+  if (p.damping[0] != p.damping[1]) add("damping " + both(p.damping, Dimension::damping));
+  if (p.gravity != 0.0)
+    add(study.scales ? "gravity " + shown(p.gravity, Dimension::acceleration)
+                     : fmt::format("gravity {:.6g}", p.gravity));
+  if (!p.race_is_centred()) add("race offset " + both(p.race_offset, Dimension::length));
   if (p.balls_collide())
     add(fmt::format("balls touch at {:.6g} rad, restitution {:.6g}", p.contact_angle, p.restitution));
   if (p.balls_stick()) add(fmt::format("rolling resistance {:.6g}, stiction {:.6g}", p.rolling[0], p.stiction[0]));
@@ -119,6 +127,14 @@ std::string interval(const Share& s) {
   return fmt::format("{:.{}f} to {}", 100.0 * s.low, digits, percent(s.high, digits));
 }
 
+std::string bounds_text(const Share& s) {
+  Share bounds = s;
+  bounds.low = s.least;
+  bounds.high = s.most;
+  bounds.count = s.least <= 0.0 ? 0 : s.most >= 1.0 ? s.total : s.count;
+  return interval(bounds);
+}
+
 std::string study_heading(const Study& study) {
   const model::Parameters& p = study.parameters;
   std::string text = fmt::format("{}\n", study.name);
@@ -129,9 +145,9 @@ std::string study_heading(const Study& study) {
                       shown.list(p.drag.data(), p.mass.data(), p.balls, same, Dimension::gain),
                       shown(p.eccentricity, Dimension::length), shown(p.damping[0], Dimension::damping));
   if (study.scales)
-    text += fmt::format("critical speed {}; times below are in units of {}\n", shown(1.0, Dimension::speed),
-                        shown(1.0, Dimension::time));
-  return text + more_text(p) + speed_text(study) + "\n\n";
+    text +=
+        fmt::format("critical speed {}, 1/omega_c = {}\n", shown(1.0, Dimension::speed), shown(1.0, Dimension::time));
+  return text + more_text(study) + speed_text(study) + "\n\n";
 }
 
 std::string rotor_speed_text(const Study& study, double speed) {

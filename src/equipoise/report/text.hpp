@@ -16,6 +16,8 @@ std::string percent(double share, int digits);
 int digits_for(const Share& s);
 /// "60.22 to 60.57 %", "below 0.0013 %".
 std::string interval(const Share& s);
+/// The same of the bounds that hold whatever open starts come to.
+std::string bounds_text(const Share& s);
 /// A rotor speed: in rpm if the study has scales, else dimensionless.
 std::string rotor_speed_text(const Study& study, double speed);
 /// Name, balls, rotor, speed: what every report begins with; ends with an empty line.

@@ -231,12 +231,7 @@ class BasinRun {
     result_.failed = tally_->share(Outcome::failed);
     if (result_.study.speed.driven()) {
       result_.stalled = tally_->share(Outcome::stalled);
-      // What is undecided may yet come through or not.
-      const std::uint64_t open = result_.undecided.count;
-      if (!result_.grid) {
-        result_.passed = wilson_share(passed_, tally_->total());
-        result_.passed_at_most = wilson_share(passed_ + open, tally_->total());
-      }
+      if (!result_.grid) result_.passed = open_share(passed_, passed_ + result_.undecided.count, tally_->total());
     }
     if (options_.transients) result_.transients = transients_->result(runner_->catalogue());
     if (result_.choice && result_.choice->method == SamplingMethod::sobol)  // known better by now

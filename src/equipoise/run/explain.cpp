@@ -11,6 +11,8 @@
 #include "equipoise/base/angles.hpp"
 #include "equipoise/model/ball_drag.hpp"
 #include "equipoise/model/linearisation.hpp"
+#include "equipoise/model/strobe.hpp"
+#include "equipoise/report/engineering.hpp"
 #include "equipoise/run/cost.hpp"
 #include "equipoise/run/horizon.hpp"
 #include "equipoise/run/undecided.hpp"
@@ -241,6 +243,7 @@ class Warnings {
   Warnings(Explanation& e, const BallDetails& balls) : e_(e), p_(e.study.parameters) {
     speed();
     unbalance();
+    sag();
     if (e.motion) motion(*e.motion);
     patience();
     room(balls);
@@ -274,6 +277,18 @@ class Warnings {
       warn(
           "the final speed is less than sqrt(2) times the critical speed: vibration without balls exceeds twice the "
           "eccentricity unless damping is strong, and balance is often unstable");
+  }
+
+  void sag() {
+    const std::optional<double>& room = e_.study.limits.displacement;
+    if (!room || e_.sag <= *room) return;
+    warn("the rotor sags by {} under its weight, more than limits.displacement, {}, which counts from where it rests",
+         length(e_.sag), length(*room));
+  }
+
+  std::string length(double value) const {
+    return e_.study.scales ? engineering(value * e_.study.scales->length, Dimension::length)
+                           : fmt::format("{:.5g}", value);
   }
 
   void unbalance() {
@@ -362,6 +377,7 @@ Explanation explain(const Study& study, const BallDetails& balls) {
   model::Parameters weightless = p;
   weightless.gravity = 0.0;
   e.balanced = model::balanced_states(weightless);
+  e.sag = 0.0 - model::static_sag(p);
   if (p.gravity > 0.0 && e.speed && *e.speed != 0.0) e.gravity_ratio = p.gravity / (*e.speed * *e.speed);
   linearise(e);
   if (e.speed) e.bare = bare_vibration(p, *e.speed);

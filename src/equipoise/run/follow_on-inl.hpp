@@ -65,7 +65,7 @@ class FollowOn {
       if (!(fresh & (1u << lane))) continue;
       const int slot = g * lanes + lane;
       decided_at_[slot] = times[lane];
-      balanced_[slot] = fates_.attractor_of(slot) == balanced_id;
+      attractor_[slot] = fates_.attractor_of(slot);
       watch_.restart(slot, times[lane]);
     }
     decided_[g] |= fresh;
@@ -75,7 +75,7 @@ class FollowOn {
     unsigned leaving = 0;
     for (int lane = 0; lane < lanes; ++lane) {
       const int slot = g * lanes + lane;
-      if ((full & (1u << lane)) && watch_.seen_enough(slot, balanced_[slot])) leaving |= 1u << lane;
+      if ((full & (1u << lane)) && watch_.seen_enough(slot, attractor_[slot])) leaving |= 1u << lane;
     }
     return leaving;
   }
@@ -84,7 +84,7 @@ class FollowOn {
   Watch& watch_;
   unsigned decided_[groups] = {};
   double decided_at_[groups * lanes] = {};
-  bool balanced_[groups * lanes] = {};
+  int attractor_[groups * lanes] = {};
 };
 
 }  // namespace HWY_NAMESPACE

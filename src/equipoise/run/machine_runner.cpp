@@ -30,12 +30,8 @@ constexpr auto& nodes = TransientWatch::nodes;
 // Distance from where gravity alone would hold the rotor with its balls.
 template <int n>
 SteadySample sample(const model::Parameters& p, const double* z) {
-  double x = z[model::index::x], y = z[model::index::y];
-  if (p.gravity != 0.0) {
-    const double sag = model::static_sag(p), psi = z[model::machine_index::psi(n)];
-    x -= sag * std::sin(psi);
-    y -= sag * std::cos(psi);
-  }
+  const std::array<double, 2> rest = model::rest_position(p, z[model::machine_index::psi(n)]);
+  const double x = z[model::index::x] - rest[0], y = z[model::index::y] - rest[1];
   SteadySample s;
   s.r2 = x * x + y * y;
   for (int i = 0; i < n; ++i) s.rate[i] = z[model::index::q(i, n)];
@@ -47,9 +43,12 @@ TransientSample transient_sample(const model::Parameters& p, double t, const dou
   using namespace model::index;
   TransientSample s;
   s.t = t;
-  s.r2 = z[x] * z[x] + z[y] * z[y];
-  s.r2_slope = 2.0 * (z[x] * z[u] + z[y] * z[v]);
-  const auto force = model::bearing_force(p, z[model::machine_index::psi(n)], z);
+  const double psi = z[model::machine_index::psi(n)];
+  const std::array<double, 2> rest = model::rest_position(p, psi);
+  const double rx = z[x] - rest[0], ry = z[y] - rest[1];
+  s.r2 = rx * rx + ry * ry;
+  s.r2_slope = 2.0 * (rx * z[u] + ry * z[v]);
+  const auto force = model::bearing_force(p, psi, z);
   s.force2 = force[0] * force[0] + force[1] * force[1];
   s.velocity2 = z[u] * z[u] + z[v] * z[v];
   double unbalance_x = p.eccentricity + p.total_mass() * p.race_offset[0];
@@ -95,15 +94,21 @@ class MachineTransients {
     last_ = to;
   }
 
-  void decided(bool balanced) { watch_.decided(balanced); }
+  void decided(bool balanced) { watch_.decided({end(balanced), 0.0}); }
   bool may_leave() const { return watch_.may_leave(); }
 
-  TransientRow row(bool lost) {
+  TransientRow row(bool lost, bool balanced) {
     watch_.finish();
-    return transient_row(settings(machine_), watch_.sums(), lost);
+    return transient_row(settings(machine_), watch_.sums(), lost, end(balanced));
   }
 
  private:
+  // Balls that roll freely in a centred race, without gravity, balance to nothing; other ends are measured.
+  std::optional<MotionFigures> end(bool balanced) const {
+    const bool exact = p_.race_is_centred() && p_.gravity == 0.0 && !p_.balls_stick();
+    return balanced && exact ? std::optional(MotionFigures{}) : std::nullopt;
+  }
+
   TransientSettings settings(const Machine& machine) const {
     TransientSettings s = settings_;
     s.release = std::isfinite(machine.released()) ? machine.released() : 0.0;
@@ -204,7 +209,6 @@ Fate MachineRunner::decide(const InitialState& start, TransientRow* row) const {
   };
   const auto status = machine.advance(settled_ + *study_.numerics.horizon, observe, stop_);
   const bool lost = status != IntegrationStatus::done;
-  if (row) *row = transients.row(lost);
   if (lost) {
     fate = {status == IntegrationStatus::diverged ? Outcome::diverged : Outcome::failed, DecidedBy::nothing, 0,
             machine.time()};
@@ -212,6 +216,7 @@ Fate MachineRunner::decide(const InitialState& start, TransientRow* row) const {
     if (judge) fate = judge->at_horizon(machine.state());
     fate.time = machine.time();
   }
+  if (row) *row = transients.row(lost, fate.outcome == Outcome::attracted && fate.attractor == balanced_id);
   if (!study_.speed.driven()) fate.mean_speed = std::numeric_limits<float>::quiet_NaN();
   return fate;
 }

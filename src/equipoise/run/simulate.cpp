@@ -14,6 +14,7 @@
 #include "equipoise/model/ball_count.hpp"
 #include "equipoise/model/energy.hpp"
 #include "equipoise/model/flow-inl.hpp"
+#include "equipoise/model/strobe.hpp"
 #include "equipoise/run/initial_state.hpp"
 
 namespace equipoise {
@@ -46,7 +47,8 @@ void record(Trajectory& out, const model::Parameters& p, double psi, double w, d
     out.phi[i].push_back(z[phi(i)]);
     out.phi_dot[i].push_back(z[q(i, p.balls)]);
   }
-  out.radial.push_back(std::hypot(z[x], z[y]));
+  const std::array<double, 2> rest = model::rest_position(p, psi);
+  out.radial.push_back(std::hypot(z[x] - rest[0], z[y] - rest[1]));
   const auto force = model::bearing_force(p, psi, z);
   out.bearing_x.push_back(force[0]);
   out.bearing_y.push_back(force[1]);

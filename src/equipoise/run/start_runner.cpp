@@ -1,8 +1,12 @@
 // One study's starts, from index to fate.
 #include "equipoise/run/start_runner.hpp"
 
+#include <algorithm>
+#include <optional>
+
 #include <fmt/format.h>
 
+#include "equipoise/attractors/motion_figures.hpp"
 #include "equipoise/attractors/stroboscopic.hpp"
 #include "equipoise/model/strobe.hpp"
 #include "equipoise/run/cost.hpp"
@@ -65,13 +69,18 @@ StartRunner::StartRunner(const Study& study, const DiscoverySettings& settings, 
       transients_(transient_settings(study)),
       source_(study, settings.stop),
       discovery_(discover(study_, settings)) {
-  if (transients) source_.watch(transients_);
+  if (!transients) return;
+  source_.watch(transients_);
+  for (const Attractor& a : discovery_.catalogue.attractors()) {
+    ends_.resize(std::max(ends_.size(), static_cast<std::size_t>(a.id) + 1));
+    ends_[static_cast<std::size_t>(a.id)] = known_end(study_.parameters, a);
+  }
 }
 
 bool StartRunner::run(std::uint64_t first, std::size_t count, std::vector<double>& phi, std::vector<Fate>& fates,
                       std::vector<UnlistedStart>& unlisted, std::vector<TransientRow>* rows) const {
   std::vector<double> states;
-  TransientTable table{transients_, {}};
+  TransientTable table{transients_, {}, ends_};
   TransientTable* transients = rows ? &table : nullptr;
   if (!source_.make(study_.sampling.seed, first, count, phi, states, fates, transients)) return false;
   LaneTask task = task_from(states, count);
@@ -80,20 +89,27 @@ bool StartRunner::run(std::uint64_t first, std::size_t count, std::vector<double
   if (!decide_lanes(task, discovery_.rule, decided, nullptr)) return false;
   const std::size_t size = model::dimension(study_.parameters.balls);
   unlisted.clear();
+  if (rows) rows->assign(count, TransientRow{});
   for (std::size_t i = 0; i < count; ++i) {
-    if (fates[i].outcome != Outcome::undecided) continue;  // lost on an earlier branch, and stays lost
-    fates[i] = decided[i];
-    if (fates[i].outcome == Outcome::attracted && fates[i].attractor == 0) {
-      unlisted.push_back(follow(when_recognised({states.data() + i * size, states.data() + (i + 1) * size}, fates[i])));
+    if (fates[i].outcome == Outcome::undecided)
+      fates[i] = decided[i];  // else lost on an earlier branch, and stays lost
+    const Fate& fate = fates[i];
+    const bool attracted = fate.outcome == Outcome::attracted;
+    std::optional<MotionFigures> end;
+    if (attracted && fate.attractor == 0) {
+      // A watched trajectory has gone on since it was decided.
+      const double now = rows ? table.rows[i].end : fate.time;
+      unlisted.push_back(follow(when_recognised({states.data() + i * size, states.data() + (i + 1) * size}, now)));
       unlisted.back().place = i;
       fates[i].by = DecidedBy::followed;
+      if (const auto& motion = unlisted.back().motion; rows && motion && motion->stable)
+        end = motion_figures(study_.parameters, *motion);
+    } else if (attracted) {
+      end = table.end_of(fate.attractor).figures;
     }
-  }
-  if (!rows) return true;
-  rows->clear();
-  for (std::size_t i = 0; i < count; ++i) {
-    const bool lost = fates[i].outcome == Outcome::diverged || fates[i].outcome == Outcome::failed;
-    rows->push_back(transient_row(transients_, table.rows[i], lost));
+    if (!rows) continue;
+    const bool lost = fate.outcome == Outcome::diverged || fate.outcome == Outcome::failed;
+    (*rows)[i] = transient_row(transients_, table.rows[i], lost, end);
   }
   return true;
 }
@@ -123,20 +139,20 @@ std::vector<UndecidedEnd> StartRunner::look_at(const std::vector<std::uint64_t>&
   if (!decide_lanes(task_from(all, count), discovery_.rule, decided, nullptr)) return {};
   std::vector<UndecidedEnd> ends;
   for (std::size_t i = 0; i < count; ++i) {
-    const std::vector<double> z = when_recognised({all.data() + i * size, all.data() + (i + 1) * size}, decided[i]);
+    const std::vector<double> z = when_recognised({all.data() + i * size, all.data() + (i + 1) * size}, decided[i].time);
     ends.push_back(look_at_undecided(study_.parameters, source_.last_segment().speed,
                                      Eigen::Map<const Eigen::VectorXd>(z.data(), static_cast<Eigen::Index>(size))));
   }
   return ends;
 }
 
-// The state from which a start is followed further: with anisotropy or gravity one at a strobe, so that it needs no
-// angle beside it.
-std::vector<double> StartRunner::when_recognised(const std::vector<double>& state, const Fate& fate) const {
+// The state at time `now` as a start is followed further from it: with anisotropy or gravity one at a strobe, so that
+// it needs no angle beside it.
+std::vector<double> StartRunner::when_recognised(const std::vector<double>& state, double now) const {
   if (!model::is_strobed(study_.parameters)) return state;
   const model::Segment& segment = source_.last_segment();
   const Eigen::Map<const Eigen::VectorXd> z(state.data(), static_cast<Eigen::Index>(state.size()));
-  const auto at_strobe = at_next_strobe(study_.parameters, segment.speed, z, segment.psi_at(fate.time));
+  const auto at_strobe = at_next_strobe(study_.parameters, segment.speed, z, segment.psi_at(now));
   return at_strobe ? std::vector<double>(at_strobe->begin(), at_strobe->end()) : state;
 }
 

@@ -49,13 +49,14 @@ class StartRunner : public Runner {
 
  private:
   LaneTask task_from(std::vector<double>& states, std::size_t count) const;
-  std::vector<double> when_recognised(const std::vector<double>& state, const Fate& fate) const;
+  std::vector<double> when_recognised(const std::vector<double>& state, double now) const;
 
   Study study_;
   const StopFlag* stop_;
   TransientSettings transients_;
   StartSource source_;
   Discovery discovery_;
+  std::vector<KnownEnd> ends_;  // by identifier, of the attractors known beforehand; for transients only
 };
 
 }  // namespace equipoise

@@ -49,14 +49,16 @@ void Tally::add_to_pair(Key key, Line& line, double w) {
   weight_ += w;
   weight_squared_ += w * w;
   if (total_ % 2 == 1 && key != before_)
-    for (Line* half : {&line, &lines_[before_]}) {
-      ++half->split;
-      half->split_squared += w * w;
+    for (const Key half : {key, before_}) {
+      Line& one = half == key ? line : lines_[before_];
+      const Key other = half == key ? before_ : key;
+      one.split.add(w);
+      if (other == key_of(Outcome::undecided, 0)) one.from_undecided.add(w);
     }
   before_ = key;
 }
 
-Share Tally::share(const Line& line) const {
+Share Tally::interval(const Line& line) const {
   switch (sampler_.method()) {
     case SamplingMethod::sobol: {
       std::array<std::uint64_t, sobol_replicates> totals;
@@ -66,17 +68,34 @@ Share Tally::share(const Line& line) const {
     }
     case SamplingMethod::grid:
       return stratified_share(
-          {line.count, total_, line.counted, weight_, weight_squared_, line.split, line.split_squared},
+          {line.count, total_, line.counted, weight_, weight_squared_, line.split.count, line.split.squared},
           total_ == sampler_.grid()->starts());
     default:
       return wilson_share(line.count, total_);
   }
 }
 
-Share Tally::share(Outcome outcome, int attractor) const {
-  const auto at = lines_.find(key_of(outcome, attractor));
-  return share(at == lines_.end() ? Line{} : at->second);
+// The starts of both as one outcome, for share(). A pair split between the two is not split any more.
+Tally::Line Tally::united(const Line& line, const Line& undecided) {
+  Line both = line;
+  both.count += undecided.count;
+  both.counted += undecided.counted;
+  for (std::size_t r = 0; r < both.in_replicate.size(); ++r) both.in_replicate[r] += undecided.in_replicate[r];
+  both.split.count += undecided.split.count - 2 * line.from_undecided.count;
+  both.split.squared += undecided.split.squared - 2.0 * line.from_undecided.squared;
+  return both;
 }
+
+Share Tally::share(Key key) const {
+  const Key open = key_of(Outcome::undecided, 0);
+  const auto at = lines_.find(key), undecided = lines_.find(open);
+  const Line line = at == lines_.end() ? Line{} : at->second;
+  const Share result = interval(line);
+  if (key == open || undecided == lines_.end()) return result;
+  return share_between(result, interval(united(line, undecided->second)));
+}
+
+Share Tally::share(Outcome outcome, int attractor) const { return share(key_of(outcome, attractor)); }
 
 AttractorShare Tally::share(const Attractor& a) const {
   AttractorShare result{a.id, a.name, a.alias, name_of(a.motion.kind), share(Outcome::attracted, a.id), 0.0, {}};
@@ -89,8 +108,8 @@ AttractorShare Tally::share(const Attractor& a) const {
 
 std::vector<Share> Tally::shares() const {
   std::vector<Share> all;
-  for (const auto& [key, line] : lines_) all.push_back(share(line));
-  all.push_back(share(Line{}));
+  for (const auto& [key, line] : lines_) all.push_back(interval(line));
+  all.push_back(interval(Line{}));
   return all;
 }
 

@@ -25,7 +25,7 @@ class Tally {
   void add(const Fate& fate);
 
   std::uint64_t total() const { return total_; }
-  /// 95 % interval by what the method of sampling allows.
+  /// 95 % interval by what the method of sampling allows, and bounds that hold whatever the undecided come to.
   Share share(Outcome outcome, int attractor = 0) const;
   AttractorShare share(const Attractor& attractor) const;
   /// Every outcome that was met, and last one that was not.
@@ -37,18 +37,29 @@ class Tally {
   bool narrow(double half_width) const;
 
  private:
+  // Pairs of a grid's starts that differ.
+  struct Split {
+    std::uint64_t count = 0;
+    double squared = 0.0;  // sum of weights squared
+
+    void add(double weight) {
+      ++count;
+      squared += weight * weight;
+    }
+  };
   struct Line {
     std::uint64_t count = 0;
     double counted = 0.0, time = 0.0;  // weighted
     std::array<std::uint64_t, decided_by_count> by{};
     std::array<std::uint64_t, sobol_replicates> in_replicate{};  // for Sobol points
-    std::uint64_t split = 0;                                     // for a grid
-    double split_squared = 0.0;
+    Split split, from_undecided;                                 // for a grid: from any other outcome; from that one
   };
   using Key = std::pair<int, int>;
   static Key key_of(Outcome outcome, int attractor);
   void add_to_pair(Key key, Line& line, double weight);
-  Share share(const Line& line) const;
+  Share interval(const Line& line) const;
+  Share share(Key key) const;
+  static Line united(const Line& line, const Line& undecided);
 
   Sampler sampler_;
   std::uint64_t seed_;

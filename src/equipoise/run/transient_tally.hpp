@@ -28,17 +28,30 @@ class TransientTally {
   TransientResult result(const Catalogue& catalogue) const;
 
  private:
+  // Starts that exceed a limit, or that do not.
+  struct Exceeding {
+    std::uint64_t count = 0;
+    double weight = 0.0;
+
+    void add(double w, std::uint64_t n = 1) {
+      count += n;
+      weight += w;
+    }
+  };
   struct Line {
     std::uint64_t count = 0;
     double weight = 0.0, weight_squared = 0.0;
     double speed = 0.0, speed_weight = 0.0;  // of driven rotors: weighted |mean speed|, and the weight that has one
     std::array<Distribution, transient_columns.size()> figures;
-    std::array<std::uint64_t, 3> exceeding{};
-    std::array<double, 3> exceeding_weight{};
+    std::uint64_t lasting = 0;  ///< whose motion exceeds limits.displacement for good
+    std::uint64_t never = 0;    ///< whose motion exceeds limits.settled for good
+    std::array<Exceeding, 3> exceeding{}, undecided_within{}, undecided_beyond{};
 
     void merge(const Line& other);
   };
   TransientGroup group(const Line& line) const;
+  void count_exceeding(const Fate& fate, const TransientRow& row, double weight, Line& line) const;
+  Share exceeded(const Line& line, std::size_t limit) const;
 
   Limits limits_;
   TransientSettings settings_;

@@ -24,8 +24,8 @@ Share replicated_share(std::span<const std::uint64_t> counts, std::span<const st
   const double t = boost::math::quantile(boost::math::students_t(replicates - 1.0), 0.5 + 0.5 * confidence);
   const double least = (1.0 - std::pow(1.0 - confidence, 1.0 / replicates)) * replicates / static_cast<double>(total);
   const double half = std::max(t * std::sqrt(squares / (replicates * (replicates - 1.0))), least);
-  result.low = std::max(0.0, p - half);
-  result.high = std::min(1.0, p + half);
+  result.least = result.low = std::max(0.0, p - half);
+  result.most = result.high = std::min(1.0, p + half);
   result.by = IntervalBy::replicates;
   result.standard_error = half / t;
   result.effective_starts = p * (1.0 - p) / (result.standard_error * result.standard_error);

@@ -17,6 +17,8 @@ void put_interval(Share& result, double n, double confidence) {
   const double half = z / (1.0 + z * z / n) * std::sqrt(p * (1.0 - p) / n + 0.25 * z * z / (n * n));
   result.low = result.count == 0 ? 0.0 : std::max(0.0, centre - half);
   result.high = result.count == result.total ? 1.0 : std::min(1.0, centre + half);
+  result.least = result.low;
+  result.most = result.high;
   result.standard_error = std::sqrt(p * (1.0 - p) / n);
   result.effective_starts = n;
 }
@@ -39,6 +41,10 @@ Share wilson_share(std::uint64_t count, std::uint64_t total, double counted, dou
   result.share = counted / weight;
   put_interval(result, weight * weight / weight_squared, confidence);
   return result;
+}
+
+Share open_share(std::uint64_t sure, std::uint64_t possible, std::uint64_t total, double confidence) {
+  return share_between(wilson_share(sure, total, confidence), wilson_share(possible, total, confidence));
 }
 
 }  // namespace equipoise

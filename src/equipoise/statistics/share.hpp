@@ -24,6 +24,8 @@ struct Share {
   IntervalBy by = IntervalBy::wilson;
   double standard_error = 0.0;    ///< of `share`
   double effective_starts = 0.0;  ///< how many independent random starts have that standard error
+  /// Where it is open which of the starts count: bounds at the same confidence that hold whichever do. Else low, high.
+  double least = 0.0, most = 1.0;
 
   double half_width() const { return 0.5 * (high - low); }
 };
@@ -36,6 +38,15 @@ Share wilson_share(std::uint64_t count, std::uint64_t total, double confidence =
 /// the weights of those that count. Wilson's interval for Kish's number of starts, weight^2 / weight_squared.
 Share wilson_share(std::uint64_t count, std::uint64_t total, double counted, double weight, double weight_squared,
                    double confidence = 0.95);
+
+/// A share of which `open` starts may turn out to be part: all of them in `with_open`, which is counted like `sure`.
+inline Share share_between(Share sure, const Share& with_open) {
+  sure.most = with_open.high;
+  return sure;
+}
+
+/// Wilson's, of `sure` starts that count and up to `possible` that may; sure <= possible <= total.
+Share open_share(std::uint64_t sure, std::uint64_t possible, std::uint64_t total, double confidence = 0.95);
 
 /// Fewest starts with an outcome, and without it, for which a normal law of its share's error is believed, where the
 /// spread of an even sample is measured. The skewness of a Poisson count of 80 is 1/9, by which a symmetric 95 %

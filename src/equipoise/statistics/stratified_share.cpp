@@ -24,8 +24,8 @@ Share stratified_share(const PairedCounts& counts, bool complete, double confide
   const double half =
       result.standard_error *
       boost::math::quantile(boost::math::students_t(static_cast<double>(counts.split)), 0.5 + 0.5 * confidence);
-  result.low = std::max(0.0, p - half);
-  result.high = std::min(1.0, p + half);
+  result.least = result.low = std::max(0.0, p - half);
+  result.most = result.high = std::min(1.0, p + half);
   result.by = IntervalBy::pairs;
   result.effective_starts = p * (1.0 - p) / (result.standard_error * result.standard_error);
   return result;

@@ -217,7 +217,7 @@ std::vector<Fate> BasinFile::read(std::uint64_t first, std::size_t count) const 
 }
 
 // What has no value is missing in the file: every figure of a start that was lost, the settling time of one that did
-// not settle.
+// not settle, the time above a limit of one that stays above it.
 std::vector<TransientRow> BasinFile::read_transients(std::uint64_t first, std::size_t count) const {
   std::vector<TransientRow> rows(count);
   for (const TransientColumn& column : transient_columns) {
@@ -228,7 +228,8 @@ std::vector<TransientRow> BasinFile::read_transients(std::uint64_t first, std::s
     const bool lost = row.peak_radial == store::missing_figure;
     for (const TransientColumn& column : transient_columns)
       if (lost) row.*column.value = std::numeric_limits<float>::quiet_NaN();
-    if (row.settling_time == store::missing_figure) row.settling_time = std::numeric_limits<float>::infinity();
+    for (float* endless : {&row.time_above, &row.settling_time})
+      if (*endless == store::missing_figure) *endless = std::numeric_limits<float>::infinity();
   }
   return rows;
 }

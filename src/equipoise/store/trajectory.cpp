@@ -67,9 +67,10 @@ void fill_file(store::NetcdfFile& file, const Trajectory& r, const std::string& 
       {"y", "1", "centre of the race along the rotating y axis, in race radii", &r.y},
       {"x_dot", "1", "rotating-frame derivative of x, in race radii times omega_c", &r.x_dot},
       {"y_dot", "1", "rotating-frame derivative of y, in race radii times omega_c", &r.y_dot},
-      {"radial", "1", "radial displacement sqrt(x^2 + y^2), in race radii", &r.radial},
+      {"radial", "1", "displacement from the place of rest under gravity, in race radii", &r.radial},
       {"bearing_x", "1", "force on the supports along the fixed X axis, in M R omega_c^2", &r.bearing_x},
-      {"bearing_y", "1", "force on the supports along the fixed Y axis, in M R omega_c^2", &r.bearing_y},
+      {"bearing_y", "1", "force on the supports along the fixed Y axis, the weight included, in M R omega_c^2",
+       &r.bearing_y},
   };
   std::vector<int> ids;
   for (const Column& c : columns) ids.push_back(file.variable(c.name, NC_DOUBLE, {time}, c.units, c.long_name));

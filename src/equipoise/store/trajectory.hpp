@@ -18,8 +18,8 @@ struct Trajectory {
   std::vector<double> psi, psi_dot;               ///< rotor angle and rate
   std::vector<double> x, y, x_dot, y_dot;         ///< centre O and its derivatives in the rotating frame
   std::vector<std::vector<double>> phi, phi_dot;  ///< ball angles (unwrapped) and rates in the rotating frame
-  std::vector<double> radial;                     ///< sqrt(x^2 + y^2)
-  std::vector<double> bearing_x, bearing_y;       ///< zeta X' + kappa X in fixed axes
+  std::vector<double> radial;                     ///< distance of O from where gravity lets it rest
+  std::vector<double> bearing_x, bearing_y;       ///< zeta X' + kappa X in fixed axes: the weight included
 };
 
 /// Columns t, psi, psi_dot, x, y, x_dot, y_dot, phi_1.., phi_dot_1.., radial, bearing_x, bearing_y; every number in the

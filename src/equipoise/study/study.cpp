@@ -16,6 +16,7 @@
 #include "equipoise/base/angles.hpp"
 #include "equipoise/base/display_text.hpp"
 #include "equipoise/base/error.hpp"
+#include "equipoise/model/strobe.hpp"
 #include "equipoise/study/physical.hpp"
 #include "equipoise/study/table_reader.hpp"
 
@@ -384,6 +385,25 @@ double Study::stall_speed() const {
   return aim ? std::min(std::sqrt(2.0), 0.9 * std::fabs(*aim)) : std::sqrt(2.0);
 }
 
+namespace {
+
+// A rotor that the study puts nowhere rests under its weight at first, not on slack springs.
+void rest_under_gravity(const Document& document, Study& study) {
+  TableReader initial(document, "initial");
+  const bool stated = initial.has("x") || initial.has("y") || initial.has("x_dot") || initial.has("y_dot");
+  const SamplingBox& box = study.sampling.box;
+  if (study.parameters.gravity == 0.0 || stated || box.x || box.y || box.x_dot || box.y_dot) return;
+  const model::Drive drive = study.drive();
+  const std::array<double, 2> rest = model::rest_position(study.parameters, drive.psi);
+  InitialState& s = study.initial;
+  s.x = 0.0 + rest[0];  // not -0
+  s.y = rest[1];
+  s.x_dot = drive.speed * s.y;  // at rest in fixed axes
+  s.y_dot = -drive.speed * s.x;
+}
+
+}  // namespace
+
 Study parse_study(const std::string& toml_text, const std::string& name, const std::vector<std::string>& overrides) {
   Document document = parse_document(toml_text, name, overrides);
   check_tables(document,
@@ -397,6 +417,7 @@ Study parse_study(const std::string& toml_text, const std::string& name, const s
   read_release(document, result);
   read_initial(document, result);
   read_sampling(document, result.release_time(), result.sampling);
+  rest_under_gravity(document, result);
   read_numerics(document, result.numerics);
   read_limits(document, result.limits);
   result.scales = read_units(document);

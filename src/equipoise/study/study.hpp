@@ -63,7 +63,8 @@ struct ReleaseSetting {
   std::optional<double> time;
 };
 
-/// [initial]: state at t = 0, rotating frame. Ensembles draw phi and ignore the one given here.
+/// [initial]: state at t = 0, rotating frame. Ensembles draw phi and ignore the one given here. Under gravity a study
+/// that says nothing of x, y, x_dot and y_dot is read with those of a rotor at rest under its weight.
 struct InitialState {
   double psi = 0.0, x = 0.0, y = 0.0, x_dot = 0.0, y_dot = 0.0;
   std::array<double, model::max_balls> phi{}, phi_dot{};

@@ -1,0 +1,196 @@
+// What reports say, from results made by hand: bounds beside intervals, units, what may be missing, what is folded
+// away.
+#include <cstdint>
+#include <string>
+
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include "../base_study.hpp"
+#include "equipoise/report/attractors_result.hpp"
+#include "equipoise/report/basin_result.hpp"
+#include "equipoise/run/tally.hpp"
+#include "equipoise/run/transient_tally.hpp"
+#include "equipoise/study/study.hpp"
+
+namespace equipoise {
+namespace {
+
+const std::string machine = R"([rotor]
+mass = "12 kg"
+stiffness = "48 kN/m"
+damping = "400 N s/m"
+eccentricity = "0.2 mm"
+[balancer]
+balls = 2
+race_radius = "30 mm"
+mass = "60 g"
+drag = "2e-4 N m s"
+[speed]
+profile = "constant"
+speed = "2000 rpm"
+[limits]
+velocity = "4.5 mm/s"
+)";
+constexpr double omega_c = 63.245553203367585;  // sqrt(48000/12)
+
+bool holds(const std::string& text, const std::string& words) { return text.find(words) != std::string::npos; }
+
+Fate fate(Outcome outcome, int attractor = 0) {
+  return {outcome, outcome == Outcome::attracted ? DecidedBy::validated : DecidedBy::nothing,
+          static_cast<short>(attractor), 100.0};
+}
+
+// `starts` in turns of ten: six balanced, one elsewhere, three undecided.
+Tally tally_of(SamplingMethod method, std::uint64_t starts, bool all_balanced = false) {
+  const Sampler sampler(method, 2, starts, true);
+  Tally tally(sampler, 1, 0.0);
+  const std::uint64_t count = sampler.grid() ? sampler.grid()->starts() : starts;
+  for (std::uint64_t i = 0; i < count; ++i) {
+    const std::uint64_t k = i * 7 % 10;
+    tally.add(k == 6                  ? fate(Outcome::attracted, 2)
+              : k < 6 || all_balanced ? fate(Outcome::attracted, balanced_id)
+                                      : fate(Outcome::undecided));
+  }
+  return tally;
+}
+
+TEST(OpenShares, HaveBoundsThatHoldWhateverTheUndecidedAre) {
+  for (const auto method : {SamplingMethod::random, SamplingMethod::sobol, SamplingMethod::grid}) {
+    const Tally open = tally_of(method, 4096), closed = tally_of(method, 4096, true);
+    const Share s = open.share(Outcome::attracted, balanced_id), all = closed.share(Outcome::attracted, balanced_id);
+    const char* name = sampling_method_names[static_cast<std::size_t>(method)];
+    EXPECT_EQ(s.least, s.low) << name;
+    EXPECT_LT(s.high, 0.65) << name;
+    // What it would be if all of the undecided had balanced: the same starts counted so.
+    EXPECT_DOUBLE_EQ(s.most, all.high) << name;
+    EXPECT_GT(s.most, 0.9) << name;
+    EXPECT_EQ(all.most, all.high) << name;
+    // An outcome that no start had may still be that of all undecided ones.
+    const Share none = open.share(Outcome::diverged);
+    EXPECT_EQ(none.count, 0u);
+    EXPECT_LT(none.high, 0.01) << name;
+    EXPECT_GT(none.most, 0.3) << name;
+  }
+}
+
+TEST(OpenShares, AreBoundedByCountsOfWhatIsSureAndWhatIsPossible) {
+  const Share s = open_share(30, 80, 100);
+  EXPECT_EQ(s.count, 30u);
+  EXPECT_EQ(s.least, wilson_share(30, 100).low);
+  EXPECT_EQ(s.most, wilson_share(80, 100).high);
+  EXPECT_EQ(s.high, wilson_share(30, 100).high);
+}
+
+BasinResult result_of(const std::string& text, std::uint64_t balanced, std::uint64_t undecided) {
+  BasinResult r;
+  r.study = parse_study(text, "m.toml");
+  r.starts = balanced + undecided;
+  r.seconds = 1.0;
+  AttractorShare share{balanced_id, "balanced", "", "equilibrium", open_share(balanced, r.starts, r.starts), 50.0, {}};
+  r.attractors.push_back(share);
+  r.undecided = wilson_share(undecided, r.starts);
+  r.diverged = r.failed = open_share(0, undecided, r.starts);
+  return r;
+}
+
+TEST(BasinText, ShowsBoundsWhereStartsAreUndecided) {
+  const std::string open = basin_text(result_of(constant_speed, 734, 266)),
+                    closed = basin_text(result_of(constant_speed, 1000, 0));
+  EXPECT_TRUE(holds(open, "surely within"));
+  EXPECT_TRUE(holds(open, "below 29.4 %")) << open;  // diverged: Wilson's upper bound of 266 in 1000
+  EXPECT_TRUE(holds(open, "above 70.6 %")) << open;  // balanced
+  EXPECT_FALSE(holds(closed, "surely within"));
+  const auto json = nlohmann::json::parse(basin_json(result_of(constant_speed, 734, 266)));
+  EXPECT_NEAR(json["diverged"]["most"], 0.2942, 1e-4);
+  EXPECT_EQ(json["diverged"]["least"], 0.0);
+  EXPECT_EQ(json["outcomes"][0]["most"], 1.0);
+}
+
+TEST(BasinText, HasTimesInSecondsWhereThereAreUnits) {
+  const BasinResult r = result_of(machine, 100, 0);
+  const std::string text = basin_text(r);
+  EXPECT_TRUE(holds(text, "mean time, s"));
+  EXPECT_TRUE(holds(text, "0.7906\n")) << text;  // 50/omega_c
+  EXPECT_FALSE(holds(text, "times below are in units of"));
+  const auto json = nlohmann::json::parse(basin_json(r));
+  EXPECT_EQ(json["outcomes"][0]["mean_time"], 50.0);
+  EXPECT_DOUBLE_EQ(json["outcomes"][0]["mean_time_si"], 50.0 / omega_c);
+  EXPECT_EQ(json["units"]["mean_time"], "1/omega_c");
+  EXPECT_EQ(json["units"]["mean_time_si"], "s");
+  EXPECT_TRUE(holds(basin_text(result_of(constant_speed, 100, 0)), "in 1/omega_c"));
+}
+
+TEST(AttractorsText, SpeaksOfDecidedStartsOnly) {
+  AttractorsResult r;
+  r.basin = result_of(constant_speed, 34, 966);
+  const std::string text = attractors_text(r);
+  // 1 - 1e-9^(1/34)
+  EXPECT_TRUE(holds(text, "1000 starts searched, 34 decided: an attractor with a share above 0.46 of such starts"))
+      << text;
+  EXPECT_TRUE(holds(text, "96.6 % of all starts stayed undecided")) << text;
+  const auto json = nlohmann::json::parse(attractors_json(r));
+  EXPECT_NEAR(json["detection"]["share"], 0.4564, 1e-4);
+  EXPECT_EQ(json["decided"], 34);
+  EXPECT_GT(json["detection"]["missing_at_most"], 0.966);
+  r.basin = result_of(constant_speed, 0, 1000);
+  EXPECT_FALSE(holds(attractors_text(r), "missed with probability"));
+  EXPECT_TRUE(nlohmann::json::parse(attractors_json(r))["detection"]["share"].is_null());
+  r.basin = result_of(constant_speed, 1000, 0);
+  EXPECT_FALSE(holds(attractors_text(r), "stayed undecided"));
+}
+
+// Transients of starts that end in balance, elsewhere and nowhere.
+struct Counted {
+  Study study;
+  TransientTally tally;
+  Catalogue catalogue;
+
+  explicit Counted(const std::string& text)
+      : study(parse_study(text, "m.toml")), tally(study, Sampler(SamplingMethod::random, 2, 1000, true)) {}
+  void add(int count, const Fate& f, double velocity) {
+    TransientRow row;
+    row.peak_radial = 0.1f;
+    row.rms_velocity = static_cast<float>(velocity);
+    row.followed_until = 1.0f;
+    for (int i = 0; i < count; ++i) tally.add(f, row);
+  }
+};
+
+TEST(TransientText, FoldsAwayOutcomesOfTooFewStarts) {
+  Counted c(machine);
+  c.add(20, fate(Outcome::attracted, 1), 0.0);
+  c.add(3, fate(Outcome::undecided), 0.0);
+  const std::string text = transient_text(c.tally.result(c.catalogue), c.study);
+  EXPECT_TRUE(holds(text, "undecided: too few starts (3) for figures\n")) << text;
+  EXPECT_FALSE(holds(text, "undecided, 3 starts"));
+  EXPECT_TRUE(holds(text, "all outcomes, 23 starts"));
+}
+
+TEST(TransientText, BoundsWhatUndecidedStartsMayExceed) {
+  Counted c(machine);
+  const double limit = *c.study.limits.velocity;
+  c.add(700, fate(Outcome::attracted, 1), 0.5 * limit);
+  c.add(200, fate(Outcome::undecided), 0.5 * limit);
+  c.add(100, fate(Outcome::undecided), 2.0 * limit);
+  const TransientResult r = c.tally.result(c.catalogue);
+  const Share& all = *r.groups.front().exceeded[2];
+  EXPECT_EQ(all.count, 100u);
+  EXPECT_EQ(all.least, 0.0);  // the velocity at the end of an undecided start is not known
+  EXPECT_EQ(all.most, wilson_share(300, 1000).high);
+  EXPECT_TRUE(holds(transient_text(r, c.study), "surely below 32.9 %")) << transient_text(r, c.study);
+}
+
+TEST(TransientText, SaysWhichFiguresHoldTheWeight) {
+  std::string text = machine;
+  text.insert(text.find("eccentricity"), "gravity = \"9.81 m/s2\"\n");
+  Counted c(text);
+  c.add(20, fate(Outcome::attracted, 1), 0.0);
+  // (12 + 0.12) kg 9.81 m/s2 = 118.9 N on 48 kN/m.
+  EXPECT_TRUE(
+      holds(transient_text(c.tally.result(c.catalogue), c.study),
+            "from where the rotor rests, 2.477 mm below slack springs; bearing forces hold its weight, 118.9 N"));
+}
+
+}  // namespace
+}  // namespace equipoise
