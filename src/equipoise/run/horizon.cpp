@@ -22,6 +22,8 @@ constexpr double e_foldings = 10.0;
 // beta = 0.05, Omega = 2.4 and gravity 0.01 12 % take more than 20 000, 1 % more than 50 000. Only undecided starts are
 // followed on, so that few pay for it.
 constexpr double shortest = 50000.0;
+// Where every start goes to the horizon all pay: no longer than rates ask, and as long as chaos commonly lasts.
+constexpr double shortest_for_all = 3000.0;
 // What nobody waits for: 100 000 starts that never decide then take a quarter of an hour.
 constexpr double longest = 100000.0;
 // Rounding moves an eigenvalue by about 1e-15; beside the zeros of a continuum, by the square root of that.
@@ -109,7 +111,8 @@ Horizon choose_horizon(const Study& study) {
   horizon.given = study.numerics.horizon.has_value();
   // Where not even one e-folding fits, what waits for it is not decided at all, and the longest horizon gains nothing.
   const bool hopeless = horizon.rates.slowest() * longest < 1.0;
-  horizon.time = hopeless ? shortest : std::clamp(rounded_up(horizon.asked), shortest, longest);
+  const double least = study.numerics.decide == DecideMode::horizon ? shortest_for_all : shortest;
+  horizon.time = hopeless ? least : std::clamp(rounded_up(horizon.asked), least, longest);
   if (horizon.given) horizon.time = *study.numerics.horizon;
   return horizon;
 }

@@ -34,7 +34,8 @@ struct Horizon {
   bool long_enough() const { return asked <= time; }
 };
 
-/// numerics.horizon, or what is chosen where that is open. Depends on rotor, balancer and final speed alone.
+/// numerics.horizon, or what is chosen where that is open. Depends on rotor, balancer, final speed and
+/// numerics.decide alone: with `horizon` every start goes there, so that less is chosen.
 Horizon choose_horizon(const Study& study);
 
 /// The study with its horizon filled in, so that every output states what was used.
