@@ -206,7 +206,7 @@ SteadyLook SteadyWatch::look() const {
   look.r_rms = all.r_rms();
   const double size = std::max(std::fabs(look.speed), 1e-3);
   const Series speeds = series([](const SteadyStretch& s) { return std::fabs(s.speed()); });
-  // Mean speeds of eight parts wander by a few per cent in chaos; a trend of a thousandth has not come to its end.
+  // Mean speeds of eight parts wander by a few per cent in chaos; a trend of a ten thousandth has not come to its end.
   look.speed_steady = range(speeds) < 0.03 * size && !trends(speeds, 1e-4 * size);
   look.slowing = kendall(speeds) <= -trend;
   // Three samples a step tell an extreme to a per cent or two; what trends within a thousandth is told by no sample.
