@@ -109,12 +109,13 @@ TEST_P(MachineLabels, hold_ten_times_later) {
     if (name == "locked" && c.exact) {
       EXPECT_GT(seen.last_r, 1e-4) << "start " << i;
     }
-    if (study.speed.driven()) {
-      // Chaos changes a mean over hundreds of time units by a per cent or so.
-      EXPECT_NEAR(fates[i].mean_speed, seen.speed, 0.02 * std::fabs(seen.speed) + (name == "stalled" ? 0.5 : 0.0))
-          << "start " << i;
-    } else {
+    if (!study.speed.driven()) {
       EXPECT_TRUE(std::isnan(fates[i].mean_speed));
+    } else if (name == "stalled") {  // one that coasts goes on losing speed
+      EXPECT_LT(std::fabs(fates[i].mean_speed), study.stall_speed()) << "start " << i;
+    } else {
+      // Chaos changes a mean over hundreds of time units by a per cent or so.
+      EXPECT_NEAR(fates[i].mean_speed, seen.speed, 0.02 * std::fabs(seen.speed)) << "start " << i;
     }
   }
   EXPECT_LE(undecided, c.undecided);
@@ -131,7 +132,7 @@ TEST(SlowBalance, is_not_taken_for_capture) {
             "[rotor]\nmass = \"4 kg\"\nstiffness = \"10 kN/m\"\ndamping_ratio = 0.05\nunbalance = \"300 g mm\"\n"
             "inertia = \"0.02 kg m2\"\n[balancer]\nballs = 4\nrace_radius = \"60 mm\"\nball_diameter = \"8 mm\"\n"
             "ball_density = \"7800 kg/m3\"\ndrag = \"2e-5 N m s\"\n[speed]\nprofile = \"torque\"\n"
-            "torque = {{ stall = \"{}\", no_load_speed = \"3000 rpm\" }}\n",
+            "torque = {{ stall = \"{}\", no_load_speed = \"3000 rpm\" }}\n[numerics]\nhorizon = \"200 s\"\n",
             stall),
         "slow");
     for (const Fate& fate : fates_of(study, 40)) EXPECT_EQ(name_of(study, fate), "balanced") << stall;

@@ -122,8 +122,11 @@ LinearBalance MachineBalance::linearised(const VectorXd& balanced) const {
 
 double MachineBalance::distance(const double* z, const VectorXd& balanced) const {
   VectorXd d = scaled(machine_, machine_.reduced(z) - balanced);
+  // A speed counts as a share of the speed that it comes to.
+  const int place = machine_.speed_place();
+  if (machine_.driven()) d[place] /= std::max(1.0, std::fabs(balanced[place]));
   // The integral of a speed error has no size of its own: its torque tells in psi'.
-  if (machine_.driven() && machine_.size() > machine_.speed_place() + 1) d[machine_.size() - 1] = 0.0;
+  if (machine_.driven() && machine_.size() > place + 1) d[machine_.size() - 1] = 0.0;
   return d.norm();
 }
 

@@ -137,12 +137,18 @@ void SteadyWatch::open(double t, double psi, const double* phi) {
   block_begin_ = t;
   psi_ = psi;
   std::copy(phi, phi + p_.balls, phi_.begin());
+  last_phi_ = phi_;
+  angle_.fill(0.0);
 }
 
 bool SteadyWatch::step(double t, double psi, const double* phi, const std::array<SteadySample, 3>& samples) {
   const double h = t - last_;
   last_ = t;
   last_psi_ = psi;
+  for (int i = 0; i < p_.balls; ++i) {
+    angle_[i] += 0.5 * h * (phi[i] + last_phi_[i]);
+    last_phi_[i] = phi[i];
+  }
   for (const SteadySample& s : samples) {
     open_.r2_min = std::min(open_.r2_min, s.r2);
     open_.r2_max = std::max(open_.r2_max, s.r2);
@@ -156,7 +162,11 @@ bool SteadyWatch::step(double t, double psi, const double* phi, const std::array
   open_.turned = psi - psi_;
   const bool turned = std::fabs(open_.turned) >= block_turns * two_pi;
   if (open_.duration < shortest_block || (!turned && open_.duration < longest_block)) return false;
-  for (int i = 0; i < p_.balls; ++i) open_.ball[i].turned = phi[i] - phi_[i];
+  for (int i = 0; i < p_.balls; ++i) {
+    const double mean = angle_[i] / open_.duration;
+    open_.ball[i].turned = blocks_.empty() ? phi[i] - phi_[i] : mean - mean_[i];
+    mean_[i] = mean;
+  }
   blocks_.push_back(open_);
   open(t, psi, phi);
   return true;
@@ -196,7 +206,7 @@ SteadyLook SteadyWatch::look() const {
   look.r_rms = all.r_rms();
   const double size = std::max(std::fabs(look.speed), 1e-3);
   const Series speeds = series([](const SteadyStretch& s) { return std::fabs(s.speed()); });
-  // Mean speeds of eight parts wander by a few per cent in chaos; a trend of a thousandth has not come to its end.
+  // Mean speeds of eight parts wander by a few per cent in chaos; a trend of a ten thousandth has not come to its end.
   look.speed_steady = range(speeds) < 0.03 * size && !trends(speeds, 1e-4 * size);
   look.slowing = kendall(speeds) <= -trend;
   // Three samples a step tell an extreme to a per cent or two; what trends within a thousandth is told by no sample.
@@ -206,8 +216,8 @@ SteadyLook SteadyWatch::look() const {
     same = same && range(v) < 0.02 * unit;
     alike = alike && range(v) < 0.2 * unit;
   };
-  // What is at rest on the axis up to the errors of steps has nothing left to compare with but the unbalance.
-  const double r = look.r_rms + 1e-7 * (p_.eccentricity + p_.total_mass());
+  // What is at rest on the axis up to the errors of steps, a millionth of the unbalances, has nothing left to compare.
+  const double r = look.r_rms + 1e-5 * (p_.eccentricity + p_.total_mass());
   judge(series([](const SteadyStretch& s) { return s.r_rms(); }), r);
   judge(series([](const SteadyStretch& s) { return std::sqrt(s.r2_max); }), r);
   judge(series([](const SteadyStretch& s) { return std::sqrt(s.r2_min); }), r);
@@ -215,14 +225,16 @@ SteadyLook SteadyWatch::look() const {
   for (int i = 0; i < p_.balls; ++i) {
     judge(series([i](const SteadyStretch& s) { return s.ball[i].slowest; }), size);
     judge(series([i](const SteadyStretch& s) { return s.ball[i].fastest; }), size);
-    slow = slow && std::max(std::fabs(all.ball[i].slowest), std::fabs(all.ball[i].fastest)) <= resting_rate * size;
+    const double fastest = std::max(std::fabs(all.ball[i].slowest), std::fabs(all.ball[i].fastest));
+    slow = slow && fastest <= resting_rate * size;
+    look.swinging = look.swinging || fastest > 1e-3 * size;
   }
   const double small = slow && creeps_ ? 0.25 * pi : 0.05;
   look.kind = kind_of(p_, turned, small);
   look.resting = look.kind == locked && slow;
   for (int i = 0; i < p_.balls; ++i) {
     const double sum = std::fabs(all.ball[i].turned);
-    if (!look.resting || !creeps_) trending = trending || trends(turned[i], 0.02 + 1e-3 * sum);
+    if (!look.resting || !creeps_) trending = trending || trends(turned[i], 0.005 + 1e-3 * sum);
     same = same && range(turned[i]) < (look.resting ? small : two_pi + 0.02 * sum / parts);
     alike = alike && range(turned[i]) < two_pi + 0.2 * sum / parts;
   }

@@ -55,6 +55,7 @@ struct SteadyLook {
   bool resting = false;       ///< all balls stay where they are, give or take a little rocking
   int kind = 0;               ///< 0: a ball drifts so little that it may be captured, or the other way round. Resting
                               ///< balls are 7 (locked) here, balanced or not
+  bool swinging = false;      ///< some ball's rate exceeds a thousandth of the rotor's speed
   double speed = 0.0;         ///< mean
   double r_rms = 0.0;
 };
@@ -88,7 +89,9 @@ class SteadyWatch {
   std::vector<SteadyStretch> blocks_;
   SteadyStretch open_;
   double begin_ = 0.0, last_ = 0.0, block_begin_ = 0.0, psi_ = 0.0, begin_psi_ = 0.0, last_psi_ = 0.0;
-  std::array<double, model::max_balls> phi_{};
+  // Of the open block: each ball's angle at its begin and by now, and the angle's integral; its mean in the block
+  // before. Balls turn from mean to mean: where they are when a block ends depends on how far they rock.
+  std::array<double, model::max_balls> phi_{}, last_phi_{}, angle_{}, mean_{};
 };
 
 }  // namespace equipoise

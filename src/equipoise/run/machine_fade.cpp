@@ -9,7 +9,6 @@
 #include "equipoise/attractors/machine_balance.hpp"
 #include "equipoise/base/angles.hpp"
 #include "equipoise/model/ball_count.hpp"
-#include "equipoise/model/strobe.hpp"
 #include "equipoise/run/machine_scale.hpp"
 
 namespace equipoise {
@@ -96,10 +95,6 @@ class Fade {
 };
 
 }  // namespace
-
-bool has_imperfections(const model::Parameters& p) {
-  return model::is_strobed(p) || !p.race_is_centred() || p.balls_stick();
-}
 
 bool fades_to_balance(const model::Parameters& p, double speed, const double* z, double tolerance, double patience,
                       const StopFlag* stop) {

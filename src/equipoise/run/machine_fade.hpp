@@ -6,10 +6,6 @@
 
 namespace equipoise {
 
-/// Whether a machine has imperfections that leave it no exact balance, or none that stands still: gravity, unequal
-/// supports, a race off the shaft's centre, dry friction.
-bool has_imperfections(const model::Parameters& p);
-
 /// Takes gravity, the supports' inequality, the race's offset and dry friction away little by little, at constant
 /// `speed` (not 0), from the state `z` (model/machine.hpp) on, and says whether the balls then come to a stable
 /// balanced state and none of them moves by more than a quarter of a turn on the way. `tolerance`: of a step;

@@ -181,12 +181,14 @@ bool MachineFacts::fades(const double* z, const SteadyLook& look) const {
 
 std::optional<bool> MachineFacts::rests_balanced(const double* z, const SteadyLook& look) const {
   const model::Parameters& p = parameters();
+  // Exact balance does not swing, and what swings steadily is not on its way there.
+  const bool exact = balance_.exists() && !p.balls_stick();
+  if ((exact || smooth_and_isotropic()) && (look.swinging || !look.resting)) return false;
   if (smooth_and_isotropic()) {
-    if (!look.resting) return false;
     const auto at = rest_state(balance_.machine(), balance_.machine().reduced(z), 0.3);
     return at ? equilibrium_balanced(*at) : std::nullopt;
   }
-  if (!has_imperfections(p)) return look.repeats ? std::optional(false) : std::nullopt;  // balls that touch
+  if (exact) return look.repeats ? std::optional(false) : std::nullopt;  // balls that touch
   const bool balanced = fades(z, look);
   if (balanced && strobed_balance_unstable_) return std::nullopt;
   return balanced;
@@ -254,7 +256,7 @@ std::optional<Fate> MachineJudge::steady(const SteadyLook& now, const double* z)
   const bool lasting = watch_.watched() > std::max(2.0 * passed_at_, long_enough(now));
   if (to_horizon_ || (!now.repeats && !lasting)) return std::nullopt;
   if (now.kind != locked_id) return attracted(now.kind, DecidedBy::windows, now.speed);
-  if (approach_.distance() < near_balance) return std::nullopt;
+  if (!now.swinging && approach_.distance() < near_balance) return std::nullopt;
   const auto balanced = facts_.rests_balanced(z, now);
   if (!balanced) return std::nullopt;
   return attracted(*balanced ? balanced_id : locked_id, DecidedBy::windows, now.speed);
@@ -274,7 +276,7 @@ Fate MachineJudge::at_horizon(const double* z) const {
              (now.repeats || lasting)) {
     if (now.kind != locked_id) {
       fate = attracted(now.kind, DecidedBy::horizon, now.speed);
-    } else if (approach_.distance() >= near_balance) {
+    } else if (now.swinging || approach_.distance() >= near_balance) {
       if (const auto balanced = facts_.rests_balanced(z, now))
         fate = attracted(*balanced ? balanced_id : locked_id, DecidedBy::horizon, now.speed);
     }
