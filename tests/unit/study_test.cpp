@@ -243,6 +243,26 @@ TEST(Echo, KeepsLargestSeedAndCountOfStarts) {
   expect_round_trip(study);
 }
 
+TEST(Initial, IsAtRestUnderGravityUnlessItIsStated) {
+  const std::vector<std::string> lying{"rotor.gravity=0.2", "speed.initial=0.5", "initial.psi=0.3", "release.time=0.0"};
+  const Study study = parse(ramp, lying);
+  const model::Parameters& p = study.parameters;
+  const double sag = (1.0 + p.total_mass()) * 0.2 / p.stiffness[1];
+  const InitialState& s = study.initial;
+  // X = 0, Y = -sag, seen from a frame turned by 0.3; it moves backwards in that frame while the rotor turns at 0.5.
+  EXPECT_NEAR(s.x * std::cos(0.3) - s.y * std::sin(0.3), 0.0, 1e-15);
+  EXPECT_NEAR(s.x * std::sin(0.3) + s.y * std::cos(0.3), -sag, 1e-15);
+  EXPECT_DOUBLE_EQ(s.x_dot, 0.5 * s.y);
+  EXPECT_DOUBLE_EQ(s.y_dot, -0.5 * s.x);
+  expect_round_trip(study);
+  for (const char* stated : {"initial.x=0.0", "initial.y_dot=0.0", "sampling.box={x_dot=[0, 1]}"}) {
+    std::vector<std::string> more = lying;
+    more.push_back(stated);
+    EXPECT_EQ(parse(ramp, more).initial.y, 0.0) << stated;
+  }
+  EXPECT_EQ(parse(ramp).initial.y, 0.0);
+}
+
 TEST(Echo, KeepsEveryBitOfEveryNumber) {
   std::mt19937_64 bits(1);
   for (int trial = 0; trial < 2000; ++trial) {
