@@ -65,10 +65,11 @@ int print_replay(const Study& study, const BasinOptions& options, const std::str
       option_number<std::uint64_t>("--start-index", given, 0, largest, "a whole number from 0 to 999999999999");
   const StartReplay replay = replay_start(study, index, options);
   const SamplingMethod method = study.sampling.method.value_or(SamplingMethod::random);
-  std::string text = fmt::format("start {} of seed {}{}\n", index, study.sampling.seed,
-                                 method == SamplingMethod::random
-                                     ? std::string()
-                                     : fmt::format(", method {}", sampling_method_names[static_cast<std::size_t>(method)]));
+  std::string text =
+      fmt::format("start {} of seed {}{}\n", index, study.sampling.seed,
+                  method == SamplingMethod::random
+                      ? std::string()
+                      : fmt::format(", method {}", sampling_method_names[static_cast<std::size_t>(method)]));
   const InitialState& s = replay.start;
   for (int i = 0; i < study.parameters.balls; ++i) text += fmt::format("phi_{} = {}\n", i + 1, s.phi[i]);
   if (!study.sampling.box.empty()) {

@@ -190,8 +190,7 @@ Command add_reproduce(CLI::App& app) {
   app.add_option("what", a->what, fmt::format("any of {} (default: all)", fmt::join(choices(), ", ")))
       ->type_name("WHAT");
   app.add_option("--starts", a->starts, "starts an ensemble (default: as many as the paper used)")->type_name("N");
-  app.add_option("--law", a->law, "speed law of ramps (default: both)")
-      ->type_name("LAW");
+  app.add_option("--law", a->law, "speed law of ramps (default: both)")->type_name("LAW");
   app.add_option("--report", a->report, "one page with everything (HTML), or Markdown with pictures beside it")
       ->type_name("FILE.html|.md");
   app.add_option("-o,--output", a->output, "folder for ensembles, pictures and tables; the same command resumes")

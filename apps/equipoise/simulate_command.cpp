@@ -59,7 +59,10 @@ std::vector<double> output_times(const SimulateArguments& a, const Study& study)
   const model::Drive drive = study.drive();
   const double settled = std::max(drive.pieces.back().begin, study.speed.driven() ? 0.0 : drive.release_time);
   const double until = a.until ? time_option("--until", *a.until) : settled + 100.0;
-  const double every = a.every ? option_number<double>("--every", *a.every, 1e-300, last_time, "a number above 0, at most 1e9") : until > 0.0 ? until / 100.0 : 1.0;
+  const double every =
+      a.every ? option_number<double>("--every", *a.every, 1e-300, last_time, "a number greater than 0, at most 1e9")
+      : until > 0.0 ? until / 100.0
+                    : 1.0;
   if (until / every > most_rows)
     throw InputError("--every", "", fmt::format("{}", every),
                      fmt::format("makes more than {:.0f} rows; must be at least {}", most_rows, until / most_rows));
@@ -81,8 +84,9 @@ void check_output(const std::string& path) {
 int run_simulate(const SimulateArguments& a) {
   std::vector<std::string> overrides = a.overrides;
   if (a.tolerance)
-    overrides.push_back(fmt::format("numerics.tolerance={}", option_number<double>("--tolerance", *a.tolerance, 1e-14, 1e-2,
-                                                                                 "a number from 1e-14 to 1e-2")));
+    overrides.push_back(
+        fmt::format("numerics.tolerance={}",
+                    option_number<double>("--tolerance", *a.tolerance, 1e-14, 1e-2, "a number from 1e-14 to 1e-2")));
   const Study study = read_study(a.study, overrides);
   const std::vector<double> times = output_times(a, study);
   check_output(a.output);
@@ -95,8 +99,7 @@ int run_simulate(const SimulateArguments& a) {
   } else {
     write_netcdf(a.output, trajectory, to_toml(study));
   }
-  if (study.speed.law == model::SpeedLaw::published)
-    say("published speed law, psi = t Omega(t)");
+  if (study.speed.law == model::SpeedLaw::published) say("published speed law, psi = t Omega(t)");
   const double last = trajectory.t.empty() ? 0.0 : trajectory.t.back();
   if (trajectory.stopped) {
     say("interrupted after t = {}; the rows so far are kept", last);

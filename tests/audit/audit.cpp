@@ -86,8 +86,8 @@ int run(const Arguments& a) {
     std::fflush(stdout);
     faults += faults_text(audits.back());
   }
-  fmt::print("\n{}{} of {} studies failed a check; seed {}; {:.0f} s CPU\n", faults.empty() ? "" : faults + "\n", failed,
-             audits.size(), a.seed, seconds);
+  fmt::print("\n{}{} of {} studies failed a check; seed {}; {:.0f} s CPU\n", faults.empty() ? "" : faults + "\n",
+             failed, audits.size(), a.seed, seconds);
   if (!a.json.empty()) {
     std::ofstream file(a.json);
     if (!(file << audits_json(audits, a.seed)).flush()) throw std::runtime_error(a.json + ": cannot be written");

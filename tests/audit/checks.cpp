@@ -21,8 +21,9 @@
 
 namespace equipoise::audit {
 
-const std::array<const char*, column_count> column_names{"later",    "horizon", "proof",     "rotated",  "mirror",  "order",
-                                                         "physical", "threads", "processor", "replayed", "figures", "undecided"};
+const std::array<const char*, column_count> column_names{"later",     "horizon",  "proof",    "rotated",
+                                                         "mirror",    "order",    "physical", "threads",
+                                                         "processor", "replayed", "figures",  "undecided"};
 
 bool StudyAudit::failed() const {
   return std::any_of(checks.begin(), checks.end(), [](const Check& c) { return c.verdict == Verdict::failed; });
@@ -60,9 +61,10 @@ class StudyChecks {
     describe();
     using Member = void (StudyChecks::*)();
     const std::array<Member, 11> members{
-        &StudyChecks::check_later,    &StudyChecks::check_horizon,  &StudyChecks::check_figures, &StudyChecks::check_replay,
-        &StudyChecks::check_rotation, &StudyChecks::check_mirror,   &StudyChecks::check_proof,   &StudyChecks::check_order,
-        &StudyChecks::check_physical, &StudyChecks::check_threads,  &StudyChecks::check_processor};
+        &StudyChecks::check_later,   &StudyChecks::check_horizon,  &StudyChecks::check_figures,
+        &StudyChecks::check_replay,  &StudyChecks::check_rotation, &StudyChecks::check_mirror,
+        &StudyChecks::check_proof,   &StudyChecks::check_order,    &StudyChecks::check_physical,
+        &StudyChecks::check_threads, &StudyChecks::check_processor};
     // Where time runs out differs from study to study, so that no check is always the one passed over.
     constexpr std::size_t always = 4;
     for (std::size_t k = 0; k < members.size(); ++k) {
@@ -146,7 +148,8 @@ class StudyChecks {
     const double reach = settings_.seconds * (study_.needs_machine() ? 2e4 : 4e5) / static_cast<double>(count);
     LookTimes times;
     times.length = window_length(study_);
-    times.second = std::clamp(settings_.longer * usual, 2.0 * most + 2.0 * times.length, std::max(reach, 2.5 * most + 500.0));
+    times.second =
+        std::clamp(settings_.longer * usual, 2.0 * most + 2.0 * times.length, std::max(reach, 2.5 * most + 500.0));
     times.first = std::max(0.5 * times.second, 1.02 * most);
     const std::vector<LateMotion> late = follow_late(study_, count, times, settings_.threads);
     std::size_t judged = 0, wrong = 0;
@@ -169,8 +172,9 @@ class StudyChecks {
   void check_horizon() {
     Check& check = audit_.at(Column::horizon);
     const std::uint64_t count = study_.needs_machine() ? std::min<std::uint64_t>(starts_, 60) : starts_;
-    const Study longer = parse_study(to_toml(study_), study_.name,
-                                     {"numerics.decide=horizon", fmt::format("numerics.horizon={:.1f}", long_horizon())});
+    const Study longer =
+        parse_study(to_toml(study_), study_.name,
+                    {"numerics.decide=horizon", fmt::format("numerics.horizon={:.1f}", long_horizon())});
     const Ensemble followed = run_ensemble(longer, count, options());
     const Pairs pairs = compare_pairs(base_, followed, false);
     std::size_t lost = 0;
@@ -179,8 +183,8 @@ class StudyChecks {
                                       lost ? fmt::format(", {} open", lost) : ""));
     const std::size_t at = pairs.first_difference;
     if (pairs.differ)
-      check.fail(fmt::format("{} starts are something else at the horizon: start {} is \"{}\", then \"{}\"", pairs.differ, at,
-                             base_.name(at), followed.name(at)),
+      check.fail(fmt::format("{} starts are something else at the horizon: start {} is \"{}\", then \"{}\"",
+                             pairs.differ, at, base_.name(at), followed.name(at)),
                  replay(at) + fmt::format(" --decide horizon --set numerics.horizon={:.1f}", long_horizon()));
   }
 
@@ -204,8 +208,8 @@ class StudyChecks {
     check = Check::passed(fmt::format("{} of {}", pairs.compared - pairs.differ, pairs.compared));
     const std::size_t at = pairs.first_difference;
     if (pairs.differ > allowed)
-      check.fail(fmt::format("{} of {} starts differ {}: start {} is \"{}\", then \"{}\"", pairs.differ, pairs.compared, what,
-                             at, base_.name(at), other.name(at)),
+      check.fail(fmt::format("{} of {} starts differ {}: start {} is \"{}\", then \"{}\"", pairs.differ, pairs.compared,
+                             what, at, base_.name(at), other.name(at)),
                  command(arguments));
     const double more = other.result.undecided.share - base_.result.undecided.share;
     const bool other_grounds = column == Column::proof;  // decides later by its nature
@@ -237,8 +241,9 @@ class StudyChecks {
     const SharesApart apart = compare_shares(base_, ensemble);
     check = Check::passed(fmt::format("p {:.2g}", apart.probability));
     if (apart.probability < improbable)
-      check.fail(fmt::format("\"{}\" {:.0f} %, {} {:.0f} %", apart.kind, 100.0 * apart.first, what, 100.0 * apart.second),
-                 command("") + " ; " + command("", &other, suffix));
+      check.fail(
+          fmt::format("\"{}\" {:.0f} %, {} {:.0f} %", apart.kind, 100.0 * apart.first, what, 100.0 * apart.second),
+          command("") + " ; " + command("", &other, suffix));
   }
 
   void check_mirror() {
@@ -283,8 +288,8 @@ class StudyChecks {
     for (std::size_t i = 0; i < a.fates.size(); ++i) {
       const Fate &x = a.fates[i], &y = b.fates[i];
       if (x.outcome != y.outcome || x.by != y.by || x.attractor != y.attractor || x.time != y.time) {
-        check.fail(fmt::format("start {}: \"{}\" at {} on one thread, \"{}\" at {} on three", i, a.name(i), x.time, b.name(i),
-                               y.time),
+        check.fail(fmt::format("start {}: \"{}\" at {} on one thread, \"{}\" at {} on three", i, a.name(i), x.time,
+                               b.name(i), y.time),
                    command("--threads 1") + " ; --threads 3");
         return;
       }
@@ -311,8 +316,9 @@ class StudyChecks {
       const Fate &x = base_.fates[i], &y = again.fate;
       const std::string name = y.outcome == Outcome::attracted ? again.name : base_.name(i);
       if (x.outcome != y.outcome || x.time != y.time || x.by != y.by || name != base_.name(i))
-        check.fail(fmt::format("start {} is \"{}\" at {}, replayed \"{}\" at {}", i, base_.name(i), x.time, name, y.time),
-                   replay(i));
+        check.fail(
+            fmt::format("start {} is \"{}\" at {}, replayed \"{}\" at {}", i, base_.name(i), x.time, name, y.time),
+            replay(i));
     }
   }
 

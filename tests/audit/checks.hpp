@@ -13,12 +13,12 @@
 namespace equipoise::audit {
 
 struct Settings {
-  std::uint64_t starts = 300;           ///< of an ensemble
-  std::uint64_t machine_starts = 100;   ///< of a machine's: followed one by one in plain doubles
+  std::uint64_t starts = 300;          ///< of an ensemble
+  std::uint64_t machine_starts = 100;  ///< of a machine's: followed one by one in plain doubles
   int threads = 2;
-  double seconds = 40.0;                ///< CPU time a study may take before checks that are left are passed over
-  double longer = 20.0;                 ///< times a decision's time for which starts are followed on
-  std::string folder;                   ///< where studies that failed are written, for the commands that show it
+  double seconds = 40.0;  ///< CPU time a study may take before checks that are left are passed over
+  double longer = 20.0;   ///< times a decision's time for which starts are followed on
+  std::string folder;     ///< where studies that failed are written, for the commands that show it
 };
 
 /// The columns of the table.
@@ -44,7 +44,7 @@ struct StudyAudit {
   std::string refused;  ///< the program's own message, if it refused the study before any work
   std::string answer;   ///< "balanced 61 %, ..."
   double undecided_share = 0.0;
-  double seconds = 0.0;  ///< CPU
+  double seconds = 0.0;                    ///< CPU
   std::array<Check, column_count> checks;  ///< by Column
 
   Check& at(Column column) { return checks[static_cast<std::size_t>(column)]; }

@@ -84,9 +84,7 @@ std::string not_as_named(const Study& study, const std::string& kind, const Late
 
 std::string range_differs(const RadiusRange& seen, const Motion& said, double size) {
   // A periodic orbit is listed to rounding and comes through 500 samples; extremes of a torus and of chaos fill slowly.
-  const double part = said.kind == MotionKind::chaotic          ? 0.4
-                      : said.kind == MotionKind::quasi_periodic ? 0.15
-                                                                : 0.03;
+  const double part = said.kind == MotionKind::chaotic ? 0.4 : said.kind == MotionKind::quasi_periodic ? 0.15 : 0.03;
   const double room = part * said.r_max + noise * size;
   if (std::fabs(seen.high - said.r_max) <= room && seen.low >= said.r_min - room) return {};
   return fmt::format("r from {:.4g} to {:.4g}, listed {:.4g} to {:.4g}", seen.low, seen.high, said.r_min, said.r_max);
@@ -118,8 +116,9 @@ std::string contradiction(const Study& study, const Ensemble& ensemble, std::siz
   const double stall = driven ? std::fabs(study.stall_speed()) : 0.0;
   // Mean speeds are steady to half a per cent when a rotor is called steady.
   if (fate.outcome == Outcome::stalled)
-    return std::fabs(late.speed) < 1.01 * stall ? std::string()
-                                                : fmt::format("it turns at {:.4g}, not below {:.4g}", late.speed, stall);
+    return std::fabs(late.speed) < 1.01 * stall
+               ? std::string()
+               : fmt::format("it turns at {:.4g}, not below {:.4g}", late.speed, stall);
   if (driven && std::fabs(late.speed) < 0.99 * stall)
     return fmt::format("it turns at {:.4g}, below {:.4g}: stalled", late.speed, stall);
   const Attractor* a = ensemble.catalogue.find(fate.attractor);

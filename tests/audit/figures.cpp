@@ -25,8 +25,7 @@ void check_share(const Json& share, const std::string& name, double starts, std:
   if (!p || !low || !high || !(0.0 <= *low && *low <= *p && *p <= *high && *high <= 1.0))
     faults.push_back(fmt::format("share of {} outside its interval: {}", name, share.dump()));
   const auto count = number(share, "count");
-  if (!count || *count < 0.0 || *count > starts)
-    faults.push_back(fmt::format("count of {}: {}", name, share.dump()));
+  if (!count || *count < 0.0 || *count > starts) faults.push_back(fmt::format("count of {}: {}", name, share.dump()));
 }
 
 void check_transients(const Json& transients, std::vector<std::string>& faults) {
@@ -49,7 +48,8 @@ void check_transients(const Json& transients, std::vector<std::string>& faults) 
     const auto above = [&](const char* more, const char* less) {
       // Single precision.
       if (largest.count(more) && largest.count(less) && largest[less] > largest[more] * (1.0 + 1e-6))
-        faults.push_back(fmt::format("{}: largest {} {} exceeds {} {}", name, less, largest[less], more, largest[more]));
+        faults.push_back(
+            fmt::format("{}: largest {} {} exceeds {} {}", name, less, largest[less], more, largest[more]));
     };
     above("peak_radial", "peak_radial_after_release");
     above("peak_radial_after_release", "peak_radial_at_end");
@@ -92,8 +92,8 @@ std::vector<std::string> wrong_units(const BasinResult& dimensionless, const Bas
   const Json a = Json::parse(basin_json(dimensionless)), b = Json::parse(basin_json(physical));
   if (!a.contains("transients") || !b.contains("transients")) return {"no transients where they were asked for"};
   const model::Scales& u = *physical.study.scales;
-  const std::map<std::string, double> units{{"mm", 1e3 * u.length}, {"N", u.force()}, {"mm/s", 1e3 * u.velocity()},
-                                            {"s", u.time()},        {"ms", 1e3 * u.time()}};
+  const std::map<std::string, double> units{
+      {"mm", 1e3 * u.length}, {"N", u.force()}, {"mm/s", 1e3 * u.velocity()}, {"s", u.time()}, {"ms", 1e3 * u.time()}};
   // Medians: a start or two that chance sends elsewhere after a rounding move a mean by much.
   const auto median = [](const Json& figure) -> std::optional<double> {
     for (const Json& q : figure.value("quantiles", Json::array()))

@@ -160,9 +160,8 @@ std::vector<LateMotion> follow_late(const Study& study, std::size_t count, const
     arena.execute([&] {
       tbb::parallel_for(std::size_t{0}, count, [&](std::size_t i) {
         const InitialState start = start_of(study, study.sampling.seed, i);
-        model::with_ball_count(study.parameters.balls, [&](auto n) {
-          follow_machine<n>(study, drive, start, times, settled, motions[i]);
-        });
+        model::with_ball_count(study.parameters.balls,
+                               [&](auto n) { follow_machine<n>(study, drive, start, times, settled, motions[i]); });
       });
     });
     return motions;

@@ -21,8 +21,9 @@ struct LateMotion {
   std::array<double, model::max_balls> turned{};  ///< of each ball from the first window's begin to the second's end
   std::array<double, model::max_balls> swing{};   ///< largest less smallest ball angle within the second window
   std::array<double, model::max_balls> rate{};    ///< mean phi' from the first window's begin to the second's end
-  std::array<double, model::max_balls> rate_early{}, rate_late{};  ///< the same over the first half of that and the rest
-  double speed = 0.0;                             ///< mean psi' over the same time
+  std::array<double, model::max_balls> rate_early{},
+      rate_late{};     ///< the same over the first half of that and the rest
+  double speed = 0.0;  ///< mean psi' over the same time
 };
 
 /// When to look, in time from when the final speed is reached (a machine: from the drive's last piece).

@@ -103,7 +103,8 @@ std::string ramp_text(const RampSetting& s, const model::Scales& u) {
   if (s.profile == "points")
     return "times = " + quantities(s.times, s.times.size(), t, "s") +
            "\nspeeds = " + quantities(s.speeds, s.speeds.size(), f, "rad/s") + "\n";
-  std::string text = "initial = " + quantity(s.initial, f, "rad/s") + "\nfinal = " + quantity(s.final, f, "rad/s") + "\n";
+  std::string text =
+      "initial = " + quantity(s.initial, f, "rad/s") + "\nfinal = " + quantity(s.final, f, "rad/s") + "\n";
   if (s.profile == "ramp") return text + "duration = " + quantity(s.duration, t, "s") + "\n";
   return text + "peak = " + quantity(s.peak, f, "rad/s") + "\nrise_until = " + quantity(s.rise_until, t, "s") +
          "\nhold_until = " + quantity(s.hold_until, t, "s") + "\nfall_until = " + quantity(s.fall_until, t, "s") + "\n";
@@ -120,18 +121,21 @@ std::string torque_text(const TorqueSetting& t, const model::Scales& u) {
     return text + "times = " + quantities(t.times, t.times.size(), u.time(), "s") +
            "\nvalues = " + quantities(t.values, t.values.size(), u.torque(), "N m") + "\n";
   if (t.kind == Kind::control) {
-    text += "gain = " + quantity(t.gain, gain, "N m s") + "\nintegral = " + quantity(t.integral, u.torque(), "N m") + "\n";
+    text +=
+        "gain = " + quantity(t.gain, gain, "N m s") + "\nintegral = " + quantity(t.integral, u.torque(), "N m") + "\n";
     if (t.limit) text += "limit = " + quantity(*t.limit, u.torque(), "N m") + "\n";
     return text + "[speed.torque.target]\nprofile = \"" + t.target.profile + "\"\n" + ramp_text(t.target, u);
   }
-  text += "constant = " + quantity(t.constant, u.torque(), "N m") + "\nslope = " + quantity(t.slope, gain, "N m s") + "\n";
+  text +=
+      "constant = " + quantity(t.constant, u.torque(), "N m") + "\nslope = " + quantity(t.slope, gain, "N m s") + "\n";
   if (t.until) text += "until = " + quantity(*t.until, u.time(), "s") + "\n";
   return text;
 }
 
 std::string rotor_text(const model::Parameters& p, const model::Scales& u) {
   const double k = u.mass * u.frequency * u.frequency, c = u.mass * u.frequency;
-  std::string text = "[rotor]\nmass = " + quantity(1.0, u.mass, "kg") + "\nstiffness = " + quantities(p.stiffness, 2, k, "N/m") +
+  std::string text = "[rotor]\nmass = " + quantity(1.0, u.mass, "kg") +
+                     "\nstiffness = " + quantities(p.stiffness, 2, k, "N/m") +
                      "\ndamping = " + quantities(p.damping, 2, c, "N s/m") +
                      "\neccentricity = " + quantity(p.eccentricity, u.length, "m") + "\n";
   if (p.gravity != 0.0) text += "gravity = " + quantity(p.gravity, u.acceleration(), "m/s2") + "\n";
@@ -158,8 +162,9 @@ std::string start_text(const Study& s, const model::Scales& u) {
   const InitialState& i = s.initial;
   std::string text = fmt::format("[initial]\npsi = {:.17g}\n", i.psi);
   text += "x = " + quantity(i.x, u.length, "m") + "\ny = " + quantity(i.y, u.length, "m") +
-          "\nx_dot = " + quantity(i.x_dot, u.velocity(), "m/s") + "\ny_dot = " + quantity(i.y_dot, u.velocity(), "m/s") +
-          "\nphi = " + plain(i.phi, n) + "\nphi_dot = " + quantities(i.phi_dot, n, u.frequency, "rad/s") + "\n";
+          "\nx_dot = " + quantity(i.x_dot, u.velocity(), "m/s") +
+          "\ny_dot = " + quantity(i.y_dot, u.velocity(), "m/s") + "\nphi = " + plain(i.phi, n) +
+          "\nphi_dot = " + quantities(i.phi_dot, n, u.frequency, "rad/s") + "\n";
   text += fmt::format("[sampling]\nstarts = {}\nseed = {}\n", s.sampling.starts, s.sampling.seed);
   if (s.sampling.box.empty()) return text;
   text += "[sampling.box]\n";

@@ -41,18 +41,18 @@ std::string faults_text(const StudyAudit& audit) {
   std::string text;
   for (std::size_t k = 0; k < column_count; ++k)
     for (const Check::Fault& fault : audit.checks[k].faults)
-      text += fmt::format("{} ({}), {}: {}\n    {}\n", audit.drawn.number, audit.drawn.kind, column_names[k], fault.what,
-                          fault.command);
+      text += fmt::format("{} ({}), {}: {}\n    {}\n", audit.drawn.number, audit.drawn.kind, column_names[k],
+                          fault.what, fault.command);
   return text;
 }
 
 std::string audits_json(const std::vector<StudyAudit>& audits, std::uint64_t seed) {
   nlohmann::ordered_json json{{"seed", seed}, {"studies", nlohmann::ordered_json::array()}};
   for (const StudyAudit& audit : audits) {
-    nlohmann::ordered_json one{{"number", audit.drawn.number},   {"kind", audit.drawn.kind},
-                               {"study", to_toml(audit.drawn.study)}, {"answer", audit.answer},
-                               {"refused", audit.refused},       {"undecided", audit.undecided_share},
-                               {"cpu_seconds", audit.seconds},   {"failed", audit.failed()}};
+    nlohmann::ordered_json one{
+        {"number", audit.drawn.number}, {"kind", audit.drawn.kind}, {"study", to_toml(audit.drawn.study)},
+        {"answer", audit.answer},       {"refused", audit.refused}, {"undecided", audit.undecided_share},
+        {"cpu_seconds", audit.seconds}, {"failed", audit.failed()}};
     for (std::size_t k = 0; k < column_count; ++k) {
       const Check& check = audit.checks[k];
       nlohmann::ordered_json c{{"verdict", word(check.verdict)}, {"seen", check.seen}};

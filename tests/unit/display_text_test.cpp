@@ -1,0 +1,38 @@
+// Names from outside as any output can hold them.
+#include <string>
+
+#include <gtest/gtest.h>
+
+#include "equipoise/base/display_text.hpp"
+
+namespace equipoise {
+namespace {
+
+const std::string replaced = "\xEF\xBF\xBD";
+
+TEST(DisplayText, LeavesWhatIsFitToBeShown) {
+  for (const char* text :
+       {"", "study.toml", "\xC3\xA9t\xC3\xA9", "\xE2\x82\xAC", "\xF0\x9F\x8E\x88", "\xEF\xBF\xBD", "\xED\x9F\xBF"})
+    EXPECT_EQ(display_text(text), text);
+}
+
+TEST(DisplayText, ReplacesWhatIsNoUtf8) {
+  EXPECT_EQ(display_text("a\xFFz"), "a" + replaced + "z");
+  EXPECT_EQ(display_text("\xC3"), replaced);  // breaks off
+  EXPECT_EQ(display_text("\xC3z"), replaced + "z");
+  EXPECT_EQ(display_text("\xC0\xAF"), replaced + replaced);  // a longer form of '/'
+  EXPECT_EQ(display_text("\xE0\x80\xAF"), replaced + replaced + replaced);
+  EXPECT_EQ(display_text("\xED\xA0\x80"), replaced + replaced + replaced);                 // half of a surrogate pair
+  EXPECT_EQ(display_text("\xF4\x90\x80\x80"), replaced + replaced + replaced + replaced);  // above U+10FFFF
+}
+
+TEST(DisplayText, EscapesControlCharactersOfBothSets) {
+  EXPECT_EQ(display_text("a\n\x1b[31m\x7f"), "a\\u000A\\u001B[31m\\u007F");
+  EXPECT_EQ(display_text("\xC2\x9B"
+                         "31m"),
+            "\\u009B31m");  // the other control sequence introducer
+  EXPECT_EQ(display_text(std::string("\0", 1)), "\\u0000");
+}
+
+}  // namespace
+}  // namespace equipoise
