@@ -170,7 +170,8 @@ TEST_P(Torus, IsDriftingApart) {
   EXPECT_EQ(motion->kind, MotionKind::quasi_periodic);
   EXPECT_EQ(motion->copies, 1);
   EXPECT_EQ(motion->drift_group[0], motion->drift_group[1]);
-  EXPECT_NEAR(motion->drift[0], motion->drift[1], 1e-6);  // measured apart; means of these tori are good to 1e-7
+  // Measured apart, each to a small part of a turn over the stretch.
+  EXPECT_NEAR(motion->drift[0], motion->drift[1], 0.01 * two_pi / motion->duration);
   EXPECT_NEAR(motion->drift[0], known.drift, 1.0 / motion->duration);
   EXPECT_NEAR(motion->r_min, known.r_min, 1e-4);
   EXPECT_NEAR(motion->r_max, known.r_max, 1e-4);
