@@ -63,8 +63,8 @@ BalancedContinuum::BalancedContinuum(const model::Parameters& p, double speed)
       dimension_(std::max(p.balls - 2, 1)),
       scale_(state_scale(p)) {}
 
-// Fills all but `phi`. Gravity moves the centre off the balanced state: Newton's method across the continuum, with the
-// derivative at the balanced state, finds the state that one strobe moves along it only.
+// Fills all but `phi` and the form. Gravity moves the centre off the balanced state: Newton's method across the
+// continuum, with the derivative at the balanced state, finds the state that one strobe moves along it only.
 bool BalancedContinuum::settle(ContinuumMember& m) const {
   m.centre = model::centred_state(p_, m.phi.data());
   const Index size = scale_.size(), across = size - dimension_;
@@ -89,12 +89,12 @@ bool BalancedContinuum::settle(ContinuumMember& m) const {
   m.along = kernel.rightCols(dimension_);
   const MatrixXd left = q.rightCols(dimension_).transpose();
   m.left = (left * m.along).partialPivLu().solve(left);
-  const MatrixXd reduced = m.range.transpose() * change * m.range;
+  m.across = m.range.transpose() * change * m.range;
   const MatrixXd one = MatrixXd::Identity(across, across);
   if (p_.gravity != 0.0) {
     constexpr int most = 8;
     constexpr double converged = 1e-8;  // of the size of the rotor's deflections
-    const auto solve = reduced.partialPivLu();
+    const auto solve = m.across.partialPivLu();
     for (int k = 0;; ++k) {
       const VectorXd part = m.range.transpose() * (miss - m.along * (m.left * miss));
       if (part.norm() < converged) break;
@@ -106,15 +106,21 @@ bool BalancedContinuum::settle(ContinuumMember& m) const {
     }
   }
   if (p_.gravity != 0.0) m.creep = m.along * (m.left * miss) / strobe;
-  m.rate = slowest_of(strobed_ ? (reduced + one).eigenvalues() : reduced.eigenvalues(), 0, strobe);
-  if (!m.left.allFinite() || !std::isfinite(m.rate)) return false;
+  m.rate = slowest_of(strobed_ ? (m.across + one).eigenvalues() : m.across.eigenvalues(), 0, strobe);
+  return m.left.allFinite() && std::isfinite(m.rate);
+}
+
+bool BalancedContinuum::shape(ContinuumMember& m) const {
   if (!(m.rate < -least_rate)) return true;
+  const Index across = scale_.size() - dimension_;
+  const MatrixXd one = MatrixXd::Identity(across, across);
+  const double strobe = strobed_ ? model::strobe_period(p_, speed_) : 0.0;
   const double decay = -share_of_rate * m.rate;
   std::optional<MatrixXd> form;
   if (strobed_)
-    form = solve_stein(std::exp(decay * strobe) * (reduced + one), one);
+    form = solve_stein(std::exp(decay * strobe) * (m.across + one), one);
   else
-    form = solve_lyapunov(reduced + decay * one, one);
+    form = solve_lyapunov(m.across + decay * one, one);
   if (!form) return false;
   const Eigen::SelfAdjointEigenSolver<MatrixXd> spectrum(*form, Eigen::EigenvaluesOnly);
   const double least = spectrum.eigenvalues().minCoeff();
@@ -127,7 +133,7 @@ bool BalancedContinuum::settle(ContinuumMember& m) const {
 std::optional<ContinuumMember> BalancedContinuum::member(const double* phi) const {
   ContinuumMember m;
   std::copy(phi, phi + p_.balls, m.phi.begin());
-  if (!model::project_to_balanced(balanced_, m.phi.data()) || !settle(m)) return std::nullopt;
+  if (!model::project_to_balanced(balanced_, m.phi.data()) || !settle(m) || !shape(m)) return std::nullopt;
   return m;
 }
 
@@ -142,15 +148,21 @@ std::optional<ContinuumMember> BalancedContinuum::destination(const VectorXd& st
   constexpr double across = 0.01;  // what may be left along the continuum, of the deviation; V counts it
   Angles phi{};
   for (int i = 0; i < p_.balls; ++i) phi[i] = state[model::index::phi(i)];
-  auto m = member(phi.data());
-  for (int k = 0; m && k < most; ++k) {
-    if (!(m->rate < -least_rate)) return m;
-    const VectorXd d = deviation(*m, state);
-    const VectorXd part = m->left * d;
-    if (part.norm() <= across * d.norm()) return m;
-    const auto next = moved(m->phi, m->along * part);
+  // The form, which costs most, is wanted of the last one only.
+  ContinuumMember m;
+  m.phi = phi;
+  if (!model::project_to_balanced(balanced_, m.phi.data())) return std::nullopt;
+  for (int k = 0; k < most; ++k) {
+    if (!settle(m)) return std::nullopt;
+    const VectorXd d = deviation(m, state);
+    const VectorXd part = m.left * d;
+    if (!(m.rate < -least_rate) || part.norm() <= across * d.norm()) {
+      if (!shape(m)) return std::nullopt;
+      return m;
+    }
+    const auto next = moved(m.phi, m.along * part);
     if (!next) return std::nullopt;
-    m = member(next->data());
+    m.phi = *next;
   }
   return std::nullopt;
 }

@@ -22,9 +22,10 @@ struct ContinuumMember {
   Eigen::VectorXd centre;
   double rate = 0.0;  ///< largest real part across the continuum; stable across if negative
   Eigen::MatrixXd along,
-      left;               ///< the continuum's own directions, columns; left eigenvectors that belong to them, rows
-  Eigen::MatrixXd range;  ///< orthonormal basis of the invariant subspace across
-  Eigen::MatrixXd form;   ///< P on that; V falls at least as e^(1.6 rate t) near by, and is |s|^2 or more
+      left;                ///< the continuum's own directions, columns; left eigenvectors that belong to them, rows
+  Eigen::MatrixXd range;   ///< orthonormal basis of the invariant subspace across
+  Eigen::MatrixXd across;  ///< the linearised equations in it: d/dt, or of the map less one
+  Eigen::MatrixXd form;    ///< P on that; V falls at least as e^(1.6 rate t) near by, and is |s|^2 or more
   /// Of V. Where terms of second order begin to matter goes like this from one member to another.
   double unit = 0.0;
   Eigen::VectorXd creep;  ///< velocity along the continuum (size 0: none): what gravity leaves of it is not at rest
@@ -75,6 +76,7 @@ class BalancedContinuum {
 
  private:
   bool settle(ContinuumMember& member) const;
+  bool shape(ContinuumMember& member) const;
   bool stays(ContinuumMember member, double slowest_rate) const;
   double rate_at(const double* phi) const;
   std::optional<std::array<double, model::max_balls>> moved(std::array<double, model::max_balls> phi,
