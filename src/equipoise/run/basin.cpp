@@ -112,9 +112,6 @@ class BasinRun {
     const BalanceNote balance = runner_->balance();
     result_.balanced_stable = balance.stable;
     result_.note = balance.note;
-    constexpr double worth_a_reason = 0.01;
-    if (!balance.undecided.empty() && result_.undecided.share > worth_a_reason)
-      result_.note += (result_.note.empty() ? "" : "; ") + balance.undecided;
     explain_undecided();
     const RunTime time = time_so_far();
     result_.seconds = time.seconds;

@@ -27,7 +27,6 @@
 #include "equipoise/model/balanced_state.hpp"
 #include "equipoise/model/linearisation.hpp"
 #include "equipoise/model/strobe.hpp"
-#include "equipoise/run/chaotic_stay.hpp"
 #include "equipoise/run/horizon.hpp"
 #include "equipoise/run/lane_kernels.hpp"
 #include "equipoise/run/start_source.hpp"
@@ -137,7 +136,6 @@ class Discoverer {
     level_balanced();
     find_candidates();
     if (!refine_and_list()) return stopped();
-    note_chaos();
     result_.rule.blind = false;
     result_.rule.at_horizon = study_.numerics.decide == DecideMode::horizon;
     return std::move(result_);
@@ -182,13 +180,6 @@ class Discoverer {
     if (m)
       result_.catalogue.add(study_.parameters, describe_creep(study_.parameters, speed_, m->centre, m->rate),
                             continuum());
-  }
-
-  void note_chaos() {
-    const double begin = source_.last_segment().begin;
-    result_.undecided =
-        chaotic_stay(study_.parameters, speed_,
-                     {&pilot_.fates, begin, begin + pilot_horizon(), [this](std::size_t i) { return pilot_state(i); }});
   }
 
   // Proved or widened levels of the balanced traps.
@@ -246,16 +237,12 @@ class Discoverer {
     return true;
   }
 
-  double pilot_horizon() const {
-    return std::min(*study_.numerics.horizon, pilot_windows * result_.rule.first_long_window);
-  }
-
   // Decides the first `count` of the pilot's starts by the rule as it stands.
   bool follow_pilot(std::size_t count) {
     const int size = model::dimension(study_.parameters.balls);
     pilot_.followed = count;
     pilot_.states = pilot_.begin;
-    const double horizon = pilot_horizon();
+    const double horizon = std::min(*study_.numerics.horizon, pilot_windows * result_.rule.first_long_window);
     std::atomic<bool> complete{true};
     tbb::task_arena arena(settings_.threads);
     arena.execute([&] {

@@ -32,7 +32,6 @@ struct Discovery {
   BalancedAnalysis balanced;
   Catalogue catalogue;
   DecisionRule rule;
-  std::string undecided;  ///< why starts may stay undecided, in words; empty if nothing speaks for it
   bool stopped = false;
 };
 

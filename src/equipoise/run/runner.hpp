@@ -28,7 +28,6 @@ struct UnlistedStart {
 struct BalanceNote {
   bool stable = false;  ///< a linearly stable balanced state exists at the final speed
   std::string note;     ///< why no start can end balanced, if so
-  std::string undecided = {};  ///< why starts may stay undecided, if that is known
 };
 
 class Runner {

@@ -39,7 +39,7 @@ class StartRunner : public Runner {
 
   const Catalogue& catalogue() const override { return discovery_.catalogue; }
   BalanceNote balance() const override {
-    return {discovery_.balanced.stable, discovery_.balanced.note, discovery_.undecided};
+    return {discovery_.balanced.stable, discovery_.balanced.note};
   }
   double settled() const override { return source_.settled(); }
   bool stopped() const override { return discovery_.stopped; }

@@ -12,7 +12,7 @@
 namespace equipoise {
 
 /// Above this share of undecided starts a result says why.
-inline constexpr double undecided_worth_a_word = 0.2;
+inline constexpr double undecided_worth_a_word = 0.05;
 /// As many are looked at.
 inline constexpr std::size_t undecided_looked_at = 8;
 
