@@ -14,7 +14,9 @@
 #include "equipoise/base/error.hpp"
 #include "equipoise/model/strobe.hpp"
 #include "equipoise/run/discovery.hpp"
+#include "equipoise/run/initial_state.hpp"
 #include "equipoise/run/lane_kernels.hpp"
+#include "equipoise/run/simulate.hpp"
 #include "figures.hpp"
 #include "late_motion.hpp"
 #include "same_study.hpp"
@@ -252,8 +254,29 @@ class StudyChecks {
   }
 
   void check_order() {
-    if (study_.parameters.equal_balls()) return;
+    if (study_.parameters.balls == 1) return;
+    if (study_.parameters.equal_balls()) return exchange_balls();
     same_shares(Column::order, reversed(study_), "with its balls in the opposite order", "-reversed");
+  }
+
+  // Equal balls with each other's angles do each other's motion.
+  void exchange_balls() {
+    Check& check = audit_.at(Column::order);
+    check = Check::passed("exchanged");
+    const double until = (study_.speed.driven() ? 0.0 : study_.release_time()) + 20.0;
+    for (std::uint64_t i = 0; i < 3; ++i) {
+      Study one = study_;
+      one.initial = start_of(study_, study_.sampling.seed, i);
+      const Trajectory a = simulate(one, {until}), b = simulate(reversed(one), {until});
+      if (a.t.empty() != b.t.empty()) check.fail("one order of balls is lost, the other not", replay(i));
+      if (a.t.empty() || b.t.empty()) continue;
+      const std::size_t balls = a.phi.size();
+      double apart = std::fabs(a.radial[0] - b.radial[0]);
+      for (std::size_t k = 0; k < balls; ++k) apart = std::max(apart, std::fabs(a.phi[k][0] - b.phi[balls - 1 - k][0]));
+      // Steps of 1e-12, grown by what twenty units of time and some impacts can do.
+      if (!(apart < 1e-6))
+        check.fail(fmt::format("exchanged balls are {:.2g} apart at {:.0f}", apart, until), replay(i));
+    }
   }
 
   void check_physical() {
