@@ -141,6 +141,16 @@ TEST(ProjectionToBalanced, moves_a_balanced_state_not_at_all_and_a_neighbour_lit
   EXPECT_LT(std::hypot(near[0] - phi[0] - 1e-3, near[1] - phi[1] + 1e-3, near[2] - phi[2] - 2e-3), 2.45e-3);
 }
 
+TEST(ProjectionToBalanced, finds_the_same_member_however_often_balls_have_turned) {
+  const Parameters p = rotor(0.01, {0.05, 0.05, 0.06});
+  double phi[] = {0.3, 2.4, 4.4}, turned[] = {0.3 - 2e4 * pi, 2.4 + 2e3 * pi, 4.4};
+  ASSERT_TRUE(equipoise::model::project_to_balanced(p, phi));
+  ASSERT_TRUE(equipoise::model::project_to_balanced(p, turned));
+  // The digits that so many turns leave.
+  EXPECT_NEAR(turned[0] + 2e4 * pi, phi[0], 1e-10);
+  EXPECT_NEAR(turned[1] - 2e3 * pi, phi[1], 1e-11);
+}
+
 TEST(ProjectionToBalanced, gives_up_where_there_is_no_balanced_state) {
   double phi[] = {0.1, 2.0, 4.0};
   EXPECT_FALSE(equipoise::model::project_to_balanced(rotor(0.2, {0.05, 0.05, 0.05}), phi));

@@ -94,14 +94,9 @@ int MachineBalance::free_directions() const {
 
 std::optional<VectorXd> MachineBalance::nearest(const double* z) const {
   const model::Parameters& p = machine_.parameters();
-  // Without the whole turns that balls have made: the projection is asked for more digits than large angles have.
-  double phi[model::max_balls], turns[model::max_balls];
-  for (int i = 0; i < p.balls; ++i) {
-    phi[i] = wrapped(z[model::index::phi(i)]);
-    turns[i] = z[model::index::phi(i)] - phi[i];
-  }
+  double phi[model::max_balls];
+  for (int i = 0; i < p.balls; ++i) phi[i] = z[model::index::phi(i)];
   if (!model::project_to_balanced(p, phi)) return std::nullopt;
-  for (int i = 0; i < p.balls; ++i) phi[i] += turns[i];
   const double speed = machine_.balanced_speed().value_or(z[model::machine_index::speed(p.balls)]);
   return machine_.balanced_state(phi, speed);
 }

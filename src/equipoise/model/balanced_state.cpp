@@ -2,6 +2,7 @@
 #include "equipoise/model/balanced_state.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "equipoise/base/angles.hpp"
@@ -51,7 +52,10 @@ BalancedStates balanced_states(const Parameters& p) {
   return result;
 }
 
-bool project_to_balanced(const Parameters& p, double* phi) {
+namespace {
+
+// Angles within a turn: the last digits of larger ones are coarser than the target.
+bool project_within_a_turn(const Parameters& p, double* phi) {
   const double target = 1e-15 * (p.eccentricity + p.total_mass());
   for (int iteration = 0; iteration < 30; ++iteration) {
     double gx = p.eccentricity, gy = 0.0, a = 0.0, b = 0.0, d = 0.0;
@@ -75,6 +79,19 @@ bool project_to_balanced(const Parameters& p, double* phi) {
     for (int i = 0; i < p.balls; ++i) phi[i] -= p.mass[i] * (-std::sin(phi[i]) * lx + std::cos(phi[i]) * ly);
   }
   return false;
+}
+
+}  // namespace
+
+bool project_to_balanced(const Parameters& p, double* phi) {
+  std::array<double, max_balls> within{}, turns{};
+  for (int i = 0; i < p.balls; ++i) {
+    turns[i] = two_pi * std::trunc(phi[i] / two_pi);
+    within[i] = phi[i] - turns[i];
+  }
+  const bool balanced = project_within_a_turn(p, within.data());
+  for (int i = 0; i < p.balls; ++i) phi[i] = within[i] + turns[i];
+  return balanced;
 }
 
 }  // namespace equipoise::model

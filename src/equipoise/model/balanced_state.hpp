@@ -25,7 +25,7 @@ struct BalancedStates {
 BalancedStates balanced_states(const Parameters& p);
 
 /// A member of the family near the ball angles `phi`: Newton's method with the least change of angles. False if it does
-/// not converge, in which case `phi` is left somewhere on the way.
+/// not converge, in which case `phi` is left somewhere on the way. Whole turns stay, however many.
 bool project_to_balanced(const Parameters& p, double* phi);
 
 }  // namespace equipoise::model
