@@ -145,7 +145,7 @@ MachineRunner::MachineRunner(const Study& study, const StopFlag* stop)
   for (const SteadyKind& kind : steady_kinds(study.parameters.balls)) {
     Motion motion;
     motion.kind = MotionKind::measured;
-    catalogue_.add({kind.id, kind.name, "", motion, false});
+    catalogue_.add({kind.id, kind.name, "", motion, {}});
   }
 }
 

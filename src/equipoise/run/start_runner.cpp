@@ -2,6 +2,7 @@
 #include "equipoise/run/start_runner.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <optional>
 
 #include <fmt/format.h>
@@ -16,17 +17,27 @@
 
 namespace equipoise {
 
+namespace {
+
+const char* final_speed_key(const Study& study) {
+  const std::string& profile = study.speed.profile;
+  return profile == "constant" ? "speed.speed" : profile == "points" ? "speed.speeds" : "speed.final";
+}
+
+}  // namespace
+
 void check_decidable(const Study& study) {
   check(study);
   check_cost(study);
+  const double speed = study.speed_profile().final_speed();
+  // Beyond any machine; the integrator's steps shrink with the turns to be made.
+  constexpr double fastest = 1e4;
+  if (std::fabs(speed) > fastest)
+    throw InputError(study.name, final_speed_key(study), fmt::format("{:.6g}", speed),
+                     fmt::format("basin and attractors take final speeds from -{0:g} to {0:g} critical speeds", fastest));
   if (!model::is_strobed(study.parameters)) return;
-  const std::string& profile = study.speed.profile;
-  if (study.speed_profile().final_speed() == 0.0)
-    throw InputError(study.name,
-                     profile == "constant" ? "speed.speed"
-                     : profile == "points" ? "speed.speeds"
-                                           : "speed.final",
-                     "0",
+  if (speed == 0.0)
+    throw InputError(study.name, final_speed_key(study), "0",
                      "basins and attractors need a rotor that turns in the end (other than 0) where supports are "
                      "anisotropic or gravity acts");
   if (study.numerics.decide == DecideMode::proof)

@@ -283,6 +283,8 @@ void BasinFile::State::read_share(std::size_t k, Share& share) const {
   get("kind_share", share.share);
   get("kind_share_low", share.low);
   get("kind_share_high", share.high);
+  get("kind_share_least", share.least);
+  get("kind_share_most", share.most);
   get("kind_effective_starts", share.effective_starts);
   const std::string by = file->read_text("kind_interval", k);
   const auto found = std::find(interval_names.begin(), interval_names.end(), by);

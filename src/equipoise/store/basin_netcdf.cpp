@@ -110,6 +110,10 @@ class Writer {
     kind_low_ = file_.variable("kind_share_low", NC_DOUBLE, {kind}, "1", "lower end of the 95 % interval of the share");
     kind_high_ =
         file_.variable("kind_share_high", NC_DOUBLE, {kind}, "1", "upper end of the 95 % interval of the share");
+    kind_least_ = file_.variable("kind_share_least", NC_DOUBLE, {kind}, "1",
+                                 "lower bound of the share whatever undecided starts would come to");
+    kind_most_ = file_.variable("kind_share_most", NC_DOUBLE, {kind}, "1",
+                                "upper bound of the share whatever undecided starts would come to");
     if (random_) return;  // those alone need no more than their counts
     kind_interval_ =
         file_.text_variable("kind_interval", kind, intervals_,
@@ -209,6 +213,8 @@ class Writer {
       file_.write(kind_share_, {k}, {1}, &s.share.share);
       file_.write(kind_low_, {k}, {1}, &s.share.low);
       file_.write(kind_high_, {k}, {1}, &s.share.high);
+      file_.write(kind_least_, {k}, {1}, &s.share.least);
+      file_.write(kind_most_, {k}, {1}, &s.share.most);
       if (!random_) file_.write(kind_effective_, {k}, {1}, &s.share.effective_starts);
     }
     file_.write_texts(kind_name_, names_);
@@ -223,7 +229,7 @@ class Writer {
   std::vector<int> columns_;
   int start_ = -1, ball_ = -1, rotor_ = -1, component_ = -1, discovery_ = -1;
   int kind_code_ = -1, kind_name_ = -1, kind_alias_ = -1, kind_count_ = -1, kind_share_ = -1, kind_low_ = -1;
-  int kind_high_ = -1, kind_interval_ = -1, kind_effective_ = -1;
+  int kind_high_ = -1, kind_least_ = -1, kind_most_ = -1, kind_interval_ = -1, kind_effective_ = -1;
 };
 
 }  // namespace
