@@ -186,6 +186,7 @@ class Discoverer {
   void level_balanced() {
     const model::Parameters& p = study_.parameters;
     std::vector<BalancedTrap>& traps = result_.rule.traps;
+    const std::vector<BalancedTrap> narrow = traps;
     const bool mirror = p.balls == 2 && p.equal_balls();
     double nearest_foreign = 1e300;
     for (std::size_t i = 0; i < pilot_.fates.size(); ++i)
@@ -200,7 +201,7 @@ class Discoverer {
       if (study_.numerics.decide == DecideMode::proof)
         prove(traps[i]);
       else
-        widen(traps[i], trial_settings(), result_.balanced.slowest_rate, nearest_foreign);
+        widen(traps[i], narrow, trial_settings(), result_.balanced.slowest_rate, nearest_foreign);
     }
   }
 

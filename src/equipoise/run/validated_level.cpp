@@ -75,8 +75,9 @@ bool all_attracted(LaneTask task, const DecisionRule& rule) {
          std::all_of(fates.begin(), fates.end(), [](const Fate& fate) { return fate.outcome == Outcome::attracted; });
 }
 
-// All states on the level `factor` times the trap's own enter the trap again.
-bool all_return(const BalancedTrap& trap, const TrialSettings& settings, double slowest_rate, double factor) {
+// All states on the level `factor` times the trap's own enter one of the `balanced` traps.
+bool all_balance(const BalancedTrap& trap, const std::vector<BalancedTrap>& balanced, const TrialSettings& settings,
+                 double slowest_rate, double factor) {
   const int balls = settings.parameters->balls, size = model::dimension(balls);
   const auto f = factor_of(trap);
   std::vector<double> states(balanced_tries * size);
@@ -89,7 +90,7 @@ bool all_return(const BalancedTrap& trap, const TrialSettings& settings, double 
   }
   DecisionRule rule;
   rule.balls = balls;
-  rule.traps = {trap};
+  rule.traps = balanced;
   rule.window = rule.first_long_window = 1e9;
   // Ten times what the linear flow needs, and time to settle on it.
   const double end = 10.0 * std::log(factor) / -slowest_rate + 500.0;
@@ -124,13 +125,14 @@ bool all_approach(const OrbitTrap& trap, const TrialSettings& settings, double s
 
 }  // namespace
 
-void widen(BalancedTrap& trap, const TrialSettings& settings, double slowest_rate, double nearest_foreign) {
+void widen(BalancedTrap& trap, const std::vector<BalancedTrap>& balanced, const TrialSettings& settings,
+           double slowest_rate, double nearest_foreign) {
   const int balls = settings.parameters->balls;
   double factor = widest_factor;  // no ball may deviate by half a turn on twice the level
   for (int i = 0; i < balls; ++i) factor = std::min(factor, 0.5 * std::pow(pi / trap.reach[model::index::phi(i)], 2));
   factor = std::min(factor, 0.5 * nearest_foreign / trap.level);
   // At half the level and below, twice of it is where V decreases, and nothing is left to try.
-  while (factor > 0.5 && !all_return(trap, settings, slowest_rate, 2.0 * factor)) factor *= 0.5;
+  while (factor > 0.5 && !all_balance(trap, balanced, settings, slowest_rate, 2.0 * factor)) factor *= 0.5;
   set_level(trap, factor * trap.level);
 }
 

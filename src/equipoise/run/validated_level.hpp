@@ -5,6 +5,8 @@
 #include <optional>
 
 #include "equipoise/attractors/balanced_continuum.hpp"
+#include <vector>
+
 #include "equipoise/attractors/decision_rule.hpp"
 #include "equipoise/attractors/strobed_trap.hpp"
 #include "equipoise/base/error.hpp"
@@ -23,8 +25,10 @@ struct TrialSettings {
 
 /// Widens `trap`, whose level must be one inside which V decreases, to where all of 4096 states on twice the level come
 /// to balance: by a factor of at most 64, so that twice the level lies within half a turn of any ball and below
-/// `nearest_foreign`, the smallest V on any pilot trajectory that ended elsewhere.
-void widen(BalancedTrap& trap, const TrialSettings& settings, double slowest_rate, double nearest_foreign);
+/// `nearest_foreign`, the smallest V on any pilot trajectory that ended elsewhere. `balanced`: the traps of all balanced
+/// states, this one's among them, at levels inside which V decreases: to whichever a state comes, it balances.
+void widen(BalancedTrap& trap, const std::vector<BalancedTrap>& balanced, const TrialSettings& settings,
+           double slowest_rate, double nearest_foreign);
 
 /// Sets the level and with it the reach.
 void set_level(BalancedTrap& trap, double level);
