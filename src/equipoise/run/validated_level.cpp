@@ -193,6 +193,8 @@ bool all_approach(const StrobedTrap& trap, const TrialSettings& settings, double
 
 // A state of a continuum's trap falls to this share of its V: so much nearer, it is where linear theory holds.
 constexpr double come_near = 0.03;
+// A state beside the slowest member that is tried may come to one a little slower.
+constexpr double slower = 0.5;
 
 // Members of a continuum to try levels around, and how far from rest what gravity makes of them is.
 struct Members {
@@ -251,6 +253,7 @@ bool all_approach(const ContinuumTrap& trap, const Members& members, const Trial
   }
   ContinuumTrap near = trap;
   near.factor = come_near * factor;
+  near.slowest_rate *= slower;
   near.reach = reach_of(members, near.factor);
   const DecisionRule rule = rule_of(near, settings);
   return all_chunks(tries, settings.threads, [&](std::size_t first, std::size_t length) {

@@ -3,10 +3,9 @@
 
 #include <memory>
 #include <optional>
-
-#include "equipoise/attractors/balanced_continuum.hpp"
 #include <vector>
 
+#include "equipoise/attractors/balanced_continuum.hpp"
 #include "equipoise/attractors/decision_rule.hpp"
 #include "equipoise/attractors/strobed_trap.hpp"
 #include "equipoise/base/error.hpp"
