@@ -204,8 +204,8 @@ struct Members {
 
 Members members_to_try(const BalancedContinuum& continuum, const ContinuumSurvey& survey, int balls) {
   constexpr std::size_t most = 64;
-  // Following the tries around slower ones would take longer than the ensemble.
-  constexpr double slowest_share = 0.02, slowest_of_all = 2e-4;
+  // Slower ones would hold all levels down: errors of integration keep states about tolerance over rate away from them.
+  constexpr double slowest_share = 0.1, slowest_of_all = 2e-4;
   Members result;
   result.slowest_rate = std::min(-slowest_of_all, slowest_share * survey.fastest_rate);
   const auto first = static_cast<std::size_t>(
