@@ -147,14 +147,14 @@ namespace {
 // Half the largest of a falling series of levels for which good(level, tries) holds; 0 if it never does. A few tries
 // find where to begin, all of them where to stop.
 template <class Good>
-double highest_good_level(double highest, Good&& good) {
+double highest_good_level(double highest, Good&& good, std::size_t few = few_tries, std::size_t all = orbit_tries) {
   constexpr int rungs = 24;  // of a ladder of halvings
   int low = -1, high = rungs;
   while (high - low > 1) {
     const int middle = (low + high) / 2;
-    (good(std::ldexp(highest, -middle), few_tries) ? high : low) = middle;
+    (good(std::ldexp(highest, -middle), few) ? high : low) = middle;
   }
-  while (high < rungs && !good(std::ldexp(highest, -high), orbit_tries)) ++high;
+  while (high < rungs && !good(std::ldexp(highest, -high), all)) ++high;
   return high == rungs ? 0.0 : 0.5 * std::ldexp(highest, -high);
 }
 
@@ -277,9 +277,12 @@ std::optional<ContinuumTrap> continuum_trap(const std::shared_ptr<const Balanced
   const Members members = members_to_try(*continuum, survey, settings.parameters->balls);
   if (members.all.empty()) return std::nullopt;
   ContinuumTrap trap{continuum, 0.0, members.slowest_rate, 0.0};
-  trap.factor = highest_good_level(0.5 / members.unit, [&](double factor, std::size_t tries) {
-    return all_approach(trap, members, settings, factor, tries);
-  });
+  // With anisotropic supports or gravity to tell what a state comes to is a flight of its own.
+  const std::size_t part = model::is_strobed(*settings.parameters) ? 4 : 1;
+  trap.factor = highest_good_level(
+      0.5 / members.unit,
+      [&](double factor, std::size_t tries) { return all_approach(trap, members, settings, factor, tries); },
+      few_tries / part, orbit_tries / part);
   if (!(trap.factor > 0.0)) return std::nullopt;
   trap.reach = reach_of(members, trap.factor);
   return trap;
