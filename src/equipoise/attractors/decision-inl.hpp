@@ -81,8 +81,7 @@ class DecideFate {
                                        : Outcome::undecided,
             DecidedBy::nothing, 0, t};
     Verdict verdict = verdict_[slot];
-    // What nothing decided on the way is judged by where it is in the end, on either way of deciding.
-    if (how == LaneEnd::reached_end && !rule_.blind) {
+    if (how == LaneEnd::reached_end && rule_.at_horizon) {
       if (!verdict.attractor && rule_.family.caught && rule_.family.caught(z)) verdict.attractor = balanced_id;
       if constexpr (strobed)
         if (rule_.strobed.caught) verdict.attractor = rule_.strobed.caught(z, segment_.psi_at(t));

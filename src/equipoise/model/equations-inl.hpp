@@ -76,8 +76,9 @@ class BallBalancer {
       mu_[i] = T(p.mass[i]);
       beta_[i] = T(p.drag[i]);
       drag_force_[i] = mu_[i] * beta_[i];
-      mass = mass + mu_[i];
     }
+    // Of all balls: clamped ones are told to the equations by their sum alone (n = 1).
+    for (int i = 0; i < p.balls; ++i) mass = mass + T(p.mass[i]);
     total_inertia_ = T(1.0) + mass;
     inertia_sum_ = T(2.0) + mass;
   }

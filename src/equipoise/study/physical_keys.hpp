@@ -31,9 +31,9 @@ inline std::vector<QuantityTable> quantity_tables() {
   std::vector<QuantityKey> speed = ramp;
   speed.push_back({"stalled_below", Dimension::speed, any_number});
   const std::vector<QuantityKey> state{
-      {"psi", Dimension::angle, any_angle},      {"x", Dimension::length, any_number},
+      {"psi", Dimension::angle, any_number},      {"x", Dimension::length, any_number},
       {"y", Dimension::length, any_number},       {"x_dot", Dimension::velocity, any_number},
-      {"y_dot", Dimension::velocity, any_number}, {"phi", Dimension::angle, any_angle},
+      {"y_dot", Dimension::velocity, any_number}, {"phi", Dimension::angle, any_number},
       {"phi_dot", Dimension::speed, any_number}};
   return {{"speed", speed},
           {"speed.torque",

@@ -192,13 +192,13 @@ void read_release(const Document& document, Study& study) {
 void read_initial(const Document& document, Study& study) {
   TableReader reader(document, "initial");
   InitialState& s = study.initial;
-  s.psi = reader.number("psi", any_angle, 0.0);
+  s.psi = reader.number("psi", any_number, 0.0);
   s.x = reader.number("x", any_number, 0.0);
   s.y = reader.number("y", any_number, 0.0);
   s.x_dot = reader.number("x_dot", any_number, 0.0);
   s.y_dot = reader.number("y_dot", any_number, 0.0);
   const int balls = study.parameters.balls;
-  const auto phi = reader.one_or_each("phi", any_angle, balls, "ball", 0.0);
+  const auto phi = reader.one_or_each("phi", any_number, balls, "ball", 0.0);
   const auto phi_dot = reader.one_or_each("phi_dot", any_number, balls, "ball", 0.0);
   std::copy(phi.begin(), phi.end(), s.phi.begin());
   std::copy(phi_dot.begin(), phi_dot.end(), s.phi_dot.begin());

@@ -38,8 +38,6 @@ struct Range {
 /// Far beyond any use, and small enough that a difference of two numbers stays finite.
 inline constexpr double unbounded = 1e300;
 inline constexpr Range any_number{-unbounded, unbounded};
-/// Angles in radians; their last digits count.
-inline constexpr Range any_angle{-1e6, 1e6};
 inline constexpr Range not_negative{0.0, unbounded};
 inline constexpr Range positive{0.0, unbounded, true};
 
