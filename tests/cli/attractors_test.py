@@ -76,7 +76,7 @@ class Attractors(unittest.TestCase):
     def test_bad_options(self):
         refused(self, ["attractors", ROW, "--state", "1,2,3"], "--state", "1,2,3", "8 numbers")
         refused(self, ["attractors", ROW, "--state", "1,2,3,4,5,6,7,up"], "--state", "up", "8 numbers")
-        refused(self, ["attractors", ROW, "--starts", "0"], "sampling.starts", "0")
+        refused(self, ["attractors", ROW, "--starts", "0"], "--starts", "0")
         refused(self, ["attractors", "nowhere.toml"], "nowhere.toml", "cannot be read")
 
     def test_interrupted_search_says_so(self):
@@ -113,7 +113,7 @@ class Deciding(unittest.TestCase):
         self.assertLess(times[1], times[2])
 
     def test_bad_way(self):
-        refused(self, ["basin", ROW, "--decide", "guess"], "numerics.decide", "guess", "validated")
+        refused(self, ["basin", ROW, "--decide", "guess"], "--decide", "guess", "validated")
 
 
 class Certify(unittest.TestCase):

@@ -95,24 +95,21 @@ TEST(ContinuumDecisions, BalanceIsNotToldByWindows) {
   }
 }
 
-// Supports that differ turn the motions of four balls into slow tori: nothing that can be named at a long horizon is
-// left undecided on the way there, and what both name is the same.
-TEST(ContinuumDecisions, WhatTheHorizonNamesIsDecided) {
+// Supports that differ turn the motions of four balls into slow tori, and leave balance a continuum: the horizon that is
+// chosen waits for the ones, a level set catches the other. (By 3000 two thirds are decided by nothing.)
+TEST(ContinuumDecisions, UnequalSupportsLeaveNextToNothingUndecided) {
   Study study = rotor(4);
   study.parameters.stiffness = {1.0, 1.48};
-  study.numerics.horizon = 20000.0;
-  constexpr std::size_t count = 16;
-  const std::vector<Fate> early = fates_of(study, count);
-  study.numerics.decide = DecideMode::horizon;
-  const std::vector<Fate> late = fates_of(study, count);
-  int named = 0;
-  for (std::size_t i = 0; i < count; ++i) {
-    if (late[i].outcome != Outcome::attracted) continue;
-    ++named;
-    EXPECT_EQ(early[i].outcome, Outcome::attracted) << i;
-    EXPECT_EQ(early[i].attractor, late[i].attractor) << i;
+  study.numerics.horizon.reset();
+  constexpr std::size_t count = 24;
+  int undecided = 0, balanced = 0;
+  for (const Fate& fate : fates_of(study, count)) {
+    undecided += fate.outcome == Outcome::undecided;
+    balanced += is_balanced(fate);
+    if (is_balanced(fate)) EXPECT_EQ(fate.by, DecidedBy::validated);
   }
-  EXPECT_GT(named, 12);
+  EXPECT_LE(undecided, 1);
+  EXPECT_GT(balanced, 0);
 }
 
 }  // namespace
