@@ -117,12 +117,22 @@ LinearBalance MachineBalance::linearised(const VectorXd& balanced) const {
 
 double MachineBalance::distance(const double* z, const VectorXd& balanced) const {
   VectorXd d = scaled(machine_, machine_.reduced(z) - balanced);
-  // A speed counts as a share of the speed that it comes to.
+  if (!machine_.driven()) return d.norm();
+  // A speed counts as a share of the speed that it comes to, and little: balance is balance at any speed, and a weak
+  // motor takes its time. Not so where an integral of the speed's error still has torque to give.
+  constexpr double of_speed = 0.02;
   const int place = machine_.speed_place();
-  if (machine_.driven()) d[place] /= std::max(1.0, std::fabs(balanced[place]));
-  // The integral of a speed error has no size of its own: its torque tells in psi'.
-  if (machine_.driven() && machine_.size() > place + 1) d[machine_.size() - 1] = 0.0;
+  const bool with_integral = machine_.size() > place + 1;
+  d[place] *= (with_integral ? 1.0 : of_speed) / std::max(1.0, std::fabs(balanced[place]));
+  // The integral itself has no size of its own: its torque tells in psi'.
+  if (with_integral) d[machine_.size() - 1] = 0.0;
   return d.norm();
+}
+
+bool MachineBalance::stable_now(const double* z, const VectorXd& balanced) const {
+  double phi[model::max_balls];
+  for (int i = 0; i < machine_.parameters().balls; ++i) phi[i] = balanced[model::index::phi(i)];
+  return linearised(machine_.balanced_state(phi, z[model::machine_index::speed(machine_.parameters().balls)])).stable();
 }
 
 // Whether any two balls come nearer to touching there than four times as far as z is away.
@@ -227,7 +237,8 @@ BalanceApproach::Verdict BalanceApproach::look(double t, const double* z) {
   if (unstable_) return Verdict::none;
   if (distance_ < nothing_left) return Verdict::arriving;
   const double shrunk = std::log(first_distance_ / distance_), promised = linear_.rate * (t - first_time_);
-  if (distance_ < reached && shrunk > 2.0 && shrunk > 0.5 * promised) return Verdict::arriving;
+  if (distance_ < reached && shrunk > 2.0 && shrunk > 0.5 * promised && balance_.stable_now(z, *balanced))
+    return Verdict::arriving;
   if (distance_ < 0.5 * tried_) {
     tried_ = distance_;
     if (balance_.holds(z, *balanced)) return Verdict::held;

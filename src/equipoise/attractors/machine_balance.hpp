@@ -39,6 +39,8 @@ class MachineBalance {
   LinearBalance linearised(const Eigen::VectorXd& balanced) const;
   /// Distance of z from `balanced` in balls' angles; lengths in units of all unbalances together.
   double distance(const double* z, const Eigen::VectorXd& balanced) const;
+  /// Whether the same angles balance stably at the speed that the machine has now.
+  bool stable_now(const double* z, const Eigen::VectorXd& balanced) const;
   /// Whether a level set of a Lyapunov function of the linearisation around `balanced`, four times as high as the one
   /// that z lies on, is one that the whole equations leave nowhere: on a sample of its surface the function falls.
   /// False with anisotropic supports, and where balls might touch on the way.
