@@ -10,7 +10,7 @@ study=studies/examples/laboratory-centrifuge.toml
 csv=docs/figures/sommerfeld.csv
 
 echo "stall_torque_Nm,stalled,low,high,undecided,balanced,peak_p50_mm,p50_low,p50_high,end_p50_mm" > "$csv"
-for torque in 0.3 0.4 0.45 0.5 0.525 0.55 0.6 0.8 1.0 1.25 1.5 2.0; do
+for torque in 0.3 0.4 0.45 0.48 0.49 0.5 0.55 0.6 0.8 1.0 1.25 1.5 2.0; do
   "$program" basin "$study" --starts "$starts" --json --quiet \
     --set "speed.torque={stall=\"$torque N m\", no_load_speed=\"3200 rpm\"}" |
     jq -r --arg torque "$torque" '
