@@ -20,9 +20,9 @@ namespace {
 constexpr int locked_id = 7;
 // This near to a balanced state, in balls' angles, what seems to rest may be on its slow way there, or away from there.
 constexpr double near_balance = 0.05;
-// Of a motion that never quite repeats itself: time after which its kind alone tells it. Chaos that wanders widely may
-// be a transient, of which some last for thousands of time units.
-double long_enough(const SteadyLook& look) { return look.alike ? 1000.0 : 5000.0; }
+// Of a motion that never quite repeats itself: time after which its kind alone tells it. It may be a transient, of which
+// some last for thousands of time units, chaotic or as even as a torus.
+constexpr double long_enough = 5000.0;
 
 // The part of a continuum of balanced states that is stable, of so many spread over it.
 std::optional<double> stable_share(const MachineBalance& balance, double speed) {
@@ -253,7 +253,7 @@ std::optional<Fate> MachineJudge::steady(const SteadyLook& now, const double* z)
     passed_kind_ = now.kind;
     passed_at_ = watch_.watched();
   }
-  const bool lasting = watch_.watched() > std::max(2.0 * passed_at_, long_enough(now));
+  const bool lasting = watch_.watched() > std::max(2.0 * passed_at_, long_enough);
   if (to_horizon_ || (!now.repeats && !lasting)) return std::nullopt;
   if (now.kind != locked_id) return attracted(now.kind, DecidedBy::windows, now.speed);
   if (!now.swinging && approach_.distance() < near_balance) return std::nullopt;
