@@ -12,7 +12,7 @@ endif()
 # The public interface: equipoise/equipoise.hpp and what it includes. Templates and kernels stay inside.
 foreach(header
     equipoise.hpp base/error.hpp model/balance_grade.hpp model/balanced_state.hpp model/energy.hpp model/machine.hpp
-    model/motor.hpp model/parameters.hpp model/scales.hpp model/speed.hpp integrate/status.hpp
+    model/motor.hpp model/parameters.hpp model/scales.hpp model/speed.hpp model/system.hpp integrate/status.hpp
     ensemble/jittered_grid.hpp ensemble/sampling.hpp ensemble/transient_table.hpp attractors/balanced_continuum.hpp
     attractors/catalogue.hpp attractors/certificate.hpp attractors/decision_rule.hpp attractors/fate.hpp
     attractors/motion.hpp attractors/orbit.hpp statistics/comparison.hpp statistics/quantile.hpp statistics/share.hpp

@@ -8,6 +8,7 @@ equipoise_test(energy_balance_test equivalence
   equivalence/energy_balance_test.cpp equivalence/lagrangian.cpp equivalence/cases.cpp
   LIBRARIES SUNDIALS::arkode_shared SUNDIALS::nvecserial_shared)
 equipoise_test(linearisation_test unit unit/linearisation_test.cpp)
+equipoise_test(system_test unit unit/system_test.cpp)
 equipoise_test(balanced_state_test unit unit/balanced_state_test.cpp)
 equipoise_test(equation_constants_test unit unit/equation_constants_test.cpp)
 equipoise_test(continuum_test unit unit/continuum_test.cpp)

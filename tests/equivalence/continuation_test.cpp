@@ -44,11 +44,11 @@ std::vector<double> coincident_at_4_4() {
   const model::Parameters p = study().parameters;
   Eigen::VectorXd start = Eigen::VectorXd::Zero(8);
   start[4] = start[5] = 1.0;
-  const auto motion = motion_from(p, 3.4, start);
+  const auto motion = motion_from({p, 3.4}, start);
   if (!motion) return {};
   PeriodicOrbit orbit = motion->orbit;
   for (int k = 1; k <= 10; ++k) {
-    const auto next = refine_orbit(p, 3.4 + 0.1 * k, orbit.nodes, orbit.period);
+    const auto next = refine_orbit({p, 3.4 + 0.1 * k}, orbit.nodes, orbit.period);
     if (!next) return {};
     orbit = *next;
   }

@@ -11,6 +11,7 @@
 #include <complex>
 #include <limits>
 
+#include "equipoise/attractors/variational.hpp"
 #include "equipoise/base/angles.hpp"
 #include "equipoise/model/balanced_state.hpp"
 #include "equipoise/model/linearisation.hpp"
@@ -37,7 +38,7 @@ model::Parameters rotor(int balls = 2, double drag = 0.05, double total_mass = 0
 
 // Where the trajectory from a centred rotor with resting balls is after `time`.
 VectorXd settled(const model::Parameters& p, double speed, std::array<double, model::max_balls> phi, double time) {
-  return *advance_state(p, speed, model::centred_state(p, phi.data()), time);
+  return *advance_state({p, speed}, model::centred_state(p, phi.data()), time);
 }
 
 // Time in which `ball` makes a whole turn.
@@ -45,7 +46,7 @@ double turn_time(const model::Parameters& p, double speed, VectorXd z, int ball)
   const double from = z[model::index::phi(ball)], step = 0.02;
   double t = 0.0;
   for (; t < 50.0 && std::fabs(z[model::index::phi(ball)] - from) < two_pi; t += step)
-    z = *advance_state(p, speed, z, step);
+    z = *advance_state({p, speed}, z, step);
   return t;
 }
 
@@ -53,7 +54,7 @@ double turn_time(const model::Parameters& p, double speed, VectorXd z, int ball)
 Found coincident(double speed) {
   const model::Parameters p = rotor();
   const VectorXd z = settled(p, speed, {1.0, 1.0}, 400.0);
-  return refine_orbit(p, speed, z, turn_time(p, speed, z, 0));
+  return refine_orbit({p, speed}, z, turn_time(p, speed, z, 0));
 }
 
 // One ball captured, the other lagging, at W = 3.4: where this start ends.
@@ -61,14 +62,14 @@ constexpr double captured_speed = 3.4;
 Found captured() {
   const model::Parameters p = rotor();
   const VectorXd z = settled(p, captured_speed, {2.049, 1.781}, 1500.0);
-  return refine_orbit(p, captured_speed, z, turn_time(p, captured_speed, z, 1));
+  return refine_orbit({p, captured_speed}, z, turn_time(p, captured_speed, z, 1));
 }
 
 // The same orbit at another speed, each from the one before. Empty once one is not found.
 Found continued(Found orbit, double from, double to, double longest_step) {
   const int steps = static_cast<int>(std::ceil(std::fabs(to - from) / longest_step - 1e-9));
   for (int k = 1; k <= steps && orbit; ++k)
-    orbit = refine_orbit(rotor(), from + (to - from) * k / steps, orbit->nodes, orbit->period);
+    orbit = refine_orbit({rotor(), from + (to - from) * k / steps}, orbit->nodes, orbit->period);
   return orbit;
 }
 
@@ -78,7 +79,7 @@ struct Range {
 
 Range radii(double speed, const PeriodicOrbit& orbit) {
   Range range;
-  for (const VectorXd& z : equipoise::sample_orbit(rotor(), speed, orbit, 2000)) {
+  for (const VectorXd& z : equipoise::sample_orbit({rotor(), speed}, orbit, 2000)) {
     range.smallest = std::min(range.smallest, std::hypot(z[0], z[1]));
     range.largest = std::max(range.largest, std::hypot(z[0], z[1]));
   }
@@ -145,7 +146,7 @@ TEST(CoincidentOrbit, is_one_for_every_number_of_balls) {
     std::array<double, model::max_balls> phi;
     phi.fill(1.0);
     const VectorXd z = settled(p, speed, phi, 300.0);
-    const Found orbit = refine_orbit(p, speed, z, turn_time(p, speed, z, 0));
+    const Found orbit = refine_orbit({p, speed}, z, turn_time(p, speed, z, 0));
     ASSERT_TRUE(orbit) << n;
     EXPECT_NEAR(orbit->period, two->period, 1e-10);  // steps of 1e-12 over a period
     for (int k = 1; k <= 2 * (n - 1); ++k) EXPECT_NEAR(std::abs(orbit->multipliers[k]), .90532, 1e-5);
@@ -198,7 +199,7 @@ TEST(CapturedOrbit, has_an_exchange_copy) {
     std::swap(z[4], z[5]);
     std::swap(z[6], z[7]);
   }
-  const Found copy = refine_orbit(p, captured_speed, exchanged, orbit->period);
+  const Found copy = refine_orbit({p, captured_speed}, exchanged, orbit->period);
   ASSERT_TRUE(copy);
   EXPECT_EQ(copy->winding[0], -1);
   EXPECT_EQ(copy->winding[1], 0);
@@ -212,7 +213,7 @@ struct Fold {
 };
 Fold fold_below(Found orbit, double speed, double step) {
   while (step > 1e-6) {
-    const Found next = refine_orbit(rotor(), speed - step, orbit->nodes, orbit->period);
+    const Found next = refine_orbit({rotor(), speed - step}, orbit->nodes, orbit->period);
     if (next) {
       orbit = next;
       speed -= step;
@@ -236,7 +237,7 @@ TEST(PeriodFourOrbit, is_where_three_recorded_starts_end) {
   for (const auto& phi : {std::array{5.54933, 5.46019}, std::array{1.17174, 1.00534}, std::array{.84736, .92647}}) {
     // The slowest rate is -0.00061: what 6000 units leave of a deviation of 1 is a good guess.
     const VectorXd z = settled(p, 4.4, {phi[0], phi[1]}, 6000.0);
-    const Found orbit = refine_orbit(p, 4.4, z, 16.25);
+    const Found orbit = refine_orbit({p, 4.4}, z, 16.25);
     ASSERT_TRUE(orbit);
     EXPECT_NEAR(orbit->period, 16.2484, last_place * 1e-4);
     EXPECT_EQ(std::min(orbit->winding[0], orbit->winding[1]), -4);
@@ -246,7 +247,7 @@ TEST(PeriodFourOrbit, is_where_three_recorded_starts_end) {
     EXPECT_NEAR(r.largest, .1036, last_place * 1e-4);
     const int held = orbit->winding[0] == 0 ? 0 : 1;
     double slowest = 0.0, fastest = 0.0;
-    for (const VectorXd& state : equipoise::sample_orbit(p, 4.4, *orbit, 500)) {
+    for (const VectorXd& state : equipoise::sample_orbit({p, 4.4}, *orbit, 500)) {
       slowest = std::min(slowest, state[model::index::q(held, 2)]);
       fastest = std::max(fastest, state[model::index::q(held, 2)]);
     }
@@ -262,7 +263,7 @@ TEST(PeriodFourOrbit, is_where_three_recorded_starts_end) {
 
 TEST(PeriodFourOrbit, ends_in_a_saddle_node_below_and_a_period_doubling_above) {
   const model::Parameters p = rotor();
-  const Found orbit = refine_orbit(p, 4.4, settled(p, 4.4, {1.17174, 1.00534}, 6000.0), 16.25);
+  const Found orbit = refine_orbit({p, 4.4}, settled(p, 4.4, {1.17174, 1.00534}, 6000.0), 16.25);
   ASSERT_TRUE(orbit);
   EXPECT_TRUE(continued(orbit, 4.4, 4.285, 0.005));
   EXPECT_FALSE(continued(orbit, 4.4, 4.284, 0.005));
@@ -283,7 +284,7 @@ TEST(PeriodFourOrbit, ends_in_a_saddle_node_below_and_a_period_doubling_above) {
   ASSERT_TRUE(single);
   VectorXd beside = single->nodes[0];
   beside[model::index::q(0, 2)] += 1e-3;
-  const Found doubled = refine_orbit(p, 4.41, *advance_state(p, 4.41, beside, 4000.0), 2.0 * single->period);
+  const Found doubled = refine_orbit({p, 4.41}, *advance_state({p, 4.41}, beside, 4000.0), 2.0 * single->period);
   ASSERT_TRUE(doubled);
   EXPECT_GT(doubled->period, 1.9 * single->period);
   EXPECT_EQ(doubled->winding[0] + doubled->winding[1], -8);
@@ -295,7 +296,7 @@ TEST(RefineOrbit, returns_the_smallest_period) {
   const Found once = captured();
   ASSERT_TRUE(once);
   for (int k : {2, 3, 8, 16}) {
-    const Found orbit = refine_orbit(p, captured_speed, once->nodes[0], k * once->period * 1.0001);
+    const Found orbit = refine_orbit({p, captured_speed}, once->nodes[0], k * once->period * 1.0001);
     ASSERT_TRUE(orbit) << k;
     EXPECT_NEAR(orbit->period, once->period, 1e-10);  // both to steps of 1e-12
     EXPECT_EQ(orbit->winding[1], -1);
@@ -306,10 +307,10 @@ TEST(RefineOrbit, rejects_equilibria) {
   const model::Parameters p = rotor();
   const auto angles = model::balanced_states(p).angles[0];
   VectorXd z = model::centred_state(p, angles.data());
-  EXPECT_FALSE(refine_orbit(p, 2.4, z, 5.0));
+  EXPECT_FALSE(refine_orbit({p, 2.4}, z, 5.0));
   z[0] += 1e-3;
   z[5] += 1e-2;
-  EXPECT_FALSE(refine_orbit(p, 2.4, z, 5.0));
+  EXPECT_FALSE(refine_orbit({p, 2.4}, z, 5.0));
 }
 
 // Real part of the leading eigenvalue; the table of all is in unit/linearisation_test.cpp.
@@ -329,7 +330,7 @@ TEST(RefineEquilibrium, finds_balanced_states_and_their_stability) {
     const VectorXd exact = model::centred_state(p, angles.data());
     VectorXd guess = exact;
     for (int i = 0; i < guess.size(); ++i) guess[i] += 0.01 * std::sin(1.0 + 2.3 * i);
-    const auto found = refine_equilibrium(p, row.speed, guess);
+    const auto found = refine_equilibrium({p, row.speed}, guess);
     ASSERT_TRUE(found) << row.drag << " " << row.speed;
     EXPECT_LT((found->state - exact).cwiseAbs().maxCoeff(), 1e-13);  // residual times the inverse Jacobian
     EXPECT_LT(found->residual, 1e-14 * (1.0 + row.speed * row.speed));
@@ -347,7 +348,7 @@ TEST(RefineEquilibrium, reaches_families_where_the_jacobian_is_singular) {
     ASSERT_TRUE(model::project_to_balanced(p, phi.data()));
     VectorXd guess = model::centred_state(p, phi.data());
     for (int i = 0; i < guess.size(); ++i) guess[i] += 0.02 * std::sin(1.0 + 2.3 * i);
-    const auto found = refine_equilibrium(p, 2.4, guess);
+    const auto found = refine_equilibrium({p, 2.4}, guess);
     ASSERT_TRUE(found) << n;
     EXPECT_LT(found->residual, 1e-14 * (1.0 + 2.4 * 2.4));
     // The least step: nearer to the guess than the member of the family it was made from, or hardly farther.

@@ -92,7 +92,7 @@ TEST(PlaneMap, PixelsComeToWhatTheirTrajectoriesComeToAlone) {
       for (int column = 0; column < map.x.pixels; ++column) {
         const Study study = pixel(map, column, row);
         const auto alone =
-            motion_from(study.parameters, 2.4, model::centred_state(study.parameters, study.initial.phi.data()),
+            motion_from({study.parameters, 2.4}, model::centred_state(study.parameters, study.initial.phi.data()),
                         *study.numerics.horizon);
         const std::size_t at = map.at(column, row);
         const std::string name = alone ? motion_name(study.parameters, *alone).name : "undecided";

@@ -7,7 +7,6 @@
 
 #include <gtest/gtest.h>
 
-#include "equipoise/attractors/strobed_motion.hpp"
 #include "equipoise/attractors/stroboscopic.hpp"
 #include "equipoise/base/angles.hpp"
 #include "equipoise/model/balanced_state.hpp"
@@ -80,7 +79,7 @@ TEST(Stroboscopic, MultipliersOfTheBalancedStateAreThoseOfItsEigenvalues) {
   model::Parameters isotropic = p;
   isotropic.stiffness = {1.0, 1.0};
   const auto phi = model::balanced_states(isotropic).angles.front();
-  const auto orbit = balanced_orbit(p, 2.4, phi.data());
+  const auto orbit = balanced_orbit({p, 2.4}, phi.data());
   ASSERT_TRUE(orbit);
   const Eigen::VectorXcd rates =
       model::jacobian(isotropic, 2.4, model::centred_state(isotropic, phi.data()).data()).eigenvalues();
@@ -96,10 +95,10 @@ TEST(Stroboscopic, MultipliersOfTheBalancedStateAreThoseOfItsEigenvalues) {
 TEST(Stroboscopic, OrbitsCloseUnderSimulate) {
   const Study study = paper_rotor(0.01, {1.0, 1.3});
   const auto phi = model::balanced_states(paper_rotor(0.0, {1.0, 1.0}).parameters).angles.front();
-  const auto orbit = balanced_orbit(study.parameters, 2.4, phi.data());
+  const auto orbit = balanced_orbit({study.parameters, 2.4}, phi.data());
   ASSERT_TRUE(orbit);
   EXPECT_LE(orbit->residual, 1e-9);
-  const Motion motion = describe_strobed(study.parameters, 2.4, *orbit);
+  const Motion motion = describe_orbit({study.parameters, 2.4}, *orbit);
   EXPECT_TRUE(motion.balanced);
   EXPECT_EQ(motion_name(study.parameters, motion).name, "balanced");
   EXPECT_EQ(motion.kind, MotionKind::periodic);
@@ -128,7 +127,7 @@ TEST(Stroboscopic, ADriftingMotionIsModulatedByGravity) {
   const Study study = paper_rotor(1e-3, {1.0, 1.0});
   Eigen::VectorXd state = Eigen::VectorXd::Zero(8);
   state[4] = state[5] = 1.0;  // balls together: they co-drift
-  const auto motion = motion_from(study.parameters, 2.4, state, 8000.0);
+  const auto motion = motion_from({study.parameters, 2.4}, state, 8000.0);
   ASSERT_TRUE(motion);
   EXPECT_TRUE(motion->strobed);
   EXPECT_EQ(motion->kind, MotionKind::quasi_periodic);

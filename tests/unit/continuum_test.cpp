@@ -60,7 +60,7 @@ TEST(Continuum, DeviationsAcrossTheRangeAreNotOverlooked) {
     ASSERT_TRUE(survey.attracts()) << c.name;
     const auto m = continuum.member(survey.typical.data());
     ASSERT_TRUE(m) << c.name;
-    const VectorXd unit = state_scale(c.p);
+    const VectorXd unit = model::state_scale(c.p);
     constexpr double away = 1e-3;
     // What is orthogonal to the range: the rows of `left`, made orthonormal.
     const Eigen::MatrixXd blind = Eigen::HouseholderQR<Eigen::MatrixXd>(m->left.transpose()).householderQ() *
@@ -93,11 +93,11 @@ TEST(Continuum, DestinationsAreWhereTrajectoriesEnd) {
       ASSERT_TRUE(m && m->rate < 0.0) << c.name;
       constexpr double away = 1e-4;
       const VectorXd state =
-          m->centre + away * state_scale(c.p).cwiseProduct(random_direction(random, m->centre.size()));
+          m->centre + away * model::state_scale(c.p).cwiseProduct(random_direction(random, m->centre.size()));
       const auto end = continuum.destination(state);
       ASSERT_TRUE(end) << c.name;
       const double strobe = model::is_strobed(c.p) ? model::strobe_period(c.p, c.speed) : 1.0;
-      const auto z = advance_state(c.p, c.speed, state, strobe * std::ceil(12.0 / -m->rate / strobe));
+      const auto z = advance_state({c.p, c.speed}, state, strobe * std::ceil(12.0 / -m->rate / strobe));
       ASSERT_TRUE(z) << c.name;
       double moved = 0.0, off = 0.0;
       for (int i = 0; i < c.p.balls; ++i) {

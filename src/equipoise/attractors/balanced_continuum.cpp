@@ -61,7 +61,7 @@ BalancedContinuum::BalancedContinuum(const model::Parameters& p, double speed)
       speed_(speed),
       strobed_(model::is_strobed(p)),
       dimension_(std::max(p.balls - 2, 1)),
-      scale_(state_scale(p)) {}
+      scale_(model::state_scale(p)) {}
 
 // Fills all but `phi` and the form. Gravity moves the centre off the balanced state: Newton's method across the
 // continuum, with the derivative at the balanced state, finds the state that one strobe moves along it only.
@@ -75,7 +75,7 @@ bool BalancedContinuum::settle(ContinuumMember& m) const {
   MatrixXd change;  // the flow's derivative, or the map's less one
   VectorXd miss = VectorXd::Zero(size);
   if (strobed_) {
-    const auto flight = follow_derivative(p_, speed_, m.centre, strobe, map_tolerance);
+    const auto flight = follow_derivative({p_, speed_}, m.centre, strobe, map_tolerance);
     if (!flight) return false;
     change = scaled(flight->tangents) - MatrixXd::Identity(size, size);
     miss = (flight->end - m.centre).cwiseQuotient(scale_);
@@ -100,7 +100,7 @@ bool BalancedContinuum::settle(ContinuumMember& m) const {
       if (part.norm() < converged) break;
       if (k == most) return false;
       m.centre -= scale_.cwiseProduct(m.range * solve.solve(part));
-      const auto end = advance_state(p_, speed_, m.centre, strobe);
+      const auto end = advance_state({p_, speed_}, m.centre, strobe);
       if (!end) return false;
       miss = (*end - m.centre).cwiseQuotient(scale_);
     }
@@ -217,7 +217,7 @@ bool BalancedContinuum::stays(ContinuumMember m, double slowest_rate) const {
 double BalancedContinuum::rate_at(const double* phi) const {
   const VectorXd centre = model::centred_state(p_, phi);
   if (!strobed_) return slowest_of(model::jacobian(p_, speed_, centre.data()).eigenvalues(), dimension_, 0.0);
-  const auto flight = follow_derivative(balanced_, speed_, centre, model::strobe_period(p_, speed_), map_tolerance);
+  const auto flight = follow_derivative({balanced_, speed_}, centre, model::strobe_period(p_, speed_), map_tolerance);
   return flight ? slowest_of(flight->tangents.eigenvalues(), dimension_, model::strobe_period(p_, speed_)) : 1e300;
 }
 

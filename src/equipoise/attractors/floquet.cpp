@@ -34,9 +34,9 @@ MatrixXd basis_across(const VectorXd& direction) {
   return reflection.rightCols(size - 1);
 }
 
-std::vector<MatrixXd> bases_across(const model::Parameters& p, double speed, const std::vector<VectorXd>& states) {
+std::vector<MatrixXd> bases_across(const model::System& system, const std::vector<VectorXd>& states) {
   std::vector<MatrixXd> bases;
-  for (const VectorXd& z : states) bases.push_back(basis_across(model::derivative(p, speed, z.data())));
+  for (const VectorXd& z : states) bases.push_back(basis_across(model::rate(system, z)));
   return bases;
 }
 
@@ -67,10 +67,10 @@ std::vector<Index> falling(const Eigen::VectorXcd& values) {
 
 }  // namespace
 
-Eigen::VectorXcd floquet_multipliers(const model::Parameters& p, double speed, const std::vector<VectorXd>& nodes,
+Eigen::VectorXcd floquet_multipliers(const model::System& system, const std::vector<VectorXd>& nodes,
                                      const std::vector<MatrixXd>& arcs) {
-  const VectorXd rate = model::derivative(p, speed, nodes.front().data());
-  const Eigen::VectorXcd across = product(arcs_across(bases_across(p, speed, nodes), arcs)).eigenvalues();
+  const VectorXd rate = model::rate(system, nodes.front());
+  const Eigen::VectorXcd across = product(arcs_across(bases_across(system, nodes), arcs)).eigenvalues();
   Eigen::VectorXcd result(rate.size());
   result[0] = rate.dot(product(arcs) * rate) / rate.squaredNorm();
   Index k = 1;
@@ -78,23 +78,27 @@ Eigen::VectorXcd floquet_multipliers(const model::Parameters& p, double speed, c
   return result;
 }
 
-std::optional<FloquetFrame> floquet_frame(const model::Parameters& p, double speed, const PeriodicOrbit& orbit,
-                                          int count) {
+Eigen::VectorXcd floquet_multipliers(const std::vector<MatrixXd>& arcs) {
+  const Eigen::VectorXcd values = product(arcs).eigenvalues();
+  return values(falling(values));
+}
+
+std::optional<FloquetFrame> floquet_frame(const model::System& system, const PeriodicOrbit& orbit, int count) {
   // Vectors are carried backward, where the slow modes grow into the fast ones; what double precision leaves of the
   // fastest must still be worth something.
   constexpr double widest_span = 1e-9, worst_condition = 1e9;
   constexpr double tolerance = 1e-12;
   if (count < 1) return std::nullopt;
   FloquetFrame frame;
-  frame.states = sample_orbit(p, speed, orbit, count);
+  frame.states = sample_orbit(system, orbit, count);
   if (frame.states.empty()) return std::nullopt;
   std::vector<MatrixXd> arcs;
   for (const VectorXd& z : frame.states) {
-    auto arc = follow_derivative(p, speed, z, orbit.period / count, tolerance);
+    auto arc = follow_derivative(system, z, orbit.period / count, tolerance);
     if (!arc) return std::nullopt;
     arcs.push_back(std::move(arc->tangents));
   }
-  const auto bases = bases_across(p, speed, frame.states);
+  const auto bases = bases_across(system, frame.states);
   const auto across = arcs_across(bases, arcs);
 
   const Eigen::EigenSolver<MatrixXd> solver(product(across).transpose());

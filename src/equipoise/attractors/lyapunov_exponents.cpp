@@ -1,5 +1,6 @@
 // Lyapunov exponents by following tangent vectors.
 #include <algorithm>
+#include <cmath>
 #include <cstdint>
 #include <functional>
 #include <vector>
@@ -38,8 +39,7 @@ VectorXd orthonormalise(MatrixXd& columns) {
 
 }  // namespace
 
-std::vector<double> lyapunov_exponents(const model::Parameters& p, double speed, const VectorXd& state, double duration,
-                                       int count) {
+std::vector<double> lyapunov_exponents(const model::System& system, const VectorXd& state, double duration, int count) {
   // Exponents converge like 1 / duration, 1e-3 to 1e-5: a step error of 1e-9 is far below that, at a third of the cost
   // of 1e-12. (The trajectory computed is then another one of the same motion, as it would be at any tolerance.)
   constexpr double tolerance = 1e-9;
@@ -61,7 +61,8 @@ std::vector<double> lyapunov_exponents(const model::Parameters& p, double speed,
     const bool aligned = t >= alignment;
     const double end = aligned ? alignment + duration : alignment;
     const bool last = t + leg >= end;
-    auto flight = follow_tangents(p, speed, here, vectors, last ? end - t : leg, tolerance);
+    const double psi = std::fmod(system.speed() * t, two_pi);  // matters where states are strobed
+    auto flight = follow_tangents(system, here, vectors, last ? end - t : leg, tolerance, psi);
     if (!flight) return {};
     const VectorXd growth = orthonormalise(flight->tangents);
     const double skew = growth.maxCoeff() / growth.minCoeff();
@@ -71,10 +72,8 @@ std::vector<double> lyapunov_exponents(const model::Parameters& p, double speed,
     }
     vectors = flight->tangents;
     here = flight->end;
-    for (int i = 0; i < p.balls; ++i) {  // whole turns off, so that angles keep their digits
-      double& phi = here[model::index::phi(i)];
-      phi = wrapped(phi);
-    }
+    for (const auto& [place, turn] : system.angles())  // whole turns off, so that angles keep their digits
+      here[place] = std::remainder(here[place], turn);
     if (aligned) sums += growth.array().log().matrix();
     t = last ? end : t + leg;
     if (skew < hardly_skew) leg = std::min(2.0 * leg, longest_leg);

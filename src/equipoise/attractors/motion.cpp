@@ -4,23 +4,23 @@
 // in this order: does it come to rest, does it come back (then Newton's method finds the periodic orbit long before the
 // trajectory reaches it), do its statistics repeat themselves. A steady motion is only believed when the trajectory is
 // seen to approach it, or, if it has none to approach, when it goes on as before for as long again.
+//
+// Of a strobed system all that is looked at once a strobe, and all times are whole numbers of strobes.
 #include "equipoise/attractors/motion.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <numeric>
 
 #include "equipoise/attractors/motion_description.hpp"
 #include "equipoise/attractors/motion_statistics.hpp"
 #include "equipoise/attractors/motion_symmetry.hpp"
+#include "equipoise/attractors/nearest_balanced.hpp"
 #include "equipoise/attractors/recurrence.hpp"
 #include "equipoise/attractors/settling.hpp"
-#include "equipoise/attractors/strobed_motion.hpp"
+#include "equipoise/attractors/stroboscopic.hpp"
 #include "equipoise/base/angles.hpp"
-#include "equipoise/model/balanced_state.hpp"
 #include "equipoise/model/linearisation.hpp"
-#include "equipoise/model/strobe.hpp"
 
 namespace equipoise {
 
@@ -40,50 +40,63 @@ constexpr double clear_zero = 3e-4;
 // Farther than this from a stable motion nothing is concluded yet.
 constexpr double in_reach = 0.5;
 
-// The member of the continuum nearest to `state`, described as an equilibrium.
-std::optional<Equilibrium> nearest_of_continuum(const model::Parameters& p, double speed,
-                                                const Eigen::VectorXd& state) {
-  double phi[model::max_balls];
-  for (int i = 0; i < p.balls; ++i) phi[i] = state[model::index::phi(i)];
-  if (!model::project_to_balanced(p, phi)) return std::nullopt;
-  Equilibrium result;
-  result.state = model::centred_state(p, phi);
-  result.eigenvalues = model::jacobian(p, speed, result.state.data()).eigenvalues();
-  std::sort(result.eigenvalues.begin(), result.eigenvalues.end(),
-            [](const auto& a, const auto& b) { return a.real() > b.real(); });
-  result.residual = model::derivative(p, speed, result.state.data()).cwiseAbs().maxCoeff();
-  return result;
-}
-
 // A trajectory with its past.
 class Journey {
  public:
-  Journey(const model::Parameters& p, double speed, const Eigen::VectorXd& state, double patience,
+  Journey(const model::System& system, const Eigen::VectorXd& state, double patience,
           const std::vector<KnownOrbit>& known)
-      : p_(p), speed_(speed), difference_(p, speed), state_(state), patience_(patience), known_(known) {}
+      : system_(system),
+        p_(system_.parameters()),
+        strobe_(system.section() == model::Section::strobe ? system.strobe_period() : 0.0),
+        difference_(system),
+        state_(state),
+        known_(known) {
+    const double doublings = std::max(0.0, std::floor(std::log2(patience / first_stretch)));
+    first_ = whole(patience / std::exp2(doublings));
+    patience_ = first_ * std::exp2(doublings);
+  }
 
   Settling settle();
 
  private:
+  bool strobed() const { return strobe_ > 0.0; }
+  // About that time, at least one strobe.
+  double whole(double time) const { return strobed() ? strobe_ * std::max(1.0, std::round(time / strobe_)) : time; }
+  bool is_over() const { return elapsed_ >= patience_ * (1.0 - 1e-9); }
+  // Times between samples_.
+  double spacing() const { return strobed() ? strobe_ : sample_spacing(system_.speed()); }
+
   void nudge();
   bool travel_stretch(double duration);
-  bool travel(double duration, MotionStatistics& statistics, std::vector<Eigen::VectorXd>* samples = nullptr);
+  bool travel(Eigen::VectorXd& z, double duration, MotionStatistics* statistics = nullptr,
+              std::vector<Eigen::VectorXd>* samples = nullptr) {
+    status_ = follow_whole(z, duration, statistics, samples);
+    return status_ == IntegrationStatus::done;
+  }
+  IntegrationStatus follow_whole(Eigen::VectorXd& z, double duration, MotionStatistics* statistics = nullptr,
+                                 std::vector<Eigen::VectorXd>* samples = nullptr) const;
   template <class Distance>
   bool approaches(double rate, const Distance& distance);
   std::optional<Motion> rest();
+  std::optional<Motion> continuum();
   std::optional<Motion> recurrence();
   std::optional<Motion> persistence();
+  std::optional<PeriodicOrbit> orbit_of(const Return& now);
   bool worth_trying(const Return& now);
+  std::optional<std::vector<double>> exponents_of(MotionKind& kind) const;
+  std::optional<Motion> restless(MotionKind kind, const std::vector<double>& exponents);
   bool statistics_repeat(double share_of_extremes, double share_of_means) const;
   bool comes_back() const;
   bool creeps() const;
+  bool creeps_balanced(const Motion& motion) const;
 
+  const model::System system_;
   const model::Parameters& p_;
-  const double speed_;
+  const double strobe_;  // 0: there are none
   const StateDifference difference_;
   Eigen::VectorXd state_;
-  const double patience_;
-  double elapsed_ = 0.0;
+  Eigen::VectorXd end_;  // of the last stretch: state_ with angles that count turns, as statistics do
+  double first_ = 0.0, patience_ = 0.0, elapsed_ = 0.0;
   std::vector<Eigen::VectorXd> samples_;  // of the last part of the stretch
   MotionStatistics previous_, last_;      // of the last two stretches
   int repeats_ = 0;                       // stretches in a row that repeated the one before
@@ -95,12 +108,16 @@ class Journey {
   bool recognised_ = false;
 };
 
-bool Journey::travel(double duration, MotionStatistics& statistics, std::vector<Eigen::VectorXd>* samples) {
-  Eigen::VectorXd end = state_;
-  status_ = follow(p_, speed_, end, duration, follow_tolerance, &statistics, samples);
-  if (status_ != IntegrationStatus::done) return false;
-  state_ = end;
-  return true;
+IntegrationStatus Journey::follow_whole(Eigen::VectorXd& z, double duration, MotionStatistics* statistics,
+                                        std::vector<Eigen::VectorXd>* samples) const {
+  if (!strobed()) return follow(system_, z, duration, follow_tolerance, statistics, samples);
+  if (samples) samples->assign(1, z);
+  for (long k = std::lround(duration / strobe_); k > 0; --k) {
+    const auto status = follow(system_, z, strobe_, follow_tolerance, statistics);
+    if (status != IntegrationStatus::done) return status;
+    if (samples) samples->push_back(z);
+  }
+  return IntegrationStatus::done;
 }
 
 // Equal balls in one place stay there in exact arithmetic of equal operations, even where that is unstable. From the
@@ -117,11 +134,12 @@ bool Journey::travel_stretch(double duration) {
   if (elapsed_ > 0.0) nudge();
   previous_ = last_;
   last_ = {};
-  const double memory = std::min(duration, longest_memory);
+  const double memory = std::min(duration, whole(longest_memory));
   elapsed_ += duration;
-  if (duration > memory && !travel(duration - memory, last_)) return false;
-  if (!travel(memory, last_, &samples_)) return false;
-  state_ = with_angles_reduced(p_, state_);  // only now: statistics count turns of unwrapped angles
+  end_ = state_;
+  if (duration > memory && !travel(end_, duration - memory, &last_)) return false;
+  if (!travel(end_, memory, &last_, &samples_)) return false;
+  state_ = with_angles_reduced(p_, end_);
   return true;
 }
 
@@ -131,17 +149,17 @@ template <class Distance>
 bool Journey::approaches(double rate, const Distance& distance) {
   ahead_ = 0.0;
   const double first = distance(state_);
-  if (first > in_reach) return false;
+  if (first > in_reach || !(rate < 0.0)) return false;
   if (first < 1e-9) return true;
-  const double chunk = std::max(1.0 / -rate, 1.0);
+  const double chunk = whole(std::max(1.0 / -rate, 1.0));
   Eigen::VectorXd z = state_;
   double left = patience_ - elapsed_, now = first;
   double& travelled = ahead_;
   // Away from the linear regime the distance may grow for a while; a motion left behind is not approached again soon.
   for (int k = 0; k < 40 && now < 2.0 * in_reach; ++k) {
     const double duration = std::min(chunk, left);
-    if (duration <= 0.0) break;
-    if (follow(p_, speed_, z, duration, follow_tolerance) != IntegrationStatus::done) return false;
+    if (duration <= 0.5 * strobe_) break;
+    if (follow_whole(z, duration) != IntegrationStatus::done) return false;
     z = with_angles_reduced(p_, z);
     left -= duration;
     travelled += duration;
@@ -153,42 +171,38 @@ bool Journey::approaches(double rate, const Distance& distance) {
   return now < 0.1 * in_reach && now < first * std::exp(0.5 * rate * travelled) && travelled * -rate > 0.5;
 }
 
+std::optional<Motion> Journey::continuum() {
+  const auto balanced = nearest_balanced(system_, state_, in_reach);
+  if (!balanced || !balanced->attracts) return std::nullopt;
+  std::optional<BalancedMember> end;
+  const auto distance = [&](const Eigen::VectorXd& z) {
+    end = nearest_balanced(system_, z, in_reach);
+    return end ? difference_.distance(z, end->state) : std::numeric_limits<double>::infinity();
+  };
+  if (!approaches(balanced->rate, distance) || !end || !end->attracts) return std::nullopt;
+  return describe(system_, *end);
+}
+
 std::optional<Motion> Journey::rest() {
   // Faster than this no equilibrium is near: it swings at a rate of order one, so it would be as far away.
-  if (difference_.length(model::derivative(p_, speed_, state_.data())) > in_reach) return std::nullopt;
-  const int dimension = continuum_dimension(p_);
-  if (dimension > 0) {
-    const auto balanced = nearest_of_continuum(p_, speed_, state_);
-    if (balanced && attracts(balanced->eigenvalues, dimension)) {
-      double slowest = -1.0;
-      for (const auto& value : balanced->eigenvalues)
-        if (std::abs(value) >= zero_eigenvalue) slowest = std::max(slowest, value.real());
-      std::optional<Equilibrium> end;
-      const auto distance = [&](const Eigen::VectorXd& z) {
-        end = nearest_of_continuum(p_, speed_, z);
-        return end ? difference_.distance(z, end->state) : std::numeric_limits<double>::infinity();
-      };
-      if (approaches(slowest, distance) && end && attracts(end->eigenvalues, dimension))
-        return describe_equilibrium(p_, speed_, *end);
-    }
-  }
-  const auto equilibrium = refine_equilibrium(p_, speed_, state_);
+  if (!strobed() && difference_.length(model::rate(system_, state_)) > in_reach) return std::nullopt;
+  if (continuum_dimension(p_) > 0)
+    if (auto motion = continuum()) return motion;
+  if (strobed()) return std::nullopt;  // what rests comes back after every strobe
+  const auto equilibrium = refine_equilibrium(system_, state_);
   if (!equilibrium || !attracts(equilibrium->eigenvalues, 0)) return std::nullopt;
   const bool comes = approaches(equilibrium->eigenvalues[0].real(),
                                 [&](const Eigen::VectorXd& z) { return difference_.distance(z, equilibrium->state); });
   if (!comes) return std::nullopt;
-  return describe_equilibrium(p_, speed_, *equilibrium);
+  return describe_equilibrium(system_, *equilibrium);
 }
 
 std::optional<Motion> Journey::recurrence() {
   const auto accepted = [&](const KnownOrbit& known) {
-    const PeriodicOrbit& orbit = known.orbit;
-    const double slowest =
-        orbit.multipliers.size() > 1 ? std::log(std::max(1e-300, std::abs(orbit.multipliers[1]))) / orbit.period : -1.0;
-    return approaches(slowest, [&](const Eigen::VectorXd& z) { return known.curve->distance(z); });
+    return approaches(known.orbit.slowest_rate(), [&](const Eigen::VectorXd& z) { return known.curve->distance(z); });
   };
   const auto described = [&](const KnownOrbit& known) {
-    return known.motion ? *known.motion : describe_orbit(p_, speed_, known.orbit);
+    return known.motion ? *known.motion : describe_orbit(system_, known.orbit);
   };
   for (const KnownOrbit& known : known_) {
     if (!accepted(known)) continue;
@@ -197,16 +211,20 @@ std::optional<Motion> Journey::recurrence() {
   }
   for (const KnownOrbit& known : orbits_)
     if (accepted(known)) return described(known);
-  for (const Return& now : returns_to_last(samples_, sample_spacing(speed_), p_.balls, difference_, most_returns)) {
-    if (!worth_trying(now)) continue;
-    const auto guess = shoot(p_, speed_, state_, now.time, difference_, in_reach);
-    if (!guess) continue;
-    const auto orbit = refine_orbit(p_, speed_, guess->state, guess->period);
+  for (const Return& now : returns_to_last(system_, samples_, spacing(), difference_, most_returns, in_reach)) {
+    const auto orbit = orbit_of(now);
     if (!orbit || !orbit->stable()) continue;
-    orbits_.push_back(known_orbit(p_, speed_, *orbit));
+    orbits_.push_back(known_orbit(system_, *orbit));
     if (accepted(orbits_.back())) return described(orbits_.back());
   }
   return std::nullopt;
+}
+
+std::optional<PeriodicOrbit> Journey::orbit_of(const Return& now) {
+  if (!strobed()) return worth_trying(now) ? find_orbit(system_, state_, now.time, in_reach) : std::nullopt;
+  const long strobes = std::lround(now.time / strobe_);
+  return refine_orbit(system_, std::vector<Eigen::VectorXd>(samples_.end() - 1 - strobes, samples_.end() - 1), now.time,
+                      in_reach);
 }
 
 // Newton's method that failed from a return is not asked again before the return has become twice as close: on the way
@@ -230,8 +248,8 @@ bool Journey::statistics_repeat(double share_of_extremes, double share_of_means)
 // Whether all is so nearly at rest that the trajectory will not get anywhere in the time that is left: neither by its
 // rate of change nor by what grows.
 bool Journey::creeps() const {
-  if (difference_.length(model::derivative(p_, speed_, state_.data())) * patience_ > in_reach) return false;
-  return model::jacobian(p_, speed_, state_.data()).eigenvalues().real().maxCoeff() * patience_ < 1.0;
+  if (strobed() || difference_.length(model::rate(system_, state_)) * patience_ > in_reach) return false;
+  return model::jacobian(system_, state_).eigenvalues().real().maxCoeff() * patience_ < 1.0;
 }
 
 // Whether the trajectory, after it had been farthest from where it is now, came half as near again. What creeps has the
@@ -251,55 +269,80 @@ bool Journey::comes_back() const {
   return back;
 }
 
-std::optional<Motion> Journey::persistence() {
-  const bool tight = statistics_repeat(0.01, 0.005), loose = statistics_repeat(0.1, 0.05);
-  repeats_ = tight ? repeats_ + 1 : 0;
-  const bool final_stretch = elapsed_ >= patience_ * (1.0 - 1e-9);
-  ahead_ = 0.0;
-  if (!comes_back()) return std::nullopt;
-  if (last_.duration < 1000.0 || !(repeats_ >= 2 || (final_stretch && loose))) return std::nullopt;
-  const int count = std::min<int>(4, model::dimension(p_.balls));
+// Under gravity a continuum of balanced states leaves a motion along it that never comes back.
+bool Journey::creeps_balanced(const Motion& motion) const {
+  if (!strobed() || p_.gravity == 0.0 || p_.balls <= 2 || motion.kind != MotionKind::quasi_periodic) return false;
+  const auto captured = [](int group) { return group == 0; };
+  return std::all_of(motion.drift_group.begin(), motion.drift_group.begin() + p_.balls, captured) &&
+         relaxes_to_balance(system_, motion.state);
+}
+
+// Lyapunov exponents along the trajectory from here, and the kind that they tell; empty if none goes on for ever.
+std::optional<std::vector<double>> Journey::exponents_of(MotionKind& kind) const {
+  // A shift in time leaves one exponent of 0; strobes leave none.
+  const std::size_t next = strobed() ? 0 : 1;
+  const int count = std::min<int>(4, system_.dimension());
   double duration = std::max(last_.duration, 4000.0);
-  std::vector<double> exponents = lyapunov_exponents(p_, speed_, state_, duration, count);
-  if (static_cast<int>(exponents.size()) < 2) return std::nullopt;
+  std::vector<double> exponents = lyapunov_exponents(system_, state_, duration, count);
+  if (exponents.size() < 2) return std::nullopt;
   // A slow way into a periodic motion looks like a torus for long: what is not clearly zero is measured again.
-  if (exponents[0] < 8.0 / duration && exponents[1] < -clear_zero && exponents[1] > -8.0 / duration) {
+  if (exponents[0] < 8.0 / duration && exponents[next] < -clear_zero && exponents[next] > -8.0 / duration) {
     duration *= 8.0;
-    exponents = lyapunov_exponents(p_, speed_, state_, duration, count);
-    if (static_cast<int>(exponents.size()) < 2) return std::nullopt;
+    exponents = lyapunov_exponents(system_, state_, duration, count);
+    if (exponents.size() < 2) return std::nullopt;
   }
   const double zero = 8.0 / duration;
-  Motion motion;
-  if (exponents[0] > zero) {
-    if (!final_stretch) return std::nullopt;
-    motion.kind = MotionKind::chaotic;
-  } else if (exponents[0] > -zero && exponents[1] > -zero && repeats_ >= 2) {
-    motion.kind = MotionKind::quasi_periodic;
-  } else {
+  if (exponents[0] > zero)
+    kind = MotionKind::chaotic;
+  else if (exponents[0] > -zero && exponents[next] > -zero)
+    kind = MotionKind::quasi_periodic;
+  else
     return std::nullopt;
-  }
+  return exponents;
+}
+
+// The motion of that kind which the trajectory is on.
+std::optional<Motion> Journey::restless(MotionKind kind, const std::vector<double>& exponents) {
+  Motion motion;
+  motion.kind = kind;
+  motion.speed = system_.speed();
+  motion.strobed = strobed();
   // A torus is measured afresh: the stretch that showed it may have begun before balls had quite joined.
   MotionStatistics fresh;
-  const double last_duration = last_.duration;
-  if (motion.kind == MotionKind::quasi_periodic && !travel(last_.duration, fresh)) return std::nullopt;
-  motion.speed = speed_;
+  const double duration = whole(last_.duration);
+  if (kind == MotionKind::quasi_periodic) {
+    end_ = state_;
+    if (!travel(end_, duration, &fresh)) return std::nullopt;
+  }
   // Slips of chaotic motion average out like the root of time: whether they do is worth a few stretches more.
   constexpr double longest = 16.0;
-  while (motion.kind == MotionKind::chaotic && !drifts_are_known(p_, last_, motion) &&
-         last_.duration < longest * last_duration)
-    if (!travel(last_duration, last_)) return std::nullopt;
-  motion.state = with_angles_reduced(p_, state_);
+  while (kind == MotionKind::chaotic && !drifts_are_known(p_, last_, motion) && last_.duration < longest * duration)
+    if (!travel(end_, duration, &last_)) return std::nullopt;
+  motion.state = with_angles_reduced(p_, end_);
   motion.exponents = exponents;
   motion.stable = true;
-  describe_statistics(p_, motion.kind == MotionKind::quasi_periodic ? fresh : last_, motion);
-  motion.copies = count_copies(p_, motion);
+  describe_statistics(p_, kind == MotionKind::quasi_periodic ? fresh : last_, motion);
+  motion.balanced = creeps_balanced(motion);
+  motion.copies = motion.balanced ? 1 : count_copies(p_, motion);
   return motion;
 }
 
+std::optional<Motion> Journey::persistence() {
+  const bool tight = statistics_repeat(0.01, 0.005), loose = statistics_repeat(0.1, 0.05);
+  repeats_ = tight ? repeats_ + 1 : 0;
+  ahead_ = 0.0;
+  // What creeps along a continuum of balanced states under gravity does not come back either.
+  if (!strobed() && !comes_back()) return std::nullopt;
+  if (last_.duration < 1000.0 || !(repeats_ >= 2 || (is_over() && loose))) return std::nullopt;
+  MotionKind kind;
+  const auto exponents = exponents_of(kind);
+  if (!exponents || (kind == MotionKind::chaotic ? !is_over() : repeats_ < 2)) return std::nullopt;
+  return restless(kind, *exponents);
+}
+
 Settling Journey::settle() {
-  const double doublings = std::max(0.0, std::floor(std::log2(patience_ / first_stretch)));
   Settling result;
-  for (double stretch = patience_ / std::exp2(doublings); elapsed_ < patience_ * (1.0 - 1e-9); stretch = elapsed_) {
+  for (double stretch = first_; !is_over(); stretch = elapsed_) {
     if (!travel_stretch(stretch)) break;
     result.motion = rest();
     if (!result.motion) result.motion = recurrence();
@@ -317,30 +360,23 @@ Settling Journey::settle() {
 
 }  // namespace
 
-KnownOrbit known_orbit(const model::Parameters& p, double speed, const PeriodicOrbit& orbit) {
-  return {orbit, std::make_shared<const OrbitCurve>(p, speed, orbit), nullptr};
+KnownOrbit known_orbit(const model::System& system, const PeriodicOrbit& orbit) {
+  return {orbit, std::make_shared<const OrbitCurve>(system, orbit), nullptr};
 }
 
-KnownOrbit known_orbit(const model::Parameters& p, double speed, const Motion& motion) {
-  KnownOrbit result = known_orbit(p, speed, motion.orbit);
+KnownOrbit known_orbit(const model::System& system, const Motion& motion) {
+  KnownOrbit result = known_orbit(system, motion.orbit);
   result.motion = std::make_shared<const Motion>(motion);
   return result;
 }
 
-Settling settle(const model::Parameters& p, double speed, const Eigen::VectorXd& state, double patience,
+Settling settle(const model::System& system, const Eigen::VectorXd& state, double patience,
                 const std::vector<KnownOrbit>& known) {
-  if (model::is_strobed(p)) {
-    Settling result;
-    result.motion = strobed_motion_from(p, speed, state, patience);
-    result.time = patience;
-    return result;
-  }
-  return Journey(p, speed, state, patience, known).settle();
+  return Journey(system, state, patience, known).settle();
 }
 
-std::optional<Motion> motion_from(const model::Parameters& p, double speed, const Eigen::VectorXd& state,
-                                  double patience) {
-  return settle(p, speed, state, patience).motion;
+std::optional<Motion> motion_from(const model::System& system, const Eigen::VectorXd& state, double patience) {
+  return settle(system, state, patience).motion;
 }
 
 }  // namespace equipoise

@@ -24,7 +24,7 @@ struct Motion {
   double speed = 0.0;                            ///< Omega
   Eigen::VectorXd state;                         ///< a state on it, angles in [0, 2 pi)
   double period = 0.0;                           ///< periodic only
-  std::array<int, model::max_balls> winding{};   ///< periodic only: whole turns of each ball in one period, with sign
+  Winding winding{};                             ///< periodic only: whole turns of each ball in one period, with sign
   std::array<double, model::max_balls> drift{};  ///< mean phi'
   std::array<double, model::max_balls> rate_min{}, rate_max{};  ///< extremes of phi'
   double r_min = 0.0, r_mean = 0.0, r_max = 0.0;                ///< distance of the rotor's centre from the axis
@@ -57,13 +57,16 @@ struct Motion {
   int copies = 1;
 };
 
-/// Follows the trajectory from `state` until it is steady, decides the kind, refines and describes. `patience`: the
-/// longest time to follow it. Empty if it does not become steady, or diverges. Deterministic.
-std::optional<Motion> motion_from(const model::Parameters& p, double speed, const Eigen::VectorXd& state,
-                                  double patience = 20000.0);
+/// Follows the trajectory from `state` (of a strobed system at a strobe) until it is steady, decides the kind, refines
+/// and describes. `patience`: the longest time to follow it. Empty if it does not become steady, or diverges.
+/// Deterministic.
+std::optional<Motion> motion_from(const model::System& system, const Eigen::VectorXd& state, double patience = 20000.0);
 /// The same for states already refined.
-Motion describe_equilibrium(const model::Parameters& p, double speed, const Equilibrium& equilibrium);
-Motion describe_orbit(const model::Parameters& p, double speed, const PeriodicOrbit& orbit);
+Motion describe_equilibrium(const model::System& system, const Equilibrium& equilibrium);
+Motion describe_orbit(const model::System& system, const PeriodicOrbit& orbit);
+/// Balance under gravity with three balls or more: the motion along what gravity leaves of a continuum of balanced
+/// states, from `state` next to it; deviations across it die out at `rate`.
+Motion describe_creep(const model::System& system, const Eigen::VectorXd& state, double rate);
 
 /// The same motion, up to a shift in time, whole turns and exchange of equal balls. Orbits and equilibria are compared
 /// as point sets to 1e-6, the others by their statistics.

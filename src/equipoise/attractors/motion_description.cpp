@@ -8,6 +8,7 @@
 #include <functional>
 
 #include "equipoise/attractors/motion_symmetry.hpp"
+#include "equipoise/attractors/stroboscopic.hpp"
 #include "equipoise/base/angles.hpp"
 #include "equipoise/model/balanced_state.hpp"
 
@@ -146,46 +147,96 @@ const char* name_of(MotionKind kind) {
   }
 }
 
-Motion describe_equilibrium(const model::Parameters& p, double speed, const Equilibrium& equilibrium) {
-  Motion motion;
-  motion.kind = MotionKind::equilibrium;
-  motion.speed = speed;
-  motion.state = with_angles_reduced(p, equilibrium.state);
-  motion.spectrum = equilibrium.eigenvalues;
-  for (const std::complex<double>& value : equilibrium.eigenvalues) motion.exponents.push_back(value.real());
-  motion.residual = equilibrium.residual;
-  motion.r_min = motion.r_mean = motion.r_max = std::hypot(motion.state[0], motion.state[1]);
+namespace {
+
+// Of a motion that rests in the rotating frame: nothing but the angles between balls.
+void describe_rest(const model::Parameters& p, Motion& motion) {
   MotionStatistics statistics;
   for (int i = 0; i < p.balls; ++i)
     for (int k = i + 1; k < p.balls; ++k)
       statistics.pair[i][k].begin(motion.state[model::index::phi(i)] - motion.state[model::index::phi(k)]);
   describe_pairs(p, statistics, motion);
+}
+
+// An orbit of a strobed system that is an equilibrium: gravity lets nothing rest, and components of what rests are zero
+// to rounding.
+bool is_at_rest(const model::Parameters& p, const PeriodicOrbit& orbit) {
+  constexpr double at_rest = 1e-9;
+  const Eigen::VectorXd& z = orbit.nodes.front();
+  return orbit.imposed && p.gravity == 0.0 && z.head(4).lpNorm<Eigen::Infinity>() <= at_rest &&
+         z.tail(p.balls).lpNorm<Eigen::Infinity>() <= at_rest;
+}
+
+}  // namespace
+
+Motion describe_equilibrium(const model::System& system, const Equilibrium& equilibrium) {
+  const model::Parameters& p = system.parameters();
+  Motion motion;
+  motion.kind = MotionKind::equilibrium;
+  motion.speed = system.speed();
+  motion.state = with_angles_reduced(p, equilibrium.state);
+  motion.spectrum = equilibrium.eigenvalues;
+  for (const std::complex<double>& value : equilibrium.eigenvalues) motion.exponents.push_back(value.real());
+  motion.residual = equilibrium.residual;
+  motion.r_min = motion.r_mean = motion.r_max = std::hypot(motion.state[0], motion.state[1]);
+  describe_rest(p, motion);
   motion.stable = attracts(motion.spectrum, is_balanced_continuum(p, motion) ? continuum_dimension(p) : 0);
   motion.copies = count_copies(p, motion);
   return motion;
 }
 
-Motion describe_orbit(const model::Parameters& p, double speed, const PeriodicOrbit& orbit) {
+Motion describe_orbit(const model::System& system, const PeriodicOrbit& orbit) {
+  const model::Parameters& p = system.parameters();
+  const bool rests = is_at_rest(p, orbit);
   Motion motion;
-  motion.kind = MotionKind::periodic;
-  motion.speed = speed;
+  motion.kind = rests ? MotionKind::equilibrium : MotionKind::periodic;
+  motion.speed = system.speed();
   motion.state = with_angles_reduced(p, orbit.nodes.front());
-  motion.period = orbit.period;
-  motion.winding = orbit.winding;
   motion.orbit = orbit;
   motion.spectrum = orbit.multipliers;
   for (const std::complex<double>& value : orbit.multipliers)
     motion.exponents.push_back(std::log(std::max(1e-300, std::abs(value))) / orbit.period);
   std::sort(motion.exponents.begin(), motion.exponents.end(), std::greater<>());
-  motion.stable = orbit.stable();
+  motion.stable = contracts(orbit.decays(), rests ? continuum_dimension(p) : 0);
   motion.residual = orbit.residual;
-  MotionStatistics statistics;
-  const double arc = orbit.period / static_cast<double>(orbit.nodes.size());
-  for (Eigen::VectorXd state : orbit.nodes)  // arc by arc: an unstable orbit would not be followed for long
-    follow(p, speed, state, arc, tolerance, &statistics);
-  describe_statistics(p, statistics, motion);
-  motion.half_period_exchange = is_half_period_exchange(p, speed, orbit);
+  if (rests) {
+    describe_rest(p, motion);
+  } else {
+    motion.period = orbit.period;
+    motion.winding = orbit.winding;
+    MotionStatistics statistics;
+    const double arc = orbit.period / static_cast<double>(orbit.nodes.size());
+    for (Eigen::VectorXd state : orbit.nodes)  // arc by arc: an unstable orbit would not be followed for long
+      follow(system, state, arc, tolerance, &statistics);
+    describe_statistics(p, statistics, motion);
+  }
+  if (orbit.imposed) {
+    motion.strobed = true;
+    motion.strobes = static_cast<int>(orbit.nodes.size());
+    motion.balanced = rests || leads_to_balance(system, orbit);
+  } else {
+    motion.half_period_exchange = is_half_period_exchange(system, orbit);
+  }
   motion.copies = count_copies(p, motion);
+  return motion;
+}
+
+Motion describe_creep(const model::System& system, const Eigen::VectorXd& state, double rate) {
+  constexpr int strobes = 100;
+  constexpr double creep_tolerance = 1e-9;
+  const model::Parameters& p = system.parameters();
+  Motion motion;
+  motion.kind = MotionKind::quasi_periodic;
+  motion.strobed = motion.balanced = motion.stable = true;
+  motion.speed = system.speed();
+  motion.state = with_angles_reduced(p, state);
+  motion.exponents = {0.0, rate};
+  MotionStatistics statistics;
+  Eigen::VectorXd z = state;
+  follow(system, z, strobes * system.strobe_period(), creep_tolerance, &statistics);
+  describe_statistics(p, statistics, motion);
+  motion.drift.fill(0.0);
+  motion.drift_group.fill(0);
   return motion;
 }
 

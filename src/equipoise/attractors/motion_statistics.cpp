@@ -243,13 +243,14 @@ double record_spacing(double speed) { return 4.0 * sample_spacing(speed); }
 
 double sample_spacing(double speed) { return 0.2 / std::max(1.0, std::fabs(speed)); }
 
-IntegrationStatus follow(const model::Parameters& p, double speed, Eigen::VectorXd& state, double duration,
-                         double tolerance, MotionStatistics* statistics, std::vector<Eigen::VectorXd>* samples) {
+IntegrationStatus follow(const model::System& system, Eigen::VectorXd& state, double duration, double tolerance,
+                         MotionStatistics* statistics, std::vector<Eigen::VectorXd>* samples) {
   constexpr kernels::Terms autonomous{false, false, false}, strobed{false, true, true};
+  const model::Parameters& p = system.parameters();
   return model::with_ball_count(p.balls, [&](auto n) {
-    return model::is_strobed(p)
-               ? follow_balls<n, strobed>(p, speed, state, duration, tolerance, statistics, samples)
-               : follow_balls<n, autonomous>(p, speed, state, duration, tolerance, statistics, samples);
+    return system.autonomous()
+               ? follow_balls<n, autonomous>(p, system.speed(), state, duration, tolerance, statistics, samples)
+               : follow_balls<n, strobed>(p, system.speed(), state, duration, tolerance, statistics, samples);
   });
 }
 

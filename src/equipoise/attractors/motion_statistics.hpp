@@ -11,7 +11,7 @@
 #include "equipoise/attractors/mean_rate.hpp"
 #include "equipoise/base/angles.hpp"
 #include "equipoise/integrate/status.hpp"
-#include "equipoise/model/parameters.hpp"
+#include "equipoise/model/system.hpp"
 
 namespace equipoise {
 
@@ -51,9 +51,8 @@ bool similar(const MotionStatistics& a, const MotionStatistics& b, int balls, do
 /// sample_spacing() apart. `samples` receives the states at the times k sample_spacing(), k = 0, 1, ...
 /// With anisotropic supports or gravity the rotor's angle is 0 at the beginning, and r is measured from where the rotor
 /// would rest under gravity.
-IntegrationStatus follow(const model::Parameters& p, double speed, Eigen::VectorXd& state, double duration,
-                         double tolerance, MotionStatistics* statistics = nullptr,
-                         std::vector<Eigen::VectorXd>* samples = nullptr);
+IntegrationStatus follow(const model::System& system, Eigen::VectorXd& state, double duration, double tolerance,
+                         MotionStatistics* statistics = nullptr, std::vector<Eigen::VectorXd>* samples = nullptr);
 
 /// Times between the values of MotionStatistics::angle.
 double record_spacing(double speed);

@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
-#include <limits>
 #include <numeric>
 #include <vector>
 
@@ -14,19 +13,6 @@
 namespace equipoise {
 
 namespace {
-
-// From a state to the nearest of a motion's: its curve, or, if it is strobed, its states at strobes.
-std::function<double(const Eigen::VectorXd&)> distance_from(const model::Parameters& p, const Motion& motion) {
-  if (motion.strobed)
-    return [difference = StateDifference(p, motion.speed), nodes = motion.orbit.nodes](const Eigen::VectorXd& state) {
-      double least = std::numeric_limits<double>::infinity();
-      for (const Eigen::VectorXd& node : nodes) least = std::min(least, difference.distance(node, state));
-      return least;
-    };
-  return [curve = OrbitCurve(p, motion.speed, motion.orbit)](const Eigen::VectorXd& state) {
-    return curve.distance(state);
-  };
-}
 
 // Point sets are the same if they come this close. Refined motions are exact to 1e-10 or better and different ones that
 // a study meets lie much farther apart, but for those just born in a bifurcation.
@@ -65,8 +51,6 @@ bool any_order(int balls, const std::function<bool(int, int)>& may_replace,
   return place(0);
 }
 
-bool equal_balls(const model::Parameters& p, int i, int k) { return p.mass[i] == p.mass[k] && p.drag[i] == p.drag[k]; }
-
 double largest_rate(const Motion& m, int balls) {
   double rate = 0.0;
   for (int i = 0; i < balls; ++i) rate = std::max({rate, std::fabs(m.rate_min[i]), std::fabs(m.rate_max[i])});
@@ -88,13 +72,14 @@ long factorial(long k) { return k < 2 ? 1 : k * factorial(k - 1); }
 
 }  // namespace
 
-bool is_half_period_exchange(const model::Parameters& p, double speed, const PeriodicOrbit& orbit) {
-  if (p.balls != 2 || !equal_balls(p, 0, 1)) return false;
-  const std::vector<Eigen::VectorXd> halves = sample_orbit(p, speed, orbit, 2);
-  return StateDifference(p, speed).distance(exchanged(halves[0], 2, {1, 0}), halves[1]) < same_point;
+bool is_half_period_exchange(const model::System& system, const PeriodicOrbit& orbit) {
+  if (system.balls() != 2 || !system.alike(0, 1)) return false;
+  const std::vector<Eigen::VectorXd> halves = sample_orbit(system, orbit, 2);
+  return StateDifference(system).distance(exchanged(halves[0], 2, {1, 0}), halves[1]) < same_point;
 }
 
 int count_copies(const model::Parameters& p, const Motion& motion) {
+  const model::System system(p, motion.speed);
   const int n = p.balls;
   // All members of a continuum of balanced states are one motion, and so are its exchange images.
   if (motion.kind == MotionKind::equilibrium && is_balanced_continuum(p, motion)) return 1;
@@ -103,7 +88,7 @@ int count_copies(const model::Parameters& p, const Motion& motion) {
     bool first = true;
     long size = 0;
     for (int k = 0; k < n; ++k) {
-      if (!equal_balls(p, i, k)) continue;
+      if (!system.alike(i, k)) continue;
       first = first && k >= i;
       ++size;
     }
@@ -117,26 +102,24 @@ int count_copies(const model::Parameters& p, const Motion& motion) {
     long within = 1;
     for (int i = 0; i < n; ++i) {
       int place = 1;
-      for (int k = 0; k < i; ++k) place += motion.cluster[k] == motion.cluster[i] && equal_balls(p, i, k);
+      for (int k = 0; k < i; ++k) place += motion.cluster[k] == motion.cluster[i] && system.alike(i, k);
       within *= place;
     }
-    const auto distance = distance_from(p, motion);
+    const OrbitCurve orbit(system, motion.orbit);
     any_order(
-        n,
-        [&](int i, int k) { return equal_balls(p, i, k) && same_ball(motion, i, motion, k, sameness(motion), rate); },
+        n, [&](int i, int k) { return system.alike(i, k) && same_ball(motion, i, motion, k, sameness(motion), rate); },
         [&](const Order& order) {
           for (int i = 0; i < n; ++i)
             for (int k = 0; k < i; ++k)
-              if (motion.cluster[order[k]] == motion.cluster[order[i]] && equal_balls(p, i, k) && order[k] > order[i])
+              if (motion.cluster[order[k]] == motion.cluster[order[i]] && system.alike(i, k) && order[k] > order[i])
                 return false;
-          if (distance(exchanged(motion.state, n, order)) < same_point) unchanged += within;
+          if (orbit.distance(exchanged(motion.state, n, order)) < same_point) unchanged += within;
           return false;
         });
   } else {
-    const StateDifference difference(p, motion.speed);
+    const StateDifference difference(system);
     any_order(
-        n,
-        [&](int i, int k) { return equal_balls(p, i, k) && same_ball(motion, i, motion, k, sameness(motion), rate); },
+        n, [&](int i, int k) { return system.alike(i, k) && same_ball(motion, i, motion, k, sameness(motion), rate); },
         [&](const Order& order) {
           unchanged += motion.kind != MotionKind::equilibrium ||
                        difference.distance(exchanged(motion.state, n, order), motion.state) < same_point;
@@ -151,6 +134,7 @@ bool is_balanced_continuum(const model::Parameters& p, const Motion& motion) {
 }
 
 bool same_motion(const model::Parameters& p, const Motion& a, const Motion& b) {
+  const model::System system(p, a.speed);
   const int n = p.balls;
   if (a.speed != b.speed) return false;
   const auto measured = [](const Motion& m) {
@@ -162,21 +146,21 @@ bool same_motion(const model::Parameters& p, const Motion& a, const Motion& b) {
   if (!close(a.r_min, b.r_min) || !close(a.r_mean, b.r_mean) || !close(a.r_max, b.r_max)) return false;
   const double rate = std::max(largest_rate(a, n), largest_rate(b, n));
   const auto may_replace = [&](int i, int k) {
-    return equal_balls(p, i, k) && (a.kind == MotionKind::equilibrium || same_ball(b, i, a, k, share, rate));
+    return system.alike(i, k) && (a.kind == MotionKind::equilibrium || same_ball(b, i, a, k, share, rate));
   };
   if (measured(a)) return any_order(n, may_replace, [](const Order&) { return true; });
   if (a.kind == MotionKind::equilibrium) {
     if (is_balanced_continuum(p, a) && is_balanced_continuum(p, b)) return true;
-    const StateDifference difference(p, a.speed);
+    const StateDifference difference(system);
     return any_order(n, may_replace, [&](const Order& order) {
       return difference.distance(exchanged(a.state, n, order), b.state) < same_point;
     });
   }
   if (std::fabs(a.period - b.period) > same_point * a.period) return false;
   // One point in common is enough: orbits that meet are one orbit.
-  const auto distance = distance_from(p, b);
+  const OrbitCurve orbit(system, b.orbit);
   return any_order(n, may_replace,
-                   [&](const Order& order) { return distance(exchanged(a.state, n, order)) < same_point; });
+                   [&](const Order& order) { return orbit.distance(exchanged(a.state, n, order)) < same_point; });
 }
 
 }  // namespace equipoise

@@ -13,6 +13,6 @@ int count_copies(const model::Parameters& p, const Motion& motion);
 bool is_balanced_continuum(const model::Parameters& p, const Motion& motion);
 
 /// Motion::half_period_exchange.
-bool is_half_period_exchange(const model::Parameters& p, double speed, const PeriodicOrbit& orbit);
+bool is_half_period_exchange(const model::System& system, const PeriodicOrbit& orbit);
 
 }  // namespace equipoise

@@ -1,56 +1,83 @@
-// Equilibria and periodic orbits of the constant-speed system, refined to machine accuracy, with their linear
-// stability. Isotropic supports, no gravity: only then do the equations not depend on time.
+// Equilibria and periodic orbits of smooth systems, refined to machine accuracy, with their linear stability: of flows,
+// and of systems that are seen at strobes only (model::Section).
 #pragma once
 
 #include <array>
+#include <limits>
 #include <optional>
 #include <vector>
 
 #include <Eigen/Dense>
 
-#include "equipoise/model/parameters.hpp"
+#include "equipoise/model/system.hpp"
 
 namespace equipoise {
 
 /// A state at which nothing moves in the rotating frame.
 struct Equilibrium {
-  Eigen::VectorXd state;         ///< as in model/parameters.hpp
+  Eigen::VectorXd state;         ///< as in model/system.hpp
   Eigen::VectorXcd eigenvalues;  ///< of the exact Jacobian, falling real part
   double residual = 0.0;         ///< largest |component of dz/dt|
 };
 
-/// Newton's method from `guess` with the exact Jacobian. Empty if it does not converge.
-std::optional<Equilibrium> refine_equilibrium(const model::Parameters& p, double speed, const Eigen::VectorXd& guess);
+/// Newton's method from `guess` with the exact Jacobian, where nothing depends on the rotor's angle. Empty if it does
+/// not converge.
+std::optional<Equilibrium> refine_equilibrium(const model::System& system, const Eigen::VectorXd& guess);
 
-/// A motion that repeats itself after `period`, ball angles taken modulo 2 pi.
+/// Whole turns of each angle of a system in one period, with sign, in the order of model::System::angles().
+using Winding = std::array<int, model::max_balls + 1>;
+
+/// A motion that repeats itself after `period`, angles taken modulo their turns.
 struct PeriodicOrbit {
   double period = 0.0;
-  std::array<int, model::max_balls> winding{};  ///< whole turns of each ball in one period, with sign
-  /// States at the times k period / nodes.size(), k = 0, 1, ...; angles unwrapped along the orbit.
+  Winding winding{};
+  /// States at the times k period / nodes.size(), k = 0, 1, ...; angles unwrapped along the orbit. Of a strobed system
+  /// the states at successive strobes.
   std::vector<Eigen::VectorXd> nodes;
-  /// Floquet multipliers: eigenvalues of the monodromy matrix. The first is the one that belongs to a shift in time
-  /// (1 but for errors); the others follow with falling modulus. Errors are about 1e-12 of the largest.
+  /// Floquet multipliers: eigenvalues of the monodromy matrix. Errors are about 1e-12 of the largest. Where the period
+  /// is free, the first is the one that belongs to a shift in time (1 but for errors); the others follow with falling
+  /// modulus.
   Eigen::VectorXcd multipliers;
   double residual = 0.0;  ///< largest mismatch of any component where one node's arc meets the next node
+  /// The period is a number of strobes: every multiplier counts, and an equilibrium is an orbit like any other.
+  bool imposed = false;
 
-  /// Every multiplier but the first lies inside the unit circle.
+  /// All multipliers but that of a shift in time.
+  Eigen::VectorXcd decays() const { return multipliers.tail(multipliers.size() - (imposed ? 0 : 1)); }
+  /// All of them lie inside the unit circle.
   bool stable() const;
+  /// At which the deviation that shrinks slowest does so, negative if it shrinks.
+  double slowest_rate() const;
 };
 
-/// Multiple shooting by Newton's method on all nodes and the period, with exact derivatives (variational equations from
-/// the model on dual numbers). `guess`: states at equally spaced times of one period, angles unwrapped; the winding is
-/// taken from how far the last arc ends from the first node. Empty if it does not converge, or if the motion found is
-/// an equilibrium. The period returned is the smallest one.
-std::optional<PeriodicOrbit> refine_orbit(const model::Parameters& p, double speed,
-                                          const std::vector<Eigen::VectorXd>& guess, double period);
+/// Whether at most `units_allowed` multipliers lie on the unit circle, at 1, and all others inside.
+bool contracts(const Eigen::VectorXcd& multipliers, int units_allowed = 0);
+
+/// Multiple shooting by Newton's method on all nodes, and on the period where it is free, with exact derivatives
+/// (variational equations from the model on dual numbers). `guess`: states at equally spaced times of one period,
+/// angles unwrapped; the winding is taken from how far the last arc ends from the first node. Of a strobed system:
+/// states at successive strobes, which also tell the period, and where the equations for the nodes are singular (a
+/// continuum of balanced states) the least change is taken. Empty if it does not converge, or goes farther than `reach`
+/// (in System::scale()) from the guess, or if the period is free and the motion found is an equilibrium. The period
+/// returned is the smallest one.
+std::optional<PeriodicOrbit> refine_orbit(const model::System& system, const std::vector<Eigen::VectorXd>& guess,
+                                          double period, double reach = std::numeric_limits<double>::infinity());
+/// The same with nodes `strobe` apart, whatever the section: for systems that are about to become strobed.
+std::optional<PeriodicOrbit> refine_imposed_orbit(const model::System& system,
+                                                  const std::vector<Eigen::VectorXd>& guess, double strobe,
+                                                  double reach = std::numeric_limits<double>::infinity());
 /// The same from one state near the orbit and the time after which it returns.
-std::optional<PeriodicOrbit> refine_orbit(const model::Parameters& p, double speed, const Eigen::VectorXd& state,
-                                          double period);
+std::optional<PeriodicOrbit> refine_orbit(const model::System& system, const Eigen::VectorXd& state, double period);
+
+/// The same where there may be none, of a flow: single shooting first, undamped and true to about 1e-5 only. That is
+/// good enough for stable orbits, and it gives up early where there is none (on a torus a second multiplier is near 1,
+/// whatever the time, and steps do not shrink).
+std::optional<PeriodicOrbit> find_orbit(const model::System& system, const Eigen::VectorXd& state, double period,
+                                        double reach);
 
 /// `count` >= 1 states at equally spaced times of one period, from nodes[0] on, angles unwrapped. Empty if an
 /// integration fails.
-std::vector<Eigen::VectorXd> sample_orbit(const model::Parameters& p, double speed, const PeriodicOrbit& orbit,
-                                          int count);
+std::vector<Eigen::VectorXd> sample_orbit(const model::System& system, const PeriodicOrbit& orbit, int count);
 
 /// Deviations near a periodic orbit in Floquet coordinates: w_k(t) . d, whose modulus changes as e^{rate_k t}.
 struct FloquetFrame {
@@ -62,19 +89,16 @@ struct FloquetFrame {
   Eigen::VectorXd rates;  ///< log|multiplier_k| / period
 };
 
-/// Empty if the multipliers span too many powers of ten for double precision to separate the vectors.
-std::optional<FloquetFrame> floquet_frame(const model::Parameters& p, double speed, const PeriodicOrbit& orbit,
-                                          int count);
+/// Of an orbit whose period is free. Empty if the multipliers span too many powers of ten for double precision to
+/// separate the vectors.
+std::optional<FloquetFrame> floquet_frame(const model::System& system, const PeriodicOrbit& orbit, int count);
 
 /// The largest `count` Lyapunov exponents along the trajectory from `state`, which should lie on the motion asked
 /// about: mean growth of tangent vectors, reorthonormalised (Benettin and others, Meccanica 15 (1980) 9), over
 /// `duration` after a further fifth of it for the vectors to align. Falling order. Accuracy about 1 / duration; at two
-/// balls 1e4 units take a quarter of a second for four exponents, half for all. Empty if the integration fails.
-std::vector<double> lyapunov_exponents(const model::Parameters& p, double speed, const Eigen::VectorXd& state,
-                                       double duration, int count);
-
-/// The state a time `duration` >= 0 later (adaptive DOP853, tolerance 1e-12), or empty if the integration fails.
-std::optional<Eigen::VectorXd> advance_state(const model::Parameters& p, double speed, const Eigen::VectorXd& state,
-                                             double duration, double psi = 0.0);
+/// balls 1e4 units take a quarter of a second for four exponents, half for all. Of a strobed system the state is at a
+/// strobe, and no exponent of 0 belongs to a shift in time. Empty if the integration fails.
+std::vector<double> lyapunov_exponents(const model::System& system, const Eigen::VectorXd& state, double duration,
+                                       int count);
 
 }  // namespace equipoise

@@ -51,7 +51,7 @@ struct Samples {
 };
 
 std::optional<Samples> sample(const model::Parameters& p, double speed, const Motion& motion, int turns) {
-  const auto frame = floquet_frame(p, speed, motion.orbit, samples_a_turn * turns);
+  const auto frame = floquet_frame({p, speed}, motion.orbit, samples_a_turn * turns);
   if (!frame) return std::nullopt;
   Samples samples;
   samples.states = frame->states;

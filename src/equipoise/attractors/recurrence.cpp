@@ -5,8 +5,8 @@
 #include <cmath>
 #include <cstddef>
 #include <limits>
+#include <optional>
 
-#include "equipoise/attractors/variational.hpp"
 #include "equipoise/base/angles.hpp"
 #include "equipoise/model/linearisation.hpp"
 
@@ -25,21 +25,35 @@ constexpr int most_steps = 40000;
 
 }  // namespace
 
-StateDifference::StateDifference(const model::Parameters& p, double speed)
-    : balls_(p.balls), inverse_size_(Eigen::VectorXd::Ones(model::dimension(p.balls))) {
-  const double length = p.eccentricity + p.total_mass();
-  inverse_size_.segment(0, 2).setConstant(1.0 / length);
-  inverse_size_.segment(2, 2).setConstant(1.0 / (length * std::max(1.0, std::fabs(speed))));
+StateDifference::StateDifference(const model::System& system)
+    : angles_(system.angles()), inverse_size_(system.scale().cwiseInverse()) {
+  inverse_size_.segment(2, 2).setConstant(1.0 / (system.scale()[0] * std::max(1.0, std::fabs(system.speed()))));
 }
 
 Eigen::VectorXd StateDifference::operator()(const Eigen::VectorXd& a, const Eigen::VectorXd& b) const {
   Eigen::VectorXd d = (a - b).cwiseProduct(inverse_size_);
-  for (int i = 0; i < balls_; ++i) d[model::index::phi(i)] = wrapped(d[model::index::phi(i)]);
+  for (const auto& [place, turn] : angles_) d[place] = std::remainder(d[place], turn);
   return d;
 }
 
-std::vector<Return> returns_to_last(const std::vector<Eigen::VectorXd>& samples, double spacing, int balls,
-                                    const StateDifference& difference, int most) {
+namespace {
+
+// The closest approach of a trajectory around step k: time and square of the distance, by a parabola through three of
+// these. Empty if the middle one is not the least.
+std::optional<Return> closest_around(const std::vector<double>& squares, std::size_t k, double spacing) {
+  if (k + 1 >= squares.size()) return std::nullopt;
+  const double before = squares[k - 1], here = squares[k], after = squares[k + 1];
+  if (here > before || here > after) return std::nullopt;
+  const double bend = before - 2.0 * here + after, slope = 0.5 * (after - before);
+  const double shift = bend > 0.0 ? -slope / bend : 0.0;
+  return Return{(static_cast<double>(k) + shift) * spacing, std::max(0.0, here + 0.5 * slope * shift)};
+}
+
+}  // namespace
+
+std::vector<Return> returns_to_last(const model::System& system, const std::vector<Eigen::VectorXd>& samples,
+                                    double spacing, const StateDifference& difference, int most, double reach) {
+  const bool strobed = system.section() == model::Section::strobe;
   const Eigen::VectorXd& last = samples.back();
   std::vector<double> squares;  // of the distance, by steps back
   squares.reserve(samples.size());
@@ -50,96 +64,72 @@ std::vector<Return> returns_to_last(const std::vector<Eigen::VectorXd>& samples,
   }
   double record = close_share * close_share * sum / static_cast<double>(squares.size());
   std::vector<Return> returns;
-  for (std::size_t k = 1; k + 1 < squares.size() && static_cast<int>(returns.size()) < most; ++k) {
-    const double before = squares[k - 1], here = squares[k], after = squares[k + 1];
-    if (here > before || here > after) continue;
-    const double bend = before - 2.0 * here + after, slope = 0.5 * (after - before);
-    const double shift = bend > 0.0 ? -slope / bend : 0.0;
-    const double lowest = std::max(0.0, here + 0.5 * slope * shift);
-    const double time = (static_cast<double>(k) + shift) * spacing;
-    const Eigen::VectorXd turned = (last - samples[samples.size() - 1 - k]).segment(model::index::phi(0), balls);
-    if (turned.cwiseAbs().maxCoeff() > most_turns * two_pi) break;
-    if (!returns.empty() && time > longest_multiple * returns.front().time) break;
-    if (lowest >= record) continue;
-    returns.push_back({time, std::sqrt(lowest)});
-    record = 0.25 * lowest;
+  for (std::size_t k = 1; k < squares.size() && static_cast<int>(returns.size()) < most; ++k) {
+    const auto now =
+        strobed ? Return{static_cast<double>(k) * spacing, squares[k]} : closest_around(squares, k, spacing);
+    if (!now) continue;
+    const Eigen::VectorXd& then = samples[samples.size() - 1 - k];
+    const double turned = strobed ? std::fabs(system.speed()) * now->time
+                                  : (last - then).segment(model::index::phi(0), system.balls()).cwiseAbs().maxCoeff();
+    if (turned > most_turns * two_pi) break;
+    if (!strobed && !returns.empty() && now->time > longest_multiple * returns.front().time) break;
+    const bool one_strobe = strobed && k == 1 && now->distance < reach * reach;
+    if (!one_strobe && now->distance >= record) continue;
+    returns.push_back({now->time, std::sqrt(now->distance)});
+    record = std::min(record, 0.25 * now->distance);
   }
   return returns;
 }
 
-std::optional<OrbitGuess> shoot(const model::Parameters& p, double speed, const Eigen::VectorXd& state, double time,
-                                const StateDifference& difference, double reach) {
-  constexpr double tolerance = 1e-9, converged = 1e-4;
-  constexpr int most_steps_taken = 10;
-  constexpr double least_progress = 0.9;
-  const Eigen::Index size = state.size();
-  OrbitGuess guess{state, time};
-  double previous = reach;
-  for (int step = 0; step < most_steps_taken; ++step) {
-    const auto flight = follow_derivative(p, speed, guess.state, guess.period, tolerance);
-    if (!flight) return std::nullopt;
-    Eigen::VectorXd right = Eigen::VectorXd::Zero(size + 1);
-    right.head(size) = guess.state - flight->end;
-    for (int i = 0; i < p.balls; ++i) right[model::index::phi(i)] = wrapped(right[model::index::phi(i)]);
-    // (M - 1) d + z' dT = -miss, and d has no part along the motion, which a shift in time would undo.
-    Eigen::MatrixXd matrix = Eigen::MatrixXd::Zero(size + 1, size + 1);
-    matrix.topLeftCorner(size, size) = flight->tangents - Eigen::MatrixXd::Identity(size, size);
-    matrix.topRightCorner(size, 1) = model::derivative(p, speed, flight->end.data());
-    matrix.bottomLeftCorner(1, size) = model::derivative(p, speed, guess.state.data()).transpose();
-    const Eigen::VectorXd change = matrix.partialPivLu().solve(right);
-    const double length = difference.length(change.head(size));
-    if (!(length <= (step == 0 ? reach : least_progress * previous))) return std::nullopt;
-    guess.state += change.head(size);
-    guess.period += change[size];
-    // A period that halves or doubles belongs to another orbit.
-    if (!(guess.period > 0.5 * time && guess.period < 2.0 * time)) return std::nullopt;
-    if (difference.distance(guess.state, state) > 2.0 * reach) return std::nullopt;
-    if (length < converged) return guess;
-    previous = length;
+OrbitCurve::OrbitCurve(const model::System& system, const PeriodicOrbit& orbit) : difference_(system) {
+  if (orbit.imposed) {
+    states_ = orbit.nodes;
+    return;
   }
-  return std::nullopt;
-}
-
-OrbitCurve::OrbitCurve(const model::Parameters& p, double speed, const PeriodicOrbit& orbit) : difference_(p, speed) {
-  const double fastest = std::max(1.0, std::fabs(speed));
+  const double fastest = std::max(1.0, std::fabs(system.speed()));
   const int count = static_cast<int>(
       std::clamp(std::ceil(orbit.period * fastest / radians_per_step), 64.0, static_cast<double>(most_steps)));
   step_ = orbit.period / count;
-  states_ = sample_orbit(p, speed, orbit, count);
+  states_ = sample_orbit(system, orbit, count);
   states_.push_back(states_.front());
-  for (int i = 0; i < p.balls; ++i) states_.back()[model::index::phi(i)] += two_pi * orbit.winding[i];
-  for (const Eigen::VectorXd& state : states_) rates_.push_back(model::derivative(p, speed, state.data()));
+  const auto angles = system.angles();
+  for (std::size_t i = 0; i < angles.size(); ++i) states_.back()[angles[i].place] += angles[i].turn * orbit.winding[i];
+  for (const Eigen::VectorXd& state : states_) rates_.push_back(model::rate(system, state));
 }
 
 double OrbitCurve::distance(const Eigen::VectorXd& state) const {
-  const std::size_t last = states_.size() - 1;
+  const std::size_t count = rates_.empty() ? states_.size() : states_.size() - 1;
   std::size_t nearest = 0;
   double least = std::numeric_limits<double>::infinity();
-  for (std::size_t k = 0; k < last; ++k) {
+  for (std::size_t k = 0; k < count; ++k) {
     const double d = difference_.distance(states_[k], state);
     if (d < least) {
       least = d;
       nearest = k;
     }
   }
-  const auto on_arc = [&](std::size_t k, double s) {
+  if (rates_.empty()) return least;
+  for (const std::size_t k : {nearest, (nearest + count - 1) % count})  // the arcs that meet there
+    least = std::min(least, distance_on_arc(k, state));
+  return least;
+}
+
+double OrbitCurve::distance_on_arc(std::size_t k, const Eigen::VectorXd& state) const {
+  const auto at = [&](double s) {
     const double r = 1.0 - s;
     const Eigen::VectorXd point = r * r * (1.0 + 2.0 * s) * states_[k] + s * s * (3.0 - 2.0 * s) * states_[k + 1] +
                                   step_ * s * r * (r * rates_[k] - s * rates_[k + 1]);
     return difference_.distance(point, state);
   };
-  for (const std::size_t k : {nearest, (nearest + last - 1) % last}) {  // the arcs that meet there
-    double low = 0.0, high = 1.0;
-    for (int round = 0; round < 40; ++round) {  // thirds: the distance has one minimum on so short an arc
-      const double a = low + (high - low) / 3.0, b = high - (high - low) / 3.0;
-      if (on_arc(k, a) < on_arc(k, b))
-        high = b;
-      else
-        low = a;
-    }
-    least = std::min(least, on_arc(k, 0.5 * (low + high)));
+  double low = 0.0, high = 1.0;
+  for (int round = 0; round < 40; ++round) {  // thirds: the distance has one minimum on so short an arc
+    const double a = low + (high - low) / 3.0, b = high - (high - low) / 3.0;
+    if (at(a) < at(b))
+      high = b;
+    else
+      low = a;
   }
-  return least;
+  return at(0.5 * (low + high));
 }
 
 }  // namespace equipoise

@@ -10,7 +10,7 @@
 #include "equipoise/attractors/motion.hpp"
 #include "equipoise/attractors/recurrence.hpp"
 #include "equipoise/integrate/status.hpp"
-#include "equipoise/model/parameters.hpp"
+#include "equipoise/model/system.hpp"
 
 namespace equipoise {
 
@@ -21,8 +21,8 @@ struct KnownOrbit {
   std::shared_ptr<const Motion> motion;  ///< its description, if there is one already
 };
 
-KnownOrbit known_orbit(const model::Parameters& p, double speed, const PeriodicOrbit& orbit);
-KnownOrbit known_orbit(const model::Parameters& p, double speed, const Motion& motion);
+KnownOrbit known_orbit(const model::System& system, const PeriodicOrbit& orbit);
+KnownOrbit known_orbit(const model::System& system, const Motion& motion);
 
 struct Settling {
   std::optional<Motion> motion;                        ///< empty if the trajectory did not become steady
@@ -34,7 +34,7 @@ struct Settling {
 
 /// What motion_from() does and answers, with more detail. `known`: orbits of this very system; a trajectory that
 /// approaches one of them is not searched for others. The same tests decide in both cases.
-Settling settle(const model::Parameters& p, double speed, const Eigen::VectorXd& state, double patience,
+Settling settle(const model::System& system, const Eigen::VectorXd& state, double patience,
                 const std::vector<KnownOrbit>& known = {});
 
 }  // namespace equipoise

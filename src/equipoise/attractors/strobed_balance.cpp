@@ -9,7 +9,6 @@
 #include <fmt/format.h>
 
 #include "equipoise/attractors/motion_description.hpp"
-#include "equipoise/attractors/strobed_motion.hpp"
 #include "equipoise/attractors/stroboscopic.hpp"
 #include "equipoise/base/angles.hpp"
 #include "equipoise/model/balanced_state.hpp"
@@ -45,12 +44,12 @@ StrobedBalance analyse_strobed_balance(const model::Parameters& p, double speed)
   double slowest = -std::numeric_limits<double>::infinity(), fastest_growth = 0.0;
   bool lost = false;
   for (const auto& phi : angles) {
-    const auto orbit = balanced_orbit(p, speed, phi.data());
+    const auto orbit = balanced_orbit({p, speed}, phi.data());
     if (!orbit) {
       lost = true;
       continue;
     }
-    result.motions.push_back(describe_strobed(p, speed, *orbit));
+    result.motions.push_back(describe_orbit({p, speed}, *orbit));
     Motion& motion = result.motions.back();
     motion.balanced = true;  // it was followed from there
     if (analysis.states.kind == Kind::family) continue;

@@ -73,7 +73,7 @@ std::optional<StrobedTrap> strobed_trap(const model::Parameters& p, double speed
   trap.cells = cells_a_strobe;
   const double strobe = model::strobe_period(p, speed), h = strobe / trap.cells;
   const double step_angle = model::strobe_angle(p) / trap.cells * (speed < 0.0 ? -1.0 : 1.0);
-  const VectorXd unit = state_scale(p);
+  const VectorXd unit = model::state_scale(p);
   std::vector<MatrixXd> arcs;
   for (const VectorXd& node : motion.orbit.nodes) {
     VectorXd z = node;
@@ -81,7 +81,7 @@ std::optional<StrobedTrap> strobed_trap(const model::Parameters& p, double speed
       const double psi = step_angle * k;
       trap.states.push_back(z);
       trap.rates.push_back(model::derivative(p, speed, z.data(), psi));
-      auto arc = follow_derivative(p, speed, z, h, tolerance, psi);
+      auto arc = follow_derivative({p, speed}, z, h, tolerance, psi);
       if (!arc) return std::nullopt;
       arcs.push_back(unit.cwiseInverse().asDiagonal() * arc->tangents * unit.asDiagonal());
       z = std::move(arc->end);
@@ -121,7 +121,7 @@ double strobed_value(const model::Parameters& p, double speed, const StrobedTrap
   const int cell = std::min(static_cast<int>(place), trap.cells - 1);
   const double s = place - cell, r = 1.0 - s;
   const double h = model::strobe_period(p, speed) / trap.cells;
-  const VectorXd unit = state_scale(p);
+  const VectorXd unit = model::state_scale(p);
   double least = std::numeric_limits<double>::infinity();
   for (int k = 0; k < trap.strobes; ++k) {
     const std::size_t j = static_cast<std::size_t>(k * trap.cells + cell);
@@ -143,7 +143,7 @@ VectorXd strobed_trap_state(const model::Parameters& p, const StrobedTrap& trap,
   const std::size_t j = static_cast<std::size_t>(row);
   const Eigen::LLT<MatrixXd> factor(trap.forms[j]);
   const VectorXd d = std::sqrt(level) * factor.matrixU().solve(direction);
-  return trap.states[j] + state_scale(p).cwiseProduct(d);
+  return trap.states[j] + model::state_scale(p).cwiseProduct(d);
 }
 
 StrobedFamilyTest strobed_family_test(const model::Parameters& p, double speed, ContinuumTrap trap) {
@@ -158,7 +158,7 @@ StrobedFamilyTest strobed_family_test(const model::Parameters& p, double speed, 
     for (int i = 0; i < 4; ++i) away = std::max(away, std::fabs(state[i]));
     if (!(std::max(away, std::hypot(x, y)) < trap.reach)) return false;
     const Index size = model::dimension(n);
-    const auto at_strobe = at_next_strobe(p, speed, Eigen::Map<const VectorXd>(state, size), psi);
+    const auto at_strobe = at_next_strobe({p, speed}, Eigen::Map<const VectorXd>(state, size), psi);
     return at_strobe && trap.holds(*at_strobe);
   };
 }

@@ -3,11 +3,13 @@
 #pragma once
 
 #include <optional>
+#include <vector>
 
 #include <Eigen/Dense>
 
 #include "equipoise/model/machine.hpp"
 #include "equipoise/model/parameters.hpp"
+#include "equipoise/model/system.hpp"
 
 namespace equipoise::model {
 
@@ -17,11 +19,11 @@ class FreeMachine {
  public:
   FreeMachine(const Parameters& p, const DrivePiece& last);
 
-  int size() const { return size_; }
-  bool driven() const { return piece_.driven(); }
+  int size() const { return static_cast<int>(kept_.size()); }
+  bool driven() const { return !system_.prescribed(); }
   /// The place of psi' in the state; -1 if it is prescribed.
-  int speed_place() const { return driven() ? dimension(p_.balls) : -1; }
-  const Parameters& parameters() const { return p_; }
+  int speed_place() const { return driven() ? dimension(parameters().balls) : -1; }
+  const Parameters& parameters() const { return system_.parameters(); }
 
   /// From the state of machine.hpp.
   Eigen::VectorXd reduced(const double* z) const;
@@ -42,9 +44,11 @@ class FreeMachine {
   Eigen::VectorXd balanced_state(const double* phi, double speed) const;
 
  private:
-  Parameters p_;
-  DrivePiece piece_;
-  int size_;
+  const DrivePiece& drive() const { return system_.drive(); }
+  Eigen::VectorXd at_angle(const Eigen::VectorXd& y, double psi) const;
+
+  System system_;
+  std::vector<int> kept_;  // places in the system's state, psi left out
 };
 
 }  // namespace equipoise::model

@@ -4,6 +4,7 @@
 #include "equipoise/base/dual.hpp"
 #include "equipoise/model/ball_count.hpp"
 #include "equipoise/model/flow-inl.hpp"
+#include "equipoise/model/smooth_flow-inl.hpp"
 #include "equipoise/model/strobe.hpp"
 
 namespace equipoise::model {
@@ -45,6 +46,35 @@ Eigen::VectorXd derivative(const Parameters& p, double speed, const double* z, d
     Eigen::VectorXd rate(dimension(n));
     flow(0.0, z, rate.data());
     return rate;
+  });
+}
+
+Eigen::VectorXd rate(const System& system, const Eigen::VectorXd& y, double psi) {
+  if (system.plain()) return derivative(system.parameters(), system.speed(), y.data(), psi);
+  return with_ball_count(system.balls(), [&](auto n) -> Eigen::VectorXd {
+    using Flow = kernels::SmoothFlow<double, n>;
+    double z[Flow::dimension] = {}, dz[Flow::dimension];
+    for (int i = 0; i < system.dimension(); ++i) z[i] = y[i];
+    Flow(system, psi)(0.0, z, dz);
+    return Eigen::Map<Eigen::VectorXd>(dz, system.dimension());
+  });
+}
+
+Eigen::MatrixXd jacobian(const System& system, const Eigen::VectorXd& y, double psi) {
+  if (system.plain() && system.autonomous()) return jacobian(system.parameters(), system.speed(), y.data());
+  return with_ball_count(system.balls(), [&](auto n) -> Eigen::MatrixXd {
+    constexpr int most = kernels::SmoothFlow<double, n>::dimension;
+    Dual<most> z[most], dz[most];
+    const int size = system.dimension();
+    for (int i = 0; i < size; ++i) {
+      z[i] = y[i];
+      z[i].slope[i] = 1.0;
+    }
+    kernels::SmoothFlow<Dual<most>, n>(system, psi)(Dual<most>(0.0), z, dz);
+    Eigen::MatrixXd result(size, size);
+    for (int i = 0; i < size; ++i)
+      for (int column = 0; column < size; ++column) result(i, column) = dz[i].slope[column];
+    return result;
   });
 }
 

@@ -4,6 +4,7 @@
 #include <Eigen/Dense>
 
 #include "equipoise/model/parameters.hpp"
+#include "equipoise/model/system.hpp"
 
 namespace equipoise::model {
 
@@ -13,6 +14,11 @@ Eigen::MatrixXd jacobian(const Parameters& p, double speed, const double* z);
 
 /// dz/dt of the same equations; with anisotropic supports or gravity where the rotor's angle is `psi`.
 Eigen::VectorXd derivative(const Parameters& p, double speed, const double* z, double psi = 0.0);
+
+/// dy/dt of a smooth system at state `y`, and its exact derivative with respect to y. `psi`: the rotor's angle on
+/// section strobe, where it is no part of the state.
+Eigen::VectorXd rate(const System& system, const Eigen::VectorXd& y, double psi = 0.0);
+Eigen::MatrixXd jacobian(const System& system, const Eigen::VectorXd& y, double psi = 0.0);
 
 /// State with the balls at rest at `phi` and the rotor centred.
 Eigen::VectorXd centred_state(const Parameters& p, const double* phi);

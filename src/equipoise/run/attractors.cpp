@@ -6,7 +6,7 @@
 namespace equipoise {
 
 AttractorsResult attractors(const Study& study, const BasinOptions& options) {
-  check_prescribed(study, "attractors");
+  check_offers(study, model::Answer::attractors);
   AttractorsResult result;
   result.basin = basin(study, options, &result.catalogue);
   return result;

@@ -71,9 +71,9 @@ BranchEvent stability_change(const BranchFollower& follower, const BranchPoint& 
 // The periodic motion is about to end in an equilibrium: all of it is near one.
 bool has_shrunk(const LineSystem& system, const Motion& motion) {
   constexpr double near = 0.2;  // in natural sizes
-  const auto centre = refine_equilibrium(system.parameters, system.speed, motion.state);
+  const auto centre = refine_equilibrium({system.parameters, system.speed}, motion.state);
   if (!centre) return false;
-  const StateDifference difference(system.parameters, system.speed);
+  const StateDifference difference({system.parameters, system.speed});
   return std::all_of(motion.orbit.nodes.begin(), motion.orbit.nodes.end(),
                      [&](const Eigen::VectorXd& node) { return difference.distance(node, centre->state) < near; });
 }
@@ -101,9 +101,9 @@ BranchEvent kind_change(const BranchFollower& follower, const BranchPoint& low, 
   while (event.high - event.low > coarse * follower.line().step() * (1.0 + 1e-9) && !follower.stopped()) {
     const double middle = 0.5 * (event.low + event.high);
     const LineSystem system = follower.line().system_at(middle);
-    auto found = motion_from(system.parameters, system.speed, below.state);
+    auto found = motion_from({system.parameters, system.speed}, below.state);
     if (!found || !found->stable || !resembles(system.parameters, below, *found))
-      found = motion_from(system.parameters, system.speed, above.state);
+      found = motion_from({system.parameters, system.speed}, above.state);
     if (!found || !found->stable || !resembles(system.parameters, below, *found)) break;
     const bool like_below = found->kind == below.kind;
     (like_below ? event.low : event.high) = middle;

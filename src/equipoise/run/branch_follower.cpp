@@ -23,13 +23,13 @@ constexpr double centred = 1e-9;  // r of balanced states
 
 std::optional<Motion> refined(const LineSystem& system, const Motion& guess) {
   if (guess.kind == MotionKind::equilibrium) {
-    const auto found = refine_equilibrium(system.parameters, system.speed, guess.state);
+    const auto found = refine_equilibrium({system.parameters, system.speed}, guess.state);
     if (!found) return std::nullopt;
-    return describe_equilibrium(system.parameters, system.speed, *found);
+    return describe_equilibrium({system.parameters, system.speed}, *found);
   }
-  const auto found = refine_orbit(system.parameters, system.speed, guess.orbit.nodes, guess.orbit.period);
+  const auto found = refine_orbit({system.parameters, system.speed}, guess.orbit.nodes, guess.orbit.period);
   if (!found) return std::nullopt;
-  return describe_orbit(system.parameters, system.speed, *found);
+  return describe_orbit({system.parameters, system.speed}, *found);
 }
 
 // What no smooth change of a motion alters.
@@ -40,7 +40,7 @@ bool same_signature(const Motion& a, const Motion& b) {
 }
 
 double change(const LineSystem& system, const Motion& a, const Motion& b) {
-  const StateDifference difference(system.parameters, system.speed);
+  const StateDifference difference({system.parameters, system.speed});
   if (a.kind == MotionKind::equilibrium) return difference.distance(a.state, b.state);
   if (a.orbit.nodes.size() != b.orbit.nodes.size()) return 2.0 * largest_change;
   double farthest = 0.0;
@@ -88,7 +88,7 @@ Advance BranchFollower::advance(const Motion& motion, double from, double to) co
   if (result.arrived || !result.motion.stable || motion.kind == MotionKind::equilibrium || stopped()) return result;
   // A periodic motion locked within a torus ends where the torus goes on.
   const LineSystem system = line_.system_at(to);
-  auto next = motion_from(system.parameters, system.speed, result.motion.state);
+  auto next = motion_from({system.parameters, system.speed}, result.motion.state);
   if (next && next->stable && is_restless(*next) && resembles(system.parameters, motion, *next))
     return {to, std::move(*next), true, to, {}};
   return result;
@@ -137,7 +137,7 @@ Advance BranchFollower::advance_refined(const Motion& motion, double from, doubl
 // The motion that a trajectory from a restless one comes to, if it resembles that; `stranger` gets what does not.
 std::optional<Motion> BranchFollower::settled(const Motion& from, double value, std::optional<Motion>& stranger) const {
   const LineSystem system = line_.system_at(value);
-  auto found = motion_from(system.parameters, system.speed, from.state);
+  auto found = motion_from({system.parameters, system.speed}, from.state);
   if (found && found->stable && resembles(system.parameters, from, *found)) return found;
   stranger = std::move(found);
   return std::nullopt;

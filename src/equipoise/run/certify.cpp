@@ -37,7 +37,7 @@ StateProof prove(const model::Parameters& p, double speed, const BalancedTrap& t
 }  // namespace
 
 CertifyResult certify(const Study& study) {
-  check_autonomous(study, "proofs");
+  check_offers(study, model::Answer::proofs);
   const model::Parameters& p = study.parameters;
   CertifyResult result;
   result.study = study;

@@ -229,7 +229,7 @@ class Continuation {
     in_parallel(leads.size(), [&](std::size_t i) {
       Lead& lead = leads[i];
       const LineSystem& system = systems_[lead.at];
-      if (!follower_.stopped()) lead.motion = motion_from(system.parameters, system.speed, lead.state);
+      if (!follower_.stopped()) lead.motion = motion_from({system.parameters, system.speed}, lead.state);
     });
     for (Lead& lead : leads)
       if (lead.motion && lead.motion->stable) found_[lead.at].push_back(std::move(*lead.motion));

@@ -19,7 +19,6 @@
 #include "equipoise/attractors/motion_description.hpp"
 #include "equipoise/attractors/pilot.hpp"
 #include "equipoise/attractors/strobed_balance.hpp"
-#include "equipoise/attractors/strobed_motion.hpp"
 #include "equipoise/attractors/strobed_trap.hpp"
 #include "equipoise/attractors/stroboscopic.hpp"
 #include "equipoise/attractors/window_features.hpp"
@@ -162,23 +161,23 @@ class Discoverer {
     if (states.kind == Kind::isolated) {
       for (const auto& phi : states.angles) {  // unequal balls: each state is an attractor of its own
         centre = model::centred_state(p, phi.data());
-        if (const auto refined = refine_equilibrium(p, speed_, centre))
-          result_.catalogue.add(p, describe_equilibrium(p, speed_, *refined));
+        if (const auto refined = refine_equilibrium({p, speed_}, centre))
+          result_.catalogue.add(p, describe_equilibrium({p, speed_}, *refined));
         if (p.balls == 2 && states.angles.size() == 2) break;  // mirror images are one motion
       }
       return;
     }
     // Of a continuum one state stands for all, an attracting one if there are any.
     centre = model::centred_state(p, result_.balanced.survey.typical.data());
-    if (const auto refined = refine_equilibrium(p, speed_, centre))
-      result_.catalogue.add(p, describe_equilibrium(p, speed_, *refined), continuum());
+    if (const auto refined = refine_equilibrium({p, speed_}, centre))
+      result_.catalogue.add(p, describe_equilibrium({p, speed_}, *refined), continuum());
   }
 
   // Under gravity one of the motions that the continuum's trap leads to stands for all.
   void list_creep(const ContinuumTrap& trap) {
     const auto m = trap.continuum->member(result_.balanced.survey.typical.data());
     if (m)
-      result_.catalogue.add(study_.parameters, describe_creep(study_.parameters, speed_, m->centre, m->rate),
+      result_.catalogue.add(study_.parameters, describe_creep({study_.parameters, speed_}, m->centre, m->rate),
                             continuum());
   }
 
@@ -272,7 +271,7 @@ class Discoverer {
     const Eigen::Map<const Eigen::VectorXd> state(&pilot_.states[i * size], size);
     if (!strobed_) return state;
     const auto strobed =
-        at_next_strobe(study_.parameters, speed_, state, source_.last_segment().psi_at(pilot_.fates[i].time));
+        at_next_strobe({study_.parameters, speed_}, state, source_.last_segment().psi_at(pilot_.fates[i].time));
     return strobed.value_or(state);
   }
 
@@ -313,7 +312,7 @@ class Discoverer {
       tbb::parallel_for(
           std::size_t{0}, candidates_.size(),
           [&](std::size_t k) {
-            if (!is_stopped()) candidates_[k].motion = motion_from(study_.parameters, speed_, candidates_[k].state);
+            if (!is_stopped()) candidates_[k].motion = motion_from({study_.parameters, speed_}, candidates_[k].state);
           },
           tbb::simple_partitioner());
     });

@@ -99,14 +99,14 @@ Observation observe_from(const Study& study, const StartSource& source, const Ob
 }  // namespace
 
 Observation observe(const Study& study, const ObservationSettings& settings) {
-  check_autonomous(study, "observed displacements");
+  check_offers(study, model::Answer::displacements);
   check_settings(study, settings);
   return observe_from(study, StartSource(study, settings.stop), settings);
 }
 
 Observation observe(const Study& study, const std::vector<model::Segment>& segments,
                     const ObservationSettings& settings) {
-  check_autonomous(study, "observed displacements");
+  check_offers(study, model::Answer::displacements);
   check_settings(study, settings);
   return observe_from(study, StartSource(study, segments, settings.stop), settings);
 }

@@ -80,7 +80,7 @@ std::optional<Eigen::VectorXd> state_on(const std::string& alias, const model::P
     if (alias == "V1") phi[1] = phi[0];
     if (alias == "V4" && index == 0) phi[0] = 5.54933, phi[1] = 5.46019;
     for (int i = 0; i < 2; ++i) state[model::index::phi(i)] = phi[i];
-    const auto motion = motion_from(p, speed, state);
+    const auto motion = motion_from({p, speed}, state);
     if (motion && motion->stable && motion_name(p, *motion).alias == alias) return motion->state;
   }
   return {};

@@ -41,7 +41,7 @@ ParameterLine::ParameterLine(const Study& study, const std::string& text) : stud
   for (const double value : values_) {
     try {
       const Study there = study_at(value);
-      check_autonomous(there, "branches along a parameter");
+      check_offers(there, model::Answer::branches);
       if (there.speed_profile().final_speed() == 0.0)
         throw InputError(option, key_, fmt::format("{}", value), "nothing turns; the final speed must not be 0");
     } catch (const InputError& e) {

@@ -117,7 +117,7 @@ class Mapper {
         throw InputError("map", "links", fmt::format("phi_{} = phi_{} + {}", link.ball, link.of, link.offset),
                          fmt::format("must name two different balls from 1 to {}", map_.study.parameters.balls));
     for (const int column : {0, map_.x.pixels - 1})
-      for (const int row : {0, map_.y.pixels - 1}) check_autonomous(study_at(column, row), "maps");
+      for (const int row : {0, map_.y.pixels - 1}) check_offers(study_at(column, row), model::Answer::maps);
   }
 
   void prepare() {
@@ -170,7 +170,7 @@ class Mapper {
       return pixel;
     }
     const Eigen::VectorXd state = Eigen::Map<const Eigen::VectorXd>(states.data(), model::dimension(p.balls));
-    const Settling settling = settle(p, speed, state, *study.numerics.horizon, known);
+    const Settling settling = settle({p, speed}, state, *study.numerics.horizon, known);
     if (one_system_) remember(p, speed, settling, known);
     pixel.time = source.settled() + settling.time;
     pixel.code = settling.status == IntegrationStatus::diverged ? diverged_code
@@ -188,7 +188,7 @@ class Mapper {
   static void remember(const model::Parameters& p, double speed, const Settling& settling,
                        std::vector<KnownOrbit>& known) {
     if (!settling.motion || settling.motion->kind != MotionKind::periodic || settling.known) return;
-    known.insert(known.begin(), known_orbit(p, speed, *settling.motion));
+    known.insert(known.begin(), known_orbit({p, speed}, *settling.motion));
     if (known.size() > most_known) known.pop_back();
   }
 

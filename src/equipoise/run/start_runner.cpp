@@ -33,8 +33,9 @@ void check_decidable(const Study& study) {
   // Beyond any machine; the integrator's steps shrink with the turns to be made.
   constexpr double fastest = 1e4;
   if (std::fabs(speed) > fastest)
-    throw InputError(study.name, final_speed_key(study), fmt::format("{:.6g}", speed),
-                     fmt::format("basin and attractors take final speeds from -{0:g} to {0:g} critical speeds", fastest));
+    throw InputError(
+        study.name, final_speed_key(study), fmt::format("{:.6g}", speed),
+        fmt::format("basin and attractors take final speeds from -{0:g} to {0:g} critical speeds", fastest));
   if (!model::is_strobed(study.parameters)) return;
   if (speed == 0.0)
     throw InputError(study.name, final_speed_key(study), "0",
@@ -45,33 +46,31 @@ void check_decidable(const Study& study) {
                      "with anisotropic supports or gravity there are no proofs: use \"validated\" or \"horizon\"");
 }
 
-void check_prescribed(const Study& study, const char* asked) {
+void check_offers(const Study& study, model::Answer answer) {
+  using model::Need;
   check(study);
-  if (!study.needs_machine()) return;
   const model::Parameters& p = study.parameters;
-  const auto reject = [&](const char* key, const std::string& value, const char* needed) {
-    throw InputError(study.name, key, value, fmt::format("{} need {} (simulate and basin take any)", asked, needed));
+  const auto lack = model::lacking(model::System(p, study.drive().pieces.back()), answer);
+  if (!lack) return;
+  const auto reject = [&](const char* key, const std::string& value) {
+    throw InputError(study.name, key, value, lack->reason);
   };
-  if (study.speed.driven()) reject("speed.profile", "torque", "a prescribed speed");
-  if (p.balls_collide())
-    reject("balancer.contact_angle", fmt::format("{}", p.contact_angle), "balls that pass each other, 0");
-  if (p.balls_stick())
-    reject("balancer.rolling", fmt::format("{}", p.rolling[0]), "balls without rolling resistance or stiction, 0");
-  reject("balancer.race_offset", fmt::format("[{}, {}]", p.race_offset[0], p.race_offset[1]), "a centred race, [0, 0]");
-}
-
-void check_autonomous(const Study& study, const char* asked) {
-  check_prescribed(study, asked);
-  const model::Parameters& p = study.parameters;
-  if (!p.isotropic()) {
-    const bool stiffness = p.stiffness[0] != p.stiffness[1];
-    const auto& v = stiffness ? p.stiffness : p.damping;
-    throw InputError(study.name, stiffness ? "rotor.stiffness" : "rotor.damping", fmt::format("[{}, {}]", v[0], v[1]),
-                     fmt::format("{} need equal values in x and y (simulate, basin and attractors take both)", asked));
+  const auto pair = [](const std::array<double, 2>& v) { return fmt::format("[{}, {}]", v[0], v[1]); };
+  const bool stiffness = p.stiffness[0] != p.stiffness[1];
+  switch (lack->need) {
+    case Need::prescribed_speed:
+      return reject("speed.profile", "torque");
+    case Need::passing_balls:
+      return reject("balancer.contact_angle", fmt::format("{}", p.contact_angle));
+    case Need::sliding_balls:
+      return reject("balancer.rolling", fmt::format("{}", p.rolling[0]));
+    case Need::centred_race:
+      return reject("balancer.race_offset", pair(p.race_offset));
+    case Need::equal_supports:
+      return reject(stiffness ? "rotor.stiffness" : "rotor.damping", pair(stiffness ? p.stiffness : p.damping));
+    case Need::no_gravity:
+      return reject("rotor.gravity", fmt::format("{}", p.gravity));
   }
-  if (p.gravity != 0.0)
-    throw InputError(study.name, "rotor.gravity", fmt::format("{}", p.gravity),
-                     fmt::format("{} need gravity 0 (simulate, basin and attractors take any)", asked));
 }
 
 StartRunner::StartRunner(const Study& study, const DiscoverySettings& settings, bool transients)
@@ -150,7 +149,8 @@ std::vector<UndecidedEnd> StartRunner::look_at(const std::vector<std::uint64_t>&
   if (!decide_lanes(task_from(all, count), discovery_.rule, decided, nullptr)) return {};
   std::vector<UndecidedEnd> ends;
   for (std::size_t i = 0; i < count; ++i) {
-    const std::vector<double> z = when_recognised({all.data() + i * size, all.data() + (i + 1) * size}, decided[i].time);
+    const std::vector<double> z =
+        when_recognised({all.data() + i * size, all.data() + (i + 1) * size}, decided[i].time);
     ends.push_back(look_at_undecided(study_.parameters, source_.last_segment().speed,
                                      Eigen::Map<const Eigen::VectorXd>(z.data(), static_cast<Eigen::Index>(size))));
   }
@@ -163,13 +163,13 @@ std::vector<double> StartRunner::when_recognised(const std::vector<double>& stat
   if (!model::is_strobed(study_.parameters)) return state;
   const model::Segment& segment = source_.last_segment();
   const Eigen::Map<const Eigen::VectorXd> z(state.data(), static_cast<Eigen::Index>(state.size()));
-  const auto at_strobe = at_next_strobe(study_.parameters, segment.speed, z, segment.psi_at(now));
+  const auto at_strobe = at_next_strobe({study_.parameters, segment.speed}, z, segment.psi_at(now));
   return at_strobe ? std::vector<double>(at_strobe->begin(), at_strobe->end()) : state;
 }
 
 UnlistedStart StartRunner::follow(const std::vector<double>& state) const {
   const Eigen::Map<const Eigen::VectorXd> z(state.data(), static_cast<Eigen::Index>(state.size()));
-  return {0, state, motion_from(study_.parameters, study_.speed_profile().final_speed(), z)};
+  return {0, state, motion_from({study_.parameters, study_.speed_profile().final_speed()}, z)};
 }
 
 int StartRunner::list(const UnlistedStart& start) {

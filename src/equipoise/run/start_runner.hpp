@@ -7,6 +7,7 @@
 #include "equipoise/attractors/fate.hpp"
 #include "equipoise/base/error.hpp"
 #include "equipoise/ensemble/transient_table.hpp"
+#include "equipoise/model/capability.hpp"
 #include "equipoise/run/discovery.hpp"
 #include "equipoise/run/runner.hpp"
 #include "equipoise/run/start_source.hpp"
@@ -17,12 +18,8 @@ namespace equipoise {
 /// Throws InputError for invalid studies and those whose starts cannot be decided: anisotropic supports or gravity on a
 /// rotor that comes to rest, or with decisions by proof.
 void check_decidable(const Study& study);
-/// Throws InputError for invalid studies and machines: what `asked` ("attractors") answers for rotors that turn as
-/// prescribed only.
-void check_prescribed(const Study& study, const char* asked);
-/// The same, and for anisotropic supports and gravity altogether: what `asked` ("maps") answers for equations that do
-/// not depend on the rotor's angle only.
-void check_autonomous(const Study& study, const char* asked);
+/// Throws InputError for invalid studies, and those whose system lacks what the answer needs (model/capability.hpp).
+void check_offers(const Study& study, model::Answer answer);
 
 /// Everything about a study that all its starts share.
 class StartRunner : public Runner {
@@ -38,9 +35,7 @@ class StartRunner : public Runner {
   std::vector<UndecidedEnd> look_at(const std::vector<std::uint64_t>& undecided) const override;
 
   const Catalogue& catalogue() const override { return discovery_.catalogue; }
-  BalanceNote balance() const override {
-    return {discovery_.balanced.stable, discovery_.balanced.note};
-  }
+  BalanceNote balance() const override { return {discovery_.balanced.stable, discovery_.balanced.note}; }
   double settled() const override { return source_.settled(); }
   bool stopped() const override { return discovery_.stopped; }
 

@@ -9,10 +9,8 @@
 #include <fmt/ranges.h>
 
 #include "equipoise/attractors/orbit.hpp"
-#include "equipoise/attractors/stroboscopic.hpp"
 #include "equipoise/base/angles.hpp"
 #include "equipoise/model/linearisation.hpp"
-#include "equipoise/model/strobe.hpp"
 
 namespace equipoise {
 
@@ -42,10 +40,7 @@ bool is_near_balance(const model::Parameters& p, double speed, const Eigen::Vect
 }
 
 double largest_exponent(const model::Parameters& p, double speed, const Eigen::VectorXd& state) {
-  const std::vector<double> exponents =
-      model::is_strobed(p)
-          ? strobed_exponents(p, speed, state, std::lround(exponent_time / model::strobe_period(p, speed)))
-          : lyapunov_exponents(p, speed, state, exponent_time, 1);
+  const std::vector<double> exponents = lyapunov_exponents({p, speed}, state, exponent_time, 1);
   return exponents.empty() ? 0.0 : exponents.front();
 }
 

@@ -1,0 +1,236 @@
+// Systems: sections, states and symmetries; the rates of the general equations against those of the plain ones; flows
+// and their derivatives against simulate() and against differences of whole trajectories.
+#include <cmath>
+#include <string>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include <Eigen/Dense>
+
+#include "equipoise/attractors/variational.hpp"
+#include "equipoise/base/angles.hpp"
+#include "equipoise/model/capability.hpp"
+#include "equipoise/model/free_machine.hpp"
+#include "equipoise/model/linearisation.hpp"
+#include "equipoise/model/smooth_flow-inl.hpp"
+#include "equipoise/model/system.hpp"
+#include "equipoise/run/simulate.hpp"
+#include "equipoise/study/study.hpp"
+
+namespace equipoise {
+namespace {
+
+using Eigen::MatrixXd;
+using Eigen::VectorXd;
+using model::Section;
+using model::System;
+
+model::Parameters rotor(int balls, bool level = true, bool centred = true) {
+  model::Parameters p;
+  p.balls = balls;
+  p.inertia = 0.3;
+  for (int i = 0; i < balls; ++i) {
+    p.mass[i] = 0.03 + 0.005 * i;
+    p.drag[i] = 0.1 + 0.02 * i;
+  }
+  if (!level) {
+    p.gravity = 0.02;
+    p.stiffness = {1.0, 1.2};
+    p.damping = {0.4, 0.5};
+  }
+  if (!centred) p.race_offset = {0.01, -0.02};
+  return p;
+}
+
+// A speed control that aims at 2.2.
+model::DrivePiece motor(double integral) {
+  model::DrivePiece piece;
+  piece.prescribed = false;
+  piece.motor.slope = -0.8;
+  piece.motor.constant = 0.8 * 2.2;
+  piece.motor.integral = integral;
+  piece.motor.aim = 2.2;
+  return piece;
+}
+
+struct Case {
+  std::string name;
+  System system;
+};
+
+std::vector<Case> systems() {
+  std::vector<Case> all;
+  for (const int n : {1, 2, 3}) {
+    const std::string balls = std::to_string(n) + " balls: ";
+    all.push_back({balls + "plain", System(rotor(n), 1.9)});
+    all.push_back({balls + "strobed", System(rotor(n, false), 1.9)});
+    all.push_back({balls + "off-centre race", System(rotor(n, true, false), 1.9)});
+    all.push_back({balls + "strobed, off-centre race", System(rotor(n, false, false), 1.9)});
+    all.push_back({balls + "motor", System(rotor(n), motor(0.0))});
+    all.push_back({balls + "motor with integral", System(rotor(n), motor(0.3))});
+    all.push_back({balls + "motor under gravity", System(rotor(n, false, false), motor(0.3))});
+  }
+  return all;
+}
+
+VectorXd some_state(const System& s) {
+  VectorXd y(s.dimension());
+  for (int i = 0; i < y.size(); ++i) y[i] = std::sin(1.0 + 1.7 * i);
+  y.head(4) *= 0.1;
+  for (int i = 0; i < s.balls(); ++i) y[model::index::q(i, s.balls())] *= 0.3;
+  if (s.speed_place() >= 0) y[s.speed_place()] = 1.9;
+  return y;
+}
+
+TEST(System, SectionAndStateFollowFromParametersAndDrive) {
+  const System plain(rotor(2), 2.0), strobed(rotor(2, false), 2.0), turning(rotor(2, false), motor(0.3)),
+      driven(rotor(2), motor(0.0));
+  EXPECT_EQ(plain.section(), Section::none);
+  EXPECT_EQ(plain.dimension(), 8);
+  EXPECT_EQ(plain.speed_place(), -1);
+  EXPECT_EQ(strobed.section(), Section::strobe);
+  EXPECT_EQ(strobed.dimension(), 8);
+  EXPECT_DOUBLE_EQ(strobed.strobe_period(), two_pi / 2.0);
+  EXPECT_EQ(driven.section(), Section::none);
+  EXPECT_EQ(driven.dimension(), 9);
+  EXPECT_EQ(driven.speed_place(), 8);
+  EXPECT_EQ(driven.error_place(), -1);
+  EXPECT_EQ(turning.section(), Section::turn);
+  EXPECT_EQ(turning.dimension(), 11);
+  EXPECT_EQ(turning.psi_place(), 8);
+  EXPECT_EQ(turning.speed_place(), 9);
+  EXPECT_EQ(turning.error_place(), 10);
+  EXPECT_EQ(turning.angles().size(), 3u);
+  EXPECT_EQ(turning.angles().back().place, 8);
+
+  model::Parameters level = rotor(2);
+  level.stiffness = {1.0, 1.2};  // looks the same after half a turn
+  EXPECT_DOUBLE_EQ(System(level, 2.0).strobe_angle(), pi);
+  EXPECT_DOUBLE_EQ(System(level, motor(0.0)).angles().back().turn, pi);
+
+  model::Parameters eventful = rotor(2);
+  eventful.stiction[1] = 0.01;
+  EXPECT_FALSE(System(eventful, 2.0).smooth());
+  EXPECT_TRUE(System(eventful, 2.0).events().stick);
+  EXPECT_TRUE(plain.smooth());
+  EXPECT_FALSE(plain.alike(0, 1));
+  EXPECT_TRUE(plain.alike(1, 1));
+}
+
+// Two solutions of one linear system, by different elimination: equal to rounding of terms of size one.
+TEST(System, GeneralEquationsAreThePlainOnes) {
+  namespace kernels = HWY_NAMESPACE;
+  for (const bool level : {true, false}) {
+    const System s(rotor(3, level), 1.9);
+    const VectorXd y = some_state(s);
+    for (const double psi : {0.0, 0.7}) {
+      double z[kernels::SmoothFlow<double, 3>::dimension] = {}, dz[kernels::SmoothFlow<double, 3>::dimension];
+      std::copy(y.begin(), y.end(), z);
+      kernels::SmoothFlow<double, 3>(s, psi)(0.0, z, dz);
+      const VectorXd plain = model::rate(s, y, psi);
+      EXPECT_LT((plain - Eigen::Map<VectorXd>(dz, y.size())).lpNorm<Eigen::Infinity>(), 1e-14) << psi;
+    }
+  }
+}
+
+TEST(System, AMachineAtAnAngleIsItsSystem) {
+  for (const double integral : {0.0, 0.3}) {
+    const model::Parameters p = rotor(2, false, false);
+    const System s(p, motor(integral));
+    const model::FreeMachine machine(p, motor(integral));
+    ASSERT_EQ(machine.size() + 1, s.dimension());
+    VectorXd y = some_state(s), without(machine.size());
+    without << y.head(8), y.tail(machine.size() - 8);
+    const VectorXd rate = model::rate(s, y);
+    EXPECT_EQ(rate[s.psi_place()], y[s.speed_place()]);
+    EXPECT_EQ(machine.rate(without, y[s.psi_place()]).head(8), rate.head(8));
+    EXPECT_EQ(machine.rate(without, y[s.psi_place()])[machine.speed_place()], rate[s.speed_place()]);
+    EXPECT_EQ(machine.jacobian(without, y[s.psi_place()]).rows(), machine.size());
+  }
+}
+
+// Central differences: with steps of 1e-5 their own error is some 1e-10 of the third derivative, and errors of 1e-12 a
+// step of the integration count a hundred thousandfold.
+TEST(System, DerivativesAreThoseOfRatesAndOfWholeTrajectories) {
+  constexpr double step = 1e-5, duration = 3.0, psi = 0.4;
+  for (const auto& [name, s] : systems()) {
+    const VectorXd y = some_state(s);
+    const auto flight = follow_derivative(s, y, duration, 1e-12, psi);
+    ASSERT_TRUE(flight) << name;
+    const auto end = advance_state(s, y, duration, psi);
+    ASSERT_TRUE(end) << name;
+    EXPECT_LT((*end - flight->end).lpNorm<Eigen::Infinity>(), 1e-10) << name;
+    const MatrixXd jacobian = model::jacobian(s, y, psi);
+    for (int k = 0; k < s.dimension(); ++k) {
+      VectorXd up = y, down = y;
+      up[k] += step;
+      down[k] -= step;
+      const VectorXd slope = (model::rate(s, up, psi) - model::rate(s, down, psi)) / (2.0 * step);
+      EXPECT_LT((slope - jacobian.col(k)).lpNorm<Eigen::Infinity>(), 1e-8) << name << ", component " << k;
+      const VectorXd change =
+          (*advance_state(s, up, duration, psi) - *advance_state(s, down, duration, psi)) / (2.0 * step);
+      EXPECT_LT((change - flight->tangents.col(k)).lpNorm<Eigen::Infinity>(), 1e-6) << name << ", component " << k;
+    }
+  }
+}
+
+// The same trajectories as another integrator of the same machine takes, which has the rotor's angle as a state always.
+TEST(System, FlowsAreWhatSimulateFollows) {
+  const std::string common =
+      "[rotor]\neccentricity = 0.01\ndamping = [0.5, 0.6]\nstiffness = [1.0, 1.2]\n"
+      "gravity = 0.01\n[balancer]\nballs = 2\nmass = [0.05, 0.04]\ndrag = 0.1\n"
+      "race_offset = [0.01, 0.0]\n[initial]\nphi = [1.0, 4.0]\nx = 0.01\ny = -0.02\n";
+  for (const std::string& speed :
+       {std::string("[speed]\nprofile = \"torque\"\ninitial = 1.8\ntorque = { constant = 0.9, slope = -0.4 }\n"
+                    "[release]\ntime = 0.0\n"),
+        std::string("[speed]\nprofile = \"constant\"\nspeed = 1.8\n")}) {
+    const bool driven = speed.find("torque") != std::string::npos;
+    const Study study = parse_study(
+        common + speed, "study", driven ? std::vector<std::string>{"rotor.inertia=0.4"} : std::vector<std::string>{});
+    constexpr double duration = 20.0;
+    const Trajectory path = simulate(study, {0.0, duration});
+    const System s(study.parameters, study.drive().pieces.back());
+    const auto state = [&](std::size_t k) {
+      VectorXd y(s.dimension());
+      const double w = path.psi_dot[k];
+      y.head(4) << path.x[k], path.y[k], path.x_dot[k] - w * path.y[k], path.y_dot[k] + w * path.x[k];
+      for (int i = 0; i < 2; ++i) {
+        y[model::index::phi(i)] = path.phi[i][k];
+        y[model::index::q(i, 2)] = path.phi_dot[i][k];
+      }
+      if (driven) {
+        y[s.psi_place()] = path.psi[k];
+        y[s.speed_place()] = w;
+      }
+      return y;
+    };
+    const auto end = advance_state(s, state(0), duration);
+    ASSERT_TRUE(end);
+    EXPECT_LT((*end - state(1)).lpNorm<Eigen::Infinity>(), 1e-9);  // a hundred steps of 1e-12, grown tenfold or less
+  }
+}
+
+// Every answer but those that take anything refuses what it needs, with one line that says which commands do not.
+TEST(System, WhatAnAnswerLacksIsSaid) {
+  using model::Answer;
+  const System plain(rotor(2), 2.0), strobed(rotor(2, false), 2.0), driven(rotor(2), motor(0.0)),
+      off_centre(rotor(2, true, false), 2.0);
+  model::Parameters sticky = rotor(2);
+  sticky.rolling[0] = 0.01;
+  for (const model::Capability& c : model::capabilities) {
+    EXPECT_FALSE(model::lacking(plain, c.answer)) << c.name;
+    EXPECT_EQ(&model::capability(c.answer), &c) << c.name;
+    EXPECT_EQ(model::lacking(strobed, c.answer).has_value(), c.autonomous) << c.name;
+    EXPECT_EQ(model::lacking(driven, c.answer).has_value(), c.prescribed) << c.name;
+    EXPECT_EQ(model::lacking(off_centre, c.answer).has_value(), c.centred) << c.name;
+    EXPECT_EQ(model::lacking(System(sticky, 2.0), c.answer).has_value(), c.smooth) << c.name;
+  }
+  EXPECT_EQ(model::lacking(strobed, Answer::maps)->reason,
+            "maps need equal values in x and y (simulate, basin and attractors take any)");
+  EXPECT_EQ(model::lacking(driven, Answer::attractors)->reason,
+            "attractors need a prescribed speed (simulate and basin take any)");
+}
+
+}  // namespace
+}  // namespace equipoise
