@@ -334,22 +334,4 @@ TEST(SlowDrift, IsMeasuredAndNamed) {
   }
 }
 
-// A short look at chaos leaves its drifts uncertain and is lengthened until they are known. Turns are counted through:
-// where angles were reduced between stretches, whole turns were missing.
-TEST(SlowDrift, OfChaosIsThatOfItsTurns) {
-  const model::Parameters p = rotor(0.05);
-  constexpr double speed = 2.5;
-  const auto motion = motion_from({p, speed}, at_rest({2.0488, 1.7810}), 2000.0);
-  ASSERT_TRUE(motion);
-  EXPECT_EQ(motion->kind, MotionKind::chaotic);
-  EXPECT_GT(motion->duration, 1500.0);  // the last stretch was 1000
-  VectorXd z = motion->state;
-  constexpr double duration = 8000.0;
-  ASSERT_EQ(follow({p, speed}, z, duration, 1e-9), IntegrationStatus::done);
-  for (int i = 0; i < 2; ++i) {
-    const double turned = z[model::index::phi(i)] - motion->state[model::index::phi(i)];
-    EXPECT_NEAR(turned / duration, motion->drift[i], 2.0 * 0.01 * speed);  // of either, three standard errors at most
-  }
-}
-
 }  // namespace
