@@ -4,8 +4,8 @@
 #include <fmt/format.h>
 
 #include "commands.hpp"
-#include "equipoise/report/branch_plot.hpp"
-#include "equipoise/run/continuation.hpp"
+#include "equipoise/branches/continuation.hpp"
+#include "equipoise/drawing/branch_plot.hpp"
 #include "equipoise/store/branches_file.hpp"
 #include "gnuplot.hpp"
 #include "options.hpp"

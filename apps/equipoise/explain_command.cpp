@@ -5,7 +5,7 @@
 
 #include "commands.hpp"
 #include "equipoise/base/display_text.hpp"
-#include "equipoise/run/explain.hpp"
+#include "equipoise/explain/explain.hpp"
 #include "options.hpp"
 #include "streams.hpp"
 

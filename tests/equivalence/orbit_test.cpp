@@ -1,6 +1,6 @@
 // Periodic orbits, equilibria and exponents against figures recorded with an earlier, independent code
 // (two balls, mu = 0.05 each, lambda = 0.01, zeta = 0.5, beta = 0.05 unless said).
-#include "equipoise/attractors/orbit.hpp"
+#include "equipoise/orbits/orbit.hpp"
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>
@@ -11,10 +11,10 @@
 #include <complex>
 #include <limits>
 
-#include "equipoise/attractors/variational.hpp"
 #include "equipoise/base/angles.hpp"
 #include "equipoise/model/balanced_state.hpp"
 #include "equipoise/model/linearisation.hpp"
+#include "equipoise/orbits/variational.hpp"
 
 namespace {
 

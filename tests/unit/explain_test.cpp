@@ -8,7 +8,7 @@
 #include <nlohmann/json.hpp>
 
 #include "equipoise/base/angles.hpp"
-#include "equipoise/run/explain.hpp"
+#include "equipoise/explain/explain.hpp"
 #include "equipoise/study/study.hpp"
 #include "../base_study.hpp"
 

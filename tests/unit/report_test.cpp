@@ -7,10 +7,10 @@
 #include <nlohmann/json.hpp>
 
 #include "../base_study.hpp"
+#include "equipoise/basins/tally.hpp"
+#include "equipoise/fates/transient_tally.hpp"
 #include "equipoise/report/attractors_result.hpp"
 #include "equipoise/report/basin_result.hpp"
-#include "equipoise/run/tally.hpp"
-#include "equipoise/run/transient_tally.hpp"
 #include "equipoise/study/study.hpp"
 
 namespace equipoise {

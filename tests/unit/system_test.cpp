@@ -8,15 +8,15 @@
 
 #include <Eigen/Dense>
 
-#include "equipoise/attractors/variational.hpp"
 #include "equipoise/base/angles.hpp"
 #include "equipoise/model/capability.hpp"
 #include "equipoise/model/free_machine.hpp"
 #include "equipoise/model/linearisation.hpp"
 #include "equipoise/model/smooth_flow-inl.hpp"
 #include "equipoise/model/system.hpp"
-#include "equipoise/run/simulate.hpp"
+#include "equipoise/orbits/variational.hpp"
 #include "equipoise/study/study.hpp"
+#include "equipoise/trajectory/simulate.hpp"
 
 namespace equipoise {
 namespace {

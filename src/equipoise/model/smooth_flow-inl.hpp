@@ -10,7 +10,7 @@
 
 #include <cmath>
 
-#include "equipoise/base/dual.hpp"
+#include "equipoise/math/dual.hpp"
 #include "equipoise/model/equations-inl.hpp"
 #include "equipoise/model/strobe.hpp"
 #include "equipoise/model/system.hpp"

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "equipoise/attractors/catalogue.hpp"
+#include "equipoise/motions/catalogue.hpp"
 #include "equipoise/report/basin_result.hpp"
 
 namespace equipoise {

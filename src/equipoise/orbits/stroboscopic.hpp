@@ -1,0 +1,33 @@
+// What is particular to systems that are seen at strobes: the way from one strobe to the next, and which of their
+// orbits are balanced. The orbits themselves: orbits/orbit.hpp.
+#pragma once
+
+#include <optional>
+
+#include <Eigen/Dense>
+
+#include "equipoise/model/system.hpp"
+#include "equipoise/orbits/orbit.hpp"
+
+namespace equipoise {
+
+// Everywhere: states without an angle beside them hold at a strobe, where psi = 0.
+
+/// The state at the next strobe, from `state` when the rotor's angle is `psi`; a state at a strobe is left as it is.
+/// Empty if the integration fails.
+std::optional<Eigen::VectorXd> at_next_strobe(const model::System& system, const Eigen::VectorXd& state, double psi);
+
+/// The orbit that a balanced state at ball angles `phi` becomes as gravity and anisotropy are switched on gradually.
+/// Empty if there is none: it may meet another one and vanish on the way.
+std::optional<PeriodicOrbit> balanced_orbit(const model::System& system, const double* phi);
+
+/// The same the other way round: as gravity and anisotropy are switched off gradually, the orbit becomes a balanced
+/// state (its centre comes to rest on the axis).
+bool leads_to_balance(const model::System& system, const PeriodicOrbit& orbit);
+
+/// The same for a motion that is no such orbit (along what gravity leaves of a continuum of balanced states balls creep
+/// for ever): while gravity and anisotropy fade over 400 strobes the trajectory from `state` comes to balance, and no
+/// ball passes a quarter of a turn.
+bool relaxes_to_balance(const model::System& system, const Eigen::VectorXd& state);
+
+}  // namespace equipoise
