@@ -1,4 +1,5 @@
 // What counts as steady: made-up motions of which it is known how they go on.
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <functional>
@@ -36,9 +37,10 @@ SteadyLook look_at(const Motion& motion, double until) {
     for (int k = 0; k < 3; ++k) {
       const double at = t + step * (k - 2) / 3.0;
       samples[k].r2 = motion.r(at) * motion.r(at);
+      std::copy_n(angles(at).begin(), 2, samples[k].phi.begin());
       for (int i = 0; i < 2; ++i) samples[k].rate[i] = (motion.phi[i](at + 1e-4) - motion.phi[i](at - 1e-4)) / 2e-4;
     }
-    watch.step(t, motion.psi(t), angles(t).data(), samples);
+    watch.step(t, motion.psi(t), samples);
   }
   return watch.look();
 }

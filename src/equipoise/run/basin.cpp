@@ -323,18 +323,27 @@ class BasinRun {
     finished_ = narrow || tally_->total() == limit_;
     if (fate.outcome == Outcome::undecided && undecided_.size() < undecided_looked_at)
       undecided_.push_back(tally_->total() - 1);
+    if (fate.outcome == Outcome::stalled && stalled_.size() < undecided_looked_at)
+      stalled_.push_back(tally_->total() - 1);
     if (options_.fate) options_.fate(fate);
   }
 
-  // Many undecided starts are no answer: the note then says why there are so many.
+  // Many undecided starts are no answer: the note then says why there are so many. That balls are never let go is said
+  // of any.
   void explain_undecided() {
     const double share = result_.undecided.share;
-    if (result_.starts == 0 || !(share > undecided_worth_a_word)) return;
+    const bool many = result_.starts > 0 && share > undecided_worth_a_word;
     const bool stopped = runner_->stopped() || (options_.stop && options_.stop->load(std::memory_order_relaxed));
-    const std::vector<UndecidedEnd> ends = stopped ? std::vector<UndecidedEnd>{} : runner_->look_at(undecided_);
-    result_.note += fmt::format("{}{:.0f} % are undecided: {}", result_.note.empty() ? "" : "; ", 100.0 * share,
-                                why_undecided(horizon_, ends));
+    const bool may_hold = !stopped && result_.study.speed.driven() && result_.study.release.speed;
+    const std::vector<UndecidedEnd> ends =
+        !stopped && (many || may_hold) ? runner_->look_at(undecided_) : std::vector<UndecidedEnd>{};
+    const std::string held = held_text(ends), held_stalled = may_hold ? held_text(runner_->look_at(stalled_)) : "";
+    if (many) add_note(fmt::format("{:.0f} % are undecided: {}", 100.0 * share, why_undecided(horizon_, ends)));
+    if (!many && !held.empty()) add_note("balls of undecided starts are never let go: " + held);
+    if (!held_stalled.empty()) add_note("balls of stalled starts are never let go: " + held_stalled);
   }
+
+  void add_note(const std::string& words) { result_.note += (result_.note.empty() ? "" : "; ") + words; }
 
   using Sink = std::function<void(const std::shared_ptr<Chunk>&)>;
   // Decides starts first .. limit - 1, or fewer once finished_ or lost_; `sink` gets the chunks in order.
@@ -440,7 +449,7 @@ class BasinRun {
   std::atomic<bool> finished_{false}, lost_{false};
   bool stop_counting_ = false;
   Horizon horizon_;
-  std::vector<std::uint64_t> undecided_;  // numbers of the first ones
+  std::vector<std::uint64_t> undecided_, stalled_;  // numbers of the first ones
 };
 
 }  // namespace

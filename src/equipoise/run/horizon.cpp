@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "equipoise/attractors/motion_description.hpp"
+#include "equipoise/attractors/steady_watch.hpp"
 #include "equipoise/base/angles.hpp"
 #include "equipoise/model/balanced_state.hpp"
 #include "equipoise/model/linearisation.hpp"
@@ -24,6 +25,9 @@ constexpr double e_foldings = 10.0;
 constexpr double shortest = 50000.0;
 // Where every start goes to the horizon all pay: no longer than rates ask, and as long as chaos commonly lasts.
 constexpr double shortest_for_all = 3000.0;
+// A machine's motion that never quite repeats itself has to last for unrepeated_time, and twice as long as it took to
+// come to it.
+constexpr double shortest_for_machines = 1.2 * unrepeated_time;
 // What nobody waits for: 100 000 starts that never decide then take a quarter of an hour.
 constexpr double longest = 100000.0;
 // Rounding moves an eigenvalue by about 1e-15; beside the zeros of a continuum, by the square root of that.
@@ -111,7 +115,8 @@ Horizon choose_horizon(const Study& study) {
   horizon.given = study.numerics.horizon.has_value();
   // Where not even one e-folding fits, what waits for it is not decided at all, and the longest horizon gains nothing.
   const bool hopeless = horizon.rates.slowest() * longest < 1.0;
-  const double least = study.numerics.decide == DecideMode::horizon ? shortest_for_all : shortest;
+  const double for_all = study.needs_machine() ? shortest_for_machines : shortest_for_all;
+  const double least = study.numerics.decide == DecideMode::horizon ? for_all : shortest;
   horizon.time = hopeless ? least : std::clamp(rounded_up(horizon.asked), least, longest);
   if (horizon.given) horizon.time = *study.numerics.horizon;
   return horizon;

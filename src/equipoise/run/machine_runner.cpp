@@ -34,7 +34,10 @@ SteadySample sample(const model::Parameters& p, const double* z) {
   const double x = z[model::index::x] - rest[0], y = z[model::index::y] - rest[1];
   SteadySample s;
   s.r2 = x * x + y * y;
-  for (int i = 0; i < n; ++i) s.rate[i] = z[model::index::q(i, n)];
+  for (int i = 0; i < n; ++i) {
+    s.phi[i] = z[model::index::phi(i)];
+    s.rate[i] = z[model::index::q(i, n)];
+  }
   return s;
 }
 
@@ -160,14 +163,26 @@ bool MachineRunner::run(std::uint64_t first, std::size_t count, std::vector<doub
     const InitialState start = start_of(study_, sampler_, study_.sampling.seed, first + i);
     phi.insert(phi.end(), start.phi.begin(), start.phi.begin() + balls);
     TransientRow* row = rows ? &(*rows)[i] : nullptr;
-    fates[i] = model::with_ball_count(balls, [&](auto n) { return decide<n>(start, row); });
+    fates[i] = model::with_ball_count(balls, [&](auto n) { return decide<n>(start, row, nullptr); });
     if (stop_ && stop_->load(std::memory_order_relaxed)) return false;  // the last one may have been cut short
   }
   return true;
 }
 
+std::vector<UndecidedEnd> MachineRunner::look_at(const std::vector<std::uint64_t>& undecided) const {
+  std::vector<UndecidedEnd> ends;
+  for (const std::uint64_t number : undecided) {
+    const InitialState start = start_of(study_, sampler_, study_.sampling.seed, number);
+    UndecidedEnd end;
+    model::with_ball_count(study_.parameters.balls, [&](auto n) { decide<n>(start, nullptr, &end); });
+    if (stop_ && stop_->load(std::memory_order_relaxed)) break;
+    ends.push_back(end);
+  }
+  return ends;
+}
+
 template <int n>
-Fate MachineRunner::decide(const InitialState& start, TransientRow* row) const {
+Fate MachineRunner::decide(const InitialState& start, TransientRow* row, UndecidedEnd* end) const {
   using Machine = kernels::MachineTrajectory<n>;
   const model::Parameters& p = study_.parameters;
   double z[Machine::dimension];
@@ -216,6 +231,7 @@ Fate MachineRunner::decide(const InitialState& start, TransientRow* row) const {
     if (judge) fate = judge->at_horizon(machine.state());
     fate.time = machine.time();
   }
+  if (end && judge) *end = judge->end();
   if (row) *row = transients.row(lost, fate.outcome == Outcome::attracted && fate.attractor == balanced_id);
   if (!study_.speed.driven()) fate.mean_speed = std::numeric_limits<float>::quiet_NaN();
   return fate;
