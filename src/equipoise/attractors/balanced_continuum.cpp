@@ -4,11 +4,11 @@
 #include <algorithm>
 #include <cmath>
 #include <numeric>
-#include <random>
 
 #include <Eigen/Eigenvalues>
 #include <Eigen/QR>
 
+#include "equipoise/attractors/continuum_draws.hpp"
 #include "equipoise/attractors/lyapunov.hpp"
 #include "equipoise/attractors/stroboscopic.hpp"
 #include "equipoise/attractors/variational.hpp"
@@ -221,50 +221,12 @@ double BalancedContinuum::rate_at(const double* phi) const {
   return flight ? slowest_of(flight->tangents.eigenvalues(), dimension_, model::strobe_period(p_, speed_)) : 1e300;
 }
 
-namespace {
-
-// Ball angles drawn evenly among those that balance to a twentieth of what balls and unbalance could make together,
-// then balanced.
-class Draws {
- public:
-  explicit Draws(const model::Parameters& p) : p_(p) {}
-
-  bool next(Angles& phi) {
-    constexpr int most = 200000;
-    const double near = 0.05 * (p_.eccentricity + p_.total_mass());
-    for (int k = 0; k < most; ++k) {
-      double x = p_.eccentricity, y = 0.0;
-      for (int i = 0; i < p_.balls; ++i) {
-        phi[i] = angle_(random_);
-        x += p_.mass[i] * std::cos(phi[i]);
-        y += p_.mass[i] * std::sin(phi[i]);
-      }
-      if (std::hypot(x, y) < near && model::project_to_balanced(p_, phi.data())) return true;
-    }
-    return false;
-  }
-
-  // Another one not farther from `phi` than about `distance`.
-  bool beside(Angles& phi, double distance) {
-    for (int i = 0; i < p_.balls; ++i) phi[i] += distance * normal_(random_);
-    return model::project_to_balanced(p_, phi.data());
-  }
-
- private:
-  const model::Parameters& p_;
-  std::mt19937_64 random_{20190614};
-  std::uniform_real_distribution<double> angle_{0.0, two_pi};
-  std::normal_distribution<double> normal_;
-};
-
-}  // namespace
-
 ContinuumSurvey BalancedContinuum::survey() const {
   // The share to 1.6 % (a map costs a hundred times a Jacobian: to 4 %), and members enough to try.
   const int draws = strobed_ ? 128 : 1024;
   constexpr int enough = 32, seek = 256;
   ContinuumSurvey result;
-  Draws source(balanced_);
+  ContinuumDraws source(balanced_);
   std::vector<std::pair<double, Angles>> found;
   Angles phi{};
   for (int k = 0; k < draws && source.next(phi); ++k) found.emplace_back(rate_at(phi.data()), phi);

@@ -15,6 +15,7 @@
 #include "equipoise/report/engineering.hpp"
 #include "equipoise/run/cost.hpp"
 #include "equipoise/run/horizon.hpp"
+#include "equipoise/run/machine_runner.hpp"
 #include "equipoise/run/undecided.hpp"
 
 namespace equipoise {
@@ -246,6 +247,7 @@ class Warnings {
     sag();
     if (e.motion) motion(*e.motion);
     patience();
+    release();
     room(balls);
     if (e.gravity_ratio && *e.gravity_ratio >= 1.0)
       warn("at the final speed the weight of a ball exceeds its centrifugal force: it falls off the top of the race");
@@ -341,6 +343,16 @@ class Warnings {
     const Horizon horizon = choose_horizon(e_.study);
     if (!horizon.long_enough())
       warn("{}: of starts that are followed for {:.6g} many may stay undecided", slowness_text(horizon), horizon.time);
+  }
+
+  // Whether a motor comes to the speed at which the balls are let go hangs on where they are held: some are tried.
+  void release() {
+    const Study& study = e_.study;
+    if (!study.speed.driven() || !study.release.speed) return;
+    const std::vector<UndecidedEnd> ends = MachineRunner(study, nullptr).look_at({0, 1, 2, 3, 4, 5, 6, 7});
+    const auto held =
+        std::count_if(ends.begin(), ends.end(), [](const UndecidedEnd& end) { return end.what == Restlessness::held; });
+    if (held > 0) warn("of {} starts tried {} never let their balls go: {}", ends.size(), held, held_text(ends));
   }
 
   void room(const BallDetails& balls) {

@@ -2,13 +2,14 @@
 #include "equipoise/run/horizon.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <complex>
 #include <vector>
 
+#include "equipoise/attractors/continuum_draws.hpp"
 #include "equipoise/attractors/motion_description.hpp"
 #include "equipoise/attractors/steady_watch.hpp"
-#include "equipoise/base/angles.hpp"
 #include "equipoise/model/balanced_state.hpp"
 #include "equipoise/model/linearisation.hpp"
 
@@ -52,20 +53,12 @@ double largest_rate(const model::Parameters& p, double speed, const double* phi,
   return largest;
 }
 
-// Members of a continuum, from ball angles without pattern.
 std::vector<double> rates_along_continuum(const model::Parameters& p, double speed) {
   const int free = continuum_dimension(p);
+  ContinuumDraws draws(p);
+  std::array<double, model::max_balls> phi{};
   std::vector<double> rates;
-  for (int k = 0; k < members; ++k) {
-    double phi[model::max_balls];
-    // Multiples of the square roots of primes, modulo one, fill the torus evenly (Weyl).
-    constexpr int primes[model::max_balls] = {2, 3, 5, 7, 11, 13, 17, 19};
-    for (int i = 0; i < p.balls; ++i) {
-      const double part = (k + 1) * std::sqrt(static_cast<double>(primes[i]));
-      phi[i] = two_pi * (part - std::floor(part));
-    }
-    if (model::project_to_balanced(p, phi)) rates.push_back(largest_rate(p, speed, phi, free));
-  }
+  for (int k = 0; k < members && draws.next(phi); ++k) rates.push_back(largest_rate(p, speed, phi.data(), free));
   return rates;
 }
 

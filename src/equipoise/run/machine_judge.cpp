@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include "equipoise/attractors/catalogue.hpp"
+#include "equipoise/attractors/continuum_draws.hpp"
 #include "equipoise/attractors/decision_rule.hpp"
 #include "equipoise/attractors/strobed_balance.hpp"
 #include "equipoise/base/angles.hpp"
@@ -24,19 +25,15 @@ constexpr double near_balance = 0.05;
 // A speed that comes this near to the one at which balls are let go, as a share of it, may reach it yet.
 constexpr double nearly_let_go = 1e-3;
 
-// The part of a continuum of balanced states that is stable, of so many spread over it.
+// The part of a continuum of balanced states that is stable, of so many drawn.
 std::optional<double> stable_share(const MachineBalance& balance, double speed) {
   const model::Parameters& p = balance.machine().parameters();
   const int members = p.isotropic() ? 64 : 12;
+  ContinuumDraws draws(p);
+  std::array<double, model::max_balls> phi{};
   int found = 0, stable = 0;
-  for (int k = 0; k < members; ++k) {
-    double phi[model::max_balls];
-    // Spread evenly by a sequence of the golden ratio's powers.
-    for (int i = 0; i < p.balls; ++i) phi[i] = two_pi * std::fmod((k + 0.5) * std::pow(0.6180339887498949, i + 1), 1.0);
-    if (!model::project_to_balanced(p, phi)) continue;
-    ++found;
-    stable += balance.linearised(balance.machine().balanced_state(phi, speed)).stable();
-  }
+  for (; found < members && draws.next(phi); ++found)
+    stable += balance.linearised(balance.machine().balanced_state(phi.data(), speed)).stable();
   if (found == 0) return std::nullopt;
   return static_cast<double>(stable) / found;
 }
