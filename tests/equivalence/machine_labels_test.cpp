@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "equipoise/run/basin.hpp"
+#include "equipoise/run/explain.hpp"
 #include "equipoise/run/horizon.hpp"
 #include "equipoise/run/machine_runner.hpp"
 #include "machine_follow.hpp"
@@ -255,6 +256,11 @@ TEST(Release, that_is_never_reached_is_said) {
     equipoise::BasinOptions options;
     options.fate = [&](const Fate& fate) { latest = std::max<double>(latest, fate.time); };
     std::string note = equipoise::basin(study, options).note;
+    const bool said = note.find("never let go") != std::string::npos;
+    bool warned = false;
+    for (const std::string& warning : equipoise::explain(study).warnings)
+      warned = warned || warning.find("never let their balls go") != std::string::npos;
+    EXPECT_EQ(warned, said) << note;
     EXPECT_LT(latest, 10000.0);  // not followed to the horizon of 50 000
     return note;
   };
