@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <cmath>
 #include <numeric>
-#include <random>
 
 #include <Eigen/Eigenvalues>
 #include <Eigen/QR>
@@ -13,6 +12,7 @@
 #include "equipoise/attractors/stroboscopic.hpp"
 #include "equipoise/attractors/variational.hpp"
 #include "equipoise/base/angles.hpp"
+#include "equipoise/base/random.hpp"
 #include "equipoise/model/balanced_state.hpp"
 #include "equipoise/model/linearisation.hpp"
 #include "equipoise/model/strobe.hpp"
@@ -235,7 +235,7 @@ class Draws {
     for (int k = 0; k < most; ++k) {
       double x = p_.eccentricity, y = 0.0;
       for (int i = 0; i < p_.balls; ++i) {
-        phi[i] = angle_(random_);
+        phi[i] = two_pi * random_.uniform();
         x += p_.mass[i] * std::cos(phi[i]);
         y += p_.mass[i] * std::sin(phi[i]);
       }
@@ -246,15 +246,13 @@ class Draws {
 
   // Another one not farther from `phi` than about `distance`.
   bool beside(Angles& phi, double distance) {
-    for (int i = 0; i < p_.balls; ++i) phi[i] += distance * normal_(random_);
+    for (int i = 0; i < p_.balls; ++i) phi[i] += distance * random_.normal();
     return model::project_to_balanced(p_, phi.data());
   }
 
  private:
   const model::Parameters& p_;
-  std::mt19937_64 random_{20190614};
-  std::uniform_real_distribution<double> angle_{0.0, two_pi};
-  std::normal_distribution<double> normal_;
+  RandomStream random_;
 };
 
 }  // namespace
