@@ -88,9 +88,11 @@ Command add_attractors(CLI::App& app) {
       ->type_name("X,Y,...")
       ->take_all();
   app.add_option("--threads", a->threads, "threads (default: all cores)")->type_name("T");
-  app.add_option("--along", a->along,
-                 "follow every attractor along a study key, e.g. speed.final=1.4:6.5:0.05; with --starts: that many "
-                 "searched at every value besides the pilot's")
+  app.add_option(
+         "--along", a->along,
+         "follow every attractor along a study key, e.g. speed.final=1.4:6.5:0.05, or in a study with units "
+         "\"speed.final=900 rpm:4000 rpm:50 rpm\"; with --starts: that many searched at every value besides the "
+         "pilot's")
       ->type_name("KEY=FROM:TO:STEP");
   app.add_option("-o,--output", a->output,
                  "with --along: a line a value and attractor (.csv), or the same as NetCDF (.nc)")

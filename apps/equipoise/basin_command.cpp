@@ -32,22 +32,6 @@ Study study_from(const BasinArguments& a) {
   return read_study(a.study, overrides);
 }
 
-std::string outcome_text(const StartReplay& replay) {
-  switch (replay.fate.outcome) {
-    case Outcome::attracted:
-      return replay.name;
-    case Outcome::undecided:
-      return "undecided";
-    case Outcome::diverged:
-      return "diverged";
-    case Outcome::stalled:
-      return "stalled";
-    case Outcome::failed:
-      return "failed";
-  }
-  return "failed";
-}
-
 std::string transients_text(const Study& study, const TransientRow& row) {
   std::string text;
   for (const TransientColumn& column : transient_columns) {
@@ -77,7 +61,8 @@ int print_replay(const Study& study, const BasinOptions& options, const std::str
     for (int i = 0; i < study.parameters.balls; ++i) text += fmt::format("phi_dot_{} = {}\n", i + 1, s.phi_dot[i]);
   }
   const auto by = static_cast<std::size_t>(replay.fate.by);
-  text += fmt::format("outcome = {}\ndecided_by = {}\ndecision_time = {}\n", outcome_text(replay), decided_by_names[by],
+  const std::string outcome = replay.fate.outcome == Outcome::attracted ? replay.name : name_of(replay.fate.outcome);
+  text += fmt::format("outcome = {}\ndecided_by = {}\ndecision_time = {}\n", outcome, decided_by_names[by],
                       replay.fate.time);
   if (study.speed.driven()) text += fmt::format("mean_speed = {}\n", replay.fate.mean_speed);
   if (replay.transients) text += transients_text(study, *replay.transients);

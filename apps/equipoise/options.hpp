@@ -13,6 +13,7 @@
 
 #include "equipoise/base/display_text.hpp"
 #include "equipoise/base/error.hpp"
+#include "equipoise/study/study.hpp"
 
 namespace equipoise::app {
 
@@ -26,6 +27,11 @@ T option_number(const char* option, const std::string& text, T low, T high, cons
     throw InputError(option, "", display_text(text), fmt::format("must be {}", allowed));
   return value;
 }
+
+/// A time given as an option, in 1/omega_c: a plain number, or of a study with scales a quantity, such as "2 s".
+/// `least` and `most` bound it.
+double option_time(const char* option, const std::string& text, const Study& study, double least, double most,
+                   const char* allowed);
 
 /// One of `choices`, given as an option.
 template <class Choices>

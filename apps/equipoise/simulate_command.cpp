@@ -28,16 +28,16 @@ constexpr double most_rows = 1e8;
 // Later than that a double does not know the rotor's angle.
 constexpr double last_time = 1e9;
 
-double time_option(const char* option, const std::string& text) {
-  return option_number<double>(option, text, 0.0, last_time, "a number from 0 to 1e9");
+double time_option(const char* option, const std::string& text, const Study& study) {
+  return option_time(option, text, study, 0.0, last_time, "a number from 0 to 1e9");
 }
 
 // "T,T,..."
-std::vector<double> parse_times(const std::string& text) {
+std::vector<double> parse_times(const std::string& text, const Study& study) {
   std::vector<double> times;
   for (std::size_t at = 0; at <= text.size();) {
     const std::size_t comma = std::min(text.find(',', at), text.size());
-    times.push_back(time_option("--at", text.substr(at, comma - at)));
+    times.push_back(time_option("--at", text.substr(at, comma - at), study));
     at = comma + 1;
   }
   return times;
@@ -49,7 +49,7 @@ std::vector<double> output_times(const SimulateArguments& a, const Study& study)
   if (!a.at.empty()) {
     if (a.every || a.until) throw InputError("--at", "", "", "give either --at or --every and --until, not both");
     for (const std::string& text : a.at)
-      for (const double time : parse_times(text)) times.push_back(time);
+      for (const double time : parse_times(text, study)) times.push_back(time);
     for (std::size_t i = 1; i < times.size(); ++i)
       if (!(times[i] > times[i - 1]))
         throw InputError("--at", "", fmt::format("{}", times[i]),
@@ -58,9 +58,9 @@ std::vector<double> output_times(const SimulateArguments& a, const Study& study)
   }
   const model::Drive drive = study.drive();
   const double settled = std::max(drive.pieces.back().begin, study.speed.driven() ? 0.0 : drive.release_time);
-  const double until = a.until ? time_option("--until", *a.until) : settled + 100.0;
+  const double until = a.until ? time_option("--until", *a.until, study) : settled + 100.0;
   const double every =
-      a.every ? option_number<double>("--every", *a.every, 1e-300, last_time, "a number greater than 0, at most 1e9")
+      a.every       ? option_time("--every", *a.every, study, 1e-300, last_time, "a number greater than 0, at most 1e9")
       : until > 0.0 ? until / 100.0
                     : 1.0;
   if (until / every > most_rows)
@@ -118,9 +118,11 @@ int run_simulate(const SimulateArguments& a) {
 Command add_simulate(CLI::App& app) {
   const auto a = std::make_shared<SimulateArguments>();
   app.add_option("study", a->study, "study file (TOML)")->required()->type_name("STUDY");
-  app.add_option("--at", a->at, "times, separated by commas")->take_all()->type_name("T,T,...");
-  app.add_option("--every", a->every, "time between rows")->type_name("DT");
-  app.add_option("--until", a->until, "last time")->type_name("T");
+  app.add_option("--at", a->at, "times, separated by commas (in 1/omega_c, or with units: 2 s)")
+      ->take_all()
+      ->type_name("T,T,...");
+  app.add_option("--every", a->every, "time between rows (the same)")->type_name("DT");
+  app.add_option("--until", a->until, "last time (the same)")->type_name("T");
   app.add_option("--tolerance", a->tolerance, "error allowed a step, relative (default 1e-12)")->type_name("E");
   app.add_option("-o,--output", a->output, "write here (.csv or .nc) instead of CSV on standard output")
       ->type_name("FILE");

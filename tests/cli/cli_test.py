@@ -17,6 +17,7 @@ import unittest
 
 PROGRAM, STUDIES = sys.argv[1], sys.argv[2]
 ROW = os.path.join(STUDIES, "paper", "table-2-omega-2.4.toml")
+WASHER = os.path.join(STUDIES, "examples", "washing-machine.toml")
 
 
 def run(*arguments, **options):
@@ -24,7 +25,7 @@ def run(*arguments, **options):
 
 
 class Explain(unittest.TestCase):
-    STUDY = os.path.join(STUDIES, "examples", "washing-machine.toml")
+    STUDY = WASHER
 
     def test_shows_a_machine_in_both_forms(self):
         done = run("explain", self.STUDY)
@@ -304,6 +305,39 @@ class Simulate(unittest.TestCase):
             for key in ("x", "y", "phi_1", "phi_2"):
                 self.assertAlmostEqual(row[key], same[key], delta=1e-10)
 
+    def test_times_carry_units_where_the_study_has_them(self):
+        omega_c = math.sqrt(20000 / 40)
+
+        def times(*arguments):
+            done = run("simulate", WASHER, *arguments)
+            self.assertEqual((done.returncode, done.stderr), (0, ""))
+            return [float(row["t"]) for row in csv.DictReader(io.StringIO(done.stdout))]
+
+        # A conversion and a division: two roundings of numbers below 50.
+        for found, seconds in zip(times("--at", "0,500 ms,1 s, 2s"), (0.0, 0.5, 1.0, 2.0), strict=True):
+            self.assertAlmostEqual(found, omega_c * seconds, delta=2e-14)
+        for k, found in enumerate(times("--every", "500 ms", "--until", "2 s")):
+            self.assertAlmostEqual(found, omega_c * 0.5 * k, delta=4e-14)
+        # Plain numbers are in 1/omega_c in every study.
+        self.assertEqual(times("--every", "0.5", "--until", "2"), [0.0, 0.5, 1.0, 1.5, 2.0])
+        units = ["--set", "units={mass=1.0, length=1.0, frequency=10.0}"]
+        done = run("simulate", ROW, "--at", "2 s", *units)
+        self.assertEqual((done.returncode, done.stdout.splitlines()[1].split(",")[0]), (0, "20"))
+
+    def test_micrometres_and_raised_digits_are_understood(self):
+        study = os.path.join(STUDIES, "examples", "optical-drive.toml")
+        with open(study, encoding="utf-8") as file:
+            text = file.read()
+        changed = text.replace('"5 um"', '"5 \u00b5m"').replace('"30 um"', '"30 \u03bcm"').replace("kg/m3", "kg/m\u00b3")
+        self.assertEqual(changed.count("\u00b5") + changed.count("\u03bc") + changed.count("\u00b3"), 3)
+        with tempfile.TemporaryDirectory() as folder:
+            path = os.path.join(folder, "drive.toml")
+            with open(path, "w", encoding="utf-8") as file:
+                file.write(changed)
+            answers = [json.loads(run("explain", p, "--json").stdout)["study"] for p in (study, path)]
+        self.assertEqual(answers[0]["limits"], answers[1]["limits"])
+        self.assertEqual(answers[0]["balancer"], answers[1]["balancer"])
+
     def test_csv_and_netcdf_files(self):
         with tempfile.TemporaryDirectory() as folder:
             for name in ("a.csv", "a.nc"):
@@ -357,6 +391,10 @@ class Errors(unittest.TestCase):
             (["simulate", ROW, "-o", "/nowhere/out.csv"], ("/nowhere/out.csv", "cannot be written")),
             (["simulate", ROW, "-o", "out.txt"], ("out.txt", ".csv or .nc")),
             (["simulate", ROW, "--at", "2,1"], ("--at", "1", "out of order")),
+            (["simulate", ROW, "--at", "2 s"], ("--at", "2 s", "from 0 to 1e9", "this study has no units")),
+            (["simulate", WASHER, "--until", "2 kg"], ("--until", "2 kg", "from 0 to 1e9", 'or a time, such as "10 s"')),
+            (["simulate", WASHER, "--every", "-1 ms"], ("--every", "-1 ms", "greater than 0")),
+            (["simulate", WASHER, "--at", "1e300 s"], ("--at", "1e300 s", "from 0 to 1e9")),
             (["simulate", ROW, "--at", "nan"], ("--at", "nan", "from 0 to 1e9")),
             (["simulate", ROW, "--at", "1", "--every", "2"], ("--at", "not both")),
             (["simulate", ROW, "--every", "0", "--until", "1"], ("--every", "0", "greater than 0")),

@@ -3,6 +3,7 @@
 
 #include <cmath>
 
+#include "equipoise/base/angles.hpp"
 #include "equipoise/model/balanced_state.hpp"
 
 namespace equipoise {
@@ -13,7 +14,7 @@ bool ContinuumDraws::next(std::array<double, model::max_balls>& phi) {
   for (int k = 0; k < most; ++k) {
     double x = p_.eccentricity, y = 0.0;
     for (int i = 0; i < p_.balls; ++i) {
-      phi[i] = angle_(random_);
+      phi[i] = two_pi * random_.uniform();
       x += p_.mass[i] * std::cos(phi[i]);
       y += p_.mass[i] * std::sin(phi[i]);
     }
@@ -23,7 +24,7 @@ bool ContinuumDraws::next(std::array<double, model::max_balls>& phi) {
 }
 
 bool ContinuumDraws::beside(std::array<double, model::max_balls>& phi, double distance) {
-  for (int i = 0; i < p_.balls; ++i) phi[i] += distance * normal_(random_);
+  for (int i = 0; i < p_.balls; ++i) phi[i] += distance * random_.normal();
   return model::project_to_balanced(p_, phi.data());
 }
 

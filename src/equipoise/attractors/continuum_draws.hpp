@@ -2,9 +2,8 @@
 #pragma once
 
 #include <array>
-#include <random>
 
-#include "equipoise/base/angles.hpp"
+#include "equipoise/base/random.hpp"
 #include "equipoise/model/parameters.hpp"
 
 namespace equipoise {
@@ -23,9 +22,7 @@ class ContinuumDraws {
 
  private:
   const model::Parameters& p_;
-  std::mt19937_64 random_{20190614};
-  std::uniform_real_distribution<double> angle_{0.0, two_pi};
-  std::normal_distribution<double> normal_;
+  RandomStream random_;
 };
 
 }  // namespace equipoise

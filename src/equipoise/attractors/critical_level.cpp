@@ -4,9 +4,9 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <random>
 #include <vector>
 
+#include "equipoise/base/random.hpp"
 #include "equipoise/model/ball_count.hpp"
 #include "equipoise/model/flow-inl.hpp"
 
@@ -87,11 +87,10 @@ double search(const model::Parameters& p, double speed, const double* phi, const
   if (cholesky.info() != Eigen::Success) return 0.0;
   const Search search(p, speed, phi, fixed, cholesky.matrixU());
 
-  std::mt19937_64 random(20190614);  // any fixed number: the same study has the same traps
-  std::normal_distribution<double> normal;
+  RandomStream random;
   const auto random_vector = [&] {
     Vector v(Search::size);
-    for (int i = 0; i < Search::size; ++i) v[i] = normal(random);
+    for (int i = 0; i < Search::size; ++i) v[i] = random.normal();
     return v;
   };
 

@@ -23,8 +23,8 @@ namespace equipoise {
 namespace HWY_NAMESPACE {
 
 // Hooks: see NoObserver in ensemble/lane_block-inl.hpp. Windows are sampled at two stages inside each step and at its
-// end (at 1/3, 0.6 and 1 of it, 0.4 apart at most), so that no motion is seen fewer than eight times a period at the steps the tolerance
-// allows; tests/unit/window_test.cpp measures it.
+// end (at 1/3, 0.6 and 1 of it, 0.4 apart at most), so that no motion is seen fewer than eight times a period at the
+// steps the tolerance allows; tests/unit/window_test.cpp measures it.
 //
 // `strobed`: the rotor's angle is known, r is measured from where gravity lets the rotor sag to, and
 // DecisionRule::strobed is asked. Without it none of that leaves an operation behind.

@@ -4,11 +4,11 @@
 #include <algorithm>
 #include <cmath>
 #include <complex>
-#include <random>
 #include <vector>
 
 #include "equipoise/attractors/lyapunov.hpp"
 #include "equipoise/base/angles.hpp"
+#include "equipoise/base/random.hpp"
 #include "equipoise/model/strobe.hpp"
 
 namespace equipoise {
@@ -169,13 +169,12 @@ bool MachineBalance::holds(const double* z, const VectorXd& balanced) const {
   const double level = own.dot(form * own);
   const Eigen::LLT<MatrixXd> factor(form);
   if (!(level > 0.0) || factor.info() != Eigen::Success) return false;
-  std::mt19937_64 random(20190614);
-  std::normal_distribution<double> normal;
+  RandomStream random;
   constexpr int directions = 96;
   for (int k = 0; k < directions; ++k) {
     // Evenly over the ellipsoid's own sphere, so that its long axes are among what is tried.
     VectorXd s(across);
-    for (Eigen::Index i = 0; i < across; ++i) s[i] = normal(random);
+    for (Eigen::Index i = 0; i < across; ++i) s[i] = random.normal();
     s = factor.matrixU().solve(s / s.norm());
     if (k == 0) s = own / std::sqrt(level);
     s *= 2.0 * std::sqrt(level);

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
 
 #include "equipoise/base/error.hpp"
@@ -59,7 +60,7 @@ double ClampedTransients::Squares::largest(const Monomials& m) const {
 
 ClampedTransients::ClampedTransients(const model::Parameters& p, const std::vector<model::Segment>& segments,
                                      const std::array<double, 4>& initial, double tolerance,
-                                     const TransientSettings& settings)
+                                     const TransientSettings& settings, const StopFlag* stop)
     : settings_(settings),
       proportional_(p.isotropic() && p.gravity == 0.0 &&
                     std::all_of(initial.begin(), initial.end(), [](double v) { return v == 0.0; })),
@@ -78,7 +79,12 @@ ClampedTransients::ClampedTransients(const model::Parameters& p, const std::vect
     radius_.add(centre);
     force_.add(force);
   };
-  const auto status = integrate_clamped(p, segments, initial, tolerance, at_release, times_, observe);
+  const auto status = integrate_clamped(p, segments, initial, tolerance, at_release, times_, observe,
+                                        std::numeric_limits<double>::infinity(), stop);
+  if (stop && stop->load(std::memory_order_relaxed)) {
+    times_.clear();
+    return;
+  }
   if (status != IntegrationStatus::done || radius_.coefficient[0].size() != times_.size())
     throw RunError("the clamped spin-up could not be integrated");
   if (!proportional_) return;

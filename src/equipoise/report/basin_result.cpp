@@ -59,9 +59,9 @@ std::string basin_text(const BasinResult& r) {
   for (const AttractorShare& a : r.attractors)
     line(title_of(a), a.share, a.share.count == 0 ? "-" : fmt::format("{:.4g}", a.mean_time * second));
   if (r.stalled) line("stalled below " + rotor_speed_text(r.study, r.study.stall_speed()), *r.stalled, "-");
-  line("undecided", r.undecided, "-");
-  line("diverged", r.diverged, "-");
-  line("failed", r.failed, "-");
+  line(name_of(Outcome::undecided), r.undecided, "-");
+  line(name_of(Outcome::diverged), r.diverged, "-");
+  line(name_of(Outcome::failed), r.failed, "-");
   text += "\n";
   if (open) text += "Surely within: with 95 % confidence, whatever the undecided starts would come to.\n";
   text += fmt::format("Mean time: from the begin of the last branch, and release, to the decision{}.\n\n",

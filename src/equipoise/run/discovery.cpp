@@ -317,7 +317,7 @@ class Discoverer {
           },
           tbb::simple_partitioner());
     });
-    const std::vector<Attractor> before = result_.catalogue.attractors();
+    const Catalogue before = result_.catalogue;
     for (Candidate& c : candidates_) {
       if (!c.motion || !c.motion->stable) continue;
       c.attractor = result_.catalogue.add(study_.parameters, *c.motion);
@@ -325,14 +325,11 @@ class Discoverer {
       if (c.members.empty() || c.attractor == balanced_id) continue;
       result_.rule.known.push_back({c.features, c.attractor, c.motion->kind == MotionKind::chaotic});
     }
-    // The list is kept by identifier: what is new in it need not stand at its end.
-    for (const Attractor& a : result_.catalogue.attractors()) {
-      if (std::any_of(before.begin(), before.end(), [&](const Attractor& b) { return b.id == a.id; })) continue;
+    for (const Attractor& a : result_.catalogue.listed_since(before))
       if (strobed_)
         make_strobed_trap(a.motion, a.id);
       else
         make_orbit_traps(a);
-    }
     if (!strobed_) return !is_stopped();
     result_.rule.strobed = traps_as_rule(study_.parameters, speed_, strobed_traps_, family_);
     return !is_stopped();

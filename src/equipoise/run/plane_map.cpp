@@ -220,9 +220,9 @@ class Mapper {
       map_.r_max.push_back(pixel.r_max);
     }
     for (const auto& [code, entry] : attractors) map_.codes.push_back(entry);
-    map_.codes.push_back({undecided_code, "undecided", "", {}});
-    map_.codes.push_back({diverged_code, "diverged", "", {}});
-    map_.codes.push_back({failed_code, "failed", "", {}});
+    map_.codes.push_back({undecided_code, name_of(Outcome::undecided), "", {}});
+    map_.codes.push_back({diverged_code, name_of(Outcome::diverged), "", {}});
+    map_.codes.push_back({failed_code, name_of(Outcome::failed), "", {}});
     for (MapCode& entry : map_.codes) entry.share = wilson_share(counts[entry.code], total);
   }
 

@@ -1,10 +1,20 @@
-// Which runner follows a study's starts.
+// Which runner follows a study's starts; how an unlisted one is named.
 #include "equipoise/run/runner.hpp"
 
 #include "equipoise/run/machine_runner.hpp"
 #include "equipoise/run/start_runner.hpp"
 
 namespace equipoise {
+
+int settle(Runner& runner, const UnlistedStart& start, Fate& fate) {
+  const int attractor = runner.list(start);
+  fate.attractor = static_cast<short>(attractor);
+  if (attractor == 0) {
+    fate.outcome = Outcome::undecided;
+    fate.by = DecidedBy::nothing;
+  }
+  return attractor;
+}
 
 void check_runnable(const Study& study) {
   if (study.needs_machine())

@@ -56,6 +56,10 @@ class Runner {
   virtual bool stopped() const = 0;
 };
 
+/// What an unlisted start turned out to have come to, written into its fate: one of nothing steady is undecided.
+/// Returns its identifier, or 0. Not thread-safe, as list().
+int settle(Runner& runner, const UnlistedStart& start, Fate& fate);
+
 /// Throws InputError for invalid studies and those whose starts cannot be decided.
 void check_runnable(const Study& study);
 

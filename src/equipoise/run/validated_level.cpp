@@ -5,7 +5,6 @@
 #include <atomic>
 #include <cmath>
 #include <memory>
-#include <random>
 #include <vector>
 
 #include <Eigen/Dense>
@@ -16,6 +15,7 @@
 #include "equipoise/attractors/fate.hpp"
 #include "equipoise/attractors/orbit_trap.hpp"
 #include "equipoise/base/angles.hpp"
+#include "equipoise/base/random.hpp"
 #include "equipoise/model/strobe.hpp"
 #include "equipoise/run/lane_kernels.hpp"
 
@@ -33,14 +33,13 @@ class Directions {
  public:
   explicit Directions(int size) : v_(size) {}
   const Eigen::VectorXd& next() {
-    for (double& x : v_) x = normal_(random_);
+    for (double& x : v_) x = random_.normal();
     v_.normalize();
     return v_;
   }
 
  private:
-  std::mt19937_64 random_{20190614};
-  std::normal_distribution<double> normal_;
+  RandomStream random_;
   Eigen::VectorXd v_;
 };
 
