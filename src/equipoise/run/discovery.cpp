@@ -29,6 +29,7 @@
 #include "equipoise/model/strobe.hpp"
 #include "equipoise/run/horizon.hpp"
 #include "equipoise/run/lane_kernels.hpp"
+#include "equipoise/run/own_windows.hpp"
 #include "equipoise/run/start_source.hpp"
 #include "equipoise/run/validated_level.hpp"
 
@@ -46,6 +47,8 @@ constexpr double pilot_windows = 16.0;
 constexpr double grouping = 0.05;
 // Windows of one chaotic motion.
 constexpr double loose_grouping = 0.3;
+// Windows of one torus that did not repeat themselves: its extremes may take longer to show than any window lasts.
+constexpr double torus_grouping = 0.15;
 // Groups that are followed, the largest first: more are the debris of a motion that does not settle.
 constexpr std::size_t most_groups = 24;
 
@@ -91,8 +94,9 @@ struct Candidate {
   Features features{};
   FeatureBox range;
   Eigen::VectorXd state;
-  std::optional<Motion> motion;
+  std::optional<Motion> motion{};
   int attractor = 0;
+  bool shows_motion = false;  // its members' windows are those of the motion that it was followed to
 };
 
 class Discoverer {
@@ -296,14 +300,14 @@ class Discoverer {
                        [](const MotionGroup& a, const MotionGroup& b) { return a.members.size() > b.members.size(); });
       if (groups.size() > most_groups) groups.resize(most_groups);
       for (const MotionGroup& group : groups)
-        candidates_.push_back({group.members, group.features, group.range, pilot_state(group.members.front()), {}, 0});
+        candidates_.push_back({group.members, group.features, group.range, pilot_state(group.members.front())});
     }
   }
 
   void add_seeds() {
     for (const std::vector<double>& seed : settings_.seeds)
       candidates_.push_back(
-          {{}, {}, {}, Eigen::Map<const Eigen::VectorXd>(seed.data(), static_cast<Eigen::Index>(seed.size())), {}, 0});
+          {{}, {}, {}, Eigen::Map<const Eigen::VectorXd>(seed.data(), static_cast<Eigen::Index>(seed.size()))});
   }
 
   // Follows the candidates until they are steady; lists those that become so, with what recognises them.
@@ -317,12 +321,13 @@ class Discoverer {
           },
           tbb::simple_partitioner());
     });
+    compare_with_motions();
     const Catalogue before = result_.catalogue;
     for (Candidate& c : candidates_) {
       if (!c.motion || !c.motion->stable) continue;
       c.attractor = result_.catalogue.add(study_.parameters, *c.motion);
       // Balance is never told by what it looks like: traps know it, or the way to it is followed.
-      if (c.members.empty() || c.attractor == balanced_id) continue;
+      if (!c.shows_motion || c.attractor == balanced_id) continue;
       result_.rule.known.push_back({c.features, c.attractor, c.motion->kind == MotionKind::chaotic});
     }
     for (const Attractor& a : result_.catalogue.listed_since(before))
@@ -333,6 +338,31 @@ class Discoverer {
     if (!strobed_) return !is_stopped();
     result_.rule.strobed = traps_as_rule(study_.parameters, speed_, strobed_traps_, family_);
     return !is_stopped();
+  }
+
+  // A trajectory may seem stationary near an unstable motion, or on chaos that ends, and come to a stable one in the
+  // end: what its windows showed is then not what recognises that one.
+  void compare_with_motions() {
+    std::vector<Candidate*> followed;
+    std::vector<const Motion*> motions;
+    for (Candidate& c : candidates_) {
+      if (!c.motion || !c.motion->stable || c.members.empty()) continue;
+      followed.push_back(&c);
+      motions.push_back(&*c.motion);
+    }
+    const std::vector<PilotRecord> own = own_windows(study_.parameters, speed_, motions, result_.rule, pilot_windows,
+                                                     source_.tolerance(), settings_.stop);
+    for (std::size_t k = 0; k < followed.size(); ++k) {
+      Candidate& c = *followed[k];
+      c.shows_motion = own[k].finished_window &&
+                       same_motion(c.features, own[k].features, study_.parameters.balls, agreement(c.motion->kind));
+    }
+  }
+
+  // How well two windows of one motion agree.
+  static double agreement(MotionKind kind) {
+    if (kind == MotionKind::chaotic) return loose_grouping;
+    return kind == MotionKind::quasi_periodic ? torus_grouping : grouping;
   }
 
   void make_strobed_trap(const Motion& motion, int id) {
@@ -366,7 +396,7 @@ class Discoverer {
     for (const double widths : box_widths)
       for (const Candidate& c : candidates_) {
         const Attractor* a = result_.catalogue.find(c.attractor);
-        if (!a || c.attractor == balanced_id) continue;
+        if (!a || !c.shows_motion || c.attractor == balanced_id) continue;
         // A refined orbit vouches for a lone member.
         if (c.members.size() < (a->motion.kind == MotionKind::periodic ? 1 : members_needed)) continue;
         const FeatureBox box = box_around(c.range, rule.balls, c.attractor, widths);
@@ -400,11 +430,10 @@ class Discoverer {
     }
   }
 
-  // Modulated by the rotor, a torus has a frequency more, and its extremes take longer to show than any window lasts.
+  // Modulated by the rotor, a torus has a frequency more.
   int loosely_known(const Features& features) const {
-    constexpr double tolerance = 0.15;
     for (const KnownFeatures& known : result_.rule.known)
-      if (same_motion(known.features, features, result_.rule.balls, tolerance)) return known.attractor;
+      if (same_motion(known.features, features, result_.rule.balls, torus_grouping)) return known.attractor;
     return 0;
   }
 
