@@ -283,8 +283,10 @@ TEST(UndecidedMachines, say_what_they_do) {
   };
   const std::string speeding = note("{ constant = 0.1 }", ""),
                     brief = note("{ constant = 0.3, slope = -0.1 }", "[numerics]\nhorizon = 100\n"),
-                    rising = note("{ constant = 0.003, slope = -0.001 }", "[numerics]\nhorizon = 800\n");
+                    rising = note("{ constant = 0.003, slope = -0.001 }", "[numerics]\nhorizon = 800\n"),
+                    exploding = note("{ constant = 0.3, slope = 0.2 }", "");  // ten thousandfold in 25 units
   EXPECT_NE(speeding.find("speeds the rotor up without end"), std::string::npos) << speeding;
+  EXPECT_NE(exploding.find("speeds the rotor up without end"), std::string::npos) << exploding;
   EXPECT_NE(brief.find("watched for too short a time"), std::string::npos) << brief;
   EXPECT_NE(brief.find("followed for 100 (numerics.horizon)"), std::string::npos) << brief;
   EXPECT_NE(rising.find("changes its mean speed"), std::string::npos) << rising;

@@ -14,6 +14,7 @@
 #include "equipoise/model/ball_count.hpp"
 #include "equipoise/model/energy.hpp"
 #include "equipoise/model/strobe.hpp"
+#include "equipoise/run/cost.hpp"
 #include "equipoise/run/horizon.hpp"
 #include "equipoise/run/initial_state.hpp"
 #include "equipoise/run/machine_scale.hpp"
@@ -210,10 +211,16 @@ Fate MachineRunner::decide(const InitialState& start, TransientRow* row, Undecid
     return decided && (!at_horizon || decided->outcome == Outcome::undecided);
   };
   Fate fate;
-  bool known = false;
+  bool known = false, ran_away = false;
   const auto observe = [&](double from, double to, auto&& state_at) {
     if (row) transients.step(from, to, state_at);
     if (known) return transients.may_leave();
+    // A torque that grows with the speed: steps would shrink for ever.
+    if (state_at.roughly(to, last); std::fabs(last[model::machine_index::speed(n)]) > fastest_speed) {
+      known = ran_away = true;
+      fate = {.time = to, .mean_speed = static_cast<float>(last[model::machine_index::speed(n)])};
+      return true;
+    }
     if (to <= settled_ || !decided_at(from, to, state_at)) return false;
     known = true;
     fate = *decided;
@@ -231,7 +238,10 @@ Fate MachineRunner::decide(const InitialState& start, TransientRow* row, Undecid
     if (judge) fate = judge->at_horizon(machine.state());
     fate.time = machine.time();
   }
-  if (end && judge) *end = judge->end();
+  if (end && ran_away)
+    end->what = Restlessness::running_away;
+  else if (end && judge)
+    *end = judge->end();
   if (row) *row = transients.row(lost, fate.outcome == Outcome::attracted && fate.attractor == balanced_id);
   if (!study_.speed.driven()) fate.mean_speed = std::numeric_limits<float>::quiet_NaN();
   return fate;

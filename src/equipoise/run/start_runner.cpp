@@ -30,11 +30,9 @@ void check_decidable(const Study& study) {
   check(study);
   check_cost(study);
   const double speed = study.speed_profile().final_speed();
-  // Beyond any machine; the integrator's steps shrink with the turns to be made.
-  constexpr double fastest = 1e4;
-  if (std::fabs(speed) > fastest)
+  if (std::fabs(speed) > fastest_speed)
     throw InputError(study.name, final_speed_key(study), fmt::format("{:.6g}", speed),
-                     fmt::format("basin and attractors take final speeds from -{0:g} to {0:g} critical speeds", fastest));
+                     fmt::format("basin and attractors take final speeds from -{0:g} to {0:g} critical speeds", fastest_speed));
   if (!model::is_strobed(study.parameters)) return;
   if (speed == 0.0)
     throw InputError(study.name, final_speed_key(study), "0",
