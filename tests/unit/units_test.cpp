@@ -11,6 +11,7 @@
 #include "equipoise/base/angles.hpp"
 #include "equipoise/model/balance_grade.hpp"
 #include "equipoise/model/ball_drag.hpp"
+#include "equipoise/study/study.hpp"
 #include "equipoise/study/units.hpp"
 
 namespace equipoise::study {
@@ -93,6 +94,23 @@ TEST(Units, BeyondAsciiAreWorthTheSame) {
   for (const char* text : {"3 \u00B2", "3 m\u00B2\u00B2", "3 m\u207B", "3 m\xB2", "3 \xB5m", "3 10\u00B2 m",
                            "3 \u00D7 m", "3 \u0085", "3 \u00B7", "3 \u00B0C"})
     EXPECT_NE(measure(text, {Dimension::length}).problem, "") << text;
+}
+
+TEST(Units, BeyondAsciiAreReadInStudies) {
+  const auto study = [](const std::string& eccentricity, const std::vector<std::string>& overrides = {}) {
+    return parse_study(
+               "[rotor]\nmass = \"12 kg\"\nstiffness = \"48 kN/m\"\ndamping = '200 N\u00B7s/m'\neccentricity = " +
+                   eccentricity +
+                   "\n[balancer]\nballs = 2\nrace_radius = \"30 mm\"\nmass = \"60 g\"\ndrag = \"1e-4 N m s\"\n"
+                   "race_offset = [\"1 \u00B5m\", \"2 \u00B5m\"]\n[speed]\nprofile = \"constant\"\nspeed = \"3000 "
+                   "rpm\"\n",
+               "m.toml", overrides)
+        .parameters;
+  };
+  EXPECT_DOUBLE_EQ(study("\"20 \u00B5m\"").eccentricity, 20e-6 / 30e-3);
+  EXPECT_DOUBLE_EQ(study("\"20 \u00B5m\"").race_offset[1], 2e-6 / 30e-3);
+  EXPECT_DOUBLE_EQ(study("\"1 mm\"", {"rotor.eccentricity=20 \u03BCm"}).eccentricity, 20e-6 / 30e-3);
+  EXPECT_DOUBLE_EQ(study("\"1 mm\"", {"balancer.race_offset=['3 \u03BCm', '0 um']"}).race_offset[0], 3e-6 / 30e-3);
 }
 
 TEST(Units, HertzOfARotorAreTurnsASecond) {
