@@ -22,16 +22,16 @@ struct Seen {
   std::array<double, equipoise::model::max_balls> turned{}, rate{};  // of each ball; its largest |phi'|
 };
 
-template <int n>
-Seen follow(const equipoise::Study& study, std::uint64_t index, double until) {
+inline Seen follow(const equipoise::Study& study, std::uint64_t index, double until) {
   using namespace equipoise;
-  using Machine = HWY_NAMESPACE::MachineTrajectory<n>;
+  using Machine = HWY_NAMESPACE::MachineTrajectory<model::any_count>;
   const model::Parameters& p = study.parameters;
+  const int n = p.balls;
   const model::Drive drive = study.drive();
   const double begin = drive.pieces.back().begin;
   double z[Machine::dimension];
   initial_state(start_of(study, study.sampling.seed, index), n, drive.speed, z);
-  Machine machine(p, drive, ensemble_scale<n>(p, default_basin_tolerance), z);
+  Machine machine(p, drive, ensemble_scale<model::any_count>(p, default_basin_tolerance), z);
   Seen seen;
   seen.lost = machine.advance(begin + 0.5 * until, [](auto&&...) { return false; }) != IntegrationStatus::done;
   const double from = machine.time();
@@ -55,11 +55,6 @@ Seen follow(const equipoise::Study& study, std::uint64_t index, double until) {
   seen.last_r = std::sqrt(last_square / (0.05 * until));
   for (int i = 0; i < n; ++i) seen.turned[i] = machine.state()[4 + i] - before[4 + i];
   return seen;
-}
-
-inline Seen follow(const equipoise::Study& study, std::uint64_t index, double until) {
-  return equipoise::model::with_ball_count(study.parameters.balls,
-                                           [&](auto n) { return follow<n>(study, index, until); });
 }
 
 /// The kinds of attractors/steady_watch.hpp, but "rest" for all balls captured, r above rounding or not.

@@ -218,11 +218,11 @@ void set_level(OrbitTrap& trap, int balls, double level) {
 }
 
 double trap_value(const OrbitTrap& trap, int balls, const double* state) {
-  return model::with_ball_count(balls, [&](auto n) { return kernels::trap_value<n, double>(trap, state); });
+  return kernels::trap_value(trap, model::BallCount<model::any_count>(balls), state);
 }
 
 double trap_value(const BalancedTrap& trap, int balls, const double* state) {
-  return model::with_ball_count(balls, [&](auto n) { return kernels::trap_value<n, double>(trap, state); });
+  return kernels::trap_value(trap, model::BallCount<model::any_count>(balls), state);
 }
 
 void trap_state(const OrbitTrap& trap, int balls, int row, const double* direction, double* state) {

@@ -37,7 +37,6 @@ class MachineRunner : public Runner {
   bool stopped() const override { return false; }
 
  private:
-  template <int n>
   Fate decide(const InitialState& start, TransientRow* row) const;
 
   Study study_;
