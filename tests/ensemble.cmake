@@ -3,6 +3,7 @@ equipoise_test(pack_test unit unit/pack_test.cpp)
 target_include_directories(pack_test PRIVATE ${CMAKE_CURRENT_SOURCE_DIR})
 target_compile_definitions(pack_test PRIVATE "HWY_DISABLED_TARGETS=(${equipoise_kernels_left_out})")
 equipoise_test(kernel_speed_test unit unit/kernel_speed_test.cpp)
+target_compile_options(kernel_speed_test PRIVATE $<$<CONFIG:Release>:-O3>)  # of its own integrator too
 equipoise_test(statistics_test unit unit/statistics_test.cpp unit/comparison_test.cpp unit/quantile_test.cpp)
 equipoise_test(sampling_test unit unit/sampling_test.cpp unit/even_share_test.cpp)
 equipoise_test(reproduction_test unit unit/document_test.cpp unit/published_tables_test.cpp LIBRARIES nlohmann_json::nlohmann_json)
