@@ -21,6 +21,7 @@ endif()
 # The fuzz target, with libFuzzer where asked for and with a driver of our own everywhere else. Both run a bounded,
 # seeded number of inputs as a test; for a longer search run the program by hand.
 add_executable(study_fuzz fuzz/study_fuzz.cpp)
+add_dependencies(equipoise_tests study_fuzz)
 target_compile_options(study_fuzz PRIVATE -Wall -Wextra)
 set(seeds ${CMAKE_CURRENT_SOURCE_DIR}/fuzz/seeds ${PROJECT_SOURCE_DIR}/studies)
 set(dictionary ${CMAKE_CURRENT_SOURCE_DIR}/fuzz/study.dict)

@@ -127,12 +127,12 @@ void follow_lanes(const Study& study, const StartSource& source, std::size_t fir
 }
 
 // The ensemble's own error scale, so that this is its trajectory (run/machine_runner.cpp).
-template <int n>
 void follow_machine(const Study& study, const model::Drive& drive, const InitialState& start, const LookTimes& times,
                     double settled, LateMotion& motion) {
-  using Machine = kernels::MachineTrajectory<n>;
+  using Machine = kernels::MachineTrajectory<model::any_count>;
+  const int n = study.parameters.balls;
   using model::machine_index::psi;
-  typename Machine::Scale scale;
+  Machine::Scale scale;
   scale.tolerance = study.numerics.tolerance.value_or(default_basin_tolerance);
   scale.floor.fill(1.0);
   for (int i = 0; i < 4; ++i) scale.floor[i] = study.parameters.eccentricity + study.parameters.total_mass();
@@ -171,8 +171,7 @@ std::vector<LateMotion> follow_late(const Study& study, std::size_t count, const
     arena.execute([&] {
       tbb::parallel_for(std::size_t{0}, count, [&](std::size_t i) {
         const InitialState start = start_of(study, study.sampling.seed, i);
-        model::with_ball_count(study.parameters.balls,
-                               [&](auto n) { follow_machine<n>(study, drive, start, times, settled, motions[i]); });
+        follow_machine(study, drive, start, times, settled, motions[i]);
       });
     });
     return motions;

@@ -25,16 +25,16 @@ struct Seen {
   bool one_side = false;                                             // at the end half the race holds all balls
 };
 
-template <int n>
-Seen follow(const equipoise::Study& study, std::uint64_t index, double until) {
+inline Seen follow(const equipoise::Study& study, std::uint64_t index, double until) {
   using namespace equipoise;
-  using Machine = HWY_NAMESPACE::MachineTrajectory<n>;
+  using Machine = HWY_NAMESPACE::MachineTrajectory<model::any_count>;
   const model::Parameters& p = study.parameters;
+  const int n = p.balls;
   const model::Drive drive = study.drive();
   const double begin = drive.pieces.back().begin;
   double z[Machine::dimension];
   initial_state(start_of(study, study.sampling.seed, index), n, drive.speed, z);
-  Machine machine(p, drive, ensemble_scale<n>(p, default_basin_tolerance), z);
+  Machine machine(p, drive, ensemble_scale<model::any_count>(p, default_basin_tolerance), z);
   Seen seen;
   seen.lost = machine.advance(begin + 0.5 * until, [](auto&&...) { return false; }) != IntegrationStatus::done;
   const double from = machine.time();
@@ -71,11 +71,6 @@ Seen follow(const equipoise::Study& study, std::uint64_t index, double until) {
       seen.one_side = seen.one_side &&
                       std::fabs(wrapped(previous[4 + i] - previous[4]) - wrapped(previous[4 + k] - previous[4])) < pi;
   return seen;
-}
-
-inline Seen follow(const equipoise::Study& study, std::uint64_t index, double until) {
-  return equipoise::model::with_ball_count(study.parameters.balls,
-                                           [&](auto n) { return follow<n>(study, index, until); });
 }
 
 /// The kinds of attractors/steady_watch.hpp, but "rest" for all balls captured, r above rounding or not.

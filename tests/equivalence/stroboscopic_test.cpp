@@ -5,6 +5,7 @@
 #include <complex>
 #include <vector>
 
+#include <Eigen/Dense>
 #include <gtest/gtest.h>
 
 #include "equipoise/attractors/strobed_motion.hpp"

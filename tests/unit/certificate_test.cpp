@@ -1,6 +1,7 @@
 // Certificates: every stable case of the paper is proved nearly up to the sampled critical level, and nothing false is.
 #include "equipoise/attractors/certificate.hpp"
 
+#include <Eigen/Dense>
 #include <gtest/gtest.h>
 
 #include <cmath>

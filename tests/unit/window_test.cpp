@@ -18,7 +18,7 @@ namespace {
 namespace kernels = HWY_NAMESPACE;
 
 // Remembers the longest accepted step after a time.
-struct StepWatch : kernels::NoObserver<2> {
+struct StepWatch : kernels::NoObserver {
   double after = 0.0, longest = 0.0;
 
   unsigned step(int, unsigned, kernels::Mask accepted, kernels::Pack t, kernels::Pack h, const kernels::Pack*) {

@@ -5,14 +5,12 @@
 #include <cmath>
 #include <numeric>
 
-#include <Eigen/Eigenvalues>
-#include <Eigen/QR>
-
 #include "equipoise/attractors/continuum_draws.hpp"
 #include "equipoise/attractors/lyapunov.hpp"
 #include "equipoise/attractors/stroboscopic.hpp"
 #include "equipoise/attractors/variational.hpp"
 #include "equipoise/base/angles.hpp"
+#include "equipoise/base/dense.hpp"
 #include "equipoise/model/balanced_state.hpp"
 #include "equipoise/model/linearisation.hpp"
 #include "equipoise/model/strobe.hpp"
@@ -83,30 +81,30 @@ bool BalancedContinuum::settle(ContinuumMember& m) const {
     change = scaled(model::jacobian(p_, speed_, m.centre.data()));
   }
   // Range and kernel, of the transpose too, by rank-revealing QR: the zeros are semisimple where the member attracts.
-  const MatrixXd q = Eigen::ColPivHouseholderQR<MatrixXd>(change).householderQ();
-  const MatrixXd kernel = Eigen::ColPivHouseholderQR<MatrixXd>(change.transpose()).householderQ();
+  const MatrixXd q = dense::pivoted_orthogonal_factor(change);
+  const MatrixXd kernel = dense::pivoted_orthogonal_factor(change.transpose());
   m.range = q.leftCols(across);
   m.along = kernel.rightCols(dimension_);
   const MatrixXd left = q.rightCols(dimension_).transpose();
-  m.left = (left * m.along).partialPivLu().solve(left);
+  m.left = dense::LinearSolver(left * m.along).solve(left);
   m.across = m.range.transpose() * change * m.range;
   const MatrixXd one = MatrixXd::Identity(across, across);
   if (p_.gravity != 0.0) {
     constexpr int most = 8;
     constexpr double converged = 1e-8;  // of the size of the rotor's deflections
-    const auto solve = m.across.partialPivLu();
+    const dense::LinearSolver solver(m.across);
     for (int k = 0;; ++k) {
       const VectorXd part = m.range.transpose() * (miss - m.along * (m.left * miss));
       if (part.norm() < converged) break;
       if (k == most) return false;
-      m.centre -= scale_.cwiseProduct(m.range * solve.solve(part));
+      m.centre -= scale_.cwiseProduct(m.range * solver.solve(part));
       const auto end = advance_state(p_, speed_, m.centre, strobe);
       if (!end) return false;
       miss = (*end - m.centre).cwiseQuotient(scale_);
     }
   }
   if (p_.gravity != 0.0) m.creep = m.along * (m.left * miss) / strobe;
-  m.rate = slowest_of(strobed_ ? (m.across + one).eigenvalues() : m.across.eigenvalues(), 0, strobe);
+  m.rate = slowest_of(strobed_ ? dense::eigenvalues(m.across + one) : dense::eigenvalues(m.across), 0, strobe);
   return m.left.allFinite() && std::isfinite(m.rate);
 }
 
@@ -122,11 +120,11 @@ bool BalancedContinuum::shape(ContinuumMember& m) const {
   else
     form = solve_lyapunov(m.across + decay * one, one);
   if (!form) return false;
-  const Eigen::SelfAdjointEigenSolver<MatrixXd> spectrum(*form, Eigen::EigenvaluesOnly);
-  const double least = spectrum.eigenvalues().minCoeff();
+  const VectorXd spectrum = dense::symmetric_eigenvalues(*form);
+  const double least = spectrum.minCoeff();
   if (!(least > 0.0)) return false;
   m.form = *form / least;
-  m.unit = m.rate * m.rate * least / spectrum.eigenvalues().maxCoeff();
+  m.unit = m.rate * m.rate * least / spectrum.maxCoeff();
   return true;
 }
 
@@ -181,8 +179,7 @@ double BalancedContinuum::value(const ContinuumMember& m, const VectorXd& state)
 }
 
 VectorXd BalancedContinuum::state_at(const ContinuumMember& m, double value, const VectorXd& direction) const {
-  const Eigen::LLT<MatrixXd> factor(m.form);
-  const VectorXd s = std::sqrt(value) * factor.matrixU().solve(direction.normalized());
+  const VectorXd s = std::sqrt(value) * dense::Cholesky(m.form).solve_upper(VectorXd(direction.normalized()));
   return m.centre + scale_.cwiseProduct(m.range * s);
 }
 
@@ -216,9 +213,10 @@ bool BalancedContinuum::stays(ContinuumMember m, double slowest_rate) const {
 // The rate across at a balanced state without all the rest.
 double BalancedContinuum::rate_at(const double* phi) const {
   const VectorXd centre = model::centred_state(p_, phi);
-  if (!strobed_) return slowest_of(model::jacobian(p_, speed_, centre.data()).eigenvalues(), dimension_, 0.0);
+  if (!strobed_) return slowest_of(dense::eigenvalues(model::jacobian(p_, speed_, centre.data())), dimension_, 0.0);
   const auto flight = follow_derivative(balanced_, speed_, centre, model::strobe_period(p_, speed_), map_tolerance);
-  return flight ? slowest_of(flight->tangents.eigenvalues(), dimension_, model::strobe_period(p_, speed_)) : 1e300;
+  return flight ? slowest_of(dense::eigenvalues(flight->tangents), dimension_, model::strobe_period(p_, speed_))
+                : 1e300;
 }
 
 ContinuumSurvey BalancedContinuum::survey() const {

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include <Eigen/Dense>
+#include <Eigen/Core>
 
 #include "equipoise/attractors/balanced_continuum.hpp"
 #include "equipoise/attractors/decision_rule.hpp"

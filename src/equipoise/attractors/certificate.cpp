@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 
 #include "equipoise/attractors/level_proof.hpp"
+#include "equipoise/base/dense.hpp"
 #include "equipoise/model/balanced_state.hpp"
 #include "equipoise/model/linearisation.hpp"
 
@@ -126,13 +127,13 @@ std::string hopeless(const model::Parameters& p, double speed, const double* phi
   if (form.rows() != size || form.cols() != size || !form.allFinite())
     return fmt::format("the form must be a {0} x {0} matrix of finite numbers", size);
   if (!(level > 0.0) || !std::isfinite(level)) return "the level must be a finite number greater than 0";
-  if (form.llt().info() != Eigen::Success) return "the form is not positive definite";
+  if (!dense::Cholesky(form).definite()) return "the form is not positive definite";
   const Eigen::MatrixXd a = model::jacobian(p, speed, model::centred_state(p, phi).data());
-  const double growth = a.eigenvalues().real().maxCoeff();
+  const double growth = dense::largest_real_part(a);
   if (!(growth < 0.0))
     return fmt::format("the balanced state is not linearly stable at speed {} (growth rate {:.3g})", speed, growth);
   const Eigen::MatrixXd fall = -(form * a + a.transpose() * form);
-  if (fall.llt().info() != Eigen::Success) return "V does not decrease along the linearised equations";
+  if (!dense::Cholesky(fall).definite()) return "V does not decrease along the linearised equations";
   return "";
 }
 
@@ -149,7 +150,7 @@ Eigen::MatrixXd frame_of(const Eigen::MatrixXd& form, double level, int balls) {
   for (int i = 0; i < size; ++i)
     for (int j = 0; j < size; ++j) sorted(i, j) = form(order[i], order[j]);
   const Eigen::MatrixXd inverse =
-      sorted.llt().matrixU().solve(Eigen::MatrixXd(std::sqrt(level) * Eigen::MatrixXd::Identity(size, size)));
+      dense::Cholesky(sorted).solve_upper(Eigen::MatrixXd(std::sqrt(level) * Eigen::MatrixXd::Identity(size, size)));
   for (int i = 0; i < size; ++i)
     for (int j = i; j < size; ++j) frame(order[i], j) = inverse(i, j);
   return frame;

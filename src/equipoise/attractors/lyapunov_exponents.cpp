@@ -4,7 +4,7 @@
 #include <functional>
 #include <vector>
 
-#include <Eigen/Dense>
+#include <Eigen/Core>
 
 #include "equipoise/attractors/orbit.hpp"
 #include "equipoise/attractors/variational.hpp"

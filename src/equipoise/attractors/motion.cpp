@@ -18,6 +18,7 @@
 #include "equipoise/attractors/settling.hpp"
 #include "equipoise/attractors/strobed_motion.hpp"
 #include "equipoise/base/angles.hpp"
+#include "equipoise/base/dense.hpp"
 #include "equipoise/model/balanced_state.hpp"
 #include "equipoise/model/linearisation.hpp"
 #include "equipoise/model/strobe.hpp"
@@ -48,7 +49,7 @@ std::optional<Equilibrium> nearest_of_continuum(const model::Parameters& p, doub
   if (!model::project_to_balanced(p, phi)) return std::nullopt;
   Equilibrium result;
   result.state = model::centred_state(p, phi);
-  result.eigenvalues = model::jacobian(p, speed, result.state.data()).eigenvalues();
+  result.eigenvalues = dense::eigenvalues(model::jacobian(p, speed, result.state.data()));
   std::sort(result.eigenvalues.begin(), result.eigenvalues.end(),
             [](const auto& a, const auto& b) { return a.real() > b.real(); });
   result.residual = model::derivative(p, speed, result.state.data()).cwiseAbs().maxCoeff();
@@ -231,7 +232,7 @@ bool Journey::statistics_repeat(double share_of_extremes, double share_of_means)
 // rate of change nor by what grows.
 bool Journey::creeps() const {
   if (difference_.length(model::derivative(p_, speed_, state_.data())) * patience_ > in_reach) return false;
-  return model::jacobian(p_, speed_, state_.data()).eigenvalues().real().maxCoeff() * patience_ < 1.0;
+  return dense::largest_real_part(model::jacobian(p_, speed_, state_.data())) * patience_ < 1.0;
 }
 
 // Whether the trajectory, after it had been farthest from where it is now, came half as near again. What creeps has the

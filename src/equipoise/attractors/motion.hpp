@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include <Eigen/Dense>
+#include <Eigen/Core>
 
 #include "equipoise/attractors/orbit.hpp"
 #include "equipoise/model/parameters.hpp"

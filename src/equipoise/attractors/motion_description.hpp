@@ -1,7 +1,7 @@
 // Pieces shared by the ways to describe a motion.
 #pragma once
 
-#include <Eigen/Dense>
+#include <Eigen/Core>
 
 #include "equipoise/attractors/motion.hpp"
 #include "equipoise/attractors/motion_statistics.hpp"

@@ -6,11 +6,10 @@
 #include <complex>
 #include <utility>
 
-#include <Eigen/Eigenvalues>
-
 #include "equipoise/attractors/floquet.hpp"
 #include "equipoise/attractors/variational.hpp"
 #include "equipoise/base/angles.hpp"
+#include "equipoise/base/dense.hpp"
 #include "equipoise/model/linearisation.hpp"
 
 namespace equipoise {
@@ -159,7 +158,7 @@ bool solve(const OrbitProblem& problem, Shooting& s) {
   const double period = s.period;
   if (!problem.evaluate(s)) return false;
   for (int iteration = 0; iteration < most_iterations; ++iteration) {
-    const Eigen::PartialPivLU<MatrixXd> lu(problem.matrix(s));
+    const dense::LinearSolver lu(problem.matrix(s));
     const VectorXd change = -lu.solve(s.mismatch);
     const double length = change.norm();
     if (!std::isfinite(length)) return false;
@@ -213,7 +212,7 @@ std::optional<Equilibrium> refine_equilibrium(const model::Parameters& p, double
     MatrixXd normal = jacobian.transpose() * jacobian;
     // Where the damping has vanished, rounding would fill directions in which the Jacobian is singular.
     normal.diagonal().array() += std::max(rate.squaredNorm(), 1e-14 * normal.trace());
-    const VectorXd change = -normal.ldlt().solve(jacobian.transpose() * rate);
+    const VectorXd change = -dense::solve_semidefinite(normal, jacobian.transpose() * rate);
     double share = 1.0;
     VectorXd next, next_rate;
     for (; share > 1e-4; share *= 0.5) {
@@ -227,7 +226,7 @@ std::optional<Equilibrium> refine_equilibrium(const model::Parameters& p, double
   }
   Equilibrium result{z, {}, rate.lpNorm<Eigen::Infinity>()};
   if (!(result.residual < target)) return std::nullopt;
-  result.eigenvalues = model::jacobian(p, speed, z.data()).eigenvalues();
+  result.eigenvalues = dense::eigenvalues(model::jacobian(p, speed, z.data()));
   std::sort(result.eigenvalues.begin(), result.eigenvalues.end(), [](const auto& a, const auto& b) {
     return a.real() != b.real() ? a.real() > b.real() : a.imag() > b.imag();
   });

@@ -8,6 +8,7 @@
 
 #include "equipoise/attractors/variational.hpp"
 #include "equipoise/base/angles.hpp"
+#include "equipoise/base/dense.hpp"
 #include "equipoise/model/linearisation.hpp"
 
 namespace equipoise {
@@ -86,7 +87,7 @@ std::optional<OrbitGuess> shoot(const model::Parameters& p, double speed, const 
     matrix.topLeftCorner(size, size) = flight->tangents - Eigen::MatrixXd::Identity(size, size);
     matrix.topRightCorner(size, 1) = model::derivative(p, speed, flight->end.data());
     matrix.bottomLeftCorner(1, size) = model::derivative(p, speed, guess.state.data()).transpose();
-    const Eigen::VectorXd change = matrix.partialPivLu().solve(right);
+    const Eigen::VectorXd change = dense::LinearSolver(matrix).solve(right);
     const double length = difference.length(change.head(size));
     if (!(length <= (step == 0 ? reach : least_progress * previous))) return std::nullopt;
     guess.state += change.head(size);

@@ -3,7 +3,7 @@
 
 #include <optional>
 
-#include <Eigen/Dense>
+#include <Eigen/Core>
 
 #include "equipoise/attractors/motion.hpp"
 #include "equipoise/model/parameters.hpp"

@@ -7,7 +7,7 @@
 #include <optional>
 #include <vector>
 
-#include <Eigen/Dense>
+#include <Eigen/Core>
 
 #include "equipoise/attractors/balanced_continuum.hpp"
 #include "equipoise/attractors/decision_rule.hpp"

@@ -7,12 +7,9 @@
 #include <functional>
 #include <utility>
 
-#include <Eigen/Eigenvalues>
-#include <Eigen/QR>
-#include <Eigen/SVD>
-
 #include "equipoise/attractors/variational.hpp"
 #include "equipoise/base/angles.hpp"
+#include "equipoise/base/dense.hpp"
 #include "equipoise/model/balanced_state.hpp"
 #include "equipoise/model/linearisation.hpp"
 #include "equipoise/model/strobe.hpp"
@@ -102,9 +99,7 @@ class StrobeProblem {
       all = arcs_[k] * all;
       carried = arcs_[k] * carried + miss_[k];
     }
-    Eigen::JacobiSVD<MatrixXd> svd(all - MatrixXd::Identity(size, size), Eigen::ComputeFullU | Eigen::ComputeFullV);
-    svd.setThreshold(singular);
-    std::vector<VectorXd> changes{-svd.solve(carried)};
+    std::vector<VectorXd> changes{-dense::least_norm_solution(all - MatrixXd::Identity(size, size), carried, singular)};
     for (std::size_t k = 0; k + 1 < arcs_.size(); ++k) changes.push_back(arcs_[k] * changes[k] + miss_[k]);
     return changes;
   }
@@ -115,7 +110,7 @@ class StrobeProblem {
     PeriodicOrbit orbit;
     orbit.period = step_ * static_cast<double>(nodes.size());
     orbit.winding = winding_;
-    orbit.multipliers = all.eigenvalues();
+    orbit.multipliers = dense::eigenvalues(all);
     std::sort(orbit.multipliers.begin(), orbit.multipliers.end(), [](const auto& a, const auto& b) {
       return std::abs(a) != std::abs(b) ? std::abs(a) > std::abs(b) : a.imag() > b.imag();
     });
@@ -273,16 +268,14 @@ std::vector<double> strobed_exponents(const model::Parameters& p, double speed, 
     for (Index k = 0; k < count; ++k) vectors(i, k) = std::sin(1.0 + 2.3 * double(i) + 5.1 * double(k * (i + 1)));
   VectorXd sums = VectorXd::Zero(count);
   for (long done = -alignment; done < strobes; ++done) {
-    const Eigen::HouseholderQR<MatrixXd> qr(vectors);
-    vectors = qr.householderQ() * MatrixXd::Identity(size, count);
-    if (done > 0) sums += qr.matrixQR().diagonal().head(count).cwiseAbs().array().log().matrix();
-    auto flight = follow_tangents(p, speed, z, vectors, step, accuracy);
+    const auto [directions, stretches] = dense::thin_qr(vectors);
+    if (done > 0) sums += stretches.cwiseAbs().array().log().matrix();
+    auto flight = follow_tangents(p, speed, z, directions, step, accuracy);
     if (!flight) return {};
     z = flight->end;
     vectors = std::move(flight->tangents);
   }
-  const Eigen::HouseholderQR<MatrixXd> qr(vectors);
-  sums += qr.matrixQR().diagonal().head(count).cwiseAbs().array().log().matrix();
+  sums += dense::thin_qr(vectors).diagonal.cwiseAbs().array().log().matrix();
   std::vector<double> exponents;
   for (Index k = 0; k < count; ++k) exponents.push_back(sums[k] / (step * double(strobes)));
   std::sort(exponents.begin(), exponents.end(), std::greater<>());

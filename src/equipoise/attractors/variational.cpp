@@ -2,6 +2,7 @@
 #include "equipoise/attractors/variational.hpp"
 
 #include <algorithm>
+#include <type_traits>
 
 #include "equipoise/attractors/orbit.hpp"
 #include "equipoise/base/dual.hpp"
@@ -21,54 +22,59 @@ constexpr kernels::Terms autonomous{false, false, false}, strobed{false, true, t
 
 model::Segment constant_speed(double speed, double psi) { return {0.0, 0.0, psi, speed, 0.0, false}; }
 
-// `width` tangent vectors along a trajectory. Component (1 + width) i is variable i, the next `width` are its tangents.
-template <int n, int width, kernels::Terms terms>
+// As many tangent vectors along a trajectory as asked for, `width` at most. Component (1 + vectors) i is variable i,
+// the next `vectors` are its tangents.
+template <int width, kernels::Terms terms>
 class TangentFlow {
  public:
-  static constexpr int size = model::dimension(n), dimension = size * (1 + width);
+  static constexpr int most = model::dimension(model::max_balls), dimension = most * (1 + width);
 
-  TangentFlow(const model::Parameters& p, const model::Segment& segment) : flow_(p, segment) {}
+  TangentFlow(const model::Parameters& p, const model::Segment& segment, int vectors)
+      : flow_(p, segment), vectors_(vectors) {}
 
   // Not inlined: the integrator calls it in sixteen places.
   HWY_NOINLINE void operator()(double t, const double* y, double* dy) const {
-    Dual<width> z[size], rate[size];
-    for (int i = 0; i < size; ++i) {
-      z[i].value = y[(1 + width) * i];
-      std::copy_n(y + (1 + width) * i + 1, width, z[i].slope);
+    Dual<width> z[most], rate[most];
+    const int stride = 1 + vectors_;
+    for (int i = 0; i < flow_.size(); ++i) {
+      z[i].value = y[stride * i];
+      std::copy_n(y + stride * i + 1, vectors_, z[i].slope);
     }
     flow_(Dual<width>(t), z, rate);
-    for (int i = 0; i < size; ++i) {
-      dy[(1 + width) * i] = rate[i].value;
-      std::copy_n(rate[i].slope, width, dy + (1 + width) * i + 1);
+    for (int i = 0; i < flow_.size(); ++i) {
+      dy[stride * i] = rate[i].value;
+      std::copy_n(rate[i].slope, vectors_, dy + stride * i + 1);
     }
   }
 
  private:
-  kernels::FreeFlow<Dual<width>, n, terms> flow_;
+  kernels::FreeFlow<Dual<width>, model::any_count, terms> flow_;
+  int vectors_;
 };
 
-template <int n, int width, kernels::Terms terms>
+// With `vectors` tangents, of which those beyond `start`'s columns stay zero.
+template <int width, kernels::Terms terms>
 std::optional<TangentFlight> follow(const model::Parameters& p, const model::Segment& segment, const VectorXd& state,
-                                    const MatrixXd& vectors, double duration, double tolerance) {
-  using Flow = TangentFlow<n, width, terms>;
-  constexpr int size = Flow::size, stride = 1 + width;
-  const int count = static_cast<int>(vectors.cols());
+                                    const MatrixXd& start, int vectors, double duration, double tolerance) {
+  using Flow = TangentFlow<width, terms>;
+  const int size = model::dimension(p.balls), stride = 1 + vectors;
+  const int count = static_cast<int>(start.cols());
   const VectorXd unit = state_scale(p);
   kernels::ErrorScale<Flow::dimension> scale;
   scale.tolerance = tolerance;
-  kernels::set_state_scale<n>(p, stride, scale);
+  kernels::set_state_scale(p, stride, scale);
   double y[Flow::dimension] = {};
   for (int i = 0; i < size; ++i) {
     y[stride * i] = state[i];
-    for (int k = 0; k < width; ++k) {
+    for (int k = 0; k < vectors; ++k) {
       // Columns beyond `count` stay zero; their scale only has to be positive.
-      const double length = k < count ? vectors.col(k).cwiseQuotient(unit).template lpNorm<Eigen::Infinity>() : 0.0;
+      const double length = k < count ? start.col(k).cwiseQuotient(unit).template lpNorm<Eigen::Infinity>() : 0.0;
       scale.floor[stride * i + 1 + k] = unit[i] * (length > 0.0 ? length : 1.0);
-      if (k < count) y[stride * i + 1 + k] = vectors(i, k);
+      if (k < count) y[stride * i + 1 + k] = start(i, k);
     }
   }
-  const Flow flow(p, segment);
-  kernels::AdaptiveIntegrator<Flow, Flow::dimension> integrator(flow, scale);
+  const Flow flow(p, segment, vectors);
+  kernels::AdaptiveIntegrator<Flow, Flow::dimension> integrator(flow, scale, size * stride);
   const auto status = integrator.advance(0.0, duration, y, [](double, double, auto&&) {});
   if (status != IntegrationStatus::done) return std::nullopt;
   TangentFlight flight{VectorXd(size), MatrixXd(size, count)};
@@ -88,18 +94,21 @@ VectorXd state_scale(const model::Parameters& p) {
 }
 
 std::optional<TangentFlight> follow_tangents(const model::Parameters& p, double speed, const VectorXd& state,
-                                             const MatrixXd& vectors, double duration, double tolerance, double psi) {
+                                             const MatrixXd& start, double duration, double tolerance, double psi) {
   // Few vectors, as for the leading Lyapunov exponents, are carried at less cost.
   constexpr int few = 4;
   const model::Segment segment = constant_speed(speed, psi);
-  return model::with_ball_count(p.balls, [&](auto n) {
-    constexpr int all = model::dimension(n);
-    if (model::is_strobed(p))
-      return vectors.cols() <= few ? follow<n, few, strobed>(p, segment, state, vectors, duration, tolerance)
-                                   : follow<n, all, strobed>(p, segment, state, vectors, duration, tolerance);
-    return vectors.cols() <= few ? follow<n, few, autonomous>(p, segment, state, vectors, duration, tolerance)
-                                 : follow<n, all, autonomous>(p, segment, state, vectors, duration, tolerance);
-  });
+  const int size = model::dimension(p.balls), vectors = start.cols() <= few ? few : size;
+  const auto run = [&](auto width) {
+    return model::is_strobed(p) ? follow<width, strobed>(p, segment, state, start, vectors, duration, tolerance)
+                                : follow<width, autonomous>(p, segment, state, start, vectors, duration, tolerance);
+  };
+  // All at a width little above their number: slopes that are not used cost as much as those that are.
+  if (vectors <= few) return run(std::integral_constant<int, few>{});
+  if (vectors <= model::dimension(2)) return run(std::integral_constant<int, model::dimension(2)>{});
+  if (vectors <= model::dimension(4)) return run(std::integral_constant<int, model::dimension(4)>{});
+  if (vectors <= model::dimension(6)) return run(std::integral_constant<int, model::dimension(6)>{});
+  return run(std::integral_constant<int, model::dimension(8)>{});
 }
 
 std::optional<TangentFlight> follow_derivative(const model::Parameters& p, double speed, const VectorXd& state,
@@ -109,15 +118,15 @@ std::optional<TangentFlight> follow_derivative(const model::Parameters& p, doubl
 
 namespace {
 
-template <int n, kernels::Terms terms>
+template <kernels::Terms terms>
 std::optional<VectorXd> advance(const model::Parameters& p, const model::Segment& segment, const VectorXd& state,
                                 double duration) {
-  using Flow = kernels::FreeFlow<double, n, terms>;
+  using Flow = kernels::FreeFlow<double, model::any_count, terms>;
   kernels::ErrorScale<Flow::dimension> scale;
   scale.tolerance = 1e-12;
-  kernels::set_state_scale<n>(p, 1, scale);
+  kernels::set_state_scale(p, 1, scale);
   const Flow flow(p, segment);
-  kernels::AdaptiveIntegrator<Flow, Flow::dimension> integrator(flow, scale);
+  kernels::AdaptiveIntegrator<Flow, Flow::dimension> integrator(flow, scale, flow.size());
   VectorXd end = state;
   const auto status = integrator.advance(0.0, duration, end.data(), [](double, double, auto&&) {});
   if (status != IntegrationStatus::done) return std::nullopt;
@@ -129,10 +138,8 @@ std::optional<VectorXd> advance(const model::Parameters& p, const model::Segment
 std::optional<VectorXd> advance_state(const model::Parameters& p, double speed, const VectorXd& state, double duration,
                                       double psi) {
   const model::Segment segment = constant_speed(speed, psi);
-  return model::with_ball_count(p.balls, [&](auto n) -> std::optional<VectorXd> {
-    return model::is_strobed(p) ? advance<n, strobed>(p, segment, state, duration)
-                                : advance<n, autonomous>(p, segment, state, duration);
-  });
+  return model::is_strobed(p) ? advance<strobed>(p, segment, state, duration)
+                              : advance<autonomous>(p, segment, state, duration);
 }
 
 }  // namespace equipoise

@@ -12,6 +12,7 @@ namespace equipoise::model {
 namespace {
 namespace kernels = HWY_NAMESPACE;
 constexpr kernels::Terms machine_terms{true, true, true, true};
+constexpr int most = dimension(max_balls) + 2;
 
 // The motor's torque and the rate of the integral of its speed error, with their slopes in psi' and that integral.
 template <class T>
@@ -37,15 +38,16 @@ MotorState<Dual<slopes>> motor_state(const DriveSegment& motor, const Dual<slope
 }
 
 // Rates of the state of machine.hpp without psi: n balls' state, psi', integral of the error.
-template <class T, int n>
+template <class T>
 void rates(const Parameters& p, const DrivePiece& piece, double psi, const T* z, T* dz) {
-  const kernels::BallBalancer<T, n, machine_terms> balancer(p);
+  const kernels::BallBalancer<T, any_count, machine_terms> balancer(p);
+  const int n = p.balls;
   const T speed = z[dimension(n)];
   const kernels::RotorMotion<T> rotor{speed, T(0.0), T(std::sin(psi)), T(std::cos(psi))};
   MotorState<T> motor{};
   if (piece.driven()) motor = motor_state(piece.motor, speed, z[dimension(n) + 1]);
   const auto result =
-      balancer.machine_derivative(rotor, kernels::BallActions<T, n>{}, piece.driven(), motor.torque, z, dz);
+      balancer.machine_derivative(rotor, kernels::BallActions<T, any_count>{}, piece.driven(), motor.torque, z, dz);
   dz[dimension(n)] = result.acceleration;
   dz[dimension(n) + 1] = motor.error_rate;
 }
@@ -67,30 +69,25 @@ Eigen::VectorXd FreeMachine::reduced(const double* z) const {
 double FreeMachine::speed(const Eigen::VectorXd& y) const { return driven() ? y[speed_place()] : piece_.speed; }
 
 Eigen::VectorXd FreeMachine::rate(const Eigen::VectorXd& y, double psi) const {
-  return with_ball_count(p_.balls, [&](auto n) -> Eigen::VectorXd {
-    double z[dimension(n) + 2] = {}, dz[dimension(n) + 2];
-    z[dimension(n)] = piece_.speed;
-    for (int i = 0; i < size_; ++i) z[i] = y[i];
-    rates<double, n>(p_, piece_, psi, z, dz);
-    return Eigen::Map<Eigen::VectorXd>(dz, size_);
-  });
+  double z[most] = {}, dz[most];
+  z[dimension(p_.balls)] = piece_.speed;
+  for (int i = 0; i < size_; ++i) z[i] = y[i];
+  rates<double>(p_, piece_, psi, z, dz);
+  return Eigen::Map<Eigen::VectorXd>(dz, size_);
 }
 
 Eigen::MatrixXd FreeMachine::jacobian(const Eigen::VectorXd& y, double psi) const {
-  return with_ball_count(p_.balls, [&](auto n) -> Eigen::MatrixXd {
-    constexpr int most = dimension(n) + 2;
-    Dual<most> z[most], dz[most];
-    z[dimension(n)] = piece_.speed;
-    for (int i = 0; i < size_; ++i) {
-      z[i] = y[i];
-      z[i].slope[i] = 1.0;
-    }
-    rates<Dual<most>, n>(p_, piece_, psi, z, dz);
-    Eigen::MatrixXd a(size_, size_);
-    for (int i = 0; i < size_; ++i)
-      for (int k = 0; k < size_; ++k) a(i, k) = dz[i].slope[k];
-    return a;
-  });
+  Dual<most> z[most], dz[most];
+  z[dimension(p_.balls)] = piece_.speed;
+  for (int i = 0; i < size_; ++i) {
+    z[i] = y[i];
+    z[i].slope[i] = 1.0;
+  }
+  rates<Dual<most>>(p_, piece_, psi, z, dz);
+  Eigen::MatrixXd a(size_, size_);
+  for (int i = 0; i < size_; ++i)
+    for (int k = 0; k < size_; ++k) a(i, k) = dz[i].slope[k];
+  return a;
 }
 
 bool FreeMachine::coasts() const {

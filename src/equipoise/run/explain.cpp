@@ -5,10 +5,10 @@
 #include <cmath>
 #include <numeric>
 
-#include <Eigen/Eigenvalues>
 #include <fmt/format.h>
 
 #include "equipoise/base/angles.hpp"
+#include "equipoise/base/dense.hpp"
 #include "equipoise/model/ball_drag.hpp"
 #include "equipoise/model/linearisation.hpp"
 #include "equipoise/model/strobe.hpp"
@@ -177,7 +177,7 @@ class Quantities {
 // Eigenvalues at one balanced state, slowest first; of a continuum without its own zeros.
 std::vector<std::complex<double>> eigenvalues(const model::Parameters& p, double speed, const double* phi,
                                               bool family) {
-  const Eigen::VectorXcd all = model::jacobian(p, speed, model::centred_state(p, phi).data()).eigenvalues();
+  const Eigen::VectorXcd all = dense::eigenvalues(model::jacobian(p, speed, model::centred_state(p, phi).data()));
   std::vector<std::complex<double>> rates(all.begin(), all.end());
   if (family) {
     // n - 2 directions along the continuum (one more where nothing is to be balanced), n at most.

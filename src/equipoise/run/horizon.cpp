@@ -10,6 +10,7 @@
 #include "equipoise/attractors/continuum_draws.hpp"
 #include "equipoise/attractors/motion_description.hpp"
 #include "equipoise/attractors/steady_watch.hpp"
+#include "equipoise/base/dense.hpp"
 #include "equipoise/model/balanced_state.hpp"
 #include "equipoise/model/linearisation.hpp"
 
@@ -44,7 +45,7 @@ model::Parameters plain(model::Parameters p) {
 
 // Largest real part of an eigenvalue at a balanced state, `free` of them belonging to the continuum that it lies in.
 double largest_rate(const model::Parameters& p, double speed, const double* phi, int free) {
-  const Eigen::VectorXcd all = model::jacobian(p, speed, model::centred_state(p, phi).data()).eigenvalues();
+  const Eigen::VectorXcd all = dense::eigenvalues(model::jacobian(p, speed, model::centred_state(p, phi).data()));
   std::vector<std::complex<double>> values(all.begin(), all.end());
   std::sort(values.begin(), values.end(), [](auto a, auto b) { return std::abs(a) < std::abs(b); });
   double largest = -1e300;

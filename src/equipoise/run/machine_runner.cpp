@@ -24,13 +24,14 @@ namespace equipoise {
 
 namespace {
 namespace kernels = HWY_NAMESPACE;
+using Machine = kernels::MachineTrajectory<model::any_count>;
 
 // Of a step, where it is looked at.
 constexpr auto& nodes = TransientWatch::nodes;
 
 // Distance from where gravity alone would hold the rotor with its balls.
-template <int n>
 SteadySample sample(const model::Parameters& p, const double* z) {
+  const int n = p.balls;
   const std::array<double, 2> rest = model::rest_position(p, z[model::machine_index::psi(n)]);
   const double x = z[model::index::x] - rest[0], y = z[model::index::y] - rest[1];
   SteadySample s;
@@ -42,9 +43,9 @@ SteadySample sample(const model::Parameters& p, const double* z) {
   return s;
 }
 
-template <int n>
 TransientSample transient_sample(const model::Parameters& p, double t, const double* z) {
   using namespace model::index;
+  const int n = p.balls;
   TransientSample s;
   s.t = t;
   const double psi = z[model::machine_index::psi(n)];
@@ -66,11 +67,8 @@ TransientSample transient_sample(const model::Parameters& p, double t, const dou
 }
 
 // The transients of one machine, whose balls are let go at a time of its own.
-template <int n>
 class MachineTransients {
  public:
-  using Machine = kernels::MachineTrajectory<n>;
-
   MachineTransients(const Study& study, const Machine& machine)
       : p_(study.parameters), settings_(transient_settings(study)), machine_(machine), watch_(settings(machine)) {}
 
@@ -86,13 +84,13 @@ class MachineTransients {
         free_ = !machine_.clamped();
       }
       events_ = machine_.events();
-      watch_.begin(transient_sample<n>(p_, from, z), free_);
+      watch_.begin(transient_sample(p_, from, z), free_);
     }
     std::array<TransientSample, 3> samples;
     for (std::size_t k = 0; k < nodes.size(); ++k) {
       const double t = k + 1 == nodes.size() ? to : from + nodes[k] * (to - from);
       state_at.roughly(t, z);
-      samples[k] = transient_sample<n>(p_, t, z);
+      samples[k] = transient_sample(p_, t, z);
     }
     watch_.step(samples);
     last_ = to;
@@ -164,7 +162,7 @@ bool MachineRunner::run(std::uint64_t first, std::size_t count, std::vector<doub
     const InitialState start = start_of(study_, sampler_, study_.sampling.seed, first + i);
     phi.insert(phi.end(), start.phi.begin(), start.phi.begin() + balls);
     TransientRow* row = rows ? &(*rows)[i] : nullptr;
-    fates[i] = model::with_ball_count(balls, [&](auto n) { return decide<n>(start, row, nullptr); });
+    fates[i] = decide(start, row, nullptr);
     if (stop_ && stop_->load(std::memory_order_relaxed)) return false;  // the last one may have been cut short
   }
   return true;
@@ -175,22 +173,20 @@ std::vector<UndecidedEnd> MachineRunner::look_at(const std::vector<std::uint64_t
   for (const std::uint64_t number : undecided) {
     const InitialState start = start_of(study_, sampler_, study_.sampling.seed, number);
     UndecidedEnd end;
-    model::with_ball_count(study_.parameters.balls, [&](auto n) { decide<n>(start, nullptr, &end); });
+    decide(start, nullptr, &end);
     if (stop_ && stop_->load(std::memory_order_relaxed)) break;
     ends.push_back(end);
   }
   return ends;
 }
 
-template <int n>
 Fate MachineRunner::decide(const InitialState& start, TransientRow* row, UndecidedEnd* end) const {
-  using Machine = kernels::MachineTrajectory<n>;
   const model::Parameters& p = study_.parameters;
   double z[Machine::dimension];
-  initial_state(start, n, drive_.speed, z);
+  initial_state(start, p.balls, drive_.speed, z);
   const double tolerance = study_.numerics.tolerance.value_or(default_basin_tolerance);
-  Machine machine(p, drive_, ensemble_scale<n>(p, tolerance), z);
-  MachineTransients<n> transients(study_, machine);
+  Machine machine(p, drive_, ensemble_scale<model::any_count>(p, tolerance), z);
+  MachineTransients transients(study_, machine);
   std::optional<MachineJudge> judge;
   std::optional<Fate> decided;
   double last[Machine::dimension];
@@ -204,7 +200,7 @@ Fate MachineRunner::decide(const InitialState& start, TransientRow* row, Undecid
     std::array<SteadySample, 3> samples;
     for (std::size_t k = 0; k < nodes.size(); ++k) {
       state_at.roughly(k + 1 == nodes.size() ? to : from + nodes[k] * (to - from), last);
-      samples[k] = sample<n>(p, last);
+      samples[k] = sample(p, last);
     }
     if (judge->step(to, last, samples)) decided = judge->look(to, last);
     // What runs away for ever has no horizon.
@@ -216,9 +212,9 @@ Fate MachineRunner::decide(const InitialState& start, TransientRow* row, Undecid
     if (row) transients.step(from, to, state_at);
     if (known) return transients.may_leave();
     // A torque that grows with the speed: steps would shrink for ever.
-    if (state_at.roughly(to, last); std::fabs(last[model::machine_index::speed(n)]) > fastest_speed) {
+    if (state_at.roughly(to, last); std::fabs(last[model::machine_index::speed(p.balls)]) > fastest_speed) {
       known = ran_away = true;
-      fate = {.time = to, .mean_speed = static_cast<float>(last[model::machine_index::speed(n)])};
+      fate = {.time = to, .mean_speed = static_cast<float>(last[model::machine_index::speed(p.balls)])};
       return true;
     }
     if (to <= settled_ || !decided_at(from, to, state_at)) return false;

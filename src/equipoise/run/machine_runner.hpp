@@ -40,7 +40,6 @@ class MachineRunner : public Runner {
   bool stopped() const override { return false; }
 
  private:
-  template <int n>
   Fate decide(const InitialState& start, TransientRow* row, UndecidedEnd* end) const;
 
   Study study_;

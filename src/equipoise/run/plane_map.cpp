@@ -20,6 +20,7 @@
 
 #include "equipoise/attractors/catalogue.hpp"
 #include "equipoise/attractors/settling.hpp"
+#include "equipoise/base/dense.hpp"
 #include "equipoise/model/balanced_state.hpp"
 #include "equipoise/model/linearisation.hpp"
 #include "equipoise/run/basin.hpp"
@@ -62,7 +63,7 @@ double balance_growth(const model::Parameters& p, double speed) {
   double least = std::numeric_limits<double>::quiet_NaN();
   for (const auto& phi : model::balanced_states(p).angles) {
     const Eigen::VectorXd centre = model::centred_state(p, phi.data());
-    least = std::fmin(least, model::jacobian(p, speed, centre.data()).eigenvalues().real().maxCoeff());
+    least = std::fmin(least, dense::largest_real_part(model::jacobian(p, speed, centre.data())));
   }
   return least;
 }

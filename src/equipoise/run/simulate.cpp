@@ -58,15 +58,14 @@ void record(Trajectory& out, const model::Parameters& p, const model::Segment& s
   record(out, p, segment.psi_at(t), segment.speed_at(t), t, z);
 }
 
-template <int n>
 void simulate_free(const Study& study, const std::vector<model::Segment>& segments, std::size_t first, double tolerance,
                    std::vector<double>& z, const std::vector<double>& times, std::size_t next, const StopFlag* stop,
                    Trajectory& out) {
-  using Flow = kernels::FreeFlow<double, n, kernels::Terms{}>;
+  using Flow = kernels::FreeFlow<double, model::any_count, kernels::Terms{}>;
   const model::Parameters& p = study.parameters;
   kernels::ErrorScale<Flow::dimension> scale;
   scale.tolerance = tolerance;
-  kernels::set_state_scale<n>(p, 1, scale);
+  kernels::set_state_scale(p, 1, scale);
   for (std::size_t k = first; k < segments.size() && next < times.size(); ++k) {
     const model::Segment& segment = segments[k];
     for (; next < times.size() && times[next] == segment.begin; ++next)
@@ -74,7 +73,7 @@ void simulate_free(const Study& study, const std::vector<model::Segment>& segmen
     const double end = std::min(segment.end, times.back());
     if (!(segment.begin < end)) continue;
     const Flow flow(p, segment);
-    kernels::AdaptiveIntegrator<Flow, Flow::dimension> integrator(flow, scale);
+    kernels::AdaptiveIntegrator<Flow, Flow::dimension> integrator(flow, scale, flow.size());
     out.status = integrator.advance(
         segment.begin, end, z.data(),
         [&](double, double t_new, auto&& state_at) {
@@ -92,16 +91,16 @@ void simulate_free(const Study& study, const std::vector<model::Segment>& segmen
 }
 
 // A machine's trajectory: from event to event.
-template <int n>
 void simulate_machine(const Study& study, double tolerance, const std::vector<double>& times, const StopFlag* stop,
                       Trajectory& out) {
-  using Machine = kernels::MachineTrajectory<n>;
+  using Machine = kernels::MachineTrajectory<model::any_count>;
   using namespace model::machine_index;
   const model::Parameters& p = study.parameters;
+  const int n = p.balls;
   const model::Drive drive = study.drive();
-  typename Machine::Scale scale;
+  Machine::Scale scale;
   scale.tolerance = tolerance;
-  kernels::set_state_scale<n>(p, 1, scale);
+  kernels::set_state_scale(p, 1, scale);
   scale.floor[psi(n)] = scale.floor[speed(n)] = scale.floor[error_integral(n)] = 1.0;
   scale.absolute[psi(n)] = scale.angle[psi(n)] = true;
   double z[Machine::dimension];
@@ -151,7 +150,7 @@ Trajectory simulate(const Study& study, const std::vector<double>& times, const 
   out.phi_dot.resize(p.balls);
   if (study.needs_machine()) {
     if (p.balls_collide()) check_overlap(study);
-    model::with_ball_count(p.balls, [&](auto n) { simulate_machine<n>(study, tolerance, times, stop, out); });
+    simulate_machine(study, tolerance, times, stop, out);
     return out;
   }
   const double release = study.release_time();
@@ -178,8 +177,7 @@ Trajectory simulate(const Study& study, const std::vector<double>& times, const 
     if (out.status != IntegrationStatus::done || out.stopped) return out;
     basis.centre(p, phi, z.data());
   }
-  model::with_ball_count(
-      p.balls, [&](auto n) { simulate_free<n>(study, segments, free_from, tolerance, z, times, next, stop, out); });
+  simulate_free(study, segments, free_from, tolerance, z, times, next, stop, out);
   return out;
 }
 
