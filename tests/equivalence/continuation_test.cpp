@@ -14,6 +14,7 @@
 
 #include "equipoise/base/angles.hpp"
 #include "equipoise/base/error.hpp"
+#include "equipoise/report/branches_report.hpp"
 #include "../machine_study.hpp"
 
 namespace {
