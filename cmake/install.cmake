@@ -13,16 +13,16 @@ endif()
 foreach(header
     equipoise.hpp base/error.hpp model/balance_grade.hpp model/balanced_state.hpp model/energy.hpp model/machine.hpp
     model/motor.hpp model/parameters.hpp model/scales.hpp model/speed.hpp integrate/status.hpp
-    ensemble/jittered_grid.hpp ensemble/sampling.hpp ensemble/transient_table.hpp attractors/balanced_continuum.hpp
-    attractors/catalogue.hpp attractors/certificate.hpp attractors/decision_rule.hpp attractors/fate.hpp
-    attractors/motion.hpp attractors/orbit.hpp statistics/comparison.hpp statistics/quantile.hpp statistics/share.hpp
+    sampling/jittered_grid.hpp sampling/sampling.hpp transients/transient_table.hpp orbits/balanced_continuum.hpp
+    motions/catalogue.hpp proof/certificate.hpp deciding/decision_rule.hpp deciding/fate.hpp
+    motions/motion.hpp orbits/orbit.hpp statistics/comparison.hpp statistics/quantile.hpp statistics/share.hpp
     study/ball_details.hpp study/physical_echo.hpp study/study.hpp study/units.hpp literature/conclusions.hpp
     literature/paper_figure.hpp literature/published_tables.hpp literature/reproduction.hpp store/basin_file.hpp
     store/start_columns.hpp store/map_file.hpp store/trajectory.hpp report/attractors_result.hpp
-    report/basin_result.hpp report/certify_result.hpp report/explain_result.hpp report/map_plot.hpp
-    report/open_questions_result.hpp report/transient_result.hpp run/attractors.hpp run/basin.hpp run/certify.hpp
-    run/explain.hpp run/observation.hpp run/open_questions.hpp run/paper_figures.hpp run/plane_map.hpp
-    run/reproduce.hpp run/simulate.hpp)
+    report/basin_result.hpp report/certify_result.hpp report/explain_result.hpp drawing/map_plot.hpp
+    reproduction/open_questions_result.hpp report/transient_result.hpp basins/attractors.hpp basins/basin.hpp basins/certify.hpp
+    explain/explain.hpp basins/observation.hpp reproduction/open_questions.hpp reproduction/paper_figures.hpp maps/plane_map.hpp
+    reproduction/reproduce.hpp trajectory/simulate.hpp)
   get_filename_component(folder ${header} DIRECTORY)
   install(FILES ${PROJECT_SOURCE_DIR}/src/equipoise/${header} DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/equipoise/${folder})
 endforeach()

@@ -81,8 +81,8 @@ class FaultsAreFound(unittest.TestCase):
             "src/equipoise/base/error.hpp": "#include <string>\n",
             "src/equipoise/model/speed.hpp": '#include "equipoise/base/error.hpp"\n#include "hwy/highway.h"\n',
             "src/equipoise/model/speed.cpp": '#include "equipoise/model/speed.hpp"\n',
-            "src/equipoise/run/simulate.cpp": '#define HWY_TARGET_INCLUDE "equipoise/run/simulate.cpp"\n',
-            "apps/equipoise/main.cpp": '#include "equipoise/run/simulate.hpp"\n#include "options.hpp"\n',
+            "src/equipoise/trajectory/simulate.cpp": '#define HWY_TARGET_INCLUDE "equipoise/trajectory/simulate.cpp"\n',
+            "apps/equipoise/main.cpp": '#include "equipoise/trajectory/simulate.hpp"\n#include "options.hpp"\n',
             "apps/equipoise/options.hpp": "",
         }), [])
 

@@ -10,7 +10,7 @@
 #include "commands.hpp"
 #include "equipoise/base/embedded.hpp"
 #include "equipoise/base/version.hpp"
-#include "equipoise/run/lane_kernels.hpp"
+#include "equipoise/kernels/lane_kernels.hpp"
 #include "streams.hpp"
 #include "usage.hpp"
 

@@ -5,11 +5,11 @@
 
 #include <gtest/gtest.h>
 
-#include "equipoise/attractors/decision_rule.hpp"
-#include "equipoise/run/attractors.hpp"
-#include "equipoise/run/lane_kernels.hpp"
-#include "equipoise/run/start_runner.hpp"
-#include "equipoise/run/start_source.hpp"
+#include "equipoise/basins/attractors.hpp"
+#include "equipoise/deciding/decision_rule.hpp"
+#include "equipoise/fates/start_runner.hpp"
+#include "equipoise/kernels/lane_kernels.hpp"
+#include "equipoise/spin_up/start_source.hpp"
 
 namespace equipoise {
 namespace {

@@ -9,10 +9,10 @@
 #include <string>
 #include <vector>
 
-#include "equipoise/run/basin.hpp"
-#include "equipoise/run/explain.hpp"
-#include "equipoise/run/horizon.hpp"
-#include "equipoise/run/machine_runner.hpp"
+#include "equipoise/basins/basin.hpp"
+#include "equipoise/discovery/horizon.hpp"
+#include "equipoise/explain/explain.hpp"
+#include "equipoise/fates/machine_runner.hpp"
 #include "machine_follow.hpp"
 
 namespace {

@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-#include "equipoise/attractors/catalogue.hpp"
+#include "equipoise/motions/catalogue.hpp"
 
 namespace equipoise {
 namespace {

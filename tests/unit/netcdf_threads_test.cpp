@@ -9,7 +9,7 @@
 #include <netcdf.h>
 #include <unistd.h>
 
-#include "equipoise/store/netcdf.hpp"
+#include "equipoise/files/netcdf.hpp"
 
 namespace equipoise::store {
 namespace {

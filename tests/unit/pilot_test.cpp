@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-#include "equipoise/attractors/pilot.hpp"
+#include "equipoise/deciding/pilot.hpp"
 
 namespace equipoise {
 namespace {

@@ -10,7 +10,7 @@
 
 #include "equipoise/base/angles.hpp"
 #include "equipoise/model/linearisation.hpp"
-#include "equipoise/run/simulate.hpp"
+#include "equipoise/trajectory/simulate.hpp"
 
 namespace {
 

@@ -7,8 +7,8 @@
 
 #include <gtest/gtest.h>
 
-#include "equipoise/attractors/steady_watch.hpp"
 #include "equipoise/base/angles.hpp"
+#include "equipoise/motions/steady_watch.hpp"
 
 namespace equipoise {
 namespace {

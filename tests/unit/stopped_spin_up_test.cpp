@@ -6,8 +6,8 @@
 #include <gtest/gtest.h>
 
 #include "../base_study.hpp"
-#include "equipoise/run/start_source.hpp"
-#include "equipoise/run/transient_tally.hpp"
+#include "equipoise/fates/transient_tally.hpp"
+#include "equipoise/spin_up/start_source.hpp"
 #include "equipoise/study/study.hpp"
 
 namespace equipoise {
