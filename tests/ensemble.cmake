@@ -2,12 +2,12 @@
 equipoise_test(pack_test unit unit/pack_test.cpp)
 target_include_directories(pack_test PRIVATE ${CMAKE_CURRENT_SOURCE_DIR})
 target_compile_definitions(pack_test PRIVATE "HWY_DISABLED_TARGETS=(${equipoise_kernels_left_out})")
-equipoise_test(kernel_speed_test unit unit/kernel_speed_test.cpp)
+equipoise_test(kernel_speed_test unit unit/kernel_speed_test.cpp LIBRARIES equipoise_paper)
 target_compile_options(kernel_speed_test PRIVATE $<$<CONFIG:Release>:-O3>)  # of its own integrator too
 equipoise_test(statistics_test unit unit/statistics_test.cpp unit/comparison_test.cpp unit/quantile_test.cpp)
 equipoise_test(sampling_test unit unit/random_test.cpp unit/sampling_test.cpp unit/even_share_test.cpp
   unit/stopped_spin_up_test.cpp)
-equipoise_test(reproduction_test unit unit/document_test.cpp unit/published_tables_test.cpp LIBRARIES nlohmann_json::nlohmann_json)
+equipoise_test(reproduction_test unit unit/document_test.cpp unit/published_tables_test.cpp LIBRARIES equipoise_paper nlohmann_json::nlohmann_json)
 equipoise_test(store_test unit unit/netcdf_threads_test.cpp unit/store_test.cpp)
 equipoise_test(report_test unit unit/report_test.cpp LIBRARIES nlohmann_json::nlohmann_json)
 equipoise_test(window_test unit unit/window_test.cpp)
@@ -22,7 +22,7 @@ equipoise_test(plane_map_test equivalence equivalence/plane_map_test.cpp)
 equipoise_test(continuation_test equivalence equivalence/continuation_test.cpp)
 equipoise_test(observation_test equivalence equivalence/observation_test.cpp)
 equipoise_test(transients_test equivalence equivalence/transients_test.cpp)
-equipoise_test(table_7_test equivalence equivalence/table_7_test.cpp)
+equipoise_test(table_7_test equivalence equivalence/table_7_test.cpp LIBRARIES equipoise_paper)
 if(EQUIPOISE_SANITIZE)  # instrumented kernels run at a hundredth of the speed
   target_compile_definitions(decisions_test PRIVATE DECISION_STARTS=40 BALL_COUNT_STARTS=20)
 else()
@@ -33,7 +33,7 @@ endif()
 add_executable(table_7_evidence EXCLUDE_FROM_ALL literature/table_7_evidence.cpp literature/table_7_elsewhere.cpp
   literature/table_7_fit.cpp literature/table_7_variants.cpp)
 target_compile_options(table_7_evidence PRIVATE -Wall -Wextra)
-target_link_libraries(table_7_evidence PRIVATE equipoise fmt::fmt)
+target_link_libraries(table_7_evidence PRIVATE equipoise_paper fmt::fmt)
 
 find_package(Python3 COMPONENTS Interpreter)
 if(Python3_FOUND AND EQUIPOISE_BUILD_PROGRAM)
