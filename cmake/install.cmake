@@ -18,9 +18,10 @@ foreach(header
     attractors/motion.hpp attractors/orbit.hpp statistics/comparison.hpp statistics/quantile.hpp statistics/share.hpp
     study/ball_details.hpp study/physical_echo.hpp study/study.hpp study/units.hpp literature/conclusions.hpp
     literature/paper_figure.hpp literature/published_tables.hpp literature/reproduction.hpp store/basin_file.hpp
-    store/start_columns.hpp store/map_file.hpp store/trajectory.hpp report/attractors_result.hpp
-    report/basin_result.hpp report/certify_result.hpp report/explain_result.hpp report/map_plot.hpp
-    report/open_questions_result.hpp report/transient_result.hpp run/attractors.hpp run/basin.hpp run/certify.hpp
+    store/start_columns.hpp results/attractors_result.hpp results/basin_result.hpp
+    results/branches_result.hpp results/certify_result.hpp results/explanation.hpp results/plane_map.hpp
+    results/trajectory.hpp results/transient_result.hpp store/map_file.hpp store/trajectory_file.hpp report/attractors_report.hpp
+    report/basin_report.hpp report/certify_report.hpp report/explain_report.hpp report/map_plot.hpp report/open_questions_result.hpp run/attractors.hpp run/basin.hpp run/certify.hpp
     run/explain.hpp run/observation.hpp run/open_questions.hpp run/paper_figures.hpp run/plane_map.hpp
     run/reproduce.hpp run/simulate.hpp)
   get_filename_component(folder ${header} DIRECTORY)

@@ -5,6 +5,7 @@
 
 #include "commands.hpp"
 #include "equipoise/report/branch_plot.hpp"
+#include "equipoise/report/branches_report.hpp"
 #include "equipoise/run/continuation.hpp"
 #include "equipoise/store/branches_file.hpp"
 #include "gnuplot.hpp"
@@ -42,7 +43,7 @@ int run_along(const Study& study, const AlongArguments& a) {
   progress.finish();
   put(a.json ? branches_json(result) : branches_text(result));
   if (a.output.ends_with(".csv")) write_file(a.output, branches_csv(result));
-  if (a.output.ends_with(".nc")) write_branches_file(a.output, branch_table(result));
+  if (a.output.ends_with(".nc")) write_branches_file(a.output, result);
   if (!a.plot.empty()) draw(a.plot, [&](const std::string& file) { return branch_plot_script(result, file); });
   return result.partial ? interrupted : done;
 }

@@ -9,6 +9,7 @@
 #include "along_command.hpp"
 #include "commands.hpp"
 #include "equipoise/run/attractors.hpp"
+#include "equipoise/report/attractors_report.hpp"
 #include "options.hpp"
 #include "progress.hpp"
 #include "streams.hpp"

@@ -9,6 +9,7 @@
 
 #include "commands.hpp"
 #include "equipoise/run/basin.hpp"
+#include "equipoise/report/basin_report.hpp"
 #include "options.hpp"
 #include "progress.hpp"
 #include "streams.hpp"

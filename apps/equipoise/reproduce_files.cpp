@@ -10,6 +10,7 @@
 #include "equipoise/report/map_plot.hpp"
 #include "equipoise/report/reproduction_charts.hpp"
 #include "equipoise/report/reproduction_document.hpp"
+#include "equipoise/store/map_file.hpp"
 #include "equipoise/store/replacement.hpp"
 #include "gnuplot.hpp"
 #include "options.hpp"

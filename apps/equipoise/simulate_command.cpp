@@ -10,6 +10,7 @@
 
 #include "commands.hpp"
 #include "equipoise/run/simulate.hpp"
+#include "equipoise/store/trajectory_file.hpp"
 #include "options.hpp"
 #include "streams.hpp"
 

@@ -13,6 +13,7 @@
 #include "claims.hpp"
 #include "equipoise/base/error.hpp"
 #include "equipoise/model/strobe.hpp"
+#include "equipoise/report/basin_report.hpp"
 #include "equipoise/run/discovery.hpp"
 #include "equipoise/run/initial_state.hpp"
 #include "equipoise/run/lane_kernels.hpp"

@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "equipoise/base/error.hpp"
+#include "equipoise/report/branches_report.hpp"
 
 namespace {
 

@@ -5,7 +5,7 @@
 
 #include <gtest/gtest.h>
 
-#include "equipoise/report/basin_result.hpp"
+#include "equipoise/results/basin_result.hpp"
 #include "equipoise/run/attractors.hpp"
 #include "equipoise/run/basin.hpp"
 #include "equipoise/run/cost.hpp"

@@ -20,6 +20,7 @@
 #include "equipoise/run/plane_map.hpp"
 #include "equipoise/run/simulate.hpp"
 #include "equipoise/store/basin_file.hpp"
+#include "equipoise/store/map_file.hpp"
 #include "equipoise/store/netcdf.hpp"
 #include "../base_study.hpp"
 

@@ -15,6 +15,7 @@
 #include "equipoise/base/error.hpp"
 #include "equipoise/model/linearisation.hpp"
 #include "equipoise/report/certificate_json.hpp"
+#include "equipoise/report/certify_report.hpp"
 #include "equipoise/run/certify.hpp"
 
 namespace {

@@ -8,6 +8,7 @@
 #include <nlohmann/json.hpp>
 
 #include "equipoise/base/angles.hpp"
+#include "equipoise/report/explain_report.hpp"
 #include "equipoise/run/explain.hpp"
 #include "equipoise/study/study.hpp"
 #include "../base_study.hpp"

@@ -1,7 +1,7 @@
 // Which steady motions a balancer has at its final speed.
 #pragma once
 
-#include "equipoise/report/attractors_result.hpp"
+#include "equipoise/results/attractors_result.hpp"
 #include "equipoise/run/basin.hpp"
 
 namespace equipoise {

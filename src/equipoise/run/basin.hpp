@@ -9,7 +9,7 @@
 
 #include "equipoise/attractors/fate.hpp"
 #include "equipoise/base/error.hpp"
-#include "equipoise/report/basin_result.hpp"
+#include "equipoise/results/basin_result.hpp"
 #include "equipoise/statistics/share.hpp"
 #include "equipoise/store/basin_file.hpp"
 #include "equipoise/study/study.hpp"

@@ -1,7 +1,7 @@
 // From a study to proofs about its balanced states.
 #pragma once
 
-#include "equipoise/report/certify_result.hpp"
+#include "equipoise/results/certify_result.hpp"
 #include "equipoise/study/study.hpp"
 
 namespace equipoise {

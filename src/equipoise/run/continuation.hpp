@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "equipoise/base/error.hpp"
-#include "equipoise/report/branches.hpp"
+#include "equipoise/results/branches_result.hpp"
 #include "equipoise/run/parameter_line.hpp"
 
 namespace equipoise {

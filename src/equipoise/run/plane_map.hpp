@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "equipoise/base/error.hpp"
-#include "equipoise/store/map_file.hpp"
+#include "equipoise/results/plane_map.hpp"
 #include "equipoise/study/study.hpp"
 
 namespace equipoise {

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "equipoise/base/error.hpp"
-#include "equipoise/store/trajectory.hpp"
+#include "equipoise/results/trajectory.hpp"
 #include "equipoise/study/study.hpp"
 
 namespace equipoise {

@@ -11,7 +11,7 @@
 #include "equipoise/attractors/fate.hpp"
 #include "equipoise/ensemble/sampling.hpp"
 #include "equipoise/ensemble/scrambled_sobol.hpp"
-#include "equipoise/report/basin_result.hpp"
+#include "equipoise/results/basin_result.hpp"
 #include "equipoise/statistics/share.hpp"
 
 namespace equipoise {

@@ -10,7 +10,7 @@
 #include "equipoise/attractors/fate.hpp"
 #include "equipoise/ensemble/sampling.hpp"
 #include "equipoise/ensemble/transient_table.hpp"
-#include "equipoise/report/transient_result.hpp"
+#include "equipoise/results/transient_result.hpp"
 #include "equipoise/statistics/quantile.hpp"
 #include "equipoise/study/study.hpp"
 

@@ -1,5 +1,5 @@
 // A study explained, as text and as JSON.
-#include "equipoise/report/explain_result.hpp"
+#include "equipoise/report/explain_report.hpp"
 
 #include <algorithm>
 #include <cmath>

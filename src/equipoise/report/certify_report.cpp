@@ -1,5 +1,5 @@
 // Proofs about balanced states as text and as JSON.
-#include "equipoise/report/certify_result.hpp"
+#include "equipoise/report/certify_report.hpp"
 
 #include <algorithm>
 
@@ -49,12 +49,6 @@ std::string state_text(const StateProof& s, int balls) {
 
 }  // namespace
 
-bool CertifyResult::proved() const {
-  return !states.empty() && std::all_of(states.begin(), states.end(), [](const StateProof& s) {
-    return s.certificate.level > 0.0 && s.check.proved;
-  });
-}
-
 std::string certify_text(const CertifyResult& r) {
   std::string text = fmt::format("{}: speed {}\n", r.study.name, r.speed);
   if (!r.note.empty()) text += fmt::format("nothing proved: {}\n", r.note);
@@ -97,10 +91,6 @@ std::string certify_json(const CertifyResult& r) {
   json["study_name"] = r.study.name;
   json["version"] = version_string;
   return json.dump(2) + "\n";
-}
-
-bool CertificateFile::proved() const {
-  return !checks.empty() && std::all_of(checks.begin(), checks.end(), [](const auto& check) { return check.proved; });
 }
 
 std::string check_text(const CertificateFile& file) {

@@ -1,5 +1,5 @@
 // Trajectories as CSV and NetCDF.
-#include "equipoise/store/trajectory.hpp"
+#include "equipoise/store/trajectory_file.hpp"
 
 #include <algorithm>
 #include <cerrno>

@@ -1,5 +1,5 @@
 // Transients as text and as JSON.
-#include "equipoise/report/transient_result.hpp"
+#include "equipoise/report/transient_report.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -1,5 +1,5 @@
 // Branches as text, JSON and CSV.
-#include "equipoise/report/branches.hpp"
+#include "equipoise/report/branches_report.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -69,16 +69,6 @@ std::string csv_text(const std::string& text) {
 }
 
 }  // namespace
-
-std::string parameter_label(const std::string& key) {
-  if (key == "speed.final" || key == "speed.speed") return "final rotor speed Omega / critical speed";
-  if (key == "rotor.eccentricity") return "eccentricity lambda / race radius";
-  if (key == "rotor.damping") return "external damping zeta = c / sqrt(k M)";
-  if (key == "rotor.stiffness") return "support stiffness kappa";
-  if (key == "balancer.mass") return "mass of a ball mu / rotor mass";
-  if (key == "balancer.drag") return "drag of a ball beta";
-  return key;
-}
 
 std::string branches_text(const BranchesResult& r) {
   std::string text = study_heading(r.study);
@@ -172,10 +162,6 @@ std::string branches_csv(const BranchesResult& r) {
     }
   }
   return text;
-}
-
-BranchTable branch_table(const BranchesResult& r) {
-  return {to_toml(r.study), r.key, parameter_label(r.key), r.values, r.study.parameters.balls, r.branches, !r.partial};
 }
 
 }  // namespace equipoise

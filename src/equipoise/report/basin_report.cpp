@@ -1,5 +1,5 @@
 // The answer of an ensemble as text and as JSON.
-#include "equipoise/report/basin_result.hpp"
+#include "equipoise/report/basin_report.hpp"
 
 #include <algorithm>
 
@@ -9,6 +9,7 @@
 #include "equipoise/base/version.hpp"
 #include "equipoise/report/sampling_text.hpp"
 #include "equipoise/report/text.hpp"
+#include "equipoise/report/transient_report.hpp"
 
 namespace equipoise {
 

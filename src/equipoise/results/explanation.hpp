@@ -53,10 +53,4 @@ struct Explanation {
   std::vector<std::string> warnings;
 };
 
-/// For people. Physical units wherever the study has scales.
-std::string explain_text(const Explanation& e);
-
-/// For machines.
-std::string explain_json(const Explanation& e);
-
 }  // namespace equipoise

@@ -1,4 +1,4 @@
-// What was proved of a study's balanced states, and its forms for people and for machines.
+// What was proved of a study's balanced states.
 #pragma once
 
 #include <array>
@@ -30,11 +30,6 @@ struct CertifyResult {
   bool proved() const;
 };
 
-/// For the terminal.
-std::string certify_text(const CertifyResult& result);
-/// One JSON object without the boxes; docs/guide/command-line.md lists the keys.
-std::string certify_json(const CertifyResult& result);
-
 /// Certificates read from a file, and what check_certificate() says of each.
 struct CertificateFile {
   std::string path;
@@ -43,7 +38,5 @@ struct CertificateFile {
   /// All of them hold.
   bool proved() const;
 };
-std::string check_text(const CertificateFile& file);
-std::string check_json(const CertificateFile& file);
 
 }  // namespace equipoise

@@ -1,4 +1,4 @@
-// What the transients of an ensemble cost, and its forms for people and for machines.
+// What the transients of an ensemble cost.
 #pragma once
 
 #include <array>
@@ -6,8 +6,6 @@
 #include <optional>
 #include <string>
 #include <vector>
-
-#include <nlohmann/json_fwd.hpp>
 
 #include "equipoise/ensemble/transient_table.hpp"
 #include "equipoise/statistics/quantile.hpp"
@@ -38,10 +36,5 @@ struct TransientResult {
   std::uint64_t lost = 0;
   std::vector<TransientGroup> groups;  ///< all, then by outcome
 };
-
-/// A table for the terminal, in the units of the study's scales: mm, N, mm/s, s; else dimensionless.
-std::string transient_text(const TransientResult& result, const Study& study);
-/// The object "transients" of basin_json(), in the same units, which it names.
-nlohmann::ordered_json transient_json(const TransientResult& result, const Study& study);
 
 }  // namespace equipoise

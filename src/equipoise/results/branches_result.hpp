@@ -1,11 +1,10 @@
-// Attractors along a parameter, for people and for machines.
+// What a search for attractors along a parameter answered.
 #pragma once
 
 #include <string>
 #include <vector>
 
 #include "equipoise/attractors/branch.hpp"
-#include "equipoise/store/branches_file.hpp"
 #include "equipoise/study/study.hpp"
 
 namespace equipoise {
@@ -24,14 +23,5 @@ struct BranchesResult {
 
 /// "final rotor speed Omega / critical speed" and its like; the key itself for parameters without a name here.
 std::string parameter_label(const std::string& key);
-
-/// Tables of branches and events for the terminal.
-std::string branches_text(const BranchesResult& result);
-/// One JSON object. docs/guide/command-line.md lists the keys.
-std::string branches_json(const BranchesResult& result);
-/// One line a value and branch, after comment lines with the study and the version.
-std::string branches_csv(const BranchesResult& result);
-/// What goes into a NetCDF file.
-BranchTable branch_table(const BranchesResult& result);
 
 }  // namespace equipoise

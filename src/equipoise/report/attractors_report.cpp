@@ -1,5 +1,5 @@
 // Attractors as text and as JSON.
-#include "equipoise/report/attractors_result.hpp"
+#include "equipoise/report/attractors_report.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -161,10 +161,6 @@ std::string search_text(const AttractorsResult& r) {
 }
 
 }  // namespace
-
-double miss_probability(double share, std::uint64_t starts) {
-  return std::exp(static_cast<double>(starts) * std::log1p(-share));
-}
 
 std::string attractors_text(const AttractorsResult& r) {
   const int balls = r.basin.study.parameters.balls;

@@ -1,4 +1,4 @@
-// What an ensemble answered, and its forms for people and for machines.
+// What an ensemble answered.
 #pragma once
 
 #include <array>
@@ -9,7 +9,7 @@
 
 #include "equipoise/attractors/fate.hpp"
 #include "equipoise/ensemble/sampling.hpp"
-#include "equipoise/report/transient_result.hpp"
+#include "equipoise/results/transient_result.hpp"
 #include "equipoise/statistics/share.hpp"
 #include "equipoise/study/study.hpp"
 
@@ -54,10 +54,5 @@ struct BasinResult {
   std::string cpu_target;
   double seconds = 0.0, cpu_seconds = 0.0;  ///< of this run, discovery included
 };
-
-/// A table for the terminal; shares in percent.
-std::string basin_text(const BasinResult& result);
-/// One JSON object; shares are fractions of one. docs/guide/command-line.md lists the keys.
-std::string basin_json(const BasinResult& result);
 
 }  // namespace equipoise
