@@ -14,7 +14,7 @@
 #endif
 
 #include "equipoise/base/version.hpp"
-#include "equipoise/run/lane_kernels.hpp"
+#include "equipoise/kernels/lane_kernels.hpp"
 #include "rivals/rival.hpp"
 #include "table.hpp"
 

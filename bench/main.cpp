@@ -11,7 +11,7 @@
 #include <fmt/ranges.h>
 
 #include "equipoise/base/error.hpp"
-#include "equipoise/run/basin.hpp"
+#include "equipoise/basins/basin.hpp"
 #include "machine.hpp"
 #include "table.hpp"
 #include "works/works.hpp"

@@ -5,7 +5,7 @@
 
 #include "equipoise/base/embedded.hpp"
 #include "equipoise/base/error.hpp"
-#include "equipoise/ensemble/starts.hpp"
+#include "equipoise/sampling/starts.hpp"
 
 namespace equipoise::bench {
 

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "equipoise/run/start_source.hpp"
+#include "equipoise/spin_up/start_source.hpp"
 #include "equipoise/study/study.hpp"
 #include "rivals/rival.hpp"
 

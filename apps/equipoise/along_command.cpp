@@ -4,9 +4,9 @@
 #include <fmt/format.h>
 
 #include "commands.hpp"
-#include "equipoise/report/branch_plot.hpp"
+#include "equipoise/branches/continuation.hpp"
+#include "equipoise/drawing/branch_plot.hpp"
 #include "equipoise/report/branches_report.hpp"
-#include "equipoise/run/continuation.hpp"
 #include "equipoise/store/branches_file.hpp"
 #include "gnuplot.hpp"
 #include "options.hpp"

@@ -8,7 +8,7 @@
 
 #include "along_command.hpp"
 #include "commands.hpp"
-#include "equipoise/run/attractors.hpp"
+#include "equipoise/basins/attractors.hpp"
 #include "equipoise/report/attractors_report.hpp"
 #include "options.hpp"
 #include "progress.hpp"

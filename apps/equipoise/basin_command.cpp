@@ -8,7 +8,7 @@
 #include <fmt/format.h>
 
 #include "commands.hpp"
-#include "equipoise/run/basin.hpp"
+#include "equipoise/basins/basin.hpp"
 #include "equipoise/report/basin_report.hpp"
 #include "options.hpp"
 #include "progress.hpp"

@@ -9,9 +9,9 @@
 
 #include "commands.hpp"
 #include "equipoise/base/display_text.hpp"
+#include "equipoise/basins/certify.hpp"
 #include "equipoise/report/certificate_json.hpp"
 #include "equipoise/report/certify_report.hpp"
-#include "equipoise/run/certify.hpp"
 #include "options.hpp"
 #include "streams.hpp"
 

@@ -5,8 +5,8 @@
 
 #include "commands.hpp"
 #include "equipoise/base/display_text.hpp"
+#include "equipoise/explain/explain.hpp"
 #include "equipoise/report/explain_report.hpp"
-#include "equipoise/run/explain.hpp"
 #include "options.hpp"
 #include "streams.hpp"
 

@@ -10,7 +10,7 @@
 #include <unistd.h>
 
 #include "equipoise/base/error.hpp"
-#include "equipoise/store/replacement.hpp"
+#include "equipoise/files/replacement.hpp"
 
 namespace equipoise::app {
 

@@ -8,8 +8,8 @@
 #include <oneapi/tbb/global_control.h>
 #include <oneapi/tbb/info.h>
 
-#include "equipoise/run/lane_kernels.hpp"
-#include "equipoise/store/replacement.hpp"
+#include "equipoise/files/replacement.hpp"
+#include "equipoise/kernels/lane_kernels.hpp"
 
 namespace equipoise::app {
 

@@ -7,11 +7,11 @@
 #include <fmt/format.h>
 
 #include "equipoise/base/error.hpp"
-#include "equipoise/report/map_plot.hpp"
-#include "equipoise/report/reproduction_charts.hpp"
-#include "equipoise/report/reproduction_document.hpp"
+#include "equipoise/drawing/map_plot.hpp"
+#include "equipoise/files/replacement.hpp"
+#include "equipoise/reproduction/reproduction_charts.hpp"
+#include "equipoise/reproduction/reproduction_document.hpp"
 #include "equipoise/store/map_file.hpp"
-#include "equipoise/store/replacement.hpp"
 #include "gnuplot.hpp"
 #include "options.hpp"
 

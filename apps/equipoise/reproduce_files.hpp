@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "equipoise/report/reproduction.hpp"
+#include "equipoise/reproduction/reproduction.hpp"
 
 namespace equipoise::app {
 

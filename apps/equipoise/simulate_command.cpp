@@ -9,8 +9,8 @@
 #include <fmt/format.h>
 
 #include "commands.hpp"
-#include "equipoise/run/simulate.hpp"
 #include "equipoise/store/trajectory_file.hpp"
+#include "equipoise/trajectory/simulate.hpp"
 #include "options.hpp"
 #include "streams.hpp"
 

@@ -3,8 +3,8 @@
 
 #include <fmt/format.h>
 
-#include "equipoise/ensemble/lane_task.hpp"
-#include "equipoise/run/lane_kernels.hpp"
+#include "equipoise/kernels/lane_kernels.hpp"
+#include "equipoise/lanes/lane_task.hpp"
 #include "rival.hpp"
 
 namespace equipoise::bench {

@@ -5,7 +5,7 @@
 
 #include "../problems.hpp"
 #include "../table.hpp"
-#include "equipoise/run/basin.hpp"
+#include "equipoise/basins/basin.hpp"
 #include "works.hpp"
 
 namespace equipoise::bench {

@@ -3,7 +3,7 @@
 
 #include <memory>
 
-#include "equipoise/ensemble/lane_block-inl.hpp"
+#include "equipoise/lanes/lane_block-inl.hpp"
 #include "equipoise/model/ball_count.hpp"
 #include "equipoise/model/flow-inl.hpp"
 

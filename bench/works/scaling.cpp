@@ -5,8 +5,8 @@
 
 #include "../problems.hpp"
 #include "../table.hpp"
-#include "equipoise/run/basin.hpp"
-#include "equipoise/run/lane_kernels.hpp"
+#include "equipoise/basins/basin.hpp"
+#include "equipoise/kernels/lane_kernels.hpp"
 #include "works.hpp"
 
 namespace equipoise::bench {

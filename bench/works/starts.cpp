@@ -7,7 +7,7 @@
 #include "../problems.hpp"
 #include "../table.hpp"
 #include "equipoise/base/error.hpp"
-#include "equipoise/run/basin.hpp"
+#include "equipoise/basins/basin.hpp"
 #include "works.hpp"
 
 namespace equipoise::bench {

@@ -8,8 +8,8 @@
 
 #include <fmt/format.h>
 
-#include "equipoise/attractors/steady_watch.hpp"
 #include "equipoise/base/angles.hpp"
+#include "equipoise/fates/steady_watch.hpp"
 
 namespace equipoise::audit {
 

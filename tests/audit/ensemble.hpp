@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
-#include "equipoise/attractors/catalogue.hpp"
-#include "equipoise/run/basin.hpp"
+#include "equipoise/basins/basin.hpp"
+#include "equipoise/motions/catalogue.hpp"
 
 namespace equipoise::audit {
 

@@ -10,11 +10,11 @@
 #include <oneapi/tbb/task_arena.h>
 
 #include "equipoise/integrate/machine_trajectory-inl.hpp"
+#include "equipoise/kernels/lane_kernels.hpp"
 #include "equipoise/model/ball_count.hpp"
 #include "equipoise/model/strobe.hpp"
-#include "equipoise/run/initial_state.hpp"
-#include "equipoise/run/lane_kernels.hpp"
-#include "equipoise/run/start_source.hpp"
+#include "equipoise/spin_up/initial_state.hpp"
+#include "equipoise/spin_up/start_source.hpp"
 
 namespace equipoise::audit {
 
@@ -115,7 +115,7 @@ void follow_lanes(const Study& study, const StartSource& source, std::size_t fir
   for (Looker& looker : lookers) looker.finish();
 }
 
-// The ensemble's own error scale, so that this is its trajectory (run/machine_runner.cpp).
+// The ensemble's own error scale, so that this is its trajectory (fates/machine_runner.cpp).
 template <int n>
 void follow_machine(const Study& study, const model::Drive& drive, const InitialState& start, const LookTimes& times,
                     double settled, LateMotion& motion) {

@@ -8,8 +8,8 @@
 
 #include <gtest/gtest.h>
 
-#include "equipoise/run/attractors.hpp"
-#include "equipoise/run/simulate.hpp"
+#include "equipoise/basins/attractors.hpp"
+#include "equipoise/trajectory/simulate.hpp"
 
 namespace equipoise {
 namespace {

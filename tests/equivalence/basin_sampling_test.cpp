@@ -8,10 +8,10 @@
 
 #include <gtest/gtest.h>
 
-#include "equipoise/run/basin.hpp"
-#include "equipoise/run/initial_state.hpp"
-#include "equipoise/run/lane_kernels.hpp"
-#include "equipoise/run/sampling_choice.hpp"
+#include "equipoise/basins/basin.hpp"
+#include "equipoise/basins/sampling_choice.hpp"
+#include "equipoise/kernels/lane_kernels.hpp"
+#include "equipoise/spin_up/initial_state.hpp"
 #include "equipoise/store/basin_file.hpp"
 
 namespace equipoise {

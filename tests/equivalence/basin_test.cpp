@@ -6,9 +6,9 @@
 
 #include <gtest/gtest.h>
 
-#include "equipoise/run/basin.hpp"
-#include "equipoise/run/lane_kernels.hpp"
-#include "equipoise/run/start_runner.hpp"
+#include "equipoise/basins/basin.hpp"
+#include "equipoise/fates/start_runner.hpp"
+#include "equipoise/kernels/lane_kernels.hpp"
 #include "equipoise/store/basin_file.hpp"
 
 namespace equipoise {

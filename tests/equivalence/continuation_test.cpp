@@ -1,7 +1,7 @@
 // Attractors followed along the speed (two balls, mu = 0.05 each, lambda = 0.01, zeta = 0.5, beta = 0.05): where an
 // earlier, independent code had seen them, tighter figures recorded with this one, and what must hold of branches
 // however they are found.
-#include "equipoise/run/continuation.hpp"
+#include "equipoise/branches/continuation.hpp"
 
 #include <gtest/gtest.h>
 

@@ -5,9 +5,9 @@
 
 #include <gtest/gtest.h>
 
-#include "equipoise/attractors/decision_rule.hpp"
-#include "equipoise/run/attractors.hpp"
-#include "equipoise/run/start_runner.hpp"
+#include "equipoise/basins/attractors.hpp"
+#include "equipoise/deciding/decision_rule.hpp"
+#include "equipoise/fates/start_runner.hpp"
 
 namespace equipoise {
 namespace {

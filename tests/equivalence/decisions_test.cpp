@@ -9,8 +9,8 @@
 #include <gtest/gtest.h>
 #include <oneapi/tbb/parallel_for.h>
 
-#include "equipoise/run/lane_kernels.hpp"
-#include "equipoise/run/start_runner.hpp"
+#include "equipoise/fates/start_runner.hpp"
+#include "equipoise/kernels/lane_kernels.hpp"
 
 namespace equipoise {
 namespace {

@@ -9,11 +9,11 @@
 #include <cmath>
 #include <complex>
 
-#include "equipoise/attractors/orbit.hpp"
-#include "equipoise/attractors/variational.hpp"
 #include "equipoise/base/angles.hpp"
 #include "equipoise/model/balanced_state.hpp"
 #include "equipoise/model/linearisation.hpp"
+#include "equipoise/orbits/orbit.hpp"
+#include "equipoise/orbits/variational.hpp"
 
 namespace {
 

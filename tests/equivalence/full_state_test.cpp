@@ -9,13 +9,13 @@
 #include <Eigen/Dense>
 #include <gtest/gtest.h>
 
-#include "equipoise/attractors/catalogue.hpp"
-#include "equipoise/attractors/motion.hpp"
-#include "equipoise/run/basin.hpp"
-#include "equipoise/run/initial_state.hpp"
-#include "equipoise/run/start_runner.hpp"
-#include "equipoise/run/start_source.hpp"
-#include "equipoise/store/netcdf.hpp"
+#include "equipoise/basins/basin.hpp"
+#include "equipoise/fates/start_runner.hpp"
+#include "equipoise/files/netcdf.hpp"
+#include "equipoise/motions/catalogue.hpp"
+#include "equipoise/motions/motion.hpp"
+#include "equipoise/spin_up/initial_state.hpp"
+#include "equipoise/spin_up/start_source.hpp"
 #include "../base_study.hpp"
 
 namespace equipoise {

@@ -5,13 +5,13 @@
 
 #include <gtest/gtest.h>
 
+#include "equipoise/basins/attractors.hpp"
+#include "equipoise/basins/basin.hpp"
+#include "equipoise/discovery/cost.hpp"
+#include "equipoise/discovery/horizon.hpp"
+#include "equipoise/discovery/undecided.hpp"
+#include "equipoise/explain/explain.hpp"
 #include "equipoise/results/basin_result.hpp"
-#include "equipoise/run/attractors.hpp"
-#include "equipoise/run/basin.hpp"
-#include "equipoise/run/cost.hpp"
-#include "equipoise/run/explain.hpp"
-#include "equipoise/run/horizon.hpp"
-#include "equipoise/run/undecided.hpp"
 
 namespace equipoise {
 namespace {

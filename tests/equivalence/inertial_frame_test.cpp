@@ -8,7 +8,7 @@
 #include <string>
 
 #include "cases.hpp"
-#include "equipoise/run/simulate.hpp"
+#include "equipoise/trajectory/simulate.hpp"
 #include "lagrangian.hpp"
 
 namespace {

@@ -8,10 +8,10 @@
 #include <cstdint>
 #include <string>
 
+#include "equipoise/fates/machine_scale.hpp"
 #include "equipoise/model/ball_count.hpp"
 #include "equipoise/model/strobe.hpp"
-#include "equipoise/run/initial_state.hpp"
-#include "equipoise/run/machine_scale.hpp"
+#include "equipoise/spin_up/initial_state.hpp"
 
 namespace machine_follow {
 
@@ -62,7 +62,7 @@ inline Seen follow(const equipoise::Study& study, std::uint64_t index, double un
                                            [&](auto n) { return follow<n>(study, index, until); });
 }
 
-/// The kinds of attractors/steady_watch.hpp, but "rest" for all balls captured, r above rounding or not.
+/// The kinds of fates/steady_watch.hpp, but "rest" for all balls captured, r above rounding or not.
 inline std::string kind_of(const equipoise::Study& study, const Seen& seen) {
   if (study.speed.driven() && std::fabs(seen.speed) < study.stall_speed()) return "stalled";
   const int balls = study.parameters.balls;

@@ -9,8 +9,8 @@
 #include <string>
 #include <vector>
 
-#include "equipoise/run/basin.hpp"
-#include "equipoise/run/machine_runner.hpp"
+#include "equipoise/basins/basin.hpp"
+#include "equipoise/fates/machine_runner.hpp"
 #include "machine_follow.hpp"
 
 namespace {

@@ -11,10 +11,10 @@
 #include <vector>
 
 #include "equipoise/base/angles.hpp"
+#include "equipoise/basins/basin.hpp"
+#include "equipoise/fates/machine_runner.hpp"
 #include "equipoise/model/energy.hpp"
-#include "equipoise/run/basin.hpp"
-#include "equipoise/run/machine_runner.hpp"
-#include "equipoise/run/simulate.hpp"
+#include "equipoise/trajectory/simulate.hpp"
 
 namespace {
 

@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "equipoise/run/simulate.hpp"
+#include "equipoise/trajectory/simulate.hpp"
 #include "machine_reference.hpp"
 
 namespace {

@@ -10,11 +10,11 @@
 #include <string>
 #include <vector>
 
-#include "equipoise/attractors/motion.hpp"
-#include "equipoise/attractors/motion_statistics.hpp"
 #include "equipoise/base/angles.hpp"
 #include "equipoise/model/balanced_state.hpp"
 #include "equipoise/model/linearisation.hpp"
+#include "equipoise/motions/motion.hpp"
+#include "equipoise/motions/motion_statistics.hpp"
 
 namespace {
 

@@ -5,9 +5,9 @@
 
 #include <gtest/gtest.h>
 
-#include "equipoise/ensemble/starts.hpp"
-#include "equipoise/run/observation.hpp"
-#include "equipoise/run/simulate.hpp"
+#include "equipoise/basins/observation.hpp"
+#include "equipoise/sampling/starts.hpp"
+#include "equipoise/trajectory/simulate.hpp"
 
 namespace equipoise {
 namespace {

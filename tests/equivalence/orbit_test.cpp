@@ -1,6 +1,6 @@
 // Periodic orbits, equilibria and exponents against figures recorded with an earlier, independent code
 // (two balls, mu = 0.05 each, lambda = 0.01, zeta = 0.5, beta = 0.05 unless said).
-#include "equipoise/attractors/orbit.hpp"
+#include "equipoise/orbits/orbit.hpp"
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>

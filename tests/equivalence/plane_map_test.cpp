@@ -11,17 +11,17 @@
 
 #include <gtest/gtest.h>
 
-#include "equipoise/attractors/motion.hpp"
 #include "equipoise/base/angles.hpp"
 #include "equipoise/base/error.hpp"
+#include "equipoise/branches/parameter_line.hpp"
+#include "equipoise/drawing/map_plot.hpp"
+#include "equipoise/files/netcdf.hpp"
+#include "equipoise/maps/plane_map.hpp"
 #include "equipoise/model/linearisation.hpp"
-#include "equipoise/report/map_plot.hpp"
-#include "equipoise/run/parameter_line.hpp"
-#include "equipoise/run/plane_map.hpp"
-#include "equipoise/run/simulate.hpp"
+#include "equipoise/motions/motion.hpp"
 #include "equipoise/store/basin_file.hpp"
 #include "equipoise/store/map_file.hpp"
-#include "equipoise/store/netcdf.hpp"
+#include "equipoise/trajectory/simulate.hpp"
 #include "../base_study.hpp"
 
 namespace equipoise {

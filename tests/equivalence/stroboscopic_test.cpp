@@ -7,16 +7,16 @@
 
 #include <gtest/gtest.h>
 
-#include "equipoise/attractors/strobed_motion.hpp"
-#include "equipoise/attractors/stroboscopic.hpp"
 #include "equipoise/base/angles.hpp"
+#include "equipoise/basins/basin.hpp"
+#include "equipoise/fates/start_runner.hpp"
+#include "equipoise/kernels/lane_kernels.hpp"
 #include "equipoise/model/balanced_state.hpp"
 #include "equipoise/model/linearisation.hpp"
 #include "equipoise/model/strobe.hpp"
-#include "equipoise/run/basin.hpp"
-#include "equipoise/run/lane_kernels.hpp"
-#include "equipoise/run/simulate.hpp"
-#include "equipoise/run/start_runner.hpp"
+#include "equipoise/motions/strobed_motion.hpp"
+#include "equipoise/orbits/stroboscopic.hpp"
+#include "equipoise/trajectory/simulate.hpp"
 
 namespace equipoise {
 namespace {

@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-#include "equipoise/run/table_7.hpp"
+#include "equipoise/reproduction/table_7.hpp"
 
 namespace equipoise {
 namespace {

@@ -9,14 +9,14 @@
 #include <gtest/gtest.h>
 
 #include "../base_study.hpp"
-#include "equipoise/ensemble/starts.hpp"
-#include "equipoise/ensemble/transient_watch.hpp"
-#include "equipoise/run/basin.hpp"
-#include "equipoise/run/discovery.hpp"
-#include "equipoise/run/lane_kernels.hpp"
-#include "equipoise/run/simulate.hpp"
-#include "equipoise/run/start_source.hpp"
-#include "equipoise/run/transient_tally.hpp"
+#include "equipoise/basins/basin.hpp"
+#include "equipoise/discovery/discovery.hpp"
+#include "equipoise/fates/transient_tally.hpp"
+#include "equipoise/kernels/lane_kernels.hpp"
+#include "equipoise/sampling/starts.hpp"
+#include "equipoise/spin_up/start_source.hpp"
+#include "equipoise/trajectory/simulate.hpp"
+#include "equipoise/transients/transient_watch.hpp"
 
 namespace equipoise {
 namespace {

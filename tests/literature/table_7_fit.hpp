@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "equipoise/run/table_7.hpp"
+#include "equipoise/reproduction/table_7.hpp"
 
 namespace equipoise::table_7 {
 

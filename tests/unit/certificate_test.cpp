@@ -1,5 +1,5 @@
 // Certificates: every stable case of the paper is proved nearly up to the sampled critical level, and nothing false is.
-#include "equipoise/attractors/certificate.hpp"
+#include "equipoise/proof/certificate.hpp"
 
 #include <gtest/gtest.h>
 
@@ -10,13 +10,13 @@
 
 #include <fmt/format.h>
 
-#include "equipoise/attractors/balanced_trap.hpp"
-#include "equipoise/attractors/lyapunov.hpp"
 #include "equipoise/base/error.hpp"
+#include "equipoise/basins/certify.hpp"
+#include "equipoise/math/lyapunov.hpp"
 #include "equipoise/model/linearisation.hpp"
 #include "equipoise/report/certificate_json.hpp"
 #include "equipoise/report/certify_report.hpp"
-#include "equipoise/run/certify.hpp"
+#include "equipoise/traps/balanced_trap.hpp"
 
 namespace {
 

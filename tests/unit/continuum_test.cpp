@@ -6,11 +6,11 @@
 
 #include <gtest/gtest.h>
 
-#include "equipoise/attractors/balanced_continuum.hpp"
-#include "equipoise/attractors/orbit.hpp"
-#include "equipoise/attractors/variational.hpp"
 #include "equipoise/model/linearisation.hpp"
 #include "equipoise/model/strobe.hpp"
+#include "equipoise/orbits/balanced_continuum.hpp"
+#include "equipoise/orbits/orbit.hpp"
+#include "equipoise/orbits/variational.hpp"
 
 namespace equipoise {
 namespace {

@@ -7,7 +7,7 @@
 #include <nlohmann/json.hpp>
 
 #include "equipoise/base/error.hpp"
-#include "equipoise/report/document.hpp"
+#include "equipoise/drawing/document.hpp"
 
 namespace equipoise {
 namespace {

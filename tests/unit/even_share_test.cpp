@@ -7,9 +7,9 @@
 #include <gtest/gtest.h>
 
 #include "equipoise/base/angles.hpp"
-#include "equipoise/ensemble/jittered_grid.hpp"
-#include "equipoise/run/sampling_choice.hpp"
-#include "equipoise/run/tally.hpp"
+#include "equipoise/basins/sampling_choice.hpp"
+#include "equipoise/basins/tally.hpp"
+#include "equipoise/sampling/jittered_grid.hpp"
 #include "equipoise/statistics/replicated_share.hpp"
 #include "equipoise/statistics/stratified_share.hpp"
 

@@ -8,8 +8,8 @@
 #include <nlohmann/json.hpp>
 
 #include "equipoise/base/angles.hpp"
+#include "equipoise/explain/explain.hpp"
 #include "equipoise/report/explain_report.hpp"
-#include "equipoise/run/explain.hpp"
 #include "equipoise/study/study.hpp"
 #include "../base_study.hpp"
 

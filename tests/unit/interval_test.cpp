@@ -1,5 +1,5 @@
 // Outward rounding: intervals, affine forms and what is built on them hold the exact result, in 400-bit arithmetic.
-#include "equipoise/base/interval.hpp"
+#include "equipoise/math/interval.hpp"
 
 #include <gtest/gtest.h>
 
@@ -9,12 +9,12 @@
 
 #include <boost/multiprecision/cpp_bin_float.hpp>
 
-#include "equipoise/attractors/expansion.hpp"
-#include "equipoise/base/affine_form.hpp"
 #include "equipoise/base/angles.hpp"
-#include "equipoise/base/gradient.hpp"
-#include "equipoise/base/krawczyk.hpp"
-#include "equipoise/base/positive_definite.hpp"
+#include "equipoise/math/affine_form.hpp"
+#include "equipoise/math/expansion.hpp"
+#include "equipoise/math/gradient.hpp"
+#include "equipoise/math/krawczyk.hpp"
+#include "equipoise/math/positive_definite.hpp"
 
 namespace {
 

@@ -8,11 +8,11 @@
 
 #include <gtest/gtest.h>
 
-#include "equipoise/ensemble/starts.hpp"
 #include "equipoise/integrate/adaptive-inl.hpp"
+#include "equipoise/kernels/lane_kernels.hpp"
 #include "equipoise/literature/paper_rotor.hpp"
 #include "equipoise/model/flow-inl.hpp"
-#include "equipoise/run/lane_kernels.hpp"
+#include "equipoise/sampling/starts.hpp"
 
 namespace equipoise {
 namespace {

@@ -5,8 +5,8 @@
 
 #include <gtest/gtest.h>
 
-#include "equipoise/attractors/mean_rate.hpp"
 #include "equipoise/base/angles.hpp"
+#include "equipoise/motions/mean_rate.hpp"
 
 namespace equipoise {
 namespace {

@@ -7,13 +7,13 @@
 #include <nlohmann/json.hpp>
 
 #include "../base_study.hpp"
-#include "equipoise/results/attractors_result.hpp"
+#include "equipoise/basins/tally.hpp"
+#include "equipoise/fates/transient_tally.hpp"
 #include "equipoise/report/attractors_report.hpp"
 #include "equipoise/report/basin_report.hpp"
 #include "equipoise/report/transient_report.hpp"
+#include "equipoise/results/attractors_result.hpp"
 #include "equipoise/results/basin_result.hpp"
-#include "equipoise/run/tally.hpp"
-#include "equipoise/run/transient_tally.hpp"
 #include "equipoise/study/study.hpp"
 
 namespace equipoise {

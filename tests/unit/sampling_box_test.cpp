@@ -9,8 +9,8 @@
 
 #include "equipoise/base/angles.hpp"
 #include "equipoise/base/error.hpp"
-#include "equipoise/run/initial_state.hpp"
-#include "equipoise/run/start_source.hpp"
+#include "equipoise/spin_up/initial_state.hpp"
+#include "equipoise/spin_up/start_source.hpp"
 #include "equipoise/study/study.hpp"
 #include "study_difference.hpp"
 #include "../base_study.hpp"

@@ -8,10 +8,10 @@
 #include <gtest/gtest.h>
 
 #include "equipoise/base/angles.hpp"
-#include "equipoise/ensemble/jittered_grid.hpp"
-#include "equipoise/ensemble/sampling.hpp"
-#include "equipoise/ensemble/scrambled_sobol.hpp"
-#include "equipoise/ensemble/starts.hpp"
+#include "equipoise/sampling/jittered_grid.hpp"
+#include "equipoise/sampling/sampling.hpp"
+#include "equipoise/sampling/scrambled_sobol.hpp"
+#include "equipoise/sampling/starts.hpp"
 
 namespace equipoise {
 namespace {

@@ -5,7 +5,7 @@
 #include <gtest/gtest.h>
 
 #include "equipoise/base/angles.hpp"
-#include "equipoise/ensemble/starts.hpp"
+#include "equipoise/sampling/starts.hpp"
 #include "equipoise/statistics/share.hpp"
 
 namespace equipoise {

@@ -9,7 +9,7 @@
 
 #include "equipoise/base/angles.hpp"
 #include "equipoise/model/linearisation.hpp"
-#include "equipoise/run/simulate.hpp"
+#include "equipoise/trajectory/simulate.hpp"
 
 namespace {
 

@@ -5,8 +5,8 @@
 
 #include <gtest/gtest.h>
 
-#include "equipoise/attractors/steady_watch.hpp"
 #include "equipoise/base/angles.hpp"
+#include "equipoise/fates/steady_watch.hpp"
 
 namespace equipoise {
 namespace {

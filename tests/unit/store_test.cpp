@@ -12,12 +12,12 @@
 #include <unistd.h>
 
 #include "equipoise/base/error.hpp"
+#include "equipoise/files/checksum.hpp"
+#include "equipoise/files/journal.hpp"
+#include "equipoise/files/netcdf.hpp"
+#include "equipoise/files/replacement.hpp"
+#include "equipoise/files/sealed_file.hpp"
 #include "equipoise/store/basin_file.hpp"
-#include "equipoise/store/checksum.hpp"
-#include "equipoise/store/journal.hpp"
-#include "equipoise/store/netcdf.hpp"
-#include "equipoise/store/replacement.hpp"
-#include "equipoise/store/sealed_file.hpp"
 
 namespace equipoise {
 namespace {

@@ -16,7 +16,7 @@
 #include "equipoise/model/ball_count.hpp"
 #include "equipoise/model/energy.hpp"
 #include "equipoise/model/flow-inl.hpp"
-#include "equipoise/run/simulate.hpp"
+#include "equipoise/trajectory/simulate.hpp"
 
 namespace {
 

@@ -5,11 +5,11 @@
 
 #include <gtest/gtest.h>
 
-#include "equipoise/attractors/window_features.hpp"
 #include "equipoise/base/angles.hpp"
-#include "equipoise/ensemble/lane_block-inl.hpp"
+#include "equipoise/basins/attractors.hpp"
+#include "equipoise/deciding/window_features.hpp"
+#include "equipoise/lanes/lane_block-inl.hpp"
 #include "equipoise/model/flow-inl.hpp"
-#include "equipoise/run/attractors.hpp"
 #include "equipoise/study/study.hpp"
 
 namespace equipoise {

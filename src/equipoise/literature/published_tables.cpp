@@ -8,7 +8,7 @@
 
 #include <fmt/format.h>
 
-#include "equipoise/base/embedded.hpp"
+#include "equipoise/literature/paper_files.hpp"
 #include "equipoise/base/error.hpp"
 
 namespace equipoise {
@@ -22,7 +22,7 @@ namespace {
 using Line = std::map<std::string, std::string>;
 
 std::string_view required(const std::string& name) {
-  const std::string_view text = embedded::find(name);
+  const std::string_view text = embedded::paper_files.find(name);
   if (text.empty()) throw RunError(name + ": the library was built without it");
   return text;
 }

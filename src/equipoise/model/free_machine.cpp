@@ -3,7 +3,7 @@
 
 #include <cmath>
 
-#include "equipoise/base/dual.hpp"
+#include "equipoise/math/dual.hpp"
 #include "equipoise/model/ball_count.hpp"
 #include "equipoise/model/equations-inl.hpp"
 

@@ -1,7 +1,7 @@
 // Jacobians by running the one set of equations on dual numbers.
 #include "equipoise/model/linearisation.hpp"
 
-#include "equipoise/base/dual.hpp"
+#include "equipoise/math/dual.hpp"
 #include "equipoise/model/ball_count.hpp"
 #include "equipoise/model/flow-inl.hpp"
 #include "equipoise/model/strobe.hpp"

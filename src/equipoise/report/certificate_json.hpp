@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "equipoise/attractors/certificate.hpp"
+#include "equipoise/proof/certificate.hpp"
 
 namespace equipoise {
 

@@ -7,7 +7,7 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
-#include "equipoise/ensemble/scrambled_sobol.hpp"
+#include "equipoise/sampling/scrambled_sobol.hpp"
 
 namespace equipoise {
 

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <cstdint>
 
-#include "equipoise/attractors/catalogue.hpp"
+#include "equipoise/motions/catalogue.hpp"
 #include "equipoise/results/basin_result.hpp"
 
 namespace equipoise {

@@ -7,9 +7,9 @@
 #include <string>
 #include <vector>
 
-#include "equipoise/attractors/fate.hpp"
-#include "equipoise/ensemble/sampling.hpp"
+#include "equipoise/deciding/fate.hpp"
 #include "equipoise/results/transient_result.hpp"
+#include "equipoise/sampling/sampling.hpp"
 #include "equipoise/statistics/share.hpp"
 #include "equipoise/study/study.hpp"
 

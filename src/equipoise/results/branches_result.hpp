@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "equipoise/attractors/branch.hpp"
+#include "equipoise/results/branch.hpp"
 #include "equipoise/study/study.hpp"
 
 namespace equipoise {

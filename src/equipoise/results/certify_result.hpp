@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
-#include "equipoise/attractors/certificate.hpp"
-#include "equipoise/attractors/decision_rule.hpp"
+#include "equipoise/deciding/decision_rule.hpp"
+#include "equipoise/proof/certificate.hpp"
 #include "equipoise/study/study.hpp"
 
 namespace equipoise {

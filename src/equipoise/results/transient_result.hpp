@@ -7,10 +7,10 @@
 #include <string>
 #include <vector>
 
-#include "equipoise/ensemble/transient_table.hpp"
 #include "equipoise/statistics/quantile.hpp"
 #include "equipoise/statistics/share.hpp"
 #include "equipoise/study/study.hpp"
+#include "equipoise/transients/transient_table.hpp"
 
 namespace equipoise {
 

@@ -13,12 +13,12 @@
 #include <netcdf.h>
 
 #include "equipoise/base/error.hpp"
+#include "equipoise/files/journal.hpp"
+#include "equipoise/files/netcdf.hpp"
+#include "equipoise/files/replacement.hpp"
+#include "equipoise/files/sealed_file.hpp"
 #include "equipoise/store/basin_netcdf.hpp"
-#include "equipoise/store/journal.hpp"
-#include "equipoise/store/netcdf.hpp"
-#include "equipoise/store/replacement.hpp"
 #include "equipoise/store/result_identity.hpp"
-#include "equipoise/store/sealed_file.hpp"
 #include "equipoise/store/start_columns.hpp"
 
 namespace equipoise {

@@ -8,12 +8,12 @@
 #include <string>
 #include <vector>
 
-#include "equipoise/attractors/fate.hpp"
-#include "equipoise/ensemble/sampling.hpp"
-#include "equipoise/ensemble/transient_table.hpp"
+#include "equipoise/deciding/fate.hpp"
 #include "equipoise/model/scales.hpp"
+#include "equipoise/sampling/sampling.hpp"
 #include "equipoise/statistics/share.hpp"
 #include "equipoise/store/start_columns.hpp"
+#include "equipoise/transients/transient_table.hpp"
 
 namespace equipoise {
 
@@ -53,7 +53,7 @@ struct RunTime {
 /// Readable by xarray, ncdump, ncview. Behind it all stands a checksum; a file without it, or with another, is not
 /// read.
 ///
-/// While a run goes on, `path`.part holds what is new (store/journal.hpp), so that a run that is killed loses a
+/// While a run goes on, `path`.part holds what is new (files/journal.hpp), so that a run that is killed loses a
 /// second's work; it is gone once the results are in place. One run at a time has a file.
 class BasinFile {
  public:

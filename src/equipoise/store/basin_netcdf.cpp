@@ -9,11 +9,11 @@
 #include <netcdf.h>
 
 #include "equipoise/base/version.hpp"
-#include "equipoise/ensemble/scrambled_sobol.hpp"
-#include "equipoise/store/netcdf.hpp"
-#include "equipoise/store/replacement.hpp"
+#include "equipoise/files/netcdf.hpp"
+#include "equipoise/files/replacement.hpp"
+#include "equipoise/files/sealed_file.hpp"
+#include "equipoise/sampling/scrambled_sobol.hpp"
 #include "equipoise/store/result_identity.hpp"
-#include "equipoise/store/sealed_file.hpp"
 
 namespace equipoise::store {
 

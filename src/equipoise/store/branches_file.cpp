@@ -7,7 +7,7 @@
 #include <netcdf.h>
 
 #include "equipoise/base/version.hpp"
-#include "equipoise/store/netcdf.hpp"
+#include "equipoise/files/netcdf.hpp"
 
 namespace equipoise {
 

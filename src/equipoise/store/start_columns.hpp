@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
-#include "equipoise/attractors/fate.hpp"
-#include "equipoise/ensemble/transient_table.hpp"
+#include "equipoise/deciding/fate.hpp"
+#include "equipoise/transients/transient_table.hpp"
 
 namespace equipoise {
 

@@ -13,8 +13,8 @@
 
 #include "equipoise/base/error.hpp"
 #include "equipoise/base/version.hpp"
-#include "equipoise/store/netcdf.hpp"
-#include "equipoise/store/replacement.hpp"
+#include "equipoise/files/netcdf.hpp"
+#include "equipoise/files/replacement.hpp"
 
 namespace equipoise {
 

@@ -7,12 +7,12 @@
 #include <string>
 #include <vector>
 
-#include "equipoise/ensemble/sampling.hpp"
 #include "equipoise/model/machine.hpp"
 #include "equipoise/model/motor.hpp"
 #include "equipoise/model/parameters.hpp"
 #include "equipoise/model/scales.hpp"
 #include "equipoise/model/speed.hpp"
+#include "equipoise/sampling/sampling.hpp"
 
 namespace equipoise {
 
@@ -112,7 +112,7 @@ inline constexpr std::array<const char*, 3> decide_mode_names{"validated", "proo
 struct Numerics {
   std::optional<double> tolerance;  ///< per step; default_*_tolerance where unset
   /// Time after the last branch begins (and release) until a start is `undecided`. Unset: chosen when a run begins
-  /// (run/horizon.hpp), and stated in what it answers.
+  /// (discovery/horizon.hpp), and stated in what it answers.
   std::optional<double> horizon;
   DecideMode decide = DecideMode::validated;
 };

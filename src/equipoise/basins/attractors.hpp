@@ -1,0 +1,16 @@
+// Which steady motions a balancer has at its final speed.
+#pragma once
+
+#include "equipoise/basins/basin.hpp"
+#include "equipoise/results/attractors_result.hpp"
+
+namespace equipoise {
+
+/// Starts after which an attractor with a share above 1e-3 has been missed with a probability below 1e-9.
+inline constexpr std::uint64_t search_starts = 20736;
+
+/// Every attractor of the study's final speed: found from study.sampling.starts random starts, from starts with
+/// coincident balls and from options.seeds, refined, named. Throws as basin() does.
+AttractorsResult attractors(const Study& study, const BasinOptions& options = {});
+
+}  // namespace equipoise

@@ -1,0 +1,499 @@
+// The ensemble's pipeline: chunks of starts computed on all threads, taken in by index order, counted and stored.
+#include "equipoise/basins/basin.hpp"
+
+#include <algorithm>
+#include <atomic>
+#include <chrono>
+#include <cmath>
+#include <ctime>
+#include <memory>
+#include <optional>
+#include <set>
+#include <stdexcept>
+#include <utility>
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+#include <oneapi/tbb/info.h>
+#include <oneapi/tbb/parallel_pipeline.h>
+#include <oneapi/tbb/task_arena.h>
+
+#include "equipoise/basins/sampling_choice.hpp"
+#include "equipoise/basins/tally.hpp"
+#include "equipoise/discovery/horizon.hpp"
+#include "equipoise/fates/runner.hpp"
+#include "equipoise/fates/transient_tally.hpp"
+#include "equipoise/kernels/lane_kernels.hpp"
+#include "equipoise/spin_up/initial_state.hpp"
+#include "equipoise/store/basin_file.hpp"
+
+namespace equipoise {
+
+namespace {
+
+constexpr std::uint64_t open_ended_limit = 1'000'000'000;
+
+struct Chunk {
+  std::uint64_t first = 0;
+  std::size_t count = 0;
+  bool complete = false;
+  std::vector<double> phi;
+  std::vector<Fate> fates;
+  std::vector<UnlistedStart> unlisted;
+  std::vector<TransientRow> transients;  // none unless asked for
+
+  const TransientRow* row(std::size_t place) const { return transients.empty() ? nullptr : &transients[place]; }
+};
+
+// Large enough that lanes seldom wait for a chunk's last trajectory, small enough that every thread gets many and that
+// none takes much longer than a second: what is complete is in the file soon. A machine's starts ride in no lanes and
+// take milliseconds each. Results depend on none of this.
+class ChunkSize {
+ public:
+  ChunkSize(std::uint64_t starts, int threads, bool machine)
+      : least_(machine ? 4 : 256),
+        most_(std::clamp<std::uint64_t>(starts / (16 * static_cast<std::uint64_t>(threads)), least_,
+                                        machine ? 128 : 8192)) {}
+
+  std::uint64_t next() const {
+    const double pace = pace_.load(std::memory_order_relaxed);
+    return pace > 0.0 ? std::clamp(static_cast<std::uint64_t>(1.0 / pace), least_, most_) : least_;
+  }
+  void took(std::size_t starts, double seconds) { pace_ = seconds / static_cast<double>(starts); }
+
+ private:
+  std::uint64_t least_, most_;
+  std::atomic<double> pace_{0.0};  // seconds a start, of the chunk that ended last
+};
+
+double cpu_now() { return static_cast<double>(std::clock()) / CLOCKS_PER_SEC; }
+
+// Kernels do the same operations in the same order on every instruction set of x86, but where it has fused
+// multiplications and additions, compilers use them: results are the same to the bit among those that have them (AVX2
+// and AVX-512), and among those that have not. Of other machines nothing is known.
+std::string arithmetic_of(const std::string& target) {
+  if (target == "AVX-512" || target == "AVX2") return "with fused multiply-add (AVX2, AVX-512)";
+#if defined(__x86_64__)
+  if (target == "SSE4" || target == "scalar") return "without fused multiply-add (SSE4, scalar)";
+#endif
+  return "of " + target;
+}
+
+// What an unlisted start turned out to have come to; 0: to nothing steady.
+void settle(Fate& fate, int attractor) {
+  fate.attractor = static_cast<short>(attractor);
+  if (attractor > 0) return;
+  fate.outcome = Outcome::undecided;
+  fate.by = DecidedBy::nothing;
+}
+
+class BasinRun {
+ public:
+  BasinRun(const Study& study, const BasinOptions& options)
+      : options_(options),
+        threads_(thread_count(options.threads)),
+        discoveries_(options.discoveries ? *options.discoveries : own_discoveries_) {
+    result_.study = study;
+    if (study.speed.driven()) stall_speed_ = study.stall_speed();
+    result_.threads = threads_;
+    result_.cpu_target = cpu_target();
+    result_.half_width = options.half_width;
+  }
+
+  BasinResult run() {
+    check_runnable(result_.study);
+    horizon_ = choose_horizon(result_.study);
+    result_.study.numerics.horizon = horizon_.time;
+    sample();
+    result_.starts = tally_->total();
+    result_.partial = !finished_;
+    result_.grid = sampler_->grid();
+    count_outcomes();
+    const BalanceNote balance = runner_->balance();
+    result_.balanced_stable = balance.stable;
+    result_.note = balance.note;
+    explain_undecided();
+    const RunTime time = time_so_far();
+    result_.seconds = time.seconds;
+    result_.cpu_seconds = time.cpu_seconds;
+    if (file_) finish_file(time);
+    return result_;
+  }
+
+  const Catalogue& catalogue() const { return runner_->catalogue(); }
+
+ private:
+  void sample() {
+    const std::optional<SamplingMethod> given = result_.study.sampling.method;
+    if (!given && options_.half_width > 0.0)
+      choose_method();
+    else
+      set_method(given.value_or(SamplingMethod::random));
+    if (lost_) {  // interrupted before a method was chosen: no file is begun, what the pilot counted is told
+      for (auto& chunk : pilot_) commit(*chunk);
+      return;
+    }
+    open_file();
+    if (!runner_) make_runner();
+    read_stored();
+    for (auto& chunk : pilot_) commit(*chunk);
+    pilot_.clear();
+    if (finished_ || runner_->stopped()) return;
+    compute(tally_->total(), limit_, [&](const std::shared_ptr<Chunk>& chunk) { commit(*chunk); });
+  }
+
+  RunTime time_so_far() const {
+    return {std::chrono::duration<double>(std::chrono::steady_clock::now() - begin_).count(), cpu_now() - cpu_begin_};
+  }
+
+  void set_method(SamplingMethod method) {
+    Study& study = result_.study;
+    study.sampling.method = method;
+    const bool open_ended = options_.half_width > 0.0 && !options_.limit_given;
+    if (options_.half_width > 0.0 && method == SamplingMethod::grid)
+      throw InputError(
+          study.name, "sampling.method", "grid",
+          "sampling until a half-width needs \"random\" or \"sobol\": a grid is as large as `starts` says");
+    sampler_.emplace(sampler_of(study));
+    limit_ = open_ended ? open_ended_limit : sampler_->grid() ? sampler_->grid()->starts() : study.sampling.starts;
+    runner_.reset();
+  }
+
+  void make_runner() {
+    const Study& study = result_.study;
+    runner_ = equipoise::make_runner(study, DiscoverySettings{threads_, options_.stop, options_.seeds, &discoveries_},
+                                     options_.transients);
+    tally_.emplace(*sampler_, study.sampling.seed, runner_->settled());
+    transients_.emplace(study, *sampler_);
+    filed_.clear();
+    for (const Attractor& a : runner_->catalogue().attractors()) filed_.insert(a.id);
+  }
+
+  // Pilot starts are the first ones of a Sobol sample, so that none is lost if it goes on.
+  void choose_method() {
+    SamplingChoice choice;
+    choice.random_starts = most_random_starts(options_.half_width);
+    const bool worth_it = choice.random_starts > static_cast<double>(pilot_starts);
+    if (worth_it && (!options_.limit_given || result_.study.sampling.starts > pilot_starts)) {
+      set_method(SamplingMethod::sobol);
+      make_runner();
+      Tally tally = *tally_;
+      compute(0, pilot_starts, [&](const std::shared_ptr<Chunk>& chunk) { try_chunk(chunk, tally); });
+      if (lost_ || runner_->stopped()) {
+        lost_ = true;
+        return;
+      }
+      choice = choose_sampling(tally.shares(), options_.half_width);
+    }
+    result_.choice = choice;
+    if (choice.method == SamplingMethod::sobol) return;
+    pilot_.clear();
+    set_method(SamplingMethod::random);
+  }
+
+  void try_chunk(const std::shared_ptr<Chunk>& chunk, Tally& tally) {
+    lost_ = lost_ || !chunk->complete;
+    if (lost_) return;
+    for (const UnlistedStart& start : chunk->unlisted) settle(chunk->fates[start.place], runner_->list(start));
+    for (const Fate& fate : chunk->fates) tally.add(fate);
+    pilot_.push_back(chunk);
+    if (options_.progress) options_.progress({tally.total(), 0, tally.share(Outcome::attracted, balanced_id)});
+  }
+
+  void open_file() {
+    if (!options_.output.empty())
+      file_ = std::make_unique<BasinFile>(options_.output,
+                                          basin_file_header(result_.study, options_.store_angles, options_.transients));
+  }
+
+  std::vector<AttractorShare> attractor_shares(const Tally& tally) const {
+    std::vector<AttractorShare> shares;
+    if (!runner_->catalogue().find(balanced_id)) {
+      Attractor none{balanced_id, "balanced", "", {}, {}};
+      shares.push_back(tally.share(none));
+    }
+    for (const Attractor& a : runner_->catalogue().attractors()) {
+      AttractorShare share = tally.share(a);
+      // Kinds of motion that a machine might come to are told only if one did.
+      if (share.share.count > 0 || a.id == balanced_id || a.motion.kind != MotionKind::measured)
+        shares.push_back(std::move(share));
+    }
+    return shares;
+  }
+
+  void count_outcomes() {
+    result_.attractors = attractor_shares(*tally_);
+    result_.undecided = tally_->share(Outcome::undecided);
+    result_.diverged = tally_->share(Outcome::diverged);
+    result_.failed = tally_->share(Outcome::failed);
+    if (result_.study.speed.driven()) {
+      result_.stalled = tally_->share(Outcome::stalled);
+      if (!result_.grid) result_.passed = open_share(passed_, passed_ + result_.undecided.count, tally_->total());
+    }
+    if (options_.transients) result_.transients = transients_->result(runner_->catalogue());
+    if (result_.choice && result_.choice->method == SamplingMethod::sobol)  // known better by now
+      result_.choice->random_starts = random_starts_for(tally_->shares(), options_.half_width);
+  }
+
+  std::vector<OutcomeSummary> summary(const Tally& tally) const {
+    std::vector<OutcomeSummary> lines;
+    for (const AttractorShare& a : attractor_shares(tally)) lines.push_back({a.id, a.name, a.alias, a.share});
+    lines.push_back({undecided_code, "undecided", "", tally.share(Outcome::undecided)});
+    lines.push_back({diverged_code, "diverged", "", tally.share(Outcome::diverged)});
+    lines.push_back({failed_code, "failed", "", tally.share(Outcome::failed)});
+    if (result_.study.speed.driven()) lines.push_back({stalled_code, "stalled", "", tally.share(Outcome::stalled)});
+    return lines;
+  }
+
+  // A file may hold more starts than were asked for now. Its summary is of all that it holds; one that says so already
+  // is left as it is.
+  void finish_file(const RunTime& time) {
+    if (runner_->stopped()) return;  // before it knew the attractors by which outcomes are named
+    const bool all = tally_->total() == file_->stored();
+    if (file_->unfinished() == 0 && (!all || !finished_ || file_->complete())) return;
+    Tally whole = *tally_;
+    for_each_stored(tally_->total(), file_->stored(), [&](const Fate& fate, const TransientRow*) { whole.add(fate); });
+    Study study = result_.study;
+    if (finished_ && !sampler_->grid()) study.sampling.starts = file_->stored();
+    file_->finish(to_toml(study), summary(whole), finished_, time);
+  }
+
+  // Counts what an earlier run left in the file, once the motions that it met on its way are listed again.
+  void read_stored() {
+    if (file_)
+      for (const std::vector<double>& state : file_->discoveries())
+        filed_.insert(runner_->list(runner_->follow(state)));
+    const std::uint64_t stored = file_ ? std::min(file_->stored(), limit_) : 0;
+    for_each_stored(0, stored, [&](const Fate& fate, const TransientRow* row) {
+      if (!finished_) take(fate, row);
+    });
+    result_.resumed_from = tally_->total();
+    if (stored > 0 && !finished_ && !runner_->stopped()) check_stored(stored);
+  }
+
+  // Starts of the file are decided again before any are added: a program built otherwise, or another instruction set,
+  // that gives other bits would make a file of two kinds. Few suffice: where arithmetic differs, the times of decision
+  // of most starts do.
+  void check_stored(std::uint64_t stored) {
+    const auto& targets = file_->cpu_targets();
+    const bool known = std::find(targets.begin(), targets.end(), result_.cpu_target) != targets.end();
+    const std::uint64_t each = std::min<std::uint64_t>(known ? 4 : 64, stored);
+    for (const std::uint64_t first : {std::uint64_t{0}, stored - each}) {
+      Chunk chunk;
+      if (!runner_->run(first, each, chunk.phi, chunk.fates, chunk.unlisted,
+                        options_.transients ? &chunk.transients : nullptr))
+        return;  // stopped
+      for (const UnlistedStart& start : chunk.unlisted) settle(chunk.fates[start.place], runner_->list(start));
+      const std::vector<Fate> fates = file_->read(first, each);
+      for (std::size_t i = 0; i < each; ++i)
+        if (!same(fates[i], chunk.fates[i]))
+          throw InputError(
+              options_.output, "", "",
+              fmt::format("start {}, computed with {}, comes out otherwise in this program with {}; must be "
+                          "a new file, or one that this program and instruction set made",
+                          first + i, fmt::join(targets, ", "), result_.cpu_target));
+    }
+  }
+
+  static bool same(const Fate& a, const Fate& b) {
+    return a.outcome == b.outcome && a.attractor == b.attractor && a.by == b.by && a.time == b.time;
+  }
+
+  template <class Visit>
+  void for_each_stored(std::uint64_t begin, std::uint64_t end, const Visit& visit) const {
+    constexpr std::size_t block = 65536;
+    for (std::uint64_t first = begin; first < end; first += block) {
+      const std::size_t count = std::min<std::uint64_t>(block, end - first);
+      const std::vector<Fate> fates = file_->read(first, count);
+      const std::vector<TransientRow> rows =
+          options_.transients ? file_->read_transients(first, count) : std::vector<TransientRow>{};
+      for (std::size_t i = 0; i < count; ++i) visit(fates[i], rows.empty() ? nullptr : &rows[i]);
+    }
+  }
+
+  void take(const Fate& fate, const TransientRow* row) {
+    tally_->add(fate);
+    passed_ += fate.outcome == Outcome::attracted && std::fabs(fate.mean_speed) >= stall_speed_;
+    if (row) transients_->add(fate, *row);
+    // What a pilot has decided counts, whether or not less would have done.
+    const std::uint64_t least = result_.choice ? result_.choice->pilot : 0;
+    const bool may_end = options_.half_width > 0.0 && tally_->at_checkpoint() &&
+                         (tally_->total() >= least || sampler_->method() == SamplingMethod::random);
+    const bool narrow = may_end && tally_->narrow(options_.half_width);
+    finished_ = narrow || tally_->total() == limit_;
+    if (fate.outcome == Outcome::undecided && undecided_.size() < undecided_looked_at)
+      undecided_.push_back(tally_->total() - 1);
+    if (options_.fate) options_.fate(fate);
+  }
+
+  // Many undecided starts are no answer: the note then says why there are so many.
+  void explain_undecided() {
+    const double share = result_.undecided.share;
+    if (result_.starts == 0 || !(share > undecided_worth_a_word)) return;
+    const bool stopped = runner_->stopped() || (options_.stop && options_.stop->load(std::memory_order_relaxed));
+    const std::vector<UndecidedEnd> ends = stopped ? std::vector<UndecidedEnd>{} : runner_->look_at(undecided_);
+    result_.note += fmt::format("{}{:.0f} % are undecided: {}", result_.note.empty() ? "" : "; ", 100.0 * share,
+                                why_undecided(horizon_, ends));
+  }
+
+  using Sink = std::function<void(const std::shared_ptr<Chunk>&)>;
+  // Decides starts first .. limit - 1, or fewer once finished_ or lost_; `sink` gets the chunks in order.
+  void compute(std::uint64_t first, std::uint64_t limit, const Sink& sink) {
+    ChunkSize size(limit - first, threads_, result_.study.needs_machine());
+    std::uint64_t next = first;
+    const auto make = [&](tbb::flow_control& control) -> std::shared_ptr<Chunk> {
+      const bool stop_asked = options_.stop && options_.stop->load(std::memory_order_relaxed);
+      if (finished_ || lost_ || stop_asked || next >= limit) {
+        lost_ = lost_ || (!finished_ && next < limit);
+        control.stop();
+        return nullptr;
+      }
+      auto chunk = std::make_shared<Chunk>();
+      chunk->first = next;
+      chunk->count = static_cast<std::size_t>(std::min<std::uint64_t>(size.next(), limit - next));
+      next += chunk->count;
+      return chunk;
+    };
+    const auto decide = [&](std::shared_ptr<Chunk> chunk) {
+      const auto begin = std::chrono::steady_clock::now();
+      chunk->complete = !finished_ && runner_->run(chunk->first, chunk->count, chunk->phi, chunk->fates,
+                                                   chunk->unlisted, options_.transients ? &chunk->transients : nullptr);
+      size.took(chunk->count, std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count());
+      return chunk;
+    };
+    tbb::task_arena arena(threads_);
+    arena.execute([&] {
+      tbb::parallel_pipeline(
+          2 * static_cast<std::size_t>(threads_),
+          tbb::make_filter<void, std::shared_ptr<Chunk>>(tbb::filter_mode::serial_in_order, make) &
+              tbb::make_filter<std::shared_ptr<Chunk>, std::shared_ptr<Chunk>>(tbb::filter_mode::parallel, decide) &
+              tbb::make_filter<std::shared_ptr<Chunk>, void>(tbb::filter_mode::serial_in_order, sink));
+    });
+  }
+
+  // Takes a chunk in, in order. After one that was not completed no later one counts: the result stays a prefix. What
+  // a file held already is left out.
+  void commit(Chunk& chunk) {
+    if (finished_) return;
+    if (!chunk.complete || stop_counting_) {
+      lost_ = stop_counting_ = true;
+      return;
+    }
+    if (chunk.first + chunk.count <= tally_->total()) return;
+    const std::size_t begin = static_cast<std::size_t>(tally_->total() - chunk.first);
+    std::size_t taken = begin;
+    auto unlisted = chunk.unlisted.begin();
+    while (taken < chunk.count && !finished_) {
+      while (unlisted != chunk.unlisted.end() && unlisted->place < taken) ++unlisted;
+      Fate& fate = chunk.fates[taken];
+      if (unlisted != chunk.unlisted.end() && unlisted->place == taken) name_fate(fate, *unlisted);
+      take(fate, chunk.row(taken));
+      ++taken;
+    }
+    if (file_) store(chunk, begin, taken);
+    if (options_.progress)
+      options_.progress(
+          {tally_->total(), options_.half_width > 0.0 ? 0 : limit_, tally_->share(Outcome::attracted, balanced_id)});
+  }
+
+  // Starts are functions of their index, so what they drew besides angles is made again for the file alone.
+  void store(const Chunk& chunk, std::size_t begin, std::size_t end) {
+    const Study& study = result_.study;
+    std::vector<double> rotor, phi_dot, weight;
+    for (std::size_t i = begin; i < end; ++i) {
+      if (sampler_->grid()) weight.push_back(sampler_->weight(study.sampling.seed, chunk.first + i));
+      if (study.sampling.box.empty()) continue;
+      const InitialState s = start_of(study, *sampler_, study.sampling.seed, chunk.first + i);
+      rotor.insert(rotor.end(), {s.x, s.y, s.x_dot, s.y_dot});
+      phi_dot.insert(phi_dot.end(), s.phi_dot.begin(), s.phi_dot.begin() + study.parameters.balls);
+    }
+    const std::size_t balls = static_cast<std::size_t>(study.parameters.balls);
+    file_->append({end - begin, chunk.phi.data() + begin * balls, chunk.fates.data() + begin, rotor.data(),
+                   phi_dot.data(), weight.data(), chunk.row(begin)},
+                  time_so_far());
+  }
+
+  // A stationary motion that the rule does not list: what it is decides, whenever it was first met.
+  void name_fate(Fate& fate, const UnlistedStart& start) {
+    const int id = runner_->list(start);
+    settle(fate, id);
+    if (file_ && id > 0 && filed_.insert(id).second) file_->append_discovery(start.state);
+  }
+
+  const BasinOptions& options_;
+  std::chrono::steady_clock::time_point begin_ = std::chrono::steady_clock::now();
+  double cpu_begin_ = cpu_now();
+  int threads_;
+  DiscoveryCache own_discoveries_;
+  DiscoveryCache& discoveries_;
+  BasinResult result_;
+  std::uint64_t limit_ = 0;
+  std::unique_ptr<BasinFile> file_;
+  std::optional<Sampler> sampler_;
+  std::unique_ptr<Runner> runner_;
+  std::optional<Tally> tally_;
+  std::optional<TransientTally> transients_;
+  std::vector<std::shared_ptr<Chunk>> pilot_;
+  std::uint64_t passed_ = 0;  // the resonance
+  double stall_speed_ = 0.0;
+  std::set<int> filed_;  // motions known before the first start, or in the file
+  std::atomic<bool> finished_{false}, lost_{false};
+  bool stop_counting_ = false;
+  Horizon horizon_;
+  std::vector<std::uint64_t> undecided_;  // numbers of the first ones
+};
+
+}  // namespace
+
+int thread_count(int asked) { return asked > 0 ? asked : tbb::info::default_concurrency(); }
+
+BasinFileHeader basin_file_header(const Study& study, bool angles, bool transients) {
+  Study identity = with_horizon(study);  // all that decides the fate of start i
+  const Sampler sampler = sampler_of(study);
+  identity.sampling.starts = sampler.grid() ? sampler.grid()->starts() : 1;
+  BasinFileHeader header;
+  header.study = to_toml(identity);
+  header.balls = study.parameters.balls;
+  header.cpu_target = cpu_target();
+  header.arithmetic = arithmetic_of(header.cpu_target);
+  header.angles = angles;
+  header.driven = study.speed.driven();
+  header.full_starts = !study.sampling.box.empty();
+  header.method = sampler.method();
+  header.scales = study.scales;
+  if (transients) header.transients = transient_settings(study);
+  return header;
+}
+
+BasinResult basin(const Study& study, const BasinOptions& options, Catalogue* catalogue) {
+  BasinRun run(study, options);
+  BasinResult result = run.run();
+  if (catalogue) *catalogue = run.catalogue();
+  return result;
+}
+
+StartReplay replay_start(const Study& study, std::uint64_t index, const BasinOptions& options) {
+  check_runnable(study);
+  const Sampler sampler = sampler_of(study);
+  if (sampler.grid() && index >= sampler.grid()->starts())
+    throw InputError(study.name, "start index", fmt::format("{}", index),
+                     fmt::format("must be below {}, the starts of this grid", sampler.grid()->starts()));
+  const std::unique_ptr<Runner> runner = make_runner(
+      study, {thread_count(options.threads), options.stop, options.seeds, options.discoveries}, options.transients);
+  std::vector<double> phi;
+  std::vector<Fate> fates;
+  std::vector<UnlistedStart> unlisted;
+  std::vector<TransientRow> rows;
+  StartReplay replay;
+  replay.index = index;
+  if (runner->stopped() || !runner->run(index, 1, phi, fates, unlisted, options.transients ? &rows : nullptr))
+    throw RunError("stopped before the start was decided");
+  replay.start = start_of(study, study.sampling.seed, index);
+  replay.fate = fates.front();
+  if (!rows.empty()) replay.transients = rows.front();
+  if (!unlisted.empty()) settle(replay.fate, runner->list(unlisted.front()));
+  if (const Attractor* a = runner->catalogue().find(replay.fate.attractor)) replay.name = a->name;
+  return replay;
+}
+
+}  // namespace equipoise

@@ -1,0 +1,73 @@
+// The main question: with what probability do the balls end up balancing the rotor?
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "equipoise/base/error.hpp"
+#include "equipoise/deciding/fate.hpp"
+#include "equipoise/results/basin_result.hpp"
+#include "equipoise/statistics/share.hpp"
+#include "equipoise/store/basin_file.hpp"
+#include "equipoise/study/study.hpp"
+
+namespace equipoise {
+
+class Catalogue;
+struct DiscoveryCache;
+
+/// How far a run has come.
+struct BasinProgress {
+  std::uint64_t done = 0;   ///< starts decided, in order
+  std::uint64_t total = 0;  ///< starts asked for; 0 while sampling until a half-width is reached
+  Share balanced;           ///< so far
+};
+
+struct BasinOptions {
+  int threads = 0;          ///< 0: all cores
+  double half_width = 0.0;  ///< > 0: sample until every outcome's interval is this narrow, at most
+                            ///< study.sampling.starts if limit_given, else at most 10^9. A study that leaves
+                            ///< sampling.method open gets the cheaper of random and Sobol starts
+  bool limit_given = false;
+  std::string output;  ///< NetCDF file for per-start results; empty: none. An unfinished file of the same study is
+                       ///< resumed, a finished one extended or simply read
+  bool store_angles = true;  ///< in `output`
+  bool transients = false;   ///< gather the statistics of transients (study.limits says what for); `output` holds them
+  /// States near motions known from elsewhere, each dimension(balls) numbers: rare attractors that pilot starts miss.
+  std::vector<std::vector<double>> seeds;
+  DiscoveryCache* discoveries = nullptr;  ///< shared by runs one after the other that end at the same speed; results do
+                                          ///< not depend on it
+  const StopFlag* stop = nullptr;
+  std::function<void(const BasinProgress&)> progress;  ///< called in order, from any thread but never from two at once
+  std::function<void(const Fate&)> fate;  ///< every start counted, in order of index, those read from `output` included
+};
+
+/// Threads that work on an ensemble: as asked, or all cores for 0.
+int thread_count(int asked);
+
+/// What the output file of a basin() says of its run.
+BasinFileHeader basin_file_header(const Study& study, bool angles, bool transients = false);
+
+/// One start replayed alone.
+struct StartReplay {
+  std::uint64_t index = 0;
+  InitialState start;  ///< state at t = 0
+  Fate fate;
+  std::string name;                        ///< of the attractor, empty if there is none
+  std::optional<TransientRow> transients;  ///< if options.transients
+};
+
+/// Runs the ensemble: study.sampling.starts starts, or as many as options.half_width asks for. The outcome of start i
+/// depends on the study and i alone (for one CPU target; see docs/numerics.md).
+/// Throws InputError for studies that cannot be decided (see check_runnable()) and unusable output files,
+/// RunError if the output file fails later.
+/// `catalogue`, if given, receives the attractors found, refined and named.
+BasinResult basin(const Study& study, const BasinOptions& options = {}, Catalogue* catalogue = nullptr);
+
+/// The fate of start `index` (any, also beyond study.sampling.starts), with the very bits basin() would give it.
+StartReplay replay_start(const Study& study, std::uint64_t index, const BasinOptions& options = {});
+
+}  // namespace equipoise

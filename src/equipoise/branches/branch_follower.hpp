@@ -1,0 +1,61 @@
+// One motion from one parameter value to another: Newton's method for equilibria and periodic orbits, trajectories for
+// tori and chaos.
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "equipoise/base/error.hpp"
+#include "equipoise/branches/parameter_line.hpp"
+#include "equipoise/results/branch.hpp"
+
+namespace equipoise {
+
+/// Tori and chaos, which cannot be refined.
+bool is_restless(const Motion& motion);
+
+/// What a motion is called, whether it is a torus or chaotic or neither.
+std::string family_of(const model::Parameters& p, const Motion& motion);
+
+/// A restless motion at one parameter value may be the one at another: same family, like excursions.
+bool resembles(const model::Parameters& p, const Motion& a, const Motion& b);
+
+/// How far an advance came.
+struct Advance {
+  double value = 0.0;
+  Motion motion;
+  bool arrived = false;
+  double refused = 0.0;          ///< if not arrived: the nearest value at which the motion was not found
+  std::optional<Motion> beyond;  ///< if not arrived: another motion met at that value
+};
+
+class BranchFollower {
+ public:
+  BranchFollower(const ParameterLine& line, const StopFlag* stop) : line_(line), stop_(stop) {}
+
+  /// From `motion` at `from` to the value `to`, one step of the line away at most. Newton's steps are halved where the
+  /// method fails or the motion changes abruptly or in kind, down to 2^-16 of the line's step; a motion not found then
+  /// ends. Restless motions end where trajectories from them come to something else, found to 1/16 of the step.
+  /// A stopped advance has not arrived and ends where it began.
+  Advance advance(const Motion& motion, double from, double to) const;
+
+  /// Where a motion ends that was seen at end.value, and at end.refused only as a motion of another branch: the same
+  /// bracket made as narrow as that of an advance that did not arrive.
+  Advance narrowed(const Advance& end) const;
+
+  /// The equilibrium or periodic orbit at `to` that continues `motion`, in one step: what bisection needs.
+  std::optional<Motion> refine(const Motion& motion, double to) const;
+
+  bool stopped() const { return stop_ && stop_->load(std::memory_order_relaxed); }
+  const ParameterLine& line() const { return line_; }
+
+ private:
+  Advance advance_refined(const Motion& motion, double from, double to) const;
+  Advance advance_restless(const Motion& motion, double from, double to) const;
+  std::optional<Motion> settled(const Motion& from, double value, std::optional<Motion>& stranger) const;
+
+  const ParameterLine& line_;
+  const StopFlag* stop_;
+};
+
+}  // namespace equipoise

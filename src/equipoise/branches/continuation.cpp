@@ -1,0 +1,332 @@
+// Search at every value, follow both ways, meet, look beyond the ends, name.
+#include "equipoise/branches/continuation.hpp"
+
+#include <algorithm>
+#include <atomic>
+#include <chrono>
+#include <map>
+#include <mutex>
+#include <optional>
+#include <set>
+#include <thread>
+#include <utility>
+
+#include <oneapi/tbb/parallel_for.h>
+#include <oneapi/tbb/task_arena.h>
+
+#include "equipoise/basins/attractors.hpp"
+#include "equipoise/branches/branch_events.hpp"
+#include "equipoise/branches/branch_follower.hpp"
+#include "equipoise/branches/branch_names.hpp"
+#include "equipoise/discovery/discovery.hpp"
+#include "equipoise/kernels/lane_kernels.hpp"
+
+namespace equipoise {
+
+namespace {
+
+// A branch in the making: its motions by index of the value, and how it ended on either side.
+struct Track {
+  std::map<std::size_t, Motion> points;
+  std::optional<Advance> low, high;  // empty where the line ends, or where the search was stopped
+};
+
+// One way from a motion.
+struct Way {
+  std::map<std::size_t, Motion> points;  // without the first
+  std::optional<Advance> end;
+  int joins = -1;  // the track whose branch this is
+};
+
+// A motion from which a branch starts.
+struct Origin {
+  std::size_t at = 0;
+  Motion motion;
+  std::string family;
+  Way down, up;
+};
+
+// A state that may lead to something new at a value.
+struct Lead {
+  std::size_t at = 0;
+  Eigen::VectorXd state;
+  std::optional<Motion> motion;
+};
+
+class Continuation {
+ public:
+  Continuation(const Study& study, const ParameterLine& line, const ContinuationOptions& options)
+      : line_(line),
+        options_(options),
+        follower_(line, options.stop),
+        threads_(options.threads > 0 ? options.threads
+                                     : static_cast<int>(std::max(1u, std::thread::hardware_concurrency()))),
+        arena_(threads_),
+        found_(line.values().size()),
+        named_(line.values().size()) {
+    result_.study = study;
+  }
+
+  BranchesResult run() {
+    const auto begin = std::chrono::steady_clock::now();
+    for (const double value : line_.values()) systems_.push_back(line_.system_at(value));
+    search();
+    while (!follower_.stopped() && follow_new()) {
+    }
+    result_.partial = follower_.stopped();
+    if (result_.partial) gather_rest();
+    locate_and_name();
+    result_.key = line_.key();
+    result_.values = line_.values();
+    result_.step = line_.step();
+    result_.threads = threads_;
+    result_.cpu_target = cpu_target();
+    result_.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+    return std::move(result_);
+  }
+
+ private:
+  // body(i) for i in [0, count) on all threads.
+  template <class Body>
+  void in_parallel(std::size_t count, const Body& body) {
+    arena_.execute([&] { tbb::parallel_for(std::size_t{0}, count, body, tbb::simple_partitioner()); });
+  }
+
+  void report(std::uint64_t total, const char* what) {
+    const std::lock_guard lock(mutex_);
+    if (++done_ <= total && options_.progress) options_.progress({done_, total, what});
+  }
+
+  void search() {
+    in_parallel(found_.size(), [&](std::size_t k) {
+      if (follower_.stopped()) return;
+      const Study study = line_.study_at(line_.values()[k]);
+      Catalogue catalogue = options_.starts > 0 ? catalogue_from_starts(study) : catalogue_from_pilot(study);
+      for (const Attractor& a : catalogue.attractors()) {
+        if (a.motion.stable || a.name == "balanced") found_[k].push_back(a.motion);
+        if (a.id < first_free_id) named_[k].push_back(a.motion);
+      }
+      report(found_.size(), "values searched");
+    });
+  }
+
+  Catalogue catalogue_from_pilot(const Study& study) const {
+    return discover(study, {1, options_.stop, options_.seeds}).catalogue;
+  }
+
+  Catalogue catalogue_from_starts(Study study) const {
+    study.sampling.starts = options_.starts;
+    BasinOptions search;
+    search.threads = 1;
+    search.seeds = options_.seeds;
+    search.stop = options_.stop;
+    return attractors(study, search).catalogue;
+  }
+
+  bool is_on(const Track& track, std::size_t k, const Motion& motion) const {
+    const auto at = track.points.find(k);
+    if (at == track.points.end()) return false;
+    const model::Parameters& p = systems_[k].parameters;
+    return same_motion(p, at->second, motion) ||
+           (is_restless(at->second) && is_restless(motion) && resembles(p, at->second, motion));
+  }
+  int track_of(std::size_t k, const Motion& motion) const {
+    for (std::size_t t = 0; t < tracks_.size(); ++t)
+      if (is_on(tracks_[t], k, motion)) return static_cast<int>(t);
+    return -1;
+  }
+
+  // Follows one unlisted motion of every family, both ways. False if there was none.
+  bool follow_new() {
+    std::vector<Origin> origins;
+    std::set<std::string> families;
+    for (std::size_t k = 0; k < found_.size(); ++k) {
+      for (const Motion& motion : found_[k]) {
+        if (track_of(k, motion) >= 0) continue;
+        std::string family = family_of(systems_[k].parameters, motion);
+        if (families.insert(family).second) origins.push_back({k, motion, std::move(family), {}, {}});
+      }
+    }
+    done_ = tracks_.size();
+    const std::uint64_t total = done_ + 2 * origins.size();
+    in_parallel(2 * origins.size(), [&](std::size_t i) {
+      Origin& origin = origins[i / 2];
+      (i % 2 ? origin.up : origin.down) = follow(origin, i % 2 ? 1 : -1);
+      report(total, "branches followed");
+    });
+    std::vector<Lead> leads;
+    for (Origin& origin : origins)
+      if (track_of(origin.at, origin.motion) < 0) settle(origin, leads);  // else another origin's, under another name
+    follow_leads(leads);
+    return !origins.empty();
+  }
+
+  Way follow(const Origin& origin, int direction) const {
+    Way way;
+    std::size_t k = origin.at;
+    const Motion* last = &origin.motion;
+    const std::size_t end = direction > 0 ? line_.values().size() - 1 : 0;
+    while (k != end && !follower_.stopped()) {
+      const std::size_t next = k + direction;
+      const double value = line_.values()[next];
+      Advance advance = follower_.advance(*last, line_.values()[k], value);
+      if (follower_.stopped()) return way;
+      if (advance.arrived) {
+        const int track = track_of(next, advance.motion);
+        if (track >= 0 && !tracks_[track].points.contains(k)) {
+          way.joins = track;
+          return way;
+        }
+        if (track >= 0) {  // it fell onto a branch that it has been beside
+          way.end = follower_.narrowed({line_.values()[k], *last, false, value, std::move(advance.motion)});
+          if (follower_.stopped()) way.end.reset();
+          return way;
+        }
+        last = &(way.points[next] = std::move(advance.motion));
+        k = next;
+        continue;
+      }
+      way.end = std::move(advance);
+      return way;
+    }
+    return way;
+  }
+
+  // A new track, or more of one that an origin's way has joined.
+  void settle(Origin& origin, std::vector<Lead>& leads) {
+    Track track;
+    track.low = std::move(origin.down.end);
+    track.high = std::move(origin.up.end);
+    track.points = std::move(origin.down.points);
+    track.points.merge(origin.up.points);
+    track.points[origin.at] = std::move(origin.motion);
+    note_leads(track, leads);
+    for (const auto& [joins, down] : {std::pair{origin.down.joins, true}, std::pair{origin.up.joins, false}}) {
+      if (joins < 0) continue;
+      Track& other = tracks_[joins];
+      const bool overlap = std::any_of(track.points.begin(), track.points.end(),
+                                       [&](const auto& point) { return other.points.contains(point.first); });
+      if (overlap) continue;
+      (down ? other.high : other.low) = down ? track.high : track.low;
+      other.points.merge(track.points);
+      return;
+    }
+    tracks_.push_back(std::move(track));
+  }
+
+  // Where a branch ends or loses stability, its last stable state may lead to what takes its place.
+  void note_leads(const Track& track, std::vector<Lead>& leads) const {
+    const std::size_t first = track.points.begin()->first, last = track.points.rbegin()->first;
+    if (track.low && first > 0) leads.push_back({first - 1, track.low->motion.state, {}});
+    if (track.high && last + 1 < found_.size()) leads.push_back({last + 1, track.high->motion.state, {}});
+    for (auto a = track.points.begin(), b = std::next(a); b != track.points.end(); ++a, ++b) {
+      if (a->second.stable && !b->second.stable) leads.push_back({b->first, a->second.state, {}});
+      if (!a->second.stable && b->second.stable) leads.push_back({a->first, b->second.state, {}});
+    }
+  }
+
+  void follow_leads(std::vector<Lead>& leads) {
+    in_parallel(leads.size(), [&](std::size_t i) {
+      Lead& lead = leads[i];
+      const LineSystem& system = systems_[lead.at];
+      if (!follower_.stopped()) lead.motion = motion_from(system.parameters, system.speed, lead.state);
+    });
+    for (Lead& lead : leads)
+      if (lead.motion && lead.motion->stable) found_[lead.at].push_back(std::move(*lead.motion));
+  }
+
+  // Of a stopped search: motions not yet followed, put together by what they are called.
+  void gather_rest() {
+    for (std::size_t k = 0; k < found_.size(); ++k) {
+      for (Motion& motion : found_[k]) {
+        if (track_of(k, motion) >= 0) continue;
+        const std::string family = family_of(systems_[k].parameters, motion);
+        const auto home = std::find_if(tracks_.begin(), tracks_.end(), [&](const Track& track) {
+          return !track.points.contains(k) &&
+                 family_of(systems_[track.points.begin()->first].parameters, track.points.begin()->second) == family;
+        });
+        (home == tracks_.end() ? tracks_.emplace_back() : *home).points[k] = std::move(motion);
+      }
+    }
+  }
+
+  // Where two branches of one name exist at one value, the search there has given the identifier to the motion that
+  // more starts come to: so a branch has the same one whatever part of the line is studied.
+  std::vector<std::size_t> count_votes() const {
+    std::vector<std::size_t> votes(tracks_.size());
+    for (std::size_t k = 0; k < named_.size(); ++k) {
+      const model::Parameters& p = systems_[k].parameters;
+      for (const Motion& motion : named_[k]) {
+        const int track = track_of(k, motion);
+        if (track < 0) continue;
+        const auto of_this_name = std::count_if(tracks_.begin(), tracks_.end(), [&](const Track& other) {
+          return other.points.contains(k) && family_of(p, other.points.at(k)) == family_of(p, motion);
+        });
+        if (of_this_name > 1) ++votes[static_cast<std::size_t>(track)];
+      }
+    }
+    return votes;
+  }
+
+  void locate_and_name() {
+    const std::vector<std::size_t> votes = count_votes();
+    struct Gap {
+      std::size_t track = 0, at = 0;
+      std::vector<BranchEvent> events;
+    };
+    std::vector<Gap> gaps;
+    std::vector<Branch> branches(tracks_.size());
+    for (std::size_t t = 0; t < tracks_.size(); ++t) {
+      for (auto& [k, motion] : tracks_[t].points)
+        branches[t].points.push_back({k, line_.values()[k], std::move(motion)});
+      const auto& points = branches[t].points;
+      for (std::size_t i = 0; i + 1 < points.size(); ++i)
+        if (points[i + 1].at == points[i].at + 1) gaps.push_back({t, i, {}});
+    }
+    in_parallel(gaps.size(), [&](std::size_t g) {
+      const auto& points = branches[gaps[g].track].points;
+      gaps[g].events = changes_between(follower_, points[gaps[g].at], points[gaps[g].at + 1]);
+    });
+    for (std::size_t t = 0; t < tracks_.size(); ++t)
+      if (tracks_[t].low) branches[t].events.push_back(end_event(BranchChange::birth, *tracks_[t].low));
+    for (Gap& gap : gaps)
+      for (BranchEvent& event : gap.events) branches[gap.track].events.push_back(event);
+    for (std::size_t t = 0; t < tracks_.size(); ++t)
+      if (tracks_[t].high) branches[t].events.push_back(end_event(BranchChange::death, *tracks_[t].high));
+    name_branches(systems_, votes, branches);
+    result_.branches = std::move(branches);
+  }
+
+  BranchEvent end_event(BranchChange change, const Advance& end) const {
+    BranchEvent event;
+    event.change = change;
+    event.cause = cause_of_end(line_, end);
+    event.low = std::min(end.value, end.refused);
+    event.high = std::max(end.value, end.refused);
+    event.r_min = end.motion.r_min;
+    event.r_mean = end.motion.r_mean;
+    event.r_max = end.motion.r_max;
+    return event;
+  }
+
+  const ParameterLine& line_;
+  const ContinuationOptions& options_;
+  BranchFollower follower_;
+  int threads_;
+  tbb::task_arena arena_;
+  std::vector<std::vector<Motion>> found_;  // by value
+  std::vector<std::vector<Motion>> named_;  // by value: those that a search there gave the identifier of their name
+  std::vector<LineSystem> systems_;         // by value
+  std::vector<Track> tracks_;
+  BranchesResult result_;
+  std::mutex mutex_;
+  std::uint64_t done_ = 0;
+};
+
+}  // namespace
+
+BranchesResult follow_attractors(const Study& study, const ParameterLine& line, const ContinuationOptions& options) {
+  return Continuation(study, line, options).run();
+}
+
+}  // namespace equipoise

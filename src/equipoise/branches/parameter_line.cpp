@@ -1,0 +1,110 @@
+// Reading of KEY=FROM:TO:STEP, and the study at each value.
+#include "equipoise/branches/parameter_line.hpp"
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <optional>
+
+#include <fmt/format.h>
+
+#include "equipoise/base/error.hpp"
+#include "equipoise/fates/start_runner.hpp"
+#include "equipoise/study/table_reader.hpp"
+
+namespace equipoise {
+
+namespace {
+
+constexpr const char* option = "--along";
+constexpr const char* allowed = "must be KEY=FROM:TO:STEP with three numbers, e.g. speed.final=1.4:6.5:0.05";
+
+std::optional<double> number(const std::string& text) {
+  double value = 0.0;
+  const char* end = text.data() + text.size();
+  const auto [rest, error] = std::from_chars(text.data(), end, value);
+  if (error != std::errc{} || rest != end || !std::isfinite(value)) return std::nullopt;
+  return value;
+}
+
+// Twelve digits: so 1.4 + 20 * 0.05 is 2.4.
+double rounded(double value, double unit) { return std::round(value / unit * 1e12) * unit / 1e12; }
+double shortest(double value, double largest) {
+  const double unit = std::pow(10.0, std::ceil(std::log10(std::max(largest, 1e-300))));
+  return *number(fmt::format("{:.12g}", rounded(value, unit)));
+}
+
+}  // namespace
+
+ParameterLine::ParameterLine(const Study& study, const std::string& text) : study_(study) {
+  parse(text);
+  for (const double value : values_) {
+    try {
+      const Study there = study_at(value);
+      check_autonomous(there, "branches along a parameter");
+      if (there.speed_profile().final_speed() == 0.0)
+        throw InputError(option, key_, fmt::format("{}", value), "nothing turns; the final speed must not be 0");
+    } catch (const InputError& e) {
+      throw InputError(fmt::format("{} {}", option, text), e.key(), e.value(), e.problem());
+    }
+  }
+}
+
+void ParameterLine::parse(const std::string& text) {
+  const auto reject = [&](const std::string& problem) { throw InputError(option, "", text, problem); };
+  const std::size_t equals = text.find('=');
+  if (equals == std::string::npos || equals == 0) reject(allowed);
+  key_ = text.substr(0, equals);
+  std::vector<double> parts;
+  for (std::size_t at = equals + 1; at <= text.size();) {
+    const std::size_t colon = std::min(text.find(':', at), text.size());
+    const auto part = number(text.substr(at, colon - at));
+    if (!part) reject(allowed);
+    parts.push_back(*part);
+    at = colon + 1;
+  }
+  if (parts.size() != 3) reject(allowed);
+  const std::string table = key_.substr(0, key_.find('.'));
+  if ((table != "rotor" && table != "balancer" && table != "speed") || table == key_ || key_ == "balancer.balls")
+    reject("KEY must be a key of rotor, balancer or speed that takes a number, or speed.final; " +
+           std::string(allowed));
+  const double from = parts[0], to = parts[1], step = parts[2];
+  if (step == 0.0 || (to - from) * step < 0.0)
+    reject(fmt::format("STEP = {} does not lead from {} to {}; it must not be 0 and must have the sign of TO - FROM",
+                       step, from, to));
+  const double steps = std::floor((to - from) / step * (1.0 + 1e-12) + 1e-9);
+  if (!(steps < most_line_values))
+    reject(fmt::format("has {:.6g} values; must have at most {}", steps + 1.0, most_line_values));
+  const double largest = std::max(std::fabs(from), std::fabs(to));
+  for (std::size_t k = 0; k <= static_cast<std::size_t>(steps); ++k)
+    values_.push_back(shortest(from + static_cast<double>(k) * step, largest));
+  if (step < 0.0) std::reverse(values_.begin(), values_.end());
+  step_ = std::fabs(step);
+}
+
+Study study_with(const Study& original, const std::string& key, double value) {
+  Study study = original;
+  for (int i = 0; i < study.parameters.balls; ++i)
+    if (key == fmt::format("initial.phi_{}", i + 1)) {
+      study.initial.phi[static_cast<std::size_t>(i)] = value;
+      return study;
+    }
+  if (key != "speed.final") return parse_study(to_toml(study), study.name, {key + "=" + study::number_text(value)});
+  if (study.speed.profile == "constant")
+    study.speed.speed = value;
+  else if (study.speed.profile == "points")
+    study.speed.speeds.back() = value;
+  else
+    study.speed.final = value;
+  check(study);
+  return study;
+}
+
+Study ParameterLine::study_at(double value) const { return study_with(study_, key_, value); }
+
+LineSystem ParameterLine::system_at(double value) const {
+  const Study study = study_at(value);
+  return {study.parameters, study.speed_profile().final_speed()};
+}
+
+}  // namespace equipoise

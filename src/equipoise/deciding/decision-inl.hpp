@@ -1,0 +1,312 @@
+// The observer of a lane block that decides fates: entry into a trap of a balanced state or of a periodic orbit, or
+// windows of time that show a known or a stationary motion. Included once per CPU target.
+#if defined(EQUIPOISE_DECIDING_DECISION_INL) == defined(HWY_TARGET_TOGGLE)
+#ifdef EQUIPOISE_DECIDING_DECISION_INL
+#undef EQUIPOISE_DECIDING_DECISION_INL
+#else
+#define EQUIPOISE_DECIDING_DECISION_INL
+#endif
+
+#include <type_traits>
+#include <vector>
+
+#include "equipoise/base/pack-inl.hpp"
+#include "equipoise/deciding/decision_rule.hpp"
+#include "equipoise/deciding/fate.hpp"
+#include "equipoise/deciding/traps-inl.hpp"
+#include "equipoise/deciding/window_features.hpp"
+#include "equipoise/lanes/lane_task.hpp"
+#include "equipoise/model/speed.hpp"
+
+HWY_BEFORE_NAMESPACE();
+namespace equipoise {
+namespace HWY_NAMESPACE {
+
+// Hooks: see NoObserver in lanes/lane_block-inl.hpp. Windows are sampled at two stages inside each step and at its
+// end (at 1/3, 0.6 and 1 of it, 0.4 apart at most), so that no motion is seen fewer than eight times a period at the steps the tolerance
+// allows; tests/unit/window_test.cpp measures it.
+//
+// `strobed`: the rotor's angle is known, r is measured from where gravity lets the rotor sag to, and
+// DecisionRule::strobed is asked. Without it none of that leaves an operation behind.
+template <int n, int groups, bool strobed = false>
+class DecideFate {
+ public:
+  static constexpr int dimension = model::dimension(n);
+  static constexpr int lanes = static_cast<int>(pack_lanes);
+
+  DecideFate(const model::Parameters& p, const model::Segment& segment, const DecisionRule& rule,
+             std::vector<Fate>& fates, std::vector<PilotRecord>* pilot)
+      : rule_(rule),
+        segment_(segment),
+        parameters_(p),
+        fates_(fates),
+        pilot_(pilot),
+        trackers_(groups * lanes),
+        family_reach_(groups * lanes) {}
+
+  void begin(int slot, std::size_t, double t, const double* z) {
+    open_window(slot / lanes, slot % lanes, t, z + 4);
+    trackers_[slot].begin(rule_);
+    family_reach_[slot] = rule_.family.reach;
+    verdict_[slot] = {};
+    element(least_value_[slot / lanes], slot % lanes) = 1e300;
+  }
+
+  HWY_INLINE void stage(int row, int g, const Pack* z) {
+    if (row == first_sample) take(first_[g], z);
+    if (row == second_sample) take(second_[g], z);
+  }
+
+  HWY_INLINE unsigned step(int g, unsigned active, Mask accepted, Pack t, Pack h, const Pack* z) {
+    gather_samples(g, accepted, t, h, z);
+    const unsigned accepted_bits = lane_bits(accepted) & active;
+    unsigned done = caught_by_traps(g, accepted, accepted_bits, z);
+    if (rule_.at_horizon)
+      done = 0;
+    else if (rule_.family.caught)
+      done |= caught_by_family(g, accepted_bits & ~done, z);
+    const unsigned full = accepted_bits & ~lane_bits(t < window_end_[g]) & ~done;
+    if (full) done |= close_windows(g, full, t, z);
+    return done;
+  }
+
+  // Of a lane that step() has just ended; 0: a stationary motion that the rule does not list.
+  int attractor_of(int slot) const { return verdict_[slot].attractor; }
+
+  void end(int slot, std::size_t start, LaneEnd how, double t, const double* z) {
+    Fate& fate = fates_[start];
+    fate = {how == LaneEnd::decided    ? Outcome::attracted
+            : how == LaneEnd::diverged ? Outcome::diverged
+            : how == LaneEnd::failed   ? Outcome::failed
+                                       : Outcome::undecided,
+            DecidedBy::nothing, 0, t};
+    Verdict verdict = verdict_[slot];
+    if (how == LaneEnd::reached_end && rule_.at_horizon) {
+      if (!verdict.attractor && rule_.family.caught && rule_.family.caught(z)) verdict.attractor = balanced_id;
+      if constexpr (strobed)
+        if (rule_.strobed.caught) verdict.attractor = rule_.strobed.caught(z, segment_.psi_at(t));
+      if (!verdict.attractor) verdict.attractor = trackers_[slot].attractor_at_end();
+      if (verdict.attractor) {
+        fate.outcome = Outcome::attracted;
+        verdict.by = DecidedBy::horizon;
+      }
+    }
+    if (fate.outcome == Outcome::attracted) {
+      fate.attractor = static_cast<short>(verdict.attractor);
+      fate.by = verdict.by;
+    }
+    if (pilot_) {
+      (*pilot_)[start] = trackers_[slot].record();
+      if (rule_.blind) (*pilot_)[start].least_value = element(least_value_[slot / lanes], slot % lanes);
+    }
+  }
+
+ private:
+  // Stages at c = 1/3 and c = 0.6.
+  static constexpr int first_sample = 5, second_sample = 9;
+
+  struct Sample {
+    Pack r2, q[n];
+  };
+  struct PlacedSample : Sample {
+    Pack x, y;
+  };
+  using Taken = std::conditional_t<strobed, PlacedSample, Sample>;
+
+  static HWY_INLINE void take(Taken& sample, const Pack* z) {
+    if constexpr (strobed) {
+      sample.x = z[0];
+      sample.y = z[1];
+    } else {
+      sample.r2 = z[0] * z[0] + z[1] * z[1];
+    }
+    for (int i = 0; i < n; ++i) sample.q[i] = z[4 + n + i];
+  }
+
+  // r^2 of a sample taken at time t, from where the rotor would rest.
+  HWY_INLINE void measure(PlacedSample& sample, Pack t) const {
+    Pack sine, cosine;
+    sin_cos(multiply_add(Pack(segment_.speed), t - Pack(segment_.begin), Pack(segment_.psi)), sine, cosine);
+    const Pack x = sample.x - Pack(rule_.sag) * sine, y = sample.y - Pack(rule_.sag) * cosine;
+    sample.r2 = x * x + y * y;
+  }
+
+  // Adds the samples of an accepted step to the windows of its lanes.
+  HWY_INLINE void gather_samples(int g, Mask accepted, [[maybe_unused]] Pack t, Pack h, const Pack* z) {
+    Taken last;
+    take(last, z);
+    if constexpr (strobed) {
+      measure(first_[g], t - Pack(2.0 / 3) * h);
+      measure(second_[g], t - Pack(0.4) * h);
+      measure(last, t);
+    }
+    const Pack low = minimum(minimum(first_[g].r2, second_[g].r2), last.r2);
+    const Pack high = maximum(maximum(first_[g].r2, second_[g].r2), last.r2);
+    r2_min_[g] = select(accepted, minimum(r2_min_[g], low), r2_min_[g]);
+    r2_max_[g] = select(accepted, maximum(r2_max_[g], high), r2_max_[g]);
+    const Pack integral = multiply_add(h * Pack(1.0 / 3), first_[g].r2 + second_[g].r2 + last.r2, r2_integral_[g]);
+    r2_integral_[g] = select(accepted, integral, r2_integral_[g]);
+    for (int i = 0; i < n; ++i) {
+      const Pack slow = minimum(minimum(first_[g].q[i], second_[g].q[i]), last.q[i]);
+      const Pack fast = maximum(maximum(first_[g].q[i], second_[g].q[i]), last.q[i]);
+      q_min_[g][i] = select(accepted, minimum(q_min_[g][i], slow), q_min_[g][i]);
+      q_max_[g][i] = select(accepted, maximum(q_max_[g][i], fast), q_max_[g][i]);
+    }
+  }
+
+  struct Verdict {
+    DecidedBy by = DecidedBy::nothing;
+    int attractor = 0;
+  };
+
+  // Lanes inside a trap. Box tests cost little and spare most of them the quadratic forms.
+  HWY_INLINE unsigned caught_by_traps(int g, Mask accepted, unsigned accepted_bits, const Pack* z) {
+    unsigned caught = 0;
+    for (const BalancedTrap& trap : rule_.traps) {
+      Mask near = accepted;
+      for (int i = 0; i < 4; ++i) near = near & (absolute(z[i]) < Pack(trap.reach[i]));
+      for (int i = 0; i < n; ++i) near = near & (absolute(z[4 + n + i]) < Pack(trap.reach[4 + n + i]));
+      if (!any(near)) continue;
+      const unsigned inside = lane_bits(near & inside_balanced(trap, z)) & accepted_bits & ~caught;
+      if (inside) caught |= mark(g, inside, {trap.by, balanced_id});
+    }
+    if (rule_.blind) watch_values(g, accepted, z);
+    const Pack r2 = z[0] * z[0] + z[1] * z[1];
+    for (const OrbitTrap& trap : rule_.orbits) {
+      Mask near = accepted & (Pack(trap.r2_low) < r2) & (r2 < Pack(trap.r2_high));
+      for (int i = 0; i < n; ++i)
+        near = near & (Pack(trap.q_low[i]) < z[4 + n + i]) & (z[4 + n + i] < Pack(trap.q_high[i]));
+      if (!any(near)) continue;
+      const unsigned inside = lane_bits(near & inside_orbit(trap, z)) & accepted_bits & ~caught;
+      if (inside) caught |= mark(g, inside, {DecidedBy::validated, trap.attractor});
+    }
+    if (rule_.at_horizon) mark(g, accepted_bits & ~caught, {});
+    return caught;
+  }
+
+  HWY_NOINLINE Mask inside_balanced(const BalancedTrap& trap, const Pack* z) {
+    return trap_value<n, Pack>(trap, z) < Pack(trap.level);
+  }
+
+  // How near to balance each lane has come.
+  HWY_NOINLINE void watch_values(int g, Mask accepted, const Pack* z) {
+    for (const BalancedTrap& trap : rule_.traps) {
+      const Pack least = minimum(least_value_[g], trap_value<n, Pack>(trap, z));
+      least_value_[g] = select(accepted, least, least_value_[g]);
+    }
+  }
+
+  HWY_NOINLINE Mask inside_orbit(const OrbitTrap& trap, const Pack* z) {
+    return trap_value<n, Pack>(trap, z) < Pack(trap.level);
+  }
+
+  // Lanes caught by a continuum of balanced states: asked one by one, and after a refusal only again at half the
+  // distance, or when they come back from far away.
+  HWY_NOINLINE unsigned caught_by_family(int g, unsigned accepted, const Pack* z) {
+    unsigned caught = 0;
+    for (int lane = 0; lane < lanes; ++lane) {
+      if (!(accepted & (1u << lane))) continue;
+      double state[dimension];
+      double& reach = family_reach_[g * lanes + lane];
+      double away = 0.0;
+      for (int i = 0; i < dimension; ++i) {
+        state[i] = element(z[i], lane);
+        if (i < 4 || i >= 4 + n) away = std::fmax(away, std::fabs(state[i]));
+      }
+      if (away >= rule_.family.reach) reach = rule_.family.reach;
+      if (!(away < reach)) continue;
+      double imbalance_x = parameters_.eccentricity, imbalance_y = 0.0;
+      for (int i = 0; i < n; ++i) {
+        imbalance_x += parameters_.mass[i] * std::cos(state[4 + i]);
+        imbalance_y += parameters_.mass[i] * std::sin(state[4 + i]);
+      }
+      if (std::hypot(imbalance_x, imbalance_y) >= reach) continue;
+      if (rule_.family.caught(state))
+        caught |= mark(g, 1u << lane, {DecidedBy::validated, balanced_id});
+      else
+        reach *= 0.5;
+    }
+    return caught;
+  }
+
+  HWY_NOINLINE unsigned mark(int g, unsigned bits, Verdict verdict) {
+    for (int lane = 0; lane < lanes; ++lane)
+      if (bits & (1u << lane)) verdict_[g * lanes + lane] = verdict;
+    return bits;
+  }
+
+  // Hands the finished half windows of the `full` lanes to their trackers and opens new ones.
+  HWY_NOINLINE unsigned close_windows(int g, unsigned full, Pack t, const Pack* z) {
+    unsigned decided = 0;
+    for (int lane = 0; lane < lanes; ++lane) {
+      if (!(full & (1u << lane))) continue;
+      const double now = element(t, lane);
+      double phi[n];
+      WindowSums sums;
+      sums.duration = now - (element(window_end_[g], lane) - 0.5 * rule_.window);
+      sums.r2_min = element(r2_min_[g], lane);
+      sums.r2_max = element(r2_max_[g], lane);
+      sums.r2_integral = element(r2_integral_[g], lane);
+      for (int i = 0; i < n; ++i) {
+        phi[i] = element(z[4 + i], lane);
+        sums.turned[i] = phi[i] - element(phi_start_[g][i], lane);
+        sums.q_min[i] = element(q_min_[g][i], lane);
+        sums.q_max[i] = element(q_max_[g][i], lane);
+      }
+      WindowVerdict verdict = trackers_[g * lanes + lane].add(sums);
+      DecidedBy by = DecidedBy::windows;
+      if constexpr (strobed)
+        if (const int attractor = caught_by_strobed(lane, now, z)) {
+          verdict = {true, attractor};
+          by = DecidedBy::validated;
+        }
+      if (verdict.decided && !rule_.at_horizon) {
+        verdict_[g * lanes + lane] = {by, verdict.attractor};
+        decided |= 1u << lane;
+      }
+      open_window(g, lane, now, phi);
+    }
+    return decided;
+  }
+
+  int caught_by_strobed(int lane, double now, const Pack* z) const {
+    if (!rule_.strobed.caught || rule_.at_horizon) return 0;
+    double state[dimension];
+    for (int i = 0; i < dimension; ++i) state[i] = element(z[i], lane);
+    return rule_.strobed.caught(state, segment_.psi_at(now));
+  }
+
+  void open_window(int g, int lane, double t, const double* phi) {
+    element(window_end_[g], lane) = t + 0.5 * rule_.window;
+    element(r2_min_[g], lane) = 1e300;
+    element(r2_max_[g], lane) = 0.0;
+    element(r2_integral_[g], lane) = 0.0;
+    for (int i = 0; i < n; ++i) {
+      element(phi_start_[g][i], lane) = phi[i];
+      element(q_min_[g][i], lane) = 1e300;
+      element(q_max_[g][i], lane) = -1e300;
+    }
+  }
+
+  static double& element(Pack& p, int lane) { return reinterpret_cast<double*>(&p)[lane]; }
+  static double element(const Pack& p, int lane) { return reinterpret_cast<const double*>(&p)[lane]; }
+
+  const DecisionRule& rule_;
+  const model::Segment segment_;
+  const model::Parameters& parameters_;
+  std::vector<Fate>& fates_;
+  std::vector<PilotRecord>* pilot_;
+  Taken first_[groups], second_[groups];
+  Pack least_value_[groups];
+  Pack r2_min_[groups], r2_max_[groups], r2_integral_[groups], window_end_[groups];
+  Pack q_min_[groups][n], q_max_[groups][n], phi_start_[groups][n];
+  Verdict verdict_[groups * lanes];
+  std::vector<WindowTracker> trackers_;
+  std::vector<double> family_reach_;
+};
+
+}  // namespace HWY_NAMESPACE
+}  // namespace equipoise
+HWY_AFTER_NAMESPACE();
+
+#endif

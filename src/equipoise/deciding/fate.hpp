@@ -1,0 +1,40 @@
+// What became of one start.
+#pragma once
+
+#include <array>
+#include <limits>
+#include <vector>
+
+#include "equipoise/deciding/decision_rule.hpp"
+
+namespace equipoise {
+
+/// Outcomes of a start.
+enum class Outcome : signed char {
+  attracted = 0,  ///< came to an attractor; Fate::attractor says which
+  undecided = 1,  ///< to none by the horizon
+  diverged = 2,   ///< left every motion a balancer can make (divergence_limit)
+  failed = 3,     ///< the integrator's step size vanished
+  stalled = 4,    ///< a driven rotor whose motor did not bring it up to speed (Sommerfeld capture)
+};
+
+struct Fate {
+  Outcome outcome = Outcome::undecided;
+  DecidedBy by = DecidedBy::nothing;
+  short attractor = 0;  ///< identifier in the catalogue, from 1; 0: none, or stationary in a way the rule does not list
+  double time = 0.0;    ///< study time at which it was known
+  /// Of a driven rotor: mean psi' over the last long window, signed; NaN where it was never measured, and for all others.
+  float mean_speed = std::numeric_limits<float>::quiet_NaN();
+};
+
+/// What the pilot keeps of a trajectory: the features of its last long window, the range of that window's short ones,
+/// for every box of the rule the longest run of windows inside, and how near it came to balance.
+struct PilotRecord {
+  Features features{};
+  FeatureBox range;
+  bool finished_window = false;  ///< features and range hold something
+  std::array<int, most_boxes> longest_run{};
+  double least_value = 1e300;  ///< smallest V of any balanced trap along the way; known in audits (DecisionRule::blind)
+};
+
+}  // namespace equipoise

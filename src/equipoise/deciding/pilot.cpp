@@ -1,0 +1,74 @@
+// Groups of like motions, boxes around them, and how far those can be trusted.
+#include "equipoise/deciding/pilot.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "equipoise/deciding/window_features.hpp"
+
+namespace equipoise {
+
+namespace {
+
+// Least margin of a box, relative to the largest r or rate: what is this close to a stable motion in every feature for
+// several windows does not leave it again (no such case among 300 000 starts followed to t = 3000).
+constexpr double box_floor = 0.02;
+constexpr int fewest_hits = 3;
+// Beyond so many half windows, long windows decide as soon.
+constexpr int most_hits = 80;
+
+bool admits_balance(const FeatureBox& box, int balls) {
+  for (int k = 0; k < feature_count(balls); ++k)
+    if (box.low[k] > 0.0 || box.high[k] < 0.0) return false;
+  return true;
+}
+
+}  // namespace
+
+std::vector<MotionGroup> group_records(const std::vector<PilotRecord>& records, const std::vector<std::size_t>& which,
+                                       int balls, double tolerance) {
+  std::vector<MotionGroup> groups;
+  for (std::size_t i : which) {
+    const PilotRecord& record = records[i];
+    const auto same = std::find_if(groups.begin(), groups.end(), [&](const MotionGroup& group) {
+      return same_motion(group.features, record.features, balls, tolerance);
+    });
+    if (same == groups.end()) {
+      groups.push_back({{i}, record.features, record.range});
+      continue;
+    }
+    same->members.push_back(i);
+    for (int k = 0; k < feature_count(balls); ++k) {
+      same->range.low[k] = std::min(same->range.low[k], record.range.low[k]);
+      same->range.high[k] = std::max(same->range.high[k], record.range.high[k]);
+    }
+  }
+  return groups;
+}
+
+FeatureBox box_around(const FeatureBox& range, int balls, int attractor, double widths) {
+  FeatureBox box;
+  double rate = 0.0;
+  for (int k = 3; k < feature_count(balls); ++k)
+    rate = std::max({rate, std::fabs(range.low[k]), std::fabs(range.high[k])});
+  for (int k = 0; k < feature_count(balls); ++k) {
+    const double margin = widths * (range.high[k] - range.low[k]) + box_floor * (k < 3 ? range.high[1] : rate);
+    box.low[k] = range.low[k] - margin;
+    box.high[k] = range.high[k] + margin;
+  }
+  box.attractor = admits_balance(box, balls) ? 0 : attractor;
+  return box;
+}
+
+int hits_from_audit(const std::vector<Fate>& fates, const std::vector<PilotRecord>& records, std::size_t b,
+                    int attractor, bool undecided_is_own) {
+  int longest = 0;
+  for (std::size_t i = 0; i < fates.size(); ++i) {
+    const bool own = fates[i].attractor == attractor || (fates[i].attractor == 0 && undecided_is_own);
+    if (!own) longest = std::max(longest, records[i].longest_run[b]);
+  }
+  const int hits = std::max(fewest_hits, 2 * longest + 1);
+  return hits <= most_hits ? hits : 0;
+}
+
+}  // namespace equipoise

@@ -1,0 +1,35 @@
+// From a pilot's trajectories to groups of like motions and to boxes that recognise them early.
+#pragma once
+
+#include <cstddef>
+#include <vector>
+
+#include "equipoise/deciding/decision_rule.hpp"
+#include "equipoise/deciding/fate.hpp"
+
+namespace equipoise {
+
+/// Trajectories whose long windows show the same motion.
+struct MotionGroup {
+  std::vector<std::size_t> members;  ///< indices of records
+  Features features{};               ///< of the first member
+  FeatureBox range;                  ///< of all members' short windows
+};
+
+/// Groups the records named in `which`: each joins the first group whose features it shares to `tolerance`
+/// (same_motion). Order decides, so the same records make the same groups.
+std::vector<MotionGroup> group_records(const std::vector<PilotRecord>& records, const std::vector<std::size_t>& which,
+                                       int balls, double tolerance);
+
+/// Bounds that recognise a group's short windows: its range, widened on both sides by `widths` times itself and by 2 %
+/// of the largest r or rate. `attractor` stays 0 if they would admit a centred rotor with resting balls: such a box
+/// recognises nothing.
+FeatureBox box_around(const FeatureBox& range, int balls, int attractor, double widths);
+
+/// Windows in a row inside box `b` that decide: more than twice the longest run of any trajectory of an audit that went
+/// elsewhere, and at least three. `fates` and `records` are those of the audit, run with the rule's boxes and `blind`.
+/// 0 if too many to be of use.
+int hits_from_audit(const std::vector<Fate>& fates, const std::vector<PilotRecord>& records, std::size_t b,
+                    int attractor, bool undecided_is_own);
+
+}  // namespace equipoise

@@ -1,0 +1,80 @@
+// How deep inside a trap a state lies, for any number type. Included once per CPU target.
+#if defined(EQUIPOISE_DECIDING_TRAPS_INL) == defined(HWY_TARGET_TOGGLE)
+#ifdef EQUIPOISE_DECIDING_TRAPS_INL
+#undef EQUIPOISE_DECIDING_TRAPS_INL
+#else
+#define EQUIPOISE_DECIDING_TRAPS_INL
+#endif
+
+#include "equipoise/base/angles.hpp"
+#include "equipoise/base/pack-inl.hpp"
+#include "equipoise/deciding/decision_rule.hpp"
+
+HWY_BEFORE_NAMESPACE();
+namespace equipoise {
+namespace HWY_NAMESPACE {
+
+template <class T>
+HWY_INLINE T shortest_turn(T angle) {
+  return angle - T(two_pi) * nearest_integer(angle * T(1.0 / two_pi));
+}
+
+// V of a balanced trap at state z.
+template <int n, class T>
+HWY_INLINE T trap_value(const BalancedTrap& trap, const T* z) {
+  constexpr int dimension = model::dimension(n);
+  T d[dimension];
+  for (int i = 0; i < dimension; ++i) d[i] = z[i];
+  for (int i = 0; i < n; ++i) d[4 + i] = shortest_turn(z[4 + i] - T(trap.phi[i]));
+  T v(0.0);
+  for (int row = 0; row < dimension; ++row) {
+    T sum(0.0);
+    for (int column = row; column < dimension; ++column)
+      sum = multiply_add(T(trap.factor[row * dimension + column]), d[column], sum);
+    v = multiply_add(sum, sum, v);
+  }
+  return v;
+}
+
+// |F d|^2 of an orbit trap at state z: the least over the turns that the clock's angle may belong to.
+template <int n, class T>
+HWY_INLINE T trap_value(const OrbitTrap& trap, const T* z) {
+  constexpr int dimension = model::dimension(n), others = dimension - 1;
+  constexpr int columns = orbit_trap_columns(dimension);
+  T place[others];
+  for (int i = 0, k = 0; i < dimension; ++i)
+    if (i != 4 + trap.clock) place[k++] = z[i];
+  const T turn = z[4 + trap.clock] * T(1.0 / two_pi);
+  // In cells, from 0 to trap.cells. The last one also takes what rounds to a whole turn.
+  const T along = (turn - nearest_integer(turn - T(0.5))) * T(double(trap.cells));
+  const T cell = minimum(maximum(nearest_integer(along - T(0.5)), T(0.0)), T(double(trap.cells - 1)));
+  const T fraction = along - cell;
+  T least(1e300);
+  for (int branch = 0; branch < trap.turns; ++branch) {
+    const double* rows = trap.table.data() + static_cast<std::ptrdiff_t>(branch) * trap.cells * columns;
+    const T at = cell * T(double(columns));
+    T d[others];
+    for (int k = 0; k < others; ++k) {
+      const T here = multiply_add(fraction, gather(rows + others + k, at), gather(rows + k, at));
+      d[k] = place[k] - here;
+      // Without the clock's angle, n - 1 ball angles follow the rotor's four variables.
+      if (k >= 4 && k < 4 + n - 1) d[k] = shortest_turn(d[k]);
+    }
+    const double* factor = rows + 2 * others;
+    T v(0.0);
+    for (int row = 0, entry = 0; row < others; ++row) {
+      T sum(0.0);
+      for (int column = row; column < others; ++column, ++entry)
+        sum = multiply_add(gather(factor + entry, at), d[column], sum);
+      v = multiply_add(sum, sum, v);
+    }
+    least = minimum(least, v);
+  }
+  return least;
+}
+
+}  // namespace HWY_NAMESPACE
+}  // namespace equipoise
+HWY_AFTER_NAMESPACE();
+
+#endif

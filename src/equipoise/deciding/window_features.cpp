@@ -1,0 +1,178 @@
+// Windows of time: features, boxes, stationarity.
+#include "equipoise/deciding/window_features.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <utility>
+#include <vector>
+
+namespace equipoise {
+
+namespace {
+
+// Below this a ball counts as at rest when rates are compared: a hundredth of a radian in half a time unit of the
+// rotor.
+constexpr double rest_rate = 0.02;
+
+void extend(WindowSums& whole, const WindowSums& part, int balls, bool fresh) {
+  if (fresh) {
+    whole = part;
+    return;
+  }
+  whole.duration += part.duration;
+  whole.r2_min = std::min(whole.r2_min, part.r2_min);
+  whole.r2_max = std::max(whole.r2_max, part.r2_max);
+  whole.r2_integral += part.r2_integral;
+  for (int i = 0; i < balls; ++i) {
+    whole.turned[i] += part.turned[i];
+    whole.q_min[i] = std::min(whole.q_min[i], part.q_min[i]);
+    whole.q_max[i] = std::max(whole.q_max[i], part.q_max[i]);
+  }
+}
+
+void extend(FeatureBox& range, const Features& f, int count, bool fresh) {
+  for (int i = 0; i < count; ++i) {
+    range.low[i] = fresh ? f[i] : std::min(range.low[i], f[i]);
+    range.high[i] = fresh ? f[i] : std::max(range.high[i], f[i]);
+  }
+}
+
+bool inside(const FeatureBox& box, const Features& f, int count) {
+  for (int i = 0; i < count; ++i)
+    if (!(f[i] >= box.low[i] && f[i] <= box.high[i])) return false;
+  return true;
+}
+
+}  // namespace
+
+Features features(const WindowSums& sums, int balls, bool interchangeable) {
+  std::array<int, model::max_balls> order{};
+  for (int i = 0; i < balls; ++i) order[i] = i;
+  for (int i = 1; interchangeable && i < balls; ++i)  // insertion sort: eight entries at most
+    for (int k = i; k > 0 && sums.turned[order[k]] < sums.turned[order[k - 1]]; --k) std::swap(order[k], order[k - 1]);
+  Features f{std::sqrt(sums.r2_min), std::sqrt(sums.r2_max), std::sqrt(sums.r2_integral / sums.duration)};
+  for (int k = 0; k < balls; ++k) {
+    const int i = order[k];
+    f[3 + 3 * k] = sums.turned[i] / sums.duration;
+    f[4 + 3 * k] = sums.q_min[i];
+    f[5 + 3 * k] = sums.q_max[i];
+  }
+  return f;
+}
+
+bool same_motion(const Features& a, const Features& b, int balls, double sameness) {
+  // Extremes of phi' over all balls together: on a torus each ball alone may take very long to show its own.
+  const auto slowest = [&](const Features& f) {
+    double q = f[4];
+    for (int i = 1; i < balls; ++i) q = std::min(q, f[4 + 3 * i]);
+    return q;
+  };
+  const auto fastest = [&](const Features& f) {
+    double q = f[5];
+    for (int i = 1; i < balls; ++i) q = std::max(q, f[5 + 3 * i]);
+    return q;
+  };
+  const auto close = [&](double p, double q, double scale) { return std::fabs(p - q) <= sameness * scale; };
+  const double rate =
+      std::max({rest_rate, std::fabs(slowest(a)), std::fabs(slowest(b)), std::fabs(fastest(a)), std::fabs(fastest(b))});
+  const double radius = std::max(a[1], b[1]);
+  bool same = close(slowest(a), slowest(b), rate) && close(fastest(a), fastest(b), rate);
+  // r passes its minimum like |t|, so samples a fraction of a step apart miss it by far more than they miss the
+  // maximum.
+  same = same && close(a[0], b[0], 2.0 * radius) && close(a[1], b[1], radius) && close(a[2], b[2], radius);
+  for (int i = 0; i < balls; ++i) same = same && close(a[3 + 3 * i], b[3 + 3 * i], rate);
+  return same;
+}
+
+const KnownFeatures* nearest_known(const Features& f, const std::vector<KnownFeatures>& known, int balls) {
+  // A finite window of a torus or of chaos shows its extremes and means to a few percent.
+  constexpr double tolerance = 0.05;
+  const KnownFeatures* nearest = nullptr;
+  double least = std::numeric_limits<double>::infinity();
+  for (const KnownFeatures& k : known) {
+    if (!same_motion(k.features, f, balls, tolerance)) continue;
+    double distance = 0.0;
+    for (int i = 0; i < feature_count(balls); ++i) distance += std::fabs(k.features[i] - f[i]);
+    if (distance < least) {
+      least = distance;
+      nearest = &k;
+    }
+  }
+  return nearest;
+}
+
+void WindowTracker::begin(const DecisionRule& rule) {
+  rule_ = &rule;
+  elapsed_ = 0.0;
+  long_end_ = rule.first_long_window;
+  repeats_ = chaotic_ = chaotic_repeats_ = 0;
+  has_half_ = has_previous_ = false;
+  fresh_ = fresh_range_ = true;
+  runs_.fill(0);
+  longest_.fill(0);
+}
+
+WindowVerdict WindowTracker::add(const WindowSums& half) {
+  const int balls = rule_->balls;
+  elapsed_ += half.duration;
+  extend(long_, half, balls, fresh_);
+  fresh_ = false;
+  if (has_half_) {
+    WindowSums whole = half_;
+    extend(whole, half, balls, false);
+    const Features f = features(whole, balls, rule_->interchangeable);
+    extend(range_, f, feature_count(balls), fresh_range_);
+    fresh_range_ = false;
+    for (std::size_t b = 0; b < rule_->boxes.size(); ++b) {
+      runs_[b] = inside(rule_->boxes[b], f, feature_count(balls)) ? runs_[b] + 1 : 0;
+      longest_[b] = std::max(longest_[b], runs_[b]);
+    }
+  }
+  half_ = half;
+  has_half_ = true;
+  if (!rule_->blind)
+    if (const int attractor = attractor_now()) return {true, attractor};
+  return elapsed_ >= long_end_ ? finish_long_window() : WindowVerdict{};
+}
+
+int WindowTracker::attractor_now() const {
+  for (std::size_t b = 0; b < rule_->boxes.size(); ++b)
+    if (runs_[b] >= rule_->boxes[b].hits_needed) return rule_->boxes[b].attractor;
+  return 0;
+}
+
+int WindowTracker::attractor_at_end() const {
+  if (const int attractor = attractor_now()) return attractor;
+  const KnownFeatures* known = has_previous_ ? nearest_known(previous_, rule_->known, rule_->balls) : nullptr;
+  return known ? known->attractor : 0;
+}
+
+PilotRecord WindowTracker::record() const {
+  PilotRecord record;
+  record.features = previous_;
+  record.range = previous_range_;
+  record.finished_window = has_previous_;
+  record.longest_run = longest_;
+  return record;
+}
+
+WindowVerdict WindowTracker::finish_long_window() {
+  const Features f = features(long_, rule_->balls, rule_->interchangeable);
+  const bool repeats = has_previous_ && same_motion(previous_, f, rule_->balls, rule_->sameness);
+  previous_ = f;
+  previous_range_ = range_;
+  has_previous_ = true;
+  long_end_ *= 2.0;
+  fresh_ = fresh_range_ = true;
+  repeats_ = repeats ? repeats_ + 1 : 0;
+  const KnownFeatures* known = nearest_known(f, rule_->known, rule_->balls);
+  const int chaotic = known && known->chaotic ? known->attractor : 0;
+  chaotic_repeats_ = chaotic && chaotic == chaotic_ ? chaotic_repeats_ + 1 : 0;
+  chaotic_ = chaotic;
+  if (repeats_ < rule_->repeats_needed && chaotic_repeats_ < rule_->repeats_needed) return {};
+  return {true, known ? known->attractor : 0};
+}
+
+}  // namespace equipoise

@@ -1,0 +1,49 @@
+// What a study's starts can come to: the attractors of the final speed, found by a pilot, refined, named, and the rule
+// that recognises them early.
+#pragma once
+
+#include <map>
+#include <string>
+#include <vector>
+
+#include "equipoise/base/error.hpp"
+#include "equipoise/deciding/decision_rule.hpp"
+#include "equipoise/motions/catalogue.hpp"
+#include "equipoise/study/study.hpp"
+#include "equipoise/traps/balanced_trap.hpp"
+
+namespace equipoise {
+
+struct DiscoveryCache;
+
+struct DiscoverySettings {
+  int threads = 1;
+  const StopFlag* stop = nullptr;
+  /// States near motions known from elsewhere (a neighbouring parameter, an earlier run), each dimension(balls)
+  /// numbers.
+  std::vector<std::vector<double>> seeds;
+  DiscoveryCache* cache = nullptr;
+};
+
+/// Everything found before the first start is decided. Depends on the rotor, its final speed, [numerics] and
+/// settings.seeds alone (each state where the rotor's angle is 0, if that matters): not on how the speed is reached, so
+/// that all spin-ups to one speed share it.
+struct Discovery {
+  BalancedAnalysis balanced;
+  Catalogue catalogue;
+  DecisionRule rule;
+  bool stopped = false;
+};
+
+/// Discoveries made so far, by what they depend on. Not to be used by two runs at once.
+struct DiscoveryCache {
+  std::map<std::string, Discovery> made;
+};
+
+/// Analyses the balanced states; runs pilot starts, free from rest at the final speed, and starts in the invariant
+/// subspace of coincident balls until they are stationary; follows, refines and names one of each group; makes traps
+/// and boxes and tries them. With anisotropic supports or gravity motions are strobed ones. Starts that come to
+/// something else later are followed and listed by StartRunner.
+Discovery discover(const Study& study, const DiscoverySettings& settings);
+
+}  // namespace equipoise

@@ -1,0 +1,101 @@
+// The diagnosis of undecided starts, and its words.
+#include "equipoise/discovery/undecided.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include "equipoise/base/angles.hpp"
+#include "equipoise/model/linearisation.hpp"
+#include "equipoise/model/strobe.hpp"
+#include "equipoise/orbits/orbit.hpp"
+#include "equipoise/orbits/stroboscopic.hpp"
+
+namespace equipoise {
+
+namespace {
+
+// In natural sizes: r and the unbalance of rotor and balls over the largest unbalance, rates over the rotor's speed.
+constexpr double near = 0.2;
+// An exponent is known to a bounded factor of the norms along a motion, as in motion.cpp, at e^8. Chaos may be a
+// transient: not much longer than it lasts.
+constexpr double exponent_time = 1500.0, zero_exponent = 8.0 / exponent_time;
+// Slower than this, in natural sizes, nothing swings: all rates of a swing are of the order of the speed or of drag.
+constexpr double creep = 1e-3;
+
+double fastest_ball(const model::Parameters& p, const Eigen::VectorXd& state) {
+  return state.tail(p.balls).lpNorm<Eigen::Infinity>();
+}
+
+bool is_near_balance(const model::Parameters& p, double speed, const Eigen::VectorXd& state) {
+  const double size = p.eccentricity + p.total_mass();
+  double x = p.eccentricity, y = 0.0;
+  for (int i = 0; i < p.balls; ++i) {
+    x += p.mass[i] * std::cos(state[model::index::phi(i)]);
+    y += p.mass[i] * std::sin(state[model::index::phi(i)]);
+  }
+  return state.head(2).norm() < near * size && std::hypot(x, y) < near * size &&
+         fastest_ball(p, state) < near * std::max(1.0, std::fabs(speed));
+}
+
+double largest_exponent(const model::Parameters& p, double speed, const Eigen::VectorXd& state) {
+  const std::vector<double> exponents =
+      model::is_strobed(p)
+          ? strobed_exponents(p, speed, state, std::lround(exponent_time / model::strobe_period(p, speed)))
+          : lyapunov_exponents(p, speed, state, exponent_time, 1);
+  return exponents.empty() ? 0.0 : exponents.front();
+}
+
+std::string horizon_text(const Horizon& h) {
+  const std::string followed =
+      fmt::format("they were followed for {:.6g} ({})", h.time, h.given ? "numerics.horizon" : "chosen");
+  return h.long_enough() ? followed : slowness_text(h) + "; " + followed;
+}
+
+}  // namespace
+
+std::string slowness_text(const Horizon& h) {
+  const double slowest = h.rates.slowest();
+  if (slowest == 0.0) return "balls without drag never settle";
+  const char* what = slowest == h.rates.drag     ? "drag damps the balls"
+                     : slowest == h.rates.growth ? "balance is left"
+                                                 : "balance is approached";
+  return fmt::format("{} at a rate of {:.2g}, which asks for a horizon of {:.2g}", what, slowest, h.asked);
+}
+
+UndecidedEnd look_at_undecided(const model::Parameters& p, double speed, const Eigen::VectorXd& state) {
+  const double scale = std::max(1.0, std::fabs(speed));
+  const Eigen::VectorXd rate = model::derivative(p, speed, state.data());
+  const bool still = fastest_ball(p, state) < creep * std::fabs(speed) &&
+                     rate.tail(p.balls).lpNorm<Eigen::Infinity>() < creep * std::fabs(speed) * scale;
+  if (is_near_balance(p, speed, state)) return {Restlessness::near_balance, 0.0};
+  if (still) return {Restlessness::creeping, 0.0};
+  const double exponent = largest_exponent(p, speed, state);
+  if (exponent > zero_exponent) return {Restlessness::chaotic, exponent};
+  return {};
+}
+
+std::string why_undecided(const Horizon& horizon, const std::vector<UndecidedEnd>& ends) {
+  constexpr std::array<const char*, 4> words{"{} near balance", "{} creeping, all balls nearly at rest",
+                                             "{} wandering chaotically",
+                                             "{} in motions whose windows of time do not repeat yet"};
+  std::vector<std::string> parts;
+  for (std::size_t k = 0; k < words.size(); ++k) {
+    const auto is = [&](const UndecidedEnd& e) { return static_cast<std::size_t>(e.what) == k; };
+    const auto count = std::count_if(ends.begin(), ends.end(), is);
+    if (count == 0) continue;
+    parts.push_back(fmt::format(fmt::runtime(words[k]), count));
+    if (k != static_cast<std::size_t>(Restlessness::chaotic)) continue;
+    double sum = 0.0;
+    for (const UndecidedEnd& e : ends) sum += e.exponent;
+    parts.back() += fmt::format(" (largest Lyapunov exponent {:.2g})", sum / static_cast<double>(count));
+  }
+  const std::string seen =
+      parts.empty() ? "" : fmt::format("of {} looked at: {}; ", ends.size(), fmt::join(parts, ", "));
+  return seen + horizon_text(horizon);
+}
+
+}  // namespace equipoise

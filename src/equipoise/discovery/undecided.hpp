@@ -1,0 +1,41 @@
+// Why many starts stay undecided: what some of them do at the end, and which known rate the horizon was too short for.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include <Eigen/Dense>
+
+#include "equipoise/discovery/horizon.hpp"
+#include "equipoise/model/parameters.hpp"
+
+namespace equipoise {
+
+/// Above this share of undecided starts a result says why.
+inline constexpr double undecided_worth_a_word = 0.05;
+/// As many are looked at.
+inline constexpr std::size_t undecided_looked_at = 8;
+
+/// What an undecided trajectory does at the horizon.
+enum class Restlessness {
+  near_balance,  ///< it is near a balanced state
+  creeping,      ///< all is nearly at rest, and nothing near balance
+  chaotic,       ///< its largest Lyapunov exponent is positive
+  regular,       ///< it goes on in a way whose windows do not repeat yet
+};
+
+struct UndecidedEnd {
+  Restlessness what = Restlessness::regular;
+  double exponent = 0.0;  ///< chaotic only
+};
+
+/// `state`: where it is at the horizon; at a strobe if the rotor is strobed.
+UndecidedEnd look_at_undecided(const model::Parameters& p, double speed, const Eigen::VectorXd& state);
+
+/// The slowest known rate and the horizon that it asks for.
+std::string slowness_text(const Horizon& horizon);
+
+/// One line, without a full stop: how many of `ends` do what, and what the horizon was against the slowest known rate.
+std::string why_undecided(const Horizon& horizon, const std::vector<UndecidedEnd>& ends);
+
+}  // namespace equipoise

@@ -1,0 +1,163 @@
+// Charts for gnuplot and for plotly.js.
+#include "equipoise/drawing/chart.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include "equipoise/drawing/plot_parts.hpp"
+
+namespace equipoise {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+// Five digits are more than a screen shows; they halve a page's size.
+Json rounded(const std::vector<double>& values) {
+  Json list = Json::array();
+  for (const double v : values) {
+    const double scale = v == 0.0 ? 1.0 : std::pow(10.0, 5.0 - std::ceil(std::log10(std::fabs(v))));
+    list.push_back(std::round(v * scale) / scale);
+  }
+  return list;
+}
+
+Json trace(const ChartSeries& s, bool curves) {
+  const bool points = s.style == ChartSeries::Style::points;
+  Json t{{"type", "scatter"},
+         {"name", s.label},
+         {"mode", points   ? "markers"
+                  : curves ? "lines"
+                           : "lines+markers"},
+         {"x", rounded(s.x)},
+         {"y", rounded(s.y)}};
+  if (s.label.empty()) t["showlegend"] = false;
+  if (points)
+    t["marker"] = {{"symbol", "circle-open"}, {"size", 10}, {"color", s.colour}, {"line", {{"width", 2}}}};
+  else
+    t["marker"] = {{"size", 5}, {"color", s.colour}};
+  t["line"] = {{"color", s.colour},
+               {"width", curves ? 1.2 : 2},
+               {"dash", s.style == ChartSeries::Style::dashed ? "dash" : "solid"}};
+  if (!s.low.empty()) {
+    std::vector<double> up, down;
+    for (std::size_t i = 0; i < s.y.size(); ++i) {
+      up.push_back(s.high[i] - s.y[i]);
+      down.push_back(s.y[i] - s.low[i]);
+    }
+    t["error_y"] = {{"type", "data"},
+                    {"symmetric", false},
+                    {"array", rounded(up)},
+                    {"arrayminus", rounded(down)},
+                    {"color", s.colour},
+                    {"thickness", 1},
+                    {"width", 2}};
+  }
+  return t;
+}
+
+std::string data_block(const ChartSeries& s, const std::string& name) {
+  std::string block = name + " << EOD\n";
+  for (std::size_t i = 0; i < s.x.size(); ++i) {
+    block += fmt::format("{:.7g} {:.6g}", s.x[i], s.y[i]);
+    if (!s.low.empty()) block += fmt::format(" {:.6g} {:.6g}", s.low[i], s.high[i]);
+    block += "\n";
+  }
+  return block + "EOD\n";
+}
+
+// How a series is drawn. Intervals are plain strokes: error bars would cut the lines at their points.
+std::string plot_items(const ChartSeries& s, const std::string& block, bool curves, bool first) {
+  const std::string colour = fmt::format("linecolor rgb '{}'", s.colour);
+  const char* dash = s.style == ChartSeries::Style::dashed ? " dashtype (10,6)" : "";
+  const std::string title = quoted(s.label);
+  if (s.style == ChartSeries::Style::points)
+    return fmt::format("{} using 1:2 with points pointtype 6 pointsize 1.7 linewidth 1.5 {} title {}", block, colour,
+                       title);
+  if (curves)
+    return fmt::format("{} using 1:2 with lines linewidth {} {}{} title {}", block, first ? "1.4" : "1.1", colour, dash,
+                       title);
+  std::string items = fmt::format("{} using 1:2 with lines linewidth 1.6 {}{} title {}", block, colour, dash, title);
+  items += fmt::format(", \\\n  {} using 1:2 with points pointtype 7 pointsize 0.7 {} notitle", block, colour);
+  if (!s.low.empty())
+    items +=
+        fmt::format(", \\\n  {} using 1:3:(0):($4-$3) with vectors nohead linewidth 1.2 {} notitle", block, colour);
+  return items;
+}
+
+// Ranges a little wider than the data; gnuplot's own would put points on the frame.
+std::string ranges(const Chart& chart) {
+  double left = 1e300, right = -1e300, low = 1e300, high = -1e300;
+  for (const ChartSeries& s : chart.series)
+    for (std::size_t i = 0; i < s.x.size(); ++i) {
+      left = std::min(left, s.x[i]);
+      right = std::max(right, s.x[i]);
+      low = std::min(low, s.low.empty() ? s.y[i] : s.low[i]);
+      high = std::max(high, s.high.empty() ? s.y[i] : s.high[i]);
+    }
+  if (left > right) return "set xrange [0:1]\nset yrange [0:1]\n";
+  if (chart.from_zero) low = 0.0;
+  const double pad = 0.05 * std::max(high - low, 1e-6), margin = chart.curves ? 0.0 : 0.02 * (right - left);
+  const double room = chart.curves && chart.series.size() > 1 ? 5.0 * pad : pad;  // for the legend inside
+  if (chart.log_x)
+    return fmt::format("set xrange [{:.6g}:{:.6g}]\nset yrange [{:.6g}:{:.6g}]\n", left / 2.0, 2.0 * right, low - pad,
+                       high + room);
+  return fmt::format("set xrange [{:.6g}:{:.6g}]\nset yrange [{:.6g}:{:.6g}]\n", left - margin, right + margin,
+                     low - pad, high + room);
+}
+
+std::string script_of(const Chart& chart, int number) {
+  std::string script, items;
+  for (std::size_t k = 0; k < chart.series.size(); ++k) {
+    const std::string block = fmt::format("$chart_{}_{}", number, k + 1);
+    script += data_block(chart.series[k], block);
+    items += (k ? ", \\\n  " : "") + plot_items(chart.series[k], block, chart.curves, k == 0);
+  }
+  if (items.empty()) items = "NaN notitle";
+  script += fmt::format("set title {} offset 0,-0.4\nset xlabel {} offset 0,0.4\nset ylabel {} offset 0.8,0\n",
+                        quoted(chart.title), quoted(chart.x_label), quoted(chart.y_label));
+  script += chart.log_x ? "set logscale x\nset format x '%g'\n" : "unset logscale x\n";
+  script += ranges(chart);
+  script += chart.series.size() < 2 ? "unset key\n"
+            : chart.curves          ? "set key inside top right horizontal samplen 1.6\n"
+                                    : "set key outside top center horizontal samplen 2.5\n";
+  return script + "plot " + items + "\n";
+}
+
+}  // namespace
+
+nlohmann::ordered_json plotly_json(const Chart& chart) {
+  Json data = Json::array();
+  for (const ChartSeries& s : chart.series) data.push_back(trace(s, chart.curves));
+  Json y{{"title", {{"text", chart.y_label}}}, {"automargin", true}, {"zeroline", false}};
+  if (chart.from_zero) y["rangemode"] = "tozero";
+  Json x{{"title", {{"text", chart.x_label}}}, {"automargin", true}, {"zeroline", false}};
+  if (chart.log_x) {
+    x["type"] = "log";
+    x["exponentformat"] = "power";
+  }
+  return {{"data", data},
+          {"layout",
+           {{"margin", {{"l", 55}, {"r", 12}, {"t", 12}, {"b", 45}}},
+            {"xaxis", x},
+            {"yaxis", y},
+            {"hovermode", "closest"},
+            {"showlegend", chart.series.size() > 1},
+            {"legend", {{"orientation", "h"}, {"x", 0}, {"y", 1}, {"yanchor", "bottom"}}}}}};
+}
+
+std::string chart_plot_script(const std::string& title, const std::vector<Chart>& charts, const std::string& path) {
+  const int count = static_cast<int>(charts.size()), columns = std::min(count, 2);
+  const int rows = (count + columns - 1) / std::max(columns, 1);
+  const int row_height = charts.empty() || charts.front().curves ? 420 : 600;
+  std::string script = canvas(path, 1600, 90 + std::max(rows * row_height, 560)) + quiet_frame;
+  script += "set lmargin 10\n";
+  script += fmt::format("set multiplot layout {},{} title {}\n", rows, columns, quoted(title));
+  for (int k = 0; k < count; ++k) script += script_of(charts[static_cast<std::size_t>(k)], k + 1);
+  return script + "unset multiplot\n";
+}
+
+}  // namespace equipoise

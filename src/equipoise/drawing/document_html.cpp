@@ -1,0 +1,177 @@
+// A report as one self-contained HTML page.
+#include <algorithm>
+#include <array>
+#include <fstream>
+#include <iterator>
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include "equipoise/drawing/page_files.hpp"
+#include "equipoise/base/error.hpp"
+#include "equipoise/drawing/document.hpp"
+
+namespace equipoise {
+
+namespace {
+
+std::string escaped(const std::string& text) {
+  std::string result;
+  for (const char c : text) switch (c) {
+      case '&':
+        result += "&amp;";
+        break;
+      case '<':
+        result += "&lt;";
+        break;
+      case '>':
+        result += "&gt;";
+        break;
+      case '"':
+        result += "&quot;";
+        break;
+      default:
+        result += c;
+    }
+  return result;
+}
+
+const char* name_of(Tone tone) {
+  constexpr std::array names{"", "good", "bad", "open"};
+  return names[static_cast<std::size_t>(tone)];
+}
+
+// RFC 4648.
+std::string base64(const std::string& bytes) {
+  constexpr const char* digits = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
+  std::string text;
+  text.reserve((bytes.size() + 2) / 3 * 4);
+  for (std::size_t i = 0; i < bytes.size(); i += 3) {
+    const std::size_t left = std::min<std::size_t>(3, bytes.size() - i);
+    unsigned group = 0;
+    for (std::size_t k = 0; k < 3; ++k) group = group << 8 | (k < left ? static_cast<unsigned char>(bytes[i + k]) : 0u);
+    for (std::size_t k = 0; k < 4; ++k) text += k <= left ? digits[group >> (18 - 6 * k) & 63u] : '=';
+  }
+  return text;
+}
+
+std::string image_data(const std::string& path) {
+  std::ifstream file(path, std::ios::binary);
+  const std::string bytes{std::istreambuf_iterator<char>(file), {}};
+  if (!file || bytes.empty()) throw RunError(path + ": the picture cannot be read");
+  return fmt::format("data:image/{};base64,{}", path.ends_with(".svg") ? "svg+xml" : "png", base64(bytes));
+}
+
+// JSON inside a script element: "</" would end it.
+std::string script_safe(std::string json) {
+  for (std::size_t at = 0; (at = json.find("</", at)) != std::string::npos; at += 3) json.replace(at, 2, "<\\/");
+  return json;
+}
+
+class Writer {
+ public:
+  std::string out;
+
+  void operator()(const Heading& h) {
+    out += fmt::format("<h{0}{1}>{2}</h{0}>\n", h.level, h.anchor.empty() ? "" : fmt::format(" id=\"{}\"", h.anchor),
+                       escaped(h.text));
+  }
+
+  void operator()(const Paragraph& p) {
+    const std::string style = p.tone == Tone::plain ? "" : fmt::format(" class=\"box {}\"", name_of(p.tone));
+    out += fmt::format("<p{}>{}</p>\n", style, escaped(p.text));
+  }
+
+  void operator()(const DocumentTable& t) {
+    if (t.folded) out += fmt::format("<details><summary>{}</summary>\n", escaped(t.caption));
+    out += "<div class=\"scroll\"><table>\n";
+    const auto spare = [&](std::size_t k) { return std::find(t.spare.begin(), t.spare.end(), k) != t.spare.end(); };
+    out += "<thead><tr>";
+    for (std::size_t k = 0; k < t.header.size(); ++k) {
+      const bool number = !t.rows.empty() && k < t.rows.front().size() && t.rows.front()[k].number;
+      out += fmt::format("<th{}>{}</th>", style_of(number ? "number" : "", spare(k) ? "spare" : "", ""),
+                         escaped(t.header[k]));
+    }
+    out += "</tr></thead>\n<tbody>\n";
+    for (const auto& row : t.rows) {
+      out += "<tr>";
+      for (std::size_t k = 0; k < row.size(); ++k)
+        out += fmt::format("<td{}>{}</td>",
+                           style_of(row[k].number  ? "number"
+                                    : row[k].label ? "label"
+                                                   : "",
+                                    spare(k) ? "spare" : "", name_of(row[k].tone)),
+                           escaped(row[k].text));
+      out += "</tr>\n";
+    }
+    out += "</tbody></table></div>\n";
+    if (!t.folded && !t.caption.empty()) out += fmt::format("<p class=\"caption\">{}</p>\n", escaped(t.caption));
+    if (t.folded) out += "</details>\n";
+  }
+
+  void operator()(const Figure& f) {
+    const bool still = f.charts.empty();
+    const std::string picture = f.picture.empty() ? "" : image_data(f.picture);
+    ++figures_;
+    out += still ? "<figure class=\"still\">\n" : "<figure>\n";
+    if (!still && !picture.empty())
+      out += fmt::format(
+          "<input type=\"radio\" name=\"f{0}\" id=\"f{0}c\" checked><label for=\"f{0}c\">interactive</label>"
+          "<input type=\"radio\" name=\"f{0}\" id=\"f{0}p\" class=\"show-picture\"><label "
+          "for=\"f{0}p\">picture</label>\n",
+          figures_);
+    if (!still) {
+      out += fmt::format("<div class=\"charts{}\">", f.charts.front().curves ? " curves" : "");
+      for (const Chart& chart : f.charts) {
+        ++charts_;
+        const std::string title = chart.title.empty() ? "" : fmt::format("<p>{}</p>", escaped(chart.title));
+        out += fmt::format("<div>{}<div class=\"chart\" data-chart=\"c{}\"></div></div>", title, charts_);
+        data_ += fmt::format("<script type=\"application/json\" id=\"c{}\">{}</script>\n", charts_,
+                             script_safe(plotly_json(chart).dump()));
+      }
+      out += "</div>\n";
+    }
+    if (!picture.empty()) out += fmt::format("<img src=\"{}\" alt=\"{}\">\n", picture, escaped(f.caption));
+    out += fmt::format("<figcaption>{}</figcaption>\n</figure>\n", escaped(f.caption));
+  }
+
+  const std::string& data() const { return data_; }
+
+ private:
+  static std::string style_of(const std::string& a, const std::string& b, const std::string& c) {
+    std::string names;
+    for (const std::string* name : {&a, &b, &c})
+      if (!name->empty()) names += (names.empty() ? "" : " ") + *name;
+    return names.empty() ? "" : fmt::format(" class=\"{}\"", names);
+  }
+
+  int figures_ = 0, charts_ = 0;
+  std::string data_;
+};
+
+std::string contents(const Document& document) {
+  std::string list;
+  for (const Block& block : document.blocks)
+    if (const auto* h = std::get_if<Heading>(&block); h && h->level == 2 && !h->anchor.empty())
+      list += fmt::format("<a href=\"#{}\">{}</a>\n", h->anchor, escaped(h->text));
+  return "<nav>\n" + list + "</nav>\n";
+}
+
+}  // namespace
+
+std::string document_html(const Document& document) {
+  Writer writer;
+  for (const Block& block : document.blocks) std::visit(writer, block);
+  std::string page = "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n";
+  page += "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n";
+  page += fmt::format("<title>{}</title>\n<style>\n{}</style>\n</head>\n", escaped(document.title),
+                      embedded::page_files.find("document.css"));
+  page += fmt::format("<body class=\"no-charts\">\n<main>\n<h1>{}</h1>\n", escaped(document.title));
+  page += contents(document) + writer.out + "</main>\n" + writer.data();
+  if (const auto library = embedded::page_files.find("plotly.js"); !library.empty() && !writer.data().empty())
+    page += fmt::format("<script>{}</script>\n", library);
+  page += fmt::format("<script>\n{}</script>\n</body>\n</html>\n", embedded::page_files.find("document.js"));
+  return page;
+}
+
+}  // namespace equipoise

@@ -1,0 +1,64 @@
+// A report as Markdown.
+#include <algorithm>
+
+#include <fmt/format.h>
+
+#include "equipoise/drawing/document.hpp"
+
+namespace equipoise {
+
+namespace {
+
+std::string escaped(const std::string& text) {
+  std::string result;
+  for (const char c : text) {
+    if (c == '|' || c == '*' || c == '_' || c == '<' || c == '`') result += '\\';
+    result += c;
+  }
+  return result;
+}
+
+struct Writer {
+  std::string pictures, out;
+
+  void operator()(const Heading& h) {
+    out += fmt::format("{} {}\n\n", std::string(static_cast<std::size_t>(h.level), '#'), escaped(h.text));
+  }
+  void operator()(const Paragraph& p) {
+    out += fmt::format("{}{}\n\n", p.tone == Tone::plain ? "" : "> ", escaped(p.text));
+  }
+  void operator()(const DocumentTable& t) {
+    out += "|";
+    for (const std::string& name : t.header) out += fmt::format(" {} |", escaped(name));
+    out += "\n|";
+    for (std::size_t k = 0; k < t.header.size(); ++k) {
+      const bool right = !t.rows.empty() && k < t.rows.front().size() && t.rows.front()[k].number;
+      out += right ? " ---: |" : " --- |";
+    }
+    out += "\n";
+    for (const auto& row : t.rows) {
+      out += "|";
+      for (const DocumentCell& cell : row) out += fmt::format(" {} |", escaped(cell.text));
+      out += "\n";
+    }
+    out += "\n";
+    if (!t.caption.empty()) out += escaped(t.caption) + "\n\n";
+  }
+  void operator()(const Figure& f) {
+    if (!f.picture.empty()) {
+      const std::string name = f.picture.substr(f.picture.find_last_of('/') + 1);
+      out += fmt::format("![{}]({})\n\n", escaped(f.caption), pictures.empty() ? name : pictures + "/" + name);
+    }
+    out += escaped(f.caption) + "\n\n";
+  }
+};
+
+}  // namespace
+
+std::string document_markdown(const Document& document, const std::string& pictures) {
+  Writer writer{pictures, fmt::format("# {}\n\n", escaped(document.title))};
+  for (const Block& block : document.blocks) std::visit(writer, block);
+  return writer.out;
+}
+
+}  // namespace equipoise

@@ -1,0 +1,78 @@
+// Colours, labels and canvas of the pictures.
+#include "equipoise/drawing/plot_parts.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+
+#include <fmt/format.h>
+
+#include "equipoise/store/basin_file.hpp"
+
+namespace equipoise {
+
+namespace {
+
+// Colours that people with any kind of colour vision tell apart (M. Okabe, K. Ito, Color Universal Design, 2008), by
+// identifier; the later ones (P. Tol, muted scheme) serve attractors without an identifier of their own.
+constexpr std::array colours{"#009E73", "#0072B2", "#D55E00", "#E69F00", "#CC79A7", "#56B4E9", "#666666",
+                             "#882255", "#332288", "#999933", "#44AA99", "#AA4499", "#117733", "#661100"};
+
+}  // namespace
+
+const char* colour_of(int code) {
+  if (code == undecided_code) return "#DDDDDD";
+  if (code == diverged_code) return "#000000";
+  if (code < 0) return "#F0E442";  // failed
+  return colours[static_cast<std::size_t>(code - 1) % colours.size()];
+}
+
+std::string quoted(const std::string& text) {
+  std::string result = "'";  // single quotes keep gnuplot from reading; they are doubled inside
+  for (const char c : text) result += c == '\'' ? std::string("''") : std::string(1, c);
+  return result + "'";
+}
+
+std::string axis_label(const std::string& key) {
+  if (key == "speed.final" || key == "speed.speed") return "final rotor speed Ω / critical speed";
+  if (key == "rotor.eccentricity") return "eccentricity λ / race radius";
+  if (key == "rotor.damping") return "external damping ζ = c / √(k M)";
+  if (key == "rotor.stiffness") return "support stiffness κ";
+  if (key == "balancer.mass") return "mass of a ball μ / rotor mass";
+  if (key == "balancer.drag") return "drag of a ball β";
+  constexpr std::string_view angle = "initial.phi_";
+  if (key.starts_with(angle) && !key.starts_with("initial.phi_dot"))
+    return fmt::format("initial angle of ball {0}, φ{0} (rad)", key.substr(angle.size()));
+  return key;
+}
+
+std::string parameters_text(const Study& study, const std::vector<std::string>& varied) {
+  const model::Parameters& p = study.parameters;
+  const auto fixed = [&](const std::string& key) {
+    return std::find(varied.begin(), varied.end(), key) == varied.end();
+  };
+  std::string text = fmt::format("{} ball{}", p.balls, p.balls == 1 ? "" : "s");
+  if (fixed("balancer.mass") && p.equal_balls()) text += fmt::format(", μ = {}", p.mass[0]);
+  if (fixed("balancer.drag") && p.equal_balls()) text += fmt::format(", β = {}", p.drag[0]);
+  if (fixed("rotor.eccentricity")) text += fmt::format(", λ = {}", p.eccentricity);
+  if (fixed("rotor.damping")) text += fmt::format(", ζ = {}", p.damping[0]);
+  const bool speed_varies =
+      std::any_of(varied.begin(), varied.end(), [](const std::string& key) { return key.starts_with("speed."); });
+  if (!speed_varies) text += fmt::format(", Ω = {}", study.speed_profile().final_speed());
+  return text;
+}
+
+std::string canvas(const std::string& path, int width, int height) {
+  const std::string size = fmt::format("{},{}", width, height);
+  const std::string terminal =
+      path.ends_with(".svg")
+          ? fmt::format("svg size {} font 'Helvetica,22' linewidth 1.3 background '#ffffff' noenhanced", size)
+          : fmt::format("pngcairo size {} font 'DejaVu Sans,17' linewidth 1.5 noenhanced", size);
+  return fmt::format("set encoding utf8\nset terminal {}\nset output {}\n", terminal, quoted(path));
+}
+
+const char* const quiet_frame =
+    "set border 3 linecolor rgb '#444444'\nset tics nomirror out textcolor rgb '#222222'\n"
+    "set grid linecolor rgb '#dddddd' linewidth 0.6\n";
+
+}  // namespace equipoise

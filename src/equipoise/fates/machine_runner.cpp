@@ -1,0 +1,224 @@
+// One machine trajectory after the other.
+#include "equipoise/fates/machine_runner.hpp"
+
+#include <array>
+#include <cmath>
+#include <limits>
+#include <optional>
+
+#include <fmt/format.h>
+
+#include "equipoise/discovery/horizon.hpp"
+#include "equipoise/fates/machine_scale.hpp"
+#include "equipoise/fates/transient_tally.hpp"
+#include "equipoise/integrate/machine_trajectory-inl.hpp"
+#include "equipoise/model/balanced_state.hpp"
+#include "equipoise/model/ball_count.hpp"
+#include "equipoise/model/energy.hpp"
+#include "equipoise/model/strobe.hpp"
+#include "equipoise/spin_up/initial_state.hpp"
+#include "equipoise/transients/transient_watch.hpp"
+
+namespace equipoise {
+
+namespace {
+namespace kernels = HWY_NAMESPACE;
+
+// Of a step, where it is looked at.
+constexpr auto& nodes = TransientWatch::nodes;
+
+// Distance from where gravity alone would hold the rotor with its balls.
+template <int n>
+SteadySample sample(const model::Parameters& p, const double* z) {
+  const std::array<double, 2> rest = model::rest_position(p, z[model::machine_index::psi(n)]);
+  const double x = z[model::index::x] - rest[0], y = z[model::index::y] - rest[1];
+  SteadySample s;
+  s.r2 = x * x + y * y;
+  for (int i = 0; i < n; ++i) s.rate[i] = z[model::index::q(i, n)];
+  return s;
+}
+
+template <int n>
+TransientSample transient_sample(const model::Parameters& p, double t, const double* z) {
+  using namespace model::index;
+  TransientSample s;
+  s.t = t;
+  const double psi = z[model::machine_index::psi(n)];
+  const std::array<double, 2> rest = model::rest_position(p, psi);
+  const double rx = z[x] - rest[0], ry = z[y] - rest[1];
+  s.r2 = rx * rx + ry * ry;
+  s.r2_slope = 2.0 * (rx * z[u] + ry * z[v]);
+  const auto force = model::bearing_force(p, psi, z);
+  s.force2 = force[0] * force[0] + force[1] * force[1];
+  s.velocity2 = z[u] * z[u] + z[v] * z[v];
+  double unbalance_x = p.eccentricity + p.total_mass() * p.race_offset[0];
+  double unbalance_y = p.total_mass() * p.race_offset[1];
+  for (int i = 0; i < n; ++i) {
+    unbalance_x += p.mass[i] * std::cos(z[phi(i)]);
+    unbalance_y += p.mass[i] * std::sin(z[phi(i)]);
+  }
+  s.unbalance = std::hypot(unbalance_x, unbalance_y);
+  return s;
+}
+
+// The transients of one machine, whose balls are let go at a time of its own.
+template <int n>
+class MachineTransients {
+ public:
+  using Machine = kernels::MachineTrajectory<n>;
+
+  MachineTransients(const Study& study, const Machine& machine)
+      : p_(study.parameters), settings_(transient_settings(study)), machine_(machine), watch_(settings(machine)) {}
+
+  // A step, of which state_at is asked.
+  template <class StateAt>
+  void step(double from, double to, StateAt&& state_at) {
+    double z[Machine::dimension];
+    state_at.roughly(from, z);
+    // Wherever the motion has a corner, speeds or forces may have jumped.
+    if (events_ != machine_.events() || from != last_) {
+      if (events_ != machine_.events() && free_ == machine_.clamped()) {
+        watch_ = TransientWatch(settings(machine_), watch_.sums());
+        free_ = !machine_.clamped();
+      }
+      events_ = machine_.events();
+      watch_.begin(transient_sample<n>(p_, from, z), free_);
+    }
+    std::array<TransientSample, 3> samples;
+    for (std::size_t k = 0; k < nodes.size(); ++k) {
+      const double t = k + 1 == nodes.size() ? to : from + nodes[k] * (to - from);
+      state_at.roughly(t, z);
+      samples[k] = transient_sample<n>(p_, t, z);
+    }
+    watch_.step(samples);
+    last_ = to;
+  }
+
+  void decided(bool balanced) { watch_.decided({end(balanced), 0.0}); }
+  bool may_leave() const { return watch_.may_leave(); }
+
+  TransientRow row(bool lost, bool balanced) {
+    watch_.finish();
+    return transient_row(settings(machine_), watch_.sums(), lost, end(balanced));
+  }
+
+ private:
+  // Balls that roll freely in a centred race, without gravity, balance to nothing; other ends are measured.
+  std::optional<MotionFigures> end(bool balanced) const {
+    const bool exact = p_.race_is_centred() && p_.gravity == 0.0 && !p_.balls_stick();
+    return balanced && exact ? std::optional(MotionFigures{}) : std::nullopt;
+  }
+
+  TransientSettings settings(const Machine& machine) const {
+    TransientSettings s = settings_;
+    s.release = std::isfinite(machine.released()) ? machine.released() : 0.0;
+    return s;
+  }
+
+  const model::Parameters& p_;
+  TransientSettings settings_;
+  const Machine& machine_;
+  TransientWatch watch_;
+  long events_ = -1;
+  bool free_ = false;
+  double last_ = -1.0;
+};
+
+}  // namespace
+
+void check_machine(const Study& study) {
+  check(study);
+  if (study.numerics.decide == DecideMode::proof)
+    throw InputError(study.name, "numerics.decide", "proof",
+                     "a machine (motor, race offset, contact, rolling resistance) has no proved balance; must be "
+                     "\"validated\" or \"horizon\"");
+}
+
+MachineRunner::MachineRunner(const Study& study, const StopFlag* stop)
+    : study_(with_horizon(study)),
+      stop_(stop),
+      drive_(study.drive()),
+      sampler_(sampler_of(study)),
+      facts_(study_, drive_, stop),
+      settled_(drive_.pieces.back().begin) {
+  if (!study.speed.driven()) settled_ = std::max(settled_, drive_.release_time);
+  for (const SteadyKind& kind : steady_kinds(study.parameters.balls)) {
+    Motion motion;
+    motion.kind = MotionKind::measured;
+    catalogue_.add({kind.id, kind.name, "", motion, {}});
+  }
+}
+
+bool MachineRunner::run(std::uint64_t first, std::size_t count, std::vector<double>& phi, std::vector<Fate>& fates,
+                        std::vector<UnlistedStart>& unlisted, std::vector<TransientRow>* rows) const {
+  const int balls = study_.parameters.balls;
+  phi.clear();
+  unlisted.clear();
+  fates.assign(count, Fate{});
+  if (rows) rows->assign(count, TransientRow{});
+  for (std::size_t i = 0; i < count; ++i) {
+    const InitialState start = start_of(study_, sampler_, study_.sampling.seed, first + i);
+    phi.insert(phi.end(), start.phi.begin(), start.phi.begin() + balls);
+    TransientRow* row = rows ? &(*rows)[i] : nullptr;
+    fates[i] = model::with_ball_count(balls, [&](auto n) { return decide<n>(start, row); });
+    if (stop_ && stop_->load(std::memory_order_relaxed)) return false;  // the last one may have been cut short
+  }
+  return true;
+}
+
+template <int n>
+Fate MachineRunner::decide(const InitialState& start, TransientRow* row) const {
+  using Machine = kernels::MachineTrajectory<n>;
+  const model::Parameters& p = study_.parameters;
+  double z[Machine::dimension];
+  initial_state(start, n, drive_.speed, z);
+  const double tolerance = study_.numerics.tolerance.value_or(default_basin_tolerance);
+  Machine machine(p, drive_, ensemble_scale<n>(p, tolerance), z);
+  MachineTransients<n> transients(study_, machine);
+  std::optional<MachineJudge> judge;
+  std::optional<Fate> decided;
+  double last[Machine::dimension];
+  const bool at_horizon = study_.numerics.decide == DecideMode::horizon;
+  const auto decided_at = [&](double from, double to, auto&& state_at) {
+    // Anew where the balls are let go: a rotor that is steady with its balls held may never do so.
+    if (!judge || (judge->clamped() && !machine.clamped())) {
+      state_at.roughly(from, last);
+      judge.emplace(facts_, from, last, machine.clamped(), at_horizon);
+    }
+    std::array<SteadySample, 3> samples;
+    for (std::size_t k = 0; k < nodes.size(); ++k) {
+      state_at.roughly(k + 1 == nodes.size() ? to : from + nodes[k] * (to - from), last);
+      samples[k] = sample<n>(p, last);
+    }
+    if (judge->step(to, last, samples)) decided = judge->look(to, last);
+    // What runs away for ever has no horizon.
+    return decided && (!at_horizon || decided->outcome == Outcome::undecided);
+  };
+  Fate fate;
+  bool known = false;
+  const auto observe = [&](double from, double to, auto&& state_at) {
+    if (row) transients.step(from, to, state_at);
+    if (known) return transients.may_leave();
+    if (to <= settled_ || !decided_at(from, to, state_at)) return false;
+    known = true;
+    fate = *decided;
+    fate.time = to;
+    if (!row) return true;
+    transients.decided(fate.attractor == balanced_id);
+    return false;
+  };
+  const auto status = machine.advance(settled_ + *study_.numerics.horizon, observe, stop_);
+  const bool lost = status != IntegrationStatus::done;
+  if (lost) {
+    fate = {status == IntegrationStatus::diverged ? Outcome::diverged : Outcome::failed, DecidedBy::nothing, 0,
+            machine.time()};
+  } else if (!known) {
+    if (judge) fate = judge->at_horizon(machine.state());
+    fate.time = machine.time();
+  }
+  if (row) *row = transients.row(lost, fate.outcome == Outcome::attracted && fate.attractor == balanced_id);
+  if (!study_.speed.driven()) fate.mean_speed = std::numeric_limits<float>::quiet_NaN();
+  return fate;
+}
+
+}  // namespace equipoise

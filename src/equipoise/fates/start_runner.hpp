@@ -1,0 +1,62 @@
+// The starts of a rotor that turns as prescribed, many at a time on SIMD lanes, decided by attractors found beforehand.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "equipoise/base/error.hpp"
+#include "equipoise/deciding/fate.hpp"
+#include "equipoise/discovery/discovery.hpp"
+#include "equipoise/fates/runner.hpp"
+#include "equipoise/spin_up/start_source.hpp"
+#include "equipoise/study/study.hpp"
+#include "equipoise/transients/transient_table.hpp"
+
+namespace equipoise {
+
+/// Throws InputError for invalid studies and those whose starts cannot be decided: anisotropic supports or gravity on a
+/// rotor that comes to rest, or with decisions by proof.
+void check_decidable(const Study& study);
+/// Throws InputError for invalid studies and machines: what `asked` ("attractors") answers for rotors that turn as
+/// prescribed only.
+void check_prescribed(const Study& study, const char* asked);
+/// The same, and for anisotropic supports and gravity altogether: what `asked` ("maps") answers for equations that do
+/// not depend on the rotor's angle only.
+void check_autonomous(const Study& study, const char* asked);
+
+/// Everything about a study that all its starts share.
+class StartRunner : public Runner {
+ public:
+  /// Spins up and discovers the attractors. The study has passed check_decidable(). Ask stopped() afterwards.
+  /// `transients`: run() can be asked for rows.
+  StartRunner(const Study& study, const DiscoverySettings& settings, bool transients = false);
+
+  bool run(std::uint64_t first, std::size_t count, std::vector<double>& phi, std::vector<Fate>& fates,
+           std::vector<UnlistedStart>& unlisted, std::vector<TransientRow>* rows = nullptr) const override;
+  int list(const UnlistedStart& start) override;
+  UnlistedStart follow(const std::vector<double>& state) const override;
+  std::vector<UndecidedEnd> look_at(const std::vector<std::uint64_t>& undecided) const override;
+
+  const Catalogue& catalogue() const override { return discovery_.catalogue; }
+  BalanceNote balance() const override {
+    return {discovery_.balanced.stable, discovery_.balanced.note};
+  }
+  double settled() const override { return source_.settled(); }
+  bool stopped() const override { return discovery_.stopped; }
+
+  const BalancedAnalysis& balanced() const { return discovery_.balanced; }
+  const DecisionRule& rule() const { return discovery_.rule; }
+
+ private:
+  LaneTask task_from(std::vector<double>& states, std::size_t count) const;
+  std::vector<double> when_recognised(const std::vector<double>& state, double now) const;
+
+  Study study_;
+  const StopFlag* stop_;
+  TransientSettings transients_;
+  StartSource source_;
+  Discovery discovery_;
+  std::vector<KnownEnd> ends_;  // by identifier, of the attractors known beforehand; for transients only
+};
+
+}  // namespace equipoise

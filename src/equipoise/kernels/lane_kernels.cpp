@@ -1,0 +1,167 @@
+// Kernels for every CPU target: this file is compiled once per instruction set by Highway's foreach_target.
+#include "equipoise/kernels/lane_kernels.hpp"
+
+#include <cmath>
+#include <cstdint>
+#include <memory>
+
+#include "equipoise/kernels/general_kernels.hpp"
+#include "equipoise/kernels/transient_kernels.hpp"
+#include "equipoise/model/ball_count.hpp"
+
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "equipoise/kernels/lane_kernels.cpp"
+#include "hwy/foreach_target.h"
+#include "hwy/highway.h"
+
+#include "equipoise/deciding/decision-inl.hpp"
+#include "equipoise/kernels/lane_group-inl.hpp"
+#include "equipoise/lanes/lane_block-inl.hpp"
+#include "equipoise/lanes/watch_radius-inl.hpp"
+#include "equipoise/model/flow-inl.hpp"
+
+HWY_BEFORE_NAMESPACE();
+namespace equipoise {
+namespace HWY_NAMESPACE {
+
+template <int n, bool accelerating>
+bool advance_balls(const LaneTask& task, std::vector<Fate>& fates) {
+  using Flow = FreeFlow<Pack, n, Terms{accelerating, false, false}>;
+  WatchForLoss<n> observer(fates);
+  const auto block = std::make_unique<LaneBlock<Flow, WatchForLoss<n>, lane_groups<n>>>(
+      task, Flow(*task.parameters, task.segment), observer);
+  return block->run();
+}
+
+template <int n>
+bool watch_balls(const LaneTask& task, const RadiusWindows& record) {
+  using Flow = FreeFlow<Pack, n, Terms{true, false, false}>;
+  using Observer = WatchRadius<n, lane_groups<n>>;
+  Observer observer(record);
+  const auto block =
+      std::make_unique<LaneBlock<Flow, Observer, lane_groups<n>>>(task, Flow(*task.parameters, task.segment), observer);
+  return block->run();
+}
+
+template <int n>
+bool decide_balls(const LaneTask& task, const DecisionRule& rule, std::vector<Fate>& fates,
+                  std::vector<PilotRecord>* pilot) {
+  using Flow = FreeFlow<Pack, n, Terms{false, false, false}>;
+  using Observer = DecideFate<n, lane_groups<n>>;
+  const auto observer = std::make_unique<Observer>(*task.parameters, task.segment, rule, fates, pilot);
+  const auto block = std::make_unique<LaneBlock<Flow, Observer, lane_groups<n>>>(
+      task, Flow(*task.parameters, task.segment), *observer);
+  return block->run();
+}
+
+template <int n>
+int evaluate_balls(const model::Parameters& p, double speed, long count, double* checksum) {
+  using Flow = FreeFlow<Pack, n, Terms{false, false, false}>;
+  const Flow flow(p, model::Segment{0.0, 0.0, 0.0, speed, 0.0, false});
+  constexpr int groups = lane_groups<n>;
+  Pack z[groups][Flow::dimension];
+  for (int g = 0; g < groups; ++g)
+    for (int i = 0; i < Flow::dimension; ++i) z[g][i] = Pack(0.01 * (i + g));
+  for (long k = 0; k < count; ++k)
+#pragma GCC unroll 1
+    for (int g = 0; g < groups; ++g) {
+      Pack rate[Flow::dimension];
+      flow(Pack(0.0), z[g], rate);
+      for (int i = 0; i < Flow::dimension; ++i) z[g][i] = multiply_add(Pack(1e-3), rate[i], z[g][i]);
+    }
+  Pack sum(0.0);
+  for (int g = 0; g < groups; ++g)
+    for (int i = 0; i < Flow::dimension; ++i) sum = sum + z[g][i];
+  alignas(64) double lanes[8];
+  sum.store(lanes);
+  *checksum = lanes[0];
+  return groups * static_cast<int>(pack_lanes);
+}
+
+bool advance_target(const LaneTask& task, std::vector<Fate>& fates) {
+  return model::with_ball_count(task.parameters->balls, [&](auto n) {
+    return task.segment.acceleration == 0.0 ? advance_balls<n, false>(task, fates)
+                                            : advance_balls<n, true>(task, fates);
+  });
+}
+
+bool watch_target(const LaneTask& task, const RadiusWindows& record) {
+  return model::with_ball_count(task.parameters->balls, [&](auto n) { return watch_balls<n>(task, record); });
+}
+
+bool decide_target(const LaneTask& task, const DecisionRule& rule, std::vector<Fate>& fates,
+                   std::vector<PilotRecord>* pilot) {
+  return model::with_ball_count(task.parameters->balls,
+                                [&](auto n) { return decide_balls<n>(task, rule, fates, pilot); });
+}
+
+int evaluate_target(const model::Parameters& p, double speed, long count, double* checksum) {
+  return model::with_ball_count(p.balls, [&](auto n) { return evaluate_balls<n>(p, speed, count, checksum); });
+}
+
+std::int64_t target_code() { return HWY_TARGET; }
+
+}  // namespace HWY_NAMESPACE
+}  // namespace equipoise
+HWY_AFTER_NAMESPACE();
+
+#if HWY_ONCE
+namespace equipoise {
+
+HWY_EXPORT(advance_target);
+HWY_EXPORT(watch_target);
+HWY_EXPORT(decide_target);
+HWY_EXPORT(evaluate_target);
+HWY_EXPORT(target_code);
+
+namespace {
+// The names people know: Highway calls AVX-512 "AVX3".
+std::string name_of(std::int64_t target) {
+  return target == HWY_AVX3 ? "AVX-512" : target == HWY_SCALAR ? "scalar" : hwy::TargetName(target);
+}
+}  // namespace
+
+bool advance_lanes(const LaneTask& task, std::vector<Fate>& fates) {
+  if (task.transients) return advance_transient_lanes(task, fates);
+  if (task.general()) return advance_general_lanes(task, fates);
+  return HWY_DYNAMIC_DISPATCH(advance_target)(task, fates);
+}
+
+bool watch_lanes(const LaneTask& task, const RadiusWindows& record) {
+  return HWY_DYNAMIC_DISPATCH(watch_target)(task, record);
+}
+
+bool decide_lanes(const LaneTask& task, const DecisionRule& rule, std::vector<Fate>& fates,
+                  std::vector<PilotRecord>* pilot) {
+  if (task.transients && !pilot) return decide_transient_lanes(task, rule, fates);
+  if (task.general()) return decide_general_lanes(task, rule, fates, pilot);
+  return HWY_DYNAMIC_DISPATCH(decide_target)(task, rule, fates, pilot);
+}
+
+int evaluate_derivatives(const model::Parameters& p, double speed, long count, double* checksum) {
+  return HWY_DYNAMIC_DISPATCH(evaluate_target)(p, speed, count, checksum);
+}
+
+std::string cpu_target() { return name_of(HWY_DYNAMIC_DISPATCH(target_code)()); }
+
+std::vector<std::string> cpu_targets() {
+  std::vector<std::string> names;
+  for (auto target : hwy::SupportedAndGeneratedTargets()) names.push_back(name_of(target));
+  return names;
+}
+
+bool use_cpu_target(const std::string& name) {
+  hwy::SetSupportedTargetsForTest(0);  // back to what the machine has
+  hwy::GetChosenTarget().DeInit();
+  if (name.empty()) return true;
+  for (auto target : hwy::SupportedAndGeneratedTargets())
+    if (name == name_of(target)) {
+      hwy::SetSupportedTargetsForTest(target);
+      hwy::GetChosenTarget().DeInit();
+      return true;
+    }
+  return false;
+}
+
+}  // namespace equipoise
+#endif

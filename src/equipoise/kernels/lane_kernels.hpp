@@ -1,0 +1,41 @@
+// The compiled kernels: model, integrator, lane block and observer bound together, once per CPU target, chosen at run
+// time.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "equipoise/deciding/decision_rule.hpp"
+#include "equipoise/deciding/fate.hpp"
+#include "equipoise/lanes/lane_task.hpp"
+#include "equipoise/lanes/radius_windows.hpp"
+
+namespace equipoise {
+
+/// Takes every trajectory to task.end. False if stopped early.
+/// `fates[i]` becomes diverged or failed for a trajectory lost on the way and is left alone otherwise; a lost one's
+/// state stays where it was lost.
+bool advance_lanes(const LaneTask& task, std::vector<Fate>& fates);
+
+/// Takes every trajectory to task.end like advance_lanes(), and writes how far the centre of the race was out. A lost
+/// trajectory's displacement is infinite from the window on in which it was lost. False if stopped early.
+bool watch_lanes(const LaneTask& task, const RadiusWindows& record);
+
+/// Decides every trajectory of a task whose segment has constant speed; fates[i] and states are set. `pilot`, if given,
+/// receives what is known of each stationary motion. False if stopped early.
+bool decide_lanes(const LaneTask& task, const DecisionRule& rule, std::vector<Fate>& fates,
+                  std::vector<PilotRecord>* pilot);
+
+/// Derivative evaluations alone, for benchmarks: evaluates the equations of `balls` balls `count` times in every lane,
+/// each from the result of the one before. Returns the number of lanes.
+int evaluate_derivatives(const model::Parameters& p, double speed, long count, double* checksum);
+
+/// Instruction set in use: "AVX-512", "AVX2", "SSE4" or "scalar".
+std::string cpu_target();
+/// Every instruction set this program was built for that this machine has, best first.
+std::vector<std::string> cpu_targets();
+/// Uses one of cpu_targets() from now on; an empty name returns to the best. False if `name` is not among them.
+/// Not to be called while kernels run.
+bool use_cpu_target(const std::string& name);
+
+}  // namespace equipoise

@@ -1,0 +1,210 @@
+// The time loop of ensembles: groups of SIMD lanes, each lane one trajectory with its own time and step, refilled as
+// trajectories end. Included once per CPU target.
+//
+// Several groups may take each stage in turn, so that one group's chain of dependent operations hides behind another's.
+// The loops over groups and stages stay rolled: what they would become unrolled no longer fits the instruction caches.
+#if defined(EQUIPOISE_LANES_LANE_BLOCK_INL) == defined(HWY_TARGET_TOGGLE)
+#ifdef EQUIPOISE_LANES_LANE_BLOCK_INL
+#undef EQUIPOISE_LANES_LANE_BLOCK_INL
+#else
+#define EQUIPOISE_LANES_LANE_BLOCK_INL
+#endif
+
+#include <bit>
+#include <cstddef>
+
+#include "equipoise/integrate/dop853-inl.hpp"
+#include "equipoise/integrate/status.hpp"
+#include "equipoise/lanes/lane_task.hpp"
+#include "equipoise/lanes/step_control-inl.hpp"
+
+HWY_BEFORE_NAMESPACE();
+namespace equipoise {
+namespace HWY_NAMESPACE {
+
+// An observer of a lane block. Bound by the composing layer; this one sees every hook and does nothing.
+//   begin(slot, start, t, z)   trajectory `start` enters lane `slot` in state z (scalars)
+//   stage(row, group, z)       state at stage `row` of the step being tried
+//   step(group, active, accepted, t, h, z) -> bits of lanes to end now, called after every step tried; t, z: where it
+//                              leads; active: bits of lanes that hold a trajectory
+//   end(slot, start, how, t, z)    trajectory leaves
+template <int n>
+struct NoObserver {
+  void begin(int, std::size_t, double, const double*) {}
+  HWY_INLINE void stage(int, int, const Pack*) {}
+  HWY_INLINE unsigned step(int, unsigned, Mask, Pack, Pack, const Pack*) { return 0; }
+  void end(int, std::size_t, LaneEnd, double, const double*) {}
+};
+
+template <class Flow, class Observer, int groups>
+class LaneBlock {
+ public:
+  static constexpr int dimension = Flow::dimension;
+  static constexpr int lanes = static_cast<int>(pack_lanes);
+  static constexpr int slots = groups * lanes;
+
+  LaneBlock(const LaneTask& task, const Flow& flow, Observer& observer)
+      : task_(task), flow_(flow), observer_(observer), end_(task.end) {
+    for (int i = 0; i < dimension; ++i)
+      inverse_scale_[i] = Pack(1.0 / (task.tolerance * lane_error_scale(*task.parameters, i)));
+  }
+
+  // Runs every trajectory of the task. False if stopped before all were done.
+  bool run() {
+    for (int g = 0; g < groups; ++g) {
+      active_[g] = 0;
+      for (int i = 0; i < dimension; ++i) y_[g][i] = k_[g][0][i] = Pack(0.0);
+      t_[g] = end_;
+      h_[g] = Pack(0.0);
+      log_error_[g] = Pack(0.0);
+      unsigned filled = 0;
+      for (int lane = 0; lane < lanes; ++lane) filled |= fill(g, lane);
+      start_rates(g, filled);
+    }
+    const Flow flow = flow_;  // one that no store can change: what is constant in it is computed once
+    while (working_ > 0) {
+      if (task_.stop && task_.stop->load(std::memory_order_relaxed)) return false;
+      advance(flow);
+    }
+    if (task_.work) {
+      task_.work->steps += work_.steps;
+      task_.work->accepted += work_.accepted;
+    }
+    return true;
+  }
+
+ private:
+  // One step tried in every lane.
+  HWY_INLINE void advance(const Flow& flow) {
+    for (int g = 0; g < groups; ++g) step_[g] = minimum(h_[g], end_ - t_[g]);
+#pragma GCC unroll 1
+    for (int row = 1; row < dop853::tableau::stages; ++row)
+#pragma GCC unroll 1
+      for (int g = 0; g < groups; ++g) {
+        Pack z[dimension];
+        dop853::stage_state(row, step_[g], y_[g], k_[g], z);
+        observer_.stage(row, g, z);
+        flow(multiply_add(Pack(dop853::tableau::c[row]), step_[g], t_[g]), z, k_[g][row]);
+      }
+#pragma GCC unroll 1
+    for (int g = 0; g < groups; ++g) finish_step(flow, g);
+  }
+
+  HWY_INLINE void finish_step(const Flow& flow, int g) {
+    Pack z[dimension], error5[dimension], error3[dimension], k_end[dimension];
+    dop853::step_end(step_[g], y_[g], k_[g], z, error5, error3);
+    const Pack error2 = dop853::squared_error<Pack, dimension>(step_[g], error5, error3, inverse_scale_);
+    const Mask accepted = error2 <= Pack(1.0);  // false for not-a-number
+    // The last step lands on the end exactly.
+    const Pack t_try = t_[g] + step_[g];
+    const Pack t_new = select(end_ - t_[g] <= h_[g], end_, t_try);
+    flow(t_new, z, k_end);
+    const unsigned decided = observer_.step(g, active_[g], accepted, t_new, step_[g], z);
+
+    const StepChange change = step_change(error2, log_error_[g]);
+    const Mask moving = t_[g] < t_try;
+    Pack size(0.0);
+    for (int i = 0; i < 4; ++i) size = maximum(size, absolute(z[i]));
+    const Mask bounded = size < Pack(divergence_limit);
+    for (int i = 0; i < dimension; ++i) {
+      y_[g][i] = select(accepted, z[i], y_[g][i]);
+      k_[g][0][i] = select(accepted, k_end[i], k_[g][0][i]);
+    }
+    t_[g] = select(accepted, t_new, t_[g]);
+    h_[g] = change.factor * step_[g];
+    log_error_[g] = select(accepted, change.log_error, log_error_[g]);
+
+    const unsigned accepted_bits = lane_bits(accepted);
+    work_.steps += static_cast<unsigned>(std::popcount(active_[g]));
+    work_.accepted += static_cast<unsigned>(std::popcount(active_[g] & accepted_bits));
+    const unsigned reached = accepted_bits & ~lane_bits(t_[g] < end_);
+    const unsigned diverged = accepted_bits & ~lane_bits(bounded);
+    const unsigned failed = ~lane_bits(moving);
+    const unsigned leaving = (decided | reached | diverged | failed) & active_[g];
+    if (leaving) replace(g, leaving, decided, diverged, reached);
+  }
+
+  // Ends the trajectories in the `leaving` lanes of group g and refills them.
+  HWY_NOINLINE void replace(int g, unsigned leaving, unsigned decided, unsigned diverged, unsigned reached) {
+    unsigned filled = 0;
+    for (int lane = 0; lane < lanes; ++lane) {
+      const unsigned bit = 1u << lane;
+      if (!(leaving & bit)) continue;
+      const LaneEnd how = decided & bit    ? LaneEnd::decided
+                          : diverged & bit ? LaneEnd::diverged
+                          : reached & bit  ? LaneEnd::reached_end
+                                           : LaneEnd::failed;
+      const std::size_t start = start_of_[g][lane];
+      double* row = task_.states + start * dimension;
+      for (int i = 0; i < dimension; ++i) row[i] = element(y_[g][i], lane);
+      observer_.end(g * lanes + lane, start, how, element(t_[g], lane), row);
+      active_[g] &= ~bit;
+      --working_;
+      filled |= fill(g, lane);
+    }
+    if (filled) start_rates(g, filled);
+  }
+
+  // Puts the next trajectory into an empty lane and returns the lane's bit, or parks the lane at the end with step
+  // zero.
+  unsigned fill(int g, int lane) {
+    if (next_ == task_.count) {
+      for (int i = 0; i < dimension; ++i) element(y_[g][i], lane) = 0.0;
+      element(t_[g], lane) = task_.end;
+      element(h_[g], lane) = 0.0;
+      return 0;
+    }
+    const std::size_t start = next_++;
+    const double* row = task_.states + start * dimension;
+    for (int i = 0; i < dimension; ++i) element(y_[g][i], lane) = row[i];
+    element(t_[g], lane) = task_.segment.begin;
+    element(h_[g], lane) = first_step(row);
+    element(log_error_[g], lane) = 0.0;
+    start_of_[g][lane] = start;
+    active_[g] |= 1u << lane;
+    ++working_;
+    observer_.begin(g * lanes + lane, start, task_.segment.begin, row);
+    return 1u << lane;
+  }
+
+  // A cautious first step from the fastest rate around: the controller opens it within a few steps.
+  double first_step(const double* row) const {
+    double fastest = 1.0 + std::fabs(task_.segment.speed) + std::fabs(task_.segment.speed_at(task_.end));
+    for (int i = 4 + Flow::balls; i < dimension; ++i) fastest += std::fabs(row[i]);
+    const double span = task_.end - task_.segment.begin;
+    const double step = 0.2 / fastest;
+    return step < span ? step : span;
+  }
+
+  // f at the states of the lanes just filled. Lanes under way keep theirs: the compiler may round this copy of the
+  // equations differently, and a trajectory must not feel when its neighbours are replaced.
+  HWY_NOINLINE void start_rates(int g, unsigned filled) {
+    Pack k_start[dimension];
+    flow_(t_[g], y_[g], k_start);
+    for (int lane = 0; lane < lanes; ++lane)
+      if (filled & (1u << lane))
+        for (int i = 0; i < dimension; ++i) element(k_[g][0][i], lane) = element(k_start[i], lane);
+  }
+
+  static double& element(Pack& p, int lane) { return reinterpret_cast<double*>(&p)[lane]; }
+
+  const LaneTask& task_;
+  const Flow flow_;
+  Observer& observer_;
+  Pack end_;
+  Pack inverse_scale_[dimension];
+  Pack y_[groups][dimension];
+  Pack k_[groups][dop853::tableau::stages][dimension];
+  Pack t_[groups], h_[groups], step_[groups], log_error_[groups];
+  unsigned active_[groups];
+  std::size_t start_of_[groups][lanes];
+  std::size_t next_ = 0;
+  int working_ = 0;
+  LaneWork work_;
+};
+
+}  // namespace HWY_NAMESPACE
+}  // namespace equipoise
+HWY_AFTER_NAMESPACE();
+
+#endif

@@ -1,0 +1,44 @@
+// Identifiers and names of a study's attractors.
+#include "equipoise/motions/catalogue.hpp"
+
+#include <algorithm>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "equipoise/deciding/decision_rule.hpp"
+
+namespace equipoise {
+
+const Attractor* Catalogue::find(int id) const {
+  const auto at = std::find_if(attractors_.begin(), attractors_.end(), [&](const Attractor& a) { return a.id == id; });
+  return at == attractors_.end() ? nullptr : &*at;
+}
+
+int Catalogue::find(const model::Parameters& p, const Motion& motion) const {
+  const bool balanced = motion_name(p, motion).name == "balanced";
+  for (const Attractor& a : attractors_)
+    if (balanced ? a.id == balanced_id : same_motion(p, a.motion, motion)) return a.id;
+  return 0;
+}
+
+int Catalogue::add(const model::Parameters& p, const Motion& motion, const std::optional<ContinuumPart>& continuum) {
+  if (const int id = find(p, motion)) return id;
+  MotionName name = motion_name(p, motion);
+  const auto same_name = [&](const Attractor& a) { return a.name.substr(0, a.name.rfind(" (")) == name.name; };
+  const auto earlier = std::count_if(attractors_.begin(), attractors_.end(), same_name);
+  if (earlier > 0) name.name += fmt::format(" ({})", earlier + 1);
+  if (name.id == 0 || find(name.id)) {
+    name.id = first_free_id;
+    while (find(name.id)) ++name.id;
+  }
+  add({name.id, name.name, name.alias, motion, continuum});
+  return name.id;
+}
+
+void Catalogue::add(Attractor attractor) {
+  attractors_.push_back(std::move(attractor));
+  std::sort(attractors_.begin(), attractors_.end(), [](const Attractor& a, const Attractor& b) { return a.id < b.id; });
+}
+
+}  // namespace equipoise

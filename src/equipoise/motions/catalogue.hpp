@@ -1,0 +1,40 @@
+// The attractors of one study: a list that gives every motion its identifier and its name.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "equipoise/motions/motion.hpp"
+#include "equipoise/orbits/balanced_continuum.hpp"
+
+namespace equipoise {
+
+struct Attractor {
+  int id = 0;               ///< from 1; the same for the same motion wherever a motion has an identifier of its own
+  std::string name, alias;  ///< alias: V1 to V4, as Wright and Peng (2019) call them
+  Motion motion;
+  /// Of the balanced states of three balls or more; `motion` then describes one of them, an attracting one if any does.
+  std::optional<ContinuumPart> continuum = {};
+};
+
+/// First identifier for motions without one of their own (motion_name()).
+inline constexpr int first_free_id = 8;
+
+class Catalogue {
+ public:
+  const std::vector<Attractor>& attractors() const { return attractors_; }
+  const Attractor* find(int id) const;
+  /// Identifier of the same motion, 0 if it is not listed. All balanced states are one motion.
+  int find(const model::Parameters& p, const Motion& motion) const;
+  /// Lists a motion unless it is listed, and returns its identifier. A second motion of the same name gets a free
+  /// identifier and a number behind its name.
+  int add(const model::Parameters& p, const Motion& motion, const std::optional<ContinuumPart>& continuum = {});
+  /// Lists an attractor under the identifier that it brings, which must be free.
+  void add(Attractor attractor);
+
+ private:
+  std::vector<Attractor> attractors_;  // by identifier
+};
+
+}  // namespace equipoise

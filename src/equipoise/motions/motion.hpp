@@ -1,0 +1,81 @@
+// A steady motion: what kind it is, what the balls do on it, how badly it shakes, and what it is called.
+#pragma once
+
+#include <array>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include <Eigen/Dense>
+
+#include "equipoise/model/parameters.hpp"
+#include "equipoise/orbits/orbit.hpp"
+
+namespace equipoise {
+
+/// `measured`: told by windows of time alone (fates/steady_watch.hpp).
+enum class MotionKind { equilibrium, periodic, quasi_periodic, chaotic, measured };
+/// "equilibrium", "periodic", "quasi-periodic", "chaotic", "measured".
+const char* name_of(MotionKind kind);
+
+/// Everything known of one motion of the constant-speed system, refined as far as its kind allows.
+struct Motion {
+  MotionKind kind = MotionKind::equilibrium;
+  double speed = 0.0;                            ///< Omega
+  Eigen::VectorXd state;                         ///< a state on it, angles in [0, 2 pi)
+  double period = 0.0;                           ///< periodic only
+  std::array<int, model::max_balls> winding{};   ///< periodic only: whole turns of each ball in one period, with sign
+  std::array<double, model::max_balls> drift{};  ///< mean phi'
+  std::array<double, model::max_balls> rate_min{}, rate_max{};  ///< extremes of phi'
+  double r_min = 0.0, r_mean = 0.0, r_max = 0.0;                ///< distance of the rotor's centre from the axis
+  Eigen::VectorXcd spectrum;      ///< eigenvalues (equilibrium) or Floquet multipliers (periodic, shift in time first)
+  std::vector<double> exponents;  ///< Lyapunov exponents, falling: Re eigenvalue, log|multiplier|/period, or measured
+  bool stable = false;            ///< attracts its neighbourhood (linear stability; measured for the other two kinds)
+  double residual = 0.0;          ///< of the refinement; 0 for motions that cannot be refined
+  PeriodicOrbit orbit;            ///< periodic only
+  /// Of a rotor with anisotropic supports or gravity, whose equations depend on its angle. `state` then holds where
+  /// psi = 0, r is measured from where the rotor rests under gravity, and every multiplier counts: `spectrum` of an
+  /// equilibrium too are multipliers, over strobe_period().
+  bool strobed = false;
+  int strobes = 0;        ///< strobed and periodic only: `period` in units of strobe_period()
+  bool balanced = false;  ///< strobed only: gravity and anisotropy taken away gradually lead to a balanced state
+  double duration = 0.0;  ///< time over which the statistics were taken; 0 for an equilibrium
+
+  // What the balls do, by topology.
+  /// Balls that move as one (angles equal modulo 2 pi all along) share a number; numbers count from 0.
+  std::array<int, model::max_balls> cluster{};
+  /// All relative angles phi_i - phi_j stay between -pi and pi: the balls travel together without being coincident.
+  bool together = false;
+  /// Two balls that drift at the same mean rate: how often they pass through opposite places, per turn of the pair.
+  double oppositions_per_turn = 0.0;
+  /// Balls with the same mean phi' share a number; 0 belongs to balls without one (captured), the others count from 1
+  /// in the order of the balls. Exact for periodic motions; for measured ones up to what chance allows.
+  std::array<int, model::max_balls> drift_group{};
+  /// For two equal balls: the motion is its own exchange image half a period later.
+  bool half_period_exchange = false;
+  /// Different motions made from this one by exchanging equal balls; 1 if exchange maps it onto itself.
+  int copies = 1;
+};
+
+/// Follows the trajectory from `state` until it is steady, decides the kind, refines and describes. `patience`: the
+/// longest time to follow it. Empty if it does not become steady, or diverges. Deterministic.
+std::optional<Motion> motion_from(const model::Parameters& p, double speed, const Eigen::VectorXd& state,
+                                  double patience = 20000.0);
+/// The same for states already refined.
+Motion describe_equilibrium(const model::Parameters& p, double speed, const Equilibrium& equilibrium);
+Motion describe_orbit(const model::Parameters& p, double speed, const PeriodicOrbit& orbit);
+
+/// The same motion, up to a shift in time, whole turns and exchange of equal balls. Orbits and equilibria are compared
+/// as point sets to 1e-6, the others by their statistics.
+bool same_motion(const model::Parameters& p, const Motion& a, const Motion& b);
+
+/// What a motion is called. Names follow from topology alone (see docs/numerics.md); `id` is fixed for the motions of
+/// two balls that have names of their own (balanced 1, co-drifting 2, drifting apart 3, one captured 4, one captured
+/// with period 4 5, pair drift 6, locked 7) and 0 for all others.
+struct MotionName {
+  std::string name, alias;  ///< alias: V1 to V4 of Wright and Peng (2019), two balls only, else empty
+  int id = 0;
+};
+MotionName motion_name(const model::Parameters& p, const Motion& motion);
+
+}  // namespace equipoise

@@ -1,0 +1,123 @@
+// A motion followed once round, and what the watch of transients makes of it.
+#include "equipoise/motions/motion_figures.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+
+#include "equipoise/base/angles.hpp"
+#include "equipoise/deciding/decision_rule.hpp"
+#include "equipoise/integrate/adaptive-inl.hpp"
+#include "equipoise/model/ball_count.hpp"
+#include "equipoise/model/energy.hpp"
+#include "equipoise/model/flow-inl.hpp"
+#include "equipoise/model/strobe.hpp"
+#include "equipoise/transients/transient_watch.hpp"
+
+namespace equipoise {
+
+namespace {
+namespace kernels = HWY_NAMESPACE;
+
+constexpr double tolerance = 1e-9;      // figures are stored in single precision, 6e-8
+constexpr double least_stretch = 2000;  // of a torus or of chaos
+constexpr double slowest = 1e-9;        // exponents nearer to 0 are those of shifts
+
+TransientSample sample(const model::Parameters& p, double psi, double t, const double* z) {
+  using namespace model::index;
+  const std::array<double, 2> rest = model::rest_position(p, psi), force = model::bearing_force(p, psi, z);
+  const double rx = z[x] - rest[0], ry = z[y] - rest[1];
+  TransientSample s;
+  s.t = t;
+  s.r2 = rx * rx + ry * ry;
+  s.r2_slope = 2.0 * (rx * z[u] + ry * z[v]);
+  s.force2 = force[0] * force[0] + force[1] * force[1];
+  s.velocity2 = z[u] * z[u] + z[v] * z[v];
+  double ux = p.eccentricity, uy = 0.0;
+  for (int i = 0; i < p.balls; ++i) {
+    ux += p.mass[i] * std::cos(z[phi(i)]);
+    uy += p.mass[i] * std::sin(z[phi(i)]);
+  }
+  s.unbalance = std::hypot(ux, uy);
+  return s;
+}
+
+MotionFigures figures_of(const TransientSums& sums) {
+  const TransientWindow& w = sums.window;
+  return {std::sqrt(sums.free_peak), std::sqrt(sums.force_peak), std::sqrt(w.force / w.length),
+          std::sqrt(w.velocity / w.length), w.unbalance / w.length};
+}
+
+// The rotor's angle is 0 where the motion's state holds.
+template <int n>
+MotionFigures followed(const model::Parameters& p, const Motion& motion, double duration) {
+  using Flow = kernels::FreeFlow<double, n, kernels::Terms{}>;
+  const model::Segment segment{0.0, std::numeric_limits<double>::infinity(), 0.0, motion.speed, 0.0, false};
+  TransientSettings settings;
+  settings.window = std::numeric_limits<double>::infinity();
+  TransientWatch watch(settings);
+  std::array<double, Flow::dimension> z;
+  std::copy_n(motion.state.data(), Flow::dimension, z.begin());
+  watch.begin(sample(p, 0.0, 0.0, z.data()));
+  if (duration > 0.0) {
+    const Flow flow(p, segment);
+    kernels::ErrorScale<Flow::dimension> scale;
+    scale.tolerance = tolerance;
+    kernels::set_state_scale<n>(p, 1, scale);
+    kernels::AdaptiveIntegrator<Flow, Flow::dimension> integrator(flow, scale);
+    integrator.advance(0.0, duration, z.data(), [&](double from, double to, auto&& state_at) {
+      std::array<TransientSample, 3> samples;
+      for (std::size_t k = 0; k < samples.size(); ++k) {
+        const double t = k == 2 ? to : from + TransientWatch::nodes[k] * (to - from);
+        std::array<double, Flow::dimension> at;
+        state_at(t, at.data());
+        samples[k] = sample(p, segment.psi_at(t), t, at.data());
+      }
+      watch.step(samples);
+    });
+  }
+  watch.finish();
+  return figures_of(watch.sums());
+}
+
+double stretch(const model::Parameters& p, const Motion& motion) {
+  switch (motion.kind) {
+    case MotionKind::equilibrium:
+      return model::is_strobed(p) ? two_pi / std::fabs(motion.speed) : 0.0;
+    case MotionKind::periodic:
+      return motion.period;
+    default:
+      return std::max(least_stretch, motion.duration);
+  }
+}
+
+bool balanced_exactly(const model::Parameters& p, const Motion& motion) {
+  if (motion.kind != MotionKind::equilibrium || p.gravity != 0.0) return false;
+  constexpr double rounding = 1e-10;  // refined equilibria are good to less
+  return motion.state.head(4).cwiseAbs().maxCoeff() < rounding;
+}
+}  // namespace
+
+MotionFigures motion_figures(const model::Parameters& p, const Motion& motion) {
+  if (balanced_exactly(p, motion)) return {};
+  MotionFigures figures =
+      model::with_ball_count(p.balls, [&](auto n) { return followed<n>(p, motion, stretch(p, motion)); });
+  figures.radial = std::max(figures.radial, motion.r_max);
+  return figures;
+}
+
+KnownEnd known_end(const model::Parameters& p, const Attractor& attractor) {
+  const Motion& motion = attractor.motion;
+  if (motion.kind == MotionKind::measured || motion.state.size() == 0) return {};
+  if (attractor.id == balanced_id && p.gravity == 0.0) return {MotionFigures{}, 0.0};
+  const bool unique = attractor.id != balanced_id || p.balls == 1 || (p.balls == 2 && p.equal_balls());
+  if (unique) return {motion_figures(p, motion), 0.0};
+  constexpr double time_constants = 5.0;  // what is left is below 1 %
+  double rate = 0.0;
+  for (const double exponent : motion.exponents)
+    if (exponent < -slowest && (rate == 0.0 || exponent > -rate)) rate = -exponent;
+  return {std::nullopt, rate > 0.0 ? time_constants / rate : 0.0};
+}
+
+}  // namespace equipoise

@@ -1,0 +1,256 @@
+// Following a trajectory by adaptive DOP853 and gathering what it does from the dense output.
+#include "equipoise/motions/motion_statistics.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "equipoise/integrate/adaptive-inl.hpp"
+#include "equipoise/model/ball_count.hpp"
+#include "equipoise/model/flow-inl.hpp"
+#include "equipoise/model/strobe.hpp"
+
+namespace equipoise {
+
+namespace {
+namespace kernels = HWY_NAMESPACE;
+
+// A state with its rate of change, and what is watched: r^2 and the ball rates, each with its derivative.
+template <int n>
+struct Instant {
+  static constexpr int size = model::dimension(n);
+  double t = 0.0;
+  double z[size], dz[size];
+  double x, y;  // position that r is the length of
+
+  // Of r^2 (0) or of phi_i' (i + 1). What r is measured from rests in fixed axes, so that (u, v) is its rate of change.
+  double half_slope(int watched) const { return watched == 0 ? x * z[2] + y * z[3] : dz[4 + n + watched - 1]; }
+  double value(int watched) const { return watched == 0 ? std::hypot(x, y) : z[4 + n + watched - 1]; }
+  double r_slope() const {
+    const double r = value(0);
+    return r > 0.0 ? half_slope(0) / r : 0.0;
+  }
+};
+
+template <int n, kernels::Terms terms>
+class Gatherer {
+ public:
+  using Flow = kernels::FreeFlow<double, n, terms>;
+  static constexpr int size = Flow::dimension;
+
+  Gatherer(const model::Parameters& p, const Flow& flow, const model::Segment& segment, MotionStatistics& statistics,
+           const double* z)
+      : flow_(flow), segment_(segment), sag_(model::static_sag(p)), statistics_(statistics) {
+    std::copy(z, z + size, last_.z);
+    complete(last_);
+    const bool fresh = statistics.duration == 0.0;
+    for (int i = 0; i < n; ++i) {
+      start_[i] = z[4 + i];
+      if (fresh) statistics.rate_min[i] = statistics.rate_max[i] = z[4 + n + i];
+      for (int j = i + 1; fresh && j < n; ++j) statistics.pair[i][j].begin(z[4 + i] - z[4 + j]);
+    }
+    take_extremes(last_);
+  }
+
+  // Adds one accepted step of the integrator.
+  template <class StateAt>
+  void step(double begin, double end, double spacing, StateAt& state_at) {
+    const int parts = std::max(1, static_cast<int>(std::ceil((end - begin) / spacing)));
+    for (int k = 1; k <= parts; ++k) {
+      Instant<n> now = instant(begin + (end - begin) * k / parts, state_at);
+      for (int watched = 0; watched <= n; ++watched)
+        if (last_.half_slope(watched) * now.half_slope(watched) < 0.0)
+          take_extremes(turning_point(watched, last_, now, state_at));
+      add_interval(now);
+      last_ = now;
+    }
+  }
+
+  void finish(double duration) {
+    statistics_.duration += duration;
+    for (int i = 0; i < n; ++i) statistics_.turned[i] += last_.z[4 + i] - start_[i];
+  }
+
+ private:
+  template <class StateAt>
+  Instant<n> instant(double t, StateAt& state_at) const {
+    Instant<n> result;
+    result.t = t;
+    state_at(t, result.z);
+    complete(result);
+    return result;
+  }
+
+  void complete(Instant<n>& at) const {
+    flow_(at.t, at.z, at.dz);
+    at.x = at.z[0];
+    at.y = at.z[1];
+    if constexpr (terms.gravity) {
+      at.x -= sag_ * std::sin(segment_.psi_at(at.t));
+      at.y -= sag_ * std::cos(segment_.psi_at(at.t));
+    }
+  }
+
+  // Where a slope changes sign, by false position (Illinois): five evaluations leave the time uncertain by less than
+  // 1e-5, to which the extreme is insensitive in first order.
+  template <class StateAt>
+  Instant<n> turning_point(int watched, const Instant<n>& from, const Instant<n>& to, StateAt& state_at) const {
+    double a = from.t, b = to.t, fa = from.half_slope(watched), fb = to.half_slope(watched);
+    Instant<n> middle = to;
+    for (int k = 0; k < 5 && fa != fb; ++k) {
+      middle = instant(a + (b - a) * fa / (fa - fb), state_at);
+      const double f = middle.half_slope(watched);
+      if (f * fb < 0.0) {
+        a = b;
+        fa = fb;
+      } else {
+        fa *= 0.5;
+      }
+      b = middle.t;
+      fb = f;
+      if (f == 0.0) break;
+    }
+    return middle;
+  }
+
+  void take_extremes(const Instant<n>& at) {
+    statistics_.r_min = std::min(statistics_.r_min, at.value(0));
+    statistics_.r_max = std::max(statistics_.r_max, at.value(0));
+    for (int i = 0; i < n; ++i) {
+      statistics_.rate_min[i] = std::min(statistics_.rate_min[i], at.value(i + 1));
+      statistics_.rate_max[i] = std::max(statistics_.rate_max[i], at.value(i + 1));
+    }
+  }
+
+  void add_interval(const Instant<n>& now) {
+    take_extremes(now);
+    const double h = now.t - last_.t;  // trapezium with end correction: fourth order
+    statistics_.r_integral +=
+        0.5 * h * (last_.value(0) + now.value(0)) + h * h / 12.0 * (last_.r_slope() - now.r_slope());
+    for (int i = 0; i < n; ++i) {
+      for (int j = i + 1; j < n; ++j) statistics_.pair[i][j].add(now.z[4 + i] - now.z[4 + j]);
+    }
+  }
+
+  const Flow& flow_;
+  const model::Segment& segment_;
+  const double sag_;
+  MotionStatistics& statistics_;
+  Instant<n> last_;
+  double start_[n];
+};
+
+// Takes angles at equally spaced times, which run on from one stretch to the next.
+template <int n>
+class Recorder {
+ public:
+  Recorder(double speed, MotionStatistics& statistics, const double* z)
+      : spacing_(record_spacing(speed)), before_(statistics.duration), statistics_(statistics) {
+    if (statistics.recorded > 0) return;
+    statistics.angle.fill(AngleRecord(spacing_));
+    take(z);
+  }
+
+  // Up to time `end` of this stretch.
+  template <class StateAt>
+  void step(double end, StateAt& state_at) {
+    double z[model::dimension(n)];
+    for (double t; (t = static_cast<double>(statistics_.recorded) * spacing_ - before_) <= end;) {
+      state_at(t, z);
+      take(z);
+    }
+  }
+
+ private:
+  void take(const double* z) {
+    for (int i = 0; i < n; ++i) statistics_.angle[i].add(z[4 + i]);
+    ++statistics_.recorded;
+  }
+
+  const double spacing_, before_;
+  MotionStatistics& statistics_;
+};
+
+template <int n, kernels::Terms terms>
+IntegrationStatus follow_balls(const model::Parameters& p, double speed, Eigen::VectorXd& z, double duration,
+                               double tolerance, MotionStatistics* statistics, std::vector<Eigen::VectorXd>* samples) {
+  using Flow = kernels::FreeFlow<double, n, terms>;
+  constexpr int size = Flow::dimension;
+  kernels::ErrorScale<size> scale;
+  scale.tolerance = tolerance;
+  kernels::set_state_scale<n>(p, 1, scale);
+  const model::Segment segment{0.0, 0.0, 0.0, speed, 0.0, false};
+  const Flow flow(p, segment);
+  kernels::AdaptiveIntegrator<Flow, size> integrator(flow, scale);
+  if (!statistics && !samples) return integrator.advance(0.0, duration, z.data(), [](double, double, auto&&) {});
+  const double spacing = sample_spacing(speed);
+  MotionStatistics unused;
+  Gatherer<n, terms> gatherer(p, flow, segment, statistics ? *statistics : unused, z.data());
+  Recorder<n> recorder(speed, statistics ? *statistics : unused, z.data());
+  std::size_t next = 1;
+  if (samples) samples->assign(1, z);
+  const IntegrationStatus status = integrator.advance(0.0, duration, z.data(), [&](double t, double t_new, auto at) {
+    gatherer.step(t, t_new, spacing, at);
+    recorder.step(t_new, at);
+    for (; samples && static_cast<double>(next) * spacing <= t_new; ++next) {
+      samples->emplace_back(size);
+      at(static_cast<double>(next) * spacing, samples->back().data());
+    }
+  });
+  gatherer.finish(duration);
+  return status;
+}
+
+}  // namespace
+
+void AngleHistory::add_distance(double angle) {
+  const double distance = std::fabs(angle - two_pi * std::floor(angle / two_pi + 0.5));  // faster than wrapped()
+  farthest = std::max(farthest, distance);
+}
+
+void AngleHistory::add(double angle) {
+  const long from = static_cast<long>(std::floor(last_ / pi)), to = static_cast<long>(std::floor(angle / pi));
+  for (long k = from; k != to;) {
+    const long crossed = to > from ? ++k : k--;
+    if (crossed % 2 != 0) ++passed_pi;
+  }
+  add_distance(last_ = angle);
+}
+
+bool similar(const MotionStatistics& a, const MotionStatistics& b, int n, double share_of_extremes,
+             double share_of_means) {
+  const auto close = [](double f, double g, double within) { return std::fabs(f - g) <= within; };
+  double rate = 0.0;
+  for (int i = 0; i < n; ++i) rate = std::max({rate, std::fabs(b.rate_min[i]), std::fabs(b.rate_max[i])});
+  bool same = close(a.r_max, b.r_max, share_of_extremes * b.r_max) &&
+              close(a.r_min, b.r_min, share_of_extremes * b.r_max) &&
+              close(a.r_mean(), b.r_mean(), share_of_means * b.r_mean());
+  double slowest_a = 0.0, slowest_b = 0.0, fastest_a = 0.0, fastest_b = 0.0, drift_a = 0.0, drift_b = 0.0;
+  for (int i = 0; i < n; ++i) {
+    slowest_a = std::min(slowest_a, a.rate_min[i]);
+    slowest_b = std::min(slowest_b, b.rate_min[i]);
+    fastest_a = std::max(fastest_a, a.rate_max[i]);
+    fastest_b = std::max(fastest_b, b.rate_max[i]);
+    drift_a += a.turned[i] / (a.duration * n);
+    drift_b += b.turned[i] / (b.duration * n);
+  }
+  same = same && close(slowest_a, slowest_b, share_of_extremes * rate) &&
+         close(fastest_a, fastest_b, share_of_extremes * rate) &&
+         close(drift_a, drift_b, share_of_means * rate + two_pi / a.duration);
+  return same;
+}
+
+double record_spacing(double speed) { return 4.0 * sample_spacing(speed); }
+
+double sample_spacing(double speed) { return 0.2 / std::max(1.0, std::fabs(speed)); }
+
+IntegrationStatus follow(const model::Parameters& p, double speed, Eigen::VectorXd& state, double duration,
+                         double tolerance, MotionStatistics* statistics, std::vector<Eigen::VectorXd>* samples) {
+  constexpr kernels::Terms autonomous{false, false, false}, strobed{false, true, true};
+  return model::with_ball_count(p.balls, [&](auto n) {
+    return model::is_strobed(p)
+               ? follow_balls<n, strobed>(p, speed, state, duration, tolerance, statistics, samples)
+               : follow_balls<n, autonomous>(p, speed, state, duration, tolerance, statistics, samples);
+  });
+}
+
+}  // namespace equipoise

@@ -1,0 +1,63 @@
+// What a trajectory does over a stretch of time: extremes and means of the rotor's excursion, how far each ball turned,
+// and how the angles between them moved.
+#pragma once
+
+#include <array>
+#include <limits>
+#include <vector>
+
+#include <Eigen/Dense>
+
+#include "equipoise/base/angles.hpp"
+#include "equipoise/integrate/status.hpp"
+#include "equipoise/model/parameters.hpp"
+#include "equipoise/motions/mean_rate.hpp"
+
+namespace equipoise {
+
+/// The history of one angle, unwrapped: how far from 0 it went (modulo whole turns) and how often it passed pi.
+struct AngleHistory {
+  double farthest = 0.0;  ///< largest |angle modulo 2 pi|, as sampled
+  long passed_pi = 0;     ///< times it passed pi, modulo whole turns
+
+  void begin(double angle) { add_distance(last_ = angle); }
+  void add(double angle);
+
+ private:
+  void add_distance(double angle);
+  double last_ = 0.0;
+};
+
+struct MotionStatistics {
+  double duration = 0.0;
+  double r_min = std::numeric_limits<double>::infinity(), r_max = 0.0;
+  double r_integral = 0.0;                                                ///< of r over time
+  std::array<double, model::max_balls> turned{}, rate_min{}, rate_max{};  ///< change of phi_i; extremes of phi_i'
+  std::array<AngleRecord, model::max_balls> angle;                        ///< phi_i
+  long recorded = 0;                                                      ///< times at which `angle` took one
+  std::array<std::array<AngleHistory, model::max_balls>, model::max_balls> pair;  ///< phi_i - phi_j for i < j
+
+  double r_mean() const { return r_integral / duration; }
+};
+
+/// Two stretches show one motion: largest, smallest and mean r and the extremes of all balls' rates together agree to
+/// `share_of_extremes`, mean r and the mean of all rates to `share_of_means`, each of the largest.
+bool similar(const MotionStatistics& a, const MotionStatistics& b, int balls, double share_of_extremes,
+             double share_of_means);
+
+/// Takes `state` along its trajectory for `duration`; unless the answer is `done` it is left where it was lost. What is
+/// not asked for costs nothing. `statistics`: the stretch is added to it; angles must go on from where those of the
+/// last call ended. Extremes are found to about 1e-8 of their size from the signs of the derivatives at times at most
+/// sample_spacing() apart. `samples` receives the states at the times k sample_spacing(), k = 0, 1, ...
+/// With anisotropic supports or gravity the rotor's angle is 0 at the beginning, and r is measured from where the rotor
+/// would rest under gravity.
+IntegrationStatus follow(const model::Parameters& p, double speed, Eigen::VectorXd& state, double duration,
+                         double tolerance, MotionStatistics* statistics = nullptr,
+                         std::vector<Eigen::VectorXd>* samples = nullptr);
+
+/// Times between the values of MotionStatistics::angle.
+double record_spacing(double speed);
+/// Times between samples: at speed Omega a ball that the rotor leaves behind turns by Omega times this, 0.2 rad.
+double sample_spacing(double speed);
+
+}  // namespace equipoise

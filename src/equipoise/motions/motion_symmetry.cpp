@@ -1,0 +1,182 @@
+// Comparison of motions under exchange of equal balls, shifts in time and whole turns.
+#include "equipoise/motions/motion_symmetry.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <limits>
+#include <numeric>
+#include <vector>
+
+#include "equipoise/model/balanced_state.hpp"
+#include "equipoise/orbits/recurrence.hpp"
+
+namespace equipoise {
+
+namespace {
+
+// From a state to the nearest of a motion's: its curve, or, if it is strobed, its states at strobes.
+std::function<double(const Eigen::VectorXd&)> distance_from(const model::Parameters& p, const Motion& motion) {
+  if (motion.strobed)
+    return [difference = StateDifference(p, motion.speed), nodes = motion.orbit.nodes](const Eigen::VectorXd& state) {
+      double least = std::numeric_limits<double>::infinity();
+      for (const Eigen::VectorXd& node : nodes) least = std::min(least, difference.distance(node, state));
+      return least;
+    };
+  return [curve = OrbitCurve(p, motion.speed, motion.orbit)](const Eigen::VectorXd& state) {
+    return curve.distance(state);
+  };
+}
+
+// Point sets are the same if they come this close. Refined motions are exact to 1e-10 or better and different ones that
+// a study meets lie much farther apart, but for those just born in a bifurcation.
+constexpr double same_point = 1e-6;
+// Measured statistics. On a torus extremes and means settle like 1/duration; chaotic ones scatter (Omega = 2.5,
+// beta = 0.05: r_max by 10 % between stretches of 400).
+constexpr double same_torus = 0.02, same_chaos = 0.1;
+
+using Order = std::array<int, model::max_balls>;  // ball i takes the place of ball order[i]
+
+Eigen::VectorXd exchanged(const Eigen::VectorXd& state, int balls, const Order& order) {
+  Eigen::VectorXd result = state;
+  for (int i = 0; i < balls; ++i) {
+    result[model::index::phi(i)] = state[model::index::phi(order[i])];
+    result[model::index::q(i, balls)] = state[model::index::q(order[i], balls)];
+  }
+  return result;
+}
+
+// Calls visit(order) for every order in which may_replace(i, order[i]) holds throughout, until it returns true.
+bool any_order(int balls, const std::function<bool(int, int)>& may_replace,
+               const std::function<bool(const Order&)>& visit) {
+  Order order{};
+  std::array<bool, model::max_balls> taken{};
+  const std::function<bool(int)> place = [&](int i) {
+    if (i == balls) return visit(order);
+    for (int k = 0; k < balls; ++k) {
+      if (taken[k] || !may_replace(i, k)) continue;
+      taken[k] = true;
+      order[i] = k;
+      if (place(i + 1)) return true;
+      taken[k] = false;
+    }
+    return false;
+  };
+  return place(0);
+}
+
+bool equal_balls(const model::Parameters& p, int i, int k) { return p.mass[i] == p.mass[k] && p.drag[i] == p.drag[k]; }
+
+double largest_rate(const Motion& m, int balls) {
+  double rate = 0.0;
+  for (int i = 0; i < balls; ++i) rate = std::max({rate, std::fabs(m.rate_min[i]), std::fabs(m.rate_max[i])});
+  return rate;
+}
+
+// Ball k of `b` does what ball i of `a` does, to `share` of the largest rate.
+bool same_ball(const Motion& a, int i, const Motion& b, int k, double share, double rate) {
+  const double within = share * rate + 1e-9;
+  return std::fabs(a.drift[i] - b.drift[k]) <= within && std::fabs(a.rate_min[i] - b.rate_min[k]) <= within &&
+         std::fabs(a.rate_max[i] - b.rate_max[k]) <= within;
+}
+
+double sameness(const Motion& m) {
+  return m.kind == MotionKind::chaotic ? same_chaos : m.kind == MotionKind::quasi_periodic ? same_torus : 1e-5;
+}
+
+long factorial(long k) { return k < 2 ? 1 : k * factorial(k - 1); }
+
+}  // namespace
+
+bool is_half_period_exchange(const model::Parameters& p, double speed, const PeriodicOrbit& orbit) {
+  if (p.balls != 2 || !equal_balls(p, 0, 1)) return false;
+  const std::vector<Eigen::VectorXd> halves = sample_orbit(p, speed, orbit, 2);
+  return StateDifference(p, speed).distance(exchanged(halves[0], 2, {1, 0}), halves[1]) < same_point;
+}
+
+int count_copies(const model::Parameters& p, const Motion& motion) {
+  const int n = p.balls;
+  // All members of a continuum of balanced states are one motion, and so are its exchange images.
+  if (motion.kind == MotionKind::equilibrium && is_balanced_continuum(p, motion)) return 1;
+  long images = 1;  // orders of equal balls ...
+  for (int i = 0; i < n; ++i) {
+    bool first = true;
+    long size = 0;
+    for (int k = 0; k < n; ++k) {
+      if (!equal_balls(p, i, k)) continue;
+      first = first && k >= i;
+      ++size;
+    }
+    if (first) images *= factorial(size);
+  }
+  long unchanged = 0;  // ... over those that change nothing
+  const double rate = largest_rate(motion, n);
+  if (motion.kind == MotionKind::periodic) {
+    // Equal balls that move as one may be exchanged at will: of all orders that differ by that only, the one that keeps
+    // them in rising order is tried, and counts for all.
+    long within = 1;
+    for (int i = 0; i < n; ++i) {
+      int place = 1;
+      for (int k = 0; k < i; ++k) place += motion.cluster[k] == motion.cluster[i] && equal_balls(p, i, k);
+      within *= place;
+    }
+    const auto distance = distance_from(p, motion);
+    any_order(
+        n,
+        [&](int i, int k) { return equal_balls(p, i, k) && same_ball(motion, i, motion, k, sameness(motion), rate); },
+        [&](const Order& order) {
+          for (int i = 0; i < n; ++i)
+            for (int k = 0; k < i; ++k)
+              if (motion.cluster[order[k]] == motion.cluster[order[i]] && equal_balls(p, i, k) && order[k] > order[i])
+                return false;
+          if (distance(exchanged(motion.state, n, order)) < same_point) unchanged += within;
+          return false;
+        });
+  } else {
+    const StateDifference difference(p, motion.speed);
+    any_order(
+        n,
+        [&](int i, int k) { return equal_balls(p, i, k) && same_ball(motion, i, motion, k, sameness(motion), rate); },
+        [&](const Order& order) {
+          unchanged += motion.kind != MotionKind::equilibrium ||
+                       difference.distance(exchanged(motion.state, n, order), motion.state) < same_point;
+          return false;
+        });
+  }
+  return static_cast<int>(images / std::max(unchanged, 1L));
+}
+
+bool is_balanced_continuum(const model::Parameters& p, const Motion& motion) {
+  return motion.r_max < same_point && model::balanced_states(p).kind == model::BalancedStates::Kind::family;
+}
+
+bool same_motion(const model::Parameters& p, const Motion& a, const Motion& b) {
+  const int n = p.balls;
+  if (a.speed != b.speed) return false;
+  const auto measured = [](const Motion& m) {
+    return m.kind == MotionKind::quasi_periodic || m.kind == MotionKind::chaotic;
+  };
+  if (a.kind != b.kind && !(measured(a) && measured(b))) return false;
+  const double share = a.kind != b.kind ? same_torus : sameness(a);
+  const auto close = [&](double f, double g) { return std::fabs(f - g) <= share * std::max(a.r_max, b.r_max) + 1e-9; };
+  if (!close(a.r_min, b.r_min) || !close(a.r_mean, b.r_mean) || !close(a.r_max, b.r_max)) return false;
+  const double rate = std::max(largest_rate(a, n), largest_rate(b, n));
+  const auto may_replace = [&](int i, int k) {
+    return equal_balls(p, i, k) && (a.kind == MotionKind::equilibrium || same_ball(b, i, a, k, share, rate));
+  };
+  if (measured(a)) return any_order(n, may_replace, [](const Order&) { return true; });
+  if (a.kind == MotionKind::equilibrium) {
+    if (is_balanced_continuum(p, a) && is_balanced_continuum(p, b)) return true;
+    const StateDifference difference(p, a.speed);
+    return any_order(n, may_replace, [&](const Order& order) {
+      return difference.distance(exchanged(a.state, n, order), b.state) < same_point;
+    });
+  }
+  if (std::fabs(a.period - b.period) > same_point * a.period) return false;
+  // One point in common is enough: orbits that meet are one orbit.
+  const auto distance = distance_from(p, b);
+  return any_order(n, may_replace,
+                   [&](const Order& order) { return distance(exchanged(a.state, n, order)) < same_point; });
+}
+
+}  // namespace equipoise

@@ -1,0 +1,40 @@
+// How a trajectory comes to its motion: what motion_from() knows besides the motion.
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include <Eigen/Dense>
+
+#include "equipoise/integrate/status.hpp"
+#include "equipoise/model/parameters.hpp"
+#include "equipoise/motions/motion.hpp"
+#include "equipoise/orbits/recurrence.hpp"
+
+namespace equipoise {
+
+/// A stable periodic orbit of the system at hand, ready to be recognised.
+struct KnownOrbit {
+  PeriodicOrbit orbit;
+  std::shared_ptr<const OrbitCurve> curve;
+  std::shared_ptr<const Motion> motion;  ///< its description, if there is one already
+};
+
+KnownOrbit known_orbit(const model::Parameters& p, double speed, const PeriodicOrbit& orbit);
+KnownOrbit known_orbit(const model::Parameters& p, double speed, const Motion& motion);
+
+struct Settling {
+  std::optional<Motion> motion;                        ///< empty if the trajectory did not become steady
+  IntegrationStatus status = IntegrationStatus::done;  ///< else the trajectory was lost
+  double time = 0.0;                                   ///< after which the motion was recognised, or all that was
+                                                       ///< followed
+  bool known = false;                                  ///< the motion is one of those that were known
+};
+
+/// What motion_from() does and answers, with more detail. `known`: orbits of this very system; a trajectory that
+/// approaches one of them is not searched for others. The same tests decide in both cases.
+Settling settle(const model::Parameters& p, double speed, const Eigen::VectorXd& state, double patience,
+                const std::vector<KnownOrbit>& known = {});
+
+}  // namespace equipoise

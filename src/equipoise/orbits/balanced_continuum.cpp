@@ -1,0 +1,306 @@
+// Members of a continuum of balanced states, how they attract, and where states near by come to.
+#include "equipoise/orbits/balanced_continuum.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+#include <random>
+
+#include <Eigen/Eigenvalues>
+#include <Eigen/QR>
+
+#include "equipoise/base/angles.hpp"
+#include "equipoise/math/lyapunov.hpp"
+#include "equipoise/model/balanced_state.hpp"
+#include "equipoise/model/linearisation.hpp"
+#include "equipoise/model/strobe.hpp"
+#include "equipoise/orbits/stroboscopic.hpp"
+#include "equipoise/orbits/variational.hpp"
+
+namespace equipoise {
+
+namespace {
+
+using Angles = std::array<double, model::max_balls>;
+using Eigen::Index;
+using Eigen::MatrixXd;
+using Eigen::VectorXd;
+
+// Share of the slowest rate that the form's decay is asked to reach: nearer to 1 it would be all slow directions.
+constexpr double share_of_rate = 0.8;
+// Slower rates are not told from a continuum's zeros, which double precision leaves at 1e-8.
+constexpr double least_rate = 1e-6;
+// Of the map over a strobe: what it is wanted for are its level sets.
+constexpr double map_tolerance = 1e-9;
+// Level sets stay within this of balance, in state_scale(): V is |s|^2 or more.
+constexpr double widest = 0.7;
+
+model::Parameters without_gravity(model::Parameters p) {
+  p.gravity = 0.0;
+  return p;
+}
+
+// The largest real part (of rates) or the rate of the largest multiplier, the `zeros` nearest to zero left out.
+double slowest_of(const Eigen::VectorXcd& eigenvalues, Index zeros, double strobe) {
+  std::vector<std::complex<double>> values(eigenvalues.begin(), eigenvalues.end());
+  const double none = strobe > 0.0 ? 1.0 : 0.0;
+  std::sort(values.begin(), values.end(),
+            [&](const auto& a, const auto& b) { return std::abs(a - none) < std::abs(b - none); });
+  double largest = -1e300;
+  for (std::size_t k = static_cast<std::size_t>(zeros); k < values.size(); ++k)
+    largest =
+        std::max(largest, strobe > 0.0 ? std::log(std::max(1e-300, std::abs(values[k]))) / strobe : values[k].real());
+  return largest;
+}
+
+}  // namespace
+
+BalancedContinuum::BalancedContinuum(const model::Parameters& p, double speed)
+    : p_(p),
+      balanced_(without_gravity(p)),
+      speed_(speed),
+      strobed_(model::is_strobed(p)),
+      dimension_(std::max(p.balls - 2, 1)),
+      scale_(state_scale(p)) {}
+
+// Fills all but `phi` and the form. Gravity moves the centre off the balanced state: Newton's method across the
+// continuum, with the derivative at the balanced state, finds the state that one strobe moves along it only.
+bool BalancedContinuum::settle(ContinuumMember& m) const {
+  m.centre = model::centred_state(p_, m.phi.data());
+  const Index size = scale_.size(), across = size - dimension_;
+  const double strobe = strobed_ ? model::strobe_period(p_, speed_) : 0.0;
+  const auto scaled = [&](const MatrixXd& a) {
+    return MatrixXd(scale_.cwiseInverse().asDiagonal() * a * scale_.asDiagonal());
+  };
+  MatrixXd change;  // the flow's derivative, or the map's less one
+  VectorXd miss = VectorXd::Zero(size);
+  if (strobed_) {
+    const auto flight = follow_derivative(p_, speed_, m.centre, strobe, map_tolerance);
+    if (!flight) return false;
+    change = scaled(flight->tangents) - MatrixXd::Identity(size, size);
+    miss = (flight->end - m.centre).cwiseQuotient(scale_);
+  } else {
+    change = scaled(model::jacobian(p_, speed_, m.centre.data()));
+  }
+  // Range and kernel, of the transpose too, by rank-revealing QR: the zeros are semisimple where the member attracts.
+  const MatrixXd q = Eigen::ColPivHouseholderQR<MatrixXd>(change).householderQ();
+  const MatrixXd kernel = Eigen::ColPivHouseholderQR<MatrixXd>(change.transpose()).householderQ();
+  m.range = q.leftCols(across);
+  m.along = kernel.rightCols(dimension_);
+  const MatrixXd left = q.rightCols(dimension_).transpose();
+  m.left = (left * m.along).partialPivLu().solve(left);
+  m.across = m.range.transpose() * change * m.range;
+  const MatrixXd one = MatrixXd::Identity(across, across);
+  if (p_.gravity != 0.0) {
+    constexpr int most = 8;
+    constexpr double converged = 1e-8;  // of the size of the rotor's deflections
+    const auto solve = m.across.partialPivLu();
+    for (int k = 0;; ++k) {
+      const VectorXd part = m.range.transpose() * (miss - m.along * (m.left * miss));
+      if (part.norm() < converged) break;
+      if (k == most) return false;
+      m.centre -= scale_.cwiseProduct(m.range * solve.solve(part));
+      const auto end = advance_state(p_, speed_, m.centre, strobe);
+      if (!end) return false;
+      miss = (*end - m.centre).cwiseQuotient(scale_);
+    }
+  }
+  if (p_.gravity != 0.0) m.creep = m.along * (m.left * miss) / strobe;
+  m.rate = slowest_of(strobed_ ? (m.across + one).eigenvalues() : m.across.eigenvalues(), 0, strobe);
+  return m.left.allFinite() && std::isfinite(m.rate);
+}
+
+bool BalancedContinuum::shape(ContinuumMember& m) const {
+  if (!(m.rate < -least_rate)) return true;
+  const Index across = scale_.size() - dimension_;
+  const MatrixXd one = MatrixXd::Identity(across, across);
+  const double strobe = strobed_ ? model::strobe_period(p_, speed_) : 0.0;
+  const double decay = -share_of_rate * m.rate;
+  std::optional<MatrixXd> form;
+  if (strobed_)
+    form = solve_stein(std::exp(decay * strobe) * (m.across + one), one);
+  else
+    form = solve_lyapunov(m.across + decay * one, one);
+  if (!form) return false;
+  const Eigen::SelfAdjointEigenSolver<MatrixXd> spectrum(*form, Eigen::EigenvaluesOnly);
+  const double least = spectrum.eigenvalues().minCoeff();
+  if (!(least > 0.0)) return false;
+  m.form = *form / least;
+  m.unit = m.rate * m.rate * least / spectrum.eigenvalues().maxCoeff();
+  return true;
+}
+
+std::optional<ContinuumMember> BalancedContinuum::member(const double* phi) const {
+  ContinuumMember m;
+  std::copy(phi, phi + p_.balls, m.phi.begin());
+  if (!model::project_to_balanced(balanced_, m.phi.data()) || !settle(m) || !shape(m)) return std::nullopt;
+  return m;
+}
+
+std::optional<Angles> BalancedContinuum::moved(Angles phi, const VectorXd& along) const {
+  for (int i = 0; i < p_.balls; ++i) phi[i] += along[model::index::phi(i)];
+  if (!model::project_to_balanced(balanced_, phi.data())) return std::nullopt;
+  return phi;
+}
+
+std::optional<ContinuumMember> BalancedContinuum::destination(const VectorXd& state) const {
+  constexpr int most = 5;
+  constexpr double across = 0.01;  // what may be left along the continuum, of the deviation; V counts it
+  Angles phi{};
+  for (int i = 0; i < p_.balls; ++i) phi[i] = state[model::index::phi(i)];
+  // The form, which costs most, is wanted of the last one only.
+  ContinuumMember m;
+  m.phi = phi;
+  if (!model::project_to_balanced(balanced_, m.phi.data())) return std::nullopt;
+  for (int k = 0; k < most; ++k) {
+    if (!settle(m)) return std::nullopt;
+    const VectorXd d = deviation(m, state);
+    const VectorXd part = m.left * d;
+    if (!(m.rate < -least_rate) || part.norm() <= across * d.norm()) {
+      if (!shape(m)) return std::nullopt;
+      return m;
+    }
+    const auto next = moved(m.phi, m.along * part);
+    if (!next) return std::nullopt;
+    m.phi = *next;
+  }
+  return std::nullopt;
+}
+
+VectorXd BalancedContinuum::deviation(const ContinuumMember& m, const VectorXd& state) const {
+  VectorXd d = state - m.centre;
+  for (int i = 0; i < p_.balls; ++i) d[model::index::phi(i)] = wrapped(d[model::index::phi(i)]);
+  return d.cwiseQuotient(scale_);
+}
+
+double BalancedContinuum::value(const ContinuumMember& m, const VectorXd& state) const {
+  const VectorXd d = deviation(m, state);
+  const VectorXd along = m.left * d;
+  const VectorXd s = m.range.transpose() * (d - m.along * along);
+  return s.dot(m.form * s) + along.squaredNorm();
+}
+
+VectorXd BalancedContinuum::state_at(const ContinuumMember& m, double value, const VectorXd& direction) const {
+  const Eigen::LLT<MatrixXd> factor(m.form);
+  const VectorXd s = std::sqrt(value) * factor.matrixU().solve(direction.normalized());
+  return m.centre + scale_.cwiseProduct(m.range * s);
+}
+
+double BalancedContinuum::level(const ContinuumMember& m, double factor) {
+  return std::min(factor * m.unit, widest * widest);
+}
+
+bool BalancedContinuum::holds(const VectorXd& state, double factor, double slowest_rate) const {
+  const auto m = destination(state);
+  return m && m->rate <= slowest_rate && value(*m, state) < level(*m, factor) &&
+         (p_.gravity == 0.0 || stays(*m, slowest_rate));
+}
+
+// What creeps farther than a radian may end on an orbit of its own, which is then listed and has its own trap.
+bool BalancedContinuum::stays(ContinuumMember m, double slowest_rate) const {
+  constexpr double time = 2e4, step = 0.1;
+  constexpr int most = 10;
+  double left = time;
+  for (int k = 0; k < most; ++k) {
+    const double speed = m.creep.norm();
+    if (speed * left < step) return true;
+    const auto next = moved(m.phi, m.creep * (step / speed));
+    const auto there = next ? member(next->data()) : std::nullopt;
+    if (!there || !(there->rate <= slowest_rate)) return false;
+    left -= step / speed;
+    m = *there;
+  }
+  return false;
+}
+
+// The rate across at a balanced state without all the rest.
+double BalancedContinuum::rate_at(const double* phi) const {
+  const VectorXd centre = model::centred_state(p_, phi);
+  if (!strobed_) return slowest_of(model::jacobian(p_, speed_, centre.data()).eigenvalues(), dimension_, 0.0);
+  const auto flight = follow_derivative(balanced_, speed_, centre, model::strobe_period(p_, speed_), map_tolerance);
+  return flight ? slowest_of(flight->tangents.eigenvalues(), dimension_, model::strobe_period(p_, speed_)) : 1e300;
+}
+
+namespace {
+
+// Ball angles drawn evenly among those that balance to a twentieth of what balls and unbalance could make together,
+// then balanced.
+class Draws {
+ public:
+  explicit Draws(const model::Parameters& p) : p_(p) {}
+
+  bool next(Angles& phi) {
+    constexpr int most = 200000;
+    const double near = 0.05 * (p_.eccentricity + p_.total_mass());
+    for (int k = 0; k < most; ++k) {
+      double x = p_.eccentricity, y = 0.0;
+      for (int i = 0; i < p_.balls; ++i) {
+        phi[i] = angle_(random_);
+        x += p_.mass[i] * std::cos(phi[i]);
+        y += p_.mass[i] * std::sin(phi[i]);
+      }
+      if (std::hypot(x, y) < near && model::project_to_balanced(p_, phi.data())) return true;
+    }
+    return false;
+  }
+
+  // Another one not farther from `phi` than about `distance`.
+  bool beside(Angles& phi, double distance) {
+    for (int i = 0; i < p_.balls; ++i) phi[i] += distance * normal_(random_);
+    return model::project_to_balanced(p_, phi.data());
+  }
+
+ private:
+  const model::Parameters& p_;
+  std::mt19937_64 random_{20190614};
+  std::uniform_real_distribution<double> angle_{0.0, two_pi};
+  std::normal_distribution<double> normal_;
+};
+
+}  // namespace
+
+ContinuumSurvey BalancedContinuum::survey() const {
+  // The share to 1.6 % (a map costs a hundred times a Jacobian: to 4 %), and members enough to try.
+  const int draws = strobed_ ? 128 : 1024;
+  constexpr int enough = 32, seek = 256;
+  ContinuumSurvey result;
+  Draws source(balanced_);
+  std::vector<std::pair<double, Angles>> found;
+  Angles phi{};
+  for (int k = 0; k < draws && source.next(phi); ++k) found.emplace_back(rate_at(phi.data()), phi);
+  if (found.empty()) return result;
+  std::stable_sort(found.begin(), found.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
+  const auto stable = [](const auto& member) { return member.first < -least_rate; };
+  result.drawn = static_cast<int>(found.size());
+  result.stable = static_cast<int>(std::count_if(found.begin(), found.end(), stable));
+  result.typical = found.front().second;
+  if (!stable(found.back())) {
+    result.least_growth = std::max(0.0, found[static_cast<std::size_t>(result.stable)].first);
+    result.most_growth = found.back().first;
+  }
+  // Beside the most attracting ones, ever nearer to the best: where few are stable more, where none is perhaps one.
+  for (int k = 0; k < seek && result.stable < enough; ++k) {
+    const std::size_t from = static_cast<std::size_t>(k) % std::min<std::size_t>(8, found.size());
+    phi = found[from].second;
+    if (!source.beside(phi, 0.3 / (1.0 + k / 64))) continue;
+    const double rate = rate_at(phi.data());
+    if (rate < found[from].first && !stable(found[from]))
+      found[from] = {rate, phi};
+    else if (rate < -least_rate)
+      found.emplace_back(rate, phi);
+  }
+  found.erase(std::remove_if(found.begin(), found.end(), [&](const auto& member) { return !stable(member); }),
+              found.end());
+  std::stable_sort(found.begin(), found.end(), [](const auto& a, const auto& b) { return a.first > b.first; });
+  for (const auto& [rate, angles] : found) {
+    result.members.push_back(angles);
+    result.rates.push_back(rate);
+  }
+  if (found.empty()) return result;
+  result.slowest_rate = found.front().first;
+  result.fastest_rate = found.back().first;
+  result.typical = found[found.size() / 2].second;
+  return result;
+}
+
+}  // namespace equipoise

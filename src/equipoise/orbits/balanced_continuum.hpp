@@ -1,0 +1,104 @@
+// Continua of balanced states (three balls or more, or two equal balls without unbalance): which part of one attracts,
+// and which of its members a state near by comes to.
+#pragma once
+
+#include <array>
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include <Eigen/Dense>
+
+#include "equipoise/model/parameters.hpp"
+
+namespace equipoise {
+
+/// One member: the equilibrium, or of anisotropic supports the fixed point of the stroboscopic map. Gravity leaves
+/// slow motion along the continuum: the member is then the state at a strobe that the map moves along it only.
+/// Matrices in units of state_scale(). Deviations are split by the invariant subspaces of the linearised equations:
+/// d = along left d + range range^T (d - along left d).
+struct ContinuumMember {
+  std::array<double, model::max_balls> phi{};  ///< ball angles of the balanced state
+  Eigen::VectorXd centre;
+  double rate = 0.0;  ///< largest real part across the continuum; stable across if negative
+  Eigen::MatrixXd along,
+      left;                ///< the continuum's own directions, columns; left eigenvectors that belong to them, rows
+  Eigen::MatrixXd range;   ///< orthonormal basis of the invariant subspace across
+  Eigen::MatrixXd across;  ///< the linearised equations in it: d/dt, or of the map less one
+  Eigen::MatrixXd form;    ///< P on that; V falls at least as e^(1.6 rate t) near by, and is |s|^2 or more
+  /// Of V. Where terms of second order begin to matter goes like this from one member to another.
+  double unit = 0.0;
+  Eigen::VectorXd creep;  ///< velocity along the continuum (size 0: none): what gravity leaves of it is not at rest
+};
+
+/// Which part of a continuum attracts: members drawn evenly among all ball angles that balance.
+struct ContinuumPart {
+  int drawn = 0, stable = 0;                      ///< stable across the continuum
+  double slowest_rate = 0.0, fastest_rate = 0.0;  ///< range of the slowest rate of stable members (negative)
+  double least_growth = 0.0, most_growth = 0.0;   ///< range of the growth rates of the others
+  double share() const { return drawn ? static_cast<double>(stable) / drawn : 0.0; }
+};
+
+/// The same with the members themselves.
+struct ContinuumSurvey : ContinuumPart {
+  bool attracts() const { return !members.empty(); }
+  /// Stable ones, the slowest first. Where few or none of those drawn are stable, more were sought.
+  std::vector<std::array<double, model::max_balls>> members;
+  std::vector<double> rates;  ///< theirs
+  std::array<double, model::max_balls>
+      typical{};  ///< of the stable ones the median by rate, of none the slowest to grow
+};
+
+class BalancedContinuum {
+ public:
+  BalancedContinuum(const model::Parameters& p, double speed);
+
+  /// The member at ball angles near `phi`. Empty where there is none or the linearisation has more zeros than the
+  /// continuum explains. Without `form` if it is unstable across.
+  std::optional<ContinuumMember> member(const double* phi) const;
+  /// The member that the trajectory from `state` comes to, to second order in the distance: deviations from it have no
+  /// part along the continuum. With anisotropic supports or gravity `state` is one at a strobe.
+  std::optional<ContinuumMember> destination(const Eigen::VectorXd& state) const;
+
+  /// V of a state about a stable member.
+  double value(const ContinuumMember& member, const Eigen::VectorXd& state) const;
+  /// The state with V = `value` in the direction of a vector of directions() numbers.
+  Eigen::VectorXd state_at(const ContinuumMember& member, double value, const Eigen::VectorXd& direction) const;
+  Eigen::Index directions() const { return scale_.size() - dimension_; }
+
+  /// The level that `factor` gives a member.
+  static double level(const ContinuumMember& member, double factor);
+  /// The state's destination approaches at `slowest_rate` (negative) or faster, and V lies below its level. Under
+  /// gravity that holds all along the way that the destination creeps in 20 000 units of time.
+  bool holds(const Eigen::VectorXd& state, double factor, double slowest_rate) const;
+
+  ContinuumSurvey survey() const;
+
+ private:
+  bool settle(ContinuumMember& member) const;
+  bool shape(ContinuumMember& member) const;
+  bool stays(ContinuumMember member, double slowest_rate) const;
+  double rate_at(const double* phi) const;
+  std::optional<std::array<double, model::max_balls>> moved(std::array<double, model::max_balls> phi,
+                                                            const Eigen::VectorXd& along) const;
+
+  Eigen::VectorXd deviation(const ContinuumMember& member, const Eigen::VectorXd& state) const;
+
+  model::Parameters p_, balanced_;  // as given; without gravity
+  double speed_;
+  bool strobed_;
+  Eigen::Index dimension_;
+  Eigen::VectorXd scale_;
+};
+
+/// Level sets around all members that approach fast enough, with a level that was tried (traps/validated_level.hpp).
+struct ContinuumTrap {
+  std::shared_ptr<const BalancedContinuum> continuum;
+  double factor = 0.0;        ///< of every member's unit of V
+  double slowest_rate = 0.0;  ///< of the members that were tried (negative): slower ones catch nothing
+  double reach = 0.0;         ///< velocities, x, y and imbalance of every state inside are below this
+
+  bool holds(const Eigen::VectorXd& state) const { return continuum->holds(state, factor, slowest_rate); }
+};
+
+}  // namespace equipoise

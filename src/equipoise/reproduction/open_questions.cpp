@@ -1,0 +1,101 @@
+// Stated choices for three questions, and their answers by maps and ensembles.
+#include "equipoise/reproduction/open_questions.hpp"
+
+#include <array>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "equipoise/base/angles.hpp"
+#include "equipoise/basins/basin.hpp"
+#include "equipoise/discovery/discovery.hpp"
+#include "equipoise/literature/paper_rotor.hpp"
+#include "equipoise/maps/plane_map.hpp"
+
+namespace equipoise {
+
+namespace {
+
+constexpr std::array speeds{2.0, 2.2, 2.4, 3.0, 4.0, 5.0};
+
+Study rotor_at(double speed) {
+  Study study = paper_rotor();
+  study.name = fmt::format("future work at speed {}", speed);
+  study.speed.speed = speed;
+  return study;
+}
+
+SamplingBox stated_box() {
+  SamplingBox box;
+  box.x = box.y = {-0.2, 0.2};
+  box.x_dot = box.y_dot = {-0.5, 0.5};
+  box.phi_dot = {-2.4, 2.4};
+  return box;
+}
+
+bool stopped(const OpenQuestionSettings& s) { return s.stop && s.stop->load(std::memory_order_relaxed); }
+
+PlaneMap mapped(const Study& study, const OpenQuestionSettings& settings, const std::string& part, const MapAxis& x,
+                const MapAxis& y, const std::vector<AngleLink>& links) {
+  PlaneMapSettings map;
+  map.x = x;
+  map.y = y;
+  map.links = links;
+  map.threads = settings.threads;
+  map.stop = settings.stop;
+  if (settings.progress)
+    map.progress = [&](std::size_t done, std::size_t total) {
+      settings.progress(part, static_cast<double>(done) / static_cast<double>(total));
+    };
+  return plane_map(study, map);
+}
+
+BasinResult sampled(Study study, const SamplingBox& box, const OpenQuestionSettings& settings,
+                    DiscoveryCache& discoveries, const std::string& file, const std::string& part) {
+  study.sampling.starts = settings.starts;
+  study.sampling.seed = settings.seed;
+  study.sampling.box = box;
+  BasinOptions options;
+  options.threads = settings.threads;
+  options.stop = settings.stop;
+  options.discoveries = &discoveries;
+  if (!settings.folder.empty())
+    options.output = fmt::format("{}/{}-speed-{}.nc", settings.folder, file, study.speed.speed);
+  if (settings.progress)
+    options.progress = [&](const BasinProgress& now) {
+      settings.progress(part, static_cast<double>(now.done) / static_cast<double>(now.total));
+    };
+  return basin(study, options);
+}
+
+}  // namespace
+
+OpenQuestions open_questions(const OpenQuestionSettings& settings) {
+  const int pixels = settings.map_pixels;
+  const MapAxis angle{"initial.phi_1", 0.0, two_pi, pixels};
+  OpenQuestions result;
+  result.eccentricity_and_angle = mapped(rotor_at(2.4), settings, "map of eccentricity and angle",
+                                         {"rotor.eccentricity", 0.0, 0.12, pixels}, angle, {{2, 1, pi}});
+  Study opposite = rotor_at(2.4);
+  opposite.initial.phi[0] = -0.5 * pi;
+  opposite.initial.phi[1] = 0.5 * pi;
+  result.eccentricity_and_mass =
+      mapped(opposite, settings, "map of eccentricity and mass", {"rotor.eccentricity", 0.0, 0.1, pixels},
+             {"balancer.mass", 0.0, 0.1, pixels}, {});
+  result.complete = result.eccentricity_and_angle.complete && result.eccentricity_and_mass.complete;
+  for (const double speed : speeds) {
+    if (stopped(settings)) break;
+    BoxShares shares{speed, {}, {}};
+    DiscoveryCache discoveries;  // both samples end at one speed
+    shares.box =
+        sampled(rotor_at(speed), stated_box(), settings, discoveries, "box", fmt::format("box at speed {}", speed));
+    shares.rest =
+        sampled(rotor_at(speed), {}, settings, discoveries, "rest", fmt::format("starts at rest at speed {}", speed));
+    result.complete = result.complete && !shares.box.partial && !shares.rest.partial;
+    result.boxes.push_back(std::move(shares));
+  }
+  result.complete = result.complete && result.boxes.size() == speeds.size();
+  return result;
+}
+
+}  // namespace equipoise

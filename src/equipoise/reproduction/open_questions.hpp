@@ -1,0 +1,32 @@
+// The questions that Wright and Peng (2019) leave to future work: how eccentricity and ball mass change where the balls
+// end, and what becomes of starts that are not at rest.
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <string>
+
+#include "equipoise/base/error.hpp"
+#include "equipoise/reproduction/open_questions_result.hpp"
+
+namespace equipoise {
+
+struct OpenQuestionSettings {
+  int map_pixels = 64;           ///< along each side of both maps; a pixel takes 10 to 25 ms on the mean
+  std::uint64_t starts = 20000;  ///< a sample, two samples a speed
+  std::uint64_t seed = 1;
+  int threads = 0;     ///< 0: all cores
+  std::string folder;  ///< an existing folder for per-start results of the samples (NetCDF), resumed; empty: none
+  const StopFlag* stop = nullptr;
+  std::function<void(const std::string& part, double share)> progress;  ///< from any thread, never from two at once
+};
+
+/// The rotor of the paper's section 4 (zeta = 0.5, mu = beta = 0.05, lambda = 0.01) at constant speed 2.4, balls free
+/// and all at rest in the rotating frame, unless a question varies it. The box of the third question: |x|, |y| <= 0.2,
+/// |x'|, |y'| <= 0.5, |phi_i'| <= 2.4, any ball angles. The paper names no set of states, and the whole space has no
+/// uniform distribution. The box takes in the motions that starts at rest come to at these speeds (r up to 0.15, x' to
+/// 0.25, ball rates to -2.38), rotors held further out, and balls from rest in the fixed frame at speed 2.4 to as fast
+/// again ahead of the rotor. Shares depend on it.
+OpenQuestions open_questions(const OpenQuestionSettings& settings = {});
+
+}  // namespace equipoise

@@ -1,0 +1,236 @@
+// The reproduced paper for the terminal and as JSON.
+#include "equipoise/reproduction/reproduction.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include "equipoise/base/version.hpp"
+#include "equipoise/report/basin_report.hpp"
+#include "equipoise/report/text.hpp"
+#include "equipoise/reproduction/reproduction_words.hpp"
+
+namespace equipoise {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+Json ensemble_json(const std::optional<EnsembleResult>& e) {
+  if (!e) return nullptr;
+  Json outcomes = Json::array();
+  for (const EnsembleResult::Line& line : e->attractors) {
+    Json one{{"name", line.name}, {"alias", line.alias}};
+    one.update(share_json(line.share));
+    outcomes.push_back(one);
+  }
+  return {{"starts", e->starts},
+          {"seed", e->seed},
+          {"complete", e->complete},
+          {"outcomes", outcomes},
+          {"undecided", share_json(e->undecided)},
+          {"diverged", share_json(e->diverged)},
+          {"failed", share_json(e->failed)},
+          {"seconds", e->seconds},
+          {"cpu_seconds", e->cpu_seconds}};
+}
+
+Json difference_json(const ShareDifference& d) {
+  return {{"difference", d.difference}, {"low", d.low}, {"high", d.high}};
+}
+
+Json cell_json(const ReproducedCell& c) {
+  return {{"attractor", c.published->attractor},   {"printed", c.published->printed},
+          {"published", c.published->share.share}, {"published_starts", c.published->share.starts},
+          {"computed", share_json(c.computed)},    {"p_value", c.p_value},
+          {"verdict", name_of(c.verdict)},         {"reason", c.reason}};
+}
+
+Json table_json(const ReproducedTable& t) {
+  Json rows = Json::array();
+  for (const ReproducedRow& row : t.rows) {
+    Json cells = Json::array();
+    for (const ReproducedCell& c : row.cells) cells.push_back(cell_json(c));
+    rows.push_back(
+        {{"row", row.published->label},
+         {"study", row.published->study + ".toml"},
+         {"slip", row.published->slip},
+         {"follow_up", row.follow_up},
+         {"cells", cells},
+         {"published_law", ensemble_json(row.by_published_law)},
+         {"kinematic_law", ensemble_json(row.by_kinematic_law)},
+         {"kinematic_minus_published", row.law_difference ? difference_json(*row.law_difference) : Json(nullptr)}});
+  }
+  return {{"table", t.published->number},
+          {"title", t.published->title},
+          {"agrees", t.agreeing},
+          {"differs", t.differing},
+          {"not_comparable", t.not_comparable},
+          {"p_value_limit", t.single_limit},
+          {"rows", rows}};
+}
+
+Json map_json(const PlaneMap& map) {
+  Json codes = Json::array();
+  for (const MapCode& c : map.codes) {
+    Json one{{"name", c.name}, {"alias", c.alias}};
+    one.update(share_json(c.share));
+    codes.push_back(one);
+  }
+  return {{"x", map.x.key}, {"y", map.y.key}, {"pixels", {map.x.pixels, map.y.pixels}}, {"outcomes", codes}};
+}
+
+Json open_json(const OpenQuestions& open) {
+  Json boxes = Json::array();
+  for (const BoxShares& b : open.boxes)
+    boxes.push_back(
+        {{"speed", b.speed}, {"box", Json::parse(basin_json(b.box))}, {"rest", Json::parse(basin_json(b.rest))}});
+  return {{"maps", {map_json(open.eccentricity_and_angle), map_json(open.eccentricity_and_mass)}}, {"boxes", boxes}};
+}
+
+Json answer_json(const ConclusionResult& c) {
+  Json differences = Json::array();
+  for (const ShareDifference& d : c.differences) differences.push_back(difference_json(d));
+  return {{"answer", name_of(c.answer)}, {"differences", differences}};
+}
+
+std::string cell_line(const ReproducedRow& row, const ReproducedCell& c, bool first) {
+  const auto& computed = row.by_published_law;
+  const std::string kinematic = row.by_kinematic_law && row.by_kinematic_law->starts > 0
+                                    ? percentage(row.by_kinematic_law->share_of(c.published->attractor))
+                                    : "";
+  const bool known = computed && computed->starts > 0;
+  return fmt::format("{:<26}{:<9}{:>9} {:>9}  {:<20}{:>8}{:>10}  {}\n", first ? row.published->label : "",
+                     c.published->attractor, printed_percentage(*c.published), known ? percentage(c.computed) : "-",
+                     known ? interval(c.computed) : "-", known ? p_value_text(c.p_value) : "-", kinematic,
+                     c.verdict == Verdict::agrees ? "" : verdict_text(c));
+}
+
+std::string table_text(const ReproducedTable& t) {
+  std::string text = fmt::format("Table {}: {}\n", t.published->number, t.published->title);
+  text += fmt::format("{:<26}{:<9}{:>9} {:>9}  {:<20}{:>8}{:>10}\n", "row", "motion", "printed", "computed",
+                      "95 % interval", "p", t.published->ramps ? "kinematic" : "");
+  std::uint64_t undecided = 0, lost = 0, starts = 0;
+  for (const ReproducedRow& row : t.rows) {
+    bool first = true;
+    for (const ReproducedCell& c : row.cells) {
+      if (c.published->share.share == 0.0 && c.computed.count == 0 && c.published->attractor != "balanced") continue;
+      text += cell_line(row, c, first);
+      first = false;
+    }
+    for (const auto* e : {&row.by_published_law, &row.by_kinematic_law})
+      if (*e) {
+        undecided += (*e)->undecided.count;
+        lost += (*e)->diverged.count + (*e)->failed.count;
+        starts += (*e)->starts;
+      }
+  }
+  text += fmt::format(
+      "{} cells agree, {} differ{}, {} not comparable; {} of the judged below p = 0.01 ({:.1f} expected by chance). "
+      "{} starts, {} undecided, {} lost.\n\n",
+      t.agreeing, t.differing, t.differing == 1 ? "s" : "", t.not_comparable, t.below_one_percent,
+      0.01 * (t.agreeing + t.differing), starts, undecided, lost);
+  return text;
+}
+
+std::string lead_text(const Reproduction& r) {
+  if (r.table_7_lead.empty()) return "";
+  std::string text =
+      "Table 7, the best lead (docs/table-7.md; fitted to the printed shares, not claimed): kinematic law, balls "
+      "released at 2.2, balanced if r < 0.00134 from t = 630 to 730\n";
+  for (const LeadRow& row : r.table_7_lead)
+    text += fmt::format("  {:<22}{:>9.2f} {:>9}  {:<20}\n", row.label, row.printed, percentage(row.balanced),
+                        interval(row.balanced));
+  return text + "\n";
+}
+
+std::string open_text(const OpenQuestions& open) {
+  std::string text = "Open questions: balanced share of starts in a box of the whole state space, and at rest\n";
+  for (const BoxShares& b : open.boxes) {
+    const Share box = b.box.attractors.front().share, rest = b.rest.attractors.front().share;
+    text += fmt::format("  Omega {:<4} box {:>6} ({}), at rest {:>6} ({})\n", b.speed, percentage(box), interval(box),
+                        percentage(rest), interval(rest));
+  }
+  for (const auto& [name, map] :
+       {std::pair{"(lambda, phi_1)", &open.eccentricity_and_angle}, {"(lambda, mu)", &open.eccentricity_and_mass}})
+    text += fmt::format("  plane {}, {} x {} pixels: {}\n", name, map->x.pixels, map->y.pixels, codes_text(*map));
+  return text + "\n";
+}
+
+std::string conclusions_text(const Reproduction& r) {
+  std::string text;
+  for (const ConclusionRow& row : r.conclusions) {
+    if (row.published.answer == ConclusionResult::Answer::not_asked &&
+        row.kinematic.answer == ConclusionResult::Answer::not_asked)
+      continue;
+    text += fmt::format("  {} (table {}).\n    published law: {}; kinematic law: {}\n", row.conclusion->text,
+                        row.conclusion->table, answer_text(row.published), answer_text(row.kinematic));
+  }
+  return text.empty() ? ""
+                      : "What the printed numbers say, asked of both speed laws (differences of balanced shares in "
+                        "points, 99 %, common starts):\n" +
+                            text + "\n";
+}
+
+}  // namespace
+
+bool Reproduction::differs() const {
+  return std::any_of(tables.begin(), tables.end(), [](const ReproducedTable& t) { return t.differing > 0; });
+}
+
+std::string reproduction_text(const Reproduction& r) {
+  std::string text;
+  for (const ReproducedTable& t : r.tables) text += table_text(t);
+  text += lead_text(r) + conclusions_text(r);
+  if (r.open) text += open_text(*r.open);
+  if (!r.tables.empty()) {
+    text += summary_text(r);
+    text += fmt::format("{} ensembles, {} starts: {:.0f} s, {:.0f} s CPU on {} thread{} ({}).\n", r.ensembles, r.starts,
+                        r.seconds, r.cpu_seconds, r.threads, r.threads == 1 ? "" : "s", r.cpu_target);
+  }
+  text += fmt::format("This run, all else included: {:.0f} s, {:.0f} s CPU; equipoise {}\n", r.run_seconds,
+                      r.run_cpu_seconds, version_string);
+  for (const Picture& p : r.pictures) text += fmt::format("{}: {}\n", p.title, p.path);
+  if (r.partial) text += "PARTIAL: stopped before all was done.\n";
+  return text;
+}
+
+std::string reproduction_json(const Reproduction& r) {
+  Json tables = Json::array(), conclusions = Json::array(), pictures = Json::array();
+  for (const ReproducedTable& t : r.tables) tables.push_back(table_json(t));
+  for (const ConclusionRow& c : r.conclusions)
+    conclusions.push_back({{"conclusion", c.conclusion->text},
+                           {"table", c.conclusion->table},
+                           {"published_law", answer_json(c.published)},
+                           {"kinematic_law", answer_json(c.kinematic)}});
+  for (const Picture& p : r.pictures) pictures.push_back({{"id", p.id}, {"title", p.title}, {"path", p.path}});
+  Json lead = Json::array();
+  for (const LeadRow& row : r.table_7_lead) {
+    Json one{{"row", row.label}, {"printed", row.printed}};
+    one.update(share_json(row.balanced));
+    lead.push_back(one);
+  }
+  const Json json{{"command", r.command},
+                  {"version", version_string},
+                  {"citation", published_citation},
+                  {"partial", r.partial},
+                  {"differs", r.differs()},
+                  {"tables", tables},
+                  {"table_7_lead", lead},
+                  {"conclusions", conclusions},
+                  {"open_questions", r.open ? open_json(*r.open) : Json(nullptr)},
+                  {"pictures", pictures},
+                  {"run_seconds", r.run_seconds},
+                  {"run_cpu_seconds", r.run_cpu_seconds},
+                  {"ensembles", r.ensembles},
+                  {"starts", r.starts},
+                  {"seconds", r.seconds},
+                  {"cpu_seconds", r.cpu_seconds},
+                  {"threads", r.threads},
+                  {"cpu_target", r.cpu_target}};
+  return json.dump(2) + "\n";
+}
+
+}  // namespace equipoise

@@ -1,0 +1,13 @@
+// The reproduced paper as a report.
+#pragma once
+
+#include "equipoise/drawing/document.hpp"
+#include "equipoise/reproduction/reproduction.hpp"
+
+namespace equipoise {
+
+/// Verdicts first, then the comparison of laws, every table, the figures, the open questions, and the settings behind
+/// every number. Pictures are taken from r.pictures by their identifiers ("table-3", "figure-transients").
+Document reproduction_document(const Reproduction& r);
+
+}  // namespace equipoise

@@ -1,0 +1,27 @@
+// Words and numbers that every form of a reproduction shares.
+#pragma once
+
+#include <string>
+
+#include "equipoise/reproduction/reproduction.hpp"
+
+namespace equipoise {
+
+/// A share in percent without the sign, with the digits that the print has or that small counts need: "60.40".
+std::string percentage(const Share& s);
+/// The printed number as a percentage: fractions of one are converted and marked.
+std::string printed_percentage(const PublishedCell& cell);
+std::string p_value_text(double p);
+/// "differs", "not comparable: the printed row sums to 100.07".
+std::string verdict_text(const ReproducedCell& cell);
+/// "+19.8 (19.4 to 20.2)": points.
+std::string difference_text(const ShareDifference& d);
+/// "holds: +19.8 (19.4 to 20.2)"; with several contrasts the smallest and the largest.
+std::string answer_text(const ConclusionResult& c);
+/// One line a table: cells agreeing, differing, not comparable.
+std::string summary_text(const Reproduction& r);
+
+/// Shares of the motions of a map, the largest first.
+std::string codes_text(const PlaneMap& map);
+
+}  // namespace equipoise

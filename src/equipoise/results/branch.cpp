@@ -1,0 +1,92 @@
+// Names of what happens on a branch, its ranges, its numbers.
+#include "equipoise/results/branch.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "equipoise/motions/motion_description.hpp"
+
+namespace equipoise {
+
+const char* name_of(BranchChange change) {
+  switch (change) {
+    case BranchChange::birth:
+      return "birth";
+    case BranchChange::death:
+      return "death";
+    case BranchChange::stability_gained:
+      return "stability gained";
+    case BranchChange::stability_lost:
+      return "stability lost";
+    default:
+      return "kind";
+  }
+}
+
+const char* name_of(BranchCause cause) {
+  switch (cause) {
+    case BranchCause::fold:
+      return "fold";
+    case BranchCause::pitchfork:
+      return "pitchfork";
+    case BranchCause::period_doubling:
+      return "period doubling";
+    case BranchCause::neimark_sacker:
+      return "Neimark-Sacker";
+    case BranchCause::hopf:
+      return "Hopf";
+    case BranchCause::torus_to_chaos:
+      return "torus to chaos";
+    case BranchCause::chaos_to_torus:
+      return "chaos to torus";
+    case BranchCause::to_periodic:
+      return "to periodic";
+    case BranchCause::from_periodic:
+      return "from periodic";
+    case BranchCause::attraction_ends:
+      return "no longer attracting";
+    default:
+      return "unresolved";
+  }
+}
+
+std::vector<ValueRange> ranges_of(const Branch& branch) {
+  std::vector<ValueRange> ranges;
+  for (const BranchPoint& point : branch.points) {
+    if (!ranges.empty() && ranges.back().stable == point.motion.stable)
+      ranges.back().end = point.value;
+    else
+      ranges.push_back({point.value, point.value, point.motion.stable});
+  }
+  std::size_t cut = 0;
+  for (const BranchEvent& e : branch.events) {
+    if (e.change == BranchChange::birth) ranges.front().begin = e.middle();
+    if (e.change == BranchChange::death) ranges.back().end = e.middle();
+    if (e.change == BranchChange::stability_gained || e.change == BranchChange::stability_lost) {
+      if (cut + 1 < ranges.size()) ranges[cut].end = ranges[cut + 1].begin = e.middle();
+      ++cut;
+    }
+  }
+  return ranges;
+}
+
+double growth_rate(const Motion& motion) {
+  double rate = -std::numeric_limits<double>::infinity();
+  if (motion.kind == MotionKind::equilibrium) {
+    for (const auto& value : motion.spectrum)
+      if (std::abs(value) >= zero_eigenvalue) rate = std::max(rate, value.real());
+    return rate;
+  }
+  if (motion.kind == MotionKind::periodic) return std::log(largest_multiplier(motion)) / motion.period;
+  const std::size_t zeros = motion.kind == MotionKind::quasi_periodic ? 2 : 0;
+  return motion.exponents.size() > zeros ? motion.exponents[zeros] : std::numeric_limits<double>::quiet_NaN();
+}
+
+double largest_multiplier(const Motion& motion) {
+  if (motion.kind != MotionKind::periodic || motion.spectrum.size() < 2)
+    return std::numeric_limits<double>::quiet_NaN();
+  return std::abs(motion.spectrum[1]);
+}
+
+}  // namespace equipoise

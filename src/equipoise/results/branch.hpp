@@ -1,0 +1,72 @@
+// Attractors followed along a parameter: branches of one motion each, and what happens on them.
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+#include "equipoise/motions/motion.hpp"
+
+namespace equipoise {
+
+/// A motion at one of the parameter's values.
+struct BranchPoint {
+  std::size_t at = 0;  ///< index of the value
+  double value = 0.0;
+  Motion motion;
+};
+
+enum class BranchChange { birth, death, stability_gained, stability_lost, kind };
+/// "birth", "death", "stability gained", "stability lost", "kind".
+const char* name_of(BranchChange change);
+
+/// Why a branch changes. Multipliers are those of periodic motions, eigenvalues those of equilibria.
+enum class BranchCause {
+  fold,             ///< one multiplier is 1 (one eigenvalue 0) and the motion meets an unstable twin
+  pitchfork,        ///< the same in a motion that exchange of balls maps onto itself
+  period_doubling,  ///< one multiplier is -1
+  neimark_sacker,   ///< a complex pair of multipliers has modulus 1
+  hopf,             ///< a pair of eigenvalues is imaginary
+  torus_to_chaos,   ///< as the parameter grows; the next ones likewise
+  chaos_to_torus,
+  to_periodic,  ///< a torus or chaos gives way to a periodic motion
+  from_periodic,
+  attraction_ends,  ///< trajectories leave a torus or chaos for another motion
+  unresolved,       ///< the motion could not be followed farther
+};
+/// "fold", "pitchfork", "period doubling" and so on.
+const char* name_of(BranchCause cause);
+
+/// Something that happens to a branch between two parameter values.
+struct BranchEvent {
+  int id = 0;
+  BranchChange change = BranchChange::birth;
+  BranchCause cause = BranchCause::unresolved;
+  double low = 0.0, high = 0.0;                   ///< it happens between these
+  double r_min = 0.0, r_mean = 0.0, r_max = 0.0;  ///< of the branch at the side where it exists, or of the lower one
+  double middle() const { return 0.5 * (low + high); }
+};
+
+/// One attractor, with its unstable parts.
+struct Branch {
+  int id = 0;
+  std::string name, alias;
+  std::vector<BranchPoint> points;  ///< by value
+  std::vector<BranchEvent> events;  ///< by value
+};
+
+/// A stretch of parameter values.
+struct ValueRange {
+  double begin = 0.0, end = 0.0;
+  bool stable = false;
+};
+/// The branch cut where it gains or loses stability, from its birth (or first value) to its death (or last value).
+std::vector<ValueRange> ranges_of(const Branch& branch);
+
+/// How fast the slowest deviation grows: the largest real part of an eigenvalue, log|multiplier| / period, or Lyapunov
+/// exponent; the shift in time and shifts along a continuum of balanced states are left out, for a torus both zeros.
+double growth_rate(const Motion& motion);
+/// Largest modulus of a Floquet multiplier but the shift in time; not a number for motions that are not periodic.
+double largest_multiplier(const Motion& motion);
+
+}  // namespace equipoise

@@ -1,0 +1,83 @@
+// From a study's initial values to a state of the equations; from a start's index to its initial values.
+#pragma once
+
+#include <algorithm>
+#include <cstdint>
+
+#include "equipoise/base/angles.hpp"
+#include "equipoise/sampling/sampling.hpp"
+#include "equipoise/study/study.hpp"
+
+namespace equipoise {
+
+/// Writes dimension(balls) numbers: the state `s` at rotor speed `speed` (psi' at t = 0).
+inline void initial_state(const InitialState& s, int balls, double speed, double* z) {
+  z[model::index::x] = s.x;
+  z[model::index::y] = s.y;
+  z[model::index::u] = s.x_dot - speed * s.y;
+  z[model::index::v] = s.y_dot + speed * s.x;
+  for (int i = 0; i < balls; ++i) {
+    z[model::index::phi(i)] = s.phi[i];
+    z[model::index::q(i, balls)] = s.phi_dot[i];
+  }
+}
+
+/// Whether exchanging balls changes no start's probability and no start's fate but for the balls' names: equal balls,
+/// which start alike. Their angles, and rates in a box, are drawn alike in any case.
+inline bool balls_exchange(const Study& study) {
+  const auto& rates = study.initial.phi_dot;
+  bool alike = study.parameters.equal_balls();
+  for (int i = 1; i < study.parameters.balls && !study.sampling.box.phi_dot; ++i) alike = alike && rates[i] == rates[0];
+  return alike;
+}
+
+/// What draws the starts of `study`.
+inline Sampler sampler_of(const Study& study) {
+  return {study.sampling.method.value_or(SamplingMethod::random), study.parameters.balls, study.sampling.starts,
+          balls_exchange(study)};
+}
+
+/// From angles drawn evenly to angles of balls that do not overlap, drawn evenly among all such: the gaps beyond
+/// touching are those of the angles drawn, shrunk to the room that the balls leave.
+inline void make_room(const model::Parameters& p, double* phi) {
+  const double room = (two_pi - p.balls * p.contact_angle) / two_pi;
+  int place[model::max_balls];
+  for (int i = 1; i < p.balls; ++i) {
+    place[i] = 1;
+    for (int j = 1; j < p.balls; ++j)
+      if (wrapped_positive(phi[j] - phi[0]) < wrapped_positive(phi[i] - phi[0])) ++place[i];
+  }
+  for (int i = 1; i < p.balls; ++i)
+    phi[i] = wrapped_positive(phi[0] + wrapped_positive(phi[i] - phi[0]) * room + place[i] * p.contact_angle);
+}
+
+/// [initial] of `study` with the ball angles of start `index` of `seed`, and what [sampling.box] asks for. `sampler` is
+/// sampler_of(study).
+inline InitialState start_of(const Study& study, const Sampler& sampler, std::uint64_t seed, std::uint64_t index) {
+  const int balls = study.parameters.balls;
+  const SamplingBox& box = study.sampling.box;
+  InitialState s = study.initial;
+  sampler.angles(seed, index, s.phi.data());
+  if (study.parameters.balls_collide()) make_room(study.parameters, s.phi.data());
+  if (box.empty()) return s;
+  double fractions[4 + model::max_balls];
+  bool drawn[4 + model::max_balls] = {box.x.has_value(), box.y.has_value(), box.x_dot.has_value(),
+                                      box.y_dot.has_value()};
+  std::fill_n(drawn + 4, balls, box.phi_dot.has_value());
+  sampler.fractions(seed, index, 4 + balls, drawn, fractions);
+  const auto draw = [&](const std::optional<SamplingBox::Side>& side, int k, double& value) {
+    // A weighted mean: between the bounds also where their difference rounds.
+    if (side) value = std::clamp((1.0 - fractions[k]) * side->low + fractions[k] * side->high, side->low, side->high);
+  };
+  draw(box.x, 0, s.x);
+  draw(box.y, 1, s.y);
+  draw(box.x_dot, 2, s.x_dot);
+  draw(box.y_dot, 3, s.y_dot);
+  for (int i = 0; i < balls; ++i) draw(box.phi_dot, 4 + i, s.phi_dot[i]);
+  return s;
+}
+inline InitialState start_of(const Study& study, std::uint64_t seed, std::uint64_t index) {
+  return start_of(study, sampler_of(study), seed, index);
+}
+
+}  // namespace equipoise

@@ -1,0 +1,106 @@
+// States of starts at the final speed.
+#include "equipoise/spin_up/start_source.hpp"
+
+#include <algorithm>
+#include <utility>
+
+#include "equipoise/kernels/lane_kernels.hpp"
+#include "equipoise/spin_up/initial_state.hpp"
+
+namespace equipoise {
+
+StartSource::StartSource(const Study& study, const StopFlag* stop)
+    : StartSource(study, model::segments(study.speed_profile(), study.release_time()), stop) {}
+
+StartSource::StartSource(const Study& study, std::vector<model::Segment> segments, const StopFlag* stop)
+    : study_(study),
+      sampler_(sampler_of(study)),
+      stop_(stop),
+      segments_(std::move(segments)),
+      tolerance_(study.numerics.tolerance.value_or(default_basin_tolerance)) {
+  while (segments_[first_free_].clamped) ++first_free_;
+  if (first_free_ == 0) return;
+  double z[max_dimension];
+  initial_state(study.initial, study.parameters.balls, segments_.front().speed, z);
+  // The spin-up is shared by all starts, so its accuracy costs nothing: as tight as a single trajectory's.
+  const auto status =
+      integrate_clamped(study.parameters, segments_, {z[0], z[1], z[2], z[3]}, default_simulate_tolerance, basis_);
+  if (status != IntegrationStatus::done) throw RunError("the clamped spin-up could not be integrated");
+}
+
+void StartSource::watch(const TransientSettings& settings) {
+  if (first_free_ == 0) return;
+  double z[max_dimension];
+  initial_state(study_.initial, study_.parameters.balls, segments_.front().speed, z);
+  clamped_ =
+      ClampedTransients(study_.parameters, segments_, {z[0], z[1], z[2], z[3]}, default_simulate_tolerance, settings);
+}
+
+// The state when the balls become free.
+void StartSource::place(const InitialState& start, double* state) const {
+  initial_state(start, study_.parameters.balls, segments_.front().speed, state);
+  if (first_free_ > 0) basis_.centre(study_.parameters, start.phi.data(), state);
+}
+
+bool StartSource::make(std::uint64_t seed, std::uint64_t first, std::size_t count, std::vector<double>& phi,
+                       std::vector<double>& states, std::vector<Fate>& fates, TransientTable* transients) const {
+  const int balls = study_.parameters.balls, size = model::dimension(balls);
+  phi.clear();
+  if (transients) transients->rows.clear();
+  states.assign(count * static_cast<std::size_t>(size), 0.0);
+  for (std::size_t i = 0; i < count; ++i) {
+    const InitialState start = start_of(study_, sampler_, seed, first + i);
+    phi.insert(phi.end(), start.phi.begin(), start.phi.begin() + balls);
+    place(start, &states[i * static_cast<std::size_t>(size)]);
+    if (transients) transients->rows.push_back(clamped_.sums(study_.parameters, start.phi.data()));
+  }
+  return advance(states, fates, transients);
+}
+
+void StartSource::release(const std::vector<double>& phi, std::vector<double>& states) const {
+  const std::size_t n = static_cast<std::size_t>(study_.parameters.balls), count = phi.size() / n;
+  const std::size_t size = model::dimension(study_.parameters.balls);
+  states.assign(count * size, 0.0);
+  InitialState start = study_.initial;
+  for (std::size_t i = 0; i < count; ++i) {
+    std::copy(&phi[i * n], &phi[i * n] + n, start.phi.begin());
+    place(start, &states[i * size]);
+  }
+}
+
+LaneTask StartSource::task(std::size_t k, std::vector<double>& states) const {
+  LaneTask task;
+  task.parameters = &study_.parameters;
+  task.segment = segments_[k];
+  task.end = segments_[k].end;
+  task.tolerance = tolerance_;
+  task.count = states.size() / model::dimension(study_.parameters.balls);
+  task.states = states.data();
+  task.stop = stop_;
+  return task;
+}
+
+void StartSource::cross(std::size_t k, std::vector<double>& states) const {
+  const double jump = segments_[k + 1].speed - segments_[k].speed_at(segments_[k].end);
+  const std::size_t size = model::dimension(study_.parameters.balls);
+  for (std::size_t at = 0; at < states.size(); at += size) apply_speed_jump(jump, &states[at]);
+}
+
+bool StartSource::follow(const std::vector<double>& phi, std::vector<double>& states, std::vector<Fate>& fates) const {
+  release(phi, states);
+  return advance(states, fates);
+}
+
+// From where the balls become free to settled().
+bool StartSource::advance(std::vector<double>& states, std::vector<Fate>& fates, TransientTable* transients) const {
+  fates.assign(states.size() / model::dimension(study_.parameters.balls), Fate{});
+  for (std::size_t k = first_free_; k + 1 < segments_.size(); ++k) {
+    LaneTask branch = task(k, states);
+    branch.transients = transients;
+    if (!advance_lanes(branch, fates)) return false;
+    cross(k, states);
+  }
+  return true;
+}
+
+}  // namespace equipoise

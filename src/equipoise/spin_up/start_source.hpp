@@ -1,0 +1,67 @@
+// From a start's index to its state when the final speed is reached: spin-up, release, remaining branches.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "equipoise/base/error.hpp"
+#include "equipoise/deciding/fate.hpp"
+#include "equipoise/integrate/clamped.hpp"
+#include "equipoise/lanes/lane_task.hpp"
+#include "equipoise/model/speed.hpp"
+#include "equipoise/sampling/sampling.hpp"
+#include "equipoise/study/study.hpp"
+#include "equipoise/transients/clamped_transients.hpp"
+
+namespace equipoise {
+
+/// Makes states of starts. Thread-safe once made.
+class StartSource {
+ public:
+  /// Integrates the clamped spin-up, which all starts share.
+  StartSource(const Study& study, const StopFlag* stop);
+  /// Prepares make() for tables with these settings.
+  void watch(const TransientSettings& settings);
+  /// The same for a rotor that moves by `segments` instead of the study's [speed] and [release]: contiguous from 0, the
+  /// clamped ones first, the last one free and without end.
+  StartSource(const Study& study, std::vector<model::Segment> segments, const StopFlag* stop);
+
+  /// Starts first .. first + count - 1 of `seed`: ball angles into `phi`, states at settled() into `states`, both
+  /// row-major; fates[i] says which were lost on the way. False if stopped early. `transients`, if given, receives a
+  /// row for each start up to there; its settings are those of watch().
+  bool make(std::uint64_t seed, std::uint64_t first, std::size_t count, std::vector<double>& phi,
+            std::vector<double>& states, std::vector<Fate>& fates, TransientTable* transients = nullptr) const;
+  /// The same for given ball angles, all else as in [initial]: phi.size() / balls starts.
+  bool follow(const std::vector<double>& phi, std::vector<double>& states, std::vector<Fate>& fates) const;
+
+  /// The states in which given ball angles are released, row-major.
+  void release(const std::vector<double>& phi, std::vector<double>& states) const;
+  /// All that an ensemble's task over free segment `k` has in common: the states enter at its beginning. For k other
+  /// than the last it ends with the segment.
+  LaneTask task(std::size_t k, std::vector<double>& states) const;
+  /// Takes states at the end of segment `k`, not the last, across the jump of psi' that follows.
+  void cross(std::size_t k, std::vector<double>& states) const;
+
+  const std::vector<model::Segment>& segments() const { return segments_; }
+  std::size_t first_free() const { return first_free_; }
+
+  /// When the last branch has begun and the balls are free.
+  double settled() const { return segments_.back().begin; }
+  const model::Segment& last_segment() const { return segments_.back(); }
+  double tolerance() const { return tolerance_; }
+
+ private:
+  void place(const InitialState& start, double* state) const;
+  bool advance(std::vector<double>& states, std::vector<Fate>& fates, TransientTable* transients = nullptr) const;
+
+  Study study_;
+  Sampler sampler_;
+  const StopFlag* stop_;
+  std::vector<model::Segment> segments_;
+  std::size_t first_free_ = 0;
+  ClampedBasis basis_;
+  ClampedTransients clamped_;
+  double tolerance_;
+};
+
+}  // namespace equipoise

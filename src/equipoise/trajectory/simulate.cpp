@@ -1,0 +1,186 @@
+// One trajectory: clamped spin-up by superposition, then the free equations segment by segment.
+#include "equipoise/trajectory/simulate.hpp"
+
+#include <array>
+#include <cmath>
+#include <cstddef>
+
+#include <fmt/format.h>
+
+#include "equipoise/base/angles.hpp"
+#include "equipoise/integrate/adaptive-inl.hpp"
+#include "equipoise/integrate/clamped.hpp"
+#include "equipoise/integrate/machine_trajectory-inl.hpp"
+#include "equipoise/model/ball_count.hpp"
+#include "equipoise/model/energy.hpp"
+#include "equipoise/model/flow-inl.hpp"
+#include "equipoise/model/strobe.hpp"
+#include "equipoise/spin_up/initial_state.hpp"
+
+namespace equipoise {
+
+namespace {
+namespace kernels = HWY_NAMESPACE;
+
+void check_times(const std::vector<double>& times) {
+  for (std::size_t i = 0; i < times.size(); ++i) {
+    if (!std::isfinite(times[i]) || times[i] < 0.0)
+      throw InputError("output times", fmt::format("time {}", i + 1), fmt::format("{}", times[i]),
+                       "must be a finite number, 0 or more");
+    if (i > 0 && !(times[i] > times[i - 1]))
+      throw InputError("output times", fmt::format("time {}", i + 1), fmt::format("{}", times[i]),
+                       fmt::format("times out of order: must be later than the time before it, {}", times[i - 1]));
+  }
+}
+
+// Appends state `z` at `t`, where the rotor has turned to `psi` and turns at `w`, to every array.
+void record(Trajectory& out, const model::Parameters& p, double psi, double w, double t, const double* z) {
+  using namespace model::index;
+  out.t.push_back(t);
+  out.psi.push_back(psi);
+  out.psi_dot.push_back(w);
+  out.x.push_back(z[x]);
+  out.y.push_back(z[y]);
+  out.x_dot.push_back(z[u] + w * z[y]);
+  out.y_dot.push_back(z[v] - w * z[x]);
+  for (int i = 0; i < p.balls; ++i) {
+    out.phi[i].push_back(z[phi(i)]);
+    out.phi_dot[i].push_back(z[q(i, p.balls)]);
+  }
+  const std::array<double, 2> rest = model::rest_position(p, psi);
+  out.radial.push_back(std::hypot(z[x] - rest[0], z[y] - rest[1]));
+  const auto force = model::bearing_force(p, psi, z);
+  out.bearing_x.push_back(force[0]);
+  out.bearing_y.push_back(force[1]);
+}
+
+void record(Trajectory& out, const model::Parameters& p, const model::Segment& segment, double t, const double* z) {
+  record(out, p, segment.psi_at(t), segment.speed_at(t), t, z);
+}
+
+template <int n>
+void simulate_free(const Study& study, const std::vector<model::Segment>& segments, std::size_t first, double tolerance,
+                   std::vector<double>& z, const std::vector<double>& times, std::size_t next, const StopFlag* stop,
+                   Trajectory& out) {
+  using Flow = kernels::FreeFlow<double, n, kernels::Terms{}>;
+  const model::Parameters& p = study.parameters;
+  kernels::ErrorScale<Flow::dimension> scale;
+  scale.tolerance = tolerance;
+  kernels::set_state_scale<n>(p, 1, scale);
+  for (std::size_t k = first; k < segments.size() && next < times.size(); ++k) {
+    const model::Segment& segment = segments[k];
+    for (; next < times.size() && times[next] == segment.begin; ++next)
+      record(out, p, segment, segment.begin, z.data());
+    const double end = std::min(segment.end, times.back());
+    if (!(segment.begin < end)) continue;
+    const Flow flow(p, segment);
+    kernels::AdaptiveIntegrator<Flow, Flow::dimension> integrator(flow, scale);
+    out.status = integrator.advance(
+        segment.begin, end, z.data(),
+        [&](double, double t_new, auto&& state_at) {
+          for (; next < times.size() && times[next] <= t_new && times[next] < segment.end; ++next) {
+            double at[Flow::dimension];
+            state_at(times[next], at);
+            record(out, p, segment, times[next], at);
+          }
+        },
+        stop);
+    out.stopped = stop && stop->load(std::memory_order_relaxed);
+    if (out.status != IntegrationStatus::done || out.stopped) return;
+    if (k + 1 < segments.size()) apply_speed_jump(segments[k + 1].speed - segment.speed_at(segment.end), z.data());
+  }
+}
+
+// A machine's trajectory: from event to event.
+template <int n>
+void simulate_machine(const Study& study, double tolerance, const std::vector<double>& times, const StopFlag* stop,
+                      Trajectory& out) {
+  using Machine = kernels::MachineTrajectory<n>;
+  using namespace model::machine_index;
+  const model::Parameters& p = study.parameters;
+  const model::Drive drive = study.drive();
+  typename Machine::Scale scale;
+  scale.tolerance = tolerance;
+  kernels::set_state_scale<n>(p, 1, scale);
+  scale.floor[psi(n)] = scale.floor[speed(n)] = scale.floor[error_integral(n)] = 1.0;
+  scale.absolute[psi(n)] = scale.angle[psi(n)] = true;
+  double z[Machine::dimension];
+  initial_state(study.initial, n, drive.speed, z);
+  Machine machine(p, drive, scale, z);
+  std::size_t next = 0;
+  const auto take = [&](double t, const double* at) { record(out, p, at[psi(n)], at[speed(n)], t, at); };
+  if (times.empty()) return;
+  out.status = machine.advance(
+      times.back(),
+      [&](double, double to, auto&& state_at) {
+        for (; next < times.size() && times[next] < to; ++next) {
+          double at[Machine::dimension];
+          state_at(times[next], at);
+          take(times[next], at);
+        }
+        return false;
+      },
+      stop);
+  out.stopped = stop && stop->load(std::memory_order_relaxed);
+  if (out.status != IntegrationStatus::done || out.stopped) return;
+  machine.enter();
+  take(times.back(), machine.state());
+}
+
+// Balls that overlap have no motion.
+void check_overlap(const Study& study) {
+  const model::Parameters& p = study.parameters;
+  for (int i = 0; i < p.balls; ++i)
+    for (int j = 0; j < i; ++j) {
+      const double apart = std::fabs(wrapped(study.initial.phi[i] - study.initial.phi[j]));
+      if (apart < p.contact_angle)
+        throw InputError(study.name, "initial.phi", fmt::format("{}", study.initial.phi[i]),
+                         fmt::format("balls {} and {} overlap: {} apart; must be at least balancer.contact_angle, {}",
+                                     j + 1, i + 1, apart, p.contact_angle));
+    }
+}
+}  // namespace
+
+Trajectory simulate(const Study& study, const std::vector<double>& times, const StopFlag* stop) {
+  check(study);
+  check_times(times);
+  const model::Parameters& p = study.parameters;
+  const double tolerance = study.numerics.tolerance.value_or(default_simulate_tolerance);
+  Trajectory out;
+  out.phi.resize(p.balls);
+  out.phi_dot.resize(p.balls);
+  if (study.needs_machine()) {
+    if (p.balls_collide()) check_overlap(study);
+    model::with_ball_count(p.balls, [&](auto n) { simulate_machine<n>(study, tolerance, times, stop, out); });
+    return out;
+  }
+  const double release = study.release_time();
+  const auto segments = model::segments(study.speed_profile(), release);
+  const double* phi = study.initial.phi.data();
+
+  std::vector<double> z(model::dimension(p.balls));
+  initial_state(study.initial, p.balls, segments.front().speed, z.data());
+
+  std::size_t free_from = 0;
+  while (segments[free_from].clamped) ++free_from;
+  std::size_t next = 0;
+  if (free_from > 0) {
+    ClampedBasis basis;
+    std::vector<double> at = z;
+    const auto observe = [&](double t, const model::Segment& segment, const ClampedBasis& there) {
+      there.centre(p, phi, at.data());
+      record(out, p, segment, t, at.data());
+    };
+    out.status = integrate_clamped(p, segments, {z[0], z[1], z[2], z[3]}, tolerance, basis, times, observe,
+                                   times.empty() ? 0.0 : times.back(), stop);
+    next = out.t.size();
+    out.stopped = stop && stop->load(std::memory_order_relaxed);
+    if (out.status != IntegrationStatus::done || out.stopped) return out;
+    basis.centre(p, phi, z.data());
+  }
+  model::with_ball_count(
+      p.balls, [&](auto n) { simulate_free<n>(study, segments, free_from, tolerance, z, times, next, stop, out); });
+  return out;
+}
+
+}  // namespace equipoise

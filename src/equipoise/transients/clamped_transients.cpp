@@ -1,0 +1,115 @@
+// Quadratic forms over a grid of times.
+#include "equipoise/transients/clamped_transients.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "equipoise/base/error.hpp"
+#include "equipoise/integrate/clamped.hpp"
+#include "equipoise/model/energy.hpp"
+#include "equipoise/model/strobe.hpp"
+
+namespace equipoise {
+
+namespace {
+
+// Segment by segment, both its ends included as far as a time just before an end can be.
+std::vector<double> grid_of(const model::Parameters& p, const std::vector<model::Segment>& segments) {
+  std::vector<double> times;
+  for (const model::Segment& s : segments) {
+    if (!s.clamped) break;
+    const double fastest = std::max(
+        {std::fabs(s.speed), std::fabs(s.speed_at(s.end)), std::sqrt(std::max(p.stiffness[0], p.stiffness[1]))});
+    const double points = std::ceil((s.end - s.begin) * 64.0 * fastest / (2.0 * std::numbers::pi));
+    for (double k = 0.0; k < points; ++k) times.push_back(s.begin + (s.end - s.begin) * (k / points));
+    times.push_back(std::nextafter(s.end, s.begin));
+  }
+  return times;
+}
+
+}  // namespace
+
+void ClampedTransients::Squares::add(const std::array<std::array<double, 2>, 3>& v) {
+  const auto dot = [&](int i, int j) { return v[i][0] * v[j][0] + v[i][1] * v[j][1]; };
+  const Monomials c{dot(0, 0), 2.0 * dot(0, 1), 2.0 * dot(0, 2), dot(1, 1), 2.0 * dot(1, 2), dot(2, 2)};
+  for (std::size_t j = 0; j < c.size(); ++j) coefficient[j].push_back(c[j]);
+}
+
+double ClampedTransients::Squares::at(const Monomials& m, std::size_t k) const {
+  double sum = 0.0;
+  for (std::size_t j = 0; j < m.size(); ++j) sum += m[j] * coefficient[j][k];
+  return sum;
+}
+
+// Eight maxima side by side, which compilers turn into vector instructions.
+double ClampedTransients::Squares::largest(const Monomials& m) const {
+  constexpr std::size_t width = 8;
+  std::array<double, width> most{};
+  const std::size_t points = coefficient[0].size(), whole = points / width * width;
+  for (std::size_t k = 0; k < whole; k += width)
+    for (std::size_t i = 0; i < width; ++i) {
+      const double value = at(m, k + i);
+      most[i] = value > most[i] ? value : most[i];
+    }
+  double result = *std::max_element(most.begin(), most.end());
+  for (std::size_t k = whole; k < points; ++k) result = std::max(result, at(m, k));
+  return result;
+}
+
+ClampedTransients::ClampedTransients(const model::Parameters& p, const std::vector<model::Segment>& segments,
+                                     const std::array<double, 4>& initial, double tolerance,
+                                     const TransientSettings& settings)
+    : settings_(settings),
+      proportional_(p.isotropic() && p.gravity == 0.0 &&
+                    std::all_of(initial.begin(), initial.end(), [](double v) { return v == 0.0; })),
+      times_(grid_of(p, segments)) {
+  ClampedBasis at_release;
+  const auto observe = [&](double t, const model::Segment& segment, const ClampedBasis& basis) {
+    std::array<std::array<double, 2>, 3> centre, force;
+    const double psi = segment.psi_at(t);
+    for (std::size_t k = 0; k < 3; ++k) {
+      const double* z = basis.values.data() + 4 * k;
+      centre[k] = {z[0], z[1]};
+      force[k] = model::bearing_force(p, psi, z);
+    }
+    const std::array<double, 2> rest = model::rest_position(p, psi);
+    for (std::size_t i = 0; i < 2; ++i) centre[0][i] -= rest[i];
+    radius_.add(centre);
+    force_.add(force);
+  };
+  const auto status = integrate_clamped(p, segments, initial, tolerance, at_release, times_, observe);
+  if (status != IntegrationStatus::done || radius_.coefficient[0].size() != times_.size())
+    throw RunError("the clamped spin-up could not be integrated");
+  if (!proportional_) return;
+  const Monomials one{1.0, 1.0, 0.0, 1.0, 0.0, 0.0};
+  radius_peak_ = radius_.largest(one);
+  force_peak_ = force_.largest(one);
+}
+
+TransientSums ClampedTransients::sums(const model::Parameters& p, const double* phi) const {
+  TransientSums result;
+  if (times_.empty()) return result;
+  double ux = p.eccentricity, uy = 0.0;
+  for (int i = 0; i < p.balls; ++i) {
+    ux += p.mass[i] * std::cos(phi[i]);
+    uy += p.mass[i] * std::sin(phi[i]);
+  }
+  const Monomials m{1.0, ux, uy, ux * ux, ux * uy, uy * uy};
+  const double square = ux * ux + uy * uy;
+  result.end = settings_.release;
+  result.clamped_peak = proportional_ ? square * radius_peak_ : radius_.largest(m);
+  result.force_peak = proportional_ ? square * force_peak_ : force_.largest(m);
+  const double limit = settings_.displacement * settings_.displacement;
+  if (!(result.clamped_peak > limit)) return result;
+  // r^2 linear between the times of the grid.
+  double from = radius_.at(m, 0) - limit;
+  for (std::size_t k = 1; k < times_.size(); ++k) {
+    const double to = radius_.at(m, k) - limit, size = std::fabs(from) + std::fabs(to);
+    if (size > 0.0) result.time_above += (times_[k] - times_[k - 1]) * (std::max(from, 0.0) + std::max(to, 0.0)) / size;
+    from = to;
+  }
+  return result;
+}
+
+}  // namespace equipoise

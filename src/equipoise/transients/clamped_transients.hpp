@@ -1,0 +1,50 @@
+// Peaks and times above a limit of the clamped spin-up: one grid in time serves every start.
+//
+// With the balls held, state, displacement from the place of rest and bearing force are base + Ux per_x + Uy per_y
+// (integrate/clamped.hpp), so the squares of displacement and force at any time are quadratic polynomials in the
+// start's unbalance U.
+#pragma once
+
+#include <array>
+#include <vector>
+
+#include "equipoise/model/parameters.hpp"
+#include "equipoise/model/speed.hpp"
+#include "equipoise/transients/transient_table.hpp"
+
+namespace equipoise {
+
+/// Thread-safe once made.
+class ClampedTransients {
+ public:
+  /// Nothing is clamped: sums() are empty.
+  ClampedTransients() = default;
+  /// Integrates the clamped ones of `segments` from (x, y, u, v) = `initial`; settings.release: where they end. The
+  /// grid has 64 points in a turn of the rotor at its fastest, or in a period of the supports where that is shorter:
+  /// between its points a peak stands out by less than 0.5 % of what oscillates. Throws RunError if the integration
+  /// fails.
+  ClampedTransients(const model::Parameters& p, const std::vector<model::Segment>& segments,
+                    const std::array<double, 4>& initial, double tolerance, const TransientSettings& settings);
+
+  /// Of a start with balls held at `phi`.
+  TransientSums sums(const model::Parameters& p, const double* phi) const;
+
+ private:
+  /// 1, Ux, Uy, Ux^2, Ux Uy, Uy^2.
+  using Monomials = std::array<double, 6>;
+  struct Squares {
+    std::array<std::vector<double>, 6> coefficient;  // by monomial, then by time
+
+    void add(const std::array<std::array<double, 2>, 3>& vectors);
+    double at(const Monomials& m, std::size_t k) const;
+    double largest(const Monomials& m) const;
+  };
+
+  TransientSettings settings_;
+  bool proportional_ = false;  // all is proportional to |U|: isotropic supports, no gravity, from rest
+  std::vector<double> times_;
+  Squares radius_, force_;
+  double radius_peak_ = 0.0, force_peak_ = 0.0;  // of U = 1, if proportional_
+};
+
+}  // namespace equipoise

@@ -1,0 +1,203 @@
+// Stability and traps of the balanced states.
+#include "equipoise/traps/balanced_trap.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include <fmt/format.h>
+
+#include "equipoise/math/lyapunov.hpp"
+#include "equipoise/model/linearisation.hpp"
+#include "equipoise/traps/critical_level.hpp"
+
+namespace equipoise {
+
+namespace {
+
+constexpr int rays_while_weighing = 300;  // with descent enough to rank weights; without it thousands mislead
+constexpr int rays_for_level = 20000;     // plus descent: two seeds agree to 1e-4
+
+// Mean time the linear flow needs from ball angles up to `spread` away from balance into the level set, the quantity
+// that a good choice of weights makes small. The spread is where the balls are when the last slow approach begins.
+class EntryTime {
+ public:
+  EntryTime(const Modes& modes, int balls) : modes_(modes) {
+    constexpr double spread = 0.5;
+    for (int a = -2; a <= 2; ++a)
+      for (int b = -2; b <= 2; ++b) {
+        if (a == 0 && b == 0) continue;
+        Eigen::VectorXd z = Eigen::VectorXd::Zero(modes.left.rows());
+        z[model::index::phi(0)] = 0.5 * spread * a;
+        if (balls > 1) z[model::index::phi(1)] = 0.5 * spread * b;
+        amplitudes_.push_back((modes.left.transpose() * z).cwiseAbs2());
+      }
+  }
+
+  double operator()(const Eigen::VectorXd& weights, double level) const {
+    if (!(level > 0.0)) return std::numeric_limits<double>::infinity();
+    double sum = 0.0;
+    for (const Eigen::VectorXd& amplitude : amplitudes_) sum += entry(weights.cwiseProduct(amplitude), level);
+    return sum / static_cast<double>(amplitudes_.size());
+  }
+
+ private:
+  // Root of sum_k a_k e^{2 Re(rate_k) t} = level by bisection; the sum only falls.
+  double entry(const Eigen::VectorXd& a, double level) const {
+    const auto value = [&](double t) { return (a.array() * (2.0 * t * modes_.rates.real().array()).exp()).sum(); };
+    if (value(0.0) <= level) return 0.0;
+    double high = 1.0;
+    while (value(high) > level && high < 1e9) high *= 2.0;
+    double low = 0.5 * high;
+    for (int i = 0; i < 12; ++i) {
+      const double middle = 0.5 * (low + high);
+      (value(middle) > level ? low : high) = middle;
+    }
+    return high;
+  }
+
+  Modes modes_;
+  std::vector<Eigen::VectorXd> amplitudes_;
+};
+
+// The modal form whose weights make the entry time small: coordinate search over one weight a conjugate
+// pair. Unit weights on unit vectors are within a factor of two of the best in every row of the paper.
+Eigen::MatrixXd best_modal_form(const model::Parameters& p, double speed, const double* phi, const Eigen::MatrixXd& a) {
+  const Modes modes = left_modes(a);
+  const Eigen::Index size = modes.rates.size();
+  Eigen::VectorXd weights = Eigen::VectorXd::Ones(size);
+  const EntryTime entry_time(modes, p.balls);
+  const auto cost = [&](const Eigen::VectorXd& w) {
+    return entry_time(w, critical_level(p, speed, phi, modal_form(modes, w), rays_while_weighing));
+  };
+  double least = cost(weights);
+  for (double factor : {2.0, 1.4}) {
+    for (int sweep = 0; sweep < 3; ++sweep) {
+      bool improved = false;
+      for (Eigen::Index k = 0; k < size; ++k) {
+        if (modes.rates[k].imag() < 0.0) continue;  // moves with its conjugate
+        for (double by : {factor, 1.0 / factor}) {
+          Eigen::VectorXd trial = weights;
+          for (Eigen::Index j = 0; j < size; ++j)
+            if (std::abs(modes.rates[j] - modes.rates[k]) < 1e-12 ||
+                std::abs(modes.rates[j] - std::conj(modes.rates[k])) < 1e-12)
+              trial[j] *= by;
+          const double value = cost(trial);
+          if (value < least) {
+            least = value;
+            weights = trial;
+            improved = true;
+          }
+        }
+      }
+      if (!improved) break;
+    }
+  }
+  return modal_form(modes, weights);
+}
+
+BalancedTrap make_trap(const model::Parameters& p, const std::array<double, model::max_balls>& phi,
+                       const Eigen::MatrixXd& form, double level) {
+  BalancedTrap trap;
+  trap.phi = phi;
+  trap.level = level;
+  const int size = model::dimension(p.balls);
+  const Eigen::MatrixXd factor = form.llt().matrixU();
+  const Eigen::MatrixXd inverse = form.inverse();
+  trap.factor.resize(static_cast<std::size_t>(size) * size);
+  for (int i = 0; i < size; ++i) {
+    for (int j = 0; j < size; ++j) trap.factor[i * size + j] = factor(i, j);
+    trap.reach[i] = std::sqrt(level * inverse(i, i));
+  }
+  return trap;
+}
+
+// The form whose sampled level set is entered soonest, among modal ones and Lyapunov's for Q = 1 (where modes are
+// nearly defective the former degenerate).
+BalancedTrap isolated_trap(const model::Parameters& p, double speed, const std::array<double, model::max_balls>& phi,
+                           const Eigen::MatrixXd& a) {
+  const Eigen::MatrixXd modal = best_modal_form(p, speed, phi.data(), a);
+  const Eigen::MatrixXd plain = solve_lyapunov(a, Eigen::MatrixXd::Identity(a.rows(), a.cols()));
+  const double modal_level = critical_level(p, speed, phi.data(), modal, rays_for_level);
+  const double plain_level = critical_level(p, speed, phi.data(), plain, rays_for_level);
+  const auto log_volume = [&](const Eigen::MatrixXd& form, double level) {
+    return level > 0.0 ? 0.5 * (a.rows() * std::log(level) - std::log(form.determinant())) : -1e300;
+  };
+  const bool use_modal = log_volume(modal, modal_level) >= log_volume(plain, plain_level);
+  return make_trap(p, phi, use_modal ? modal : plain, level_margin * (use_modal ? modal_level : plain_level));
+}
+
+// The same trap with balls 1 and 2 exchanged.
+BalancedTrap exchanged(const model::Parameters& p, const BalancedTrap& trap) {
+  const int size = model::dimension(2);
+  Eigen::VectorXi order(size);
+  order << 0, 1, 2, 3, 5, 4, 7, 6;
+  const Eigen::PermutationMatrix<Eigen::Dynamic> swap(order);
+  const Eigen::MatrixXd form = swap * form_of(trap) * swap.transpose();
+  return make_trap(p, {trap.phi[1], trap.phi[0]}, form, trap.level);
+}
+
+}  // namespace
+
+Eigen::Map<const Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>> factor_of(
+    const BalancedTrap& trap) {
+  const auto size = static_cast<Eigen::Index>(std::lround(std::sqrt(static_cast<double>(trap.factor.size()))));
+  return {trap.factor.data(), size, size};
+}
+
+Eigen::MatrixXd form_of(const BalancedTrap& trap) {
+  const auto factor = factor_of(trap);
+  return factor.transpose() * factor;
+}
+
+void judge_continuum(double speed, BalancedAnalysis& analysis) {
+  const ContinuumSurvey& survey = analysis.survey;
+  analysis.stable = survey.attracts();
+  analysis.growth_rate = survey.most_growth;
+  if (!analysis.stable)
+    analysis.note = fmt::format(
+        "the balanced states form a continuum, and all {} drawn evenly from it are unstable at speed {} (growth rates "
+        "{:.3g} to {:.3g})",
+        survey.drawn, speed, survey.least_growth, survey.most_growth);
+}
+
+BalancedAnalysis analyse_balanced(const model::Parameters& p, double speed) {
+  BalancedAnalysis result;
+  result.states = model::balanced_states(p);
+  if (result.states.kind == model::BalancedStates::Kind::none) {
+    result.note = "no balanced state exists: " + result.states.reason;
+    return result;
+  }
+  if (result.states.kind == model::BalancedStates::Kind::family) {
+    result.continuum = std::make_shared<BalancedContinuum>(p, speed);
+    result.survey = result.continuum->survey();
+    judge_continuum(speed, result);
+    return result;
+  }
+  double slowest = -std::numeric_limits<double>::infinity();
+  const bool mirror = p.balls == 2 && p.equal_balls() && result.states.angles.size() == 2;
+  for (const auto& phi : result.states.angles) {
+    const Eigen::MatrixXd a = model::jacobian(p, speed, model::centred_state(p, phi.data()).data());
+    const double growth = a.eigenvalues().real().maxCoeff();
+    // Rounding moves an eigenvalue by about 1e-15; a rate this small would need a horizon of 1e9 to show.
+    if (!(growth < -1e-9)) {
+      result.growth_rate = std::max(result.growth_rate, growth);
+      continue;
+    }
+    slowest = std::max(slowest, growth);
+    result.traps.push_back(mirror && !result.traps.empty() ? exchanged(p, result.traps.front())
+                                                           : isolated_trap(p, speed, phi, a));
+  }
+  result.stable = !result.traps.empty();
+  if (result.stable)
+    result.slowest_rate = slowest;
+  else if (result.growth_rate > 1e-9)
+    result.note = fmt::format("the balanced state exists but is unstable at speed {} (growth rate {:.3g})", speed,
+                              result.growth_rate);
+  else
+    result.note =
+        fmt::format("the balanced state exists but is not linearly stable at speed {} (largest rate 0)", speed);
+  return result;
+}
+
+}  // namespace equipoise
