@@ -172,8 +172,8 @@ TEST(ParameterLine, takes_quantities_where_the_study_has_units) {
       parse_study(machine_rotor + "[speed]\nprofile = \"ramp\"\nfinal = \"2000 rpm\"\nduration = \"10 s\"\n", "m.toml");
   const double omega_c = machine.scales->frequency;
   const auto first = [&](const char* text) { return ParameterLine(machine, text).values().front(); };
-  // Values of a line have twelve digits.
-  const auto near = [](double value) { return 1e-12 * std::pow(10.0, std::ceil(std::log10(value))); };
+  // Values of a line have twelve digits of the largest, here less than ten times the first.
+  const auto near = [](double value) { return 1e-11 * std::pow(10.0, std::ceil(std::log10(value))); };
   const auto expect = [&](const char* text, double value) { EXPECT_NEAR(first(text), value, near(value)) << text; };
   expect("speed.final=1500 rpm:3000 rpm:500 rpm", 50.0 * pi / omega_c);
   expect("speed.duration=500 ms:2 s:0.5 s", 0.5 * omega_c);
