@@ -46,8 +46,8 @@ std::string trimmed(std::string_view text) {
 
 std::string Place::text() const {
   std::string text = name;
-  if (line > 0) text += ":" + std::to_string(line);
-  if (line > 0 && column > 0) text += ":" + std::to_string(column);
+  if (line > 0) text.append(1, ':').append(std::to_string(line));
+  if (line > 0 && column > 0) text.append(1, ':').append(std::to_string(column));
   return text;
 }
 
