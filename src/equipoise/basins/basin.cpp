@@ -488,9 +488,10 @@ BasinResult basin(const Study& study, const BasinOptions& options, Catalogue* ca
   });
 }
 
-StartReplay replay_start(const Study& study, std::uint64_t index, const BasinOptions& options) {
+namespace {
+
+StartReplay replayed(const Study& study, std::uint64_t index, const BasinOptions& options) {
   check_runnable(study);
-  const ChosenCpuTarget chosen(options.cpu_target);
   const bool gathers = gathers_transients(study, options);
   StartReplay replay;
   replay.index = index;
@@ -508,6 +509,13 @@ StartReplay replay_start(const Study& study, std::uint64_t index, const BasinOpt
   if (!unlisted.empty()) settle(replay.fate, runner->list(unlisted.front()));
   if (const Attractor* a = runner->catalogue().find(replay.fate.attractor)) replay.name = a->name;
   return replay;
+}
+
+}  // namespace
+
+StartReplay replay_start(const Study& study, std::uint64_t index, const BasinOptions& options) {
+  const ChosenCpuTarget chosen(options.cpu_target);
+  return reported(options, [&](const BasinOptions& o) { return replayed(study, index, o); });
 }
 
 }  // namespace equipoise
