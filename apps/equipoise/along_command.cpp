@@ -38,7 +38,7 @@ int run_along(const Study& study, const AlongArguments& a) {
   options.seeds = a.states;
   options.stop = &stop_flag();
   ProgressLine progress(a.quiet);
-  options.progress = [&](const ContinuationProgress& p) { progress.update(p.done, p.total, p.what); };
+  options.progress = progress.listener();
   const BranchesResult result = follow_attractors(study, line, options);
   progress.finish();
   put(a.json ? branches_json(result) : branches_text(result));

@@ -61,14 +61,15 @@ int run_attractors(const AttractorsArguments& a) {
   for (const auto& [option, value] : {std::pair{"--output", &a.output}, std::pair{"--plot", &a.plot}})
     if (!value->empty()) throw InputError(option, "", *value, "goes with --along KEY=FROM:TO:STEP only");
   std::vector<std::string> overrides = a.overrides;
-  override_starts(a.starts.value_or(std::to_string(search_starts)), a.seed, overrides);
+  override_starts(a.starts, a.seed, overrides);
   const Study study = read_study(a.study, overrides);
-  BasinOptions options;
+  AttractorsOptions options;
+  if (a.starts) options.starts = study.sampling.starts;
   options.threads = threads_option(a.threads);
   for (const std::string& text : a.states) options.seeds.push_back(parse_state(text, study.parameters.balls));
   options.stop = &stop_flag();
   ProgressLine progress(a.quiet);
-  options.progress = [&](const BasinProgress& p) { progress.update(p.done, p.total, "starts searched"); };
+  options.progress = progress.listener();
   const AttractorsResult result = attractors(study, options);
   progress.finish();
   put(a.json ? attractors_json(result) : attractors_text(result));

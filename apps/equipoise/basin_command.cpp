@@ -81,16 +81,13 @@ int run_basin(const BasinArguments& a) {
         option_number<double>("--half-width", *a.half_width, 1e-6, 0.5, "a fraction of one from 1e-6 to 0.5");
   if (a.half_width) require_writable("-o", a.output);  // a pilot may come before the file is opened
   options.limit_given = a.starts.has_value();
-  const Limits& limits = study.limits;
-  options.transients = a.transients || limits.displacement || limits.force || limits.velocity || limits.settled;
+  if (a.transients) options.transients = true;
   options.output = a.output;
   options.stop = &stop_flag();
   if (a.start_index) return print_replay(study, options, *a.start_index);
 
   ProgressLine progress(a.quiet);
-  options.progress = [&](const BasinProgress& p) {
-    progress.update(p.done, p.total, fmt::format("balanced {:.2f} %", 100.0 * p.balanced.share));
-  };
+  options.progress = progress.listener();
   const BasinResult result = basin(study, options);
   progress.finish();
   put(a.json ? basin_json(result) : basin_text(result));

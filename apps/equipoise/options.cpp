@@ -9,7 +9,7 @@
 #include <oneapi/tbb/info.h>
 
 #include "equipoise/files/replacement.hpp"
-#include "equipoise/kernels/lane_kernels.hpp"
+#include "equipoise/kernels/cpu_target.hpp"
 #include "equipoise/study/given_value.hpp"
 
 namespace equipoise::app {

@@ -1,5 +1,4 @@
 // equipoise simulate: one trajectory at stated times.
-#include <cmath>
 #include <iostream>
 #include <memory>
 #include <optional>
@@ -10,6 +9,7 @@
 
 #include "commands.hpp"
 #include "equipoise/store/trajectory_file.hpp"
+#include "equipoise/trajectory/output_times.hpp"
 #include "equipoise/trajectory/simulate.hpp"
 #include "options.hpp"
 #include "streams.hpp"
@@ -24,10 +24,7 @@ struct SimulateArguments {
   std::optional<std::string> every, until, tolerance;
 };
 
-constexpr double most_rows = 1e8;
-
-// Later than that a double does not know the rotor's angle.
-constexpr double last_time = 1e9;
+constexpr double last_time = last_output_time;
 
 double time_option(const char* option, const std::string& text, const Study& study) {
   return option_time(option, text, study, 0.0, last_time, "a number from 0 to 1e9");
@@ -46,8 +43,8 @@ std::vector<double> parse_times(const std::string& text, const Study& study) {
 
 // --at, or the grid of --every and --until; by default a hundred times until 100 after the last branch begins.
 std::vector<double> output_times(const SimulateArguments& a, const Study& study) {
-  std::vector<double> times;
   if (!a.at.empty()) {
+    std::vector<double> times;
     if (a.every || a.until) throw InputError("--at", "", "", "give either --at or --every and --until, not both");
     for (const std::string& text : a.at)
       for (const double time : parse_times(text, study)) times.push_back(time);
@@ -57,19 +54,15 @@ std::vector<double> output_times(const SimulateArguments& a, const Study& study)
                          fmt::format("times out of order: must be later than {}", times[i - 1]));
     return times;
   }
-  const model::Drive drive = study.drive();
-  const double settled = std::max(drive.pieces.back().begin, study.speed.driven() ? 0.0 : drive.release_time);
-  const double until = a.until ? time_option("--until", *a.until, study) : settled + 100.0;
-  const double every =
-      a.every       ? option_time("--every", *a.every, study, 1e-300, last_time, "a number greater than 0, at most 1e9")
-      : until > 0.0 ? until / 100.0
-                    : 1.0;
-  if (until / every > most_rows)
-    throw InputError("--every", "", fmt::format("{}", every),
-                     fmt::format("makes more than {:.0f} rows; must be at least {}", most_rows, until / most_rows));
-  const auto rows = static_cast<std::size_t>(std::floor(until / every * (1.0 + 1e-12)));
-  for (std::size_t k = 0; k <= rows; ++k) times.push_back(static_cast<double>(k) * every);
-  return times;
+  std::optional<double> until, every;
+  if (a.until) until = time_option("--until", *a.until, study);
+  if (a.every)
+    every = option_time("--every", *a.every, study, 1e-300, last_time, "a number greater than 0, at most 1e9");
+  try {
+    return equipoise::output_times(study, until, every);
+  } catch (const InputError& e) {
+    throw InputError(e.key() == "until" ? "--until" : "--every", "", e.value(), e.problem());
+  }
 }
 
 bool ends_with(const std::string& text, const std::string& end) {
@@ -92,7 +85,9 @@ int run_simulate(const SimulateArguments& a) {
   const std::vector<double> times = output_times(a, study);
   check_output(a.output);
 
-  const Trajectory trajectory = simulate(study, times, &stop_flag());
+  RunOptions options;
+  options.stop = &stop_flag();
+  const Trajectory trajectory = simulate(study, times, options);
   if (a.output.empty()) {
     write_csv(std::cout, trajectory);
   } else if (ends_with(a.output, ".csv")) {

@@ -5,10 +5,14 @@
 
 namespace equipoise {
 
-AttractorsResult attractors(const Study& study, const BasinOptions& options) {
-  check_prescribed(study, "attractors");
+AttractorsResult attractors(const Study& asked, const AttractorsOptions& options) {
+  check_prescribed(asked, "attractors");
+  Study study = asked;
+  study.sampling.starts = options.starts;
   AttractorsResult result;
-  result.basin = basin(study, options, &result.catalogue);
+  BasinOptions search = options;
+  search.transients = options.transients.value_or(false);  // [limits] play no part in which motions there are
+  result.basin = basin(study, search, &result.catalogue);
   return result;
 }
 

@@ -16,8 +16,10 @@
 #include <fmt/ranges.h>
 #include <oneapi/tbb/info.h>
 
+#include "equipoise/base/reporting.hpp"
 #include "equipoise/basins/chunks.hpp"
 #include "equipoise/basins/sampling_choice.hpp"
+#include "equipoise/basins/start_arrays.hpp"
 #include "equipoise/basins/tally.hpp"
 #include "equipoise/discovery/horizon.hpp"
 #include "equipoise/fates/runner.hpp"
@@ -38,6 +40,7 @@ class BasinRun {
  public:
   BasinRun(const Study& study, const BasinOptions& options)
       : options_(options),
+        gathers_(gathers_transients(study, options)),
         threads_(thread_count(options.threads)),
         discoveries_(options.discoveries ? *options.discoveries : own_discoveries_) {
     result_.study = study;
@@ -45,6 +48,7 @@ class BasinRun {
     result_.threads = threads_;
     result_.cpu_target = cpu_target();
     result_.half_width = options.half_width;
+    if (options.keep_starts) result_.every_start.emplace();
   }
 
   BasinResult run() {
@@ -109,7 +113,7 @@ class BasinRun {
   void make_runner() {
     const Study& study = result_.study;
     runner_ = equipoise::make_runner(study, DiscoverySettings{threads_, options_.stop, options_.seeds, &discoveries_},
-                                     options_.transients);
+                                     gathers_);
     tally_.emplace(*sampler_, study.sampling.seed, runner_->settled());
     transients_.emplace(study, *sampler_);
     filed_.clear();
@@ -144,13 +148,13 @@ class BasinRun {
     for (const UnlistedStart& start : chunk->unlisted) settle(*runner_, start, chunk->fates[start.place]);
     for (const Fate& fate : chunk->fates) tally.add(fate);
     pilot_.push_back(chunk);
-    if (options_.progress) options_.progress({tally.total(), 0, tally.share(Outcome::attracted, balanced_id)});
+    report(tally, 0);
   }
 
   void open_file() {
     if (!options_.output.empty())
       file_ = std::make_unique<BasinFile>(options_.output,
-                                          basin_file_header(result_.study, options_.store_angles, options_.transients));
+                                          basin_file_header(result_.study, options_.store_angles, gathers_));
   }
 
   std::vector<AttractorShare> attractor_shares(const Tally& tally) const {
@@ -177,7 +181,7 @@ class BasinRun {
       result_.stalled = tally_->share(Outcome::stalled);
       if (!result_.grid) result_.passed = open_share(passed_, passed_ + result_.undecided.count, tally_->total());
     }
-    if (options_.transients) result_.transients = transients_->result(runner_->catalogue());
+    if (gathers_) result_.transients = transients_->result(runner_->catalogue());
     if (result_.choice && result_.choice->method == SamplingMethod::sobol)  // known better by now
       result_.choice->random_starts = random_starts_for(tally_->shares(), options_.half_width);
   }
@@ -230,8 +234,7 @@ class BasinRun {
     const std::uint64_t each = std::min<std::uint64_t>(known ? 4 : 64, stored);
     for (const std::uint64_t first : {std::uint64_t{0}, stored - each}) {
       Chunk chunk;
-      if (!runner_->run(first, each, chunk.phi, chunk.fates, chunk.unlisted,
-                        options_.transients ? &chunk.transients : nullptr))
+      if (!runner_->run(first, each, chunk.phi, chunk.fates, chunk.unlisted, gathers_ ? &chunk.transients : nullptr))
         return;  // stopped
       for (const UnlistedStart& start : chunk.unlisted) settle(*runner_, start, chunk.fates[start.place]);
       const std::vector<Fate> fates = file_->read(first, each);
@@ -256,7 +259,7 @@ class BasinRun {
       const std::size_t count = std::min<std::uint64_t>(block, end - first);
       const std::vector<Fate> fates = file_->read(first, count);
       const std::vector<TransientRow> rows =
-          options_.transients ? file_->read_transients(first, count) : std::vector<TransientRow>{};
+          gathers_ ? file_->read_transients(first, count) : std::vector<TransientRow>{};
       for (std::size_t i = 0; i < count; ++i) visit(fates[i], rows.empty() ? nullptr : &rows[i]);
     }
   }
@@ -275,6 +278,7 @@ class BasinRun {
       undecided_.push_back(tally_->total() - 1);
     if (fate.outcome == Outcome::stalled && stalled_.size() < undecided_looked_at)
       stalled_.push_back(tally_->total() - 1);
+    if (result_.every_start) add_start(result_.study, *sampler_, fate, row, *result_.every_start);
     if (options_.fate) options_.fate(fate);
   }
 
@@ -296,8 +300,13 @@ class BasinRun {
   void add_note(const std::string& words) { result_.note += (result_.note.empty() ? "" : "; ") + words; }
 
   void compute(std::uint64_t first, std::uint64_t limit, const ChunkSink& sink) {
-    const ChunkWork work{*runner_, threads_, result_.study.needs_machine(), options_.transients, options_.stop};
+    const ChunkWork work{*runner_, threads_, result_.study.needs_machine(), gathers_, options_.stop};
     compute_chunks(work, first, limit, finished_, lost_, sink);
+  }
+
+  void report(const Tally& tally, std::uint64_t limit) const {
+    if (options_.progress)
+      options_.progress({tally.total(), limit, "starts", tally.share(Outcome::attracted, balanced_id).share});
   }
 
   // Takes a chunk in, in order. After one that was not completed no later one counts: the result stays a prefix. What
@@ -320,9 +329,7 @@ class BasinRun {
       ++taken;
     }
     if (file_) store(chunk, begin, taken);
-    if (options_.progress)
-      options_.progress(
-          {tally_->total(), options_.half_width > 0.0 ? 0 : limit_, tally_->share(Outcome::attracted, balanced_id)});
+    report(*tally_, options_.half_width > 0.0 ? 0 : limit_);
   }
 
   // Starts are functions of their index, so what they drew besides angles is made again for the file alone.
@@ -349,6 +356,7 @@ class BasinRun {
   }
 
   const BasinOptions& options_;
+  bool gathers_;  // transients
   std::chrono::steady_clock::time_point begin_ = std::chrono::steady_clock::now();
   double cpu_begin_ = cpu_now();
   int threads_;
@@ -373,13 +381,21 @@ class BasinRun {
 
 }  // namespace
 
+bool gathers_transients(const Study& study, const BasinOptions& options) {
+  const Limits& limits = study.limits;
+  return options.transients.value_or(limits.displacement || limits.force || limits.velocity || limits.settled);
+}
+
 int thread_count(int asked) { return asked > 0 ? asked : tbb::info::default_concurrency(); }
 
 BasinResult basin(const Study& study, const BasinOptions& options, Catalogue* catalogue) {
-  BasinRun run(study, options);
-  BasinResult result = run.run();
-  if (catalogue) *catalogue = run.catalogue();
-  return result;
+  const ChosenCpuTarget chosen(options.cpu_target);
+  return reported(options, [&](const BasinOptions& o) {
+    BasinRun run(study, o);
+    BasinResult result = run.run();
+    if (catalogue) *catalogue = run.catalogue();
+    return result;
+  });
 }
 
 }  // namespace equipoise

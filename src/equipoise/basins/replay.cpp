@@ -2,36 +2,41 @@
 #include <memory>
 #include <vector>
 
-#include <fmt/format.h>
-
+#include "equipoise/base/reporting.hpp"
 #include "equipoise/basins/basin.hpp"
 #include "equipoise/fates/runner.hpp"
-#include "equipoise/spin_up/initial_state.hpp"
+#include "equipoise/kernels/cpu_target.hpp"
 
 namespace equipoise {
 
-StartReplay replay_start(const Study& study, std::uint64_t index, const BasinOptions& options) {
+namespace {
+
+StartReplay replayed(const Study& study, std::uint64_t index, const BasinOptions& options) {
   check_runnable(study);
-  const Sampler sampler = sampler_of(study);
-  if (sampler.grid() && index >= sampler.grid()->starts())
-    throw InputError(study.name, "start index", fmt::format("{}", index),
-                     fmt::format("must be below {}, the starts of this grid", sampler.grid()->starts()));
-  const std::unique_ptr<Runner> runner = make_runner(
-      study, {thread_count(options.threads), options.stop, options.seeds, options.discoveries}, options.transients);
+  const bool gathers = gathers_transients(study, options);
+  StartReplay replay;
+  replay.index = index;
+  replay.start = start_of(study, index);
+  const std::unique_ptr<Runner> runner =
+      make_runner(study, {thread_count(options.threads), options.stop, options.seeds, options.discoveries}, gathers);
   std::vector<double> phi;
   std::vector<Fate> fates;
   std::vector<UnlistedStart> unlisted;
   std::vector<TransientRow> rows;
-  StartReplay replay;
-  replay.index = index;
-  if (runner->stopped() || !runner->run(index, 1, phi, fates, unlisted, options.transients ? &rows : nullptr))
+  if (runner->stopped() || !runner->run(index, 1, phi, fates, unlisted, gathers ? &rows : nullptr))
     throw RunError("stopped before the start was decided");
-  replay.start = start_of(study, study.sampling.seed, index);
   replay.fate = fates.front();
   if (!rows.empty()) replay.transients = rows.front();
   if (!unlisted.empty()) settle(*runner, unlisted.front(), replay.fate);
   if (const Attractor* a = runner->catalogue().find(replay.fate.attractor)) replay.name = a->name;
   return replay;
+}
+
+}  // namespace
+
+StartReplay replay_start(const Study& study, std::uint64_t index, const BasinOptions& options) {
+  const ChosenCpuTarget chosen(options.cpu_target);
+  return reported(options, [&](const BasinOptions& o) { return replayed(study, index, o); });
 }
 
 }  // namespace equipoise

@@ -10,7 +10,7 @@
 #include "equipoise/base/error.hpp"
 #include "equipoise/fates/start_runner.hpp"
 #include "equipoise/study/given_value.hpp"
-#include "equipoise/study/table_reader.hpp"
+#include "equipoise/study/toml_tree.hpp"
 
 namespace equipoise {
 
@@ -88,7 +88,7 @@ Study study_with(const Study& original, const std::string& key, double value) {
       study.initial.phi[static_cast<std::size_t>(i)] = value;
       return study;
     }
-  if (key != "speed.final") return parse_study(to_toml(study), study.name, {key + "=" + study::number_text(value)});
+  if (key != "speed.final") return study_from(to_tree(study), study.name, {key + "=" + study::number_text(value)});
   if (study.speed.profile == "constant")
     study.speed.speed = value;
   else if (study.speed.profile == "points")

@@ -211,7 +211,8 @@ class Discoverer {
 
   void prove(BalancedTrap& trap) {
     const Certificate certificate =
-        largest_certificate(study_.parameters, speed_, trap.phi.data(), form_of(trap), trap.level / level_margin);
+        largest_certificate(study_.parameters, speed_, trap.phi.data(), form_of(trap), trap.level / level_margin, nullptr,
+                            settings_.stop);
     // What the kernels compute in place of V is off by rounding: a part in 10^13.
     set_level(trap, certificate.level * (1.0 - 1e-9));
     trap.by = DecidedBy::proof;

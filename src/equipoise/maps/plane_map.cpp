@@ -18,9 +18,12 @@
 #include <oneapi/tbb/parallel_for.h>
 #include <oneapi/tbb/task_arena.h>
 
+#include "equipoise/base/error.hpp"
+#include "equipoise/base/reporting.hpp"
 #include "equipoise/basins/basin.hpp"
 #include "equipoise/branches/parameter_line.hpp"
 #include "equipoise/fates/start_runner.hpp"
+#include "equipoise/kernels/cpu_target.hpp"
 #include "equipoise/math/dense.hpp"
 #include "equipoise/model/balanced_state.hpp"
 #include "equipoise/model/linearisation.hpp"
@@ -196,7 +199,7 @@ class Mapper {
   void report() {
     if (!settings_.progress) return;
     const std::lock_guard lock(reporting_);
-    settings_.progress(++done_, pixels_.size());
+    settings_.progress({++done_, pixels_.size(), "pixels", {}});
   }
 
   // Counts codes; gives free ones to names without: the usual ones first, then in the order of pixels.
@@ -238,6 +241,9 @@ class Mapper {
 
 }  // namespace
 
-PlaneMap plane_map(const Study& study, const PlaneMapSettings& settings) { return Mapper(study, settings).run(); }
+PlaneMap plane_map(const Study& study, const PlaneMapSettings& settings) {
+  const ChosenCpuTarget chosen(settings.cpu_target);
+  return reported(settings, [&](const PlaneMapSettings& s) { return Mapper(study, s).run(); });
+}
 
 }  // namespace equipoise

@@ -3,11 +3,9 @@
 
 #include <cmath>
 #include <optional>
-#include <sstream>
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
-#include <toml++/toml.h>
 
 #include "equipoise/base/angles.hpp"
 #include "equipoise/report/engineering.hpp"
@@ -160,10 +158,28 @@ nlohmann::ordered_json share_json(const Share& s) {
   return {{"count", s.count}, {"share", s.share}, {"low", s.low}, {"high", s.high}};
 }
 
-nlohmann::ordered_json study_json(const Study& study) {
-  std::ostringstream text;
-  text << toml::json_formatter{toml::parse(to_toml(study))};
-  return nlohmann::ordered_json::parse(text.str());
+namespace {
+
+nlohmann::ordered_json tree_json(const StudyValue& value) {
+  using Json = nlohmann::ordered_json;
+  if (const auto* table = value.table()) {
+    Json json = Json::object();
+    for (const auto& [key, member] : *table) json[key] = tree_json(member);
+    return json;
+  }
+  if (const auto* array = value.array()) {
+    Json json = Json::array();
+    for (const StudyValue& entry : *array) json.push_back(tree_json(entry));
+    return json;
+  }
+  if (const auto* truth = value.boolean()) return *truth;
+  if (const auto* whole = value.integer()) return *whole;
+  if (const auto* number = value.real()) return *number;
+  return value.string() ? Json(*value.string()) : Json(value.other()->text);
 }
+
+}  // namespace
+
+nlohmann::ordered_json study_json(const Study& study) { return tree_json(to_tree(study)); }
 
 }  // namespace equipoise

@@ -6,8 +6,11 @@
 
 #include <fmt/format.h>
 
+#include "equipoise/base/error.hpp"
+#include "equipoise/base/reporting.hpp"
 #include "equipoise/basins/basin.hpp"
 #include "equipoise/discovery/discovery.hpp"
+#include "equipoise/kernels/cpu_target.hpp"
 #include "equipoise/report/text.hpp"
 
 namespace equipoise {
@@ -135,7 +138,7 @@ class TableRun {
     options.stop = options_.stop;
     options.discoveries = &discoveries_;
     options.fate = [&](const Fate& fate) { result.balanced.push_back(is_balanced(fate)); };
-    options.progress = [&](const BasinProgress& p) { report(p.done); };
+    options.progress = [&](const Progress& p) { report(p.done); };
     const BasinResult basin = equipoise::basin(study, options);
     result.starts = basin.starts;
     result.seed = study.sampling.seed;
@@ -157,13 +160,16 @@ class TableRun {
   }
 
   const ReproduceOptions& options_;
-  ReproduceProgress progress_;
+  Progress progress_;
   DiscoveryCache discoveries_;
   std::uint64_t before_ = 0;
 };
 
 }  // namespace
 
-std::vector<ReproducedTable> reproduce_tables(const ReproduceOptions& options) { return TableRun(options).run(); }
+std::vector<ReproducedTable> reproduce_tables(const ReproduceOptions& options) {
+  const ChosenCpuTarget chosen(options.cpu_target);
+  return reported(options, [](const ReproduceOptions& o) { return TableRun(o).run(); });
+}
 
 }  // namespace equipoise

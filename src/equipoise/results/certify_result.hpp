@@ -26,6 +26,7 @@ struct CertifyResult {
   double speed = 0.0;              ///< final speed of the study
   std::vector<StateProof> states;  ///< one for each stable state that is no copy
   std::string note;                ///< why there is no state to prove anything of
+  bool partial = false;            ///< stopped before every state was tried
   /// There is a stable state, and each has a proof that was checked.
   bool proved() const;
 };

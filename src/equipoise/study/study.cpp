@@ -267,7 +267,7 @@ void read_limits(const Document& document, Limits& limits) {
 
 // What a dimensionless study may say of its units, so that results can be shown in physical ones.
 std::optional<model::Scales> read_units(const Document& document) {
-  if (document.scales || !document.root.contains("units")) return document.scales;
+  if (document.scales || !document.root.find("units")) return document.scales;
   constexpr Range size{1e-30, 1e30};  // products of all three stay finite
   TableReader reader(document, "units");
   const model::Scales scales{reader.number("mass", size), reader.number("length", size),
@@ -404,13 +404,14 @@ void rest_under_gravity(const Document& document, Study& study) {
 
 }  // namespace
 
-Study parse_study(const std::string& toml_text, const std::string& name, const std::vector<std::string>& overrides) {
-  Document document = parse_document(toml_text, name, overrides);
+namespace {
+
+Study read(Document document) {
   check_tables(document,
                {"rotor", "balancer", "speed", "release", "initial", "sampling", "numerics", "limits", "units"});
   make_dimensionless(document);
   Study result;
-  result.name = name;
+  result.name = document.name;
   read_rotor(document, result.parameters);
   read_balancer(document, result.parameters);
   read_speed(document, result.parameters, result.speed);
@@ -424,6 +425,16 @@ Study parse_study(const std::string& toml_text, const std::string& name, const s
   return result;
 }
 
+}  // namespace
+
+Study parse_study(const std::string& toml_text, const std::string& name, const std::vector<std::string>& overrides) {
+  return read(parse_document(toml_text, name, overrides));
+}
+
+Study study_from(const StudyValue& tree, const std::string& name, const std::vector<std::string>& overrides) {
+  return read(document_of(tree, name, overrides));
+}
+
 Study read_study(const std::string& path, const std::vector<std::string>& overrides) {
   return parse_study(read_study_text(path), display_text(path), overrides);
 }
@@ -433,16 +444,12 @@ BallDetails parse_ball_details(const std::string& toml_text, const std::string& 
   return ball_details(parse_document(toml_text, name, overrides));
 }
 
-void check(const Study& study) {
-  const std::string name = study.name.empty() ? "study" : study.name;
-  if (study.parameters.balls < 1 || study.parameters.balls > model::max_balls)
-    throw InputError(name, "balancer.balls", fmt::format("{}", study.parameters.balls),
-                     fmt::format("must be a whole number from 1 to {}", model::max_balls));
-  try {
-    parse_study(to_toml(study), name);  // one set of rules, whether a study comes from a file or from code
-  } catch (const InputError& e) {
-    throw InputError(name, e.key(), e.value(), e.problem());  // without a line of a text that nobody wrote
-  }
+BallDetails ball_details_from(const StudyValue& tree, const std::string& name,
+                              const std::vector<std::string>& overrides) {
+  return ball_details(document_of(tree, name, overrides));
 }
+
+// One set of rules, whether a study comes from a file, a tree or code.
+void check(const Study& study) { read(document_of(to_tree(study), study.name.empty() ? "study" : study.name, {})); }
 
 }  // namespace equipoise

@@ -13,6 +13,7 @@
 #include "equipoise/model/scales.hpp"
 #include "equipoise/model/speed.hpp"
 #include "equipoise/sampling/sampling.hpp"
+#include "equipoise/study/study_value.hpp"
 
 namespace equipoise {
 
@@ -169,11 +170,18 @@ Study read_study(const std::string& path, const std::vector<std::string>& overri
 Study parse_study(const std::string& toml_text, const std::string& name,
                   const std::vector<std::string>& overrides = {});
 
+/// The same from a tree of values: tables and keys as in a study file.
+Study study_from(const StudyValue& tree, const std::string& name = "study",
+                 const std::vector<std::string>& overrides = {});
+
 /// Throws InputError unless read_study() would accept `study`: for studies filled in by code. simulate() and basin()
 /// call it themselves.
 void check(const Study& study);
 
-/// The resolved study, defaults included, as TOML that read_study() takes back to an equal study.
+/// The resolved study, defaults included, as a tree that study_from() takes back to an equal study.
+StudyValue to_tree(const Study& study);
+
+/// The same as TOML that read_study() takes back to an equal study.
 std::string to_toml(const Study& study);
 
 }  // namespace equipoise
