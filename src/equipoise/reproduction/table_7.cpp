@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 
+#include "equipoise/base/error.hpp"
 #include "equipoise/literature/paper_rotor.hpp"
 
 namespace equipoise {
