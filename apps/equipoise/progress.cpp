@@ -67,9 +67,12 @@ void ProgressLine::update(const Progress& progress) {
     if (rate > 0.0)
       text += fmt::format("  {:.0f}/s  {} left", rate, duration(static_cast<double>(total - done) / rate));
   } else {
-    text += fmt::format("{}  {:.0f}/s", done, rate);
+    text += fmt::format("{} {}  {:.0f}/s", done, what, rate);
   }
-  text += "  " + (balanced ? fmt::format("balanced {:.2f} %", 100.0 * *balanced) : what);
+  if (balanced)
+    text += fmt::format("  balanced {:.2f} %", 100.0 * *balanced);
+  else if (total > 0)
+    text += "  " + what;
   if (style_ == Style::bar) {
     text = text.substr(0, terminal_width() - 1);
     put_error("\r" + text + "\x1b[K");

@@ -12,6 +12,12 @@ AttractorsResult attractors(const Study& asked, const AttractorsOptions& options
   AttractorsResult result;
   BasinOptions search = options;
   search.transients = options.transients.value_or(false);  // [limits] play no part in which motions there are
+  if (options.progress)
+    search.progress = [&](Progress p) {
+      p.what = "starts searched";
+      p.balanced.reset();
+      options.progress(p);
+    };
   result.basin = basin(study, search, &result.catalogue);
   return result;
 }
