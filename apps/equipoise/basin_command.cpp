@@ -29,7 +29,10 @@ struct BasinArguments {
 Study study_from(const BasinArguments& a) {
   std::vector<std::string> overrides = a.overrides;
   override_starts(a.starts, a.seed, overrides);
-  if (a.decide) overrides.push_back("numerics.decide=" + option_choice("--decide", *a.decide, decide_mode_names));
+  if (a.decide) {
+    option_choice<DecideMode>("--decide", *a.decide, decide_mode_names);
+    overrides.push_back("numerics.decide=" + *a.decide);
+  }
   return read_study(a.study, overrides);
 }
 

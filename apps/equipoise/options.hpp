@@ -1,6 +1,7 @@
 // Options that several commands share.
 #pragma once
 
+#include <algorithm>
 #include <charconv>
 #include <optional>
 #include <string>
@@ -33,12 +34,12 @@ T option_number(const char* option, const std::string& text, T low, T high, cons
 double option_time(const char* option, const std::string& text, const Study& study, double least, double most,
                    const char* allowed);
 
-/// One of `choices`, given as an option.
-template <class Choices>
-const std::string& option_choice(const char* option, const std::string& text, const Choices& choices) {
-  for (const auto& choice : choices)
-    if (text == choice) return text;
-  throw InputError(option, "", display_text(text), fmt::format("must be one of: {}", fmt::join(choices, ", ")));
+/// A value of an enumeration by its name, given as an option; `names` are in the order of the values.
+template <class Enumeration, class Names>
+Enumeration option_choice(const char* option, const std::string& text, const Names& names) {
+  const auto at = std::find(names.begin(), names.end(), text);
+  if (at != names.end()) return static_cast<Enumeration>(at - names.begin());
+  throw InputError(option, "", display_text(text), fmt::format("must be one of: {}", fmt::join(names, ", ")));
 }
 
 /// --threads T: 0 if it is not given, for all cores. More threads than cores are made if so many are asked for.

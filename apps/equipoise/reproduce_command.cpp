@@ -41,10 +41,7 @@ ReproduceOptions options_from(const ReproduceArguments& a) {
   if (a.starts)
     options.starts =
         option_number<std::uint64_t>("--starts", *a.starts, 1, 1'000'000'000, "a whole number from 1 to 1000000000");
-  option_choice("--law", a.law, std::array{"published", "kinematic", "both"});
-  options.laws = a.law == "published"   ? LawChoice::published
-                 : a.law == "kinematic" ? LawChoice::kinematic
-                                        : LawChoice::both;
+  options.laws = option_choice<LawChoice>("--law", a.law, law_choice_names);
   if (!a.output.empty()) options.folder = a.output + "/ensembles";
   options.stop = &stop_flag();
   return options;

@@ -53,7 +53,7 @@ void ordinary(Study& s, Dice& d, int balls) {
 }
 
 void constant(Study& s, double speed) {
-  s.speed.profile = "constant";
+  s.speed.profile = Profile::constant;
   s.speed.speed = rounded(speed);
 }
 
@@ -77,7 +77,7 @@ void anisotropic(Study& s, Dice& d) {
 }
 
 void driven(Study& s, Dice& d, double initial) {
-  s.speed.profile = "torque";
+  s.speed.profile = Profile::torque;
   s.parameters.inertia = rounded(d.scale(0.3, 2.0));
   s.speed.initial = initial == 0.0 ? 0.0 : rounded(initial);
 }
@@ -122,7 +122,7 @@ const Kind kinds[] = {
     {"ramp, balls let go on the way",
      [](Study& s, Dice& d) {
        ordinary(s, d, 2);
-       s.speed.profile = "ramp";
+       s.speed.profile = Profile::ramp;
        s.speed.final = rounded(d.even(1.8, 4.0));
        s.speed.duration = rounded(d.scale(5.0, 400.0));
        if (d.chance(0.7)) s.release.speed = rounded(s.speed.final * d.even(0.2, 1.0));
@@ -182,7 +182,7 @@ const Kind kinds[] = {
     {"trapezoid",
      [](Study& s, Dice& d) {
        ordinary(s, d, 2);
-       s.speed.profile = "trapezoid";
+       s.speed.profile = Profile::trapezoid;
        s.speed.peak = rounded(d.even(3.0, 5.0));
        s.speed.final = rounded(d.even(1.8, 3.0));
        s.speed.rise_until = rounded(d.scale(5.0, 80.0));
@@ -218,7 +218,7 @@ const Kind kinds[] = {
        t.gain = rounded(d.scale(0.05, 1.0));
        t.integral = d.chance(0.5) ? 0.0 : rounded(d.scale(0.002, 0.05));
        if (d.chance(0.5)) t.limit = rounded(d.even(0.1, 0.5));
-       t.target.profile = "ramp";
+       t.target.profile = Profile::ramp;
        t.target.final = rounded(d.even(1.8, 4.0));
        t.target.duration = rounded(d.scale(5.0, 100.0));
      }},
@@ -239,7 +239,7 @@ const Kind kinds[] = {
     {"points",
      [](Study& s, Dice& d) {
        ordinary(s, d, 2);
-       s.speed.profile = "points";
+       s.speed.profile = Profile::points;
        const double rise = d.scale(5.0, 100.0);
        s.speed.times = {0.0, rounded(rise), rounded(rise + d.even(5.0, 50.0))};
        s.speed.speeds = {rounded(d.even(0.0, 0.5)), rounded(d.even(2.0, 5.0)), rounded(d.even(1.8, 4.0))};
@@ -273,7 +273,7 @@ const Kind kinds[] = {
     {"published law",
      [](Study& s, Dice& d) {
        ordinary(s, d, 2);
-       s.speed.profile = "ramp";
+       s.speed.profile = Profile::ramp;
        s.speed.law = model::SpeedLaw::published;
        s.speed.final = rounded(d.even(1.8, 4.0));
        s.speed.duration = rounded(d.scale(5.0, 200.0));
@@ -282,7 +282,7 @@ const Kind kinds[] = {
 
 // What may be added to any study.
 void season(Study& s, Dice& d) {
-  const bool at_rest = s.speed.driven() || s.speed.profile != "constant";
+  const bool at_rest = s.speed.driven() || s.speed.profile != Profile::constant;
   if (d.chance(0.12) && s.parameters.balls > 1) unequal(s, d);
   if (d.chance(0.10) && s.parameters.isotropic() && !s.needs_machine()) anisotropic(s, d);
   if (d.chance(0.10) && s.parameters.race_is_centred() && s.needs_machine())

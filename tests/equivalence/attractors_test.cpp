@@ -19,7 +19,7 @@ Study rotor(double drag, double speed, std::uint64_t starts) {
   study.name = "rotor";
   study.parameters.mass = {0.05, 0.05};
   study.parameters.drag = {drag, drag};
-  study.speed.profile = "constant";
+  study.speed.profile = Profile::constant;
   study.speed.speed = speed;
   study.sampling.starts = starts;
   return study;

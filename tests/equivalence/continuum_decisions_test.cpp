@@ -20,7 +20,7 @@ Study rotor(int balls) {
   study.parameters.balls = balls;
   study.parameters.mass.fill(0.05);
   study.parameters.drag.fill(0.05);
-  study.speed.profile = "constant";
+  study.speed.profile = Profile::constant;
   study.speed.speed = 2.4;
   study.numerics.horizon = 3000.0;  // the same for both ways of deciding
   return study;

@@ -22,7 +22,7 @@ Study rotor(int balls, double drag, double speed) {
   study.parameters.balls = balls;
   study.parameters.mass.fill(0.05);
   study.parameters.drag.fill(drag);
-  study.speed.profile = "constant";
+  study.speed.profile = Profile::constant;
   study.speed.speed = speed;
   study.sampling.starts = 1000;
   return study;

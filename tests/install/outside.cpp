@@ -22,7 +22,7 @@ equipoise::Study filled_in_by_code() {
   study.name = "outside";
   study.parameters.mass = {0.05, 0.05};
   study.parameters.drag = {0.05, 0.05};
-  study.speed.profile = "constant";
+  study.speed.profile = equipoise::Profile::constant;
   study.speed.speed = 2.6;
   study.sampling.starts = 2000;
   study.initial.phi = {1.0, 4.0};

@@ -195,7 +195,7 @@ TEST(Check, RefusesWhatNoTextCouldSay) {
   EXPECT_EQ(refused_key([](Study& s) { s.parameters.stiction[0] = std::nan(""); }), "balancer.stiction");
   // A motor by stall torque whose law says table: which it is nobody can tell.
   EXPECT_EQ(refused_key([](Study& s) {
-              s.speed.profile = "torque";
+              s.speed.profile = Profile::torque;
               s.parameters.inertia = 1.0;
               s.speed.torque = {};
               s.speed.torque.by_stall = true;
@@ -239,8 +239,8 @@ class Draw {
 };
 
 void draw_ramp(Draw& draw, RampSetting& s, bool driven_too) {
-  const char* profiles[] = {"constant", "ramp", "trapezoid", "points", "torque", "sudden"};
-  s.profile = profiles[draw.rarely() ? 5 : draw.below(driven_too ? 5 : 4)];
+  constexpr int no_profile = static_cast<int>(profile_names.size());
+  s.profile = static_cast<Profile>(draw.rarely() ? no_profile : draw.below(driven_too ? 5 : 4));
   s.speed = draw.number();
   s.initial = draw.number();
   s.final = draw.number();

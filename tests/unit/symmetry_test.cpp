@@ -22,6 +22,7 @@ namespace {
 
 namespace kernels = equipoise::HWY_NAMESPACE;
 namespace model = equipoise::model;
+using equipoise::Profile;
 using equipoise::Study;
 using equipoise::Trajectory;
 using model::SpeedLaw;
@@ -55,7 +56,7 @@ Study random_study(bool isotropic_without_gravity = false) {
   s.parameters = random_rotor(isotropic_without_gravity);
   s.speed.speed = between(-3.0, 3.0);
   if (coin()) {
-    s.speed.profile = "ramp";
+    s.speed.profile = Profile::ramp;
     s.speed.initial = between(-1.0, 1.0);
     s.speed.final = between(1.5, 3.0);
     s.speed.duration = between(1.0, 10.0);
@@ -179,12 +180,12 @@ RC_GTEST_PROP(Trajectories, turn_with_their_start_if_the_rotor_has_no_unbalance,
 RC_GTEST_PROP(Trajectories, are_the_same_from_a_ramp_and_from_points_with_its_corners, ()) {
   Study s = random_study();
   if (coin()) {
-    s.speed.profile = "ramp";
+    s.speed.profile = Profile::ramp;
     s.speed.duration = between(1.0, 10.0);
     s.speed.times = {0.0, s.speed.duration};
     s.speed.speeds = {s.speed.initial, s.speed.final};
   } else {
-    s.speed.profile = "trapezoid";
+    s.speed.profile = Profile::trapezoid;
     s.speed.peak = between(2.0, 3.0);
     s.speed.rise_until = between(1.0, 5.0);
     s.speed.hold_until = s.speed.rise_until + between(1.0, 5.0);
@@ -193,7 +194,7 @@ RC_GTEST_PROP(Trajectories, are_the_same_from_a_ramp_and_from_points_with_its_co
     s.speed.speeds = {s.speed.initial, s.speed.peak, s.speed.peak, s.speed.final};
   }
   const Trajectory a = equipoise::simulate(s, times);
-  s.speed.profile = "points";
+  s.speed.profile = Profile::points;
   const Trajectory b = equipoise::simulate(s, times);
   // The same numbers reach the same code: not even rounding differs.
   RC_ASSERT(a.psi == b.psi);

@@ -89,9 +89,9 @@ Study study_with(const Study& original, const std::string& key, double value) {
       return study;
     }
   if (key != "speed.final") return study_from(to_tree(study), study.name, {key + "=" + study::number_text(value)});
-  if (study.speed.profile == "constant")
+  if (study.speed.profile == Profile::constant)
     study.speed.speed = value;
-  else if (study.speed.profile == "points")
+  else if (study.speed.profile == Profile::points)
     study.speed.speeds.back() = value;
   else
     study.speed.final = value;

@@ -29,15 +29,15 @@ constexpr double least_rate = 1e-9;  // slower than any horizon shows
 constexpr double root_two = 1.4142135623730951;
 
 double last_speed(const RampSetting& s) {
-  if (s.profile == "constant") return s.speed;
-  if (s.profile == "points") return s.speeds.back();
+  if (s.profile == Profile::constant) return s.speed;
+  if (s.profile == Profile::points) return s.speeds.back();
   return s.final;
 }
 
 std::optional<double> last_time(const RampSetting& s) {
-  if (s.profile == "ramp") return s.duration;
-  if (s.profile == "trapezoid") return s.fall_until;
-  if (s.profile == "points") return s.times.back();
+  if (s.profile == Profile::ramp) return s.duration;
+  if (s.profile == Profile::trapezoid) return s.fall_until;
+  if (s.profile == Profile::points) return s.times.back();
   return std::nullopt;
 }
 
@@ -119,19 +119,19 @@ class Quantities {
   }
 
   void ramp(const RampSetting& s, const std::string& name) {
-    if (s.profile == "constant") return add("Omega", name, s.speed, Dimension::speed);
-    if (s.profile == "points") {
+    if (s.profile == Profile::constant) return add("Omega", name, s.speed, Dimension::speed);
+    if (s.profile == Profile::points) {
       add("Omega", "final " + name, s.speeds.back(), Dimension::speed);
       return add("t", "reached at", s.times.back(), Dimension::time);
     }
     add("Omega_0", "initial " + name, s.initial, Dimension::speed);
-    if (s.profile == "trapezoid") {
+    if (s.profile == Profile::trapezoid) {
       add("Omega_p", "highest " + name, s.peak, Dimension::speed);
       add("T_0", "reached at", s.rise_until, Dimension::time);
       add("T_1", "held until", s.hold_until, Dimension::time);
     }
     add("Omega", "final " + name, s.final, Dimension::speed);
-    add(s.profile == "trapezoid" ? "T_2" : "T_0", "reached at", s.profile == "trapezoid" ? s.fall_until : s.duration,
+    add(s.profile == Profile::trapezoid ? "T_2" : "T_0", "reached at", s.profile == Profile::trapezoid ? s.fall_until : s.duration,
         Dimension::time);
   }
 

@@ -20,8 +20,8 @@ namespace equipoise {
 namespace {
 
 const char* final_speed_key(const Study& study) {
-  const std::string& profile = study.speed.profile;
-  return profile == "constant" ? "speed.speed" : profile == "points" ? "speed.speeds" : "speed.final";
+  const Profile profile = study.speed.profile;
+  return profile == Profile::constant ? "speed.speed" : profile == Profile::points ? "speed.speeds" : "speed.final";
 }
 
 }  // namespace

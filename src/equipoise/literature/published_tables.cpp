@@ -176,7 +176,7 @@ const std::vector<PublishedTable>& published_tables() {
 Study study_of(const PublishedRow& row, model::SpeedLaw law) {
   const std::string name = row.study + ".toml";
   Study study = parse_study(std::string(required("studies/" + name)), "studies/paper/" + name);
-  if (study.speed.profile != "constant") study.speed.law = law;
+  if (study.speed.profile != Profile::constant) study.speed.law = law;
   return study;
 }
 

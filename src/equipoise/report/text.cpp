@@ -88,11 +88,11 @@ std::string speed_text(const Study& study) {
   std::string text;
   if (s.driven())
     text = motor_text(study);
-  else if (s.profile == "constant")
+  else if (s.profile == Profile::constant)
     text = fmt::format("constant speed {}", speed(s.speed));
-  else if (s.profile == "ramp")
+  else if (s.profile == Profile::ramp)
     text = fmt::format("ramp {} to {} in {}", speed(s.initial), speed(s.final), time(s.duration));
-  else if (s.profile == "trapezoid")
+  else if (s.profile == Profile::trapezoid)
     text = fmt::format("trapezoid {} to {} by {}, held to {}, to {} by {}", speed(s.initial), speed(s.peak),
                        time(s.rise_until), time(s.hold_until), speed(s.final), time(s.fall_until));
   else
@@ -102,7 +102,7 @@ std::string speed_text(const Study& study) {
     text += ", balls released at " + speed(*study.release.speed);
   else if (release > 0.0)
     text += ", balls released at t = " + (study.scales ? time(release) : fmt::format("{:.6g}", release));
-  if (s.profile != "constant" && !s.driven())
+  if (s.profile != Profile::constant && !s.driven())
     text += s.law == model::SpeedLaw::published ? "; PUBLISHED speed law, psi = t Omega(t)"
                                                 : "; kinematic speed law, psi' = Omega(t)";
   return text;
@@ -152,7 +152,7 @@ std::string rotor_speed_text(const Study& study, double speed) {
   return study.scales ? Shown(study)(speed, Dimension::speed) : fmt::format("{:.6g}", speed);
 }
 
-const char* name_of(model::SpeedLaw law) { return law == model::SpeedLaw::published ? "published" : "kinematic"; }
+const char* name_of(model::SpeedLaw law) { return speed_law_names[static_cast<std::size_t>(law)]; }
 
 nlohmann::ordered_json share_json(const Share& s) {
   return {{"count", s.count}, {"share", s.share}, {"low", s.low}, {"high", s.high}};

@@ -59,7 +59,7 @@ FigureSeries curve(const Study& study, const std::string& label, double until, c
 
 Study ramp_study(double zeta, double beta, double final, double duration, double release, SpeedLaw law) {
   Study study = paper_rotor(zeta, beta);
-  study.speed.profile = "ramp";
+  study.speed.profile = Profile::ramp;
   study.speed.final = final;
   study.speed.duration = duration;
   study.speed.law = law;

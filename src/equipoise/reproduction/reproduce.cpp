@@ -91,10 +91,10 @@ class TableRun {
     study.sampling.starts = factor * starts_of(*row.published);
     // The constant-speed study has no law to name.
     const std::string name = row.published->study +
-                             (study.speed.profile == "constant" ? "" : fmt::format("-{}", name_of(law))) +
+                             (study.speed.profile == Profile::constant ? "" : fmt::format("-{}", name_of(law))) +
                              (factor > 1 ? "-follow-up" : "");
     const std::string path = options_.folder.empty() ? "" : options_.folder + "/" + name + ".nc";
-    progress_.what = study.speed.profile == "constant" ? row.published->study
+    progress_.what = study.speed.profile == Profile::constant ? row.published->study
                                                        : fmt::format("{}, {} law", row.published->study, name_of(law));
     EnsembleResult result;
     if (stopped()) return result;

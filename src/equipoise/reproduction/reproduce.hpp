@@ -1,6 +1,7 @@
 // The paper's tables computed row by row, with rows that an earlier run stored taken from there.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <string>
 #include <vector>
@@ -13,6 +14,7 @@ namespace equipoise {
 
 /// Which speed laws to compute ramps under. Constant speeds know no difference.
 enum class LawChoice { published, kinematic, both };
+inline constexpr std::array<const char*, 3> law_choice_names{"published", "kinematic", "both"};
 
 /// Progress is in starts of all ensembles asked for; then in curves, pixels and starts of what else is.
 struct ReproduceOptions : RunOptions {

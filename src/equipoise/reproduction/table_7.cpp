@@ -77,7 +77,7 @@ Study Table7Protocol::study(const Table7Row& row) const {
   study.name = "table 7";
   study.parameters.eccentricity = eccentricity;
   study.parameters.mass = {mass, mass};
-  study.speed.profile = "trapezoid";
+  study.speed.profile = Profile::trapezoid;
   study.speed.peak = peak;
   study.speed.final = final;
   study.speed.rise_until = t0;

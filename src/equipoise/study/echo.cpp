@@ -61,13 +61,13 @@ StudyValue balancer_table(const model::Parameters& p) {
 }
 
 void add_ramp(StudyValue& table, const RampSetting& s) {
-  if (s.profile == "constant") {
+  if (s.profile == Profile::constant) {
     table.set("speed", s.speed);
-  } else if (s.profile == "ramp") {
+  } else if (s.profile == Profile::ramp) {
     table.set("initial", s.initial);
     table.set("final", s.final);
     table.set("duration", s.duration);
-  } else if (s.profile == "trapezoid") {
+  } else if (s.profile == Profile::trapezoid) {
     table.set("initial", s.initial);
     table.set("peak", s.peak);
     table.set("final", s.final);
@@ -95,7 +95,7 @@ StudyValue torque_table(const TorqueSetting& t) {
     torque.set("gain", t.gain);
     torque.set("integral", t.integral);
     set_if(torque, "limit", t.limit);
-    add_ramp(torque.set("target", StudyValue{{"profile", t.target.profile}}), t.target);
+    add_ramp(torque.set("target", StudyValue{{"profile", name_among(profile_names, t.target.profile)}}), t.target);
   } else if (!t.by_stall) {
     torque.set("constant", t.constant);
     torque.set("slope", t.slope);
@@ -105,14 +105,14 @@ StudyValue torque_table(const TorqueSetting& t) {
 }
 
 StudyValue speed_table(const SpeedSetting& s) {
-  StudyValue speed{{"profile", s.profile}};
+  StudyValue speed{{"profile", name_among(profile_names, s.profile)}};
   if (s.driven()) {
     speed.set("initial", s.initial);
     set_if(speed, "stalled_below", s.stalled_below);
   } else {
     add_ramp(speed, s);
   }
-  speed.set("law", s.law == model::SpeedLaw::kinematic ? "kinematic" : "published");
+  speed.set("law", name_among(speed_law_names, s.law));
   if (s.driven()) speed.set("torque", torque_table(s.torque));
   return speed;
 }

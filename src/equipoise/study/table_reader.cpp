@@ -310,13 +310,12 @@ std::int64_t TableReader::integer(const std::string& key, std::int64_t low, std:
   return has(key) ? integer(key, low, high) : fallback;
 }
 
-std::string TableReader::choice(const std::string& key, std::initializer_list<std::string_view> allowed,
-                                std::optional<std::string> fallback) {
-  const std::string wanted = fmt::format("one of: {}", fmt::join(allowed, ", "));
-  if (fallback && !has(key)) return *fallback;
+std::size_t TableReader::place_among(const std::string& key, std::span<const char* const> names) {
+  const std::string wanted = fmt::format("one of: {}", fmt::join(names, ", "));
   const std::string* value = require(key, wanted).string();
-  if (!value || std::find(allowed.begin(), allowed.end(), *value) == allowed.end()) fail(key, "must be " + wanted);
-  return *value;
+  const auto at = value ? std::find(names.begin(), names.end(), *value) : names.end();
+  if (at == names.end()) fail(key, "must be " + wanted);
+  return static_cast<std::size_t>(at - names.begin());
 }
 
 std::vector<double> TableReader::numbers(const std::string& key, const Range& range) {

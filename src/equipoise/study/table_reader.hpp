@@ -1,11 +1,13 @@
 // Reading values with errors that name file, line, key, value and allowed range, and that catch unknown keys.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <initializer_list>
 #include <map>
 #include <optional>
 #include <set>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -67,8 +69,12 @@ class TableReader {
   std::optional<double> optional_number(const std::string& key, const Range& range);
   std::int64_t integer(const std::string& key, std::int64_t low, std::int64_t high);
   std::int64_t integer(const std::string& key, std::int64_t low, std::int64_t high, std::int64_t fallback);
-  std::string choice(const std::string& key, std::initializer_list<std::string_view> allowed,
-                     std::optional<std::string> fallback = std::nullopt);
+  /// A value of an enumeration by its name; `names` are those of its first values, in their order.
+  template <class Enumeration>
+  Enumeration choice(const std::string& key, std::span<const char* const> names,
+                     std::optional<Enumeration> fallback = std::nullopt) {
+    return fallback && !has(key) ? *fallback : static_cast<Enumeration>(place_among(key, names));
+  }
   std::vector<double> numbers(const std::string& key, const Range& range);
   /// `count` numbers from an array of that length, or one number repeated.
   std::vector<double> one_or_each(const std::string& key, const Range& range, int count, const std::string& each,
@@ -93,6 +99,8 @@ class TableReader {
   static std::string kind(const StudyValue& value);
 
  private:
+  std::size_t place_among(const std::string& key, std::span<const char* const> names);
+
   const Document& document_;
   std::string prefix_;
   const StudyValue* table_ = nullptr;
