@@ -6,6 +6,8 @@
 #include <gtest/gtest.h>
 
 #include "../base_study.hpp"
+#include "equipoise/base/error.hpp"
+#include "equipoise/fates/runner.hpp"
 #include "equipoise/fates/transient_tally.hpp"
 #include "equipoise/spin_up/start_source.hpp"
 #include "equipoise/study/study.hpp"
@@ -47,6 +49,33 @@ TEST(StoppedSpinUp, IsNotWatched) {
   const double begin = cpu_now();
   source.watch(transient_settings(study));
   EXPECT_LT(cpu_now() - begin, 1.0);  // the times themselves are listed
+}
+
+// Seventy million times of 104 bytes are refused before any work: of all that hold balls so long, and of nobody else.
+TEST(LongSpinUp, IsNotWatchedBeyondMemory) {
+  const auto refused = [](const std::vector<std::string>& overrides) -> std::string {
+    const Study study = parse_study(rotor_and_balancer + "[speed]\nprofile = \"ramp\"\nfinal = 2.4\nduration = 3e6\n",
+                                    "ramp.toml", overrides);
+    const double begin = cpu_now();
+    try {
+      check_runnable(study, true);
+    } catch (const InputError& e) {
+      EXPECT_LT(cpu_now() - begin, 0.3);
+      EXPECT_NO_THROW(check_runnable(study, false));
+      EXPECT_NE(e.problem().find("transients"), std::string::npos);
+      return e.key() + " = " + e.value();
+    }
+    return "";
+  };
+  EXPECT_EQ(refused({}), "speed.duration = 3e+06");
+  EXPECT_EQ(refused({"release.speed=1.2"}), "release.speed = 1.2");
+  EXPECT_EQ(refused({"release.time=2.9e6"}), "release.time = 2.9e+06");
+  EXPECT_EQ(refused({"speed={profile='points', times=[0.0, 3e6], speeds=[0.0, 2.4]}"}), "speed.times = 3e+06");
+  EXPECT_EQ(refused({"speed={profile='trapezoid', peak=3.0, final=2.4, rise_until=2e6, hold_until=2.1e6, "
+                     "fall_until=2.2e6}"}),
+            "speed.rise_until = 2e+06");
+  EXPECT_EQ(refused({"speed.duration=2e5", "speed.final=1.3"}), "");  // 1.3 * 64 / (2 pi) a unit of time: 2.6 million
+  EXPECT_EQ(refused({"release.time=0.0"}), "");                       // free all along
 }
 
 }  // namespace

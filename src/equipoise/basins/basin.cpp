@@ -52,7 +52,7 @@ class BasinRun {
   }
 
   BasinResult run() {
-    check_runnable(result_.study);
+    check_runnable(result_.study, gathers_);
     horizon_ = choose_horizon(result_.study);
     result_.study.numerics.horizon = horizon_.time;
     sample();

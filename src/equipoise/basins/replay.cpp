@@ -12,8 +12,8 @@ namespace equipoise {
 namespace {
 
 StartReplay replayed(const Study& study, std::uint64_t index, const BasinOptions& options) {
-  check_runnable(study);
   const bool gathers = gathers_transients(study, options);
+  check_runnable(study, gathers);
   StartReplay replay;
   replay.index = index;
   replay.start = start_of(study, index);

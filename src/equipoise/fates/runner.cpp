@@ -16,11 +16,13 @@ int settle(Runner& runner, const UnlistedStart& start, Fate& fate) {
   return attractor;
 }
 
-void check_runnable(const Study& study) {
-  if (study.needs_machine())
+void check_runnable(const Study& study, bool transients) {
+  if (study.needs_machine()) {
     check_machine(study);
-  else
-    check_decidable(study);
+    return;
+  }
+  check_decidable(study);
+  if (transients) check_watchable(study);
 }
 
 std::unique_ptr<Runner> make_runner(const Study& study, const DiscoverySettings& settings, bool transients) {

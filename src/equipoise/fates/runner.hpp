@@ -60,8 +60,9 @@ class Runner {
 /// Returns its identifier, or 0. Not thread-safe, as list().
 int settle(Runner& runner, const UnlistedStart& start, Fate& fate);
 
-/// Throws InputError for invalid studies and those whose starts cannot be decided.
-void check_runnable(const Study& study);
+/// Throws InputError for invalid studies and those whose starts cannot be decided; if `transients` are gathered, also
+/// for those that cannot be watched.
+void check_runnable(const Study& study, bool transients);
 
 /// StartRunner on SIMD lanes, or MachineRunner for what Study::needs_machine(). The study has passed check_runnable().
 std::unique_ptr<Runner> make_runner(const Study& study, const DiscoverySettings& settings, bool transients);

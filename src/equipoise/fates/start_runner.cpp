@@ -11,9 +11,11 @@
 #include "equipoise/discovery/horizon.hpp"
 #include "equipoise/fates/transient_tally.hpp"
 #include "equipoise/kernels/lane_kernels.hpp"
+#include "equipoise/model/speed.hpp"
 #include "equipoise/model/strobe.hpp"
 #include "equipoise/motions/motion_figures.hpp"
 #include "equipoise/orbits/stroboscopic.hpp"
+#include "equipoise/transients/clamped_transients.hpp"
 
 namespace equipoise {
 
@@ -24,15 +26,36 @@ const char* final_speed_key(const Study& study) {
   return profile == Profile::constant ? "speed.speed" : profile == Profile::points ? "speed.speeds" : "speed.final";
 }
 
+// What sets the time of release.
+const char* release_key(const Study& study) {
+  if (study.release.speed) return "release.speed";
+  if (study.release.time) return "release.time";
+  const Profile profile = study.speed.profile;
+  return profile == Profile::trapezoid ? "speed.rise_until"
+         : profile == Profile::points  ? "speed.times"
+                                       : "speed.duration";
+}
+
 }  // namespace
+
+void check_watchable(const Study& study) {
+  const double release = study.release_time();
+  const double points = clamped_grid_points(study.parameters, model::segments(study.speed_profile(), release));
+  if (points <= most_clamped_grid_points) return;
+  throw InputError(study.name, release_key(study), fmt::format("{:.6g}", study.release.speed.value_or(release)),
+                   fmt::format("holds the balls until t = {:.6g}, too long to watch for transients; must be release by "
+                               "about t = {:.3g}, or a study without [limits] and --transients",
+                               release, release * (most_clamped_grid_points / points)));
+}
 
 void check_decidable(const Study& study) {
   check(study);
   check_cost(study);
   const double speed = study.speed_profile().final_speed();
   if (std::fabs(speed) > fastest_speed)
-    throw InputError(study.name, final_speed_key(study), fmt::format("{:.6g}", speed),
-                     fmt::format("basin and attractors take final speeds from -{0:g} to {0:g} critical speeds", fastest_speed));
+    throw InputError(
+        study.name, final_speed_key(study), fmt::format("{:.6g}", speed),
+        fmt::format("basin and attractors take final speeds from -{0:g} to {0:g} critical speeds", fastest_speed));
   if (!model::is_strobed(study.parameters)) return;
   if (speed == 0.0)
     throw InputError(study.name, final_speed_key(study), "0",
@@ -148,7 +171,8 @@ std::vector<UndecidedEnd> StartRunner::look_at(const std::vector<std::uint64_t>&
   if (!decide_lanes(task_from(all, count), discovery_.rule, decided, nullptr)) return {};
   std::vector<UndecidedEnd> ends;
   for (std::size_t i = 0; i < count; ++i) {
-    const std::vector<double> z = when_recognised({all.data() + i * size, all.data() + (i + 1) * size}, decided[i].time);
+    const std::vector<double> z =
+        when_recognised({all.data() + i * size, all.data() + (i + 1) * size}, decided[i].time);
     ends.push_back(look_at_undecided(study_.parameters, source_.last_segment().speed,
                                      Eigen::Map<const Eigen::VectorXd>(z.data(), static_cast<Eigen::Index>(size))));
   }

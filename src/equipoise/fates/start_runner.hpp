@@ -17,6 +17,9 @@ namespace equipoise {
 /// Throws InputError for invalid studies and those whose starts cannot be decided: anisotropic supports or gravity on a
 /// rotor that comes to rest, or with decisions by proof.
 void check_decidable(const Study& study);
+
+/// Throws InputError for a spin-up with the balls held that is too long to look for peaks in.
+void check_watchable(const Study& study);
 /// Throws InputError for invalid studies and machines: what `asked` ("attractors") answers for rotors that turn as
 /// prescribed only.
 void check_prescribed(const Study& study, const char* asked);

@@ -15,14 +15,18 @@ namespace equipoise {
 
 namespace {
 
+double points_in(const model::Parameters& p, const model::Segment& s) {
+  const double fastest =
+      std::max({std::fabs(s.speed), std::fabs(s.speed_at(s.end)), std::sqrt(std::max(p.stiffness[0], p.stiffness[1]))});
+  return std::ceil((s.end - s.begin) * 64.0 * fastest / (2.0 * std::numbers::pi));
+}
+
 // Segment by segment, both its ends included as far as a time just before an end can be.
 std::vector<double> grid_of(const model::Parameters& p, const std::vector<model::Segment>& segments) {
   std::vector<double> times;
   for (const model::Segment& s : segments) {
     if (!s.clamped) break;
-    const double fastest = std::max(
-        {std::fabs(s.speed), std::fabs(s.speed_at(s.end)), std::sqrt(std::max(p.stiffness[0], p.stiffness[1]))});
-    const double points = std::ceil((s.end - s.begin) * 64.0 * fastest / (2.0 * std::numbers::pi));
+    const double points = points_in(p, s);
     for (double k = 0.0; k < points; ++k) times.push_back(s.begin + (s.end - s.begin) * (k / points));
     times.push_back(std::nextafter(s.end, s.begin));
   }
@@ -30,6 +34,15 @@ std::vector<double> grid_of(const model::Parameters& p, const std::vector<model:
 }
 
 }  // namespace
+
+double clamped_grid_points(const model::Parameters& p, const std::vector<model::Segment>& segments) {
+  double points = 0.0;
+  for (const model::Segment& s : segments) {
+    if (!s.clamped) break;
+    points += points_in(p, s) + 1.0;
+  }
+  return points;
+}
 
 void ClampedTransients::Squares::add(const std::array<std::array<double, 2>, 3>& v) {
   const auto dot = [&](int i, int j) { return v[i][0] * v[j][0] + v[i][1] * v[j][1]; };
