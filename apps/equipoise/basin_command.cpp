@@ -47,11 +47,20 @@ std::string transients_text(const Study& study, const TransientRow& row) {
   return text;
 }
 
-int print_replay(const Study& study, const BasinOptions& options, const std::string& given) {
+int print_replay(const Study& study, const BasinOptions& options, const std::string& given, ProgressLine& progress) {
   constexpr std::uint64_t largest = 999'999'999'999;
   const auto index =
       option_number<std::uint64_t>("--start-index", given, 0, largest, "a whole number from 0 to 999999999999");
-  const StartReplay replay = replay_start(study, index, options);
+  StartReplay replay;
+  try {
+    replay = replay_start(study, index, options);
+  } catch (const RunError& e) {
+    if (!stop_flag()) throw;
+    progress.finish();
+    say(e.what());
+    return interrupted;
+  }
+  progress.finish();
   const SamplingMethod method = study.sampling.method.value_or(SamplingMethod::random);
   std::string text =
       fmt::format("start {} of seed {}{}\n", index, study.sampling.seed,
@@ -87,10 +96,9 @@ int run_basin(const BasinArguments& a) {
   if (a.transients) options.transients = true;
   options.output = a.output;
   options.stop = &stop_flag();
-  if (a.start_index) return print_replay(study, options, *a.start_index);
-
   ProgressLine progress(a.quiet);
   options.progress = progress.listener();
+  if (a.start_index) return print_replay(study, options, *a.start_index, progress);
   const BasinResult result = basin(study, options);
   progress.finish();
   put(a.json ? basin_json(result) : basin_text(result));

@@ -43,9 +43,9 @@ std::function<void(const Progress&)> ProgressLine::listener() {
 
 void ProgressLine::update(const Progress& progress) {
   const auto now = Clock::now();
-  const auto [done, total, what, balanced] = progress;
+  const auto& [done, total, what, balanced, preparing] = progress;
   // What came from an earlier run does not count towards this one's rate, nor one part of the work towards the next's.
-  if (!before_ || done < before_->done) {
+  if (!before_ || done < before_->done || preparing != before_->preparing || (preparing && what != before_->what)) {
     first_ = done;
     begin_ = now;
   }
@@ -66,6 +66,8 @@ void ProgressLine::update(const Progress& progress) {
     text += fmt::format("{:3.0f} %  {} of {}", 100.0 * fraction, done, total);
     if (rate > 0.0)
       text += fmt::format("  {:.0f}/s  {} left", rate, duration(static_cast<double>(total - done) / rate));
+  } else if (preparing) {
+    text += done > 0 ? fmt::format("{}  {}  {:.0f}/s", what, done, rate) : what;
   } else {
     text += fmt::format("{} {}  {:.0f}/s", done, what, rate);
   }

@@ -13,6 +13,7 @@ import signal
 import subprocess
 import sys
 import tempfile
+import time
 import unittest
 
 PROGRAM, STUDIES = sys.argv[1], sys.argv[2]
@@ -245,8 +246,9 @@ horizon = "20 s"
         with tempfile.TemporaryDirectory() as folder:
             process = subprocess.Popen([PROGRAM, "basin", ROW, "--starts", "100000000"], stdout=subprocess.PIPE,
                                        stderr=subprocess.PIPE, text=True, cwd=folder)
-            process.stderr.readline()  # on a busy machine the first comes before there is a rate to tell
-            line = process.stderr.readline()
+            lines = (line for line in process.stderr if "of 100000000" in line)  # after those of the search
+            next(lines)  # on a busy machine the first comes before there is a rate to tell
+            line = next(lines)
             process.send_signal(signal.SIGINT)
             process.communicate(timeout=60)
             self.assertRegex(line, r"% +\d+ of 100000000 .*/s .* left  balanced \d")
@@ -256,7 +258,7 @@ horizon = "20 s"
             output = os.path.join(folder, "out.nc")
             process = subprocess.Popen([PROGRAM, "basin", ROW, "--starts", "100000000", "--json", "-o", output],
                                        stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
-            process.stderr.readline()  # of progress: starts have been counted
+            next(line for line in process.stderr if "of 100000000" in line)  # of progress: starts have been counted
             process.send_signal(signal.SIGINT)
             out, _ = process.communicate(timeout=60)
             self.assertEqual(process.returncode, 130)
@@ -264,6 +266,25 @@ horizon = "20 s"
             self.assertTrue(answer["partial"])
             self.assertTrue(0 < answer["starts"] < 100000000)
             self.assertGreater(os.path.getsize(output), 1000)
+
+    def test_a_long_search_for_attractors_is_told_and_can_be_ended(self):
+        # A minute and more for four balls under gravity, before the first start is followed.
+        with tempfile.TemporaryDirectory() as folder:
+            study = os.path.join(folder, "four.toml")
+            with open(study, "w", encoding="utf-8") as file:
+                file.write("[rotor]\neccentricity = 0.01\ndamping = 0.05\ngravity = 0.001\n"
+                           "[balancer]\nballs = 4\nmass = 0.01\ndrag = 0.02\n"
+                           "[speed]\nprofile = \"constant\"\nspeed = 2.4\n")
+            for command in (["basin"], ["attractors"], ["basin", "--start-index", "7"]):
+                with self.subTest(command=command):
+                    process = subprocess.Popen([PROGRAM, *command, study], stdout=subprocess.PIPE,
+                                               stderr=subprocess.PIPE, text=True)
+                    self.assertIn("looking for attractors: ", process.stderr.readline())
+                    process.send_signal(signal.SIGINT)
+                    began = time.monotonic()
+                    process.communicate(timeout=60)
+                    self.assertLess(time.monotonic() - began, 10.0)  # about one, on a machine with nothing else to do
+                    self.assertEqual(process.returncode, 130)
 
     def test_bar_on_a_terminal(self):
         pid, terminal = pty.fork()

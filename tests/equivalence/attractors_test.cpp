@@ -174,7 +174,7 @@ TEST(AttractorsMetLate, AreListedAndSurviveResumption) {
   std::filesystem::remove(options.output);
   StopFlag stop{false};
   options.stop = &stop;
-  options.progress = [&](const Progress& p) { stop = p.done > 30'000; };
+  options.progress = [&](const Progress& p) { stop = !p.preparing && p.done > 30'000; };
   EXPECT_TRUE(basin(study, options).partial);
   stop = false;
   options.progress = {};

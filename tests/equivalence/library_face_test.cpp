@@ -2,6 +2,7 @@
 // in arrays that say what the file says, and the program's policy without the program.
 #include <unistd.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstring>
 #include <filesystem>
@@ -98,6 +99,46 @@ TEST(Callbacks, AreCalledOnTheCallersThreadAlone) {
     EXPECT_FALSE(elsewhere);
     EXPECT_FALSE(backwards);
     EXPECT_NE(what, "");
+  }
+}
+
+// Nobody waits without a word: the search for attractors is told by stages before the first start is counted.
+TEST(Callbacks, HearOfTheSearchBeforeTheStarts) {
+  std::vector<std::string> stages;
+  bool counting = false, late = false;
+  BasinOptions options;
+  options.progress = [&](const Progress& p) {
+    counting = counting || !p.preparing;
+    late = late || (counting && p.preparing);
+    if (stages.empty() || stages.back() != p.what) stages.push_back(p.what);
+  };
+  basin(rotor(300), options);
+  EXPECT_FALSE(late);
+  ASSERT_GE(stages.size(), 5u);
+  EXPECT_EQ(stages.back(), "starts");
+  for (const char* stage : {"balanced states", "pilot trajectories", "motions followed until they are steady",
+                            "states tried on level sets"}) {
+    const std::string what = std::string("looking for attractors: ") + stage;
+    EXPECT_NE(std::find(stages.begin(), stages.end(), what), stages.end()) << what;
+  }
+}
+
+// A search that is stopped at any of its stages is given up, and with it the ensemble.
+TEST(Callbacks, StopTheSearchAtEveryStage) {
+  for (const char* stage : {"balanced states", "pilot trajectories", "motions", "level sets"}) {
+    SCOPED_TRACE(stage);
+    StopFlag stop{false};
+    BasinOptions options;
+    options.stop = &stop;
+    int after = 0;
+    options.progress = [&](const Progress& p) {
+      after += stop && !p.preparing;
+      if (p.what.find(stage) != std::string::npos) stop = true;
+    };
+    const BasinResult result = basin(rotor(300), options);
+    EXPECT_TRUE(stop && result.partial);
+    EXPECT_EQ(result.starts, 0u);
+    EXPECT_EQ(after, 0);
   }
 }
 

@@ -73,7 +73,8 @@ void ensembles(const equipoise::Study& study) {
   options.cpu_target = equipoise::cpu_targets().front();
   bool here = true;
   options.progress = [&, caller = std::this_thread::get_id()](const equipoise::Progress& p) {
-    here = here && std::this_thread::get_id() == caller && p.done <= p.total && p.balanced.has_value();
+    here = here && std::this_thread::get_id() == caller;
+    here = here && (p.preparing || (p.done <= p.total && p.balanced.has_value()));
   };
   const equipoise::BasinResult answer = equipoise::basin(study, options);
   const equipoise::Share& balanced = answer.attractors.front().share;

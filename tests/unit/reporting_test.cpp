@@ -11,6 +11,8 @@
 
 #include <gtest/gtest.h>
 
+#include "equipoise/base/stage_progress.hpp"
+
 namespace equipoise {
 namespace {
 
@@ -123,6 +125,46 @@ TEST(Reported, CallsMayStandInsideEachOther) {
     });
   });
   EXPECT_EQ(heard, std::vector<std::string>{"inner work"});
+}
+
+// Four threads: counts never fall while a stage lasts, and no two threads tell at once.
+TEST(Stages, AreToldInOrderByWhicheverThreadWorks) {
+  std::vector<Progress> heard;
+  bool telling = false, overlapping = false;
+  StageProgress stages("a search", [&](const Progress& p) {
+    overlapping = overlapping || std::exchange(telling, true);
+    heard.push_back(p);
+    telling = false;
+  });
+  stages.begin("trajectories", 400);
+  std::vector<std::thread> threads;
+  for (int k = 0; k < 4; ++k)
+    threads.emplace_back([&] {
+      for (int i = 0; i < 100; ++i) stages.add(1);
+    });
+  for (std::thread& t : threads) t.join();
+  ASSERT_EQ(heard.size(), 401u);
+  for (std::size_t k = 0; k < heard.size(); ++k) {
+    EXPECT_EQ(heard[k].done, k);
+    EXPECT_EQ(heard[k].total, 400u);
+    EXPECT_EQ(heard[k].what, "a search: trajectories");
+    EXPECT_TRUE(heard[k].preparing);
+  }
+  EXPECT_FALSE(overlapping);
+}
+
+TEST(Stages, OfOneNameGoOnCountingAndOthersBegin) {
+  Progress last;
+  StageProgress stages("a search", [&](const Progress& p) { last = p; });
+  stages.begin("states");
+  stages.add(128);
+  stages.begin("states");
+  stages.add(64);
+  EXPECT_EQ(last.done, 192u);
+  EXPECT_EQ(last.total, 0u);
+  stages.begin("motions", 3);
+  EXPECT_EQ(last.done, 0u);
+  EXPECT_EQ(last.total, 3u);
 }
 
 }  // namespace

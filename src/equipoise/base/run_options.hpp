@@ -16,6 +16,7 @@ struct Progress {
   std::uint64_t total = 0;         ///< 0: not known
   std::string what;                ///< that is counted, or is at work: "starts", "table-3-t0-25, kinematic law"
   std::optional<double> balanced;  ///< of an ensemble: share of the starts done that end balanced
+  bool preparing = false;  ///< a stage of what comes before: a search for attractors, before any start is counted
 };
 
 /// The callbacks are called on the thread that made the call, and on no other, while the work goes on elsewhere: they

@@ -14,7 +14,7 @@ AttractorsResult attractors(const Study& asked, const AttractorsOptions& options
   search.transients = options.transients.value_or(false);  // [limits] play no part in which motions there are
   if (options.progress)
     search.progress = [&](Progress p) {
-      p.what = "starts searched";
+      if (!p.preparing) p.what = "starts searched";
       p.balanced.reset();
       options.progress(p);
     };

@@ -112,7 +112,7 @@ class BasinRun {
 
   void make_runner() {
     const Study& study = result_.study;
-    runner_ = equipoise::make_runner(study, DiscoverySettings{threads_, options_.stop, options_.seeds, &discoveries_},
+    runner_ = equipoise::make_runner(study, {threads_, options_.stop, options_.seeds, &discoveries_, options_.progress},
                                      gathers_);
     tally_.emplace(*sampler_, study.sampling.seed, runner_->settled());
     transients_.emplace(study, *sampler_);

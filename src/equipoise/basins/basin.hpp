@@ -20,7 +20,8 @@ namespace equipoise {
 class Catalogue;
 struct DiscoveryCache;
 
-/// Progress is in starts decided, in order; the total is 0 while sampling until a half-width is reached.
+/// Progress is in stages of the search for attractors (Progress::preparing), then in starts decided, in order; the
+/// total is 0 while sampling until a half-width is reached.
 struct BasinOptions : RunOptions {
   double half_width = 0.0;  ///< > 0: sample until every outcome's interval is this narrow, at most
                             ///< study.sampling.starts if limit_given, else at most 10^9. A study that leaves

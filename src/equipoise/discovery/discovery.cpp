@@ -15,6 +15,7 @@
 #include <oneapi/tbb/task_arena.h>
 
 #include "equipoise/base/angles.hpp"
+#include "equipoise/base/stage_progress.hpp"
 #include "equipoise/deciding/pilot.hpp"
 #include "equipoise/deciding/window_features.hpp"
 #include "equipoise/discovery/horizon.hpp"
@@ -105,13 +106,15 @@ class Discoverer {
       : study_(study),
         source_(source),
         settings_(settings),
+        stages_("looking for attractors", settings.progress),
         speed_(source.last_segment().speed),
         strobed_(model::is_strobed(study.parameters)) {}
 
   Discovery run() {
+    stages_.begin("balanced states");
     std::vector<Motion> balanced;
     if (strobed_) {
-      StrobedBalance found = analyse_strobed_balance(study_.parameters, speed_);
+      StrobedBalance found = analyse_strobed_balance(study_.parameters, speed_, settings_.stop);
       result_.balanced = std::move(found.analysis);
       balanced = std::move(found.motions);
       for (const Motion& motion : balanced) result_.catalogue.add(study_.parameters, motion, continuum());
@@ -119,6 +122,7 @@ class Discoverer {
       result_.balanced = analyse_balanced(study_.parameters, speed_);
       list_balanced();
     }
+    if (is_stopped()) return stopped();
     result_.rule = first_rule(study_, result_.balanced, speed_);
     result_.rule.blind = true;
     if (const auto trap = continuum_trap(result_.balanced.continuum, result_.balanced.survey, trial_settings())) {
@@ -210,16 +214,15 @@ class Discoverer {
   }
 
   void prove(BalancedTrap& trap) {
-    const Certificate certificate =
-        largest_certificate(study_.parameters, speed_, trap.phi.data(), form_of(trap), trap.level / level_margin, nullptr,
-                            settings_.stop);
+    const Certificate certificate = largest_certificate(study_.parameters, speed_, trap.phi.data(), form_of(trap),
+                                                        trap.level / level_margin, nullptr, settings_.stop);
     // What the kernels compute in place of V is off by rounding: a part in 10^13.
     set_level(trap, certificate.level * (1.0 - 1e-9));
     trap.by = DecidedBy::proof;
   }
 
-  TrialSettings trial_settings() const {
-    return {&study_.parameters, speed_, source_.tolerance(), settings_.threads, settings_.stop};
+  TrialSettings trial_settings() {
+    return {&study_.parameters, speed_, source_.tolerance(), settings_.threads, settings_.stop, &stages_};
   }
 
   // Random starts, starts with all balls together, and more random ones.
@@ -250,6 +253,7 @@ class Discoverer {
     pilot_.states = pilot_.begin;
     const double horizon = std::min(*study_.numerics.horizon, pilot_windows * result_.rule.first_long_window);
     std::atomic<bool> complete{true};
+    stages_.begin("pilot trajectories", count);
     tbb::task_arena arena(settings_.threads);
     arena.execute([&] {
       tbb::parallel_for(std::size_t{0}, (count + chunk - 1) / chunk, [&](std::size_t k) {
@@ -264,7 +268,10 @@ class Discoverer {
         task.stop = settings_.stop;
         std::vector<Fate> fates(length);
         std::vector<PilotRecord> records(length);
-        if (!decide_lanes(task, result_.rule, fates, &records)) complete = false;
+        if (decide_lanes(task, result_.rule, fates, &records))
+          stages_.add(length);
+        else
+          complete = false;
         std::copy(fates.begin(), fates.end(), pilot_.fates.begin() + static_cast<std::ptrdiff_t>(first));
         std::copy(records.begin(), records.end(), pilot_.records.begin() + static_cast<std::ptrdiff_t>(first));
       });
@@ -313,15 +320,20 @@ class Discoverer {
 
   // Follows the candidates until they are steady; lists those that become so, with what recognises them.
   bool refine_and_list() {
+    stages_.begin("motions followed until they are steady", candidates_.size());
     tbb::task_arena arena(settings_.threads);
     arena.execute([&] {
       tbb::parallel_for(
           std::size_t{0}, candidates_.size(),
           [&](std::size_t k) {
-            if (!is_stopped()) candidates_[k].motion = motion_from(study_.parameters, speed_, candidates_[k].state);
+            if (is_stopped()) return;
+            candidates_[k].motion =
+                motion_from(study_.parameters, speed_, candidates_[k].state, motion_patience, settings_.stop);
+            stages_.add(1);
           },
           tbb::simple_partitioner());
     });
+    if (is_stopped()) return false;
     compare_with_motions();
     const Catalogue before = result_.catalogue;
     for (Candidate& c : candidates_) {
@@ -441,6 +453,7 @@ class Discoverer {
   const Study& study_;
   const StartSource& source_;
   const DiscoverySettings& settings_;
+  StageProgress stages_;
   double speed_;
   bool strobed_;
   Discovery result_;

@@ -60,8 +60,8 @@ std::optional<Equilibrium> nearest_of_continuum(const model::Parameters& p, doub
 class Journey {
  public:
   Journey(const model::Parameters& p, double speed, const Eigen::VectorXd& state, double patience,
-          const std::vector<KnownOrbit>& known)
-      : p_(p), speed_(speed), difference_(p, speed), state_(state), patience_(patience), known_(known) {}
+          const std::vector<KnownOrbit>& known, const StopFlag* stop)
+      : p_(p), speed_(speed), difference_(p, speed), state_(state), patience_(patience), stop_(stop), known_(known) {}
 
   Settling settle();
 
@@ -84,6 +84,7 @@ class Journey {
   const StateDifference difference_;
   Eigen::VectorXd state_;
   const double patience_;
+  const StopFlag* const stop_;
   double elapsed_ = 0.0;
   std::vector<Eigen::VectorXd> samples_;  // of the last part of the stretch
   MotionStatistics previous_, last_;      // of the last two stretches
@@ -98,7 +99,7 @@ class Journey {
 
 bool Journey::travel(double duration, MotionStatistics& statistics, std::vector<Eigen::VectorXd>* samples) {
   Eigen::VectorXd end = state_;
-  status_ = follow(p_, speed_, end, duration, follow_tolerance, &statistics, samples);
+  status_ = follow(p_, speed_, end, duration, follow_tolerance, &statistics, samples, stop_);
   if (status_ != IntegrationStatus::done) return false;
   state_ = end;
   return true;
@@ -142,7 +143,8 @@ bool Journey::approaches(double rate, const Distance& distance) {
   for (int k = 0; k < 40 && now < 2.0 * in_reach; ++k) {
     const double duration = std::min(chunk, left);
     if (duration <= 0.0) break;
-    if (follow(p_, speed_, z, duration, follow_tolerance) != IntegrationStatus::done) return false;
+    if (follow(p_, speed_, z, duration, follow_tolerance, nullptr, nullptr, stop_) != IntegrationStatus::done)
+      return false;
     z = with_angles_reduced(p_, z);
     left -= duration;
     travelled += duration;
@@ -261,12 +263,12 @@ std::optional<Motion> Journey::persistence() {
   if (last_.duration < 1000.0 || !(repeats_ >= 2 || (final_stretch && loose))) return std::nullopt;
   const int count = std::min<int>(4, model::dimension(p_.balls));
   double duration = std::max(last_.duration, 4000.0);
-  std::vector<double> exponents = lyapunov_exponents(p_, speed_, state_, duration, count);
+  std::vector<double> exponents = lyapunov_exponents(p_, speed_, state_, duration, count, stop_);
   if (static_cast<int>(exponents.size()) < 2) return std::nullopt;
   // A slow way into a periodic motion looks like a torus for long: what is not clearly zero is measured again.
   if (exponents[0] < 8.0 / duration && exponents[1] < -clear_zero && exponents[1] > -8.0 / duration) {
     duration *= 8.0;
-    exponents = lyapunov_exponents(p_, speed_, state_, duration, count);
+    exponents = lyapunov_exponents(p_, speed_, state_, duration, count, stop_);
     if (static_cast<int>(exponents.size()) < 2) return std::nullopt;
   }
   const double zero = 8.0 / duration;
@@ -329,19 +331,19 @@ KnownOrbit known_orbit(const model::Parameters& p, double speed, const Motion& m
 }
 
 Settling settle(const model::Parameters& p, double speed, const Eigen::VectorXd& state, double patience,
-                const std::vector<KnownOrbit>& known) {
+                const std::vector<KnownOrbit>& known, const StopFlag* stop) {
   if (model::is_strobed(p)) {
     Settling result;
-    result.motion = strobed_motion_from(p, speed, state, patience);
+    result.motion = strobed_motion_from(p, speed, state, patience, stop);
     result.time = patience;
     return result;
   }
-  return Journey(p, speed, state, patience, known).settle();
+  return Journey(p, speed, state, patience, known, stop).settle();
 }
 
 std::optional<Motion> motion_from(const model::Parameters& p, double speed, const Eigen::VectorXd& state,
-                                  double patience) {
-  return settle(p, speed, state, patience).motion;
+                                  double patience, const StopFlag* stop) {
+  return settle(p, speed, state, patience, {}, stop).motion;
 }
 
 }  // namespace equipoise

@@ -8,6 +8,7 @@
 
 #include <Eigen/Core>
 
+#include "equipoise/base/stop_flag.hpp"
 #include "equipoise/model/parameters.hpp"
 #include "equipoise/orbits/orbit.hpp"
 
@@ -57,10 +58,14 @@ struct Motion {
   int copies = 1;
 };
 
+/// How long a trajectory is given to become steady.
+inline constexpr double motion_patience = 20000.0;
+
 /// Follows the trajectory from `state` until it is steady, decides the kind, refines and describes. `patience`: the
-/// longest time to follow it. Empty if it does not become steady, or diverges. Deterministic.
+/// longest time to follow it. Empty if it does not become steady, or diverges, or once `stop` is set. Else
+/// deterministic.
 std::optional<Motion> motion_from(const model::Parameters& p, double speed, const Eigen::VectorXd& state,
-                                  double patience = 20000.0);
+                                  double patience = motion_patience, const StopFlag* stop = nullptr);
 /// The same for states already refined.
 Motion describe_equilibrium(const model::Parameters& p, double speed, const Equilibrium& equilibrium);
 Motion describe_orbit(const model::Parameters& p, double speed, const PeriodicOrbit& orbit);

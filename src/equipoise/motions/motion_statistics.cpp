@@ -174,7 +174,8 @@ class Recorder {
 
 template <kernels::Terms terms>
 IntegrationStatus follow_balls(const model::Parameters& p, double speed, Eigen::VectorXd& z, double duration,
-                               double tolerance, MotionStatistics* statistics, std::vector<Eigen::VectorXd>* samples) {
+                               double tolerance, MotionStatistics* statistics, std::vector<Eigen::VectorXd>* samples,
+                               const StopFlag* stop) {
   using Flow = kernels::FreeFlow<double, model::any_count, terms>;
   kernels::ErrorScale<most> scale;
   scale.tolerance = tolerance;
@@ -182,21 +183,26 @@ IntegrationStatus follow_balls(const model::Parameters& p, double speed, Eigen::
   const model::Segment segment{0.0, 0.0, 0.0, speed, 0.0, false};
   const Flow flow(p, segment);
   kernels::AdaptiveIntegrator<Flow, most> integrator(flow, scale, flow.size());
-  if (!statistics && !samples) return integrator.advance(0.0, duration, z.data(), [](double, double, auto&&) {});
+  if (!statistics && !samples)
+    return integrator.advance(
+        0.0, duration, z.data(), [](double, double, auto&&) {}, stop);
   const double spacing = sample_spacing(speed);
   MotionStatistics unused;
   Gatherer<terms> gatherer(p, flow, segment, statistics ? *statistics : unused, z.data());
   Recorder recorder(p.balls, speed, statistics ? *statistics : unused, z.data());
   std::size_t next = 1;
   if (samples) samples->assign(1, z);
-  const IntegrationStatus status = integrator.advance(0.0, duration, z.data(), [&](double t, double t_new, auto at) {
-    gatherer.step(t, t_new, spacing, at);
-    recorder.step(t_new, at);
-    for (; samples && static_cast<double>(next) * spacing <= t_new; ++next) {
-      samples->emplace_back(flow.size());
-      at(static_cast<double>(next) * spacing, samples->back().data());
-    }
-  });
+  const IntegrationStatus status = integrator.advance(
+      0.0, duration, z.data(),
+      [&](double t, double t_new, auto at) {
+        gatherer.step(t, t_new, spacing, at);
+        recorder.step(t_new, at);
+        for (; samples && static_cast<double>(next) * spacing <= t_new; ++next) {
+          samples->emplace_back(flow.size());
+          at(static_cast<double>(next) * spacing, samples->back().data());
+        }
+      },
+      stop);
   gatherer.finish(duration);
   return status;
 }
@@ -245,10 +251,13 @@ double record_spacing(double speed) { return 4.0 * sample_spacing(speed); }
 double sample_spacing(double speed) { return 0.2 / std::max(1.0, std::fabs(speed)); }
 
 IntegrationStatus follow(const model::Parameters& p, double speed, Eigen::VectorXd& state, double duration,
-                         double tolerance, MotionStatistics* statistics, std::vector<Eigen::VectorXd>* samples) {
+                         double tolerance, MotionStatistics* statistics, std::vector<Eigen::VectorXd>* samples,
+                         const StopFlag* stop) {
   constexpr kernels::Terms autonomous{false, false, false}, strobed{false, true, true};
-  return model::is_strobed(p) ? follow_balls<strobed>(p, speed, state, duration, tolerance, statistics, samples)
-                              : follow_balls<autonomous>(p, speed, state, duration, tolerance, statistics, samples);
+  const IntegrationStatus status =
+      model::is_strobed(p) ? follow_balls<strobed>(p, speed, state, duration, tolerance, statistics, samples, stop)
+                           : follow_balls<autonomous>(p, speed, state, duration, tolerance, statistics, samples, stop);
+  return stop && stop->load(std::memory_order_relaxed) ? IntegrationStatus::failed : status;
 }
 
 }  // namespace equipoise

@@ -43,13 +43,14 @@ bool is_at_rest(const model::Parameters& p, const VectorXd& z) {
 
 class StrobedJourney {
  public:
-  StrobedJourney(const model::Parameters& p, double speed, const VectorXd& state, double patience)
+  StrobedJourney(const model::Parameters& p, double speed, const VectorXd& state, double patience, const StopFlag* stop)
       : p_(p),
         speed_(speed),
         strobe_(model::strobe_period(p, speed)),
         difference_(p, speed),
         state_(state),
-        patience_(std::max(1L, std::lround(patience / strobe_))) {}
+        patience_(std::max(1L, std::lround(patience / strobe_))),
+        stop_(stop) {}
 
   std::optional<Motion> settle() {
     long stretch = std::max(1L, std::lround(first_stretch / strobe_));
@@ -65,7 +66,8 @@ class StrobedJourney {
  private:
   bool advance(VectorXd& z, long strobes, MotionStatistics* statistics = nullptr) const {
     for (long k = 0; k < strobes; ++k)
-      if (follow(p_, speed_, z, strobe_, follow_tolerance, statistics) != IntegrationStatus::done) return false;
+      if (follow(p_, speed_, z, strobe_, follow_tolerance, statistics, nullptr, stop_) != IntegrationStatus::done)
+        return false;
     return true;
   }
 
@@ -196,7 +198,7 @@ class StrobedJourney {
     const bool final_stretch = elapsed_ >= patience_;
     if (last_.duration < 1000.0 || !(repeats_ >= 2 || (final_stretch && loose))) return std::nullopt;
     const double duration = std::max(last_.duration, 4000.0), zero = 8.0 / duration;
-    const std::vector<double> exponents = strobed_exponents(p_, speed_, state_, std::lround(duration / strobe_));
+    const std::vector<double> exponents = strobed_exponents(p_, speed_, state_, std::lround(duration / strobe_), stop_);
     if (exponents.size() < 2 || !(exponents[0] > -zero)) return std::nullopt;
     if (exponents[0] > zero ? !final_stretch : repeats_ < 2) return std::nullopt;
     Motion motion;
@@ -227,6 +229,7 @@ class StrobedJourney {
   const StateDifference difference_;
   VectorXd state_;
   const long patience_;  // in strobes, as all times here
+  const StopFlag* const stop_;
   long elapsed_ = 0;
   std::vector<VectorXd> points_;  // at the strobes of the last part of the stretch
   MotionStatistics previous_, last_;
@@ -237,8 +240,8 @@ class StrobedJourney {
 }  // namespace
 
 std::optional<Motion> strobed_motion_from(const model::Parameters& p, double speed, const VectorXd& state,
-                                          double patience) {
-  return StrobedJourney(p, speed, state, patience).settle();
+                                          double patience, const StopFlag* stop) {
+  return StrobedJourney(p, speed, state, patience, stop).settle();
 }
 
 Motion describe_creep(const model::Parameters& p, double speed, const VectorXd& state, double rate) {

@@ -12,7 +12,7 @@ namespace equipoise {
 
 /// motion_from() for such rotors; `state` holds at a strobe (psi = 0, orbits/stroboscopic.hpp), speed is not 0.
 std::optional<Motion> strobed_motion_from(const model::Parameters& p, double speed, const Eigen::VectorXd& state,
-                                          double patience);
+                                          double patience, const StopFlag* stop = nullptr);
 
 /// The same for an orbit already refined (refine_strobed()).
 Motion describe_strobed(const model::Parameters& p, double speed, const PeriodicOrbit& orbit);

@@ -219,7 +219,7 @@ double BalancedContinuum::rate_at(const double* phi) const {
                 : 1e300;
 }
 
-ContinuumSurvey BalancedContinuum::survey() const {
+ContinuumSurvey BalancedContinuum::survey(const StopFlag* stop) const {
   // The share to 1.6 % (a map costs a hundred times a Jacobian: to 4 %), and members enough to try.
   const int draws = strobed_ ? 128 : 1024;
   constexpr int enough = 32, seek = 256;
@@ -227,7 +227,8 @@ ContinuumSurvey BalancedContinuum::survey() const {
   ContinuumDraws source(balanced_);
   std::vector<std::pair<double, Angles>> found;
   Angles phi{};
-  for (int k = 0; k < draws && source.next(phi); ++k) found.emplace_back(rate_at(phi.data()), phi);
+  const auto going_on = [&] { return !(stop && stop->load(std::memory_order_relaxed)); };
+  for (int k = 0; k < draws && going_on() && source.next(phi); ++k) found.emplace_back(rate_at(phi.data()), phi);
   if (found.empty()) return result;
   std::stable_sort(found.begin(), found.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
   const auto stable = [](const auto& member) { return member.first < -least_rate; };
@@ -239,7 +240,7 @@ ContinuumSurvey BalancedContinuum::survey() const {
     result.most_growth = found.back().first;
   }
   // Beside the most attracting ones, ever nearer to the best: where few are stable more, where none is perhaps one.
-  for (int k = 0; k < seek && result.stable < enough; ++k) {
+  for (int k = 0; k < seek && result.stable < enough && going_on(); ++k) {
     const std::size_t from = static_cast<std::size_t>(k) % std::min<std::size_t>(8, found.size());
     phi = found[from].second;
     if (!source.beside(phi, 0.3 / (1.0 + k / 64))) continue;

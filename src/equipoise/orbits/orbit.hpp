@@ -8,6 +8,7 @@
 
 #include <Eigen/Core>
 
+#include "equipoise/base/stop_flag.hpp"
 #include "equipoise/model/parameters.hpp"
 
 namespace equipoise {
@@ -69,9 +70,10 @@ std::optional<FloquetFrame> floquet_frame(const model::Parameters& p, double spe
 /// The largest `count` Lyapunov exponents along the trajectory from `state`, which should lie on the motion asked
 /// about: mean growth of tangent vectors, reorthonormalised (Benettin and others, Meccanica 15 (1980) 9), over
 /// `duration` after a further fifth of it for the vectors to align. Falling order. Accuracy about 1 / duration; at two
-/// balls 1e4 units take a quarter of a second for four exponents, half for all. Empty if the integration fails.
+/// balls 1e4 units take a quarter of a second for four exponents, half for all. Empty if the integration fails, and
+/// once `stop` is set.
 std::vector<double> lyapunov_exponents(const model::Parameters& p, double speed, const Eigen::VectorXd& state,
-                                       double duration, int count);
+                                       double duration, int count, const StopFlag* stop = nullptr);
 
 /// The state a time `duration` >= 0 later (adaptive DOP853, tolerance 1e-12), or empty if the integration fails.
 std::optional<Eigen::VectorXd> advance_state(const model::Parameters& p, double speed, const Eigen::VectorXd& state,

@@ -45,8 +45,8 @@ bool leads_to_balance(const model::Parameters& p, double speed, const PeriodicOr
 bool relaxes_to_balance(const model::Parameters& p, double speed, const Eigen::VectorXd& state);
 
 /// The two largest Lyapunov exponents over `strobes` strobes; an exponent of 0 that belonged to a shift in time is not
-/// among them. Empty if the integration fails.
+/// among them. Empty if the integration fails, and once `stop` is set.
 std::vector<double> strobed_exponents(const model::Parameters& p, double speed, const Eigen::VectorXd& state,
-                                      long strobes);
+                                      long strobes, const StopFlag* stop = nullptr);
 
 }  // namespace equipoise

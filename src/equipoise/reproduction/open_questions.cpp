@@ -41,7 +41,7 @@ bool stopped(const OpenQuestionSettings& s) { return s.stop && s.stop->load(std:
 std::function<void(const Progress&)> renamed(const OpenQuestionSettings& settings, const std::string& part) {
   if (!settings.progress) return {};
   return [&settings, part](Progress p) {
-    p.what = part;
+    p.what = p.preparing ? part + ", " + p.what : part;
     settings.progress(p);
   };
 }

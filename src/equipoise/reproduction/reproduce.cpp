@@ -94,8 +94,9 @@ class TableRun {
                              (study.speed.profile == Profile::constant ? "" : fmt::format("-{}", name_of(law))) +
                              (factor > 1 ? "-follow-up" : "");
     const std::string path = options_.folder.empty() ? "" : options_.folder + "/" + name + ".nc";
-    progress_.what = study.speed.profile == Profile::constant ? row.published->study
-                                                       : fmt::format("{}, {} law", row.published->study, name_of(law));
+    progress_.what = study.speed.profile == Profile::constant
+                         ? row.published->study
+                         : fmt::format("{}, {} law", row.published->study, name_of(law));
     EnsembleResult result;
     if (stopped()) return result;
     report(0);
@@ -138,7 +139,7 @@ class TableRun {
     options.stop = options_.stop;
     options.discoveries = &discoveries_;
     options.fate = [&](const Fate& fate) { result.balanced.push_back(is_balanced(fate)); };
-    options.progress = [&](const Progress& p) { report(p.done); };
+    options.progress = [&](const Progress& p) { p.preparing ? report_stage(p) : report(p.done); };
     const BasinResult basin = equipoise::basin(study, options);
     result.starts = basin.starts;
     result.seed = study.sampling.seed;
@@ -157,6 +158,14 @@ class TableRun {
   void report(std::uint64_t done) {
     progress_.done = before_ + done;
     if (options_.progress) options_.progress(progress_);
+  }
+
+  // What comes before a row's starts adds nothing to those that are done.
+  void report_stage(const Progress& stage) const {
+    if (!options_.progress) return;
+    Progress now = progress_;
+    now.what += ", " + stage.what;
+    options_.progress(now);
   }
 
   const ReproduceOptions& options_;
