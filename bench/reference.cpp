@@ -68,7 +68,7 @@ void follow_double(const Problem& problem, double* row) {
   const Flow flow(problem.parameters, problem.segment);
   kernels::ErrorScale<Flow::dimension> scale;
   scale.tolerance = 1e-14;
-  kernels::set_state_scale<2>(problem.parameters, 1, scale);
+  kernels::set_state_scale(problem.parameters, 1, scale);
   kernels::AdaptiveIntegrator<Flow, Flow::dimension> integrator(flow, scale);
   if (integrator.advance(problem.segment.begin, problem.end, row, [](double, double, const auto&) {}) !=
       IntegrationStatus::done)

@@ -2,27 +2,35 @@
 include(CMakePackageConfigHelpers)
 
 set(config_dir ${CMAKE_INSTALL_LIBDIR}/cmake/equipoise)
-install(TARGETS equipoise EXPORT equipoise_targets
+install(TARGETS equipoise equipoise_paper EXPORT equipoise_targets
   ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR} LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR}
   RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
 if(EQUIPOISE_BUILD_PROGRAM)
   install(TARGETS equipoise_program RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
 endif()
 
-# The public interface: equipoise/equipoise.hpp and what it includes. Templates and kernels stay inside.
+# The public interface: equipoise/equipoise.hpp and equipoise/paper.hpp, and what they include. Templates and kernels stay inside.
 foreach(header
-    equipoise.hpp base/error.hpp model/balance_grade.hpp model/balanced_state.hpp model/energy.hpp model/machine.hpp
-    model/motor.hpp model/parameters.hpp model/scales.hpp model/speed.hpp model/system.hpp integrate/status.hpp
-    sampling/jittered_grid.hpp sampling/sampling.hpp transients/transient_table.hpp orbits/balanced_continuum.hpp
-    motions/catalogue.hpp proof/certificate.hpp deciding/decision_rule.hpp deciding/fate.hpp
-    motions/motion.hpp orbits/orbit.hpp statistics/comparison.hpp statistics/quantile.hpp statistics/share.hpp
-    study/ball_details.hpp study/physical_echo.hpp study/study.hpp study/units.hpp literature/conclusions.hpp
-    literature/paper_figure.hpp literature/published_tables.hpp literature/reproduction.hpp store/basin_file.hpp
-    store/start_columns.hpp store/map_file.hpp store/trajectory.hpp report/attractors_result.hpp
-    report/basin_result.hpp report/certify_result.hpp report/explain_result.hpp drawing/map_plot.hpp
-    reproduction/open_questions_result.hpp report/transient_result.hpp basins/attractors.hpp basins/basin.hpp basins/certify.hpp
-    explain/explain.hpp basins/observation.hpp reproduction/open_questions.hpp reproduction/paper_figures.hpp maps/plane_map.hpp
-    reproduction/reproduce.hpp trajectory/simulate.hpp)
+    equipoise.hpp base/error.hpp base/run_options.hpp base/stop_flag.hpp
+    model/balance_grade.hpp model/balanced_state.hpp model/energy.hpp model/machine.hpp model/motor.hpp
+    model/parameters.hpp model/scales.hpp model/speed.hpp model/system.hpp integrate/status.hpp
+    statistics/quantile.hpp statistics/share.hpp sampling/jittered_grid.hpp sampling/sampling.hpp
+    study/ball_details.hpp study/physical_echo.hpp study/study.hpp study/study_value.hpp study/units.hpp
+    transients/transient_table.hpp deciding/decision_rule.hpp deciding/fate.hpp
+    orbits/balanced_continuum.hpp orbits/orbit.hpp motions/catalogue.hpp motions/motion.hpp proof/certificate.hpp
+    results/attractors_result.hpp results/basin_result.hpp results/branch.hpp results/branches_result.hpp
+    results/certify_result.hpp results/explanation.hpp results/plane_map.hpp results/start_arrays.hpp results/trajectory.hpp
+    results/transient_result.hpp
+    store/basin_file.hpp store/branches_file.hpp store/map_file.hpp store/start_columns.hpp store/trajectory_file.hpp
+    basins/attractors.hpp basins/basin.hpp basins/certify.hpp basins/observation.hpp
+    branches/continuation.hpp branches/parameter_line.hpp kernels/cpu_target.hpp
+    maps/plane_map.hpp trajectory/output_times.hpp trajectory/simulate.hpp drawing/map_plot.hpp
+    report/attractors_report.hpp report/basin_report.hpp report/branches_report.hpp report/certify_report.hpp report/explain_report.hpp
+    explain/explain.hpp
+    paper.hpp literature/conclusions.hpp literature/paper_figure.hpp literature/published_tables.hpp
+    literature/reproduction.hpp statistics/comparison.hpp reproduction/open_questions.hpp
+    reproduction/open_questions_result.hpp reproduction/paper_figures.hpp reproduction/reproduce.hpp
+    reproduction/reproduction.hpp)
   get_filename_component(folder ${header} DIRECTORY)
   install(FILES ${PROJECT_SOURCE_DIR}/src/equipoise/${header} DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/equipoise/${folder})
 endforeach()

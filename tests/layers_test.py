@@ -12,7 +12,11 @@ import tempfile
 import unittest
 from pathlib import Path
 
-LAYERS = ["base", "model", "integrate", "ensemble", "attractors", "statistics", "study", "literature", "store", "report", "run"]
+LAYERS = [
+    "base", "math", "model", "integrate", "statistics", "sampling", "study", "lanes", "transients", "deciding",
+    "kernels", "orbits", "motions", "proof", "traps", "results", "files", "store", "spin_up", "discovery", "fates",
+    "basins", "branches", "maps", "trajectory", "drawing", "report", "explain", "literature", "reproduction",
+]
 SOURCES = {".hpp", ".h", ".cpp", ".cc", ".cu", ".in"}
 # Highway compiles a file once per target by including the path that this macro names.
 INCLUDE = re.compile(r'^\s*#\s*(?:include|define\s+HWY_TARGET_INCLUDE)\s*["<]([^">]+)[">]', re.MULTILINE)
@@ -92,9 +96,9 @@ class FaultsAreFound(unittest.TestCase):
         self.assertIn("model is to the left of study", found[0])
 
     def test_every_way_of_writing_an_include_is_seen(self):
-        for line in ('# include "equipoise/run/a.hpp"', "  #include <equipoise/run/a.hpp>",
-                     '#include"equipoise/run/a.hpp"', '#define HWY_TARGET_INCLUDE "equipoise/run/a.hpp"',
-                     '#include "../run/a.hpp"'):
+        for line in ('# include "equipoise/maps/a.hpp"', "  #include <equipoise/maps/a.hpp>",
+                     '#include"equipoise/maps/a.hpp"', '#define HWY_TARGET_INCLUDE "equipoise/maps/a.hpp"',
+                     '#include "../maps/a.hpp"'):
             self.assertEqual(len(self.faults_of({"src/equipoise/base/a-inl.hpp": line + "\n"})), 1, line)
 
     def test_every_pair_of_layers_has_one_direction(self):
@@ -106,17 +110,17 @@ class FaultsAreFound(unittest.TestCase):
                 self.assertEqual(self.faults_of(leftward), [])
 
     def test_header_without_a_layer_is_a_fault(self):
-        self.assertEqual(len(self.faults_of({"src/equipoise/run/a.cpp": '#include "equipoise/equipoise.hpp"\n'})), 1)
+        self.assertEqual(len(self.faults_of({"src/equipoise/maps/a.cpp": '#include "equipoise/equipoise.hpp"\n'})), 1)
 
     def test_include_that_skips_the_project_name_is_a_fault(self):
-        self.assertEqual(len(self.faults_of({"src/equipoise/run/a.cpp": '#include "a.hpp"\n',
-                                             "src/equipoise/run/a.hpp": ""})), 1)
+        self.assertEqual(len(self.faults_of({"src/equipoise/maps/a.cpp": '#include "a.hpp"\n',
+                                             "src/equipoise/maps/a.hpp": ""})), 1)
 
     def test_unknown_folder_is_a_fault(self):
         self.assertEqual(len(self.faults_of({"src/equipoise/helpers/a.hpp": ""})), 1)
 
     def test_including_a_program_is_a_fault(self):
-        program = {"apps/equipoise/options.hpp": "", "src/equipoise/run/a.hpp": ""}
+        program = {"apps/equipoise/options.hpp": "", "src/equipoise/maps/a.hpp": ""}
         for line in ('#include "options.hpp"', '#include "apps/equipoise/options.hpp"',
                      '#include "../apps/equipoise/options.hpp"'):
             self.assertEqual(len(self.faults_of({**program, "tests/a.cpp": line + "\n"})), 1, line)

@@ -1,7 +1,9 @@
 # Tests of the study reader, of the shipped studies and of the house's layers.
-equipoise_test(study_test unit unit/study_test.cpp unit/study_errors_test.cpp unit/sampling_box_test.cpp)
-equipoise_test(physical_study_test unit unit/units_test.cpp unit/physical_study_test.cpp LIBRARIES rapidcheck)
+equipoise_test(study_test unit unit/study_test.cpp unit/study_errors_test.cpp unit/study_tree_test.cpp
+  unit/sampling_box_test.cpp)
+equipoise_test(physical_study_test unit unit/units_test.cpp unit/physical_study_test.cpp LIBRARIES rapidcheck UDUNITS2::UDUNITS2)
 equipoise_test(display_text_test unit unit/display_text_test.cpp)
+equipoise_test(reporting_test unit unit/reporting_test.cpp)
 equipoise_test(explain_test unit unit/explain_test.cpp LIBRARIES nlohmann_json::nlohmann_json)
 
 find_package(Python3 COMPONENTS Interpreter)
@@ -21,6 +23,7 @@ endif()
 # The fuzz target, with libFuzzer where asked for and with a driver of our own everywhere else. Both run a bounded,
 # seeded number of inputs as a test; for a longer search run the program by hand.
 add_executable(study_fuzz fuzz/study_fuzz.cpp)
+add_dependencies(equipoise_tests study_fuzz)
 target_compile_options(study_fuzz PRIVATE -Wall -Wextra)
 set(seeds ${CMAKE_CURRENT_SOURCE_DIR}/fuzz/seeds ${PROJECT_SOURCE_DIR}/studies)
 set(dictionary ${CMAKE_CURRENT_SOURCE_DIR}/fuzz/study.dict)

@@ -6,6 +6,7 @@
 #include "commands.hpp"
 #include "equipoise/branches/continuation.hpp"
 #include "equipoise/drawing/branch_plot.hpp"
+#include "equipoise/report/branches_report.hpp"
 #include "equipoise/store/branches_file.hpp"
 #include "gnuplot.hpp"
 #include "options.hpp"
@@ -37,12 +38,12 @@ int run_along(const Study& study, const AlongArguments& a) {
   options.seeds = a.states;
   options.stop = &stop_flag();
   ProgressLine progress(a.quiet);
-  options.progress = [&](const ContinuationProgress& p) { progress.update(p.done, p.total, p.what); };
+  options.progress = progress.listener();
   const BranchesResult result = follow_attractors(study, line, options);
   progress.finish();
   put(a.json ? branches_json(result) : branches_text(result));
   if (a.output.ends_with(".csv")) write_file(a.output, branches_csv(result));
-  if (a.output.ends_with(".nc")) write_branches_file(a.output, branch_table(result));
+  if (a.output.ends_with(".nc")) write_branches_file(a.output, result);
   if (!a.plot.empty()) draw(a.plot, [&](const std::string& file) { return branch_plot_script(result, file); });
   return result.partial ? interrupted : done;
 }

@@ -9,6 +9,7 @@
 #include "along_command.hpp"
 #include "commands.hpp"
 #include "equipoise/basins/attractors.hpp"
+#include "equipoise/report/attractors_report.hpp"
 #include "options.hpp"
 #include "progress.hpp"
 #include "streams.hpp"
@@ -60,14 +61,15 @@ int run_attractors(const AttractorsArguments& a) {
   for (const auto& [option, value] : {std::pair{"--output", &a.output}, std::pair{"--plot", &a.plot}})
     if (!value->empty()) throw InputError(option, "", *value, "goes with --along KEY=FROM:TO:STEP only");
   std::vector<std::string> overrides = a.overrides;
-  override_starts(a.starts.value_or(std::to_string(search_starts)), a.seed, overrides);
+  override_starts(a.starts, a.seed, overrides);
   const Study study = read_study(a.study, overrides);
-  BasinOptions options;
+  AttractorsOptions options;
+  if (a.starts) options.starts = study.sampling.starts;
   options.threads = threads_option(a.threads);
   for (const std::string& text : a.states) options.seeds.push_back(parse_state(text, study.parameters.balls));
   options.stop = &stop_flag();
   ProgressLine progress(a.quiet);
-  options.progress = [&](const BasinProgress& p) { progress.update(p.done, p.total, "starts searched"); };
+  options.progress = progress.listener();
   const AttractorsResult result = attractors(study, options);
   progress.finish();
   put(a.json ? attractors_json(result) : attractors_text(result));
@@ -88,9 +90,11 @@ Command add_attractors(CLI::App& app) {
       ->type_name("X,Y,...")
       ->take_all();
   app.add_option("--threads", a->threads, "threads (default: all cores)")->type_name("T");
-  app.add_option("--along", a->along,
-                 "follow every attractor along a study key, e.g. speed.final=1.4:6.5:0.05; with --starts: that many "
-                 "searched at every value besides the pilot's")
+  app.add_option(
+         "--along", a->along,
+         "follow every attractor along a study key, e.g. speed.final=1.4:6.5:0.05, or in a study with units "
+         "\"speed.final=900 rpm:4000 rpm:50 rpm\"; with --starts: that many searched at every value besides the "
+         "pilot's")
       ->type_name("KEY=FROM:TO:STEP");
   app.add_option("-o,--output", a->output,
                  "with --along: a line a value and attractor (.csv), or the same as NetCDF (.nc)")

@@ -9,6 +9,7 @@
 
 #include "commands.hpp"
 #include "equipoise/basins/basin.hpp"
+#include "equipoise/report/basin_report.hpp"
 #include "options.hpp"
 #include "progress.hpp"
 #include "streams.hpp"
@@ -28,24 +29,11 @@ struct BasinArguments {
 Study study_from(const BasinArguments& a) {
   std::vector<std::string> overrides = a.overrides;
   override_starts(a.starts, a.seed, overrides);
-  if (a.decide) overrides.push_back("numerics.decide=" + option_choice("--decide", *a.decide, decide_mode_names));
-  return read_study(a.study, overrides);
-}
-
-std::string outcome_text(const StartReplay& replay) {
-  switch (replay.fate.outcome) {
-    case Outcome::attracted:
-      return replay.name;
-    case Outcome::undecided:
-      return "undecided";
-    case Outcome::diverged:
-      return "diverged";
-    case Outcome::stalled:
-      return "stalled";
-    case Outcome::failed:
-      return "failed";
+  if (a.decide) {
+    option_choice<DecideMode>("--decide", *a.decide, decide_mode_names);
+    overrides.push_back("numerics.decide=" + *a.decide);
   }
-  return "failed";
+  return read_study(a.study, overrides);
 }
 
 std::string transients_text(const Study& study, const TransientRow& row) {
@@ -59,11 +47,20 @@ std::string transients_text(const Study& study, const TransientRow& row) {
   return text;
 }
 
-int print_replay(const Study& study, const BasinOptions& options, const std::string& given) {
+int print_replay(const Study& study, const BasinOptions& options, const std::string& given, ProgressLine& progress) {
   constexpr std::uint64_t largest = 999'999'999'999;
   const auto index =
       option_number<std::uint64_t>("--start-index", given, 0, largest, "a whole number from 0 to 999999999999");
-  const StartReplay replay = replay_start(study, index, options);
+  StartReplay replay;
+  try {
+    replay = replay_start(study, index, options);
+  } catch (const RunError& e) {
+    if (!stop_flag()) throw;
+    progress.finish();
+    say(e.what());
+    return interrupted;
+  }
+  progress.finish();
   const SamplingMethod method = study.sampling.method.value_or(SamplingMethod::random);
   std::string text =
       fmt::format("start {} of seed {}{}\n", index, study.sampling.seed,
@@ -77,7 +74,8 @@ int print_replay(const Study& study, const BasinOptions& options, const std::str
     for (int i = 0; i < study.parameters.balls; ++i) text += fmt::format("phi_dot_{} = {}\n", i + 1, s.phi_dot[i]);
   }
   const auto by = static_cast<std::size_t>(replay.fate.by);
-  text += fmt::format("outcome = {}\ndecided_by = {}\ndecision_time = {}\n", outcome_text(replay), decided_by_names[by],
+  const std::string outcome = replay.fate.outcome == Outcome::attracted ? replay.name : name_of(replay.fate.outcome);
+  text += fmt::format("outcome = {}\ndecided_by = {}\ndecision_time = {}\n", outcome, decided_by_names[by],
                       replay.fate.time);
   if (study.speed.driven()) text += fmt::format("mean_speed = {}\n", replay.fate.mean_speed);
   if (replay.transients) text += transients_text(study, *replay.transients);
@@ -95,16 +93,12 @@ int run_basin(const BasinArguments& a) {
         option_number<double>("--half-width", *a.half_width, 1e-6, 0.5, "a fraction of one from 1e-6 to 0.5");
   if (a.half_width) require_writable("-o", a.output);  // a pilot may come before the file is opened
   options.limit_given = a.starts.has_value();
-  const Limits& limits = study.limits;
-  options.transients = a.transients || limits.displacement || limits.force || limits.velocity || limits.settled;
+  if (a.transients) options.transients = true;
   options.output = a.output;
   options.stop = &stop_flag();
-  if (a.start_index) return print_replay(study, options, *a.start_index);
-
   ProgressLine progress(a.quiet);
-  options.progress = [&](const BasinProgress& p) {
-    progress.update(p.done, p.total, fmt::format("balanced {:.2f} %", 100.0 * p.balanced.share));
-  };
+  options.progress = progress.listener();
+  if (a.start_index) return print_replay(study, options, *a.start_index, progress);
   const BasinResult result = basin(study, options);
   progress.finish();
   put(a.json ? basin_json(result) : basin_text(result));

@@ -11,7 +11,9 @@
 #include "equipoise/base/display_text.hpp"
 #include "equipoise/basins/certify.hpp"
 #include "equipoise/report/certificate_json.hpp"
+#include "equipoise/report/certify_report.hpp"
 #include "options.hpp"
+#include "progress.hpp"
 #include "streams.hpp"
 
 namespace equipoise::app {
@@ -21,7 +23,7 @@ namespace {
 struct CertifyArguments {
   std::string study, output, check;
   std::vector<std::string> overrides;
-  bool json = false;
+  bool json = false, quiet = false;
 };
 
 // Certificates take some kilobytes; what never ends, as /dev/zero, ends here.
@@ -72,10 +74,15 @@ int run_certify(const CertifyArguments& a) {
     return check_file(a.check, a.json);
   }
   require_writable("--output", a.output);
-  const CertifyResult result = certify(read_study(a.study, a.overrides));
+  RunOptions options;
+  options.stop = &stop_flag();
+  ProgressLine progress(a.quiet);
+  options.progress = progress.listener();
+  const CertifyResult result = certify(read_study(a.study, a.overrides), options);
+  progress.finish();
   put(a.json ? certify_json(result) : certify_text(result));
   if (!a.output.empty()) write_certificates(a.output, result);
-  return result.proved() ? done : check_failed;
+  return result.partial ? interrupted : result.proved() ? done : check_failed;
 }
 
 }  // namespace
@@ -87,6 +94,7 @@ Command add_certify(CLI::App& app) {
   add_overrides(app, a->overrides);
   app.add_option("-o,--output", a->output, "write the certificates here")->type_name("FILE.json");
   app.add_flag("--json", a->json, "print one JSON object");
+  app.add_flag("--quiet", a->quiet, "no progress");
   return [a] { return run_certify(*a); };
 }
 

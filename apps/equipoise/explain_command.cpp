@@ -6,6 +6,7 @@
 #include "commands.hpp"
 #include "equipoise/base/display_text.hpp"
 #include "equipoise/explain/explain.hpp"
+#include "equipoise/report/explain_report.hpp"
 #include "options.hpp"
 #include "streams.hpp"
 

@@ -8,9 +8,9 @@
 #include <fmt/ranges.h>
 
 #include "commands.hpp"
-#include "equipoise/base/embedded.hpp"
+#include "equipoise/drawing/page_files.hpp"
 #include "equipoise/base/version.hpp"
-#include "equipoise/kernels/lane_kernels.hpp"
+#include "equipoise/kernels/cpu_target.hpp"
 #include "streams.hpp"
 #include "usage.hpp"
 
@@ -29,9 +29,10 @@ void ask_to_stop(int signal) {
 }
 
 std::string version_text() {
-  return fmt::format("equipoise {}\ncompiler: {}\nCPU targets here: {}; using {}\nreports: {}\n", version_string,
-                     __VERSION__, fmt::join(cpu_targets(), ", "), cpu_target(),
-                     embedded::find("plotly.js").empty() ? "pictures only" : "interactive charts and pictures");
+  return fmt::format(
+      "equipoise {}\ncompiler: {}\nCPU targets here: {}; using {}\nreports: {}\n", version_string, __VERSION__,
+      fmt::join(cpu_targets(), ", "), cpu_target(),
+      embedded::page_files.find("plotly.js").empty() ? "pictures only" : "interactive charts and pictures");
 }
 
 int run(int argc, char** argv) {

@@ -9,7 +9,8 @@
 #include <oneapi/tbb/info.h>
 
 #include "equipoise/files/replacement.hpp"
-#include "equipoise/kernels/lane_kernels.hpp"
+#include "equipoise/kernels/cpu_target.hpp"
+#include "equipoise/study/given_value.hpp"
 
 namespace equipoise::app {
 
@@ -17,7 +18,20 @@ void choose_cpu(const std::string& name) {
   if (name.empty() || use_cpu_target(name)) return;
   std::string known;
   for (const std::string& target : cpu_targets()) known += (known.empty() ? "" : ", ") + target;
-  throw InputError("--cpu", "", display_text(name), "must be one of those this machine has: " + known);
+  throw InputError("--cpu", "", display_text(name), "must be one of those this program is built for and this machine has: " + known);
+}
+
+double option_time(const char* option, const std::string& text, const Study& study, double least, double most,
+                   const char* allowed) {
+  const auto unit = study::unit_of(study, study::Dimension::time);
+  const study::GivenValue given = study::read_given(text, unit);
+  if (given.problem.empty() && given.value >= least && given.value <= most) return given.value;
+  std::string problem = fmt::format("must be {}", allowed);
+  if (unit)
+    problem += ", in 1/omega_c, or a time, such as \"10 s\"";
+  else if (study::measure(text, {study::Dimension::time}).problem.empty())
+    problem += ": this study has no units";
+  throw InputError(option, "", display_text(text), problem);
 }
 
 int threads_option(const std::optional<std::string>& text) {

@@ -1,6 +1,7 @@
 // Options that several commands share.
 #pragma once
 
+#include <algorithm>
 #include <charconv>
 #include <optional>
 #include <string>
@@ -13,6 +14,7 @@
 
 #include "equipoise/base/display_text.hpp"
 #include "equipoise/base/error.hpp"
+#include "equipoise/study/study.hpp"
 
 namespace equipoise::app {
 
@@ -27,12 +29,17 @@ T option_number(const char* option, const std::string& text, T low, T high, cons
   return value;
 }
 
-/// One of `choices`, given as an option.
-template <class Choices>
-const std::string& option_choice(const char* option, const std::string& text, const Choices& choices) {
-  for (const auto& choice : choices)
-    if (text == choice) return text;
-  throw InputError(option, "", display_text(text), fmt::format("must be one of: {}", fmt::join(choices, ", ")));
+/// A time given as an option, in 1/omega_c: a plain number, or of a study with scales a quantity, such as "2 s".
+/// `least` and `most` bound it.
+double option_time(const char* option, const std::string& text, const Study& study, double least, double most,
+                   const char* allowed);
+
+/// A value of an enumeration by its name, given as an option; `names` are in the order of the values.
+template <class Enumeration, class Names>
+Enumeration option_choice(const char* option, const std::string& text, const Names& names) {
+  const auto at = std::find(names.begin(), names.end(), text);
+  if (at != names.end()) return static_cast<Enumeration>(at - names.begin());
+  throw InputError(option, "", display_text(text), fmt::format("must be one of: {}", fmt::join(names, ", ")));
 }
 
 /// --threads T: 0 if it is not given, for all cores. More threads than cores are made if so many are asked for.

@@ -36,14 +36,20 @@ ProgressLine::ProgressLine(bool quiet)
 
 ProgressLine::~ProgressLine() { finish(); }
 
-void ProgressLine::update(std::uint64_t done, std::uint64_t total, const std::string& detail) {
-  if (style_ == Style::none) return;
+std::function<void(const Progress&)> ProgressLine::listener() {
+  if (style_ == Style::none) return {};
+  return [this](const Progress& progress) { update(progress); };
+}
+
+void ProgressLine::update(const Progress& progress) {
   const auto now = Clock::now();
-  if (!counting_) {  // what came from an earlier run does not count towards this one's rate
-    counting_ = true;
+  const auto& [done, total, what, balanced, preparing] = progress;
+  // What came from an earlier run does not count towards this one's rate, nor one part of the work towards the next's.
+  if (!before_ || done < before_->done || preparing != before_->preparing || (preparing && what != before_->what)) {
     first_ = done;
     begin_ = now;
   }
+  before_ = progress;
   const double interval = style_ == Style::bar ? 0.1 : 5.0;
   if (std::chrono::duration<double>(now - last_).count() < interval) return;
   last_ = now;
@@ -60,10 +66,15 @@ void ProgressLine::update(std::uint64_t done, std::uint64_t total, const std::st
     text += fmt::format("{:3.0f} %  {} of {}", 100.0 * fraction, done, total);
     if (rate > 0.0)
       text += fmt::format("  {:.0f}/s  {} left", rate, duration(static_cast<double>(total - done) / rate));
+  } else if (preparing) {
+    text += done > 0 ? fmt::format("{}  {}  {:.0f}/s", what, done, rate) : what;
   } else {
-    text += fmt::format("{} starts  {:.0f}/s", done, rate);
+    text += fmt::format("{} {}  {:.0f}/s", done, what, rate);
   }
-  text += "  " + detail;
+  if (balanced)
+    text += fmt::format("  balanced {:.2f} %", 100.0 * *balanced);
+  else if (total > 0)
+    text += "  " + what;
   if (style_ == Style::bar) {
     text = text.substr(0, terminal_width() - 1);
     put_error("\r" + text + "\x1b[K");

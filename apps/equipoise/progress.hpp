@@ -3,7 +3,10 @@
 
 #include <chrono>
 #include <cstdint>
-#include <string>
+#include <functional>
+#include <optional>
+
+#include "equipoise/base/run_options.hpp"
 
 namespace equipoise::app {
 
@@ -14,15 +17,18 @@ class ProgressLine {
   explicit ProgressLine(bool quiet);
   ~ProgressLine();
 
-  /// `total` 0: not known. `detail`: shown at the end of the line.
-  void update(std::uint64_t done, std::uint64_t total, const std::string& detail);
+  /// What a call of the library is given to report to, on this thread; not to outlive this.
+  std::function<void(const Progress&)> listener();
   /// Clears the bar, so that what follows starts on a clean line.
   void finish();
 
  private:
   using Clock = std::chrono::steady_clock;
   Style style_;
-  bool shown_ = false, counting_ = false;
+  void update(const Progress& progress);
+
+  bool shown_ = false;
+  std::optional<Progress> before_;
   std::uint64_t first_ = 0;
   Clock::time_point begin_, last_;
 };

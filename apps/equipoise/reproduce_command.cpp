@@ -1,8 +1,5 @@
 // equipoise reproduce: the tables and figures of Wright and Peng (2019), computed again and judged.
-#include <algorithm>
 #include <array>
-#include <chrono>
-#include <ctime>
 #include <filesystem>
 #include <memory>
 #include <optional>
@@ -13,13 +10,10 @@
 #include <fmt/ranges.h>
 
 #include "commands.hpp"
-#include "equipoise/basins/basin.hpp"
-#include "equipoise/kernels/lane_kernels.hpp"
-#include "equipoise/reproduction/open_questions.hpp"
-#include "equipoise/reproduction/paper_figures.hpp"
+#include "equipoise/base/display_text.hpp"
+#include "equipoise/base/error.hpp"
 #include "equipoise/reproduction/reproduce.hpp"
 #include "equipoise/reproduction/reproduction.hpp"
-#include "equipoise/reproduction/table_7.hpp"
 #include "gnuplot.hpp"
 #include "options.hpp"
 #include "progress.hpp"
@@ -39,50 +33,15 @@ struct ReproduceArguments {
   bool json = false, quiet = false;
 };
 
-// What is to be made, in the order of the paper.
-struct Plan {
-  std::vector<int> tables;
-  std::vector<std::string> figures;
-  bool future = false;
-  OpenQuestionSettings questions;
-};
-
-std::vector<std::string> choices() {
-  std::vector<std::string> list;
-  for (int table = 1; table <= 7; ++table) list.push_back(fmt::format("table-{}", table));
-  list.insert(list.end(), paper_figure_ids().begin(), paper_figure_ids().end());
-  list.insert(list.end(), {"future", "tables", "figures", "all"});
-  return list;
-}
-
-Plan plan_of(const std::vector<std::string>& what) {
-  for (const std::string& w : what)
-    if (const auto known = choices(); std::find(known.begin(), known.end(), w) == known.end())
-      throw InputError("reproduce", "", display_text(w), fmt::format("must be among {}", fmt::join(known, ", ")));
-  const auto asked = [&](const std::string& one, const std::string& group) {
-    return what.empty() || std::any_of(what.begin(), what.end(),
-                                       [&](const std::string& w) { return w == "all" || w == group || w == one; });
-  };
-  Plan plan;
-  for (int table = 1; table <= 7; ++table)
-    if (asked(fmt::format("table-{}", table), "tables")) plan.tables.push_back(table);
-  for (const std::string& id : paper_figure_ids())
-    if (asked(id, "figures")) plan.figures.push_back(id);
-  plan.future = asked("future", "future");
-  return plan;
-}
-
-ReproduceOptions table_options(const ReproduceArguments& a, const Plan& plan) {
-  ReproduceOptions options;
-  options.tables = plan.tables;
+ReproduceOptions options_from(const ReproduceArguments& a) {
+  ReproduceOptions options = options_for(a.what);
+  if (a.pixels)
+    options.map_pixels = option_number<int>("--pixels", *a.pixels, 2, 4096, "a whole number from 2 to 4096");
   options.threads = threads_option(a.threads);
   if (a.starts)
     options.starts =
         option_number<std::uint64_t>("--starts", *a.starts, 1, 1'000'000'000, "a whole number from 1 to 1000000000");
-  option_choice("--law", a.law, std::array{"published", "kinematic", "both"});
-  options.laws = a.law == "published"   ? LawChoice::published
-                 : a.law == "kinematic" ? LawChoice::kinematic
-                                        : LawChoice::both;
+  options.laws = option_choice<LawChoice>("--law", a.law, law_choice_names);
   if (!a.output.empty()) options.folder = a.output + "/ensembles";
   options.stop = &stop_flag();
   return options;
@@ -98,56 +57,6 @@ std::string command_line(const ReproduceArguments& a) {
   return text;
 }
 
-void total(Reproduction& r) {
-  for (const ReproducedTable& t : r.tables)
-    for (const ReproducedRow& row : t.rows)
-      for (const auto* e : {&row.by_published_law, &row.by_kinematic_law}) {
-        if (!*e) continue;
-        ++r.ensembles;
-        r.starts += (*e)->starts;
-        r.seconds += (*e)->seconds;
-        r.cpu_seconds += (*e)->cpu_seconds;
-      }
-}
-
-// Starts a row from which the best lead on table 7 is computed anew: enough for half-widths of .2 to .4 points.
-constexpr std::uint64_t lead_starts = 20000;
-
-void lead_on_table_7(Reproduction& r, const ReproduceOptions& options) {
-  const std::uint64_t starts = options.starts > 0 ? std::min(options.starts, lead_starts) : lead_starts;
-  try {
-    for (const ObservationReading& reading : observe_table_7(table_7_lead(), starts, options.threads, options.stop))
-      r.table_7_lead.push_back({fmt::format("{}, {}, {}", reading.row.t0, reading.row.t1, reading.row.t2),
-                                reading.row.printed, reading.balanced});
-  } catch (const RunError&) {
-    if (!stop_flag()) throw;  // stopped: what is there so far counts
-  }
-}
-
-OpenQuestions future(OpenQuestionSettings settings, const ReproduceOptions& options, ProgressLine& progress) {
-  if (options.starts > 0) settings.starts = std::min(settings.starts, options.starts);
-  settings.folder = options.folder;
-  settings.threads = options.threads;
-  settings.stop = options.stop;
-  settings.progress = [&](const std::string& part, double share) {
-    progress.update(static_cast<std::uint64_t>(100.0 * share), 100, part);
-  };
-  return open_questions(settings);
-}
-
-void compute(Reproduction& r, const Plan& plan, ReproduceOptions& options, bool quiet) {
-  ProgressLine progress(quiet);
-  options.progress = [&](const ReproduceProgress& p) { progress.update(p.done, p.total, p.what); };
-  r.tables = reproduce_tables(options);
-  r.conclusions = judge_conclusions(r.tables);
-  const auto stopped = [] { return stop_flag().load(); };
-  if (!stopped() && std::count(plan.tables.begin(), plan.tables.end(), 7)) lead_on_table_7(r, options);
-  for (const std::string& id : plan.figures)
-    if (!stopped()) r.figures.push_back(paper_figure(id, &stop_flag()));
-  if (plan.future && !stopped()) r.open = future(plan.questions, options, progress);
-  r.partial = stopped();
-}
-
 void check_paths(const ReproduceArguments& a) {
   if (!a.report.empty() && !a.report.ends_with(".html") && !a.report.ends_with(".md"))
     throw InputError("--report", "", a.report, "must be a file name that ends in .html or .md");
@@ -158,21 +67,14 @@ void check_paths(const ReproduceArguments& a) {
 
 int run_reproduce(const ReproduceArguments& a) {
   choose_cpu(a.cpu);
-  Plan plan = plan_of(a.what);
-  if (a.pixels)
-    plan.questions.map_pixels = option_number<int>("--pixels", *a.pixels, 2, 4096, "a whole number from 2 to 4096");
-  ReproduceOptions options = table_options(a, plan);
+  ReproduceOptions options = options_from(a);
   check_paths(a);
   const PictureFolder folder(a.output, a.report);
-  Reproduction r;
+  ProgressLine progress(a.quiet);
+  options.progress = progress.listener();
+  Reproduction r = reproduce(options);
+  progress.finish();
   r.command = command_line(a);
-  r.cpu_target = cpu_target();
-  r.threads = thread_count(options.threads);
-  const auto begin = std::chrono::steady_clock::now();
-  compute(r, plan, options, a.quiet);
-  r.run_seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
-  r.run_cpu_seconds = static_cast<double>(std::clock()) / CLOCKS_PER_SEC;
-  total(r);
   if (!folder.path().empty() && !r.partial) {
     draw_pictures(r, folder);
     if (!a.report.empty()) write_report(r, a.report, folder);
@@ -187,7 +89,7 @@ int run_reproduce(const ReproduceArguments& a) {
 
 Command add_reproduce(CLI::App& app) {
   const auto a = std::make_shared<ReproduceArguments>();
-  app.add_option("what", a->what, fmt::format("any of {} (default: all)", fmt::join(choices(), ", ")))
+  app.add_option("what", a->what, fmt::format("any of {} (default: all)", fmt::join(reproducible(), ", ")))
       ->type_name("WHAT");
   app.add_option("--starts", a->starts, "starts an ensemble (default: as many as the paper used)")->type_name("N");
   app.add_option("--law", a->law, "speed law of ramps (default: both)")->type_name("LAW");

@@ -11,6 +11,7 @@
 #include "equipoise/files/replacement.hpp"
 #include "equipoise/reproduction/reproduction_charts.hpp"
 #include "equipoise/reproduction/reproduction_document.hpp"
+#include "equipoise/store/map_file.hpp"
 #include "gnuplot.hpp"
 #include "options.hpp"
 

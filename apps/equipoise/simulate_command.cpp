@@ -1,5 +1,4 @@
 // equipoise simulate: one trajectory at stated times.
-#include <cmath>
 #include <iostream>
 #include <memory>
 #include <optional>
@@ -9,6 +8,8 @@
 #include <fmt/format.h>
 
 #include "commands.hpp"
+#include "equipoise/store/trajectory_file.hpp"
+#include "equipoise/trajectory/output_times.hpp"
 #include "equipoise/trajectory/simulate.hpp"
 #include "options.hpp"
 #include "streams.hpp"
@@ -23,21 +24,18 @@ struct SimulateArguments {
   std::optional<std::string> every, until, tolerance;
 };
 
-constexpr double most_rows = 1e8;
+constexpr double last_time = last_output_time;
 
-// Later than that a double does not know the rotor's angle.
-constexpr double last_time = 1e9;
-
-double time_option(const char* option, const std::string& text) {
-  return option_number<double>(option, text, 0.0, last_time, "a number from 0 to 1e9");
+double time_option(const char* option, const std::string& text, const Study& study) {
+  return option_time(option, text, study, 0.0, last_time, "a number from 0 to 1e9");
 }
 
 // "T,T,..."
-std::vector<double> parse_times(const std::string& text) {
+std::vector<double> parse_times(const std::string& text, const Study& study) {
   std::vector<double> times;
   for (std::size_t at = 0; at <= text.size();) {
     const std::size_t comma = std::min(text.find(',', at), text.size());
-    times.push_back(time_option("--at", text.substr(at, comma - at)));
+    times.push_back(time_option("--at", text.substr(at, comma - at), study));
     at = comma + 1;
   }
   return times;
@@ -45,30 +43,26 @@ std::vector<double> parse_times(const std::string& text) {
 
 // --at, or the grid of --every and --until; by default a hundred times until 100 after the last branch begins.
 std::vector<double> output_times(const SimulateArguments& a, const Study& study) {
-  std::vector<double> times;
   if (!a.at.empty()) {
+    std::vector<double> times;
     if (a.every || a.until) throw InputError("--at", "", "", "give either --at or --every and --until, not both");
     for (const std::string& text : a.at)
-      for (const double time : parse_times(text)) times.push_back(time);
+      for (const double time : parse_times(text, study)) times.push_back(time);
     for (std::size_t i = 1; i < times.size(); ++i)
       if (!(times[i] > times[i - 1]))
         throw InputError("--at", "", fmt::format("{}", times[i]),
                          fmt::format("times out of order: must be later than {}", times[i - 1]));
     return times;
   }
-  const model::Drive drive = study.drive();
-  const double settled = std::max(drive.pieces.back().begin, study.speed.driven() ? 0.0 : drive.release_time);
-  const double until = a.until ? time_option("--until", *a.until) : settled + 100.0;
-  const double every =
-      a.every ? option_number<double>("--every", *a.every, 1e-300, last_time, "a number greater than 0, at most 1e9")
-      : until > 0.0 ? until / 100.0
-                    : 1.0;
-  if (until / every > most_rows)
-    throw InputError("--every", "", fmt::format("{}", every),
-                     fmt::format("makes more than {:.0f} rows; must be at least {}", most_rows, until / most_rows));
-  const auto rows = static_cast<std::size_t>(std::floor(until / every * (1.0 + 1e-12)));
-  for (std::size_t k = 0; k <= rows; ++k) times.push_back(static_cast<double>(k) * every);
-  return times;
+  std::optional<double> until, every;
+  if (a.until) until = time_option("--until", *a.until, study);
+  if (a.every)
+    every = option_time("--every", *a.every, study, 1e-300, last_time, "a number greater than 0, at most 1e9");
+  try {
+    return equipoise::output_times(study, until, every);
+  } catch (const InputError& e) {
+    throw InputError(e.key() == "until" ? "--until" : "--every", "", e.value(), e.problem());
+  }
 }
 
 bool ends_with(const std::string& text, const std::string& end) {
@@ -91,7 +85,9 @@ int run_simulate(const SimulateArguments& a) {
   const std::vector<double> times = output_times(a, study);
   check_output(a.output);
 
-  const Trajectory trajectory = simulate(study, times, &stop_flag());
+  RunOptions options;
+  options.stop = &stop_flag();
+  const Trajectory trajectory = simulate(study, times, options);
   if (a.output.empty()) {
     write_csv(std::cout, trajectory);
   } else if (ends_with(a.output, ".csv")) {
@@ -118,9 +114,11 @@ int run_simulate(const SimulateArguments& a) {
 Command add_simulate(CLI::App& app) {
   const auto a = std::make_shared<SimulateArguments>();
   app.add_option("study", a->study, "study file (TOML)")->required()->type_name("STUDY");
-  app.add_option("--at", a->at, "times, separated by commas")->take_all()->type_name("T,T,...");
-  app.add_option("--every", a->every, "time between rows")->type_name("DT");
-  app.add_option("--until", a->until, "last time")->type_name("T");
+  app.add_option("--at", a->at, "times, separated by commas (in 1/omega_c, or with units: 2 s)")
+      ->take_all()
+      ->type_name("T,T,...");
+  app.add_option("--every", a->every, "time between rows (the same)")->type_name("DT");
+  app.add_option("--until", a->until, "last time (the same)")->type_name("T");
   app.add_option("--tolerance", a->tolerance, "error allowed a step, relative (default 1e-12)")->type_name("E");
   app.add_option("-o,--output", a->output, "write here (.csv or .nc) instead of CSV on standard output")
       ->type_name("FILE");

@@ -20,11 +20,11 @@ hwy::N_COUNTING::Operations& operations() { return hwy::N_COUNTING::operations; 
 }  // namespace
 
 FlopCount count_right_hand_side(const model::Parameters& p) {
-  return model::with_ball_count(p.balls, [&](auto n) {
-    using Flow = counting::FreeFlow<Pack, n, terms>;
+  return model::with_ball_count(p.balls, [&](auto room) {
+    using Flow = counting::FreeFlow<Pack, room, terms>;
     const Flow flow(p, model::Segment{0.0, 0.0, 0.0, 2.4, 0.0, false});
     Pack z[Flow::dimension], rate[Flow::dimension];
-    for (int i = 0; i < Flow::dimension; ++i) z[i] = Pack(0.01 * i);
+    for (int i = 0; i < flow.size(); ++i) z[i] = Pack(0.01 * i);
     operations() = {};
     flow(Pack(0.0), z, rate);
     return FlopCount{operations().flops(), 2 * operations().fused, operations().divide + operations().root};
@@ -41,9 +41,9 @@ double count_step(const model::Parameters& p, double speed, double* state, doubl
   task.count = 1;
   task.states = state;
   task.work = &work;
-  counting::NoObserver<2> observer;
+  counting::NoObserver observer;
   const auto block =
-      std::make_unique<counting::LaneBlock<Flow, counting::NoObserver<2>, 1>>(task, Flow(p, task.segment), observer);
+      std::make_unique<counting::LaneBlock<Flow, counting::NoObserver, 1>>(task, Flow(p, task.segment), observer);
   operations() = {};
   block->run();
   return static_cast<double>(operations().flops()) / static_cast<double>(work.steps);

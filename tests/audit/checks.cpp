@@ -15,6 +15,7 @@
 #include "equipoise/discovery/discovery.hpp"
 #include "equipoise/kernels/lane_kernels.hpp"
 #include "equipoise/model/strobe.hpp"
+#include "equipoise/report/basin_report.hpp"
 #include "equipoise/spin_up/initial_state.hpp"
 #include "equipoise/trajectory/simulate.hpp"
 #include "figures.hpp"

@@ -79,6 +79,8 @@ std::string not_as_named(const Study& study, const std::string& kind, const Late
   const bool one_rate = kind == "co-drifting" || kind == "drifting apart" || kind == "pair drift";
   if (one_rate && fastest - slowest > 0.05 * std::max(std::fabs(slowest), std::fabs(fastest)) + rate_error(times))
     return fmt::format("balls drift at {:.4g} to {:.4g}", slowest, fastest);
+  if (kind == "drifting at different rates" && fastest - slowest < 0.5 * rate_error(times))
+    return fmt::format("all balls drift at {:.4g}", slowest);
   return {};
 }
 

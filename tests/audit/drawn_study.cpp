@@ -53,8 +53,13 @@ void ordinary(Study& s, Dice& d, int balls) {
 }
 
 void constant(Study& s, double speed) {
-  s.speed.profile = "constant";
+  s.speed.profile = Profile::constant;
   s.speed.speed = rounded(speed);
+}
+
+void at_constant_speed(Study& s, Dice& d, int balls, double slowest, double fastest) {
+  ordinary(s, d, balls);
+  constant(s, d.even(slowest, fastest));
 }
 
 void unequal(Study& s, Dice& d) {
@@ -72,9 +77,25 @@ void anisotropic(Study& s, Dice& d) {
 }
 
 void driven(Study& s, Dice& d, double initial) {
-  s.speed.profile = "torque";
+  s.speed.profile = Profile::torque;
   s.parameters.inertia = rounded(d.scale(0.3, 2.0));
   s.speed.initial = initial == 0.0 ? 0.0 : rounded(initial);
+}
+
+void ordinary_driven(Study& s, Dice& d) {
+  ordinary(s, d, 2);
+  driven(s, d, 0.0);
+}
+
+// A torque that falls to nothing at `slowest` to 4 critical speeds.
+void falling_torque(Study& s, Dice& d, double slowest) {
+  s.speed.torque.slope = -rounded(d.scale(0.02, 0.2));
+  s.speed.torque.constant = rounded(-s.speed.torque.slope * d.even(slowest, 4.0));
+}
+
+// That a torque needs to bring rotor and balls to 1.8 to 4 critical speeds.
+double time_to_speed(const Study& s, Dice& d, double torque) {
+  return rounded(d.even(1.8, 4.0) * (s.parameters.inertia + s.parameters.total_mass()) / torque);
 }
 
 using Draw = void (*)(Study&, Dice&);
@@ -84,23 +105,14 @@ struct Kind {
 };
 
 const Kind kinds[] = {
-    {"constant",
-     [](Study& s, Dice& d) {
-       ordinary(s, d, 2);
-       constant(s, d.even(1.4, 5.0));
-     }},
+    {"constant", [](Study& s, Dice& d) { at_constant_speed(s, d, 2, 1.4, 5.0); }},
     {"motor, linear",
      [](Study& s, Dice& d) {
        ordinary(s, d, 2);
        driven(s, d, d.chance(0.5) ? 0.0 : d.even(1.0, 3.0));
-       s.speed.torque.slope = -rounded(d.scale(0.02, 0.2));
-       s.speed.torque.constant = rounded(-s.speed.torque.slope * d.even(1.6, 4.0));
+       falling_torque(s, d, 1.6);
      }},
-    {"three to eight balls",
-     [](Study& s, Dice& d) {
-       ordinary(s, d, d.whole(3, 8));
-       constant(s, d.even(1.8, 4.0));
-     }},
+    {"three to eight balls", [](Study& s, Dice& d) { at_constant_speed(s, d, d.whole(3, 8), 1.8, 4.0); }},
     {"gravity",
      [](Study& s, Dice& d) {
        ordinary(s, d, d.whole(1, 4));
@@ -110,15 +122,14 @@ const Kind kinds[] = {
     {"ramp, balls let go on the way",
      [](Study& s, Dice& d) {
        ordinary(s, d, 2);
-       s.speed.profile = "ramp";
+       s.speed.profile = Profile::ramp;
        s.speed.final = rounded(d.even(1.8, 4.0));
        s.speed.duration = rounded(d.scale(5.0, 400.0));
        if (d.chance(0.7)) s.release.speed = rounded(s.speed.final * d.even(0.2, 1.0));
      }},
     {"stiction",
      [](Study& s, Dice& d) {
-       ordinary(s, d, d.whole(2, 4));
-       constant(s, d.even(1.8, 4.0));
+       at_constant_speed(s, d, d.whole(2, 4), 1.8, 4.0);
        for (int i = 0; i < s.parameters.balls; ++i) {
          s.parameters.rolling[i] = i > 0 ? s.parameters.rolling[0] : rounded(d.scale(1e-4, 5e-3));
          s.parameters.stiction[i] = i > 0 ? s.parameters.stiction[0] : s.parameters.rolling[0] * d.one_of({1.0, 2.0});
@@ -126,8 +137,7 @@ const Kind kinds[] = {
      }},
     {"motor by stall torque",
      [](Study& s, Dice& d) {
-       ordinary(s, d, 2);
-       driven(s, d, 0.0);
+       ordinary_driven(s, d);
        s.speed.torque.by_stall = true;
        s.speed.torque.no_load_speed = rounded(d.even(1.8, 4.0));
        s.speed.torque.stall = rounded(d.scale(0.02, 0.5));
@@ -153,11 +163,9 @@ const Kind kinds[] = {
      }},
     {"motor switched off",
      [](Study& s, Dice& d) {
-       ordinary(s, d, 2);
-       driven(s, d, 0.0);
+       ordinary_driven(s, d);
        s.speed.torque.constant = rounded(d.even(0.05, 0.3));
-       const double mass = s.parameters.inertia + s.parameters.total_mass();
-       s.speed.torque.until = rounded(d.even(1.8, 4.0) * mass / s.speed.torque.constant);
+       s.speed.torque.until = time_to_speed(s, d, s.speed.torque.constant);
      }},
     {"backwards",
      [](Study& s, Dice& d) {
@@ -174,7 +182,7 @@ const Kind kinds[] = {
     {"trapezoid",
      [](Study& s, Dice& d) {
        ordinary(s, d, 2);
-       s.speed.profile = "trapezoid";
+       s.speed.profile = Profile::trapezoid;
        s.speed.peak = rounded(d.even(3.0, 5.0));
        s.speed.final = rounded(d.even(1.8, 3.0));
        s.speed.rise_until = rounded(d.scale(5.0, 80.0));
@@ -183,11 +191,9 @@ const Kind kinds[] = {
      }},
     {"motor by a table",
      [](Study& s, Dice& d) {
-       ordinary(s, d, 2);
-       driven(s, d, 0.0);
+       ordinary_driven(s, d);
        s.speed.torque.kind = model::MotorLaw::Kind::table;
-       const double full = rounded(d.even(0.05, 0.3)), mass = s.parameters.inertia + s.parameters.total_mass();
-       const double rise = rounded(d.even(1.8, 4.0) * mass / full);
+       const double full = rounded(d.even(0.05, 0.3)), rise = time_to_speed(s, d, full);
        s.speed.torque.times = {0.0, rise, 1.5 * rise};
        s.speed.torque.values = {full, full, 0.0};
      }},
@@ -206,22 +212,17 @@ const Kind kinds[] = {
      }},
     {"speed control",
      [](Study& s, Dice& d) {
-       ordinary(s, d, 2);
-       driven(s, d, 0.0);
+       ordinary_driven(s, d);
        TorqueSetting& t = s.speed.torque;
        t.kind = model::MotorLaw::Kind::control;
        t.gain = rounded(d.scale(0.05, 1.0));
        t.integral = d.chance(0.5) ? 0.0 : rounded(d.scale(0.002, 0.05));
        if (d.chance(0.5)) t.limit = rounded(d.even(0.1, 0.5));
-       t.target.profile = "ramp";
+       t.target.profile = Profile::ramp;
        t.target.final = rounded(d.even(1.8, 4.0));
        t.target.duration = rounded(d.scale(5.0, 100.0));
      }},
-    {"one ball",
-     [](Study& s, Dice& d) {
-       ordinary(s, d, 1);
-       constant(s, d.even(1.2, 5.0));
-     }},
+    {"one ball", [](Study& s, Dice& d) { at_constant_speed(s, d, 1, 1.2, 5.0); }},
     {"heavy",
      [](Study& s, Dice& d) {
        s.parameters.eccentricity = rounded(d.scale(0.1, 2.0));
@@ -231,15 +232,14 @@ const Kind kinds[] = {
      }},
     {"motor backwards",
      [](Study& s, Dice& d) {
-       ordinary(s, d, 2);
-       driven(s, d, 0.0);
-       s.speed.torque.slope = -rounded(d.scale(0.02, 0.2));
-       s.speed.torque.constant = -rounded(-s.speed.torque.slope * d.even(1.8, 4.0));
+       ordinary_driven(s, d);
+       falling_torque(s, d, 1.8);
+       s.speed.torque.constant *= -1.0;
      }},
     {"points",
      [](Study& s, Dice& d) {
        ordinary(s, d, 2);
-       s.speed.profile = "points";
+       s.speed.profile = Profile::points;
        const double rise = d.scale(5.0, 100.0);
        s.speed.times = {0.0, rounded(rise), rounded(rise + d.even(5.0, 50.0))};
        s.speed.speeds = {rounded(d.even(0.0, 0.5)), rounded(d.even(2.0, 5.0)), rounded(d.even(1.8, 4.0))};
@@ -264,8 +264,7 @@ const Kind kinds[] = {
      }},
     {"starts from a box",
      [](Study& s, Dice& d) {
-       ordinary(s, d, 2);
-       constant(s, d.even(1.8, 4.0));
+       at_constant_speed(s, d, 2, 1.8, 4.0);
        const double r = rounded(d.scale(0.01, 0.3)), v = rounded(d.scale(0.01, 0.6));
        s.sampling.box.x = s.sampling.box.y = SamplingBox::Side{-r, r};
        if (d.chance(0.5)) s.sampling.box.x_dot = s.sampling.box.y_dot = SamplingBox::Side{-v, v};
@@ -274,7 +273,7 @@ const Kind kinds[] = {
     {"published law",
      [](Study& s, Dice& d) {
        ordinary(s, d, 2);
-       s.speed.profile = "ramp";
+       s.speed.profile = Profile::ramp;
        s.speed.law = model::SpeedLaw::published;
        s.speed.final = rounded(d.even(1.8, 4.0));
        s.speed.duration = rounded(d.scale(5.0, 200.0));
@@ -283,7 +282,7 @@ const Kind kinds[] = {
 
 // What may be added to any study.
 void season(Study& s, Dice& d) {
-  const bool at_rest = s.speed.driven() || s.speed.profile != "constant";
+  const bool at_rest = s.speed.driven() || s.speed.profile != Profile::constant;
   if (d.chance(0.12) && s.parameters.balls > 1) unequal(s, d);
   if (d.chance(0.10) && s.parameters.isotropic() && !s.needs_machine()) anisotropic(s, d);
   if (d.chance(0.10) && s.parameters.race_is_centred() && s.needs_machine())

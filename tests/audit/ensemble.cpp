@@ -16,20 +16,9 @@ std::string kind_of_name(const std::string& name) {
 }
 
 std::string Ensemble::name(std::size_t i) const {
-  switch (fates[i].outcome) {
-    case Outcome::attracted: {
-      const Attractor* a = catalogue.find(fates[i].attractor);
-      return a ? a->name : "unlisted";
-    }
-    case Outcome::undecided:
-      return "undecided";
-    case Outcome::diverged:
-      return "diverged";
-    case Outcome::stalled:
-      return "stalled";
-    default:
-      return "failed";
-  }
+  if (fates[i].outcome != Outcome::attracted) return name_of(fates[i].outcome);
+  const Attractor* a = catalogue.find(fates[i].attractor);
+  return a ? a->name : "unlisted";
 }
 
 std::string Ensemble::kind(std::size_t i) const { return kind_of_name(name(i)); }

@@ -1,4 +1,4 @@
-// Lanes are taken from time to time with the library's kernels; machines one by one, as the ensemble does.
+// Lanes are taken from time to time with the ensemble's kernels; machines one by one, as the ensemble does.
 #include "late_motion.hpp"
 
 #include <algorithm>
@@ -89,6 +89,16 @@ std::vector<std::pair<double, bool>> sample_times(const LookTimes& times) {
   return list;
 }
 
+// Of the ensemble's kernels: others round otherwise, and where the way to an attractor is chaotic that is soon another
+// way, to another attractor as well. Up to the first look the steps are the ensemble's own too, so that what was decided
+// is followed on from the very state it was decided in.
+DecisionRule rule_that_never_decides(int balls) {
+  DecisionRule rule;
+  rule.balls = balls;
+  rule.window = rule.first_long_window = 1e9;
+  return rule;
+}
+
 void follow_lanes(const Study& study, const StartSource& source, std::size_t first, const LookTimes& times,
                   std::vector<LateMotion>& motions, std::size_t count) {
   std::vector<double> phi, states;
@@ -98,13 +108,14 @@ void follow_lanes(const Study& study, const StartSource& source, std::size_t fir
   for (std::size_t i = 0; i < count; ++i) lookers.emplace_back(study.parameters, motions[first + i]);
   const std::size_t size = model::dimension(study.parameters.balls);
   const model::Segment& last = source.last_segment();
+  const DecisionRule rule = rule_that_never_decides(study.parameters.balls);
   double t = last.begin;
   for (const auto& [at, second] : sample_times(times)) {
     LaneTask task = source.task(source.segments().size() - 1, states);
     task.segment.begin = t;
     task.segment.psi = last.psi_at(t);
     task.end = last.begin + at;
-    if (task.end > t) advance_lanes(task, fates);
+    if (task.end > t) decide_lanes(task, rule, fates, nullptr);
     t = std::max(t, task.end);
     for (std::size_t i = 0; i < count; ++i)
       if (fates[i].outcome == Outcome::diverged || fates[i].outcome == Outcome::failed)
@@ -116,12 +127,12 @@ void follow_lanes(const Study& study, const StartSource& source, std::size_t fir
 }
 
 // The ensemble's own error scale, so that this is its trajectory (fates/machine_runner.cpp).
-template <int n>
 void follow_machine(const Study& study, const model::Drive& drive, const InitialState& start, const LookTimes& times,
                     double settled, LateMotion& motion) {
-  using Machine = kernels::MachineTrajectory<n>;
+  using Machine = kernels::MachineTrajectory<model::any_count>;
+  const int n = study.parameters.balls;
   using model::machine_index::psi;
-  typename Machine::Scale scale;
+  Machine::Scale scale;
   scale.tolerance = study.numerics.tolerance.value_or(default_basin_tolerance);
   scale.floor.fill(1.0);
   for (int i = 0; i < 4; ++i) scale.floor[i] = study.parameters.eccentricity + study.parameters.total_mass();
@@ -160,8 +171,7 @@ std::vector<LateMotion> follow_late(const Study& study, std::size_t count, const
     arena.execute([&] {
       tbb::parallel_for(std::size_t{0}, count, [&](std::size_t i) {
         const InitialState start = start_of(study, study.sampling.seed, i);
-        model::with_ball_count(study.parameters.balls,
-                               [&](auto n) { follow_machine<n>(study, drive, start, times, settled, motions[i]); });
+        follow_machine(study, drive, start, times, settled, motions[i]);
       });
     });
     return motions;

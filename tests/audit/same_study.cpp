@@ -97,15 +97,20 @@ std::string plain(const Values& values, std::size_t count) {
   return fmt::format("[{}]", fmt::join(parts, ", "));
 }
 
+template <class Names, class Enumeration>
+std::string name_of(const Names& names, Enumeration value) {
+  return names[static_cast<std::size_t>(value)];
+}
+
 std::string ramp_text(const RampSetting& s, const model::Scales& u) {
   const double f = u.frequency, t = u.time();
-  if (s.profile == "constant") return "speed = " + quantity(s.speed, f, "rad/s") + "\n";
-  if (s.profile == "points")
+  if (s.profile == Profile::constant) return "speed = " + quantity(s.speed, f, "rad/s") + "\n";
+  if (s.profile == Profile::points)
     return "times = " + quantities(s.times, s.times.size(), t, "s") +
            "\nspeeds = " + quantities(s.speeds, s.speeds.size(), f, "rad/s") + "\n";
   std::string text =
       "initial = " + quantity(s.initial, f, "rad/s") + "\nfinal = " + quantity(s.final, f, "rad/s") + "\n";
-  if (s.profile == "ramp") return text + "duration = " + quantity(s.duration, t, "s") + "\n";
+  if (s.profile == Profile::ramp) return text + "duration = " + quantity(s.duration, t, "s") + "\n";
   return text + "peak = " + quantity(s.peak, f, "rad/s") + "\nrise_until = " + quantity(s.rise_until, t, "s") +
          "\nhold_until = " + quantity(s.hold_until, t, "s") + "\nfall_until = " + quantity(s.fall_until, t, "s") + "\n";
 }
@@ -124,7 +129,7 @@ std::string torque_text(const TorqueSetting& t, const model::Scales& u) {
     text +=
         "gain = " + quantity(t.gain, gain, "N m s") + "\nintegral = " + quantity(t.integral, u.torque(), "N m") + "\n";
     if (t.limit) text += "limit = " + quantity(*t.limit, u.torque(), "N m") + "\n";
-    return text + "[speed.torque.target]\nprofile = \"" + t.target.profile + "\"\n" + ramp_text(t.target, u);
+    return text + "[speed.torque.target]\nprofile = \"" + name_of(profile_names, t.target.profile) + "\"\n" + ramp_text(t.target, u);
   }
   text +=
       "constant = " + quantity(t.constant, u.torque(), "N m") + "\nslope = " + quantity(t.slope, gain, "N m s") + "\n";
@@ -186,8 +191,8 @@ std::optional<std::string> physical_text(const Study& study, const model::Scales
   const model::Parameters& p = study.parameters;
   if (p.stiffness[0] + p.stiffness[1] != 2.0) return std::nullopt;
   std::string text = rotor_text(p, u) + balancer_text(p, u);
-  text += fmt::format("[speed]\nprofile = \"{}\"\nlaw = \"{}\"\n", study.speed.profile,
-                      study.speed.law == model::SpeedLaw::published ? "published" : "kinematic");
+  text += fmt::format("[speed]\nprofile = \"{}\"\nlaw = \"{}\"\n", name_of(profile_names, study.speed.profile),
+                      name_of(speed_law_names, study.speed.law));
   if (study.speed.driven()) {
     text += "initial = " + quantity(study.speed.initial, u.frequency, "rad/s") + "\n";
     if (study.speed.stalled_below)

@@ -13,10 +13,12 @@ import signal
 import subprocess
 import sys
 import tempfile
+import time
 import unittest
 
 PROGRAM, STUDIES = sys.argv[1], sys.argv[2]
 ROW = os.path.join(STUDIES, "paper", "table-2-omega-2.4.toml")
+WASHER = os.path.join(STUDIES, "examples", "washing-machine.toml")
 
 
 def run(*arguments, **options):
@@ -24,7 +26,7 @@ def run(*arguments, **options):
 
 
 class Explain(unittest.TestCase):
-    STUDY = os.path.join(STUDIES, "examples", "washing-machine.toml")
+    STUDY = WASHER
 
     def test_shows_a_machine_in_both_forms(self):
         done = run("explain", self.STUDY)
@@ -244,8 +246,9 @@ horizon = "20 s"
         with tempfile.TemporaryDirectory() as folder:
             process = subprocess.Popen([PROGRAM, "basin", ROW, "--starts", "100000000"], stdout=subprocess.PIPE,
                                        stderr=subprocess.PIPE, text=True, cwd=folder)
-            process.stderr.readline()  # on a busy machine the first comes before there is a rate to tell
-            line = process.stderr.readline()
+            lines = (line for line in process.stderr if "of 100000000" in line)  # after those of the search
+            next(lines)  # on a busy machine the first comes before there is a rate to tell
+            line = next(lines)
             process.send_signal(signal.SIGINT)
             process.communicate(timeout=60)
             self.assertRegex(line, r"% +\d+ of 100000000 .*/s .* left  balanced \d")
@@ -255,7 +258,7 @@ horizon = "20 s"
             output = os.path.join(folder, "out.nc")
             process = subprocess.Popen([PROGRAM, "basin", ROW, "--starts", "100000000", "--json", "-o", output],
                                        stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
-            process.stderr.readline()  # of progress: starts have been counted
+            next(line for line in process.stderr if "of 100000000" in line)  # of progress: starts have been counted
             process.send_signal(signal.SIGINT)
             out, _ = process.communicate(timeout=60)
             self.assertEqual(process.returncode, 130)
@@ -263,6 +266,25 @@ horizon = "20 s"
             self.assertTrue(answer["partial"])
             self.assertTrue(0 < answer["starts"] < 100000000)
             self.assertGreater(os.path.getsize(output), 1000)
+
+    def test_a_long_search_for_attractors_is_told_and_can_be_ended(self):
+        # A minute and more for four balls under gravity, before the first start is followed.
+        with tempfile.TemporaryDirectory() as folder:
+            study = os.path.join(folder, "four.toml")
+            with open(study, "w", encoding="utf-8") as file:
+                file.write("[rotor]\neccentricity = 0.01\ndamping = 0.05\ngravity = 0.001\n"
+                           "[balancer]\nballs = 4\nmass = 0.01\ndrag = 0.02\n"
+                           "[speed]\nprofile = \"constant\"\nspeed = 2.4\n")
+            for command in (["basin"], ["attractors"], ["basin", "--start-index", "7"]):
+                with self.subTest(command=command):
+                    process = subprocess.Popen([PROGRAM, *command, study], stdout=subprocess.PIPE,
+                                               stderr=subprocess.PIPE, text=True)
+                    self.assertIn("looking for attractors: ", process.stderr.readline())
+                    process.send_signal(signal.SIGINT)
+                    began = time.monotonic()
+                    process.communicate(timeout=60)
+                    self.assertLess(time.monotonic() - began, 10.0)  # about one, on a machine with nothing else to do
+                    self.assertEqual(process.returncode, 130)
 
     def test_bar_on_a_terminal(self):
         pid, terminal = pty.fork()
@@ -303,6 +325,39 @@ class Simulate(unittest.TestCase):
             same = min(many, key=lambda r: abs(r["t"] - row["t"]))
             for key in ("x", "y", "phi_1", "phi_2"):
                 self.assertAlmostEqual(row[key], same[key], delta=1e-10)
+
+    def test_times_carry_units_where_the_study_has_them(self):
+        omega_c = math.sqrt(20000 / 40)
+
+        def times(*arguments):
+            done = run("simulate", WASHER, *arguments)
+            self.assertEqual((done.returncode, done.stderr), (0, ""))
+            return [float(row["t"]) for row in csv.DictReader(io.StringIO(done.stdout))]
+
+        # A conversion and a division: two roundings of numbers below 50.
+        for found, seconds in zip(times("--at", "0,500 ms,1 s, 2s"), (0.0, 0.5, 1.0, 2.0), strict=True):
+            self.assertAlmostEqual(found, omega_c * seconds, delta=2e-14)
+        for k, found in enumerate(times("--every", "500 ms", "--until", "2 s")):
+            self.assertAlmostEqual(found, omega_c * 0.5 * k, delta=4e-14)
+        # Plain numbers are in 1/omega_c in every study.
+        self.assertEqual(times("--every", "0.5", "--until", "2"), [0.0, 0.5, 1.0, 1.5, 2.0])
+        units = ["--set", "units={mass=1.0, length=1.0, frequency=10.0}"]
+        done = run("simulate", ROW, "--at", "2 s", *units)
+        self.assertEqual((done.returncode, done.stdout.splitlines()[1].split(",")[0]), (0, "20"))
+
+    def test_micrometres_and_raised_digits_are_understood(self):
+        study = os.path.join(STUDIES, "examples", "optical-drive.toml")
+        with open(study, encoding="utf-8") as file:
+            text = file.read()
+        changed = text.replace('"5 um"', '"5 \u00b5m"').replace('"30 um"', '"30 \u03bcm"').replace("kg/m3", "kg/m\u00b3")
+        self.assertEqual(changed.count("\u00b5") + changed.count("\u03bc") + changed.count("\u00b3"), 3)
+        with tempfile.TemporaryDirectory() as folder:
+            path = os.path.join(folder, "drive.toml")
+            with open(path, "w", encoding="utf-8") as file:
+                file.write(changed)
+            answers = [json.loads(run("explain", p, "--json").stdout)["study"] for p in (study, path)]
+        self.assertEqual(answers[0]["limits"], answers[1]["limits"])
+        self.assertEqual(answers[0]["balancer"], answers[1]["balancer"])
 
     def test_csv_and_netcdf_files(self):
         with tempfile.TemporaryDirectory() as folder:
@@ -357,6 +412,10 @@ class Errors(unittest.TestCase):
             (["simulate", ROW, "-o", "/nowhere/out.csv"], ("/nowhere/out.csv", "cannot be written")),
             (["simulate", ROW, "-o", "out.txt"], ("out.txt", ".csv or .nc")),
             (["simulate", ROW, "--at", "2,1"], ("--at", "1", "out of order")),
+            (["simulate", ROW, "--at", "2 s"], ("--at", "2 s", "from 0 to 1e9", "this study has no units")),
+            (["simulate", WASHER, "--until", "2 kg"], ("--until", "2 kg", "from 0 to 1e9", 'or a time, such as "10 s"')),
+            (["simulate", WASHER, "--every", "-1 ms"], ("--every", "-1 ms", "greater than 0")),
+            (["simulate", WASHER, "--at", "1e300 s"], ("--at", "1e300 s", "from 0 to 1e9")),
             (["simulate", ROW, "--at", "nan"], ("--at", "nan", "from 0 to 1e9")),
             (["simulate", ROW, "--at", "1", "--every", "2"], ("--at", "not both")),
             (["simulate", ROW, "--every", "0", "--until", "1"], ("--every", "0", "greater than 0")),

@@ -19,7 +19,7 @@ Study rotor(double drag, double speed, std::uint64_t starts) {
   study.name = "rotor";
   study.parameters.mass = {0.05, 0.05};
   study.parameters.drag = {drag, drag};
-  study.speed.profile = "constant";
+  study.speed.profile = Profile::constant;
   study.speed.speed = speed;
   study.sampling.starts = starts;
   return study;
@@ -40,13 +40,19 @@ struct Case {
 
 void PrintTo(const Case& c, std::ostream* out) { *out << c.label; }
 
+AttractorsOptions searching(std::uint64_t starts) {
+  AttractorsOptions options;
+  options.starts = starts;
+  return options;
+}
+
 class Attractors : public testing::TestWithParam<Case> {};
 
 constexpr auto rest = MotionKind::equilibrium, orbit = MotionKind::periodic, torus = MotionKind::quasi_periodic;
 
 TEST_P(Attractors, AreFoundUnaided) {
   const Case& c = GetParam();
-  const AttractorsResult result = attractors(rotor(c.drag, c.speed, 3000));
+  const AttractorsResult result = attractors(rotor(c.drag, c.speed, 3000), searching(3000));
   std::vector<const Attractor*> met;  // tiny ones besides may or may not be met
   for (const Attractor& a : result.catalogue.attractors())
     for (const Expected& e : c.attractors)
@@ -106,7 +112,7 @@ const std::vector<double> near_period_20{0.0305819, -0.0883728, 0.3280828,  0.14
                                          1.8916947, 2.0718997,  -1.1643877, 0.0967979};
 
 TEST(AttractorsGiven, StatesBringRareAttractorsIntoTheList) {
-  BasinOptions options;
+  AttractorsOptions options = searching(500);
   options.seeds = {near_v4, near_period_20};
   const AttractorsResult result = attractors(rotor(0.05, 4.4, 500), options);
   const Attractor* v4 = result.catalogue.find(5);
@@ -141,7 +147,7 @@ TEST(AttractorsGiven, StatesBringRareAttractorsIntoTheList) {
 
 TEST(AttractorsGiven, ResultsDoNotDependOnThreads) {
   const Study study = rotor(0.05, 2.4, 2000);
-  BasinOptions options;
+  AttractorsOptions options = searching(2000);
   options.threads = 1;
   const AttractorsResult one = attractors(study, options);
   options.threads = 2;
@@ -168,7 +174,7 @@ TEST(AttractorsMetLate, AreListedAndSurviveResumption) {
   std::filesystem::remove(options.output);
   StopFlag stop{false};
   options.stop = &stop;
-  options.progress = [&](const BasinProgress& p) { stop = p.done > 30'000; };
+  options.progress = [&](const Progress& p) { stop = !p.preparing && p.done > 30'000; };
   EXPECT_TRUE(basin(study, options).partial);
   stop = false;
   options.progress = {};

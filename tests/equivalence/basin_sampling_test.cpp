@@ -81,7 +81,7 @@ TEST_P(EvenSampling, InterruptedRunsResumeToTheSameResult) {
   options.output = scratch_file("even_resumed.nc");
   StopFlag stop{false};
   options.stop = &stop;
-  options.progress = [&](const BasinProgress& p) { stop = p.done > 3000; };
+  options.progress = [&](const Progress& p) { stop = !p.preparing && p.done > 3000; };
   const BasinResult first = basin(study, options);
   EXPECT_TRUE(first.partial);
   stop = false;
@@ -173,7 +173,7 @@ TEST(HalfWidth, AnInterruptedPilotTellsWhatItCountedAndBeginsNoFile) {
   options.output = scratch_file("pilot.nc");
   StopFlag stop{false};
   options.stop = &stop;
-  options.progress = [&](const BasinProgress& p) { stop = p.done > 2000; };
+  options.progress = [&](const Progress& p) { stop = !p.preparing && p.done > 2000; };
   const BasinResult r = basin(row(std::nullopt, 1), options);
   EXPECT_TRUE(r.partial);
   EXPECT_FALSE(r.choice.has_value());
@@ -190,7 +190,7 @@ TEST(HalfWidth, ResumesWhatItChose) {
   options.output = scratch_file("chosen_resumed.nc");
   StopFlag stop{false};
   options.stop = &stop;
-  options.progress = [&](const BasinProgress& p) { stop = p.done > pilot_starts + 1000; };
+  options.progress = [&](const Progress& p) { stop = !p.preparing && p.done > pilot_starts + 1000; };
   const BasinResult first = basin(row(std::nullopt, 1), options);
   EXPECT_TRUE(first.partial);
   EXPECT_GT(first.starts, pilot_starts);

@@ -166,7 +166,7 @@ TEST(Basin, AnInterruptedRunKeepsAPrefixAndResumesToTheSameResult) {
   options.output = scratch_file("resumed.nc");
   StopFlag stop{false};
   options.stop = &stop;
-  options.progress = [&](const BasinProgress& p) { stop = p.done > 5000; };
+  options.progress = [&](const Progress& p) { stop = !p.preparing && p.done > 5000; };
   const BasinResult first = basin(study, options);
   EXPECT_TRUE(first.partial);
   EXPECT_GT(first.starts, 5000u);

@@ -5,6 +5,7 @@
 
 namespace cases {
 
+using equipoise::Profile;
 using equipoise::Study;
 using equipoise::model::SpeedLaw;
 
@@ -52,7 +53,7 @@ void make_everything(Study& s, bool free_at_once) {
 }
 
 void ramp(Study& s, double from, double to, double duration, SpeedLaw law) {
-  s.speed.profile = "ramp";
+  s.speed.profile = Profile::ramp;
   s.speed.initial = from;
   s.speed.final = to;
   s.speed.duration = duration;
@@ -60,7 +61,7 @@ void ramp(Study& s, double from, double to, double duration, SpeedLaw law) {
 }
 
 void trapezoid(Study& s, double peak, double to, double t0, double t1, double t2, SpeedLaw law) {
-  s.speed.profile = "trapezoid";
+  s.speed.profile = Profile::trapezoid;
   s.speed.peak = peak;
   s.speed.final = to;
   s.speed.rise_until = t0;
@@ -70,7 +71,7 @@ void trapezoid(Study& s, double peak, double to, double t0, double t1, double t2
 }
 
 void points(Study& s, SpeedLaw law) {
-  s.speed.profile = "points";
+  s.speed.profile = Profile::points;
   s.speed.times = {0.0, 10.0, 22.5, 30.0, 55.0};
   s.speed.speeds = {0.5, 2.0, 2.0, 2.9, 2.5};
   s.speed.law = law;

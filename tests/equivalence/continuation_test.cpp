@@ -7,11 +7,15 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <map>
 #include <string>
 #include <vector>
 
+#include "equipoise/base/angles.hpp"
 #include "equipoise/base/error.hpp"
+#include "equipoise/report/branches_report.hpp"
+#include "../machine_study.hpp"
 
 namespace {
 
@@ -161,6 +165,29 @@ TEST(ParameterLine, has_decimal_values_whichever_way_it_is_given) {
   EXPECT_EQ(back.values(), line.values());
   EXPECT_EQ(line.system_at(2.4).speed, 2.4);
   EXPECT_EQ(ParameterLine(study(), "balancer.drag=0.1:0.1:1").system_at(0.1).parameters.drag[1], 0.1);
+}
+
+TEST(ParameterLine, takes_quantities_where_the_study_has_units) {
+  const Study machine =
+      parse_study(machine_rotor + "[speed]\nprofile = \"ramp\"\nfinal = \"2000 rpm\"\nduration = \"10 s\"\n", "m.toml");
+  const double omega_c = machine.scales->frequency;
+  const auto first = [&](const char* text) { return ParameterLine(machine, text).values().front(); };
+  // Values of a line have twelve digits of the largest, here less than ten times the first.
+  const auto near = [](double value) { return 1e-11 * std::pow(10.0, std::ceil(std::log10(value))); };
+  const auto expect = [&](const char* text, double value) { EXPECT_NEAR(first(text), value, near(value)) << text; };
+  expect("speed.final=1500 rpm:3000 rpm:500 rpm", 50.0 * pi / omega_c);
+  expect("speed.duration=500 ms:2 s:0.5 s", 0.5 * omega_c);
+  expect("rotor.eccentricity=150 \u00B5m:0.2 mm:50 um", 0.15 / 30.0);
+  expect("balancer.drag=1e-4 N m s:2e-4 N m s:1e-4 N m s", 1e-4 / (0.06 * 9e-4 * omega_c));
+  expect("speed.final=2.5:3:0.5", 2.5);  // plain numbers are dimensionless
+  EXPECT_EQ(ParameterLine(machine, "speed.final=1500 rpm:3000 rpm:500 rpm").values().size(), 4u);
+  for (const char* text :
+       {"speed.final=1500 s:3000 rpm:500 rpm", "speed.final=1500:3000 mm:1", "rotor.damping=1 kg:2 kg:1 kg"})
+    EXPECT_THROW(ParameterLine(machine, text), InputError) << text;
+  EXPECT_THROW(ParameterLine(study(), "speed.final=1500 rpm:3000 rpm:500 rpm"), InputError);
+  Study unequal = machine;  // one torque is another beta for each
+  unequal.parameters.mass[1] *= 1.5;
+  EXPECT_THROW(ParameterLine(unequal, "balancer.drag=1e-4 N m s:2e-4 N m s:1e-4 N m s"), InputError);
 }
 
 TEST(ParameterLine, refuses_what_it_cannot_follow) {

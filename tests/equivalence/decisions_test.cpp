@@ -24,7 +24,7 @@ Study study_of(const Row& row) {
   study.name = "row";
   study.parameters.mass = {0.05, 0.05};
   study.parameters.drag = {row.drag, row.drag};
-  study.speed.profile = "constant";
+  study.speed.profile = Profile::constant;
   study.speed.speed = row.speed;
   study.numerics.horizon = 3000.0;  // what is decided by then is followed for as long again
   return study;

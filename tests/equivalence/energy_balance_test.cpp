@@ -28,13 +28,14 @@ using lagrangian::FixedState;
 constexpr double inertia = 0.3;
 
 // The library's state followed by the works of the drive, the supports' dampers and the ball drag.
-template <int n>
 class StateAndWork {
  public:
-  static constexpr int state = model::dimension(n), dimension = state + 3;
+  static constexpr int dimension = model::dimension(model::max_balls) + 3;  // the largest size
 
   StateAndWork(const model::Parameters& p, const model::Segment& s)
-      : p_(p), s_(s), motion_(s), balancer_(p), free_(p, s) {}
+      : p_(p), s_(s), motion_(s), balancer_(p), free_(p, s), n(p.balls), state(model::dimension(n)) {}
+
+  int size() const { return state + 3; }
 
   void operator()(double t, const double* z, double* dz) const {
     if (s_.clamped) {
@@ -58,8 +59,9 @@ class StateAndWork {
   const model::Parameters& p_;
   const model::Segment& s_;
   kernels::SegmentMotion<double, kernels::Terms{}> motion_;
-  kernels::BallBalancer<double, n, kernels::Terms{}> balancer_;
-  kernels::FreeFlow<double, n, kernels::Terms{}> free_;
+  kernels::BallBalancer<double, model::any_count, kernels::Terms{}> balancer_;
+  kernels::FreeFlow<double, model::any_count, kernels::Terms{}> free_;
+  const int n, state;
 };
 
 FixedState fixed(const model::Parameters& p, const model::Segment& segment, double t, const double* z) {
@@ -98,9 +100,8 @@ using Jump = std::function<void(const model::Segment& before, const model::Segme
 
 // Walks the case's segments to t = 100 with the works: `at` after every accepted step, `jump` between segments, with
 // the state just before.
-template <int n>
 void walk(const Case& c, const At& at, const Jump& jump) {
-  using System = StateAndWork<n>;
+  using System = StateAndWork;
   const model::Parameters& p = c.study.parameters;
   const auto segments = model::segments(c.study.speed_profile(), c.release);
   kernels::ErrorScale<System::dimension> scale;
@@ -111,7 +112,7 @@ void walk(const Case& c, const At& at, const Jump& jump) {
     const model::Segment& segment = segments[k];
     const double end = std::min(segment.end, 100.0);
     const System system(p, segment);
-    kernels::AdaptiveIntegrator<System, System::dimension> integrator(system, scale);
+    kernels::AdaptiveIntegrator<System, System::dimension> integrator(system, scale, system.size());
     at(segment, segment.begin, z.data());
     const auto status = integrator.advance(segment.begin, end, z.data(), [&](double, double t_new, auto&& state_at) {
       double there[System::dimension];
@@ -130,65 +131,61 @@ class EnergyBalance : public testing::TestWithParam<Case> {};
 TEST_P(EnergyBalance, closes_along_the_trajectory) {
   const Case& c = GetParam();
   const model::Parameters& p = c.study.parameters;
-  model::with_ball_count(p.balls, [&](auto n) {
-    constexpr int state = model::dimension(n);
-    bool begun = false;
-    double start = 0.0, jumps = 0.0, residual = 0.0, size = 0.0;
-    walk<n>(
-        c,
-        [&](const model::Segment& segment, double t, const double* z) {
-          const double e = model::energy(p, inertia, segment, t, z);
-          if (!begun) start = e;
-          begun = true;
-          const double work = z[state] - z[state + 1] - z[state + 2];
-          residual = std::max(residual, std::fabs(e - start - jumps - work));
-          size = std::max({size, std::fabs(e - start), std::fabs(z[state]), z[state + 1] + z[state + 2]});
-        },
-        [&](const model::Segment& before, const model::Segment& after, const double* z) {
-          // Energy of the imposed jump, from the fixed-axes formula on both sides.
-          FixedState s = fixed(p, before, before.end, z);
-          const double energy_before = lagrangian::energy(p, inertia, s);
-          const double jump = after.speed - before.speed_at(before.end);
-          lagrangian::apply_speed_jump(jump, s);
-          s.rotor.rate += jump;
-          jumps += lagrangian::energy(p, inertia, s) - energy_before;
-        });
-    ASSERT_TRUE(begun);
-    RecordProperty("residual", fmt::format("{:.2g}", residual / size));
-    // Steps are good to 1e-13 each, and there are up to a thousand of them.
-    EXPECT_LT(residual, 1e-10 * size);
-  });
+  const int state = model::dimension(p.balls);
+  bool begun = false;
+  double start = 0.0, jumps = 0.0, residual = 0.0, size = 0.0;
+  walk(
+      c,
+      [&](const model::Segment& segment, double t, const double* z) {
+        const double e = model::energy(p, inertia, segment, t, z);
+        if (!begun) start = e;
+        begun = true;
+        const double work = z[state] - z[state + 1] - z[state + 2];
+        residual = std::max(residual, std::fabs(e - start - jumps - work));
+        size = std::max({size, std::fabs(e - start), std::fabs(z[state]), z[state + 1] + z[state + 2]});
+      },
+      [&](const model::Segment& before, const model::Segment& after, const double* z) {
+        // Energy of the imposed jump, from the fixed-axes formula on both sides.
+        FixedState s = fixed(p, before, before.end, z);
+        const double energy_before = lagrangian::energy(p, inertia, s);
+        const double jump = after.speed - before.speed_at(before.end);
+        lagrangian::apply_speed_jump(jump, s);
+        s.rotor.rate += jump;
+        jumps += lagrangian::energy(p, inertia, s) - energy_before;
+      });
+  ASSERT_TRUE(begun);
+  RecordProperty("residual", fmt::format("{:.2g}", residual / size));
+  // Steps are good to 1e-13 each, and there are up to a thousand of them.
+  EXPECT_LT(residual, 1e-10 * size);
 }
 
 TEST_P(EnergyBalance, agrees_with_energy_and_powers_in_fixed_axes) {
   const Case& c = GetParam();
   const model::Parameters& p = c.study.parameters;
-  model::with_ball_count(p.balls, [&](auto n) {
-    double difference = 0.0, size = 0.0;
-    const auto compare = [&](double value, double reference) {
-      difference = std::max(difference, std::fabs(value - reference));
-      size = std::max(size, std::fabs(reference));
-    };
-    walk<n>(
-        c,
-        [&](const model::Segment& segment, double t, const double* z) {
-          const FixedState s = fixed(p, segment, t, z);
-          compare(model::energy(p, inertia, segment, t, z), lagrangian::energy(p, inertia, s));
-          const model::Powers powers = model::powers(p, inertia, segment, t, z);
-          compare(powers.drive, s.rotor.rate * lagrangian::accelerations(p, inertia, s, segment.clamped).torque);
-          compare(powers.supports, p.damping[0] * s.X_dot * s.X_dot + p.damping[1] * s.Y_dot * s.Y_dot);
-          double drag = 0.0;
-          for (int i = 0; i < n; ++i) drag += p.mass[i] * p.drag[i] * std::pow(s.theta_dot[i] - s.rotor.rate, 2);
-          compare(powers.balls, drag);
-          const auto force = model::bearing_force(p, segment.psi_at(t), z);
-          compare(force[0], p.damping[0] * s.X_dot + p.stiffness[0] * s.X);
-          compare(force[1], p.damping[1] * s.Y_dot + p.stiffness[1] * s.Y);
-        },
-        [](auto&&...) {});
-    RecordProperty("largest_difference", fmt::format("{:.2g}", difference / size));
-    // Rounding: angles of 250 rad are known to 3e-14, and tens of terms are summed.
-    EXPECT_LT(difference, 1e-12 * size);
-  });
+  double difference = 0.0, size = 0.0;
+  const auto compare = [&](double value, double reference) {
+    difference = std::max(difference, std::fabs(value - reference));
+    size = std::max(size, std::fabs(reference));
+  };
+  walk(
+      c,
+      [&](const model::Segment& segment, double t, const double* z) {
+        const FixedState s = fixed(p, segment, t, z);
+        compare(model::energy(p, inertia, segment, t, z), lagrangian::energy(p, inertia, s));
+        const model::Powers powers = model::powers(p, inertia, segment, t, z);
+        compare(powers.drive, s.rotor.rate * lagrangian::accelerations(p, inertia, s, segment.clamped).torque);
+        compare(powers.supports, p.damping[0] * s.X_dot * s.X_dot + p.damping[1] * s.Y_dot * s.Y_dot);
+        double drag = 0.0;
+        for (int i = 0; i < p.balls; ++i) drag += p.mass[i] * p.drag[i] * std::pow(s.theta_dot[i] - s.rotor.rate, 2);
+        compare(powers.balls, drag);
+        const auto force = model::bearing_force(p, segment.psi_at(t), z);
+        compare(force[0], p.damping[0] * s.X_dot + p.stiffness[0] * s.X);
+        compare(force[1], p.damping[1] * s.Y_dot + p.stiffness[1] * s.Y);
+      },
+      [](auto&&...) {});
+  RecordProperty("largest_difference", fmt::format("{:.2g}", difference / size));
+  // Rounding: angles of 250 rad are known to 3e-14, and tens of terms are summed.
+  EXPECT_LT(difference, 1e-12 * size);
 }
 
 INSTANTIATE_TEST_SUITE_P(Case, EnergyBalance, testing::ValuesIn(cases::all()),

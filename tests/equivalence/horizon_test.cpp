@@ -11,7 +11,7 @@
 #include "equipoise/discovery/horizon.hpp"
 #include "equipoise/discovery/undecided.hpp"
 #include "equipoise/explain/explain.hpp"
-#include "equipoise/report/basin_result.hpp"
+#include "equipoise/results/basin_result.hpp"
 
 namespace equipoise {
 namespace {
@@ -22,7 +22,7 @@ Study rotor(int balls, double drag, double speed) {
   study.parameters.balls = balls;
   study.parameters.mass.fill(0.05);
   study.parameters.drag.fill(drag);
-  study.speed.profile = "constant";
+  study.speed.profile = Profile::constant;
   study.speed.speed = speed;
   study.sampling.starts = 1000;
   return study;
@@ -117,9 +117,10 @@ TEST(WhyUndecided, SaysThatTrajectoriesWanderChaotically) {
 // Rotors far below the critical speed: balls creep for 10^8 units of time. What creeps is no motion to be listed.
 TEST(SlowRotors, ListNothingOnWhichNoStartSettles) {
   for (const double speed : {0.01, 0.03}) {
-    Study study = rotor(2, 0.01, speed);
-    study.sampling.starts = 100;
-    const AttractorsResult r = attractors(study);
+    const Study study = rotor(2, 0.01, speed);
+    AttractorsOptions options;
+    options.starts = 100;
+    const AttractorsResult r = attractors(study, options);
     for (const Attractor& a : r.catalogue.attractors()) EXPECT_EQ(a.id, balanced_id) << a.name << " at " << speed;
     if (r.basin.undecided.share > 0.2) EXPECT_NE(r.basin.note.find("creeping"), std::string::npos) << r.basin.note;
   }

@@ -37,6 +37,7 @@
 
 namespace lagrangian {
 
+using equipoise::Profile;
 using equipoise::Study;
 using equipoise::model::Parameters;
 
@@ -44,12 +45,12 @@ PrescribedRotation::PrescribedRotation(const Study& study)
     : initial_angle_(study.initial.psi), published_(study.speed.law == equipoise::model::SpeedLaw::published) {
   const auto& s = study.speed;
   const auto add = [&](double time, double speed) { corners_.push_back({time, speed, 0.0, 0.0}); };
-  if (s.profile == "constant") {
+  if (s.profile == Profile::constant) {
     add(0.0, s.speed);
-  } else if (s.profile == "ramp") {
+  } else if (s.profile == Profile::ramp) {
     add(0.0, s.initial);
     add(s.duration, s.final);
-  } else if (s.profile == "trapezoid") {
+  } else if (s.profile == Profile::trapezoid) {
     add(0.0, s.initial);
     add(s.rise_until, s.peak);
     add(s.hold_until, s.peak);

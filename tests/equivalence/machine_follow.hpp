@@ -8,6 +8,7 @@
 #include <cstdint>
 #include <string>
 
+#include "equipoise/base/angles.hpp"
 #include "equipoise/fates/machine_scale.hpp"
 #include "equipoise/model/ball_count.hpp"
 #include "equipoise/model/strobe.hpp"
@@ -20,23 +21,27 @@ struct Seen {
   double speed = 0.0, r = 0.0;                                       // mean psi', rms r of the later half
   double last_r = 0.0;                                               // rms r of the last tenth
   std::array<double, equipoise::model::max_balls> turned{}, rate{};  // of each ball; its largest |phi'|
+  int oppositions = 0;                                               // times that two balls passed opposite places
+  bool one_side = false;                                             // at the end half the race holds all balls
 };
 
-template <int n>
-Seen follow(const equipoise::Study& study, std::uint64_t index, double until) {
+inline Seen follow(const equipoise::Study& study, std::uint64_t index, double until) {
   using namespace equipoise;
-  using Machine = HWY_NAMESPACE::MachineTrajectory<n>;
+  using Machine = HWY_NAMESPACE::MachineTrajectory<model::any_count>;
   const model::Parameters& p = study.parameters;
+  const int n = p.balls;
   const model::Drive drive = study.drive();
   const double begin = drive.pieces.back().begin;
   double z[Machine::dimension];
   initial_state(start_of(study, study.sampling.seed, index), n, drive.speed, z);
-  Machine machine(p, drive, ensemble_scale<n>(p, default_basin_tolerance), z);
+  Machine machine(p, drive, ensemble_scale<model::any_count>(p, default_basin_tolerance), z);
   Seen seen;
   seen.lost = machine.advance(begin + 0.5 * until, [](auto&&...) { return false; }) != IntegrationStatus::done;
   const double from = machine.time();
   double before[Machine::dimension];
   std::copy(machine.state(), machine.state() + Machine::dimension, before);
+  double previous[Machine::dimension];
+  std::copy(before, before + Machine::dimension, previous);
   double square = 0.0, last_square = 0.0;
   const auto watch = [&](double t, double to, auto&& state_at) {
     double at[Machine::dimension];
@@ -45,6 +50,12 @@ Seen follow(const equipoise::Study& study, std::uint64_t index, double until) {
     const double x = at[0] - sag * std::sin(psi), y = at[1] - sag * std::cos(psi), r2 = x * x + y * y;
     square += (to - t) * r2;
     if (t > begin + 0.95 * until) last_square += (to - t) * r2;
+    for (int i = 0; i < n; ++i)
+      for (int k = 0; k < i; ++k) {
+        const double ahead = at[4 + i] - at[4 + k], last = previous[4 + i] - previous[4 + k];
+        seen.oppositions += std::floor((ahead + pi) / two_pi) != std::floor((last + pi) / two_pi);
+      }
+    std::copy(at, at + Machine::dimension, previous);
     for (int i = 0; i < n; ++i) seen.rate[i] = std::max(seen.rate[i], std::fabs(at[model::index::q(i, n)]));
     return false;
   };
@@ -54,16 +65,17 @@ Seen follow(const equipoise::Study& study, std::uint64_t index, double until) {
   seen.r = std::sqrt(square / time);
   seen.last_r = std::sqrt(last_square / (0.05 * until));
   for (int i = 0; i < n; ++i) seen.turned[i] = machine.state()[4 + i] - before[4 + i];
+  seen.one_side = true;
+  for (int i = 0; i < n; ++i)
+    for (int k = 0; k < i; ++k)
+      seen.one_side = seen.one_side &&
+                      std::fabs(wrapped(previous[4 + i] - previous[4]) - wrapped(previous[4 + k] - previous[4])) < pi;
   return seen;
-}
-
-inline Seen follow(const equipoise::Study& study, std::uint64_t index, double until) {
-  return equipoise::model::with_ball_count(study.parameters.balls,
-                                           [&](auto n) { return follow<n>(study, index, until); });
 }
 
 /// The kinds of motions/steady_watch.hpp, but "rest" for all balls captured, r above rounding or not.
 inline std::string kind_of(const equipoise::Study& study, const Seen& seen) {
+  using equipoise::two_pi;
   if (study.speed.driven() && std::fabs(seen.speed) < study.stall_speed()) return "stalled";
   const int balls = study.parameters.balls;
   int captured = 0;
@@ -72,8 +84,12 @@ inline std::string kind_of(const equipoise::Study& study, const Seen& seen) {
   if (captured > 0) return captured == 1 ? "one captured" : std::to_string(captured) + " captured";
   if (balls == 1) return "drifting";
   for (int i = 1; i < balls; ++i)
-    if (std::fabs(seen.turned[i] - seen.turned[0]) > 0.02 * std::fabs(seen.turned[0]) + 7.0) return "drifting apart";
-  return "co-drifting";
+    if (std::fabs(seen.turned[i] - seen.turned[0]) > 0.02 * std::fabs(seen.turned[0]) + 7.0)
+      return "drifting at different rates";
+  if (seen.oppositions == 0) return seen.one_side ? "co-drifting" : "drifting apart";
+  // docs/motions.md: nothing was found between 1.54 and 1.99.
+  const double turns = std::fabs(seen.turned[0]) / two_pi;
+  return balls == 2 && seen.oppositions > 1.75 * turns ? "pair drift" : "drifting apart";
 }
 
 }  // namespace machine_follow

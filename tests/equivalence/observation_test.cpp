@@ -5,6 +5,7 @@
 
 #include <gtest/gtest.h>
 
+#include "equipoise/base/error.hpp"
 #include "equipoise/basins/observation.hpp"
 #include "equipoise/sampling/starts.hpp"
 #include "equipoise/trajectory/simulate.hpp"

@@ -20,6 +20,7 @@
 #include "equipoise/model/linearisation.hpp"
 #include "equipoise/motions/motion.hpp"
 #include "equipoise/store/basin_file.hpp"
+#include "equipoise/store/map_file.hpp"
 #include "equipoise/trajectory/simulate.hpp"
 #include "../base_study.hpp"
 

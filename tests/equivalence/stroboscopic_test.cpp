@@ -5,6 +5,7 @@
 #include <complex>
 #include <vector>
 
+#include <Eigen/Dense>
 #include <gtest/gtest.h>
 
 #include "equipoise/base/angles.hpp"
@@ -28,7 +29,7 @@ Study paper_rotor(double gravity, std::array<double, 2> stiffness) {
   study.parameters.drag = {0.05, 0.05};
   study.parameters.gravity = gravity;
   study.parameters.stiffness = stiffness;
-  study.speed.profile = "constant";
+  study.speed.profile = Profile::constant;
   study.speed.speed = 2.4;
   return study;
 }

@@ -1,6 +1,7 @@
 // Certificates: every stable case of the paper is proved nearly up to the sampled critical level, and nothing false is.
 #include "equipoise/proof/certificate.hpp"
 
+#include <Eigen/Dense>
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -15,6 +16,7 @@
 #include "equipoise/math/lyapunov.hpp"
 #include "equipoise/model/linearisation.hpp"
 #include "equipoise/report/certificate_json.hpp"
+#include "equipoise/report/certify_report.hpp"
 #include "equipoise/traps/balanced_trap.hpp"
 
 namespace {

@@ -4,6 +4,7 @@
 #include <complex>
 #include <random>
 
+#include <Eigen/QR>
 #include <gtest/gtest.h>
 
 #include "equipoise/model/linearisation.hpp"

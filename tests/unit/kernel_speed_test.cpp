@@ -55,13 +55,12 @@ double scalar_nanoseconds() {
     flow(t, z, dz);
   };
   kernels::ErrorScale<8> scale{.tolerance = 1e-6};
-  kernels::set_state_scale<2>(p, 1, scale);
+  kernels::set_state_scale(p, 1, scale);
   kernels::AdaptiveIntegrator<decltype(counted), 8> integrator(counted, scale);
   constexpr int count = 16;
   std::vector<double> states = starts(count);
   const double begin = seconds();
-  for (int i = 0; i < count; ++i)
-    integrator.advance(0.0, until, &states[8 * i], [](double, double, auto&&) {});
+  for (int i = 0; i < count; ++i) integrator.advance(0.0, until, &states[8 * i], [](double, double, auto&&) {});
   return 1e9 * (seconds() - begin) / static_cast<double>(evaluations);
 }
 
@@ -87,7 +86,8 @@ TEST(KernelSpeed, LanesKeepTheirLeadOverTheScalarIntegrator) {
   use_cpu_target("");
   for (const auto& [target, time] : lanes) {
     SCOPED_TRACE(target);
-    std::cout << target << ": " << time << " ns, scalar integrator " << scalar << " ns, " << scalar / time << " times\n";
+    std::cout << target << ": " << time << " ns, scalar integrator " << scalar << " ns, " << scalar / time
+              << " times\n";
     const auto least = least_lead.find(target);
     if (least != least_lead.end()) {
       EXPECT_GT(scalar / time, least->second);

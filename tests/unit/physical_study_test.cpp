@@ -1,9 +1,11 @@
 // Studies in physical units: what each key becomes, what is refused and with which words, and the way back.
+#include <algorithm>
 #include <array>
 #include <cctype>
 #include <cmath>
 #include <filesystem>
 #include <random>
+#include <stdexcept>
 #include <string>
 #include <vector>
 
@@ -57,8 +59,17 @@ study::Document converted(const std::string& text, const std::vector<std::string
   return document;
 }
 
+// A number by its dotted key, or an array's first entry.
 double at(const study::Document& document, const std::string& path) {
-  return document.root.at_path(path).value<double>().value();
+  const StudyValue* value = &document.root;
+  for (std::size_t begin = 0; value && begin <= path.size();) {
+    const std::size_t dot = std::min(path.find('.', begin), path.size());
+    value = value->find(path.substr(begin, dot - begin));
+    begin = dot + 1;
+  }
+  if (value && value->array()) value = &value->array()->front();
+  if (!value || !value->is_number()) throw std::logic_error(path + " is no number");
+  return value->number();
 }
 
 TEST(PhysicalStudy, BecomesTheDimensionlessOneOfTheTextbook) {
@@ -178,7 +189,7 @@ TEST(PhysicalStudy, ConvertsMotorContactAndOffset) {
   const double torque = 12.0 * 0.03 * 0.03 * omega_c * omega_c;
   EXPECT_DOUBLE_EQ(at(d, "rotor.inertia"), 1.0);
   EXPECT_DOUBLE_EQ(at(d, "rotor.gravity"), 9.81 / (0.03 * omega_c * omega_c));
-  EXPECT_DOUBLE_EQ(at(d, "balancer.race_offset[0]"), 0.001);
+  EXPECT_DOUBLE_EQ(at(d, "balancer.race_offset"), 0.001);
   EXPECT_DOUBLE_EQ(at(d, "balancer.contact_angle"), 2.0 * std::asin(4.0 / 30.0));
   EXPECT_EQ(at(d, "balancer.rolling"), 0.001);
   EXPECT_DOUBLE_EQ(at(d, "speed.stalled_below"), 50.0 * pi / omega_c);
@@ -187,8 +198,8 @@ TEST(PhysicalStudy, ConvertsMotorContactAndOffset) {
   EXPECT_DOUBLE_EQ(at(d, "speed.torque.integral"), 0.2 * omega_c / torque / omega_c);
   EXPECT_DOUBLE_EQ(at(d, "speed.torque.limit"), 5.0 / torque);
   EXPECT_DOUBLE_EQ(at(d, "speed.torque.target.duration"), 5.0 * omega_c);
-  EXPECT_FALSE(d.root["balancer"].as_table()->contains("ball_diameter"));
-  EXPECT_FALSE(d.root["balancer"].as_table()->contains("contact"));
+  EXPECT_FALSE(d.root.find("balancer")->find("ball_diameter"));
+  EXPECT_FALSE(d.root.find("balancer")->find("contact"));
 }
 
 TEST(PhysicalStudy, ShippedExamplesAreRead) {

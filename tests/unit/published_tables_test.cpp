@@ -63,7 +63,7 @@ TEST(PublishedTables, StudiesAreTheFiles) {
       const Study kinematic = study_of(row, model::SpeedLaw::kinematic);
       EXPECT_EQ(kinematic.speed.law, model::SpeedLaw::kinematic);
       EXPECT_EQ(file.sampling.starts, row.cells.front().share.starts);
-      EXPECT_EQ(table.ramps, file.speed.profile != "constant");
+      EXPECT_EQ(table.ramps, file.speed.profile != Profile::constant);
     }
 }
 

@@ -7,34 +7,25 @@
 #include <nlohmann/json.hpp>
 
 #include "../base_study.hpp"
+#include "../machine_study.hpp"
 #include "equipoise/basins/tally.hpp"
 #include "equipoise/fates/transient_tally.hpp"
-#include "equipoise/report/attractors_result.hpp"
-#include "equipoise/report/basin_result.hpp"
+#include "equipoise/report/attractors_report.hpp"
+#include "equipoise/report/basin_report.hpp"
+#include "equipoise/report/transient_report.hpp"
+#include "equipoise/results/attractors_result.hpp"
+#include "equipoise/results/basin_result.hpp"
 #include "equipoise/study/study.hpp"
 
 namespace equipoise {
 namespace {
 
-const std::string machine = R"([rotor]
-mass = "12 kg"
-stiffness = "48 kN/m"
-damping = "400 N s/m"
-eccentricity = "0.2 mm"
-[balancer]
-balls = 2
-race_radius = "30 mm"
-mass = "60 g"
-drag = "2e-4 N m s"
-[speed]
+const std::string machine = machine_rotor + R"([speed]
 profile = "constant"
 speed = "2000 rpm"
 [limits]
 velocity = "4.5 mm/s"
 )";
-constexpr double omega_c = 63.245553203367585;  // sqrt(48000/12)
-
-bool holds(const std::string& text, const std::string& words) { return text.find(words) != std::string::npos; }
 
 Fate fate(Outcome outcome, int attractor = 0) {
   return {outcome, outcome == Outcome::attracted ? DecidedBy::validated : DecidedBy::nothing,
@@ -115,7 +106,7 @@ TEST(BasinText, HasTimesInSecondsWhereThereAreUnits) {
   EXPECT_FALSE(holds(text, "times below are in units of"));
   const auto json = nlohmann::json::parse(basin_json(r));
   EXPECT_EQ(json["outcomes"][0]["mean_time"], 50.0);
-  EXPECT_DOUBLE_EQ(json["outcomes"][0]["mean_time_si"], 50.0 / omega_c);
+  EXPECT_DOUBLE_EQ(json["outcomes"][0]["mean_time_si"], 50.0 / machine_omega_c);
   EXPECT_EQ(json["units"]["mean_time"], "1/omega_c");
   EXPECT_EQ(json["units"]["mean_time_si"], "s");
   EXPECT_TRUE(holds(basin_text(result_of(constant_speed, 100, 0)), "in 1/omega_c"));

@@ -1,4 +1,5 @@
 // Motions known in closed form: the clamped rotor's steady response and equilibria of the free one.
+#include <Eigen/Dense>
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 

@@ -1,7 +1,9 @@
 // What counts as steady: made-up motions of which it is known how they go on.
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <functional>
+#include <string>
 
 #include <gtest/gtest.h>
 
@@ -36,9 +38,10 @@ SteadyLook look_at(const Motion& motion, double until) {
     for (int k = 0; k < 3; ++k) {
       const double at = t + step * (k - 2) / 3.0;
       samples[k].r2 = motion.r(at) * motion.r(at);
+      std::copy_n(angles(at).begin(), 2, samples[k].phi.begin());
       for (int i = 0; i < 2; ++i) samples[k].rate[i] = (motion.phi[i](at + 1e-4) - motion.phi[i](at - 1e-4)) / 2e-4;
     }
-    watch.step(t, motion.psi(t), angles(t).data(), samples);
+    watch.step(t, motion.psi(t), samples);
   }
   return watch.look();
 }
@@ -56,6 +59,32 @@ TEST(SteadyWatch, a_periodic_motion_repeats) {
     EXPECT_NEAR(look.speed, speed, 1e-9);
   }
   EXPECT_GE(repeats, 3);
+}
+
+std::string name_of(const SteadyLook& look) {
+  for (const SteadyKind& kind : steady_kinds(2))
+    if (kind.id == look.kind) return kind.name;
+  return "?";
+}
+
+// docs/motions.md: by whether balls drift at one rate, and then by how often they pass opposite places.
+TEST(SteadyWatch, drifts_have_the_names_that_they_have_elsewhere) {
+  Motion m;
+  const auto drift = [](double t) { return -0.7 * t; };
+  m.phi[0] = drift;
+  m.phi[1] = [](double t) { return -0.4 * t; };
+  EXPECT_EQ(name_of(look_at(m, 1000.0)), "drifting at different rates");
+  m.phi[1] = drift;
+  EXPECT_EQ(name_of(look_at(m, 1000.0)), "co-drifting");
+  m.phi[1] = [&](double t) { return drift(t) + 2.0 + std::sin(0.7 * t); };  // never opposite
+  EXPECT_EQ(name_of(look_at(m, 1000.0)), "co-drifting");
+  m.phi[1] = [&](double t) { return drift(t) + pi + std::sin(0.35 * t); };  // opposite once a turn
+  EXPECT_EQ(name_of(look_at(m, 1000.0)), "drifting apart");
+  m.phi[1] = [&](double t) { return drift(t) + pi + std::sin(0.7 * t); };  // twice
+  EXPECT_EQ(name_of(look_at(m, 1000.0)), "pair drift");
+  // Now and then, in some parts of the time alone: which it is in the long run is not told yet.
+  m.phi[1] = [&](double t) { return drift(t) + (t < 800.0 ? 2.0 : pi + 0.1 * std::sin(0.35 * t)); };
+  EXPECT_EQ(look_at(m, 1000.0).kind, 0);
 }
 
 // A ball's last slow drift, 0.003 beside a rotor's 6.28, on its way to rest.

@@ -22,6 +22,7 @@ namespace {
 
 namespace kernels = equipoise::HWY_NAMESPACE;
 namespace model = equipoise::model;
+using equipoise::Profile;
 using equipoise::Study;
 using equipoise::Trajectory;
 using model::SpeedLaw;
@@ -55,7 +56,7 @@ Study random_study(bool isotropic_without_gravity = false) {
   s.parameters = random_rotor(isotropic_without_gravity);
   s.speed.speed = between(-3.0, 3.0);
   if (coin()) {
-    s.speed.profile = "ramp";
+    s.speed.profile = Profile::ramp;
     s.speed.initial = between(-1.0, 1.0);
     s.speed.final = between(1.5, 3.0);
     s.speed.duration = between(1.0, 10.0);
@@ -179,12 +180,12 @@ RC_GTEST_PROP(Trajectories, turn_with_their_start_if_the_rotor_has_no_unbalance,
 RC_GTEST_PROP(Trajectories, are_the_same_from_a_ramp_and_from_points_with_its_corners, ()) {
   Study s = random_study();
   if (coin()) {
-    s.speed.profile = "ramp";
+    s.speed.profile = Profile::ramp;
     s.speed.duration = between(1.0, 10.0);
     s.speed.times = {0.0, s.speed.duration};
     s.speed.speeds = {s.speed.initial, s.speed.final};
   } else {
-    s.speed.profile = "trapezoid";
+    s.speed.profile = Profile::trapezoid;
     s.speed.peak = between(2.0, 3.0);
     s.speed.rise_until = between(1.0, 5.0);
     s.speed.hold_until = s.speed.rise_until + between(1.0, 5.0);
@@ -193,7 +194,7 @@ RC_GTEST_PROP(Trajectories, are_the_same_from_a_ramp_and_from_points_with_its_co
     s.speed.speeds = {s.speed.initial, s.speed.peak, s.speed.peak, s.speed.final};
   }
   const Trajectory a = equipoise::simulate(s, times);
-  s.speed.profile = "points";
+  s.speed.profile = Profile::points;
   const Trajectory b = equipoise::simulate(s, times);
   // The same numbers reach the same code: not even rounding differs.
   RC_ASSERT(a.psi == b.psi);
@@ -206,37 +207,60 @@ RC_GTEST_PROP(Energy, changes_at_the_rate_its_powers_say_in_any_state, ()) {
   const model::Parameters p = random_rotor(false);
   const double inertia = between(0.0, 1.0), t = between(0.0, 5.0);
   const model::Segment segment{0.0, 10.0, between(-3.0, 3.0), between(-4.0, 4.0), between(-0.5, 0.5), coin()};
-  model::with_ball_count(p.balls, [&](auto n) {
-    constexpr int size = model::dimension(n);
-    double z[size], rate[size] = {};
-    for (int i = 0; i < size; ++i) z[i] = between(-1.0, 1.0);
-    if (segment.clamped) {
-      std::fill(z + 4 + n, z + size, 0.0);
-      double ux = p.eccentricity, uy = 0.0;
-      for (int i = 0; i < n; ++i) {
-        ux += p.mass[i] * std::cos(z[4 + i]);
-        uy += p.mass[i] * std::sin(z[4 + i]);
-      }
-      const kernels::BallBalancer<double, n, kernels::Terms{}> balancer(p);
-      const kernels::SegmentMotion<double, kernels::Terms{}> motion(segment);
-      balancer.clamped_derivative(motion.at(t), {ux, uy}, p.gravity, z, rate);
-    } else {
-      kernels::FreeFlow<double, n, kernels::Terms{}>(p, segment)(t, z, rate);
+  const int n = p.balls, size = model::dimension(n);
+  constexpr int most = model::dimension(model::max_balls);
+  double z[most], rate[most] = {};
+  for (int i = 0; i < size; ++i) z[i] = between(-1.0, 1.0);
+  if (segment.clamped) {
+    std::fill(z + 4 + n, z + size, 0.0);
+    double ux = p.eccentricity, uy = 0.0;
+    for (int i = 0; i < n; ++i) {
+      ux += p.mass[i] * std::cos(z[4 + i]);
+      uy += p.mass[i] * std::sin(z[4 + i]);
     }
-    // dE/dt along (z + s dz/dt, t + s) by central differences of sixth order; truncation and rounding below 1e-12.
-    const double step = 2e-3, weights[] = {45.0 / 60.0, -9.0 / 60.0, 1.0 / 60.0};
-    const auto energy_at = [&](double s) {
-      double moved[size];
-      for (int i = 0; i < size; ++i) moved[i] = z[i] + s * rate[i];
-      return model::energy(p, inertia, segment, t + s, moved);
-    };
-    double change = 0.0, size_of_terms = 1.0;
-    for (int k = 1; k <= 3; ++k) change += weights[k - 1] / step * (energy_at(k * step) - energy_at(-k * step));
-    const model::Powers powers = model::powers(p, inertia, segment, t, z);
-    size_of_terms += std::fabs(powers.drive) + powers.supports + powers.balls;
-    RC_ASSERT(std::fabs(change - (powers.drive - powers.supports - powers.balls)) < 1e-11 * size_of_terms);
-    if (segment.clamped) RC_ASSERT(powers.balls == 0.0);
-  });
+    const kernels::BallBalancer<double, model::any_count, kernels::Terms{}> balancer(p);
+    const kernels::SegmentMotion<double, kernels::Terms{}> motion(segment);
+    balancer.clamped_derivative(motion.at(t), {ux, uy}, p.gravity, z, rate);
+  } else {
+    kernels::FreeFlow<double, model::any_count, kernels::Terms{}>(p, segment)(t, z, rate);
+  }
+  // dE/dt along (z + s dz/dt, t + s) by central differences of sixth order; truncation and rounding below 1e-12.
+  const double step = 2e-3, weights[] = {45.0 / 60.0, -9.0 / 60.0, 1.0 / 60.0};
+  const auto energy_at = [&](double s) {
+    double moved[most];
+    for (int i = 0; i < size; ++i) moved[i] = z[i] + s * rate[i];
+    return model::energy(p, inertia, segment, t + s, moved);
+  };
+  double change = 0.0, size_of_terms = 1.0;
+  for (int k = 1; k <= 3; ++k) change += weights[k - 1] / step * (energy_at(k * step) - energy_at(-k * step));
+  const model::Powers powers = model::powers(p, inertia, segment, t, z);
+  size_of_terms += std::fabs(powers.drive) + powers.supports + powers.balls;
+  RC_ASSERT(std::fabs(change - (powers.drive - powers.supports - powers.balls)) < 1e-11 * size_of_terms);
+  if (segment.clamped) RC_ASSERT(powers.balls == 0.0);
+}
+
+template <int n>
+void expect_the_same_with_room_for_any(const model::Segment& segment, double t) {
+  model::Parameters p = random_rotor(false);
+  p.balls = n;
+  for (int i = 0; i < n; ++i) {
+    p.mass[i] = between(0.01, 0.2);
+    p.drag[i] = between(0.0, 0.5);
+  }
+  double z[model::dimension(n)], exact[model::dimension(n)], any[model::dimension(model::max_balls)];
+  for (double& v : z) v = between(-1.0, 1.0);
+  kernels::FreeFlow<double, n, kernels::Terms{}>(p, segment)(t, z, exact);
+  kernels::FreeFlow<double, model::any_count, kernels::Terms{}>(p, segment)(t, z, any);
+  for (int i = 0; i < model::dimension(n); ++i) RC_ASSERT(exact[i] == any[i]);
+}
+
+RC_GTEST_PROP(Equations, have_the_same_bits_compiled_for_a_count_and_for_any, ()) {
+  const double t = between(0.0, 5.0);
+  const model::Segment segment{0.0, 10.0, between(-3.0, 3.0), between(-4.0, 4.0), between(-0.5, 0.5), false};
+  expect_the_same_with_room_for_any<1>(segment, t);
+  expect_the_same_with_room_for_any<2>(segment, t);
+  expect_the_same_with_room_for_any<4>(segment, t);
+  expect_the_same_with_room_for_any<7>(segment, t);
 }
 
 // Balls held at one set of angles, integrated as they are.

@@ -1,12 +1,17 @@
 // Values with units: what each text is worth in SI units, and what is refused and how.
+#include <atomic>
+#include <cstdarg>
 #include <string>
+#include <thread>
 #include <vector>
 
 #include <gtest/gtest.h>
+#include <udunits2.h>
 
 #include "equipoise/base/angles.hpp"
 #include "equipoise/model/balance_grade.hpp"
 #include "equipoise/model/ball_drag.hpp"
+#include "equipoise/study/study.hpp"
 #include "equipoise/study/units.hpp"
 
 namespace equipoise::study {
@@ -56,6 +61,56 @@ TEST(Units, AreWorthTheirSiValue) {
     EXPECT_EQ(read.problem, "") << text;
     EXPECT_DOUBLE_EQ(read.value, si) << text;
   }
+}
+
+// As people write them and keyboards make them: the micro sign and the Greek letter, raised digits, dots, signs of
+// units.
+TEST(Units, BeyondAsciiAreWorthTheSame) {
+  for (const auto& [text, dimension, si] : std::vector<Reading>{
+           {"20 \u00B5m", Dimension::length, 20e-6},
+           {"20 \u03BCm", Dimension::length, 20e-6},
+           {"20\u00A0\u00B5m", Dimension::length, 20e-6},
+           {"20\u00B5m", Dimension::length, 20e-6},
+           {"500 \u00B5s", Dimension::time, 500e-6},
+           {"30\u00B0", Dimension::angle, pi / 6.0},
+           {"90 \u00B0/s", Dimension::speed, pi / 2.0},
+           {"30\u2032", Dimension::angle, pi / 360.0},
+           {"9.81 m/s\u00B2", Dimension::acceleration, 9.81},
+           {"9.81 m\u00B7s\u207B\u00B2", Dimension::acceleration, 9.81},
+           {"7800 kg/m\u00B3", Dimension::density, 7800.0},
+           {"0.02 kg\u00B7m\u00B2", Dimension::inertia, 0.02},
+           {"0.5 N\u22C5m", Dimension::torque, 0.5},
+           {"2 N\u202Fs/m", Dimension::damping, 2.0},
+           {"100 mPa\u00B7s", Dimension::viscosity, 0.1},
+       }) {
+    const Measured read = measure(text, {dimension});
+    EXPECT_EQ(read.problem, "") << text;
+    EXPECT_DOUBLE_EQ(read.value, si) << text;
+  }
+  EXPECT_EQ(measure("3 \u03A9", {Dimension::length}).problem,
+            "\"\u03A9\" does not measure that; must be a length, such as \"0.2 mm\"");
+  EXPECT_EQ(measure("3 \u00B5", {Dimension::length}).problem,
+            "UDUNITS knows no unit \"\u00B5\"; must be a length, such as \"0.2 mm\"");
+  for (const char* text : {"3 \u00B2", "3 m\u00B2\u00B2", "3 m\u207B", "3 m\xB2", "3 \xB5m", "3 10\u00B2 m",
+                           "3 \u00D7 m", "3 \u0085", "3 \u00B7", "3 \u00B0C"})
+    EXPECT_NE(measure(text, {Dimension::length}).problem, "") << text;
+}
+
+TEST(Units, BeyondAsciiAreReadInStudies) {
+  const auto study = [](const std::string& eccentricity, const std::vector<std::string>& overrides = {}) {
+    return parse_study(
+               "[rotor]\nmass = \"12 kg\"\nstiffness = \"48 kN/m\"\ndamping = '200 N\u00B7s/m'\neccentricity = " +
+                   eccentricity +
+                   "\n[balancer]\nballs = 2\nrace_radius = \"30 mm\"\nmass = \"60 g\"\ndrag = \"1e-4 N m s\"\n"
+                   "race_offset = [\"1 \u00B5m\", \"2 \u00B5m\"]\n[speed]\nprofile = \"constant\"\nspeed = \"3000 "
+                   "rpm\"\n",
+               "m.toml", overrides)
+        .parameters;
+  };
+  EXPECT_DOUBLE_EQ(study("\"20 \u00B5m\"").eccentricity, 20e-6 / 30e-3);
+  EXPECT_DOUBLE_EQ(study("\"20 \u00B5m\"").race_offset[1], 2e-6 / 30e-3);
+  EXPECT_DOUBLE_EQ(study("\"1 mm\"", {"rotor.eccentricity=20 \u03BCm"}).eccentricity, 20e-6 / 30e-3);
+  EXPECT_DOUBLE_EQ(study("\"1 mm\"", {"balancer.race_offset=['3 \u03BCm', '0 um']"}).race_offset[0], 3e-6 / 30e-3);
 }
 
 TEST(Units, HertzOfARotorAreTurnsASecond) {
@@ -110,6 +165,37 @@ TEST(Units, AreShownSoThatTheyReadBack) {
     EXPECT_DOUBLE_EQ(read.value, 0.123456789) << words(dimension).name;
     EXPECT_EQ(measure(words(dimension).example, {dimension}).problem, "");
   }
+}
+
+int messages = 0;
+int count_message(const char*, va_list) { return ++messages; }
+
+// UDUNITS has one handler of messages and one status for all of the process.
+TEST(Units, LeaveTheHostProgramItsUdunits) {
+  const auto before = ut_set_error_message_handler(&count_message);
+  ut_set_status(UT_PARSE);
+  EXPECT_EQ(measure("12 kg", {Dimension::mass}).value, 12.0);
+  EXPECT_NE(measure("12 stones", {Dimension::mass}).problem, "");
+  EXPECT_EQ(quantity_text(12.0, Dimension::mass), "12 kg");
+  EXPECT_EQ(ut_get_status(), UT_PARSE);
+  EXPECT_EQ(ut_set_error_message_handler(before), &count_message);
+  EXPECT_EQ(messages, 0);
+}
+
+// Units are made and given back under the lock as well: without it, memory of UDUNITS breaks within the first
+// thousands.
+TEST(Units, AreReadBySeveralThreads) {
+  std::atomic<int> good{0};
+  {
+    std::vector<std::jthread> workers;
+    for (int thread = 0; thread < 4; ++thread)
+      workers.emplace_back([&] {
+        for (int k = 0; k < 300; ++k)
+          good += measure("3000 rpm", {Dimension::speed}).problem.empty() &&
+                  !measure("3 stones", {Dimension::mass}).problem.empty();
+      });
+  }
+  EXPECT_EQ(good, 4 * 300);
 }
 
 TEST(BalanceGrade, IsEccentricityTimesSpeed) {

@@ -18,7 +18,7 @@ namespace {
 namespace kernels = HWY_NAMESPACE;
 
 // Remembers the longest accepted step after a time.
-struct StepWatch : kernels::NoObserver<2> {
+struct StepWatch : kernels::NoObserver {
   double after = 0.0, longest = 0.0;
 
   unsigned step(int, unsigned, kernels::Mask accepted, kernels::Pack t, kernels::Pack h, const kernels::Pack*) {
@@ -55,8 +55,9 @@ TEST(Windows, AreSampledEightTimesAPeriodOfEveryMotion) {
     study.parameters.mass = {0.05, 0.05};
     study.parameters.drag = {drag, drag};
     study.speed.speed = speed;
-    study.sampling.starts = 1;
-    const auto known = attractors(study, {}).catalogue;
+    AttractorsOptions options;
+    options.starts = 1;
+    const auto known = attractors(study, options).catalogue;
     EXPECT_GE(known.attractors().size(), 2u);
     for (const Attractor& a : known.attractors()) {
       const Motion& m = a.motion;

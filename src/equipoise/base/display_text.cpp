@@ -1,8 +1,6 @@
 // UTF-8 as RFC 3629 has it: shortest forms only, no surrogates, at most U+10FFFF.
 #include "equipoise/base/display_text.hpp"
 
-#include <cstddef>
-
 namespace equipoise {
 
 namespace {
@@ -11,7 +9,15 @@ unsigned char byte_at(std::string_view text, std::size_t at) {
   return at < text.size() ? static_cast<unsigned char>(text[at]) : 0;
 }
 
-// Bytes of the character that begins at `at`; 0 if none does.
+void append_escaped(std::string& text, unsigned char control) {
+  constexpr const char* digits = "0123456789ABCDEF";
+  text += "\\u00";
+  text += digits[control >> 4];
+  text += digits[control & 15];
+}
+
+}  // namespace
+
 std::size_t character_length(std::string_view text, std::size_t at) {
   const unsigned char lead = byte_at(text, at), next = byte_at(text, at + 1);
   if (lead < 0x80) return 1;
@@ -25,15 +31,6 @@ std::size_t character_length(std::string_view text, std::size_t at) {
     if ((byte_at(text, at + k) & 0xC0) != 0x80) return 0;
   return length;
 }
-
-void append_escaped(std::string& text, unsigned char control) {
-  constexpr const char* digits = "0123456789ABCDEF";
-  text += "\\u00";
-  text += digits[control >> 4];
-  text += digits[control & 15];
-}
-
-}  // namespace
 
 std::string display_text(std::string_view text) {
   std::string shown;

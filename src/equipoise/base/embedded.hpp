@@ -1,6 +1,7 @@
-// Files that the library carries inside itself: published tables, the studies of their rows, the chart library.
+// Files that a library carries inside itself.
 #pragma once
 
+#include <cstddef>
 #include <string_view>
 
 namespace equipoise::embedded {
@@ -10,16 +11,17 @@ struct File {
   std::string_view text;
 };
 
-/// Written by cmake/embed.cmake.
-extern const File files[];
-extern const unsigned count;
+/// Files put into a library where it is built (cmake/embed.cmake).
+struct Archive {
+  const File* files = nullptr;
+  std::size_t count = 0;
 
-/// The text of a file by its name ("published/table-1.csv", "studies/table-2-omega-2.4.toml", "plotly.js"); empty if
-/// the library was built without it.
-inline std::string_view find(std::string_view name) {
-  for (unsigned i = 0; i < count; ++i)
-    if (files[i].name == name) return files[i].text;
-  return {};
-}
+  /// The text of a file by its name; empty if the library was built without it.
+  std::string_view find(std::string_view name) const {
+    for (std::size_t i = 0; i < count; ++i)
+      if (files[i].name == name) return files[i].text;
+    return {};
+  }
+};
 
 }  // namespace equipoise::embedded

@@ -1,27 +1,45 @@
-// What the library throws, and the word by which a caller asks running work to stop.
+// What the library throws.
 #pragma once
 
-#include <atomic>
 #include <stdexcept>
 #include <string>
+#include <utility>
+
+#include "equipoise/base/stop_flag.hpp"
 
 namespace equipoise {
+
+/// Where something unusable stands.
+struct Place {
+  Place(std::string named) : name(std::move(named)) {}
+  Place(const char* named) : name(named) {}
+  Place(std::string file, int at_line, int at_column = 0) : name(std::move(file)), line(at_line), column(at_column) {}
+
+  std::string name;          ///< a file, an option, or the name of a study that came from neither
+  int line = 0, column = 0;  ///< in the file, from 1; 0: not known
+  std::string text() const;  ///< "study.toml:12"
+};
 
 /// Unusable input: a study, an option or a file. Thrown before any work starts.
 /// what() is one line that names the place (file and line, or option), the key, the value and what is allowed.
 class InputError : public std::runtime_error {
  public:
-  /// `where`: file (and line) or option; `key`: dotted key, may be empty; `value`: as given, may be empty;
-  /// `problem`: what is wrong and what is allowed.
-  InputError(std::string where, std::string key, std::string value, std::string problem);
+  /// `key`: dotted key, may be empty; `value`: as given, may be empty; `problem`: what is wrong and what is allowed, as
+  /// "has 3 entries; must be a number" or, where the value is merely not among those, "must be a number".
+  InputError(Place place, std::string key, std::string value, std::string problem);
 
-  const std::string& where() const noexcept { return where_; }
+  const Place& place() const noexcept { return place_; }
+  const std::string& where() const noexcept { return where_; }  ///< place().text()
   const std::string& key() const noexcept { return key_; }
   const std::string& value() const noexcept { return value_; }
   const std::string& problem() const noexcept { return problem_; }
+  /// The problem's two parts: "has 3 entries" and "a number". Either may be empty.
+  const std::string& wrong() const noexcept { return wrong_; }
+  const std::string& allowed() const noexcept { return allowed_; }
 
  private:
-  std::string where_, key_, value_, problem_;
+  Place place_;
+  std::string where_, key_, value_, problem_, wrong_, allowed_;
 };
 
 /// Work that began and could not be finished for a reason outside the input (a full disk, a lost file).
@@ -29,8 +47,5 @@ class RunError : public std::runtime_error {
  public:
   using std::runtime_error::runtime_error;
 };
-
-/// Set it (from a signal handler, another thread) and running work ends soon, keeping what is done.
-using StopFlag = std::atomic<bool>;
 
 }  // namespace equipoise

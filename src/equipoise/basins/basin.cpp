@@ -1,4 +1,4 @@
-// The ensemble's pipeline: chunks of starts computed on all threads, taken in by index order, counted and stored.
+// The ensemble: chunks of starts taken in by index order, counted and stored; how it is sampled, resumed and ended.
 #include "equipoise/basins/basin.hpp"
 
 #include <algorithm>
@@ -15,10 +15,11 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 #include <oneapi/tbb/info.h>
-#include <oneapi/tbb/parallel_pipeline.h>
-#include <oneapi/tbb/task_arena.h>
 
+#include "equipoise/base/reporting.hpp"
+#include "equipoise/basins/chunks.hpp"
 #include "equipoise/basins/sampling_choice.hpp"
+#include "equipoise/basins/start_arrays.hpp"
 #include "equipoise/basins/tally.hpp"
 #include "equipoise/discovery/horizon.hpp"
 #include "equipoise/fates/runner.hpp"
@@ -33,64 +34,13 @@ namespace {
 
 constexpr std::uint64_t open_ended_limit = 1'000'000'000;
 
-struct Chunk {
-  std::uint64_t first = 0;
-  std::size_t count = 0;
-  bool complete = false;
-  std::vector<double> phi;
-  std::vector<Fate> fates;
-  std::vector<UnlistedStart> unlisted;
-  std::vector<TransientRow> transients;  // none unless asked for
-
-  const TransientRow* row(std::size_t place) const { return transients.empty() ? nullptr : &transients[place]; }
-};
-
-// Large enough that lanes seldom wait for a chunk's last trajectory, small enough that every thread gets many and that
-// none takes much longer than a second: what is complete is in the file soon. A machine's starts ride in no lanes and
-// take milliseconds each. Results depend on none of this.
-class ChunkSize {
- public:
-  ChunkSize(std::uint64_t starts, int threads, bool machine)
-      : least_(machine ? 4 : 256),
-        most_(std::clamp<std::uint64_t>(starts / (16 * static_cast<std::uint64_t>(threads)), least_,
-                                        machine ? 128 : 8192)) {}
-
-  std::uint64_t next() const {
-    const double pace = pace_.load(std::memory_order_relaxed);
-    return pace > 0.0 ? std::clamp(static_cast<std::uint64_t>(1.0 / pace), least_, most_) : least_;
-  }
-  void took(std::size_t starts, double seconds) { pace_ = seconds / static_cast<double>(starts); }
-
- private:
-  std::uint64_t least_, most_;
-  std::atomic<double> pace_{0.0};  // seconds a start, of the chunk that ended last
-};
-
 double cpu_now() { return static_cast<double>(std::clock()) / CLOCKS_PER_SEC; }
-
-// Kernels do the same operations in the same order on every instruction set of x86, but where it has fused
-// multiplications and additions, compilers use them: results are the same to the bit among those that have them (AVX2
-// and AVX-512), and among those that have not. Of other machines nothing is known.
-std::string arithmetic_of(const std::string& target) {
-  if (target == "AVX-512" || target == "AVX2") return "with fused multiply-add (AVX2, AVX-512)";
-#if defined(__x86_64__)
-  if (target == "SSE4" || target == "scalar") return "without fused multiply-add (SSE4, scalar)";
-#endif
-  return "of " + target;
-}
-
-// What an unlisted start turned out to have come to; 0: to nothing steady.
-void settle(Fate& fate, int attractor) {
-  fate.attractor = static_cast<short>(attractor);
-  if (attractor > 0) return;
-  fate.outcome = Outcome::undecided;
-  fate.by = DecidedBy::nothing;
-}
 
 class BasinRun {
  public:
   BasinRun(const Study& study, const BasinOptions& options)
       : options_(options),
+        gathers_(gathers_transients(study, options)),
         threads_(thread_count(options.threads)),
         discoveries_(options.discoveries ? *options.discoveries : own_discoveries_) {
     result_.study = study;
@@ -98,10 +48,11 @@ class BasinRun {
     result_.threads = threads_;
     result_.cpu_target = cpu_target();
     result_.half_width = options.half_width;
+    if (options.keep_starts) result_.every_start.emplace();
   }
 
   BasinResult run() {
-    check_runnable(result_.study);
+    check_runnable(result_.study, gathers_);
     horizon_ = choose_horizon(result_.study);
     result_.study.numerics.horizon = horizon_.time;
     sample();
@@ -161,8 +112,8 @@ class BasinRun {
 
   void make_runner() {
     const Study& study = result_.study;
-    runner_ = equipoise::make_runner(study, DiscoverySettings{threads_, options_.stop, options_.seeds, &discoveries_},
-                                     options_.transients);
+    runner_ = equipoise::make_runner(study, {threads_, options_.stop, options_.seeds, &discoveries_, options_.progress},
+                                     gathers_);
     tally_.emplace(*sampler_, study.sampling.seed, runner_->settled());
     transients_.emplace(study, *sampler_);
     filed_.clear();
@@ -194,16 +145,16 @@ class BasinRun {
   void try_chunk(const std::shared_ptr<Chunk>& chunk, Tally& tally) {
     lost_ = lost_ || !chunk->complete;
     if (lost_) return;
-    for (const UnlistedStart& start : chunk->unlisted) settle(chunk->fates[start.place], runner_->list(start));
+    for (const UnlistedStart& start : chunk->unlisted) settle(*runner_, start, chunk->fates[start.place]);
     for (const Fate& fate : chunk->fates) tally.add(fate);
     pilot_.push_back(chunk);
-    if (options_.progress) options_.progress({tally.total(), 0, tally.share(Outcome::attracted, balanced_id)});
+    report(tally, 0);
   }
 
   void open_file() {
     if (!options_.output.empty())
       file_ = std::make_unique<BasinFile>(options_.output,
-                                          basin_file_header(result_.study, options_.store_angles, options_.transients));
+                                          basin_file_header(result_.study, options_.store_angles, gathers_));
   }
 
   std::vector<AttractorShare> attractor_shares(const Tally& tally) const {
@@ -230,7 +181,7 @@ class BasinRun {
       result_.stalled = tally_->share(Outcome::stalled);
       if (!result_.grid) result_.passed = open_share(passed_, passed_ + result_.undecided.count, tally_->total());
     }
-    if (options_.transients) result_.transients = transients_->result(runner_->catalogue());
+    if (gathers_) result_.transients = transients_->result(runner_->catalogue());
     if (result_.choice && result_.choice->method == SamplingMethod::sobol)  // known better by now
       result_.choice->random_starts = random_starts_for(tally_->shares(), options_.half_width);
   }
@@ -238,10 +189,13 @@ class BasinRun {
   std::vector<OutcomeSummary> summary(const Tally& tally) const {
     std::vector<OutcomeSummary> lines;
     for (const AttractorShare& a : attractor_shares(tally)) lines.push_back({a.id, a.name, a.alias, a.share});
-    lines.push_back({undecided_code, "undecided", "", tally.share(Outcome::undecided)});
-    lines.push_back({diverged_code, "diverged", "", tally.share(Outcome::diverged)});
-    lines.push_back({failed_code, "failed", "", tally.share(Outcome::failed)});
-    if (result_.study.speed.driven()) lines.push_back({stalled_code, "stalled", "", tally.share(Outcome::stalled)});
+    const auto add = [&](int code, Outcome outcome) {
+      lines.push_back({code, name_of(outcome), "", tally.share(outcome)});
+    };
+    add(undecided_code, Outcome::undecided);
+    add(diverged_code, Outcome::diverged);
+    add(failed_code, Outcome::failed);
+    if (result_.study.speed.driven()) add(stalled_code, Outcome::stalled);
     return lines;
   }
 
@@ -280,10 +234,9 @@ class BasinRun {
     const std::uint64_t each = std::min<std::uint64_t>(known ? 4 : 64, stored);
     for (const std::uint64_t first : {std::uint64_t{0}, stored - each}) {
       Chunk chunk;
-      if (!runner_->run(first, each, chunk.phi, chunk.fates, chunk.unlisted,
-                        options_.transients ? &chunk.transients : nullptr))
+      if (!runner_->run(first, each, chunk.phi, chunk.fates, chunk.unlisted, gathers_ ? &chunk.transients : nullptr))
         return;  // stopped
-      for (const UnlistedStart& start : chunk.unlisted) settle(chunk.fates[start.place], runner_->list(start));
+      for (const UnlistedStart& start : chunk.unlisted) settle(*runner_, start, chunk.fates[start.place]);
       const std::vector<Fate> fates = file_->read(first, each);
       for (std::size_t i = 0; i < each; ++i)
         if (!same(fates[i], chunk.fates[i]))
@@ -306,7 +259,7 @@ class BasinRun {
       const std::size_t count = std::min<std::uint64_t>(block, end - first);
       const std::vector<Fate> fates = file_->read(first, count);
       const std::vector<TransientRow> rows =
-          options_.transients ? file_->read_transients(first, count) : std::vector<TransientRow>{};
+          gathers_ ? file_->read_transients(first, count) : std::vector<TransientRow>{};
       for (std::size_t i = 0; i < count; ++i) visit(fates[i], rows.empty() ? nullptr : &rows[i]);
     }
   }
@@ -323,52 +276,37 @@ class BasinRun {
     finished_ = narrow || tally_->total() == limit_;
     if (fate.outcome == Outcome::undecided && undecided_.size() < undecided_looked_at)
       undecided_.push_back(tally_->total() - 1);
+    if (fate.outcome == Outcome::stalled && stalled_.size() < undecided_looked_at)
+      stalled_.push_back(tally_->total() - 1);
+    if (result_.every_start) add_start(result_.study, *sampler_, fate, row, *result_.every_start);
     if (options_.fate) options_.fate(fate);
   }
 
-  // Many undecided starts are no answer: the note then says why there are so many.
+  // Many undecided starts are no answer: the note then says why there are so many. That balls are never let go is said
+  // of any.
   void explain_undecided() {
     const double share = result_.undecided.share;
-    if (result_.starts == 0 || !(share > undecided_worth_a_word)) return;
+    const bool many = result_.starts > 0 && share > undecided_worth_a_word;
     const bool stopped = runner_->stopped() || (options_.stop && options_.stop->load(std::memory_order_relaxed));
-    const std::vector<UndecidedEnd> ends = stopped ? std::vector<UndecidedEnd>{} : runner_->look_at(undecided_);
-    result_.note += fmt::format("{}{:.0f} % are undecided: {}", result_.note.empty() ? "" : "; ", 100.0 * share,
-                                why_undecided(horizon_, ends));
+    const bool may_hold = !stopped && result_.study.speed.driven() && result_.study.release.speed;
+    const std::vector<UndecidedEnd> ends =
+        !stopped && (many || may_hold) ? runner_->look_at(undecided_) : std::vector<UndecidedEnd>{};
+    const std::string held = held_text(ends), held_stalled = may_hold ? held_text(runner_->look_at(stalled_)) : "";
+    if (many) add_note(fmt::format("{:.0f} % are undecided: {}", 100.0 * share, why_undecided(horizon_, ends)));
+    if (!many && !held.empty()) add_note("balls of undecided starts are never let go: " + held);
+    if (!held_stalled.empty()) add_note("balls of stalled starts are never let go: " + held_stalled);
   }
 
-  using Sink = std::function<void(const std::shared_ptr<Chunk>&)>;
-  // Decides starts first .. limit - 1, or fewer once finished_ or lost_; `sink` gets the chunks in order.
-  void compute(std::uint64_t first, std::uint64_t limit, const Sink& sink) {
-    ChunkSize size(limit - first, threads_, result_.study.needs_machine());
-    std::uint64_t next = first;
-    const auto make = [&](tbb::flow_control& control) -> std::shared_ptr<Chunk> {
-      const bool stop_asked = options_.stop && options_.stop->load(std::memory_order_relaxed);
-      if (finished_ || lost_ || stop_asked || next >= limit) {
-        lost_ = lost_ || (!finished_ && next < limit);
-        control.stop();
-        return nullptr;
-      }
-      auto chunk = std::make_shared<Chunk>();
-      chunk->first = next;
-      chunk->count = static_cast<std::size_t>(std::min<std::uint64_t>(size.next(), limit - next));
-      next += chunk->count;
-      return chunk;
-    };
-    const auto decide = [&](std::shared_ptr<Chunk> chunk) {
-      const auto begin = std::chrono::steady_clock::now();
-      chunk->complete = !finished_ && runner_->run(chunk->first, chunk->count, chunk->phi, chunk->fates,
-                                                   chunk->unlisted, options_.transients ? &chunk->transients : nullptr);
-      size.took(chunk->count, std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count());
-      return chunk;
-    };
-    tbb::task_arena arena(threads_);
-    arena.execute([&] {
-      tbb::parallel_pipeline(
-          2 * static_cast<std::size_t>(threads_),
-          tbb::make_filter<void, std::shared_ptr<Chunk>>(tbb::filter_mode::serial_in_order, make) &
-              tbb::make_filter<std::shared_ptr<Chunk>, std::shared_ptr<Chunk>>(tbb::filter_mode::parallel, decide) &
-              tbb::make_filter<std::shared_ptr<Chunk>, void>(tbb::filter_mode::serial_in_order, sink));
-    });
+  void add_note(const std::string& words) { result_.note += (result_.note.empty() ? "" : "; ") + words; }
+
+  void compute(std::uint64_t first, std::uint64_t limit, const ChunkSink& sink) {
+    const ChunkWork work{*runner_, threads_, result_.study.needs_machine(), gathers_, options_.stop};
+    compute_chunks(work, first, limit, finished_, lost_, sink);
+  }
+
+  void report(const Tally& tally, std::uint64_t limit) const {
+    if (options_.progress)
+      options_.progress({tally.total(), limit, "starts", tally.share(Outcome::attracted, balanced_id).share});
   }
 
   // Takes a chunk in, in order. After one that was not completed no later one counts: the result stays a prefix. What
@@ -391,9 +329,7 @@ class BasinRun {
       ++taken;
     }
     if (file_) store(chunk, begin, taken);
-    if (options_.progress)
-      options_.progress(
-          {tally_->total(), options_.half_width > 0.0 ? 0 : limit_, tally_->share(Outcome::attracted, balanced_id)});
+    report(*tally_, options_.half_width > 0.0 ? 0 : limit_);
   }
 
   // Starts are functions of their index, so what they drew besides angles is made again for the file alone.
@@ -415,12 +351,12 @@ class BasinRun {
 
   // A stationary motion that the rule does not list: what it is decides, whenever it was first met.
   void name_fate(Fate& fate, const UnlistedStart& start) {
-    const int id = runner_->list(start);
-    settle(fate, id);
+    const int id = settle(*runner_, start, fate);
     if (file_ && id > 0 && filed_.insert(id).second) file_->append_discovery(start.state);
   }
 
   const BasinOptions& options_;
+  bool gathers_;  // transients
   std::chrono::steady_clock::time_point begin_ = std::chrono::steady_clock::now();
   double cpu_begin_ = cpu_now();
   int threads_;
@@ -440,60 +376,26 @@ class BasinRun {
   std::atomic<bool> finished_{false}, lost_{false};
   bool stop_counting_ = false;
   Horizon horizon_;
-  std::vector<std::uint64_t> undecided_;  // numbers of the first ones
+  std::vector<std::uint64_t> undecided_, stalled_;  // numbers of the first ones
 };
 
 }  // namespace
 
+bool gathers_transients(const Study& study, const BasinOptions& options) {
+  const Limits& limits = study.limits;
+  return options.transients.value_or(limits.displacement || limits.force || limits.velocity || limits.settled);
+}
+
 int thread_count(int asked) { return asked > 0 ? asked : tbb::info::default_concurrency(); }
 
-BasinFileHeader basin_file_header(const Study& study, bool angles, bool transients) {
-  Study identity = with_horizon(study);  // all that decides the fate of start i
-  const Sampler sampler = sampler_of(study);
-  identity.sampling.starts = sampler.grid() ? sampler.grid()->starts() : 1;
-  BasinFileHeader header;
-  header.study = to_toml(identity);
-  header.balls = study.parameters.balls;
-  header.cpu_target = cpu_target();
-  header.arithmetic = arithmetic_of(header.cpu_target);
-  header.angles = angles;
-  header.driven = study.speed.driven();
-  header.full_starts = !study.sampling.box.empty();
-  header.method = sampler.method();
-  header.scales = study.scales;
-  if (transients) header.transients = transient_settings(study);
-  return header;
-}
-
 BasinResult basin(const Study& study, const BasinOptions& options, Catalogue* catalogue) {
-  BasinRun run(study, options);
-  BasinResult result = run.run();
-  if (catalogue) *catalogue = run.catalogue();
-  return result;
-}
-
-StartReplay replay_start(const Study& study, std::uint64_t index, const BasinOptions& options) {
-  check_runnable(study);
-  const Sampler sampler = sampler_of(study);
-  if (sampler.grid() && index >= sampler.grid()->starts())
-    throw InputError(study.name, "start index", fmt::format("{}", index),
-                     fmt::format("must be below {}, the starts of this grid", sampler.grid()->starts()));
-  const std::unique_ptr<Runner> runner = make_runner(
-      study, {thread_count(options.threads), options.stop, options.seeds, options.discoveries}, options.transients);
-  std::vector<double> phi;
-  std::vector<Fate> fates;
-  std::vector<UnlistedStart> unlisted;
-  std::vector<TransientRow> rows;
-  StartReplay replay;
-  replay.index = index;
-  if (runner->stopped() || !runner->run(index, 1, phi, fates, unlisted, options.transients ? &rows : nullptr))
-    throw RunError("stopped before the start was decided");
-  replay.start = start_of(study, study.sampling.seed, index);
-  replay.fate = fates.front();
-  if (!rows.empty()) replay.transients = rows.front();
-  if (!unlisted.empty()) settle(replay.fate, runner->list(unlisted.front()));
-  if (const Attractor* a = runner->catalogue().find(replay.fate.attractor)) replay.name = a->name;
-  return replay;
+  const ChosenCpuTarget chosen(options.cpu_target);
+  return reported(options, [&](const BasinOptions& o) {
+    BasinRun run(study, o);
+    BasinResult result = run.run();
+    if (catalogue) *catalogue = run.catalogue();
+    return result;
+  });
 }
 
 }  // namespace equipoise

@@ -8,8 +8,9 @@
 #include <vector>
 
 #include "equipoise/base/error.hpp"
+#include "equipoise/base/run_options.hpp"
 #include "equipoise/deciding/fate.hpp"
-#include "equipoise/report/basin_result.hpp"
+#include "equipoise/results/basin_result.hpp"
 #include "equipoise/statistics/share.hpp"
 #include "equipoise/store/basin_file.hpp"
 #include "equipoise/study/study.hpp"
@@ -19,15 +20,9 @@ namespace equipoise {
 class Catalogue;
 struct DiscoveryCache;
 
-/// How far a run has come.
-struct BasinProgress {
-  std::uint64_t done = 0;   ///< starts decided, in order
-  std::uint64_t total = 0;  ///< starts asked for; 0 while sampling until a half-width is reached
-  Share balanced;           ///< so far
-};
-
-struct BasinOptions {
-  int threads = 0;          ///< 0: all cores
+/// Progress is in stages of the search for attractors (Progress::preparing), then in starts decided, in order; the
+/// total is 0 while sampling until a half-width is reached.
+struct BasinOptions : RunOptions {
   double half_width = 0.0;  ///< > 0: sample until every outcome's interval is this narrow, at most
                             ///< study.sampling.starts if limit_given, else at most 10^9. A study that leaves
                             ///< sampling.method open gets the cheaper of random and Sobol starts
@@ -35,21 +30,30 @@ struct BasinOptions {
   std::string output;  ///< NetCDF file for per-start results; empty: none. An unfinished file of the same study is
                        ///< resumed, a finished one extended or simply read
   bool store_angles = true;  ///< in `output`
-  bool transients = false;   ///< gather the statistics of transients (study.limits says what for); `output` holds them
+  /// Gather the statistics of transients; `output` and `keep_starts` hold them too. Unset: if the study has [limits].
+  std::optional<bool> transients;
+  bool keep_starts = false;  ///< the result holds every start (BasinResult::every_start): 11 bytes a start and 8 a
+                             ///< ball, with transients 40 more
   /// States near motions known from elsewhere, each dimension(balls) numbers: rare attractors that pilot starts miss.
   std::vector<std::vector<double>> seeds;
   DiscoveryCache* discoveries = nullptr;  ///< shared by runs one after the other that end at the same speed; results do
                                           ///< not depend on it
-  const StopFlag* stop = nullptr;
-  std::function<void(const BasinProgress&)> progress;  ///< called in order, from any thread but never from two at once
-  std::function<void(const Fate&)> fate;  ///< every start counted, in order of index, those read from `output` included
+  /// Every start counted, in order of index, those read from `output` included; from any thread, never from two at
+  /// once.
+  std::function<void(const Fate&)> fate;
 };
 
 /// Threads that work on an ensemble: as asked, or all cores for 0.
 int thread_count(int asked);
 
+/// Whether a run with these options gathers transients.
+bool gathers_transients(const Study& study, const BasinOptions& options);
+
 /// What the output file of a basin() says of its run.
 BasinFileHeader basin_file_header(const Study& study, bool angles, bool transients = false);
+
+/// What start `index` (any, also beyond study.sampling.starts; on a grid below its number) begins with at t = 0.
+InitialState start_of(const Study& study, std::uint64_t index);
 
 /// One start replayed alone.
 struct StartReplay {
@@ -57,7 +61,7 @@ struct StartReplay {
   InitialState start;  ///< state at t = 0
   Fate fate;
   std::string name;                        ///< of the attractor, empty if there is none
-  std::optional<TransientRow> transients;  ///< if options.transients
+  std::optional<TransientRow> transients;  ///< if they are gathered
 };
 
 /// Runs the ensemble: study.sampling.starts starts, or as many as options.half_width asks for. The outcome of start i

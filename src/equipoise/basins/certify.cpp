@@ -4,6 +4,7 @@
 #include <chrono>
 #include <cmath>
 
+#include "equipoise/base/reporting.hpp"
 #include "equipoise/fates/start_runner.hpp"
 #include "equipoise/traps/balanced_trap.hpp"
 
@@ -15,29 +16,26 @@ double seconds_since(std::chrono::steady_clock::time_point begin) {
   return std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
 }
 
-StateProof prove(const model::Parameters& p, double speed, const BalancedTrap& trap) {
+StateProof prove(const model::Parameters& p, double speed, const BalancedTrap& trap, const StopFlag* stop) {
   const int size = model::dimension(p.balls);
   StateProof proof;
   proof.critical = trap.level / level_margin;
   auto begin = std::chrono::steady_clock::now();
   proof.certificate =
-      largest_certificate(p, speed, trap.phi.data(), form_of(trap), proof.critical, &proof.check.reason);
+      largest_certificate(p, speed, trap.phi.data(), form_of(trap), proof.critical, &proof.check.reason, stop);
   proof.seconds = seconds_since(begin);
   if (proof.certificate.level == 0.0) {
     proof.certificate.phi = trap.phi;
     return proof;
   }
   begin = std::chrono::steady_clock::now();
-  proof.check = check_certificate(proof.certificate);
+  proof.check = check_certificate(proof.certificate, stop);
   proof.check_seconds = seconds_since(begin);
   for (int i = 0; i < size; ++i) proof.reach[i] = trap.reach[i] * std::sqrt(proof.certificate.level / trap.level);
   return proof;
 }
 
-}  // namespace
-
-CertifyResult certify(const Study& study) {
-  check_offers(study, model::Answer::proofs);
+CertifyResult proofs(const Study& study, const RunOptions& options) {
   const model::Parameters& p = study.parameters;
   CertifyResult result;
   result.study = study;
@@ -53,13 +51,26 @@ CertifyResult certify(const Study& study) {
     return result;
   }
   const bool copies = p.balls == 2 && p.equal_balls() && analysis.traps.size() == 2;
-  for (const BalancedTrap& trap : analysis.traps) {
-    result.states.push_back(prove(p, result.speed, trap));
-    if (!copies) continue;
-    result.states.back().copies = 2;
-    break;
+  const auto stopped = [&] { return options.stop && options.stop->load(std::memory_order_relaxed); };
+  const std::size_t states = copies ? 1 : analysis.traps.size();
+  const auto report = [&] {
+    if (options.progress) options.progress({result.states.size(), states, "balanced states", {}});
+  };
+  report();
+  while (result.states.size() < states && !stopped()) {
+    result.states.push_back(prove(p, result.speed, analysis.traps[result.states.size()], options.stop));
+    if (copies) result.states.back().copies = 2;
+    report();
   }
+  result.partial = stopped();
   return result;
+}
+
+}  // namespace
+
+CertifyResult certify(const Study& study, const RunOptions& options) {
+  check_offers(study, model::Answer::proofs);
+  return reported(options, [&](const RunOptions& o) { return proofs(study, o); });
 }
 
 }  // namespace equipoise

@@ -5,11 +5,13 @@
 #include <atomic>
 #include <cmath>
 #include <limits>
+#include <mutex>
 
 #include <fmt/format.h>
 #include <oneapi/tbb/parallel_for.h>
 #include <oneapi/tbb/task_arena.h>
 
+#include "equipoise/base/reporting.hpp"
 #include "equipoise/basins/basin.hpp"
 #include "equipoise/fates/start_runner.hpp"
 #include "equipoise/kernels/lane_kernels.hpp"
@@ -84,12 +86,18 @@ Observation observe_from(const Study& study, const StartSource& source, const Ob
   blank(source, result);
   const Observer observer(study, source, settings, result);
   std::atomic<bool> lost{false};
+  std::mutex reporting;
+  std::uint64_t done = 0;
   tbb::task_arena arena(thread_count(settings.threads));
   arena.execute([&] {
     const std::size_t chunks = (result.starts + chunk_size - 1) / chunk_size;
     tbb::parallel_for(std::size_t{0}, chunks, [&](std::size_t chunk) {
       const std::size_t place = chunk * chunk_size;
-      if (!lost && !observer.run(place, std::min(chunk_size, result.starts - place))) lost = true;
+      const std::size_t count = std::min(chunk_size, result.starts - place);
+      if (!lost && !observer.run(place, count)) lost = true;
+      if (lost || !settings.progress) return;
+      const std::lock_guard lock(reporting);
+      settings.progress({done += count, result.starts, "starts", {}});
     });
   });
   result.complete = !lost;
@@ -101,14 +109,19 @@ Observation observe_from(const Study& study, const StartSource& source, const Ob
 Observation observe(const Study& study, const ObservationSettings& settings) {
   check_offers(study, model::Answer::displacements);
   check_settings(study, settings);
-  return observe_from(study, StartSource(study, settings.stop), settings);
+  const ChosenCpuTarget chosen(settings.cpu_target);
+  return reported(settings,
+                  [&](const ObservationSettings& s) { return observe_from(study, StartSource(study, s.stop), s); });
 }
 
 Observation observe(const Study& study, const std::vector<model::Segment>& segments,
                     const ObservationSettings& settings) {
   check_offers(study, model::Answer::displacements);
   check_settings(study, settings);
-  return observe_from(study, StartSource(study, segments, settings.stop), settings);
+  const ChosenCpuTarget chosen(settings.cpu_target);
+  return reported(settings, [&](const ObservationSettings& s) {
+    return observe_from(study, StartSource(study, segments, s.stop), s);
+  });
 }
 
 }  // namespace equipoise

@@ -5,19 +5,17 @@
 #include <cstdint>
 #include <vector>
 
-#include "equipoise/base/error.hpp"
+#include "equipoise/base/run_options.hpp"
 #include "equipoise/model/speed.hpp"
 #include "equipoise/study/study.hpp"
 
 namespace equipoise {
 
-struct ObservationSettings {
+struct ObservationSettings : RunOptions {
   std::uint64_t first = 0;      ///< index of the first start
   std::uint64_t starts = 4096;  ///< > 0
   double window = 10.0;         ///< > 0
   double until = 1000.0;        ///< study time; the last whole window that fits is the last recorded
-  int threads = 0;              ///< 0: all cores
-  const StopFlag* stop = nullptr;
 };
 
 /// r^2 = x^2 + y^2 in windows [k window, (k + 1) window] of study time. Windows that end before the release hold

@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "equipoise/report/basin_result.hpp"
+#include "equipoise/results/basin_result.hpp"
 #include "equipoise/statistics/share.hpp"
 
 namespace equipoise {

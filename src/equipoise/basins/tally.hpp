@@ -9,7 +9,7 @@
 
 #include "equipoise/deciding/fate.hpp"
 #include "equipoise/motions/catalogue.hpp"
-#include "equipoise/report/basin_result.hpp"
+#include "equipoise/results/basin_result.hpp"
 #include "equipoise/sampling/sampling.hpp"
 #include "equipoise/sampling/scrambled_sobol.hpp"
 #include "equipoise/statistics/share.hpp"

@@ -14,12 +14,13 @@
 #include <oneapi/tbb/parallel_for.h>
 #include <oneapi/tbb/task_arena.h>
 
+#include "equipoise/base/reporting.hpp"
 #include "equipoise/basins/attractors.hpp"
 #include "equipoise/branches/branch_events.hpp"
 #include "equipoise/branches/branch_follower.hpp"
 #include "equipoise/branches/branch_names.hpp"
 #include "equipoise/discovery/discovery.hpp"
-#include "equipoise/kernels/lane_kernels.hpp"
+#include "equipoise/kernels/cpu_target.hpp"
 
 namespace equipoise {
 
@@ -94,7 +95,7 @@ class Continuation {
 
   void report(std::uint64_t total, const char* what) {
     const std::lock_guard lock(mutex_);
-    if (++done_ <= total && options_.progress) options_.progress({done_, total, what});
+    if (++done_ <= total && options_.progress) options_.progress({done_, total, what, {}});
   }
 
   void search() {
@@ -114,9 +115,9 @@ class Continuation {
     return discover(study, {1, options_.stop, options_.seeds}).catalogue;
   }
 
-  Catalogue catalogue_from_starts(Study study) const {
-    study.sampling.starts = options_.starts;
-    BasinOptions search;
+  Catalogue catalogue_from_starts(const Study& study) const {
+    AttractorsOptions search;
+    search.starts = options_.starts;
     search.threads = 1;
     search.seeds = options_.seeds;
     search.stop = options_.stop;
@@ -326,7 +327,8 @@ class Continuation {
 }  // namespace
 
 BranchesResult follow_attractors(const Study& study, const ParameterLine& line, const ContinuationOptions& options) {
-  return Continuation(study, line, options).run();
+  const ChosenCpuTarget chosen(options.cpu_target);
+  return reported(options, [&](const ContinuationOptions& o) { return Continuation(study, line, o).run(); });
 }
 
 }  // namespace equipoise

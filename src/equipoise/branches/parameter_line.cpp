@@ -4,34 +4,31 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
-#include <optional>
 
 #include <fmt/format.h>
 
 #include "equipoise/base/error.hpp"
 #include "equipoise/fates/start_runner.hpp"
-#include "equipoise/study/table_reader.hpp"
+#include "equipoise/study/given_value.hpp"
+#include "equipoise/study/toml_tree.hpp"
 
 namespace equipoise {
 
 namespace {
 
 constexpr const char* option = "--along";
-constexpr const char* allowed = "must be KEY=FROM:TO:STEP with three numbers, e.g. speed.final=1.4:6.5:0.05";
-
-std::optional<double> number(const std::string& text) {
-  double value = 0.0;
-  const char* end = text.data() + text.size();
-  const auto [rest, error] = std::from_chars(text.data(), end, value);
-  if (error != std::errc{} || rest != end || !std::isfinite(value)) return std::nullopt;
-  return value;
-}
+constexpr const char* allowed =
+    "must be KEY=FROM:TO:STEP with three numbers, e.g. speed.final=1.4:6.5:0.05; in a study with units also "
+    "quantities, "
+    "e.g. \"speed.final=900 rpm:4000 rpm:50 rpm\"";
 
 // Twelve digits: so 1.4 + 20 * 0.05 is 2.4.
 double rounded(double value, double unit) { return std::round(value / unit * 1e12) * unit / 1e12; }
 double shortest(double value, double largest) {
   const double unit = std::pow(10.0, std::ceil(std::log10(std::max(largest, 1e-300))));
-  return *number(fmt::format("{:.12g}", rounded(value, unit)));
+  const std::string text = fmt::format("{:.12g}", rounded(value, unit));
+  std::from_chars(text.data(), text.data() + text.size(), value);
+  return value;
 }
 
 }  // namespace
@@ -56,11 +53,13 @@ void ParameterLine::parse(const std::string& text) {
   if (equals == std::string::npos || equals == 0) reject(allowed);
   key_ = text.substr(0, equals);
   std::vector<double> parts;
+  const auto unit = study::unit_of(study_, key_);
   for (std::size_t at = equals + 1; at <= text.size();) {
     const std::size_t colon = std::min(text.find(':', at), text.size());
-    const auto part = number(text.substr(at, colon - at));
-    if (!part) reject(allowed);
-    parts.push_back(*part);
+    const study::GivenValue part = study::read_given(text.substr(at, colon - at), unit);
+    if (!part.problem.empty() || !std::isfinite(part.value))
+      reject((unit ? part.problem + "; " : std::string()) + allowed);
+    parts.push_back(part.value);
     at = colon + 1;
   }
   if (parts.size() != 3) reject(allowed);
@@ -89,10 +88,10 @@ Study study_with(const Study& original, const std::string& key, double value) {
       study.initial.phi[static_cast<std::size_t>(i)] = value;
       return study;
     }
-  if (key != "speed.final") return parse_study(to_toml(study), study.name, {key + "=" + study::number_text(value)});
-  if (study.speed.profile == "constant")
+  if (key != "speed.final") return study_from(to_tree(study), study.name, {key + "=" + study::number_text(value)});
+  if (study.speed.profile == Profile::constant)
     study.speed.speed = value;
-  else if (study.speed.profile == "points")
+  else if (study.speed.profile == Profile::points)
     study.speed.speeds.back() = value;
   else
     study.speed.final = value;

@@ -26,7 +26,8 @@ Study study_with(const Study& study, const std::string& key, double value);
 class ParameterLine {
  public:
   /// `text`: KEY=FROM:TO:STEP. KEY is a key of rotor, balancer or speed that takes a number, or speed.final, which is
-  /// the final speed whatever the profile. Throws InputError for anything else, and if the study cannot be decided at
+  /// the final speed whatever the profile. FROM, TO and STEP are dimensionless numbers, or quantities ("900 rpm") where
+  /// the study has scales. Throws InputError for anything else, and if the study cannot be decided at
   /// one of the values.
   ParameterLine(const Study& study, const std::string& text);
 

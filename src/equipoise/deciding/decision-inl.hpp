@@ -16,6 +16,7 @@
 #include "equipoise/deciding/traps-inl.hpp"
 #include "equipoise/deciding/window_features.hpp"
 #include "equipoise/lanes/lane_task.hpp"
+#include "equipoise/model/ball_count.hpp"
 #include "equipoise/model/speed.hpp"
 
 HWY_BEFORE_NAMESPACE();
@@ -23,20 +24,21 @@ namespace equipoise {
 namespace HWY_NAMESPACE {
 
 // Hooks: see NoObserver in lanes/lane_block-inl.hpp. Windows are sampled at two stages inside each step and at its
-// end (at 1/3, 0.6 and 1 of it, 0.4 apart at most), so that no motion is seen fewer than eight times a period at the steps the tolerance
-// allows; tests/unit/window_test.cpp measures it.
+// end (at 1/3, 0.6 and 1 of it, 0.4 apart at most), so that no motion is seen fewer than eight times a period at the
+// steps the tolerance allows; tests/unit/window_test.cpp measures it.
 //
 // `strobed`: the rotor's angle is known, r is measured from where gravity lets the rotor sag to, and
 // DecisionRule::strobed is asked. Without it none of that leaves an operation behind.
-template <int n, int groups, bool strobed = false>
+template <int room, int groups, bool strobed = false>
 class DecideFate {
  public:
-  static constexpr int dimension = model::dimension(n);
+  static constexpr int dimension = model::dimension(room);  // the largest size
   static constexpr int lanes = static_cast<int>(pack_lanes);
 
   DecideFate(const model::Parameters& p, const model::Segment& segment, const DecisionRule& rule,
              std::vector<Fate>& fates, std::vector<PilotRecord>* pilot)
-      : rule_(rule),
+      : n(p.balls),
+        rule_(rule),
         segment_(segment),
         parameters_(p),
         fates_(fates),
@@ -106,14 +108,14 @@ class DecideFate {
   static constexpr int first_sample = 5, second_sample = 9;
 
   struct Sample {
-    Pack r2, q[n];
+    Pack r2, q[room];
   };
   struct PlacedSample : Sample {
     Pack x, y;
   };
   using Taken = std::conditional_t<strobed, PlacedSample, Sample>;
 
-  static HWY_INLINE void take(Taken& sample, const Pack* z) {
+  HWY_INLINE void take(Taken& sample, const Pack* z) const {
     if constexpr (strobed) {
       sample.x = z[0];
       sample.y = z[1];
@@ -185,19 +187,19 @@ class DecideFate {
   }
 
   HWY_NOINLINE Mask inside_balanced(const BalancedTrap& trap, const Pack* z) {
-    return trap_value<n, Pack>(trap, z) < Pack(trap.level);
+    return trap_value(trap, n, z) < Pack(trap.level);
   }
 
   // How near to balance each lane has come.
   HWY_NOINLINE void watch_values(int g, Mask accepted, const Pack* z) {
     for (const BalancedTrap& trap : rule_.traps) {
-      const Pack least = minimum(least_value_[g], trap_value<n, Pack>(trap, z));
+      const Pack least = minimum(least_value_[g], trap_value(trap, n, z));
       least_value_[g] = select(accepted, least, least_value_[g]);
     }
   }
 
   HWY_NOINLINE Mask inside_orbit(const OrbitTrap& trap, const Pack* z) {
-    return trap_value<n, Pack>(trap, z) < Pack(trap.level);
+    return trap_value(trap, n, z) < Pack(trap.level);
   }
 
   // Lanes caught by a continuum of balanced states: asked one by one, and after a refusal only again at half the
@@ -209,7 +211,7 @@ class DecideFate {
       double state[dimension];
       double& reach = family_reach_[g * lanes + lane];
       double away = 0.0;
-      for (int i = 0; i < dimension; ++i) {
+      for (int i = 0; i < n.size(); ++i) {
         state[i] = element(z[i], lane);
         if (i < 4 || i >= 4 + n) away = std::fmax(away, std::fabs(state[i]));
       }
@@ -241,7 +243,7 @@ class DecideFate {
     for (int lane = 0; lane < lanes; ++lane) {
       if (!(full & (1u << lane))) continue;
       const double now = element(t, lane);
-      double phi[n];
+      double phi[room];
       WindowSums sums;
       sums.duration = now - (element(window_end_[g], lane) - 0.5 * rule_.window);
       sums.r2_min = element(r2_min_[g], lane);
@@ -272,7 +274,7 @@ class DecideFate {
   int caught_by_strobed(int lane, double now, const Pack* z) const {
     if (!rule_.strobed.caught || rule_.at_horizon) return 0;
     double state[dimension];
-    for (int i = 0; i < dimension; ++i) state[i] = element(z[i], lane);
+    for (int i = 0; i < n.size(); ++i) state[i] = element(z[i], lane);
     return rule_.strobed.caught(state, segment_.psi_at(now));
   }
 
@@ -291,6 +293,7 @@ class DecideFate {
   static double& element(Pack& p, int lane) { return reinterpret_cast<double*>(&p)[lane]; }
   static double element(const Pack& p, int lane) { return reinterpret_cast<const double*>(&p)[lane]; }
 
+  const model::BallCount<room> n;
   const DecisionRule& rule_;
   const model::Segment segment_;
   const model::Parameters& parameters_;
@@ -299,7 +302,7 @@ class DecideFate {
   Taken first_[groups], second_[groups];
   Pack least_value_[groups];
   Pack r2_min_[groups], r2_max_[groups], r2_integral_[groups], window_end_[groups];
-  Pack q_min_[groups][n], q_max_[groups][n], phi_start_[groups][n];
+  Pack q_min_[groups][room], q_max_[groups][room], phi_start_[groups][room];
   Verdict verdict_[groups * lanes];
   std::vector<WindowTracker> trackers_;
   std::vector<double> family_reach_;

@@ -18,12 +18,15 @@ enum class Outcome : signed char {
   stalled = 4,    ///< a driven rotor whose motor did not bring it up to speed (Sommerfeld capture)
 };
 
+const char* name_of(Outcome outcome);  ///< its one word, as results and files have it: "undecided"
+
 struct Fate {
   Outcome outcome = Outcome::undecided;
   DecidedBy by = DecidedBy::nothing;
   short attractor = 0;  ///< identifier in the catalogue, from 1; 0: none, or stationary in a way the rule does not list
   double time = 0.0;    ///< study time at which it was known
-  /// Of a driven rotor: mean psi' over the last long window, signed; NaN where it was never measured, and for all others.
+  /// Of a driven rotor: mean psi' over the last long window, signed; NaN where it was never measured, and for all
+  /// others.
   float mean_speed = std::numeric_limits<float>::quiet_NaN();
 };
 

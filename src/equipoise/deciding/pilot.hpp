@@ -28,7 +28,8 @@ FeatureBox box_around(const FeatureBox& range, int balls, int attractor, double 
 
 /// Windows in a row inside box `b` that decide: more than twice the longest run of any trajectory of an audit that went
 /// elsewhere, and at least three. `fates` and `records` are those of the audit, run with the rule's boxes and `blind`.
-/// 0 if too many to be of use.
+/// 0 if too many to be of use, or if fewer than a hundred trajectories stayed so long and came to `attractor`: that
+/// none of so few went elsewhere says little of the next.
 int hits_from_audit(const std::vector<Fate>& fates, const std::vector<PilotRecord>& records, std::size_t b,
                     int attractor, bool undecided_is_own);
 

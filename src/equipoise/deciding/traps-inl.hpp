@@ -9,6 +9,7 @@
 #include "equipoise/base/angles.hpp"
 #include "equipoise/base/pack-inl.hpp"
 #include "equipoise/deciding/decision_rule.hpp"
+#include "equipoise/model/ball_count.hpp"
 
 HWY_BEFORE_NAMESPACE();
 namespace equipoise {
@@ -19,11 +20,11 @@ HWY_INLINE T shortest_turn(T angle) {
   return angle - T(two_pi) * nearest_integer(angle * T(1.0 / two_pi));
 }
 
-// V of a balanced trap at state z.
-template <int n, class T>
-HWY_INLINE T trap_value(const BalancedTrap& trap, const T* z) {
-  constexpr int dimension = model::dimension(n);
-  T d[dimension];
+// V of a balanced trap at state z of n balls.
+template <int room, class T>
+HWY_INLINE T trap_value(const BalancedTrap& trap, model::BallCount<room> n, const T* z) {
+  const int dimension = n.size();
+  T d[model::dimension(room)];
   for (int i = 0; i < dimension; ++i) d[i] = z[i];
   for (int i = 0; i < n; ++i) d[4 + i] = shortest_turn(z[4 + i] - T(trap.phi[i]));
   T v(0.0);
@@ -37,11 +38,11 @@ HWY_INLINE T trap_value(const BalancedTrap& trap, const T* z) {
 }
 
 // |F d|^2 of an orbit trap at state z: the least over the turns that the clock's angle may belong to.
-template <int n, class T>
-HWY_INLINE T trap_value(const OrbitTrap& trap, const T* z) {
-  constexpr int dimension = model::dimension(n), others = dimension - 1;
-  constexpr int columns = orbit_trap_columns(dimension);
-  T place[others];
+template <int room, class T>
+HWY_INLINE T trap_value(const OrbitTrap& trap, model::BallCount<room> n, const T* z) {
+  const int dimension = n.size(), others = dimension - 1;
+  const int columns = orbit_trap_columns(dimension);
+  T place[model::dimension(room) - 1];
   for (int i = 0, k = 0; i < dimension; ++i)
     if (i != 4 + trap.clock) place[k++] = z[i];
   const T turn = z[4 + trap.clock] * T(1.0 / two_pi);
@@ -53,7 +54,7 @@ HWY_INLINE T trap_value(const OrbitTrap& trap, const T* z) {
   for (int branch = 0; branch < trap.turns; ++branch) {
     const double* rows = trap.table.data() + static_cast<std::ptrdiff_t>(branch) * trap.cells * columns;
     const T at = cell * T(double(columns));
-    T d[others];
+    T d[model::dimension(room) - 1];
     for (int k = 0; k < others; ++k) {
       const T here = multiply_add(fraction, gather(rows + others + k, at), gather(rows + k, at));
       d[k] = place[k] - here;

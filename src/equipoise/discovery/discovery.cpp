@@ -15,9 +15,11 @@
 #include <oneapi/tbb/task_arena.h>
 
 #include "equipoise/base/angles.hpp"
+#include "equipoise/base/stage_progress.hpp"
 #include "equipoise/deciding/pilot.hpp"
 #include "equipoise/deciding/window_features.hpp"
 #include "equipoise/discovery/horizon.hpp"
+#include "equipoise/discovery/own_windows.hpp"
 #include "equipoise/kernels/lane_kernels.hpp"
 #include "equipoise/model/balanced_state.hpp"
 #include "equipoise/model/linearisation.hpp"
@@ -45,6 +47,8 @@ constexpr double pilot_windows = 16.0;
 constexpr double grouping = 0.05;
 // Windows of one chaotic motion.
 constexpr double loose_grouping = 0.3;
+// Windows of one torus that did not repeat themselves: its extremes may take longer to show than any window lasts.
+constexpr double torus_grouping = 0.15;
 // Groups that are followed, the largest first: more are the debris of a motion that does not settle.
 constexpr std::size_t most_groups = 24;
 
@@ -90,8 +94,9 @@ struct Candidate {
   Features features{};
   FeatureBox range;
   Eigen::VectorXd state;
-  std::optional<Motion> motion;
+  std::optional<Motion> motion{};
   int attractor = 0;
+  bool shows_motion = false;  // its members' windows are those of the motion that it was followed to
 };
 
 class Discoverer {
@@ -100,13 +105,15 @@ class Discoverer {
       : study_(study),
         source_(source),
         settings_(settings),
+        stages_("looking for attractors", settings.progress),
         speed_(source.last_segment().speed),
         strobed_(model::is_strobed(study.parameters)) {}
 
   Discovery run() {
+    stages_.begin("balanced states");
     std::vector<Motion> balanced;
     if (strobed_) {
-      StrobedBalance found = analyse_strobed_balance(study_.parameters, speed_);
+      StrobedBalance found = analyse_strobed_balance(study_.parameters, speed_, settings_.stop);
       result_.balanced = std::move(found.analysis);
       balanced = std::move(found.motions);
       for (const Motion& motion : balanced) result_.catalogue.add(study_.parameters, motion, continuum());
@@ -114,6 +121,7 @@ class Discoverer {
       result_.balanced = analyse_balanced(study_.parameters, speed_);
       list_balanced();
     }
+    if (is_stopped()) return stopped();
     result_.rule = first_rule(study_, result_.balanced, speed_);
     result_.rule.blind = true;
     if (const auto trap = continuum_trap(result_.balanced.continuum, result_.balanced.survey, trial_settings())) {
@@ -205,15 +213,15 @@ class Discoverer {
   }
 
   void prove(BalancedTrap& trap) {
-    const Certificate certificate =
-        largest_certificate(study_.parameters, speed_, trap.phi.data(), form_of(trap), trap.level / level_margin);
+    const Certificate certificate = largest_certificate(study_.parameters, speed_, trap.phi.data(), form_of(trap),
+                                                        trap.level / level_margin, nullptr, settings_.stop);
     // What the kernels compute in place of V is off by rounding: a part in 10^13.
     set_level(trap, certificate.level * (1.0 - 1e-9));
     trap.by = DecidedBy::proof;
   }
 
-  TrialSettings trial_settings() const {
-    return {&study_.parameters, speed_, source_.tolerance(), settings_.threads, settings_.stop};
+  TrialSettings trial_settings() {
+    return {&study_.parameters, speed_, source_.tolerance(), settings_.threads, settings_.stop, &stages_};
   }
 
   // Random starts, starts with all balls together, and more random ones.
@@ -244,6 +252,7 @@ class Discoverer {
     pilot_.states = pilot_.begin;
     const double horizon = std::min(*study_.numerics.horizon, pilot_windows * result_.rule.first_long_window);
     std::atomic<bool> complete{true};
+    stages_.begin("pilot trajectories", count);
     tbb::task_arena arena(settings_.threads);
     arena.execute([&] {
       tbb::parallel_for(std::size_t{0}, (count + chunk - 1) / chunk, [&](std::size_t k) {
@@ -258,7 +267,10 @@ class Discoverer {
         task.stop = settings_.stop;
         std::vector<Fate> fates(length);
         std::vector<PilotRecord> records(length);
-        if (!decide_lanes(task, result_.rule, fates, &records)) complete = false;
+        if (decide_lanes(task, result_.rule, fates, &records))
+          stages_.add(length);
+        else
+          complete = false;
         std::copy(fates.begin(), fates.end(), pilot_.fates.begin() + static_cast<std::ptrdiff_t>(first));
         std::copy(records.begin(), records.end(), pilot_.records.begin() + static_cast<std::ptrdiff_t>(first));
       });
@@ -295,46 +307,74 @@ class Discoverer {
                        [](const MotionGroup& a, const MotionGroup& b) { return a.members.size() > b.members.size(); });
       if (groups.size() > most_groups) groups.resize(most_groups);
       for (const MotionGroup& group : groups)
-        candidates_.push_back({group.members, group.features, group.range, pilot_state(group.members.front()), {}, 0});
+        candidates_.push_back({group.members, group.features, group.range, pilot_state(group.members.front())});
     }
   }
 
   void add_seeds() {
     for (const std::vector<double>& seed : settings_.seeds)
       candidates_.push_back(
-          {{}, {}, {}, Eigen::Map<const Eigen::VectorXd>(seed.data(), static_cast<Eigen::Index>(seed.size())), {}, 0});
+          {{}, {}, {}, Eigen::Map<const Eigen::VectorXd>(seed.data(), static_cast<Eigen::Index>(seed.size()))});
   }
 
   // Follows the candidates until they are steady; lists those that become so, with what recognises them.
   bool refine_and_list() {
+    stages_.begin("motions followed until they are steady", candidates_.size());
     tbb::task_arena arena(settings_.threads);
     arena.execute([&] {
       tbb::parallel_for(
           std::size_t{0}, candidates_.size(),
           [&](std::size_t k) {
-            if (!is_stopped()) candidates_[k].motion = motion_from({study_.parameters, speed_}, candidates_[k].state);
+            if (is_stopped()) return;
+            candidates_[k].motion =
+                motion_from({study_.parameters, speed_}, candidates_[k].state, motion_patience, settings_.stop);
+            stages_.add(1);
           },
           tbb::simple_partitioner());
     });
-    const std::vector<Attractor> before = result_.catalogue.attractors();
+    if (is_stopped()) return false;
+    compare_with_motions();
+    const Catalogue before = result_.catalogue;
     for (Candidate& c : candidates_) {
       if (!c.motion || !c.motion->stable) continue;
       c.attractor = result_.catalogue.add(study_.parameters, *c.motion);
       // Balance is never told by what it looks like: traps know it, or the way to it is followed.
-      if (c.members.empty() || c.attractor == balanced_id) continue;
+      if (!c.shows_motion || c.attractor == balanced_id) continue;
       result_.rule.known.push_back({c.features, c.attractor, c.motion->kind == MotionKind::chaotic});
     }
-    // The list is kept by identifier: what is new in it need not stand at its end.
-    for (const Attractor& a : result_.catalogue.attractors()) {
-      if (std::any_of(before.begin(), before.end(), [&](const Attractor& b) { return b.id == a.id; })) continue;
+    for (const Attractor& a : result_.catalogue.listed_since(before))
       if (strobed_)
         make_strobed_trap(a.motion, a.id);
       else
         make_orbit_traps(a);
-    }
     if (!strobed_) return !is_stopped();
     result_.rule.strobed = traps_as_rule(study_.parameters, speed_, strobed_traps_, family_);
     return !is_stopped();
+  }
+
+  // A trajectory may seem stationary near an unstable motion, or on chaos that ends, and come to a stable one in the
+  // end: what its windows showed is then not what recognises that one.
+  void compare_with_motions() {
+    std::vector<Candidate*> followed;
+    std::vector<const Motion*> motions;
+    for (Candidate& c : candidates_) {
+      if (!c.motion || !c.motion->stable || c.members.empty()) continue;
+      followed.push_back(&c);
+      motions.push_back(&*c.motion);
+    }
+    const std::vector<PilotRecord> own = own_windows(study_.parameters, speed_, motions, result_.rule, pilot_windows,
+                                                     source_.tolerance(), settings_.stop);
+    for (std::size_t k = 0; k < followed.size(); ++k) {
+      Candidate& c = *followed[k];
+      c.shows_motion = own[k].finished_window &&
+                       same_motion(c.features, own[k].features, study_.parameters.balls, agreement(c.motion->kind));
+    }
+  }
+
+  // How well two windows of one motion agree.
+  static double agreement(MotionKind kind) {
+    if (kind == MotionKind::chaotic) return loose_grouping;
+    return kind == MotionKind::quasi_periodic ? torus_grouping : grouping;
   }
 
   void make_strobed_trap(const Motion& motion, int id) {
@@ -368,7 +408,7 @@ class Discoverer {
     for (const double widths : box_widths)
       for (const Candidate& c : candidates_) {
         const Attractor* a = result_.catalogue.find(c.attractor);
-        if (!a || c.attractor == balanced_id) continue;
+        if (!a || !c.shows_motion || c.attractor == balanced_id) continue;
         // A refined orbit vouches for a lone member.
         if (c.members.size() < (a->motion.kind == MotionKind::periodic ? 1 : members_needed)) continue;
         const FeatureBox box = box_around(c.range, rule.balls, c.attractor, widths);
@@ -402,17 +442,17 @@ class Discoverer {
     }
   }
 
-  // Modulated by the rotor, a torus has a frequency more, and its extremes take longer to show than any window lasts.
+  // Modulated by the rotor, a torus has a frequency more.
   int loosely_known(const Features& features) const {
-    constexpr double tolerance = 0.15;
     for (const KnownFeatures& known : result_.rule.known)
-      if (same_motion(known.features, features, result_.rule.balls, tolerance)) return known.attractor;
+      if (same_motion(known.features, features, result_.rule.balls, torus_grouping)) return known.attractor;
     return 0;
   }
 
   const Study& study_;
   const StartSource& source_;
   const DiscoverySettings& settings_;
+  StageProgress stages_;
   double speed_;
   bool strobed_;
   Discovery result_;

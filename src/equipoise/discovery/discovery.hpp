@@ -2,11 +2,13 @@
 // that recognises them early.
 #pragma once
 
+#include <functional>
 #include <map>
 #include <string>
 #include <vector>
 
 #include "equipoise/base/error.hpp"
+#include "equipoise/base/run_options.hpp"
 #include "equipoise/deciding/decision_rule.hpp"
 #include "equipoise/motions/catalogue.hpp"
 #include "equipoise/study/study.hpp"
@@ -23,6 +25,8 @@ struct DiscoverySettings {
   /// numbers.
   std::vector<std::vector<double>> seeds;
   DiscoveryCache* cache = nullptr;
+  /// Told of the stages, from any thread, never from two at once; Progress::preparing is set.
+  std::function<void(const Progress&)> progress{};
 };
 
 /// Everything found before the first start is decided. Depends on the rotor, its final speed, [numerics] and

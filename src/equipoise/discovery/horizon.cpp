@@ -2,14 +2,17 @@
 #include "equipoise/discovery/horizon.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <complex>
 #include <vector>
 
-#include "equipoise/base/angles.hpp"
+#include "equipoise/math/dense.hpp"
 #include "equipoise/model/balanced_state.hpp"
 #include "equipoise/model/linearisation.hpp"
 #include "equipoise/motions/motion_description.hpp"
+#include "equipoise/motions/steady_watch.hpp"
+#include "equipoise/orbits/continuum_draws.hpp"
 
 namespace equipoise {
 
@@ -24,6 +27,9 @@ constexpr double e_foldings = 10.0;
 constexpr double shortest = 50000.0;
 // Where every start goes to the horizon all pay: no longer than rates ask, and as long as chaos commonly lasts.
 constexpr double shortest_for_all = 3000.0;
+// A machine's motion that never quite repeats itself has to last for unrepeated_time, and twice as long as it took to
+// come to it.
+constexpr double shortest_for_machines = 1.2 * unrepeated_time;
 // What nobody waits for: 100 000 starts that never decide then take a quarter of an hour.
 constexpr double longest = 100000.0;
 // Rounding moves an eigenvalue by about 1e-15; beside the zeros of a continuum, by the square root of that.
@@ -39,7 +45,7 @@ model::Parameters plain(model::Parameters p) {
 
 // Largest real part of an eigenvalue at a balanced state, `free` of them belonging to the continuum that it lies in.
 double largest_rate(const model::Parameters& p, double speed, const double* phi, int free) {
-  const Eigen::VectorXcd all = model::jacobian(p, speed, model::centred_state(p, phi).data()).eigenvalues();
+  const Eigen::VectorXcd all = dense::eigenvalues(model::jacobian(p, speed, model::centred_state(p, phi).data()));
   std::vector<std::complex<double>> values(all.begin(), all.end());
   std::sort(values.begin(), values.end(), [](auto a, auto b) { return std::abs(a) < std::abs(b); });
   double largest = -1e300;
@@ -48,20 +54,12 @@ double largest_rate(const model::Parameters& p, double speed, const double* phi,
   return largest;
 }
 
-// Members of a continuum, from ball angles without pattern.
 std::vector<double> rates_along_continuum(const model::Parameters& p, double speed) {
   const int free = continuum_dimension(p);
+  ContinuumDraws draws(p);
+  std::array<double, model::max_balls> phi{};
   std::vector<double> rates;
-  for (int k = 0; k < members; ++k) {
-    double phi[model::max_balls];
-    // Multiples of the square roots of primes, modulo one, fill the torus evenly (Weyl).
-    constexpr int primes[model::max_balls] = {2, 3, 5, 7, 11, 13, 17, 19};
-    for (int i = 0; i < p.balls; ++i) {
-      const double part = (k + 1) * std::sqrt(static_cast<double>(primes[i]));
-      phi[i] = two_pi * (part - std::floor(part));
-    }
-    if (model::project_to_balanced(p, phi)) rates.push_back(largest_rate(p, speed, phi, free));
-  }
+  for (int k = 0; k < members && draws.next(phi); ++k) rates.push_back(largest_rate(p, speed, phi.data(), free));
   return rates;
 }
 
@@ -111,7 +109,8 @@ Horizon choose_horizon(const Study& study) {
   horizon.given = study.numerics.horizon.has_value();
   // Where not even one e-folding fits, what waits for it is not decided at all, and the longest horizon gains nothing.
   const bool hopeless = horizon.rates.slowest() * longest < 1.0;
-  const double least = study.numerics.decide == DecideMode::horizon ? shortest_for_all : shortest;
+  const double for_all = study.needs_machine() ? shortest_for_machines : shortest_for_all;
+  const double least = study.numerics.decide == DecideMode::horizon ? for_all : shortest;
   horizon.time = hopeless ? least : std::clamp(rounded_up(horizon.asked), least, longest);
   if (horizon.given) horizon.time = *study.numerics.horizon;
   return horizon;

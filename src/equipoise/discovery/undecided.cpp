@@ -73,24 +73,50 @@ UndecidedEnd look_at_undecided(const model::Parameters& p, double speed, const E
   return {};
 }
 
+std::string held_text(const std::vector<UndecidedEnd>& ends) {
+  const UndecidedEnd* best = nullptr;
+  for (const UndecidedEnd& e : ends)
+    if (e.what == Restlessness::held &&
+        (!best || std::fabs(e.reached - e.asked) < std::fabs(best->reached - best->asked)))
+      best = &e;
+  if (!best) return "";
+  return best->asked == 0.0
+             ? fmt::format("the rotor keeps turning, at {:.2g} at least, and never comes to release.speed = 0",
+                           best->reached)
+             : fmt::format("the rotor comes to {:.2g} of release.speed at most", best->reached / best->asked);
+}
+
 std::string why_undecided(const Horizon& horizon, const std::vector<UndecidedEnd>& ends) {
-  constexpr std::array<const char*, 4> words{"{} near balance", "{} creeping, all balls nearly at rest",
-                                             "{} wandering chaotically",
-                                             "{} in motions whose windows of time do not repeat yet"};
+  constexpr std::array<const char*, restlessness_kinds> words{
+      "{} near balance",
+      "{} creeping, all balls nearly at rest",
+      "{} wandering chaotically",
+      "{} in motions whose windows of time do not repeat yet",
+      "{} whose balls are never let go",
+      "{} whose motor speeds the rotor up without end",
+      "{} whose rotor still changes its mean speed",
+      "{} that still change from one part of time to the next",
+      "{} whose balls drift too little, or too seldom, to tell their motion from another",
+      "{} in motions that never quite repeat themselves, which must last longer",
+      "{} watched for too short a time to compare its parts"};
   std::vector<std::string> parts;
+  std::size_t hopeless = 0;  // to whom time makes no difference
   for (std::size_t k = 0; k < words.size(); ++k) {
-    const auto is = [&](const UndecidedEnd& e) { return static_cast<std::size_t>(e.what) == k; };
-    const auto count = std::count_if(ends.begin(), ends.end(), is);
+    const auto what = static_cast<Restlessness>(k);
+    const auto count = static_cast<std::size_t>(
+        std::count_if(ends.begin(), ends.end(), [&](const UndecidedEnd& e) { return e.what == what; }));
     if (count == 0) continue;
     parts.push_back(fmt::format(fmt::runtime(words[k]), count));
-    if (k != static_cast<std::size_t>(Restlessness::chaotic)) continue;
+    if (what == Restlessness::held) parts.back() += " (" + held_text(ends) + ")";
+    if (what == Restlessness::held || what == Restlessness::running_away) hopeless += count;
+    if (what != Restlessness::chaotic) continue;
     double sum = 0.0;
     for (const UndecidedEnd& e : ends) sum += e.exponent;
     parts.back() += fmt::format(" (largest Lyapunov exponent {:.2g})", sum / static_cast<double>(count));
   }
-  const std::string seen =
-      parts.empty() ? "" : fmt::format("of {} looked at: {}; ", ends.size(), fmt::join(parts, ", "));
-  return seen + horizon_text(horizon);
+  if (parts.empty()) return horizon_text(horizon);
+  const std::string seen = fmt::format("of {} looked at: {}", ends.size(), fmt::join(parts, ", "));
+  return hopeless == ends.size() ? seen : seen + "; " + horizon_text(horizon);
 }
 
 }  // namespace equipoise

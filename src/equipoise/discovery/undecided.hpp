@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include <Eigen/Dense>
+#include <Eigen/Core>
 
 #include "equipoise/discovery/horizon.hpp"
 #include "equipoise/model/parameters.hpp"
@@ -22,11 +22,21 @@ enum class Restlessness {
   creeping,      ///< all is nearly at rest, and nothing near balance
   chaotic,       ///< its largest Lyapunov exponent is positive
   regular,       ///< it goes on in a way whose windows do not repeat yet
+  // Of machines:
+  held,            ///< a driven rotor never comes to the speed at which its balls are let go
+  running_away,    ///< a motor whose torque never vanishes speeds it up without end
+  changing_speed,  ///< its mean speed is not steady
+  changing,        ///< something grows or shrinks from one part of time to the next
+  between_kinds,   ///< what its balls do is not told from something else yet (a slow drift from none)
+  unrepeated,      ///< it never quite repeats itself, and was not watched for long
+  hardly_seen,     ///< not even eight parts of time
 };
+constexpr std::size_t restlessness_kinds = 11;
 
 struct UndecidedEnd {
   Restlessness what = Restlessness::regular;
-  double exponent = 0.0;  ///< chaotic only
+  double exponent = 0.0;              ///< chaotic only
+  double reached = 0.0, asked = 0.0;  ///< held only: the nearest speed to release.speed, and that
 };
 
 /// `state`: where it is at the horizon; at a strobe if the rotor is strobed.
@@ -35,7 +45,11 @@ UndecidedEnd look_at_undecided(const model::Parameters& p, double speed, const E
 /// The slowest known rate and the horizon that it asks for.
 std::string slowness_text(const Horizon& horizon);
 
-/// One line, without a full stop: how many of `ends` do what, and what the horizon was against the slowest known rate.
+/// Of those that are held: how near to release.speed they come at best. Empty if none is.
+std::string held_text(const std::vector<UndecidedEnd>& ends);
+
+/// One line, without a full stop: how many of `ends` do what, and, where more time might help, what the horizon was
+/// against the slowest known rate.
 std::string why_undecided(const Horizon& horizon, const std::vector<UndecidedEnd>& ends);
 
 }  // namespace equipoise

@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "equipoise/report/branches.hpp"
+#include "equipoise/results/branches_result.hpp"
 
 namespace equipoise {
 

@@ -7,7 +7,7 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
-#include "equipoise/base/embedded.hpp"
+#include "equipoise/drawing/page_files.hpp"
 #include "equipoise/base/error.hpp"
 #include "equipoise/drawing/document.hpp"
 
@@ -165,12 +165,12 @@ std::string document_html(const Document& document) {
   std::string page = "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n";
   page += "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n";
   page += fmt::format("<title>{}</title>\n<style>\n{}</style>\n</head>\n", escaped(document.title),
-                      embedded::find("document.css"));
+                      embedded::page_files.find("document.css"));
   page += fmt::format("<body class=\"no-charts\">\n<main>\n<h1>{}</h1>\n", escaped(document.title));
   page += contents(document) + writer.out + "</main>\n" + writer.data();
-  if (const auto library = embedded::find("plotly.js"); !library.empty() && !writer.data().empty())
+  if (const auto library = embedded::page_files.find("plotly.js"); !library.empty() && !writer.data().empty())
     page += fmt::format("<script>{}</script>\n", library);
-  page += fmt::format("<script>\n{}</script>\n</body>\n</html>\n", embedded::find("document.js"));
+  page += fmt::format("<script>\n{}</script>\n</body>\n</html>\n", embedded::page_files.find("document.js"));
   return page;
 }
 

@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "equipoise/store/map_file.hpp"
+#include "equipoise/results/plane_map.hpp"
 
 namespace equipoise {
 

@@ -5,13 +5,14 @@
 #include <cmath>
 #include <numeric>
 
-#include <Eigen/Eigenvalues>
 #include <fmt/format.h>
 
 #include "equipoise/base/angles.hpp"
 #include "equipoise/discovery/cost.hpp"
 #include "equipoise/discovery/horizon.hpp"
 #include "equipoise/discovery/undecided.hpp"
+#include "equipoise/fates/machine_runner.hpp"
+#include "equipoise/math/dense.hpp"
 #include "equipoise/model/ball_drag.hpp"
 #include "equipoise/model/linearisation.hpp"
 #include "equipoise/model/strobe.hpp"
@@ -28,15 +29,15 @@ constexpr double least_rate = 1e-9;  // slower than any horizon shows
 constexpr double root_two = 1.4142135623730951;
 
 double last_speed(const RampSetting& s) {
-  if (s.profile == "constant") return s.speed;
-  if (s.profile == "points") return s.speeds.back();
+  if (s.profile == Profile::constant) return s.speed;
+  if (s.profile == Profile::points) return s.speeds.back();
   return s.final;
 }
 
 std::optional<double> last_time(const RampSetting& s) {
-  if (s.profile == "ramp") return s.duration;
-  if (s.profile == "trapezoid") return s.fall_until;
-  if (s.profile == "points") return s.times.back();
+  if (s.profile == Profile::ramp) return s.duration;
+  if (s.profile == Profile::trapezoid) return s.fall_until;
+  if (s.profile == Profile::points) return s.times.back();
   return std::nullopt;
 }
 
@@ -118,19 +119,19 @@ class Quantities {
   }
 
   void ramp(const RampSetting& s, const std::string& name) {
-    if (s.profile == "constant") return add("Omega", name, s.speed, Dimension::speed);
-    if (s.profile == "points") {
+    if (s.profile == Profile::constant) return add("Omega", name, s.speed, Dimension::speed);
+    if (s.profile == Profile::points) {
       add("Omega", "final " + name, s.speeds.back(), Dimension::speed);
       return add("t", "reached at", s.times.back(), Dimension::time);
     }
     add("Omega_0", "initial " + name, s.initial, Dimension::speed);
-    if (s.profile == "trapezoid") {
+    if (s.profile == Profile::trapezoid) {
       add("Omega_p", "highest " + name, s.peak, Dimension::speed);
       add("T_0", "reached at", s.rise_until, Dimension::time);
       add("T_1", "held until", s.hold_until, Dimension::time);
     }
     add("Omega", "final " + name, s.final, Dimension::speed);
-    add(s.profile == "trapezoid" ? "T_2" : "T_0", "reached at", s.profile == "trapezoid" ? s.fall_until : s.duration,
+    add(s.profile == Profile::trapezoid ? "T_2" : "T_0", "reached at", s.profile == Profile::trapezoid ? s.fall_until : s.duration,
         Dimension::time);
   }
 
@@ -176,7 +177,7 @@ class Quantities {
 // Eigenvalues at one balanced state, slowest first; of a continuum without its own zeros.
 std::vector<std::complex<double>> eigenvalues(const model::Parameters& p, double speed, const double* phi,
                                               bool family) {
-  const Eigen::VectorXcd all = model::jacobian(p, speed, model::centred_state(p, phi).data()).eigenvalues();
+  const Eigen::VectorXcd all = dense::eigenvalues(model::jacobian(p, speed, model::centred_state(p, phi).data()));
   std::vector<std::complex<double>> rates(all.begin(), all.end());
   if (family) {
     // n - 2 directions along the continuum (one more where nothing is to be balanced), n at most.
@@ -246,6 +247,7 @@ class Warnings {
     sag();
     if (e.motion) motion(*e.motion);
     patience();
+    release();
     room(balls);
     if (e.gravity_ratio && *e.gravity_ratio >= 1.0)
       warn("at the final speed the weight of a ball exceeds its centrifugal force: it falls off the top of the race");
@@ -341,6 +343,16 @@ class Warnings {
     const Horizon horizon = choose_horizon(e_.study);
     if (!horizon.long_enough())
       warn("{}: of starts that are followed for {:.6g} many may stay undecided", slowness_text(horizon), horizon.time);
+  }
+
+  // Whether a motor comes to the speed at which the balls are let go hangs on where they are held: some are tried.
+  void release() {
+    const Study& study = e_.study;
+    if (!study.speed.driven() || !study.release.speed) return;
+    const std::vector<UndecidedEnd> ends = MachineRunner(study, nullptr).look_at({0, 1, 2, 3, 4, 5, 6, 7});
+    const auto held =
+        std::count_if(ends.begin(), ends.end(), [](const UndecidedEnd& end) { return end.what == Restlessness::held; });
+    if (held > 0) warn("of {} starts tried {} never let their balls go: {}", ends.size(), held, held_text(ends));
   }
 
   void room(const BallDetails& balls) {

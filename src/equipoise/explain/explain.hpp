@@ -1,7 +1,7 @@
 // What a study's numbers say before anything is simulated.
 #pragma once
 
-#include "equipoise/report/explain_result.hpp"
+#include "equipoise/results/explanation.hpp"
 #include "equipoise/study/ball_details.hpp"
 #include "equipoise/study/study.hpp"
 

@@ -4,10 +4,11 @@
 #include <algorithm>
 #include <cmath>
 #include <complex>
-#include <random>
 #include <vector>
 
 #include "equipoise/base/angles.hpp"
+#include "equipoise/base/random.hpp"
+#include "equipoise/math/dense.hpp"
 #include "equipoise/math/lyapunov.hpp"
 #include "equipoise/model/strobe.hpp"
 
@@ -66,7 +67,7 @@ MatrixXd monodromy(const model::FreeMachine& machine, const VectorXd& y) {
 bool LinearBalance::stable() const { return rate > no_rate; }
 
 LinearBalance linear_balance(const MatrixXd& a, int free) {
-  const Eigen::VectorXcd values = a.eigenvalues();
+  const Eigen::VectorXcd values = dense::eigenvalues(a);
   std::vector<double> growth, sizes;
   for (const std::complex<double>& v : values) {
     growth.push_back(v.real());
@@ -106,7 +107,7 @@ LinearBalance MachineBalance::linearised(const VectorXd& balanced) const {
   if (machine_.parameters().isotropic()) return linear_balance(machine_.jacobian(balanced), free_directions());
   if (speed == 0.0) return {};
   const double time = model::strobe_period(machine_.parameters(), speed);
-  const Eigen::VectorXcd values = monodromy(machine_, balanced).eigenvalues();
+  const Eigen::VectorXcd values = dense::eigenvalues(monodromy(machine_, balanced));
   std::vector<double> growth, sizes;
   for (const std::complex<double>& v : values) {
     growth.push_back(std::log(std::max(1e-300, std::abs(v))) / time);
@@ -154,11 +155,11 @@ bool MachineBalance::holds(const double* z, const VectorXd& balanced) const {
   units.head(4).fill(unit);
   const MatrixXd a = units.cwiseInverse().asDiagonal() * machine_.jacobian(balanced) * units.asDiagonal();
   // The spectral projection across the free directions: left null vectors tell what part of a deviation lies along.
-  const Eigen::JacobiSVD<MatrixXd> svd(a, Eigen::ComputeFullU | Eigen::ComputeFullV);
-  const MatrixXd range = svd.matrixU().leftCols(across), along = svd.matrixV().rightCols(size - across),
-                 left = svd.matrixU().rightCols(size - across);
+  const dense::Svd svd = dense::svd(a);
+  const MatrixXd range = svd.u.leftCols(across), along = svd.v.rightCols(size - across),
+                 left = svd.u.rightCols(size - across);
   MatrixXd project = MatrixXd::Identity(size, size);
-  if (across < size) project -= along * (left.transpose() * along).inverse() * left.transpose();
+  if (across < size) project -= along * dense::inverse(MatrixXd(left.transpose() * along)) * left.transpose();
   const MatrixXd down = range.transpose() * project, reduced = range.transpose() * a * range;
   const double slowest = linear_balance(reduced, 0).rate;
   if (!(slowest > no_rate)) return false;
@@ -167,16 +168,15 @@ bool MachineBalance::holds(const double* z, const VectorXd& balanced) const {
   const MatrixXd form = solve_lyapunov(shifted, MatrixXd::Identity(across, across));
   const VectorXd own = down * ((machine_.reduced(z) - balanced).cwiseQuotient(units));
   const double level = own.dot(form * own);
-  const Eigen::LLT<MatrixXd> factor(form);
-  if (!(level > 0.0) || factor.info() != Eigen::Success) return false;
-  std::mt19937_64 random(20190614);
-  std::normal_distribution<double> normal;
+  const dense::Cholesky factor(form);
+  if (!(level > 0.0) || !factor.definite()) return false;
+  RandomStream random;
   constexpr int directions = 96;
   for (int k = 0; k < directions; ++k) {
     // Evenly over the ellipsoid's own sphere, so that its long axes are among what is tried.
     VectorXd s(across);
-    for (Eigen::Index i = 0; i < across; ++i) s[i] = normal(random);
-    s = factor.matrixU().solve(s / s.norm());
+    for (Eigen::Index i = 0; i < across; ++i) s[i] = random.normal();
+    s = factor.solve_upper(VectorXd(s / s.norm()));
     if (k == 0) s = own / std::sqrt(level);
     s *= 2.0 * std::sqrt(level);
     const VectorXd there = balanced + (range * s).cwiseProduct(units);
@@ -195,11 +195,10 @@ std::optional<VectorXd> rest_state(const model::FreeMachine& machine, const Vect
     const VectorXd rate = machine.rate(y).cwiseQuotient(units);
     if (rate.norm() < 1e-12) return y;
     const MatrixXd a = units.cwiseInverse().asDiagonal() * machine.jacobian(y) * units.asDiagonal();
-    const Eigen::JacobiSVD<MatrixXd> svd(a, Eigen::ComputeThinU | Eigen::ComputeThinV);
+    const dense::Svd svd = dense::svd(a);
     VectorXd step = VectorXd::Zero(y.size());
     for (Eigen::Index k = 0; k < y.size(); ++k)
-      if (svd.singularValues()[k] > 1e-9 * svd.singularValues()[0])
-        step -= svd.matrixV().col(k) * (svd.matrixU().col(k).dot(rate) / svd.singularValues()[k]);
+      if (svd.values[k] > 1e-9 * svd.values[0]) step -= svd.v.col(k) * (svd.u.col(k).dot(rate) / svd.values[k]);
     y += step.cwiseProduct(units);
     if (!((y - start).cwiseQuotient(units).norm() < reach)) return std::nullopt;
     // Rounding of forces of the size of all unbalances may leave a little more than asked.

@@ -5,7 +5,7 @@
 #include <optional>
 #include <string>
 
-#include <Eigen/Dense>
+#include <Eigen/Core>
 
 #include "equipoise/model/balanced_state.hpp"
 #include "equipoise/model/free_machine.hpp"

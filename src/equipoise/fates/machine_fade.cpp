@@ -14,7 +14,7 @@
 namespace equipoise {
 
 namespace {
-namespace kernels = HWY_NAMESPACE;
+using Machine = HWY_NAMESPACE::MachineTrajectory<model::any_count>;
 
 // So much of every imperfection.
 model::Parameters with_imperfections(model::Parameters p, double share) {
@@ -34,11 +34,15 @@ model::Parameters with_imperfections(model::Parameters p, double share) {
   return p;
 }
 
-template <int n>
 class Fade {
  public:
   Fade(const model::Parameters& p, double speed, const double* z, double tolerance, const StopFlag* stop)
-      : p_(p), speed_(speed), tolerance_(tolerance), stop_(stop), z_(z, z + model::machine_dimension(n)), begin_(z_) {}
+      : p_(p),
+        speed_(speed),
+        tolerance_(tolerance),
+        stop_(stop),
+        z_(z, z + model::machine_dimension(p.balls)),
+        begin_(z_) {}
 
   bool comes_to_balance(double patience) {
     // Each step takes a fortieth away; ten turns let go what it has stirred up.
@@ -63,7 +67,7 @@ class Fade {
 
  private:
   bool near() const {
-    for (int i = 0; i < n; ++i)
+    for (int i = 0; i < p_.balls; ++i)
       if (std::fabs(z_[model::index::phi(i)] - begin_[model::index::phi(i)]) > 0.5 * pi) return false;
     return true;
   }
@@ -72,14 +76,14 @@ class Fade {
   bool go_on(const model::Parameters& p, double time, Until&& until) {
     using model::machine_index::psi;
     model::Drive drive;
-    drive.psi = z_[psi(n)];
+    drive.psi = z_[psi(p.balls)];
     drive.speed = speed_;
     drive.pieces = {{.end = std::numeric_limits<double>::infinity(), .psi = drive.psi, .speed = speed_}};
-    kernels::MachineTrajectory<n> machine(p, drive, ensemble_scale<n>(p, tolerance_), z_.data());
+    Machine machine(p, drive, ensemble_scale<model::any_count>(p, tolerance_), z_.data());
     const auto status = machine.advance(
         time,
         [&](double, double to, auto&& state_at) {
-          double at[kernels::MachineTrajectory<n>::dimension];
+          double at[Machine::dimension];
           state_at.roughly(to, at);
           return until(to, at);
         },
@@ -98,8 +102,7 @@ class Fade {
 
 bool fades_to_balance(const model::Parameters& p, double speed, const double* z, double tolerance, double patience,
                       const StopFlag* stop) {
-  return model::with_ball_count(
-      p.balls, [&](auto n) { return Fade<n>(p, speed, z, tolerance, stop).comes_to_balance(patience); });
+  return Fade(p, speed, z, tolerance, stop).comes_to_balance(patience);
 }
 
 }  // namespace equipoise

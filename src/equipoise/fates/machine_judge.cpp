@@ -8,9 +8,11 @@
 
 #include "equipoise/base/angles.hpp"
 #include "equipoise/deciding/decision_rule.hpp"
+#include "equipoise/discovery/horizon.hpp"
 #include "equipoise/fates/machine_fade.hpp"
 #include "equipoise/model/strobe.hpp"
 #include "equipoise/motions/catalogue.hpp"
+#include "equipoise/orbits/continuum_draws.hpp"
 #include "equipoise/traps/strobed_balance.hpp"
 
 namespace equipoise {
@@ -20,25 +22,26 @@ namespace {
 constexpr int locked_id = 7;
 // This near to a balanced state, in balls' angles, what seems to rest may be on its slow way there, or away from there.
 constexpr double near_balance = 0.05;
-// Of a motion that never quite repeats itself: time after which its kind alone tells it. It may be a transient, of which
-// some last for thousands of time units, chaotic or as even as a torus.
-constexpr double long_enough = 5000.0;
+// A speed that comes this near to the one at which balls are let go, as a share of it, may reach it yet.
+constexpr double nearly_let_go = 1e-3;
 
-// The part of a continuum of balanced states that is stable, of so many spread over it.
+// The part of a continuum of balanced states that is stable, of so many drawn.
 std::optional<double> stable_share(const MachineBalance& balance, double speed) {
   const model::Parameters& p = balance.machine().parameters();
   const int members = p.isotropic() ? 64 : 12;
+  ContinuumDraws draws(p);
+  std::array<double, model::max_balls> phi{};
   int found = 0, stable = 0;
-  for (int k = 0; k < members; ++k) {
-    double phi[model::max_balls];
-    // Spread evenly by a sequence of the golden ratio's powers.
-    for (int i = 0; i < p.balls; ++i) phi[i] = two_pi * std::fmod((k + 0.5) * std::pow(0.6180339887498949, i + 1), 1.0);
-    if (!model::project_to_balanced(p, phi)) continue;
-    ++found;
-    stable += balance.linearised(balance.machine().balanced_state(phi, speed)).stable();
-  }
+  for (; found < members && draws.next(phi); ++found)
+    stable += balance.linearised(balance.machine().balanced_state(phi.data(), speed)).stable();
   if (found == 0) return std::nullopt;
   return static_cast<double>(stable) / found;
+}
+
+double patience_for(Study study) {
+  study.numerics.horizon.reset();
+  study.numerics.decide = DecideMode::validated;
+  return choose_horizon(study).time;
 }
 
 model::Parameters centred(model::Parameters p) {
@@ -50,7 +53,12 @@ model::Parameters centred(model::Parameters p) {
 }  // namespace
 
 MachineFacts::MachineFacts(const Study& study, const model::Drive& drive, const StopFlag* stop)
-    : study_(study), stop_(stop), balance_(study.parameters, drive.pieces.back()), note_(make_note()) {}
+    : study_(study),
+      stop_(stop),
+      balance_(study.parameters, drive.pieces.back()),
+      release_speed_(study.speed.driven() ? study.release.speed : std::nullopt),
+      patience_(patience_for(study)),
+      note_(make_note()) {}
 
 bool MachineFacts::smooth_and_isotropic() const {
   const model::Parameters& p = parameters();
@@ -176,7 +184,7 @@ bool MachineFacts::fades(const double* z, const SteadyLook& look) const {
     if (look.r_rms > std::max(0.5 * bare, 1e-6)) return false;
   }
   const double tolerance = study_.numerics.tolerance.value_or(default_basin_tolerance);
-  return fades_to_balance(p, look.speed, z, tolerance, *study_.numerics.horizon, stop_);
+  return fades_to_balance(p, look.speed, z, tolerance, patience_, stop_);
 }
 
 std::optional<bool> MachineFacts::rests_balanced(const double* z, const SteadyLook& look) const {
@@ -200,12 +208,17 @@ MachineJudge::MachineJudge(const MachineFacts& facts, double t, const double* z,
                                      (facts.parameters().gravity != 0.0 || !facts.parameters().race_is_centred())),
       approach_(facts.balance()),
       clamped_(clamped),
-      to_horizon_(to_horizon) {
+      to_horizon_(to_horizon),
+      nearest_speed_(z[model::machine_index::speed(facts.parameters().balls)]) {
   watch_.begin(t, z[model::machine_index::psi(facts.parameters().balls)], z + 4);
 }
 
 bool MachineJudge::step(double t, const double* z, const std::array<SteadySample, 3>& samples) {
-  return watch_.step(t, z[model::machine_index::psi(facts_.parameters().balls)], z + 4, samples);
+  const int balls = facts_.parameters().balls;
+  const double speed = z[model::machine_index::speed(balls)];
+  if (const auto& release = facts_.release_speed())
+    if (std::fabs(speed - *release) < std::fabs(nearest_speed_ - *release)) nearest_speed_ = speed;
+  return watch_.step(t, z[model::machine_index::psi(balls)], samples);
 }
 
 Fate MachineJudge::attracted(int id, DecidedBy by, double speed) const {
@@ -233,28 +246,44 @@ std::optional<Fate> MachineJudge::look(double t, const double* z) {
   next_look_ = watch_.blocks() + std::max<std::size_t>(2, watch_.blocks() / 5);
   const SteadyLook now = watch_.look();
   if (!now.enough) return std::nullopt;
-  if (facts_.runs_away(now.speed)) return Fate{.mean_speed = static_cast<float>(now.speed)};
-  if (facts_.below_stall(now.speed)) {
-    // A rotor without torque only loses speed.
-    if (facts_.coasts() && now.slowing) return stalled();
-    if (!now.speed_steady) slow_since_ = -1.0;
-    if (now.speed_steady && slow_since_ < 0.0) slow_since_ = watch_.watched();
-    const bool lasting = now.speed_steady && watch_.watched() > 1.5 * slow_since_;
-    return lasting || (now.speed_steady && now.repeats) ? std::optional(stalled()) : std::nullopt;
-  }
-  slow_since_ = -1.0;
-  return clamped_ ? std::nullopt : steady(now, z);
+  note_passing(now);
+  // Nothing more is to come.
+  if (facts_.runs_away(now.speed) || held_for_good(now)) return Fate{.mean_speed = static_cast<float>(now.speed)};
+  if (facts_.below_stall(now.speed)) return stalls(now) ? std::optional(stalled()) : std::nullopt;
+  return to_horizon_ ? std::nullopt : told(now, z);
 }
 
-std::optional<Fate> MachineJudge::steady(const SteadyLook& now, const double* z) {
+// Keeps since when it has been below the stall speed, and since when its balls have done what they do.
+void MachineJudge::note_passing(const SteadyLook& now) {
+  const bool slow = facts_.below_stall(now.speed) && now.speed_steady;
+  if (!slow) slow_since_ = -1.0;
+  if (slow && slow_since_ < 0.0) slow_since_ = watch_.watched();
   if (!now.speed_steady || now.kind == 0) passed_kind_ = 0;
-  if (!now.speed_steady || now.kind == 0 || now.trending) return std::nullopt;
-  if (passed_kind_ != now.kind) {
-    passed_kind_ = now.kind;
-    passed_at_ = watch_.watched();
-  }
-  const bool lasting = watch_.watched() > std::max(2.0 * passed_at_, long_enough);
-  if (to_horizon_ || (!now.repeats && !lasting)) return std::nullopt;
+  if (!now.speed_steady || now.kind == 0 || now.trending || passed_kind_ == now.kind) return;
+  passed_kind_ = now.kind;
+  passed_at_ = watch_.watched();
+}
+
+bool MachineJudge::stalls(const SteadyLook& now) const {
+  // A rotor without torque only loses speed.
+  if (facts_.coasts() && now.slowing) return true;
+  const bool lasting = slow_since_ >= 0.0 && watch_.watched() > 1.5 * slow_since_;
+  return now.speed_steady && (lasting || now.repeats);
+}
+
+// Its balls are held until a speed that the rotor does not come to.
+bool MachineJudge::held_for_good(const SteadyLook& now) const {
+  const auto& release = facts_.release_speed();
+  if (!clamped_ || !release || facts_.below_stall(now.speed)) return false;
+  if (std::fabs(nearest_speed_ - *release) < nearly_let_go * std::fabs(*release)) return false;
+  return now.speed_steady && !now.trending && (now.repeats || watch_.watched() > unrepeated_time);
+}
+
+// Of a rotor above its stall speed.
+std::optional<Fate> MachineJudge::told(const SteadyLook& now, const double* z) const {
+  if (clamped_ || !now.speed_steady || now.kind == 0 || now.trending) return std::nullopt;
+  const bool lasting = passed_kind_ == now.kind && watch_.watched() > std::max(2.0 * passed_at_, unrepeated_time);
+  if (!now.repeats && !lasting) return std::nullopt;
   if (now.kind != locked_id) return attracted(now.kind, DecidedBy::windows, now.speed);
   if (!now.swinging && approach_.distance() < near_balance) return std::nullopt;
   const auto balanced = facts_.rests_balanced(z, now);
@@ -263,27 +292,31 @@ std::optional<Fate> MachineJudge::steady(const SteadyLook& now, const double* z)
 }
 
 Fate MachineJudge::at_horizon(const double* z) const {
-  Fate fate;
+  std::optional<Fate> fate;
   const SteadyLook now = watch_.look();
-  // Seen by earlier looks too.
-  const bool lasting = passed_kind_ == now.kind && watch_.watched() > std::max(1.5 * passed_at_, 1000.0) &&
-                       (now.alike || watch_.watched() > 2500.0);
-  if (balanced_) {
+  if (balanced_)
     fate = attracted(balanced_id, DecidedBy::horizon, z[model::machine_index::speed(facts_.parameters().balls)]);
-  } else if (now.enough && facts_.below_stall(now.speed)) {
-    if (now.speed_steady || (facts_.coasts() && now.slowing)) fate = stalled();
-  } else if (now.enough && !clamped_ && now.speed_steady && !now.trending && now.kind != 0 &&
-             (now.repeats || lasting)) {
-    if (now.kind != locked_id) {
-      fate = attracted(now.kind, DecidedBy::horizon, now.speed);
-    } else if (now.swinging || approach_.distance() >= near_balance) {
-      if (const auto balanced = facts_.rests_balanced(z, now))
-        fate = attracted(*balanced ? balanced_id : locked_id, DecidedBy::horizon, now.speed);
-    }
-  }
-  if (fate.outcome != Outcome::undecided) fate.by = DecidedBy::horizon;
-  if (std::isnan(fate.mean_speed)) fate.mean_speed = static_cast<float>(watch_.mean_speed());
-  return fate;
+  else if (now.enough && facts_.below_stall(now.speed))
+    fate = stalls(now) ? std::optional(stalled()) : std::nullopt;
+  else if (now.enough)
+    fate = told(now, z);
+  if (!fate) return {.mean_speed = static_cast<float>(watch_.mean_speed())};
+  fate->by = DecidedBy::horizon;
+  return *fate;
+}
+
+UndecidedEnd MachineJudge::end() const {
+  const auto& release = facts_.release_speed();
+  if (clamped_ && release) return {.what = Restlessness::held, .reached = nearest_speed_, .asked = *release};
+  const SteadyLook now = watch_.look();
+  if (!now.enough) return {.what = Restlessness::hardly_seen};
+  if (facts_.runs_away(now.speed)) return {.what = Restlessness::running_away};
+  if (!now.speed_steady) return {.what = Restlessness::changing_speed};
+  if (approach_.distance() < near_balance) return {.what = Restlessness::near_balance};
+  if (now.trending) return {.what = Restlessness::changing};
+  if (now.kind == 0) return {.what = Restlessness::between_kinds};
+  if (now.kind == locked_id && now.repeats) return {.what = Restlessness::creeping};
+  return {.what = Restlessness::unrepeated};
 }
 
 }  // namespace equipoise

@@ -8,6 +8,7 @@
 
 #include "equipoise/base/error.hpp"
 #include "equipoise/deciding/fate.hpp"
+#include "equipoise/discovery/undecided.hpp"
 #include "equipoise/fates/machine_balance.hpp"
 #include "equipoise/fates/runner.hpp"
 #include "equipoise/motions/steady_watch.hpp"
@@ -33,6 +34,8 @@ class MachineFacts {
   bool below_stall(double speed) const;
   /// The motor's torque never vanishes, and the rotor is so fast that nothing it meets will hold it any more.
   bool runs_away(double speed) const;
+  /// A driven rotor's release.speed.
+  const std::optional<double>& release_speed() const { return release_speed_; }
 
   /// Whether balls that rest at state `z` do so in balance; nothing while they rest at nothing that is stable.
   std::optional<bool> rests_balanced(const double* z, const SteadyLook& look) const;
@@ -46,6 +49,8 @@ class MachineFacts {
   const Study& study_;
   const StopFlag* stop_;
   MachineBalance balance_;
+  std::optional<double> release_speed_;
+  double patience_;  // for balls to come to balance once imperfections are gone; no matter what horizon is asked for
   bool strobed_balance_unstable_ = false;  // known to be
   BalanceNote note_;
 };
@@ -62,12 +67,18 @@ class MachineJudge {
   /// To be asked whenever step() was true. Decided starts have their fate, but for its time; `undecided` is one that is
   /// given up.
   std::optional<Fate> look(double t, const double* z);
-  /// After all that there was time for.
+  /// After all that there was time for. By the rules of look(), at a time when it need not have been asked.
   Fate at_horizon(const double* z) const;
+  /// Why it is undecided, if it is.
+  UndecidedEnd end() const;
   double mean_speed() const { return watch_.mean_speed(); }
 
  private:
-  std::optional<Fate> steady(const SteadyLook& look, const double* z);
+  void note_passing(const SteadyLook& look);
+  // What look() and at_horizon() go by.
+  bool stalls(const SteadyLook& look) const;
+  bool held_for_good(const SteadyLook& look) const;
+  std::optional<Fate> told(const SteadyLook& look, const double* z) const;
   Fate attracted(int id, DecidedBy by, double speed) const;
   Fate stalled() const;
 
@@ -78,6 +89,7 @@ class MachineJudge {
   std::size_t next_look_ = 0;
   int passed_kind_ = 0;  // of the first of the looks in a row that found it steady
   double passed_at_ = 0.0, slow_since_ = -1.0;
+  double nearest_speed_;  // to the one at which balls are let go, so far
 };
 
 }  // namespace equipoise

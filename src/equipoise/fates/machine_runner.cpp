@@ -8,6 +8,7 @@
 
 #include <fmt/format.h>
 
+#include "equipoise/discovery/cost.hpp"
 #include "equipoise/discovery/horizon.hpp"
 #include "equipoise/fates/machine_scale.hpp"
 #include "equipoise/fates/transient_tally.hpp"
@@ -23,24 +24,28 @@ namespace equipoise {
 
 namespace {
 namespace kernels = HWY_NAMESPACE;
+using Machine = kernels::MachineTrajectory<model::any_count>;
 
 // Of a step, where it is looked at.
 constexpr auto& nodes = TransientWatch::nodes;
 
 // Distance from where gravity alone would hold the rotor with its balls.
-template <int n>
 SteadySample sample(const model::Parameters& p, const double* z) {
+  const int n = p.balls;
   const std::array<double, 2> rest = model::rest_position(p, z[model::machine_index::psi(n)]);
   const double x = z[model::index::x] - rest[0], y = z[model::index::y] - rest[1];
   SteadySample s;
   s.r2 = x * x + y * y;
-  for (int i = 0; i < n; ++i) s.rate[i] = z[model::index::q(i, n)];
+  for (int i = 0; i < n; ++i) {
+    s.phi[i] = z[model::index::phi(i)];
+    s.rate[i] = z[model::index::q(i, n)];
+  }
   return s;
 }
 
-template <int n>
 TransientSample transient_sample(const model::Parameters& p, double t, const double* z) {
   using namespace model::index;
+  const int n = p.balls;
   TransientSample s;
   s.t = t;
   const double psi = z[model::machine_index::psi(n)];
@@ -62,11 +67,8 @@ TransientSample transient_sample(const model::Parameters& p, double t, const dou
 }
 
 // The transients of one machine, whose balls are let go at a time of its own.
-template <int n>
 class MachineTransients {
  public:
-  using Machine = kernels::MachineTrajectory<n>;
-
   MachineTransients(const Study& study, const Machine& machine)
       : p_(study.parameters), settings_(transient_settings(study)), machine_(machine), watch_(settings(machine)) {}
 
@@ -82,13 +84,13 @@ class MachineTransients {
         free_ = !machine_.clamped();
       }
       events_ = machine_.events();
-      watch_.begin(transient_sample<n>(p_, from, z), free_);
+      watch_.begin(transient_sample(p_, from, z), free_);
     }
     std::array<TransientSample, 3> samples;
     for (std::size_t k = 0; k < nodes.size(); ++k) {
       const double t = k + 1 == nodes.size() ? to : from + nodes[k] * (to - from);
       state_at.roughly(t, z);
-      samples[k] = transient_sample<n>(p_, t, z);
+      samples[k] = transient_sample(p_, t, z);
     }
     watch_.step(samples);
     last_ = to;
@@ -160,21 +162,31 @@ bool MachineRunner::run(std::uint64_t first, std::size_t count, std::vector<doub
     const InitialState start = start_of(study_, sampler_, study_.sampling.seed, first + i);
     phi.insert(phi.end(), start.phi.begin(), start.phi.begin() + balls);
     TransientRow* row = rows ? &(*rows)[i] : nullptr;
-    fates[i] = model::with_ball_count(balls, [&](auto n) { return decide<n>(start, row); });
+    fates[i] = decide(start, row, nullptr);
     if (stop_ && stop_->load(std::memory_order_relaxed)) return false;  // the last one may have been cut short
   }
   return true;
 }
 
-template <int n>
-Fate MachineRunner::decide(const InitialState& start, TransientRow* row) const {
-  using Machine = kernels::MachineTrajectory<n>;
+std::vector<UndecidedEnd> MachineRunner::look_at(const std::vector<std::uint64_t>& undecided) const {
+  std::vector<UndecidedEnd> ends;
+  for (const std::uint64_t number : undecided) {
+    const InitialState start = start_of(study_, sampler_, study_.sampling.seed, number);
+    UndecidedEnd end;
+    decide(start, nullptr, &end);
+    if (stop_ && stop_->load(std::memory_order_relaxed)) break;
+    ends.push_back(end);
+  }
+  return ends;
+}
+
+Fate MachineRunner::decide(const InitialState& start, TransientRow* row, UndecidedEnd* end) const {
   const model::Parameters& p = study_.parameters;
   double z[Machine::dimension];
-  initial_state(start, n, drive_.speed, z);
+  initial_state(start, p.balls, drive_.speed, z);
   const double tolerance = study_.numerics.tolerance.value_or(default_basin_tolerance);
-  Machine machine(p, drive_, ensemble_scale<n>(p, tolerance), z);
-  MachineTransients<n> transients(study_, machine);
+  Machine machine(p, drive_, ensemble_scale<model::any_count>(p, tolerance), z);
+  MachineTransients transients(study_, machine);
   std::optional<MachineJudge> judge;
   std::optional<Fate> decided;
   double last[Machine::dimension];
@@ -188,17 +200,23 @@ Fate MachineRunner::decide(const InitialState& start, TransientRow* row) const {
     std::array<SteadySample, 3> samples;
     for (std::size_t k = 0; k < nodes.size(); ++k) {
       state_at.roughly(k + 1 == nodes.size() ? to : from + nodes[k] * (to - from), last);
-      samples[k] = sample<n>(p, last);
+      samples[k] = sample(p, last);
     }
     if (judge->step(to, last, samples)) decided = judge->look(to, last);
     // What runs away for ever has no horizon.
     return decided && (!at_horizon || decided->outcome == Outcome::undecided);
   };
   Fate fate;
-  bool known = false;
+  bool known = false, ran_away = false;
   const auto observe = [&](double from, double to, auto&& state_at) {
     if (row) transients.step(from, to, state_at);
     if (known) return transients.may_leave();
+    // A torque that grows with the speed: steps would shrink for ever.
+    if (state_at.roughly(to, last); std::fabs(last[model::machine_index::speed(p.balls)]) > fastest_speed) {
+      known = ran_away = true;
+      fate = {.time = to, .mean_speed = static_cast<float>(last[model::machine_index::speed(p.balls)])};
+      return true;
+    }
     if (to <= settled_ || !decided_at(from, to, state_at)) return false;
     known = true;
     fate = *decided;
@@ -216,6 +234,10 @@ Fate MachineRunner::decide(const InitialState& start, TransientRow* row) const {
     if (judge) fate = judge->at_horizon(machine.state());
     fate.time = machine.time();
   }
+  if (end && ran_away)
+    end->what = Restlessness::running_away;
+  else if (end && judge)
+    *end = judge->end();
   if (row) *row = transients.row(lost, fate.outcome == Outcome::attracted && fate.attractor == balanced_id);
   if (!study_.speed.driven()) fate.mean_speed = std::numeric_limits<float>::quiet_NaN();
   return fate;

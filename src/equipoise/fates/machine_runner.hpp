@@ -29,6 +29,9 @@ class MachineRunner : public Runner {
   int list(const UnlistedStart&) override { return 0; }
   UnlistedStart follow(const std::vector<double>& state) const override { return {0, state, {}}; }
 
+  /// What any starts do where following them ends, decided or not.
+  std::vector<UndecidedEnd> look_at(const std::vector<std::uint64_t>& undecided) const override;
+
   /// Every kind that there is, met or not; their motions are not described.
   const Catalogue& catalogue() const override { return catalogue_; }
   BalanceNote balance() const override { return facts_.note(); }
@@ -37,8 +40,7 @@ class MachineRunner : public Runner {
   bool stopped() const override { return false; }
 
  private:
-  template <int n>
-  Fate decide(const InitialState& start, TransientRow* row) const;
+  Fate decide(const InitialState& start, TransientRow* row, UndecidedEnd* end) const;
 
   Study study_;
   const StopFlag* stop_;

@@ -6,15 +6,15 @@
 namespace equipoise {
 
 /// As on lanes (lane_error_scale()): absolute; angles and speeds of the rotor like those of balls.
-template <int n>
-typename HWY_NAMESPACE::MachineTrajectory<n>::Scale ensemble_scale(const model::Parameters& p, double tolerance) {
-  typename HWY_NAMESPACE::MachineTrajectory<n>::Scale scale;
+template <int room>
+typename HWY_NAMESPACE::MachineTrajectory<room>::Scale ensemble_scale(const model::Parameters& p, double tolerance) {
+  typename HWY_NAMESPACE::MachineTrajectory<room>::Scale scale;
   scale.tolerance = tolerance;
   scale.floor.fill(1.0);
   for (int i = 0; i < 4; ++i) scale.floor[i] = p.eccentricity + p.total_mass();
   scale.absolute.fill(true);
-  for (int i = 0; i < n; ++i) scale.angle[model::index::phi(i)] = true;
-  scale.angle[model::machine_index::psi(n)] = true;
+  for (int i = 0; i < p.balls; ++i) scale.angle[model::index::phi(i)] = true;
+  scale.angle[model::machine_index::psi(p.balls)] = true;
   return scale;
 }
 

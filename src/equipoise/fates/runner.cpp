@@ -1,4 +1,4 @@
-// Which runner follows a study's starts.
+// Which runner follows a study's starts; how an unlisted one is named.
 #include "equipoise/fates/runner.hpp"
 
 #include "equipoise/fates/machine_runner.hpp"
@@ -6,11 +6,23 @@
 
 namespace equipoise {
 
-void check_runnable(const Study& study) {
-  if (study.needs_machine())
+int settle(Runner& runner, const UnlistedStart& start, Fate& fate) {
+  const int attractor = runner.list(start);
+  fate.attractor = static_cast<short>(attractor);
+  if (attractor == 0) {
+    fate.outcome = Outcome::undecided;
+    fate.by = DecidedBy::nothing;
+  }
+  return attractor;
+}
+
+void check_runnable(const Study& study, bool transients) {
+  if (study.needs_machine()) {
     check_machine(study);
-  else
-    check_decidable(study);
+    return;
+  }
+  check_decidable(study);
+  if (transients) check_watchable(study);
 }
 
 std::unique_ptr<Runner> make_runner(const Study& study, const DiscoverySettings& settings, bool transients) {

@@ -56,8 +56,13 @@ class Runner {
   virtual bool stopped() const = 0;
 };
 
-/// Throws InputError for invalid studies and those whose starts cannot be decided.
-void check_runnable(const Study& study);
+/// What an unlisted start turned out to have come to, written into its fate: one of nothing steady is undecided.
+/// Returns its identifier, or 0. Not thread-safe, as list().
+int settle(Runner& runner, const UnlistedStart& start, Fate& fate);
+
+/// Throws InputError for invalid studies and those whose starts cannot be decided; if `transients` are gathered, also
+/// for those that cannot be watched.
+void check_runnable(const Study& study, bool transients);
 
 /// StartRunner on SIMD lanes, or MachineRunner for what Study::needs_machine(). The study has passed check_runnable().
 std::unique_ptr<Runner> make_runner(const Study& study, const DiscoverySettings& settings, bool transients);

@@ -11,31 +11,51 @@
 #include "equipoise/discovery/horizon.hpp"
 #include "equipoise/fates/transient_tally.hpp"
 #include "equipoise/kernels/lane_kernels.hpp"
+#include "equipoise/model/speed.hpp"
 #include "equipoise/model/strobe.hpp"
 #include "equipoise/motions/motion_figures.hpp"
 #include "equipoise/orbits/stroboscopic.hpp"
+#include "equipoise/transients/clamped_transients.hpp"
 
 namespace equipoise {
 
 namespace {
 
 const char* final_speed_key(const Study& study) {
-  const std::string& profile = study.speed.profile;
-  return profile == "constant" ? "speed.speed" : profile == "points" ? "speed.speeds" : "speed.final";
+  const Profile profile = study.speed.profile;
+  return profile == Profile::constant ? "speed.speed" : profile == Profile::points ? "speed.speeds" : "speed.final";
+}
+
+// What sets the time of release.
+const char* release_key(const Study& study) {
+  if (study.release.speed) return "release.speed";
+  if (study.release.time) return "release.time";
+  const Profile profile = study.speed.profile;
+  return profile == Profile::trapezoid ? "speed.rise_until"
+         : profile == Profile::points  ? "speed.times"
+                                       : "speed.duration";
 }
 
 }  // namespace
+
+void check_watchable(const Study& study) {
+  const double release = study.release_time();
+  const double points = clamped_grid_points(study.parameters, model::segments(study.speed_profile(), release));
+  if (points <= most_clamped_grid_points) return;
+  throw InputError(study.name, release_key(study), fmt::format("{:.6g}", study.release.speed.value_or(release)),
+                   fmt::format("holds the balls until t = {:.6g}, too long to watch for transients; must be release by "
+                               "about t = {:.3g}, or a study without [limits] and --transients",
+                               release, release * (most_clamped_grid_points / points)));
+}
 
 void check_decidable(const Study& study) {
   check(study);
   check_cost(study);
   const double speed = study.speed_profile().final_speed();
-  // Beyond any machine; the integrator's steps shrink with the turns to be made.
-  constexpr double fastest = 1e4;
-  if (std::fabs(speed) > fastest)
+  if (std::fabs(speed) > fastest_speed)
     throw InputError(
         study.name, final_speed_key(study), fmt::format("{:.6g}", speed),
-        fmt::format("basin and attractors take final speeds from -{0:g} to {0:g} critical speeds", fastest));
+        fmt::format("basin and attractors take final speeds from -{0:g} to {0:g} critical speeds", fastest_speed));
   if (!model::is_strobed(study.parameters)) return;
   if (speed == 0.0)
     throw InputError(study.name, final_speed_key(study), "0",

@@ -18,6 +18,9 @@ namespace equipoise {
 /// Throws InputError for invalid studies and those whose starts cannot be decided: anisotropic supports or gravity on a
 /// rotor that comes to rest, or with decisions by proof.
 void check_decidable(const Study& study);
+
+/// Throws InputError for a spin-up with the balls held that is too long to look for peaks in.
+void check_watchable(const Study& study);
 /// Throws InputError for invalid studies, and those whose system lacks what the answer needs (model/capability.hpp).
 void check_offers(const Study& study, model::Answer answer);
 

@@ -8,8 +8,6 @@ namespace equipoise {
 
 namespace {
 constexpr double exceeds_nothing = std::numeric_limits<double>::infinity();
-
-std::string name_of(Outcome outcome) { return outcome == Outcome::stalled ? "stalled" : "undecided"; }
 }  // namespace
 
 TransientSettings transient_settings(const Study& study) {

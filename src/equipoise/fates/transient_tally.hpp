@@ -8,7 +8,7 @@
 
 #include "equipoise/deciding/fate.hpp"
 #include "equipoise/motions/catalogue.hpp"
-#include "equipoise/report/transient_result.hpp"
+#include "equipoise/results/transient_result.hpp"
 #include "equipoise/sampling/sampling.hpp"
 #include "equipoise/statistics/quantile.hpp"
 #include "equipoise/study/study.hpp"

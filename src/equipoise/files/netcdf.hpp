@@ -1,5 +1,8 @@
 // A thin, owning wrapper around the NetCDF C library: every call is checked, every failure an exception.
 //
+// That library is not made for threads. All calls of it are in here, under one lock: files of different threads do not
+// meet, though each file is one thread's at a time.
+//
 // Files are of the classic kind with 64-bit offsets, for which the library uses plain calls of the system. HDF5, in
 // which NetCDF-4 files are kept, loses a file to a full disk, ends the process when it closes such a file at exit, and
 // reads damaged files at the process's peril.

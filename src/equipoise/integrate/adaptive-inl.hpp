@@ -32,24 +32,26 @@ struct ErrorScale {
   std::array<bool, dimension> angle{};  // may grow without limit: no sign of divergence
 };
 
-// The scale of n free balls' state, for every `stride`-th component: relative, but absolute for angles and for all that
+// The scale of free balls' state, for every `stride`-th component: relative, but absolute for angles and for all that
 // is small.
-template <int n, int dimension>
+template <int dimension>
 void set_state_scale(const model::Parameters& p, int stride, ErrorScale<dimension>& scale) {
   // Below this share of a variable's size its error is absolute.
   constexpr double smallest_share = 0.01;
-  for (int i = 0; i < model::dimension(n); ++i) {
-    const bool rotor = i < 4, angle = !rotor && i < 4 + n;
+  for (int i = 0; i < model::dimension(p.balls); ++i) {
+    const bool rotor = i < 4, angle = !rotor && i < 4 + p.balls;
     scale.floor[stride * i] = rotor ? smallest_share * (p.eccentricity + p.total_mass()) : angle ? 1.0 : smallest_share;
     scale.absolute[stride * i] = scale.angle[stride * i] = angle;
   }
 }
 
-// `System`: callable (t, y, dy) with `dimension` components, smooth over every interval passed to advance().
+// `System`: callable (t, y, dy) with `size` components, `dimension` at most, smooth over every interval passed to
+// advance().
 template <class System, int dimension>
 class AdaptiveIntegrator {
  public:
-  AdaptiveIntegrator(const System& system, const ErrorScale<dimension>& scale) : system_(system), scale_(scale) {}
+  AdaptiveIntegrator(const System& system, const ErrorScale<dimension>& scale, int size = dimension)
+      : system_(system), scale_(scale), size_(size) {}
 
   // Integrates `y` from `begin` to exactly `end`. After each accepted step calls
   // observe(t_old, t_new, state_at), where state_at(t, out) is the dense output within the step. Returns early, as
@@ -67,14 +69,14 @@ class AdaptiveIntegrator {
       const bool last = t + 1.0000001 * h >= end;
       if (last) h = end - t;
       double y_new[dimension], error5[dimension], error3[dimension];
-      dop853::evaluate_stages(system_, t, h, y, k_);
-      dop853::step_end(h, y, k_, y_new, error5, error3);
+      dop853::evaluate_stages(system_, t, h, y, k_, size_);
+      dop853::step_end(h, y, k_, y_new, error5, error3, size_);
       double inverse_scale[dimension];
-      for (int i = 0; i < dimension; ++i) {
+      for (int i = 0; i < size_; ++i) {
         const double size = scale_.absolute[i] ? 0.0 : std::max(std::fabs(y[i]), std::fabs(y_new[i]));
         inverse_scale[i] = 1.0 / (scale_.tolerance * std::max(scale_.floor[i], size));
       }
-      const double error = std::sqrt(dop853::squared_error<double, dimension>(h, error5, error3, inverse_scale));
+      const double error = std::sqrt(dop853::squared_error<double, dimension>(h, error5, error3, inverse_scale, size_));
       if (!(error <= 1.0)) {  // not-a-number is a rejection too
         rejected = true;
         h *= error < 1e10 ? std::max(0.2, 0.9 * std::pow(error, -0.125)) : 0.2;
@@ -95,12 +97,12 @@ class AdaptiveIntegrator {
       }
       const double growth = 0.9 * std::pow(std::max(error, 1e-10), -0.0875) * std::pow(previous_error, 0.05);
       previous_error = std::max(error, 1e-4);
-      std::copy(y_new, y_new + dimension, y);
-      std::copy(k_[12], k_[12] + dimension, k_[0]);
+      std::copy(y_new, y_new + size_, y);
+      std::copy(k_[12], k_[12] + size_, k_[0]);
       reached_ = t = t_new;
       h *= std::clamp(growth, 0.2, rejected ? 1.0 : 6.0);
       rejected = false;
-      for (int i = 0; i < dimension; ++i)
+      for (int i = 0; i < size_; ++i)
         if (!(std::fabs(y[i]) < (scale_.angle[i] ? angle_limit : divergence_limit))) return IntegrationStatus::diverged;
     }
     return IntegrationStatus::done;
@@ -126,13 +128,13 @@ class AdaptiveIntegrator {
 
     void operator()(double time, double* out) {
       if (!ready) prepare();
-      dop853::dense_state<double, dimension>((time - t) / h, y, rows, out);
+      dop853::dense_state<double, dimension>((time - t) / h, y, rows, out, owner.size_);
     }
 
     // A cubic through both ends, for looks that need no more: no evaluation of the system.
     void roughly(double time, double* out) const {
       const double s = (time - t) / h, r = 1.0 - s;
-      for (int i = 0; i < dimension; ++i)
+      for (int i = 0; i < owner.size_; ++i)
         out[i] = r * r * ((1.0 + 2.0 * s) * y[i] + s * h * owner.k_[0][i]) +
                  s * s * ((1.0 + 2.0 * r) * y_new[i] - r * h * owner.k_[12][i]);
     }
@@ -140,10 +142,10 @@ class AdaptiveIntegrator {
     void prepare() {
       double stage[dimension];
       for (int row = 13; row < dop853::tableau::dense_stages; ++row) {
-        dop853::stage_state(row, h, y, owner.k_, stage);
+        dop853::stage_state(row, h, y, owner.k_, stage, owner.size_);
         owner.system_(t + dop853::tableau::c[row] * h, static_cast<const double*>(stage), owner.k_[row]);
       }
-      dop853::dense_coefficients<double, dimension>(h, y, y_new, owner.k_, rows);
+      dop853::dense_coefficients<double, dimension>(h, y, y_new, owner.k_, rows, owner.size_);
       ready = true;
     }
   };
@@ -153,16 +155,16 @@ class AdaptiveIntegrator {
     reached_ = until;
     if (!(until > t)) return;
     double end[dimension], error5[dimension], error3[dimension];
-    dop853::evaluate_stages(system_, t, until - t, y, k_);
-    dop853::step_end(until - t, y, k_, end, error5, error3);
-    std::copy(end, end + dimension, y);
+    dop853::evaluate_stages(system_, t, until - t, y, k_, size_);
+    dop853::step_end(until - t, y, k_, end, error5, error3, size_);
+    std::copy(end, end + size_, y);
   }
 
   // A step over which the solution, moving at its present rate, changes by a hundredth of its size.
   double first_step(double begin, double end, const double* y) {
     system_(begin, y, k_[0]);
     double h = end - begin;
-    for (int i = 0; i < dimension; ++i) {
+    for (int i = 0; i < size_; ++i) {
       const double size = std::max(scale_.absolute[i] ? 0.0 : std::fabs(y[i]), scale_.floor[i]);
       h = std::min(h, 0.01 * size / std::max(std::fabs(k_[0][i]), 1e-300));
     }
@@ -171,6 +173,7 @@ class AdaptiveIntegrator {
 
   const System& system_;
   ErrorScale<dimension> scale_;
+  int size_;
   double reached_ = 0.0;
   double k_[dop853::tableau::dense_stages][dimension];
 };

@@ -19,17 +19,16 @@ namespace equipoise {
 namespace HWY_NAMESPACE {
 
 // Pair k: the ball in place k around the race and the next one. Its gap is the angle between them beyond touching.
-template <int n>
+template <int room>
 class BallContacts {
  public:
-  static constexpr int dimension = model::machine_dimension(n);
-  static constexpr int pairs = n > 1 ? n : 0;
+  static constexpr int dimension = model::machine_dimension(room);
 
-  explicit BallContacts(const model::Parameters& p) : p_(p) {}
+  explicit BallContacts(const model::Parameters& p) : n(p.balls), pairs(n > 1 ? n : 0), p_(p) {}
 
   // Orders the balls around the race as they lie at `z`.
-  void begin(const double* z, MachineFlow<n>& flow) {
-    std::array<double, n> angle;
+  void begin(const double* z, MachineFlow<room>& flow) {
+    std::array<double, room> angle;
     for (int i = 0; i < n; ++i) {
       angle[i] = wrapped_positive(z[4 + i]);
       flow.order[i] = i;
@@ -43,16 +42,16 @@ class BallContacts {
     }
   }
 
-  double gap(int k, const double* z, const MachineFlow<n>& flow) const {
+  double gap(int k, const double* z, const MachineFlow<room>& flow) const {
     return z[4 + flow.order[(k + 1) % n]] - z[4 + flow.order[k]] + turns_[k] - p_.contact_angle;
   }
-  double gap_rate(int k, const double* z, const MachineFlow<n>& flow) const {
+  double gap_rate(int k, const double* z, const MachineFlow<room>& flow) const {
     return z[4 + n + flow.order[(k + 1) % n]] - z[4 + n + flow.order[k]];
   }
 
   // Whether pairs can meet, or joined ones part, in a step between two states: apart by more than both rates allow,
   // with a margin of three for what they do in between, they cannot.
-  bool may_meet(double h, const double* from, const double* to, const MachineFlow<n>& flow) const {
+  bool may_meet(double h, const double* from, const double* to, const MachineFlow<room>& flow) const {
     for (int k = 0; k < pairs; ++k) {
       const double rates = std::fabs(gap_rate(k, from, flow)) + std::fabs(gap_rate(k, to, flow));
       if (flow.joined[k] || std::min(gap(k, from, flow), gap(k, to, flow)) < 3.0 * h * rates + 0.1 * h * h) return true;
@@ -61,7 +60,7 @@ class BallContacts {
   }
 
   // Marks pairs that touch, and joined ones that pull instead of press. True if there is any.
-  bool look(double t, const double* z, const MachineFlow<n>& flow, std::array<bool, n>& pair) const {
+  bool look(double t, const double* z, const MachineFlow<room>& flow, std::array<bool, room>& pair) const {
     bool any = false, evaluated = false;
     for (int k = 0; k < pairs; ++k) {
       if (flow.joined[k]) {
@@ -78,8 +77,8 @@ class BallContacts {
   }
 
   // Impacts of the marked pairs and of those that they push into each other, and partings of the joined.
-  void pass(double t, const std::array<bool, n>& pair, double* z, MachineFlow<n>& flow) {
-    std::array<bool, n> touching{};
+  void pass(double t, const std::array<bool, room>& pair, double* z, MachineFlow<room>& flow) {
+    std::array<bool, room> touching{};
     for (int k = 0; k < pairs; ++k) {
       if (pair[k] && flow.joined[k])
         flow.joined[k] = false;
@@ -87,7 +86,7 @@ class BallContacts {
         touching[k] = pair[k] || flow.joined[k] || std::fabs(gap(k, z, flow)) < touching_gap;
     }
     // Impacts run through a row of touching balls; each takes energy away, and late ones are taken as plastic.
-    constexpr int most_impacts = 64 * n;
+    const int most_impacts = 64 * n;
     for (int impact = 0; impact < 2 * most_impacts; ++impact) {
       int worst = -1;
       double fastest = -1e-14;
@@ -109,18 +108,18 @@ class BallContacts {
   static constexpr double touching_gap = 1e-9;
 
   // Newton's law of impact on pair k: the rate of the gap changes sign and shrinks to `restitution` of itself.
-  void strike(int k, double restitution, double* z, MachineFlow<n>& flow) const {
+  void strike(int k, double restitution, double* z, MachineFlow<room>& flow) const {
     double change[dimension];
     flow.impulse_response(z, flow.order[k], flow.order[(k + 1) % n], change);
     const double impulse = -(1.0 + restitution) * gap_rate(k, z, flow) / gap_rate(k, change, flow);
-    for (int i = 0; i < dimension; ++i) z[i] += impulse * change[i];
+    for (int i = 0; i < flow.size(); ++i) z[i] += impulse * change[i];
     if (restitution == 0.0) {  // exactly equal, not only to rounding
       const double rate = z[4 + n + flow.order[k]];
       z[4 + n + flow.order[(k + 1) % n]] = rate;
     }
   }
 
-  void part_those_that_pull(double t, const double* z, MachineFlow<n>& flow) const {
+  void part_those_that_pull(double t, const double* z, MachineFlow<room>& flow) const {
     for (int round = 0; round < n; ++round) {
       double dz[dimension];
       flow.evaluate(t, z, dz);
@@ -133,8 +132,10 @@ class BallContacts {
     }
   }
 
+  const model::BallCount<room> n;
+  const int pairs;
   const model::Parameters& p_;
-  std::array<double, n> turns_{};
+  std::array<double, room> turns_{};
 };
 
 }  // namespace HWY_NAMESPACE

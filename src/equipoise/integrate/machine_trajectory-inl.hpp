@@ -24,15 +24,15 @@ HWY_BEFORE_NAMESPACE();
 namespace equipoise {
 namespace HWY_NAMESPACE {
 
-template <int n>
+template <int room>
 class MachineTrajectory {
  public:
-  static constexpr int dimension = model::machine_dimension(n);
+  static constexpr int dimension = model::machine_dimension(room);  // the largest size
   using Scale = ErrorScale<dimension>;
 
   // `z`: dimension(n) numbers at t = 0 (model/parameters.hpp).
   MachineTrajectory(const model::Parameters& p, const model::Drive& drive, const Scale& scale, const double* z)
-      : p_(p), drive_(drive), scale_(scale), flow_(p), contacts_(p) {
+      : n(p.balls), p_(p), drive_(drive), scale_(scale), flow_(p), contacts_(p) {
     std::copy(z, z + model::dimension(n), state_.begin());
     state_[model::machine_index::psi(n)] = drive.psi;
     state_[model::machine_index::speed(n)] = drive.speed;
@@ -72,7 +72,7 @@ class MachineTrajectory {
       double until = std::min(end, flow_.drive.end);
       if (clamped_) until = std::min(until, drive_.release_time);
       event_ = false;
-      AdaptiveIntegrator<MachineFlow<n>, dimension> integrator(flow_, scale_);
+      AdaptiveIntegrator<MachineFlow<room>, dimension> integrator(flow_, scale_, flow_.size());
       const IntegrationStatus status = integrator.advance(
           t_, until, state_.data(),
           [&](double from, double to, auto&& state_at) {
@@ -131,7 +131,7 @@ class MachineTrajectory {
     flow_.rolling[i] = forces.tangential > 0.0 ? 1 : -1;
   }
 
-  typename MachineFlow<n>::BallForces forces_on(int i, const double* z) const {
+  typename MachineFlow<room>::BallForces forces_on(int i, const double* z) const {
     double dz[dimension];
     return flow_.forces_on(i, z, flow_.evaluate(t_, z, dz));
   }
@@ -139,7 +139,7 @@ class MachineTrajectory {
   // What has come to happen at a state: the release, to balls, to pairs of neighbours.
   struct Happened {
     bool release = false;
-    std::array<bool, n> ball{}, pair{};
+    std::array<bool, room> ball{}, pair{};
     bool any = false;
   };
 
@@ -232,11 +232,12 @@ class MachineTrajectory {
     return true;
   }
 
+  const model::BallCount<room> n;
   const model::Parameters& p_;
   const model::Drive& drive_;
   Scale scale_;
-  MachineFlow<n> flow_;
-  BallContacts<n> contacts_;
+  MachineFlow<room> flow_;
+  BallContacts<room> contacts_;
   std::array<double, dimension> state_{};
   double t_ = 0.0, released_ = std::numeric_limits<double>::infinity();
   double last_event_ = -1.0;

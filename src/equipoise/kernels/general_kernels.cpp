@@ -19,34 +19,35 @@ HWY_BEFORE_NAMESPACE();
 namespace equipoise {
 namespace HWY_NAMESPACE {
 
-template <int n>
+template <int room>
 bool advance_general_balls(const LaneTask& task, std::vector<Fate>& fates) {
-  using Flow = FreeFlow<Pack, n, Terms{true, true, true}>;
-  WatchForLoss<n> observer(fates);
-  const auto block = std::make_unique<LaneBlock<Flow, WatchForLoss<n>, lane_groups<n>>>(
+  using Flow = FreeFlow<Pack, room, Terms{true, true, true}>;
+  WatchForLoss observer(fates);
+  const auto block = std::make_unique<LaneBlock<Flow, WatchForLoss, lane_groups<room>>>(
       task, Flow(*task.parameters, task.segment), observer);
   return block->run();
 }
 
-template <int n>
+template <int room>
 bool decide_general_balls(const LaneTask& task, const DecisionRule& rule, std::vector<Fate>& fates,
                           std::vector<PilotRecord>* pilot) {
-  using Flow = FreeFlow<Pack, n, Terms{false, true, true}>;
-  using Observer = DecideFate<n, lane_groups<n>, true>;
+  using Flow = FreeFlow<Pack, room, Terms{false, true, true}>;
+  using Observer = DecideFate<room, lane_groups<room>, true>;
   const auto observer = std::make_unique<Observer>(*task.parameters, task.segment, rule, fates, pilot);
-  const auto block = std::make_unique<LaneBlock<Flow, Observer, lane_groups<n>>>(
+  const auto block = std::make_unique<LaneBlock<Flow, Observer, lane_groups<room>>>(
       task, Flow(*task.parameters, task.segment), *observer);
   return block->run();
 }
 
 bool advance_general_target(const LaneTask& task, std::vector<Fate>& fates) {
-  return model::with_ball_count(task.parameters->balls, [&](auto n) { return advance_general_balls<n>(task, fates); });
+  return model::with_ball_count(task.parameters->balls,
+                                [&](auto room) { return advance_general_balls<room>(task, fates); });
 }
 
 bool decide_general_target(const LaneTask& task, const DecisionRule& rule, std::vector<Fate>& fates,
                            std::vector<PilotRecord>* pilot) {
   return model::with_ball_count(task.parameters->balls,
-                                [&](auto n) { return decide_general_balls<n>(task, rule, fates, pilot); });
+                                [&](auto room) { return decide_general_balls<room>(task, rule, fates, pilot); });
 }
 
 }  // namespace HWY_NAMESPACE

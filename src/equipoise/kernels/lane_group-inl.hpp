@@ -18,12 +18,11 @@ namespace HWY_NAMESPACE {
 
 // Groups of lanes taken in turn. Eight lanes and 32 registers (AVX-512) profit from three for up to two balls; narrower
 // registers, or more balls, keep the processor busy with one.
-template <int n>
-inline constexpr int lane_groups = n <= 2 && pack_lanes == 8 ? 3 : 1;
+template <int room>
+inline constexpr int lane_groups = room <= 2 && pack_lanes == 8 ? 3 : 1;
 
 // Records trajectories that are lost on the way; the others simply arrive.
-template <int n>
-class WatchForLoss : public NoObserver<n> {
+class WatchForLoss : public NoObserver {
  public:
   explicit WatchForLoss(std::vector<Fate>& fates) : fates_(fates) {}
   void end(int, std::size_t start, LaneEnd how, double t, const double*) {

@@ -24,54 +24,54 @@ HWY_BEFORE_NAMESPACE();
 namespace equipoise {
 namespace HWY_NAMESPACE {
 
-template <int n, bool accelerating>
+template <int room, bool accelerating>
 bool advance_balls(const LaneTask& task, std::vector<Fate>& fates) {
-  using Flow = FreeFlow<Pack, n, Terms{accelerating, false, false}>;
-  WatchForLoss<n> observer(fates);
-  const auto block = std::make_unique<LaneBlock<Flow, WatchForLoss<n>, lane_groups<n>>>(
+  using Flow = FreeFlow<Pack, room, Terms{accelerating, false, false}>;
+  WatchForLoss observer(fates);
+  const auto block = std::make_unique<LaneBlock<Flow, WatchForLoss, lane_groups<room>>>(
       task, Flow(*task.parameters, task.segment), observer);
   return block->run();
 }
 
-template <int n>
+template <int room>
 bool watch_balls(const LaneTask& task, const RadiusWindows& record) {
-  using Flow = FreeFlow<Pack, n, Terms{true, false, false}>;
-  using Observer = WatchRadius<n, lane_groups<n>>;
+  using Flow = FreeFlow<Pack, room, Terms{true, false, false}>;
+  using Observer = WatchRadius<lane_groups<room>>;
   Observer observer(record);
-  const auto block =
-      std::make_unique<LaneBlock<Flow, Observer, lane_groups<n>>>(task, Flow(*task.parameters, task.segment), observer);
+  const auto block = std::make_unique<LaneBlock<Flow, Observer, lane_groups<room>>>(
+      task, Flow(*task.parameters, task.segment), observer);
   return block->run();
 }
 
-template <int n>
+template <int room>
 bool decide_balls(const LaneTask& task, const DecisionRule& rule, std::vector<Fate>& fates,
                   std::vector<PilotRecord>* pilot) {
-  using Flow = FreeFlow<Pack, n, Terms{false, false, false}>;
-  using Observer = DecideFate<n, lane_groups<n>>;
+  using Flow = FreeFlow<Pack, room, Terms{false, false, false}>;
+  using Observer = DecideFate<room, lane_groups<room>>;
   const auto observer = std::make_unique<Observer>(*task.parameters, task.segment, rule, fates, pilot);
-  const auto block = std::make_unique<LaneBlock<Flow, Observer, lane_groups<n>>>(
+  const auto block = std::make_unique<LaneBlock<Flow, Observer, lane_groups<room>>>(
       task, Flow(*task.parameters, task.segment), *observer);
   return block->run();
 }
 
-template <int n>
+template <int room>
 int evaluate_balls(const model::Parameters& p, double speed, long count, double* checksum) {
-  using Flow = FreeFlow<Pack, n, Terms{false, false, false}>;
+  using Flow = FreeFlow<Pack, room, Terms{false, false, false}>;
   const Flow flow(p, model::Segment{0.0, 0.0, 0.0, speed, 0.0, false});
-  constexpr int groups = lane_groups<n>;
+  constexpr int groups = lane_groups<room>;
   Pack z[groups][Flow::dimension];
   for (int g = 0; g < groups; ++g)
-    for (int i = 0; i < Flow::dimension; ++i) z[g][i] = Pack(0.01 * (i + g));
+    for (int i = 0; i < flow.size(); ++i) z[g][i] = Pack(0.01 * (i + g));
   for (long k = 0; k < count; ++k)
 #pragma GCC unroll 1
     for (int g = 0; g < groups; ++g) {
       Pack rate[Flow::dimension];
       flow(Pack(0.0), z[g], rate);
-      for (int i = 0; i < Flow::dimension; ++i) z[g][i] = multiply_add(Pack(1e-3), rate[i], z[g][i]);
+      for (int i = 0; i < flow.size(); ++i) z[g][i] = multiply_add(Pack(1e-3), rate[i], z[g][i]);
     }
   Pack sum(0.0);
   for (int g = 0; g < groups; ++g)
-    for (int i = 0; i < Flow::dimension; ++i) sum = sum + z[g][i];
+    for (int i = 0; i < flow.size(); ++i) sum = sum + z[g][i];
   alignas(64) double lanes[8];
   sum.store(lanes);
   *checksum = lanes[0];
@@ -79,24 +79,24 @@ int evaluate_balls(const model::Parameters& p, double speed, long count, double*
 }
 
 bool advance_target(const LaneTask& task, std::vector<Fate>& fates) {
-  return model::with_ball_count(task.parameters->balls, [&](auto n) {
-    return task.segment.acceleration == 0.0 ? advance_balls<n, false>(task, fates)
-                                            : advance_balls<n, true>(task, fates);
+  return model::with_ball_count(task.parameters->balls, [&](auto room) {
+    return task.segment.acceleration == 0.0 ? advance_balls<room, false>(task, fates)
+                                            : advance_balls<room, true>(task, fates);
   });
 }
 
 bool watch_target(const LaneTask& task, const RadiusWindows& record) {
-  return model::with_ball_count(task.parameters->balls, [&](auto n) { return watch_balls<n>(task, record); });
+  return model::with_ball_count(task.parameters->balls, [&](auto room) { return watch_balls<room>(task, record); });
 }
 
 bool decide_target(const LaneTask& task, const DecisionRule& rule, std::vector<Fate>& fates,
                    std::vector<PilotRecord>* pilot) {
   return model::with_ball_count(task.parameters->balls,
-                                [&](auto n) { return decide_balls<n>(task, rule, fates, pilot); });
+                                [&](auto room) { return decide_balls<room>(task, rule, fates, pilot); });
 }
 
 int evaluate_target(const model::Parameters& p, double speed, long count, double* checksum) {
-  return model::with_ball_count(p.balls, [&](auto n) { return evaluate_balls<n>(p, speed, count, checksum); });
+  return model::with_ball_count(p.balls, [&](auto room) { return evaluate_balls<room>(p, speed, count, checksum); });
 }
 
 std::int64_t target_code() { return HWY_TARGET; }

@@ -2,11 +2,11 @@
 // time.
 #pragma once
 
-#include <string>
 #include <vector>
 
 #include "equipoise/deciding/decision_rule.hpp"
 #include "equipoise/deciding/fate.hpp"
+#include "equipoise/kernels/cpu_target.hpp"
 #include "equipoise/lanes/lane_task.hpp"
 #include "equipoise/lanes/radius_windows.hpp"
 
@@ -29,13 +29,5 @@ bool decide_lanes(const LaneTask& task, const DecisionRule& rule, std::vector<Fa
 /// Derivative evaluations alone, for benchmarks: evaluates the equations of `balls` balls `count` times in every lane,
 /// each from the result of the one before. Returns the number of lanes.
 int evaluate_derivatives(const model::Parameters& p, double speed, long count, double* checksum);
-
-/// Instruction set in use: "AVX-512", "AVX2", "SSE4" or "scalar".
-std::string cpu_target();
-/// Every instruction set this program was built for that this machine has, best first.
-std::vector<std::string> cpu_targets();
-/// Uses one of cpu_targets() from now on; an empty name returns to the best. False if `name` is not among them.
-/// Not to be called while kernels run.
-bool use_cpu_target(const std::string& name);
 
 }  // namespace equipoise

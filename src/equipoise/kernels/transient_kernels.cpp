@@ -22,35 +22,36 @@ HWY_BEFORE_NAMESPACE();
 namespace equipoise {
 namespace HWY_NAMESPACE {
 
-template <int n, Terms terms, bool windows, class Fates>
+template <int room, Terms terms, bool windows, class Fates>
 bool run_watched(const LaneTask& task, Fates& fates) {
-  using Flow = FreeFlow<Pack, n, terms>;
-  using Watch = WatchTransients<n, lane_groups<n>, terms, windows>;
-  using Observer = FollowOn<Fates, Watch, lane_groups<n>>;
+  using Flow = FreeFlow<Pack, room, terms>;
+  using Watch = WatchTransients<room, lane_groups<room>, terms, windows>;
+  using Observer = FollowOn<Fates, Watch, lane_groups<room>>;
   const auto watch = std::make_unique<Watch>(task, *task.transients);
   const auto observer = std::make_unique<Observer>(fates, *watch);
-  const auto block = std::make_unique<LaneBlock<Flow, Observer, lane_groups<n>>>(
+  const auto block = std::make_unique<LaneBlock<Flow, Observer, lane_groups<room>>>(
       task, Flow(*task.parameters, task.segment), *observer);
   return block->run();
 }
 
 bool advance_transient_target(const LaneTask& task, std::vector<Fate>& fates) {
-  return model::with_ball_count(task.parameters->balls, [&](auto n) {
-    WatchForLoss<n> loss(fates);
-    return run_watched<n, Terms{true, true, true}, false>(task, loss);
+  return model::with_ball_count(task.parameters->balls, [&](auto room) {
+    WatchForLoss loss(fates);
+    return run_watched<room, Terms{true, true, true}, false>(task, loss);
   });
 }
 
-template <int n, bool strobed>
+template <int room, bool strobed>
 bool decide_watched(const LaneTask& task, const DecisionRule& rule, std::vector<Fate>& fates) {
-  const auto decide =
-      std::make_unique<DecideFate<n, lane_groups<n>, strobed>>(*task.parameters, task.segment, rule, fates, nullptr);
-  return run_watched<n, Terms{false, strobed, strobed}, true>(task, *decide);
+  const auto decide = std::make_unique<DecideFate<room, lane_groups<room>, strobed>>(*task.parameters, task.segment,
+                                                                                     rule, fates, nullptr);
+  return run_watched<room, Terms{false, strobed, strobed}, true>(task, *decide);
 }
 
 bool decide_transient_target(const LaneTask& task, const DecisionRule& rule, std::vector<Fate>& fates) {
-  return model::with_ball_count(task.parameters->balls, [&](auto n) {
-    return task.general() ? decide_watched<n, true>(task, rule, fates) : decide_watched<n, false>(task, rule, fates);
+  return model::with_ball_count(task.parameters->balls, [&](auto room) {
+    return task.general() ? decide_watched<room, true>(task, rule, fates)
+                          : decide_watched<room, false>(task, rule, fates);
   });
 }
 

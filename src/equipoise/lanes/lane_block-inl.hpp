@@ -12,6 +12,8 @@
 
 #include <bit>
 #include <cstddef>
+#include <type_traits>
+#include <utility>
 
 #include "equipoise/integrate/dop853-inl.hpp"
 #include "equipoise/integrate/status.hpp"
@@ -28,7 +30,6 @@ namespace HWY_NAMESPACE {
 //   step(group, active, accepted, t, h, z) -> bits of lanes to end now, called after every step tried; t, z: where it
 //                              leads; active: bits of lanes that hold a trajectory
 //   end(slot, start, how, t, z)    trajectory leaves
-template <int n>
 struct NoObserver {
   void begin(int, std::size_t, double, const double*) {}
   HWY_INLINE void stage(int, int, const Pack*) {}
@@ -39,13 +40,13 @@ struct NoObserver {
 template <class Flow, class Observer, int groups>
 class LaneBlock {
  public:
-  static constexpr int dimension = Flow::dimension;
+  static constexpr int dimension = Flow::dimension;  // the largest size
   static constexpr int lanes = static_cast<int>(pack_lanes);
   static constexpr int slots = groups * lanes;
 
   LaneBlock(const LaneTask& task, const Flow& flow, Observer& observer)
-      : task_(task), flow_(flow), observer_(observer), end_(task.end) {
-    for (int i = 0; i < dimension; ++i)
+      : task_(task), flow_(flow), observer_(observer), size_(flow.size()), end_(task.end) {
+    for (int i = 0; i < size_; ++i)
       inverse_scale_[i] = Pack(1.0 / (task.tolerance * lane_error_scale(*task.parameters, i)));
   }
 
@@ -53,7 +54,7 @@ class LaneBlock {
   bool run() {
     for (int g = 0; g < groups; ++g) {
       active_[g] = 0;
-      for (int i = 0; i < dimension; ++i) y_[g][i] = k_[g][0][i] = Pack(0.0);
+      for (int i = 0; i < size_; ++i) y_[g][i] = k_[g][0][i] = Pack(0.0);
       t_[g] = end_;
       h_[g] = Pack(0.0);
       log_error_[g] = Pack(0.0);
@@ -74,6 +75,28 @@ class LaneBlock {
   }
 
  private:
+  using Size = decltype(std::declval<Flow>().size());
+
+  // Calls f with the size as a constant, whatever the flow makes of it: what walks the tableau keeps its sums in
+  // registers.
+  template <class F>
+  HWY_INLINE void with_size(F&& f) const {
+    if constexpr (!std::is_same_v<Size, int>) {
+      f(size_);
+    } else {
+      switch (size_) {
+        case model::dimension(5):
+          return f(dop853::Full<model::dimension(5)>{});
+        case model::dimension(6):
+          return f(dop853::Full<model::dimension(6)>{});
+        case model::dimension(7):
+          return f(dop853::Full<model::dimension(7)>{});
+        default:
+          return f(dop853::Full<model::dimension(8)>{});
+      }
+    }
+  }
+
   // One step tried in every lane.
   HWY_INLINE void advance(const Flow& flow) {
     for (int g = 0; g < groups; ++g) step_[g] = minimum(h_[g], end_ - t_[g]);
@@ -82,7 +105,7 @@ class LaneBlock {
 #pragma GCC unroll 1
       for (int g = 0; g < groups; ++g) {
         Pack z[dimension];
-        dop853::stage_state(row, step_[g], y_[g], k_[g], z);
+        with_size([&](auto size) HWY_ATTR { dop853::stage_state(row, step_[g], y_[g], k_[g], z, size); });
         observer_.stage(row, g, z);
         flow(multiply_add(Pack(dop853::tableau::c[row]), step_[g], t_[g]), z, k_[g][row]);
       }
@@ -92,8 +115,8 @@ class LaneBlock {
 
   HWY_INLINE void finish_step(const Flow& flow, int g) {
     Pack z[dimension], error5[dimension], error3[dimension], k_end[dimension];
-    dop853::step_end(step_[g], y_[g], k_[g], z, error5, error3);
-    const Pack error2 = dop853::squared_error<Pack, dimension>(step_[g], error5, error3, inverse_scale_);
+    with_size([&](auto size) HWY_ATTR { dop853::step_end(step_[g], y_[g], k_[g], z, error5, error3, size); });
+    const Pack error2 = dop853::squared_error<Pack, dimension>(step_[g], error5, error3, inverse_scale_, size_);
     const Mask accepted = error2 <= Pack(1.0);  // false for not-a-number
     // The last step lands on the end exactly.
     const Pack t_try = t_[g] + step_[g];
@@ -106,7 +129,7 @@ class LaneBlock {
     Pack size(0.0);
     for (int i = 0; i < 4; ++i) size = maximum(size, absolute(z[i]));
     const Mask bounded = size < Pack(divergence_limit);
-    for (int i = 0; i < dimension; ++i) {
+    for (int i = 0; i < size_; ++i) {
       y_[g][i] = select(accepted, z[i], y_[g][i]);
       k_[g][0][i] = select(accepted, k_end[i], k_[g][0][i]);
     }
@@ -135,8 +158,8 @@ class LaneBlock {
                           : reached & bit  ? LaneEnd::reached_end
                                            : LaneEnd::failed;
       const std::size_t start = start_of_[g][lane];
-      double* row = task_.states + start * dimension;
-      for (int i = 0; i < dimension; ++i) row[i] = element(y_[g][i], lane);
+      double* row = task_.states + start * static_cast<std::size_t>(size_);
+      for (int i = 0; i < size_; ++i) row[i] = element(y_[g][i], lane);
       observer_.end(g * lanes + lane, start, how, element(t_[g], lane), row);
       active_[g] &= ~bit;
       --working_;
@@ -149,14 +172,14 @@ class LaneBlock {
   // zero.
   unsigned fill(int g, int lane) {
     if (next_ == task_.count) {
-      for (int i = 0; i < dimension; ++i) element(y_[g][i], lane) = 0.0;
+      for (int i = 0; i < size_; ++i) element(y_[g][i], lane) = 0.0;
       element(t_[g], lane) = task_.end;
       element(h_[g], lane) = 0.0;
       return 0;
     }
     const std::size_t start = next_++;
-    const double* row = task_.states + start * dimension;
-    for (int i = 0; i < dimension; ++i) element(y_[g][i], lane) = row[i];
+    const double* row = task_.states + start * static_cast<std::size_t>(size_);
+    for (int i = 0; i < size_; ++i) element(y_[g][i], lane) = row[i];
     element(t_[g], lane) = task_.segment.begin;
     element(h_[g], lane) = first_step(row);
     element(log_error_[g], lane) = 0.0;
@@ -170,7 +193,7 @@ class LaneBlock {
   // A cautious first step from the fastest rate around: the controller opens it within a few steps.
   double first_step(const double* row) const {
     double fastest = 1.0 + std::fabs(task_.segment.speed) + std::fabs(task_.segment.speed_at(task_.end));
-    for (int i = 4 + Flow::balls; i < dimension; ++i) fastest += std::fabs(row[i]);
+    for (int i = 4 + task_.parameters->balls; i < size_; ++i) fastest += std::fabs(row[i]);
     const double span = task_.end - task_.segment.begin;
     const double step = 0.2 / fastest;
     return step < span ? step : span;
@@ -183,7 +206,7 @@ class LaneBlock {
     flow_(t_[g], y_[g], k_start);
     for (int lane = 0; lane < lanes; ++lane)
       if (filled & (1u << lane))
-        for (int i = 0; i < dimension; ++i) element(k_[g][0][i], lane) = element(k_start[i], lane);
+        for (int i = 0; i < size_; ++i) element(k_[g][0][i], lane) = element(k_start[i], lane);
   }
 
   static double& element(Pack& p, int lane) { return reinterpret_cast<double*>(&p)[lane]; }
@@ -191,6 +214,7 @@ class LaneBlock {
   const LaneTask& task_;
   const Flow flow_;
   Observer& observer_;
+  const Size size_;
   Pack end_;
   Pack inverse_scale_[dimension];
   Pack y_[groups][dimension];

@@ -4,7 +4,7 @@
 #include <cstddef>
 #include <cstdint>
 
-#include "equipoise/base/error.hpp"
+#include "equipoise/base/stop_flag.hpp"
 #include "equipoise/model/parameters.hpp"
 #include "equipoise/model/speed.hpp"
 

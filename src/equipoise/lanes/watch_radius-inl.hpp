@@ -48,8 +48,8 @@ class SquaredRadius {
   double c0_, c1_, c2_, c3_, to_;
 };
 
-template <int n, int groups>
-class WatchRadius : public NoObserver<n> {
+template <int groups>
+class WatchRadius : public NoObserver {
  public:
   explicit WatchRadius(const RadiusWindows& record) : record_(record) {}
 

@@ -8,7 +8,7 @@
 
 #include <fmt/format.h>
 
-#include "equipoise/base/embedded.hpp"
+#include "equipoise/literature/paper_files.hpp"
 #include "equipoise/base/error.hpp"
 
 namespace equipoise {
@@ -22,7 +22,7 @@ namespace {
 using Line = std::map<std::string, std::string>;
 
 std::string_view required(const std::string& name) {
-  const std::string_view text = embedded::find(name);
+  const std::string_view text = embedded::paper_files.find(name);
   if (text.empty()) throw RunError(name + ": the library was built without it");
   return text;
 }
@@ -176,7 +176,7 @@ const std::vector<PublishedTable>& published_tables() {
 Study study_of(const PublishedRow& row, model::SpeedLaw law) {
   const std::string name = row.study + ".toml";
   Study study = parse_study(std::string(required("studies/" + name)), "studies/paper/" + name);
-  if (study.speed.profile != "constant") study.speed.law = law;
+  if (study.speed.profile != Profile::constant) study.speed.law = law;
   return study;
 }
 

@@ -6,7 +6,7 @@
 
 #include <fmt/format.h>
 
-#include "equipoise/base/embedded.hpp"
+#include "equipoise/literature/paper_files.hpp"
 #include "equipoise/base/error.hpp"
 
 namespace equipoise {
@@ -38,7 +38,7 @@ Table7Candidate candidate(const std::string& line) {
 }  // namespace
 
 std::vector<Table7Candidate> table_7_candidates() {
-  const std::string_view text = embedded::find("evidence/table-7-candidates.csv");
+  const std::string_view text = embedded::paper_files.find("evidence/table-7-candidates.csv");
   if (text.empty()) throw RunError("evidence/table-7-candidates.csv: the library was built without it");
   std::istringstream file{std::string(text)};
   std::vector<Table7Candidate> list;

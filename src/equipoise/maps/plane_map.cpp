@@ -18,9 +18,13 @@
 #include <oneapi/tbb/parallel_for.h>
 #include <oneapi/tbb/task_arena.h>
 
+#include "equipoise/base/error.hpp"
+#include "equipoise/base/reporting.hpp"
 #include "equipoise/basins/basin.hpp"
 #include "equipoise/branches/parameter_line.hpp"
 #include "equipoise/fates/start_runner.hpp"
+#include "equipoise/kernels/cpu_target.hpp"
+#include "equipoise/math/dense.hpp"
 #include "equipoise/model/balanced_state.hpp"
 #include "equipoise/model/linearisation.hpp"
 #include "equipoise/motions/catalogue.hpp"
@@ -62,7 +66,7 @@ double balance_growth(const model::Parameters& p, double speed) {
   double least = std::numeric_limits<double>::quiet_NaN();
   for (const auto& phi : model::balanced_states(p).angles) {
     const Eigen::VectorXd centre = model::centred_state(p, phi.data());
-    least = std::fmin(least, model::jacobian(p, speed, centre.data()).eigenvalues().real().maxCoeff());
+    least = std::fmin(least, dense::largest_real_part(model::jacobian(p, speed, centre.data())));
   }
   return least;
 }
@@ -195,7 +199,7 @@ class Mapper {
   void report() {
     if (!settings_.progress) return;
     const std::lock_guard lock(reporting_);
-    settings_.progress(++done_, pixels_.size());
+    settings_.progress({++done_, pixels_.size(), "pixels", {}});
   }
 
   // Counts codes; gives free ones to names without: the usual ones first, then in the order of pixels.
@@ -220,9 +224,9 @@ class Mapper {
       map_.r_max.push_back(pixel.r_max);
     }
     for (const auto& [code, entry] : attractors) map_.codes.push_back(entry);
-    map_.codes.push_back({undecided_code, "undecided", "", {}});
-    map_.codes.push_back({diverged_code, "diverged", "", {}});
-    map_.codes.push_back({failed_code, "failed", "", {}});
+    map_.codes.push_back({undecided_code, name_of(Outcome::undecided), "", {}});
+    map_.codes.push_back({diverged_code, name_of(Outcome::diverged), "", {}});
+    map_.codes.push_back({failed_code, name_of(Outcome::failed), "", {}});
     for (MapCode& entry : map_.codes) entry.share = wilson_share(counts[entry.code], total);
   }
 
@@ -237,6 +241,9 @@ class Mapper {
 
 }  // namespace
 
-PlaneMap plane_map(const Study& study, const PlaneMapSettings& settings) { return Mapper(study, settings).run(); }
+PlaneMap plane_map(const Study& study, const PlaneMapSettings& settings) {
+  const ChosenCpuTarget chosen(settings.cpu_target);
+  return reported(settings, [&](const PlaneMapSettings& s) { return Mapper(study, s).run(); });
+}
 
 }  // namespace equipoise

@@ -1,23 +1,18 @@
 // Maps: the outcome of one start at every pixel of a plane of two quantities.
 #pragma once
 
-#include <cstddef>
-#include <functional>
 #include <vector>
 
-#include "equipoise/base/error.hpp"
-#include "equipoise/store/map_file.hpp"
+#include "equipoise/base/run_options.hpp"
+#include "equipoise/results/plane_map.hpp"
 #include "equipoise/study/study.hpp"
 
 namespace equipoise {
 
-struct PlaneMapSettings {
+/// Progress is in pixels.
+struct PlaneMapSettings : RunOptions {
   MapAxis x, y;
   std::vector<AngleLink> links;  ///< applied in order, after the axes
-  int threads = 0;               ///< 0: all cores
-  const StopFlag* stop = nullptr;
-  std::function<void(std::size_t done, std::size_t total)>
-      progress;  ///< pixels; from any thread, never from two at once
 };
 
 /// Follows the start [initial] of `study`, with the pixel's two values, until it is seen to approach a motion that

@@ -5,6 +5,8 @@
 
 #include <Eigen/Eigenvalues>
 
+#include "equipoise/math/dense.hpp"
+
 namespace equipoise {
 
 Eigen::MatrixXd solve_lyapunov(const Eigen::MatrixXd& a, const Eigen::MatrixXd& q) {
@@ -38,8 +40,8 @@ std::optional<Eigen::MatrixXd> solve_stein(Eigen::MatrixXd m, Eigen::MatrixXd q)
 }
 
 Modes left_modes(const Eigen::MatrixXd& a) {
-  const Eigen::EigenSolver<Eigen::MatrixXd> solver(a.transpose());
-  Modes modes{solver.eigenvalues(), solver.eigenvectors()};
+  dense::EigenPairs pairs = dense::eigenpairs(a.transpose());
+  Modes modes{std::move(pairs.values), std::move(pairs.vectors)};
   modes.left.colwise().normalize();
   return modes;
 }

@@ -1,4 +1,4 @@
-// From a ball count known at run time to one known at compile time.
+// How many balls templates are compiled for.
 #pragma once
 
 #include <type_traits>
@@ -8,7 +8,34 @@
 
 namespace equipoise::model {
 
-/// Calls `f(std::integral_constant<int, n>{})` for n = `balls`, 1 to max_balls (checked where a study is read).
+/// A template over balls has room for some number of them. With room for `any_count` it runs over as many as a number
+/// says that is known at run time; with less room, over exactly that many, in loops that unroll.
+inline constexpr int any_count = max_balls;
+
+/// The count itself: a constant where it is compiled in.
+template <int room>
+class BallCount {
+ public:
+  constexpr explicit BallCount(int) {}
+  constexpr operator int() const { return room; }
+  /// Number of state variables.
+  constexpr auto size() const { return std::integral_constant<int, dimension(room)>{}; }
+};
+
+template <>
+class BallCount<any_count> {
+ public:
+  constexpr explicit BallCount(int balls) : balls_(balls) {}
+  constexpr operator int() const { return balls_; }
+  constexpr int size() const { return dimension(balls_); }
+
+ private:
+  int balls_;
+};
+
+/// Calls `f(std::integral_constant<int, room>{})` with the room that kernels take for `balls`, 1 to max_balls (checked
+/// where a study is read): the same number up to four, any_count above, where one loop serves as well as unrolled code
+/// and four counts are compiled at once.
 template <class F>
 decltype(auto) with_ball_count(int balls, F&& f) {
   switch (balls) {
@@ -20,14 +47,8 @@ decltype(auto) with_ball_count(int balls, F&& f) {
       return f(std::integral_constant<int, 3>{});
     case 4:
       return f(std::integral_constant<int, 4>{});
-    case 5:
-      return f(std::integral_constant<int, 5>{});
-    case 6:
-      return f(std::integral_constant<int, 6>{});
-    case 7:
-      return f(std::integral_constant<int, 7>{});
     default:
-      return f(std::integral_constant<int, 8>{});
+      return f(std::integral_constant<int, any_count>{});
   }
 }
 

@@ -10,6 +10,7 @@
 #endif
 
 #include "equipoise/base/pack-inl.hpp"
+#include "equipoise/model/ball_count.hpp"
 #include "equipoise/model/parameters.hpp"
 
 HWY_BEFORE_NAMESPACE();
@@ -37,11 +38,11 @@ struct Vector2 {
 };
 
 // What acts on the balls of a machine at one instant.
-template <class T, int n>
+template <class T, int room>
 struct BallActions {
-  bool held[n] = {};     // turns with the rotor: clamped, or at rest by stiction
-  T resistance[n] = {};  // rolling resistance over normal force, with the sign of the ball's rate
-  T push[n] = {};        // along phi_i, from other balls: mu_i phi_i'' for a ball alone; they sum to 0
+  bool held[room] = {};     // turns with the rotor: clamped, or at rest by stiction
+  T resistance[room] = {};  // rolling resistance over normal force, with the sign of the ball's rate
+  T push[room] = {};        // along phi_i, from other balls: mu_i phi_i'' for a ball alone; they sum to 0
 };
 
 // What a machine's equations are solved for besides rates.
@@ -52,14 +53,15 @@ struct MachineResult {
   T torque;         // on the rotor: the motor's, or the one that the prescribed motion needs
 };
 
-template <class T, int n, Terms terms>
+// n balls: as many as there is room for, or with room for any_count those of the parameters (model/ball_count.hpp).
+template <class T, int room, Terms terms>
 class BallBalancer {
  public:
-  static constexpr int balls = n;
-  static constexpr int dimension = model::dimension(n);
+  static constexpr int dimension = model::dimension(room);
 
   explicit BallBalancer(const model::Parameters& p)
-      : lambda_(p.eccentricity),
+      : n(p.balls),
+        lambda_(p.eccentricity),
         zeta_mean_(0.5 * (p.damping[0] + p.damping[1])),
         zeta_half_(0.5 * (p.damping[0] - p.damping[1])),
         kappa_mean_(0.5 * (p.stiffness[0] + p.stiffness[1])),
@@ -121,7 +123,7 @@ class BallBalancer {
   // dz/dt of a machine. `driven`: rotor.acceleration is not read but solved for, under the motor's `torque`. Moments
   // are taken about the race's centre O', so that a ball's normal force has none: the rotor is a body whose centre of
   // mass lies at lambda - e from there and on which the supports act at -e; held balls belong to it.
-  HWY_INLINE MachineResult<T> machine_derivative(const RotorMotion<T>& rotor, const BallActions<T, n>& actions,
+  HWY_INLINE MachineResult<T> machine_derivative(const RotorMotion<T>& rotor, const BallActions<T, room>& actions,
                                                  bool driven, const T& torque, const T* z, T* dz) const {
     static_assert(terms.machine && terms.acceleration);
     const T w2 = rotor.speed * rotor.speed;
@@ -206,7 +208,7 @@ class BallBalancer {
  private:
   // What the balls contribute to the equations of the race's centre.
   struct BallSums {
-    T s[n], c[n];           // of phi_i
+    T s[room], c[room];     // of phi_i
     T force_x, force_y;     // Fx, Fy
     T resisting_y;          // taken from Fy with the first ball
     T inertia_y, coupling;  // sum mu_i sin^2 phi_i, sum mu_i sin phi_i cos phi_i
@@ -252,8 +254,9 @@ class BallBalancer {
     }
   }
 
+  const model::BallCount<room> n;  // named as in the equations
   T lambda_, zeta_mean_, zeta_half_, kappa_mean_, kappa_half_, gravity_, total_inertia_, inertia_sum_;
-  T mu_[n], beta_[n], drag_force_[n];
+  T mu_[room], beta_[room], drag_force_[room];
   Vector2<T> offset_{};  // machines only
   T inertia_{};
 };

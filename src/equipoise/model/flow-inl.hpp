@@ -42,18 +42,21 @@ class SegmentMotion {
 };
 
 // Balls free. State: model/parameters.hpp.
-template <class T, int n, Terms terms>
+template <class T, int room, Terms terms>
 class FreeFlow {
  public:
-  static constexpr int balls = n;
-  static constexpr int dimension = model::dimension(n);
+  static constexpr int dimension = model::dimension(room);  // the largest size
 
-  FreeFlow(const model::Parameters& p, const model::Segment& s) : balancer_(p), motion_(s) {}
+  FreeFlow(const model::Parameters& p, const model::Segment& s) : balls_(p.balls), balancer_(p), motion_(s) {}
+
+  // Of a state: a constant unless there is room for any count of balls.
+  HWY_INLINE auto size() const { return balls_.size(); }
 
   HWY_INLINE void operator()(const T& t, const T* z, T* dz) const { balancer_.free_derivative(motion_.at(t), z, dz); }
 
  private:
-  BallBalancer<T, n, terms> balancer_;
+  model::BallCount<room> balls_;
+  BallBalancer<T, room, terms> balancer_;
   SegmentMotion<T, terms> motion_;
 };
 

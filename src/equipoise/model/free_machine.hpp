@@ -5,7 +5,7 @@
 #include <optional>
 #include <vector>
 
-#include <Eigen/Dense>
+#include <Eigen/Core>
 
 #include "equipoise/model/machine.hpp"
 #include "equipoise/model/parameters.hpp"

@@ -17,65 +17,55 @@ Segment constant_speed(double speed) { return {0.0, 0.0, 0.0, speed, 0.0, false}
 }  // namespace
 
 Eigen::MatrixXd jacobian(const Parameters& p, double speed, const double* z) {
-  return with_ball_count(p.balls, [&](auto n) -> Eigen::MatrixXd {
-    constexpr int size = dimension(n);
-    const kernels::FreeFlow<Dual<size>, n, autonomous> flow(p, constant_speed(speed));
-    Dual<size> state[size], rate[size];
-    for (int i = 0; i < size; ++i) {
-      state[i] = Dual<size>(z[i]);
-      state[i].slope[i] = 1.0;
-    }
-    flow(Dual<size>(0.0), state, rate);
-    Eigen::MatrixXd result(size, size);
-    for (int i = 0; i < size; ++i)
-      for (int column = 0; column < size; ++column) result(i, column) = rate[i].slope[column];
-    return result;
-  });
+  constexpr int most = dimension(max_balls);
+  const int size = dimension(p.balls);
+  const kernels::FreeFlow<Dual<most>, any_count, autonomous> flow(p, constant_speed(speed));
+  Dual<most> state[most], rate[most];
+  for (int i = 0; i < size; ++i) {
+    state[i] = Dual<most>(z[i]);
+    state[i].slope[i] = 1.0;
+  }
+  flow(Dual<most>(0.0), state, rate);
+  Eigen::MatrixXd result(size, size);
+  for (int i = 0; i < size; ++i)
+    for (int column = 0; column < size; ++column) result(i, column) = rate[i].slope[column];
+  return result;
 }
 
 Eigen::VectorXd derivative(const Parameters& p, double speed, const double* z, double psi) {
-  return with_ball_count(p.balls, [&](auto n) -> Eigen::VectorXd {
-    if (is_strobed(p)) {
-      constexpr kernels::Terms strobed{false, true, true};
-      const kernels::FreeFlow<double, n, strobed> flow(p, {0.0, 0.0, psi, speed, 0.0, false});
-      Eigen::VectorXd rate(dimension(n));
-      flow(0.0, z, rate.data());
-      return rate;
-    }
-    const kernels::FreeFlow<double, n, autonomous> flow(p, constant_speed(speed));
-    Eigen::VectorXd rate(dimension(n));
+  Eigen::VectorXd rate(dimension(p.balls));
+  if (is_strobed(p)) {
+    constexpr kernels::Terms strobed{false, true, true};
+    const kernels::FreeFlow<double, any_count, strobed> flow(p, {0.0, 0.0, psi, speed, 0.0, false});
     flow(0.0, z, rate.data());
     return rate;
-  });
+  }
+  const kernels::FreeFlow<double, any_count, autonomous> flow(p, constant_speed(speed));
+  flow(0.0, z, rate.data());
+  return rate;
 }
 
 Eigen::VectorXd rate(const System& system, const Eigen::VectorXd& y, double psi) {
   if (system.plain()) return derivative(system.parameters(), system.speed(), y.data(), psi);
-  return with_ball_count(system.balls(), [&](auto n) -> Eigen::VectorXd {
-    using Flow = kernels::SmoothFlow<double, n>;
-    double z[Flow::dimension] = {}, dz[Flow::dimension];
-    for (int i = 0; i < system.dimension(); ++i) z[i] = y[i];
-    Flow(system, psi)(0.0, z, dz);
-    return Eigen::Map<Eigen::VectorXd>(dz, system.dimension());
-  });
+  Eigen::VectorXd rate(system.dimension());
+  kernels::SmoothFlow<double, any_count>(system, psi)(0.0, y.data(), rate.data());
+  return rate;
 }
 
 Eigen::MatrixXd jacobian(const System& system, const Eigen::VectorXd& y, double psi) {
   if (system.plain() && system.autonomous()) return jacobian(system.parameters(), system.speed(), y.data());
-  return with_ball_count(system.balls(), [&](auto n) -> Eigen::MatrixXd {
-    constexpr int most = kernels::SmoothFlow<double, n>::dimension;
-    Dual<most> z[most], dz[most];
-    const int size = system.dimension();
-    for (int i = 0; i < size; ++i) {
-      z[i] = y[i];
-      z[i].slope[i] = 1.0;
-    }
-    kernels::SmoothFlow<Dual<most>, n>(system, psi)(Dual<most>(0.0), z, dz);
-    Eigen::MatrixXd result(size, size);
-    for (int i = 0; i < size; ++i)
-      for (int column = 0; column < size; ++column) result(i, column) = dz[i].slope[column];
-    return result;
-  });
+  constexpr int most = kernels::SmoothFlow<double, any_count>::dimension;
+  const int size = system.dimension();
+  Dual<most> z[most], dz[most];
+  for (int i = 0; i < size; ++i) {
+    z[i] = Dual<most>(y[i]);
+    z[i].slope[i] = 1.0;
+  }
+  kernels::SmoothFlow<Dual<most>, any_count>(system, psi)(Dual<most>(0.0), z, dz);
+  Eigen::MatrixXd result(size, size);
+  for (int i = 0; i < size; ++i)
+    for (int column = 0; column < size; ++column) result(i, column) = dz[i].slope[column];
+  return result;
 }
 
 Eigen::VectorXd centred_state(const Parameters& p, const double* phi) {

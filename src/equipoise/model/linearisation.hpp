@@ -1,7 +1,7 @@
 // The equations linearised about a steady state at constant speed.
 #pragma once
 
-#include <Eigen/Dense>
+#include <Eigen/Core>
 
 #include "equipoise/model/parameters.hpp"
 #include "equipoise/model/system.hpp"

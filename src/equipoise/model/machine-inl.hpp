@@ -18,21 +18,22 @@ namespace HWY_NAMESPACE {
 
 // State: that of model/parameters.hpp, then psi, psi' and the integral of the speed error (model/machine.hpp). What
 // changes between events is set from outside: the drive's segment and what each ball does.
-template <int n>
+template <int room>
 class MachineFlow {
  public:
-  static constexpr int balls = n;
-  static constexpr int dimension = model::machine_dimension(n);
+  static constexpr int dimension = model::machine_dimension(room);  // the largest size
 
   explicit MachineFlow(const model::Parameters& p)
-      : balancer_(p), parameters_(p), needs_angle_(!p.isotropic() || p.gravity != 0.0) {}
+      : n(p.balls), balancer_(p), parameters_(p), needs_angle_(!p.isotropic() || p.gravity != 0.0) {}
+
+  int size() const { return model::machine_dimension(n); }
 
   void operator()(double t, const double* z, double* dz) const { evaluate(t, z, dz); }
 
   // The same, and what else the equations were solved for.
   MachineResult<double> evaluate(double t, const double* z, double* dz) const {
     const auto at = rotor(z);
-    BallActions<double, n> actions = own_actions();
+    BallActions<double, room> actions = own_actions();
     const double* drive_state = z + model::dimension(n);
     const double torque = drive.driven() ? drive.motor.torque(t, drive_state[1], drive_state[2]) : 0.0;
     MachineResult<double> result = balancer_.machine_derivative(at, actions, drive.driven(), torque, z, dz);
@@ -64,14 +65,14 @@ class MachineFlow {
   // Change of the velocities u, v, q_1..q_n, psi' (as entries of `change`, shaped like a state) for a unit impulse that
   // drives balls `first` and `second` apart along the race.
   void impulse_response(const double* z, int first, int second, double* change) const {
-    BallActions<double, n> actions;
+    BallActions<double, room> actions;
     double before[dimension], after[dimension];
     const auto at = rotor(z);
     const double a0 = balancer_.machine_derivative(at, actions, drive.driven(), 0.0, z, before).acceleration;
     actions.push[first] = -1.0;
     actions.push[second] = 1.0;
     const double a1 = balancer_.machine_derivative(at, actions, drive.driven(), 0.0, z, after).acceleration;
-    for (int i = 0; i < dimension; ++i) change[i] = 0.0;
+    for (int i = 0; i < size(); ++i) change[i] = 0.0;
     for (int i : {model::index::u, model::index::v}) change[i] = after[i] - before[i];
     for (int i = 0; i < n; ++i) change[4 + n + i] = after[4 + n + i] - before[4 + n + i];
     change[model::machine_index::speed(n)] = drive.driven() ? a1 - a0 : 0.0;
@@ -81,13 +82,13 @@ class MachineFlow {
   double pressure(int pair) const { return pressure_[pair]; }
 
   model::DrivePiece drive;
-  bool held[n] = {};    // by the clamp or by stiction
-  int rolling[n] = {};  // sense in which a free ball moves, for its rolling resistance; 0: none is asked for
-  bool joined[n] = {};  // pair i: ball order[i] and the next one touch and move as one
-  int order[n] = {};    // of the balls around the race
+  bool held[room] = {};    // by the clamp or by stiction
+  int rolling[room] = {};  // sense in which a free ball moves, for its rolling resistance; 0: none is asked for
+  bool joined[room] = {};  // pair i: ball order[i] and the next one touch and move as one
+  int order[room] = {};    // of the balls around the race
 
  private:
-  using Balancer = BallBalancer<double, n, Terms{true, true, true, true}>;
+  using Balancer = BallBalancer<double, room, Terms{true, true, true, true}>;
 
   RotorMotion<double> rotor(const double* z) const {
     const double* drive_state = z + model::dimension(n);
@@ -99,8 +100,8 @@ class MachineFlow {
     return at;
   }
 
-  BallActions<double, n> own_actions() const {
-    BallActions<double, n> actions;
+  BallActions<double, room> own_actions() const {
+    BallActions<double, room> actions;
     for (int i = 0; i < n; ++i) {
       actions.held[i] = held[i];
       actions.resistance[i] = held[i] ? 0.0 : rolling[i] * parameters_.rolling[i];
@@ -108,7 +109,7 @@ class MachineFlow {
     return actions;
   }
 
-  bool turn_inward(const MachineResult<double>& result, const double* z, BallActions<double, n>& actions) const {
+  bool turn_inward(const MachineResult<double>& result, const double* z, BallActions<double, room>& actions) const {
     bool any = false;
     for (int i = 0; i < n; ++i)
       if (actions.resistance[i] != 0.0 && forces_on(i, z, result).normal < 0.0) {
@@ -127,17 +128,17 @@ class MachineFlow {
   // Pushes between joined neighbours such that their rates stay equal: a small linear system, solved by elimination
   // (symmetric positive definite, like the inverse of the mass matrix that it is made of).
   void hold_together(const RotorMotion<double>& at, double torque, const double* z, const double* dz,
-                     BallActions<double, n>& actions) const {
-    if constexpr (n == 1) return;
-    int pairs = 0, pair_of[n];
-    double matrix[n][n], right[n];
+                     BallActions<double, room>& actions) const {
+    if (n == 1) return;
+    int pairs = 0, pair_of[room];
+    double matrix[room][room], right[room];
     const auto apart = [&](int pair, const double* rates) {
       return rates[4 + n + order[(pair + 1) % n]] - rates[4 + n + order[pair]];
     };
     for (int i = 0; i < n; ++i)
       if (joined[i]) pair_of[pairs++] = i;
     for (int k = 0; k < pairs; ++k) {
-      BallActions<double, n> unit = actions;
+      BallActions<double, room> unit = actions;
       unit.push[order[pair_of[k]]] -= 1.0;
       unit.push[order[(pair_of[k] + 1) % n]] += 1.0;
       double rates[dimension];
@@ -163,10 +164,11 @@ class MachineFlow {
     }
   }
 
+  const model::BallCount<room> n;
   Balancer balancer_;
   model::Parameters parameters_;
   bool needs_angle_;
-  mutable double pressure_[n] = {};
+  mutable double pressure_[room] = {};
 };
 
 }  // namespace HWY_NAMESPACE

@@ -49,18 +49,18 @@ struct DrivePlaces {
   int psi = -1, speed = -1, error = -1;
 };
 
-template <class T, int n>
+template <class T, int room>
 class SmoothFlow {
  public:
-  static constexpr int balls = n;
-  // Of the largest state; what a system does not use rests at 0.
-  static constexpr int dimension = model::dimension(n) + 3;
+  static constexpr int dimension = model::dimension(room) + 3;  // of the largest state
 
   // `psi`: the rotor's angle at time 0, where it is no part of the state.
-  SmoothFlow(const model::Parameters& p, const model::DrivePiece& drive, const DrivePlaces& places, double psi)
-      : balancer_(p), drive_(drive), places_(places), turning_(model::is_strobed(p)), psi_(psi) {}
   SmoothFlow(const model::System& s, double psi)
-      : SmoothFlow(s.parameters(), s.drive(), {s.psi_place(), s.speed_place(), s.error_place()}, psi) {}
+      : balancer_(s.parameters()),
+        drive_(s.drive()),
+        places_{s.psi_place(), s.speed_place(), s.error_place()},
+        turning_(model::is_strobed(s.parameters())),
+        psi_(psi) {}
 
   void operator()(const T& t, const T* y, T* dy) const {
     RotorMotion<T> rotor{places_.speed < 0 ? T(drive_.speed) : y[places_.speed], T(0.0), T(0.0), T(1.0)};
@@ -71,15 +71,14 @@ class SmoothFlow {
     MotorState<T> motor{};
     const bool driven = !drive_.prescribed;
     if (driven) motor = motor_state(drive_.motor, rotor.speed, places_.error < 0 ? T(0.0) : y[places_.error]);
-    for (int i = model::dimension(n); i < dimension; ++i) dy[i] = T(0.0);
-    const auto result = balancer_.machine_derivative(rotor, BallActions<T, n>{}, driven, motor.torque, y, dy);
+    const auto result = balancer_.machine_derivative(rotor, BallActions<T, room>{}, driven, motor.torque, y, dy);
     if (places_.psi >= 0) dy[places_.psi] = rotor.speed;
     if (places_.speed >= 0) dy[places_.speed] = result.acceleration;
     if (places_.error >= 0) dy[places_.error] = motor.error_rate;
   }
 
  private:
-  BallBalancer<T, n, Terms{true, true, true, true}> balancer_;
+  BallBalancer<T, room, Terms{true, true, true, true}> balancer_;
   model::DrivePiece drive_;
   DrivePlaces places_;
   bool turning_;

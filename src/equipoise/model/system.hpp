@@ -4,7 +4,7 @@
 
 #include <vector>
 
-#include <Eigen/Dense>
+#include <Eigen/Core>
 
 #include "equipoise/model/machine.hpp"
 #include "equipoise/model/parameters.hpp"

@@ -2,6 +2,7 @@
 #include "equipoise/motions/catalogue.hpp"
 
 #include <algorithm>
+#include <iterator>
 #include <utility>
 
 #include <fmt/format.h>
@@ -13,6 +14,13 @@ namespace equipoise {
 const Attractor* Catalogue::find(int id) const {
   const auto at = std::find_if(attractors_.begin(), attractors_.end(), [&](const Attractor& a) { return a.id == id; });
   return at == attractors_.end() ? nullptr : &*at;
+}
+
+std::vector<Attractor> Catalogue::listed_since(const Catalogue& earlier) const {
+  std::vector<Attractor> added;
+  std::copy_if(attractors_.begin(), attractors_.end(), std::back_inserter(added),
+               [&](const Attractor& a) { return !earlier.find(a.id); });
+  return added;
 }
 
 int Catalogue::find(const model::Parameters& p, const Motion& motion) const {

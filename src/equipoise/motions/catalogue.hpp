@@ -25,6 +25,9 @@ class Catalogue {
  public:
   const std::vector<Attractor>& attractors() const { return attractors_; }
   const Attractor* find(int id) const;
+  /// What `earlier`, a state that this list once had, did not hold. The list is kept by identifier: what is new in it
+  /// need not stand at its end.
+  std::vector<Attractor> listed_since(const Catalogue& earlier) const;
   /// Identifier of the same motion, 0 if it is not listed. All balanced states are one motion.
   int find(const model::Parameters& p, const Motion& motion) const;
   /// Lists a motion unless it is listed, and returns its identifier. A second motion of the same name gets a free

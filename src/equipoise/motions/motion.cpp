@@ -13,12 +13,13 @@
 #include <limits>
 
 #include "equipoise/base/angles.hpp"
+#include "equipoise/math/dense.hpp"
 #include "equipoise/model/linearisation.hpp"
 #include "equipoise/motions/motion_description.hpp"
 #include "equipoise/motions/motion_statistics.hpp"
 #include "equipoise/motions/motion_symmetry.hpp"
+#include "equipoise/motions/nearest_balanced.hpp"
 #include "equipoise/motions/settling.hpp"
-#include "equipoise/orbits/nearest_balanced.hpp"
 #include "equipoise/orbits/recurrence.hpp"
 #include "equipoise/orbits/stroboscopic.hpp"
 
@@ -44,12 +45,13 @@ constexpr double in_reach = 0.5;
 class Journey {
  public:
   Journey(const model::System& system, const Eigen::VectorXd& state, double patience,
-          const std::vector<KnownOrbit>& known)
+          const std::vector<KnownOrbit>& known, const StopFlag* stop)
       : system_(system),
         p_(system_.parameters()),
         strobe_(system.section() == model::Section::strobe ? system.strobe_period() : 0.0),
         difference_(system),
         state_(state),
+        stop_(stop),
         known_(known) {
     const double doublings = std::max(0.0, std::floor(std::log2(patience / first_stretch)));
     first_ = whole(patience / std::exp2(doublings));
@@ -97,6 +99,7 @@ class Journey {
   Eigen::VectorXd state_;
   Eigen::VectorXd end_;  // of the last stretch: state_ with angles that count turns, as statistics do
   double first_ = 0.0, patience_ = 0.0, elapsed_ = 0.0;
+  const StopFlag* const stop_;
   std::vector<Eigen::VectorXd> samples_;  // of the last part of the stretch
   MotionStatistics previous_, last_;      // of the last two stretches
   int repeats_ = 0;                       // stretches in a row that repeated the one before
@@ -110,10 +113,10 @@ class Journey {
 
 IntegrationStatus Journey::follow_whole(Eigen::VectorXd& z, double duration, MotionStatistics* statistics,
                                         std::vector<Eigen::VectorXd>* samples) const {
-  if (!strobed()) return follow(system_, z, duration, follow_tolerance, statistics, samples);
+  if (!strobed()) return follow(system_, z, duration, follow_tolerance, statistics, samples, stop_);
   if (samples) samples->assign(1, z);
   for (long k = std::lround(duration / strobe_); k > 0; --k) {
-    const auto status = follow(system_, z, strobe_, follow_tolerance, statistics);
+    const auto status = follow(system_, z, strobe_, follow_tolerance, statistics, nullptr, stop_);
     if (status != IntegrationStatus::done) return status;
     if (samples) samples->push_back(z);
   }
@@ -249,7 +252,7 @@ bool Journey::statistics_repeat(double share_of_extremes, double share_of_means)
 // rate of change nor by what grows.
 bool Journey::creeps() const {
   if (strobed() || difference_.length(model::rate(system_, state_)) * patience_ > in_reach) return false;
-  return model::jacobian(system_, state_).eigenvalues().real().maxCoeff() * patience_ < 1.0;
+  return dense::largest_real_part(model::jacobian(system_, state_)) * patience_ < 1.0;
 }
 
 // Whether the trajectory, after it had been farthest from where it is now, came half as near again. What creeps has the
@@ -283,12 +286,12 @@ std::optional<std::vector<double>> Journey::exponents_of(MotionKind& kind) const
   const std::size_t next = strobed() ? 0 : 1;
   const int count = std::min<int>(4, system_.dimension());
   double duration = std::max(last_.duration, 4000.0);
-  std::vector<double> exponents = lyapunov_exponents(system_, state_, duration, count);
+  std::vector<double> exponents = lyapunov_exponents(system_, state_, duration, count, stop_);
   if (exponents.size() < 2) return std::nullopt;
   // A slow way into a periodic motion looks like a torus for long: what is not clearly zero is measured again.
   if (exponents[0] < 8.0 / duration && exponents[next] < -clear_zero && exponents[next] > -8.0 / duration) {
     duration *= 8.0;
-    exponents = lyapunov_exponents(system_, state_, duration, count);
+    exponents = lyapunov_exponents(system_, state_, duration, count, stop_);
     if (exponents.size() < 2) return std::nullopt;
   }
   const double zero = 8.0 / duration;
@@ -371,12 +374,13 @@ KnownOrbit known_orbit(const model::System& system, const Motion& motion) {
 }
 
 Settling settle(const model::System& system, const Eigen::VectorXd& state, double patience,
-                const std::vector<KnownOrbit>& known) {
-  return Journey(system, state, patience, known).settle();
+                const std::vector<KnownOrbit>& known, const StopFlag* stop) {
+  return Journey(system, state, patience, known, stop).settle();
 }
 
-std::optional<Motion> motion_from(const model::System& system, const Eigen::VectorXd& state, double patience) {
-  return settle(system, state, patience).motion;
+std::optional<Motion> motion_from(const model::System& system, const Eigen::VectorXd& state, double patience,
+                                  const StopFlag* stop) {
+  return settle(system, state, patience, {}, stop).motion;
 }
 
 }  // namespace equipoise

@@ -6,8 +6,9 @@
 #include <string>
 #include <vector>
 
-#include <Eigen/Dense>
+#include <Eigen/Core>
 
+#include "equipoise/base/stop_flag.hpp"
 #include "equipoise/model/parameters.hpp"
 #include "equipoise/orbits/orbit.hpp"
 
@@ -57,10 +58,14 @@ struct Motion {
   int copies = 1;
 };
 
+/// How long a trajectory is given to become steady.
+inline constexpr double motion_patience = 20000.0;
+
 /// Follows the trajectory from `state` (of a strobed system at a strobe) until it is steady, decides the kind, refines
-/// and describes. `patience`: the longest time to follow it. Empty if it does not become steady, or diverges.
-/// Deterministic.
-std::optional<Motion> motion_from(const model::System& system, const Eigen::VectorXd& state, double patience = 20000.0);
+/// and describes. `patience`: the longest time to follow it. Empty if it does not become steady, or diverges, or once
+/// `stop` is set. Else deterministic.
+std::optional<Motion> motion_from(const model::System& system, const Eigen::VectorXd& state,
+                                  double patience = motion_patience, const StopFlag* stop = nullptr);
 /// The same for states already refined.
 Motion describe_equilibrium(const model::System& system, const Equilibrium& equilibrium);
 Motion describe_orbit(const model::System& system, const PeriodicOrbit& orbit);

@@ -1,7 +1,7 @@
 // Pieces shared by the ways to describe a motion.
 #pragma once
 
-#include <Eigen/Dense>
+#include <Eigen/Core>
 
 #include "equipoise/model/parameters.hpp"
 #include "equipoise/motions/motion.hpp"

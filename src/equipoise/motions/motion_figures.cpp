@@ -50,22 +50,21 @@ MotionFigures figures_of(const TransientSums& sums) {
 }
 
 // The rotor's angle is 0 where the motion's state holds.
-template <int n>
 MotionFigures followed(const model::Parameters& p, const Motion& motion, double duration) {
-  using Flow = kernels::FreeFlow<double, n, kernels::Terms{}>;
+  using Flow = kernels::FreeFlow<double, model::any_count, kernels::Terms{}>;
   const model::Segment segment{0.0, std::numeric_limits<double>::infinity(), 0.0, motion.speed, 0.0, false};
   TransientSettings settings;
   settings.window = std::numeric_limits<double>::infinity();
   TransientWatch watch(settings);
   std::array<double, Flow::dimension> z;
-  std::copy_n(motion.state.data(), Flow::dimension, z.begin());
+  std::copy_n(motion.state.data(), motion.state.size(), z.begin());
   watch.begin(sample(p, 0.0, 0.0, z.data()));
   if (duration > 0.0) {
     const Flow flow(p, segment);
     kernels::ErrorScale<Flow::dimension> scale;
     scale.tolerance = tolerance;
-    kernels::set_state_scale<n>(p, 1, scale);
-    kernels::AdaptiveIntegrator<Flow, Flow::dimension> integrator(flow, scale);
+    kernels::set_state_scale(p, 1, scale);
+    kernels::AdaptiveIntegrator<Flow, Flow::dimension> integrator(flow, scale, flow.size());
     integrator.advance(0.0, duration, z.data(), [&](double from, double to, auto&& state_at) {
       std::array<TransientSample, 3> samples;
       for (std::size_t k = 0; k < samples.size(); ++k) {
@@ -101,8 +100,7 @@ bool balanced_exactly(const model::Parameters& p, const Motion& motion) {
 
 MotionFigures motion_figures(const model::Parameters& p, const Motion& motion) {
   if (balanced_exactly(p, motion)) return {};
-  MotionFigures figures =
-      model::with_ball_count(p.balls, [&](auto n) { return followed<n>(p, motion, stretch(p, motion)); });
+  MotionFigures figures = followed(p, motion, stretch(p, motion));
   figures.radial = std::max(figures.radial, motion.r_max);
   return figures;
 }

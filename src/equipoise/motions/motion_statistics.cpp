@@ -13,13 +13,15 @@ namespace equipoise {
 
 namespace {
 namespace kernels = HWY_NAMESPACE;
+constexpr int most = model::dimension(model::max_balls);
 
 // A state with its rate of change, and what is watched: r^2 and the ball rates, each with its derivative.
-template <int n>
 struct Instant {
-  static constexpr int size = model::dimension(n);
+  explicit Instant(int balls) : n(balls) {}
+
+  int n;  // balls
   double t = 0.0;
-  double z[size], dz[size];
+  double z[most], dz[most];
   double x, y;  // position that r is the length of
 
   // Of r^2 (0) or of phi_i' (i + 1). What r is measured from rests in fixed axes, so that (u, v) is its rate of change.
@@ -31,16 +33,15 @@ struct Instant {
   }
 };
 
-template <int n, kernels::Terms terms>
+template <kernels::Terms terms>
 class Gatherer {
  public:
-  using Flow = kernels::FreeFlow<double, n, terms>;
-  static constexpr int size = Flow::dimension;
+  using Flow = kernels::FreeFlow<double, model::any_count, terms>;
 
   Gatherer(const model::Parameters& p, const Flow& flow, const model::Segment& segment, MotionStatistics& statistics,
            const double* z)
-      : flow_(flow), segment_(segment), sag_(model::static_sag(p)), statistics_(statistics) {
-    std::copy(z, z + size, last_.z);
+      : n(p.balls), flow_(flow), segment_(segment), sag_(model::static_sag(p)), statistics_(statistics), last_(n) {
+    std::copy(z, z + flow.size(), last_.z);
     complete(last_);
     const bool fresh = statistics.duration == 0.0;
     for (int i = 0; i < n; ++i) {
@@ -56,7 +57,7 @@ class Gatherer {
   void step(double begin, double end, double spacing, StateAt& state_at) {
     const int parts = std::max(1, static_cast<int>(std::ceil((end - begin) / spacing)));
     for (int k = 1; k <= parts; ++k) {
-      Instant<n> now = instant(begin + (end - begin) * k / parts, state_at);
+      Instant now = instant(begin + (end - begin) * k / parts, state_at);
       for (int watched = 0; watched <= n; ++watched)
         if (last_.half_slope(watched) * now.half_slope(watched) < 0.0)
           take_extremes(turning_point(watched, last_, now, state_at));
@@ -72,15 +73,15 @@ class Gatherer {
 
  private:
   template <class StateAt>
-  Instant<n> instant(double t, StateAt& state_at) const {
-    Instant<n> result;
+  Instant instant(double t, StateAt& state_at) const {
+    Instant result(n);
     result.t = t;
     state_at(t, result.z);
     complete(result);
     return result;
   }
 
-  void complete(Instant<n>& at) const {
+  void complete(Instant& at) const {
     flow_(at.t, at.z, at.dz);
     at.x = at.z[0];
     at.y = at.z[1];
@@ -93,9 +94,9 @@ class Gatherer {
   // Where a slope changes sign, by false position (Illinois): five evaluations leave the time uncertain by less than
   // 1e-5, to which the extreme is insensitive in first order.
   template <class StateAt>
-  Instant<n> turning_point(int watched, const Instant<n>& from, const Instant<n>& to, StateAt& state_at) const {
+  Instant turning_point(int watched, const Instant& from, const Instant& to, StateAt& state_at) const {
     double a = from.t, b = to.t, fa = from.half_slope(watched), fb = to.half_slope(watched);
-    Instant<n> middle = to;
+    Instant middle = to;
     for (int k = 0; k < 5 && fa != fb; ++k) {
       middle = instant(a + (b - a) * fa / (fa - fb), state_at);
       const double f = middle.half_slope(watched);
@@ -112,7 +113,7 @@ class Gatherer {
     return middle;
   }
 
-  void take_extremes(const Instant<n>& at) {
+  void take_extremes(const Instant& at) {
     statistics_.r_min = std::min(statistics_.r_min, at.value(0));
     statistics_.r_max = std::max(statistics_.r_max, at.value(0));
     for (int i = 0; i < n; ++i) {
@@ -121,7 +122,7 @@ class Gatherer {
     }
   }
 
-  void add_interval(const Instant<n>& now) {
+  void add_interval(const Instant& now) {
     take_extremes(now);
     const double h = now.t - last_.t;  // trapezium with end correction: fourth order
     statistics_.r_integral +=
@@ -131,20 +132,20 @@ class Gatherer {
     }
   }
 
+  const int n;  // balls
   const Flow& flow_;
   const model::Segment& segment_;
   const double sag_;
   MotionStatistics& statistics_;
-  Instant<n> last_;
-  double start_[n];
+  Instant last_;
+  double start_[model::max_balls];
 };
 
 // Takes angles at equally spaced times, which run on from one stretch to the next.
-template <int n>
 class Recorder {
  public:
-  Recorder(double speed, MotionStatistics& statistics, const double* z)
-      : spacing_(record_spacing(speed)), before_(statistics.duration), statistics_(statistics) {
+  Recorder(int balls, double speed, MotionStatistics& statistics, const double* z)
+      : n(balls), spacing_(record_spacing(speed)), before_(statistics.duration), statistics_(statistics) {
     if (statistics.recorded > 0) return;
     statistics.angle.fill(AngleRecord(spacing_));
     take(z);
@@ -153,7 +154,7 @@ class Recorder {
   // Up to time `end` of this stretch.
   template <class StateAt>
   void step(double end, StateAt& state_at) {
-    double z[model::dimension(n)];
+    double z[most];
     for (double t; (t = static_cast<double>(statistics_.recorded) * spacing_ - before_) <= end;) {
       state_at(t, z);
       take(z);
@@ -166,36 +167,42 @@ class Recorder {
     ++statistics_.recorded;
   }
 
+  const int n;  // balls
   const double spacing_, before_;
   MotionStatistics& statistics_;
 };
 
-template <int n, kernels::Terms terms>
+template <kernels::Terms terms>
 IntegrationStatus follow_balls(const model::Parameters& p, double speed, Eigen::VectorXd& z, double duration,
-                               double tolerance, MotionStatistics* statistics, std::vector<Eigen::VectorXd>* samples) {
-  using Flow = kernels::FreeFlow<double, n, terms>;
-  constexpr int size = Flow::dimension;
-  kernels::ErrorScale<size> scale;
+                               double tolerance, MotionStatistics* statistics, std::vector<Eigen::VectorXd>* samples,
+                               const StopFlag* stop) {
+  using Flow = kernels::FreeFlow<double, model::any_count, terms>;
+  kernels::ErrorScale<most> scale;
   scale.tolerance = tolerance;
-  kernels::set_state_scale<n>(p, 1, scale);
+  kernels::set_state_scale(p, 1, scale);
   const model::Segment segment{0.0, 0.0, 0.0, speed, 0.0, false};
   const Flow flow(p, segment);
-  kernels::AdaptiveIntegrator<Flow, size> integrator(flow, scale);
-  if (!statistics && !samples) return integrator.advance(0.0, duration, z.data(), [](double, double, auto&&) {});
+  kernels::AdaptiveIntegrator<Flow, most> integrator(flow, scale, flow.size());
+  if (!statistics && !samples)
+    return integrator.advance(
+        0.0, duration, z.data(), [](double, double, auto&&) {}, stop);
   const double spacing = sample_spacing(speed);
   MotionStatistics unused;
-  Gatherer<n, terms> gatherer(p, flow, segment, statistics ? *statistics : unused, z.data());
-  Recorder<n> recorder(speed, statistics ? *statistics : unused, z.data());
+  Gatherer<terms> gatherer(p, flow, segment, statistics ? *statistics : unused, z.data());
+  Recorder recorder(p.balls, speed, statistics ? *statistics : unused, z.data());
   std::size_t next = 1;
   if (samples) samples->assign(1, z);
-  const IntegrationStatus status = integrator.advance(0.0, duration, z.data(), [&](double t, double t_new, auto at) {
-    gatherer.step(t, t_new, spacing, at);
-    recorder.step(t_new, at);
-    for (; samples && static_cast<double>(next) * spacing <= t_new; ++next) {
-      samples->emplace_back(size);
-      at(static_cast<double>(next) * spacing, samples->back().data());
-    }
-  });
+  const IntegrationStatus status = integrator.advance(
+      0.0, duration, z.data(),
+      [&](double t, double t_new, auto at) {
+        gatherer.step(t, t_new, spacing, at);
+        recorder.step(t_new, at);
+        for (; samples && static_cast<double>(next) * spacing <= t_new; ++next) {
+          samples->emplace_back(flow.size());
+          at(static_cast<double>(next) * spacing, samples->back().data());
+        }
+      },
+      stop);
   gatherer.finish(duration);
   return status;
 }
@@ -244,14 +251,14 @@ double record_spacing(double speed) { return 4.0 * sample_spacing(speed); }
 double sample_spacing(double speed) { return 0.2 / std::max(1.0, std::fabs(speed)); }
 
 IntegrationStatus follow(const model::System& system, Eigen::VectorXd& state, double duration, double tolerance,
-                         MotionStatistics* statistics, std::vector<Eigen::VectorXd>* samples) {
+                         MotionStatistics* statistics, std::vector<Eigen::VectorXd>* samples, const StopFlag* stop) {
   constexpr kernels::Terms autonomous{false, false, false}, strobed{false, true, true};
   const model::Parameters& p = system.parameters();
-  return model::with_ball_count(p.balls, [&](auto n) {
-    return system.autonomous()
-               ? follow_balls<n, autonomous>(p, system.speed(), state, duration, tolerance, statistics, samples)
-               : follow_balls<n, strobed>(p, system.speed(), state, duration, tolerance, statistics, samples);
-  });
+  const double speed = system.speed();
+  const IntegrationStatus status =
+      system.autonomous() ? follow_balls<autonomous>(p, speed, state, duration, tolerance, statistics, samples, stop)
+                          : follow_balls<strobed>(p, speed, state, duration, tolerance, statistics, samples, stop);
+  return stop && stop->load(std::memory_order_relaxed) ? IntegrationStatus::failed : status;
 }
 
 }  // namespace equipoise

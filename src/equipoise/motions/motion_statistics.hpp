@@ -6,9 +6,10 @@
 #include <limits>
 #include <vector>
 
-#include <Eigen/Dense>
+#include <Eigen/Core>
 
 #include "equipoise/base/angles.hpp"
+#include "equipoise/base/stop_flag.hpp"
 #include "equipoise/integrate/status.hpp"
 #include "equipoise/model/system.hpp"
 #include "equipoise/motions/mean_rate.hpp"
@@ -50,9 +51,10 @@ bool similar(const MotionStatistics& a, const MotionStatistics& b, int balls, do
 /// last call ended. Extremes are found to about 1e-8 of their size from the signs of the derivatives at times at most
 /// sample_spacing() apart. `samples` receives the states at the times k sample_spacing(), k = 0, 1, ...
 /// With anisotropic supports or gravity the rotor's angle is 0 at the beginning, and r is measured from where the rotor
-/// would rest under gravity.
+/// would rest under gravity. Once `stop` is set the answer is `failed`, soon.
 IntegrationStatus follow(const model::System& system, Eigen::VectorXd& state, double duration, double tolerance,
-                         MotionStatistics* statistics = nullptr, std::vector<Eigen::VectorXd>* samples = nullptr);
+                         MotionStatistics* statistics = nullptr, std::vector<Eigen::VectorXd>* samples = nullptr,
+                         const StopFlag* stop = nullptr);
 
 /// Times between the values of MotionStatistics::angle.
 double record_spacing(double speed);

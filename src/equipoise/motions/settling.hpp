@@ -5,7 +5,7 @@
 #include <optional>
 #include <vector>
 
-#include <Eigen/Dense>
+#include <Eigen/Core>
 
 #include "equipoise/integrate/status.hpp"
 #include "equipoise/model/system.hpp"
@@ -33,8 +33,9 @@ struct Settling {
 };
 
 /// What motion_from() does and answers, with more detail. `known`: orbits of this very system; a trajectory that
-/// approaches one of them is not searched for others. The same tests decide in both cases.
+/// approaches one of them is not searched for others. The same tests decide in both cases. Once `stop` is set there is
+/// no motion, and nothing else said is worth anything.
 Settling settle(const model::System& system, const Eigen::VectorXd& state, double patience,
-                const std::vector<KnownOrbit>& known = {});
+                const std::vector<KnownOrbit>& known = {}, const StopFlag* stop = nullptr);
 
 }  // namespace equipoise

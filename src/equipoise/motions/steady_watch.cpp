@@ -21,8 +21,10 @@ using Series = std::array<double, parts>;
 constexpr double shortest_block = 16.0, longest_block = 100.0, block_turns = 2.0;
 // Balls rest if no rate exceeds this share of the rotor's speed; more is rocking, once a revolution, under gravity.
 constexpr double resting_rate = 0.1;
-// Ids of kinds that have one of their own.
-constexpr int drifting = 2, apart = 3, one_captured = 4, locked = 7;
+// Ids of kinds, those of motion_name() where it has one.
+constexpr int drifting = 2, apart = 3, one_captured = 4, pair_drift = 6, locked = 7, different_rates = first_free_id,
+              hanging = first_free_id + 1;
+constexpr int captured_id(int captured) { return captured == 1 ? one_captured : first_free_id + captured; }
 
 double range(const Series& v) {
   const auto [low, high] = std::minmax_element(v.begin(), v.end());
@@ -65,28 +67,73 @@ Drift drift_of(const Series& turned, double small) {
   return Drift::unclear;
 }
 
-// Of the balls: how many are captured, and whether the others drift alike. 0: unclear.
-int kind_of(const model::Parameters& p, const std::array<Series, model::max_balls>& turned, double small) {
-  int captured = 0;
-  std::vector<int> moving;
+using Parts = std::array<SteadyStretch, parts>;
+
+Series turned_by(const Parts& part, int ball) {
+  Series v;
+  for (int k = 0; k < parts; ++k) v[k] = part[k].ball[ball].turned;
+  return v;
+}
+
+// Of balls that drift at one rate. What happens in some parts and not in others is not told yet.
+int kind_at_one_rate(const model::Parameters& p, const Parts& part, const std::array<double, model::max_balls>& phi) {
+  const auto passing =
+      std::count_if(part.begin(), part.end(), [](const SteadyStretch& s) { return s.oppositions > 0; });
+  if (passing == 0) {
+    // Balls spread all around the race pass no opposite places either.
+    bool on_one_side = true;
+    for (int i = 0; i < p.balls; ++i)
+      for (int k = 0; k < i; ++k)
+        on_one_side = on_one_side && std::fabs(wrapped(phi[i] - phi[0]) - wrapped(phi[k] - phi[0])) < pi;
+    return on_one_side ? drifting : apart;
+  }
+  if (passing < parts) return 0;
+  if (p.balls > 2) return apart;
+  double oppositions = 0.0, turned = 0.0;
+  for (const SteadyStretch& s : part) {
+    oppositions += s.oppositions;
+    turned += 0.5 * (s.ball[0].turned + s.ball[1].turned);
+  }
+  // As motion_name() tells them; a stretch misses one opposition at most, so that 1.54 a turn, the most seen of balls
+  // that drift apart, are not taken for two from five turns on.
+  constexpr double twice_a_turn = 1.95, least_turns = 8.0;
+  const double turns = std::fabs(turned) / two_pi;
+  if (turns < least_turns) return 0;
+  return oppositions + 1.0 >= twice_a_turn * turns ? pair_drift : apart;
+}
+
+// All balls are left behind by the rotor's own speed: they hang in space.
+bool hang(const model::Parameters& p, const Parts& part, double small) {
+  if (p.isotropic() && p.gravity == 0.0) return false;
   for (int i = 0; i < p.balls; ++i) {
-    const Drift drift = drift_of(turned[i], small);
+    Series in_space = turned_by(part, i);
+    for (int k = 0; k < parts; ++k) in_space[k] += part[k].turned;
+    if (drift_of(in_space, small) == Drift::some) return false;
+  }
+  return true;
+}
+
+// Of the balls: how many are captured, and how the others drift. 0: not told yet. `phi`: where they are.
+int kind_of(const model::Parameters& p, const Parts& part, const std::array<double, model::max_balls>& phi,
+            double small) {
+  int captured = 0;
+  for (int i = 0; i < p.balls; ++i) {
+    const Drift drift = drift_of(turned_by(part, i), small);
     if (drift == Drift::unclear) return 0;
     captured += drift == Drift::none;
-    if (drift == Drift::some) moving.push_back(i);
   }
   if (captured == p.balls) return locked;
-  if (captured == 1) return one_captured;
-  if (captured > 1) return first_free_id + captured - 2;
-  bool alike = true;
-  for (std::size_t k = 1; k < moving.size(); ++k) {
-    Series ahead;
-    for (int part = 0; part < parts; ++part) ahead[part] = turned[moving[k]][part] - turned[moving[0]][part];
+  if (captured > 0) return captured_id(captured);
+  if (hang(p, part, small)) return hanging;
+  for (int i = 1; i < p.balls; ++i) {
+    Series ahead = turned_by(part, i);
+    const Series first = turned_by(part, 0);
+    for (int k = 0; k < parts; ++k) ahead[k] -= first[k];
     const Drift drift = drift_of(ahead, small);
     if (drift == Drift::unclear) return 0;
-    alike = alike && drift == Drift::none;
+    if (drift == Drift::some) return different_rates;
   }
-  return alike ? drifting : apart;
+  return kind_at_one_rate(p, part, phi);
 }
 
 }  // namespace
@@ -98,12 +145,12 @@ double bare_response(const model::Parameters& p, double speed) {
 
 std::vector<SteadyKind> steady_kinds(int balls) {
   std::vector<SteadyKind> kinds{{balanced_id, "balanced"}};
-  if (balls == 1)
-    kinds.push_back({drifting, "drifting"});
-  else
-    kinds.insert(kinds.end(), {{drifting, "co-drifting"}, {apart, "drifting apart"}, {one_captured, "one captured"}});
-  kinds.push_back({locked, "locked"});
-  for (int k = 2; k < balls; ++k) kinds.push_back({first_free_id + k - 2, std::to_string(k) + " captured"});
+  if (balls == 1) return {kinds.front(), {drifting, "drifting"}, {locked, "locked"}, {hanging, "hanging"}};
+  kinds.insert(kinds.end(), {{drifting, "co-drifting"}, {apart, "drifting apart"}, {one_captured, "one captured"}});
+  if (balls == 2) kinds.push_back({pair_drift, "pair drift"});
+  kinds.insert(kinds.end(),
+               {{locked, "locked"}, {different_rates, "drifting at different rates"}, {hanging, "hanging"}});
+  for (int k = 2; k < balls; ++k) kinds.push_back({captured_id(k), std::to_string(k) + " captured"});
   return kinds;
 }
 
@@ -113,6 +160,7 @@ void SteadyStretch::add(const SteadyStretch& next) {
   r2_min = std::min(r2_min, next.r2_min);
   r2_max = std::max(r2_max, next.r2_max);
   r2_integral += next.r2_integral;
+  oppositions += next.oppositions;
   for (int i = 0; i < model::max_balls; ++i) {
     ball[i].turned += next.ball[i].turned;
     ball[i].slowest = std::min(ball[i].slowest, next.ball[i].slowest);
@@ -137,11 +185,22 @@ void SteadyWatch::open(double t, double psi, const double* phi) {
   block_begin_ = t;
   psi_ = psi;
   std::copy(phi, phi + p_.balls, phi_.begin());
-  last_phi_ = phi_;
+  last_phi_ = sampled_ = phi_;
   angle_.fill(0.0);
 }
 
-bool SteadyWatch::step(double t, double psi, const double* phi, const std::array<SteadySample, 3>& samples) {
+// Since the sample before: what passes more than one opposite place in between turns too fast to be drifting alike.
+int SteadyWatch::oppositions_to(const std::array<double, model::max_balls>& phi) {
+  const auto half_turns = [](double ahead) { return std::floor((ahead + pi) / two_pi); };
+  int passed = 0;
+  for (int i = 0; i < p_.balls; ++i)
+    for (int k = 0; k < i; ++k) passed += half_turns(phi[i] - phi[k]) != half_turns(sampled_[i] - sampled_[k]);
+  sampled_ = phi;
+  return passed;
+}
+
+bool SteadyWatch::step(double t, double psi, const std::array<SteadySample, 3>& samples) {
+  const double* phi = samples.back().phi.data();
   const double h = t - last_;
   last_ = t;
   last_psi_ = psi;
@@ -153,6 +212,7 @@ bool SteadyWatch::step(double t, double psi, const double* phi, const std::array
     open_.r2_min = std::min(open_.r2_min, s.r2);
     open_.r2_max = std::max(open_.r2_max, s.r2);
     open_.r2_integral += h / 3.0 * s.r2;
+    open_.oppositions += oppositions_to(s.phi);
     for (int i = 0; i < p_.balls; ++i) {
       open_.ball[i].slowest = std::min(open_.ball[i].slowest, s.rate[i]);
       open_.ball[i].fastest = std::max(open_.ball[i].fastest, s.rate[i]);
@@ -184,14 +244,13 @@ SteadyLook SteadyWatch::look() const {
   const std::size_t each = blocks_.size() / 2 / parts;
   look.enough = each > 0;
   if (!look.enough) return look;
-  std::array<SteadyStretch, parts> part;
+  Parts part, by_ball;
   SteadyStretch all;
-  std::array<Series, model::max_balls> turned{};
   for (int k = 0; k < parts; ++k) {
     const std::size_t first = blocks_.size() - (parts - k) * each;
     for (std::size_t i = first; i < first + each; ++i) part[k].add(blocks_[i]);
     all.add(part[k]);
-    for (int i = 0; i < p_.balls; ++i) turned[i][k] = part[k].ball[i].turned;
+    by_ball[k] = part[k];
     // Equal balls may take each other's places: that is no trend.
     if (interchangeable_)
       std::sort(part[k].ball.begin(), part[k].ball.begin() + p_.balls,
@@ -210,11 +269,10 @@ SteadyLook SteadyWatch::look() const {
   look.speed_steady = range(speeds) < 0.03 * size && !trends(speeds, 1e-4 * size);
   look.slowing = kendall(speeds) <= -trend;
   // Three samples a step tell an extreme to a per cent or two; what trends within a thousandth is told by no sample.
-  bool trending = false, same = true, alike = true;
+  bool trending = false, same = true;
   const auto judge = [&](const Series& v, double unit) {
     trending = trending || trends(v, 1e-3 * unit);
     same = same && range(v) < 0.02 * unit;
-    alike = alike && range(v) < 0.2 * unit;
   };
   // What is at rest on the axis up to the errors of steps, a millionth of the unbalances, has nothing left to compare.
   const double r = look.r_rms + 1e-5 * (p_.eccentricity + p_.total_mass());
@@ -230,16 +288,15 @@ SteadyLook SteadyWatch::look() const {
     look.swinging = look.swinging || fastest > 1e-3 * size;
   }
   const double small = slow && creeps_ ? 0.25 * pi : 0.05;
-  look.kind = kind_of(p_, turned, small);
+  look.kind = kind_of(p_, by_ball, sampled_, small);
   look.resting = look.kind == locked && slow;
   for (int i = 0; i < p_.balls; ++i) {
+    const Series turned = turned_by(by_ball, i);
     const double sum = std::fabs(all.ball[i].turned);
-    if (!look.resting || !creeps_) trending = trending || trends(turned[i], 0.005 + 1e-3 * sum);
-    same = same && range(turned[i]) < (look.resting ? small : two_pi + 0.02 * sum / parts);
-    alike = alike && range(turned[i]) < two_pi + 0.2 * sum / parts;
+    if (!look.resting || !creeps_) trending = trending || trends(turned, 0.005 + 1e-3 * sum);
+    same = same && range(turned) < (look.resting ? small : two_pi + 0.02 * sum / parts);
   }
   look.trending = trending;
-  look.alike = alike;
   look.repeats = same && !trending && range(speeds) < 0.002 * size;
   return look;
 }

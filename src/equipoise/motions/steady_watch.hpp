@@ -13,22 +13,26 @@ namespace equipoise {
 
 /// A machine's motion at one time.
 struct SteadySample {
-  double r2 = 0.0;                              ///< squared distance from the static position
-  std::array<double, model::max_balls> rate{};  ///< phi'
+  double r2 = 0.0;                                     ///< squared distance from the static position
+  std::array<double, model::max_balls> phi{}, rate{};  ///< phi, without jumps; phi'
 };
 
-/// What the balls do in a steady motion. Identifiers as in motion_name(); from first_free_id on for three balls or
-/// more.
+/// What the balls do in a steady motion. Names mean what motion_name() means by them, and identifiers are its own where
+/// it has one; from first_free_id on they are these kinds'.
 struct SteadyKind {
   int id = 0;
   std::string name;
 };
 /// Every kind of n balls, in the order of identifiers: `balanced`, `locked`, else by how many are captured (no mean
-/// drift) and whether the others drift alike.
+/// drift); if none is, by whether they drift at one rate, and then whether they pass opposite places.
 std::vector<SteadyKind> steady_kinds(int balls);
 
 /// Distance at which the rotor without balls would whirl at `speed` (mean of both supports).
 double bare_response(const model::Parameters& p, double speed);
+
+/// Of a motion that never quite repeats itself: time after which its kind alone tells it. It may be a transient, of which
+/// some last for thousands of time units, chaotic or as even as a torus.
+inline constexpr double unrepeated_time = 5000.0;
 
 /// What was seen of a stretch of time.
 struct SteadyStretch {
@@ -38,6 +42,7 @@ struct SteadyStretch {
     double turned = 0.0, slowest = 1e300, fastest = -1e300;
   };
   std::array<Ball, model::max_balls> ball{};
+  int oppositions = 0;  ///< times that two balls passed opposite places
 
   void add(const SteadyStretch& next);
   double speed() const { return turned / duration; }
@@ -51,10 +56,9 @@ struct SteadyLook {
   bool slowing = false;       ///< it fell from part to part
   bool trending = false;      ///< something grew or shrank from part to part
   bool repeats = false;       ///< all parts look the same
-  bool alike = false;         ///< they do to a fifth: a torus, mild chaos
   bool resting = false;       ///< all balls stay where they are, give or take a little rocking
-  int kind = 0;               ///< 0: a ball drifts so little that it may be captured, or the other way round. Resting
-                              ///< balls are 7 (locked) here, balanced or not
+  int kind = 0;               ///< 0: not told yet (a ball drifts so little that it may be captured, balls pass opposite
+                              ///< places now and then). Resting balls are 7 (locked) here, balanced or not
   bool swinging = false;      ///< some ball's rate exceeds a thousandth of the rotor's speed
   double speed = 0.0;         ///< mean
   double r_rms = 0.0;
@@ -71,8 +75,8 @@ class SteadyWatch {
 
   /// Forgets all, and begins at time `t` with the rotor at angle `psi` and the balls at `phi`.
   void begin(double t, double psi, const double* phi);
-  /// A step to time `t`: samples at a third, two thirds and its end; angles there. True whenever a block has ended.
-  bool step(double t, double psi, const double* phi, const std::array<SteadySample, 3>& samples);
+  /// A step to time `t`: samples within and at its end; the rotor's angle there. True whenever a block has ended.
+  bool step(double t, double psi, const std::array<SteadySample, 3>& samples);
 
   /// Since begin().
   std::size_t blocks() const { return blocks_.size(); }
@@ -83,6 +87,7 @@ class SteadyWatch {
 
  private:
   void open(double t, double psi, const double* phi);
+  int oppositions_to(const std::array<double, model::max_balls>& phi);
 
   const model::Parameters& p_;
   bool creeps_, interchangeable_;
@@ -92,6 +97,7 @@ class SteadyWatch {
   // Of the open block: each ball's angle at its begin and by now, and the angle's integral; its mean in the block
   // before. Balls turn from mean to mean: where they are when a block ends depends on how far they rock.
   std::array<double, model::max_balls> phi_{}, last_phi_{}, angle_{}, mean_{};
+  std::array<double, model::max_balls> sampled_{};  // angles of the last sample
 };
 
 }  // namespace equipoise

@@ -4,16 +4,14 @@
 #include <algorithm>
 #include <cmath>
 #include <numeric>
-#include <random>
-
-#include <Eigen/Eigenvalues>
-#include <Eigen/QR>
 
 #include "equipoise/base/angles.hpp"
+#include "equipoise/math/dense.hpp"
 #include "equipoise/math/lyapunov.hpp"
 #include "equipoise/model/balanced_state.hpp"
 #include "equipoise/model/linearisation.hpp"
 #include "equipoise/model/strobe.hpp"
+#include "equipoise/orbits/continuum_draws.hpp"
 #include "equipoise/orbits/stroboscopic.hpp"
 #include "equipoise/orbits/variational.hpp"
 
@@ -83,30 +81,30 @@ bool BalancedContinuum::settle(ContinuumMember& m) const {
     change = scaled(model::jacobian(p_, speed_, m.centre.data()));
   }
   // Range and kernel, of the transpose too, by rank-revealing QR: the zeros are semisimple where the member attracts.
-  const MatrixXd q = Eigen::ColPivHouseholderQR<MatrixXd>(change).householderQ();
-  const MatrixXd kernel = Eigen::ColPivHouseholderQR<MatrixXd>(change.transpose()).householderQ();
+  const MatrixXd q = dense::pivoted_orthogonal_factor(change);
+  const MatrixXd kernel = dense::pivoted_orthogonal_factor(change.transpose());
   m.range = q.leftCols(across);
   m.along = kernel.rightCols(dimension_);
   const MatrixXd left = q.rightCols(dimension_).transpose();
-  m.left = (left * m.along).partialPivLu().solve(left);
+  m.left = dense::LinearSolver(left * m.along).solve(left);
   m.across = m.range.transpose() * change * m.range;
   const MatrixXd one = MatrixXd::Identity(across, across);
   if (p_.gravity != 0.0) {
     constexpr int most = 8;
     constexpr double converged = 1e-8;  // of the size of the rotor's deflections
-    const auto solve = m.across.partialPivLu();
+    const dense::LinearSolver solver(m.across);
     for (int k = 0;; ++k) {
       const VectorXd part = m.range.transpose() * (miss - m.along * (m.left * miss));
       if (part.norm() < converged) break;
       if (k == most) return false;
-      m.centre -= scale_.cwiseProduct(m.range * solve.solve(part));
+      m.centre -= scale_.cwiseProduct(m.range * solver.solve(part));
       const auto end = advance_state({p_, speed_}, m.centre, strobe);
       if (!end) return false;
       miss = (*end - m.centre).cwiseQuotient(scale_);
     }
   }
   if (p_.gravity != 0.0) m.creep = m.along * (m.left * miss) / strobe;
-  m.rate = slowest_of(strobed_ ? (m.across + one).eigenvalues() : m.across.eigenvalues(), 0, strobe);
+  m.rate = slowest_of(strobed_ ? dense::eigenvalues(m.across + one) : dense::eigenvalues(m.across), 0, strobe);
   return m.left.allFinite() && std::isfinite(m.rate);
 }
 
@@ -122,11 +120,11 @@ bool BalancedContinuum::shape(ContinuumMember& m) const {
   else
     form = solve_lyapunov(m.across + decay * one, one);
   if (!form) return false;
-  const Eigen::SelfAdjointEigenSolver<MatrixXd> spectrum(*form, Eigen::EigenvaluesOnly);
-  const double least = spectrum.eigenvalues().minCoeff();
+  const VectorXd spectrum = dense::symmetric_eigenvalues(*form);
+  const double least = spectrum.minCoeff();
   if (!(least > 0.0)) return false;
   m.form = *form / least;
-  m.unit = m.rate * m.rate * least / spectrum.eigenvalues().maxCoeff();
+  m.unit = m.rate * m.rate * least / spectrum.maxCoeff();
   return true;
 }
 
@@ -181,8 +179,7 @@ double BalancedContinuum::value(const ContinuumMember& m, const VectorXd& state)
 }
 
 VectorXd BalancedContinuum::state_at(const ContinuumMember& m, double value, const VectorXd& direction) const {
-  const Eigen::LLT<MatrixXd> factor(m.form);
-  const VectorXd s = std::sqrt(value) * factor.matrixU().solve(direction.normalized());
+  const VectorXd s = std::sqrt(value) * dense::Cholesky(m.form).solve_upper(VectorXd(direction.normalized()));
   return m.centre + scale_.cwiseProduct(m.range * s);
 }
 
@@ -216,58 +213,22 @@ bool BalancedContinuum::stays(ContinuumMember m, double slowest_rate) const {
 // The rate across at a balanced state without all the rest.
 double BalancedContinuum::rate_at(const double* phi) const {
   const VectorXd centre = model::centred_state(p_, phi);
-  if (!strobed_) return slowest_of(model::jacobian(p_, speed_, centre.data()).eigenvalues(), dimension_, 0.0);
+  if (!strobed_) return slowest_of(dense::eigenvalues(model::jacobian(p_, speed_, centre.data())), dimension_, 0.0);
   const auto flight = follow_derivative({balanced_, speed_}, centre, model::strobe_period(p_, speed_), map_tolerance);
-  return flight ? slowest_of(flight->tangents.eigenvalues(), dimension_, model::strobe_period(p_, speed_)) : 1e300;
+  return flight ? slowest_of(dense::eigenvalues(flight->tangents), dimension_, model::strobe_period(p_, speed_))
+                : 1e300;
 }
 
-namespace {
-
-// Ball angles drawn evenly among those that balance to a twentieth of what balls and unbalance could make together,
-// then balanced.
-class Draws {
- public:
-  explicit Draws(const model::Parameters& p) : p_(p) {}
-
-  bool next(Angles& phi) {
-    constexpr int most = 200000;
-    const double near = 0.05 * (p_.eccentricity + p_.total_mass());
-    for (int k = 0; k < most; ++k) {
-      double x = p_.eccentricity, y = 0.0;
-      for (int i = 0; i < p_.balls; ++i) {
-        phi[i] = angle_(random_);
-        x += p_.mass[i] * std::cos(phi[i]);
-        y += p_.mass[i] * std::sin(phi[i]);
-      }
-      if (std::hypot(x, y) < near && model::project_to_balanced(p_, phi.data())) return true;
-    }
-    return false;
-  }
-
-  // Another one not farther from `phi` than about `distance`.
-  bool beside(Angles& phi, double distance) {
-    for (int i = 0; i < p_.balls; ++i) phi[i] += distance * normal_(random_);
-    return model::project_to_balanced(p_, phi.data());
-  }
-
- private:
-  const model::Parameters& p_;
-  std::mt19937_64 random_{20190614};
-  std::uniform_real_distribution<double> angle_{0.0, two_pi};
-  std::normal_distribution<double> normal_;
-};
-
-}  // namespace
-
-ContinuumSurvey BalancedContinuum::survey() const {
+ContinuumSurvey BalancedContinuum::survey(const StopFlag* stop) const {
   // The share to 1.6 % (a map costs a hundred times a Jacobian: to 4 %), and members enough to try.
   const int draws = strobed_ ? 128 : 1024;
   constexpr int enough = 32, seek = 256;
   ContinuumSurvey result;
-  Draws source(balanced_);
+  ContinuumDraws source(balanced_);
   std::vector<std::pair<double, Angles>> found;
   Angles phi{};
-  for (int k = 0; k < draws && source.next(phi); ++k) found.emplace_back(rate_at(phi.data()), phi);
+  const auto going_on = [&] { return !(stop && stop->load(std::memory_order_relaxed)); };
+  for (int k = 0; k < draws && going_on() && source.next(phi); ++k) found.emplace_back(rate_at(phi.data()), phi);
   if (found.empty()) return result;
   std::stable_sort(found.begin(), found.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
   const auto stable = [](const auto& member) { return member.first < -least_rate; };
@@ -279,7 +240,7 @@ ContinuumSurvey BalancedContinuum::survey() const {
     result.most_growth = found.back().first;
   }
   // Beside the most attracting ones, ever nearer to the best: where few are stable more, where none is perhaps one.
-  for (int k = 0; k < seek && result.stable < enough; ++k) {
+  for (int k = 0; k < seek && result.stable < enough && going_on(); ++k) {
     const std::size_t from = static_cast<std::size_t>(k) % std::min<std::size_t>(8, found.size());
     phi = found[from].second;
     if (!source.beside(phi, 0.3 / (1.0 + k / 64))) continue;

@@ -7,8 +7,9 @@
 #include <optional>
 #include <vector>
 
-#include <Eigen/Dense>
+#include <Eigen/Core>
 
+#include "equipoise/base/stop_flag.hpp"
 #include "equipoise/model/parameters.hpp"
 
 namespace equipoise {
@@ -72,7 +73,8 @@ class BalancedContinuum {
   /// gravity that holds all along the way that the destination creeps in 20 000 units of time.
   bool holds(const Eigen::VectorXd& state, double factor, double slowest_rate) const;
 
-  ContinuumSurvey survey() const;
+  /// Short once `stop` is set.
+  ContinuumSurvey survey(const StopFlag* stop = nullptr) const;
 
  private:
   bool settle(ContinuumMember& member) const;

@@ -9,8 +9,7 @@
 #include <complex>
 #include <numeric>
 
-#include <Eigen/Eigenvalues>
-
+#include "equipoise/math/dense.hpp"
 #include "equipoise/model/linearisation.hpp"
 #include "equipoise/orbits/orbit.hpp"
 #include "equipoise/orbits/variational.hpp"
@@ -70,7 +69,7 @@ std::vector<Index> falling(const Eigen::VectorXcd& values) {
 Eigen::VectorXcd floquet_multipliers(const model::System& system, const std::vector<VectorXd>& nodes,
                                      const std::vector<MatrixXd>& arcs) {
   const VectorXd rate = model::rate(system, nodes.front());
-  const Eigen::VectorXcd across = product(arcs_across(bases_across(system, nodes), arcs)).eigenvalues();
+  const Eigen::VectorXcd across = dense::eigenvalues(product(arcs_across(bases_across(system, nodes), arcs)));
   Eigen::VectorXcd result(rate.size());
   result[0] = rate.dot(product(arcs) * rate) / rate.squaredNorm();
   Index k = 1;
@@ -79,7 +78,7 @@ Eigen::VectorXcd floquet_multipliers(const model::System& system, const std::vec
 }
 
 Eigen::VectorXcd floquet_multipliers(const std::vector<MatrixXd>& arcs) {
-  const Eigen::VectorXcd values = product(arcs).eigenvalues();
+  const Eigen::VectorXcd values = dense::eigenvalues(product(arcs));
   return values(falling(values));
 }
 
@@ -101,9 +100,9 @@ std::optional<FloquetFrame> floquet_frame(const model::System& system, const Per
   const auto bases = bases_across(system, frame.states);
   const auto across = arcs_across(bases, arcs);
 
-  const Eigen::EigenSolver<MatrixXd> solver(product(across).transpose());
-  if (solver.info() != Eigen::Success) return std::nullopt;
-  const Eigen::VectorXcd multipliers = solver.eigenvalues();
+  const dense::EigenPairs pairs = dense::eigenpairs(product(across).transpose());
+  if (!pairs.found) return std::nullopt;
+  const Eigen::VectorXcd& multipliers = pairs.values;
   const auto order = falling(multipliers);
   const double largest = std::max(1.0, std::abs(multipliers[order.front()]));
   if (!(std::abs(multipliers[order.back()]) > widest_span * largest)) return std::nullopt;
@@ -111,10 +110,10 @@ std::optional<FloquetFrame> floquet_frame(const model::System& system, const Per
   MatrixXcd vectors(size, size);
   frame.rates.resize(size);
   for (Index k = 0; k < size; ++k) {
-    vectors.col(k) = solver.eigenvectors().col(order[k]).normalized();
+    vectors.col(k) = pairs.vectors.col(order[k]).normalized();
     frame.rates[k] = std::log(std::abs(multipliers[order[k]])) / orbit.period;
   }
-  if (!(vectors.norm() * vectors.inverse().norm() < worst_condition)) return std::nullopt;
+  if (!(vectors.norm() * dense::inverse(vectors).norm() < worst_condition)) return std::nullopt;
 
   // w(t_j) = A_j^T w(t_{j+1}) would keep w . d; the factor makes its modulus periodic.
   const Eigen::ArrayXd factor = (-frame.rates.array() * (orbit.period / count)).exp();

@@ -5,7 +5,7 @@
 #include <functional>
 #include <vector>
 
-#include <Eigen/Dense>
+#include <Eigen/Core>
 
 #include "equipoise/base/angles.hpp"
 #include "equipoise/orbits/orbit.hpp"
@@ -39,7 +39,8 @@ VectorXd orthonormalise(MatrixXd& columns) {
 
 }  // namespace
 
-std::vector<double> lyapunov_exponents(const model::System& system, const VectorXd& state, double duration, int count) {
+std::vector<double> lyapunov_exponents(const model::System& system, const VectorXd& state, double duration, int count,
+                                       const StopFlag* stop) {
   // Exponents converge like 1 / duration, 1e-3 to 1e-5: a step error of 1e-9 is far below that, at a third of the cost
   // of 1e-12. (The trajectory computed is then another one of the same motion, as it would be at any tolerance.)
   constexpr double tolerance = 1e-9;
@@ -58,6 +59,7 @@ std::vector<double> lyapunov_exponents(const model::System& system, const Vector
   VectorXd here = state, sums = VectorXd::Zero(columns);
   double leg = 1.0, t = 0.0;
   while (t < alignment + duration) {
+    if (stop && stop->load(std::memory_order_relaxed)) return {};
     const bool aligned = t >= alignment;
     const double end = aligned ? alignment + duration : alignment;
     const bool last = t + leg >= end;

@@ -6,11 +6,8 @@
 #include <complex>
 #include <utility>
 
-#include <Eigen/Eigenvalues>
-#include <Eigen/LU>
-#include <Eigen/QR>
-
 #include "equipoise/base/angles.hpp"
+#include "equipoise/math/dense.hpp"
 #include "equipoise/model/linearisation.hpp"
 #include "equipoise/orbits/floquet.hpp"
 #include "equipoise/orbits/variational.hpp"
@@ -181,19 +178,15 @@ class OrbitProblem {
 class NewtonSteps {
  public:
   NewtonSteps(const MatrixXd& m, bool imposed) : lu_(m) {
-    if (imposed && !(lu_.rcond() > singular)) {
-      least_.emplace();
-      least_->setThreshold(singular);
-      least_->compute(m);
-    }
+    if (imposed && !(lu_.inverse_condition() > singular)) least_.emplace(m, singular);
   }
   VectorXd to_zero(const VectorXd& mismatch) const {
     return least_ ? VectorXd(-least_->solve(mismatch)) : VectorXd(-lu_.solve(mismatch));
   }
 
  private:
-  Eigen::PartialPivLU<MatrixXd> lu_;
-  std::optional<Eigen::CompleteOrthogonalDecomposition<MatrixXd>> least_;
+  dense::LinearSolver lu_;
+  std::optional<dense::LeastNormSolver> least_;
 };
 
 // How hard Newton's method tries.
@@ -311,7 +304,7 @@ std::optional<Equilibrium> refine_equilibrium(const model::System& system, const
     MatrixXd normal = jacobian.transpose() * jacobian;
     // Where the damping has vanished, rounding would fill directions in which the Jacobian is singular.
     normal.diagonal().array() += std::max(rate.squaredNorm(), 1e-14 * normal.trace());
-    const VectorXd change = -normal.ldlt().solve(jacobian.transpose() * rate);
+    const VectorXd change = -dense::solve_semidefinite(normal, jacobian.transpose() * rate);
     double share = 1.0;
     VectorXd next, next_rate;
     for (; share > 1e-4; share *= 0.5) {
@@ -325,7 +318,7 @@ std::optional<Equilibrium> refine_equilibrium(const model::System& system, const
   }
   Equilibrium result{z, {}, rate.lpNorm<Eigen::Infinity>()};
   if (!(result.residual < target)) return std::nullopt;
-  result.eigenvalues = model::jacobian(system, z).eigenvalues();
+  result.eigenvalues = dense::eigenvalues(model::jacobian(system, z));
   std::sort(result.eigenvalues.begin(), result.eigenvalues.end(), [](const auto& a, const auto& b) {
     return a.real() != b.real() ? a.real() > b.real() : a.imag() > b.imag();
   });

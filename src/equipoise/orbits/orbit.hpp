@@ -7,8 +7,9 @@
 #include <optional>
 #include <vector>
 
-#include <Eigen/Dense>
+#include <Eigen/Core>
 
+#include "equipoise/base/stop_flag.hpp"
 #include "equipoise/model/system.hpp"
 
 namespace equipoise {
@@ -97,8 +98,8 @@ std::optional<FloquetFrame> floquet_frame(const model::System& system, const Per
 /// about: mean growth of tangent vectors, reorthonormalised (Benettin and others, Meccanica 15 (1980) 9), over
 /// `duration` after a further fifth of it for the vectors to align. Falling order. Accuracy about 1 / duration; at two
 /// balls 1e4 units take a quarter of a second for four exponents, half for all. Of a strobed system the state is at a
-/// strobe, and no exponent of 0 belongs to a shift in time. Empty if the integration fails.
+/// strobe, and no exponent of 0 belongs to a shift in time. Empty if the integration fails, and once `stop` is set.
 std::vector<double> lyapunov_exponents(const model::System& system, const Eigen::VectorXd& state, double duration,
-                                       int count);
+                                       int count, const StopFlag* stop = nullptr);
 
 }  // namespace equipoise

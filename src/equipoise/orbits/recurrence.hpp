@@ -4,7 +4,7 @@
 #include <cstddef>
 #include <vector>
 
-#include <Eigen/Dense>
+#include <Eigen/Core>
 
 #include "equipoise/model/system.hpp"
 #include "equipoise/orbits/orbit.hpp"

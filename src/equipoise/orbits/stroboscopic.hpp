@@ -4,7 +4,7 @@
 
 #include <optional>
 
-#include <Eigen/Dense>
+#include <Eigen/Core>
 
 #include "equipoise/model/system.hpp"
 #include "equipoise/orbits/orbit.hpp"

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <optional>
 
-#include <Eigen/Dense>
+#include <Eigen/Core>
 
 #include "equipoise/integrate/adaptive-inl.hpp"
 #include "equipoise/math/dual.hpp"
@@ -15,66 +15,71 @@
 namespace equipoise {
 namespace HWY_NAMESPACE {
 
-// `width` tangent vectors along a trajectory. Component (1 + width) i is variable i, the next `width` are its tangents.
+// As many tangent vectors along a trajectory as asked for, `width` at most. Component (1 + vectors) i is variable i,
+// the next `vectors` are its tangents.
 template <class Source, int width>
 class TangentFlow {
  public:
-  static constexpr int size = Source::dimension, dimension = size * (1 + width);
+  static constexpr int most = Source::dimension, dimension = most * (1 + width);
 
-  TangentFlow(const model::System& system, double psi) : flow_(Source::template make<Dual<width>>(system, psi)) {}
+  TangentFlow(const model::System& system, double psi, int vectors)
+      : flow_(Source::template make<Dual<width>>(system, psi)), size_(system.dimension()), vectors_(vectors) {}
 
   // Not inlined: the integrator calls it in sixteen places.
   HWY_NOINLINE void operator()(double t, const double* y, double* dy) const {
-    Dual<width> z[size], rate[size];
-    for (int i = 0; i < size; ++i) {
-      z[i].value = y[(1 + width) * i];
-      std::copy_n(y + (1 + width) * i + 1, width, z[i].slope);
+    Dual<width> z[most], rate[most];
+    const int stride = 1 + vectors_;
+    for (int i = 0; i < size_; ++i) {
+      z[i].value = y[stride * i];
+      std::copy_n(y + stride * i + 1, vectors_, z[i].slope);
     }
     flow_(Dual<width>(t), z, rate);
-    for (int i = 0; i < size; ++i) {
-      dy[(1 + width) * i] = rate[i].value;
-      std::copy_n(rate[i].slope, width, dy + (1 + width) * i + 1);
+    for (int i = 0; i < size_; ++i) {
+      dy[stride * i] = rate[i].value;
+      std::copy_n(rate[i].slope, vectors_, dy + stride * i + 1);
     }
   }
 
  private:
   typename Source::template Flow<Dual<width>> flow_;
+  int size_, vectors_;
 };
 
-// For every `stride`-th component, those beyond the system's too: they rest at 0.
-template <int n, int size, int dimension>
+// For every `stride`-th component of the system's state.
+template <int dimension>
 void set_system_scale(const model::System& system, int stride, ErrorScale<dimension>& scale) {
-  set_state_scale<n>(system.parameters(), stride, scale);
+  set_state_scale(system.parameters(), stride, scale);
   constexpr double smallest_share = 0.01;  // as there
-  for (int i = model::dimension(n); i < size; ++i) scale.floor[stride * i] = smallest_share;
+  for (int i = model::dimension(system.balls()); i < system.dimension(); ++i) scale.floor[stride * i] = smallest_share;
   for (const auto& angle : system.angles()) {
     scale.floor[stride * angle.place] = 1.0;
     scale.absolute[stride * angle.place] = scale.angle[stride * angle.place] = true;
   }
 }
 
+// With `vectors` tangents, of which those beyond `start`'s columns stay zero.
 template <class Source, int width>
-std::optional<TangentFlight> follow(const model::System& system, const Eigen::VectorXd& state,
-                                    const Eigen::MatrixXd& vectors, double duration, double tolerance, double psi) {
+std::optional<TangentFlight> follow_at_width(const model::System& system, const Eigen::VectorXd& state,
+                                             const Eigen::MatrixXd& start, int vectors, double duration,
+                                             double tolerance, double psi) {
   using Flow = TangentFlow<Source, width>;
-  constexpr int stride = 1 + width;
-  const int size = system.dimension(), count = static_cast<int>(vectors.cols());
+  const int size = system.dimension(), stride = 1 + vectors, count = static_cast<int>(start.cols());
   const Eigen::VectorXd unit = system.scale();
   ErrorScale<Flow::dimension> scale;
   scale.tolerance = tolerance;
-  scale.floor.fill(1.0);  // of what stays zero; it only has to be positive
-  set_system_scale<Source::balls, Flow::size>(system, stride, scale);
+  set_system_scale(system, stride, scale);
   double y[Flow::dimension] = {};
-  for (int k = 0; k < width; ++k) {
-    const double length = k < count ? vectors.col(k).cwiseQuotient(unit).template lpNorm<Eigen::Infinity>() : 0.0;
+  for (int i = 0; i < size; ++i) y[stride * i] = state[i];
+  for (int k = 0; k < vectors; ++k) {
+    // Columns beyond `count` stay zero; their scale only has to be positive.
+    const double length = k < count ? start.col(k).cwiseQuotient(unit).template lpNorm<Eigen::Infinity>() : 0.0;
     for (int i = 0; i < size; ++i) {
-      y[stride * i] = state[i];
       scale.floor[stride * i + 1 + k] = unit[i] * (length > 0.0 ? length : 1.0);
-      if (k < count) y[stride * i + 1 + k] = vectors(i, k);
+      if (k < count) y[stride * i + 1 + k] = start(i, k);
     }
   }
-  const Flow flow(system, psi);
-  AdaptiveIntegrator<Flow, Flow::dimension> integrator(flow, scale);
+  const Flow flow(system, psi, vectors);
+  AdaptiveIntegrator<Flow, Flow::dimension> integrator(flow, scale, size * stride);
   const auto status = integrator.advance(0.0, duration, y, [](double, double, auto&&) {});
   if (status != IntegrationStatus::done) return std::nullopt;
   TangentFlight flight{Eigen::VectorXd(size), Eigen::MatrixXd(size, count)};
@@ -85,29 +90,47 @@ std::optional<TangentFlight> follow(const model::System& system, const Eigen::Ve
   return flight;
 }
 
+// At the first of the rising widths that holds the vectors: slopes that are not used cost as much as those that are.
+template <class Source, int width, int... wider>
+std::optional<TangentFlight> follow_within(const model::System& system, const Eigen::VectorXd& state,
+                                           const Eigen::MatrixXd& start, int vectors, double duration, double tolerance,
+                                           double psi) {
+  if constexpr (sizeof...(wider) > 0)
+    if (vectors > width)
+      return follow_within<Source, wider...>(system, state, start, vectors, duration, tolerance, psi);
+  return follow_at_width<Source, width>(system, state, start, vectors, duration, tolerance, psi);
+}
+
+// `widths`: for all tangents of the state. Few, as for the leading Lyapunov exponents, are carried at less cost.
+template <class Source, int... widths>
+std::optional<TangentFlight> follow(const model::System& system, const Eigen::VectorXd& state,
+                                    const Eigen::MatrixXd& start, double duration, double tolerance, double psi) {
+  constexpr int few = 4;
+  const int vectors = start.cols() <= few ? few : system.dimension();
+  return follow_within<Source, few, widths...>(system, state, start, vectors, duration, tolerance, psi);
+}
+
 template <class Source>
 std::optional<Eigen::VectorXd> advance(const model::System& system, const Eigen::VectorXd& state, double duration,
                                        double psi) {
   using Flow = typename Source::template Flow<double>;
-  constexpr int size = Source::dimension;
-  ErrorScale<size> scale;
+  ErrorScale<Source::dimension> scale;
   scale.tolerance = 1e-12;
-  set_system_scale<Source::balls, size>(system, 1, scale);
+  set_system_scale(system, 1, scale);
   const Flow flow = Source::template make<double>(system, psi);
-  AdaptiveIntegrator<Flow, size> integrator(flow, scale);
-  double y[size] = {};
-  std::copy_n(state.data(), state.size(), y);
-  const auto status = integrator.advance(0.0, duration, y, [](double, double, auto&&) {});
+  AdaptiveIntegrator<Flow, Source::dimension> integrator(flow, scale, system.dimension());
+  Eigen::VectorXd end = state;
+  const auto status = integrator.advance(0.0, duration, end.data(), [](double, double, auto&&) {});
   if (status != IntegrationStatus::done) return std::nullopt;
-  return Eigen::Map<Eigen::VectorXd>(y, state.size());
+  return end;
 }
 
 }  // namespace HWY_NAMESPACE
 
 // Systems that are not plain (model/system.hpp).
 std::optional<TangentFlight> follow_tangents_generally(const model::System& system, const Eigen::VectorXd& state,
-                                                       const Eigen::MatrixXd& vectors, double duration,
-                                                       double tolerance, double psi);
+                                                       const Eigen::MatrixXd& start, double duration, double tolerance,
+                                                       double psi);
 std::optional<Eigen::VectorXd> advance_generally(const model::System& system, const Eigen::VectorXd& state,
                                                  double duration, double psi);
 

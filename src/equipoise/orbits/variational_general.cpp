@@ -8,11 +8,14 @@ namespace equipoise {
 namespace {
 namespace kernels = HWY_NAMESPACE;
 
-template <int n>
+// Of the largest state for that many balls.
+template <int balls>
+constexpr int largest = kernels::SmoothFlow<double, balls>::dimension;
+
 struct GeneralFlow {
   template <class T>
-  using Flow = kernels::SmoothFlow<T, n>;
-  static constexpr int balls = n, dimension = Flow<double>::dimension;
+  using Flow = kernels::SmoothFlow<T, model::any_count>;
+  static constexpr int dimension = largest<model::max_balls>;
   template <class T>
   static Flow<T> make(const model::System& system, double psi) {
     return {system, psi};
@@ -21,18 +24,15 @@ struct GeneralFlow {
 }  // namespace
 
 std::optional<TangentFlight> follow_tangents_generally(const model::System& system, const Eigen::VectorXd& state,
-                                                       const Eigen::MatrixXd& vectors, double duration,
-                                                       double tolerance, double psi) {
-  return model::with_ball_count(system.balls(), [&](auto n) {
-    using Flow = GeneralFlow<n>;
-    return kernels::follow<Flow, Flow::dimension>(system, state, vectors, duration, tolerance, psi);
-  });
+                                                       const Eigen::MatrixXd& start, double duration, double tolerance,
+                                                       double psi) {
+  return kernels::follow<GeneralFlow, largest<2>, largest<4>, largest<8>>(system, state, start, duration, tolerance,
+                                                                          psi);
 }
 
 std::optional<Eigen::VectorXd> advance_generally(const model::System& system, const Eigen::VectorXd& state,
                                                  double duration, double psi) {
-  return model::with_ball_count(system.balls(),
-                                [&](auto n) { return kernels::advance<GeneralFlow<n>>(system, state, duration, psi); });
+  return kernels::advance<GeneralFlow>(system, state, duration, psi);
 }
 
 }  // namespace equipoise

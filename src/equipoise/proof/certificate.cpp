@@ -7,6 +7,7 @@
 
 #include <fmt/format.h>
 
+#include "equipoise/math/dense.hpp"
 #include "equipoise/model/balanced_state.hpp"
 #include "equipoise/model/linearisation.hpp"
 #include "equipoise/proof/level_proof.hpp"
@@ -47,8 +48,12 @@ std::pair<Box, Box> halves(const Box& box) {
   return result;
 }
 
+bool set(const StopFlag* stop) { return stop && stop->load(std::memory_order_relaxed); }
+
+const CertificateResult not_finished{false, "stopped before it was proved"};
+
 template <int n>
-CertificateResult prove(Certificate& c, long budget) {
+CertificateResult prove(Certificate& c, long budget, const StopFlag* stop) {
   const LevelProof<n> proof(c);
   if (!proof.fault().empty()) return {false, proof.fault()};
   struct Work {
@@ -60,6 +65,7 @@ CertificateResult prove(Certificate& c, long budget) {
     Work work = waiting.back();
     waiting.pop_back();
     if (proof.outside(work.box)) continue;
+    if (set(stop)) return not_finished;
     if (budget-- <= 0) return {false, fmt::format("the boxes allowed do not suffice to prove level {:.6g}", c.level)};
     if (proof.find(work.box)) {
       c.boxes.push_back(work.box);
@@ -93,16 +99,18 @@ bool covered(const LevelProof<n>& proof, const Box& box, std::vector<Box>::itera
 }
 
 template <int n>
-CertificateResult check(const Certificate& c) {
+CertificateResult check(const Certificate& c, const StopFlag* stop) {
   const LevelProof<n> proof(c);
   if (!proof.fault().empty()) return {false, proof.fault()};
   std::vector<Box> boxes = c.boxes;
   if (!covered<n>(proof, root<n>(), boxes.begin(), boxes.end(), 0))
     return {false, "the boxes do not cover the level set, each part of it once"};
-  for (const Box& box : c.boxes)
+  for (const Box& box : c.boxes) {
+    if (set(stop)) return not_finished;
     if (!proof.holds(box))
       return {false,
               fmt::format("the box at tau = ({:.4g}, {:.4g}) does not prove that V decreases", box.low[0], box.low[1])};
+  }
   return {true, ""};
 }
 
@@ -126,13 +134,13 @@ std::string hopeless(const model::Parameters& p, double speed, const double* phi
   if (form.rows() != size || form.cols() != size || !form.allFinite())
     return fmt::format("the form must be a {0} x {0} matrix of finite numbers", size);
   if (!(level > 0.0) || !std::isfinite(level)) return "the level must be a finite number greater than 0";
-  if (form.llt().info() != Eigen::Success) return "the form is not positive definite";
+  if (!dense::Cholesky(form).definite()) return "the form is not positive definite";
   const Eigen::MatrixXd a = model::jacobian(p, speed, model::centred_state(p, phi).data());
-  const double growth = a.eigenvalues().real().maxCoeff();
+  const double growth = dense::largest_real_part(a);
   if (!(growth < 0.0))
     return fmt::format("the balanced state is not linearly stable at speed {} (growth rate {:.3g})", speed, growth);
   const Eigen::MatrixXd fall = -(form * a + a.transpose() * form);
-  if (fall.llt().info() != Eigen::Success) return "V does not decrease along the linearised equations";
+  if (!dense::Cholesky(fall).definite()) return "V does not decrease along the linearised equations";
   return "";
 }
 
@@ -149,7 +157,7 @@ Eigen::MatrixXd frame_of(const Eigen::MatrixXd& form, double level, int balls) {
   for (int i = 0; i < size; ++i)
     for (int j = 0; j < size; ++j) sorted(i, j) = form(order[i], order[j]);
   const Eigen::MatrixXd inverse =
-      sorted.llt().matrixU().solve(Eigen::MatrixXd(std::sqrt(level) * Eigen::MatrixXd::Identity(size, size)));
+      dense::Cholesky(sorted).solve_upper(Eigen::MatrixXd(std::sqrt(level) * Eigen::MatrixXd::Identity(size, size)));
   for (int i = 0; i < size; ++i)
     for (int j = i; j < size; ++j) frame(order[i], j) = inverse(i, j);
   return frame;
@@ -158,7 +166,7 @@ Eigen::MatrixXd frame_of(const Eigen::MatrixXd& form, double level, int balls) {
 }  // namespace
 
 CertificateResult prove_level(const model::Parameters& p, double speed, const double* phi, const Eigen::MatrixXd& form,
-                              double level, Certificate& c, long budget) {
+                              double level, Certificate& c, long budget, const StopFlag* stop) {
   c = {};
   if (std::string reason = refusal(p, speed); !reason.empty()) return {false, reason};
   if (std::string reason = hopeless(p, speed, phi, form, level); !reason.empty()) return {false, reason};
@@ -168,24 +176,29 @@ CertificateResult prove_level(const model::Parameters& p, double speed, const do
   c.form = 0.5 * (form + form.transpose());  // V is the same
   c.level = level;
   c.frame = frame_of(c.form, level, p.balls);
-  const CertificateResult result = p.balls == 1 ? prove<1>(c, budget) : prove<2>(c, budget);
+  const CertificateResult result = p.balls == 1 ? prove<1>(c, budget, stop) : prove<2>(c, budget, stop);
   if (!result.proved) c = {};
   return result;
 }
 
-CertificateResult check_certificate(const Certificate& c) {
+CertificateResult check_certificate(const Certificate& c, const StopFlag* stop) {
   if (std::string reason = refusal(c.parameters, c.speed); !reason.empty()) return {false, reason};
-  return c.parameters.balls == 1 ? check<1>(c) : check<2>(c);
+  return c.parameters.balls == 1 ? check<1>(c, stop) : check<2>(c, stop);
 }
 
 Certificate largest_certificate(const model::Parameters& p, double speed, const double* phi,
-                                const Eigen::MatrixXd& form, double critical, std::string* reason) {
+                                const Eigen::MatrixXd& form, double critical, std::string* reason,
+                                const StopFlag* stop) {
   Certificate best;
   std::string problem;
   double low = least_share, high = 1.0, share = 0.95;
   while (high - low > finest) {
     Certificate trial;
-    const CertificateResult result = prove_level(p, speed, phi, form, share * critical, trial);
+    const CertificateResult result = prove_level(p, speed, phi, form, share * critical, trial, default_budget, stop);
+    if (set(stop)) {
+      problem = not_finished.reason;
+      break;
+    }
     if (result.proved) {
       low = share;
       best = std::move(trial);

@@ -5,8 +5,9 @@
 #include <string>
 #include <vector>
 
-#include <Eigen/Dense>
+#include <Eigen/Core>
 
+#include "equipoise/base/stop_flag.hpp"
 #include "equipoise/model/parameters.hpp"
 
 namespace equipoise {
@@ -36,6 +37,9 @@ struct Certificate {
 /// state, a rounded factor of P and rounding in V itself, whose sum is far below this.
 inline constexpr double level_slack = 1e-9;
 
+/// Boxes tried for one level.
+inline constexpr long default_budget = 20000;
+
 /// What check_certificate() or prove_level() found.
 struct CertificateResult {
   bool proved = false;
@@ -44,16 +48,19 @@ struct CertificateResult {
 
 /// Tries to prove the given level. On success `certificate` is complete. Works for one or two balls with isolated
 /// balanced states, isotropic supports, no gravity; refuses (with the reason) otherwise, for forms that are not
-/// positive definite and for states that are not linearly stable. `budget`: most boxes to try.
+/// positive definite and for states that are not linearly stable. `budget`: most boxes to try. A stopped search proves
+/// nothing.
 CertificateResult prove_level(const model::Parameters& p, double speed, const double* phi, const Eigen::MatrixXd& form,
-                              double level, Certificate& certificate, long budget = 20000);
+                              double level, Certificate& certificate, long budget = default_budget,
+                              const StopFlag* stop = nullptr);
 
-/// Verifies a certificate from its own data alone, with outward rounding.
-CertificateResult check_certificate(const Certificate& certificate);
+/// Verifies a certificate from its own data alone, with outward rounding. A stopped check proves nothing.
+CertificateResult check_certificate(const Certificate& certificate, const StopFlag* stop = nullptr);
 
 /// The largest provable share of `critical` (the sampled critical level), by bisection between shares; `reason`, if
-/// given, receives why there is none, in which case the level is 0.
+/// given, receives why there is none, in which case the level is 0. A stopped search returns what it has proved so far.
 Certificate largest_certificate(const model::Parameters& p, double speed, const double* phi,
-                                const Eigen::MatrixXd& form, double critical, std::string* reason = nullptr);
+                                const Eigen::MatrixXd& form, double critical, std::string* reason = nullptr,
+                                const StopFlag* stop = nullptr);
 
 }  // namespace equipoise

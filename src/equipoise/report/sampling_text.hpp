@@ -5,7 +5,7 @@
 
 #include <nlohmann/json_fwd.hpp>
 
-#include "equipoise/report/basin_result.hpp"
+#include "equipoise/results/basin_result.hpp"
 
 namespace equipoise {
 

@@ -3,11 +3,9 @@
 
 #include <cmath>
 #include <optional>
-#include <sstream>
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
-#include <toml++/toml.h>
 
 #include "equipoise/base/angles.hpp"
 #include "equipoise/report/engineering.hpp"
@@ -90,11 +88,11 @@ std::string speed_text(const Study& study) {
   std::string text;
   if (s.driven())
     text = motor_text(study);
-  else if (s.profile == "constant")
+  else if (s.profile == Profile::constant)
     text = fmt::format("constant speed {}", speed(s.speed));
-  else if (s.profile == "ramp")
+  else if (s.profile == Profile::ramp)
     text = fmt::format("ramp {} to {} in {}", speed(s.initial), speed(s.final), time(s.duration));
-  else if (s.profile == "trapezoid")
+  else if (s.profile == Profile::trapezoid)
     text = fmt::format("trapezoid {} to {} by {}, held to {}, to {} by {}", speed(s.initial), speed(s.peak),
                        time(s.rise_until), time(s.hold_until), speed(s.final), time(s.fall_until));
   else
@@ -104,7 +102,7 @@ std::string speed_text(const Study& study) {
     text += ", balls released at " + speed(*study.release.speed);
   else if (release > 0.0)
     text += ", balls released at t = " + (study.scales ? time(release) : fmt::format("{:.6g}", release));
-  if (s.profile != "constant" && !s.driven())
+  if (s.profile != Profile::constant && !s.driven())
     text += s.law == model::SpeedLaw::published ? "; PUBLISHED speed law, psi = t Omega(t)"
                                                 : "; kinematic speed law, psi' = Omega(t)";
   return text;
@@ -154,16 +152,34 @@ std::string rotor_speed_text(const Study& study, double speed) {
   return study.scales ? Shown(study)(speed, Dimension::speed) : fmt::format("{:.6g}", speed);
 }
 
-const char* name_of(model::SpeedLaw law) { return law == model::SpeedLaw::published ? "published" : "kinematic"; }
+const char* name_of(model::SpeedLaw law) { return speed_law_names[static_cast<std::size_t>(law)]; }
 
 nlohmann::ordered_json share_json(const Share& s) {
   return {{"count", s.count}, {"share", s.share}, {"low", s.low}, {"high", s.high}};
 }
 
-nlohmann::ordered_json study_json(const Study& study) {
-  std::ostringstream text;
-  text << toml::json_formatter{toml::parse(to_toml(study))};
-  return nlohmann::ordered_json::parse(text.str());
+namespace {
+
+nlohmann::ordered_json tree_json(const StudyValue& value) {
+  using Json = nlohmann::ordered_json;
+  if (const auto* table = value.table()) {
+    Json json = Json::object();
+    for (const auto& [key, member] : *table) json[key] = tree_json(member);
+    return json;
+  }
+  if (const auto* array = value.array()) {
+    Json json = Json::array();
+    for (const StudyValue& entry : *array) json.push_back(tree_json(entry));
+    return json;
+  }
+  if (const auto* truth = value.boolean()) return *truth;
+  if (const auto* whole = value.integer()) return *whole;
+  if (const auto* number = value.real()) return *number;
+  return value.string() ? Json(*value.string()) : Json(value.other()->text);
 }
+
+}  // namespace
+
+nlohmann::ordered_json study_json(const Study& study) { return tree_json(to_tree(study)); }
 
 }  // namespace equipoise

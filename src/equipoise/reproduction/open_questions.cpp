@@ -7,8 +7,10 @@
 #include <fmt/format.h>
 
 #include "equipoise/base/angles.hpp"
+#include "equipoise/base/reporting.hpp"
 #include "equipoise/basins/basin.hpp"
 #include "equipoise/discovery/discovery.hpp"
+#include "equipoise/kernels/cpu_target.hpp"
 #include "equipoise/literature/paper_rotor.hpp"
 #include "equipoise/maps/plane_map.hpp"
 
@@ -35,6 +37,15 @@ SamplingBox stated_box() {
 
 bool stopped(const OpenQuestionSettings& s) { return s.stop && s.stop->load(std::memory_order_relaxed); }
 
+// What a part reports, under the part's name.
+std::function<void(const Progress&)> renamed(const OpenQuestionSettings& settings, const std::string& part) {
+  if (!settings.progress) return {};
+  return [&settings, part](Progress p) {
+    p.what = p.preparing ? part + ", " + p.what : part;
+    settings.progress(p);
+  };
+}
+
 PlaneMap mapped(const Study& study, const OpenQuestionSettings& settings, const std::string& part, const MapAxis& x,
                 const MapAxis& y, const std::vector<AngleLink>& links) {
   PlaneMapSettings map;
@@ -43,10 +54,7 @@ PlaneMap mapped(const Study& study, const OpenQuestionSettings& settings, const 
   map.links = links;
   map.threads = settings.threads;
   map.stop = settings.stop;
-  if (settings.progress)
-    map.progress = [&](std::size_t done, std::size_t total) {
-      settings.progress(part, static_cast<double>(done) / static_cast<double>(total));
-    };
+  map.progress = renamed(settings, part);
   return plane_map(study, map);
 }
 
@@ -61,16 +69,15 @@ BasinResult sampled(Study study, const SamplingBox& box, const OpenQuestionSetti
   options.discoveries = &discoveries;
   if (!settings.folder.empty())
     options.output = fmt::format("{}/{}-speed-{}.nc", settings.folder, file, study.speed.speed);
-  if (settings.progress)
-    options.progress = [&](const BasinProgress& now) {
-      settings.progress(part, static_cast<double>(now.done) / static_cast<double>(now.total));
-    };
+  options.progress = renamed(settings, part);
   return basin(study, options);
 }
 
 }  // namespace
 
-OpenQuestions open_questions(const OpenQuestionSettings& settings) {
+namespace {
+
+OpenQuestions answered(const OpenQuestionSettings& settings) {
   const int pixels = settings.map_pixels;
   const MapAxis angle{"initial.phi_1", 0.0, two_pi, pixels};
   OpenQuestions result;
@@ -96,6 +103,13 @@ OpenQuestions open_questions(const OpenQuestionSettings& settings) {
   }
   result.complete = result.complete && result.boxes.size() == speeds.size();
   return result;
+}
+
+}  // namespace
+
+OpenQuestions open_questions(const OpenQuestionSettings& settings) {
+  const ChosenCpuTarget chosen(settings.cpu_target);
+  return reported(settings, answered);
 }
 
 }  // namespace equipoise

@@ -3,22 +3,19 @@
 #pragma once
 
 #include <cstdint>
-#include <functional>
 #include <string>
 
-#include "equipoise/base/error.hpp"
+#include "equipoise/base/run_options.hpp"
 #include "equipoise/reproduction/open_questions_result.hpp"
 
 namespace equipoise {
 
-struct OpenQuestionSettings {
+/// Progress is in pixels of a map, then in starts of a sample.
+struct OpenQuestionSettings : RunOptions {
   int map_pixels = 64;           ///< along each side of both maps; a pixel takes 10 to 25 ms on the mean
   std::uint64_t starts = 20000;  ///< a sample, two samples a speed
   std::uint64_t seed = 1;
-  int threads = 0;     ///< 0: all cores
   std::string folder;  ///< an existing folder for per-start results of the samples (NetCDF), resumed; empty: none
-  const StopFlag* stop = nullptr;
-  std::function<void(const std::string& part, double share)> progress;  ///< from any thread, never from two at once
 };
 
 /// The rotor of the paper's section 4 (zeta = 0.5, mu = beta = 0.05, lambda = 0.01) at constant speed 2.4, balls free

@@ -3,8 +3,8 @@
 
 #include <vector>
 
-#include "equipoise/report/basin_result.hpp"
-#include "equipoise/store/map_file.hpp"
+#include "equipoise/results/basin_result.hpp"
+#include "equipoise/results/plane_map.hpp"
 
 namespace equipoise {
 

@@ -49,7 +49,9 @@ FigureSeries curve(const Study& study, const std::string& label, double until, c
   std::vector<double> times;
   for (std::size_t i = 0; spacing * static_cast<double>(i) <= until; ++i)
     times.push_back(spacing * static_cast<double>(i));
-  const Trajectory trajectory = simulate(study, times, stop);
+  RunOptions options;
+  options.stop = stop;
+  const Trajectory trajectory = simulate(study, times, options);
   FigureSeries series{label, study.speed.law, trajectory.t, trajectory.radial, to_toml(study)};
   thin(series.t, series.r);
   return series;
@@ -57,7 +59,7 @@ FigureSeries curve(const Study& study, const std::string& label, double until, c
 
 Study ramp_study(double zeta, double beta, double final, double duration, double release, SpeedLaw law) {
   Study study = paper_rotor(zeta, beta);
-  study.speed.profile = "ramp";
+  study.speed.profile = Profile::ramp;
   study.speed.final = final;
   study.speed.duration = duration;
   study.speed.law = law;

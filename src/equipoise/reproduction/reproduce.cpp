@@ -6,8 +6,11 @@
 
 #include <fmt/format.h>
 
+#include "equipoise/base/error.hpp"
+#include "equipoise/base/reporting.hpp"
 #include "equipoise/basins/basin.hpp"
 #include "equipoise/discovery/discovery.hpp"
+#include "equipoise/kernels/cpu_target.hpp"
 #include "equipoise/report/text.hpp"
 
 namespace equipoise {
@@ -88,11 +91,12 @@ class TableRun {
     study.sampling.starts = factor * starts_of(*row.published);
     // The constant-speed study has no law to name.
     const std::string name = row.published->study +
-                             (study.speed.profile == "constant" ? "" : fmt::format("-{}", name_of(law))) +
+                             (study.speed.profile == Profile::constant ? "" : fmt::format("-{}", name_of(law))) +
                              (factor > 1 ? "-follow-up" : "");
     const std::string path = options_.folder.empty() ? "" : options_.folder + "/" + name + ".nc";
-    progress_.what = study.speed.profile == "constant" ? row.published->study
-                                                       : fmt::format("{}, {} law", row.published->study, name_of(law));
+    progress_.what = study.speed.profile == Profile::constant
+                         ? row.published->study
+                         : fmt::format("{}, {} law", row.published->study, name_of(law));
     EnsembleResult result;
     if (stopped()) return result;
     report(0);
@@ -135,7 +139,7 @@ class TableRun {
     options.stop = options_.stop;
     options.discoveries = &discoveries_;
     options.fate = [&](const Fate& fate) { result.balanced.push_back(is_balanced(fate)); };
-    options.progress = [&](const BasinProgress& p) { report(p.done); };
+    options.progress = [&](const Progress& p) { p.preparing ? report_stage(p) : report(p.done); };
     const BasinResult basin = equipoise::basin(study, options);
     result.starts = basin.starts;
     result.seed = study.sampling.seed;
@@ -156,14 +160,25 @@ class TableRun {
     if (options_.progress) options_.progress(progress_);
   }
 
+  // What comes before a row's starts adds nothing to those that are done.
+  void report_stage(const Progress& stage) const {
+    if (!options_.progress) return;
+    Progress now = progress_;
+    now.what += ", " + stage.what;
+    options_.progress(now);
+  }
+
   const ReproduceOptions& options_;
-  ReproduceProgress progress_;
+  Progress progress_;
   DiscoveryCache discoveries_;
   std::uint64_t before_ = 0;
 };
 
 }  // namespace
 
-std::vector<ReproducedTable> reproduce_tables(const ReproduceOptions& options) { return TableRun(options).run(); }
+std::vector<ReproducedTable> reproduce_tables(const ReproduceOptions& options) {
+  const ChosenCpuTarget chosen(options.cpu_target);
+  return reported(options, [](const ReproduceOptions& o) { return TableRun(o).run(); });
+}
 
 }  // namespace equipoise

@@ -8,6 +8,7 @@
 #include <nlohmann/json.hpp>
 
 #include "equipoise/base/version.hpp"
+#include "equipoise/report/basin_report.hpp"
 #include "equipoise/report/text.hpp"
 #include "equipoise/reproduction/reproduction_words.hpp"
 

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 
+#include "equipoise/base/error.hpp"
 #include "equipoise/literature/paper_rotor.hpp"
 
 namespace equipoise {
@@ -76,7 +77,7 @@ Study Table7Protocol::study(const Table7Row& row) const {
   study.name = "table 7";
   study.parameters.eccentricity = eccentricity;
   study.parameters.mass = {mass, mass};
-  study.speed.profile = "trapezoid";
+  study.speed.profile = Profile::trapezoid;
   study.speed.peak = peak;
   study.speed.final = final;
   study.speed.rise_until = t0;

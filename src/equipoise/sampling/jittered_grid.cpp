@@ -5,9 +5,8 @@
 #include <bit>
 #include <cmath>
 
-#include <Random123/philox.h>
-
 #include "equipoise/base/angles.hpp"
+#include "equipoise/base/random.hpp"
 #include "equipoise/model/parameters.hpp"
 #include "equipoise/sampling/start_numbers.hpp"
 #include "equipoise/sampling/starts.hpp"
@@ -37,16 +36,13 @@ std::uint64_t count_cells(std::uint64_t side, int balls, bool exchange, std::uin
 // Where `place` < count comes in an order that depends on the seed: a Feistel network over the next power of four,
 // walked until it falls below `count` (M. Luby, C. Rackoff, SIAM J. Comput. 17 (1988) 373, need four rounds).
 std::uint64_t shuffled(std::uint64_t seed, std::uint64_t place, std::uint64_t count) {
-  const r123::Philox4x64 generator;
-  const r123::Philox4x64::key_type key = {{seed, 0}};
   const int half = std::max(1, (static_cast<int>(std::bit_width(count - 1)) + 1) / 2);
   const std::uint64_t mask = (std::uint64_t{1} << half) - 1;
   do {
     std::uint64_t left = place >> half, right = place & mask;
     for (std::uint64_t round = 0; round < 6; ++round) {
-      const r123::Philox4x64::ctr_type counter = {
-          {right, round, static_cast<std::uint64_t>(StartNumbers::cell_order), 0}};
-      const std::uint64_t mixed = left ^ (generator(counter, key)[0] & mask);
+      const auto purpose = static_cast<std::uint64_t>(StartNumbers::cell_order);
+      const std::uint64_t mixed = left ^ (random_words({seed, 0}, {right, round, purpose, 0})[0] & mask);
       left = right;
       right = mixed;
     }

@@ -3,9 +3,9 @@
 
 #include <array>
 
-#include <Random123/philox.h>
 #include <boost/random/sobol.hpp>
 
+#include "equipoise/base/random.hpp"
 #include "equipoise/sampling/start_numbers.hpp"
 
 namespace equipoise {
@@ -38,15 +38,12 @@ std::uint64_t sobol_point(std::uint64_t number, int dimension) {
 // Eight bits of the point at a time: the 255 random bits that one of them may need are those of a tree eight levels
 // deep, numbered as in a heap from 1, and one call of the generator makes 256. 53 bits of the result are used.
 std::uint64_t scrambled(std::uint64_t seed, std::uint64_t replicate, int dimension, std::uint64_t point) {
-  const r123::Philox4x64 generator;
-  const r123::Philox4x64::key_type key = {{seed, 0}};
   const std::uint64_t tree = replicate << 32 | static_cast<std::uint64_t>(dimension);
   std::uint64_t flips = 0;
   for (int level = 0; level < 56; level += 8) {
     const std::uint64_t before = level == 0 ? 0 : point >> (64 - level);
-    const r123::Philox4x64::ctr_type counter = {
-        {before, static_cast<std::uint64_t>(level), static_cast<std::uint64_t>(StartNumbers::scrambling), tree}};
-    const auto words = generator(counter, key);
+    const RandomWords words = random_words({seed, 0}, {before, static_cast<std::uint64_t>(level),
+                                                       static_cast<std::uint64_t>(StartNumbers::scrambling), tree});
     const std::uint64_t byte = point >> (56 - level) & 0xff;
     for (int depth = 0; depth < 8; ++depth) {
       const std::uint64_t node = std::uint64_t{1} << depth | byte >> (8 - depth);
@@ -62,8 +59,7 @@ void sobol_fractions(std::uint64_t seed, std::uint64_t index, int first, int cou
   const std::uint64_t replicate = index % sobol_replicates, number = index / sobol_replicates;
   for (int k = 0; k < count; ++k) {
     const int dimension = first + k;
-    fractions[k] =
-        static_cast<double>(scrambled(seed, replicate, dimension, sobol_point(number, dimension)) >> 11) * 0x1p-53;
+    fractions[k] = fraction(scrambled(seed, replicate, dimension, sobol_point(number, dimension)));
   }
 }
 

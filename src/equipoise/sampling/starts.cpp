@@ -1,9 +1,8 @@
 // Counter-based random ball angles.
 #include "equipoise/sampling/starts.hpp"
 
-#include <Random123/philox.h>
-
 #include "equipoise/base/angles.hpp"
+#include "equipoise/base/random.hpp"
 #include "equipoise/sampling/start_numbers.hpp"
 
 namespace equipoise {
@@ -11,14 +10,10 @@ namespace equipoise {
 namespace {
 
 void fractions_of(std::uint64_t seed, std::uint64_t index, StartNumbers group, int count, double* fractions) {
-  const r123::Philox4x64 generator;
-  const r123::Philox4x64::key_type key = {{seed, 0}};
   for (int first = 0; first < count; first += 4) {
-    const r123::Philox4x64::ctr_type counter = {
-        {index, static_cast<std::uint64_t>(first / 4), static_cast<std::uint64_t>(group), 0}};
-    const auto words = generator(counter, key);
-    for (int i = first; i < count && i < first + 4; ++i)
-      fractions[i] = static_cast<double>(words[i - first] >> 11) * 0x1p-53;
+    const RandomWords words =
+        random_words({seed, 0}, {index, static_cast<std::uint64_t>(first / 4), static_cast<std::uint64_t>(group), 0});
+    for (int i = first; i < count && i < first + 4; ++i) fractions[i] = fraction(words[i - first]);
   }
 }
 

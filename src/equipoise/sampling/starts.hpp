@@ -5,8 +5,8 @@
 
 namespace equipoise {
 
-/// Writes the ball angles of start `index`: independent, uniform on [0, 2 pi). Philox 4x64-10 (Salmon and others,
-/// "Parallel random numbers: as easy as 1, 2, 3", SC 2011) with the seed as key and the index as counter.
+/// Writes the ball angles of start `index`: independent, uniform on [0, 2 pi), by random_words() with the seed as key and
+/// the index as counter.
 void start_angles(std::uint64_t seed, std::uint64_t index, int balls, double* phi);
 
 /// Writes `count` further numbers of start `index`, independent of its angles and of each other, uniform on [0, 1).

@@ -2,6 +2,7 @@
 #include "equipoise/spin_up/start_source.hpp"
 
 #include <algorithm>
+#include <limits>
 #include <utility>
 
 #include "equipoise/kernels/lane_kernels.hpp"
@@ -24,7 +25,8 @@ StartSource::StartSource(const Study& study, std::vector<model::Segment> segment
   initial_state(study.initial, study.parameters.balls, segments_.front().speed, z);
   // The spin-up is shared by all starts, so its accuracy costs nothing: as tight as a single trajectory's.
   const auto status =
-      integrate_clamped(study.parameters, segments_, {z[0], z[1], z[2], z[3]}, default_simulate_tolerance, basis_);
+      integrate_clamped(study.parameters, segments_, {z[0], z[1], z[2], z[3]}, default_simulate_tolerance, basis_, {},
+                        {}, std::numeric_limits<double>::infinity(), stop);
   if (status != IntegrationStatus::done) throw RunError("the clamped spin-up could not be integrated");
 }
 
@@ -32,8 +34,8 @@ void StartSource::watch(const TransientSettings& settings) {
   if (first_free_ == 0) return;
   double z[max_dimension];
   initial_state(study_.initial, study_.parameters.balls, segments_.front().speed, z);
-  clamped_ =
-      ClampedTransients(study_.parameters, segments_, {z[0], z[1], z[2], z[3]}, default_simulate_tolerance, settings);
+  clamped_ = ClampedTransients(study_.parameters, segments_, {z[0], z[1], z[2], z[3]}, default_simulate_tolerance,
+                               settings, stop_);
 }
 
 // The state when the balls become free.
@@ -49,6 +51,7 @@ bool StartSource::make(std::uint64_t seed, std::uint64_t first, std::size_t coun
   if (transients) transients->rows.clear();
   states.assign(count * static_cast<std::size_t>(size), 0.0);
   for (std::size_t i = 0; i < count; ++i) {
+    if (stop_ && stop_->load(std::memory_order_relaxed)) return false;  // a start may take a million sums
     const InitialState start = start_of(study_, sampler_, seed, first + i);
     phi.insert(phi.end(), start.phi.begin(), start.phi.begin() + balls);
     place(start, &states[i * static_cast<std::size_t>(size)]);

@@ -46,8 +46,8 @@ struct RunTime {
 
 /// Two files. The results, `path`, are NetCDF (classic, 64-bit offsets), always written whole beside and renamed:
 /// dimension start with its index and variables phi(start, ball), outcome(start), decision_time(start),
-/// decided_by(start), of driven rotors mean_speed(start), and with full_starts rotor_state(start, rotor_component) and phi_dot(start, ball), on a grid
-/// weight(start); dimension outcome_kind: code, name, alias, count, share and its interval, and but for random starts
+/// decided_by(start), of driven rotors mean_speed(start), and with full_starts rotor_state(start, rotor_component) and
+/// phi_dot(start, ball), on a grid weight(start); dimension outcome_kind: code, name, alias, count, share and its interval, and but for random starts
 /// where the interval is from and how many random starts would have done; with transients the columns of TransientRow
 /// by start; dimension discovery: states of motions met during the run. Every variable has units and long_name.
 /// Readable by xarray, ncdump, ncview. Behind it all stands a checksum; a file without it, or with another, is not

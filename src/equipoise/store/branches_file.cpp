@@ -15,9 +15,9 @@ namespace {
 
 class Writer {
  public:
-  Writer(store::NetcdfFile& file, const BranchTable& table)
-      : table_(table), file_(file), balls_(static_cast<std::size_t>(table.balls)) {
-    for (const Branch& branch : table.branches) {
+  Writer(store::NetcdfFile& file, const BranchesResult& result)
+      : result_(result), file_(file), balls_(static_cast<std::size_t>(result.study.parameters.balls)) {
+    for (const Branch& branch : result.branches) {
       names_.push_back(branch.name);
       aliases_.push_back(branch.alias);
       for (const BranchEvent& e : branch.events) {
@@ -29,15 +29,15 @@ class Writer {
 
   void write() {
     define();
-    for (std::size_t k = 0; k < table_.values.size(); ++k) file_.write(value_, {k}, {1}, &table_.values[k]);
+    for (std::size_t k = 0; k < result_.values.size(); ++k) file_.write(value_, {k}, {1}, &result_.values[k]);
     std::size_t event = 0;
-    for (std::size_t b = 0; b < table_.branches.size(); ++b) {
-      const Branch& branch = table_.branches[b];
+    for (std::size_t b = 0; b < result_.branches.size(); ++b) {
+      const Branch& branch = result_.branches[b];
       put(id_, b, branch.id);
       for (const BranchPoint& point : branch.points) put_point(point, b);
       for (const BranchEvent& e : branch.events) put_event(e, event++);
     }
-    if (table_.branches.empty()) return;
+    if (result_.branches.empty()) return;
     file_.write_texts(name_, names_);
     file_.write_texts(alias_, aliases_);
     if (changes_.empty()) return;
@@ -48,24 +48,25 @@ class Writer {
  private:
   void define() {
     store::NetcdfFile& f = file_;
-    const int value = f.dimension("value", table_.values.size());
-    value_ = f.variable("value", NC_DOUBLE, {value}, "1", fmt::format("{}: {}", table_.key, table_.label));
-    if (!table_.branches.empty()) define_branches(value);
+    const int value = f.dimension("value", result_.values.size());
+    value_ = f.variable("value", NC_DOUBLE, {value}, "1", fmt::format("{}: {}", result_.key, parameter_label(result_.key)));
+    if (!result_.branches.empty()) define_branches(value);
     if (!changes_.empty()) define_events();
+    const std::string study = to_toml(result_.study);
     f.attribute(NC_GLOBAL, "Conventions", "CF-1.8");
     f.attribute(NC_GLOBAL, "title", "Attractors of a rotor with an automatic ball balancer along a parameter");
     f.attribute(NC_GLOBAL, "source", fmt::format("equipoise {}", version_string));
     f.attribute(NC_GLOBAL, "identity",
-                fmt::format("{}\n# along {}\n# version {}\n", table_.study, table_.key, version_string));
-    f.attribute(NC_GLOBAL, "parameter", table_.key);
-    f.attribute(NC_GLOBAL, "study", table_.study);
-    f.attribute(NC_GLOBAL, "complete", table_.complete ? "yes" : "no");
+                fmt::format("{}\n# along {}\n# version {}\n", study, result_.key, version_string));
+    f.attribute(NC_GLOBAL, "parameter", result_.key);
+    f.attribute(NC_GLOBAL, "study", study);
+    f.attribute(NC_GLOBAL, "complete", !result_.partial ? "yes" : "no");
     f.end_definitions();
   }
 
   void define_branches(int value) {
     store::NetcdfFile& f = file_;
-    const int attractor = f.dimension("attractor", table_.branches.size());
+    const int attractor = f.dimension("attractor", result_.branches.size());
     const int ball = f.dimension("ball", balls_);
     id_ = f.variable("id", NC_INT, {attractor}, "1", "identifier, the same along the whole range");
     name_ = f.text_variable("name", attractor, names_, "name of the attractor");
@@ -78,10 +79,10 @@ class Writer {
     f.fill(kind_, &none);
     f.attribute(kind_, "flag_values", std::vector<signed char>{0, 1, 2, 3});
     f.attribute(kind_, "flag_meanings", "equilibrium periodic quasi-periodic chaotic");
-    stable_ = f.variable("stable", NC_BYTE, {value, attractor}, "1", "whether the motion attracts its neighbourhood");
-    f.fill(stable_, &none);
-    f.attribute(stable_, "flag_values", std::vector<signed char>{0, 1});
-    f.attribute(stable_, "flag_meanings", "unstable stable");
+    sresult_ = f.variable("stable", NC_BYTE, {value, attractor}, "1", "whether the motion attracts its neighbourhood");
+    f.fill(sresult_, &none);
+    f.attribute(sresult_, "flag_values", std::vector<signed char>{0, 1});
+    f.attribute(sresult_, "flag_meanings", "unstable stable");
     period_ = number("period", "1", "period of a periodic motion, in 1/omega_c");
     r_min_ = number("r_min", "1", "smallest distance of the rotor's centre from the axis, in race radii");
     r_mean_ = number("r_mean", "1", "mean distance of the rotor's centre from the axis, in race radii");
@@ -121,7 +122,7 @@ class Writer {
   void put_point(const BranchPoint& point, std::size_t b) {
     const Motion& m = point.motion;
     put(kind_, point, b, static_cast<signed char>(m.kind));
-    put(stable_, point, b, static_cast<signed char>(m.stable ? 1 : 0));
+    put(sresult_, point, b, static_cast<signed char>(m.stable ? 1 : 0));
     if (m.kind == MotionKind::periodic) put(period_, point, b, m.period);
     put(r_min_, point, b, m.r_min);
     put(r_mean_, point, b, m.r_mean);
@@ -137,19 +138,19 @@ class Writer {
     put(event_high_, at, e.high);
   }
 
-  const BranchTable& table_;
+  const BranchesResult& result_;
   store::NetcdfFile& file_;
   std::size_t balls_;
   std::vector<std::string> names_, aliases_, changes_, types_;
-  int value_ = -1, id_ = -1, name_ = -1, alias_ = -1, kind_ = -1, stable_ = -1, period_ = -1;
+  int value_ = -1, id_ = -1, name_ = -1, alias_ = -1, kind_ = -1, sresult_ = -1, period_ = -1;
   int r_min_ = -1, r_mean_ = -1, r_max_ = -1, multiplier_ = -1, rate_ = -1, drift_ = -1;
   int event_id_ = -1, event_change_ = -1, event_type_ = -1, event_low_ = -1, event_high_ = -1;
 };
 
 }  // namespace
 
-void write_branches_file(const std::string& path, const BranchTable& table) {
-  store::write_netcdf_file(path, [&](store::NetcdfFile& file) { Writer(file, table).write(); });
+void write_branches_file(const std::string& path, const BranchesResult& result) {
+  store::write_netcdf_file(path, [&](store::NetcdfFile& file) { Writer(file, result).write(); });
 }
 
 }  // namespace equipoise

@@ -2,27 +2,16 @@
 #pragma once
 
 #include <string>
-#include <vector>
 
-#include "equipoise/results/branch.hpp"
+#include "equipoise/results/branches_result.hpp"
 
 namespace equipoise {
-
-/// What a branches file holds.
-struct BranchTable {
-  std::string study;       ///< resolved study as TOML
-  std::string key, label;  ///< of the parameter
-  std::vector<double> values;
-  int balls = 2;
-  std::vector<Branch> branches;
-  bool complete = true;
-};
 
 /// Writes `path` anew: dimensions value, attractor, ball and event; variables kind, stable, period, r_min, r_mean,
 /// r_max, multiplier, growth_rate(value, attractor) and drift(value, attractor, ball), filled where the attractor is
 /// not there; id, name, alias(attractor); event_*(event). Without attractors or events those dimensions and their
 /// variables are left out. Every variable has units and long_name; readable by xarray, ncdump, ncview. Throws RunError
 /// if the file cannot be written.
-void write_branches_file(const std::string& path, const BranchTable& table);
+void write_branches_file(const std::string& path, const BranchesResult& result);
 
 }  // namespace equipoise

@@ -5,6 +5,8 @@
 #include <string>
 #include <vector>
 
+#include "equipoise/study/study_value.hpp"
+
 namespace equipoise {
 
 /// In SI units; empty where the study does not say.
@@ -17,5 +19,8 @@ struct BallDetails {
 /// Reads them from the text of a study that parse_study() accepts.
 BallDetails parse_ball_details(const std::string& toml_text, const std::string& name,
                                const std::vector<std::string>& overrides = {});
+/// The same from a tree that study_from() accepts.
+BallDetails ball_details_from(const StudyValue& tree, const std::string& name = "study",
+                              const std::vector<std::string>& overrides = {});
 
 }  // namespace equipoise

@@ -1,133 +1,179 @@
-// The resolved study as TOML: what a result remembers of the question it answers.
-#include <optional>
+// The resolved study as a tree and as TOML: what a result remembers of the question it answers.
+#include <algorithm>
 #include <string>
 #include <vector>
 
-#include <fmt/format.h>
-#include <fmt/ranges.h>
-
 #include "equipoise/study/study.hpp"
-#include "equipoise/study/table_reader.hpp"
+#include "equipoise/study/toml_tree.hpp"
 
 namespace equipoise {
 
 namespace {
-using study::number_text;
 
 template <class Container>
-std::string array(const Container& values, std::size_t count) {
-  std::vector<std::string> parts;
-  for (std::size_t i = 0; i < count; ++i) parts.push_back(number_text(values[i]));
-  return fmt::format("[{}]", fmt::join(parts, ", "));
+StudyValue first(const Container& values, std::size_t count) {
+  return std::vector<double>(values.begin(), values.begin() + static_cast<std::ptrdiff_t>(count));
 }
 
-std::string ramp_keys(const RampSetting& s) {
-  if (s.profile == "constant") return fmt::format("speed = {}\n", number_text(s.speed));
-  if (s.profile == "ramp")
-    return fmt::format("initial = {}\nfinal = {}\nduration = {}\n", number_text(s.initial), number_text(s.final),
-                       number_text(s.duration));
-  if (s.profile == "trapezoid")
-    return fmt::format("initial = {}\npeak = {}\nfinal = {}\nrise_until = {}\nhold_until = {}\nfall_until = {}\n",
-                       number_text(s.initial), number_text(s.peak), number_text(s.final), number_text(s.rise_until),
-                       number_text(s.hold_until), number_text(s.fall_until));
-  return fmt::format("times = {}\nspeeds = {}\n", array(s.times, s.times.size()), array(s.speeds, s.speeds.size()));
+void set_if(StudyValue& table, const char* key, const std::optional<double>& value) {
+  if (value) table.set(key, *value);
 }
 
-std::string torque_keys(const TorqueSetting& t) {
-  using Kind = model::MotorLaw::Kind;
-  if (t.by_stall)
-    return fmt::format("stall = {}\nno_load_speed = {}\n", number_text(t.stall), number_text(t.no_load_speed));
-  if (t.kind == Kind::table)
-    return fmt::format("times = {}\nvalues = {}\n", array(t.times, t.times.size()), array(t.values, t.values.size()));
-  if (t.kind == Kind::control)
-    return fmt::format("gain = {}\nintegral = {}\n{}\n[speed.torque.target]\nprofile = \"{}\"\n{}", number_text(t.gain),
-                       number_text(t.integral), t.limit ? fmt::format("limit = {}\n", number_text(*t.limit)) : "",
-                       t.target.profile, ramp_keys(t.target));
-  return fmt::format("constant = {}\nslope = {}\n{}", number_text(t.constant), number_text(t.slope),
-                     t.until ? fmt::format("until = {}\n", number_text(*t.until)) : "");
+// What an enumeration's value is called; of one that code made up, its number, which no reader takes.
+template <class Names, class Enumeration>
+StudyValue name_among(const Names& names, Enumeration value) {
+  const auto index = static_cast<std::size_t>(value);
+  if (index < names.size()) return names[index];
+  return StudyValue::Other{"a number", std::to_string(static_cast<long long>(value))};
 }
 
-std::string speed_table(const SpeedSetting& s) {
-  std::string text = fmt::format("[speed]\nprofile = \"{}\"\n", s.profile);
-  if (s.driven()) {
-    text += fmt::format("initial = {}\n", number_text(s.initial));
-    if (s.stalled_below) text += fmt::format("stalled_below = {}\n", number_text(*s.stalled_below));
-  } else {
-    text += ramp_keys(s);
-  }
-  text += fmt::format("law = \"{}\"\n\n", s.law == model::SpeedLaw::kinematic ? "kinematic" : "published");
-  if (s.driven()) text += "[speed.torque]\n" + torque_keys(s.torque) + "\n";
-  return text;
+// Arrays are as long as a study may have balls, whatever it says.
+std::size_t ball_count(const model::Parameters& p) {
+  return static_cast<std::size_t>(std::clamp(p.balls, 0, model::max_balls));
 }
 
-// Only what is on: a rotor without them reads as it always did.
-std::string race_keys(const model::Parameters& p) {
-  const std::size_t n = static_cast<std::size_t>(p.balls);
-  std::string text;
-  if (!p.race_is_centred()) text += fmt::format("race_offset = {}\n", array(p.race_offset, 2));
-  if (p.balls_stick()) text += fmt::format("rolling = {}\nstiction = {}\n", array(p.rolling, n), array(p.stiction, n));
-  if (p.balls_collide()) text += fmt::format("contact_angle = {}\n", number_text(p.contact_angle));
-  if (p.balls_collide() || p.restitution != model::Parameters{}.restitution)
-    text += fmt::format("restitution = {}\n", number_text(p.restitution));
-  return text;
+StudyValue rotor_table(const model::Parameters& p) {
+  StudyValue rotor{{"eccentricity", p.eccentricity},
+                   {"damping", first(p.damping, 2)},
+                   {"stiffness", first(p.stiffness, 2)},
+                   {"gravity", p.gravity}};
+  if (p.inertia != 0.0) rotor.set("inertia", p.inertia);
+  return rotor;
 }
 
-std::string limits_text(const Limits& limits) {
-  std::string keys;
-  const auto add = [&](const char* key, const std::optional<double>& limit) {
-    if (limit) keys += fmt::format("{} = {}\n", key, number_text(*limit));
+// Of race and balls only what is on: a rotor without them reads as it always did.
+StudyValue balancer_table(const model::Parameters& p) {
+  const std::size_t n = ball_count(p);
+  StudyValue balancer{{"balls", p.balls}, {"mass", first(p.mass, n)}, {"drag", first(p.drag, n)}};
+  if (!p.race_is_centred()) balancer.set("race_offset", first(p.race_offset, 2));
+  const auto any = [&](const auto& values) {
+    return std::any_of(values.begin(), values.begin() + static_cast<std::ptrdiff_t>(n),
+                       [](double v) { return v != 0.0; });
   };
-  add("displacement", limits.displacement);
-  add("force", limits.force);
-  add("velocity", limits.velocity);
-  add("settled", limits.settled);
-  return keys.empty() ? "" : "\n[limits]\n" + keys;
+  if (any(p.rolling) || any(p.stiction)) {
+    balancer.set("rolling", first(p.rolling, n));
+    balancer.set("stiction", first(p.stiction, n));
+  }
+  if (p.contact_angle != 0.0) balancer.set("contact_angle", p.contact_angle);
+  if (p.contact_angle != 0.0 || p.restitution != model::Parameters{}.restitution)
+    balancer.set("restitution", p.restitution);
+  return balancer;
 }
 
-// SI: kg, m, rad/s.
-std::string units_text(const std::optional<model::Scales>& scales) {
-  if (!scales) return "";
-  return fmt::format("\n[units]\nmass = {}\nlength = {}\nfrequency = {}\n", number_text(scales->mass),
-                     number_text(scales->length), number_text(scales->frequency));
+void add_ramp(StudyValue& table, const RampSetting& s) {
+  if (s.profile == Profile::constant) {
+    table.set("speed", s.speed);
+  } else if (s.profile == Profile::ramp) {
+    table.set("initial", s.initial);
+    table.set("final", s.final);
+    table.set("duration", s.duration);
+  } else if (s.profile == Profile::trapezoid) {
+    table.set("initial", s.initial);
+    table.set("peak", s.peak);
+    table.set("final", s.final);
+    table.set("rise_until", s.rise_until);
+    table.set("hold_until", s.hold_until);
+    table.set("fall_until", s.fall_until);
+  } else {
+    table.set("times", s.times);
+    table.set("speeds", s.speeds);
+  }
+}
+
+// A motor that says it is of two kinds gets the keys of both, which no reader takes.
+StudyValue torque_table(const TorqueSetting& t) {
+  using Kind = model::MotorLaw::Kind;
+  StudyValue torque;
+  if (t.by_stall) {
+    torque.set("stall", t.stall);
+    torque.set("no_load_speed", t.no_load_speed);
+  }
+  if (t.kind == Kind::table) {
+    torque.set("times", t.times);
+    torque.set("values", t.values);
+  } else if (t.kind == Kind::control) {
+    torque.set("gain", t.gain);
+    torque.set("integral", t.integral);
+    set_if(torque, "limit", t.limit);
+    add_ramp(torque.set("target", StudyValue{{"profile", name_among(profile_names, t.target.profile)}}), t.target);
+  } else if (!t.by_stall) {
+    torque.set("constant", t.constant);
+    torque.set("slope", t.slope);
+    set_if(torque, "until", t.until);
+  }
+  return torque;
+}
+
+StudyValue speed_table(const SpeedSetting& s) {
+  StudyValue speed{{"profile", name_among(profile_names, s.profile)}};
+  if (s.driven()) {
+    speed.set("initial", s.initial);
+    set_if(speed, "stalled_below", s.stalled_below);
+  } else {
+    add_ramp(speed, s);
+  }
+  speed.set("law", name_among(speed_law_names, s.law));
+  if (s.driven()) speed.set("torque", torque_table(s.torque));
+  return speed;
+}
+
+StudyValue initial_table(const InitialState& s, std::size_t balls) {
+  return {{"psi", s.psi},
+          {"x", s.x},
+          {"y", s.y},
+          {"x_dot", s.x_dot},
+          {"y_dot", s.y_dot},
+          {"phi", first(s.phi, balls)},
+          {"phi_dot", first(s.phi_dot, balls)}};
+}
+
+StudyValue sampling_table(const Sampling& s) {
+  StudyValue sampling{{"starts", s.starts},
+                      {"seed", s.seed},
+                      {"method", name_among(sampling_method_names, s.method.value_or(SamplingMethod::random))}};
+  if (s.box.empty()) return sampling;
+  StudyValue& box = sampling.set("box", {});
+  for (const auto& [key, side] : box_sides)
+    if (const auto& bounds = s.box.*side) box.set(key, std::vector<double>{bounds->low, bounds->high});
+  return sampling;
+}
+
+StudyValue numerics_table(const Numerics& n) {
+  StudyValue numerics;
+  set_if(numerics, "tolerance", n.tolerance);
+  set_if(numerics, "horizon", n.horizon);
+  numerics.set("decide", name_among(decide_mode_names, n.decide));
+  return numerics;
+}
+
+StudyValue limits_table(const Limits& l) {
+  StudyValue limits;
+  set_if(limits, "displacement", l.displacement);
+  set_if(limits, "force", l.force);
+  set_if(limits, "velocity", l.velocity);
+  set_if(limits, "settled", l.settled);
+  return limits;
 }
 
 }  // namespace
 
-std::string to_toml(const Study& study) {
-  const model::Parameters& p = study.parameters;
-  const std::size_t n = static_cast<std::size_t>(p.balls);
-  std::string text =
-      fmt::format("[rotor]\neccentricity = {}\ndamping = {}\nstiffness = {}\ngravity = {}\n",
-                  number_text(p.eccentricity), array(p.damping, 2), array(p.stiffness, 2), number_text(p.gravity));
-  if (p.inertia != 0.0) text += fmt::format("inertia = {}\n", number_text(p.inertia));
-  text += fmt::format("\n[balancer]\nballs = {}\nmass = {}\ndrag = {}\n{}\n", n, array(p.mass, n), array(p.drag, n),
-                      race_keys(p));
-  text += speed_table(study.speed);
-  if (study.release.speed || study.release.time) {
-    text += "[release]\n";
-    if (study.release.speed) text += fmt::format("speed = {}\n", number_text(*study.release.speed));
-    if (study.release.time) text += fmt::format("time = {}\n", number_text(*study.release.time));
-    text += "\n";
-  }
-  const InitialState& s = study.initial;
-  text += fmt::format("[initial]\npsi = {}\nx = {}\ny = {}\nx_dot = {}\ny_dot = {}\n", number_text(s.psi),
-                      number_text(s.x), number_text(s.y), number_text(s.x_dot), number_text(s.y_dot));
-  text += fmt::format("phi = {}\nphi_dot = {}\n\n", array(s.phi, n), array(s.phi_dot, n));
-  const auto method = static_cast<std::size_t>(study.sampling.method.value_or(SamplingMethod::random));
-  text += fmt::format("[sampling]\nstarts = {}\nseed = {}\nmethod = \"{}\"\n\n", study.sampling.starts,
-                      study.sampling.seed, sampling_method_names[method]);
-  if (!study.sampling.box.empty()) {
-    text += "[sampling.box]\n";
-    for (const auto& [key, side] : box_sides)
-      if (const auto& bounds = study.sampling.box.*side)
-        text += fmt::format("{} = [{}, {}]\n", key, number_text(bounds->low), number_text(bounds->high));
-    text += "\n";
-  }
-  text += "[numerics]\n";
-  if (study.numerics.tolerance) text += fmt::format("tolerance = {}\n", number_text(*study.numerics.tolerance));
-  if (study.numerics.horizon) text += fmt::format("horizon = {}\n", number_text(*study.numerics.horizon));
-  text += fmt::format("decide = \"{}\"\n", decide_mode_names[static_cast<std::size_t>(study.numerics.decide)]);
-  return text + limits_text(study.limits) + units_text(study.scales);
+StudyValue to_tree(const Study& study) {
+  StudyValue tree{{"rotor", rotor_table(study.parameters)},
+                  {"balancer", balancer_table(study.parameters)},
+                  {"speed", speed_table(study.speed)}};
+  StudyValue release;
+  set_if(release, "speed", study.release.speed);
+  set_if(release, "time", study.release.time);
+  if (!release.table()->empty()) tree.set("release", release);
+  tree.set("initial", initial_table(study.initial, ball_count(study.parameters)));
+  tree.set("sampling", sampling_table(study.sampling));
+  tree.set("numerics", numerics_table(study.numerics));
+  if (const StudyValue limits = limits_table(study.limits); !limits.table()->empty()) tree.set("limits", limits);
+  if (const auto& scales = study.scales)  // SI: kg, m, rad/s
+    tree.set("units", StudyValue{{"mass", scales->mass}, {"length", scales->length}, {"frequency", scales->frequency}});
+  return tree;
 }
+
+std::string to_toml(const Study& study) { return study::toml_text(to_tree(study)); }
 
 }  // namespace equipoise

@@ -172,24 +172,22 @@ class BalancerReader {
 };
 
 // Puts numbers in the place of one physical key's value.
-void put(Document& document, toml::table& table, const std::string& prefix, const Derived& d, bool as_array) {
-  if (const toml::node* source = table.get(d.from)) {
+void put(Document& document, StudyValue& table, const std::string& prefix, const Derived& d, bool as_array) {
+  if (const StudyValue* source = table.find(d.from)) {
     const std::string from = prefix + "." + d.from;
-    document.written[prefix + "." + d.key] = {document.value_text(from, *source), document.where(from, source)};
+    document.written.insert_or_assign(
+        prefix + "." + d.key, Document::Written{document.value_text(from, *source), document.where(from, source)});
   }
-  if (!as_array) {
-    table.insert_or_assign(d.key, d.values.front());
-    return;
-  }
-  toml::array array;
-  for (const double v : d.values) array.push_back(v);
-  table.insert_or_assign(d.key, std::move(array));
+  if (as_array)
+    table.set(d.key, d.values);
+  else
+    table.set(d.key, d.values.front());
 }
 
 // Puts the `derived` keys into a table and takes the `physical` ones out.
 void replace(Document& document, const std::string& name, const std::vector<Derived>& derived,
              std::initializer_list<const char*> physical) {
-  toml::table& table = *document.root.get_as<toml::table>(name);
+  StudyValue& table = *document.root.find(name);
   for (const Derived& d : derived) put(document, table, name, d, d.values.size() > 1);
   for (const char* key : physical)
     if (std::none_of(derived.begin(), derived.end(), [&](const Derived& d) { return d.key == key; })) table.erase(key);
@@ -234,24 +232,24 @@ void replace_balancer(Document& document, const Balancer& b, const model::Scales
 }
 
 void replace_quantities(Document& document, const QuantityTable& quantities, const model::Scales& s) {
-  toml::table* table = find_table(document.root, quantities.name);
+  StudyValue* table = find_table(document.root, quantities.name);
   if (!table) return;  // absent, or not a table: the study reader says so
   TableReader reader(document, quantities.name);
   for (const auto& [key, dimension, range] : quantities.keys) {
-    const toml::node* node = table->get(key);
-    if (!node) continue;
+    const StudyValue* value = table->find(key);
+    if (!value) continue;
     const double scale = scale_of(dimension, s);
     Derived derived{key, key, {}};
-    const toml::array* array = node->as_array();
+    const StudyValue::Array* array = value->array();
     if (!array) {
       const auto reject = [&](const std::string& problem) { reader.fail(key, problem); };
-      derived.values.push_back(measure_node(*node, {dimension}, range, reject).value / scale);
+      derived.values.push_back(measure_value(*value, {dimension}, range, reject).value / scale);
     } else {
-      for (const toml::node& entry : *array) {
+      for (const StudyValue& entry : *array) {
         const auto reject = [&](const std::string& problem) {
           reader.fail(key, fmt::format("entry {} {}", derived.values.size() + 1, problem));
         };
-        derived.values.push_back(measure_node(entry, {dimension}, range, reject).value / scale);
+        derived.values.push_back(measure_value(entry, {dimension}, range, reject).value / scale);
       }
     }
     put(document, *table, quantities.name, derived, array != nullptr);
@@ -272,8 +270,8 @@ void check_horizon(const Document& document, const model::Scales& s) {
 
 bool is_physical(const Document& document) {
   const auto has = [&](const char* table, std::initializer_list<const char*> keys) {
-    const toml::table* found = document.root.get_as<toml::table>(table);
-    return found && std::any_of(keys.begin(), keys.end(), [&](const char* key) { return found->contains(key); });
+    const StudyValue* found = document.root.find(table);
+    return found && std::any_of(keys.begin(), keys.end(), [&](const char* key) { return found->find(key); });
   };
   return has("rotor", {"mass", "damping_ratio", "unbalance"}) ||
          has("balancer", {"race_radius", "ball_diameter", "ball_density", "oil_viscosity", "oil_density",
@@ -286,9 +284,9 @@ BallDetails ball_details(const Document& document) {
 
 void make_dimensionless(Document& document) {
   if (!is_physical(document)) return;
-  if (document.root.contains("units"))
+  if (const StudyValue* units = document.root.find("units"))
     throw InputError(
-        document.where("units", document.root.get("units")), "units", "",
+        document.where("units", units), "units", "",
         "belongs to a dimensionless study; here the units follow from rotor.mass, balancer.race_radius and "
         "rotor.stiffness");
   const Rotor rotor = read_rotor(document);

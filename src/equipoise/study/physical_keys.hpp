@@ -2,6 +2,7 @@
 // dimensionless one. [rotor] and [balancer] are not so simple: physical.cpp and physical_echo.cpp have them.
 #pragma once
 
+#include <algorithm>
 #include <string>
 #include <vector>
 
@@ -60,15 +61,14 @@ inline std::vector<QuantityTable> quantity_tables() {
 }
 
 /// The table with this dotted name, or null.
-inline toml::table* find_table(toml::table& root, const std::string& name) {
-  toml::table* table = &root;
+inline StudyValue* find_table(StudyValue& root, const std::string& name) {
+  StudyValue* table = &root;
   for (std::size_t begin = 0; table && begin <= name.size();) {
     const std::size_t dot = std::min(name.find('.', begin), name.size());
-    toml::node* node = table->get(name.substr(begin, dot - begin));
-    table = node ? node->as_table() : nullptr;
+    table = table->find(name.substr(begin, dot - begin));
     begin = dot + 1;
   }
-  return table;
+  return table && table->table() ? table : nullptr;
 }
 
 }  // namespace equipoise::study

@@ -21,17 +21,17 @@ std::string wanted(const std::vector<Dimension>& dimensions, const Range& range)
 
 }  // namespace
 
-Measured measure_node(const toml::node& node, const std::vector<Dimension>& dimensions, const Range& range,
-                      const std::function<void(const std::string&)>& reject) {
-  if (dimensions.front() == Dimension::angle && node.is_number()) {  // in radians
-    const double angle = *node.value<double>();
+Measured measure_value(const StudyValue& value, const std::vector<Dimension>& dimensions, const Range& range,
+                       const std::function<void(const std::string&)>& reject) {
+  if (dimensions.front() == Dimension::angle && value.is_number()) {  // in radians
+    const double angle = value.number();
     if (!range.contains(angle)) reject("must be " + wanted(dimensions, range));
     return {angle, Dimension::angle, ""};
   }
-  if (!node.is_string())
+  if (!value.string())
     reject(fmt::format("is {} and rotor.mass makes this a study in physical units; must be {}",
-                       node.is_number() ? "a plain number" : "no quantity", wanted(dimensions, range)));
-  const Measured result = measure(node.as_string()->get(), dimensions);
+                       value.is_number() ? "a plain number" : "no quantity", wanted(dimensions, range)));
+  const Measured result = measure(*value.string(), dimensions);
   if (!result.problem.empty()) reject(result.problem);
   if (!range.contains(result.value)) reject("must be " + wanted({result.dimension}, range));
   const double size = std::abs(result.value);
@@ -48,21 +48,21 @@ double QuantityReader::quantity(const std::string& key, Dimension dimension, con
 
 std::optional<double> QuantityReader::optional_quantity(const std::string& key, Dimension dimension,
                                                         const Range& range) {
-  const toml::node* node = find(key);
-  if (!node) return std::nullopt;
-  return measure_node(*node, {dimension}, range, [&](const std::string& problem) { fail(key, problem); }).value;
+  const StudyValue* value = find(key);
+  if (!value) return std::nullopt;
+  return measure_value(*value, {dimension}, range, [&](const std::string& problem) { fail(key, problem); }).value;
 }
 
 std::vector<double> QuantityReader::one_or_each(const std::string& key, const std::vector<Dimension>& dimensions,
                                                 const Range& range, int count, const std::string& each,
                                                 Dimension* measured) {
-  const toml::node* node = find(key);
-  if (!node) return {};
+  const StudyValue* value = find(key);
+  if (!value) return {};
   Dimension ignored{};
   Dimension& dimension = measured ? *measured : ignored;
-  const toml::array* array = node->as_array();
+  const StudyValue::Array* array = value->array();
   if (!array) {
-    const Measured one = measure_node(*node, dimensions, range, [&](const std::string& p) { fail(key, p); });
+    const Measured one = measure_value(*value, dimensions, range, [&](const std::string& p) { fail(key, p); });
     dimension = one.dimension;
     return std::vector<double>(static_cast<std::size_t>(count), one.value);
   }
@@ -70,10 +70,10 @@ std::vector<double> QuantityReader::one_or_each(const std::string& key, const st
     fail(key, fmt::format("has {} entries; must be {}, or an array of {}, one a {}", array->size(),
                           wanted(dimensions, range), count, each));
   std::vector<double> values;
-  for (const toml::node& entry : *array) {
+  for (const StudyValue& entry : *array) {
     const std::vector<Dimension> allowed = values.empty() ? dimensions : std::vector<Dimension>{dimension};
     const auto reject = [&](const std::string& p) { fail(key, fmt::format("entry {} {}", values.size() + 1, p)); };
-    const Measured one = measure_node(entry, allowed, range, reject);
+    const Measured one = measure_value(entry, allowed, range, reject);
     dimension = one.dimension;
     values.push_back(one.value);
   }
@@ -81,10 +81,10 @@ std::vector<double> QuantityReader::one_or_each(const std::string& key, const st
 }
 
 bool QuantityReader::flag(const std::string& key) {
-  const toml::node* node = find(key);
-  if (!node) return false;
-  if (!node->is_boolean()) fail(key, fmt::format("is {}; must be true or false", kind(*node)));
-  return node->as_boolean()->get();
+  const StudyValue* value = find(key);
+  if (!value) return false;
+  if (!value->boolean()) fail(key, fmt::format("is {}; must be true or false", kind(*value)));
+  return *value->boolean();
 }
 
 void QuantityReader::exactly_one(const std::string& a, const std::string& a_words, const std::string& b,

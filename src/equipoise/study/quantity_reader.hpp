@@ -1,6 +1,7 @@
 // Reading the quantities of a physical study: TableReader's checks for strings with units.
 #pragma once
 
+#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
@@ -32,9 +33,9 @@ class QuantityReader : public TableReader {
   void exactly_one(const std::string& a, const std::string& a_words, const std::string& b, const std::string& b_words);
 };
 
-/// The SI value of one node (a string, or an array's entry) with its checks; `reject` throws. Angles may be plain
+/// The SI value of one value (a string, or an array's entry) with its checks; `reject` throws. Angles may be plain
 /// numbers.
-Measured measure_node(const toml::node& node, const std::vector<Dimension>& dimensions, const Range& range,
-                      const std::function<void(const std::string&)>& reject);
+Measured measure_value(const StudyValue& value, const std::vector<Dimension>& dimensions, const Range& range,
+                       const std::function<void(const std::string&)>& reject);
 
 }  // namespace equipoise::study

@@ -7,6 +7,8 @@
 #include <filesystem>
 #include <fstream>
 #include <limits>
+#include <optional>
+#include <span>
 #include <system_error>
 #include <utility>
 
@@ -93,13 +95,13 @@ void read_points(TableReader& reader, RampSetting& speed) {
 }
 
 void read_ramp(TableReader& reader, RampSetting& speed) {
-  if (speed.profile == "constant") {
+  if (speed.profile == Profile::constant) {
     speed.speed = reader.number("speed", any_number);
-  } else if (speed.profile == "ramp") {
+  } else if (speed.profile == Profile::ramp) {
     speed.initial = reader.number("initial", any_number, 0.0);
     speed.final = reader.number("final", any_number);
     speed.duration = reader.number("duration", positive);
-  } else if (speed.profile == "trapezoid") {
+  } else if (speed.profile == Profile::trapezoid) {
     speed.initial = reader.number("initial", any_number, 0.0);
     speed.peak = reader.number("peak", any_number);
     speed.final = reader.number("final", any_number);
@@ -135,7 +137,7 @@ void read_torque(const Document& document, TorqueSetting& torque) {
     torque.limit = reader.optional_number("limit", positive);
     if (!reader.has("target")) reader.fail("target", "missing; must be a table like { profile = \"ramp\", ... }");
     TableReader target(document, "speed.torque.target");
-    torque.target.profile = target.choice("profile", {"constant", "ramp", "trapezoid", "points"});
+    torque.target.profile = target.choice<Profile>("profile", std::span(profile_names).first(ramp_functions));
     read_ramp(target, torque.target);
     target.finish();
   } else {
@@ -161,9 +163,8 @@ void read_driven(TableReader& reader, const Document& document, const model::Par
 
 void read_speed(const Document& document, const model::Parameters& p, SpeedSetting& speed) {
   TableReader reader(document, "speed");
-  speed.profile = reader.choice("profile", {"constant", "ramp", "trapezoid", "points", "torque"});
-  speed.law = reader.choice("law", {"kinematic", "published"}, "kinematic") == "kinematic" ? model::SpeedLaw::kinematic
-                                                                                           : model::SpeedLaw::published;
+  speed.profile = reader.choice<Profile>("profile", profile_names);
+  speed.law = reader.choice("law", speed_law_names, std::optional(model::SpeedLaw::kinematic));
   if (speed.driven())
     read_driven(reader, document, p, speed);
   else
@@ -233,11 +234,7 @@ void read_box(const Document& document, double release_time, SamplingBox& box) {
 void read_sampling(const Document& document, double release_time, Sampling& sampling) {
   TableReader reader(document, "sampling");
   if (reader.has("box")) read_box(document, release_time, sampling.box);
-  const auto& methods = sampling_method_names;
-  if (reader.has("method")) {
-    const std::string method = reader.choice("method", {methods[0], methods[1], methods[2]});
-    sampling.method = static_cast<SamplingMethod>(std::find(methods.begin(), methods.end(), method) - methods.begin());
-  }
+  if (reader.has("method")) sampling.method = reader.choice<SamplingMethod>("method", sampling_method_names);
   constexpr std::int64_t largest_seed = std::numeric_limits<std::int64_t>::max();  // of a TOML integer
   sampling.starts = reader.integer("starts", 1, 1'000'000'000'000, static_cast<std::int64_t>(sampling.starts));
   if (sampling.method == SamplingMethod::grid && sampling.starts < 2)
@@ -250,9 +247,7 @@ void read_numerics(const Document& document, Numerics& numerics) {
   TableReader reader(document, "numerics");
   numerics.tolerance = reader.optional_number("tolerance", {1e-14, 1e-2});
   numerics.horizon = reader.optional_number("horizon", horizon_range);
-  const auto& modes = decide_mode_names;
-  const std::string decide = reader.choice("decide", {modes[0], modes[1], modes[2]}, modes[0]);
-  numerics.decide = static_cast<DecideMode>(std::find(modes.begin(), modes.end(), decide) - modes.begin());
+  numerics.decide = reader.choice("decide", decide_mode_names, std::optional(numerics.decide));
   reader.finish();
 }
 
@@ -267,7 +262,7 @@ void read_limits(const Document& document, Limits& limits) {
 
 // What a dimensionless study may say of its units, so that results can be shown in physical ones.
 std::optional<model::Scales> read_units(const Document& document) {
-  if (document.scales || !document.root.contains("units")) return document.scales;
+  if (document.scales || !document.root.find("units")) return document.scales;
   constexpr Range size{1e-30, 1e30};  // products of all three stay finite
   TableReader reader(document, "units");
   const model::Scales scales{reader.number("mass", size), reader.number("length", size),
@@ -304,12 +299,12 @@ namespace {
 
 model::SpeedProfile profile_of(const RampSetting& speed) {
   model::SpeedProfile profile;
-  if (speed.profile == "constant") {
+  if (speed.profile == Profile::constant) {
     profile.speeds = {speed.speed};
-  } else if (speed.profile == "ramp") {
+  } else if (speed.profile == Profile::ramp) {
     profile.times = {0.0, speed.duration};
     profile.speeds = {speed.initial, speed.final};
-  } else if (speed.profile == "trapezoid") {
+  } else if (speed.profile == Profile::trapezoid) {
     profile.times = {0.0, speed.rise_until, speed.hold_until, speed.fall_until};
     profile.speeds = {speed.initial, speed.peak, speed.peak, speed.final};
   } else {
@@ -346,7 +341,7 @@ double Study::release_time() const {
     }
     return *time;
   }
-  return speed.profile == "trapezoid" ? speed.rise_until : profile.settled_time();
+  return speed.profile == Profile::trapezoid ? speed.rise_until : profile.settled_time();
 }
 
 model::MotorLaw Study::motor() const {
@@ -404,13 +399,14 @@ void rest_under_gravity(const Document& document, Study& study) {
 
 }  // namespace
 
-Study parse_study(const std::string& toml_text, const std::string& name, const std::vector<std::string>& overrides) {
-  Document document = parse_document(toml_text, name, overrides);
+namespace {
+
+Study read(Document document) {
   check_tables(document,
                {"rotor", "balancer", "speed", "release", "initial", "sampling", "numerics", "limits", "units"});
   make_dimensionless(document);
   Study result;
-  result.name = name;
+  result.name = document.name;
   read_rotor(document, result.parameters);
   read_balancer(document, result.parameters);
   read_speed(document, result.parameters, result.speed);
@@ -424,6 +420,16 @@ Study parse_study(const std::string& toml_text, const std::string& name, const s
   return result;
 }
 
+}  // namespace
+
+Study parse_study(const std::string& toml_text, const std::string& name, const std::vector<std::string>& overrides) {
+  return read(parse_document(toml_text, name, overrides));
+}
+
+Study study_from(const StudyValue& tree, const std::string& name, const std::vector<std::string>& overrides) {
+  return read(document_of(tree, name, overrides));
+}
+
 Study read_study(const std::string& path, const std::vector<std::string>& overrides) {
   return parse_study(read_study_text(path), display_text(path), overrides);
 }
@@ -433,16 +439,12 @@ BallDetails parse_ball_details(const std::string& toml_text, const std::string& 
   return ball_details(parse_document(toml_text, name, overrides));
 }
 
-void check(const Study& study) {
-  const std::string name = study.name.empty() ? "study" : study.name;
-  if (study.parameters.balls < 1 || study.parameters.balls > model::max_balls)
-    throw InputError(name, "balancer.balls", fmt::format("{}", study.parameters.balls),
-                     fmt::format("must be a whole number from 1 to {}", model::max_balls));
-  try {
-    parse_study(to_toml(study), name);  // one set of rules, whether a study comes from a file or from code
-  } catch (const InputError& e) {
-    throw InputError(name, e.key(), e.value(), e.problem());  // without a line of a text that nobody wrote
-  }
+BallDetails ball_details_from(const StudyValue& tree, const std::string& name,
+                              const std::vector<std::string>& overrides) {
+  return ball_details(document_of(tree, name, overrides));
 }
+
+// One set of rules, whether a study comes from a file, a tree or code.
+void check(const Study& study) { read(document_of(to_tree(study), study.name.empty() ? "study" : study.name, {})); }
 
 }  // namespace equipoise

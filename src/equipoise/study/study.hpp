@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
 #include <cstdint>
 #include <optional>
 #include <string>
@@ -13,22 +14,29 @@
 #include "equipoise/model/scales.hpp"
 #include "equipoise/model/speed.hpp"
 #include "equipoise/sampling/sampling.hpp"
+#include "equipoise/study/study_value.hpp"
 
 namespace equipoise {
 
-/// A ramp function by name: [speed], or the target of a speed control.
+/// What makes the rotor turn: a ramp function of one of four forms, or a motor.
+enum class Profile { constant, ramp, trapezoid, points, torque };
+/// In the order of the values; the ramp functions first.
+inline constexpr std::array<const char*, 5> profile_names{"constant", "ramp", "trapezoid", "points", "torque"};
+inline constexpr std::size_t ramp_functions = 4;
+
+/// [speed], or the target of a speed control, which no motor can be.
 struct RampSetting {
-  std::string profile = "constant";  ///< constant | ramp | trapezoid | points; [speed] also torque
-  double speed = 0.0;                ///< constant
-  double initial = 0.0;              ///< ramp, trapezoid; torque: psi' at t = 0
-  double final = 0.0;                ///< ramp, trapezoid
-  double duration = 0.0;             ///< ramp: T0, > 0
-  double peak = 0.0;                 ///< trapezoid
-  double rise_until = 0.0;           ///< trapezoid: T0
-  double hold_until = 0.0;           ///< trapezoid: T1
-  double fall_until = 0.0;           ///< trapezoid: T2
-  std::vector<double> times;         ///< points
-  std::vector<double> speeds;        ///< points
+  Profile profile = Profile::constant;
+  double speed = 0.0;          ///< constant
+  double initial = 0.0;        ///< ramp, trapezoid; torque: psi' at t = 0
+  double final = 0.0;          ///< ramp, trapezoid
+  double duration = 0.0;       ///< ramp: T0, > 0
+  double peak = 0.0;           ///< trapezoid
+  double rise_until = 0.0;     ///< trapezoid: T0
+  double hold_until = 0.0;     ///< trapezoid: T1
+  double fall_until = 0.0;     ///< trapezoid: T2
+  std::vector<double> times;   ///< points
+  std::vector<double> speeds;  ///< points
 };
 
 /// speed.torque: the motor of a driven rotor, as model::MotorLaw has it, by the keys that were given.
@@ -48,13 +56,16 @@ struct TorqueSetting {
   RampSetting target;           ///< control
 };
 
+/// By model::SpeedLaw's values.
+inline constexpr std::array<const char*, 2> speed_law_names{"kinematic", "published"};
+
 /// [speed]: how the rotor turns: a prescribed ramp function and the law that turns it into psi(t), or a motor.
 struct SpeedSetting : RampSetting {
   model::SpeedLaw law = model::SpeedLaw::kinematic;
   TorqueSetting torque;                 ///< profile torque
   std::optional<double> stalled_below;  ///< profile torque: mean speed below which a rotor has not come through
 
-  bool driven() const { return profile == "torque"; }
+  bool driven() const { return profile == Profile::torque; }
 };
 
 /// [release]: when the balls are let go; at most one is set.
@@ -169,11 +180,18 @@ Study read_study(const std::string& path, const std::vector<std::string>& overri
 Study parse_study(const std::string& toml_text, const std::string& name,
                   const std::vector<std::string>& overrides = {});
 
+/// The same from a tree of values: tables and keys as in a study file.
+Study study_from(const StudyValue& tree, const std::string& name = "study",
+                 const std::vector<std::string>& overrides = {});
+
 /// Throws InputError unless read_study() would accept `study`: for studies filled in by code. simulate() and basin()
 /// call it themselves.
 void check(const Study& study);
 
-/// The resolved study, defaults included, as TOML that read_study() takes back to an equal study.
+/// The resolved study, defaults included, as a tree that study_from() takes back to an equal study.
+StudyValue to_tree(const Study& study);
+
+/// The same as TOML that read_study() takes back to an equal study.
 std::string to_toml(const Study& study);
 
 }  // namespace equipoise

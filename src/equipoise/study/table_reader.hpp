@@ -1,30 +1,22 @@
-// Reading TOML values with errors that name file, line, key, value and allowed range, and that catch unknown keys.
+// Reading values with errors that name file, line, key, value and allowed range, and that catch unknown keys.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
-#include <functional>
 #include <initializer_list>
 #include <map>
 #include <optional>
 #include <set>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
 
-// toml++ (3.3) asserts some things that malformed text can break, and reports each of them as an error right after: a
-// debug build that has it as headers must get there too.
-#ifndef TOML_ASSERT
-#define TOML_ASSERT(condition) static_assert(true)
-#endif
-#include <toml++/toml.h>
-
 #include "equipoise/base/error.hpp"
 #include "equipoise/model/scales.hpp"
+#include "equipoise/study/study_value.hpp"
 
 namespace equipoise::study {
-
-/// Shortest text that reads back to the same number, always as a TOML float.
-std::string number_text(double v);
 
 /// What a number may be.
 struct Range {
@@ -41,26 +33,29 @@ inline constexpr Range any_number{-unbounded, unbounded};
 inline constexpr Range not_negative{0.0, unbounded};
 inline constexpr Range positive{0.0, unbounded, true};
 
-/// A parsed document with its overrides applied, and the knowledge of where each value came from.
+/// A study's tree with its overrides applied, and the knowledge of where each value came from.
 struct Document {
-  toml::table root;
+  StudyValue root;  ///< a table
   std::string name;
   std::set<std::string> overridden;  ///< dotted keys given by --set
   /// Where a value has been converted (physical.hpp): what was written, and where; by dotted key.
   struct Written {
-    std::string value, where;
+    std::string value;
+    Place where;
   };
   std::map<std::string, Written> written;
   std::optional<model::Scales> scales;  ///< of a physical study, for messages in its units
 
-  std::string where(const std::string& dotted_key, const toml::node* node) const;
+  Place where(const std::string& dotted_key, const StudyValue* value) const;
   /// The value as it was written, shortened, for a message.
-  std::string value_text(const std::string& dotted_key, const toml::node& node) const;
+  std::string value_text(const std::string& dotted_key, const StudyValue& value) const;
 };
 
 /// Parses TOML text and applies overrides "dotted.key=value". The value is TOML; what is not TOML and does not begin
 /// like an array, table or string counts as a string: --set speed.law=published.
 Document parse_document(std::string_view text, const std::string& name, const std::vector<std::string>& overrides);
+/// The same of a tree that came another way.
+Document document_of(StudyValue tree, const std::string& name, const std::vector<std::string>& overrides);
 
 /// One table of the document. Every read marks its key as known; finish() rejects the others.
 class TableReader {
@@ -74,8 +69,12 @@ class TableReader {
   std::optional<double> optional_number(const std::string& key, const Range& range);
   std::int64_t integer(const std::string& key, std::int64_t low, std::int64_t high);
   std::int64_t integer(const std::string& key, std::int64_t low, std::int64_t high, std::int64_t fallback);
-  std::string choice(const std::string& key, std::initializer_list<std::string_view> allowed,
-                     std::optional<std::string> fallback = std::nullopt);
+  /// A value of an enumeration by its name; `names` are those of its first values, in their order.
+  template <class Enumeration>
+  Enumeration choice(const std::string& key, std::span<const char* const> names,
+                     std::optional<Enumeration> fallback = std::nullopt) {
+    return fallback && !has(key) ? *fallback : static_cast<Enumeration>(place_among(key, names));
+  }
   std::vector<double> numbers(const std::string& key, const Range& range);
   /// `count` numbers from an array of that length, or one number repeated.
   std::vector<double> one_or_each(const std::string& key, const Range& range, int count, const std::string& each,
@@ -91,18 +90,20 @@ class TableReader {
   std::string speed_text(double speed) const;
 
  protected:
-  const toml::node* find(const std::string& key);
-  const toml::node& require(const std::string& key, const std::string& wanted);
-  double as_number(const std::string& key, const toml::node& node, const Range& range,
+  const StudyValue* find(const std::string& key);
+  const StudyValue& require(const std::string& key, const std::string& wanted);
+  double as_number(const std::string& key, const StudyValue& value, const Range& range,
                    std::optional<std::size_t> entry = std::nullopt) const;
   std::string dotted(const std::string& key) const;
-  /// "a number", "a string": what a node is, for a message.
-  static std::string kind(const toml::node& node);
+  /// "a number", "a string": what a value is, for a message.
+  static std::string kind(const StudyValue& value);
 
  private:
+  std::size_t place_among(const std::string& key, std::span<const char* const> names);
+
   const Document& document_;
   std::string prefix_;
-  const toml::table* table_ = nullptr;
+  const StudyValue* table_ = nullptr;
   std::vector<std::string> known_;
 };
 

@@ -48,16 +48,22 @@ class TextGuard {
   }
 
  private:
-  // Not in strings either: where a quote stands in the wrong place, the parser does not take what follows for a string.
   void check_ascii() {
-    if (static_cast<unsigned char>(text_[at_]) >= 0x80)
-      fail("a character that is not ASCII, outside of comments; no study needs one");
+    if (at_ < text_.size() && static_cast<unsigned char>(text_[at_]) >= 0x80)
+      fail("a character that is not ASCII, outside of comments and values in quotes; no study needs one");
+  }
+
+  // Where a quote stands elsewhere, the parser does not take what follows for a string.
+  bool begins_value() const {
+    const std::size_t before = text_.substr(0, at_).find_last_not_of(" \t");
+    return before != std::string_view::npos && std::string_view("=,[").find(text_[before]) != std::string_view::npos;
   }
 
   // Leaves at_ on the last character of the string, or before the end of line that breaks it off.
   void skip_string(char quote) {
     const bool many_lines = text_.substr(at_).starts_with(std::string(3, quote));
     const std::string_view end = text_.substr(at_, many_lines ? 3 : 1);
+    const bool may_hold_units = !many_lines && begins_value();  // "20 µm"
     for (at_ += end.size(); at_ < text_.size() && !fault_; ++at_) {
       if (text_.substr(at_).starts_with(end)) {
         at_ += end.size() - 1;
@@ -67,8 +73,10 @@ class TextGuard {
         --at_;
         return;
       }
+      if (!may_hold_units) check_ascii();
+      if (quote != '"' || text_[at_] != '\\') continue;
+      ++at_;
       check_ascii();
-      if (quote == '"' && text_[at_] == '\\') ++at_;
     }
   }
 

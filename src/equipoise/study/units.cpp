@@ -14,7 +14,9 @@
 #include <udunits2.h>
 
 #include "equipoise/base/angles.hpp"
+#include "equipoise/base/display_text.hpp"
 #include "equipoise/base/error.hpp"
+#include "equipoise/study/unit_text.hpp"
 
 namespace equipoise::study {
 
@@ -43,95 +45,37 @@ constexpr std::array<DimensionWords, 17> all_words{{
 using UnitPointer = std::unique_ptr<ut_unit, decltype(&ut_free)>;
 using ConverterPointer = std::unique_ptr<cv_converter, decltype(&cv_free)>;
 
-// UDUNITS keeps its state for the whole process and is not made for threads.
-std::mutex& library_mutex() {
-  static std::mutex mutex;
-  return mutex;
-}
+// UDUNITS keeps its state for the whole process and is not made for threads: whoever calls it holds one of these. It
+// would print what it cannot read, which status and null pointers say as well; the handler of messages and the status
+// that the process has set are put back.
+class LibraryUse {
+ public:
+  LibraryUse() = default;
+  ~LibraryUse() {
+    ut_set_error_message_handler(handler_);
+    ut_set_status(status_);
+  }
+  LibraryUse(const LibraryUse&) = delete;
+  LibraryUse& operator=(const LibraryUse&) = delete;
+
+ private:
+  static std::mutex& library_mutex() {
+    static std::mutex mutex;
+    return mutex;
+  }
+
+  const std::lock_guard<std::mutex> lock_{library_mutex()};
+  const ut_status status_ = ut_get_status();
+  const ut_error_message_handler handler_ = ut_set_error_message_handler(ut_ignore);
+};
 
 ut_system* unit_system() {
-  static const std::unique_ptr<ut_system, decltype(&ut_free_system)> system = [] {
-    ut_set_error_message_handler(ut_ignore);  // it would print; status and null pointers say the same
-    return std::unique_ptr<ut_system, decltype(&ut_free_system)>(ut_read_xml(nullptr), &ut_free_system);
-  }();
+  static const std::unique_ptr<ut_system, decltype(&ut_free_system)> system(ut_read_xml(nullptr), &ut_free_system);
   if (!system) throw RunError("the unit database of UDUNITS-2 cannot be read (Debian package libudunits2-data)");
   return system.get();
 }
 
-UnitPointer parse_unit(const std::string& text) { return {ut_parse(unit_system(), text.c_str(), UT_ASCII), &ut_free}; }
-
-// Whether a text is a product of units: names with a one-digit power at most, numbers, one level of brackets. That is
-// all a study needs, and nothing else reaches the parser of UDUNITS, which knows dates, offsets and logarithms as well
-// and loses memory over what it cannot read.
-class UnitText {
- public:
-  explicit UnitText(std::string_view text) : text_(text) {}
-
-  bool holds() {
-    constexpr std::size_t longest = 60;
-    return text_.size() <= longest && product(0) && at_ == text_.size();
-  }
-  const std::vector<std::string>& names() const { return names_; }
-
- private:
-  bool product(int depth) {
-    for (;;) {
-      if (!power(depth)) return false;
-      const std::size_t end = at_;
-      skip_blanks();
-      if (at_ == text_.size() || text_[at_] == ')') return true;
-      if (take("./*-"))
-        skip_blanks();
-      else if (at_ == end)
-        return false;
-    }
-  }
-
-  bool power(int depth) {
-    if (at_ == text_.size()) return false;
-    if (take("(")) {
-      if (depth > 0 || !product(depth + 1) || !take(")")) return false;
-    } else if (digit()) {
-      for (int count = 0; digit(); ++at_)
-        if (++count > 6) return false;
-      return true;
-    } else if (!name()) {
-      return false;
-    }
-    const bool caret = take("^");
-    at_ += at_ + 1 < text_.size() && text_[at_] == '-' && is_digit(text_[at_ + 1]);
-    if (!digit()) return !caret;
-    ++at_;
-    return !digit();
-  }
-
-  bool name() {
-    const std::size_t begin = at_;
-    while (at_ < text_.size() && (is_letter(text_[at_]) || text_[at_] == '_')) ++at_;
-    if (at_ == begin) return take("%");
-    std::string word(text_.substr(begin, at_ - begin));
-    names_.push_back(word);
-    for (char& c : word) c = static_cast<char>(c | 0x20);
-    constexpr std::array<std::string_view, 5> grammar{"per", "after", "from", "since", "ref"};
-    return std::find(grammar.begin(), grammar.end(), word) == grammar.end();
-  }
-
-  static bool is_digit(char c) { return c >= '0' && c <= '9'; }
-  static bool is_letter(char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z'); }
-  bool digit() const { return at_ < text_.size() && is_digit(text_[at_]); }
-  bool take(std::string_view any_of) {
-    const bool there = at_ < text_.size() && any_of.find(text_[at_]) != std::string_view::npos;
-    at_ += there;
-    return there;
-  }
-  void skip_blanks() {
-    while (at_ < text_.size() && text_[at_] == ' ') ++at_;
-  }
-
-  std::string_view text_;
-  std::size_t at_ = 0;
-  std::vector<std::string> names_;
-};
+UnitPointer parse_unit(const std::string& text) { return {ut_parse(unit_system(), text.c_str(), UT_UTF8), &ut_free}; }
 
 // UDUNITS takes angles for pure numbers and so would let a frequency pass for a speed: whether the unit counts radians
 // to the first power is seen in its definition, such as "0.104719755 s-1.rad".
@@ -239,18 +183,18 @@ Measured measure(const std::string& text, const std::vector<Dimension>& wanted) 
     result.problem = "has no unit; " + must_be;
     return result;
   }
-  const std::lock_guard lock(library_mutex());
-  UnitText checked(unit_text);
-  if (!checked.holds()) {
+  const LibraryUse use;
+  const UnitText checked(unit_text);
+  if (!checked.is_product) {
     result.problem = "is no number with a unit; " + must_be;
     return result;
   }
-  for (const std::string& name : checked.names()) {
+  for (const std::string& name : checked.names) {
     if (parse_unit(name)) continue;
-    result.problem = fmt::format("UDUNITS knows no unit \"{}\"; {}", name, must_be);
+    result.problem = fmt::format("UDUNITS knows no unit \"{}\"; {}", display_text(name), must_be);
     return result;
   }
-  const UnitPointer unit = parse_unit(unit_text);
+  const UnitPointer unit = parse_unit(checked.text);
   if (!unit) {
     result.problem = fmt::format("UDUNITS cannot read the unit \"{}\"; {}", unit_text, must_be);
     return result;
@@ -268,7 +212,7 @@ Measured measure(const std::string& text, const std::vector<Dimension>& wanted) 
 }
 
 std::string quantity_text(double si, Dimension dimension) {
-  const std::lock_guard lock(library_mutex());
+  const LibraryUse use;
   const UnitPointer shown = parse_unit(words(dimension).shown);
   return fmt::format("{} {}", si / factor(shown.get(), words(dimension).shown, dimension), words(dimension).shown);
 }

@@ -2,12 +2,15 @@
 #include "equipoise/trajectory/simulate.hpp"
 
 #include <array>
+#include <chrono>
 #include <cmath>
 #include <cstddef>
 
 #include <fmt/format.h>
 
 #include "equipoise/base/angles.hpp"
+#include "equipoise/base/error.hpp"
+#include "equipoise/base/reporting.hpp"
 #include "equipoise/integrate/adaptive-inl.hpp"
 #include "equipoise/integrate/clamped.hpp"
 #include "equipoise/integrate/machine_trajectory-inl.hpp"
@@ -58,15 +61,48 @@ void record(Trajectory& out, const model::Parameters& p, const model::Segment& s
   record(out, p, segment.psi_at(t), segment.speed_at(t), t, z);
 }
 
-template <int n>
-void simulate_free(const Study& study, const std::vector<model::Segment>& segments, std::size_t first, double tolerance,
-                   std::vector<double>& z, const std::vector<double>& times, std::size_t next, const StopFlag* stop,
-                   Trajectory& out) {
-  using Flow = kernels::FreeFlow<double, n, kernels::Terms{}>;
-  const model::Parameters& p = study.parameters;
+// Tells how many rows there are: seldom, for rows take microseconds.
+class RowCount {
+ public:
+  RowCount(const RunOptions& options, std::size_t total) : options_(options), total_(total) {}
+
+  void now(std::size_t rows) {
+    if (!options_.progress) return;
+    constexpr std::chrono::milliseconds interval{50};
+    const auto time = std::chrono::steady_clock::now();
+    if (time - last_ < interval) return;
+    last_ = time;
+    options_.progress({rows, total_, "rows", {}});
+  }
+  void end(std::size_t rows) const {
+    if (options_.progress) options_.progress({rows, total_, "rows", {}});
+  }
+
+ private:
+  const RunOptions& options_;
+  std::size_t total_;
+  std::chrono::steady_clock::time_point last_ = std::chrono::steady_clock::now();
+};
+
+// What is asked of one trajectory.
+struct Task {
+  const Study& study;
+  double tolerance;
+  const std::vector<double>& times;
+  const StopFlag* stop;
+  RowCount& rows;
+
+  bool stopped() const { return stop && stop->load(std::memory_order_relaxed); }
+};
+
+void simulate_free(const Task& task, const std::vector<model::Segment>& segments, std::size_t first,
+                   std::vector<double>& z, std::size_t next, Trajectory& out) {
+  using Flow = kernels::FreeFlow<double, model::any_count, kernels::Terms{}>;
+  const model::Parameters& p = task.study.parameters;
+  const std::vector<double>& times = task.times;
   kernels::ErrorScale<Flow::dimension> scale;
-  scale.tolerance = tolerance;
-  kernels::set_state_scale<n>(p, 1, scale);
+  scale.tolerance = task.tolerance;
+  kernels::set_state_scale(p, 1, scale);
   for (std::size_t k = first; k < segments.size() && next < times.size(); ++k) {
     const model::Segment& segment = segments[k];
     for (; next < times.size() && times[next] == segment.begin; ++next)
@@ -74,7 +110,7 @@ void simulate_free(const Study& study, const std::vector<model::Segment>& segmen
     const double end = std::min(segment.end, times.back());
     if (!(segment.begin < end)) continue;
     const Flow flow(p, segment);
-    kernels::AdaptiveIntegrator<Flow, Flow::dimension> integrator(flow, scale);
+    kernels::AdaptiveIntegrator<Flow, Flow::dimension> integrator(flow, scale, flow.size());
     out.status = integrator.advance(
         segment.begin, end, z.data(),
         [&](double, double t_new, auto&& state_at) {
@@ -83,25 +119,27 @@ void simulate_free(const Study& study, const std::vector<model::Segment>& segmen
             state_at(times[next], at);
             record(out, p, segment, times[next], at);
           }
+          task.rows.now(out.t.size());
         },
-        stop);
-    out.stopped = stop && stop->load(std::memory_order_relaxed);
+        task.stop);
+    out.stopped = task.stopped();
     if (out.status != IntegrationStatus::done || out.stopped) return;
     if (k + 1 < segments.size()) apply_speed_jump(segments[k + 1].speed - segment.speed_at(segment.end), z.data());
   }
 }
 
 // A machine's trajectory: from event to event.
-template <int n>
-void simulate_machine(const Study& study, double tolerance, const std::vector<double>& times, const StopFlag* stop,
-                      Trajectory& out) {
-  using Machine = kernels::MachineTrajectory<n>;
+void simulate_machine(const Task& task, Trajectory& out) {
+  using Machine = kernels::MachineTrajectory<model::any_count>;
   using namespace model::machine_index;
+  const Study& study = task.study;
+  const std::vector<double>& times = task.times;
   const model::Parameters& p = study.parameters;
+  const int n = p.balls;
   const model::Drive drive = study.drive();
-  typename Machine::Scale scale;
-  scale.tolerance = tolerance;
-  kernels::set_state_scale<n>(p, 1, scale);
+  Machine::Scale scale;
+  scale.tolerance = task.tolerance;
+  kernels::set_state_scale(p, 1, scale);
   scale.floor[psi(n)] = scale.floor[speed(n)] = scale.floor[error_integral(n)] = 1.0;
   scale.absolute[psi(n)] = scale.angle[psi(n)] = true;
   double z[Machine::dimension];
@@ -118,10 +156,11 @@ void simulate_machine(const Study& study, double tolerance, const std::vector<do
           state_at(times[next], at);
           take(times[next], at);
         }
+        task.rows.now(out.t.size());
         return false;
       },
-      stop);
-  out.stopped = stop && stop->load(std::memory_order_relaxed);
+      task.stop);
+  out.stopped = task.stopped();
   if (out.status != IntegrationStatus::done || out.stopped) return;
   machine.enter();
   take(times.back(), machine.state());
@@ -139,19 +178,17 @@ void check_overlap(const Study& study) {
                                      j + 1, i + 1, apart, p.contact_angle));
     }
 }
-}  // namespace
 
-Trajectory simulate(const Study& study, const std::vector<double>& times, const StopFlag* stop) {
-  check(study);
-  check_times(times);
+Trajectory followed(const Task& task) {
+  const Study& study = task.study;
+  const std::vector<double>& times = task.times;
   const model::Parameters& p = study.parameters;
-  const double tolerance = study.numerics.tolerance.value_or(default_simulate_tolerance);
   Trajectory out;
   out.phi.resize(p.balls);
   out.phi_dot.resize(p.balls);
   if (study.needs_machine()) {
     if (p.balls_collide()) check_overlap(study);
-    model::with_ball_count(p.balls, [&](auto n) { simulate_machine<n>(study, tolerance, times, stop, out); });
+    simulate_machine(task, out);
     return out;
   }
   const double release = study.release_time();
@@ -171,16 +208,29 @@ Trajectory simulate(const Study& study, const std::vector<double>& times, const 
       there.centre(p, phi, at.data());
       record(out, p, segment, t, at.data());
     };
-    out.status = integrate_clamped(p, segments, {z[0], z[1], z[2], z[3]}, tolerance, basis, times, observe,
-                                   times.empty() ? 0.0 : times.back(), stop);
+    out.status = integrate_clamped(p, segments, {z[0], z[1], z[2], z[3]}, task.tolerance, basis, times, observe,
+                                   times.empty() ? 0.0 : times.back(), task.stop);
     next = out.t.size();
-    out.stopped = stop && stop->load(std::memory_order_relaxed);
+    out.stopped = task.stopped();
     if (out.status != IntegrationStatus::done || out.stopped) return out;
     basis.centre(p, phi, z.data());
   }
-  model::with_ball_count(
-      p.balls, [&](auto n) { simulate_free<n>(study, segments, free_from, tolerance, z, times, next, stop, out); });
+  simulate_free(task, segments, free_from, z, next, out);
   return out;
+}
+
+}  // namespace
+
+Trajectory simulate(const Study& study, const std::vector<double>& times, const RunOptions& options) {
+  check(study);
+  check_times(times);
+  return reported(options, [&](const RunOptions& o) {
+    RowCount rows(o, times.size());
+    Trajectory out =
+        followed({study, study.numerics.tolerance.value_or(default_simulate_tolerance), times, o.stop, rows});
+    rows.end(out.t.size());
+    return out;
+  });
 }
 
 }  // namespace equipoise

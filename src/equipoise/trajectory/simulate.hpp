@@ -3,15 +3,16 @@
 
 #include <vector>
 
-#include "equipoise/base/error.hpp"
-#include "equipoise/store/trajectory.hpp"
+#include "equipoise/base/run_options.hpp"
+#include "equipoise/results/trajectory.hpp"
 #include "equipoise/study/study.hpp"
 
 namespace equipoise {
 
 /// Integrates `study` from its initial state and samples it by dense output at `times` (increasing, >= 0).
 /// Tolerance: study.numerics.tolerance, else default_simulate_tolerance, per step, relative to each variable's size.
+/// Progress is in rows. One thread does all; no CPU target is chosen.
 /// Throws InputError for times out of order or an invalid study.
-Trajectory simulate(const Study& study, const std::vector<double>& times, const StopFlag* stop = nullptr);
+Trajectory simulate(const Study& study, const std::vector<double>& times, const RunOptions& options = {});
 
 }  // namespace equipoise

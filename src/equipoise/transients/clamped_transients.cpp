@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
 
 #include "equipoise/base/error.hpp"
@@ -14,14 +15,18 @@ namespace equipoise {
 
 namespace {
 
+double points_in(const model::Parameters& p, const model::Segment& s) {
+  const double fastest =
+      std::max({std::fabs(s.speed), std::fabs(s.speed_at(s.end)), std::sqrt(std::max(p.stiffness[0], p.stiffness[1]))});
+  return std::ceil((s.end - s.begin) * 64.0 * fastest / (2.0 * std::numbers::pi));
+}
+
 // Segment by segment, both its ends included as far as a time just before an end can be.
 std::vector<double> grid_of(const model::Parameters& p, const std::vector<model::Segment>& segments) {
   std::vector<double> times;
   for (const model::Segment& s : segments) {
     if (!s.clamped) break;
-    const double fastest = std::max(
-        {std::fabs(s.speed), std::fabs(s.speed_at(s.end)), std::sqrt(std::max(p.stiffness[0], p.stiffness[1]))});
-    const double points = std::ceil((s.end - s.begin) * 64.0 * fastest / (2.0 * std::numbers::pi));
+    const double points = points_in(p, s);
     for (double k = 0.0; k < points; ++k) times.push_back(s.begin + (s.end - s.begin) * (k / points));
     times.push_back(std::nextafter(s.end, s.begin));
   }
@@ -29,6 +34,15 @@ std::vector<double> grid_of(const model::Parameters& p, const std::vector<model:
 }
 
 }  // namespace
+
+double clamped_grid_points(const model::Parameters& p, const std::vector<model::Segment>& segments) {
+  double points = 0.0;
+  for (const model::Segment& s : segments) {
+    if (!s.clamped) break;
+    points += points_in(p, s) + 1.0;
+  }
+  return points;
+}
 
 void ClampedTransients::Squares::add(const std::array<std::array<double, 2>, 3>& v) {
   const auto dot = [&](int i, int j) { return v[i][0] * v[j][0] + v[i][1] * v[j][1]; };
@@ -59,7 +73,7 @@ double ClampedTransients::Squares::largest(const Monomials& m) const {
 
 ClampedTransients::ClampedTransients(const model::Parameters& p, const std::vector<model::Segment>& segments,
                                      const std::array<double, 4>& initial, double tolerance,
-                                     const TransientSettings& settings)
+                                     const TransientSettings& settings, const StopFlag* stop)
     : settings_(settings),
       proportional_(p.isotropic() && p.gravity == 0.0 &&
                     std::all_of(initial.begin(), initial.end(), [](double v) { return v == 0.0; })),
@@ -78,7 +92,12 @@ ClampedTransients::ClampedTransients(const model::Parameters& p, const std::vect
     radius_.add(centre);
     force_.add(force);
   };
-  const auto status = integrate_clamped(p, segments, initial, tolerance, at_release, times_, observe);
+  const auto status = integrate_clamped(p, segments, initial, tolerance, at_release, times_, observe,
+                                        std::numeric_limits<double>::infinity(), stop);
+  if (stop && stop->load(std::memory_order_relaxed)) {
+    times_.clear();
+    return;
+  }
   if (status != IntegrationStatus::done || radius_.coefficient[0].size() != times_.size())
     throw RunError("the clamped spin-up could not be integrated");
   if (!proportional_) return;

@@ -8,11 +8,17 @@
 #include <array>
 #include <vector>
 
+#include "equipoise/base/error.hpp"
 #include "equipoise/model/parameters.hpp"
 #include "equipoise/model/speed.hpp"
 #include "equipoise/transients/transient_table.hpp"
 
 namespace equipoise {
+
+/// How many times ClampedTransients looks at: each takes 104 bytes, and 12 sums of every start.
+double clamped_grid_points(const model::Parameters& p, const std::vector<model::Segment>& segments);
+/// 0.44 GB, and 30 ms a start: about 27 000 turns of the rotor at a steadily rising speed.
+inline constexpr double most_clamped_grid_points = 1 << 22;
 
 /// Thread-safe once made.
 class ClampedTransients {
@@ -21,10 +27,11 @@ class ClampedTransients {
   ClampedTransients() = default;
   /// Integrates the clamped ones of `segments` from (x, y, u, v) = `initial`; settings.release: where they end. The
   /// grid has 64 points in a turn of the rotor at its fastest, or in a period of the supports where that is shorter:
-  /// between its points a peak stands out by less than 0.5 % of what oscillates. Throws RunError if the integration
-  /// fails.
+  /// between its points a peak stands out by less than 0.5 % of what oscillates. Where `stop` is set, sums() are empty.
+  /// Throws RunError if the integration fails.
   ClampedTransients(const model::Parameters& p, const std::vector<model::Segment>& segments,
-                    const std::array<double, 4>& initial, double tolerance, const TransientSettings& settings);
+                    const std::array<double, 4>& initial, double tolerance, const TransientSettings& settings,
+                    const StopFlag* stop = nullptr);
 
   /// Of a start with balls held at `phi`.
   TransientSums sums(const model::Parameters& p, const double* phi) const;

@@ -23,13 +23,14 @@ namespace HWY_NAMESPACE {
 
 // Hooks: see NoObserver in lanes/lane_block-inl.hpp; step() returns the lanes whose window has just ended. The rows
 // of the table go on growing from one task to the next. `windows`: off for tasks that no trajectory ends in.
-template <int n, int groups, Terms terms, bool windows>
+template <int room, int groups, Terms terms, bool windows>
 class WatchTransients {
  public:
   static constexpr int lanes = static_cast<int>(pack_lanes);
 
   WatchTransients(const LaneTask& task, TransientTable& table)
-      : balancer_(*task.parameters),
+      : n(task.parameters->balls),
+        balancer_(*task.parameters),
         motion_(task.segment),
         table_(table),
         lambda_(task.parameters->eccentricity),
@@ -43,8 +44,8 @@ class WatchTransients {
 
   void begin(int slot, std::size_t start, double t, const double* state) {
     const int g = slot / lanes, lane = slot % lanes;
-    Pack z[model::dimension(n)];
-    for (int i = 0; i < model::dimension(n); ++i) z[i] = Pack(state[i]);
+    Pack z[model::dimension(room)];
+    for (int i = 0; i < n.size(); ++i) z[i] = Pack(state[i]);
     const Sample here = sample(Pack(t), z);
     element(from_[g].r2, lane) = element(here.r2, 0);
     element(from_[g].slope, lane) = element(here.slope, 0);
@@ -229,11 +230,12 @@ class WatchTransients {
   static double& element(Pack& p, int lane) { return reinterpret_cast<double*>(&p)[lane]; }
   static double element(const Pack& p, int lane) { return reinterpret_cast<const double*>(&p)[lane]; }
 
-  const BallBalancer<Pack, n, terms> balancer_;
+  const model::BallCount<room> n;
+  const BallBalancer<Pack, room, terms> balancer_;
   const SegmentMotion<Pack, terms> motion_;
   TransientTable& table_;
   const Pack lambda_, displacement2_, settled2_;
-  Pack mass_[n];
+  Pack mass_[room];
   const bool timed_, turning_;
   const Pack sag_;
   Sample from_[groups];  // where the step begins

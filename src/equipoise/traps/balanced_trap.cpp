@@ -7,6 +7,7 @@
 
 #include <fmt/format.h>
 
+#include "equipoise/math/dense.hpp"
 #include "equipoise/math/lyapunov.hpp"
 #include "equipoise/model/linearisation.hpp"
 #include "equipoise/traps/critical_level.hpp"
@@ -102,8 +103,8 @@ BalancedTrap make_trap(const model::Parameters& p, const std::array<double, mode
   trap.phi = phi;
   trap.level = level;
   const int size = model::dimension(p.balls);
-  const Eigen::MatrixXd factor = form.llt().matrixU();
-  const Eigen::MatrixXd inverse = form.inverse();
+  const Eigen::MatrixXd factor = dense::Cholesky(form).upper();
+  const Eigen::MatrixXd inverse = dense::inverse(form);
   trap.factor.resize(static_cast<std::size_t>(size) * size);
   for (int i = 0; i < size; ++i) {
     for (int j = 0; j < size; ++j) trap.factor[i * size + j] = factor(i, j);
@@ -121,7 +122,7 @@ BalancedTrap isolated_trap(const model::Parameters& p, double speed, const std::
   const double modal_level = critical_level(p, speed, phi.data(), modal, rays_for_level);
   const double plain_level = critical_level(p, speed, phi.data(), plain, rays_for_level);
   const auto log_volume = [&](const Eigen::MatrixXd& form, double level) {
-    return level > 0.0 ? 0.5 * (a.rows() * std::log(level) - std::log(form.determinant())) : -1e300;
+    return level > 0.0 ? 0.5 * (a.rows() * std::log(level) - std::log(dense::determinant(form))) : -1e300;
   };
   const bool use_modal = log_volume(modal, modal_level) >= log_volume(plain, plain_level);
   return make_trap(p, phi, use_modal ? modal : plain, level_margin * (use_modal ? modal_level : plain_level));
@@ -178,7 +179,7 @@ BalancedAnalysis analyse_balanced(const model::Parameters& p, double speed) {
   const bool mirror = p.balls == 2 && p.equal_balls() && result.states.angles.size() == 2;
   for (const auto& phi : result.states.angles) {
     const Eigen::MatrixXd a = model::jacobian(p, speed, model::centred_state(p, phi.data()).data());
-    const double growth = a.eigenvalues().real().maxCoeff();
+    const double growth = dense::largest_real_part(a);
     // Rounding moves an eigenvalue by about 1e-15; a rate this small would need a horizon of 1e9 to show.
     if (!(growth < -1e-9)) {
       result.growth_rate = std::max(result.growth_rate, growth);

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include <Eigen/Dense>
+#include <Eigen/Core>
 
 #include "equipoise/deciding/decision_rule.hpp"
 #include "equipoise/model/balanced_state.hpp"

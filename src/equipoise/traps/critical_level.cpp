@@ -4,9 +4,10 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <random>
 #include <vector>
 
+#include "equipoise/base/random.hpp"
+#include "equipoise/math/dense.hpp"
 #include "equipoise/model/ball_count.hpp"
 #include "equipoise/model/flow-inl.hpp"
 
@@ -17,16 +18,17 @@ namespace kernels = HWY_NAMESPACE;
 constexpr kernels::Terms autonomous{false, false, false};
 
 // dV/dt along rays z* + s e of one balanced state, e of unit V.
-template <int n>
 class RaySearch {
  public:
-  static constexpr int size = model::dimension(n);
-  // Sizes known at run time, storage at compile time: unrolled for eight ball counts this file took minutes to compile.
-  using Vector = Eigen::Matrix<double, Eigen::Dynamic, 1, 0, size, 1>;
-  using Matrix = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, 0, size, size>;
+  // Sizes known at run time, storage at compile time.
+  static constexpr int most = model::dimension(model::max_balls);
+  using Vector = Eigen::Matrix<double, Eigen::Dynamic, 1, 0, most, 1>;
+  using Matrix = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, 0, most, most>;
 
   RaySearch(const model::Parameters& p, double speed, const double* phi, const Matrix& form, const Matrix& factor)
-      : flow_(p, model::Segment{0.0, 0.0, 0.0, speed, 0.0, false}),
+      : n(p.balls),
+        size(model::dimension(n)),
+        flow_(p, model::Segment{0.0, 0.0, 0.0, speed, 0.0, false}),
         form_(form),
         factor_(factor),
         centre_(Vector::Zero(size)) {
@@ -35,7 +37,7 @@ class RaySearch {
 
   // Where V equals 1 along a direction given in coordinates in which V is the squared length.
   Vector edge(const Vector& direction) const {
-    return factor_.template triangularView<Eigen::Upper>().solve(direction.normalized());
+    return factor_.triangularView<Eigen::Upper>().solve(direction.normalized());
   }
 
   // Smallest s <= limit with dV/dt >= 0 at z* + s e, or limit.
@@ -66,32 +68,33 @@ class RaySearch {
 
   // The s at which some angle deviates by half a turn: no level set may wrap around the race.
   double half_turn() const {
-    const Matrix inverse = form_.inverse();
+    const Eigen::MatrixXd inverse = dense::inverse(Eigen::MatrixXd(form_));
     double widest = 0.0;
     for (int i = 0; i < n; ++i) widest = std::max(widest, inverse(4 + i, 4 + i));
     return 3.1 / std::sqrt(widest);
   }
 
  private:
-  kernels::FreeFlow<double, n, autonomous> flow_;
+  const int n, size;
+  kernels::FreeFlow<double, model::any_count, autonomous> flow_;
   Matrix form_, factor_;
   Vector centre_;
 };
 
-template <int n>
-double search(const model::Parameters& p, double speed, const double* phi, const Eigen::MatrixXd& form, int rays) {
-  using Search = RaySearch<n>;
-  using Vector = typename Search::Vector;
-  const typename Search::Matrix fixed = form;
-  const Eigen::LLT<typename Search::Matrix> cholesky(fixed);
-  if (cholesky.info() != Eigen::Success) return 0.0;
-  const Search search(p, speed, phi, fixed, cholesky.matrixU());
+}  // namespace
 
-  std::mt19937_64 random(20190614);  // any fixed number: the same study has the same traps
-  std::normal_distribution<double> normal;
+double critical_level(const model::Parameters& p, double speed, const double* phi, const Eigen::MatrixXd& form,
+                      int rays) {
+  using Vector = RaySearch::Vector;
+  const dense::Cholesky cholesky(form);
+  if (!cholesky.definite()) return 0.0;
+  const RaySearch search(p, speed, phi, form, cholesky.upper());
+  const int size = model::dimension(p.balls);
+
+  RandomStream random;
   const auto random_vector = [&] {
-    Vector v(Search::size);
-    for (int i = 0; i < Search::size; ++i) v[i] = normal(random);
+    Vector v(size);
+    for (int i = 0; i < size; ++i) v[i] = random.normal();
     return v;
   };
 
@@ -115,8 +118,7 @@ double search(const model::Parameters& p, double speed, const double* phi, const
   for (Ray& ray : worst) {
     double amplitude = 0.3;
     for (int step = 0; step < 300; ++step) {
-      const Vector direction =
-          (ray.direction + amplitude * random_vector() / std::sqrt(double(Search::size))).normalized();
+      const Vector direction = (ray.direction + amplitude * random_vector() / std::sqrt(double(size))).normalized();
       const double reach = search.first_growth(search.edge(direction), ray.reach);
       if (reach < ray.reach)
         ray = {reach, direction};
@@ -126,13 +128,6 @@ double search(const model::Parameters& p, double speed, const double* phi, const
     best = std::min(best, ray.reach);
   }
   return best * best;
-}
-
-}  // namespace
-
-double critical_level(const model::Parameters& p, double speed, const double* phi, const Eigen::MatrixXd& form,
-                      int rays) {
-  return model::with_ball_count(p.balls, [&](auto n) { return search<n>(p, speed, phi, form, rays); });
 }
 
 }  // namespace equipoise

@@ -1,7 +1,7 @@
 // The largest level set of a quadratic form inside which it decreases along the full nonlinear flow.
 #pragma once
 
-#include <Eigen/Dense>
+#include <Eigen/Core>
 
 #include "equipoise/model/parameters.hpp"
 

@@ -8,6 +8,7 @@
 
 #include "equipoise/base/angles.hpp"
 #include "equipoise/deciding/traps-inl.hpp"
+#include "equipoise/math/dense.hpp"
 #include "equipoise/model/ball_count.hpp"
 
 namespace equipoise {
@@ -112,9 +113,9 @@ std::optional<OrbitTrap> make_trap(int balls, const std::vector<Row>& rows, int 
   trap.cells = cells_a_turn;
   for (std::size_t k = 0; k + 1 < rows.size(); ++k) {
     const Row &a = rows[k], &b = rows[k + 1];
-    const Eigen::LLT<Eigen::MatrixXd> cholesky(0.5 * (a.form + b.form));
-    if (cholesky.info() != Eigen::Success) return std::nullopt;
-    const Eigen::MatrixXd factor = cholesky.matrixU();
+    const dense::Cholesky cholesky(0.5 * (a.form + b.form));
+    if (!cholesky.definite()) return std::nullopt;
+    const Eigen::MatrixXd factor = cholesky.upper();
     for (int i = 0; i < others; ++i) trap.table.push_back(a.place[i]);
     for (int i = 0; i < others; ++i) trap.table.push_back(b.place[i] - a.place[i]);
     for (int i = 0; i < others; ++i)
@@ -197,7 +198,7 @@ void set_level(OrbitTrap& trap, int balls, double level) {
     Eigen::MatrixXd factor = Eigen::MatrixXd::Zero(others, others);
     for (int i = 0, entry = 0; i < others; ++i)
       for (int l = i; l < others; ++l) factor(i, l) = packed[entry++];
-    const Eigen::MatrixXd inverse = factor.inverse();
+    const Eigen::MatrixXd inverse = dense::inverse(factor);
     // The quadratic form's reach in each variable, and one in the plane of the rotor's centre that covers every way.
     const Eigen::VectorXd reach = (level * (inverse * inverse.transpose()).diagonal()).cwiseSqrt();
     const double around = std::hypot(reach[0], reach[1]);
@@ -217,11 +218,11 @@ void set_level(OrbitTrap& trap, int balls, double level) {
 }
 
 double trap_value(const OrbitTrap& trap, int balls, const double* state) {
-  return model::with_ball_count(balls, [&](auto n) { return kernels::trap_value<n, double>(trap, state); });
+  return kernels::trap_value(trap, model::BallCount<model::any_count>(balls), state);
 }
 
 double trap_value(const BalancedTrap& trap, int balls, const double* state) {
-  return model::with_ball_count(balls, [&](auto n) { return kernels::trap_value<n, double>(trap, state); });
+  return kernels::trap_value(trap, model::BallCount<model::any_count>(balls), state);
 }
 
 void trap_state(const OrbitTrap& trap, int balls, int row, const double* direction, double* state) {

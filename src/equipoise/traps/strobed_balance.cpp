@@ -16,7 +16,7 @@
 
 namespace equipoise {
 
-StrobedBalance analyse_strobed_balance(const model::Parameters& p, double speed) {
+StrobedBalance analyse_strobed_balance(const model::Parameters& p, double speed, const StopFlag* stop) {
   using Kind = model::BalancedStates::Kind;
   StrobedBalance result;
   BalancedAnalysis& analysis = result.analysis;
@@ -30,7 +30,7 @@ StrobedBalance analyse_strobed_balance(const model::Parameters& p, double speed)
   std::vector<std::array<double, model::max_balls>> angles = analysis.states.angles;
   if (analysis.states.kind == Kind::family) {
     analysis.continuum = std::make_shared<BalancedContinuum>(p, speed);
-    analysis.survey = analysis.continuum->survey();
+    analysis.survey = analysis.continuum->survey(stop);
     judge_continuum(speed, analysis);
     if (p.gravity != 0.0) {  // whatever is balanced then, starts have to find
       analysis.stable = true;
@@ -44,6 +44,7 @@ StrobedBalance analyse_strobed_balance(const model::Parameters& p, double speed)
   double slowest = -std::numeric_limits<double>::infinity(), fastest_growth = 0.0;
   bool lost = false;
   for (const auto& phi : angles) {
+    if (stop && stop->load(std::memory_order_relaxed)) return result;
     const auto orbit = balanced_orbit({p, speed}, phi.data());
     if (!orbit) {
       lost = true;

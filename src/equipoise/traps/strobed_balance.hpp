@@ -20,6 +20,7 @@ struct StrobedBalance {
 /// Gravity makes the balls rock once a revolution: the balanced motion is then the orbit of one revolution that a
 /// balanced state becomes as gravity and anisotropy are switched on gradually. Of a continuum of balanced states
 /// gravity leaves single ones, which starts have to find (leads_to_balance() tells them).
-StrobedBalance analyse_strobed_balance(const model::Parameters& p, double speed);
+/// Once `stop` is set the answer is worth nothing, and comes soon.
+StrobedBalance analyse_strobed_balance(const model::Parameters& p, double speed, const StopFlag* stop = nullptr);
 
 }  // namespace equipoise

@@ -8,10 +8,8 @@
 #include <limits>
 #include <utility>
 
-#include <Eigen/Cholesky>
-#include <Eigen/Eigenvalues>
-
 #include "equipoise/base/angles.hpp"
+#include "equipoise/math/dense.hpp"
 #include "equipoise/math/lyapunov.hpp"
 #include "equipoise/model/linearisation.hpp"
 #include "equipoise/model/strobe.hpp"
@@ -104,8 +102,7 @@ std::optional<StrobedTrap> strobed_trap(const model::Parameters& p, double speed
   for (std::size_t k = arcs.size(); k-- > 0;) {
     trap.forms[k] =
         h * MatrixXd::Identity(size, size) + growth * growth * arcs[k].transpose() * trap.forms[k + 1] * arcs[k];
-    const Eigen::SelfAdjointEigenSolver<MatrixXd> spectrum(trap.forms[k], Eigen::EigenvaluesOnly);
-    least = std::min(least, spectrum.eigenvalues().minCoeff());
+    least = std::min(least, dense::symmetric_eigenvalues(trap.forms[k]).minCoeff());
   }
   if (!(least > 0.0)) return std::nullopt;
   for (MatrixXd& f : trap.forms) f /= least;
@@ -141,8 +138,7 @@ double strobed_value(const model::Parameters& p, double speed, const StrobedTrap
 VectorXd strobed_trap_state(const model::Parameters& p, const StrobedTrap& trap, int row, double level,
                             const VectorXd& direction) {
   const std::size_t j = static_cast<std::size_t>(row);
-  const Eigen::LLT<MatrixXd> factor(trap.forms[j]);
-  const VectorXd d = std::sqrt(level) * factor.matrixU().solve(direction);
+  const VectorXd d = std::sqrt(level) * dense::Cholesky(trap.forms[j]).solve_upper(direction);
   return trap.states[j] + model::state_scale(p).cwiseProduct(d);
 }
 

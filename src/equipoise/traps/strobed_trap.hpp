@@ -7,7 +7,7 @@
 #include <optional>
 #include <vector>
 
-#include <Eigen/Dense>
+#include <Eigen/Core>
 
 #include "equipoise/deciding/decision_rule.hpp"
 #include "equipoise/model/parameters.hpp"

@@ -5,14 +5,14 @@
 #include <atomic>
 #include <cmath>
 #include <memory>
-#include <random>
 #include <vector>
 
-#include <Eigen/Dense>
+#include <Eigen/Core>
 #include <oneapi/tbb/parallel_for.h>
 #include <oneapi/tbb/task_arena.h>
 
 #include "equipoise/base/angles.hpp"
+#include "equipoise/base/random.hpp"
 #include "equipoise/deciding/fate.hpp"
 #include "equipoise/kernels/lane_kernels.hpp"
 #include "equipoise/model/strobe.hpp"
@@ -33,28 +33,35 @@ class Directions {
  public:
   explicit Directions(int size) : v_(size) {}
   const Eigen::VectorXd& next() {
-    for (double& x : v_) x = normal_(random_);
+    for (double& x : v_) x = random_.normal();
     v_.normalize();
     return v_;
   }
 
  private:
-  std::mt19937_64 random_{20190614};
-  std::normal_distribution<double> normal_;
+  RandomStream random_;
   Eigen::VectorXd v_;
 };
 
-// Calls work(first, count) for chunks of `total` until one returns false. True if none did.
+// Calls work(first, count) for chunks of `total` states until one returns false. True if none did.
 template <class Work>
-bool all_chunks(std::size_t total, int threads, Work&& work) {
+bool all_chunks(std::size_t total, const TrialSettings& settings, Work&& work) {
   std::atomic<bool> good{true};
-  tbb::task_arena arena(threads);
+  if (settings.progress) settings.progress->begin("states tried on level sets");
+  tbb::task_arena arena(settings.threads);
   arena.execute([&] {
     tbb::parallel_for(std::size_t{0}, (total + chunk - 1) / chunk, [&](std::size_t k) {
-      if (good && !work(k * chunk, std::min(chunk, total - k * chunk))) good = false;
+      if (!good) return;
+      const std::size_t count = std::min(chunk, total - k * chunk);
+      if (!work(k * chunk, count)) good = false;
+      if (settings.progress) settings.progress->add(count);
     });
   });
   return good;
+}
+
+bool is_stopped(const TrialSettings& settings) {
+  return settings.stop && settings.stop->load(std::memory_order_relaxed);
 }
 
 LaneTask task_for(const TrialSettings& settings, double end, std::size_t count, double* states) {
@@ -94,7 +101,7 @@ bool all_balance(const BalancedTrap& trap, const std::vector<BalancedTrap>& bala
   rule.window = rule.first_long_window = 1e9;
   // Ten times what the linear flow needs, and time to settle on it.
   const double end = 10.0 * std::log(factor) / -slowest_rate + 500.0;
-  return all_chunks(balanced_tries, settings.threads, [&](std::size_t first, std::size_t count) {
+  return all_chunks(balanced_tries, settings, [&](std::size_t first, std::size_t count) {
     return all_attracted(task_for(settings, end, count, &states[first * size]), rule);
   });
 }
@@ -118,7 +125,7 @@ bool all_approach(const OrbitTrap& trap, const TrialSettings& settings, double s
   set_level(rule.orbits.front(), balls, come_close * level);
   rule.window = rule.first_long_window = 1e9;
   const double end = 2.0 * std::log(1.0 / come_close) / (2.0 * -slowest_rate) + 200.0;
-  return all_chunks(tries, settings.threads, [&](std::size_t first, std::size_t count) {
+  return all_chunks(tries, settings, [&](std::size_t first, std::size_t count) {
     return all_attracted(task_for(settings, end, count, &states[first * size]), rule);
   });
 }
@@ -132,7 +139,8 @@ void widen(BalancedTrap& trap, const std::vector<BalancedTrap>& balanced, const 
   for (int i = 0; i < balls; ++i) factor = std::min(factor, 0.5 * std::pow(pi / trap.reach[model::index::phi(i)], 2));
   factor = std::min(factor, 0.5 * nearest_foreign / trap.level);
   // At half the level and below, twice of it is where V decreases, and nothing is left to try.
-  while (factor > 0.5 && !all_balance(trap, balanced, settings, slowest_rate, 2.0 * factor)) factor *= 0.5;
+  while (factor > 0.5 && !is_stopped(settings) && !all_balance(trap, balanced, settings, slowest_rate, 2.0 * factor))
+    factor *= 0.5;
   set_level(trap, factor * trap.level);
 }
 
@@ -184,7 +192,7 @@ bool all_approach(const StrobedTrap& trap, const TrialSettings& settings, double
   rule.first_long_window = 1e9;
   const double end = 2.0 * std::log(1.0 / come_close) / (2.0 * -slowest_rate) + 200.0;
   const double cell_angle = model::strobe_angle(p) / trap.cells * (settings.speed < 0.0 ? -1.0 : 1.0);
-  return all_chunks(tries, settings.threads, [&](std::size_t first, std::size_t count) {
+  return all_chunks(tries, settings, [&](std::size_t first, std::size_t count) {
     LaneTask task = task_for(settings, end, count, &states[first * size]);
     task.segment.psi = cell_angle * (row_of(first) % trap.cells);
     return all_attracted(task, rule);
@@ -202,7 +210,8 @@ struct Members {
   double unit = 0.0, slowest_rate = 0.0, unrest = 0.0;
 };
 
-Members members_to_try(const BalancedContinuum& continuum, const ContinuumSurvey& survey, int balls) {
+Members members_to_try(const BalancedContinuum& continuum, const ContinuumSurvey& survey,
+                       const TrialSettings& settings) {
   constexpr std::size_t most = 64;
   // Slower ones would hold all levels down: errors of integration keep states about tolerance over rate away from them.
   constexpr double slowest_share = 0.1, slowest_of_all = 2e-4;
@@ -212,7 +221,8 @@ Members members_to_try(const BalancedContinuum& continuum, const ContinuumSurvey
       std::find_if(survey.rates.begin(), survey.rates.end(), [&](double r) { return r <= result.slowest_rate; }) -
       survey.rates.begin());
   const std::size_t count = survey.members.size() - first, taken = std::min(most, count);
-  for (std::size_t k = 0; k < taken; ++k) {
+  const int balls = settings.parameters->balls;
+  for (std::size_t k = 0; k < taken && !is_stopped(settings); ++k) {
     auto m = continuum.member(survey.members[first + k * count / taken].data());
     if (!m || m->form.size() == 0 || !(m->rate <= result.slowest_rate)) continue;
     result.unit = std::max(result.unit, m->unit);
@@ -256,7 +266,7 @@ bool all_approach(const ContinuumTrap& trap, const Members& members, const Trial
   near.slowest_rate *= slower;
   near.reach = reach_of(members, near.factor);
   const DecisionRule rule = rule_of(near, settings);
-  return all_chunks(tries, settings.threads, [&](std::size_t first, std::size_t length) {
+  return all_chunks(tries, settings, [&](std::size_t first, std::size_t length) {
     const double rate = -member_of(first).rate;  // the slowest of the chunk
     const double end = 2.0 * std::log(1.0 / come_near) / (2.0 * rate) + 500.0;
     return all_attracted(task_for(settings, end, length, &states[first * size]), rule);
@@ -274,7 +284,7 @@ FamilyTrap family_test(const ContinuumTrap& trap, int balls) {
 std::optional<ContinuumTrap> continuum_trap(const std::shared_ptr<const BalancedContinuum>& continuum,
                                             const ContinuumSurvey& survey, const TrialSettings& settings) {
   if (!continuum || !survey.attracts()) return std::nullopt;
-  const Members members = members_to_try(*continuum, survey, settings.parameters->balls);
+  const Members members = members_to_try(*continuum, survey, settings);
   if (members.all.empty()) return std::nullopt;
   ContinuumTrap trap{continuum, 0.0, members.slowest_rate, 0.0};
   // With anisotropic supports or gravity to tell what a state comes to is a flight of its own.

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "equipoise/base/error.hpp"
+#include "equipoise/base/stage_progress.hpp"
 #include "equipoise/deciding/decision_rule.hpp"
 #include "equipoise/model/parameters.hpp"
 #include "equipoise/orbits/balanced_continuum.hpp"
@@ -20,12 +21,13 @@ struct TrialSettings {
   double tolerance = 1e-6;
   int threads = 1;
   const StopFlag* stop = nullptr;
+  StageProgress* progress = nullptr;
 };
 
 /// Widens `trap`, whose level must be one inside which V decreases, to where all of 4096 states on twice the level come
 /// to balance: by a factor of at most 64, so that twice the level lies within half a turn of any ball and below
-/// `nearest_foreign`, the smallest V on any pilot trajectory that ended elsewhere. `balanced`: the traps of all balanced
-/// states, this one's among them, at levels inside which V decreases: to whichever a state comes, it balances.
+/// `nearest_foreign`, the smallest V on any pilot trajectory that ended elsewhere. `balanced`: the traps of all
+/// balanced states, this one's among them, at levels inside which V decreases: to whichever a state comes, it balances.
 void widen(BalancedTrap& trap, const std::vector<BalancedTrap>& balanced, const TrialSettings& settings,
            double slowest_rate, double nearest_foreign);
 

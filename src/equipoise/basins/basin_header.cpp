@@ -1,0 +1,46 @@
+// What the output file of an ensemble says of its run.
+#include <optional>
+#include <string>
+
+#include "equipoise/basins/basin.hpp"
+#include "equipoise/discovery/horizon.hpp"
+#include "equipoise/fates/transient_tally.hpp"
+#include "equipoise/kernels/lane_kernels.hpp"
+#include "equipoise/spin_up/initial_state.hpp"
+
+namespace equipoise {
+
+namespace {
+
+// Kernels do the same operations in the same order on every instruction set of x86, but where it has fused
+// multiplications and additions, compilers use them: results are the same to the bit among those that have them (AVX2
+// and AVX-512), and among those that have not. Of other machines nothing is known.
+std::string arithmetic_of(const std::string& target) {
+  if (target == "AVX-512" || target == "AVX2") return "with fused multiply-add (AVX2, AVX-512)";
+#if defined(__x86_64__)
+  if (target == "SSE4" || target == "scalar") return "without fused multiply-add (SSE4, scalar)";
+#endif
+  return "of " + target;
+}
+
+}  // namespace
+
+BasinFileHeader basin_file_header(const Study& study, bool angles, bool transients) {
+  Study identity = with_horizon(study);  // all that decides the fate of start i
+  const Sampler sampler = sampler_of(study);
+  identity.sampling.starts = sampler.grid() ? sampler.grid()->starts() : 1;
+  BasinFileHeader header;
+  header.study = to_toml(identity);
+  header.balls = study.parameters.balls;
+  header.cpu_target = cpu_target();
+  header.arithmetic = arithmetic_of(header.cpu_target);
+  header.angles = angles;
+  header.driven = study.speed.driven();
+  header.full_starts = !study.sampling.box.empty();
+  header.method = sampler.method();
+  header.scales = study.scales;
+  if (transients) header.transients = transient_settings(study);
+  return header;
+}
+
+}  // namespace equipoise

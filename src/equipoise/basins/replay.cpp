@@ -1,0 +1,43 @@
+// One start of an ensemble decided alone.
+#include <memory>
+#include <vector>
+
+#include "equipoise/base/reporting.hpp"
+#include "equipoise/basins/basin.hpp"
+#include "equipoise/fates/runner.hpp"
+#include "equipoise/kernels/cpu_target.hpp"
+
+namespace equipoise {
+
+namespace {
+
+StartReplay replayed(const Study& study, std::uint64_t index, const BasinOptions& options) {
+  const bool gathers = gathers_transients(study, options);
+  check_runnable(study, gathers);
+  StartReplay replay;
+  replay.index = index;
+  replay.start = start_of(study, index);
+  const DiscoverySettings search{thread_count(options.threads), options.stop, options.seeds, options.discoveries,
+                                 options.progress};
+  const std::unique_ptr<Runner> runner = make_runner(study, search, gathers);
+  std::vector<double> phi;
+  std::vector<Fate> fates;
+  std::vector<UnlistedStart> unlisted;
+  std::vector<TransientRow> rows;
+  if (runner->stopped() || !runner->run(index, 1, phi, fates, unlisted, gathers ? &rows : nullptr))
+    throw RunError("stopped before the start was decided");
+  replay.fate = fates.front();
+  if (!rows.empty()) replay.transients = rows.front();
+  if (!unlisted.empty()) settle(*runner, unlisted.front(), replay.fate);
+  if (const Attractor* a = runner->catalogue().find(replay.fate.attractor)) replay.name = a->name;
+  return replay;
+}
+
+}  // namespace
+
+StartReplay replay_start(const Study& study, std::uint64_t index, const BasinOptions& options) {
+  const ChosenCpuTarget chosen(options.cpu_target);
+  return reported(options, [&](const BasinOptions& o) { return replayed(study, index, o); });
+}
+
+}  // namespace equipoise

@@ -1,0 +1,41 @@
+// One start after another, as a file's columns have them.
+#include "equipoise/basins/start_arrays.hpp"
+
+#include <fmt/format.h>
+
+#include "equipoise/basins/basin.hpp"
+#include "equipoise/spin_up/initial_state.hpp"
+#include "equipoise/store/start_columns.hpp"
+
+namespace equipoise {
+
+void add_start(const Study& study, const Sampler& sampler, const Fate& fate, const TransientRow* row,
+               StartArrays& arrays) {
+  const std::uint64_t index = arrays.starts++;
+  const int balls = arrays.balls = study.parameters.balls;
+  const InitialState s = start_of(study, sampler, study.sampling.seed, index);
+  arrays.phi.insert(arrays.phi.end(), s.phi.begin(), s.phi.begin() + balls);
+  if (!study.sampling.box.empty()) {
+    arrays.rotor_state.insert(arrays.rotor_state.end(), {s.x, s.y, s.x_dot, s.y_dot});
+    arrays.phi_dot.insert(arrays.phi_dot.end(), s.phi_dot.begin(), s.phi_dot.begin() + balls);
+  }
+  if (sampler.grid()) arrays.weight.push_back(sampler.weight(study.sampling.seed, index));
+  arrays.outcome.push_back(store::code_of(fate));
+  arrays.decision_time.push_back(fate.time);
+  arrays.decided_by.push_back(static_cast<signed char>(fate.by));
+  if (study.speed.driven()) arrays.mean_speed.push_back(fate.mean_speed);
+  if (row)
+    for (std::size_t k = 0; k < transient_columns.size(); ++k)
+      arrays.transients[k].push_back(row->*transient_columns[k].value);
+}
+
+InitialState start_of(const Study& study, std::uint64_t index) {
+  check(study);
+  const Sampler sampler = sampler_of(study);
+  if (sampler.grid() && index >= sampler.grid()->starts())
+    throw InputError(study.name, "start index", fmt::format("{}", index),
+                     fmt::format("must be below {}, the starts of this grid", sampler.grid()->starts()));
+  return start_of(study, sampler, study.sampling.seed, index);
+}
+
+}  // namespace equipoise

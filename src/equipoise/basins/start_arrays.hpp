@@ -1,0 +1,16 @@
+// The arrays of an ensemble's starts, filled as the starts are counted.
+#pragma once
+
+#include "equipoise/deciding/fate.hpp"
+#include "equipoise/results/start_arrays.hpp"
+#include "equipoise/sampling/sampling.hpp"
+#include "equipoise/study/study.hpp"
+
+namespace equipoise {
+
+/// Adds the next start, which came to `fate`; `row`: its transients, if any. What it began with is made again: starts
+/// are functions of their index.
+void add_start(const Study& study, const Sampler& sampler, const Fate& fate, const TransientRow* row,
+               StartArrays& arrays);
+
+}  // namespace equipoise

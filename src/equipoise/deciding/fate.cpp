@@ -1,0 +1,22 @@
+// Words for what became of a start.
+#include "equipoise/deciding/fate.hpp"
+
+namespace equipoise {
+
+const char* name_of(Outcome outcome) {
+  switch (outcome) {
+    case Outcome::attracted:
+      return "attracted";
+    case Outcome::undecided:
+      return "undecided";
+    case Outcome::diverged:
+      return "diverged";
+    case Outcome::stalled:
+      return "stalled";
+    case Outcome::failed:
+      break;
+  }
+  return "failed";
+}
+
+}  // namespace equipoise

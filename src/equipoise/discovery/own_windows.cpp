@@ -1,0 +1,37 @@
+// Motions followed on lanes.
+#include "equipoise/discovery/own_windows.hpp"
+
+#include "equipoise/kernels/lane_kernels.hpp"
+#include "equipoise/lanes/lane_task.hpp"
+
+namespace equipoise {
+
+std::vector<PilotRecord> own_windows(const model::Parameters& p, double speed,
+                                     const std::vector<const Motion*>& motions, const DecisionRule& rule,
+                                     double longest, double tolerance, const StopFlag* stop) {
+  std::vector<double> states;
+  for (const Motion* motion : motions) states.insert(states.end(), motion->state.begin(), motion->state.end());
+  std::vector<PilotRecord> records(motions.size());
+  if (motions.empty()) return records;
+  DecisionRule windows_only;
+  windows_only.balls = rule.balls;
+  windows_only.interchangeable = rule.interchangeable;
+  windows_only.blind = true;
+  windows_only.sag = rule.sag;
+  windows_only.window = rule.window;
+  windows_only.first_long_window = rule.first_long_window;
+  windows_only.sameness = rule.sameness;
+  LaneTask task;
+  task.parameters = &p;
+  task.segment = {0.0, 1e300, 0.0, speed, 0.0, false};        // psi = 0 at first, where states of strobed motions are
+  task.end = longest * rule.first_long_window + rule.window;  // windows end with a step, a little late
+  task.tolerance = tolerance;
+  task.count = motions.size();
+  task.states = states.data();
+  task.stop = stop;
+  std::vector<Fate> fates(motions.size());
+  if (!decide_lanes(task, windows_only, fates, &records)) return std::vector<PilotRecord>(motions.size());
+  return records;
+}
+
+}  // namespace equipoise

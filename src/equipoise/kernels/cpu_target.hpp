@@ -1,0 +1,30 @@
+// Which instruction set the kernels run on: the best that this machine has, unless another is chosen.
+#pragma once
+
+#include <string>
+#include <vector>
+
+namespace equipoise {
+
+/// Instruction set in use: "AVX-512", "AVX2", "SSE4" or "scalar".
+std::string cpu_target();
+/// Every instruction set this program was built for that this machine has, best first.
+std::vector<std::string> cpu_targets();
+/// Uses one of cpu_targets() from now on; an empty name returns to the best. False if `name` is not among them.
+/// Not to be called while kernels run.
+bool use_cpu_target(const std::string& name);
+
+/// A call's own choice, for as long as this lives.
+class ChosenCpuTarget {
+ public:
+  /// An empty name leaves everything as it is. Throws InputError, naming RunOptions, if this machine does not have it.
+  explicit ChosenCpuTarget(const std::string& name);
+  ~ChosenCpuTarget();
+  ChosenCpuTarget(const ChosenCpuTarget&) = delete;
+  ChosenCpuTarget& operator=(const ChosenCpuTarget&) = delete;
+
+ private:
+  std::string before_;  // empty: nothing to return to
+};
+
+}  // namespace equipoise

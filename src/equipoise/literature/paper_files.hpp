@@ -1,0 +1,11 @@
+// The published tables ("published/table-1.csv"), the studies of their rows ("studies/table-2-omega-2.4.toml") and the
+// evidence on table 7, as files.
+#pragma once
+
+#include "equipoise/base/embedded.hpp"
+
+namespace equipoise::embedded {
+
+extern const Archive paper_files;
+
+}  // namespace equipoise::embedded

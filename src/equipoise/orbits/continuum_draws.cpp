@@ -1,0 +1,31 @@
+// Angles without pattern, those kept that nearly balance.
+#include "equipoise/orbits/continuum_draws.hpp"
+
+#include <cmath>
+
+#include "equipoise/base/angles.hpp"
+#include "equipoise/model/balanced_state.hpp"
+
+namespace equipoise {
+
+bool ContinuumDraws::next(std::array<double, model::max_balls>& phi) {
+  constexpr int most = 200000;
+  const double near = 0.05 * (p_.eccentricity + p_.total_mass());
+  for (int k = 0; k < most; ++k) {
+    double x = p_.eccentricity, y = 0.0;
+    for (int i = 0; i < p_.balls; ++i) {
+      phi[i] = two_pi * random_.uniform();
+      x += p_.mass[i] * std::cos(phi[i]);
+      y += p_.mass[i] * std::sin(phi[i]);
+    }
+    if (std::hypot(x, y) < near && model::project_to_balanced(p_, phi.data())) return true;
+  }
+  return false;
+}
+
+bool ContinuumDraws::beside(std::array<double, model::max_balls>& phi, double distance) {
+  for (int i = 0; i < p_.balls; ++i) phi[i] += distance * random_.normal();
+  return model::project_to_balanced(p_, phi.data());
+}
+
+}  // namespace equipoise

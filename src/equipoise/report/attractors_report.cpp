@@ -1,0 +1,231 @@
+// Attractors as text and as JSON.
+#include "equipoise/report/attractors_report.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <complex>
+#include <cstdint>
+#include <optional>
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include "equipoise/base/angles.hpp"
+#include "equipoise/base/version.hpp"
+#include "equipoise/model/strobe.hpp"
+#include "equipoise/report/text.hpp"
+
+namespace equipoise {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+// The smallest share that is missed with a probability of at most `miss`.
+double detection_limit(std::uint64_t starts, double miss) {
+  return starts == 0 ? 1.0 : -std::expm1(std::log(miss) / static_cast<double>(starts));
+}
+
+constexpr double least_miss = 1e-9;
+
+std::uint64_t decided_starts(const AttractorsResult& r) {
+  std::uint64_t count = 0;
+  for (const AttractorShare& a : r.basin.attractors) count += a.share.count;
+  return count;
+}
+
+Json attractor_json(const Attractor& a, const AttractorShare& share, int balls) {
+  const Motion& m = a.motion;
+  Json json = {{"id", a.id}, {"name", a.name}, {"alias", a.alias}, {"kind", name_of(m.kind)}, {"copies", m.copies}};
+  if (a.continuum)
+    json["continuum"] = {{"drawn", a.continuum->drawn},
+                         {"stable", a.continuum->stable},
+                         {"slowest_rate", {a.continuum->slowest_rate, a.continuum->fastest_rate}},
+                         {"growth_rate", {a.continuum->least_growth, a.continuum->most_growth}}};
+  if (m.kind == MotionKind::periodic) {
+    json["period"] = m.period;
+    json["winding"] = std::vector<int>(m.winding.begin(), m.winding.begin() + balls);
+    if (m.strobed) json["strobes"] = m.strobes;
+  } else {
+    json["period"] = nullptr;
+    json["winding"] = Json::array();
+  }
+  const auto list = [&](const auto& values) { return std::vector<double>(values.begin(), values.begin() + balls); };
+  json["drift"] = list(m.drift);
+  json["rate"] = {{"min", list(m.rate_min)}, {"max", list(m.rate_max)}};
+  json["radial"] = {{"min", m.r_min}, {"mean", m.r_mean}, {"max", m.r_max}};
+  if (m.kind == MotionKind::equilibrium || m.kind == MotionKind::periodic) {
+    Json spectrum = Json::array();
+    for (Eigen::Index k = 0; k < m.spectrum.size(); ++k)
+      spectrum.push_back({m.spectrum[k].real(), m.spectrum[k].imag()});
+    json[m.kind == MotionKind::equilibrium && !m.strobed ? "eigenvalues" : "multipliers"] = spectrum;
+    json["residual"] = m.residual;
+  }
+  json["exponents"] = m.exponents;
+  json["stable"] = m.stable;
+  json["share"] = share.share.share;
+  json["share_interval"] = {share.share.low, share.share.high};
+  json["starts"] = share.share.count;
+  json["state"] = std::vector<double>(m.state.data(), m.state.data() + m.state.size());
+  return json;
+}
+
+const AttractorShare& share_of(const AttractorsResult& r, int id) {
+  return *std::find_if(r.basin.attractors.begin(), r.basin.attractors.end(),
+                       [&](const AttractorShare& s) { return s.id == id; });
+}
+
+// What the table is in: mm, s, rpm and 1/s, or dimensionless.
+struct TableUnits {
+  double length = 1.0, time = 1.0, speed = 1.0;
+  std::string r, period, drift, rate;  // behind the headings, and behind a rate
+
+  explicit TableUnits(const std::optional<model::Scales>& scales) {
+    if (!scales) return;
+    length = 1000.0 * scales->length;
+    time = scales->time();
+    speed = scales->frequency * 30.0 / pi;
+    r = ", mm";
+    period = ", s";
+    drift = ", rpm";
+    rate = " /s";
+  }
+};
+
+// Of a continuum each member has its own stability.
+std::string continuum_text(const ContinuumPart& part, const TableUnits& units) {
+  if (part.slowest_rate == 0.0)
+    return fmt::format("UNSTABLE, all of {} states drawn from the continuum, growth rates {:.5f} to {:.5f}{}", part.drawn,
+                       part.least_growth / units.time, part.most_growth / units.time, units.rate);
+  const std::string share = part.stable == part.drawn ? "all"
+                            : part.stable == 0        ? fmt::format("less than 1 in {}", part.drawn)
+                                                      : fmt::format("{:.2g} %", 100.0 * part.share());
+  return fmt::format("stable in part: {} of the continuum, slowest rates {:.5f} to {:.5f}{}", share,
+                     part.fastest_rate / units.time, part.slowest_rate / units.time, units.rate);
+}
+
+// The slowest way in which a deviation dies out, shifts in time left out.
+std::string stability_text(const Attractor& a, const TableUnits& units) {
+  if (a.continuum) return continuum_text(*a.continuum, units);
+  const Motion& m = a.motion;
+  const char* verdict = m.stable ? "stable" : "UNSTABLE";
+  if (m.strobed && m.spectrum.size() > 0) {
+    double largest = 0.0;
+    for (const std::complex<double>& value : m.spectrum) largest = std::max(largest, std::abs(value));
+    return fmt::format("{}, largest multiplier {:.4f}", verdict, largest);
+  }
+  if (m.kind == MotionKind::equilibrium && m.spectrum.size() > 0) {
+    double slowest = -1e300;
+    for (Eigen::Index k = 0; k < m.spectrum.size(); ++k) slowest = std::max(slowest, m.spectrum[k].real());
+    return fmt::format("{}, slowest rate {:.5f}{}", verdict, slowest / units.time, units.rate);
+  }
+  if (m.kind == MotionKind::periodic && m.spectrum.size() > 1)
+    return fmt::format("{}, largest multiplier {:.4f}", verdict, std::abs(m.spectrum[1]));
+  std::string text = fmt::format("{}, exponents", verdict);
+  for (std::size_t k = 0; k < std::min<std::size_t>(3, m.exponents.size()); ++k)
+    text += fmt::format(" {:.4f}", m.exponents[k] / units.time);
+  return text + units.rate;
+}
+
+using Row = std::vector<std::string>;
+enum Alignment { left, right };
+
+// Columns as wide as their widest entry, two spaces apart.
+std::string aligned(const std::vector<Row>& rows, const std::vector<Alignment>& alignment) {
+  std::vector<std::size_t> width(alignment.size(), 0);
+  for (const Row& row : rows)
+    for (std::size_t k = 0; k < row.size(); ++k) width[k] = std::max(width[k], row[k].size());
+  std::string text;
+  for (const Row& row : rows) {
+    std::string line;
+    for (std::size_t k = 0; k < row.size(); ++k)
+      line += (k ? "  " : "") + (alignment[k] == right ? fmt::format("{:>{}}", row[k], width[k])
+                                                       : fmt::format("{:<{}}", row[k], width[k]));
+    text += line.substr(0, line.find_last_not_of(' ') + 1) + "\n";
+  }
+  return text;
+}
+
+// How rare an attractor may be and still be missed: only decided starts tell.
+std::string search_text(const AttractorsResult& r) {
+  const std::uint64_t decided = decided_starts(r), starts = r.basin.starts, undecided = r.basin.undecided.count;
+  std::string text = fmt::format("{} starts searched, {} decided", starts, decided);
+  if (decided > 0)
+    text += fmt::format(": an attractor with a share above {:.2g} of such starts is missed with probability below 1e-9",
+                        detection_limit(decided, least_miss));
+  text += ".\n";
+  if (undecided > 0)
+    text += fmt::format("{} of all starts stayed undecided: so much may go to attractors that are missing here.\n",
+                        percent(r.basin.undecided.share, digits_for(r.basin.undecided)));
+  return text;
+}
+
+}  // namespace
+
+std::string attractors_text(const AttractorsResult& r) {
+  const int balls = r.basin.study.parameters.balls;
+  std::string text = study_heading(r.basin.study);
+  const TableUnits units(r.basin.study.scales);
+  std::vector<Row> rows{{"id", "attractor", "kind", "share", "copies", "period" + units.period, "r min" + units.r,
+                         "mean", "max", "drift of the balls" + units.drift, "stability"}};
+  for (const Attractor& a : r.catalogue.attractors()) {
+    const Motion& m = a.motion;
+    const Share& share = share_of(r, a.id).share;
+    std::string drift;
+    for (int i = 0; i < balls; ++i) drift += fmt::format("{}{:.4f}", i ? ", " : "", m.drift[i] * units.speed + 0.0);
+    rows.push_back({fmt::format("{}", a.id), a.alias.empty() ? a.name : fmt::format("{} ({})", a.name, a.alias),
+                    name_of(m.kind), share.total ? percent(share.share, share.count == 0 ? 0 : digits_for(share)) : "-",
+                    a.continuum ? "-" : fmt::format("{}", m.copies),
+                    m.kind == MotionKind::periodic ? fmt::format("{:.5f}", m.period * units.time) : "-",
+                    fmt::format("{:.4f}", m.r_min * units.length), fmt::format("{:.4f}", m.r_mean * units.length),
+                    fmt::format("{:.4f}", m.r_max * units.length), drift, stability_text(a, units)});
+  }
+  text += aligned(rows, {right, left, left, right, right, right, right, right, right, left, left}) + "\n";
+  if (model::is_strobed(r.basin.study.parameters)) {
+    const double speed = r.basin.study.speed_profile().final_speed();
+    const bool gravity = r.basin.study.parameters.gravity != 0.0;
+    text += fmt::format(
+        "A strobe is {} of the rotor, {:.5f}{}{}; multipliers are over the period, without one of 1.\n",
+        gravity ? "a revolution" : "half a revolution",
+        model::strobe_period(r.basin.study.parameters, speed) * units.time, r.basin.study.scales ? " s" : "",
+        gravity
+            ? fmt::format("; r is measured from where the rotor would rest, Y = {:.5g}{}",
+                          model::static_sag(r.basin.study.parameters) * units.length, r.basin.study.scales ? " mm" : "")
+            : "");
+  }
+  if (!r.basin.note.empty()) text += fmt::format("Note: {}.\n", r.basin.note);
+  if (r.basin.partial) text += "PARTIAL: stopped before all starts were done.\n";
+  text += search_text(r);
+  text += fmt::format("seed {}; {:.2f} s, {:.2f} s CPU on {} thread{} ({}); equipoise {}\n",
+                      r.basin.study.sampling.seed, r.basin.seconds, r.basin.cpu_seconds, r.basin.threads,
+                      r.basin.threads == 1 ? "" : "s", r.basin.cpu_target, version_string);
+  return text;
+}
+
+std::string attractors_json(const AttractorsResult& r) {
+  Json json;
+  json["attractors"] = Json::array();
+  for (const Attractor& a : r.catalogue.attractors())
+    json["attractors"].push_back(attractor_json(a, share_of(r, a.id), r.basin.study.parameters.balls));
+  json["starts"] = r.basin.starts;
+  json["partial"] = r.basin.partial;
+  json["decided"] = decided_starts(r);
+  json["undecided"] = r.basin.undecided.share;
+  json["diverged"] = r.basin.diverged.share;
+  json["failed"] = r.basin.failed.share;
+  const std::uint64_t decided = decided_starts(r);
+  json["detection"] = {{"share", decided > 0 ? Json(detection_limit(decided, least_miss)) : Json(nullptr)},
+                       {"of", "decided starts"},
+                       {"miss_probability", least_miss},
+                       {"missing_at_most", r.basin.undecided.most}};
+  json["note"] = r.basin.note;
+  json["seconds"] = r.basin.seconds;
+  json["threads"] = r.basin.threads;
+  json["cpu_target"] = r.basin.cpu_target;
+  json["study_name"] = r.basin.study.name;
+  json["study"] = study_json(r.basin.study);
+  json["version"] = version_string;
+  return json.dump(2) + "\n";
+}
+
+}  // namespace equipoise

@@ -1,0 +1,16 @@
+// The attractors of a study, for people and for machines.
+#pragma once
+
+#include <string>
+
+#include "equipoise/results/attractors_result.hpp"
+
+namespace equipoise {
+
+/// A table for the terminal.
+std::string attractors_text(const AttractorsResult& result);
+
+/// One JSON object. docs/guide/command-line.md lists the keys.
+std::string attractors_json(const AttractorsResult& result);
+
+}  // namespace equipoise

@@ -1,0 +1,135 @@
+// The answer of an ensemble as text and as JSON.
+#include "equipoise/report/basin_report.hpp"
+
+#include <algorithm>
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include "equipoise/base/version.hpp"
+#include "equipoise/report/sampling_text.hpp"
+#include "equipoise/report/text.hpp"
+#include "equipoise/report/transient_report.hpp"
+
+namespace equipoise {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+// On what grounds the starts were decided, as shares of all starts.
+std::string decided_text(const BasinResult& r) {
+  if (r.starts == 0) return "";
+  std::array<std::uint64_t, decided_by_count> counts{};
+  for (const AttractorShare& a : r.attractors)
+    for (int k = 0; k < decided_by_count; ++k) counts[k] += a.decided_by[k];
+  std::string text;
+  for (int k = 1; k < decided_by_count; ++k)
+    if (counts[k] > 0)
+      text += fmt::format("{}{} {:.2f} %", text.empty() ? "" : ", ", decided_by_names[k],
+                          100.0 * static_cast<double>(counts[k]) / static_cast<double>(r.starts));
+  return text.empty() ? "" : fmt::format("Decided by: {} of all starts.\n", text);
+}
+
+std::string title_of(const AttractorShare& a) {
+  return a.alias.empty() ? a.name : fmt::format("{} ({})", a.name, a.alias);
+}
+
+}  // namespace
+
+std::string basin_text(const BasinResult& r) {
+  std::string text = study_heading(r.study);
+  const bool even = r.study.sampling.method.value_or(SamplingMethod::random) != SamplingMethod::random;
+  const bool open = r.undecided.count > 0;
+  const double second = r.study.scales ? r.study.scales->time() : 1.0;
+  std::size_t width = 28;
+  for (const AttractorShare& a : r.attractors) width = std::max(width, title_of(a).size());
+  const auto row = [&](const std::string& name, const std::string& share, const std::string& within,
+                       const std::string& bounds, const std::string& starts, const std::string& time,
+                       const std::string& as_good) {
+    text += fmt::format("{:<{}}{:>11}  {:<24}{}{:>11}{:>14}{}\n", name, width, share, within,
+                        open ? fmt::format("{:<24}", bounds) : "", starts, time,
+                        even ? fmt::format("{:>16}", as_good) : "");
+  };
+  row("outcome", "share", "95 % interval", "surely within", "starts", r.study.scales ? "mean time, s" : "mean time",
+      "as good as");
+  const auto line = [&](const std::string& name, const Share& s, const std::string& time) {
+    row(name, s.total == 0 ? "-" : percent(s.share, s.count == 0 ? 0 : digits_for(s)), interval(s),
+        &s == &r.undecided ? "-" : bounds_text(s), fmt::format("{}", s.count), time, as_good_as(s));
+  };
+  for (const AttractorShare& a : r.attractors)
+    line(title_of(a), a.share, a.share.count == 0 ? "-" : fmt::format("{:.4g}", a.mean_time * second));
+  if (r.stalled) line("stalled below " + rotor_speed_text(r.study, r.study.stall_speed()), *r.stalled, "-");
+  line(name_of(Outcome::undecided), r.undecided, "-");
+  line(name_of(Outcome::diverged), r.diverged, "-");
+  line(name_of(Outcome::failed), r.failed, "-");
+  text += "\n";
+  if (open) text += "Surely within: with 95 % confidence, whatever the undecided starts would come to.\n";
+  text += fmt::format("Mean time: from the begin of the last branch, and release, to the decision{}.\n\n",
+                      r.study.scales ? "" : ", in 1/omega_c");
+  if (r.transients) text += transient_text(*r.transients, r.study);
+  text += sampling_text(r);
+  text += decided_text(r);
+  if (r.passed)
+    text += fmt::format("Came through the resonance: {} of all starts ({}){}.\n",
+                        percent(r.passed->share, digits_for(*r.passed)), interval(*r.passed),
+                        open ? "; surely " + bounds_text(*r.passed) : "");
+  if (!r.note.empty()) text += fmt::format("Note: {}.\n", r.note);
+  if (r.partial) text += "PARTIAL: stopped before all starts were done; the shares above are of those that were.\n";
+  text += fmt::format("{} starts, seed {}; {:.2f} s, {:.2f} s CPU on {} thread{} ({}), {:.0f} starts/s; equipoise {}\n",
+                      r.starts, r.study.sampling.seed, r.seconds, r.cpu_seconds, r.threads, r.threads == 1 ? "" : "s",
+                      r.cpu_target, static_cast<double>(r.starts - r.resumed_from) / r.seconds, version_string);
+  return text;
+}
+
+std::string basin_json(const BasinResult& r) {
+  Json json;
+  json["starts"] = r.starts;
+  json["partial"] = r.partial;
+  json["sampling"] = sampling_json(r);
+  const auto share = [&](const Share& s) {
+    Json one = share_json(s);
+    one["least"] = s.least;
+    one["most"] = s.most;
+    if (r.study.sampling.method.value_or(SamplingMethod::random) != SamplingMethod::random)
+      one.update(precision_json(s));
+    return one;
+  };
+  json["outcomes"] = Json::array();
+  for (const AttractorShare& a : r.attractors) {
+    Json outcome = {{"id", a.id}, {"name", a.name}, {"alias", a.alias}, {"kind", a.kind}};
+    outcome.update(share(a.share));
+    outcome["mean_time"] = a.mean_time;
+    if (r.study.scales) outcome["mean_time_si"] = a.mean_time * r.study.scales->time();
+    for (int k = 1; k < decided_by_count; ++k) outcome["decided_by"][decided_by_names[k]] = a.decided_by[k];
+    json["outcomes"].push_back(outcome);
+  }
+  if (r.stalled) {
+    json["stalled"] = share(*r.stalled);
+    json["stalled"]["below"] = r.study.stall_speed();
+    if (r.passed) json["passed"] = share(*r.passed);
+  }
+  json["undecided"] = share(r.undecided);
+  json["diverged"] = share(r.diverged);
+  json["failed"] = share(r.failed);
+  json["confidence"] = 0.95;
+  json["units"] = {{"mean_time", "1/omega_c"}};
+  if (r.study.scales) json["units"]["mean_time_si"] = "s";
+  if (r.stalled) json["units"]["below"] = "omega_c";
+  if (r.transients) json["transients"] = transient_json(*r.transients, r.study);
+  json["balanced_stable"] = r.balanced_stable;
+  json["note"] = r.note;
+  json["seconds"] = r.seconds;
+  json["cpu_seconds"] = r.cpu_seconds;
+  json["starts_per_second"] = r.seconds > 0.0 ? static_cast<double>(r.starts - r.resumed_from) / r.seconds : 0.0;
+  json["resumed_from"] = r.resumed_from;
+  json["threads"] = r.threads;
+  json["cpu_target"] = r.cpu_target;
+  json["law"] = name_of(r.study.speed.law);
+  json["study_name"] = r.study.name;
+  json["study"] = study_json(r.study);
+  json["version"] = version_string;
+  return json.dump(2) + "\n";
+}
+
+}  // namespace equipoise

@@ -1,0 +1,16 @@
+// What an ensemble answered, for people and for machines.
+#pragma once
+
+#include <string>
+
+#include "equipoise/results/basin_result.hpp"
+
+namespace equipoise {
+
+/// A table for the terminal; shares in percent.
+std::string basin_text(const BasinResult& result);
+
+/// One JSON object; shares are fractions of one. docs/guide/command-line.md lists the keys.
+std::string basin_json(const BasinResult& result);
+
+}  // namespace equipoise

@@ -1,0 +1,125 @@
+// Proofs about balanced states as text and as JSON.
+#include "equipoise/report/certify_report.hpp"
+
+#include <algorithm>
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+#include <nlohmann/json.hpp>
+
+#include "equipoise/base/version.hpp"
+
+namespace equipoise {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+std::vector<std::string> variable_names(int balls) {
+  std::vector<std::string> names{"x", "y", "u", "v"};
+  for (int i = 1; i <= balls; ++i) names.push_back(fmt::format("phi_{}", i));
+  for (int i = 1; i <= balls; ++i) names.push_back(fmt::format("q_{}", i));
+  return names;
+}
+
+std::string state_text(const StateProof& s, int balls) {
+  const Certificate& c = s.certificate;
+  std::string angles;
+  for (int i = 0; i < balls; ++i) angles += fmt::format("{}phi_{} = {:.9f}", i ? ", " : "", i + 1, c.phi[i]);
+  std::string text = fmt::format("balanced state {}", angles);
+  if (s.copies > 1) text += "; its exchange copy (equal balls) has the same proof";
+  text += "\n";
+  if (c.level == 0.0) return text + fmt::format("  not proved: {}\n", s.check.reason);
+  text +=
+      fmt::format("  proved: V = d^T P d decreases on 0 < V <= c, c = {:.9g}: {:.1f} % of the sampled critical level\n",
+                  c.level, 100.0 * c.level / s.critical);
+  text += "  reach of V <= c:";
+  const std::vector<std::string> names = variable_names(balls);
+  for (std::size_t i = 0; i < names.size(); ++i)
+    text += fmt::format(" {} {:.4g}{}", names[i], s.reach[i], i + 1 < names.size() ? "," : "\n");
+  text += fmt::format("  {} boxes, found in {:.3f} s; re-check in {:.3f} s: {}\n", c.boxes.size(), s.seconds,
+                      s.check_seconds, s.check.proved ? "holds" : "REFUTED, " + s.check.reason);
+  text += fmt::format("  P, variables {}:\n", fmt::join(names, ", "));
+  for (Eigen::Index i = 0; i < c.form.rows(); ++i) {
+    for (Eigen::Index j = 0; j < c.form.cols(); ++j) text += fmt::format("{:>14.6g}", c.form(i, j));
+    text += "\n";
+  }
+  return text;
+}
+
+}  // namespace
+
+std::string certify_text(const CertifyResult& r) {
+  std::string text = fmt::format("{}: speed {}\n", r.study.name, r.speed);
+  if (!r.note.empty()) text += fmt::format("nothing proved: {}\n", r.note);
+  for (const StateProof& s : r.states) text += state_text(s, r.study.parameters.balls);
+  return text;
+}
+
+std::string certify_json(const CertifyResult& r) {
+  Json json;
+  json["proved"] = r.proved();
+  json["note"] = r.note;
+  json["speed"] = r.speed;
+  json["states"] = Json::array();
+  const int balls = r.study.parameters.balls;
+  const std::vector<std::string> names = variable_names(balls);
+  for (const StateProof& s : r.states) {
+    const Certificate& c = s.certificate;
+    Json state;
+    state["proved"] = c.level > 0.0 && s.check.proved;
+    state["reason"] = s.check.reason;
+    state["phi"] = std::vector<double>(c.phi.begin(), c.phi.begin() + balls);
+    state["copies"] = s.copies;
+    state["level"] = c.level;
+    state["critical_level"] = s.critical;
+    state["share_of_critical"] = c.level / s.critical;
+    Json reach;
+    for (std::size_t i = 0; i < names.size(); ++i) reach[names[i]] = s.reach[i];
+    state["reach"] = reach;
+    Json form = Json::array();
+    for (Eigen::Index i = 0; i < c.form.rows(); ++i) {
+      const Eigen::VectorXd row = c.form.row(i);
+      form.push_back(std::vector<double>(row.begin(), row.end()));
+    }
+    state["form"] = form;
+    state["boxes"] = c.boxes.size();
+    state["seconds"] = s.seconds;
+    state["check_seconds"] = s.check_seconds;
+    json["states"].push_back(state);
+  }
+  json["study_name"] = r.study.name;
+  json["version"] = version_string;
+  return json.dump(2) + "\n";
+}
+
+std::string check_text(const CertificateFile& file) {
+  std::string text;
+  for (std::size_t i = 0; i < file.checks.size(); ++i) {
+    const Certificate& c = file.certificates[i];
+    const int balls = c.parameters.balls;
+    text +=
+        fmt::format("speed {}, {} ball{}, level {:.9g}, {} boxes: {}\n", c.speed, balls, balls == 1 ? "" : "s", c.level,
+                    c.boxes.size(), file.checks[i].proved ? "proved" : "NOT proved, " + file.checks[i].reason);
+  }
+  return text;
+}
+
+std::string check_json(const CertificateFile& file) {
+  Json json;
+  json["proved"] = file.proved();
+  json["file"] = file.path;
+  json["certificates"] = Json::array();
+  for (std::size_t i = 0; i < file.checks.size(); ++i) {
+    const Certificate& c = file.certificates[i];
+    json["certificates"].push_back({{"proved", file.checks[i].proved},
+                                    {"reason", file.checks[i].reason},
+                                    {"speed", c.speed},
+                                    {"level", c.level},
+                                    {"boxes", c.boxes.size()}});
+  }
+  json["version"] = version_string;
+  return json.dump(2) + "\n";
+}
+
+}  // namespace equipoise

@@ -1,0 +1,18 @@
+// What was proved of a study's balanced states, for people and for machines.
+#pragma once
+
+#include <string>
+
+#include "equipoise/results/certify_result.hpp"
+
+namespace equipoise {
+
+/// For the terminal.
+std::string certify_text(const CertifyResult& result);
+
+/// One JSON object without the boxes; docs/guide/command-line.md lists the keys.
+std::string certify_json(const CertifyResult& result);
+std::string check_text(const CertificateFile& file);
+std::string check_json(const CertificateFile& file);
+
+}  // namespace equipoise

@@ -1,0 +1,235 @@
+// A study explained, as text and as JSON.
+#include "equipoise/report/explain_report.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include "equipoise/base/angles.hpp"
+#include "equipoise/base/version.hpp"
+#include "equipoise/model/balance_grade.hpp"
+#include "equipoise/report/engineering.hpp"
+#include "equipoise/report/text.hpp"
+
+namespace equipoise {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+using model::Scales;
+using study::Dimension;
+
+double in_degrees(double angle) {
+  const double turn = std::fmod(angle * 180.0 / pi, 360.0);
+  return turn < 0.0 ? turn + 360.0 : turn;
+}
+
+class Text {
+ public:
+  explicit Text(const Explanation& e) : e_(e), scales_(e.study.scales) {}
+
+  std::string all() {
+    text_ = e_.study.name + "\n\n";
+    table();
+    speeds();
+    balance();
+    if (e_.motion) motion(*e_.motion);
+    if (e_.bare) bare(*e_.bare);
+    if (e_.reynolds)
+      item("Reynolds number", fmt::format("{:.3g} of a ball that keeps the critical speed while the rotor runs at its "
+                                          "final one",
+                                          *e_.reynolds));
+    text_ += "\n";
+    for (const std::string& w : e_.warnings) text_ += "warning: " + w + "\n";
+    if (e_.warnings.empty()) text_ += "no warnings\n";
+    return text_;
+  }
+
+ private:
+  static constexpr int label_width = 22;
+
+  std::string physical(double value, Dimension d) const { return engineering(value * study::scale_of(d, *scales_), d); }
+  // In both forms where there are scales, else dimensionless.
+  std::string both(double value, Dimension d) const {
+    return scales_ ? fmt::format("{} ({:.5g})", physical(value, d), value) : fmt::format("{:.5g}", value);
+  }
+  std::string either(double value, Dimension d) const {
+    return scales_ ? physical(value, d) : fmt::format("{:.5g}", value);
+  }
+  void item(const std::string& label, const std::string& words) {
+    text_ += fmt::format("{:<{}}{}\n", label, label_width, words);
+  }
+  std::string by_direction(const std::array<double, 2>& values, Dimension d) const {
+    if (values[0] == values[1]) return both(values[0], d);
+    return fmt::format("x {}, y {}", both(values[0], d), both(values[1], d));
+  }
+
+  void table() {
+    std::size_t symbol = 0, name = 0;
+    for (const auto& q : e_.quantities) {
+      symbol = std::max(symbol, q.symbol.size());
+      name = std::max(name, q.name.size());
+    }
+    const auto line = [&](const std::string& a, const std::string& b, const std::string& c, const std::string& d) {
+      text_ += fmt::format("{:<{}}  {:<{}}  ", a, symbol, b, name);
+      if (scales_) text_ += fmt::format("{:>16}  ", c);
+      text_ += fmt::format("{:>14}\n", d);
+    };
+    line("symbol", "quantity", "physical", "dimensionless");
+    for (const auto& q : e_.quantities) {
+      if (!scales_ && (q.symbol == "M" || q.symbol == "R" || q.symbol == "omega_c" || q.symbol == "1/omega_c"))
+        continue;  // the units themselves
+      const bool plain = !q.dimension || (*q.dimension == Dimension::angle);
+      line(q.symbol, q.name, plain || !scales_ ? "" : physical(q.value, *q.dimension), fmt::format("{:.6g}", q.value));
+    }
+    text_ += "\n";
+  }
+
+  void speeds() {
+    item("critical speed", by_direction(e_.critical_alone, Dimension::speed) + " without balls, " +
+                               by_direction(e_.critical_with_balls, Dimension::speed) + " with the balls in the race");
+    if (!e_.speed) return;
+    const double lowest = std::min(e_.critical_with_balls[0], e_.critical_with_balls[1]);
+    item("final speed",
+         fmt::format("{}, {:.3g} times the {}critical speed with balls", either(*e_.speed, Dimension::speed),
+                     std::abs(*e_.speed) / lowest, e_.critical_alone[0] == e_.critical_alone[1] ? "" : "lower "));
+  }
+
+  void balance() {
+    const bool possible = e_.balanced.kind != model::BalancedStates::Kind::none;
+    item("can balance",
+         possible ? (e_.study.parameters.gravity > 0.0 ? "yes, but for gravity" : "yes") : "no: " + e_.balanced.reason);
+    item("",
+         fmt::format("unbalance {}; these balls cancel from {} to {}",
+                     both(e_.study.parameters.eccentricity, Dimension::unbalance),
+                     both(e_.least_unbalance, Dimension::unbalance), both(e_.largest_unbalance, Dimension::unbalance)));
+    if (e_.sag > 0.0)
+      item("static sag",
+           fmt::format("{} under the weight of {}; displacements count from there, bearing forces hold it",
+                       both(e_.sag, Dimension::length),
+                       both(e_.sag * e_.study.parameters.stiffness[1], Dimension::force)));
+    if (e_.gravity_ratio)
+      item("gravity", fmt::format("{:.3g} of a ball's centrifugal force at the final speed", *e_.gravity_ratio));
+    if (!e_.motion) item("way into balance", "not linearised: " + e_.no_motion);
+  }
+
+  void motion(const BalancedMotion& m) {
+    std::string angles;
+    for (int i = 0; i < e_.study.parameters.balls; ++i)
+      angles += fmt::format("{}{:.1f}", i ? ", " : "", in_degrees(m.angles[static_cast<std::size_t>(i)]));
+    const bool family = e_.balanced.kind == model::BalancedStates::Kind::family;
+    item("balanced angles", fmt::format("{} degree from the heavy side{}", angles,
+                                        family                          ? " (one of a continuum)"
+                                        : e_.balanced.angles.size() > 1 ? " (and their mirror image)"
+                                                                        : ""));
+    item("way into balance", m.stable ? fmt::format("stable{}; slowest time constant {}, {} with more drag",
+                                                    e_.study.speed.driven() ? " at constant speed" : "",
+                                                    either(-1.0 / m.slowest_rate, Dimension::time),
+                                                    m.drag_sensitivity < 0.0 ? "longer" : "shorter")
+                                      : fmt::format("NOT stable: largest growth rate {:.3g}", m.slowest_rate));
+    item("",
+         scales_ ? "eigenvalue               time constant     oscillation" : "eigenvalue               time constant");
+    for (const auto& v : m.eigenvalues) {
+      if (v.imag() < 0.0) continue;  // the conjugate stands for both
+      const std::string rate =
+          fmt::format("{:.5g}{}", v.real(), v.imag() != 0.0 ? fmt::format(" +- {:.5g} i", v.imag()) : "");
+      const std::string constant = v.real() < 0.0 ? either(-1.0 / v.real(), Dimension::time) : "grows";
+      const std::string frequency =
+          scales_ && v.imag() != 0.0 ? fmt::format("{:.4g} Hz", v.imag() * scales_->frequency / (2.0 * pi)) : "";
+      std::string line = fmt::format("{:<25}{:<18}{}", rate, constant, frequency);
+      line.erase(line.find_last_not_of(' ') + 1);
+      item("", line);
+    }
+  }
+
+  void bare(const BareVibration& v) {
+    const double w = std::abs(*e_.speed);
+    item("without balls", by_direction(v.displacement, Dimension::length) + " amplitude at the final speed");
+    const std::array<double, 2> rms{v.displacement[0] * w / std::sqrt(2.0), v.displacement[1] * w / std::sqrt(2.0)};
+    item("", by_direction(rms, Dimension::velocity) + " rms velocity");
+    item("", by_direction(v.force, Dimension::force) + " amplitude of the force on the supports");
+    if (!scales_) return;
+    const double grade =
+        model::balance_grade(e_.study.parameters.eccentricity * scales_->length, *e_.speed * scales_->frequency);
+    const auto met = model::standard_grade_met(grade);
+    item("balance quality", fmt::format("G {:.3g} (eps omega in mm/s, ISO 21940-11), {}; a figure, not a certification",
+                                        grade, met ? fmt::format("within grade G {}", *met) : "beyond grade G 4000"));
+  }
+
+  const Explanation& e_;
+  const std::optional<Scales>& scales_;
+  std::string text_;
+};
+
+// A value with its SI value and unit, where there are scales.
+Json value_json(double value, Dimension d, const std::optional<Scales>& scales) {
+  Json json{{"dimensionless", value}};
+  if (scales) {
+    json["si"] = value * study::scale_of(d, *scales);
+    json["unit"] = study::words(d).si;
+  }
+  return json;
+}
+
+Json pair_json(const std::array<double, 2>& values, Dimension d, const std::optional<Scales>& scales) {
+  return Json::array({value_json(values[0], d, scales), value_json(values[1], d, scales)});
+}
+
+Json motion_json(const BalancedMotion& m, const Explanation& e) {
+  Json json{{"stable", m.stable},
+            {"angles", std::vector<double>(m.angles.begin(), m.angles.begin() + e.study.parameters.balls)}};
+  json["time_constant"] = m.stable ? value_json(-1.0 / m.slowest_rate, Dimension::time, e.study.scales) : Json(nullptr);
+  json["drag_sensitivity"] = m.drag_sensitivity;
+  json["eigenvalues"] = Json::array();
+  for (const auto& v : m.eigenvalues) json["eigenvalues"].push_back({v.real(), v.imag()});
+  return json;
+}
+
+}  // namespace
+
+std::string explain_text(const Explanation& e) { return Text(e).all(); }
+
+std::string explain_json(const Explanation& e) {
+  const auto& scales = e.study.scales;
+  Json json;
+  json["quantities"] = Json::array();
+  for (const auto& q : e.quantities) {
+    Json row{{"symbol", q.symbol}, {"name", q.name}};
+    row.update(q.dimension ? value_json(q.value, *q.dimension, scales) : Json{{"dimensionless", q.value}});
+    json["quantities"].push_back(row);
+  }
+  json["critical_speed"] = pair_json(e.critical_alone, Dimension::speed, scales);
+  json["critical_speed_with_balls"] = pair_json(e.critical_with_balls, Dimension::speed, scales);
+  json["final_speed"] = e.speed ? value_json(*e.speed, Dimension::speed, scales) : Json(nullptr);
+  json["can_balance"] = e.balanced.kind != model::BalancedStates::Kind::none;
+  json["reason"] = e.balanced.reason;
+  json["static_sag"] = value_json(e.sag, Dimension::length, scales);
+  json["weight"] = value_json(e.sag * e.study.parameters.stiffness[1], Dimension::force, scales);
+  json["gravity_ratio"] = e.gravity_ratio ? Json(*e.gravity_ratio) : Json(nullptr);
+  json["unbalance"] = value_json(e.study.parameters.eccentricity, Dimension::unbalance, scales);
+  json["least_unbalance"] = value_json(e.least_unbalance, Dimension::unbalance, scales);
+  json["largest_unbalance"] = value_json(e.largest_unbalance, Dimension::unbalance, scales);
+  json["balanced"] = e.motion ? motion_json(*e.motion, e) : Json(nullptr);
+  json["not_linearised"] = e.no_motion;
+  json["without_balls"] = nullptr;
+  if (e.bare)
+    json["without_balls"] = {{"displacement", pair_json(e.bare->displacement, Dimension::length, scales)},
+                             {"force", pair_json(e.bare->force, Dimension::force, scales)}};
+  json["balance_grade"] = nullptr;
+  if (scales && e.speed) {
+    const double grade =
+        model::balance_grade(e.study.parameters.eccentricity * scales->length, *e.speed * scales->frequency);
+    const auto met = model::standard_grade_met(grade);
+    json["balance_grade"] = {{"mm_per_s", grade}, {"standard", met ? Json(*met) : Json(nullptr)}};
+  }
+  json["reynolds_number"] = e.reynolds ? Json(*e.reynolds) : Json(nullptr);
+  json["warnings"] = e.warnings;
+  json["study"] = study_json(e.study);
+  json["study_name"] = e.study.name;
+  json["version"] = version_string;
+  return json.dump(2) + "\n";
+}
+
+}  // namespace equipoise

@@ -1,0 +1,16 @@
+// A study explained, for people and for machines.
+#pragma once
+
+#include <string>
+
+#include "equipoise/results/explanation.hpp"
+
+namespace equipoise {
+
+/// For people. Physical units wherever the study has scales.
+std::string explain_text(const Explanation& e);
+
+/// For machines.
+std::string explain_json(const Explanation& e);
+
+}  // namespace equipoise

@@ -1,0 +1,18 @@
+// What the transients of an ensemble cost, for people and for machines.
+#pragma once
+
+#include <string>
+
+#include <nlohmann/json_fwd.hpp>
+
+#include "equipoise/results/transient_result.hpp"
+
+namespace equipoise {
+
+/// A table for the terminal, in the units of the study's scales: mm, N, mm/s, s; else dimensionless.
+std::string transient_text(const TransientResult& result, const Study& study);
+
+/// The object "transients" of basin_json(), in the same units, which it names.
+nlohmann::ordered_json transient_json(const TransientResult& result, const Study& study);
+
+}  // namespace equipoise

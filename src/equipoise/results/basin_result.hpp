@@ -1,0 +1,60 @@
+// What an ensemble answered.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "equipoise/deciding/fate.hpp"
+#include "equipoise/results/start_arrays.hpp"
+#include "equipoise/results/transient_result.hpp"
+#include "equipoise/sampling/sampling.hpp"
+#include "equipoise/statistics/share.hpp"
+#include "equipoise/study/study.hpp"
+
+namespace equipoise {
+
+/// Starts that came to one attractor.
+struct AttractorShare {
+  int id = 0;
+  std::string name, alias, kind;
+  Share share;             ///< with its 95 % interval
+  double mean_time = 0.0;  ///< mean time from the last branch's begin (and release) to decision
+  std::array<std::uint64_t, decided_by_count> decided_by{};  ///< starts by the grounds of decision
+};
+
+/// What sampling to a half-width chose where the study did not.
+struct SamplingChoice {
+  SamplingMethod method = SamplingMethod::random;
+  std::uint64_t pilot = 0;  ///< scrambled Sobol starts that decided; 0: none, for random starts need fewer than a pilot
+  double random_starts = 0.0;  ///< needed for the half-width; without a pilot for the worst of shares
+  double sobol_starts = 0.0;   ///< needed, by the pilot; 0 without
+};
+
+/// Everything a report needs.
+struct BasinResult {
+  Study study;
+  std::uint64_t starts = 0;                ///< counted: starts 0 to starts - 1
+  bool partial = false;                    ///< stopped before all requested starts were done
+  std::uint64_t resumed_from = 0;          ///< starts read from an earlier run's file
+  std::vector<AttractorShare> attractors;  ///< by identifier; balanced is always the first
+  Share undecided, diverged, failed;
+  std::optional<Share> stalled;  ///< of a driven rotor: its motor did not bring it to stall_speed()
+  /// Of a driven rotor: starts whose own mean speed in a steady motion is above it; what is undecided may come through
+  /// or not (least, most).
+  std::optional<Share> passed;
+  std::optional<TransientResult> transients;  ///< if they were gathered
+  std::optional<StartArrays> every_start;     ///< if they were kept
+  double half_width = 0.0;                    ///< asked for; 0: none
+  std::optional<SamplingChoice> choice;       ///< if the method was left open
+  std::optional<JitteredGrid> grid;           ///< for that method
+  bool balanced_stable = false;               ///< a linearly stable balanced state exists at the final speed
+  std::string note;                           ///< why no start can end balanced, if so
+  int threads = 0;
+  std::string cpu_target;
+  double seconds = 0.0, cpu_seconds = 0.0;  ///< of this run, discovery included
+};
+
+}  // namespace equipoise

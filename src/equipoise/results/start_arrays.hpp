@@ -1,0 +1,37 @@
+// Every start of an ensemble in arrays: what the NetCDF file of basin() holds of it, without the file.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <string_view>
+#include <vector>
+
+#include "equipoise/transients/transient_table.hpp"
+
+namespace equipoise {
+
+/// Place i of every array is start i. Arrays that the study has no use for are empty.
+struct StartArrays {
+  std::uint64_t starts = 0;
+  int balls = 0;
+  std::vector<double> phi;              ///< initial ball angles, `balls` a start
+  std::vector<double> rotor_state;      ///< with a sampling box: initial x, y, x_dot, y_dot, 4 a start
+  std::vector<double> phi_dot;          ///< with a sampling box: `balls` a start
+  std::vector<double> weight;           ///< on a grid: cells that the start's cell stands for
+  std::vector<short> outcome;           ///< attractor's identifier, or undecided_code and its like
+  std::vector<double> decision_time;    ///< study time at which the outcome was known
+  std::vector<signed char> decided_by;  ///< a DecidedBy
+  std::vector<float> mean_speed;        ///< of a driven rotor; not-a-number where never measured
+  /// If they were gathered: one array a column of transient_columns. Infinite (a file says: missing) where a time goes
+  /// on, not-a-number for starts that were lost.
+  std::array<std::vector<float>, transient_columns.size()> transients;
+
+  /// The column of that name, "settling_time" say; null if there is none.
+  const std::vector<float>* transient(std::string_view name) const {
+    for (std::size_t k = 0; k < transient_columns.size(); ++k)
+      if (name == transient_columns[k].name) return &transients[k];
+    return nullptr;
+  }
+};
+
+}  // namespace equipoise

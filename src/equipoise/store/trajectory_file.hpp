@@ -1,0 +1,22 @@
+// One trajectory as CSV and as NetCDF.
+#pragma once
+
+#include <iosfwd>
+#include <string>
+
+#include "equipoise/results/trajectory.hpp"
+
+namespace equipoise {
+
+/// Columns t, psi, psi_dot, x, y, x_dot, y_dot, phi_1.., phi_dot_1.., radial, bearing_x, bearing_y; every number in the
+/// shortest form that reads back to the same bits.
+void write_csv(std::ostream& out, const Trajectory& trajectory);
+
+/// The same to a file, which it replaces once all is written. Throws RunError if it cannot be.
+void write_csv_file(const std::string& path, const Trajectory& trajectory);
+
+/// The same as NetCDF with coordinate t, `study` (TOML) as an attribute. Replaces an existing file.
+/// Throws RunError if it cannot be written.
+void write_netcdf(const std::string& path, const Trajectory& trajectory, const std::string& study);
+
+}  // namespace equipoise

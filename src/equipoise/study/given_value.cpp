@@ -1,0 +1,66 @@
+// Which unit a value beside a study is given in.
+#include "equipoise/study/given_value.hpp"
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <cmath>
+#include <system_error>
+#include <utility>
+
+#include "equipoise/study/physical_keys.hpp"
+
+namespace equipoise::study {
+
+namespace {
+
+constexpr std::array<std::pair<const char*, Dimension>, 8> rotor_and_balancer{{
+    {"rotor.stiffness", Dimension::stiffness},
+    {"rotor.damping", Dimension::damping},
+    {"rotor.eccentricity", Dimension::length},
+    {"rotor.gravity", Dimension::acceleration},
+    {"rotor.inertia", Dimension::inertia},
+    {"balancer.mass", Dimension::mass},
+    {"balancer.race_offset", Dimension::length},
+    {"balancer.contact_angle", Dimension::angle},
+}};
+
+}  // namespace
+
+std::optional<ValueUnit> unit_of(const Study& study, Dimension dimension) {
+  if (!study.scales) return std::nullopt;
+  return ValueUnit{dimension, scale_of(dimension, *study.scales)};
+}
+
+std::optional<ValueUnit> unit_of(const Study& study, const std::string& key) {
+  for (const auto& [name, dimension] : rotor_and_balancer)
+    if (key == name) return unit_of(study, dimension);
+  const model::Parameters& p = study.parameters;
+  const auto last = p.mass.begin() + p.balls;
+  if (key == "balancer.drag" && std::equal(p.mass.begin() + 1, last, p.mass.begin())) {
+    auto unit = unit_of(study, Dimension::gain);  // D = beta m R^2 omega_c
+    if (unit) unit->scale *= p.mass.front();
+    return unit;
+  }
+  for (const QuantityTable& table : quantity_tables())
+    for (const QuantityKey& entry : table.keys)
+      if (key == table.name + "." + entry.key) return unit_of(study, entry.dimension);
+  return std::nullopt;
+}
+
+GivenValue read_given(const std::string& text, const std::optional<ValueUnit>& unit) {
+  GivenValue given;
+  const char* end = text.data() + text.size();
+  const auto [after, error] = std::from_chars(text.data(), end, given.value);
+  if (error == std::errc() && after == end && std::isfinite(given.value)) return given;
+  if (!unit) {
+    given.problem = "is no plain number";
+    return given;
+  }
+  const Measured measured = measure(text, {unit->dimension});
+  given.value = measured.value / unit->scale;
+  given.problem = measured.problem;
+  return given;
+}
+
+}  // namespace equipoise::study

@@ -1,0 +1,88 @@
+// A tree of plain values: what a study is written in, whether the text was TOML, JSON or a dictionary of some language.
+#pragma once
+
+#include <concepts>
+#include <cstdint>
+#include <initializer_list>
+#include <limits>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <variant>
+#include <vector>
+
+namespace equipoise {
+
+/// A truth value, a whole number, a number, a string, an array or a table; a table's members keep their order, and no
+/// two have the same key.
+///
+///     StudyValue tree{{"rotor", {{"eccentricity", 0.01}, {"damping", 0.5}}}};
+///     tree.find("rotor")->set("gravity", 0.001);
+class StudyValue {
+ public:
+  struct Member;
+  using Array = std::vector<StudyValue>;
+  using Table = std::vector<Member>;
+  /// What no study holds but a message has to show: a date of TOML ("a date or time"), JSON's null, and their like.
+  struct Other {
+    std::string kind, text;
+  };
+
+  StudyValue() = default;  ///< an empty table
+  StudyValue(bool value) : value_(value) {}
+  StudyValue(double value) : value_(value) {}
+  template <std::integral T>
+  StudyValue(T value) : StudyValue(whole(value)) {}
+  StudyValue(const char* text) : value_(std::string(text)) {}
+  StudyValue(std::string text) : value_(std::move(text)) {}
+  StudyValue(Array entries);
+  StudyValue(const std::vector<double>& entries);
+  StudyValue(Other other) : value_(std::move(other)) {}
+  StudyValue(std::initializer_list<Member> members);  ///< a table; of equal keys the last one holds
+
+  const bool* boolean() const { return std::get_if<bool>(&value_); }
+  const std::int64_t* integer() const { return std::get_if<std::int64_t>(&value_); }
+  const double* real() const { return std::get_if<double>(&value_); }
+  const std::string* string() const { return std::get_if<std::string>(&value_); }
+  const Array* array() const { return std::get_if<Array>(&value_); }
+  const Table* table() const { return std::get_if<Table>(&value_); }
+  const Other* other() const { return std::get_if<Other>(&value_); }
+  bool is_number() const { return integer() || real(); }
+  double number() const;  ///< of a whole one the nearest double; 0 for what is no number
+
+  /// A table's member; null if there is none, or this is no table.
+  const StudyValue* find(std::string_view key) const;
+  StudyValue* find(std::string_view key);
+  /// Gives a table's member another value, in its place, or adds it at the end, and returns it. Throws std::logic_error
+  /// if this is no table.
+  StudyValue& set(std::string key, StudyValue value);
+  void erase(std::string_view key);
+
+  /// Where the value stands in the text that it came from, from 1; 0: it came from none.
+  int line() const { return line_; }
+  void set_line(int line) { line_ = line; }
+
+ private:
+  template <std::integral T>
+  static StudyValue whole(T value);
+
+  std::variant<Table, bool, std::int64_t, double, std::string, Array, Other> value_;
+  int line_ = 0;
+};
+
+struct StudyValue::Member {
+  std::string key;
+  StudyValue value;
+};
+
+template <std::integral T>
+StudyValue StudyValue::whole(T value) {
+  StudyValue result;
+  if (std::cmp_greater(value, std::numeric_limits<std::int64_t>::max()))
+    result.value_ = Other{"too large a number", std::to_string(value)};
+  else
+    result.value_ = static_cast<std::int64_t>(value);
+  return result;
+}
+
+}  // namespace equipoise

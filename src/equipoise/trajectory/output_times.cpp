@@ -1,0 +1,43 @@
+// The grid of output times.
+#include "equipoise/trajectory/output_times.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+
+#include <fmt/format.h>
+
+#include "equipoise/base/error.hpp"
+
+namespace equipoise {
+
+namespace {
+
+double last_branch(const Study& study) {
+  const model::Drive drive = study.drive();
+  return std::max(drive.pieces.back().begin, study.speed.driven() ? 0.0 : drive.release_time);
+}
+
+}  // namespace
+
+std::vector<double> output_times(const Study& study, std::optional<double> asked_until,
+                                 std::optional<double> asked_every) {
+  check(study);
+  const auto reject = [](const char* key, double value, const std::string& problem) {
+    throw InputError("output times", key, fmt::format("{}", value), problem);
+  };
+  const double until = asked_until ? *asked_until : last_branch(study) + 100.0;
+  if (!(until >= 0.0 && until <= last_output_time)) reject("until", until, "must be a number from 0 to 1e9");
+  const double every = asked_every ? *asked_every : until > 0.0 ? until / 100.0 : 1.0;
+  if (!(every > 0.0 && every <= last_output_time))
+    reject("every", every, "must be a number greater than 0, at most 1e9");
+  if (until / every > most_output_rows)
+    reject("every", every,
+           fmt::format("makes more than {:.0f} rows; must be at least {}", most_output_rows, until / most_output_rows));
+  std::vector<double> times;
+  const auto rows = static_cast<std::size_t>(std::floor(until / every * (1.0 + 1e-12)));
+  for (std::size_t k = 0; k <= rows; ++k) times.push_back(static_cast<double>(k) * every);
+  return times;
+}
+
+}  // namespace equipoise

@@ -1,0 +1,2 @@
+// Nothing: its target holds the precompiled headers of the tests.
+int main() {}

@@ -1,0 +1,33 @@
+// The list of attractors: what it finds, what is new in it.
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include "equipoise/motions/catalogue.hpp"
+
+namespace equipoise {
+namespace {
+
+Attractor attractor(int id) { return {id, "", "", {}, {}}; }
+
+std::vector<int> numbers(const std::vector<Attractor>& attractors) {
+  std::vector<int> result;
+  for (const Attractor& a : attractors) result.push_back(a.id);
+  return result;
+}
+
+// Discovery makes a trap for each new attractor, and for none a second time.
+TEST(Catalogue, TellsWhatIsNewWhereverItStands) {
+  Catalogue list;
+  for (const int id : {1, 9, 4}) list.add(attractor(id));
+  const Catalogue earlier = list;
+  EXPECT_EQ(numbers(list.listed_since(earlier)), std::vector<int>());
+  EXPECT_EQ(numbers(list.listed_since({})), (std::vector<int>{1, 4, 9}));
+  list.add(attractor(2));
+  list.add(attractor(10));
+  EXPECT_EQ(numbers(list.attractors()), (std::vector<int>{1, 2, 4, 9, 10}));
+  EXPECT_EQ(numbers(list.listed_since(earlier)), (std::vector<int>{2, 10}));
+}
+
+}  // namespace
+}  // namespace equipoise

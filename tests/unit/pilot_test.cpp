@@ -1,0 +1,62 @@
+// What a pilot must have seen before a box may decide.
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include "equipoise/deciding/pilot.hpp"
+
+namespace equipoise {
+namespace {
+
+constexpr int own = 4, other = 2;
+
+struct Audit {
+  std::vector<Fate> fates;
+  std::vector<PilotRecord> records;
+
+  void add(int count, int attractor, int run) {
+    Fate fate;
+    fate.outcome = Outcome::attracted;
+    fate.attractor = static_cast<short>(attractor);
+    PilotRecord record;
+    record.longest_run[0] = run;
+    fates.insert(fates.end(), count, fate);
+    records.insert(records.end(), count, record);
+  }
+  int hits() const { return hits_from_audit(fates, records, 0, own, false); }
+};
+
+TEST(Pilot, ABoxAsksForMoreThanTwiceTheLongestStayThatEndedElsewhere) {
+  Audit audit;
+  audit.add(500, own, 200);
+  audit.add(3000, other, 0);
+  EXPECT_EQ(audit.hits(), 3);
+  audit.add(7, other, 4);
+  EXPECT_EQ(audit.hits(), 9);
+  audit.add(1, other, 40);
+  EXPECT_EQ(audit.hits(), 0);  // 81 half windows: long ones decide as soon
+}
+
+// A rare attractor's own few stays, even without a wrong one among them, do not say that the next is right.
+TEST(Pilot, ABoxThatFewStayedInDecidesNothing) {
+  Audit audit;
+  audit.add(4000, other, 0);
+  audit.add(11, own, 200);
+  EXPECT_EQ(audit.hits(), 0);
+  audit.add(89, own, 200);
+  EXPECT_EQ(audit.hits(), 3);
+}
+
+// Stays shorter than what decides are no evidence: a box would not have told these.
+TEST(Pilot, OnlyStaysThatWouldHaveDecidedAreEvidence) {
+  Audit audit;
+  audit.add(4000, own, 8);
+  audit.add(50, own, 9);
+  audit.add(20, other, 4);
+  EXPECT_EQ(audit.hits(), 0);
+  audit.add(50, own, 9);
+  EXPECT_EQ(audit.hits(), 9);
+}
+
+}  // namespace
+}  // namespace equipoise

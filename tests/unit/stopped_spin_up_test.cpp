@@ -1,0 +1,82 @@
+// Spin-ups that take long obey the stop flag.
+#include <ctime>
+#include <string>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include "../base_study.hpp"
+#include "equipoise/base/error.hpp"
+#include "equipoise/fates/runner.hpp"
+#include "equipoise/fates/transient_tally.hpp"
+#include "equipoise/spin_up/start_source.hpp"
+#include "equipoise/study/study.hpp"
+
+namespace equipoise {
+namespace {
+
+Study ramp(const std::string& duration) {
+  return parse_study(rotor_and_balancer + "[speed]\nprofile = \"ramp\"\nfinal = 2.4\nduration = " + duration + "\n",
+                     "ramp.toml");
+}
+
+double cpu_now() { return static_cast<double>(std::clock()) / CLOCKS_PER_SEC; }
+
+// Ten million steps and more of integration, seconds of them; none is begun.
+TEST(StoppedSpinUp, DoesNotIntegrate) {
+  const StopFlag stop{true};
+  const double begin = cpu_now();
+  const StartSource source(ramp("1e7"), &stop);
+  EXPECT_LT(cpu_now() - begin, 0.3);
+}
+
+TEST(StoppedSpinUp, MakesNoStarts) {
+  StopFlag stop{false};
+  const Study study = ramp("1e3");
+  StartSource source(study, &stop);
+  std::vector<double> phi, states;
+  std::vector<Fate> fates;
+  EXPECT_TRUE(source.make(1, 0, 10, phi, states, fates));
+  stop = true;
+  EXPECT_FALSE(source.make(1, 0, 10, phi, states, fates));
+}
+
+// The grid of times at which transients are watched: 64 points a turn, a hundred thousand turns' worth of sums.
+TEST(StoppedSpinUp, IsNotWatched) {
+  const StopFlag stop{true};
+  const Study study = ramp("3e5");
+  StartSource source(study, &stop);
+  const double begin = cpu_now();
+  source.watch(transient_settings(study));
+  EXPECT_LT(cpu_now() - begin, 1.0);  // the times themselves are listed
+}
+
+// Seventy million times of 104 bytes are refused before any work: of all that hold balls so long, and of nobody else.
+TEST(LongSpinUp, IsNotWatchedBeyondMemory) {
+  const auto refused = [](const std::vector<std::string>& overrides) -> std::string {
+    const Study study = parse_study(rotor_and_balancer + "[speed]\nprofile = \"ramp\"\nfinal = 2.4\nduration = 3e6\n",
+                                    "ramp.toml", overrides);
+    const double begin = cpu_now();
+    try {
+      check_runnable(study, true);
+    } catch (const InputError& e) {
+      EXPECT_LT(cpu_now() - begin, 0.3);
+      EXPECT_NO_THROW(check_runnable(study, false));
+      EXPECT_NE(e.problem().find("transients"), std::string::npos);
+      return e.key() + " = " + e.value();
+    }
+    return "";
+  };
+  EXPECT_EQ(refused({}), "speed.duration = 3e+06");
+  EXPECT_EQ(refused({"release.speed=1.2"}), "release.speed = 1.2");
+  EXPECT_EQ(refused({"release.time=2.9e6"}), "release.time = 2.9e+06");
+  EXPECT_EQ(refused({"speed={profile='points', times=[0.0, 3e6], speeds=[0.0, 2.4]}"}), "speed.times = 3e+06");
+  EXPECT_EQ(refused({"speed={profile='trapezoid', peak=3.0, final=2.4, rise_until=2e6, hold_until=2.1e6, "
+                     "fall_until=2.2e6}"}),
+            "speed.rise_until = 2e+06");
+  EXPECT_EQ(refused({"speed.duration=2e5", "speed.final=1.3"}), "");  // 1.3 * 64 / (2 pi) a unit of time: 2.6 million
+  EXPECT_EQ(refused({"release.time=0.0"}), "");                       // free all along
+}
+
+}  // namespace
+}  // namespace equipoise
