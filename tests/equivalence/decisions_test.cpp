@@ -149,5 +149,27 @@ TEST(DecisionsFor, OtherBallCountsAgreeWithLongIntegration) {
   }
 }
 
+// Narrow level sets: balance has to be told as soon one way round as the other.
+TEST(DecisionsFor, OverdampedBallsTakeAsLongEitherWayRound) {
+  constexpr std::size_t count = 256;
+  const auto mean_time = [&](double speed) {
+    Study study = study_of({5.2, speed});
+    study.parameters.eccentricity = 0.0083;
+    study.parameters.damping = {0.883, 0.883};
+    study.parameters.mass = {0.00434, 0.00434};
+    const StartRunner runner(study, {2, nullptr, {}});
+    std::vector<double> phi;
+    std::vector<Fate> fates;
+    std::vector<UnlistedStart> unlisted;
+    EXPECT_TRUE(runner.run(0, count, phi, fates, unlisted));
+    double sum = 0.0;
+    for (const Fate& fate : fates) sum += fate.time;
+    return sum / count;
+  };
+  // Times scatter by about their mean: of two samples of 256 the means differ by 9 % at random. Without the descent
+  // they are 130 and 900.
+  EXPECT_NEAR(mean_time(-2.0) / mean_time(2.0), 1.0, 0.3);
+}
+
 }  // namespace
 }  // namespace equipoise

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <memory>
 #include <optional>
+#include <utility>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -195,21 +196,44 @@ class Discoverer {
     std::vector<BalancedTrap>& traps = result_.rule.traps;
     const std::vector<BalancedTrap> narrow = traps;
     const bool mirror = p.balls == 2 && p.equal_balls();
-    double nearest_foreign = 1e300;
-    for (std::size_t i = 0; i < pilot_.fates.size(); ++i)
-      if (pilot_.fates[i].attractor != balanced_id)
-        nearest_foreign = std::min(nearest_foreign, pilot_.records[i].least_value);
+    if (traps.empty()) return;
+    const bool proving = study_.numerics.decide == DecideMode::proof;
+    const double nearest_foreign = proving ? 0.0 : nearest_elsewhere();
     for (std::size_t i = 0; i < traps.size(); ++i) {
       if (mirror && i > 0) {
         set_level(traps[i], traps[0].level);
         traps[i].by = traps[0].by;
         continue;
       }
-      if (study_.numerics.decide == DecideMode::proof)
+      if (proving)
         prove(traps[i]);
       else
         widen(traps[i], narrow, trial_settings(), result_.balanced.slowest_rate, nearest_foreign);
     }
+  }
+
+  // The smallest V on any of the pilot's trajectories that ended elsewhere. What is undecided is followed on: it may be
+  // on its slow way to balance.
+  double nearest_elsewhere() const {
+    const auto size = static_cast<std::ptrdiff_t>(model::dimension(study_.parameters.balls));
+    double nearest = 1e300;
+    std::vector<std::size_t> open;
+    std::vector<double> states;
+    for (std::size_t i = 0; i < pilot_.fates.size(); ++i) {
+      if (pilot_.fates[i].attractor == balanced_id) continue;
+      if (pilot_.fates[i].outcome != Outcome::undecided) {
+        nearest = std::min(nearest, pilot_.records[i].least_value);
+        continue;
+      }
+      open.push_back(i);
+      const auto state = pilot_.states.begin() + static_cast<std::ptrdiff_t>(i) * size;
+      states.insert(states.end(), state, state + size);
+    }
+    const std::vector<char> came =
+        come_to_balance(std::move(states), result_.rule.traps, trial_settings(), result_.balanced.slowest_rate);
+    for (std::size_t k = 0; k < open.size(); ++k)
+      if (!came[k]) nearest = std::min(nearest, pilot_.records[open[k]].least_value);
+    return nearest;
   }
 
   void prove(BalancedTrap& trap) {

@@ -33,6 +33,8 @@ VectorXd symmetric_eigenvalues(const MatrixXd& a) {
   return Eigen::SelfAdjointEigenSolver<MatrixXd>(a, Eigen::EigenvaluesOnly).eigenvalues();
 }
 
+MatrixXd symmetric_eigenvectors(const MatrixXd& a) { return Eigen::SelfAdjointEigenSolver<MatrixXd>(a).eigenvectors(); }
+
 double determinant(const MatrixXd& a) { return a.determinant(); }
 MatrixXd inverse(const MatrixXd& a) { return a.inverse(); }
 MatrixXcd inverse(const MatrixXcd& a) { return a.inverse(); }

@@ -21,6 +21,8 @@ EigenPairs eigenpairs(const Eigen::MatrixXd& a);
 
 /// Of a symmetric matrix, ascending.
 Eigen::VectorXd symmetric_eigenvalues(const Eigen::MatrixXd& a);
+/// Of unit length, columns in the order of the eigenvalues.
+Eigen::MatrixXd symmetric_eigenvectors(const Eigen::MatrixXd& a);
 
 double determinant(const Eigen::MatrixXd& a);
 Eigen::MatrixXd inverse(const Eigen::MatrixXd& a);

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 #include <fmt/format.h>
 
@@ -16,8 +17,10 @@ namespace equipoise {
 
 namespace {
 
-constexpr int rays_while_weighing = 300;  // with descent enough to rank weights; without it thousands mislead
-constexpr int rays_for_level = 20000;     // plus descent: two seeds agree to 1e-4
+// While weighing, with random steps from the worst enough to rank weights; without them thousands mislead. Ranked by
+// the level that gradients find, weights of overdamped balls come out whose level sets can hardly be proved.
+constexpr int rays_while_weighing = 300;
+constexpr int rays_for_level = 20000;  // plus descent: two seeds agree to 1e-4
 
 // Mean time the linear flow needs from ball angles up to `spread` away from balance into the level set, the quantity
 // that a good choice of weights makes small. The spread is where the balls are when the last slow approach begins.
@@ -69,7 +72,7 @@ Eigen::MatrixXd best_modal_form(const model::Parameters& p, double speed, const 
   Eigen::VectorXd weights = Eigen::VectorXd::Ones(size);
   const EntryTime entry_time(modes, p.balls);
   const auto cost = [&](const Eigen::VectorXd& w) {
-    return entry_time(w, critical_level(p, speed, phi, modal_form(modes, w), rays_while_weighing));
+    return entry_time(w, level_by_rays(p, speed, phi, modal_form(modes, w), rays_while_weighing));
   };
   double least = cost(weights);
   for (double factor : {2.0, 1.4}) {
@@ -128,6 +131,15 @@ BalancedTrap isolated_trap(const model::Parameters& p, double speed, const std::
   return make_trap(p, phi, use_modal ? modal : plain, level_margin * (use_modal ? modal_level : plain_level));
 }
 
+// The trap's mirror image: of the rotor that turns the other way.
+BalancedTrap reflected(const model::Parameters& p, const BalancedTrap& trap) {
+  Eigen::VectorXd sign = -Eigen::VectorXd::Ones(model::dimension(p.balls));
+  sign[model::index::x] = sign[model::index::u] = 1.0;
+  std::array<double, model::max_balls> phi{};
+  for (int i = 0; i < p.balls; ++i) phi[i] = -trap.phi[i];
+  return make_trap(p, phi, sign.asDiagonal() * form_of(trap) * sign.asDiagonal(), trap.level);
+}
+
 // The same trap with balls 1 and 2 exchanged.
 BalancedTrap exchanged(const model::Parameters& p, const BalancedTrap& trap) {
   const int size = model::dimension(2);
@@ -136,6 +148,19 @@ BalancedTrap exchanged(const model::Parameters& p, const BalancedTrap& trap) {
   const Eigen::PermutationMatrix<Eigen::Dynamic> swap(order);
   const Eigen::MatrixXd form = swap * form_of(trap) * swap.transpose();
   return make_trap(p, {trap.phi[1], trap.phi[0]}, form, trap.level);
+}
+
+// What is searched for is searched for of the rotor that turns forwards, so that mirror images have the same level.
+BalancedTrap trap_of(const model::Parameters& p, double speed, std::array<double, model::max_balls> phi) {
+  const auto forwards = [&] {
+    const double s = std::fabs(speed);
+    return isolated_trap(p, s, phi, model::jacobian(p, s, model::centred_state(p, phi.data()).data()));
+  };
+  if (!(speed < 0.0)) return forwards();
+  for (int i = 0; i < p.balls; ++i) phi[i] = -phi[i];
+  if (p.balls != 2 || !p.equal_balls()) return reflected(p, forwards());
+  std::swap(phi[0], phi[1]);  // of equal balls both states are made from the first
+  return reflected(p, exchanged(p, forwards()));
 }
 
 }  // namespace
@@ -187,7 +212,7 @@ BalancedAnalysis analyse_balanced(const model::Parameters& p, double speed) {
     }
     slowest = std::max(slowest, growth);
     result.traps.push_back(mirror && !result.traps.empty() ? exchanged(p, result.traps.front())
-                                                           : isolated_trap(p, speed, phi, a));
+                                                           : trap_of(p, speed, phi));
   }
   result.stable = !result.traps.empty();
   if (result.stable)

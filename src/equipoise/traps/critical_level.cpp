@@ -10,6 +10,7 @@
 #include "equipoise/math/dense.hpp"
 #include "equipoise/model/ball_count.hpp"
 #include "equipoise/model/flow-inl.hpp"
+#include "equipoise/model/linearisation.hpp"
 
 namespace equipoise {
 
@@ -28,12 +29,12 @@ class RaySearch {
   RaySearch(const model::Parameters& p, double speed, const double* phi, const Matrix& form, const Matrix& factor)
       : n(p.balls),
         size(model::dimension(n)),
+        p_(p),
+        speed_(speed),
         flow_(p, model::Segment{0.0, 0.0, 0.0, speed, 0.0, false}),
         form_(form),
         factor_(factor),
-        centre_(Vector::Zero(size)) {
-    for (int i = 0; i < n; ++i) centre_[model::index::phi(i)] = phi[i];
-  }
+        centre_(model::centred_state(p, phi)) {}
 
   // Where V equals 1 along a direction given in coordinates in which V is the squared length.
   Vector edge(const Vector& direction) const {
@@ -59,11 +60,23 @@ class RaySearch {
     return limit;
   }
 
-  bool grows(const Vector& e, double s) const {
-    const Vector z = centre_ + s * e;
-    Vector rate(size);
-    flow_(0.0, z.data(), rate.data());
-    return e.dot(form_ * rate) >= 0.0;
+  // Half of dV/dt at z* + s e, over s.
+  double slope(const Vector& e, double s) const { return e.dot(form_ * rate(centre_ + s * e)); }
+
+  bool grows(const Vector& e, double s) const { return slope(e, s) >= 0.0; }
+
+  // The direction in which dV/dt rises fastest at V^(1/2) = s along a direction; both as `edge` takes them.
+  Vector uphill(const Vector& direction, double s) const {
+    const Vector d = s * edge(direction), z = centre_ + d;
+    const Vector rise = form_ * rate(z) + model::jacobian(p_, speed_, z.data()).transpose() * (form_ * d);
+    return into_unit(rise).normalized();
+  }
+
+  // Directions, as `edge` takes them, of the extremes of dV/dt close to balance.
+  Eigen::MatrixXd principal_directions() const {
+    const Eigen::MatrixXd half = form_ * model::jacobian(p_, speed_, centre_.data());
+    const Eigen::MatrixXd once = into_unit(half + half.transpose());
+    return dense::symmetric_eigenvectors(into_unit(once.transpose()));
   }
 
   // The s at which some angle deviates by half a turn: no level set may wrap around the race.
@@ -75,22 +88,49 @@ class RaySearch {
   }
 
  private:
+  Vector rate(const Vector& z) const {
+    Vector result(size);
+    flow_(0.0, z.data(), result.data());
+    return result;
+  }
+
+  // Of gradients: into coordinates in which V is the squared length.
+  Eigen::MatrixXd into_unit(const Eigen::MatrixXd& gradients) const {
+    return factor_.transpose().triangularView<Eigen::Lower>().solve(gradients);
+  }
+
   const int n, size;
+  const model::Parameters& p_;
+  const double speed_;
   kernels::FreeFlow<double, model::any_count, autonomous> flow_;
   Matrix form_, factor_;
   Vector centre_;
 };
 
-}  // namespace
+// The least V^(1/2), below `limit`, with dV/dt >= 0 that is found by turning a direction to where dV/dt rises fastest:
+// on the critical level the gradients of V and dV/dt point the same way. Where level sets are narrow, of stiff rotors,
+// the directions in which V grows early are so few that random ones miss them.
+double descend(const RaySearch& search, RaySearch::Vector direction, double limit) {
+  constexpr int most_steps = 200;
+  constexpr double least_part = 1e-5;
+  double reach = search.first_growth(search.edge(direction), limit), part = 0.5;
+  for (int step = 0; step < most_steps && part > least_part; ++step) {
+    const RaySearch::Vector turned = ((1.0 - part) * direction + part * search.uphill(direction, reach)).normalized();
+    const RaySearch::Vector before = search.edge(direction), after = search.edge(turned);
+    const double shorter = search.first_growth(after, reach);
+    // On rays along which V falls all the way, how fast it still falls at their ends tells where to look.
+    const bool better = shorter < reach || (reach == limit && search.slope(after, limit) > search.slope(before, limit));
+    part = better ? std::min(2.0 * part, 1.0) : 0.25 * part;
+    if (!better) continue;
+    direction = turned;
+    reach = shorter;
+  }
+  return reach;
+}
 
-double critical_level(const model::Parameters& p, double speed, const double* phi, const Eigen::MatrixXd& form,
-                      int rays) {
+// The same by random directions, and random steps from the worst of them.
+double sample(const RaySearch& search, int size, int rays) {
   using Vector = RaySearch::Vector;
-  const dense::Cholesky cholesky(form);
-  if (!cholesky.definite()) return 0.0;
-  const RaySearch search(p, speed, phi, form, cholesky.upper());
-  const int size = model::dimension(p.balls);
-
   RandomStream random;
   const auto random_vector = [&] {
     Vector v(size);
@@ -127,7 +167,29 @@ double critical_level(const model::Parameters& p, double speed, const double* ph
     }
     best = std::min(best, ray.reach);
   }
-  return best * best;
+  return best;
+}
+
+}  // namespace
+
+double level_by_rays(const model::Parameters& p, double speed, const double* phi, const Eigen::MatrixXd& form,
+                     int rays) {
+  const dense::Cholesky cholesky(form);
+  if (!cholesky.definite()) return 0.0;
+  const double least = sample({p, speed, phi, form, cholesky.upper()}, model::dimension(p.balls), rays);
+  return least * least;
+}
+
+double critical_level(const model::Parameters& p, double speed, const double* phi, const Eigen::MatrixXd& form,
+                      int rays) {
+  const dense::Cholesky cholesky(form);
+  if (!cholesky.definite()) return 0.0;
+  const RaySearch search(p, speed, phi, form, cholesky.upper());
+  double least = sample(search, model::dimension(p.balls), rays);
+  const Eigen::MatrixXd principal = search.principal_directions();
+  for (Eigen::Index k = 0; k < principal.cols(); ++k)
+    for (const double sign : {1.0, -1.0}) least = descend(search, sign * principal.col(k), least);
+  return least * least;
 }
 
 }  // namespace equipoise

@@ -82,6 +82,17 @@ bool all_attracted(LaneTask task, const DecisionRule& rule) {
          std::all_of(fates.begin(), fates.end(), [](const Fate& fate) { return fate.outcome == Outcome::attracted; });
 }
 
+DecisionRule rule_of(const std::vector<BalancedTrap>& balanced, int balls) {
+  DecisionRule rule;
+  rule.balls = balls;
+  rule.traps = balanced;
+  rule.window = rule.first_long_window = 1e9;
+  return rule;
+}
+
+// Ten times what the linear flow needs from a level `factor` times the trap's own, and time to settle on it.
+double patience(double factor, double slowest_rate) { return 10.0 * std::log(factor) / -slowest_rate + 500.0; }
+
 // All states on the level `factor` times the trap's own enter one of the `balanced` traps.
 bool all_balance(const BalancedTrap& trap, const std::vector<BalancedTrap>& balanced, const TrialSettings& settings,
                  double slowest_rate, double factor) {
@@ -95,12 +106,8 @@ bool all_balance(const BalancedTrap& trap, const std::vector<BalancedTrap>& bala
     for (int k = 0; k < size; ++k) states[i * size + k] = d[k];
     for (int k = 0; k < balls; ++k) states[i * size + 4 + k] += trap.phi[k];
   }
-  DecisionRule rule;
-  rule.balls = balls;
-  rule.traps = balanced;
-  rule.window = rule.first_long_window = 1e9;
-  // Ten times what the linear flow needs, and time to settle on it.
-  const double end = 10.0 * std::log(factor) / -slowest_rate + 500.0;
+  const DecisionRule rule = rule_of(balanced, balls);
+  const double end = patience(factor, slowest_rate);
   return all_chunks(balanced_tries, settings, [&](std::size_t first, std::size_t count) {
     return all_attracted(task_for(settings, end, count, &states[first * size]), rule);
   });
@@ -142,6 +149,21 @@ void widen(BalancedTrap& trap, const std::vector<BalancedTrap>& balanced, const 
   while (factor > 0.5 && !is_stopped(settings) && !all_balance(trap, balanced, settings, slowest_rate, 2.0 * factor))
     factor *= 0.5;
   set_level(trap, factor * trap.level);
+}
+
+std::vector<char> come_to_balance(std::vector<double> states, const std::vector<BalancedTrap>& balanced,
+                                  const TrialSettings& settings, double slowest_rate) {
+  const int size = model::dimension(settings.parameters->balls);
+  const DecisionRule rule = rule_of(balanced, settings.parameters->balls);
+  const double end = patience(widest_factor, slowest_rate);
+  std::vector<char> came(states.size() / size);
+  all_chunks(came.size(), settings, [&](std::size_t first, std::size_t count) {
+    std::vector<Fate> fates(count);
+    if (!decide_lanes(task_for(settings, end, count, &states[first * size]), rule, fates, nullptr)) return false;
+    for (std::size_t i = 0; i < count; ++i) came[first + i] = fates[i].outcome == Outcome::attracted;
+    return true;
+  });
+  return came;
 }
 
 void set_level(BalancedTrap& trap, double level) {

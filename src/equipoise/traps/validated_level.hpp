@@ -31,6 +31,10 @@ struct TrialSettings {
 void widen(BalancedTrap& trap, const std::vector<BalancedTrap>& balanced, const TrialSettings& settings,
            double slowest_rate, double nearest_foreign);
 
+/// Which of `states`, one after the other, enter one of the `balanced` traps in ten times what the linear flow needs.
+std::vector<char> come_to_balance(std::vector<double> states, const std::vector<BalancedTrap>& balanced,
+                                  const TrialSettings& settings, double slowest_rate);
+
 /// Sets the level and with it the reach.
 void set_level(BalancedTrap& trap, double level);
 
