@@ -59,7 +59,8 @@ class LostOutput(unittest.TestCase):
 
     def test_one_request_to_stop_that_is_heard_twice_in_a_moment_is_one(self):
         # timeout(1) and schedulers signal a program and its whole group.
-        program = subprocess.Popen([PROGRAM, "basin", ROW, "--starts", "1000000000", "--quiet"], stdout=subprocess.PIPE, text=True)
+        program = subprocess.Popen([PROGRAM, "basin", ROW, "--starts", "1000000000", "--quiet"], stdout=subprocess.PIPE,
+                                   text=True)
         time.sleep(3)
         program.send_signal(signal.SIGINT)
         time.sleep(0.001)  # for two that come together are one to the system already
