@@ -5,6 +5,7 @@
 """
 import json
 import os
+import signal
 import subprocess
 import sys
 import tempfile
@@ -55,6 +56,17 @@ class LostOutput(unittest.TestCase):
     def test_a_reader_that_goes_ends_the_program_without_a_word(self):
         done = shell("$E simulate $S --every 0.001 --until 60 | head -1; echo ${PIPESTATUS[0]}")
         self.assertEqual((done.stdout.splitlines()[1], done.stderr), ("141", ""))  # 128 + SIGPIPE, as shells count
+
+    def test_one_request_to_stop_that_is_heard_twice_in_a_moment_is_one(self):
+        # timeout(1) and schedulers signal a program and its whole group.
+        program = subprocess.Popen([PROGRAM, "basin", ROW, "--starts", "1000000000", "--quiet"], stdout=subprocess.PIPE,
+                                   text=True)
+        time.sleep(3)
+        program.send_signal(signal.SIGINT)
+        time.sleep(0.001)  # for two that come together are one to the system already
+        program.send_signal(signal.SIGINT)
+        self.assertIn("PARTIAL", program.communicate(timeout=60)[0])
+        self.assertEqual(program.returncode, 130)
 
     def test_nobody_hearing_standard_error_does_not_end_the_work(self):
         # A line of progress comes after five seconds. The run is stopped by a time limit, as by Ctrl-C.

@@ -214,7 +214,7 @@ class Discoverer {
 
   // The smallest V on any of the pilot's trajectories that ended elsewhere. What is undecided is followed on: it may be
   // on its slow way to balance.
-  double nearest_elsewhere() const {
+  double nearest_elsewhere() {
     const auto size = static_cast<std::ptrdiff_t>(model::dimension(study_.parameters.balls));
     double nearest = 1e300;
     std::vector<std::size_t> open;
