@@ -257,7 +257,7 @@ IntegrationStatus follow(const model::Parameters& p, double speed, Eigen::Vector
   const IntegrationStatus status =
       model::is_strobed(p) ? follow_balls<strobed>(p, speed, state, duration, tolerance, statistics, samples, stop)
                            : follow_balls<autonomous>(p, speed, state, duration, tolerance, statistics, samples, stop);
-  return stop && stop->load(std::memory_order_relaxed) ? IntegrationStatus::failed : status;
+  return is_set(stop) ? IntegrationStatus::failed : status;
 }
 
 }  // namespace equipoise

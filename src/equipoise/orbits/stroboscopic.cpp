@@ -269,7 +269,7 @@ std::vector<double> strobed_exponents(const model::Parameters& p, double speed, 
     for (Index k = 0; k < count; ++k) vectors(i, k) = std::sin(1.0 + 2.3 * double(i) + 5.1 * double(k * (i + 1)));
   VectorXd sums = VectorXd::Zero(count);
   for (long done = -alignment; done < strobes; ++done) {
-    if (stop && stop->load(std::memory_order_relaxed)) return {};
+    if (is_set(stop)) return {};
     const auto [directions, stretches] = dense::thin_qr(vectors);
     if (done > 0) sums += stretches.cwiseAbs().array().log().matrix();
     auto flight = follow_tangents(p, speed, z, directions, step, accuracy);
