@@ -15,10 +15,7 @@
 namespace equipoise::app {
 
 void choose_cpu(const std::string& name) {
-  if (name.empty() || use_cpu_target(name)) return;
-  std::string known;
-  for (const std::string& target : cpu_targets()) known += (known.empty() ? "" : ", ") + target;
-  throw InputError("--cpu", "", display_text(name), "must be one of those this program is built for and this machine has: " + known);
+  if (!name.empty()) require_cpu_target(name, "--cpu", "");
 }
 
 double option_time(const char* option, const std::string& text, const Study& study, double least, double most,

@@ -24,10 +24,8 @@ struct SimulateArguments {
   std::optional<std::string> every, until, tolerance;
 };
 
-constexpr double last_time = last_output_time;
-
 double time_option(const char* option, const std::string& text, const Study& study) {
-  return option_time(option, text, study, 0.0, last_time, "a number from 0 to 1e9");
+  return option_time(option, text, study, 0.0, last_output_time, "a number from 0 to 1e9");
 }
 
 // "T,T,..."
@@ -57,7 +55,7 @@ std::vector<double> output_times(const SimulateArguments& a, const Study& study)
   std::optional<double> until, every;
   if (a.until) until = time_option("--until", *a.until, study);
   if (a.every)
-    every = option_time("--every", *a.every, study, 1e-300, last_time, "a number greater than 0, at most 1e9");
+    every = option_time("--every", *a.every, study, 1e-300, last_output_time, "a number greater than 0, at most 1e9");
   try {
     return equipoise::output_times(study, until, every);
   } catch (const InputError& e) {

@@ -25,7 +25,7 @@ void Reporting::guarded(const Call& call) {
 }
 
 void Reporting::heed_stop() {
-  if (asked_.stop && asked_.stop->load(std::memory_order_relaxed)) stop_ = true;
+  if (is_set(asked_.stop)) stop_ = true;
 }
 
 void Reporting::answer(std::unique_lock<std::mutex>& lock) {

@@ -287,7 +287,7 @@ class BasinRun {
   void explain_undecided() {
     const double share = result_.undecided.share;
     const bool many = result_.starts > 0 && share > undecided_worth_a_word;
-    const bool stopped = runner_->stopped() || (options_.stop && options_.stop->load(std::memory_order_relaxed));
+    const bool stopped = runner_->stopped() || is_set(options_.stop);
     const bool may_hold = !stopped && result_.study.speed.driven() && result_.study.release.speed;
     const std::vector<UndecidedEnd> ends =
         !stopped && (many || may_hold) ? runner_->look_at(undecided_) : std::vector<UndecidedEnd>{};

@@ -51,7 +51,7 @@ CertifyResult proofs(const Study& study, const RunOptions& options) {
     return result;
   }
   const bool copies = p.balls == 2 && p.equal_balls() && analysis.traps.size() == 2;
-  const auto stopped = [&] { return options.stop && options.stop->load(std::memory_order_relaxed); };
+  const auto stopped = [&] { return is_set(options.stop); };
   const std::size_t states = copies ? 1 : analysis.traps.size();
   const auto report = [&] {
     if (options.progress) options.progress({result.states.size(), states, "balanced states", {}});

@@ -16,7 +16,7 @@ void compute_chunks(const ChunkWork& work, std::uint64_t first, std::uint64_t li
   ChunkSize size(limit - first, work.threads, work.machine);
   std::uint64_t next = first;
   const auto make = [&](tbb::flow_control& control) -> std::shared_ptr<Chunk> {
-    const bool stop_asked = work.stop && work.stop->load(std::memory_order_relaxed);
+    const bool stop_asked = is_set(work.stop);
     if (finished || lost || stop_asked || next >= limit) {
       if (!finished && next < limit) lost = true;
       control.stop();

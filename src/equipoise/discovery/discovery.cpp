@@ -150,7 +150,7 @@ class Discoverer {
   }
 
  private:
-  bool is_stopped() const { return settings_.stop && settings_.stop->load(std::memory_order_relaxed); }
+  bool is_stopped() const { return is_set(settings_.stop); }
   Discovery stopped() {
     result_.stopped = true;
     return std::move(result_);
@@ -371,8 +371,7 @@ class Discoverer {
         make_strobed_trap(a.motion, a.id);
       else
         make_orbit_traps(a);
-    if (!strobed_) return !is_stopped();
-    result_.rule.strobed = traps_as_rule(study_.parameters, speed_, strobed_traps_, family_);
+    if (strobed_) result_.rule.strobed = traps_as_rule(study_.parameters, speed_, strobed_traps_, family_);
     return !is_stopped();
   }
 

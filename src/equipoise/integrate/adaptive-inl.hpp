@@ -9,11 +9,11 @@
 
 #include <algorithm>
 #include <array>
-#include <atomic>
 #include <cmath>
 #include <limits>
 #include <type_traits>
 
+#include "equipoise/base/stop_flag.hpp"
 #include "equipoise/integrate/dop853-inl.hpp"
 #include "equipoise/integrate/status.hpp"
 #include "equipoise/model/parameters.hpp"
@@ -59,12 +59,12 @@ class AdaptiveIntegrator {
   // length, not with the dense output, so that what follows starts as accurately as every other step ends.
   template <class Observe>
   IntegrationStatus advance(double begin, double end, double* y, Observe&& observe,
-                            const std::atomic<bool>* stop = nullptr) {
+                            const StopFlag* stop = nullptr) {
     double t = begin, previous_error = 1.0;
     reached_ = begin;
     double h = first_step(begin, end, y);
     bool rejected = false;
-    for (long steps = 0; t < end && !(stop && stop->load(std::memory_order_relaxed)); ++steps) {
+    for (long steps = 0; t < end && !is_set(stop); ++steps) {
       if (steps == max_steps) return IntegrationStatus::failed;
       const bool last = t + 1.0000001 * h >= end;
       if (last) h = end - t;

@@ -31,7 +31,7 @@ void apply_speed_jump(double jump, double* xyuv) {
 IntegrationStatus integrate_clamped(const model::Parameters& p, const std::vector<model::Segment>& segments,
                                     const std::array<double, 4>& initial, double tolerance, ClampedBasis& basis,
                                     const std::vector<double>& times, const ClampedObserver& observe, double until,
-                                    const std::atomic<bool>* stop) {
+                                    const StopFlag* stop) {
   basis = {};
   for (int j = 0; j < 4; ++j) basis.values[j] = initial[j];
   kernels::ErrorScale<kernels::ClampedBasisFlow::dimension> scale;
@@ -41,7 +41,7 @@ IntegrationStatus integrate_clamped(const model::Parameters& p, const std::vecto
   std::size_t next = 0;
   for (std::size_t k = 0; k < segments.size() && segments[k].clamped; ++k) {
     const model::Segment& segment = segments[k];
-    if (stop && stop->load(std::memory_order_relaxed)) return IntegrationStatus::done;
+    if (is_set(stop)) return IntegrationStatus::done;
     for (; next < times.size() && times[next] == segment.begin; ++next) observe(segment.begin, segment, basis);
     const double end = std::min(segment.end, until);
     if (!(segment.begin < end)) return IntegrationStatus::done;

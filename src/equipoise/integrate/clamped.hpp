@@ -2,11 +2,11 @@
 #pragma once
 
 #include <array>
-#include <atomic>
 #include <functional>
 #include <limits>
 #include <vector>
 
+#include "equipoise/base/stop_flag.hpp"
 #include "equipoise/integrate/status.hpp"
 #include "equipoise/model/parameters.hpp"
 #include "equipoise/model/speed.hpp"
@@ -35,6 +35,6 @@ IntegrationStatus integrate_clamped(const model::Parameters& p, const std::vecto
                                     const std::array<double, 4>& initial, double tolerance, ClampedBasis& basis,
                                     const std::vector<double>& times = {}, const ClampedObserver& observe = {},
                                     double until = std::numeric_limits<double>::infinity(),
-                                    const std::atomic<bool>* stop = nullptr);
+                                    const StopFlag* stop = nullptr);
 
 }  // namespace equipoise

@@ -9,12 +9,12 @@
 
 #include <algorithm>
 #include <array>
-#include <atomic>
 #include <cmath>
 #include <cstddef>
 #include <limits>
 
 #include "equipoise/base/angles.hpp"
+#include "equipoise/base/stop_flag.hpp"
 #include "equipoise/integrate/adaptive-inl.hpp"
 #include "equipoise/integrate/ball_contacts-inl.hpp"
 #include "equipoise/integrate/clamped.hpp"
@@ -64,9 +64,9 @@ class MachineTrajectory {
   // Goes on to `end`, or until observe(from, to, state_at) answers true, which it is asked after each step; state_at(t,
   // out) is the state within. Ends early, as `done`, once `stop` is set.
   template <class Observe>
-  IntegrationStatus advance(double end, Observe&& observe, const std::atomic<bool>* stop = nullptr) {
+  IntegrationStatus advance(double end, Observe&& observe, const StopFlag* stop = nullptr) {
     bool ended = false;
-    while (t_ < end && !ended && !(stop && stop->load(std::memory_order_relaxed))) {
+    while (t_ < end && !ended && !is_set(stop)) {
       enter();
       if (clamped_ && t_ >= drive_.release_time) release();
       double until = std::min(end, flow_.drive.end);

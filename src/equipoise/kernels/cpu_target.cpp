@@ -1,22 +1,27 @@
-// A CPU target for one call.
+// CPU targets by name.
 #include "equipoise/kernels/cpu_target.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include "equipoise/base/display_text.hpp"
 #include "equipoise/base/error.hpp"
 
 namespace equipoise {
 
-ChosenCpuTarget::ChosenCpuTarget(const std::string& name) {
-  if (name.empty()) return;
+void require_cpu_target(const std::string& name, const std::string& where, const std::string& key) {
   const std::string before = cpu_target();
-  if (name == before) return;
-  if (!use_cpu_target(name)) {
-    use_cpu_target(before);
-    throw InputError("options", "cpu_target", name,
-                     fmt::format("must be one of those this machine has: {}", fmt::join(cpu_targets(), ", ")));
-  }
+  if (use_cpu_target(name)) return;
+  use_cpu_target(before);
+  throw InputError(where, key, display_text(name),
+                   fmt::format("must be one of those this program is built for and this machine has: {}",
+                               fmt::join(cpu_targets(), ", ")));
+}
+
+ChosenCpuTarget::ChosenCpuTarget(const std::string& name) {
+  const std::string before = cpu_target();
+  if (name.empty() || name == before) return;
+  require_cpu_target(name, "options", "cpu_target");
   before_ = before;
 }
 

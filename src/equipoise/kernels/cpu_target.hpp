@@ -14,6 +14,10 @@ std::vector<std::string> cpu_targets();
 /// Not to be called while kernels run.
 bool use_cpu_target(const std::string& name);
 
+/// The same for a name given at `where`, under `key`: throws InputError that names both, and leaves everything as it
+/// was, if it is not among cpu_targets().
+void require_cpu_target(const std::string& name, const std::string& where, const std::string& key);
+
 /// A call's own choice, for as long as this lives.
 class ChosenCpuTarget {
  public:

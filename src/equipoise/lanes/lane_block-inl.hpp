@@ -64,7 +64,7 @@ class LaneBlock {
     }
     const Flow flow = flow_;  // one that no store can change: what is constant in it is computed once
     while (working_ > 0) {
-      if (task_.stop && task_.stop->load(std::memory_order_relaxed)) return false;
+      if (is_set(task_.stop)) return false;
       advance(flow);
     }
     if (task_.work) {

@@ -141,7 +141,7 @@ class Mapper {
     return study;
   }
 
-  bool stopped() const { return settings_.stop && settings_.stop->load(std::memory_order_relaxed); }
+  bool stopped() const { return is_set(settings_.stop); }
 
   void compute_line(int line) {
     const int length = lines_along_y_ ? map_.y.pixels : map_.x.pixels;

@@ -258,7 +258,7 @@ IntegrationStatus follow(const model::System& system, Eigen::VectorXd& state, do
   const IntegrationStatus status =
       system.autonomous() ? follow_balls<autonomous>(p, speed, state, duration, tolerance, statistics, samples, stop)
                           : follow_balls<strobed>(p, speed, state, duration, tolerance, statistics, samples, stop);
-  return stop && stop->load(std::memory_order_relaxed) ? IntegrationStatus::failed : status;
+  return is_set(stop) ? IntegrationStatus::failed : status;
 }
 
 }  // namespace equipoise

@@ -227,7 +227,7 @@ ContinuumSurvey BalancedContinuum::survey(const StopFlag* stop) const {
   ContinuumDraws source(balanced_);
   std::vector<std::pair<double, Angles>> found;
   Angles phi{};
-  const auto going_on = [&] { return !(stop && stop->load(std::memory_order_relaxed)); };
+  const auto going_on = [&] { return !is_set(stop); };
   for (int k = 0; k < draws && going_on() && source.next(phi); ++k) found.emplace_back(rate_at(phi.data()), phi);
   if (found.empty()) return result;
   std::stable_sort(found.begin(), found.end(), [](const auto& a, const auto& b) { return a.first < b.first; });

@@ -59,7 +59,7 @@ std::vector<double> lyapunov_exponents(const model::System& system, const Vector
   VectorXd here = state, sums = VectorXd::Zero(columns);
   double leg = 1.0, t = 0.0;
   while (t < alignment + duration) {
-    if (stop && stop->load(std::memory_order_relaxed)) return {};
+    if (is_set(stop)) return {};
     const bool aligned = t >= alignment;
     const double end = aligned ? alignment + duration : alignment;
     const bool last = t + leg >= end;

@@ -48,8 +48,6 @@ std::pair<Box, Box> halves(const Box& box) {
   return result;
 }
 
-bool set(const StopFlag* stop) { return stop && stop->load(std::memory_order_relaxed); }
-
 const CertificateResult not_finished{false, "stopped before it was proved"};
 
 template <int n>
@@ -65,7 +63,7 @@ CertificateResult prove(Certificate& c, long budget, const StopFlag* stop) {
     Work work = waiting.back();
     waiting.pop_back();
     if (proof.outside(work.box)) continue;
-    if (set(stop)) return not_finished;
+    if (is_set(stop)) return not_finished;
     if (budget-- <= 0) return {false, fmt::format("the boxes allowed do not suffice to prove level {:.6g}", c.level)};
     if (proof.find(work.box)) {
       c.boxes.push_back(work.box);
@@ -106,7 +104,7 @@ CertificateResult check(const Certificate& c, const StopFlag* stop) {
   if (!covered<n>(proof, root<n>(), boxes.begin(), boxes.end(), 0))
     return {false, "the boxes do not cover the level set, each part of it once"};
   for (const Box& box : c.boxes) {
-    if (set(stop)) return not_finished;
+    if (is_set(stop)) return not_finished;
     if (!proof.holds(box))
       return {false,
               fmt::format("the box at tau = ({:.4g}, {:.4g}) does not prove that V decreases", box.low[0], box.low[1])};
@@ -195,7 +193,7 @@ Certificate largest_certificate(const model::Parameters& p, double speed, const 
   while (high - low > finest) {
     Certificate trial;
     const CertificateResult result = prove_level(p, speed, phi, form, share * critical, trial, default_budget, stop);
-    if (set(stop)) {
+    if (is_set(stop)) {
       problem = not_finished.reason;
       break;
     }

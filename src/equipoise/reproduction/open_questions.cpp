@@ -35,7 +35,6 @@ SamplingBox stated_box() {
   return box;
 }
 
-bool stopped(const OpenQuestionSettings& s) { return s.stop && s.stop->load(std::memory_order_relaxed); }
 
 // What a part reports, under the part's name.
 std::function<void(const Progress&)> renamed(const OpenQuestionSettings& settings, const std::string& part) {
@@ -91,7 +90,7 @@ OpenQuestions answered(const OpenQuestionSettings& settings) {
              {"balancer.mass", 0.0, 0.1, pixels}, {});
   result.complete = result.eccentricity_and_angle.complete && result.eccentricity_and_mass.complete;
   for (const double speed : speeds) {
-    if (stopped(settings)) break;
+    if (is_set(settings.stop)) break;
     BoxShares shares{speed, {}, {}};
     DiscoveryCache discoveries;  // both samples end at one speed
     shares.box =

@@ -75,7 +75,7 @@ Study ramp_study(double zeta, double beta, double final, double duration, double
 std::optional<Eigen::VectorXd> state_on(const std::string& alias, const model::Parameters& p, double speed,
                                         const StopFlag* stop) {
   constexpr std::uint64_t tries = 400;
-  for (std::uint64_t index = 0; index < tries && !(stop && stop->load()); ++index) {
+  for (std::uint64_t index = 0; index < tries && !is_set(stop); ++index) {
     Eigen::VectorXd state = Eigen::VectorXd::Zero(model::dimension(p.balls));
     double phi[2];
     start_angles(1, index, 2, phi);

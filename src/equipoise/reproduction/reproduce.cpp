@@ -53,7 +53,7 @@ class TableRun {
  private:
   bool under_published(const PublishedTable& t) const { return !t.ramps || options_.laws != LawChoice::kinematic; }
   bool under_kinematic(const PublishedTable& t) const { return t.ramps && options_.laws != LawChoice::published; }
-  bool stopped() const { return options_.stop && options_.stop->load(std::memory_order_relaxed); }
+  bool stopped() const { return is_set(options_.stop); }
 
   std::uint64_t starts_of(const PublishedRow& row) const {
     return options_.starts > 0 ? options_.starts : row.cells.front().share.starts;

@@ -64,7 +64,7 @@ class WholePaper {
   }
 
  private:
-  bool stopped() const { return options_.stop && options_.stop->load(std::memory_order_relaxed); }
+  bool stopped() const { return is_set(options_.stop); }
 
   void report(std::size_t figure, const std::string& id) const {
     if (options_.progress) options_.progress({figure, options_.figures.size(), id, {}});

@@ -2,30 +2,13 @@
 #include "equipoise/study/given_value.hpp"
 
 #include <algorithm>
-#include <array>
 #include <charconv>
 #include <cmath>
 #include <system_error>
-#include <utility>
 
 #include "equipoise/study/physical_keys.hpp"
 
 namespace equipoise::study {
-
-namespace {
-
-constexpr std::array<std::pair<const char*, Dimension>, 8> rotor_and_balancer{{
-    {"rotor.stiffness", Dimension::stiffness},
-    {"rotor.damping", Dimension::damping},
-    {"rotor.eccentricity", Dimension::length},
-    {"rotor.gravity", Dimension::acceleration},
-    {"rotor.inertia", Dimension::inertia},
-    {"balancer.mass", Dimension::mass},
-    {"balancer.race_offset", Dimension::length},
-    {"balancer.contact_angle", Dimension::angle},
-}};
-
-}  // namespace
 
 std::optional<ValueUnit> unit_of(const Study& study, Dimension dimension) {
   if (!study.scales) return std::nullopt;
@@ -33,8 +16,8 @@ std::optional<ValueUnit> unit_of(const Study& study, Dimension dimension) {
 }
 
 std::optional<ValueUnit> unit_of(const Study& study, const std::string& key) {
-  for (const auto& [name, dimension] : rotor_and_balancer)
-    if (key == name) return unit_of(study, dimension);
+  for (const auto& [table, name, dimension] : rotor_and_balancer)
+    if (key == std::string(table) + "." + name) return unit_of(study, dimension);
   const model::Parameters& p = study.parameters;
   const auto last = p.mass.begin() + p.balls;
   if (key == "balancer.drag" && std::equal(p.mass.begin() + 1, last, p.mass.begin())) {

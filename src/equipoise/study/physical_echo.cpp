@@ -32,25 +32,18 @@ void multiply(StudyValue& table, const std::string& key, Dimension dimension, co
 void make_physical(StudyValue& root, const model::Parameters& p, const model::Scales& s) {
   StudyValue& rotor = *find_table(root, "rotor");
   const auto scaled = [&](StudyValue& table, const char* key, Dimension dimension) {
-    multiply(table, key, dimension, {scale_of(dimension, s)});
+    if (dimension != Dimension::angle) multiply(table, key, dimension, {scale_of(dimension, s)});
   };
   rotor.set("mass", quantity_text(s.mass, Dimension::mass));
-  scaled(rotor, "stiffness", Dimension::stiffness);
-  scaled(rotor, "damping", Dimension::damping);
-  scaled(rotor, "eccentricity", Dimension::length);
-  scaled(rotor, "gravity", Dimension::acceleration);
-  scaled(rotor, "inertia", Dimension::inertia);
   StudyValue& balancer = *find_table(root, "balancer");
   balancer.set("race_radius", quantity_text(s.length, Dimension::length));
   std::vector<double> drag;  // D_i = beta_i m_i R^2 omega_c
   for (int i = 0; i < p.balls; ++i) drag.push_back(p.mass[static_cast<std::size_t>(i)] * scale_of(Dimension::gain, s));
   multiply(balancer, "drag", Dimension::gain, drag);
-  scaled(balancer, "mass", Dimension::mass);
-  scaled(balancer, "race_offset", Dimension::length);
+  for (const auto& [table, key, dimension] : rotor_and_balancer) scaled(*find_table(root, table), key, dimension);
   for (const QuantityTable& quantities : quantity_tables())
     if (StudyValue* table = find_table(root, quantities.name))
-      for (const auto& [key, dimension, range] : quantities.keys)
-        if (dimension != Dimension::angle) scaled(*table, key, dimension);
+      for (const auto& [key, dimension, range] : quantities.keys) scaled(*table, key, dimension);
   root.erase("units");
 }
 

@@ -1,8 +1,9 @@
 // The keys that hold one quantity (or an array of them) in a physical study and the same quantity over its scale in a
-// dimensionless one. [rotor] and [balancer] are not so simple: physical.cpp and physical_echo.cpp have them.
+// dimensionless one. [rotor] and [balancer] are read in other ways besides, and the drag of a ball goes with its mass:
+// physical.cpp and physical_echo.cpp have that.
 #pragma once
 
-#include <algorithm>
+#include <array>
 #include <string>
 #include <vector>
 
@@ -60,14 +61,25 @@ inline std::vector<QuantityTable> quantity_tables() {
             {"settled", Dimension::length, positive}}}};
 }
 
+/// A key of [rotor] or [balancer] whose dimensionless value is the quantity over its scale.
+struct ScaledKey {
+  const char *table, *key;
+  Dimension dimension;
+};
+inline constexpr std::array<ScaledKey, 8> rotor_and_balancer{{
+    {"rotor", "stiffness", Dimension::stiffness},
+    {"rotor", "damping", Dimension::damping},
+    {"rotor", "eccentricity", Dimension::length},
+    {"rotor", "gravity", Dimension::acceleration},
+    {"rotor", "inertia", Dimension::inertia},
+    {"balancer", "mass", Dimension::mass},
+    {"balancer", "race_offset", Dimension::length},
+    {"balancer", "contact_angle", Dimension::angle},
+}};
+
 /// The table with this dotted name, or null.
 inline StudyValue* find_table(StudyValue& root, const std::string& name) {
-  StudyValue* table = &root;
-  for (std::size_t begin = 0; table && begin <= name.size();) {
-    const std::size_t dot = std::min(name.find('.', begin), name.size());
-    table = table->find(name.substr(begin, dot - begin));
-    begin = dot + 1;
-  }
+  StudyValue* table = root.find_path(name);
   return table && table->table() ? table : nullptr;
 }
 

@@ -29,6 +29,20 @@ StudyValue* StudyValue::find(std::string_view key) {
 
 const StudyValue* StudyValue::find(std::string_view key) const { return const_cast<StudyValue*>(this)->find(key); }
 
+StudyValue* StudyValue::find_path(std::string_view dotted) {
+  StudyValue* value = this;
+  for (std::size_t begin = 0; value && begin <= dotted.size();) {
+    const std::size_t dot = std::min(dotted.find('.', begin), dotted.size());
+    value = value->find(dotted.substr(begin, dot - begin));
+    begin = dot + 1;
+  }
+  return value;
+}
+
+const StudyValue* StudyValue::find_path(std::string_view dotted) const {
+  return const_cast<StudyValue*>(this)->find_path(dotted);
+}
+
 StudyValue& StudyValue::set(std::string key, StudyValue value) {
   auto* members = std::get_if<Table>(&value_);
   if (!members) throw std::logic_error("a value that is no table has no members");

@@ -53,6 +53,9 @@ class StudyValue {
   /// A table's member; null if there is none, or this is no table.
   const StudyValue* find(std::string_view key) const;
   StudyValue* find(std::string_view key);
+  /// The member of a member and so on, "speed.torque.target"; null if there is none.
+  const StudyValue* find_path(std::string_view dotted) const;
+  StudyValue* find_path(std::string_view dotted);
   /// Gives a table's member another value, in its place, or adds it at the end, and returns it. Throws std::logic_error
   /// if this is no table.
   StudyValue& set(std::string key, StudyValue value);

@@ -16,20 +16,6 @@
 
 namespace equipoise::study {
 
-std::string printable(std::string_view text, std::size_t longest) {
-  std::string result;
-  for (const char c : text) {
-    const auto byte = static_cast<unsigned char>(c);
-    const bool continues_character = (byte & 0xC0) == 0x80;
-    if (result.size() >= longest && !continues_character) return result + "...";
-    if (byte < 0x20 || byte == 0x7F)
-      result += fmt::format("\\u{:04X}", byte);
-    else
-      result += c;
-  }
-  return result;
-}
-
 namespace {
 
 // A misspelling is this close to what was meant.
@@ -208,12 +194,7 @@ Document document_of(StudyValue tree, const std::string& name, const std::vector
 
 TableReader::TableReader(const Document& document, std::string prefix)
     : document_(document), prefix_(std::move(prefix)) {
-  const StudyValue* value = &document.root;
-  for (std::size_t begin = 0; value && begin <= prefix_.size();) {
-    const std::size_t dot = std::min(prefix_.find('.', begin), prefix_.size());
-    value = value->find(std::string_view(prefix_).substr(begin, dot - begin));
-    begin = dot + 1;
-  }
+  const StudyValue* value = document.root.find_path(prefix_);
   if (!value) return;
   table_ = value->table() ? value : nullptr;
   if (!table_)

@@ -92,7 +92,7 @@ struct Task {
   const StopFlag* stop;
   RowCount& rows;
 
-  bool stopped() const { return stop && stop->load(std::memory_order_relaxed); }
+  bool stopped() const { return is_set(stop); }
 };
 
 void simulate_free(const Task& task, const std::vector<model::Segment>& segments, std::size_t first,

@@ -94,7 +94,7 @@ ClampedTransients::ClampedTransients(const model::Parameters& p, const std::vect
   };
   const auto status = integrate_clamped(p, segments, initial, tolerance, at_release, times_, observe,
                                         std::numeric_limits<double>::infinity(), stop);
-  if (stop && stop->load(std::memory_order_relaxed)) {
+  if (is_set(stop)) {
     times_.clear();
     return;
   }

@@ -44,7 +44,7 @@ StrobedBalance analyse_strobed_balance(const model::Parameters& p, double speed,
   double slowest = -std::numeric_limits<double>::infinity(), fastest_growth = 0.0;
   bool lost = false;
   for (const auto& phi : angles) {
-    if (stop && stop->load(std::memory_order_relaxed)) return result;
+    if (is_set(stop)) return result;
     const auto orbit = balanced_orbit({p, speed}, phi.data());
     if (!orbit) {
       lost = true;

@@ -60,10 +60,6 @@ bool all_chunks(std::size_t total, const TrialSettings& settings, Work&& work) {
   return good;
 }
 
-bool is_stopped(const TrialSettings& settings) {
-  return settings.stop && settings.stop->load(std::memory_order_relaxed);
-}
-
 LaneTask task_for(const TrialSettings& settings, double end, std::size_t count, double* states) {
   LaneTask task;
   task.parameters = settings.parameters;
@@ -146,7 +142,7 @@ void widen(BalancedTrap& trap, const std::vector<BalancedTrap>& balanced, const 
   for (int i = 0; i < balls; ++i) factor = std::min(factor, 0.5 * std::pow(pi / trap.reach[model::index::phi(i)], 2));
   factor = std::min(factor, 0.5 * nearest_foreign / trap.level);
   // At half the level and below, twice of it is where V decreases, and nothing is left to try.
-  while (factor > 0.5 && !is_stopped(settings) && !all_balance(trap, balanced, settings, slowest_rate, 2.0 * factor))
+  while (factor > 0.5 && !is_set(settings.stop) && !all_balance(trap, balanced, settings, slowest_rate, 2.0 * factor))
     factor *= 0.5;
   set_level(trap, factor * trap.level);
 }
@@ -244,7 +240,7 @@ Members members_to_try(const BalancedContinuum& continuum, const ContinuumSurvey
       survey.rates.begin());
   const std::size_t count = survey.members.size() - first, taken = std::min(most, count);
   const int balls = settings.parameters->balls;
-  for (std::size_t k = 0; k < taken && !is_stopped(settings); ++k) {
+  for (std::size_t k = 0; k < taken && !is_set(settings.stop); ++k) {
     auto m = continuum.member(survey.members[first + k * count / taken].data());
     if (!m || m->form.size() == 0 || !(m->rate <= result.slowest_rate)) continue;
     result.unit = std::max(result.unit, m->unit);
