@@ -30,8 +30,8 @@ def run(*arguments, **options):
 
 class LostOutput(unittest.TestCase):
     COMMANDS = ("--version", "--help", "basin --help", "explain $S", "explain $S --json", "simulate $S --at 1",
-                "simulate $S --every 0.01 --until 60", "certify $S", "basin $S --starts 10 --quiet",
-                "basin $S --start-index 3", "attractors $S --starts 10 --quiet")
+                "simulate $S --every 0.01 --until 60", "certify $S --quiet", "basin $S --starts 10 --quiet",
+                "basin $S --start-index 3 --quiet", "attractors $S --starts 10 --quiet")
 
     def test_a_full_or_closed_standard_output_is_said_in_one_line_with_exit_code_1(self):
         for command in self.COMMANDS:

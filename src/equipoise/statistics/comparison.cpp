@@ -4,27 +4,22 @@
 #include <algorithm>
 #include <cmath>
 
-#include <boost/math/distributions/binomial.hpp>
-#include <boost/math/distributions/normal.hpp>
+#include "equipoise/statistics/distributions.hpp"
 
 namespace equipoise {
 
 namespace {
 
-double normal_quantile(double confidence) {
-  return boost::math::quantile(boost::math::normal(), 0.5 + 0.5 * confidence);
-}
-
 // Two-sided exact test that two rare counts have one rate: given their sum, the first is binomial.
 double rare_p_value(std::uint64_t k1, double n1, std::uint64_t k2, double n2) {
   const std::uint64_t sum = k1 + k2;
   if (sum == 0) return 1.0;
-  const boost::math::binomial law(static_cast<double>(sum), n1 / (n1 + n2));
+  const Binomial law{static_cast<double>(sum), n1 / (n1 + n2)};
   // Outcomes as likely as the one seen count; the factor keeps ties from being decided by rounding.
-  const double seen = boost::math::pdf(law, static_cast<double>(k1)) * (1.0 + 1e-9);
+  const double seen = law.mass(k1) * (1.0 + 1e-9);
   double p = 0.0;
   for (std::uint64_t k = 0; k <= sum; ++k)
-    if (const double q = boost::math::pdf(law, static_cast<double>(k)); q <= seen) p += q;
+    if (const double q = law.mass(k); q <= seen) p += q;
   return std::min(1.0, p);
 }
 
@@ -80,7 +75,7 @@ ShareDifference paired_difference(const CommonStarts& starts, double confidence)
   const double p_gained = (gained + 1.0) / (n + 2.0), p_lost = (lost + 1.0) / (n + 2.0);
   const double centre = p_gained - p_lost;
   const double half =
-      normal_quantile(confidence) * std::sqrt(std::max(0.0, p_gained + p_lost - centre * centre) / (n + 2.0));
+      normal_half_width(confidence) * std::sqrt(std::max(0.0, p_gained + p_lost - centre * centre) / (n + 2.0));
   result.low = std::max(-1.0, centre - half);
   result.high = std::min(1.0, centre + half);
   return result;

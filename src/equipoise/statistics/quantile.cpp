@@ -5,8 +5,7 @@
 #include <cmath>
 #include <limits>
 
-#include <boost/math/distributions/binomial.hpp>
-#include <boost/math/distributions/students_t.hpp>
+#include "equipoise/statistics/distributions.hpp"
 
 namespace equipoise {
 
@@ -25,13 +24,12 @@ double middle_of(int bin) {
 RankInterval quantile_ranks(std::uint64_t count, double probability, double confidence) {
   if (count == 0) return {0, 1};
   const double tail = 0.5 * (1.0 - confidence);
-  const boost::math::binomial law(static_cast<double>(count), probability);
-  const auto rank = [](std::uint64_t k) { return static_cast<double>(k); };
+  const Binomial law{static_cast<double>(count), probability};
   // The largest l with P(K < l) <= tail, by bisection: true for `from`, false for `to`.
   std::uint64_t from = 0, to = count + 1;
   while (to - from > 1) {
     const std::uint64_t l = from + (to - from) / 2;
-    (cdf(law, rank(l - 1)) <= tail ? from : to) = l;
+    (law.up_to(l - 1) <= tail ? from : to) = l;
   }
   RankInterval result;
   result.low = from;
@@ -40,7 +38,7 @@ RankInterval quantile_ranks(std::uint64_t count, double probability, double conf
   to = count + 1;
   while (to - from > 1) {
     const std::uint64_t u = from + (to - from) / 2;
-    (cdf(complement(law, rank(u - 1))) <= tail ? to : from) = u;
+    (law.above(u - 1) <= tail ? to : from) = u;
   }
   result.high = to;
   return result;
@@ -136,7 +134,7 @@ SampleSummary Distribution::summary(double confidence) const {
   const double finite = finite_weight_ > 0.0 ? finite_weight_ * finite_weight_ / finite_weight_squared_ : 0.0;
   if (finite > 1.0) {
     const double error = std::sqrt(squares_ / finite_weight_ / (finite - 1.0));
-    const double half = error * quantile(boost::math::students_t(finite - 1.0), 0.5 + 0.5 * confidence);
+    const double half = error * students_t_half_width(finite - 1.0, confidence);
     result.mean_low = std::max(0.0, mean_ - half);
     result.mean_high = mean_ + half;
   } else {  // one start says nothing of how others differ

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <numeric>
 
-#include <boost/math/distributions/students_t.hpp>
+#include "equipoise/statistics/distributions.hpp"
 
 namespace equipoise {
 
@@ -21,7 +21,7 @@ Share replicated_share(std::span<const std::uint64_t> counts, std::span<const st
     const double deviation = static_cast<double>(counts[r]) / static_cast<double>(totals[r]) - p;
     squares += deviation * deviation;
   }
-  const double t = boost::math::quantile(boost::math::students_t(replicates - 1.0), 0.5 + 0.5 * confidence);
+  const double t = students_t_half_width(replicates - 1.0, confidence);
   const double least = (1.0 - std::pow(1.0 - confidence, 1.0 / replicates)) * replicates / static_cast<double>(total);
   const double half = std::max(t * std::sqrt(squares / (replicates * (replicates - 1.0))), least);
   result.least = result.low = std::max(0.0, p - half);

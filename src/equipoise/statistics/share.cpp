@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include <boost/math/distributions/normal.hpp>
+#include "equipoise/statistics/distributions.hpp"
 
 namespace equipoise {
 
@@ -12,7 +12,7 @@ namespace {
 
 // `n` starts, not a whole number if they have weights.
 void put_interval(Share& result, double n, double confidence) {
-  const double z = boost::math::quantile(boost::math::normal(), 0.5 + 0.5 * confidence), p = result.share;
+  const double z = normal_half_width(confidence), p = result.share;
   const double centre = (p + 0.5 * z * z / n) / (1.0 + z * z / n);
   const double half = z / (1.0 + z * z / n) * std::sqrt(p * (1.0 - p) / n + 0.25 * z * z / (n * n));
   result.low = result.count == 0 ? 0.0 : std::max(0.0, centre - half);

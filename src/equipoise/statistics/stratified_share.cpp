@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include <boost/math/distributions/students_t.hpp>
+#include "equipoise/statistics/distributions.hpp"
 
 namespace equipoise {
 
@@ -22,8 +22,7 @@ Share stratified_share(const PairedCounts& counts, bool complete, double confide
   const double p = result.share;
   result.standard_error = std::sqrt(counts.split_squared) / counts.weight;
   const double half =
-      result.standard_error *
-      boost::math::quantile(boost::math::students_t(static_cast<double>(counts.split)), 0.5 + 0.5 * confidence);
+      result.standard_error * students_t_half_width(static_cast<double>(counts.split), confidence);
   result.least = result.low = std::max(0.0, p - half);
   result.most = result.high = std::min(1.0, p + half);
   result.by = IntervalBy::pairs;

@@ -1,0 +1,26 @@
+// All that is asked of Boost.Math, compiled once.
+#include "equipoise/statistics/distributions.hpp"
+
+#include <boost/math/distributions/binomial.hpp>
+#include <boost/math/distributions/normal.hpp>
+#include <boost/math/distributions/students_t.hpp>
+
+namespace equipoise {
+
+namespace {
+boost::math::binomial law(const Binomial& b) { return {b.trials, b.probability}; }
+}  // namespace
+
+double normal_half_width(double confidence) { return quantile(boost::math::normal(), 0.5 + 0.5 * confidence); }
+
+double students_t_half_width(double freedom, double confidence) {
+  return quantile(boost::math::students_t(freedom), 0.5 + 0.5 * confidence);
+}
+
+double Binomial::mass(std::uint64_t k) const { return pdf(law(*this), static_cast<double>(k)); }
+
+double Binomial::up_to(std::uint64_t k) const { return cdf(law(*this), static_cast<double>(k)); }
+
+double Binomial::above(std::uint64_t k) const { return cdf(complement(law(*this), static_cast<double>(k))); }
+
+}  // namespace equipoise
