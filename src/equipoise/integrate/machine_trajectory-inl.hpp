@@ -153,7 +153,7 @@ class MachineTrajectory {
     }
     if (p_.balls_collide()) now.any = contacts_.look(t, z, flow_, now.pair);
     if (!p_.balls_stick()) return now;
-    MachineResult<double> result{};
+    BodyResult<double> result{};
     bool evaluated = false;
     for (int i = 0; i < n; ++i) {
       if (flow_.held[i]) {

@@ -50,35 +50,22 @@ double machine_energy(const Parameters& p, const double* z) {
 }
 
 Powers powers(const Parameters& p, double inertia, const Segment& segment, double t, const double* z) {
-  const int n = p.balls;
-  const kernels::BallBalancer<double, any_count, kernels::Terms{}> balancer(p);
+  Parameters rotor_with_inertia = p;
+  rotor_with_inertia.inertia = inertia;
+  const kernels::BallBalancer<double, any_count, kernels::Terms{true, true, true, true, true}> balancer(
+      rotor_with_inertia);
   const auto rotor = motion_at(segment, t);
-  const double w = rotor.speed, lambda = p.eccentricity;
-  double dz[dimension(max_balls)];
-  kernels::Vector2<double> a;
-  double drag_torque = 0.0, drag_power = 0.0;
-  double ux = lambda, uy = 0.0, clamped_inertia = 0.0;
-  if (segment.clamped) {
-    for (int i = 0; i < n; ++i) {
-      ux += p.mass[i] * std::cos(z[index::phi(i)]);
-      uy += p.mass[i] * std::sin(z[index::phi(i)]);
-      clamped_inertia += p.mass[i];
-    }
-    balancer.clamped_derivative(rotor, {ux, uy}, p.gravity, z, dz, &a);
-  } else {
-    balancer.free_derivative(rotor, z, dz, &a);
-    for (int i = 0; i < n; ++i) {
-      const double q = z[index::q(i, n)];
-      drag_torque += p.mass[i] * p.drag[i] * q;
-      drag_power += p.mass[i] * p.drag[i] * q * q;
-    }
+  kernels::BallActions<double, any_count> actions;
+  double drag_power = 0.0, dz[dimension(max_balls)];
+  for (int i = 0; i < p.balls; ++i) {
+    const double q = z[index::q(i, p.balls)];
+    actions.held[i] = segment.clamped;
+    if (!segment.clamped) drag_power += p.mass[i] * p.drag[i] * q * q;
   }
-  // Torque: row of psi in the equations of motion, free or clamped.
-  const double torque =
-      (inertia + lambda * lambda + clamped_inertia) * rotor.acceleration + ux * a.y - uy * a.x - drag_torque;
+  const double torque = balancer.machine_derivative(rotor, actions, nullptr, z, dz).torque;
   const double u = z[index::u], v = z[index::v];
   const double Xd = u * rotor.cos_psi - v * rotor.sin_psi, Yd = u * rotor.sin_psi + v * rotor.cos_psi;
-  return Powers{torque * w, p.damping[0] * Xd * Xd + p.damping[1] * Yd * Yd, drag_power};
+  return Powers{torque * rotor.speed, p.damping[0] * Xd * Xd + p.damping[1] * Yd * Yd, drag_power};
 }
 
 std::array<double, 2> bearing_force(const Parameters& p, double psi, const double* z) {
