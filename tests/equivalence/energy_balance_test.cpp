@@ -10,10 +10,10 @@
 
 #include "cases.hpp"
 #include "equipoise/integrate/adaptive-inl.hpp"
-#include "equipoise/integrate/clamped.hpp"
 #include "equipoise/model/ball_count.hpp"
 #include "equipoise/model/energy.hpp"
 #include "equipoise/model/flow-inl.hpp"
+#include "equipoise/model/frames.hpp"
 #include "equipoise/trajectory/simulate.hpp"
 #include "lagrangian.hpp"
 
@@ -122,7 +122,7 @@ void walk(const Case& c, const At& at, const Jump& jump) {
     ASSERT_EQ(status, equipoise::IntegrationStatus::done);
     if (k + 1 == segments.size()) break;
     jump(segment, segments[k + 1], z.data());
-    equipoise::apply_speed_jump(segments[k + 1].speed - segment.speed_at(segment.end), z.data());
+    model::apply_speed_jump(segments[k + 1].speed - segment.speed_at(segment.end), z.data());
   }
 }
 

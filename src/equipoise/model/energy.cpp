@@ -5,6 +5,7 @@
 
 #include "equipoise/model/ball_count.hpp"
 #include "equipoise/model/equations-inl.hpp"
+#include "equipoise/model/frames.hpp"
 
 namespace equipoise::model {
 
@@ -24,7 +25,7 @@ double energy_at(const Parameters& p, double inertia, const std::array<double, 2
                  const kernels::RotorMotion<double>& rotor, const double* z) {
   const double w = rotor.speed, lambda = p.eccentricity;
   const double x = z[index::x], y = z[index::y], u = z[index::u], v = z[index::v];
-  const double X = x * rotor.cos_psi - y * rotor.sin_psi, Y = x * rotor.sin_psi + y * rotor.cos_psi;
+  const auto [X, Y] = in_fixed_axes(rotor.cos_psi, rotor.sin_psi, x, y);
   double e = 0.5 * inertia * w * w + 0.5 * (u * u + (v + lambda * w) * (v + lambda * w)) +
              0.5 * p.stiffness[0] * X * X + 0.5 * p.stiffness[1] * Y * Y + p.gravity * (Y + lambda * rotor.sin_psi);
   for (int i = 0; i < p.balls; ++i) {
@@ -63,8 +64,7 @@ Powers powers(const Parameters& p, double inertia, const Segment& segment, doubl
     if (!segment.clamped) drag_power += p.mass[i] * p.drag[i] * q * q;
   }
   const double torque = balancer.machine_derivative(rotor, actions, nullptr, z, dz).torque;
-  const double u = z[index::u], v = z[index::v];
-  const double Xd = u * rotor.cos_psi - v * rotor.sin_psi, Yd = u * rotor.sin_psi + v * rotor.cos_psi;
+  const auto [Xd, Yd] = in_fixed_axes(rotor.cos_psi, rotor.sin_psi, z[index::u], z[index::v]);
   return Powers{torque * rotor.speed, p.damping[0] * Xd * Xd + p.damping[1] * Yd * Yd, drag_power};
 }
 
@@ -72,7 +72,7 @@ std::array<double, 2> bearing_force(const Parameters& p, double psi, const doubl
   const kernels::BallBalancer<double, 1, kernels::Terms{}> balancer(p);
   const kernels::RotorMotion<double> rotor{0.0, 0.0, std::sin(psi), std::cos(psi)};
   const auto f = balancer.bearing_force(rotor, z);
-  return {f.x * rotor.cos_psi - f.y * rotor.sin_psi, f.x * rotor.sin_psi + f.y * rotor.cos_psi};
+  return in_fixed_axes(rotor.cos_psi, rotor.sin_psi, f.x, f.y);
 }
 
 }  // namespace equipoise::model
