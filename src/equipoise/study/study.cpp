@@ -20,6 +20,7 @@
 #include "equipoise/base/error.hpp"
 #include "equipoise/model/frames.hpp"
 #include "equipoise/model/strobe.hpp"
+#include "equipoise/model/system.hpp"
 #include "equipoise/study/physical.hpp"
 #include "equipoise/study/table_reader.hpp"
 
@@ -370,9 +371,9 @@ model::Drive Study::drive() const {
   return drive;
 }
 
-bool Study::needs_machine() const {
-  const model::Parameters& p = parameters;
-  return speed.driven() || !p.race_is_centred() || p.balls_collide() || p.balls_stick();
+model::System Study::system() const {
+  if (!speed.driven()) return {parameters, speed_profile().final_speed()};
+  return {parameters, model::motor_drive(motor(), initial.psi, speed.initial).pieces.back()};
 }
 
 double Study::stall_speed() const {

@@ -19,6 +19,7 @@
 #include "equipoise/model/flow-inl.hpp"
 #include "equipoise/model/frames.hpp"
 #include "equipoise/model/strobe.hpp"
+#include "equipoise/model/system.hpp"
 #include "equipoise/spin_up/initial_state.hpp"
 
 namespace equipoise {
@@ -189,7 +190,7 @@ Trajectory followed(const Task& task) {
   Trajectory out;
   out.phi.resize(p.balls);
   out.phi_dot.resize(p.balls);
-  if (study.needs_machine()) {
+  if (!study.system().simple()) {
     if (p.balls_collide()) check_overlap(study);
     simulate_machine(task, out);
     return out;
