@@ -15,6 +15,7 @@
 #include "equipoise/discovery/discovery.hpp"
 #include "equipoise/kernels/lane_kernels.hpp"
 #include "equipoise/model/strobe.hpp"
+#include "equipoise/model/system.hpp"
 #include "equipoise/report/basin_report.hpp"
 #include "equipoise/spin_up/initial_state.hpp"
 #include "equipoise/trajectory/simulate.hpp"
@@ -51,7 +52,7 @@ class StudyChecks {
   StudyChecks(const DrawnStudy& drawn, const Settings& settings)
       : settings_(settings), study_(drawn.study), begin_(cpu_seconds()) {
     audit_.drawn = drawn;
-    starts_ = study_.needs_machine() ? settings.machine_starts : settings.starts;
+    starts_ = is_machine() ? settings.machine_starts : settings.starts;
   }
 
   StudyAudit run() {
@@ -79,6 +80,9 @@ class StudyChecks {
   }
 
  private:
+  // Followed from event to event.
+  bool is_machine() const { return !study_.system().simple(); }
+
   StudyAudit finish() {
     audit_.seconds = cpu_seconds() - begin_;
     return audit_;
@@ -146,9 +150,9 @@ class StudyChecks {
     const std::vector<double> decided = decision_times();
     if (decided.empty()) return;
     const double most = decided.back(), usual = decided[decided.size() * 9 / 10];
-    const std::size_t count = std::min<std::size_t>(base_.fates.size(), study_.needs_machine() ? 100 : 200);
+    const std::size_t count = std::min<std::size_t>(base_.fates.size(), is_machine() ? 100 : 200);
     // What a processor's core does in a share of time, in units of time of one trajectory.
-    const double reach = settings_.seconds * (study_.needs_machine() ? 2e4 : 4e5) / static_cast<double>(count);
+    const double reach = settings_.seconds * (is_machine() ? 2e4 : 4e5) / static_cast<double>(count);
     LookTimes times;
     times.length = window_length(study_);
     times.second =
@@ -174,7 +178,7 @@ class StudyChecks {
 
   void check_horizon() {
     Check& check = audit_.at(Column::horizon);
-    const std::uint64_t count = study_.needs_machine() ? std::min<std::uint64_t>(starts_, 60) : starts_;
+    const std::uint64_t count = is_machine() ? std::min<std::uint64_t>(starts_, 60) : starts_;
     const Study longer =
         parse_study(to_toml(study_), study_.name,
                     {"numerics.decide=horizon", fmt::format("numerics.horizon={:.1f}", long_horizon())});
@@ -198,7 +202,7 @@ class StudyChecks {
   }
 
   void check_proof() {
-    if (study_.needs_machine() || model::is_strobed(study_.parameters) || study_.parameters.balls > 2) return;
+    if (is_machine() || model::is_strobed(study_.parameters) || study_.parameters.balls > 2) return;
     const Study by_proof = parse_study(to_toml(study_), study_.name, {"numerics.decide=proof"});
     same_starts(Column::proof, run_ensemble(by_proof, starts_, options()), 0, "decided by proof", "--decide proof");
   }
@@ -233,7 +237,7 @@ class StudyChecks {
     Study turned = study_;
     turned.initial.psi += 2.1;
     const Ensemble other = run_ensemble(turned, starts_, options());
-    same_starts(Column::rotated, other, study_.needs_machine() ? at_boundaries(other) : 0, "with the rotor turned",
+    same_starts(Column::rotated, other, is_machine() ? at_boundaries(other) : 0, "with the rotor turned",
                 fmt::format("--set initial.psi={:.17g}", turned.initial.psi));
   }
 
@@ -322,7 +326,7 @@ class StudyChecks {
 
   void check_processor() {
     const std::vector<std::string> targets = cpu_targets();
-    if (targets.size() < 2 || study_.needs_machine()) return;  // machines run in plain doubles everywhere
+    if (targets.size() < 2 || is_machine()) return;  // machines run in plain doubles everywhere
     // Half the speed or less: fewer starts, by the list of motions already found.
     const std::uint64_t count = std::min<std::uint64_t>(starts_, 100);
     const std::string& target = targets[1 + static_cast<std::size_t>(audit_.drawn.number) % (targets.size() - 1)];

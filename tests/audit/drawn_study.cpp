@@ -9,6 +9,8 @@
 
 #include <fmt/format.h>
 
+#include "equipoise/model/system.hpp"
+
 namespace equipoise::audit {
 
 namespace {
@@ -284,8 +286,8 @@ const Kind kinds[] = {
 void season(Study& s, Dice& d) {
   const bool at_rest = s.speed.driven() || s.speed.profile != Profile::constant;
   if (d.chance(0.12) && s.parameters.balls > 1) unequal(s, d);
-  if (d.chance(0.10) && s.parameters.isotropic() && !s.needs_machine()) anisotropic(s, d);
-  if (d.chance(0.10) && s.parameters.race_is_centred() && s.needs_machine())
+  if (d.chance(0.10) && s.parameters.isotropic() && s.system().simple()) anisotropic(s, d);
+  if (d.chance(0.10) && s.parameters.race_is_centred() && !s.system().simple())
     s.parameters.race_offset = {0.0, rounded(0.1 * s.parameters.eccentricity)};
   if (d.chance(0.15)) s.initial.psi = rounded(d.even(0.0, 6.0));
   if (d.chance(0.10) && !at_rest) s.initial.x = rounded(s.parameters.eccentricity * d.even(-3.0, 3.0));

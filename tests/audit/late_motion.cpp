@@ -13,6 +13,7 @@
 #include "equipoise/kernels/lane_kernels.hpp"
 #include "equipoise/model/ball_count.hpp"
 #include "equipoise/model/strobe.hpp"
+#include "equipoise/model/system.hpp"
 #include "equipoise/spin_up/initial_state.hpp"
 #include "equipoise/spin_up/start_source.hpp"
 
@@ -165,7 +166,7 @@ double machine_settled(const Study& study, const model::Drive& drive) {
 std::vector<LateMotion> follow_late(const Study& study, std::size_t count, const LookTimes& times, int threads) {
   std::vector<LateMotion> motions(count);
   tbb::task_arena arena(threads);
-  if (study.needs_machine()) {
+  if (!study.system().simple()) {
     const model::Drive drive = study.drive();
     const double settled = machine_settled(study, drive);
     arena.execute([&] {

@@ -10,10 +10,10 @@
 
 #include "cases.hpp"
 #include "equipoise/integrate/adaptive-inl.hpp"
-#include "equipoise/integrate/clamped.hpp"
 #include "equipoise/model/ball_count.hpp"
 #include "equipoise/model/energy.hpp"
 #include "equipoise/model/flow-inl.hpp"
+#include "equipoise/model/frames.hpp"
 #include "equipoise/trajectory/simulate.hpp"
 #include "lagrangian.hpp"
 
@@ -33,7 +33,7 @@ class StateAndWork {
   static constexpr int dimension = model::dimension(model::max_balls) + 3;  // the largest size
 
   StateAndWork(const model::Parameters& p, const model::Segment& s)
-      : p_(p), s_(s), motion_(s), balancer_(p), free_(p, s), n(p.balls), state(model::dimension(n)) {}
+      : p_(p), s_(s), motion_(s), clamped_(p, p.gravity), free_(p, s), n(p.balls), state(model::dimension(n)) {}
 
   int size() const { return state + 3; }
 
@@ -44,7 +44,7 @@ class StateAndWork {
         ux += p_.mass[i] * std::cos(z[4 + i]);
         uy += p_.mass[i] * std::sin(z[4 + i]);
       }
-      balancer_.clamped_derivative(motion_.at(t), {ux, uy}, p_.gravity, z, dz);
+      clamped_.derivative(motion_.at(t), {ux, uy}, z, dz);
       std::fill(dz + 4, dz + state, 0.0);
     } else {
       free_(t, z, dz);
@@ -59,7 +59,7 @@ class StateAndWork {
   const model::Parameters& p_;
   const model::Segment& s_;
   kernels::SegmentMotion<double, kernels::Terms{}> motion_;
-  kernels::BallBalancer<double, model::any_count, kernels::Terms{}> balancer_;
+  kernels::ClampedBody clamped_;
   kernels::FreeFlow<double, model::any_count, kernels::Terms{}> free_;
   const int n, state;
 };
@@ -122,7 +122,7 @@ void walk(const Case& c, const At& at, const Jump& jump) {
     ASSERT_EQ(status, equipoise::IntegrationStatus::done);
     if (k + 1 == segments.size()) break;
     jump(segment, segments[k + 1], z.data());
-    equipoise::apply_speed_jump(segments[k + 1].speed - segment.speed_at(segment.end), z.data());
+    model::apply_speed_jump(segments[k + 1].speed - segment.speed_at(segment.end), z.data());
   }
 }
 

@@ -218,9 +218,8 @@ RC_GTEST_PROP(Energy, changes_at_the_rate_its_powers_say_in_any_state, ()) {
       ux += p.mass[i] * std::cos(z[4 + i]);
       uy += p.mass[i] * std::sin(z[4 + i]);
     }
-    const kernels::BallBalancer<double, model::any_count, kernels::Terms{}> balancer(p);
     const kernels::SegmentMotion<double, kernels::Terms{}> motion(segment);
-    balancer.clamped_derivative(motion.at(t), {ux, uy}, p.gravity, z, rate);
+    kernels::ClampedBody(p, p.gravity).derivative(motion.at(t), {ux, uy}, z, rate);
   } else {
     kernels::FreeFlow<double, model::any_count, kernels::Terms{}>(p, segment)(t, z, rate);
   }
@@ -265,13 +264,10 @@ RC_GTEST_PROP(Equations, have_the_same_bits_compiled_for_a_count_and_for_any, ()
 
 // Balls held at one set of angles, integrated as they are.
 struct ClampedFlow {
-  kernels::BallBalancer<double, 1, kernels::Terms{}> balancer;
+  kernels::ClampedBody body;
   kernels::SegmentMotion<double, kernels::Terms{}> motion;
   kernels::Vector2<double> unbalance;
-  double gravity;
-  void operator()(double t, const double* z, double* dz) const {
-    balancer.clamped_derivative(motion.at(t), unbalance, gravity, z, dz);
-  }
+  void operator()(double t, const double* z, double* dz) const { body.derivative(motion.at(t), unbalance, z, dz); }
 };
 
 RC_GTEST_PROP(ClampedSuperposition, equals_direct_integration, ()) {
@@ -294,10 +290,8 @@ RC_GTEST_PROP(ClampedSuperposition, equals_direct_integration, ()) {
   scale.tolerance = 1e-12;
   scale.floor.fill(1e-3);
   for (std::size_t k = 0; all[k].clamped; ++k) {
-    const ClampedFlow flow{kernels::BallBalancer<double, 1, kernels::Terms{}>(p),
-                           kernels::SegmentMotion<double, kernels::Terms{}>(all[k]),
-                           {ux, uy},
-                           p.gravity};
+    const ClampedFlow flow{
+        kernels::ClampedBody(p, p.gravity), kernels::SegmentMotion<double, kernels::Terms{}>(all[k]), {ux, uy}};
     kernels::AdaptiveIntegrator<ClampedFlow, 4> integrator(flow, scale);
     RC_ASSERT(integrator.advance(all[k].begin, all[k].end, z.data(), [](auto&&...) {}) ==
               equipoise::IntegrationStatus::done);

@@ -25,6 +25,7 @@
 #include "equipoise/fates/runner.hpp"
 #include "equipoise/fates/transient_tally.hpp"
 #include "equipoise/kernels/lane_kernels.hpp"
+#include "equipoise/model/system.hpp"
 #include "equipoise/spin_up/initial_state.hpp"
 #include "equipoise/store/basin_file.hpp"
 
@@ -300,7 +301,7 @@ class BasinRun {
   void add_note(const std::string& words) { result_.note += (result_.note.empty() ? "" : "; ") + words; }
 
   void compute(std::uint64_t first, std::uint64_t limit, const ChunkSink& sink) {
-    const ChunkWork work{*runner_, threads_, result_.study.needs_machine(), gathers_, options_.stop};
+    const ChunkWork work{*runner_, threads_, !result_.study.system().simple(), gathers_, options_.stop};
     compute_chunks(work, first, limit, finished_, lost_, sink);
   }
 

@@ -10,6 +10,7 @@
 #include "equipoise/math/dense.hpp"
 #include "equipoise/model/balanced_state.hpp"
 #include "equipoise/model/linearisation.hpp"
+#include "equipoise/model/system.hpp"
 #include "equipoise/motions/motion_description.hpp"
 #include "equipoise/motions/steady_watch.hpp"
 #include "equipoise/orbits/continuum_draws.hpp"
@@ -109,7 +110,7 @@ Horizon choose_horizon(const Study& study) {
   horizon.given = study.numerics.horizon.has_value();
   // Where not even one e-folding fits, what waits for it is not decided at all, and the longest horizon gains nothing.
   const bool hopeless = horizon.rates.slowest() * longest < 1.0;
-  const double for_all = study.needs_machine() ? shortest_for_machines : shortest_for_all;
+  const double for_all = study.system().simple() ? shortest_for_all : shortest_for_machines;
   const double least = study.numerics.decide == DecideMode::horizon ? for_all : shortest;
   horizon.time = hopeless ? least : std::clamp(rounded_up(horizon.asked), least, longest);
   if (horizon.given) horizon.time = *study.numerics.horizon;

@@ -10,6 +10,7 @@
 
 #include "equipoise/base/angles.hpp"
 #include "equipoise/model/linearisation.hpp"
+#include "equipoise/model/unbalance.hpp"
 #include "equipoise/orbits/orbit.hpp"
 
 namespace equipoise {
@@ -29,13 +30,9 @@ double fastest_ball(const model::Parameters& p, const Eigen::VectorXd& state) {
 }
 
 bool is_near_balance(const model::Parameters& p, double speed, const Eigen::VectorXd& state) {
-  const double size = p.eccentricity + p.total_mass();
-  double x = p.eccentricity, y = 0.0;
-  for (int i = 0; i < p.balls; ++i) {
-    x += p.mass[i] * std::cos(state[model::index::phi(i)]);
-    y += p.mass[i] * std::sin(state[model::index::phi(i)]);
-  }
-  return state.head(2).norm() < near * size && std::hypot(x, y) < near * size &&
+  const double near_axis = near * p.all_unbalances();
+  return state.head(2).norm() < near_axis &&
+         std::abs(model::unbalance(p, state.data() + model::index::phi(0))) < near_axis &&
          fastest_ball(p, state) < near * std::max(1.0, std::fabs(speed));
 }
 

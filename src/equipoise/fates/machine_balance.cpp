@@ -23,10 +23,8 @@ using Eigen::VectorXd;
 constexpr double no_rate = 1e-8;
 
 // Lengths and velocities of the rotor count in units of all unbalances together, like the errors of a step.
-double length_unit(const model::Parameters& p) { return p.eccentricity + p.total_mass(); }
-
 VectorXd scaled(const model::FreeMachine& machine, VectorXd d) {
-  const double unit = length_unit(machine.parameters());
+  const double unit = machine.parameters().all_unbalances();
   d.head(4) /= unit;
   return d;
 }
@@ -149,7 +147,7 @@ bool MachineBalance::may_touch(const double* z, const VectorXd& balanced) const 
 
 bool MachineBalance::holds(const double* z, const VectorXd& balanced) const {
   if (!machine_.parameters().isotropic() || may_touch(z, balanced)) return false;
-  const double unit = length_unit(machine_.parameters());
+  const double unit = machine_.parameters().all_unbalances();
   const Eigen::Index size = balanced.size(), across = size - free_directions();
   VectorXd units = VectorXd::Ones(size);
   units.head(4).fill(unit);
@@ -187,7 +185,7 @@ bool MachineBalance::holds(const double* z, const VectorXd& balanced) const {
 }
 
 std::optional<VectorXd> rest_state(const model::FreeMachine& machine, const VectorXd& start, double reach) {
-  const double unit = length_unit(machine.parameters());
+  const double unit = machine.parameters().all_unbalances();
   VectorXd units = VectorXd::Ones(start.size());
   units.head(4).fill(unit);
   VectorXd y = start;

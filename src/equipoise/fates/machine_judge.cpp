@@ -61,8 +61,8 @@ MachineFacts::MachineFacts(const Study& study, const model::Drive& drive, const 
       note_(make_note()) {}
 
 bool MachineFacts::smooth_and_isotropic() const {
-  const model::Parameters& p = parameters();
-  return !model::is_strobed(p) && !p.balls_stick() && !p.balls_collide();
+  const model::System& system = balance_.machine().system();
+  return system.autonomous() && system.smooth();
 }
 
 bool MachineFacts::below_stall(double speed) const {

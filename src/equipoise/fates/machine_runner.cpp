@@ -17,6 +17,7 @@
 #include "equipoise/model/ball_count.hpp"
 #include "equipoise/model/energy.hpp"
 #include "equipoise/model/strobe.hpp"
+#include "equipoise/model/unbalance.hpp"
 #include "equipoise/spin_up/initial_state.hpp"
 #include "equipoise/transients/transient_watch.hpp"
 
@@ -45,10 +46,9 @@ SteadySample sample(const model::Parameters& p, const double* z) {
 
 TransientSample transient_sample(const model::Parameters& p, double t, const double* z) {
   using namespace model::index;
-  const int n = p.balls;
   TransientSample s;
   s.t = t;
-  const double psi = z[model::machine_index::psi(n)];
+  const double psi = z[model::machine_index::psi(p.balls)];
   const std::array<double, 2> rest = model::rest_position(p, psi);
   const double rx = z[x] - rest[0], ry = z[y] - rest[1];
   s.r2 = rx * rx + ry * ry;
@@ -56,13 +56,7 @@ TransientSample transient_sample(const model::Parameters& p, double t, const dou
   const auto force = model::bearing_force(p, psi, z);
   s.force2 = force[0] * force[0] + force[1] * force[1];
   s.velocity2 = z[u] * z[u] + z[v] * z[v];
-  double unbalance_x = p.eccentricity + p.total_mass() * p.race_offset[0];
-  double unbalance_y = p.total_mass() * p.race_offset[1];
-  for (int i = 0; i < n; ++i) {
-    unbalance_x += p.mass[i] * std::cos(z[phi(i)]);
-    unbalance_y += p.mass[i] * std::sin(z[phi(i)]);
-  }
-  s.unbalance = std::hypot(unbalance_x, unbalance_y);
+  s.unbalance = std::abs(model::unbalance(p, z + phi(0)));
   return s;
 }
 

@@ -11,7 +11,7 @@ typename HWY_NAMESPACE::MachineTrajectory<room>::Scale ensemble_scale(const mode
   typename HWY_NAMESPACE::MachineTrajectory<room>::Scale scale;
   scale.tolerance = tolerance;
   scale.floor.fill(1.0);
-  for (int i = 0; i < 4; ++i) scale.floor[i] = p.eccentricity + p.total_mass();
+  for (int i = 0; i < 4; ++i) scale.floor[i] = p.all_unbalances();
   scale.absolute.fill(true);
   for (int i = 0; i < p.balls; ++i) scale.angle[model::index::phi(i)] = true;
   scale.angle[model::machine_index::psi(p.balls)] = true;

@@ -3,6 +3,7 @@
 
 #include "equipoise/fates/machine_runner.hpp"
 #include "equipoise/fates/start_runner.hpp"
+#include "equipoise/model/system.hpp"
 
 namespace equipoise {
 
@@ -17,7 +18,7 @@ int settle(Runner& runner, const UnlistedStart& start, Fate& fate) {
 }
 
 void check_runnable(const Study& study, bool transients) {
-  if (study.needs_machine()) {
+  if (!study.system().simple()) {
     check_machine(study);
     return;
   }
@@ -26,7 +27,7 @@ void check_runnable(const Study& study, bool transients) {
 }
 
 std::unique_ptr<Runner> make_runner(const Study& study, const DiscoverySettings& settings, bool transients) {
-  if (study.needs_machine()) return std::make_unique<MachineRunner>(study, settings.stop);
+  if (!study.system().simple()) return std::make_unique<MachineRunner>(study, settings.stop);
   return std::make_unique<StartRunner>(study, settings, transients);
 }
 

@@ -13,6 +13,7 @@
 #include "equipoise/kernels/lane_kernels.hpp"
 #include "equipoise/model/speed.hpp"
 #include "equipoise/model/strobe.hpp"
+#include "equipoise/model/system.hpp"
 #include "equipoise/motions/motion_figures.hpp"
 #include "equipoise/orbits/stroboscopic.hpp"
 #include "equipoise/transients/clamped_transients.hpp"
@@ -70,7 +71,7 @@ void check_offers(const Study& study, model::Answer answer) {
   using model::Need;
   check(study);
   const model::Parameters& p = study.parameters;
-  const auto lack = model::lacking(model::System(p, study.drive().pieces.back()), answer);
+  const auto lack = model::lacking(study.system(), answer);
   if (!lack) return;
   const auto reject = [&](const char* key, const std::string& value) {
     throw InputError(study.name, key, value, lack->reason);

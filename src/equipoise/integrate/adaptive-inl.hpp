@@ -40,7 +40,7 @@ void set_state_scale(const model::Parameters& p, int stride, ErrorScale<dimensio
   constexpr double smallest_share = 0.01;
   for (int i = 0; i < model::dimension(p.balls); ++i) {
     const bool rotor = i < 4, angle = !rotor && i < 4 + p.balls;
-    scale.floor[stride * i] = rotor ? smallest_share * (p.eccentricity + p.total_mass()) : angle ? 1.0 : smallest_share;
+    scale.floor[stride * i] = rotor ? smallest_share * p.all_unbalances() : angle ? 1.0 : smallest_share;
     scale.absolute[stride * i] = scale.angle[stride * i] = angle;
   }
 }

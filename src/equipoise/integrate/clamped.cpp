@@ -2,11 +2,12 @@
 #include "equipoise/integrate/clamped.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <cstddef>
 
 #include "equipoise/integrate/adaptive-inl.hpp"
 #include "equipoise/model/flow-inl.hpp"
+#include "equipoise/model/frames.hpp"
+#include "equipoise/model/unbalance.hpp"
 
 namespace equipoise {
 
@@ -15,17 +16,8 @@ namespace kernels = HWY_NAMESPACE;
 }
 
 void ClampedBasis::centre(const model::Parameters& p, const double* phi, double* xyuv) const {
-  double ux = p.eccentricity, uy = 0.0;
-  for (int i = 0; i < p.balls; ++i) {
-    ux += p.mass[i] * std::cos(phi[i]);
-    uy += p.mass[i] * std::sin(phi[i]);
-  }
-  for (int j = 0; j < 4; ++j) xyuv[j] = values[j] + ux * values[4 + j] + uy * values[8 + j];
-}
-
-void apply_speed_jump(double jump, double* xyuv) {
-  xyuv[model::index::u] -= jump * xyuv[model::index::y];
-  xyuv[model::index::v] += jump * xyuv[model::index::x];
+  const std::complex<double> unbalance = model::unbalance(p, phi);
+  for (int j = 0; j < 4; ++j) xyuv[j] = values[j] + unbalance.real() * values[4 + j] + unbalance.imag() * values[8 + j];
 }
 
 IntegrationStatus integrate_clamped(const model::Parameters& p, const std::vector<model::Segment>& segments,
@@ -60,7 +52,7 @@ IntegrationStatus integrate_clamped(const model::Parameters& p, const std::vecto
         stop);
     if (status != IntegrationStatus::done) return status;
     const double jump = segments[k + 1].speed - segment.speed_at(segment.end);
-    for (int solution = 0; solution < 3; ++solution) apply_speed_jump(jump, basis.values.data() + 4 * solution);
+    for (int solution = 0; solution < 3; ++solution) model::apply_speed_jump(jump, basis.values.data() + 4 * solution);
   }
   return IntegrationStatus::done;
 }

@@ -21,10 +21,6 @@ struct ClampedBasis {
   void centre(const model::Parameters& p, const double* phi, double* xyuv) const;
 };
 
-/// psi' jumps by `jump` while the rotating-frame position and velocity (x, y, x', y') stay: u and v jump. `xyuv`: a
-/// state.
-void apply_speed_jump(double jump, double* xyuv);
-
 /// Called with the time, the segment it lies in and the basis there.
 using ClampedObserver = std::function<void(double t, const model::Segment& segment, const ClampedBasis& basis)>;
 

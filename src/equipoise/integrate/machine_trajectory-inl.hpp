@@ -17,7 +17,7 @@
 #include "equipoise/base/stop_flag.hpp"
 #include "equipoise/integrate/adaptive-inl.hpp"
 #include "equipoise/integrate/ball_contacts-inl.hpp"
-#include "equipoise/integrate/clamped.hpp"
+#include "equipoise/model/frames.hpp"
 #include "equipoise/model/machine-inl.hpp"
 
 HWY_BEFORE_NAMESPACE();
@@ -101,7 +101,7 @@ class MachineTrajectory {
     enter_piece();
     if (flow_.drive.driven()) return;
     double& speed = state_[model::machine_index::speed(n)];
-    apply_speed_jump(flow_.drive.speed - speed, state_.data());
+    model::apply_speed_jump(flow_.drive.speed - speed, state_.data());
     speed = flow_.drive.speed;
     state_[model::machine_index::psi(n)] = flow_.drive.psi;
   }
@@ -153,7 +153,7 @@ class MachineTrajectory {
     }
     if (p_.balls_collide()) now.any = contacts_.look(t, z, flow_, now.pair);
     if (!p_.balls_stick()) return now;
-    MachineResult<double> result{};
+    BodyResult<double> result{};
     bool evaluated = false;
     for (int i = 0; i < n; ++i) {
       if (flow_.held[i]) {

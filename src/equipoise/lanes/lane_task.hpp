@@ -7,6 +7,7 @@
 #include "equipoise/base/stop_flag.hpp"
 #include "equipoise/model/parameters.hpp"
 #include "equipoise/model/speed.hpp"
+#include "equipoise/model/strobe.hpp"
 
 namespace equipoise {
 
@@ -35,7 +36,7 @@ struct LaneTask {
   TransientTable* transients = nullptr;  ///< if given, gathers transients, one row a trajectory
 
   /// Whether the equations with anisotropic supports and gravity are needed.
-  bool general() const { return !parameters->isotropic() || parameters->gravity != 0.0; }
+  bool general() const { return model::is_strobed(*parameters); }
 };
 
 /// How a trajectory left its lane.
@@ -49,7 +50,7 @@ enum class LaneEnd {
 /// Size of an error that counts as one: ball angles and rates 1, the rotor's position and velocity the displacement
 /// that eccentricity and balls together can make. Constant, so that step control costs no comparison per component.
 inline double lane_error_scale(const model::Parameters& p, int component) {
-  return component < 4 ? p.eccentricity + p.total_mass() : 1.0;
+  return component < 4 ? p.all_unbalances() : 1.0;
 }
 
 }  // namespace equipoise

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "equipoise/base/angles.hpp"
+#include "equipoise/model/unbalance.hpp"
 
 namespace equipoise::model {
 
@@ -56,18 +57,18 @@ namespace {
 
 // Angles within a turn: the last digits of larger ones are coarser than the target.
 bool project_within_a_turn(const Parameters& p, double* phi) {
-  const double target = 1e-15 * (p.eccentricity + p.total_mass());
+  const double target = 1e-15 * p.all_unbalances();
   for (int iteration = 0; iteration < 30; ++iteration) {
-    double gx = p.eccentricity, gy = 0.0, a = 0.0, b = 0.0, d = 0.0;
+    const std::complex<double> left = unbalance(p, phi);
+    if (std::abs(left) <= 4.0 * target) return true;
+    const double gx = left.real(), gy = left.imag();
+    double a = 0.0, b = 0.0, d = 0.0;
     for (int i = 0; i < p.balls; ++i) {
       const double s = p.mass[i] * std::sin(phi[i]), c = p.mass[i] * std::cos(phi[i]);
-      gx += c;
-      gy += s;
       a += s * s;
       b -= s * c;
       d += c * c;
     }
-    if (std::hypot(gx, gy) <= 4.0 * target) return true;
     // Least change: the pseudo-inverse of the 2 x 2 matrix J J^T, whose smaller eigenvalue vanishes where all balls lie
     // on one line through the centre. What is left along that line is of second order and shrinks by itself.
     const double mean = 0.5 * (a + d), half = std::hypot(0.5 * (a - d), b);

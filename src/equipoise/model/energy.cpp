@@ -5,6 +5,7 @@
 
 #include "equipoise/model/ball_count.hpp"
 #include "equipoise/model/equations-inl.hpp"
+#include "equipoise/model/frames.hpp"
 
 namespace equipoise::model {
 
@@ -24,7 +25,7 @@ double energy_at(const Parameters& p, double inertia, const std::array<double, 2
                  const kernels::RotorMotion<double>& rotor, const double* z) {
   const double w = rotor.speed, lambda = p.eccentricity;
   const double x = z[index::x], y = z[index::y], u = z[index::u], v = z[index::v];
-  const double X = x * rotor.cos_psi - y * rotor.sin_psi, Y = x * rotor.sin_psi + y * rotor.cos_psi;
+  const auto [X, Y] = in_fixed_axes(rotor.cos_psi, rotor.sin_psi, x, y);
   double e = 0.5 * inertia * w * w + 0.5 * (u * u + (v + lambda * w) * (v + lambda * w)) +
              0.5 * p.stiffness[0] * X * X + 0.5 * p.stiffness[1] * Y * Y + p.gravity * (Y + lambda * rotor.sin_psi);
   for (int i = 0; i < p.balls; ++i) {
@@ -50,42 +51,28 @@ double machine_energy(const Parameters& p, const double* z) {
 }
 
 Powers powers(const Parameters& p, double inertia, const Segment& segment, double t, const double* z) {
-  const int n = p.balls;
-  const kernels::BallBalancer<double, any_count, kernels::Terms{}> balancer(p);
+  Parameters rotor_with_inertia = p;
+  rotor_with_inertia.inertia = inertia;
+  const kernels::BallBalancer<double, any_count, kernels::Terms{true, true, true, true, true}> balancer(
+      rotor_with_inertia);
   const auto rotor = motion_at(segment, t);
-  const double w = rotor.speed, lambda = p.eccentricity;
-  double dz[dimension(max_balls)];
-  kernels::Vector2<double> a;
-  double drag_torque = 0.0, drag_power = 0.0;
-  double ux = lambda, uy = 0.0, clamped_inertia = 0.0;
-  if (segment.clamped) {
-    for (int i = 0; i < n; ++i) {
-      ux += p.mass[i] * std::cos(z[index::phi(i)]);
-      uy += p.mass[i] * std::sin(z[index::phi(i)]);
-      clamped_inertia += p.mass[i];
-    }
-    balancer.clamped_derivative(rotor, {ux, uy}, p.gravity, z, dz, &a);
-  } else {
-    balancer.free_derivative(rotor, z, dz, &a);
-    for (int i = 0; i < n; ++i) {
-      const double q = z[index::q(i, n)];
-      drag_torque += p.mass[i] * p.drag[i] * q;
-      drag_power += p.mass[i] * p.drag[i] * q * q;
-    }
+  kernels::BallActions<double, any_count> actions;
+  double drag_power = 0.0, dz[dimension(max_balls)];
+  for (int i = 0; i < p.balls; ++i) {
+    const double q = z[index::q(i, p.balls)];
+    actions.held[i] = segment.clamped;
+    if (!segment.clamped) drag_power += p.mass[i] * p.drag[i] * q * q;
   }
-  // Torque: row of psi in the equations of motion, free or clamped.
-  const double torque =
-      (inertia + lambda * lambda + clamped_inertia) * rotor.acceleration + ux * a.y - uy * a.x - drag_torque;
-  const double u = z[index::u], v = z[index::v];
-  const double Xd = u * rotor.cos_psi - v * rotor.sin_psi, Yd = u * rotor.sin_psi + v * rotor.cos_psi;
-  return Powers{torque * w, p.damping[0] * Xd * Xd + p.damping[1] * Yd * Yd, drag_power};
+  const double torque = balancer.machine_derivative(rotor, actions, nullptr, z, dz).torque;
+  const auto [Xd, Yd] = in_fixed_axes(rotor.cos_psi, rotor.sin_psi, z[index::u], z[index::v]);
+  return Powers{torque * rotor.speed, p.damping[0] * Xd * Xd + p.damping[1] * Yd * Yd, drag_power};
 }
 
 std::array<double, 2> bearing_force(const Parameters& p, double psi, const double* z) {
   const kernels::BallBalancer<double, 1, kernels::Terms{}> balancer(p);
   const kernels::RotorMotion<double> rotor{0.0, 0.0, std::sin(psi), std::cos(psi)};
   const auto f = balancer.bearing_force(rotor, z);
-  return {f.x * rotor.cos_psi - f.y * rotor.sin_psi, f.x * rotor.sin_psi + f.y * rotor.cos_psi};
+  return in_fixed_axes(rotor.cos_psi, rotor.sin_psi, f.x, f.y);
 }
 
 }  // namespace equipoise::model

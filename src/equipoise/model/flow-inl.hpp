@@ -60,29 +60,50 @@ class FreeFlow {
   SegmentMotion<T, terms> motion_;
 };
 
-// Balls clamped: three solutions (x, y, u, v) side by side, from which every clamped motion is
-// z = z0 + Ux z1 + Uy z2 with the unbalance U = lambda + sum mu_i e^{i phi_i}. z0 carries the initial state and
-// gravity; z1 and z2 start at rest with U = (1, 0) and (0, 1).
-class ClampedBasisFlow {
+// Balls clamped: with the rotor they are one body, and their angles matter by its unbalance alone.
+class ClampedBody {
  public:
-  static constexpr int dimension = 12;
-  static constexpr Terms terms{};
+  ClampedBody(const model::Parameters& p, double gravity)
+      : balancer_(centred(p, gravity)), mass_(1.0 + p.total_mass()) {}
 
-  ClampedBasisFlow(const model::Parameters& p, const model::Segment& s)
-      : balancer_(p), motion_(s), gravity_(p.gravity) {}
-
-  void operator()(double t, const double* z, double* dz) const {
-    const RotorMotion<double> rotor = motion_.at(t);
-    balancer_.clamped_derivative(rotor, {0.0, 0.0}, gravity_, z, dz);
-    balancer_.clamped_derivative(rotor, {1.0, 0.0}, 0.0, z + 4, dz + 4);
-    balancer_.clamped_derivative(rotor, {0.0, 1.0}, 0.0, z + 8, dz + 8);
+  // d/dt of (x, y, u, v) with the unbalance U = lambda + sum mu_i e^{i phi_i}: linear in the state, U and gravity, so
+  // solutions superpose.
+  void derivative(const RotorMotion<double>& rotor, const Vector2<double>& unbalance, const double* z,
+                  double* dz) const {
+    constexpr double unasked = 0.0;  // a prescribed motion does not depend on inertia
+    balancer_.body_derivative(rotor, {unbalance, mass_, unasked}, nullptr, z, dz);
   }
 
  private:
-  // The count of balls enters only through the total mass, which the balancer takes from the parameters.
-  BallBalancer<double, 1, terms> balancer_;
-  SegmentMotion<double, terms> motion_;
-  double gravity_;
+  static model::Parameters centred(model::Parameters p, double gravity) {
+    p.race_offset = {0.0, 0.0};  // U is taken from the shaft's centre
+    p.gravity = gravity;
+    return p;
+  }
+
+  BallBalancer<double, 0, Terms{true, true, true, true}> balancer_;
+  double mass_;
+};
+
+// Three solutions (x, y, u, v) side by side, from which every clamped motion is z = z0 + Ux z1 + Uy z2. z0 carries the
+// initial state and gravity; z1 and z2 start at rest with U = (1, 0) and (0, 1).
+class ClampedBasisFlow {
+ public:
+  static constexpr int dimension = 12;
+
+  ClampedBasisFlow(const model::Parameters& p, const model::Segment& s)
+      : heavy_(p, p.gravity), weightless_(p, 0.0), motion_(s) {}
+
+  void operator()(double t, const double* z, double* dz) const {
+    const RotorMotion<double> rotor = motion_.at(t);
+    heavy_.derivative(rotor, {0.0, 0.0}, z, dz);
+    weightless_.derivative(rotor, {1.0, 0.0}, z + 4, dz + 4);
+    weightless_.derivative(rotor, {0.0, 1.0}, z + 8, dz + 8);
+  }
+
+ private:
+  ClampedBody heavy_, weightless_;
+  SegmentMotion<double, Terms{}> motion_;
 };
 
 }  // namespace HWY_NAMESPACE

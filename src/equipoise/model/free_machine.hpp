@@ -21,6 +21,7 @@ class FreeMachine {
 
   int size() const { return static_cast<int>(kept_.size()); }
   bool driven() const { return !system_.prescribed(); }
+  const System& system() const { return system_; }
   /// The place of psi' in the state; -1 if it is prescribed.
   int speed_place() const { return driven() ? dimension(parameters().balls) : -1; }
   const Parameters& parameters() const { return system_.parameters(); }

@@ -11,6 +11,7 @@
 
 #include "equipoise/model/equations-inl.hpp"
 #include "equipoise/model/machine.hpp"
+#include "equipoise/model/strobe.hpp"
 
 HWY_BEFORE_NAMESPACE();
 namespace equipoise {
@@ -24,25 +25,25 @@ class MachineFlow {
   static constexpr int dimension = model::machine_dimension(room);  // the largest size
 
   explicit MachineFlow(const model::Parameters& p)
-      : n(p.balls), balancer_(p), parameters_(p), needs_angle_(!p.isotropic() || p.gravity != 0.0) {}
+      : n(p.balls), balancer_(p), parameters_(p), needs_angle_(model::is_strobed(p)) {}
 
   int size() const { return model::machine_dimension(n); }
 
   void operator()(double t, const double* z, double* dz) const { evaluate(t, z, dz); }
 
   // The same, and what else the equations were solved for.
-  MachineResult<double> evaluate(double t, const double* z, double* dz) const {
+  BodyResult<double> evaluate(double t, const double* z, double* dz) const {
     const auto at = rotor(z);
     BallActions<double, room> actions = own_actions();
     const double* drive_state = z + model::dimension(n);
-    const double torque = drive.driven() ? drive.motor.torque(t, drive_state[1], drive_state[2]) : 0.0;
-    MachineResult<double> result = balancer_.machine_derivative(at, actions, drive.driven(), torque, z, dz);
+    const double motor = drive.driven() ? drive.motor.torque(t, drive_state[1], drive_state[2]) : 0.0;
+    const double* torque = drive.driven() ? &motor : nullptr;
+    BodyResult<double> result = balancer_.machine_derivative(at, actions, torque, z, dz);
     // The sense of a normal force was taken for outward; where a ball presses on the inner wall, friction follows.
-    if (turn_inward(result, z, actions))
-      result = balancer_.machine_derivative(at, actions, drive.driven(), torque, z, dz);
+    if (turn_inward(result, z, actions)) result = balancer_.machine_derivative(at, actions, torque, z, dz);
     if (any_joined()) {
       hold_together(at, torque, z, dz, actions);
-      result = balancer_.machine_derivative(at, actions, drive.driven(), torque, z, dz);
+      result = balancer_.machine_derivative(at, actions, torque, z, dz);
     }
     double* rate = dz + model::dimension(n);
     rate[0] = drive_state[1];
@@ -55,7 +56,7 @@ class MachineFlow {
   struct BallForces {
     double normal, tangential;
   };
-  BallForces forces_on(int i, const double* z, const MachineResult<double>& result) const {
+  BallForces forces_on(int i, const double* z, const BodyResult<double>& result) const {
     const double s = std::sin(z[4 + i]), c = std::cos(z[4 + i]);
     const double total = z[model::machine_index::speed(n)] + z[4 + n + i];
     return {total * total - result.race.x * c - result.race.y * s,
@@ -68,10 +69,12 @@ class MachineFlow {
     BallActions<double, room> actions;
     double before[dimension], after[dimension];
     const auto at = rotor(z);
-    const double a0 = balancer_.machine_derivative(at, actions, drive.driven(), 0.0, z, before).acceleration;
+    const double idle = 0.0;
+    const double* torque = drive.driven() ? &idle : nullptr;
+    const double a0 = balancer_.machine_derivative(at, actions, torque, z, before).acceleration;
     actions.push[first] = -1.0;
     actions.push[second] = 1.0;
-    const double a1 = balancer_.machine_derivative(at, actions, drive.driven(), 0.0, z, after).acceleration;
+    const double a1 = balancer_.machine_derivative(at, actions, torque, z, after).acceleration;
     for (int i = 0; i < size(); ++i) change[i] = 0.0;
     for (int i : {model::index::u, model::index::v}) change[i] = after[i] - before[i];
     for (int i = 0; i < n; ++i) change[4 + n + i] = after[4 + n + i] - before[4 + n + i];
@@ -88,7 +91,7 @@ class MachineFlow {
   int order[room] = {};    // of the balls around the race
 
  private:
-  using Balancer = BallBalancer<double, room, Terms{true, true, true, true}>;
+  using Balancer = BallBalancer<double, room, Terms{true, true, true, true, true}>;
 
   RotorMotion<double> rotor(const double* z) const {
     const double* drive_state = z + model::dimension(n);
@@ -109,7 +112,7 @@ class MachineFlow {
     return actions;
   }
 
-  bool turn_inward(const MachineResult<double>& result, const double* z, BallActions<double, room>& actions) const {
+  bool turn_inward(const BodyResult<double>& result, const double* z, BallActions<double, room>& actions) const {
     bool any = false;
     for (int i = 0; i < n; ++i)
       if (actions.resistance[i] != 0.0 && forces_on(i, z, result).normal < 0.0) {
@@ -127,7 +130,7 @@ class MachineFlow {
 
   // Pushes between joined neighbours such that their rates stay equal: a small linear system, solved by elimination
   // (symmetric positive definite, like the inverse of the mass matrix that it is made of).
-  void hold_together(const RotorMotion<double>& at, double torque, const double* z, const double* dz,
+  void hold_together(const RotorMotion<double>& at, const double* torque, const double* z, const double* dz,
                      BallActions<double, room>& actions) const {
     if (n == 1) return;
     int pairs = 0, pair_of[room];
@@ -142,7 +145,7 @@ class MachineFlow {
       unit.push[order[pair_of[k]]] -= 1.0;
       unit.push[order[(pair_of[k] + 1) % n]] += 1.0;
       double rates[dimension];
-      balancer_.machine_derivative(at, unit, drive.driven(), torque, z, rates);
+      balancer_.machine_derivative(at, unit, torque, z, rates);
       for (int row = 0; row < pairs; ++row) matrix[row][k] = apart(pair_of[row], rates) - apart(pair_of[row], dz);
       right[k] = -apart(pair_of[k], dz);
     }

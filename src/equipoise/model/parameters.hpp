@@ -32,6 +32,9 @@ struct Parameters {
     for (int i = 0; i < balls; ++i) sum += mass[i];
     return sum;
   }
+  /// lambda + sum mu_i: the most that rotor and balls could make together, and what r and the rotor's velocity are of
+  /// the order of.
+  double all_unbalances() const { return eccentricity + total_mass(); }
   bool isotropic() const { return damping[0] == damping[1] && stiffness[0] == stiffness[1]; }
   bool equal_balls() const {
     for (int i = 1; i < balls; ++i)

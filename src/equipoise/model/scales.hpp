@@ -1,6 +1,8 @@
 // What one dimensionless unit is worth in a physical machine (docs/equations.md, "Units").
 #pragma once
 
+#include <cmath>
+
 namespace equipoise::model {
 
 /// The three units of a rotor: all others are made of them.
@@ -15,6 +17,15 @@ struct Scales {
   double force() const { return mass * acceleration(); }                  ///< N
   double torque() const { return force() * length; }                      ///< N m, and energy in J
   double inertia() const { return mass * length * length; }               ///< kg m^2
+  double gain() const { return inertia() * frequency; }                   ///< N m s: torque for a speed of rotation
+  double stiffness() const { return mass * frequency * frequency; }       ///< N/m
+  double damping() const { return mass * frequency; }                     ///< N s/m
+  double unbalance() const { return mass * length; }                      ///< kg m
+
+  /// Of a rotor of `mass` on supports of `stiffness` (N/m), the mean of both directions, with a race of `radius`.
+  static Scales of(double mass, double radius, double stiffness) { return {mass, radius, std::sqrt(stiffness / mass)}; }
+  /// Drag torque for a rate, N m s, of a ball of `mass` (kg) with beta = 1.
+  double ball_drag(double ball_mass) const { return Scales{ball_mass, length, frequency}.gain(); }
 };
 
 }  // namespace equipoise::model

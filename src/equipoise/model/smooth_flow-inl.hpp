@@ -71,7 +71,7 @@ class SmoothFlow {
     MotorState<T> motor{};
     const bool driven = !drive_.prescribed;
     if (driven) motor = motor_state(drive_.motor, rotor.speed, places_.error < 0 ? T(0.0) : y[places_.error]);
-    const auto result = balancer_.machine_derivative(rotor, BallActions<T, room>{}, driven, motor.torque, y, dy);
+    const BodyResult<T> result = balancer_.body_derivative(rotor, driven ? &motor.torque : nullptr, y, dy);
     if (places_.psi >= 0) dy[places_.psi] = rotor.speed;
     if (places_.speed >= 0) dy[places_.speed] = result.acceleration;
     if (places_.error >= 0) dy[places_.error] = motor.error_rate;

@@ -33,7 +33,7 @@ std::vector<System::Angle> System::angles() const {
 
 Eigen::VectorXd state_scale(const Parameters& p) {
   Eigen::VectorXd result = Eigen::VectorXd::Ones(dimension(p.balls));
-  result.head(4).setConstant(p.eccentricity + p.total_mass());
+  result.head(4).setConstant(p.all_unbalances());
   return result;
 }
 

@@ -50,6 +50,9 @@ class System {
   bool smooth() const { return !events().any(); }
   /// A prescribed speed, and the race centred: FreeFlow (flow-inl.hpp) is all its equations.
   bool plain() const { return prescribed() && p_.race_is_centred(); }
+  /// Plain and smooth: nothing happens but at the corners of its drive, and many are followed side by side. All others
+  /// go from event to event, each with its own (machine-inl.hpp).
+  bool simple() const { return plain() && smooth(); }
 
   int dimension() const { return dimension_; }
   /// Places in the state, -1 for what is no part of it.

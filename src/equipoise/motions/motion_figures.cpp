@@ -13,6 +13,7 @@
 #include "equipoise/model/energy.hpp"
 #include "equipoise/model/flow-inl.hpp"
 #include "equipoise/model/strobe.hpp"
+#include "equipoise/model/unbalance.hpp"
 #include "equipoise/transients/transient_watch.hpp"
 
 namespace equipoise {
@@ -34,12 +35,7 @@ TransientSample sample(const model::Parameters& p, double psi, double t, const d
   s.r2_slope = 2.0 * (rx * z[u] + ry * z[v]);
   s.force2 = force[0] * force[0] + force[1] * force[1];
   s.velocity2 = z[u] * z[u] + z[v] * z[v];
-  double ux = p.eccentricity, uy = 0.0;
-  for (int i = 0; i < p.balls; ++i) {
-    ux += p.mass[i] * std::cos(z[phi(i)]);
-    uy += p.mass[i] * std::sin(z[phi(i)]);
-  }
-  s.unbalance = std::hypot(ux, uy);
+  s.unbalance = std::abs(model::unbalance(p, z + phi(0)));
   return s;
 }
 

@@ -6,6 +6,7 @@
 #include <cstdlib>
 
 #include "equipoise/base/angles.hpp"
+#include "equipoise/model/strobe.hpp"
 #include "equipoise/deciding/decision_rule.hpp"
 #include "equipoise/motions/catalogue.hpp"
 
@@ -104,7 +105,7 @@ int kind_at_one_rate(const model::Parameters& p, const Parts& part, const std::a
 
 // All balls are left behind by the rotor's own speed: they hang in space.
 bool hang(const model::Parameters& p, const Parts& part, double small) {
-  if (p.isotropic() && p.gravity == 0.0) return false;
+  if (!model::is_strobed(p)) return false;
   for (int i = 0; i < p.balls; ++i) {
     Series in_space = turned_by(part, i);
     for (int k = 0; k < parts; ++k) in_space[k] += part[k].turned;
@@ -275,7 +276,7 @@ SteadyLook SteadyWatch::look() const {
     same = same && range(v) < 0.02 * unit;
   };
   // What is at rest on the axis up to the errors of steps, a millionth of the unbalances, has nothing left to compare.
-  const double r = look.r_rms + 1e-5 * (p_.eccentricity + p_.total_mass());
+  const double r = look.r_rms + 1e-5 * p_.all_unbalances();
   judge(series([](const SteadyStretch& s) { return s.r_rms(); }), r);
   judge(series([](const SteadyStretch& s) { return std::sqrt(s.r2_max); }), r);
   judge(series([](const SteadyStretch& s) { return std::sqrt(s.r2_min); }), r);

@@ -1,24 +1,20 @@
 // Angles without pattern, those kept that nearly balance.
 #include "equipoise/orbits/continuum_draws.hpp"
 
-#include <cmath>
+#include <complex>
 
 #include "equipoise/base/angles.hpp"
 #include "equipoise/model/balanced_state.hpp"
+#include "equipoise/model/unbalance.hpp"
 
 namespace equipoise {
 
 bool ContinuumDraws::next(std::array<double, model::max_balls>& phi) {
   constexpr int most = 200000;
-  const double near = 0.05 * (p_.eccentricity + p_.total_mass());
+  const double near = 0.05 * p_.all_unbalances();
   for (int k = 0; k < most; ++k) {
-    double x = p_.eccentricity, y = 0.0;
-    for (int i = 0; i < p_.balls; ++i) {
-      phi[i] = two_pi * random_.uniform();
-      x += p_.mass[i] * std::cos(phi[i]);
-      y += p_.mass[i] * std::sin(phi[i]);
-    }
-    if (std::hypot(x, y) < near && model::project_to_balanced(p_, phi.data())) return true;
+    for (int i = 0; i < p_.balls; ++i) phi[i] = two_pi * random_.uniform();
+    if (std::abs(model::unbalance(p_, phi.data())) < near && model::project_to_balanced(p_, phi.data())) return true;
   }
   return false;
 }

@@ -2,12 +2,14 @@
 #include "equipoise/reproduction/paper_figures.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numbers>
 
 #include <fmt/format.h>
 
 #include "equipoise/literature/paper_rotor.hpp"
+#include "equipoise/model/frames.hpp"
 #include "equipoise/motions/motion.hpp"
 #include "equipoise/report/text.hpp"
 #include "equipoise/sampling/starts.hpp"
@@ -99,8 +101,9 @@ FigurePanel attractor_panel(const std::string& alias, double speed, double until
   InitialState& s = study.initial;
   s.x = (*z)[x];
   s.y = (*z)[y];
-  s.x_dot = (*z)[u] + speed * s.y;
-  s.y_dot = (*z)[v] - speed * s.x;
+  const std::array<double, 2> velocity = model::rotating_velocity(speed, z->data());
+  s.x_dot = velocity[0];
+  s.y_dot = velocity[1];
   for (int i = 0; i < 2; ++i) {
     s.phi[i] = (*z)[phi(i)];
     s.phi_dot[i] = (*z)[q(i, 2)];

@@ -2,9 +2,11 @@
 #pragma once
 
 #include <algorithm>
+#include <array>
 #include <cstdint>
 
 #include "equipoise/base/angles.hpp"
+#include "equipoise/model/frames.hpp"
 #include "equipoise/sampling/sampling.hpp"
 #include "equipoise/study/study.hpp"
 
@@ -14,8 +16,9 @@ namespace equipoise {
 inline void initial_state(const InitialState& s, int balls, double speed, double* z) {
   z[model::index::x] = s.x;
   z[model::index::y] = s.y;
-  z[model::index::u] = s.x_dot - speed * s.y;
-  z[model::index::v] = s.y_dot + speed * s.x;
+  const std::array<double, 2> velocity = model::inertial_velocity(speed, s.x, s.y, s.x_dot, s.y_dot);
+  z[model::index::u] = velocity[0];
+  z[model::index::v] = velocity[1];
   for (int i = 0; i < balls; ++i) {
     z[model::index::phi(i)] = s.phi[i];
     z[model::index::q(i, balls)] = s.phi_dot[i];

@@ -86,7 +86,7 @@ LaneTask StartSource::task(std::size_t k, std::vector<double>& states) const {
 void StartSource::cross(std::size_t k, std::vector<double>& states) const {
   const double jump = segments_[k + 1].speed - segments_[k].speed_at(segments_[k].end);
   const std::size_t size = model::dimension(study_.parameters.balls);
-  for (std::size_t at = 0; at < states.size(); at += size) apply_speed_jump(jump, &states[at]);
+  for (std::size_t at = 0; at < states.size(); at += size) model::apply_speed_jump(jump, &states[at]);
 }
 
 bool StartSource::follow(const std::vector<double>& phi, std::vector<double>& states, std::vector<Fate>& fates) const {

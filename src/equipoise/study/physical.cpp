@@ -201,14 +201,14 @@ void replace_rotor(Document& document, const Rotor& r, const model::Scales& s) {
   const std::vector<double> kappa = over(r.stiffness, r.mean_stiffness);
   std::vector<Derived> derived{{"stiffness", "stiffness", kappa}};
   if (r.damping_ratio.empty())
-    derived.push_back({"damping", "damping", over(r.damping, scale_of(Dimension::damping, s))});
+    derived.push_back({"damping", "damping", over(r.damping, s.damping())});
   else
     derived.push_back(
         {"damping",
          "damping_ratio",
          {2.0 * r.damping_ratio[0] * std::sqrt(kappa[0]), 2.0 * r.damping_ratio[1] * std::sqrt(kappa[1])}});
   if (r.unbalance)
-    derived.push_back({"eccentricity", "unbalance", {*r.unbalance / (s.mass * s.length)}});
+    derived.push_back({"eccentricity", "unbalance", {*r.unbalance / s.unbalance()}});
   else
     derived.push_back({"eccentricity", "eccentricity", {*r.eccentricity / s.length}});
   if (r.gravity) derived.push_back({"gravity", "gravity", {*r.gravity / s.acceleration()}});
@@ -220,7 +220,7 @@ void replace_balancer(Document& document, const Balancer& b, const model::Scales
   std::vector<double> mu, beta;
   for (std::size_t i = 0; i < b.mass.size(); ++i) {
     mu.push_back(b.mass[i] / s.mass);
-    beta.push_back(b.torque[i] / (b.mass[i] * s.length * s.length * s.frequency));
+    beta.push_back(b.torque[i] / s.ball_drag(b.mass[i]));
   }
   std::vector<Derived> derived{{"mass", b.mass_from, mu}, {"drag", b.drag_from, beta}};
   if (!b.race_offset.empty())
@@ -291,7 +291,7 @@ void make_dimensionless(Document& document) {
         "rotor.stiffness");
   const Rotor rotor = read_rotor(document);
   const Balancer balancer = BalancerReader(document).read();
-  const model::Scales scales{rotor.mass, balancer.radius, std::sqrt(rotor.mean_stiffness / rotor.mass)};
+  const model::Scales scales = model::Scales::of(rotor.mass, balancer.radius, rotor.mean_stiffness);
   replace_rotor(document, rotor, scales);
   replace_balancer(document, balancer, scales);
   for (const QuantityTable& table : quantity_tables()) replace_quantities(document, table, scales);

@@ -18,7 +18,9 @@
 #include "equipoise/base/angles.hpp"
 #include "equipoise/base/display_text.hpp"
 #include "equipoise/base/error.hpp"
+#include "equipoise/model/frames.hpp"
 #include "equipoise/model/strobe.hpp"
+#include "equipoise/model/system.hpp"
 #include "equipoise/study/physical.hpp"
 #include "equipoise/study/table_reader.hpp"
 
@@ -369,9 +371,9 @@ model::Drive Study::drive() const {
   return drive;
 }
 
-bool Study::needs_machine() const {
-  const model::Parameters& p = parameters;
-  return speed.driven() || !p.race_is_centred() || p.balls_collide() || p.balls_stick();
+model::System Study::system() const {
+  if (!speed.driven()) return {parameters, speed_profile().final_speed()};
+  return {parameters, model::motor_drive(motor(), initial.psi, speed.initial).pieces.back()};
 }
 
 double Study::stall_speed() const {
@@ -393,8 +395,10 @@ void rest_under_gravity(const Document& document, Study& study) {
   InitialState& s = study.initial;
   s.x = 0.0 + rest[0];  // not -0
   s.y = rest[1];
-  s.x_dot = drive.speed * s.y;  // at rest in fixed axes
-  s.y_dot = -drive.speed * s.x;
+  const double still[] = {s.x, s.y, 0.0, 0.0};  // in fixed axes
+  const std::array<double, 2> velocity = model::rotating_velocity(drive.speed, still);
+  s.x_dot = velocity[0];
+  s.y_dot = velocity[1];
 }
 
 }  // namespace

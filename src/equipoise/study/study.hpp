@@ -18,6 +18,10 @@
 
 namespace equipoise {
 
+namespace model {
+class System;
+}
+
 /// What makes the rotor turn: a ramp function of one of four forms, or a motor.
 enum class Profile { constant, ramp, trapezoid, points, torque };
 /// In the order of the values; the ramp functions first.
@@ -162,8 +166,8 @@ struct Study {
   model::MotorLaw motor() const;
   /// How the rotor is brought to speed and when it lets go of its balls.
   model::Drive drive() const;
-  /// Whether trajectories need model/machine.hpp: a motor, an off-centre race, contact, rolling resistance or stiction.
-  bool needs_machine() const;
+  /// What moves at last: in the last piece of that drive, psi = 0 at time 0.
+  model::System system() const;
   /// Of a driven rotor: the mean speed below which it counts as stalled. stalled_below of [speed]; else the smaller of
   /// sqrt(2), from where supports isolate, and nine tenths of the speed that the motor aims at.
   double stall_speed() const;

@@ -142,17 +142,17 @@ double scale_of(Dimension dimension, const model::Scales& s) {
     case Dimension::force:
       return s.force();
     case Dimension::stiffness:
-      return s.mass * s.frequency * s.frequency;
+      return s.stiffness();
     case Dimension::damping:
-      return s.mass * s.frequency;
+      return s.damping();
     case Dimension::torque:
       return s.torque();
     case Dimension::gain:
-      return s.inertia() * s.frequency;
+      return s.gain();
     case Dimension::inertia:
       return s.inertia();
     case Dimension::unbalance:
-      return s.mass * s.length;
+      return s.unbalance();
     case Dimension::angle:
       return 1.0;
     case Dimension::density:

@@ -17,7 +17,9 @@
 #include "equipoise/model/ball_count.hpp"
 #include "equipoise/model/energy.hpp"
 #include "equipoise/model/flow-inl.hpp"
+#include "equipoise/model/frames.hpp"
 #include "equipoise/model/strobe.hpp"
+#include "equipoise/model/system.hpp"
 #include "equipoise/spin_up/initial_state.hpp"
 
 namespace equipoise {
@@ -44,8 +46,9 @@ void record(Trajectory& out, const model::Parameters& p, double psi, double w, d
   out.psi_dot.push_back(w);
   out.x.push_back(z[x]);
   out.y.push_back(z[y]);
-  out.x_dot.push_back(z[u] + w * z[y]);
-  out.y_dot.push_back(z[v] - w * z[x]);
+  const std::array<double, 2> velocity = model::rotating_velocity(w, z);
+  out.x_dot.push_back(velocity[0]);
+  out.y_dot.push_back(velocity[1]);
   for (int i = 0; i < p.balls; ++i) {
     out.phi[i].push_back(z[phi(i)]);
     out.phi_dot[i].push_back(z[q(i, p.balls)]);
@@ -124,7 +127,8 @@ void simulate_free(const Task& task, const std::vector<model::Segment>& segments
         task.stop);
     out.stopped = task.stopped();
     if (out.status != IntegrationStatus::done || out.stopped) return;
-    if (k + 1 < segments.size()) apply_speed_jump(segments[k + 1].speed - segment.speed_at(segment.end), z.data());
+    if (k + 1 < segments.size())
+      model::apply_speed_jump(segments[k + 1].speed - segment.speed_at(segment.end), z.data());
   }
 }
 
@@ -186,7 +190,7 @@ Trajectory followed(const Task& task) {
   Trajectory out;
   out.phi.resize(p.balls);
   out.phi_dot.resize(p.balls);
-  if (study.needs_machine()) {
+  if (!study.system().simple()) {
     if (p.balls_collide()) check_overlap(study);
     simulate_machine(task, out);
     return out;

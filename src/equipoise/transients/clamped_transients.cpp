@@ -10,6 +10,7 @@
 #include "equipoise/integrate/clamped.hpp"
 #include "equipoise/model/energy.hpp"
 #include "equipoise/model/strobe.hpp"
+#include "equipoise/model/unbalance.hpp"
 
 namespace equipoise {
 
@@ -75,7 +76,7 @@ ClampedTransients::ClampedTransients(const model::Parameters& p, const std::vect
                                      const std::array<double, 4>& initial, double tolerance,
                                      const TransientSettings& settings, const StopFlag* stop)
     : settings_(settings),
-      proportional_(p.isotropic() && p.gravity == 0.0 &&
+      proportional_(!model::is_strobed(p) &&
                     std::all_of(initial.begin(), initial.end(), [](double v) { return v == 0.0; })),
       times_(grid_of(p, segments)) {
   ClampedBasis at_release;
@@ -109,11 +110,8 @@ ClampedTransients::ClampedTransients(const model::Parameters& p, const std::vect
 TransientSums ClampedTransients::sums(const model::Parameters& p, const double* phi) const {
   TransientSums result;
   if (times_.empty()) return result;
-  double ux = p.eccentricity, uy = 0.0;
-  for (int i = 0; i < p.balls; ++i) {
-    ux += p.mass[i] * std::cos(phi[i]);
-    uy += p.mass[i] * std::sin(phi[i]);
-  }
+  const std::complex<double> unbalance = model::unbalance(p, phi);
+  const double ux = unbalance.real(), uy = unbalance.imag();
   const Monomials m{1.0, ux, uy, ux * ux, ux * uy, uy * uy};
   const double square = ux * ux + uy * uy;
   result.end = settings_.release;

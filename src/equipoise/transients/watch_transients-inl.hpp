@@ -14,6 +14,7 @@
 #include "equipoise/lanes/lane_block-inl.hpp"
 #include "equipoise/model/flow-inl.hpp"
 #include "equipoise/model/strobe.hpp"
+#include "equipoise/model/unbalance-inl.hpp"
 #include "equipoise/transients/transient_step-inl.hpp"
 #include "equipoise/transients/transient_table.hpp"
 
@@ -37,7 +38,7 @@ class WatchTransients {
         displacement2_(table.settings.displacement * table.settings.displacement),
         settled2_(table.settings.settled * table.settings.settled),
         timed_(std::isfinite(table.settings.displacement)),
-        turning_(!task.parameters->isotropic() || task.parameters->gravity != 0.0),
+        turning_(task.general()),
         sag_(model::static_sag(*task.parameters)) {
     for (int i = 0; i < n; ++i) mass_[i] = Pack(task.parameters->mass[i]);
   }
@@ -176,14 +177,8 @@ class WatchTransients {
   }
 
   HWY_INLINE Pack unbalance(const Pack* z) const {
-    Pack ux = lambda_, uy(0.0);
-    for (int i = 0; i < n; ++i) {
-      Pack sine, cosine;
-      sin_cos(z[4 + i], sine, cosine);
-      ux = multiply_add(mass_[i], cosine, ux);
-      uy = multiply_add(mass_[i], sine, uy);
-    }
-    return square_root(ux * ux + uy * uy);
+    const Vector2<Pack> all = sum_of_unbalances({lambda_, Pack(0.0)}, n, mass_, z + 4);
+    return square_root(all.x * all.x + all.y * all.y);
   }
 
   HWY_INLINE unsigned add_to_windows(int g, unsigned active, Mask accepted, Pack t, Pack h,

@@ -13,6 +13,7 @@
 #include "equipoise/math/lyapunov.hpp"
 #include "equipoise/model/linearisation.hpp"
 #include "equipoise/model/strobe.hpp"
+#include "equipoise/model/unbalance.hpp"
 #include "equipoise/orbits/stroboscopic.hpp"
 #include "equipoise/orbits/variational.hpp"
 
@@ -145,14 +146,10 @@ VectorXd strobed_trap_state(const model::Parameters& p, const StrobedTrap& trap,
 StrobedFamilyTest strobed_family_test(const model::Parameters& p, double speed, ContinuumTrap trap) {
   return [p, speed, trap = std::move(trap)](const double* state, double psi) {
     const int n = p.balls;
-    double x = p.eccentricity, y = 0.0, away = 0.0;
-    for (int i = 0; i < n; ++i) {
-      x += p.mass[i] * std::cos(state[model::index::phi(i)]);
-      y += p.mass[i] * std::sin(state[model::index::phi(i)]);
-      away = std::max(away, std::fabs(state[model::index::q(i, n)]));
-    }
+    double away = std::abs(model::unbalance(p, state + model::index::phi(0)));
+    for (int i = 0; i < n; ++i) away = std::max(away, std::fabs(state[model::index::q(i, n)]));
     for (int i = 0; i < 4; ++i) away = std::max(away, std::fabs(state[i]));
-    if (!(std::max(away, std::hypot(x, y)) < trap.reach)) return false;
+    if (!(away < trap.reach)) return false;
     const Index size = model::dimension(n);
     const auto at_strobe = at_next_strobe({p, speed}, Eigen::Map<const VectorXd>(state, size), psi);
     return at_strobe && trap.holds(*at_strobe);

@@ -1,0 +1,15 @@
+// The one sum, in doubles.
+#include "equipoise/model/unbalance.hpp"
+
+#include "equipoise/model/unbalance-inl.hpp"
+
+namespace equipoise::model {
+
+std::complex<double> unbalance(const Parameters& p, const double* phi) {
+  const double balls = p.total_mass();
+  const HWY_NAMESPACE::Vector2<double> of_rotor{p.eccentricity + balls * p.race_offset[0], balls * p.race_offset[1]};
+  const auto sum = HWY_NAMESPACE::sum_of_unbalances(of_rotor, p.balls, p.mass.data(), phi);
+  return {sum.x, sum.y};
+}
+
+}  // namespace equipoise::model

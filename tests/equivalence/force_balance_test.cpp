@@ -1,0 +1,165 @@
+// One force balance in all its uses, on random rotors, balls and states (RapidCheck): balls free, as a machine whose
+// options are off and under a motor; balls held, as one body and as a machine that holds them; and Lagrange's equations
+// in fixed axes, which share nothing with it.
+#include <gtest/gtest.h>
+#include <rapidcheck.h>
+#include <rapidcheck/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdlib>
+
+#include "equipoise/model/ball_count.hpp"
+#include "equipoise/model/flow-inl.hpp"
+#include "lagrangian.hpp"
+
+namespace {
+
+namespace kernels = equipoise::HWY_NAMESPACE;
+namespace model = equipoise::model;
+
+// The same cases on every run and machine (RapidCheck would seed itself from the clock); read before the first check.
+// Setting RC_PARAMS in the environment overrides it.
+[[maybe_unused]] const int fixed_seed = setenv("RC_PARAMS", "seed=20190417 max_success=400", 0);
+
+double between(double low, double high) { return low + (high - low) * *rc::gen::inRange(0, 1'000'001) / 1e6; }
+
+constexpr int room = model::any_count;
+using State = std::array<double, model::dimension(model::max_balls)>;
+using Motion = kernels::RotorMotion<double>;
+using Body = kernels::BallBalancer<double, room, kernels::Terms{true, true, true, true}>;
+using Machine = kernels::BallBalancer<double, room, kernels::Terms{true, true, true, true, true}>;
+
+// A rotor in some state at some instant.
+struct Instant {
+  model::Parameters p;
+  model::Segment segment{};
+  State z{};
+  bool clamped = false;
+
+  int size() const { return model::dimension(p.balls); }
+  Motion motion() const { return {segment.speed, segment.acceleration, std::sin(segment.psi), std::cos(segment.psi)}; }
+};
+
+Instant drawn(bool clamped) {
+  Instant at;
+  model::Parameters& p = at.p;
+  p.balls = *rc::gen::inRange(1, model::max_balls + 1);
+  p.eccentricity = between(0.0, 0.2);
+  p.damping = {between(0.0, 1.0), between(0.0, 1.0)};
+  p.stiffness = {between(0.5, 2.0), between(0.5, 2.0)};
+  p.gravity = between(0.0, 0.5);
+  p.inertia = between(0.1, 1.0);
+  for (int i = 0; i < p.balls; ++i) {
+    p.mass[i] = between(0.01, 0.2);
+    p.drag[i] = between(0.0, 0.5);
+  }
+  at.segment = {0.0, 1.0, between(-3.0, 3.0), between(-4.0, 4.0), between(-0.5, 0.5), clamped};
+  at.clamped = clamped;
+  for (int i = 0; i < at.size(); ++i) at.z[i] = between(-1.0, 1.0);
+  if (clamped) std::fill(at.z.begin() + 4 + p.balls, at.z.end(), 0.0);
+  return at;
+}
+
+// Rates and torque of one way to ask.
+struct Answer {
+  State rate{};
+  double torque = 0.0;
+};
+
+Answer in_fixed_axes(const Instant& at) {
+  const model::Parameters& p = at.p;
+  const State& z = at.z;
+  const double w = at.segment.speed, c = std::cos(at.segment.psi), s = std::sin(at.segment.psi);
+  lagrangian::FixedState fixed;
+  fixed.rotor = {at.segment.psi, w, at.segment.acceleration};
+  fixed.X = z[0] * c - z[1] * s;
+  fixed.Y = z[0] * s + z[1] * c;
+  fixed.X_dot = z[2] * c - z[3] * s;
+  fixed.Y_dot = z[2] * s + z[3] * c;
+  for (int i = 0; i < p.balls; ++i) {
+    fixed.theta.push_back(at.segment.psi + z[4 + i]);
+    fixed.theta_dot.push_back(w + z[4 + p.balls + i]);
+  }
+  const lagrangian::Accelerations a = lagrangian::accelerations(p, p.inertia, fixed, at.clamped);
+  Answer answer;
+  State& rate = answer.rate;
+  rate[0] = z[2] + w * z[1];
+  rate[1] = z[3] - w * z[0];
+  rate[2] = a.X * c + a.Y * s + w * z[3];
+  rate[3] = a.Y * c - a.X * s - w * z[2];
+  for (int i = 0; i < p.balls; ++i) {
+    rate[4 + i] = z[4 + p.balls + i];
+    rate[4 + p.balls + i] = a.theta[i] - at.segment.acceleration;
+  }
+  answer.torque = a.torque;
+  return answer;
+}
+
+Answer of_machine(const Instant& at, const double* torque = nullptr, double* acceleration = nullptr) {
+  kernels::BallActions<double, room> actions;
+  std::fill_n(actions.held, at.p.balls, at.clamped);
+  Motion motion = at.motion();
+  if (torque) motion.acceleration = 17.0;  // not to be read
+  Answer answer;
+  const auto result = Machine(at.p).machine_derivative(motion, actions, torque, at.z.data(), answer.rate.data());
+  if (acceleration) *acceleration = result.acceleration;
+  answer.torque = result.torque;
+  return answer;
+}
+
+// Sums of tens of products, none larger than the largest rate, and eliminations from well scaled matrices: a hundred
+// roundings of 1.1e-16 at most. In 20 000 cases errors stay below 2e-15.
+constexpr double rounding = 1e-14;
+
+void expect_same(const Answer& a, const Answer& b, int components) {
+  double size = 1.0;
+  for (int i = 0; i < components; ++i) size = std::max(size, std::fabs(b.rate[i]));
+  for (int i = 0; i < components; ++i) RC_ASSERT(std::fabs(a.rate[i] - b.rate[i]) < rounding * size);
+}
+void expect_same(const Instant& at, const Answer& a, const Answer& b) {
+  expect_same(a, b, at.size());
+  RC_ASSERT(std::fabs(a.torque - b.torque) < rounding * (1.0 + std::fabs(b.torque)));
+}
+
+RC_GTEST_PROP(ForceBalance, of_free_balls_is_that_of_a_machine_without_options_and_of_lagrange, ()) {
+  const Instant at = drawn(false);
+  const Answer reference = in_fixed_axes(at), machine = of_machine(at);
+  expect_same(at, machine, reference);
+
+  Answer free;
+  kernels::FreeFlow<double, room, kernels::Terms{}>(at.p, at.segment)(0.0, at.z.data(), free.rate.data());
+  expect_same(free, machine, at.size());
+
+  Answer body;
+  body.torque = Body(at.p).body_derivative(at.motion(), nullptr, at.z.data(), body.rate.data()).torque;
+  expect_same(at, body, machine);
+}
+
+RC_GTEST_PROP(ForceBalance, of_held_balls_is_that_of_one_body_and_of_lagrange, ()) {
+  const Instant at = drawn(true);
+  const Answer machine = of_machine(at);
+  expect_same(at, machine, in_fixed_axes(at));
+
+  kernels::Vector2<double> unbalance{at.p.eccentricity, 0.0};
+  for (int i = 0; i < at.p.balls; ++i) {
+    unbalance.x += at.p.mass[i] * std::cos(at.z[4 + i]);
+    unbalance.y += at.p.mass[i] * std::sin(at.z[4 + i]);
+  }
+  Answer body;
+  kernels::ClampedBody(at.p, at.p.gravity).derivative(at.motion(), unbalance, at.z.data(), body.rate.data());
+  expect_same(body, machine, 4);
+}
+
+// Under the torque that a prescribed motion needs, a motor moves the rotor just so.
+RC_GTEST_PROP(ForceBalance, under_the_torque_of_a_prescribed_motion_is_that_motion, ()) {
+  const Instant at = drawn(*rc::gen::arbitrary<bool>());
+  const Answer prescribed = of_machine(at);
+  double acceleration = 0.0;
+  const Answer driven = of_machine(at, &prescribed.torque, &acceleration);
+  expect_same(at, driven, prescribed);
+  RC_ASSERT(std::fabs(acceleration - at.segment.acceleration) < 10.0 * rounding);  // J, 0.1 or more, divides
+}
+
+}  // namespace
