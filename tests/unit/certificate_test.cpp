@@ -17,6 +17,7 @@
 #include "equipoise/model/linearisation.hpp"
 #include "equipoise/report/certificate_json.hpp"
 #include "equipoise/report/certify_report.hpp"
+#include "equipoise/traps/balanced_analysis.hpp"
 #include "equipoise/traps/balanced_trap.hpp"
 #include "equipoise/traps/critical_level.hpp"
 
@@ -43,7 +44,7 @@ struct Case {
 };
 
 Case case_of(const model::Parameters& p, double speed, std::size_t state = 0) {
-  const BalancedTrap trap = analyse_balanced(p, speed).traps.at(state);
+  const BalancedTrap trap = analyse_balanced({p, speed}).traps.at(state);
   const int size = model::dimension(p.balls);
   const Eigen::Map<const Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>> factor(
       trap.factor.data(), size, size);
@@ -132,7 +133,7 @@ TEST(CriticalLevel, does_not_depend_on_the_sense_of_turning) {
   for (const std::vector<double>& masses : {std::vector{0.00434, 0.00434}, {0.00434, 0.005}, {0.0083}}) {
     model::Parameters p = balancer(5.2, masses, 0.0083);
     p.damping = {0.883, 0.883};
-    const BalancedAnalysis forwards = analyse_balanced(p, 2.0), backwards = analyse_balanced(p, -2.0);
+    const BalancedAnalysis forwards = analyse_balanced({p, 2.0}), backwards = analyse_balanced({p, -2.0});
     ASSERT_FALSE(forwards.traps.empty());
     ASSERT_EQ(forwards.traps.size(), backwards.traps.size());
     Eigen::VectorXd sign = -Eigen::VectorXd::Ones(model::dimension(p.balls));
@@ -247,7 +248,7 @@ TEST(Certificate, covers_the_trap_that_a_program_tests_in_doubles) {
   // The program's V, from a rounded factor about rounded angles, against the exact form's: apart by far less than
   // level_slack.
   const Case c = case_of(balancer(0.01), 6.0);
-  const BalancedTrap trap = analyse_balanced(c.p, c.speed).traps.front();
+  const BalancedTrap trap = analyse_balanced({c.p, c.speed}).traps.front();
   const int size = 8;
   std::mt19937_64 random(11);
   std::normal_distribution<double> normal;

@@ -6,6 +6,7 @@
 
 #include "equipoise/base/reporting.hpp"
 #include "equipoise/fates/start_runner.hpp"
+#include "equipoise/traps/balanced_analysis.hpp"
 #include "equipoise/traps/balanced_trap.hpp"
 
 namespace equipoise {
@@ -44,7 +45,7 @@ CertifyResult proofs(const Study& study, const RunOptions& options) {
     result.note = "the balanced states form a continuum; proofs are for isolated ones, of one or two balls";
     return result;
   }
-  const BalancedAnalysis analysis = analyse_balanced(p, result.speed);
+  const BalancedAnalysis analysis = analyse_balanced({p, result.speed}, options.stop);
   result.note = analysis.note;
   if (p.balls > 2) {
     result.note = "proofs are for one or two balls";

@@ -164,7 +164,7 @@ class DecideFate {
   // Lanes inside a trap. Box tests cost little and spare most of them the quadratic forms.
   HWY_INLINE unsigned caught_by_traps(int g, Mask accepted, unsigned accepted_bits, const Pack* z) {
     unsigned caught = 0;
-    for (const BalancedTrap& trap : rule_.traps) {
+    for (const BalancedTrap& trap : rule_.balanced) {
       Mask near = accepted;
       for (int i = 0; i < 4; ++i) near = near & (absolute(z[i]) < Pack(trap.reach[i]));
       for (int i = 0; i < n; ++i) near = near & (absolute(z[4 + n + i]) < Pack(trap.reach[4 + n + i]));
@@ -174,12 +174,12 @@ class DecideFate {
     }
     if (rule_.blind) watch_values(g, accepted, z);
     const Pack r2 = z[0] * z[0] + z[1] * z[1];
-    for (const OrbitTrap& trap : rule_.orbits) {
+    for (const CycleTable& trap : rule_.cycles) {
       Mask near = accepted & (Pack(trap.r2_low) < r2) & (r2 < Pack(trap.r2_high));
       for (int i = 0; i < n; ++i)
         near = near & (Pack(trap.q_low[i]) < z[4 + n + i]) & (z[4 + n + i] < Pack(trap.q_high[i]));
       if (!any(near)) continue;
-      const unsigned inside = lane_bits(near & inside_orbit(trap, z)) & accepted_bits & ~caught;
+      const unsigned inside = lane_bits(near & inside_cycle(trap, z)) & accepted_bits & ~caught;
       if (inside) caught |= mark(g, inside, {DecidedBy::validated, trap.attractor});
     }
     if (rule_.at_horizon) mark(g, accepted_bits & ~caught, {});
@@ -192,13 +192,13 @@ class DecideFate {
 
   // How near to balance each lane has come.
   HWY_NOINLINE void watch_values(int g, Mask accepted, const Pack* z) {
-    for (const BalancedTrap& trap : rule_.traps) {
+    for (const BalancedTrap& trap : rule_.balanced) {
       const Pack least = minimum(least_value_[g], trap_value(trap, n, z));
       least_value_[g] = select(accepted, least, least_value_[g]);
     }
   }
 
-  HWY_NOINLINE Mask inside_orbit(const OrbitTrap& trap, const Pack* z) {
+  HWY_NOINLINE Mask inside_cycle(const CycleTable& trap, const Pack* z) {
     return trap_value(trap, n, z) < Pack(trap.level);
   }
 

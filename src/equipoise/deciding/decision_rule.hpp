@@ -35,11 +35,11 @@ struct BalancedTrap {
   DecidedBy by = DecidedBy::validated;
 };
 
-/// A stable periodic orbit and a level set of a quadratic form in Floquet coordinates around it. The phase is read from
-/// the angle of one ball, the clock, which advances steadily along the orbit; the other coordinates are compared with a
-/// table over that angle. Columns of a row, D = dimension - 1 (all but the clock's angle, in the order of the state):
-/// D values where the cell begins, D changes across the cell, D (D + 1) / 2 entries of the upper triangular F.
-struct OrbitTrap {
+/// A trap around a stable periodic orbit (traps/cycle_trap.hpp) whose phase is the angle of one ball, the clock, as
+/// lanes ask it at every step: chords between the states of a table over that angle, one quadratic form a cell. Columns
+/// of a row, D = dimension - 1 (all but the clock's angle, in the order of the state): D values where the cell begins,
+/// D changes across the cell, D (D + 1) / 2 entries of the upper triangular F.
+struct CycleTable {
   int attractor = 0;
   int clock = 0;                                           ///< ball whose angle tells the phase
   int turns = 1;                                           ///< of the clock in one period
@@ -49,7 +49,7 @@ struct OrbitTrap {
   double r2_low = 0.0, r2_high = 0.0;                      ///< r^2 of everything inside
   std::array<double, model::max_balls> q_low{}, q_high{};  ///< ball rates of everything inside
 };
-constexpr int orbit_trap_columns(int dimension) { return 2 * (dimension - 1) + (dimension - 1) * dimension / 2; }
+constexpr int cycle_table_columns(int dimension) { return 2 * (dimension - 1) + (dimension - 1) * dimension / 2; }
 
 /// Features of a window: smallest, largest and root-mean-square r; then for each ball mean, smallest and largest rate
 /// phi'. Interchangeable balls are sorted by mean rate. feature_count(balls) of them are used.
@@ -89,8 +89,8 @@ struct DecisionRule {
   bool interchangeable = true;  ///< equal balls: features do not depend on their order
   bool at_horizon = false;      ///< nothing ends early; what holds at the task's end decides
   bool blind = false;           ///< audits: boxes are watched and decide nothing; V is recorded
-  std::vector<BalancedTrap> traps;
-  std::vector<OrbitTrap> orbits;
+  std::vector<BalancedTrap> balanced;
+  std::vector<CycleTable> cycles;
   FamilyTrap family;                 ///< `caught` empty: no continuum
   StrobedTraps strobed;              ///< `caught` empty: none; general kernels only
   double sag = 0.0;                  ///< r is measured from Y = sag, X = 0 in fixed axes; general kernels only

@@ -37,11 +37,11 @@ HWY_INLINE T trap_value(const BalancedTrap& trap, model::BallCount<room> n, cons
   return v;
 }
 
-// |F d|^2 of an orbit trap at state z: the least over the turns that the clock's angle may belong to.
+// |F d|^2 of a cycle at state z: the least over the turns that the clock's angle may belong to.
 template <int room, class T>
-HWY_INLINE T trap_value(const OrbitTrap& trap, model::BallCount<room> n, const T* z) {
+HWY_INLINE T trap_value(const CycleTable& trap, model::BallCount<room> n, const T* z) {
   const int dimension = n.size(), others = dimension - 1;
-  const int columns = orbit_trap_columns(dimension);
+  const int columns = cycle_table_columns(dimension);
   T place[model::dimension(room) - 1];
   for (int i = 0, k = 0; i < dimension; ++i)
     if (i != 4 + trap.clock) place[k++] = z[i];

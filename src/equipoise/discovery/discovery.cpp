@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <array>
-#include <atomic>
 #include <cmath>
 #include <memory>
 #include <optional>
@@ -15,35 +14,25 @@
 #include <oneapi/tbb/parallel_for.h>
 #include <oneapi/tbb/task_arena.h>
 
-#include "equipoise/base/angles.hpp"
 #include "equipoise/base/stage_progress.hpp"
 #include "equipoise/deciding/pilot.hpp"
 #include "equipoise/deciding/window_features.hpp"
+#include "equipoise/discovery/balanced_levels.hpp"
 #include "equipoise/discovery/horizon.hpp"
 #include "equipoise/discovery/own_windows.hpp"
-#include "equipoise/kernels/lane_kernels.hpp"
-#include "equipoise/model/balanced_state.hpp"
-#include "equipoise/model/linearisation.hpp"
+#include "equipoise/discovery/pilot_run.hpp"
 #include "equipoise/model/strobe.hpp"
 #include "equipoise/motions/motion_description.hpp"
-#include "equipoise/orbits/stroboscopic.hpp"
-#include "equipoise/proof/certificate.hpp"
 #include "equipoise/spin_up/start_source.hpp"
-#include "equipoise/traps/orbit_trap.hpp"
-#include "equipoise/traps/strobed_balance.hpp"
-#include "equipoise/traps/strobed_trap.hpp"
+#include "equipoise/traps/continuum_trap.hpp"
+#include "equipoise/traps/cycle_forms.hpp"
+#include "equipoise/traps/trap_rule.hpp"
 #include "equipoise/traps/validated_level.hpp"
 
 namespace equipoise {
 
 namespace {
 
-// Pilot starts are drawn from a seed of their own, so the decision rule depends on the study but not on its seed.
-constexpr std::uint64_t pilot_seed = 0x9e3779b97f4a7c15;
-// Scouts find motions; with their traps in place all of the pilot shows how far those and the boxes can be trusted.
-constexpr std::size_t scouts = 1024, coincident_starts = 32, pilot_starts = 4096, chunk = 256;
-// Long windows end at 1, 2, 4, 8 and 16 times the first: four comparisons, of which two in a row must agree.
-constexpr double pilot_windows = 16.0;
 // Windows of one motion agree this well; motions met so far differ by more.
 constexpr double grouping = 0.05;
 // Windows of one chaotic motion.
@@ -60,16 +49,16 @@ constexpr std::array box_widths{1.0, 2.0, 4.0};
 // Half a window holds whole strobes, so that what repeats with the rotor looks the same in all of them.
 double whole_strobes(double window, double strobe) { return 2.0 * strobe * std::ceil(0.5 * window / strobe - 1e-9); }
 
-DecisionRule first_rule(const Study& study, const BalancedAnalysis& balanced, double final_speed) {
+DecisionRule first_rule(const Study& study, const BalancedAnalysis& balanced, const model::System& system) {
   DecisionRule rule;
   rule.balls = study.parameters.balls;
   rule.interchangeable = study.parameters.equal_balls();
-  rule.traps = balanced.traps;
+  rule.balanced = balanced.traps;
   // Slow rotors move slowly: a window holds several revolutions of every motion met between 1.4 and 6.5 critical
   // speeds.
-  rule.window = std::max(16.0, 32.0 / std::max(std::fabs(final_speed), 0.1));
-  if (model::is_strobed(study.parameters)) {
-    rule.window = whole_strobes(rule.window, model::strobe_period(study.parameters, final_speed));
+  rule.window = std::max(16.0, 32.0 / std::max(std::fabs(system.speed()), 0.1));
+  if (system.section() == model::Section::strobe) {
+    rule.window = whole_strobes(rule.window, system.strobe_period());
     rule.sag = model::static_sag(study.parameters);
   }
   rule.first_long_window = std::max(100.0, 6.0 * rule.window);
@@ -81,14 +70,6 @@ DecisionRule first_rule(const Study& study, const BalancedAnalysis& balanced, do
   }
   return rule;
 }
-
-// The pilot's trajectories: states at the final speed once and for all, and what became of them under a rule.
-struct Pilot {
-  std::vector<double> begin, states;
-  std::vector<Fate> fates;
-  std::vector<PilotRecord> records;
-  std::size_t followed = 0;  // so many of them so far
-};
 
 struct Candidate {
   std::vector<std::size_t> members;  // records; none for seeds
@@ -104,42 +85,20 @@ class Discoverer {
  public:
   Discoverer(const Study& study, const StartSource& source, const DiscoverySettings& settings)
       : study_(study),
-        source_(source),
+        system_(study.parameters, source.last_segment().speed),
         settings_(settings),
         stages_("looking for attractors", settings.progress),
-        speed_(source.last_segment().speed),
-        strobed_(model::is_strobed(study.parameters)) {}
+        trials_{&system_, source.tolerance(), settings.threads, settings.stop, &stages_},
+        pilot_(system_, source) {}
 
   Discovery run() {
-    stages_.begin("balanced states");
-    std::vector<Motion> balanced;
-    if (strobed_) {
-      StrobedBalance found = analyse_strobed_balance(study_.parameters, speed_, settings_.stop);
-      result_.balanced = std::move(found.analysis);
-      balanced = std::move(found.motions);
-      for (const Motion& motion : balanced) result_.catalogue.add(study_.parameters, motion, continuum());
-    } else {
-      result_.balanced = analyse_balanced(study_.parameters, speed_);
-      list_balanced();
-    }
-    if (is_stopped()) return stopped();
-    result_.rule = first_rule(study_, result_.balanced, speed_);
-    result_.rule.blind = true;
-    if (const auto trap = continuum_trap(result_.balanced.continuum, result_.balanced.survey, trial_settings())) {
-      if (strobed_) family_ = strobed_family_test(study_.parameters, speed_, *trap);
-      if (strobed_ && !result_.catalogue.find(balanced_id)) list_creep(*trap);
-      if (!strobed_) result_.rule.family = family_test(*trap, study_.parameters.balls);
-    }
-    if (strobed_) {
-      for (const Motion& motion : balanced) make_strobed_trap(motion, balanced_id);
-      result_.rule.strobed = traps_as_rule(study_.parameters, speed_, strobed_traps_, family_);
-    }
-    if (!make_pilot() || !follow_pilot(scouts + coincident_starts)) return stopped();
+    find_balanced();
+    if (is_stopped() || !pilot_.make() || !follow_pilot(PilotRun::scouts)) return stopped();
     find_candidates();
     add_seeds();
     if (!refine_and_list()) return stopped();
     make_boxes();
-    if (!follow_pilot(pilot_.fates.size())) return stopped();
+    if (!follow_pilot(pilot_.size())) return stopped();
     audit_boxes();
     level_balanced();
     find_candidates();
@@ -156,159 +115,36 @@ class Discoverer {
     return std::move(result_);
   }
 
-  std::optional<ContinuumPart> continuum() const {
-    if (!result_.balanced.continuum) return std::nullopt;
-    return result_.balanced.survey;
-  }
-
-  void list_balanced() {
-    using Kind = model::BalancedStates::Kind;
-    const model::Parameters& p = study_.parameters;
-    const model::BalancedStates& states = result_.balanced.states;
-    if (states.kind == Kind::none) return;
-    Eigen::VectorXd centre = Eigen::VectorXd::Zero(model::dimension(p.balls));
-    if (states.kind == Kind::isolated) {
-      for (const auto& phi : states.angles) {  // unequal balls: each state is an attractor of its own
-        centre = model::centred_state(p, phi.data());
-        if (const auto refined = refine_equilibrium({p, speed_}, centre))
-          result_.catalogue.add(p, describe_equilibrium({p, speed_}, *refined));
-        if (p.balls == 2 && states.angles.size() == 2) break;  // mirror images are one motion
-      }
-      return;
-    }
-    // Of a continuum one state stands for all, an attracting one if there are any.
-    centre = model::centred_state(p, result_.balanced.survey.typical.data());
-    if (const auto refined = refine_equilibrium({p, speed_}, centre))
-      result_.catalogue.add(p, describe_equilibrium({p, speed_}, *refined), continuum());
-  }
-
-  // Under gravity one of the motions that the continuum's trap leads to stands for all.
-  void list_creep(const ContinuumTrap& trap) {
-    const auto m = trap.continuum->member(result_.balanced.survey.typical.data());
-    if (m)
-      result_.catalogue.add(study_.parameters, describe_creep({study_.parameters, speed_}, m->centre, m->rate),
-                            continuum());
+  void find_balanced() {
+    stages_.begin("balanced states");
+    BalancedAnalysis& balanced = result_.balanced;
+    balanced = analyse_balanced(system_, settings_.stop);
+    const auto part = balanced.continuum ? std::optional<ContinuumPart>(balanced.survey) : std::nullopt;
+    for (const Motion& motion : balanced.motions) result_.catalogue.add(study_.parameters, motion, part);
+    if (is_stopped()) return;
+    result_.rule = first_rule(study_, balanced, system_);
+    result_.rule.blind = true;
+    continuum_ = continuum_trap(balanced.continuum, balanced.survey, trials_);
+    // Under gravity one of the motions that the continuum's trap leads to stands for all.
+    if (continuum_ && !system_.autonomous() && balanced.motions.empty())
+      if (const auto m = balanced.continuum->member(balanced.survey.typical.data()))
+        result_.catalogue.add(study_.parameters, describe_creep(system_, m->centre, m->rate), part);
+    for (const Motion& motion : balanced.motions) add_traps(motion, balanced_id);
+    set_traps(result_.rule, system_, cycles_, continuum_);
   }
 
   // Proved or widened levels of the balanced traps.
   void level_balanced() {
-    const model::Parameters& p = study_.parameters;
-    std::vector<BalancedTrap>& traps = result_.rule.traps;
-    const std::vector<BalancedTrap> narrow = traps;
-    const bool mirror = p.balls == 2 && p.equal_balls();
-    if (traps.empty()) return;
-    const bool proving = study_.numerics.decide == DecideMode::proof;
-    const double nearest_foreign = proving ? 0.0 : nearest_elsewhere();
-    for (std::size_t i = 0; i < traps.size(); ++i) {
-      if (mirror && i > 0) {
-        set_level(traps[i], traps[0].level);
-        traps[i].by = traps[0].by;
-        continue;
-      }
-      if (proving)
-        prove(traps[i]);
-      else
-        widen(traps[i], narrow, trial_settings(), result_.balanced.slowest_rate, nearest_foreign);
-    }
-  }
-
-  // The smallest V on any of the pilot's trajectories that ended elsewhere. What is undecided is followed on: it may be
-  // on its slow way to balance.
-  double nearest_elsewhere() {
-    const auto size = static_cast<std::ptrdiff_t>(model::dimension(study_.parameters.balls));
-    double nearest = 1e300;
-    std::vector<std::size_t> open;
-    std::vector<double> states;
-    for (std::size_t i = 0; i < pilot_.fates.size(); ++i) {
-      if (pilot_.fates[i].attractor == balanced_id) continue;
-      if (pilot_.fates[i].outcome != Outcome::undecided) {
-        nearest = std::min(nearest, pilot_.records[i].least_value);
-        continue;
-      }
-      open.push_back(i);
-      const auto state = pilot_.states.begin() + static_cast<std::ptrdiff_t>(i) * size;
-      states.insert(states.end(), state, state + size);
-    }
-    const std::vector<char> came =
-        come_to_balance(std::move(states), result_.rule.traps, trial_settings(), result_.balanced.slowest_rate);
-    for (std::size_t k = 0; k < open.size(); ++k)
-      if (!came[k]) nearest = std::min(nearest, pilot_.records[open[k]].least_value);
-    return nearest;
-  }
-
-  void prove(BalancedTrap& trap) {
-    const Certificate certificate = largest_certificate(study_.parameters, speed_, trap.phi.data(), form_of(trap),
-                                                        trap.level / level_margin, nullptr, settings_.stop);
-    // What the kernels compute in place of V is off by rounding: a part in 10^13.
-    set_level(trap, certificate.level * (1.0 - 1e-9));
-    trap.by = DecidedBy::proof;
-  }
-
-  TrialSettings trial_settings() {
-    return {&study_.parameters, speed_, source_.tolerance(), settings_.threads, settings_.stop, &stages_};
-  }
-
-  // Random starts, starts with all balls together, and more random ones.
-  bool make_pilot() {
-    const model::Parameters& p = study_.parameters;
-    std::vector<double> phi, states;
-    std::vector<Fate> fates;
-    const auto append = [&] { pilot_.begin.insert(pilot_.begin.end(), states.begin(), states.end()); };
-    if (!source_.make(pilot_seed, 0, scouts, phi, states, fates)) return false;
-    append();
-    phi.clear();
-    for (std::size_t k = 0; k < coincident_starts; ++k)
-      phi.insert(phi.end(), p.balls, two_pi * static_cast<double>(k) / coincident_starts);
-    if (!source_.follow(phi, states, fates)) return false;
-    append();
-    if (!source_.make(pilot_seed, scouts, pilot_starts - scouts, phi, states, fates)) return false;
-    append();
-    const std::size_t count = pilot_.begin.size() / model::dimension(p.balls);
-    pilot_.fates.resize(count);
-    pilot_.records.resize(count);
-    return true;
+    if (study_.numerics.decide == DecideMode::proof)
+      prove_levels(result_.rule.balanced, trials_);
+    else
+      widen_levels(result_.rule.balanced, trials_, result_.balanced.slowest_rate, pilot_);
   }
 
   // Decides the first `count` of the pilot's starts by the rule as it stands.
   bool follow_pilot(std::size_t count) {
-    const int size = model::dimension(study_.parameters.balls);
-    pilot_.followed = count;
-    pilot_.states = pilot_.begin;
     const double horizon = std::min(*study_.numerics.horizon, pilot_windows * result_.rule.first_long_window);
-    std::atomic<bool> complete{true};
-    stages_.begin("pilot trajectories", count);
-    tbb::task_arena arena(settings_.threads);
-    arena.execute([&] {
-      tbb::parallel_for(std::size_t{0}, (count + chunk - 1) / chunk, [&](std::size_t k) {
-        const std::size_t first = k * chunk, length = std::min(chunk, count - first);
-        LaneTask task;
-        task.parameters = &study_.parameters;
-        task.segment = source_.last_segment();
-        task.end = task.segment.begin + horizon;
-        task.tolerance = source_.tolerance();
-        task.count = length;
-        task.states = &pilot_.states[first * size];
-        task.stop = settings_.stop;
-        std::vector<Fate> fates(length);
-        std::vector<PilotRecord> records(length);
-        if (decide_lanes(task, result_.rule, fates, &records))
-          stages_.add(length);
-        else
-          complete = false;
-        std::copy(fates.begin(), fates.end(), pilot_.fates.begin() + static_cast<std::ptrdiff_t>(first));
-        std::copy(records.begin(), records.end(), pilot_.records.begin() + static_cast<std::ptrdiff_t>(first));
-      });
-    });
-    return complete;
-  }
-
-  Eigen::VectorXd pilot_state(std::size_t i) const {
-    const int size = model::dimension(study_.parameters.balls);
-    const Eigen::Map<const Eigen::VectorXd> state(&pilot_.states[i * size], size);
-    if (!strobed_) return state;
-    const auto strobed =
-        at_next_strobe({study_.parameters, speed_}, state, source_.last_segment().psi_at(pilot_.fates[i].time));
-    return strobed.value_or(state);
+    return pilot_.follow(count, result_.rule, horizon, settings_.threads, settings_.stop, stages_);
   }
 
   // Groups of trajectories that the rule cannot name yet: stationary ones, and ones that neither settled nor came to
@@ -317,21 +153,22 @@ class Discoverer {
     const int balls = study_.parameters.balls;
     const std::vector<KnownFeatures>& known = result_.rule.known;
     std::vector<std::size_t> stationary, wandering;
-    for (std::size_t i = 0; i < pilot_.followed; ++i) {
-      const Fate& fate = pilot_.fates[i];
+    for (std::size_t i = 0; i < pilot_.followed(); ++i) {
+      const Fate& fate = pilot_.fates()[i];
       if (fate.outcome == Outcome::attracted && fate.attractor == 0) stationary.push_back(i);
-      if (fate.outcome == Outcome::undecided && pilot_.records[i].finished_window &&
-          !nearest_known(pilot_.records[i].features, known, balls))
+      if (fate.outcome == Outcome::undecided && pilot_.records()[i].finished_window &&
+          !nearest_known(pilot_.records()[i].features, known, balls))
         wandering.push_back(i);
     }
     candidates_.clear();
     for (const auto& [which, tolerance] : {std::pair{&stationary, grouping}, std::pair{&wandering, loose_grouping}}) {
-      auto groups = group_records(pilot_.records, *which, balls, tolerance);
+      auto groups = group_records(pilot_.records(), *which, balls, tolerance);
       std::stable_sort(groups.begin(), groups.end(),
                        [](const MotionGroup& a, const MotionGroup& b) { return a.members.size() > b.members.size(); });
       if (groups.size() > most_groups) groups.resize(most_groups);
       for (const MotionGroup& group : groups)
-        candidates_.push_back({group.members, group.features, group.range, pilot_state(group.members.front())});
+        candidates_.push_back(
+            {group.members, group.features, group.range, pilot_.state_at_strobe(group.members.front())});
     }
   }
 
@@ -350,8 +187,7 @@ class Discoverer {
           std::size_t{0}, candidates_.size(),
           [&](std::size_t k) {
             if (is_stopped()) return;
-            candidates_[k].motion =
-                motion_from({study_.parameters, speed_}, candidates_[k].state, motion_patience, settings_.stop);
+            candidates_[k].motion = motion_from(system_, candidates_[k].state, motion_patience, settings_.stop);
             stages_.add(1);
           },
           tbb::simple_partitioner());
@@ -366,12 +202,8 @@ class Discoverer {
       if (!c.shows_motion || c.attractor == balanced_id) continue;
       result_.rule.known.push_back({c.features, c.attractor, c.motion->kind == MotionKind::chaotic});
     }
-    for (const Attractor& a : result_.catalogue.listed_since(before))
-      if (strobed_)
-        make_strobed_trap(a.motion, a.id);
-      else
-        make_orbit_traps(a);
-    if (strobed_) result_.rule.strobed = traps_as_rule(study_.parameters, speed_, strobed_traps_, family_);
+    for (const Attractor& a : result_.catalogue.listed_since(before)) add_traps(a.motion, a.id);
+    set_traps(result_.rule, system_, cycles_, continuum_);
     return !is_stopped();
   }
 
@@ -385,8 +217,8 @@ class Discoverer {
       followed.push_back(&c);
       motions.push_back(&*c.motion);
     }
-    const std::vector<PilotRecord> own = own_windows(study_.parameters, speed_, motions, result_.rule, pilot_windows,
-                                                     source_.tolerance(), settings_.stop);
+    const std::vector<PilotRecord> own = own_windows(system_.parameters(), system_.speed(), motions, result_.rule,
+                                                     pilot_windows, trials_.tolerance, settings_.stop);
     for (std::size_t k = 0; k < followed.size(); ++k) {
       Candidate& c = *followed[k];
       c.shows_motion = own[k].finished_window &&
@@ -400,28 +232,10 @@ class Discoverer {
     return kind == MotionKind::quasi_periodic ? torus_grouping : grouping;
   }
 
-  void make_strobed_trap(const Motion& motion, int id) {
-    constexpr int most_strobes = 8;  // all of them are compared with every state
-    const bool continuum = motion.kind == MotionKind::equilibrium && continuum_dimension(study_.parameters) > 0;
-    if (!motion.stable || continuum || motion.strobes == 0 || motion.strobes > most_strobes) return;
-    auto trap = strobed_trap(study_.parameters, speed_, motion, id);
-    if (trap && validate(*trap, trial_settings(), slowest_strobed_rate(motion)))
-      strobed_traps_.push_back(std::make_shared<StrobedTrap>(*std::move(trap)));
-  }
-
-  void make_orbit_traps(const Attractor& a) {
-    if (a.motion.kind != MotionKind::periodic) return;
-    std::vector<OrbitTrap> traps = orbit_traps(study_.parameters, speed_, a.motion, a.id);
-    if (!validate(traps, trial_settings(), slowest_rate(a.motion))) return;
-    result_.rule.orbits.insert(result_.rule.orbits.end(), traps.begin(), traps.end());
-  }
-
-  // Of approach to a periodic orbit; the exponent nearest zero belongs to the shift in time.
-  static double slowest_rate(const Motion& motion) {
-    double slowest = -1e300;
-    for (Eigen::Index k = 1; k < motion.spectrum.size(); ++k)
-      slowest = std::max(slowest, std::log(std::abs(motion.spectrum[k])) / motion.period);
-    return slowest;
+  void add_traps(const Motion& motion, int id) {
+    std::vector<CycleTrap> traps = cycle_traps(system_, motion, id);
+    if (traps.empty() || !validate(traps, trials_, motion.orbit.slowest_rate())) return;
+    for (CycleTrap& trap : traps) cycles_.push_back(std::make_shared<CycleTrap>(std::move(trap)));
   }
 
   // Around what the scouts of each attractor did.
@@ -446,7 +260,7 @@ class Discoverer {
     for (std::size_t b = 0; b < result_.rule.boxes.size(); ++b) {
       FeatureBox box = result_.rule.boxes[b];
       const bool restless = result_.catalogue.find(box.attractor)->motion.kind == MotionKind::chaotic;
-      box.hits_needed = hits_from_audit(pilot_.fates, pilot_.records, b, box.attractor, restless);
+      box.hits_needed = hits_from_audit(pilot_.fates(), pilot_.records(), b, box.attractor, restless);
       if (box.hits_needed) kept.push_back(box);
     }
     result_.rule.boxes = kept;
@@ -455,13 +269,13 @@ class Discoverer {
   // A torus or chaos may not repeat itself within the pilot's time; its last long window tells it all the same.
   void name_undecided() {
     const DecisionRule& rule = result_.rule;
-    for (std::size_t i = 0; i < pilot_.followed; ++i) {
-      if (pilot_.fates[i].outcome != Outcome::undecided || !pilot_.records[i].finished_window) continue;
-      const Features& features = pilot_.records[i].features;
+    for (std::size_t i = 0; i < pilot_.followed(); ++i) {
+      if (pilot_.fates()[i].outcome != Outcome::undecided || !pilot_.records()[i].finished_window) continue;
+      const Features& features = pilot_.records()[i].features;
       if (const KnownFeatures* known = nearest_known(features, rule.known, rule.balls))
-        pilot_.fates[i].attractor = static_cast<short>(known->attractor);
-      else if (strobed_)
-        pilot_.fates[i].attractor = static_cast<short>(loosely_known(features));
+        pilot_.name(i, known->attractor);
+      else if (!system_.autonomous())
+        pilot_.name(i, loosely_known(features));
     }
   }
 
@@ -473,15 +287,14 @@ class Discoverer {
   }
 
   const Study& study_;
-  const StartSource& source_;
+  const model::System system_;
   const DiscoverySettings& settings_;
   StageProgress stages_;
-  double speed_;
-  bool strobed_;
+  const TrialSettings trials_;
+  PilotRun pilot_;
   Discovery result_;
-  std::vector<std::shared_ptr<const StrobedTrap>> strobed_traps_;
-  StrobedFamilyTest family_;
-  Pilot pilot_;
+  CycleTraps cycles_;
+  std::optional<ContinuumTrap> continuum_;
   std::vector<Candidate> candidates_;
 };
 

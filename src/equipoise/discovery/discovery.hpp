@@ -12,7 +12,7 @@
 #include "equipoise/deciding/decision_rule.hpp"
 #include "equipoise/motions/catalogue.hpp"
 #include "equipoise/study/study.hpp"
-#include "equipoise/traps/balanced_trap.hpp"
+#include "equipoise/traps/balanced_analysis.hpp"
 
 namespace equipoise {
 

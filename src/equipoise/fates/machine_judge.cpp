@@ -13,7 +13,7 @@
 #include "equipoise/model/strobe.hpp"
 #include "equipoise/motions/catalogue.hpp"
 #include "equipoise/orbits/continuum_draws.hpp"
-#include "equipoise/traps/strobed_balance.hpp"
+#include "equipoise/traps/balanced_analysis.hpp"
 
 namespace equipoise {
 
@@ -117,7 +117,7 @@ BalanceNote MachineFacts::make_note() {
     // As if the race were centred and the speed did not waver.
     model::Parameters at_centre = p;
     at_centre.race_offset = {0.0, 0.0};
-    const BalancedAnalysis found = analyse_strobed_balance(at_centre, *speed).analysis;
+    const BalancedAnalysis found = analyse_balanced({at_centre, *speed});
     strobed_balance_unstable_ = !found.stable;
     return {found.stable, found.note};
   }

@@ -21,21 +21,14 @@ constexpr double same_point = 1e-6;
 // beta = 0.05: r_max by 10 % between stretches of 400).
 constexpr double same_torus = 0.02, same_chaos = 0.1;
 
-using Order = std::array<int, model::max_balls>;  // ball i takes the place of ball order[i]
-
-Eigen::VectorXd exchanged(const Eigen::VectorXd& state, int balls, const Order& order) {
-  Eigen::VectorXd result = state;
-  for (int i = 0; i < balls; ++i) {
-    result[model::index::phi(i)] = state[model::index::phi(order[i])];
-    result[model::index::q(i, balls)] = state[model::index::q(order[i], balls)];
-  }
-  return result;
+Eigen::VectorXd exchanged(const Eigen::VectorXd& state, int balls, const BallOrder& order) {
+  return state(exchanged_components(balls, order));
 }
 
 // Calls visit(order) for every order in which may_replace(i, order[i]) holds throughout, until it returns true.
 bool any_order(int balls, const std::function<bool(int, int)>& may_replace,
-               const std::function<bool(const Order&)>& visit) {
-  Order order{};
+               const std::function<bool(const BallOrder&)>& visit) {
+  BallOrder order{};
   std::array<bool, model::max_balls> taken{};
   const std::function<bool(int)> place = [&](int i) {
     if (i == balls) return visit(order);
@@ -71,6 +64,38 @@ double sameness(const Motion& m) {
 long factorial(long k) { return k < 2 ? 1 : k * factorial(k - 1); }
 
 }  // namespace
+
+Eigen::VectorXi exchanged_components(int balls, const BallOrder& order) {
+  Eigen::VectorXi from = Eigen::VectorXi::LinSpaced(model::dimension(balls), 0, model::dimension(balls) - 1);
+  for (int i = 0; i < balls; ++i) {
+    from[model::index::phi(i)] = model::index::phi(order[i]);
+    from[model::index::q(i, balls)] = model::index::q(order[i], balls);
+  }
+  return from;
+}
+
+std::vector<BallOrder> exchange_images(const model::System& system, const Motion& motion) {
+  const int n = system.balls();
+  const OrbitCurve orbit(system, motion.orbit);
+  const double rate = largest_rate(motion, n);
+  std::vector<BallOrder> images;
+  // Two orders make the same motion if what leads from one to the other leaves the motion alone.
+  const auto makes_the_same = [&](const BallOrder& earlier, const BallOrder& order) {
+    BallOrder between{};
+    for (int i = 0; i < n; ++i) between[earlier[i]] = order[i];
+    for (int i = 0; i < n; ++i)
+      if (!same_ball(motion, i, motion, between[i], sameness(motion), rate)) return false;
+    return orbit.distance(exchanged(motion.state, n, between)) < same_point;
+  };
+  any_order(
+      n, [&](int i, int k) { return system.alike(i, k); },
+      [&](const BallOrder& order) {
+        if (std::none_of(images.begin(), images.end(), [&](const BallOrder& e) { return makes_the_same(e, order); }))
+          images.push_back(order);
+        return static_cast<int>(images.size()) == motion.copies;
+      });
+  return images;
+}
 
 bool is_half_period_exchange(const model::System& system, const PeriodicOrbit& orbit) {
   if (system.balls() != 2 || !system.alike(0, 1)) return false;
@@ -108,7 +133,7 @@ int count_copies(const model::Parameters& p, const Motion& motion) {
     const OrbitCurve orbit(system, motion.orbit);
     any_order(
         n, [&](int i, int k) { return system.alike(i, k) && same_ball(motion, i, motion, k, sameness(motion), rate); },
-        [&](const Order& order) {
+        [&](const BallOrder& order) {
           for (int i = 0; i < n; ++i)
             for (int k = 0; k < i; ++k)
               if (motion.cluster[order[k]] == motion.cluster[order[i]] && system.alike(i, k) && order[k] > order[i])
@@ -120,7 +145,7 @@ int count_copies(const model::Parameters& p, const Motion& motion) {
     const StateDifference difference(system);
     any_order(
         n, [&](int i, int k) { return system.alike(i, k) && same_ball(motion, i, motion, k, sameness(motion), rate); },
-        [&](const Order& order) {
+        [&](const BallOrder& order) {
           unchanged += motion.kind != MotionKind::equilibrium ||
                        difference.distance(exchanged(motion.state, n, order), motion.state) < same_point;
           return false;
@@ -148,11 +173,11 @@ bool same_motion(const model::Parameters& p, const Motion& a, const Motion& b) {
   const auto may_replace = [&](int i, int k) {
     return system.alike(i, k) && (a.kind == MotionKind::equilibrium || same_ball(b, i, a, k, share, rate));
   };
-  if (measured(a)) return any_order(n, may_replace, [](const Order&) { return true; });
+  if (measured(a)) return any_order(n, may_replace, [](const BallOrder&) { return true; });
   if (a.kind == MotionKind::equilibrium) {
     if (is_balanced_continuum(p, a) && is_balanced_continuum(p, b)) return true;
     const StateDifference difference(system);
-    return any_order(n, may_replace, [&](const Order& order) {
+    return any_order(n, may_replace, [&](const BallOrder& order) {
       return difference.distance(exchanged(a.state, n, order), b.state) < same_point;
     });
   }
@@ -160,7 +185,7 @@ bool same_motion(const model::Parameters& p, const Motion& a, const Motion& b) {
   // One point in common is enough: orbits that meet are one orbit.
   const OrbitCurve orbit(system, b.orbit);
   return any_order(n, may_replace,
-                   [&](const Order& order) { return orbit.distance(exchanged(a.state, n, order)) < same_point; });
+                   [&](const BallOrder& order) { return orbit.distance(exchanged(a.state, n, order)) < same_point; });
 }
 
 }  // namespace equipoise

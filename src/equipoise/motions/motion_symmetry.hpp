@@ -1,10 +1,24 @@
 // Exchange of equal balls: which motions it leaves alone, which it makes from others.
 #pragma once
 
+#include <array>
+#include <vector>
+
+#include <Eigen/Core>
+
 #include "equipoise/model/parameters.hpp"
 #include "equipoise/motions/motion.hpp"
 
 namespace equipoise {
+
+/// Ball i does what ball order[i] did.
+using BallOrder = std::array<int, model::max_balls>;
+/// Where the components of a state come from when balls are exchanged: exchanged = state(components).
+Eigen::VectorXi exchanged_components(int balls, const BallOrder& order);
+
+/// Of a periodic motion: one order for each of the Motion::copies that exchange of like balls makes of it, its own
+/// first.
+std::vector<BallOrder> exchange_images(const model::System& system, const Motion& motion);
 
 /// Motion::copies of a motion described in all else.
 int count_copies(const model::Parameters& p, const Motion& motion);

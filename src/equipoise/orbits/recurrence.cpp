@@ -8,6 +8,7 @@
 #include <optional>
 
 #include "equipoise/base/angles.hpp"
+#include "equipoise/math/hermite.hpp"
 #include "equipoise/model/linearisation.hpp"
 
 namespace equipoise {
@@ -116,10 +117,7 @@ double OrbitCurve::distance(const Eigen::VectorXd& state) const {
 
 double OrbitCurve::distance_on_arc(std::size_t k, const Eigen::VectorXd& state) const {
   const auto at = [&](double s) {
-    const double r = 1.0 - s;
-    const Eigen::VectorXd point = r * r * (1.0 + 2.0 * s) * states_[k] + s * s * (3.0 - 2.0 * s) * states_[k + 1] +
-                                  step_ * s * r * (r * rates_[k] - s * rates_[k + 1]);
-    return difference_.distance(point, state);
+    return difference_.distance(hermite(s, step_, states_[k], rates_[k], states_[k + 1], rates_[k + 1]), state);
   };
   double low = 0.0, high = 1.0;
   for (int round = 0; round < 40; ++round) {  // thirds: the distance has one minimum on so short an arc

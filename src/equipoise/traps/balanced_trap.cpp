@@ -1,4 +1,4 @@
-// Stability and traps of the balanced states.
+// Forms and levels of the traps around balanced states.
 #include "equipoise/traps/balanced_trap.hpp"
 
 #include <algorithm>
@@ -6,11 +6,10 @@
 #include <limits>
 #include <utility>
 
-#include <fmt/format.h>
-
 #include "equipoise/math/dense.hpp"
 #include "equipoise/math/lyapunov.hpp"
 #include "equipoise/model/linearisation.hpp"
+#include "equipoise/motions/motion_symmetry.hpp"
 #include "equipoise/traps/critical_level.hpp"
 
 namespace equipoise {
@@ -140,30 +139,25 @@ BalancedTrap reflected(const model::Parameters& p, const BalancedTrap& trap) {
   return make_trap(p, phi, sign.asDiagonal() * form_of(trap) * sign.asDiagonal(), trap.level);
 }
 
-// The same trap with balls 1 and 2 exchanged.
+}  // namespace
+
 BalancedTrap exchanged(const model::Parameters& p, const BalancedTrap& trap) {
-  const int size = model::dimension(2);
-  Eigen::VectorXi order(size);
-  order << 0, 1, 2, 3, 5, 4, 7, 6;
-  const Eigen::PermutationMatrix<Eigen::Dynamic> swap(order);
-  const Eigen::MatrixXd form = swap * form_of(trap) * swap.transpose();
-  return make_trap(p, {trap.phi[1], trap.phi[0]}, form, trap.level);
+  const Eigen::VectorXi from = exchanged_components(2, {1, 0});
+  return make_trap(p, {trap.phi[1], trap.phi[0]}, form_of(trap)(from, from), trap.level);
 }
 
 // What is searched for is searched for of the rotor that turns forwards, so that mirror images have the same level.
-BalancedTrap trap_of(const model::Parameters& p, double speed, std::array<double, model::max_balls> phi) {
-  const auto forwards = [&] {
-    const double s = std::fabs(speed);
-    return isolated_trap(p, s, phi, model::jacobian(p, s, model::centred_state(p, phi.data()).data()));
-  };
-  if (!(speed < 0.0)) return forwards();
-  for (int i = 0; i < p.balls; ++i) phi[i] = -phi[i];
-  if (p.balls != 2 || !p.equal_balls()) return reflected(p, forwards());
-  std::swap(phi[0], phi[1]);  // of equal balls both states are made from the first
-  return reflected(p, exchanged(p, forwards()));
+BalancedTrap balanced_trap(const model::Parameters& p, double speed, const std::array<double, model::max_balls>& phi) {
+  const double forwards = std::fabs(speed);
+  std::array<double, model::max_balls> angles = phi;
+  const bool backwards = speed < 0.0, equal = p.balls == 2 && p.equal_balls();
+  for (int i = 0; backwards && i < p.balls; ++i) angles[i] = -phi[i];
+  if (backwards && equal) std::swap(angles[0], angles[1]);  // of equal balls both states are made from the first
+  const BalancedTrap trap =
+      isolated_trap(p, forwards, angles, model::jacobian(p, forwards, model::centred_state(p, angles.data()).data()));
+  if (!backwards) return trap;
+  return reflected(p, equal ? exchanged(p, trap) : trap);
 }
-
-}  // namespace
 
 Eigen::Map<const Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>> factor_of(
     const BalancedTrap& trap) {
@@ -176,54 +170,16 @@ Eigen::MatrixXd form_of(const BalancedTrap& trap) {
   return factor.transpose() * factor;
 }
 
-void judge_continuum(double speed, BalancedAnalysis& analysis) {
-  const ContinuumSurvey& survey = analysis.survey;
-  analysis.stable = survey.attracts();
-  analysis.growth_rate = survey.most_growth;
-  if (!analysis.stable)
-    analysis.note = fmt::format(
-        "the balanced states form a continuum, and all {} drawn evenly from it are unstable at speed {} (growth rates "
-        "{:.3g} to {:.3g})",
-        survey.drawn, speed, survey.least_growth, survey.most_growth);
+void set_level(BalancedTrap& trap, double level) {
+  const double stretch = std::sqrt(level / trap.level);
+  trap.level = level;
+  for (double& reach : trap.reach) reach *= stretch;
 }
 
-BalancedAnalysis analyse_balanced(const model::Parameters& p, double speed) {
-  BalancedAnalysis result;
-  result.states = model::balanced_states(p);
-  if (result.states.kind == model::BalancedStates::Kind::none) {
-    result.note = "no balanced state exists: " + result.states.reason;
-    return result;
-  }
-  if (result.states.kind == model::BalancedStates::Kind::family) {
-    result.continuum = std::make_shared<BalancedContinuum>(p, speed);
-    result.survey = result.continuum->survey();
-    judge_continuum(speed, result);
-    return result;
-  }
-  double slowest = -std::numeric_limits<double>::infinity();
-  const bool mirror = p.balls == 2 && p.equal_balls() && result.states.angles.size() == 2;
-  for (const auto& phi : result.states.angles) {
-    const Eigen::MatrixXd a = model::jacobian(p, speed, model::centred_state(p, phi.data()).data());
-    const double growth = dense::largest_real_part(a);
-    // Rounding moves an eigenvalue by about 1e-15; a rate this small would need a horizon of 1e9 to show.
-    if (!(growth < -1e-9)) {
-      result.growth_rate = std::max(result.growth_rate, growth);
-      continue;
-    }
-    slowest = std::max(slowest, growth);
-    result.traps.push_back(mirror && !result.traps.empty() ? exchanged(p, result.traps.front())
-                                                           : trap_of(p, speed, phi));
-  }
-  result.stable = !result.traps.empty();
-  if (result.stable)
-    result.slowest_rate = slowest;
-  else if (result.growth_rate > 1e-9)
-    result.note = fmt::format("the balanced state exists but is unstable at speed {} (growth rate {:.3g})", speed,
-                              result.growth_rate);
-  else
-    result.note =
-        fmt::format("the balanced state exists but is not linearly stable at speed {} (largest rate 0)", speed);
-  return result;
+Eigen::VectorXd state_on_level(const model::Parameters& p, const BalancedTrap& trap, double level,
+                               const Eigen::VectorXd& direction) {
+  const Eigen::VectorXd d = std::sqrt(level) * factor_of(trap).triangularView<Eigen::Upper>().solve(direction);
+  return model::centred_state(p, trap.phi.data()) + d;
 }
 
 }  // namespace equipoise

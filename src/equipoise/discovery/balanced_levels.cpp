@@ -1,0 +1,76 @@
+// One level for states that are images of each other.
+#include "equipoise/discovery/balanced_levels.hpp"
+
+#include <algorithm>
+#include <utility>
+
+#include "equipoise/proof/certificate.hpp"
+#include "equipoise/traps/balanced_trap.hpp"
+#include "equipoise/traps/validated_level.hpp"
+
+namespace equipoise {
+
+namespace {
+
+// Calls level(trap) for each trap, or for the first if exchange of the balls makes the other one from it.
+template <class Level>
+void level_each(std::vector<BalancedTrap>& traps, const model::Parameters& p, Level&& level) {
+  const bool images = p.balls == 2 && p.equal_balls();
+  for (std::size_t i = 0; i < traps.size(); ++i) {
+    if (!images || i == 0) {
+      level(traps[i]);
+      continue;
+    }
+    set_level(traps[i], traps[0].level);
+    traps[i].by = traps[0].by;
+  }
+}
+
+// The smallest V on any of the pilot's trajectories that ended elsewhere. What is undecided is followed on: it may be
+// on its slow way to balance.
+double nearest_elsewhere(const std::vector<BalancedTrap>& traps, const TrialSettings& settings, double slowest_rate,
+                         const PilotRun& pilot) {
+  double nearest = 1e300;
+  std::vector<std::size_t> open;
+  std::vector<double> states;
+  for (std::size_t i = 0; i < pilot.size(); ++i) {
+    const Fate& fate = pilot.fates()[i];
+    if (fate.attractor == balanced_id) continue;
+    if (fate.outcome != Outcome::undecided) {
+      nearest = std::min(nearest, pilot.records()[i].least_value);
+      continue;
+    }
+    open.push_back(i);
+    const auto state = pilot.state(i);
+    states.insert(states.end(), state.begin(), state.end());
+  }
+  const std::vector<char> came = come_to_balance(std::move(states), traps, settings, slowest_rate);
+  for (std::size_t k = 0; k < open.size(); ++k)
+    if (!came[k]) nearest = std::min(nearest, pilot.records()[open[k]].least_value);
+  return nearest;
+}
+
+}  // namespace
+
+void prove_levels(std::vector<BalancedTrap>& traps, const TrialSettings& settings) {
+  const model::System& system = *settings.system;
+  level_each(traps, system.parameters(), [&](BalancedTrap& trap) {
+    const Certificate certificate =
+        largest_certificate(system.parameters(), system.speed(), trap.phi.data(), form_of(trap),
+                            trap.level / level_margin, nullptr, settings.stop);
+    // What the kernels compute in place of V is off by rounding: a part in 10^13.
+    set_level(trap, certificate.level * (1.0 - 1e-9));
+    trap.by = DecidedBy::proof;
+  });
+}
+
+void widen_levels(std::vector<BalancedTrap>& traps, const TrialSettings& settings, double slowest_rate,
+                  const PilotRun& pilot) {
+  if (traps.empty()) return;
+  const std::vector<BalancedTrap> narrow = traps;
+  const double nearest_foreign = nearest_elsewhere(narrow, settings, slowest_rate, pilot);
+  level_each(traps, settings.system->parameters(),
+             [&](BalancedTrap& trap) { widen(trap, narrow, settings, slowest_rate, nearest_foreign); });
+}
+
+}  // namespace equipoise

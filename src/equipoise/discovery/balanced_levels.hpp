@@ -1,0 +1,17 @@
+// Levels of the balanced traps, beyond those inside which V decreases by sampling: proved, or widened as far as tries
+// and the pilot allow.
+#pragma once
+
+#include <vector>
+
+#include "equipoise/discovery/pilot_run.hpp"
+#include "equipoise/traps/trials.hpp"
+
+namespace equipoise {
+
+void prove_levels(std::vector<BalancedTrap>& traps, const TrialSettings& settings);
+/// `slowest_rate`: at which balance is approached, negative.
+void widen_levels(std::vector<BalancedTrap>& traps, const TrialSettings& settings, double slowest_rate,
+                  const PilotRun& pilot);
+
+}  // namespace equipoise

@@ -1,0 +1,115 @@
+// Existence, by continuation where gravity acts, and stability, by eigenvalues or Floquet multipliers.
+#include "equipoise/traps/balanced_analysis.hpp"
+
+#include <algorithm>
+#include <array>
+#include <limits>
+#include <optional>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "equipoise/math/dense.hpp"
+#include "equipoise/model/linearisation.hpp"
+#include "equipoise/orbits/stroboscopic.hpp"
+#include "equipoise/traps/balanced_trap.hpp"
+
+namespace equipoise {
+
+namespace {
+
+using Angles = std::array<double, model::max_balls>;
+
+// Rounding moves an eigenvalue by about 1e-15; a rate this small would need a horizon of 1e9 to show.
+constexpr double least_rate = 1e-9;
+
+std::optional<Motion> balanced_motion(const model::System& system, const Angles& phi) {
+  if (system.autonomous()) {
+    const auto refined = refine_equilibrium(system, model::centred_state(system.parameters(), phi.data()));
+    return refined ? std::optional(describe_equilibrium(system, *refined)) : std::nullopt;
+  }
+  const auto orbit = balanced_orbit(system, phi.data());
+  if (!orbit) return std::nullopt;
+  Motion motion = describe_orbit(system, *orbit);
+  motion.balanced = true;  // it was followed from there
+  return motion;
+}
+
+// Of the deviation that dies out slowest, or grows fastest.
+double rate_of(const model::System& system, const Angles& phi, const Motion& motion) {
+  if (!system.autonomous()) return motion.orbit.slowest_rate();
+  return dense::largest_real_part(model::jacobian(system, model::centred_state(system.parameters(), phi.data())));
+}
+
+void analyse_continuum(const model::System& system, const StopFlag* stop, BalancedAnalysis& result) {
+  const model::Parameters& p = system.parameters();
+  result.continuum = std::make_shared<BalancedContinuum>(p, system.speed());
+  result.survey = result.continuum->survey(stop);
+  const ContinuumSurvey& survey = result.survey;
+  const bool gravity = p.gravity != 0.0;  // whatever is balanced then, starts have to find
+  result.stable = survey.attracts() || gravity;
+  result.growth_rate = survey.most_growth;
+  if (!result.stable)
+    result.note = fmt::format(
+        "the balanced states form a continuum, and all {} drawn evenly from it are unstable at speed {} (growth rates "
+        "{:.3g} to {:.3g})",
+        survey.drawn, system.speed(), survey.least_growth, survey.most_growth);
+  if (gravity || is_set(stop)) return;
+  if (auto motion = balanced_motion(system, survey.typical)) result.motions.push_back(*std::move(motion));
+}
+
+std::string instability(const BalancedAnalysis& result, double speed) {
+  if (result.motions.empty()) return "no balanced motion exists: it vanishes as gravity and anisotropy are switched on";
+  if (result.growth_rate > least_rate)
+    return fmt::format("the balanced state exists but is unstable at speed {} (growth rate {:.3g})", speed,
+                       result.growth_rate);
+  return fmt::format("the balanced state exists but is not linearly stable at speed {} (largest rate 0)", speed);
+}
+
+void analyse_isolated(const model::System& system, const StopFlag* stop, BalancedAnalysis& result) {
+  const model::Parameters& p = system.parameters();
+  std::vector<Angles> angles = result.states.angles;
+  const bool images = p.balls == 2 && p.equal_balls() && angles.size() == 2;
+  if (images) angles.pop_back();  // the other one by exchange of the balls
+  double slowest = -std::numeric_limits<double>::infinity();
+  for (const Angles& phi : angles) {
+    if (is_set(stop)) return;
+    auto motion = balanced_motion(system, phi);
+    if (!motion) continue;
+    const double rate = rate_of(system, phi, *motion);
+    result.motions.push_back(*std::move(motion));
+    if (!(rate < -least_rate)) {
+      result.growth_rate = std::max(result.growth_rate, rate);
+      continue;
+    }
+    slowest = std::max(slowest, rate);
+    result.stable = true;
+    if (!system.autonomous()) continue;
+    result.traps.push_back(balanced_trap(p, system.speed(), phi));
+    if (images) result.traps.push_back(exchanged(p, result.traps.back()));
+  }
+  std::stable_partition(result.motions.begin(), result.motions.end(), [](const Motion& m) { return m.stable; });
+  if (result.stable)
+    result.slowest_rate = slowest;
+  else
+    result.note = instability(result, system.speed());
+}
+
+}  // namespace
+
+BalancedAnalysis analyse_balanced(const model::System& system, const StopFlag* stop) {
+  using Kind = model::BalancedStates::Kind;
+  BalancedAnalysis result;
+  model::Parameters horizontal = system.parameters();
+  horizontal.gravity = 0.0;
+  result.states = model::balanced_states(horizontal);
+  if (result.states.kind == Kind::none)
+    result.note = "no balanced state exists: " + result.states.reason;
+  else if (result.states.kind == Kind::family)
+    analyse_continuum(system, stop, result);
+  else
+    analyse_isolated(system, stop, result);
+  return result;
+}
+
+}  // namespace equipoise

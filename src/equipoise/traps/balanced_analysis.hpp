@@ -1,0 +1,41 @@
+// The balanced motions at a prescribed speed: which there are, whether they are stable, and the traps around them.
+#pragma once
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "equipoise/base/stop_flag.hpp"
+#include "equipoise/deciding/decision_rule.hpp"
+#include "equipoise/model/balanced_state.hpp"
+#include "equipoise/model/system.hpp"
+#include "equipoise/motions/motion.hpp"
+#include "equipoise/orbits/balanced_continuum.hpp"
+
+namespace equipoise {
+
+struct BalancedAnalysis {
+  model::BalancedStates states;  ///< as without gravity
+  bool stable = false;           ///< a balanced motion is there, or under gravity may be, and is linearly stable
+  double slowest_rate = 0.0;     ///< at which deviations from a stable one die out (negative), 0 if there is none; and
+                                 ///< along a continuum
+  double growth_rate = 0.0;      ///< fastest one of unstable ones, 0 if there is none
+  /// Stable ones first; of a continuum one member stands for all, and so does one of two states that differ by exchange
+  /// of like balls.
+  std::vector<Motion> motions;
+  /// Of each stable state where nothing depends on the rotor's angle and states are isolated. Elsewhere traps are those
+  /// of the motions (traps/cycle_forms.hpp) or of the continuum.
+  std::vector<BalancedTrap> traps;
+  std::shared_ptr<const BalancedContinuum> continuum;  ///< null: the states are isolated
+  ContinuumSurvey survey;                              ///< of that
+  std::string note;  ///< one sentence for the reader when no start can end balanced, else empty
+};
+
+/// Supports that differ leave the balanced states what they are, and change their stability. Gravity makes the balls
+/// rock once a revolution: the balanced motion is then the orbit of one revolution that a balanced state becomes as
+/// gravity and anisotropy are switched on gradually. Of a continuum of balanced states gravity leaves single ones,
+/// which starts have to find (leads_to_balance() tells them). Once `stop` is set the answer is worth nothing, and comes
+/// soon.
+BalancedAnalysis analyse_balanced(const model::System& system, const StopFlag* stop = nullptr);
+
+}  // namespace equipoise

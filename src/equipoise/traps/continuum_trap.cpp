@@ -1,0 +1,99 @@
+// States on level sets around members of a continuum.
+#include "equipoise/traps/continuum_trap.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+#include <vector>
+
+#include <Eigen/Core>
+
+#include "equipoise/traps/trap_rule.hpp"
+
+namespace equipoise {
+
+namespace {
+
+// A state of a continuum's trap falls to this share of its V: so much nearer, it is where linear theory holds.
+constexpr double come_near = 0.03;
+// A state beside the slowest member that is tried may come to one a little slower.
+constexpr double slower = 0.5;
+
+// Members of a continuum to try levels around, and how far from rest what gravity makes of them is.
+struct Members {
+  std::vector<ContinuumMember> all;
+  double unit = 0.0, slowest_rate = 0.0, unrest = 0.0;
+};
+
+Members members_to_try(const BalancedContinuum& continuum, const ContinuumSurvey& survey,
+                       const TrialSettings& settings) {
+  constexpr std::size_t most = 64;
+  // Slower ones would hold all levels down: errors of integration keep states about tolerance over rate away from them.
+  constexpr double slowest_share = 0.1, slowest_of_all = 2e-4;
+  Members result;
+  result.slowest_rate = std::min(-slowest_of_all, slowest_share * survey.fastest_rate);
+  const auto first = static_cast<std::size_t>(
+      std::find_if(survey.rates.begin(), survey.rates.end(), [&](double r) { return r <= result.slowest_rate; }) -
+      survey.rates.begin());
+  const std::size_t count = survey.members.size() - first, taken = std::min(most, count);
+  const int balls = settings.system->balls();
+  for (std::size_t k = 0; k < taken && !is_set(settings.stop); ++k) {
+    auto m = continuum.member(survey.members[first + k * count / taken].data());
+    if (!m || m->form.size() == 0 || !(m->rate <= result.slowest_rate)) continue;
+    result.unit = std::max(result.unit, m->unit);
+    for (Eigen::Index i = 0; i < m->centre.size(); ++i)
+      if (i < 4 || i >= 4 + balls) result.unrest = std::max(result.unrest, std::fabs(m->centre[i]));
+    result.all.push_back(*std::move(m));
+  }
+  return result;
+}
+
+double reach_of(const Members& members, double factor) {
+  return 1.5 * members.unrest + std::sqrt(std::min(factor * members.unit, 0.5));
+}
+
+// All of `tries` states at `factor` times the members' units of V come near to the continuum.
+bool all_approach(const ContinuumTrap& trap, const Members& members, const TrialSettings& settings, double factor,
+                  std::size_t tries) {
+  const std::size_t count = members.all.size();
+  Trials trials;
+  Directions directions(trap.continuum->directions());
+  const auto member_of = [&](std::size_t i) -> const ContinuumMember& { return members.all[i * count / tries]; };
+  for (std::size_t i = 0; i < tries; ++i) {
+    const ContinuumMember& m = member_of(i);
+    const Eigen::VectorXd z = trap.continuum->state_at(m, factor * m.unit, directions.next());
+    trials.states.insert(trials.states.end(), z.begin(), z.end());
+  }
+  ContinuumTrap near = trap;
+  near.factor = come_near * factor;
+  near.slowest_rate *= slower;
+  near.reach = reach_of(members, near.factor);
+  trials.rule = rule_of_traps(*settings.system);
+  set_traps(trials.rule, *settings.system, {}, near);
+  trials.flight = [&](std::size_t first) {
+    const double rate = -member_of(first).rate;  // the slowest of the chunk
+    return Trials::Flight{2.0 * std::log(1.0 / come_near) / (2.0 * rate) + 500.0, 0.0};
+  };
+  return all_attracted(std::move(trials), settings);
+}
+
+}  // namespace
+
+std::optional<ContinuumTrap> continuum_trap(const std::shared_ptr<const BalancedContinuum>& continuum,
+                                            const ContinuumSurvey& survey, const TrialSettings& settings) {
+  if (!continuum || !survey.attracts()) return std::nullopt;
+  const Members members = members_to_try(*continuum, survey, settings);
+  if (members.all.empty()) return std::nullopt;
+  ContinuumTrap trap{continuum, 0.0, members.slowest_rate, 0.0};
+  // With anisotropic supports or gravity to tell what a state comes to is a flight of its own.
+  TrialCounts counts;
+  if (!settings.system->autonomous()) counts = {counts.few / 4, counts.all / 4};
+  trap.factor = highest_good_level({0.5 / members.unit}, counts, [&](double factor, std::size_t tries) {
+    return all_approach(trap, members, settings, factor, tries);
+  });
+  if (!(trap.factor > 0.0)) return std::nullopt;
+  trap.reach = reach_of(members, trap.factor);
+  return trap;
+}
+
+}  // namespace equipoise

@@ -1,0 +1,55 @@
+// Traps around stable periodic motions: level sets of a quadratic form that goes round with the motion.
+#pragma once
+
+#include <vector>
+
+#include <Eigen/Core>
+
+#include "equipoise/deciding/decision_rule.hpp"
+#include "equipoise/model/system.hpp"
+#include "equipoise/motions/motion_symmetry.hpp"
+
+namespace equipoise {
+
+/// A table over a phase that a state tells by itself: where states are strobed the rotor's angle, which is known beside
+/// every state; else the angle of a ball that turns steadily along the motion, the clock.
+struct CycleTrap {
+  static constexpr int rotor = -1;
+
+  struct Node {
+    Eigen::VectorXd state;  ///< on the motion, angles unwrapped along it
+    Eigen::VectorXd rate;   ///< dz/dt there; where the phase is the rotor's angle
+    Eigen::MatrixXd form;   ///< P: V = d^T P d; of a clock among the balls without a part along the motion
+  };
+
+  int attractor = 0;
+  int clock = rotor;        ///< the ball whose angle is the phase, or the rotor
+  int turns = 1;            ///< of the phase in one period; of the rotor by strobe_angle()
+  int cells = 0;            ///< of the table a turn
+  std::vector<Node> nodes;  ///< turns x cells by growing phase, and the first once more a period later
+  Eigen::VectorXd unit;     ///< of deviations d, component by component
+  double level = 0.0;       ///< inside: V < level
+
+  int rows() const { return turns * cells; }
+};
+
+/// V of a state, when the rotor's angle is `psi`: the least over the turns that the phase leaves open. Where the phase
+/// is the rotor's angle, like balls take the places of those on the motion that they are nearest to, and a state that
+/// plainly lies above the trap's level may get an infinite V.
+double value(const model::System& system, const CycleTrap& trap, const double* state, double psi);
+
+/// A state on the level `level` where row `row` of the table begins. `direction`: a unit vector, of directions()
+/// numbers.
+Eigen::VectorXd state_on_level(const CycleTrap& trap, int row, double level, const Eigen::VectorXd& direction);
+int directions(const CycleTrap& trap);
+
+/// V grows in every direction away from the motion, as computed.
+bool is_definite(const CycleTrap& trap);
+
+/// The trap around the motion that exchange of balls makes of this one.
+CycleTrap exchanged(const CycleTrap& trap, int balls, const BallOrder& order);
+
+/// What lanes ask of a trap whose clock is a ball.
+CycleTable table_of(const CycleTrap& trap, int balls);
+
+}  // namespace equipoise

@@ -1,0 +1,23 @@
+// What lanes ask of the traps around motions and continua.
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "equipoise/deciding/decision_rule.hpp"
+#include "equipoise/model/system.hpp"
+#include "equipoise/orbits/balanced_continuum.hpp"
+#include "equipoise/traps/cycle_trap.hpp"
+
+namespace equipoise {
+
+using CycleTraps = std::vector<std::shared_ptr<const CycleTrap>>;
+
+/// Makes `rule` ask all of these, and the continuum if there is one, in place of what it asked before of the kind: at
+/// every step where nothing depends on the rotor's angle, else, one state at a time and with that angle, where half a
+/// window ends. Traps of balanced states stay as they are.
+void set_traps(DecisionRule& rule, const model::System& system, const CycleTraps& cycles,
+               const std::optional<ContinuumTrap>& continuum);
+
+}  // namespace equipoise

@@ -1,0 +1,92 @@
+// Chunks of tries on all threads, and the search for a level by them.
+#include "equipoise/traps/trials.hpp"
+
+#include <algorithm>
+#include <atomic>
+#include <cmath>
+#include <utility>
+
+#include <oneapi/tbb/parallel_for.h>
+#include <oneapi/tbb/task_arena.h>
+
+#include "equipoise/deciding/fate.hpp"
+#include "equipoise/kernels/lane_kernels.hpp"
+
+namespace equipoise {
+
+namespace {
+
+// Calls told(first, fates) for every chunk, from any thread, until it or the lanes say false.
+template <class Told>
+bool follow(Trials& trials, const TrialSettings& settings, Told&& told) {
+  const std::size_t size = settings.system->dimension(), total = trials.states.size() / size;
+  std::atomic<bool> good{true};
+  if (settings.progress) settings.progress->begin("states tried on level sets");
+  tbb::task_arena arena(settings.threads);
+  arena.execute([&] {
+    tbb::parallel_for(std::size_t{0}, (total + trial_chunk - 1) / trial_chunk, [&](std::size_t k) {
+      if (!good) return;
+      const std::size_t first = k * trial_chunk;
+      const Trials::Flight flight = trials.flight(first);
+      LaneTask task;
+      task.parameters = &settings.system->parameters();
+      task.segment = {0.0, 1e300, flight.psi, settings.system->speed(), 0.0, false};
+      task.end = flight.end;
+      task.tolerance = settings.tolerance;
+      task.count = std::min(trial_chunk, total - first);
+      task.states = &trials.states[first * size];
+      task.stop = settings.stop;
+      std::vector<Fate> fates(task.count);
+      if (!decide_lanes(task, trials.rule, fates, nullptr) || !told(first, fates)) good = false;
+      if (settings.progress) settings.progress->add(task.count);
+    });
+  });
+  return good;
+}
+
+bool is_attracted(const Fate& fate) { return fate.outcome == Outcome::attracted; }
+
+}  // namespace
+
+DecisionRule rule_of_traps(const model::System& system) {
+  DecisionRule rule;
+  rule.balls = system.balls();
+  rule.first_long_window = 1e9;
+  // Where the rotor's angle matters traps are asked as half a short window ends.
+  if (system.autonomous()) rule.window = 1e9;
+  return rule;
+}
+
+bool all_attracted(Trials trials, const TrialSettings& settings) {
+  return follow(trials, settings, [](std::size_t, const std::vector<Fate>& fates) {
+    return std::all_of(fates.begin(), fates.end(), is_attracted);
+  });
+}
+
+std::vector<char> attracted(Trials trials, const TrialSettings& settings) {
+  std::vector<char> came(trials.states.size() / settings.system->dimension());
+  follow(trials, settings, [&](std::size_t first, const std::vector<Fate>& fates) {
+    std::transform(fates.begin(), fates.end(), came.begin() + static_cast<std::ptrdiff_t>(first), is_attracted);
+    return true;
+  });
+  return came;
+}
+
+const Eigen::VectorXd& Directions::next() {
+  for (double& x : v_) x = random_.normal();
+  v_.normalize();
+  return v_;
+}
+
+double highest_good_level(const LevelLadder& ladder, const TrialCounts& counts,
+                          const std::function<bool(double level, std::size_t tries)>& good) {
+  int low = -1, high = ladder.rungs;
+  while (high - low > 1) {
+    const int middle = (low + high) / 2;
+    (good(std::ldexp(ladder.highest, -middle), counts.few) ? high : low) = middle;
+  }
+  while (high < ladder.rungs && !good(std::ldexp(ladder.highest, -high), counts.all)) ++high;
+  return high >= ladder.rungs ? 0.0 : 0.5 * std::ldexp(ladder.highest, -high);
+}
+
+}  // namespace equipoise

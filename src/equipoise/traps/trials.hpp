@@ -1,0 +1,74 @@
+// Tries: states followed by the lanes that decide, to see what catches them.
+#pragma once
+
+#include <cstddef>
+#include <functional>
+#include <vector>
+
+#include <Eigen/Core>
+
+#include "equipoise/base/random.hpp"
+#include "equipoise/base/stage_progress.hpp"
+#include "equipoise/base/stop_flag.hpp"
+#include "equipoise/deciding/decision_rule.hpp"
+#include "equipoise/model/system.hpp"
+
+namespace equipoise {
+
+/// What all tries share.
+struct TrialSettings {
+  const model::System* system = nullptr;  ///< at a prescribed speed
+  double tolerance = 1e-6;
+  int threads = 1;
+  const StopFlag* stop = nullptr;
+  StageProgress* progress = nullptr;
+};
+
+/// As many states are followed together, and share how they are.
+inline constexpr std::size_t trial_chunk = 128;
+
+struct Trials {
+  struct Flight {
+    double end = 0.0;  ///< how long
+    double psi = 0.0;  ///< the rotor's angle when it begins
+  };
+  std::vector<double> states;  ///< one after the other
+  DecisionRule rule;
+  std::function<Flight(std::size_t first)> flight;  ///< of the chunk that begins with this state
+};
+
+/// A rule without windows: traps alone decide.
+DecisionRule rule_of_traps(const model::System& system);
+
+/// All of them are attracted; false if stopped.
+bool all_attracted(Trials trials, const TrialSettings& settings);
+/// Which of them are; if stopped, not all that would be.
+std::vector<char> attracted(Trials trials, const TrialSettings& settings);
+
+/// Unit vectors, the same for every study.
+class Directions {
+ public:
+  explicit Directions(Eigen::Index size) : v_(size) {}
+  const Eigen::VectorXd& next();
+
+ private:
+  RandomStream random_;
+  Eigen::VectorXd v_;
+};
+
+/// Levels `highest`, and so many more, each half the one before.
+struct LevelLadder {
+  double highest = 0.0;
+  int rungs = 24;
+};
+
+/// A few tries find where to begin, all of them where to stop.
+struct TrialCounts {
+  std::size_t few = 128, all = 1024;
+};
+
+/// Half the highest level for which good(level, tries) holds; 0 if there is none.
+double highest_good_level(const LevelLadder& ladder, const TrialCounts& counts,
+                          const std::function<bool(double level, std::size_t tries)>& good);
+
+}  // namespace equipoise

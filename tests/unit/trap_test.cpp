@@ -1,0 +1,210 @@
+// Traps: one theory for both phases, whichever the section.
+#include <cmath>
+#include <memory>
+#include <numeric>
+
+#include <gtest/gtest.h>
+
+#include "equipoise/base/angles.hpp"
+#include "equipoise/discovery/discovery.hpp"
+#include "equipoise/model/linearisation.hpp"
+#include "equipoise/orbits/variational.hpp"
+#include "equipoise/traps/balanced_analysis.hpp"
+#include "equipoise/traps/balanced_trap.hpp"
+#include "equipoise/traps/cycle_forms.hpp"
+#include "equipoise/traps/trials.hpp"
+
+namespace equipoise {
+namespace {
+
+using Eigen::VectorXd;
+
+model::Parameters balancer(int balls, double drag = 0.05) {
+  model::Parameters p;
+  p.balls = balls;
+  p.mass.fill(0.05);
+  p.drag.fill(drag);
+  return p;
+}
+
+model::Parameters on_other_supports(model::Parameters p, double gravity) {
+  p.gravity = gravity;
+  p.stiffness = {1.0, 1.3};
+  return p;
+}
+
+Study study_of(const model::Parameters& p, double speed) {
+  Study study;
+  study.name = "rotor";
+  study.parameters = p;
+  study.speed.profile = Profile::constant;
+  study.speed.speed = speed;
+  return study;
+}
+
+struct Found {
+  Found(const model::Parameters& p, double speed)
+      : system(p, speed), all(discover(study_of(p, speed), {2, nullptr, {}})) {
+    for (const Attractor& a : all.catalogue.attractors())
+      for (CycleTrap& trap : cycle_traps(system, a.motion, a.id)) traps.push_back({&a, std::move(trap)});
+  }
+  struct Trap {
+    const Attractor* of;
+    CycleTrap trap;
+  };
+  model::System system;
+  Discovery all;
+  std::vector<Trap> traps;
+};
+
+const Found& by_ball() {
+  static const Found found(balancer(2), 2.4);
+  return found;
+}
+const Found& by_rotor() {
+  static const Found found(on_other_supports(balancer(2), 0.01), 2.4);
+  return found;
+}
+
+// The rotor's angle where a row begins.
+double psi_of(const Found& found, const CycleTrap& trap, int row) {
+  return trap.clock == CycleTrap::rotor ? found.system.strobe_angle() / trap.cells * (row % trap.cells) : 0.0;
+}
+
+TEST(CycleTraps, ArePhasedByTheRotorOnlyWhereItsAngleMatters) {
+  ASSERT_FALSE(by_ball().traps.empty());
+  ASSERT_FALSE(by_rotor().traps.empty());
+  for (const auto& [of, trap] : by_ball().traps) EXPECT_NE(trap.clock, CycleTrap::rotor) << of->name;
+  for (const auto& [of, trap] : by_rotor().traps) EXPECT_EQ(trap.clock, CycleTrap::rotor) << of->name;
+}
+
+// At a row's beginning nothing is interpolated but, of a ball's table, the form: one a cell, and rounding of the angle
+// may choose the cell before. From one cell to the next of 128 a turn a form with a few harmonics changes by a few
+// percent.
+TEST(CycleTraps, StatesOnALevelHaveThatValue) {
+  constexpr double level = 1e-4;
+  for (const Found* found : {&by_ball(), &by_rotor()})
+    for (const auto& [of, trap] : found->traps) {
+      const double within = trap.clock == CycleTrap::rotor ? 1e-9 : 0.1;
+      Directions random(directions(trap));
+      for (int row = 0; row < trap.rows(); row += 7) {
+        const VectorXd z = state_on_level(trap, row, level, random.next());
+        EXPECT_NEAR(value(found->system, trap, z.data(), psi_of(*found, trap, row)), level, within * level)
+            << of->name << ", row " << row;
+      }
+    }
+}
+
+// V is a sum of squares that fall as e^(2 rate t), or faster: to e^-6 in three times 1 / rate if the slowest mode were
+// all. A twentieth leaves a factor of twenty for terms of second order and for chords.
+TEST(CycleTraps, ValuesFallAlongTheFlow) {
+  constexpr double level = 1e-4, share = 0.05;
+  for (const Found* found : {&by_ball(), &by_rotor()})
+    for (const auto& [of, trap] : found->traps) {
+      const double time = 3.0 / -of->motion.orbit.slowest_rate();
+      Directions random(directions(trap));
+      for (int k = 0; k < 3; ++k) {
+        const int row = k * trap.rows() / 3;
+        const double psi = psi_of(*found, trap, row);
+        const VectorXd z = state_on_level(trap, row, level, random.next());
+        const auto later = advance_state(found->system, z, time, psi);
+        ASSERT_TRUE(later);
+        EXPECT_LT(value(found->system, trap, later->data(), psi + found->system.speed() * time), share * level)
+            << of->name << ", row " << row;
+      }
+    }
+}
+
+// Exchange of equal balls: of the rotor's trap it changes nothing, of a ball's it leads to the trap's image.
+TEST(CycleTraps, ExchangeOfEqualBallsIsNoDifference) {
+  constexpr double level = 1e-4;
+  const BallOrder other{1, 0};
+  for (const Found* found : {&by_ball(), &by_rotor()})
+    for (const auto& [of, trap] : found->traps) {
+      Directions random(directions(trap));
+      const VectorXd z = state_on_level(trap, 5, level, random.next()), swapped = z(exchanged_components(2, other));
+      const double psi = psi_of(*found, trap, 5), v = value(found->system, trap, z.data(), psi);
+      EXPECT_DOUBLE_EQ(value(found->system, exchanged(trap, 2, other), swapped.data(), psi), v) << of->name;
+      if (trap.clock != CycleTrap::rotor) continue;
+      EXPECT_DOUBLE_EQ(value(found->system, trap, swapped.data(), psi), v) << of->name;
+    }
+}
+
+// Two balls of three are alike: images of a motion exchange these and no others, or their traps would lie where there
+// is no motion.
+TEST(CycleTraps, ImagesExchangeLikeBallsOnly) {
+  model::Parameters p = balancer(3);
+  p.mass[2] = 0.03;
+  const Found found(p, 3.0);
+  int with_images = 0;
+  for (const Attractor& a : found.all.catalogue.attractors()) {
+    if (a.motion.kind != MotionKind::periodic) continue;
+    const auto images = exchange_images(found.system, a.motion);
+    EXPECT_EQ(images.size(), static_cast<std::size_t>(a.motion.copies)) << a.name;
+    with_images += images.size() > 1;
+    for (const BallOrder& order : images) EXPECT_EQ(order[2], 2) << a.name;
+  }
+  EXPECT_GT(with_images, 0);
+}
+
+// What the rule asks catches every motion that it was made for, and its exchange image.
+TEST(CycleTraps, RulesCatchTheirMotions) {
+  const Found& found = by_rotor();
+  ASSERT_TRUE(found.all.rule.strobed.caught);
+  for (const auto& [of, trap] : found.traps) {
+    const VectorXd z = of->motion.state, swapped = z(exchanged_components(2, {1, 0}));
+    EXPECT_EQ(found.all.rule.strobed.caught(z.data(), 0.0), of->id) << of->name;
+    EXPECT_EQ(found.all.rule.strobed.caught(swapped.data(), 0.0), of->id) << of->name;
+  }
+  EXPECT_FALSE(by_ball().all.rule.cycles.empty());
+  EXPECT_FALSE(by_ball().all.rule.strobed.caught);
+  EXPECT_TRUE(found.all.rule.cycles.empty());
+}
+
+// Supports that differ by next to nothing: eigenvalues and Floquet multipliers tell the same rates. The difference of
+// 1e-9 moves them by as much, integration (1e-12 a step) by less; rates are 1e-3 and more.
+TEST(BalancedAnalysis, IsTheSameWhicheverTheSection) {
+  for (const double speed : {1.5, 2.4, -3.0})
+    for (const int balls : {1, 2, 4}) {
+      model::Parameters p = balancer(balls);
+      if (balls == 1) p.mass[0] = p.eccentricity;
+      model::Parameters almost = p;
+      almost.stiffness[1] += 1e-9;
+      const BalancedAnalysis flow = analyse_balanced({p, speed}), map = analyse_balanced({almost, speed});
+      EXPECT_EQ(flow.stable, map.stable) << speed << ", " << balls;
+      EXPECT_EQ(flow.motions.size(), map.motions.size());
+      EXPECT_EQ(flow.note.empty(), map.note.empty());
+      EXPECT_EQ(map.traps.size(), 0u);
+      if (flow.continuum) continue;  // as many members as each section can afford are drawn
+      EXPECT_NEAR(flow.slowest_rate, map.slowest_rate, 1e-6) << speed << ", " << balls;
+      EXPECT_NEAR(flow.growth_rate, map.growth_rate, 1e-6) << speed << ", " << balls;
+    }
+}
+
+TEST(BalancedAnalysis, StatesOnALevelHaveThatValue) {
+  const model::Parameters p = balancer(2);
+  const BalancedAnalysis analysis = analyse_balanced({p, 2.4});
+  ASSERT_EQ(analysis.traps.size(), 2u);
+  Directions random(model::dimension(2));
+  for (const BalancedTrap& trap : analysis.traps)
+    for (int k = 0; k < 10; ++k) {
+      const VectorXd z = state_on_level(p, trap, 0.5 * trap.level, random.next());
+      VectorXd d = z - model::centred_state(p, trap.phi.data());
+      EXPECT_NEAR(d.dot(form_of(trap) * d), 0.5 * trap.level, 1e-9 * trap.level);
+      for (Eigen::Index i = 0; i < d.size(); ++i) EXPECT_LT(std::fabs(d[i]), trap.reach[i]);
+    }
+}
+
+TEST(LevelLadder, HighestGoodLevelIsFoundAndHalved) {
+  const auto below = [](double limit) { return [limit](double level, std::size_t) { return level < limit; }; };
+  EXPECT_DOUBLE_EQ(highest_good_level({16.0}, {}, below(100.0)), 8.0);
+  EXPECT_DOUBLE_EQ(highest_good_level({16.0}, {}, below(1.5)), 0.5);
+  EXPECT_DOUBLE_EQ(highest_good_level({16.0, 3}, {}, below(1.5)), 0.0);
+  EXPECT_DOUBLE_EQ(highest_good_level({16.0, 0}, {}, below(100.0)), 0.0);
+  // What a few tries overlook many find.
+  const auto rare = [](double level, std::size_t tries) { return level < (tries > 500 ? 0.3 : 3.0); };
+  EXPECT_DOUBLE_EQ(highest_good_level({16.0}, {}, rare), 0.125);
+}
+
+}  // namespace
+}  // namespace equipoise
