@@ -183,7 +183,6 @@ TEST(TransientWatch, GathersWhatDenseSamplesShow) {
   watch.begin(sample_at(study, one, 0));
   for (std::size_t k = 1; k + 2 < one.t.size(); k += 3)
     watch.step({sample_at(study, one, k), sample_at(study, one, k + 1), sample_at(study, one, k + 2)});
-  watch.finish();
   expect_same_figures(transient_row(asked, watch.sums(), false), sampled(study, asked, 0.0, until), "watch");
 }
 
@@ -202,7 +201,6 @@ struct Fading {
       watch.step({at(t + 0.5 / 3), at(t + 0.3), at(t + 0.5)});
       if (t == 9.5) watch.decided(end);
     }
-    watch.finish();
     return transient_row(asked, watch.sums(), false, end.figures);
   }
 };

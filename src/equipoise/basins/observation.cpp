@@ -15,6 +15,7 @@
 #include "equipoise/basins/basin.hpp"
 #include "equipoise/fates/start_runner.hpp"
 #include "equipoise/kernels/lane_kernels.hpp"
+#include "equipoise/lanes/radius_windows.hpp"
 #include "equipoise/sampling/starts.hpp"
 #include "equipoise/spin_up/start_source.hpp"
 
@@ -50,11 +51,13 @@ class Observer {
     const std::size_t at = place * result_.windows;
     const RadiusWindows record{result_.window, result_.windows, &result_.largest[at], &result_.at_end[at]};
     const double until = result_.end_of(result_.windows - 1);
+    std::vector<Fate> fates(count);
     for (std::size_t k = source_.first_free(); k < source_.segments().size(); ++k) {
       LaneTask task = source_.task(k, states);
       task.end = std::min(task.end, until);
+      task.radius = &record;
       if (!(task.segment.begin < task.end)) break;
-      if (!watch_lanes(task, record)) return false;
+      if (!advance_lanes(task, fates)) return false;
       if (task.end < task.segment.end) break;
       source_.cross(k, states);
     }

@@ -1,5 +1,5 @@
-// Observer of a lane block made of two: one that tells fates and one that gathers transients. A trajectory whose fate
-// is known goes on until its end has been seen. Included once per CPU target.
+// Observer of a lane block made of two: one that tells fates and, where a task asks for it, a watch. A trajectory whose
+// fate is known goes on until the watch has seen its end. Included once per CPU target.
 #if defined(EQUIPOISE_DECIDING_FOLLOW_ON_INL) == defined(HWY_TARGET_TOGGLE)
 #ifdef EQUIPOISE_DECIDING_FOLLOW_ON_INL
 #undef EQUIPOISE_DECIDING_FOLLOW_ON_INL
@@ -9,45 +9,46 @@
 
 #include <cstddef>
 
-#include "equipoise/deciding/decision_rule.hpp"
-#include "equipoise/lanes/lane_block-inl.hpp"
+#include "equipoise/lanes/lane_watch-inl.hpp"
 
 HWY_BEFORE_NAMESPACE();
 namespace equipoise {
 namespace HWY_NAMESPACE {
 
 // `Fates` tells by attractor_of(slot) what it has just decided; one without that function never decides. Its fates are
-// those it would give alone: it sees nothing of a lane after its decision.
+// those it would give alone: it sees nothing of a lane after its decision. `watch`: may be none; fates are then all
+// there is.
 //
-// A decided trajectory leaves when its watch has seen enough of where it ends (seen_enough()).
-template <class Fates, class Watch, int groups>
+// A decided trajectory leaves when its watch has seen enough of where it ends. Tasks without a watch are the many, and
+// registers are given out for them.
+template <class Fates, int groups>
 class FollowOn {
  public:
-  FollowOn(Fates& fates, Watch& watch) : fates_(fates), watch_(watch) {}
+  static_assert(groups <= most_lane_groups);
+
+  FollowOn(Fates& fates, LaneWatch* watch) : fates_(fates), watch_(watch) {}
 
   void begin(int slot, std::size_t start, double t, const double* z) {
     fates_.begin(slot, start, t, z);
-    watch_.begin(slot, start, t, z);
     decided_[slot / lanes] &= ~bit(slot);
+    if (watch_) watch_->begin(slot, start, t, z);
   }
 
   HWY_INLINE void stage(int row, int g, const Pack* z) {
     fates_.stage(row, g, z);
-    watch_.stage(row, g, z);
+    if (row == first_sampled_stage && HWY_UNLIKELY(watch_)) sample(first_[g], z);
+    if (row == second_sampled_stage && HWY_UNLIKELY(watch_)) sample(second_[g], z);
   }
 
   HWY_INLINE unsigned step(int g, unsigned active, Mask accepted, Pack t, Pack h, const Pack* z) {
-    const unsigned full = watch_.step(g, active, accepted, t, h, z) & decided_[g];
+    unsigned full = 0;
+    if (HWY_UNLIKELY(watch_)) full = watch_->step({g, active, accepted, t, h, z, first_[g], second_[g]});
     const unsigned fresh = fates_.step(g, active & ~decided_[g], accepted, t, h, z);
-    if constexpr (requires(Fates f) { f.attractor_of(0); }) {
-      if (fresh) note(g, fresh, t);
-      if (full) return seen(g, full);
-    }
-    return 0;
+    return HWY_UNLIKELY(watch_) ? leaving(g, full & decided_[g], fresh, t) : fresh;
   }
 
   void end(int slot, std::size_t start, LaneEnd how, double t, const double* z) {
-    watch_.end(slot, start, t);
+    if (watch_) watch_->end(slot, start, how, t);
     if (decided_[slot / lanes] & bit(slot))
       fates_.end(slot, start, LaneEnd::decided, decided_at_[slot], z);
     else
@@ -58,6 +59,19 @@ class FollowOn {
   static constexpr int lanes = static_cast<int>(pack_lanes);
   static unsigned bit(int slot) { return 1u << (slot % lanes); }
 
+  static HWY_INLINE void sample(Pack* kept, const Pack* z) {
+    for (int i = 0; i < 4; ++i) kept[i] = z[i];
+  }
+
+  // Of the lanes decided before whose window has just ended (`full`), those that may leave; notes the `fresh` ones.
+  HWY_INLINE unsigned leaving(int g, unsigned full, unsigned fresh, Pack t) {
+    if constexpr (requires(Fates f) { f.attractor_of(0); }) {
+      if (fresh) note(g, fresh, t);
+      if (full) return seen(g, full);
+    }
+    return 0;
+  }
+
   HWY_NOINLINE void note(int g, unsigned fresh, Pack t) {
     alignas(64) double times[8];
     t.store(times);
@@ -66,25 +80,26 @@ class FollowOn {
       const int slot = g * lanes + lane;
       decided_at_[slot] = times[lane];
       attractor_[slot] = fates_.attractor_of(slot);
-      watch_.restart(slot, times[lane]);
+      watch_->restart(slot, times[lane]);
     }
     decided_[g] |= fresh;
   }
 
   HWY_NOINLINE unsigned seen(int g, unsigned full) const {
-    unsigned leaving = 0;
+    unsigned result = 0;
     for (int lane = 0; lane < lanes; ++lane) {
       const int slot = g * lanes + lane;
-      if ((full & (1u << lane)) && watch_.seen_enough(slot, attractor_[slot])) leaving |= 1u << lane;
+      if ((full & (1u << lane)) && watch_->seen_enough(slot, attractor_[slot])) result |= 1u << lane;
     }
-    return leaving;
+    return result;
   }
 
   Fates& fates_;
-  Watch& watch_;
-  unsigned decided_[groups] = {};
+  LaneWatch* const watch_;
+  unsigned decided_[groups] = {};  // bits of lanes followed on
   double decided_at_[groups * lanes] = {};
   int attractor_[groups * lanes] = {};
+  Pack first_[groups][4], second_[groups][4];
 };
 
 }  // namespace HWY_NAMESPACE

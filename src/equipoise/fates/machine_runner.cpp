@@ -15,9 +15,7 @@
 #include "equipoise/integrate/machine_trajectory-inl.hpp"
 #include "equipoise/model/balanced_state.hpp"
 #include "equipoise/model/ball_count.hpp"
-#include "equipoise/model/energy.hpp"
 #include "equipoise/model/strobe.hpp"
-#include "equipoise/model/unbalance.hpp"
 #include "equipoise/spin_up/initial_state.hpp"
 #include "equipoise/transients/transient_watch.hpp"
 
@@ -44,20 +42,8 @@ SteadySample sample(const model::Parameters& p, const double* z) {
   return s;
 }
 
-TransientSample transient_sample(const model::Parameters& p, double t, const double* z) {
-  using namespace model::index;
-  TransientSample s;
-  s.t = t;
-  const double psi = z[model::machine_index::psi(p.balls)];
-  const std::array<double, 2> rest = model::rest_position(p, psi);
-  const double rx = z[x] - rest[0], ry = z[y] - rest[1];
-  s.r2 = rx * rx + ry * ry;
-  s.r2_slope = 2.0 * (rx * z[u] + ry * z[v]);
-  const auto force = model::bearing_force(p, psi, z);
-  s.force2 = force[0] * force[0] + force[1] * force[1];
-  s.velocity2 = z[u] * z[u] + z[v] * z[v];
-  s.unbalance = std::abs(model::unbalance(p, z + phi(0)));
-  return s;
+TransientSample transient_sample_of(const model::Parameters& p, double t, const double* z) {
+  return transient_sample(p, z[model::machine_index::psi(p.balls)], t, z);
 }
 
 // The transients of one machine, whose balls are let go at a time of its own.
@@ -78,15 +64,12 @@ class MachineTransients {
         free_ = !machine_.clamped();
       }
       events_ = machine_.events();
-      watch_.begin(transient_sample(p_, from, z), free_);
+      watch_.begin(transient_sample_of(p_, from, z), free_);
     }
-    std::array<TransientSample, 3> samples;
-    for (std::size_t k = 0; k < nodes.size(); ++k) {
-      const double t = k + 1 == nodes.size() ? to : from + nodes[k] * (to - from);
+    watch_.step_to(to, [&](double t) {
       state_at.roughly(t, z);
-      samples[k] = transient_sample(p_, t, z);
-    }
-    watch_.step(samples);
+      return transient_sample_of(p_, t, z);
+    });
     last_ = to;
   }
 
@@ -94,7 +77,6 @@ class MachineTransients {
   bool may_leave() const { return watch_.may_leave(); }
 
   TransientRow row(bool lost, bool balanced) {
-    watch_.finish();
     return transient_row(settings(machine_), watch_.sums(), lost, end(balanced));
   }
 

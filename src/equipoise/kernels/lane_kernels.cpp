@@ -1,12 +1,10 @@
-// Kernels for every CPU target: this file is compiled once per instruction set by Highway's foreach_target.
+// Which kernel a task takes, the equations alone for benchmarks, and CPU targets. Compiled once per instruction set by
+// Highway's foreach_target.
 #include "equipoise/kernels/lane_kernels.hpp"
 
-#include <cmath>
 #include <cstdint>
-#include <memory>
 
-#include "equipoise/kernels/general_kernels.hpp"
-#include "equipoise/kernels/transient_kernels.hpp"
+#include "equipoise/kernels/lane_job.hpp"
 #include "equipoise/model/ball_count.hpp"
 
 #undef HWY_TARGET_INCLUDE
@@ -14,45 +12,11 @@
 #include "hwy/foreach_target.h"
 #include "hwy/highway.h"
 
-#include "equipoise/deciding/decision-inl.hpp"
-#include "equipoise/kernels/lane_group-inl.hpp"
-#include "equipoise/lanes/lane_block-inl.hpp"
-#include "equipoise/lanes/watch_radius-inl.hpp"
-#include "equipoise/model/flow-inl.hpp"
+#include "equipoise/kernels/kernel-inl.hpp"
 
 HWY_BEFORE_NAMESPACE();
 namespace equipoise {
 namespace HWY_NAMESPACE {
-
-template <int room, bool accelerating>
-bool advance_balls(const LaneTask& task, std::vector<Fate>& fates) {
-  using Flow = FreeFlow<Pack, room, Terms{accelerating, false, false}>;
-  WatchForLoss observer(fates);
-  const auto block = std::make_unique<LaneBlock<Flow, WatchForLoss, lane_groups<room>>>(
-      task, Flow(*task.parameters, task.segment), observer);
-  return block->run();
-}
-
-template <int room>
-bool watch_balls(const LaneTask& task, const RadiusWindows& record) {
-  using Flow = FreeFlow<Pack, room, Terms{true, false, false}>;
-  using Observer = WatchRadius<lane_groups<room>>;
-  Observer observer(record);
-  const auto block = std::make_unique<LaneBlock<Flow, Observer, lane_groups<room>>>(
-      task, Flow(*task.parameters, task.segment), observer);
-  return block->run();
-}
-
-template <int room>
-bool decide_balls(const LaneTask& task, const DecisionRule& rule, std::vector<Fate>& fates,
-                  std::vector<PilotRecord>* pilot) {
-  using Flow = FreeFlow<Pack, room, Terms{false, false, false}>;
-  using Observer = DecideFate<room, lane_groups<room>>;
-  const auto observer = std::make_unique<Observer>(*task.parameters, task.segment, rule, fates, pilot);
-  const auto block = std::make_unique<LaneBlock<Flow, Observer, lane_groups<room>>>(
-      task, Flow(*task.parameters, task.segment), *observer);
-  return block->run();
-}
 
 template <int room>
 int evaluate_balls(const model::Parameters& p, double speed, long count, double* checksum) {
@@ -78,23 +42,6 @@ int evaluate_balls(const model::Parameters& p, double speed, long count, double*
   return groups * static_cast<int>(pack_lanes);
 }
 
-bool advance_target(const LaneTask& task, std::vector<Fate>& fates) {
-  return model::with_ball_count(task.parameters->balls, [&](auto room) {
-    return task.segment.acceleration == 0.0 ? advance_balls<room, false>(task, fates)
-                                            : advance_balls<room, true>(task, fates);
-  });
-}
-
-bool watch_target(const LaneTask& task, const RadiusWindows& record) {
-  return model::with_ball_count(task.parameters->balls, [&](auto room) { return watch_balls<room>(task, record); });
-}
-
-bool decide_target(const LaneTask& task, const DecisionRule& rule, std::vector<Fate>& fates,
-                   std::vector<PilotRecord>* pilot) {
-  return model::with_ball_count(task.parameters->balls,
-                                [&](auto room) { return decide_balls<room>(task, rule, fates, pilot); });
-}
-
 int evaluate_target(const model::Parameters& p, double speed, long count, double* checksum) {
   return model::with_ball_count(p.balls, [&](auto room) { return evaluate_balls<room>(p, speed, count, checksum); });
 }
@@ -108,9 +55,6 @@ HWY_AFTER_NAMESPACE();
 #if HWY_ONCE
 namespace equipoise {
 
-HWY_EXPORT(advance_target);
-HWY_EXPORT(watch_target);
-HWY_EXPORT(decide_target);
 HWY_EXPORT(evaluate_target);
 HWY_EXPORT(target_code);
 
@@ -119,23 +63,15 @@ namespace {
 std::string name_of(std::int64_t target) {
   return target == HWY_AVX3 ? "AVX-512" : target == HWY_SCALAR ? "scalar" : hwy::TargetName(target);
 }
+
+bool run_lanes(const LaneJob& job) { return job.task.general() ? run_general_lanes(job) : run_plain_lanes(job); }
 }  // namespace
 
-bool advance_lanes(const LaneTask& task, std::vector<Fate>& fates) {
-  if (task.transients) return advance_transient_lanes(task, fates);
-  if (task.general()) return advance_general_lanes(task, fates);
-  return HWY_DYNAMIC_DISPATCH(advance_target)(task, fates);
-}
-
-bool watch_lanes(const LaneTask& task, const RadiusWindows& record) {
-  return HWY_DYNAMIC_DISPATCH(watch_target)(task, record);
-}
+bool advance_lanes(const LaneTask& task, std::vector<Fate>& fates) { return run_lanes({task, fates}); }
 
 bool decide_lanes(const LaneTask& task, const DecisionRule& rule, std::vector<Fate>& fates,
                   std::vector<PilotRecord>* pilot) {
-  if (task.transients && !pilot) return decide_transient_lanes(task, rule, fates);
-  if (task.general()) return decide_general_lanes(task, rule, fates, pilot);
-  return HWY_DYNAMIC_DISPATCH(decide_target)(task, rule, fates, pilot);
+  return run_lanes({task, fates, &rule, pilot});
 }
 
 int evaluate_derivatives(const model::Parameters& p, double speed, long count, double* checksum) {

@@ -8,7 +8,6 @@
 #include "equipoise/deciding/fate.hpp"
 #include "equipoise/kernels/cpu_target.hpp"
 #include "equipoise/lanes/lane_task.hpp"
-#include "equipoise/lanes/radius_windows.hpp"
 
 namespace equipoise {
 
@@ -16,10 +15,6 @@ namespace equipoise {
 /// `fates[i]` becomes diverged or failed for a trajectory lost on the way and is left alone otherwise; a lost one's
 /// state stays where it was lost.
 bool advance_lanes(const LaneTask& task, std::vector<Fate>& fates);
-
-/// Takes every trajectory to task.end like advance_lanes(), and writes how far the centre of the race was out. A lost
-/// trajectory's displacement is infinite from the window on in which it was lost. False if stopped early.
-bool watch_lanes(const LaneTask& task, const RadiusWindows& record);
 
 /// Decides every trajectory of a task whose segment has constant speed; fates[i] and states are set. `pilot`, if given,
 /// receives what is known of each stationary motion. False if stopped early.

@@ -11,6 +11,7 @@
 
 namespace equipoise {
 
+struct RadiusWindows;
 struct TransientTable;
 
 /// Work done for the trajectories of a task.
@@ -32,9 +33,12 @@ struct LaneTask {
   std::size_t count = 0;     ///< trajectories
   double* states = nullptr;  ///< count rows of dimension(balls) numbers; states at segment.begin in, final states out
   const StopFlag* stop = nullptr;
-  LaneWork* work = nullptr;              ///< if given, the work done is added to it
-  TransientTable* transients = nullptr;  ///< if given, gathers transients, one row a trajectory
+  LaneWork* work = nullptr;  ///< if given, the work done is added to it
+  // What is gathered on the way, if given; one of the two at most.
+  TransientTable* transients = nullptr;  ///< one row a trajectory; what is decided is followed on until its end is seen
+  const RadiusWindows* radius = nullptr;  ///< how far the centre of the race was out
 
+  bool watched() const { return transients || radius; }
   /// Whether the equations with anisotropic supports and gravity are needed.
   bool general() const { return model::is_strobed(*parameters); }
 };

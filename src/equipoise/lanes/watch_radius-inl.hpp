@@ -1,4 +1,4 @@
-// Observer of a lane block that records displacement in windows of time. Included once per CPU target.
+// A watch of lanes that records displacement in windows of time. Included once per CPU target.
 //
 // Within a step r^2 is the cubic through its values and slopes at both ends. The slope needs no derivative of the
 // state: r r' = x x' + y y' = x u + y v, since the rotation of the frame drops out.
@@ -13,7 +13,7 @@
 #include <cstddef>
 #include <limits>
 
-#include "equipoise/lanes/lane_block-inl.hpp"
+#include "equipoise/lanes/lane_watch-inl.hpp"
 #include "equipoise/lanes/radius_windows.hpp"
 #include "equipoise/model/parameters.hpp"
 
@@ -48,12 +48,11 @@ class SquaredRadius {
   double c0_, c1_, c2_, c3_, to_;
 };
 
-template <int groups>
-class WatchRadius : public NoObserver {
+class WatchRadius final : public LaneWatch {
  public:
   explicit WatchRadius(const RadiusWindows& record) : record_(record) {}
 
-  void begin(int slot, std::size_t start, double t, const double* z) {
+  void begin(int slot, std::size_t start, double t, const double* z) override {
     start_[slot] = start;
     // A trajectory that enters on the edge of two windows belongs to the later.
     window_[slot] = static_cast<std::size_t>(t / record_.width);
@@ -64,26 +63,31 @@ class WatchRadius : public NoObserver {
     raise(slot, value_[slot]);
   }
 
-  unsigned step(int g, unsigned active, Mask accepted, Pack t, Pack, const Pack* z) {
-    const unsigned moved = active & lane_bits(accepted);
+  unsigned step(const TriedStep& step) override {
+    const unsigned moved = step.active & lane_bits(step.accepted);
     if (!moved) return 0;
     using namespace model::index;
+    const Pack* z = step.z;
     const Pack value = z[x] * z[x] + z[y] * z[y], slope = Pack(2.0) * (z[x] * z[u] + z[y] * z[v]);
     alignas(64) double times[8], values[8], slopes[8];
-    t.store(times);
+    step.t.store(times);
     value.store(values);
     slope.store(slopes);
     for (int lane = 0; lane < static_cast<int>(pack_lanes); ++lane)
-      if (moved & (1u << lane)) take(g * static_cast<int>(pack_lanes) + lane, times[lane], values[lane], slopes[lane]);
+      if (moved & (1u << lane))
+        take(step.group * static_cast<int>(pack_lanes) + lane, times[lane], values[lane], slopes[lane]);
     return 0;
   }
 
-  void end(int slot, std::size_t, LaneEnd how, double, const double*) {
+  void end(int slot, std::size_t, LaneEnd how, double) override {
     if (how == LaneEnd::reached_end) return;
     const std::size_t row = start_[slot] * record_.windows;
     for (std::size_t k = window_[slot]; k < record_.windows; ++k)
       record_.largest[row + k] = record_.at_end[row + k] = std::numeric_limits<float>::infinity();
   }
+
+  void restart(int, double) override {}
+  bool seen_enough(int, int) const override { return true; }
 
  private:
   double edge(int slot) const { return static_cast<double>(window_[slot] + 1) * record_.width; }
@@ -124,7 +128,7 @@ class WatchRadius : public NoObserver {
     slope_[slot] = slope;
   }
 
-  static constexpr int slots = groups * static_cast<int>(pack_lanes);
+  static constexpr int slots = most_lane_groups * static_cast<int>(pack_lanes);
   const RadiusWindows record_;
   std::size_t start_[slots], window_[slots];
   double t_[slots], value_[slots], slope_[slots];

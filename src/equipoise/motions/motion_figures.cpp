@@ -10,10 +10,8 @@
 #include "equipoise/deciding/decision_rule.hpp"
 #include "equipoise/integrate/adaptive-inl.hpp"
 #include "equipoise/model/ball_count.hpp"
-#include "equipoise/model/energy.hpp"
 #include "equipoise/model/flow-inl.hpp"
 #include "equipoise/model/strobe.hpp"
-#include "equipoise/model/unbalance.hpp"
 #include "equipoise/transients/transient_watch.hpp"
 
 namespace equipoise {
@@ -24,20 +22,6 @@ namespace kernels = HWY_NAMESPACE;
 constexpr double tolerance = 1e-9;      // figures are stored in single precision, 6e-8
 constexpr double least_stretch = 2000;  // of a torus or of chaos
 constexpr double slowest = 1e-9;        // exponents nearer to 0 are those of shifts
-
-TransientSample sample(const model::Parameters& p, double psi, double t, const double* z) {
-  using namespace model::index;
-  const std::array<double, 2> rest = model::rest_position(p, psi), force = model::bearing_force(p, psi, z);
-  const double rx = z[x] - rest[0], ry = z[y] - rest[1];
-  TransientSample s;
-  s.t = t;
-  s.r2 = rx * rx + ry * ry;
-  s.r2_slope = 2.0 * (rx * z[u] + ry * z[v]);
-  s.force2 = force[0] * force[0] + force[1] * force[1];
-  s.velocity2 = z[u] * z[u] + z[v] * z[v];
-  s.unbalance = std::abs(model::unbalance(p, z + phi(0)));
-  return s;
-}
 
 MotionFigures figures_of(const TransientSums& sums) {
   const TransientWindow& w = sums.window;
@@ -54,25 +38,21 @@ MotionFigures followed(const model::Parameters& p, const Motion& motion, double 
   TransientWatch watch(settings);
   std::array<double, Flow::dimension> z;
   std::copy_n(motion.state.data(), motion.state.size(), z.begin());
-  watch.begin(sample(p, 0.0, 0.0, z.data()));
+  watch.begin(transient_sample(p, 0.0, 0.0, z.data()));
   if (duration > 0.0) {
     const Flow flow(p, segment);
     kernels::ErrorScale<Flow::dimension> scale;
     scale.tolerance = tolerance;
     kernels::set_state_scale(p, 1, scale);
     kernels::AdaptiveIntegrator<Flow, Flow::dimension> integrator(flow, scale, flow.size());
-    integrator.advance(0.0, duration, z.data(), [&](double from, double to, auto&& state_at) {
-      std::array<TransientSample, 3> samples;
-      for (std::size_t k = 0; k < samples.size(); ++k) {
-        const double t = k == 2 ? to : from + TransientWatch::nodes[k] * (to - from);
+    integrator.advance(0.0, duration, z.data(), [&](double, double to, auto&& state_at) {
+      watch.step_to(to, [&](double t) {
         std::array<double, Flow::dimension> at;
         state_at(t, at.data());
-        samples[k] = sample(p, segment.psi_at(t), t, at.data());
-      }
-      watch.step(samples);
+        return transient_sample(p, segment.psi_at(t), t, at.data());
+      });
     });
   }
-  watch.finish();
   return figures_of(watch.sums());
 }
 

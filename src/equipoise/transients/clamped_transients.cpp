@@ -11,6 +11,7 @@
 #include "equipoise/model/energy.hpp"
 #include "equipoise/model/strobe.hpp"
 #include "equipoise/model/unbalance.hpp"
+#include "equipoise/transients/transient_step-inl.hpp"
 
 namespace equipoise {
 
@@ -122,8 +123,8 @@ TransientSums ClampedTransients::sums(const model::Parameters& p, const double* 
   // r^2 linear between the times of the grid.
   double from = radius_.at(m, 0) - limit;
   for (std::size_t k = 1; k < times_.size(); ++k) {
-    const double to = radius_.at(m, k) - limit, size = std::fabs(from) + std::fabs(to);
-    if (size > 0.0) result.time_above += (times_[k] - times_[k - 1]) * (std::max(from, 0.0) + std::max(to, 0.0)) / size;
+    const double to = radius_.at(m, k) - limit;
+    result.time_above += (times_[k] - times_[k - 1]) * HWY_NAMESPACE::transient::share_above(from, to);
     from = to;
   }
   return result;

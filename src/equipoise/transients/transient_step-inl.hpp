@@ -24,9 +24,8 @@ HWY_INLINE bool any_of(bool m) { return m; }
 HWY_INLINE Mask both(Mask a, Mask b) { return a & b; }
 HWY_INLINE bool both(bool a, bool b) { return a && b; }
 
-// Where samples lie in a step from 0 to 1: stages 5 and 9 of DOP853 sit at the inner two.
+// Where samples lie in a step from 0 to 1: stages of DOP853 sit at the inner two (lanes/lane_watch-inl.hpp).
 inline constexpr double node1 = 1.0 / 3, node2 = 0.6;
-inline constexpr int first_stage = 5, second_stage = 9;
 inline constexpr double piece_length[3] = {node1, node2 - node1, 1.0 - node2};
 
 // At the step's begin, at node1, node2 and at its end.
@@ -81,6 +80,14 @@ struct Cubic {
   }
 };
 
+// The fraction of a stretch, along which something runs straight from one excess over a limit to another, that lies
+// above the limit.
+template <class T>
+HWY_INLINE T share_above(T from, T to) {
+  const T size = absolute(from) + absolute(to) + T(1e-300);
+  return (maximum(from, T(0.0)) + maximum(to, T(0.0))) / size;
+}
+
 template <class T>
 class SquaredRadiusOfStep {
  public:
@@ -111,8 +118,7 @@ class SquaredRadiusOfStep {
       const double half = 0.5 * piece_length[k];
       for (const T value : {middle, p.to}) {
         const T to = value - limit;
-        const T size = absolute(from) + absolute(to) + T(1e-300);
-        const T share = (maximum(from, T(0.0)) + maximum(to, T(0.0))) / size;
+        const T share = share_above(from, to);
         fraction = fraction + T(half) * share;
         last = choose(T(0.0) < from, T(place) + T(half) * share, last);
         place += half;

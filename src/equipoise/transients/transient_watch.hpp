@@ -1,18 +1,20 @@
-// The statistics of transients for one trajectory in double precision: what transients/watch_transients-inl.hpp gathers
-// in SIMD lanes, with the same arithmetic within a step, for time loops without lanes.
+// The statistics of transients for one trajectory in double precision: the sums that SIMD lanes gather
+// (transients/gather_transients-inl.hpp), for time loops without lanes.
 //
 //     TransientWatch watch(settings, sums);        // sums: of the clamped spin-up, or TransientSums{}
-//     watch.begin(sample_at(t));                   // again wherever u, v or the force jumps
-//     for each step from t to t + h:
-//       watch.step({sample_at(t + h * TransientWatch::nodes[0]), ..[1], sample_at(t + h)});
+//     watch.begin(transient_sample(p, psi, t, z)); // again wherever u, v or the force jumps
+//     for each step to t:
+//       watch.step_to(t, [&](double at) { return the sample there; });
 //       if (its outcome has just been decided) watch.decided({figures of the motion that it comes to, if known});
 //       if (watch.may_leave()) stop;
-//     watch.finish();                              // at the horizon too
 //     transient_row(settings, watch.sums(), lost, figures);
 #pragma once
 
 #include <array>
+#include <cstddef>
 
+#include "equipoise/model/parameters.hpp"
+#include "equipoise/transients/gather_transients-inl.hpp"
 #include "equipoise/transients/transient_table.hpp"
 
 namespace equipoise {
@@ -27,11 +29,14 @@ struct TransientSample {
   double unbalance = 0.0;  ///< |lambda + sum mu_i e^{i phi_i}|; read at step ends only
 };
 
+/// Of rotor and balls in state `z` at time `t`, with the rotor at angle `psi`; z: as many numbers as dimension(balls).
+TransientSample transient_sample(const model::Parameters& p, double psi, double t, const double* z);
+
 /// Peaks, integrals and times of one trajectory.
 class TransientWatch {
  public:
   /// Where within a step, from 0 to 1, the samples of step() lie.
-  static constexpr std::array<double, 3> nodes{1.0 / 3, 0.6, 1.0};
+  static constexpr std::array<double, 3> nodes{HWY_NAMESPACE::transient::node1, HWY_NAMESPACE::transient::node2, 1.0};
 
   explicit TransientWatch(const TransientSettings& settings, const TransientSums& sums = {});
 
@@ -39,26 +44,30 @@ class TransientWatch {
   void begin(const TransientSample& first, bool free = true);
   /// A step from the last sample on.
   void step(const std::array<TransientSample, 3>& samples);
+  /// The same, to time `to`, sampled by `sample(t)`.
+  template <class Sampled>
+  void step_to(double to, Sampled&& sample) {
+    const double from = t_;
+    std::array<TransientSample, 3> samples;
+    for (std::size_t k = 0; k < nodes.size(); ++k)
+      samples[k] = sample(k + 1 == nodes.size() ? to : from + nodes[k] * (to - from));
+    step(samples);
+  }
   /// The outcome is known at the end of the last step: windows count from here.
   void decided(const KnownEnd& end);
   /// Whether a decided trajectory has been followed far enough (seen_enough()).
   bool may_leave() const { return may_leave_; }
-  /// Completes the last window of a trajectory that ends, for whatever reason.
-  void finish();
 
-  const TransientSums& sums() const { return sums_; }
+  /// All of it, up to the end of the last step.
+  TransientSums sums() const;
 
  private:
-  void open_window();
-
   TransientSettings settings_;
-  TransientSums sums_;
-  TransientSample last_{};
+  HWY_NAMESPACE::transient::Limits<double> limits_;
+  HWY_NAMESPACE::transient::GatherTransients<double> gathered_;
+  TransientSums sums_;  // of the other side of the release
   KnownEnd end_;
-  TransientWindow open_;
-  std::array<TransientWindow, 2> closed_;  // the nearest first; empty unless they end where open_ begins
-  double opened_ = 0.0;                    // when open_ began
-  int windows_ = 0;                        // since the decision
+  double t_;
   bool begun_ = false, free_ = true, decided_ = false, may_leave_ = false;
 };
 

@@ -1,0 +1,25 @@
+// What is to be made of a task's trajectories, and the compiled kernels that make it: chosen by advance_lanes() and
+// decide_lanes(), see kernels/lane_kernels.hpp.
+#pragma once
+
+#include <vector>
+
+#include "equipoise/deciding/decision_rule.hpp"
+#include "equipoise/deciding/fate.hpp"
+#include "equipoise/lanes/lane_task.hpp"
+
+namespace equipoise {
+
+struct LaneJob {
+  const LaneTask& task;
+  std::vector<Fate>& fates;
+  const DecisionRule* rule = nullptr;         ///< none: trajectories are taken to the task's end
+  std::vector<PilotRecord>* pilot = nullptr;  ///< with a rule, if wanted
+};
+
+/// Of rotors for whose equations the rotor's angle is nothing: isotropic supports, no gravity.
+bool run_plain_lanes(const LaneJob& job);
+/// Of every rotor.
+bool run_general_lanes(const LaneJob& job);
+
+}  // namespace equipoise

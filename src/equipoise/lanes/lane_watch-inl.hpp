@@ -1,0 +1,54 @@
+// What may watch lanes on their way, beside the observer that tells their fates: bound at run time and asked once a
+// step, so that no kernel is compiled anew for it. Included once per CPU target.
+#if defined(EQUIPOISE_LANES_LANE_WATCH_INL) == defined(HWY_TARGET_TOGGLE)
+#ifdef EQUIPOISE_LANES_LANE_WATCH_INL
+#undef EQUIPOISE_LANES_LANE_WATCH_INL
+#else
+#define EQUIPOISE_LANES_LANE_WATCH_INL
+#endif
+
+#include <cstddef>
+
+#include "equipoise/lanes/lane_block-inl.hpp"
+
+HWY_BEFORE_NAMESPACE();
+namespace equipoise {
+namespace HWY_NAMESPACE {
+
+// A step just tried in one group of lanes.
+struct TriedStep {
+  int group;
+  unsigned active;  // bits of the lanes that hold a trajectory
+  Mask accepted;
+  Pack t, h;           // t: where it leads
+  const Pack* z;       // the state there
+  const Pack* first;   // x, y, u, v at first_sampled_stage
+  const Pack* second;  // and at second_sampled_stage
+};
+
+// Stages of DOP853 at 1/3 and 0.6 of a step: with its ends, samples 0.4 apart at most.
+inline constexpr int first_sampled_stage = 5, second_sampled_stage = 9;
+
+// A watch has places for this many groups.
+inline constexpr int most_lane_groups = 3;
+
+// Hooks as of NoObserver. Windows of time are those that tell how far a decided trajectory is to be followed: a watch
+// that has none lets it go.
+class LaneWatch {
+ public:
+  virtual ~LaneWatch() = default;
+  virtual void begin(int slot, std::size_t start, double t, const double* z) = 0;
+  // Bits of the lanes whose window has just ended.
+  virtual unsigned step(const TriedStep& step) = 0;
+  virtual void end(int slot, std::size_t start, LaneEnd how, double t) = 0;
+  // Begins the windows of a lane anew at `t`: what went before is not of its trajectory's end.
+  virtual void restart(int slot, double t) = 0;
+  // Whether a trajectory restarted when it was decided for `attractor` may end with the window that has just ended.
+  virtual bool seen_enough(int slot, int attractor) const = 0;
+};
+
+}  // namespace HWY_NAMESPACE
+}  // namespace equipoise
+HWY_AFTER_NAMESPACE();
+
+#endif

@@ -1,0 +1,215 @@
+// The sums of transients, once for SIMD lanes and for double: peaks, integrals, times above limits, and windows of time
+// whose last one tells how a trajectory ends. Where samples come from is the caller's. Included once per CPU target.
+#if defined(EQUIPOISE_TRANSIENTS_GATHER_TRANSIENTS_INL) == defined(HWY_TARGET_TOGGLE)
+#ifdef EQUIPOISE_TRANSIENTS_GATHER_TRANSIENTS_INL
+#undef EQUIPOISE_TRANSIENTS_GATHER_TRANSIENTS_INL
+#else
+#define EQUIPOISE_TRANSIENTS_GATHER_TRANSIENTS_INL
+#endif
+
+#include <array>
+#include <cmath>
+
+#include "equipoise/model/equations-inl.hpp"
+#include "equipoise/transients/transient_step-inl.hpp"
+#include "equipoise/transients/transient_table.hpp"
+
+HWY_BEFORE_NAMESPACE();
+namespace equipoise {
+namespace HWY_NAMESPACE {
+namespace transient {
+
+template <class T>
+inline constexpr int lane_count = 1;
+template <>
+inline constexpr int lane_count<Pack> = static_cast<int>(pack_lanes);
+
+HWY_INLINE double& element(Pack& p, int lane) { return reinterpret_cast<double*>(&p)[lane]; }
+HWY_INLINE double element(const Pack& p, int lane) { return reinterpret_cast<const double*>(&p)[lane]; }
+HWY_INLINE double& element(double& a, int) { return a; }
+HWY_INLINE double element(const double& a, int) { return a; }
+HWY_INLINE unsigned bits_of(Mask m) { return lane_bits(m); }
+HWY_INLINE unsigned bits_of(bool m) { return m ? 1u : 0u; }
+
+// The motion at one time. Frame invariant: rotating or fixed components give the same.
+template <class T>
+struct Sample {
+  T r2, slope;          // squared distance of O from where the rotor rests under its weight, and its derivative
+  T force2, velocity2;  // |f|^2 of the bearing force, u^2 + v^2
+};
+
+// Of state z of a rotor that would rest at `rest`. The slope needs no derivative of the state, since the rotation of
+// the frame drops out.
+template <class T>
+HWY_INLINE Sample<T> sample_of(const Vector2<T>& rest, const Vector2<T>& force, const T* z) {
+  using namespace model::index;
+  const T rx = z[x] - rest.x, ry = z[y] - rest.y;
+  return {rx * rx + ry * ry, T(2.0) * (rx * z[u] + ry * z[v]), force.x * force.x + force.y * force.y,
+          z[u] * z[u] + z[v] * z[v]};
+}
+
+// What is asked of every trajectory, in numbers of the time loop.
+template <class T>
+struct Limits {
+  explicit Limits(const TransientSettings& s)
+      : timed(std::isfinite(s.displacement)),
+        settling(s.watches_settling()),
+        displacement2(s.displacement * s.displacement),
+        settled2(s.settled * s.settled),
+        window(s.window) {}
+
+  bool timed, settling;
+  T displacement2, settled2, window;
+};
+
+// What as many trajectories as T has lanes have come to, each with its own time.
+template <class T>
+class GatherTransients {
+ public:
+  static constexpr int lanes = lane_count<T>;
+  using Flags = decltype(T() < T());
+
+  // Goes on from the sums of a trajectory; `free`: its balls have been released.
+  void load(int lane, const TransientSums& row, bool free = true) {
+    element(peak_, lane) = free ? row.free_peak : row.clamped_peak;
+    element(force_peak_, lane) = row.force_peak;
+    element(time_above_, lane) = row.time_above;
+    element(last_above_, lane) = row.last_above;
+  }
+
+  // The motion goes on from here, with no step that leads to it.
+  void stand(int lane, const Sample<double>& here, double unbalance) {
+    element(from_.r2, lane) = here.r2;
+    element(from_.slope, lane) = here.slope;
+    element(from_.force2, lane) = here.force2;
+    element(from_.velocity2, lane) = here.velocity2;
+    element(from_unbalance_, lane) = unbalance;
+    for (T* peak : {&peak_, &window_peak_}) element(*peak, lane) = std::fmax(element(*peak, lane), here.r2);
+    element(force_peak_, lane) = std::fmax(element(force_peak_, lane), here.force2);
+  }
+
+  // Begins the windows of a lane anew at its present time: what went before is not of its end.
+  void restart(int lane, double t) {
+    open(lane, t, element(from_.r2, lane));
+    closed_[lane] = {};
+    count_[lane] = 0;
+  }
+
+  // Adds, where it was accepted, a step of length h from `begin` to t; `at`: at the two nodes within it and at its end,
+  // `unbalance`: at its end. Returns the bits of the `active` lanes whose window it ends.
+  HWY_INLINE unsigned add(const Limits<T>& limits, unsigned active, Flags accepted, T begin, T t, T h,
+                          const Sample<T> (&at)[3], T unbalance) {
+    const StepSamples<T> samples = samples_of(at);
+    const SquaredRadiusOfStep<T> r2(samples, h);
+    const auto force2 = Cubic<T>::through(samples.force2);
+    keep(accepted, raised(force_peak_, force2), force_peak_);
+    T peak = peak_, window_peak = window_peak_;
+    raise(peak, window_peak, r2);
+    keep(accepted, peak, peak_);
+    keep(accepted, window_peak, window_peak_);
+    watch_limits(limits, accepted, r2, begin, h);
+    keep(accepted, multiply_add(h, force2.integral(), window_force_), window_force_);
+    const T velocity = Cubic<T>::through(samples.velocity2).integral();
+    keep(accepted, multiply_add(h, velocity, window_velocity_), window_velocity_);
+    keep(accepted, multiply_add(T(0.5) * h, from_unbalance_ + unbalance, window_unbalance_), window_unbalance_);
+    keep(accepted, unbalance, from_unbalance_);
+    keep(accepted, at[2].r2, from_.r2);
+    keep(accepted, at[2].slope, from_.slope);
+    keep(accepted, at[2].force2, from_.force2);
+    keep(accepted, at[2].velocity2, from_.velocity2);
+    const unsigned full = active & bits_of(accepted) & ~bits_of(t < window_begin_ + limits.window);
+    if (full) close(full, t);
+    return full;
+  }
+
+  // Whether a decided trajectory may end with the window that has just ended; `free_peak`: largest r^2 from release on.
+  bool seen_enough(int lane, const TransientSettings& settings, const KnownEnd& end, double free_peak) const {
+    const auto& [last, before, first] = closed_[lane];
+    return equipoise::seen_enough(settings, end, {before, first}, last, count_[lane], free_peak);
+  }
+
+  // Largest r^2 since load().
+  double peak(int lane) const { return element(peak_, lane); }
+
+  // The sums of a trajectory at its present time.
+  void store(int lane, double t, TransientSums& row, bool free = true) const {
+    row.end = t;
+    (free ? row.free_peak : row.clamped_peak) = element(peak_, lane);
+    row.force_peak = element(force_peak_, lane);
+    row.time_above = element(time_above_, lane);
+    row.last_above = element(last_above_, lane);
+    // The window that has ended last is empty unless the open one follows on it.
+    row.window = last_windows(closed_[lane][0], open_window(lane, t));
+    if (row.window.length > 0.0) return;
+    // Lost in its first step: the state there is all there is.
+    row.window = {1.0, element(from_.r2, lane), element(from_.force2, lane), element(from_.velocity2, lane),
+                  element(from_unbalance_, lane)};
+  }
+
+ private:
+  static HWY_INLINE void keep(Flags accepted, T value, T& kept) { kept = choose(accepted, value, kept); }
+
+  HWY_INLINE StepSamples<T> samples_of(const Sample<T> (&at)[3]) const {
+    StepSamples<T> s;
+    for (int k = 0; k < 4; ++k) {
+      const Sample<T>& here = k == 0 ? from_ : at[k - 1];
+      s.r2[k] = here.r2;
+      s.slope[k] = here.slope;
+      s.force2[k] = here.force2;
+      s.velocity2[k] = here.velocity2;
+    }
+    return s;
+  }
+
+  HWY_INLINE void watch_limits(const Limits<T>& limits, Flags accepted, const SquaredRadiusOfStep<T>& r2, T begin,
+                               T h) {
+    if (limits.timed) {
+      T total = time_above_, unused(0.0);
+      time_above(r2, limits.displacement2, begin, h, total, unused);
+      keep(accepted, total, time_above_);
+    }
+    if (limits.settling) {
+      T unused(0.0), last = last_above_;
+      time_above(r2, limits.settled2, begin, h, unused, last);
+      keep(accepted, last, last_above_);
+    }
+  }
+
+  HWY_NOINLINE void close(unsigned full, T t) {
+    for (int lane = 0; lane < lanes; ++lane) {
+      if (!(full & (1u << lane))) continue;
+      const double now = element(t, lane);
+      ++count_[lane];
+      closed_[lane] = {open_window(lane, now), closed_[lane][0], closed_[lane][1]};
+      open(lane, now, element(from_.r2, lane));
+    }
+  }
+
+  // What the open window of a lane holds at time `t`.
+  TransientWindow open_window(int lane, double t) const {
+    return {t - element(window_begin_, lane), element(window_peak_, lane), element(window_force_, lane),
+            element(window_velocity_, lane), element(window_unbalance_, lane)};
+  }
+
+  void open(int lane, double t, double r2) {
+    element(window_begin_, lane) = t;
+    element(window_peak_, lane) = r2;
+    element(window_force_, lane) = 0.0;
+    element(window_velocity_, lane) = 0.0;
+    element(window_unbalance_, lane) = 0.0;
+  }
+
+  Sample<T> from_{};  // where the step begins
+  T from_unbalance_{};
+  T peak_{}, force_peak_{}, time_above_{}, last_above_{};
+  T window_begin_{}, window_peak_{}, window_force_{}, window_velocity_{}, window_unbalance_{};
+  std::array<TransientWindow, 3> closed_[lanes];  // the last ones, the latest first
+  int count_[lanes] = {};                         // since restart()
+};
+
+}  // namespace transient
+}  // namespace HWY_NAMESPACE
+}  // namespace equipoise
+HWY_AFTER_NAMESPACE();
+
+#endif
