@@ -18,6 +18,7 @@
 #include "equipoise/lanes/lane_task.hpp"
 #include "equipoise/model/ball_count.hpp"
 #include "equipoise/model/speed.hpp"
+#include "equipoise/model/unbalance.hpp"
 
 HWY_BEFORE_NAMESPACE();
 namespace equipoise {
@@ -217,12 +218,7 @@ class DecideFate {
       }
       if (away >= rule_.family.reach) reach = rule_.family.reach;
       if (!(away < reach)) continue;
-      double imbalance_x = parameters_.eccentricity, imbalance_y = 0.0;
-      for (int i = 0; i < n; ++i) {
-        imbalance_x += parameters_.mass[i] * std::cos(state[4 + i]);
-        imbalance_y += parameters_.mass[i] * std::sin(state[4 + i]);
-      }
-      if (std::hypot(imbalance_x, imbalance_y) >= reach) continue;
+      if (std::abs(model::unbalance(parameters_, state + 4)) >= reach) continue;
       if (rule_.family.caught(state))
         caught |= mark(g, 1u << lane, {DecidedBy::validated, balanced_id});
       else
