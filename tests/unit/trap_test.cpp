@@ -1,11 +1,9 @@
 // Traps: one theory for both phases, whichever the section.
+#include <array>
 #include <cmath>
-#include <memory>
-#include <numeric>
 
 #include <gtest/gtest.h>
 
-#include "equipoise/base/angles.hpp"
 #include "equipoise/discovery/discovery.hpp"
 #include "equipoise/model/linearisation.hpp"
 #include "equipoise/orbits/variational.hpp"
@@ -19,11 +17,11 @@ namespace {
 
 using Eigen::VectorXd;
 
-model::Parameters balancer(int balls, double drag = 0.05) {
+model::Parameters balancer(int balls) {
   model::Parameters p;
   p.balls = balls;
   p.mass.fill(0.05);
-  p.drag.fill(drag);
+  p.drag.fill(0.05);
   return p;
 }
 
@@ -131,20 +129,27 @@ TEST(CycleTraps, ExchangeOfEqualBallsIsNoDifference) {
 }
 
 // Two balls of three are alike: images of a motion exchange these and no others, or their traps would lie where there
-// is no motion.
+// is no motion. From a table's row the flow stays on the table, but for chords: their errors are 3e-4 of a swing of
+// less than a radian, and V is of the order of |d|^2.
 TEST(CycleTraps, ImagesExchangeLikeBallsOnly) {
   model::Parameters p = balancer(3);
   p.mass[2] = 0.03;
-  const Found found(p, 3.0);
-  int with_images = 0;
-  for (const Attractor& a : found.all.catalogue.attractors()) {
-    if (a.motion.kind != MotionKind::periodic) continue;
-    const auto images = exchange_images(found.system, a.motion);
-    EXPECT_EQ(images.size(), static_cast<std::size_t>(a.motion.copies)) << a.name;
-    with_images += images.size() > 1;
-    for (const BallOrder& order : images) EXPECT_EQ(order[2], 2) << a.name;
+  const model::System system(p, 2.4);
+  constexpr std::array phi{31.1, 52.2, 6.4};  // comes to "2 captured, 1 drifting", one of the like balls
+  const auto motion = motion_from(system, model::centred_state(p, phi.data()));
+  ASSERT_TRUE(motion);
+  ASSERT_EQ(motion->kind, MotionKind::periodic);
+  ASSERT_EQ(motion->copies, 2);
+  const auto images = exchange_images(system, *motion);
+  ASSERT_EQ(images.size(), 2u);
+  EXPECT_EQ(images[1], (BallOrder{1, 0, 2}));
+  const auto traps = cycle_traps(system, *motion, 8);
+  ASSERT_EQ(traps.size(), 2u);
+  for (const CycleTrap& trap : traps) {
+    const auto later = advance_state(system, trap.nodes[0].state, 0.37 * motion->period);
+    ASSERT_TRUE(later);
+    EXPECT_LT(value(system, trap, later->data(), 0.0), 1e-5);
   }
-  EXPECT_GT(with_images, 0);
 }
 
 // What the rule asks catches every motion that it was made for, and its exchange image.

@@ -78,7 +78,6 @@ Eigen::Map<const Eigen::VectorXd> PilotRun::state(std::size_t i) const {
 }
 
 Eigen::VectorXd PilotRun::state_at_strobe(std::size_t i) const {
-  if (system_.autonomous()) return state(i);
   return at_next_strobe(system_, state(i), source_.last_segment().psi_at(fates_[i].time)).value_or(state(i));
 }
 

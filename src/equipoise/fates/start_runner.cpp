@@ -181,7 +181,6 @@ std::vector<UndecidedEnd> StartRunner::look_at(const std::vector<std::uint64_t>&
 // The state at time `now` as a start is followed further from it: with anisotropy or gravity one at a strobe, so that
 // it needs no angle beside it.
 std::vector<double> StartRunner::when_recognised(const std::vector<double>& state, double now) const {
-  if (!model::is_strobed(study_.parameters)) return state;
   const model::Segment& segment = source_.last_segment();
   const Eigen::Map<const Eigen::VectorXd> z(state.data(), static_cast<Eigen::Index>(state.size()));
   const auto at_strobe = at_next_strobe({study_.parameters, segment.speed}, z, segment.psi_at(now));

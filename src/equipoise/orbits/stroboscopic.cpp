@@ -53,6 +53,7 @@ std::optional<PeriodicOrbit> continued(const model::System& system, PeriodicOrbi
 }  // namespace
 
 std::optional<VectorXd> at_next_strobe(const model::System& system, const VectorXd& state, double psi) {
+  if (system.autonomous()) return state;
   const double angle = system.strobe_angle(), speed = system.speed(), sense = speed < 0.0 ? -1.0 : 1.0;
   double ahead = std::fmod(-sense * psi, angle);
   if (ahead < 0.0) ahead += angle;

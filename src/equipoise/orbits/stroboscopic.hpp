@@ -13,8 +13,8 @@ namespace equipoise {
 
 // Everywhere: states without an angle beside them hold at a strobe, where psi = 0.
 
-/// The state at the next strobe, from `state` when the rotor's angle is `psi`; a state at a strobe is left as it is.
-/// Empty if the integration fails.
+/// The state at the next strobe, from `state` when the rotor's angle is `psi`. A state at a strobe is left as it is,
+/// and so is any where nothing depends on the rotor's angle. Empty if the integration fails.
 std::optional<Eigen::VectorXd> at_next_strobe(const model::System& system, const Eigen::VectorXd& state, double psi);
 
 /// The orbit that a balanced state at ball angles `phi` becomes as gravity and anisotropy are switched on gradually.
