@@ -34,21 +34,15 @@ class BallCount<any_count> {
 };
 
 /// Calls `f(std::integral_constant<int, room>{})` with the room that kernels take for `balls`, 1 to max_balls (checked
-/// where a study is read): the same number up to four, any_count above, where one loop serves as well as unrolled code
-/// and four counts are compiled at once.
-template <class F>
+/// where a study is read): the same number up to `most`, any_count above, where one loop serves nearly as well as
+/// unrolled code and all other counts are compiled at once.
+template <int most = 4, class F>
 decltype(auto) with_ball_count(int balls, F&& f) {
-  switch (balls) {
-    case 1:
-      return f(std::integral_constant<int, 1>{});
-    case 2:
-      return f(std::integral_constant<int, 2>{});
-    case 3:
-      return f(std::integral_constant<int, 3>{});
-    case 4:
-      return f(std::integral_constant<int, 4>{});
-    default:
-      return f(std::integral_constant<int, any_count>{});
+  if constexpr (most == 0) {
+    return f(std::integral_constant<int, any_count>{});
+  } else {
+    if (balls == most) return f(std::integral_constant<int, most>{});
+    return with_ball_count<most - 1>(balls, std::forward<F>(f));
   }
 }
 

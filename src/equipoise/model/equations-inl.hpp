@@ -163,6 +163,20 @@ class BallBalancer {
     Vector2<T> grip;  // sum of resistance times radial direction: what A takes from the moment
   };
 
+  // M's inverse is times_divisor() over divisor(); where no ball is free M is the body's mass.
+  static HWY_INLINE T divisor(const Matrix2<T>& m) {
+    if constexpr (room == 0)
+      return m.yy;
+    else
+      return m.determinant();
+  }
+  static HWY_INLINE Vector2<T> times_divisor(const Matrix2<T>& m, const Vector2<T>& v) {
+    if constexpr (room == 0)
+      return v;
+    else
+      return m.adjugate(v);
+  }
+
   // psi'' enters forces in proportion: those without it come first where it is solved for.
   static HWY_INLINE RotorMotion<T> without_solved(RotorMotion<T> rotor, const T* torque) {
     if (torque) rotor.acceleration = T(0.0);
@@ -183,8 +197,8 @@ class BallBalancer {
       for (int i = 0; i < n; ++i) add_actions(i, rotor, *actions, z, sums, m);
     // Symmetric positive definite, but for rolling resistance. The solution is left as solved times inverse, so that
     // all that can be done without the quotient need not wait for it.
-    const T inverse = T(1.0) / m.determinant();
-    Vector2<T> solved = m.adjugate({sums.force_x, sums.force_y});
+    const T inverse = T(1.0) / divisor(m);
+    Vector2<T> solved = times_divisor(m, {sums.force_x, sums.force_y});
     if constexpr (terms.body) {
       const BodyResult<T> result = turn(rotor, body, torque, sums, m, inverse, solved);
       const T w2 = rotor.speed * rotor.speed, a = result.acceleration;
@@ -203,16 +217,18 @@ class BallBalancer {
 
   HWY_INLINE void add_body(const RotorMotion<T>& rotor, const Body<T>& body, const Vector2<T>& f, Sums& sums) const {
     const T w2 = rotor.speed * rotor.speed;
-    sums.force_x = body.unbalance.x * w2 - f.x;
-    sums.resisting_y = f.y;
-    if constexpr (terms.acceleration) sums.resisting_y = sums.resisting_y + body.unbalance.x * rotor.acceleration;
     sums.inertia_y = body.mass;
     if constexpr (terms.body) {
       static_assert(terms.acceleration);
-      sums.force_x = sums.force_x + body.unbalance.y * rotor.acceleration;
-      sums.force_y = body.unbalance.y * w2 - sums.resisting_y;
+      const T a = rotor.acceleration;
+      sums.force_x = body.unbalance.x * w2 + body.unbalance.y * a - f.x;
+      sums.force_y = body.unbalance.y * w2 - body.unbalance.x * a - f.y;
       sums.inertia_sum = T(2.0) * body.mass;
       sums.moment = offset_.x * f.y - offset_.y * f.x;  // supports act at -e from O'
+    } else {
+      sums.force_x = body.unbalance.x * w2 - f.x;
+      sums.resisting_y = f.y;
+      if constexpr (terms.acceleration) sums.resisting_y = sums.resisting_y + body.unbalance.x * rotor.acceleration;
     }
   }
 
@@ -279,7 +295,7 @@ class BallBalancer {
     };
     T a = rotor.acceleration;
     if (torque) {
-      const Vector2<T> lag = m.adjugate(arm);
+      const Vector2<T> lag = times_divisor(m, arm);
       a = (*torque + sums.moment - row(solved)) / (body.inertia - row(lag));
       solved = {solved.x - a * lag.x, solved.y - a * lag.y};
     }
