@@ -203,11 +203,10 @@ TEST(Stroboscopic, DecidedStartsHaveTheSameBitsOnAnyNumberOfThreadsAndAlone) {
       EXPECT_EQ(one[i].by, shared[i].by) << i;
     }
     EXPECT_GE(decided, one.size() * 9 / 10);  // bits of what is undecided say nothing of decisions
-    for (const std::uint64_t index : {3u, 311u, 599u}) {
-      const StartReplay alone = replay_start(study, index);
-      EXPECT_EQ(alone.fate.attractor, one[index].attractor);
-      EXPECT_EQ(alone.fate.time, one[index].time);
-    }
+    constexpr std::uint64_t index = 311;  // of the middle: each start alone costs another search
+    const StartReplay alone = replay_start(study, index);
+    EXPECT_EQ(alone.fate.attractor, one[index].attractor);
+    EXPECT_EQ(alone.fate.time, one[index].time);
   }
 }
 
