@@ -31,8 +31,8 @@ std::vector<SteadyKind> steady_kinds(int balls);
 double bare_response(const model::Parameters& p, double speed);
 
 /// Of a motion that never quite repeats itself: time after which its kind alone tells it. It may be a transient, of which
-/// some last for thousands of time units, chaotic or as even as a torus.
-inline constexpr double unrepeated_time = 5000.0;
+/// some last for ten thousand time units, chaotic or as even as a torus.
+inline constexpr double unrepeated_time = 20000.0;
 
 /// What was seen of a stretch of time.
 struct SteadyStretch {
