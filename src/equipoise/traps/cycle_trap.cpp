@@ -90,7 +90,7 @@ double value_by_rotor(const model::System& system, const CycleTrap& trap, const 
 double value(const model::System& system, const CycleTrap& trap, const double* state, double psi) {
   if (trap.clock == CycleTrap::rotor) return value_by_rotor(system, trap, state, psi);
   const model::BallCount<model::any_count> count(system.balls());
-  return kernels::trap_value(table_of(trap, system.balls()), count, state);
+  return kernels::trap_value(table_of(trap, system.balls()), count, system.dimension(), state);
 }
 
 int directions(const CycleTrap& trap) { return static_cast<int>(compared(trap).size()); }

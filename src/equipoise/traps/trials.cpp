@@ -28,9 +28,7 @@ bool follow(Trials& trials, const TrialSettings& settings, Told&& told) {
       if (!good) return;
       const std::size_t first = k * trial_chunk;
       const Trials::Flight flight = trials.flight(first);
-      LaneTask task;
-      task.parameters = &settings.system->parameters();
-      task.segment = {0.0, 1e300, flight.psi, settings.system->speed(), 0.0, false};
+      LaneTask task = lane_task(*settings.system, flight.psi);
       task.end = flight.end;
       task.tolerance = settings.tolerance;
       task.count = std::min(trial_chunk, total - first);
