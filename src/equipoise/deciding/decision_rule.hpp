@@ -9,7 +9,8 @@
 
 namespace equipoise {
 
-inline constexpr int max_dimension = model::dimension(model::max_balls);
+/// Of the state of any system (model/system.hpp): a driven rotor's angle, speed and speed error come last.
+inline constexpr int max_dimension = model::dimension(model::max_balls) + 3;
 
 /// On what grounds a fate was decided. The numbers are stored in result files.
 enum class DecidedBy : signed char {
@@ -28,7 +29,10 @@ inline constexpr std::array<const char*, decided_by_count> decided_by_names{"not
 /// A linearly stable balanced state and a level set of a Lyapunov function around it.
 struct BalancedTrap {
   std::array<double, model::max_balls> phi{};  ///< ball angles of the balanced state
-  /// Upper triangular F, row-major dimension x dimension: the Lyapunov function of a deviation d is V = |F d|^2.
+  /// Its other components: 0 but for a driven rotor's speed and for all of them where the race is off centre.
+  std::array<double, max_dimension> centre{};
+  /// Upper triangular F, row-major dimension x dimension of the system: the Lyapunov function of a deviation d is
+  /// V = |F d|^2.
   std::vector<double> factor;
   double level = 0.0;                         ///< inside: V < level
   std::array<double, max_dimension> reach{};  ///< no point inside deviates further in that component
