@@ -23,11 +23,15 @@ constexpr double uneven = 4.0, smallest_uneven = 0.02;
 constexpr double centred = 1e-9;  // off_balance() of balanced states
 
 std::optional<Motion> refined(const model::System& system, const Motion& guess) {
+  // Where equations begin to depend on the rotor's angle, or cease to, motions become others.
+  if (guess.state.size() != system.dimension()) return std::nullopt;
   if (guess.orbit.nodes.empty()) {
+    if (system.section() == model::Section::strobe) return std::nullopt;
     const auto found = refine_equilibrium(system, guess.state);
     if (!found) return std::nullopt;
     return describe_equilibrium(system, *found);
   }
+  if (guess.orbit.imposed != (system.section() == model::Section::strobe)) return std::nullopt;
   const auto found = refine_orbit(system, guess.orbit.nodes, guess.orbit.period);
   if (!found) return std::nullopt;
   return describe_orbit(system, *found);

@@ -236,11 +236,11 @@ IntegrationStatus follow_balls(const model::System& system, Eigen::VectorXd& z, 
                                MotionStatistics* statistics, std::vector<Eigen::VectorXd>* samples,
                                const StopFlag* stop) {
   using Flow = typename Source::Flow;
-  kernels::ErrorScale<most> scale;
+  kernels::ErrorScale<Flow::dimension> scale;
   scale.tolerance = tolerance;
   kernels::set_system_scale(system, 1, scale);
   const Flow flow = Source::make(system);
-  kernels::AdaptiveIntegrator<Flow, most> integrator(flow, scale, system.dimension());
+  kernels::AdaptiveIntegrator<Flow, Flow::dimension> integrator(flow, scale, system.dimension());
   if (!statistics && !samples)
     return integrator.advance(
         0.0, duration, z.data(), [](double, double, auto&&) {}, stop);
