@@ -56,7 +56,7 @@ double largest_rate(const model::Parameters& p, double speed, const double* phi,
 }
 
 std::vector<double> rates_along_continuum(const model::Parameters& p, double speed) {
-  const int free = continuum_dimension(p);
+  const int free = model::balanced_freedom({p, speed});
   ContinuumDraws draws(p);
   std::array<double, model::max_balls> phi{};
   std::vector<double> rates;

@@ -54,7 +54,7 @@ void set_traps(DecisionRule& rule, const model::System& system, const CycleTraps
   rule.cycles.clear();
   rule.family = {};
   rule.strobed = {};
-  if (system.section() == model::Section::strobe) {
+  if (!system.autonomous()) {
     rule.strobed = strobed_traps(system, cycles, continuum);
     return;
   }
