@@ -76,6 +76,9 @@ void check_offers(const Study& study, model::Answer answer) {
   check(study);
   const model::Parameters& p = study.parameters;
   const auto lack = model::lacking(study.system(), answer);
+  if (!lack && model::capability(answer).smooth && study.system().coasts())
+    throw InputError(study.name, "speed.torque", "0 in the end",
+                     fmt::format("{} need a rotor that something turns for good", model::capability(answer).name));
   if (!lack) return;
   const auto reject = [&](const char* key, const std::string& value) {
     throw InputError(study.name, key, value, lack->reason);
@@ -109,7 +112,7 @@ StartRunner::StartRunner(const Study& study, const DiscoverySettings& settings, 
   source_->watch(transients_);
   for (const Attractor& a : discovery_.catalogue.attractors()) {
     ends_.resize(std::max(ends_.size(), static_cast<std::size_t>(a.id) + 1));
-    if (system_.plain()) ends_[static_cast<std::size_t>(a.id)] = known_end(study_.parameters, a);
+    ends_[static_cast<std::size_t>(a.id)] = known_end(study_.parameters, a);
   }
 }
 
@@ -166,7 +169,7 @@ bool StartRunner::run(std::uint64_t first, std::size_t count, std::vector<double
       fate.by = DecidedBy::followed;
       const auto& motion = unlisted.back().motion;
       if (motion && !system_.prescribed()) fate.mean_speed = static_cast<float>(motion->speed);
-      if (rows && motion && motion->stable && system_.plain()) end = motion_figures(study_.parameters, *motion);
+      if (rows && motion && motion->stable) end = motion_figures(study_.parameters, *motion);
     } else if (attracted) {
       fate.mean_speed = static_cast<float>(mean_speed(fate));
       end = table.end_of(fate.attractor).figures;
@@ -210,17 +213,27 @@ std::vector<UndecidedEnd> StartRunner::look_at(const std::vector<std::uint64_t>&
     std::vector<Fate> fates;
     if (!source_->make(study_.sampling.seed, number, 1, start)) break;
     if (start.is_over(0)) {
-      const double asked = study_.release.speed.value_or(0.0);
-      ends.push_back(
-          {.what = Restlessness::held, .reached = start.nearest.empty() ? 0.0 : start.nearest[0], .asked = asked});
+      ends.push_back({.what = Restlessness::held, .reached = start.nearest[0], .asked = *study_.release.speed});
       continue;
     }
     if (!decide(start, nullptr, fates)) break;
     const std::vector<double> z = when_recognised(start.states.data(), fates[0].time);
-    ends.push_back(
-        look_at_undecided(system_, Eigen::Map<const Eigen::VectorXd>(z.data(), static_cast<Eigen::Index>(z.size()))));
+    const Eigen::Map<const Eigen::VectorXd> state(z.data(), static_cast<Eigen::Index>(z.size()));
+    ends.push_back(look_at_undecided(system_, state));
+    if (!system_.prescribed() && ends.back().what == Restlessness::regular)
+      ends.back().what = restlessness(fates[0], start.begin(0, source_->settled()), system_.speed(state));
   }
   return ends;
+}
+
+// Of a driven rotor that is neither near balance nor chaotic: its last speed is not the mean of its last long window, or
+// it was not watched for as many short ones as tell one from the next.
+Restlessness StartRunner::restlessness(const Fate& fate, double begin, double speed) const {
+  constexpr double steady = 0.02;
+  constexpr int fewest_windows = 8;
+  if (fate.time - begin < fewest_windows * discovery_.rule.window) return Restlessness::hardly_seen;
+  return std::fabs(speed - fate.mean_speed) > steady * std::fabs(speed) ? Restlessness::changing_speed
+                                                                        : Restlessness::regular;
 }
 
 // The state at time `now` as a start is followed further from it: at a prescribed speed with anisotropy or gravity one

@@ -52,6 +52,7 @@ class StartRunner : public Runner {
   UnlistedStart unlisted_start(const SpunUp& starts, std::size_t i, double now) const;
   double mean_speed(const Fate& fate) const;
   bool stalls(const Fate& fate) const;
+  Restlessness restlessness(const Fate& fate, double begin, double speed) const;
   TransientSettings settings_of(const SpunUp& starts, std::size_t i) const;
   std::vector<double> when_recognised(const double* state, double now) const;
 

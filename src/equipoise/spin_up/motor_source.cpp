@@ -27,6 +27,7 @@ HoldRule hold_rule(const model::Parameters& p, const model::Drive& drive) {
   HoldRule rule;
   rule.windows.balls = 1;  // one body
   rule.windows.sameness = steady;
+  rule.windows.repeats_needed = 1;
   rule.windows.sag = model::static_sag(p);
   if (!drive.release_speed) return rule;
   rule.release_speed = *drive.release_speed;
