@@ -26,6 +26,8 @@ equipoise_test(symmetry_test unit unit/symmetry_test.cpp LIBRARIES rapidcheck ra
 equipoise_test(mean_rate_test unit unit/mean_rate_test.cpp)
 equipoise_test(orbit_test equivalence equivalence/orbit_test.cpp)
 equipoise_test(motion_test equivalence equivalence/motion_test.cpp)
+equipoise_test(machine_motions_test equivalence equivalence/machine_motions_test.cpp)
+equipoise_test(machine_traps_test equivalence equivalence/machine_traps_test.cpp)
 equipoise_test(floquet_test equivalence equivalence/floquet_test.cpp)
 equipoise_test(attractors_test equivalence equivalence/attractors_test.cpp)
 equipoise_test(machine_test equivalence equivalence/machine_test.cpp equivalence/machine_reference.cpp)

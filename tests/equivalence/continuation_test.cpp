@@ -163,8 +163,8 @@ TEST(ParameterLine, has_decimal_values_whichever_way_it_is_given) {
   EXPECT_EQ(line.values()[20], 2.4);
   EXPECT_EQ(line.values().back(), 6.5);
   EXPECT_EQ(back.values(), line.values());
-  EXPECT_EQ(line.system_at(2.4).speed, 2.4);
-  EXPECT_EQ(ParameterLine(study(), "balancer.drag=0.1:0.1:1").system_at(0.1).parameters.drag[1], 0.1);
+  EXPECT_EQ(line.system_at(2.4).speed(), 2.4);
+  EXPECT_EQ(ParameterLine(study(), "balancer.drag=0.1:0.1:1").system_at(0.1).parameters().drag[1], 0.1);
 }
 
 TEST(ParameterLine, takes_quantities_where_the_study_has_units) {

@@ -147,7 +147,7 @@ TEST(CriticalLevel, does_not_depend_on_the_sense_of_turning) {
       for (int i = 0; i < p.balls; ++i) phi[i] = -trap.phi[i];
       const Eigen::MatrixXd mirrored = sign.asDiagonal() * form_of(trap) * sign.asDiagonal();
       // A tenth is what level_margin leaves for the search's error.
-      EXPECT_NEAR(level_margin * critical_level(p, -2.0, phi.data(), mirrored, 20000) / trap.level, 1.0, 0.1);
+      EXPECT_NEAR(level_margin * critical_level({p, -2.0}, model::centred_state(p, phi.data()), mirrored, 20000) / trap.level, 1.0, 0.1);
     }
   }
 }

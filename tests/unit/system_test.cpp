@@ -226,10 +226,10 @@ TEST(System, WhatAnAnswerLacksIsSaid) {
     EXPECT_EQ(model::lacking(off_centre, c.answer).has_value(), c.centred) << c.name;
     EXPECT_EQ(model::lacking(System(sticky, 2.0), c.answer).has_value(), c.smooth) << c.name;
   }
-  EXPECT_EQ(model::lacking(strobed, Answer::maps)->reason,
-            "maps need equal values in x and y (simulate, basin and attractors take any)");
-  EXPECT_EQ(model::lacking(driven, Answer::attractors)->reason,
-            "attractors need a prescribed speed (simulate and basin take any)");
+  EXPECT_EQ(model::lacking(strobed, Answer::proofs)->reason,
+            "proofs need equal values in x and y (simulate, basin and attractors take any)");
+  EXPECT_EQ(model::lacking(driven, Answer::proofs)->reason,
+            "proofs need a prescribed speed (simulate, basin and attractors take any)");
 }
 
 }  // namespace

@@ -186,7 +186,7 @@ TEST(BalancedAnalysis, StatesOnALevelHaveThatValue) {
   Directions random(model::dimension(2));
   for (const BalancedTrap& trap : analysis.traps)
     for (int k = 0; k < 10; ++k) {
-      const VectorXd z = state_on_level(p, trap, 0.5 * trap.level, random.next());
+      const VectorXd z = state_on_level({p, 2.4}, trap, 0.5 * trap.level, random.next());
       VectorXd d = z - model::centred_state(p, trap.phi.data());
       EXPECT_NEAR(d.dot(form_of(trap) * d), 0.5 * trap.level, 1e-9 * trap.level);
       for (Eigen::Index i = 0; i < d.size(); ++i) EXPECT_LT(std::fabs(d[i]), trap.reach[i]);

@@ -1,6 +1,10 @@
 // The search for attractors is an ensemble whose catalogue is kept.
 #include "equipoise/basins/attractors.hpp"
 
+#include <algorithm>
+#include <cstdint>
+#include <map>
+
 #include "equipoise/fates/start_runner.hpp"
 
 namespace equipoise {
@@ -18,7 +22,20 @@ AttractorsResult attractors(const Study& asked, const AttractorsOptions& options
       p.balanced.reset();
       options.progress(p);
     };
+  // An ensemble counts starts whose rotor does not come up to speed together, whatever their motion.
+  std::map<int, std::uint64_t> stalled;
+  search.fate = [&](const Fate& fate) {
+    if (fate.outcome == Outcome::stalled) ++stalled[fate.attractor];
+    if (options.fate) options.fate(fate);
+  };
   result.basin = basin(study, search, &result.catalogue);
+  auto& shares = result.basin.attractors;
+  for (const Attractor& a : result.catalogue.attractors()) {
+    const auto same = [&](const AttractorShare& s) { return s.id == a.id; };
+    if (std::any_of(shares.begin(), shares.end(), same)) continue;
+    shares.push_back(
+        {a.id, a.name, a.alias, name_of(a.motion.kind), wilson_share(stalled[a.id], result.basin.starts), 0.0, {}});
+  }
   return result;
 }
 

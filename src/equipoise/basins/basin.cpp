@@ -165,6 +165,9 @@ class BasinRun {
       shares.push_back(tally.share(none));
     }
     for (const Attractor& a : runner_->catalogue().attractors()) {
+      // Whose rotor does not come up to speed is counted among the stalled.
+      if (a.id != balanced_id && std::fabs(a.motion.speed) < stall_speed_ && a.motion.kind != MotionKind::measured)
+        continue;
       AttractorShare share = tally.share(a);
       // Kinds of motion that a machine might come to are told only if one did.
       if (share.share.count > 0 || a.id == balanced_id || a.motion.kind != MotionKind::measured)
@@ -301,7 +304,7 @@ class BasinRun {
   void add_note(const std::string& words) { result_.note += (result_.note.empty() ? "" : "; ") + words; }
 
   void compute(std::uint64_t first, std::uint64_t limit, const ChunkSink& sink) {
-    const ChunkWork work{*runner_, threads_, !result_.study.system().simple(), gathers_, options_.stop};
+    const ChunkWork work{*runner_, threads_, !result_.study.system().smooth(), gathers_, options_.stop};
     compute_chunks(work, first, limit, finished_, lost_, sink);
   }
 

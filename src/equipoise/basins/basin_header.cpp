@@ -6,6 +6,7 @@
 #include "equipoise/discovery/horizon.hpp"
 #include "equipoise/fates/transient_tally.hpp"
 #include "equipoise/kernels/lane_kernels.hpp"
+#include "equipoise/model/system.hpp"
 #include "equipoise/spin_up/initial_state.hpp"
 
 namespace equipoise {
@@ -36,6 +37,10 @@ BasinFileHeader basin_file_header(const Study& study, bool angles, bool transien
   header.arithmetic = arithmetic_of(header.cpu_target);
   header.angles = angles;
   header.driven = study.speed.driven();
+  const model::System system = study.system();
+  if (system.psi_place() >= 0) header.drive_components.emplace_back("psi");
+  if (system.speed_place() >= 0) header.drive_components.emplace_back("psi_dot");
+  if (system.error_place() >= 0) header.drive_components.emplace_back("speed_error_integral");
   header.full_starts = !study.sampling.box.empty();
   header.method = sampler.method();
   header.scales = study.scales;

@@ -21,25 +21,25 @@ void set_excursion(BranchEvent& event, const Motion& motion) {
   event.r_max = motion.r_max;
 }
 
-bool symmetric(const Motion& motion) {
+bool symmetric(int balls, const Motion& motion) {
   const auto& c = motion.cluster;
   bool some_coincide = false;
-  for (int i = 0; i < model::max_balls; ++i)
-    for (int k = 0; k < i; ++k) some_coincide = some_coincide || (c[i] == c[k] && motion.state.size() > 4 + 2 * i);
+  for (int i = 0; i < balls; ++i)
+    for (int k = 0; k < i; ++k) some_coincide = some_coincide || c[i] == c[k];
   return some_coincide || motion.half_period_exchange;
 }
 
 // From the unstable side of a change of stability.
-BranchCause cause_of_instability(const Motion& unstable) {
-  if (unstable.kind == MotionKind::equilibrium) {
+BranchCause cause_of_instability(int balls, const Motion& unstable) {
+  if (unstable.orbit.nodes.empty()) {
     const std::complex<double> leading = unstable.spectrum[0];
     if (leading.imag() != 0.0) return BranchCause::hopf;
-    return symmetric(unstable) ? BranchCause::pitchfork : BranchCause::fold;
+    return symmetric(balls, unstable) ? BranchCause::pitchfork : BranchCause::fold;
   }
-  const std::complex<double> leading = unstable.spectrum[1];
+  const std::complex<double> leading = unstable.orbit.decays()[0];
   if (leading.imag() != 0.0) return BranchCause::neimark_sacker;
   if (leading.real() < 0.0) return BranchCause::period_doubling;
-  return symmetric(unstable) ? BranchCause::pitchfork : BranchCause::fold;
+  return symmetric(balls, unstable) ? BranchCause::pitchfork : BranchCause::fold;
 }
 
 BranchEvent stability_change(const BranchFollower& follower, const BranchPoint& low, const BranchPoint& high) {
@@ -63,17 +63,17 @@ BranchEvent stability_change(const BranchFollower& follower, const BranchPoint& 
     (like_below ? event.low : event.high) = middle;
     (like_below ? below : above) = std::move(*found);
   }
-  event.cause = cause_of_instability(below.stable ? above : below);
+  event.cause = cause_of_instability(follower.line().system_at(event.low).balls(), below.stable ? above : below);
   set_excursion(event, below);
   return event;
 }
 
 // The periodic motion is about to end in an equilibrium: all of it is near one.
-bool has_shrunk(const LineSystem& system, const Motion& motion) {
+bool has_shrunk(const model::System& system, const Motion& motion) {
   constexpr double near = 0.2;  // in natural sizes
-  const auto centre = refine_equilibrium({system.parameters, system.speed}, motion.state);
+  const auto centre = system.autonomous() ? refine_equilibrium(system, motion.state) : std::nullopt;
   if (!centre) return false;
-  const StateDifference difference({system.parameters, system.speed});
+  const StateDifference difference(system);
   return std::all_of(motion.orbit.nodes.begin(), motion.orbit.nodes.end(),
                      [&](const Eigen::VectorXd& node) { return difference.distance(node, centre->state) < near; });
 }
@@ -100,11 +100,11 @@ BranchEvent kind_change(const BranchFollower& follower, const BranchPoint& low, 
   Motion below = low.motion, above = high.motion;
   while (event.high - event.low > coarse * follower.line().step() * (1.0 + 1e-9) && !follower.stopped()) {
     const double middle = 0.5 * (event.low + event.high);
-    const LineSystem system = follower.line().system_at(middle);
-    auto found = motion_from({system.parameters, system.speed}, below.state);
-    if (!found || !found->stable || !resembles(system.parameters, below, *found))
-      found = motion_from({system.parameters, system.speed}, above.state);
-    if (!found || !found->stable || !resembles(system.parameters, below, *found)) break;
+    const model::System system = follower.line().system_at(middle);
+    auto found = motion_from(system, below.state);
+    if (!found || !found->stable || !resembles(system.parameters(), below, *found))
+      found = motion_from(system, above.state);
+    if (!found || !found->stable || !resembles(system.parameters(), below, *found)) break;
     const bool like_below = found->kind == below.kind;
     (like_below ? event.low : event.high) = middle;
     (like_below ? below : above) = std::move(*found);
@@ -122,7 +122,7 @@ BranchCause cause_of_end(const ParameterLine& line, const Advance& end) {
     return end.beyond && grew_from(*end.beyond, last) ? BranchCause::neimark_sacker : BranchCause::attraction_ends;
   if (end.beyond && end.beyond->kind == MotionKind::periodic && last.kind == MotionKind::periodic) {
     bool halved = false;
-    for (int i = 0; i < model::max_balls; ++i) {
+    for (std::size_t i = 0; i < last.winding.size(); ++i) {
       if (last.winding[i] != 2 * end.beyond->winding[i]) {
         halved = false;
         break;
@@ -134,9 +134,9 @@ BranchCause cause_of_end(const ParameterLine& line, const Advance& end) {
   if (end.beyond && end.beyond->kind == last.kind && end.beyond->copies < last.copies) return BranchCause::pitchfork;
   if (last.kind == MotionKind::periodic && has_shrunk(line.system_at(end.value), last)) return BranchCause::hopf;
   double nearest = 1e300;
-  for (Eigen::Index k = last.kind == MotionKind::periodic ? 1 : 0; k < last.spectrum.size(); ++k)
-    nearest = std::min(
-        nearest, last.kind == MotionKind::periodic ? std::abs(last.spectrum[k] - 1.0) : std::abs(last.spectrum[k]));
+  const bool orbit = !last.orbit.nodes.empty();
+  for (const std::complex<double>& value : orbit ? last.orbit.decays() : last.spectrum)
+    nearest = std::min(nearest, orbit ? std::abs(value - 1.0) : std::abs(value));
   return nearest < near_one ? BranchCause::fold : BranchCause::unresolved;
 }
 

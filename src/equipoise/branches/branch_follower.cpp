@@ -5,6 +5,7 @@
 #include <cmath>
 #include <utility>
 
+#include "equipoise/model/balanced_state.hpp"
 #include "equipoise/orbits/recurrence.hpp"
 
 namespace equipoise {
@@ -19,29 +20,34 @@ constexpr double largest_change = 0.5;
 // Two halves of a step that change the motion about equally are smooth: at a fold, where changes go like a square root,
 // they differ by 2.4.
 constexpr double uneven = 4.0, smallest_uneven = 0.02;
-constexpr double centred = 1e-9;  // r of balanced states
+constexpr double centred = 1e-9;  // off_balance() of balanced states
 
-std::optional<Motion> refined(const LineSystem& system, const Motion& guess) {
-  if (guess.kind == MotionKind::equilibrium) {
-    const auto found = refine_equilibrium({system.parameters, system.speed}, guess.state);
+std::optional<Motion> refined(const model::System& system, const Motion& guess) {
+  // Where equations begin to depend on the rotor's angle, or cease to, motions become others.
+  if (guess.state.size() != system.dimension()) return std::nullopt;
+  if (guess.orbit.nodes.empty()) {
+    if (system.section() == model::Section::strobe) return std::nullopt;
+    const auto found = refine_equilibrium(system, guess.state);
     if (!found) return std::nullopt;
-    return describe_equilibrium({system.parameters, system.speed}, *found);
+    return describe_equilibrium(system, *found);
   }
-  const auto found = refine_orbit({system.parameters, system.speed}, guess.orbit.nodes, guess.orbit.period);
+  if (guess.orbit.imposed != (system.section() == model::Section::strobe)) return std::nullopt;
+  const auto found = refine_orbit(system, guess.orbit.nodes, guess.orbit.period);
   if (!found) return std::nullopt;
-  return describe_orbit({system.parameters, system.speed}, *found);
+  return describe_orbit(system, *found);
 }
 
 // What no smooth change of a motion alters.
-bool same_signature(const Motion& a, const Motion& b) {
+bool same_signature(const model::Parameters& p, const Motion& a, const Motion& b) {
+  const auto is_centred = [&](const Motion& m) { return model::off_balance(p, m.state[0], m.state[1]) < centred; };
   return a.kind == b.kind && a.winding == b.winding && a.cluster == b.cluster &&
          a.half_period_exchange == b.half_period_exchange && a.copies == b.copies &&
-         (a.kind != MotionKind::equilibrium || (a.r_max < centred) == (b.r_max < centred));
+         (a.kind != MotionKind::equilibrium || is_centred(a) == is_centred(b));
 }
 
-double change(const LineSystem& system, const Motion& a, const Motion& b) {
-  const StateDifference difference({system.parameters, system.speed});
-  if (a.kind == MotionKind::equilibrium) return difference.distance(a.state, b.state);
+double change(const model::System& system, const Motion& a, const Motion& b) {
+  const StateDifference difference(system);
+  if (a.orbit.nodes.empty()) return difference.distance(a.state, b.state);
   if (a.orbit.nodes.size() != b.orbit.nodes.size()) return 2.0 * largest_change;
   double farthest = 0.0;
   for (std::size_t k = 0; k < a.orbit.nodes.size(); ++k)
@@ -76,8 +82,9 @@ bool resembles(const model::Parameters& p, const Motion& a, const Motion& b) {
 }
 
 std::optional<Motion> BranchFollower::refine(const Motion& motion, double to) const {
-  auto found = refined(line_.system_at(to), motion);
-  if (!found || !same_signature(motion, *found)) return std::nullopt;
+  const model::System system = line_.system_at(to);
+  auto found = refined(system, motion);
+  if (!found || !same_signature(system.parameters(), motion, *found)) return std::nullopt;
   return found;
 }
 
@@ -87,9 +94,9 @@ Advance BranchFollower::advance(const Motion& motion, double from, double to) co
   Advance result = advance_refined(motion, from, to);
   if (result.arrived || !result.motion.stable || motion.kind == MotionKind::equilibrium || stopped()) return result;
   // A periodic motion locked within a torus ends where the torus goes on.
-  const LineSystem system = line_.system_at(to);
-  auto next = motion_from({system.parameters, system.speed}, result.motion.state);
-  if (next && next->stable && is_restless(*next) && resembles(system.parameters, motion, *next))
+  const model::System system = line_.system_at(to);
+  auto next = motion_from(system, result.motion.state);
+  if (next && next->stable && is_restless(*next) && resembles(system.parameters(), motion, *next))
     return {to, std::move(*next), true, to, {}};
   return result;
 }
@@ -103,13 +110,14 @@ Advance BranchFollower::advance_refined(const Motion& motion, double from, doubl
   while (!stopped()) {
     const bool last = std::fabs(step) >= std::fabs(to - at.value) * (1.0 - 1e-9);
     const double next = last ? to : at.value + step, middle = 0.5 * (at.value + next);
-    const LineSystem there = line_.system_at(next);
+    const model::System there = line_.system_at(next);
+    const model::Parameters& p = there.parameters();
     std::optional<Motion> half = refined(line_.system_at(middle), at.motion), whole;
     const std::optional<Motion>* stranger = nullptr;
-    if (half && !same_signature(at.motion, *half)) stranger = &half;
+    if (half && !same_signature(p, at.motion, *half)) stranger = &half;
     if (half && !stranger) {
       whole = refined(there, *half);
-      if (whole && !same_signature(at.motion, *whole)) stranger = &whole;
+      if (whole && !same_signature(p, at.motion, *whole)) stranger = &whole;
     }
     if (whole && !stranger && smooth(change(there, at.motion, *half), change(there, *half, *whole))) {
       at.value = next;
@@ -136,9 +144,9 @@ Advance BranchFollower::advance_refined(const Motion& motion, double from, doubl
 
 // The motion that a trajectory from a restless one comes to, if it resembles that; `stranger` gets what does not.
 std::optional<Motion> BranchFollower::settled(const Motion& from, double value, std::optional<Motion>& stranger) const {
-  const LineSystem system = line_.system_at(value);
-  auto found = motion_from({system.parameters, system.speed}, from.state);
-  if (found && found->stable && resembles(system.parameters, from, *found)) return found;
+  const model::System system = line_.system_at(value);
+  auto found = motion_from(system, from.state);
+  if (found && found->stable && resembles(system.parameters(), from, *found)) return found;
   stranger = std::move(found);
   return std::nullopt;
 }

@@ -27,12 +27,12 @@ std::size_t stable_points(const Branch& branch) {
                                                 [](const BranchPoint& point) { return point.motion.stable; }));
 }
 
-Naming name_one(const std::vector<LineSystem>& systems, Branch& branch) {
+Naming name_one(const std::vector<model::System>& systems, Branch& branch) {
   Naming naming{&branch, 0, 0, stable_points(branch), branch.points.front().at};
   std::map<std::string, std::pair<int, MotionName>> names;
   for (const BranchPoint& point : branch.points) {
     if (naming.stable > 0 && !point.motion.stable) continue;
-    const model::Parameters& p = systems[point.at].parameters;
+    const model::Parameters& p = systems[point.at].parameters();
     auto& [count, name] = names[family_of(p, point.motion)];
     const MotionName here = motion_name(p, point.motion);
     if (count++ == 0 || (name.id == 0 && here.id != 0)) name = here;
@@ -51,7 +51,7 @@ Naming name_one(const std::vector<LineSystem>& systems, Branch& branch) {
 
 }  // namespace
 
-void name_branches(const std::vector<LineSystem>& systems, const std::vector<std::size_t>& votes,
+void name_branches(const std::vector<model::System>& systems, const std::vector<std::size_t>& votes,
                    std::vector<Branch>& branches) {
   std::vector<Naming> namings;
   for (std::size_t b = 0; b < branches.size(); ++b) {

@@ -13,7 +13,7 @@ namespace equipoise {
 /// with it. Of several branches with one name the one with the most `votes` (then the one that attracts over most
 /// values) has the identifier, the others are numbered and get free ones. Events get their branch's identifier;
 /// branches are ordered by it. `systems`: by index of the value.
-void name_branches(const std::vector<LineSystem>& systems, const std::vector<std::size_t>& votes,
+void name_branches(const std::vector<model::System>& systems, const std::vector<std::size_t>& votes,
                    std::vector<Branch>& branches);
 
 }  // namespace equipoise

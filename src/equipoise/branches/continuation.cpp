@@ -127,7 +127,7 @@ class Continuation {
   bool is_on(const Track& track, std::size_t k, const Motion& motion) const {
     const auto at = track.points.find(k);
     if (at == track.points.end()) return false;
-    const model::Parameters& p = systems_[k].parameters;
+    const model::Parameters& p = systems_[k].parameters();
     return same_motion(p, at->second, motion) ||
            (is_restless(at->second) && is_restless(motion) && resembles(p, at->second, motion));
   }
@@ -144,7 +144,7 @@ class Continuation {
     for (std::size_t k = 0; k < found_.size(); ++k) {
       for (const Motion& motion : found_[k]) {
         if (track_of(k, motion) >= 0) continue;
-        std::string family = family_of(systems_[k].parameters, motion);
+        std::string family = family_of(systems_[k].parameters(), motion);
         if (families.insert(family).second) origins.push_back({k, motion, std::move(family), {}, {}});
       }
     }
@@ -229,8 +229,7 @@ class Continuation {
   void follow_leads(std::vector<Lead>& leads) {
     in_parallel(leads.size(), [&](std::size_t i) {
       Lead& lead = leads[i];
-      const LineSystem& system = systems_[lead.at];
-      if (!follower_.stopped()) lead.motion = motion_from({system.parameters, system.speed}, lead.state);
+      if (!follower_.stopped()) lead.motion = motion_from(systems_[lead.at], lead.state);
     });
     for (Lead& lead : leads)
       if (lead.motion && lead.motion->stable) found_[lead.at].push_back(std::move(*lead.motion));
@@ -241,10 +240,10 @@ class Continuation {
     for (std::size_t k = 0; k < found_.size(); ++k) {
       for (Motion& motion : found_[k]) {
         if (track_of(k, motion) >= 0) continue;
-        const std::string family = family_of(systems_[k].parameters, motion);
+        const std::string family = family_of(systems_[k].parameters(), motion);
         const auto home = std::find_if(tracks_.begin(), tracks_.end(), [&](const Track& track) {
           return !track.points.contains(k) &&
-                 family_of(systems_[track.points.begin()->first].parameters, track.points.begin()->second) == family;
+                 family_of(systems_[track.points.begin()->first].parameters(), track.points.begin()->second) == family;
         });
         (home == tracks_.end() ? tracks_.emplace_back() : *home).points[k] = std::move(motion);
       }
@@ -256,7 +255,7 @@ class Continuation {
   std::vector<std::size_t> count_votes() const {
     std::vector<std::size_t> votes(tracks_.size());
     for (std::size_t k = 0; k < named_.size(); ++k) {
-      const model::Parameters& p = systems_[k].parameters;
+      const model::Parameters& p = systems_[k].parameters();
       for (const Motion& motion : named_[k]) {
         const int track = track_of(k, motion);
         if (track < 0) continue;
@@ -317,7 +316,7 @@ class Continuation {
   tbb::task_arena arena_;
   std::vector<std::vector<Motion>> found_;  // by value
   std::vector<std::vector<Motion>> named_;  // by value: those that a search there gave the identifier of their name
-  std::vector<LineSystem> systems_;         // by value
+  std::vector<model::System> systems_;      // by value
   std::vector<Track> tracks_;
   BranchesResult result_;
   std::mutex mutex_;

@@ -39,7 +39,7 @@ ParameterLine::ParameterLine(const Study& study, const std::string& text) : stud
     try {
       const Study there = study_at(value);
       check_offers(there, model::Answer::branches);
-      if (there.speed_profile().final_speed() == 0.0)
+      if (const model::System system = there.system(); system.prescribed() && system.speed() == 0.0)
         throw InputError(option, key_, fmt::format("{}", value), "nothing turns; the final speed must not be 0");
     } catch (const InputError& e) {
       throw InputError(fmt::format("{} {}", option, text), e.key(), e.value(), e.problem());
@@ -101,9 +101,6 @@ Study study_with(const Study& original, const std::string& key, double value) {
 
 Study ParameterLine::study_at(double value) const { return study_with(study_, key_, value); }
 
-LineSystem ParameterLine::system_at(double value) const {
-  const Study study = study_at(value);
-  return {study.parameters, study.speed_profile().final_speed()};
-}
+model::System ParameterLine::system_at(double value) const { return study_at(value).system(); }
 
 }  // namespace equipoise

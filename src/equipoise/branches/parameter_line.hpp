@@ -5,18 +5,12 @@
 #include <string>
 #include <vector>
 
-#include "equipoise/model/parameters.hpp"
+#include "equipoise/model/system.hpp"
 #include "equipoise/study/study.hpp"
 
 namespace equipoise {
 
 inline constexpr std::size_t most_line_values = 2000;
-
-/// The constant-speed system at one value.
-struct LineSystem {
-  model::Parameters parameters;
-  double speed = 0.0;
-};
 
 /// `study` with another value of a number, as --set would give it; also for the keys speed.final, the final speed
 /// whatever the profile, and initial.phi_1 to initial.phi_n, one ball's initial angle. Throws InputError if the study
@@ -37,7 +31,7 @@ class ParameterLine {
   double step() const { return step_; }
 
   Study study_at(double value) const;
-  LineSystem system_at(double value) const;
+  model::System system_at(double value) const;
 
  private:
   void parse(const std::string& text);

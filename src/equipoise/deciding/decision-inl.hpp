@@ -7,6 +7,8 @@
 #define EQUIPOISE_DECIDING_DECISION_INL
 #endif
 
+#include <algorithm>
+#include <cmath>
 #include <type_traits>
 #include <vector>
 
@@ -28,20 +30,23 @@ namespace HWY_NAMESPACE {
 // end (at 1/3, 0.6 and 1 of it, 0.4 apart at most), so that no motion is seen fewer than eight times a period at the
 // steps the tolerance allows; tests/unit/window_test.cpp measures it.
 //
-// `strobed`: the rotor's angle is known, r is measured from where gravity lets the rotor sag to, and
-// DecisionRule::strobed is asked. Without it none of that leaves an operation behind.
-template <int room, int groups, bool strobed = false>
+// Of all but plain ones the rotor's angle is known, r is measured from where gravity lets the rotor sag to, and
+// DecisionRule::strobed is asked. Plain rotors feel no operation of that.
+template <int room, int groups, LaneKind kind = LaneKind::plain>
 class DecideFate {
  public:
-  static constexpr int dimension = model::dimension(room);  // the largest size
+  static constexpr bool angle_known = kind != LaneKind::plain, smooth = kind == LaneKind::smooth;
+  static constexpr int dimension = model::dimension(room) + (smooth ? 3 : 0);  // the largest size
   static constexpr int lanes = static_cast<int>(pack_lanes);
 
-  DecideFate(const model::Parameters& p, const model::Segment& segment, const DecisionRule& rule,
-             std::vector<Fate>& fates, std::vector<PilotRecord>* pilot)
-      : n(p.balls),
+  DecideFate(const LaneTask& task, const DecisionRule& rule, std::vector<Fate>& fates, std::vector<PilotRecord>* pilot)
+      : n(task.held ? 1 : task.parameters->balls),
         rule_(rule),
-        segment_(segment),
-        parameters_(p),
+        segment_(task.segment),
+        parameters_(*task.parameters),
+        size_(task.dimension()),
+        psi_place_(task.psi_place()),
+        speed_place_(task.speed_place()),
         fates_(fates),
         pilot_(pilot),
         trackers_(groups * lanes),
@@ -49,9 +54,9 @@ class DecideFate {
 
   void begin(int slot, std::size_t, double t, const double* z) {
     open_window(slot / lanes, slot % lanes, t, z + 4);
+    verdict_[slot] = {};
     trackers_[slot].begin(rule_);
     family_reach_[slot] = rule_.family.reach;
-    verdict_[slot] = {};
     element(least_value_[slot / lanes], slot % lanes) = 1e300;
   }
 
@@ -84,10 +89,14 @@ class DecideFate {
                                        : Outcome::undecided,
             DecidedBy::nothing, 0, t};
     Verdict verdict = verdict_[slot];
+    if constexpr (smooth) {
+      if (speed_place_ >= 0) fate.mean_speed = static_cast<float>(trackers_[slot].mean_speed());
+      if (verdict.runs_away) fate.outcome = Outcome::undecided;
+    }
     if (how == LaneEnd::reached_end && rule_.at_horizon) {
       if (!verdict.attractor && rule_.family.caught && rule_.family.caught(z)) verdict.attractor = balanced_id;
-      if constexpr (strobed)
-        if (rule_.strobed.caught) verdict.attractor = rule_.strobed.caught(z, segment_.psi_at(t));
+      if constexpr (angle_known)
+        if (rule_.strobed.caught) verdict.attractor = rule_.strobed.caught(z, angle(t, z));
       if (!verdict.attractor) verdict.attractor = trackers_[slot].attractor_at_end();
       if (verdict.attractor) {
         fate.outcome = Outcome::attracted;
@@ -114,10 +123,32 @@ class DecideFate {
   struct PlacedSample : Sample {
     Pack x, y;
   };
-  using Taken = std::conditional_t<strobed, PlacedSample, Sample>;
+  struct SmoothSample : PlacedSample {
+    Pack psi, speed;
+  };
+  using Taken = std::conditional_t<smooth, SmoothSample, std::conditional_t<angle_known, PlacedSample, Sample>>;
+
+  // As a constant where nothing but balls is in the state.
+  HWY_INLINE auto size() const {
+    if constexpr (smooth)
+      return size_;
+    else
+      return n.size();
+  }
+
+  // psi in a state of a lane at time t.
+  double angle(double t, const double* z) const {
+    if constexpr (smooth)
+      if (psi_place_ >= 0) return z[psi_place_];
+    return segment_.psi_at(t);
+  }
 
   HWY_INLINE void take(Taken& sample, const Pack* z) const {
-    if constexpr (strobed) {
+    if constexpr (smooth) {
+      if (psi_place_ >= 0) sample.psi = z[psi_place_];
+      sample.speed = speed_place_ >= 0 ? z[speed_place_] : Pack(0.0);
+    }
+    if constexpr (angle_known) {
       sample.x = z[0];
       sample.y = z[1];
     } else {
@@ -127,9 +158,12 @@ class DecideFate {
   }
 
   // r^2 of a sample taken at time t, from where the rotor would rest.
-  HWY_INLINE void measure(PlacedSample& sample, Pack t) const {
-    Pack sine, cosine;
-    sin_cos(multiply_add(Pack(segment_.speed), t - Pack(segment_.begin), Pack(segment_.psi)), sine, cosine);
+  HWY_INLINE void measure(Taken& sample, Pack t) const {
+    Pack sine(0.0), cosine(1.0);
+    Pack psi = multiply_add(Pack(segment_.speed), t - Pack(segment_.begin), Pack(segment_.psi));
+    if constexpr (smooth)
+      if (psi_place_ >= 0) psi = sample.psi;
+    if (!smooth || rule_.sag != 0.0) sin_cos(psi, sine, cosine);
     const Pack x = sample.x - Pack(rule_.sag) * sine, y = sample.y - Pack(rule_.sag) * cosine;
     sample.r2 = x * x + y * y;
   }
@@ -138,7 +172,7 @@ class DecideFate {
   HWY_INLINE void gather_samples(int g, Mask accepted, [[maybe_unused]] Pack t, Pack h, const Pack* z) {
     Taken last;
     take(last, z);
-    if constexpr (strobed) {
+    if constexpr (angle_known) {
       measure(first_[g], t - Pack(2.0 / 3) * h);
       measure(second_[g], t - Pack(0.4) * h);
       measure(last, t);
@@ -155,11 +189,24 @@ class DecideFate {
       q_min_[g][i] = select(accepted, minimum(q_min_[g][i], slow), q_min_[g][i]);
       q_max_[g][i] = select(accepted, maximum(q_max_[g][i], fast), q_max_[g][i]);
     }
+    if constexpr (smooth)
+      if (speed_place_ >= 0) gather_speed(g, accepted, h, last.speed);
+  }
+
+  // psi' like a ball's rate; psi by the quadrature of Radau, whose nodes are among the samples.
+  HWY_INLINE void gather_speed(int g, Mask accepted, Pack h, Pack last) {
+    const Pack &first = first_[g].speed, &second = second_[g].speed;
+    const Pack slow = minimum(minimum(first, second), last), fast = maximum(maximum(first, second), last);
+    speed_min_[g] = select(accepted, minimum(speed_min_[g], slow), speed_min_[g]);
+    speed_max_[g] = select(accepted, maximum(speed_max_[g], fast), speed_max_[g]);
+    const Pack turned = multiply_add(h, Pack(0.75) * first + Pack(0.25) * last, rotor_turned_[g]);
+    rotor_turned_[g] = select(accepted, turned, rotor_turned_[g]);
   }
 
   struct Verdict {
     DecidedBy by = DecidedBy::nothing;
     int attractor = 0;
+    bool runs_away = false;  // of a driven rotor: given up
   };
 
   // Lanes inside a trap. Box tests cost little and spare most of them the quadratic forms.
@@ -167,8 +214,8 @@ class DecideFate {
     unsigned caught = 0;
     for (const BalancedTrap& trap : rule_.balanced) {
       Mask near = accepted;
-      for (int i = 0; i < 4; ++i) near = near & (absolute(z[i]) < Pack(trap.reach[i]));
-      for (int i = 0; i < n; ++i) near = near & (absolute(z[4 + n + i]) < Pack(trap.reach[4 + n + i]));
+      for (int i = 0; i < 4; ++i) near = near & (away(trap, i, z) < Pack(trap.reach[i]));
+      for (int i = 4 + n; i < size(); ++i) near = near & (away(trap, i, z) < Pack(trap.reach[i]));
       if (!any(near)) continue;
       const unsigned inside = lane_bits(near & inside_balanced(trap, z)) & accepted_bits & ~caught;
       if (inside) caught |= mark(g, inside, {trap.by, balanced_id});
@@ -187,20 +234,26 @@ class DecideFate {
     return caught;
   }
 
+  // All plain balanced states have the same centre.
+  static HWY_INLINE Pack away(const BalancedTrap& trap, int i, const Pack* z) {
+    if constexpr (smooth) return absolute(z[i] - Pack(trap.centre[i]));
+    return absolute(z[i]);
+  }
+
   HWY_NOINLINE Mask inside_balanced(const BalancedTrap& trap, const Pack* z) {
-    return trap_value(trap, n, z) < Pack(trap.level);
+    return trap_value(trap, n, size(), z) < Pack(trap.level);
   }
 
   // How near to balance each lane has come.
   HWY_NOINLINE void watch_values(int g, Mask accepted, const Pack* z) {
     for (const BalancedTrap& trap : rule_.balanced) {
-      const Pack least = minimum(least_value_[g], trap_value(trap, n, z));
+      const Pack least = minimum(least_value_[g], trap_value(trap, n, size(), z));
       least_value_[g] = select(accepted, least, least_value_[g]);
     }
   }
 
   HWY_NOINLINE Mask inside_cycle(const CycleTable& trap, const Pack* z) {
-    return trap_value(trap, n, z) < Pack(trap.level);
+    return trap_value(trap, n, size(), z) < Pack(trap.level);
   }
 
   // Lanes caught by a continuum of balanced states: asked one by one, and after a refusal only again at half the
@@ -212,9 +265,9 @@ class DecideFate {
       double state[dimension];
       double& reach = family_reach_[g * lanes + lane];
       double away = 0.0;
-      for (int i = 0; i < n.size(); ++i) {
+      for (int i = 0; i < size(); ++i) {
         state[i] = element(z[i], lane);
-        if (i < 4 || i >= 4 + n) away = std::fmax(away, std::fabs(state[i]));
+        if (i < 4 || (i >= 4 + n && i < 4 + 2 * n)) away = std::fmax(away, std::fabs(state[i]));
       }
       if (away >= rule_.family.reach) reach = rule_.family.reach;
       if (!(away < reach)) continue;
@@ -251,9 +304,20 @@ class DecideFate {
         sums.q_min[i] = element(q_min_[g][i], lane);
         sums.q_max[i] = element(q_max_[g][i], lane);
       }
+      if constexpr (smooth) {
+        if (speed_place_ >= 0) {
+          sums.rotor_turned = element(rotor_turned_[g], lane);
+          sums.speed_min = element(speed_min_[g], lane);
+          sums.speed_max = element(speed_max_[g], lane);
+        }
+        if (std::fabs(sums.rotor_turned) > rule_.fastest * sums.duration) {
+          verdict_[g * lanes + lane].runs_away = true;
+          decided |= 1u << lane;
+        }
+      }
       WindowVerdict verdict = trackers_[g * lanes + lane].add(sums);
       DecidedBy by = DecidedBy::windows;
-      if constexpr (strobed)
+      if constexpr (angle_known)
         if (const int attractor = caught_by_strobed(lane, now, z)) {
           verdict = {true, attractor};
           by = DecidedBy::validated;
@@ -270,8 +334,8 @@ class DecideFate {
   int caught_by_strobed(int lane, double now, const Pack* z) const {
     if (!rule_.strobed.caught || rule_.at_horizon) return 0;
     double state[dimension];
-    for (int i = 0; i < n.size(); ++i) state[i] = element(z[i], lane);
-    return rule_.strobed.caught(state, segment_.psi_at(now));
+    for (int i = 0; i < size(); ++i) state[i] = element(z[i], lane);
+    return rule_.strobed.caught(state, angle(now, state));
   }
 
   void open_window(int g, int lane, double t, const double* phi) {
@@ -284,6 +348,11 @@ class DecideFate {
       element(q_min_[g][i], lane) = 1e300;
       element(q_max_[g][i], lane) = -1e300;
     }
+    if constexpr (smooth) {
+      element(rotor_turned_[g], lane) = 0.0;
+      element(speed_min_[g], lane) = 1e300;
+      element(speed_max_[g], lane) = -1e300;
+    }
   }
 
   static double& element(Pack& p, int lane) { return reinterpret_cast<double*>(&p)[lane]; }
@@ -293,12 +362,14 @@ class DecideFate {
   const DecisionRule& rule_;
   const model::Segment segment_;
   const model::Parameters& parameters_;
+  const int size_, psi_place_, speed_place_;
   std::vector<Fate>& fates_;
   std::vector<PilotRecord>* pilot_;
   Taken first_[groups], second_[groups];
   Pack least_value_[groups];
   Pack r2_min_[groups], r2_max_[groups], r2_integral_[groups], window_end_[groups];
   Pack q_min_[groups][room], q_max_[groups][room], phi_start_[groups][room];
+  Pack rotor_turned_[groups], speed_min_[groups], speed_max_[groups];
   Verdict verdict_[groups * lanes];
   std::vector<WindowTracker> trackers_;
   std::vector<double> family_reach_;

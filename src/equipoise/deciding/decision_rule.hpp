@@ -9,7 +9,8 @@
 
 namespace equipoise {
 
-inline constexpr int max_dimension = model::dimension(model::max_balls);
+/// Of the state of any system (model/system.hpp): a driven rotor's angle, speed and speed error come last.
+inline constexpr int max_dimension = model::dimension(model::max_balls) + 3;
 
 /// On what grounds a fate was decided. The numbers are stored in result files.
 enum class DecidedBy : signed char {
@@ -28,7 +29,10 @@ inline constexpr std::array<const char*, decided_by_count> decided_by_names{"not
 /// A linearly stable balanced state and a level set of a Lyapunov function around it.
 struct BalancedTrap {
   std::array<double, model::max_balls> phi{};  ///< ball angles of the balanced state
-  /// Upper triangular F, row-major dimension x dimension: the Lyapunov function of a deviation d is V = |F d|^2.
+  /// Its other components: 0 but for a driven rotor's speed and for all of them where the race is off centre.
+  std::array<double, max_dimension> centre{};
+  /// Upper triangular F, row-major dimension x dimension of the system: the Lyapunov function of a deviation d is
+  /// V = |F d|^2.
   std::vector<double> factor;
   double level = 0.0;                         ///< inside: V < level
   std::array<double, max_dimension> reach{};  ///< no point inside deviates further in that component
@@ -52,9 +56,12 @@ struct CycleTable {
 constexpr int cycle_table_columns(int dimension) { return 2 * (dimension - 1) + (dimension - 1) * dimension / 2; }
 
 /// Features of a window: smallest, largest and root-mean-square r; then for each ball mean, smallest and largest rate
-/// phi'. Interchangeable balls are sorted by mean rate. feature_count(balls) of them are used.
-using Features = std::array<double, 3 + 3 * model::max_balls>;
-constexpr int feature_count(int balls) { return 3 + 3 * balls; }
+/// phi'; then the same of psi', all 0 where it is prescribed. Interchangeable balls are sorted by mean rate.
+/// feature_count(balls) of them are used.
+using Features = std::array<double, 6 + 3 * model::max_balls>;
+constexpr int feature_count(int balls) { return 6 + 3 * balls; }
+/// The place of the mean psi'; least and greatest follow.
+constexpr int speed_feature(int balls) { return 3 + 3 * balls; }
 
 /// Bounds on the features of short windows.
 struct FeatureBox {
@@ -77,12 +84,16 @@ struct FamilyTrap {
   std::function<bool(const double* state)> caught;  ///< thread-safe
 };
 
-/// Decides for states of a rotor with anisotropic supports or gravity whether an attractor has caught them. Asked where
-/// half a short window ends.
+/// Decides for states of a rotor with anisotropic supports or gravity, driven or not, whether an attractor has caught
+/// them. Asked where half a short window ends.
 struct StrobedTraps {
   /// The attractor's identifier, 0 if there is none; `psi`: the rotor's angle. Thread-safe.
   std::function<int(const double* state, double psi)> caught;
 };
+
+/// A driven rotor that turns faster, in critical speeds, is beyond any machine: the integrator's steps shrink with the
+/// turns to be made.
+inline constexpr double runaway_speed = 1e4;
 
 struct DecisionRule {
   int balls = 2;
@@ -92,8 +103,10 @@ struct DecisionRule {
   std::vector<BalancedTrap> balanced;
   std::vector<CycleTable> cycles;
   FamilyTrap family;                 ///< `caught` empty: no continuum
-  StrobedTraps strobed;              ///< `caught` empty: none; general kernels only
-  double sag = 0.0;                  ///< r is measured from Y = sag, X = 0 in fixed axes; general kernels only
+  StrobedTraps strobed;              ///< `caught` empty: none; not asked by kernels of plain rotors
+  double sag = 0.0;                  ///< r is measured from Y = sag, X = 0 in fixed axes; not by those either
+  /// A driven rotor that turns faster on average over half a short window runs away for good, and is given up.
+  double fastest = runaway_speed;
   double window = 16.0;              ///< length of a short window
   double first_long_window = 100.0;  ///< long windows end at this time and at its doublings
   double sameness = 0.02;            ///< relative change between long windows that counts as none

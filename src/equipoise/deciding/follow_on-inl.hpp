@@ -26,7 +26,7 @@ class FollowOn {
  public:
   static_assert(groups <= most_lane_groups);
 
-  FollowOn(Fates& fates, LaneWatch* watch) : fates_(fates), watch_(watch) {}
+  FollowOn(Fates& fates, LaneWatch* watch, int psi_place) : fates_(fates), watch_(watch), psi_place_(psi_place) {}
 
   void begin(int slot, std::size_t start, double t, const double* z) {
     fates_.begin(slot, start, t, z);
@@ -59,8 +59,9 @@ class FollowOn {
   static constexpr int lanes = static_cast<int>(pack_lanes);
   static unsigned bit(int slot) { return 1u << (slot % lanes); }
 
-  static HWY_INLINE void sample(Pack* kept, const Pack* z) {
+  HWY_INLINE void sample(Pack* kept, const Pack* z) const {
     for (int i = 0; i < 4; ++i) kept[i] = z[i];
+    if (psi_place_ >= 0) kept[4] = z[psi_place_];
   }
 
   // Of the lanes decided before whose window has just ended (`full`), those that may leave; notes the `fresh` ones.
@@ -96,10 +97,11 @@ class FollowOn {
 
   Fates& fates_;
   LaneWatch* const watch_;
+  const int psi_place_;
   unsigned decided_[groups] = {};  // bits of lanes followed on
   double decided_at_[groups * lanes] = {};
   int attractor_[groups * lanes] = {};
-  Pack first_[groups][4], second_[groups][4];
+  Pack first_[groups][5], second_[groups][5];
 };
 
 }  // namespace HWY_NAMESPACE

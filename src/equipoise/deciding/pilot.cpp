@@ -22,7 +22,7 @@ constexpr int most_hits = 80;
 constexpr int least_evidence = 100;
 
 bool admits_balance(const FeatureBox& box, int balls) {
-  for (int k = 0; k < feature_count(balls); ++k)
+  for (int k = 0; k < speed_feature(balls); ++k)  // a rotor may be balanced at any speed
     if (box.low[k] > 0.0 || box.high[k] < 0.0) return false;
   return true;
 }
@@ -52,11 +52,16 @@ std::vector<MotionGroup> group_records(const std::vector<PilotRecord>& records, 
 
 FeatureBox box_around(const FeatureBox& range, int balls, int attractor, double widths) {
   FeatureBox box;
-  double rate = 0.0;
-  for (int k = 3; k < feature_count(balls); ++k)
-    rate = std::max({rate, std::fabs(range.low[k]), std::fabs(range.high[k])});
-  for (int k = 0; k < feature_count(balls); ++k) {
-    const double margin = widths * (range.high[k] - range.low[k]) + box_floor * (k < 3 ? range.high[1] : rate);
+  const int speed = speed_feature(balls), count = feature_count(balls);
+  const auto largest = [&](int from, int to) {
+    double size = 0.0;
+    for (int k = from; k < to; ++k) size = std::max({size, std::fabs(range.low[k]), std::fabs(range.high[k])});
+    return size;
+  };
+  const double rate = largest(3, speed), turning = largest(speed, count);
+  for (int k = 0; k < count; ++k) {
+    const double size = k < 3 ? range.high[1] : k < speed ? rate : turning;
+    const double margin = widths * (range.high[k] - range.low[k]) + box_floor * size;
     box.low[k] = range.low[k] - margin;
     box.high[k] = range.high[k] + margin;
   }

@@ -22,7 +22,7 @@ std::vector<MotionGroup> group_records(const std::vector<PilotRecord>& records, 
                                        int balls, double tolerance);
 
 /// Bounds that recognise a group's short windows: its range, widened on both sides by `widths` times itself and by 2 %
-/// of the largest r or rate. `attractor` stays 0 if they would admit a centred rotor with resting balls: such a box
+/// of the largest r, rate or psi'. `attractor` stays 0 if they would admit a centred rotor with resting balls: such a box
 /// recognises nothing.
 FeatureBox box_around(const FeatureBox& range, int balls, int attractor, double widths);
 

@@ -6,6 +6,9 @@
 #define EQUIPOISE_DECIDING_TRAPS_INL
 #endif
 
+#include <cstddef>
+#include <type_traits>
+
 #include "equipoise/base/angles.hpp"
 #include "equipoise/base/pack-inl.hpp"
 #include "equipoise/deciding/decision_rule.hpp"
@@ -20,12 +23,15 @@ HWY_INLINE T shortest_turn(T angle) {
   return angle - T(two_pi) * nearest_integer(angle * T(1.0 / two_pi));
 }
 
-// V of a balanced trap at state z of n balls.
-template <int room, class T>
-HWY_INLINE T trap_value(const BalancedTrap& trap, model::BallCount<room> n, const T* z) {
-  const int dimension = n.size();
-  T d[model::dimension(room)];
-  for (int i = 0; i < dimension; ++i) d[i] = z[i];
+// Room for a state whose size is `Size`: a constant where balls are all there is, else of any system with these balls.
+template <int room, class Size>
+inline constexpr int largest_state = model::dimension(room) + (std::is_same_v<Size, int> ? 3 : 0);
+
+// V of a balanced trap at state z of n balls, of `dimension` components.
+template <int room, class T, class Size>
+HWY_INLINE T trap_value(const BalancedTrap& trap, model::BallCount<room> n, Size dimension, const T* z) {
+  T d[largest_state<room, Size>];
+  for (int i = 0; i < dimension; ++i) d[i] = z[i] - T(trap.centre[i]);
   for (int i = 0; i < n; ++i) d[4 + i] = shortest_turn(z[4 + i] - T(trap.phi[i]));
   T v(0.0);
   for (int row = 0; row < dimension; ++row) {
@@ -38,11 +44,11 @@ HWY_INLINE T trap_value(const BalancedTrap& trap, model::BallCount<room> n, cons
 }
 
 // |F d|^2 of a cycle at state z: the least over the turns that the clock's angle may belong to.
-template <int room, class T>
-HWY_INLINE T trap_value(const CycleTable& trap, model::BallCount<room> n, const T* z) {
-  const int dimension = n.size(), others = dimension - 1;
+template <int room, class T, class Size>
+HWY_INLINE T trap_value(const CycleTable& trap, model::BallCount<room> n, Size dimension, const T* z) {
+  const int others = dimension - 1;
   const int columns = cycle_table_columns(dimension);
-  T place[model::dimension(room) - 1];
+  T place[largest_state<room, Size> - 1];
   for (int i = 0, k = 0; i < dimension; ++i)
     if (i != 4 + trap.clock) place[k++] = z[i];
   const T turn = z[4 + trap.clock] * T(1.0 / two_pi);
@@ -54,7 +60,7 @@ HWY_INLINE T trap_value(const CycleTable& trap, model::BallCount<room> n, const 
   for (int branch = 0; branch < trap.turns; ++branch) {
     const double* rows = trap.table.data() + static_cast<std::ptrdiff_t>(branch) * trap.cells * columns;
     const T at = cell * T(double(columns));
-    T d[model::dimension(room) - 1];
+    T d[largest_state<room, Size> - 1];
     for (int k = 0; k < others; ++k) {
       const T here = multiply_add(fraction, gather(rows + others + k, at), gather(rows + k, at));
       d[k] = place[k] - here;

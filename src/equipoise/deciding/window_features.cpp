@@ -30,6 +30,9 @@ void extend(WindowSums& whole, const WindowSums& part, int balls, bool fresh) {
     whole.q_min[i] = std::min(whole.q_min[i], part.q_min[i]);
     whole.q_max[i] = std::max(whole.q_max[i], part.q_max[i]);
   }
+  whole.rotor_turned += part.rotor_turned;
+  whole.speed_min = std::min(whole.speed_min, part.speed_min);
+  whole.speed_max = std::max(whole.speed_max, part.speed_max);
 }
 
 void extend(FeatureBox& range, const Features& f, int count, bool fresh) {
@@ -37,6 +40,10 @@ void extend(FeatureBox& range, const Features& f, int count, bool fresh) {
     range.low[i] = fresh ? f[i] : std::min(range.low[i], f[i]);
     range.high[i] = fresh ? f[i] : std::max(range.high[i], f[i]);
   }
+}
+
+double largest_speed(const Features& f, int balls) {
+  return std::max(std::fabs(f[speed_feature(balls) + 1]), std::fabs(f[speed_feature(balls) + 2]));
 }
 
 bool inside(const FeatureBox& box, const Features& f, int count) {
@@ -59,6 +66,10 @@ Features features(const WindowSums& sums, int balls, bool interchangeable) {
     f[4 + 3 * k] = sums.q_min[i];
     f[5 + 3 * k] = sums.q_max[i];
   }
+  const int speed = speed_feature(balls);
+  f[speed] = sums.rotor_turned / sums.duration;
+  f[speed + 1] = sums.speed_min;
+  f[speed + 2] = sums.speed_max;
   return f;
 }
 
@@ -83,6 +94,9 @@ bool same_motion(const Features& a, const Features& b, int balls, double samenes
   // maximum.
   same = same && close(a[0], b[0], 2.0 * radius) && close(a[1], b[1], radius) && close(a[2], b[2], radius);
   for (int i = 0; i < balls; ++i) same = same && close(a[3 + 3 * i], b[3 + 3 * i], rate);
+  const int speed = speed_feature(balls);
+  const double fastest_turn = std::max(largest_speed(a, balls), largest_speed(b, balls));
+  for (int k = speed; k < speed + 3; ++k) same = same && close(a[k], b[k], fastest_turn);
   return same;
 }
 
@@ -147,6 +161,11 @@ int WindowTracker::attractor_at_end() const {
   if (const int attractor = attractor_now()) return attractor;
   const KnownFeatures* known = has_previous_ ? nearest_known(previous_, rule_->known, rule_->balls) : nullptr;
   return known ? known->attractor : 0;
+}
+
+double WindowTracker::mean_speed() const {
+  if (has_previous_) return previous_[speed_feature(rule_->balls)];
+  return has_half_ ? long_.rotor_turned / long_.duration : std::numeric_limits<double>::quiet_NaN();
 }
 
 PilotRecord WindowTracker::record() const {

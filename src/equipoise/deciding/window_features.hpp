@@ -18,12 +18,14 @@ struct WindowSums {
   double duration = 0.0;
   double r2_min = 0.0, r2_max = 0.0, r2_integral = 0.0;             ///< of r^2
   std::array<double, model::max_balls> turned{}, q_min{}, q_max{};  ///< change of phi_i; extremes of q_i
+  double rotor_turned = 0.0, speed_min = 0.0, speed_max = 0.0;      ///< of psi, if the rotor is driven
 };
 
 Features features(const WindowSums& sums, int balls, bool interchangeable);
 
 /// Two windows agree in the largest and rms r, to `sameness` of the largest (the smallest: twice that), and in the
-/// balls' mean rates and the extremes of all rates together, to `sameness` of the largest rate.
+/// balls' mean rates and the extremes of all rates together, to `sameness` of the largest rate; and in psi', to
+/// `sameness` of its greatest size.
 bool same_motion(const Features& a, const Features& b, int balls, double sameness);
 
 /// The entry of `known` nearest to long-window features `f`; null if none is the same motion.
@@ -45,6 +47,8 @@ class WindowTracker {
   WindowVerdict add(const WindowSums& half);
   /// What is known so far: features of the last long window, range of its short ones, longest runs inside boxes.
   PilotRecord record() const;
+  /// Mean psi' over the last long window; before one has ended, since the first began; NaN before half a short one has.
+  double mean_speed() const;
   /// What to say at the end of all time: the attractor that the last short windows tell, or else the last long one; 0
   /// if neither does.
   int attractor_at_end() const;

@@ -1,6 +1,7 @@
 // What deciding a start costs, as far as linear theory tells: stiff studies are refused before they begin.
 #pragma once
 
+#include "equipoise/deciding/decision_rule.hpp"
 #include "equipoise/study/study.hpp"
 
 namespace equipoise {
@@ -22,7 +23,7 @@ inline constexpr double most_steps = 3e4;
 
 /// Largest speed of a rotor, in critical speeds: beyond any machine, and the integrator's steps shrink with the turns to
 /// be made.
-inline constexpr double fastest_speed = 1e4;
+inline constexpr double fastest_speed = runaway_speed;
 
 StartCost start_cost(const Study& study);
 

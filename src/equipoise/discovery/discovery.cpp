@@ -23,7 +23,7 @@
 #include "equipoise/discovery/pilot_run.hpp"
 #include "equipoise/model/strobe.hpp"
 #include "equipoise/motions/motion_description.hpp"
-#include "equipoise/spin_up/start_source.hpp"
+#include "equipoise/spin_up/spin_up.hpp"
 #include "equipoise/traps/continuum_trap.hpp"
 #include "equipoise/traps/cycle_forms.hpp"
 #include "equipoise/traps/trap_rule.hpp"
@@ -42,6 +42,9 @@ constexpr double torus_grouping = 0.15;
 // Groups that are followed, the largest first: more are the debris of a motion that does not settle.
 constexpr std::size_t most_groups = 24;
 
+// A rotor that turns thirty times as fast as it resonates, and which no motor holds, does not come back.
+constexpr double out_of_reach = 30.0;
+
 // Boxes around what a motion does, widened by so many times its range: a wide one is entered sooner, and the audit
 // makes it ask for more hits. Whichever is satisfied first decides.
 constexpr std::array box_widths{1.0, 2.0, 4.0};
@@ -56,11 +59,10 @@ DecisionRule first_rule(const Study& study, const BalancedAnalysis& balanced, co
   rule.balanced = balanced.traps;
   // Slow rotors move slowly: a window holds several revolutions of every motion met between 1.4 and 6.5 critical
   // speeds.
-  rule.window = std::max(16.0, 32.0 / std::max(std::fabs(system.speed()), 0.1));
-  if (system.section() == model::Section::strobe) {
-    rule.window = whole_strobes(rule.window, system.strobe_period());
-    rule.sag = model::static_sag(study.parameters);
-  }
+  rule.window = std::max(16.0, 32.0 / std::max(std::fabs(system.pace()), 0.1));
+  rule.sag = model::static_sag(study.parameters);
+  if (system.section() == model::Section::strobe) rule.window = whole_strobes(rule.window, system.strobe_period());
+  if (system.runs_away(rule.fastest)) rule.fastest = out_of_reach;
   rule.first_long_window = std::max(100.0, 6.0 * rule.window);
   if (balanced.slowest_rate < 0.0) {
     // Long enough that whatever is only on its slow way to balance shrinks visibly from one window to the next.
@@ -83,9 +85,9 @@ struct Candidate {
 
 class Discoverer {
  public:
-  Discoverer(const Study& study, const StartSource& source, const DiscoverySettings& settings)
+  Discoverer(const Study& study, const SpinUp& source, const DiscoverySettings& settings)
       : study_(study),
-        system_(study.parameters, source.last_segment().speed),
+        system_(study.system()),
         settings_(settings),
         stages_("looking for attractors", settings.progress),
         trials_{&system_, source.tolerance(), settings.threads, settings.stop, &stages_},
@@ -93,7 +95,7 @@ class Discoverer {
 
   Discovery run() {
     find_balanced();
-    if (is_stopped() || !pilot_.make() || !follow_pilot(PilotRun::scouts)) return stopped();
+    if (is_stopped() || !pilot_.make() || !follow_pilot(pilot_.scouts())) return stopped();
     find_candidates();
     add_seeds();
     if (!refine_and_list()) return stopped();
@@ -217,8 +219,8 @@ class Discoverer {
       followed.push_back(&c);
       motions.push_back(&*c.motion);
     }
-    const std::vector<PilotRecord> own = own_windows(system_.parameters(), system_.speed(), motions, result_.rule,
-                                                     pilot_windows, trials_.tolerance, settings_.stop);
+    const std::vector<PilotRecord> own =
+        own_windows(system_, motions, result_.rule, pilot_windows, trials_.tolerance, settings_.stop);
     for (std::size_t k = 0; k < followed.size(); ++k) {
       Candidate& c = *followed[k];
       c.shows_motion = own[k].finished_window &&
@@ -298,14 +300,16 @@ class Discoverer {
   std::vector<Candidate> candidates_;
 };
 
-// What is discovered of a study depends on this much of it.
+// What is discovered of a study depends on this much of it. How a motor brings its rotor up is part of what can be met:
+// a limited one may never pass a resonance.
 Study at_final_speed(const Study& study) {
   Study steady = study;
+  steady.sampling = {};
+  if (study.speed.driven()) return with_horizon(steady);
   steady.speed = {};
   steady.speed.speed = study.speed_profile().final_speed();
   steady.release = {};
   steady.initial = {};
-  steady.sampling = {};
   return with_horizon(steady);
 }
 
@@ -313,7 +317,10 @@ Study at_final_speed(const Study& study) {
 
 Discovery discover(const Study& study, const DiscoverySettings& settings) {
   const Study steady = at_final_speed(study);
-  const auto make = [&] { return Discoverer(steady, StartSource(steady, settings.stop), settings).run(); };
+  const auto make = [&] {
+    const std::unique_ptr<SpinUp> source = make_spin_up(steady, settings.stop);
+    return Discoverer(steady, *source, settings).run();
+  };
   if (!settings.cache) return make();
   const std::string key = fmt::format("{}\n{}", to_toml(steady), settings.seeds);
   if (const auto at = settings.cache->made.find(key); at != settings.cache->made.end()) return at->second;

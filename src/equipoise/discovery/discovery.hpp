@@ -21,8 +21,7 @@ struct DiscoveryCache;
 struct DiscoverySettings {
   int threads = 1;
   const StopFlag* stop = nullptr;
-  /// States near motions known from elsewhere (a neighbouring parameter, an earlier run), each dimension(balls)
-  /// numbers.
+  /// States near motions known from elsewhere (a neighbouring parameter, an earlier run), as the system has them.
   std::vector<std::vector<double>> seeds;
   DiscoveryCache* cache = nullptr;
   /// Told of the stages, from any thread, never from two at once; Progress::preparing is set.
@@ -30,8 +29,8 @@ struct DiscoverySettings {
 };
 
 /// Everything found before the first start is decided. Depends on the rotor, its final speed, [numerics] and
-/// settings.seeds alone (each state where the rotor's angle is 0, if that matters): not on how the speed is reached, so
-/// that all spin-ups to one speed share it.
+/// settings.seeds alone (each state where the rotor's angle is 0, if that matters): not on how a prescribed speed is
+/// reached, so that all spin-ups to one speed share it. A driven rotor's depends on its whole spin-up.
 struct Discovery {
   BalancedAnalysis balanced;
   Catalogue catalogue;
@@ -44,10 +43,10 @@ struct DiscoveryCache {
   std::map<std::string, Discovery> made;
 };
 
-/// Analyses the balanced states; runs pilot starts, free from rest at the final speed, and starts in the invariant
-/// subspace of coincident balls until they are stationary; follows, refines and names one of each group; makes traps
-/// and boxes and tries them. With anisotropic supports or gravity motions are strobed ones. Starts that come to
-/// something else later are followed and listed by StartRunner.
+/// For any smooth system. Analyses the balanced states; runs pilot starts, free from rest at the final speed (of a driven
+/// rotor see PilotRun::make()), and starts in the invariant subspace of coincident balls until they are stationary;
+/// follows, refines and names one of each group; makes traps and boxes and tries them. With anisotropic supports or
+/// gravity motions are strobed ones. Starts that come to something else later are followed and listed by StartRunner.
 Discovery discover(const Study& study, const DiscoverySettings& settings);
 
 }  // namespace equipoise

@@ -50,7 +50,7 @@ double largest_rate(const model::Parameters& p, double speed, const double* phi,
 }
 
 std::vector<double> rates_along_continuum(const model::Parameters& p, double speed) {
-  const int free = continuum_dimension(p);
+  const int free = model::balanced_freedom({p, speed});
   ContinuumDraws draws(p);
   std::array<double, model::max_balls> phi{};
   std::vector<double> rates;
@@ -104,7 +104,7 @@ Horizon choose_horizon(const Study& study) {
   horizon.given = study.numerics.horizon.has_value();
   // Where not even one e-folding fits, what waits for it is not decided at all, and the longest horizon gains nothing.
   const bool hopeless = horizon.rates.slowest() * longest < 1.0;
-  const double for_all = study.system().simple() ? shortest_for_all : shortest_for_machines;
+  const double for_all = study.system().smooth() ? shortest_for_all : shortest_for_machines;
   const double least = study.numerics.decide == DecideMode::horizon ? for_all : shortest;
   horizon.time = hopeless ? least : std::clamp(rounded_up(horizon.asked), least, longest);
   if (horizon.given) horizon.time = *study.numerics.horizon;

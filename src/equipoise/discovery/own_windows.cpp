@@ -6,9 +6,8 @@
 
 namespace equipoise {
 
-std::vector<PilotRecord> own_windows(const model::Parameters& p, double speed,
-                                     const std::vector<const Motion*>& motions, const DecisionRule& rule,
-                                     double longest, double tolerance, const StopFlag* stop) {
+std::vector<PilotRecord> own_windows(const model::System& system, const std::vector<const Motion*>& motions,
+                                     const DecisionRule& rule, double longest, double tolerance, const StopFlag* stop) {
   std::vector<double> states;
   for (const Motion* motion : motions) states.insert(states.end(), motion->state.begin(), motion->state.end());
   std::vector<PilotRecord> records(motions.size());
@@ -21,9 +20,7 @@ std::vector<PilotRecord> own_windows(const model::Parameters& p, double speed,
   windows_only.window = rule.window;
   windows_only.first_long_window = rule.first_long_window;
   windows_only.sameness = rule.sameness;
-  LaneTask task;
-  task.parameters = &p;
-  task.segment = {0.0, 1e300, 0.0, speed, 0.0, false};        // psi = 0 at first, where states of strobed motions are
+  LaneTask task = lane_task(system);                          // psi = 0 at first, where states of strobed motions are
   task.end = longest * rule.first_long_window + rule.window;  // windows end with a step, a little late
   task.tolerance = tolerance;
   task.count = motions.size();

@@ -6,7 +6,7 @@
 #include "equipoise/base/error.hpp"
 #include "equipoise/deciding/decision_rule.hpp"
 #include "equipoise/deciding/fate.hpp"
-#include "equipoise/model/parameters.hpp"
+#include "equipoise/model/system.hpp"
 #include "equipoise/motions/motion.hpp"
 
 namespace equipoise {
@@ -14,8 +14,7 @@ namespace equipoise {
 /// A record of each of `motions`, all stable, followed from its own state as the pilot's trajectories are: over windows
 /// as long as those of `rule`, until they repeat themselves, or for `longest` times the first long one. If stopped,
 /// records without a finished window.
-std::vector<PilotRecord> own_windows(const model::Parameters& p, double speed,
-                                     const std::vector<const Motion*>& motions, const DecisionRule& rule,
-                                     double longest, double tolerance, const StopFlag* stop);
+std::vector<PilotRecord> own_windows(const model::System& system, const std::vector<const Motion*>& motions,
+                                     const DecisionRule& rule, double longest, double tolerance, const StopFlag* stop);
 
 }  // namespace equipoise

@@ -2,6 +2,7 @@
 #include "equipoise/discovery/pilot_run.hpp"
 
 #include <algorithm>
+#include <array>
 #include <atomic>
 
 #include <oneapi/tbb/parallel_for.h>
@@ -9,7 +10,9 @@
 
 #include "equipoise/base/angles.hpp"
 #include "equipoise/kernels/lane_kernels.hpp"
+#include "equipoise/model/strobe.hpp"
 #include "equipoise/orbits/stroboscopic.hpp"
+#include "equipoise/sampling/starts.hpp"
 
 namespace equipoise {
 
@@ -21,20 +24,54 @@ constexpr std::size_t chunk = 256;
 
 }  // namespace
 
+// Those whose way is not over. Nothing depends on time any more: all go on from when the last piece begins.
+void PilotRun::append(const SpunUp& starts) {
+  const std::size_t size = system_.dimension();
+  for (std::size_t i = 0; i < starts.size(); ++i)
+    if (!starts.is_over(i)) begin_.insert(begin_.end(), &starts.states[i * size], &starts.states[i * size] + size);
+}
+
+SpunUp PilotRun::free_at_speeds(std::size_t first, std::size_t count) const {
+  constexpr std::size_t speeds = 8;
+  constexpr double beyond_resonance = 3.0;  // as far as is looked where the motor has no speed of its own
+  const double fastest = system_.no_load_speed().value_or(beyond_resonance);
+  SpunUp starts;
+  starts.fates.assign(count, Fate{});
+  const std::size_t size = system_.dimension();
+  starts.states.assign(count * size, 0.0);
+  for (std::size_t i = 0; i < count; ++i) {
+    double* state = &starts.states[i * size];
+    start_angles(pilot_seed, first + i, system_.balls(), state + model::index::phi(0));
+    const double speed = fastest * (static_cast<double>(i % speeds) + 0.5) / speeds;
+    state[system_.speed_place()] = speed;
+    // At rest under its weight.
+    const std::array<double, 2> rest = model::rest_position(system_.parameters(), 0.0);
+    std::copy(rest.begin(), rest.end(), state);
+  }
+  return starts;
+}
+
+// `count` of the study's random starts from number `first` on.
+bool PilotRun::add(std::size_t first, std::size_t count) {
+  const std::size_t own = system_.prescribed() ? count : count / 2;
+  SpunUp starts;
+  if (!source_.make(pilot_seed, first, own, starts)) return false;
+  append(starts);
+  if (own < count) append(free_at_speeds(first + own, count - own));
+  return true;
+}
+
 bool PilotRun::make() {
   const int balls = system_.balls();
-  std::vector<double> phi, states;
-  std::vector<Fate> fates;
-  const auto append = [&] { begin_.insert(begin_.end(), states.begin(), states.end()); };
-  if (!source_.make(pilot_seed, 0, random_scouts, phi, states, fates)) return false;
-  append();
-  phi.clear();
+  if (!add(0, random_scouts)) return false;
+  std::vector<double> phi;
   for (std::size_t k = 0; k < coincident_scouts; ++k)
     phi.insert(phi.end(), balls, two_pi * static_cast<double>(k) / coincident_scouts);
-  if (!source_.follow(phi, states, fates)) return false;
-  append();
-  if (!source_.make(pilot_seed, random_scouts, random_starts - random_scouts, phi, states, fates)) return false;
-  append();
+  SpunUp together;
+  if (!source_.follow(phi, together)) return false;
+  append(together);
+  scouts_ = begin_.size() / system_.dimension();
+  if (!add(random_scouts, random_starts - random_scouts)) return false;
   fates_.resize(begin_.size() / system_.dimension());
   records_.resize(fates_.size());
   return true;
@@ -51,11 +88,8 @@ bool PilotRun::follow(std::size_t count, const DecisionRule& rule, double horizo
   arena.execute([&] {
     tbb::parallel_for(std::size_t{0}, (count + chunk - 1) / chunk, [&](std::size_t k) {
       const std::size_t first = k * chunk, length = std::min(chunk, count - first);
-      LaneTask task;
-      task.parameters = &system_.parameters();
-      task.segment = source_.last_segment();
+      LaneTask task = task_;
       task.end = task.segment.begin + horizon;
-      task.tolerance = source_.tolerance();
       task.count = length;
       task.states = &states_[first * size];
       task.stop = stop;
@@ -78,7 +112,8 @@ Eigen::Map<const Eigen::VectorXd> PilotRun::state(std::size_t i) const {
 }
 
 Eigen::VectorXd PilotRun::state_at_strobe(std::size_t i) const {
-  return at_next_strobe(system_, state(i), source_.last_segment().psi_at(fates_[i].time)).value_or(state(i));
+  if (system_.section() != model::Section::strobe) return state(i);
+  return at_next_strobe(system_, state(i), task_.segment.psi_at(fates_[i].time)).value_or(state(i));
 }
 
 }  // namespace equipoise

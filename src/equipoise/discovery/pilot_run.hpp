@@ -11,7 +11,7 @@
 #include "equipoise/deciding/decision_rule.hpp"
 #include "equipoise/deciding/fate.hpp"
 #include "equipoise/model/system.hpp"
-#include "equipoise/spin_up/start_source.hpp"
+#include "equipoise/spin_up/spin_up.hpp"
 
 namespace equipoise {
 
@@ -22,12 +22,16 @@ class PilotRun {
  public:
   /// Scouts find motions; with their traps in place all of the pilot shows how far those and the boxes can be trusted.
   static constexpr std::size_t random_scouts = 1024, coincident_scouts = 32, random_starts = 4096;
-  static constexpr std::size_t scouts = random_scouts + coincident_scouts;
 
-  PilotRun(const model::System& system, const StartSource& source) : system_(system), source_(source) {}
+  PilotRun(const model::System& system, const SpinUp& source)
+      : system_(system), source_(source), task_(source.last_task()) {}
 
-  /// Random starts, starts with all balls together, and more random ones. False if stopped.
+  /// Random starts, starts with all balls together, and more random ones. Of a driven rotor every other one is free
+  /// from the beginning, at speeds from rest to the one that the motor comes to without load: a slow rotor may stay
+  /// slow, and one that has passed resonance come back to it. False if stopped.
   bool make();
+  /// How many of them are scouts.
+  std::size_t scouts() const { return scouts_; }
   /// Decides the first `count` of them by a rule, at `horizon` at the latest. False if stopped.
   bool follow(std::size_t count, const DecisionRule& rule, double horizon, int threads, const StopFlag* stop,
               StageProgress& stages);
@@ -45,12 +49,17 @@ class PilotRun {
   Eigen::VectorXd state_at_strobe(std::size_t i) const;
 
  private:
+  bool add(std::size_t first, std::size_t count);
+  void append(const SpunUp& starts);
+  SpunUp free_at_speeds(std::size_t first, std::size_t count) const;
+
   const model::System& system_;
-  const StartSource& source_;
+  const SpinUp& source_;
+  const LaneTask task_;
   std::vector<double> begin_, states_;
   std::vector<Fate> fates_;
   std::vector<PilotRecord> records_;
-  std::size_t followed_ = 0;
+  std::size_t scouts_ = 0, followed_ = 0;
 };
 
 }  // namespace equipoise

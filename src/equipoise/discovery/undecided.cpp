@@ -26,7 +26,7 @@ constexpr double exponent_time = 1500.0, zero_exponent = 8.0 / exponent_time;
 constexpr double creep = 1e-3;
 
 double fastest_ball(const model::Parameters& p, const Eigen::VectorXd& state) {
-  return state.tail(p.balls).lpNorm<Eigen::Infinity>();
+  return state.segment(model::index::q(0, p.balls), p.balls).lpNorm<Eigen::Infinity>();
 }
 
 bool is_near_balance(const model::Parameters& p, double speed, const Eigen::VectorXd& state) {
@@ -36,8 +36,8 @@ bool is_near_balance(const model::Parameters& p, double speed, const Eigen::Vect
          fastest_ball(p, state) < near * std::max(1.0, std::fabs(speed));
 }
 
-double largest_exponent(const model::Parameters& p, double speed, const Eigen::VectorXd& state) {
-  const std::vector<double> exponents = lyapunov_exponents({p, speed}, state, exponent_time, 1);
+double largest_exponent(const model::System& system, const Eigen::VectorXd& state) {
+  const std::vector<double> exponents = lyapunov_exponents(system, state, exponent_time, 1);
   return exponents.empty() ? 0.0 : exponents.front();
 }
 
@@ -58,14 +58,17 @@ std::string slowness_text(const Horizon& h) {
   return fmt::format("{} at a rate of {:.2g}, which asks for a horizon of {:.2g}", what, slowest, h.asked);
 }
 
-UndecidedEnd look_at_undecided(const model::Parameters& p, double speed, const Eigen::VectorXd& state) {
+UndecidedEnd look_at_undecided(const model::System& system, const Eigen::VectorXd& state) {
+  const model::Parameters& p = system.parameters();
+  const double speed = system.speed(state);
   const double scale = std::max(1.0, std::fabs(speed));
-  const Eigen::VectorXd rate = model::derivative(p, speed, state.data());
-  const bool still = fastest_ball(p, state) < creep * std::fabs(speed) &&
-                     rate.tail(p.balls).lpNorm<Eigen::Infinity>() < creep * std::fabs(speed) * scale;
+  if (system.runs_away(speed)) return {Restlessness::running_away, 0.0};
+  const Eigen::VectorXd rate = model::rate(system, state);
+  const bool still =
+      fastest_ball(p, state) < creep * std::fabs(speed) && fastest_ball(p, rate) < creep * std::fabs(speed) * scale;
   if (is_near_balance(p, speed, state)) return {Restlessness::near_balance, 0.0};
   if (still) return {Restlessness::creeping, 0.0};
-  const double exponent = largest_exponent(p, speed, state);
+  const double exponent = largest_exponent(system, state);
   if (exponent > zero_exponent) return {Restlessness::chaotic, exponent};
   return {};
 }

@@ -7,7 +7,7 @@
 #include <Eigen/Core>
 
 #include "equipoise/discovery/horizon.hpp"
-#include "equipoise/model/parameters.hpp"
+#include "equipoise/model/system.hpp"
 
 namespace equipoise {
 
@@ -40,7 +40,7 @@ struct UndecidedEnd {
 };
 
 /// `state`: where it is at the horizon; at a strobe if the rotor is strobed.
-UndecidedEnd look_at_undecided(const model::Parameters& p, double speed, const Eigen::VectorXd& state);
+UndecidedEnd look_at_undecided(const model::System& system, const Eigen::VectorXd& state);
 
 /// The slowest known rate and the horizon that it asks for.
 std::string slowness_text(const Horizon& horizon);

@@ -7,6 +7,12 @@
 
 namespace equipoise {
 
+namespace {
+// What goes from event to event is followed start by start. So is a rotor that no torque drives in the end: it may keep
+// any speed, and lose it for as long as it shakes, so that there is no list of what it comes to.
+bool needs_machine(const model::System& system) { return !system.smooth() || system.coasts(); }
+}  // namespace
+
 int settle(Runner& runner, const UnlistedStart& start, Fate& fate) {
   const int attractor = runner.list(start);
   fate.attractor = static_cast<short>(attractor);
@@ -18,16 +24,16 @@ int settle(Runner& runner, const UnlistedStart& start, Fate& fate) {
 }
 
 void check_runnable(const Study& study, bool transients) {
-  if (!study.system().simple()) {
+  if (needs_machine(study.system())) {
     check_machine(study);
     return;
   }
   check_decidable(study);
-  if (transients) check_watchable(study);
+  if (transients && !study.speed.driven()) check_watchable(study);
 }
 
 std::unique_ptr<Runner> make_runner(const Study& study, const DiscoverySettings& settings, bool transients) {
-  if (!study.system().simple()) return std::make_unique<MachineRunner>(study, settings.stop);
+  if (needs_machine(study.system())) return std::make_unique<MachineRunner>(study, settings.stop);
   return std::make_unique<StartRunner>(study, settings, transients);
 }
 

@@ -57,12 +57,16 @@ void check_decidable(const Study& study) {
     throw InputError(
         study.name, final_speed_key(study), fmt::format("{:.6g}", speed),
         fmt::format("basin and attractors take final speeds from -{0:g} to {0:g} critical speeds", fastest_speed));
+  const bool proof = study.numerics.decide == DecideMode::proof;
+  if (proof && !study.system().plain())
+    throw InputError(study.name, "numerics.decide", "proof",
+                     "with a motor or an off-centre race there are no proofs: use \"validated\" or \"horizon\"");
   if (!model::is_strobed(study.parameters)) return;
-  if (speed == 0.0)
+  if (speed == 0.0 && !study.speed.driven())
     throw InputError(study.name, final_speed_key(study), "0",
                      "basins and attractors need a rotor that turns in the end (other than 0) where supports are "
                      "anisotropic or gravity acts");
-  if (study.numerics.decide == DecideMode::proof)
+  if (proof)
     throw InputError(study.name, "numerics.decide", "proof",
                      "with anisotropic supports or gravity there are no proofs: use \"validated\" or \"horizon\"");
 }
@@ -72,6 +76,9 @@ void check_offers(const Study& study, model::Answer answer) {
   check(study);
   const model::Parameters& p = study.parameters;
   const auto lack = model::lacking(study.system(), answer);
+  if (!lack && model::capability(answer).smooth && study.system().coasts())
+    throw InputError(study.name, "speed.torque", "0 in the end",
+                     fmt::format("{} need a rotor that something turns for good", model::capability(answer).name));
   if (!lack) return;
   const auto reject = [&](const char* key, const std::string& value) {
     throw InputError(study.name, key, value, lack->reason);
@@ -97,99 +104,152 @@ void check_offers(const Study& study, model::Answer answer) {
 StartRunner::StartRunner(const Study& study, const DiscoverySettings& settings, bool transients)
     : study_(with_horizon(study)),
       stop_(settings.stop),
+      system_(study.system()),
       transients_(transient_settings(study)),
-      source_(study, settings.stop),
+      source_(make_spin_up(study_, settings.stop)),
       discovery_(discover(study_, settings)) {
   if (!transients) return;
-  source_.watch(transients_);
+  source_->watch(transients_);
   for (const Attractor& a : discovery_.catalogue.attractors()) {
     ends_.resize(std::max(ends_.size(), static_cast<std::size_t>(a.id) + 1));
     ends_[static_cast<std::size_t>(a.id)] = known_end(study_.parameters, a);
   }
 }
 
-bool StartRunner::run(std::uint64_t first, std::size_t count, std::vector<double>& phi, std::vector<Fate>& fates,
-                      std::vector<UnlistedStart>& unlisted, std::vector<TransientRow>* rows) const {
-  std::vector<double> states;
-  TransientTable table{transients_, {}, ends_};
-  TransientTable* transients = rows ? &table : nullptr;
-  if (!source_.make(study_.sampling.seed, first, count, phi, states, fates, transients)) return false;
-  LaneTask task = task_from(states, count);
-  task.transients = transients;
-  std::vector<Fate> decided(count);
+// What the rule says of all starts that are not over yet: those that are keep their fates.
+bool StartRunner::decide(SpunUp& starts, TransientTable* table, std::vector<Fate>& fates) const {
+  const std::size_t size = system_.dimension();
+  LaneTask task = source_->last_task();
+  task.end = source_->settled() + *study_.numerics.horizon;
+  task.stop = stop_;
+  std::vector<std::size_t> places;
+  std::vector<double> states, begins;
+  TransientTable rows{transients_, {}, ends_};
+  for (std::size_t i = 0; i < starts.size(); ++i) {
+    const double begin = starts.begin(i, source_->settled());
+    if (starts.is_over(i) || !(begin < task.end)) continue;
+    places.push_back(i);
+    states.insert(states.end(), &starts.states[i * size], &starts.states[i * size] + size);
+    begins.push_back(begin);
+    if (table) rows.rows.push_back(table->rows[i]);
+  }
+  task.count = places.size();
+  task.states = states.data();
+  task.begins = begins.data();
+  if (table) task.transients = &rows;
+  std::vector<Fate> decided(places.size());
   if (!decide_lanes(task, discovery_.rule, decided, nullptr)) return false;
-  const std::size_t size = model::dimension(study_.parameters.balls);
-  unlisted.clear();
-  if (rows) rows->assign(count, TransientRow{});
-  for (std::size_t i = 0; i < count; ++i) {
-    if (fates[i].outcome == Outcome::undecided)
-      fates[i] = decided[i];  // else lost on an earlier branch, and stays lost
-    const Fate& fate = fates[i];
-    const bool attracted = fate.outcome == Outcome::attracted;
-    std::optional<MotionFigures> end;
-    if (attracted && fate.attractor == 0) {
-      // A watched trajectory has gone on since it was decided.
-      const double now = rows ? table.rows[i].end : fate.time;
-      unlisted.push_back(follow(when_recognised({states.data() + i * size, states.data() + (i + 1) * size}, now)));
-      unlisted.back().place = i;
-      fates[i].by = DecidedBy::followed;
-      if (const auto& motion = unlisted.back().motion; rows && motion && motion->stable)
-        end = motion_figures(study_.parameters, *motion);
-    } else if (attracted) {
-      end = table.end_of(fate.attractor).figures;
-    }
-    if (!rows) continue;
-    const bool lost = fate.outcome == Outcome::diverged || fate.outcome == Outcome::failed;
-    (*rows)[i] = transient_row(transients_, table.rows[i], lost, end);
+  fates = starts.fates;
+  for (std::size_t k = 0; k < places.size(); ++k) {
+    const std::size_t i = places[k];
+    fates[i] = decided[k];
+    std::copy_n(&states[k * size], size, &starts.states[i * size]);
+    if (table) table->rows[i] = rows.rows[k];
   }
   return true;
 }
 
-// States at the beginning of the final speed, followed to the horizon.
-LaneTask StartRunner::task_from(std::vector<double>& states, std::size_t count) const {
-  LaneTask task;
-  task.parameters = &study_.parameters;
-  task.segment = source_.last_segment();
-  task.end = task.segment.begin + *study_.numerics.horizon;
-  task.tolerance = source_.tolerance();
-  task.count = count;
-  task.states = states.data();
-  task.stop = stop_;
-  return task;
+bool StartRunner::run(std::uint64_t first, std::size_t count, std::vector<double>& phi, std::vector<Fate>& fates,
+                      std::vector<UnlistedStart>& unlisted, std::vector<TransientRow>* rows) const {
+  SpunUp starts;
+  TransientTable table{transients_, {}, ends_};
+  TransientTable* transients = rows ? &table : nullptr;
+  if (!source_->make(study_.sampling.seed, first, count, starts, transients)) return false;
+  if (!decide(starts, transients, fates)) return false;
+  phi = starts.phi;
+  unlisted.clear();
+  if (rows) rows->assign(count, TransientRow{});
+  for (std::size_t i = 0; i < count; ++i) {
+    Fate& fate = fates[i];
+    const bool attracted = fate.outcome == Outcome::attracted;
+    std::optional<MotionFigures> end;
+    if (attracted && fate.attractor == 0) {
+      // A watched trajectory has gone on since it was decided.
+      unlisted.push_back(unlisted_start(starts, i, rows ? table.rows[i].end : fate.time));
+      fate.by = DecidedBy::followed;
+      const auto& motion = unlisted.back().motion;
+      if (motion && !system_.prescribed()) fate.mean_speed = static_cast<float>(motion->speed);
+      if (rows && motion && motion->stable) end = motion_figures(study_.parameters, *motion);
+    } else if (attracted) {
+      fate.mean_speed = static_cast<float>(mean_speed(fate));
+      end = table.end_of(fate.attractor).figures;
+    }
+    if (attracted && stalls(fate)) fate.outcome = Outcome::stalled;
+    if (!rows) continue;
+    const bool lost = fate.outcome == Outcome::diverged || fate.outcome == Outcome::failed;
+    (*rows)[i] = transient_row(settings_of(starts, i), table.rows[i], lost, end);
+  }
+  return true;
+}
+
+// Of a driven rotor, its attractor's own: a trap may catch it before it has turned for long.
+double StartRunner::mean_speed(const Fate& fate) const {
+  const Attractor* a = system_.prescribed() || system_.coasts() ? nullptr : discovery_.catalogue.find(fate.attractor);
+  return a ? a->motion.speed : fate.mean_speed;
+}
+
+// Whatever its motion is called: what the study's motor was to do it did not.
+bool StartRunner::stalls(const Fate& fate) const {
+  return !system_.prescribed() && std::fabs(fate.mean_speed) < study_.stall_speed();
+}
+
+// A motor lets go of each start's balls at a time of its own.
+TransientSettings StartRunner::settings_of(const SpunUp& starts, std::size_t i) const {
+  TransientSettings settings = transients_;
+  if (!starts.released.empty()) settings.release = starts.released[i];
+  return settings;
+}
+
+UnlistedStart StartRunner::unlisted_start(const SpunUp& starts, std::size_t i, double now) const {
+  UnlistedStart start = follow(when_recognised(&starts.states[i * system_.dimension()], now));
+  start.place = i;
+  return start;
 }
 
 std::vector<UndecidedEnd> StartRunner::look_at(const std::vector<std::uint64_t>& undecided) const {
-  const std::size_t size = model::dimension(study_.parameters.balls);
-  std::vector<double> all, phi, states;
-  std::vector<Fate> fates;
-  for (const std::uint64_t number : undecided)
-    if (source_.make(study_.sampling.seed, number, 1, phi, states, fates))
-      all.insert(all.end(), states.begin(), states.end());
-  const std::size_t count = all.size() / size;
-  std::vector<Fate> decided(count);
-  if (!decide_lanes(task_from(all, count), discovery_.rule, decided, nullptr)) return {};
   std::vector<UndecidedEnd> ends;
-  for (std::size_t i = 0; i < count; ++i) {
-    const std::vector<double> z =
-        when_recognised({all.data() + i * size, all.data() + (i + 1) * size}, decided[i].time);
-    ends.push_back(look_at_undecided(study_.parameters, source_.last_segment().speed,
-                                     Eigen::Map<const Eigen::VectorXd>(z.data(), static_cast<Eigen::Index>(size))));
+  for (const std::uint64_t number : undecided) {
+    SpunUp start;
+    std::vector<Fate> fates;
+    if (!source_->make(study_.sampling.seed, number, 1, start)) break;
+    if (start.is_over(0)) {
+      ends.push_back({.what = Restlessness::held, .reached = start.nearest[0], .asked = *study_.release.speed});
+      continue;
+    }
+    if (!decide(start, nullptr, fates)) break;
+    const std::vector<double> z = when_recognised(start.states.data(), fates[0].time);
+    const Eigen::Map<const Eigen::VectorXd> state(z.data(), static_cast<Eigen::Index>(z.size()));
+    ends.push_back(look_at_undecided(system_, state));
+    if (!system_.prescribed() && ends.back().what == Restlessness::regular)
+      ends.back().what = restlessness(fates[0], start.begin(0, source_->settled()), system_.speed(state));
   }
   return ends;
 }
 
-// The state at time `now` as a start is followed further from it: with anisotropy or gravity one at a strobe, so that
-// it needs no angle beside it.
-std::vector<double> StartRunner::when_recognised(const std::vector<double>& state, double now) const {
-  const model::Segment& segment = source_.last_segment();
-  const Eigen::Map<const Eigen::VectorXd> z(state.data(), static_cast<Eigen::Index>(state.size()));
-  const auto at_strobe = at_next_strobe({study_.parameters, segment.speed}, z, segment.psi_at(now));
-  return at_strobe ? std::vector<double>(at_strobe->begin(), at_strobe->end()) : state;
+// Of a driven rotor that is neither near balance nor chaotic: its last speed is not the mean of its last long window, or
+// it was not watched for as many short ones as tell one from the next.
+Restlessness StartRunner::restlessness(const Fate& fate, double begin, double speed) const {
+  constexpr double steady = 0.02;
+  constexpr int fewest_windows = 8;
+  if (fate.time - begin < fewest_windows * discovery_.rule.window) return Restlessness::hardly_seen;
+  return std::fabs(speed - fate.mean_speed) > steady * std::fabs(speed) ? Restlessness::changing_speed
+                                                                        : Restlessness::regular;
+}
+
+// The state at time `now` as a start is followed further from it: at a prescribed speed with anisotropy or gravity one
+// at a strobe, so that it needs no angle beside it.
+std::vector<double> StartRunner::when_recognised(const double* state, double now) const {
+  const Eigen::Map<const Eigen::VectorXd> z(state, system_.dimension());
+  std::vector<double> result(z.begin(), z.end());
+  if (system_.section() != model::Section::strobe) return result;
+  const auto at_strobe = at_next_strobe(system_, z, source_->last_task().segment.psi_at(now));
+  if (at_strobe) result.assign(at_strobe->begin(), at_strobe->end());
+  return result;
 }
 
 UnlistedStart StartRunner::follow(const std::vector<double>& state) const {
   const Eigen::Map<const Eigen::VectorXd> z(state.data(), static_cast<Eigen::Index>(state.size()));
-  return {0, state, motion_from({study_.parameters, study_.speed_profile().final_speed()}, z)};
+  return {0, state, motion_from(system_, z)};
 }
 
 int StartRunner::list(const UnlistedStart& start) {

@@ -1,7 +1,8 @@
-// The starts of a rotor that turns as prescribed, many at a time on SIMD lanes, decided by attractors found beforehand.
+// The starts of a smooth system, many at a time on SIMD lanes, decided by attractors found beforehand.
 #pragma once
 
 #include <cstdint>
+#include <memory>
 #include <vector>
 
 #include "equipoise/base/error.hpp"
@@ -9,14 +10,15 @@
 #include "equipoise/discovery/discovery.hpp"
 #include "equipoise/fates/runner.hpp"
 #include "equipoise/model/capability.hpp"
-#include "equipoise/spin_up/start_source.hpp"
+#include "equipoise/model/system.hpp"
+#include "equipoise/spin_up/spin_up.hpp"
 #include "equipoise/study/study.hpp"
 #include "equipoise/transients/transient_table.hpp"
 
 namespace equipoise {
 
 /// Throws InputError for invalid studies and those whose starts cannot be decided: anisotropic supports or gravity on a
-/// rotor that comes to rest, or with decisions by proof.
+/// rotor that is to come to rest, or with decisions by proof, which motors and off-centre races do not have either.
 void check_decidable(const Study& study);
 
 /// Throws InputError for a spin-up with the balls held that is too long to look for peaks in.
@@ -39,20 +41,26 @@ class StartRunner : public Runner {
 
   const Catalogue& catalogue() const override { return discovery_.catalogue; }
   BalanceNote balance() const override { return {discovery_.balanced.stable, discovery_.balanced.note}; }
-  double settled() const override { return source_.settled(); }
+  double settled() const override { return source_->settled(); }
   bool stopped() const override { return discovery_.stopped; }
 
   const BalancedAnalysis& balanced() const { return discovery_.balanced; }
   const DecisionRule& rule() const { return discovery_.rule; }
 
  private:
-  LaneTask task_from(std::vector<double>& states, std::size_t count) const;
-  std::vector<double> when_recognised(const std::vector<double>& state, double now) const;
+  bool decide(SpunUp& starts, TransientTable* table, std::vector<Fate>& fates) const;
+  UnlistedStart unlisted_start(const SpunUp& starts, std::size_t i, double now) const;
+  double mean_speed(const Fate& fate) const;
+  bool stalls(const Fate& fate) const;
+  Restlessness restlessness(const Fate& fate, double begin, double speed) const;
+  TransientSettings settings_of(const SpunUp& starts, std::size_t i) const;
+  std::vector<double> when_recognised(const double* state, double now) const;
 
   Study study_;
   const StopFlag* stop_;
+  const model::System system_;
   TransientSettings transients_;
-  StartSource source_;
+  std::unique_ptr<SpinUp> source_;
   Discovery discovery_;
   std::vector<KnownEnd> ends_;  // by identifier, of the attractors known beforehand; for transients only
 };

@@ -1,4 +1,4 @@
-// Kernels of every rotor for every CPU target: compiled once per instruction set by Highway's foreach_target.
+// Kernels of every rotor at a prescribed speed with its race centred for every CPU target: compiled once per instruction set by Highway's foreach_target.
 #include "equipoise/kernels/lane_job.hpp"
 
 #undef HWY_TARGET_INCLUDE
@@ -12,7 +12,7 @@ HWY_BEFORE_NAMESPACE();
 namespace equipoise {
 namespace HWY_NAMESPACE {
 
-bool run_general_target(const LaneJob& job) { return run_job<true>(job); }
+bool run_general_target(const LaneJob& job) { return run_job<LaneKind::turning>(job); }
 
 }  // namespace HWY_NAMESPACE
 }  // namespace equipoise

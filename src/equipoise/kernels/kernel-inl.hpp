@@ -18,6 +18,7 @@
 #include "equipoise/lanes/watch_radius-inl.hpp"
 #include "equipoise/model/ball_count.hpp"
 #include "equipoise/model/flow-inl.hpp"
+#include "equipoise/model/smooth_flow-inl.hpp"
 #include "equipoise/transients/watch_transients-inl.hpp"
 
 HWY_BEFORE_NAMESPACE();
@@ -25,9 +26,9 @@ namespace equipoise {
 namespace HWY_NAMESPACE {
 
 // Groups of lanes taken in turn. Eight lanes and 32 registers (AVX-512) profit from three for up to two balls; narrower
-// registers, or more balls, keep the processor busy with one.
-template <int room>
-inline constexpr int lane_groups = room <= 2 && pack_lanes == 8 ? most_lane_groups : 1;
+// registers, more balls or the longer equations of smooth systems keep the processor busy with one.
+template <int room, LaneKind kind = LaneKind::plain>
+inline constexpr int lane_groups = room <= 2 && pack_lanes == 8 && kind != LaneKind::smooth ? most_lane_groups : 1;
 
 // Records trajectories that are lost on the way; the others simply arrive.
 class WatchForLoss : public NoObserver {
@@ -49,47 +50,67 @@ inline std::unique_ptr<LaneWatch> watch_of(const LaneTask& task) {
   return nullptr;
 }
 
-template <int room, Terms terms, class Observer>
-bool run_kernel(const LaneTask& task, Observer& observer) {
-  using Flow = FreeFlow<Pack, room, terms>;
-  const auto block = std::make_unique<LaneBlock<Flow, Observer, lane_groups<room>>>(
-      task, Flow(*task.parameters, task.segment), observer);
+template <class Flow, int groups, class Observer>
+bool run_block(const LaneTask& task, const Flow& flow, Observer& observer) {
+  const auto block = std::make_unique<LaneBlock<Flow, Observer, groups>>(task, flow, observer);
   return block->run();
 }
 
-template <int room, Terms terms, class Fates>
-bool run_watched(const LaneTask& task, Fates& fates) {
+template <class Flow, int groups, class Fates>
+bool run_watched(const LaneTask& task, const Flow& flow, Fates& fates) {
   const auto watch = watch_of(task);
-  const auto observer = std::make_unique<FollowOn<Fates, lane_groups<room>>>(fates, watch.get());
-  return run_kernel<room, terms>(task, *observer);
+  const auto observer = std::make_unique<FollowOn<Fates, groups>>(fates, watch.get(), task.psi_place());
+  return run_block<Flow, groups>(task, flow, *observer);
 }
 
-// `turning`: the equations know the rotor's angle.
-template <int room, bool turning>
+// The terms of a rotor at a prescribed speed whose race is centred.
+constexpr Terms terms_of(LaneKind kind, bool acceleration) {
+  return {acceleration, kind == LaneKind::turning, kind == LaneKind::turning};
+}
+
+template <int room, LaneKind kind, bool acceleration>
+auto flow_of(const LaneTask& task) {
+  if constexpr (kind == LaneKind::smooth)
+    return SmoothFlow<Pack, room>(*task.system, task.segment);
+  else
+    return FreeFlow<Pack, room, terms_of(kind, acceleration)>(*task.parameters, task.segment);
+}
+
+template <int room, LaneKind kind>
 bool decide_balls(const LaneJob& job) {
-  using Fates = DecideFate<room, lane_groups<room>, turning>;
-  const auto fates = std::make_unique<Fates>(*job.task.parameters, job.task.segment, *job.rule, job.fates, job.pilot);
-  return run_watched<room, Terms{false, turning, turning}>(job.task, *fates);
+  using Fates = DecideFate<room, lane_groups<room, kind>, kind>;
+  const auto fates = std::make_unique<Fates>(job.task, *job.rule, job.fates, job.pilot);
+  const auto flow = flow_of<room, kind, false>(job.task);
+  return run_watched<decltype(flow), lane_groups<room, kind>>(job.task, flow, *fates);
 }
 
 // What plain rotors do unwatched is compiled without the question for a watch, which would cost 3 % here, and without
 // acceleration where there is none; deciding does not feel that question.
-template <int room, bool turning>
+template <int room, LaneKind kind>
 bool advance_balls(const LaneJob& job) {
-  WatchForLoss fates(job.fates);
-  if constexpr (!turning)
+  constexpr int groups = lane_groups<room, kind>;
+  const auto run = [&]<bool acceleration, bool watched>() {
+    WatchForLoss fates(job.fates);
+    const auto flow = flow_of<room, kind, acceleration>(job.task);
+    if constexpr (watched)
+      return run_watched<decltype(flow), groups>(job.task, flow, fates);
+    else
+      return run_block<decltype(flow), groups>(job.task, flow, fates);
+  };
+  if constexpr (kind == LaneKind::plain)
     if (!job.task.watched())
-      return job.task.segment.acceleration == 0.0 ? run_kernel<room, Terms{false, false, false}>(job.task, fates)
-                                                  : run_kernel<room, Terms{true, false, false}>(job.task, fates);
-  return run_watched<room, Terms{true, turning, turning}>(job.task, fates);
+      return job.task.segment.acceleration == 0.0 ? run.template operator()<false, false>()
+                                                  : run.template operator()<true, false>();
+  return run.template operator()<true, true>();
 }
 
-template <bool turning>
+template <LaneKind kind>
 bool run_job(const LaneJob& job) {
   const int balls = job.task.parameters->balls;
   // Deciding takes most of the time: unrolled for five and six balls too, evaluations take 22 and 9 % less.
-  if (job.rule) return model::with_ball_count<6>(balls, [&](auto room) { return decide_balls<room, turning>(job); });
-  return model::with_ball_count(balls, [&](auto room) { return advance_balls<room, turning>(job); });
+  constexpr int most = kind == LaneKind::smooth ? 4 : 6;
+  if (job.rule) return model::with_ball_count<most>(balls, [&](auto room) { return decide_balls<room, kind>(job); });
+  return model::with_ball_count(balls, [&](auto room) { return advance_balls<room, kind>(job); });
 }
 
 }  // namespace HWY_NAMESPACE

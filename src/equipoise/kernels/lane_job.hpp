@@ -6,6 +6,7 @@
 
 #include "equipoise/deciding/decision_rule.hpp"
 #include "equipoise/deciding/fate.hpp"
+#include "equipoise/deciding/held.hpp"
 #include "equipoise/lanes/lane_task.hpp"
 
 namespace equipoise {
@@ -17,9 +18,14 @@ struct LaneJob {
   std::vector<PilotRecord>* pilot = nullptr;  ///< with a rule, if wanted
 };
 
-/// Of rotors for whose equations the rotor's angle is nothing: isotropic supports, no gravity.
+/// Of rotors at a prescribed speed, their race centred, for whose equations the rotor's angle is nothing: isotropic
+/// supports, no gravity.
 bool run_plain_lanes(const LaneJob& job);
-/// Of every rotor.
+/// Of all such rotors.
 bool run_general_lanes(const LaneJob& job);
+/// Of every smooth system.
+bool run_smooth_lanes(const LaneJob& job);
+/// Of driven rotors whose balls are held.
+bool run_held_lanes(const LaneTask& task, const HoldRule& rule, std::vector<HeldEnd>& ends);
 
 }  // namespace equipoise

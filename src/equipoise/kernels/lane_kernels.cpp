@@ -64,7 +64,16 @@ std::string name_of(std::int64_t target) {
   return target == HWY_AVX3 ? "AVX-512" : target == HWY_SCALAR ? "scalar" : hwy::TargetName(target);
 }
 
-bool run_lanes(const LaneJob& job) { return job.task.general() ? run_general_lanes(job) : run_plain_lanes(job); }
+bool run_lanes(const LaneJob& job) {
+  switch (job.task.kind()) {
+    case LaneKind::smooth:
+      return run_smooth_lanes(job);
+    case LaneKind::turning:
+      return run_general_lanes(job);
+    default:
+      return run_plain_lanes(job);
+  }
+}
 }  // namespace
 
 bool advance_lanes(const LaneTask& task, std::vector<Fate>& fates) { return run_lanes({task, fates}); }
@@ -72,6 +81,10 @@ bool advance_lanes(const LaneTask& task, std::vector<Fate>& fates) { return run_
 bool decide_lanes(const LaneTask& task, const DecisionRule& rule, std::vector<Fate>& fates,
                   std::vector<PilotRecord>* pilot) {
   return run_lanes({task, fates, &rule, pilot});
+}
+
+bool hold_lanes(const LaneTask& task, const HoldRule& rule, std::vector<HeldEnd>& ends) {
+  return run_held_lanes(task, rule, ends);
 }
 
 int evaluate_derivatives(const model::Parameters& p, double speed, long count, double* checksum) {

@@ -6,6 +6,7 @@
 
 #include "equipoise/deciding/decision_rule.hpp"
 #include "equipoise/deciding/fate.hpp"
+#include "equipoise/deciding/held.hpp"
 #include "equipoise/kernels/cpu_target.hpp"
 #include "equipoise/lanes/lane_task.hpp"
 
@@ -16,10 +17,14 @@ namespace equipoise {
 /// state stays where it was lost.
 bool advance_lanes(const LaneTask& task, std::vector<Fate>& fates);
 
-/// Decides every trajectory of a task whose segment has constant speed; fates[i] and states are set. `pilot`, if given,
+/// Decides every trajectory of a task over the last segment, or piece of a drive; fates[i] and states are set. `pilot`, if given,
 /// receives what is known of each stationary motion. False if stopped early.
 bool decide_lanes(const LaneTask& task, const DecisionRule& rule, std::vector<Fate>& fates,
                   std::vector<PilotRecord>* pilot);
+
+/// Follows driven rotors whose balls are held (task.held) until they come to the speed of release, are steady without,
+/// or to task.end; ends[i] and states are set. False if stopped early.
+bool hold_lanes(const LaneTask& task, const HoldRule& rule, std::vector<HeldEnd>& ends);
 
 /// Derivative evaluations alone, for benchmarks: evaluates the equations of `balls` balls `count` times in every lane,
 /// each from the result of the one before. Returns the number of lanes.

@@ -13,7 +13,7 @@ HWY_BEFORE_NAMESPACE();
 namespace equipoise {
 namespace HWY_NAMESPACE {
 
-bool run_plain_target(const LaneJob& job) { return run_job<false>(job); }
+bool run_plain_target(const LaneJob& job) { return run_job<LaneKind::plain>(job); }
 
 }  // namespace HWY_NAMESPACE
 }  // namespace equipoise

@@ -11,6 +11,7 @@
 #endif
 
 #include <bit>
+#include <cmath>
 #include <cstddef>
 #include <type_traits>
 #include <utility>
@@ -54,7 +55,10 @@ class LaneBlock {
   bool run() {
     for (int g = 0; g < groups; ++g) {
       active_[g] = 0;
-      for (int i = 0; i < size_; ++i) y_[g][i] = k_[g][0][i] = Pack(0.0);
+      for (int i = 0; i < dimension; ++i) y_[g][i] = Pack(0.0);
+      // Components that no state has, where sums take an even number of them, stay 0.
+      for (auto& stage : k_[g])
+        for (int i = 0; i < dimension; ++i) stage[i] = Pack(0.0);
       t_[g] = end_;
       h_[g] = Pack(0.0);
       log_error_[g] = Pack(0.0);
@@ -81,19 +85,21 @@ class LaneBlock {
   // registers.
   template <class F>
   HWY_INLINE void with_size(F&& f) const {
-    if constexpr (!std::is_same_v<Size, int>) {
+    if constexpr (!std::is_same_v<Size, int>)
       f(size_);
+    else
+      with_even_size<Flow::least_size>(f);
+  }
+
+  // The size or, as sums walk few components at a time of some odd numbers, the next even one.
+  template <int size, class F>
+  HWY_INLINE void with_even_size(F&& f) const {
+    static_assert(size % 2 == 0 && dimension % 2 == 0);
+    if constexpr (size >= dimension) {
+      f(dop853::Full<dimension>{});
     } else {
-      switch (size_) {
-        case model::dimension(5):
-          return f(dop853::Full<model::dimension(5)>{});
-        case model::dimension(6):
-          return f(dop853::Full<model::dimension(6)>{});
-        case model::dimension(7):
-          return f(dop853::Full<model::dimension(7)>{});
-        default:
-          return f(dop853::Full<model::dimension(8)>{});
-      }
+      if (size_ <= size) return f(dop853::Full<size>{});
+      with_even_size<size + 2>(f);
     }
   }
 
@@ -180,21 +186,24 @@ class LaneBlock {
     const std::size_t start = next_++;
     const double* row = task_.states + start * static_cast<std::size_t>(size_);
     for (int i = 0; i < size_; ++i) element(y_[g][i], lane) = row[i];
-    element(t_[g], lane) = task_.segment.begin;
-    element(h_[g], lane) = first_step(row);
+    const double begin = task_.begins ? task_.begins[start] : task_.segment.begin;
+    element(t_[g], lane) = begin;
+    element(h_[g], lane) = first_step(begin, row);
     element(log_error_[g], lane) = 0.0;
     start_of_[g][lane] = start;
     active_[g] |= 1u << lane;
     ++working_;
-    observer_.begin(g * lanes + lane, start, task_.segment.begin, row);
+    observer_.begin(g * lanes + lane, start, begin, row);
     return 1u << lane;
   }
 
   // A cautious first step from the fastest rate around: the controller opens it within a few steps.
-  double first_step(const double* row) const {
+  double first_step(double begin, const double* row) const {
     double fastest = 1.0 + std::fabs(task_.segment.speed) + std::fabs(task_.segment.speed_at(task_.end));
-    for (int i = 4 + task_.parameters->balls; i < size_; ++i) fastest += std::fabs(row[i]);
-    const double span = task_.end - task_.segment.begin;
+    const int balls = task_.held ? 0 : task_.parameters->balls;
+    for (int i = 0; i < balls; ++i) fastest += std::fabs(row[model::index::q(i, balls)]);
+    if (task_.speed_place() >= 0) fastest += std::fabs(row[task_.speed_place()]);
+    const double span = task_.end - begin;
     const double step = 0.2 / fastest;
     return step < span ? step : span;
   }

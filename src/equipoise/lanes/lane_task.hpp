@@ -1,4 +1,4 @@
-// What a lane block works on: many trajectories of one rotor over one segment.
+// What a lane block works on: many trajectories of one rotor over one segment, or one piece of its drive.
 #pragma once
 
 #include <cstddef>
@@ -8,6 +8,7 @@
 #include "equipoise/model/parameters.hpp"
 #include "equipoise/model/speed.hpp"
 #include "equipoise/model/strobe.hpp"
+#include "equipoise/model/system.hpp"
 
 namespace equipoise {
 
@@ -23,6 +24,10 @@ struct LaneWork {
   std::uint64_t evaluations(std::uint64_t trajectories) const { return 12 * steps + trajectories; }
 };
 
+/// Which equations a task needs: those of a centred race at a prescribed speed, without and with anisotropic supports
+/// and gravity, or those of any smooth system.
+enum class LaneKind { plain, turning, smooth };
+
 /// Trajectories from segment.begin to `end`. A trajectory's result depends on its own initial state and on nothing else
 /// here: not on its place, its neighbours or `count`.
 struct LaneTask {
@@ -31,17 +36,48 @@ struct LaneTask {
   double end = 0.0;          ///< finite, after segment.begin
   double tolerance = 1e-6;   ///< error allowed a step, in units of lane_error_scale()
   std::size_t count = 0;     ///< trajectories
-  double* states = nullptr;  ///< count rows of dimension(balls) numbers; states at segment.begin in, final states out
+  double* states = nullptr;  ///< count rows of dimension() numbers; states at their beginnings in, final states out
   const StopFlag* stop = nullptr;
   LaneWork* work = nullptr;  ///< if given, the work done is added to it
+  /// Of what is not plain (model/system.hpp): its equations over the piece of its drive that it holds, which `segment`
+  /// repeats in so far as it is prescribed. Else null: the segment says how the rotor turns.
+  const model::System* system = nullptr;
+  /// When each trajectory begins; null: all with the segment. Those of a motor's release may differ.
+  const double* begins = nullptr;
+  bool held = false;  ///< of a driven rotor: its balls are held; states are those of lanes/held_state.hpp
   // What is gathered on the way, if given; one of the two at most.
   TransientTable* transients = nullptr;  ///< one row a trajectory; what is decided is followed on until its end is seen
   const RadiusWindows* radius = nullptr;  ///< how far the centre of the race was out
 
   bool watched() const { return transients || radius; }
-  /// Whether the equations with anisotropic supports and gravity are needed.
-  bool general() const { return model::is_strobed(*parameters); }
+  LaneKind kind() const {
+    return system ? LaneKind::smooth : model::is_strobed(*parameters) ? LaneKind::turning : LaneKind::plain;
+  }
+  /// Of a state.
+  int dimension() const {
+    const int plain = model::dimension(held ? 1 : parameters->balls);
+    return plain + (system ? system->dimension() - model::dimension(parameters->balls) : 0);
+  }
+  /// Places in a state, -1 for what is no part of it.
+  int psi_place() const { return place_of(system ? system->psi_place() : -1); }
+  int speed_place() const { return place_of(system ? system->speed_place() : -1); }
+  int error_place() const { return place_of(system ? system->error_place() : -1); }
+
+ private:
+  int place_of(int place) const {
+    return place < 0 || !held ? place : place + model::dimension(1) - model::dimension(parameters->balls);
+  }
 };
+
+/// Trajectories of any smooth system in the last piece of its drive, from time 0 on; where psi is prescribed it is
+/// `psi` there. The system must outlive the task.
+inline LaneTask lane_task(const model::System& system, double psi = 0.0) {
+  LaneTask task;
+  task.parameters = &system.parameters();
+  task.segment = {0.0, 1e300, psi, system.drive().speed, 0.0, false};
+  if (!system.plain()) task.system = &system;
+  return task;
+}
 
 /// How a trajectory left its lane.
 enum class LaneEnd {

@@ -22,7 +22,7 @@ struct TriedStep {
   Mask accepted;
   Pack t, h;           // t: where it leads
   const Pack* z;       // the state there
-  const Pack* first;   // x, y, u, v at first_sampled_stage
+  const Pack* first;   // x, y, u, v at first_sampled_stage, then psi where it is part of the state
   const Pack* second;  // and at second_sampled_stage
 };
 

@@ -11,6 +11,7 @@
 #include <ctime>
 #include <limits>
 #include <map>
+#include <memory>
 #include <mutex>
 #include <string>
 
@@ -29,7 +30,8 @@
 #include "equipoise/model/linearisation.hpp"
 #include "equipoise/motions/catalogue.hpp"
 #include "equipoise/motions/settling.hpp"
-#include "equipoise/spin_up/start_source.hpp"
+#include "equipoise/orbits/stroboscopic.hpp"
+#include "equipoise/spin_up/spin_up.hpp"
 #include "equipoise/store/basin_file.hpp"
 
 namespace equipoise {
@@ -62,11 +64,14 @@ double balance_margin(const model::Parameters& p) {
   return p.eccentricity + p.total_mass() - 2.0 * largest;
 }
 
-double balance_growth(const model::Parameters& p, double speed) {
+// Of isolated balanced states where nothing depends on the rotor's angle and the race is centred.
+double balance_growth(const model::System& system) {
+  const model::Parameters& p = system.parameters();
   double least = std::numeric_limits<double>::quiet_NaN();
+  if (!system.plain() || !system.autonomous()) return least;
   for (const auto& phi : model::balanced_states(p).angles) {
     const Eigen::VectorXd centre = model::centred_state(p, phi.data());
-    least = std::fmin(least, dense::largest_real_part(model::jacobian(p, speed, centre.data())));
+    least = std::fmin(least, dense::largest_real_part(model::jacobian(p, system.speed(), centre.data())));
   }
   return least;
 }
@@ -152,31 +157,40 @@ class Mapper {
       const int column = lines_along_y_ ? line : k, row = lines_along_y_ ? k : line;
       const Study study = study_at(column, row);
       const std::size_t at = map_.at(column, row);
-      const double speed = study.speed_profile().final_speed();
-      if (k == 0 || !one_system_) growth = balance_growth(study.parameters, speed);
+      const model::System system = study.system();
+      if (k == 0 || !one_system_) growth = balance_growth(system);
       map_.balance_growth[at] = growth;
       map_.balance_margin[at] = balance_margin(study.parameters);
-      pixels_[at] = outcome_of(study, speed, known);
+      pixels_[at] = outcome_of(study, system, known);
       report();
     }
   }
 
-  Pixel outcome_of(const Study& study, double speed, std::vector<KnownOrbit>& known) const {
+  static short code_of(Outcome outcome) {
+    return outcome == Outcome::diverged  ? diverged_code
+           : outcome == Outcome::failed  ? failed_code
+           : outcome == Outcome::stalled ? stalled_code
+                                         : undecided_code;
+  }
+
+  Pixel outcome_of(const Study& study, const model::System& system, std::vector<KnownOrbit>& known) const {
     const model::Parameters& p = study.parameters;
-    const StartSource source(study, settings_.stop);
-    std::vector<double> states;
-    std::vector<Fate> fates;
+    const std::unique_ptr<SpinUp> source = make_spin_up(study, settings_.stop);
+    SpunUp start;
     Pixel pixel;
-    if (!source.follow({study.initial.phi.begin(), study.initial.phi.begin() + p.balls}, states, fates)) return pixel;
-    if (fates.front().outcome != Outcome::undecided) {
-      pixel.code = fates.front().outcome == Outcome::diverged ? diverged_code : failed_code;
-      pixel.time = fates.front().time;
+    if (!source->follow({study.initial.phi.begin(), study.initial.phi.begin() + p.balls}, start)) return pixel;
+    if (start.is_over(0)) {
+      pixel.code = code_of(start.fates.front().outcome);
+      pixel.time = start.fates.front().time;
       return pixel;
     }
-    const Eigen::VectorXd state = Eigen::Map<const Eigen::VectorXd>(states.data(), model::dimension(p.balls));
-    const Settling settling = settle({p, speed}, state, *study.numerics.horizon, known);
-    if (one_system_) remember(p, speed, settling, known);
-    pixel.time = source.settled() + settling.time;
+    const double begin = start.begin(0, source->settled());
+    Eigen::VectorXd state = Eigen::Map<const Eigen::VectorXd>(start.states.data(), system.dimension());
+    if (system.section() == model::Section::strobe)
+      state = at_next_strobe(system, state, source->last_task().segment.psi_at(begin)).value_or(state);
+    const Settling settling = settle(system, state, *study.numerics.horizon, known);
+    if (one_system_) remember(system, settling, known);
+    pixel.time = begin + settling.time;
     pixel.code = settling.status == IntegrationStatus::diverged ? diverged_code
                  : settling.status == IntegrationStatus::failed ? failed_code
                                                                 : undecided_code;
@@ -189,10 +203,9 @@ class Mapper {
     return pixel;
   }
 
-  static void remember(const model::Parameters& p, double speed, const Settling& settling,
-                       std::vector<KnownOrbit>& known) {
+  static void remember(const model::System& system, const Settling& settling, std::vector<KnownOrbit>& known) {
     if (!settling.motion || settling.motion->kind != MotionKind::periodic || settling.known) return;
-    known.insert(known.begin(), known_orbit({p, speed}, *settling.motion));
+    known.insert(known.begin(), known_orbit(system, *settling.motion));
     if (known.size() > most_known) known.pop_back();
   }
 
@@ -227,6 +240,7 @@ class Mapper {
     map_.codes.push_back({undecided_code, name_of(Outcome::undecided), "", {}});
     map_.codes.push_back({diverged_code, name_of(Outcome::diverged), "", {}});
     map_.codes.push_back({failed_code, name_of(Outcome::failed), "", {}});
+    if (map_.study.speed.driven()) map_.codes.push_back({stalled_code, name_of(Outcome::stalled), "", {}});
     for (MapCode& entry : map_.codes) entry.share = wilson_share(counts[entry.code], total);
   }
 

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <complex>
 
 #include "equipoise/base/angles.hpp"
 #include "equipoise/model/unbalance.hpp"
@@ -93,6 +94,93 @@ bool project_to_balanced(const Parameters& p, double* phi) {
   const bool balanced = project_within_a_turn(p, within.data());
   for (int i = 0; i < p.balls; ++i) phi[i] = within[i] + turns[i];
   return balanced;
+}
+
+CentredTwin centred_twin(const Parameters& p, double speed) {
+  CentredTwin twin{p, 0.0};
+  twin.parameters.gravity = 0.0;
+  if (p.race_is_centred()) return twin;
+  // Forces on a rotor that rests at -e in the rotating frame: f = -(kappa + i zeta psi') e, and psi'^2 times the sum of
+  // all unbalances about the axis.
+  const std::complex<double> e(p.race_offset[0], p.race_offset[1]);
+  const std::complex<double> support(0.5 * (p.stiffness[0] + p.stiffness[1]),
+                                     0.5 * (p.damping[0] + p.damping[1]) * speed);
+  const std::complex<double> side = p.eccentricity - e + e * support / (speed * speed);
+  twin.parameters.race_offset = {0.0, 0.0};
+  twin.parameters.eccentricity = std::abs(side);
+  twin.turn = std::arg(side);
+  return twin;
+}
+
+namespace {
+// What the supports' dampers ask of the motor in balance, over psi'.
+double damping_torque(const Parameters& p) {
+  const auto& e = p.race_offset;
+  return 0.5 * (p.damping[0] + p.damping[1]) * (e[0] * e[0] + e[1] * e[1]);
+}
+}  // namespace
+
+std::optional<double> balanced_speed(const System& system) {
+  if (system.prescribed()) return system.speed();
+  const DriveSegment& m = system.drive().motor;
+  const double damping = damping_torque(system.parameters());
+  if (m.integral != 0.0)
+    return damping * std::fabs(m.aim) <= m.limit ? std::optional(m.aim) : std::nullopt;
+  if (m.slope == damping) return std::nullopt;
+  const double speed = m.constant / (damping - m.slope);
+  if (std::fabs(damping * speed) <= m.limit) return speed;
+  return std::copysign(m.limit / damping, m.constant);  // the limit is all that the motor gives
+}
+
+BalancedStates balanced_states(const System& system, double coasting) {
+  const std::optional<double> speed = system.coasts() ? std::optional(coasting) : balanced_speed(system);
+  BalancedStates none;
+  if (!speed)
+    none.reason = "a balanced rotor needs no torque, and the motor's never vanishes: it speeds up for ever";
+  else if (*speed == 0.0 && !(system.prescribed() && system.parameters().race_is_centred()))
+    none.reason = "the rotor comes to rest: nothing balances it";
+  else if (system.coasts() && !system.parameters().race_is_centred())
+    none.reason = "a race off its centre makes the supports take from a speed that no motor holds";
+  if (!none.reason.empty()) return none;
+  const CentredTwin twin = centred_twin(system.parameters(), *speed);
+  BalancedStates states = balanced_states(twin.parameters);
+  for (auto& phi : states.angles)
+    for (int i = 0; i < system.balls(); ++i) phi[i] += twin.turn;
+  return states;
+}
+
+bool project_to_balanced(const System& system, double speed, double* phi) {
+  const CentredTwin twin = centred_twin(system.parameters(), speed);
+  for (int i = 0; i < system.balls(); ++i) phi[i] -= twin.turn;
+  const bool balanced = project_to_balanced(twin.parameters, phi);
+  for (int i = 0; i < system.balls(); ++i) phi[i] += twin.turn;
+  return balanced;
+}
+
+Eigen::VectorXd balanced_state(const System& system, double speed, const double* phi) {
+  const Parameters& p = system.parameters();
+  const auto& e = p.race_offset;
+  Eigen::VectorXd y = Eigen::VectorXd::Zero(system.dimension());
+  if (!p.race_is_centred()) y.head(4) << -e[0], -e[1], speed * e[1], -speed * e[0];
+  for (int i = 0; i < p.balls; ++i) y[index::phi(i)] = phi[i];
+  if (system.speed_place() >= 0) y[system.speed_place()] = speed;
+  // The integral holds the torque that gain alone would leave.
+  const DriveSegment& m = system.drive().motor;
+  if (system.error_place() >= 0)
+    y[system.error_place()] = (damping_torque(p) * speed - m.constant - m.slope * speed) / m.integral;
+  return y;
+}
+
+double off_balance(const Parameters& p, double x, double y) {
+  return std::hypot(x + p.race_offset[0], y + p.race_offset[1]);
+}
+
+int balanced_freedom(const System& system) {
+  constexpr double any_speed = 1.0;
+  const Parameters& p = system.parameters();
+  if (p.gravity != 0.0 || !(p.race_is_centred() || p.isotropic())) return 0;
+  const bool family = balanced_states(system, any_speed).kind == BalancedStates::Kind::family;
+  return (family ? std::max(system.balls() - 2, 1) : 0) + (system.coasts() && p.race_is_centred() ? 1 : 0);
 }
 
 }  // namespace equipoise::model

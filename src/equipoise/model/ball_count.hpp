@@ -12,6 +12,10 @@ namespace equipoise::model {
 /// says that is known at run time; with less room, over exactly that many, in loops that unroll.
 inline constexpr int any_count = max_balls;
 
+/// The least number of state variables that code with such room is taken for by with_ball_count().
+template <int room>
+inline constexpr int least_dimension = dimension(room == any_count ? 5 : room);
+
 /// The count itself: a constant where it is compiled in.
 template <int room>
 class BallCount {

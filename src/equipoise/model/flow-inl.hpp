@@ -46,6 +46,7 @@ template <class T, int room, Terms terms>
 class FreeFlow {
  public:
   static constexpr int dimension = model::dimension(room);  // the largest size
+  static constexpr int least_size = model::least_dimension<room>;
 
   FreeFlow(const model::Parameters& p, const model::Segment& s) : balls_(p.balls), balancer_(p), motion_(s) {}
 

@@ -42,21 +42,12 @@ Eigen::MatrixXd FreeMachine::jacobian(const Eigen::VectorXd& y, double psi) cons
   return model::jacobian(system_, at_angle(y, psi), psi)(kept_, kept_);
 }
 
-bool FreeMachine::coasts() const {
-  const DriveSegment& m = drive().motor;
-  return driven() && m.constant == 0.0 && m.slope == 0.0 && m.integral == 0.0;
-}
-
 bool FreeMachine::holds_speed() const {
   return !driven() || drive().motor.slope < 0.0 || drive().motor.integral != 0.0;
 }
 
 std::optional<double> FreeMachine::balanced_speed() const {
-  if (!driven()) return drive().speed;
-  const DriveSegment& m = drive().motor;
-  if (m.integral != 0.0) return m.aim;
-  if (m.slope == 0.0) return std::nullopt;
-  return -m.constant / m.slope;
+  return driven() ? system_.no_load_speed() : std::optional(drive().speed);
 }
 
 Eigen::VectorXd FreeMachine::balanced_state(const double* phi, double speed) const {

@@ -38,7 +38,7 @@ class FreeMachine {
   /// (the rotor speeds up for ever) or always does (coasts()).
   std::optional<double> balanced_speed() const;
   /// No torque acts for good: a balanced rotor keeps any speed.
-  bool coasts() const;
+  bool coasts() const { return system_.coasts(); }
   /// The motor's torque falls as the rotor turns faster, so that no speed runs away.
   bool holds_speed() const;
   /// The balanced state at ball angles `phi`, turning at `speed`.

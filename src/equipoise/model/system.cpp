@@ -1,6 +1,8 @@
 // Sections, dimensions and symmetries of systems.
 #include "equipoise/model/system.hpp"
 
+#include <cmath>
+
 #include "equipoise/base/angles.hpp"
 #include "equipoise/model/strobe.hpp"
 
@@ -20,6 +22,30 @@ System::System(const Parameters& p, const DrivePiece& last)
   if (!last.prescribed) dimension_ += 1 + (section_ == Section::turn ? 1 : 0) + (has_error_integral() ? 1 : 0);
 }
 
+std::optional<double> System::no_load_speed() const {
+  if (prescribed()) return std::nullopt;
+  const DriveSegment& m = drive_.motor;
+  if (m.integral != 0.0) return m.aim;
+  if (m.slope == 0.0) return std::nullopt;
+  return -m.constant / m.slope;
+}
+
+bool System::coasts() const {
+  const DriveSegment& m = drive_.motor;
+  return !prescribed() && m.constant == 0.0 && m.slope == 0.0 && m.integral == 0.0;
+}
+
+bool System::runs_away(double speed) const {
+  constexpr double out_of_reach = 30.0;  // thirty times the resonance
+  const bool held = prescribed() || coasts() || drive_.motor.slope < 0.0 || drive_.motor.integral != 0.0;
+  return !held && std::fabs(speed) > out_of_reach;
+}
+
+double System::torque(const Eigen::VectorXd& y) const {
+  if (prescribed()) return 0.0;
+  return drive_.motor.torque(drive_.motor.begin, speed(y), error_place() < 0 ? 0.0 : y[error_place()]);
+}
+
 double System::strobe_angle() const { return model::strobe_angle(p_); }
 
 double System::strobe_period() const { return model::strobe_period(p_, drive_.speed); }
@@ -29,6 +55,11 @@ std::vector<System::Angle> System::angles() const {
   for (int i = 0; i < p_.balls; ++i) result.push_back({index::phi(i), two_pi});
   if (psi_place() >= 0) result.push_back({psi_place(), strobe_angle()});
   return result;
+}
+
+Eigen::VectorXd System::with_angles_reduced(Eigen::VectorXd y) const {
+  for (const auto& [place, turn] : angles()) y[place] -= turn * std::floor(y[place] / turn);
+  return y;
 }
 
 Eigen::VectorXd state_scale(const Parameters& p) {

@@ -2,6 +2,7 @@
 // system.
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include <Eigen/Core>
@@ -63,6 +64,21 @@ class System {
   /// The prescribed psi', not 0 where states are strobed; of a driven rotor that of a state.
   double speed() const { return drive_.speed; }
   double speed(const Eigen::VectorXd& y) const { return prescribed() ? drive_.speed : y[speed_place()]; }
+  /// The speed that steps in time and rates of change are measured by: the prescribed psi'; of a driven rotor that at
+  /// which its motor gives no torque, 0 if there is none.
+  double pace() const { return prescribed() ? drive_.speed : no_load_speed().value_or(0.0); }
+
+  // Of motors.
+  /// Where the torque vanishes; empty if nowhere or everywhere.
+  std::optional<double> no_load_speed() const;
+  /// No torque acts for good: what is balanced keeps any speed.
+  bool coasts() const;
+  /// Nothing holds a rotor that turns as fast as that, far above all resonances: its motor's torque does not fall as the
+  /// rotor turns faster.
+  bool runs_away(double speed) const;
+  /// Of a state.
+  double torque(const Eigen::VectorXd& y) const;
+
   /// Section strobe: the rotor turns by this, in this time, before the equations are what they were.
   double strobe_angle() const;
   double strobe_period() const;
@@ -73,6 +89,8 @@ class System {
     double turn;
   };
   std::vector<Angle> angles() const;
+  /// The same state with its angles in [0, turn).
+  Eigen::VectorXd with_angles_reduced(Eigen::VectorXd y) const;
   /// state_scale(), and 1 for all others.
   Eigen::VectorXd scale() const;
 

@@ -11,9 +11,11 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 #include "equipoise/base/angles.hpp"
 #include "equipoise/math/dense.hpp"
+#include "equipoise/model/balanced_state.hpp"
 #include "equipoise/model/linearisation.hpp"
 #include "equipoise/motions/motion_description.hpp"
 #include "equipoise/motions/motion_statistics.hpp"
@@ -66,7 +68,7 @@ class Journey {
   double whole(double time) const { return strobed() ? strobe_ * std::max(1.0, std::round(time / strobe_)) : time; }
   bool is_over() const { return elapsed_ >= patience_ * (1.0 - 1e-9); }
   // Times between samples_.
-  double spacing() const { return strobed() ? strobe_ : sample_spacing(system_.speed()); }
+  double spacing() const { return strobed() ? strobe_ : last_.spacing; }
 
   void nudge();
   bool travel_stretch(double duration);
@@ -136,13 +138,13 @@ void Journey::nudge() {
 bool Journey::travel_stretch(double duration) {
   if (elapsed_ > 0.0) nudge();
   previous_ = last_;
-  last_ = {};
+  last_ = MotionStatistics();
   const double memory = std::min(duration, whole(longest_memory));
   elapsed_ += duration;
   end_ = state_;
   if (duration > memory && !travel(end_, duration - memory, &last_)) return false;
   if (!travel(end_, memory, &last_, &samples_)) return false;
-  state_ = with_angles_reduced(p_, end_);
+  state_ = system_.with_angles_reduced(end_);
   return true;
 }
 
@@ -163,7 +165,7 @@ bool Journey::approaches(double rate, const Distance& distance) {
     const double duration = std::min(chunk, left);
     if (duration <= 0.5 * strobe_) break;
     if (follow_whole(z, duration) != IntegrationStatus::done) return false;
-    z = with_angles_reduced(p_, z);
+    z = system_.with_angles_reduced(std::move(z));
     left -= duration;
     travelled += duration;
     now = distance(z);
@@ -188,10 +190,13 @@ std::optional<Motion> Journey::continuum() {
 
 std::optional<Motion> Journey::rest() {
   // Faster than this no equilibrium is near: it swings at a rate of order one, so it would be as far away.
-  if (!strobed() && difference_.length(model::rate(system_, state_)) > in_reach) return std::nullopt;
-  if (continuum_dimension(p_) > 0)
+  Eigen::VectorXd rate = model::rate(system_, state_);
+  if (system_.psi_place() >= 0) rate[system_.psi_place()] = 0.0;
+  if (!strobed() && difference_.length(rate) > in_reach) return std::nullopt;
+  if (model::balanced_freedom(system_) > 0)
     if (auto motion = continuum()) return motion;
   if (strobed()) return std::nullopt;  // what rests comes back after every strobe
+  if (system_.psi_place() >= 0 && std::fabs(system_.speed(state_)) > in_reach) return std::nullopt;  // after every turn
   const auto equilibrium = refine_equilibrium(system_, state_);
   if (!equilibrium || !attracts(equilibrium->eigenvalues, 0)) return std::nullopt;
   const bool comes = approaches(equilibrium->eigenvalues[0].real(),
@@ -224,7 +229,8 @@ std::optional<Motion> Journey::recurrence() {
 }
 
 std::optional<PeriodicOrbit> Journey::orbit_of(const Return& now) {
-  if (!strobed()) return worth_trying(now) ? find_orbit(system_, state_, now.time, in_reach) : std::nullopt;
+  if (!strobed())
+    return worth_trying(now) ? find_orbit(system_, state_, now.time, in_reach) : std::nullopt;
   const long strobes = std::lround(now.time / strobe_);
   return refine_orbit(system_, std::vector<Eigen::VectorXd>(samples_.end() - 1 - strobes, samples_.end() - 1), now.time,
                       in_reach);
@@ -308,8 +314,8 @@ std::optional<std::vector<double>> Journey::exponents_of(MotionKind& kind) const
 std::optional<Motion> Journey::restless(MotionKind kind, const std::vector<double>& exponents) {
   Motion motion;
   motion.kind = kind;
-  motion.speed = system_.speed();
-  motion.strobed = strobed();
+  motion.speed = system_.speed(state_);
+  motion.strobed = !system_.autonomous();
   // A torus is measured afresh: the stretch that showed it may have begun before balls had quite joined.
   MotionStatistics fresh;
   const double duration = whole(last_.duration);
@@ -321,12 +327,12 @@ std::optional<Motion> Journey::restless(MotionKind kind, const std::vector<doubl
   constexpr double longest = 16.0;
   while (kind == MotionKind::chaotic && !drifts_are_known(p_, last_, motion) && last_.duration < longest * duration)
     if (!travel(end_, duration, &last_)) return std::nullopt;
-  motion.state = with_angles_reduced(p_, end_);
+  motion.state = system_.with_angles_reduced(end_);
   motion.exponents = exponents;
   motion.stable = true;
-  describe_statistics(p_, kind == MotionKind::quasi_periodic ? fresh : last_, motion);
+  describe_statistics(system_, kind == MotionKind::quasi_periodic ? fresh : last_, motion);
   motion.balanced = creeps_balanced(motion);
-  motion.copies = motion.balanced ? 1 : count_copies(p_, motion);
+  motion.copies = motion.balanced ? 1 : count_copies(system_, motion);
   return motion;
 }
 
@@ -346,7 +352,7 @@ std::optional<Motion> Journey::persistence() {
 Settling Journey::settle() {
   Settling result;
   for (double stretch = first_; !is_over(); stretch = elapsed_) {
-    if (!travel_stretch(stretch)) break;
+    if (!travel_stretch(stretch) || system_.runs_away(system_.speed(state_))) break;
     result.motion = rest();
     if (!result.motion) result.motion = recurrence();
     if (!result.motion) result.motion = persistence();

@@ -10,6 +10,7 @@
 
 #include "equipoise/base/stop_flag.hpp"
 #include "equipoise/model/parameters.hpp"
+#include "equipoise/model/system.hpp"
 #include "equipoise/orbits/orbit.hpp"
 
 namespace equipoise {
@@ -19,13 +20,22 @@ enum class MotionKind { equilibrium, periodic, quasi_periodic, chaotic, measured
 /// "equilibrium", "periodic", "quasi-periodic", "chaotic", "measured".
 const char* name_of(MotionKind kind);
 
-/// Everything known of one motion of the constant-speed system, refined as far as its kind allows.
+/// What turns the rotor along a motion under a motor, and what that takes. Units as in docs/equations.md.
+struct MotorLoad {
+  model::DrivePiece drive;                   ///< the motor
+  double speed_min = 0.0, speed_max = 0.0;   ///< extremes of psi'
+  double torque = 0.0, power = 0.0;          ///< means of what the motor gives
+  double support_power = 0.0;                ///< the part of it that the supports' dampers take; the balls' drag has the rest
+};
+
+/// Everything known of one motion of a system in the last piece of its drive, refined as far as its kind allows.
 struct Motion {
   MotionKind kind = MotionKind::equilibrium;
-  double speed = 0.0;                            ///< Omega
-  Eigen::VectorXd state;                         ///< a state on it, angles in [0, 2 pi)
+  double speed = 0.0;                            ///< Omega; under a motor the mean of psi'
+  std::optional<MotorLoad> motor;                ///< empty where the speed is prescribed
+  Eigen::VectorXd state;                         ///< a state on it, angles in [0, turn)
   double period = 0.0;                           ///< periodic only
-  Winding winding{};                             ///< periodic only: whole turns of each ball in one period, with sign
+  Winding winding{};                             ///< periodic only: whole turns of each angle in one period, with sign
   std::array<double, model::max_balls> drift{};  ///< mean phi'
   std::array<double, model::max_balls> rate_min{}, rate_max{};  ///< extremes of phi'
   double r_min = 0.0, r_mean = 0.0, r_max = 0.0;                ///< distance of the rotor's centre from the axis
@@ -34,11 +44,11 @@ struct Motion {
   bool stable = false;            ///< attracts its neighbourhood (linear stability; measured for the other two kinds)
   double residual = 0.0;          ///< of the refinement; 0 for motions that cannot be refined
   PeriodicOrbit orbit;            ///< periodic only
-  /// Of a rotor with anisotropic supports or gravity, whose equations depend on its angle. `state` then holds where
-  /// psi = 0, r is measured from where the rotor rests under gravity, and every multiplier counts: `spectrum` of an
-  /// equilibrium too are multipliers, over strobe_period().
+  /// Of a rotor with anisotropic supports or gravity, whose equations depend on its angle, while it turns. r is measured
+  /// from where the rotor rests under gravity; `spectrum` of an equilibrium too are multipliers, over one strobe. At a
+  /// prescribed speed `state` holds where psi = 0, and every multiplier counts.
   bool strobed = false;
-  int strobes = 0;        ///< strobed and periodic only: `period` in units of strobe_period()
+  int strobes = 0;        ///< strobed and periodic only: turns of the rotor, by strobe_angle(), in `period`
   bool balanced = false;  ///< strobed only: gravity and anisotropy taken away gradually lead to a balanced state
   double duration = 0.0;  ///< time over which the statistics were taken; 0 for an equilibrium
 
@@ -73,13 +83,18 @@ Motion describe_orbit(const model::System& system, const PeriodicOrbit& orbit);
 /// states, from `state` next to it; deviations across it die out at `rate`.
 Motion describe_creep(const model::System& system, const Eigen::VectorXd& state, double rate);
 
+/// The system that the motion is one of.
+model::System system_of(const model::Parameters& p, const Motion& motion);
+
 /// The same motion, up to a shift in time, whole turns and exchange of equal balls. Orbits and equilibria are compared
 /// as point sets to 1e-6, the others by their statistics.
 bool same_motion(const model::Parameters& p, const Motion& a, const Motion& b);
 
 /// What a motion is called. Names follow from topology alone (see docs/numerics.md); `id` is fixed for the motions of
 /// two balls that have names of their own (balanced 1, co-drifting 2, drifting apart 3, one captured 4, one captured
-/// with period 4 5, pair drift 6, locked 7) and 0 for all others.
+/// with period 4 5, pair drift 6, locked 7) and 0 for all others. Under a motor the same names, and what becomes of the
+/// rotor behind them: "captured at resonance", "backwards"; a rotor that does not turn is "stalled", whatever the balls
+/// do (docs/motions.md).
 struct MotionName {
   std::string name, alias;  ///< alias: V1 to V4 of Wright and Peng (2019), two balls only, else empty
   int id = 0;

@@ -9,6 +9,7 @@
 
 #include "equipoise/base/angles.hpp"
 #include "equipoise/model/balanced_state.hpp"
+#include "equipoise/model/strobe.hpp"
 #include "equipoise/motions/motion_symmetry.hpp"
 #include "equipoise/orbits/stroboscopic.hpp"
 
@@ -83,15 +84,21 @@ void describe_pairs(const model::Parameters& p, const MotionStatistics& statisti
   motion.together = one_side;
 }
 
-Eigen::VectorXd with_angles_reduced(const model::Parameters& p, Eigen::VectorXd state) {
-  for (int i = 0; i < p.balls; ++i) {
-    double& phi = state[model::index::phi(i)];
-    phi = wrapped_positive(phi);
-  }
-  return state;
+namespace {
+void describe_drive(const model::System& system, const MotionStatistics& statistics, Motion& motion) {
+  motion.speed = system.speed();
+  if (system.prescribed()) return;
+  const double time = statistics.duration;
+  const DriveStatistics& d = statistics.drive;
+  motion.speed = statistics.speed_mean();
+  motion.motor = MotorLoad{system.drive(),           d.speed_min,   d.speed_max,
+                           d.torque_integral / time, d.work / time, d.support_work / time};
 }
+}  // namespace
 
-void describe_statistics(const model::Parameters& p, const MotionStatistics& statistics, Motion& motion) {
+void describe_statistics(const model::System& system, const MotionStatistics& statistics, Motion& motion) {
+  const model::Parameters& p = system.parameters();
+  describe_drive(system, statistics, motion);
   motion.duration = statistics.duration;
   motion.r_min = statistics.r_min;
   motion.r_mean = statistics.r_mean();
@@ -114,11 +121,6 @@ bool drifts_are_known(const model::Parameters& p, const MotionStatistics& statis
       if (drift_of(statistics.angle[i] - statistics.angle[k], motion) == Drift::unknown) return false;
   }
   return true;
-}
-
-int continuum_dimension(const model::Parameters& p) {
-  if (model::balanced_states(p).kind != model::BalancedStates::Kind::family) return 0;
-  return std::max(p.balls - 2, 1);
 }
 
 bool attracts(const Eigen::VectorXcd& eigenvalues, int zeros_allowed) {
@@ -158,49 +160,65 @@ void describe_rest(const model::Parameters& p, Motion& motion) {
   describe_pairs(p, statistics, motion);
 }
 
-// An orbit of a strobed system that is an equilibrium: gravity lets nothing rest, and components of what rests are zero
-// to rounding.
-bool is_at_rest(const model::Parameters& p, const PeriodicOrbit& orbit) {
+// An orbit of a system that depends on the rotor's angle that is an equilibrium: gravity lets nothing rest, and
+// components of what rests are zero to rounding.
+bool is_at_rest(const model::System& system, const PeriodicOrbit& orbit) {
   constexpr double at_rest = 1e-9;
+  const int n = system.balls();
   const Eigen::VectorXd& z = orbit.nodes.front();
-  return orbit.imposed && p.gravity == 0.0 && z.head(4).lpNorm<Eigen::Infinity>() <= at_rest &&
-         z.tail(p.balls).lpNorm<Eigen::Infinity>() <= at_rest;
+  return !system.autonomous() && system.parameters().gravity == 0.0 && z.head(4).lpNorm<Eigen::Infinity>() <= at_rest &&
+         z.segment(model::index::q(0, n), n).lpNorm<Eigen::Infinity>() <= at_rest;
+}
+
+// Of a motion whose speed does not change.
+void describe_steady_drive(const model::System& system, Motion& motion) {
+  motion.speed = system.speed(motion.state);
+  if (system.prescribed()) return;
+  const auto& damping = system.parameters().damping;
+  const double torque = system.torque(motion.state), power = torque * motion.speed;
+  motion.motor = MotorLoad{system.drive(), motion.speed, motion.speed, torque, power,
+                           0.5 * (damping[0] + damping[1]) * motion.state.segment(2, 2).squaredNorm()};
 }
 
 }  // namespace
 
+model::System system_of(const model::Parameters& p, const Motion& motion) {
+  return motion.motor ? model::System(p, motion.motor->drive) : model::System(p, motion.speed);
+}
+
 Motion describe_equilibrium(const model::System& system, const Equilibrium& equilibrium) {
-  const model::Parameters& p = system.parameters();
   Motion motion;
   motion.kind = MotionKind::equilibrium;
-  motion.speed = system.speed();
-  motion.state = with_angles_reduced(p, equilibrium.state);
+  motion.state = system.with_angles_reduced(equilibrium.state);
+  describe_steady_drive(system, motion);
   motion.spectrum = equilibrium.eigenvalues;
   for (const std::complex<double>& value : equilibrium.eigenvalues) motion.exponents.push_back(value.real());
   motion.residual = equilibrium.residual;
-  motion.r_min = motion.r_mean = motion.r_max = std::hypot(motion.state[0], motion.state[1]);
-  describe_rest(p, motion);
-  motion.stable = attracts(motion.spectrum, is_balanced_continuum(p, motion) ? continuum_dimension(p) : 0);
-  motion.copies = count_copies(p, motion);
+  const auto rest = system.psi_place() < 0
+                        ? std::array{0.0, 0.0}
+                        : model::rest_position(system.parameters(), motion.state[system.psi_place()]);
+  motion.r_min = motion.r_mean = motion.r_max = std::hypot(motion.state[0] - rest[0], motion.state[1] - rest[1]);
+  describe_rest(system.parameters(), motion);
+  motion.stable = attracts(motion.spectrum, is_balanced(system, motion) ? model::balanced_freedom(system) : 0);
+  motion.copies = count_copies(system, motion);
   return motion;
 }
 
 Motion describe_orbit(const model::System& system, const PeriodicOrbit& orbit) {
-  const model::Parameters& p = system.parameters();
-  const bool rests = is_at_rest(p, orbit);
+  const bool rests = is_at_rest(system, orbit);
   Motion motion;
   motion.kind = rests ? MotionKind::equilibrium : MotionKind::periodic;
-  motion.speed = system.speed();
-  motion.state = with_angles_reduced(p, orbit.nodes.front());
+  motion.state = system.with_angles_reduced(orbit.nodes.front());
+  describe_steady_drive(system, motion);
   motion.orbit = orbit;
-  motion.spectrum = orbit.multipliers;
-  for (const std::complex<double>& value : orbit.multipliers)
+  motion.spectrum = rests ? orbit.decays() : orbit.multipliers;
+  for (const std::complex<double>& value : motion.spectrum)
     motion.exponents.push_back(std::log(std::max(1e-300, std::abs(value))) / orbit.period);
   std::sort(motion.exponents.begin(), motion.exponents.end(), std::greater<>());
-  motion.stable = contracts(orbit.decays(), rests ? continuum_dimension(p) : 0);
+  motion.stable = contracts(orbit.decays(), rests ? model::balanced_freedom(system) : 0);
   motion.residual = orbit.residual;
   if (rests) {
-    describe_rest(p, motion);
+    describe_rest(system.parameters(), motion);
   } else {
     motion.period = orbit.period;
     motion.winding = orbit.winding;
@@ -208,33 +226,32 @@ Motion describe_orbit(const model::System& system, const PeriodicOrbit& orbit) {
     const double arc = orbit.period / static_cast<double>(orbit.nodes.size());
     for (Eigen::VectorXd state : orbit.nodes)  // arc by arc: an unstable orbit would not be followed for long
       follow(system, state, arc, tolerance, &statistics);
-    describe_statistics(p, statistics, motion);
+    describe_statistics(system, statistics, motion);
   }
-  if (orbit.imposed) {
+  const int turns = system.psi_place() < 0 ? 0 : std::abs(orbit.winding[system.balls()]);
+  if (orbit.imposed || turns > 0) {
     motion.strobed = true;
-    motion.strobes = static_cast<int>(orbit.nodes.size());
+    motion.strobes = orbit.imposed ? static_cast<int>(orbit.nodes.size()) : turns;
     motion.balanced = rests || leads_to_balance(system, orbit);
   } else {
     motion.half_period_exchange = is_half_period_exchange(system, orbit);
   }
-  motion.copies = count_copies(p, motion);
+  motion.copies = count_copies(system, motion);
   return motion;
 }
 
 Motion describe_creep(const model::System& system, const Eigen::VectorXd& state, double rate) {
   constexpr int strobes = 100;
   constexpr double creep_tolerance = 1e-9;
-  const model::Parameters& p = system.parameters();
   Motion motion;
   motion.kind = MotionKind::quasi_periodic;
   motion.strobed = motion.balanced = motion.stable = true;
-  motion.speed = system.speed();
-  motion.state = with_angles_reduced(p, state);
+  motion.state = system.with_angles_reduced(state);
   motion.exponents = {0.0, rate};
   MotionStatistics statistics;
   Eigen::VectorXd z = state;
   follow(system, z, strobes * system.strobe_period(), creep_tolerance, &statistics);
-  describe_statistics(p, statistics, motion);
+  describe_statistics(system, statistics, motion);
   motion.drift.fill(0.0);
   motion.drift_group.fill(0);
   return motion;

@@ -12,20 +12,15 @@ namespace equipoise {
 /// Zero eigenvalues of a continuum of balanced states are zero to rounding; the slowest others seen are 1e-4.
 inline constexpr double zero_eigenvalue = 1e-8;
 
-/// The same state with all ball angles in [0, 2 pi).
-Eigen::VectorXd with_angles_reduced(const model::Parameters& p, Eigen::VectorXd state);
-
-/// Fills what follows from statistics: r, rates, drift and what the balls do. Kind, period and winding must be there.
-void describe_statistics(const model::Parameters& p, const MotionStatistics& statistics, Motion& motion);
+/// Fills what follows from statistics: r, rates, speed, drift and what the balls do. Kind, period and winding must be
+/// there.
+void describe_statistics(const model::System& system, const MotionStatistics& statistics, Motion& motion);
 
 /// Whether statistics of a measured motion are long enough to tell which balls drift, and which of them alike.
 bool drifts_are_known(const model::Parameters& p, const MotionStatistics& statistics, const Motion& motion);
 
 /// The part of that which tells what pairs of balls do.
 void describe_pairs(const model::Parameters& p, const MotionStatistics& statistics, Motion& motion);
-
-/// Dimension of the continuum that the balanced states form; 0 if they are isolated.
-int continuum_dimension(const model::Parameters& p);
 
 /// No eigenvalue has a positive real part, and at most `zeros_allowed` are zero: those of a continuum.
 bool attracts(const Eigen::VectorXcd& eigenvalues, int zeros_allowed);

@@ -11,7 +11,9 @@
 #include "equipoise/integrate/adaptive-inl.hpp"
 #include "equipoise/model/ball_count.hpp"
 #include "equipoise/model/flow-inl.hpp"
+#include "equipoise/model/smooth_flow-inl.hpp"
 #include "equipoise/model/strobe.hpp"
+#include "equipoise/orbits/tangent_flow-inl.hpp"
 #include "equipoise/transients/transient_watch.hpp"
 
 namespace equipoise {
@@ -29,31 +31,42 @@ MotionFigures figures_of(const TransientSums& sums) {
           std::sqrt(w.velocity / w.length), w.unbalance / w.length};
 }
 
-// The rotor's angle is 0 where the motion's state holds.
-MotionFigures followed(const model::Parameters& p, const Motion& motion, double duration) {
-  using Flow = kernels::FreeFlow<double, model::any_count, kernels::Terms{}>;
-  const model::Segment segment{0.0, std::numeric_limits<double>::infinity(), 0.0, motion.speed, 0.0, false};
+// The rotor's angle is 0 where the motion's state holds, unless it is part of it.
+template <class Flow>
+MotionFigures followed(const model::System& system, const Flow& flow, const Motion& motion, double duration) {
+  const model::Parameters& p = system.parameters();
+  const auto sample = [&](double t, const double* z) {
+    const double psi = system.psi_place() < 0 ? system.speed() * t : z[system.psi_place()];
+    return transient_sample(p, psi, t, z);
+  };
   TransientSettings settings;
   settings.window = std::numeric_limits<double>::infinity();
   TransientWatch watch(settings);
   std::array<double, Flow::dimension> z;
   std::copy_n(motion.state.data(), motion.state.size(), z.begin());
-  watch.begin(transient_sample(p, 0.0, 0.0, z.data()));
+  watch.begin(sample(0.0, z.data()));
   if (duration > 0.0) {
-    const Flow flow(p, segment);
     kernels::ErrorScale<Flow::dimension> scale;
     scale.tolerance = tolerance;
-    kernels::set_state_scale(p, 1, scale);
-    kernels::AdaptiveIntegrator<Flow, Flow::dimension> integrator(flow, scale, flow.size());
+    kernels::set_system_scale(system, 1, scale);
+    kernels::AdaptiveIntegrator<Flow, Flow::dimension> integrator(flow, scale, system.dimension());
     integrator.advance(0.0, duration, z.data(), [&](double, double to, auto&& state_at) {
       watch.step_to(to, [&](double t) {
         std::array<double, Flow::dimension> at;
         state_at(t, at.data());
-        return transient_sample(p, segment.psi_at(t), t, at.data());
+        return sample(t, at.data());
       });
     });
   }
   return figures_of(watch.sums());
+}
+
+MotionFigures followed(const model::System& system, const Motion& motion, double duration) {
+  using PlainFlow = kernels::FreeFlow<double, model::any_count, kernels::Terms{}>;
+  using GeneralFlow = kernels::SmoothFlow<double, model::any_count>;
+  if (!system.plain()) return followed(system, GeneralFlow(system, 0.0), motion, duration);
+  const model::Segment segment{0.0, std::numeric_limits<double>::infinity(), 0.0, motion.speed, 0.0, false};
+  return followed(system, PlainFlow(system.parameters(), segment), motion, duration);
 }
 
 double stretch(const model::Parameters& p, const Motion& motion) {
@@ -67,6 +80,7 @@ double stretch(const model::Parameters& p, const Motion& motion) {
   }
 }
 
+// Nothing moves in fixed axes.
 bool balanced_exactly(const model::Parameters& p, const Motion& motion) {
   if (motion.kind != MotionKind::equilibrium || p.gravity != 0.0) return false;
   constexpr double rounding = 1e-10;  // refined equilibria are good to less
@@ -76,7 +90,7 @@ bool balanced_exactly(const model::Parameters& p, const Motion& motion) {
 
 MotionFigures motion_figures(const model::Parameters& p, const Motion& motion) {
   if (balanced_exactly(p, motion)) return {};
-  MotionFigures figures = followed(p, motion, stretch(p, motion));
+  MotionFigures figures = followed(system_of(p, motion), motion, stretch(p, motion));
   figures.radial = std::max(figures.radial, motion.r_max);
   return figures;
 }
@@ -84,8 +98,10 @@ MotionFigures motion_figures(const model::Parameters& p, const Motion& motion) {
 KnownEnd known_end(const model::Parameters& p, const Attractor& attractor) {
   const Motion& motion = attractor.motion;
   if (motion.kind == MotionKind::measured || motion.state.size() == 0) return {};
-  if (attractor.id == balanced_id && p.gravity == 0.0) return {MotionFigures{}, 0.0};
-  const bool unique = attractor.id != balanced_id || p.balls == 1 || (p.balls == 2 && p.equal_balls());
+  if (attractor.id == balanced_id && p.gravity == 0.0 && p.race_is_centred()) return {MotionFigures{}, 0.0};
+  // Members of a continuum around an off-centre race whirl alike.
+  const bool unique = attractor.id != balanced_id || p.balls == 1 || (p.balls == 2 && p.equal_balls()) ||
+                      (p.gravity == 0.0 && p.isotropic());
   if (unique) return {motion_figures(p, motion), 0.0};
   constexpr double time_constants = 5.0;  // what is left is below 1 %
   double rate = 0.0;

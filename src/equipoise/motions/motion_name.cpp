@@ -1,5 +1,5 @@
 // Names of motions, from topology alone: which balls wind, which move as one, and when the motion comes back.
-// The table is in docs/numerics.md ("Names").
+// The table is in docs/motions.md ("Names").
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
@@ -9,13 +9,14 @@
 #include <fmt/format.h>
 
 #include "equipoise/base/angles.hpp"
+#include "equipoise/model/balanced_state.hpp"
 #include "equipoise/motions/motion.hpp"
 
 namespace equipoise {
 
 namespace {
 
-// Largest r of a refined equilibrium that is balanced: the balls' exact cancellation leaves rounding only.
+// Of a refined equilibrium that is balanced, off_balance(): the balls' exact cancellation leaves rounding only.
 constexpr double centred = 1e-9;
 
 // Two, less what counting over the hundred turns or more of a measured motion may miss. Exact values are rational.
@@ -67,8 +68,8 @@ std::string grouping(const std::vector<int>& groups, int count) {
   return fmt::format(" ({} together)", text);
 }
 
-MotionName name_at_rest(const Motion& motion) {
-  return motion.r_max < centred ? MotionName{"balanced", "", balanced} : MotionName{"locked", "", locked};
+MotionName name_at_rest(const model::Parameters& p, const Motion& motion) {
+  return model::off_balance(p, motion.state[0], motion.state[1]) < centred ? MotionName{"balanced", "", balanced} : MotionName{"locked", "", locked};
 }
 
 // Motions that keep step with the rotor: all balls captured, or all of them left behind by a turn every turn, at rest
@@ -126,23 +127,52 @@ MotionName name_of_many(const Motion& motion, const Topology& topology) {
 
 }  // namespace
 
+namespace {
+
+// The rotor does not turn, or only to and fro.
+bool stalls(const Motion& motion) {
+  constexpr double standing = 1e-6;  // means of refined and of regular motions are truer than that
+  return motion.motor && std::fabs(motion.speed) < standing;
+}
+
+// Sommerfeld's effect: the rotor hangs at the resonance of its supports, nearer to it (in ratio) than to the speed at
+// which the motor has nothing to do, and most of what the motor gives goes into shaking the supports.
+bool captured_at_resonance(const model::System& system, const Motion& motion) {
+  const model::Parameters& p = system.parameters();
+  const double meant = std::fabs(system.pace()), speed = std::fabs(motion.speed);
+  const double resonance = std::sqrt(0.5 * (p.stiffness[0] + p.stiffness[1]) / (1.0 + p.total_mass()));
+  return meant > resonance && speed * speed < resonance * meant &&
+         motion.motor->support_power > 0.5 * motion.motor->power;
+}
+
+// What becomes of a driven rotor, where it is not what its motor is there for.
+std::string of_the_rotor(const model::Parameters& p, const Motion& motion) {
+  if (!motion.motor) return "";
+  const model::System system = system_of(p, motion);
+  std::string text = captured_at_resonance(system, motion) ? ", captured at resonance" : "";
+  if (system.pace() * motion.speed < 0.0) text += ", backwards";
+  return text;
+}
+
+MotionName name_by_balls(const model::Parameters& p, const Motion& motion) {
+  if (motion.strobed && motion.balanced) return {"balanced", "", balanced};
+  if (motion.kind == MotionKind::equilibrium) return name_at_rest(p, motion);
+  if (keeps_step(p, motion)) return {"locked", "", locked};
+  if (hangs(p, motion)) return {"hanging" + (motion.strobes > 1 ? suffix(motion, 0) : ""), "", other};
+  const Topology topology(p, motion);
+  return p.balls == 1   ? name_of_one(motion, topology)
+         : p.balls == 2 ? name_of_two(motion, topology)
+                        : name_of_many(motion, topology);
+}
+
+}  // namespace
+
 MotionName motion_name(const model::Parameters& p, const Motion& motion) {
-  MotionName name;
-  if (motion.strobed && motion.balanced) {
-    name = {"balanced", "", balanced};
-  } else if (motion.kind == MotionKind::equilibrium) {
-    name = name_at_rest(motion);
-  } else if (keeps_step(p, motion)) {
-    name = {"locked", "", locked};
-  } else if (hangs(p, motion)) {
-    name = {"hanging" + (motion.strobes > 1 ? suffix(motion, 0) : ""), "", other};
-  } else {
-    const Topology topology(p, motion);
-    name = p.balls == 1   ? name_of_one(motion, topology)
-           : p.balls == 2 ? name_of_two(motion, topology)
-                          : name_of_many(motion, topology);
-  }
+  if (stalls(motion)) return {"stalled" + (motion.kind == MotionKind::periodic ? "" : suffix(motion, 0)), "", other};
+  MotionName name = name_by_balls(p, motion);
   if (p.balls != 2 && name.id != balanced) name.id = other;
+  if (const std::string rotor = of_the_rotor(p, motion); name.id != balanced && !rotor.empty())
+    name = {name.name + rotor, "", other};
   return name;
 }
 

@@ -7,41 +7,67 @@
 #include "equipoise/integrate/adaptive-inl.hpp"
 #include "equipoise/model/ball_count.hpp"
 #include "equipoise/model/flow-inl.hpp"
+#include "equipoise/model/frames.hpp"
+#include "equipoise/model/smooth_flow-inl.hpp"
 #include "equipoise/model/strobe.hpp"
+#include "equipoise/orbits/tangent_flow-inl.hpp"
 
 namespace equipoise {
 
 namespace {
 namespace kernels = HWY_NAMESPACE;
-constexpr int most = model::dimension(model::max_balls);
+constexpr int most = kernels::SmoothFlow<double, model::any_count>::dimension;
 
-// A state with its rate of change, and what is watched: r^2 and the ball rates, each with its derivative.
+// A state with its rate of change, and what is watched: r^2, the ball rates and a driven rotor's psi', each with its
+// derivative.
 struct Instant {
-  explicit Instant(int balls) : n(balls) {}
+  Instant(int balls, int speed_place) : n(balls), speed(speed_place) {}
 
-  int n;  // balls
+  int n;      // balls
+  int speed;  // place of psi', -1 if it is prescribed
   double t = 0.0;
   double z[most], dz[most];
   double x, y;  // position that r is the length of
 
-  // Of r^2 (0) or of phi_i' (i + 1). What r is measured from rests in fixed axes, so that (u, v) is its rate of change.
-  double half_slope(int watched) const { return watched == 0 ? x * z[2] + y * z[3] : dz[4 + n + watched - 1]; }
-  double value(int watched) const { return watched == 0 ? std::hypot(x, y) : z[4 + n + watched - 1]; }
+  // Of r^2 (0), of phi_i' (i + 1) or of psi' (n + 1). What r is measured from rests in fixed axes, so that (u, v) is its
+  // rate of change.
+  double half_slope(int watched) const { return watched == 0 ? x * z[2] + y * z[3] : dz[rate_place(watched)]; }
+  double value(int watched) const { return watched == 0 ? std::hypot(x, y) : z[rate_place(watched)]; }
+  int rate_place(int watched) const { return watched <= n ? 4 + n + watched - 1 : speed; }
   double r_slope() const {
     const double r = value(0);
     return r > 0.0 ? half_slope(0) / r : 0.0;
   }
 };
 
+// What a flow's source makes of a system: its equations, and their angle where it is no part of the state.
 template <kernels::Terms terms>
+struct PlainFlow {
+  using Flow = kernels::FreeFlow<double, model::any_count, terms>;
+  static constexpr bool sags = terms.gravity;
+  static Flow make(const model::System& system) {
+    return {system.parameters(), model::Segment{0.0, 0.0, 0.0, system.speed(), 0.0, false}};
+  }
+};
+struct GeneralFlow {
+  using Flow = kernels::SmoothFlow<double, model::any_count>;
+  static constexpr bool sags = true;
+  static Flow make(const model::System& system) { return {system, 0.0}; }
+};
+
+template <class Source>
 class Gatherer {
  public:
-  using Flow = kernels::FreeFlow<double, model::any_count, terms>;
+  using Flow = typename Source::Flow;
 
-  Gatherer(const model::Parameters& p, const Flow& flow, const model::Segment& segment, MotionStatistics& statistics,
-           const double* z)
-      : n(p.balls), flow_(flow), segment_(segment), sag_(model::static_sag(p)), statistics_(statistics), last_(n) {
-    std::copy(z, z + flow.size(), last_.z);
+  Gatherer(const model::System& system, const Flow& flow, MotionStatistics& statistics, const double* z)
+      : n(system.balls()),
+        system_(system),
+        flow_(flow),
+        sag_(model::static_sag(system.parameters())),
+        statistics_(statistics),
+        last_(n, system.speed_place()) {
+    std::copy(z, z + system.dimension(), last_.z);
     complete(last_);
     const bool fresh = statistics.duration == 0.0;
     for (int i = 0; i < n; ++i) {
@@ -56,11 +82,13 @@ class Gatherer {
   template <class StateAt>
   void step(double begin, double end, double spacing, StateAt& state_at) {
     const int parts = std::max(1, static_cast<int>(std::ceil((end - begin) / spacing)));
+    const int watched_last = driven() ? n + 1 : n;
     for (int k = 1; k <= parts; ++k) {
       Instant now = instant(begin + (end - begin) * k / parts, state_at);
-      for (int watched = 0; watched <= n; ++watched)
+      for (int watched = 0; watched <= watched_last; ++watched)
         if (last_.half_slope(watched) * now.half_slope(watched) < 0.0)
           take_extremes(turning_point(watched, last_, now, state_at));
+      if (driven()) add_drive(instant(0.5 * (last_.t + now.t), state_at), now);
       add_interval(now);
       last_ = now;
     }
@@ -72,9 +100,11 @@ class Gatherer {
   }
 
  private:
+  bool driven() const { return last_.speed >= 0; }
+
   template <class StateAt>
   Instant instant(double t, StateAt& state_at) const {
-    Instant result(n);
+    Instant result(n, last_.speed);
     result.t = t;
     state_at(t, result.z);
     complete(result);
@@ -85,9 +115,10 @@ class Gatherer {
     flow_(at.t, at.z, at.dz);
     at.x = at.z[0];
     at.y = at.z[1];
-    if constexpr (terms.gravity) {
-      at.x -= sag_ * std::sin(segment_.psi_at(at.t));
-      at.y -= sag_ * std::cos(segment_.psi_at(at.t));
+    if constexpr (Source::sags) {
+      const double psi = system_.psi_place() < 0 ? system_.speed() * at.t : at.z[system_.psi_place()];
+      at.x -= sag_ * std::sin(psi);
+      at.y -= sag_ * std::cos(psi);
     }
   }
 
@@ -120,6 +151,9 @@ class Gatherer {
       statistics_.rate_min[i] = std::min(statistics_.rate_min[i], at.value(i + 1));
       statistics_.rate_max[i] = std::max(statistics_.rate_max[i], at.value(i + 1));
     }
+    if (!driven()) return;
+    statistics_.drive.speed_min = std::min(statistics_.drive.speed_min, at.z[at.speed]);
+    statistics_.drive.speed_max = std::max(statistics_.drive.speed_max, at.z[at.speed]);
   }
 
   void add_interval(const Instant& now) {
@@ -132,9 +166,34 @@ class Gatherer {
     }
   }
 
+  // By Simpson's rule.
+  void add_drive(const Instant& middle, const Instant& now) {
+    const auto integral = [&](auto&& value) {
+      return (now.t - last_.t) / 6.0 * (value(last_) + 4.0 * value(middle) + value(now));
+    };
+    const auto speed = [&](const Instant& at) { return at.z[at.speed]; };
+    DriveStatistics& drive = statistics_.drive;
+    drive.speed_integral += integral(speed);
+    drive.torque_integral += integral([&](const Instant& at) { return torque(at); });
+    drive.work += integral([&](const Instant& at) { return torque(at) * speed(at); });
+    drive.support_work += integral([&](const Instant& at) { return support_power(at); });
+  }
+  // On equal supports at whatever angle.
+  double support_power(const Instant& at) const {
+    const double psi = system_.psi_place() < 0 ? 0.0 : at.z[system_.psi_place()];
+    const auto [X, Y] = model::in_fixed_axes(std::cos(psi), std::sin(psi), at.z[2], at.z[3]);
+    const auto& damping = system_.parameters().damping;
+    return damping[0] * X * X + damping[1] * Y * Y;
+  }
+  double torque(const Instant& at) const {
+    const int error = system_.error_place();
+    const model::DriveSegment& motor = system_.drive().motor;
+    return motor.torque(motor.begin, at.z[at.speed], error < 0 ? 0.0 : at.z[error]);
+  }
+
   const int n;  // balls
+  const model::System& system_;
   const Flow& flow_;
-  const model::Segment& segment_;
   const double sag_;
   MotionStatistics& statistics_;
   Instant last_;
@@ -144,8 +203,8 @@ class Gatherer {
 // Takes angles at equally spaced times, which run on from one stretch to the next.
 class Recorder {
  public:
-  Recorder(int balls, double speed, MotionStatistics& statistics, const double* z)
-      : n(balls), spacing_(record_spacing(speed)), before_(statistics.duration), statistics_(statistics) {
+  Recorder(int balls, MotionStatistics& statistics, const double* z)
+      : n(balls), spacing_(4.0 * statistics.spacing), before_(statistics.duration), statistics_(statistics) {
     if (statistics.recorded > 0) return;
     statistics.angle.fill(AngleRecord(spacing_));
     take(z);
@@ -172,24 +231,25 @@ class Recorder {
   MotionStatistics& statistics_;
 };
 
-template <kernels::Terms terms>
-IntegrationStatus follow_balls(const model::Parameters& p, double speed, Eigen::VectorXd& z, double duration,
-                               double tolerance, MotionStatistics* statistics, std::vector<Eigen::VectorXd>* samples,
+template <class Source>
+IntegrationStatus follow_balls(const model::System& system, Eigen::VectorXd& z, double duration, double tolerance,
+                               MotionStatistics* statistics, std::vector<Eigen::VectorXd>* samples,
                                const StopFlag* stop) {
-  using Flow = kernels::FreeFlow<double, model::any_count, terms>;
-  kernels::ErrorScale<most> scale;
+  using Flow = typename Source::Flow;
+  kernels::ErrorScale<Flow::dimension> scale;
   scale.tolerance = tolerance;
-  kernels::set_state_scale(p, 1, scale);
-  const model::Segment segment{0.0, 0.0, 0.0, speed, 0.0, false};
-  const Flow flow(p, segment);
-  kernels::AdaptiveIntegrator<Flow, most> integrator(flow, scale, flow.size());
+  kernels::set_system_scale(system, 1, scale);
+  const Flow flow = Source::make(system);
+  kernels::AdaptiveIntegrator<Flow, Flow::dimension> integrator(flow, scale, system.dimension());
   if (!statistics && !samples)
     return integrator.advance(
         0.0, duration, z.data(), [](double, double, auto&&) {}, stop);
-  const double spacing = sample_spacing(speed);
   MotionStatistics unused;
-  Gatherer<terms> gatherer(p, flow, segment, statistics ? *statistics : unused, z.data());
-  Recorder recorder(p.balls, speed, statistics ? *statistics : unused, z.data());
+  MotionStatistics& sums = statistics ? *statistics : unused;
+  if (sums.spacing == 0.0) sums.spacing = sample_spacing(system, z);
+  const double spacing = sums.spacing;
+  Gatherer<Source> gatherer(system, flow, sums, z.data());
+  Recorder recorder(system.balls(), sums, z.data());
   std::size_t next = 1;
   if (samples) samples->assign(1, z);
   const IntegrationStatus status = integrator.advance(
@@ -198,7 +258,7 @@ IntegrationStatus follow_balls(const model::Parameters& p, double speed, Eigen::
         gatherer.step(t, t_new, spacing, at);
         recorder.step(t_new, at);
         for (; samples && static_cast<double>(next) * spacing <= t_new; ++next) {
-          samples->emplace_back(flow.size());
+          samples->emplace_back(system.dimension());
           at(static_cast<double>(next) * spacing, samples->back().data());
         }
       },
@@ -243,21 +303,28 @@ bool similar(const MotionStatistics& a, const MotionStatistics& b, int n, double
   same = same && close(slowest_a, slowest_b, share_of_extremes * rate) &&
          close(fastest_a, fastest_b, share_of_extremes * rate) &&
          close(drift_a, drift_b, share_of_means * rate + two_pi / a.duration);
-  return same;
+  // psi' of a driven rotor.
+  if (!(b.drive.speed_max >= b.drive.speed_min)) return same;
+  const double fastest = std::max(std::fabs(b.drive.speed_min), std::fabs(b.drive.speed_max));
+  return same && close(a.drive.speed_min, b.drive.speed_min, share_of_extremes * fastest) &&
+         close(a.drive.speed_max, b.drive.speed_max, share_of_extremes * fastest) &&
+         close(a.speed_mean(), b.speed_mean(), share_of_means * fastest);
 }
 
-double record_spacing(double speed) { return 4.0 * sample_spacing(speed); }
-
-double sample_spacing(double speed) { return 0.2 / std::max(1.0, std::fabs(speed)); }
+double sample_spacing(const model::System& system, const Eigen::VectorXd& state) {
+  return 0.2 / std::max({1.0, std::fabs(system.pace()), std::fabs(system.speed(state))});
+}
 
 IntegrationStatus follow(const model::System& system, Eigen::VectorXd& state, double duration, double tolerance,
                          MotionStatistics* statistics, std::vector<Eigen::VectorXd>* samples, const StopFlag* stop) {
-  constexpr kernels::Terms autonomous{false, false, false}, strobed{false, true, true};
-  const model::Parameters& p = system.parameters();
-  const double speed = system.speed();
-  const IntegrationStatus status =
-      system.autonomous() ? follow_balls<autonomous>(p, speed, state, duration, tolerance, statistics, samples, stop)
-                          : follow_balls<strobed>(p, speed, state, duration, tolerance, statistics, samples, stop);
+  using Autonomous = PlainFlow<kernels::Terms{false, false, false}>;
+  using Strobed = PlainFlow<kernels::Terms{false, true, true}>;
+  const auto by = [&]<class Source>(Source) {
+    return follow_balls<Source>(system, state, duration, tolerance, statistics, samples, stop);
+  };
+  const IntegrationStatus status = !system.plain()      ? by(GeneralFlow{})
+                                   : system.autonomous() ? by(Autonomous{})
+                                                         : by(Strobed{});
   return is_set(stop) ? IntegrationStatus::failed : status;
 }
 

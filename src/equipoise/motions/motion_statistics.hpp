@@ -29,8 +29,16 @@ struct AngleHistory {
   double last_ = 0.0;
 };
 
+/// psi' of a driven rotor, and what its motor gives.
+struct DriveStatistics {
+  double speed_min = std::numeric_limits<double>::infinity(), speed_max = -speed_min;
+  double speed_integral = 0.0, torque_integral = 0.0;  ///< of psi' and of the motor's torque over time
+  double work = 0.0, support_work = 0.0;               ///< of the motor, and on the supports' dampers
+};
+
 struct MotionStatistics {
   double duration = 0.0;
+  double spacing = 0.0;  ///< of the times at which extremes are looked for, the same for all that is added
   double r_min = std::numeric_limits<double>::infinity(), r_max = 0.0;
   double r_integral = 0.0;                                                ///< of r over time
   std::array<double, model::max_balls> turned{}, rate_min{}, rate_max{};  ///< change of phi_i; extremes of phi_i'
@@ -38,27 +46,29 @@ struct MotionStatistics {
   long recorded = 0;                                                      ///< times at which `angle` took one
   std::array<std::array<AngleHistory, model::max_balls>, model::max_balls> pair;  ///< phi_i - phi_j for i < j
 
+  DriveStatistics drive;  ///< of driven rotors
+
   double r_mean() const { return r_integral / duration; }
+  double speed_mean() const { return drive.speed_integral / duration; }
 };
 
 /// Two stretches show one motion: largest, smallest and mean r and the extremes of all balls' rates together agree to
-/// `share_of_extremes`, mean r and the mean of all rates to `share_of_means`, each of the largest.
+/// `share_of_extremes`, mean r and the mean of all rates to `share_of_means`, each of the largest; so do psi' and its mean.
 bool similar(const MotionStatistics& a, const MotionStatistics& b, int balls, double share_of_extremes,
              double share_of_means);
 
 /// Takes `state` along its trajectory for `duration`; unless the answer is `done` it is left where it was lost. What is
 /// not asked for costs nothing. `statistics`: the stretch is added to it; angles must go on from where those of the
 /// last call ended. Extremes are found to about 1e-8 of their size from the signs of the derivatives at times at most
-/// sample_spacing() apart. `samples` receives the states at the times k sample_spacing(), k = 0, 1, ...
-/// With anisotropic supports or gravity the rotor's angle is 0 at the beginning, and r is measured from where the rotor
-/// would rest under gravity. Once `stop` is set the answer is `failed`, soon.
+/// sample_spacing() of the first state apart. `samples` receives the states at the times k sample_spacing(), k = 0, 1, ...
+/// On section strobe the rotor's angle is 0 at the beginning; under gravity r is measured from where the rotor would
+/// rest. Once `stop` is set the answer is `failed`, soon.
 IntegrationStatus follow(const model::System& system, Eigen::VectorXd& state, double duration, double tolerance,
                          MotionStatistics* statistics = nullptr, std::vector<Eigen::VectorXd>* samples = nullptr,
                          const StopFlag* stop = nullptr);
 
-/// Times between the values of MotionStatistics::angle.
-double record_spacing(double speed);
-/// Times between samples: at speed Omega a ball that the rotor leaves behind turns by Omega times this, 0.2 rad.
-double sample_spacing(double speed);
+/// Times between samples: a ball that the rotor leaves behind turns by 0.2 rad in one. The values of
+/// MotionStatistics::angle are four apart.
+double sample_spacing(const model::System& system, const Eigen::VectorXd& state);
 
 }  // namespace equipoise

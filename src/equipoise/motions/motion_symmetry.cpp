@@ -22,7 +22,7 @@ constexpr double same_point = 1e-6;
 constexpr double same_torus = 0.02, same_chaos = 0.1;
 
 Eigen::VectorXd exchanged(const Eigen::VectorXd& state, int balls, const BallOrder& order) {
-  return state(exchanged_components(balls, order));
+  return state(exchanged_components(balls, order, state.size()));
 }
 
 // Calls visit(order) for every order in which may_replace(i, order[i]) holds throughout, until it returns true.
@@ -61,12 +61,17 @@ double sameness(const Motion& m) {
   return m.kind == MotionKind::chaotic ? same_chaos : m.kind == MotionKind::quasi_periodic ? same_torus : 1e-5;
 }
 
+bool is_balanced_continuum(const model::System& system, const Motion& motion) {
+  return is_balanced(system, motion) && model::balanced_freedom(system) > 0;
+}
+
 long factorial(long k) { return k < 2 ? 1 : k * factorial(k - 1); }
 
 }  // namespace
 
-Eigen::VectorXi exchanged_components(int balls, const BallOrder& order) {
-  Eigen::VectorXi from = Eigen::VectorXi::LinSpaced(model::dimension(balls), 0, model::dimension(balls) - 1);
+Eigen::VectorXi exchanged_components(int balls, const BallOrder& order, Eigen::Index size) {
+  if (size == 0) size = model::dimension(balls);
+  Eigen::VectorXi from = Eigen::VectorXi::LinSpaced(size, 0, static_cast<int>(size) - 1);
   for (int i = 0; i < balls; ++i) {
     from[model::index::phi(i)] = model::index::phi(order[i]);
     from[model::index::q(i, balls)] = model::index::q(order[i], balls);
@@ -103,11 +108,10 @@ bool is_half_period_exchange(const model::System& system, const PeriodicOrbit& o
   return StateDifference(system).distance(exchanged(halves[0], 2, {1, 0}), halves[1]) < same_point;
 }
 
-int count_copies(const model::Parameters& p, const Motion& motion) {
-  const model::System system(p, motion.speed);
-  const int n = p.balls;
+int count_copies(const model::System& system, const Motion& motion) {
+  const int n = system.balls();
   // All members of a continuum of balanced states are one motion, and so are its exchange images.
-  if (motion.kind == MotionKind::equilibrium && is_balanced_continuum(p, motion)) return 1;
+  if (is_balanced_continuum(system, motion)) return 1;
   long images = 1;  // orders of equal balls ...
   for (int i = 0; i < n; ++i) {
     bool first = true;
@@ -154,19 +158,22 @@ int count_copies(const model::Parameters& p, const Motion& motion) {
   return static_cast<int>(images / std::max(unchanged, 1L));
 }
 
-bool is_balanced_continuum(const model::Parameters& p, const Motion& motion) {
-  return motion.r_max < same_point && model::balanced_states(p).kind == model::BalancedStates::Kind::family;
+bool is_balanced(const model::System& system, const Motion& motion) {
+  return motion.kind == MotionKind::equilibrium &&
+         model::off_balance(system.parameters(), motion.state[0], motion.state[1]) < same_point;
 }
 
 bool same_motion(const model::Parameters& p, const Motion& a, const Motion& b) {
-  const model::System system(p, a.speed);
+  const model::System system = system_of(p, a);
   const int n = p.balls;
-  if (a.speed != b.speed) return false;
+  if (a.motor.has_value() != b.motor.has_value()) return false;
   const auto measured = [](const Motion& m) {
     return m.kind == MotionKind::quasi_periodic || m.kind == MotionKind::chaotic;
   };
   if (a.kind != b.kind && !(measured(a) && measured(b))) return false;
   const double share = a.kind != b.kind ? same_torus : sameness(a);
+  const bool both_balanced = is_balanced_continuum(system, a) && is_balanced_continuum(system, b);
+  if (std::fabs(a.speed - b.speed) > (a.motor ? share * std::fabs(a.speed) + 1e-9 : 0.0) && !both_balanced) return false;
   const auto close = [&](double f, double g) { return std::fabs(f - g) <= share * std::max(a.r_max, b.r_max) + 1e-9; };
   if (!close(a.r_min, b.r_min) || !close(a.r_mean, b.r_mean) || !close(a.r_max, b.r_max)) return false;
   const double rate = std::max(largest_rate(a, n), largest_rate(b, n));
@@ -175,7 +182,7 @@ bool same_motion(const model::Parameters& p, const Motion& a, const Motion& b) {
   };
   if (measured(a)) return any_order(n, may_replace, [](const BallOrder&) { return true; });
   if (a.kind == MotionKind::equilibrium) {
-    if (is_balanced_continuum(p, a) && is_balanced_continuum(p, b)) return true;
+    if (both_balanced) return true;
     const StateDifference difference(system);
     return any_order(n, may_replace, [&](const BallOrder& order) {
       return difference.distance(exchanged(a.state, n, order), b.state) < same_point;

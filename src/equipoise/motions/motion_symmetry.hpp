@@ -13,18 +13,19 @@ namespace equipoise {
 
 /// Ball i does what ball order[i] did.
 using BallOrder = std::array<int, model::max_balls>;
-/// Where the components of a state come from when balls are exchanged: exchanged = state(components).
-Eigen::VectorXi exchanged_components(int balls, const BallOrder& order);
+/// Where the components of a state come from when balls are exchanged: exchanged = state(components). `size`: of the
+/// state, 0: the balls' own of model/parameters.hpp.
+Eigen::VectorXi exchanged_components(int balls, const BallOrder& order, Eigen::Index size = 0);
 
 /// Of a periodic motion: one order for each of the Motion::copies that exchange of like balls makes of it, its own
 /// first.
 std::vector<BallOrder> exchange_images(const model::System& system, const Motion& motion);
 
 /// Motion::copies of a motion described in all else.
-int count_copies(const model::Parameters& p, const Motion& motion);
+int count_copies(const model::System& system, const Motion& motion);
 
-/// The motion is a member of a continuum of balanced states.
-bool is_balanced_continuum(const model::Parameters& p, const Motion& motion);
+/// An equilibrium that is balanced: the race's centre rests on the axis of rotation.
+bool is_balanced(const model::System& system, const Motion& motion);
 
 /// Motion::half_period_exchange.
 bool is_half_period_exchange(const model::System& system, const PeriodicOrbit& orbit);

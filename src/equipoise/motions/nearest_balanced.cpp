@@ -9,43 +9,72 @@
 #include "equipoise/model/balanced_state.hpp"
 #include "equipoise/model/linearisation.hpp"
 #include "equipoise/motions/motion_description.hpp"
+#include "equipoise/orbits/floquet.hpp"
+#include "equipoise/orbits/variational.hpp"
 
 namespace equipoise {
 
 namespace {
 
 BalancedMember equilibrium_member(const model::System& system, const Eigen::VectorXd& centre) {
-  const int dimension = continuum_dimension(system.parameters());
+  const int freedom = model::balanced_freedom(system);
   Equilibrium balanced;
   balanced.state = centre;
   balanced.eigenvalues = dense::eigenvalues(model::jacobian(system, centre));
   std::sort(balanced.eigenvalues.begin(), balanced.eigenvalues.end(),
             [](const auto& a, const auto& b) { return a.real() > b.real(); });
   balanced.residual = model::rate(system, centre).cwiseAbs().maxCoeff();
-  BalancedMember member{centre, balanced, -1.0, attracts(balanced.eigenvalues, dimension)};
+  BalancedMember member{centre, balanced, -1.0, attracts(balanced.eigenvalues, freedom)};
   for (const auto& value : balanced.eigenvalues)
     if (std::abs(value) >= zero_eigenvalue) member.rate = std::max(member.rate, value.real());
   return member;
 }
 
+BalancedMember orbit_member(const model::System& system, const PeriodicOrbit& orbit) {
+  const int freedom = model::balanced_freedom(system);
+  const Eigen::VectorXcd decays = orbit.decays();
+  const double rate = std::log(std::max(1e-300, std::abs(decays[freedom]))) / orbit.period;
+  return {orbit.nodes[0], orbit, rate, contracts(decays, freedom)};
+}
+
 std::optional<BalancedMember> strobed_member(const model::System& system, const Eigen::VectorXd& centre, double reach) {
-  const int dimension = continuum_dimension(system.parameters());
   const auto orbit = refine_orbit(system, std::vector{centre}, system.strobe_period(), reach);
-  if (!orbit) return std::nullopt;
-  const double rate = std::log(std::max(1e-300, std::abs(orbit->multipliers[dimension]))) / orbit->period;
-  return BalancedMember{orbit->nodes[0], *orbit, rate, contracts(orbit->multipliers, dimension)};
+  return orbit ? std::optional(orbit_member(system, *orbit)) : std::nullopt;
+}
+
+// Under a motor: only the rotor's angle changes. Exact, without gravity and with the race centred.
+std::optional<BalancedMember> turning_member(const model::System& system, const Eigen::VectorXd& centre) {
+  const double speed = system.speed(centre);
+  PeriodicOrbit orbit;
+  orbit.period = system.strobe_angle() / std::fabs(speed);
+  orbit.winding[static_cast<std::size_t>(system.balls())] = speed > 0.0 ? 1 : -1;
+  orbit.nodes = {centre};
+  constexpr double tolerance = 1e-12;
+  const auto flight = follow_derivative(system, centre, orbit.period, tolerance);
+  if (!flight) return std::nullopt;
+  orbit.multipliers = floquet_multipliers(system, orbit.nodes, {flight->tangents});
+  return orbit_member(system, orbit);
 }
 
 }  // namespace
 
 std::optional<BalancedMember> nearest_balanced(const model::System& system, const Eigen::VectorXd& state,
                                                double reach) {
+  const auto speed = system.coasts() ? std::optional(system.speed(state)) : model::balanced_speed(system);
+  if (!speed || (*speed == 0.0 && !system.prescribed())) return std::nullopt;
   double phi[model::max_balls];
   for (int i = 0; i < system.balls(); ++i) phi[i] = state[model::index::phi(i)];
-  if (!model::project_to_balanced(system.parameters(), phi)) return std::nullopt;
-  const Eigen::VectorXd centre = model::centred_state(system.parameters(), phi);
-  if (system.section() == model::Section::strobe) return strobed_member(system, centre, reach);
-  return equilibrium_member(system, centre);
+  if (!model::project_to_balanced(system, *speed, phi)) return std::nullopt;
+  Eigen::VectorXd centre = model::balanced_state(system, *speed, phi);
+  if (system.psi_place() >= 0) centre[system.psi_place()] = state[system.psi_place()];
+  switch (system.section()) {
+    case model::Section::strobe:
+      return strobed_member(system, centre, reach);
+    case model::Section::turn:
+      return turning_member(system, centre);
+    default:
+      return equilibrium_member(system, centre);
+  }
 }
 
 Motion describe(const model::System& system, const BalancedMember& member) {

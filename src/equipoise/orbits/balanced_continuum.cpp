@@ -33,9 +33,10 @@ constexpr double map_tolerance = 1e-9;
 // Level sets stay within this of balance, in state_scale(): V is |s|^2 or more.
 constexpr double widest = 0.7;
 
-model::Parameters without_gravity(model::Parameters p) {
+model::System without_gravity(const model::System& system) {
+  model::Parameters p = system.parameters();
   p.gravity = 0.0;
-  return p;
+  return {p, system.drive()};
 }
 
 // The largest real part (of rates) or the rate of the largest multiplier, the `zeros` nearest to zero left out.
@@ -53,32 +54,33 @@ double slowest_of(const Eigen::VectorXcd& eigenvalues, Index zeros, double strob
 
 }  // namespace
 
-BalancedContinuum::BalancedContinuum(const model::Parameters& p, double speed)
-    : p_(p),
-      balanced_(without_gravity(p)),
-      speed_(speed),
-      strobed_(model::is_strobed(p)),
-      dimension_(std::max(p.balls - 2, 1)),
-      scale_(model::state_scale(p)) {}
+BalancedContinuum::BalancedContinuum(const model::System& system)
+    : system_(system),
+      balanced_(without_gravity(system)),
+      twin_(model::centred_twin(system.parameters(), model::balanced_speed(system).value_or(0.0))),
+      speed_(model::balanced_speed(system).value_or(0.0)),
+      strobe_(system.autonomous() ? 0.0 : system.strobe_period()),
+      rests_(model::balanced_freedom(system) > 0),
+      dimension_(std::max(system.balls() - 2, 1)),
+      scale_(system.scale()) {}
 
 // Fills all but `phi` and the form. Gravity moves the centre off the balanced state: Newton's method across the
 // continuum, with the derivative at the balanced state, finds the state that one strobe moves along it only.
 bool BalancedContinuum::settle(ContinuumMember& m) const {
-  m.centre = model::centred_state(p_, m.phi.data());
+  m.centre = model::balanced_state(system_, speed_, m.phi.data());
   const Index size = scale_.size(), across = size - dimension_;
-  const double strobe = strobed_ ? model::strobe_period(p_, speed_) : 0.0;
   const auto scaled = [&](const MatrixXd& a) {
     return MatrixXd(scale_.cwiseInverse().asDiagonal() * a * scale_.asDiagonal());
   };
   MatrixXd change;  // the flow's derivative, or the map's less one
   VectorXd miss = VectorXd::Zero(size);
-  if (strobed_) {
-    const auto flight = follow_derivative({p_, speed_}, m.centre, strobe, map_tolerance);
+  if (strobe_ > 0.0) {
+    const auto flight = follow_derivative(system_, m.centre, strobe_, map_tolerance);
     if (!flight) return false;
     change = scaled(flight->tangents) - MatrixXd::Identity(size, size);
     miss = (flight->end - m.centre).cwiseQuotient(scale_);
   } else {
-    change = scaled(model::jacobian(p_, speed_, m.centre.data()));
+    change = scaled(model::jacobian(system_, m.centre));
   }
   // Range and kernel, of the transpose too, by rank-revealing QR: the zeros are semisimple where the member attracts.
   const MatrixXd q = dense::pivoted_orthogonal_factor(change);
@@ -89,7 +91,7 @@ bool BalancedContinuum::settle(ContinuumMember& m) const {
   m.left = dense::LinearSolver(left * m.along).solve(left);
   m.across = m.range.transpose() * change * m.range;
   const MatrixXd one = MatrixXd::Identity(across, across);
-  if (p_.gravity != 0.0) {
+  if (!rests_) {
     constexpr int most = 8;
     constexpr double converged = 1e-8;  // of the size of the rotor's deflections
     const dense::LinearSolver solver(m.across);
@@ -98,13 +100,13 @@ bool BalancedContinuum::settle(ContinuumMember& m) const {
       if (part.norm() < converged) break;
       if (k == most) return false;
       m.centre -= scale_.cwiseProduct(m.range * solver.solve(part));
-      const auto end = advance_state({p_, speed_}, m.centre, strobe);
+      const auto end = advance_state(system_, m.centre, strobe_);
       if (!end) return false;
       miss = (*end - m.centre).cwiseQuotient(scale_);
     }
   }
-  if (p_.gravity != 0.0) m.creep = m.along * (m.left * miss) / strobe;
-  m.rate = slowest_of(strobed_ ? dense::eigenvalues(m.across + one) : dense::eigenvalues(m.across), 0, strobe);
+  if (!rests_) m.creep = m.along * (m.left * miss) / strobe_;
+  m.rate = slowest_of(dense::eigenvalues(strobe_ > 0.0 ? MatrixXd(m.across + one) : m.across), 0, strobe_);
   return m.left.allFinite() && std::isfinite(m.rate);
 }
 
@@ -112,11 +114,10 @@ bool BalancedContinuum::shape(ContinuumMember& m) const {
   if (!(m.rate < -least_rate)) return true;
   const Index across = scale_.size() - dimension_;
   const MatrixXd one = MatrixXd::Identity(across, across);
-  const double strobe = strobed_ ? model::strobe_period(p_, speed_) : 0.0;
   const double decay = -share_of_rate * m.rate;
   std::optional<MatrixXd> form;
-  if (strobed_)
-    form = solve_stein(std::exp(decay * strobe) * (m.across + one), one);
+  if (strobe_ > 0.0)
+    form = solve_stein(std::exp(decay * strobe_) * (m.across + one), one);
   else
     form = solve_lyapunov(m.across + decay * one, one);
   if (!form) return false;
@@ -130,14 +131,14 @@ bool BalancedContinuum::shape(ContinuumMember& m) const {
 
 std::optional<ContinuumMember> BalancedContinuum::member(const double* phi) const {
   ContinuumMember m;
-  std::copy(phi, phi + p_.balls, m.phi.begin());
-  if (!model::project_to_balanced(balanced_, m.phi.data()) || !settle(m) || !shape(m)) return std::nullopt;
+  std::copy(phi, phi + system_.balls(), m.phi.begin());
+  if (!balance(m.phi.data()) || !settle(m) || !shape(m)) return std::nullopt;
   return m;
 }
 
 std::optional<Angles> BalancedContinuum::moved(Angles phi, const VectorXd& along) const {
-  for (int i = 0; i < p_.balls; ++i) phi[i] += along[model::index::phi(i)];
-  if (!model::project_to_balanced(balanced_, phi.data())) return std::nullopt;
+  for (int i = 0; i < system_.balls(); ++i) phi[i] += along[model::index::phi(i)];
+  if (!balance(phi.data())) return std::nullopt;
   return phi;
 }
 
@@ -145,11 +146,11 @@ std::optional<ContinuumMember> BalancedContinuum::destination(const VectorXd& st
   constexpr int most = 5;
   constexpr double across = 0.01;  // what may be left along the continuum, of the deviation; V counts it
   Angles phi{};
-  for (int i = 0; i < p_.balls; ++i) phi[i] = state[model::index::phi(i)];
+  for (int i = 0; i < system_.balls(); ++i) phi[i] = state[model::index::phi(i)];
   // The form, which costs most, is wanted of the last one only.
   ContinuumMember m;
   m.phi = phi;
-  if (!model::project_to_balanced(balanced_, m.phi.data())) return std::nullopt;
+  if (!balance(m.phi.data())) return std::nullopt;
   for (int k = 0; k < most; ++k) {
     if (!settle(m)) return std::nullopt;
     const VectorXd d = deviation(m, state);
@@ -167,7 +168,7 @@ std::optional<ContinuumMember> BalancedContinuum::destination(const VectorXd& st
 
 VectorXd BalancedContinuum::deviation(const ContinuumMember& m, const VectorXd& state) const {
   VectorXd d = state - m.centre;
-  for (int i = 0; i < p_.balls; ++i) d[model::index::phi(i)] = wrapped(d[model::index::phi(i)]);
+  for (int i = 0; i < system_.balls(); ++i) d[model::index::phi(i)] = wrapped(d[model::index::phi(i)]);
   return d.cwiseQuotient(scale_);
 }
 
@@ -190,7 +191,7 @@ double BalancedContinuum::level(const ContinuumMember& m, double factor) {
 bool BalancedContinuum::holds(const VectorXd& state, double factor, double slowest_rate) const {
   const auto m = destination(state);
   return m && m->rate <= slowest_rate && value(*m, state) < level(*m, factor) &&
-         (p_.gravity == 0.0 || stays(*m, slowest_rate));
+         (rests_ || stays(*m, slowest_rate));
 }
 
 // What creeps farther than a radian may end on an orbit of its own, which is then listed and has its own trap.
@@ -212,23 +213,29 @@ bool BalancedContinuum::stays(ContinuumMember m, double slowest_rate) const {
 
 // The rate across at a balanced state without all the rest.
 double BalancedContinuum::rate_at(const double* phi) const {
-  const VectorXd centre = model::centred_state(p_, phi);
-  if (!strobed_) return slowest_of(dense::eigenvalues(model::jacobian(p_, speed_, centre.data())), dimension_, 0.0);
-  const auto flight = follow_derivative({balanced_, speed_}, centre, model::strobe_period(p_, speed_), map_tolerance);
-  return flight ? slowest_of(dense::eigenvalues(flight->tangents), dimension_, model::strobe_period(p_, speed_))
-                : 1e300;
+  const VectorXd centre = model::balanced_state(balanced_, speed_, phi);
+  if (strobe_ == 0.0) return slowest_of(dense::eigenvalues(model::jacobian(balanced_, centre)), dimension_, 0.0);
+  const auto flight = follow_derivative(balanced_, centre, strobe_, map_tolerance);
+  return flight ? slowest_of(dense::eigenvalues(flight->tangents), dimension_, strobe_) : 1e300;
 }
 
 ContinuumSurvey BalancedContinuum::survey(const StopFlag* stop) const {
   // The share to 1.6 % (a map costs a hundred times a Jacobian: to 4 %), and members enough to try.
-  const int draws = strobed_ ? 128 : 1024;
+  const int draws = strobe_ > 0.0 ? 128 : 1024;
   constexpr int enough = 32, seek = 256;
   ContinuumSurvey result;
-  ContinuumDraws source(balanced_);
+  ContinuumDraws source(twin_.parameters);
+  const auto turned = [&](Angles angles, double by) {
+    for (int i = 0; i < system_.balls(); ++i) angles[i] += by;
+    return angles;
+  };
   std::vector<std::pair<double, Angles>> found;
   Angles phi{};
   const auto going_on = [&] { return !is_set(stop); };
-  for (int k = 0; k < draws && going_on() && source.next(phi); ++k) found.emplace_back(rate_at(phi.data()), phi);
+  for (int k = 0; k < draws && going_on() && source.next(phi); ++k) {
+    const Angles here = turned(phi, twin_.turn);
+    found.emplace_back(rate_at(here.data()), here);
+  }
   if (found.empty()) return result;
   std::stable_sort(found.begin(), found.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
   const auto stable = [](const auto& member) { return member.first < -least_rate; };
@@ -242,8 +249,9 @@ ContinuumSurvey BalancedContinuum::survey(const StopFlag* stop) const {
   // Beside the most attracting ones, ever nearer to the best: where few are stable more, where none is perhaps one.
   for (int k = 0; k < seek && result.stable < enough && going_on(); ++k) {
     const std::size_t from = static_cast<std::size_t>(k) % std::min<std::size_t>(8, found.size());
-    phi = found[from].second;
+    phi = turned(found[from].second, -twin_.turn);
     if (!source.beside(phi, 0.3 / (1.0 + k / 64))) continue;
+    phi = turned(phi, twin_.turn);
     const double rate = rate_at(phi.data());
     if (rate < found[from].first && !stable(found[from]))
       found[from] = {rate, phi};

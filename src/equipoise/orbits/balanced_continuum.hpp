@@ -10,13 +10,15 @@
 #include <Eigen/Core>
 
 #include "equipoise/base/stop_flag.hpp"
+#include "equipoise/model/balanced_state.hpp"
 #include "equipoise/model/parameters.hpp"
+#include "equipoise/model/system.hpp"
 
 namespace equipoise {
 
 /// One member: the equilibrium, or of anisotropic supports the fixed point of the stroboscopic map. Gravity leaves
-/// slow motion along the continuum: the member is then the state at a strobe that the map moves along it only.
-/// Matrices in units of state_scale(). Deviations are split by the invariant subspaces of the linearised equations:
+/// slow motion along the continuum, and so do unequal supports of a race off its centre: the member is then the state at
+/// a strobe that the map moves along it only. Matrices in units of System::scale(). Deviations are split by the invariant subspaces of the linearised equations:
 /// d = along left d + range range^T (d - along left d).
 struct ContinuumMember {
   std::array<double, model::max_balls> phi{};  ///< ball angles of the balanced state
@@ -52,7 +54,11 @@ struct ContinuumSurvey : ContinuumPart {
 
 class BalancedContinuum {
  public:
-  BalancedContinuum(const model::Parameters& p, double speed);
+  /// Of any system but of sections turn and of motors without torque.
+  explicit BalancedContinuum(const model::System& system);
+  static bool is_of(const model::System& system) {
+    return system.section() != model::Section::turn && !system.coasts();
+  }
 
   /// The member at ball angles near `phi`. Empty where there is none or the linearisation has more zeros than the
   /// continuum explains. Without `form` if it is unstable across.
@@ -80,15 +86,17 @@ class BalancedContinuum {
   bool settle(ContinuumMember& member) const;
   bool shape(ContinuumMember& member) const;
   bool stays(ContinuumMember member, double slowest_rate) const;
+  bool balance(double* phi) const { return model::project_to_balanced(system_, speed_, phi); }
   double rate_at(const double* phi) const;
   std::optional<std::array<double, model::max_balls>> moved(std::array<double, model::max_balls> phi,
                                                             const Eigen::VectorXd& along) const;
 
   Eigen::VectorXd deviation(const ContinuumMember& member, const Eigen::VectorXd& state) const;
 
-  model::Parameters p_, balanced_;  // as given; without gravity
-  double speed_;
-  bool strobed_;
+  model::System system_, balanced_;  // as given; without gravity
+  model::CentredTwin twin_;          // whose balls balance at these angles but for a turn
+  double speed_, strobe_;            // in balance; 0: nothing depends on the rotor's angle
+  bool rests_;                       // members are at rest
   Eigen::Index dimension_;
   Eigen::VectorXd scale_;
 };
@@ -98,7 +106,7 @@ struct ContinuumTrap {
   std::shared_ptr<const BalancedContinuum> continuum;
   double factor = 0.0;        ///< of every member's unit of V
   double slowest_rate = 0.0;  ///< of the members that were tried (negative): slower ones catch nothing
-  double reach = 0.0;         ///< velocities, x, y and imbalance of every state inside are below this
+  double reach = 0.0;         ///< of every state inside velocities, x, y and imbalance are as near to balance
 
   bool holds(const Eigen::VectorXd& state) const { return continuum->holds(state, factor, slowest_rate); }
 };

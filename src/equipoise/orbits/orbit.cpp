@@ -234,6 +234,19 @@ bool solve(const OrbitProblem& problem, Shooting& s, const Effort& effort, doubl
   return false;
 }
 
+// Of dz/dt, whose terms are of size speed^2; of a motor's, which may cancel each other, over the rotor's inertia.
+double rounding_of_rates(const model::System& system, const VectorXd& state) {
+  const double speed = system.speed(state);
+  double size = 1.0 + speed * speed;
+  if (!system.prescribed()) {
+    const model::DriveSegment& m = system.drive().motor;
+    const double error = system.error_place() < 0 ? 0.0 : state[system.error_place()];
+    size += (std::fabs(m.constant) + std::fabs(m.slope * speed) + std::fabs(m.integral * error)) /
+            system.parameters().inertia;
+  }
+  return 1e-14 * size;
+}
+
 bool is_equilibrium(const model::System& system, const Shooting& s) {
   if (s.imposed) return false;
   double fastest = 0.0;
@@ -295,8 +308,7 @@ std::optional<Equilibrium> refine_equilibrium(const model::System& system, const
   // Levenberg's and Marquardt's step with the damping |f|^2: as fast as Newton's near isolated equilibria and near
   // continua alike, where it tends to the least-norm step (N. Yamashita, M. Fukushima, Computing Suppl. 15 (2001) 239).
   constexpr int most_iterations = 100;
-  // Rounding of dz/dt, whose terms are of size speed^2.
-  const double speed = system.speed(guess), target = 1e-14 * (1.0 + speed * speed);
+  const double target = rounding_of_rates(system, guess);
   VectorXd z = guess, rate = model::rate(system, z);
   for (int iteration = 0; iteration < most_iterations && rate.lpNorm<Eigen::Infinity>() > 0.01 * target; ++iteration) {
     if (!rate.allFinite()) return std::nullopt;

@@ -28,7 +28,7 @@ constexpr int most_steps = 40000;
 
 StateDifference::StateDifference(const model::System& system)
     : angles_(system.angles()), inverse_size_(system.scale().cwiseInverse()) {
-  inverse_size_.segment(2, 2).setConstant(1.0 / (system.scale()[0] * std::max(1.0, std::fabs(system.speed()))));
+  inverse_size_.segment(2, 2).setConstant(1.0 / (system.scale()[0] * std::max(1.0, std::fabs(system.pace()))));
 }
 
 Eigen::VectorXd StateDifference::operator()(const Eigen::VectorXd& a, const Eigen::VectorXd& b) const {
@@ -63,6 +63,12 @@ std::vector<Return> returns_to_last(const model::System& system, const std::vect
     squares.push_back(difference(*at, last).squaredNorm());
     sum += squares.back();
   }
+  const auto angles = system.angles();
+  const auto too_far = [&](const Eigen::VectorXd& then) {
+    return std::any_of(angles.begin(), angles.end(), [&](const auto& angle) {
+      return std::fabs(last[angle.place] - then[angle.place]) > most_turns * angle.turn;
+    });
+  };
   double record = close_share * close_share * sum / static_cast<double>(squares.size());
   std::vector<Return> returns;
   for (std::size_t k = 1; k < squares.size() && static_cast<int>(returns.size()) < most; ++k) {
@@ -70,9 +76,7 @@ std::vector<Return> returns_to_last(const model::System& system, const std::vect
         strobed ? Return{static_cast<double>(k) * spacing, squares[k]} : closest_around(squares, k, spacing);
     if (!now) continue;
     const Eigen::VectorXd& then = samples[samples.size() - 1 - k];
-    const double turned = strobed ? std::fabs(system.speed()) * now->time
-                                  : (last - then).segment(model::index::phi(0), system.balls()).cwiseAbs().maxCoeff();
-    if (turned > most_turns * two_pi) break;
+    if (strobed ? std::fabs(system.speed()) * now->time > most_turns * two_pi : too_far(then)) break;
     if (!strobed && !returns.empty() && now->time > longest_multiple * returns.front().time) break;
     const bool one_strobe = strobed && k == 1 && now->distance < reach * reach;
     if (!one_strobe && now->distance >= record) continue;
@@ -87,7 +91,8 @@ OrbitCurve::OrbitCurve(const model::System& system, const PeriodicOrbit& orbit) 
     states_ = orbit.nodes;
     return;
   }
-  const double fastest = std::max(1.0, std::fabs(system.speed()));
+  double fastest = 1.0;
+  for (const Eigen::VectorXd& state : orbit.nodes) fastest = std::max(fastest, std::fabs(system.speed(state)));
   const int count = static_cast<int>(
       std::clamp(std::ceil(orbit.period * fastest / radians_per_step), 64.0, static_cast<double>(most_steps)));
   step_ = orbit.period / count;

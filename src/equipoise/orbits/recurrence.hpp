@@ -11,8 +11,8 @@
 
 namespace equipoise {
 
-/// The difference of two states in natural sizes: lengths over lambda + sum mu_i, velocities over Omega times that,
-/// angles (modulo their turns) and rates as they are.
+/// The difference of two states in natural sizes: lengths over lambda + sum mu_i, velocities over System::pace() times
+/// that, angles (modulo their turns) and rates as they are.
 class StateDifference {
  public:
   explicit StateDifference(const model::System& system);
@@ -34,7 +34,7 @@ struct Return {
 
 /// Returns to the last of `samples` (equally spaced in time, of a strobed system at successive strobes; angles
 /// unwrapped), shortest first, each at least twice as close as all shorter ones and none longer than 24 turns of a ball
-/// (strobed: of the rotor) or, of a flow, 32 times the first; `most` at most. One strobe always counts if it comes
+/// (where its angle matters: of the rotor) or, of a flow, 32 times the first; `most` at most. One strobe always counts if it comes
 /// within `reach`: a trajectory on its way into a motion of that period need not show it as any nearer.
 std::vector<Return> returns_to_last(const model::System& system, const std::vector<Eigen::VectorXd>& samples,
                                     double spacing, const StateDifference& difference, int most, double reach);

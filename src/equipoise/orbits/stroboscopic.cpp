@@ -3,11 +3,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdlib>
 #include <utility>
 
 #include "equipoise/base/angles.hpp"
 #include "equipoise/model/balanced_state.hpp"
-#include "equipoise/model/linearisation.hpp"
 #include "equipoise/model/strobe.hpp"
 #include "equipoise/orbits/variational.hpp"
 
@@ -21,18 +21,32 @@ model::System weakened(const model::System& system, double share) {
   return {model::weakened(system.parameters(), share), system.drive()};
 }
 
-// Follows an orbit of one strobe from `orbit` at share `from` to share `to`, in steps that are halved where they fail.
-// The strobe stays what it is where nothing is left to ask for it.
-std::optional<PeriodicOrbit> continued(const model::System& system, PeriodicOrbit orbit, double from, double to) {
-  constexpr double first_step = 0.25, smallest_step = 1.0 / 512;
+// A driven rotor's angle is to stay part of the state: so much is left when all is switched off.
+double least_share(const model::System& system) { return system.prescribed() ? 0.0 : 1e-6; }
+
+// The orbit of one strobe near those nodes at a share. At a prescribed speed the strobe stays what it is where nothing
+// is left to ask for it.
+std::optional<PeriodicOrbit> orbit_at(const model::System& system, const PeriodicOrbit& near, double share) {
   // A branch moves less than this, in System::scale(), over one step; what moves more may be another branch.
   constexpr double farthest = 0.25;
-  const double strobe = system.strobe_period(), direction = to > from ? 1.0 : -1.0;
+  const model::System weak = weakened(system, share);
+  const auto found = system.prescribed() ? refine_imposed_orbit(weak, near.nodes, system.strobe_period(), farthest)
+                                         : refine_orbit(weak, near.nodes, near.period, farthest);
+  if (!found) return std::nullopt;
+  const auto still = [](int turns) { return turns == 0; };
+  const bool captured = std::all_of(found->winding.begin(), found->winding.begin() + system.balls(), still);
+  return captured ? found : std::nullopt;
+}
+
+// Follows an orbit of one strobe from `orbit` at share `from` to share `to`, in steps that are halved where they fail.
+std::optional<PeriodicOrbit> continued(const model::System& system, PeriodicOrbit orbit, double from, double to) {
+  constexpr double first_step = 0.25, smallest_step = 1.0 / 512;
+  const double direction = to > from ? 1.0 : -1.0;
   double at = from, step = first_step;
   while (at != to) {
     const double next = std::fabs(to - at) <= step * (1.0 + 1e-9) ? to : at + direction * step;
-    const auto found = refine_imposed_orbit(weakened(system, next), orbit.nodes, strobe, farthest);
-    if (!found || found->winding != Winding{}) {
+    const auto found = orbit_at(system, orbit, next);
+    if (!found) {
       step *= 0.5;
       if (step < smallest_step) return std::nullopt;
       continue;
@@ -44,10 +58,19 @@ std::optional<PeriodicOrbit> continued(const model::System& system, PeriodicOrbi
   return orbit;
 }
 
+// A state of the system when nothing depends on its rotor's angle.
+VectorXd without_angle(const model::System& system, const VectorXd& state) {
+  if (system.psi_place() < 0) return state;
+  VectorXd result(state.size() - 1);
+  const Eigen::Index before = system.psi_place();
+  result << state.head(before), state.tail(state.size() - before - 1);
+  return result;
+}
+
 }  // namespace
 
 std::optional<VectorXd> at_next_strobe(const model::System& system, const VectorXd& state, double psi) {
-  if (system.autonomous()) return state;
+  if (system.section() != model::Section::strobe) return state;
   const double angle = system.strobe_angle(), speed = system.speed(), sense = speed < 0.0 ? -1.0 : 1.0;
   double ahead = std::fmod(-sense * psi, angle);
   if (ahead < 0.0) ahead += angle;
@@ -57,17 +80,35 @@ std::optional<VectorXd> at_next_strobe(const model::System& system, const Vector
 }
 
 std::optional<PeriodicOrbit> balanced_orbit(const model::System& system, const double* phi) {
+  const auto speed = model::balanced_speed(system);
+  if (!speed || *speed == 0.0) return std::nullopt;
   PeriodicOrbit start;
-  start.nodes = {model::centred_state(system.parameters(), phi)};
-  return continued(system, start, 0.0, 1.0);
+  start.nodes = {model::balanced_state(system, *speed, phi)};
+  start.period = system.strobe_angle() / std::fabs(*speed);
+  const double from = least_share(system);
+  if (from > 0.0) {
+    const auto weak = orbit_at(system, start, from);
+    if (!weak) return std::nullopt;
+    start = *weak;
+  }
+  return continued(system, start, from, 1.0);
 }
 
 bool leads_to_balance(const model::System& system, const PeriodicOrbit& orbit) {
   // Of lambda + sum mu_i: rounding and a small share of what continuation's Newton steps leave.
   constexpr double centred = 1e-7;
-  if (orbit.nodes.size() != 1 || orbit.winding != Winding{}) return false;
-  const auto end = continued(system, orbit, 1.0, 0.0);
-  return end && std::hypot(end->nodes[0][0], end->nodes[0][1]) < centred * system.scale()[0];
+  const auto still = [](int turns) { return turns == 0; };
+  if (!std::all_of(orbit.winding.begin(), orbit.winding.begin() + system.balls(), still)) return false;
+  if (orbit.imposed ? orbit.nodes.size() != 1 : std::abs(orbit.winding[system.balls()]) != 1) return false;
+  const auto end = continued(system, orbit, 1.0, least_share(system));
+  if (!end) return false;
+  VectorXd state = without_angle(system, end->nodes[0]);
+  if (!system.prescribed()) {  // what little was left of gravity and anisotropy
+    const auto rest = refine_equilibrium(weakened(system, 0.0), state);
+    if (!rest || !((rest->state - state).lpNorm<Eigen::Infinity>() < 0.01)) return false;
+    state = rest->state;
+  }
+  return model::off_balance(system.parameters(), state[0], state[1]) < centred * system.scale()[0];
 }
 
 bool relaxes_to_balance(const model::System& system, const VectorXd& state) {
@@ -87,9 +128,8 @@ bool relaxes_to_balance(const model::System& system, const VectorXd& state) {
     phi[i] = z[model::index::phi(i)];
     if (std::fabs(phi[i] - state[model::index::phi(i)]) > 0.5 * pi) return false;
   }
-  const model::System plain = weakened(system, 0.0);
-  if (!model::project_to_balanced(plain.parameters(), phi)) return false;
-  const VectorXd away = z - model::centred_state(plain.parameters(), phi);
+  if (!model::project_to_balanced(system, system.speed(), phi)) return false;
+  const VectorXd away = z - model::balanced_state(system, system.speed(), phi);
   return away.cwiseQuotient(system.scale()).lpNorm<Eigen::Infinity>() < centred;
 }
 

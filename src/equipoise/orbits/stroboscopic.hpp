@@ -1,5 +1,5 @@
-// What is particular to systems that are seen at strobes: the way from one strobe to the next, and which of their
-// orbits are balanced. The orbits themselves: orbits/orbit.hpp.
+// What is particular to systems that depend on the rotor's angle: the way from one strobe to the next, and which of
+// their orbits are balanced. The orbits themselves: orbits/orbit.hpp.
 #pragma once
 
 #include <optional>
@@ -11,10 +11,10 @@
 
 namespace equipoise {
 
-// Everywhere: states without an angle beside them hold at a strobe, where psi = 0.
+// Everywhere: states of section strobe without an angle beside them hold where psi = 0.
 
 /// The state at the next strobe, from `state` when the rotor's angle is `psi`. A state at a strobe is left as it is,
-/// and so is any where nothing depends on the rotor's angle. Empty if the integration fails.
+/// and so is any of another section. Empty if the integration fails.
 std::optional<Eigen::VectorXd> at_next_strobe(const model::System& system, const Eigen::VectorXd& state, double psi);
 
 /// The orbit that a balanced state at ball angles `phi` becomes as gravity and anisotropy are switched on gradually.
@@ -25,7 +25,7 @@ std::optional<PeriodicOrbit> balanced_orbit(const model::System& system, const d
 /// state (its centre comes to rest on the axis).
 bool leads_to_balance(const model::System& system, const PeriodicOrbit& orbit);
 
-/// The same for a motion that is no such orbit (along what gravity leaves of a continuum of balanced states balls creep
+/// The same, on section strobe, for a motion that is no such orbit (along what gravity leaves of a continuum of balanced states balls creep
 /// for ever): while gravity and anisotropy fade over 400 strobes the trajectory from `state` comes to balance, and no
 /// ball passes a quarter of a turn.
 bool relaxes_to_balance(const model::System& system, const Eigen::VectorXd& state);

@@ -53,6 +53,11 @@ Json attractor_json(const Attractor& a, const AttractorShare& share, int balls) 
   const auto list = [&](const auto& values) { return std::vector<double>(values.begin(), values.begin() + balls); };
   json["drift"] = list(m.drift);
   json["rate"] = {{"min", list(m.rate_min)}, {"max", list(m.rate_max)}};
+  if (m.motor) {
+    json["speed"] = {{"min", m.motor->speed_min}, {"mean", m.speed}, {"max", m.motor->speed_max}};
+    json["torque"] = m.motor->torque;
+    json["power"] = {{"motor", m.motor->power}, {"supports", m.motor->support_power}};
+  }
   json["radial"] = {{"min", m.r_min}, {"mean", m.r_mean}, {"max", m.r_max}};
   if (m.kind == MotionKind::equilibrium || m.kind == MotionKind::periodic) {
     Json spectrum = Json::array();
@@ -77,17 +82,21 @@ const AttractorShare& share_of(const AttractorsResult& r, int id) {
 
 // What the table is in: mm, s, rpm and 1/s, or dimensionless.
 struct TableUnits {
-  double length = 1.0, time = 1.0, speed = 1.0;
-  std::string r, period, drift, rate;  // behind the headings, and behind a rate
+  double length = 1.0, time = 1.0, speed = 1.0, torque = 1.0, power = 1.0;
+  std::string r, period, drift, moment, watts, rate;  // behind the headings, and behind a rate
 
   explicit TableUnits(const std::optional<model::Scales>& scales) {
     if (!scales) return;
     length = 1000.0 * scales->length;
     time = scales->time();
     speed = scales->frequency * 30.0 / pi;
+    torque = scales->torque();
+    power = scales->torque() * scales->frequency;
     r = ", mm";
     period = ", s";
     drift = ", rpm";
+    moment = ", N m";
+    watts = ", W";
     rate = " /s";
   }
 };
@@ -111,7 +120,8 @@ std::string stability_text(const Attractor& a, const TableUnits& units) {
   const char* verdict = m.stable ? "stable" : "UNSTABLE";
   if (m.strobed && m.spectrum.size() > 0) {
     double largest = 0.0;
-    for (const std::complex<double>& value : m.spectrum) largest = std::max(largest, std::abs(value));
+    const Eigen::VectorXcd decays = m.kind == MotionKind::periodic ? m.orbit.decays() : m.spectrum;
+    for (const std::complex<double>& value : decays) largest = std::max(largest, std::abs(value));
     return fmt::format("{}, largest multiplier {:.4f}", verdict, largest);
   }
   if (m.kind == MotionKind::equilibrium && m.spectrum.size() > 0) {
@@ -162,12 +172,46 @@ std::string search_text(const AttractorsResult& r) {
 
 }  // namespace
 
+namespace {
+
+// What a motor does on a motion: mean speed and how far it wavers to either side, torque, power.
+Row motor_cells(const Motion& m, const TableUnits& units) {
+  const MotorLoad& load = *m.motor;
+  const double waver = 0.5 * (load.speed_max - load.speed_min);
+  return {fmt::format("{:.5f}", m.speed * units.speed + 0.0), fmt::format("{:.5f}", waver * units.speed),
+          fmt::format("{:.5g}", load.torque * units.torque), fmt::format("{:.5g}", load.power * units.power)};
+}
+
+// What the columns of a rotor whose equations depend on its angle mean.
+std::string strobe_text(const Study& study, const TableUnits& units) {
+  const model::System system = study.system();
+  if (system.autonomous()) return "";
+  const model::Parameters& p = study.parameters;
+  std::string text = fmt::format("A strobe is {} of the rotor", p.gravity != 0.0 ? "a revolution" : "half a revolution");
+  if (system.prescribed())
+    text += fmt::format(", {:.5f}{}", system.strobe_period() * units.time, study.scales ? " s" : "");
+  if (p.gravity != 0.0)
+    text += fmt::format("; r is measured from where the rotor would rest, Y = {:.5g}{}",
+                        model::static_sag(p) * units.length, study.scales ? " mm" : "");
+  return text + "; multipliers are over the period, without one of 1.\n";
+}
+
+}  // namespace
+
 std::string attractors_text(const AttractorsResult& r) {
   const int balls = r.basin.study.parameters.balls;
   std::string text = study_heading(r.basin.study);
   const TableUnits units(r.basin.study.scales);
   std::vector<Row> rows{{"id", "attractor", "kind", "share", "copies", "period" + units.period, "r min" + units.r,
                          "mean", "max", "drift of the balls" + units.drift, "stability"}};
+  std::vector<Alignment> alignment{right, left, left, right, right, right, right, right, right, left, left};
+  const bool driven = r.basin.study.speed.driven();
+  const auto motor_column = 9;  // behind r
+  const auto insert = [&](Row& row, const Row& cells) { row.insert(row.begin() + motor_column, cells.begin(), cells.end()); };
+  if (driven) {
+    insert(rows.front(), {"speed" + units.drift, "+-", "torque" + units.moment, "power" + units.watts});
+    alignment.insert(alignment.begin() + motor_column, 4, right);
+  }
   for (const Attractor& a : r.catalogue.attractors()) {
     const Motion& m = a.motion;
     const Share& share = share_of(r, a.id).share;
@@ -179,20 +223,10 @@ std::string attractors_text(const AttractorsResult& r) {
                     m.kind == MotionKind::periodic ? fmt::format("{:.5f}", m.period * units.time) : "-",
                     fmt::format("{:.4f}", m.r_min * units.length), fmt::format("{:.4f}", m.r_mean * units.length),
                     fmt::format("{:.4f}", m.r_max * units.length), drift, stability_text(a, units)});
+    if (driven) insert(rows.back(), m.motor ? motor_cells(m, units) : Row(4, "-"));
   }
-  text += aligned(rows, {right, left, left, right, right, right, right, right, right, left, left}) + "\n";
-  if (model::is_strobed(r.basin.study.parameters)) {
-    const double speed = r.basin.study.speed_profile().final_speed();
-    const bool gravity = r.basin.study.parameters.gravity != 0.0;
-    text += fmt::format(
-        "A strobe is {} of the rotor, {:.5f}{}{}; multipliers are over the period, without one of 1.\n",
-        gravity ? "a revolution" : "half a revolution",
-        model::strobe_period(r.basin.study.parameters, speed) * units.time, r.basin.study.scales ? " s" : "",
-        gravity
-            ? fmt::format("; r is measured from where the rotor would rest, Y = {:.5g}{}",
-                          model::static_sag(r.basin.study.parameters) * units.length, r.basin.study.scales ? " mm" : "")
-            : "");
-  }
+  text += aligned(rows, alignment) + "\n";
+  text += strobe_text(r.basin.study, units);
   if (!r.basin.note.empty()) text += fmt::format("Note: {}.\n", r.basin.note);
   if (r.basin.partial) text += "PARTIAL: stopped before all starts were done.\n";
   text += search_text(r);

@@ -51,15 +51,20 @@ Json number(double value) { return std::isfinite(value) ? Json(value) : Json(nul
 
 Json point_json(const BranchPoint& point, int balls) {
   const Motion& m = point.motion;
-  return {{"value", point.value},
-          {"kind", name_of(m.kind)},
-          {"stable", m.stable},
-          {"period", m.kind == MotionKind::periodic ? Json(m.period) : Json(nullptr)},
-          {"radial", {{"min", m.r_min}, {"mean", m.r_mean}, {"max", m.r_max}}},
-          {"multiplier", number(largest_multiplier(m))},
-          {"growth_rate", number(growth_rate(m))},
-          {"drift", std::vector<double>(m.drift.begin(), m.drift.begin() + balls)},
-          {"state", std::vector<double>(m.state.data(), m.state.data() + m.state.size())}};
+  Json json = {{"value", point.value},
+               {"kind", name_of(m.kind)},
+               {"stable", m.stable},
+               {"period", m.kind == MotionKind::periodic ? Json(m.period) : Json(nullptr)},
+               {"radial", {{"min", m.r_min}, {"mean", m.r_mean}, {"max", m.r_max}}},
+               {"multiplier", number(largest_multiplier(m))},
+               {"growth_rate", number(growth_rate(m))},
+               {"drift", std::vector<double>(m.drift.begin(), m.drift.begin() + balls)},
+               {"state", std::vector<double>(m.state.data(), m.state.data() + m.state.size())}};
+  if (!m.motor) return json;
+  json["speed"] = {{"min", m.motor->speed_min}, {"mean", m.speed}, {"max", m.motor->speed_max}};
+  json["torque"] = m.motor->torque;
+  json["power"] = m.motor->power;
+  return json;
 }
 
 std::string csv_number(double value) { return std::isfinite(value) ? fmt::format("{}", value) : ""; }
@@ -148,6 +153,7 @@ std::string branches_csv(const BranchesResult& r) {
                           e.low, e.high);
   text += r.key + ",id,name,alias,kind,stable,period,r_min,r_mean,r_max,multiplier,growth_rate";
   for (int i = 1; i <= balls; ++i) text += fmt::format(",drift_{}", i);
+  if (r.study.speed.driven()) text += ",speed,speed_min,speed_max,torque,power";
   text += "\n";
   for (std::size_t k = 0; k < r.values.size(); ++k) {
     for (const Branch& b : r.branches) {
@@ -158,6 +164,9 @@ std::string branches_csv(const BranchesResult& r) {
                           name_of(m.kind), m.stable ? 1 : 0, m.kind == MotionKind::periodic ? csv_number(m.period) : "",
                           m.r_min, m.r_mean, m.r_max, csv_number(largest_multiplier(m)), csv_number(growth_rate(m)));
       for (int i = 0; i < balls; ++i) text += fmt::format(",{}", m.drift[i] + 0.0);
+      if (m.motor)
+        text += fmt::format(",{},{},{},{},{}", m.speed, m.motor->speed_min, m.motor->speed_max, m.motor->torque,
+                            m.motor->power);
       text += "\n";
     }
   }

@@ -73,20 +73,22 @@ std::vector<ValueRange> ranges_of(const Branch& branch) {
 
 double growth_rate(const Motion& motion) {
   double rate = -std::numeric_limits<double>::infinity();
-  if (motion.kind == MotionKind::equilibrium) {
+  if (motion.orbit.nodes.empty() && motion.kind == MotionKind::equilibrium) {
     for (const auto& value : motion.spectrum)
       if (std::abs(value) >= zero_eigenvalue) rate = std::max(rate, value.real());
     return rate;
   }
-  if (motion.kind == MotionKind::periodic) return std::log(largest_multiplier(motion)) / motion.period;
+  if (!motion.orbit.nodes.empty()) return std::log(largest_multiplier(motion)) / motion.orbit.period;
   const std::size_t zeros = motion.kind == MotionKind::quasi_periodic ? 2 : 0;
   return motion.exponents.size() > zeros ? motion.exponents[zeros] : std::numeric_limits<double>::quiet_NaN();
 }
 
 double largest_multiplier(const Motion& motion) {
-  if (motion.kind != MotionKind::periodic || motion.spectrum.size() < 2)
-    return std::numeric_limits<double>::quiet_NaN();
-  return std::abs(motion.spectrum[1]);
+  constexpr double unit_multiplier = 1e-7;  // those along a continuum of balanced states differ by less from 1
+  if (motion.orbit.nodes.empty()) return std::numeric_limits<double>::quiet_NaN();
+  for (const auto& value : motion.orbit.decays())
+    if (motion.kind == MotionKind::periodic || std::abs(value - 1.0) >= unit_multiplier) return std::abs(value);
+  return std::numeric_limits<double>::quiet_NaN();
 }
 
 }  // namespace equipoise

@@ -66,7 +66,8 @@ std::vector<ValueRange> ranges_of(const Branch& branch);
 /// How fast the slowest deviation grows: the largest real part of an eigenvalue, log|multiplier| / period, or Lyapunov
 /// exponent; the shift in time and shifts along a continuum of balanced states are left out, for a torus both zeros.
 double growth_rate(const Motion& motion);
-/// Largest modulus of a Floquet multiplier but the shift in time; not a number for motions that are not periodic.
+/// Largest modulus of a Floquet multiplier but the shift in time and those along a continuum; not a number for motions
+/// without multipliers.
 double largest_multiplier(const Motion& motion);
 
 }  // namespace equipoise

@@ -19,6 +19,9 @@ StartSource::StartSource(const Study& study, std::vector<model::Segment> segment
       stop_(stop),
       segments_(std::move(segments)),
       tolerance_(study.numerics.tolerance.value_or(default_basin_tolerance)) {
+  if (!study.parameters.race_is_centred())
+    for (const model::DrivePiece& piece : model::prescribed_drive(segments_).pieces)
+      systems_.emplace_back(study.parameters, piece);
   while (segments_[first_free_].clamped) ++first_free_;
   if (first_free_ == 0) return;
   double z[max_dimension];
@@ -60,6 +63,25 @@ bool StartSource::make(std::uint64_t seed, std::uint64_t first, std::size_t coun
   return advance(states, fates, transients);
 }
 
+bool StartSource::make(std::uint64_t seed, std::uint64_t first, std::size_t count, SpunUp& starts,
+                       TransientTable* transients) const {
+  for (auto* none : {&starts.begins, &starts.released, &starts.nearest}) none->clear();
+  starts.over.clear();
+  return make(seed, first, count, starts.phi, starts.states, starts.fates, transients);
+}
+
+bool StartSource::follow(const std::vector<double>& phi, SpunUp& starts) const {
+  starts.phi = phi;
+  for (auto* none : {&starts.begins, &starts.released, &starts.nearest}) none->clear();
+  starts.over.clear();
+  return follow(phi, starts.states, starts.fates);
+}
+
+LaneTask StartSource::last_task() const {
+  std::vector<double> none;
+  return task(segments_.size() - 1, none);
+}
+
 void StartSource::release(const std::vector<double>& phi, std::vector<double>& states) const {
   const std::size_t n = static_cast<std::size_t>(study_.parameters.balls), count = phi.size() / n;
   const std::size_t size = model::dimension(study_.parameters.balls);
@@ -75,6 +97,7 @@ LaneTask StartSource::task(std::size_t k, std::vector<double>& states) const {
   LaneTask task;
   task.parameters = &study_.parameters;
   task.segment = segments_[k];
+  if (!systems_.empty()) task.system = &systems_[k];
   task.end = segments_[k].end;
   task.tolerance = tolerance_;
   task.count = states.size() / model::dimension(study_.parameters.balls);

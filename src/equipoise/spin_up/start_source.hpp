@@ -1,4 +1,5 @@
-// From a start's index to its state when the final speed is reached: spin-up, release, remaining branches.
+// From a start's index to its state when the final speed is reached, of rotors that turn as prescribed: spin-up,
+// release, remaining branches.
 #pragma once
 
 #include <cstdint>
@@ -9,19 +10,21 @@
 #include "equipoise/integrate/clamped.hpp"
 #include "equipoise/lanes/lane_task.hpp"
 #include "equipoise/model/speed.hpp"
+#include "equipoise/model/system.hpp"
 #include "equipoise/sampling/sampling.hpp"
+#include "equipoise/spin_up/spin_up.hpp"
 #include "equipoise/study/study.hpp"
 #include "equipoise/transients/clamped_transients.hpp"
 
 namespace equipoise {
 
 /// Makes states of starts. Thread-safe once made.
-class StartSource {
+class StartSource : public SpinUp {
  public:
   /// Integrates the clamped spin-up, which all starts share.
   StartSource(const Study& study, const StopFlag* stop);
   /// Prepares make() for tables with these settings.
-  void watch(const TransientSettings& settings);
+  void watch(const TransientSettings& settings) override;
   /// The same for a rotor that moves by `segments` instead of the study's [speed] and [release]: contiguous from 0, the
   /// clamped ones first, the last one free and without end.
   StartSource(const Study& study, std::vector<model::Segment> segments, const StopFlag* stop);
@@ -31,7 +34,10 @@ class StartSource {
   /// row for each start up to there; its settings are those of watch().
   bool make(std::uint64_t seed, std::uint64_t first, std::size_t count, std::vector<double>& phi,
             std::vector<double>& states, std::vector<Fate>& fates, TransientTable* transients = nullptr) const;
+  bool make(std::uint64_t seed, std::uint64_t first, std::size_t count, SpunUp& starts,
+            TransientTable* transients = nullptr) const override;
   /// The same for given ball angles, all else as in [initial]: phi.size() / balls starts.
+  bool follow(const std::vector<double>& phi, SpunUp& starts) const override;
   bool follow(const std::vector<double>& phi, std::vector<double>& states, std::vector<Fate>& fates) const;
 
   /// The states in which given ball angles are released, row-major.
@@ -39,6 +45,7 @@ class StartSource {
   /// All that an ensemble's task over free segment `k` has in common: the states enter at its beginning. For k other
   /// than the last it ends with the segment.
   LaneTask task(std::size_t k, std::vector<double>& states) const;
+  LaneTask last_task() const override;
   /// Takes states at the end of segment `k`, not the last, across the jump of psi' that follows.
   void cross(std::size_t k, std::vector<double>& states) const;
 
@@ -46,9 +53,9 @@ class StartSource {
   std::size_t first_free() const { return first_free_; }
 
   /// When the last branch has begun and the balls are free.
-  double settled() const { return segments_.back().begin; }
+  double settled() const override { return segments_.back().begin; }
   const model::Segment& last_segment() const { return segments_.back(); }
-  double tolerance() const { return tolerance_; }
+  double tolerance() const override { return tolerance_; }
 
  private:
   void place(const InitialState& start, double* state) const;
@@ -58,6 +65,7 @@ class StartSource {
   Sampler sampler_;
   const StopFlag* stop_;
   std::vector<model::Segment> segments_;
+  std::vector<model::System> systems_;  // over each segment, where the race is off centre; else empty
   std::size_t first_free_ = 0;
   ClampedBasis basis_;
   ClampedTransients clamped_;

@@ -51,7 +51,9 @@ struct BasinFile::State {
   std::vector<int> variables;  // of the columns, in `file`
   std::optional<store::Journal> journal;
 
-  std::size_t state_size() const { return 4 + 2 * static_cast<std::size_t>(header.balls); }
+  std::size_t state_size() const {
+    return 4 + 2 * static_cast<std::size_t>(header.balls) + header.drive_components.size();
+  }
   std::size_t column(const char* name) const;
   void require_same(const std::string& there, const std::string& identity) const;
   void open_results();

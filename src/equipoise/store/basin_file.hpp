@@ -25,6 +25,8 @@ struct BasinFileHeader {
   std::string arithmetic;    ///< what they must share for their results to be the same to the bit
   bool angles = true;        ///< false: leave phi out; it follows from seed and index
   bool driven = false;       ///< a motor turns the rotor: each start has a mean speed of its own
+  /// What states of discoveries have beside the centre and the balls, by name: of driven rotors.
+  std::vector<std::string> drive_components;
   bool full_starts = false;  ///< starts differ in more than their ball angles
   SamplingMethod method = SamplingMethod::random;
   std::optional<TransientSettings> transients;  ///< if the file holds transients

@@ -58,10 +58,11 @@ class BasinWriter {
     define_kinds(file_.dimension("outcome_kind", c_.summary.size()));
     if (!c_.discoveries.empty()) {
       const int met = file_.dimension("discovery", c_.discoveries.size());
-      const int component = file_.dimension("component", 4 + 2 * balls);
+      const int component = file_.dimension("component", components().size());
       component_ = file_.text_variable("component", component, components(), "entry of discovery_state");
       discovery_ = file_.variable("discovery_state", NC_DOUBLE, {met, component}, "1",
-                                  "state on a motion first met during the run: x, y, u, v, phi, phi_dot");
+                                  "state on a motion first met during the run: x, y, u, v, phi, phi_dot, and of driven "
+                                  "rotors what turns them");
     }
     define_attributes();
     if (c_.header.transients) define_transients();
@@ -164,6 +165,7 @@ class BasinWriter {
     std::vector<std::string> names{"x", "y", "u", "v"};
     for (const char* part : {"phi", "phi_dot"})
       for (int i = 1; i <= c_.header.balls; ++i) names.push_back(fmt::format("{}_{}", part, i));
+    names.insert(names.end(), c_.header.drive_components.begin(), c_.header.drive_components.end());
     return names;
   }
 

@@ -92,6 +92,10 @@ class BranchesWriter {
     rate_ = number("growth_rate", "1", "growth rate of the slowest deviation, in omega_c; negative where it dies out");
     drift_ = filled("drift", {value, attractor, ball}, "1",
                     "mean rate of a ball in the rotating frame, radians times omega_c");
+    if (!result_.study.speed.driven()) return;
+    speed_ = number("speed", "1", "mean speed of the rotor, in omega_c");
+    torque_ = number("torque", "1", "mean torque of the motor, in M R^2 omega_c^2");
+    power_ = number("power", "1", "mean power of the motor, in M R^2 omega_c^3");
   }
 
   void define_events() {
@@ -131,6 +135,10 @@ class BranchesWriter {
     put(multiplier_, point, b, largest_multiplier(m));
     put(rate_, point, b, growth_rate(m));
     file_.write(drift_, {point.at, b, 0}, {1, 1, balls_}, m.drift.data());
+    if (!m.motor) return;
+    put(speed_, point, b, m.speed);
+    put(torque_, point, b, m.motor->torque);
+    put(power_, point, b, m.motor->power);
   }
 
   void put_event(const BranchEvent& e, std::size_t at) {
@@ -145,6 +153,7 @@ class BranchesWriter {
   std::vector<std::string> names_, aliases_, changes_, types_;
   int value_ = -1, id_ = -1, name_ = -1, alias_ = -1, kind_ = -1, sresult_ = -1, period_ = -1;
   int r_min_ = -1, r_mean_ = -1, r_max_ = -1, multiplier_ = -1, rate_ = -1, drift_ = -1;
+  int speed_ = -1, torque_ = -1, power_ = -1;  // of driven rotors
   int event_id_ = -1, event_change_ = -1, event_type_ = -1, event_low_ = -1, event_high_ = -1;
 };
 

@@ -30,19 +30,22 @@ class WatchTransients final : public LaneWatch {
         motion_(task.segment),
         table_(table),
         limits_(table.settings),
-        lambda_(task.parameters->eccentricity),
-        turns_(task.general()),
+        rotor_(of_rotor(*task.parameters)),
+        turns_(model::is_strobed(*task.parameters)),
+        held_(task.held),
+        size_(task.dimension()),
+        psi_place_(task.psi_place()),
         sag_(model::static_sag(*task.parameters)) {
     for (int i = 0; i < balls_; ++i) mass_[i] = Pack(task.parameters->mass[i]);
   }
 
   void begin(int slot, std::size_t start, double t, const double* state) override {
-    Pack z[model::dimension(model::max_balls)];
-    for (int i = 0; i < model::dimension(balls_); ++i) z[i] = Pack(state[i]);
-    const transient::Sample<Pack> here = sample(Pack(t), z);
+    Pack z[model::dimension(model::max_balls) + 3];
+    for (int i = 0; i < size_; ++i) z[i] = Pack(state[i]);
+    const transient::Sample<Pack> here = sample(Pack(t), z, psi_place_);
     Group& group = groups_[slot / lanes];
     const int lane = slot % lanes;
-    group.load(lane, table_.rows[start]);
+    group.load(lane, table_.rows[start], !held_);
     group.stand(lane,
                 {transient::element(here.r2, 0), transient::element(here.slope, 0), transient::element(here.force2, 0),
                  transient::element(here.velocity2, 0)},
@@ -52,14 +55,14 @@ class WatchTransients final : public LaneWatch {
 
   unsigned step(const TriedStep& s) override {
     const Pack begin = s.t - s.h;
-    const transient::Sample<Pack> at[3] = {sample(multiply_add(Pack(transient::node1), s.h, begin), s.first),
-                                           sample(multiply_add(Pack(transient::node2), s.h, begin), s.second),
-                                           sample(s.t, s.z)};
+    const transient::Sample<Pack> at[3] = {sample(multiply_add(Pack(transient::node1), s.h, begin), s.first, 4),
+                                           sample(multiply_add(Pack(transient::node2), s.h, begin), s.second, 4),
+                                           sample(s.t, s.z, psi_place_)};
     return groups_[s.group].add(limits_, s.active, s.accepted, begin, s.t, s.h, at, unbalance(s.z));
   }
 
   void end(int slot, std::size_t start, LaneEnd, double t) override {
-    groups_[slot / lanes].store(slot % lanes, t, table_.rows[start]);
+    groups_[slot / lanes].store(slot % lanes, t, table_.rows[start], !held_);
   }
 
   void restart(int slot, double t) override { groups_[slot / lanes].restart(slot % lanes, t); }
@@ -74,18 +77,30 @@ class WatchTransients final : public LaneWatch {
   using Group = transient::GatherTransients<Pack>;
   static constexpr int lanes = Group::lanes;
 
-  // The force of isotropic supports does not ask where the rotor points, and only gravity lets it sag.
-  HWY_INLINE transient::Sample<Pack> sample(Pack t, const Pack* z) const {
+  // With that of the balls' masses where they have the race's centre.
+  static Vector2<Pack> of_rotor(const model::Parameters& p) {
+    const double balls = p.total_mass();
+    return {Pack(p.eccentricity + balls * p.race_offset[0]), Pack(balls * p.race_offset[1])};
+  }
+
+  // The force of isotropic supports does not ask where the rotor points, and only gravity lets it sag. `psi`: the place
+  // of the angle, where states have one.
+  HWY_INLINE transient::Sample<Pack> sample(Pack t, const Pack* z, int psi) const {
     if (!turns_) {
       const RotorMotion<Pack> unasked{};
       return transient::sample_of({Pack(0.0), Pack(0.0)}, plain_.bearing_force(unasked, z), z);
     }
-    const RotorMotion<Pack> rotor = motion_.at(t);
+    RotorMotion<Pack> rotor;
+    if (psi_place_ < 0)
+      rotor = motion_.at(t);
+    else
+      sin_cos(z[psi], rotor.sin_psi, rotor.cos_psi);
     return transient::sample_of({sag_ * rotor.sin_psi, sag_ * rotor.cos_psi}, turning_.bearing_force(rotor, z), z);
   }
 
   HWY_INLINE Pack unbalance(const Pack* z) const {
-    const Vector2<Pack> all = sum_of_unbalances({lambda_, Pack(0.0)}, balls_, mass_, z + 4);
+    Vector2<Pack> all{rotor_.x + z[4], rotor_.y + z[5]};
+    if (!held_) all = sum_of_unbalances(rotor_, balls_, mass_, z + 4);
     return square_root(all.x * all.x + all.y * all.y);
   }
 
@@ -96,9 +111,10 @@ class WatchTransients final : public LaneWatch {
   const SegmentMotion<Pack, Terms{}> motion_;
   TransientTable& table_;
   const transient::Limits<Pack> limits_;
-  const Pack lambda_;
+  const Vector2<Pack> rotor_;
   Pack mass_[model::max_balls];
-  const bool turns_;
+  const bool turns_, held_;
+  const int size_, psi_place_;
   const Pack sag_;
   Group groups_[most_lane_groups];
 };

@@ -10,6 +10,7 @@
 #include <fmt/format.h>
 
 #include "equipoise/math/dense.hpp"
+#include "equipoise/model/balanced_state.hpp"
 #include "equipoise/model/linearisation.hpp"
 #include "equipoise/orbits/stroboscopic.hpp"
 #include "equipoise/traps/balanced_trap.hpp"
@@ -23,39 +24,48 @@ using Angles = std::array<double, model::max_balls>;
 // Rounding moves an eigenvalue by about 1e-15; a rate this small would need a horizon of 1e9 to show.
 constexpr double least_rate = 1e-9;
 
-std::optional<Motion> balanced_motion(const model::System& system, const Angles& phi) {
-  if (system.autonomous()) {
-    const auto refined = refine_equilibrium(system, model::centred_state(system.parameters(), phi.data()));
-    return refined ? std::optional(describe_equilibrium(system, *refined)) : std::nullopt;
+// What all that is said here needs of a system.
+struct Balance {
+  const model::System& system;
+  double speed;  // psi'
+};
+
+std::optional<Motion> balanced_motion(const Balance& at, const Angles& phi) {
+  if (at.system.autonomous()) {
+    const auto refined = refine_equilibrium(at.system, model::balanced_state(at.system, at.speed, phi.data()));
+    return refined ? std::optional(describe_equilibrium(at.system, *refined)) : std::nullopt;
   }
-  const auto orbit = balanced_orbit(system, phi.data());
+  const auto orbit = balanced_orbit(at.system, phi.data());
   if (!orbit) return std::nullopt;
-  Motion motion = describe_orbit(system, *orbit);
+  Motion motion = describe_orbit(at.system, *orbit);
   motion.balanced = true;  // it was followed from there
   return motion;
 }
 
 // Of the deviation that dies out slowest, or grows fastest.
-double rate_of(const model::System& system, const Angles& phi, const Motion& motion) {
-  if (!system.autonomous()) return motion.orbit.slowest_rate();
-  return dense::largest_real_part(model::jacobian(system, model::centred_state(system.parameters(), phi.data())));
+double rate_of(const Balance& at, const Angles& phi, const Motion& motion) {
+  if (!at.system.autonomous()) return motion.orbit.slowest_rate();
+  return dense::largest_real_part(
+      model::jacobian(at.system, model::balanced_state(at.system, at.speed, phi.data())));
 }
 
-void analyse_continuum(const model::System& system, const StopFlag* stop, BalancedAnalysis& result) {
-  const model::Parameters& p = system.parameters();
-  result.continuum = std::make_shared<BalancedContinuum>(p, system.speed());
+void analyse_continuum(const Balance& at, const StopFlag* stop, BalancedAnalysis& result) {
+  // Whatever is balanced where nothing rests, or where linear theory has nothing to say, starts have to find.
+  const bool rests = model::balanced_freedom(at.system) > 0;
+  result.stable = true;
+  if (!BalancedContinuum::is_of(at.system)) return;
+  result.continuum = std::make_shared<BalancedContinuum>(at.system);
   result.survey = result.continuum->survey(stop);
   const ContinuumSurvey& survey = result.survey;
-  const bool gravity = p.gravity != 0.0;  // whatever is balanced then, starts have to find
-  result.stable = survey.attracts() || gravity;
+  result.stable = survey.attracts() || !rests;
   result.growth_rate = survey.most_growth;
   if (!result.stable)
     result.note = fmt::format(
         "the balanced states form a continuum, and all {} drawn evenly from it are unstable at speed {} (growth rates "
         "{:.3g} to {:.3g})",
-        survey.drawn, system.speed(), survey.least_growth, survey.most_growth);
-  if (gravity || is_set(stop)) return;
-  if (auto motion = balanced_motion(system, survey.typical)) result.motions.push_back(*std::move(motion));
+        survey.drawn, at.speed, survey.least_growth, survey.most_growth);
+  if (!rests || is_set(stop)) return;
+  if (auto motion = balanced_motion(at, survey.typical)) result.motions.push_back(*std::move(motion));
 }
 
 std::string instability(const BalancedAnalysis& result, double speed) {
@@ -66,17 +76,17 @@ std::string instability(const BalancedAnalysis& result, double speed) {
   return fmt::format("the balanced state exists but is not linearly stable at speed {} (largest rate 0)", speed);
 }
 
-void analyse_isolated(const model::System& system, const StopFlag* stop, BalancedAnalysis& result) {
-  const model::Parameters& p = system.parameters();
+void analyse_isolated(const Balance& at, const StopFlag* stop, BalancedAnalysis& result) {
+  const model::Parameters& p = at.system.parameters();
   std::vector<Angles> angles = result.states.angles;
   const bool images = p.balls == 2 && p.equal_balls() && angles.size() == 2;
   if (images) angles.pop_back();  // the other one by exchange of the balls
   double slowest = -std::numeric_limits<double>::infinity();
   for (const Angles& phi : angles) {
     if (is_set(stop)) return;
-    auto motion = balanced_motion(system, phi);
+    auto motion = balanced_motion(at, phi);
     if (!motion) continue;
-    const double rate = rate_of(system, phi, *motion);
+    const double rate = rate_of(at, phi, *motion);
     result.motions.push_back(*std::move(motion));
     if (!(rate < -least_rate)) {
       result.growth_rate = std::max(result.growth_rate, rate);
@@ -84,31 +94,34 @@ void analyse_isolated(const model::System& system, const StopFlag* stop, Balance
     }
     slowest = std::max(slowest, rate);
     result.stable = true;
-    if (!system.autonomous()) continue;
-    result.traps.push_back(balanced_trap(p, system.speed(), phi));
-    if (images) result.traps.push_back(exchanged(p, result.traps.back()));
+    if (!at.system.autonomous()) continue;
+    result.traps.push_back(balanced_trap(at.system, phi));
+    if (images) result.traps.push_back(exchanged(result.traps.back()));
   }
   std::stable_partition(result.motions.begin(), result.motions.end(), [](const Motion& m) { return m.stable; });
   if (result.stable)
     result.slowest_rate = slowest;
   else
-    result.note = instability(result, system.speed());
+    result.note = instability(result, at.speed);
 }
 
 }  // namespace
 
 BalancedAnalysis analyse_balanced(const model::System& system, const StopFlag* stop) {
   using Kind = model::BalancedStates::Kind;
+  constexpr double any_speed = 1.0;
   BalancedAnalysis result;
-  model::Parameters horizontal = system.parameters();
-  horizontal.gravity = 0.0;
-  result.states = model::balanced_states(horizontal);
-  if (result.states.kind == Kind::none)
+  result.states = model::balanced_states(system, any_speed);
+  const Balance at{system, model::balanced_speed(system).value_or(0.0)};
+  if (result.states.kind == Kind::none) {
     result.note = "no balanced state exists: " + result.states.reason;
-  else if (result.states.kind == Kind::family)
-    analyse_continuum(system, stop, result);
-  else
-    analyse_isolated(system, stop, result);
+  } else if (system.coasts()) {
+    result.stable = true;  // or not, by the speed that is left
+  } else if (result.states.kind == Kind::family) {
+    analyse_continuum(at, stop, result);
+  } else {
+    analyse_isolated(at, stop, result);
+  }
   return result;
 }
 

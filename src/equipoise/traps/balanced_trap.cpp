@@ -6,8 +6,10 @@
 #include <limits>
 #include <utility>
 
+#include "equipoise/base/angles.hpp"
 #include "equipoise/math/dense.hpp"
 #include "equipoise/math/lyapunov.hpp"
+#include "equipoise/model/balanced_state.hpp"
 #include "equipoise/model/linearisation.hpp"
 #include "equipoise/motions/motion_symmetry.hpp"
 #include "equipoise/traps/critical_level.hpp"
@@ -65,13 +67,13 @@ class EntryTime {
 
 // The modal form whose weights make the entry time small: coordinate search over one weight a conjugate
 // pair. Unit weights on unit vectors are within a factor of two of the best in every row of the paper.
-Eigen::MatrixXd best_modal_form(const model::Parameters& p, double speed, const double* phi, const Eigen::MatrixXd& a) {
+Eigen::MatrixXd best_modal_form(const model::System& system, const Eigen::VectorXd& centre, const Eigen::MatrixXd& a) {
   const Modes modes = left_modes(a);
   const Eigen::Index size = modes.rates.size();
   Eigen::VectorXd weights = Eigen::VectorXd::Ones(size);
-  const EntryTime entry_time(modes, p.balls);
+  const EntryTime entry_time(modes, system.balls());
   const auto cost = [&](const Eigen::VectorXd& w) {
-    return entry_time(w, level_by_rays(p, speed, phi, modal_form(modes, w), rays_while_weighing));
+    return entry_time(w, level_by_rays(system, centre, modal_form(modes, w), rays_while_weighing));
   };
   double least = cost(weights);
   for (double factor : {2.0, 1.4}) {
@@ -99,12 +101,15 @@ Eigen::MatrixXd best_modal_form(const model::Parameters& p, double speed, const 
   return modal_form(modes, weights);
 }
 
-BalancedTrap make_trap(const model::Parameters& p, const std::array<double, model::max_balls>& phi,
-                       const Eigen::MatrixXd& form, double level) {
+using Angles = std::array<double, model::max_balls>;
+using Centre = std::array<double, max_dimension>;
+
+BalancedTrap make_trap(const Angles& phi, const Centre& centre, const Eigen::MatrixXd& form, double level) {
   BalancedTrap trap;
   trap.phi = phi;
+  trap.centre = centre;
   trap.level = level;
-  const int size = model::dimension(p.balls);
+  const auto size = static_cast<int>(form.rows());
   const Eigen::MatrixXd factor = dense::Cholesky(form).upper();
   const Eigen::MatrixXd inverse = dense::inverse(form);
   trap.factor.resize(static_cast<std::size_t>(size) * size);
@@ -117,46 +122,66 @@ BalancedTrap make_trap(const model::Parameters& p, const std::array<double, mode
 
 // The form whose sampled level set is entered soonest, among modal ones and Lyapunov's for Q = 1 (where modes are
 // nearly defective the former degenerate).
-BalancedTrap isolated_trap(const model::Parameters& p, double speed, const std::array<double, model::max_balls>& phi,
-                           const Eigen::MatrixXd& a) {
-  const Eigen::MatrixXd modal = best_modal_form(p, speed, phi.data(), a);
+BalancedTrap isolated_trap(const model::System& system, const Angles& phi, double speed) {
+  const Eigen::VectorXd state = model::balanced_state(system, speed, phi.data());
+  const Eigen::MatrixXd a = model::jacobian(system, state);
+  const Eigen::MatrixXd modal = best_modal_form(system, state, a);
   const Eigen::MatrixXd plain = solve_lyapunov(a, Eigen::MatrixXd::Identity(a.rows(), a.cols()));
-  const double modal_level = critical_level(p, speed, phi.data(), modal, rays_for_level);
-  const double plain_level = critical_level(p, speed, phi.data(), plain, rays_for_level);
+  const double modal_level = critical_level(system, state, modal, rays_for_level);
+  const double plain_level = critical_level(system, state, plain, rays_for_level);
   const auto log_volume = [&](const Eigen::MatrixXd& form, double level) {
     return level > 0.0 ? 0.5 * (a.rows() * std::log(level) - std::log(dense::determinant(form))) : -1e300;
   };
   const bool use_modal = log_volume(modal, modal_level) >= log_volume(plain, plain_level);
-  return make_trap(p, phi, use_modal ? modal : plain, level_margin * (use_modal ? modal_level : plain_level));
+  Centre centre{};
+  std::copy(state.begin(), state.end(), centre.begin());
+  std::fill_n(centre.begin() + model::index::phi(0), system.balls(), 0.0);
+  return make_trap(phi, centre, use_modal ? modal : plain, level_margin * (use_modal ? modal_level : plain_level));
 }
 
-// The trap's mirror image: of the rotor that turns the other way.
-BalancedTrap reflected(const model::Parameters& p, const BalancedTrap& trap) {
-  Eigen::VectorXd sign = -Eigen::VectorXd::Ones(model::dimension(p.balls));
-  sign[model::index::x] = sign[model::index::u] = 1.0;
-  std::array<double, model::max_balls> phi{};
-  for (int i = 0; i < p.balls; ++i) phi[i] = -trap.phi[i];
-  return make_trap(p, phi, sign.asDiagonal() * form_of(trap) * sign.asDiagonal(), trap.level);
+// What mirrors a state: of the rotor that turns the other way.
+double mirror_sign(int place) { return place == model::index::x || place == model::index::u ? 1.0 : -1.0; }
+
+model::System reflected(const model::System& system) {
+  model::Parameters p = system.parameters();
+  model::DrivePiece drive = system.drive();
+  p.race_offset[1] = -p.race_offset[1];
+  drive.speed = -drive.speed;
+  drive.motor.constant = -drive.motor.constant;
+  drive.motor.aim = -drive.motor.aim;
+  return {p, drive};
+}
+
+BalancedTrap reflected(const model::System& system, const BalancedTrap& trap) {
+  Eigen::VectorXd sign(system.dimension());
+  Centre centre = trap.centre;
+  for (int i = 0; i < system.dimension(); ++i) {
+    sign[i] = mirror_sign(i);
+    centre[i] *= sign[i];
+  }
+  Angles phi{};
+  for (int i = 0; i < system.balls(); ++i) phi[i] = -trap.phi[i];
+  return make_trap(phi, centre, sign.asDiagonal() * form_of(trap) * sign.asDiagonal(), trap.level);
 }
 
 }  // namespace
 
-BalancedTrap exchanged(const model::Parameters& p, const BalancedTrap& trap) {
-  const Eigen::VectorXi from = exchanged_components(2, {1, 0});
-  return make_trap(p, {trap.phi[1], trap.phi[0]}, form_of(trap)(from, from), trap.level);
+BalancedTrap exchanged(const BalancedTrap& trap) {
+  const Eigen::MatrixXd form = form_of(trap);
+  const Eigen::VectorXi from = exchanged_components(2, {1, 0}, form.rows());
+  return make_trap({trap.phi[1], trap.phi[0]}, trap.centre, form(from, from), trap.level);
 }
 
 // What is searched for is searched for of the rotor that turns forwards, so that mirror images have the same level.
-BalancedTrap balanced_trap(const model::Parameters& p, double speed, const std::array<double, model::max_balls>& phi) {
-  const double forwards = std::fabs(speed);
-  std::array<double, model::max_balls> angles = phi;
-  const bool backwards = speed < 0.0, equal = p.balls == 2 && p.equal_balls();
-  for (int i = 0; backwards && i < p.balls; ++i) angles[i] = -phi[i];
+BalancedTrap balanced_trap(const model::System& system, const Angles& phi) {
+  const double speed = model::balanced_speed(system).value_or(0.0), forwards = std::fabs(speed);
+  Angles angles = phi;
+  const bool backwards = speed < 0.0, equal = system.balls() == 2 && system.parameters().equal_balls();
+  for (int i = 0; backwards && i < system.balls(); ++i) angles[i] = -phi[i];
   if (backwards && equal) std::swap(angles[0], angles[1]);  // of equal balls both states are made from the first
-  const BalancedTrap trap =
-      isolated_trap(p, forwards, angles, model::jacobian(p, forwards, model::centred_state(p, angles.data()).data()));
+  const BalancedTrap trap = isolated_trap(backwards ? reflected(system) : system, angles, forwards);
   if (!backwards) return trap;
-  return reflected(p, equal ? exchanged(p, trap) : trap);
+  return reflected(system, equal ? exchanged(trap) : trap);
 }
 
 Eigen::Map<const Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>> factor_of(
@@ -176,10 +201,22 @@ void set_level(BalancedTrap& trap, double level) {
   for (double& reach : trap.reach) reach *= stretch;
 }
 
-Eigen::VectorXd state_on_level(const model::Parameters& p, const BalancedTrap& trap, double level,
+double value(const model::System& system, const BalancedTrap& trap, const double* state) {
+  Eigen::VectorXd d(system.dimension());
+  for (int i = 0; i < system.dimension(); ++i) d[i] = state[i] - trap.centre[i];
+  for (int i = 0; i < system.balls(); ++i) {
+    double& angle = d[model::index::phi(i)];
+    angle = wrapped(angle - trap.phi[i]);
+  }
+  return (factor_of(trap) * d).squaredNorm();
+}
+
+Eigen::VectorXd state_on_level(const model::System& system, const BalancedTrap& trap, double level,
                                const Eigen::VectorXd& direction) {
-  const Eigen::VectorXd d = std::sqrt(level) * factor_of(trap).triangularView<Eigen::Upper>().solve(direction);
-  return model::centred_state(p, trap.phi.data()) + d;
+  Eigen::VectorXd state = std::sqrt(level) * factor_of(trap).triangularView<Eigen::Upper>().solve(direction);
+  for (int i = 0; i < system.dimension(); ++i) state[i] += trap.centre[i];
+  for (int i = 0; i < system.balls(); ++i) state[model::index::phi(i)] += trap.phi[i];
+  return state;
 }
 
 }  // namespace equipoise

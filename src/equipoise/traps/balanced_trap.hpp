@@ -6,17 +6,16 @@
 #include <Eigen/Core>
 
 #include "equipoise/deciding/decision_rule.hpp"
-#include "equipoise/model/parameters.hpp"
+#include "equipoise/model/system.hpp"
 
 namespace equipoise {
 
-/// The trap of the linearly stable balanced state at ball angles `phi`, where nothing depends on the rotor's angle. Its
-/// level is level_margin times the smallest value of V at which dV/dt >= 0 was found by sampling rays and descending
+/// The trap of the linearly stable balanced state at ball angles `phi` of a smooth system of section none. Its level is level_margin times the smallest value of V at which dV/dt >= 0 was found by sampling rays and descending
 /// from the worst.
-BalancedTrap balanced_trap(const model::Parameters& p, double speed, const std::array<double, model::max_balls>& phi);
+BalancedTrap balanced_trap(const model::System& system, const std::array<double, model::max_balls>& phi);
 
 /// The trap of the other balanced state of two equal balls.
-BalancedTrap exchanged(const model::Parameters& p, const BalancedTrap& trap);
+BalancedTrap exchanged(const BalancedTrap& trap);
 
 /// F and P = F^T F of the trap's Lyapunov function V = |F d|^2 = d^T P d. The first is a view of the trap.
 Eigen::Map<const Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>> factor_of(
@@ -26,8 +25,11 @@ Eigen::MatrixXd form_of(const BalancedTrap& trap);
 /// Sets the level and with it the reach.
 void set_level(BalancedTrap& trap, double level);
 
+/// V of a state.
+double value(const model::System& system, const BalancedTrap& trap, const double* state);
+
 /// A state on the level `level`. `direction`: a unit vector of as many numbers.
-Eigen::VectorXd state_on_level(const model::Parameters& p, const BalancedTrap& trap, double level,
+Eigen::VectorXd state_on_level(const model::System& system, const BalancedTrap& trap, double level,
                                const Eigen::VectorXd& direction);
 
 /// Share of the sampled critical level that is used: two independent searches agree to 1e-4 and the level enters

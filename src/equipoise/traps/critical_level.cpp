@@ -11,34 +11,41 @@
 #include "equipoise/model/ball_count.hpp"
 #include "equipoise/model/flow-inl.hpp"
 #include "equipoise/model/linearisation.hpp"
+#include "equipoise/model/smooth_flow-inl.hpp"
 
 namespace equipoise {
 
 namespace {
 namespace kernels = HWY_NAMESPACE;
-constexpr kernels::Terms autonomous{false, false, false};
+using PlainFlow = kernels::FreeFlow<double, model::any_count, kernels::Terms{false, false, false}>;
+using GeneralFlow = kernels::SmoothFlow<double, model::any_count>;
+
+PlainFlow plain_flow(const model::System& system) {
+  return {system.parameters(), model::Segment{0.0, 0.0, 0.0, system.speed(), 0.0, false}};
+}
 
 // dV/dt along rays z* + s e of one balanced state, e of unit V.
+template <class Flow>
 class RaySearch {
  public:
   // Sizes known at run time, storage at compile time.
-  static constexpr int most = model::dimension(model::max_balls);
+  static constexpr int most = Flow::dimension;
   using Vector = Eigen::Matrix<double, Eigen::Dynamic, 1, 0, most, 1>;
   using Matrix = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, 0, most, most>;
 
-  RaySearch(const model::Parameters& p, double speed, const double* phi, const Matrix& form, const Matrix& factor)
-      : n(p.balls),
-        size(model::dimension(n)),
-        p_(p),
-        speed_(speed),
-        flow_(p, model::Segment{0.0, 0.0, 0.0, speed, 0.0, false}),
+  RaySearch(const model::System& system, const Flow& flow, const Matrix& centre, const Matrix& form,
+            const Matrix& factor)
+      : n(system.balls()),
+        size(system.dimension()),
+        system_(system),
+        flow_(flow),
         form_(form),
         factor_(factor),
-        centre_(model::centred_state(p, phi)) {}
+        centre_(centre) {}
 
   // Where V equals 1 along a direction given in coordinates in which V is the squared length.
   Vector edge(const Vector& direction) const {
-    return factor_.triangularView<Eigen::Upper>().solve(direction.normalized());
+    return factor_.template triangularView<Eigen::Upper>().solve(direction.normalized());
   }
 
   // Smallest s <= limit with dV/dt >= 0 at z* + s e, or limit.
@@ -68,13 +75,13 @@ class RaySearch {
   // The direction in which dV/dt rises fastest at V^(1/2) = s along a direction; both as `edge` takes them.
   Vector uphill(const Vector& direction, double s) const {
     const Vector d = s * edge(direction), z = centre_ + d;
-    const Vector rise = form_ * rate(z) + model::jacobian(p_, speed_, z.data()).transpose() * (form_ * d);
+    const Vector rise = form_ * rate(z) + model::jacobian(system_, z).transpose() * (form_ * d);
     return into_unit(rise).normalized();
   }
 
   // Directions, as `edge` takes them, of the extremes of dV/dt close to balance.
   Eigen::MatrixXd principal_directions() const {
-    const Eigen::MatrixXd half = form_ * model::jacobian(p_, speed_, centre_.data());
+    const Eigen::MatrixXd half = form_ * model::jacobian(system_, centre_);
     const Eigen::MatrixXd once = into_unit(half + half.transpose());
     return dense::symmetric_eigenvectors(into_unit(once.transpose()));
   }
@@ -96,13 +103,12 @@ class RaySearch {
 
   // Of gradients: into coordinates in which V is the squared length.
   Eigen::MatrixXd into_unit(const Eigen::MatrixXd& gradients) const {
-    return factor_.transpose().triangularView<Eigen::Lower>().solve(gradients);
+    return factor_.transpose().template triangularView<Eigen::Lower>().solve(gradients);
   }
 
   const int n, size;
-  const model::Parameters& p_;
-  const double speed_;
-  kernels::FreeFlow<double, model::any_count, autonomous> flow_;
+  const model::System& system_;
+  const Flow flow_;
   Matrix form_, factor_;
   Vector centre_;
 };
@@ -110,13 +116,15 @@ class RaySearch {
 // The least V^(1/2), below `limit`, with dV/dt >= 0 that is found by turning a direction to where dV/dt rises fastest:
 // on the critical level the gradients of V and dV/dt point the same way. Where level sets are narrow, of stiff rotors,
 // the directions in which V grows early are so few that random ones miss them.
-double descend(const RaySearch& search, RaySearch::Vector direction, double limit) {
+template <class Flow>
+double descend(const RaySearch<Flow>& search, typename RaySearch<Flow>::Vector direction, double limit) {
+  using Vector = typename RaySearch<Flow>::Vector;
   constexpr int most_steps = 200;
   constexpr double least_part = 1e-5;
   double reach = search.first_growth(search.edge(direction), limit), part = 0.5;
   for (int step = 0; step < most_steps && part > least_part; ++step) {
-    const RaySearch::Vector turned = ((1.0 - part) * direction + part * search.uphill(direction, reach)).normalized();
-    const RaySearch::Vector before = search.edge(direction), after = search.edge(turned);
+    const Vector turned = ((1.0 - part) * direction + part * search.uphill(direction, reach)).normalized();
+    const Vector before = search.edge(direction), after = search.edge(turned);
     const double shorter = search.first_growth(after, reach);
     // On rays along which V falls all the way, how fast it still falls at their ends tells where to look.
     const bool better = shorter < reach || (reach == limit && search.slope(after, limit) > search.slope(before, limit));
@@ -129,8 +137,9 @@ double descend(const RaySearch& search, RaySearch::Vector direction, double limi
 }
 
 // The same by random directions, and random steps from the worst of them.
-double sample(const RaySearch& search, int size, int rays) {
-  using Vector = RaySearch::Vector;
+template <class Flow>
+double sample(const RaySearch<Flow>& search, int size, int rays) {
+  using Vector = typename RaySearch<Flow>::Vector;
   RandomStream random;
   const auto random_vector = [&] {
     Vector v(size);
@@ -170,26 +179,37 @@ double sample(const RaySearch& search, int size, int rays) {
   return best;
 }
 
-}  // namespace
-
-double level_by_rays(const model::Parameters& p, double speed, const double* phi, const Eigen::MatrixXd& form,
-                     int rays) {
+// Least level of a search of `rays` rays, with a descent besides or not.
+template <class Flow>
+double least_level(const model::System& system, const Flow& flow, const Eigen::VectorXd& centre,
+                   const Eigen::MatrixXd& form, int rays, bool descending) {
   const dense::Cholesky cholesky(form);
   if (!cholesky.definite()) return 0.0;
-  const double least = sample({p, speed, phi, form, cholesky.upper()}, model::dimension(p.balls), rays);
+  const RaySearch<Flow> search(system, flow, centre, form, cholesky.upper());
+  double least = sample(search, system.dimension(), rays);
+  if (!descending) return least * least;
+  const Eigen::MatrixXd principal = search.principal_directions();
+  for (Eigen::Index k = 0; k < principal.cols(); ++k)
+    for (const double sign : {1.0, -1.0})
+      least = descend(search, typename RaySearch<Flow>::Vector(sign * principal.col(k)), least);
   return least * least;
 }
 
-double critical_level(const model::Parameters& p, double speed, const double* phi, const Eigen::MatrixXd& form,
+double least_level(const model::System& system, const Eigen::VectorXd& centre, const Eigen::MatrixXd& form, int rays,
+                   bool descending) {
+  if (system.plain()) return least_level(system, plain_flow(system), centre, form, rays, descending);
+  return least_level(system, GeneralFlow(system, 0.0), centre, form, rays, descending);
+}
+
+}  // namespace
+
+double level_by_rays(const model::System& system, const Eigen::VectorXd& centre, const Eigen::MatrixXd& form, int rays) {
+  return least_level(system, centre, form, rays, false);
+}
+
+double critical_level(const model::System& system, const Eigen::VectorXd& centre, const Eigen::MatrixXd& form,
                       int rays) {
-  const dense::Cholesky cholesky(form);
-  if (!cholesky.definite()) return 0.0;
-  const RaySearch search(p, speed, phi, form, cholesky.upper());
-  double least = sample(search, model::dimension(p.balls), rays);
-  const Eigen::MatrixXd principal = search.principal_directions();
-  for (Eigen::Index k = 0; k < principal.cols(); ++k)
-    for (const double sign : {1.0, -1.0}) least = descend(search, sign * principal.col(k), least);
-  return least * least;
+  return least_level(system, centre, form, rays, true);
 }
 
 }  // namespace equipoise

@@ -13,6 +13,7 @@
 #include "equipoise/base/angles.hpp"
 #include "equipoise/math/dense.hpp"
 #include "equipoise/math/lyapunov.hpp"
+#include "equipoise/model/balanced_state.hpp"
 #include "equipoise/model/linearisation.hpp"
 #include "equipoise/motions/motion_description.hpp"
 #include "equipoise/orbits/variational.hpp"
@@ -40,7 +41,8 @@ constexpr double share_of_rate = 0.8;
 // What an orbit's angles grow by in one period.
 VectorXd shift_of(const model::System& system, const PeriodicOrbit& orbit) {
   VectorXd shift = VectorXd::Zero(system.dimension());
-  for (int i = 0; i < system.balls(); ++i) shift[model::index::phi(i)] = two_pi * orbit.winding[i];
+  const auto angles = system.angles();
+  for (std::size_t i = 0; i < angles.size(); ++i) shift[angles[i].place] = angles[i].turn * orbit.winding[i];
   return shift;
 }
 
@@ -110,13 +112,14 @@ std::vector<CycleTrap> traps_by_ball(const model::System& system, const Motion& 
   trap.attractor = attractor;
   trap.clock = clock_of(system.balls(), motion);
   if (trap.clock < 0) return {};
+  trap.phase_place = model::index::phi(trap.clock);
   trap.turns = std::abs(motion.winding[trap.clock]);
   trap.cells = cells_a_turn;
   trap.unit = VectorXd::Ones(system.dimension());
   if (trap.turns > most_turns) return {};
   const auto samples = sample(system, motion, samples_a_turn * trap.turns);
   if (!samples) return {};
-  trap.nodes = nodes_over_angle(*samples, model::index::phi(trap.clock), trap.turns);
+  trap.nodes = nodes_over_angle(*samples, trap.phase_place, trap.turns);
   if (!is_definite(trap)) return {};
   std::vector<CycleTrap> traps;
   for (const BallOrder& order : exchange_images(system, motion))
@@ -145,10 +148,57 @@ std::optional<Arcs> arcs_over_strobes(const model::System& system, const Periodi
       z = std::move(arc->end);
     }
   }
+  return arcs;
+}
+
+// From `z`, on a motion along which the rotor's angle grows or falls all the way, to where that is `psi`; with the
+// derivative. Newton's method on the time.
+std::optional<TangentFlight> follow_to_angle(const model::System& system, const VectorXd& z, double psi) {
+  const int place = system.psi_place();
+  double time = (psi - z[place]) / system.speed(z);
+  for (int k = 0; k < 20; ++k) {
+    if (!(time >= 0.0)) return std::nullopt;
+    auto flight = follow_derivative(system, z, time, tolerance);
+    if (!flight) return std::nullopt;
+    const double miss = psi - flight->end[place];
+    if (std::fabs(miss) < 1e-11) return flight;
+    time += miss / system.speed(flight->end);
+  }
+  return std::nullopt;
+}
+
+// The same under a motor, from one angle of the rotor to the next: what deviates with that angle is taken along the
+// motion to where it does not.
+std::optional<Arcs> arcs_over_turns(const model::System& system, const Motion& motion, const VectorXd& unit, int turns) {
+  const int place = system.psi_place(), size = system.dimension(), cells = cells_a_strobe * turns;
+  const double turn = motion.speed < 0.0 ? -system.strobe_angle() : system.strobe_angle(), step = turn / cells_a_strobe;
+  const VectorXd& first = motion.orbit.nodes.front();
+  const auto start = follow_to_angle(system, first, turn * std::ceil(first[place] / turn));
+  if (!start) return std::nullopt;
+  VectorXd z = start->end;
+  z[place] = 0.0;
+  Eigen::VectorXi others(size - 1);
+  for (int i = 0, k = 0; i < size; ++i)
+    if (i != place) others[k++] = i;
+  Arcs arcs;
+  for (int k = 0; k < cells; ++k) {
+    arcs.nodes.push_back({z, model::rate(system, z) / std::fabs(system.speed(z)), {}});
+    auto arc = follow_to_angle(system, z, step * (k + 1));
+    if (!arc) return std::nullopt;
+    z = std::move(arc->end);
+    const VectorXd along = model::rate(system, z) / system.speed(z);
+    const MatrixXd across = arc->tangents - along * arc->tangents.row(place);
+    const MatrixXd scaled = unit.cwiseInverse().asDiagonal() * across * unit.asDiagonal();
+    arcs.flows.push_back(scaled(others, others));
+  }
+  return arcs;
+}
+
+// The first node once more, a period later.
+void close(const model::System& system, const PeriodicOrbit& orbit, Arcs& arcs) {
   Node again = arcs.nodes.front();
   again.state += shift_of(system, orbit);
   arcs.nodes.push_back(std::move(again));
-  return arcs;
 }
 
 // P = integral of |d|^2 e^{2 a t} along the linear flow, a = 0.8 of the slowest rate, so that V falls at least as
@@ -177,15 +227,23 @@ bool integrate_forms(Arcs& arcs, double h, double slowest_rate) {
 }
 
 std::vector<CycleTrap> traps_by_rotor(const model::System& system, const Motion& motion, int attractor) {
-  const bool continuum = motion.kind == MotionKind::equilibrium && continuum_dimension(system.parameters()) > 0;
-  if (continuum || motion.orbit.nodes.empty() || motion.orbit.nodes.size() > most_strobes) return {};
+  const bool continuum = motion.kind == MotionKind::equilibrium && model::balanced_freedom(system) > 0;
+  if (continuum || motion.orbit.nodes.empty() || motion.strobes < 1 || motion.strobes > most_strobes) return {};
+  // Where the rotor turns back on its way its angle tells no phase.
+  if (motion.motor && !(motion.motor->speed_min * motion.motor->speed_max > 0.0)) return {};
   CycleTrap trap;
   trap.attractor = attractor;
-  trap.turns = static_cast<int>(motion.orbit.nodes.size());
+  trap.phase_place = system.psi_place();
+  trap.turns = motion.strobes;
   trap.cells = cells_a_strobe;
   trap.unit = system.scale();
-  auto arcs = arcs_over_strobes(system, motion.orbit, trap.unit);
-  if (!arcs || !integrate_forms(*arcs, system.strobe_period() / cells_a_strobe, motion.orbit.slowest_rate())) return {};
+  auto arcs = system.prescribed() ? arcs_over_strobes(system, motion.orbit, trap.unit)
+                                  : arcs_over_turns(system, motion, trap.unit, trap.turns);
+  if (!arcs) return {};
+  close(system, motion.orbit, *arcs);
+  const double time = system.prescribed() ? system.strobe_period() / cells_a_strobe
+                                          : motion.orbit.period / trap.rows();  // of a cell, on average
+  if (!integrate_forms(*arcs, time, motion.orbit.slowest_rate())) return {};
   trap.nodes = std::move(arcs->nodes);
   return {trap};
 }
@@ -194,8 +252,7 @@ std::vector<CycleTrap> traps_by_rotor(const model::System& system, const Motion&
 
 std::vector<CycleTrap> cycle_traps(const model::System& system, const Motion& motion, int attractor) {
   if (!motion.stable) return {};
-  return system.section() == model::Section::strobe ? traps_by_rotor(system, motion, attractor)
-                                                    : traps_by_ball(system, motion, attractor);
+  return system.autonomous() ? traps_by_ball(system, motion, attractor) : traps_by_rotor(system, motion, attractor);
 }
 
 }  // namespace equipoise

@@ -9,8 +9,8 @@
 
 namespace equipoise {
 
-/// The traps of a stable periodic motion at a prescribed speed, and where states are strobed of a balanced equilibrium,
-/// their levels still 0: one trap for each motion that exchange of like balls makes of it, or, with the rotor's angle
+/// The traps of a stable periodic motion, and where the rotor's angle matters of a balanced equilibrium, their levels
+/// still 0: one trap for each motion that exchange of like balls makes of it, or, with the rotor's angle
 /// as phase, one for all of them. Empty where none can be made: too long a period, no ball that turns steadily, too
 /// many images, Floquet vectors that double precision cannot separate, a continuum, a failed integration.
 std::vector<CycleTrap> cycle_traps(const model::System& system, const Motion& motion, int attractor);

@@ -24,10 +24,10 @@ using Eigen::VectorXd;
 // Components that are compared with the table: all but the phase, where that is one of them.
 Eigen::VectorXi compared(const CycleTrap& trap) {
   const int size = static_cast<int>(trap.unit.size());
-  if (trap.clock == CycleTrap::rotor) return Eigen::VectorXi::LinSpaced(size, 0, size - 1);
+  if (trap.phase_place < 0) return Eigen::VectorXi::LinSpaced(size, 0, size - 1);
   Eigen::VectorXi others(size - 1);
   for (int i = 0, k = 0; i < size; ++i)
-    if (i != model::index::phi(trap.clock)) others[k++] = i;
+    if (i != trap.phase_place) others[k++] = i;
   return others;
 }
 
@@ -59,24 +59,28 @@ VectorXd in_places(const model::System& system, const VectorXd& motion, const do
     taken[nearest] = true;
     order[i] = nearest;
   }
-  return Eigen::Map<const VectorXd>(state, motion.size())(exchanged_components(n, order));
+  return Eigen::Map<const VectorXd>(state, motion.size())(exchanged_components(n, order, motion.size()));
 }
 
 double value_by_rotor(const model::System& system, const CycleTrap& trap, const double* state, double psi) {
   const double angle = system.strobe_angle();
-  double turned = std::fmod(system.speed() < 0.0 ? -psi : psi, angle);
+  const bool driven = trap.phase_place >= 0;
+  if (driven) psi = state[trap.phase_place];
+  const double sense = driven ? trap.nodes[1].state[trap.phase_place] - trap.nodes[0].state[trap.phase_place] : system.speed();
+  double turned = std::fmod(sense < 0.0 ? -psi : psi, angle);
   if (turned < 0.0) turned += angle;
   const double place = turned / angle * trap.cells;
   const int cell = std::min(static_cast<int>(place), trap.cells - 1);
   const double s = place - cell, r = 1.0 - s;
-  const double h = system.strobe_period() / trap.cells;
+  const double h = (driven ? angle : system.strobe_period()) / trap.cells;  // in what rates are by
+  const Eigen::VectorXi compare = compared(trap);
   double least = std::numeric_limits<double>::infinity();
   for (int turn = 0; turn < trap.turns; ++turn) {
     const CycleTrap::Node &a = trap.nodes[turn * trap.cells + cell], &b = trap.nodes[turn * trap.cells + cell + 1];
     const VectorXd motion = hermite(s, h, a.state, a.rate, b.state, b.rate);
     VectorXd d = in_places(system, motion, state) - motion;
     for (int i = 0; i < system.balls(); ++i) d[model::index::phi(i)] = wrapped(d[model::index::phi(i)]);
-    d = d.cwiseQuotient(trap.unit);
+    d = d.cwiseQuotient(trap.unit)(compare).eval();
     // V is |d|^2 or more: what is far off need not be weighed.
     const double square = d.squaredNorm();
     if (square > least || (trap.level > 0.0 && square > trap.level)) continue;
@@ -90,7 +94,7 @@ double value_by_rotor(const model::System& system, const CycleTrap& trap, const 
 double value(const model::System& system, const CycleTrap& trap, const double* state, double psi) {
   if (trap.clock == CycleTrap::rotor) return value_by_rotor(system, trap, state, psi);
   const model::BallCount<model::any_count> count(system.balls());
-  return kernels::trap_value(table_of(trap, system.balls()), count, state);
+  return kernels::trap_value(table_of(trap, system.balls()), count, system.dimension(), state);
 }
 
 int directions(const CycleTrap& trap) { return static_cast<int>(compared(trap).size()); }
@@ -110,10 +114,12 @@ bool is_definite(const CycleTrap& trap) {
 }
 
 CycleTrap exchanged(const CycleTrap& trap, int balls, const BallOrder& order) {
-  const Eigen::VectorXi from = exchanged_components(balls, order);
+  const Eigen::VectorXi from = exchanged_components(balls, order, trap.unit.size());
   CycleTrap result = trap;
-  if (trap.clock != CycleTrap::rotor)
+  if (trap.clock != CycleTrap::rotor) {
     result.clock = static_cast<int>(std::find(order.begin(), order.begin() + balls, trap.clock) - order.begin());
+    result.phase_place = model::index::phi(result.clock);
+  }
   result.unit = trap.unit(from);
   for (CycleTrap::Node& node : result.nodes) {
     node.state = node.state(from).eval();
@@ -152,7 +158,7 @@ CycleTable table_of(const CycleTrap& trap, int balls) {
       r_low = std::min(r_low, r - around - std::hypot(change[0], change[1]));
       r_high = std::max(r_high, r + around);
       for (int i = 0; i < balls; ++i) {
-        const Eigen::Index k = others - balls + i;
+        const Eigen::Index k = model::index::q(i, balls) - 1;
         table.q_low[i] = std::min(table.q_low[i], place[k] + f * change[k] - reach[k]);
         table.q_high[i] = std::max(table.q_high[i], place[k] + f * change[k] + reach[k]);
       }

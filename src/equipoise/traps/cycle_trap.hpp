@@ -11,19 +11,21 @@
 
 namespace equipoise {
 
-/// A table over a phase that a state tells by itself: where states are strobed the rotor's angle, which is known beside
-/// every state; else the angle of a ball that turns steadily along the motion, the clock.
+/// A table over a phase that a state tells by itself: where the rotor's angle matters that angle, which is known beside
+/// every state or is part of it; else the angle of a ball that turns steadily along the motion, the clock.
 struct CycleTrap {
   static constexpr int rotor = -1;
 
   struct Node {
     Eigen::VectorXd state;  ///< on the motion, angles unwrapped along it
-    Eigen::VectorXd rate;   ///< dz/dt there; where the phase is the rotor's angle
-    Eigen::MatrixXd form;   ///< P: V = d^T P d; of a clock among the balls without a part along the motion
+    Eigen::VectorXd rate;   ///< where the phase is the rotor's angle: dz/dt there; under a motor, dz by what the rotor turns
+    Eigen::MatrixXd form;   ///< P: V = d^T P d; of a clock among the balls of the whole state, without a part along the
+                            ///< motion, else of what is compared
   };
 
   int attractor = 0;
   int clock = rotor;        ///< the ball whose angle is the phase, or the rotor
+  int phase_place = -1;     ///< of the phase in the state, -1: it is none of it
   int turns = 1;            ///< of the phase in one period; of the rotor by strobe_angle()
   int cells = 0;            ///< of the table a turn
   std::vector<Node> nodes;  ///< turns x cells by growing phase, and the first once more a period later
@@ -33,7 +35,7 @@ struct CycleTrap {
   int rows() const { return turns * cells; }
 };
 
-/// V of a state, when the rotor's angle is `psi`: the least over the turns that the phase leaves open. Where the phase
+/// V of a state, when the rotor's angle is `psi` (if that is no part of it): the least over the turns that the phase leaves open. Where the phase
 /// is the rotor's angle, like balls take the places of those on the motion that they are nearest to, and a state that
 /// plainly lies above the trap's level may get an infinite V.
 double value(const model::System& system, const CycleTrap& trap, const double* state, double psi);

@@ -17,7 +17,7 @@ namespace equipoise {
 
 /// What all tries share.
 struct TrialSettings {
-  const model::System* system = nullptr;  ///< at a prescribed speed
+  const model::System* system = nullptr;  ///< any smooth one
   double tolerance = 1e-6;
   int threads = 1;
   const StopFlag* stop = nullptr;

@@ -47,7 +47,7 @@ bool all_balance(const BalancedTrap& trap, const std::vector<BalancedTrap>& bala
   std::vector<double> states;
   Directions directions(system.dimension());
   for (std::size_t i = 0; i < tries; ++i) {
-    const Eigen::VectorXd z = state_on_level(system.parameters(), trap, level, directions.next());
+    const Eigen::VectorXd z = state_on_level(system, trap, level, directions.next());
     states.insert(states.end(), z.begin(), z.end());
   }
   const double end = patience(level / trap.level, slowest_rate);

@@ -1,0 +1,113 @@
+// The observer of a lane block of driven rotors whose balls are held: it ends those that come to the speed at which
+// balls are let go, just before they do, and those that are steady without. Included once per CPU target.
+#if defined(EQUIPOISE_DECIDING_HOLD_BALLS_INL) == defined(HWY_TARGET_TOGGLE)
+#ifdef EQUIPOISE_DECIDING_HOLD_BALLS_INL
+#undef EQUIPOISE_DECIDING_HOLD_BALLS_INL
+#else
+#define EQUIPOISE_DECIDING_HOLD_BALLS_INL
+#endif
+
+#include <algorithm>
+#include <cstddef>
+#include <vector>
+
+#include "equipoise/deciding/decision-inl.hpp"
+#include "equipoise/deciding/held.hpp"
+#include "equipoise/lanes/lane_watch-inl.hpp"
+
+HWY_BEFORE_NAMESPACE();
+namespace equipoise {
+namespace HWY_NAMESPACE {
+
+// Hooks: see NoObserver in lanes/lane_block-inl.hpp; one group of lanes. A rotor has come to the speed where it has it
+// at two stages of a step or at its end; where in the step is found out elsewhere, by dense output. `watch`: may be
+// none; it does not see the step in which balls are let go.
+class HoldBalls {
+ public:
+  static constexpr int lanes = static_cast<int>(pack_lanes);
+
+  HoldBalls(const LaneTask& task, const HoldRule& rule, LaneWatch* watch, std::vector<HeldEnd>& ends)
+      : task_(task),
+        size_(task.dimension()),
+        psi_place_(task.psi_place()),
+        speed_place_(task.speed_place()),
+        sign_(rule.rising ? 1.0 : -1.0),
+        release_(sign_ * rule.release_speed),
+        fates_(task.count),
+        windows_(task, rule.windows, fates_, nullptr),
+        watch_(watch),
+        ends_(ends) {}
+
+  void begin(int slot, std::size_t start, double t, const double* z) {
+    windows_.begin(slot, start, t, z);
+    if (watch_) watch_->begin(slot, start, t, z);
+    for (int i = 0; i < size_; ++i) element(before_[i], slot) = z[i];
+    element(before_t_, slot) = t;
+    element(nearest_, slot) = sign_ * z[speed_place_];
+    crossing_ &= ~(1u << slot);
+  }
+
+  HWY_INLINE void stage(int row, int g, const Pack* z) {
+    windows_.stage(row, g, z);
+    if (row == first_sampled_stage) sample(first_, z);
+    if (row == second_sampled_stage) sample(second_, z);
+  }
+
+  HWY_INLINE unsigned step(int g, unsigned active, Mask accepted, Pack t, Pack h, const Pack* z) {
+    const Pack sign(sign_);
+    const Pack here = sign * z[speed_place_];
+    const Pack fastest = maximum(maximum(sign * first_speed_, sign * second_speed_), here);
+    const Mask crossed = accepted & (Pack(release_) <= fastest), held = accepted & (fastest < Pack(release_));
+    unsigned leaving = windows_.step(g, active, held, t, h, z);
+    if (watch_) watch_->step({g, active, held, t, h, z, first_, second_});
+    nearest_ = select(held, maximum(nearest_, here), nearest_);
+    for (int i = 0; i < size_; ++i) before_[i] = select(held, z[i], before_[i]);
+    before_t_ = select(held, t, before_t_);
+    const unsigned now = lane_bits(crossed) & active;
+    crossing_ |= now;
+    return leaving | now;
+  }
+
+  void end(int slot, std::size_t start, LaneEnd how, double t, const double* z) {
+    HeldEnd& result = ends_[start];
+    result = {};
+    result.nearest = sign_ * element(nearest_, slot);
+    if (watch_) watch_->end(slot, start, how, element(before_t_, slot));
+    if (how != LaneEnd::decided || !(crossing_ & (1u << slot))) {
+      windows_.end(slot, start, how, t, z);
+      result.fate = fates_[start];
+      return;
+    }
+    result.crossing = true;
+    result.crossed_by = t;
+    result.fate.time = element(before_t_, slot);
+    double* row = task_.states + start * static_cast<std::size_t>(size_);
+    for (int i = 0; i < size_; ++i) row[i] = element(before_[i], slot);
+  }
+
+ private:
+  HWY_INLINE void sample(Pack* kept, const Pack* z) {
+    for (int i = 0; i < 4; ++i) kept[i] = z[i];
+    if (psi_place_ >= 0) kept[4] = z[psi_place_];
+    (kept == first_ ? first_speed_ : second_speed_) = z[speed_place_];
+  }
+
+  static double& element(Pack& p, int lane) { return reinterpret_cast<double*>(&p)[lane]; }
+
+  const LaneTask& task_;
+  const int size_, psi_place_, speed_place_;
+  const double sign_, release_;
+  std::vector<Fate> fates_;
+  DecideFate<1, 1, LaneKind::smooth> windows_;
+  LaneWatch* const watch_;
+  std::vector<HeldEnd>& ends_;
+  Pack first_[5], second_[5], first_speed_, second_speed_;
+  Pack before_[model::dimension(1) + 3], before_t_, nearest_;
+  unsigned crossing_ = 0;
+};
+
+}  // namespace HWY_NAMESPACE
+}  // namespace equipoise
+HWY_AFTER_NAMESPACE();
+
+#endif

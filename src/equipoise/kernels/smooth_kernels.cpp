@@ -1,0 +1,43 @@
+// Kernels of every smooth system, and of driven rotors whose balls are held, for every CPU target: compiled once per
+// instruction set by Highway's foreach_target.
+#include "equipoise/kernels/lane_job.hpp"
+
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "equipoise/kernels/smooth_kernels.cpp"
+#include "hwy/foreach_target.h"
+#include "hwy/highway.h"
+
+#include "equipoise/deciding/hold_balls-inl.hpp"
+#include "equipoise/kernels/kernel-inl.hpp"
+
+HWY_BEFORE_NAMESPACE();
+namespace equipoise {
+namespace HWY_NAMESPACE {
+
+bool run_smooth_target(const LaneJob& job) { return run_job<LaneKind::smooth>(job); }
+
+// However many balls are held: they are one body.
+bool run_held_target(const LaneTask& task, const HoldRule& rule, std::vector<HeldEnd>& ends) {
+  const auto watch = watch_of(task);
+  const auto observer = std::make_unique<HoldBalls>(task, rule, watch.get(), ends);
+  return run_block<HeldFlow<Pack>, 1>(task, HeldFlow<Pack>(*task.system), *observer);
+}
+
+}  // namespace HWY_NAMESPACE
+}  // namespace equipoise
+HWY_AFTER_NAMESPACE();
+
+#if HWY_ONCE
+namespace equipoise {
+
+HWY_EXPORT(run_smooth_target);
+HWY_EXPORT(run_held_target);
+
+bool run_smooth_lanes(const LaneJob& job) { return HWY_DYNAMIC_DISPATCH(run_smooth_target)(job); }
+
+bool run_held_lanes(const LaneTask& task, const HoldRule& rule, std::vector<HeldEnd>& ends) {
+  return HWY_DYNAMIC_DISPATCH(run_held_target)(task, rule, ends);
+}
+
+}  // namespace equipoise
+#endif

@@ -1,0 +1,59 @@
+// Starts brought to the last piece of their drive, their balls free: what discovery and runners ask of whoever does it.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <vector>
+
+#include "equipoise/base/stop_flag.hpp"
+#include "equipoise/deciding/fate.hpp"
+#include "equipoise/lanes/lane_task.hpp"
+#include "equipoise/study/study.hpp"
+#include "equipoise/transients/transient_table.hpp"
+
+namespace equipoise {
+
+/// Row-major, one row a start.
+struct SpunUp {
+  std::vector<double> phi;       ///< ball angles with which they began
+  std::vector<double> states;    ///< of the system (model/system.hpp), at `begins`
+  std::vector<double> begins;    ///< when balls are free and the last piece has begun; empty: all at SpinUp::settled()
+  std::vector<double> released;  ///< when balls were let go, where each start has its own time; else empty
+  std::vector<Fate> fates;       ///< of those that are over
+  std::vector<char> over;        ///< whether the fate is known already: never let go; empty: of none but the lost
+  std::vector<double> nearest;   ///< of such: the speed nearest to the one of release that they came to
+
+  bool is_over(std::size_t i) const {
+    const bool lost = fates[i].outcome == Outcome::diverged || fates[i].outcome == Outcome::failed;
+    return lost || (!over.empty() && over[i]);
+  }
+  std::size_t size() const { return fates.size(); }
+  double begin(std::size_t i, double settled) const { return begins.empty() ? settled : begins[i]; }
+};
+
+/// Thread-safe once made.
+class SpinUp {
+ public:
+  virtual ~SpinUp() = default;
+
+  /// Prepares make() for tables with these settings.
+  virtual void watch(const TransientSettings& settings) = 0;
+  /// Starts first .. first + count - 1 of `seed`. False if stopped early. `transients`, if given, receives a row for
+  /// each start up to where its state holds; its settings are those of watch().
+  virtual bool make(std::uint64_t seed, std::uint64_t first, std::size_t count, SpunUp& starts,
+                    TransientTable* transients = nullptr) const = 0;
+  /// The same for given ball angles, all else as in [initial]: phi.size() / balls starts.
+  virtual bool follow(const std::vector<double>& phi, SpunUp& starts) const = 0;
+  /// What goes on from there, over the last piece of the drive. Trajectories, their end and what is gathered are still
+  /// to be said.
+  virtual LaneTask last_task() const = 0;
+  /// When the last piece begins and, of a rotor that turns as prescribed, the balls are free.
+  virtual double settled() const = 0;
+  virtual double tolerance() const = 0;
+};
+
+/// Of any smooth system. The study's horizon is filled in.
+std::unique_ptr<SpinUp> make_spin_up(const Study& study, const StopFlag* stop);
+
+}  // namespace equipoise
