@@ -29,7 +29,7 @@ namespace HWY_NAMESPACE {
 // steps the tolerance allows; tests/unit/window_test.cpp measures it.
 //
 // `strobed`: the rotor's angle is known, r is measured from where gravity lets the rotor sag to, and
-// DecisionRule::strobed is asked. Without it none of that leaves an operation behind.
+// DecisionRule::strobed is asked, if it has an answer. Without it none of that leaves an operation behind.
 template <int room, int groups, bool strobed = false>
 class DecideFate {
  public:

@@ -49,6 +49,11 @@ inline std::unique_ptr<LaneWatch> watch_of(const LaneTask& task) {
   return nullptr;
 }
 
+// `turning`: of every rotor; else of one without preferred direction, whose balls slide.
+constexpr Terms terms_of(bool acceleration, bool turning) {
+  return turning ? Terms{.acceleration = acceleration} : paper_terms(acceleration);
+}
+
 template <int room, Terms terms, class Observer>
 bool run_kernel(const LaneTask& task, Observer& observer) {
   using Flow = FreeFlow<Pack, room, terms>;
@@ -64,12 +69,11 @@ bool run_watched(const LaneTask& task, Fates& fates) {
   return run_kernel<room, terms>(task, *observer);
 }
 
-// `turning`: the equations know the rotor's angle.
 template <int room, bool turning>
 bool decide_balls(const LaneJob& job) {
   using Fates = DecideFate<room, lane_groups<room>, turning>;
   const auto fates = std::make_unique<Fates>(*job.task.parameters, job.task.segment, *job.rule, job.fates, job.pilot);
-  return run_watched<room, Terms{false, turning, turning}>(job.task, *fates);
+  return run_watched<room, terms_of(false, turning)>(job.task, *fates);
 }
 
 // What plain rotors do unwatched is compiled without the question for a watch, which would cost 3 % here, and without
@@ -79,9 +83,9 @@ bool advance_balls(const LaneJob& job) {
   WatchForLoss fates(job.fates);
   if constexpr (!turning)
     if (!job.task.watched())
-      return job.task.segment.acceleration == 0.0 ? run_kernel<room, Terms{false, false, false}>(job.task, fates)
-                                                  : run_kernel<room, Terms{true, false, false}>(job.task, fates);
-  return run_watched<room, Terms{true, turning, turning}>(job.task, fates);
+      return job.task.segment.acceleration == 0.0 ? run_kernel<room, terms_of(false, false)>(job.task, fates)
+                                                  : run_kernel<room, terms_of(true, false)>(job.task, fates);
+  return run_watched<room, terms_of(true, turning)>(job.task, fates);
 }
 
 template <bool turning>

@@ -17,7 +17,7 @@ struct LaneJob {
   std::vector<PilotRecord>* pilot = nullptr;  ///< with a rule, if wanted
 };
 
-/// Of rotors for whose equations the rotor's angle is nothing: isotropic supports, no gravity.
+/// Of rotors for whose equations the rotor's angle is nothing (isotropic supports, no gravity), with balls that slide.
 bool run_plain_lanes(const LaneJob& job);
 /// Of every rotor.
 bool run_general_lanes(const LaneJob& job);

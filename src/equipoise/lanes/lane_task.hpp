@@ -39,8 +39,8 @@ struct LaneTask {
   const RadiusWindows* radius = nullptr;  ///< how far the centre of the race was out
 
   bool watched() const { return transients || radius; }
-  /// Whether the equations with anisotropic supports and gravity are needed.
-  bool general() const { return model::is_strobed(*parameters); }
+  /// Whether the equations with anisotropic supports, gravity and balls that roll are needed.
+  bool general() const { return model::is_strobed(*parameters) || parameters->rolls; }
 };
 
 /// How a trajectory left its lane.
