@@ -14,6 +14,7 @@
 #include "equipoise/model/linearisation.hpp"
 #include "equipoise/orbits/orbit.hpp"
 #include "equipoise/orbits/variational.hpp"
+#include "../base_parameters.hpp"
 
 namespace {
 
@@ -21,20 +22,14 @@ using Eigen::MatrixXcd;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 using equipoise::advance_state;
+using equipoise::base_rotor;
 using equipoise::lyapunov_exponents;
 using equipoise::PeriodicOrbit;
 namespace model = equipoise::model;
 
-model::Parameters rotor() {  // lambda = 0.01, zeta = 0.5
-  model::Parameters p;
-  p.mass.fill(0.05);
-  p.drag.fill(0.05);
-  return p;
-}
-
 VectorXd settled(double speed, double phi1, double phi2, double time) {
   const double phi[] = {phi1, phi2};
-  return *advance_state({rotor(), speed}, model::centred_state(rotor(), phi), time);
+  return *advance_state({base_rotor(), speed}, model::centred_state(base_rotor(), phi), time);
 }
 
 struct Case {
@@ -56,7 +51,7 @@ class Orbits : public testing::TestWithParam<Case> {
     orbit = *found;
   }
 
-  const model::Parameters p = rotor();
+  const model::Parameters p = base_rotor();
   const double speed = GetParam().speed;
   PeriodicOrbit orbit;
 };
@@ -157,7 +152,7 @@ TEST_P(Orbits, have_exponents_that_are_the_multipliers_logarithms) {
 INSTANTIATE_TEST_SUITE_P(Case, Orbits, testing::ValuesIn(cases), [](const auto& info) { return info.param.name; });
 
 TEST(LyapunovExponents, of_an_equilibrium_are_its_eigenvalues_real_parts) {
-  const model::Parameters p = rotor();
+  const model::Parameters p = base_rotor();
   for (double speed : {1.5, 2.4, 5.0}) {  // unstable at 1.5
     const auto angles = model::balanced_states(p).angles[0];
     const auto equilibrium = equipoise::refine_equilibrium({p, speed}, model::centred_state(p, angles.data()));
@@ -171,7 +166,7 @@ TEST(LyapunovExponents, of_an_equilibrium_are_its_eigenvalues_real_parts) {
 }
 
 TEST(LyapunovExponents, of_few_vectors_are_the_largest_of_all) {
-  const model::Parameters p = rotor();
+  const model::Parameters p = base_rotor();
   const VectorXd z = settled(2.4, 1.0, 1.0, 400.0);
   const auto all = lyapunov_exponents({p, 2.4}, z, 1000.0, 8), few = lyapunov_exponents({p, 2.4}, z, 1000.0, 3);
   ASSERT_EQ(few.size(), 3u);
@@ -185,7 +180,7 @@ TEST(LyapunovExponents, of_the_drifting_torus_are_the_recorded_ones) {
   };
   for (const Row& row : {Row{2.2, .2163, 5.1019, -.0239, -.0242}, Row{2.4, 3.8813, 4.7401, -.0368, -.0369}}) {
     const VectorXd z = settled(row.speed, row.phi1, row.phi2, 2000.0);
-    const auto found = lyapunov_exponents({rotor(), row.speed}, z, 2e4, 4);
+    const auto found = lyapunov_exponents({base_rotor(), row.speed}, z, 2e4, 4);
     ASSERT_EQ(found.size(), 4u);
     const double own = 2.0 / 2e4;  // as above
     EXPECT_NEAR(found[0], 0.0, own);
@@ -198,7 +193,7 @@ TEST(LyapunovExponents, of_the_drifting_torus_are_the_recorded_ones) {
 }
 
 TEST(LyapunovExponents, at_2_5_show_chaos_and_agree_with_two_neighbouring_trajectories) {
-  const model::Parameters p = rotor();
+  const model::Parameters p = base_rotor();
   const VectorXd start = settled(2.5, 2.0488, 1.7810, 2000.0);
   const auto found = lyapunov_exponents({p, 2.5}, start, 4e4, 2);
   ASSERT_EQ(found.size(), 2u);

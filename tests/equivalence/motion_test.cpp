@@ -16,19 +16,12 @@
 #include "equipoise/motions/motion.hpp"
 #include "equipoise/motions/motion_statistics.hpp"
 #include "equipoise/orbits/variational.hpp"
+#include "../base_parameters.hpp"
 
 namespace {
 
 using namespace equipoise;
 using Eigen::VectorXd;
-
-model::Parameters rotor(double beta, int balls = 2) {
-  model::Parameters p;  // lambda = 0.01, zeta = 0.5
-  p.balls = balls;
-  p.mass.fill(0.05);
-  p.drag.fill(beta);
-  return p;
-}
 
 VectorXd at_rest(const std::vector<double>& angles) {
   const int n = static_cast<int>(angles.size());
@@ -76,7 +69,7 @@ class PeriodicMotion : public testing::TestWithParam<Known> {};
 // Periods are known to the digits given, r to 1e-4 (the independent program sampled it), multipliers to four digits.
 TEST_P(PeriodicMotion, IsTheOneKnown) {
   const Known& known = GetParam();
-  const model::Parameters p = rotor(known.beta);
+  const model::Parameters p = base_rotor(2, known.beta);
   const auto motion =
       known.start.empty() ? find(p, known.speed, known.name) : motion_from({p, known.speed}, at_rest(known.start));
   ASSERT_TRUE(motion);
@@ -120,7 +113,7 @@ INSTANTIATE_TEST_SUITE_P(
         Known{.01, 6.0, {}, "pair drift", "", 6, 49.960, .00077, .00933, 0, 1}));
 
 TEST(Motion, OfCoincidentBallsIsRecognised) {
-  const model::Parameters p = rotor(0.05);
+  const model::Parameters p = base_rotor();
   const auto motion = motion_from({p, 2.4}, at_rest({2, 2}));
   ASSERT_TRUE(motion);
   EXPECT_EQ(motion->cluster[0], motion->cluster[1]);
@@ -131,7 +124,7 @@ TEST(Motion, OfCoincidentBallsIsRecognised) {
 }
 
 TEST(Motion, OfAPairIsItsOwnExchangeImageHalfAPeriodLater) {
-  const model::Parameters p = rotor(0.01);
+  const model::Parameters p = base_rotor(2, 0.01);
   const auto motion = find(p, 4.0, "pair drift");
   ASSERT_TRUE(motion);
   EXPECT_TRUE(motion->half_period_exchange);
@@ -142,7 +135,7 @@ TEST(Motion, OfAPairIsItsOwnExchangeImageHalfAPeriodLater) {
 }
 
 TEST(Motion, OfBalancedBallsIsOneOfTwo) {
-  const model::Parameters p = rotor(0.05);
+  const model::Parameters p = base_rotor();
   const auto motion = motion_from({p, 4.0}, at_rest({1.5, 4.5}));
   ASSERT_TRUE(motion);
   EXPECT_EQ(motion->kind, MotionKind::equilibrium);
@@ -162,7 +155,7 @@ class Torus : public testing::TestWithParam<KnownTorus> {};
 
 TEST_P(Torus, IsDriftingApart) {
   const KnownTorus& known = GetParam();
-  const model::Parameters p = rotor(0.05);
+  const model::Parameters p = base_rotor();
   const auto motion = find(p, known.speed, "drifting apart");
   ASSERT_TRUE(motion);
   const MotionName name = motion_name(p, *motion);
@@ -184,7 +177,7 @@ INSTANTIATE_TEST_SUITE_P(NumericalFacts, Torus,
                                          KnownTorus{2.4, -.94588, .0139, .1342}));
 
 TEST(Motion, IsChaoticWhereTheTorusHasBroken) {
-  const model::Parameters p = rotor(0.05);
+  const model::Parameters p = base_rotor();
   const auto motion = find(p, 2.5, "drifting apart");
   ASSERT_TRUE(motion);
   EXPECT_EQ(motion->kind, MotionKind::chaotic);
@@ -198,7 +191,7 @@ TEST(Motion, IsChaoticWhereTheTorusHasBroken) {
 
 TEST(Motion, IsNotASlowTransient) {
   // Balanced states grow at 1.4e-4 here: e-fold in 7000. Nothing steady is in sight for a long time.
-  const model::Parameters p = rotor(0.01);
+  const model::Parameters p = base_rotor(2, 0.01);
   const auto angles = model::balanced_states(p).angles.front();
   for (const double off : {1e-8, 1e-4, 1e-2}) {
     const VectorXd start = at_rest({angles[0] + off, angles[1]});
@@ -208,7 +201,7 @@ TEST(Motion, IsNotASlowTransient) {
 
 TEST(Motion, OfUnstableCompanionsBreaksUp) {
   // Above the pitchfork of V1 the diagonal holds motions that attract along it only.
-  const model::Parameters p = rotor(0.05);
+  const model::Parameters p = base_rotor();
   const auto motion = motion_from({p, 4.5}, at_rest({1, 1}));
   ASSERT_TRUE(motion);
   EXPECT_NE(motion->cluster[0], motion->cluster[1]);
@@ -217,7 +210,7 @@ TEST(Motion, OfUnstableCompanionsBreaksUp) {
 TEST(Motion, NameDoesNotDependOnOrderOrTime) {
   for (const auto& [beta, speed, name] : {std::tuple{.05, 4.0, "one captured"}, std::tuple{.01, 4.0, "pair drift"},
                                           std::tuple{.05, 2.4, "drifting apart"}}) {
-    const model::Parameters p = rotor(beta);
+    const model::Parameters p = base_rotor(2, beta);
     const auto motion = find(p, speed, name);
     ASSERT_TRUE(motion) << name;
     const auto later = advance_state({p, speed}, motion->state, 1.234);
@@ -234,7 +227,7 @@ TEST(Motion, NameDoesNotDependOnOrderOrTime) {
 }
 
 TEST(Motion, DifferentMotionsDiffer) {
-  const model::Parameters p = rotor(0.01);
+  const model::Parameters p = base_rotor(2, 0.01);
   const auto one = find(p, 4.0, "one captured"), pair = find(p, 4.0, "pair drift"), rest = find(p, 4.0, "balanced"),
              together = motion_from({p, 4.0}, at_rest({1, 1}));
   ASSERT_TRUE(one && pair && rest && together);
@@ -244,7 +237,7 @@ TEST(Motion, DifferentMotionsDiffer) {
 }
 
 TEST(Motion, OfOneBall) {
-  const model::Parameters p = rotor(0.05, 1);
+  const model::Parameters p = base_rotor(1);
   const auto drifting = find(p, 4.0, "drifting"), locked = find(p, 4.0, "locked");
   ASSERT_TRUE(drifting && locked);
   EXPECT_EQ(drifting->winding[0], -1);
@@ -256,7 +249,7 @@ TEST(Motion, OfOneBall) {
 }
 
 TEST(Motion, OfThreeBalls) {
-  const model::Parameters p = rotor(0.05, 3);
+  const model::Parameters p = base_rotor(3);
   const auto companions = find(p, 2.4, "co-drifting"), two = find(p, 2.4, "2 captured, 1 drifting");
   ASSERT_TRUE(companions && two);
   EXPECT_EQ(companions->copies, 1);
@@ -267,7 +260,7 @@ TEST(Motion, OfThreeBalls) {
 }
 
 TEST(Motion, OfFourBalls) {
-  const model::Parameters p = rotor(0.05, 4);
+  const model::Parameters p = base_rotor(4);
   const auto balanced = find(p, 2.4, "balanced"), two = find(p, 2.4, "2 captured, 2 drifting together");
   ASSERT_TRUE(balanced && two);
   EXPECT_EQ(balanced->copies, 1);  // a continuum
@@ -278,7 +271,7 @@ TEST(Motion, OfFourBalls) {
 }
 
 TEST(Motion, OfUnequalBalls) {
-  model::Parameters p = rotor(0.05);
+  model::Parameters p = base_rotor();
   p.mass[1] = 0.045;
   const auto balanced = find(p, 2.4, "balanced"), apart = find(p, 2.4, "drifting apart");
   // Where a ball goes does not depend on its mass: unequal balls in one place stay together too.
@@ -301,7 +294,7 @@ TEST(Motion, OfUnequalBalls) {
 
 // With gravity a motion is steady from strobe to strobe.
 TEST(Motion, WithGravityComesBackOnceARevolution) {
-  model::Parameters p = rotor(0.05);
+  model::Parameters p = base_rotor();
   p.gravity = 0.01;
   const auto motion = motion_from({p, 2.4}, at_rest({1, 2}));
   ASSERT_TRUE(motion);
@@ -315,7 +308,7 @@ TEST(Motion, WithGravityComesBackOnceARevolution) {
 // Three balls a third of a turn apart that creep around the race together: a turn in 166 units of time. They were
 // called captured, and their drift 0.
 TEST(SlowDrift, IsMeasuredAndNamed) {
-  const model::Parameters p = rotor(0.1, 3);
+  const model::Parameters p = base_rotor(3, 0.1);
   const auto motion = motion_from({p, 2.4}, at_rest({0.3, 2.5, 4.4}));
   ASSERT_TRUE(motion);
   EXPECT_EQ(motion->kind, MotionKind::quasi_periodic);

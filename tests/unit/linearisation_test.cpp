@@ -13,21 +13,15 @@
 
 #include "equipoise/base/angles.hpp"
 #include "equipoise/model/balanced_state.hpp"
+#include "../base_parameters.hpp"
 
 namespace {
 
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
+using equipoise::base_rotor;
 using equipoise::pi;
 namespace model = equipoise::model;
-
-model::Parameters equal_balls(int n, double mass, double drag) {
-  model::Parameters p;
-  p.balls = n;
-  p.mass.fill(mass);
-  p.drag.fill(drag);
-  return p;
-}
 
 // A balanced state of `p` with the ball angles written to `phi`.
 std::vector<double> balanced_angles(const model::Parameters& p) {
@@ -97,7 +91,7 @@ TEST(Jacobian, equals_the_second_order_form_at_balanced_states) {
     for (double w : {0.0, 0.8, 1.5, 2.4, 6.0}) {
       for (int kind = 0; kind < 4; ++kind) {
         const bool unequal = kind % 2;
-        model::Parameters p = equal_balls(n, 0.05, 0.05);
+        model::Parameters p = base_rotor(n);
         p.rolls = kind >= 2;
         if (p.rolls) p.ball_radius.fill(0.2);  // which plays no part at constant speed
         p.damping = {0.37, 0.37};
@@ -122,7 +116,7 @@ TEST(Jacobian, equals_the_second_order_form_at_balanced_states) {
 TEST(Jacobian, equals_differences_of_the_derivative_anywhere) {
   double largest = 0.0;
   for (int n : {1, 2, 3, 8}) {
-    model::Parameters p = equal_balls(n, 0.04, 0.3);
+    model::Parameters p = base_rotor(n, 0.3, 0.04);
     for (int i = 0; i < n; ++i) p.mass[i] += 0.005 * i;
     VectorXd z(model::dimension(n));
     for (int i = 0; i < z.size(); ++i) z[i] = 0.6 * std::sin(1.0 + 2.3 * i);
@@ -181,7 +175,7 @@ constexpr Leading leading[] = {{.01, 1.5, .02182, .4892, 1e-5, 1e-4},  {.01, 1.5
 
 TEST(Eigenvalues, are_the_recorded_ones_of_two_balls) {
   for (const Leading& row : leading) {
-    const model::Parameters p = equal_balls(2, 0.05, row.drag);
+    const model::Parameters p = base_rotor(2, row.drag, 0.05);
     for (int state = 0; state < 2; ++state) {
       const auto angles = model::balanced_states(p).angles.at(state);
       const Eigen::VectorXcd found = jacobian_at(p, row.speed, {angles[0], angles[1]}).eigenvalues();
@@ -199,7 +193,7 @@ TEST(Eigenvalues, are_the_recorded_ones_of_two_balls) {
 
 TEST(Eigenvalues, vanish_once_for_every_ball_beyond_two) {
   for (int n : {2, 3, 4, 5, 8}) {
-    model::Parameters p = equal_balls(n, 0.05, 0.05);
+    model::Parameters p = base_rotor(n);
     for (int i = 0; i < n; ++i) p.mass[i] += 0.003 * i;
     const auto phi = balanced_angles(p);
     int zeros = 0;
@@ -215,7 +209,7 @@ TEST(Eigenvalues, vanish_once_for_every_ball_beyond_two) {
 }
 
 TEST(Eigenvalues, vanish_along_the_family_of_balanced_states) {
-  model::Parameters p = equal_balls(3, 0.05, 0.05);
+  model::Parameters p = base_rotor(3);
   p.mass[2] = 0.07;
   const auto phi = balanced_angles(p);
   // Moving along the family keeps sum mu_i e^{i phi_i}: the angles' rates d solve two linear equations.
@@ -230,7 +224,7 @@ TEST(Eigenvalues, vanish_along_the_family_of_balanced_states) {
 
 TEST(Derivative, vanishes_at_balanced_states) {
   for (int n : {1, 2, 3, 4, 5, 8}) {
-    model::Parameters p = equal_balls(n, n == 1 ? 0.01 : 0.05, 0.05);
+    model::Parameters p = base_rotor(n, 0.05, n == 1 ? 0.01 : 0.05);
     const auto phi = balanced_angles(p);
     for (double w : {0.5, 2.4, 6.0})
       // The balanced state's residual, 4e-15 of the masses, times w^2.

@@ -11,19 +11,12 @@
 #include "equipoise/traps/balanced_trap.hpp"
 #include "equipoise/traps/cycle_forms.hpp"
 #include "equipoise/traps/trials.hpp"
+#include "../base_parameters.hpp"
 
 namespace equipoise {
 namespace {
 
 using Eigen::VectorXd;
-
-model::Parameters balancer(int balls) {
-  model::Parameters p;
-  p.balls = balls;
-  p.mass.fill(0.05);
-  p.drag.fill(0.05);
-  return p;
-}
 
 model::Parameters on_other_supports(model::Parameters p, double gravity) {
   p.gravity = gravity;
@@ -56,11 +49,11 @@ struct Found {
 };
 
 const Found& by_ball() {
-  static const Found found(balancer(2), 2.4);
+  static const Found found(base_rotor(2), 2.4);
   return found;
 }
 const Found& by_rotor() {
-  static const Found found(on_other_supports(balancer(2), 0.01), 2.4);
+  static const Found found(on_other_supports(base_rotor(2), 0.01), 2.4);
   return found;
 }
 
@@ -132,7 +125,7 @@ TEST(CycleTraps, ExchangeOfEqualBallsIsNoDifference) {
 // is no motion. From a table's row the flow stays on the table, but for chords: their errors are 3e-4 of a swing of
 // less than a radian, and V is of the order of |d|^2.
 TEST(CycleTraps, ImagesExchangeLikeBallsOnly) {
-  model::Parameters p = balancer(3);
+  model::Parameters p = base_rotor(3);
   p.mass[2] = 0.03;
   const model::System system(p, 2.4);
   constexpr std::array phi{31.1, 52.2, 6.4};  // comes to "2 captured, 1 drifting", one of the like balls
@@ -171,7 +164,7 @@ TEST(CycleTraps, RulesCatchTheirMotions) {
 TEST(BalancedAnalysis, IsTheSameWhicheverTheSection) {
   for (const double speed : {1.5, 2.4, -3.0})
     for (const int balls : {1, 2, 4}) {
-      model::Parameters p = balancer(balls);
+      model::Parameters p = base_rotor(balls);
       if (balls == 1) p.mass[0] = p.eccentricity;
       model::Parameters almost = p;
       almost.stiffness[1] += 1e-9;
@@ -187,7 +180,7 @@ TEST(BalancedAnalysis, IsTheSameWhicheverTheSection) {
 }
 
 TEST(BalancedAnalysis, StatesOnALevelHaveThatValue) {
-  const model::Parameters p = balancer(2);
+  const model::Parameters p = base_rotor(2);
   const BalancedAnalysis analysis = analyse_balanced({p, 2.4});
   ASSERT_EQ(analysis.traps.size(), 2u);
   Directions random(model::dimension(2));

@@ -10,6 +10,7 @@
 #include "equipoise/math/dense.hpp"
 #include "equipoise/model/balanced_state.hpp"
 #include "equipoise/model/linearisation.hpp"
+#include "equipoise/model/strobe.hpp"
 #include "equipoise/model/system.hpp"
 #include "equipoise/motions/motion_description.hpp"
 #include "equipoise/motions/steady_watch.hpp"
@@ -36,13 +37,6 @@ constexpr double longest = 100000.0;
 // Rounding moves an eigenvalue by about 1e-15; beside the zeros of a continuum, by the square root of that.
 constexpr double zero = 1e-13, zero_in_continuum = 1e-7;
 constexpr int members = 32;
-
-model::Parameters plain(model::Parameters p) {
-  p.gravity = 0.0;
-  p.stiffness.fill(0.5 * (p.stiffness[0] + p.stiffness[1]));
-  p.damping.fill(0.5 * (p.damping[0] + p.damping[1]));
-  return p;
-}
 
 // Largest real part of an eigenvalue at a balanced state, `free` of them belonging to the continuum that it lies in.
 double largest_rate(const model::Parameters& p, double speed, const double* phi, int free) {
@@ -88,7 +82,7 @@ double SettlingRates::slowest() const {
 
 SettlingRates settling_rates(const model::Parameters& parameters, double speed) {
   using Kind = model::BalancedStates::Kind;
-  const model::Parameters p = plain(parameters);
+  const model::Parameters p = model::weakened(parameters, 0.0);
   const model::BalancedStates states = model::balanced_states(p);
   std::vector<double> found, approach, growth;
   const double least = states.kind == Kind::family ? zero_in_continuum : zero;

@@ -15,7 +15,7 @@ namespace equipoise {
 
 namespace {
 
-std::string escaped(const std::string& text) {
+std::string html_text(const std::string& text) {
   std::string result;
   for (const char c : text) switch (c) {
       case '&':
@@ -68,29 +68,29 @@ std::string script_safe(std::string json) {
   return json;
 }
 
-class Writer {
+class HtmlWriter {
  public:
   std::string out;
 
   void operator()(const Heading& h) {
     out += fmt::format("<h{0}{1}>{2}</h{0}>\n", h.level, h.anchor.empty() ? "" : fmt::format(" id=\"{}\"", h.anchor),
-                       escaped(h.text));
+                       html_text(h.text));
   }
 
   void operator()(const Paragraph& p) {
     const std::string style = p.tone == Tone::plain ? "" : fmt::format(" class=\"box {}\"", name_of(p.tone));
-    out += fmt::format("<p{}>{}</p>\n", style, escaped(p.text));
+    out += fmt::format("<p{}>{}</p>\n", style, html_text(p.text));
   }
 
   void operator()(const DocumentTable& t) {
-    if (t.folded) out += fmt::format("<details><summary>{}</summary>\n", escaped(t.caption));
+    if (t.folded) out += fmt::format("<details><summary>{}</summary>\n", html_text(t.caption));
     out += "<div class=\"scroll\"><table>\n";
     const auto spare = [&](std::size_t k) { return std::find(t.spare.begin(), t.spare.end(), k) != t.spare.end(); };
     out += "<thead><tr>";
     for (std::size_t k = 0; k < t.header.size(); ++k) {
       const bool number = !t.rows.empty() && k < t.rows.front().size() && t.rows.front()[k].number;
       out += fmt::format("<th{}>{}</th>", style_of(number ? "number" : "", spare(k) ? "spare" : "", ""),
-                         escaped(t.header[k]));
+                         html_text(t.header[k]));
     }
     out += "</tr></thead>\n<tbody>\n";
     for (const auto& row : t.rows) {
@@ -101,11 +101,11 @@ class Writer {
                                     : row[k].label ? "label"
                                                    : "",
                                     spare(k) ? "spare" : "", name_of(row[k].tone)),
-                           escaped(row[k].text));
+                           html_text(row[k].text));
       out += "</tr>\n";
     }
     out += "</tbody></table></div>\n";
-    if (!t.folded && !t.caption.empty()) out += fmt::format("<p class=\"caption\">{}</p>\n", escaped(t.caption));
+    if (!t.folded && !t.caption.empty()) out += fmt::format("<p class=\"caption\">{}</p>\n", html_text(t.caption));
     if (t.folded) out += "</details>\n";
   }
 
@@ -124,15 +124,15 @@ class Writer {
       out += fmt::format("<div class=\"charts{}\">", f.charts.front().curves ? " curves" : "");
       for (const Chart& chart : f.charts) {
         ++charts_;
-        const std::string title = chart.title.empty() ? "" : fmt::format("<p>{}</p>", escaped(chart.title));
+        const std::string title = chart.title.empty() ? "" : fmt::format("<p>{}</p>", html_text(chart.title));
         out += fmt::format("<div>{}<div class=\"chart\" data-chart=\"c{}\"></div></div>", title, charts_);
         data_ += fmt::format("<script type=\"application/json\" id=\"c{}\">{}</script>\n", charts_,
                              script_safe(plotly_json(chart).dump()));
       }
       out += "</div>\n";
     }
-    if (!picture.empty()) out += fmt::format("<img src=\"{}\" alt=\"{}\">\n", picture, escaped(f.caption));
-    out += fmt::format("<figcaption>{}</figcaption>\n</figure>\n", escaped(f.caption));
+    if (!picture.empty()) out += fmt::format("<img src=\"{}\" alt=\"{}\">\n", picture, html_text(f.caption));
+    out += fmt::format("<figcaption>{}</figcaption>\n</figure>\n", html_text(f.caption));
   }
 
   const std::string& data() const { return data_; }
@@ -153,20 +153,20 @@ std::string contents(const Document& document) {
   std::string list;
   for (const Block& block : document.blocks)
     if (const auto* h = std::get_if<Heading>(&block); h && h->level == 2 && !h->anchor.empty())
-      list += fmt::format("<a href=\"#{}\">{}</a>\n", h->anchor, escaped(h->text));
+      list += fmt::format("<a href=\"#{}\">{}</a>\n", h->anchor, html_text(h->text));
   return "<nav>\n" + list + "</nav>\n";
 }
 
 }  // namespace
 
 std::string document_html(const Document& document) {
-  Writer writer;
+  HtmlWriter writer;
   for (const Block& block : document.blocks) std::visit(writer, block);
   std::string page = "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n";
   page += "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n";
-  page += fmt::format("<title>{}</title>\n<style>\n{}</style>\n</head>\n", escaped(document.title),
+  page += fmt::format("<title>{}</title>\n<style>\n{}</style>\n</head>\n", html_text(document.title),
                       embedded::page_files.find("document.css"));
-  page += fmt::format("<body class=\"no-charts\">\n<main>\n<h1>{}</h1>\n", escaped(document.title));
+  page += fmt::format("<body class=\"no-charts\">\n<main>\n<h1>{}</h1>\n", html_text(document.title));
   page += contents(document) + writer.out + "</main>\n" + writer.data();
   if (const auto library = embedded::page_files.find("plotly.js"); !library.empty() && !writer.data().empty())
     page += fmt::format("<script>{}</script>\n", library);

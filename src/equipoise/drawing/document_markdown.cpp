@@ -9,7 +9,7 @@ namespace equipoise {
 
 namespace {
 
-std::string escaped(const std::string& text) {
+std::string markdown_text(const std::string& text) {
   std::string result;
   for (const char c : text) {
     if (c == '|' || c == '*' || c == '_' || c == '<' || c == '`') result += '\\';
@@ -18,18 +18,18 @@ std::string escaped(const std::string& text) {
   return result;
 }
 
-struct Writer {
+struct MarkdownWriter {
   std::string pictures, out;
 
   void operator()(const Heading& h) {
-    out += fmt::format("{} {}\n\n", std::string(static_cast<std::size_t>(h.level), '#'), escaped(h.text));
+    out += fmt::format("{} {}\n\n", std::string(static_cast<std::size_t>(h.level), '#'), markdown_text(h.text));
   }
   void operator()(const Paragraph& p) {
-    out += fmt::format("{}{}\n\n", p.tone == Tone::plain ? "" : "> ", escaped(p.text));
+    out += fmt::format("{}{}\n\n", p.tone == Tone::plain ? "" : "> ", markdown_text(p.text));
   }
   void operator()(const DocumentTable& t) {
     out += "|";
-    for (const std::string& name : t.header) out += fmt::format(" {} |", escaped(name));
+    for (const std::string& name : t.header) out += fmt::format(" {} |", markdown_text(name));
     out += "\n|";
     for (std::size_t k = 0; k < t.header.size(); ++k) {
       const bool right = !t.rows.empty() && k < t.rows.front().size() && t.rows.front()[k].number;
@@ -38,25 +38,25 @@ struct Writer {
     out += "\n";
     for (const auto& row : t.rows) {
       out += "|";
-      for (const DocumentCell& cell : row) out += fmt::format(" {} |", escaped(cell.text));
+      for (const DocumentCell& cell : row) out += fmt::format(" {} |", markdown_text(cell.text));
       out += "\n";
     }
     out += "\n";
-    if (!t.caption.empty()) out += escaped(t.caption) + "\n\n";
+    if (!t.caption.empty()) out += markdown_text(t.caption) + "\n\n";
   }
   void operator()(const Figure& f) {
     if (!f.picture.empty()) {
       const std::string name = f.picture.substr(f.picture.find_last_of('/') + 1);
-      out += fmt::format("![{}]({})\n\n", escaped(f.caption), pictures.empty() ? name : pictures + "/" + name);
+      out += fmt::format("![{}]({})\n\n", markdown_text(f.caption), pictures.empty() ? name : pictures + "/" + name);
     }
-    out += escaped(f.caption) + "\n\n";
+    out += markdown_text(f.caption) + "\n\n";
   }
 };
 
 }  // namespace
 
 std::string document_markdown(const Document& document, const std::string& pictures) {
-  Writer writer{pictures, fmt::format("# {}\n\n", escaped(document.title))};
+  MarkdownWriter writer{pictures, fmt::format("# {}\n\n", markdown_text(document.title))};
   for (const Block& block : document.blocks) std::visit(writer, block);
   return writer.out;
 }

@@ -32,12 +32,13 @@ struct ErrorScale {
   std::array<bool, dimension> angle{};  // may grow without limit: no sign of divergence
 };
 
+// Below this share of a variable's size its error is absolute.
+inline constexpr double smallest_share = 0.01;
+
 // The scale of free balls' state, for every `stride`-th component: relative, but absolute for angles and for all that
 // is small.
 template <int dimension>
 void set_state_scale(const model::Parameters& p, int stride, ErrorScale<dimension>& scale) {
-  // Below this share of a variable's size its error is absolute.
-  constexpr double smallest_share = 0.01;
   for (int i = 0; i < model::dimension(p.balls); ++i) {
     const bool rotor = i < 4, angle = !rotor && i < 4 + p.balls;
     scale.floor[stride * i] = rotor ? smallest_share * p.all_unbalances() : angle ? 1.0 : smallest_share;

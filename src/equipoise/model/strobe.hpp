@@ -16,6 +16,16 @@ inline bool is_strobed(const Parameters& p) { return !p.isotropic() || p.gravity
 /// turn, gravity does not.
 inline double strobe_angle(const Parameters& p) { return p.gravity != 0.0 ? two_pi : pi; }
 
+/// The same rotor with gravity and anisotropy at a share of what they are; the means of damping and stiffness stay.
+inline Parameters weakened(Parameters p, double share) {
+  for (auto* pair : {&p.damping, &p.stiffness}) {
+    const double mean = 0.5 * ((*pair)[0] + (*pair)[1]), half = 0.5 * ((*pair)[0] - (*pair)[1]);
+    *pair = {mean + share * half, mean - share * half};
+  }
+  p.gravity *= share;
+  return p;
+}
+
 /// The time that takes at constant `speed`, not 0.
 inline double strobe_period(const Parameters& p, double speed) { return strobe_angle(p) / std::fabs(speed); }
 

@@ -8,6 +8,7 @@
 #include "equipoise/base/angles.hpp"
 #include "equipoise/model/balanced_state.hpp"
 #include "equipoise/model/linearisation.hpp"
+#include "equipoise/model/strobe.hpp"
 #include "equipoise/orbits/variational.hpp"
 
 namespace equipoise {
@@ -16,15 +17,8 @@ namespace {
 
 using Eigen::VectorXd;
 
-// The same system with gravity and anisotropy at a share of what they are; the means of damping and stiffness stay.
 model::System weakened(const model::System& system, double share) {
-  model::Parameters p = system.parameters();
-  for (auto* pair : {&p.damping, &p.stiffness}) {
-    const double mean = 0.5 * ((*pair)[0] + (*pair)[1]), half = 0.5 * ((*pair)[0] - (*pair)[1]);
-    *pair = {mean + share * half, mean - share * half};
-  }
-  p.gravity *= share;
-  return {p, system.drive()};
+  return {model::weakened(system.parameters(), share), system.drive()};
 }
 
 // Follows an orbit of one strobe from `orbit` at share `from` to share `to`, in steps that are halved where they fail.

@@ -49,7 +49,6 @@ class TangentFlow {
 template <int dimension>
 void set_system_scale(const model::System& system, int stride, ErrorScale<dimension>& scale) {
   set_state_scale(system.parameters(), stride, scale);
-  constexpr double smallest_share = 0.01;  // as there
   for (int i = model::dimension(system.balls()); i < system.dimension(); ++i) scale.floor[stride * i] = smallest_share;
   for (const auto& angle : system.angles()) {
     scale.floor[stride * angle.place] = 1.0;

@@ -22,9 +22,9 @@ namespace {
 // Starts that are copied at once.
 constexpr std::size_t block = 65536;
 
-class Writer {
+class BasinWriter {
  public:
-  Writer(NetcdfFile& file, const BasinContents& contents)
+  BasinWriter(NetcdfFile& file, const BasinContents& contents)
       : file_(file), c_(contents), random_(contents.header.method == SamplingMethod::random) {
     for (const OutcomeSummary& s : c_.summary) {
       names_.push_back(s.name);
@@ -242,7 +242,7 @@ void write_basin_netcdf(const std::string& path, const BasinContents& contents) 
   {
     using Mode = NetcdfFile::Mode;
     NetcdfFile file(place.file(), any_large ? Mode::create_large : Mode::create, path);
-    Writer(file, contents).write();
+    BasinWriter(file, contents).write();
     file.close();
   }
   seal(place.file(), path);

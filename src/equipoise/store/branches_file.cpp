@@ -13,9 +13,9 @@ namespace equipoise {
 
 namespace {
 
-class Writer {
+class BranchesWriter {
  public:
-  Writer(store::NetcdfFile& file, const BranchesResult& result)
+  BranchesWriter(store::NetcdfFile& file, const BranchesResult& result)
       : result_(result), file_(file), balls_(static_cast<std::size_t>(result.study.parameters.balls)) {
     for (const Branch& branch : result.branches) {
       names_.push_back(branch.name);
@@ -49,7 +49,8 @@ class Writer {
   void define() {
     store::NetcdfFile& f = file_;
     const int value = f.dimension("value", result_.values.size());
-    value_ = f.variable("value", NC_DOUBLE, {value}, "1", fmt::format("{}: {}", result_.key, parameter_label(result_.key)));
+    value_ =
+        f.variable("value", NC_DOUBLE, {value}, "1", fmt::format("{}: {}", result_.key, parameter_label(result_.key)));
     if (!result_.branches.empty()) define_branches(value);
     if (!changes_.empty()) define_events();
     const std::string study = to_toml(result_.study);
@@ -150,7 +151,7 @@ class Writer {
 }  // namespace
 
 void write_branches_file(const std::string& path, const BranchesResult& result) {
-  store::write_netcdf_file(path, [&](store::NetcdfFile& file) { Writer(file, result).write(); });
+  store::write_netcdf_file(path, [&](store::NetcdfFile& file) { BranchesWriter(file, result).write(); });
 }
 
 }  // namespace equipoise

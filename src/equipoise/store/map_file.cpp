@@ -32,9 +32,9 @@ std::string flag_meanings(const std::vector<MapCode>& codes) {
   return text;
 }
 
-class Writer {
+class MapWriter {
  public:
-  Writer(store::NetcdfFile& file, const PlaneMap& map) : map_(map), file_(file) {
+  MapWriter(store::NetcdfFile& file, const PlaneMap& map) : map_(map), file_(file) {
     for (const MapCode& c : map.codes) {
       names_.push_back(c.name);
       aliases_.push_back(c.alias);
@@ -123,7 +123,7 @@ class Writer {
 }  // namespace
 
 void write_map_file(const std::string& path, const PlaneMap& map) {
-  store::write_netcdf_file(path, [&](store::NetcdfFile& file) { Writer(file, map).write(); });
+  store::write_netcdf_file(path, [&](store::NetcdfFile& file) { MapWriter(file, map).write(); });
 }
 
 }  // namespace equipoise
