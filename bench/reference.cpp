@@ -44,7 +44,7 @@ namespace odeint = boost::numeric::odeint;
 namespace kernels = HWY_NAMESPACE;
 
 using LongState = std::array<long double, 8>;
-constexpr kernels::Terms terms{true, false, false};
+constexpr kernels::Terms terms = kernels::paper_terms(true);
 
 void follow_long(const Problem& problem, double* row) {
   const kernels::FreeFlow<Extended, 2, terms> flow(problem.parameters, problem.segment);

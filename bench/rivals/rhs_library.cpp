@@ -8,7 +8,7 @@ namespace {
 namespace kernels = equipoise::HWY_NAMESPACE;
 
 // With psi'' as a term: zero at constant speed, at the cost of four operations that no interpreter notices.
-using Flow = kernels::FreeFlow<double, 2, kernels::Terms{true, false, false}>;
+using Flow = kernels::FreeFlow<double, 2, kernels::paper_terms(true)>;
 
 std::optional<Flow> flow;
 

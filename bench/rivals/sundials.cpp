@@ -28,7 +28,7 @@ void check(int flag, const char* what) {
 
 template <bool accelerating>
 struct Equations {
-  kernels::FreeFlow<double, 2, kernels::Terms{accelerating, false, false}> flow;
+  kernels::FreeFlow<double, 2, kernels::paper_terms(accelerating)> flow;
   std::uint64_t evaluations = 0;
 
   static int evaluate(double t, N_Vector z, N_Vector dz, void* self) {

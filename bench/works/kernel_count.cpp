@@ -13,7 +13,7 @@ namespace {
 
 namespace counting = equipoise::N_COUNTING;
 using counting::Pack;
-constexpr counting::Terms terms{false, false, false};
+constexpr counting::Terms terms = counting::paper_terms(false);
 
 hwy::N_COUNTING::Operations& operations() { return hwy::N_COUNTING::operations; }
 

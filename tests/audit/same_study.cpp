@@ -72,6 +72,7 @@ Study reversed(const Study& study) {
   reverse(r.parameters.drag);
   reverse(r.parameters.rolling);
   reverse(r.parameters.stiction);
+  reverse(r.parameters.ball_radius);
   reverse(r.initial.phi);
   reverse(r.initial.phi_dot);
   return r;
@@ -157,6 +158,7 @@ std::string balancer_text(const model::Parameters& p, const model::Scales& u) {
           "\ndrag = " + quantities(drag, n, u.inertia() * u.frequency, "N m s") + "\n";
   if (!p.race_is_centred()) text += "race_offset = " + quantities(p.race_offset, 2, u.length, "m") + "\n";
   if (p.balls_stick()) text += "rolling = " + plain(p.rolling, n) + "\nstiction = " + plain(p.stiction, n) + "\n";
+  if (p.rolls) text += "rolls = true\nball_radius = " + quantities(p.ball_radius, n, u.length, "m") + "\n";
   if (p.balls_collide())
     text += fmt::format("contact_angle = {:.17g}\nrestitution = {:.17g}\n", p.contact_angle, p.restitution);
   return text;

@@ -52,6 +52,11 @@ void make_everything(Study& s, bool free_at_once) {
   set_in_motion(s, free_at_once);
 }
 
+void make_rolling(Study& s) {
+  s.parameters.rolls = true;
+  for (int i = 0; i < s.parameters.balls; ++i) s.parameters.ball_radius[i] = 0.05 + 0.03 * i;
+}
+
 void ramp(Study& s, double from, double to, double duration, SpeedLaw law) {
   s.speed.profile = Profile::ramp;
   s.speed.initial = from;
@@ -97,6 +102,12 @@ void add_constant_speed(Table& table) {
     table.add("constant_everything_" + std::to_string(n), n, 0.0, [](Study& s) { make_everything(s, true); });
   }
   table.add("constant_unequal", 2, 0.0, make_unequal);
+  for (int n : {1, 2, 4, 8})
+    table.add("constant_everything_rolling_" + std::to_string(n), n, 0.0, [](Study& s) {
+      make_everything(s, true);
+      make_rolling(s);
+    });
+  table.add("constant_rolling", 3, 0.0, make_rolling);
   table.add("constant_anisotropic", 2, 0.0, make_anisotropic);
   table.add("constant_gravity", 2, 0.0, [](Study& s) { s.parameters.gravity = 0.05; });
   table.add("constant_in_motion", 2, 0.0, [](Study& s) { set_in_motion(s, true); });
@@ -114,6 +125,11 @@ void add_varying_speed(Table& table, SpeedLaw law, const std::string& suffix) {
   table.add("ramp_released_by_speed" + suffix, 2, 27.5, [&](Study& s) {
     ramp(s, 0.0, 2.4, 30.0, law);
     s.release.speed = 2.2;
+  });
+  table.add("ramp_rolling_released_at_once" + suffix, 2, 0.0, [&](Study& s) {
+    ramp(s, 1.8, 2.6, 10.0, law);
+    s.release.time = 0.0;
+    make_rolling(s);
   });
   table.add("ramp_released_at_once" + suffix, 3, 0.0, [&](Study& s) {
     ramp(s, 1.8, 2.6, 40.0, law);
@@ -151,6 +167,12 @@ void add_varying_speed(Table& table, SpeedLaw law, const std::string& suffix) {
     });
     table.add("points_" + name, n, 18.0, [&](Study& s) {
       make_everything(s, false);
+      points(s, law);
+      s.release.time = 18.0;
+    });
+    table.add("points_rolling_" + name, n, 18.0, [&](Study& s) {
+      make_everything(s, false);
+      make_rolling(s);
       points(s, law);
       s.release.time = 18.0;
     });

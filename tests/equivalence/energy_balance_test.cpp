@@ -14,6 +14,7 @@
 #include "equipoise/model/energy.hpp"
 #include "equipoise/model/flow-inl.hpp"
 #include "equipoise/model/frames.hpp"
+#include "equipoise/model/smooth_flow-inl.hpp"
 #include "equipoise/trajectory/simulate.hpp"
 #include "lagrangian.hpp"
 
@@ -190,6 +191,72 @@ TEST_P(EnergyBalance, agrees_with_energy_and_powers_in_fixed_axes) {
 
 INSTANTIATE_TEST_SUITE_P(Case, EnergyBalance, testing::ValuesIn(cases::all()),
                          [](const auto& info) { return info.param.name; });
+
+// A motor, gravity, a race off its centre; its state, psi and psi', and the works of motor, supports and ball drag.
+class DrivenAndWork {
+ public:
+  static constexpr int dimension = model::machine_dimension(model::max_balls) + 2;  // the largest size
+
+  explicit DrivenAndWork(const model::System& s) : system_(s), flow_(s, 0.0), state(s.dimension()) {}
+
+  int size() const { return state + 3; }
+
+  void operator()(double t, const double* z, double* dz) const {
+    flow_(t, z, dz);
+    const model::Parameters& p = system_.parameters();
+    const double psi = z[system_.psi_place()], w = z[system_.speed_place()];
+    dz[state] = system_.drive().motor.torque(0.0, w, 0.0) * w;
+    const auto [Xd, Yd] = model::in_fixed_axes(std::cos(psi), std::sin(psi), z[2], z[3]);
+    dz[state + 1] = p.damping[0] * Xd * Xd + p.damping[1] * Yd * Yd;
+    dz[state + 2] = 0.0;
+    for (int i = 0; i < p.balls; ++i) {
+      const double q = z[model::index::q(i, p.balls)];
+      dz[state + 2] += p.mass[i] * p.drag[i] * q * q;
+    }
+  }
+
+ private:
+  const model::System& system_;
+  kernels::SmoothFlow<double, model::any_count> flow_;
+  const int state;
+};
+
+// Over ten thousand units, through resonance and on: half of the energy that ever flows does so at full speed.
+TEST(EnergyBalanceOfMotors, closes_over_a_long_time) {
+  for (const bool rolls : {false, true}) {
+    model::Parameters p;
+    p.balls = 3;
+    p.eccentricity = 0.02;
+    p.damping = {0.4, 0.3};
+    p.stiffness = {1.0, 1.2};
+    p.gravity = 0.02;
+    p.inertia = 0.4;
+    p.race_offset = {0.01, -0.02};
+    p.mass = {0.03, 0.05, 0.02};
+    p.drag = {0.2, 0.3, 0.25};
+    p.rolls = rolls;
+    if (rolls) p.ball_radius = {0.1, 0.3, 0.2};
+    model::DrivePiece piece{.prescribed = false};
+    piece.motor.constant = 0.3;
+    piece.motor.slope = -0.1;
+    const model::System system(p, piece);
+    const DrivenAndWork flow(system);
+    kernels::ErrorScale<DrivenAndWork::dimension> scale;
+    scale.tolerance = 1e-13;
+    scale.floor.fill(0.01);
+    std::vector<double> z(DrivenAndWork::dimension, 0.0);
+    for (int i = 0; i < p.balls; ++i) z[model::index::phi(i)] = 1.0 + 2.0 * i;
+    const double before = model::machine_energy(p, z.data());
+    kernels::AdaptiveIntegrator<DrivenAndWork, DrivenAndWork::dimension> integrator(flow, scale, flow.size());
+    ASSERT_EQ(integrator.advance(0.0, 1e4, z.data(), [](auto&&...) {}), equipoise::IntegrationStatus::done);
+    EXPECT_GT(z[system.speed_place()], 2.0);
+    const int state = system.dimension();
+    const double change = model::machine_energy(p, z.data()) - before;
+    RecordProperty(rolls ? "rolls" : "slides",
+                   fmt::format("{:.2g}", std::fabs(change - (z[state] - z[state + 1] - z[state + 2])) / z[state]));
+    EXPECT_NEAR(change, z[state] - z[state + 1] - z[state + 2], 1e-9 * z[state]);
+  }
+}
 
 // Nodes and weights of Gauss and Legendre on [0, 1], five points.
 constexpr double gauss_nodes[] = {0.046910077030668, 0.2307653449471585, 0.5, 0.7692346550528415, 0.953089922969332};

@@ -1,6 +1,6 @@
-// One force balance in all its uses, on random rotors, balls and states (RapidCheck): balls free, as a machine whose
-// options are off and under a motor; balls held, as one body and as a machine that holds them; and Lagrange's equations
-// in fixed axes, which share nothing with it.
+// One force balance in all its uses, on random rotors, balls and states (RapidCheck), half of them with balls that
+// roll: balls free, as a machine whose options are off and under a motor; balls held, as one body and as a machine that
+// holds them; and Lagrange's equations in fixed axes, which share nothing with it.
 #include <gtest/gtest.h>
 #include <rapidcheck.h>
 #include <rapidcheck/gtest.h>
@@ -55,6 +55,8 @@ Instant drawn(bool clamped) {
     p.mass[i] = between(0.01, 0.2);
     p.drag[i] = between(0.0, 0.5);
   }
+  p.rolls = *rc::gen::arbitrary<bool>();
+  for (int i = 0; i < p.balls && p.rolls; ++i) p.ball_radius[i] = between(0.0, 0.9);
   at.segment = {0.0, 1.0, between(-3.0, 3.0), between(-4.0, 4.0), between(-0.5, 0.5), clamped};
   at.clamped = clamped;
   for (int i = 0; i < at.size(); ++i) at.z[i] = between(-1.0, 1.0);

@@ -24,6 +24,16 @@
 //
 // The last gives the torque of the motor. Balls held in the race: theta_i = psi + const and theta_i'' = psi'' are
 // known, the theta_i rows give the forces that hold them, and the motor has to supply these too.
+//
+// A ball that rolls, of radius r_i, is a solid sphere that touches the race at O + (1 + r_i) (cos theta_i, sin
+// theta_i). There the race pulls it along by a force F_i: Newton's equations with F_i in them, not reduced by any
+// Lagrangian. With s_i the speed of the ball's rim seen from its centre, r_i times its spin,
+//
+//   spin:    (2/5) mu_i r_i s_i' = r_i F_i
+//   no slip: theta_i' + s_i = (1 + r_i) psi'
+//   theta_i: + F_i on the right;    psi: - sum (1 + r_i) F_i on the right;    2 T: + (2/5) sum mu_i s_i^2
+//
+// A ball that is held spins with the rotor: what holds it supplies the moment (2/5) mu_i r_i^2 psi'' besides.
 #include "lagrangian.hpp"
 
 #include <arkode/arkode_erkstep.h>
@@ -36,6 +46,9 @@
 #include <string>
 
 namespace lagrangian {
+
+// Of a solid sphere: moment of inertia over mass and radius squared.
+constexpr double solid = 0.4;
 
 using equipoise::Profile;
 using equipoise::Study;
@@ -103,6 +116,10 @@ Accelerations accelerations(const Parameters& p, double inertia, const FixedStat
     force[1] += mu * rate * rate * sine - mu * p.gravity;
     force[2 + i] = -mu * p.drag[i] * (rate - w) - mu * p.gravity * cosine;
     drag_torque += mu * p.drag[i] * (rate - w);
+    if (p.rolls) {
+      mass(2 + i, 2 + i) += solid * mu;
+      force[2 + i] += solid * mu * (1.0 + p.ball_radius[i]) * a;
+    }
   }
 
   Eigen::VectorXd result(2 + n);
@@ -117,6 +134,10 @@ Accelerations accelerations(const Parameters& p, double inertia, const FixedStat
   Accelerations out{result[0], result[1], 0.0, std::vector<double>(result.data() + 2, result.data() + 2 + n)};
   out.torque = (inertia + lambda * lambda) * a + lambda * (-out.X * sin_psi + out.Y * cos_psi) +
                lambda * p.gravity * cos_psi - drag_torque + held_torque;
+  for (int i = 0; i < n && p.rolls; ++i) {
+    const double r = p.ball_radius[i], grip = solid * p.mass[i] * ((1.0 + r) * a - out.theta[i]);  // F_i
+    out.torque += (1.0 + r) * grip;
+  }
   return out;
 }
 
@@ -129,6 +150,7 @@ double energy(const Parameters& p, double inertia, const FixedState& s) {
     const double sine = std::sin(s.theta[i]), cosine = std::cos(s.theta[i]);
     const double B_x = s.X_dot - s.theta_dot[i] * sine, B_y = s.Y_dot + s.theta_dot[i] * cosine;
     twice += p.mass[i] * (B_x * B_x + B_y * B_y + 2.0 * p.gravity * (s.Y + sine));
+    if (p.rolls) twice += solid * p.mass[i] * std::pow((1.0 + p.ball_radius[i]) * w - s.theta_dot[i], 2);
   }
   return 0.5 * twice;
 }

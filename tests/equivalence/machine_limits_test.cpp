@@ -97,7 +97,10 @@ TEST(MachineLimits, energy_without_a_motor_never_grows) {
   };
   const std::vector<Option> options{{"none", "", true},
                                     {"race offset", "race_offset = [0.02, 0.01]", true},
+                                    {"balls that roll", "rolls = true\nball_radius = 0.2", true},
                                     {"elastic contact", "contact_angle = 0.5\nrestitution = 1.0", true},
+                                    {"elastic contact of balls that roll",
+                                     "rolls = true\nball_radius = 0.25\ncontact_angle = 0.5\nrestitution = 1.0", true},
                                     {"contact", "contact_angle = 0.5\nrestitution = 0.5", false},
                                     {"plastic contact", "contact_angle = 0.5\nrestitution = 0.0", false},
                                     {"rolling", "rolling = 0.01\nstiction = 0.02", false}};

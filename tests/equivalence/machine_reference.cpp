@@ -4,8 +4,10 @@
 //   (sum m_k J_k^T J_k + diag(0, 0, iota, 0..)) Q'' = sum m_k J_k^T ((0, -G) - b_k) + generalised forces
 //
 // Points: the rotor's centre of mass O + lambda e(psi), mass 1; ball i at O + E(psi) + e(theta_i), mass mu_i, where E
-// is the race's offset turned by psi. A constraint (held ball, imposed psi') is a column condition on Q'. Normal forces
-// for rolling resistance are found by repeating the solution until it agrees with itself.
+// is the race's offset turned by psi. A ball that rolls is a solid sphere of radius r_i besides, whose rim moves with
+// (1 + r_i) psi' - theta_i' about its centre, so that it does not slip: with the mass (2/5) mu_i, one more row of J. A
+// constraint (held ball, imposed psi') is a column condition on Q'. Normal forces for rolling resistance are found by
+// repeating the solution until it agrees with itself.
 #include "machine_reference.hpp"
 
 #include <Eigen/Dense>
@@ -88,6 +90,12 @@ class Machine {
     MatrixXd m = MatrixXd::Zero(3 + n_, 3 + n_);
     m(2, 2) = p_.inertia;
     for (int k = -1; k < n_; ++k) m += weight(k) * jacobian(k, y).transpose() * jacobian(k, y);
+    for (int i = 0; i < n_ && p_.rolls; ++i) {
+      VectorXd rim = VectorXd::Zero(3 + n_);
+      rim[2] = 1.0 + p_.ball_radius[i];
+      rim[3 + i] = -1.0;
+      m += 2.0 / 5.0 * p_.mass[i] * rim * rim.transpose();
+    }
     return m;
   }
 

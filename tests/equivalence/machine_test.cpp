@@ -81,6 +81,28 @@ std::vector<Case> cases() {
                  rotor() + balls(3, "contact_angle = 1.0\nrestitution = 0.9") +
                      torque("{ constant = 0.3, slope = -0.1 }") + at_speed,
                  20.0, 5e-9});
+  const std::string rolls = "rolls = true\nball_radius = ", motor = torque("{ constant = 0.3, slope = -0.1 }");
+  for (int n : {1, 2, 3, 5})
+    all.push_back(
+        {fmt::format("balls_roll_{}", n),
+         rotor() + balls(n, rolls + "0.15") + torque("{ constant = 0.3, slope = -0.1, until = 30.0 }") + at_speed, 35.0,
+         1e-9});
+  all.push_back({"balls_of_two_sizes_roll_off_centre",
+                 rotor() + balls(2, rolls + "[0.1, 0.4]\nrace_offset = [0.03, -0.02]") + motor + at_time, 25.0, 1e-9});
+  all.push_back({"balls_roll_off_centre_at_constant_speed",
+                 rotor("") + balls(2, rolls + "0.3\nrace_offset = [0.01, 0.02]") + constant, 25.0, 5e-9});
+  all.push_back({"balls_roll_with_resistance",
+                 rotor() + balls(2, rolls + "[0.1, 0.4]\nrolling = 0.02\nstiction = 0.05") + motor + at_speed, 25.0,
+                 5e-9});
+  all.push_back({"balls_roll_with_resistance_at_constant_speed",
+                 rotor("") + balls(3, rolls + "0.2\nrolling = [0.01, 0.02, 0.03]") + constant, 25.0, 5e-9});
+  all.push_back({"balls_roll_in_contact",
+                 rotor() + balls(3, rolls + "0.48\ncontact_angle = 1.0\nrestitution = 0.9") + motor + at_speed, 20.0,
+                 5e-9});
+  all.push_back(
+      {"balls_of_three_sizes_roll_in_contact",
+       rotor() + balls(3, rolls + "[0.5, 0.1, 0.3]\ncontact_angle = 1.0\nrestitution = 0.9") + motor + at_speed, 20.0,
+       5e-9});
   all.push_back({"contact_at_constant_speed", rotor("") + balls(2, "contact_angle = 1.2\nrestitution = 1.0") + constant,
                  20.0, 5e-9});
   return all;

@@ -89,6 +89,17 @@ TEST(Certificate, proves_both_states_of_equal_and_of_unequal_balls_and_the_state
   expect_proved(case_of(balancer(0.05), -3.0));
 }
 
+TEST(Certificate, proves_balls_that_roll_and_is_not_one_of_balls_that_slide) {
+  model::Parameters rolling = balancer(0.05);
+  rolling.rolls = true;
+  for (double speed : {2.4, 5.0}) expect_proved(case_of(rolling, speed));
+  Certificate one;
+  ASSERT_TRUE(prove(case_of(rolling, 2.4), 0.9, one).proved);
+  EXPECT_TRUE(check_certificate(certificates_from_json(certificates_json({one}), "file").front()).proved);
+  one.parameters.rolls = false;
+  EXPECT_FALSE(check_certificate(one).proved);
+}
+
 TEST(Certificate, sets_hold_no_point_where_v_grows) {
   for (const auto& [beta, speed] : {std::pair{0.01, 3.0}, {0.05, 2.0}, {0.05, 2.4}, {0.25, 4.0}}) {
     const Case c = case_of(balancer(beta), speed);

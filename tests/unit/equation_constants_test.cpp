@@ -48,14 +48,16 @@ TEST(EquationConstants, AreFormedInTheNumberType) {
   p.drag = {0.071, 0.019, 0.033};
   constexpr double speed = 2.43;
   given.clear();
+  p.rolls = true;
+  p.ball_radius = {0.17, 0.19, 0.23};
   const HWY_NAMESPACE::FreeFlow<Noted, n, HWY_NAMESPACE::Terms{false, false, false}> flow(
       p, {0.0, 0.0, 0.0, speed, 0.0, false});
   Noted z[model::dimension(n)], rate[model::dimension(n)];
   for (int i = 0; i < model::dimension(n); ++i) z[i] = Noted::of(0.1 * i);
   flow(Noted::of(0.0), z, rate);
   // Parameters (zeta and kappa as means of two equal numbers are exact), and numbers that stand in the equations.
-  std::set<double> exact{0.0, 0.5, 1.0, 2.0, p.eccentricity, p.damping[0], p.stiffness[0], speed};
-  for (int i = 0; i < n; ++i) exact.insert({p.mass[i], p.drag[i]});
+  std::set<double> exact{0.0, 0.5, 1.0, 2.0, 5.0, p.eccentricity, p.damping[0], p.stiffness[0], speed};
+  for (int i = 0; i < n; ++i) exact.insert({p.mass[i], p.drag[i], p.ball_radius[i]});
   for (const double v : given) EXPECT_TRUE(exact.count(v)) << v << " was rounded in doubles";
 }
 

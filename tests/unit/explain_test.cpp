@@ -104,6 +104,23 @@ TEST(Explain, LinearisesTheWayIntoBalance) {
   EXPECT_TRUE(warned(u, "balance is unstable"));
 }
 
+TEST(Explain, SaysWhatRollingChanges) {
+  const std::vector<std::string> size{"balancer.ball_diameter=8 mm"}, thick{size[0], "balancer.drag=1 N m s"};
+  const Explanation slides = of(machine), rolls = of(machine, size);
+  EXPECT_EQ(quantity(rolls, "m_eff/m"), 1.4);
+  EXPECT_DOUBLE_EQ(quantity(rolls, "r"), 4.0 / 30.0);
+  EXPECT_FALSE(slides.motion->slowest_if_sliding);
+  EXPECT_EQ(*rolls.motion->slowest_if_sliding, slides.motion->slowest_rate);
+  EXPECT_NE(rolls.motion->slowest_rate, slides.motion->slowest_rate);
+  EXPECT_TRUE(holds(explain_text(rolls), "if the balls slid instead of rolled"));
+  EXPECT_FALSE(holds(explain_text(slides), "slid"));
+  EXPECT_EQ(nlohmann::json::parse(explain_json(rolls))["balanced"]["slowest_rate_if_sliding"],
+            slides.motion->slowest_rate);
+  // Strong drag slows a ball by 5/7 beta and more, as far as the rotor, of a hundred times the balls' mass, gives way.
+  const auto fastest = [](const Explanation& e) { return e.motion->eigenvalues.back().real(); };
+  EXPECT_NEAR(fastest(of(machine, {thick[1]})) / fastest(of(machine, thick)), 1.4, 0.02);
+}
+
 TEST(Explain, LeavesTheContinuumsOwnZerosOut) {
   const Explanation e = of(machine, {"balancer.balls=4"});
   ASSERT_TRUE(e.motion.has_value());

@@ -46,7 +46,7 @@ double lane_nanoseconds() {
 }
 
 double scalar_nanoseconds() {
-  using Flow = kernels::FreeFlow<double, 2, kernels::Terms{false, false, false}>;
+  using Flow = kernels::FreeFlow<double, 2, kernels::paper_terms(false)>;
   const model::Parameters p = paper_rotor().parameters;
   const Flow flow(p, constant_speed);
   long evaluations = 0;

@@ -202,6 +202,17 @@ TEST(PhysicalStudy, ConvertsMotorContactAndOffset) {
   EXPECT_FALSE(d.root.find("balancer")->find("contact"));
 }
 
+TEST(PhysicalStudy, BallsWhoseSizeIsGivenRoll) {
+  EXPECT_FALSE(parse(machine).parameters.rolls);
+  const model::Parameters p = parse(machine, {"balancer.ball_diameter=['8 mm', '9 mm']"}).parameters;
+  EXPECT_TRUE(p.rolls);
+  EXPECT_DOUBLE_EQ(p.ball_radius[0], 4.0 / 30.0);
+  EXPECT_DOUBLE_EQ(p.ball_radius[1], 4.5 / 30.0);
+  EXPECT_FALSE(parse(machine, {"balancer.ball_diameter=8 mm", "balancer.rolls=false"}).parameters.rolls);
+  EXPECT_DOUBLE_EQ(parse(machine, {"balancer.rolls=true", "balancer.ball_radius=4 mm"}).parameters.ball_radius[1],
+                   4.0 / 30.0);
+}
+
 TEST(PhysicalStudy, ShippedExamplesAreRead) {
   int count = 0;
   for (const auto& entry : std::filesystem::directory_iterator(EQUIPOISE_SOURCE_DIR "/studies/examples")) {
@@ -396,6 +407,30 @@ TEST(PhysicalStudy, NamesMissingKeysAndTwoForOne) {
                    "true",
                    "needs balancer.ball_diameter, such as \"8 mm\""});
   expect_rejected({machine,
+                   {"balancer.rolls=true"},
+                   "--set",
+                   "balancer.rolls",
+                   "true",
+                   "needs balancer.ball_diameter, such as \"8 mm\""});
+  expect_rejected({machine,
+                   {"balancer.ball_radius=4 mm"},
+                   "--set",
+                   "balancer.ball_radius",
+                   "\"4 mm\"",
+                   "has a meaning only with balancer.rolls = true"});
+  expect_rejected({machine,
+                   {"balancer.ball_diameter=8 mm", "balancer.ball_radius=4 mm"},
+                   "--set",
+                   "balancer.ball_radius",
+                   "\"4 mm\"",
+                   "give either balancer.ball_radius or balancer.ball_diameter, not both"});
+  expect_rejected({machine,
+                   {"balancer.rolls=true", "balancer.ball_radius=30 mm"},
+                   "--set",
+                   "balancer.ball_radius",
+                   "\"30 mm\"",
+                   "must be less than balancer.race_radius"});
+  expect_rejected({machine,
                    {"balancer.ball_diameter=60 mm"},
                    "--set",
                    "balancer.ball_diameter",
@@ -498,6 +533,8 @@ TEST(PhysicalEcho, HoldsMotorContactAndOffset) {
   close(a.parameters.race_offset[0], b.parameters.race_offset[0]);
   close(a.parameters.race_offset[1], b.parameters.race_offset[1]);
   close(a.parameters.contact_angle, b.parameters.contact_angle);
+  EXPECT_TRUE(b.parameters.rolls);
+  close(a.parameters.ball_radius[1], b.parameters.ball_radius[1]);
   close(*a.speed.stalled_below, *b.speed.stalled_below);
   close(a.speed.initial, b.speed.initial);
   close(a.motor().gain, b.motor().gain);

@@ -17,6 +17,8 @@ inline std::string first_difference(const Study& a, const Study& b) {
   if (p.gravity != q.gravity) return "parameters.gravity";
   if (p.mass != q.mass) return "parameters.mass";
   if (p.drag != q.drag) return "parameters.drag";
+  if (p.rolls != q.rolls) return "parameters.rolls";
+  if (p.ball_radius != q.ball_radius) return "parameters.ball_radius";
   if (a.speed.profile != b.speed.profile) return "speed.profile";
   if (a.speed.law != b.speed.law) return "speed.law";
   if (a.speed_profile().times != b.speed_profile().times) return "the profile's times";

@@ -105,6 +105,24 @@ TEST(BadInput, SamplingMethodsAreThree) {
   expect_rejected({{good, lone, "--set", "sampling.starts", "1", "must be 2 or more"}});
 }
 
+TEST(BadInput, BallsRollOrSlide) {
+  expect_override_rejected("balancer.rolls=1", "--set", "balancer.rolls", "1", "is a number; must be true or false");
+  expect_override_rejected("balancer.ball_radius=0.1", "--set", "balancer.ball_radius", "0.1",
+                           "has a meaning only with balancer.rolls = true");
+  expect_rejected({{good,
+                    {"balancer.rolls=true", "balancer.ball_radius=1.0"},
+                    "--set",
+                    "balancer.ball_radius",
+                    "1.0",
+                    "must be a number at least 0 and less than 1"},
+                   {good,
+                    {"balancer.rolls=true", "balancer.ball_radius=[0.1, 0.1, 0.1]"},
+                    "--set",
+                    "balancer.ball_radius",
+                    "[0.1, 0.1, 0.1]",
+                    "has 3 entries"}});
+}
+
 TEST(BadInput, UnknownKeysAndTablesAreNamedWithTheNearestKnownOne) {
   expect_rejected({
       {with("damping = 0.5", "damping = 0.5\nstifness = 1.0"),

@@ -219,15 +219,29 @@ TEST(Overrides, TolerateBlanksAroundKeyAndValue) {
 }
 
 TEST(Echo, HoldsEveryKeyOfAStudyThatSetsThemAll) {
-  const Study study = parse(
-      points, {"rotor.damping=[0.1, 0.2]", "rotor.stiffness=[1.0, 1.1]", "rotor.gravity=0.01",
-               "balancer={balls=3, mass=[0.1, 0.2, 0.3], drag=[0.0, 0.4, 0.5]}", "speed.law=published",
-               "release.time=0.0", "initial={psi=1, x=2, y=3, x_dot=4, y_dot=5, phi=[6, 7, 8], phi_dot=[9, 10, 11]}",
-               "sampling={starts=12, seed=13, method=\"sobol\"}", "numerics={tolerance=1e-10, horizon=500}"});
+  const Study study =
+      parse(points,
+            {"rotor.damping=[0.1, 0.2]", "rotor.stiffness=[1.0, 1.1]", "rotor.gravity=0.01",
+             "balancer={balls=3, mass=[0.1, 0.2, 0.3], drag=[0.0, 0.4, 0.5], rolls=true, ball_radius=[0.1, 0.2, 0.15]}",
+             "speed.law=published", "release.time=0.0",
+             "initial={psi=1, x=2, y=3, x_dot=4, y_dot=5, phi=[6, 7, 8], phi_dot=[9, 10, 11]}",
+             "sampling={starts=12, seed=13, method=\"sobol\"}", "numerics={tolerance=1e-10, horizon=500}"});
   expect_round_trip(study);
+  EXPECT_TRUE(study.parameters.rolls);
+  EXPECT_EQ(study.parameters.ball_radius[2], 0.15);
   EXPECT_EQ(study.initial.phi_dot[2], 11.0);
   EXPECT_EQ(study.sampling.method, SamplingMethod::sobol);
   EXPECT_EQ(study.numerics.horizon, 500.0);
+}
+
+TEST(Balls, SlideUnlessADimensionlessStudySaysThatTheyRoll) {
+  EXPECT_FALSE(parse(ramp).parameters.rolls);
+  EXPECT_EQ(to_toml(parse(ramp)).find("rolls"), std::string::npos);
+  EXPECT_EQ(to_toml(parse(ramp, {"balancer.rolls=false"})), to_toml(parse(ramp)));
+  const model::Parameters p = parse(ramp, {"balancer.rolls=true"}).parameters;
+  EXPECT_TRUE(p.rolls);
+  EXPECT_EQ(p.ball_radius[0], 0.0);
+  EXPECT_EQ(parse(ramp, {"balancer.rolls=true", "balancer.ball_radius=0.2"}).parameters.ball_radius[1], 0.2);
 }
 
 TEST(Echo, NamesTheMethodThatAnUnsetOneMeans) {

@@ -103,6 +103,8 @@ TEST(StudyTree, LeadsBackToTheSameStudy) {
   for (const auto& overrides : std::vector<std::vector<std::string>>{
            {},
            {"balancer.rolling=0.001", "balancer.stiction=[0.002, 0.003]", "balancer.race_offset=[0.001, -0.002]"},
+           {"balancer.rolls=true"},
+           {"balancer.rolls=true", "balancer.ball_radius=[0.1, 0.2]"},
            {"balancer.contact_angle=0.2", "balancer.restitution=0.5", "limits={displacement = 0.1, settled = 0.01}"},
            {"rotor.inertia=0.5", "speed={profile='torque'}", "release={time = 0.0}",
             "speed.torque={gain=0.1, integral=0.2, limit=3.0, target={profile='trapezoid', peak=3.0, final=2.0, "
@@ -193,6 +195,11 @@ TEST(Check, RefusesWhatNoTextCouldSay) {
   EXPECT_EQ(refused_key([](Study& s) { s.parameters.rolling[1] = -0.1; }), "balancer.rolling");
   EXPECT_EQ(refused_key([](Study& s) { s.parameters.contact_angle = -0.1; }), "balancer.contact_angle");
   EXPECT_EQ(refused_key([](Study& s) { s.parameters.stiction[0] = std::nan(""); }), "balancer.stiction");
+  EXPECT_EQ(refused_key([](Study& s) {
+              s.parameters.rolls = true;
+              s.parameters.ball_radius[1] = 1.0;
+            }),
+            "balancer.ball_radius");
   // A motor by stall torque whose law says table: which it is nobody can tell.
   EXPECT_EQ(refused_key([](Study& s) {
               s.speed.profile = Profile::torque;
@@ -269,6 +276,8 @@ Study drawn_study(unsigned seed) {
   if (draw.below(4) == 0) p.race_offset = {draw.number(), 0.0};
   if (draw.below(4) == 0) p.rolling[draw.below(8)] = draw.number();
   if (draw.below(4) == 0) p.stiction[draw.below(8)] = draw.number();
+  if (draw.below(4) == 0) p.rolls = true;
+  if (draw.below(8) == 0) p.ball_radius[draw.below(8)] = draw.number();
   if (draw.below(4) == 0) p.contact_angle = draw.number();
   if (draw.below(4) == 0) p.restitution = draw.number();
   draw_ramp(draw, s.speed, true);

@@ -47,6 +47,8 @@ model::Parameters random_rotor(bool isotropic_without_gravity) {
     p.mass[i] = between(0.01, 0.06);
     p.drag[i] = between(0.1, 0.4);
   }
+  p.rolls = coin();
+  for (int i = 0; i < p.balls && p.rolls; ++i) p.ball_radius[i] = between(0.0, 0.5);
   return p;
 }
 
@@ -98,6 +100,7 @@ RC_GTEST_PROP(Trajectories, are_exchanged_when_equal_balls_are, ()) {
     if (p.mass[k] == 0.0) p.mass[k] = 0.03;
   p.mass[j] = p.mass[i];
   p.drag[j] = p.drag[i];
+  p.ball_radius[j] = p.ball_radius[i];
   const Trajectory a = equipoise::simulate(s, times);
   std::swap(s.initial.phi[i], s.initial.phi[j]);
   std::swap(s.initial.phi_dot[i], s.initial.phi_dot[j]);
@@ -245,6 +248,7 @@ void expect_the_same_with_room_for_any(const model::Segment& segment, double t) 
   for (int i = 0; i < n; ++i) {
     p.mass[i] = between(0.01, 0.2);
     p.drag[i] = between(0.0, 0.5);
+    p.ball_radius[i] = between(0.0, 0.5);
   }
   double z[model::dimension(n)], exact[model::dimension(n)], any[model::dimension(model::max_balls)];
   for (double& v : z) v = between(-1.0, 1.0);

@@ -40,7 +40,7 @@ double longest_step(const model::Parameters& p, double speed, const Eigen::Vecto
   task.states = state.data();
   StepWatch watch;
   watch.after = 100.0;
-  using Flow = kernels::FreeFlow<kernels::Pack, 2, kernels::Terms{false, false, false}>;
+  using Flow = kernels::FreeFlow<kernels::Pack, 2, kernels::paper_terms(false)>;
   const Flow flow(p, task.segment);
   kernels::LaneBlock<Flow, StepWatch, 1> block(task, flow, watch);
   EXPECT_TRUE(block.run());

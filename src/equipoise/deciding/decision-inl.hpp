@@ -31,7 +31,7 @@ namespace HWY_NAMESPACE {
 // steps the tolerance allows; tests/unit/window_test.cpp measures it.
 //
 // Of all but plain ones the rotor's angle is known, r is measured from where gravity lets the rotor sag to, and
-// DecisionRule::strobed is asked. Plain rotors feel no operation of that.
+// DecisionRule::strobed is asked, if it has an answer. Plain rotors feel no operation of that.
 template <int room, int groups, LaneKind kind = LaneKind::plain>
 class DecideFate {
  public:

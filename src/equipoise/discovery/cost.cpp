@@ -19,9 +19,10 @@ StartCost cost_of(const Study& study) {
   const model::Parameters& p = study.parameters;
   StartCost cost;
   const double drag = *std::max_element(p.drag.begin(), p.drag.begin() + p.balls);
-  const double damping = std::max(p.damping[0], p.damping[1]);
-  cost.by_drag = drag >= damping;
-  cost.fastest = std::max(drag, damping);
+  const double damping = std::max(p.damping[0], p.damping[1]), slowing = drag / p.inertia_along_race();
+  cost.by_drag = slowing >= damping;
+  cost.fastest = std::max(slowing, damping);
+  cost.cause = cost.by_drag ? drag : damping;
   const Horizon horizon = choose_horizon(study);
   const double slowest = std::max(horizon.rates.approach, horizon.rates.growth);
   // The horizon that is chosen ends what is too slow without deciding it, and is no limit to the work that is needed.
@@ -38,7 +39,7 @@ bool StartCost::bearable() const { return fastest <= stable_to * steps_a_radian 
 
 StartCost start_cost(const Study& study) {
   StartCost cost = cost_of(study);
-  cost.allowed = cost.fastest;
+  cost.allowed = cost.cause;
   if (cost.bearable()) return cost;
   double low = 0.0, high = 1.0;
   for (int k = 0; k < 40; ++k) {
@@ -50,7 +51,7 @@ StartCost start_cost(const Study& study) {
       for (double& damping : other.parameters.damping) damping *= part;
     (cost_of(other).bearable() ? low : high) = part;
   }
-  cost.allowed = low * cost.fastest;
+  cost.allowed = low * cost.cause;
   return cost;
 }
 
@@ -58,7 +59,7 @@ void check_cost(const Study& study) {
   const StartCost cost = start_cost(study);
   if (cost.bearable()) return;
   throw InputError(
-      study.name, cost.by_drag ? "balancer.drag" : "rotor.damping", fmt::format("{:.6g}", cost.fastest),
+      study.name, cost.by_drag ? "balancer.drag" : "rotor.damping", fmt::format("{:.6g}", cost.cause),
       fmt::format("makes the equations stiff: about {:.1g} steps a start, {:.2g} units of time with {:.3g} steps each; "
                   "basin and attractors take up to {:.3g} here (or a shorter numerics.horizon)",
                   cost.steps, cost.time, cost.fastest / stable_to, cost.allowed));

@@ -11,6 +11,7 @@ struct StartCost {
   double time = 0.0;     ///< until it is decided: about one e-folding on the slow way into balance (drag 20: 0.8)
   double fastest = 0.0;  ///< rate of decay that limits the step of an explicit method
   bool by_drag = false;  ///< it is that of balls in their race, else of the supports
+  double cause = 0.0;    ///< the ball drag or support damping that it comes from
   double steps = 0.0;    ///< of integration
   /// The largest ball drag (or support damping) with which a start took no more than most_steps, all else being equal.
   double allowed = 0.0;

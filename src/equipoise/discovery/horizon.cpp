@@ -93,7 +93,7 @@ SettlingRates settling_rates(const model::Parameters& parameters, double speed) 
     if (rate < -least) approach.push_back(-rate);
     if (rate > least) growth.push_back(rate);
   }
-  const double drag = *std::min_element(p.drag.begin(), p.drag.begin() + p.balls);
+  const double drag = *std::min_element(p.drag.begin(), p.drag.begin() + p.balls) / p.inertia_along_race();
   return {slow_quartile(approach), slow_quartile(growth), 0.5 * drag};
 }
 

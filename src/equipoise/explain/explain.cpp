@@ -104,6 +104,10 @@ class Quantities {
     std::array<double, model::max_balls> torque{};
     for (std::size_t i = 0; i < torque.size(); ++i) torque[i] = p_.drag[i] * p_.mass[i];
     add_balls("D", "ball drag, torque for a rate", torque, Dimension::gain);
+    if (p_.rolls) {
+      add_balls("r", "radius of a ball, which rolls", p_.ball_radius, Dimension::length);
+      add("m_eff/m", "inertia of a ball along the race", p_.inertia_along_race(), std::nullopt);
+    }
     if (!p_.race_is_centred()) {
       add("e_x", "race off the shaft, x", p_.race_offset[0], Dimension::length);
       add("e_y", "race off the shaft, y", p_.race_offset[1], Dimension::length);
@@ -226,6 +230,11 @@ void linearise(Explanation& e) {
     rate[static_cast<std::size_t>(side)] = eigenvalues(other, *e.speed, motion.angles.data(), family).front().real();
   }
   motion.drag_sensitivity = (rate[1] - rate[0]) / (2.0 * part * motion.slowest_rate);
+  if (p.rolls) {
+    model::Parameters sliding = p;
+    sliding.rolls = false;
+    motion.slowest_if_sliding = eigenvalues(sliding, *e.speed, motion.angles.data(), family).front().real();
+  }
   e.motion = motion;
 }
 
@@ -339,7 +348,7 @@ class Warnings {
     const char* key = cost.by_drag ? "balancer.drag" : "rotor.damping";
     if (!cost.bearable())
       warn("stiff: with {} = {:.4g} a start takes about {:.1g} steps; basin and attractors refuse above {:.3g}", key,
-           cost.fastest, cost.steps, cost.allowed);
+           cost.cause, cost.steps, cost.allowed);
     const Horizon horizon = choose_horizon(e_.study);
     if (!horizon.long_enough())
       warn("{}: of starts that are followed for {:.6g} many may stay undecided", slowness_text(horizon), horizon.time);

@@ -65,7 +65,7 @@ bool run_watched(const LaneTask& task, const Flow& flow, Fates& fates) {
 
 // The terms of a rotor at a prescribed speed whose race is centred.
 constexpr Terms terms_of(LaneKind kind, bool acceleration) {
-  return {acceleration, kind == LaneKind::turning, kind == LaneKind::turning};
+  return kind == LaneKind::plain ? paper_terms(acceleration) : Terms{.acceleration = acceleration};
 }
 
 template <int room, LaneKind kind, bool acceleration>

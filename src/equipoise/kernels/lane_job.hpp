@@ -18,8 +18,8 @@ struct LaneJob {
   std::vector<PilotRecord>* pilot = nullptr;  ///< with a rule, if wanted
 };
 
-/// Of rotors at a prescribed speed, their race centred, for whose equations the rotor's angle is nothing: isotropic
-/// supports, no gravity.
+/// Of rotors at a prescribed speed, their race centred, for whose equations the rotor's angle is nothing (isotropic
+/// supports, no gravity), with balls that slide.
 bool run_plain_lanes(const LaneJob& job);
 /// Of all such rotors.
 bool run_general_lanes(const LaneJob& job);

@@ -20,7 +20,7 @@ namespace HWY_NAMESPACE {
 
 template <int room>
 int evaluate_balls(const model::Parameters& p, double speed, long count, double* checksum) {
-  using Flow = FreeFlow<Pack, room, Terms{false, false, false}>;
+  using Flow = FreeFlow<Pack, room, paper_terms(false)>;
   const Flow flow(p, model::Segment{0.0, 0.0, 0.0, speed, 0.0, false});
   constexpr int groups = lane_groups<room>;
   Pack z[groups][Flow::dimension];

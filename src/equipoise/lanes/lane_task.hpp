@@ -24,8 +24,8 @@ struct LaneWork {
   std::uint64_t evaluations(std::uint64_t trajectories) const { return 12 * steps + trajectories; }
 };
 
-/// Which equations a task needs: those of a centred race at a prescribed speed, without and with anisotropic supports
-/// and gravity, or those of any smooth system.
+/// Which equations a task needs: those of a centred race at a prescribed speed, without and with anisotropic supports,
+/// gravity and balls that roll, or those of any smooth system.
 enum class LaneKind { plain, turning, smooth };
 
 /// Trajectories from segment.begin to `end`. A trajectory's result depends on its own initial state and on nothing else
@@ -51,7 +51,8 @@ struct LaneTask {
 
   bool watched() const { return transients || radius; }
   LaneKind kind() const {
-    return system ? LaneKind::smooth : model::is_strobed(*parameters) ? LaneKind::turning : LaneKind::plain;
+    if (system) return LaneKind::smooth;
+    return model::is_strobed(*parameters) || parameters->rolls ? LaneKind::turning : LaneKind::plain;
   }
   /// Of a state.
   int dimension() const {

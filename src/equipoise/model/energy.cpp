@@ -34,6 +34,9 @@ double energy_at(const Parameters& p, double inertia, const std::array<double, 2
     const double vx = u - w * offset[1] - rate * s, vy = v + w * offset[0] + rate * c;
     const double height = Y + rotor.sin_psi * (offset[0] + c) + rotor.cos_psi * (offset[1] + s);
     e += p.mass[i] * (0.5 * (vx * vx + vy * vy) + p.gravity * height);
+    if (!p.rolls) continue;
+    const double rim = p.ball_radius[i] * w - z[index::q(i, p.balls)];  // radius times spin, from where it touches
+    e += 0.5 * 0.4 * p.mass[i] * rim * rim;
   }
   return e;
 }

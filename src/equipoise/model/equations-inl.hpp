@@ -17,14 +17,21 @@ HWY_BEFORE_NAMESPACE();
 namespace equipoise {
 namespace HWY_NAMESPACE {
 
-// Terms beyond the isotropic horizontal rotor at constant speed. A term that is off leaves no operation behind.
+// Terms beyond the isotropic horizontal rotor at constant speed with balls that slide. A term that is off leaves no
+// operation behind.
 struct Terms {
   bool acceleration = true;
   bool anisotropy = true;
   bool gravity = true;
   bool body = false;     // any body in the rotor's place: a race off its centre, balls that are part of it; a motor
   bool actions = false;  // balls may be held, resist rolling or push each other
+  bool rolls = true;     // balls roll if the parameters say so
 };
+
+// Of the paper's rotor: isotropic and horizontal, its balls slide.
+constexpr Terms paper_terms(bool acceleration) {
+  return {.acceleration = acceleration, .anisotropy = false, .gravity = false, .rolls = false};
+}
 
 // The rotor at one instant: psi' and psi''; sin and cos of psi are read only with anisotropy or gravity.
 template <class T>
@@ -76,6 +83,10 @@ struct BodyResult {
 // One balance of forces holds for all of them: M A + arm psi'' = F at the race's centre O', summed over a body and the
 // balls that are free to run around it. Rotor and free balls, rotor and balls as one body, bodies that a motor turns:
 // they differ in what the sums run over.
+//
+// A ball that rolls resists accelerations as two masses do: 2/7 of it fixed to the race's surface, where they touch,
+// and 5/7 that slides (docs/equations.md, "Balls that roll"). The race's centre feels the centrifugal force of the
+// whole.
 template <class T, int room, Terms terms>
 class BallBalancer {
  public:
@@ -101,10 +112,11 @@ class BallBalancer {
     for (int i = 0; i < n; ++i) {
       mu_[i] = T(p.mass[i]);
       beta_[i] = T(p.drag[i]);
+      if constexpr (terms.rolls) split(i, p);
       drag_force_[i] = mu_[i] * beta_[i];
-      mass = mass + mu_[i];
+      mass = mass + sliding_mass(i);
     }
-    inertia_sum_ = T(2.0) + mass;
+    inertia_sum_ = T(2.0) * rotor_.mass + mass;
   }
 
   // What springs and dampers exert on the support, in rotating components (fx, fy).
@@ -148,8 +160,36 @@ class BallBalancer {
     return balance(without_solved(rotor, torque), body, &actions, torque, z, sums, dz);
   }
 
+  // The part of psi'' that a ball at rest in the race feels along it: its spin takes the other.
+  T lever(int i) const {
+    static_assert(terms.rolls);
+    return lever_[i];
+  }
+
  private:
   static constexpr int places = room > 0 ? room : 1;  // arrays are never empty
+
+  // A ball into what slides and what is fixed to the race, which is made part of the rotor here. One that does not roll
+  // slides as a whole; the numbers that say so are exact.
+  void split(int i, const model::Parameters& p) {
+    const T spin = p.rolls ? T(2.0) / T(5.0) : T(0.0), radius(p.ball_radius[i]);
+    share_ = T(1.0) / (T(1.0) + spin);
+    sliding_mass_[i] = share_ * mu_[i];
+    beta_[i] = share_ * beta_[i];
+    lever_[i] = T(1.0) - spin * radius;
+    lag_[i] = share_ * lever_[i];
+    const T fixed_mass = spin * sliding_mass_[i], surface = T(1.0) + radius;
+    carried_[i] = fixed_mass * surface;
+    rotor_.mass = rotor_.mass + fixed_mass;
+    rotor_.inertia = rotor_.inertia + carried_[i] * surface;
+  }
+
+  HWY_INLINE const T& sliding_mass(int i) const {
+    if constexpr (terms.rolls)
+      return sliding_mass_[i];
+    else
+      return mu_[i];
+  }
 
   // What acts on O', and what it has to move.
   struct Sums {
@@ -158,9 +198,10 @@ class BallBalancer {
     T resisting_y;           // taken from Fy with the first ball
     T inertia_y, coupling;   // of M: yy, and xy = yx
     // Of bodies.
-    T inertia_sum;    // xx + yy
-    T moment;         // about O', of balls and supports on the body
-    Vector2<T> grip;  // sum of resistance times radial direction: what A takes from the moment
+    T inertia_sum;       // xx + yy
+    T moment;            // about O', of balls and supports on the body
+    Vector2<T> grip;     // sum of resistance times radial direction: what A takes from the moment
+    Vector2<T> carried;  // unbalance of what free balls have fixed to the race
   };
 
   // M's inverse is times_divisor() over divisor(); where no ball is free M is the body's mass.
@@ -202,7 +243,8 @@ class BallBalancer {
     if constexpr (terms.body) {
       const BodyResult<T> result = turn(rotor, body, torque, sums, m, inverse, solved);
       const T w2 = rotor.speed * rotor.speed, a = result.acceleration;
-      for (int i = 0; i < n; ++i) ball_rates(i, a, z, sums, solved, inverse, dz);
+      const T along = along_race(inverse);
+      for (int i = 0; i < n; ++i) ball_rates(i, a, z, sums, solved, along, dz);
       if constexpr (terms.actions)
         for (int i = 0; i < n; ++i) act(i, rotor, *actions, result.race, z, sums, dz);
       move_centre(rotor, z,
@@ -210,7 +252,8 @@ class BallBalancer {
                   T(1.0), dz);
       return result;
     } else {
-      for (int i = 0; i < n; ++i) ball_rates(i, rotor.acceleration, z, sums, solved, inverse, dz);
+      const T along = along_race(inverse);
+      for (int i = 0; i < n; ++i) ball_rates(i, rotor.acceleration, z, sums, solved, along, dz);
       move_centre(rotor, z, solved, inverse, dz);
     }
   }
@@ -239,16 +282,19 @@ class BallBalancer {
     const T s = sums.s[i], c = sums.c[i];
     const T total = rotor.speed + q;
     const T centrifugal = mu_[i] * total * total;
+    const T mass_sine = sliding_mass(i) * s;
     const T drag = drag_force_[i] * q;
-    const T mass_sine = mu_[i] * s;
-    sums.force_x = sums.force_x + centrifugal * c - drag * s;
+    T pull = drag;  // along the race
+    if constexpr (terms.rolls && terms.acceleration) pull = drag - carried_[i] * rotor.acceleration;
+    sums.force_x = sums.force_x + centrifugal * c - pull * s;
     const bool first = !terms.body && i == 0;
-    sums.force_y = centrifugal * s + (first ? drag * c - sums.resisting_y : drag * c + sums.force_y);
+    sums.force_y = centrifugal * s + (first ? pull * c - sums.resisting_y : pull * c + sums.force_y);
     sums.inertia_y = sums.inertia_y + mass_sine * s;
     sums.coupling = sums.coupling + mass_sine * c;
     if constexpr (terms.body) {
-      sums.inertia_sum = sums.inertia_sum + mu_[i];
-      sums.moment = sums.moment + drag;
+      sums.inertia_sum = sums.inertia_sum + sliding_mass(i);
+      sums.moment = sums.moment + at_lever(i, drag);
+      if constexpr (terms.rolls) sums.carried = {sums.carried.x + carried_[i] * c, sums.carried.y + carried_[i] * s};
     }
   }
 
@@ -260,10 +306,26 @@ class BallBalancer {
       if (!actions.held[i]) continue;
       body.unbalance.x = body.unbalance.x + mu_[i] * sums.c[i];
       body.unbalance.y = body.unbalance.y + mu_[i] * sums.s[i];
-      body.mass = body.mass + mu_[i];
-      body.inertia = body.inertia + mu_[i];
+      body.mass = body.mass + sliding_mass(i);
+      body.inertia = body.inertia + at_lever(i, at_lever(i, sliding_mass(i)));
     }
     return body;
+  }
+
+  // Of a force along the race, or of what it gives a ball: the share that does not go into spin.
+  HWY_INLINE T along_race(const T& v) const {
+    if constexpr (terms.rolls)
+      return v * share_;
+    else
+      return v;
+  }
+
+  // Of such a share of ball i: what it is to the race's turning.
+  HWY_INLINE T at_lever(int i, const T& v) const {
+    if constexpr (terms.rolls)
+      return v * lever_[i];
+    else
+      return v;
   }
 
   // Pushes on a ball, and rolling resistance, which pulls the race along (-s, c) by k times the normal force
@@ -274,22 +336,25 @@ class BallBalancer {
     const T k = mu_[i] * actions.resistance[i];
     const T total = rotor.speed + z[4 + n + i];
     const T pull = k * total * total;
-    sums.force_x = sums.force_x + (actions.push[i] - pull) * s;
-    sums.force_y = sums.force_y - (actions.push[i] - pull) * c;
-    sums.moment = sums.moment + pull;
-    m.xx = m.xx - k * s * c;
-    m.xy = m.xy - k * s * s;
-    m.yx = m.yx + k * c * c;
-    m.yy = m.yy + k * c * s;
-    sums.grip.x = sums.grip.x + k * c;
-    sums.grip.y = sums.grip.y + k * s;
+    const T along = along_race(actions.push[i] - pull), tilt = along_race(k), grip = at_lever(i, tilt);
+    sums.force_x = sums.force_x + along * s;
+    sums.force_y = sums.force_y - along * c;
+    sums.moment = sums.moment + at_lever(i, along_race(pull));
+    m.xx = m.xx - tilt * s * c;
+    m.xy = m.xy - tilt * s * s;
+    m.yx = m.yx + tilt * c * c;
+    m.yy = m.yy + tilt * c * s;
+    sums.grip.x = sums.grip.x + grip * c;
+    sums.grip.y = sums.grip.y + grip * s;
+    // Pushes sum to 0, and have a moment only where balls of different size spin them away.
+    if constexpr (terms.rolls) sums.moment = sums.moment + actions.push[i] * (T(1.0) - lag_[i]);
   }
 
   // psi'' under a torque, or the torque that the prescribed one needs. `solved` was without psi'' where it is solved
   // for, and is with it afterwards.
   HWY_INLINE BodyResult<T> turn(const RotorMotion<T>& rotor, const Body<T>& body, const T* torque, const Sums& sums,
                                 const Matrix2<T>& m, const T& inverse, Vector2<T>& solved) const {
-    const Vector2<T> arm{-body.unbalance.y, body.unbalance.x};
+    const Vector2<T> arm{-(body.unbalance.y + sums.carried.y), body.unbalance.x + sums.carried.x};
     const auto row = [&](const Vector2<T>& v) {
       return ((arm.x + sums.grip.x) * v.x + (arm.y + sums.grip.y) * v.y) * inverse;
     };
@@ -303,14 +368,17 @@ class BallBalancer {
         {solved.x * inverse, solved.y * inverse}, a, torque ? *torque : body.inertia * a + row(solved) - sums.moment};
   }
 
-  // Rates of ball i where the race's centre accelerates by (solved) inverse.
+  // Rates of ball i where the race's centre accelerates by (solved) inverse; `along`: along_race(inverse).
   HWY_INLINE void ball_rates(int i, const T& acceleration, const T* z, const Sums& sums, const Vector2<T>& solved,
-                             const T& inverse, T* dz) const {
+                             const T& along, T* dz) const {
     const T q = z[4 + n + i];
     T resisting = beta_[i] * q;
-    if constexpr (terms.acceleration) resisting = resisting + acceleration;
+    if constexpr (terms.acceleration && terms.rolls)
+      resisting = resisting + acceleration * lag_[i];
+    else if constexpr (terms.acceleration)
+      resisting = resisting + acceleration;
     dz[4 + i] = q;
-    dz[4 + n + i] = (solved.x * sums.s[i] - solved.y * sums.c[i]) * inverse - resisting;
+    dz[4 + n + i] = (solved.x * sums.s[i] - solved.y * sums.c[i]) * along - resisting;
   }
 
   // What actions change in the rates of ball i.
@@ -318,7 +386,7 @@ class BallBalancer {
                       const T* z, const Sums& sums, T* dz) const {
     const T total = rotor.speed + z[4 + n + i];
     const T normal = total * total - race.x * sums.c[i] - race.y * sums.s[i];
-    dz[4 + n + i] = dz[4 + n + i] + actions.push[i] / mu_[i] - actions.resistance[i] * normal;
+    dz[4 + n + i] = dz[4 + n + i] + along_race(actions.push[i] / mu_[i]) - along_race(actions.resistance[i] * normal);
     if (actions.held[i]) dz[4 + i] = dz[4 + n + i] = T(0.0);
   }
 
@@ -339,8 +407,12 @@ class BallBalancer {
   const model::BallCount<room> n;  // named as in the equations
   Body<T> rotor_{};
   T zeta_mean_, zeta_half_, kappa_mean_, kappa_half_, gravity_, inertia_sum_;
-  T mu_[places], beta_[places], drag_force_[places];
-  Vector2<T> offset_{};  // of bodies: O' from O
+  T mu_[places], beta_[places], drag_force_[places];  // beta_i: what it slows a ball by
+  Vector2<T> offset_{};                               // of bodies: O' from O
+  // Of balls that may roll; see split().
+  T share_ = T(1.0);
+  T sliding_mass_[places], carried_[places];  // carried: the fixed mass times its distance from O'
+  T lever_[places], lag_[places];             // lag: how far a ball stays behind a race that speeds up
 };
 
 }  // namespace HWY_NAMESPACE

@@ -60,7 +60,7 @@ class MachineFlow {
     const double s = std::sin(z[4 + i]), c = std::cos(z[4 + i]);
     const double total = z[model::machine_index::speed(n)] + z[4 + n + i];
     return {total * total - result.race.x * c - result.race.y * s,
-            result.race.x * s - result.race.y * c - result.acceleration};
+            result.race.x * s - result.race.y * c - balancer_.lever(i) * result.acceleration};
   }
 
   // Change of the velocities u, v, q_1..q_n, psi' (as entries of `change`, shaped like a state) for a unit impulse that

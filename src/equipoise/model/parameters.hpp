@@ -25,6 +25,8 @@ struct Parameters {
   std::array<double, max_balls> stiction{};     ///< largest resistance of a resting ball over its normal force
   double contact_angle = 0.0;                   ///< between touching balls, seen from the race's centre; 0: they pass
   double restitution = 0.5;                     ///< of ball on ball, 0 to 1
+  bool rolls = false;                           ///< balls are solid spheres that roll without slip; else they slide
+  std::array<double, max_balls> ball_radius{};  ///< of a ball that rolls, over R; 0 to 1
 
   /// Sum of mu_i.
   double total_mass() const {
@@ -35,11 +37,17 @@ struct Parameters {
   /// lambda + sum mu_i: the most that rotor and balls could make together, and what r and the rotor's velocity are of
   /// the order of.
   double all_unbalances() const { return eccentricity + total_mass(); }
+  /// What resists a force on a ball along the race, over the ball's mass: of one that rolls its spin's inertia too.
+  double inertia_along_race() const { return rolls ? 1.4 : 1.0; }
   bool isotropic() const { return damping[0] == damping[1] && stiffness[0] == stiffness[1]; }
+  /// Exchanging these two balls makes no difference.
+  bool alike(int i, int k) const {
+    return mass[i] == mass[k] && drag[i] == drag[k] && rolling[i] == rolling[k] && stiction[i] == stiction[k] &&
+           ball_radius[i] == ball_radius[k];
+  }
   bool equal_balls() const {
     for (int i = 1; i < balls; ++i)
-      if (mass[i] != mass[0] || drag[i] != drag[0] || rolling[i] != rolling[0] || stiction[i] != stiction[0])
-        return false;
+      if (!alike(i, 0)) return false;
     return true;
   }
   bool race_is_centred() const { return race_offset[0] == 0.0 && race_offset[1] == 0.0; }

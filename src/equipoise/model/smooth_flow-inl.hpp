@@ -136,7 +136,10 @@ class HeldFlow {
     const auto moved = [&](int place) { return place < 0 ? -1 : place + shift; };
     places_ = {moved(s.psi_place()), moved(s.speed_place()), moved(s.error_place())};
     const double x = p.eccentricity - p.race_offset[0], y = -p.race_offset[1];
-    rotor_ = {{T(x), T(y)}, T(1.0 + p.total_mass()), T(p.inertia + x * x + y * y + p.total_mass())};
+    double inertia = p.inertia + x * x + y * y;
+    for (int i = 0; i < p.balls; ++i)
+      inertia += p.mass[i] * (1.0 + (p.rolls ? 0.4 * p.ball_radius[i] * p.ball_radius[i] : 0.0));  // solid spheres
+    rotor_ = {{T(x), T(y)}, T(1.0 + p.total_mass()), T(inertia)};
   }
 
   int size() const { return size_; }

@@ -74,9 +74,4 @@ Eigen::VectorXd System::scale() const {
   return result;
 }
 
-bool System::alike(int i, int k) const {
-  return p_.mass[i] == p_.mass[k] && p_.drag[i] == p_.drag[k] && p_.rolling[i] == p_.rolling[k] &&
-         p_.stiction[i] == p_.stiction[k];
-}
-
 }  // namespace equipoise::model

@@ -95,7 +95,7 @@ class System {
   Eigen::VectorXd scale() const;
 
   /// Exchanging these two balls makes no difference.
-  bool alike(int i, int k) const;
+  bool alike(int i, int k) const { return p_.alike(i, k); }
 
  private:
   bool has_error_integral() const { return !prescribed() && drive_.motor.integral != 0.0; }

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <type_traits>
 #include <utility>
 
 #include <fmt/format.h>
@@ -50,9 +51,9 @@ std::pair<Box, Box> halves(const Box& box) {
 
 const CertificateResult not_finished{false, "stopped before it was proved"};
 
-template <int n>
+template <int n, bool rolls>
 CertificateResult prove(Certificate& c, long budget, const StopFlag* stop) {
-  const LevelProof<n> proof(c);
+  const LevelProof<n, rolls> proof(c);
   if (!proof.fault().empty()) return {false, proof.fault()};
   struct Work {
     Box box;
@@ -80,8 +81,8 @@ CertificateResult prove(Certificate& c, long budget, const StopFlag* stop) {
 }
 
 // Whether `boxes` [begin, end) are the leaves of halving `box` down, those outside the level set left out.
-template <int n>
-bool covered(const LevelProof<n>& proof, const Box& box, std::vector<Box>::iterator begin,
+template <int n, bool rolls>
+bool covered(const LevelProof<n, rolls>& proof, const Box& box, std::vector<Box>::iterator begin,
              std::vector<Box>::iterator end, int depth) {
   if (proof.outside(box)) return begin == end;
   if (begin == end) return false;
@@ -93,15 +94,15 @@ bool covered(const LevelProof<n>& proof, const Box& box, std::vector<Box>::itera
       if (!(b.low[k] >= low_half.low[k] && b.high[k] <= low_half.high[k])) return false;
     return true;
   });
-  return covered<n>(proof, first, begin, middle, depth + 1) && covered<n>(proof, second, middle, end, depth + 1);
+  return covered(proof, first, begin, middle, depth + 1) && covered(proof, second, middle, end, depth + 1);
 }
 
-template <int n>
+template <int n, bool rolls>
 CertificateResult check(const Certificate& c, const StopFlag* stop) {
-  const LevelProof<n> proof(c);
+  const LevelProof<n, rolls> proof(c);
   if (!proof.fault().empty()) return {false, proof.fault()};
   std::vector<Box> boxes = c.boxes;
-  if (!covered<n>(proof, root<n>(), boxes.begin(), boxes.end(), 0))
+  if (!covered(proof, root<n>(), boxes.begin(), boxes.end(), 0))
     return {false, "the boxes do not cover the level set, each part of it once"};
   for (const Box& box : c.boxes) {
     if (is_set(stop)) return not_finished;
@@ -110,6 +111,13 @@ CertificateResult check(const Certificate& c, const StopFlag* stop) {
               fmt::format("the box at tau = ({:.4g}, {:.4g}) does not prove that V decreases", box.low[0], box.low[1])};
   }
   return {true, ""};
+}
+
+// Calls `f` with the number of balls, 1 or 2, and whether they roll, as constants.
+template <class F>
+CertificateResult for_kind(const model::Parameters& p, F&& f) {
+  const auto of = [&](auto n) { return p.rolls ? f(n, std::true_type{}) : f(n, std::false_type{}); };
+  return p.balls == 1 ? of(std::integral_constant<int, 1>{}) : of(std::integral_constant<int, 2>{});
 }
 
 std::string refusal(const model::Parameters& p, double speed) {
@@ -174,14 +182,14 @@ CertificateResult prove_level(const model::Parameters& p, double speed, const do
   c.form = 0.5 * (form + form.transpose());  // V is the same
   c.level = level;
   c.frame = frame_of(c.form, level, p.balls);
-  const CertificateResult result = p.balls == 1 ? prove<1>(c, budget, stop) : prove<2>(c, budget, stop);
+  const CertificateResult result = for_kind(p, [&](auto n, auto rolls) { return prove<n, rolls>(c, budget, stop); });
   if (!result.proved) c = {};
   return result;
 }
 
 CertificateResult check_certificate(const Certificate& c, const StopFlag* stop) {
   if (std::string reason = refusal(c.parameters, c.speed); !reason.empty()) return {false, reason};
-  return c.parameters.balls == 1 ? check<1>(c, stop) : check<2>(c, stop);
+  return for_kind(c.parameters, [&](auto n, auto rolls) { return check<n, rolls>(c, stop); });
 }
 
 Certificate largest_certificate(const model::Parameters& p, double speed, const double* phi,

@@ -28,8 +28,8 @@ constexpr double spare_in_search = 1e-11;
 
 }  // namespace
 
-template <int n>
-LevelProof<n>::LevelProof(const Certificate& c)
+template <int n, bool rolls>
+LevelProof<n, rolls>::LevelProof(const Certificate& c)
     : affine_flow_(c.parameters, constant_speed(c.speed)), slope_flow_(c.parameters, constant_speed(c.speed)) {
   const auto square = [](const Eigen::MatrixXd& m) { return m.rows() == size && m.cols() == size && m.allFinite(); };
   if (!square(c.form) || !square(c.frame) || !(c.level > 0.0) || !std::isfinite(c.level)) {
@@ -42,10 +42,10 @@ LevelProof<n>::LevelProof(const Certificate& c)
   linearise();
 }
 
-template <int n>
+template <int n, bool rolls>
 template <class T>
-typename LevelProof<n>::template Rates<T> LevelProof<n>::rates(const Flow<T>& flow,
-                                                               const std::array<T, n>& angles) const {
+typename LevelProof<n, rolls>::template Rates<T> LevelProof<n, rolls>::rates(const Flow<T>& flow,
+                                                                             const std::array<T, n>& angles) const {
   using E = Expansion<T, n>;
   E z[size];
   for (int v = 0; v < etas; ++v) z[row_of(v)] = E::variable(v);
@@ -58,8 +58,8 @@ typename LevelProof<n>::template Rates<T> LevelProof<n>::rates(const Flow<T>& fl
 // The balanced state lies where the accelerations (du/dt, dv/dt) at rest vanish; all other rates at rest are products
 // with them. One ball's angle cannot make both vanish: its balanced state exists only if ball and unbalance weigh
 // exactly the same, and is then phi = pi.
-template <int n>
-bool LevelProof<n>::enclose_balance(const Certificate& c) {
+template <int n, bool rolls>
+bool LevelProof<n, rolls>::enclose_balance(const Certificate& c) {
   if constexpr (n == 1) {
     balance_[0] = {pi, std::nextafter(pi, 4.0)};
     if (c.parameters.mass[0] != c.parameters.eccentricity)
@@ -80,8 +80,8 @@ bool LevelProof<n>::enclose_balance(const Certificate& c) {
 // The frame makes the form the unit one up to 1e-10, so both are regular and the form is positive definite; ball angles
 // depend on tau alone and turn less than half around the race; rounded ball angles in place of the exact ones move V by
 // less than the slack.
-template <int n>
-bool LevelProof<n>::check_frame(const Certificate& c) {
+template <int n, bool rolls>
+bool LevelProof<n, rolls>::check_frame(const Certificate& c) {
   constexpr double frame_error = 1e-10, shift = 1e-11;
   Rows<double, size> form, transposed;
   for (int i = 0; i < size; ++i)
@@ -122,8 +122,8 @@ bool LevelProof<n>::check_frame(const Certificate& c) {
   return fault_.empty();
 }
 
-template <int n>
-void LevelProof<n>::linearise() {
+template <int n, bool rolls>
+void LevelProof<n, rolls>::linearise() {
   std::array<Slope, n> angles;
   for (int i = 0; i < n; ++i) angles[i] = Slope(balance_[i], i);
   const auto f = rates(slope_flow_, angles);
@@ -148,15 +148,15 @@ void LevelProof<n>::linearise() {
       for (int b = 0; b < size; ++b) bilinear_[i][a][b] = along[a][i] * Interval(frame_[model::index::q(i, n)][b]);
 }
 
-template <int n>
-bool LevelProof<n>::outside(const Box& box) const {
+template <int n, bool rolls>
+bool LevelProof<n, rolls>::outside(const Box& box) const {
   Interval distance(0.0);
   for (int k = 0; k < n; ++k) distance = distance + square(Interval(box.low[k], box.high[k]));
   return distance.low > disc_;
 }
 
-template <int n>
-std::array<Interval, n> LevelProof<n>::deviation(const Box& box) const {
+template <int n, bool rolls>
+std::array<Interval, n> LevelProof<n, rolls>::deviation(const Box& box) const {
   std::array<Interval, n> delta{};
   for (int i = 0; i < n; ++i)
     for (int k = 0; k < n; ++k)
@@ -165,8 +165,8 @@ std::array<Interval, n> LevelProof<n>::deviation(const Box& box) const {
 }
 
 // On V <= level with tau in the box: the part along tau, and that along eta, |eta|^2 <= disc - |tau|^2.
-template <int n>
-std::array<Interval, n> LevelProof<n>::ball_speeds(const Box& box) const {
+template <int n, bool rolls>
+std::array<Interval, n> LevelProof<n, rolls>::ball_speeds(const Box& box) const {
   Interval room(disc_);
   for (int k = 0; k < n; ++k) room = room - Interval(square(Interval(box.low[k], box.high[k])).low);
   std::array<Interval, n> q{};
@@ -184,8 +184,8 @@ std::array<Interval, n> LevelProof<n>::ball_speeds(const Box& box) const {
 // Around the balanced state dV/dt is of second order in d, so no margin of zeroth order can prove it. There f(d) = S d
 // with a slope S enclosed over the box (it holds the centre, and the ray to each of its points), and the symmetric part
 // of G S D must be negative definite.
-template <int n>
-bool LevelProof<n>::holds_around_centre(const Box& box, double spare) const {
+template <int n, bool rolls>
+bool LevelProof<n, rolls>::holds_around_centre(const Box& box, double spare) const {
   const auto delta = deviation(box), speed = ball_speeds(box);
   std::array<Slope, n> angles;
   for (int i = 0; i < n; ++i) angles[i] = Slope(balance_[i] + delta[i], i);
@@ -217,8 +217,8 @@ bool LevelProof<n>::holds_around_centre(const Box& box, double spare) const {
   return true;
 }
 
-template <int n>
-typename LevelProof<n>::Slice LevelProof<n>::slice(const Box& box) const {
+template <int n, bool rolls>
+typename LevelProof<n, rolls>::Slice LevelProof<n, rolls>::slice(const Box& box) const {
   Slice s;
   std::array<Affine, n> tau, delta, angles;
   for (int k = 0; k < n; ++k) {
@@ -301,9 +301,9 @@ typename LevelProof<n>::Slice LevelProof<n>::slice(const Box& box) const {
   return s;
 }
 
-template <int n>
-std::array<typename LevelProof<n>::Corner, LevelProof<n>::vertices> LevelProof<n>::corners(const Slice& s, int vertex,
-                                                                                           double spare) const {
+template <int n, bool rolls>
+std::array<typename LevelProof<n, rolls>::Corner, LevelProof<n, rolls>::vertices> LevelProof<n, rolls>::corners(
+    const Slice& s, int vertex, double spare) const {
   std::array<double, n> theta;
   for (int i = 0; i < n; ++i) theta[i] = (vertex >> i) & 1 ? s.theta[i].high : s.theta[i].low;
   Square<Affine> form = s.base;
@@ -361,15 +361,15 @@ std::array<typename LevelProof<n>::Corner, LevelProof<n>::vertices> LevelProof<n
   return result;
 }
 
-template <int n>
-bool LevelProof<n>::central(const Box& box) {
+template <int n, bool rolls>
+bool LevelProof<n, rolls>::central(const Box& box) {
   for (int k = 0; k < n; ++k)
     if (!(box.low[k] <= 0.0 && box.high[k] >= 0.0)) return false;
   return true;
 }
 
-template <int n>
-bool LevelProof<n>::find(Box& box) const {
+template <int n, bool rolls>
+bool LevelProof<n, rolls>::find(Box& box) const {
   if (central(box)) return holds_around_centre(box, spare_in_search);
   const Slice s = slice(box);
   for (int vertex = 0; vertex < vertices; ++vertex)
@@ -377,8 +377,8 @@ bool LevelProof<n>::find(Box& box) const {
   return true;
 }
 
-template <int n>
-bool LevelProof<n>::holds(const Box& box) const {
+template <int n, bool rolls>
+bool LevelProof<n, rolls>::holds(const Box& box) const {
   if (central(box)) return holds_around_centre(box, 0.0);
   const Slice s = slice(box);
   for (int vertex = 0; vertex < vertices; ++vertex) {
@@ -390,7 +390,9 @@ bool LevelProof<n>::holds(const Box& box) const {
   return true;
 }
 
-template class LevelProof<1>;
-template class LevelProof<2>;
+template class LevelProof<1, false>;
+template class LevelProof<1, true>;
+template class LevelProof<2, false>;
+template class LevelProof<2, true>;
 
 }  // namespace equipoise

@@ -14,13 +14,13 @@
 
 namespace equipoise {
 
-/// Everything about a certificate with n balls that does not depend on a box, computed once.
+/// Everything about a certificate with n balls, which roll or slide, that does not depend on a box, computed once.
 ///
 /// The deviation from the exact balanced state is d = D (eta; tau), D the frame. Ball angles deviate by delta, which
 /// depends on tau alone; w is the rest of d. With q_i^2 read as theta_i q_i, theta_i anywhere in the range of q_i,
 /// rates are f = J d + sum_i theta_i b_i q_i + terms that vanish with delta, linear in w where delta is fixed. Half of
 /// dV/dt over the level is (eta; tau)^T G f with G = D^T P / level.
-template <int n>
+template <int n, bool rolls>
 class LevelProof {
  public:
   using Box = Certificate::Box;
@@ -44,7 +44,8 @@ class LevelProof {
   using Affine = AffineForm<n>;
   using Slope = Gradient<Interval, n>;
   template <class T>
-  using Flow = HWY_NAMESPACE::FreeFlow<Expansion<T, n>, n, HWY_NAMESPACE::Terms{false, false, false}>;
+  using Flow =
+      HWY_NAMESPACE::FreeFlow<Expansion<T, n>, n, HWY_NAMESPACE::Terms{false, false, false, false, false, rolls}>;
   template <class T>
   using Rates = std::array<Expansion<T, n>, size>;
   template <class T, int columns>
@@ -94,7 +95,9 @@ class LevelProof {
   std::string fault_;
 };
 
-extern template class LevelProof<1>;
-extern template class LevelProof<2>;
+extern template class LevelProof<1, false>;
+extern template class LevelProof<1, true>;
+extern template class LevelProof<2, false>;
+extern template class LevelProof<2, true>;
 
 }  // namespace equipoise

@@ -45,6 +45,7 @@ std::string certificate_text(const Certificate& c) {
   text += fmt::format("  \"stiffness\": {},\n", Json(p.stiffness[0]).dump());
   text += fmt::format("  \"mass\": {},\n", numbers(p.mass, n));
   text += fmt::format("  \"drag\": {},\n", numbers(p.drag, n));
+  if (p.rolls) text += "  \"rolls\": true,\n";
   text += fmt::format("  \"speed\": {},\n", Json(c.speed).dump());
   text += fmt::format("  \"phi\": {},\n", numbers(c.phi, n));
   text += fmt::format("  \"level\": {},\n", Json(c.level).dump());
@@ -75,6 +76,12 @@ class Reader {
     throw InputError(where_, key.empty() ? prefix_ : prefix_ + "." + key, "", problem);
   }
   double number(const std::string& key) const { return as_number(member(key), key); }
+  bool flag(const std::string& key) const {
+    const auto found = object_.find(key);
+    if (found == object_.end()) return false;
+    if (!found->is_boolean()) fail(key, "must be true or false");
+    return found->get<bool>();
+  }
   std::vector<double> list(const std::string& key, std::size_t count) const { return as_list(member(key), key, count); }
   Eigen::MatrixXd matrix(const std::string& key, int size) const {
     const auto values = lists(key, static_cast<std::size_t>(size));
@@ -130,6 +137,7 @@ Certificate certificate_from(const Reader& r) {
     p.drag[i] = drag[i];
     c.phi[i] = phi[i];
   }
+  p.rolls = r.flag("rolls");
   c.speed = r.number("speed");
   c.level = r.number("level");
   c.form = r.matrix("form", model::dimension(p.balls));

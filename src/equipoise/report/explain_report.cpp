@@ -129,6 +129,7 @@ class Text {
                                                     either(-1.0 / m.slowest_rate, Dimension::time),
                                                     m.drag_sensitivity < 0.0 ? "longer" : "shorter")
                                       : fmt::format("NOT stable: largest growth rate {:.3g}", m.slowest_rate));
+    if (m.slowest_if_sliding) item("", "if the balls slid instead of rolled: " + slowest(*m.slowest_if_sliding));
     item("",
          scales_ ? "eigenvalue               time constant     oscillation" : "eigenvalue               time constant");
     for (const auto& v : m.eigenvalues) {
@@ -142,6 +143,10 @@ class Text {
       line.erase(line.find_last_not_of(' ') + 1);
       item("", line);
     }
+  }
+
+  std::string slowest(double rate) const {
+    return rate < 0.0 ? either(-1.0 / rate, Dimension::time) : fmt::format("growth rate {:.3g}", rate);
   }
 
   void bare(const BareVibration& v) {
@@ -182,6 +187,7 @@ Json motion_json(const BalancedMotion& m, const Explanation& e) {
             {"angles", std::vector<double>(m.angles.begin(), m.angles.begin() + e.study.parameters.balls)}};
   json["time_constant"] = m.stable ? value_json(-1.0 / m.slowest_rate, Dimension::time, e.study.scales) : Json(nullptr);
   json["drag_sensitivity"] = m.drag_sensitivity;
+  if (m.slowest_if_sliding) json["slowest_rate_if_sliding"] = *m.slowest_if_sliding;
   json["eigenvalues"] = Json::array();
   for (const auto& v : m.eigenvalues) json["eigenvalues"].push_back({v.real(), v.imag()});
   return json;

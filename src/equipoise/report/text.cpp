@@ -1,6 +1,7 @@
 // Numbers and studies as text.
 #include "equipoise/report/text.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <optional>
 
@@ -74,6 +75,11 @@ std::string more_text(const Study& study) {
     add(study.scales ? "gravity " + shown(p.gravity, Dimension::acceleration)
                      : fmt::format("gravity {:.6g}", p.gravity));
   if (!p.race_is_centred()) add("race offset " + both(p.race_offset, Dimension::length));
+  if (p.rolls) {
+    const bool same = std::all_of(p.ball_radius.begin(), p.ball_radius.begin() + p.balls,
+                                  [&](double r) { return r == p.ball_radius[0]; });
+    add("balls roll, radius " + shown.list(p.ball_radius.data(), nullptr, p.balls, same, Dimension::length));
+  }
   if (p.balls_collide())
     add(fmt::format("balls touch at {:.6g} rad, restitution {:.6g}", p.contact_angle, p.restitution));
   if (p.balls_stick()) add(fmt::format("rolling resistance {:.6g}, stiction {:.6g}", p.rolling[0], p.stiction[0]));

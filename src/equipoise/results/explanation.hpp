@@ -29,6 +29,7 @@ struct BalancedMotion {
   double slowest_rate = 0.0;  ///< largest real part
   /// Relative change of the slowest rate's size for a relative change of all drags: whether more drag is sooner.
   double drag_sensitivity = 0.0;
+  std::optional<double> slowest_if_sliding;  ///< of balls that roll: slowest_rate of the same balls if they slid
 };
 
 /// Forced vibration of the rotor alone, per direction (x, y): amplitudes.

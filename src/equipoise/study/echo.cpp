@@ -54,6 +54,10 @@ StudyValue balancer_table(const model::Parameters& p) {
     balancer.set("rolling", first(p.rolling, n));
     balancer.set("stiction", first(p.stiction, n));
   }
+  if (p.rolls) {
+    balancer.set("rolls", true);
+    balancer.set("ball_radius", first(p.ball_radius, n));
+  }
   if (p.contact_angle != 0.0) balancer.set("contact_angle", p.contact_angle);
   if (p.contact_angle != 0.0 || p.restitution != model::Parameters{}.restitution)
     balancer.set("restitution", p.restitution);

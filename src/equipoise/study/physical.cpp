@@ -64,9 +64,11 @@ struct Balancer {
   std::vector<double> mass;    // kg
   std::vector<double> torque;  // N m s: drag torque for a rate relative to the race
   std::vector<double> race_offset;
+  bool rolls = false;
+  std::vector<double> radius_of_balls;  // m, if they roll
   BallDetails details;
   std::optional<double> contact_angle;
-  std::string mass_from, drag_from, contact_from;
+  std::string mass_from, drag_from, rolls_from, contact_from;
 };
 
 class BalancerReader {
@@ -81,6 +83,7 @@ class BalancerReader {
       if (d >= 2.0 * b_.radius) reader_.fail("ball_diameter", "must be less than twice balancer.race_radius");
     read_mass();
     read_drag();
+    read_rolls();
     read_contact();
     b_.race_offset = reader_.one_or_each("race_offset", {Dimension::length}, any_number, 2, "direction (x, y)");
     for (const char* plain : {"rolling", "stiction", "restitution"}) reader_.has(plain);  // as in any study
@@ -151,13 +154,32 @@ class BalancerReader {
     return torque;
   }
 
+  // Balls whose size is given roll, unless the study says that they do not.
+  void read_rolls() {
+    b_.rolls = reader_.flag("rolls", !diameter_.empty());
+    if (!b_.rolls) {
+      if (reader_.has("ball_radius")) reader_.fail("ball_radius", "has a meaning only with balancer.rolls = true");
+      return;
+    }
+    b_.radius_of_balls = reader_.one_or_each("ball_radius", {Dimension::length}, not_negative, b_.balls, "ball");
+    b_.rolls_from = b_.radius_of_balls.empty() ? "ball_diameter" : "ball_radius";
+    if (b_.radius_of_balls.empty()) {
+      need_diameter("rolls");
+      for (const double d : diameter_) b_.radius_of_balls.push_back(0.5 * d);
+    } else if (!diameter_.empty()) {
+      reader_.fail("ball_radius", "give either balancer.ball_radius or balancer.ball_diameter, not both");
+    }
+    for (const double r : b_.radius_of_balls)
+      if (r >= b_.radius) reader_.fail(b_.rolls_from, "must be less than balancer.race_radius");
+  }
+
   void read_contact() {
     if (reader_.has("contact_angle")) {
       if (reader_.has("contact"))
         reader_.fail("contact", "give either balancer.contact_angle or balancer.contact, not both");
       b_.contact_angle = reader_.optional_quantity("contact_angle", Dimension::angle, not_negative);
       b_.contact_from = "contact_angle";
-    } else if (reader_.flag("contact")) {
+    } else if (reader_.flag("contact", false)) {
       need_diameter("contact");
       if (std::any_of(diameter_.begin(), diameter_.end(), [&](double d) { return d != diameter_.front(); }))
         reader_.fail("contact", "needs balls of one diameter");
@@ -226,6 +248,12 @@ void replace_balancer(Document& document, const Balancer& b, const model::Scales
   if (!b.race_offset.empty())
     derived.push_back({"race_offset", "race_offset", {b.race_offset[0] / s.length, b.race_offset[1] / s.length}});
   if (b.contact_angle) derived.push_back({"contact_angle", b.contact_from, {*b.contact_angle}});
+  if (b.rolls) {
+    document.root.find("balancer")->set("rolls", true);
+    std::vector<double> radius = b.radius_of_balls;
+    for (double& r : radius) r /= s.length;
+    derived.push_back({"ball_radius", b.rolls_from, std::move(radius)});
+  }
   replace(
       document, "balancer", derived,
       {"race_radius", "ball_diameter", "ball_density", "oil_viscosity", "oil_density", "channel_diameter", "contact"});

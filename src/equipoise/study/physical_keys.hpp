@@ -66,7 +66,7 @@ struct ScaledKey {
   const char *table, *key;
   Dimension dimension;
 };
-inline constexpr std::array<ScaledKey, 8> rotor_and_balancer{{
+inline constexpr std::array<ScaledKey, 9> rotor_and_balancer{{
     {"rotor", "stiffness", Dimension::stiffness},
     {"rotor", "damping", Dimension::damping},
     {"rotor", "eccentricity", Dimension::length},
@@ -74,6 +74,7 @@ inline constexpr std::array<ScaledKey, 8> rotor_and_balancer{{
     {"rotor", "inertia", Dimension::inertia},
     {"balancer", "mass", Dimension::mass},
     {"balancer", "race_offset", Dimension::length},
+    {"balancer", "ball_radius", Dimension::length},
     {"balancer", "contact_angle", Dimension::angle},
 }};
 

@@ -80,13 +80,6 @@ std::vector<double> QuantityReader::one_or_each(const std::string& key, const st
   return values;
 }
 
-bool QuantityReader::flag(const std::string& key) {
-  const StudyValue* value = find(key);
-  if (!value) return false;
-  if (!value->boolean()) fail(key, fmt::format("is {}; must be true or false", kind(*value)));
-  return *value->boolean();
-}
-
 void QuantityReader::exactly_one(const std::string& a, const std::string& a_words, const std::string& b,
                                  const std::string& b_words) {
   const bool has_a = has(a), has_b = has(b);

@@ -27,8 +27,6 @@ class QuantityReader : public TableReader {
   std::vector<double> one_or_each(const std::string& key, const std::vector<Dimension>& dimensions, const Range& range,
                                   int count, const std::string& each, Dimension* measured = nullptr);
   using TableReader::one_or_each;
-  /// A boolean; false if absent.
-  bool flag(const std::string& key);
   /// Throws unless exactly one of the two keys is there, saying what each would be.
   void exactly_one(const std::string& a, const std::string& a_words, const std::string& b, const std::string& b_words);
 };

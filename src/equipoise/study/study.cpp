@@ -60,6 +60,11 @@ void read_race(TableReader& balancer, model::Parameters& p) {
         balancer.fail("stiction",
                       fmt::format("must be at least rolling, {}: a ball at rest resists no less", p.rolling[i]));
   }
+  p.rolls = balancer.flag("rolls", p.rolls);
+  if (!p.rolls && balancer.has("ball_radius"))
+    balancer.fail("ball_radius", "has a meaning only with balancer.rolls = true");
+  const auto radius = balancer.one_or_each("ball_radius", {0.0, 1.0, false, true}, p.balls, "ball", 0.0);
+  std::copy(radius.begin(), radius.end(), p.ball_radius.begin());
   p.contact_angle = balancer.number("contact_angle", {0.0, two_pi / p.balls, false, true}, 0.0);
   p.restitution = balancer.number("restitution", {0.0, 1.0}, p.restitution);
   if (p.balls_collide() && p.balls_stick())

@@ -299,6 +299,13 @@ std::size_t TableReader::place_among(const std::string& key, std::span<const cha
   return static_cast<std::size_t>(at - names.begin());
 }
 
+bool TableReader::flag(const std::string& key, bool fallback) {
+  const StudyValue* value = find(key);
+  if (!value) return fallback;
+  if (!value->boolean()) fail(key, fmt::format("is {}; must be true or false", kind(*value)));
+  return *value->boolean();
+}
+
 std::vector<double> TableReader::numbers(const std::string& key, const Range& range) {
   const StudyValue::Array* array = require(key, "an array of numbers").array();
   if (!array || array->empty()) fail(key, fmt::format("must be an array, each entry {}", range.text()));

@@ -75,6 +75,7 @@ class TableReader {
                      std::optional<Enumeration> fallback = std::nullopt) {
     return fallback && !has(key) ? *fallback : static_cast<Enumeration>(place_among(key, names));
   }
+  bool flag(const std::string& key, bool fallback);
   std::vector<double> numbers(const std::string& key, const Range& range);
   /// `count` numbers from an array of that length, or one number repeated.
   std::vector<double> one_or_each(const std::string& key, const Range& range, int count, const std::string& each,

@@ -106,7 +106,7 @@ class WatchTransients final : public LaneWatch {
 
   const int balls_;
   // Asked for forces alone, in which balls do not appear.
-  const BallBalancer<Pack, 1, Terms{false, false, false}> plain_;
+  const BallBalancer<Pack, 1, paper_terms(false)> plain_;
   const BallBalancer<Pack, 1, Terms{}> turning_;
   const SegmentMotion<Pack, Terms{}> motion_;
   TransientTable& table_;
