@@ -12,8 +12,10 @@
 #include "equipoise/orbits/variational.hpp"
 #include "equipoise/traps/balanced_analysis.hpp"
 #include "equipoise/traps/balanced_trap.hpp"
+#include "equipoise/traps/continuum_trap.hpp"
 #include "equipoise/traps/cycle_forms.hpp"
 #include "equipoise/traps/trials.hpp"
+#include "equipoise/traps/validated_level.hpp"
 
 namespace equipoise {
 namespace {
@@ -167,6 +169,54 @@ TEST(MachineTraps, CyclesUnderAMotorAreToldByTheRotorsAngle) {
       ASSERT_TRUE(later);
       EXPECT_LT(value(system, trap, later->data(), 0.0), 1.05 * level * std::exp(1.6 * shrinks * 5.0 * motion->period));
     }
+  }
+}
+
+// Levels found by tries on lanes hold for trajectories that are followed one by one, at their edge too.
+TEST(MachineTraps, ValidatedLevelsLeadToTheirMotion) {
+  for (const System& system : {System(rotor(), motor_for(3.0, 0.1)), System(off_centre(rotor()), 2.4),
+                               System(under_gravity(rotor()), motor_for(3.0, 0.1))}) {
+    const bool turns = system.section() == model::Section::turn;
+    VectorXd start = VectorXd::Zero(system.dimension());
+    start[4] = turns ? 1.5 : 1.0;
+    start[5] = turns ? 4.6 : 1.0;
+    if (system.speed_place() >= 0) start[system.speed_place()] = 2.9;
+    const auto motion = motion_from(system, start);
+    ASSERT_TRUE(motion);
+    ASSERT_EQ(motion->kind, MotionKind::periodic);
+    auto traps = cycle_traps(system, *motion, 2);
+    ASSERT_FALSE(traps.empty());
+    const double rate = motion->orbit.slowest_rate();
+    ASSERT_TRUE(validate(traps, {&system, 1e-6, 1, nullptr, nullptr}, rate));
+    const CycleTrap& trap = traps.front();
+    EXPECT_GT(trap.level, 0.0);
+    Directions random(directions(trap));
+    for (int k = 0; k < 12; ++k) {
+      const VectorXd z = state_on_level(trap, 11 * k % trap.rows(), trap.level, random.next());
+      const auto late = advance_state(system, z, 10.0 / -rate);
+      ASSERT_TRUE(late);
+      // e^-20, what is not linear, and chords between rows of a ball's table (3e-4 of the curvature).
+      EXPECT_LT(value(system, trap, late->data(), 0.0), 1e-3 * trap.level);
+    }
+  }
+}
+
+TEST(MachineTraps, ContinuaHaveTheirLevelToo) {
+  model::Parameters p = rotor();
+  p.balls = 3;
+  p.mass.fill(0.03);
+  p.drag.fill(0.25);
+  for (const System& system : {System(off_centre(p), 3.0), System(p, motor_for(3.0, 0.1))}) {
+    const BalancedAnalysis analysis = analyse_balanced(system);
+    const auto trap = continuum_trap(analysis.continuum, analysis.survey, {&system, 1e-6, 1, nullptr, nullptr});
+    ASSERT_TRUE(trap);
+    EXPECT_GT(trap->factor, 0.0);
+    const auto member = analysis.continuum->member(analysis.survey.typical.data());
+    ASSERT_TRUE(member);
+    EXPECT_TRUE(trap->holds(member->centre));
+    VectorXd away = member->centre;
+    away[model::index::q(0, 3)] += 1.0;
+    EXPECT_FALSE(trap->holds(away));
   }
 }
 

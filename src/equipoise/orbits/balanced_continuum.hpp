@@ -106,7 +106,7 @@ struct ContinuumTrap {
   std::shared_ptr<const BalancedContinuum> continuum;
   double factor = 0.0;        ///< of every member's unit of V
   double slowest_rate = 0.0;  ///< of the members that were tried (negative): slower ones catch nothing
-  double reach = 0.0;         ///< velocities, x, y and imbalance of every state inside are below this
+  double reach = 0.0;         ///< of every state inside velocities, x, y and imbalance are as near to balance
 
   bool holds(const Eigen::VectorXd& state) const { return continuum->holds(state, factor, slowest_rate); }
 };

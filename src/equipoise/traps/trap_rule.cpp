@@ -2,10 +2,13 @@
 #include "equipoise/traps/trap_rule.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <complex>
 #include <functional>
 #include <utility>
 
+#include "equipoise/model/balanced_state.hpp"
 #include "equipoise/model/unbalance.hpp"
 #include "equipoise/orbits/stroboscopic.hpp"
 
@@ -13,10 +16,25 @@ namespace equipoise {
 
 namespace {
 
-// Velocities, x, y and imbalance are all below the reach of what the continuum holds.
-bool in_reach(const model::Parameters& p, const ContinuumTrap& trap, const double* state) {
-  double away = std::abs(model::unbalance(p, state + model::index::phi(0)));
-  for (int i = 0; i < 4; ++i) away = std::max(away, std::fabs(state[i]));
+// Where x, y, u, v and the unbalance are of what the continuum holds: at 0 but for a race off its centre.
+struct Rest {
+  Eigen::Vector4d place;
+  std::complex<double> unbalance;
+};
+
+Rest rest_of(const model::System& system) {
+  const model::Parameters& p = system.parameters();
+  const double speed = model::balanced_speed(system).value_or(0.0);
+  const std::array<double, model::max_balls> anywhere{};
+  const model::CentredTwin twin = model::centred_twin(p, speed);
+  return {model::balanced_state(system, speed, anywhere.data()).head(4),
+          p.eccentricity - std::polar(twin.parameters.eccentricity, twin.turn)};
+}
+
+// Velocities, x, y and imbalance are all within the reach of what the continuum holds.
+bool in_reach(const model::Parameters& p, const ContinuumTrap& trap, const Rest& rest, const double* state) {
+  double away = std::abs(model::unbalance(p, state + model::index::phi(0)) - rest.unbalance);
+  for (int i = 0; i < 4; ++i) away = std::max(away, std::fabs(state[i] - rest.place[i]));
   for (int i = 0; i < p.balls; ++i) away = std::max(away, std::fabs(state[model::index::q(i, p.balls)]));
   return away < trap.reach;
 }
@@ -28,8 +46,8 @@ FamilyTrap family_of(const ContinuumTrap& trap, int size) {
 
 // With what gravity leaves of a continuum the same is asked of the state at the next strobe.
 std::function<bool(const double*, double)> strobed_family(const model::System& system, const ContinuumTrap& trap) {
-  return [system, trap](const double* state, double psi) {
-    if (!in_reach(system.parameters(), trap, state)) return false;
+  return [system, trap, rest = rest_of(system)](const double* state, double psi) {
+    if (!in_reach(system.parameters(), trap, rest, state)) return false;
     const auto at_strobe = at_next_strobe(system, Eigen::Map<const Eigen::VectorXd>(state, system.dimension()), psi);
     return at_strobe && trap.holds(*at_strobe);
   };
@@ -59,7 +77,12 @@ void set_traps(DecisionRule& rule, const model::System& system, const CycleTraps
     return;
   }
   for (const auto& trap : cycles) rule.cycles.push_back(table_of(*trap, system.balls()));
-  if (continuum) rule.family = family_of(*continuum, system.dimension());
+  if (!continuum) return;
+  // Lanes measure the way to a continuum from where the rotor is centred.
+  if (system.parameters().race_is_centred())
+    rule.family = family_of(*continuum, system.dimension());
+  else
+    rule.strobed = strobed_traps(system, {}, continuum);
 }
 
 }  // namespace equipoise

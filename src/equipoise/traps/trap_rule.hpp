@@ -15,8 +15,8 @@ namespace equipoise {
 using CycleTraps = std::vector<std::shared_ptr<const CycleTrap>>;
 
 /// Makes `rule` ask all of these, and the continuum if there is one, in place of what it asked before of the kind: at
-/// every step where nothing depends on the rotor's angle, else, one state at a time and with that angle, where half a
-/// window ends. Traps of balanced states stay as they are.
+/// every step where nothing depends on the rotor's angle, else, and of a continuum around a race off its centre, one
+/// state at a time and with that angle, where half a window ends. Traps of balanced states stay as they are.
 void set_traps(DecisionRule& rule, const model::System& system, const CycleTraps& cycles,
                const std::optional<ContinuumTrap>& continuum);
 

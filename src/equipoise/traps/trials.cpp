@@ -11,6 +11,7 @@
 
 #include "equipoise/deciding/fate.hpp"
 #include "equipoise/kernels/lane_kernels.hpp"
+#include "equipoise/model/balanced_state.hpp"
 
 namespace equipoise {
 
@@ -50,8 +51,9 @@ DecisionRule rule_of_traps(const model::System& system) {
   DecisionRule rule;
   rule.balls = system.balls();
   rule.first_long_window = 1e9;
-  // Where the rotor's angle matters traps are asked as half a short window ends.
-  if (system.autonomous()) rule.window = 1e9;
+  // Where the rotor's angle matters, and beside continua off centre, traps are asked as half a short window ends.
+  if (system.autonomous() && (system.parameters().race_is_centred() || model::balanced_freedom(system) == 0))
+    rule.window = 1e9;
   return rule;
 }
 
