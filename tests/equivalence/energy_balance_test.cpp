@@ -221,7 +221,7 @@ class DrivenAndWork {
   const int state;
 };
 
-// Over ten thousand units, through resonance and on: half of the energy that ever flows does so at full speed.
+// Over ten thousand units, through resonance and on.
 TEST(EnergyBalanceOfMotors, closes_over_a_long_time) {
   for (const bool rolls : {false, true}) {
     model::Parameters p;
@@ -254,6 +254,7 @@ TEST(EnergyBalanceOfMotors, closes_over_a_long_time) {
     const double change = model::machine_energy(p, z.data()) - before;
     RecordProperty(rolls ? "rolls" : "slides",
                    fmt::format("{:.2g}", std::fabs(change - (z[state] - z[state + 1] - z[state + 2])) / z[state]));
+    // Of the work done, what machines are promised to keep to; steps are good to 1e-13 each, and errors of both signs.
     EXPECT_NEAR(change, z[state] - z[state + 1] - z[state + 2], 1e-9 * z[state]);
   }
 }
