@@ -42,6 +42,10 @@ constexpr double torus_grouping = 0.15;
 // Groups that are followed, the largest first: more are the debris of a motion that does not settle.
 constexpr std::size_t most_groups = 24;
 
+// A weak motor brings a balanced rotor to its speed so slowly that tries of wider levels, which wait for that, would take
+// longer than starts do that have to come into the narrow one.
+constexpr double slowest_worth_widening = 1e-3;
+
 // A rotor that turns thirty times as fast as it resonates, and which no motor holds, does not come back.
 constexpr double out_of_reach = 30.0;
 
@@ -139,7 +143,7 @@ class Discoverer {
   void level_balanced() {
     if (study_.numerics.decide == DecideMode::proof)
       prove_levels(result_.rule.balanced, trials_);
-    else
+    else if (system_.plain() || result_.balanced.slowest_rate < -slowest_worth_widening)
       widen_levels(result_.rule.balanced, trials_, result_.balanced.slowest_rate, pilot_);
   }
 

@@ -220,8 +220,11 @@ std::vector<UndecidedEnd> StartRunner::look_at(const std::vector<std::uint64_t>&
     const std::vector<double> z = when_recognised(start.states.data(), fates[0].time);
     const Eigen::Map<const Eigen::VectorXd> state(z.data(), static_cast<Eigen::Index>(z.size()));
     ends.push_back(look_at_undecided(system_, state));
-    if (!system_.prescribed() && ends.back().what == Restlessness::regular)
-      ends.back().what = restlessness(fates[0], start.begin(0, source_->settled()), system_.speed(state));
+    if (system_.prescribed()) continue;
+    const Restlessness of_rotor = restlessness(fates[0], start.begin(0, source_->settled()), system_.speed(state));
+    Restlessness& what = ends.back().what;
+    const bool creeps_faster = what == Restlessness::creeping && of_rotor == Restlessness::changing_speed;
+    if (what == Restlessness::regular || creeps_faster) what = of_rotor;
   }
   return ends;
 }
