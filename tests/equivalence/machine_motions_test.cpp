@@ -1,5 +1,5 @@
-// Steady motions of motors, off-centre races and both where the rotor's angle matters, against closed forms, balances of
-// energy by other quadratures, differences of whole trajectories, and the prescribed rotors that they tend to.
+// Steady motions of motors, off-centre races and both where the rotor's angle matters, against closed forms, balances
+// of energy by other quadratures, differences of whole trajectories, and the prescribed rotors that they tend to.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -63,7 +63,9 @@ VectorXd at_rest(const System& system, std::vector<double> angles, double speed)
   return y;
 }
 
-std::string name_of(const System& system, const Motion& motion) { return motion_name(system.parameters(), motion).name; }
+std::string name_of(const System& system, const Motion& motion) {
+  return motion_name(system.parameters(), motion).name;
+}
 
 // The first motion of that name among those of a fixed sequence of random starts at `speed`.
 std::optional<Motion> find(const System& system, const std::string& name, double speed) {
@@ -148,10 +150,10 @@ TEST(MachineMotions, TheMotorGivesWhatDampersAndDragTake) {
   model::Parameters light = rotor(2, 0.02);
   light.eccentricity = 0.02;
   light.damping = {0.1, 0.1};
-  for (const Case& c : {Case{rotor(), motor_for(3.0, 0.1), "co-drifting", 2.0},
-                        Case{light, motor_for(3.0, 0.001), "one captured", 0.0},
-                        Case{under_gravity(rotor()), motor_for(3.0, 0.1), "balanced", 3.0},
-                        Case{off_centre(under_gravity(rotor())), motor_for(3.0, 0.01), "balanced", 3.0}}) {
+  for (const Case& c :
+       {Case{rotor(), motor_for(3.0, 0.1), "co-drifting", 2.0}, Case{light, motor_for(3.0, 0.001), "one captured", 0.0},
+        Case{under_gravity(rotor()), motor_for(3.0, 0.1), "balanced", 3.0},
+        Case{off_centre(under_gravity(rotor())), motor_for(3.0, 0.01), "balanced", 3.0}}) {
     const System system(c.p, c.drive);
     const auto motion = find(system, c.name, c.start);
     ASSERT_TRUE(motion) << c.name;

@@ -112,8 +112,8 @@ TEST(MachineTraps, AContinuumIsSurveyedForEverySmoothSystem) {
   p.balls = 3;
   p.mass.fill(0.03);
   p.drag.fill(0.25);
-  for (const System& system : {System(off_centre(p), 3.0), System(p, motor_for(3.0, 0.1)),
-                               System(off_centre(p), motor_for(3.0, 0.1, 0.02))}) {
+  for (const System& system :
+       {System(off_centre(p), 3.0), System(p, motor_for(3.0, 0.1)), System(off_centre(p), motor_for(3.0, 0.1, 0.02))}) {
     const BalancedAnalysis analysis = analyse_balanced(system);
     ASSERT_TRUE(analysis.continuum);
     EXPECT_TRUE(analysis.stable);
@@ -136,15 +136,15 @@ TEST(MachineTraps, AContinuumIsSurveyedForEverySmoothSystem) {
   }
 }
 
-// Where the rotor's angle is part of the state and tells the phase: V vanishes on the motion, and falls beside it as the
-// form was made to, e^{-1.6 rate t} or faster.
+// Where the rotor's angle is part of the state and tells the phase: V vanishes on the motion, and falls beside it as
+// the form was made to, e^{-1.6 rate t} or faster.
 TEST(MachineTraps, CyclesUnderAMotorAreToldByTheRotorsAngle) {
   model::Parameters heavy = under_gravity(rotor());
   heavy.eccentricity = 0.05;
   heavy.mass.fill(0.01);
-  for (const System& system : {System(under_gravity(rotor()), motor_for(3.0, 0.1)),
-                               System(off_centre(under_gravity(rotor())), motor_for(-3.0, 0.05)),
-                               System(heavy, motor_for(3.0, 0.1))}) {
+  for (const System& system :
+       {System(under_gravity(rotor()), motor_for(3.0, 0.1)),
+        System(off_centre(under_gravity(rotor())), motor_for(-3.0, 0.05)), System(heavy, motor_for(3.0, 0.1))}) {
     VectorXd start = VectorXd::Zero(system.dimension());
     start[4] = 1.5;
     start[5] = 4.6;

@@ -124,8 +124,7 @@ std::optional<double> balanced_speed(const System& system) {
   if (system.prescribed()) return system.speed();
   const DriveSegment& m = system.drive().motor;
   const double damping = damping_torque(system.parameters());
-  if (m.integral != 0.0)
-    return damping * std::fabs(m.aim) <= m.limit ? std::optional(m.aim) : std::nullopt;
+  if (m.integral != 0.0) return damping * std::fabs(m.aim) <= m.limit ? std::optional(m.aim) : std::nullopt;
   if (m.slope == damping) return std::nullopt;
   const double speed = m.constant / (damping - m.slope);
   if (std::fabs(damping * speed) <= m.limit) return speed;

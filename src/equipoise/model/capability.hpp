@@ -43,7 +43,7 @@ inline constexpr std::array<Capability, 7> capabilities{{
     {Answer::attractors, "attractors", "attractors", true, false, false, false},
     {Answer::proofs, "proofs", "", true, true, true, true},
     {Answer::displacements, "observed displacements", "", true, true, true, true},
-    {Answer::branches, "branches along a parameter", "", true, true, true, false},
+    {Answer::branches, "branches along a parameter", "", true, false, false, false},
     {Answer::maps, "maps", "", true, false, false, false},
 }};
 constexpr const Capability& capability(Answer answer) { return capabilities[static_cast<std::size_t>(answer)]; }

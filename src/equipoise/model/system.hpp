@@ -73,8 +73,8 @@ class System {
   std::optional<double> no_load_speed() const;
   /// No torque acts for good: what is balanced keeps any speed.
   bool coasts() const;
-  /// Nothing holds a rotor that turns as fast as that, far above all resonances: its motor's torque does not fall as the
-  /// rotor turns faster.
+  /// Nothing holds a rotor that turns as fast as that, far above all resonances: its motor's torque does not fall as
+  /// the rotor turns faster.
   bool runs_away(double speed) const;
   /// Of a state.
   double torque(const Eigen::VectorXd& y) const;

@@ -229,8 +229,7 @@ std::optional<Motion> Journey::recurrence() {
 }
 
 std::optional<PeriodicOrbit> Journey::orbit_of(const Return& now) {
-  if (!strobed())
-    return worth_trying(now) ? find_orbit(system_, state_, now.time, in_reach) : std::nullopt;
+  if (!strobed()) return worth_trying(now) ? find_orbit(system_, state_, now.time, in_reach) : std::nullopt;
   const long strobes = std::lround(now.time / strobe_);
   return refine_orbit(system_, std::vector<Eigen::VectorXd>(samples_.end() - 1 - strobes, samples_.end() - 1), now.time,
                       in_reach);

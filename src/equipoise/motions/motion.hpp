@@ -22,10 +22,10 @@ const char* name_of(MotionKind kind);
 
 /// What turns the rotor along a motion under a motor, and what that takes. Units as in docs/equations.md.
 struct MotorLoad {
-  model::DrivePiece drive;                   ///< the motor
-  double speed_min = 0.0, speed_max = 0.0;   ///< extremes of psi'
-  double torque = 0.0, power = 0.0;          ///< means of what the motor gives
-  double support_power = 0.0;                ///< the part of it that the supports' dampers take; the balls' drag has the rest
+  model::DrivePiece drive;                  ///< the motor
+  double speed_min = 0.0, speed_max = 0.0;  ///< extremes of psi'
+  double torque = 0.0, power = 0.0;         ///< means of what the motor gives
+  double support_power = 0.0;  ///< the part of it that the supports' dampers take; the balls' drag has the rest
 };
 
 /// Everything known of one motion of a system in the last piece of its drive, refined as far as its kind allows.
@@ -44,9 +44,9 @@ struct Motion {
   bool stable = false;            ///< attracts its neighbourhood (linear stability; measured for the other two kinds)
   double residual = 0.0;          ///< of the refinement; 0 for motions that cannot be refined
   PeriodicOrbit orbit;            ///< periodic only
-  /// Of a rotor with anisotropic supports or gravity, whose equations depend on its angle, while it turns. r is measured
-  /// from where the rotor rests under gravity; `spectrum` of an equilibrium too are multipliers, over one strobe. At a
-  /// prescribed speed `state` holds where psi = 0, and every multiplier counts.
+  /// Of a rotor with anisotropic supports or gravity, whose equations depend on its angle, while it turns. r is
+  /// measured from where the rotor rests under gravity; `spectrum` of an equilibrium too are multipliers, over one
+  /// strobe. At a prescribed speed `state` holds where psi = 0, and every multiplier counts.
   bool strobed = false;
   int strobes = 0;        ///< strobed and periodic only: turns of the rotor, by strobe_angle(), in `period`
   bool balanced = false;  ///< strobed only: gravity and anisotropy taken away gradually lead to a balanced state

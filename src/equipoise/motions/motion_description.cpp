@@ -176,8 +176,9 @@ void describe_steady_drive(const model::System& system, Motion& motion) {
   if (system.prescribed()) return;
   const auto& damping = system.parameters().damping;
   const double torque = system.torque(motion.state), power = torque * motion.speed;
-  motion.motor = MotorLoad{system.drive(), motion.speed, motion.speed, torque, power,
-                           0.5 * (damping[0] + damping[1]) * motion.state.segment(2, 2).squaredNorm()};
+  motion.motor = MotorLoad{system.drive(), motion.speed,
+                           motion.speed,   torque,
+                           power,          0.5 * (damping[0] + damping[1]) * motion.state.segment(2, 2).squaredNorm()};
 }
 
 }  // namespace

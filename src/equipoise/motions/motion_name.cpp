@@ -69,7 +69,8 @@ std::string grouping(const std::vector<int>& groups, int count) {
 }
 
 MotionName name_at_rest(const model::Parameters& p, const Motion& motion) {
-  return model::off_balance(p, motion.state[0], motion.state[1]) < centred ? MotionName{"balanced", "", balanced} : MotionName{"locked", "", locked};
+  return model::off_balance(p, motion.state[0], motion.state[1]) < centred ? MotionName{"balanced", "", balanced}
+                                                                           : MotionName{"locked", "", locked};
 }
 
 // Motions that keep step with the rotor: all balls captured, or all of them left behind by a turn every turn, at rest

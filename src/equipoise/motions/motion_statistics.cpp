@@ -29,8 +29,8 @@ struct Instant {
   double z[most], dz[most];
   double x, y;  // position that r is the length of
 
-  // Of r^2 (0), of phi_i' (i + 1) or of psi' (n + 1). What r is measured from rests in fixed axes, so that (u, v) is its
-  // rate of change.
+  // Of r^2 (0), of phi_i' (i + 1) or of psi' (n + 1). What r is measured from rests in fixed axes, so that (u, v) is
+  // its rate of change.
   double half_slope(int watched) const { return watched == 0 ? x * z[2] + y * z[3] : dz[rate_place(watched)]; }
   double value(int watched) const { return watched == 0 ? std::hypot(x, y) : z[rate_place(watched)]; }
   int rate_place(int watched) const { return watched <= n ? 4 + n + watched - 1 : speed; }
@@ -322,7 +322,7 @@ IntegrationStatus follow(const model::System& system, Eigen::VectorXd& state, do
   const auto by = [&]<class Source>(Source) {
     return follow_balls<Source>(system, state, duration, tolerance, statistics, samples, stop);
   };
-  const IntegrationStatus status = !system.plain()      ? by(GeneralFlow{})
+  const IntegrationStatus status = !system.plain()       ? by(GeneralFlow{})
                                    : system.autonomous() ? by(Autonomous{})
                                                          : by(Strobed{});
   return is_set(stop) ? IntegrationStatus::failed : status;

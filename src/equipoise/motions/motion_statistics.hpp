@@ -53,16 +53,17 @@ struct MotionStatistics {
 };
 
 /// Two stretches show one motion: largest, smallest and mean r and the extremes of all balls' rates together agree to
-/// `share_of_extremes`, mean r and the mean of all rates to `share_of_means`, each of the largest; so do psi' and its mean.
+/// `share_of_extremes`, mean r and the mean of all rates to `share_of_means`, each of the largest; so do psi' and its
+/// mean.
 bool similar(const MotionStatistics& a, const MotionStatistics& b, int balls, double share_of_extremes,
              double share_of_means);
 
 /// Takes `state` along its trajectory for `duration`; unless the answer is `done` it is left where it was lost. What is
 /// not asked for costs nothing. `statistics`: the stretch is added to it; angles must go on from where those of the
 /// last call ended. Extremes are found to about 1e-8 of their size from the signs of the derivatives at times at most
-/// sample_spacing() of the first state apart. `samples` receives the states at the times k sample_spacing(), k = 0, 1, ...
-/// On section strobe the rotor's angle is 0 at the beginning; under gravity r is measured from where the rotor would
-/// rest. Once `stop` is set the answer is `failed`, soon.
+/// sample_spacing() of the first state apart. `samples` receives the states at the times k sample_spacing(), k = 0, 1,
+/// ... On section strobe the rotor's angle is 0 at the beginning; under gravity r is measured from where the rotor
+/// would rest. Once `stop` is set the answer is `failed`, soon.
 IntegrationStatus follow(const model::System& system, Eigen::VectorXd& state, double duration, double tolerance,
                          MotionStatistics* statistics = nullptr, std::vector<Eigen::VectorXd>* samples = nullptr,
                          const StopFlag* stop = nullptr);

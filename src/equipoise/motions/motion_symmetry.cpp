@@ -173,7 +173,8 @@ bool same_motion(const model::Parameters& p, const Motion& a, const Motion& b) {
   if (a.kind != b.kind && !(measured(a) && measured(b))) return false;
   const double share = a.kind != b.kind ? same_torus : sameness(a);
   const bool both_balanced = is_balanced_continuum(system, a) && is_balanced_continuum(system, b);
-  if (std::fabs(a.speed - b.speed) > (a.motor ? share * std::fabs(a.speed) + 1e-9 : 0.0) && !both_balanced) return false;
+  if (std::fabs(a.speed - b.speed) > (a.motor ? share * std::fabs(a.speed) + 1e-9 : 0.0) && !both_balanced)
+    return false;
   const auto close = [&](double f, double g) { return std::fabs(f - g) <= share * std::max(a.r_max, b.r_max) + 1e-9; };
   if (!close(a.r_min, b.r_min) || !close(a.r_mean, b.r_mean) || !close(a.r_max, b.r_max)) return false;
   const double rate = std::max(largest_rate(a, n), largest_rate(b, n));

@@ -190,8 +190,7 @@ double BalancedContinuum::level(const ContinuumMember& m, double factor) {
 
 bool BalancedContinuum::holds(const VectorXd& state, double factor, double slowest_rate) const {
   const auto m = destination(state);
-  return m && m->rate <= slowest_rate && value(*m, state) < level(*m, factor) &&
-         (rests_ || stays(*m, slowest_rate));
+  return m && m->rate <= slowest_rate && value(*m, state) < level(*m, factor) && (rests_ || stays(*m, slowest_rate));
 }
 
 // What creeps farther than a radian may end on an orbit of its own, which is then listed and has its own trap.

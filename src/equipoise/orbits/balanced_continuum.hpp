@@ -17,9 +17,9 @@
 namespace equipoise {
 
 /// One member: the equilibrium, or of anisotropic supports the fixed point of the stroboscopic map. Gravity leaves
-/// slow motion along the continuum, and so do unequal supports of a race off its centre: the member is then the state at
-/// a strobe that the map moves along it only. Matrices in units of System::scale(). Deviations are split by the invariant subspaces of the linearised equations:
-/// d = along left d + range range^T (d - along left d).
+/// slow motion along the continuum, and so do unequal supports of a race off its centre: the member is then the state
+/// at a strobe that the map moves along it only. Matrices in units of System::scale(). Deviations are split by the
+/// invariant subspaces of the linearised equations: d = along left d + range range^T (d - along left d).
 struct ContinuumMember {
   std::array<double, model::max_balls> phi{};  ///< ball angles of the balanced state
   Eigen::VectorXd centre;

@@ -1,4 +1,4 @@
-// Newton's method for equilibria and, by multiple shooting with a free or an imposed period, for periodic orbits.
+// Newton's method for periodic orbits, by multiple shooting with a free or an imposed period.
 #include "equipoise/orbits/orbit.hpp"
 
 #include <algorithm>
@@ -234,19 +234,6 @@ bool solve(const OrbitProblem& problem, Shooting& s, const Effort& effort, doubl
   return false;
 }
 
-// Of dz/dt, whose terms are of size speed^2; of a motor's, which may cancel each other, over the rotor's inertia.
-double rounding_of_rates(const model::System& system, const VectorXd& state) {
-  const double speed = system.speed(state);
-  double size = 1.0 + speed * speed;
-  if (!system.prescribed()) {
-    const model::DriveSegment& m = system.drive().motor;
-    const double error = system.error_place() < 0 ? 0.0 : state[system.error_place()];
-    size += (std::fabs(m.constant) + std::fabs(m.slope * speed) + std::fabs(m.integral * error)) /
-            system.parameters().inertia;
-  }
-  return 1e-14 * size;
-}
-
 bool is_equilibrium(const model::System& system, const Shooting& s) {
   if (s.imposed) return false;
   double fastest = 0.0;
@@ -303,39 +290,6 @@ std::optional<PeriodicOrbit> refine(const model::System& system, Shooting s, dou
 }
 
 }  // namespace
-
-std::optional<Equilibrium> refine_equilibrium(const model::System& system, const VectorXd& guess) {
-  // Levenberg's and Marquardt's step with the damping |f|^2: as fast as Newton's near isolated equilibria and near
-  // continua alike, where it tends to the least-norm step (N. Yamashita, M. Fukushima, Computing Suppl. 15 (2001) 239).
-  constexpr int most_iterations = 100;
-  const double target = rounding_of_rates(system, guess);
-  VectorXd z = guess, rate = model::rate(system, z);
-  for (int iteration = 0; iteration < most_iterations && rate.lpNorm<Eigen::Infinity>() > 0.01 * target; ++iteration) {
-    if (!rate.allFinite()) return std::nullopt;
-    const MatrixXd jacobian = model::jacobian(system, z);
-    MatrixXd normal = jacobian.transpose() * jacobian;
-    // Where the damping has vanished, rounding would fill directions in which the Jacobian is singular.
-    normal.diagonal().array() += std::max(rate.squaredNorm(), 1e-14 * normal.trace());
-    const VectorXd change = -dense::solve_semidefinite(normal, jacobian.transpose() * rate);
-    double share = 1.0;
-    VectorXd next, next_rate;
-    for (; share > 1e-4; share *= 0.5) {
-      next = z + share * change;
-      next_rate = model::rate(system, next);
-      if (next_rate.norm() < rate.norm()) break;
-    }
-    if (!(share > 1e-4)) break;  // rounding, or no equilibrium near
-    z = next;
-    rate = next_rate;
-  }
-  Equilibrium result{z, {}, rate.lpNorm<Eigen::Infinity>()};
-  if (!(result.residual < target)) return std::nullopt;
-  result.eigenvalues = dense::eigenvalues(model::jacobian(system, z));
-  std::sort(result.eigenvalues.begin(), result.eigenvalues.end(), [](const auto& a, const auto& b) {
-    return a.real() != b.real() ? a.real() > b.real() : a.imag() > b.imag();
-  });
-  return result;
-}
 
 bool contracts(const Eigen::VectorXcd& multipliers, int units_allowed) {
   int units = 0;

@@ -34,8 +34,8 @@ struct Return {
 
 /// Returns to the last of `samples` (equally spaced in time, of a strobed system at successive strobes; angles
 /// unwrapped), shortest first, each at least twice as close as all shorter ones and none longer than 24 turns of a ball
-/// (where its angle matters: of the rotor) or, of a flow, 32 times the first; `most` at most. One strobe always counts if it comes
-/// within `reach`: a trajectory on its way into a motion of that period need not show it as any nearer.
+/// (where its angle matters: of the rotor) or, of a flow, 32 times the first; `most` at most. One strobe always counts
+/// if it comes within `reach`: a trajectory on its way into a motion of that period need not show it as any nearer.
 std::vector<Return> returns_to_last(const model::System& system, const std::vector<Eigen::VectorXd>& samples,
                                     double spacing, const StateDifference& difference, int most, double reach);
 

@@ -25,9 +25,9 @@ std::optional<PeriodicOrbit> balanced_orbit(const model::System& system, const d
 /// state (its centre comes to rest on the axis).
 bool leads_to_balance(const model::System& system, const PeriodicOrbit& orbit);
 
-/// The same, on section strobe, for a motion that is no such orbit (along what gravity leaves of a continuum of balanced states balls creep
-/// for ever): while gravity and anisotropy fade over 400 strobes the trajectory from `state` comes to balance, and no
-/// ball passes a quarter of a turn.
+/// The same, on section strobe, for a motion that is no such orbit (along what gravity leaves of a continuum of
+/// balanced states balls creep for ever): while gravity and anisotropy fade over 400 strobes the trajectory from
+/// `state` comes to balance, and no ball passes a quarter of a turn.
 bool relaxes_to_balance(const model::System& system, const Eigen::VectorXd& state);
 
 }  // namespace equipoise

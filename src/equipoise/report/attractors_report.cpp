@@ -187,7 +187,8 @@ std::string strobe_text(const Study& study, const TableUnits& units) {
   const model::System system = study.system();
   if (system.autonomous()) return "";
   const model::Parameters& p = study.parameters;
-  std::string text = fmt::format("A strobe is {} of the rotor", p.gravity != 0.0 ? "a revolution" : "half a revolution");
+  std::string text =
+      fmt::format("A strobe is {} of the rotor", p.gravity != 0.0 ? "a revolution" : "half a revolution");
   if (system.prescribed())
     text += fmt::format(", {:.5f}{}", system.strobe_period() * units.time, study.scales ? " s" : "");
   if (p.gravity != 0.0)
@@ -206,8 +207,10 @@ std::string attractors_text(const AttractorsResult& r) {
                          "mean", "max", "drift of the balls" + units.drift, "stability"}};
   std::vector<Alignment> alignment{right, left, left, right, right, right, right, right, right, left, left};
   const bool driven = r.basin.study.speed.driven();
-  const auto motor_column = 9;  // behind r
-  const auto insert = [&](Row& row, const Row& cells) { row.insert(row.begin() + motor_column, cells.begin(), cells.end()); };
+  constexpr int motor_column = 9;  // behind r
+  const auto insert = [](Row& row, const Row& cells) {
+    row.insert(row.begin() + motor_column, cells.begin(), cells.end());
+  };
   if (driven) {
     insert(rows.front(), {"speed" + units.drift, "+-", "torque" + units.moment, "power" + units.watts});
     alignment.insert(alignment.begin() + motor_column, 4, right);

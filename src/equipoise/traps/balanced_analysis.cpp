@@ -45,8 +45,7 @@ std::optional<Motion> balanced_motion(const Balance& at, const Angles& phi) {
 // Of the deviation that dies out slowest, or grows fastest.
 double rate_of(const Balance& at, const Angles& phi, const Motion& motion) {
   if (!at.system.autonomous()) return motion.orbit.slowest_rate();
-  return dense::largest_real_part(
-      model::jacobian(at.system, model::balanced_state(at.system, at.speed, phi.data())));
+  return dense::largest_real_part(model::jacobian(at.system, model::balanced_state(at.system, at.speed, phi.data())));
 }
 
 void analyse_continuum(const Balance& at, const StopFlag* stop, BalancedAnalysis& result) {

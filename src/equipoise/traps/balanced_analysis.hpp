@@ -31,14 +31,14 @@ struct BalancedAnalysis {
   std::string note;  ///< one sentence for the reader when no start can end balanced, else empty
 };
 
-/// A driven rotor is balanced at the speed at which its motor gives what the supports' dampers take. Balls in a race off
-/// the shaft's centre bring the race's own centre to the axis of rotation, and leave the shaft off it by the offset.
-/// Supports that differ leave the balanced states of a centred race what they are, and change their stability. Gravity,
-/// and supports that differ under a race off its centre, make the balls rock once a revolution: the balanced motion is
-/// then the orbit of one strobe that a balanced state becomes as gravity and anisotropy are switched on gradually. Of a
-/// continuum of balanced states these leave single ones, which starts have to find (leads_to_balance() tells them), and
-/// so they have to under a motor where the rotor's angle matters. A motor without torque holds no speed: balance, if it
-/// comes to that, is at any. Once `stop` is set the answer is worth nothing, and comes soon.
+/// A driven rotor is balanced at the speed at which its motor gives what the supports' dampers take. Balls in a race
+/// off the shaft's centre bring the race's own centre to the axis of rotation, and leave the shaft off it by the
+/// offset. Supports that differ leave the balanced states of a centred race what they are, and change their stability.
+/// Gravity, and supports that differ under a race off its centre, make the balls rock once a revolution: the balanced
+/// motion is then the orbit of one strobe that a balanced state becomes as gravity and anisotropy are switched on
+/// gradually. Of a continuum of balanced states these leave single ones, which starts have to find (leads_to_balance()
+/// tells them), and so they have to under a motor where the rotor's angle matters. A motor without torque holds no
+/// speed: balance, if it comes to that, is at any. Once `stop` is set the answer is worth nothing, and comes soon.
 BalancedAnalysis analyse_balanced(const model::System& system, const StopFlag* stop = nullptr);
 
 }  // namespace equipoise

@@ -10,8 +10,9 @@
 
 namespace equipoise {
 
-/// The trap of the linearly stable balanced state at ball angles `phi` of a smooth system of section none. Its level is level_margin times the smallest value of V at which dV/dt >= 0 was found by sampling rays and descending
-/// from the worst.
+/// The trap of the linearly stable balanced state at ball angles `phi` of a smooth system of section none. Its level is
+/// level_margin times the smallest value of V at which dV/dt >= 0 was found by sampling rays and descending from the
+/// worst.
 BalancedTrap balanced_trap(const model::System& system, const std::array<double, model::max_balls>& phi);
 
 /// The trap of the other balanced state of two equal balls.

@@ -42,7 +42,8 @@ Members members_to_try(const BalancedContinuum& continuum, const ContinuumSurvey
     auto m = continuum.member(survey.members[first + k * count / taken].data());
     if (!m || m->form.size() == 0 || !(m->rate <= result.slowest_rate)) continue;
     result.unit = std::max(result.unit, m->unit);
-    const Eigen::VectorXd exact = model::balanced_state(*settings.system, settings.system->speed(m->centre), m->phi.data());
+    const Eigen::VectorXd exact =
+        model::balanced_state(*settings.system, settings.system->speed(m->centre), m->phi.data());
     for (int i = 0; i < model::dimension(balls); ++i)
       if (i < 4 || i >= 4 + balls) result.unrest = std::max(result.unrest, std::fabs(m->centre[i] - exact[i]));
     result.all.push_back(*std::move(m));

@@ -203,7 +203,8 @@ double least_level(const model::System& system, const Eigen::VectorXd& centre, c
 
 }  // namespace
 
-double level_by_rays(const model::System& system, const Eigen::VectorXd& centre, const Eigen::MatrixXd& form, int rays) {
+double level_by_rays(const model::System& system, const Eigen::VectorXd& centre, const Eigen::MatrixXd& form,
+                     int rays) {
   return least_level(system, centre, form, rays, false);
 }
 

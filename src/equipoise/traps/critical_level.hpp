@@ -8,10 +8,11 @@
 namespace equipoise {
 
 /// Smallest V = d^T P d > 0 at which dV/dt >= 0 was found around the balanced state `centre` of a smooth system of
-/// section none, by sampling `rays` directions (fixed pseudo-random sequence), random steps from the worst of them, and a
-/// descent by gradients from the principal directions of dV/dt. The true one is below or equal; 0 if P is not positive
-/// definite or V grows at once.
-double critical_level(const model::System& system, const Eigen::VectorXd& centre, const Eigen::MatrixXd& form, int rays);
+/// section none, by sampling `rays` directions (fixed pseudo-random sequence), random steps from the worst of them, and
+/// a descent by gradients from the principal directions of dV/dt. The true one is below or equal; 0 if P is not
+/// positive definite or V grows at once.
+double critical_level(const model::System& system, const Eigen::VectorXd& centre, const Eigen::MatrixXd& form,
+                      int rays);
 
 /// The same by rays and random steps alone. Where level sets are narrow it is several times too high.
 double level_by_rays(const model::System& system, const Eigen::VectorXd& centre, const Eigen::MatrixXd& form, int rays);

@@ -169,7 +169,8 @@ std::optional<TangentFlight> follow_to_angle(const model::System& system, const 
 
 // The same under a motor, from one angle of the rotor to the next: what deviates with that angle is taken along the
 // motion to where it does not.
-std::optional<Arcs> arcs_over_turns(const model::System& system, const Motion& motion, const VectorXd& unit, int turns) {
+std::optional<Arcs> arcs_over_turns(const model::System& system, const Motion& motion, const VectorXd& unit,
+                                    int turns) {
   const int place = system.psi_place(), size = system.dimension(), cells = cells_a_strobe * turns;
   const double turn = motion.speed < 0.0 ? -system.strobe_angle() : system.strobe_angle(), step = turn / cells_a_strobe;
   const VectorXd& first = motion.orbit.nodes.front();

@@ -66,7 +66,8 @@ double value_by_rotor(const model::System& system, const CycleTrap& trap, const 
   const double angle = system.strobe_angle();
   const bool driven = trap.phase_place >= 0;
   if (driven) psi = state[trap.phase_place];
-  const double sense = driven ? trap.nodes[1].state[trap.phase_place] - trap.nodes[0].state[trap.phase_place] : system.speed();
+  const double sense =
+      driven ? trap.nodes[1].state[trap.phase_place] - trap.nodes[0].state[trap.phase_place] : system.speed();
   double turned = std::fmod(sense < 0.0 ? -psi : psi, angle);
   if (turned < 0.0) turned += angle;
   const double place = turned / angle * trap.cells;

@@ -18,9 +18,10 @@ struct CycleTrap {
 
   struct Node {
     Eigen::VectorXd state;  ///< on the motion, angles unwrapped along it
-    Eigen::VectorXd rate;   ///< where the phase is the rotor's angle: dz/dt there; under a motor, dz by what the rotor turns
-    Eigen::MatrixXd form;   ///< P: V = d^T P d; of a clock among the balls of the whole state, without a part along the
-                            ///< motion, else of what is compared
+    Eigen::VectorXd
+        rate;  ///< where the phase is the rotor's angle: dz/dt there; under a motor, dz by what the rotor turns
+    Eigen::MatrixXd form;  ///< P: V = d^T P d; of a clock among the balls of the whole state, without a part along the
+                           ///< motion, else of what is compared
   };
 
   int attractor = 0;
@@ -35,9 +36,9 @@ struct CycleTrap {
   int rows() const { return turns * cells; }
 };
 
-/// V of a state, when the rotor's angle is `psi` (if that is no part of it): the least over the turns that the phase leaves open. Where the phase
-/// is the rotor's angle, like balls take the places of those on the motion that they are nearest to, and a state that
-/// plainly lies above the trap's level may get an infinite V.
+/// V of a state, when the rotor's angle is `psi` (if that is no part of it): the least over the turns that the phase
+/// leaves open. Where the phase is the rotor's angle, like balls take the places of those on the motion that they are
+/// nearest to, and a state that plainly lies above the trap's level may get an infinite V.
 double value(const model::System& system, const CycleTrap& trap, const double* state, double psi);
 
 /// A state on the level `level` where row `row` of the table begins. `direction`: a unit vector, of directions()
