@@ -102,9 +102,9 @@ struct DecisionRule {
   bool blind = false;           ///< audits: boxes are watched and decide nothing; V is recorded
   std::vector<BalancedTrap> balanced;
   std::vector<CycleTable> cycles;
-  FamilyTrap family;                 ///< `caught` empty: no continuum
-  StrobedTraps strobed;              ///< `caught` empty: none; not asked by kernels of plain rotors
-  double sag = 0.0;                  ///< r is measured from Y = sag, X = 0 in fixed axes; not by those either
+  FamilyTrap family;     ///< `caught` empty: no continuum
+  StrobedTraps strobed;  ///< `caught` empty: none; not asked by kernels of plain rotors
+  double sag = 0.0;      ///< r is measured from Y = sag, X = 0 in fixed axes; not by those either
   /// A driven rotor that turns faster on average over half a short window runs away for good, and is given up.
   double fastest = runaway_speed;
   double window = 16.0;              ///< length of a short window

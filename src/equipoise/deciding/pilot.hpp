@@ -22,8 +22,8 @@ std::vector<MotionGroup> group_records(const std::vector<PilotRecord>& records, 
                                        int balls, double tolerance);
 
 /// Bounds that recognise a group's short windows: its range, widened on both sides by `widths` times itself and by 2 %
-/// of the largest r, rate or psi'. `attractor` stays 0 if they would admit a centred rotor with resting balls: such a box
-/// recognises nothing.
+/// of the largest r, rate or psi'. `attractor` stays 0 if they would admit a centred rotor with resting balls: such a
+/// box recognises nothing.
 FeatureBox box_around(const FeatureBox& range, int balls, int attractor, double widths);
 
 /// Windows in a row inside box `b` that decide: more than twice the longest run of any trajectory of an audit that went

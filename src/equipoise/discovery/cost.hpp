@@ -22,8 +22,8 @@ struct StartCost {
 /// Steps a start beyond which a study is refused: pilots and tries, 10^4 starts and more, then take a minute.
 inline constexpr double most_steps = 3e4;
 
-/// Largest speed of a rotor, in critical speeds: beyond any machine, and the integrator's steps shrink with the turns to
-/// be made.
+/// Largest speed of a rotor, in critical speeds: beyond any machine, and the integrator's steps shrink with the turns
+/// to be made.
 inline constexpr double fastest_speed = runaway_speed;
 
 StartCost start_cost(const Study& study);

@@ -42,8 +42,8 @@ constexpr double torus_grouping = 0.15;
 // Groups that are followed, the largest first: more are the debris of a motion that does not settle.
 constexpr std::size_t most_groups = 24;
 
-// A weak motor brings a balanced rotor to its speed so slowly that tries of wider levels, which wait for that, would take
-// longer than starts do that have to come into the narrow one.
+// A weak motor brings a balanced rotor to its speed so slowly that tries of wider levels, which wait for that, would
+// take longer than starts do that have to come into the narrow one.
 constexpr double slowest_worth_widening = 1e-3;
 
 // A rotor that turns thirty times as fast as it resonates, and which no motor holds, does not come back.

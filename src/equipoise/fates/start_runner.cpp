@@ -229,8 +229,8 @@ std::vector<UndecidedEnd> StartRunner::look_at(const std::vector<std::uint64_t>&
   return ends;
 }
 
-// Of a driven rotor that is neither near balance nor chaotic: its last speed is not the mean of its last long window, or
-// it was not watched for as many short ones as tell one from the next.
+// Of a driven rotor that is neither near balance nor chaotic: its last speed is not the mean of its last long window,
+// or it was not watched for as many short ones as tell one from the next.
 Restlessness StartRunner::restlessness(const Fate& fate, double begin, double speed) const {
   constexpr double steady = 0.02;
   constexpr int fewest_windows = 8;

@@ -1,4 +1,5 @@
-// Kernels of every rotor at a prescribed speed with its race centred for every CPU target: compiled once per instruction set by Highway's foreach_target.
+// Kernels of every rotor at a prescribed speed with its race centred for every CPU target: compiled once per
+// instruction set by Highway's foreach_target.
 #include "equipoise/kernels/lane_job.hpp"
 
 #undef HWY_TARGET_INCLUDE

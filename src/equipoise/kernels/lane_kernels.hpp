@@ -17,8 +17,8 @@ namespace equipoise {
 /// state stays where it was lost.
 bool advance_lanes(const LaneTask& task, std::vector<Fate>& fates);
 
-/// Decides every trajectory of a task over the last segment, or piece of a drive; fates[i] and states are set. `pilot`, if given,
-/// receives what is known of each stationary motion. False if stopped early.
+/// Decides every trajectory of a task over the last segment, or piece of a drive; fates[i] and states are set. `pilot`,
+/// if given, receives what is known of each stationary motion. False if stopped early.
 bool decide_lanes(const LaneTask& task, const DecisionRule& rule, std::vector<Fate>& fates,
                   std::vector<PilotRecord>* pilot);
 

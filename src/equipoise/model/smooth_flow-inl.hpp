@@ -50,8 +50,8 @@ MotorState<Dual<slopes>> motor_state(const model::DriveSegment& motor, const Dua
 
 HWY_INLINE MotorState<Pack> motor_state(const model::DriveSegment& motor, const Pack& elapsed, const Pack& speed,
                                         const Pack& error) {
-  const Pack uncut = Pack(motor.constant) + Pack(motor.rate) * elapsed + Pack(motor.slope) * speed +
-                     Pack(motor.integral) * error;
+  const Pack uncut =
+      Pack(motor.constant) + Pack(motor.rate) * elapsed + Pack(motor.slope) * speed + Pack(motor.integral) * error;
   const Pack limit(motor.limit), zero(0.0);
   MotorState<Pack> result{minimum(maximum(uncut, -limit), limit), zero};
   if (motor.integral == 0.0) return result;
@@ -92,8 +92,7 @@ class SmoothFlow {
     }
     MotorState<T> motor{};
     const bool driven = !drive_.prescribed;
-    if (driven)
-      motor = motor_state(drive_.motor, elapsed, rotor.speed, places_.error < 0 ? T(0.0) : y[places_.error]);
+    if (driven) motor = motor_state(drive_.motor, elapsed, rotor.speed, places_.error < 0 ? T(0.0) : y[places_.error]);
     const BodyResult<T> result = balancer_.body_derivative(rotor, driven ? &motor.torque : nullptr, y, dy);
     if (places_.psi >= 0) dy[places_.psi] = rotor.speed;
     if (places_.speed >= 0) dy[places_.speed] = result.acceleration;
@@ -118,8 +117,8 @@ class SmoothFlow {
   double begin_, psi_;
 };
 
-// A driven rotor whose balls are held: one body, whose unbalance is part of the state and stays what it is. State: x, y,
-// u, v; sum mu_i e^{i phi_i} of the balls, x and y; then what the system has of psi, psi' and the speed error.
+// A driven rotor whose balls are held: one body, whose unbalance is part of the state and stays what it is. State: x,
+// y, u, v; sum mu_i e^{i phi_i} of the balls, x and y; then what the system has of psi, psi' and the speed error.
 template <class T>
 class HeldFlow {
  public:
