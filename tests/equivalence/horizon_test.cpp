@@ -122,7 +122,9 @@ TEST(SlowRotors, ListNothingOnWhichNoStartSettles) {
     options.starts = 100;
     const AttractorsResult r = attractors(study, options);
     for (const Attractor& a : r.catalogue.attractors()) EXPECT_EQ(a.id, balanced_id) << a.name << " at " << speed;
-    if (r.basin.undecided.share > 0.2) EXPECT_NE(r.basin.note.find("creeping"), std::string::npos) << r.basin.note;
+    if (r.basin.undecided.share > 0.2) {
+      EXPECT_NE(r.basin.note.find("creeping"), std::string::npos) << r.basin.note;
+    }
   }
 }
 

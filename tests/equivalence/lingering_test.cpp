@@ -8,6 +8,7 @@
 
 #include "equipoise/fates/start_runner.hpp"
 #include "equipoise/kernels/lane_kernels.hpp"
+#include "equipoise/spin_up/start_source.hpp"
 
 namespace equipoise {
 namespace {

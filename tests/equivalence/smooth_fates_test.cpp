@@ -68,7 +68,9 @@ TEST_P(SmoothFates, HoldTenTimesLater) {
     const std::string name = name_of(fate), then = machine_follow::kind_of(study, seen);
     EXPECT_EQ(name == "balanced" || name == "locked" ? "rest" : name, then) << "start " << i;
     // Chaos changes a mean over hundreds of time units by a per cent or so.
-    if (study.speed.driven()) EXPECT_NEAR(fate.mean_speed, seen.speed, 0.02 * std::fabs(seen.speed)) << "start " << i;
+    if (study.speed.driven()) {
+      EXPECT_NEAR(fate.mean_speed, seen.speed, 0.02 * std::fabs(seen.speed)) << "start " << i;
+    }
   }
   EXPECT_LE(undecided, 1);
 }

@@ -16,6 +16,7 @@
 #include "equipoise/model/linearisation.hpp"
 #include "equipoise/model/strobe.hpp"
 #include "equipoise/orbits/stroboscopic.hpp"
+#include "equipoise/spin_up/start_source.hpp"
 #include "equipoise/trajectory/simulate.hpp"
 
 namespace equipoise {
