@@ -91,7 +91,8 @@ void check_offers(const Study& study, model::Answer answer) {
     case Need::passing_balls:
       return reject("balancer.contact_angle", fmt::format("{}", p.contact_angle));
     case Need::sliding_balls:
-      return reject("balancer.rolling", fmt::format("{}", p.rolling[0]));
+      return p.rolling[0] > 0.0 ? reject("balancer.rolling", fmt::format("{}", p.rolling[0]))
+                                : reject("balancer.stiction", fmt::format("{}", p.stiction[0]));
     case Need::centred_race:
       return reject("balancer.race_offset", pair(p.race_offset));
     case Need::equal_supports:
