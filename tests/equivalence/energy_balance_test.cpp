@@ -66,18 +66,8 @@ class StateAndWork {
 };
 
 FixedState fixed(const model::Parameters& p, const model::Segment& segment, double t, const double* z) {
-  FixedState s;
+  FixedState s = lagrangian::in_fixed_axes(p.balls, {segment.psi_at(t), segment.speed_at(t), segment.acceleration}, z);
   s.t = t;
-  s.rotor = {segment.psi_at(t), segment.speed_at(t), segment.acceleration};
-  const double cosine = std::cos(s.rotor.angle), sine = std::sin(s.rotor.angle);
-  s.X = z[0] * cosine - z[1] * sine;
-  s.Y = z[0] * sine + z[1] * cosine;
-  s.X_dot = z[2] * cosine - z[3] * sine;
-  s.Y_dot = z[2] * sine + z[3] * cosine;
-  for (int i = 0; i < p.balls; ++i) {
-    s.theta.push_back(s.rotor.angle + z[4 + i]);
-    s.theta_dot.push_back(s.rotor.rate + z[4 + p.balls + i]);
-  }
   return s;
 }
 

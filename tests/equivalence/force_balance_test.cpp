@@ -74,16 +74,8 @@ Answer in_fixed_axes(const Instant& at) {
   const model::Parameters& p = at.p;
   const State& z = at.z;
   const double w = at.segment.speed, c = std::cos(at.segment.psi), s = std::sin(at.segment.psi);
-  lagrangian::FixedState fixed;
-  fixed.rotor = {at.segment.psi, w, at.segment.acceleration};
-  fixed.X = z[0] * c - z[1] * s;
-  fixed.Y = z[0] * s + z[1] * c;
-  fixed.X_dot = z[2] * c - z[3] * s;
-  fixed.Y_dot = z[2] * s + z[3] * c;
-  for (int i = 0; i < p.balls; ++i) {
-    fixed.theta.push_back(at.segment.psi + z[4 + i]);
-    fixed.theta_dot.push_back(w + z[4 + p.balls + i]);
-  }
+  const lagrangian::FixedState fixed =
+      lagrangian::in_fixed_axes(p.balls, {at.segment.psi, w, at.segment.acceleration}, z.data());
   const lagrangian::Accelerations a = lagrangian::accelerations(p, p.inertia, fixed, at.clamped);
   Answer answer;
   State& rate = answer.rate;

@@ -275,6 +275,21 @@ FixedState initial_state(const Study& study, const Rotation& rotor) {
 
 }  // namespace
 
+FixedState in_fixed_axes(int balls, const Rotation& rotor, const double* z) {
+  const double c = std::cos(rotor.angle), s = std::sin(rotor.angle);
+  FixedState out;
+  out.rotor = rotor;
+  out.X = z[0] * c - z[1] * s;
+  out.Y = z[0] * s + z[1] * c;
+  out.X_dot = z[2] * c - z[3] * s;
+  out.Y_dot = z[2] * s + z[3] * c;
+  for (int i = 0; i < balls; ++i) {
+    out.theta.push_back(rotor.angle + z[4 + i]);
+    out.theta_dot.push_back(rotor.rate + z[4 + balls + i]);
+  }
+  return out;
+}
+
 std::vector<FixedState> integrate(const Study& study, double release, const std::vector<double>& times,
                                   double absolute_tolerance) {
   const PrescribedRotation rotation(study);

@@ -44,6 +44,9 @@ struct FixedState {
   std::vector<double> theta, theta_dot;
 };
 
+/// A state of model/parameters.hpp, `z`, where the rotor turns so.
+FixedState in_fixed_axes(int balls, const Rotation& rotor, const double* z);
+
 /// Second derivatives, and the torque that the prescribed rotation needs.
 struct Accelerations {
   double X, Y, torque;
