@@ -3,14 +3,14 @@
 
 #include <cmath>
 
-#include "equipoise/base/embedded.hpp"
 #include "equipoise/base/error.hpp"
+#include "equipoise/literature/paper_files.hpp"
 #include "equipoise/sampling/starts.hpp"
 
 namespace equipoise::bench {
 
 Study paper_study(const std::string& name) {
-  const auto text = embedded::find("studies/" + name + ".toml");
+  const auto text = embedded::paper_files.find("studies/" + name + ".toml");
   if (text.empty()) throw RunError("this program carries no study " + name);
   return parse_study(std::string(text), name + ".toml");
 }

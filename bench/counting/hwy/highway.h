@@ -12,6 +12,7 @@
 #define HWY_AFTER_NAMESPACE() static_assert(true)
 #define HWY_INLINE inline
 #define HWY_NOINLINE inline
+#define HWY_ATTR
 #define HWY_CAPPED(T, N) hwy::N_COUNTING::Tag<T>
 #define HWY_LANES(T) 1
 #define HWY_NATIVE_FMA 1
