@@ -75,6 +75,7 @@ void say(const std::string& line) { put_error("equipoise: " + line + "\n"); }
 
 int close_output(int code) {
   std::cout.flush();
+  std::cout.rdbuf(nullptr);  // which is flushed once more when the program ends, after its buffer is gone
   errno = 0;
   const bool lost = std::ferror(stdout) != 0;
   const bool closed = std::fclose(stdout) == 0;
