@@ -10,6 +10,7 @@ struct ChildResult {
   bool ran = false;    ///< started and ended with exit code 0
   std::string output;  ///< its standard output
   double peak_megabytes = 0.0;
+  double cpu_seconds = 0.0;  ///< of all its threads
 };
 
 /// Runs `command` (looked up in PATH) with `input` as its standard input, at most 64 KiB. Its standard error is ours,

@@ -23,7 +23,7 @@ namespace {
 constexpr int failed = 1, bad_usage = 2;
 
 const std::vector<std::string> all_works{"full",    "decided", "ramped", "kernel",
-                                         "targets", "threads", "balls",  "starts"};
+                                         "targets", "threads", "balls",  "starts",  "machines"};
 
 const char* const footer =
     "Works:\n"
@@ -35,6 +35,7 @@ const char* const footer =
     "  threads  full length and decided by number of threads\n"
     "  balls    full length by number of balls\n"
     "  starts   time and memory of ensembles of 10^3 to 10^6 starts (10^7 with --long)\n"
+    "  machines motors, gravity, contact, stiction, off-centre races and the worked examples; --against PROGRAM\n"
     "Tables go to standard output, progress to standard error. Exit codes: 0 done, 1 failed, 2 bad usage.";
 
 void measure(const Options& options) {
@@ -56,6 +57,7 @@ void measure(const Options& options) {
   if (options.asked("threads")) works["threads"] = threads(options);
   if (options.asked("balls")) works["balls"] = balls(options);
   if (options.asked("starts")) works["starts"] = starts(options);
+  if (options.asked("machines")) works["machines"] = machines(options);
   if (options.json.empty()) return;
   std::ofstream file(options.json);
   file << out.dump(2) << '\n';
@@ -72,7 +74,7 @@ int run(int argc, char** argv) {
   CLI::App app("How fast Equipoise is, beside its rivals and beside what the machine allows.");
   app.name("equipoise_bench");
   app.footer(footer);
-  app.add_option("--works", options.works,
+  app.add_option("works,--works", options.works,
                  fmt::format("what to measure, comma-separated: {}", fmt::join(all_works, ",")))
       ->delimiter(',')
       ->check(CLI::IsMember(all_works).description(""))
@@ -87,6 +89,9 @@ int run(int argc, char** argv) {
       ->type_name("N");
   app.add_option("--json", options.json, "write everything, raw figures of every round too, to this file")
       ->type_name("FILE");
+  app.add_option("--against", options.against, "an older equipoise, measured beside this one in `machines`")
+      ->check(CLI::ExistingFile.description(""))
+      ->type_name("PROGRAM");
   auto* longer =
       app.add_flag("--long", options.long_run, "the slow parts too: rows of beta = 0.01 in every round, 10^7 starts");
   app.add_flag("--quick", options.quick, "sizes too small to measure anything, one round: shows that all of it works")

@@ -25,6 +25,8 @@ Json threads(const Options& options);
 Json balls(const Options& options);
 /// Sizes of an ensemble: time and memory.
 Json starts(const Options& options);
+/// Rotors with motors, gravity, contact, stiction; beside an older program.
+Json machines(const Options& options);
 /// What starts() runs in a process of its own; its result goes to standard output.
 int decide_as_child(std::uint64_t count, int threads, const std::string& output);
 

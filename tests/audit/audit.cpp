@@ -3,6 +3,9 @@
 //
 //     equipoise_audit [--studies N] [--seed S] [--only K] [--starts N] [--seconds T] [--threads T] [--folder DIR]
 //                     [--json FILE]
+//     equipoise_audit --machines STARTS [--only K] [--threads T]
+//
+// The second form decides so many starts of each of a list of machines and follows every one of them on.
 #include <algorithm>
 #include <cstdio>
 #include <cstdlib>
@@ -16,6 +19,7 @@
 #include <oneapi/tbb/global_control.h>
 
 #include "checks.hpp"
+#include "machines.hpp"
 #include "table.hpp"
 
 namespace {
@@ -25,14 +29,15 @@ using namespace equipoise::audit;
 struct Arguments {
   Settings settings;
   int studies = 40, only = -1;
-  std::uint64_t seed = 1;
+  std::uint64_t seed = 1, machine_starts = 0;
   std::string json;
 };
 
 int usage() {
   fmt::print(stderr,
              "usage: equipoise_audit [--studies N (40)] [--seed S (1)] [--only NUMBER] [--starts N (300)]\n"
-             "                       [--seconds CPU_A_STUDY (40)] [--threads T] [--folder DIR] [--json FILE]\n");
+             "                       [--seconds CPU_A_STUDY (40)] [--threads T] [--folder DIR] [--json FILE]\n"
+             "       equipoise_audit --machines STARTS [--only NUMBER] [--threads T]\n");
   return 2;
 }
 
@@ -51,6 +56,8 @@ bool read(int argc, char** argv, Arguments& a) {
       return false;
     else if (option == "--studies")
       a.studies = static_cast<int>(number);
+    else if (option == "--machines" && number >= 1.0)
+      a.machine_starts = static_cast<std::uint64_t>(number);
     else if (option == "--only")
       a.only = static_cast<int>(number);
     else if (option == "--seed")
@@ -66,6 +73,21 @@ bool read(int argc, char** argv, Arguments& a) {
   }
   a.settings.machine_starts = std::max<std::uint64_t>(1, a.settings.starts / 3);
   return argc % 2 == 1;
+}
+
+int run_machines(const Arguments& a) {
+  std::uint64_t decided = 0, wrong = 0;
+  fmt::print("{}", machine_head());
+  for (std::size_t k = 0; k < machine_count(); ++k) {
+    if (a.only >= 0 && static_cast<std::size_t>(a.only) != k) continue;
+    const MachineAudit audit = audit_machine(k, a.machine_starts, a.settings);
+    decided += audit.decided;
+    wrong += audit.wrong;
+    fmt::print("{}", machine_line(audit));
+    std::fflush(stdout);
+  }
+  fmt::print("\n{} of {} decided starts are something else later\n", wrong, decided);
+  return wrong > 0 ? 3 : 0;
 }
 
 int run(const Arguments& a) {
@@ -102,7 +124,7 @@ int main(int argc, char** argv) {
   Arguments a;
   if (!read(argc, argv, a)) return usage();
   try {
-    return run(a);
+    return a.machine_starts > 0 ? run_machines(a) : run(a);
   } catch (const std::exception& e) {
     fmt::print(stderr, "equipoise_audit: {}\n", e.what());
     return 1;

@@ -158,7 +158,7 @@ class StudyChecks {
     times.second =
         std::clamp(settings_.longer * usual, 2.0 * most + 2.0 * times.length, std::max(reach, 2.5 * most + 500.0));
     times.first = std::max(0.5 * times.second, 1.02 * most);
-    const std::vector<LateMotion> late = follow_late(study_, count, times, settings_.threads);
+    const std::vector<LateMotion> late = follow_late(study_, 0, count, times, settings_.threads);
     std::size_t judged = 0, wrong = 0;
     std::map<std::string, int> told;  // one fault of a kind
     for (std::size_t i = 0; i < count; ++i) {

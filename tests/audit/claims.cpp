@@ -113,6 +113,7 @@ std::string not_as_listed(const Study& study, const Motion& said, const LateMoti
 std::string contradiction(const Study& study, const Ensemble& ensemble, std::size_t i, const LateMotion& late,
                           const LookTimes& times) {
   const Fate& fate = ensemble.fates[i];
+  if (!late.followed) return {};
   if (late.lost) return "it diverged or failed later";
   const bool driven = study.speed.driven();
   const double stall = driven ? std::fabs(study.stall_speed()) : 0.0;

@@ -1,26 +1,23 @@
-// Lanes are taken from time to time with the ensemble's kernels; machines one by one, as the ensemble does.
+// Lanes are taken from time to time with the ensemble's kernels.
 #include "late_motion.hpp"
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
+#include <span>
 #include <utility>
 
 #include <oneapi/tbb/parallel_for.h>
 #include <oneapi/tbb/task_arena.h>
 
-#include "equipoise/integrate/machine_trajectory-inl.hpp"
+#include "equipoise/discovery/horizon.hpp"
 #include "equipoise/kernels/lane_kernels.hpp"
-#include "equipoise/model/ball_count.hpp"
 #include "equipoise/model/strobe.hpp"
 #include "equipoise/model/system.hpp"
-#include "equipoise/spin_up/initial_state.hpp"
-#include "equipoise/spin_up/start_source.hpp"
+#include "equipoise/spin_up/spin_up.hpp"
 
 namespace equipoise::audit {
 
 namespace {
-namespace kernels = HWY_NAMESPACE;
 
 constexpr int samples_a_window = 500;
 
@@ -100,88 +97,100 @@ DecisionRule rule_that_never_decides(int balls) {
   return rule;
 }
 
-void follow_lanes(const Study& study, const StartSource& source, std::size_t first, const LookTimes& times,
-                  std::vector<LateMotion>& motions, std::size_t count) {
-  std::vector<double> phi, states;
-  std::vector<Fate> fates;
-  source.make(study.sampling.seed, first, count, phi, states, fates);
-  std::vector<Looker> lookers;
-  for (std::size_t i = 0; i < count; ++i) lookers.emplace_back(study.parameters, motions[first + i]);
-  const std::size_t size = model::dimension(study.parameters.balls);
-  const model::Segment& last = source.last_segment();
-  const DecisionRule rule = rule_that_never_decides(study.parameters.balls);
-  double t = last.begin;
-  for (const auto& [at, second] : sample_times(times)) {
-    LaneTask task = source.task(source.segments().size() - 1, states);
-    task.segment.begin = t;
-    task.segment.psi = last.psi_at(t);
-    task.end = last.begin + at;
-    if (task.end > t) decide_lanes(task, rule, fates, nullptr);
-    t = std::max(t, task.end);
-    for (std::size_t i = 0; i < count; ++i)
-      if (fates[i].outcome == Outcome::diverged || fates[i].outcome == Outcome::failed)
-        motions[first + i].lost = true;
-      else
-        lookers[i].sample(second, t, last.psi_at(t), &states[i * size]);
-  }
-  for (Looker& looker : lookers) looker.finish();
-}
-
-// The ensemble's own error scale, so that this is its trajectory (fates/machine_runner.cpp).
-void follow_machine(const Study& study, const model::Drive& drive, const InitialState& start, const LookTimes& times,
-                    double settled, LateMotion& motion) {
-  using Machine = kernels::MachineTrajectory<model::any_count>;
-  const int n = study.parameters.balls;
-  using model::machine_index::psi;
-  Machine::Scale scale;
-  scale.tolerance = study.numerics.tolerance.value_or(default_basin_tolerance);
-  scale.floor.fill(1.0);
-  for (int i = 0; i < 4; ++i) scale.floor[i] = study.parameters.eccentricity + study.parameters.total_mass();
-  scale.absolute.fill(true);
-  double z[Machine::dimension];
-  initial_state(start, n, drive.speed, z);
-  Machine machine(study.parameters, drive, scale, z);
-  Looker looker(study.parameters, motion);
-  const auto list = sample_times(times);
-  std::size_t next = 0;
-  const auto status = machine.advance(settled + list.back().first, [&](double, double to, auto&& state_at) {
-    for (; next < list.size() && settled + list[next].first <= to; ++next) {
-      double at[Machine::dimension];
-      state_at(settled + list[next].first, at);
-      looker.sample(list[next].second, settled + list[next].first, at[psi(n)], at);
+// Starts first .. first + motions.size() - 1.
+class Followers {
+ public:
+  Followers(const Study& study, const SpinUp& source, std::size_t first, std::span<LateMotion> motions)
+      : source_(source), motions_(motions), size_(study.system().dimension()), balls_(study.parameters.balls) {
+    if (!source.make(study.sampling.seed, first, motions.size(), starts_)) return;
+    speed_place_ = source.last_task().speed_place();
+    psi_.assign(motions.size(), 0.0);
+    for (std::size_t i = 0; i < motions.size(); ++i) {
+      lookers_.emplace_back(study.parameters, motions[i]);
+      now_.push_back(starts_.begin(i, source.settled()));
+      motions[i].followed = !starts_.over.empty() && starts_.over[i] ? false : true;
+      motions[i].lost = motions[i].followed && starts_.is_over(i);
     }
-    return false;
-  });
-  motion.lost = status != IntegrationStatus::done;
-  looker.finish();
-}
+  }
 
-double machine_settled(const Study& study, const model::Drive& drive) {
-  const double begin = drive.pieces.back().begin;
-  return study.speed.driven() ? begin : std::max(begin, drive.release_time);
-}
+  void run(const LookTimes& times) {
+    for (const auto& [at, second] : sample_times(times)) {
+      const double time = source_.settled() + at;
+      go_to(time);
+      for (std::size_t i = 0; i < lookers_.size(); ++i)
+        if (under_way(i) && now_[i] == time) sample(i, second, time);
+    }
+    for (std::size_t i = 0; i < lookers_.size(); ++i)
+      if (motions_[i].followed) lookers_[i].finish();
+  }
+
+ private:
+  bool under_way(std::size_t i) const { return motions_[i].followed && !motions_[i].lost; }
+  double* state(std::size_t i) { return &starts_.states[i * size_]; }
+
+  void go_to(double time) {
+    LaneTask task = source_.last_task();
+    std::vector<std::size_t> places;
+    std::vector<double> states, begins;
+    for (std::size_t i = 0; i < lookers_.size(); ++i) {
+      if (!under_way(i) || !(now_[i] < time)) continue;
+      places.push_back(i);
+      states.insert(states.end(), state(i), state(i) + size_);
+      begins.push_back(now_[i]);
+    }
+    if (places.empty()) return;
+    task.end = time;
+    task.count = places.size();
+    task.states = states.data();
+    task.begins = begins.data();
+    std::vector<Fate> fates(places.size());
+    decide_lanes(task, rule_that_never_decides(balls_), fates, nullptr);
+    for (std::size_t k = 0; k < places.size(); ++k) {
+      const std::size_t i = places[k];
+      std::copy_n(&states[k * size_], size_, state(i));
+      motions_[i].lost = fates[k].outcome == Outcome::diverged || fates[k].outcome == Outcome::failed;
+      turn(i, time);
+    }
+  }
+
+  // The rotor's angle: as prescribed, part of the state, or by the mean of the speeds at both ends of a step between
+  // samples, in which the speed hardly changes.
+  void turn(std::size_t i, double time) {
+    const LaneTask task = source_.last_task();
+    if (speed_place_ < 0)
+      psi_[i] = task.segment.psi_at(time);
+    else if (task.psi_place() >= 0)
+      psi_[i] = state(i)[task.psi_place()];
+    else
+      psi_[i] += state(i)[speed_place_] * (time - now_[i]);
+    now_[i] = time;
+  }
+
+  void sample(std::size_t i, bool second, double time) { lookers_[i].sample(second, time, psi_[i], state(i)); }
+
+  const SpinUp& source_;
+  std::span<LateMotion> motions_;
+  SpunUp starts_;
+  std::vector<Looker> lookers_;
+  std::vector<double> now_, psi_;
+  std::size_t size_;
+  int balls_, speed_place_ = -1;
+};
 
 }  // namespace
 
-std::vector<LateMotion> follow_late(const Study& study, std::size_t count, const LookTimes& times, int threads) {
+std::vector<LateMotion> follow_late(const Study& study, std::uint64_t first, std::size_t count, const LookTimes& times,
+                                    int threads) {
   std::vector<LateMotion> motions(count);
+  const Study with_end = with_horizon(study);
+  const auto source = make_spin_up(with_end, nullptr);
   tbb::task_arena arena(threads);
-  if (!study.system().simple()) {
-    const model::Drive drive = study.drive();
-    const double settled = machine_settled(study, drive);
-    arena.execute([&] {
-      tbb::parallel_for(std::size_t{0}, count, [&](std::size_t i) {
-        const InitialState start = start_of(study, study.sampling.seed, i);
-        follow_machine(study, drive, start, times, settled, motions[i]);
-      });
-    });
-    return motions;
-  }
   constexpr std::size_t chunk = 32;  // fills the widest lanes four times
-  const StartSource source(study, nullptr);
   arena.execute([&] {
     tbb::parallel_for(std::size_t{0}, (count + chunk - 1) / chunk, [&](std::size_t k) {
-      follow_lanes(study, source, k * chunk, times, motions, std::min(chunk, count - k * chunk));
+      const std::size_t begin = k * chunk;
+      const std::span<LateMotion> part(&motions[begin], std::min(chunk, count - begin));
+      Followers(with_end, *source, first + begin, part).run(times);
     });
   });
   return motions;

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <array>
+#include <cstdint>
 #include <vector>
 
 #include "equipoise/study/study.hpp"
@@ -16,7 +17,8 @@ struct RadiusRange {
 
 /// One start. Two windows: the first begins halfway to the second.
 struct LateMotion {
-  bool lost = false;  ///< diverged or failed
+  bool followed = false;  ///< false if its balls are never let go: nothing else is known then
+  bool lost = false;      ///< diverged or failed
   RadiusRange before, after;
   std::array<double, model::max_balls> turned{};  ///< of each ball from the first window's begin to the second's end
   std::array<double, model::max_balls> swing{};   ///< largest less smallest ball angle within the second window
@@ -33,8 +35,9 @@ struct LookTimes {
   double span() const { return second + length - first; }
 };
 
-/// Starts 0 .. count - 1 of `study`, on `threads` threads.
-std::vector<LateMotion> follow_late(const Study& study, std::size_t count, const LookTimes& times, int threads);
+/// Starts first .. first + count - 1 of `study`, on `threads` threads.
+std::vector<LateMotion> follow_late(const Study& study, std::uint64_t first, std::size_t count, const LookTimes& times,
+                                    int threads);
 
 /// A window that holds many turns of whatever turns at the study's speeds.
 double window_length(const Study& study);

@@ -1,0 +1,31 @@
+// Many starts of a fixed list of machines, each followed long after it was decided.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "checks.hpp"
+
+namespace equipoise::audit {
+
+struct MachineAudit {
+  std::string label;
+  std::uint64_t starts = 0, decided = 0, wrong = 0;
+  double undecided_share = 0.0;
+  double usual = 0.0;   ///< nine in ten of the decided are decided after this time
+  double looked = 0.0;  ///< when they were looked at again
+  double seconds = 0.0;  ///< of CPU time
+  std::string first;    ///< what contradicts the first wrong one; empty if there is none
+};
+
+/// How many machines there are.
+std::size_t machine_count();
+/// Decides `starts` starts of machine k and follows every one of them, with nothing that decides, to at least
+/// settings.longer times the time by which nine in ten were decided.
+MachineAudit audit_machine(std::size_t k, std::uint64_t starts, const Settings& settings);
+
+std::string machine_head();
+std::string machine_line(const MachineAudit& audit);
+
+}  // namespace equipoise::audit
