@@ -30,13 +30,14 @@ class MachineTrajectory {
   static constexpr int dimension = model::machine_dimension(room);  // the largest size
   using Scale = ErrorScale<dimension>;
 
-  // `z`: dimension(n) numbers at t = 0 (model/parameters.hpp).
-  MachineTrajectory(const model::Parameters& p, const model::Drive& drive, const Scale& scale, const double* z)
+  // `z`: dimension(n) numbers at t = 0 (model/parameters.hpp). `error`: the integral of the speed error there.
+  MachineTrajectory(const model::Parameters& p, const model::Drive& drive, const Scale& scale, const double* z,
+                    double error = 0.0)
       : n(p.balls), p_(p), drive_(drive), scale_(scale), flow_(p), contacts_(p) {
     std::copy(z, z + model::dimension(n), state_.begin());
     state_[model::machine_index::psi(n)] = drive.psi;
     state_[model::machine_index::speed(n)] = drive.speed;
-    state_[model::machine_index::error_integral(n)] = 0.0;
+    state_[model::machine_index::error_integral(n)] = error;
     enter_piece();
     contacts_.begin(state_.data(), flow_);
     const double speed = drive.speed;
@@ -45,7 +46,7 @@ class MachineTrajectory {
     if (clamped_)
       std::fill_n(flow_.held, n, true);
     else
-      let_go();
+      begin_free();
   }
 
   double time() const { return t_; }
@@ -55,6 +56,10 @@ class MachineTrajectory {
   double released() const { return released_; }
   // Events that changed what the balls do, release included.
   long events() const { return events_; }
+  // The equations of the present step, and with them what each ball does.
+  const MachineFlow<room>& flow() const { return flow_; }
+  // Of the ball in place k around the race and the next one, the angle between them beyond touching.
+  double gap(int k) const { return contacts_.gap(k, state_.data(), flow_); }
 
   // Past the end of a piece of the drive, if the time is there: psi' may jump.
   void enter() {
@@ -110,6 +115,12 @@ class MachineTrajectory {
     clamped_ = false;
     ++events_;
     let_go();
+  }
+
+  // Balls that touch at the same rate press on each other or part.
+  void begin_free() {
+    let_go();
+    if (p_.balls_collide()) contacts_.pass(t_, {}, state_.data(), flow_);
   }
 
   void let_go() {

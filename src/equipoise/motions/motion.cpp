@@ -17,6 +17,7 @@
 #include "equipoise/math/dense.hpp"
 #include "equipoise/model/balanced_state.hpp"
 #include "equipoise/model/linearisation.hpp"
+#include "equipoise/motions/event_motion.hpp"
 #include "equipoise/motions/motion_description.hpp"
 #include "equipoise/motions/motion_statistics.hpp"
 #include "equipoise/motions/motion_symmetry.hpp"
@@ -380,6 +381,7 @@ KnownOrbit known_orbit(const model::System& system, const Motion& motion) {
 
 Settling settle(const model::System& system, const Eigen::VectorXd& state, double patience,
                 const std::vector<KnownOrbit>& known, const StopFlag* stop) {
+  if (!system.smooth()) return settle_with_events(system, state, patience, stop);
   return Journey(system, state, patience, known, stop).settle();
 }
 
