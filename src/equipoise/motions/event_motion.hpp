@@ -17,6 +17,9 @@ namespace equipoise {
 Settling settle_with_events(const model::System& system, const Eigen::VectorXd& state, double patience,
                             const StopFlag* stop);
 
+/// Whether no balls touch on a motion that is one of the system without contact.
+bool stays_clear(const model::System& system, const Motion& motion);
+
 /// The same system with balls that pass each other and do not stick.
 model::System without_events(const model::System& system);
 

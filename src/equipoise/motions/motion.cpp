@@ -23,6 +23,7 @@
 #include "equipoise/motions/motion_symmetry.hpp"
 #include "equipoise/motions/nearest_balanced.hpp"
 #include "equipoise/motions/settling.hpp"
+#include "equipoise/orbits/balanced_continuum.hpp"
 #include "equipoise/orbits/recurrence.hpp"
 #include "equipoise/orbits/stroboscopic.hpp"
 
@@ -84,6 +85,7 @@ class Journey {
   bool approaches(double rate, const Distance& distance);
   std::optional<Motion> rest();
   std::optional<Motion> continuum();
+  std::optional<Motion> creep() const;
   std::optional<Motion> recurrence();
   std::optional<Motion> persistence();
   std::optional<PeriodicOrbit> orbit_of(const Return& now);
@@ -189,6 +191,15 @@ std::optional<Motion> Journey::continuum() {
   return describe(system_, *end);
 }
 
+// Near what gravity leaves of a continuum of balanced states, and on its way along it.
+std::optional<Motion> Journey::creep() const {
+  if (!strobed() || p_.gravity == 0.0 || p_.balls <= 2 || !BalancedContinuum::is_of(system_)) return std::nullopt;
+  const auto member = BalancedContinuum(system_).destination(state_);
+  if (!member || !(member->rate < 0.0) || !(difference_.distance(state_, member->centre) < reached))
+    return std::nullopt;
+  return describe_creep(system_, member->centre, member->rate);
+}
+
 std::optional<Motion> Journey::rest() {
   // Faster than this no equilibrium is near: it swings at a rate of order one, so it would be as far away.
   Eigen::VectorXd rate = model::rate(system_, state_);
@@ -196,7 +207,7 @@ std::optional<Motion> Journey::rest() {
   if (!strobed() && difference_.length(rate) > in_reach) return std::nullopt;
   if (model::balanced_freedom(system_) > 0)
     if (auto motion = continuum()) return motion;
-  if (strobed()) return std::nullopt;  // what rests comes back after every strobe
+  if (strobed()) return creep();  // what rests else comes back after every strobe
   if (system_.psi_place() >= 0 && std::fabs(system_.speed(state_)) > in_reach) return std::nullopt;  // after every turn
   const auto equilibrium = refine_equilibrium(system_, state_);
   if (!equilibrium || !attracts(equilibrium->eigenvalues, 0)) return std::nullopt;

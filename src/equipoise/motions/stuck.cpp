@@ -6,6 +6,7 @@
 #include <cmath>
 #include <complex>
 
+#include "equipoise/base/angles.hpp"
 #include "equipoise/math/dense.hpp"
 #include "equipoise/math/lyapunov.hpp"
 #include "equipoise/model/strobe.hpp"
@@ -47,16 +48,13 @@ class PrescribedEnd {
   double r_mean() const { return std::abs(with_); }
   double waver() const { return std::abs(against_); }
 
-  // No ball is torn off though the forces on it waver by what gravity and unequal supports make of them, and by `more`
-  // accelerations besides.
+  // No ball is torn off at any angle of the rotor, though the race accelerates by up to `more` besides.
   bool holds_all(const Eigen::VectorXd& y, double more) const {
-    const double waver = w_ * w_ * std::abs(against_) + p_.gravity + more;
-    const Complex race = -w_ * w_ * (with_ + Complex(p_.race_offset[0], p_.race_offset[1]));
-    for (int i = 0; i < p_.balls; ++i) {
-      const Complex along = race * std::polar(1.0, -y[model::index::phi(i)]);
-      const double normal = std::fabs(w_ * w_ - along.real()) - waver;
-      if (!(std::fabs(along.imag()) + waver <= p_.stiction[i] * normal)) return false;
-    }
+    const double counter = w_ * w_ * std::abs(against_);
+    const int looks = counter + p_.gravity > 0.0 ? 128 : 1;
+    more += (2.0 * counter + p_.gravity) * pi / looks;  // the most that changes between two looks
+    for (int k = 0; k < looks; ++k)
+      if (!holds_all(y, more, two_pi * k / looks)) return false;
     return true;
   }
 
@@ -84,6 +82,18 @@ class PrescribedEnd {
   }
 
  private:
+  bool holds_all(const Eigen::VectorXd& y, double more, double psi) const {
+    const Complex back = std::polar(1.0, -psi), weight = Complex(0.0, p_.gravity) * back;
+    const Complex offset(p_.race_offset[0], p_.race_offset[1]);
+    const Complex race = weight - w_ * w_ * (with_ + against_ * back * back + offset);
+    for (int i = 0; i < p_.balls; ++i) {
+      const Complex along = race * std::polar(1.0, -y[model::index::phi(i)]);
+      const double normal = std::fabs(w_ * w_ - along.real()) - more;
+      if (!(std::fabs(along.imag()) + more <= p_.stiction[i] * normal)) return false;
+    }
+    return true;
+  }
+
   const model::Parameters& p_;
   double w_, mass_;
   Complex with_, against_;  // parts that turn with the rotor and against it
