@@ -13,6 +13,7 @@ equipoise_test(report_test unit unit/report_test.cpp LIBRARIES nlohmann_json::nl
 equipoise_test(window_test unit unit/window_test.cpp)
 equipoise_test(pilot_test unit unit/pilot_test.cpp)
 equipoise_test(smooth_lanes_test equivalence equivalence/smooth_lanes_test.cpp)
+equipoise_test(hybrid_lanes_test equivalence equivalence/hybrid_lanes_test.cpp)
 equipoise_test(smooth_fates_test equivalence equivalence/smooth_fates_test.cpp)
 equipoise_test(basin_test equivalence equivalence/basin_test.cpp equivalence/basin_sampling_test.cpp equivalence/full_state_test.cpp)
 equipoise_test(decisions_test equivalence equivalence/decisions_test.cpp)

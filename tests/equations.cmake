@@ -10,6 +10,9 @@ equipoise_test(energy_balance_test equivalence
 equipoise_test(force_balance_test equivalence
   equivalence/force_balance_test.cpp equivalence/lagrangian.cpp
   LIBRARIES SUNDIALS::arkode_shared SUNDIALS::nvecserial_shared rapidcheck rapidcheck_gtest)
+equipoise_test(hybrid_sundials_test equivalence
+  equivalence/hybrid_sundials_test.cpp equivalence/lagrangian.cpp
+  LIBRARIES SUNDIALS::arkode_shared SUNDIALS::nvecserial_shared)
 equipoise_test(linearisation_test unit unit/linearisation_test.cpp)
 equipoise_test(system_test unit unit/system_test.cpp)
 equipoise_test(balanced_state_test unit unit/balanced_state_test.cpp)

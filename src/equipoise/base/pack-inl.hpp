@@ -54,6 +54,18 @@ struct Pack {
   friend HWY_INLINE Mask operator<=(Pack a, Pack b) { return {hn::Le(a.v, b.v)}; }
 };
 
+// What comparing two of a number type answers.
+template <class T>
+struct MaskOfType {
+  using type = bool;
+};
+template <>
+struct MaskOfType<Pack> {
+  using type = Mask;
+};
+template <class T>
+using MaskOf = typename MaskOfType<T>::type;
+
 HWY_INLINE Pack multiply_add(Pack a, Pack b, Pack c) { return Pack(hn::MulAdd(a.v, b.v, c.v)); }
 HWY_INLINE Pack negative_multiply_add(Pack a, Pack b, Pack c) { return Pack(hn::NegMulAdd(a.v, b.v, c.v)); }
 HWY_INLINE Pack square_root(Pack a) { return Pack(hn::Sqrt(a.v)); }
@@ -67,6 +79,11 @@ HWY_INLINE Pack gather(const double* base, Pack index) {
   const PackTag d;
   const hn::RebindToSigned<PackTag> di;
   return Pack(hn::GatherIndex(d, base, hn::ConvertTo(di, index.v)));
+}
+// The mask with these bits, one a lane.
+HWY_INLINE Mask mask_of(unsigned bits) {
+  const std::uint8_t bytes[8] = {static_cast<std::uint8_t>(bits)};
+  return {hn::LoadMaskBits(PackTag(), bytes)};
 }
 HWY_INLINE bool any(Mask m) { return !hn::AllFalse(PackTag(), m.m); }
 
@@ -122,6 +139,8 @@ HWY_INLINE double square_root(double a) { return std::sqrt(a); }
 HWY_INLINE double minimum(double a, double b) { return b < a ? b : a; }
 HWY_INLINE double maximum(double a, double b) { return a < b ? b : a; }
 HWY_INLINE double absolute(double a) { return std::fabs(a); }
+HWY_INLINE double select(bool m, double yes, double no) { return m ? yes : no; }
+HWY_INLINE bool any(bool m) { return m; }
 HWY_INLINE double nearest_integer(double a) { return std::nearbyint(a); }
 HWY_INLINE double gather(const double* base, double index) { return base[static_cast<std::ptrdiff_t>(index)]; }
 HWY_INLINE void sin_cos(double a, double& sine, double& cosine) {

@@ -35,7 +35,7 @@ namespace HWY_NAMESPACE {
 template <int room, int groups, LaneKind kind = LaneKind::plain>
 class DecideFate {
  public:
-  static constexpr bool angle_known = kind != LaneKind::plain, smooth = kind == LaneKind::smooth;
+  static constexpr bool angle_known = kind != LaneKind::plain, smooth = kind >= LaneKind::smooth;
   static constexpr int dimension = model::dimension(room) + (smooth ? 3 : 0);  // the largest size
   static constexpr int lanes = static_cast<int>(pack_lanes);
 

@@ -47,6 +47,10 @@ class FollowOn {
     return HWY_UNLIKELY(watch_) ? leaving(g, full & decided_[g], fresh, t) : fresh;
   }
 
+  void corner(int slot, double t, const double* z) {
+    if (watch_) watch_->corner(slot, t, z);
+  }
+
   void end(int slot, std::size_t start, LaneEnd how, double t, const double* z) {
     if (watch_) watch_->end(slot, start, how, t);
     if (decided_[slot / lanes] & bit(slot))

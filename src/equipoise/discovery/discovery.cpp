@@ -47,9 +47,6 @@ constexpr std::size_t most_groups = 24;
 // take longer than starts do that have to come into the narrow one.
 constexpr double slowest_worth_widening = 1e-3;
 
-// A rotor that turns thirty times as fast as it resonates, and which no motor holds, does not come back.
-constexpr double out_of_reach = 30.0;
-
 // Boxes around what a motion does, widened by so many times its range: a wide one is entered sooner, and the audit
 // makes it ask for more hits. Whichever is satisfied first decides.
 constexpr std::array box_widths{1.0, 2.0, 4.0};
@@ -67,7 +64,7 @@ DecisionRule first_rule(const Study& study, const BalancedAnalysis& balanced, co
   rule.window = std::max(16.0, 32.0 / std::max(std::fabs(system.pace()), 0.1));
   rule.sag = model::static_sag(study.parameters);
   if (system.section() == model::Section::strobe) rule.window = whole_strobes(rule.window, system.strobe_period());
-  if (system.runs_away(rule.fastest)) rule.fastest = out_of_reach;
+  if (system.runs_away(rule.fastest)) rule.fastest = model::out_of_reach;
   rule.first_long_window = std::max(100.0, 6.0 * rule.window);
   if (balanced.slowest_rate < 0.0) {
     // Long enough that whatever is only on its slow way to balance shrinks visibly from one window to the next.

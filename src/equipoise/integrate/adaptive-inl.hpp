@@ -59,8 +59,7 @@ class AdaptiveIntegrator {
   // `done`, once `stop` is set. If observe answers a time before t_new, integration ends there: with a step of that
   // length, not with the dense output, so that what follows starts as accurately as every other step ends.
   template <class Observe>
-  IntegrationStatus advance(double begin, double end, double* y, Observe&& observe,
-                            const StopFlag* stop = nullptr) {
+  IntegrationStatus advance(double begin, double end, double* y, Observe&& observe, const StopFlag* stop = nullptr) {
     double t = begin, previous_error = 1.0;
     reached_ = begin;
     double h = first_step(begin, end, y);
@@ -141,12 +140,7 @@ class AdaptiveIntegrator {
     }
 
     void prepare() {
-      double stage[dimension];
-      for (int row = 13; row < dop853::tableau::dense_stages; ++row) {
-        dop853::stage_state(row, h, y, owner.k_, stage, owner.size_);
-        owner.system_(t + dop853::tableau::c[row] * h, static_cast<const double*>(stage), owner.k_[row]);
-      }
-      dop853::dense_coefficients<double, dimension>(h, y, y_new, owner.k_, rows, owner.size_);
+      dop853::prepare_dense<double, dimension>(owner.system_, t, h, y, y_new, owner.k_, rows, owner.size_);
       ready = true;
     }
   };

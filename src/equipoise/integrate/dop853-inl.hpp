@@ -177,6 +177,18 @@ HWY_INLINE void dense_coefficients(const T& h, const T* y, const T* end, const T
   }
 }
 
+// The same of a step from (t, y) whose stages 0 to 12 are there: evaluates the others.
+template <class T, int room, class System, class Size = Full<room>>
+HWY_INLINE void prepare_dense(const System& f, const T& t, const T& h, const T* y, const T* end, T (*k)[room],
+                              T (*rows)[room], Size size = {}) {
+  T state[room];
+  for (int row = tableau::stages + 1; row < tableau::dense_stages; ++row) {
+    stage_state<T, room>(row, h, y, k, state, size);
+    f(t + T(tableau::c[row]) * h, static_cast<const T*>(state), k[row]);
+  }
+  dense_coefficients<T, room>(h, y, end, k, rows, size);
+}
+
 // The state at the fraction `s` of the step, 0 <= s <= 1.
 template <class T, int room, class Size = Full<room>>
 HWY_INLINE void dense_state(const T& s, const T* y, const T (*rows)[room], T* out, Size size = {}) {

@@ -18,6 +18,7 @@
 #include "equipoise/lanes/watch_radius-inl.hpp"
 #include "equipoise/model/ball_count.hpp"
 #include "equipoise/model/flow-inl.hpp"
+#include "equipoise/model/hybrid_flow-inl.hpp"
 #include "equipoise/model/smooth_flow-inl.hpp"
 #include "equipoise/transients/watch_transients-inl.hpp"
 
@@ -28,7 +29,7 @@ namespace HWY_NAMESPACE {
 // Groups of lanes taken in turn. Eight lanes and 32 registers (AVX-512) profit from three for up to two balls; narrower
 // registers, more balls or the longer equations of smooth systems keep the processor busy with one.
 template <int room, LaneKind kind = LaneKind::plain>
-inline constexpr int lane_groups = room <= 2 && pack_lanes == 8 && kind != LaneKind::smooth ? most_lane_groups : 1;
+inline constexpr int lane_groups = room <= 2 && pack_lanes == 8 && kind < LaneKind::smooth ? most_lane_groups : 1;
 
 // Records trajectories that are lost on the way; the others simply arrive.
 class WatchForLoss : public NoObserver {
@@ -72,6 +73,8 @@ template <int room, LaneKind kind, bool acceleration>
 auto flow_of(const LaneTask& task) {
   if constexpr (kind == LaneKind::smooth)
     return SmoothFlow<Pack, room>(*task.system, task.segment);
+  else if constexpr (kind == LaneKind::hybrid)
+    return HybridFlow<Pack, room>(*task.system, task.segment);
   else
     return FreeFlow<Pack, room, terms_of(kind, acceleration)>(*task.parameters, task.segment);
 }
@@ -108,9 +111,11 @@ template <LaneKind kind>
 bool run_job(const LaneJob& job) {
   const int balls = job.task.parameters->balls;
   // Deciding takes most of the time: unrolled for five and six balls too, evaluations take 22 and 9 % less.
-  constexpr int most = kind == LaneKind::smooth ? 4 : 6;
+  constexpr int most = kind == LaneKind::hybrid ? 0 : kind == LaneKind::smooth ? 4 : 6;
   if (job.rule) return model::with_ball_count<most>(balls, [&](auto room) { return decide_balls<room, kind>(job); });
-  return model::with_ball_count(balls, [&](auto room) { return advance_balls<room, kind>(job); });
+  return model::with_ball_count < most < 4 ? most
+                                           : 4 > (
+                                                     balls, [&](auto room) { return advance_balls<room, kind>(job); });
 }
 
 }  // namespace HWY_NAMESPACE

@@ -68,6 +68,8 @@ bool run_lanes(const LaneJob& job) {
   switch (job.task.kind()) {
     case LaneKind::smooth:
       return run_smooth_lanes(job);
+    case LaneKind::hybrid:
+      return run_hybrid_lanes(job);
     case LaneKind::turning:
       return run_general_lanes(job);
     default:

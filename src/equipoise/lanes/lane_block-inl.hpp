@@ -18,6 +18,7 @@
 
 #include "equipoise/integrate/dop853-inl.hpp"
 #include "equipoise/integrate/status.hpp"
+#include "equipoise/lanes/lane_events-inl.hpp"
 #include "equipoise/lanes/lane_task.hpp"
 #include "equipoise/lanes/step_control-inl.hpp"
 
@@ -30,11 +31,13 @@ namespace HWY_NAMESPACE {
 //   stage(row, group, z)       state at stage `row` of the step being tried
 //   step(group, active, accepted, t, h, z) -> bits of lanes to end now, called after every step tried; t, z: where it
 //                              leads; active: bits of lanes that hold a trajectory
+//   corner(slot, t, z)         an event has happened to lane `slot`: its state jumps to z, or what acts on it
 //   end(slot, start, how, t, z)    trajectory leaves
 struct NoObserver {
   void begin(int, std::size_t, double, const double*) {}
   HWY_INLINE void stage(int, int, const Pack*) {}
   HWY_INLINE unsigned step(int, unsigned, Mask, Pack, Pack, const Pack*) { return 0; }
+  void corner(int, double, const double*) {}
   void end(int, std::size_t, LaneEnd, double, const double*) {}
 };
 
@@ -44,9 +47,16 @@ class LaneBlock {
   static constexpr int dimension = Flow::dimension;  // the largest size
   static constexpr int lanes = static_cast<int>(pack_lanes);
   static constexpr int slots = groups * lanes;
+  using Events = LaneEvents<std::remove_const_t<Flow>>;
+  static_assert(groups == 1 || !Events::happen);
 
   LaneBlock(const LaneTask& task, const Flow& flow, Observer& observer)
-      : task_(task), flow_(flow), observer_(observer), size_(flow.size()), end_(task.end) {
+      : task_(task),
+        events_(task, flow),
+        flow_(events_.bind(flow)),
+        observer_(observer),
+        size_(flow.size()),
+        end_(task.end) {
     for (int i = 0; i < size_; ++i)
       inverse_scale_[i] = Pack(1.0 / (task.tolerance * lane_error_scale(*task.parameters, i)));
   }
@@ -74,6 +84,7 @@ class LaneBlock {
     if (task_.work) {
       task_.work->steps += work_.steps;
       task_.work->accepted += work_.accepted;
+      if constexpr (Events::happen) task_.work->events += events_.passed();
     }
     return true;
   }
@@ -105,6 +116,7 @@ class LaneBlock {
 
   // One step tried in every lane.
   HWY_INLINE void advance(const Flow& flow) {
+    if constexpr (Events::happen) events_.begin_step();
     for (int g = 0; g < groups; ++g) step_[g] = minimum(h_[g], end_ - t_[g]);
 #pragma GCC unroll 1
     for (int row = 1; row < dop853::tableau::stages; ++row)
@@ -113,7 +125,7 @@ class LaneBlock {
         Pack z[dimension];
         with_size([&](auto size) HWY_ATTR { dop853::stage_state(row, step_[g], y_[g], k_[g], z, size); });
         observer_.stage(row, g, z);
-        flow(multiply_add(Pack(dop853::tableau::c[row]), step_[g], t_[g]), z, k_[g][row]);
+        rates(flow, multiply_add(Pack(dop853::tableau::c[row]), step_[g], t_[g]), z, k_[g][row]);
       }
 #pragma GCC unroll 1
     for (int g = 0; g < groups; ++g) finish_step(flow, g);
@@ -123,11 +135,16 @@ class LaneBlock {
     Pack z[dimension], error5[dimension], error3[dimension], k_end[dimension];
     with_size([&](auto size) HWY_ATTR { dop853::step_end(step_[g], y_[g], k_[g], z, error5, error3, size); });
     const Pack error2 = dop853::squared_error<Pack, dimension>(step_[g], error5, error3, inverse_scale_, size_);
-    const Mask accepted = error2 <= Pack(1.0);  // false for not-a-number
+    Mask accepted = error2 <= Pack(1.0);  // false for not-a-number
     // The last step lands on the end exactly.
     const Pack t_try = t_[g] + step_[g];
     const Pack t_new = select(end_ - t_[g] <= h_[g], end_, t_try);
-    flow(t_new, z, k_end);
+    rates(flow, t_new, z, k_end);
+    unsigned interrupted = 0;
+    if constexpr (Events::happen) {
+      interrupted = events_.look(active_[g] & lane_bits(accepted), {t_new, step_[g], y_[g], z, k_[g], k_end});
+      accepted = accepted & mask_of(~interrupted);
+    }
     const unsigned decided = observer_.step(g, active_[g], accepted, t_new, step_[g], z);
 
     const StepChange change = step_change(error2, log_error_[g]);
@@ -148,9 +165,39 @@ class LaneBlock {
     work_.accepted += static_cast<unsigned>(std::popcount(active_[g] & accepted_bits));
     const unsigned reached = accepted_bits & ~lane_bits(t_[g] < end_);
     const unsigned diverged = accepted_bits & ~lane_bits(bounded);
-    const unsigned failed = ~lane_bits(moving);
+    unsigned failed = ~lane_bits(moving);
+    if constexpr (Events::happen)
+      if (interrupted | events_.ready()) failed |= pass_events(g, interrupted);
     const unsigned leaving = (decided | reached | diverged | failed) & active_[g];
     if (leaving) replace(g, leaving, decided, diverged, reached);
+  }
+
+  HWY_INLINE void rates(const Flow& flow, const Pack& t, const Pack* z, Pack* dz) {
+    if constexpr (Events::happen)
+      flow(t, z, dz, events_.margin());
+    else
+      flow(t, z, dz);
+  }
+
+  // Lets lanes whose step was interrupted repeat it, and passes the events of those that stand at one. Bits of lanes
+  // whose events come to no end.
+  HWY_NOINLINE unsigned pass_events(int g, unsigned interrupted) {
+    unsigned failed = 0;
+    for (int lane = 0; lane < lanes; ++lane) {
+      const unsigned bit = 1u << lane;
+      if (interrupted & bit) element(h_[g], lane) = events_.step(lane);
+      if (!(events_.ready() & bit)) continue;
+      double z[dimension];
+      for (int i = 0; i < size_; ++i) z[i] = element(y_[g][i], lane);
+      const double t = element(t_[g], lane);
+      if (!events_.pass(lane, t, z)) failed |= bit;
+      for (int i = 0; i < size_; ++i) element(y_[g][i], lane) = z[i];
+      element(h_[g], lane) = events_.step_after(lane);
+      element(log_error_[g], lane) = 0.0;
+      observer_.corner(g * lanes + lane, t, z);
+    }
+    if (events_.ready()) start_rates(g, events_.ready());
+    return failed;
   }
 
   // Ends the trajectories in the `leaving` lanes of group g and refills them.
@@ -184,9 +231,10 @@ class LaneBlock {
       return 0;
     }
     const std::size_t start = next_++;
-    const double* row = task_.states + start * static_cast<std::size_t>(size_);
-    for (int i = 0; i < size_; ++i) element(y_[g][i], lane) = row[i];
+    double* row = task_.states + start * static_cast<std::size_t>(size_);
     const double begin = task_.begins ? task_.begins[start] : task_.segment.begin;
+    if constexpr (Events::happen) events_.enter(lane, begin, row);
+    for (int i = 0; i < size_; ++i) element(y_[g][i], lane) = row[i];
     element(t_[g], lane) = begin;
     element(h_[g], lane) = first_step(begin, row);
     element(log_error_[g], lane) = 0.0;
@@ -208,8 +256,8 @@ class LaneBlock {
     return step < span ? step : span;
   }
 
-  // f at the states of the lanes just filled. Lanes under way keep theirs: the compiler may round this copy of the
-  // equations differently, and a trajectory must not feel when its neighbours are replaced.
+  // f at the states of the lanes just filled, or after an event. Lanes under way keep theirs: the compiler may round
+  // this copy of the equations differently, and a trajectory must not feel when its neighbours are replaced.
   HWY_NOINLINE void start_rates(int g, unsigned filled) {
     Pack k_start[dimension];
     flow_(t_[g], y_[g], k_start);
@@ -221,6 +269,7 @@ class LaneBlock {
   static double& element(Pack& p, int lane) { return reinterpret_cast<double*>(&p)[lane]; }
 
   const LaneTask& task_;
+  [[no_unique_address]] Events events_;
   const Flow flow_;
   Observer& observer_;
   const Size size_;

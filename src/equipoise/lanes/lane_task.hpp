@@ -5,6 +5,7 @@
 #include <cstdint>
 
 #include "equipoise/base/stop_flag.hpp"
+#include "equipoise/model/held_state.hpp"
 #include "equipoise/model/parameters.hpp"
 #include "equipoise/model/speed.hpp"
 #include "equipoise/model/strobe.hpp"
@@ -19,14 +20,16 @@ struct TransientTable;
 struct LaneWork {
   std::uint64_t steps = 0;     ///< tried
   std::uint64_t accepted = 0;  ///< of these
+  std::uint64_t events = 0;    ///< impacts, starts and stops of balls, and partings
 
   /// Evaluations of the equations: 12 for every step tried, one where a trajectory begins.
   std::uint64_t evaluations(std::uint64_t trajectories) const { return 12 * steps + trajectories; }
 };
 
 /// Which equations a task needs: those of a centred race at a prescribed speed, without and with anisotropic supports,
-/// gravity and balls that roll, or those of any smooth system.
-enum class LaneKind { plain, turning, smooth };
+/// gravity and balls that roll, those of any smooth system, or those of any with contact or dry friction, hybrid:
+/// smooth between events.
+enum class LaneKind { plain, turning, smooth, hybrid };
 
 /// Trajectories from segment.begin to `end`. A trajectory's result depends on its own initial state and on nothing else
 /// here: not on its place, its neighbours or `count`.
@@ -39,44 +42,42 @@ struct LaneTask {
   double* states = nullptr;  ///< count rows of dimension() numbers; states at their beginnings in, final states out
   const StopFlag* stop = nullptr;
   LaneWork* work = nullptr;  ///< if given, the work done is added to it
-  /// Of what is not plain (model/system.hpp): its equations over the piece of its drive that it holds, which `segment`
+  /// Of what is not simple (model/system.hpp): its equations over the piece of its drive that it holds, which `segment`
   /// repeats in so far as it is prescribed. Else null: the segment says how the rotor turns.
   const model::System* system = nullptr;
   /// When each trajectory begins; null: all with the segment. Those of a motor's release may differ.
   const double* begins = nullptr;
-  bool held = false;  ///< of a driven rotor: its balls are held; states are those of lanes/held_state.hpp
+  bool held = false;  ///< of a driven rotor: its balls are held; states are those of model/held_state.hpp
   // What is gathered on the way, if given; one of the two at most.
   TransientTable* transients = nullptr;  ///< one row a trajectory; what is decided is followed on until its end is seen
   const RadiusWindows* radius = nullptr;  ///< how far the centre of the race was out
 
   bool watched() const { return transients || radius; }
   LaneKind kind() const {
-    if (system) return LaneKind::smooth;
+    if (system) return system->smooth() ? LaneKind::smooth : LaneKind::hybrid;
     return model::is_strobed(*parameters) || parameters->rolls ? LaneKind::turning : LaneKind::plain;
   }
   /// Of a state.
   int dimension() const {
-    const int plain = model::dimension(held ? 1 : parameters->balls);
-    return plain + (system ? system->dimension() - model::dimension(parameters->balls) : 0);
+    if (!system) return model::dimension(parameters->balls);
+    return held ? model::held_dimension(*system) : system->dimension();
   }
   /// Places in a state, -1 for what is no part of it.
-  int psi_place() const { return place_of(system ? system->psi_place() : -1); }
-  int speed_place() const { return place_of(system ? system->speed_place() : -1); }
-  int error_place() const { return place_of(system ? system->error_place() : -1); }
-
- private:
-  int place_of(int place) const {
-    return place < 0 || !held ? place : place + model::dimension(1) - model::dimension(parameters->balls);
+  model::DrivePlaces places() const {
+    if (!system) return {};
+    return held ? model::held_places(*system) : system->places();
   }
+  int psi_place() const { return places().psi; }
+  int speed_place() const { return places().speed; }
 };
 
-/// Trajectories of any smooth system in the last piece of its drive, from time 0 on; where psi is prescribed it is
+/// Trajectories of any system in the last piece of its drive, from time 0 on; where psi is prescribed it is
 /// `psi` there. The system must outlive the task.
 inline LaneTask lane_task(const model::System& system, double psi = 0.0) {
   LaneTask task;
   task.parameters = &system.parameters();
   task.segment = {0.0, 1e300, psi, system.drive().speed, 0.0, false};
-  if (!system.plain()) task.system = &system;
+  if (!system.simple()) task.system = &system;
   return task;
 }
 

@@ -40,6 +40,8 @@ class LaneWatch {
   virtual void begin(int slot, std::size_t start, double t, const double* z) = 0;
   // Bits of the lanes whose window has just ended.
   virtual unsigned step(const TriedStep& step) = 0;
+  // The state jumps to z, or what acts on it.
+  virtual void corner(int slot, double t, const double* z) = 0;
   virtual void end(int slot, std::size_t start, LaneEnd how, double t) = 0;
   // Begins the windows of a lane anew at `t`: what went before is not of its trajectory's end.
   virtual void restart(int slot, double t) = 0;

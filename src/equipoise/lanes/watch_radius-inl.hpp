@@ -57,10 +57,14 @@ class WatchRadius final : public LaneWatch {
     // A trajectory that enters on the edge of two windows belongs to the later.
     window_[slot] = static_cast<std::size_t>(t / record_.width);
     while (edge(slot) <= t) ++window_[slot];
+    corner(slot, t, z);
+    raise(slot, value_[slot]);
+  }
+
+  void corner(int slot, double t, const double* z) override {
     t_[slot] = t;
     value_[slot] = z[model::index::x] * z[model::index::x] + z[model::index::y] * z[model::index::y];
     slope_[slot] = 2.0 * (z[model::index::x] * z[model::index::u] + z[model::index::y] * z[model::index::v]);
-    raise(slot, value_[slot]);
   }
 
   unsigned step(const TriedStep& step) override {

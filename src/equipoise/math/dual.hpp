@@ -32,6 +32,11 @@ struct Dual {
     const double inverse = 1.0 / b.value, quotient = a.value / b.value;
     return combine(quotient, [&](int k) { return (a.slope[k] - quotient * b.slope[k]) * inverse; });
   }
+  // By their values: which branch of the equations holds.
+  friend bool operator<(const Dual& a, const Dual& b) { return a.value < b.value; }
+  friend Dual select(bool m, const Dual& yes, const Dual& no) { return m ? yes : no; }
+  friend Dual absolute(const Dual& a) { return a.value < 0.0 ? -a : a; }
+  friend Dual minimum(const Dual& a, const Dual& b) { return b < a ? b : a; }
   friend Dual multiply_add(const Dual& a, const Dual& b, const Dual& c) { return a * b + c; }
   friend void sin_cos(const Dual& a, Dual& sine, Dual& cosine) {
     const double s = std::sin(a.value), c = std::cos(a.value);

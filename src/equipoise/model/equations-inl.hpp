@@ -9,6 +9,8 @@
 #define EQUIPOISE_MODEL_EQUATIONS_INL
 #endif
 
+#include <type_traits>
+
 #include "equipoise/base/pack-inl.hpp"
 #include "equipoise/model/ball_count.hpp"
 #include "equipoise/model/parameters.hpp"
@@ -61,12 +63,24 @@ struct Body {
   T mass, inertia;       // inertia: moment about O'
 };
 
+// What balls feel, each over its mass.
+template <class T, int room>
+struct BallForces {
+  T normal[room];      // by which it presses on the race, outward positive
+  T tangential[room];  // that would set it moving if it were at rest and alone
+  T push[room];        // by which those that it is joined with change its rate; 0 for all others
+};
+
 // What acts on the balls of a machine at one instant.
 template <class T, int room>
 struct BallActions {
-  bool held[room] = {};     // turns with the rotor: clamped, or at rest by stiction
-  T resistance[room] = {};  // rolling resistance over normal force, with the sign of the ball's rate
-  T push[room] = {};        // along phi_i, from other balls: mu_i phi_i'' for a ball alone; they sum to 0
+  MaskOf<T> held[room] = {};  // turns with the rotor: clamped, or at rest by stiction
+  T resistance[room] = {};    // rolling resistance over normal force, with the sign of the ball's rate
+  T push[room] = {};          // along phi_i, from other balls: mu_i phi_i'' for a ball alone; they sum to 0
+  // Of balls that touch and move as one; null: none do. Row i: of each ball of the group of ball i its share of the
+  // group's mass; of a ball by itself, 1 for itself.
+  const T (*together)[room] = nullptr;
+  BallForces<T, room>* forces = nullptr;  // receives what balls feel, if given
 };
 
 // What a body's equations are solved for besides rates.
@@ -160,14 +174,25 @@ class BallBalancer {
     return balance(without_solved(rotor, torque), body, &actions, torque, z, sums, dz);
   }
 
-  // The part of psi'' that a ball at rest in the race feels along it: its spin takes the other.
-  T lever(int i) const {
-    static_assert(terms.rolls);
-    return lever_[i];
-  }
-
  private:
   static constexpr int places = room > 0 ? room : 1;  // arrays are never empty
+  // What is done for one lane and not for another is done for both and told apart afterwards.
+  static constexpr bool masked = terms.actions && !std::is_same_v<MaskOf<T>, bool>;
+
+  static HWY_INLINE bool is_held(const BallActions<T, room>* actions, int i) {
+    if constexpr (terms.actions && !masked)
+      return actions->held[i];
+    else
+      return false;
+  }
+  // Nothing where a ball is held.
+  static HWY_INLINE T if_free([[maybe_unused]] const BallActions<T, room>* actions, [[maybe_unused]] int i,
+                              const T& v) {
+    if constexpr (masked)
+      return select(actions->held[i], T(0.0), v);
+    else
+      return v;
+  }
 
   // A ball into what slides and what is fixed to the race, which is made part of the rotor here. One that does not roll
   // slides as a whole; the numbers that say so are exact.
@@ -180,6 +205,8 @@ class BallBalancer {
     lag_[i] = share_ * lever_[i];
     const T fixed_mass = spin * sliding_mass_[i], surface = T(1.0) + radius;
     carried_[i] = fixed_mass * surface;
+    inertia_along_[i] = mu_[i] / share_;
+    sizes_differ_ = sizes_differ_ || (p.rolls && p.ball_radius[i] != p.ball_radius[0]);
     rotor_.mass = rotor_.mass + fixed_mass;
     rotor_.inertia = rotor_.inertia + carried_[i] * surface;
   }
@@ -202,6 +229,7 @@ class BallBalancer {
     T moment;            // about O', of balls and supports on the body
     Vector2<T> grip;     // sum of resistance times radial direction: what A takes from the moment
     Vector2<T> carried;  // unbalance of what free balls have fixed to the race
+    T joined_inertia;    // what joined balls of different size add to the body's
   };
 
   // M's inverse is times_divisor() over divisor(); where no ball is free M is the body's mass.
@@ -231,11 +259,13 @@ class BallBalancer {
     const Vector2<T> f = bearing_force(rotor, z);
     add_body(rotor, body, f, sums);
     for (int i = 0; i < n; ++i)
-      if (!terms.actions || !actions->held[i]) add_ball(i, rotor, z, sums);
+      if (masked || !terms.actions || !is_held(actions, i)) add_ball(i, rotor, actions, z, sums);
     const T& inertia_sum = terms.body ? sums.inertia_sum : inertia_sum_;
     Matrix2<T> m{inertia_sum - sums.inertia_y, sums.coupling, sums.coupling, sums.inertia_y};
     if constexpr (terms.actions)
       for (int i = 0; i < n; ++i) add_actions(i, rotor, *actions, z, sums, m);
+    if constexpr (terms.actions)
+      if (actions->together) join(rotor, *actions, z, sums, m);
     // Symmetric positive definite, but for rolling resistance. The solution is left as solved times inverse, so that
     // all that can be done without the quotient need not wait for it.
     const T inverse = T(1.0) / divisor(m);
@@ -246,7 +276,9 @@ class BallBalancer {
       const T along = along_race(inverse);
       for (int i = 0; i < n; ++i) ball_rates(i, a, z, sums, solved, along, dz);
       if constexpr (terms.actions)
-        for (int i = 0; i < n; ++i) act(i, rotor, *actions, result.race, z, sums, dz);
+        for (int i = 0; i < n; ++i) act(i, rotor, *actions, result, z, sums, dz);
+      if constexpr (terms.actions)
+        if (actions->together) move_together(*actions, dz);
       move_centre(rotor, z,
                   {result.race.x + w2 * offset_.x + a * offset_.y, result.race.y + w2 * offset_.y - a * offset_.x},
                   T(1.0), dz);
@@ -276,25 +308,31 @@ class BallBalancer {
   }
 
   // A free ball.
-  HWY_INLINE void add_ball(int i, const RotorMotion<T>& rotor, const T* z, Sums& sums) const {
+  HWY_INLINE void add_ball(int i, const RotorMotion<T>& rotor, const BallActions<T, room>* actions, const T* z,
+                           Sums& sums) const {
     const T q = z[4 + n + i];
     if constexpr (!terms.actions) sin_cos(z[4 + i], sums.s[i], sums.c[i]);
     const T s = sums.s[i], c = sums.c[i];
     const T total = rotor.speed + q;
-    const T centrifugal = mu_[i] * total * total;
-    const T mass_sine = sliding_mass(i) * s;
+    const T centrifugal = if_free(actions, i, mu_[i]) * total * total;
+    const T sliding = if_free(actions, i, sliding_mass(i));
+    const T mass_sine = sliding * s;
     const T drag = drag_force_[i] * q;
     T pull = drag;  // along the race
-    if constexpr (terms.rolls && terms.acceleration) pull = drag - carried_[i] * rotor.acceleration;
+    if constexpr (terms.rolls && terms.acceleration)
+      pull = drag - if_free(actions, i, carried_[i]) * rotor.acceleration;
     sums.force_x = sums.force_x + centrifugal * c - pull * s;
     const bool first = !terms.body && i == 0;
     sums.force_y = centrifugal * s + (first ? pull * c - sums.resisting_y : pull * c + sums.force_y);
     sums.inertia_y = sums.inertia_y + mass_sine * s;
     sums.coupling = sums.coupling + mass_sine * c;
     if constexpr (terms.body) {
-      sums.inertia_sum = sums.inertia_sum + sliding_mass(i);
+      sums.inertia_sum = sums.inertia_sum + sliding;
       sums.moment = sums.moment + at_lever(i, drag);
-      if constexpr (terms.rolls) sums.carried = {sums.carried.x + carried_[i] * c, sums.carried.y + carried_[i] * s};
+      if constexpr (terms.rolls) {
+        const T carried = if_free(actions, i, carried_[i]);
+        sums.carried = {sums.carried.x + carried * c, sums.carried.y + carried * s};
+      }
     }
   }
 
@@ -303,11 +341,13 @@ class BallBalancer {
     Body<T> body = rotor_;
     for (int i = 0; i < n; ++i) {
       sin_cos(z[4 + i], sums.s[i], sums.c[i]);
-      if (!actions.held[i]) continue;
-      body.unbalance.x = body.unbalance.x + mu_[i] * sums.c[i];
-      body.unbalance.y = body.unbalance.y + mu_[i] * sums.s[i];
-      body.mass = body.mass + sliding_mass(i);
-      body.inertia = body.inertia + at_lever(i, at_lever(i, sliding_mass(i)));
+      if (!any(actions.held[i])) continue;
+      const T mass = select(actions.held[i], mu_[i], T(0.0)),
+              sliding = select(actions.held[i], sliding_mass(i), T(0.0));
+      body.unbalance.x = body.unbalance.x + mass * sums.c[i];
+      body.unbalance.y = body.unbalance.y + mass * sums.s[i];
+      body.mass = body.mass + sliding;
+      body.inertia = body.inertia + at_lever(i, at_lever(i, sliding));
     }
     return body;
   }
@@ -350,6 +390,54 @@ class BallBalancer {
     if constexpr (terms.rolls) sums.moment = sums.moment + actions.push[i] * (T(1.0) - lag_[i]);
   }
 
+  // Balls joined to others push each other until their rates are equal: ball i feels mu_i d_i, where d_i is the mean of
+  // its group's q' without pushes, by mass, less its own. Those rates are rest + g A - lag psi''; what of d_i is known
+  // goes to the forces, what A and psi'' make of it to their factors.
+  HWY_INLINE void join(const RotorMotion<T>& rotor, const BallActions<T, room>& actions, const T* z, Sums& sums,
+                       Matrix2<T>& m) const {
+    T rest[places], gx[places], gy[places];
+    for (int i = 0; i < n; ++i) {
+      const T s = sums.s[i], c = sums.c[i], k = actions.resistance[i];
+      const T q = z[4 + n + i], total = rotor.speed + q;
+      rest[i] = along_race(actions.push[i] / mu_[i] - k * total * total) - beta_[i] * q - lag_[i] * rotor.acceleration;
+      gx[i] = along_race(s + k * c);
+      gy[i] = along_race(k * s - c);
+    }
+    for (int i = 0; i < n; ++i) {
+      const T* share = actions.together[i];
+      const T d = mean(share, rest) - rest[i], dx = mean(share, gx) - gx[i], dy = mean(share, gy) - gy[i];
+      const T mass_sine = mu_[i] * sums.s[i], mass_cosine = mu_[i] * sums.c[i];
+      sums.force_x = sums.force_x + mass_sine * d;
+      sums.force_y = sums.force_y - mass_cosine * d;
+      m.xx = m.xx - mass_sine * dx;
+      m.xy = m.xy - mass_sine * dy;
+      m.yx = m.yx + mass_cosine * dx;
+      m.yy = m.yy + mass_cosine * dy;
+      if (!sizes_differ_) continue;
+      // Their spins take part of what they are pushed by, and the rotor feels the difference.
+      const T lag = mean(share, lag_) - lag_[i], spin = inertia_along_[i] * (T(1.0) - lag_[i]);
+      sums.moment = sums.moment + spin * d;
+      sums.joined_inertia = sums.joined_inertia + spin * lag;
+      sums.carried = {sums.carried.x - mass_cosine * lag, sums.carried.y - mass_sine * lag};
+      sums.grip = {sums.grip.x - spin * dx - mass_sine * lag, sums.grip.y - spin * dy + mass_cosine * lag};
+    }
+  }
+
+  HWY_INLINE T mean(const T* share, const T* values) const {
+    T sum = share[0] * values[0];
+    for (int j = 1; j < n; ++j) sum = sum + share[j] * values[j];
+    return sum;
+  }
+
+  HWY_INLINE void move_together(const BallActions<T, room>& actions, T* dz) const {
+    T own[places];
+    for (int i = 0; i < n; ++i) own[i] = dz[4 + n + i];
+    for (int i = 0; i < n; ++i) {
+      dz[4 + n + i] = mean(actions.together[i], own);
+      if (actions.forces) actions.forces->push[i] = dz[4 + n + i] - own[i];
+    }
+  }
+
   // psi'' under a torque, or the torque that the prescribed one needs. `solved` was without psi'' where it is solved
   // for, and is with it afterwards.
   HWY_INLINE BodyResult<T> turn(const RotorMotion<T>& rotor, const Body<T>& body, const T* torque, const Sums& sums,
@@ -358,14 +446,14 @@ class BallBalancer {
     const auto row = [&](const Vector2<T>& v) {
       return ((arm.x + sums.grip.x) * v.x + (arm.y + sums.grip.y) * v.y) * inverse;
     };
-    T a = rotor.acceleration;
+    T a = rotor.acceleration, inertia = body.inertia;
+    if constexpr (terms.actions) inertia = inertia + sums.joined_inertia;
     if (torque) {
       const Vector2<T> lag = times_divisor(m, arm);
-      a = (*torque + sums.moment - row(solved)) / (body.inertia - row(lag));
+      a = (*torque + sums.moment - row(solved)) / (inertia - row(lag));
       solved = {solved.x - a * lag.x, solved.y - a * lag.y};
     }
-    return {
-        {solved.x * inverse, solved.y * inverse}, a, torque ? *torque : body.inertia * a + row(solved) - sums.moment};
+    return {{solved.x * inverse, solved.y * inverse}, a, torque ? *torque : inertia * a + row(solved) - sums.moment};
   }
 
   // Rates of ball i where the race's centre accelerates by (solved) inverse; `along`: along_race(inverse).
@@ -382,12 +470,20 @@ class BallBalancer {
   }
 
   // What actions change in the rates of ball i.
-  HWY_INLINE void act(int i, const RotorMotion<T>& rotor, const BallActions<T, room>& actions, const Vector2<T>& race,
-                      const T* z, const Sums& sums, T* dz) const {
+  HWY_INLINE void act(int i, const RotorMotion<T>& rotor, const BallActions<T, room>& actions,
+                      const BodyResult<T>& result, const T* z, const Sums& sums, T* dz) const {
+    const Vector2<T>& race = result.race;
     const T total = rotor.speed + z[4 + n + i];
     const T normal = total * total - race.x * sums.c[i] - race.y * sums.s[i];
     dz[4 + n + i] = dz[4 + n + i] + along_race(actions.push[i] / mu_[i]) - along_race(actions.resistance[i] * normal);
-    if (actions.held[i]) dz[4 + i] = dz[4 + n + i] = T(0.0);
+    if (any(actions.held[i])) {
+      dz[4 + i] = select(actions.held[i], T(0.0), dz[4 + i]);
+      dz[4 + n + i] = select(actions.held[i], T(0.0), dz[4 + n + i]);
+    }
+    if (!actions.forces) return;
+    actions.forces->normal[i] = normal;
+    actions.forces->tangential[i] = race.x * sums.s[i] - race.y * sums.c[i] - lever_[i] * result.acceleration;
+    actions.forces->push[i] = T(0.0);
   }
 
   // d/dt of (x, y, u, v) where O accelerates by a factor, less gravity.
@@ -413,6 +509,8 @@ class BallBalancer {
   T share_ = T(1.0);
   T sliding_mass_[places], carried_[places];  // carried: the fixed mass times its distance from O'
   T lever_[places], lag_[places];             // lag: how far a ball stays behind a race that speeds up
+  T inertia_along_[places];                   // what resists a force along the race
+  bool sizes_differ_ = false;
 };
 
 }  // namespace HWY_NAMESPACE

@@ -26,9 +26,17 @@ struct Events {
   bool any() const { return contact || stick; }
 };
 
+/// Where the rotor's angle psi, its speed psi' and the integral of a speed error stand in a state; -1: nowhere.
+struct DrivePlaces {
+  int psi = -1, speed = -1, error = -1;
+};
+
 /// Size of each component of the state of parameters.hpp that counts as one when components of different units are
 /// compared: lambda + sum mu_i (what r is of the order of) for the rotor's, 1 for the balls'.
 Eigen::VectorXd state_scale(const Parameters& p);
+
+/// Nothing that a rotor meets holds it any more when it turns thirty times as fast as it resonates.
+inline constexpr double out_of_reach = 30.0;
 
 /// The state is that of parameters.hpp, then, of a driven rotor and in the order of machine.hpp: psi on section turn,
 /// psi', and the integral of the speed error if the motor's control has one.
@@ -51,8 +59,7 @@ class System {
   bool smooth() const { return !events().any(); }
   /// A prescribed speed, and the race centred: FreeFlow (flow-inl.hpp) is all its equations.
   bool plain() const { return prescribed() && p_.race_is_centred(); }
-  /// Plain and smooth: nothing happens but at the corners of its drive, and many are followed side by side. All others
-  /// go from event to event, each with its own (machine-inl.hpp).
+  /// Plain and smooth: nothing happens but at the corners of its drive.
   bool simple() const { return plain() && smooth(); }
 
   int dimension() const { return dimension_; }
@@ -60,6 +67,7 @@ class System {
   int psi_place() const { return section_ == Section::turn ? model::dimension(p_.balls) : -1; }
   int speed_place() const { return prescribed() ? -1 : model::dimension(p_.balls) + (psi_place() < 0 ? 0 : 1); }
   int error_place() const { return has_error_integral() ? dimension_ - 1 : -1; }
+  DrivePlaces places() const { return {psi_place(), speed_place(), error_place()}; }
 
   /// The prescribed psi', not 0 where states are strobed; of a driven rotor that of a state.
   double speed() const { return drive_.speed; }

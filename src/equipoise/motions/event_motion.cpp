@@ -155,7 +155,7 @@ class EventJourney {
 
   // Nothing touches any more.
   std::optional<Motion> smooth() {
-    const bool free = log_.count == 0 && !log_.end.any_joined(p_.balls);
+    const bool free = log_.count == 0 && !any_joined(log_.end, p_.balls);
     if (system_.events().stick || !free) return std::nullopt;
     const model::System passing = without_events(system_);
     Settling settling = equipoise::settle(passing, state_, std::max(patience_ - elapsed_, elapsed_), {}, stop_);

@@ -56,7 +56,7 @@ struct Motion {
   double duration = 0.0;  ///< time over which the statistics were taken; 0 for an equilibrium
 
   // Of systems with events.
-  BallMode mode;                  ///< which balls touch and which stick, at `state`
+  model::BallMode mode;                  ///< which balls touch and which stick, at `state`
   std::vector<BallEvent> events;  ///< in one period; of motions that do not come back, the last hundred
   bool eventful = false;          ///< balls touch or stick somewhere on it; else it is one of the system without events
   bool stuck = false;             ///< stiction holds all balls for good, with what unbalance is left (motions/stuck.hpp)

@@ -292,7 +292,7 @@ class EventRecorder {
   void end_step(const double* y) { std::copy_n(y, rate_.size(), rate_.begin()); }
   // After which the state is `y`.
   void enter(double t, const double* y) {
-    const BallMode mode = run_.mode();
+    const model::BallMode mode = run_.mode();
     const auto senses = run_.senses();
     log_.count += run_.events() - seen_;
     seen_ = run_.events();
@@ -310,7 +310,7 @@ class EventRecorder {
   }
 
  private:
-  void pairs(double t, const BallMode& mode, const double* y) {
+  void pairs(double t, const model::BallMode& mode, const double* y) {
     const int n = p_.balls;
     for (int k = 0; k < n && n > 1; ++k) {
       const int a = mode.order[k], b = mode.order[(k + 1) % n];

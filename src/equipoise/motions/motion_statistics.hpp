@@ -73,7 +73,7 @@ IntegrationStatus follow(const model::System& system, Eigen::VectorXd& state, do
 struct EventLog {
   std::vector<BallEvent> events;  ///< the first thousand
   long count = 0;                 ///< all of them, and what else changed without having a name
-  BallMode begin, end;            ///< modes
+  model::BallMode begin, end;            ///< modes
   bool reverses = false;          ///< some free ball's rate changed sign
 };
 

@@ -119,8 +119,8 @@ std::optional<StuckEnd> driven_end(const model::System& system, const Eigen::Vec
   if (!(slowest < 0.0)) return std::nullopt;
   const int n = system.balls();
   kernels::EventRun run(system, end->state.data(), 0.0, kernels::event_scale(system, 1e-9));
-  if (!run.mode().all_held(n)) return std::nullopt;
-  const kernels::ModeEquations equations = run.equations();
+  if (!all_held(run.mode(), n)) return std::nullopt;
+  const kernels::ModeEquations equations(system, 0.0, run.mode());
   std::vector<int> free{0, 1, 2, 3};
   for (int i = model::dimension(n); i < system.dimension(); ++i) free.push_back(i);
   const auto size = static_cast<Eigen::Index>(free.size());
@@ -130,11 +130,11 @@ std::optional<StuckEnd> driven_end(const model::System& system, const Eigen::Vec
   Eigen::MatrixXd a(size, size), gradients(2 * n, size);
   const auto forces = [&](const Eigen::VectorXd& at) {  // what is left to hold each ball, for both senses
     Eigen::VectorXd left(2 * n);
+    const auto f = equations.forces(at.data());
     for (int i = 0; i < n; ++i) {
-      const auto f = equations.forces(i, at.data());
-      const double most = system.parameters().stiction[i] * std::fabs(f.normal);
-      left[2 * i] = most - f.tangential;
-      left[2 * i + 1] = most + f.tangential;
+      const double most = system.parameters().stiction[i] * std::fabs(f.normal[i]);
+      left[2 * i] = most - f.tangential[i];
+      left[2 * i + 1] = most + f.tangential[i];
     }
     return left;
   };

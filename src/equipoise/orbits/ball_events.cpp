@@ -2,19 +2,23 @@
 #include "equipoise/orbits/ball_events.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cstddef>
 
 #include <fmt/format.h>
 
 namespace equipoise {
 
-bool BallMode::any_held(int balls) const { return std::find(held.begin(), held.begin() + balls, true) != held.begin() + balls; }
-bool BallMode::all_held(int balls) const {
-  return std::find(held.begin(), held.begin() + balls, false) == held.begin() + balls;
+namespace {
+using Flags = std::array<bool, model::max_balls>;
+bool among(const Flags& flags, int balls, bool value) {
+  return std::find(flags.begin(), flags.begin() + balls, value) != flags.begin() + balls;
 }
-bool BallMode::any_joined(int balls) const {
-  return std::find(joined.begin(), joined.begin() + balls, true) != joined.begin() + balls;
-}
+}  // namespace
+
+bool any_held(const model::BallMode& mode, int balls) { return among(mode.held, balls, true); }
+bool all_held(const model::BallMode& mode, int balls) { return !among(mode.held, balls, false); }
+bool any_joined(const model::BallMode& mode, int balls) { return among(mode.joined, balls, true); }
 
 namespace {
 
@@ -40,14 +44,14 @@ std::string text_of(const std::vector<BallEvent>& events) {
   return text;
 }
 
-std::string text_of(const BallMode& mode, int balls) {
+std::string text_of(const model::BallMode& mode, int balls) {
   std::string text;
   for (int k = 0; k < balls; ++k) {
     if (!mode.joined[k]) continue;
     const int a = mode.order[k], b = mode.order[(k + 1) % balls];
     append(text, fmt::format("{}|{} touch", std::min(a, b) + 1, std::max(a, b) + 1));
   }
-  if (mode.all_held(balls)) return "all stick";
+  if (all_held(mode, balls)) return "all stick";
   for (int i = 0; i < balls; ++i)
     if (mode.held[i]) append(text, fmt::format("{} sticks", i + 1));
   return text;

@@ -1,25 +1,16 @@
 // What balls do to each other and to the race where they touch or stick: between events, and at them.
 #pragma once
 
-#include <array>
 #include <string>
 #include <vector>
 
-#include "equipoise/model/parameters.hpp"
+#include "equipoise/model/ball_mode.hpp"
 
 namespace equipoise {
 
-/// What is constant between two events.
-struct BallMode {
-  std::array<bool, model::max_balls> held{};    ///< by stiction
-  std::array<bool, model::max_balls> joined{};  ///< the ball in place k around the race presses on the next one
-  std::array<int, model::max_balls> order{};    ///< of the balls around the race
-
-  bool any_held(int balls) const;
-  bool all_held(int balls) const;
-  bool any_joined(int balls) const;
-  bool operator==(const BallMode&) const = default;
-};
+bool any_held(const model::BallMode& mode, int balls);
+bool all_held(const model::BallMode& mode, int balls);
+bool any_joined(const model::BallMode& mode, int balls);
 
 enum class BallEventKind {
   strike,  ///< two balls rebound
@@ -42,6 +33,6 @@ struct BallEvent {
 /// Events in a row, "1|2 strike (3 times), 2 sticks"; the balls count from 1.
 std::string text_of(const std::vector<BallEvent>& events);
 /// What lasts: "1|2 touch, 3 sticks"; empty if nothing does.
-std::string text_of(const BallMode& mode, int balls);
+std::string text_of(const model::BallMode& mode, int balls);
 
 }  // namespace equipoise

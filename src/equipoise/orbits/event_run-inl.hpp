@@ -11,6 +11,7 @@
 #include "equipoise/base/stop_flag.hpp"
 #include "equipoise/integrate/machine_trajectory-inl.hpp"
 #include "equipoise/model/ball_count.hpp"
+#include "equipoise/model/hybrid_flow-inl.hpp"
 #include "equipoise/model/system.hpp"
 #include "equipoise/orbits/ball_events.hpp"
 
@@ -20,7 +21,7 @@ namespace HWY_NAMESPACE {
 // Where the components of a system's state stand in a machine's.
 class MachineLayout {
  public:
-  static constexpr int dimension = model::machine_dimension(model::max_balls);
+  static constexpr int dimension = HybridFlow<double, model::any_count>::dimension;
 
   MachineLayout(const model::System& system, double psi)
       : balls_(model::dimension(system.balls())),
@@ -46,36 +47,47 @@ class MachineLayout {
   std::array<int, 3> places_;  // psi, psi', error
 };
 
-// The equations of a system as long as its balls do what they do now.
+// The equations of a system as long as its balls do what they do.
 class ModeEquations {
  public:
-  static constexpr int dimension = MachineLayout::dimension;
-  using Flow = MachineFlow<model::any_count>;
+  using Flow = HybridFlow<double, model::any_count>;
+  static constexpr int dimension = Flow::dimension;
 
-  ModeEquations(const MachineLayout& layout, const Flow& flow) : layout_(layout), flow_(flow) {}
-  void operator()(double t, const double* y, double* dy) const { evaluate(layout_, flow_, t, y, dy); }
-  static void evaluate(const MachineLayout& layout, const Flow& flow, double t, const double* y, double* dy) {
-    double z[dimension], dz[dimension];
-    layout.to_machine(t, y, z);
-    flow(t, z, dz);
-    layout.to_system(dz, dy);
+  // `psi`: the rotor's angle at time 0, where it is no part of the state.
+  ModeEquations(const model::System& system, double psi, const model::BallMode& mode)
+      : mode_(mode),
+        table_(system.parameters()),
+        flow_(system, model::Segment{0.0, std::numeric_limits<double>::infinity(), psi, system.speed(), 0.0, false},
+              &table_) {
+    table_.set(mode);
   }
-  // On ball i, over its mass.
-  Flow::BallForces forces(int i, const double* y) const {
-    double z[dimension], dz[dimension];
-    layout_.to_machine(0.0, y, z);
-    return flow_.forces_on(i, z, flow_.evaluate(0.0, z, dz));
+  ModeEquations(const ModeEquations&) = delete;
+  ModeEquations& operator=(const ModeEquations&) = delete;
+
+  void set(const model::BallMode& mode) {
+    if (mode == mode_) return;
+    mode_ = mode;
+    table_.set(mode);
+  }
+  void operator()(double t, const double* y, double* dy) const { flow_(t, y, dy); }
+  // On each ball, over its mass.
+  Flow::Forces forces(const double* y) const {
+    double dy[dimension];
+    Flow::Forces result;
+    flow_.evaluate(0.0, y, dy, result);
+    return result;
   }
 
  private:
-  MachineLayout layout_;
+  model::BallMode mode_;
+  Flow::Modes table_;
   Flow flow_;
 };
 
 class EventRun {
  public:
-  static constexpr int dimension = MachineLayout::dimension;
   using Machine = MachineTrajectory<model::any_count>;
+  static constexpr int dimension = Machine::dimension;
 
   // From state `y` at time 0. `psi`: the rotor's angle there, where it is no part of the state. Balls that touch to
   // rounding touch.
@@ -84,7 +96,8 @@ class EventRun {
         layout_(system, psi),
         begin_(beginning(y)),
         drive_(drive(system)),
-        machine_(system_.parameters(), drive_, scale, begin_.data(), begin_[model::machine_index::error_integral(n())]) {}
+        machine_(system_.parameters(), drive_, scale, begin_.data(), begin_[model::machine_index::error_integral(n())]),
+        equations_(system_, psi, machine_.mode()) {}
   EventRun(const EventRun&) = delete;
   EventRun& operator=(const EventRun&) = delete;
 
@@ -108,26 +121,16 @@ class EventRun {
   double time() const { return machine_.time(); }
   double psi() const { return machine_.state()[model::machine_index::psi(n())]; }
   long events() const { return machine_.events(); }
-  double gap(int k) const { return machine_.gap(k); }
-  // In the present mode.
-  ModeEquations equations() const { return {layout_, machine_.flow()}; }
+  const model::BallMode& mode() const { return machine_.mode(); }
+  // The equations in the present mode.
   void operator()(double t, const double* y, double* dy) const {
-    ModeEquations::evaluate(layout_, machine_.flow(), t, y, dy);
-  }
-
-  BallMode mode() const {
-    BallMode mode;
-    for (int i = 0; i < n(); ++i) {
-      mode.held[i] = machine_.flow().held[i];
-      mode.joined[i] = machine_.flow().joined[i];
-      mode.order[i] = machine_.flow().order[i];
-    }
-    return mode;
+    equations_.set(machine_.mode());
+    equations_(t, y, dy);
   }
   // Senses in which the free balls move.
   std::array<int, model::max_balls> senses() const {
     std::array<int, model::max_balls> result{};
-    for (int i = 0; i < n(); ++i) result[i] = machine_.flow().held[i] ? 0 : machine_.flow().rolling[i];
+    for (int i = 0; i < n(); ++i) result[i] = mode().held[i] ? 0 : mode().sense[i];
     return result;
   }
 
@@ -173,6 +176,7 @@ class EventRun {
   const std::array<double, dimension> begin_;
   const model::Drive drive_;
   Machine machine_;
+  mutable ModeEquations equations_;  // follow the machine's mode
 };
 
 // Relative errors as set_system_scale() has them, for a machine's state.

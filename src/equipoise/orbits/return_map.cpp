@@ -30,7 +30,7 @@ constexpr int most_iterations = 12;
 // at `state`.
 class ModeCoordinates {
  public:
-  ModeCoordinates(const model::System& system, const VectorXd& state, const BallMode& mode)
+  ModeCoordinates(const model::System& system, const VectorXd& state, const model::BallMode& mode)
       : n_(system.balls()), state_(state) {
     for (int i = 0; i < n_; ++i) leader_[i] = mode.held[i] ? held : i;
     join(mode);
@@ -65,7 +65,7 @@ class ModeCoordinates {
   static constexpr int held = -1;
 
   // Balls that press on a held one are held with it.
-  void join(const BallMode& mode) {
+  void join(const model::BallMode& mode) {
     for (int round = 0; round < n_; ++round)
       for (int k = 0; k < n_; ++k) {
         if (!mode.joined[k]) continue;
@@ -244,7 +244,7 @@ class ReturnMap {
 
 }  // namespace
 
-BallMode mode_at(const model::System& system, const VectorXd& state) {
+model::BallMode mode_at(const model::System& system, const VectorXd& state) {
   return kernels::EventRun(system, state.data(), 0.0, kernels::event_scale(system, tolerance)).mode();
 }
 
@@ -272,7 +272,7 @@ std::optional<Equilibrium> refine_mode_equilibrium(const model::System& system, 
   VectorXd snapped(system.dimension());
   run.state(snapped.data());
   const ModeCoordinates coordinates(system, snapped, run.mode());
-  const kernels::ModeEquations equations = run.equations();
+  const kernels::ModeEquations equations(system, 0.0, run.mode());
   const auto rate = [&](const VectorXd& r) -> VectorXd {
     const VectorXd y = coordinates.whole(r);
     VectorXd dy(y.size());

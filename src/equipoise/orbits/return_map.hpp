@@ -16,7 +16,7 @@ namespace equipoise {
 // differences; spectra have as many values.
 
 /// The mode in which a trajectory from `state` begins.
-BallMode mode_at(const model::System& system, const Eigen::VectorXd& state);
+model::BallMode mode_at(const model::System& system, const Eigen::VectorXd& state);
 /// The least angle between two neighbours beyond touching; infinite for one ball.
 double least_gap(const model::Parameters& p, const Eigen::VectorXd& state);
 

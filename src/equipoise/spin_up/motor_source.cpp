@@ -7,7 +7,7 @@
 
 #include "equipoise/base/stop_flag.hpp"
 #include "equipoise/kernels/lane_kernels.hpp"
-#include "equipoise/lanes/held_state.hpp"
+#include "equipoise/model/held_state.hpp"
 #include "equipoise/model/strobe.hpp"
 #include "equipoise/spin_up/initial_state.hpp"
 #include "equipoise/spin_up/release.hpp"
@@ -147,7 +147,7 @@ LaneTask MotorSource::last_task() const { return task(systems_.size() - 1); }
 // Held balls over piece k of the drive, until they are let go.
 bool MotorSource::hold(std::size_t k, Fleet& fleet) const {
   const model::System& system = systems_[k];
-  const std::size_t size = held_dimension(system);
+  const std::size_t size = model::held_dimension(system);
   const double until = std::min({drive_.pieces[k].end, drive_.release_time, settled() + horizon_});
   SpunUp& starts = fleet.starts;
   for (;;) {
@@ -155,7 +155,7 @@ bool MotorSource::hold(std::size_t k, Fleet& fleet) const {
     if (places.empty()) break;
     std::vector<double> states(places.size() * size), begins;
     for (std::size_t j = 0; j < places.size(); ++j) {
-      hold_balls(system, fleet.state(places[j]), &states[j * size]);
+      model::hold_balls(system, fleet.state(places[j]), &states[j * size]);
       begins.push_back(starts.begins[places[j]]);
     }
     LaneTask held = task(k);
@@ -189,7 +189,7 @@ void MotorSource::end_hold(std::size_t k, std::size_t i, const HeldEnd& end, dou
   }
   starts.begins[i] = now;
   starts.nearest[i] = end.nearest;
-  release_balls(systems_[k], state, fleet.state(i));
+  model::release_balls(systems_[k], state, fleet.state(i));
   if (end.crossing) return;
   Fate fate = end.fate;
   const bool to_the_end = fate.outcome == Outcome::undecided && now >= until;

@@ -4,8 +4,8 @@
 #include <cmath>
 
 #include "equipoise/integrate/adaptive-inl.hpp"
-#include "equipoise/lanes/held_state.hpp"
-#include "equipoise/lanes/lane_task.hpp"
+#include "equipoise/integrate/first_time.hpp"
+#include "equipoise/model/held_state.hpp"
 #include "equipoise/model/smooth_flow-inl.hpp"
 
 namespace equipoise {
@@ -32,7 +32,7 @@ kernels::ErrorScale<Flow::dimension> scale_of(const model::System& system) {
 
 std::optional<double> find_release(const model::System& system, const HoldRule& rule, double from, double to,
                                    double* state) {
-  const int place = system.speed_place() + model::dimension(1) - model::dimension(system.balls());
+  const int place = model::held_places(system).speed;
   const auto come = [&](const double* y) {
     return rule.rising ? y[place] >= rule.release_speed : y[place] <= rule.release_speed;
   };
@@ -40,26 +40,15 @@ std::optional<double> find_release(const model::System& system, const HoldRule& 
   kernels::AdaptiveIntegrator<Flow, Flow::dimension> integrator(flow, scale_of(system), flow.size());
   std::optional<double> found;
   const auto look = [&](double begin, double end, auto&& state_at) {
-    constexpr int looks = 4;
-    double y[Flow::dimension], low = begin;
-    for (int k = 1; k <= looks; ++k) {
-      double high = k == looks ? end : begin + (end - begin) * k / looks;
-      state_at(high, y);
-      if (!come(y)) {
-        low = high;
-        continue;
-      }
-      for (;;) {
-        const double middle = 0.5 * (low + high);
-        if (!(low < middle && middle < high)) break;
-        state_at(middle, y);
-        (come(y) ? high : low) = middle;
-      }
-      found = high;
-      // Before the step's end, even if by nothing that matters, is where the integrator stops.
-      return std::fmin(high, std::nextafter(end, begin));
-    }
-    return end;
+    double y[Flow::dimension];
+    const auto first = first_time(begin, end, [&](double t) {
+      state_at(t, y);
+      return come(y);
+    });
+    if (!first) return end;
+    found = first;  // kept in the step that ends there, of which it is asked again
+    // Before the step's end, even if by nothing that matters, is where the integrator stops.
+    return std::fmin(*first, std::nextafter(end, begin));
   };
   integrator.advance(from, to, state, look);
   return found;

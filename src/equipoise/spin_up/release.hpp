@@ -8,7 +8,7 @@
 
 namespace equipoise {
 
-/// From `state` (lanes/held_state.hpp) at time `from` on, to `to` at the latest, over the piece of a drive that the
+/// From `state` (model/held_state.hpp) at time `from` on, to `to` at the latest, over the piece of a drive that the
 /// system holds; `state` is then that at the time answered. Empty if the rotor does not come to rule.release_speed, or
 /// is lost: `state` is then that at `to`.
 std::optional<double> find_release(const model::System& system, const HoldRule& rule, double from, double to,

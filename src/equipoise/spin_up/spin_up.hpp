@@ -53,7 +53,7 @@ class SpinUp {
   virtual double tolerance() const = 0;
 };
 
-/// Of any smooth system. The study's horizon is filled in.
+/// Of any system. The study's horizon is filled in.
 std::unique_ptr<SpinUp> make_spin_up(const Study& study, const StopFlag* stop);
 
 }  // namespace equipoise

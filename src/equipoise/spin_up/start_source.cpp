@@ -19,7 +19,7 @@ StartSource::StartSource(const Study& study, std::vector<model::Segment> segment
       stop_(stop),
       segments_(std::move(segments)),
       tolerance_(study.numerics.tolerance.value_or(default_basin_tolerance)) {
-  if (!study.parameters.race_is_centred())
+  if (!model::System(study.parameters, 0.0).simple())
     for (const model::DrivePiece& piece : model::prescribed_drive(segments_).pieces)
       systems_.emplace_back(study.parameters, piece);
   while (segments_[first_free_].clamped) ++first_free_;

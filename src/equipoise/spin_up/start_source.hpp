@@ -65,7 +65,7 @@ class StartSource : public SpinUp {
   Sampler sampler_;
   const StopFlag* stop_;
   std::vector<model::Segment> segments_;
-  std::vector<model::System> systems_;  // over each segment, where the race is off centre; else empty
+  std::vector<model::System> systems_;  // over each segment, of what is not simple (model/system.hpp); else empty
   std::size_t first_free_ = 0;
   ClampedBasis basis_;
   ClampedTransients clamped_;

@@ -67,9 +67,6 @@ void read_race(TableReader& balancer, model::Parameters& p) {
   std::copy(radius.begin(), radius.end(), p.ball_radius.begin());
   p.contact_angle = balancer.number("contact_angle", {0.0, two_pi / p.balls, false, true}, 0.0);
   p.restitution = balancer.number("restitution", {0.0, 1.0}, p.restitution);
-  if (p.balls_collide() && p.balls_stick())
-    balancer.fail("contact_angle",
-                  "must be 0 where balls have rolling resistance or stiction: the two are not combined");
 }
 
 void read_balancer(const Document& document, model::Parameters& p) {

@@ -40,17 +40,20 @@ class WatchTransients final : public LaneWatch {
   }
 
   void begin(int slot, std::size_t start, double t, const double* state) override {
+    Group& group = groups_[slot / lanes];
+    group.load(slot % lanes, table_.rows[start], !held_);
+    corner(slot, t, state);
+    group.restart(slot % lanes, t);
+  }
+
+  void corner(int slot, double t, const double* state) override {
     Pack z[model::dimension(model::max_balls) + 3];
     for (int i = 0; i < size_; ++i) z[i] = Pack(state[i]);
     const transient::Sample<Pack> here = sample(Pack(t), z, psi_place_);
-    Group& group = groups_[slot / lanes];
-    const int lane = slot % lanes;
-    group.load(lane, table_.rows[start], !held_);
-    group.stand(lane,
-                {transient::element(here.r2, 0), transient::element(here.slope, 0), transient::element(here.force2, 0),
-                 transient::element(here.velocity2, 0)},
-                transient::element(unbalance(z), 0));
-    group.restart(lane, t);
+    groups_[slot / lanes].stand(slot % lanes,
+                                {transient::element(here.r2, 0), transient::element(here.slope, 0),
+                                 transient::element(here.force2, 0), transient::element(here.velocity2, 0)},
+                                transient::element(unbalance(z), 0));
   }
 
   unsigned step(const TriedStep& s) override {

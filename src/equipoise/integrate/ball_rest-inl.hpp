@@ -1,0 +1,58 @@
+// Which of the balls at rest that touch each other stay so, by dry friction. Included once per CPU target.
+#if defined(EQUIPOISE_INTEGRATE_BALL_REST_INL) == defined(HWY_TARGET_TOGGLE)
+#ifdef EQUIPOISE_INTEGRATE_BALL_REST_INL
+#undef EQUIPOISE_INTEGRATE_BALL_REST_INL
+#else
+#define EQUIPOISE_INTEGRATE_BALL_REST_INL
+#endif
+
+#include "equipoise/base/pack-inl.hpp"
+
+HWY_BEFORE_NAMESPACE();
+namespace equipoise {
+namespace HWY_NAMESPACE {
+
+// A row of balls at rest, each touching the next, ball by ball from behind. What would set a ball moving may be taken
+// up by its own friction and by its neighbours, who push and do not pull: the row falls into groups that stay or go as
+// one. Accelerations that grow along the row and come nearest to what forces less friction ask for are those in which
+// groups that would run into the one ahead are pooled with it (docs/equations.md, "Contact and friction together").
+template <int room>
+class RestingRow {
+ public:
+  struct Group {
+    int first, last;  // places in the row
+    double force, hold, mass;
+
+    // What friction leaves of the force, over the mass.
+    double goes() const {
+      const double left = force > hold ? force - hold : force < -hold ? force + hold : 0.0;
+      return left / mass;
+    }
+  };
+
+  // The next ball ahead: the force on it along the race, and the largest that friction takes up.
+  void add(double force, double hold, double mass) {
+    groups_[size_++] = {balls_, balls_, force, hold, mass};
+    ++balls_;
+    while (size_ > 1 && groups_[size_ - 2].goes() > groups_[size_ - 1].goes()) {
+      Group& behind = groups_[size_ - 2];
+      const Group& ahead = groups_[size_ - 1];
+      behind = {behind.first, ahead.last, behind.force + ahead.force, behind.hold + ahead.hold,
+                behind.mass + ahead.mass};
+      --size_;
+    }
+  }
+
+  int groups() const { return size_; }
+  const Group& group(int g) const { return groups_[g]; }
+
+ private:
+  Group groups_[room];
+  int size_ = 0, balls_ = 0;
+};
+
+}  // namespace HWY_NAMESPACE
+}  // namespace equipoise
+HWY_AFTER_NAMESPACE();
+
+#endif

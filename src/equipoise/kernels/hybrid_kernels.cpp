@@ -1,0 +1,30 @@
+// Kernels of every system with contact or dry friction for every CPU target: compiled once per instruction set by
+// Highway's foreach_target.
+#include "equipoise/kernels/lane_job.hpp"
+
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "equipoise/kernels/hybrid_kernels.cpp"
+#include "hwy/foreach_target.h"
+#include "hwy/highway.h"
+
+#include "equipoise/kernels/kernel-inl.hpp"
+
+HWY_BEFORE_NAMESPACE();
+namespace equipoise {
+namespace HWY_NAMESPACE {
+
+bool run_hybrid_target(const LaneJob& job) { return run_job<LaneKind::hybrid>(job); }
+
+}  // namespace HWY_NAMESPACE
+}  // namespace equipoise
+HWY_AFTER_NAMESPACE();
+
+#if HWY_ONCE
+namespace equipoise {
+
+HWY_EXPORT(run_hybrid_target);
+
+bool run_hybrid_lanes(const LaneJob& job) { return HWY_DYNAMIC_DISPATCH(run_hybrid_target)(job); }
+
+}  // namespace equipoise
+#endif

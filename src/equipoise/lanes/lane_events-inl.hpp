@@ -1,0 +1,210 @@
+// Events in lanes: what happens to balls within a step is found one lane at a time, and the step is made to end there.
+// Included once per CPU target.
+#if defined(EQUIPOISE_LANES_LANE_EVENTS_INL) == defined(HWY_TARGET_TOGGLE)
+#ifdef EQUIPOISE_LANES_LANE_EVENTS_INL
+#undef EQUIPOISE_LANES_LANE_EVENTS_INL
+#else
+#define EQUIPOISE_LANES_LANE_EVENTS_INL
+#endif
+
+#include <cstdint>
+
+#include "equipoise/integrate/ball_events-inl.hpp"
+#include "equipoise/integrate/dop853-inl.hpp"
+#include "equipoise/integrate/event_count.hpp"
+#include "equipoise/lanes/lane_task.hpp"
+#include "equipoise/model/hybrid_flow-inl.hpp"
+
+HWY_BEFORE_NAMESPACE();
+namespace equipoise {
+namespace HWY_NAMESPACE {
+
+// Of flows in whose steps nothing happens.
+template <class Flow>
+class LaneEvents {
+ public:
+  static constexpr bool happen = false;
+  LaneEvents(const LaneTask&, const Flow&) {}
+  static const Flow& bind(const Flow& flow) { return flow; }
+};
+
+// A step just tried in all lanes, from y at t - h to z at t; k: its stages, and `end` the rates at z.
+template <int dimension>
+struct TriedLanes {
+  Pack t, h;
+  const Pack* y;
+  const Pack* z;
+  const Pack (*k)[dimension];
+  const Pack* end;
+};
+
+// Of balls that collide or stick. A step is taken first as if nothing happened in it. Sums of the whole group say in
+// which lanes something may have: there dense output in doubles finds when. That lane's step is then rejected and
+// repeated with the length that ends it there, so that whoever watches lanes sees steps like all others, and at its end
+// the event is passed. What a lane does depends on that lane alone.
+template <int room>
+class LaneEvents<HybridFlow<Pack, room>> {
+ public:
+  static constexpr bool happen = true;
+  using Flow = HybridFlow<Pack, room>;
+  static constexpr int dimension = Flow::dimension, lanes = static_cast<int>(pack_lanes);
+  using Tried = TriedLanes<dimension>;
+
+  LaneEvents(const LaneTask& task, const Flow& flow)
+      : n(task.parameters->balls),
+        p_(*task.parameters),
+        modes_(p_),
+        one_modes_(p_),
+        one_(*task.system, task.segment, &one_modes_),
+        balls_(p_, one_, one_modes_),
+        size_(flow.size()),
+        pairs_(p_.balls_collide() && n > 1 ? n : 0) {
+    for (int k = 0; k < pairs_; ++k) set_pair(k, 0, k, (k + 1) % n, 0.0);
+  }
+  LaneEvents(const LaneEvents&) = delete;
+  LaneEvents& operator=(const LaneEvents&) = delete;
+
+  Flow bind(const Flow& flow) const { return flow.with(modes_); }
+
+  // The modes with which a trajectory enters a lane in state z, where joined balls may be put together.
+  void enter(int lane, double t, double* z) {
+    balls_.enter(t, z);
+    keep(lane);
+    waiting_ &= ~(1u << lane);
+    count_[lane] = {};
+  }
+
+  void begin_step() { margin_ = Pack(far); }
+  Pack& margin() { return margin_; }
+
+  // Bits of the accepted lanes whose step is not to be: it is repeated, or nothing happens before the event.
+  unsigned look(unsigned accepted, const Tried& tried) {
+    const unsigned due = waiting_ & accepted;
+    waiting_ = 0;  // where the step was not accepted it is looked for anew
+    ready_ = due;
+    unsigned candidates = lane_bits(margin_ < Pack(0.0));
+    if (pairs_ > 0) candidates |= lane_bits(may_meet(tried) < Pack(0.0));
+    candidates &= accepted & ~due;
+    unsigned rejected = 0;
+    for (int lane = 0; candidates >> lane; ++lane)
+      if (candidates >> lane & 1u) rejected |= locate(lane, tried);
+    return rejected;
+  }
+
+  // Of rejected lanes: the step to repeat; 0 where the event is now.
+  double step(int lane) const { return cut_[lane]; }
+  // Bits of the lanes whose event is at the state where they stand.
+  unsigned ready() const { return ready_; }
+
+  // The event of a lane that stands at z. False if events do not come to an end.
+  bool pass(int lane, double t, double* z) {
+    if (!count_[lane].add(t)) return false;
+    balls_.set_mode(mode_[lane]);
+    if (balls_.pass(t, z, happened_[lane], count_[lane].hold())) ++passed_;
+    keep(lane);
+    return true;
+  }
+  // Of all lanes, that changed what balls do.
+  std::uint64_t passed() const { return passed_; }
+  // With which step it goes on: that which was interrupted.
+  double step_after(int lane) const { return whole_[lane]; }
+
+ private:
+  static constexpr double far = 1e300;
+  // Of a step, to which events are located: dense output errs by more.
+  static constexpr double share = 0x1p-30;
+
+  static double& element(Pack& p, int lane) { return reinterpret_cast<double*>(&p)[lane]; }
+  static double element(const Pack& p, int lane) { return reinterpret_cast<const double*>(&p)[lane]; }
+
+  void keep(int lane) {
+    mode_[lane] = balls_.mode();
+    modes_.set(mode_[lane], lane);
+    for (int k = 0; k < pairs_; ++k) {
+      const int i = mode_[lane].order[k], j = mode_[lane].order[(k + 1) % n];
+      set_pair(k, lane, i, j, mode_[lane].joined[k] ? far : mode_[lane].turns[k] - p_.contact_angle);
+    }
+  }
+
+  void set_pair(int k, int lane, int behind, int ahead, double apart) {
+    element(behind_[k], lane) = behind * lanes + lane;
+    element(ahead_[k], lane) = ahead * lanes + lane;
+    element(apart_[k], lane) = apart;
+  }
+
+  // Below 0 where a pair may meet in the step: the cubic through gaps and their rates at both ends stays above the
+  // least of its four control points; what it leaves out of a gap's own curve is less than a tenth of the way that the
+  // rates give, and than a thousandth of what a force of 1 gives.
+  HWY_NOINLINE Pack may_meet(const Tried& s) const {
+    const auto between = [&](const Pack* state, int from, int k) {
+      const double* base = reinterpret_cast<const double*>(state + from);
+      return gather(base, ahead_[k]) - gather(base, behind_[k]);
+    };
+    Pack least(far);
+    const Pack third = Pack(1.0 / 3.0) * s.h, still = Pack(1e-3) * s.h * s.h;
+    for (int k = 0; k < pairs_; ++k) {
+      const Pack g0 = between(s.y, 4, k) + apart_[k], g1 = between(s.z, 4, k) + apart_[k];
+      const Pack r0 = between(s.y, 4 + n, k), r1 = between(s.z, 4 + n, k);
+      const Pack low = minimum(minimum(g0, g1), minimum(g0 + third * r0, g1 - third * r1));
+      least = minimum(least, low - Pack(0.1) * s.h * (absolute(r0) + absolute(r1)) - still);
+    }
+    return least;
+  }
+
+  // Looks for an event in a lane's step; its bit if the step is rejected.
+  HWY_NOINLINE unsigned locate(int lane, const Tried& s) {
+    const unsigned bit = 1u << lane;
+    const double h = element(s.h, lane), end = element(s.t, lane), begin = end - h;
+    double y[dimension] = {}, z[dimension] = {};
+    for (int i = 0; i < size_; ++i) {
+      y[i] = element(s.y[i], lane);
+      z[i] = element(s.z[i], lane);
+      for (int row = 0; row < dop853::tableau::stages; ++row) k_[row][i] = element(s.k[row][i], lane);
+      k_[dop853::tableau::stages][i] = element(s.end[i], lane);
+    }
+    balls_.set_mode(mode_[lane]);
+    double rows[7][dimension];
+    dop853::prepare_dense<double, dimension>(one_, begin, h, y, z, k_, rows, size_);
+    const auto found = balls_.first(
+        0.0, h, [&](double t, double* out) { dop853::dense_state<double, dimension>(t / h, y, rows, out, size_); },
+        begin, share);
+    if (!found) return 0;
+    happened_[lane] = balls_.happened();
+    whole_[lane] = h;
+    if (*found == h) {
+      ready_ |= bit;
+      return 0;
+    }
+    cut_[lane] = *found;
+    if (begin < begin + cut_[lane]) {
+      waiting_ |= bit;
+    } else {
+      cut_[lane] = 0.0;
+      ready_ |= bit;
+    }
+    return bit;
+  }
+
+  const model::BallCount<room> n;
+  const model::Parameters& p_;
+  ModeTable<Pack, room> modes_;
+  ModeTable<double, room> one_modes_;
+  HybridFlow<double, room> one_;  // one lane's
+  BallEvents<room> balls_;
+  const int size_, pairs_;
+  Pack margin_;
+  Pack behind_[room], ahead_[room], apart_[room];  // of pairs: their balls' places in rows of lanes, and turns
+  model::BallMode mode_[lanes];
+  Happened<room> happened_[lanes];
+  EventCount count_[lanes];
+  double cut_[lanes] = {}, whole_[lanes] = {};
+  double k_[dop853::tableau::dense_stages][dimension] = {};
+  std::uint64_t passed_ = 0;
+  unsigned waiting_ = 0, ready_ = 0;  // bits: the step ends with an event; it has
+};
+
+}  // namespace HWY_NAMESPACE
+}  // namespace equipoise
+HWY_AFTER_NAMESPACE();
+
+#endif

@@ -1,0 +1,241 @@
+// The equations of any system with contact or dry friction between two events, for every number type: (t, y) -> dy/dt,
+// the modes of the balls being given. Included once per CPU target.
+#if defined(EQUIPOISE_MODEL_HYBRID_FLOW_INL) == defined(HWY_TARGET_TOGGLE)
+#ifdef EQUIPOISE_MODEL_HYBRID_FLOW_INL
+#undef EQUIPOISE_MODEL_HYBRID_FLOW_INL
+#else
+#define EQUIPOISE_MODEL_HYBRID_FLOW_INL
+#endif
+
+#include "equipoise/model/ball_count.hpp"
+#include "equipoise/model/ball_mode.hpp"
+#include "equipoise/model/drive-inl.hpp"
+#include "equipoise/model/equations-inl.hpp"
+#include "equipoise/model/machine.hpp"
+#include "equipoise/model/system.hpp"
+
+HWY_BEFORE_NAMESPACE();
+namespace equipoise {
+namespace HWY_NAMESPACE {
+
+// Modes of balls as the equations take them, each lane of T its own.
+template <class T, int room>
+class ModeTable {
+ public:
+  explicit ModeTable(const model::Parameters& p) : n(p.balls) {
+    for (int i = 0; i < n; ++i) {
+      mass_[i] = p.mass[i];
+      held[i] = sense[i] = T(0.0);
+      for (int j = 0; j < n; ++j) {
+        together[i][j] = T(i == j ? 1.0 : 0.0);
+        behind[i][j] = T(0.0);
+      }
+    }
+  }
+
+  void set(const model::BallMode& mode, int lane = 0) {
+    for (int i = 0; i < n; ++i) {
+      element(held[i], lane) = mode.held[i];
+      element(sense[i], lane) = mode.held[i] ? 0 : mode.sense[i];
+    }
+    const unsigned bit = 1u << lane;
+    bool holds = false;
+    for (int i = 0; i < n; ++i) holds = holds || mode.held[i];
+    held_ = holds ? held_ | bit : held_ & ~bit;
+    const bool joins = any_moving_pair(mode);
+    if (!joins && !(joined_ & bit)) return;
+    joined_ = joins ? joined_ | bit : joined_ & ~bit;
+    for (int i = 0; i < n; ++i)
+      for (int j = 0; j < n; ++j) {
+        element(together[i][j], lane) = i == j;
+        element(behind[i][j], lane) = 0.0;
+      }
+    if (joins) set_groups(mode, lane);
+  }
+
+  // In any lane.
+  bool any_held() const { return held_ != 0; }
+  // Balls move joined.
+  bool any_joined() const { return joined_ != 0; }
+
+  T held[room];            // 1 or 0
+  T sense[room];           // -1, 0 or 1
+  T together[room][room];  // BallActions::together
+  T behind[room][room];    // row i: 1 for ball i and those of its group behind it, if another is ahead; else 0
+
+ private:
+  static double& element(T& value, int lane) { return reinterpret_cast<double*>(&value)[lane]; }
+
+  // Joined balls that are held need no pushes to stay together.
+  bool moves_joined(const model::BallMode& mode, int k) const { return mode.joined[k] && !mode.held[mode.order[k]]; }
+  bool any_moving_pair(const model::BallMode& mode) const {
+    for (int k = 0; k < n; ++k)
+      if (moves_joined(mode, k)) return true;
+    return false;
+  }
+
+  void set_groups(const model::BallMode& mode, int lane) {
+    for (int first = 0; first < n; ++first) {
+      if (!moves_joined(mode, first) || moves_joined(mode, (first + n - 1) % n)) continue;
+      int group[room], size = 0;
+      double mass = 0.0;
+      for (int k = first;; k = (k + 1) % n) {
+        group[size++] = mode.order[k];
+        mass += mass_[mode.order[k]];
+        if (!moves_joined(mode, k)) break;
+      }
+      for (int a = 0; a < size; ++a)
+        for (int b = 0; b < size; ++b) {
+          element(together[group[a]][group[b]], lane) = mass_[group[b]] / mass;
+          element(behind[group[a]][group[b]], lane) = b <= a && a + 1 < size;
+        }
+    }
+  }
+
+  const model::BallCount<room> n;
+  double mass_[room];
+  unsigned held_ = 0, joined_ = 0;  // bits of lanes
+};
+
+// State: that of a system, or that of model/machine.hpp.
+template <class T, int room>
+class HybridFlow {
+ public:
+  static constexpr int dimension = model::dimension(room) + 4;  // of the largest state, and one to make it even
+  static constexpr int least_size = model::dimension(room == model::any_count ? 1 : room);
+  using Modes = ModeTable<T, room>;
+  using Forces = BallForces<T, room>;
+
+  // Over the piece of a drive that the system holds, in study time. `segment` says when that begins, and with which
+  // angle if the rotor turns as prescribed. `modes` may be said later.
+  HybridFlow(const model::System& s, const model::Segment& segment, const Modes* modes = nullptr)
+      : HybridFlow(s.parameters(), s.drive(), s.places(), s.dimension(), segment.begin, segment.psi, modes) {}
+
+  // The state of model/machine.hpp, over any piece of a drive.
+  HybridFlow(const model::Parameters& p, const model::DrivePiece& piece, const Modes* modes)
+      : HybridFlow(p, piece,
+                   {model::machine_index::psi(p.balls), model::machine_index::speed(p.balls),
+                    model::machine_index::error_integral(p.balls)},
+                   model::machine_dimension(p.balls), piece.begin, piece.psi, modes) {}
+
+  int size() const { return size_; }
+  const model::DrivePlaces& places() const { return drive_.places(); }
+  HybridFlow with(const Modes& modes) const {
+    HybridFlow result = *this;
+    result.modes_ = &modes;
+    return result;
+  }
+
+  // Over the next piece of a drive, as of model/machine.hpp.
+  void enter(const model::DrivePiece& piece) { drive_.enter(piece); }
+
+  void operator()(const T& t, const T* y, T* dy) const {
+    Forces forces;
+    evaluate(t, y, dy, forces);
+  }
+  // The same, and `margin` sinks to the least of what is 0 or more until something happens, if it is not there.
+  void operator()(const T& t, const T* y, T* dy, T& margin) const {
+    Forces forces;
+    evaluate(t, y, dy, forces);
+    for (int i = 0; i < n; ++i) {
+      const T pressing = resists_ ? until_ball(i, y, forces) : T(0.0);
+      margin = minimum(margin, modes_->any_joined() ? minimum(pressing, pressure(i, forces)) : pressing);
+    }
+  }
+
+  // One copy for all that ask: no two are rounded differently.
+  HWY_NOINLINE BodyResult<T> evaluate(const T& t, const T* y, T* dy, Forces& forces) const {
+    const RotorMotion<T> rotor = drive_.rotor(t, y);
+    const MotorState<T> motor = drive_.motor(t, rotor, y);
+    BallActions<T, room> actions;
+    actions.forces = &forces;
+    if (modes_->any_joined()) actions.together = modes_->together;
+    if (resists_ || modes_->any_held())
+      for (int i = 0; i < n; ++i) {
+        actions.held[i] = T(0.5) < modes_->held[i];
+        actions.resistance[i] = modes_->sense[i] * rolling_[i];
+      }
+    BodyResult<T> result;
+    // The sense of a normal force is taken for outward; where a ball presses on the inner wall, friction follows.
+    for (int attempt = 0; attempt < 2; ++attempt) {
+      result = balancer_.machine_derivative(rotor, actions, drive_.driven() ? &motor.torque : nullptr, y, dy);
+      if (attempt > 0 || !resists_ || !turn_inward(forces, actions)) break;
+    }
+    drive_.rates(rotor, result.acceleration, motor.error_rate, dy);
+    return result;
+  }
+
+  // Force by which ball i presses on the next one, with which it moves joined; 0 if there is none.
+  HWY_INLINE T pressure(int i, const Forces& forces) const {
+    T sum(0.0);
+    for (int j = 0; j < n; ++j) sum = sum - modes_->behind[i][j] * mass_[j] * forces.push[j];
+    return sum;
+  }
+
+  // Change of the velocities u, v, q_1..q_n, and psi' under a motor (as entries of `change`, shaped like a state) for a
+  // unit impulse that drives balls `first` and `second` apart along the race. All balls are free: what dry friction
+  // does in no time is nothing.
+  void impulse_response(const T& t, const T* y, int first, int second, T* change) const {
+    const RotorMotion<T> rotor = drive_.rotor(t, y);
+    BallActions<T, room> actions;
+    T before[dimension], after[dimension];
+    const T idle(0.0), *torque = drive_.driven() ? &idle : nullptr;
+    const T a0 = balancer_.machine_derivative(rotor, actions, torque, y, before).acceleration;
+    actions.push[first] = T(-1.0);
+    actions.push[second] = T(1.0);
+    const T a1 = balancer_.machine_derivative(rotor, actions, torque, y, after).acceleration;
+    for (int i = 0; i < size_; ++i) change[i] = T(0.0);
+    for (int i : {model::index::u, model::index::v}) change[i] = after[i] - before[i];
+    for (int i = 0; i < n; ++i) change[4 + n + i] = after[4 + n + i] - before[4 + n + i];
+    if (drive_.driven()) change[places().speed] = a1 - a0;
+  }
+
+ private:
+  HybridFlow(const model::Parameters& p, const model::DrivePiece& piece, model::DrivePlaces places, int size,
+             double begin, double psi, const Modes* modes)
+      : n(p.balls),
+        balancer_(p),
+        drive_(p, piece, places, begin, psi),
+        size_(size),
+        resists_(p.balls_stick()),
+        modes_(modes) {
+    for (int i = 0; i < n; ++i) {
+      mass_[i] = T(p.rolls ? 1.4 * p.mass[i] : p.mass[i]);
+      rolling_[i] = T(p.rolling[i]);
+      stiction_[i] = T(p.stiction[i]);
+    }
+  }
+
+  // Of a moving ball its rate, of one that is held what is left of what holds it.
+  HWY_INLINE T until_ball(int i, const T* y, const Forces& forces) const {
+    const T left = stiction_[i] * absolute(forces.normal[i]) - absolute(forces.tangential[i]);
+    return select(T(0.5) < modes_->held[i], left, modes_->sense[i] * y[4 + n + i]);
+  }
+
+  HWY_INLINE bool turn_inward(const Forces& forces, BallActions<T, room>& actions) const {
+    bool turned = false;
+    for (int i = 0; i < n; ++i) {
+      const T resistance = actions.resistance[i];
+      const auto inward = T(0.0) < absolute(resistance);
+      const auto pulls = forces.normal[i] < T(0.0);
+      const auto both = inward & pulls;
+      turned = turned || any(both);
+      actions.resistance[i] = select(both, -resistance, resistance);
+    }
+    return turned;
+  }
+
+  const model::BallCount<room> n;
+  BallBalancer<T, room, Terms{true, true, true, true, true}> balancer_;
+  RotorDrive<T> drive_;
+  int size_;
+  bool resists_;
+  T mass_[room], rolling_[room], stiction_[room];  // mass: what resists a push
+  const Modes* modes_;
+};
+
+}  // namespace HWY_NAMESPACE
+}  // namespace equipoise
+HWY_AFTER_NAMESPACE();
+
+#endif

@@ -1,0 +1,210 @@
+// Lanes of systems with contact and dry friction, alone and together, against the same starts one by one in doubles:
+// final states and numbers of events; that neighbours make no difference; how balls graze, stop dead and come to rest.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+#include <vector>
+
+#include "equipoise/integrate/machine_trajectory-inl.hpp"
+#include "equipoise/kernels/lane_kernels.hpp"
+#include "equipoise/model/ball_count.hpp"
+#include "equipoise/spin_up/initial_state.hpp"
+#include "equipoise/spin_up/spin_up.hpp"
+
+namespace {
+
+using namespace equipoise;
+namespace kernels = HWY_NAMESPACE;
+using Machine = kernels::MachineTrajectory<model::any_count>;
+
+constexpr double until = 30.0;
+constexpr std::size_t starts = 19;  // more than two groups of lanes, and no multiple of their number
+
+struct Case {
+  std::string name, toml;
+  double accuracy = 1e-6;  // lanes err by up to 1e-10 a step; every impact and start multiplies what errors there are
+};
+std::ostream& operator<<(std::ostream& out, const Case& c) { return out << c.name; }
+
+std::string rotor(const std::string& more = "") {
+  return "[rotor]\neccentricity = 0.02\ndamping = 0.4\ninertia = 4.0\n" + more +
+         "[numerics]\ntolerance = 1e-10\nhorizon = 100\n";
+}
+const std::string upright = "gravity = 0.02\nstiffness = [1.0, 1.3]\n";
+std::string balls(int n, const std::string& more) {
+  return "[balancer]\nballs = " + std::to_string(n) + "\nmass = 0.03\ndrag = 0.2\n" + more;
+}
+std::string contact(double restitution, double angle = 0.5) {
+  return "contact_angle = " + std::to_string(angle) + "\nrestitution = " + std::to_string(restitution) + "\n";
+}
+const std::string sticky = "rolling = 0.01\nstiction = 0.02\n", rolling = "rolling = 0.01\n",
+                  motor = "[speed]\nprofile = \"torque\"\ninitial = 0.5\ntorque = { constant = 0.6, slope = -0.2 }\n",
+                  constant = "[speed]\nprofile = \"constant\"\nspeed = 2.0\n",
+                  ramp = "[speed]\nprofile = \"ramp\"\nfinal = 2.4\nduration = 20.0\n",
+                  published = ramp + "law = \"published\"\n", off_centre = "race_offset = [0.03, -0.02]\n",
+                  at_speed = "[release]\nspeed = 0.9\n", at_time = "[release]\ntime = 7.3\n",
+                  sizes = "rolls = true\nball_radius = [0.3, 0.1, 0.2]\n";
+
+std::vector<Case> cases() {
+  std::vector<Case> all{{"contact", rotor() + balls(2, contact(0.5)) + constant},
+                        {"elastic_contact", rotor() + balls(3, contact(1.0)) + constant},
+                        {"plastic_contact", rotor() + balls(3, contact(0.0)) + constant},
+                        {"contact_with_gravity_on_a_ramp", rotor(upright) + balls(3, contact(0.5)) + ramp},
+                        {"contact_of_balls_released_at_a_time", rotor() + balls(3, contact(0.7)) + ramp + at_time},
+                        {"contact_where_the_speed_jumps", rotor() + balls(2, contact(0.6)) + published + at_time},
+                        {"contact_under_a_motor_with_gravity", rotor(upright) + balls(4, contact(0.5)) + motor},
+                        {"contact_off_centre_releasing_at_a_speed",
+                         rotor(upright) + balls(3, contact(0.3) + off_centre) + motor + at_speed},
+                        {"contact_of_balls_that_roll", rotor() + balls(3, contact(0.5) + sizes) + motor},
+                        {"plastic_contact_of_balls_that_roll", rotor(upright) + balls(3, contact(0.0) + sizes) + motor},
+                        {"rolling_resistance", rotor() + balls(2, rolling) + constant},
+                        {"stiction", rotor() + balls(2, sticky) + constant},
+                        {"stiction_with_gravity", rotor(upright) + balls(3, sticky) + constant},
+                        {"stiction_of_balls_that_roll", rotor() + balls(3, sticky + sizes) + motor},
+                        {"stiction_under_a_motor_with_gravity", rotor(upright) + balls(3, sticky) + motor + at_time},
+                        {"stiction_off_centre", rotor() + balls(3, sticky + off_centre) + ramp + at_time},
+                        {"both", rotor() + balls(3, contact(0.5) + sticky) + constant},
+                        {"both_plastic", rotor() + balls(3, contact(0.0) + sticky) + constant},
+                        {"both_elastic", rotor() + balls(2, contact(1.0) + rolling) + constant},
+                        {"both_with_gravity", rotor(upright) + balls(3, contact(0.5) + sticky) + ramp},
+                        {"both_under_a_motor_off_centre",
+                         rotor(upright) + balls(4, contact(0.2) + sticky + off_centre) + motor + at_speed},
+                        {"both_of_balls_that_roll", rotor() + balls(3, contact(0.3) + sticky + sizes) + motor}};
+  for (int n = 1; n <= 8; ++n)
+    all.push_back({"both_of_" + std::to_string(n), rotor() + balls(n, contact(0.4, 0.3) + sticky) + constant});
+  return all;
+}
+
+Machine::Scale tight(const model::Parameters& p) {
+  Machine::Scale scale;
+  scale.tolerance = 1e-13;
+  scale.floor.fill(1.0);
+  for (int i = 0; i < 4; ++i) scale.floor[i] = p.all_unbalances();
+  scale.absolute.fill(true);
+  scale.angle.fill(true);
+  return scale;
+}
+
+struct Reference {
+  std::vector<double> state;
+  long events = 0;  // without the release
+};
+
+Reference one_by_one(const Study& study, std::uint64_t index) {
+  const model::Parameters& p = study.parameters;
+  const model::Drive drive = study.drive();
+  double z[Machine::dimension];
+  initial_state(start_of(study, study.sampling.seed, index), p.balls, drive.speed, z);
+  Machine machine(p, drive, tight(p), z);
+  const bool held = machine.clamped();
+  EXPECT_EQ(machine.advance(until, [](auto&&...) { return false; }), IntegrationStatus::done);
+  const double* end = machine.state();
+  std::vector<double> state(end, end + model::dimension(p.balls));
+  const model::System system = study.system();
+  if (system.psi_place() >= 0) state.push_back(end[model::machine_index::psi(p.balls)]);
+  if (system.speed_place() >= 0) state.push_back(end[model::machine_index::speed(p.balls)]);
+  return {state, machine.events() - held};
+}
+
+struct Ends {
+  std::vector<double> states;
+  std::uint64_t events = 0;
+  std::vector<Fate> fates;
+};
+
+Ends on_lanes(const Study& study, std::uint64_t first, std::size_t count, double end = until) {
+  SpunUp spun;
+  const auto source = make_spin_up(study, nullptr);
+  EXPECT_TRUE(source->make(study.sampling.seed, first, count, spun));
+  LaneTask task = source->last_task();
+  EXPECT_EQ(task.kind(), LaneKind::hybrid);
+  LaneWork work;
+  task.end = end;
+  task.count = count;
+  task.states = spun.states.data();
+  task.work = &work;
+  if (!spun.begins.empty()) task.begins = spun.begins.data();
+  Ends ends;
+  ends.fates.resize(count);
+  EXPECT_TRUE(advance_lanes(task, ends.fates));
+  ends.states = spun.states;
+  ends.events = work.events;
+  return ends;
+}
+
+class HybridLanes : public testing::TestWithParam<Case> {};
+
+TEST_P(HybridLanes, FollowStartsAsDoublesDo) {
+  const Study study = parse_study(GetParam().toml, "study");
+  const auto size = static_cast<std::size_t>(study.system().dimension());
+  const Eigen::VectorXd scale = study.system().scale();
+  const Ends ends = on_lanes(study, 0, starts);
+  ASSERT_EQ(ends.states.size(), starts * size);
+  long events = 0;
+  double worst = 0.0;
+  for (std::size_t i = 0; i < starts; ++i) {
+    ASSERT_EQ(ends.fates[i].outcome, Outcome::undecided);
+    const Reference reference = one_by_one(study, i);
+    events += reference.events;
+    for (std::size_t k = 0; k < size; ++k) {
+      const double off = std::fabs(ends.states[i * size + k] - reference.state[k]) / scale[k];
+      EXPECT_LT(off, GetParam().accuracy) << i << " " << k;
+      worst = std::max(worst, off);
+    }
+  }
+  RecordProperty("worst", std::to_string(worst * 1e9) + "e-9");
+  RecordProperty("events", static_cast<int>(events));
+  EXPECT_GT(events, 0);
+  // On the way to the last piece of the drive lanes count theirs elsewhere.
+  if (study.speed.profile == Profile::constant) {
+    EXPECT_EQ(static_cast<long>(ends.events), events);
+  }
+}
+INSTANTIATE_TEST_SUITE_P(AllSystems, HybridLanes, testing::ValuesIn(cases()),
+                         [](const auto& info) { return info.param.name; });
+
+// Place, neighbours and number of a trajectory make no difference to its bits.
+TEST(HybridLanesAlone, GiveTheSameBits) {
+  for (const char* name : {"both_of_5", "both_under_a_motor_off_centre", "contact_of_balls_that_roll"}) {
+    const auto all = cases();
+    const auto found = std::find_if(all.begin(), all.end(), [&](const Case& c) { return c.name == name; });
+    const Study study = parse_study(found->toml, "study");
+    const auto size = static_cast<std::size_t>(study.system().dimension());
+    const Ends together = on_lanes(study, 0, 17);
+    for (const std::uint64_t i : {0u, 7u, 14u})
+      for (const std::size_t count : {1u, 3u}) {
+        const Ends alone = on_lanes(study, i, count);
+        for (std::size_t k = 0; k < count * size; ++k)
+          ASSERT_EQ(alone.states[k], together.states[i * size + k]) << name << " " << i << " " << k;
+      }
+  }
+}
+
+// A trajectory stopped anywhere and taken up again goes on as if it had not been: the mode is a function of the state.
+TEST(HybridLanesAlone, GoOnFromAnyState) {
+  for (const char* name : {"both_of_5", "plastic_contact", "both_plastic", "stiction"}) {
+    const auto all = cases();
+    const auto found = std::find_if(all.begin(), all.end(), [&](const Case& c) { return c.name == name; });
+    const Study study = parse_study(found->toml, "study");
+    const auto size = static_cast<std::size_t>(study.system().dimension());
+    const Eigen::VectorXd scale = study.system().scale();
+    const Ends whole = on_lanes(study, 0, starts);
+    Ends parts = on_lanes(study, 0, starts, 10.0);
+    const model::System system = study.system();
+    for (int part = 0; part < 40; ++part) {
+      LaneTask task = lane_task(system);
+      task.segment.begin = 10.0 + 0.5 * part;
+      task.end = task.segment.begin + 0.5;
+      task.tolerance = 1e-10;
+      task.count = starts;
+      task.states = parts.states.data();
+      ASSERT_TRUE(advance_lanes(task, parts.fates));
+    }
+    for (std::size_t k = 0; k < starts * size; ++k)
+      EXPECT_NEAR(parts.states[k], whole.states[k], 1e-6 * scale[k % size]) << name << " " << k / size;
+  }
+}
+
+}  // namespace
