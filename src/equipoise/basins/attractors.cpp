@@ -34,7 +34,7 @@ AttractorsResult attractors(const Study& asked, const AttractorsOptions& options
     const auto same = [&](const AttractorShare& s) { return s.id == a.id; };
     if (std::any_of(shares.begin(), shares.end(), same)) continue;
     shares.push_back(
-        {a.id, a.name, a.alias, name_of(a.motion.kind), wilson_share(stalled[a.id], result.basin.starts), 0.0, {}});
+        {a.id, a.name, a.alias, name_of(a.motion.kind), wilson_share(stalled[a.id], result.basin.starts), 0.0, {}, {}});
   }
   return result;
 }

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <bit>
+#include <cmath>
 
 #include "equipoise/statistics/replicated_share.hpp"
 #include "equipoise/statistics/stratified_share.hpp"
@@ -39,6 +40,7 @@ void Tally::add(const Fate& fate) {
   const double weight = sampler_.weight(seed_, total_);
   line.time += weight * (fate.time - settled_);
   line.counted += weight;
+  if (!std::isnan(fate.unbalance)) line.unbalance[fate.unbalance] += weight;
   ++line.by[static_cast<std::size_t>(fate.by)];
   if (sampler_.method() == SamplingMethod::sobol) ++line.in_replicate[total_ % sobol_replicates];
   if (sampler_.grid()) add_to_pair(key, line, weight);
@@ -97,11 +99,28 @@ Share Tally::share(Key key) const {
 
 Share Tally::share(Outcome outcome, int attractor) const { return share(key_of(outcome, attractor)); }
 
+namespace {
+// Values below which so much of all weight lies.
+std::vector<double> quantiles_of(const std::map<float, double>& weights) {
+  double total = 0.0;
+  for (const auto& [value, weight] : weights) total += weight;
+  std::vector<double> result;
+  double below = 0.0;
+  for (const auto& [value, weight] : weights) {
+    below += weight;
+    while (result.size() < unbalance_quantiles.size() && below >= unbalance_quantiles[result.size()] * total * (1.0 - 1e-12))
+      result.push_back(value);
+  }
+  return result;
+}
+}  // namespace
+
 AttractorShare Tally::share(const Attractor& a) const {
-  AttractorShare result{a.id, a.name, a.alias, name_of(a.motion.kind), share(Outcome::attracted, a.id), 0.0, {}};
+  AttractorShare result{a.id, a.name, a.alias, name_of(a.motion.kind), share(Outcome::attracted, a.id), 0.0, {}, {}};
   if (const auto at = lines_.find(key_of(Outcome::attracted, a.id)); at != lines_.end()) {
     result.mean_time = at->second.time / at->second.counted;
     result.decided_by = at->second.by;
+    result.unbalance = quantiles_of(at->second.unbalance);
   }
   return result;
 }

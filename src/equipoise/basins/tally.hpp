@@ -50,6 +50,7 @@ class Tally {
   struct Line {
     std::uint64_t count = 0;
     double counted = 0.0, time = 0.0;  // weighted
+    std::map<float, double> unbalance;   // that is left, with weights
     std::array<std::uint64_t, decided_by_count> by{};
     std::array<std::uint64_t, sobol_replicates> in_replicate{};  // for Sobol points
     Split split, from_undecided;                                 // for a grid: from any other outcome; from that one

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "equipoise/model/balanced_state.hpp"
+#include "equipoise/motions/event_motion.hpp"
 #include "equipoise/orbits/recurrence.hpp"
 
 namespace equipoise {
@@ -22,6 +23,12 @@ constexpr double largest_change = 0.5;
 constexpr double uneven = 4.0, smallest_uneven = 0.02;
 constexpr double centred = 1e-9;  // off_balance() of balanced states
 
+// Balls in contact may come to touch on a motion that was refined as if they passed each other.
+std::optional<Motion> if_clear(const model::System& system, Motion motion) {
+  if (!stays_clear(system, motion)) return std::nullopt;
+  return motion;
+}
+
 std::optional<Motion> refined(const model::System& system, const Motion& guess) {
   // Where equations begin to depend on the rotor's angle, or cease to, motions become others.
   if (guess.state.size() != system.dimension()) return std::nullopt;
@@ -29,12 +36,12 @@ std::optional<Motion> refined(const model::System& system, const Motion& guess) 
     if (system.section() == model::Section::strobe) return std::nullopt;
     const auto found = refine_equilibrium(system, guess.state);
     if (!found) return std::nullopt;
-    return describe_equilibrium(system, *found);
+    return if_clear(system, describe_equilibrium(system, *found));
   }
   if (guess.orbit.imposed != (system.section() == model::Section::strobe)) return std::nullopt;
   const auto found = refine_orbit(system, guess.orbit.nodes, guess.orbit.period);
   if (!found) return std::nullopt;
-  return describe_orbit(system, *found);
+  return if_clear(system, describe_orbit(system, *found));
 }
 
 // What no smooth change of a motion alters.
@@ -63,7 +70,7 @@ bool smooth(double first, double second) {
 }  // namespace
 
 bool is_restless(const Motion& motion) {
-  return motion.kind == MotionKind::quasi_periodic || motion.kind == MotionKind::chaotic;
+  return motion.kind == MotionKind::quasi_periodic || motion.kind == MotionKind::chaotic || motion.eventful;
 }
 
 std::string family_of(const model::Parameters& p, const Motion& motion) {

@@ -6,6 +6,7 @@
 
 #include "equipoise/proof/certificate.hpp"
 #include "equipoise/traps/balanced_trap.hpp"
+#include "equipoise/traps/touching.hpp"
 #include "equipoise/traps/validated_level.hpp"
 
 namespace equipoise {
@@ -68,7 +69,10 @@ void widen_levels(std::vector<BalancedTrap>& traps, const TrialSettings& setting
                   const PilotRun& pilot) {
   if (traps.empty()) return;
   const std::vector<BalancedTrap> narrow = traps;
-  const double nearest_foreign = nearest_elsewhere(narrow, settings, slowest_rate, pilot);
+  double nearest_foreign = nearest_elsewhere(narrow, settings, slowest_rate, pilot);
+  // Twice the level is tried, where no balls may overlap.
+  for (const BalancedTrap& trap : narrow)
+    nearest_foreign = std::min(nearest_foreign, touching_level(*settings.system, trap));
   level_each(traps, settings.system->parameters(),
              [&](BalancedTrap& trap) { widen(trap, narrow, settings, slowest_rate, nearest_foreign); });
 }

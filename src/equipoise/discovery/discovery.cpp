@@ -23,6 +23,7 @@
 #include "equipoise/discovery/pilot_run.hpp"
 #include "equipoise/model/strobe.hpp"
 #include "equipoise/motions/motion_description.hpp"
+#include "equipoise/motions/stuck.hpp"
 #include "equipoise/spin_up/spin_up.hpp"
 #include "equipoise/traps/continuum_trap.hpp"
 #include "equipoise/traps/cycle_forms.hpp"
@@ -46,9 +47,6 @@ constexpr std::size_t most_groups = 24;
 // take longer than starts do that have to come into the narrow one.
 constexpr double slowest_worth_widening = 1e-3;
 
-// A rotor that turns thirty times as fast as it resonates, and which no motor holds, does not come back.
-constexpr double out_of_reach = 30.0;
-
 // Boxes around what a motion does, widened by so many times its range: a wide one is entered sooner, and the audit
 // makes it ask for more hits. Whichever is satisfied first decides.
 constexpr std::array box_widths{1.0, 2.0, 4.0};
@@ -66,7 +64,7 @@ DecisionRule first_rule(const Study& study, const BalancedAnalysis& balanced, co
   rule.window = std::max(16.0, 32.0 / std::max(std::fabs(system.pace()), 0.1));
   rule.sag = model::static_sag(study.parameters);
   if (system.section() == model::Section::strobe) rule.window = whole_strobes(rule.window, system.strobe_period());
-  if (system.runs_away(rule.fastest)) rule.fastest = out_of_reach;
+  if (system.runs_away(rule.fastest)) rule.fastest = model::out_of_reach;
   rule.first_long_window = std::max(100.0, 6.0 * rule.window);
   if (balanced.slowest_rate < 0.0) {
     // Long enough that whatever is only on its slow way to balance shrinks visibly from one window to the next.
@@ -136,7 +134,20 @@ class Discoverer {
       if (const auto m = balanced.continuum->member(balanced.survey.typical.data()))
         result_.catalogue.add(study_.parameters, describe_creep(system_, m->centre, m->rate), part);
     for (const Motion& motion : balanced.motions) add_traps(motion, balanced_id);
-    set_traps(result_.rule, system_, cycles_, continuum_);
+    set_rule_traps();
+  }
+
+  // Of balls that stick no single state attracts: what catches a start is that all of them are held for good.
+  void set_rule_traps() {
+    if (!system_.events().stick) {
+      set_traps(result_.rule, system_, cycles_, continuum_);
+      return;
+    }
+    result_.rule.strobed = {[system = system_, listed = result_.catalogue](const double* state, double psi) {
+      const Eigen::Map<const Eigen::VectorXd> y(state, system.dimension());
+      const auto end = stuck_for_good(system, y, psi);
+      return end ? listed.find(system.parameters(), describe_stuck(system, *end)) : 0;
+    }};
   }
 
   // Proved or widened levels of the balanced traps.
@@ -209,7 +220,7 @@ class Discoverer {
       result_.rule.known.push_back({c.features, c.attractor, c.motion->kind == MotionKind::chaotic});
     }
     for (const Attractor& a : result_.catalogue.listed_since(before)) add_traps(a.motion, a.id);
-    set_traps(result_.rule, system_, cycles_, continuum_);
+    set_rule_traps();
     return !is_stopped();
   }
 
@@ -239,6 +250,7 @@ class Discoverer {
   }
 
   void add_traps(const Motion& motion, int id) {
+    if (motion.eventful) return;  // windows tell it
     std::vector<CycleTrap> traps = cycle_traps(system_, motion, id);
     if (traps.empty() || !validate(traps, trials_, motion.orbit.slowest_rate())) return;
     for (CycleTrap& trap : traps) cycles_.push_back(std::make_shared<CycleTrap>(std::move(trap)));

@@ -12,6 +12,7 @@
 #include "equipoise/fates/machine_fade.hpp"
 #include "equipoise/model/strobe.hpp"
 #include "equipoise/motions/catalogue.hpp"
+#include "equipoise/motions/stuck.hpp"
 #include "equipoise/orbits/continuum_draws.hpp"
 #include "equipoise/traps/balanced_analysis.hpp"
 
@@ -70,9 +71,7 @@ bool MachineFacts::below_stall(double speed) const {
 }
 
 bool MachineFacts::runs_away(double speed) const {
-  constexpr double out_of_reach = 30.0;  // thirty times the resonance
-  const model::FreeMachine& machine = balance_.machine();
-  return !machine.coasts() && !(machine.balanced_speed() && machine.holds_speed()) && std::fabs(speed) > out_of_reach;
+  return balance_.machine().system().runs_away(speed);
 }
 
 // Stability of exact balance, at the speed that it comes with.

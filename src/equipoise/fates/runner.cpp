@@ -8,9 +8,9 @@
 namespace equipoise {
 
 namespace {
-// What goes from event to event is followed start by start. So is a rotor that no torque drives in the end: it may keep
-// any speed, and lose it for as long as it shakes, so that there is no list of what it comes to.
-bool needs_machine(const model::System& system) { return !system.smooth() || system.coasts(); }
+// A rotor that no torque drives in the end is followed start by start: it may keep any speed, and lose it for as long as
+// it shakes, so that there is no list of what it comes to.
+bool needs_machine(const model::System& system) { return system.coasts(); }
 }  // namespace
 
 int settle(Runner& runner, const UnlistedStart& start, Fate& fate) {

@@ -64,8 +64,7 @@ int settle(Runner& runner, const UnlistedStart& start, Fate& fate);
 /// for those that cannot be watched.
 void check_runnable(const Study& study, bool transients);
 
-/// StartRunner on SIMD lanes, or MachineRunner for what is not smooth (model/system.hpp) and for rotors that are left
-/// without torque in the end. The study has passed check_runnable().
+/// StartRunner on SIMD lanes, or MachineRunner for rotors that are left without torque in the end. The study has passed check_runnable().
 std::unique_ptr<Runner> make_runner(const Study& study, const DiscoverySettings& settings, bool transients);
 
 }  // namespace equipoise

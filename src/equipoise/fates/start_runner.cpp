@@ -14,6 +14,7 @@
 #include "equipoise/model/speed.hpp"
 #include "equipoise/model/strobe.hpp"
 #include "equipoise/model/system.hpp"
+#include "equipoise/model/unbalance.hpp"
 #include "equipoise/motions/motion_figures.hpp"
 #include "equipoise/orbits/stroboscopic.hpp"
 #include "equipoise/transients/clamped_transients.hpp"
@@ -58,9 +59,10 @@ void check_decidable(const Study& study) {
         study.name, final_speed_key(study), fmt::format("{:.6g}", speed),
         fmt::format("basin and attractors take final speeds from -{0:g} to {0:g} critical speeds", fastest_speed));
   const bool proof = study.numerics.decide == DecideMode::proof;
-  if (proof && !study.system().plain())
+  if (proof && !study.system().simple())
     throw InputError(study.name, "numerics.decide", "proof",
-                     "with a motor or an off-centre race there are no proofs: use \"validated\" or \"horizon\"");
+                     "with a motor, an off-centre race, contact or dry friction there are no proofs: use \"validated\" or "
+                     "\"horizon\"");
   if (!model::is_strobed(study.parameters)) return;
   if (speed == 0.0 && !study.speed.driven())
     throw InputError(study.name, final_speed_key(study), "0",
@@ -76,7 +78,9 @@ void check_offers(const Study& study, model::Answer answer) {
   check(study);
   const model::Parameters& p = study.parameters;
   const auto lack = model::lacking(study.system(), answer);
-  if (!lack && model::capability(answer).smooth && study.system().coasts())
+  const bool lists = answer == model::Answer::attractors || answer == model::Answer::branches ||
+                     answer == model::Answer::maps;
+  if (!lack && lists && study.system().coasts())
     throw InputError(study.name, "speed.torque", "0 in the end",
                      fmt::format("{} need a rotor that something turns for good", model::capability(answer).name));
   if (!lack) return;
@@ -175,12 +179,20 @@ bool StartRunner::run(std::uint64_t first, std::size_t count, std::vector<double
       fate.mean_speed = static_cast<float>(mean_speed(fate));
       end = table.end_of(fate.attractor).figures;
     }
+    if (attracted) note_unbalance(&starts.states[i * system_.dimension()], fate);
     if (attracted && stalls(fate)) fate.outcome = Outcome::stalled;
     if (!rows) continue;
     const bool lost = fate.outcome == Outcome::diverged || fate.outcome == Outcome::failed;
     (*rows)[i] = transient_row(settings_of(starts, i), table.rows[i], lost, end);
   }
   return true;
+}
+
+// Balls that dry friction holds leave each their own.
+void StartRunner::note_unbalance(const double* state, Fate& fate) const {
+  const Attractor* a = discovery_.catalogue.find(fate.attractor);
+  if (a && a->motion.set_valued)
+    fate.unbalance = static_cast<float>(std::abs(model::unbalance(study_.parameters, state + model::index::phi(0))));
 }
 
 // Of a driven rotor, its attractor's own: a trap may catch it before it has turned for long.

@@ -1,4 +1,4 @@
-// The starts of a smooth system, many at a time on SIMD lanes, decided by attractors found beforehand.
+// The starts of a system, many at a time on SIMD lanes, decided by attractors found beforehand.
 #pragma once
 
 #include <cstdint>
@@ -51,6 +51,7 @@ class StartRunner : public Runner {
   bool decide(SpunUp& starts, TransientTable* table, std::vector<Fate>& fates) const;
   UnlistedStart unlisted_start(const SpunUp& starts, std::size_t i, double now) const;
   double mean_speed(const Fate& fate) const;
+  void note_unbalance(const double* state, Fate& fate) const;
   bool stalls(const Fate& fate) const;
   Restlessness restlessness(const Fate& fate, double begin, double speed) const;
   TransientSettings settings_of(const SpunUp& starts, std::size_t i) const;

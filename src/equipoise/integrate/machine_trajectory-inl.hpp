@@ -33,8 +33,9 @@ class MachineTrajectory {
   static constexpr int dimension = Flow::dimension;  // the largest size, in the state of model/machine.hpp
   using Scale = ErrorScale<dimension>;
 
-  // `z`: dimension(n) numbers at t = 0 (model/parameters.hpp).
-  MachineTrajectory(const model::Parameters& p, const model::Drive& drive, const Scale& scale, const double* z)
+  // `z`: dimension(n) numbers at t = 0 (model/parameters.hpp). `error`: the integral of the speed error there.
+  MachineTrajectory(const model::Parameters& p, const model::Drive& drive, const Scale& scale, const double* z,
+                    double error = 0.0)
       : n(p.balls),
         p_(p),
         drive_(drive),
@@ -45,7 +46,7 @@ class MachineTrajectory {
     std::copy(z, z + model::dimension(n), state_.begin());
     state_[model::machine_index::psi(n)] = drive.psi;
     state_[model::machine_index::speed(n)] = drive.speed;
-    state_[model::machine_index::error_integral(n)] = 0.0;
+    state_[model::machine_index::error_integral(n)] = error;
     if (drive.release_speed) rising_ = *drive.release_speed > drive.speed;
     clamped_ = drive.release_time > 0.0 && !(drive.release_speed && *drive.release_speed == drive.speed);
     if (clamped_)
@@ -63,6 +64,8 @@ class MachineTrajectory {
   double released() const { return released_; }
   // Events that changed what the balls do, release included.
   long events() const { return events_; }
+  // What the balls do in the present step.
+  const model::BallMode& mode() const { return balls_.mode(); }
 
   // Past the end of a piece of the drive, if the time is there: psi' may jump.
   void enter() {

@@ -40,11 +40,11 @@ struct Capability {
 inline constexpr std::array<Capability, 7> capabilities{{
     {Answer::trajectory, "trajectories", "simulate", false, false, false, false},
     {Answer::shares, "shares", "basin", false, false, false, false},
-    {Answer::attractors, "attractors", "attractors", true, false, false, false},
+    {Answer::attractors, "attractors", "attractors", false, false, false, false},
     {Answer::proofs, "proofs", "", true, true, true, true},
     {Answer::displacements, "observed displacements", "", true, true, true, true},
-    {Answer::branches, "branches along a parameter", "", true, false, false, false},
-    {Answer::maps, "maps", "", true, false, false, false},
+    {Answer::branches, "branches along a parameter", "", false, false, false, false},
+    {Answer::maps, "maps", "", false, false, false, false},
 }};
 constexpr const Capability& capability(Answer answer) { return capabilities[static_cast<std::size_t>(answer)]; }
 

@@ -36,7 +36,6 @@ bool System::coasts() const {
 }
 
 bool System::runs_away(double speed) const {
-  constexpr double out_of_reach = 30.0;  // thirty times the resonance
   const bool held = prescribed() || coasts() || drive_.motor.slope < 0.0 || drive_.motor.integral != 0.0;
   return !held && std::fabs(speed) > out_of_reach;
 }

@@ -35,6 +35,9 @@ struct DrivePlaces {
 /// compared: lambda + sum mu_i (what r is of the order of) for the rotor's, 1 for the balls'.
 Eigen::VectorXd state_scale(const Parameters& p);
 
+/// Nothing that a rotor meets holds it any more when it turns thirty times as fast as it resonates.
+inline constexpr double out_of_reach = 30.0;
+
 /// The state is that of parameters.hpp, then, of a driven rotor and in the order of machine.hpp: psi on section turn,
 /// psi', and the integral of the speed error if the motor's control has one.
 class System {

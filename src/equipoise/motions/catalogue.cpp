@@ -24,7 +24,7 @@ std::vector<Attractor> Catalogue::listed_since(const Catalogue& earlier) const {
 }
 
 int Catalogue::find(const model::Parameters& p, const Motion& motion) const {
-  const bool balanced = motion_name(p, motion).name == "balanced";
+  const bool balanced = motion_name(p, motion).id == balanced_id;
   for (const Attractor& a : attractors_)
     if (balanced ? a.id == balanced_id : same_motion(p, a.motion, motion)) return a.id;
   return 0;

@@ -17,11 +17,13 @@
 #include "equipoise/math/dense.hpp"
 #include "equipoise/model/balanced_state.hpp"
 #include "equipoise/model/linearisation.hpp"
+#include "equipoise/motions/event_motion.hpp"
 #include "equipoise/motions/motion_description.hpp"
 #include "equipoise/motions/motion_statistics.hpp"
 #include "equipoise/motions/motion_symmetry.hpp"
 #include "equipoise/motions/nearest_balanced.hpp"
 #include "equipoise/motions/settling.hpp"
+#include "equipoise/orbits/balanced_continuum.hpp"
 #include "equipoise/orbits/recurrence.hpp"
 #include "equipoise/orbits/stroboscopic.hpp"
 
@@ -83,6 +85,7 @@ class Journey {
   bool approaches(double rate, const Distance& distance);
   std::optional<Motion> rest();
   std::optional<Motion> continuum();
+  std::optional<Motion> creep() const;
   std::optional<Motion> recurrence();
   std::optional<Motion> persistence();
   std::optional<PeriodicOrbit> orbit_of(const Return& now);
@@ -188,6 +191,15 @@ std::optional<Motion> Journey::continuum() {
   return describe(system_, *end);
 }
 
+// Near what gravity leaves of a continuum of balanced states, and on its way along it.
+std::optional<Motion> Journey::creep() const {
+  if (!strobed() || p_.gravity == 0.0 || p_.balls <= 2 || !BalancedContinuum::is_of(system_)) return std::nullopt;
+  const auto member = BalancedContinuum(system_).destination(state_);
+  if (!member || !(member->rate < 0.0) || !(difference_.distance(state_, member->centre) < reached))
+    return std::nullopt;
+  return describe_creep(system_, member->centre, member->rate);
+}
+
 std::optional<Motion> Journey::rest() {
   // Faster than this no equilibrium is near: it swings at a rate of order one, so it would be as far away.
   Eigen::VectorXd rate = model::rate(system_, state_);
@@ -195,7 +207,7 @@ std::optional<Motion> Journey::rest() {
   if (!strobed() && difference_.length(rate) > in_reach) return std::nullopt;
   if (model::balanced_freedom(system_) > 0)
     if (auto motion = continuum()) return motion;
-  if (strobed()) return std::nullopt;  // what rests comes back after every strobe
+  if (strobed()) return creep();  // what rests else comes back after every strobe
   if (system_.psi_place() >= 0 && std::fabs(system_.speed(state_)) > in_reach) return std::nullopt;  // after every turn
   const auto equilibrium = refine_equilibrium(system_, state_);
   if (!equilibrium || !attracts(equilibrium->eigenvalues, 0)) return std::nullopt;
@@ -380,6 +392,7 @@ KnownOrbit known_orbit(const model::System& system, const Motion& motion) {
 
 Settling settle(const model::System& system, const Eigen::VectorXd& state, double patience,
                 const std::vector<KnownOrbit>& known, const StopFlag* stop) {
+  if (!system.smooth()) return settle_with_events(system, state, patience, stop);
   return Journey(system, state, patience, known, stop).settle();
 }
 

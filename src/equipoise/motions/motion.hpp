@@ -11,6 +11,7 @@
 #include "equipoise/base/stop_flag.hpp"
 #include "equipoise/model/parameters.hpp"
 #include "equipoise/model/system.hpp"
+#include "equipoise/orbits/ball_events.hpp"
 #include "equipoise/orbits/orbit.hpp"
 
 namespace equipoise {
@@ -49,8 +50,18 @@ struct Motion {
   /// strobe. At a prescribed speed `state` holds where psi = 0, and every multiplier counts.
   bool strobed = false;
   int strobes = 0;        ///< strobed and periodic only: turns of the rotor, by strobe_angle(), in `period`
-  bool balanced = false;  ///< strobed only: gravity and anisotropy taken away gradually lead to a balanced state
+  /// Strobed: gravity and anisotropy taken away gradually lead to a balanced state. Stuck or with events: it shakes less
+  /// than half as much as the rotor would without balls (halves_the_shaking()).
+  bool balanced = false;
   double duration = 0.0;  ///< time over which the statistics were taken; 0 for an equilibrium
+
+  // Of systems with events.
+  model::BallMode mode;                  ///< which balls touch and which stick, at `state`
+  std::vector<BallEvent> events;  ///< in one period; of motions that do not come back, the last hundred
+  bool eventful = false;          ///< balls touch or stick somewhere on it; else it is one of the system without events
+  bool stuck = false;             ///< stiction holds all balls for good, with what unbalance is left (motions/stuck.hpp)
+  /// It belongs to a continuum that dry friction makes: balls that stick may do so a little farther on.
+  bool set_valued = false;
 
   // What the balls do, by topology.
   /// Balls that move as one (angles equal modulo 2 pi all along) share a number; numbers count from 0.

@@ -183,6 +183,11 @@ void describe_steady_drive(const model::System& system, Motion& motion) {
 
 }  // namespace
 
+void describe_rest(const model::System& system, Motion& motion) {
+  describe_steady_drive(system, motion);
+  describe_rest(system.parameters(), motion);
+}
+
 model::System system_of(const model::Parameters& p, const Motion& motion) {
   return motion.motor ? model::System(p, motion.motor->drive) : model::System(p, motion.speed);
 }
@@ -191,7 +196,7 @@ Motion describe_equilibrium(const model::System& system, const Equilibrium& equi
   Motion motion;
   motion.kind = MotionKind::equilibrium;
   motion.state = system.with_angles_reduced(equilibrium.state);
-  describe_steady_drive(system, motion);
+  describe_rest(system, motion);
   motion.spectrum = equilibrium.eigenvalues;
   for (const std::complex<double>& value : equilibrium.eigenvalues) motion.exponents.push_back(value.real());
   motion.residual = equilibrium.residual;
@@ -199,7 +204,6 @@ Motion describe_equilibrium(const model::System& system, const Equilibrium& equi
                         ? std::array{0.0, 0.0}
                         : model::rest_position(system.parameters(), motion.state[system.psi_place()]);
   motion.r_min = motion.r_mean = motion.r_max = std::hypot(motion.state[0] - rest[0], motion.state[1] - rest[1]);
-  describe_rest(system.parameters(), motion);
   motion.stable = attracts(motion.spectrum, is_balanced(system, motion) ? model::balanced_freedom(system) : 0);
   motion.copies = count_copies(system, motion);
   return motion;

@@ -22,6 +22,9 @@ bool drifts_are_known(const model::Parameters& p, const MotionStatistics& statis
 /// The part of that which tells what pairs of balls do.
 void describe_pairs(const model::Parameters& p, const MotionStatistics& statistics, Motion& motion);
 
+/// Of a motion that rests in the rotating frame, at motion.state: what turns the rotor, and the angles between balls.
+void describe_rest(const model::System& system, Motion& motion);
+
 /// No eigenvalue has a positive real part, and at most `zeros_allowed` are zero: those of a continuum.
 bool attracts(const Eigen::VectorXcd& eigenvalues, int zeros_allowed);
 

@@ -13,6 +13,7 @@
 #include "equipoise/model/flow-inl.hpp"
 #include "equipoise/model/smooth_flow-inl.hpp"
 #include "equipoise/model/strobe.hpp"
+#include "equipoise/orbits/event_run-inl.hpp"
 #include "equipoise/orbits/tangent_flow-inl.hpp"
 #include "equipoise/transients/transient_watch.hpp"
 
@@ -31,17 +32,22 @@ MotionFigures figures_of(const TransientSums& sums) {
           std::sqrt(w.velocity / w.length), w.unbalance / w.length};
 }
 
-// The rotor's angle is 0 where the motion's state holds, unless it is part of it.
-template <class Flow>
-MotionFigures followed(const model::System& system, const Flow& flow, const Motion& motion, double duration) {
-  const model::Parameters& p = system.parameters();
-  const auto sample = [&](double t, const double* z) {
-    const double psi = system.psi_place() < 0 ? system.speed() * t : z[system.psi_place()];
-    return transient_sample(p, psi, t, z);
-  };
+TransientSettings one_window() {
   TransientSettings settings;
   settings.window = std::numeric_limits<double>::infinity();
-  TransientWatch watch(settings);
+  return settings;
+}
+
+// The rotor's angle is 0 where the motion's state holds, unless it is part of it.
+TransientSample sample_of(const model::System& system, double t, const double* z) {
+  const double psi = system.psi_place() < 0 ? system.speed() * t : z[system.psi_place()];
+  return transient_sample(system.parameters(), psi, t, z);
+}
+
+template <class Flow>
+MotionFigures followed(const model::System& system, const Flow& flow, const Motion& motion, double duration) {
+  const auto sample = [&](double t, const double* z) { return sample_of(system, t, z); };
+  TransientWatch watch(one_window());
   std::array<double, Flow::dimension> z;
   std::copy_n(motion.state.data(), motion.state.size(), z.begin());
   watch.begin(sample(0.0, z.data()));
@@ -61,7 +67,28 @@ MotionFigures followed(const model::System& system, const Flow& flow, const Moti
   return figures_of(watch.sums());
 }
 
+// Rates may jump at events.
+MotionFigures followed_with_events(const model::System& system, const Motion& motion, double duration) {
+  const auto sample = [&](double t, const double* z) { return sample_of(system, t, z); };
+  kernels::EventRun run(system, motion.state.data(), 0.0, kernels::event_scale(system, tolerance));
+  TransientWatch watch(one_window());
+  long events = -1;
+  std::array<double, kernels::EventRun::dimension> z;
+  run.advance(duration, [&](double from, double to, auto& state_at) {
+    state_at(from, z.data());
+    if (events != run.events()) watch.begin(sample(from, z.data()));
+    events = run.events();
+    watch.step_to(to, [&](double t) {
+      state_at(t, z.data());
+      return sample(t, z.data());
+    });
+    return false;
+  });
+  return figures_of(watch.sums());
+}
+
 MotionFigures followed(const model::System& system, const Motion& motion, double duration) {
+  if (motion.eventful && duration > 0.0) return followed_with_events(system, motion, duration);
   using PlainFlow = kernels::FreeFlow<double, model::any_count, kernels::Terms{}>;
   using GeneralFlow = kernels::SmoothFlow<double, model::any_count>;
   if (!system.plain()) return followed(system, GeneralFlow(system, 0.0), motion, duration);
@@ -98,6 +125,11 @@ MotionFigures motion_figures(const model::Parameters& p, const Motion& motion) {
 KnownEnd known_end(const model::Parameters& p, const Attractor& attractor) {
   const Motion& motion = attractor.motion;
   if (motion.kind == MotionKind::measured || motion.state.size() == 0) return {};
+  if (motion.set_valued) {  // each start's is its own
+    constexpr double time_constants = 5.0;
+    const double rate = motion.exponents.empty() ? 0.0 : -motion.exponents.back();
+    return {std::nullopt, rate > slowest ? time_constants / rate : 0.0};
+  }
   if (attractor.id == balanced_id && p.gravity == 0.0 && p.race_is_centred()) return {MotionFigures{}, 0.0};
   // Members of a continuum around an off-centre race whirl alike.
   const bool unique = attractor.id != balanced_id || p.balls == 1 || (p.balls == 2 && p.equal_balls()) ||

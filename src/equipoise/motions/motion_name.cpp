@@ -156,6 +156,7 @@ std::string of_the_rotor(const model::Parameters& p, const Motion& motion) {
 }
 
 MotionName name_by_balls(const model::Parameters& p, const Motion& motion) {
+  if (motion.stuck) return motion.balanced ? MotionName{"balanced, stuck", "", balanced} : MotionName{"locked, stuck", "", locked};
   if (motion.strobed && motion.balanced) return {"balanced", "", balanced};
   if (motion.kind == MotionKind::equilibrium) return name_at_rest(p, motion);
   if (keeps_step(p, motion)) return {"locked", "", locked};

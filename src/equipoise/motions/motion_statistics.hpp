@@ -13,6 +13,7 @@
 #include "equipoise/integrate/status.hpp"
 #include "equipoise/model/system.hpp"
 #include "equipoise/motions/mean_rate.hpp"
+#include "equipoise/orbits/ball_events.hpp"
 
 namespace equipoise {
 
@@ -67,6 +68,20 @@ bool similar(const MotionStatistics& a, const MotionStatistics& b, int balls, do
 IntegrationStatus follow(const model::System& system, Eigen::VectorXd& state, double duration, double tolerance,
                          MotionStatistics* statistics = nullptr, std::vector<Eigen::VectorXd>* samples = nullptr,
                          const StopFlag* stop = nullptr);
+
+/// What the balls of a system with events did on the way.
+struct EventLog {
+  std::vector<BallEvent> events;  ///< the first thousand
+  long count = 0;                 ///< all of them, and what else changed without having a name
+  model::BallMode begin, end;            ///< modes
+  bool reverses = false;          ///< some free ball's rate changed sign
+};
+
+/// The same for a system with events, which follow() takes too; `log` is set. On section strobe the rotor's angle is 0
+/// at the beginning.
+IntegrationStatus follow_events(const model::System& system, Eigen::VectorXd& state, double duration, double tolerance,
+                                EventLog& log, MotionStatistics* statistics = nullptr,
+                                std::vector<Eigen::VectorXd>* samples = nullptr, const StopFlag* stop = nullptr);
 
 /// Times between samples: a ball that the rotor leaves behind turns by 0.2 rad in one. The values of
 /// MotionStatistics::angle are four apart.

@@ -167,10 +167,15 @@ bool same_motion(const model::Parameters& p, const Motion& a, const Motion& b) {
   const model::System system = system_of(p, a);
   const int n = p.balls;
   if (a.motor.has_value() != b.motor.has_value()) return false;
+  // What dry friction leaves a continuum of is one motion, and is told by its name.
+  if (a.set_valued || b.set_valued)
+    return a.set_valued && b.set_valued && motion_name(p, a).name == motion_name(p, b).name;
+  if (a.eventful != b.eventful) return false;
   const auto measured = [](const Motion& m) {
     return m.kind == MotionKind::quasi_periodic || m.kind == MotionKind::chaotic;
   };
   if (a.kind != b.kind && !(measured(a) && measured(b))) return false;
+  if (a.kind == MotionKind::periodic && std::fabs(a.period - b.period) > same_point * a.period) return false;
   const double share = a.kind != b.kind ? same_torus : sameness(a);
   const bool both_balanced = is_balanced_continuum(system, a) && is_balanced_continuum(system, b);
   if (std::fabs(a.speed - b.speed) > (a.motor ? share * std::fabs(a.speed) + 1e-9 : 0.0) && !both_balanced)
@@ -181,7 +186,7 @@ bool same_motion(const model::Parameters& p, const Motion& a, const Motion& b) {
   const auto may_replace = [&](int i, int k) {
     return system.alike(i, k) && (a.kind == MotionKind::equilibrium || same_ball(b, i, a, k, share, rate));
   };
-  if (measured(a)) return any_order(n, may_replace, [](const BallOrder&) { return true; });
+  if (measured(a) || (a.eventful && a.kind == MotionKind::periodic)) return any_order(n, may_replace, [](const BallOrder&) { return true; });
   if (a.kind == MotionKind::equilibrium) {
     if (both_balanced) return true;
     const StateDifference difference(system);
@@ -189,7 +194,6 @@ bool same_motion(const model::Parameters& p, const Motion& a, const Motion& b) {
       return difference.distance(exchanged(a.state, n, order), b.state) < same_point;
     });
   }
-  if (std::fabs(a.period - b.period) > same_point * a.period) return false;
   // One point in common is enough: orbits that meet are one orbit.
   const OrbitCurve orbit(system, b.orbit);
   return any_order(n, may_replace,

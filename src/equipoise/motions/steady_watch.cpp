@@ -139,11 +139,6 @@ int kind_of(const model::Parameters& p, const Parts& part, const std::array<doub
 
 }  // namespace
 
-double bare_response(const model::Parameters& p, double speed) {
-  const double stiffness = 0.5 * (p.stiffness[0] + p.stiffness[1]), damping = 0.5 * (p.damping[0] + p.damping[1]);
-  return p.eccentricity * speed * speed / std::hypot(stiffness - speed * speed, damping * speed);
-}
-
 std::vector<SteadyKind> steady_kinds(int balls) {
   std::vector<SteadyKind> kinds{{balanced_id, "balanced"}};
   if (balls == 1) return {kinds.front(), {drifting, "drifting"}, {locked, "locked"}, {hanging, "hanging"}};

@@ -27,9 +27,6 @@ struct SteadyKind {
 /// drift); if none is, by whether they drift at one rate, and then whether they pass opposite places.
 std::vector<SteadyKind> steady_kinds(int balls);
 
-/// Distance at which the rotor without balls would whirl at `speed` (mean of both supports).
-double bare_response(const model::Parameters& p, double speed);
-
 /// Of a motion that never quite repeats itself: time after which its kind alone tells it. It may be a transient, of which
 /// some last for ten thousand time units, chaotic or as even as a torus.
 inline constexpr double unrepeated_time = 20000.0;

@@ -2,6 +2,7 @@
 #include "equipoise/report/attractors_report.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <complex>
 #include <cstdint>
@@ -13,6 +14,7 @@
 #include "equipoise/base/angles.hpp"
 #include "equipoise/base/version.hpp"
 #include "equipoise/model/strobe.hpp"
+#include "equipoise/report/left_unbalance.hpp"
 #include "equipoise/report/text.hpp"
 
 namespace equipoise {
@@ -34,7 +36,19 @@ std::uint64_t decided_starts(const AttractorsResult& r) {
   return count;
 }
 
-Json attractor_json(const Attractor& a, const AttractorShare& share, int balls) {
+Json events_json(const Motion& m) {
+  constexpr std::array<const char*, 6> words{"strike", "press", "part", "stick", "slip", "turn"};
+  Json events = Json::array();
+  for (const BallEvent& e : m.events) {
+    Json one = {{"time", e.time}, {"kind", words[static_cast<std::size_t>(e.kind)]}, {"balls", {e.ball + 1}}};
+    if (e.other >= 0) one["balls"].push_back(e.other + 1);
+    events.push_back(one);
+  }
+  return events;
+}
+
+Json attractor_json(const Attractor& a, const AttractorShare& share, const Study& study) {
+  const int balls = study.parameters.balls;
   const Motion& m = a.motion;
   Json json = {{"id", a.id}, {"name", a.name}, {"alias", a.alias}, {"kind", name_of(m.kind)}, {"copies", m.copies}};
   if (a.continuum)
@@ -68,6 +82,13 @@ Json attractor_json(const Attractor& a, const AttractorShare& share, int balls) 
   }
   json["exponents"] = m.exponents;
   json["stable"] = m.stable;
+  if (m.eventful) {
+    json["lasting"] = text_of(m.mode, balls);
+    json["events"] = events_json(m);
+    json["stuck"] = m.stuck;
+    json["continuum_of_friction"] = m.set_valued;
+  }
+  if (!share.unbalance.empty()) json["left_unbalance"] = left_unbalance_json(share, study);
   json["share"] = share.share.share;
   json["share_interval"] = {share.share.low, share.share.high};
   json["starts"] = share.share.count;
@@ -115,6 +136,7 @@ std::string continuum_text(const ContinuumPart& part, const TableUnits& units) {
 
 // The slowest way in which a deviation dies out, shifts in time left out.
 std::string stability_text(const Attractor& a, const TableUnits& units) {
+  if (a.motion.set_valued) return "a continuum that dry friction holds";
   if (a.continuum) return continuum_text(*a.continuum, units);
   const Motion& m = a.motion;
   const char* verdict = m.stable ? "stable" : "UNSTABLE";
@@ -182,6 +204,22 @@ Row motor_cells(const Motion& m, const TableUnits& units) {
           fmt::format("{:.5g}", load.torque * units.torque), fmt::format("{:.5g}", load.power * units.power)};
 }
 
+// "locked: 1|2 touch." or "drifting apart: 1|2 strike, 1|2 strike in one period."
+std::string events_text(const Attractor& a, int balls) {
+  const Motion& m = a.motion;
+  if (!m.eventful) return "";
+  constexpr std::size_t most = 12;
+  std::vector<BallEvent> first = m.events;
+  const bool periodic = m.kind == MotionKind::periodic;
+  if (first.size() > most) first.resize(most);
+  std::string text = text_of(m.mode, balls);
+  if (!first.empty())
+    text += fmt::format("{}{}{} {}", text.empty() ? "" : "; then ", text_of(first),
+                        first.size() < m.events.size() ? ", ..." : "",
+                        periodic ? "in one period" : "and so on, never the same again");
+  return text.empty() ? "" : fmt::format("{}: {}.\n", a.name, text);
+}
+
 // What the columns of a rotor whose equations depend on its angle mean.
 std::string strobe_text(const Study& study, const TableUnits& units) {
   const model::System system = study.system();
@@ -230,6 +268,8 @@ std::string attractors_text(const AttractorsResult& r) {
   }
   text += aligned(rows, alignment) + "\n";
   text += strobe_text(r.basin.study, units);
+  for (const Attractor& a : r.catalogue.attractors()) text += events_text(a, balls);
+  text += left_unbalance_text(r.basin.attractors, r.basin.study);
   if (!r.basin.note.empty()) text += fmt::format("Note: {}.\n", r.basin.note);
   if (r.basin.partial) text += "PARTIAL: stopped before all starts were done.\n";
   text += search_text(r);
@@ -243,7 +283,7 @@ std::string attractors_json(const AttractorsResult& r) {
   Json json;
   json["attractors"] = Json::array();
   for (const Attractor& a : r.catalogue.attractors())
-    json["attractors"].push_back(attractor_json(a, share_of(r, a.id), r.basin.study.parameters.balls));
+    json["attractors"].push_back(attractor_json(a, share_of(r, a.id), r.basin.study));
   json["starts"] = r.basin.starts;
   json["partial"] = r.basin.partial;
   json["decided"] = decided_starts(r);

@@ -7,6 +7,7 @@
 #include <nlohmann/json.hpp>
 
 #include "equipoise/base/version.hpp"
+#include "equipoise/report/left_unbalance.hpp"
 #include "equipoise/report/sampling_text.hpp"
 #include "equipoise/report/text.hpp"
 #include "equipoise/report/transient_report.hpp"
@@ -70,6 +71,7 @@ std::string basin_text(const BasinResult& r) {
   if (r.transients) text += transient_text(*r.transients, r.study);
   text += sampling_text(r);
   text += decided_text(r);
+  text += left_unbalance_text(r.attractors, r.study);
   if (r.passed)
     text += fmt::format("Came through the resonance: {} of all starts ({}){}.\n",
                         percent(r.passed->share, digits_for(*r.passed)), interval(*r.passed),
@@ -102,6 +104,7 @@ std::string basin_json(const BasinResult& r) {
     outcome["mean_time"] = a.mean_time;
     if (r.study.scales) outcome["mean_time_si"] = a.mean_time * r.study.scales->time();
     for (int k = 1; k < decided_by_count; ++k) outcome["decided_by"][decided_by_names[k]] = a.decided_by[k];
+    if (!a.unbalance.empty()) outcome["left_unbalance"] = left_unbalance_json(a, r.study);
     json["outcomes"].push_back(outcome);
   }
   if (r.stalled) {

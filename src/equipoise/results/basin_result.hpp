@@ -23,7 +23,11 @@ struct AttractorShare {
   Share share;             ///< with its 95 % interval
   double mean_time = 0.0;  ///< mean time from the last branch's begin (and release) to decision
   std::array<std::uint64_t, decided_by_count> decided_by{};  ///< starts by the grounds of decision
+  /// Of a continuum that dry friction leaves: the unbalance that is left, over the starts of this run that come there, at
+  /// unbalance_quantiles; empty of all others.
+  std::vector<double> unbalance;
 };
+inline constexpr std::array<double, 4> unbalance_quantiles{0.1, 0.5, 0.9, 1.0};
 
 /// What sampling to a half-width chose where the study did not.
 struct SamplingChoice {

@@ -14,6 +14,7 @@
 #include "equipoise/model/linearisation.hpp"
 #include "equipoise/orbits/stroboscopic.hpp"
 #include "equipoise/traps/balanced_trap.hpp"
+#include "equipoise/traps/touching.hpp"
 
 namespace equipoise {
 
@@ -55,6 +56,8 @@ void analyse_continuum(const Balance& at, const StopFlag* stop, BalancedAnalysis
   if (!BalancedContinuum::is_of(at.system)) return;
   result.continuum = std::make_shared<BalancedContinuum>(at.system);
   result.survey = result.continuum->survey(stop);
+  const bool stable = result.survey.attracts();
+  keep_members_with_room(at.system.parameters(), result.survey);
   const ContinuumSurvey& survey = result.survey;
   result.stable = survey.attracts() || !rests;
   result.growth_rate = survey.most_growth;
@@ -63,6 +66,10 @@ void analyse_continuum(const Balance& at, const StopFlag* stop, BalancedAnalysis
         "the balanced states form a continuum, and all {} drawn evenly from it are unstable at speed {} (growth rates "
         "{:.3g} to {:.3g})",
         survey.drawn, at.speed, survey.least_growth, survey.most_growth);
+  if (stable && !survey.attracts() && rests) {
+    result.note = "balls in contact have no room to be balanced: they would overlap";
+    return;
+  }
   if (!rests || is_set(stop)) return;
   if (auto motion = balanced_motion(at, survey.typical)) result.motions.push_back(*std::move(motion));
 }
@@ -81,8 +88,11 @@ void analyse_isolated(const Balance& at, const StopFlag* stop, BalancedAnalysis&
   const bool images = p.balls == 2 && p.equal_balls() && angles.size() == 2;
   if (images) angles.pop_back();  // the other one by exchange of the balls
   double slowest = -std::numeric_limits<double>::infinity();
+  bool overlap = false;
   for (const Angles& phi : angles) {
     if (is_set(stop)) return;
+    overlap = overlap || !has_room(p, phi);
+    if (!has_room(p, phi)) continue;
     auto motion = balanced_motion(at, phi);
     if (!motion) continue;
     const double rate = rate_of(at, phi, *motion);
@@ -95,11 +105,15 @@ void analyse_isolated(const Balance& at, const StopFlag* stop, BalancedAnalysis&
     result.stable = true;
     if (!at.system.autonomous()) continue;
     result.traps.push_back(balanced_trap(at.system, phi));
+    BalancedTrap& trap = result.traps.back();
+    set_level(trap, std::min(trap.level, touching_level(at.system, trap)));
     if (images) result.traps.push_back(exchanged(result.traps.back()));
   }
   std::stable_partition(result.motions.begin(), result.motions.end(), [](const Motion& m) { return m.stable; });
   if (result.stable)
     result.slowest_rate = slowest;
+  else if (overlap)
+    result.note = "balls in contact have no room to be balanced: they would overlap";
   else
     result.note = instability(result, at.speed);
 }
@@ -116,6 +130,8 @@ BalancedAnalysis analyse_balanced(const model::System& system, const StopFlag* s
     result.note = "no balanced state exists: " + result.states.reason;
   } else if (system.coasts()) {
     result.stable = true;  // or not, by the speed that is left
+  } else if (system.events().stick) {
+    result.stable = true;  // near one: where balls stick, no single state attracts
   } else if (result.states.kind == Kind::family) {
     analyse_continuum(at, stop, result);
   } else {

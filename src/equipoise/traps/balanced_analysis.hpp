@@ -1,4 +1,4 @@
-// The balanced motions of a smooth system: which there are, whether they are stable, and the traps around them.
+// The balanced motions of a system: which there are, whether they are stable, and the traps around them.
 #pragma once
 
 #include <memory>
@@ -38,7 +38,9 @@ struct BalancedAnalysis {
 /// motion is then the orbit of one strobe that a balanced state becomes as gravity and anisotropy are switched on
 /// gradually. Of a continuum of balanced states these leave single ones, which starts have to find (leads_to_balance()
 /// tells them), and so they have to under a motor where the rotor's angle matters. A motor without torque holds no
-/// speed: balance, if it comes to that, is at any. Once `stop` is set the answer is worth nothing, and comes soon.
+/// speed: balance, if it comes to that, is at any. Balls in contact are balanced where they have room, and a trap's level is
+/// cut so that none touch on it (traps/touching.hpp). Where dry friction acts balls come to rest near balance, and there is
+/// no trap: what all of them being stuck is worth is told otherwise (motions/stuck.hpp). Once `stop` is set the answer is worth nothing, and comes soon.
 BalancedAnalysis analyse_balanced(const model::System& system, const StopFlag* stop = nullptr);
 
 }  // namespace equipoise
