@@ -17,13 +17,12 @@ double seconds_since(std::chrono::steady_clock::time_point begin) {
   return std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
 }
 
-StateProof prove(const model::Parameters& p, double speed, const BalancedTrap& trap, const StopFlag* stop) {
-  const int size = model::dimension(p.balls);
+StateProof prove(const model::System& system, const BalancedTrap& trap, const StopFlag* stop) {
   StateProof proof;
   proof.critical = trap.level / level_margin;
   auto begin = std::chrono::steady_clock::now();
   proof.certificate =
-      largest_certificate(p, speed, trap.phi.data(), form_of(trap), proof.critical, &proof.check.reason, stop);
+      largest_certificate(system, trap.phi.data(), form_of(trap), proof.critical, &proof.check.reason, stop);
   proof.seconds = seconds_since(begin);
   if (proof.certificate.level == 0.0) {
     proof.certificate.phi = trap.phi;
@@ -32,20 +31,22 @@ StateProof prove(const model::Parameters& p, double speed, const BalancedTrap& t
   begin = std::chrono::steady_clock::now();
   proof.check = check_certificate(proof.certificate, stop);
   proof.check_seconds = seconds_since(begin);
-  for (int i = 0; i < size; ++i) proof.reach[i] = trap.reach[i] * std::sqrt(proof.certificate.level / trap.level);
+  for (int i = 0; i < system.dimension(); ++i)
+    proof.reach[i] = trap.reach[i] * std::sqrt(proof.certificate.level / trap.level);
   return proof;
 }
 
 CertifyResult proofs(const Study& study, const RunOptions& options) {
+  const model::System system = study.system();
   const model::Parameters& p = study.parameters;
   CertifyResult result;
   result.study = study;
-  result.speed = study.speed_profile().final_speed();
-  if (model::balanced_states(p).kind == model::BalancedStates::Kind::family) {
+  result.speed = model::balanced_speed(system).value_or(0.0);
+  if (model::balanced_states(system).kind == model::BalancedStates::Kind::family) {
     result.note = "the balanced states form a continuum; proofs are for isolated ones, of one or two balls";
     return result;
   }
-  const BalancedAnalysis analysis = analyse_balanced({p, result.speed}, options.stop);
+  const BalancedAnalysis analysis = analyse_balanced(system, options.stop);
   result.note = analysis.note;
   if (p.balls > 2) {
     result.note = "proofs are for one or two balls";
@@ -59,7 +60,7 @@ CertifyResult proofs(const Study& study, const RunOptions& options) {
   };
   report();
   while (result.states.size() < states && !stopped()) {
-    result.states.push_back(prove(p, result.speed, analysis.traps[result.states.size()], options.stop));
+    result.states.push_back(prove(system, analysis.traps[result.states.size()], options.stop));
     if (copies) result.states.back().copies = 2;
     report();
   }

@@ -58,9 +58,6 @@ void check_decidable(const Study& study) {
         study.name, final_speed_key(study), fmt::format("{:.6g}", speed),
         fmt::format("basin and attractors take final speeds from -{0:g} to {0:g} critical speeds", fastest_speed));
   const bool proof = study.numerics.decide == DecideMode::proof;
-  if (proof && !study.system().plain())
-    throw InputError(study.name, "numerics.decide", "proof",
-                     "with a motor or an off-centre race there are no proofs: use \"validated\" or \"horizon\"");
   if (!model::is_strobed(study.parameters)) return;
   if (speed == 0.0 && !study.speed.driven())
     throw InputError(study.name, final_speed_key(study), "0",

@@ -1,7 +1,9 @@
 // Certificates as JSON, written line by line so that a person can read them and a box is one line.
 #include "equipoise/report/certificate_json.hpp"
 
+#include <algorithm>
 #include <cmath>
+#include <limits>
 #include <utility>
 
 #include <fmt/format.h>
@@ -35,9 +37,29 @@ std::string rows(const Eigen::MatrixXd& m) {
   return text + "\n  ]";
 }
 
+// Multipliers of a box.
+std::size_t vertices_of(const Certificate& c) { return std::size_t{1} << (c.parameters.balls + (c.motor ? 1 : 0)); }
+
+// What only a motor's rotor has, and a race off its centre.
+std::string machine_text(const Certificate& c) {
+  const model::Parameters& p = c.parameters;
+  std::string text;
+  if (!p.race_is_centred()) text += fmt::format("  \"race_offset\": {},\n", numbers(p.race_offset, 2));
+  if (!c.motor) return text;
+  text += fmt::format("  \"inertia\": {},\n", Json(p.inertia).dump());
+  if (p.rolls)
+    text += fmt::format("  \"ball_radius\": {},\n", numbers(p.ball_radius, static_cast<std::size_t>(p.balls)));
+  Json motor{{"constant", c.motor->constant},
+             {"slope", c.motor->slope},
+             {"integral", c.motor->integral},
+             {"aim", c.motor->aim}};
+  if (std::isfinite(c.motor->limit)) motor["limit"] = c.motor->limit;
+  return text + fmt::format("  \"motor\": {},\n", motor.dump());
+}
+
 std::string certificate_text(const Certificate& c) {
   const model::Parameters& p = c.parameters;
-  const auto n = static_cast<std::size_t>(p.balls), vertices = std::size_t{1} << n;
+  const auto n = static_cast<std::size_t>(p.balls), vertices = vertices_of(c);
   std::string text = " {\n";
   text += fmt::format("  \"balls\": {},\n", p.balls);
   text += fmt::format("  \"eccentricity\": {},\n", Json(p.eccentricity).dump());
@@ -46,6 +68,7 @@ std::string certificate_text(const Certificate& c) {
   text += fmt::format("  \"mass\": {},\n", numbers(p.mass, n));
   text += fmt::format("  \"drag\": {},\n", numbers(p.drag, n));
   if (p.rolls) text += "  \"rolls\": true,\n";
+  text += machine_text(c);
   text += fmt::format("  \"speed\": {},\n", Json(c.speed).dump());
   text += fmt::format("  \"phi\": {},\n", numbers(c.phi, n));
   text += fmt::format("  \"level\": {},\n", Json(c.level).dump());
@@ -76,6 +99,8 @@ class Reader {
     throw InputError(where_, key.empty() ? prefix_ : prefix_ + "." + key, "", problem);
   }
   double number(const std::string& key) const { return as_number(member(key), key); }
+  bool has(const std::string& key) const { return object_.contains(key); }
+  Reader object(const std::string& key) const { return {member(key), where_, prefix_ + "." + key}; }
   bool flag(const std::string& key) const {
     const auto found = object_.find(key);
     if (found == object_.end()) return false;
@@ -120,13 +145,36 @@ class Reader {
   std::string where_, prefix_;
 };
 
+void read_machine(const Reader& r, Certificate& c) {
+  model::Parameters& p = c.parameters;
+  if (r.has("race_offset")) {
+    const std::vector<double> offset = r.list("race_offset", 2);
+    p.race_offset = {offset[0], offset[1]};
+  }
+  if (!r.has("motor")) return;
+  p.inertia = r.number("inertia");
+  if (!(p.inertia > 0.0)) r.fail("inertia", "must be greater than 0");
+  if (p.rolls) {
+    const std::vector<double> radius = r.list("ball_radius", static_cast<std::size_t>(p.balls));
+    std::copy(radius.begin(), radius.end(), p.ball_radius.begin());
+  }
+  const Reader motor = r.object("motor");
+  c.motor = model::DriveSegment{.begin = 0.0,
+                                .end = std::numeric_limits<double>::infinity(),
+                                .constant = motor.number("constant"),
+                                .slope = motor.number("slope"),
+                                .integral = motor.number("integral"),
+                                .aim = motor.number("aim")};
+  if (motor.has("limit")) c.motor->limit = motor.number("limit");
+}
+
 Certificate certificate_from(const Reader& r) {
   Certificate c;
   model::Parameters& p = c.parameters;
   const double balls = r.number("balls");
   if (balls != 1.0 && balls != 2.0) r.fail("balls", "must be 1 or 2");
   p.balls = static_cast<int>(balls);
-  const auto n = static_cast<std::size_t>(p.balls), vertices = std::size_t{1} << n;
+  const auto n = static_cast<std::size_t>(p.balls);
   p.eccentricity = r.number("eccentricity");
   p.damping.fill(r.number("damping"));
   p.stiffness.fill(r.number("stiffness"));
@@ -138,10 +186,12 @@ Certificate certificate_from(const Reader& r) {
     c.phi[i] = phi[i];
   }
   p.rolls = r.flag("rolls");
+  read_machine(r, c);
   c.speed = r.number("speed");
   c.level = r.number("level");
-  c.form = r.matrix("form", model::dimension(p.balls));
-  c.frame = r.matrix("frame", model::dimension(p.balls));
+  c.form = r.matrix("form", c.system().dimension());
+  c.frame = r.matrix("frame", c.system().dimension());
+  const std::size_t vertices = vertices_of(c);
   for (const std::vector<double>& line : r.lists("boxes", 2 * n + vertices)) {
     Certificate::Box box;
     for (std::size_t k = 0; k < n; ++k) {

@@ -8,6 +8,7 @@
 #include <nlohmann/json.hpp>
 
 #include "equipoise/base/version.hpp"
+#include "equipoise/model/system.hpp"
 
 namespace equipoise {
 
@@ -15,15 +16,19 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-std::vector<std::string> variable_names(int balls) {
+std::vector<std::string> variable_names(const model::System& system) {
+  const int balls = system.balls();
   std::vector<std::string> names{"x", "y", "u", "v"};
   for (int i = 1; i <= balls; ++i) names.push_back(fmt::format("phi_{}", i));
   for (int i = 1; i <= balls; ++i) names.push_back(fmt::format("q_{}", i));
+  if (system.speed_place() >= 0) names.push_back("speed");
+  if (system.error_place() >= 0) names.push_back("error_integral");
   return names;
 }
 
-std::string state_text(const StateProof& s, int balls) {
+std::string state_text(const StateProof& s, const model::System& system) {
   const Certificate& c = s.certificate;
+  const int balls = system.balls();
   std::string angles;
   for (int i = 0; i < balls; ++i) angles += fmt::format("{}phi_{} = {:.9f}", i ? ", " : "", i + 1, c.phi[i]);
   std::string text = fmt::format("balanced state {}", angles);
@@ -34,7 +39,7 @@ std::string state_text(const StateProof& s, int balls) {
       fmt::format("  proved: V = d^T P d decreases on 0 < V <= c, c = {:.9g}: {:.1f} % of the sampled critical level\n",
                   c.level, 100.0 * c.level / s.critical);
   text += "  reach of V <= c:";
-  const std::vector<std::string> names = variable_names(balls);
+  const std::vector<std::string> names = variable_names(system);
   for (std::size_t i = 0; i < names.size(); ++i)
     text += fmt::format(" {} {:.4g}{}", names[i], s.reach[i], i + 1 < names.size() ? "," : "\n");
   text += fmt::format("  {} boxes, found in {:.3f} s; re-check in {:.3f} s: {}\n", c.boxes.size(), s.seconds,
@@ -52,7 +57,7 @@ std::string state_text(const StateProof& s, int balls) {
 std::string certify_text(const CertifyResult& r) {
   std::string text = fmt::format("{}: speed {}\n", r.study.name, r.speed);
   if (!r.note.empty()) text += fmt::format("nothing proved: {}\n", r.note);
-  for (const StateProof& s : r.states) text += state_text(s, r.study.parameters.balls);
+  for (const StateProof& s : r.states) text += state_text(s, r.study.system());
   return text;
 }
 
@@ -62,8 +67,9 @@ std::string certify_json(const CertifyResult& r) {
   json["note"] = r.note;
   json["speed"] = r.speed;
   json["states"] = Json::array();
-  const int balls = r.study.parameters.balls;
-  const std::vector<std::string> names = variable_names(balls);
+  const model::System system = r.study.system();
+  const int balls = system.balls();
+  const std::vector<std::string> names = variable_names(system);
   for (const StateProof& s : r.states) {
     const Certificate& c = s.certificate;
     Json state;
@@ -98,9 +104,9 @@ std::string check_text(const CertificateFile& file) {
   for (std::size_t i = 0; i < file.checks.size(); ++i) {
     const Certificate& c = file.certificates[i];
     const int balls = c.parameters.balls;
-    text +=
-        fmt::format("speed {}, {} ball{}, level {:.9g}, {} boxes: {}\n", c.speed, balls, balls == 1 ? "" : "s", c.level,
-                    c.boxes.size(), file.checks[i].proved ? "proved" : "NOT proved, " + file.checks[i].reason);
+    text += fmt::format("speed {}{}, {} ball{}, level {:.9g}, {} boxes: {}\n", c.speed, c.motor ? " by a motor" : "",
+                        balls, balls == 1 ? "" : "s", c.level, c.boxes.size(),
+                        file.checks[i].proved ? "proved" : "NOT proved, " + file.checks[i].reason);
   }
   return text;
 }
