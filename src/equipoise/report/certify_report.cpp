@@ -52,13 +52,57 @@ std::string state_text(const StateProof& s, const model::System& system) {
   return text;
 }
 
+std::string angles_text(const MemberCertificate& c) {
+  return fmt::format("phi = ({:.6f})", fmt::join(c.phi.begin(), c.phi.begin() + c.parameters.balls, ", "));
+}
+
+// Of what was proved one member each: the widest neighbourhood, the fastest growth.
+std::string members_text(const CertifyResult& r) {
+  if (r.members.empty()) return "";
+  const int drawn = static_cast<int>(r.members.size()), attracting = r.attracting(), unstable = r.unstable();
+  std::string text = fmt::format(
+      "the balanced states form a continuum; of {} members drawn evenly from it {} are proved to attract all that "
+      "comes "
+      "close, {} to be unstable, {} neither\n",
+      drawn, attracting, unstable, drawn - attracting - unstable);
+  const MemberProof *widest = nullptr, *fastest = nullptr;
+  for (const MemberProof& m : r.members) {
+    if (!m.check.proved) continue;
+    if (m.certificate.attracts && (!widest || m.certificate.level > widest->certificate.level)) widest = &m;
+    if (!m.certificate.attracts && (!fastest || m.growth > fastest->growth)) fastest = &m;
+  }
+  if (widest)
+    text += fmt::format(
+        "  attracts: {}; balls within {:.3g} rad of that and V <= {:.3g} lead to balance (rate {:.4g})\n",
+        angles_text(widest->certificate), 0.5 * widest->certificate.radius, widest->certificate.level, widest->growth);
+  if (fastest)
+    text += fmt::format("  unstable: {}; leads away from the set (growth rate {:.4g})\n",
+                        angles_text(fastest->certificate), fastest->growth);
+  return text + "  nothing is proved of members that were not drawn\n";
+}
+
+Json members_json(const CertifyResult& r) {
+  Json list = Json::array();
+  for (const MemberProof& m : r.members) {
+    const MemberCertificate& c = m.certificate;
+    list.push_back({{"proved", m.check.proved},
+                    {"reason", m.check.reason},
+                    {"attracts", c.attracts},
+                    {"phi", std::vector<double>(c.phi.begin(), c.phi.begin() + r.study.parameters.balls)},
+                    {"radius", c.radius},
+                    {"level", c.level},
+                    {"growth_rate", m.growth}});
+  }
+  return list;
+}
+
 }  // namespace
 
 std::string certify_text(const CertifyResult& r) {
   std::string text = fmt::format("{}: speed {}\n", r.study.name, r.speed);
-  if (!r.note.empty()) text += fmt::format("nothing proved: {}\n", r.note);
+  if (!r.note.empty()) text += fmt::format("{}{}\n", r.members.empty() ? "nothing proved: " : "", r.note);
   for (const StateProof& s : r.states) text += state_text(s, r.study.system());
-  return text;
+  return text + members_text(r);
 }
 
 std::string certify_json(const CertifyResult& r) {
@@ -94,6 +138,7 @@ std::string certify_json(const CertifyResult& r) {
     state["check_seconds"] = s.check_seconds;
     json["states"].push_back(state);
   }
+  if (!r.members.empty()) json["members"] = members_json(r);
   json["study_name"] = r.study.name;
   json["version"] = version_string;
   return json.dump(2) + "\n";
@@ -107,6 +152,12 @@ std::string check_text(const CertificateFile& file) {
     text += fmt::format("speed {}{}, {} ball{}, level {:.9g}, {} boxes: {}\n", c.speed, c.motor ? " by a motor" : "",
                         balls, balls == 1 ? "" : "s", c.level, c.boxes.size(),
                         file.checks[i].proved ? "proved" : "NOT proved, " + file.checks[i].reason);
+  }
+  for (std::size_t i = 0; i < file.member_checks.size(); ++i) {
+    const MemberCertificate& c = file.members[i];
+    text += fmt::format("speed {}, {} balls, member {}, {}: {}\n", c.speed, c.parameters.balls, angles_text(c),
+                        c.attracts ? "attracts" : "unstable",
+                        file.member_checks[i].proved ? "proved" : "NOT proved, " + file.member_checks[i].reason);
   }
   return text;
 }
@@ -124,6 +175,12 @@ std::string check_json(const CertificateFile& file) {
                                     {"level", c.level},
                                     {"boxes", c.boxes.size()}});
   }
+  for (std::size_t i = 0; i < file.member_checks.size(); ++i)
+    json["members"].push_back({{"proved", file.member_checks[i].proved},
+                               {"reason", file.member_checks[i].reason},
+                               {"attracts", file.members[i].attracts},
+                               {"speed", file.members[i].speed},
+                               {"level", file.members[i].level}});
   json["version"] = version_string;
   return json.dump(2) + "\n";
 }
