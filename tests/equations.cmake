@@ -24,6 +24,8 @@ equipoise_test(coincident_balls_test equivalence equivalence/coincident_balls_te
 equipoise_test(speed_test unit unit/speed_test.cpp)
 equipoise_test(interval_test unit unit/interval_test.cpp LIBRARIES Boost::headers)
 equipoise_test(certificate_test unit unit/certificate_test.cpp)
+equipoise_test(machine_certificate_test unit unit/machine_certificate_test.cpp)
+equipoise_test(member_certificate_test unit unit/member_certificate_test.cpp)
 equipoise_test(trap_test unit unit/trap_test.cpp)
 equipoise_test(symmetry_test unit unit/symmetry_test.cpp LIBRARIES rapidcheck rapidcheck_gtest)
 equipoise_test(mean_rate_test unit unit/mean_rate_test.cpp)

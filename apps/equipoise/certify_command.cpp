@@ -48,8 +48,10 @@ std::string read_certificates(const std::string& path) {
 
 int check_file(const std::string& path, bool as_json) {
   const std::string name = display_text(path);
-  CertificateFile checked{name, certificates_from_json(read_certificates(path), name), {}};
+  const std::string text = read_certificates(path);
+  CertificateFile checked{name, certificates_from_json(text, name), {}, members_from_json(text, name), {}};
   for (const Certificate& certificate : checked.certificates) checked.checks.push_back(check_certificate(certificate));
+  for (const MemberCertificate& member : checked.members) checked.member_checks.push_back(check_member(member));
   put(as_json ? check_json(checked) : check_text(checked));
   return checked.proved() ? done : check_failed;
 }
@@ -58,11 +60,14 @@ void write_certificates(const std::string& path, const CertifyResult& result) {
   std::vector<Certificate> certificates;
   for (const StateProof& state : result.states)
     if (state.certificate.level > 0.0) certificates.push_back(state.certificate);
-  if (certificates.empty()) {
+  std::vector<MemberCertificate> members;
+  for (const MemberProof& member : result.members)
+    if (member.check.proved) members.push_back(member.certificate);
+  if (certificates.empty() && members.empty()) {
     say("nothing is proved, so {} is not written", display_text(path));
     return;
   }
-  write_file(path, certificates_json(certificates));
+  write_file(path, certificates_json(certificates, members));
 }
 
 int run_certify(const CertifyArguments& a) {

@@ -103,9 +103,7 @@ std::vector<std::string> wrong_units(const BasinResult& dimensionless, const Bas
   };
   // What a balanced rotor is left with is rounding: 1e-5 of a unit.
   const auto least = [&](const std::string& unit) { return 1e-5 * units.at(unit); };
-  // How long a start is followed hangs on the level that decides it, and levels are tried in rungs of two: a rounding
-  // that sends one of 4096 tries elsewhere makes it a rung lower.
-  const auto apart = [](const std::string& key) { return key == "followed_until" ? 0.5 : 0.05; };
+  constexpr double apart = 0.05;
   const Json& first = a["transients"]["groups"][0]["figures"];
   for (const auto& [key, figure] : b["transients"]["groups"][0]["figures"].items()) {
     const std::string unit = figure.value("unit", "");
@@ -113,7 +111,7 @@ std::vector<std::string> wrong_units(const BasinResult& dimensionless, const Bas
     const auto x = median(first.value(key, Json::object())), y = median(figure);
     if (at == units.end())
       faults.push_back(fmt::format("{} is in \"{}\"", key, unit));
-    else if (x && y && std::fabs(*y - *x * at->second) > apart(key) * std::fabs(*y) + least(unit))
+    else if (x && y && std::fabs(*y - *x * at->second) > apart * std::fabs(*y) + least(unit))
       faults.push_back(fmt::format("median {} is {:.4g} {}, dimensionless {:.4g}", key, *y, unit, *x));
   }
   return faults;

@@ -74,6 +74,32 @@ TEST_P(SmoothFates, HoldTenTimesLater) {
   }
   EXPECT_LE(undecided, 1);
 }
+// Decided by a proof balance is known later, and nothing else changes.
+TEST_P(SmoothFates, AreThoseByProof) {
+  const std::string& toml = GetParam().toml;
+  if (toml.find("gravity") != std::string::npos) GTEST_SKIP() << "no proofs";
+  const auto fates_by = [&](const std::string& decide) {
+    std::vector<Fate> fates;
+    equipoise::BasinOptions options;
+    options.fate = [&](const Fate& fate) { fates.push_back(fate); };
+    equipoise::basin(
+        parse_study(toml, GetParam().name, {fmt::format("sampling.starts={}", starts), "numerics.decide=" + decide}),
+        options);
+    return fates;
+  };
+  const std::vector<Fate> validated = fates_by("validated"), proved = fates_by("proof");
+  ASSERT_EQ(validated.size(), proved.size());
+  int balanced = 0;
+  for (std::size_t i = 0; i < proved.size(); ++i) {
+    EXPECT_EQ(proved[i].outcome, validated[i].outcome) << i;
+    EXPECT_EQ(proved[i].attractor, validated[i].attractor) << i;
+    if (proved[i].attractor != equipoise::balanced_id) continue;
+    ++balanced;
+    EXPECT_EQ(proved[i].by, equipoise::DecidedBy::proof) << i;
+  }
+  EXPECT_GT(balanced, 0);
+}
+
 INSTANTIATE_TEST_SUITE_P(Case, SmoothFates, testing::ValuesIn(cases()),
                          [](const auto& info) { return info.param.name; });
 

@@ -52,7 +52,7 @@ Case case_of(const model::Parameters& p, double speed, std::size_t state = 0) {
 }
 
 CertificateResult prove(const Case& c, double share, Certificate& certificate) {
-  return prove_level(c.p, c.speed, c.phi.data(), c.form, share * c.critical, certificate);
+  return prove_level({c.p, c.speed}, c.phi.data(), c.form, share * c.critical, certificate);
 }
 
 // The shares measured are 0.95 to 0.99; 0.85 is what the program's users were promised.
@@ -61,7 +61,7 @@ constexpr double promised_share = 0.85;
 void expect_proved(const Case& c) {
   SCOPED_TRACE(fmt::format("beta {}, speed {}", c.p.drag[0], c.speed));
   std::string reason;
-  const Certificate found = largest_certificate(c.p, c.speed, c.phi.data(), c.form, c.critical, &reason);
+  const Certificate found = largest_certificate({c.p, c.speed}, c.phi.data(), c.form, c.critical, &reason);
   EXPECT_GE(found.level, promised_share * c.critical) << reason;
   // The sampled critical level is one at which V does not decrease.
   EXPECT_LT(found.level, c.critical);
@@ -103,7 +103,7 @@ TEST(Certificate, proves_balls_that_roll_and_is_not_one_of_balls_that_slide) {
 TEST(Certificate, sets_hold_no_point_where_v_grows) {
   for (const auto& [beta, speed] : {std::pair{0.01, 3.0}, {0.05, 2.0}, {0.05, 2.4}, {0.25, 4.0}}) {
     const Case c = case_of(balancer(beta), speed);
-    const Certificate found = largest_certificate(c.p, speed, c.phi.data(), c.form, c.critical);
+    const Certificate found = largest_certificate({c.p, speed}, c.phi.data(), c.form, c.critical);
     ASSERT_GT(found.level, 0.0);
     const Eigen::MatrixXd factor = found.form.llt().matrixU();
     const Eigen::VectorXd centre = model::centred_state(c.p, c.phi.data());
@@ -158,7 +158,9 @@ TEST(CriticalLevel, does_not_depend_on_the_sense_of_turning) {
       for (int i = 0; i < p.balls; ++i) phi[i] = -trap.phi[i];
       const Eigen::MatrixXd mirrored = sign.asDiagonal() * form_of(trap) * sign.asDiagonal();
       // A tenth is what level_margin leaves for the search's error.
-      EXPECT_NEAR(level_margin * critical_level({p, -2.0}, model::centred_state(p, phi.data()), mirrored, 20000) / trap.level, 1.0, 0.1);
+      EXPECT_NEAR(
+          level_margin * critical_level({p, -2.0}, model::centred_state(p, phi.data()), mirrored, 20000) / trap.level,
+          1.0, 0.1);
     }
   }
 }
@@ -167,7 +169,7 @@ TEST(Certificate, is_refused_for_forms_that_are_wrong) {
   const Case c = case_of(balancer(0.05), 2.4);
   const auto reason = [&](const Eigen::MatrixXd& form, double level) {
     Certificate certificate;
-    const CertificateResult result = prove_level(c.p, c.speed, c.phi.data(), form, level, certificate);
+    const CertificateResult result = prove_level({c.p, c.speed}, c.phi.data(), form, level, certificate);
     EXPECT_FALSE(result.proved);
     return result.reason;
   };
@@ -189,9 +191,9 @@ TEST(Certificate, is_refused_with_a_reason_where_there_is_nothing_to_prove) {
     Certificate certificate;
     const int size = model::dimension(p.balls);
     const CertificateResult result =
-        prove_level(p, speed, phi.data(), Eigen::MatrixXd::Identity(size, size), 1e-4, certificate);
+        prove_level({p, speed}, phi.data(), Eigen::MatrixXd::Identity(size, size), 1e-4, certificate);
     EXPECT_FALSE(result.proved);
-    EXPECT_EQ(largest_certificate(p, speed, phi.data(), Eigen::MatrixXd::Identity(size, size), 1e-4).level, 0.0);
+    EXPECT_EQ(largest_certificate({p, speed}, phi.data(), Eigen::MatrixXd::Identity(size, size), 1e-4).level, 0.0);
     return result.reason;
   };
   EXPECT_NE(reason(balancer(0.01), 1.5, {1.67096, -1.67096}).find("not linearly stable at speed 1.5"),

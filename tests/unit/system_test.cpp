@@ -228,8 +228,9 @@ TEST(System, WhatAnAnswerLacksIsSaid) {
   }
   EXPECT_EQ(model::lacking(strobed, Answer::proofs)->reason,
             "proofs need equal values in x and y (simulate, basin and attractors take any)");
-  EXPECT_EQ(model::lacking(driven, Answer::proofs)->reason,
-            "proofs need a prescribed speed (simulate, basin and attractors take any)");
+  EXPECT_FALSE(model::lacking(driven, Answer::proofs));
+  EXPECT_EQ(model::lacking(driven, Answer::displacements)->reason,
+            "observed displacements need a prescribed speed (simulate, basin and attractors take any)");
 }
 
 }  // namespace

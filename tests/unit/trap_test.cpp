@@ -1,6 +1,8 @@
 // Traps: one theory for both phases, whichever the section.
 #include <array>
 #include <cmath>
+#include <map>
+#include <set>
 
 #include <gtest/gtest.h>
 
@@ -194,14 +196,26 @@ TEST(BalancedAnalysis, StatesOnALevelHaveThatValue) {
 }
 
 TEST(LevelLadder, HighestGoodLevelIsFoundAndHalved) {
-  const auto below = [](double limit) { return [limit](double level, std::size_t) { return level < limit; }; };
+  const auto below = [](double limit) { return [limit](double level, const TryRange&) { return level < limit; }; };
   EXPECT_DOUBLE_EQ(highest_good_level({16.0}, {}, below(100.0)), 8.0);
-  EXPECT_DOUBLE_EQ(highest_good_level({16.0}, {}, below(1.5)), 0.5);
+  EXPECT_DOUBLE_EQ(highest_good_level({16.0}, {}, below(1.5)), 8.0 * std::pow(2.0, -28.0 / 8.0));
   EXPECT_DOUBLE_EQ(highest_good_level({16.0, 3}, {}, below(1.5)), 0.0);
   EXPECT_DOUBLE_EQ(highest_good_level({16.0, 0}, {}, below(100.0)), 0.0);
-  // What a few tries overlook many find.
-  const auto rare = [](double level, std::size_t tries) { return level < (tries > 500 ? 0.3 : 3.0); };
-  EXPECT_DOUBLE_EQ(highest_good_level({16.0}, {}, rare), 0.125);
+  // What a few tries overlook many find: the try of each of these numbers fails above a level of its own. All are at
+  // last tried on the level that is found.
+  const std::map<std::size_t, double> limits{{200, 3.0}, {700, 0.9}, {1900, 1.2}, {3900, 0.3}, {4095, 2.0}};
+  std::map<double, std::set<std::size_t>> tried;
+  const double found = highest_good_level({16.0}, {}, [&](double level, const TryRange& tries) {
+    bool all = true;
+    for (std::size_t i = tries.first; i < tries.first + tries.count; ++i) {
+      if (tries.of == 4096) tried[level].insert(i);
+      if (const auto limit = limits.find(i); limit != limits.end()) all = all && level < limit->second;
+    }
+    return all;
+  });
+  EXPECT_LT(2.0 * found, 0.3);
+  EXPECT_GE(2.0 * found, 0.3 * std::pow(2.0, -1.0 / 8.0));
+  EXPECT_EQ(tried[2.0 * found].size(), 4096u);
 }
 
 }  // namespace

@@ -1,11 +1,18 @@
 // Balanced states, one by one: form and sampled level from the trap analysis, proof, check.
 #include "equipoise/basins/certify.hpp"
 
+#include <array>
 #include <chrono>
 #include <cmath>
+#include <utility>
+
+#include <fmt/format.h>
 
 #include "equipoise/base/reporting.hpp"
 #include "equipoise/fates/start_runner.hpp"
+#include "equipoise/model/balanced_state.hpp"
+#include "equipoise/orbits/continuum_draws.hpp"
+#include "equipoise/proof/member_certificate.hpp"
 #include "equipoise/traps/balanced_analysis.hpp"
 #include "equipoise/traps/balanced_trap.hpp"
 
@@ -17,13 +24,12 @@ double seconds_since(std::chrono::steady_clock::time_point begin) {
   return std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
 }
 
-StateProof prove(const model::Parameters& p, double speed, const BalancedTrap& trap, const StopFlag* stop) {
-  const int size = model::dimension(p.balls);
+StateProof prove(const model::System& system, const BalancedTrap& trap, const StopFlag* stop) {
   StateProof proof;
   proof.critical = trap.level / level_margin;
   auto begin = std::chrono::steady_clock::now();
   proof.certificate =
-      largest_certificate(p, speed, trap.phi.data(), form_of(trap), proof.critical, &proof.check.reason, stop);
+      largest_certificate(system, trap.phi.data(), form_of(trap), proof.critical, &proof.check.reason, stop);
   proof.seconds = seconds_since(begin);
   if (proof.certificate.level == 0.0) {
     proof.certificate.phi = trap.phi;
@@ -32,20 +38,54 @@ StateProof prove(const model::Parameters& p, double speed, const BalancedTrap& t
   begin = std::chrono::steady_clock::now();
   proof.check = check_certificate(proof.certificate, stop);
   proof.check_seconds = seconds_since(begin);
-  for (int i = 0; i < size; ++i) proof.reach[i] = trap.reach[i] * std::sqrt(proof.certificate.level / trap.level);
+  for (int i = 0; i < system.dimension(); ++i)
+    proof.reach[i] = trap.reach[i] * std::sqrt(proof.certificate.level / trap.level);
   return proof;
 }
 
+// Members of the continuum, drawn evenly among all ball angles that balance.
+void prove_members(const model::System& system, const RunOptions& options, CertifyResult& result) {
+  constexpr std::size_t drawn = 64;
+  const model::Parameters& p = system.parameters();
+  if (p.balls < 3 || !system.plain()) {
+    result.note =
+        "the balanced states form a continuum; proofs about one are for three balls or more, at a prescribed speed, in "
+        "a "
+        "centred race";
+    return;
+  }
+  ContinuumDraws draws(p);
+  std::array<double, model::max_balls> phi{};
+  const auto report = [&] {
+    if (options.progress) options.progress({result.members.size(), drawn, "balanced states", {}});
+  };
+  report();
+  while (result.members.size() < drawn && !is_set(options.stop) && draws.next(phi)) {
+    MemberProof proof;
+    proof.certificate = prove_member(p, system.speed(), phi.data());
+    proof.check = proof.certificate.radius > 0.0
+                      ? check_member(proof.certificate)
+                      : CertificateResult{false, "neither attraction nor instability could be proved"};
+    proof.growth = across_continuum(p, system.speed(), phi.data());
+    result.members.push_back(std::move(proof));
+    report();
+  }
+  result.partial = is_set(options.stop);
+  if (!result.partial && !result.members.empty() && result.attracting() == 0)
+    result.note = fmt::format("no member of the continuum that was drawn attracts at speed {}", system.speed());
+}
+
 CertifyResult proofs(const Study& study, const RunOptions& options) {
+  const model::System system = study.system();
   const model::Parameters& p = study.parameters;
   CertifyResult result;
   result.study = study;
-  result.speed = study.speed_profile().final_speed();
-  if (model::balanced_states(p).kind == model::BalancedStates::Kind::family) {
-    result.note = "the balanced states form a continuum; proofs are for isolated ones, of one or two balls";
+  result.speed = model::balanced_speed(system).value_or(0.0);
+  if (model::balanced_states(system).kind == model::BalancedStates::Kind::family) {
+    prove_members(system, options, result);
     return result;
   }
-  const BalancedAnalysis analysis = analyse_balanced({p, result.speed}, options.stop);
+  const BalancedAnalysis analysis = analyse_balanced(system, options.stop);
   result.note = analysis.note;
   if (p.balls > 2) {
     result.note = "proofs are for one or two balls";
@@ -59,7 +99,7 @@ CertifyResult proofs(const Study& study, const RunOptions& options) {
   };
   report();
   while (result.states.size() < states && !stopped()) {
-    result.states.push_back(prove(p, result.speed, analysis.traps[result.states.size()], options.stop));
+    result.states.push_back(prove(system, analysis.traps[result.states.size()], options.stop));
     if (copies) result.states.back().copies = 2;
     report();
   }

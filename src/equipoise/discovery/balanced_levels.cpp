@@ -57,8 +57,7 @@ void prove_levels(std::vector<BalancedTrap>& traps, const TrialSettings& setting
   const model::System& system = *settings.system;
   level_each(traps, system.parameters(), [&](BalancedTrap& trap) {
     const Certificate certificate =
-        largest_certificate(system.parameters(), system.speed(), trap.phi.data(), form_of(trap),
-                            trap.level / level_margin, nullptr, settings.stop);
+        largest_certificate(system, trap.phi.data(), form_of(trap), trap.level / level_margin, nullptr, settings.stop);
     // What the kernels compute in place of V is off by rounding: a part in 10^13.
     set_level(trap, certificate.level * (1.0 - 1e-9));
     trap.by = DecidedBy::proof;

@@ -108,7 +108,7 @@ void check_machine(const Study& study) {
   check(study);
   if (study.numerics.decide == DecideMode::proof)
     throw InputError(study.name, "numerics.decide", "proof",
-                     "a machine (motor, race offset, contact, rolling resistance) has no proved balance; must be "
+                     "with contact, rolling resistance or a motor without torque no balance is proved; must be "
                      "\"validated\" or \"horizon\"");
 }
 

@@ -59,10 +59,9 @@ void check_decidable(const Study& study) {
         study.name, final_speed_key(study), fmt::format("{:.6g}", speed),
         fmt::format("basin and attractors take final speeds from -{0:g} to {0:g} critical speeds", fastest_speed));
   const bool proof = study.numerics.decide == DecideMode::proof;
-  if (proof && !study.system().simple())
+  if (proof && !study.system().smooth())
     throw InputError(study.name, "numerics.decide", "proof",
-                     "with a motor, an off-centre race, contact or dry friction there are no proofs: use \"validated\" or "
-                     "\"horizon\"");
+                     "with contact or dry friction there are no proofs: use \"validated\" or \"horizon\"");
   if (!model::is_strobed(study.parameters)) return;
   if (speed == 0.0 && !study.speed.driven())
     throw InputError(study.name, final_speed_key(study), "0",

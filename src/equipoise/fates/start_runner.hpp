@@ -18,7 +18,7 @@
 namespace equipoise {
 
 /// Throws InputError for invalid studies and those whose starts cannot be decided: anisotropic supports or gravity on a
-/// rotor that is to come to rest, or with decisions by proof, which motors and off-centre races do not have either.
+/// rotor that is to come to rest, or with decisions by proof.
 void check_decidable(const Study& study);
 
 /// Throws InputError for a spin-up with the balls held that is too long to look for peaks in.

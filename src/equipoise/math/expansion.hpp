@@ -1,5 +1,7 @@
 // The equations' dependence on the motion beside the ball angles, read off the equations themselves: polynomials in
-// (x, y, u, v, q_1..q_n) of first degree plus the squares q_i^2, with coefficients of any number type.
+// (x, y, u, v, q_1..q_n) of first degree plus the squares q_i^2, with coefficients of any number type. Of a driven
+// rotor its speed is one variable more, and so is the integral of a speed control's error: then products of the speed
+// with any variable, itself too, are terms besides.
 //
 // A number type of the equations (see base/pack-inl.hpp for what that asks). Run on it, the equations of motion return
 // their own coefficients, without cancellation; a product that leaves this set of polynomials, which the equations as
@@ -8,11 +10,14 @@
 
 namespace equipoise {
 
-template <class T, int n>
+template <class T, int n, int more = 0>
 struct Expansion {
-  static constexpr int variables = 4 + n;          ///< x, y, u, v, then q_i
-  static constexpr int terms = 1 + variables + n;  ///< 1, the variables, the squares of q_i
+  static constexpr int variables = 4 + n + more;  ///< x, y, u, v, then q_i, the rotor's speed, the integral
+  static constexpr int speed = 4 + n;             ///< the variable, if more > 0
+  /// 1, the variables, the squares of q_i, the products with the rotor's speed.
+  static constexpr int terms = 1 + variables + n + (more > 0 ? variables : 0);
   static constexpr int square_of(int ball) { return 1 + variables + ball; }
+  static constexpr int product_with_speed(int variable) { return 1 + variables + n + variable; }
 
   T coefficient[terms]{};
   unsigned present = 0;  ///< one bit a term: absent ones are exactly 0
@@ -53,8 +58,12 @@ struct Expansion {
         if (!b.has(j)) continue;
         if (i == 0 || j == 0)
           r.add(i + j, a.coefficient[i] * b.coefficient[j]);
-        else if (i == j && i > 4 && i <= variables)
+        else if (i == j && i > 4 && i <= 4 + n)
           r.add(square_of(i - 5), a.coefficient[i] * b.coefficient[j]);
+        else if (more > 0 && i == 1 + speed && j <= variables)
+          r.add(product_with_speed(j - 1), a.coefficient[i] * b.coefficient[j]);
+        else if (more > 0 && j == 1 + speed && i <= variables)
+          r.add(product_with_speed(i - 1), a.coefficient[i] * b.coefficient[j]);
         else
           r.beyond = true;
       }
@@ -77,12 +86,12 @@ struct Expansion {
   }
 };
 
-template <class T, int n>
-void sin_cos(const Expansion<T, n>& a, Expansion<T, n>& sine, Expansion<T, n>& cosine) {
+template <class T, int n, int more>
+void sin_cos(const Expansion<T, n, more>& a, Expansion<T, n, more>& sine, Expansion<T, n, more>& cosine) {
   T s, c;
   sin_cos(a.coefficient[0], s, c);
-  sine = Expansion<T, n>(s);
-  cosine = Expansion<T, n>(c);
+  sine = Expansion<T, n, more>(s);
+  cosine = Expansion<T, n, more>(c);
   sine.beyond = cosine.beyond = a.beyond || !a.constant();
 }
 

@@ -41,7 +41,7 @@ inline constexpr std::array<Capability, 7> capabilities{{
     {Answer::trajectory, "trajectories", "simulate", false, false, false, false},
     {Answer::shares, "shares", "basin", false, false, false, false},
     {Answer::attractors, "attractors", "attractors", false, false, false, false},
-    {Answer::proofs, "proofs", "", true, true, true, true},
+    {Answer::proofs, "proofs", "", true, false, false, true},
     {Answer::displacements, "observed displacements", "", true, true, true, true},
     {Answer::branches, "branches along a parameter", "", false, false, false, false},
     {Answer::maps, "maps", "", false, false, false, false},

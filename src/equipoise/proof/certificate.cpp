@@ -3,7 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <type_traits>
+#include <limits>
 #include <utility>
 
 #include <fmt/format.h>
@@ -28,10 +28,10 @@ constexpr double least_share = 0.3, finest = 0.01;
 
 // The square around the unit disc, a little larger than the slack makes it. A power of two plus another, so that all
 // halvings are exact.
-template <int n>
+template <ProofKind kind>
 Box root() {
   Box box;
-  for (int k = 0; k < n; ++k) {
+  for (int k = 0; k < kind.balls; ++k) {
     box.high[k] = 1.0 + 0x1p-10;
     box.low[k] = -box.high[k];
   }
@@ -39,10 +39,10 @@ Box root() {
 }
 
 // Both halves of a box, across its longest side. Search and verification must split alike.
-template <int n>
+template <ProofKind kind>
 std::pair<Box, Box> halves(const Box& box) {
   int axis = 0;
-  for (int k = 1; k < n; ++k)
+  for (int k = 1; k < kind.balls; ++k)
     if (box.high[k] - box.low[k] > box.high[axis] - box.low[axis]) axis = k;
   std::pair<Box, Box> result{box, box};
   result.first.high[axis] = result.second.low[axis] = 0.5 * (box.low[axis] + box.high[axis]);
@@ -51,15 +51,15 @@ std::pair<Box, Box> halves(const Box& box) {
 
 const CertificateResult not_finished{false, "stopped before it was proved"};
 
-template <int n, bool rolls>
+template <ProofKind kind>
 CertificateResult prove(Certificate& c, long budget, const StopFlag* stop) {
-  const LevelProof<n, rolls> proof(c);
+  const LevelProof<kind> proof(c);
   if (!proof.fault().empty()) return {false, proof.fault()};
   struct Work {
     Box box;
     int depth;
   };
-  std::vector<Work> waiting{{root<n>(), 0}};
+  std::vector<Work> waiting{{root<kind>(), 0}};
   while (!waiting.empty()) {
     Work work = waiting.back();
     waiting.pop_back();
@@ -70,10 +70,10 @@ CertificateResult prove(Certificate& c, long budget, const StopFlag* stop) {
       c.boxes.push_back(work.box);
       continue;
     }
-    if (work.depth >= n * deepest)
+    if (work.depth >= kind.balls * deepest)
       return {false, fmt::format("V could not be shown to decrease everywhere below level {:.6g}", c.level)};
     // Multipliers vary little from box to box: the halves begin with what was found last.
-    auto [first, second] = halves<n>(work.box);
+    auto [first, second] = halves<kind>(work.box);
     waiting.push_back({second, work.depth + 1});
     waiting.push_back({first, work.depth + 1});
   }
@@ -81,28 +81,28 @@ CertificateResult prove(Certificate& c, long budget, const StopFlag* stop) {
 }
 
 // Whether `boxes` [begin, end) are the leaves of halving `box` down, those outside the level set left out.
-template <int n, bool rolls>
-bool covered(const LevelProof<n, rolls>& proof, const Box& box, std::vector<Box>::iterator begin,
+template <ProofKind kind>
+bool covered(const LevelProof<kind>& proof, const Box& box, std::vector<Box>::iterator begin,
              std::vector<Box>::iterator end, int depth) {
   if (proof.outside(box)) return begin == end;
   if (begin == end) return false;
   if (end - begin == 1 && begin->low == box.low && begin->high == box.high) return true;
-  if (depth >= n * deepest) return false;
-  const auto [first, second] = halves<n>(box);
+  if (depth >= kind.balls * deepest) return false;
+  const auto [first, second] = halves<kind>(box);
   const auto middle = std::partition(begin, end, [&low_half = first](const Box& b) {
-    for (int k = 0; k < n; ++k)
+    for (int k = 0; k < kind.balls; ++k)
       if (!(b.low[k] >= low_half.low[k] && b.high[k] <= low_half.high[k])) return false;
     return true;
   });
   return covered(proof, first, begin, middle, depth + 1) && covered(proof, second, middle, end, depth + 1);
 }
 
-template <int n, bool rolls>
+template <ProofKind kind>
 CertificateResult check(const Certificate& c, const StopFlag* stop) {
-  const LevelProof<n, rolls> proof(c);
+  const LevelProof<kind> proof(c);
   if (!proof.fault().empty()) return {false, proof.fault()};
   std::vector<Box> boxes = c.boxes;
-  if (!covered(proof, root<n>(), boxes.begin(), boxes.end(), 0))
+  if (!covered(proof, root<kind>(), boxes.begin(), boxes.end(), 0))
     return {false, "the boxes do not cover the level set, each part of it once"};
   for (const Box& box : c.boxes) {
     if (is_set(stop)) return not_finished;
@@ -113,20 +113,16 @@ CertificateResult check(const Certificate& c, const StopFlag* stop) {
   return {true, ""};
 }
 
-// Calls `f` with the number of balls, 1 or 2, and whether they roll, as constants.
-template <class F>
-CertificateResult for_kind(const model::Parameters& p, F&& f) {
-  const auto of = [&](auto n) { return p.rolls ? f(n, std::true_type{}) : f(n, std::false_type{}); };
-  return p.balls == 1 ? of(std::integral_constant<int, 1>{}) : of(std::integral_constant<int, 2>{});
-}
-
-std::string refusal(const model::Parameters& p, double speed) {
+std::string refusal(const model::System& system) {
+  const model::Parameters& p = system.parameters();
   if (p.balls < 1 || p.balls > 2)
     return "three balls or more have a continuum of balanced states; proofs are for isolated ones";
   if (!p.isotropic()) return "proofs need supports that are equal in x and y";
   if (p.gravity != 0.0) return "proofs need gravity 0";
-  if (!std::isfinite(speed)) return "the speed must be a finite number";
-  const model::BalancedStates states = model::balanced_states(p);
+  if (!system.smooth()) return "proofs need balls that pass each other and do not stick";
+  if (!std::isfinite(system.speed())) return "the speed must be a finite number";
+  if (system.coasts()) return "proofs need a rotor that something turns for good";
+  const model::BalancedStates states = model::balanced_states(system);
   if (states.kind == model::BalancedStates::Kind::none) return "no balanced state exists: " + states.reason;
   if (states.kind == model::BalancedStates::Kind::family)
     return "without unbalance there is a continuum of balanced states; proofs are for isolated ones";
@@ -134,14 +130,14 @@ std::string refusal(const model::Parameters& p, double speed) {
 }
 
 // What rules a proof out before any box is tried: in doubles, for a reason that helps more than a failed inequality.
-std::string hopeless(const model::Parameters& p, double speed, const double* phi, const Eigen::MatrixXd& form,
+std::string hopeless(const model::System& system, double speed, const double* phi, const Eigen::MatrixXd& form,
                      double level) {
-  const int size = model::dimension(p.balls);
+  const int size = system.dimension();
   if (form.rows() != size || form.cols() != size || !form.allFinite())
     return fmt::format("the form must be a {0} x {0} matrix of finite numbers", size);
   if (!(level > 0.0) || !std::isfinite(level)) return "the level must be a finite number greater than 0";
   if (!dense::Cholesky(form).definite()) return "the form is not positive definite";
-  const Eigen::MatrixXd a = model::jacobian(p, speed, model::centred_state(p, phi).data());
+  const Eigen::MatrixXd a = model::jacobian(system, model::balanced_state(system, speed, phi));
   const double growth = dense::largest_real_part(a);
   if (!(growth < 0.0))
     return fmt::format("the balanced state is not linearly stable at speed {} (growth rate {:.3g})", speed, growth);
@@ -151,14 +147,12 @@ std::string hopeless(const model::Parameters& p, double speed, const double* phi
 }
 
 // Columns in which the level set is the unit ball, ball angles last: the inverse of the form's triangular factor.
-Eigen::MatrixXd frame_of(const Eigen::MatrixXd& form, double level, int balls) {
-  const int size = static_cast<int>(form.rows());
-  Eigen::VectorXi order(size);  // x, y, u, v, q_i, phi_i
-  for (int i = 0; i < 4; ++i) order[i] = i;
-  for (int i = 0; i < balls; ++i) {
-    order[4 + i] = model::index::q(i, balls);
-    order[4 + balls + i] = model::index::phi(i);
-  }
+Eigen::MatrixXd frame_of(const model::System& system, const Eigen::MatrixXd& form, double level) {
+  const int size = system.dimension(), balls = system.balls();
+  std::vector<int> order;  // x, y, u, v, q_i, a driven rotor's speed and the integral of its error; phi_i
+  for (int i = 0; i < 4; ++i) order.push_back(i);
+  for (int i = model::index::q(0, balls); i < size; ++i) order.push_back(i);
+  for (int i = 0; i < balls; ++i) order.push_back(model::index::phi(i));
   Eigen::MatrixXd sorted(size, size), frame = Eigen::MatrixXd::Zero(size, size);
   for (int i = 0; i < size; ++i)
     for (int j = 0; j < size; ++j) sorted(i, j) = form(order[i], order[j]);
@@ -171,36 +165,62 @@ Eigen::MatrixXd frame_of(const Eigen::MatrixXd& form, double level, int balls) {
 
 }  // namespace
 
-CertificateResult prove_level(const model::Parameters& p, double speed, const double* phi, const Eigen::MatrixXd& form,
-                              double level, Certificate& c, long budget, const StopFlag* stop) {
+model::System Certificate::system() const {
+  if (!motor) return {parameters, speed};
+  return {parameters, model::DrivePiece{.prescribed = false, .motor = *motor}};
+}
+
+CertificateResult prove_level(const model::System& system, const double* phi, const Eigen::MatrixXd& form, double level,
+                              Certificate& c, long budget, const StopFlag* stop) {
   c = {};
-  if (std::string reason = refusal(p, speed); !reason.empty()) return {false, reason};
-  if (std::string reason = hopeless(p, speed, phi, form, level); !reason.empty()) return {false, reason};
-  c.parameters = p;
+  if (std::string reason = refusal(system); !reason.empty()) return {false, reason};
+  const double speed = *model::balanced_speed(system);
+  if (std::string reason = hopeless(system, speed, phi, form, level); !reason.empty()) return {false, reason};
+  c.parameters = system.parameters();
   c.speed = speed;
-  std::copy(phi, phi + p.balls, c.phi.begin());
+  if (!system.prescribed()) c.motor = system.drive().motor;
+  std::copy(phi, phi + system.balls(), c.phi.begin());
   c.form = 0.5 * (form + form.transpose());  // V is the same
   c.level = level;
-  c.frame = frame_of(c.form, level, p.balls);
-  const CertificateResult result = for_kind(p, [&](auto n, auto rolls) { return prove<n, rolls>(c, budget, stop); });
+  c.frame = frame_of(system, c.form, level);
+  const CertificateResult result =
+      with_proof_kind(system, [&](auto kind) { return prove<kind.value>(c, budget, stop); });
   if (!result.proved) c = {};
   return result;
 }
 
 CertificateResult check_certificate(const Certificate& c, const StopFlag* stop) {
-  if (std::string reason = refusal(c.parameters, c.speed); !reason.empty()) return {false, reason};
-  return for_kind(c.parameters, [&](auto n, auto rolls) { return check<n, rolls>(c, stop); });
+  const model::System system = c.system();
+  if (std::string reason = refusal(system); !reason.empty()) return {false, reason};
+  return with_proof_kind(system, [&](auto kind) { return check<kind.value>(c, stop); });
 }
 
-Certificate largest_certificate(const model::Parameters& p, double speed, const double* phi,
-                                const Eigen::MatrixXd& form, double critical, std::string* reason,
-                                const StopFlag* stop) {
+namespace {
+
+// The level at which the motor reaches its limit somewhere; infinite if it has none.
+double level_at_limit(const model::System& system, const double* phi, const Eigen::MatrixXd& form) {
+  if (system.prescribed() || !std::isfinite(system.drive().motor.limit)) return std::numeric_limits<double>::infinity();
+  const model::DriveSegment& m = system.drive().motor;
+  Eigen::VectorXd slope = Eigen::VectorXd::Zero(system.dimension());
+  slope[system.speed_place()] = m.slope;
+  if (system.error_place() >= 0) slope[system.error_place()] = m.integral;
+  const double speed = *model::balanced_speed(system);
+  const double room = m.limit - std::fabs(system.torque(model::balanced_state(system, speed, phi)));
+  return room * room / slope.dot(dense::inverse(form) * slope);
+}
+
+}  // namespace
+
+Certificate largest_certificate(const model::System& system, const double* phi, const Eigen::MatrixXd& form,
+                                double critical, std::string* reason, const StopFlag* stop) {
   Certificate best;
-  std::string problem;
+  std::string problem = refusal(system), last;
+  if (problem.empty() && form.rows() == system.dimension())
+    critical = std::min(critical, level_at_limit(system, phi, form));
   double low = least_share, high = 1.0, share = 0.95;
-  while (high - low > finest) {
+  while (problem.empty() && high - low > finest) {
     Certificate trial;
-    const CertificateResult result = prove_level(p, speed, phi, form, share * critical, trial, default_budget, stop);
+    const CertificateResult result = prove_level(system, phi, form, share * critical, trial, default_budget, stop);
     if (is_set(stop)) {
       problem = not_finished.reason;
       break;
@@ -210,11 +230,11 @@ Certificate largest_certificate(const model::Parameters& p, double speed, const 
       best = std::move(trial);
     } else {
       high = share;
-      problem = result.reason;
+      last = result.reason;
     }
     share = 0.5 * (low + high);
   }
-  if (reason) *reason = best.level > 0.0 ? "" : problem;
+  if (reason) *reason = best.level > 0.0 ? "" : problem.empty() ? last : problem;
   return best;
 }
 

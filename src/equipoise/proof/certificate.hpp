@@ -2,13 +2,16 @@
 #pragma once
 
 #include <array>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include <Eigen/Core>
 
 #include "equipoise/base/stop_flag.hpp"
+#include "equipoise/model/motor.hpp"
 #include "equipoise/model/parameters.hpp"
+#include "equipoise/model/system.hpp"
 
 namespace equipoise {
 
@@ -17,7 +20,8 @@ namespace equipoise {
 /// V <= level converges to that state. The rest is what makes the proof checkable without search.
 struct Certificate {
   model::Parameters parameters;
-  double speed = 0.0;
+  double speed = 0.0;                          ///< psi' in balance: as prescribed, of a motor approximate
+  std::optional<model::DriveSegment> motor;    ///< drives the rotor; empty: its speed is prescribed
   std::array<double, model::max_balls> phi{};  ///< approximate ball angles; the proof encloses the exact ones
   Eigen::MatrixXd form;                        ///< P
   double level = 0.0;                          ///< c; 0 if nothing is proved
@@ -25,12 +29,15 @@ struct Certificate {
   /// last columns, one a ball, are tau: the ball angles depend on tau alone.
   Eigen::MatrixXd frame;
   /// A box in tau. Where its closure holds 0 one bound on the flow's slope proves decrease; elsewhere a multiplier of
-  /// the S-lemma does, one for each choice of the smallest or largest ball speeds (bit i: largest for ball i).
+  /// the S-lemma does, one for each choice of the smallest or largest ball speeds (bit i: largest for ball i) and,
+  /// under a motor, deviations of the rotor's speed (the bit after those).
   struct Box {
     std::array<double, 2> low{}, high{};
-    std::array<double, 4> multiplier{};
+    std::array<double, 8> multiplier{};
   };
   std::vector<Box> boxes;  ///< cover the unit disc of tau, the projection of V <= c on the ball angles
+
+  model::System system() const;
 };
 
 /// What the proof covers beyond `level`, relative: a program may test V < level with rounded angles of the balanced
@@ -46,21 +53,21 @@ struct CertificateResult {
   std::string reason;  ///< why not, in one sentence
 };
 
-/// Tries to prove the given level. On success `certificate` is complete. Works for one or two balls with isolated
-/// balanced states, isotropic supports, no gravity; refuses (with the reason) otherwise, for forms that are not
-/// positive definite and for states that are not linearly stable. `budget`: most boxes to try. A stopped search proves
-/// nothing.
-CertificateResult prove_level(const model::Parameters& p, double speed, const double* phi, const Eigen::MatrixXd& form,
-                              double level, Certificate& certificate, long budget = default_budget,
-                              const StopFlag* stop = nullptr);
+/// Tries to prove the given level around the balanced state at ball angles `phi`. On success `certificate` is complete.
+/// Works for one or two balls with isolated balanced states, isotropic supports, no gravity, at a prescribed speed or
+/// under a motor that does not reach its limit on the level set, in a race off its centre or not; refuses (with the
+/// reason) otherwise, for forms that are not positive definite and for states that are not linearly stable. `budget`:
+/// most boxes to try. A stopped search proves nothing.
+CertificateResult prove_level(const model::System& system, const double* phi, const Eigen::MatrixXd& form, double level,
+                              Certificate& certificate, long budget = default_budget, const StopFlag* stop = nullptr);
 
 /// Verifies a certificate from its own data alone, with outward rounding. A stopped check proves nothing.
 CertificateResult check_certificate(const Certificate& certificate, const StopFlag* stop = nullptr);
 
-/// The largest provable share of `critical` (the sampled critical level), by bisection between shares; `reason`, if
-/// given, receives why there is none, in which case the level is 0. A stopped search returns what it has proved so far.
-Certificate largest_certificate(const model::Parameters& p, double speed, const double* phi,
-                                const Eigen::MatrixXd& form, double critical, std::string* reason = nullptr,
-                                const StopFlag* stop = nullptr);
+/// The largest provable share of `critical` (the sampled critical level, or of the level at which a motor reaches its
+/// limit if that is lower), by bisection between shares; `reason`, if given, receives why there is none, in which case
+/// the level is 0. A stopped search returns what it has proved so far.
+Certificate largest_certificate(const model::System& system, const double* phi, const Eigen::MatrixXd& form,
+                                double critical, std::string* reason = nullptr, const StopFlag* stop = nullptr);
 
 }  // namespace equipoise

@@ -5,14 +5,17 @@
 #include <vector>
 
 #include "equipoise/proof/certificate.hpp"
+#include "equipoise/proof/member_certificate.hpp"
 
 namespace equipoise {
 
 /// One JSON object, readable by certificates_from_json(); docs/guide/command-line.md lists its keys.
-std::string certificates_json(const std::vector<Certificate>& certificates);
+std::string certificates_json(const std::vector<Certificate>& certificates,
+                              const std::vector<MemberCertificate>& members = {});
 
 /// Reads what certificates_json() wrote. Throws InputError, naming `where` and the key, for anything else; whether a
-/// certificate proves what it claims is for check_certificate() to say.
+/// certificate proves what it claims is for check_certificate() and check_member() to say.
 std::vector<Certificate> certificates_from_json(const std::string& text, const std::string& where);
+std::vector<MemberCertificate> members_from_json(const std::string& text, const std::string& where);
 
 }  // namespace equipoise

@@ -8,6 +8,7 @@
 #include <nlohmann/json.hpp>
 
 #include "equipoise/base/version.hpp"
+#include "equipoise/model/system.hpp"
 
 namespace equipoise {
 
@@ -15,15 +16,19 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-std::vector<std::string> variable_names(int balls) {
+std::vector<std::string> variable_names(const model::System& system) {
+  const int balls = system.balls();
   std::vector<std::string> names{"x", "y", "u", "v"};
   for (int i = 1; i <= balls; ++i) names.push_back(fmt::format("phi_{}", i));
   for (int i = 1; i <= balls; ++i) names.push_back(fmt::format("q_{}", i));
+  if (system.speed_place() >= 0) names.push_back("speed");
+  if (system.error_place() >= 0) names.push_back("error_integral");
   return names;
 }
 
-std::string state_text(const StateProof& s, int balls) {
+std::string state_text(const StateProof& s, const model::System& system) {
   const Certificate& c = s.certificate;
+  const int balls = system.balls();
   std::string angles;
   for (int i = 0; i < balls; ++i) angles += fmt::format("{}phi_{} = {:.9f}", i ? ", " : "", i + 1, c.phi[i]);
   std::string text = fmt::format("balanced state {}", angles);
@@ -34,7 +39,7 @@ std::string state_text(const StateProof& s, int balls) {
       fmt::format("  proved: V = d^T P d decreases on 0 < V <= c, c = {:.9g}: {:.1f} % of the sampled critical level\n",
                   c.level, 100.0 * c.level / s.critical);
   text += "  reach of V <= c:";
-  const std::vector<std::string> names = variable_names(balls);
+  const std::vector<std::string> names = variable_names(system);
   for (std::size_t i = 0; i < names.size(); ++i)
     text += fmt::format(" {} {:.4g}{}", names[i], s.reach[i], i + 1 < names.size() ? "," : "\n");
   text += fmt::format("  {} boxes, found in {:.3f} s; re-check in {:.3f} s: {}\n", c.boxes.size(), s.seconds,
@@ -47,13 +52,57 @@ std::string state_text(const StateProof& s, int balls) {
   return text;
 }
 
+std::string angles_text(const MemberCertificate& c) {
+  return fmt::format("phi = ({:.6f})", fmt::join(c.phi.begin(), c.phi.begin() + c.parameters.balls, ", "));
+}
+
+// Of what was proved one member each: the widest neighbourhood, the fastest growth.
+std::string members_text(const CertifyResult& r) {
+  if (r.members.empty()) return "";
+  const int drawn = static_cast<int>(r.members.size()), attracting = r.attracting(), unstable = r.unstable();
+  std::string text = fmt::format(
+      "the balanced states form a continuum; of {} members drawn evenly from it {} are proved to attract all that "
+      "comes "
+      "close, {} to be unstable, {} neither\n",
+      drawn, attracting, unstable, drawn - attracting - unstable);
+  const MemberProof *widest = nullptr, *fastest = nullptr;
+  for (const MemberProof& m : r.members) {
+    if (!m.check.proved) continue;
+    if (m.certificate.attracts && (!widest || m.certificate.level > widest->certificate.level)) widest = &m;
+    if (!m.certificate.attracts && (!fastest || m.growth > fastest->growth)) fastest = &m;
+  }
+  if (widest)
+    text += fmt::format(
+        "  attracts: {}; balls within {:.3g} rad of that and V <= {:.3g} lead to balance (rate {:.4g})\n",
+        angles_text(widest->certificate), 0.5 * widest->certificate.radius, widest->certificate.level, widest->growth);
+  if (fastest)
+    text += fmt::format("  unstable: {}; leads away from the set (growth rate {:.4g})\n",
+                        angles_text(fastest->certificate), fastest->growth);
+  return text + "  nothing is proved of members that were not drawn\n";
+}
+
+Json members_json(const CertifyResult& r) {
+  Json list = Json::array();
+  for (const MemberProof& m : r.members) {
+    const MemberCertificate& c = m.certificate;
+    list.push_back({{"proved", m.check.proved},
+                    {"reason", m.check.reason},
+                    {"attracts", c.attracts},
+                    {"phi", std::vector<double>(c.phi.begin(), c.phi.begin() + r.study.parameters.balls)},
+                    {"radius", c.radius},
+                    {"level", c.level},
+                    {"growth_rate", m.growth}});
+  }
+  return list;
+}
+
 }  // namespace
 
 std::string certify_text(const CertifyResult& r) {
   std::string text = fmt::format("{}: speed {}\n", r.study.name, r.speed);
-  if (!r.note.empty()) text += fmt::format("nothing proved: {}\n", r.note);
-  for (const StateProof& s : r.states) text += state_text(s, r.study.parameters.balls);
-  return text;
+  if (!r.note.empty()) text += fmt::format("{}{}\n", r.members.empty() ? "nothing proved: " : "", r.note);
+  for (const StateProof& s : r.states) text += state_text(s, r.study.system());
+  return text + members_text(r);
 }
 
 std::string certify_json(const CertifyResult& r) {
@@ -62,8 +111,9 @@ std::string certify_json(const CertifyResult& r) {
   json["note"] = r.note;
   json["speed"] = r.speed;
   json["states"] = Json::array();
-  const int balls = r.study.parameters.balls;
-  const std::vector<std::string> names = variable_names(balls);
+  const model::System system = r.study.system();
+  const int balls = system.balls();
+  const std::vector<std::string> names = variable_names(system);
   for (const StateProof& s : r.states) {
     const Certificate& c = s.certificate;
     Json state;
@@ -88,6 +138,7 @@ std::string certify_json(const CertifyResult& r) {
     state["check_seconds"] = s.check_seconds;
     json["states"].push_back(state);
   }
+  if (!r.members.empty()) json["members"] = members_json(r);
   json["study_name"] = r.study.name;
   json["version"] = version_string;
   return json.dump(2) + "\n";
@@ -98,9 +149,15 @@ std::string check_text(const CertificateFile& file) {
   for (std::size_t i = 0; i < file.checks.size(); ++i) {
     const Certificate& c = file.certificates[i];
     const int balls = c.parameters.balls;
-    text +=
-        fmt::format("speed {}, {} ball{}, level {:.9g}, {} boxes: {}\n", c.speed, balls, balls == 1 ? "" : "s", c.level,
-                    c.boxes.size(), file.checks[i].proved ? "proved" : "NOT proved, " + file.checks[i].reason);
+    text += fmt::format("speed {}{}, {} ball{}, level {:.9g}, {} boxes: {}\n", c.speed, c.motor ? " by a motor" : "",
+                        balls, balls == 1 ? "" : "s", c.level, c.boxes.size(),
+                        file.checks[i].proved ? "proved" : "NOT proved, " + file.checks[i].reason);
+  }
+  for (std::size_t i = 0; i < file.member_checks.size(); ++i) {
+    const MemberCertificate& c = file.members[i];
+    text += fmt::format("speed {}, {} balls, member {}, {}: {}\n", c.speed, c.parameters.balls, angles_text(c),
+                        c.attracts ? "attracts" : "unstable",
+                        file.member_checks[i].proved ? "proved" : "NOT proved, " + file.member_checks[i].reason);
   }
   return text;
 }
@@ -118,6 +175,12 @@ std::string check_json(const CertificateFile& file) {
                                     {"level", c.level},
                                     {"boxes", c.boxes.size()}});
   }
+  for (std::size_t i = 0; i < file.member_checks.size(); ++i)
+    json["members"].push_back({{"proved", file.member_checks[i].proved},
+                               {"reason", file.member_checks[i].reason},
+                               {"attracts", file.members[i].attracts},
+                               {"speed", file.members[i].speed},
+                               {"level", file.members[i].level}});
   json["version"] = version_string;
   return json.dump(2) + "\n";
 }

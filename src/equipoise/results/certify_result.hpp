@@ -7,6 +7,7 @@
 
 #include "equipoise/deciding/decision_rule.hpp"
 #include "equipoise/proof/certificate.hpp"
+#include "equipoise/proof/member_certificate.hpp"
 #include "equipoise/study/study.hpp"
 
 namespace equipoise {
@@ -21,14 +22,29 @@ struct StateProof {
   double seconds = 0.0, check_seconds = 0.0;
 };
 
+/// One member of a continuum of balanced states.
+struct MemberProof {
+  MemberCertificate certificate;  ///< radius 0: nothing proved
+  CertificateResult check;        ///< of the finished certificate, from its own data; or why there is none
+  double growth = 0.0;            ///< largest real part across the continuum, by linear theory in doubles
+};
+
 struct CertifyResult {
   Study study;
-  double speed = 0.0;              ///< final speed of the study
-  std::vector<StateProof> states;  ///< one for each stable state that is no copy
-  std::string note;                ///< why there is no state to prove anything of
-  bool partial = false;            ///< stopped before every state was tried
-  /// There is a stable state, and each has a proof that was checked.
+  double speed = 0.0;                ///< final speed of the study
+  std::vector<StateProof> states;    ///< one for each stable state that is no copy
+  std::vector<MemberProof> members;  ///< of a continuum, drawn evenly; nothing is said of others
+  std::string note;                  ///< why there is no state to prove anything of
+  bool partial = false;              ///< stopped before every state was tried
+  /// There is a stable state, and each has a proof that was checked. Of a continuum: of each member drawn it is proved
+  /// whether it attracts, and some do.
   bool proved() const;
+  /// Members that are proved to attract, or to be unstable.
+  int attracting() const { return members_proved(true); }
+  int unstable() const { return members_proved(false); }
+
+ private:
+  int members_proved(bool attracts) const;
 };
 
 /// Certificates read from a file, and what check_certificate() says of each.
@@ -36,6 +52,8 @@ struct CertificateFile {
   std::string path;
   std::vector<Certificate> certificates;
   std::vector<CertificateResult> checks;
+  std::vector<MemberCertificate> members;
+  std::vector<CertificateResult> member_checks;
   /// All of them hold.
   bool proved() const;
 };

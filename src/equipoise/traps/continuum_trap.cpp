@@ -55,14 +55,17 @@ double reach_of(const Members& members, double factor) {
   return 1.5 * members.unrest + std::sqrt(std::min(factor * members.unit, 0.5));
 }
 
-// All of `tries` states at `factor` times the members' units of V come near to the continuum.
+// All states that are tried at `factor` times the members' units of V come near to the continuum.
 bool all_approach(const ContinuumTrap& trap, const Members& members, const TrialSettings& settings, double factor,
-                  std::size_t tries) {
+                  const TryRange& tries) {
   const std::size_t count = members.all.size();
   Trials trials;
   Directions directions(trap.continuum->directions());
-  const auto member_of = [&](std::size_t i) -> const ContinuumMember& { return members.all[i * count / tries]; };
-  for (std::size_t i = 0; i < tries; ++i) {
+  directions.skip(tries.first);
+  const auto member_of = [&](std::size_t i) -> const ContinuumMember& {
+    return members.all[(tries.first + i) * count / tries.of];
+  };
+  for (std::size_t i = 0; i < tries.count; ++i) {
     const ContinuumMember& m = member_of(i);
     const Eigen::VectorXd z = trap.continuum->state_at(m, factor * m.unit, directions.next());
     trials.states.insert(trials.states.end(), z.begin(), z.end());
@@ -89,9 +92,9 @@ std::optional<ContinuumTrap> continuum_trap(const std::shared_ptr<const Balanced
   if (members.all.empty()) return std::nullopt;
   ContinuumTrap trap{continuum, 0.0, members.slowest_rate, 0.0};
   // With anisotropic supports or gravity to tell what a state comes to is a flight of its own.
-  TrialCounts counts;
+  TrialCounts counts{.few = 128, .all = 1024};
   if (!settings.system->autonomous()) counts = {counts.few / 4, counts.all / 4};
-  trap.factor = highest_good_level({0.5 / members.unit}, counts, [&](double factor, std::size_t tries) {
+  trap.factor = highest_good_level({0.5 / members.unit}, counts, [&](double factor, const TryRange& tries) {
     return all_approach(trap, members, settings, factor, tries);
   });
   if (!(trap.factor > 0.0)) return std::nullopt;

@@ -2,6 +2,7 @@
 #include "equipoise/traps/trials.hpp"
 
 #include <algorithm>
+#include <array>
 #include <atomic>
 #include <cmath>
 #include <utility>
@@ -78,15 +79,61 @@ const Eigen::VectorXd& Directions::next() {
   return v_;
 }
 
-double highest_good_level(const LevelLadder& ladder, const TrialCounts& counts,
-                          const std::function<bool(double level, std::size_t tries)>& good) {
-  int low = -1, high = ladder.rungs;
-  while (high - low > 1) {
-    const int middle = (low + high) / 2;
-    (good(std::ldexp(ladder.highest, -middle), counts.few) ? high : low) = middle;
+namespace {
+
+constexpr int steps_a_halving = 8;
+
+double level_at(const LevelLadder& ladder, int step) {
+  constexpr std::array<double, steps_a_halving> parts{1.0,
+                                                      0.9170040432046712,
+                                                      0.8408964152537145,
+                                                      0.7711054127039704,
+                                                      0.7071067811865476,
+                                                      0.6484197773255048,
+                                                      0.5946035575013605,
+                                                      0.5452538663326288};  // 2^(-1/8) and its powers
+  return std::ldexp(ladder.highest * parts[step % steps_a_halving], -(step / steps_a_halving));
+}
+
+// The first step in (bad, end] that is good, `end` if none before; steps beyond a good one are taken for good.
+int first_good(int bad, int end, const std::function<bool(int)>& good) {
+  int far = bad + 1;
+  for (int by = 1; far < end && !good(far); by *= 2) {
+    bad = far;
+    far += by;
   }
-  while (high < ladder.rungs && !good(std::ldexp(ladder.highest, -high), counts.all)) ++high;
-  return high >= ladder.rungs ? 0.0 : 0.5 * std::ldexp(ladder.highest, -high);
+  far = std::min(far, end);
+  while (far - bad > 1) {
+    const int middle = (bad + far) / 2;
+    (good(middle) ? far : bad) = middle;
+  }
+  return far;
+}
+
+}  // namespace
+
+double highest_good_level(const LevelLadder& ladder, const TrialCounts& counts,
+                          const std::function<bool(double level, const TryRange& tries)>& good) {
+  const int steps = steps_a_halving * ladder.halvings;
+  int low = -1, step = steps;
+  while (step - low > 1) {
+    const int middle = (low + step) / 2;
+    (good(level_at(ladder, middle), {0, counts.few, counts.few}) ? step : low) = middle;
+  }
+  // Part after part, and round again, until all have passed on one level.
+  const std::size_t size = std::min(4 * trial_chunk, counts.all), parts = (counts.all + size - 1) / size;
+  std::size_t passed = 0;
+  for (std::size_t part = 0; step < steps && passed < parts; part = (part + 1) % parts) {
+    const TryRange tries{part * size, std::min(size, counts.all - part * size), counts.all};
+    const auto passes = [&](int k) { return good(level_at(ladder, k), tries); };
+    if (passes(step)) {
+      ++passed;
+      continue;
+    }
+    step = first_good(step, steps, passes);
+    passed = 1;
+  }
+  return step >= steps ? 0.0 : 0.5 * level_at(ladder, step);
 }
 
 }  // namespace equipoise

@@ -50,25 +50,35 @@ class Directions {
  public:
   explicit Directions(Eigen::Index size) : v_(size) {}
   const Eigen::VectorXd& next();
+  void skip(std::size_t count) {
+    for (std::size_t i = 0; i < count; ++i) next();
+  }
 
  private:
   RandomStream random_;
   Eigen::VectorXd v_;
 };
 
-/// Levels `highest`, and so many more, each half the one before.
+/// Levels from `highest` down over so many halvings, in eighths of one: where a rounding sends a try elsewhere the
+/// level that is found changes by little.
 struct LevelLadder {
   double highest = 0.0;
-  int rungs = 24;
+  int halvings = 24;
 };
 
 /// A few tries find where to begin, all of them where to stop.
 struct TrialCounts {
-  std::size_t few = 128, all = 1024;
+  std::size_t few = 128, all = 4096;
 };
 
-/// Half the highest level for which good(level, tries) holds; 0 if there is none.
+/// Tries first .. first + count - 1 of `of`.
+struct TryRange {
+  std::size_t first, count, of;
+};
+
+/// Half the highest level for which good(level, tries) holds of all tries, which are asked in parts; 0 if there is
+/// none. What passes on a level is taken to pass on lower ones only to choose which level is tried next.
 double highest_good_level(const LevelLadder& ladder, const TrialCounts& counts,
-                          const std::function<bool(double level, std::size_t tries)>& good);
+                          const std::function<bool(double level, const TryRange& tries)>& good);
 
 }  // namespace equipoise

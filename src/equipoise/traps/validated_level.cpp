@@ -16,10 +16,11 @@ namespace equipoise {
 
 namespace {
 
-constexpr TrialCounts balanced_tries{.few = 128, .all = 4096};
 constexpr double widest_factor = 64.0;
-// A trajectory whose V falls to this share of what it was has come to the motion.
-constexpr double come_close = 1e-3;
+// A trajectory whose V falls to this share of what it was has come to the motion; the first part of all tries is followed so
+// far. Of the others, a quarter of the level that will be used: what is inside came to the motion with the first ones.
+constexpr double come_close = 1e-3, come_inside = 0.125;
+constexpr TrialCounts orbit_tries;
 // Levels where the search begins. In Floquet coordinates, which have no common size, beyond any that was found good; V
 // of strobed motions is |d|^2 or more in natural sizes.
 constexpr double highest_by_ball = 16.0, highest_by_rotor = 4.0;
@@ -40,13 +41,14 @@ DecisionRule rule_of(const std::vector<BalancedTrap>& balanced, const model::Sys
 // Ten times what the linear flow needs from a level `factor` times the trap's own, and time to settle on it.
 double patience(double factor, double slowest_rate) { return 10.0 * std::log(factor) / -slowest_rate + 500.0; }
 
-// All of `tries` states on the level enter one of the `balanced` traps.
+// All states that are tried on the level enter one of the `balanced` traps.
 bool all_balance(const BalancedTrap& trap, const std::vector<BalancedTrap>& balanced, const TrialSettings& settings,
-                 double slowest_rate, double level, std::size_t tries) {
+                 double slowest_rate, double level, const TryRange& tries) {
   const model::System& system = *settings.system;
   std::vector<double> states;
   Directions directions(system.dimension());
-  for (std::size_t i = 0; i < tries; ++i) {
+  directions.skip(tries.first);
+  for (std::size_t i = 0; i < tries.count; ++i) {
     const Eigen::VectorXd z = state_on_level(system, trap, level, directions.next());
     states.insert(states.end(), z.begin(), z.end());
   }
@@ -62,26 +64,29 @@ int row_of(const CycleTrap& trap, std::size_t i) {
   return static_cast<int>(trap.rows() * (share - std::floor(share)));
 }
 
-// All of `tries` states on the level come to the motion.
+// All states that are tried on the level come to the motion.
 bool all_approach(const CycleTrap& trap, const TrialSettings& settings, double slowest_rate, double level,
-                  std::size_t tries) {
+                  const TryRange& tries) {
   const model::System& system = *settings.system;
   Trials trials;
   Directions random(directions(trap));
-  for (std::size_t i = 0; i < tries; ++i) {
-    const Eigen::VectorXd z = state_on_level(trap, row_of(trap, i), level, random.next());
+  random.skip(tries.first);
+  for (std::size_t i = 0; i < tries.count; ++i) {
+    const Eigen::VectorXd z = state_on_level(trap, row_of(trap, tries.first + i), level, random.next());
     trials.states.insert(trials.states.end(), z.begin(), z.end());
   }
   auto close = std::make_shared<CycleTrap>(trap);
-  close->level = come_close * level;
+  const bool far = tries.first == 0 && tries.of == orbit_tries.all;
+  const double share = far ? come_close : come_inside;
+  close->level = share * level;
   trials.rule = rule_of_traps(system);
   set_traps(trials.rule, system, {close}, {});
-  const double end = 2.0 * std::log(1.0 / come_close) / (2.0 * -slowest_rate) + 200.0;
+  const double end = 2.0 * std::log(1.0 / share) / (2.0 * -slowest_rate) + 200.0;
   double cell_angle = 0.0;  // where the rotor's angle is no phase, it is of no account
   if (trap.clock == CycleTrap::rotor)
     cell_angle = system.strobe_angle() / trap.cells * (system.speed() < 0.0 ? -1.0 : 1.0);
-  trials.flight = [&trap, end, cell_angle](std::size_t first) {
-    return Trials::Flight{end, cell_angle * (row_of(trap, first) % trap.cells)};
+  trials.flight = [&trap, &tries, end, cell_angle](std::size_t first) {
+    return Trials::Flight{end, cell_angle * (row_of(trap, tries.first + first) % trap.cells)};
   };
   return all_attracted(std::move(trials), settings);
 }
@@ -92,7 +97,7 @@ bool validate(std::vector<CycleTrap>& traps, const TrialSettings& settings, doub
   const CycleTrap& one = traps.front();
   if (!(slowest_rate < -(one.attractor == balanced_id ? slowest_balance : slowest_worth_it))) return false;
   const double highest = one.clock == CycleTrap::rotor ? highest_by_rotor : highest_by_ball;
-  const double level = highest_good_level({highest}, TrialCounts{}, [&](double tried, std::size_t tries) {
+  const double level = highest_good_level({highest}, orbit_tries, [&](double tried, const TryRange& tries) {
     return all_approach(one, settings, slowest_rate, tried, tries);
   });
   for (CycleTrap& trap : traps) trap.level = level;
@@ -106,13 +111,13 @@ void widen(BalancedTrap& trap, const std::vector<BalancedTrap>& balanced, const 
     factor = std::min(factor, 0.5 * std::pow(pi / trap.reach[model::index::phi(i)], 2));
   factor = std::min(factor, 0.5 * nearest_foreign / trap.level);
   // At half the level and below, twice of it is where V decreases, and nothing is left to try.
-  int rungs = 0;
-  while (std::ldexp(factor, -rungs) > 0.5) ++rungs;
-  const LevelLadder ladder{2.0 * factor * trap.level, rungs};
-  const double level = highest_good_level(ladder, balanced_tries, [&](double tried, std::size_t tries) {
+  int halvings = 0;
+  while (std::ldexp(factor, -halvings) > 0.5) ++halvings;
+  const LevelLadder ladder{2.0 * factor * trap.level, halvings};
+  const double level = highest_good_level(ladder, TrialCounts{}, [&](double tried, const TryRange& tries) {
     return all_balance(trap, balanced, settings, slowest_rate, tried, tries);
   });
-  set_level(trap, level > 0.0 ? level : std::ldexp(factor, -rungs) * trap.level);
+  set_level(trap, level > 0.0 ? level : std::ldexp(factor, -halvings) * trap.level);
 }
 
 std::vector<char> come_to_balance(std::vector<double> states, const std::vector<BalancedTrap>& balanced,

@@ -1,4 +1,4 @@
-// How far a trap can be widened: levels from whose edge every one of a thousand tried states or more comes to the
+// How far a trap can be widened: levels from whose edge every one of four thousand tried states comes to the
 // attractor.
 #pragma once
 
@@ -11,7 +11,7 @@
 namespace equipoise {
 
 /// Sets the level of a motion's traps, one or more, exchange images of each other: half the highest of a falling series
-/// of levels from which all of 1024 states came to the motion. `slowest_rate`: of approach, negative. False if there is
+/// of levels from which all of 4096 states came to the motion. `slowest_rate`: of approach, negative. False if there is
 /// none, or if to look for one would take longer than an ensemble.
 bool validate(std::vector<CycleTrap>& traps, const TrialSettings& settings, double slowest_rate);
 

@@ -1,0 +1,46 @@
+// Proofs about single members of a continuum of balanced states (three balls or more): that what comes close to one
+// ends balanced, or that it is unstable.
+#pragma once
+
+#include <array>
+#include <string>
+
+#include <Eigen/Core>
+
+#include "equipoise/model/parameters.hpp"
+#include "equipoise/proof/certificate.hpp"
+
+namespace equipoise {
+
+/// h = (x, y, u, v, q_1..q_n, U_x, U_y), U the unbalance lambda + sum mu_i e^{i phi_i}: it vanishes on the whole
+/// continuum and nowhere else at rest. V = h^T P h, h in units of lambda + sum mu_i but for the q_i.
+///
+/// Attracts: wherever every ball's angle is within `radius` of phi and |q_i| <= rate radius / 2, dV/dt <= -2 rate V,
+/// and V >= least |h|^2. So a trajectory from where all angles are within half that radius (modulo 2 pi) and V <= level
+/// = least (rate radius / 2)^2 never leaves those bounds, for balls move by the integral of |q_i| at most; it converges
+/// to a balanced state among them.
+///
+/// Else: a balanced state lies within `radius` of phi, dV/dt < 0 wherever |q_i| <= radius and h is not 0, and V < 0 at
+/// `escape`: arbitrarily near to that state there are others from which V falls until a ball has left those bounds.
+struct MemberCertificate {
+  model::Parameters parameters;
+  double speed = 0.0;
+  std::array<double, model::max_balls> phi{};
+  bool attracts = true;
+  double radius = 0.0;  ///< 0: nothing is proved
+  double rate = 0.0, least = 0.0, level = 0.0;
+  Eigen::MatrixXd form;  ///< P
+  Eigen::VectorXd escape;
+};
+
+/// Tries to prove one or the other of the member of the continuum near ball angles `phi`; radius 0 if neither can be.
+/// At a prescribed speed, in a centred race, on equal supports, without gravity.
+MemberCertificate prove_member(const model::Parameters& p, double speed, const double* phi);
+
+/// The largest real part of a rate across the continuum at its member, by linear theory in doubles.
+double across_continuum(const model::Parameters& p, double speed, const double* phi);
+
+/// Verifies a certificate from its own data alone, with outward rounding.
+CertificateResult check_member(const MemberCertificate& certificate);
+
+}  // namespace equipoise
