@@ -44,33 +44,33 @@ if(Python3_FOUND AND EQUIPOISE_BUILD_PROGRAM)
   add_test(NAME cli.program_as_its_users_meet_it
     COMMAND Python3::Interpreter ${CMAKE_CURRENT_SOURCE_DIR}/cli/cli_test.py $<TARGET_FILE:equipoise_program>
       ${PROJECT_SOURCE_DIR}/studies)
-  set_tests_properties(cli.program_as_its_users_meet_it PROPERTIES LABELS cli TIMEOUT 600)
+  set_tests_properties(cli.program_as_its_users_meet_it PROPERTIES LABELS cli TIMEOUT ${longest_test})
 
   add_test(NAME cli.streams_and_usage
     COMMAND Python3::Interpreter ${CMAKE_CURRENT_SOURCE_DIR}/cli/streams_test.py $<TARGET_FILE:equipoise_program>
       ${PROJECT_SOURCE_DIR}/studies)
-  set_tests_properties(cli.streams_and_usage PROPERTIES LABELS cli TIMEOUT 600)
+  set_tests_properties(cli.streams_and_usage PROPERTIES LABELS cli TIMEOUT ${longest_test})
 
   add_test(NAME cli.attractors_and_proofs
     COMMAND Python3::Interpreter ${CMAKE_CURRENT_SOURCE_DIR}/cli/attractors_test.py $<TARGET_FILE:equipoise_program>
       ${PROJECT_SOURCE_DIR}/studies)
-  set_tests_properties(cli.attractors_and_proofs PROPERTIES LABELS cli TIMEOUT 600)
+  set_tests_properties(cli.attractors_and_proofs PROPERTIES LABELS cli TIMEOUT ${longest_test})
 
   add_test(NAME cli.attractors_along_a_parameter
     COMMAND Python3::Interpreter ${CMAKE_CURRENT_SOURCE_DIR}/cli/along_test.py $<TARGET_FILE:equipoise_program>
       ${PROJECT_SOURCE_DIR}/studies)
-  set_tests_properties(cli.attractors_along_a_parameter PROPERTIES LABELS cli TIMEOUT 600)
+  set_tests_properties(cli.attractors_along_a_parameter PROPERTIES LABELS cli TIMEOUT ${longest_test})
 
   add_test(NAME cli.reproduce_as_its_users_meet_it
     COMMAND Python3::Interpreter ${CMAKE_CURRENT_SOURCE_DIR}/cli/reproduce_test.py $<TARGET_FILE:equipoise_program>
       ${PROJECT_SOURCE_DIR}/studies)
-  set_tests_properties(cli.reproduce_as_its_users_meet_it PROPERTIES LABELS cli TIMEOUT 600)
+  set_tests_properties(cli.reproduce_as_its_users_meet_it PROPERTIES LABELS cli TIMEOUT ${longest_test})
 
   if(NOT EQUIPOISE_SANITIZE)  # runs are killed at moments measured in seconds
     add_test(NAME faults.nothing_is_lost
       COMMAND Python3::Interpreter ${CMAKE_CURRENT_SOURCE_DIR}/faults/faults.py $<TARGET_FILE:equipoise_program>
         ${PROJECT_SOURCE_DIR}/studies --quick)
-    set_tests_properties(faults.nothing_is_lost PROPERTIES LABELS faults TIMEOUT 900)
+    set_tests_properties(faults.nothing_is_lost PROPERTIES LABELS faults TIMEOUT ${longest_test})
   endif()
 
   # Every table from a few thousand starts a row, judged by the errors of both samples (exit code 3 if a cell that is
@@ -82,6 +82,6 @@ if(Python3_FOUND AND EQUIPOISE_BUILD_PROGRAM)
   foreach(table RANGE 1 7)
     add_test(NAME literature.table_${table}_agrees_with_the_published_one
       COMMAND equipoise_program reproduce table-${table} --law published --starts ${literature_starts} --quiet)
-    set_tests_properties(literature.table_${table}_agrees_with_the_published_one PROPERTIES LABELS literature TIMEOUT 900)
+    set_tests_properties(literature.table_${table}_agrees_with_the_published_one PROPERTIES LABELS literature TIMEOUT ${longest_test})
   endforeach()
 endif()

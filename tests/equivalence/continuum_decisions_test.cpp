@@ -5,6 +5,7 @@
 
 #include <gtest/gtest.h>
 
+#include "../sanitized.hpp"
 #include "equipoise/basins/attractors.hpp"
 #include "equipoise/deciding/decision_rule.hpp"
 #include "equipoise/fates/start_runner.hpp"
@@ -45,7 +46,7 @@ bool is_balanced(const Fate& fate) { return fate.outcome == Outcome::attracted &
 // balance.
 TEST(ContinuumDecisions, AreQuickAndHold) {
   Study study = rotor(4);
-  constexpr std::size_t count = 100;
+  constexpr std::size_t count = sized(100, 16);
   const std::vector<Fate> early = fates_of(study, count);
   study.numerics.decide = DecideMode::horizon;
   const std::vector<Fate> late = fates_of(study, count);
@@ -62,13 +63,13 @@ TEST(ContinuumDecisions, AreQuickAndHold) {
       EXPECT_TRUE(is_balanced(early[i])) << i;
     }
   }
-  ASSERT_GT(balanced, 30);
+  ASSERT_GT(balanced, sized(30, 3));
   EXPECT_LT(sum / balanced, 700.0);  // 600 measured; 940 at levels so small that linear theory vouches for them
 }
 
 // The state that stands for the continuum is one that attracts wherever any does.
 TEST(ContinuumDecisions, TheCatalogueListsAnAttractingMember) {
-  for (const int balls : {4, 6}) {
+  for (const int balls : {4, sized(6, 4)}) {
     const Discovery discovery = discover(rotor(balls), {2, nullptr, {}});
     const Attractor* a = discovery.catalogue.find(balanced_id);
     ASSERT_TRUE(a) << balls;
@@ -90,12 +91,12 @@ TEST(ContinuumDecisions, BalanceIsNotToldByWindows) {
     for (const FeatureBox& box : discovery.rule.boxes) EXPECT_NE(box.attractor, balanced_id);
     for (const KnownFeatures& known : discovery.rule.known) EXPECT_NE(known.attractor, balanced_id);
     int balanced = 0;
-    for (const Fate& fate : fates_of(study, 100)) {
+    for (const Fate& fate : fates_of(study, sized(100, 24))) {
       if (!is_balanced(fate)) continue;
       ++balanced;
       EXPECT_TRUE(fate.by == DecidedBy::validated || fate.by == DecidedBy::followed);
     }
-    EXPECT_GT(balanced, 10);
+    EXPECT_GT(balanced, sized(10, 1));
   }
 }
 
@@ -105,7 +106,7 @@ TEST(ContinuumDecisions, UnequalSupportsLeaveNextToNothingUndecided) {
   Study study = rotor(4);
   study.parameters.stiffness = {1.0, 1.48};
   study.numerics.horizon.reset();
-  constexpr std::size_t count = 12;
+  constexpr std::size_t count = sized(12, 2);
   int undecided = 0, balanced = 0;
   for (const Fate& fate : fates_of(study, count)) {
     undecided += fate.outcome == Outcome::undecided;
@@ -115,7 +116,7 @@ TEST(ContinuumDecisions, UnequalSupportsLeaveNextToNothingUndecided) {
     }
   }
   EXPECT_LE(undecided, 1);
-  EXPECT_GT(balanced, 0);
+  EXPECT_GT(balanced, sized(0, -1));
 }
 
 // Three balls on supports that differ, whose ways into balance are long and chaotic (every other kernel, every other
@@ -129,7 +130,7 @@ TEST(ContinuumDecisions, WhatIsCaughtComesToRest) {
   study.parameters.stiffness = {0.8, 1.2};
   study.parameters.drag.fill(0.088);
   study.speed.speed = 2.23;
-  constexpr std::size_t count = 12;
+  constexpr std::size_t count = sized(12, 4);
   const StartRunner runner(study, {2, nullptr, {}});
   const StartSource source(study, nullptr);
   std::vector<double> phi, begin;
@@ -167,7 +168,7 @@ TEST(ContinuumDecisions, WhatIsCaughtComesToRest) {
         EXPECT_NEAR(later[k], state[k], 1.0) << i;
     }
   }
-  EXPECT_GT(balanced, 4);
+  EXPECT_GT(balanced, sized(4, 0));
 }
 
 }  // namespace
