@@ -200,7 +200,7 @@ class HybridFlow {
         resists_(p.balls_stick()),
         modes_(modes) {
     for (int i = 0; i < n; ++i) {
-      mass_[i] = T(p.rolls ? 1.4 * p.mass[i] : p.mass[i]);
+      mass_[i] = T(p.rolls ? p.inertia_along_race() * p.mass[i] : p.mass[i]);
       rolling_[i] = T(p.rolling[i]);
       stiction_[i] = T(p.stiction[i]);
     }
