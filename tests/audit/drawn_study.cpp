@@ -291,6 +291,14 @@ void season(Study& s, Dice& d) {
     s.parameters.race_offset = {0.0, rounded(0.1 * s.parameters.eccentricity)};
   if (d.chance(0.15)) s.initial.psi = rounded(d.even(0.0, 6.0));
   if (d.chance(0.10) && !at_rest) s.initial.x = rounded(s.parameters.eccentricity * d.even(-3.0, 3.0));
+  if (d.chance(0.10)) {
+    s.parameters.rolls = true;
+    s.parameters.ball_radius.fill(rounded(d.even(0.02, 0.2)));
+  }
+  if (d.chance(0.3) && s.system().events().contact && !s.system().events().stick) {
+    s.parameters.rolling.fill(rounded(d.scale(1e-4, 1e-2)));
+    s.parameters.stiction = s.parameters.rolling;
+  }
 }
 
 }  // namespace
