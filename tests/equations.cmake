@@ -13,7 +13,9 @@ equipoise_test(force_balance_test equivalence
 equipoise_test(hybrid_sundials_test equivalence
   equivalence/hybrid_sundials_test.cpp equivalence/lagrangian.cpp
   LIBRARIES SUNDIALS::arkode_shared SUNDIALS::nvecserial_shared)
+equipoise_test(hybrid_energy_test equivalence equivalence/hybrid_energy_test.cpp)
 equipoise_test(linearisation_test unit unit/linearisation_test.cpp)
+equipoise_test(ball_rest_test unit unit/ball_rest_test.cpp)
 equipoise_test(system_test unit unit/system_test.cpp)
 equipoise_test(balanced_state_test unit unit/balanced_state_test.cpp)
 equipoise_test(equation_constants_test unit unit/equation_constants_test.cpp)

@@ -5,6 +5,7 @@
 #include <rapidcheck.h>
 #include <rapidcheck/gtest.h>
 
+#include <Eigen/Dense>
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -154,6 +155,81 @@ RC_GTEST_PROP(ForceBalance, under_the_torque_of_a_prescribed_motion_is_that_moti
   const Answer driven = of_machine(at, &prescribed.torque, &acceleration);
   expect_same(at, driven, prescribed);
   RC_ASSERT(std::fabs(acceleration - at.segment.acceleration) < 10.0 * rounding);  // J, 0.1 or more, divides
+}
+
+// Balls that move as one: in closed form, and with pushes between neighbours solved for such that their rates agree.
+RC_GTEST_PROP(ForceBalance, of_joined_balls_is_that_with_the_pushes_that_keep_their_rates_equal, ()) {
+  const Instant at = drawn(false);
+  const int n = at.p.balls;
+  const Machine machine(at.p);
+  kernels::BallActions<double, room> actions;
+  bool joined[room] = {};  // ball i and the next, in the order of their numbers
+  double together[room][room] = {};
+  for (int i = 0; i < n; ++i) {
+    actions.held[i] = *rc::gen::inRange(0, 4) == 0;
+    actions.resistance[i] = actions.held[i] ? 0.0 : between(-0.1, 0.1);
+  }
+  for (int i = 0; i + 1 < n; ++i) joined[i] = !actions.held[i] && !actions.held[i + 1] && *rc::gen::arbitrary<bool>();
+  for (int first = 0, last = 0; first < n; first = ++last) {
+    double mass = at.p.mass[first];
+    while (joined[last]) mass += at.p.mass[++last];
+    for (int i = first; i <= last; ++i)
+      for (int j = first; j <= last; ++j) together[i][j] = at.p.mass[j] / mass;
+  }
+  const double torque = between(-1.0, 1.0), *motor = *rc::gen::arbitrary<bool>() ? &torque : nullptr;
+  State z = at.z;
+  for (int i = 0; i < n; ++i)
+    if (actions.held[i]) z[4 + n + i] = 0.0;
+  const auto rates = [&](const kernels::BallActions<double, room>& a, Answer& answer) {
+    return machine.machine_derivative(at.motion(), a, motor, z.data(), answer.rate.data());
+  };
+
+  // Each push changes all rates in proportion.
+  double size = 1.0;
+  Answer alone, solved, closed;
+  rates(actions, alone);
+  Eigen::MatrixXd response = Eigen::MatrixXd::Identity(room, room);
+  Eigen::VectorXd apart = Eigen::VectorXd::Zero(room);
+  const auto gap = [&](const Answer& a, int i) { return a.rate[4 + n + i + 1] - a.rate[4 + n + i]; };
+  for (int k = 0; k + 1 < n; ++k) {
+    if (!joined[k]) continue;
+    kernels::BallActions<double, room> pushed = actions;
+    pushed.push[k] -= 1.0;
+    pushed.push[k + 1] += 1.0;
+    Answer there;
+    rates(pushed, there);
+    for (int i = 0; i < at.size(); ++i) size = std::max(size, std::fabs(there.rate[i]));
+    for (int i = 0; i + 1 < n; ++i)
+      if (joined[i]) response(i, k) = gap(there, i) - gap(alone, i);
+    apart[k] = -gap(alone, k);
+  }
+  const Eigen::VectorXd push = response.partialPivLu().solve(apart);
+  kernels::BallActions<double, room> pushed = actions;
+  for (int k = 0; k + 1 < n; ++k) {
+    if (!joined[k]) continue;
+    pushed.push[k] -= push[k];
+    pushed.push[k + 1] += push[k];
+  }
+  const auto by_pushes = rates(pushed, solved);
+
+  kernels::BallForces<double, room> forces;
+  actions.together = together;
+  actions.forces = &forces;
+  const auto in_closed_form = rates(actions, closed);
+  // Rates under unit pushes on balls of 0.01 are large; their differences and what up to seven pushes make of them keep
+  // their rounding.
+  constexpr double of_pushes = 10.0 * rounding;
+  for (int i = 0; i < at.size(); ++i) size = std::max(size, std::fabs(solved.rate[i]));
+  size = std::max(size, std::fabs(by_pushes.torque));
+  for (int i = 0; i < at.size(); ++i) RC_ASSERT(std::fabs(closed.rate[i] - solved.rate[i]) < of_pushes * size);
+  RC_ASSERT(std::fabs(in_closed_form.acceleration - by_pushes.acceleration) < of_pushes * size);
+  RC_ASSERT(std::fabs(in_closed_form.torque - by_pushes.torque) < of_pushes * size);
+  for (int k = 0; k + 1 < n; ++k)
+    if (joined[k]) RC_ASSERT(closed.rate[4 + n + k] == closed.rate[4 + n + k + 1]);
+  for (int i = 0; i < n; ++i) {
+    const double inertia = at.p.mass[i] * at.p.inertia_along_race();
+    RC_ASSERT(std::fabs(forces.push[i] * inertia - pushed.push[i]) < of_pushes * size);
+  }
 }
 
 }  // namespace

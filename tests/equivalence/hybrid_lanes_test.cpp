@@ -207,4 +207,64 @@ TEST(HybridLanesAlone, GoOnFromAnyState) {
   }
 }
 
+// One start of two balls on a heavy rotor at rest that nothing turns: balls at `phi` with rates `q`.
+std::vector<double> two_balls(const std::string& more, std::vector<double> phi, std::vector<double> q, double end,
+                              LaneWork& work, std::vector<Fate>& fates) {
+  const Study study = parse_study("[rotor]\neccentricity = 0.0\ndamping = 0.4\n[balancer]\nballs = 2\nmass = 1e-9\n" +
+                                      more + "[speed]\nprofile = \"constant\"\nspeed = 1.0\n",
+                                  "two balls");
+  const model::System system = study.system();
+  std::vector<double> z{0.0, 0.0, 0.0, 0.0, phi[0], phi[1], q[0], q[1]};
+  LaneTask task = lane_task(system);
+  task.end = end;
+  task.tolerance = 1e-10;
+  task.count = 1;
+  task.states = z.data();
+  task.work = &work;
+  fates.resize(1);
+  EXPECT_TRUE(advance_lanes(task, fates));
+  return z;
+}
+
+// Light balls feel drag alone: q = q0 e^{-b t}. The one behind comes up to the other by (q1 - q2)/b in the end.
+TEST(HybridLanesAlone, SeeBallsThatGraze) {
+  for (const double miss : {-1e-6, -1e-3, 1e-6, 1e-3}) {
+    // Ball 2 slows down less: their distance falls and grows again, with its least 0.5 - miss apart.
+    const double b1 = 0.5, b2 = 0.1, q1 = 1.0, q2 = 0.6, time = std::log(q1 / q2) / (b1 - b2);
+    const double nearer = q1 / b1 * (1.0 - std::exp(-b1 * time)) - q2 / b2 * (1.0 - std::exp(-b2 * time));
+    LaneWork work;
+    std::vector<Fate> fates;
+    two_balls("drag = [0.5, 0.1]\n" + contact(1.0), {1.0, 1.5 + nearer - miss}, {q1, q2}, 4.0, work, fates);
+    EXPECT_EQ(work.events, miss > 0.0 ? 1u : 0u) << miss;
+  }
+}
+
+// Rolling resistance alone: q' = -k n with n = (1 + q)^2 against the motion, until the balls are at rest and stay so.
+TEST(HybridLanesAlone, LetBallsStopDead) {
+  LaneWork work;
+  std::vector<Fate> fates;
+  const double q0 = 1e-3, k = 0.01;
+  const auto z = two_balls("drag = 0.0\nrolling = 0.01\n", {1.0, 4.0}, {q0, -q0}, 5.0, work, fates);
+  EXPECT_EQ(z[6], 0.0);
+  EXPECT_EQ(z[7], 0.0);
+  EXPECT_EQ(work.events, 2u);
+  // The integral of q dq/(k (1 + q)^2).
+  EXPECT_NEAR(z[4] - 1.0, (std::log1p(q0) - q0 / (1.0 + q0)) / k, 1e-9);
+}
+
+// A ball thrown against one that is held by friction: bounces ever smaller, an end in finite time, together at rest.
+TEST(HybridLanesAlone, EndASeriesOfImpacts) {
+  for (const double restitution : {0.0, 0.5, 0.9}) {
+    LaneWork work;
+    std::vector<Fate> fates;
+    const auto z = two_balls("drag = 0.1\nrolling = 0.01\nstiction = 0.02\n" + contact(restitution), {1.0, 1.8},
+                             {0.5, 0.0}, 60.0, work, fates);
+    EXPECT_EQ(fates[0].outcome, Outcome::undecided);
+    EXPECT_GE(work.events, 2u);
+    EXPECT_GE(z[5] - z[4], 0.5 - 1e-9);
+    EXPECT_EQ(z[6], 0.0);
+    EXPECT_EQ(z[7], 0.0);
+  }
+}
+
 }  // namespace

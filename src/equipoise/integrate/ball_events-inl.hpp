@@ -26,8 +26,7 @@ template <int room>
 struct Happened {
   std::array<bool, room> pair{};  // meets, or pulls instead of pressing
   std::array<bool, room> ball{};  // has stopped
-  bool start = false;             // friction no longer holds a ball
-  bool any = false;
+  bool any = false;               // one of these, or friction no longer holds a ball
 };
 
 // Events of one trajectory in doubles. Pair k: the ball in place k around the race and the next one. Its gap is the
@@ -78,16 +77,17 @@ class BallEvents {
     return false;
   }
 
-  // The first time in a step at which something happens, or nothing; all times from `origin` on. `share`: see
-  // first_time().
+  // The first time in a step at which something happens, or nothing; all times from `origin` on. `by_forces`: they may
+  // be what it comes from, and not gaps and rates alone. `share`: see first_time().
   template <class StateAt>
-  std::optional<double> first(double from, double to, StateAt&& state_at, double origin = 0.0, double share = 0.0) {
+  std::optional<double> first(double from, double to, StateAt&& state_at, bool by_forces = true, double origin = 0.0,
+                              double share = 0.0) {
     double z[dimension];
     return first_time(
         from, to,
         [&](double t) {
           state_at(t, z);
-          const Happened<room> now = look(origin + t, z);
+          const Happened<room> now = look(origin + t, z, by_forces);
           if (now.any) happened_ = now;
           return now.any;
         },
@@ -140,31 +140,35 @@ class BallEvents {
   }
 
   // Marks pairs that touch, joined ones that pull instead of press, balls that have stopped.
-  Happened<room> look(double t, const double* z) const {
+  Happened<room> look(double t, const double* z, bool by_forces) const {
     Happened<room> now;
-    double dz[dimension];
-    BallForces<double, room> forces;
-    if (modes_.any_joined() || (p_.balls_stick() && modes_.any_held())) flow_.evaluate(t, z, dz, forces);
     for (int k = 0; k < pairs_; ++k) {
-      const int i = mode_.order[k];
-      if (!mode_.joined[k])
-        now.pair[k] = gap(k, z) < 0.0 && gap_rate(k, z) < 0.0;
-      else if (!mode_.held[i])
-        now.pair[k] = flow_.pressure(i, forces) < 0.0;
+      now.pair[k] = !mode_.joined[k] && gap(k, z) < 0.0 && gap_rate(k, z) < 0.0;
       now.any = now.any || now.pair[k];
     }
-    if (!p_.balls_stick()) return now;
-    for (int i = 0; i < n; ++i) {
+    for (int i = 0; i < n && p_.balls_stick(); ++i) {
       now.ball[i] = !mode_.held[i] && mode_.sense[i] * z[4 + n + i] < 0.0;
       now.any = now.any || now.ball[i];
     }
-    if (modes_.any_held())
+    if (!now.any && by_forces) look_at_forces(t, z, now);
+    return now;
+  }
+
+  void look_at_forces(double t, const double* z, Happened<room>& now) const {
+    if (!modes_.any_joined() && !(p_.balls_stick() && modes_.any_held())) return;
+    double dz[dimension];
+    BallForces<double, room> forces;
+    flow_.evaluate(t, z, dz, forces);
+    for (int k = 0; k < pairs_; ++k) {
+      const int i = mode_.order[k];
+      now.pair[k] = mode_.joined[k] && !mode_.held[i] && flow_.pressure(i, forces) < 0.0;
+      now.any = now.any || now.pair[k];
+    }
+    if (p_.balls_stick() && modes_.any_held())
       each_row([&](const std::array<int, room>& balls, int size) {
         const RestingRow<room> row = resting_row(balls, size, forces, 1.0);
-        for (int g = 0; g < row.groups(); ++g) now.start = now.start || row.group(g).goes() != 0.0;
+        for (int g = 0; g < row.groups(); ++g) now.any = now.any || row.group(g).goes() != 0.0;
       });
-    now.any = now.any || now.start;
-    return now;
   }
 
   // Between two times: the one at which a pair that turns round is nearest, if it is nearer than touching.

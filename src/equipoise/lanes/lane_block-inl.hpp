@@ -174,7 +174,7 @@ class LaneBlock {
 
   HWY_INLINE void rates(const Flow& flow, const Pack& t, const Pack* z, Pack* dz) {
     if constexpr (Events::happen)
-      flow(t, z, dz, events_.margin());
+      flow(t, z, dz, events_.margins());
     else
       flow(t, z, dz);
   }

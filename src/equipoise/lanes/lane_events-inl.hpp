@@ -74,20 +74,21 @@ class LaneEvents<HybridFlow<Pack, room>> {
     count_[lane] = {};
   }
 
-  void begin_step() { margin_ = Pack(far); }
-  Pack& margin() { return margin_; }
+  void begin_step() { margins_ = {Pack(far), Pack(far)}; }
+  EventMargins<Pack>& margins() { return margins_; }
 
   // Bits of the accepted lanes whose step is not to be: it is repeated, or nothing happens before the event.
   unsigned look(unsigned accepted, const Tried& tried) {
     const unsigned due = waiting_ & accepted;
     waiting_ = 0;  // where the step was not accepted it is looked for anew
     ready_ = due;
-    unsigned candidates = lane_bits(margin_ < Pack(0.0));
+    const unsigned by_forces = lane_bits(margins_.forces < Pack(0.0));
+    unsigned candidates = by_forces | lane_bits(margins_.rates < Pack(0.0));
     if (pairs_ > 0) candidates |= lane_bits(may_meet(tried) < Pack(0.0));
     candidates &= accepted & ~due;
     unsigned rejected = 0;
     for (int lane = 0; candidates >> lane; ++lane)
-      if (candidates >> lane & 1u) rejected |= locate(lane, tried);
+      if (candidates >> lane & 1u) rejected |= locate(lane, by_forces >> lane & 1u, tried);
     return rejected;
   }
 
@@ -151,8 +152,8 @@ class LaneEvents<HybridFlow<Pack, room>> {
     return least;
   }
 
-  // Looks for an event in a lane's step; its bit if the step is rejected.
-  HWY_NOINLINE unsigned locate(int lane, const Tried& s) {
+  // Looks for an event in a lane's step; its bit if the step is rejected. `by_forces`: they may be what it comes from.
+  HWY_NOINLINE unsigned locate(int lane, bool by_forces, const Tried& s) {
     const unsigned bit = 1u << lane;
     const double h = element(s.h, lane), end = element(s.t, lane), begin = end - h;
     double y[dimension] = {}, z[dimension] = {};
@@ -167,7 +168,7 @@ class LaneEvents<HybridFlow<Pack, room>> {
     dop853::prepare_dense<double, dimension>(one_, begin, h, y, z, k_, rows, size_);
     const auto found = balls_.first(
         0.0, h, [&](double t, double* out) { dop853::dense_state<double, dimension>(t / h, y, rows, out, size_); },
-        begin, share);
+        by_forces, begin, share);
     if (!found) return 0;
     happened_[lane] = balls_.happened();
     whole_[lane] = h;
@@ -192,7 +193,7 @@ class LaneEvents<HybridFlow<Pack, room>> {
   HybridFlow<double, room> one_;  // one lane's
   BallEvents<room> balls_;
   const int size_, pairs_;
-  Pack margin_;
+  EventMargins<Pack> margins_;
   Pack behind_[room], ahead_[room], apart_[room];  // of pairs: their balls' places in rows of lanes, and turns
   model::BallMode mode_[lanes];
   Happened<room> happened_[lanes];

@@ -75,6 +75,7 @@ struct BallForces {
 template <class T, int room>
 struct BallActions {
   MaskOf<T> held[room] = {};  // turns with the rotor: clamped, or at rest by stiction
+  bool acted_on = true;       // else the next two are 0 for all balls
   T resistance[room] = {};    // rolling resistance over normal force, with the sign of the ball's rate
   T push[room] = {};          // along phi_i, from other balls: mu_i phi_i'' for a ball alone; they sum to 0
   // Of balls that touch and move as one; null: none do. Row i: of each ball of the group of ball i its share of the
@@ -206,6 +207,7 @@ class BallBalancer {
     const T fixed_mass = spin * sliding_mass_[i], surface = T(1.0) + radius;
     carried_[i] = fixed_mass * surface;
     inertia_along_[i] = mu_[i] / share_;
+    yield_[i] = share_ / mu_[i];
     sizes_differ_ = sizes_differ_ || (p.rolls && p.ball_radius[i] != p.ball_radius[0]);
     rotor_.mass = rotor_.mass + fixed_mass;
     rotor_.inertia = rotor_.inertia + carried_[i] * surface;
@@ -263,7 +265,7 @@ class BallBalancer {
     const T& inertia_sum = terms.body ? sums.inertia_sum : inertia_sum_;
     Matrix2<T> m{inertia_sum - sums.inertia_y, sums.coupling, sums.coupling, sums.inertia_y};
     if constexpr (terms.actions)
-      for (int i = 0; i < n; ++i) add_actions(i, rotor, *actions, z, sums, m);
+      for (int i = 0; i < n && actions->acted_on; ++i) add_actions(i, rotor, *actions, z, sums, m);
     if constexpr (terms.actions)
       if (actions->together) join(rotor, *actions, z, sums, m);
     // Symmetric positive definite, but for rolling resistance. The solution is left as solved times inverse, so that
@@ -399,7 +401,8 @@ class BallBalancer {
     for (int i = 0; i < n; ++i) {
       const T s = sums.s[i], c = sums.c[i], k = actions.resistance[i];
       const T q = z[4 + n + i], total = rotor.speed + q;
-      rest[i] = along_race(actions.push[i] / mu_[i] - k * total * total) - beta_[i] * q - lag_[i] * rotor.acceleration;
+      rest[i] =
+          actions.push[i] * yield_[i] - along_race(k * total * total) - beta_[i] * q - lag_[i] * rotor.acceleration;
       gx[i] = along_race(s + k * c);
       gy[i] = along_race(k * s - c);
     }
@@ -416,7 +419,7 @@ class BallBalancer {
       if (!sizes_differ_) continue;
       // Their spins take part of what they are pushed by, and the rotor feels the difference.
       const T lag = mean(share, lag_) - lag_[i], spin = inertia_along_[i] * (T(1.0) - lag_[i]);
-      sums.moment = sums.moment + spin * d;
+      sums.moment = sums.moment + spin * (d + lag * rotor.acceleration);  // what is of psi'' is in joined_inertia
       sums.joined_inertia = sums.joined_inertia + spin * lag;
       sums.carried = {sums.carried.x - mass_cosine * lag, sums.carried.y - mass_sine * lag};
       sums.grip = {sums.grip.x - spin * dx - mass_sine * lag, sums.grip.y - spin * dy + mass_cosine * lag};
@@ -475,7 +478,8 @@ class BallBalancer {
     const Vector2<T>& race = result.race;
     const T total = rotor.speed + z[4 + n + i];
     const T normal = total * total - race.x * sums.c[i] - race.y * sums.s[i];
-    dz[4 + n + i] = dz[4 + n + i] + along_race(actions.push[i] / mu_[i]) - along_race(actions.resistance[i] * normal);
+    if (actions.acted_on)
+      dz[4 + n + i] = dz[4 + n + i] + actions.push[i] * yield_[i] - along_race(actions.resistance[i] * normal);
     if (any(actions.held[i])) {
       dz[4 + i] = select(actions.held[i], T(0.0), dz[4 + i]);
       dz[4 + n + i] = select(actions.held[i], T(0.0), dz[4 + n + i]);
@@ -509,7 +513,7 @@ class BallBalancer {
   T share_ = T(1.0);
   T sliding_mass_[places], carried_[places];  // carried: the fixed mass times its distance from O'
   T lever_[places], lag_[places];             // lag: how far a ball stays behind a race that speeds up
-  T inertia_along_[places];                   // what resists a force along the race
+  T inertia_along_[places], yield_[places];   // what resists a force along the race, and one over it
   bool sizes_differ_ = false;
 };
 

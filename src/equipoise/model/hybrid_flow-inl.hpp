@@ -97,6 +97,13 @@ class ModeTable {
   unsigned held_ = 0, joined_ = 0;  // bits of lanes
 };
 
+// What is 0 or more as long as nothing happens: rates of balls along their senses; of forces what is left of friction's
+// hold on balls at rest, and pressures between joined ones.
+template <class T>
+struct EventMargins {
+  T rates, forces;
+};
+
 // State: that of a system, or that of model/machine.hpp.
 template <class T, int room>
 class HybridFlow {
@@ -133,22 +140,25 @@ class HybridFlow {
     Forces forces;
     evaluate(t, y, dy, forces);
   }
-  // The same, and `margin` sinks to the least of what is 0 or more until something happens, if it is not there.
-  void operator()(const T& t, const T* y, T* dy, T& margin) const {
+  // The same, and margins sink to what is left until something happens, if it is less.
+  void operator()(const T& t, const T* y, T* dy, EventMargins<T>& margins) const {
     Forces forces;
     evaluate(t, y, dy, forces);
-    for (int i = 0; i < n; ++i) {
-      const T pressing = resists_ ? until_ball(i, y, forces) : T(0.0);
-      margin = minimum(margin, modes_->any_joined() ? minimum(pressing, pressure(i, forces)) : pressing);
-    }
+    if (resists_)
+      for (int i = 0; i < n; ++i) margins.rates = minimum(margins.rates, modes_->sense[i] * y[4 + n + i]);
+    if (resists_ && modes_->any_held())
+      for (int i = 0; i < n; ++i) margins.forces = minimum(margins.forces, left_of_hold(i, forces));
+    if (modes_->any_joined())
+      for (int i = 0; i < n; ++i) margins.forces = minimum(margins.forces, pressure(i, forces));
   }
 
-  // One copy for all that ask: no two are rounded differently.
+  // `forces` are known where balls resist or move joined. One copy for all that ask: no two are rounded differently.
   HWY_NOINLINE BodyResult<T> evaluate(const T& t, const T* y, T* dy, Forces& forces) const {
     const RotorMotion<T> rotor = drive_.rotor(t, y);
     const MotorState<T> motor = drive_.motor(t, rotor, y);
     BallActions<T, room> actions;
-    actions.forces = &forces;
+    actions.acted_on = resists_;
+    if (resists_ || modes_->any_joined()) actions.forces = &forces;
     if (modes_->any_joined()) actions.together = modes_->together;
     if (resists_ || modes_->any_held())
       for (int i = 0; i < n; ++i) {
@@ -206,10 +216,10 @@ class HybridFlow {
     }
   }
 
-  // Of a moving ball its rate, of one that is held what is left of what holds it.
-  HWY_INLINE T until_ball(int i, const T* y, const Forces& forces) const {
+  // Of a ball that is held; 0 for others.
+  HWY_INLINE T left_of_hold(int i, const Forces& forces) const {
     const T left = stiction_[i] * absolute(forces.normal[i]) - absolute(forces.tangential[i]);
-    return select(T(0.5) < modes_->held[i], left, modes_->sense[i] * y[4 + n + i]);
+    return select(T(0.5) < modes_->held[i], left, T(0.0));
   }
 
   HWY_INLINE bool turn_inward(const Forces& forces, BallActions<T, room>& actions) const {
