@@ -195,7 +195,7 @@ TEST(ParameterLine, refuses_what_it_cannot_follow) {
        {"", "speed.final", "=1:2:1", "speed.final=1:2", "speed.final=1:2:3:4", "speed.final=a:2:1", "speed.final=1:2:0",
         "speed.final=1:2:-0.1", "speed.final=2:1:0.1", "speed.final=1:nan:0.1", "speed.final=0:1:0.5",
         "speed.final=1:2:0.0001", "balancer.balls=1:3:1", "numerics.horizon=1000:2000:500", "balancer.dragg=1:2:1",
-        "balancer.mass=-1:1:0.5", "balancer.stiction=0:0.1:0.1", "speed.law=1:2:1", "rotor=1:2:1"})
+        "balancer.mass=-1:1:0.5", "speed.law=1:2:1", "rotor=1:2:1"})
     EXPECT_THROW(ParameterLine(study(), text), InputError) << text;
 }
 

@@ -230,9 +230,6 @@ TEST(PlaneMap, ErrorsNameTheKey) {
   s = angle_plane(2, 2);
   s.links = {{3, 1, 0.0}};
   EXPECT_EQ(key_of_error(s), "links");
-  s = mass_plane(2, 2);
-  s.y = {"balancer.stiction", 0.0, 0.01, 2};
-  EXPECT_EQ(key_of_error(s), "balancer.stiction");
 }
 
 TEST(PlaneMap, FileHoldsWhatTheMapHolds) {

@@ -238,7 +238,8 @@ class Discoverer {
         own_windows(system_, motions, result_.rule, pilot_windows, trials_.tolerance, settings_.stop);
     for (std::size_t k = 0; k < followed.size(); ++k) {
       Candidate& c = *followed[k];
-      c.shows_motion = own[k].finished_window &&
+      // Of a continuum that dry friction leaves every member looks its own way.
+      c.shows_motion = !c.motion->set_valued && own[k].finished_window &&
                        same_motion(c.features, own[k].features, study_.parameters.balls, agreement(c.motion->kind));
     }
   }

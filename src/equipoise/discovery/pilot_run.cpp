@@ -13,6 +13,7 @@
 #include "equipoise/model/strobe.hpp"
 #include "equipoise/orbits/stroboscopic.hpp"
 #include "equipoise/sampling/starts.hpp"
+#include "equipoise/spin_up/initial_state.hpp"
 
 namespace equipoise {
 
@@ -42,6 +43,7 @@ SpunUp PilotRun::free_at_speeds(std::size_t first, std::size_t count) const {
   for (std::size_t i = 0; i < count; ++i) {
     double* state = &starts.states[i * size];
     start_angles(pilot_seed, first + i, system_.balls(), state + model::index::phi(0));
+    if (system_.events().contact) make_room(system_.parameters(), state + model::index::phi(0));
     const double speed = fastest * (static_cast<double>(i % speeds) + 0.5) / speeds;
     state[system_.speed_place()] = speed;
     // At rest under its weight.
@@ -65,8 +67,12 @@ bool PilotRun::make() {
   const int balls = system_.balls();
   if (!add(0, random_scouts)) return false;
   std::vector<double> phi;
+  // Side by side, if they cannot pass each other.
+  constexpr double beyond_touching = 1.0 + 1e-6;
   for (std::size_t k = 0; k < coincident_scouts; ++k)
-    phi.insert(phi.end(), balls, two_pi * static_cast<double>(k) / coincident_scouts);
+    for (int i = 0; i < balls; ++i)
+      phi.push_back(two_pi * static_cast<double>(k) / coincident_scouts +
+                    beyond_touching * system_.parameters().contact_angle * i);
   SpunUp together;
   if (!source_.follow(phi, together)) return false;
   append(together);

@@ -173,12 +173,13 @@ bool StartRunner::run(std::uint64_t first, std::size_t count, std::vector<double
       fate.by = DecidedBy::followed;
       const auto& motion = unlisted.back().motion;
       if (motion && !system_.prescribed()) fate.mean_speed = static_cast<float>(motion->speed);
+      if (motion && motion->set_valued) fate.unbalance = unbalance_at(motion->state.data());
       if (rows && motion && motion->stable) end = motion_figures(study_.parameters, *motion);
     } else if (attracted) {
       fate.mean_speed = static_cast<float>(mean_speed(fate));
       end = table.end_of(fate.attractor).figures;
     }
-    if (attracted) note_unbalance(&starts.states[i * system_.dimension()], fate);
+    if (attracted && fate.attractor > 0) note_unbalance(&starts.states[i * system_.dimension()], fate);
     if (attracted && stalls(fate)) fate.outcome = Outcome::stalled;
     if (!rows) continue;
     const bool lost = fate.outcome == Outcome::diverged || fate.outcome == Outcome::failed;
@@ -190,8 +191,11 @@ bool StartRunner::run(std::uint64_t first, std::size_t count, std::vector<double
 // Balls that dry friction holds leave each their own.
 void StartRunner::note_unbalance(const double* state, Fate& fate) const {
   const Attractor* a = discovery_.catalogue.find(fate.attractor);
-  if (a && a->motion.set_valued)
-    fate.unbalance = static_cast<float>(std::abs(model::unbalance(study_.parameters, state + model::index::phi(0))));
+  if (a && a->motion.set_valued) fate.unbalance = unbalance_at(state);
+}
+
+float StartRunner::unbalance_at(const double* state) const {
+  return static_cast<float>(std::abs(model::unbalance(study_.parameters, state + model::index::phi(0))));
 }
 
 // Of a driven rotor, its attractor's own: a trap may catch it before it has turned for long.

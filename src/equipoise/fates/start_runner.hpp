@@ -52,6 +52,7 @@ class StartRunner : public Runner {
   UnlistedStart unlisted_start(const SpunUp& starts, std::size_t i, double now) const;
   double mean_speed(const Fate& fate) const;
   void note_unbalance(const double* state, Fate& fate) const;
+  float unbalance_at(const double* state) const;
   bool stalls(const Fate& fate) const;
   Restlessness restlessness(const Fate& fate, double begin, double speed) const;
   TransientSettings settings_of(const SpunUp& starts, std::size_t i) const;

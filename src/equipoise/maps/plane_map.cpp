@@ -30,6 +30,7 @@
 #include "equipoise/model/linearisation.hpp"
 #include "equipoise/motions/catalogue.hpp"
 #include "equipoise/motions/settling.hpp"
+#include "equipoise/orbits/return_map.hpp"
 #include "equipoise/orbits/stroboscopic.hpp"
 #include "equipoise/spin_up/spin_up.hpp"
 #include "equipoise/store/basin_file.hpp"
@@ -173,11 +174,21 @@ class Mapper {
                                          : undecided_code;
   }
 
+  static bool overlap(const Study& study) {
+    Eigen::VectorXd state = Eigen::VectorXd::Zero(model::dimension(study.parameters.balls));
+    for (int i = 0; i < study.parameters.balls; ++i) state[model::index::phi(i)] = study.initial.phi[static_cast<std::size_t>(i)];
+    return least_gap(study.parameters, state) < 0.0;
+  }
+
   Pixel outcome_of(const Study& study, const model::System& system, std::vector<KnownOrbit>& known) const {
     const model::Parameters& p = study.parameters;
     const std::unique_ptr<SpinUp> source = make_spin_up(study, settings_.stop);
     SpunUp start;
     Pixel pixel;
+    if (p.balls_collide() && overlap(study)) {  // no such start
+      pixel.code = failed_code;
+      return pixel;
+    }
     if (!source->follow({study.initial.phi.begin(), study.initial.phi.begin() + p.balls}, start)) return pixel;
     if (start.is_over(0)) {
       pixel.code = code_of(start.fates.front().outcome);
@@ -189,7 +200,7 @@ class Mapper {
     if (system.section() == model::Section::strobe)
       state = at_next_strobe(system, state, source->last_task().segment.psi_at(begin)).value_or(state);
     const Settling settling = settle(system, state, *study.numerics.horizon, known);
-    if (one_system_) remember(system, settling, known);
+    if (one_system_ && system.smooth()) remember(system, settling, known);
     pixel.time = begin + settling.time;
     pixel.code = settling.status == IntegrationStatus::diverged ? diverged_code
                  : settling.status == IntegrationStatus::failed ? failed_code

@@ -73,7 +73,7 @@ std::vector<ValueRange> ranges_of(const Branch& branch) {
 
 double growth_rate(const Motion& motion) {
   double rate = -std::numeric_limits<double>::infinity();
-  if (motion.orbit.nodes.empty() && motion.kind == MotionKind::equilibrium) {
+  if (motion.orbit.nodes.empty() && motion.kind == MotionKind::equilibrium && motion.spectrum.size() > 0) {
     for (const auto& value : motion.spectrum)
       if (std::abs(value) >= zero_eigenvalue) rate = std::max(rate, value.real());
     return rate;

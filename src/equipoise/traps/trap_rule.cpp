@@ -10,6 +10,7 @@
 
 #include "equipoise/model/balanced_state.hpp"
 #include "equipoise/model/unbalance.hpp"
+#include "equipoise/orbits/return_map.hpp"
 #include "equipoise/orbits/stroboscopic.hpp"
 
 namespace equipoise {
@@ -39,9 +40,16 @@ bool in_reach(const model::Parameters& p, const ContinuumTrap& trap, const Rest&
   return away < trap.reach;
 }
 
-FamilyTrap family_of(const ContinuumTrap& trap, int size) {
-  return {trap.reach,
-          [trap, size](const double* state) { return trap.holds(Eigen::Map<const Eigen::VectorXd>(state, size)); }};
+// Of two balls each may come as far from its place as the trap reaches, and this state is as far from where they end.
+bool keeps_apart(const model::Parameters& p, const ContinuumTrap& trap, const Eigen::VectorXd& state) {
+  return !p.balls_collide() || least_gap(p, state) > 4.0 * trap.reach;
+}
+
+FamilyTrap family_of(const model::System& system, const ContinuumTrap& trap) {
+  return {trap.reach, [trap, p = system.parameters(), size = system.dimension()](const double* at) {
+            const Eigen::VectorXd state = Eigen::Map<const Eigen::VectorXd>(at, size);
+            return keeps_apart(p, trap, state) && trap.holds(state);
+          }};
 }
 
 // With what gravity leaves of a continuum the same is asked of the state at the next strobe.
@@ -49,7 +57,7 @@ std::function<bool(const double*, double)> strobed_family(const model::System& s
   return [system, trap, rest = rest_of(system)](const double* state, double psi) {
     if (!in_reach(system.parameters(), trap, rest, state)) return false;
     const auto at_strobe = at_next_strobe(system, Eigen::Map<const Eigen::VectorXd>(state, system.dimension()), psi);
-    return at_strobe && trap.holds(*at_strobe);
+    return at_strobe && keeps_apart(system.parameters(), trap, *at_strobe) && trap.holds(*at_strobe);
   };
 }
 
@@ -80,7 +88,7 @@ void set_traps(DecisionRule& rule, const model::System& system, const CycleTraps
   if (!continuum) return;
   // Lanes measure the way to a continuum from where the rotor is centred.
   if (system.parameters().race_is_centred())
-    rule.family = family_of(*continuum, system.dimension());
+    rule.family = family_of(system, *continuum);
   else
     rule.strobed = strobed_traps(system, {}, continuum);
 }
