@@ -322,6 +322,11 @@ class DecideFate {
           verdict = {true, attractor};
           by = DecidedBy::validated;
         }
+      if (rule_.tori.caught && !rule_.at_horizon)
+        if (const int attractor = caught_by_torus(lane, z)) {
+          verdict = {true, attractor};
+          by = DecidedBy::validated;
+        }
       if (verdict.decided && !rule_.at_horizon) {
         verdict_[g * lanes + lane] = {by, verdict.attractor};
         decided |= 1u << lane;
@@ -329,6 +334,12 @@ class DecideFate {
       open_window(g, lane, now, phi);
     }
     return decided;
+  }
+
+  int caught_by_torus(int lane, const Pack* z) const {
+    double state[dimension];
+    for (int i = 0; i < size(); ++i) state[i] = element(z[i], lane);
+    return rule_.tori.caught(state);
   }
 
   int caught_by_strobed(int lane, double now, const Pack* z) const {

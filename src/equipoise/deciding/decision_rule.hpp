@@ -91,6 +91,12 @@ struct StrobedTraps {
   std::function<int(const double* state, double psi)> caught;
 };
 
+/// Decides for states of a system whose rotor's angle does not matter whether a torus has caught them. Asked where half
+/// a short window ends.
+struct TorusTraps {
+  std::function<int(const double* state)> caught;  ///< the attractor's identifier, 0 if there is none; thread-safe
+};
+
 /// A driven rotor that turns faster, in critical speeds, is beyond any machine: the integrator's steps shrink with the
 /// turns to be made.
 inline constexpr double runaway_speed = 1e4;
@@ -104,6 +110,7 @@ struct DecisionRule {
   std::vector<CycleTable> cycles;
   FamilyTrap family;     ///< `caught` empty: no continuum
   StrobedTraps strobed;  ///< `caught` empty: none; not asked by kernels of plain rotors
+  TorusTraps tori;       ///< `caught` empty: none
   double sag = 0.0;      ///< r is measured from Y = sag, X = 0 in fixed axes; not by those either
   /// A driven rotor that turns faster on average over half a short window runs away for good, and is given up.
   double fastest = runaway_speed;

@@ -27,6 +27,7 @@
 #include "equipoise/spin_up/spin_up.hpp"
 #include "equipoise/traps/continuum_trap.hpp"
 #include "equipoise/traps/cycle_forms.hpp"
+#include "equipoise/traps/torus_trap.hpp"
 #include "equipoise/traps/trap_rule.hpp"
 #include "equipoise/traps/validated_level.hpp"
 
@@ -107,6 +108,7 @@ class Discoverer {
     level_balanced();
     find_candidates();
     if (!refine_and_list()) return stopped();
+    set_tori(result_.rule, tori_);  // only now: windows are learnt from a pilot that shows them
     result_.rule.blind = false;
     result_.rule.at_horizon = study_.numerics.decide == DecideMode::horizon;
     return std::move(result_);
@@ -252,6 +254,8 @@ class Discoverer {
 
   void add_traps(const Motion& motion, int id) {
     if (motion.eventful) return;  // windows tell it
+    auto torus = system_.smooth() ? torus_trap(system_, motion, id, trials_) : nullptr;
+    if (torus) tori_.push_back(std::move(torus));
     std::vector<CycleTrap> traps = cycle_traps(system_, motion, id);
     if (traps.empty() || !validate(traps, trials_, motion.orbit.slowest_rate())) return;
     for (CycleTrap& trap : traps) cycles_.push_back(std::make_shared<CycleTrap>(std::move(trap)));
@@ -313,6 +317,7 @@ class Discoverer {
   PilotRun pilot_;
   Discovery result_;
   CycleTraps cycles_;
+  std::vector<std::shared_ptr<const TorusTrap>> tori_;
   std::optional<ContinuumTrap> continuum_;
   std::vector<Candidate> candidates_;
 };

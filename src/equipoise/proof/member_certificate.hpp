@@ -20,8 +20,9 @@ namespace equipoise {
 /// = least (rate radius / 2)^2 never leaves those bounds, for balls move by the integral of |q_i| at most; it converges
 /// to a balanced state among them.
 ///
-/// Else: a balanced state lies within `radius` of phi, dV/dt < 0 wherever |q_i| <= radius and h is not 0, and V < 0 at
-/// `escape`: arbitrarily near to that state there are others from which V falls until a ball has left those bounds.
+/// Else: a balanced state lies within `radius` of phi, dV/dt < 0 wherever, within those bounds on angles, |q_i| <=
+/// radius and h is not 0, and V < 0 at `escape`: arbitrarily near to that state there are others from which V falls
+/// ever faster, and |h| grows, until a ball has left those bounds.
 struct MemberCertificate {
   model::Parameters parameters;
   double speed = 0.0;

@@ -1,0 +1,265 @@
+// Nearest states of a cloud and the plane that touches the torus there.
+#include "equipoise/traps/torus_trap.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+#include "equipoise/base/angles.hpp"
+#include "equipoise/model/linearisation.hpp"
+#include "equipoise/motions/motion_statistics.hpp"
+#include "equipoise/motions/motion_symmetry.hpp"
+
+namespace equipoise {
+
+namespace {
+
+using Eigen::VectorXd;
+
+constexpr double infinite = std::numeric_limits<double>::infinity();
+// About 0.05 rad from one state to the next, in either direction of the torus: its curvature leaves 1e-3.
+constexpr int cloud = 16384, fresh = 512;
+constexpr double tolerance = 1e-9;
+// Tries begin no farther than half of what counts as one; none is worth it where the torus fills the like of it.
+constexpr double highest_level = 0.25, highest_floor = 1e-3;
+// As of orbits (validated_level.cpp): some tries are followed far, all until they are well inside.
+constexpr double come_close = 1e-2, come_inside = 0.125;
+constexpr double slowest_worth_it = 2e-3;
+constexpr double window = 4.0;  // of tries: they are asked twice a window
+
+double within_a_turn(double angle) { return angle - two_pi * std::floor(angle / two_pi); }
+
+}  // namespace
+
+TorusTrap::TorusTrap(const model::System& system)
+    : balls_(system.balls()), inverse_scale_(system.scale().cwiseInverse()) {}
+
+void TorusTrap::set_level(double level) { level_ = level; }
+
+int TorusTrap::cell_of(double first, double second) const {
+  const auto place = [&](double angle) {
+    return std::min(cells_ - 1, static_cast<int>(within_a_turn(angle) / two_pi * cells_));
+  };
+  return place(first) * (balls_ > 1 ? cells_ : 1) + (balls_ > 1 ? place(second) : 0);
+}
+
+template <class F>
+void TorusTrap::around_angles(double first, double second, F&& f) const {
+  const double step = two_pi / cells_;
+  for (int a = -1; a <= 1; ++a)
+    for (int b = -1; b <= 1; ++b) {
+      if (balls_ == 1 && b != 0) continue;
+      const int cell = cell_of(first + a * step, second + b * step);
+      for (int k = first_in_cell_[cell]; k < first_in_cell_[cell + 1]; ++k) f(k);
+    }
+}
+
+// Two states a cell.
+void TorusTrap::sort_into_cells() {
+  const auto count = static_cast<int>(states_.cols());
+  cells_ = balls_ > 1 ? static_cast<int>(std::sqrt(0.5 * count)) : count / 2;
+  const int all = balls_ > 1 ? cells_ * cells_ : cells_;
+  std::vector<std::pair<int, int>> order;
+  const auto second = [&](int k) { return balls_ > 1 ? states_(model::index::phi(1), k) : 0.0; };
+  for (int k = 0; k < count; ++k) order.emplace_back(cell_of(states_(model::index::phi(0), k), second(k)), k);
+  std::sort(order.begin(), order.end());
+  Eigen::MatrixXd sorted(states_.rows(), count);
+  first_in_cell_.assign(static_cast<std::size_t>(all) + 1, 0);
+  for (int k = 0; k < count; ++k) {
+    sorted.col(k) = states_.col(order[k].second);
+    ++first_in_cell_[order[k].first + 1];
+  }
+  for (int c = 0; c < all; ++c) first_in_cell_[c + 1] += first_in_cell_[c];
+  states_ = std::move(sorted);
+}
+
+// One tangent is the flow; the other is what is left of the ways to the neighbours, which lie on other windings.
+void TorusTrap::find_tangents(const model::System& system) {
+  along_ = across_ = Eigen::MatrixXd::Zero(states_.rows(), states_.cols());
+  for (int k = 0; k < states_.cols(); ++k) {
+    const VectorXd here = states_.col(k);
+    const VectorXd along =
+        model::rate(system, here.cwiseQuotient(inverse_scale_)).cwiseProduct(inverse_scale_).normalized();
+    VectorXd sum = VectorXd::Zero(here.size());
+    double longest = 0.0;
+    VectorXd farthest = sum;
+    const auto way_to = [&](int other) {
+      VectorXd d = states_.col(other) - here;
+      for (int i = 0; i < balls_; ++i) d[model::index::phi(i)] = wrapped(d[model::index::phi(i)]);
+      return d;
+    };
+    const double near = 4.0 * two_pi / cells_;
+    const auto sideways = [&](int other) {
+      const VectorXd d = way_to(other);
+      return VectorXd(d.norm() < near ? VectorXd(d - along * along.dot(d)) : VectorXd::Zero(d.size()));
+    };
+    const double first = here[model::index::phi(0)], second = balls_ > 1 ? here[model::index::phi(1)] : 0.0;
+    around_angles(first, second, [&](int other) {
+      const VectorXd d = sideways(other);
+      if (d.norm() <= longest) return;
+      longest = d.norm();
+      farthest = d;
+    });
+    around_angles(first, second, [&](int other) {
+      const VectorXd d = sideways(other);
+      sum += d.dot(farthest) < 0.0 ? VectorXd(-d) : d;
+    });
+    along_.col(k) = along;
+    if (sum.norm() > 0.0) across_.col(k) = sum.normalized();
+  }
+}
+
+// A torus that exchange of like balls maps onto itself needs no other place for them.
+void TorusTrap::find_images(const model::System& system) {
+  const Eigen::Index size = inverse_scale_.size();
+  BallOrder order{};
+  for (int i = 0; i < balls_; ++i) order[i] = i;
+  do {
+    bool like = true;
+    for (int i = 0; i < balls_; ++i) like = like && system.alike(i, order[i]);
+    if (!like) continue;
+    const Eigen::VectorXi places = exchanged_components(balls_, order, size);
+    const VectorXd exchanged = VectorXd(states_.col(0).cwiseQuotient(inverse_scale_))(places);
+    if (places_.empty() || !(value(exchanged.data()) < highest_floor)) places_.push_back(places);
+  } while (std::next_permutation(order.begin(), order.begin() + balls_));
+}
+
+double TorusTrap::value_in_place(const double* state) const {
+  const Eigen::Index size = inverse_scale_.size();
+  std::array<double, max_dimension> here;
+  for (Eigen::Index i = 0; i < size; ++i) here[i] = state[i] * inverse_scale_[i];
+  double least = infinite;
+  int nearest = -1;
+  const auto difference = [&](int k, Eigen::Index i) {
+    const double d = here[i] - states_(i, k);
+    return i >= 4 && i < 4 + balls_ ? wrapped(d) : d;
+  };
+  around_angles(state[model::index::phi(0)], balls_ > 1 ? state[model::index::phi(1)] : 0.0, [&](int k) {
+    double square = 0.0;
+    for (Eigen::Index i = 0; i < size; ++i) {
+      const double d = difference(k, i);
+      square += d * d;
+    }
+    if (square >= least) return;
+    least = square;
+    nearest = k;
+  });
+  if (nearest < 0) return infinite;
+  double square = 0.0, along = 0.0, across = 0.0;
+  for (Eigen::Index i = 0; i < size; ++i) {
+    const double d = difference(nearest, i);
+    square += d * d;
+    along += d * along_(i, nearest);
+    across += d * across_(i, nearest);
+  }
+  // Orthonormal; what lies along the torus is no distance from it, as far as the next of its states.
+  return std::max(0.0, square - along * along - across * across);
+}
+
+double TorusTrap::value(const double* state) const {
+  const Eigen::Index size = inverse_scale_.size();
+  double least = infinite;
+  std::array<double, max_dimension> placed;
+  for (const Eigen::VectorXi& places : places_) {
+    bool near = true;
+    for (Eigen::Index i = 0; i < size && near; ++i) {
+      placed[i] = state[places[i]];
+      if (i >= 4 && i < 4 + balls_) continue;
+      const double reach = level_ > 0.0 ? std::sqrt(level_) / inverse_scale_[i] : infinite;
+      near = placed[i] > low_[i] - reach && placed[i] < high_[i] + reach;
+    }
+    if (near) least = std::min(least, value_in_place(placed.data()));
+  }
+  return least;
+}
+
+VectorXd TorusTrap::state_on_level(std::size_t which, double level, const VectorXd& direction) const {
+  const auto k = static_cast<Eigen::Index>(which % size());
+  VectorXd d = direction;
+  const VectorXd along = along_.col(k), across = across_.col(k);
+  d -= along * along.dot(d);
+  d -= across * across.dot(d);
+  return (states_.col(k) + std::sqrt(level) * d.normalized()).cwiseQuotient(inverse_scale_);
+}
+
+std::shared_ptr<TorusTrap> TorusTrap::around(const model::System& system, const Motion& motion, int attractor,
+                                             const StopFlag* stop) {
+  std::shared_ptr<TorusTrap> trap(new TorusTrap(system));
+  trap->attractor_ = attractor;
+  VectorXd state = motion.state;
+  const double spacing = sample_spacing(system, state);
+  std::vector<VectorXd> samples;
+  if (follow(system, state, spacing * (cloud + fresh), tolerance, nullptr, &samples, stop) != IntegrationStatus::done ||
+      samples.size() < static_cast<std::size_t>(cloud + fresh))
+    return nullptr;
+  trap->states_.resize(state.size(), cloud);
+  trap->low_ = trap->high_ = samples.front();
+  for (int k = 0; k < cloud; ++k) {
+    trap->low_ = trap->low_.cwiseMin(samples[k]);
+    trap->high_ = trap->high_.cwiseMax(samples[k]);
+    VectorXd s = samples[k];
+    for (int i = 0; i < system.balls(); ++i) s[model::index::phi(i)] = within_a_turn(s[model::index::phi(i)]);
+    trap->states_.col(k) = s.cwiseProduct(trap->inverse_scale_);
+  }
+  trap->sort_into_cells();
+  trap->find_tangents(system);
+  trap->find_images(system);
+  for (int k = 0; k < fresh; ++k) trap->floor_ = std::max(trap->floor_, trap->value(samples[cloud + k].data()));
+  return trap->floor_ < highest_floor ? trap : nullptr;
+}
+
+namespace {
+
+bool all_approach(const std::shared_ptr<TorusTrap>& trap, const TrialSettings& settings, double rate, double level,
+                  const TryRange& tries) {
+  Trials trials;
+  Directions directions(settings.system->dimension());
+  directions.skip(tries.first);
+  for (std::size_t i = tries.first; i < tries.first + tries.count; ++i) {
+    // Spread over the torus whatever the order of its states.
+    const VectorXd z = trap->state_on_level(i * 40503, level, directions.next());
+    trials.states.insert(trials.states.end(), z.begin(), z.end());
+  }
+  const bool far = tries.first == 0 && tries.of == TrialCounts{}.all;
+  const double share = std::max(far ? come_close : come_inside, 4.0 * trap->floor() / level);
+  if (share > come_inside) return false;
+  auto close = std::make_shared<TorusTrap>(*trap);
+  close->set_level(share * level);
+  trials.rule = rule_of_traps(*settings.system);
+  trials.rule.window = window;
+  set_tori(trials.rule, {close});
+  const double end = 2.0 * std::log(1.0 / share) / (2.0 * -rate) + 200.0;
+  trials.flight = [end](std::size_t) { return Trials::Flight{end, 0.0}; };
+  return all_attracted(std::move(trials), settings);
+}
+
+}  // namespace
+
+std::shared_ptr<const TorusTrap> torus_trap(const model::System& system, const Motion& motion, int attractor,
+                                            const TrialSettings& settings) {
+  // Two exponents of 0 belong to the torus.
+  const bool known = motion.kind == MotionKind::quasi_periodic && motion.stable && motion.exponents.size() > 2;
+  if (!known || !system.autonomous() || !(motion.exponents[2] < -slowest_worth_it)) return nullptr;
+  const auto trap = TorusTrap::around(system, motion, attractor, settings.stop);
+  if (!trap) return nullptr;
+  const double level = highest_good_level({highest_level, 12}, TrialCounts{}, [&](double tried, const TryRange& tries) {
+    return all_approach(trap, settings, motion.exponents[2], tried, tries);
+  });
+  if (!(level > 0.0)) return nullptr;
+  trap->set_level(level);
+  return trap;
+}
+
+void set_tori(DecisionRule& rule, const std::vector<std::shared_ptr<const TorusTrap>>& tori) {
+  rule.tori = {};
+  if (tori.empty()) return;
+  rule.tori.caught = [tori](const double* state) {
+    for (const auto& trap : tori)
+      if (trap->value(state) < trap->level()) return trap->attractor();
+    return 0;
+  };
+}
+
+}  // namespace equipoise

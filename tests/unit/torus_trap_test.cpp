@@ -1,0 +1,91 @@
+// Traps around tori: V vanishes on the torus, whichever ball is which, and what is inside stays.
+#include "equipoise/traps/torus_trap.hpp"
+
+#include <gtest/gtest.h>
+
+#include <memory>
+#include <utility>
+#include <vector>
+
+#include "../base_parameters.hpp"
+#include "equipoise/discovery/discovery.hpp"
+#include "equipoise/model/balanced_state.hpp"
+#include "equipoise/motions/motion_statistics.hpp"
+
+namespace equipoise {
+namespace {
+
+// The torus V2 of two balls at Omega = 2.4, and its trap.
+struct Found {
+  Found() {
+    Study study;
+    study.name = "rotor";
+    study.parameters = system.parameters();
+    study.speed.profile = Profile::constant;
+    study.speed.speed = 2.4;
+    const Discovery all = discover(study, {2, nullptr, {}});
+    for (const Attractor& a : all.catalogue.attractors())
+      if (a.motion.kind == MotionKind::quasi_periodic) motion = a.motion;
+    settings.system = &system;
+    settings.threads = 2;
+    if (motion.state.size() > 0) trap = torus_trap(system, motion, 3, settings);
+  }
+  model::System system{base_rotor(2), 2.4};
+  Motion motion;
+  TrialSettings settings;
+  std::shared_ptr<const TorusTrap> trap;
+};
+
+TEST(TorusTrap, SurroundsTheTorusAndNothingElse) {
+  const Found found;
+  ASSERT_TRUE(found.trap);
+  const TorusTrap& trap = *found.trap;
+  EXPECT_EQ(trap.attractor(), 3);
+  EXPECT_GT(trap.level(), 32.0 * trap.floor());  // tries need 16
+  // A trajectory begun elsewhere on the torus, and its mirror by exchange of the balls.
+  Eigen::VectorXd state = found.motion.state;
+  ASSERT_EQ(follow(found.system, state, 3456.7, 1e-9), IntegrationStatus::done);
+  std::vector<Eigen::VectorXd> samples;
+  ASSERT_EQ(follow(found.system, state, 200.0, 1e-9, nullptr, &samples), IntegrationStatus::done);
+  for (Eigen::VectorXd& s : samples) {
+    EXPECT_LT(trap.value(s.data()), 2.0 * trap.floor());  // the floor is the largest of 512 others
+    std::swap(s[4], s[5]);
+    std::swap(s[6], s[7]);
+    EXPECT_LT(trap.value(s.data()), 2.0 * trap.floor());
+  }
+  for (const auto& phi : model::balanced_states(found.system).angles) {
+    const Eigen::VectorXd z = model::balanced_state(found.system, 2.4, phi.data());
+    EXPECT_GT(trap.value(z.data()), trap.level());
+  }
+}
+
+TEST(TorusTrap, LetsNothingOut) {
+  const Found found;
+  ASSERT_TRUE(found.trap);
+  const TorusTrap& trap = *found.trap;
+  Directions directions(8);
+  for (std::size_t k = 0; k < 40; ++k) {
+    Eigen::VectorXd state = trap.state_on_level(977 * k + 5, trap.level(), directions.next());
+    // The nearest state of the cloud may be another than the one beside which this was made.
+    EXPECT_LT(trap.value(state.data()), 1.5 * trap.level());
+    ASSERT_EQ(follow(found.system, state, 400.0, 1e-9), IntegrationStatus::done);
+    EXPECT_LT(trap.value(state.data()),
+              0.01 * trap.level());  // at a rate of 0.037 e^-30 is left, and the cloud's floor
+  }
+}
+
+TEST(TorusTrap, IsForToriOnly) {
+  const Found found;
+  Motion chaotic = found.motion, unstable = found.motion, slow = found.motion;
+  chaotic.kind = MotionKind::chaotic;
+  unstable.stable = false;
+  slow.exponents[2] = -1e-4;
+  for (const Motion& motion : {chaotic, unstable, slow})
+    EXPECT_FALSE(torus_trap(found.system, motion, 3, found.settings));
+  DecisionRule rule;
+  set_tori(rule, {});
+  EXPECT_FALSE(rule.tori.caught);
+}
+
+}  // namespace
+}  // namespace equipoise
