@@ -36,7 +36,7 @@ double energy_at(const Parameters& p, double inertia, const std::array<double, 2
     e += p.mass[i] * (0.5 * (vx * vx + vy * vy) + p.gravity * height);
     if (!p.rolls) continue;
     const double rim = p.ball_radius[i] * w - z[index::q(i, p.balls)];  // radius times spin, from where it touches
-    e += 0.5 * sphere_inertia<double>() * p.mass[i] * rim * rim;
+    e += 0.5 * sphere_inertia.value() * p.mass[i] * rim * rim;
   }
   return e;
 }

@@ -198,7 +198,8 @@ class BallBalancer {
   // A ball into what slides and what is fixed to the race, which is made part of the rotor here. One that does not roll
   // slides as a whole; the numbers that say so are exact.
   void split(int i, const model::Parameters& p) {
-    const T spin = p.rolls ? model::sphere_inertia<T>() : T(0.0), radius(p.ball_radius[i]);
+    const T sphere = T(model::sphere_inertia.over) / T(model::sphere_inertia.under);
+    const T spin = p.rolls ? sphere : T(0.0), radius(p.ball_radius[i]);
     share_ = T(1.0) / (T(1.0) + spin);
     sliding_mass_[i] = share_ * mu_[i];
     beta_[i] = share_ * beta_[i];

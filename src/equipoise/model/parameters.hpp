@@ -7,11 +7,13 @@ namespace equipoise::model {
 
 inline constexpr int max_balls = 8;
 
+/// A number that number types round, or enclose, for themselves.
+struct Ratio {
+  double over, under;
+  constexpr double value() const { return over / under; }
+};
 /// Moment of inertia of a solid sphere about its centre, over its mass and the square of its radius.
-template <class T>
-constexpr T sphere_inertia() {
-  return T(2.0) / T(5.0);
-}
+inline constexpr Ratio sphere_inertia{2.0, 5.0};
 
 /// Rotor, supports and balls. Constant while anything moves.
 /// Symbols as in Wright and Peng (2019) and docs/equations.md; ranges are checked where a study is read.
@@ -44,7 +46,7 @@ struct Parameters {
   /// the order of.
   double all_unbalances() const { return eccentricity + total_mass(); }
   /// What resists a force on a ball along the race, over the ball's mass: of one that rolls its spin's inertia too.
-  double inertia_along_race() const { return rolls ? 1.0 + sphere_inertia<double>() : 1.0; }
+  double inertia_along_race() const { return rolls ? 1.0 + sphere_inertia.value() : 1.0; }
   bool isotropic() const { return damping[0] == damping[1] && stiffness[0] == stiffness[1]; }
   /// Exchanging these two balls makes no difference.
   bool alike(int i, int k) const {

@@ -64,7 +64,7 @@ class HeldFlow {
     const model::Parameters& p = s.parameters();
     const double x = p.eccentricity - p.race_offset[0], y = -p.race_offset[1];
     double inertia = p.inertia + x * x + y * y;
-    const double spin = p.rolls ? model::sphere_inertia<double>() : 0.0;
+    const double spin = p.rolls ? model::sphere_inertia.value() : 0.0;
     for (int i = 0; i < p.balls; ++i) inertia += p.mass[i] * (1.0 + spin * p.ball_radius[i] * p.ball_radius[i]);
     rotor_ = {{T(x), T(y)}, T(1.0 + p.total_mass()), T(inertia)};
   }
