@@ -83,10 +83,12 @@ TEST(MultipliersThroughImpacts, are_those_of_saltation_matrices) {
   const Study study = study_of("balls = 2\nmass = 0.03\ndrag = [0.05, 0.1]\ncontact_angle = 0.5\n",
                                "profile = \"constant\"\nspeed = 2.0");
   const model::System system = study.system(), passing = without_events(system);
-  const auto motion = motion_from(system, start(system, {2.0, 4.5}), motion_patience);
-  std::optional<Motion> impacts = motion;
-  for (int k = 0; k < 12 && (!impacts || impacts->events.empty()); ++k)
-    impacts = motion_from(system, start(system, {0.5 * k, 0.5 * k + 3.5}));
+  std::optional<Motion> impacts;
+  for (std::uint64_t k = 0; k < 40 && (!impacts || impacts->events.empty()); ++k) {
+    VectorXd y = VectorXd::Zero(system.dimension());
+    start_angles(7, k, 2, y.data() + model::index::phi(0));
+    if (least_gap(study.parameters, y) > 0.0) impacts = motion_from(system, y);
+  }
   ASSERT_TRUE(impacts && impacts->kind == MotionKind::periodic && impacts->stable);
   ASSERT_EQ(impacts->events.size(), 2U);
   EXPECT_EQ(motion_name(study.parameters, *impacts).name, "pair drift");
