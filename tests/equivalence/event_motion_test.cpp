@@ -1,4 +1,5 @@
-// Motions of systems with events: multipliers through impacts by saltation matrices, motions without touch, stuck balls.
+// Motions of systems with events: multipliers through impacts by saltation matrices, motions without touch, stuck
+// balls.
 #include <Eigen/Dense>
 #include <gtest/gtest.h>
 
@@ -130,8 +131,8 @@ TEST(MultipliersThroughImpacts, are_those_of_saltation_matrices) {
 
 // Where nothing touches, the motion is that of balls that pass each other, to the last bit.
 TEST(MotionsWithoutTouch, are_those_of_passing_balls) {
-  const Study study = study_of("balls = 2\nmass = 0.05\ndrag = 0.05\ncontact_angle = 0.3\n",
-                               "profile = \"constant\"\nspeed = 2.4");
+  const Study study =
+      study_of("balls = 2\nmass = 0.05\ndrag = 0.05\ncontact_angle = 0.3\n", "profile = \"constant\"\nspeed = 2.4");
   const model::System system = study.system();
   const VectorXd y = start(system, {2.4, 3.8});
   const auto motion = motion_from(system, y), passing = motion_from(without_events(system), y);
