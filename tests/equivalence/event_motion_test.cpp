@@ -1,4 +1,5 @@
-// Motions of systems with events: multipliers through impacts by saltation matrices, motions without touch, stuck balls.
+// Motions of systems with events: multipliers through impacts by saltation matrices, motions without touch, stuck
+// balls.
 #include <Eigen/Dense>
 #include <gtest/gtest.h>
 
@@ -83,10 +84,12 @@ TEST(MultipliersThroughImpacts, are_those_of_saltation_matrices) {
   const Study study = study_of("balls = 2\nmass = 0.03\ndrag = [0.05, 0.1]\ncontact_angle = 0.5\n",
                                "profile = \"constant\"\nspeed = 2.0");
   const model::System system = study.system(), passing = without_events(system);
-  const auto motion = motion_from(system, start(system, {2.0, 4.5}), motion_patience);
-  std::optional<Motion> impacts = motion;
-  for (int k = 0; k < 12 && (!impacts || impacts->events.empty()); ++k)
-    impacts = motion_from(system, start(system, {0.5 * k, 0.5 * k + 3.5}));
+  std::optional<Motion> impacts;
+  for (std::uint64_t k = 0; k < 40 && (!impacts || impacts->events.empty()); ++k) {
+    VectorXd y = VectorXd::Zero(system.dimension());
+    start_angles(7, k, 2, y.data() + model::index::phi(0));
+    if (least_gap(study.parameters, y) > 0.0) impacts = motion_from(system, y);
+  }
   ASSERT_TRUE(impacts && impacts->kind == MotionKind::periodic && impacts->stable);
   ASSERT_EQ(impacts->events.size(), 2U);
   EXPECT_EQ(motion_name(study.parameters, *impacts).name, "pair drift");
@@ -128,8 +131,8 @@ TEST(MultipliersThroughImpacts, are_those_of_saltation_matrices) {
 
 // Where nothing touches, the motion is that of balls that pass each other, to the last bit.
 TEST(MotionsWithoutTouch, are_those_of_passing_balls) {
-  const Study study = study_of("balls = 2\nmass = 0.05\ndrag = 0.05\ncontact_angle = 0.3\n",
-                               "profile = \"constant\"\nspeed = 2.4");
+  const Study study =
+      study_of("balls = 2\nmass = 0.05\ndrag = 0.05\ncontact_angle = 0.3\n", "profile = \"constant\"\nspeed = 2.4");
   const model::System system = study.system();
   const VectorXd y = start(system, {2.4, 3.8});
   const auto motion = motion_from(system, y), passing = motion_from(without_events(system), y);

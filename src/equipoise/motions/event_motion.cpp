@@ -1,7 +1,7 @@
 // From a trajectory with events to the motion it settles on, by recurrence.
 //
-// As in motion.cpp stretches double, and a motion is believed when the trajectory is seen to approach it. Newton's method
-// works on the return map; where it does not find an orbit, windows that repeat themselves tell the motion.
+// As in motion.cpp stretches double, and a motion is believed when the trajectory is seen to approach it. Newton's
+// method works on the return map; where it does not find an orbit, windows that repeat themselves tell the motion.
 #include "equipoise/motions/event_motion.hpp"
 
 #include <algorithm>
@@ -253,8 +253,8 @@ class EventJourney {
     }
     const auto decays = orbit.decays();
     motion.set_valued = system_.events().stick && std::any_of(decays.begin(), decays.end(), [](const auto& m) {
-      return std::abs(m - 1.0) < neutral;
-    });
+                          return std::abs(m - 1.0) < neutral;
+                        });
     with_events(log, motion);
     return motion;
   }
@@ -267,8 +267,7 @@ class EventJourney {
     motion.events.assign(log.events.begin() + static_cast<std::ptrdiff_t>(first), log.events.end());
     capture_those_that_creep(motion);
     const auto captured = [](int group) { return group == 0; };
-    const bool all_captured =
-        std::all_of(motion.drift_group.begin(), motion.drift_group.begin() + p_.balls, captured);
+    const bool all_captured = std::all_of(motion.drift_group.begin(), motion.drift_group.begin() + p_.balls, captured);
     motion.balanced = all_captured && motion.strobed && halves_the_shaking(p_, motion.speed, motion.r_mean);
   }
 

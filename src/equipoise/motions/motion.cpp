@@ -85,7 +85,7 @@ class Journey {
   bool approaches(double rate, const Distance& distance);
   std::optional<Motion> rest();
   std::optional<Motion> continuum();
-  std::optional<Motion> creep() const;
+  std::optional<Motion> creep();
   std::optional<Motion> recurrence();
   std::optional<Motion> persistence();
   std::optional<PeriodicOrbit> orbit_of(const Return& now);
@@ -192,12 +192,18 @@ std::optional<Motion> Journey::continuum() {
 }
 
 // Near what gravity leaves of a continuum of balanced states, and on its way along it.
-std::optional<Motion> Journey::creep() const {
+std::optional<Motion> Journey::creep() {
   if (!strobed() || p_.gravity == 0.0 || p_.balls <= 2 || !BalancedContinuum::is_of(system_)) return std::nullopt;
-  const auto member = BalancedContinuum(system_).destination(state_);
-  if (!member || !(member->rate < 0.0) || !(difference_.distance(state_, member->centre) < reached))
-    return std::nullopt;
-  return describe_creep(system_, member->centre, member->rate);
+  const BalancedContinuum continuum(system_);
+  std::optional<ContinuumMember> end = continuum.destination(state_);
+  if (!end || !(end->rate < 0.0)) return std::nullopt;
+  const double rate = end->rate;
+  const auto distance = [&](const Eigen::VectorXd& z) {
+    end = continuum.destination(z);
+    return end ? difference_.distance(z, end->centre) : std::numeric_limits<double>::infinity();
+  };
+  if (!approaches(rate, distance) || !end || !(end->rate < 0.0)) return std::nullopt;
+  return describe_creep(system_, end->centre, end->rate);
 }
 
 std::optional<Motion> Journey::rest() {
@@ -292,8 +298,8 @@ bool Journey::comes_back() const {
 // Under gravity a continuum of balanced states leaves a motion along it that never comes back.
 bool Journey::creeps_balanced(const Motion& motion) const {
   if (!strobed() || p_.gravity == 0.0 || p_.balls <= 2 || motion.kind != MotionKind::quasi_periodic) return false;
-  const auto captured = [](int group) { return group == 0; };
-  return std::all_of(motion.drift_group.begin(), motion.drift_group.begin() + p_.balls, captured) &&
+  const auto creeps = [&](double drift) { return std::fabs(drift) * motion.duration < 0.5 * pi; };
+  return std::all_of(motion.drift.begin(), motion.drift.begin() + p_.balls, creeps) &&
          relaxes_to_balance(system_, motion.state);
 }
 

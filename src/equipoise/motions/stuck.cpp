@@ -42,9 +42,7 @@ class PrescribedEnd {
 
   // x + i y, its rate in fixed axes as u + i v: in the end.
   Complex place(double psi) const { return with_ + against_ * std::polar(1.0, -2.0 * psi); }
-  Complex velocity(double psi) const {
-    return Complex(0.0, w_) * (with_ - against_ * std::polar(1.0, -2.0 * psi));
-  }
+  Complex velocity(double psi) const { return Complex(0.0, w_) * (with_ - against_ * std::polar(1.0, -2.0 * psi)); }
   double r_mean() const { return std::abs(with_); }
   double waver() const { return std::abs(against_); }
 

@@ -24,8 +24,9 @@ namespace {
 
 std::string text_of(const BallEvent& e) {
   constexpr std::array<const char*, 6> words{"strike", "touch and stay", "part", "sticks", "starts", "turns round"};
-  const std::string who = e.other < 0 ? fmt::format("{}", e.ball + 1)
-                                      : fmt::format("{}|{}", std::min(e.ball, e.other) + 1, std::max(e.ball, e.other) + 1);
+  const std::string who = e.other < 0
+                              ? fmt::format("{}", e.ball + 1)
+                              : fmt::format("{}|{}", std::min(e.ball, e.other) + 1, std::max(e.ball, e.other) + 1);
   return fmt::format("{} {}", who, words[static_cast<std::size_t>(e.kind)]);
 }
 

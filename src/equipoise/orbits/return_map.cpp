@@ -26,8 +26,8 @@ using Eigen::VectorXd;
 constexpr double tolerance = 1e-12;
 constexpr int most_iterations = 12;
 
-// A state by what is free in a mode: of balls that are joined the first one stands for all, held ones stay where they are
-// at `state`.
+// A state by what is free in a mode: of balls that are joined the first one stands for all, held ones stay where they
+// are at `state`.
 class ModeCoordinates {
  public:
   ModeCoordinates(const model::System& system, const VectorXd& state, const model::BallMode& mode)
@@ -55,8 +55,8 @@ class ModeCoordinates {
       const int leader = leader_[i];
       y[model::index::q(i, n_)] = leader < 0 ? 0.0 : y[model::index::q(leader, n_)];
       if (leader >= 0)
-        y[model::index::phi(i)] = y[model::index::phi(leader)] + state_[model::index::phi(i)] -
-                                  state_[model::index::phi(leader)];
+        y[model::index::phi(i)] =
+            y[model::index::phi(leader)] + state_[model::index::phi(i)] - state_[model::index::phi(leader)];
     }
     return y;
   }

@@ -11,8 +11,8 @@
 
 namespace equipoise {
 
-// What balls do at a state follows from the state (BallMode): those that touch, move alike and press are one ball, those
-// that rest and are held are none. Both functions work in the coordinates that are left, with derivatives by
+// What balls do at a state follows from the state (BallMode): those that touch, move alike and press are one ball,
+// those that rest and are held are none. Both functions work in the coordinates that are left, with derivatives by
 // differences; spectra have as many values.
 
 /// The mode in which a trajectory from `state` begins.
@@ -20,8 +20,8 @@ model::BallMode mode_at(const model::System& system, const Eigen::VectorXd& stat
 /// The least angle between two neighbours beyond touching; infinite for one ball.
 double least_gap(const model::Parameters& p, const Eigen::VectorXd& state);
 
-/// Newton's method from `guess` on the equations of its mode, of a system without strobes. Empty if it does not converge.
-/// Where all balls are held it is the rotor's.
+/// Newton's method from `guess` on the equations of its mode, of a system without strobes. Empty if it does not
+/// converge. Where all balls are held it is the rotor's.
 std::optional<Equilibrium> refine_mode_equilibrium(const model::System& system, const Eigen::VectorXd& guess);
 
 /// Newton's method on the return map from `state`, which returns after about `period` (of section strobe: after exactly

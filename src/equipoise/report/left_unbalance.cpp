@@ -36,7 +36,8 @@ std::string left_unbalance_text(const std::vector<AttractorShare>& attractors, c
     text += fmt::format("Unbalance left, {}: ", a.name);
     for (std::size_t k = 0; k < a.unbalance.size(); ++k) {
       const double share = unbalance_quantiles[k];
-      text += fmt::format("{}{} {}", k ? ", " : "", share < 1.0 ? fmt::format("{:.0f} % below", 100.0 * share) : "all within",
+      text += fmt::format("{}{} {}", k ? ", " : "",
+                          share < 1.0 ? fmt::format("{:.0f} % below", 100.0 * share) : "all within",
                           amount_text(a.unbalance[k], study));
     }
     text += fmt::format("; the rotor's own is {}.\n", amount_text(study.parameters.eccentricity, study));
