@@ -304,7 +304,7 @@ class BasinRun {
   void add_note(const std::string& words) { result_.note += (result_.note.empty() ? "" : "; ") + words; }
 
   void compute(std::uint64_t first, std::uint64_t limit, const ChunkSink& sink) {
-    const ChunkWork work{*runner_, threads_, result_.study.system().coasts(), gathers_, options_.stop};
+    const ChunkWork work{*runner_, threads_, followed_one_by_one(result_.study.system()), gathers_, options_.stop};
     compute_chunks(work, first, limit, finished_, lost_, sink);
   }
 

@@ -7,11 +7,9 @@
 
 namespace equipoise {
 
-namespace {
-// A rotor that no torque drives in the end is followed start by start: it may keep any speed, and lose it for as long as
-// it shakes, so that there is no list of what it comes to.
-bool needs_machine(const model::System& system) { return system.coasts(); }
-}  // namespace
+bool followed_one_by_one(const model::System& system) {
+  return system.coasts() || (system.events().contact && !system.autonomous() && system.balls() > 2);
+}
 
 int settle(Runner& runner, const UnlistedStart& start, Fate& fate) {
   const int attractor = runner.list(start);
@@ -24,7 +22,7 @@ int settle(Runner& runner, const UnlistedStart& start, Fate& fate) {
 }
 
 void check_runnable(const Study& study, bool transients) {
-  if (needs_machine(study.system())) {
+  if (followed_one_by_one(study.system())) {
     check_machine(study);
     return;
   }
@@ -33,7 +31,7 @@ void check_runnable(const Study& study, bool transients) {
 }
 
 std::unique_ptr<Runner> make_runner(const Study& study, const DiscoverySettings& settings, bool transients) {
-  if (needs_machine(study.system())) return std::make_unique<MachineRunner>(study, settings.stop);
+  if (followed_one_by_one(study.system())) return std::make_unique<MachineRunner>(study, settings.stop);
   return std::make_unique<StartRunner>(study, settings, transients);
 }
 

@@ -82,6 +82,10 @@ void check_offers(const Study& study, model::Answer answer) {
   if (!lack && lists && study.system().coasts())
     throw InputError(study.name, "speed.torque", "0 in the end",
                      fmt::format("{} need a rotor that something turns for good", model::capability(answer).name));
+  if (!lack && lists && followed_one_by_one(study.system()))
+    throw InputError(study.name, p.gravity != 0.0 ? "rotor.gravity" : "rotor.stiffness", fmt::format("{}", p.gravity),
+                     fmt::format("{} of three balls or more in contact need equal supports and no gravity",
+                                 model::capability(answer).name));
   if (!lack) return;
   const auto reject = [&](const char* key, const std::string& value) {
     throw InputError(study.name, key, value, lack->reason);

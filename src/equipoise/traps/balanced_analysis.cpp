@@ -12,6 +12,7 @@
 #include "equipoise/math/dense.hpp"
 #include "equipoise/model/balanced_state.hpp"
 #include "equipoise/model/linearisation.hpp"
+#include "equipoise/motions/event_motion.hpp"
 #include "equipoise/orbits/stroboscopic.hpp"
 #include "equipoise/traps/balanced_trap.hpp"
 #include "equipoise/traps/touching.hpp"
@@ -54,7 +55,7 @@ void analyse_continuum(const Balance& at, const StopFlag* stop, BalancedAnalysis
   const bool rests = model::balanced_freedom(at.system) > 0;
   result.stable = true;
   if (!BalancedContinuum::is_of(at.system)) return;
-  result.continuum = std::make_shared<BalancedContinuum>(at.system);
+  result.continuum = std::make_shared<BalancedContinuum>(without_events(at.system));
   result.survey = result.continuum->survey(stop);
   const bool stable = result.survey.attracts();
   keep_members_with_room(at.system.parameters(), result.survey);

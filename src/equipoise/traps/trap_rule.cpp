@@ -10,6 +10,7 @@
 
 #include "equipoise/model/balanced_state.hpp"
 #include "equipoise/model/unbalance.hpp"
+#include "equipoise/motions/event_motion.hpp"
 #include "equipoise/orbits/return_map.hpp"
 #include "equipoise/orbits/stroboscopic.hpp"
 
@@ -54,9 +55,11 @@ FamilyTrap family_of(const model::System& system, const ContinuumTrap& trap) {
 
 // With what gravity leaves of a continuum the same is asked of the state at the next strobe.
 std::function<bool(const double*, double)> strobed_family(const model::System& system, const ContinuumTrap& trap) {
-  return [system, trap, rest = rest_of(system)](const double* state, double psi) {
-    if (!in_reach(system.parameters(), trap, rest, state)) return false;
-    const auto at_strobe = at_next_strobe(system, Eigen::Map<const Eigen::VectorXd>(state, system.dimension()), psi);
+  // So near to balance nothing touches before the next strobe that is not about to touch now.
+  return [system, passing = without_events(system), trap, rest = rest_of(system)](const double* at, double psi) {
+    const Eigen::VectorXd state = Eigen::Map<const Eigen::VectorXd>(at, system.dimension());
+    if (!in_reach(system.parameters(), trap, rest, at) || !keeps_apart(system.parameters(), trap, state)) return false;
+    const auto at_strobe = at_next_strobe(passing, state, psi);
     return at_strobe && keeps_apart(system.parameters(), trap, *at_strobe) && trap.holds(*at_strobe);
   };
 }
