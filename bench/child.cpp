@@ -54,7 +54,9 @@ ChildResult run_child(const std::vector<std::string>& command, const std::string
     while (wait4(child, &status, 0, &used) < 0 && errno == EINTR) {
     }
     result.ran = written && WIFEXITED(status) && WEXITSTATUS(status) == 0;
-    const auto seconds = [](const timeval& t) { return static_cast<double>(t.tv_sec) + 1e-6 * static_cast<double>(t.tv_usec); };
+    const auto seconds = [](const timeval& t) {
+      return static_cast<double>(t.tv_sec) + 1e-6 * static_cast<double>(t.tv_usec);
+    };
     result.cpu_seconds = seconds(used.ru_utime) + seconds(used.ru_stime);
     result.peak_megabytes = static_cast<double>(used.ru_maxrss) / 1024.0;  // Linux counts in KiB
   }

@@ -53,10 +53,15 @@ double here(const Machine& m, std::uint64_t starts, const Options& options, Basi
 }
 
 double there(const Machine& m, std::uint64_t starts, const Options& options) {
-  std::vector<std::string> command{options.against,           "basin",       path_of(m),
-                                   "--starts",                fmt::format("{}", starts),
-                                   "--threads",               fmt::format("{}", options.threads),
-                                   "--quiet",                 "--json"};
+  std::vector<std::string> command{options.against,
+                                   "basin",
+                                   path_of(m),
+                                   "--starts",
+                                   fmt::format("{}", starts),
+                                   "--threads",
+                                   fmt::format("{}", options.threads),
+                                   "--quiet",
+                                   "--json"};
   for (const std::string& setting : m.overrides) command.insert(command.end(), {"--set", setting});
   const ChildResult child = run_child(command, "", true);
   if (!child.ran) return std::nan("");
@@ -100,7 +105,8 @@ Json machines(const Options& options) {
   constexpr double typical = 2000.0;  // starts, for the time of a whole run
   print_heading("machines: rotors beyond the paper's");
   print_paragraph(fmt::format(
-      "basin() on {} threads. Before: CPU time before the first start, the search for attractors. Starts per CPU second "
+      "basin() on {} threads. Before: CPU time before the first start, the search for attractors. Starts per CPU "
+      "second "
       "beyond that, from ensembles of two sizes. {}",
       options.threads,
       against ? fmt::format("Times faster: CPU time of {} against this program's, a start and a run of {} starts.",
@@ -116,9 +122,9 @@ Json machines(const Options& options) {
     BasinResult result;
     const StartCost now =
         cost_of(options, few, [&](std::uint64_t starts) { return here(m, starts, options, &result); });
-    std::vector<std::string> cells{
-        m.label, count(static_cast<double>(result.starts)),
-        fmt::format("{:.2f}", 100.0 * result.undecided.share), figure(now.before), or_dash(1.0 / now.each)};
+    std::vector<std::string> cells{m.label, count(static_cast<double>(result.starts)),
+                                   fmt::format("{:.2f}", 100.0 * result.undecided.share), figure(now.before),
+                                   or_dash(1.0 / now.each)};
     Json row{{"machine", m.label},
              {"starts", result.starts},
              {"undecided", result.undecided.share},
@@ -126,8 +132,8 @@ Json machines(const Options& options) {
              {"starts_per_cpu_second", 1.0 / now.each}};
     if (against) {
       const StartCost old = cost_of(options, few, [&](std::uint64_t starts) { return there(m, starts, options); });
-      cells.insert(cells.end(), {or_dash(1.0 / old.each), or_dash(old.each / now.each),
-                                 or_dash(old.of(typical) / now.of(typical))});
+      cells.insert(cells.end(),
+                   {or_dash(1.0 / old.each), or_dash(old.each / now.each), or_dash(old.of(typical) / now.of(typical))});
       row["older"] = {{"before_cpu_s", old.before}, {"starts_per_cpu_second", 1.0 / old.each}};
     }
     table.row(cells);

@@ -9,7 +9,7 @@
 #include <fmt/format.h>
 
 #include "equipoise/base/angles.hpp"
-#include "equipoise/motions/steady_watch.hpp"
+#include "equipoise/motions/stuck.hpp"
 
 namespace equipoise::audit {
 

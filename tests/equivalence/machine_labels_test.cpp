@@ -98,7 +98,7 @@ class MachineLabels : public testing::TestWithParam<Case> {};
 TEST_P(MachineLabels, hold_ten_times_later) {
   const Case& c = GetParam();
   const Study study = parse_study(c.toml, c.name);
-  constexpr std::size_t starts = sized(10, 3);
+  constexpr std::size_t starts = equipoise::sized(10, 3);
   const std::vector<Fate> fates = fates_of(study, starts);
   int undecided = 0;
   for (std::size_t i = 0; i < starts; ++i) {

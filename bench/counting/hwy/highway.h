@@ -103,6 +103,10 @@ void StoreMaskBits(Tag<T>, Flag m, std::uint8_t* bits) {
   *bits = m.v;
 }
 template <class T>
+Flag LoadMaskBits(Tag<T>, const std::uint8_t* bits) {
+  return {(*bits & 1) != 0};
+}
+template <class T>
 Flag MaskFromVec(Value<T> a) {
   return {std::bit_cast<std::int64_t>(a.v) < 0};
 }

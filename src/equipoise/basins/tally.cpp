@@ -108,7 +108,8 @@ std::vector<double> quantiles_of(const std::map<float, double>& weights) {
   double below = 0.0;
   for (const auto& [value, weight] : weights) {
     below += weight;
-    while (result.size() < unbalance_quantiles.size() && below >= unbalance_quantiles[result.size()] * total * (1.0 - 1e-12))
+    while (result.size() < unbalance_quantiles.size() &&
+           below >= unbalance_quantiles[result.size()] * total * (1.0 - 1e-12))
       result.push_back(value);
   }
   return result;

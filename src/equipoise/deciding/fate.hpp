@@ -28,8 +28,8 @@ struct Fate {
   /// Of a driven rotor: mean psi' over the last long window, signed; NaN where it was never measured, and for all
   /// others.
   float mean_speed = std::numeric_limits<float>::quiet_NaN();
-  /// Of balls that dry friction holds: what unbalance they leave (model/unbalance.hpp); NaN for all others, and of starts
-  /// that are read from a file.
+  /// Of balls that dry friction holds: what unbalance they leave (model/unbalance.hpp); NaN for all others, and of
+  /// starts that are read from a file.
   float unbalance = std::numeric_limits<float>::quiet_NaN();
 };
 

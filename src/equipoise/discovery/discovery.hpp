@@ -43,9 +43,9 @@ struct DiscoveryCache {
   std::map<std::string, Discovery> made;
 };
 
-/// For any system but those that coast. Analyses the balanced states; runs pilot starts, free from rest at the final speed (of a
-/// driven rotor see PilotRun::make()), and starts in the invariant subspace of coincident balls until they are
-/// stationary; follows, refines and names one of each group; makes traps and boxes and tries them. With anisotropic
+/// For any system but those that coast. Analyses the balanced states; runs pilot starts, free from rest at the final
+/// speed (of a driven rotor see PilotRun::make()), and starts in the invariant subspace of coincident balls until they
+/// are stationary; follows, refines and names one of each group; makes traps and boxes and tries them. With anisotropic
 /// supports or gravity motions are strobed ones. Starts that come to something else later are followed and listed by
 /// StartRunner.
 Discovery discover(const Study& study, const DiscoverySettings& settings);

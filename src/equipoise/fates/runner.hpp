@@ -60,16 +60,18 @@ class Runner {
 /// Returns its identifier, or 0. Not thread-safe, as list().
 int settle(Runner& runner, const UnlistedStart& start, Fate& fate);
 
-/// Whether starts are followed one by one and told by kinds: rotors that no torque drives in the end may keep any speed,
-/// and lose it for as long as they shake, so that there is no list of what they come to; and of three balls or more in
-/// contact, under gravity or on unequal supports, what is left of a continuum of balanced states is too dear to search.
+/// Whether starts are followed one by one and told by kinds: rotors that no torque drives in the end may keep any
+/// speed, and lose it for as long as they shake, so that there is no list of what they come to; and of three balls or
+/// more in contact, under gravity or on unequal supports, what is left of a continuum of balanced states is too dear to
+/// search.
 bool followed_one_by_one(const model::System& system);
 
 /// Throws InputError for invalid studies and those whose starts cannot be decided; if `transients` are gathered, also
 /// for those that cannot be watched.
 void check_runnable(const Study& study, bool transients);
 
-/// StartRunner on SIMD lanes, or MachineRunner for those that are followed_one_by_one(). The study has passed check_runnable().
+/// StartRunner on SIMD lanes, or MachineRunner for those that are followed_one_by_one(). The study has passed
+/// check_runnable().
 std::unique_ptr<Runner> make_runner(const Study& study, const DiscoverySettings& settings, bool transients);
 
 }  // namespace equipoise

@@ -82,16 +82,19 @@ void check_offers(const Study& study, model::Answer answer) {
   if (!lack && lists && study.system().coasts())
     throw InputError(study.name, "speed.torque", "0 in the end",
                      fmt::format("{} need a rotor that something turns for good", model::capability(answer).name));
-  if (!lack && lists && followed_one_by_one(study.system()))
-    throw InputError(study.name, p.gravity != 0.0 ? "rotor.gravity" : "rotor.stiffness", fmt::format("{}", p.gravity),
-                     fmt::format("{} of three balls or more in contact need equal supports and no gravity",
-                                 model::capability(answer).name));
-  if (!lack) return;
   const auto reject = [&](const char* key, const std::string& value) {
     throw InputError(study.name, key, value, lack->reason);
   };
   const auto pair = [](const std::array<double, 2>& v) { return fmt::format("[{}, {}]", v[0], v[1]); };
   const bool stiffness = p.stiffness[0] != p.stiffness[1];
+  if (!lack && lists && followed_one_by_one(study.system())) {
+    const std::string reason = fmt::format("{} of three balls or more in contact need equal supports and no gravity",
+                                           model::capability(answer).name);
+    if (p.gravity != 0.0) throw InputError(study.name, "rotor.gravity", fmt::format("{}", p.gravity), reason);
+    const auto& values = stiffness ? p.stiffness : p.damping;
+    throw InputError(study.name, stiffness ? "rotor.stiffness" : "rotor.damping", pair(values), reason);
+  }
+  if (!lack) return;
   switch (lack->need) {
     case Need::prescribed_speed:
       return reject("speed.profile", "torque");
