@@ -20,7 +20,7 @@ for runout in 5 20; do
         ($velocity[] | select(.probability == 0.5)) as $median |
         ($velocity[] | select(.probability == 0.9)) as $ninety |
         [$runout, $rolling, $median.value, $median.low, $median.high, $ninety.value,
-         ([.outcomes[] | select(.name == "balanced")][0].share)] | join(",")' >> "$csv"
+         ([.outcomes[] | select(.name | startswith("balanced")) | .share] | add)] | join(",")' >> "$csv"
   done
 done
 gnuplot docs/figures/optical-drive.gp
