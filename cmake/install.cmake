@@ -17,7 +17,8 @@ foreach(header
     statistics/quantile.hpp statistics/share.hpp sampling/jittered_grid.hpp sampling/sampling.hpp
     study/ball_details.hpp study/physical_echo.hpp study/study.hpp study/study_value.hpp study/units.hpp
     transients/transient_table.hpp deciding/decision_rule.hpp deciding/fate.hpp
-    orbits/balanced_continuum.hpp orbits/orbit.hpp motions/catalogue.hpp motions/motion.hpp proof/certificate.hpp
+    model/ball_mode.hpp orbits/balanced_continuum.hpp orbits/ball_events.hpp orbits/orbit.hpp motions/catalogue.hpp
+    motions/motion.hpp proof/certificate.hpp proof/member_certificate.hpp
     results/attractors_result.hpp results/basin_result.hpp results/branch.hpp results/branches_result.hpp
     results/certify_result.hpp results/explanation.hpp results/plane_map.hpp results/start_arrays.hpp results/trajectory.hpp
     results/transient_result.hpp
