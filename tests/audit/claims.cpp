@@ -127,6 +127,12 @@ std::string contradiction(const Study& study, const Ensemble& ensemble, std::siz
   const Attractor* a = ensemble.catalogue.find(fate.attractor);
   if (!a) return "its attractor is not in the list";
   const std::string kind = kind_of_name(a->name);
+  if (a->motion.set_valued) {  // held for good, each start's balls where they stopped
+    for (int ball = 0; ball < study.parameters.balls; ++ball)
+      if (late.turned[ball] != 0.0)
+        return fmt::format("ball {} turned by {:.3g}, though stuck", ball + 1, late.turned[ball]);
+    return kind.starts_with("balanced") ? not_balanced(study, late, times) : std::string();
+  }
   if (kind == "balanced") return not_balanced(study, late, times);
   if (std::string named = not_as_named(study, kind, late, times); !named.empty()) return named;
   if (a->motion.kind == MotionKind::measured) return {};
