@@ -45,8 +45,6 @@ constexpr std::size_t boundary_starts = 4;
 // From here on an answer that says nothing of why is none.
 constexpr double many_undecided = 0.2;
 
-double cpu_seconds() { return static_cast<double>(std::clock()) / CLOCKS_PER_SEC; }
-
 class StudyChecks {
  public:
   StudyChecks(const DrawnStudy& drawn, const Settings& settings)
@@ -132,22 +130,11 @@ class StudyChecks {
 
   std::string replay(std::size_t start) { return command(fmt::format("--start-index {}", start)); }
 
-  // Decision times since the last branch began, of the decided.
-  std::vector<double> decision_times() const {
-    double settled = study_.speed.driven() ? study_.drive().pieces.back().begin : 0.0;
-    if (!study_.speed.driven()) settled = std::max(study_.speed_profile().settled_time(), study_.release_time());
-    std::vector<double> times;
-    for (std::size_t i = 0; i < base_.fates.size(); ++i)
-      if (base_.decided(i)) times.push_back(std::max(base_.fates[i].time - settled, 0.0));
-    std::sort(times.begin(), times.end());
-    return times;
-  }
-
   // Starts are followed as long as nine in ten of them have been decided `longer` times over, and the slowest twice;
   // as long as a study's share of time allows.
   void check_later() {
     Check& check = audit_.at(Column::later);
-    const std::vector<double> decided = decision_times();
+    const std::vector<double> decided = base_.decision_times(study_);
     if (decided.empty()) return;
     const double most = decided.back(), usual = decided[decided.size() * 9 / 10];
     const std::size_t count = std::min<std::size_t>(base_.fates.size(), is_machine() ? 100 : 200);
@@ -196,7 +183,7 @@ class StudyChecks {
   }
 
   double long_horizon() const {
-    const std::vector<double> decided = decision_times();
+    const std::vector<double> decided = base_.decision_times(study_);
     const double most = decided.empty() ? 0.0 : decided.back();
     return std::clamp(3.0 * most, 9000.0, 60000.0);
   }

@@ -2,6 +2,7 @@
 #include "ensemble.hpp"
 
 #include <algorithm>
+#include <ctime>
 #include <set>
 
 #include "equipoise/statistics/comparison.hpp"
@@ -32,6 +33,18 @@ std::map<std::string, std::uint64_t> Ensemble::kinds() const {
   for (std::size_t i = 0; i < fates.size(); ++i) ++counts[kind(i)];
   return counts;
 }
+
+std::vector<double> Ensemble::decision_times(const Study& study) const {
+  const double settled = study.speed.driven() ? study.drive().pieces.back().begin
+                                              : std::max(study.speed_profile().settled_time(), study.release_time());
+  std::vector<double> times;
+  for (std::size_t i = 0; i < fates.size(); ++i)
+    if (decided(i)) times.push_back(std::max(fates[i].time - settled, 0.0));
+  std::sort(times.begin(), times.end());
+  return times;
+}
+
+double cpu_seconds() { return static_cast<double>(std::clock()) / CLOCKS_PER_SEC; }
 
 Ensemble run_ensemble(Study study, std::uint64_t starts, const BasinOptions& options) {
   Ensemble ensemble;

@@ -23,7 +23,12 @@ struct Ensemble {
   bool decided(std::size_t i) const;
   /// Starts by kind().
   std::map<std::string, std::uint64_t> kinds() const;
+  /// Of the decided, since the last branch began and the balls were free; in ascending order.
+  std::vector<double> decision_times(const Study& study) const;
 };
+
+/// Processor time of this process.
+double cpu_seconds();
 
 /// Starts 0 .. starts - 1 of `study`.
 Ensemble run_ensemble(Study study, std::uint64_t starts, const BasinOptions& options);

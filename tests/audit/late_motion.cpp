@@ -88,8 +88,8 @@ std::vector<std::pair<double, bool>> sample_times(const LookTimes& times) {
 }
 
 // Of the ensemble's kernels: others round otherwise, and where the way to an attractor is chaotic that is soon another
-// way, to another attractor as well. Up to the first look the steps are the ensemble's own too, so that what was decided
-// is followed on from the very state it was decided in.
+// way, to another attractor as well. Up to the first look the steps are the ensemble's own too, so that what was
+// decided is followed on from the very state it was decided in.
 DecisionRule rule_that_never_decides(int balls) {
   DecisionRule rule;
   rule.balls = balls;
@@ -101,14 +101,17 @@ DecisionRule rule_that_never_decides(int balls) {
 class Followers {
  public:
   Followers(const Study& study, const SpinUp& source, std::size_t first, std::span<LateMotion> motions)
-      : source_(source), motions_(motions), size_(study.system().dimension()), balls_(study.parameters.balls) {
+      : source_(source),
+        motions_(motions),
+        size_(study.system().dimension()),
+        rule_(rule_that_never_decides(study.parameters.balls)) {
     if (!source.make(study.sampling.seed, first, motions.size(), starts_)) return;
-    speed_place_ = source.last_task().speed_place();
+    task_ = source.last_task();
     psi_.assign(motions.size(), 0.0);
     for (std::size_t i = 0; i < motions.size(); ++i) {
       lookers_.emplace_back(study.parameters, motions[i]);
       now_.push_back(starts_.begin(i, source.settled()));
-      motions[i].followed = !starts_.over.empty() && starts_.over[i] ? false : true;
+      motions[i].followed = starts_.over.empty() || !starts_.over[i];
       motions[i].lost = motions[i].followed && starts_.is_over(i);
     }
   }
@@ -129,7 +132,6 @@ class Followers {
   double* state(std::size_t i) { return &starts_.states[i * size_]; }
 
   void go_to(double time) {
-    LaneTask task = source_.last_task();
     std::vector<std::size_t> places;
     std::vector<double> states, begins;
     for (std::size_t i = 0; i < lookers_.size(); ++i) {
@@ -139,12 +141,12 @@ class Followers {
       begins.push_back(now_[i]);
     }
     if (places.empty()) return;
-    task.end = time;
-    task.count = places.size();
-    task.states = states.data();
-    task.begins = begins.data();
+    task_.end = time;
+    task_.count = places.size();
+    task_.states = states.data();
+    task_.begins = begins.data();
     std::vector<Fate> fates(places.size());
-    decide_lanes(task, rule_that_never_decides(balls_), fates, nullptr);
+    decide_lanes(task_, rule_, fates, nullptr);
     for (std::size_t k = 0; k < places.size(); ++k) {
       const std::size_t i = places[k];
       std::copy_n(&states[k * size_], size_, state(i));
@@ -156,13 +158,12 @@ class Followers {
   // The rotor's angle: as prescribed, part of the state, or by the mean of the speeds at both ends of a step between
   // samples, in which the speed hardly changes.
   void turn(std::size_t i, double time) {
-    const LaneTask task = source_.last_task();
-    if (speed_place_ < 0)
-      psi_[i] = task.segment.psi_at(time);
-    else if (task.psi_place() >= 0)
-      psi_[i] = state(i)[task.psi_place()];
+    if (task_.speed_place() < 0)
+      psi_[i] = task_.segment.psi_at(time);
+    else if (task_.psi_place() >= 0)
+      psi_[i] = state(i)[task_.psi_place()];
     else
-      psi_[i] += state(i)[speed_place_] * (time - now_[i]);
+      psi_[i] += state(i)[task_.speed_place()] * (time - now_[i]);
     now_[i] = time;
   }
 
@@ -174,7 +175,8 @@ class Followers {
   std::vector<Looker> lookers_;
   std::vector<double> now_, psi_;
   std::size_t size_;
-  int balls_, speed_place_ = -1;
+  LaneTask task_;
+  const DecisionRule rule_;
 };
 
 }  // namespace

@@ -2,7 +2,6 @@
 #include "machines.hpp"
 
 #include <algorithm>
-#include <ctime>
 
 #include <fmt/format.h>
 
@@ -30,28 +29,13 @@ const std::vector<Machine> machines{
     {"gravity", "paper/table-2-omega-3.0.toml", {"rotor.gravity=0.002"}},
     {"off-centre race", "paper/table-2-omega-2.4.toml", {"balancer.race_offset=[0.001, 0.0]"}},
     {"captured at resonance", "captured-at-resonance.toml", {}},
-    {"balls that touch",
-     "paper/table-2-omega-2.4.toml",
-     {"balancer.contact_angle=0.3", "balancer.restitution=0.5"}},
+    {"balls that touch", "paper/table-2-omega-2.4.toml", {"balancer.contact_angle=0.3", "balancer.restitution=0.5"}},
     {"balls that stick", "paper/table-2-omega-2.4.toml", {"balancer.rolling=0.001"}},
-    {"motor, touch and stick",
-     "paper-rotor-with-motor.toml",
-     {"balancer.contact_angle=0.3", "balancer.rolling=0.001"}},
+    {"motor, touch and stick", "paper-rotor-with-motor.toml", {"balancer.contact_angle=0.3", "balancer.rolling=0.001"}},
 };
 
-double cpu_seconds() { return static_cast<double>(std::clock()) / CLOCKS_PER_SEC; }
-
-double settled_time(const Study& study) {
-  return study.speed.driven() ? study.drive().pieces.back().begin
-                              : std::max(study.speed_profile().settled_time(), study.release_time());
-}
-
 LookTimes look_times(const Study& study, const Ensemble& ensemble, double longer, MachineAudit& audit) {
-  std::vector<double> decided;
-  const double settled = settled_time(study);
-  for (std::size_t i = 0; i < ensemble.fates.size(); ++i)
-    if (ensemble.decided(i)) decided.push_back(std::max(ensemble.fates[i].time - settled, 0.0));
-  std::sort(decided.begin(), decided.end());
+  const std::vector<double> decided = ensemble.decision_times(study);
   LookTimes times;
   times.length = window_length(study);
   if (decided.empty()) return times;

@@ -90,21 +90,10 @@ class FixedAxes {
   lagrangian::FixedState state(double t, const double* y) const {
     lagrangian::FixedState s;
     s.rotor = {speed * t, speed, 0.0};
-    s.X = y[0];
-    s.Y = y[1];
-    s.theta.assign(y + 2, y + 2 + n);
-    s.X_dot = y[2 + n];
-    s.Y_dot = y[3 + n];
-    s.theta_dot.assign(y + 4 + n, y + 4 + 2 * n);
+    lagrangian::unpack(y, n, s);
     return s;
   }
-  void rates(double t, const double* y, double* dy, bool held) const {
-    const auto a = lagrangian::accelerations(p, 0.0, state(t, y), held);
-    std::copy_n(y + 2 + n, 2 + n, dy);
-    dy[2 + n] = a.X;
-    dy[3 + n] = a.Y;
-    std::copy(a.theta.begin(), a.theta.end(), dy + 4 + n);
-  }
+  void rates(double t, const double* y, double* dy, bool held) const { lagrangian::rates(p, state(t, y), held, y, dy); }
   std::vector<double> start(const Study& study) const {
     const auto& at = study.initial;
     std::vector<double> y{at.x, at.y};

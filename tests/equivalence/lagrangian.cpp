@@ -162,6 +162,24 @@ void apply_speed_jump(double jump, FixedState& s) {
   for (double& rate : s.theta_dot) rate += jump;
 }
 
+void unpack(const double* y, int n, FixedState& s) {
+  s.X = y[0];
+  s.Y = y[1];
+  s.theta.assign(y + 2, y + 2 + n);
+  s.X_dot = y[2 + n];
+  s.Y_dot = y[3 + n];
+  s.theta_dot.assign(y + 4 + n, y + 4 + 2 * n);
+}
+
+void rates(const Parameters& p, const FixedState& s, bool clamped, const double* y, double* dy) {
+  const int n = p.balls;
+  const Accelerations a = accelerations(p, 0.0, s, clamped);
+  std::copy_n(y + 2 + n, 2 + n, dy);
+  dy[2 + n] = a.X;
+  dy[3 + n] = a.Y;
+  std::copy(a.theta.begin(), a.theta.end(), dy + 4 + n);
+}
+
 namespace {
 
 void check(int flag, const char* what) {
@@ -175,16 +193,6 @@ struct Problem {
   int branch;
   bool clamped;
 };
-
-// Vector: X, Y, theta_i, then their derivatives.
-void unpack(const double* y, int n, FixedState& s) {
-  s.X = y[0];
-  s.Y = y[1];
-  s.theta.assign(y + 2, y + 2 + n);
-  s.X_dot = y[2 + n];
-  s.Y_dot = y[3 + n];
-  s.theta_dot.assign(y + 4 + n, y + 4 + 2 * n);
-}
 
 void pack(const FixedState& s, int n, double* y) {
   y[0] = s.X;
@@ -201,12 +209,7 @@ int right_hand_side(double t, N_Vector y, N_Vector y_dot, void* user_data) {
   FixedState s;
   s.rotor = problem.rotation->on_branch(problem.branch, t);
   unpack(N_VGetArrayPointer(y), n, s);
-  const Accelerations a = accelerations(*problem.parameters, 0.0, s, problem.clamped);
-  double* out = N_VGetArrayPointer(y_dot);
-  std::copy_n(N_VGetArrayPointer(y) + 2 + n, 2 + n, out);
-  out[2 + n] = a.X;
-  out[3 + n] = a.Y;
-  std::copy(a.theta.begin(), a.theta.end(), out + 4 + n);
+  rates(*problem.parameters, s, problem.clamped, N_VGetArrayPointer(y), N_VGetArrayPointer(y_dot));
   return 0;
 }
 

@@ -56,6 +56,11 @@ struct Accelerations {
 /// From the equations of lagrangian.cpp; `inertia` is iota = I_C/(M R^2).
 Accelerations accelerations(const equipoise::model::Parameters& p, double inertia, const FixedState& s, bool clamped);
 
+/// States as vectors, for integrators: X, Y, theta_i, then their derivatives.
+void unpack(const double* y, int n, FixedState& s);
+/// Of such a vector `y`, whose state is `s`.
+void rates(const equipoise::model::Parameters& p, const FixedState& s, bool clamped, const double* y, double* dy);
+
 /// Kinetic plus potential energy, from their definitions.
 double energy(const equipoise::model::Parameters& p, double inertia, const FixedState& s);
 

@@ -7,22 +7,17 @@
 #include <string>
 #include <vector>
 
-#include "equipoise/integrate/machine_trajectory-inl.hpp"
 #include "equipoise/kernels/lane_kernels.hpp"
-#include "equipoise/model/ball_count.hpp"
 #include "equipoise/model/energy.hpp"
 #include "equipoise/model/unbalance.hpp"
-#include "equipoise/spin_up/initial_state.hpp"
 #include "equipoise/spin_up/spin_up.hpp"
+#include "lane_studies.hpp"
 
 namespace {
 
-using namespace equipoise;
-namespace kernels = HWY_NAMESPACE;
-using Machine = kernels::MachineTrajectory<model::any_count>;
+using namespace lanes;
 
 constexpr double until = 60.0;
-constexpr std::size_t starts = 19;  // more than two groups of lanes, and no multiple of their number
 
 struct Case {
   std::string name, toml;
@@ -30,20 +25,10 @@ struct Case {
 };
 std::ostream& operator<<(std::ostream& out, const Case& c) { return out << c.name; }
 
-std::string rotor(const std::string& more) {
-  return "[rotor]\neccentricity = 0.02\ndamping = 0.4\ninertia = 4.0\n" + more +
-         "[numerics]\ntolerance = 1e-10\nhorizon = 100\n";
-}
-const std::string upright = "gravity = 0.02\nstiffness = [1.0, 1.3]\n";
-std::string balls(int n, const std::string& more = "") {
-  return "[balancer]\nballs = " + std::to_string(n) + "\nmass = 0.03\ndrag = 0.2\n" + more;
-}
 std::string torque(const std::string& law) {
   return "[speed]\nprofile = \"torque\"\ninitial = 0.5\ntorque = " + law + "\n";
 }
-const std::string at_speed = "[release]\nspeed = 0.9\n", at_time = "[release]\ntime = 7.3\n",
-                  off_centre = "race_offset = [0.03, -0.02]\n", linear = "{ constant = 0.6, slope = -0.2 }",
-                  ramp = "[speed]\nprofile = \"ramp\"\nfinal = 2.4\nduration = 20.0\n";
+const std::string linear = "{ constant = 0.6, slope = -0.2 }";
 
 std::vector<Case> cases() {
   return {{"motor", rotor("") + balls(2) + torque(linear)},
@@ -67,33 +52,6 @@ std::vector<Case> cases() {
           {"off_centre_released_late_of_six", rotor(upright) + balls(6, off_centre) + ramp}};
 }
 
-struct Reference {
-  std::vector<double> state;
-  double released = 0.0;
-};
-
-Reference one_by_one(const Study& study, std::uint64_t index) {
-  const model::Parameters& p = study.parameters;
-  const model::Drive drive = study.drive();
-  Machine::Scale scale;
-  scale.tolerance = 1e-13;
-  scale.floor.fill(1.0);
-  for (int i = 0; i < 4; ++i) scale.floor[i] = p.all_unbalances();
-  scale.absolute.fill(true);
-  scale.angle.fill(true);
-  double z[Machine::dimension];
-  initial_state(start_of(study, study.sampling.seed, index), p.balls, drive.speed, z);
-  Machine machine(p, drive, scale, z);
-  EXPECT_EQ(machine.advance(until, [](auto&&...) { return false; }), IntegrationStatus::done);
-  const double* end = machine.state();
-  std::vector<double> state(end, end + model::dimension(p.balls));
-  const model::System system = study.system();
-  if (system.psi_place() >= 0) state.push_back(end[model::machine_index::psi(p.balls)]);
-  if (system.speed_place() >= 0) state.push_back(end[model::machine_index::speed(p.balls)]);
-  if (system.error_place() >= 0) state.push_back(end[model::machine_index::error_integral(p.balls)]);
-  return {state, machine.released()};
-}
-
 class SmoothLanes : public testing::TestWithParam<Case> {};
 
 TEST_P(SmoothLanes, FollowStartsAsDoublesDo) {
@@ -115,7 +73,7 @@ TEST_P(SmoothLanes, FollowStartsAsDoublesDo) {
   for (std::size_t i = 0; i < starts; ++i) {
     ASSERT_EQ(fates[i].outcome, Outcome::undecided);
     ASSERT_FALSE(spun.is_over(i));
-    const Reference reference = one_by_one(study, i);
+    const Reference reference = one_by_one(study, i, until);
     for (std::size_t k = 0; k < size; ++k)
       EXPECT_NEAR(spun.states[i * size + k], reference.state[k], GetParam().accuracy * scale[k]) << i << " " << k;
     // Times of release carry the errors of the way there, over psi'' of the order of 0.1.

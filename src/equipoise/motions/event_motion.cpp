@@ -26,7 +26,7 @@ namespace {
 
 constexpr double follow_tolerance = 1e-9;
 // As in motion.cpp.
-constexpr double first_stretch = 100.0, longest_memory = 1200.0, in_reach = 0.5, reached = 1e-3;
+constexpr double longest_memory = 1200.0, in_reach = 0.5, reached = 1e-3;
 constexpr int most_returns = 6;
 // Multipliers of the return map are good to 1e-6; one that dry friction leaves at 1 is taken for that.
 constexpr double neutral = 1e-3;
@@ -70,23 +70,19 @@ class OrbitTrack {
   std::vector<Eigen::VectorXd> states_;
 };
 
-class EventJourney {
+class EventJourney : Stretches {
  public:
   EventJourney(const model::System& system, const Eigen::VectorXd& state, double patience, const StopFlag* stop)
-      : system_(system),
+      : Stretches(system, patience),
+        system_(system),
         p_(system_.parameters()),
-        strobe_(system.section() == model::Section::strobe ? system.strobe_period() : 0.0),
         difference_(system_),
         state_(state),
-        stop_(stop) {
-    const double doublings = std::max(0.0, std::floor(std::log2(patience / first_stretch)));
-    first_ = whole(patience / std::exp2(doublings));
-    patience_ = first_ * std::exp2(doublings);
-  }
+        stop_(stop) {}
 
   Settling settle() {
     Settling result;
-    for (double stretch = first_; !is_over(); stretch = elapsed_) {
+    for (double stretch = first(); !is_over(); stretch = elapsed_) {
       if (!travel_stretch(stretch) || system_.runs_away(system_.speed(state_))) break;
       ahead_ = 0.0;
       result.motion = stuck();
@@ -104,10 +100,8 @@ class EventJourney {
   }
 
  private:
-  bool strobed() const { return strobe_ > 0.0; }
-  double whole(double time) const { return strobed() ? strobe_ * std::max(1.0, std::round(time / strobe_)) : time; }
-  bool is_over() const { return elapsed_ >= patience_ * (1.0 - 1e-9) || is_set(stop_); }
-  double spacing() const { return strobed() ? strobe_ : last_.spacing; }
+  bool is_over() const { return are_over(elapsed_) || is_set(stop_); }
+  double spacing() const { return strobed() ? strobe() : last_.spacing; }
 
   // On section strobe in whole strobes, so that the rotor's angle is 0 where each begins.
   bool travel(Eigen::VectorXd& z, double duration, EventLog& log, MotionStatistics* statistics,
@@ -118,13 +112,13 @@ class EventJourney {
     }
     if (samples) samples->assign(1, z);
     EventLog all;
-    for (long k = 0; k < std::lround(duration / strobe_); ++k) {
+    for (long k = 0; k < std::lround(duration / strobe()); ++k) {
       EventLog one;
-      status_ = follow_events(system_, z, strobe_, follow_tolerance, one, statistics, nullptr, stop_);
+      status_ = follow_events(system_, z, strobe(), follow_tolerance, one, statistics, nullptr, stop_);
       if (status_ != IntegrationStatus::done) return false;
       if (k == 0) all.begin = one.begin;
       for (BallEvent e : one.events) {
-        e.time += static_cast<double>(k) * strobe_;
+        e.time += static_cast<double>(k) * strobe();
         all.events.push_back(e);
       }
       all.count += one.count;
@@ -158,7 +152,7 @@ class EventJourney {
     const bool free = log_.count == 0 && !any_joined(log_.end, p_.balls);
     if (system_.events().stick || !free) return std::nullopt;
     const model::System passing = without_events(system_);
-    Settling settling = equipoise::settle(passing, state_, std::max(patience_ - elapsed_, elapsed_), {}, stop_);
+    Settling settling = equipoise::settle(passing, state_, std::max(patience() - elapsed_, elapsed_), {}, stop_);
     if (!settling.motion || !settling.motion->stable || !stays_clear(system_, *settling.motion)) return std::nullopt;
     // Nor on the way there.
     Eigen::VectorXd z = state_;
@@ -178,7 +172,7 @@ class EventJourney {
     const double chunk = whole(std::max({rate < 0.0 ? 1.0 / -rate : 0.0, least, 1.0}));
     Eigen::VectorXd z = state_;
     double now = first;
-    for (int k = 0; k < 40 && now < 2.0 * in_reach && elapsed_ + ahead_ + chunk <= 2.0 * patience_; ++k) {
+    for (int k = 0; k < 40 && now < 2.0 * in_reach && elapsed_ + ahead_ + chunk <= 2.0 * patience(); ++k) {
       EventLog log;
       if (!travel(z, chunk, log, nullptr, nullptr)) return false;
       z = system_.with_angles_reduced(std::move(z));
@@ -249,7 +243,7 @@ class EventJourney {
     const int turns = system_.psi_place() < 0 ? 0 : std::abs(orbit.winding[p_.balls]);
     if (orbit.imposed || turns > 0) {
       motion.strobed = true;
-      motion.strobes = orbit.imposed ? static_cast<int>(std::lround(orbit.period / strobe_)) : turns;
+      motion.strobes = orbit.imposed ? static_cast<int>(std::lround(orbit.period / strobe())) : turns;
     }
     const auto decays = orbit.decays();
     motion.set_valued = system_.events().stick && std::any_of(decays.begin(), decays.end(), [](const auto& m) {
@@ -326,10 +320,9 @@ class EventJourney {
 
   const model::System system_;
   const model::Parameters& p_;
-  const double strobe_;  // 0: there are none
   const StateDifference difference_;
   Eigen::VectorXd state_, end_;
-  double first_ = 0.0, patience_ = 0.0, elapsed_ = 0.0, ahead_ = 0.0;
+  double elapsed_ = 0.0, ahead_ = 0.0;
   const StopFlag* const stop_;
   std::vector<Eigen::VectorXd> samples_;
   MotionStatistics previous_, last_;

@@ -29,12 +29,21 @@
 
 namespace equipoise {
 
+Stretches::Stretches(const model::System& system, double patience)
+    : strobe_(system.section() == model::Section::strobe ? system.strobe_period() : 0.0) {
+  const double doublings = std::max(0.0, std::floor(std::log2(patience / first_stretch)));
+  first_ = whole(patience / std::exp2(doublings));
+  patience_ = first_ * std::exp2(doublings);
+}
+
+double Stretches::whole(double time) const {
+  return strobed() ? strobe_ * std::max(1.0, std::round(time / strobe_)) : time;
+}
+
 namespace {
 
 // Trajectories are followed at a tolerance that leaves r true to 1e-8.
 constexpr double follow_tolerance = 1e-9;
-// The first question is asked after about this time, the longest a quick attractor takes to pull a start in.
-constexpr double first_stretch = 100.0;
 // Returns are looked for within the last part of a stretch: longer than any period met (pair drift, under 300).
 constexpr double longest_memory = 1200.0;
 constexpr int most_returns = 6;
@@ -46,31 +55,24 @@ constexpr double clear_zero = 3e-4;
 constexpr double in_reach = 0.5;
 
 // A trajectory with its past.
-class Journey {
+class Journey : Stretches {
  public:
   Journey(const model::System& system, const Eigen::VectorXd& state, double patience,
           const std::vector<KnownOrbit>& known, const StopFlag* stop)
-      : system_(system),
+      : Stretches(system, patience),
+        system_(system),
         p_(system_.parameters()),
-        strobe_(system.section() == model::Section::strobe ? system.strobe_period() : 0.0),
         difference_(system),
         state_(state),
         stop_(stop),
-        known_(known) {
-    const double doublings = std::max(0.0, std::floor(std::log2(patience / first_stretch)));
-    first_ = whole(patience / std::exp2(doublings));
-    patience_ = first_ * std::exp2(doublings);
-  }
+        known_(known) {}
 
   Settling settle();
 
  private:
-  bool strobed() const { return strobe_ > 0.0; }
-  // About that time, at least one strobe.
-  double whole(double time) const { return strobed() ? strobe_ * std::max(1.0, std::round(time / strobe_)) : time; }
-  bool is_over() const { return elapsed_ >= patience_ * (1.0 - 1e-9); }
+  bool is_over() const { return are_over(elapsed_); }
   // Times between samples_.
-  double spacing() const { return strobed() ? strobe_ : last_.spacing; }
+  double spacing() const { return strobed() ? strobe() : last_.spacing; }
 
   void nudge();
   bool travel_stretch(double duration);
@@ -99,11 +101,10 @@ class Journey {
 
   const model::System system_;
   const model::Parameters& p_;
-  const double strobe_;  // 0: there are none
   const StateDifference difference_;
   Eigen::VectorXd state_;
   Eigen::VectorXd end_;  // of the last stretch: state_ with angles that count turns, as statistics do
-  double first_ = 0.0, patience_ = 0.0, elapsed_ = 0.0;
+  double elapsed_ = 0.0;
   const StopFlag* const stop_;
   std::vector<Eigen::VectorXd> samples_;  // of the last part of the stretch
   MotionStatistics previous_, last_;      // of the last two stretches
@@ -120,8 +121,8 @@ IntegrationStatus Journey::follow_whole(Eigen::VectorXd& z, double duration, Mot
                                         std::vector<Eigen::VectorXd>* samples) const {
   if (!strobed()) return follow(system_, z, duration, follow_tolerance, statistics, samples, stop_);
   if (samples) samples->assign(1, z);
-  for (long k = std::lround(duration / strobe_); k > 0; --k) {
-    const auto status = follow(system_, z, strobe_, follow_tolerance, statistics, nullptr, stop_);
+  for (long k = std::lround(duration / strobe()); k > 0; --k) {
+    const auto status = follow(system_, z, strobe(), follow_tolerance, statistics, nullptr, stop_);
     if (status != IntegrationStatus::done) return status;
     if (samples) samples->push_back(z);
   }
@@ -161,12 +162,12 @@ bool Journey::approaches(double rate, const Distance& distance) {
   if (first < 1e-9) return true;
   const double chunk = whole(std::max(1.0 / -rate, 1.0));
   Eigen::VectorXd z = state_;
-  double left = patience_ - elapsed_, now = first;
+  double left = patience() - elapsed_, now = first;
   double& travelled = ahead_;
   // Away from the linear regime the distance may grow for a while; a motion left behind is not approached again soon.
   for (int k = 0; k < 40 && now < 2.0 * in_reach; ++k) {
     const double duration = std::min(chunk, left);
-    if (duration <= 0.5 * strobe_) break;
+    if (duration <= 0.5 * strobe()) break;
     if (follow_whole(z, duration) != IntegrationStatus::done) return false;
     z = system_.with_angles_reduced(std::move(z));
     left -= duration;
@@ -248,7 +249,7 @@ std::optional<Motion> Journey::recurrence() {
 
 std::optional<PeriodicOrbit> Journey::orbit_of(const Return& now) {
   if (!strobed()) return worth_trying(now) ? find_orbit(system_, state_, now.time, in_reach) : std::nullopt;
-  const long strobes = std::lround(now.time / strobe_);
+  const long strobes = std::lround(now.time / strobe());
   return refine_orbit(system_, std::vector<Eigen::VectorXd>(samples_.end() - 1 - strobes, samples_.end() - 1), now.time,
                       in_reach);
 }
@@ -274,8 +275,8 @@ bool Journey::statistics_repeat(double share_of_extremes, double share_of_means)
 // Whether all is so nearly at rest that the trajectory will not get anywhere in the time that is left: neither by its
 // rate of change nor by what grows.
 bool Journey::creeps() const {
-  if (strobed() || difference_.length(model::rate(system_, state_)) * patience_ > in_reach) return false;
-  return dense::largest_real_part(model::jacobian(system_, state_)) * patience_ < 1.0;
+  if (strobed() || difference_.length(model::rate(system_, state_)) * patience() > in_reach) return false;
+  return dense::largest_real_part(model::jacobian(system_, state_)) * patience() < 1.0;
 }
 
 // Whether the trajectory, after it had been farthest from where it is now, came half as near again. What creeps has the
@@ -368,7 +369,7 @@ std::optional<Motion> Journey::persistence() {
 
 Settling Journey::settle() {
   Settling result;
-  for (double stretch = first_; !is_over(); stretch = elapsed_) {
+  for (double stretch = first(); !is_over(); stretch = elapsed_) {
     if (!travel_stretch(stretch) || system_.runs_away(system_.speed(state_))) break;
     result.motion = rest();
     if (!result.motion) result.motion = recurrence();

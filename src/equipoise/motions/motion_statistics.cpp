@@ -243,6 +243,30 @@ class Recorder {
   MotionStatistics& statistics_;
 };
 
+// States at equal times from where it begins, if anybody wants them.
+class Sampler {
+ public:
+  Sampler(const Eigen::VectorXd& z, double spacing, std::vector<Eigen::VectorXd>* samples)
+      : size_(z.size()), spacing_(spacing), samples_(samples) {
+    if (samples_) samples_->assign(1, z);
+  }
+
+  // A step that ends at t.
+  template <class StateAt>
+  void step(double t, StateAt& at) {
+    for (; samples_ && static_cast<double>(next_) * spacing_ <= t; ++next_) {
+      samples_->emplace_back(size_);
+      at(static_cast<double>(next_) * spacing_, samples_->back().data());
+    }
+  }
+
+ private:
+  const Eigen::Index size_;
+  const double spacing_;
+  std::vector<Eigen::VectorXd>* const samples_;
+  std::size_t next_ = 1;
+};
+
 template <class Source>
 IntegrationStatus follow_balls(const model::System& system, Eigen::VectorXd& z, double duration, double tolerance,
                                MotionStatistics* statistics, std::vector<Eigen::VectorXd>* samples,
@@ -262,17 +286,13 @@ IntegrationStatus follow_balls(const model::System& system, Eigen::VectorXd& z, 
   const double spacing = sums.spacing;
   Gatherer<Source> gatherer(system, flow, sums, z.data());
   Recorder recorder(system.balls(), sums, z.data());
-  std::size_t next = 1;
-  if (samples) samples->assign(1, z);
+  Sampler sampler(z, spacing, samples);
   const IntegrationStatus status = integrator.advance(
       0.0, duration, z.data(),
       [&](double t, double t_new, auto at) {
         gatherer.step(t, t_new, spacing, at);
         recorder.step(t_new, at);
-        for (; samples && static_cast<double>(next) * spacing <= t_new; ++next) {
-          samples->emplace_back(system.dimension());
-          at(static_cast<double>(next) * spacing, samples->back().data());
-        }
+        sampler.step(t_new, at);
       },
       stop);
   gatherer.finish(duration);
@@ -350,8 +370,7 @@ IntegrationStatus follow_events(const model::System& system, Eigen::VectorXd& z,
   Gatherer<EventSource> gatherer(system, run, sums, z.data());
   Recorder recorder(system.balls(), sums, z.data());
   EventRecorder events(system, run, log);
-  std::size_t next = 1;
-  if (samples) samples->assign(1, z);
+  Sampler sampler(z, spacing, samples);
   double y[most];
   const IntegrationStatus status = run.advance(
       duration,
@@ -365,10 +384,7 @@ IntegrationStatus follow_events(const model::System& system, Eigen::VectorXd& z,
           gatherer.step(from, to, spacing, at);
           recorder.step(to, at);
         }
-        for (; samples && static_cast<double>(next) * spacing <= to; ++next) {
-          samples->emplace_back(system.dimension());
-          at(static_cast<double>(next) * spacing, samples->back().data());
-        }
+        sampler.step(to, at);
         at(to, y);
         events.end_step(y);
         return false;

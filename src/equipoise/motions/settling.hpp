@@ -24,6 +24,29 @@ struct KnownOrbit {
 KnownOrbit known_orbit(const model::System& system, const PeriodicOrbit& orbit);
 KnownOrbit known_orbit(const model::System& system, const Motion& motion);
 
+/// Is a trajectory steady? is first asked after about this time, the longest a quick attractor takes to pull a start in.
+inline constexpr double first_stretch = 100.0;
+
+/// The stretches in which a trajectory is followed until it is steady, each as long as all before: as many as a time of
+/// patience has room for, on section strobe in whole strobes.
+class Stretches {
+ public:
+  Stretches(const model::System& system, double patience);
+
+  bool strobed() const { return strobe_ > 0.0; }
+  /// Between strobes; 0: there are none.
+  double strobe() const { return strobe_; }
+  /// About that time, at least one strobe.
+  double whole(double time) const;
+  double first() const { return first_; }
+  /// That of all stretches together.
+  double patience() const { return patience_; }
+  bool are_over(double elapsed) const { return elapsed >= patience_ * (1.0 - 1e-9); }
+
+ private:
+  double strobe_, first_ = 0.0, patience_ = 0.0;
+};
+
 struct Settling {
   std::optional<Motion> motion;                        ///< empty if the trajectory did not become steady
   IntegrationStatus status = IntegrationStatus::done;  ///< else the trajectory was lost

@@ -279,16 +279,6 @@ bool LevelProof<kind>::holds(const Box& box) const {
   return true;
 }
 
-// As with_proof_kind() asks for them.
-template class LevelProof<ProofKind{1}>;
-template class LevelProof<ProofKind{1, true}>;
-template class LevelProof<ProofKind{1, true, true}>;
-template class LevelProof<ProofKind{1, true, true, true}>;
-template class LevelProof<ProofKind{1, true, true, true, true}>;
-template class LevelProof<ProofKind{2}>;
-template class LevelProof<ProofKind{2, true}>;
-template class LevelProof<ProofKind{2, true, true}>;
-template class LevelProof<ProofKind{2, true, true, true}>;
-template class LevelProof<ProofKind{2, true, true, true, true}>;
-
 }  // namespace equipoise
+
+#include "equipoise/proof/level_proof_kinds.inc"

@@ -206,16 +206,6 @@ void LevelProof<kind>::linearise() {
   }
 }
 
-// As with_proof_kind() asks for them.
-template class LevelProof<ProofKind{1}>;
-template class LevelProof<ProofKind{1, true}>;
-template class LevelProof<ProofKind{1, true, true}>;
-template class LevelProof<ProofKind{1, true, true, true}>;
-template class LevelProof<ProofKind{1, true, true, true, true}>;
-template class LevelProof<ProofKind{2}>;
-template class LevelProof<ProofKind{2, true}>;
-template class LevelProof<ProofKind{2, true, true}>;
-template class LevelProof<ProofKind{2, true, true, true}>;
-template class LevelProof<ProofKind{2, true, true, true, true}>;
-
 }  // namespace equipoise
+
+#include "equipoise/proof/level_proof_kinds.inc"
