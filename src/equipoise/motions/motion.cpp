@@ -84,7 +84,7 @@ class Journey : Stretches {
   IntegrationStatus follow_whole(Eigen::VectorXd& z, double duration, MotionStatistics* statistics = nullptr,
                                  std::vector<Eigen::VectorXd>* samples = nullptr) const;
   template <class Distance>
-  bool approaches(double rate, const Distance& distance);
+  bool approaches(double rate, const Distance& distance, double blur = 0.0);
   std::optional<Motion> rest();
   std::optional<Motion> continuum();
   std::optional<Motion> creep();
@@ -153,13 +153,13 @@ bool Journey::travel_stretch(double duration) {
 }
 
 // Follows a copy of the trajectory that should come closer to a stable motion, whose slowest deviation shrinks at
-// `rate` (negative), and says whether it does.
+// `rate` (negative), and says whether it does. Where the motion is known to `blur` only, it comes no closer.
 template <class Distance>
-bool Journey::approaches(double rate, const Distance& distance) {
+bool Journey::approaches(double rate, const Distance& distance, double blur) {
   ahead_ = 0.0;
   const double first = distance(state_);
   if (first > in_reach || !(rate < 0.0)) return false;
-  if (first < 1e-9) return true;
+  if (first < std::max(1e-9, blur)) return true;
   const double chunk = whole(std::max(1.0 / -rate, 1.0));
   Eigen::VectorXd z = state_;
   double left = patience() - elapsed_, now = first;
@@ -174,7 +174,7 @@ bool Journey::approaches(double rate, const Distance& distance) {
     travelled += duration;
     now = distance(z);
     if (now < reached && now < 0.5 * first) return true;
-    if (now < 1e-6) return true;
+    if (now < std::max(1e-6, blur)) return true;
   }
   // Out of patience: what was seen must at least be half the decay that the linear theory promises.
   return now < 0.1 * in_reach && now < first * std::exp(0.5 * rate * travelled) && travelled * -rate > 0.5;
@@ -199,11 +199,13 @@ std::optional<Motion> Journey::creep() {
   std::optional<ContinuumMember> end = continuum.destination(state_);
   if (!end || !(end->rate < 0.0)) return std::nullopt;
   const double rate = end->rate;
+  // What creeps lags behind the members that it passes.
+  const double lag = end->creep.norm() / -rate;
   const auto distance = [&](const Eigen::VectorXd& z) {
     end = continuum.destination(z);
     return end ? difference_.distance(z, end->centre) : std::numeric_limits<double>::infinity();
   };
-  if (!approaches(rate, distance) || !end || !(end->rate < 0.0)) return std::nullopt;
+  if (!approaches(rate, distance, lag) || !end || !(end->rate < 0.0)) return std::nullopt;
   return describe_creep(system_, end->centre, end->rate);
 }
 

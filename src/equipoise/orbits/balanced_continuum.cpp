@@ -65,9 +65,11 @@ BalancedContinuum::BalancedContinuum(const model::System& system)
       scale_(system.scale()) {}
 
 // Fills all but `phi` and the form. Gravity moves the centre off the balanced state: Newton's method across the
-// continuum, with the derivative at the balanced state, finds the state that one strobe moves along it only.
-bool BalancedContinuum::settle(ContinuumMember& m) const {
+// continuum, with the derivative at a guess, finds the state that one strobe moves along it only. The guess is the
+// balanced state, moved as far as a member beside this one is if that is known.
+bool BalancedContinuum::settle(ContinuumMember& m, const VectorXd& moved) const {
   m.centre = model::balanced_state(system_, speed_, m.phi.data());
+  if (moved.size() > 0) m.centre += moved;
   const Index size = scale_.size(), across = size - dimension_;
   const auto scaled = [&](const MatrixXd& a) {
     return MatrixXd(scale_.cwiseInverse().asDiagonal() * a * scale_.asDiagonal());
@@ -144,18 +146,22 @@ std::optional<Angles> BalancedContinuum::moved(Angles phi, const VectorXd& along
 
 std::optional<ContinuumMember> BalancedContinuum::destination(const VectorXd& state) const {
   constexpr int most = 5;
-  constexpr double across = 0.01;  // what may be left along the continuum, of the deviation; V counts it
+  // What may be left along the continuum, of the deviation (V counts it) and of what centres are known to: a state that
+  // has long come to the continuum deviates by no more than that.
+  constexpr double across = 0.01, unknown = 1e-7;
   Angles phi{};
   for (int i = 0; i < system_.balls(); ++i) phi[i] = state[model::index::phi(i)];
   // The form, which costs most, is wanted of the last one only.
   ContinuumMember m;
   m.phi = phi;
   if (!balance(m.phi.data())) return std::nullopt;
+  VectorXd moved_by;
   for (int k = 0; k < most; ++k) {
-    if (!settle(m)) return std::nullopt;
+    if (!settle(m, moved_by)) return std::nullopt;
+    moved_by = m.centre - model::balanced_state(system_, speed_, m.phi.data());
     const VectorXd d = deviation(m, state);
     const VectorXd part = m.left * d;
-    if (!(m.rate < -least_rate) || part.norm() <= across * d.norm()) {
+    if (!(m.rate < -least_rate) || part.norm() <= across * d.norm() + unknown) {
       if (!shape(m)) return std::nullopt;
       return m;
     }

@@ -69,14 +69,15 @@ VectorXd without_angle(const model::System& system, const VectorXd& state) {
 
 }  // namespace
 
-std::optional<VectorXd> at_next_strobe(const model::System& system, const VectorXd& state, double psi) {
+std::optional<VectorXd> at_next_strobe(const model::System& system, const VectorXd& state, double psi,
+                                       double tolerance) {
   if (system.section() != model::Section::strobe) return state;
   const double angle = system.strobe_angle(), speed = system.speed(), sense = speed < 0.0 ? -1.0 : 1.0;
   double ahead = std::fmod(-sense * psi, angle);
   if (ahead < 0.0) ahead += angle;
   // Rounding of psi after 10^4 turns must not cost a whole one; what is this near a strobe is at it.
   if (ahead < 1e-9 || angle - ahead < 1e-9) return state;
-  return advance_state(system, state, ahead / std::fabs(speed), psi);
+  return advance_state(system, state, ahead / std::fabs(speed), psi, tolerance);
 }
 
 std::optional<PeriodicOrbit> balanced_orbit(const model::System& system, const double* phi) {

@@ -15,7 +15,8 @@ namespace equipoise {
 
 /// The state at the next strobe, from `state` when the rotor's angle is `psi`. A state at a strobe is left as it is,
 /// and so is any of another section. Empty if the integration fails.
-std::optional<Eigen::VectorXd> at_next_strobe(const model::System& system, const Eigen::VectorXd& state, double psi);
+std::optional<Eigen::VectorXd> at_next_strobe(const model::System& system, const Eigen::VectorXd& state, double psi,
+                                              double tolerance = 1e-12);
 
 /// The orbit that a balanced state at ball angles `phi` becomes as gravity and anisotropy are switched on gradually.
 /// Empty if there is none: it may meet another one and vanish on the way.

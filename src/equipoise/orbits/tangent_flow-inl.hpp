@@ -111,10 +111,10 @@ std::optional<TangentFlight> follow(const model::System& system, const Eigen::Ve
 
 template <class Source>
 std::optional<Eigen::VectorXd> advance(const model::System& system, const Eigen::VectorXd& state, double duration,
-                                       double psi) {
+                                       double psi, double tolerance) {
   using Flow = typename Source::template Flow<double>;
   ErrorScale<Source::dimension> scale;
-  scale.tolerance = 1e-12;
+  scale.tolerance = tolerance;
   set_system_scale(system, 1, scale);
   const Flow flow = Source::template make<double>(system, psi);
   AdaptiveIntegrator<Flow, Source::dimension> integrator(flow, scale, system.dimension());
@@ -131,6 +131,6 @@ std::optional<TangentFlight> follow_tangents_generally(const model::System& syst
                                                        const Eigen::MatrixXd& start, double duration, double tolerance,
                                                        double psi);
 std::optional<Eigen::VectorXd> advance_generally(const model::System& system, const Eigen::VectorXd& state,
-                                                 double duration, double psi);
+                                                 double duration, double psi, double tolerance);
 
 }  // namespace equipoise

@@ -47,10 +47,11 @@ std::optional<TangentFlight> follow_derivative(const model::System& system, cons
   return follow_tangents(system, state, MatrixXd::Identity(state.size(), state.size()), duration, tolerance, psi);
 }
 
-std::optional<VectorXd> advance_state(const model::System& system, const VectorXd& state, double duration, double psi) {
-  if (!system.plain()) return advance_generally(system, state, duration, psi);
-  return system.autonomous() ? kernels::advance<Autonomous>(system, state, duration, psi)
-                             : kernels::advance<Strobed>(system, state, duration, psi);
+std::optional<VectorXd> advance_state(const model::System& system, const VectorXd& state, double duration, double psi,
+                                      double tolerance) {
+  if (!system.plain()) return advance_generally(system, state, duration, psi, tolerance);
+  return system.autonomous() ? kernels::advance<Autonomous>(system, state, duration, psi, tolerance)
+                             : kernels::advance<Strobed>(system, state, duration, psi, tolerance);
 }
 
 }  // namespace equipoise

@@ -29,8 +29,8 @@ std::optional<TangentFlight> follow_tangents(const model::System& system, const 
 std::optional<TangentFlight> follow_derivative(const model::System& system, const Eigen::VectorXd& state,
                                                double duration, double tolerance, double psi = 0.0);
 
-/// The state a time `duration` >= 0 later (adaptive DOP853, tolerance 1e-12).
+/// The state a time `duration` >= 0 later (adaptive DOP853).
 std::optional<Eigen::VectorXd> advance_state(const model::System& system, const Eigen::VectorXd& state, double duration,
-                                             double psi = 0.0);
+                                             double psi = 0.0, double tolerance = 1e-12);
 
 }  // namespace equipoise

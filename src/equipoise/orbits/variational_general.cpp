@@ -31,8 +31,8 @@ std::optional<TangentFlight> follow_tangents_generally(const model::System& syst
 }
 
 std::optional<Eigen::VectorXd> advance_generally(const model::System& system, const Eigen::VectorXd& state,
-                                                 double duration, double psi) {
-  return kernels::advance<GeneralFlow>(system, state, duration, psi);
+                                                 double duration, double psi, double tolerance) {
+  return kernels::advance<GeneralFlow>(system, state, duration, psi, tolerance);
 }
 
 }  // namespace equipoise

@@ -9,6 +9,8 @@
 #include <Eigen/Core>
 
 #include "equipoise/model/balanced_state.hpp"
+#include "equipoise/orbits/return_map.hpp"
+#include "equipoise/traps/continuum_estimate.hpp"
 #include "equipoise/traps/trap_rule.hpp"
 
 namespace equipoise {
@@ -20,9 +22,10 @@ constexpr double come_near = 0.03;
 // A state beside the slowest member that is tried may come to one a little slower.
 constexpr double slower = 0.5;
 
-// Members of a continuum to try levels around, and how far from rest what gravity makes of them is.
+// Members of a continuum to try levels around, and how far what gravity makes of them is from each other and from rest.
 struct Members {
   std::vector<ContinuumMember> all;
+  Eigen::Vector4d place = Eigen::Vector4d::Zero();  // of the rotor, on average
   double unit = 0.0, slowest_rate = 0.0, unrest = 0.0;
 };
 
@@ -42,17 +45,47 @@ Members members_to_try(const BalancedContinuum& continuum, const ContinuumSurvey
     auto m = continuum.member(survey.members[first + k * count / taken].data());
     if (!m || m->form.size() == 0 || !(m->rate <= result.slowest_rate)) continue;
     result.unit = std::max(result.unit, m->unit);
-    const Eigen::VectorXd exact =
-        model::balanced_state(*settings.system, settings.system->speed(m->centre), m->phi.data());
-    for (int i = 0; i < model::dimension(balls); ++i)
-      if (i < 4 || i >= 4 + balls) result.unrest = std::max(result.unrest, std::fabs(m->centre[i] - exact[i]));
+    result.place += m->centre.head(4);
     result.all.push_back(*std::move(m));
+  }
+  if (result.all.empty()) return result;
+  result.place /= static_cast<double>(result.all.size());
+  for (const ContinuumMember& m : result.all) {
+    result.unrest = std::max(result.unrest, (m.centre.head(4) - result.place).lpNorm<Eigen::Infinity>());
+    for (int i = 0; i < balls; ++i)
+      result.unrest = std::max(result.unrest, std::fabs(m.centre[model::index::q(i, balls)]));
   }
   return result;
 }
 
 double reach_of(const Members& members, double factor) {
   return 1.5 * members.unrest + std::sqrt(std::min(factor * members.unit, 0.5));
+}
+
+// The trap at that factor.
+ContinuumTrap at_factor(ContinuumTrap trap, const Members& members, double factor) {
+  trap.factor = factor;
+  trap.reach = reach_of(members, factor);
+  if (!trap.estimate) return trap;
+  constexpr double safety = 2.0;
+  const ContinuumEstimate::Errors errors = trap.estimate->errors(*trap.continuum, factor);
+  trap.deep = errors.shortfall > 0.0 ? 1.0 / (safety * errors.shortfall) : 0.0;
+  // An estimate is of use if it comes down to that.
+  if (!(safety * errors.floor < trap.deep)) trap.estimate.reset();
+  return trap;
+}
+
+// In that direction or the opposite one, where balls in contact do not overlap; else as far as they do not.
+Eigen::VectorXd state_with_room(const ContinuumTrap& trap, const ContinuumMember& m, double value,
+                                const Eigen::VectorXd& direction, const model::System& system) {
+  constexpr int most = 64;
+  const bool collide = system.parameters().balls_collide();
+  for (int k = 0; k < most; ++k, value *= 0.5)
+    for (const double sign : {1.0, -1.0}) {
+      Eigen::VectorXd z = trap.continuum->state_at(m, value, sign * direction);
+      if (!collide || least_gap(system.parameters(), z) > 0.0) return z;
+    }
+  return m.centre;
 }
 
 // All states that are tried at `factor` times the members' units of V come near to the continuum.
@@ -67,13 +100,11 @@ bool all_approach(const ContinuumTrap& trap, const Members& members, const Trial
   };
   for (std::size_t i = 0; i < tries.count; ++i) {
     const ContinuumMember& m = member_of(i);
-    const Eigen::VectorXd z = trap.continuum->state_at(m, factor * m.unit, directions.next());
+    const Eigen::VectorXd z = state_with_room(trap, m, factor * m.unit, directions.next(), *settings.system);
     trials.states.insert(trials.states.end(), z.begin(), z.end());
   }
-  ContinuumTrap near = trap;
-  near.factor = come_near * factor;
+  ContinuumTrap near = at_factor(trap, members, come_near * factor);
   near.slowest_rate *= slower;
-  near.reach = reach_of(members, near.factor);
   trials.rule = rule_of_traps(*settings.system);
   set_traps(trials.rule, *settings.system, {}, near);
   trials.flight = [&](std::size_t first) {
@@ -90,16 +121,18 @@ std::optional<ContinuumTrap> continuum_trap(const std::shared_ptr<const Balanced
   if (!continuum || !survey.attracts()) return std::nullopt;
   const Members members = members_to_try(*continuum, survey, settings);
   if (members.all.empty()) return std::nullopt;
-  ContinuumTrap trap{continuum, 0.0, members.slowest_rate, 0.0};
+  ContinuumTrap trap{continuum, 0.0, members.slowest_rate, members.place};
+  // Wherever a state comes to then, it is no farther than V tells, and what creeps from there comes to nothing else.
+  const bool everywhere = survey.stable == survey.drawn && survey.slowest_rate <= members.slowest_rate;
+  if (everywhere && !settings.system->autonomous())
+    trap.estimate = std::make_shared<ContinuumEstimate>(*settings.system, members.all);
   // With anisotropic supports or gravity to tell what a state comes to is a flight of its own.
   TrialCounts counts{.few = 128, .all = 1024};
   if (!settings.system->autonomous()) counts = {counts.few / 4, counts.all / 4};
-  trap.factor = highest_good_level({0.5 / members.unit}, counts, [&](double factor, const TryRange& tries) {
-    return all_approach(trap, members, settings, factor, tries);
+  const double factor = highest_good_level({0.5 / members.unit}, counts, [&](double level, const TryRange& tries) {
+    return all_approach(trap, members, settings, level, tries);
   });
-  if (!(trap.factor > 0.0)) return std::nullopt;
-  trap.reach = reach_of(members, trap.factor);
-  return trap;
+  return factor > 0.0 ? std::optional(at_factor(std::move(trap), members, factor)) : std::nullopt;
 }
 
 }  // namespace equipoise

@@ -11,56 +11,55 @@
 #include "equipoise/model/balanced_state.hpp"
 #include "equipoise/model/unbalance.hpp"
 #include "equipoise/motions/event_motion.hpp"
-#include "equipoise/orbits/return_map.hpp"
 #include "equipoise/orbits/stroboscopic.hpp"
+#include "equipoise/traps/continuum_estimate.hpp"
 
 namespace equipoise {
 
 namespace {
 
-// Where x, y, u, v and the unbalance are of what the continuum holds: at 0 but for a race off its centre.
-struct Rest {
-  Eigen::Vector4d place;
-  std::complex<double> unbalance;
-};
-
-Rest rest_of(const model::System& system) {
+// The unbalance of what the continuum holds: 0 but for a race off its centre.
+std::complex<double> unbalance_of_rest(const model::System& system) {
   const model::Parameters& p = system.parameters();
-  const double speed = model::balanced_speed(system).value_or(0.0);
-  const std::array<double, model::max_balls> anywhere{};
-  const model::CentredTwin twin = model::centred_twin(p, speed);
-  return {model::balanced_state(system, speed, anywhere.data()).head(4),
-          p.eccentricity - std::polar(twin.parameters.eccentricity, twin.turn)};
+  const model::CentredTwin twin = model::centred_twin(p, model::balanced_speed(system).value_or(0.0));
+  return p.eccentricity - std::polar(twin.parameters.eccentricity, twin.turn);
 }
 
-// Velocities, x, y and imbalance are all within the reach of what the continuum holds.
-bool in_reach(const model::Parameters& p, const ContinuumTrap& trap, const Rest& rest, const double* state) {
-  double away = std::abs(model::unbalance(p, state + model::index::phi(0)) - rest.unbalance);
-  for (int i = 0; i < 4; ++i) away = std::max(away, std::fabs(state[i] - rest.place[i]));
+// Velocities of the balls and imbalance are within the reach of what the continuum holds.
+bool balls_in_reach(const model::Parameters& p, const ContinuumTrap& trap, std::complex<double> rest,
+                    const double* state) {
+  double away = std::abs(model::unbalance(p, state + model::index::phi(0)) - rest);
   for (int i = 0; i < p.balls; ++i) away = std::max(away, std::fabs(state[model::index::q(i, p.balls)]));
   return away < trap.reach;
 }
 
-// Of two balls each may come as far from its place as the trap reaches, and this state is as far from where they end.
-bool keeps_apart(const model::Parameters& p, const ContinuumTrap& trap, const Eigen::VectorXd& state) {
-  return !p.balls_collide() || least_gap(p, state) > 4.0 * trap.reach;
+bool rotor_in_reach(const ContinuumTrap& trap, const Eigen::VectorXd& state) {
+  return (state.head(4) - trap.place).lpNorm<Eigen::Infinity>() < trap.reach;
+}
+
+bool holds(const ContinuumTrap& trap, const Eigen::VectorXd& state) {
+  const auto depth = trap.estimate ? trap.estimate->depth(state, trap.factor) : std::nullopt;
+  return depth ? *depth < trap.deep : trap.holds(state);
 }
 
 FamilyTrap family_of(const model::System& system, const ContinuumTrap& trap) {
-  return {trap.reach, [trap, p = system.parameters(), size = system.dimension()](const double* at) {
-            const Eigen::VectorXd state = Eigen::Map<const Eigen::VectorXd>(at, size);
-            return keeps_apart(p, trap, state) && trap.holds(state);
+  return {trap.reach, [trap, size = system.dimension()](const double* at) {
+            return trap.holds(Eigen::Map<const Eigen::VectorXd>(at, size));
           }};
 }
 
+// Of states against levels that are known to per cents, of deviations of 1e-3 and more.
+constexpr double near_enough = 1e-8;
+
 // With what gravity leaves of a continuum the same is asked of the state at the next strobe.
 std::function<bool(const double*, double)> strobed_family(const model::System& system, const ContinuumTrap& trap) {
-  // So near to balance nothing touches before the next strobe that is not about to touch now.
-  return [system, passing = without_events(system), trap, rest = rest_of(system)](const double* at, double psi) {
-    const Eigen::VectorXd state = Eigen::Map<const Eigen::VectorXd>(at, system.dimension());
-    if (!in_reach(system.parameters(), trap, rest, at) || !keeps_apart(system.parameters(), trap, state)) return false;
-    const auto at_strobe = at_next_strobe(passing, state, psi);
-    return at_strobe && keeps_apart(system.parameters(), trap, *at_strobe) && trap.holds(*at_strobe);
+  // So near to balance it makes no difference whether balls touch before that.
+  return [p = system.parameters(), passing = without_events(system), trap, rest = unbalance_of_rest(system)](
+             const double* at, double psi) {
+    if (!balls_in_reach(p, trap, rest, at)) return false;
+    const auto state =
+        at_next_strobe(passing, Eigen::Map<const Eigen::VectorXd>(at, passing.dimension()), psi, near_enough);
+    return state && balls_in_reach(p, trap, rest, state->data()) && rotor_in_reach(trap, *state) && holds(trap, *state);
   };
 }
 
