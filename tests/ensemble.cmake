@@ -20,6 +20,7 @@ equipoise_test(basin_test equivalence equivalence/basin_test.cpp equivalence/bas
 equipoise_test(decisions_test equivalence equivalence/decisions_test.cpp)
 equipoise_test(lingering_test equivalence equivalence/lingering_test.cpp)
 equipoise_test(continuum_decisions_test equivalence equivalence/continuum_decisions_test.cpp)
+equipoise_test(continuum_estimate_test equivalence equivalence/continuum_estimate_test.cpp)
 equipoise_test(horizon_test equivalence equivalence/horizon_test.cpp)
 equipoise_test(stroboscopic_test equivalence equivalence/stroboscopic_test.cpp)
 equipoise_test(plane_map_test equivalence equivalence/plane_map_test.cpp)

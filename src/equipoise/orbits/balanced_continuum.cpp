@@ -67,9 +67,9 @@ BalancedContinuum::BalancedContinuum(const model::System& system)
 // Fills all but `phi` and the form. Gravity moves the centre off the balanced state: Newton's method across the
 // continuum, with the derivative at a guess, finds the state that one strobe moves along it only. The guess is the
 // balanced state, moved as far as a member beside this one is if that is known.
-bool BalancedContinuum::settle(ContinuumMember& m, const VectorXd& moved) const {
+bool BalancedContinuum::settle(ContinuumMember& m, const VectorXd& offset) const {
   m.centre = model::balanced_state(system_, speed_, m.phi.data());
-  if (moved.size() > 0) m.centre += moved;
+  if (offset.size() > 0) m.centre += offset;
   const Index size = scale_.size(), across = size - dimension_;
   const auto scaled = [&](const MatrixXd& a) {
     return MatrixXd(scale_.cwiseInverse().asDiagonal() * a * scale_.asDiagonal());
@@ -155,10 +155,10 @@ std::optional<ContinuumMember> BalancedContinuum::destination(const VectorXd& st
   ContinuumMember m;
   m.phi = phi;
   if (!balance(m.phi.data())) return std::nullopt;
-  VectorXd moved_by;
+  VectorXd offset;
   for (int k = 0; k < most; ++k) {
-    if (!settle(m, moved_by)) return std::nullopt;
-    moved_by = m.centre - model::balanced_state(system_, speed_, m.phi.data());
+    if (!settle(m, offset)) return std::nullopt;
+    offset = m.centre - model::balanced_state(system_, speed_, m.phi.data());
     const VectorXd d = deviation(m, state);
     const VectorXd part = m.left * d;
     if (!(m.rate < -least_rate) || part.norm() <= across * d.norm() + unknown) {

@@ -3,7 +3,6 @@
 #pragma once
 
 #include <array>
-#include <memory>
 #include <optional>
 #include <vector>
 
@@ -83,7 +82,7 @@ class BalancedContinuum {
   ContinuumSurvey survey(const StopFlag* stop = nullptr) const;
 
  private:
-  bool settle(ContinuumMember& member, const Eigen::VectorXd& moved = {}) const;
+  bool settle(ContinuumMember& member, const Eigen::VectorXd& offset = {}) const;
   bool shape(ContinuumMember& member) const;
   bool stays(ContinuumMember member, double slowest_rate) const;
   bool balance(double* phi) const { return model::project_to_balanced(system_, speed_, phi); }
@@ -99,22 +98,6 @@ class BalancedContinuum {
   bool rests_;                       // members are at rest
   Eigen::Index dimension_;
   Eigen::VectorXd scale_;
-};
-
-class ContinuumEstimate;
-
-/// Level sets around all members that approach fast enough, with a level that was tried (traps/validated_level.hpp).
-struct ContinuumTrap {
-  std::shared_ptr<const BalancedContinuum> continuum;
-  double factor = 0.0;        ///< of every member's unit of V
-  double slowest_rate = 0.0;  ///< of the members that were tried (negative): slower ones catch nothing
-  Eigen::Vector4d place = Eigen::Vector4d::Zero();  ///< about which x, y, u, v of members are (at a strobe)
-  double reach = 0.0;  ///< x, y, u, v of every state inside are as near to it, velocities and imbalance to balance
-  /// Of V, and cheap, where the rotor's angle matters and all of the continuum attracts; else there is none.
-  std::shared_ptr<const ContinuumEstimate> estimate;
-  double deep = 0.0;  ///< estimated below this share of its level, a state is inside
-
-  bool holds(const Eigen::VectorXd& state) const { return continuum->holds(state, factor, slowest_rate); }
 };
 
 }  // namespace equipoise

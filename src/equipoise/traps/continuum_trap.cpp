@@ -10,7 +10,6 @@
 
 #include "equipoise/model/balanced_state.hpp"
 #include "equipoise/orbits/return_map.hpp"
-#include "equipoise/traps/continuum_estimate.hpp"
 #include "equipoise/traps/trap_rule.hpp"
 
 namespace equipoise {
@@ -115,6 +114,11 @@ bool all_approach(const ContinuumTrap& trap, const Members& members, const Trial
 }
 
 }  // namespace
+
+bool ContinuumTrap::holds(const Eigen::VectorXd& state) const {
+  const auto depth = estimate ? estimate->depth(state, factor) : std::nullopt;
+  return depth ? *depth < deep : continuum->holds(state, factor, slowest_rate);
+}
 
 std::optional<ContinuumTrap> continuum_trap(const std::shared_ptr<const BalancedContinuum>& continuum,
                                             const ContinuumSurvey& survey, const TrialSettings& settings) {

@@ -4,10 +4,28 @@
 #include <memory>
 #include <optional>
 
+#include <Eigen/Core>
+
 #include "equipoise/orbits/balanced_continuum.hpp"
+#include "equipoise/traps/continuum_estimate.hpp"
 #include "equipoise/traps/trials.hpp"
 
 namespace equipoise {
+
+/// Level sets around all members that approach fast enough, with a level that was tried (traps/validated_level.hpp).
+struct ContinuumTrap {
+  std::shared_ptr<const BalancedContinuum> continuum;
+  double factor = 0.0;        ///< of every member's unit of V
+  double slowest_rate = 0.0;  ///< of the members that were tried (negative): slower ones catch nothing
+  Eigen::Vector4d place = Eigen::Vector4d::Zero();  ///< about which x, y, u, v of members are (at a strobe)
+  double reach = 0.0;  ///< x, y, u, v of every state inside are as near to it, velocities and imbalance to balance
+  /// Of V, and cheap, where the rotor's angle matters and all of the continuum attracts; else there is none.
+  std::shared_ptr<const ContinuumEstimate> estimate;
+  double deep = 0.0;  ///< estimated below this share of its level, a state is inside
+
+  /// Whether a state (where the rotor's angle matters one at a strobe) is inside.
+  bool holds(const Eigen::VectorXd& state) const;
+};
 
 /// Level sets around the attracting members of a continuum: all of 1024 states on twice their levels, spread over the
 /// members, came near to the continuum and were about to come to a member that attracts; balls in contact may have

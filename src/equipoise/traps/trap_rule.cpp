@@ -12,7 +12,6 @@
 #include "equipoise/model/unbalance.hpp"
 #include "equipoise/motions/event_motion.hpp"
 #include "equipoise/orbits/stroboscopic.hpp"
-#include "equipoise/traps/continuum_estimate.hpp"
 
 namespace equipoise {
 
@@ -37,11 +36,6 @@ bool rotor_in_reach(const ContinuumTrap& trap, const Eigen::VectorXd& state) {
   return (state.head(4) - trap.place).lpNorm<Eigen::Infinity>() < trap.reach;
 }
 
-bool holds(const ContinuumTrap& trap, const Eigen::VectorXd& state) {
-  const auto depth = trap.estimate ? trap.estimate->depth(state, trap.factor) : std::nullopt;
-  return depth ? *depth < trap.deep : trap.holds(state);
-}
-
 FamilyTrap family_of(const model::System& system, const ContinuumTrap& trap) {
   return {trap.reach, [trap, size = system.dimension()](const double* at) {
             return trap.holds(Eigen::Map<const Eigen::VectorXd>(at, size));
@@ -59,7 +53,7 @@ std::function<bool(const double*, double)> strobed_family(const model::System& s
     if (!balls_in_reach(p, trap, rest, at)) return false;
     const auto state =
         at_next_strobe(passing, Eigen::Map<const Eigen::VectorXd>(at, passing.dimension()), psi, near_enough);
-    return state && balls_in_reach(p, trap, rest, state->data()) && rotor_in_reach(trap, *state) && holds(trap, *state);
+    return state && balls_in_reach(p, trap, rest, state->data()) && rotor_in_reach(trap, *state) && trap.holds(*state);
   };
 }
 

@@ -7,7 +7,7 @@
 
 #include "equipoise/deciding/decision_rule.hpp"
 #include "equipoise/model/system.hpp"
-#include "equipoise/orbits/balanced_continuum.hpp"
+#include "equipoise/traps/continuum_trap.hpp"
 #include "equipoise/traps/cycle_trap.hpp"
 
 namespace equipoise {
