@@ -31,6 +31,7 @@ const std::vector<Machine> machines{
     {"captured at resonance", "captured-at-resonance.toml", {}},
     {"balls that touch", "paper/table-2-omega-2.4.toml", {"balancer.contact_angle=0.3", "balancer.restitution=0.5"}},
     {"balls that stick", "paper/table-2-omega-2.4.toml", {"balancer.rolling=0.001"}},
+    {"angle grinder", "examples/angle-grinder.toml", {}},
     {"motor, touch and stick", "paper-rotor-with-motor.toml", {"balancer.contact_angle=0.3", "balancer.rolling=0.001"}},
 };
 

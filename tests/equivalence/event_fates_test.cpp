@@ -25,7 +25,8 @@ using namespace equipoise;
 
 const std::string heavy = "[rotor]\neccentricity = 0.01\ndamping = 0.5\n";
 const std::string two = "[balancer]\nballs = 2\nmass = 0.05\ndrag = 0.05\n",
-                  three = "[balancer]\nballs = 3\nmass = 0.03\ndrag = 0.05\n";
+                  three = "[balancer]\nballs = 3\nmass = 0.03\ndrag = 0.05\n",
+                  quick_three = "[balancer]\nballs = 3\nmass = 0.05\ndrag = 0.3\n";
 const std::string constant = "[speed]\nprofile = \"constant\"\nspeed = 2.4\n",
                   motor = "[speed]\nprofile = \"torque\"\ninitial = 0.0\ntorque = { constant = 0.3, slope = -0.1 }\n";
 const std::string contact = "contact_angle = 0.3\n", sticks = "rolling = 1e-3\nstiction = 2e-3\n";
@@ -44,6 +45,8 @@ std::vector<Case> cases() {
       {"contact_motor", heavy + "inertia = 0.5\n" + two + contact + motor},
       {"stiction_motor", heavy + "inertia = 0.5\n" + two + sticks + motor},
       {"contact_gravity", heavy + "gravity = 0.01\n" + two + contact + constant},
+      {"contact_of_three_gravity",
+       heavy + "gravity = 0.05\n" + quick_three + contact + "[speed]\nprofile = \"constant\"\nspeed = 6.0\n"},
       {"stiction_gravity", heavy + "gravity = 0.01\n" + two + sticks + constant},
       {"stiction_off_centre", heavy + two + sticks + "race_offset = [0.005, 0.002]\n" + constant},
   };
@@ -60,7 +63,7 @@ BasinResult run(Study study, std::uint64_t starts) {
 class EventFates : public testing::TestWithParam<Case> {};
 
 TEST_P(EventFates, hold_twenty_times_later) {
-  constexpr std::uint64_t starts = 34;  // 306 in all
+  constexpr std::uint64_t starts = 34;  // 340 in all
   Study study = parse_study(GetParam().toml, GetParam().name);
   const BasinResult early = run(study, starts);
   double longest = 0.0;

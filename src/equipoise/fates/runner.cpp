@@ -4,11 +4,15 @@
 #include "equipoise/fates/machine_runner.hpp"
 #include "equipoise/fates/start_runner.hpp"
 #include "equipoise/model/system.hpp"
+#include "equipoise/orbits/balanced_continuum.hpp"
+#include "equipoise/traps/continuum_trap.hpp"
 
 namespace equipoise {
 
 bool followed_one_by_one(const model::System& system) {
-  return system.coasts() || (system.events().contact && !system.autonomous() && system.balls() > 2);
+  if (system.coasts()) return true;
+  if (!system.events().contact || system.autonomous() || system.balls() <= 2) return false;
+  return !BalancedContinuum::is_of(system) || !catches_all(BalancedContinuum(system).survey());
 }
 
 int settle(Runner& runner, const UnlistedStart& start, Fate& fate) {

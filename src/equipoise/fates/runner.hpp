@@ -62,8 +62,8 @@ int settle(Runner& runner, const UnlistedStart& start, Fate& fate);
 
 /// Whether starts are followed one by one and told by kinds: rotors that no torque drives in the end may keep any
 /// speed, and lose it for as long as they shake, so that there is no list of what they come to; and of three balls or
-/// more in contact, under gravity or on unequal supports, what is left of a continuum of balanced states is too dear to
-/// search.
+/// more in contact, under gravity or on unequal supports, unless catches_all() their continuum of balanced states: what
+/// else is left of it then is too dear to search.
 bool followed_one_by_one(const model::System& system);
 
 /// Throws InputError for invalid studies and those whose starts cannot be decided; if `transients` are gathered, also

@@ -77,8 +77,8 @@ void check_offers(const Study& study, model::Answer answer) {
   check(study);
   const model::Parameters& p = study.parameters;
   const auto lack = model::lacking(study.system(), answer);
-  const bool lists = answer == model::Answer::attractors || answer == model::Answer::branches ||
-                     answer == model::Answer::maps;
+  const bool lists =
+      answer == model::Answer::attractors || answer == model::Answer::branches || answer == model::Answer::maps;
   if (!lack && lists && study.system().coasts())
     throw InputError(study.name, "speed.torque", "0 in the end",
                      fmt::format("{} need a rotor that something turns for good", model::capability(answer).name));
@@ -88,8 +88,10 @@ void check_offers(const Study& study, model::Answer answer) {
   const auto pair = [](const std::array<double, 2>& v) { return fmt::format("[{}, {}]", v[0], v[1]); };
   const bool stiffness = p.stiffness[0] != p.stiffness[1];
   if (!lack && lists && followed_one_by_one(study.system())) {
-    const std::string reason = fmt::format("{} of three balls or more in contact need equal supports and no gravity",
-                                           model::capability(answer).name);
+    const std::string reason = fmt::format(
+        "{} of three balls or more in contact need equal supports and no gravity, or "
+        "balance that attracts alike wherever its balls stand",
+        model::capability(answer).name);
     if (p.gravity != 0.0) throw InputError(study.name, "rotor.gravity", fmt::format("{}", p.gravity), reason);
     const auto& values = stiffness ? p.stiffness : p.damping;
     throw InputError(study.name, stiffness ? "rotor.stiffness" : "rotor.damping", pair(values), reason);

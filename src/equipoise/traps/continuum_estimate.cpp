@@ -48,10 +48,11 @@ ContinuumEstimate::Ring ContinuumEstimate::ring(const double* angles) const {
 }
 
 // Equal balls on a ring are nearest to others, all at once, in an order that is theirs but for where it begins.
-ContinuumEstimate::Nearest ContinuumEstimate::nearest(std::size_t left_out, const Eigen::VectorXd& state) const {
+ContinuumEstimate::Nearest ContinuumEstimate::nearest(std::size_t left_out, const double* balanced,
+                                                      const Eigen::VectorXd& offset) const {
   const int n = system_.balls();
-  const Ring mine = ring(&state[phi(0)]);
-  Nearest result{0, std::numeric_limits<double>::infinity(), state};
+  const Ring mine = ring(balanced);
+  Nearest result{0, std::numeric_limits<double>::infinity(), offset};
   int begin = 0;
   for (std::size_t k = 0; k < members_.size(); ++k) {
     if (k == left_out) continue;
@@ -70,22 +71,23 @@ ContinuumEstimate::Nearest ContinuumEstimate::nearest(std::size_t left_out, cons
   if (!std::isfinite(result.distance)) return result;
   for (int i = 0; i < n; ++i) {
     const int to = rings_[result.member].ball[i], from = mine.ball[(i + begin) % n];
-    result.state[phi(to)] = state[phi(from)];
-    result.state[q(to, n)] = state[q(from, n)];
+    result.offset[phi(to)] = offset[phi(from)];
+    result.offset[q(to, n)] = offset[q(from, n)];
   }
   return result;
 }
 
 std::optional<double> ContinuumEstimate::depth_without(std::size_t left_out, const Eigen::VectorXd& state,
                                                        double factor) const {
-  const Nearest near = nearest(left_out, state);
-  if (!(near.distance < beside)) return std::nullopt;
-  const ContinuumMember& m = members_[near.member];
   const int n = system_.balls();
   std::array<double, model::max_balls> balanced{};
-  for (int i = 0; i < n; ++i) balanced[i] = near.state[phi(i)];
+  for (int i = 0; i < n; ++i) balanced[i] = state[phi(i)];
   if (!model::project_to_balanced(system_, speed_, balanced.data())) return std::nullopt;
-  Eigen::VectorXd d = near.state - model::balanced_state(system_, speed_, balanced.data()) - moved_[near.member];
+  const Nearest near =
+      nearest(left_out, balanced.data(), state - model::balanced_state(system_, speed_, balanced.data()));
+  if (!(near.distance < beside)) return std::nullopt;
+  const ContinuumMember& m = members_[near.member];
+  Eigen::VectorXd d = near.offset - moved_[near.member];
   for (int i = 0; i < n; ++i) d[phi(i)] = wrapped(d[phi(i)]);
   d = d.cwiseQuotient(scale_);
   const Eigen::VectorXd s = m.range.transpose() * (d - m.along * (m.left * d));
@@ -99,8 +101,10 @@ ContinuumEstimate::Errors ContinuumEstimate::errors(const BalancedContinuum& con
   for (std::size_t k = 0; k < members_.size(); ++k) {
     const double level = BalancedContinuum::level(members_[k], factor);
     for (int i = 0; i < directions; ++i)
-      if (const auto depth = depth_without(k, continuum.state_at(members_[k], level, draw.next()), factor))
+      if (const auto depth = depth_without(k, continuum.state_at(members_[k], level, draw.next()), factor)) {
         result.shortfall = std::max(result.shortfall, 1.0 / *depth);
+        result.excess = std::max(result.excess, *depth);
+      }
     result.floor = std::max(result.floor, depth_without(k, members_[k].centre, factor).value_or(0.0));
   }
   return result;

@@ -18,7 +18,7 @@ class ContinuumEstimate {
   ContinuumEstimate(const model::System& system, std::vector<ContinuumMember> members);
 
   /// V of a state over the level that `factor` gives the member which it comes to. Empty if it is not known: no member
-  /// is within 0.6 rad, in each ball's angle.
+  /// is within 0.6 rad, in each ball's angle, of the balance that is nearest to it.
   std::optional<double> depth(const Eigen::VectorXd& state, double factor) const {
     return depth_without(members_.size(), state, factor);
   }
@@ -26,6 +26,7 @@ class ContinuumEstimate {
   /// What is wrong with depths, by each member and states around it as the others see them.
   struct Errors {
     double shortfall = 0.0;  ///< the largest factor by which they are too small; 0 if members are too far apart to tell
+    double excess = 0.0;     ///< the largest by which they are too great
     double floor = 0.0;      ///< the largest that is left of them on the continuum itself
   };
   Errors errors(const BalancedContinuum& continuum, double factor) const;
@@ -34,11 +35,11 @@ class ContinuumEstimate {
   // As if a member was not there.
   std::optional<double> depth_without(std::size_t left_out, const Eigen::VectorXd& state, double factor) const;
 
-  // The state with its balls named as those of the member nearest to it.
+  // Of the balanced state at some ball angles; a state's offset from it with balls named as those of that member.
   struct Nearest {
     std::size_t member = 0;
     double distance = 0.0;
-    Eigen::VectorXd state;
+    Eigen::VectorXd offset;
   };
   // The balls as they follow each other round the race, if they are alike; else as they are numbered.
   struct Ring {
@@ -46,7 +47,7 @@ class ContinuumEstimate {
     std::array<double, model::max_balls> angle{};  // 0 to 2 pi
   };
   Ring ring(const double* angles) const;
-  Nearest nearest(std::size_t left_out, const Eigen::VectorXd& state) const;
+  Nearest nearest(std::size_t left_out, const double* balanced, const Eigen::VectorXd& offset) const;
 
   model::System system_;
   bool interchangeable_;

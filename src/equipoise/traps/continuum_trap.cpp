@@ -21,23 +21,29 @@ constexpr double come_near = 0.03;
 // A state beside the slowest member that is tried may come to one a little slower.
 constexpr double slower = 0.5;
 
+// Slower ones would hold all levels down: errors of integration keep states about tolerance over rate away from them.
+double slowest_caught(const ContinuumPart& part) {
+  constexpr double share = 0.1, of_all = 2e-4;
+  return std::min(-of_all, share * part.fastest_rate);
+}
+
 // Members of a continuum to try levels around, and how far what gravity makes of them is from each other and from rest.
 struct Members {
   std::vector<ContinuumMember> all;
   Eigen::Vector4d place = Eigen::Vector4d::Zero();  // of the rotor, on average
   double unit = 0.0, slowest_rate = 0.0, unrest = 0.0;
+  bool everywhere = false;  // catches_all()
 };
 
 Members members_to_try(const BalancedContinuum& continuum, const ContinuumSurvey& survey,
                        const TrialSettings& settings) {
   constexpr std::size_t most = 64;
-  // Slower ones would hold all levels down: errors of integration keep states about tolerance over rate away from them.
-  constexpr double slowest_share = 0.1, slowest_of_all = 2e-4;
   Members result;
-  result.slowest_rate = std::min(-slowest_of_all, slowest_share * survey.fastest_rate);
+  result.slowest_rate = slowest_caught(survey);
   const auto first = static_cast<std::size_t>(
       std::find_if(survey.rates.begin(), survey.rates.end(), [&](double r) { return r <= result.slowest_rate; }) -
       survey.rates.begin());
+  result.everywhere = catches_all(survey);
   const std::size_t count = survey.members.size() - first, taken = std::min(most, count);
   const int balls = settings.system->balls();
   for (std::size_t k = 0; k < taken && !is_set(settings.stop); ++k) {
@@ -68,9 +74,15 @@ ContinuumTrap at_factor(ContinuumTrap trap, const Members& members, double facto
   if (!trap.estimate) return trap;
   constexpr double safety = 2.0;
   const ContinuumEstimate::Errors errors = trap.estimate->errors(*trap.continuum, factor);
-  trap.deep = errors.shortfall > 0.0 ? 1.0 / (safety * errors.shortfall) : 0.0;
-  // An estimate is of use if it comes down to that.
-  if (!(safety * errors.floor < trap.deep)) trap.estimate.reset();
+  if (!(errors.shortfall > 0.0)) {
+    trap.estimate.reset();
+    return trap;
+  }
+  // Wherever a state comes to then, it is no farther than V tells, and what creeps from there comes to nothing else.
+  if (members.everywhere) trap.deep = 1.0 / (safety * errors.shortfall);
+  // A state that is outside by mistake is only told a little later. If that is as soon as the estimate comes down to
+  // what is inside, V need not be computed at all.
+  trap.far = safety * errors.floor < trap.deep ? trap.deep : std::max(errors.excess, safety * errors.floor);
   return trap;
 }
 
@@ -115,9 +127,14 @@ bool all_approach(const ContinuumTrap& trap, const Members& members, const Trial
 
 }  // namespace
 
+bool catches_all(const ContinuumPart& part) {
+  return part.drawn > 0 && part.stable == part.drawn && part.slowest_rate <= slowest_caught(part);
+}
+
 bool ContinuumTrap::holds(const Eigen::VectorXd& state) const {
   const auto depth = estimate ? estimate->depth(state, factor) : std::nullopt;
-  return depth ? *depth < deep : continuum->holds(state, factor, slowest_rate);
+  if (depth && *depth < deep) return true;
+  return !(depth && *depth > far) && continuum->holds(state, factor, slowest_rate);
 }
 
 std::optional<ContinuumTrap> continuum_trap(const std::shared_ptr<const BalancedContinuum>& continuum,
@@ -126,9 +143,7 @@ std::optional<ContinuumTrap> continuum_trap(const std::shared_ptr<const Balanced
   const Members members = members_to_try(*continuum, survey, settings);
   if (members.all.empty()) return std::nullopt;
   ContinuumTrap trap{continuum, 0.0, members.slowest_rate, members.place};
-  // Wherever a state comes to then, it is no farther than V tells, and what creeps from there comes to nothing else.
-  const bool everywhere = survey.stable == survey.drawn && survey.slowest_rate <= members.slowest_rate;
-  if (everywhere && !settings.system->autonomous())
+  if (!settings.system->autonomous())
     trap.estimate = std::make_shared<ContinuumEstimate>(*settings.system, members.all);
   // With anisotropic supports or gravity to tell what a state comes to is a flight of its own.
   TrialCounts counts{.few = 128, .all = 1024};

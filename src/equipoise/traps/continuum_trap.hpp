@@ -19,13 +19,17 @@ struct ContinuumTrap {
   double slowest_rate = 0.0;  ///< of the members that were tried (negative): slower ones catch nothing
   Eigen::Vector4d place = Eigen::Vector4d::Zero();  ///< about which x, y, u, v of members are (at a strobe)
   double reach = 0.0;  ///< x, y, u, v of every state inside are as near to it, velocities and imbalance to balance
-  /// Of V, and cheap, where the rotor's angle matters and all of the continuum attracts; else there is none.
+  /// Of V, and cheap, where the rotor's angle matters; else there is none.
   std::shared_ptr<const ContinuumEstimate> estimate;
   double deep = 0.0;  ///< estimated below this share of its level, a state is inside
+  double far = 0.0;   ///< estimated above it, a state counts as outside; between them V is computed
 
   /// Whether a state (where the rotor's angle matters one at a strobe) is inside.
   bool holds(const Eigen::VectorXd& state) const;
 };
+
+/// Whether all members drawn attract, the slowest at a tenth of the fastest's rate or more: none is left out then.
+bool catches_all(const ContinuumPart& part);
 
 /// Level sets around the attracting members of a continuum: all of 1024 states on twice their levels, spread over the
 /// members, came near to the continuum and were about to come to a member that attracts; balls in contact may have
