@@ -24,6 +24,7 @@ equipoise_test(continuum_estimate_test equivalence equivalence/continuum_estimat
 equipoise_test(horizon_test equivalence equivalence/horizon_test.cpp)
 equipoise_test(stroboscopic_test equivalence equivalence/stroboscopic_test.cpp)
 equipoise_test(plane_map_test equivalence equivalence/plane_map_test.cpp)
+equipoise_test(map_figures_test unit unit/map_figures_test.cpp)
 equipoise_test(continuation_test equivalence equivalence/continuation_test.cpp)
 equipoise_test(observation_test equivalence equivalence/observation_test.cpp)
 equipoise_test(library_face_test equivalence equivalence/library_face_test.cpp LIBRARIES equipoise_paper)
@@ -62,6 +63,11 @@ if(Python3_FOUND AND EQUIPOISE_BUILD_PROGRAM)
     COMMAND Python3::Interpreter ${CMAKE_CURRENT_SOURCE_DIR}/cli/along_test.py $<TARGET_FILE:equipoise_program>
       ${PROJECT_SOURCE_DIR}/studies)
   set_tests_properties(cli.attractors_along_a_parameter PROPERTIES LABELS cli TIMEOUT ${longest_test})
+
+  add_test(NAME cli.map
+    COMMAND Python3::Interpreter ${CMAKE_CURRENT_SOURCE_DIR}/cli/map_test.py $<TARGET_FILE:equipoise_program>
+      ${PROJECT_SOURCE_DIR}/studies)
+  set_tests_properties(cli.map PROPERTIES LABELS cli TIMEOUT ${longest_test})
 
   add_test(NAME cli.reproduce_as_its_users_meet_it
     COMMAND Python3::Interpreter ${CMAKE_CURRENT_SOURCE_DIR}/cli/reproduce_test.py $<TARGET_FILE:equipoise_program>

@@ -1,8 +1,6 @@
 // Attractors along a parameter: files, picture, exit code.
 #include "along_command.hpp"
 
-#include <fmt/format.h>
-
 #include "commands.hpp"
 #include "equipoise/branches/continuation.hpp"
 #include "equipoise/drawing/branch_plot.hpp"
@@ -14,15 +12,6 @@
 #include "streams.hpp"
 
 namespace equipoise::app {
-
-namespace {
-
-void require_ending(const char* option, const std::string& path, const char* first, const char* second) {
-  if (path.empty() || path.ends_with(first) || path.ends_with(second)) return;
-  throw InputError(option, "", path, fmt::format("must be a file name that ends in {} or {}", first, second));
-}
-
-}  // namespace
 
 int run_along(const Study& study, const AlongArguments& a) {
   require_ending("--output", a.output, ".csv", ".nc");

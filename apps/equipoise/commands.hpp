@@ -26,6 +26,7 @@ Command add_attractors(CLI::App& app);
 Command add_basin(CLI::App& app);
 Command add_certify(CLI::App& app);
 Command add_explain(CLI::App& app);
+Command add_map(CLI::App& app);
 Command add_reproduce(CLI::App& app);
 Command add_simulate(CLI::App& app);
 

@@ -67,6 +67,7 @@ int run(int argc, char** argv) {
   add("basin", "shares of starts that end in each attractor, with intervals", add_basin);
   add("certify", "a proof that trajectories near balance end balanced, or the check of one", add_certify);
   add("explain", "a study in physical and dimensionless form, and what follows without simulation", add_explain);
+  add("map", "the outcome of a start at every pixel of a plane of two quantities", add_map);
   add("reproduce", "the tables and figures of Wright and Peng (2019), computed again and judged", add_reproduce);
   add("simulate", "one trajectory at stated times", add_simulate);
   try {

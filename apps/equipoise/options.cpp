@@ -61,6 +61,13 @@ void require_writable(const char* option, const std::string& path) {
     throw InputError(option, "", path, "cannot be written: " + problem + "; must be a file in a folder that exists");
 }
 
+void require_ending(const char* option, const std::string& path, const char* first, const char* second) {
+  if (path.empty() || path.ends_with(first) || (second && path.ends_with(second))) return;
+  throw InputError(
+      option, "", display_text(path),
+      fmt::format("must be a file name that ends in {}{}", first, second ? fmt::format(" or {}", second) : ""));
+}
+
 void write_file(const std::string& path, const std::string& text) { store::write_whole(path, text); }
 
 void add_overrides(CLI::App& app, std::vector<std::string>& overrides) {

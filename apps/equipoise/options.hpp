@@ -56,6 +56,9 @@ void choose_cpu(const std::string& name);
 /// left behind. An empty path is none.
 void require_writable(const char* option, const std::string& path);
 
+/// Throws InputError unless a path, if there is one, ends in one of the endings; `second` may be null.
+void require_ending(const char* option, const std::string& path, const char* first, const char* second = nullptr);
+
 /// Throws RunError, naming the file, if `text` cannot be written there whole; what was there stays then.
 void write_file(const std::string& path, const std::string& text);
 

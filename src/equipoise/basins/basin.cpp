@@ -304,7 +304,10 @@ class BasinRun {
   void add_note(const std::string& words) { result_.note += (result_.note.empty() ? "" : "; ") + words; }
 
   void compute(std::uint64_t first, std::uint64_t limit, const ChunkSink& sink) {
-    const ChunkWork work{*runner_, threads_, followed_one_by_one(result_.study.system()), gathers_, options_.stop};
+    const auto decide = [&](Chunk& c) {
+      return runner_->run(c.first, c.count, c.phi, c.fates, c.unlisted, gathers_ ? &c.transients : nullptr);
+    };
+    const ChunkWork work{decide, threads_, followed_one_by_one(result_.study.system()), options_.stop};
     compute_chunks(work, first, limit, finished_, lost_, sink);
   }
 

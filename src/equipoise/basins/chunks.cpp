@@ -30,8 +30,7 @@ void compute_chunks(const ChunkWork& work, std::uint64_t first, std::uint64_t li
   };
   const auto decide = [&](std::shared_ptr<Chunk> chunk) {
     const auto begin = std::chrono::steady_clock::now();
-    chunk->complete = !finished && work.runner.run(chunk->first, chunk->count, chunk->phi, chunk->fates,
-                                                   chunk->unlisted, work.transients ? &chunk->transients : nullptr);
+    chunk->complete = !finished && work.decide(*chunk);
     size.took(chunk->count, std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count());
     return chunk;
   };

@@ -27,10 +27,9 @@ struct Chunk {
 
 /// What chunks are computed with.
 struct ChunkWork {
-  const Runner& runner;
+  std::function<bool(Chunk&)> decide;  ///< fills a chunk in; thread-safe; false if stopped early
   int threads = 1;
-  bool machine = false;     ///< starts ride in no lanes
-  bool transients = false;  ///< rows are wanted
+  bool machine = false;  ///< starts ride in no lanes
   const StopFlag* stop = nullptr;
 };
 

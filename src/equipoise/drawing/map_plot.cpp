@@ -5,6 +5,7 @@
 #include <array>
 #include <cmath>
 #include <cstdlib>
+#include <map>
 #include <vector>
 
 #include <fmt/format.h>
@@ -79,14 +80,46 @@ std::string line_block(const std::string& name, const std::vector<std::array<Poi
   return text + "EOD\n";
 }
 
+// How dark pixels are by when they were decided: by rank among those of the same outcome, so that each colour has all
+// its shades.
+class Shade {
+ public:
+  Shade(const PlaneMap& map, MapShading shading) : map_(map) {
+    if (shading == MapShading::none) return;
+    for (std::size_t k = 0; k < map.code.size(); ++k)
+      if (map.code[k] > 0 && std::isfinite(map.time[k])) times_[map.code[k]].push_back(map.time[k]);
+    for (auto& [code, times] : times_) std::sort(times.begin(), times.end());
+  }
+
+  // A packed colour, at least half as bright: the legend's is still recognised.
+  int apply(std::size_t pixel, int packed) const {
+    constexpr double darkest = 0.5;
+    const auto found = times_.find(map_.code[pixel]);
+    if (found == times_.end() || !std::isfinite(map_.time[pixel])) return packed;
+    const std::vector<double>& times = found->second;
+    const auto rank = std::lower_bound(times.begin(), times.end(), map_.time[pixel]) - times.begin();
+    const double bright = 1.0 - darkest * static_cast<double>(rank) / static_cast<double>(times.size());
+    const auto part = [&](int shift) {
+      return static_cast<int>(std::lround((packed >> shift & 255) * bright)) << shift;
+    };
+    return part(16) | part(8) | part(0);
+  }
+
+ private:
+  const PlaneMap& map_;
+  std::map<short, std::vector<double>> times_;  // by outcome
+};
+
 // Outcomes as packed red, green and blue.
-std::string image_block(const PlaneMap& map) {
+std::string image_block(const PlaneMap& map, MapShading shading) {
+  const Shade shade(map, shading);
   std::string text = "$outcome << EOD\n";
   for (int row = 0; row < map.y.pixels; ++row) {
     for (int column = 0; column < map.x.pixels; ++column) {
       const short code = map.code[map.at(column, row)];
       const char* colour = code == not_computed_code ? "#FFFFFF" : colour_of(code);
-      text += fmt::format("{}{}", column ? " " : "", std::stol(colour + 1, nullptr, 16));
+      const int packed = static_cast<int>(std::stol(colour + 1, nullptr, 16));
+      text += fmt::format("{}{}", column ? " " : "", shade.apply(map.at(column, row), packed));
     }
     text += "\n";
   }
@@ -98,9 +131,9 @@ std::string share_text(const Share& share) {
   return percent > 0.0 && percent < 0.1 ? "< 0.1 %" : fmt::format("{:.1f} %", percent);
 }
 
-// An angle's axis has ticks at parts of a turn.
+// An angle's axis has ticks at parts of a turn, unless it shows too little of one.
 std::string ticks(const std::string& letter, const MapAxis& axis) {
-  if (!axis.key.starts_with("initial.phi_") || axis.key.starts_with("initial.phi_dot")) return "";
+  if (axis.high - axis.low < pi || !axis.key.starts_with("initial.phi_") || axis.key.starts_with("initial.phi_dot")) return "";
   return fmt::format("set {}tics ('0' 0, 'π/2' pi/2, 'π' pi, '3π/2' 3*pi/2, '2π' 2*pi)\n", letter);
 }
 
@@ -130,8 +163,9 @@ std::string start_text(const PlaneMap& map) {
 
 }  // namespace
 
-std::string map_plot_script(const PlaneMap& map, const std::string& title, const std::string& path) {
-  std::string script = canvas(path, 1600, 1000) + image_block(map);
+std::string map_plot_script(const PlaneMap& map, const std::string& title, const std::string& path,
+                            MapShading shading) {
+  std::string script = canvas(path, 1600, 1000) + image_block(map, shading);
   const auto exists = zero_line(map, map.balance_margin), stable = zero_line(map, map.balance_growth);
   std::string items = fmt::format(
       "$outcome matrix using ({:.10g}+$1*{:.10g}):({:.10g}+$2*{:.10g}):(int($3)/65536):(int($3)/256%256):(int($3)%256) "
@@ -155,7 +189,8 @@ std::string map_plot_script(const PlaneMap& map, const std::string& title, const
   add_border("$exists", exists, "dashtype (10,7)", "balance ends to exist");
   add_border("$stable", stable, "", "balance changes stability");
   const std::string stopped = map.complete ? "" : " (PARTIAL: stopped early)";
-  const std::string details = parameters_text(map.study, {map.x.key, map.y.key}) + start_text(map) + stopped;
+  const std::string darker = shading == MapShading::none ? "" : "; the darker, the later decided";
+  const std::string details = parameters_text(map.study, {map.x.key, map.y.key}) + start_text(map) + darker + stopped;
   script += fmt::format("set title {}.\"\\n\".{} offset 0,0.3\n", quoted(title), quoted(details));
   script += fmt::format("set xlabel {}\nset ylabel {} offset -0.6,0\n", quoted(axis_label(map.x.key)),
                         quoted(axis_label(map.y.key)));

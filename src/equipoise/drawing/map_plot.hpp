@@ -7,8 +7,12 @@
 
 namespace equipoise {
 
-/// Draws the outcomes of `map` into `path` (.png or .svg): one colour an identifier in all pictures, names and shares
-/// beside it; where balance ends (dashed) and where it changes stability (solid). `title` goes before the parameters.
-std::string map_plot_script(const PlaneMap& map, const std::string& title, const std::string& path);
+enum class MapShading { none, decision_time };
+
+/// Draws the outcomes of `map` into `path` (.png or .svg): one colour an identifier in all pictures, darker where it
+/// was decided later if so shaded, names and shares beside it; where balance ends (dashed) and where it changes
+/// stability (solid). `title` goes before the parameters.
+std::string map_plot_script(const PlaneMap& map, const std::string& title, const std::string& path,
+                            MapShading shading = MapShading::none);
 
 }  // namespace equipoise

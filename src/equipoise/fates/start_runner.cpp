@@ -166,10 +166,24 @@ bool StartRunner::run(std::uint64_t first, std::size_t count, std::vector<double
                       std::vector<UnlistedStart>& unlisted, std::vector<TransientRow>* rows) const {
   SpunUp starts;
   TransientTable table{transients_, {}, ends_};
-  TransientTable* transients = rows ? &table : nullptr;
-  if (!source_->make(study_.sampling.seed, first, count, starts, transients)) return false;
-  if (!decide(starts, transients, fates)) return false;
+  if (!source_->make(study_.sampling.seed, first, count, starts, rows ? &table : nullptr)) return false;
+  if (!finish(starts, &table, fates, unlisted, rows)) return false;
   phi = starts.phi;
+  return true;
+}
+
+bool StartRunner::run_from(const std::vector<double>& phi, std::vector<Fate>& fates,
+                           std::vector<UnlistedStart>& unlisted) const {
+  SpunUp starts;
+  TransientTable table{transients_, {}, ends_};
+  return source_->follow(phi, starts) && finish(starts, &table, fates, unlisted, nullptr);
+}
+
+// Decides starts and says what each came to; `table` is that of their transients so far, if `rows` are wanted.
+bool StartRunner::finish(SpunUp& starts, TransientTable* table, std::vector<Fate>& fates,
+                         std::vector<UnlistedStart>& unlisted, std::vector<TransientRow>* rows) const {
+  if (!decide(starts, rows ? table : nullptr, fates)) return false;
+  const std::size_t count = starts.size();
   unlisted.clear();
   if (rows) rows->assign(count, TransientRow{});
   for (std::size_t i = 0; i < count; ++i) {
@@ -178,7 +192,7 @@ bool StartRunner::run(std::uint64_t first, std::size_t count, std::vector<double
     std::optional<MotionFigures> end;
     if (attracted && fate.attractor == 0) {
       // A watched trajectory has gone on since it was decided.
-      unlisted.push_back(unlisted_start(starts, i, rows ? table.rows[i].end : fate.time));
+      unlisted.push_back(unlisted_start(starts, i, rows ? table->rows[i].end : fate.time));
       fate.by = DecidedBy::followed;
       const auto& motion = unlisted.back().motion;
       if (motion && !system_.prescribed()) fate.mean_speed = static_cast<float>(motion->speed);
@@ -186,13 +200,13 @@ bool StartRunner::run(std::uint64_t first, std::size_t count, std::vector<double
       if (rows && motion && motion->stable) end = motion_figures(study_.parameters, *motion);
     } else if (attracted) {
       fate.mean_speed = static_cast<float>(mean_speed(fate));
-      end = table.end_of(fate.attractor).figures;
+      end = table->end_of(fate.attractor).figures;
     }
     if (attracted && fate.attractor > 0) note_unbalance(&starts.states[i * system_.dimension()], fate);
     if (attracted && stalls(fate)) fate.outcome = Outcome::stalled;
     if (!rows) continue;
     const bool lost = fate.outcome == Outcome::diverged || fate.outcome == Outcome::failed;
-    (*rows)[i] = transient_row(settings_of(starts, i), table.rows[i], lost, end);
+    (*rows)[i] = transient_row(settings_of(starts, i), table->rows[i], lost, end);
   }
   return true;
 }

@@ -1,6 +1,6 @@
-// One trajectory a pixel. Where one axis is of initial values, lines run along it and pixels in a line, which share one
-// system, are done one after another: so each orbit is refined once a line. (Moving orbits from one system to the next
-// costs more than finding them anew.)
+// One trajectory a pixel, but where pixels are starts of one system (start_pixels.hpp). Where one axis is of initial
+// values, lines run along it and pixels in a line, which share one system, are done one after another: so each orbit is
+// refined once a line. (Moving orbits from one system to the next costs more than finding them anew.)
 #include "equipoise/maps/plane_map.hpp"
 
 #include <algorithm>
@@ -24,7 +24,9 @@
 #include "equipoise/basins/basin.hpp"
 #include "equipoise/branches/parameter_line.hpp"
 #include "equipoise/fates/start_runner.hpp"
+#include "equipoise/discovery/horizon.hpp"
 #include "equipoise/kernels/cpu_target.hpp"
+#include "equipoise/maps/start_pixels.hpp"
 #include "equipoise/math/dense.hpp"
 #include "equipoise/model/balanced_state.hpp"
 #include "equipoise/model/linearisation.hpp"
@@ -33,13 +35,13 @@
 #include "equipoise/orbits/return_map.hpp"
 #include "equipoise/orbits/stroboscopic.hpp"
 #include "equipoise/spin_up/spin_up.hpp"
-#include "equipoise/store/basin_file.hpp"
+#include "equipoise/store/start_columns.hpp"
 
 namespace equipoise {
 
 namespace {
 
-constexpr int most_pixels = 20000;  // along one side
+constexpr int most_pixels = 50'000'000;  // in all: 4 GB
 // Unless the study says. Pixels are followed one by one, and what is chaotic is only known at the end.
 constexpr double default_horizon = 3000.0;
 // Orbits that a line of one system keeps, the latest first.
@@ -52,13 +54,6 @@ constexpr std::array usual_names{
     "pair drift, chaotic", "one captured, period 2"};
 
 bool is_start_key(const std::string& key) { return key.starts_with("initial."); }
-
-// What a pixel came to, before codes are given.
-struct Pixel {
-  short code = not_computed_code;  // with a name: 0 until names have codes
-  std::string name, alias;
-  double time = std::numeric_limits<double>::quiet_NaN(), r_max = time;
-};
 
 double balance_margin(const model::Parameters& p) {
   const double largest = std::max(p.eccentricity, *std::max_element(p.mass.begin(), p.mass.begin() + p.balls));
@@ -84,7 +79,6 @@ class Mapper {
         one_system_(is_start_key(settings.x.key) || is_start_key(settings.y.key)),
         lines_along_y_(one_system_ && !is_start_key(settings.x.key)) {
     map_.study = study;
-    map_.study.numerics.horizon = study.numerics.horizon.value_or(default_horizon);
     map_.x = settings.x;
     map_.y = settings.y;
     map_.links = settings.links;
@@ -95,12 +89,10 @@ class Mapper {
     const std::clock_t cpu_begin = std::clock();
     check();
     prepare();
-    tbb::task_arena arena(map_.threads);
-    arena.execute([&] {
-      tbb::parallel_for(
-          0, lines_along_y_ ? map_.x.pixels : map_.y.pixels, [&](int line) { compute_line(line); },
-          tbb::simple_partitioner());
-    });
+    if (maps_starts(map_))
+      compute_starts();
+    else
+      compute_lines();
     give_codes();
     map_.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
     map_.cpu_seconds = static_cast<double>(std::clock() - cpu_begin) / CLOCKS_PER_SEC;
@@ -113,13 +105,16 @@ class Mapper {
       const auto reject = [&](const std::string& value, const std::string& problem) {
         throw InputError("map", axis->key, value, problem);
       };
-      if (axis->pixels < 1 || axis->pixels > most_pixels)
+      if (axis->pixels < 1 || axis->pixels > most_map_pixels)
         reject(fmt::format("{}", axis->pixels),
-               fmt::format("pixels; must be a whole number from 1 to {}", most_pixels));
+               fmt::format("pixels; must be a whole number from 1 to {}", most_map_pixels));
       if (!std::isfinite(axis->low) || !std::isfinite(axis->high) || !(axis->low < axis->high))
         reject(fmt::format("{} to {}", axis->low, axis->high),
                "must be two finite numbers, the first below the second");
     }
+    if (map_.x.pixels > most_pixels / map_.y.pixels)
+      throw InputError("map", "size", fmt::format("{}x{}", map_.x.pixels, map_.y.pixels),
+                       fmt::format("pixels in all; must be at most {:.0f} million", 1e-6 * most_pixels));
     if (map_.x.key == map_.y.key) throw InputError("map", map_.x.key, "", "both axes vary the same key; must be two");
     for (const AngleLink& link : map_.links)
       if (std::min(link.ball, link.of) < 1 || std::max(link.ball, link.of) > map_.study.parameters.balls ||
@@ -133,6 +128,7 @@ class Mapper {
   void prepare() {
     const std::size_t size = static_cast<std::size_t>(map_.x.pixels) * static_cast<std::size_t>(map_.y.pixels);
     map_.threads = thread_count(settings_.threads);
+    map_.cpu_target = cpu_target();
     pixels_.resize(size);
     map_.balance_margin.assign(size, std::numeric_limits<double>::quiet_NaN());
     map_.balance_growth = map_.balance_margin;
@@ -145,6 +141,23 @@ class Mapper {
       study.initial.phi[static_cast<std::size_t>(link.ball - 1)] =
           study.initial.phi[static_cast<std::size_t>(link.of - 1)] + link.offset;
     return study;
+  }
+
+  void compute_starts() {
+    map_.study = with_horizon(map_.study);
+    std::fill(map_.balance_margin.begin(), map_.balance_margin.end(), balance_margin(map_.study.parameters));
+    std::fill(map_.balance_growth.begin(), map_.balance_growth.end(), balance_growth(map_.study.system()));
+    pixels_ = start_pixels(map_, settings_);
+  }
+
+  void compute_lines() {
+    if (!map_.study.numerics.horizon) map_.study.numerics.horizon = default_horizon;
+    tbb::task_arena arena(map_.threads);
+    arena.execute([&] {
+      tbb::parallel_for(
+          0, lines_along_y_ ? map_.x.pixels : map_.y.pixels, [&](int line) { compute_line(line); },
+          tbb::simple_partitioner());
+    });
   }
 
   bool stopped() const { return is_set(settings_.stop); }
@@ -167,31 +180,25 @@ class Mapper {
     }
   }
 
-  static short code_of(Outcome outcome) {
-    return outcome == Outcome::diverged  ? diverged_code
-           : outcome == Outcome::failed  ? failed_code
-           : outcome == Outcome::stalled ? stalled_code
-                                         : undecided_code;
-  }
-
   static bool overlap(const Study& study) {
     Eigen::VectorXd state = Eigen::VectorXd::Zero(model::dimension(study.parameters.balls));
-    for (int i = 0; i < study.parameters.balls; ++i) state[model::index::phi(i)] = study.initial.phi[static_cast<std::size_t>(i)];
+    for (int i = 0; i < study.parameters.balls; ++i)
+      state[model::index::phi(i)] = study.initial.phi[static_cast<std::size_t>(i)];
     return least_gap(study.parameters, state) < 0.0;
   }
 
-  Pixel outcome_of(const Study& study, const model::System& system, std::vector<KnownOrbit>& known) const {
+  MapPixel outcome_of(const Study& study, const model::System& system, std::vector<KnownOrbit>& known) const {
     const model::Parameters& p = study.parameters;
     const std::unique_ptr<SpinUp> source = make_spin_up(study, settings_.stop);
     SpunUp start;
-    Pixel pixel;
+    MapPixel pixel;
     if (p.balls_collide() && overlap(study)) {  // no such start
       pixel.code = failed_code;
       return pixel;
     }
     if (!source->follow({study.initial.phi.begin(), study.initial.phi.begin() + p.balls}, start)) return pixel;
     if (start.is_over(0)) {
-      pixel.code = code_of(start.fates.front().outcome);
+      pixel.code = store::code_of(start.fates.front());
       pixel.time = start.fates.front().time;
       return pixel;
     }
@@ -206,10 +213,7 @@ class Mapper {
                  : settling.status == IntegrationStatus::failed ? failed_code
                                                                 : undecided_code;
     if (!settling.motion || !settling.motion->stable) return pixel;
-    const MotionName name = motion_name(p, *settling.motion);
-    pixel.code = static_cast<short>(name.id);
-    pixel.name = name.name;
-    pixel.alias = name.alias;
+    pixel.motion = std::make_shared<MotionName>(motion_name(p, *settling.motion));
     pixel.r_max = settling.motion->r_max;
     return pixel;
   }
@@ -233,11 +237,13 @@ class Mapper {
     std::map<short, MapCode> attractors;
     std::map<short, std::size_t> counts;
     std::size_t total = 0;
-    for (Pixel& pixel : pixels_) {
-      if (!pixel.name.empty() && pixel.code == 0)
-        pixel.code =
-            free_codes.emplace(pixel.name, static_cast<short>(first_free_id + free_codes.size())).first->second;
-      if (!pixel.name.empty()) attractors.emplace(pixel.code, MapCode{pixel.code, pixel.name, pixel.alias, {}});
+    for (MapPixel& pixel : pixels_) {
+      if (const MotionName* m = pixel.motion.get()) {
+        pixel.code = static_cast<short>(m->id);
+        if (m->id == 0)
+          pixel.code = free_codes.emplace(m->name, static_cast<short>(first_free_id + free_codes.size())).first->second;
+        attractors.emplace(pixel.code, MapCode{pixel.code, m->name, m->alias, {}});
+      }
       ++counts[pixel.code];
       if (pixel.code == not_computed_code)
         map_.complete = false;
@@ -259,7 +265,7 @@ class Mapper {
   bool one_system_;  // all pixels of a line have the same parameters
   bool lines_along_y_;
   PlaneMap map_;
-  std::vector<Pixel> pixels_;
+  std::vector<MapPixel> pixels_;
   std::mutex reporting_;
   std::size_t done_ = 0;
 };

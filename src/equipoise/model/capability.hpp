@@ -44,7 +44,7 @@ inline constexpr std::array<Capability, 7> capabilities{{
     {Answer::proofs, "proofs", "", true, false, false, true},
     {Answer::displacements, "observed displacements", "", true, true, true, true},
     {Answer::branches, "branches along a parameter", "", false, false, false, false},
-    {Answer::maps, "maps", "", false, false, false, false},
+    {Answer::maps, "maps", "map", false, false, false, false},
 }};
 constexpr const Capability& capability(Answer answer) { return capabilities[static_cast<std::size_t>(answer)]; }
 

@@ -10,6 +10,8 @@
 
 namespace equipoise {
 
+inline constexpr int most_map_pixels = 20000;  ///< along one side
+
 /// A quantity that varies along one side of a map.
 struct MapAxis {
   std::string key;  ///< of rotor, balancer, speed or initial that takes a number; initial.phi_1 for one ball's angle
@@ -51,6 +53,7 @@ struct PlaneMap {
   bool complete = true;
   int threads = 1;
   double seconds = 0.0, cpu_seconds = 0.0;
+  std::string cpu_target;  ///< instruction set used
 
   std::size_t at(int column, int row) const {
     return static_cast<std::size_t>(row) * static_cast<std::size_t>(x.pixels) + static_cast<std::size_t>(column);

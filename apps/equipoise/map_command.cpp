@@ -1,0 +1,91 @@
+// equipoise map: the outcome of a start at every pixel of a plane.
+#include <filesystem>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "commands.hpp"
+#include "equipoise/drawing/map_plot.hpp"
+#include "equipoise/maps/map_axis.hpp"
+#include "equipoise/maps/map_figures.hpp"
+#include "equipoise/maps/plane_map.hpp"
+#include "equipoise/report/map_report.hpp"
+#include "equipoise/store/map_file.hpp"
+#include "gnuplot.hpp"
+#include "options.hpp"
+#include "progress.hpp"
+#include "streams.hpp"
+
+namespace equipoise::app {
+
+namespace {
+
+struct MapArguments {
+  std::string study, x = "initial.phi_1", y = "initial.phi_2", x_range, y_range, size = "512x512", output, plot, cpu;
+  std::vector<std::string> overrides, ties;
+  std::optional<std::string> threads;
+  bool json = false, quiet = false;
+};
+
+int run_map(const MapArguments& a) {
+  choose_cpu(a.cpu);
+  const Study study = read_study(a.study, a.overrides);
+  const MapSize size = map_size(a.size, "--size");
+  PlaneMapSettings settings;
+  settings.x = map_axis(study, a.x, a.x_range, size.width, "--x-range");
+  settings.y = map_axis(study, a.y, a.y_range, size.height, "--y-range");
+  for (const std::string& tie : a.ties) settings.links.push_back(angle_link(tie, "--tie"));
+  require_ending("--output", a.output, ".nc");
+  require_ending("--plot", a.plot, ".png", ".svg");
+  if (!a.plot.empty()) require_gnuplot("--plot", a.plot);
+  require_writable("--output", a.output);
+  require_writable("--plot", a.plot);
+  settings.threads = threads_option(a.threads);
+  settings.stop = &stop_flag();
+  ProgressLine progress(a.quiet);
+  settings.progress = progress.listener();
+  const PlaneMap map = plane_map(study, settings);
+  progress.finish();
+  const MapFigures figures = map_figures(map);
+  put(a.json ? map_json(map, figures) : map_text(map, figures));
+  if (!a.output.empty()) write_map_file(a.output, map);
+  if (!a.plot.empty())
+    draw(a.plot, [&](const std::string& file) {
+      return map_plot_script(map, display_text(std::filesystem::path(study.name).filename().string()), file,
+                             MapShading::decision_time);
+    });
+  return map.complete ? done : interrupted;
+}
+
+}  // namespace
+
+Command add_map(CLI::App& app) {
+  const auto a = std::make_shared<MapArguments>();
+  app.add_option("study", a->study, "study file (TOML)")->required()->type_name("STUDY");
+  app.add_option(
+         "--x", a->x,
+         "what varies from left to right: a key of rotor, balancer, speed, release or initial that takes a number "
+         "(default initial.phi_1)")
+      ->type_name("KEY");
+  app.add_option("--y", a->y, "the same from bottom to top (default initial.phi_2)")->type_name("KEY");
+  app.add_option("--x-range", a->x_range,
+                 "from and to, e.g. 1.5:6, -pi/2:pi/2, \"900 rpm:4000 rpm\" (default for ball angles: a whole turn)")
+      ->type_name("LOW:HIGH");
+  app.add_option("--y-range", a->y_range, "the same for --y")->type_name("LOW:HIGH");
+  app.add_option("--size", a->size, "pixels (default 512x512)")->type_name("WIDTHxHEIGHT");
+  app.add_option("--tie", a->ties, "a ball angle that follows another, e.g. phi_2=phi_1+pi; may be repeated")
+      ->type_name("PHI_I=PHI_J+ANGLE")
+      ->take_all();
+  app.add_option("-o,--output", a->output, "every pixel's outcome and time as NetCDF (.nc)")->type_name("FILE");
+  app.add_option("--plot", a->plot, "a picture (.png or .svg), darker where decided later; drawn by gnuplot")
+      ->type_name("FILE");
+  app.add_option("--threads", a->threads, "threads (default: all cores)")->type_name("T");
+  add_overrides(app, a->overrides);
+  app.add_option("--cpu", a->cpu, "instruction set to use instead of the best (see --version)")->type_name("NAME");
+  app.add_flag("--json", a->json, "print one JSON object");
+  app.add_flag("--quiet", a->quiet, "no progress");
+  return [a] { return run_map(*a); };
+}
+
+}  // namespace equipoise::app

@@ -1,0 +1,19 @@
+// What a pixel of a map came to, before motions without an identifier of their own get codes.
+#pragma once
+
+#include <limits>
+#include <memory>
+
+#include "equipoise/motions/motion.hpp"
+#include "equipoise/results/plane_map.hpp"
+
+namespace equipoise {
+
+struct MapPixel {
+  short code = not_computed_code;  ///< of what is no motion
+  /// The motion that it came to, with its own identifier or 0; shared, since maps are large.
+  std::shared_ptr<const MotionName> motion = nullptr;
+  double time = std::numeric_limits<double>::quiet_NaN(), r_max = time;
+};
+
+}  // namespace equipoise

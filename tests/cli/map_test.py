@@ -1,0 +1,129 @@
+#!/usr/bin/env python3
+"""equipoise map as its users meet it: table, JSON, files, picture, units, errors, interruption.
+
+    map_test.py PROGRAM STUDIES
+"""
+import json
+import os
+import shutil
+import signal
+import subprocess
+import sys
+import tempfile
+import time
+import unittest
+
+PROGRAM, STUDIES = os.path.abspath(sys.argv[1]), os.path.abspath(sys.argv[2])
+ROW = os.path.join(STUDIES, "paper", "table-2-omega-2.4.toml")
+DRIVE = os.path.join(STUDIES, "examples", "optical-drive.toml")
+
+
+def run(study, *arguments, **options):
+    return subprocess.run([PROGRAM, "map", study, *arguments], capture_output=True, text=True, timeout=300, check=False,
+                          **options)
+
+
+class Results(unittest.TestCase):
+    @classmethod
+    def setUpClass(cls):
+        cls.folder = tempfile.TemporaryDirectory()
+        cls.file, cls.picture = (os.path.join(cls.folder.name, name) for name in ("out.nc", "out.png"))
+        plot = ("--plot", cls.picture) if shutil.which("gnuplot") else ()
+        cls.done = run(ROW, "--size", "96x64", "--json", "--quiet", "-o", cls.file, *plot)
+        cls.answer = json.loads(cls.done.stdout)
+
+    @classmethod
+    def tearDownClass(cls):
+        cls.folder.cleanup()
+
+    def test_json_has_axes_outcomes_pixels_and_figures(self):
+        self.assertEqual((self.done.returncode, self.done.stderr), (0, ""))
+        self.assertEqual((self.answer["x"]["key"], len(self.answer["x"]["values"])), ("initial.phi_1", 96))
+        self.assertEqual((self.answer["y"]["key"], len(self.answer["y"]["values"])), ("initial.phi_2", 64))
+        self.assertEqual({o["id"]: o["name"] for o in self.answer["outcomes"] if o["id"] > 0},
+                         {1: "balanced", 2: "co-drifting", 3: "drifting apart"})
+        rows = self.answer["outcome"]
+        self.assertEqual((len(rows), {len(row) for row in rows}), (64, {96}))
+        for outcome in self.answer["outcomes"]:
+            self.assertEqual(sum(row.count(outcome["id"]) for row in rows), outcome["pixels"])
+        times = self.answer["time"]
+        self.assertTrue(all(t is not None and t >= 0.0 for row in times for t in row))
+        figures = self.answer["figures"]
+        for name, least, most in (("box_dimension", 1.0, 2.0), ("uncertainty_exponent", 0.0, 1.0),
+                                  ("basin_entropy", 0.0, 1.1), ("boundary_basin_entropy", 0.0, 1.1)):
+            figure = figures[name]
+            self.assertTrue(least < figure["value"] < most, name)
+            self.assertTrue(figure["low"] < figure["value"] < figure["high"], name)
+        self.assertTrue(0.9 < figures["balanced_radius"] < 1.4)
+        self.assertFalse(self.answer["partial"])
+
+    def test_a_map_is_the_same_for_any_number_of_threads(self):
+        again = json.loads(run(ROW, "--size", "96x64", "--json", "--quiet", "--threads", "1").stdout)
+        for key in ("outcome", "time", "figures", "outcomes"):
+            self.assertEqual(again[key], self.answer[key], key)
+
+    def test_pixels_are_starts_as_basin_has_them(self):
+        phi = (self.answer["x"]["values"][10], self.answer["y"]["values"][50])
+        zoom = run(ROW, "--size", "1x1", "--json", "--quiet", "--x-range", f"{phi[0] - 0.01}:{phi[0] + 0.01}",
+                   "--y-range", f"{phi[1] - 0.01}:{phi[1] + 0.01}")
+        self.assertEqual(json.loads(zoom.stdout)["outcome"], [[self.answer["outcome"][50][10]]])
+
+    def test_files_are_there(self):
+        self.assertGreater(os.path.getsize(self.file), 96 * 64 * 2)
+        if shutil.which("gnuplot"):
+            with open(self.picture, "rb") as file:
+                self.assertEqual(file.read(4), b"\x89PNG")
+
+    def test_table_names_and_counts(self):
+        text = run(ROW, "--size", "32x32", "--quiet").stdout
+        for word in ("co-drifting (V1)", "1024 pixels", "basin entropy", "of the map"):
+            self.assertIn(word, text)
+
+    def test_parameters_units_and_ties(self):
+        done = run(DRIVE, "--x", "speed.final", "--x-range", "9000 rpm:11000 rpm", "--y", "initial.phi_1", "--size", "2x2",
+                   "--tie", "phi_2=phi_1+pi/3", "--json", "--quiet")
+        self.assertEqual(done.returncode, 0, done.stderr)
+        answer = json.loads(done.stdout)
+        self.assertAlmostEqual(answer["x"]["values"][0], 9500.0 / 3573.0, delta=1e-3)
+        self.assertAlmostEqual(answer["ties"][0]["offset"], 1.0471975512, delta=1e-9)
+
+    def test_interrupted_keeps_what_is_done(self):
+        process = subprocess.Popen([PROGRAM, "map", ROW, "--size", "4000x4000", "--quiet"], stdout=subprocess.PIPE,
+                                   stderr=subprocess.PIPE, text=True)
+        time.sleep(6.0)  # the search for attractors takes one or two
+        process.send_signal(signal.SIGINT)
+        output, _ = process.communicate(timeout=60)
+        self.assertEqual(process.returncode, 130)
+        self.assertIn("PARTIAL", output)
+
+
+class Errors(unittest.TestCase):
+    def test_bad_options_are_one_line_naming_option_value_and_form(self):
+        for arguments, words in (
+            (["--size", "12"], ("--size", "12", "WIDTHxHEIGHT")),
+            (["--size", "0x5"], ("--size", "0x5", "1 to 20000")),
+            (["--size", "20000x20000"], ("20000x20000", "at most 50 million")),
+            (["--x-range", "3"], ("--x-range", "LOW:HIGH")),
+            (["--x-range", "2:1"], ("--x-range", "2:1", "the first below the second")),
+            (["--x", "rotor.eccentricity"], ("--x-range", "rotor.eccentricity", "LOW:HIGH")),
+            (["--x", "rotor.ecc", "--x-range", "0:1"], ("rotor.ecc", "unknown key")),
+            (["--x", "rotor.eccentricity", "--x-range", "0.01 kg:1"], ("--x-range", "0.01 kg")),
+            (["--y", "initial.phi_1"], ("initial.phi_1", "same key")),
+            (["--x", "initial.phi_3"], ("initial.phi_3",)),
+            (["--tie", "phi_2"], ("--tie", "phi_2", "phi_2=phi_1+pi")),
+            (["--tie", "phi_2=phi_3"], ("phi_2 = phi_3", "balls from 1 to 2")),
+            (["-o", "out.csv"], ("--output", "out.csv", ".nc")),
+            (["--plot", "out.pdf"], ("--plot", "out.pdf", ".png or .svg")),
+            (["-o", "/nowhere/out.nc"], ("--output", "/nowhere/out.nc", "cannot be written")),
+        ):
+            with self.subTest(arguments=arguments), tempfile.TemporaryDirectory() as folder:
+                done = run(ROW, *arguments, cwd=folder)
+                self.assertEqual((done.returncode, done.stdout), (2, ""), done.stderr)
+                self.assertEqual(os.listdir(folder), [], "nothing may be written")
+                self.assertEqual(len(done.stderr.strip().splitlines()), 1, done.stderr)
+                for word in words:
+                    self.assertIn(word, done.stderr)
+
+
+if __name__ == "__main__":
+    unittest.main(argv=[sys.argv[0]])
