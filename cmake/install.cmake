@@ -20,14 +20,14 @@ foreach(header
     model/ball_mode.hpp orbits/balanced_continuum.hpp orbits/ball_events.hpp orbits/orbit.hpp motions/catalogue.hpp
     motions/motion.hpp proof/certificate.hpp proof/member_certificate.hpp
     results/attractors_result.hpp results/basin_result.hpp results/branch.hpp results/branches_result.hpp
-    results/certify_result.hpp results/explanation.hpp results/map_figures.hpp results/plane_map.hpp results/start_arrays.hpp results/trajectory.hpp
+    results/certify_result.hpp results/comparison_result.hpp results/explanation.hpp results/map_figures.hpp results/plane_map.hpp results/start_arrays.hpp results/trajectory.hpp
     results/transient_result.hpp
-    store/basin_file.hpp store/branches_file.hpp store/map_file.hpp store/start_columns.hpp store/trajectory_file.hpp
-    basins/attractors.hpp basins/basin.hpp basins/certify.hpp basins/observation.hpp
+    store/basin_file.hpp store/basin_outcomes.hpp store/branches_file.hpp store/map_file.hpp store/start_columns.hpp store/trajectory_file.hpp
+    basins/attractors.hpp basins/basin.hpp basins/certify.hpp basins/comparison.hpp basins/observation.hpp
     branches/continuation.hpp branches/parameter_line.hpp kernels/cpu_target.hpp
     maps/map_axis.hpp maps/map_figures.hpp maps/plane_map.hpp trajectory/output_times.hpp trajectory/simulate.hpp drawing/map_plot.hpp
     report/attractors_report.hpp report/basin_report.hpp report/branches_report.hpp report/certify_report.hpp report/explain_report.hpp
-    report/map_report.hpp
+    report/comparison_report.hpp report/map_report.hpp
     explain/explain.hpp
     paper.hpp literature/conclusions.hpp literature/paper_figure.hpp literature/published_tables.hpp
     literature/reproduction.hpp statistics/comparison.hpp reproduction/open_questions.hpp

@@ -24,6 +24,7 @@ equipoise_test(continuum_estimate_test equivalence equivalence/continuum_estimat
 equipoise_test(horizon_test equivalence equivalence/horizon_test.cpp)
 equipoise_test(stroboscopic_test equivalence equivalence/stroboscopic_test.cpp)
 equipoise_test(plane_map_test equivalence equivalence/plane_map_test.cpp)
+equipoise_test(comparison_result_test unit unit/comparison_result_test.cpp)
 equipoise_test(map_figures_test unit unit/map_figures_test.cpp)
 equipoise_test(continuation_test equivalence equivalence/continuation_test.cpp)
 equipoise_test(observation_test equivalence equivalence/observation_test.cpp)
@@ -63,6 +64,11 @@ if(Python3_FOUND AND EQUIPOISE_BUILD_PROGRAM)
     COMMAND Python3::Interpreter ${CMAKE_CURRENT_SOURCE_DIR}/cli/along_test.py $<TARGET_FILE:equipoise_program>
       ${PROJECT_SOURCE_DIR}/studies)
   set_tests_properties(cli.attractors_along_a_parameter PROPERTIES LABELS cli TIMEOUT ${longest_test})
+
+  add_test(NAME cli.compare
+    COMMAND Python3::Interpreter ${CMAKE_CURRENT_SOURCE_DIR}/cli/compare_test.py $<TARGET_FILE:equipoise_program>
+      ${PROJECT_SOURCE_DIR}/studies)
+  set_tests_properties(cli.compare PROPERTIES LABELS cli TIMEOUT ${longest_test})
 
   add_test(NAME cli.map
     COMMAND Python3::Interpreter ${CMAKE_CURRENT_SOURCE_DIR}/cli/map_test.py $<TARGET_FILE:equipoise_program>

@@ -25,6 +25,7 @@ using Command = std::function<int()>;
 Command add_attractors(CLI::App& app);
 Command add_basin(CLI::App& app);
 Command add_certify(CLI::App& app);
+Command add_compare(CLI::App& app);
 Command add_explain(CLI::App& app);
 Command add_map(CLI::App& app);
 Command add_reproduce(CLI::App& app);

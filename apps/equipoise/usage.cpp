@@ -103,6 +103,14 @@ std::string mismatch(const CLI::App& command, const std::string& message) {
                 : "";
 }
 
+// What must be given and is not: CLI11 begins with its name.
+std::string missing(const CLI::App& command, const std::string& message) {
+  const CLI::Option* option = command.get_option_no_throw(message.substr(0, message.find(' ')));
+  return option ? fmt::format("{}: {} is missing; must be a {}", command.get_name(), option->get_type_name(),
+                              option->get_description())
+                : "";
+}
+
 }  // namespace
 
 std::string usage_error(const CLI::App& app, const CLI::ParseError& error, int argc, char** argv) {
@@ -111,8 +119,7 @@ std::string usage_error(const CLI::App& app, const CLI::ParseError& error, int a
   const CLI::App& command = *chosen.front();
   if (dynamic_cast<const CLI::ExtrasError*>(&error)) return unexpected(command);
   std::string text = dynamic_cast<const CLI::ArgumentMismatch*>(&error) ? mismatch(command, error.what()) : "";
-  if (text.empty() && dynamic_cast<const CLI::RequiredError*>(&error))
-    text = fmt::format("{}: STUDY is missing; must be a study file (TOML)", command.get_name());
+  if (text.empty() && dynamic_cast<const CLI::RequiredError*>(&error)) text = missing(command, error.what());
   if (text.empty()) text = command.get_name() + ": " + display_text(error.what());
   return text;
 }

@@ -1,0 +1,87 @@
+// equipoise compare: two studies, or results, on common starts.
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "commands.hpp"
+#include "equipoise/basins/comparison.hpp"
+#include "equipoise/report/comparison_report.hpp"
+#include "options.hpp"
+#include "progress.hpp"
+#include "streams.hpp"
+
+namespace equipoise::app {
+
+namespace {
+
+struct CompareArguments {
+  std::string first, second, cpu;
+  std::vector<std::string> overrides, second_overrides;
+  std::optional<std::string> starts, seed, threads;
+  bool json = false, quiet = false;
+};
+
+// Read and checked before any work starts.
+struct Side {
+  std::optional<BasinOutcomes> stored;
+  std::optional<Study> study;
+};
+
+Side side(const std::string& given, const CompareArguments& a, bool second) {
+  Side result;
+  if (given.ends_with(".nc")) {
+    const char* option = second && !a.second_overrides.empty() ? "--set-second" : !a.overrides.empty() ? "--set" : "";
+    if (*option || a.starts || a.seed)
+      throw InputError(given,
+                       *option    ? option
+                       : a.starts ? "--starts"
+                                  : "--seed",
+                       "", "goes with studies; what a result holds is done");
+    result.stored = read_basin_outcomes(given);
+    return result;
+  }
+  std::vector<std::string> overrides = a.overrides;
+  if (second) overrides.insert(overrides.end(), a.second_overrides.begin(), a.second_overrides.end());
+  override_starts(a.starts, a.seed, overrides);
+  result.study = read_study(given, overrides);
+  check_comparable(*result.study);
+  return result;
+}
+
+int run_compare(const CompareArguments& a) {
+  choose_cpu(a.cpu);
+  RunOptions options;
+  options.threads = threads_option(a.threads);
+  Side first = side(a.first, a, false), second = side(a.second, a, true);
+  options.stop = &stop_flag();
+  ProgressLine progress(a.quiet);
+  options.progress = progress.listener();
+  for (Side* s : {&first, &second})
+    if (!s->stored) s->stored = basin_outcomes(*s->study, options);
+  progress.finish();
+  const ComparisonResult result = compare(*first.stored, *second.stored);
+  put(a.json ? comparison_json(result) : comparison_text(result));
+  return result.partial && stop_flag() ? interrupted : done;
+}
+
+}  // namespace
+
+Command add_compare(CLI::App& app) {
+  const auto a = std::make_shared<CompareArguments>();
+  app.add_option("first", a->first, "study file (TOML), or a result of basin -o (.nc)")->required()->type_name("FIRST");
+  app.add_option("second", a->second, "study file or result that is compared with it")->required()->type_name("SECOND");
+  app.add_option("--starts", a->starts, "number of starts of both")->type_name("N");
+  app.add_option("--seed", a->seed, "seed of the starts of both")->type_name("S");
+  app.add_option("--set-second", a->second_overrides, "override a key of the second study only; may be repeated")
+      ->type_name("KEY=VALUE")
+      ->take_all();
+  app.add_option("--threads", a->threads, "threads (default: all cores)")->type_name("T");
+  add_overrides(app, a->overrides);
+  app.add_option("--cpu", a->cpu, "instruction set to use instead of the best (see --version)")->type_name("NAME");
+  app.add_flag("--json", a->json, "print one JSON object");
+  app.add_flag("--quiet", a->quiet, "no progress");
+  return [a] { return run_compare(*a); };
+}
+
+}  // namespace equipoise::app

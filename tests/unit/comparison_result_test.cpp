@@ -1,0 +1,130 @@
+// Two ensembles compared: pairs, names, bounds, what cannot be paired.
+#include "equipoise/basins/comparison.hpp"
+
+#include <algorithm>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include "equipoise/base/error.hpp"
+#include "equipoise/report/comparison_report.hpp"
+#include "equipoise/store/basin_file.hpp"
+#include "../base_study.hpp"
+
+namespace equipoise {
+namespace {
+
+BasinOutcomes ensemble(const std::vector<short>& outcome) {
+  BasinOutcomes o;
+  o.study = parse_study(constant_speed, "rotor");
+  o.outcome = outcome;
+  o.names = {
+      {1, {"balanced", ""}}, {2, {"co-drifting", "V1"}}, {9, {"wobble", ""}}, {undecided_code, {"undecided", ""}}};
+  return o;
+}
+
+const ComparedShare& share(const ComparisonResult& r, const std::string& name) {
+  for (const ComparedShare& s : r.shares)
+    if (s.name == name) return s;
+  throw RunError("no outcome " + name);
+}
+
+// 1000 starts: of 600 balanced ones 50 no longer are, of 400 others 150 are now.
+std::pair<BasinOutcomes, BasinOutcomes> pair() {
+  std::vector<short> before, after;
+  for (int i = 0; i < 1000; ++i) {
+    before.push_back(i < 600 ? 1 : 2);
+    after.push_back(i < 50 ? 2 : i < 600 ? 1 : i < 750 ? 1 : 2);
+  }
+  return {ensemble(before), ensemble(after)};
+}
+
+TEST(Comparison, OfCommonStartsIsOfPairs) {
+  const auto [first, second] = pair();
+  const ComparisonResult r = compare(first, second);
+  EXPECT_TRUE(r.common);
+  ASSERT_TRUE(r.changed && r.balanced);
+  EXPECT_EQ(r.changed->count, 200u);
+  ASSERT_EQ(r.changes.size(), 2u);
+  EXPECT_EQ(r.changes[0].from + " " + r.changes[0].to, "co-drifting balanced");
+  EXPECT_EQ(r.changes[0].starts, 150u);
+  const ShareDifference& d = share(r, "balanced").difference;
+  EXPECT_DOUBLE_EQ(d.difference, 0.1);
+  const ShareDifference paired = paired_difference({550, 50, 150, 250});
+  EXPECT_EQ(d.low, paired.low);
+  EXPECT_EQ(d.high, paired.high);
+  EXPECT_EQ(r.surely_low, d.low);
+  EXPECT_NE(verdict(r).find("more often"), std::string::npos);
+  EXPECT_NE(verdict(compare(second, first)).find("less often"), std::string::npos);
+  EXPECT_NE(verdict(compare(first, first)).find("No difference"), std::string::npos);
+}
+
+TEST(Comparison, OfDifferentSeedsIsOfIndependentSamples) {
+  auto [first, second] = pair();
+  second.study.sampling.seed = 2;
+  const ComparisonResult r = compare(first, second);
+  EXPECT_FALSE(r.common);
+  EXPECT_FALSE(r.changed);
+  EXPECT_NE(r.why_not_common.find("seeds"), std::string::npos);
+  const ComparedShare& s = share(r, "balanced");
+  EXPECT_EQ(s.difference.low, independent_difference(s.first, s.second).low);
+}
+
+// A difference of 10 points with 30 % undecided in the first is none for sure.
+TEST(Comparison, UndecidedStartsLeaveItOpen) {
+  auto [first, second] = pair();
+  for (int i = 700; i < 1000; ++i) first.outcome[static_cast<std::size_t>(i)] = undecided_code;
+  const ComparisonResult r = compare(first, second);
+  EXPECT_LT(r.surely_low, 0.0);
+  EXPECT_GT(share(r, "balanced").difference.low, 0.0);
+  EXPECT_NE(verdict(r).find("Open"), std::string::npos);
+}
+
+TEST(Comparison, MatchesMotionsByIdentifierElseByName) {
+  auto [first, second] = pair();
+  second.names[1].name = "balanced, stuck";
+  second.names[9].name = "something else";
+  second.names[10] = {"wobble", ""};
+  first.outcome[0] = 9;
+  second.outcome[0] = 10;
+  const ComparisonResult r = compare(first, second);
+  EXPECT_EQ(share(r, "balanced / balanced, stuck").first.count, 599u);
+  EXPECT_EQ(share(r, "wobble").first.count, 1u);
+  EXPECT_EQ(share(r, "wobble").second.count, 1u);
+  EXPECT_EQ(share(r, "something else").second.count, 0u);
+  EXPECT_EQ(r.changed->count, 199u);
+}
+
+TEST(Comparison, OfUnequalLengthsGoesAsFarAsBothDo) {
+  auto [first, second] = pair();
+  second.outcome.resize(100);
+  const ComparisonResult r = compare(first, second);
+  EXPECT_EQ(r.starts, 100u);
+  EXPECT_EQ(share(r, "balanced").first.total, 100u);
+}
+
+TEST(Comparison, RefusesGrids) {
+  auto [first, second] = pair();
+  second.study.sampling.method = SamplingMethod::grid;
+  EXPECT_THROW(compare(first, second), InputError);
+  EXPECT_THROW(check_comparable(second.study), InputError);
+  EXPECT_NO_THROW(check_comparable(first.study));
+}
+
+// Counted as basin() counts.
+TEST(Comparison, KeepsWhatBasinDecides) {
+  Study study = parse_study(constant_speed, "rotor");
+  study.sampling.starts = 3000;
+  const BasinOutcomes o = basin_outcomes(study, {});
+  const BasinResult r = basin(study);
+  ASSERT_EQ(o.outcome.size(), r.starts);
+  for (const AttractorShare& a : r.attractors)
+    EXPECT_EQ(static_cast<std::uint64_t>(std::count(o.outcome.begin(), o.outcome.end(), static_cast<short>(a.id))),
+              a.share.count)
+        << a.name;
+}
+
+}  // namespace
+}  // namespace equipoise
