@@ -30,14 +30,10 @@ struct Side {
 
 Side side(const std::string& given, const CompareArguments& a, bool second) {
   Side result;
+  const bool set = !a.overrides.empty() || (second && !a.second_overrides.empty());
   if (given.ends_with(".nc")) {
-    const char* option = second && !a.second_overrides.empty() ? "--set-second" : !a.overrides.empty() ? "--set" : "";
-    if (*option || a.starts || a.seed)
-      throw InputError(given,
-                       *option    ? option
-                       : a.starts ? "--starts"
-                                  : "--seed",
-                       "", "goes with studies; what a result holds is done");
+    if (set || a.starts || a.seed)
+      throw InputError(given, set ? "--set" : "--starts, --seed", "", "go with studies; what a result holds is done");
     result.stored = read_basin_outcomes(given);
     return result;
   }

@@ -105,6 +105,13 @@ TEST(Comparison, OfUnequalLengthsGoesAsFarAsBothDo) {
   EXPECT_EQ(share(r, "balanced").first.total, 100u);
 }
 
+TEST(Comparison, OfNothingSaysSo) {
+  auto [first, second] = pair();
+  second.outcome.clear();
+  EXPECT_NE(verdict(compare(first, second)).find("nothing to compare"), std::string::npos);
+  EXPECT_EQ(comparison_text(compare(first, second)).find("common starts end"), std::string::npos);
+}
+
 TEST(Comparison, RefusesGrids) {
   auto [first, second] = pair();
   second.study.sampling.method = SamplingMethod::grid;

@@ -133,7 +133,7 @@ std::string share_text(const Share& share) {
 
 // An angle's axis has ticks at parts of a turn, unless it shows too little of one.
 std::string ticks(const std::string& letter, const MapAxis& axis) {
-  if (axis.high - axis.low < pi || !axis.key.starts_with("initial.phi_") || axis.key.starts_with("initial.phi_dot")) return "";
+  if (!axis.angle() || axis.high - axis.low < pi) return "";
   return fmt::format("set {}tics ('0' 0, 'π/2' pi/2, 'π' pi, '3π/2' 3*pi/2, '2π' 2*pi)\n", letter);
 }
 

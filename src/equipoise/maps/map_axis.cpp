@@ -37,12 +37,12 @@ std::optional<double> part_of_pi(const std::string& text) {
 MapAxis map_axis(const Study& study, const std::string& key, const std::string& range, int pixels,
                  const std::string& option) {
   MapAxis axis{key, 0.0, two_pi, pixels};
-  if (range.empty() && is_angle(key)) return axis;
-  const auto unit = is_angle(key) ? std::nullopt : study::unit_of(study, key);
+  if (range.empty() && axis.angle()) return axis;
+  const auto unit = axis.angle() ? std::nullopt : study::unit_of(study, key);
   const std::string allowed = fmt::format("must be LOW:HIGH with two numbers, the first below the second, e.g. {}",
-                                          is_angle(key) ? "0:2pi"
-                                          : unit        ? "1.5:6, or two quantities with units"
-                                                        : "1.5:6");
+                                          axis.angle() ? "0:2pi"
+                                          : unit       ? "1.5:6, or two quantities with units"
+                                                       : "1.5:6");
   const auto reject = [&](const std::string& problem) { throw InputError(option, key, display_text(range), problem); };
   const std::size_t colon = range.find(':');
   if (colon == std::string::npos || range.find(':', colon + 1) != std::string::npos) reject(allowed);

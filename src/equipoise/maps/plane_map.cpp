@@ -23,8 +23,8 @@
 #include "equipoise/base/reporting.hpp"
 #include "equipoise/basins/basin.hpp"
 #include "equipoise/branches/parameter_line.hpp"
-#include "equipoise/fates/start_runner.hpp"
 #include "equipoise/discovery/horizon.hpp"
+#include "equipoise/fates/start_runner.hpp"
 #include "equipoise/kernels/cpu_target.hpp"
 #include "equipoise/maps/start_pixels.hpp"
 #include "equipoise/math/dense.hpp"
@@ -180,19 +180,12 @@ class Mapper {
     }
   }
 
-  static bool overlap(const Study& study) {
-    Eigen::VectorXd state = Eigen::VectorXd::Zero(model::dimension(study.parameters.balls));
-    for (int i = 0; i < study.parameters.balls; ++i)
-      state[model::index::phi(i)] = study.initial.phi[static_cast<std::size_t>(i)];
-    return least_gap(study.parameters, state) < 0.0;
-  }
-
   MapPixel outcome_of(const Study& study, const model::System& system, std::vector<KnownOrbit>& known) const {
     const model::Parameters& p = study.parameters;
     const std::unique_ptr<SpinUp> source = make_spin_up(study, settings_.stop);
     SpunUp start;
     MapPixel pixel;
-    if (p.balls_collide() && overlap(study)) {  // no such start
+    if (overlap(p, study.initial.phi.data())) {  // no such start
       pixel.code = failed_code;
       return pixel;
     }

@@ -69,15 +69,6 @@ class StartMapper {
     return runner_.run_from(chunk.phi, chunk.fates, chunk.unlisted);
   }
 
-  // Balls in contact that would lie in each other are no start.
-  bool overlap(const double* phi) const {
-    const model::Parameters& p = map_.study.parameters;
-    if (!p.balls_collide()) return false;
-    Eigen::VectorXd state = Eigen::VectorXd::Zero(model::dimension(p.balls));
-    std::copy_n(phi, balls_, &state[model::index::phi(0)]);
-    return least_gap(p, state) < 0.0;
-  }
-
   // In order.
   void take(Chunk& chunk, std::uint64_t size) {
     if (!chunk.complete || !whole_) {
@@ -86,7 +77,7 @@ class StartMapper {
     }
     for (const UnlistedStart& u : chunk.unlisted) settle(runner_, u, chunk.fates[u.place]);
     for (std::size_t i = 0; i < chunk.count; ++i)
-      pixels_[chunk.first + i] = overlap(&chunk.phi[i * balls_]) ? MapPixel{failed_code} : pixel_of(chunk.fates[i]);
+      pixels_[chunk.first + i] = overlap(map_.study.parameters, &chunk.phi[i * balls_]) ? MapPixel{failed_code} : pixel_of(chunk.fates[i]);
     if (options_.progress) options_.progress({chunk.first + chunk.count, size, "pixels", {}});
   }
 

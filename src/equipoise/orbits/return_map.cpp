@@ -248,13 +248,25 @@ model::BallMode mode_at(const model::System& system, const VectorXd& state) {
   return kernels::EventRun(system, state.data(), 0.0, kernels::event_scale(system, tolerance)).mode();
 }
 
-double least_gap(const model::Parameters& p, const VectorXd& state) {
-  if (p.balls < 2) return std::numeric_limits<double>::infinity();
+namespace {
+
+// Between the balls' places on the race.
+double least_angle(const model::Parameters& p, const double* phi) {
   double least = two_pi;
   for (int i = 0; i < p.balls; ++i)
-    for (int k = 0; k < i; ++k)
-      least = std::min(least, std::fabs(wrapped(state[model::index::phi(i)] - state[model::index::phi(k)])));
-  return least - p.contact_angle;
+    for (int k = 0; k < i; ++k) least = std::min(least, std::fabs(wrapped(phi[i] - phi[k])));
+  return least;
+}
+
+}  // namespace
+
+double least_gap(const model::Parameters& p, const VectorXd& state) {
+  if (p.balls < 2) return std::numeric_limits<double>::infinity();
+  return least_angle(p, &state[model::index::phi(0)]) - p.contact_angle;
+}
+
+bool overlap(const model::Parameters& p, const double* phi) {
+  return p.balls_collide() && least_angle(p, phi) < p.contact_angle;
 }
 
 std::optional<VectorXd> after(const model::System& system, const VectorXd& state, double duration) {

@@ -19,6 +19,8 @@ namespace equipoise {
 model::BallMode mode_at(const model::System& system, const Eigen::VectorXd& state);
 /// The least angle between two neighbours beyond touching; infinite for one ball.
 double least_gap(const model::Parameters& p, const Eigen::VectorXd& state);
+/// Whether balls that collide would lie in each other at these angles.
+bool overlap(const model::Parameters& p, const double* phi);
 
 /// Newton's method from `guess` on the equations of its mode, of a system without strobes. Empty if it does not
 /// converge. Where all balls are held it is the rotor's.

@@ -20,6 +20,7 @@ std::string interval_text(const ShareDifference& d) { return fmt::format("{} to 
 }  // namespace
 
 std::string verdict(const ComparisonResult& r) {
+  if (r.starts == 0) return "No start of both is done: there is nothing to compare (basin -o keeps what it has done).";
   if (!r.balanced) return "No start of either ends balanced.";
   const ShareDifference& d = r.shares[*r.balanced].difference;
   const std::string by = fmt::format("by {} points ({})", points(d.difference), interval_text(d));
@@ -42,11 +43,11 @@ std::string comparison_text(const ComparisonResult& r) {
                         percent(s.second.share, 2), points(s.difference.difference), interval_text(s.difference));
   }
   text += "\n";
-  if (r.changed) {
+  if (r.changed && r.starts > 0) {
     text += fmt::format("{} of {} common starts end otherwise: {} ({})\n", r.changed->count, r.starts,
                         percent(r.changed->share, digits_for(*r.changed)), interval(*r.changed));
     for (const ChangedFate& c : r.changes) text += fmt::format("{:>10}  from {} to {}\n", c.starts, c.from, c.to);
-  } else {
+  } else if (!r.common) {
     text += fmt::format("Compared as independent samples: {}.\n", r.why_not_common);
   }
   text += verdict(r) + "\n";

@@ -18,6 +18,8 @@ struct MapAxis {
   double low = 0.0, high = 1.0;  ///< where the outermost pixels end
   int pixels = 1;
 
+  /// Whether it is a ball's initial angle.
+  bool angle() const { return key.starts_with("initial.phi_") && !key.starts_with("initial.phi_dot"); }
   double step() const { return (high - low) / pixels; }
   double centre(int pixel) const { return low + (pixel + 0.5) * step(); }
 };

@@ -64,8 +64,7 @@ class MapWriter {
     const int x = f.dimension("x", static_cast<std::size_t>(map_.x.pixels));
     const int kind = f.dimension("outcome_kind", map_.codes.size());
     const auto axis = [&](const char* name, int dimension, const MapAxis& a) {
-      const bool angle = a.key.starts_with("initial.phi_") && !a.key.starts_with("initial.phi_dot");
-      return f.variable(name, NC_DOUBLE, {dimension}, angle ? "radian" : "1", a.key);
+      return f.variable(name, NC_DOUBLE, {dimension}, a.angle() ? "radian" : "1", a.key);
     };
     x_ = axis("x", x, map_.x);
     y_ = axis("y", y, map_.y);
