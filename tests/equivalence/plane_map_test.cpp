@@ -214,19 +214,21 @@ TEST(PlaneMap, OverBothAnglesHasTheSharesOfBasin) {
   EXPECT_NEAR(map.codes.front().share.share, 0.604, 0.012);
 }
 
-// An unbalance of its own a pixel goes one way, both angles the other: the same starts, the same ends.
+// Planes of initial values ride on lanes, others do not: the same starts, the same ends.
 TEST(PlaneMap, LanesAndSingleTrajectoriesAgree) {
-  PlaneMapSettings settings = both_angles(5, 5);
-  const PlaneMap lanes = plane_map(rotor(), settings);
-  for (int row = 0; row < 5; ++row) {
-    Study study = rotor();
-    study.initial.phi[1] = lanes.y.centre(row);
-    PlaneMapSettings line = angle_plane(1, 5);
-    line.x = {"rotor.eccentricity", 0.005, 0.015, 1};
-    line.links.clear();
-    const PlaneMap single = plane_map(study, line);
-    for (int column = 0; column < 5; ++column)
-      EXPECT_EQ(name_of(lanes, lanes.at(column, row)), name_of(single, single.at(0, column))) << column << ", " << row;
+  PlaneMapSettings moved = both_angles(5, 5), turning = moved;
+  moved.x = {"initial.x", -0.2, 0.2, 5};
+  turning.x = {"initial.phi_dot_1", -1.0, 1.0, 5};
+  for (const PlaneMapSettings& settings : {both_angles(5, 5), moved, turning}) {
+    const PlaneMap lanes = plane_map(rotor(), settings);
+    for (int column = 0; column < 5; ++column) {
+      PlaneMapSettings line = settings;
+      line.x = {"rotor.eccentricity", 0.005, 0.015, 1};
+      const PlaneMap single = plane_map(study_with(rotor(), settings.x.key, settings.x.centre(column)), line);
+      for (int row = 0; row < 5; ++row)
+        EXPECT_EQ(name_of(lanes, lanes.at(column, row)), name_of(single, single.at(0, row)))
+            << settings.x.key << " " << column << ", " << row;
+    }
   }
 }
 

@@ -81,11 +81,25 @@ void ParameterLine::parse(const std::string& text) {
   step_ = std::fabs(step);
 }
 
+double* initial_value(InitialState& start, int balls, const std::string& key) {
+  for (int i = 0; i < balls; ++i) {
+    const auto ball = static_cast<std::size_t>(i);
+    if (key == fmt::format("initial.phi_{}", i + 1)) return &start.phi[ball];
+    if (key == fmt::format("initial.phi_dot_{}", i + 1)) return &start.phi_dot[ball];
+  }
+  if (key == "initial.x") return &start.x;
+  if (key == "initial.y") return &start.y;
+  if (key == "initial.x_dot") return &start.x_dot;
+  if (key == "initial.y_dot") return &start.y_dot;
+  return key == "initial.psi" ? &start.psi : nullptr;
+}
+
 Study study_with(const Study& original, const std::string& key, double value) {
   Study study = original;
-  for (int i = 0; i < study.parameters.balls; ++i)
-    if (key == fmt::format("initial.phi_{}", i + 1)) {
-      study.initial.phi[static_cast<std::size_t>(i)] = value;
+  if (key.starts_with("initial.phi_"))  // of one ball: no key of a study file
+    if (double* initial = initial_value(study.initial, study.parameters.balls, key)) {
+      *initial = value;
+      check(study);
       return study;
     }
   if (key != "speed.final") return study_from(to_tree(study), study.name, {key + "=" + study::number_text(value)});

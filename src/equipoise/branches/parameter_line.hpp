@@ -12,9 +12,13 @@ namespace equipoise {
 
 inline constexpr std::size_t most_line_values = 2000;
 
+/// The number that a key of `start` names: initial.phi_1 to initial.phi_n, initial.phi_dot_1 and its like, initial.x,
+/// y, x_dot, y_dot, psi. Null for others.
+double* initial_value(InitialState& start, int balls, const std::string& key);
+
 /// `study` with another value of a number, as --set would give it; also for the keys speed.final, the final speed
-/// whatever the profile, and initial.phi_1 to initial.phi_n, one ball's initial angle. Throws InputError if the study
-/// then is none.
+/// whatever the profile, and those of one ball's initial angle or rate (initial_value()). Throws InputError if the
+/// study then is none.
 Study study_with(const Study& study, const std::string& key, double value);
 
 class ParameterLine {

@@ -94,7 +94,7 @@ class Discoverer {
         settings_(settings),
         stages_("looking for attractors", settings.progress),
         trials_{&system_, source.tolerance(), settings.threads, settings.stop, &stages_},
-        pilot_(system_, source) {}
+        pilot_(system_, source, study.initial) {}
 
   Discovery run() {
     find_balanced();

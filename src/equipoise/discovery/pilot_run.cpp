@@ -66,15 +66,15 @@ bool PilotRun::add(std::size_t first, std::size_t count) {
 bool PilotRun::make() {
   const int balls = system_.balls();
   if (!add(0, random_scouts)) return false;
-  std::vector<double> phi;
+  std::vector<InitialState> side_by_side(coincident_scouts, initial_);
   // Side by side, if they cannot pass each other.
   constexpr double beyond_touching = 1.0 + 1e-6;
   for (std::size_t k = 0; k < coincident_scouts; ++k)
     for (int i = 0; i < balls; ++i)
-      phi.push_back(two_pi * static_cast<double>(k) / coincident_scouts +
-                    beyond_touching * system_.parameters().contact_angle * i);
+      side_by_side[k].phi[i] = two_pi * static_cast<double>(k) / coincident_scouts +
+                               beyond_touching * system_.parameters().contact_angle * i;
   SpunUp together;
-  if (!source_.follow(phi, together)) return false;
+  if (!source_.follow(side_by_side, together)) return false;
   append(together);
   scouts_ = begin_.size() / system_.dimension();
   if (!add(random_scouts, random_starts - random_scouts)) return false;

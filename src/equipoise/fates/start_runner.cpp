@@ -172,11 +172,11 @@ bool StartRunner::run(std::uint64_t first, std::size_t count, std::vector<double
   return true;
 }
 
-bool StartRunner::run_from(const std::vector<double>& phi, std::vector<Fate>& fates,
+bool StartRunner::run_from(const std::vector<InitialState>& given, std::vector<Fate>& fates,
                            std::vector<UnlistedStart>& unlisted) const {
   SpunUp starts;
   TransientTable table{transients_, {}, ends_};
-  return source_->follow(phi, starts) && finish(starts, &table, fates, unlisted, nullptr);
+  return source_->follow(given, starts) && finish(starts, &table, fates, unlisted, nullptr);
 }
 
 // Decides starts and says what each came to; `table` is that of their transients so far, if `rows` are wanted.

@@ -35,8 +35,8 @@ class StartRunner : public Runner {
 
   bool run(std::uint64_t first, std::size_t count, std::vector<double>& phi, std::vector<Fate>& fates,
            std::vector<UnlistedStart>& unlisted, std::vector<TransientRow>* rows = nullptr) const override;
-  /// The same for given ball angles, all else as in [initial]: phi.size() / balls starts.
-  bool run_from(const std::vector<double>& phi, std::vector<Fate>& fates, std::vector<UnlistedStart>& unlisted) const;
+  /// The same for given starts, as SpinUp::follow() has them.
+  bool run_from(const std::vector<InitialState>& given, std::vector<Fate>& fates, std::vector<UnlistedStart>& unlisted) const;
   int list(const UnlistedStart& start) override;
   UnlistedStart follow(const std::vector<double>& state) const override;
   std::vector<UndecidedEnd> look_at(const std::vector<std::uint64_t>& undecided) const override;

@@ -189,7 +189,7 @@ class Mapper {
       pixel.code = failed_code;
       return pixel;
     }
-    if (!source->follow({study.initial.phi.begin(), study.initial.phi.begin() + p.balls}, start)) return pixel;
+    if (!source->follow({study.initial}, start)) return pixel;
     if (start.is_over(0)) {
       pixel.code = store::code_of(start.fates.front());
       pixel.time = start.fates.front().time;

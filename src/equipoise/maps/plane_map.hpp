@@ -15,13 +15,13 @@ struct PlaneMapSettings : RunOptions {
   std::vector<AngleLink> links;  ///< applied in order, after the axes
 };
 
-/// Follows the start [initial] of `study`, with the pixel's two values. Over two ball angles pixels are decided as
-/// basin() decides its starts. Else each is followed until it is seen to approach a motion that exists and is linearly
-/// stable there (settle()), for numerics.horizon (unset: 3000) after the last branch begins: what becomes steady in no
-/// way by then is undecided. Codes are the identifiers of the catalogue; motions without one
-/// of their own get the next ones, one a name: those usual in maps the same ones everywhere, others in the order of
-/// pixels. The map depends on the study and the axes alone. Throws InputError for keys, links and values that make no
-/// study, and studies that cannot be decided.
+/// Follows the start [initial] of `study`, with the pixel's two values. Over two initial values pixels are
+/// decided as basin() decides its starts (maps_starts()). Else each is followed until it is seen to approach a motion
+/// that exists and is linearly stable there (settle()), for numerics.horizon (unset: 3000) after the last branch
+/// begins: what becomes steady in no way by then is undecided. Codes are the identifiers of the catalogue; motions
+/// without one of their own get the next ones, one a name: those usual in maps the same ones everywhere, others in the
+/// order of pixels. The map depends on the study and the axes alone. Throws InputError for keys, links and values that
+/// make no study, and studies that cannot be decided.
 PlaneMap plane_map(const Study& study, const PlaneMapSettings& settings);
 
 }  // namespace equipoise

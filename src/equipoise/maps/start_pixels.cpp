@@ -3,14 +3,13 @@
 
 #include <algorithm>
 #include <atomic>
-#include <charconv>
 #include <cstdint>
 #include <map>
 #include <memory>
-#include <optional>
-#include <string_view>
+#include <string>
 
 #include "equipoise/basins/chunks.hpp"
+#include "equipoise/branches/parameter_line.hpp"
 #include "equipoise/fates/start_runner.hpp"
 #include "equipoise/model/system.hpp"
 #include "equipoise/motions/catalogue.hpp"
@@ -22,24 +21,19 @@ namespace equipoise {
 
 namespace {
 
-// The ball that "initial.phi_2" names, from 0.
-std::optional<std::size_t> ball_of(std::string_view key) {
-  constexpr std::string_view angle = "initial.phi_";
-  if (!key.starts_with(angle)) return std::nullopt;
-  std::size_t ball = 0;
-  const char* end = key.data() + key.size();
-  const auto read = std::from_chars(key.data() + angle.size(), end, ball);
-  return read.ec == std::errc() && read.ptr == end && ball > 0 ? std::optional(ball - 1) : std::nullopt;
+// Whether a key's values are starts of one rotor, which lanes take as they come.
+bool is_start(const Study& study, const std::string& key) {
+  InitialState any;
+  if (!initial_value(any, study.parameters.balls, key)) return false;
+  // Where the balls are held at first they start alike but for their angles.
+  return MapAxis{key}.angle() || (key != "initial.psi" && study.release_time() == 0.0);
 }
 
 class StartMapper {
  public:
   StartMapper(const PlaneMap& map, const RunOptions& options)
       : map_(map),
-        balls_(static_cast<std::size_t>(map.study.parameters.balls)),
         columns_(static_cast<std::size_t>(map.x.pixels)),
-        x_ball_(*ball_of(map.x.key)),
-        y_ball_(*ball_of(map.y.key)),
         options_(options),
         runner_(map.study, {map.threads, options.stop, {}, nullptr, options.progress}) {}
 
@@ -55,18 +49,19 @@ class StartMapper {
   }
 
  private:
-  void angles(std::uint64_t pixel, std::vector<double>& phi) const {
-    const std::size_t at = phi.size();
-    phi.insert(phi.end(), map_.study.initial.phi.begin(), map_.study.initial.phi.begin() + balls_);
-    phi[at + x_ball_] = map_.x.centre(static_cast<int>(pixel % columns_));
-    phi[at + y_ball_] = map_.y.centre(static_cast<int>(pixel / columns_));
+  InitialState start(std::uint64_t pixel) const {
+    InitialState s = map_.study.initial;
+    *initial_value(s, map_.study.parameters.balls, map_.x.key) = map_.x.centre(static_cast<int>(pixel % columns_));
+    *initial_value(s, map_.study.parameters.balls, map_.y.key) = map_.y.centre(static_cast<int>(pixel / columns_));
     for (const AngleLink& link : map_.links)
-      phi[at + static_cast<std::size_t>(link.ball - 1)] = phi[at + static_cast<std::size_t>(link.of - 1)] + link.offset;
+      s.phi[static_cast<std::size_t>(link.ball - 1)] = s.phi[static_cast<std::size_t>(link.of - 1)] + link.offset;
+    return s;
   }
 
   bool decide(Chunk& chunk) const {
-    for (std::size_t i = 0; i < chunk.count; ++i) angles(chunk.first + i, chunk.phi);
-    return runner_.run_from(chunk.phi, chunk.fates, chunk.unlisted);
+    std::vector<InitialState> starts;
+    for (std::size_t i = 0; i < chunk.count; ++i) starts.push_back(start(chunk.first + i));
+    return runner_.run_from(starts, chunk.fates, chunk.unlisted);
   }
 
   // In order.
@@ -77,7 +72,9 @@ class StartMapper {
     }
     for (const UnlistedStart& u : chunk.unlisted) settle(runner_, u, chunk.fates[u.place]);
     for (std::size_t i = 0; i < chunk.count; ++i)
-      pixels_[chunk.first + i] = overlap(map_.study.parameters, &chunk.phi[i * balls_]) ? MapPixel{failed_code} : pixel_of(chunk.fates[i]);
+      pixels_[chunk.first + i] = overlap(map_.study.parameters, start(chunk.first + i).phi.data())
+                                     ? MapPixel{failed_code}
+                                     : pixel_of(chunk.fates[i]);
     if (options_.progress) options_.progress({chunk.first + chunk.count, size, "pixels", {}});
   }
 
@@ -95,7 +92,7 @@ class StartMapper {
   }
 
   const PlaneMap& map_;
-  std::size_t balls_, columns_, x_ball_, y_ball_;
+  std::size_t columns_;
   const RunOptions& options_;
   StartRunner runner_;
   std::vector<MapPixel> pixels_;
@@ -105,7 +102,7 @@ class StartMapper {
 
 }  // namespace
 
-bool maps_starts(const PlaneMap& map) { return ball_of(map.x.key) && ball_of(map.y.key); }
+bool maps_starts(const PlaneMap& map) { return is_start(map.study, map.x.key) && is_start(map.study, map.y.key); }
 
 std::vector<MapPixel> start_pixels(const PlaneMap& map, const RunOptions& options) {
   return StartMapper(map, options).run();

@@ -1,4 +1,4 @@
-// Maps over the balls' initial angles: their pixels are starts of one system, and go together on lanes.
+// Maps over initial values: their pixels are starts of one system, and go together on lanes.
 #pragma once
 
 #include <vector>
@@ -9,7 +9,8 @@
 
 namespace equipoise {
 
-/// Whether both axes are ball angles, so that all pixels are starts of the same rotor.
+/// Whether all pixels are starts of the same rotor: both axes are ball angles or, of balls that are free from the first,
+/// other initial values.
 bool maps_starts(const PlaneMap& map);
 
 /// The pixels of such a map, row by row, decided as basin() decides its starts. Those not done when the stop flag was

@@ -14,7 +14,8 @@ inline constexpr int most_map_pixels = 20000;  ///< along one side
 
 /// A quantity that varies along one side of a map.
 struct MapAxis {
-  std::string key;  ///< of rotor, balancer, speed or initial that takes a number; initial.phi_1 for one ball's angle
+  std::string key;  ///< of rotor, balancer, speed or initial that takes a number; initial.phi_1 for one ball's angle,
+                    ///< initial.phi_dot_1 for its rate
   double low = 0.0, high = 1.0;  ///< where the outermost pixels end
   int pixels = 1;
 

@@ -81,8 +81,11 @@ MotorSource::MotorSource(const Study& study, const StopFlag* stop)
   if (study.numerics.decide == DecideMode::horizon) hold_.windows.at_horizon = true;
 }
 
-void MotorSource::place(const InitialState& start, double* state) const {
+void MotorSource::add(const InitialState& start, SpunUp& starts) const {
   const model::System& system = systems_.front();
+  starts.phi.insert(starts.phi.end(), start.phi.begin(), start.phi.begin() + system.balls());
+  starts.states.resize(starts.states.size() + static_cast<std::size_t>(system.dimension()));
+  double* state = &*starts.states.end() - system.dimension();
   initial_state(start, system.balls(), drive_.speed, state);
   if (system.psi_place() >= 0) state[system.psi_place()] = drive_.psi;
   state[system.speed_place()] = drive_.speed;
@@ -91,27 +94,19 @@ void MotorSource::place(const InitialState& start, double* state) const {
 
 bool MotorSource::make(std::uint64_t seed, std::uint64_t first, std::size_t count, SpunUp& starts,
                        TransientTable* transients) const {
-  const std::size_t size = systems_.front().dimension();
   starts.phi.clear();
-  starts.states.assign(count * size, 0.0);
+  starts.states.clear();
   for (std::size_t i = 0; i < count; ++i) {
     if (is_set(stop_)) return false;
-    const InitialState start = start_of(study_, sampler_, seed, first + i);
-    starts.phi.insert(starts.phi.end(), start.phi.begin(), start.phi.begin() + study_.parameters.balls);
-    place(start, &starts.states[i * size]);
+    add(start_of(study_, sampler_, seed, first + i), starts);
   }
   return advance(starts, transients);
 }
 
-bool MotorSource::follow(const std::vector<double>& phi, SpunUp& starts) const {
-  const std::size_t n = study_.parameters.balls, count = phi.size() / n, size = systems_.front().dimension();
-  starts.phi = phi;
-  starts.states.assign(count * size, 0.0);
-  InitialState start = study_.initial;
-  for (std::size_t i = 0; i < count; ++i) {
-    std::copy(&phi[i * n], &phi[i * n] + n, start.phi.begin());
-    place(start, &starts.states[i * size]);
-  }
+bool MotorSource::follow(const std::vector<InitialState>& given, SpunUp& starts) const {
+  starts.phi.clear();
+  starts.states.clear();
+  for (const InitialState& start : given) add(start, starts);
   return advance(starts, nullptr);
 }
 

@@ -22,14 +22,14 @@ class MotorSource final : public SpinUp {
   void watch(const TransientSettings&) override {}
   bool make(std::uint64_t seed, std::uint64_t first, std::size_t count, SpunUp& starts,
             TransientTable* transients = nullptr) const override;
-  bool follow(const std::vector<double>& phi, SpunUp& starts) const override;
+  bool follow(const std::vector<InitialState>& given, SpunUp& starts) const override;
   LaneTask last_task() const override;
   double settled() const override { return drive_.pieces.back().begin; }
   double tolerance() const override { return tolerance_; }
 
  private:
   struct Fleet;
-  void place(const InitialState& start, double* state) const;
+  void add(const InitialState& start, SpunUp& starts) const;
   bool advance(SpunUp& starts, TransientTable* transients) const;
   bool hold(std::size_t k, Fleet& fleet) const;
   bool run_free(std::size_t k, Fleet& fleet) const;

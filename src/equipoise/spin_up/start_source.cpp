@@ -70,11 +70,16 @@ bool StartSource::make(std::uint64_t seed, std::uint64_t first, std::size_t coun
   return make(seed, first, count, starts.phi, starts.states, starts.fates, transients);
 }
 
-bool StartSource::follow(const std::vector<double>& phi, SpunUp& starts) const {
-  starts.phi = phi;
-  for (auto* none : {&starts.begins, &starts.released, &starts.nearest}) none->clear();
+bool StartSource::follow(const std::vector<InitialState>& given, SpunUp& starts) const {
+  const std::size_t size = model::dimension(study_.parameters.balls);
+  for (auto* none : {&starts.phi, &starts.begins, &starts.released, &starts.nearest}) none->clear();
   starts.over.clear();
-  return follow(phi, starts.states, starts.fates);
+  starts.states.assign(given.size() * size, 0.0);
+  for (std::size_t i = 0; i < given.size(); ++i) {
+    starts.phi.insert(starts.phi.end(), given[i].phi.begin(), given[i].phi.begin() + study_.parameters.balls);
+    place(given[i], &starts.states[i * size]);
+  }
+  return advance(starts.states, starts.fates);
 }
 
 LaneTask StartSource::last_task() const {

@@ -36,8 +36,8 @@ class StartSource : public SpinUp {
             std::vector<double>& states, std::vector<Fate>& fates, TransientTable* transients = nullptr) const;
   bool make(std::uint64_t seed, std::uint64_t first, std::size_t count, SpunUp& starts,
             TransientTable* transients = nullptr) const override;
+  bool follow(const std::vector<InitialState>& given, SpunUp& starts) const override;
   /// The same for given ball angles, all else as in [initial]: phi.size() / balls starts.
-  bool follow(const std::vector<double>& phi, SpunUp& starts) const override;
   bool follow(const std::vector<double>& phi, std::vector<double>& states, std::vector<Fate>& fates) const;
 
   /// The states in which given ball angles are released, row-major.
