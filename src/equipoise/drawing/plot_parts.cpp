@@ -43,6 +43,13 @@ std::string axis_label(const std::string& key) {
   constexpr std::string_view angle = "initial.phi_";
   if (key.starts_with(angle) && !key.starts_with("initial.phi_dot"))
     return fmt::format("initial angle of ball {0}, φ{0} (rad)", key.substr(angle.size()));
+  constexpr std::string_view rate = "initial.phi_dot_";
+  if (key.starts_with(rate))
+    return fmt::format("initial rate of ball {0}, φ{0}' / critical speed", key.substr(rate.size()));
+  for (const std::string name : {"x", "y"}) {
+    if (key == "initial." + name) return fmt::format("initial {} / race radius, rotating frame", name);
+    if (key == "initial." + name + "_dot") return fmt::format("initial {}' / (race radius x critical speed)", name);
+  }
   return key;
 }
 
