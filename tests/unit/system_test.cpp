@@ -227,10 +227,10 @@ TEST(System, WhatAnAnswerLacksIsSaid) {
     EXPECT_EQ(model::lacking(System(sticky, 2.0), c.answer).has_value(), c.smooth) << c.name;
   }
   EXPECT_EQ(model::lacking(strobed, Answer::proofs)->reason,
-            "proofs need equal values in x and y (simulate, basin and attractors take any)");
+            "proofs need equal values in x and y (simulate, basin, attractors and map take any)");
   EXPECT_FALSE(model::lacking(driven, Answer::proofs));
   EXPECT_EQ(model::lacking(driven, Answer::displacements)->reason,
-            "observed displacements need a prescribed speed (simulate, basin and attractors take any)");
+            "observed displacements need a prescribed speed (simulate, basin, attractors and map take any)");
 }
 
 }  // namespace
