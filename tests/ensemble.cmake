@@ -45,40 +45,19 @@ target_link_libraries(table_7_evidence PRIVATE equipoise_paper fmt::fmt)
 
 find_package(Python3 COMPONENTS Interpreter)
 if(Python3_FOUND AND EQUIPOISE_BUILD_PROGRAM)
-  add_test(NAME cli.program_as_its_users_meet_it
-    COMMAND Python3::Interpreter ${CMAKE_CURRENT_SOURCE_DIR}/cli/cli_test.py $<TARGET_FILE:equipoise_program>
-      ${PROJECT_SOURCE_DIR}/studies)
-  set_tests_properties(cli.program_as_its_users_meet_it PROPERTIES LABELS cli TIMEOUT ${longest_test})
-
-  add_test(NAME cli.streams_and_usage
-    COMMAND Python3::Interpreter ${CMAKE_CURRENT_SOURCE_DIR}/cli/streams_test.py $<TARGET_FILE:equipoise_program>
-      ${PROJECT_SOURCE_DIR}/studies)
-  set_tests_properties(cli.streams_and_usage PROPERTIES LABELS cli TIMEOUT ${longest_test})
-
-  add_test(NAME cli.attractors_and_proofs
-    COMMAND Python3::Interpreter ${CMAKE_CURRENT_SOURCE_DIR}/cli/attractors_test.py $<TARGET_FILE:equipoise_program>
-      ${PROJECT_SOURCE_DIR}/studies)
-  set_tests_properties(cli.attractors_and_proofs PROPERTIES LABELS cli TIMEOUT ${longest_test})
-
-  add_test(NAME cli.attractors_along_a_parameter
-    COMMAND Python3::Interpreter ${CMAKE_CURRENT_SOURCE_DIR}/cli/along_test.py $<TARGET_FILE:equipoise_program>
-      ${PROJECT_SOURCE_DIR}/studies)
-  set_tests_properties(cli.attractors_along_a_parameter PROPERTIES LABELS cli TIMEOUT ${longest_test})
-
-  add_test(NAME cli.compare
-    COMMAND Python3::Interpreter ${CMAKE_CURRENT_SOURCE_DIR}/cli/compare_test.py $<TARGET_FILE:equipoise_program>
-      ${PROJECT_SOURCE_DIR}/studies)
-  set_tests_properties(cli.compare PROPERTIES LABELS cli TIMEOUT ${longest_test})
-
-  add_test(NAME cli.map
-    COMMAND Python3::Interpreter ${CMAKE_CURRENT_SOURCE_DIR}/cli/map_test.py $<TARGET_FILE:equipoise_program>
-      ${PROJECT_SOURCE_DIR}/studies)
-  set_tests_properties(cli.map PROPERTIES LABELS cli TIMEOUT ${longest_test})
-
-  add_test(NAME cli.reproduce_as_its_users_meet_it
-    COMMAND Python3::Interpreter ${CMAKE_CURRENT_SOURCE_DIR}/cli/reproduce_test.py $<TARGET_FILE:equipoise_program>
-      ${PROJECT_SOURCE_DIR}/studies)
-  set_tests_properties(cli.reproduce_as_its_users_meet_it PROPERTIES LABELS cli TIMEOUT ${longest_test})
+  function(cli_test name script)
+    add_test(NAME ${name}
+      COMMAND Python3::Interpreter ${CMAKE_CURRENT_SOURCE_DIR}/cli/${script} $<TARGET_FILE:equipoise_program>
+        ${PROJECT_SOURCE_DIR}/studies)
+    set_tests_properties(${name} PROPERTIES LABELS cli TIMEOUT ${longest_test})
+  endfunction()
+  cli_test(cli.program_as_its_users_meet_it cli_test.py)
+  cli_test(cli.streams_and_usage streams_test.py)
+  cli_test(cli.attractors_and_proofs attractors_test.py)
+  cli_test(cli.attractors_along_a_parameter along_test.py)
+  cli_test(cli.compare compare_test.py)
+  cli_test(cli.map map_test.py)
+  cli_test(cli.reproduce_as_its_users_meet_it reproduce_test.py)
 
   if(NOT EQUIPOISE_SANITIZE)  # runs are killed at moments measured in seconds
     add_test(NAME faults.nothing_is_lost

@@ -307,7 +307,7 @@ class BasinRun {
     const auto decide = [&](Chunk& c) {
       return runner_->run(c.first, c.count, c.phi, c.fates, c.unlisted, gathers_ ? &c.transients : nullptr);
     };
-    const ChunkWork work{decide, threads_, followed_one_by_one(result_.study.system()), options_.stop};
+    const ChunkWork work{decide, threads_, runner_->one_by_one(), options_.stop};
     compute_chunks(work, first, limit, finished_, lost_, sink);
   }
 

@@ -33,6 +33,7 @@ class MachineRunner : public Runner {
   std::vector<UndecidedEnd> look_at(const std::vector<std::uint64_t>& undecided) const override;
 
   /// Every kind that there is, met or not; their motions are not described.
+  bool one_by_one() const override { return true; }
   const Catalogue& catalogue() const override { return catalogue_; }
   BalanceNote balance() const override { return facts_.note(); }
   /// When the drive's last piece has begun: from then on a trajectory whose balls are free may be called steady.

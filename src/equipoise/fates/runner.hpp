@@ -48,6 +48,8 @@ class Runner {
   /// horizon can be blamed.
   virtual std::vector<UndecidedEnd> look_at(const std::vector<std::uint64_t>& /*undecided*/) const { return {}; }
 
+  /// Whether starts are followed one at a time (followed_one_by_one()).
+  virtual bool one_by_one() const = 0;
   virtual const Catalogue& catalogue() const = 0;
   virtual BalanceNote balance() const = 0;
   /// Study time from which decision times are counted.

@@ -41,6 +41,7 @@ class StartRunner : public Runner {
   UnlistedStart follow(const std::vector<double>& state) const override;
   std::vector<UndecidedEnd> look_at(const std::vector<std::uint64_t>& undecided) const override;
 
+  bool one_by_one() const override { return false; }
   const Catalogue& catalogue() const override { return discovery_.catalogue; }
   BalanceNote balance() const override { return {discovery_.balanced.stable, discovery_.balanced.note}; }
   double settled() const override { return source_->settled(); }

@@ -137,9 +137,7 @@ class Mapper {
   Study study_at(int column, int row) const {
     Study study = study_with(map_.study, map_.x.key, map_.x.centre(column));
     study = study_with(study, map_.y.key, map_.y.centre(row));
-    for (const AngleLink& link : map_.links)
-      study.initial.phi[static_cast<std::size_t>(link.ball - 1)] =
-          study.initial.phi[static_cast<std::size_t>(link.of - 1)] + link.offset;
+    tie(study.initial, map_.links);
     return study;
   }
 

@@ -53,8 +53,7 @@ class StartMapper {
     InitialState s = map_.study.initial;
     *initial_value(s, map_.study.parameters.balls, map_.x.key) = map_.x.centre(static_cast<int>(pixel % columns_));
     *initial_value(s, map_.study.parameters.balls, map_.y.key) = map_.y.centre(static_cast<int>(pixel / columns_));
-    for (const AngleLink& link : map_.links)
-      s.phi[static_cast<std::size_t>(link.ball - 1)] = s.phi[static_cast<std::size_t>(link.of - 1)] + link.offset;
+    tie(s, map_.links);
     return s;
   }
 
