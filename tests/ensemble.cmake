@@ -49,7 +49,7 @@ if(Python3_FOUND AND EQUIPOISE_BUILD_PROGRAM)
     add_test(NAME ${name}
       COMMAND Python3::Interpreter ${CMAKE_CURRENT_SOURCE_DIR}/cli/${script} $<TARGET_FILE:equipoise_program>
         ${PROJECT_SOURCE_DIR}/studies)
-    set_tests_properties(${name} PROPERTIES LABELS cli TIMEOUT ${longest_test})
+    set_tests_properties(${name} PROPERTIES LABELS cli TIMEOUT ${longest_test} ENVIRONMENT ${test_environment})
   endfunction()
   cli_test(cli.program_as_its_users_meet_it cli_test.py)
   cli_test(cli.streams_and_usage streams_test.py)

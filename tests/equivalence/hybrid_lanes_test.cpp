@@ -118,21 +118,23 @@ TEST_P(HybridLanes, FollowStartsAsDoublesDo) {
 INSTANTIATE_TEST_SUITE_P(AllSystems, HybridLanes, testing::ValuesIn(cases()),
                          [](const auto& info) { return info.param.name; });
 
-// Place, neighbours and number of a trajectory make no difference to its bits.
+// Place, neighbours and number of a trajectory make no difference to its bits, on any instruction set.
 TEST(HybridLanesAlone, GiveTheSameBits) {
-  for (const char* name : {"both_of_5", "both_under_a_motor_off_centre", "contact_of_balls_that_roll"}) {
-    const auto all = cases();
-    const auto found = std::find_if(all.begin(), all.end(), [&](const Case& c) { return c.name == name; });
-    const Study study = parse_study(found->toml, "study");
-    const auto size = static_cast<std::size_t>(study.system().dimension());
-    const Ends together = on_lanes(study, 0, 17);
-    for (const std::uint64_t i : {0u, 7u, 14u})
-      for (const std::size_t count : {1u, 3u}) {
-        const Ends alone = on_lanes(study, i, count);
-        for (std::size_t k = 0; k < count * size; ++k)
-          ASSERT_EQ(alone.states[k], together.states[i * size + k]) << name << " " << i << " " << k;
-      }
-  }
+  for (const std::string& target : cpu_targets())
+    for (const char* name : {"both_of_5", "both_under_a_motor_off_centre", "contact_of_balls_that_roll"}) {
+      const ChosenCpuTarget chosen(target);
+      const auto all = cases();
+      const auto found = std::find_if(all.begin(), all.end(), [&](const Case& c) { return c.name == name; });
+      const Study study = parse_study(found->toml, "study");
+      const auto size = static_cast<std::size_t>(study.system().dimension());
+      const Ends together = on_lanes(study, 0, 17);
+      for (const std::uint64_t i : {0u, 7u, 14u})
+        for (const std::size_t count : {1u, 3u}) {
+          const Ends alone = on_lanes(study, i, count);
+          for (std::size_t k = 0; k < count * size; ++k)
+            ASSERT_EQ(alone.states[k], together.states[i * size + k]) << target << " " << name << " " << i << " " << k;
+        }
+    }
 }
 
 // A trajectory stopped anywhere and taken up again goes on as if it had not been: the mode is a function of the state.

@@ -59,7 +59,9 @@ class LaneEvents<HybridFlow<Pack, room>> {
         balls_(p_, one_, one_modes_),
         size_(flow.size()),
         pairs_(p_.balls_collide() && n > 1 ? n : 0) {
-    for (int k = 0; k < pairs_; ++k) set_pair(k, 0, k, (k + 1) % n, 0.0);
+    // In every lane: those that nothing enters look at pairs too.
+    for (int k = 0; k < pairs_; ++k)
+      for (int lane = 0; lane < lanes; ++lane) set_pair(k, lane, k, (k + 1) % n, far);
   }
   LaneEvents(const LaneEvents&) = delete;
   LaneEvents& operator=(const LaneEvents&) = delete;
