@@ -28,7 +28,9 @@ Command add_certify(CLI::App& app);
 Command add_compare(CLI::App& app);
 Command add_explain(CLI::App& app);
 Command add_map(CLI::App& app);
+Command add_merge(CLI::App& app);
 Command add_reproduce(CLI::App& app);
 Command add_simulate(CLI::App& app);
+Command add_sweep(CLI::App& app);
 
 }  // namespace equipoise::app

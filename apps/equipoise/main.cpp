@@ -69,8 +69,10 @@ int run(int argc, char** argv) {
   add("compare", "two studies or results on common starts: how much more often the second balances", add_compare);
   add("explain", "a study in physical and dimensionless form, and what follows without simulation", add_explain);
   add("map", "the outcome of a start at every pixel of a plane of two quantities", add_map);
+  add("merge", "files of one sweep, from several machines or runs, put together", add_merge);
   add("reproduce", "the tables and figures of Wright and Peng (2019), computed again and judged", add_reproduce);
   add("simulate", "one trajectory at stated times", add_simulate);
+  add("sweep", "shares at every combination of some parameters' values", add_sweep);
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& e) {

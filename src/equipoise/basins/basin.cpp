@@ -113,8 +113,9 @@ class BasinRun {
 
   void make_runner() {
     const Study& study = result_.study;
-    runner_ = equipoise::make_runner(study, {threads_, options_.stop, options_.seeds, &discoveries_, options_.progress},
-                                     gathers_);
+    const DiscoverySettings search{threads_,      options_.stop,     options_.seeds,
+                                   &discoveries_, options_.progress, options_.informed};
+    runner_ = equipoise::make_runner(study, search, gathers_);
     tally_.emplace(*sampler_, study.sampling.seed, runner_->settled());
     transients_.emplace(study, *sampler_);
     filed_.clear();

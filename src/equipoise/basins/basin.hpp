@@ -36,6 +36,8 @@ struct BasinOptions : RunOptions {
                              ///< ball, with transients 40 more
   /// States near motions known from elsewhere, each dimension(balls) numbers: rare attractors that pilot starts miss.
   std::vector<std::vector<double>> seeds;
+  bool informed =
+      false;  ///< the seeds are all of a neighbouring study's: a shorter search (DiscoverySettings::informed)
   DiscoveryCache* discoveries = nullptr;  ///< shared by runs one after the other that end at the same speed; results do
                                           ///< not depend on it
   /// Every start counted, in order of index, those read from `output` included; from any thread, never from two at
