@@ -15,6 +15,7 @@
 #include "equipoise/base/version.hpp"
 #include "equipoise/kernels/cpu_target.hpp"
 #include "streams.hpp"
+#include "team.hpp"
 #include "usage.hpp"
 
 namespace equipoise::app {
@@ -45,9 +46,9 @@ void ask_to_stop(int signal) {
 
 std::string version_text() {
   return fmt::format(
-      "equipoise {}\ncompiler: {}\nCPU targets here: {}; using {}\nreports: {}\n", version_string, __VERSION__,
+      "equipoise {}\ncompiler: {}\nCPU targets here: {}; using {}\nreports: {}\nMPI: {}\n", version_string, __VERSION__,
       fmt::join(cpu_targets(), ", "), cpu_target(),
-      embedded::page_files.find("plotly.js").empty() ? "pictures only" : "interactive charts and pictures");
+      embedded::page_files.find("plotly.js").empty() ? "pictures only" : "interactive charts and pictures", mpi_text());
 }
 
 int run(int argc, char** argv) {

@@ -21,6 +21,7 @@
 #include "options.hpp"
 #include "progress.hpp"
 #include "streams.hpp"
+#include "team.hpp"
 
 namespace equipoise::app {
 
@@ -86,17 +87,20 @@ SweepPlan plan_of(const SweepArguments& a) {
   return SweepPlan(source, sweep_axes(a.over, a.zip, "--over"), request, "--over");
 }
 
-int run_sweep(const SweepArguments& a) {
-  choose_cpu(a.cpu);
-  const SweepPlan plan = plan_of(a);
+void check_outputs(const SweepArguments& a, const SweepOptions& options) {
   check_forms(a);
-  SweepOptions options;
-  options.output = a.output;
-  options.threads = threads_option(a.threads);
-  options.stop = &stop_flag();
-  read_shard(a.shard, options);
   if (options.shards > 1 && a.output.empty())
     throw InputError("--shard", "", a.shard, "needs -o: the file that is merged with those of the other shards");
+}
+
+// One process of several that the first leads; what is wrong with the study, that one says.
+int follow(Team& team, const SweepArguments& a) {
+  if (!team.agree(true)) return bad_input;
+  team.follow(plan_of(a), a.threads ? threads_option(a.threads) : 1, &stop_flag());
+  return done;
+}
+
+SweepResult compute(Team& team, const SweepPlan& plan, const SweepArguments& a, SweepOptions& options) {
   ProgressLine progress(a.quiet);
   options.progress = progress.listener();
   if (!a.quiet && !isatty(STDERR_FILENO))
@@ -106,8 +110,35 @@ int run_sweep(const SweepArguments& a) {
                             percent(balanced.share, digits_for(balanced)), interval(balanced),
                             percent(cell.undecided.share, 2)));
     };
-  const SweepResult result = sweep(plan, options);
-  progress.finish();
+  if (!team.alone()) options.helpers = [&](SweepWork& work) { team.lead(plan, work); };
+  try {
+    return sweep(plan, options);
+  } catch (...) {
+    team.dismiss();
+    throw;
+  }
+}
+
+int run_sweep(const SweepArguments& a) {
+  choose_cpu(a.cpu);
+  Team team;
+  if (!team.leads()) return follow(team, a);
+  SweepOptions options;
+  options.output = a.output;
+  // Of several processes on a machine each has a core of its own.
+  options.threads = a.threads || team.alone() ? threads_option(a.threads) : 1;
+  options.stop = &stop_flag();
+  std::optional<SweepPlan> plan;
+  try {
+    read_shard(a.shard, options);
+    plan = plan_of(a);
+    check_outputs(a, options);
+  } catch (...) {
+    team.agree(false);
+    throw;
+  }
+  team.agree(true);
+  const SweepResult result = compute(team, *plan, a, options);
   put_forms(a, result);
   if (result.complete() || !stop_flag()) return done;
   say(a.output.empty() ? "stopped; with -o FILE.nc the same command would go on from here"
