@@ -57,7 +57,7 @@ int run(int argc, char** argv) {
   app.require_subcommand(1);
   app.set_version_flag("--version", version_text);
   app.footer(
-      "Exit codes: 0 done, 1 failed, 2 bad usage or study, 3 not proved, 130 interrupted with results kept.\n"
+      "Exit codes: 0 done, 1 failed, 2 bad usage or study, 3 not proved or damaged, 130 interrupted with results kept.\n"
       "Data go to standard output, all else to standard error.");
   std::vector<std::pair<CLI::App*, Command>> commands;
   const auto add = [&](const char* name, const char* description, Command (*make)(CLI::App&)) {
@@ -69,6 +69,7 @@ int run(int argc, char** argv) {
   add("certify", "a proof that trajectories near balance end balanced, or the check of one", add_certify);
   add("compare", "two studies or results on common starts: how much more often the second balances", add_compare);
   add("explain", "a study in physical and dimensionless form, and what follows without simulation", add_explain);
+  add("inspect", "what a file of results holds, how complete and whether damaged", add_inspect);
   add("map", "the outcome of a start at every pixel of a plane of two quantities", add_map);
   add("merge", "files of one sweep, from several machines or runs, put together", add_merge);
   add("reproduce", "the tables and figures of Wright and Peng (2019), computed again and judged", add_reproduce);

@@ -11,8 +11,6 @@
 
 #include "equipoise/base/version.hpp"
 #include "equipoise/files/netcdf.hpp"
-#include "equipoise/files/replacement.hpp"
-#include "equipoise/files/sealed_file.hpp"
 #include "equipoise/results/branches_result.hpp"
 #include "equipoise/store/basin_file.hpp"
 #include "equipoise/store/sweep_cells.hpp"
@@ -253,12 +251,8 @@ class SweepWriter {
 }  // namespace
 
 void write_sweep_netcdf(const std::string& path, const std::string& identity, const SweepResult& result) {
-  Replacement place(path);
-  NetcdfFile file(place.file(), NetcdfFile::Mode::create_large, path);
-  SweepWriter(file, identity, result).write();
-  file.close();
-  seal(place.file(), path);
-  place.commit();
+  write_netcdf_file(
+      path, [&](NetcdfFile& file) { SweepWriter(file, identity, result).write(); }, NetcdfFile::Mode::create_large);
 }
 
 }  // namespace equipoise::store
