@@ -24,6 +24,7 @@ StopFlag& stop_flag();
 using Command = std::function<int()>;
 Command add_attractors(CLI::App& app);
 Command add_basin(CLI::App& app);
+Command add_capacity(CLI::App& app);
 Command add_certify(CLI::App& app);
 Command add_compare(CLI::App& app);
 Command add_explain(CLI::App& app);

@@ -66,6 +66,7 @@ int run(int argc, char** argv) {
   };
   add("attractors", "every steady motion of the final speed: refined, named, with its share", add_attractors);
   add("basin", "shares of starts that end in each attractor, with intervals", add_basin);
+  add("capacity", "the largest unbalance, or other parameter, that is balanced as often as asked", add_capacity);
   add("certify", "a proof that trajectories near balance end balanced, or the check of one", add_certify);
   add("compare", "two studies or results on common starts: how much more often the second balances", add_compare);
   add("explain", "a study in physical and dimensionless form, and what follows without simulation", add_explain);

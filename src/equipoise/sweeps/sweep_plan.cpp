@@ -26,7 +26,7 @@ SweepPlan::SweepPlan(StudySource source, std::vector<SweepAxis> axes, const Cell
     cells_ *= axes_[a].size();
     if (axes_[a].size() > axes_[chain_].size()) chain_ = a;
   }
-  const std::size_t length = axes_[chain_].size();
+  const std::size_t length = chain_length();
   lines_ = cells_ / length;
   blocks_in_line_ = (length + block_length - 1) / block_length;
   BasinOptions options;
@@ -54,7 +54,11 @@ std::vector<std::string> SweepPlan::overrides_of(std::size_t cell) const {
   return overrides;
 }
 
-Study SweepPlan::study_of(std::size_t cell) const { return source_.with(overrides_of(cell)); }
+Study SweepPlan::study_of(std::size_t cell, const std::vector<std::string>& more) const {
+  std::vector<std::string> overrides = overrides_of(cell);
+  overrides.insert(overrides.end(), more.begin(), more.end());
+  return source_.with(overrides);
+}
 
 std::string SweepPlan::title_of(std::size_t cell) const {
   std::string title;
@@ -67,7 +71,7 @@ std::string SweepPlan::title_of(std::size_t cell) const {
 
 std::vector<std::size_t> SweepPlan::cells_of(std::size_t block) const {
   const std::size_t line = block / blocks_in_line_, first = block % blocks_in_line_ * block_length;
-  const std::size_t length = axes_[chain_].size();
+  const std::size_t length = chain_length();
   std::size_t stride = 1;  // between cells that are neighbours along the chain
   for (std::size_t a = chain_ + 1; a < axes_.size(); ++a) stride *= axes_[a].size();
   const std::size_t begin = line / stride * stride * length + line % stride;

@@ -32,7 +32,7 @@ class SweepPlan {
  public:
   static constexpr std::size_t block_length = 8;
 
-  /// Throws InputError, naming `option`, if a cell's study is none or cannot be decided.
+  /// No axes: one cell. Throws InputError, naming `option`, if a cell's study is none or cannot be decided.
   SweepPlan(StudySource source, std::vector<SweepAxis> axes, const CellRequest& request, const std::string& option);
 
   const Study& study() const { return study_; }
@@ -42,7 +42,9 @@ class SweepPlan {
   bool transients() const { return transients_; }
 
   std::size_t cells() const { return cells_; }
-  Study study_of(std::size_t cell) const;
+  Study study_of(std::size_t cell) const { return study_of(cell, {}); }
+  /// With more set on top of it.
+  Study study_of(std::size_t cell, const std::vector<std::string>& more) const;
   std::size_t blocks() const { return lines_ * blocks_in_line_; }
   /// In the order in which they are computed.
   std::vector<std::size_t> cells_of(std::size_t block) const;
@@ -55,6 +57,7 @@ class SweepPlan {
  private:
   std::vector<std::string> overrides_of(std::size_t cell) const;
   std::string target(const std::string& key) const;
+  std::size_t chain_length() const { return axes_.empty() ? 1 : axes_[chain_].size(); }
 
   StudySource source_;
   std::vector<SweepAxis> axes_;
