@@ -57,6 +57,7 @@ if(Python3_FOUND AND EQUIPOISE_BUILD_PROGRAM)
   cli_test(cli.attractors_along_a_parameter along_test.py)
   cli_test(cli.compare compare_test.py)
   cli_test(cli.map map_test.py)
+  cli_test(cli.sweep_merge_capacity_inspect sweep_test.py)
   cli_test(cli.reproduce_as_its_users_meet_it reproduce_test.py)
 
   if(NOT EQUIPOISE_SANITIZE)  # runs are killed at moments measured in seconds

@@ -108,7 +108,7 @@ void SweepFile::append(std::size_t index, const SweepCell& cell) {
 }
 
 void SweepFile::finish(const SweepResult& result) {
-  if (!state_->changed) return;
+  if (!state_->changed && std::filesystem::exists(state_->path)) return;
   store::write_sweep_netcdf(state_->path, state_->identity, result);
   state_->journal->remove();
 }

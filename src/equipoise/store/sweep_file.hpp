@@ -29,7 +29,7 @@ class SweepFile {
   std::vector<std::optional<SweepCell>> take_cells();
   /// On disk within about a second of work. Throws RunError, with all before it kept, if the disk cannot take it.
   void append(std::size_t index, const SweepCell& cell);
-  /// Writes the results, if any cell is new; what holds unfinished ones is removed once all are there. Throws RunError,
+  /// Writes the results, if any cell is new or there is no file; what holds unfinished ones is removed once all are there. Throws RunError,
   /// with everything kept as it was.
   void finish(const SweepResult& result);
 
