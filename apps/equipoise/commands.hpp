@@ -28,6 +28,7 @@ Command add_certify(CLI::App& app);
 Command add_compare(CLI::App& app);
 Command add_explain(CLI::App& app);
 Command add_map(CLI::App& app);
+Command add_report(CLI::App& app);
 Command add_reproduce(CLI::App& app);
 Command add_simulate(CLI::App& app);
 

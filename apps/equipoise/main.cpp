@@ -69,6 +69,7 @@ int run(int argc, char** argv) {
   add("compare", "two studies or results on common starts: how much more often the second balances", add_compare);
   add("explain", "a study in physical and dimensionless form, and what follows without simulation", add_explain);
   add("map", "the outcome of a start at every pixel of a plane of two quantities", add_map);
+  add("report", "a page for one machine: its shares, motions, peaks and runs, to be printed on two sheets", add_report);
   add("reproduce", "the tables and figures of Wright and Peng (2019), computed again and judged", add_reproduce);
   add("simulate", "one trajectory at stated times", add_simulate);
   try {
