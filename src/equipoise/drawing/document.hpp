@@ -50,6 +50,7 @@ struct Drawing {
 struct DrawingRow {
   std::vector<Drawing> drawings;
   std::string caption;
+  bool large = false;  ///< on paper two beside each other, not three: charts, which have small print
 };
 /// Lines as they are, shown on demand.
 struct Listing {

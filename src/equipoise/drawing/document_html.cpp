@@ -118,7 +118,7 @@ class HtmlWriter {
   }
 
   void operator()(const DrawingRow& row) {
-    out += "<figure class=\"drawings\">\n<div>\n";
+    out += fmt::format("<figure class=\"drawings{}\">\n<div>\n", row.large ? " large" : "");
     for (const Drawing& d : row.drawings) {
       const std::string swatch =
           d.colour.empty() ? "" : fmt::format("<span class=\"swatch\" style=\"background:{}\"></span>", d.colour);

@@ -198,6 +198,7 @@ class MachineDocument {
   void way() {
     add(Heading{2, "On the way", ""});
     DrawingRow row;
+    row.large = true;
     for (const FigureDistribution& d : page_.peaks)
       row.drawings.push_back({capital(figure_name(d.figure)) + ", all starts", distribution_svg(page_, d), "", ""});
     if (!page_.runs.empty()) {
