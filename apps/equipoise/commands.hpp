@@ -31,6 +31,7 @@ Command add_explain(CLI::App& app);
 Command add_inspect(CLI::App& app);
 Command add_map(CLI::App& app);
 Command add_merge(CLI::App& app);
+Command add_report(CLI::App& app);
 Command add_reproduce(CLI::App& app);
 Command add_simulate(CLI::App& app);
 Command add_sweep(CLI::App& app);

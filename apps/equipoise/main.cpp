@@ -73,6 +73,7 @@ int run(int argc, char** argv) {
   add("inspect", "what a file of results holds, how complete and whether damaged", add_inspect);
   add("map", "the outcome of a start at every pixel of a plane of two quantities", add_map);
   add("merge", "files of one sweep, from several machines or runs, put together", add_merge);
+  add("report", "a page for one machine: its shares, motions, peaks and runs, to be printed on two sheets", add_report);
   add("reproduce", "the tables and figures of Wright and Peng (2019), computed again and judged", add_reproduce);
   add("simulate", "one trajectory at stated times", add_simulate);
   add("sweep", "shares at every combination of some parameters' values", add_sweep);

@@ -283,7 +283,8 @@ class BasinRun {
       undecided_.push_back(tally_->total() - 1);
     if (fate.outcome == Outcome::stalled && stalled_.size() < undecided_looked_at)
       stalled_.push_back(tally_->total() - 1);
-    if (result_.every_start) add_start(result_.study, *sampler_, fate, row, *result_.every_start);
+    if (result_.every_start && result_.every_start->starts < options_.keep_at_most)
+      add_start(result_.study, *sampler_, fate, row, *result_.every_start);
     if (options_.fate) options_.fate(fate);
   }
 
