@@ -30,7 +30,7 @@ namespace {
 constexpr int scan = 8;  // values of the range tried first
 
 // Values are set with few digits, so that they read back to what is told.
-double told(double value) { return std::strtod(fmt::format("{:.6g}", value).c_str(), nullptr); }
+double few_digits(double value) { return std::strtod(fmt::format("{:.6g}", value).c_str(), nullptr); }
 
 // One cell's trials, each search beginning with what the nearest earlier one found.
 class Boundary {
@@ -69,7 +69,7 @@ class Boundary {
   };
 
   const Made* trial(double at) {
-    const double value = told(at);
+    const double value = few_digits(at);
     if (const auto made = trials_.find(value); made != trials_.end()) return &made->second;
     const Study study = plan_.study_of(
         cell_, {fmt::format("{}={}{}{}", options_.key, value, options_.unit.empty() ? "" : " ", options_.unit)});
@@ -118,9 +118,9 @@ class Boundary {
         }
         last = value;
       }
-      const bool inside = last >= told(options_.from) && first <= told(options_.to);
+      const bool inside = last >= few_digits(options_.from) && first <= few_digits(options_.to);
       if (!inside || first - last <= options_.precision * outside) return {last, first};
-      const double middle = told(0.5 * (last + first));
+      const double middle = few_digits(0.5 * (last + first));
       if (middle <= last || middle >= first) return {last, first};
       trial(middle);
     }
@@ -169,7 +169,7 @@ class CapacityRun {
  private:
   void check() const {
     for (std::size_t cell = 0; cell < plan_.cells(); ++cell)
-      for (const double value : {told(options_.from), told(options_.to)})
+      for (const double value : {few_digits(options_.from), few_digits(options_.to)})
         check_runnable(plan_.study_of(cell, {fmt::format("{}={}{}{}", options_.key, value,
                                                          options_.unit.empty() ? "" : " ", options_.unit)}),
                        plan_.transients());
@@ -209,7 +209,7 @@ std::optional<CapacityRange> usual_range(const Study& study, const std::string& 
   if (key == "rotor.eccentricity" && !study.scales) return CapacityRange{least * most, most, ""};
   if (key != "rotor.unbalance" || !study.scales) return std::nullopt;
   const double unbalance = most * study.scales->unbalance() * grams_and_millimetres;
-  return CapacityRange{told(least * unbalance), told(unbalance), "g mm"};
+  return CapacityRange{few_digits(least * unbalance), few_digits(unbalance), "g mm"};
 }
 
 CapacityResult capacity(const SweepPlan& plan, const CapacityOptions& options) {
