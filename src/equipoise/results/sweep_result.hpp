@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -46,17 +47,19 @@ struct SweepCell {
   std::uint64_t starts = 0;
   std::vector<SweepOutcome> outcomes;  ///< by own_id; balanced first
   Share undecided, diverged, failed;
-  std::optional<Share> stalled, passed;      ///< of driven rotors
-  std::optional<TransientGroup> transients;  ///< of all starts, if they are gathered
+  std::optional<Share> stalled, passed;              ///< of driven rotors
+  std::shared_ptr<const TransientGroup> transients;  ///< of all starts, if they are gathered
   bool balanced_stable = false;
   std::string note;
 };
 
+/// By index: the last axis' values follow one another; null: not done. Pointers, for most of a large sweep's are.
+using SweepCells = std::vector<std::shared_ptr<SweepCell>>;
+
 struct SweepResult {
   Study study;  ///< the one that is varied
   std::vector<SweepAxis> axes;
-  std::vector<std::optional<SweepCell>>
-      cells;                ///< the last axis' values follow one another; those not done are missing
+  SweepCells cells;
   double half_width = 0.0;  ///< asked for; 0: none
   bool transients = false;
   std::uint64_t resumed_cells = 0;  ///< read from an earlier run's file

@@ -132,10 +132,14 @@ template <class T>
 struct IsOptional : std::false_type {};
 template <class T>
 struct IsOptional<std::optional<T>> : std::true_type {};
+template <class T>
+struct IsShared : std::false_type {};
+template <class T>
+struct IsShared<std::shared_ptr<T>> : std::true_type {};
 
 template <class T>
 Json Writer::encode(const T& value) {
-  if constexpr (IsOptional<T>::value) {
+  if constexpr (IsOptional<T>::value || IsShared<T>::value) {
     return value ? encode(*value) : Json(nullptr);
   } else if constexpr (IsList<T>::value) {
     Json list = Json::array();
@@ -154,7 +158,11 @@ Json Writer::encode(const T& value) {
 
 template <class T>
 void Reader::decode(const Json& json, T& value) {
-  if constexpr (IsOptional<T>::value) {
+  if constexpr (IsShared<T>::value) {
+    auto content = json.is_null() ? nullptr : std::make_shared<std::remove_const_t<typename T::element_type>>();
+    if (content) decode(json, *content);
+    value = std::move(content);
+  } else if constexpr (IsOptional<T>::value) {
     if (json.is_null())
       value.reset();
     else

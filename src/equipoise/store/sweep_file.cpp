@@ -21,10 +21,12 @@ namespace {
 
 constexpr const char* same_sweep = "must be a new file, or results of the same sweep";
 
-using Cells = std::vector<std::optional<SweepCell>>;
+std::shared_ptr<SweepCell> shared(std::optional<SweepCell> cell) {
+  return cell ? std::make_shared<SweepCell>(std::move(*cell)) : nullptr;
+}
 
 // The cells of a finished file into those that are missing.
-void read_results(const std::string& path, const store::NetcdfFile& file, Cells& cells) {
+void read_results(const std::string& path, const store::NetcdfFile& file, SweepCells& cells) {
   const std::size_t count = file.length("cell"), size = file.length("record_byte");
   if (cells.empty()) cells.resize(count);
   if (count != cells.size()) throw InputError(path, "", "", fmt::format("holds {} cells; {}", count, same_sweep));
@@ -36,19 +38,19 @@ void read_results(const std::string& path, const store::NetcdfFile& file, Cells&
   for (std::size_t k = 0; k < count; ++k) {
     const auto end = static_cast<std::size_t>(ends[k]);
     if (end < begin || end > size) throw InputError(path, "", "", fmt::format("is damaged; {}", same_sweep));
-    if (end > begin && !cells[k]) cells[k] = store::cell_from(bytes.data() + begin, end - begin);
+    if (end > begin && !cells[k]) cells[k] = shared(store::cell_from(bytes.data() + begin, end - begin));
     begin = end;
   }
 }
 
-void read_journal(const std::string& path, const store::Journal& journal, Cells& cells) {
+void read_journal(const std::string& path, const store::Journal& journal, SweepCells& cells) {
   for (const store::Journal::Record& record : journal.records()) {
     if (record.kind != store::Journal::Kind::cell)
       throw InputError(path, "", "", fmt::format("is of no sweep; {}", same_sweep));
     if (cells.size() <= record.first) cells.resize(record.first + 1);
     std::vector<std::uint8_t> bytes(record.bytes);
     journal.read(record, 0, bytes.size(), bytes.data());
-    cells[record.first] = store::cell_from(bytes.data(), bytes.size());
+    cells[record.first] = shared(store::cell_from(bytes.data(), bytes.size()));
   }
 }
 
@@ -61,7 +63,7 @@ void require_whole(const std::string& path) {
 
 struct SweepFile::State {
   std::string path, identity;
-  Cells cells;
+  SweepCells cells;
   bool changed = false;
   std::optional<store::Journal> journal;
 
@@ -99,7 +101,7 @@ SweepFile::SweepFile(const std::string& path, const std::string& identity, std::
 
 SweepFile::~SweepFile() = default;
 
-std::vector<std::optional<SweepCell>> SweepFile::take_cells() { return std::move(state_->cells); }
+SweepCells SweepFile::take_cells() { return std::move(state_->cells); }
 
 void SweepFile::append(std::size_t index, const SweepCell& cell) {
   const std::vector<std::uint8_t> bytes = store::bytes_of(cell);

@@ -26,11 +26,11 @@ class SweepFile {
   SweepFile& operator=(const SweepFile&) = delete;
 
   /// Those that were there when it was opened.
-  std::vector<std::optional<SweepCell>> take_cells();
+  SweepCells take_cells();
   /// On disk within about a second of work. Throws RunError, with all before it kept, if the disk cannot take it.
   void append(std::size_t index, const SweepCell& cell);
-  /// Writes the results, if any cell is new or there is no file; what holds unfinished ones is removed once all are there. Throws RunError,
-  /// with everything kept as it was.
+  /// Writes the results, if any cell is new or there is no file; what holds unfinished ones is removed once all are
+  /// there. Throws RunError, with everything kept as it was.
   void finish(const SweepResult& result);
 
  private:
@@ -42,7 +42,7 @@ class SweepFile {
 /// damaged.
 struct StoredSweep {
   std::string identity;
-  std::vector<std::optional<SweepCell>> cells;
+  SweepCells cells;
 };
 StoredSweep read_sweep(const std::string& path);
 

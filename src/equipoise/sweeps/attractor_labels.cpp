@@ -45,8 +45,7 @@ double distance(const SweepOutcome& a, const SweepOutcome& b) {
 
 class Labels {
  public:
-  Labels(const std::vector<SweepAxis>& axes, std::vector<std::optional<SweepCell>>& cells)
-      : axes_(axes), cells_(cells) {}
+  Labels(const std::vector<SweepAxis>& axes, SweepCells& cells) : axes_(axes), cells_(cells) {}
 
   void label(std::size_t index) {
     SweepCell& cell = *cells_[index];
@@ -108,13 +107,13 @@ class Labels {
   }
 
   const std::vector<SweepAxis>& axes_;
-  std::vector<std::optional<SweepCell>>& cells_;
+  SweepCells& cells_;
   std::map<int, std::string> names_;  // by identifier
 };
 
 }  // namespace
 
-void label_attractors(const std::vector<SweepAxis>& axes, std::vector<std::optional<SweepCell>>& cells) {
+void label_attractors(const std::vector<SweepAxis>& axes, SweepCells& cells) {
   Labels labels(axes, cells);
   for (std::size_t index = 0; index < cells.size(); ++index)
     if (cells[index]) labels.label(index);

@@ -12,6 +12,6 @@ namespace equipoise {
 /// cells before, along every axis: one of the same kind and kind of name that shakes and drifts most nearly as much,
 /// if no more than a third less or more. What matches nothing gets the next free identifier, numbered behind its name
 /// if that is taken.
-void label_attractors(const std::vector<SweepAxis>& axes, std::vector<std::optional<SweepCell>>& cells);
+void label_attractors(const std::vector<SweepAxis>& axes, SweepCells& cells);
 
 }  // namespace equipoise

@@ -55,7 +55,7 @@ SweepResult stored_sweep(const std::string& path) {
   SweepResult result = asked_for(stored.identity, path);
   stored.cells.resize(result.cells.size());
   result.cells = std::move(stored.cells);
-  for (const auto& cell : result.cells) result.resumed_cells += cell.has_value();
+  for (const auto& cell : result.cells) result.resumed_cells += cell != nullptr;
   label_attractors(result.axes, result.cells);
   return result;
 }

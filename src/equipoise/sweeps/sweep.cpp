@@ -64,14 +64,14 @@ class SweepRun final : public SweepWork {
 
   const SweepCell* known(std::size_t cell) const override {
     const std::lock_guard guard(taking_);
-    return result_.cells[cell] ? &*result_.cells[cell] : nullptr;
+    return result_.cells[cell].get();
   }
 
   void deliver(std::size_t index, SweepCell cell) override {
     const std::lock_guard guard(taking_);
     if (result_.cells[index]) return;
     if (file_) file_->append(index, cell);
-    result_.cells[index] = std::move(cell);
+    result_.cells[index] = std::make_shared<SweepCell>(std::move(cell));
     ++done_;
     if (options_.cell) options_.cell(index, *result_.cells[index]);
     report();

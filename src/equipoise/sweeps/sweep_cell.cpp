@@ -40,7 +40,7 @@ SweepCell cell_of(const BasinResult& result, const Catalogue& catalogue) {
   cell.failed = result.failed;
   cell.stalled = result.stalled;
   cell.passed = result.passed;
-  if (result.transients) cell.transients = result.transients->groups.front();
+  if (result.transients) cell.transients = std::make_shared<TransientGroup>(result.transients->groups.front());
   cell.balanced_stable = result.balanced_stable;
   cell.note = result.note;
   return cell;
