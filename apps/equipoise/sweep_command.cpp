@@ -84,7 +84,15 @@ SweepPlan plan_of(const SweepArguments& a) {
     request.half_width =
         option_number<double>("--half-width", *a.half_width, 1e-6, 0.5, "a fraction of one from 1e-6 to 0.5");
   if (a.transients) request.transients = true;
-  return SweepPlan(source, sweep_axes(a.over, a.zip, "--over"), request, "--over");
+  const Study study = source.with();
+  const bool own = a.over.empty() && !study.sweep.over.empty();
+  if (a.over.empty() && !own)
+    throw InputError("--over", "", "",
+                     "says nothing, and the study has no [sweep] with over = [\"KEY=VALUES\"]; must name a parameter and "
+                     "its values, e.g. speed.final=1.5:6:0.1");
+  const std::string where = own ? fmt::format("{}: [sweep] over", study.name) : "--over";
+  const std::vector<SweepAxis> axes = sweep_axes(own ? study.sweep.over : a.over, own ? study.sweep.zip : a.zip, where);
+  return SweepPlan(source, axes, request, where);
 }
 
 void check_outputs(const SweepArguments& a, const SweepOptions& options) {
@@ -172,10 +180,9 @@ Command add_sweep(CLI::App& app) {
   app.add_option(
          "--over", a->over,
          "a parameter and its values, e.g. speed.final=1.5:6:0.1, balancer.drag=0.01,0.05,0.1, \"speed.final=900 "
-         "rpm:4000 rpm:100 rpm\"; up to three times")
+         "rpm:4000 rpm:100 rpm\"; up to three times (default: what [sweep] of the study says)")
       ->type_name("KEY=VALUES")
-      ->take_all()
-      ->required();
+      ->take_all();
   app.add_flag("--zip", a->zip, "the parameters vary together, step by step, instead of in all combinations");
   app.add_option("--starts", a->starts, "number of starts of every cell (with --half-width: at most so many)")
       ->type_name("N");

@@ -63,6 +63,23 @@ class Sweep(unittest.TestCase):
         self.assertEqual([c["at"] for c in sweep["cells"]], [{"speed.final": 2.4, "balancer.drag": 0.1},
                                                             {"speed.final": 2.6, "balancer.drag": 0.25}])
 
+    def test_a_study_says_what_is_swept(self):
+        with tempfile.TemporaryDirectory() as folder:
+            study = os.path.join(folder, "study.toml")
+            with open(ROW, encoding="utf-8") as row, open(study, "w", encoding="utf-8") as file:
+                file.write(row.read() + '\n[sweep]\nover = ["balancer.drag=0.1,0.25", "speed.final=2.4,2.6"]\nzip = true\n')
+            sweep = answer("sweep", study, "--starts", "50")
+            self.assertEqual([c["at"] for c in sweep["cells"]], [{"balancer.drag": 0.1, "speed.final": 2.4},
+                                                                {"balancer.drag": 0.25, "speed.final": 2.6}])
+            self.assertEqual(len(answer("sweep", study, "--over", "balancer.drag=0.25", "--starts", "50")["cells"]), 1)
+            self.assertEqual(run("basin", study, "--starts", "50", "--quiet").returncode, 0)
+            bad = run("sweep", study, "--set", "sweep.over=3")
+            self.assertEqual((bad.returncode, bad.stderr.count("\n")), (2, 1))
+            self.assertIn("sweep.over", bad.stderr)
+        done = run("sweep", ROW)
+        self.assertEqual((done.returncode, done.stderr.count("\n")), (2, 1))
+        self.assertIn("[sweep]", done.stderr)
+
     def test_every_cell_is_sampled_to_its_half_width(self):
         sweep = answer("sweep", ROW, "--over", "speed.final=2.4,2.6", "--half-width", "0.01")
         for cell in sweep["cells"]:

@@ -386,6 +386,14 @@ double Study::stall_speed() const {
 
 namespace {
 
+// What the texts say is read when something is varied.
+void read_sweep(const Document& document, SweepSetting& sweep) {
+  TableReader r(document, "sweep");
+  sweep.over = r.texts("over");
+  sweep.zip = r.flag("zip", false);
+  r.finish();
+}
+
 // A rotor that the study puts nowhere rests under its weight at first, not on slack springs.
 void rest_under_gravity(const Document& document, Study& study) {
   TableReader initial(document, "initial");
@@ -409,7 +417,7 @@ namespace {
 
 Study read(Document document) {
   check_tables(document,
-               {"rotor", "balancer", "speed", "release", "initial", "sampling", "numerics", "limits", "units"});
+               {"rotor", "balancer", "speed", "release", "initial", "sampling", "numerics", "limits", "sweep", "units"});
   make_dimensionless(document);
   Study result;
   result.name = document.name;
@@ -422,6 +430,7 @@ Study read(Document document) {
   rest_under_gravity(document, result);
   read_numerics(document, result.numerics);
   read_limits(document, result.limits);
+  read_sweep(document, result.sweep);
   result.scales = read_units(document);
   return result;
 }

@@ -143,6 +143,13 @@ struct Limits {
   std::optional<double> settled;       ///< radial displacement below which the rotor counts as settled, in R
 };
 
+/// [sweep]: what `equipoise sweep` varies unless it is told otherwise. No part of what a run's results depend on, and
+/// not echoed: those of a sweep say themselves what was varied.
+struct SweepSetting {
+  std::vector<std::string> over;  ///< as of --over
+  bool zip = false;
+};
+
 /// A complete study: made by read_study(), or filled in by code (see check()).
 struct Study {
   std::string name;  ///< file it came from; for messages and results only
@@ -153,6 +160,7 @@ struct Study {
   Sampling sampling;
   Numerics numerics;
   Limits limits;
+  SweepSetting sweep;
   std::optional<model::Scales> scales;  ///< of a study in physical units
 
   /// The ramp function and law as the model sees them; of a driven rotor the speed that its motor aims at, else that at

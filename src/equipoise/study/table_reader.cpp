@@ -314,6 +314,18 @@ std::vector<double> TableReader::numbers(const std::string& key, const Range& ra
   return result;
 }
 
+std::vector<std::string> TableReader::texts(const std::string& key) {
+  std::vector<std::string> result;
+  const StudyValue* value = find(key);
+  if (!value) return result;
+  if (!value->array()) fail(key, fmt::format("is {}; must be an array of strings", kind(*value)));
+  for (const StudyValue& entry : *value->array()) {
+    if (!entry.string()) fail(key, fmt::format("has an entry that is {}; must be an array of strings", kind(entry)));
+    result.push_back(*entry.string());
+  }
+  return result;
+}
+
 std::vector<double> TableReader::one_or_each(const std::string& key, const Range& range, int count,
                                              const std::string& each, std::optional<double> fallback) {
   if (fallback && !has(key)) return std::vector<double>(count, *fallback);

@@ -77,6 +77,8 @@ class TableReader {
   }
   bool flag(const std::string& key, bool fallback);
   std::vector<double> numbers(const std::string& key, const Range& range);
+  /// An array of strings; empty if it is not there.
+  std::vector<std::string> texts(const std::string& key);
   /// `count` numbers from an array of that length, or one number repeated.
   std::vector<double> one_or_each(const std::string& key, const Range& range, int count, const std::string& each,
                                   std::optional<double> fallback = std::nullopt);
