@@ -19,10 +19,13 @@ namespace {
 
 using Point = std::array<double, 2>;
 
+// Along a side: more than the canvas shows.
+constexpr int most_drawn_pixels = 1600;
+
 // A field known at the pixels' centres, and continued from there in a straight line to the map's edges.
 class Field {
  public:
-  Field(const PlaneMap& map, const std::vector<double>& values) : map_(map), values_(values) {}
+  Field(const PlaneMap& map, const std::vector<float>& values) : map_(map), values_(values) {}
 
   double value(int column, int row) const {
     const Weights a = weights(column, map_.x.pixels), b = weights(row, map_.y.pixels);
@@ -48,13 +51,14 @@ class Field {
   }
   static double along(const MapAxis& axis, int k) { return std::clamp(axis.centre(k), axis.low, axis.high); }
   const PlaneMap& map_;
-  const std::vector<double>& values_;
+  const std::vector<float>& values_;
 };
 
 // Ends of the line pieces on which a field is zero, by linear interpolation along the edges of every cell between four
 // centres; pieces beside undefined values are left out.
-std::vector<std::array<Point, 2>> zero_line(const PlaneMap& map, const std::vector<double>& values) {
+std::vector<std::array<Point, 2>> zero_line(const PlaneMap& map, const std::vector<float>& values) {
   std::vector<std::array<Point, 2>> pieces;
+  if (values.size() != map.code.size()) return pieces;  // the same everywhere
   const Field field(map, values);
   constexpr int corner[5][2]{{0, 0}, {1, 0}, {1, 1}, {0, 1}, {0, 0}};
   for (int row = -1; row < map.y.pixels; ++row)
@@ -96,7 +100,7 @@ class Shade {
     constexpr double darkest = 0.5;
     const auto found = times_.find(map_.code[pixel]);
     if (found == times_.end() || !std::isfinite(map_.time[pixel])) return packed;
-    const std::vector<double>& times = found->second;
+    const std::vector<float>& times = found->second;
     const auto rank = std::lower_bound(times.begin(), times.end(), map_.time[pixel]) - times.begin();
     const double bright = 1.0 - darkest * static_cast<double>(rank) / static_cast<double>(times.size());
     const auto part = [&](int shift) {
@@ -107,7 +111,7 @@ class Shade {
 
  private:
   const PlaneMap& map_;
-  std::map<short, std::vector<double>> times_;  // by outcome
+  std::map<short, std::vector<float>> times_;  // by outcome
 };
 
 // Outcomes as packed red, green and blue.
@@ -163,8 +167,9 @@ std::string start_text(const PlaneMap& map) {
 
 }  // namespace
 
-std::string map_plot_script(const PlaneMap& map, const std::string& title, const std::string& path,
+std::string map_plot_script(const PlaneMap& whole, const std::string& title, const std::string& path,
                             MapShading shading) {
+  const PlaneMap map = thinned(whole, most_drawn_pixels);
   std::string script = canvas(path, 1600, 1000) + image_block(map, shading);
   const auto exists = zero_line(map, map.balance_margin), stable = zero_line(map, map.balance_growth);
   std::string items = fmt::format(
@@ -190,7 +195,9 @@ std::string map_plot_script(const PlaneMap& map, const std::string& title, const
   add_border("$stable", stable, "", "balance changes stability");
   const std::string stopped = map.complete ? "" : " (PARTIAL: stopped early)";
   const std::string darker = shading == MapShading::none ? "" : "; the darker, the later decided";
-  const std::string details = parameters_text(map.study, {map.x.key, map.y.key}) + start_text(map) + darker + stopped;
+  const std::string thin = map.every > 1 ? fmt::format("; one of {} x {} pixels is drawn", map.every, map.every) : "";
+  const std::string details =
+      parameters_text(map.study, {map.x.key, map.y.key}) + start_text(map) + darker + thin + stopped;
   script += fmt::format("set title {}.\"\\n\".{} offset 0,0.3\n", quoted(title), quoted(details));
   script += fmt::format("set xlabel {}\nset ylabel {} offset -0.6,0\n", quoted(axis_label(map.x.key)),
                         quoted(axis_label(map.y.key)));
