@@ -367,7 +367,7 @@ TEST(PlaneMap, AFinishedOneIsReadAndAnotherIsRefused) {
 
 // What is filled in lies within edges of one outcome, and what is computed is what it is without blocks.
 TEST(PlaneMap, BlocksLeaveOutWhatIsWithinOneBasin) {
-  for (PlaneMapSettings settings : {both_angles(96, 80), angle_plane(5, 17)}) {
+  for (PlaneMapSettings settings : {both_angles(96, 80), mass_plane(12, 12)}) {
     const PlaneMap whole = plane_map(rotor(), settings);
     settings.block = 8;
     const PlaneMap map = plane_map(rotor(), settings);

@@ -98,8 +98,8 @@ TEST(PixelPlan, UndecidedAndFailedAreNoOutcomeToBeFilledIn) {
   EXPECT_LT(painted_by_plan(40, 40, 8, [](int, int) { return diverged_code; }).computed, 1600u);
 }
 
-// A plane is what interpolation between four corners gives back.
-TEST(PixelPlan, NumbersAreInterpolatedBetweenCorners) {
+// A plane is what interpolation between edges gives back.
+TEST(PixelPlan, NumbersAreInterpolatedBetweenEdges) {
   const Painted map = painted_by_plan(50, 45, 16, [](int, int) -> short { return 1; });
   for (std::size_t k = 0; k < map.pixels.size(); ++k)  // roundings of numbers up to 100
     EXPECT_NEAR(map.pixels[k].time, 2.0 * static_cast<double>(k % 50) - static_cast<double>(k / 50), 1e-4);

@@ -196,8 +196,12 @@ std::string map_plot_script(const PlaneMap& whole, const std::string& title, con
   const std::string stopped = map.complete ? "" : " (PARTIAL: stopped early)";
   const std::string darker = shading == MapShading::none ? "" : "; the darker, the later decided";
   const std::string thin = map.every > 1 ? fmt::format("; one of {} x {} pixels is drawn", map.every, map.every) : "";
+  const std::string filled =
+      map.block > 0 ? fmt::format("; {:.0f} % of the pixels computed, the others filled in",
+                                  100.0 * static_cast<double>(map.pixels_computed) / static_cast<double>(map.pixels))
+                    : "";
   const std::string details =
-      parameters_text(map.study, {map.x.key, map.y.key}) + start_text(map) + darker + thin + stopped;
+      parameters_text(map.study, {map.x.key, map.y.key}) + start_text(map) + darker + filled + thin + stopped;
   script += fmt::format("set title {}.\"\\n\".{} offset 0,0.3\n", quoted(title), quoted(details));
   script += fmt::format("set xlabel {}\nset ylabel {} offset -0.6,0\n", quoted(axis_label(map.x.key)),
                         quoted(axis_label(map.y.key)));

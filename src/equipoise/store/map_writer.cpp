@@ -98,7 +98,7 @@ void MapWriter::define_pixels(int y, int x, const std::vector<MapCode>& codes) {
   if (header_.block > 0) {
     computed_ = file_.variable("computed", NC_BYTE, {y, x}, "1",
                                "1: followed; 0: filled in, its outcome is that of all edges of its block, its numbers "
-                               "are interpolated between the corners");
+                               "are interpolated between these edges");
     file_.attribute(computed_, "flag_values", std::vector<signed char>{0, 1});
     file_.attribute(computed_, "flag_meanings", "filled_in computed");
   }
