@@ -66,7 +66,7 @@ int run_map(const MapArguments& a) {
   if (!a.plot.empty())
     draw(a.plot, [&](const std::string& file) {
       return map_plot_script(map, display_text(std::filesystem::path(study.name).filename().string()), file,
-                             MapShading::decision_time);
+                             map.block > 0 ? MapShading::none : MapShading::decision_time);
     });
   return map.complete ? done : interrupted;
 }

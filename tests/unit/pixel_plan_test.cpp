@@ -33,7 +33,8 @@ Painted painted_by_plan(int columns, int rows, int block, const Paint& paint, st
       MapPixel& pixel = result.pixels[at];
       result.twice = result.twice || pixel.computed;
       const int column = static_cast<int>(at) % columns, row = static_cast<int>(at) / columns;
-      pixel = {paint(column, row), true, static_cast<float>(2 * column - row)};
+      pixel = {paint(column, row), true, 1.0f};
+      pixel.balance_margin = static_cast<float>(2 * column - row);
       plan.know(at, pixel.code);
       ++result.computed;
     }
@@ -98,12 +99,13 @@ TEST(PixelPlan, UndecidedAndFailedAreNoOutcomeToBeFilledIn) {
   EXPECT_LT(painted_by_plan(40, 40, 8, [](int, int) { return diverged_code; }).computed, 1600u);
 }
 
-// A plane is what interpolation between edges gives back.
-TEST(PixelPlan, NumbersAreInterpolatedBetweenEdges) {
+// A plane is what interpolation between corners gives back.
+TEST(PixelPlan, BalanceIsInterpolatedBetweenCornersAndTimesAreNotMadeUp) {
   const Painted map = painted_by_plan(50, 45, 16, [](int, int) -> short { return 1; });
   for (std::size_t k = 0; k < map.pixels.size(); ++k)  // roundings of numbers up to 100
-    EXPECT_NEAR(map.pixels[k].time, 2.0 * static_cast<double>(k % 50) - static_cast<double>(k / 50), 1e-4);
+    EXPECT_NEAR(map.pixels[k].balance_margin, 2.0 * static_cast<double>(k % 50) - static_cast<double>(k / 50), 1e-4);
   EXPECT_FALSE(map.pixels[50 * 5 + 5].computed);
+  EXPECT_TRUE(std::isnan(map.pixels[50 * 5 + 5].time));
 }
 
 TEST(PixelPlan, SmallMapsArePlanned) {

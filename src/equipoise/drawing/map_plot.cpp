@@ -9,6 +9,7 @@
 #include <vector>
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include "equipoise/base/angles.hpp"
 #include "equipoise/drawing/plot_parts.hpp"
@@ -165,6 +166,17 @@ std::string start_text(const PlaneMap& map) {
   return text;
 }
 
+// What the map lacks or leaves out.
+std::string making_line(const PlaneMap& map) {
+  std::vector<std::string> parts;
+  if (!map.complete) parts.emplace_back("PARTIAL: stopped early");
+  if (map.block > 0)
+    parts.push_back(fmt::format("{:.0f} % of the pixels computed, the others filled in",
+                                100.0 * static_cast<double>(map.pixels_computed) / static_cast<double>(map.pixels)));
+  if (map.every > 1) parts.push_back(fmt::format("one of {0} x {0} pixels drawn", map.every));
+  return fmt::format("{}", fmt::join(parts, "; "));
+}
+
 }  // namespace
 
 std::string map_plot_script(const PlaneMap& whole, const std::string& title, const std::string& path,
@@ -193,16 +205,10 @@ std::string map_plot_script(const PlaneMap& whole, const std::string& title, con
   };
   add_border("$exists", exists, "dashtype (10,7)", "balance ends to exist");
   add_border("$stable", stable, "", "balance changes stability");
-  const std::string stopped = map.complete ? "" : " (PARTIAL: stopped early)";
   const std::string darker = shading == MapShading::none ? "" : "; the darker, the later decided";
-  const std::string thin = map.every > 1 ? fmt::format("; one of {} x {} pixels is drawn", map.every, map.every) : "";
-  const std::string filled =
-      map.block > 0 ? fmt::format("; {:.0f} % of the pixels computed, the others filled in",
-                                  100.0 * static_cast<double>(map.pixels_computed) / static_cast<double>(map.pixels))
-                    : "";
-  const std::string details =
-      parameters_text(map.study, {map.x.key, map.y.key}) + start_text(map) + darker + filled + thin + stopped;
-  script += fmt::format("set title {}.\"\\n\".{} offset 0,0.3\n", quoted(title), quoted(details));
+  const std::string details = parameters_text(map.study, {map.x.key, map.y.key}) + start_text(map) + darker;
+  script += fmt::format("set title {}.\"\\n\".{}.{} offset 0,0.3\n", quoted(title), quoted(details),
+                        making_line(map).empty() ? "''" : "\"\\n\"." + quoted(making_line(map)));
   script += fmt::format("set xlabel {}\nset ylabel {} offset -0.6,0\n", quoted(axis_label(map.x.key)),
                         quoted(axis_label(map.y.key)));
   script += fmt::format("set xrange [{:.10g}:{:.10g}]\nset yrange [{:.10g}:{:.10g}]\n", map.x.low, map.x.high,

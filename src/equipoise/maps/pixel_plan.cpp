@@ -159,14 +159,13 @@ void PixelPlan::fill_block(std::size_t level, int x, int y, int first, MapPixel*
     for (int u = 2 * x; u < std::min(2 * x + 2, next.across); ++u) fill_block(level + 1, u, v, first, pixels);
 }
 
-// Numbers between those of the four edges, as Coons lays a surface into four curves: no edge shows.
+// When an outcome would have been known is not; what balance is like, between the corners.
 void PixelPlan::fill_inside(const Span& x, const Span& y, int first, MapPixel* pixels) const {
   const auto here = [&](int column, int row) -> MapPixel& {
     return pixels[static_cast<std::size_t>(row - first) * static_cast<std::size_t>(columns_) +
                   static_cast<std::size_t>(column)];
   };
-  const MapPixel &low_low = here(x.low, y.low), &high_low = here(x.high, y.low), &low_high = here(x.low, y.high),
-                 &high_high = here(x.high, y.high);
+  const MapPixel corners[]{here(x.low, y.low), here(x.high, y.low), here(x.low, y.high), here(x.high, y.high)};
   for (int row = y.low + 1; row < y.high; ++row)
     for (int column = x.low + 1; column < x.high; ++column) {
       MapPixel& pixel = here(column, row);
@@ -174,19 +173,12 @@ void PixelPlan::fill_inside(const Span& x, const Span& y, int first, MapPixel* p
       const float u = static_cast<float>(column - x.low) / static_cast<float>(x.high - x.low);
       const float v = static_cast<float>(row - y.low) / static_cast<float>(y.high - y.low);
       const auto between = [&](float MapPixel::*number) {
-        const float left = here(x.low, row).*number, right = here(x.high, row).*number;
-        const float below = here(column, y.low).*number, above = here(column, y.high).*number;
-        const float corners = (1.0f - v) * ((1.0f - u) * low_low.*number + u * high_low.*number) +
-                              v * ((1.0f - u) * low_high.*number + u * high_high.*number);
-        const float value = (1.0f - u) * left + u * right + (1.0f - v) * below + v * above - corners;
-        return std::clamp(value, std::min({left, right, below, above}), std::max({left, right, below, above}));
+        return (1.0f - v) * ((1.0f - u) * corners[0].*number + u * corners[1].*number) +
+               v * ((1.0f - u) * corners[2].*number + u * corners[3].*number);
       };
-      pixel = {low_low.code,
-               false,
-               between(&MapPixel::time),
-               between(&MapPixel::r_max),
-               between(&MapPixel::balance_margin),
-               between(&MapPixel::balance_growth)};
+      pixel.code = corners[0].code;
+      pixel.balance_margin = between(&MapPixel::balance_margin);
+      pixel.balance_growth = between(&MapPixel::balance_growth);
     }
 }
 

@@ -59,8 +59,6 @@ void add_number(std::string& text, Number number) {
   fmt::format_to(std::back_inserter(text), "{}", number);
 }
 
-bool is_computed(const PlaneMap& map, std::size_t at) { return map.computed.empty() || map.computed[at]; }
-
 // What the map was made of, beside one run that computes every pixel.
 std::string making_text(const PlaneMap& map) {
   std::string text;
@@ -129,7 +127,7 @@ std::string map_json(const PlaneMap& map) {
   });
   text += ",\"time\":";
   add_rows(map, text, [&](std::size_t at) {
-    if (std::isfinite(map.time[at]) && is_computed(map, at))
+    if (std::isfinite(map.time[at]))
       add_number(text, map.time[at]);
     else
       text += "null";

@@ -62,7 +62,7 @@ struct PlaneMap {
   int block = 0;  ///< side of the blocks that were computed first and filled in where their edges agree; 0: none were
   std::vector<short> code;
   std::vector<bool> computed;  ///< of a map with blocks: whether a pixel was computed; else empty
-  std::vector<float> time;     ///< study time at which the outcome was known; interpolated where it was filled in
+  std::vector<float> time;     ///< study time at which the outcome was known; none where it was filled in
   std::vector<float> r_max;    ///< of the final motion; likewise
   /// lambda + sum mu_i - 2 max(lambda, mu_i): balance exists where >= 0. One value where all pixels share a rotor.
   std::vector<float> balance_margin;

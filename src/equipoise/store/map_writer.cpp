@@ -97,8 +97,8 @@ void MapWriter::define_pixels(int y, int x, const std::vector<MapCode>& codes) {
   file_.attribute(outcome_, "flag_meanings", map_flag_meanings(codes));
   if (header_.block > 0) {
     computed_ = file_.variable("computed", NC_BYTE, {y, x}, "1",
-                               "1: followed; 0: filled in, its outcome is that of all edges of its block, its numbers "
-                               "are interpolated between these edges");
+                               "1: followed; 0: filled in, its outcome is that of all edges of its block, it has no "
+                               "decision_time and r_max, and what balance is like is interpolated between corners");
     file_.attribute(computed_, "flag_values", std::vector<signed char>{0, 1});
     file_.attribute(computed_, "flag_meanings", "filled_in computed");
   }
