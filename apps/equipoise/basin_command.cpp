@@ -8,10 +8,12 @@
 #include <fmt/format.h>
 
 #include "commands.hpp"
+#include "equipoise/base/display_text.hpp"
 #include "equipoise/basins/basin.hpp"
 #include "equipoise/report/basin_report.hpp"
 #include "options.hpp"
 #include "progress.hpp"
+#include "report_command.hpp"
 #include "streams.hpp"
 
 namespace equipoise::app {
@@ -22,18 +24,18 @@ struct BasinArguments {
   std::string study;
   std::vector<std::string> overrides;
   std::optional<std::string> starts, seed, start_index, half_width, threads, decide;
-  std::string output, cpu;
+  std::string output, report, cpu;
   bool json = false, quiet = false, transients = false;
 };
 
-Study study_from(const BasinArguments& a) {
+std::vector<std::string> overrides_from(const BasinArguments& a) {
   std::vector<std::string> overrides = a.overrides;
   override_starts(a.starts, a.seed, overrides);
   if (a.decide) {
     option_choice<DecideMode>("--decide", *a.decide, decide_mode_names);
     overrides.push_back("numerics.decide=" + *a.decide);
   }
-  return read_study(a.study, overrides);
+  return overrides;
 }
 
 std::string transients_text(const Study& study, const TransientRow& row) {
@@ -85,7 +87,14 @@ int print_replay(const Study& study, const BasinOptions& options, const std::str
 
 int run_basin(const BasinArguments& a) {
   choose_cpu(a.cpu);
-  const Study study = study_from(a);
+  require_ending("--report", a.report, ".html");
+  require_writable("--report", a.report);
+  if (a.start_index && !a.report.empty())
+    throw InputError("--report", "", display_text(a.report),
+                     "a page is of an ensemble; must be left out with --start-index");
+  const std::vector<std::string> overrides = overrides_from(a);
+  const std::string text = read_study_text(a.study), name = display_text(a.study);
+  const Study study = parse_study(text, name, overrides);
   BasinOptions options;
   options.threads = threads_option(a.threads);
   if (a.half_width)
@@ -99,7 +108,9 @@ int run_basin(const BasinArguments& a) {
   ProgressLine progress(a.quiet);
   options.progress = progress.listener();
   if (a.start_index) return print_replay(study, options, *a.start_index, progress);
-  const BasinResult result = basin(study, options);
+  const BasinResult result = a.report.empty()
+                                 ? basin(study, options)
+                                 : write_machine_page(text, name, overrides, study, options, a.report).basin;
   progress.finish();
   put(a.json ? basin_json(result) : basin_text(result));
   return result.partial && stop_flag() ? interrupted : done;
@@ -123,6 +134,8 @@ Command add_basin(CLI::App& app) {
       ->type_name("FILE.nc");
   app.add_flag("--transients", a->transients,
                "peak vibration, bearing force, settling time and their like (default where the study has [limits])");
+  app.add_option("--report", a->report, "the same as a page to be taken to a meeting (see report); with --transients")
+      ->type_name("FILE.html");
   app.add_option("--threads", a->threads, "threads (default: all cores)")->type_name("T");
   add_overrides(app, a->overrides);
   app.add_option("--cpu", a->cpu, "instruction set to use instead of the best (see --version)")->type_name("NAME");

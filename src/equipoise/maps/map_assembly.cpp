@@ -28,7 +28,7 @@ std::vector<MapCode> map_codes(const std::map<short, MapCode>& seen, bool driven
   return codes;
 }
 
-MapAssembly::MapAssembly(PlaneMap& map, const store::PixelStore& store, const PixelPlan* plan,
+MapAssembly::MapAssembly(PlaneMap& map, const PixelStore& store, const PixelPlan* plan,
                          const std::map<short, MapCode>& seen)
     : map_(map), store_(store), plan_(plan), seen_(seen), figures_(map), one_rotor_(!map.balance_margin.empty()) {
   map_.codes = map_codes(seen, map.study.speed.driven());

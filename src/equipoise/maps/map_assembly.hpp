@@ -9,7 +9,7 @@
 #include "equipoise/maps/map_figures.hpp"
 #include "equipoise/maps/pixel_plan.hpp"
 #include "equipoise/results/plane_map.hpp"
-#include "equipoise/store/pixel_store.hpp"
+#include "equipoise/maps/pixel_store.hpp"
 
 namespace equipoise {
 
@@ -24,8 +24,7 @@ class MapAssembly {
  public:
   using Write = std::function<void(int first, int rows, const MapPixel* pixels)>;
 
-  MapAssembly(PlaneMap& map, const store::PixelStore& store, const PixelPlan* plan,
-              const std::map<short, MapCode>& seen);
+  MapAssembly(PlaneMap& map, const PixelStore& store, const PixelPlan* plan, const std::map<short, MapCode>& seen);
   void run(const Write& write);
 
  private:
@@ -36,7 +35,7 @@ class MapAssembly {
   void finish();
 
   PlaneMap& map_;
-  const store::PixelStore& store_;
+  const PixelStore& store_;
   const PixelPlan* plan_;
   const std::map<short, MapCode>& seen_;
   MapFigureCount figures_;

@@ -25,7 +25,7 @@
 #include "equipoise/maps/pixel_plan.hpp"
 #include "equipoise/maps/reused_pixels.hpp"
 #include "equipoise/maps/start_pixels.hpp"
-#include "equipoise/store/map_store.hpp"
+#include "equipoise/maps/map_store.hpp"
 
 namespace equipoise {
 
@@ -128,7 +128,7 @@ class Mapper {
       store_ = std::move(file);
       for (const MapCode& code : file_->codes()) names_.know(code);
     } else {
-      store_ = std::make_unique<store::PixelMemory>(map_.x.pixels, map_.y.pixels, starts_);
+      store_ = std::make_unique<PixelMemory>(map_.x.pixels, map_.y.pixels, starts_);
     }
   }
 
@@ -217,7 +217,7 @@ class Mapper {
   bool starts_ = false, complete_ = false;
   PlaneMap map_;
   store::MapFileHeader header_;
-  std::unique_ptr<store::PixelStore> store_;
+  std::unique_ptr<PixelStore> store_;
   MapStore* file_ = nullptr;  // the store, if it is one
   MapNames names_;
   std::optional<PixelPlan> plan_;

@@ -1,5 +1,5 @@
 // What is finished of a map in NetCDF, what is new in a journal, read as one.
-#include "equipoise/store/map_store.hpp"
+#include "equipoise/maps/map_store.hpp"
 
 #include <algorithm>
 #include <cstring>

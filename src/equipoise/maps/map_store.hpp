@@ -9,13 +9,13 @@
 
 #include "equipoise/results/plane_map.hpp"
 #include "equipoise/store/map_netcdf.hpp"
-#include "equipoise/store/pixel_store.hpp"
+#include "equipoise/maps/pixel_store.hpp"
 
 namespace equipoise {
 
 /// Two files, as BasinFile has them: the results, `path`, in NetCDF (map_file.hpp), written whole; and while a run goes
 /// on `path`.part with what is new.
-class MapStore : public store::PixelStore {
+class MapStore : public PixelStore {
  public:
   /// Opens what both hold of the same study, axes, version and arithmetic, or begins anew. Throws InputError if they
   /// cannot be written, are in use, damaged, or hold something else: which, it says.

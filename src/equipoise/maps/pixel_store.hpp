@@ -8,7 +8,7 @@
 
 #include "equipoise/results/plane_map.hpp"
 
-namespace equipoise::store {
+namespace equipoise {
 
 /// Pixels count row by row from 0.
 class PixelStore {
@@ -64,4 +64,4 @@ class PixelMemory : public PixelStore {
   std::vector<float> time_, r_max_, margin_, growth_;
 };
 
-}  // namespace equipoise::store
+}  // namespace equipoise
