@@ -1,6 +1,7 @@
 // Maps: the outcome of one start at every pixel of a plane of two quantities.
 #pragma once
 
+#include <cstdint>
 #include <string>
 #include <vector>
 
