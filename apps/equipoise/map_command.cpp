@@ -5,13 +5,13 @@
 #include <string>
 #include <vector>
 
+#include <fmt/format.h>
+
 #include "commands.hpp"
 #include "equipoise/drawing/map_plot.hpp"
 #include "equipoise/maps/map_axis.hpp"
-#include "equipoise/maps/map_figures.hpp"
 #include "equipoise/maps/plane_map.hpp"
 #include "equipoise/report/map_report.hpp"
-#include "equipoise/store/map_file.hpp"
 #include "gnuplot.hpp"
 #include "options.hpp"
 #include "progress.hpp"
@@ -22,11 +22,19 @@ namespace equipoise::app {
 namespace {
 
 struct MapArguments {
-  std::string study, x = "initial.phi_1", y = "initial.phi_2", x_range, y_range, size = "512x512", output, plot, cpu;
+  std::string study, x = "initial.phi_1", y = "initial.phi_2", x_range, y_range, size = "512x512", output, plot, cpu,
+                     from;
   std::vector<std::string> overrides, ties;
-  std::optional<std::string> threads;
+  std::optional<std::string> threads, refine;
   bool json = false, quiet = false;
 };
+
+int block_option(const std::string& text) {
+  constexpr const char* allowed = "a power of two from 2 to 64";
+  const int block = option_number<int>("--refine", text, 2, largest_map_block, allowed);
+  if ((block & (block - 1)) != 0) throw InputError("--refine", "", text, fmt::format("must be {}", allowed));
+  return block;
+}
 
 int run_map(const MapArguments& a) {
   choose_cpu(a.cpu);
@@ -36,24 +44,29 @@ int run_map(const MapArguments& a) {
   settings.x = map_axis(study, a.x, a.x_range, size.width, "--x-range");
   settings.y = map_axis(study, a.y, a.y_range, size.height, "--y-range");
   for (const std::string& tie : a.ties) settings.links.push_back(angle_link(tie, "--tie"));
+  if (a.refine) settings.block = block_option(*a.refine);
   require_ending("--output", a.output, ".nc");
+  require_ending("--from", a.from, ".nc");
   require_ending("--plot", a.plot, ".png", ".svg");
   if (!a.plot.empty()) require_gnuplot("--plot", a.plot);
   require_writable("--output", a.output);
   require_writable("--plot", a.plot);
+  settings.output = a.output;
+  settings.from = a.from;
   settings.threads = threads_option(a.threads);
   settings.stop = &stop_flag();
   ProgressLine progress(a.quiet);
   settings.progress = progress.listener();
   const PlaneMap map = plane_map(study, settings);
   progress.finish();
-  const MapFigures figures = map_figures(map);
-  put(a.json ? map_json(map, figures) : map_text(map, figures));
-  if (!a.output.empty()) write_map_file(a.output, map);
+  if (map.read_whole) say("read from {}", a.output);
+  if (!map.complete && !a.output.empty() && map.pixels_computed > 0)
+    say("{} of {} pixels are kept in {}; the same command goes on", map.pixels_computed, map.pixels, a.output);
+  put(a.json ? map_json(map) : map_text(map));
   if (!a.plot.empty())
     draw(a.plot, [&](const std::string& file) {
       return map_plot_script(map, display_text(std::filesystem::path(study.name).filename().string()), file,
-                             MapShading::decision_time);
+                             map.block > 0 ? MapShading::none : MapShading::decision_time);
     });
   return map.complete ? done : interrupted;
 }
@@ -77,7 +90,17 @@ Command add_map(CLI::App& app) {
   app.add_option("--tie", a->ties, "a ball angle that follows another, e.g. phi_2=phi_1+pi; may be repeated")
       ->type_name("PHI_I=PHI_J+ANGLE")
       ->take_all();
-  app.add_option("-o,--output", a->output, "every pixel's outcome and time as NetCDF (.nc)")->type_name("FILE");
+  app.add_option(
+         "--refine", a->refine,
+         "compute the edges of blocks of N pixels first, fill in what lies within edges of one outcome, and divide "
+         "the others (a power of two from 2 to 64; default: compute every pixel)")
+      ->type_name("N");
+  app.add_option(
+         "-o,--output", a->output,
+         "every pixel's outcome and time as NetCDF (.nc), kept as they come; the same command resumes, and reads "
+         "what is there")
+      ->type_name("FILE");
+  app.add_option("--from", a->from, "take pixels with the same centres from another map's file")->type_name("FILE");
   app.add_option("--plot", a->plot, "a picture (.png or .svg), darker where decided later; drawn by gnuplot")
       ->type_name("FILE");
   app.add_option("--threads", a->threads, "threads (default: all cores)")->type_name("T");

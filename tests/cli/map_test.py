@@ -87,14 +87,48 @@ class Results(unittest.TestCase):
         self.assertAlmostEqual(answer["x"]["values"][0], 9500.0 / 3573.0, delta=1e-3)
         self.assertAlmostEqual(answer["ties"][0]["offset"], 1.0471975512, delta=1e-9)
 
-    def test_interrupted_keeps_what_is_done(self):
-        process = subprocess.Popen([PROGRAM, "map", ROW, "--size", "4000x4000", "--quiet"], stdout=subprocess.PIPE,
-                                   stderr=subprocess.PIPE, text=True)
-        time.sleep(6.0)  # the search for attractors takes one or two
+    def test_interrupted_keeps_what_is_done_and_says_how_to_go_on(self):
+        file = os.path.join(self.folder.name, "large.nc")
+        process = subprocess.Popen([PROGRAM, "map", ROW, "--size", "4000x4000", "--quiet", "-o", file],
+                                   stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
+        while not os.path.exists(file + ".part") or os.path.getsize(file + ".part") < 50000:
+            self.assertIsNone(process.poll())
+            time.sleep(0.05)
         process.send_signal(signal.SIGINT)
-        output, _ = process.communicate(timeout=60)
+        output, errors = process.communicate(timeout=60)
         self.assertEqual(process.returncode, 130)
         self.assertIn("PARTIAL", output)
+        self.assertIn("the same command goes on", errors)
+        self.assertFalse(os.path.exists(file + ".part"))
+        self.assertGreater(os.path.getsize(file), 4000 * 4000 * 10)
+
+    def test_a_finished_file_is_read(self):
+        again = run(ROW, "--size", "96x64", "--json", "-o", self.file)
+        self.assertEqual((again.returncode, again.stderr), (0, f"equipoise: read from {self.file}\n"))
+        answer = json.loads(again.stdout)
+        for key in ("outcome", "time", "figures", "outcomes"):
+            self.assertEqual(answer[key], self.answer[key], key)
+        self.assertEqual(answer["pixels_kept"], 96 * 64)
+
+    def test_blocks_are_filled_in_and_that_is_said(self):
+        file = os.path.join(self.folder.name, "blocks.nc")
+        done = run(ROW, "--size", "96x64", "--refine", "8", "--json", "--quiet", "-o", file)
+        self.assertEqual(done.returncode, 0, done.stderr)
+        answer = json.loads(done.stdout)
+        self.assertEqual(answer["refine"], 8)
+        self.assertLess(answer["pixels_computed"], 96 * 64)
+        followed = sum(t is not None for row in answer["time"] for t in row)
+        self.assertEqual(followed, answer["pixels_computed"])
+        wrong = sum(a != b for mine, whole in zip(answer["outcome"], self.answer["outcome"]) for a, b in zip(mine, whole))
+        self.assertLess(wrong, 96 * 64 // 200)  # islands within blocks; 0.05 % where pixels are smaller
+        text = run(ROW, "--size", "96x64", "--refine", "8", "--quiet", "-o", file).stdout
+        self.assertIn("the rest filled in: blocks of 8 first", text)
+        self.assertIn(f"{answer['pixels_computed']} pixels", text)
+
+    def test_a_finer_map_takes_pixels_over(self):
+        answer = json.loads(run(ROW, "--size", "288x192", "--json", "--quiet", "--from", self.file).stdout)
+        self.assertEqual(answer["pixels_reused"], 96 * 64)
+        self.assertEqual([row[1::3] for row in answer["outcome"][1::3]], self.answer["outcome"])
 
 
 class Errors(unittest.TestCase):
@@ -102,7 +136,10 @@ class Errors(unittest.TestCase):
         for arguments, words in (
             (["--size", "12"], ("--size", "12", "WIDTHxHEIGHT")),
             (["--size", "0x5"], ("--size", "0x5", "1 to 20000")),
-            (["--size", "20000x20000"], ("20000x20000", "at most 50 million")),
+            (["--size", "20000x20000"], ("20000x20000", "output file")),
+            (["--refine", "3"], ("--refine", "3", "power of two")),
+            (["--refine", "128"], ("--refine", "128", "from 2 to 64")),
+            (["--from", "nothing.nc"], ("nothing.nc", "cannot be read")),
             (["--x-range", "3"], ("--x-range", "LOW:HIGH")),
             (["--x-range", "2:1"], ("--x-range", "2:1", "the first below the second")),
             (["--x", "rotor.eccentricity"], ("--x-range", "rotor.eccentricity", "LOW:HIGH")),

@@ -14,8 +14,8 @@ from harness import (adds_up, catches_signals, content, ended, expect, limited, 
 class Reference:
     """A run that nothing disturbs, and how long it took."""
 
-    def __init__(self, bench, starts):
-        self.arguments = bench.basin("--starts", starts)
+    def __init__(self, bench, starts=0, arguments=None):
+        self.arguments = arguments or bench.basin("--starts", starts)
         path = bench.path("reference.nc")
         begin = time.monotonic()
         done = bench.run(*self.arguments, "-o", path)
@@ -100,6 +100,43 @@ def on_full_disk(bench, reference, path, options, room):
     expect(not os.path.exists(path + ".new"), "a full disk left half a file")
     room()
     finish(bench, reference, path, "after a full disk")
+
+
+def kills_of_maps(bench):
+    """kill -9 and Ctrl-C of maps, of starts and with blocks first; damage to what they left: the same bytes in the end."""
+    rounds = 2 if bench.quick else 25
+    size = "128x96" if bench.quick else "640x480"
+    for options in (("--refine", "16"),) if bench.quick else ((), ("--refine", "16")):
+        reference = Reference(bench, arguments=("map", bench.study, "--quiet", "--threads", "2", "--size", size, *options))
+        whole = content(bench.path("reference.nc"))
+        path = bench.path(f"map{len(options)}.nc")
+        for k in range(rounds):
+            process = bench.start(*reference.arguments, "-o", path)
+            wait_until(lambda: catches_signals(process), process)
+            time.sleep(bench.random.uniform(0.0, 1.1 * reference.seconds))
+            process.send_signal(signal.SIGKILL if k % 3 else signal.SIGINT)
+            ended(process)
+            if bench.random.random() < 0.2 and os.path.exists(path + ".part"):  # its end was not on disk yet
+                os.truncate(path + ".part", max(0, os.path.getsize(path + ".part") - bench.random.randrange(2000)))
+        finish(bench, reference, path, f"map {options}")
+        expect(content(path) == whole, f"map {options}: not the same bytes")
+        os.remove(bench.path("reference.nc"))
+    return f"{rounds if bench.quick else 2 * rounds} kills"
+
+
+def full_disks_of_maps(bench):
+    """No room for a map's pixels, or for the file made of them: exit 1, one line, and the same command goes on."""
+    reference = Reference(bench, arguments=("map", bench.study, "--quiet", "--threads", "2", "--size", "96x64"))
+    size = len(content(bench.path("reference.nc")))
+    for room in (size // 3,) if bench.quick else (100, size // 3, size - 100):
+        on_full_disk(bench, reference, bench.path(f"map-{room}.nc"), {"preexec_fn": limited(room)}, lambda: None)
+    first = bench.start(*reference.arguments[:-1], "2000x2000", "-o", bench.path("shared.nc"))
+    expect(wait_until(lambda: os.path.exists(bench.path("shared.nc.part")), first), "the first writer did not begin")
+    second = bench.run(*reference.arguments[:-1], "2000x2000", "-o", bench.path("shared.nc"))
+    refused(second, 2, words=("another process",))
+    first.kill()
+    ended(first)
+    return "by the size of files; second writer refused"
 
 
 def kills_of_reproduce(bench):
@@ -261,5 +298,5 @@ def damaged_parts(bench):
     return f"{rounds} files"
 
 
-CASES = [kills, kills_of_reproduce, kept_within_seconds, signals, full_disks, two_writers, fewer_starts,
-         damaged_results, damaged_parts]
+CASES = [kills, kills_of_maps, full_disks_of_maps, kills_of_reproduce, kept_within_seconds, signals, full_disks,
+         two_writers, fewer_starts, damaged_results, damaged_parts]

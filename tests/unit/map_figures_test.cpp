@@ -4,6 +4,8 @@
 #include <cmath>
 #include <cstdint>
 #include <functional>
+#include <set>
+#include <vector>
 
 #include <gtest/gtest.h>
 
@@ -16,6 +18,12 @@
 
 namespace equipoise {
 namespace {
+
+MapFigures map_figures(const PlaneMap& map) {
+  MapFigureCount count(map);
+  for (int row = 0; row < map.y.pixels; ++row) count.add_row(map.code.data() + map.at(0, row));
+  return count.figures();
+}
 
 // A square over both angles with the code that `code` gives each pixel's place, 0 to 1.
 PlaneMap painted(int side, const std::function<short(double, double)>& code) {
@@ -84,9 +92,36 @@ TEST(MapFigures, SayNothingOfWhatIsNotThere) {
       painted(256, [](double x, double y) -> short { return coin(x, y) == 1 ? undecided_code : short{1}; }));
   EXPECT_FALSE(undecided.box_dimension);
   EXPECT_EQ(undecided.basin_entropy->value, 0.0);
-  PlaneMap partial = painted(64, coin);
-  partial.complete = false;
-  EXPECT_FALSE(map_figures(partial).basin_entropy);
+}
+
+// Boxes of twice the side are counted as unions of smaller ones: against boxes looked at one by one, on a map whose
+// sides are no multiples of them.
+TEST(MapFigures, BoxesAreThoseThatHoldTwoOutcomes) {
+  PlaneMap map = painted(107, [](double x, double y) -> short { return static_cast<short>(1 + (x * x + y > 0.7)); });
+  for (std::size_t k = 0; k < map.code.size(); k += 7) map.code[k] = undecided_code;
+  std::vector<double> sides, counts;
+  for (int side = 1; 8 * side <= 107; side *= 2) {
+    double count = 0.0;
+    for (int row = 0; row + side < 107; row += side)
+      for (int column = 0; column + side < 107; column += side) {
+        std::set<short> codes;
+        for (int r = row; r <= row + side; ++r)
+          for (int c = column; c <= column + side; ++c) codes.insert(map.code[map.at(c, r)]);
+        codes.erase(undecided_code);
+        count += codes.size() > 1;
+      }
+    sides.push_back(std::log(side));
+    counts.push_back(std::log(count));
+  }
+  ASSERT_EQ(sides.size(), 4u);
+  const double x = (sides[0] + sides[1] + sides[2] + sides[3]) / 4.0;
+  double xy = 0.0, xx = 0.0;
+  for (int k = 0; k < 4; ++k) {
+    xy += (sides[k] - x) * counts[k];
+    xx += (sides[k] - x) * (sides[k] - x);
+  }
+  ASSERT_TRUE(map_figures(map).box_dimension);
+  EXPECT_NEAR(map_figures(map).box_dimension->value, -xy / xx, 1e-12);  // roundings of sums of four
 }
 
 TEST(MapFigures, BalancedRadiusIsThatOfTheDiscAroundBalance) {

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include "equipoise/base/angles.hpp"
 #include "equipoise/drawing/plot_parts.hpp"
@@ -19,10 +20,13 @@ namespace {
 
 using Point = std::array<double, 2>;
 
+// Along a side: more than the canvas shows.
+constexpr int most_drawn_pixels = 1600;
+
 // A field known at the pixels' centres, and continued from there in a straight line to the map's edges.
 class Field {
  public:
-  Field(const PlaneMap& map, const std::vector<double>& values) : map_(map), values_(values) {}
+  Field(const PlaneMap& map, const std::vector<float>& values) : map_(map), values_(values) {}
 
   double value(int column, int row) const {
     const Weights a = weights(column, map_.x.pixels), b = weights(row, map_.y.pixels);
@@ -48,13 +52,14 @@ class Field {
   }
   static double along(const MapAxis& axis, int k) { return std::clamp(axis.centre(k), axis.low, axis.high); }
   const PlaneMap& map_;
-  const std::vector<double>& values_;
+  const std::vector<float>& values_;
 };
 
 // Ends of the line pieces on which a field is zero, by linear interpolation along the edges of every cell between four
 // centres; pieces beside undefined values are left out.
-std::vector<std::array<Point, 2>> zero_line(const PlaneMap& map, const std::vector<double>& values) {
+std::vector<std::array<Point, 2>> zero_line(const PlaneMap& map, const std::vector<float>& values) {
   std::vector<std::array<Point, 2>> pieces;
+  if (values.size() != map.code.size()) return pieces;  // the same everywhere
   const Field field(map, values);
   constexpr int corner[5][2]{{0, 0}, {1, 0}, {1, 1}, {0, 1}, {0, 0}};
   for (int row = -1; row < map.y.pixels; ++row)
@@ -96,7 +101,7 @@ class Shade {
     constexpr double darkest = 0.5;
     const auto found = times_.find(map_.code[pixel]);
     if (found == times_.end() || !std::isfinite(map_.time[pixel])) return packed;
-    const std::vector<double>& times = found->second;
+    const std::vector<float>& times = found->second;
     const auto rank = std::lower_bound(times.begin(), times.end(), map_.time[pixel]) - times.begin();
     const double bright = 1.0 - darkest * static_cast<double>(rank) / static_cast<double>(times.size());
     const auto part = [&](int shift) {
@@ -107,7 +112,7 @@ class Shade {
 
  private:
   const PlaneMap& map_;
-  std::map<short, std::vector<double>> times_;  // by outcome
+  std::map<short, std::vector<float>> times_;  // by outcome
 };
 
 // Outcomes as packed red, green and blue.
@@ -161,10 +166,22 @@ std::string start_text(const PlaneMap& map) {
   return text;
 }
 
+// What the map lacks or leaves out.
+std::string making_line(const PlaneMap& map) {
+  std::vector<std::string> parts;
+  if (!map.complete) parts.emplace_back("PARTIAL: stopped early");
+  if (map.block > 0)
+    parts.push_back(fmt::format("{:.0f} % of the pixels computed, the others filled in",
+                                100.0 * static_cast<double>(map.pixels_computed) / static_cast<double>(map.pixels)));
+  if (map.every > 1) parts.push_back(fmt::format("one of {0} x {0} pixels drawn", map.every));
+  return fmt::format("{}", fmt::join(parts, "; "));
+}
+
 }  // namespace
 
-std::string map_plot_script(const PlaneMap& map, const std::string& title, const std::string& path,
+std::string map_plot_script(const PlaneMap& whole, const std::string& title, const std::string& path,
                             MapShading shading) {
+  const PlaneMap map = thinned(whole, most_drawn_pixels);
   std::string script = canvas(path, 1600, 1000) + image_block(map, shading);
   const auto exists = zero_line(map, map.balance_margin), stable = zero_line(map, map.balance_growth);
   std::string items = fmt::format(
@@ -188,10 +205,10 @@ std::string map_plot_script(const PlaneMap& map, const std::string& title, const
   };
   add_border("$exists", exists, "dashtype (10,7)", "balance ends to exist");
   add_border("$stable", stable, "", "balance changes stability");
-  const std::string stopped = map.complete ? "" : " (PARTIAL: stopped early)";
   const std::string darker = shading == MapShading::none ? "" : "; the darker, the later decided";
-  const std::string details = parameters_text(map.study, {map.x.key, map.y.key}) + start_text(map) + darker + stopped;
-  script += fmt::format("set title {}.\"\\n\".{} offset 0,0.3\n", quoted(title), quoted(details));
+  const std::string details = parameters_text(map.study, {map.x.key, map.y.key}) + start_text(map) + darker;
+  script += fmt::format("set title {}.\"\\n\".{}.{} offset 0,0.3\n", quoted(title), quoted(details),
+                        making_line(map).empty() ? "''" : "\"\\n\"." + quoted(making_line(map)));
   script += fmt::format("set xlabel {}\nset ylabel {} offset -0.6,0\n", quoted(axis_label(map.x.key)),
                         quoted(axis_label(map.y.key)));
   script += fmt::format("set xrange [{:.10g}:{:.10g}]\nset yrange [{:.10g}:{:.10g}]\n", map.x.low, map.x.high,

@@ -95,6 +95,12 @@ int NetcdfFile::variable(const std::string& name, int type, const std::vector<st
   return variable;
 }
 
+int NetcdfFile::dimensions(const std::string& name) const {
+  int dimensions = 0;
+  check(call(nc_inq_varndims, id_, variable(name), &dimensions), "variable " + name);
+  return dimensions;
+}
+
 int NetcdfFile::text_variable(const std::string& name, int dimension, const std::vector<std::string>& texts,
                               const std::string& long_name) {
   std::size_t width = 1;

@@ -36,6 +36,7 @@ class NetcdfFile {
   int variable(const std::string& name) const;
   /// Throws RunError unless the variable is there with just this type and shape.
   int variable(const std::string& name, int type, const std::vector<std::size_t>& shape) const;
+  int dimensions(const std::string& variable) const;  ///< how many it has
   /// Texts along a dimension, in characters; they are `texts`, written by write_texts() after the definitions.
   int text_variable(const std::string& name, int dimension, const std::vector<std::string>& texts,
                     const std::string& long_name);

@@ -17,8 +17,6 @@ namespace equipoise {
 
 namespace {
 
-bool is_angle(const std::string& key) { return key.starts_with("initial.phi_") && !key.starts_with("initial.phi_dot"); }
-
 // "2pi", "-pi/2", "0.5*pi".
 std::optional<double> part_of_pi(const std::string& text) {
   static const std::regex form(R"(([+-]?)(\d+(?:\.\d*)?|\.\d+)?\*?pi(?:/(\d+(?:\.\d*)?))?)");

@@ -4,12 +4,9 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstddef>
-#include <cstdint>
 #include <limits>
-#include <map>
-#include <string>
-#include <vector>
+#include <optional>
+#include <utility>
 
 #include "equipoise/base/angles.hpp"
 #include "equipoise/deciding/decision_rule.hpp"
@@ -22,26 +19,15 @@ namespace equipoise {
 namespace {
 
 constexpr double confidence = 0.95;
-constexpr short no_outcome = 0;
+constexpr short no_outcome = 0, mixed_outcome = std::numeric_limits<short>::max();
+constexpr int entropy_side = 5;
 
-// Outcomes alone, with a code of 0 for what is none.
-class Outcomes {
- public:
-  explicit Outcomes(const PlaneMap& map) : columns_(map.x.pixels), rows_(map.y.pixels), codes_(map.code) {
-    for (short& code : codes_)
-      if (code == undecided_code || code == failed_code || code == not_computed_code) code = no_outcome;
-  }
-  int columns() const { return columns_; }
-  int rows() const { return rows_; }
-  short at(int column, int row) const {
-    return codes_[static_cast<std::size_t>(row) * static_cast<std::size_t>(columns_) +
-                  static_cast<std::size_t>(column)];
-  }
+short outcome_of_code(short code) {
+  return code == undecided_code || code == failed_code || code == not_computed_code ? no_outcome : code;
+}
 
- private:
-  int columns_, rows_;
-  std::vector<short> codes_;
-};
+// Of two sets of pixels together.
+short joined(short a, short b) { return a == no_outcome || a == b ? b : b == no_outcome ? a : mixed_outcome; }
 
 struct ScalePoint {
   double scale = 0.0, count = 0.0;  // pixels; boxes or share
@@ -72,139 +58,181 @@ std::optional<MapFigure> slope(const std::vector<ScalePoint>& points) {
 }
 
 // Scales from a pixel up to an eighth of the shorter side: larger ones see the map's edges.
-std::vector<int> scales(const Outcomes& o) {
+std::vector<int> figure_scales(int columns, int rows) {
   std::vector<int> result;
-  for (int s = 1; 8 * s <= std::min(o.columns(), o.rows()); s *= 2) result.push_back(s);
+  for (int s = 1; 8 * s <= std::min(columns, rows); s *= 2) result.push_back(s);
   return result;
 }
 
-// Whether pixels with different outcomes are among those on and in a box of side `s` between pixel centres.
-bool mixed(const Outcomes& o, int column, int row, int s) {
-  short first = no_outcome;
-  for (int r = row; r <= row + s; ++r)
-    for (int c = column; c <= column + s; ++c) {
-      const short code = o.at(c, r);
-      if (code == no_outcome) continue;
-      if (first == no_outcome) first = code;
-      if (code != first) return true;
-    }
-  return false;
-}
-
-// Boxes lie side by side. A largest scale with few boxes on the boundary says little.
-std::optional<MapFigure> box_dimension(const Outcomes& o) {
-  constexpr double fewest_boxes = 16.0;
-  std::vector<ScalePoint> points;
-  for (const int s : scales(o)) {
-    double boxes = 0.0;
-    for (int row = 0; row + s < o.rows(); row += s)
-      for (int column = 0; column + s < o.columns(); column += s) boxes += mixed(o, column, row, s);
-    if (boxes >= fewest_boxes) points.push_back({static_cast<double>(s), boxes});
+std::optional<MapFigure> mean(const std::map<double, std::uint64_t>& values) {
+  constexpr double fewest = 16.0;
+  double n = 0.0, sum = 0.0, squares = 0.0;
+  for (const auto& [value, count] : values) {
+    n += static_cast<double>(count);
+    sum += value * static_cast<double>(count);
   }
-  auto figure = slope(points);
-  if (figure) *figure = {-figure->value, -figure->high, -figure->low};
-  return figure;
-}
-
-std::optional<MapFigure> uncertainty_exponent(const Outcomes& o) {
-  std::vector<ScalePoint> points;
-  for (const int e : scales(o)) {
-    std::uint64_t pairs = 0, uncertain = 0;
-    const auto see = [&](short here, short there) {
-      if (here == no_outcome || there == no_outcome) return;
-      ++pairs;
-      uncertain += here != there;
-    };
-    for (int row = 0; row < o.rows(); ++row)
-      for (int column = 0; column < o.columns(); ++column) {
-        const short here = o.at(column, row);
-        if (column + e < o.columns()) see(here, o.at(column + e, row));
-        if (row + e < o.rows()) see(here, o.at(column, row + e));
-      }
-    if (uncertain > 0)
-      points.push_back({static_cast<double>(e), static_cast<double>(uncertain) / static_cast<double>(pairs)});
-  }
-  return slope(points);
-}
-
-std::optional<MapFigure> mean(const std::vector<double>& values) {
-  constexpr std::size_t fewest = 16;
-  if (values.size() < fewest) return std::nullopt;
-  const double n = static_cast<double>(values.size());
-  double sum = 0.0, squares = 0.0;
-  for (const double v : values) sum += v;
-  for (const double v : values) squares += (v - sum / n) * (v - sum / n);
+  if (n < fewest) return std::nullopt;
+  for (const auto& [value, count] : values)
+    squares += static_cast<double>(count) * (value - sum / n) * (value - sum / n);
   const double half = normal_half_width(confidence) * std::sqrt(squares / (n - 1.0) / n);
   return MapFigure{sum / n, sum / n - half, sum / n + half};
 }
 
-struct Entropies {
-  std::vector<double> all, boundary;
-};
-
-Entropies box_entropies(const Outcomes& o) {
-  constexpr int side = 5;
-  Entropies result;
-  for (int row = 0; row + side <= o.rows(); row += side)
-    for (int column = 0; column + side <= o.columns(); column += side) {
-      std::map<short, double> counts;
-      double total = 0.0, entropy = 0.0;
-      for (int r = row; r < row + side; ++r)
-        for (int c = column; c < column + side; ++c)
-          if (const short code = o.at(c, r); code != no_outcome) {
-            ++counts[code];
-            ++total;
-          }
-      if (total == 0.0) continue;
-      for (const auto& [code, count] : counts) entropy -= count / total * std::log(count / total);
-      result.all.push_back(entropy);
-      if (counts.size() > 1) result.boundary.push_back(entropy);
-    }
-  return result;
-}
-
-// Of centres of pixels, less half a pixel's diagonal; up to an edge of the map where it does not close on itself.
-std::optional<double> radius_around(const PlaneMap& map, double x, double y) {
-  const auto closes = [](const MapAxis& a) { return a.high - a.low >= two_pi * (1.0 - 1e-9); };
-  const auto inside = [&](const MapAxis& a, double v) { return closes(a) ? two_pi : std::min(v - a.low, a.high - v); };
-  // The angle as the axis counts it.
-  const auto on = [](const MapAxis& a, double v) { return a.low + wrapped_positive(v - a.low); };
-  double radius = std::min(inside(map.x, on(map.x, x)), inside(map.y, on(map.y, y)));
-  if (radius < 0.0) return std::nullopt;  // not in the map
-  const double diagonal = 0.5 * std::hypot(map.x.step(), map.y.step());
-  for (int row = 0; row < map.y.pixels; ++row)
-    for (int column = 0; column < map.x.pixels; ++column) {
-      if (map.code[map.at(column, row)] == balanced_id) continue;
-      radius =
-          std::min(radius, std::hypot(wrapped(map.x.centre(column) - x), wrapped(map.y.centre(row) - y)) - diagonal);
-    }
-  return std::max(0.0, radius);
-}
-
-std::optional<double> balanced_radius(const PlaneMap& map) {
+// Angles to look around in a map over both angles of two balls: on its x and y.
+std::vector<std::pair<double, double>> balanced_points(const PlaneMap& map) {
+  std::vector<std::pair<double, double>> points;
   const bool both = map.x.key == "initial.phi_1" && map.y.key == "initial.phi_2";
   const bool swapped = map.x.key == "initial.phi_2" && map.y.key == "initial.phi_1";
-  if (map.study.parameters.balls != 2 || !(both || swapped) || !map.links.empty()) return std::nullopt;
-  std::optional<double> largest;
-  for (const auto& phi : model::balanced_states(map.study.parameters).angles) {
-    const auto radius = radius_around(map, phi[swapped ? 1 : 0], phi[swapped ? 0 : 1]);
-    if (radius) largest = std::max(largest.value_or(0.0), *radius);
-  }
-  return largest;
+  if (map.study.parameters.balls != 2 || !(both || swapped) || !map.links.empty()) return points;
+  for (const auto& phi : model::balanced_states(map.study.parameters).angles)
+    points.emplace_back(phi[swapped ? 1 : 0], phi[swapped ? 0 : 1]);
+  return points;
+}
+
+// How far from an angle an axis goes on, the angle being counted as the axis does; less than 0 if it is beside it.
+double room_on(const MapAxis& a, double angle) {
+  if (a.high - a.low >= two_pi * (1.0 - 1e-9)) return two_pi;  // closes on itself
+  const double there = a.low + wrapped_positive(angle - a.low);
+  return std::min(there - a.low, a.high - there);
 }
 
 }  // namespace
 
-MapFigures map_figures(const PlaneMap& map) {
+MapFigureCount::MapFigureCount(const PlaneMap& plane)
+    : x_(plane.x),
+      y_(plane.y),
+      scales_(figure_scales(plane.x.pixels, plane.y.pixels)),
+      boxes_(scales_.size()),
+      pairs_(scales_.size()) {
+  for (std::size_t k = 0; k < scales_.size(); ++k)
+    boxes_[k].outcome.assign(static_cast<std::size_t>((x_.pixels - 1) / scales_[k]), no_outcome);
+  before_.resize(scales_.empty() ? 1 : static_cast<std::size_t>(scales_.back()));
+  prepare_discs(plane);
+}
+
+void MapFigureCount::add_row(const short* codes) {
+  Row row(static_cast<std::size_t>(x_.pixels));
+  for (std::size_t k = 0; k < row.size(); ++k) row[k] = outcome_of_code(codes[k]);
+  add_pairs(row);
+  add_boxes(row);
+  add_discs(codes);
+  band_.push_back(row);
+  if (band_.size() == entropy_side) add_entropies();
+  before_[static_cast<std::size_t>(row_) % before_.size()] = std::move(row);
+  ++row_;
+}
+
+// A box of side 1 has four pixels at its corners; one of twice the side is four that meet.
+void MapFigureCount::add_boxes(const Row& row) {
+  if (row_ == 0 || scales_.empty()) return;
+  const Row& below = before_[static_cast<std::size_t>(row_ - 1) % before_.size()];
+  Boxes& smallest = boxes_.front();
+  for (std::size_t k = 0; k < smallest.outcome.size(); ++k)
+    smallest.outcome[k] = joined(joined(below[k], below[k + 1]), joined(row[k], row[k + 1]));
+  pass_up(0);
+}
+
+// A row of boxes is whole: it is counted, and is a part of the larger ones.
+void MapFigureCount::pass_up(std::size_t scale) {
+  Boxes& whole = boxes_[scale];
+  whole.mixed += static_cast<double>(std::count(whole.outcome.begin(), whole.outcome.end(), mixed_outcome));
+  if (scale + 1 < boxes_.size()) {
+    Boxes& larger = boxes_[scale + 1];
+    for (std::size_t k = 0; k < larger.outcome.size(); ++k)
+      larger.outcome[k] = joined(larger.outcome[k], joined(whole.outcome[2 * k], whole.outcome[2 * k + 1]));
+    if (++larger.parts == 2) pass_up(scale + 1);
+  }
+  std::fill(whole.outcome.begin(), whole.outcome.end(), no_outcome);
+  whole.parts = 0;
+}
+
+void MapFigureCount::add_pairs(const Row& row) {
+  const auto see = [](const short* here, const short* there, std::size_t count, Pairs& pairs) {
+    std::uint32_t all = 0, unlike = 0;  // of a row
+    for (std::size_t k = 0; k < count; ++k) {
+      const bool both = (here[k] != no_outcome) & (there[k] != no_outcome);
+      all += both;
+      unlike += both & (here[k] != there[k]);
+    }
+    pairs.all += all;
+    pairs.unlike += unlike;
+  };
+  for (std::size_t k = 0; k < scales_.size(); ++k) {
+    const int e = scales_[k];
+    see(row.data(), row.data() + e, row.size() - static_cast<std::size_t>(e), pairs_[k]);
+    if (row_ < e) continue;
+    see(before_[static_cast<std::size_t>(row_ - e) % before_.size()].data(), row.data(), row.size(), pairs_[k]);
+  }
+}
+
+void MapFigureCount::add_entropies() {
+  for (std::size_t column = 0; column + entropy_side <= band_.front().size(); column += entropy_side) {
+    std::array<short, entropy_side * entropy_side> codes;
+    auto end = codes.begin();
+    for (const Row& row : band_)
+      for (std::size_t c = column; c < column + entropy_side; ++c)
+        if (row[c] != no_outcome) *end++ = row[c];
+    if (end == codes.begin()) continue;
+    std::sort(codes.begin(), end);
+    const double total = static_cast<double>(end - codes.begin());
+    double entropy = 0.0;
+    for (auto first = codes.begin(); first != end;) {
+      const auto next = std::upper_bound(first, end, *first);
+      const double part = static_cast<double>(next - first) / total;
+      entropy -= part * std::log(part);
+      first = next;
+    }
+    ++all_[entropy];
+    if (codes.front() != *(end - 1)) ++boundary_[entropy];
+  }
+  band_.clear();
+}
+
+void MapFigureCount::prepare_discs(const PlaneMap& plane) {
+  for (const auto& [x, y] : balanced_points(plane)) {
+    Disc disc{x, y, std::min(room_on(x_, x), room_on(y_, y)), {}};
+    if (disc.edge < 0.0) continue;  // not in the map
+    for (int column = 0; column < x_.pixels; ++column) disc.across.push_back(wrapped(x_.centre(column) - x));
+    discs_.push_back(std::move(disc));
+  }
+}
+
+void MapFigureCount::add_discs(const short* codes) {
+  for (Disc& disc : discs_) {
+    const double dy = wrapped(y_.centre(row_) - disc.y);
+    double least = disc.touched ? disc.dx * disc.dx + disc.dy * disc.dy : std::numeric_limits<double>::infinity();
+    for (std::size_t k = 0; k < disc.across.size(); ++k) {
+      const double dx = disc.across[k], square = dx * dx + dy * dy;
+      if (codes[k] == balanced_id || square >= least) continue;
+      least = square;
+      disc.dx = dx;
+      disc.dy = dy;
+      disc.touched = true;
+    }
+  }
+}
+
+MapFigures MapFigureCount::figures() const {
+  constexpr double fewest_boxes = 16.0;  // a largest scale with few boxes on the boundary says little
   MapFigures figures;
-  if (!map.complete) return figures;
-  const Outcomes outcomes(map);
-  figures.box_dimension = box_dimension(outcomes);
-  figures.uncertainty_exponent = uncertainty_exponent(outcomes);
-  const Entropies entropies = box_entropies(outcomes);
-  figures.basin_entropy = mean(entropies.all);
-  figures.boundary_basin_entropy = mean(entropies.boundary);
-  figures.balanced_radius = balanced_radius(map);
+  std::vector<ScalePoint> boxes, uncertain;
+  for (std::size_t k = 0; k < scales_.size(); ++k) {
+    const double scale = scales_[k];
+    if (boxes_[k].mixed >= fewest_boxes) boxes.push_back({scale, boxes_[k].mixed});
+    if (pairs_[k].unlike > 0)
+      uncertain.push_back({scale, static_cast<double>(pairs_[k].unlike) / static_cast<double>(pairs_[k].all)});
+  }
+  figures.box_dimension = slope(boxes);
+  if (auto& d = figures.box_dimension) *d = {-d->value, -d->high, -d->low};
+  figures.uncertainty_exponent = slope(uncertain);
+  figures.basin_entropy = mean(all_);
+  figures.boundary_basin_entropy = mean(boundary_);
+  // Of centres of pixels, less half a pixel's diagonal; up to an edge of the map where it does not close on itself.
+  const double diagonal = 0.5 * std::hypot(x_.step(), y_.step());
+  for (const Disc& d : discs_) {
+    const double radius = d.touched ? std::min(d.edge, std::hypot(d.dx, d.dy) - diagonal) : d.edge;
+    figures.balanced_radius = std::max({figures.balanced_radius.value_or(0.0), radius, 0.0});
+  }
   return figures;
 }
 

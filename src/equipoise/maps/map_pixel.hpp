@@ -1,8 +1,9 @@
-// What pixels of a map begin with, and what they came to before motions without an identifier of their own get codes.
+// What pixels of a map begin with, and how those who follow them hand on what they came to.
 #pragma once
 
-#include <limits>
-#include <memory>
+#include <cstddef>
+#include <cstdint>
+#include <functional>
 #include <vector>
 
 #include "equipoise/motions/motion.hpp"
@@ -10,12 +11,15 @@
 
 namespace equipoise {
 
-struct MapPixel {
-  short code = not_computed_code;  ///< of what is no motion
-  /// The motion that it came to, with its own identifier or 0; shared, since maps are large.
-  std::shared_ptr<const MotionName> motion = nullptr;
-  double time = std::numeric_limits<double>::quiet_NaN(), r_max = time;
+/// Pixels that are done, and of each the motion that it came to or null; codes of those are given by whoever takes
+/// them.
+struct DonePixels {
+  std::vector<std::uint32_t> positions;
+  std::vector<MapPixel> pixels;
+  std::vector<const MotionName*> motions;
 };
+/// Called by one thread at a time.
+using TakePixels = std::function<void(const DonePixels&)>;
 
 /// Puts the balls that follow others where these are, tie by tie.
 inline void tie(InitialState& start, const std::vector<AngleLink>& links) {

@@ -1,20 +1,51 @@
 // Maps over initial values: their pixels are starts of one system, and go together on lanes.
 #pragma once
 
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <map>
+#include <memory>
+#include <set>
 #include <vector>
 
 #include "equipoise/base/run_options.hpp"
+#include "equipoise/basins/chunks.hpp"
+#include "equipoise/fates/start_runner.hpp"
 #include "equipoise/maps/map_pixel.hpp"
 #include "equipoise/results/plane_map.hpp"
 
 namespace equipoise {
 
-/// Whether all pixels are starts of the same rotor: both axes are ball angles or, of balls that are free from the first,
-/// other initial values.
+/// Whether all pixels are starts of the same rotor: both axes are ball angles or, of balls that are free from the
+/// first, other initial values.
 bool maps_starts(const PlaneMap& map);
 
-/// The pixels of such a map, row by row, decided as basin() decides its starts. Those not done when the stop flag was
-/// set stay as they are. The study's horizon is filled in.
-std::vector<MapPixel> start_pixels(const PlaneMap& map, const RunOptions& options);
+/// The pixels of such a map, decided as basin() decides its starts.
+class StartPixels {
+ public:
+  using Discovered = std::function<void(const std::vector<double>& state)>;
+
+  /// Finds the attractors. `map`: its study has a horizon. `met`: states on motions that earlier runs met, which are
+  /// listed first; `discovered` is told new ones, before the pixels that came to them.
+  StartPixels(const PlaneMap& map, const RunOptions& options, const std::vector<std::vector<double>>& met,
+              const Discovered& discovered);
+
+  /// Pixels at these positions, handed on in this order. False if stopped before all were done.
+  bool compute(const std::vector<std::uint32_t>& positions, const TakePixels& take);
+
+ private:
+  InitialState start(std::uint32_t position) const;
+  bool decide(const std::vector<std::uint32_t>& positions, Chunk& chunk) const;
+  void hand_on(const std::vector<std::uint32_t>& positions, Chunk& chunk, const TakePixels& take);
+  MapPixel pixel_of(const Fate& fate, const MotionName*& motion);
+
+  const PlaneMap& map_;
+  const RunOptions& options_;
+  Discovered discovered_;
+  StartRunner runner_;
+  std::set<int> listed_;                                    // attractors known beforehand, or told
+  std::map<int, std::unique_ptr<const MotionName>> names_;  // of attractors
+};
 
 }  // namespace equipoise

@@ -3,6 +3,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
+#include <iterator>
 #include <optional>
 #include <vector>
 
@@ -16,42 +18,67 @@ namespace equipoise {
 
 namespace {
 
-using Json = nlohmann::ordered_json;
+using MapJson = nlohmann::ordered_json;
 
-std::string axis_text(const char* letter, const MapAxis& a) {
-  return fmt::format("{}: {} from {:.10g} to {:.10g}, {} pixels\n", letter, a.key, a.low, a.high, a.pixels);
+std::string axis_text(const char* letter, const MapAxis& a, int every) {
+  return fmt::format("{}: {} from {:.10g} to {:.10g}, {} pixels{}\n", letter, a.key, a.low, a.high, a.pixels,
+                     every > 1 ? fmt::format(" ({} apart; all are in the output)", every) : "");
 }
 
 std::string figure_text(const char* name, const std::optional<MapFigure>& f) {
   return f ? fmt::format("{:<25} {:.3f} ({:.3f} to {:.3f})\n", name, f->value, f->low, f->high) : "";
 }
 
-Json figure_json(const std::optional<MapFigure>& f) {
-  return f ? Json{{"value", f->value}, {"low", f->low}, {"high", f->high}} : Json(nullptr);
+MapJson figure_json(const std::optional<MapFigure>& f) {
+  return f ? MapJson{{"value", f->value}, {"low", f->low}, {"high", f->high}} : MapJson(nullptr);
 }
 
-Json axis_json(const MapAxis& a) {
+MapJson axis_json(const MapAxis& a) {
   std::vector<double> values;
   for (int k = 0; k < a.pixels; ++k) values.push_back(a.centre(k));
   return {{"key", a.key}, {"values", values}};
 }
 
-// Rows of a map.
-template <class Value, class Cell>
-Json rows_json(const PlaneMap& map, const std::vector<Value>& values, const Cell& cell) {
-  Json rows = Json::array();
+// Rows of a map, as text: a tree of as many numbers would take ten times the room.
+template <class Cell>
+void add_rows(const PlaneMap& map, std::string& text, const Cell& cell) {
+  text += '[';
   for (int row = 0; row < map.y.pixels; ++row) {
-    Json line = Json::array();
-    for (int column = 0; column < map.x.pixels; ++column) line.push_back(cell(values[map.at(column, row)]));
-    rows.push_back(std::move(line));
+    text += row == 0 ? "[" : ",[";
+    for (int column = 0; column < map.x.pixels; ++column) {
+      if (column > 0) text += ',';
+      cell(map.at(column, row));
+    }
+    text += ']';
   }
-  return rows;
+  text += ']';
+}
+
+template <class Number>
+void add_number(std::string& text, Number number) {
+  fmt::format_to(std::back_inserter(text), "{}", number);
+}
+
+// What the map was made of, beside one run that computes every pixel.
+std::string making_text(const PlaneMap& map) {
+  std::string text;
+  const double all = static_cast<double>(map.pixels);
+  if (map.block > 0)
+    text += fmt::format(
+        "{} pixels ({:.1f} %) computed, the rest filled in: blocks of {} first, divided where their edges "
+        "have more than one outcome.\n",
+        map.pixels_computed, 100.0 * static_cast<double>(map.pixels_computed) / all, map.block);
+  if (map.pixels_kept > 0)
+    text += fmt::format("{} pixels read from the output, where an earlier run left them.\n", map.pixels_kept);
+  if (map.pixels_reused > 0) text += fmt::format("{} pixels taken from another map.\n", map.pixels_reused);
+  return text;
 }
 
 }  // namespace
 
-std::string map_text(const PlaneMap& map, const MapFigures& f) {
-  std::string text = study_heading(map.study) + axis_text("x", map.x) + axis_text("y", map.y);
+std::string map_text(const PlaneMap& map) {
+  const MapFigures& f = map.figures;
+  std::string text = study_heading(map.study) + axis_text("x", map.x, map.every) + axis_text("y", map.y, map.every);
   for (const AngleLink& link : map.links)
     text += fmt::format("phi_{} = phi_{} + {:.10g}\n", link.ball, link.of, link.offset);
   text += fmt::format("\n{:>5}  {:<44}{:>10}{:>12}\n", "code", "outcome", "pixels", "of the map");
@@ -70,39 +97,62 @@ std::string map_text(const PlaneMap& map, const MapFigures& f) {
     text += figures +
             "95 % intervals: of the line through the scales, and of boxes of 5 x 5 pixels. Above log 2 = 0.693 the "
             "boundary's entropy tells a fractal one.\n\n";
+  text += making_text(map);
   if (!map.complete) text += "PARTIAL: stopped before all pixels were done.\n";
-  const double pixels = static_cast<double>(map.code.size());
-  return text +
-         fmt::format("{:.0f} pixels; {:.2f} s, {:.2f} s CPU on {} thread{} ({}), {:.0f} pixels/s; equipoise {}\n",
-                     pixels, map.seconds, map.cpu_seconds, map.threads, map.threads == 1 ? "" : "s", map.cpu_target,
-                     pixels / std::max(map.seconds, 1e-9), version_string);
+  const double now = static_cast<double>(map.pixels_computed - map.pixels_kept - map.pixels_reused);
+  return text + fmt::format("{} pixels; {:.2f} s, {:.2f} s CPU on {} thread{} ({}){}; equipoise {}\n", map.pixels,
+                            map.seconds, map.cpu_seconds, map.threads, map.threads == 1 ? "" : "s", map.cpu_target,
+                            now > 0.0 ? fmt::format(", {:.0f} pixels/s", now / std::max(map.seconds, 1e-9)) : "",
+                            version_string);
 }
 
-std::string map_json(const PlaneMap& map, const MapFigures& f) {
-  Json json = {{"x", axis_json(map.x)}, {"y", axis_json(map.y)}};
-  json["ties"] = Json::array();
+std::string map_json(const PlaneMap& map) {
+  const MapFigures& f = map.figures;
+  MapJson json = {{"x", axis_json(map.x)}, {"y", axis_json(map.y)}};
+  json["ties"] = MapJson::array();
   for (const AngleLink& link : map.links)
     json["ties"].push_back({{"ball", link.ball}, {"of", link.of}, {"offset", link.offset}});
-  json["outcomes"] = Json::array();
+  json["outcomes"] = MapJson::array();
   for (const MapCode& c : map.codes)
     json["outcomes"].push_back(
         {{"id", c.code}, {"name", c.name}, {"alias", c.alias}, {"pixels", c.share.count}, {"share", c.share.share}});
-  json["outcome"] =
-      rows_json(map, map.code, [](short code) { return code == not_computed_code ? Json(nullptr) : Json(code); });
-  json["time"] = rows_json(map, map.time, [](double t) { return std::isfinite(t) ? Json(t) : Json(nullptr); });
+  std::string text = json.dump();
+  text.back() = ',';
+  text += "\"outcome\":";
+  add_rows(map, text, [&](std::size_t at) {
+    if (map.code[at] == not_computed_code)
+      text += "null";
+    else
+      add_number(text, map.code[at]);
+  });
+  text += ",\"time\":";
+  add_rows(map, text, [&](std::size_t at) {
+    if (std::isfinite(map.time[at]))
+      add_number(text, map.time[at]);
+    else
+      text += "null";
+  });
+  json = MapJson::object();
   json["figures"] = {{"box_dimension", figure_json(f.box_dimension)},
                      {"uncertainty_exponent", figure_json(f.uncertainty_exponent)},
                      {"basin_entropy", figure_json(f.basin_entropy)},
                      {"boundary_basin_entropy", figure_json(f.boundary_basin_entropy)},
-                     {"balanced_radius", f.balanced_radius ? Json(*f.balanced_radius) : Json(nullptr)}};
+                     {"balanced_radius", f.balanced_radius ? MapJson(*f.balanced_radius) : MapJson(nullptr)}};
   json["partial"] = !map.complete;
+  json["pixels"] = map.pixels;
+  json["pixels_computed"] = map.pixels_computed;
+  json["pixels_kept"] = map.pixels_kept;
+  json["pixels_reused"] = map.pixels_reused;
+  json["refine"] = map.block > 0 ? MapJson(map.block) : MapJson(nullptr);
+  json["every"] = map.every;
   json["seconds"] = map.seconds;
   json["threads"] = map.threads;
   json["cpu_target"] = map.cpu_target;
   json["study_name"] = map.study.name;
   json["study"] = study_json(map.study);
   json["version"] = version_string;
-  return json.dump() + "\n";
+  const std::string rest = json.dump();
+  return text + "," + rest.substr(1) + "\n";
 }
 
 }  // namespace equipoise

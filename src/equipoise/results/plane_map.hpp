@@ -2,9 +2,12 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
+#include <limits>
 #include <string>
 #include <vector>
 
+#include "equipoise/results/map_figures.hpp"
 #include "equipoise/statistics/share.hpp"
 #include "equipoise/study/study.hpp"
 
@@ -41,26 +44,53 @@ struct MapCode {
 /// Marks pixels that a stopped run did not come to.
 inline constexpr short not_computed_code = -32768;
 
-/// Rows follow y, pixels within a row x.
+/// What a pixel's start came to.
+struct MapPixel {
+  short code = not_computed_code;
+  bool computed = false;                                 ///< followed, not filled in between others
+  float time = std::numeric_limits<float>::quiet_NaN();  ///< study time at which the outcome was known
+  float r_max = time;                                    ///< of the final motion
+  float balance_margin = time, balance_growth = time;    ///< as in PlaneMap, where they differ from pixel to pixel
+};
+
+/// Rows follow y, pixels within a row x. What is not a number has no value there.
 struct PlaneMap {
-  Study study;  ///< as given; the values of the two keys in it play no part
-  MapAxis x, y;
+  Study study;    ///< as given; the values of the two keys in it play no part
+  MapAxis x, y;   ///< of the pixels that are here
+  int every = 1;  ///< of a large map that is in a file only every so many-th row and column is here
   std::vector<AngleLink> links;
+  int block = 0;  ///< side of the blocks that were computed first and filled in where their edges agree; 0: none were
   std::vector<short> code;
-  std::vector<double> time;            ///< study time at which the outcome was known
-  std::vector<double> r_max;           ///< of the final motion; not a number where there is none
-  std::vector<double> balance_margin;  ///< lambda + sum mu_i - 2 max(lambda, mu_i): balance exists where >= 0
-  std::vector<double> balance_growth;  ///< largest real part of an eigenvalue at the more stable of the isolated
-                                       ///< balanced states; not a number where there are none
-  std::vector<MapCode> codes;          ///< attractors by identifier, then undecided, diverged, failed
+  std::vector<bool> computed;  ///< of a map with blocks: whether a pixel was computed; else empty
+  std::vector<float> time;     ///< study time at which the outcome was known; none where it was filled in
+  std::vector<float> r_max;    ///< of the final motion; likewise
+  /// lambda + sum mu_i - 2 max(lambda, mu_i): balance exists where >= 0. One value where all pixels share a rotor.
+  std::vector<float> balance_margin;
+  /// Largest real part of an eigenvalue at the more stable of the isolated balanced states; not a number where there
+  /// are none. One value where all pixels share a rotor.
+  std::vector<float> balance_growth;
+  std::vector<MapCode> codes;  ///< attractors by identifier, then undecided, diverged, failed: of the whole map
+  MapFigures figures;          ///< of the whole map, if it is complete
   bool complete = true;
+  bool read_whole = false;                        ///< nothing was computed: the output held all of it
+  std::uint64_t pixels = 0, pixels_computed = 0;  ///< of the whole map
+  std::uint64_t pixels_kept = 0;                  ///< of those computed, how many earlier runs had left in the output
+  std::uint64_t pixels_reused = 0;                ///< and how many were taken from another map's file
   int threads = 1;
-  double seconds = 0.0, cpu_seconds = 0.0;
-  std::string cpu_target;  ///< instruction set used
+  double seconds = 0.0, cpu_seconds = 0.0;  ///< of this call
+  std::string cpu_target;                   ///< instruction set used
 
   std::size_t at(int column, int row) const {
     return static_cast<std::size_t>(row) * static_cast<std::size_t>(x.pixels) + static_cast<std::size_t>(column);
   }
 };
+
+/// The axis of every `every`-th pixel of another: their centres are where they were.
+MapAxis thinned(const MapAxis& axis, int every);
+/// The first of these pixels.
+inline int first_of(int every) { return every / 2; }
+
+/// As few of the rows and columns of a map, at even distances, as leave at most `most` along either side.
+PlaneMap thinned(const PlaneMap& map, int most);
 
 }  // namespace equipoise

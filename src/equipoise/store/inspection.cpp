@@ -45,17 +45,18 @@ std::string kind_of(const store::NetcdfFile& file) {
   return file.length("t") > 0 || file.length("time") > 0 ? "trajectory" : "";
 }
 
-void add_outcomes(const store::NetcdfFile& file, Inspection& i) {
+// `before`: what the names of their variables begin with.
+void add_outcomes(const store::NetcdfFile& file, const std::string& before, Inspection& i) {
   const std::size_t kinds = file.length("outcome_kind");
-  const int codes = file.variable("kind_code", NC_SHORT, {kinds}),
-            shares = file.variable("kind_share", NC_DOUBLE, {kinds});
+  const int codes = file.variable(before + "code", NC_SHORT, {kinds}),
+            shares = file.variable(before + "share", NC_DOUBLE, {kinds});
   for (std::size_t k = 0; k < kinds; ++k) {
     short code = 0;
     Inspection::Outcome outcome;
     file.read(codes, {k}, {1}, &code);
     file.read(shares, {k}, {1}, &outcome.share);
     outcome.code = code;
-    outcome.name = file.read_text("kind_name", k);
+    outcome.name = file.read_text(before + "name", k);
     i.outcomes.push_back(outcome);
   }
 }
@@ -83,8 +84,9 @@ void read_results_file(Inspection& i) {
     count_cells(file, i);
     add_axes(identity, i);
   }
-  if (i.kind == "basin") add_outcomes(file, i);
-  for (const char* name : {"parameter", "axes", "links", "cpu_target", "seconds"})
+  if (i.kind == "basin") add_outcomes(file, "kind_", i);
+  if (i.kind == "map") add_outcomes(file, "", i);
+  for (const char* name : {"parameter", "axes", "links", "refine", "cpu_target", "seconds"})
     if (const std::string value = file.attribute(name); !value.empty()) i.facts.emplace_back(name, value);
 }
 
@@ -96,14 +98,16 @@ void read_unfinished(Inspection& i) {
   i.version = value_in(identity, "version");
   i.study = study_in(identity);
   add_axes(identity, i);
-  std::uint64_t starts = 0, end = 0;
+  std::uint64_t starts = 0, pixels = 0, end = 0;
   std::set<std::uint64_t> cells;
   for (const store::Journal::Record& record : journal.records()) {
     if (record.kind == store::Journal::Kind::starts) starts = std::max(starts, record.first + record.count);
     if (record.kind == store::Journal::Kind::cell) cells.insert(record.first);
+    if (record.kind == store::Journal::Kind::pixels) pixels += record.count;
     end = record.end();
   }
   if (starts > 0) i.facts.emplace_back("starts done", fmt::format("up to number {}", starts));
+  if (pixels > 0) i.facts.emplace_back("pixels done", fmt::format("{}", pixels));
   if (!cells.empty()) i.facts.emplace_back("cells done", fmt::format("{}", cells.size()));
   i.facts.emplace_back("sound records", fmt::format("{}", journal.records().size()));
   if (end > 0 && i.bytes > end)

@@ -1,0 +1,56 @@
+// A map's results, kept as they come and resumable.
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "equipoise/results/plane_map.hpp"
+#include "equipoise/store/map_netcdf.hpp"
+#include "equipoise/maps/pixel_store.hpp"
+
+namespace equipoise {
+
+/// Two files, as BasinFile has them: the results, `path`, in NetCDF (map_file.hpp), written whole; and while a run goes
+/// on `path`.part with what is new.
+class MapStore : public PixelStore {
+ public:
+  /// Opens what both hold of the same study, axes, version and arithmetic, or begins anew. Throws InputError if they
+  /// cannot be written, are in use, damaged, or hold something else: which, it says.
+  MapStore(const std::string& path, const store::MapFileHeader& header);
+  ~MapStore() override;
+  MapStore(const MapStore&) = delete;
+  MapStore& operator=(const MapStore&) = delete;
+
+  /// Whether `path` holds the whole map.
+  bool complete() const;
+  /// Whether something is not in `path` yet.
+  bool unfinished() const;
+  /// Pixels that were computed, in any order and some perhaps twice.
+  void for_each_known(const std::function<void(std::uint32_t position, short code)>& visit) const;
+  /// The codes that those of motions have; some are perhaps there twice.
+  const std::vector<MapCode>& codes() const;
+  /// States on motions that were first met during earlier runs, in the order of starts: enough to name them again.
+  const std::vector<std::vector<double>>& discoveries() const;
+
+  /// On disk within about a second of work. Throws
+  /// RunError, with all before them kept, if the disk cannot take them.
+  void append(const std::vector<std::uint32_t>& positions, const std::vector<MapPixel>& pixels) override;
+  /// A code that pixels have from now on.
+  void append_code(const MapCode& code);
+  void append_discovery(const std::vector<double>& state);
+  /// Of a map that is not complete, only what was computed.
+  void read_rows(int first, int rows, MapPixel* pixels) const override;
+
+  /// Writes the results by `write`, which is handed where; then the unfinished part is removed. Throws RunError, with
+  /// everything kept as it was, if the disk cannot take them.
+  void finish(const std::function<void(const std::string& path)>& write);
+
+ private:
+  struct State;
+  std::unique_ptr<State> state_;
+};
+
+}  // namespace equipoise

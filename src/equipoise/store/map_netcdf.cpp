@@ -1,0 +1,293 @@
+// Dimensions, variables and attributes of a map; its rows as they come, and as they are asked for.
+#include <charconv>
+#include <limits>
+#include <system_error>
+#include <utility>
+
+#include <fmt/format.h>
+#include <netcdf.h>
+
+#include "equipoise/base/error.hpp"
+#include "equipoise/base/version.hpp"
+#include "equipoise/files/sealed_file.hpp"
+#include "equipoise/store/map_file.hpp"
+#include "equipoise/store/map_netcdf.hpp"
+
+namespace equipoise::store {
+
+namespace {
+
+constexpr const char* allowed_map = "must be a file that \"map -o\" wrote";
+
+const std::string& whole_map_file(const std::string& path) {
+  if (const std::string damage = why_not_whole(path); !damage.empty())
+    throw InputError(path, "", "", fmt::format("{}; {}", damage, allowed_map));
+  return path;
+}
+
+// flag_meanings are words with blanks between them.
+std::string map_flag_meanings(const std::vector<MapCode>& codes) {
+  std::string text;
+  for (const MapCode& c : codes) text += (text.empty() ? "" : " ") + flag_word(c.name);
+  return text;
+}
+
+std::string links_text(const std::vector<AngleLink>& links) {
+  std::string text;
+  for (const AngleLink& link : links)
+    text += fmt::format("{}phi_{} = phi_{} + {}", text.empty() ? "" : "; ", link.ball, link.of, link.offset);
+  return text;
+}
+
+}  // namespace
+
+std::string subject_of(const MapFileHeader& h) {
+  return fmt::format("{}\n[file]\nversion = {}\narithmetic = {}\nx = {}\ny = {}\nties = {}\n", h.study, version_string,
+                     h.arithmetic, h.x.key, h.y.key, h.links.empty() ? "none" : links_text(h.links));
+}
+
+std::string identity_of(const MapFileHeader& h) {
+  const auto range = [](const MapAxis& a) { return fmt::format("{} to {} in {} pixels", a.low, a.high, a.pixels); };
+  return subject_of(h) + fmt::format("x_range = {}\ny_range = {}\nrefine = {}\n", range(h.x), range(h.y),
+                                     h.block == 0 ? "no" : fmt::format("blocks of {}", h.block));
+}
+
+MapWriter::MapWriter(const std::string& path, const MapFileHeader& header, const std::vector<MapCode>& codes,
+                     const std::vector<std::vector<double>>& discoveries, bool complete)
+    : header_(header), path_(path), place_(path, ".new"), file_(place_.file(), NetcdfFile::Mode::create, path) {
+  for (const MapCode& c : codes) {
+    names_.push_back(c.name);
+    aliases_.push_back(c.alias);
+  }
+  define(codes, discoveries, complete);
+  write_axis(x_, header.x);
+  write_axis(y_, header.y);
+  for (std::size_t k = 0; k < codes.size(); ++k) file_.write(code_, {k}, {1}, &codes[k].code);
+  file_.write_texts(name_, names_);
+  file_.write_texts(alias_, aliases_);
+  for (std::size_t k = 0; k < discoveries.size(); ++k)
+    file_.write(discovery_, {k, 0}, {1, discoveries[k].size()}, discoveries[k].data());
+  if (!header.one_rotor) return;
+  file_.write(margin_, {}, {}, &header.balance_margin);
+  file_.write(growth_, {}, {}, &header.balance_growth);
+}
+
+void MapWriter::define(const std::vector<MapCode>& codes, const std::vector<std::vector<double>>& discoveries,
+                       bool complete) {
+  const int y = file_.dimension("y", static_cast<std::size_t>(header_.y.pixels));
+  const int x = file_.dimension("x", static_cast<std::size_t>(header_.x.pixels));
+  const int kind = file_.dimension("outcome_kind", codes.size());
+  const auto axis = [&](const char* name, int dimension, const MapAxis& a) {
+    return file_.variable(name, NC_DOUBLE, {dimension}, a.angle() ? "radian" : "1", a.key);
+  };
+  x_ = axis("x", x, header_.x);
+  y_ = axis("y", y, header_.y);
+  define_pixels(y, x, codes);
+  code_ = file_.variable("code", NC_SHORT, {kind}, "1", "value of outcome");
+  name_ = file_.text_variable("name", kind, names_, "name of the outcome");
+  alias_ = file_.text_variable("alias", kind, aliases_, "name that Wright and Peng (2019) give it");
+  share_ = file_.variable("share", NC_DOUBLE, {kind}, "1", "share of the map's pixels");
+  if (!discoveries.empty()) {
+    const int met = file_.dimension("discovery", discoveries.size());
+    const int component = file_.dimension("component", discoveries.front().size());
+    discovery_ =
+        file_.variable("discovery_state", NC_DOUBLE, {met, component}, "1",
+                       "state on a motion first met at a pixel: x, y, u, v, phi, phi_dot, and of driven rotors "
+                       "what turns them");
+  }
+  define_attributes(complete);
+  file_.leave_unfilled();
+  file_.end_definitions();
+}
+
+void MapWriter::define_pixels(int y, int x, const std::vector<MapCode>& codes) {
+  outcome_ = file_.variable("outcome", NC_SHORT, {y, x}, "1", "what the pixel's start comes to");
+  file_.fill(outcome_, &not_computed_code);
+  std::vector<short> values;
+  for (const MapCode& c : codes) values.push_back(c.code);
+  file_.attribute(outcome_, "flag_values", values);
+  file_.attribute(outcome_, "flag_meanings", map_flag_meanings(codes));
+  if (header_.block > 0) {
+    computed_ = file_.variable("computed", NC_BYTE, {y, x}, "1",
+                               "1: followed; 0: filled in, its outcome is that of all edges of its block, it has no "
+                               "decision_time and r_max, and what balance is like is interpolated between corners");
+    file_.attribute(computed_, "flag_values", std::vector<signed char>{0, 1});
+    file_.attribute(computed_, "flag_meanings", "filled_in computed");
+  }
+  const float none = std::numeric_limits<float>::quiet_NaN();
+  const auto number = [&](const char* name, bool one, const char* meaning) {
+    const std::vector<int> dimensions = one ? std::vector<int>{} : std::vector<int>{y, x};
+    const int variable = file_.variable(name, NC_FLOAT, dimensions, "1", meaning);
+    file_.fill(variable, &none);
+    return variable;
+  };
+  time_ = number("decision_time", false, "study time at which the outcome was known, in 1/omega_c");
+  r_max_ =
+      number("r_max", false, "largest distance of the rotor's centre from the axis on the final motion, in race radii");
+  margin_ = number("balance_margin", header_.one_rotor,
+                   "lambda + sum mu_i - 2 max(lambda, mu_i): a balanced state exists where this is 0 or more");
+  growth_ = number("balance_growth", header_.one_rotor,
+                   "largest real part of an eigenvalue at the balanced state, in omega_c: stable where negative");
+}
+
+void MapWriter::define_attributes(bool complete) {
+  const auto say = [&](const char* name, const std::string& text) { file_.attribute(NC_GLOBAL, name, text); };
+  const auto range = [](const MapAxis& a) { return fmt::format("{} {}", a.low, a.high); };
+  const auto axis = [](const MapAxis& a) {
+    return fmt::format("{} from {} to {} in {} pixels", a.key, a.low, a.high, a.pixels);
+  };
+  say("Conventions", "CF-1.8");
+  say("title", "Where a rotor with an automatic ball balancer ends, over a plane");
+  say("source", fmt::format("equipoise {}", version_string));
+  say("identity", identity_of(header_));
+  say("subject", subject_of(header_));
+  say("x_key", header_.x.key);
+  say("y_key", header_.y.key);
+  say("x_range", range(header_.x));
+  say("y_range", range(header_.y));
+  say("axes", fmt::format("{}; {}", axis(header_.x), axis(header_.y)));
+  say("links", links_text(header_.links));
+  say("refine", header_.block == 0 ? "no: every pixel was computed"
+                                   : fmt::format("blocks of {} pixels were computed first, and filled in where all of "
+                                                 "their edges agree",
+                                                 header_.block));
+  say("study", header_.study);
+  say("complete", complete ? "yes" : "no");
+}
+
+void MapWriter::write_axis(int variable, const MapAxis& axis) {
+  std::vector<double> centres;
+  for (int k = 0; k < axis.pixels; ++k) centres.push_back(axis.centre(k));
+  file_.write(variable, {0}, {centres.size()}, centres.data());
+}
+
+template <class T, class Value>
+void MapWriter::write_column(int variable, int first, int rows, const MapPixel* pixels, const Value& value) {
+  const std::size_t columns = static_cast<std::size_t>(header_.x.pixels);
+  std::vector<T> column(columns * static_cast<std::size_t>(rows));
+  for (std::size_t k = 0; k < column.size(); ++k) column[k] = value(pixels[k]);
+  file_.write(variable, {static_cast<std::size_t>(first), 0}, {static_cast<std::size_t>(rows), columns}, column.data());
+}
+
+void MapWriter::write_rows(int first, int rows, const MapPixel* pixels) {
+  write_column<short>(outcome_, first, rows, pixels, [](const MapPixel& p) { return p.code; });
+  if (computed_ >= 0)
+    write_column<signed char>(computed_, first, rows, pixels,
+                              [](const MapPixel& p) { return static_cast<signed char>(p.computed); });
+  write_column<float>(time_, first, rows, pixels, [](const MapPixel& p) { return p.time; });
+  write_column<float>(r_max_, first, rows, pixels, [](const MapPixel& p) { return p.r_max; });
+  if (header_.one_rotor) return;
+  write_column<float>(margin_, first, rows, pixels, [](const MapPixel& p) { return p.balance_margin; });
+  write_column<float>(growth_, first, rows, pixels, [](const MapPixel& p) { return p.balance_growth; });
+}
+
+void MapWriter::finish(const std::vector<MapCode>& codes) {
+  for (std::size_t k = 0; k < codes.size(); ++k) file_.write(share_, {k}, {1}, &codes[k].share.share);
+  file_.close();
+  seal(place_.file(), path_);
+  place_.commit();
+}
+
+MapReader::MapReader(const std::string& path) : file_(whole_map_file(path), NetcdfFile::Mode::read) {
+  try {
+    x_ = read_axis("x");
+    y_ = read_axis("y");
+    const std::vector<std::size_t> plane{static_cast<std::size_t>(y_.pixels), static_cast<std::size_t>(x_.pixels)};
+    outcome_ = file_.variable("outcome", NC_SHORT, plane);
+    time_ = file_.variable("decision_time", NC_FLOAT, plane);
+    r_max_ = file_.variable("r_max", NC_FLOAT, plane);
+    if (!file_.attribute("refine").starts_with("no")) computed_ = file_.variable("computed", NC_BYTE, plane);
+    if (file_.dimensions("balance_margin") == 0) return;
+    margin_ = file_.variable("balance_margin", NC_FLOAT, plane);
+    growth_ = file_.variable("balance_growth", NC_FLOAT, plane);
+  } catch (const RunError&) {
+    throw InputError(path, "", "", fmt::format("holds no map; {}", allowed_map));
+  }
+}
+
+MapAxis MapReader::read_axis(const std::string& letter) const {
+  MapAxis axis;
+  axis.key = file_.attribute(letter + "_key");
+  axis.pixels = static_cast<int>(file_.length(letter));
+  const std::string range = file_.attribute(letter + "_range");
+  const char* const end = range.data() + range.size();
+  const auto low = std::from_chars(range.data(), end, axis.low);
+  const auto high = low.ptr < end ? std::from_chars(low.ptr + 1, end, axis.high) : low;
+  if (high.ec != std::errc() || high.ptr != end || low.ptr == end) throw RunError(letter + "_range is none");
+  return axis;
+}
+
+std::vector<MapCode> MapReader::codes() const {
+  std::vector<MapCode> codes;
+  const std::size_t kinds = file_.length("outcome_kind");
+  const int variable = file_.variable("code", NC_SHORT, {kinds});
+  for (std::size_t k = 0; k < kinds; ++k) {
+    MapCode code;
+    file_.read(variable, {k}, {1}, &code.code);
+    if (code.code <= 0) continue;
+    code.name = file_.read_text("name", k);
+    code.alias = file_.read_text("alias", k);
+    codes.push_back(std::move(code));
+  }
+  return codes;
+}
+
+std::vector<std::vector<double>> MapReader::discoveries() const {
+  std::vector<std::vector<double>> states(file_.length("discovery"), std::vector<double>(file_.length("component")));
+  if (states.empty()) return states;
+  const int variable = file_.variable("discovery_state", NC_DOUBLE, {states.size(), states.front().size()});
+  for (std::size_t k = 0; k < states.size(); ++k) file_.read(variable, {k, 0}, {1, states[k].size()}, states[k].data());
+  return states;
+}
+
+template <class T, class Put>
+void MapReader::read_column(int variable, int first, int rows, const Put& put) const {
+  const std::size_t columns = static_cast<std::size_t>(x_.pixels);
+  std::vector<T> column(columns * static_cast<std::size_t>(rows));
+  file_.read(variable, {static_cast<std::size_t>(first), 0}, {static_cast<std::size_t>(rows), columns}, column.data());
+  for (std::size_t k = 0; k < column.size(); ++k) put(k, column[k]);
+}
+
+void MapReader::read_rows(int first, int rows, MapPixel* pixels) const {
+  read_column<short>(outcome_, first, rows, [&](std::size_t k, short code) {
+    pixels[k] = MapPixel{code, code != not_computed_code};
+  });
+  if (computed_ >= 0)
+    read_column<signed char>(computed_, first, rows,
+                             [&](std::size_t k, signed char computed) { pixels[k].computed = computed != 0; });
+  read_column<float>(time_, first, rows, [&](std::size_t k, float value) { pixels[k].time = value; });
+  read_column<float>(r_max_, first, rows, [&](std::size_t k, float value) { pixels[k].r_max = value; });
+  if (margin_ < 0) return;
+  read_column<float>(margin_, first, rows, [&](std::size_t k, float value) { pixels[k].balance_margin = value; });
+  read_column<float>(growth_, first, rows, [&](std::size_t k, float value) { pixels[k].balance_growth = value; });
+}
+
+}  // namespace equipoise::store
+
+namespace equipoise {
+
+void write_map_file(const std::string& path, const PlaneMap& map) {
+  const std::size_t size = map.code.size();
+  store::MapFileHeader header{to_toml(map.study), map.x, map.y, map.links, map.block, "of " + map.cpu_target};
+  header.one_rotor = map.balance_margin.size() != size || size == 1;
+  if (header.one_rotor) {
+    header.balance_margin = map.balance_margin.front();
+    header.balance_growth = map.balance_growth.front();
+  }
+  store::MapWriter writer(path, header, map.codes, {}, map.complete);
+  std::vector<MapPixel> row(static_cast<std::size_t>(map.x.pixels));
+  for (int y = 0; y < map.y.pixels; ++y) {
+    for (int x = 0; x < map.x.pixels; ++x) {
+      const std::size_t at = map.at(x, y);
+      MapPixel& pixel = row[static_cast<std::size_t>(x)];
+      pixel = {map.code[at], map.computed.empty() || map.computed[at], map.time[at], map.r_max[at]};
+      if (header.one_rotor) continue;
+      pixel.balance_margin = map.balance_margin[at];
+      pixel.balance_growth = map.balance_growth[at];
+    }
+    writer.write_rows(y, 1, row.data());
+  }
+  writer.finish(map.codes);
+}
+
+}  // namespace equipoise
