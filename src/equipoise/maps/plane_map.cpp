@@ -24,6 +24,7 @@
 #include "equipoise/basins/basin.hpp"
 #include "equipoise/branches/parameter_line.hpp"
 #include "equipoise/discovery/horizon.hpp"
+#include "equipoise/fates/followed_start.hpp"
 #include "equipoise/fates/start_runner.hpp"
 #include "equipoise/kernels/cpu_target.hpp"
 #include "equipoise/maps/start_pixels.hpp"
@@ -188,21 +189,10 @@ class Mapper {
       return pixel;
     }
     if (!source->follow({study.initial}, start)) return pixel;
-    if (start.is_over(0)) {
-      pixel.code = store::code_of(start.fates.front());
-      pixel.time = start.fates.front().time;
-      return pixel;
-    }
-    const double begin = start.begin(0, source->settled());
-    Eigen::VectorXd state = Eigen::Map<const Eigen::VectorXd>(start.states.data(), system.dimension());
-    if (system.section() == model::Section::strobe)
-      state = at_next_strobe(system, state, source->last_task().segment.psi_at(begin)).value_or(state);
-    const Settling settling = settle(system, state, *study.numerics.horizon, known);
+    const auto [fate, settling] = follow_start(study, system, *source, start, known, nullptr);
     if (one_system_ && system.smooth()) remember(system, settling, known);
-    pixel.time = begin + settling.time;
-    pixel.code = settling.status == IntegrationStatus::diverged ? diverged_code
-                 : settling.status == IntegrationStatus::failed ? failed_code
-                                                                : undecided_code;
+    pixel.time = fate.time;
+    pixel.code = store::code_of(fate);
     if (!settling.motion || !settling.motion->stable) return pixel;
     pixel.motion = std::make_shared<MotionName>(motion_name(p, *settling.motion));
     pixel.r_max = settling.motion->r_max;

@@ -27,6 +27,7 @@ struct BasinFileHeader {
   bool driven = false;       ///< a motor turns the rotor: each start has a mean speed of its own
   /// What states of discoveries have beside the centre and the balls, by name: of driven rotors.
   std::vector<std::string> drive_components;
+  bool drawn = false;        ///< starts have rotors of their own: of a motion the number of the start that met it is kept
   bool full_starts = false;  ///< starts differ in more than their ball angles
   SamplingMethod method = SamplingMethod::random;
   std::optional<TransientSettings> transients;  ///< if the file holds transients

@@ -162,6 +162,7 @@ class BasinWriter {
   }
 
   std::vector<std::string> components() const {
+    if (c_.header.drawn) return {"start"};
     std::vector<std::string> names{"x", "y", "u", "v"};
     for (const char* part : {"phi", "phi_dot"})
       for (int i = 1; i <= c_.header.balls; ++i) names.push_back(fmt::format("{}_{}", part, i));
