@@ -346,7 +346,7 @@ class BasinRun {
     for (std::size_t i = begin; i < end; ++i) {
       if (sampler_->grid()) weight.push_back(sampler_->weight(study.sampling.seed, chunk.first + i));
       if (study.sampling.box.empty()) continue;
-      const InitialState s = start_of(study, *sampler_, study.sampling.seed, chunk.first + i);
+      const InitialState s = drawn_start_of(study, *sampler_, study.sampling.seed, chunk.first + i);
       rotor.insert(rotor.end(), {s.x, s.y, s.x_dot, s.y_dot});
       phi_dot.insert(phi_dot.end(), s.phi_dot.begin(), s.phi_dot.begin() + study.parameters.balls);
     }

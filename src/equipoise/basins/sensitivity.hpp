@@ -9,7 +9,7 @@
 
 namespace equipoise {
 
-inline constexpr std::uint64_t sensitivity_rows = 1024;
+inline constexpr std::uint64_t sensitivity_rows = 512;
 
 /// Progress is in rows.
 struct SensitivityOptions : RunOptions {

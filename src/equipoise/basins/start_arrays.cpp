@@ -13,7 +13,7 @@ void add_start(const Study& study, const Sampler& sampler, const Fate& fate, con
                StartArrays& arrays) {
   const std::uint64_t index = arrays.starts++;
   const int balls = arrays.balls = study.parameters.balls;
-  const InitialState s = start_of(study, sampler, study.sampling.seed, index);
+  const InitialState s = drawn_start_of(study, sampler, study.sampling.seed, index);
   arrays.phi.insert(arrays.phi.end(), s.phi.begin(), s.phi.begin() + balls);
   if (!study.sampling.box.empty()) {
     arrays.rotor_state.insert(arrays.rotor_state.end(), {s.x, s.y, s.x_dot, s.y_dot});
@@ -35,7 +35,7 @@ InitialState start_of(const Study& study, std::uint64_t index) {
   if (sampler.grid() && index >= sampler.grid()->starts())
     throw InputError(study.name, "start index", fmt::format("{}", index),
                      fmt::format("must be below {}, the starts of this grid", sampler.grid()->starts()));
-  return start_of(study, sampler, study.sampling.seed, index);
+  return drawn_start_of(study, sampler, study.sampling.seed, index);
 }
 
 }  // namespace equipoise

@@ -79,7 +79,7 @@ class Mapper {
       : settings_(settings),
         one_system_(is_start_key(settings.x.key) || is_start_key(settings.y.key)),
         lines_along_y_(one_system_ && !is_start_key(settings.x.key)) {
-    map_.study = study;
+    map_.study = with_medians(study);
     map_.x = settings.x;
     map_.y = settings.y;
     map_.links = settings.links;

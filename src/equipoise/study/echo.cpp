@@ -193,11 +193,26 @@ void update_written(const Study& study, StudyValue& tree) {
     numerics.set("horizon", study::quantity_text(*horizon * study.scales->time(), study::Dimension::time));
 }
 
+// As a reader has the keys: what is written does not depend on the order in which it came.
+StudyValue sorted(const StudyValue& value) {
+  const StudyValue::Table* members = value.table();
+  if (!members) return value;
+  std::vector<const StudyValue::Member*> order;
+  for (const StudyValue::Member& member : *members) order.push_back(&member);
+  std::sort(order.begin(), order.end(), [](const auto* a, const auto* b) { return a->key < b->key; });
+  StudyValue result;
+  for (const StudyValue::Member* member : order) result.set(member->key, sorted(member->value));
+  return result;
+}
+
 void put_distributions(const Study& study, StudyValue& tree) {
   for (const UncertainValue& value : study.uncertain.values) {
     const std::size_t dot = value.key.rfind('.');
     if (StudyValue* table = tree.find_path(std::string_view(value.key).substr(0, dot)))
       table->set(value.key.substr(dot + 1), value.written());
+    // Stiction that is not stated is drawn with it.
+    if (value.key == "balancer.rolling" && study.parameters.stiction == study.parameters.rolling)
+      tree.find("balancer")->erase("stiction");
   }
   if (study.uncertain.rests)
     for (const char* key : {"x", "y", "x_dot", "y_dot"}) tree.find("initial")->erase(key);
@@ -213,7 +228,7 @@ StudyValue to_tree(const Study& study) {
   }
   StudyValue tree = *study.uncertain.physical;
   update_written(study, tree);
-  return tree;
+  return sorted(tree);
 }
 
 std::string to_toml(const Study& study) { return study::toml_text(to_tree(study)); }

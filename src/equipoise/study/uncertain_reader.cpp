@@ -169,7 +169,7 @@ void fail_at_end(const Document& document, const UncertainValue& value, double n
   const std::string key = refusal.key().empty() || refusal.key() == value.key ? "" : refusal.key() + " ";
   throw InputError(document.where(value.key, there), value.key,
                    there ? document.value_text(value.key, *there) : "",
-                   fmt::format("with {}: {}{}", value.text(number), key, refusal.problem()));
+                   fmt::format("with {}: {}{}", printable(value.text(number)), key, refusal.problem()));
 }
 
 }  // namespace equipoise::study
