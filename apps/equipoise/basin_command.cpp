@@ -107,7 +107,9 @@ int run_basin(const BasinArguments& a) {
   SensitivityOptions depends;
   if (a.sensitivity) {
     static_cast<RunOptions&>(depends) = options;
-    if (a.rows) depends.rows = option_number<std::uint64_t>("--sensitivity", *a.rows, 2, 1'000'000, "a whole number from 2 to 1000000");
+    if (a.rows)
+      depends.rows =
+          option_number<std::uint64_t>("--sensitivity", *a.rows, 2, 1'000'000, "a whole number from 2 to 1000000");
     check_sensitivity(study);
   }
   BasinResult result = basin(study, options);

@@ -70,9 +70,10 @@ TEST(DrawnStarts, OfOneRotorHaveThatRotorsFatesAndTransients) {
   const StartArrays &a = *plain.result.every_start, &b = *drawn.result.every_start;
   EXPECT_EQ(a.phi, b.phi);
   for (std::size_t k = 0; k < 2; ++k) {  // peaks, over all and after release: the same lanes see them
-    std::size_t apart = 0;
+    std::size_t apart = 0;               // such as peak again on a chaotic way after they were told
     for (std::size_t i = 0; i < plain.outcomes.size(); ++i)
-      apart += std::fabs(a.transients[k][i] - b.transients[k][i]) > 1e-6 * a.transients[k][i];  // of single precision
+      apart += std::fabs(a.transients[k][i] - b.transients[k][i]) >
+               1e-3 * a.transients[k][i];  // between steps they are cubics
     EXPECT_LE(apart, 1u) << transient_columns[k].name;
   }
 }
@@ -93,7 +94,8 @@ TEST(DrawnStarts, OfHardlyDifferentRotorsHaveTheSharesOfOne) {
 TEST(DrawnStarts, OfAListHaveTheFatesOfItsStudies) {
   const std::vector<std::string> first{"balancer.drag=0.05"}, second{"balancer.drag=0.1"};
   const Study study = study_with({"balancer.drag={values=[0.05, 0.1]}"});
-  const std::vector<std::string> of_first = run(study_with(first)).outcomes, of_second = run(study_with(second)).outcomes;
+  const std::vector<std::string> of_first = run(study_with(first)).outcomes,
+                                 of_second = run(study_with(second)).outcomes;
   std::vector<std::string> wanted;
   std::size_t firsts = 0;
   for (std::uint64_t i = 0; i < of_first.size(); ++i) {
@@ -102,7 +104,7 @@ TEST(DrawnStarts, OfAListHaveTheFatesOfItsStudies) {
     wanted.push_back((is_first ? of_first : of_second)[i]);
   }
   EXPECT_NEAR(static_cast<double>(firsts), 60.0, 4.0 * std::sqrt(30.0));  // binomial
-  EXPECT_GT(differences(of_first, of_second), 30u);  // so that the draw matters
+  EXPECT_GT(differences(of_first, of_second), 30u);                       // so that the draw matters
   EXPECT_LE(differences(run(study).outcomes, wanted), 1u);
 }
 
@@ -128,6 +130,7 @@ TEST(DrawnStarts, AreTheSameWithAnyThreadsResumedAndReplayed) {
   const StartReplay replay = replay_start(study, 31);
   EXPECT_EQ(replay.fate.time, one.result.every_start->decision_time[31]);
   EXPECT_EQ(replay.name, one.outcomes[31]);
+  EXPECT_EQ(replay.drawn[0], one.result.every_start->drawn[31]);
   EXPECT_EQ(replay.drawn, drawn_values(study, sampler_of(study), study.sampling.seed, 31));
 }
 
@@ -179,9 +182,11 @@ TEST(DrawnStarts, AreRefusedUpFrontWhereAnEndCannotBeDecided) {
     }
     return "";
   };
-  EXPECT_NE(message({"rotor.eccentricity={uniform=[0.0, 0.1]}", "numerics.decide=horizon"}).find("must be \"validated\""),
+  EXPECT_NE(
+      message({"rotor.eccentricity={uniform=[0.0, 0.1]}", "numerics.decide=horizon"}).find("must be \"validated\""),
+      std::string::npos);
+  EXPECT_NE(message({"balancer.drag={values=[0.1, 0.1, 1e9]}"}).find("with balancer.drag = 1000000000"),
             std::string::npos);
-  EXPECT_NE(message({"balancer.drag={values=[0.1, 0.1, 1e9]}"}).find("with balancer.drag = 1000000000"), std::string::npos);
 }
 
 TEST(Sensitivity, IsOfTheStartWhereTheRotorHardlyVaries) {
@@ -193,8 +198,8 @@ TEST(Sensitivity, IsOfTheStartWhereTheRotorHardlyVaries) {
   ASSERT_EQ(one.inputs.size(), 2u);
   EXPECT_EQ(one.inputs[0].key, start_input);
   EXPECT_EQ(one.evaluations, 160u);
-  // Whoever draws the start draws the outcome: of each row's pair the mixed start is the other one, or at most one start
-  // in a thousand on a boundary.
+  // Whoever draws the start draws the outcome: of each row's pair the mixed start is the other one, or at most one
+  // start in a thousand on a boundary.
   EXPECT_NEAR(one.inputs[0].indices.first.value, 1.0, 0.1);
   EXPECT_NEAR(one.inputs[1].indices.total.value, 0.0, 0.1);
   options.threads = 2;

@@ -43,8 +43,8 @@ void expect_indices(const std::vector<SobolIndices>& found, const Inputs& first,
   }
 }
 
-// T. Ishigami, T. Homma (1990): sin x1 + 7 sin^2 x2 + 0.1 x3^4 sin x1 on [-pi, pi]; in closed form V1 = (1 + b pi^4/5)^2/2,
-// V2 = a^2/8, V13 = b^2 pi^8 (1/18 - 1/50).
+// T. Ishigami, T. Homma (1990): sin x1 + 7 sin^2 x2 + 0.1 x3^4 sin x1 on [-pi, pi]; in closed form V1 = (1 + b
+// pi^4/5)^2/2, V2 = a^2/8, V13 = b^2 pi^8 (1/18 - 1/50).
 double ishigami(const Inputs& u) {
   const auto x = [&](std::size_t k) { return pi * (2.0 * u[k] - 1.0); };
   return std::sin(x(0)) + 7.0 * std::pow(std::sin(x(1)), 2) + 0.1 * std::pow(x(2), 4) * std::sin(x(0));
@@ -54,8 +54,8 @@ TEST(SobolIndices, OfIshigamisFunction) {
   const double v1 = 0.5 * std::pow(1.0 + 0.1 * std::pow(pi, 4) / 5.0, 2), v2 = 49.0 / 8.0;
   const double v13 = 0.01 * std::pow(pi, 8) * (1.0 / 18.0 - 1.0 / 50.0), v = v1 + v2 + v13;
   // Standard errors at 20 000 rows are below 0.01 (bootstrap); four of them.
-  expect_indices(sobol_indices(rows_of(3, 20000, 1, ishigami)), {v1 / v, v2 / v, 0.0}, {(v1 + v13) / v, v2 / v, v13 / v},
-                 0.04);
+  expect_indices(sobol_indices(rows_of(3, 20000, 1, ishigami)), {v1 / v, v2 / v, 0.0},
+                 {(v1 + v13) / v, v2 / v, v13 / v}, 0.04);
 }
 
 TEST(SobolIndices, OfSobolsG) {
@@ -80,10 +80,11 @@ TEST(SobolIndices, OfSobolsG) {
 }
 
 TEST(SobolIndices, OfAnIndicator) {
-  // [x + y < 1] of two uniform numbers: variance 1/4, conditional means 1 - x: first order 1/12 over 1/4 = 1/3; total is
-  // 1 less the other's first order. The third input plays no part.
+  // [x + y < 1] of two uniform numbers: variance 1/4, conditional means 1 - x: first order 1/12 over 1/4 = 1/3; total
+  // is 1 less the other's first order. The third input plays no part.
   const auto below = [](const Inputs& u) { return u[0] + u[1] < 1.0 ? 1.0 : 0.0; };
-  expect_indices(sobol_indices(rows_of(3, 20000, 3, below)), {1.0 / 3.0, 1.0 / 3.0, 0.0}, {2.0 / 3.0, 2.0 / 3.0, 0.0}, 0.04);
+  expect_indices(sobol_indices(rows_of(3, 20000, 3, below)), {1.0 / 3.0, 1.0 / 3.0, 0.0}, {2.0 / 3.0, 2.0 / 3.0, 0.0},
+                 0.04);
 }
 
 TEST(SobolIndices, IntervalsHoldTheTruthAsOftenAsTheySay) {
@@ -95,8 +96,8 @@ TEST(SobolIndices, IntervalsHoldTheTruthAsOftenAsTheySay) {
     first += found[0].first.low <= 1.0 / 3.0 && 1.0 / 3.0 <= found[0].first.high;
     total += found[0].total.low <= 2.0 / 3.0 && 2.0 / 3.0 <= found[0].total.high;
   }
-  // 95 % of 200 are 190, give or take 3.1; percentile intervals of 256 rows miss a little more often: down to 92 %, less
-  // four deviations.
+  // 95 % of 200 are 190, give or take 3.1; percentile intervals of 256 rows miss a little more often: down to 92 %,
+  // less four deviations.
   EXPECT_GE(first, 184 - 16);
   EXPECT_GE(total, 184 - 16);
   EXPECT_LT(first + total, 2 * samples);  // and some do miss

@@ -91,8 +91,8 @@ TEST(Uncertain, NormalDrawsHaveItsMoments) {
 }
 
 TEST(Uncertain, CutNormalDrawsStayBetweenAndHaveTheMeanOfWhatIsLeft) {
-  // Of a standard normal law above 1: mean phi(1)/(1 - Phi(1)) = 1.5251 (standard tables: phi(1) = 0.24197, 1 - Phi(1) =
-  // 0.15866); its deviation is below that of the whole law.
+  // Of a standard normal law above 1: mean phi(1)/(1 - Phi(1)) = 1.5251 (standard tables: phi(1) = 0.24197, 1 - Phi(1)
+  // = 0.15866); its deviation is below that of the whole law.
   const auto values = drawn(study_with({"balancer.drag={normal=[0.05, 0.01], between=[0.06, 0.2]}"}));
   EXPECT_GE(*std::min_element(values.begin(), values.end()), 0.06);
   EXPECT_NEAR(moments(values).mean, 0.05 + 0.01 * 1.5251, four_errors(0.01) + 1e-6);
@@ -132,7 +132,8 @@ TEST(Uncertain, AnglesOfStartsStayWhateverElseIsDrawn) {
   const std::vector<std::string> two{one[0], "balancer.drag={uniform=[0.04, 0.06]}"};
   for (const char* method : {"random", "sobol", "grid"}) {
     const std::string with = fmt::format("sampling.method={}", method);
-    const Study plain = study_with({with}), first = study_with({with, one[0]}), second = study_with({with, two[0], two[1]});
+    const Study plain = study_with({with}), first = study_with({with, one[0]}),
+                second = study_with({with, two[0], two[1]});
     for (std::uint64_t i = 0; i < 200; ++i) {
       const auto phi = start_of(plain, 7, i).phi;
       EXPECT_EQ(start_of(first, 7, i).phi, phi) << method;
@@ -191,13 +192,15 @@ TEST(Uncertain, EachDrawRestsUnderItsOwnWeightAtFirst) {
 
 TEST(Uncertain, EchoReadsBackToTheStudyAndToItself) {
   const std::vector<Study> studies{
-      study_with({"rotor.eccentricity={uniform=[0.005, 0.015]}", "balancer.drag={normal=[0.05, 0.01], between=[0.01, 0.1]}"}),
+      study_with(
+          {"rotor.eccentricity={uniform=[0.005, 0.015]}", "balancer.drag={normal=[0.05, 0.01], between=[0.01, 0.1]}"}),
       study_with({"rotor.gravity={values=[0.0, 0.1]}", "balancer.mass={loguniform=[0.01, 0.1]}"}),
       study_with({"balancer.rolling={uniform=[0.001, 0.002]}"}),
       study_with({"speed={profile=\"torque\", torque={stall={uniform=[0.05, 0.06]}, no_load_speed=2.4}}",
                   "rotor.inertia=0.5"}),
       machine_with({"rotor.unbalance={uniform=[\"100 g mm\", \"400 g mm\"]}", "numerics.horizon=100 s"}),
-      machine_with({"rotor.mass={normal=[\"12 kg\", \"0.1 kg\"]}", "balancer.drag={values=[\"1e-5 N\\u00b7m\\u00b7s\"]}"}),
+      machine_with(
+          {"rotor.mass={normal=[\"12 kg\", \"0.1 kg\"]}", "balancer.drag={values=[\"1e-5 N\\u00b7m\\u00b7s\"]}"}),
   };
   for (const Study& study : studies) {
     const std::string echo = to_toml(study);

@@ -91,9 +91,8 @@ class PickFreeze {
       const bool value = k < study.uncertain.values.size();
       result_.inputs.push_back({value ? study.uncertain.values[k].key : start_input, indices[k]});
     }
-    std::stable_sort(result_.inputs.begin(), result_.inputs.end(), [](const auto& a, const auto& b) {
-      return a.indices.total.value > b.indices.total.value;
-    });
+    std::stable_sort(result_.inputs.begin(), result_.inputs.end(),
+                     [](const auto& a, const auto& b) { return a.indices.total.value > b.indices.total.value; });
   }
 
   const SensitivityOptions& options_;
@@ -109,9 +108,10 @@ class PickFreeze {
 
 void check_sensitivity(const Study& study) {
   if (study.uncertain.empty())
-    throw InputError(study.name, "", "",
-                     "has no uncertain value; the sensitivity is that to values such as rotor.eccentricity = { uniform = "
-                     "[0.005, 0.015] }");
+    throw InputError(
+        study.name, "", "",
+        "has no uncertain value; the sensitivity is that to values such as rotor.eccentricity = { uniform = "
+        "[0.005, 0.015] }");
   check_runnable(study, false);
 }
 

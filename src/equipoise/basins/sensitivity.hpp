@@ -19,9 +19,9 @@ struct SensitivityOptions : RunOptions {
 /// Throws InputError for a study without uncertain values, and for what basin() does not take.
 void check_sensitivity(const Study& study);
 
-/// First-order and total Sobol indices (statistics/sobol_indices.hpp) of the indicator "ends balanced" for every uncertain
-/// value and for where the start begins. Row i is of starts 2 i and 2 i + 1 of the study's seed, at random whatever its
-/// sampling.method, and of mixtures of the two: it depends on the study and i alone.
+/// First-order and total Sobol indices (statistics/sobol_indices.hpp) of the indicator "ends balanced" for every
+/// uncertain value and for where the start begins. Row i is of starts 2 i and 2 i + 1 of the study's seed, at random
+/// whatever its sampling.method, and of mixtures of the two: it depends on the study and i alone.
 SensitivityResult sensitivity(const Study& study, const SensitivityOptions& options = {});
 
 }  // namespace equipoise

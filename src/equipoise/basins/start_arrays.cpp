@@ -19,6 +19,8 @@ void add_start(const Study& study, const Sampler& sampler, const Fate& fate, con
     arrays.rotor_state.insert(arrays.rotor_state.end(), {s.x, s.y, s.x_dot, s.y_dot});
     arrays.phi_dot.insert(arrays.phi_dot.end(), s.phi_dot.begin(), s.phi_dot.begin() + balls);
   }
+  const std::vector<double> drawn = drawn_values(study, sampler, study.sampling.seed, index);
+  arrays.drawn.insert(arrays.drawn.end(), drawn.begin(), drawn.end());
   if (sampler.grid()) arrays.weight.push_back(sampler.weight(study.sampling.seed, index));
   arrays.outcome.push_back(store::code_of(fate));
   arrays.decision_time.push_back(fate.time);

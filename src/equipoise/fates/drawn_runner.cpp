@@ -36,9 +36,10 @@ void check_corner(const Study& study, const std::vector<double>& values, bool by
     const Study corner = drawn_study(study, values);
     check_runnable(corner, transients);
     if (followed_one_by_one(corner.system()) != by_kinds)
-      throw InputError(study.name, study.uncertain.values.front().key, "",
-                       "makes rotors that are told by kinds and rotors that are told by their attractors; must be one of "
-                       "the two");
+      throw InputError(
+          study.name, study.uncertain.values.front().key, "",
+          "makes rotors that are told by kinds and rotors that are told by their attractors; must be one of "
+          "the two");
   } catch (const InputError& e) {
     throw InputError(e.place(), e.key(), e.value(), e.problem() + with);
   }
@@ -70,9 +71,9 @@ void change_units(const model::Scales& from, const model::Scales& to, Fate& fate
 void check_drawable(const Study& study, bool transients) {
   check(study);
   if (study.numerics.decide != DecideMode::validated)
-    throw InputError(study.name, "numerics.decide",
-                     decide_mode_names[static_cast<std::size_t>(study.numerics.decide)],
-                     "with uncertain values every start is followed to a motion of its own rotor; must be \"validated\"");
+    throw InputError(
+        study.name, "numerics.decide", decide_mode_names[static_cast<std::size_t>(study.numerics.decide)],
+        "with uncertain values every start is followed to a motion of its own rotor; must be \"validated\"");
   const Study medians = with_medians(study);
   check_runnable(medians, transients);
   const bool by_kinds = followed_one_by_one(medians.system());

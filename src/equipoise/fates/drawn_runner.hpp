@@ -1,4 +1,5 @@
-// Starts that draw their rotor too: each has a system of its own, is followed by itself, and its motion is told by name.
+// Starts that draw their rotor too: each has a system of its own, is followed by itself, and its motion is told by
+// name.
 #pragma once
 
 #include <cstdint>
@@ -13,8 +14,8 @@
 
 namespace equipoise {
 
-/// Throws InputError for a study with uncertain values whose starts cannot be decided, at its medians or where all values
-/// are at one of their ends.
+/// Throws InputError for a study with uncertain values whose starts cannot be decided, at its medians or where all
+/// values are at one of their ends.
 void check_drawable(const Study& study, bool transients);
 
 /// A start of a study with uncertain values, and what it came to.

@@ -28,6 +28,18 @@ void note_motion(const Study& study, const model::System& system, const Motion& 
   if (!system.prescribed() && std::fabs(motion.speed) < study.stall_speed()) fate.outcome = Outcome::stalled;
 }
 
+// Whether a state may be one near the motion. Lanes step otherwise than what told the motion: of a start whose way is
+// chaotic they go another way, and may take longer.
+bool looks_like(const model::Parameters& p, const Motion& motion, const double* state) {
+  if (p.gravity != 0.0) return true;  // where the rotor rests depends on its angle
+  const double margin = 0.1 * p.all_unbalances(), r = std::hypot(state[0], state[1]);
+  if (r < motion.r_min - margin || r > motion.r_max + margin) return false;
+  return motion.r_max > 0.0 || std::abs(model::unbalance(p, state + model::index::phi(0))) < margin;
+}
+
+// Once it has taken this much longer than what told the motion, a way goes elsewhere.
+constexpr double longest_detour = 4.0;
+
 }  // namespace
 
 FollowedStart follow_start(const Study& study, const model::System& system, const SpinUp& source, const SpunUp& start,
@@ -73,15 +85,16 @@ TransientRow followed_transients(const Study& study, const model::System& system
   if (begin < task.end && !advance_lanes(task, fates)) return {};
   KnownEnd end;
   if (known && !lost(fates.front()) && task.end < horizon) {
-    // From here on where it goes is known: the first thing asked of it says so.
+    // From here on where it goes is known: once it looks like that it is followed until its end is seen.
     const MotionName name = motion_name(p, *motion);
     end = known_end(p, {name.id, name.name, name.alias, *motion, {}});
     table.ends.assign(balanced_id + 1, end);
     DecisionRule rule;
     rule.balls = p.balls;
     rule.interchangeable = p.equal_balls();
-    rule.tori = {[](const double*) { return balanced_id; }};
-    begin = std::exchange(task.end, horizon);
+    rule.tori = {[&](const double* state) { return looks_like(p, *motion, state) ? balanced_id : 0; }};
+    const double longest = task.end + longest_detour * (task.end - start.begin(0, source.settled()));
+    begin = std::exchange(task.end, std::min(longest, horizon));
     if (!decide_lanes(task, rule, fates, nullptr)) return {};
   }
   return transient_row(table.settings, table.rows.front(), lost(fates.front()), end.figures);

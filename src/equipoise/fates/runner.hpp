@@ -73,9 +73,8 @@ bool followed_one_by_one(const model::System& system);
 /// for those that cannot be watched.
 void check_runnable(const Study& study, bool transients);
 
-/// StartRunner on SIMD lanes, MachineRunner for those that are followed_one_by_one(), or DrawnRunner where the study has
-/// uncertain values. The study has passed
-/// check_runnable().
+/// StartRunner on SIMD lanes, MachineRunner for those that are followed_one_by_one(), or DrawnRunner where the study
+/// has uncertain values. The study has passed check_runnable().
 std::unique_ptr<Runner> make_runner(const Study& study, const DiscoverySettings& settings, bool transients);
 
 }  // namespace equipoise

@@ -65,7 +65,8 @@ std::string sensitivity_text(const SensitivityResult& r) {
                           key == start_input ? "where the start begins" : key, width, indices.first.value,
                           range_text(indices.first), indices.total.value, range_text(indices.total));
     text +=
-        "\nFirst order: the part of the variance of \"ends balanced\" that goes away on average if this alone is known;\n"
+        "\nFirst order: the part of the variance of \"ends balanced\" that goes away on average if this alone is "
+        "known;\n"
         "total: the part that is left if all else is.\n";
   }
   text += fmt::format("{} starts in {} rows, {} of all pairs balanced ({})", r.evaluations, r.rows,

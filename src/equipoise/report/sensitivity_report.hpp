@@ -10,7 +10,8 @@
 
 namespace equipoise {
 
-/// A line for every uncertain value: "drawn with each start: rotor.eccentricity uniform, 0.005 to 0.015"; empty without.
+/// A line for every uncertain value: "drawn with each start: rotor.eccentricity uniform, 0.005 to 0.015"; empty
+/// without.
 std::string uncertain_text(const Study& study);
 
 std::string sensitivity_text(const SensitivityResult& result);

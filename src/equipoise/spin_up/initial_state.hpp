@@ -93,7 +93,8 @@ inline std::vector<double> drawn_values(const Study& study, const Sampler& sampl
   return values;
 }
 /// start_of() with the uncertain values that the start draws; of values that make no study with the medians.
-inline InitialState drawn_start_of(const Study& study, const Sampler& sampler, std::uint64_t seed, std::uint64_t index) {
+inline InitialState drawn_start_of(const Study& study, const Sampler& sampler, std::uint64_t seed,
+                                   std::uint64_t index) {
   if (study.uncertain.empty()) return start_of(study, sampler, seed, index);
   try {
     return start_of(drawn_study(study, drawn_values(study, sampler, seed, index)), sampler, seed, index);

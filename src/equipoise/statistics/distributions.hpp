@@ -13,7 +13,8 @@ double normal_half_width(double confidence);
 double normal_quantile(double probability);
 double normal_up_to(double value);
 
-/// The same as normal_half_width() of Student's t with `freedom` > 0 degrees of freedom, not necessarily a whole number.
+/// The same as normal_half_width() of Student's t with `freedom` > 0 degrees of freedom, not necessarily a whole
+/// number.
 double students_t_half_width(double freedom, double confidence);
 
 /// How many of `trials` succeed if each does with `probability`.

@@ -18,8 +18,7 @@ struct Sums {
   // By input, of b and of what shares that input alone with it; of a and of what differs from it in that input alone.
   std::vector<double> sum, squares, products, differences;
 
-  explicit Sums(std::size_t inputs)
-      : sum(inputs), squares(inputs), products(inputs), differences(inputs) {}
+  explicit Sums(std::size_t inputs) : sum(inputs), squares(inputs), products(inputs), differences(inputs) {}
 
   void add(const PickFreezeRows& rows, std::size_t row, double times) {
     const double a = rows.a(row), b = rows.b(row);

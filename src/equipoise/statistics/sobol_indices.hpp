@@ -7,8 +7,8 @@
 
 namespace equipoise {
 
-/// Outcomes in rows of `inputs` + 2: of one draw of all inputs, a; of another, b; and of a with one input after the other
-/// taken from b.
+/// Outcomes in rows of `inputs` + 2: of one draw of all inputs, a; of another, b; and of a with one input after the
+/// other taken from b.
 struct PickFreezeRows {
   std::size_t inputs = 0;
   std::vector<double> outcomes;

@@ -454,8 +454,7 @@ Study read(Document document) {
   if (uncertain.physical) uncertain.horizon = result.numerics.horizon;
   const bool weighs = std::any_of(uncertain.values.begin(), uncertain.values.end(),
                                   [](const UncertainValue& v) { return v.key == "rotor.gravity"; });
-  uncertain.rests =
-      (weighs || result.parameters.gravity != 0.0) && states_no_place(document, result.sampling.box);
+  uncertain.rests = (weighs || result.parameters.gravity != 0.0) && states_no_place(document, result.sampling.box);
   result.uncertain = std::move(uncertain);
   return result;
 }
@@ -498,8 +497,7 @@ Study with_medians(Study study) {
 
 Study drawn_study(const Study& study, std::span<const double> values) {
   StudyValue tree = to_tree(study);
-  for (std::size_t k = 0; k < study.uncertain.values.size(); ++k)
-    put_value(tree, study.uncertain.values[k], values[k]);
+  for (std::size_t k = 0; k < study.uncertain.values.size(); ++k) put_value(tree, study.uncertain.values[k], values[k]);
   return study_from(tree, study.name);
 }
 

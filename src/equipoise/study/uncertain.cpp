@@ -32,7 +32,8 @@ double normal_at(const UncertainValue& v, double fraction) {
   // In the tail where it is small, a probability is known to all its digits.
   const bool upper = low > mean;
   const double sign = upper ? -1.0 : 1.0;
-  const double from = normal_up_to(sign * (low - mean) / deviation), to = normal_up_to(sign * (high - mean) / deviation);
+  const double from = normal_up_to(sign * (low - mean) / deviation),
+               to = normal_up_to(sign * (high - mean) / deviation);
   const double probability = std::clamp((1.0 - fraction) * from + fraction * to, 1e-300, most_probability);
   return std::clamp(mean + sign * deviation * normal_quantile(probability), low, high);
 }
@@ -46,7 +47,8 @@ double UncertainValue::at(double fraction) const {
     case DistributionKind::normal:
       return normal_at(*this, fraction);
     case DistributionKind::loguniform:
-      return std::clamp(std::exp(weighted(std::log(numbers[0]), std::log(numbers[1]), fraction)), numbers[0], numbers[1]);
+      return std::clamp(std::exp(weighted(std::log(numbers[0]), std::log(numbers[1]), fraction)), numbers[0],
+                        numbers[1]);
     case DistributionKind::values: {
       const double place = fraction * static_cast<double>(numbers.size());
       return numbers[std::min(static_cast<std::size_t>(place), numbers.size() - 1)];

@@ -11,8 +11,8 @@
 
 namespace equipoise {
 
-/// Uniform: [low, high]. Normal: [mean, standard deviation], cut to `between` if that is given. Log-uniform: [low, high],
-/// both greater than 0. Values: a list, each entry equally likely.
+/// Uniform: [low, high]. Normal: [mean, standard deviation], cut to `between` if that is given. Log-uniform: [low,
+/// high], both greater than 0. Values: a list, each entry equally likely.
 enum class DistributionKind { uniform, normal, loguniform, values };
 inline constexpr std::array<const char*, 4> distribution_names{"uniform", "normal", "loguniform", "values"};
 
@@ -40,8 +40,8 @@ struct UncertainValue {
 /// All that is uncertain in a study; nothing if `values` is empty. The study's own members hold the medians.
 struct Uncertainty {
   std::vector<UncertainValue> values;  ///< by key
-  /// Of a study in physical units: all that it says, as it was written, since what a quantity changes (a ball's mass its
-  /// drag over its mass) is known there alone.
+  /// Of a study in physical units: all that it says, as it was written, since what a quantity changes (a ball's mass
+  /// its drag over its mass) is known there alone.
   std::optional<StudyValue> physical;
   std::optional<double> horizon;  ///< that `physical` states, dimensionless
   bool rests = false;             ///< [initial] states no place: each draw rests under its own weight at first

@@ -47,8 +47,8 @@ class DistributionReader {
 
  private:
   [[noreturn]] void fail(const std::string& problem) const {
-    throw InputError(document_.where(value_.key, &table_), printable(value_.key), document_.value_text(value_.key, table_),
-                     problem);
+    throw InputError(document_.where(value_.key, &table_), printable(value_.key),
+                     document_.value_text(value_.key, table_), problem);
   }
 
   void find_kind() {
@@ -84,7 +84,8 @@ class DistributionReader {
       unit.assign(after, end);
       unit.erase(0, std::min(unit.find_first_not_of(" \t"), unit.size()));
       unit.erase(unit.find_last_not_of(" \t") + 1);
-      if (unit.empty()) fail(fmt::format("{} entry {} has no unit; must be a number, or a number with a unit", name, place));
+      if (unit.empty())
+        fail(fmt::format("{} entry {} has no unit; must be a number, or a number with a unit", name, place));
     } else if (!entry.is_number()) {
       fail(fmt::format("{} entry {} is no number; must be a finite number, or a quantity with its unit", name, place));
     }
@@ -105,7 +106,8 @@ class DistributionReader {
       fail(fmt::format("{} has {} entries; must have two, {}", name, n.size(),
                        normal ? "[mean, standard deviation]" : "[low, high]"));
     if (normal && n[1] < 0.0) fail("the standard deviation must be 0 or more");
-    if (!normal && n[0] > n[1]) fail(fmt::format("{} bounds out of order; must be [low, high] with low at most high", name));
+    if (!normal && n[0] > n[1])
+      fail(fmt::format("{} bounds out of order; must be [low, high] with low at most high", name));
     if (value_.kind == DistributionKind::loguniform && !(n[0] > 0.0)) fail("loguniform bounds must be greater than 0");
   }
 
@@ -167,8 +169,7 @@ void put_value(StudyValue& root, const UncertainValue& value, double number) {
 void fail_at_end(const Document& document, const UncertainValue& value, double number, const InputError& refusal) {
   const StudyValue* there = document.root.find_path(value.key);
   const std::string key = refusal.key().empty() || refusal.key() == value.key ? "" : refusal.key() + " ";
-  throw InputError(document.where(value.key, there), value.key,
-                   there ? document.value_text(value.key, *there) : "",
+  throw InputError(document.where(value.key, there), value.key, there ? document.value_text(value.key, *there) : "",
                    fmt::format("with {}: {}{}", printable(value.text(number)), key, refusal.problem()));
 }
 
