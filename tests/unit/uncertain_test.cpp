@@ -229,7 +229,8 @@ TEST(Uncertain, SaysWhatIsWrongWithADistribution) {
     std::string text, override, wanted;
   };
   const std::vector<Case> cases{
-      {constant_speed, "rotor.eccentricity={lognormal=[1, 2]}", "is a table; must be a number or a distribution"},
+      {constant_speed, "rotor.eccentricity={lognormal=[1, 2]}",
+       "is a table; must be a finite number at least 0, or a distribution, { uniform"},
       {constant_speed, "rotor.eccentricity={uniform=[2, 1]}", "bounds out of order"},
       {constant_speed, "rotor.eccentricity={uniform=[1]}", "has 1 entries; must have two, [low, high]"},
       {constant_speed, "rotor.eccentricity={uniform=[0, 1], normal=[0, 1]}", "has two distributions"},

@@ -21,12 +21,9 @@ namespace {
 
 constexpr std::array uncertain_tables{"rotor", "balancer", "speed", "speed.torque", "speed.torque.target", "release"};
 
-constexpr std::string_view forms =
-    "{ uniform = [low, high] }, { normal = [mean, standard deviation] }, { loguniform = [low, high] } or "
-    "{ values = [..] }, each entry equally likely";
-
-bool is_table_of_study(const std::string& dotted) {
-  return std::find(uncertain_tables.begin(), uncertain_tables.end(), dotted) != uncertain_tables.end();
+bool names_distribution(const StudyValue& table) {
+  return std::any_of(distribution_names.begin(), distribution_names.end(),
+                     [&](const char* name) { return table.find(name); });
 }
 
 // One distribution, entry by entry.
@@ -55,13 +52,12 @@ class DistributionReader {
     bool found = false;
     for (std::size_t k = 0; k < distribution_names.size(); ++k) {
       if (!table_.find(distribution_names[k])) continue;
-      if (std::exchange(found, true)) fail(fmt::format("has two distributions; must be one of {}", forms));
+      if (std::exchange(found, true)) fail(fmt::format("has two distributions; must be one of {}", distribution_forms));
       value_.kind = static_cast<DistributionKind>(k);
     }
-    if (!found) fail(fmt::format("is a table; must be a number or a distribution, {}", forms));
     for (const auto& [name, entry] : *table_.table())
       if (name != distribution_names[static_cast<std::size_t>(value_.kind)] && name != "between")
-        fail(fmt::format("has an unknown entry \"{}\"; must be {}", printable(name), forms));
+        fail(fmt::format("has an unknown entry \"{}\"; must be {}", printable(name), distribution_forms));
   }
 
   std::vector<double> entries(const std::string& name) {
@@ -134,6 +130,10 @@ class DistributionReader {
 
 }  // namespace
 
+bool takes_distributions(const std::string& dotted) {
+  return std::find(uncertain_tables.begin(), uncertain_tables.end(), dotted) != uncertain_tables.end();
+}
+
 std::vector<UncertainValue> take_uncertain(Document& document) {
   std::vector<UncertainValue> values;
   for (const std::string name : uncertain_tables) {
@@ -142,7 +142,8 @@ std::vector<UncertainValue> take_uncertain(Document& document) {
     for (const auto& [key, value] : *table->table()) {
       const std::string dotted = name + "." + key;
       // A key in quotes may hold dots of its own; the reader knows none such.
-      if (document.root.find_path(dotted) != &value || !value.table() || is_table_of_study(dotted)) continue;
+      if (document.root.find_path(dotted) != &value || takes_distributions(dotted) || !names_distribution(value))
+        continue;
       values.push_back(DistributionReader(document, dotted, value).read());
     }
   }
