@@ -14,16 +14,16 @@ foreach(header
     equipoise.hpp base/error.hpp base/run_options.hpp base/stop_flag.hpp
     model/balance_grade.hpp model/balanced_state.hpp model/energy.hpp model/machine.hpp model/motor.hpp
     model/parameters.hpp model/scales.hpp model/speed.hpp model/system.hpp integrate/status.hpp
-    statistics/quantile.hpp statistics/share.hpp sampling/jittered_grid.hpp sampling/sampling.hpp
-    study/ball_details.hpp study/physical_echo.hpp study/study.hpp study/study_value.hpp study/units.hpp
+    statistics/quantile.hpp statistics/share.hpp statistics/sobol_indices.hpp sampling/jittered_grid.hpp sampling/sampling.hpp
+    study/ball_details.hpp study/physical_echo.hpp study/study.hpp study/study_value.hpp study/uncertain.hpp study/units.hpp
     transients/transient_table.hpp deciding/decision_rule.hpp deciding/fate.hpp
     model/ball_mode.hpp orbits/balanced_continuum.hpp orbits/ball_events.hpp orbits/orbit.hpp motions/catalogue.hpp
     motions/motion.hpp proof/certificate.hpp proof/member_certificate.hpp
     results/attractors_result.hpp results/basin_result.hpp results/branch.hpp results/branches_result.hpp
-    results/certify_result.hpp results/comparison_result.hpp results/explanation.hpp results/machine_page.hpp results/map_figures.hpp results/plane_map.hpp results/start_arrays.hpp results/trajectory.hpp
+    results/certify_result.hpp results/comparison_result.hpp results/explanation.hpp results/machine_page.hpp results/map_figures.hpp results/plane_map.hpp results/sensitivity_result.hpp results/start_arrays.hpp results/trajectory.hpp
     results/transient_result.hpp
     store/basin_file.hpp store/basin_outcomes.hpp store/branches_file.hpp store/map_file.hpp store/start_columns.hpp store/trajectory_file.hpp
-    basins/attractors.hpp basins/basin.hpp basins/certify.hpp basins/comparison.hpp basins/observation.hpp
+    basins/attractors.hpp basins/basin.hpp basins/certify.hpp basins/comparison.hpp basins/observation.hpp basins/sensitivity.hpp
     branches/continuation.hpp branches/parameter_line.hpp kernels/cpu_target.hpp
     maps/map_axis.hpp maps/map_figures.hpp maps/plane_map.hpp trajectory/output_times.hpp trajectory/simulate.hpp drawing/map_plot.hpp
     report/attractors_report.hpp report/basin_report.hpp report/branches_report.hpp report/certify_report.hpp report/explain_report.hpp

@@ -4,7 +4,8 @@ target_include_directories(pack_test PRIVATE ${CMAKE_CURRENT_SOURCE_DIR})
 target_compile_definitions(pack_test PRIVATE "HWY_DISABLED_TARGETS=(${equipoise_kernels_left_out})")
 equipoise_test(kernel_speed_test unit unit/kernel_speed_test.cpp LIBRARIES equipoise_paper)
 target_compile_options(kernel_speed_test PRIVATE $<$<CONFIG:Release>:-O3>)  # of its own integrator too
-equipoise_test(statistics_test unit unit/statistics_test.cpp unit/comparison_test.cpp unit/quantile_test.cpp)
+equipoise_test(statistics_test unit unit/statistics_test.cpp unit/comparison_test.cpp unit/quantile_test.cpp
+  unit/sobol_indices_test.cpp)
 equipoise_test(sampling_test unit unit/random_test.cpp unit/sampling_test.cpp unit/even_share_test.cpp
   unit/stopped_spin_up_test.cpp)
 equipoise_test(reproduction_test unit unit/document_test.cpp unit/published_tables_test.cpp LIBRARIES equipoise_paper nlohmann_json::nlohmann_json)
@@ -25,6 +26,7 @@ equipoise_test(continuum_decisions_test equivalence equivalence/continuum_decisi
 equipoise_test(continuum_estimate_test equivalence equivalence/continuum_estimate_test.cpp)
 equipoise_test(horizon_test equivalence equivalence/horizon_test.cpp)
 equipoise_test(stroboscopic_test equivalence equivalence/stroboscopic_test.cpp)
+equipoise_test(drawn_starts_test equivalence equivalence/drawn_starts_test.cpp)
 equipoise_test(plane_map_test equivalence equivalence/plane_map_test.cpp)
 equipoise_test(comparison_result_test unit unit/comparison_result_test.cpp)
 equipoise_test(map_figures_test unit unit/map_figures_test.cpp unit/pixel_plan_test.cpp)

@@ -2,6 +2,7 @@
 equipoise_test(study_test unit unit/study_test.cpp unit/study_errors_test.cpp unit/study_tree_test.cpp
   unit/sampling_box_test.cpp)
 equipoise_test(physical_study_test unit unit/units_test.cpp unit/physical_study_test.cpp LIBRARIES rapidcheck UDUNITS2::UDUNITS2)
+equipoise_test(uncertain_test unit unit/uncertain_test.cpp)
 equipoise_test(display_text_test unit unit/display_text_test.cpp)
 equipoise_test(reporting_test unit unit/reporting_test.cpp)
 equipoise_test(explain_test unit unit/explain_test.cpp LIBRARIES nlohmann_json::nlohmann_json)
@@ -32,7 +33,8 @@ if(EQUIPOISE_BUILD_FUZZER)
   # into all three, and nothing else of the library has to be instrumented.
   set(library ${PROJECT_SOURCE_DIR}/src/equipoise)
   file(GLOB reader CONFIGURE_DEPENDS ${library}/study/*.cpp)
-  target_sources(study_fuzz PRIVATE ${reader} ${library}/base/display_text.cpp ${library}/base/error.cpp ${library}/model/speed.cpp)
+  target_sources(study_fuzz PRIVATE ${reader} ${library}/base/display_text.cpp ${library}/base/error.cpp ${library}/model/speed.cpp
+    ${library}/statistics/distributions.cpp)
   target_include_directories(study_fuzz PRIVATE ${PROJECT_SOURCE_DIR}/src
     $<TARGET_PROPERTY:tomlplusplus::tomlplusplus,INTERFACE_INCLUDE_DIRECTORIES>)
   target_link_libraries(study_fuzz PRIVATE fmt::fmt-header-only UDUNITS2::UDUNITS2)

@@ -42,7 +42,7 @@ std::vector<double> parse_state(const std::string& text, int balls) {
 int follow_along(const AttractorsArguments& a) {
   std::vector<std::string> overrides = a.overrides;
   override_starts(a.starts, a.seed, overrides);
-  const Study study = read_study(a.study, overrides);
+  const Study study = at_medians(read_study(a.study, overrides));
   AlongArguments along;
   along.along = a.along;
   along.output = a.output;
@@ -62,7 +62,7 @@ int run_attractors(const AttractorsArguments& a) {
     if (!value->empty()) throw InputError(option, "", *value, "goes with --along KEY=FROM:TO:STEP only");
   std::vector<std::string> overrides = a.overrides;
   override_starts(a.starts, a.seed, overrides);
-  const Study study = read_study(a.study, overrides);
+  const Study study = at_medians(read_study(a.study, overrides));
   AttractorsOptions options;
   if (a.starts) options.starts = study.sampling.starts;
   options.threads = threads_option(a.threads);

@@ -10,6 +10,7 @@
 #include "commands.hpp"
 #include "equipoise/base/display_text.hpp"
 #include "equipoise/basins/basin.hpp"
+#include "equipoise/basins/sensitivity.hpp"
 #include "equipoise/report/basin_report.hpp"
 #include "options.hpp"
 #include "progress.hpp"
@@ -23,9 +24,9 @@ namespace {
 struct BasinArguments {
   std::string study;
   std::vector<std::string> overrides;
-  std::optional<std::string> starts, seed, start_index, half_width, threads, decide;
+  std::optional<std::string> starts, seed, start_index, half_width, threads, decide, rows;
   std::string output, report, cpu;
-  bool json = false, quiet = false, transients = false;
+  bool json = false, quiet = false, transients = false, sensitivity = false;
 };
 
 std::vector<std::string> overrides_from(const BasinArguments& a) {
@@ -70,6 +71,10 @@ int print_replay(const Study& study, const BasinOptions& options, const std::str
                       ? std::string()
                       : fmt::format(", method {}", sampling_method_names[static_cast<std::size_t>(method)]));
   const InitialState& s = replay.start;
+  for (std::size_t k = 0; k < replay.drawn.size(); ++k) {
+    const UncertainValue& value = study.uncertain.values[k];
+    text += fmt::format("{} = {}\n", value.key, value.text(replay.drawn[k]));
+  }
   for (int i = 0; i < study.parameters.balls; ++i) text += fmt::format("phi_{} = {}\n", i + 1, s.phi[i]);
   if (!study.sampling.box.empty()) {
     text += fmt::format("x = {}\ny = {}\nx_dot = {}\ny_dot = {}\n", s.x, s.y, s.x_dot, s.y_dot);
@@ -108,12 +113,21 @@ int run_basin(const BasinArguments& a) {
   ProgressLine progress(a.quiet);
   options.progress = progress.listener();
   if (a.start_index) return print_replay(study, options, *a.start_index, progress);
-  const BasinResult result = a.report.empty()
-                                 ? basin(study, options)
-                                 : write_machine_page(text, name, overrides, study, options, a.report).basin;
+  SensitivityOptions depends;
+  if (a.sensitivity) {
+    static_cast<RunOptions&>(depends) = options;
+    if (a.rows)
+      depends.rows =
+          option_number<std::uint64_t>("--sensitivity", *a.rows, 2, 1'000'000, "a whole number from 2 to 1000000");
+    check_sensitivity(study);
+  }
+  BasinResult result = a.report.empty() ? basin(study, options)
+                                        : write_machine_page(text, name, overrides, study, options, a.report).basin;
+  if (a.sensitivity && !result.partial) result.sensitivity = sensitivity(study, depends);
   progress.finish();
   put(a.json ? basin_json(result) : basin_text(result));
-  return result.partial && stop_flag() ? interrupted : done;
+  const bool partial = result.partial || (result.sensitivity && result.sensitivity->partial);
+  return partial && stop_flag() ? interrupted : done;
 }
 
 }  // namespace
@@ -126,6 +140,15 @@ Command add_basin(CLI::App& app) {
   app.add_option("--half-width", a->half_width,
                  "sample until every share's 95 % interval is within +- H (a fraction of one)")
       ->type_name("H");
+  app.add_option_function<std::vector<std::string>>(
+         "--sensitivity",
+         [a](const std::vector<std::string>& given) {
+           a->sensitivity = true;
+           if (!given.empty() && !given.front().empty()) a->rows = given.front();
+         },
+         "what balance depends on most, of a study with uncertain values: Sobol indices from N rows of starts")
+      ->expected(0, 1)
+      ->type_name("[N]");
   app.add_option("--start-index", a->start_index, "replay start I alone and print its angles and outcome")
       ->type_name("I");
   app.add_option("--decide", a->decide, "grounds of decision: validated (default), proof (of balance) or horizon")

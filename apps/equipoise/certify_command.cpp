@@ -83,7 +83,7 @@ int run_certify(const CertifyArguments& a) {
   options.stop = &stop_flag();
   ProgressLine progress(a.quiet);
   options.progress = progress.listener();
-  const CertifyResult result = certify(read_study(a.study, a.overrides), options);
+  const CertifyResult result = certify(at_medians(read_study(a.study, a.overrides)), options);
   progress.finish();
   put(a.json ? certify_json(result) : certify_text(result));
   if (!a.output.empty()) write_certificates(a.output, result);

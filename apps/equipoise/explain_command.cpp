@@ -22,7 +22,8 @@ struct ExplainArguments {
 
 int run_explain(const ExplainArguments& a) {
   const std::string text = read_study_text(a.study), name = display_text(a.study);
-  const Explanation e = explain(parse_study(text, name, a.overrides), parse_ball_details(text, name, a.overrides));
+  const Explanation e =
+      explain(at_medians(parse_study(text, name, a.overrides)), parse_ball_details(text, name, a.overrides));
   put(a.json ? explain_json(e) : explain_text(e));
   return done;
 }

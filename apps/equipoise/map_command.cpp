@@ -38,7 +38,7 @@ int block_option(const std::string& text) {
 
 int run_map(const MapArguments& a) {
   choose_cpu(a.cpu);
-  const Study study = read_study(a.study, a.overrides);
+  const Study study = at_medians(read_study(a.study, a.overrides));
   const MapSize size = map_size(a.size, "--size");
   PlaneMapSettings settings;
   settings.x = map_axis(study, a.x, a.x_range, size.width, "--x-range");

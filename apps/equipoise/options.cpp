@@ -11,6 +11,7 @@
 #include "equipoise/files/replacement.hpp"
 #include "equipoise/kernels/cpu_target.hpp"
 #include "equipoise/study/given_value.hpp"
+#include "streams.hpp"
 
 namespace equipoise::app {
 
@@ -53,6 +54,15 @@ void override_starts(const std::optional<std::string>& starts, const std::option
         option_number<std::uint64_t>("--seed", *seed, 0, largest, "a whole number from 0 to 9223372036854775807");
     overrides.push_back(fmt::format("sampling.seed={}", s));
   }
+}
+
+Study at_medians(Study study) {
+  if (study.uncertain.empty()) return study;
+  std::string values;
+  for (const UncertainValue& v : study.uncertain.values)
+    values += fmt::format("{}{} = {}", values.empty() ? "" : ", ", v.key, v.text(v.median()));
+  say("draws nothing; uncertain values are at their medians: {}", values);
+  return with_medians(std::move(study));
 }
 
 void require_writable(const char* option, const std::string& path) {

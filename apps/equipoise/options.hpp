@@ -49,6 +49,9 @@ int threads_option(const std::optional<std::string>& text);
 void override_starts(const std::optional<std::string>& starts, const std::optional<std::string>& seed,
                      std::vector<std::string>& overrides);
 
+/// The study with its uncertain values at their medians, for commands that draw none; says so in a line.
+Study at_medians(Study study);
+
 /// --cpu NAME. Throws InputError if this machine does not have it.
 void choose_cpu(const std::string& name);
 

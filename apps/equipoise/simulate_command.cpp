@@ -79,7 +79,7 @@ int run_simulate(const SimulateArguments& a) {
     overrides.push_back(
         fmt::format("numerics.tolerance={}",
                     option_number<double>("--tolerance", *a.tolerance, 1e-14, 1e-2, "a number from 1e-14 to 1e-2")));
-  const Study study = read_study(a.study, overrides);
+  const Study study = at_medians(read_study(a.study, overrides));
   const std::vector<double> times = output_times(a, study);
   check_output(a.output);
 

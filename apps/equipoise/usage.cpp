@@ -125,11 +125,13 @@ std::string usage_error(const CLI::App& app, const CLI::ParseError& error, int a
 }
 
 void refuse_empty_values(const CLI::App& command) {
-  for (const CLI::Option* option : command.get_options())
+  for (const CLI::Option* option : command.get_options()) {
+    if (option->get_expected_min() == 0) continue;  // it may do without
     for (const std::string& value : option->results())
       if (value.empty())
         throw InputError(option->get_positional() ? option->get_type_name() : option->get_name(), "", "",
                          fmt::format("is empty; it takes {}", takes(*option)));
+  }
 }
 
 }  // namespace equipoise::app

@@ -18,6 +18,7 @@
 #include "equipoise/basins/certify.hpp"
 #include "equipoise/basins/comparison.hpp"
 #include "equipoise/basins/observation.hpp"
+#include "equipoise/basins/sensitivity.hpp"
 #include "equipoise/branches/continuation.hpp"
 #include "equipoise/drawing/map_plot.hpp"
 #include "equipoise/explain/explain.hpp"

@@ -48,6 +48,42 @@ class Explain(unittest.TestCase):
                                       'such as "12 kg"\n')
 
 
+class Uncertain(unittest.TestCase):
+    """Values that every start draws: what basin tells of them, and what other commands make of them."""
+    DRAWS = ["--set", "rotor.eccentricity={uniform=[0.005, 0.015]}", "--set", "speed={profile='constant', speed=1.8}",
+             "--set", "release={}"]
+
+    def test_basin_says_what_is_drawn_and_what_balance_depends_on(self):
+        done = run("basin", ROW, "--starts", "8", "--sensitivity", "12", "--quiet", *self.DRAWS)
+        self.assertEqual((done.returncode, done.stderr), (0, ""))
+        self.assertIn("drawn with each start: rotor.eccentricity uniform, 0.005 to 0.015\n", done.stdout)
+        self.assertIn("balance depends on", done.stdout)
+        answer = json.loads(run("basin", ROW, "--starts", "8", "--sensitivity", "12", "--json", "--quiet", *self.DRAWS).stdout)
+        self.assertEqual({entry["key"] for entry in answer["sensitivity"]}, {"start", "rotor.eccentricity"})
+        for entry in answer["sensitivity"]:
+            for index in (entry["first"], entry["total"]):
+                self.assertLessEqual(index["low"], index["value"])
+                self.assertLessEqual(index["value"], index["high"])
+        self.assertEqual(answer["sensitivity_design"]["evaluations"], 12 * 4)
+        self.assertEqual(answer["study"]["rotor"]["eccentricity"], {"uniform": [0.005, 0.015]})
+
+    def test_a_replay_prints_what_the_start_drew(self):
+        done = run("basin", ROW, "--start-index", "3", *self.DRAWS)
+        value = float(done.stdout.split("rotor.eccentricity = ")[1].split()[0])
+        self.assertTrue(0.005 <= value <= 0.015)
+
+    def test_other_commands_take_medians_and_say_so(self):
+        done = run("explain", ROW, *self.DRAWS)
+        self.assertEqual(done.returncode, 0)
+        self.assertEqual(done.stderr, "equipoise: draws nothing; uncertain values are at their medians: "
+                                      "rotor.eccentricity = 0.01\n")
+
+    def test_what_has_nothing_uncertain_has_no_sensitivity(self):
+        done = run("basin", ROW, "--sensitivity")
+        self.assertEqual((done.returncode, done.stdout), (2, ""))
+        self.assertIn("has no uncertain value", done.stderr)
+
+
 class Examples(unittest.TestCase):
     """The machines of docs/guide: every example can be read, explained and sampled as it stands."""
     FOLDER = os.path.join(STUDIES, "examples")

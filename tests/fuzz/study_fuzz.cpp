@@ -51,7 +51,8 @@ void check_message(const equipoise::InputError& error) {
 void check_study(const equipoise::Study& study) {
   const std::string echo = equipoise::to_toml(study);
   const double release = study.release_time();
-  require(std::isfinite(release) && release >= 0.0, "the release has a time", echo);
+  const bool by_speed = study.speed.driven() && study.release.speed;  // a motor's rotor comes to it when it does
+  require((std::isfinite(release) || by_speed) && release >= 0.0, "the release has a time", echo);
   const auto profile = study.speed_profile();
   require(profile.times.front() == 0.0 && profile.times.size() == profile.speeds.size(), "a profile is complete", echo);
   for (std::size_t i = 1; i < profile.times.size(); ++i)

@@ -52,6 +52,12 @@ inline std::string first_difference(const Study& a, const Study& b) {
   if (a.scales && a.scales->mass != b.scales->mass) return "scales.mass";
   if (a.scales && a.scales->length != b.scales->length) return "scales.length";
   if (a.scales && a.scales->frequency != b.scales->frequency) return "scales.frequency";
+  const auto &of_a = a.uncertain.values, &of_b = b.uncertain.values;
+  if (of_a.size() != of_b.size()) return "uncertain";
+  for (std::size_t k = 0; k < of_a.size(); ++k)
+    if (of_a[k].key != of_b[k].key || of_a[k].kind != of_b[k].kind || of_a[k].numbers != of_b[k].numbers ||
+        of_a[k].between != of_b[k].between || of_a[k].unit != of_b[k].unit)
+      return "uncertain " + of_a[k].key;
   return "";
 }
 

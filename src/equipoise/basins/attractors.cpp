@@ -11,7 +11,7 @@ namespace equipoise {
 
 AttractorsResult attractors(const Study& asked, const AttractorsOptions& options) {
   check_offers(asked, model::Answer::attractors);
-  Study study = asked;
+  Study study = with_medians(asked);
   study.sampling.starts = options.starts;
   AttractorsResult result;
   BasinOptions search = options;

@@ -344,17 +344,18 @@ class BasinRun {
   // Starts are functions of their index, so what they drew besides angles is made again for the file alone.
   void store(const Chunk& chunk, std::size_t begin, std::size_t end) {
     const Study& study = result_.study;
-    std::vector<double> rotor, phi_dot, weight;
+    std::vector<double> rotor, phi_dot, weight, drawn;
     for (std::size_t i = begin; i < end; ++i) {
       if (sampler_->grid()) weight.push_back(sampler_->weight(study.sampling.seed, chunk.first + i));
+      for (const double v : drawn_values(study, *sampler_, study.sampling.seed, chunk.first + i)) drawn.push_back(v);
       if (study.sampling.box.empty()) continue;
-      const InitialState s = start_of(study, *sampler_, study.sampling.seed, chunk.first + i);
+      const InitialState s = drawn_start_of(study, *sampler_, study.sampling.seed, chunk.first + i);
       rotor.insert(rotor.end(), {s.x, s.y, s.x_dot, s.y_dot});
       phi_dot.insert(phi_dot.end(), s.phi_dot.begin(), s.phi_dot.begin() + study.parameters.balls);
     }
     const std::size_t balls = static_cast<std::size_t>(study.parameters.balls);
     file_->append({end - begin, chunk.phi.data() + begin * balls, chunk.fates.data() + begin, rotor.data(),
-                   phi_dot.data(), weight.data(), chunk.row(begin)},
+                   phi_dot.data(), weight.data(), chunk.row(begin), drawn.data()},
                   time_so_far());
   }
 

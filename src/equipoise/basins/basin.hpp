@@ -62,7 +62,8 @@ InitialState start_of(const Study& study, std::uint64_t index);
 /// One start replayed alone.
 struct StartReplay {
   std::uint64_t index = 0;
-  InitialState start;  ///< state at t = 0
+  InitialState start;         ///< state at t = 0
+  std::vector<double> drawn;  ///< uncertain values, in the order and the units of study.uncertain.values
   Fate fate;
   std::string name;                        ///< of the attractor, empty if there is none
   std::optional<TransientRow> transients;  ///< if they are gathered

@@ -41,6 +41,10 @@ BasinFileHeader basin_file_header(const Study& study, bool angles, bool transien
   if (system.psi_place() >= 0) header.drive_components.emplace_back("psi");
   if (system.speed_place() >= 0) header.drive_components.emplace_back("psi_dot");
   if (system.error_place() >= 0) header.drive_components.emplace_back("speed_error_integral");
+  for (const UncertainValue& value : study.uncertain.values) {
+    header.drawn.push_back(value.key);
+    header.drawn_units.push_back(value.unit.empty() ? "1" : value.unit);
+  }
   header.full_starts = !study.sampling.box.empty();
   header.method = sampler.method();
   header.scales = study.scales;

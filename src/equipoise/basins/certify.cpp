@@ -111,7 +111,7 @@ CertifyResult proofs(const Study& study, const RunOptions& options) {
 
 CertifyResult certify(const Study& study, const RunOptions& options) {
   check_offers(study, model::Answer::proofs);
-  return reported(options, [&](const RunOptions& o) { return proofs(study, o); });
+  return reported(options, [&](const RunOptions& o) { return proofs(with_medians(study), o); });
 }
 
 }  // namespace equipoise

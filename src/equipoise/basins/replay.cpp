@@ -6,6 +6,7 @@
 #include "equipoise/basins/basin.hpp"
 #include "equipoise/fates/runner.hpp"
 #include "equipoise/kernels/cpu_target.hpp"
+#include "equipoise/spin_up/initial_state.hpp"
 
 namespace equipoise {
 
@@ -17,6 +18,7 @@ StartReplay replayed(const Study& study, std::uint64_t index, const BasinOptions
   StartReplay replay;
   replay.index = index;
   replay.start = start_of(study, index);
+  replay.drawn = drawn_values(study, sampler_of(study), study.sampling.seed, index);
   const DiscoverySettings search{thread_count(options.threads), options.stop,     options.seeds,
                                  options.discoveries,           options.progress, options.informed};
   const std::unique_ptr<Runner> runner = make_runner(study, search, gathers);

@@ -13,12 +13,14 @@ void add_start(const Study& study, const Sampler& sampler, const Fate& fate, con
                StartArrays& arrays) {
   const std::uint64_t index = arrays.starts++;
   const int balls = arrays.balls = study.parameters.balls;
-  const InitialState s = start_of(study, sampler, study.sampling.seed, index);
+  const InitialState s = drawn_start_of(study, sampler, study.sampling.seed, index);
   arrays.phi.insert(arrays.phi.end(), s.phi.begin(), s.phi.begin() + balls);
   if (!study.sampling.box.empty()) {
     arrays.rotor_state.insert(arrays.rotor_state.end(), {s.x, s.y, s.x_dot, s.y_dot});
     arrays.phi_dot.insert(arrays.phi_dot.end(), s.phi_dot.begin(), s.phi_dot.begin() + balls);
   }
+  const std::vector<double> drawn = drawn_values(study, sampler, study.sampling.seed, index);
+  arrays.drawn.insert(arrays.drawn.end(), drawn.begin(), drawn.end());
   if (sampler.grid()) arrays.weight.push_back(sampler.weight(study.sampling.seed, index));
   arrays.outcome.push_back(store::code_of(fate));
   arrays.decision_time.push_back(fate.time);
@@ -35,7 +37,7 @@ InitialState start_of(const Study& study, std::uint64_t index) {
   if (sampler.grid() && index >= sampler.grid()->starts())
     throw InputError(study.name, "start index", fmt::format("{}", index),
                      fmt::format("must be below {}, the starts of this grid", sampler.grid()->starts()));
-  return start_of(study, sampler, study.sampling.seed, index);
+  return drawn_start_of(study, sampler, study.sampling.seed, index);
 }
 
 }  // namespace equipoise

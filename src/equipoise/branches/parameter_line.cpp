@@ -33,7 +33,7 @@ double shortest(double value, double largest) {
 
 }  // namespace
 
-ParameterLine::ParameterLine(const Study& study, const std::string& text) : study_(study) {
+ParameterLine::ParameterLine(const Study& study, const std::string& text) : study_(with_medians(study)) {
   parse(text);
   for (const double value : values_) {
     try {

@@ -27,7 +27,7 @@ class MachineRunner : public Runner {
   bool run(std::uint64_t first, std::size_t count, std::vector<double>& phi, std::vector<Fate>& fates,
            std::vector<UnlistedStart>& unlisted, std::vector<TransientRow>* rows = nullptr) const override;
   int list(const UnlistedStart&) override { return 0; }
-  UnlistedStart follow(const std::vector<double>& state) const override { return {0, state, {}}; }
+  UnlistedStart follow(const std::vector<double>& state) const override { return {0, state, {}, {}}; }
 
   /// What any starts do where following them ends, decided or not.
   std::vector<UndecidedEnd> look_at(const std::vector<std::uint64_t>& undecided) const override;

@@ -1,6 +1,7 @@
 // Which runner follows a study's starts; how an unlisted one is named.
 #include "equipoise/fates/runner.hpp"
 
+#include "equipoise/fates/drawn_runner.hpp"
 #include "equipoise/fates/machine_runner.hpp"
 #include "equipoise/fates/start_runner.hpp"
 #include "equipoise/model/system.hpp"
@@ -26,6 +27,7 @@ int settle(Runner& runner, const UnlistedStart& start, Fate& fate) {
 }
 
 void check_runnable(const Study& study, bool transients) {
+  if (!study.uncertain.empty()) return check_drawable(study, transients);
   if (followed_one_by_one(study.system())) {
     check_machine(study);
     return;
@@ -35,6 +37,7 @@ void check_runnable(const Study& study, bool transients) {
 }
 
 std::unique_ptr<Runner> make_runner(const Study& study, const DiscoverySettings& settings, bool transients) {
+  if (!study.uncertain.empty()) return std::make_unique<DrawnRunner>(study, settings.stop);
   if (followed_one_by_one(study.system())) return std::make_unique<MachineRunner>(study, settings.stop);
   return std::make_unique<StartRunner>(study, settings, transients);
 }

@@ -22,6 +22,7 @@ struct UnlistedStart {
   std::size_t place = 0;         ///< among the starts of the call
   std::vector<double> state;     ///< when it was found stationary (at the next strobe, with anisotropy or gravity)
   std::optional<Motion> motion;  ///< what it settles on; none if it is not steady after all
+  MotionName name = {};          ///< of that, where starts have rotors of their own; `state` is then the start's number
 };
 
 /// What is known of the balanced state before any start is followed.
@@ -72,8 +73,8 @@ bool followed_one_by_one(const model::System& system);
 /// for those that cannot be watched.
 void check_runnable(const Study& study, bool transients);
 
-/// StartRunner on SIMD lanes, or MachineRunner for those that are followed_one_by_one(). The study has passed
-/// check_runnable().
+/// StartRunner on SIMD lanes, MachineRunner for those that are followed_one_by_one(), or DrawnRunner where the study
+/// has uncertain values. The study has passed check_runnable().
 std::unique_ptr<Runner> make_runner(const Study& study, const DiscoverySettings& settings, bool transients);
 
 }  // namespace equipoise

@@ -291,7 +291,7 @@ std::vector<double> StartRunner::when_recognised(const double* state, double now
 
 UnlistedStart StartRunner::follow(const std::vector<double>& state) const {
   const Eigen::Map<const Eigen::VectorXd> z(state.data(), static_cast<Eigen::Index>(state.size()));
-  return {0, state, motion_from(system_, z)};
+  return {0, state, motion_from(system_, z), {}};
 }
 
 int StartRunner::list(const UnlistedStart& start) {

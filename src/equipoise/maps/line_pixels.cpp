@@ -14,11 +14,11 @@
 #include <oneapi/tbb/task_arena.h>
 
 #include "equipoise/branches/parameter_line.hpp"
+#include "equipoise/fates/followed_start.hpp"
 #include "equipoise/math/dense.hpp"
 #include "equipoise/model/balanced_state.hpp"
 #include "equipoise/model/linearisation.hpp"
 #include "equipoise/orbits/return_map.hpp"
-#include "equipoise/orbits/stroboscopic.hpp"
 #include "equipoise/spin_up/spin_up.hpp"
 #include "equipoise/store/basin_file.hpp"
 #include "equipoise/store/start_columns.hpp"
@@ -160,22 +160,11 @@ LinePixels::Followed LinePixels::follow(const Study& study, const model::System&
     return result;
   }
   if (!source->follow({study.initial}, start)) return result;
-  if (start.is_over(0)) {
-    pixel.code = store::code_of(start.fates.front());
-    pixel.time = static_cast<float>(start.fates.front().time);
-    return result;
-  }
-  const double begin = start.begin(0, source->settled());
-  Eigen::VectorXd state = Eigen::Map<const Eigen::VectorXd>(start.states.data(), system.dimension());
-  if (system.section() == model::Section::strobe)
-    state = at_next_strobe(system, state, source->last_task().segment.psi_at(begin)).value_or(state);
-  const Settling settling = settle(system, state, *study.numerics.horizon, known, options_.stop);
+  const auto [fate, settling] = follow_start(study, system, *source, start, known, options_.stop);
   if (is_set(options_.stop)) return result;
   if (one_system_ && system.smooth()) remember(system, settling, known);
-  pixel.time = static_cast<float>(begin + settling.time);
-  pixel.code = settling.status == IntegrationStatus::diverged ? diverged_code
-               : settling.status == IntegrationStatus::failed ? failed_code
-                                                              : undecided_code;
+  pixel.time = static_cast<float>(fate.time);
+  pixel.code = store::code_of(fate);
   if (!settling.motion || !settling.motion->stable) return result;
   result.motion = motion_name(p, *settling.motion);
   pixel.r_max = static_cast<float>(settling.motion->r_max);

@@ -72,7 +72,7 @@ void check_memory(const PlaneMap& map, const std::string& output) {
 class Mapper {
  public:
   Mapper(const Study& study, const PlaneMapSettings& settings) : settings_(settings) {
-    map_.study = study;
+    map_.study = with_medians(study);
     map_.x = settings.x;
     map_.y = settings.y;
     map_.links = settings.links;

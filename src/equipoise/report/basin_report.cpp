@@ -9,6 +9,7 @@
 #include "equipoise/base/version.hpp"
 #include "equipoise/report/left_unbalance.hpp"
 #include "equipoise/report/sampling_text.hpp"
+#include "equipoise/report/sensitivity_report.hpp"
 #include "equipoise/report/text.hpp"
 #include "equipoise/report/transient_report.hpp"
 
@@ -39,7 +40,7 @@ std::string title_of(const AttractorShare& a) {
 }  // namespace
 
 std::string basin_text(const BasinResult& r) {
-  std::string text = study_heading(r.study);
+  std::string text = study_heading(r.study) + uncertain_text(r.study);
   const bool even = r.study.sampling.method.value_or(SamplingMethod::random) != SamplingMethod::random;
   const bool open = r.undecided.count > 0;
   const double second = r.study.scales ? r.study.scales->time() : 1.0;
@@ -69,6 +70,7 @@ std::string basin_text(const BasinResult& r) {
   text += fmt::format("Mean time: from the begin of the last branch, and release, to the decision{}.\n\n",
                       r.study.scales ? "" : ", in 1/omega_c");
   if (r.transients) text += transient_text(*r.transients, r.study);
+  if (r.sensitivity) text += sensitivity_text(*r.sensitivity);
   text += sampling_text(r);
   text += decided_text(r);
   text += left_unbalance_text(r.attractors, r.study);
@@ -120,6 +122,10 @@ std::string basin_json(const BasinResult& r) {
   if (r.study.scales) json["units"]["mean_time_si"] = "s";
   if (r.stalled) json["units"]["below"] = "omega_c";
   if (r.transients) json["transients"] = transient_json(*r.transients, r.study);
+  if (r.sensitivity) {
+    json["sensitivity"] = sensitivity_json(*r.sensitivity);
+    json["sensitivity_design"] = sensitivity_design_json(*r.sensitivity);
+  }
   json["balanced_stable"] = r.balanced_stable;
   json["note"] = r.note;
   json["seconds"] = r.seconds;

@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include "equipoise/base/version.hpp"
+#include "equipoise/report/sensitivity_report.hpp"
 #include "equipoise/report/text.hpp"
 
 namespace equipoise {
@@ -33,7 +34,8 @@ std::string verdict(const ComparisonResult& r) {
 }
 
 std::string comparison_text(const ComparisonResult& r) {
-  std::string text = fmt::format("first\n{}second\n{}", study_heading(r.first), study_heading(r.second));
+  std::string text = fmt::format("first\n{}second\n{}", study_heading(r.first) + uncertain_text(r.first),
+                                 study_heading(r.second) + uncertain_text(r.second));
   text += fmt::format("{:<44}{:>10}{:>10}{:>12}  {}\n", "outcome", "first", "second", "difference",
                       "95 % interval, points");
   for (const ComparedShare& s : r.shares) {

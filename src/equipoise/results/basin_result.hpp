@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "equipoise/deciding/fate.hpp"
+#include "equipoise/results/sensitivity_result.hpp"
 #include "equipoise/results/start_arrays.hpp"
 #include "equipoise/results/transient_result.hpp"
 #include "equipoise/sampling/sampling.hpp"
@@ -51,6 +52,7 @@ struct BasinResult {
   std::optional<Share> passed;
   std::optional<TransientResult> transients;  ///< if they were gathered
   std::optional<StartArrays> every_start;     ///< if they were kept
+  std::optional<SensitivityResult> sensitivity;  ///< if it was asked for besides
   double half_width = 0.0;                    ///< asked for; 0: none
   std::optional<SamplingChoice> choice;       ///< if the method was left open
   std::optional<JitteredGrid> grid;           ///< for that method

@@ -31,6 +31,14 @@ void Sampler::fractions(std::uint64_t seed, std::uint64_t index, int count, cons
     if (drawn[k]) sobol_fractions(seed, index, next++, 1, &fractions[k]);
 }
 
+double Sampler::named(std::uint64_t seed, std::uint64_t index, int wanted, int place, std::string_view name) const {
+  const int coordinate = balls_ + wanted + place;
+  if (method_ != SamplingMethod::sobol || coordinate >= most_sobol_dimensions) return start_fraction(seed, index, name);
+  double number = 0.0;
+  sobol_fractions(seed, index, coordinate, 1, &number);
+  return number;
+}
+
 double Sampler::weight(std::uint64_t seed, std::uint64_t index) const {
   return grid_ ? grid_->weight(seed, index) : 1.0;
 }

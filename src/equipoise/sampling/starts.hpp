@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <string_view>
 
 namespace equipoise {
 
@@ -11,5 +12,8 @@ void start_angles(std::uint64_t seed, std::uint64_t index, int balls, double* ph
 
 /// Writes `count` further numbers of start `index`, independent of its angles and of each other, uniform on [0, 1).
 void start_fractions(std::uint64_t seed, std::uint64_t index, int count, double* fractions);
+
+/// A number of start `index` that belongs to `name`, uniform on [0, 1): it is the same whatever else is drawn.
+double start_fraction(std::uint64_t seed, std::uint64_t index, std::string_view name);
 
 }  // namespace equipoise

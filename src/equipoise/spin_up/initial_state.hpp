@@ -4,8 +4,10 @@
 #include <algorithm>
 #include <array>
 #include <cstdint>
+#include <vector>
 
 #include "equipoise/base/angles.hpp"
+#include "equipoise/base/error.hpp"
 #include "equipoise/model/frames.hpp"
 #include "equipoise/sampling/sampling.hpp"
 #include "equipoise/study/study.hpp"
@@ -78,6 +80,27 @@ inline InitialState start_of(const Study& study, const Sampler& sampler, std::ui
   draw(box.y_dot, 3, s.y_dot);
   for (int i = 0; i < balls; ++i) draw(box.phi_dot, 4 + i, s.phi_dot[i]);
   return s;
+}
+/// The uncertain values that start `index` draws, for drawn_study().
+inline std::vector<double> drawn_values(const Study& study, const Sampler& sampler, std::uint64_t seed,
+                                        std::uint64_t index) {
+  const SamplingBox& box = study.sampling.box;
+  const int wanted = box.x.has_value() + box.y.has_value() + box.x_dot.has_value() + box.y_dot.has_value() +
+                     (box.phi_dot ? study.parameters.balls : 0);
+  std::vector<double> values;
+  for (const UncertainValue& value : study.uncertain.values)
+    values.push_back(value.at(sampler.named(seed, index, wanted, static_cast<int>(values.size()), value.key)));
+  return values;
+}
+/// start_of() with the uncertain values that the start draws; of values that make no study with the medians.
+inline InitialState drawn_start_of(const Study& study, const Sampler& sampler, std::uint64_t seed,
+                                   std::uint64_t index) {
+  if (study.uncertain.empty()) return start_of(study, sampler, seed, index);
+  try {
+    return start_of(drawn_study(study, drawn_values(study, sampler, seed, index)), sampler, seed, index);
+  } catch (const InputError&) {
+    return start_of(study, sampler, seed, index);
+  }
 }
 inline InitialState start_of(const Study& study, std::uint64_t seed, std::uint64_t index) {
   return start_of(study, sampler_of(study), seed, index);

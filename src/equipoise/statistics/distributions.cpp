@@ -13,6 +13,10 @@ boost::math::binomial law(const Binomial& b) { return {b.trials, b.probability};
 
 double normal_half_width(double confidence) { return quantile(boost::math::normal(), 0.5 + 0.5 * confidence); }
 
+double normal_quantile(double probability) { return quantile(boost::math::normal(), probability); }
+
+double normal_up_to(double value) { return cdf(boost::math::normal(), value); }
+
 double students_t_half_width(double freedom, double confidence) {
   return quantile(boost::math::students_t(freedom), 0.5 + 0.5 * confidence);
 }

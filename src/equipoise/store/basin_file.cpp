@@ -52,6 +52,7 @@ struct BasinFile::State {
   std::optional<store::Journal> journal;
 
   std::size_t state_size() const {
+    if (!header.drawn.empty()) return 1;
     return 4 + 2 * static_cast<std::size_t>(header.balls) + header.drive_components.size();
   }
   std::size_t column(const char* name) const;

@@ -27,6 +27,9 @@ struct BasinFileHeader {
   bool driven = false;       ///< a motor turns the rotor: each start has a mean speed of its own
   /// What states of discoveries have beside the centre and the balls, by name: of driven rotors.
   std::vector<std::string> drive_components;
+  /// Uncertain values that each start draws, by key, and their units. Of a motion the number of the start that met it
+  /// is then kept, for starts have rotors of their own.
+  std::vector<std::string> drawn, drawn_units;
   bool full_starts = false;  ///< starts differ in more than their ball angles
   SamplingMethod method = SamplingMethod::random;
   std::optional<TransientSettings> transients;  ///< if the file holds transients
@@ -49,7 +52,8 @@ struct RunTime {
 /// Two files. The results, `path`, are NetCDF (classic, 64-bit offsets), always written whole beside and renamed:
 /// dimension start with its index and variables phi(start, ball), outcome(start), decision_time(start),
 /// decided_by(start), of driven rotors mean_speed(start), and with full_starts rotor_state(start, rotor_component) and
-/// phi_dot(start, ball), on a grid weight(start); dimension outcome_kind: code, name, alias, count, share and its interval, and but for random starts
+/// phi_dot(start, ball), on a grid weight(start), with uncertain values drawn(start, uncertain_value);
+/// dimension outcome_kind: code, name, alias, count, share and its interval, and but for random starts
 /// where the interval is from and how many random starts would have done; with transients the columns of TransientRow
 /// by start; dimension discovery: states of motions met during the run. Every variable has units and long_name.
 /// Readable by xarray, ncdump, ncview. Behind it all stands a checksum; a file without it, or with another, is not

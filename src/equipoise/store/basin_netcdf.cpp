@@ -61,8 +61,10 @@ class BasinWriter {
       const int component = file_.dimension("component", components().size());
       component_ = file_.text_variable("component", component, components(), "entry of discovery_state");
       discovery_ = file_.variable("discovery_state", NC_DOUBLE, {met, component}, "1",
-                                  "state on a motion first met during the run: x, y, u, v, phi, phi_dot, and of driven "
-                                  "rotors what turns them");
+                                  c_.header.drawn.empty()
+                                      ? "state on a motion first met during the run: x, y, u, v, phi, phi_dot, and of "
+                                        "driven rotors what turns them"
+                                      : "start that first met a motion");
     }
     define_attributes();
     if (c_.header.transients) define_transients();
@@ -73,9 +75,15 @@ class BasinWriter {
     const bool whole = c_.header.full_starts;
     const int rotor = whole ? file_.dimension("rotor_component", rotor_components().size()) : -1;
     if (whole) rotor_ = file_.text_variable("rotor_component", rotor, rotor_components(), "entry of rotor_state");
+    const std::vector<std::string>& drawn = c_.header.drawn;
+    const int value = drawn.empty() ? -1 : file_.dimension("uncertain_value", drawn.size());
+    if (!drawn.empty()) {
+      value_ = file_.text_variable("uncertain_value", value, drawn, "key of the study");
+      unit_ = file_.text_variable("uncertain_unit", value, c_.header.drawn_units, "unit of its values in drawn");
+    }
     for (const StartColumn& c : c_.columns) {
       std::vector<int> along{start};
-      if (!c.dimension.empty()) along.push_back(c.dimension == "ball" ? ball : rotor);
+      if (!c.dimension.empty()) along.push_back(c.dimension == "ball" ? ball : c.name == "drawn" ? value : rotor);
       columns_.push_back(file_.variable(c.name, c.type, along, c.units, c.long_name));
       if (c.name == "outcome") describe_outcomes(columns_.back());
       if (c.name == "decided_by") describe_grounds(columns_.back());
@@ -162,6 +170,7 @@ class BasinWriter {
   }
 
   std::vector<std::string> components() const {
+    if (!c_.header.drawn.empty()) return {"start"};
     std::vector<std::string> names{"x", "y", "u", "v"};
     for (const char* part : {"phi", "phi_dot"})
       for (int i = 1; i <= c_.header.balls; ++i) names.push_back(fmt::format("{}_{}", part, i));
@@ -176,6 +185,10 @@ class BasinWriter {
       file_.write(ball_, {static_cast<std::size_t>(i)}, {1}, &number);
     }
     if (c_.header.full_starts) file_.write_texts(rotor_, rotor_components());
+    if (!c_.header.drawn.empty()) {
+      file_.write_texts(value_, c_.header.drawn);
+      file_.write_texts(unit_, c_.header.drawn_units);
+    }
     if (!c_.discoveries.empty()) file_.write_texts(component_, components());
   }
 
@@ -229,7 +242,7 @@ class BasinWriter {
   bool random_;
   std::vector<std::string> names_, aliases_, intervals_;
   std::vector<int> columns_;
-  int start_ = -1, ball_ = -1, rotor_ = -1, component_ = -1, discovery_ = -1;
+  int start_ = -1, ball_ = -1, rotor_ = -1, component_ = -1, discovery_ = -1, value_ = -1, unit_ = -1;
   int kind_code_ = -1, kind_name_ = -1, kind_alias_ = -1, kind_count_ = -1, kind_share_ = -1, kind_low_ = -1;
   int kind_high_ = -1, kind_least_ = -1, kind_most_ = -1, kind_interval_ = -1, kind_effective_ = -1;
 };

@@ -25,6 +25,9 @@ std::vector<StartColumn> start_columns(const BasinFileHeader& header) {
     columns.push_back({"phi_dot", NC_DOUBLE, 8, balls, "ball", "1",
                        "initial rate of a ball in the rotating frame, radians times omega_c"});
   }
+  if (!header.drawn.empty())
+    columns.push_back({"drawn", NC_DOUBLE, 8, header.drawn.size(), "uncertain_value", "1",
+                       "uncertain values that the start drew, each in uncertain_unit"});
   if (header.method == SamplingMethod::grid)
     columns.push_back({"weight", NC_DOUBLE, 8, 1, "", "1", "cells of the grid that the start's cell stands for"});
   if (header.transients)
@@ -67,6 +70,7 @@ std::vector<char> pack(const std::vector<StartColumn>& columns, const StartBatch
     const double* given = c.name == "phi"           ? b.phi
                           : c.name == "rotor_state" ? b.rotor
                           : c.name == "phi_dot"     ? b.phi_dot
+                          : c.name == "drawn"       ? b.drawn
                           : c.name == "weight"      ? b.weight
                                                     : nullptr;
     if (given)

@@ -21,6 +21,7 @@ struct StartBatch {
   const double* phi_dot = nullptr;  ///< with full_starts: one a ball
   const double* weight = nullptr;   ///< on a grid
   const TransientRow* rows = nullptr;
+  const double* drawn = nullptr;  ///< with uncertain values: one each
 };
 
 namespace store {

@@ -1,10 +1,13 @@
 // The resolved study as a tree and as TOML: what a result remembers of the question it answers.
 #include <algorithm>
+#include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "equipoise/study/study.hpp"
 #include "equipoise/study/toml_tree.hpp"
+#include "equipoise/study/units.hpp"
 
 namespace equipoise {
 
@@ -159,9 +162,7 @@ StudyValue limits_table(const Limits& l) {
   return limits;
 }
 
-}  // namespace
-
-StudyValue to_tree(const Study& study) {
+StudyValue tree_with_medians(const Study& study) {
   StudyValue tree{{"rotor", rotor_table(study.parameters)},
                   {"balancer", balancer_table(study.parameters)},
                   {"speed", speed_table(study.speed)}};
@@ -176,6 +177,58 @@ StudyValue to_tree(const Study& study) {
   if (const auto& scales = study.scales)  // SI: kg, m, rad/s
     tree.set("units", StudyValue{{"mass", scales->mass}, {"length", scales->length}, {"frequency", scales->frequency}});
   return tree;
+}
+
+// What may have changed since the study was read: how it is sampled and followed.
+void update_written(const Study& study, StudyValue& tree) {
+  for (const char* table : {"sampling", "numerics"})
+    if (!tree.find(table)) tree.set(table, {});
+  StudyValue &sampling = *tree.find("sampling"), &numerics = *tree.find("numerics");
+  const StudyValue now = sampling_table(study.sampling), followed = numerics_table(study.numerics);
+  for (const char* key : {"starts", "seed", "method"}) sampling.set(key, *now.find(key));
+  for (const char* key : {"tolerance", "decide"})
+    if (const StudyValue* value = followed.find(key)) numerics.set(key, *value);
+  const std::optional<double> horizon = study.numerics.horizon;
+  if (horizon && horizon != study.uncertain.horizon)
+    numerics.set("horizon", study::quantity_text(*horizon * study.scales->time(), study::Dimension::time));
+}
+
+// As a reader has the keys: what is written does not depend on the order in which it came.
+StudyValue sorted(const StudyValue& value) {
+  const StudyValue::Table* members = value.table();
+  if (!members) return value;
+  std::vector<const StudyValue::Member*> order;
+  for (const StudyValue::Member& member : *members) order.push_back(&member);
+  std::sort(order.begin(), order.end(), [](const auto* a, const auto* b) { return a->key < b->key; });
+  StudyValue result;
+  for (const StudyValue::Member* member : order) result.set(member->key, sorted(member->value));
+  return result;
+}
+
+void put_distributions(const Study& study, StudyValue& tree) {
+  for (const UncertainValue& value : study.uncertain.values) {
+    const std::size_t dot = value.key.rfind('.');
+    if (StudyValue* table = tree.find_path(std::string_view(value.key).substr(0, dot)))
+      table->set(value.key.substr(dot + 1), value.written());
+    // Stiction that is not stated is drawn with it.
+    if (value.key == "balancer.rolling" && study.parameters.stiction == study.parameters.rolling)
+      tree.find("balancer")->erase("stiction");
+  }
+  if (study.uncertain.rests)
+    for (const char* key : {"x", "y", "x_dot", "y_dot"}) tree.find("initial")->erase(key);
+}
+
+}  // namespace
+
+StudyValue to_tree(const Study& study) {
+  if (!study.uncertain.physical) {
+    StudyValue tree = tree_with_medians(study);
+    put_distributions(study, tree);
+    return tree;
+  }
+  StudyValue tree = *study.uncertain.physical;
+  update_written(study, tree);
+  return sorted(tree);
 }
 
 std::string to_toml(const Study& study) { return study::toml_text(to_tree(study)); }

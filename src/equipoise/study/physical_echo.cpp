@@ -52,7 +52,7 @@ void make_physical(StudyValue& root, const model::Parameters& p, const model::Sc
 std::string to_physical_toml(const Study& study) {
   if (!study.scales)
     throw InputError(study.name, "units", "", "missing; a dimensionless study is shown in physical units by [units]");
-  StudyValue tree = to_tree(study);
+  StudyValue tree = to_tree(with_medians(study));
   make_physical(tree, study.parameters, *study.scales);
   return toml_text(tree);
 }

@@ -23,6 +23,8 @@
 #include "equipoise/model/system.hpp"
 #include "equipoise/study/physical.hpp"
 #include "equipoise/study/table_reader.hpp"
+#include "equipoise/study/toml_tree.hpp"
+#include "equipoise/study/uncertain_reader.hpp"
 
 namespace equipoise {
 
@@ -394,12 +396,16 @@ void read_sweep(const Document& document, SweepSetting& sweep) {
   r.finish();
 }
 
-// A rotor that the study puts nowhere rests under its weight at first, not on slack springs.
-void rest_under_gravity(const Document& document, Study& study) {
+// Whether the study puts the rotor nowhere.
+bool states_no_place(const Document& document, const SamplingBox& box) {
   TableReader initial(document, "initial");
   const bool stated = initial.has("x") || initial.has("y") || initial.has("x_dot") || initial.has("y_dot");
-  const SamplingBox& box = study.sampling.box;
-  if (study.parameters.gravity == 0.0 || stated || box.x || box.y || box.x_dot || box.y_dot) return;
+  return !stated && !box.x && !box.y && !box.x_dot && !box.y_dot;
+}
+
+// Such a rotor rests under its weight at first, not on slack springs.
+void rest_under_gravity(const Document& document, Study& study) {
+  if (study.parameters.gravity == 0.0 || !states_no_place(document, study.sampling.box)) return;
   const model::Drive drive = study.drive();
   const std::array<double, 2> rest = model::rest_position(study.parameters, drive.psi);
   InitialState& s = study.initial;
@@ -415,9 +421,29 @@ void rest_under_gravity(const Document& document, Study& study) {
 
 namespace {
 
+Study read(Document document);
+
+// Each value alone at either end: what lies between makes a study if both ends do.
+void check_ends(const Document& document, const StudyValue& medians, const std::vector<UncertainValue>& values) {
+  for (const UncertainValue& value : values)
+    for (const double end : value.ends()) {
+      StudyValue tree = medians;
+      put_value(tree, value, end);
+      try {
+        read(document_of(std::move(tree), document.name, {}));
+      } catch (const InputError& e) {
+        fail_at_end(document, value, end, e);
+      }
+    }
+}
+
 Study read(Document document) {
   check_tables(document,
                {"rotor", "balancer", "speed", "release", "initial", "sampling", "numerics", "limits", "sweep", "units"});
+  Uncertainty uncertain;
+  if (is_physical(document)) uncertain.physical = document.root;
+  uncertain.values = take_uncertain(document);
+  const StudyValue medians = uncertain.empty() ? StudyValue() : document.root;
   make_dimensionless(document);
   Study result;
   result.name = document.name;
@@ -432,6 +458,13 @@ Study read(Document document) {
   read_limits(document, result.limits);
   read_sweep(document, result.sweep);
   result.scales = read_units(document);
+  if (uncertain.empty()) return result;
+  check_ends(document, medians, uncertain.values);
+  if (uncertain.physical) uncertain.horizon = result.numerics.horizon;
+  const bool weighs = std::any_of(uncertain.values.begin(), uncertain.values.end(),
+                                  [](const UncertainValue& v) { return v.key == "rotor.gravity"; });
+  uncertain.rests = (weighs || result.parameters.gravity != 0.0) && states_no_place(document, result.sampling.box);
+  result.uncertain = std::move(uncertain);
   return result;
 }
 
@@ -449,17 +482,51 @@ Study read_study(const std::string& path, const std::vector<std::string>& overri
   return parse_study(read_study_text(path), display_text(path), overrides);
 }
 
+namespace {
+BallDetails ball_details_of(Document document) {
+  take_uncertain(document);
+  return ball_details(document);
+}
+}  // namespace
+
 BallDetails parse_ball_details(const std::string& toml_text, const std::string& name,
                                const std::vector<std::string>& overrides) {
-  return ball_details(parse_document(toml_text, name, overrides));
+  return ball_details_of(parse_document(toml_text, name, overrides));
 }
 
 BallDetails ball_details_from(const StudyValue& tree, const std::string& name,
                               const std::vector<std::string>& overrides) {
-  return ball_details(document_of(tree, name, overrides));
+  return ball_details_of(document_of(tree, name, overrides));
 }
 
+Study with_medians(Study study) {
+  study.uncertain = {};
+  return study;
+}
+
+Study drawn_study(const Study& study, std::span<const double> values) {
+  StudyValue tree = to_tree(study);
+  for (std::size_t k = 0; k < study.uncertain.values.size(); ++k) put_value(tree, study.uncertain.values[k], values[k]);
+  return study_from(tree, study.name);
+}
+
+namespace {
+// What a study in physical units with uncertain values states as it was written, in dimensionless terms.
+std::string text_of_written(const Study& study) {
+  StudyValue tree = to_tree(with_medians(study));
+  for (const char* table : {"sampling", "numerics"}) tree.erase(table);
+  return toml_text(tree);
+}
+}  // namespace
+
 // One set of rules, whether a study comes from a file, a tree or code.
-void check(const Study& study) { read(document_of(to_tree(study), study.name.empty() ? "study" : study.name, {})); }
+void check(const Study& study) {
+  const std::string name = study.name.empty() ? "study" : study.name;
+  const Study again = read(document_of(to_tree(study), name, {}));
+  if (study.uncertain.physical && text_of_written(again) != text_of_written(study))
+    throw InputError(name, "", "",
+                     "was changed after it was read, which its draws in physical units would not show; must be changed "
+                     "by overrides, or after with_medians()");
+}
 
 }  // namespace equipoise

@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -15,6 +16,7 @@
 #include "equipoise/model/speed.hpp"
 #include "equipoise/sampling/sampling.hpp"
 #include "equipoise/study/study_value.hpp"
+#include "equipoise/study/uncertain.hpp"
 
 namespace equipoise {
 
@@ -162,6 +164,7 @@ struct Study {
   Limits limits;
   SweepSetting sweep;
   std::optional<model::Scales> scales;  ///< of a study in physical units
+  Uncertainty uncertain;  ///< what each start draws for itself; all else here holds with the medians of it
 
   /// The ramp function and law as the model sees them; of a driven rotor the speed that its motor aims at, else that at
   /// t = 0, as a constant.
@@ -195,6 +198,13 @@ Study parse_study(const std::string& toml_text, const std::string& name,
 /// The same from a tree of values: tables and keys as in a study file.
 Study study_from(const StudyValue& tree, const std::string& name = "study",
                  const std::vector<std::string>& overrides = {});
+
+/// The study with every uncertain value at its median and nothing uncertain.
+Study with_medians(Study study);
+
+/// The study of one draw: every uncertain value, in the order of uncertain.values, at a number in its own unit, and
+/// nothing uncertain. Throws InputError if such values together make no study.
+Study drawn_study(const Study& study, std::span<const double> values);
 
 /// Throws InputError unless read_study() would accept `study`: for studies filled in by code. simulate() and basin()
 /// call it themselves.

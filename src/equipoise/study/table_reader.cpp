@@ -13,6 +13,7 @@
 #include "equipoise/study/printable.hpp"
 #include "equipoise/study/text_guard.hpp"
 #include "equipoise/study/toml_tree.hpp"
+#include "equipoise/study/uncertain_reader.hpp"
 
 namespace equipoise::study {
 
@@ -254,7 +255,10 @@ double TableReader::as_number(const std::string& key, const StudyValue& value, c
   };
   if (!value.is_number())
     reject(fmt::format("is {}; must be {}{}", kind(value), range.text(),
-                       looks_physical(value) ? " (a study in physical units states rotor.mass)" : ""));
+                       looks_physical(value) ? " (a study in physical units states rotor.mass)"
+                       : value.table() && takes_distributions(prefix_)
+                           ? fmt::format(", or a distribution, {}", distribution_forms)
+                           : ""));
   const double number = value.number();
   if (!range.contains(number)) {
     const bool too_large = std::isfinite(number) && std::abs(number) > unbounded;

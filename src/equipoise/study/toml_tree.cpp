@@ -1,6 +1,7 @@
 // toml++ is known here alone.
 #include "equipoise/study/toml_tree.hpp"
 
+#include <cstdint>
 #include <sstream>
 #include <utility>
 
@@ -48,8 +49,26 @@ StudyValue tree_of(const toml::node& node) {
   return result;
 }
 
+// In ASCII, as the reader wants it: what else there is by its code points (of UTF-8, which TOML is).
+std::string in_quotes(std::string_view text) {
+  std::string result = "\"";
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    const auto byte = static_cast<unsigned char>(text[i]);
+    if (byte >= 0x20 && byte < 0x7f) {
+      if (byte == '"' || byte == '\\') result += '\\';
+      result += text[i];
+      continue;
+    }
+    const int more = byte < 0xc0 ? 0 : byte < 0xe0 ? 1 : byte < 0xf0 ? 2 : 3;
+    std::uint32_t point = more == 0 ? byte : byte & (0x3fu >> more);
+    for (int k = 0; k < more && i + 1 < text.size(); ++k) point = point << 6 | (text[++i] & 0x3f);
+    result += fmt::format("\\U{:08X}", point);
+  }
+  return result + '"';
+}
+
 std::string value_text(const StudyValue& value) {
-  if (const auto* text = value.string()) return fmt::format("\"{}\"", *text);
+  if (const auto* text = value.string()) return in_quotes(*text);
   if (const auto* truth = value.boolean()) return *truth ? "true" : "false";
   if (const auto* whole = value.integer()) return fmt::format("{}", *whole);
   if (const auto* number = value.real()) return number_text(*number);

@@ -1,0 +1,31 @@
+// What the balanced outcome of a study with uncertain values depends on.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "equipoise/statistics/share.hpp"
+#include "equipoise/statistics/sobol_indices.hpp"
+
+namespace equipoise {
+
+/// The key under which "where the start begins" stands among uncertain values: the ball angles, and what a box draws.
+inline constexpr const char* start_input = "start";
+
+struct InputSensitivity {
+  std::string key;  ///< of an uncertain value, or start_input
+  SobolIndices indices;
+};
+
+struct SensitivityResult {
+  std::uint64_t rows = 0;         ///< pairs of independent starts
+  std::uint64_t evaluations = 0;  ///< starts followed
+  std::uint64_t undecided = 0;    ///< of these; counted as not balanced, as are lost ones
+  Share balanced;                 ///< of the pairs
+  bool partial = false;           ///< stopped before all rows were done
+  /// The one with the largest total index first; empty where all starts balanced, or none.
+  std::vector<InputSensitivity> inputs;
+};
+
+}  // namespace equipoise

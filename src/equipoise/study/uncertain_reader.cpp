@@ -1,0 +1,177 @@
+// Which tables are distributions, and what is wrong with them.
+#include "equipoise/study/uncertain_reader.hpp"
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <cmath>
+#include <string_view>
+#include <utility>
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include "equipoise/base/error.hpp"
+#include "equipoise/study/physical_keys.hpp"
+#include "equipoise/study/printable.hpp"
+
+namespace equipoise::study {
+
+namespace {
+
+constexpr std::array uncertain_tables{"rotor", "balancer", "speed", "speed.torque", "speed.torque.target", "release"};
+
+bool names_distribution(const StudyValue& table) {
+  return std::any_of(distribution_names.begin(), distribution_names.end(),
+                     [&](const char* name) { return table.find(name); });
+}
+
+// One distribution, entry by entry.
+class DistributionReader {
+ public:
+  DistributionReader(const Document& document, std::string key, const StudyValue& table)
+      : document_(document), table_(table) {
+    value_.key = std::move(key);
+  }
+
+  UncertainValue read() {
+    find_kind();
+    value_.numbers = entries(distribution_names[static_cast<std::size_t>(value_.kind)]);
+    check_numbers();
+    read_between();
+    return std::move(value_);
+  }
+
+ private:
+  [[noreturn]] void fail(const std::string& problem) const {
+    throw InputError(document_.where(value_.key, &table_), printable(value_.key),
+                     document_.value_text(value_.key, table_), problem);
+  }
+
+  void find_kind() {
+    bool found = false;
+    for (std::size_t k = 0; k < distribution_names.size(); ++k) {
+      if (!table_.find(distribution_names[k])) continue;
+      if (std::exchange(found, true)) fail(fmt::format("has two distributions; must be one of {}", distribution_forms));
+      value_.kind = static_cast<DistributionKind>(k);
+    }
+    for (const auto& [name, entry] : *table_.table())
+      if (name != distribution_names[static_cast<std::size_t>(value_.kind)] && name != "between")
+        fail(fmt::format("has an unknown entry \"{}\"; must be {}", printable(name), distribution_forms));
+  }
+
+  std::vector<double> entries(const std::string& name) {
+    const StudyValue::Array* array = table_.find(name)->array();
+    if (!array || array->empty()) fail(fmt::format("{} must be an array of numbers", name));
+    std::vector<double> numbers;
+    for (const StudyValue& entry : *array) numbers.push_back(number(name, entry, numbers.size() + 1));
+    return numbers;
+  }
+
+  // A plain number, or the number of a quantity; all have one unit.
+  double number(const std::string& name, const StudyValue& entry, std::size_t place) {
+    double result = entry.number();
+    std::string unit;
+    if (const std::string* text = entry.string()) {
+      const std::size_t first = std::min(text->find_first_not_of(" \t+"), text->size());
+      const char* end = text->data() + text->size();
+      const auto [after, error] = std::from_chars(text->data() + first, end, result);
+      if (error != std::errc()) fail(fmt::format("{} entry {} does not begin with a number", name, place));
+      unit.assign(after, end);
+      unit.erase(0, std::min(unit.find_first_not_of(" \t"), unit.size()));
+      unit.erase(unit.find_last_not_of(" \t") + 1);
+      if (unit.empty())
+        fail(fmt::format("{} entry {} has no unit; must be a number, or a number with a unit", name, place));
+    } else if (!entry.is_number()) {
+      fail(fmt::format("{} entry {} is no number; must be a finite number, or a quantity with its unit", name, place));
+    }
+    if (!any_number.contains(result)) fail(fmt::format("{} entry {} must be {}", name, place, any_number.text()));
+    if (!std::exchange(has_unit_, true))
+      value_.unit = unit;
+    else if (value_.unit != unit)
+      fail(fmt::format("{} entry {} is in another unit than the entries before; must be all in one unit", name, place));
+    return result;
+  }
+
+  void check_numbers() const {
+    const std::vector<double>& n = value_.numbers;
+    const char* name = distribution_names[static_cast<std::size_t>(value_.kind)];
+    if (value_.kind == DistributionKind::values) return;
+    const bool normal = value_.kind == DistributionKind::normal;
+    if (n.size() != 2)
+      fail(fmt::format("{} has {} entries; must have two, {}", name, n.size(),
+                       normal ? "[mean, standard deviation]" : "[low, high]"));
+    if (normal && n[1] < 0.0) fail("the standard deviation must be 0 or more");
+    if (!normal && n[0] > n[1])
+      fail(fmt::format("{} bounds out of order; must be [low, high] with low at most high", name));
+    if (value_.kind == DistributionKind::loguniform && !(n[0] > 0.0)) fail("loguniform bounds must be greater than 0");
+  }
+
+  void read_between() {
+    if (!table_.find("between")) return;
+    if (value_.kind != DistributionKind::normal) fail("between goes with normal alone");
+    const std::vector<double> bounds = entries("between");
+    if (bounds.size() != 2 || !(bounds[0] < bounds[1]))
+      fail("between must be two numbers, [low, high] with low less than high");
+    const double mean = value_.numbers[0], reach = farthest * value_.numbers[1];
+    if (!(bounds[1] > mean - reach) || !(bounds[0] < mean + reach))
+      fail(fmt::format("between must begin or end within {} standard deviations of the mean", farthest));
+    value_.between = {bounds[0], bounds[1]};
+  }
+
+  // What is left of a normal distribution farther out has no probability to speak of, 10^-89.
+  static constexpr double farthest = 20.0;
+
+  const Document& document_;
+  const StudyValue& table_;
+  UncertainValue value_;
+  bool has_unit_ = false;
+};
+
+}  // namespace
+
+bool takes_distributions(const std::string& dotted) {
+  return std::find(uncertain_tables.begin(), uncertain_tables.end(), dotted) != uncertain_tables.end();
+}
+
+std::vector<UncertainValue> take_uncertain(Document& document) {
+  std::vector<UncertainValue> values;
+  for (const std::string name : uncertain_tables) {
+    StudyValue* table = find_table(document.root, name);
+    if (!table) continue;
+    for (const auto& [key, value] : *table->table()) {
+      const std::string dotted = name + "." + key;
+      // A key in quotes may hold dots of its own; the reader knows none such.
+      if (document.root.find_path(dotted) != &value || takes_distributions(dotted) || !names_distribution(value))
+        continue;
+      values.push_back(DistributionReader(document, dotted, value).read());
+    }
+  }
+  for (const UncertainValue& value : values) {
+    const StudyValue& there = *document.root.find_path(value.key);
+    document.written.insert_or_assign(
+        value.key, Document::Written{document.value_text(value.key, there), document.where(value.key, &there)});
+    put_value(document.root, value, value.median());
+  }
+  std::sort(values.begin(), values.end(), [](const auto& a, const auto& b) { return a.key < b.key; });
+  return values;
+}
+
+void put_value(StudyValue& root, const UncertainValue& value, double number) {
+  const std::size_t dot = value.key.rfind('.');
+  StudyValue* table = find_table(root, value.key.substr(0, dot));
+  const std::string key = value.key.substr(dot + 1);
+  const StudyValue* there = table->find(key);
+  StudyValue written = value.written(number);
+  if (there) written.set_line(there->line());
+  table->set(key, std::move(written));
+}
+
+void fail_at_end(const Document& document, const UncertainValue& value, double number, const InputError& refusal) {
+  const StudyValue* there = document.root.find_path(value.key);
+  const std::string key = refusal.key().empty() || refusal.key() == value.key ? "" : refusal.key() + " ";
+  throw InputError(document.where(value.key, there), value.key, there ? document.value_text(value.key, *there) : "",
+                   fmt::format("with {}: {}{}", printable(value.text(number)), key, refusal.problem()));
+}
+
+}  // namespace equipoise::study

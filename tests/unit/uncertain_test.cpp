@@ -1,0 +1,265 @@
+// Uncertain values: what distributions draw, what starts keep when values are drawn beside them, what is refused, and
+// studies that are read, echoed and drawn.
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include "../base_study.hpp"
+#include "equipoise/base/angles.hpp"
+#include "equipoise/base/error.hpp"
+#include "equipoise/spin_up/initial_state.hpp"
+#include "equipoise/study/study.hpp"
+#include "study_difference.hpp"
+
+namespace equipoise {
+namespace {
+
+constexpr std::uint64_t draws = 100000;
+
+Study study_with(const std::vector<std::string>& overrides) { return parse_study(constant_speed, "study", overrides); }
+
+// Physical, as an engineer would have it.
+const std::string machine = R"([rotor]
+mass = "12 kg"
+stiffness = "48 kN/m"
+damping_ratio = 0.2
+unbalance = "200 g mm"
+[balancer]
+balls = 2
+race_radius = "120 mm"
+mass = "6 g"
+drag = "1e-5 N m s"
+[speed]
+profile = "ramp"
+final = "1500 rpm"
+duration = "10 s"
+)";
+
+Study machine_with(const std::vector<std::string>& overrides) { return parse_study(machine, "machine", overrides); }
+
+// The draws of the one uncertain value that a study has.
+std::vector<double> drawn(const Study& study, std::uint64_t count = draws) {
+  const Sampler sampler = sampler_of(study);
+  std::vector<double> values;
+  for (std::uint64_t i = 0; i < count; ++i) values.push_back(drawn_values(study, sampler, 1, i).front());
+  return values;
+}
+
+struct Moments {
+  double mean = 0.0, deviation = 0.0;
+};
+Moments moments(const std::vector<double>& values) {
+  Moments m;
+  for (const double v : values) m.mean += v / static_cast<double>(values.size());
+  for (const double v : values) m.deviation += (v - m.mean) * (v - m.mean) / static_cast<double>(values.size());
+  m.deviation = std::sqrt(m.deviation);
+  return m;
+}
+
+// Four standard errors of a mean of so many draws; of a deviation they are no larger for all laws here.
+double four_errors(double deviation) { return 4.0 * deviation / std::sqrt(static_cast<double>(draws)); }
+
+std::string refusal(const std::string& text, const std::vector<std::string>& overrides) {
+  try {
+    parse_study(text, "study", overrides);
+  } catch (const InputError& e) {
+    return e.what();
+  }
+  return "";
+}
+
+TEST(Uncertain, UniformDrawsHaveItsMomentsAndBounds) {
+  const auto values = drawn(study_with({"rotor.eccentricity={uniform=[0.005, 0.015]}"}));
+  const double deviation = 0.01 / std::sqrt(12.0);
+  EXPECT_NEAR(moments(values).mean, 0.01, four_errors(deviation));
+  EXPECT_NEAR(moments(values).deviation, deviation, four_errors(deviation));
+  const auto [low, high] = std::minmax_element(values.begin(), values.end());
+  EXPECT_GE(*low, 0.005);
+  EXPECT_LE(*high, 0.015);
+}
+
+TEST(Uncertain, NormalDrawsHaveItsMoments) {
+  const auto values = drawn(study_with({"balancer.drag={normal=[0.05, 0.004]}"}));
+  EXPECT_NEAR(moments(values).mean, 0.05, four_errors(0.004));
+  EXPECT_NEAR(moments(values).deviation, 0.004, four_errors(0.004));
+}
+
+TEST(Uncertain, CutNormalDrawsStayBetweenAndHaveTheMeanOfWhatIsLeft) {
+  // Of a standard normal law above 1: mean phi(1)/(1 - Phi(1)) = 1.5251 (standard tables: phi(1) = 0.24197, 1 - Phi(1)
+  // = 0.15866); its deviation is below that of the whole law.
+  const auto values = drawn(study_with({"balancer.drag={normal=[0.05, 0.01], between=[0.06, 0.2]}"}));
+  EXPECT_GE(*std::min_element(values.begin(), values.end()), 0.06);
+  EXPECT_NEAR(moments(values).mean, 0.05 + 0.01 * 1.5251, four_errors(0.01) + 1e-6);
+}
+
+TEST(Uncertain, FarTailsOfANormalLawAreDrawnToo) {
+  // Above 10 deviations a normal law falls like an exponential of rate 10: mean 10.098.
+  const auto values = drawn(study_with({"balancer.drag={normal=[0.05, 0.01], between=[0.15, 1.0]}"}));
+  EXPECT_NEAR(moments(values).mean, 0.05 + 0.01 * 10.098, four_errors(0.001) + 1e-5);
+}
+
+TEST(Uncertain, LogUniformDrawsAreEvenInTheirLogarithm) {
+  auto values = drawn(study_with({"balancer.drag={loguniform=[0.01, 1.0]}"}));
+  for (double& v : values) v = std::log10(v);
+  EXPECT_NEAR(moments(values).mean, -1.0, four_errors(2.0 / std::sqrt(12.0)));
+  EXPECT_NEAR(moments(values).deviation, 2.0 / std::sqrt(12.0), four_errors(2.0 / std::sqrt(12.0)));
+}
+
+TEST(Uncertain, ListsDrawEachEntryAlike) {
+  const auto values = drawn(study_with({"balancer.drag={values=[0.05, 0.1, 0.2]}"}));
+  for (const double v : {0.05, 0.1, 0.2}) {
+    const auto count = static_cast<double>(std::count(values.begin(), values.end(), v));
+    const double share = 1.0 / 3.0, error = std::sqrt(share * (1.0 - share) / static_cast<double>(draws));
+    EXPECT_NEAR(count / static_cast<double>(draws), share, 4.0 * error) << v;
+  }
+}
+
+TEST(Uncertain, StudyHoldsTheMedians) {
+  EXPECT_DOUBLE_EQ(study_with({"rotor.eccentricity={uniform=[0.005, 0.02]}"}).parameters.eccentricity, 0.0125);
+  EXPECT_DOUBLE_EQ(study_with({"balancer.drag={loguniform=[0.01, 1.0]}"}).parameters.drag[1], 0.1);
+  EXPECT_DOUBLE_EQ(study_with({"balancer.drag={normal=[0.05, 0.001]}"}).parameters.drag[0], 0.05);
+  EXPECT_DOUBLE_EQ(study_with({"speed.speed={values=[3.0, 2.0, 2.4]}"}).speed.speed, 2.4);
+}
+
+TEST(Uncertain, AnglesOfStartsStayWhateverElseIsDrawn) {
+  const std::vector<std::string> one{"rotor.eccentricity={uniform=[0.005, 0.015]}"};
+  const std::vector<std::string> two{one[0], "balancer.drag={uniform=[0.04, 0.06]}"};
+  for (const char* method : {"random", "sobol", "grid"}) {
+    const std::string with = fmt::format("sampling.method={}", method);
+    const Study plain = study_with({with}), first = study_with({with, one[0]}),
+                second = study_with({with, two[0], two[1]});
+    for (std::uint64_t i = 0; i < 200; ++i) {
+      const auto phi = start_of(plain, 7, i).phi;
+      EXPECT_EQ(start_of(first, 7, i).phi, phi) << method;
+      EXPECT_EQ(start_of(second, 7, i).phi, phi) << method;
+      // Numbers belong to keys, but those of a Sobol point to places.
+      if (std::string(method) == "sobol") continue;
+      EXPECT_EQ(drawn_values(first, sampler_of(first), 7, i)[0], drawn_values(second, sampler_of(second), 7, i)[1]);
+    }
+  }
+}
+
+TEST(Uncertain, DrawsAreIndependentOfAnglesOfEachOtherAndOfTheSeed) {
+  const Study study = study_with({"rotor.eccentricity={uniform=[0.0, 1.0]}", "balancer.drag={uniform=[0.0, 1.0]}"});
+  const Sampler sampler = sampler_of(study);
+  double with_angle = 0.0, with_each_other = 0.0, with_seed = 0.0;
+  for (std::uint64_t i = 0; i < draws; ++i) {
+    const auto values = drawn_values(study, sampler, 1, i), other = drawn_values(study, sampler, 2, i);
+    const double angle = start_of(study, 1, i).phi[0] / two_pi;
+    with_angle += (values[0] - 0.5) * (angle - 0.5);
+    with_each_other += (values[0] - 0.5) * (values[1] - 0.5);
+    with_seed += (values[0] - 0.5) * (other[0] - 0.5);
+  }
+  // A product of two independent fractions less their means has the deviation 1/12.
+  for (const double sum : {with_angle, with_each_other, with_seed})
+    EXPECT_NEAR(sum / static_cast<double>(draws), 0.0, four_errors(1.0 / 12.0));
+}
+
+TEST(Uncertain, SobolPointsSpreadTheDrawsEvenly) {
+  const Study study = study_with({"rotor.eccentricity={uniform=[0.0, 1.0]}", "sampling.method=sobol"});
+  auto values = drawn(study, 4096);  // 16 replicates of 256 points
+  std::array<int, 256> hits{};
+  for (const double v : values) ++hits[static_cast<std::size_t>(v * 256.0)];
+  for (const int n : hits) EXPECT_EQ(n, 16);  // a net: one point of each replicate in every 256th
+}
+
+TEST(Uncertain, ADrawIsTheStudyOfItsValues) {
+  const Study study = study_with({"rotor.eccentricity={uniform=[0.005, 0.015]}", "speed.speed={values=[2.0, 2.4]}"});
+  const std::array values{0.012, 2.0};
+  const Study draw = drawn_study(study, values);
+  EXPECT_EQ(first_difference(draw, study_with({"rotor.eccentricity=0.012", "speed.speed=2.0"})), "");
+}
+
+TEST(Uncertain, AQuantityChangesAllThatFollowsFromIt) {
+  const Study study = machine_with({"balancer.mass={uniform=[\"5 g\", \"7 g\"]}"});
+  const std::array values{5.5};
+  // The drag of a ball over its mass and the rest, as if the mass had been written.
+  EXPECT_EQ(first_difference(drawn_study(study, values), machine_with({"balancer.mass=5.5 g"})), "");
+  EXPECT_NE(drawn_study(study, values).parameters.drag[0], study.parameters.drag[0]);
+}
+
+TEST(Uncertain, EachDrawRestsUnderItsOwnWeightAtFirst) {
+  const Study study = study_with({"rotor.gravity={uniform=[0.0, 0.1]}"});
+  const std::array values{0.08};
+  EXPECT_EQ(drawn_study(study, values).initial.y, study_with({"rotor.gravity=0.08"}).initial.y);
+}
+
+TEST(Uncertain, EchoReadsBackToTheStudyAndToItself) {
+  const std::vector<Study> studies{
+      study_with(
+          {"rotor.eccentricity={uniform=[0.005, 0.015]}", "balancer.drag={normal=[0.05, 0.01], between=[0.01, 0.1]}"}),
+      study_with({"rotor.gravity={values=[0.0, 0.1]}", "balancer.mass={loguniform=[0.01, 0.1]}"}),
+      study_with({"balancer.rolling={uniform=[0.001, 0.002]}"}),
+      study_with({"speed={profile=\"torque\", torque={stall={uniform=[0.05, 0.06]}, no_load_speed=2.4}}",
+                  "rotor.inertia=0.5"}),
+      machine_with({"rotor.unbalance={uniform=[\"100 g mm\", \"400 g mm\"]}", "numerics.horizon=100 s"}),
+      machine_with(
+          {"rotor.mass={normal=[\"12 kg\", \"0.1 kg\"]}", "balancer.drag={values=[\"1e-5 N\\u00b7m\\u00b7s\"]}"}),
+  };
+  for (const Study& study : studies) {
+    const std::string echo = to_toml(study);
+    const Study back = parse_study(echo, "echo");
+    EXPECT_EQ(first_difference(study, back), "") << echo;
+    EXPECT_EQ(to_toml(back), echo);
+    EXPECT_NO_THROW(check(study));
+    EXPECT_EQ(to_toml(with_medians(study)).find("uniform"), std::string::npos);
+  }
+}
+
+TEST(Uncertain, WhatIsSampledAndFollowedMayChangeAfterReading) {
+  Study study = machine_with({"rotor.unbalance={uniform=[\"100 g mm\", \"400 g mm\"]}"});
+  study.sampling.starts = 77;
+  study.numerics.horizon = 4000.0;
+  const Study back = parse_study(to_toml(study), "echo");
+  EXPECT_EQ(back.sampling.starts, 77u);
+  EXPECT_NEAR(*back.numerics.horizon, 4000.0, 4000.0 * 4e-16);  // there and back by omega_c: a rounding each
+  EXPECT_NO_THROW(check(study));
+  study.parameters.eccentricity *= 2.0;  // its draws would not show it
+  EXPECT_THROW(check(study), InputError);
+}
+
+TEST(Uncertain, SaysWhatIsWrongWithADistribution) {
+  struct Case {
+    std::string text, override, wanted;
+  };
+  const std::vector<Case> cases{
+      {constant_speed, "rotor.eccentricity={lognormal=[1, 2]}",
+       "is a table; must be a finite number at least 0, or a distribution, { uniform"},
+      {constant_speed, "rotor.eccentricity={uniform=[2, 1]}", "bounds out of order"},
+      {constant_speed, "rotor.eccentricity={uniform=[1]}", "has 1 entries; must have two, [low, high]"},
+      {constant_speed, "rotor.eccentricity={uniform=[0, 1], normal=[0, 1]}", "has two distributions"},
+      {constant_speed, "rotor.eccentricity={uniform=[0, 1], width=2}", "has an unknown entry \"width\""},
+      {constant_speed, "rotor.eccentricity={uniform=[0, 1], between=[0, 1]}", "between goes with normal alone"},
+      {constant_speed, "rotor.eccentricity={normal=[0.1, -1]}", "the standard deviation must be 0 or more"},
+      {constant_speed, "rotor.eccentricity={normal=[1, 0.1], between=[9, 10]}", "within 20 standard deviations"},
+      {constant_speed, "rotor.eccentricity={values=[]}", "values must be an array of numbers"},
+      {constant_speed, "rotor.eccentricity={values=[true]}", "values entry 1 is no number"},
+      {constant_speed, "balancer.drag={loguniform=[-1, 1]}", "loguniform bounds must be greater than 0"},
+      {constant_speed, "balancer.drag={uniform=[-1, 1]}", "with -1: must be a finite number at least 0"},
+      {constant_speed, "balancer.drag={normal=[0.05, 0.02]}", "with -0.05: must be"},
+      {constant_speed, "balancer.balls={values=[2, 3]}", "must be a whole number"},
+      {constant_speed, "speed.profile={values=[2, 3]}", "must be one of"},
+      {constant_speed, "balancer.race_offset={values=[0.1]}", "must be an array"},
+      {constant_speed, "release.speed={uniform=[2.4, 2.5]}", "never reaches it"},
+      {machine, "rotor.unbalance={uniform=[\"1 g mm\", \"2 kg mm\"]}", "must be all in one unit"},
+      {machine, "rotor.unbalance={uniform=[\"1 s\", \"2 s\"]}", "does not measure that"},
+      {machine, "rotor.unbalance={uniform=[1, 2]}", "is a plain number and rotor.mass makes this"},
+      {machine, "rotor.unbalance={uniform=[\"g mm\", \"2 g mm\"]}", "does not begin with a number"},
+      {machine, "rotor.unbalance={uniform=[\"1\", \"2\"]}", "has no unit"},
+  };
+  for (const Case& c : cases) {
+    const std::string message = refusal(c.text, {c.override});
+    EXPECT_NE(message.find(c.wanted), std::string::npos) << c.override << "\n" << message;
+    const std::string key = c.override.substr(0, c.override.find('='));
+    EXPECT_NE(message.find(key), std::string::npos) << message;
+  }
+}
+
+}  // namespace
+}  // namespace equipoise
