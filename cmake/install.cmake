@@ -20,7 +20,7 @@ foreach(header
     model/ball_mode.hpp orbits/balanced_continuum.hpp orbits/ball_events.hpp orbits/orbit.hpp motions/catalogue.hpp
     motions/motion.hpp proof/certificate.hpp proof/member_certificate.hpp
     results/attractors_result.hpp results/basin_result.hpp results/branch.hpp results/branches_result.hpp
-    results/certify_result.hpp results/comparison_result.hpp results/explanation.hpp results/map_figures.hpp results/plane_map.hpp results/sensitivity_result.hpp results/start_arrays.hpp results/trajectory.hpp
+    results/certify_result.hpp results/comparison_result.hpp results/explanation.hpp results/machine_page.hpp results/map_figures.hpp results/plane_map.hpp results/sensitivity_result.hpp results/start_arrays.hpp results/trajectory.hpp
     results/transient_result.hpp
     store/basin_file.hpp store/basin_outcomes.hpp store/branches_file.hpp store/map_file.hpp store/start_columns.hpp store/trajectory_file.hpp
     basins/attractors.hpp basins/basin.hpp basins/certify.hpp basins/comparison.hpp basins/observation.hpp basins/sensitivity.hpp
@@ -29,6 +29,7 @@ foreach(header
     report/attractors_report.hpp report/basin_report.hpp report/branches_report.hpp report/certify_report.hpp report/explain_report.hpp
     report/comparison_report.hpp report/map_report.hpp
     explain/explain.hpp
+    pages/answer.hpp pages/given_keys.hpp pages/machine_html.hpp pages/machine_page.hpp
     paper.hpp literature/conclusions.hpp literature/paper_figure.hpp literature/published_tables.hpp
     literature/reproduction.hpp statistics/comparison.hpp reproduction/open_questions.hpp
     reproduction/open_questions_result.hpp reproduction/paper_figures.hpp reproduction/reproduce.hpp

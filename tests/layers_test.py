@@ -15,7 +15,8 @@ from pathlib import Path
 LAYERS = [
     "base", "math", "model", "integrate", "statistics", "sampling", "study", "lanes", "transients", "deciding",
     "kernels", "orbits", "motions", "proof", "traps", "results", "files", "store", "spin_up", "discovery", "fates",
-    "basins", "branches", "maps", "trajectory", "drawing", "report", "explain", "literature", "reproduction",
+    "basins", "branches", "maps", "sweeps", "trajectory", "drawing", "report", "explain", "pages", "literature",
+    "reproduction",
 ]
 SOURCES = {".hpp", ".h", ".cpp", ".cc", ".cu", ".in"}
 # Highway compiles a file once per target by including the path that this macro names.

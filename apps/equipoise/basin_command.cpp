@@ -8,11 +8,13 @@
 #include <fmt/format.h>
 
 #include "commands.hpp"
+#include "equipoise/base/display_text.hpp"
 #include "equipoise/basins/basin.hpp"
 #include "equipoise/basins/sensitivity.hpp"
 #include "equipoise/report/basin_report.hpp"
 #include "options.hpp"
 #include "progress.hpp"
+#include "report_command.hpp"
 #include "streams.hpp"
 
 namespace equipoise::app {
@@ -23,18 +25,18 @@ struct BasinArguments {
   std::string study;
   std::vector<std::string> overrides;
   std::optional<std::string> starts, seed, start_index, half_width, threads, decide, rows;
-  std::string output, cpu;
+  std::string output, report, cpu;
   bool json = false, quiet = false, transients = false, sensitivity = false;
 };
 
-Study study_from(const BasinArguments& a) {
+std::vector<std::string> overrides_from(const BasinArguments& a) {
   std::vector<std::string> overrides = a.overrides;
   override_starts(a.starts, a.seed, overrides);
   if (a.decide) {
     option_choice<DecideMode>("--decide", *a.decide, decide_mode_names);
     overrides.push_back("numerics.decide=" + *a.decide);
   }
-  return read_study(a.study, overrides);
+  return overrides;
 }
 
 std::string transients_text(const Study& study, const TransientRow& row) {
@@ -90,7 +92,14 @@ int print_replay(const Study& study, const BasinOptions& options, const std::str
 
 int run_basin(const BasinArguments& a) {
   choose_cpu(a.cpu);
-  const Study study = study_from(a);
+  require_ending("--report", a.report, ".html");
+  require_writable("--report", a.report);
+  if (a.start_index && !a.report.empty())
+    throw InputError("--report", "", display_text(a.report),
+                     "a page is of an ensemble; must be left out with --start-index");
+  const std::vector<std::string> overrides = overrides_from(a);
+  const std::string text = read_study_text(a.study), name = display_text(a.study);
+  const Study study = parse_study(text, name, overrides);
   BasinOptions options;
   options.threads = threads_option(a.threads);
   if (a.half_width)
@@ -112,7 +121,8 @@ int run_basin(const BasinArguments& a) {
           option_number<std::uint64_t>("--sensitivity", *a.rows, 2, 1'000'000, "a whole number from 2 to 1000000");
     check_sensitivity(study);
   }
-  BasinResult result = basin(study, options);
+  BasinResult result = a.report.empty() ? basin(study, options)
+                                        : write_machine_page(text, name, overrides, study, options, a.report).basin;
   if (a.sensitivity && !result.partial) result.sensitivity = sensitivity(study, depends);
   progress.finish();
   put(a.json ? basin_json(result) : basin_text(result));
@@ -147,6 +157,8 @@ Command add_basin(CLI::App& app) {
       ->type_name("FILE.nc");
   app.add_flag("--transients", a->transients,
                "peak vibration, bearing force, settling time and their like (default where the study has [limits])");
+  app.add_option("--report", a->report, "the same as a page to be taken to a meeting (see report); with --transients")
+      ->type_name("FILE.html");
   app.add_option("--threads", a->threads, "threads (default: all cores)")->type_name("T");
   add_overrides(app, a->overrides);
   app.add_option("--cpu", a->cpu, "instruction set to use instead of the best (see --version)")->type_name("NAME");

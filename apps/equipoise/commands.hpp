@@ -24,11 +24,16 @@ StopFlag& stop_flag();
 using Command = std::function<int()>;
 Command add_attractors(CLI::App& app);
 Command add_basin(CLI::App& app);
+Command add_capacity(CLI::App& app);
 Command add_certify(CLI::App& app);
 Command add_compare(CLI::App& app);
 Command add_explain(CLI::App& app);
+Command add_inspect(CLI::App& app);
 Command add_map(CLI::App& app);
+Command add_merge(CLI::App& app);
+Command add_report(CLI::App& app);
 Command add_reproduce(CLI::App& app);
 Command add_simulate(CLI::App& app);
+Command add_sweep(CLI::App& app);
 
 }  // namespace equipoise::app

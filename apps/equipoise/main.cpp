@@ -15,6 +15,7 @@
 #include "equipoise/base/version.hpp"
 #include "equipoise/kernels/cpu_target.hpp"
 #include "streams.hpp"
+#include "team.hpp"
 #include "usage.hpp"
 
 namespace equipoise::app {
@@ -45,9 +46,9 @@ void ask_to_stop(int signal) {
 
 std::string version_text() {
   return fmt::format(
-      "equipoise {}\ncompiler: {}\nCPU targets here: {}; using {}\nreports: {}\n", version_string, __VERSION__,
+      "equipoise {}\ncompiler: {}\nCPU targets here: {}; using {}\nreports: {}\nMPI: {}\n", version_string, __VERSION__,
       fmt::join(cpu_targets(), ", "), cpu_target(),
-      embedded::page_files.find("plotly.js").empty() ? "pictures only" : "interactive charts and pictures");
+      embedded::page_files.find("plotly.js").empty() ? "pictures only" : "interactive charts and pictures", mpi_text());
 }
 
 int run(int argc, char** argv) {
@@ -56,7 +57,7 @@ int run(int argc, char** argv) {
   app.require_subcommand(1);
   app.set_version_flag("--version", version_text);
   app.footer(
-      "Exit codes: 0 done, 1 failed, 2 bad usage or study, 3 not proved, 130 interrupted with results kept.\n"
+      "Exit codes: 0 done, 1 failed, 2 bad usage or study, 3 not proved or damaged, 130 interrupted with results kept.\n"
       "Data go to standard output, all else to standard error.");
   std::vector<std::pair<CLI::App*, Command>> commands;
   const auto add = [&](const char* name, const char* description, Command (*make)(CLI::App&)) {
@@ -65,12 +66,17 @@ int run(int argc, char** argv) {
   };
   add("attractors", "every steady motion of the final speed: refined, named, with its share", add_attractors);
   add("basin", "shares of starts that end in each attractor, with intervals", add_basin);
+  add("capacity", "the largest unbalance, or other parameter, that is balanced as often as asked", add_capacity);
   add("certify", "a proof that trajectories near balance end balanced, or the check of one", add_certify);
   add("compare", "two studies or results on common starts: how much more often the second balances", add_compare);
   add("explain", "a study in physical and dimensionless form, and what follows without simulation", add_explain);
+  add("inspect", "what a file of results holds, how complete and whether damaged", add_inspect);
   add("map", "the outcome of a start at every pixel of a plane of two quantities", add_map);
+  add("merge", "files of one sweep, from several machines or runs, put together", add_merge);
+  add("report", "a page for one machine: its shares, motions, peaks and runs, to be printed on two sheets", add_report);
   add("reproduce", "the tables and figures of Wright and Peng (2019), computed again and judged", add_reproduce);
   add("simulate", "one trajectory at stated times", add_simulate);
+  add("sweep", "shares at every combination of some parameters' values", add_sweep);
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& e) {

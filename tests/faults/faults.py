@@ -14,11 +14,12 @@ import time
 
 import file_cases
 import program_cases
+import sweep_cases
 from harness import Bench, Finding
 
 
 def main():
-    cases = {case.__name__: case for case in file_cases.CASES + program_cases.CASES}
+    cases = {case.__name__: case for case in file_cases.CASES + program_cases.CASES + sweep_cases.CASES}
     parser = argparse.ArgumentParser(description="Tries faults on the program.")
     parser.add_argument("program")
     parser.add_argument("studies")

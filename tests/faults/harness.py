@@ -30,6 +30,23 @@ class Bench:
         options = {"stdout": subprocess.PIPE, "stderr": subprocess.PIPE, "cwd": self.folder, **options}
         return subprocess.Popen([self.program, *map(str, arguments)], **options)
 
+    def start_command(self, command, **options):
+        """Another program, which starts this one."""
+        return subprocess.Popen(command, stdout=subprocess.PIPE, stderr=subprocess.PIPE, cwd=self.folder, **options)
+
+    def children(self, pid):
+        """Processes of this program under another one."""
+        found = []
+        for name in filter(str.isdigit, os.listdir("/proc")):
+            try:
+                with open(f"/proc/{name}/stat", encoding="utf-8", errors="replace") as file:
+                    parent = int(file.read().rsplit(")", 1)[1].split()[1])
+                if parent == pid and os.path.realpath(f"/proc/{name}/exe") == os.path.realpath(self.program):
+                    found.append(int(name))
+            except (OSError, IndexError, ValueError):
+                continue  # it has ended
+        return found
+
     def run(self, *arguments, **options):
         return ended(self.start(*arguments, **options), arguments)
 

@@ -53,6 +53,23 @@ TEST(Html, IsSelfContainedAndEscaped) {
   EXPECT_EQ(count(page, "<script"), count(page, "</script>"));
 }
 
+TEST(Html, ASheetHasDrawingsAndListingsButNoScript) {
+  Document d{"Sheet", {Paragraph{"all of it", Tone::plain, true}}};
+  d.sheet = true;
+  d.blocks.push_back(DrawingRow{{{"a < b", "<svg></svg>\n", "c & d", "#0072B2"}}, "Cap"});
+  d.blocks.push_back(Listing{"Text", "x < y\n"});
+  const std::string page = document_html(d);
+  for (const char* part : {"class=\"lead\">all of it", "background:#0072B2", "a &lt; b", "<svg></svg>", "c &amp; d",
+                           "<pre>x &lt; y\n</pre>", "prefers-color-scheme: dark"})
+    EXPECT_NE(page.find(part), std::string::npos) << part;
+  for (const char* none : {"<script", "<nav", "<svg>&"}) EXPECT_EQ(page.find(none), std::string::npos) << none;
+  // A report with charts keeps to light: its pictures are.
+  EXPECT_EQ(document_html(sample("")).find("prefers-color-scheme"), std::string::npos);
+  const std::string text = document_markdown(d, "");
+  EXPECT_NE(text.find("- a \\< b: c & d\n"), std::string::npos) << text;
+  EXPECT_NE(text.find("```\nx < y\n```"), std::string::npos);
+}
+
 TEST(Html, AMissingPictureIsAnError) { EXPECT_THROW(document_html(sample("/nowhere/picture.png")), RunError); }
 
 TEST(Markdown, PointsToPicturesAndEscapes) {

@@ -113,8 +113,9 @@ class BasinRun {
 
   void make_runner() {
     const Study& study = result_.study;
-    runner_ = equipoise::make_runner(study, {threads_, options_.stop, options_.seeds, &discoveries_, options_.progress},
-                                     gathers_);
+    const DiscoverySettings search{threads_,      options_.stop,     options_.seeds,
+                                   &discoveries_, options_.progress, options_.informed};
+    runner_ = equipoise::make_runner(study, search, gathers_);
     tally_.emplace(*sampler_, study.sampling.seed, runner_->settled());
     transients_.emplace(study, *sampler_);
     filed_.clear();
@@ -282,7 +283,8 @@ class BasinRun {
       undecided_.push_back(tally_->total() - 1);
     if (fate.outcome == Outcome::stalled && stalled_.size() < undecided_looked_at)
       stalled_.push_back(tally_->total() - 1);
-    if (result_.every_start) add_start(result_.study, *sampler_, fate, row, *result_.every_start);
+    if (result_.every_start && result_.every_start->starts < options_.keep_at_most)
+      add_start(result_.study, *sampler_, fate, row, *result_.every_start);
     if (options_.fate) options_.fate(fate);
   }
 

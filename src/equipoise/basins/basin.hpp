@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <functional>
+#include <limits>
 #include <optional>
 #include <string>
 #include <vector>
@@ -34,8 +35,11 @@ struct BasinOptions : RunOptions {
   std::optional<bool> transients;
   bool keep_starts = false;  ///< the result holds every start (BasinResult::every_start): 11 bytes a start and 8 a
                              ///< ball, with transients 40 more
+  std::uint64_t keep_at_most = std::numeric_limits<std::uint64_t>::max();  ///< `keep_starts`: only so many, the first
   /// States near motions known from elsewhere, each dimension(balls) numbers: rare attractors that pilot starts miss.
   std::vector<std::vector<double>> seeds;
+  bool informed =
+      false;  ///< the seeds are all of a neighbouring study's: a shorter search (DiscoverySettings::informed)
   DiscoveryCache* discoveries = nullptr;  ///< shared by runs one after the other that end at the same speed; results do
                                           ///< not depend on it
   /// Every start counted, in order of index, those read from `output` included; from any thread, never from two at

@@ -19,8 +19,8 @@ StartReplay replayed(const Study& study, std::uint64_t index, const BasinOptions
   replay.index = index;
   replay.start = start_of(study, index);
   replay.drawn = drawn_values(study, sampler_of(study), study.sampling.seed, index);
-  const DiscoverySettings search{thread_count(options.threads), options.stop, options.seeds, options.discoveries,
-                                 options.progress};
+  const DiscoverySettings search{thread_count(options.threads), options.stop,     options.seeds,
+                                 options.discoveries,           options.progress, options.informed};
   const std::unique_ptr<Runner> runner = make_runner(study, search, gathers);
   std::vector<double> phi;
   std::vector<Fate> fates;

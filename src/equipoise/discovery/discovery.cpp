@@ -94,7 +94,7 @@ class Discoverer {
         settings_(settings),
         stages_("looking for attractors", settings.progress),
         trials_{&system_, source.tolerance(), settings.threads, settings.stop, &stages_},
-        pilot_(system_, source, study.initial) {}
+        pilot_(system_, source, study.initial, settings.informed ? 4 : 1) {}
 
   Discovery run() {
     find_balanced();
@@ -337,6 +337,8 @@ Study at_final_speed(const Study& study) {
 
 }  // namespace
 
+std::string discovery_subject(const Study& study) { return to_toml(at_final_speed(study)); }
+
 Discovery discover(const Study& study, const DiscoverySettings& settings) {
   const Study steady = at_final_speed(study);
   const auto make = [&] {
@@ -344,7 +346,7 @@ Discovery discover(const Study& study, const DiscoverySettings& settings) {
     return Discoverer(steady, *source, settings).run();
   };
   if (!settings.cache) return make();
-  const std::string key = fmt::format("{}\n{}", to_toml(steady), settings.seeds);
+  const std::string key = fmt::format("{}\n{}\n{}", to_toml(steady), settings.seeds, settings.informed);
   if (const auto at = settings.cache->made.find(key); at != settings.cache->made.end()) return at->second;
   Discovery discovery = make();
   if (!discovery.stopped) settings.cache->made.emplace(key, discovery);

@@ -26,11 +26,15 @@ struct DiscoverySettings {
   DiscoveryCache* cache = nullptr;
   /// Told of the stages, from any thread, never from two at once; Progress::preparing is set.
   std::function<void(const Progress&)> progress{};
+  /// The seeds are all that was found at a neighbouring parameter: a pilot of a quarter of the starts then looks for
+  /// what is new. What that misses is listed once a start comes to it, as ever.
+  bool informed = false;
 };
 
-/// Everything found before the first start is decided. Depends on the rotor, its final speed, [numerics] and
-/// settings.seeds alone (each state where the rotor's angle is 0, if that matters): not on how a prescribed speed is
-/// reached, so that all spin-ups to one speed share it. A driven rotor's depends on its whole spin-up.
+/// Everything found before the first start is decided. Depends on the rotor, its final speed, [numerics],
+/// settings.seeds and settings.informed alone (each state where the rotor's angle is 0, if that matters): not on how a
+/// prescribed speed is reached, so that all spin-ups to one speed share it. A driven rotor's depends on its whole
+/// spin-up.
 struct Discovery {
   BalancedAnalysis balanced;
   Catalogue catalogue;
@@ -42,6 +46,9 @@ struct Discovery {
 struct DiscoveryCache {
   std::map<std::string, Discovery> made;
 };
+
+/// The part of a study that its discovery depends on, as text: studies that agree in it share one.
+std::string discovery_subject(const Study& study);
 
 /// For any system but those that coast. Analyses the balanced states; runs pilot starts, free from rest at the final
 /// speed (of a driven rotor see PilotRun::make()), and starts in the invariant subspace of coincident balls until they

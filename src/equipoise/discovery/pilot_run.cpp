@@ -65,7 +65,8 @@ bool PilotRun::add(std::size_t first, std::size_t count) {
 
 bool PilotRun::make() {
   const int balls = system_.balls();
-  if (!add(0, random_scouts)) return false;
+  const std::size_t scouting = random_scouts / part_, all = random_starts / part_;
+  if (!add(0, scouting)) return false;
   std::vector<InitialState> side_by_side(coincident_scouts, initial_);
   // Side by side, if they cannot pass each other.
   constexpr double beyond_touching = 1.0 + 1e-6;
@@ -77,7 +78,7 @@ bool PilotRun::make() {
   if (!source_.follow(side_by_side, together)) return false;
   append(together);
   scouts_ = begin_.size() / system_.dimension();
-  if (!add(random_scouts, random_starts - random_scouts)) return false;
+  if (!add(scouting, all - scouting)) return false;
   fates_.resize(begin_.size() / system_.dimension());
   records_.resize(fates_.size());
   return true;

@@ -23,9 +23,9 @@ class PilotRun {
   /// Scouts find motions; with their traps in place all of the pilot shows how far those and the boxes can be trusted.
   static constexpr std::size_t random_scouts = 1024, coincident_scouts = 32, random_starts = 4096;
 
-  /// `initial`: what starts have that draw nothing else.
-  PilotRun(const model::System& system, const SpinUp& source, const InitialState& initial)
-      : system_(system), source_(source), initial_(initial), task_(source.last_task()) {}
+  /// `initial`: what starts have that draw nothing else. `part`: of the random ones only every so many are made.
+  PilotRun(const model::System& system, const SpinUp& source, const InitialState& initial, std::size_t part = 1)
+      : system_(system), source_(source), initial_(initial), part_(part), task_(source.last_task()) {}
 
   /// Random starts, starts with all balls together, and more random ones. Of a driven rotor every other one is free
   /// from the beginning, at speeds from rest to the one that the motor comes to without load: a slow rotor may stay
@@ -57,6 +57,7 @@ class PilotRun {
   const model::System& system_;
   const SpinUp& source_;
   InitialState initial_;
+  const std::size_t part_;
   const LaneTask task_;
   std::vector<double> begin_, states_;
   std::vector<Fate> fates_;

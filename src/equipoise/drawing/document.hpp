@@ -26,6 +26,7 @@ struct Heading {
 struct Paragraph {
   std::string text;
   Tone tone = Tone::plain;  ///< other than plain: a box
+  bool lead = false;        ///< what the whole document says, in larger letters
 };
 struct DocumentTable {
   std::vector<std::string> header;
@@ -40,19 +41,38 @@ struct Figure {
   std::vector<Chart> charts;  ///< interactive; may be empty
   std::string picture;        ///< path of the static picture; may be empty
 };
-using Block = std::variant<Heading, Paragraph, DocumentTable, Figure>;
+/// A picture drawn for the page itself (drawing/svg.hpp): as text, in the page's own colours by day and by night.
+struct Drawing {
+  std::string title, svg, text;
+  std::string colour;  ///< of an outcome, shown before the title; may be empty
+};
+/// Drawings beside each other where there is room.
+struct DrawingRow {
+  std::vector<Drawing> drawings;
+  std::string caption;
+  bool large = false;  ///< on paper two beside each other, not three: charts, which have small print
+};
+/// Lines as they are, shown on demand.
+struct Listing {
+  std::string caption, text;
+};
+using Block = std::variant<Heading, Paragraph, DocumentTable, Figure, DrawingRow, Listing>;
 
 struct Document {
   std::string title;
   std::vector<Block> blocks;
+  /// A sheet to be carried to a table: close-set, two pages of A4 at most where its writer sees to it, dark where its
+  /// reader's screen is. Its pictures are drawings, for pictures from files and charts are light.
+  bool sheet = false;
 };
 
 /// One self-contained page: pictures and the chart library are inside, nothing is loaded from elsewhere. Without the
-/// chart library, or where scripts do not run or on paper, the pictures stand in for the charts.
-/// Throws RunError if a picture cannot be read.
+/// chart library, or where scripts do not run or on paper, the pictures stand in for the charts. Drawings need no
+/// script. Throws RunError if a picture cannot be read.
 std::string document_html(const Document& document);
 
-/// Markdown whose pictures are files; `pictures`: their folder as seen from the Markdown file.
+/// Markdown whose pictures are files; `pictures`: their folder as seen from the Markdown file. Drawings, which are
+/// none, are left to their words.
 std::string document_markdown(const Document& document, const std::string& pictures);
 
 }  // namespace equipoise

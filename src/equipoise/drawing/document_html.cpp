@@ -10,31 +10,11 @@
 #include "equipoise/drawing/page_files.hpp"
 #include "equipoise/base/error.hpp"
 #include "equipoise/drawing/document.hpp"
+#include "equipoise/drawing/html_text.hpp"
 
 namespace equipoise {
 
 namespace {
-
-std::string html_text(const std::string& text) {
-  std::string result;
-  for (const char c : text) switch (c) {
-      case '&':
-        result += "&amp;";
-        break;
-      case '<':
-        result += "&lt;";
-        break;
-      case '>':
-        result += "&gt;";
-        break;
-      case '"':
-        result += "&quot;";
-        break;
-      default:
-        result += c;
-    }
-  return result;
-}
 
 const char* name_of(Tone tone) {
   constexpr std::array names{"", "good", "bad", "open"};
@@ -78,7 +58,9 @@ class HtmlWriter {
   }
 
   void operator()(const Paragraph& p) {
-    const std::string style = p.tone == Tone::plain ? "" : fmt::format(" class=\"box {}\"", name_of(p.tone));
+    const std::string style = p.lead                  ? " class=\"lead\""
+                              : p.tone == Tone::plain ? ""
+                                                      : fmt::format(" class=\"box {}\"", name_of(p.tone));
     out += fmt::format("<p{}>{}</p>\n", style, html_text(p.text));
   }
 
@@ -135,6 +117,27 @@ class HtmlWriter {
     out += fmt::format("<figcaption>{}</figcaption>\n</figure>\n", html_text(f.caption));
   }
 
+  void operator()(const DrawingRow& row) {
+    out += fmt::format("<figure class=\"drawings{}\">\n<div>\n", row.large ? " large" : "");
+    for (const Drawing& d : row.drawings) {
+      const std::string swatch =
+          d.colour.empty() ? "" : fmt::format("<span class=\"swatch\" style=\"background:{}\"></span>", d.colour);
+      out += "<div>\n";
+      if (!d.title.empty()) out += fmt::format("<p class=\"title\">{}{}</p>\n", swatch, html_text(d.title));
+      out += d.svg;
+      if (!d.text.empty()) out += fmt::format("<p>{}</p>\n", html_text(d.text));
+      out += "</div>\n";
+    }
+    out += "</div>\n";
+    if (!row.caption.empty()) out += fmt::format("<figcaption>{}</figcaption>\n", html_text(row.caption));
+    out += "</figure>\n";
+  }
+
+  void operator()(const Listing& listing) {
+    out += fmt::format("<details><summary>{}</summary>\n<pre>{}</pre>\n</details>\n", html_text(listing.caption),
+                       html_text(listing.text));
+  }
+
   const std::string& data() const { return data_; }
 
  private:
@@ -154,7 +157,7 @@ std::string contents(const Document& document) {
   for (const Block& block : document.blocks)
     if (const auto* h = std::get_if<Heading>(&block); h && h->level == 2 && !h->anchor.empty())
       list += fmt::format("<a href=\"#{}\">{}</a>\n", h->anchor, html_text(h->text));
-  return "<nav>\n" + list + "</nav>\n";
+  return list.empty() ? "" : "<nav>\n" + list + "</nav>\n";
 }
 
 }  // namespace
@@ -164,11 +167,13 @@ std::string document_html(const Document& document) {
   for (const Block& block : document.blocks) std::visit(writer, block);
   std::string page = "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n";
   page += "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n";
-  page += fmt::format("<title>{}</title>\n<style>\n{}</style>\n</head>\n", html_text(document.title),
-                      embedded::page_files.find("document.css"));
+  page += fmt::format("<title>{}</title>\n<style>\n{}{}</style>\n</head>\n", html_text(document.title),
+                      embedded::page_files.find("document.css"),
+                      document.sheet ? embedded::page_files.find("sheet.css") : "");
   page += fmt::format("<body class=\"no-charts\">\n<main>\n<h1>{}</h1>\n", html_text(document.title));
   page += contents(document) + writer.out + "</main>\n" + writer.data();
-  if (const auto library = embedded::page_files.find("plotly.js"); !library.empty() && !writer.data().empty())
+  if (writer.data().empty()) return page + "</body>\n</html>\n";
+  if (const auto library = embedded::page_files.find("plotly.js"); !library.empty())
     page += fmt::format("<script>{}</script>\n", library);
   page += fmt::format("<script>\n{}</script>\n</body>\n</html>\n", embedded::page_files.find("document.js"));
   return page;

@@ -51,6 +51,14 @@ struct MarkdownWriter {
     }
     out += markdown_text(f.caption) + "\n\n";
   }
+  void operator()(const DrawingRow& row) {
+    for (const Drawing& d : row.drawings)
+      if (!d.text.empty()) out += fmt::format("- {}: {}\n", markdown_text(d.title), markdown_text(d.text));
+    out += "\n" + markdown_text(row.caption) + "\n\n";
+  }
+  void operator()(const Listing& listing) {
+    out += fmt::format("{}:\n\n```\n{}```\n\n", markdown_text(listing.caption), listing.text);
+  }
 };
 
 }  // namespace

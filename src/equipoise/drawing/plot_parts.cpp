@@ -23,6 +23,7 @@ constexpr std::array colours{"#009E73", "#0072B2", "#D55E00", "#E69F00", "#CC79A
 const char* colour_of(int code) {
   if (code == undecided_code) return "#DDDDDD";
   if (code == diverged_code) return "#000000";
+  if (code == stalled_code) return "#9A8700";
   if (code < 0) return "#F0E442";  // failed
   return colours[static_cast<std::size_t>(code - 1) % colours.size()];
 }

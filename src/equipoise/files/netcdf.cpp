@@ -9,6 +9,7 @@
 
 #include "equipoise/base/error.hpp"
 #include "equipoise/files/replacement.hpp"
+#include "equipoise/files/sealed_file.hpp"
 
 namespace equipoise::store {
 
@@ -200,6 +201,7 @@ void write_netcdf_file(const std::string& path, const std::function<void(NetcdfF
   NetcdfFile file(place.file(), mode, path);
   define_and_write(file);
   file.close();
+  seal(place.file(), path);
   place.commit();
 }
 

@@ -68,7 +68,8 @@ class NetcdfFile {
 /// A name as one word for the attribute flag_meanings.
 std::string flag_word(const std::string& name);
 
-/// Writes `path` anew by `define_and_write`; what was there is replaced once all is written. Throws RunError.
+/// Writes `path` anew by `define_and_write`, sealed (sealed_file.hpp); what was there is replaced once all is written.
+/// Throws RunError.
 void write_netcdf_file(const std::string& path, const std::function<void(NetcdfFile&)>& define_and_write,
                        NetcdfFile::Mode mode = NetcdfFile::Mode::create);
 

@@ -13,13 +13,8 @@ namespace equipoise {
 namespace {
 using study::Dimension;
 
-struct Unit {
-  const char* name;
-  double si;
-};
-
 // What engineers read a dimension in, smallest first.
-std::vector<Unit> units_for(Dimension d) {
+std::vector<EngineeringUnit> units_for(Dimension d) {
   switch (d) {
     case Dimension::mass:
       return {{"g", 1e-3}, {"kg", 1.0}};
@@ -44,13 +39,18 @@ std::vector<Unit> units_for(Dimension d) {
 
 }  // namespace
 
-std::string engineering(double si, Dimension d) {
-  const std::vector<Unit> units = units_for(d);
-  const Unit* chosen = &units.front();
-  for (const Unit& unit : units)
+EngineeringUnit engineering_unit(double si, Dimension d) {
+  const std::vector<EngineeringUnit> units = units_for(d);
+  const EngineeringUnit* chosen = &units.front();
+  for (const EngineeringUnit& unit : units)
     if (std::abs(si) >= unit.si) chosen = &unit;
   if (si == 0.0) chosen = &units[units.size() / 2];
-  return fmt::format("{:.5g} {}", si / chosen->si, chosen->name);
+  return *chosen;
+}
+
+std::string engineering(double si, Dimension d) {
+  const EngineeringUnit unit = engineering_unit(si, d);
+  return fmt::format("{:.5g} {}", si / unit.si, unit.name);
 }
 
 }  // namespace equipoise

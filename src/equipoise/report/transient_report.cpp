@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <optional>
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -75,16 +76,6 @@ std::array<std::optional<double>, 3> limits_of(const Study& study) {
 }
 constexpr std::array<Unit Units::*, 3> limit_units{&Units::displacement, &Units::force, &Units::velocity};
 
-// e omega of the mean residual unbalance at the end, in mm/s, at the speed that the starts came to. None where a driven
-// rotor's was never measured.
-std::optional<double> grade_of(const TransientGroup& group, const Study& study) {
-  const double mean = group.figures[column_of(&TransientRow::residual_unbalance)].mean;
-  const std::optional<double> speed =
-      study.speed.driven() ? group.mean_speed : std::optional(study.speed_profile().final_speed());
-  if (!speed) return std::nullopt;
-  return model::balance_grade(mean * study.scales->length, *speed * study.scales->frequency);
-}
-
 std::string number(double value, double size, const char* open) {
   return std::isfinite(value) ? fmt::format("{:.4g}", value * size) : open;
 }
@@ -139,7 +130,7 @@ std::string group_text(const TransientGroup& group, const TransientResult& r, co
                     *limits[k] * unit.size, unit.name, percent(s.share, s.count == 0 ? 0 : digits_for(s)), interval(s),
                     group.id != 0 && (s.least < s.low || s.most > s.high) ? "; surely " + bounds_text(s) : "");
   }
-  const std::optional<double> grade = study.scales ? grade_of(group, study) : std::nullopt;
+  const std::optional<double> grade = left_grade(group, study);
   if (grade)
     text += fmt::format("  residual unbalance at the final speed: e omega = {:.3g} mm/s (as ISO 21940-11 grades it)\n",
                         *grade);
@@ -166,6 +157,15 @@ Json figure_json(const SampleSummary& s, const Unit& unit) {
 }
 
 }  // namespace
+
+std::optional<double> left_grade(const TransientGroup& group, const Study& study) {
+  if (!study.scales) return std::nullopt;
+  const double mean = group.figures[column_of(&TransientRow::residual_unbalance)].mean;
+  const std::optional<double> speed =
+      study.speed.driven() ? group.mean_speed : std::optional(study.speed_profile().final_speed());
+  if (!speed) return std::nullopt;
+  return model::balance_grade(mean * study.scales->length, *speed * study.scales->frequency);
+}
 
 std::string transient_text(const TransientResult& r, const Study& study) {
   const Units units = units_of(study);
@@ -228,7 +228,7 @@ nlohmann::ordered_json transient_json(const TransientResult& r, const Study& stu
         exceeded["least"] = share->least;
         exceeded["most"] = share->most;
       }
-    const std::optional<double> grade = study.scales ? grade_of(group, study) : std::nullopt;
+    const std::optional<double> grade = left_grade(group, study);
     if (grade) one["balance_grade"] = *grade;
     if (group.mean_speed) one["mean_speed"] = *group.mean_speed;
     json["groups"].push_back(one);

@@ -1,0 +1,131 @@
+// equipoise capacity: the largest unbalance, or other parameter, that is balanced as often as asked.
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include <fmt/format.h>
+
+#include "commands.hpp"
+#include "equipoise/drawing/chart.hpp"
+#include "equipoise/report/capacity_report.hpp"
+#include "equipoise/sweeps/capacity.hpp"
+#include "equipoise/sweeps/sweep_axis.hpp"
+#include "gnuplot.hpp"
+#include "options.hpp"
+#include "progress.hpp"
+#include "streams.hpp"
+
+namespace equipoise::app {
+
+namespace {
+
+struct CapacityArguments {
+  std::string study, of = "rotor.eccentricity", between, csv, plot, cpu;
+  std::vector<std::string> over, overrides;
+  std::optional<std::string> at_least, precision, starts, seed, threads;
+  bool zip = false, json = false, quiet = false;
+};
+
+// LOW:HIGH, in quantities of one unit or plain numbers.
+void read_range(const CapacityArguments& a, const Study& study, CapacityOptions& options) {
+  if (a.between.empty()) {
+    const auto usual = usual_range(study, a.of);
+    if (!usual)
+      throw InputError(
+          "--between", a.of, "",
+          "must be given as LOW:HIGH for this key (only rotor.eccentricity, and rotor.unbalance of a study "
+          "in physical units, have a range of their own)");
+    options.from = usual->from;
+    options.to = usual->to;
+    options.unit = usual->unit;
+    return;
+  }
+  const std::size_t colon = a.between.find(':');
+  const auto reject = [&] {
+    throw InputError("--between", a.of, display_text(a.between),
+                     "must be LOW:HIGH, two numbers or quantities of one unit, the first below the second, e.g. "
+                     "0.001:0.1 or \"20 g mm:400 g mm\"");
+  };
+  if (colon == std::string::npos || a.between.find(':', colon + 1) != std::string::npos) reject();
+  const std::string list = a.of + "=" + a.between.substr(0, colon) + "," + a.between.substr(colon + 1);
+  const SweepParameter ends = sweep_parameter(list, "--between");
+  if (ends.values.size() != 2 || !(ends.values[0] < ends.values[1])) reject();
+  options.from = ends.values[0];
+  options.to = ends.values[1];
+  options.unit = ends.unit;
+}
+
+int run_capacity(const CapacityArguments& a) {
+  choose_cpu(a.cpu);
+  StudySource source{read_study_text(a.study), a.study, a.overrides};
+  // Many ensembles on the way: as many starts as locate a share of 95 % to half a percent.
+  constexpr const char* usual_starts = "10000";
+  override_starts(a.starts ? a.starts : std::optional<std::string>(usual_starts), a.seed, source.overrides);
+  const std::vector<SweepAxis> axes = a.over.empty() ? std::vector<SweepAxis>{} : sweep_axes(a.over, a.zip, "--over");
+  CellRequest request;
+  request.transients = false;
+  const SweepPlan plan(source, axes, request, "--over");
+  CapacityOptions options;
+  options.key = a.of;
+  read_range(a, plan.study(), options);
+  if (a.at_least)
+    options.at_least =
+        option_number<double>("--at-least", *a.at_least, 0.01, 0.9999, "a fraction of one from 0.01 to 0.9999");
+  if (a.precision)
+    options.precision =
+        option_number<double>("--precision", *a.precision, 1e-4, 0.1, "a part of the range from 0.0001 to 0.1");
+  require_ending("--csv", a.csv, ".csv");
+  require_ending("--plot", a.plot, ".png", ".svg");
+  if (!a.plot.empty()) require_gnuplot("--plot", a.plot);
+  require_writable("--csv", a.csv);
+  require_writable("--plot", a.plot);
+  options.threads = threads_option(a.threads);
+  options.stop = &stop_flag();
+  ProgressLine progress(a.quiet);
+  options.progress = progress.listener();
+  const CapacityResult result = capacity(plan, options);
+  progress.finish();
+  put(a.json ? capacity_json(result) : capacity_text(result));
+  if (!a.csv.empty()) write_file(a.csv, capacity_csv(result));
+  if (!a.plot.empty())
+    draw(a.plot, [&](const std::string& file) {
+      return chart_plot_script(capacity_title(result), capacity_charts(result), file);
+    });
+  return result.complete() ? done : interrupted;
+}
+
+}  // namespace
+
+Command add_capacity(CLI::App& app) {
+  const auto a = std::make_shared<CapacityArguments>();
+  app.add_option("study", a->study, "study file (TOML)")->required()->type_name("STUDY");
+  app.add_option("--of", a->of,
+                 "what is to be as large as possible: rotor.eccentricity (default), rotor.unbalance of a study in "
+                 "physical units, or any key that --set takes")
+      ->type_name("KEY");
+  app.add_option("--between", a->between,
+                 "where it is looked for, e.g. 0.001:0.1 or \"20 g mm:400 g mm\" (default for an "
+                 "unbalance: up to what all balls together can make up for)")
+      ->type_name("LOW:HIGH");
+  app.add_option("--at-least", a->at_least, "share of starts that must end balanced (default 0.95)")
+      ->type_name("SHARE");
+  app.add_option("--precision", a->precision, "to what part of the range it is located (default 0.005)")
+      ->type_name("P");
+  app.add_option("--over", a->over, "a parameter and its values, as of equipoise sweep; up to three times")
+      ->type_name("KEY=VALUES")
+      ->take_all();
+  app.add_flag("--zip", a->zip, "the parameters vary together, step by step, instead of in all combinations");
+  app.add_option("--starts", a->starts, "number of starts of every ensemble (default 10000)")->type_name("N");
+  app.add_option("--seed", a->seed, "seed of the starts, which are the same in all")->type_name("S");
+  app.add_option("--csv", a->csv, "a line a cell (.csv)")->type_name("FILE");
+  app.add_option("--plot", a->plot, "a picture (.png or .svg); drawn by gnuplot")->type_name("FILE");
+  app.add_option("--threads", a->threads, "threads (default: all cores)")->type_name("T");
+  add_overrides(app, a->overrides);
+  app.add_option("--cpu", a->cpu, "instruction set to use instead of the best (see --version)")->type_name("NAME");
+  app.add_flag("--json", a->json, "print one JSON object");
+  app.add_flag("--quiet", a->quiet, "no progress");
+  return [a] { return run_capacity(*a); };
+}
+
+}  // namespace equipoise::app

@@ -1,0 +1,29 @@
+// equipoise inspect: what a file of results holds.
+#include <memory>
+#include <string>
+
+#include "commands.hpp"
+#include "equipoise/report/inspection_report.hpp"
+#include "equipoise/store/inspection.hpp"
+#include "streams.hpp"
+
+namespace equipoise::app {
+
+Command add_inspect(CLI::App& app) {
+  struct Arguments {
+    std::string file;
+    bool json = false;
+  };
+  const auto a = std::make_shared<Arguments>();
+  app.add_option("file", a->file, "a file of results (.nc), or the unfinished part of one (.nc.part)")
+      ->required()
+      ->type_name("FILE");
+  app.add_flag("--json", a->json, "print one JSON object");
+  return [a]() -> int {
+    const Inspection inspection = inspect_file(a->file);
+    put(a->json ? inspection_json(inspection) : inspection_text(inspection));
+    return inspection.damage.empty() ? done : check_failed;
+  };
+}
+
+}  // namespace equipoise::app

@@ -1,0 +1,75 @@
+// equipoise report: the page for one machine, to be taken to a meeting.
+#include "report_command.hpp"
+
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "commands.hpp"
+#include "equipoise/base/display_text.hpp"
+#include "equipoise/pages/answer.hpp"
+#include "equipoise/pages/given_keys.hpp"
+#include "equipoise/pages/machine_html.hpp"
+#include "options.hpp"
+#include "progress.hpp"
+#include "streams.hpp"
+
+namespace equipoise::app {
+
+MachinePage write_machine_page(const std::string& study_text, const std::string& name,
+                               const std::vector<std::string>& overrides, const Study& study,
+                               const BasinOptions& options, const std::string& path) {
+  MachinePageOptions page_options{options, parse_ball_details(study_text, name, overrides),
+                                  given_tables(study_text, name, overrides)};
+  MachinePage page = machine_page(study, page_options);
+  write_file(path, machine_html(page));
+  return page;
+}
+
+namespace {
+
+struct ReportArguments {
+  std::string study, output, cpu;
+  std::vector<std::string> overrides;
+  std::optional<std::string> starts, seed, threads;
+  bool quiet = false;
+};
+
+int run_report(const ReportArguments& a) {
+  choose_cpu(a.cpu);
+  require_ending("--output", a.output, ".html");
+  require_writable("--output", a.output);
+  std::vector<std::string> overrides = a.overrides;
+  override_starts(a.starts, a.seed, overrides);
+  BasinOptions options;
+  options.threads = threads_option(a.threads);
+  options.stop = &stop_flag();
+  const std::string text = read_study_text(a.study), name = display_text(a.study);
+  const Study study = parse_study(text, name, overrides);
+  ProgressLine progress(a.quiet);
+  options.progress = progress.listener();
+  const MachinePage page = write_machine_page(text, name, overrides, study, options, a.output);
+  progress.finish();
+  put(answer_sentence(page.basin) + "\n");
+  return page.basin.partial && stop_flag() ? interrupted : done;
+}
+
+}  // namespace
+
+Command add_report(CLI::App& app) {
+  const auto a = std::make_shared<ReportArguments>();
+  app.add_option("study", a->study, "study file (TOML)")->required()->type_name("STUDY");
+  app.add_option("-o,--output", a->output, "page to be written: one file that needs nothing else")
+      ->required()
+      ->type_name("FILE.html");
+  app.add_option("--starts", a->starts, "number of starts")->type_name("N");
+  app.add_option("--seed", a->seed, "seed of the starts")->type_name("S");
+  app.add_option("--threads", a->threads, "threads (default: all cores)")->type_name("T");
+  add_overrides(app, a->overrides);
+  app.add_option("--cpu", a->cpu, "instruction set to use instead of the best (see --version)")->type_name("NAME");
+  app.add_flag("--quiet", a->quiet, "no progress");
+  return [a] { return run_report(*a); };
+}
+
+}  // namespace equipoise::app

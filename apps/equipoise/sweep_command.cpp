@@ -1,0 +1,210 @@
+// equipoise sweep: an ensemble at every combination of some parameters' values; equipoise merge: several files of one.
+#include <charconv>
+#include <cstdint>
+#include <filesystem>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include "commands.hpp"
+#include "equipoise/drawing/sweep_plot.hpp"
+#include "equipoise/report/sweep_report.hpp"
+#include "equipoise/report/text.hpp"
+#include "equipoise/sweeps/merge.hpp"
+#include "equipoise/sweeps/sweep.hpp"
+#include "equipoise/sweeps/sweep_axis.hpp"
+#include "gnuplot.hpp"
+#include "options.hpp"
+#include "progress.hpp"
+#include "streams.hpp"
+#include "team.hpp"
+
+namespace equipoise::app {
+
+namespace {
+
+// What is made of a sweep besides what is printed.
+struct SweepForms {
+  std::string output, csv, plot;
+  bool json = false;
+};
+
+struct SweepArguments : SweepForms {
+  std::string study, cpu, shard;
+  std::vector<std::string> over, overrides;
+  std::optional<std::string> starts, seed, half_width, threads;
+  bool zip = false, quiet = false, transients = false;
+};
+
+void check_forms(const SweepForms& a) {
+  require_ending("--output", a.output, ".nc");
+  require_ending("--csv", a.csv, ".csv");
+  require_ending("--plot", a.plot, ".png", ".svg");
+  if (!a.plot.empty()) require_gnuplot("--plot", a.plot);
+  for (const auto& [option, path] : {std::pair{"--output", a.output}, {"--csv", a.csv}, {"--plot", a.plot}})
+    require_writable(option, path);
+}
+
+void put_forms(const SweepForms& a, const SweepResult& result) {
+  put(a.json ? sweep_json(result) : sweep_text(result));
+  if (!a.csv.empty()) write_file(a.csv, sweep_csv(result));
+  if (!a.plot.empty())
+    draw(a.plot, [&](const std::string& file) {
+      return sweep_plot_script(result, display_text(std::filesystem::path(result.study.name).filename().string()),
+                               file);
+    });
+}
+
+// "2/8": the second of eight.
+void read_shard(const std::string& text, SweepOptions& options) {
+  if (text.empty()) return;
+  const char* end = text.data() + text.size();
+  std::size_t number = 0;
+  auto read = std::from_chars(text.data(), end, number);
+  bool good = read.ec == std::errc() && read.ptr != end && *read.ptr == '/';
+  if (good) {
+    read = std::from_chars(read.ptr + 1, end, options.shards);
+    good = read.ec == std::errc() && read.ptr == end;
+  }
+  if (!good || number < 1 || number > options.shards || options.shards > most_sweep_cells)
+    throw InputError("--shard", "", display_text(text), "must be I/N with I from 1 to N, e.g. 2/8");
+  options.shard = number - 1;
+}
+
+SweepPlan plan_of(const SweepArguments& a) {
+  StudySource source{read_study_text(a.study), a.study, a.overrides};
+  override_starts(a.starts, a.seed, source.overrides);
+  CellRequest request;
+  request.limit_given = a.starts.has_value();
+  if (a.half_width)
+    request.half_width =
+        option_number<double>("--half-width", *a.half_width, 1e-6, 0.5, "a fraction of one from 1e-6 to 0.5");
+  if (a.transients) request.transients = true;
+  return SweepPlan(source, sweep_axes(a.over, a.zip, "--over"), request, "--over");
+}
+
+void check_outputs(const SweepArguments& a, const SweepOptions& options) {
+  check_forms(a);
+  if (options.shards > 1 && a.output.empty())
+    throw InputError("--shard", "", a.shard, "needs -o: the file that is merged with those of the other shards");
+}
+
+// One process of several that the first leads; what is wrong with the study, that one says.
+int follow(Team& team, const SweepArguments& a) {
+  if (!team.agree(true)) return bad_input;
+  team.follow(plan_of(a), a.threads ? threads_option(a.threads) : 1, &stop_flag());
+  return done;
+}
+
+SweepResult compute(Team& team, const SweepPlan& plan, const SweepArguments& a, SweepOptions& options) {
+  ProgressLine progress(a.quiet);
+  options.progress = progress.listener();
+  if (!a.quiet && !isatty(STDERR_FILENO))
+    options.cell = [&](std::size_t index, const SweepCell& cell) {
+      const Share& balanced = cell.outcomes.front().share;
+      put_error(fmt::format("{}: {} starts, balanced {} ({}), undecided {}\n", plan.title_of(index), cell.starts,
+                            percent(balanced.share, digits_for(balanced)), interval(balanced),
+                            percent(cell.undecided.share, 2)));
+    };
+  if (!team.alone()) options.helpers = [&](SweepWork& work) { team.lead(plan, work); };
+  try {
+    return sweep(plan, options);
+  } catch (...) {
+    team.dismiss();
+    throw;
+  }
+}
+
+int run_sweep(const SweepArguments& a) {
+  choose_cpu(a.cpu);
+  Team team;
+  if (!team.leads()) return follow(team, a);
+  SweepOptions options;
+  options.output = a.output;
+  // Of several processes on a machine each has a core of its own.
+  options.threads = a.threads || team.alone() ? threads_option(a.threads) : 1;
+  options.stop = &stop_flag();
+  std::optional<SweepPlan> plan;
+  try {
+    read_shard(a.shard, options);
+    plan = plan_of(a);
+    check_outputs(a, options);
+  } catch (...) {
+    team.agree(false);
+    throw;
+  }
+  team.agree(true);
+  const SweepResult result = compute(team, *plan, a, options);
+  put_forms(a, result);
+  if (result.complete() || !stop_flag()) return done;
+  say(a.output.empty() ? "stopped; with -o FILE.nc the same command would go on from here"
+                       : fmt::format("stopped; the same command goes on from {}", a.output));
+  return interrupted;
+}
+
+struct MergeArguments : SweepForms {
+  std::vector<std::string> files;
+};
+
+int run_merge(const MergeArguments& a) {
+  check_forms(a);
+  put_forms(a, merge_sweeps(a.files, a.output));
+  return done;
+}
+
+void add_forms(CLI::App& app, SweepForms& forms) {
+  app.add_option("--csv", forms.csv, "a line a cell and outcome (.csv)")->type_name("FILE");
+  app.add_option("--plot", forms.plot,
+                 "a picture (.png or .svg): stacked shares along one parameter, a heat map over two; drawn by gnuplot")
+      ->type_name("FILE");
+  app.add_flag("--json", forms.json, "print one JSON object");
+}
+
+}  // namespace
+
+Command add_sweep(CLI::App& app) {
+  const auto a = std::make_shared<SweepArguments>();
+  app.add_option("study", a->study, "study file (TOML)")->required()->type_name("STUDY");
+  app.add_option(
+         "--over", a->over,
+         "a parameter and its values, e.g. speed.final=1.5:6:0.1, balancer.drag=0.01,0.05,0.1, \"speed.final=900 "
+         "rpm:4000 rpm:100 rpm\"; up to three times")
+      ->type_name("KEY=VALUES")
+      ->take_all()
+      ->required();
+  app.add_flag("--zip", a->zip, "the parameters vary together, step by step, instead of in all combinations");
+  app.add_option("--starts", a->starts, "number of starts of every cell (with --half-width: at most so many)")
+      ->type_name("N");
+  app.add_option("--seed", a->seed, "seed of the starts, which are the same in every cell")->type_name("S");
+  app.add_option("--half-width", a->half_width,
+                 "sample in every cell until every share's 95 % interval is within +- H (a fraction of one)")
+      ->type_name("H");
+  app.add_flag("--transients", a->transients, "peak vibration and its like (default where the study has [limits])");
+  app.add_option("-o,--output", a->output,
+                 "all cells as NetCDF (.nc), kept as they come; the same command goes on from it")
+      ->type_name("FILE");
+  app.add_option("--shard", a->shard, "only the I-th of N parts of the work, to be merged (equipoise merge)")
+      ->type_name("I/N");
+  add_forms(app, *a);
+  app.add_option("--threads", a->threads, "threads (default: all cores)")->type_name("T");
+  add_overrides(app, a->overrides);
+  app.add_option("--cpu", a->cpu, "instruction set to use instead of the best (see --version)")->type_name("NAME");
+  app.add_flag("--quiet", a->quiet, "no progress");
+  return [a] { return run_sweep(*a); };
+}
+
+Command add_merge(CLI::App& app) {
+  const auto a = std::make_shared<MergeArguments>();
+  app.add_option("files", a->files, "files of one sweep (.nc), or unfinished parts of them (.nc.part)")
+      ->required()
+      ->type_name("FILE");
+  app.add_option("-o,--output", a->output, "what they are put together into (.nc)")->type_name("FILE")->required();
+  add_forms(app, *a);
+  return [a] { return run_merge(*a); };
+}
+
+}  // namespace equipoise::app

@@ -1,0 +1,195 @@
+// Stacked shares and heat maps.
+#include "equipoise/drawing/sweep_plot.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <vector>
+
+#include <fmt/format.h>
+
+#include "equipoise/deciding/decision_rule.hpp"
+#include "equipoise/drawing/plot_parts.hpp"
+
+namespace equipoise {
+
+namespace {
+
+std::string sweep_label(const SweepParameter& p) {
+  return p.unit.empty() ? axis_label(p.key) : fmt::format("{} ({})", p.key, p.unit);
+}
+
+std::vector<std::string> varied(const SweepResult& r) {
+  std::vector<std::string> keys;
+  for (const SweepAxis& axis : r.axes)
+    for (const SweepParameter& p : axis.parameters) keys.push_back(p.key);
+  return keys;
+}
+
+std::string heading(const SweepResult& r, const std::string& title) {
+  return fmt::format("{}{}{}", title.empty() ? "" : title + ": ", parameters_text(r.study, varied(r)),
+                     r.complete() ? "" : " (PARTIAL: cells are missing)");
+}
+
+// What is stacked, from below: balanced, the others by identifier, and what came to none.
+struct Layer {
+  std::string name, colour;
+};
+
+std::string stacked_script(const SweepResult& r, const std::string& title, const std::string& path) {
+  std::map<int, Layer> layers;
+  const auto add = [&](int order, const std::string& name, int code) {
+    layers.try_emplace(order, Layer{name, colour_of(code)});
+  };
+  constexpr int last = 1'000'000;
+  for (const auto& cell : r.cells) {
+    if (!cell) continue;
+    for (const SweepOutcome& o : cell->outcomes)
+      if (o.share.count > 0 || o.id == balanced_id) add(o.id, o.alias.empty() ? o.name : o.alias + ": " + o.name, o.id);
+    if (cell->stalled && cell->stalled->count > 0) add(last, "stalled", -3);
+    if (cell->undecided.count > 0) add(last + 1, "undecided", 0);
+    if (cell->diverged.count + cell->failed.count > 0) add(last + 2, "diverged or failed", -1);
+  }
+  const SweepParameter& x = r.axes.front().parameters.front();
+  std::string script = canvas(path, 1600, 900) + "$shares << EOD\n";
+  for (std::size_t k = 0; k < r.cells.size(); ++k) {
+    if (!r.cells[k]) continue;
+    const SweepCell& cell = *r.cells[k];
+    const Share& balanced = cell.outcomes.front().share;
+    script += fmt::format("{:.9g} {:.6g} {:.6g}", x.values[k], 100.0 * balanced.low, 100.0 * balanced.high);
+    double sum = 0.0;
+    for (const auto& [order, layer] : layers) {
+      double share = 0.0;
+      if (order == last) share = cell.stalled ? cell.stalled->share : 0.0;
+      if (order == last + 1) share = cell.undecided.share;
+      if (order == last + 2) share = cell.diverged.share + cell.failed.share;
+      for (const SweepOutcome& o : cell.outcomes)
+        if (o.id == order) share = o.share.share;
+      sum += 100.0 * share;
+      script += fmt::format(" {:.6g}", sum);
+    }
+    script += "\n";
+  }
+  script += "EOD\n" + std::string(quiet_frame);
+  const auto [low, high] = std::minmax_element(x.values.begin(), x.values.end());
+  const double margin = *high > *low ? 0.0 : 0.5 * std::max(std::fabs(*low), 1e-3);
+  script += fmt::format(
+      "set title {} offset 0,0.3\nset xlabel {}\nset ylabel 'share of starts (%)'\nset xrange [{:.9g}:{:.9g}]\n"
+      "set yrange [0:100]\nset key outside right top vertical Left reverse samplen 2 spacing 1.3 width 1 invert\n"
+      "set lmargin 9\nset grid front\n",
+      quoted(heading(r, title)), quoted(sweep_label(x)), *low - margin, *high + margin);
+  // A lone value is a column.
+  const bool lone = r.axes.front().size() == 1;
+  std::string items;
+  int column = 4;
+  for (const auto& [order, layer] : layers) {
+    items += items.empty() ? "" : ", \\\n  ";
+    items +=
+        lone ? fmt::format(
+                   "$shares using 1:{0}:(0.1) with boxes fillcolor rgb '{1}' fillstyle solid 0.85 noborder title {2}",
+                   column, layer.colour, quoted(layer.name))
+             : fmt::format(
+                   "$shares using 1:({0}):{1} with filledcurves fillcolor rgb '{2}' fillstyle solid 0.85 "
+                   "noborder title {3}",
+                   column == 4 ? "0" : fmt::format("${}", column - 1), column, layer.colour, quoted(layer.name));
+    ++column;
+  }
+  items += ", \\\n  $shares using 1:4 with points pointtype 7 pointsize 0.5 linecolor rgb '#222222' notitle";
+  items +=
+      ", \\\n  $shares using 1:2:(0):($3-$2) with vectors nohead linewidth 1.3 linecolor rgb '#222222' title "
+      "'balanced: 95 % interval'";
+  return script + "plot " + items + "\n";
+}
+
+// One rectangle a cell, since values may be spaced in any way; written into each where there is room.
+std::string panel(const SweepResult& r, std::size_t first, const std::string& title, int number) {
+  const std::size_t a = r.axes.size() - 2;
+  const SweepParameter &y = r.axes[a].parameters.front(), &x = r.axes[a + 1].parameters.front();
+  // Values as ranks: lists such as 0.01, 0.05, 0.1 make rows of one height.
+  const auto ranks = [](const std::vector<double>& values) {
+    std::vector<double> rank(values.size());
+    for (std::size_t i = 0; i < values.size(); ++i)
+      rank[i] =
+          static_cast<double>(std::count_if(values.begin(), values.end(), [&](double v) { return v < values[i]; }));
+    return rank;
+  };
+  const auto even = [](const std::vector<double>& values) {
+    if (values.size() < 3) return false;
+    const double step = values[1] - values[0];
+    for (std::size_t k = 2; k < values.size(); ++k)
+      if (std::fabs(values[k] - values[k - 1] - step) > 1e-6 * std::fabs(step)) return false;
+    return true;
+  };
+  const bool x_even = even(x.values), y_even = even(y.values);
+  const std::vector<double> xs = x_even ? x.values : ranks(x.values), ys = y_even ? y.values : ranks(y.values);
+  const auto half = [](const std::vector<double>& v, bool is_even) {
+    return is_even ? 0.5 * std::fabs(v[1] - v[0]) : 0.5;
+  };
+  const double dx = half(xs, x_even), dy = half(ys, y_even);
+  std::string script = fmt::format("$panel_{} << EOD\n", number);
+  for (std::size_t j = 0; j < y.values.size(); ++j)
+    for (std::size_t i = 0; i < x.values.size(); ++i) {
+      const auto& cell = r.cells[first + j * x.values.size() + i];
+      if (!cell) continue;
+      script += fmt::format("{:.9g} {:.9g} {:.4g}\n", xs[i], ys[j], 100.0 * cell->outcomes.front().share.share);
+    }
+  script += "EOD\n";
+  const auto tics = [](const char* axis, const SweepParameter& p, const std::vector<double>& at, bool is_even) {
+    if (is_even) return fmt::format("set {} autofreq\n", axis);
+    std::string list;
+    for (std::size_t k = 0; k < at.size(); ++k)
+      list += fmt::format("{}'{:.6g}' {:.9g}", k ? ", " : "", p.values[k], at[k]);
+    return fmt::format("set {} ({})\n", axis, list);
+  };
+  script += tics("xtics", x, xs, x_even) + tics("ytics", y, ys, y_even);
+  const auto range = [](const std::vector<double>& v, double beyond) {
+    const auto [low, high] = std::minmax_element(v.begin(), v.end());
+    return fmt::format("[{:.9g}:{:.9g}]", *low - beyond, *high + beyond);
+  };
+  script += fmt::format(
+      "set title {} offset 0,-0.2\nset xlabel {}\nset ylabel {} offset 0.5,0\nset xrange {}\nset yrange {}\n",
+      quoted(title), quoted(sweep_label(x)), quoted(sweep_label(y)), range(xs, dx), range(ys, dy));
+  script += fmt::format(
+      "plot $panel_{0} using 1:2:($1-{1:.9g}):($1+{1:.9g}):($2-{2:.9g}):($2+{2:.9g}):3 with boxxyerror fillcolor "
+      "palette fillstyle "
+      "solid 1 noborder notitle",
+      number, dx, dy);
+  constexpr std::size_t most_written = 150;
+  if (x.values.size() <= 16 && x.values.size() * y.values.size() <= most_written)
+    script += fmt::format(
+        ", \\\n  $panel_{} using 1:2:(sprintf('%.0f', $3)):($3 > 55 ? 0x000000 : 0xFFFFFF) with labels textcolor rgb "
+        "variable font ',13' notitle",
+        number);
+  return script + "\n";
+}
+
+std::string heat_script(const SweepResult& r, const std::string& title, const std::string& path) {
+  const bool several = r.axes.size() == 3;
+  const std::size_t panels = several ? r.axes.front().size() : 1, columns = panels == 1 ? 1
+                                                                            : panels == 4
+                                                                                ? 2
+                                                                                : std::min<std::size_t>(panels, 3);
+  const std::size_t rows = (panels + columns - 1) / columns;
+  const std::size_t cells = r.cells.size() / panels;
+  std::string script = canvas(path, 1600, static_cast<int>(90 + std::max<std::size_t>(rows * 480, 810))) + quiet_frame;
+  // Viridis, by which any kind of colour vision, and a greyscale print, tells more from less.
+  script +=
+      "set palette defined (0 '#440154', 1 '#472c7a', 2 '#3b518b', 3 '#2c718e', 4 '#21908d', 5 '#27ad81', 6 '#5cc863', "
+      "7 '#aadc32', 8 '#fde725')\nset cbrange [0:100]\nset cblabel 'balanced (%)' offset 1,0\nunset grid\n"
+      "set lmargin 11\nset rmargin 12\n";
+  if (several) script += fmt::format("set multiplot layout {},{} title {}\n", rows, columns, quoted(heading(r, title)));
+  for (std::size_t k = 0; k < panels; ++k) {
+    const SweepParameter& first = r.axes.front().parameters.front();
+    script += panel(r, k * cells, several ? fmt::format("{} = {}", first.key, first.given[k]) : heading(r, title),
+                    static_cast<int>(k) + 1);
+  }
+  return script + (several ? "unset multiplot\n" : "");
+}
+
+}  // namespace
+
+std::string sweep_plot_script(const SweepResult& result, const std::string& title, const std::string& path) {
+  return result.axes.size() == 1 ? stacked_script(result, title, path) : heat_script(result, title, path);
+}
+
+}  // namespace equipoise

@@ -1,0 +1,82 @@
+// One sentence: how surely it balances, what is exceeded, what is not known.
+#include "equipoise/pages/answer.hpp"
+
+#include <algorithm>
+#include <array>
+#include <optional>
+
+#include <fmt/format.h>
+
+#include "equipoise/pages/quantities.hpp"
+#include "equipoise/report/text.hpp"
+
+namespace equipoise {
+
+namespace {
+using study::Dimension;
+
+// Bounds that hold whatever undecided starts come to, where those could move the interval.
+std::string surely(const Share& s) {
+  const bool wider = s.least < s.low || s.most > s.high;
+  return wider ? fmt::format(", surely {:.{}f} to {}", 100.0 * s.least, digits_for(s), percent(s.most, digits_for(s)))
+               : "";
+}
+
+std::string balance_words(const BasinResult& r) {
+  const AttractorShare& balanced = r.attractors.front();
+  const Share& s = balanced.share;
+  if (s.count == 0)
+    return fmt::format("Not one of {} starts ends balanced: {}{} would (95 % confidence)", r.starts, share_words(s),
+                       surely(s));
+  const bool plain = balanced.name == "balanced";  // else held by friction
+  return fmt::format("The rotor ends {} in {} of starts (95 % confidence{})",
+                     plain ? balanced.name : "\"" + balanced.name + "\"", share_words(s), surely(s));
+}
+
+std::string limit_words(const BasinResult& r) {
+  if (!r.transients || r.transients->groups.empty()) return "";
+  const PageQuantities shown(r.study);
+  const Limits& limits = r.study.limits;
+  struct Told {
+    const std::optional<double>& limit;
+    Dimension dimension;
+    const char* what;
+    const char* way;
+  };
+  const std::array<Told, 3> told{{{limits.displacement, Dimension::length, "", " on the way"},
+                                  {limits.force, Dimension::force, " on the supports", " on the way"},
+                                  {limits.velocity, Dimension::velocity, " RMS in the end", ""}}};
+  std::string text;
+  const TransientGroup& all = r.transients->groups.front();
+  for (std::size_t k = 0; k < told.size(); ++k)
+    if (told[k].limit && all.exceeded[k])
+      text += fmt::format("; {}{} is exceeded{} in {}", shown.text(*told[k].limit, told[k].dimension), told[k].what,
+                          told[k].way, share_words(*all.exceeded[k]));
+  return text;
+}
+
+std::string point_words(const Share& s) { return percent(s.share, digits_for(s)); }
+
+}  // namespace
+
+std::string share_words(const Share& s) {
+  const int digits = digits_for(s);
+  if (s.total == 0) return "nobody knows how many";
+  if (s.count == 0) return "less than " + percent(s.high, digits);
+  if (s.count == s.total) return "more than " + percent(s.low, digits);
+  return interval(s);
+}
+
+std::string answer_sentence(const BasinResult& r) {
+  if (r.starts == 0 || r.attractors.empty()) return "Nothing is known: stopped before any start was decided.";
+  std::string text = balance_words(r);
+  if (r.stalled && r.stalled->count > 0) text += fmt::format("; {} never come up to speed", share_words(*r.stalled));
+  text += limit_words(r);
+  if (r.undecided.count > 0) text += fmt::format("; {} stay undecided", point_words(r.undecided));
+  const std::uint64_t lost = r.diverged.count + r.failed.count;
+  if (lost > 0)
+    text += fmt::format("; {} could not be followed to an end", lost == 1 ? "1 start" : fmt::format("{} starts", lost));
+  return text + ".";
+}
+
+}  // namespace equipoise

@@ -1,0 +1,362 @@
+// Words and tables around the drawings: what it does, what that costs, of which machine, and how that is known.
+#include "equipoise/pages/machine_html.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <optional>
+
+#include <fmt/format.h>
+
+#include "equipoise/base/version.hpp"
+#include "equipoise/drawing/document.hpp"
+#include "equipoise/drawing/plot_parts.hpp"
+#include "equipoise/model/balance_grade.hpp"
+#include "equipoise/pages/answer.hpp"
+#include "equipoise/pages/drawings.hpp"
+#include "equipoise/pages/quantities.hpp"
+#include "equipoise/report/left_unbalance.hpp"
+#include "equipoise/report/sampling_text.hpp"
+#include "equipoise/report/text.hpp"
+#include "equipoise/report/transient_report.hpp"
+#include "equipoise/store/basin_file.hpp"
+#include "equipoise/study/physical_echo.hpp"
+
+namespace equipoise {
+
+namespace {
+using study::Dimension;
+
+DocumentCell number_cell(const std::string& text) { return {text, Tone::plain, true}; }
+
+// "angle-grinder" of "studies/angle-grinder.toml".
+std::string stem_of(const std::string& name) {
+  const std::size_t folder = name.find_last_of('/');
+  std::string stem = folder == std::string::npos ? name : name.substr(folder + 1);
+  if (stem.ends_with(".toml")) stem.resize(stem.size() - 5);
+  return stem.empty() ? "study" : stem;
+}
+
+std::string grade_words(double grade) {
+  const auto met = model::standard_grade_met(grade);
+  return met ? fmt::format("G {:g}", *met) : "beyond G 4000";
+}
+
+// Spaces instead of the ends of lines that the terminal has.
+std::string on_one_line(std::string text) {
+  std::replace(text.begin(), text.end(), '\n', ' ');
+  while (text.ends_with(' ')) text.pop_back();
+  return text;
+}
+
+const SampleSummary& figure_of(const TransientGroup& group, float TransientRow::*value) {
+  std::size_t k = 0;
+  while (transient_columns[k].value != value) ++k;
+  return group.figures[k];
+}
+
+class MachineDocument {
+ public:
+  explicit MachineDocument(const MachinePage& page)
+      : page_(page), basin_(page.basin), study_(page.basin.study), shown_(page.basin.study) {}
+
+  Document make() {
+    document_.title = "Ball balancer: " + stem_of(study_.name);
+    document_.sheet = true;
+    add(Paragraph{answer_sentence(basin_), Tone::plain, true});
+    if (basin_.partial) add(Paragraph{"Stopped before all starts were done: this is of those that were.", Tone::bad});
+    if (!basin_.note.empty()) add(Paragraph{"Note: " + basin_.note + ".", Tone::open});
+    if (basin_.starts > 0) {
+      ends();
+      way();
+    }
+    machine();
+    origin();
+    return std::move(document_);
+  }
+
+ private:
+  void add(Block block) { document_.blocks.push_back(std::move(block)); }
+
+  const TransientGroup* group(int id, const std::string& name) const {
+    if (!basin_.transients) return nullptr;
+    for (const TransientGroup& g : basin_.transients->groups)
+      if (g.starts > 0 && g.id == id && (id != 0 || g.name == name)) return &g;
+    return nullptr;
+  }
+
+  // Where starts end.
+  void ends() {
+    add(Heading{2, "Where starts end", ""});
+    DrawingRow row;
+    row.drawings.push_back({"", shares_svg(page_), "", ""});
+    for (const DrawnMotion& motion : page_.motions)
+      if (!motion.x.empty())
+        row.drawings.push_back({motion.alias.empty() ? motion.name : fmt::format("{} ({})", motion.name, motion.alias),
+                                motion_svg(page_, motion), motion_words(motion), colour_of(motion.id)});
+    row.caption =
+        "Bars: shares of starts with their 95 % intervals. Drawings: left the balls in the race as who turns with the "
+        "rotor sees them, the wedge at its heavy side, arrows where balls run; right the way of the rotor's centre as "
+        "who stands beside it sees it, all to one scale";
+    row.caption += study_.limits.displacement ? ", the limit dashed if it is within." : ".";
+    if (page_.motions_left_out > 0) row.caption += fmt::format(" {} rarer not drawn.", page_.motions_left_out);
+    add(std::move(row));
+    add(ends_table());
+    if (const std::string left = left_unbalance_text(basin_.attractors, study_); !left.empty())
+      add(Paragraph{on_one_line(left)});
+  }
+
+  std::string motion_words(const DrawnMotion& m) const {
+    std::string text = m.r_max < 1e-9
+                           ? "The centre rests on the axis"
+                           : "The centre is " + shown_.range(m.r_min, m.r_max, Dimension::length) + " off the axis";
+    if (study_.speed.driven()) text += fmt::format(" at {}", shown_.text(m.speed, Dimension::speed));
+    text += "; " + ball_words(m);
+    text += ".";
+    if (m.one_start) text += " Drawn from the end of one start.";
+    if (m.continuum) text += " One of a continuum of such.";
+    return text;
+  }
+
+  // "the balls rest in the race"; "ball 1 rests, ball 2 falls behind by 0.9 ω_c".
+  std::string ball_words(const DrawnMotion& m) const {
+    constexpr double still = 0.01;  // rad: a race of 0.1 m has them move by a millimetre
+    std::vector<std::string> does;
+    for (const BallOnMotion& b : m.balls) {
+      const bool behind = b.drift * (m.speed < 0.0 ? -1.0 : 1.0) < 0.0;
+      does.push_back(b.drift != 0.0           ? fmt::format("{} by {}", behind ? "behind" : "ahead",
+                                                            shown_.text(std::fabs(b.drift), Dimension::speed))
+                     : b.high - b.low < still ? "rest"
+                                              : "swing");
+    }
+    const auto words = [](const std::string& what, bool one) {
+      if (what == "rest") return std::string(one ? "rests in the race" : "rest in the race");
+      if (what == "swing") return std::string(one ? "swings about its place" : "swing about their places");
+      return (what.starts_with("behind") ? one ? "falls " : "fall " : one ? "runs " : "run ") + what;
+    };
+    if (std::all_of(does.begin(), does.end(), [&](const std::string& one) { return one == does.front(); }))
+      return does.size() == 1 ? "the ball " + words(does[0], true) : "the balls " + words(does[0], false);
+    std::string text;
+    for (std::size_t i = 0; i < does.size(); ++i)
+      text += fmt::format("{}ball {} {}", i ? ", " : "", i + 1, words(does[i], true));
+    return text;
+  }
+
+  struct EndLine {
+    const std::string name;
+    const Share& share;
+    const TransientGroup* group;
+  };
+
+  std::vector<EndLine> end_lines() const {
+    std::vector<EndLine> lines;
+    for (const AttractorShare& a : basin_.attractors)
+      lines.push_back(
+          {a.alias.empty() ? a.name : fmt::format("{} ({})", a.name, a.alias), a.share, group(a.id, a.name)});
+    const auto of = [&](Outcome outcome, const Share& share) {
+      lines.push_back({name_of(outcome), share, group(0, name_of(outcome))});
+    };
+    if (basin_.stalled) of(Outcome::stalled, *basin_.stalled);
+    if (basin_.undecided.count > 0) of(Outcome::undecided, basin_.undecided);
+    if (basin_.diverged.count > 0) of(Outcome::diverged, basin_.diverged);
+    if (basin_.failed.count > 0) of(Outcome::failed, basin_.failed);
+    return lines;
+  }
+
+  DocumentTable ends_table() const {
+    const bool open = basin_.undecided.count > 0, graded = study_.scales.has_value();
+    DocumentTable table;
+    table.header = {"outcome", "share", "95 % interval"};
+    if (open) table.header.push_back("surely within");
+    table.header.insert(table.header.end(), {"starts", "displacement", "RMS velocity"});
+    if (graded) table.header.push_back("balance quality");
+    table.spare = {open ? 4u : 3u, open ? 6u : 5u};
+    for (const EndLine& line : end_lines()) {
+      const Share& s = line.share;
+      std::vector<DocumentCell> cells{
+          {line.name}, number_cell(percent(s.share, s.count == 0 ? 0 : digits_for(s))), number_cell(interval(s))};
+      if (open) cells.push_back(number_cell(&s == &basin_.undecided ? "-" : bounds_text(s)));
+      cells.push_back(number_cell(fmt::format("{}", s.count)));
+      const auto mean = [&](float TransientRow::*value, Dimension d) {
+        return number_cell(line.group ? shown_.text(figure_of(*line.group, value).mean, d) : "-");
+      };
+      cells.push_back(mean(&TransientRow::peak_radial_at_end, Dimension::length));
+      cells.push_back(mean(&TransientRow::rms_velocity, Dimension::velocity));
+      if (graded) {
+        const auto grade = line.group ? left_grade(*line.group, study_) : std::nullopt;
+        cells.push_back(number_cell(grade ? grade_words(*grade) : "-"));
+      }
+      table.rows.push_back(std::move(cells));
+    }
+    table.caption = "Displacement and velocity in the end, means over the starts of the outcome";
+    if (graded) table.caption += "; balance quality as ISO 21940-11 grades what unbalance is left, to compare by only";
+    table.caption += ".";
+    return table;
+  }
+
+  // What the way there costs.
+  void way() {
+    add(Heading{2, "On the way", ""});
+    DrawingRow row;
+    row.large = true;
+    for (const FigureDistribution& d : page_.peaks)
+      row.drawings.push_back({capital(figure_name(d.figure)) + ", all starts", distribution_svg(page_, d), "", ""});
+    if (!page_.runs.empty()) {
+      row.drawings.push_back({"Displacement over time", displacement_svg(page_), runs_words(), ""});
+      row.drawings.push_back({"Speed over time", speed_svg(page_), "", ""});
+    }
+    if (page_.starts_drawn < basin_.starts)
+      row.caption = fmt::format("Drawn and chosen from the first {} starts.", page_.starts_drawn);
+    add(std::move(row));
+    if (basin_.transients && !basin_.transients->groups.empty() && basin_.transients->groups.front().starts > 0)
+      add(way_table(basin_.transients->groups.front()));
+  }
+
+  static std::string capital(std::string text) {
+    if (!text.empty() && text[0] >= 'a' && text[0] <= 'z') text[0] = static_cast<char>(text[0] - 'a' + 'A');
+    return text;
+  }
+
+  std::string runs_words() const {
+    const std::array<const char*, 2> who{"Typical (grey)", "worst (violet)"};
+    std::string text;
+    for (std::size_t k = 0; k < page_.runs.size(); ++k) {
+      const ShownRun& run = page_.runs[k];
+      const std::string name = page_.runs.size() == 1 ? "All alike" : who[k];
+      text += fmt::format("{}{}: start {}, peak {}, ends {}", k ? "; " : "", name, run.index,
+                          shown_.text(run.peak, Dimension::length), run.outcome);
+      // Starts near the border of two basins go another way if the last digit differs.
+      constexpr double alike = 0.02;
+      if (std::fabs(run.again - run.peak) > alike * run.peak)
+        text += fmt::format(" (followed again with smaller steps, {} within what is shown)",
+                            shown_.text(run.again, Dimension::length));
+    }
+    return text + ".";
+  }
+
+  DocumentTable way_table(const TransientGroup& all) const {
+    const Limits& limits = study_.limits;
+    const bool limited = limits.displacement || limits.force || limits.velocity;
+    DocumentTable table{{"all starts", "median", "90 % below", "largest"}, {}, "", false, {2}};
+    if (limited) {
+      table.header.insert(table.header.end(), {"limit", "exceeded by"});
+      table.spare.push_back(4);
+    }
+    // `open`: of times that have no end.
+    const auto row = [&](const char* name, float TransientRow::*value, Dimension d, const char* open,
+                         const std::optional<double>& limit, const std::optional<Share>& exceeded) {
+      const SampleSummary& s = figure_of(all, value);
+      const auto figure = [&](double v) { return number_cell(std::isfinite(v) ? shown_.text(v, d) : open); };
+      table.rows.push_back({{name, Tone::plain, false, true},
+                            figure(s.quantiles[0].value),
+                            figure(s.quantiles[1].value),
+                            figure(s.largest)});
+      if (!limited) return;
+      table.rows.back().push_back(number_cell(limit ? shown_.text(*limit, d) : "-"));
+      table.rows.back().push_back(number_cell(exceeded ? share_words(*exceeded) : "-"));
+    };
+    const auto& e = all.exceeded;
+    row("peak displacement", &TransientRow::peak_radial, Dimension::length, "", limits.displacement, e[0]);
+    row("peak force on the supports", &TransientRow::peak_force, Dimension::force, "", limits.force, e[1]);
+    row("RMS velocity in the end", &TransientRow::rms_velocity, Dimension::velocity, "", limits.velocity, e[2]);
+    if (limits.displacement)
+      row("time above the limit", &TransientRow::time_above, Dimension::time, all.lasting > 0 ? "for good" : "not over",
+          std::nullopt, std::nullopt);
+    if (limits.settled)
+      row("settled after release", &TransientRow::settling_time, Dimension::time, all.never > 0 ? "never" : "not yet",
+          std::nullopt, std::nullopt);
+    if (limits.settled)
+      table.caption = fmt::format("Settled: displacement below {}.", shown_.text(*limits.settled, Dimension::length));
+    if (page_.explanation.sag > 0.0)
+      table.caption += fmt::format(
+          " Displacements count from where the rotor rests, {} below slack springs; forces hold its weight.",
+          shown_.text(page_.explanation.sag, Dimension::length));
+    return table;
+  }
+
+  // Which machine.
+  void machine() {
+    add(Heading{2, "The machine", ""});
+    DocumentTable table{{"given", "in the study"}, {}, "", false, {}};
+    for (const GivenTable& given : page_.given) {
+      std::string text;
+      for (const auto& [key, value] : given.keys) text += fmt::format("{}{} {}", text.empty() ? "" : "; ", key, value);
+      table.rows.push_back({{given.name, Tone::plain, false, true}, {text}});
+    }
+    add(std::move(table));
+    DocumentTable facts{{"follows", "without any simulation"}, {}, "", false, {}};
+    for (const auto& [name, text] : derived()) facts.rows.push_back({{name, Tone::plain, false, true}, {text}});
+    add(std::move(facts));
+    for (const std::string& warning : page_.explanation.warnings)
+      add(Paragraph{"Beware: " + warning + ".", Tone::open});
+  }
+
+  std::string by_direction(const std::array<double, 2>& v, Dimension d) const {
+    return v[0] == v[1] ? shown_.text(v[0], d) : fmt::format("x {}, y {}", shown_.text(v[0], d), shown_.text(v[1], d));
+  }
+
+  std::vector<std::array<std::string, 2>> derived() const {
+    const Explanation& e = page_.explanation;
+    std::vector<std::array<std::string, 2>> rows;
+    std::string speeds = by_direction(e.critical_alone, Dimension::speed) + " without balls, " +
+                         by_direction(e.critical_with_balls, Dimension::speed) + " with them";
+    if (e.speed)
+      speeds += fmt::format("; final speed {}, {:.3g} times that", shown_.text(*e.speed, Dimension::speed),
+                            std::fabs(*e.speed) / std::min(e.critical_with_balls[0], e.critical_with_balls[1]));
+    rows.push_back({"critical speed", speeds});
+    std::string unbalance =
+        fmt::format("{}; the balls can cancel {}", shown_.text(study_.parameters.eccentricity, Dimension::unbalance),
+                    shown_.range(e.least_unbalance, e.largest_unbalance, Dimension::unbalance));
+    if (study_.scales && e.speed)
+      unbalance += fmt::format("; {} without balls",
+                               grade_words(model::balance_grade(study_.parameters.eccentricity * study_.scales->length,
+                                                                *e.speed * study_.scales->frequency)));
+    rows.push_back({"unbalance", unbalance});
+    if (e.bare)
+      rows.push_back({"without balls", fmt::format("shakes by {} at the final speed, {} on the supports",
+                                                   by_direction(e.bare->displacement, Dimension::length),
+                                                   by_direction(e.bare->force, Dimension::force))});
+    if (e.motion)
+      rows.push_back({"way into balance", e.motion->stable
+                                              ? fmt::format("stable, slowest time constant {}",
+                                                            shown_.text(-1.0 / e.motion->slowest_rate, Dimension::time))
+                                              : "not stable by linear theory"});
+    return rows;
+  }
+
+  // How that is known.
+  void origin() {
+    add(Heading{2, "How it was computed", ""});
+    const auto method = study_.sampling.method.value_or(SamplingMethod::random);
+    std::string text = fmt::format(
+        "{} starts at {} ball angles{}, seed {}, each followed until it is known where it ends (undecided after {}). ",
+        basin_.starts, sampling_method_names[static_cast<std::size_t>(method)],
+        study_.sampling.box.empty() ? "" : " and in the box of initial states", study_.sampling.seed,
+        shown_.text(study_.numerics.horizon.value_or(0.0), Dimension::time));
+    text += on_one_line(sampling_text(basin_));
+    if (!study_.speed.driven() && study_.speed.profile != Profile::constant)
+      text += fmt::format(" Speed law: {}.", name_of(study_.speed.law));
+    text += fmt::format(
+        " Intervals hold with 95 % confidence. The model: a rotor in a plane, docs/equations.md. "
+        "equipoise {}, {}, {} thread{}, {:.1f} s ({:.1f} s CPU)",
+        version_string, basin_.cpu_target, basin_.threads, basin_.threads == 1 ? "" : "s", basin_.seconds,
+        basin_.cpu_seconds);
+    if (basin_.resumed_from > 0) text += fmt::format("; {} starts from an earlier run's file", basin_.resumed_from);
+    add(Paragraph{text + "."});
+    if (study_.scales) add(Listing{"The study in full, in physical units", to_physical_toml(study_)});
+    add(Listing{study_.scales ? "The same without dimensions, as it was computed" : "The study in full",
+                to_toml(study_)});
+  }
+
+  const MachinePage& page_;
+  const BasinResult& basin_;
+  const Study& study_;
+  const PageQuantities shown_;
+  Document document_;
+};
+
+}  // namespace
+
+std::string machine_html(const MachinePage& page) { return document_html(MachineDocument(page).make()); }
+
+}  // namespace equipoise

@@ -1,0 +1,234 @@
+// An ensemble, its motions, the distribution of its peaks and two of its runs, side by side.
+#include "equipoise/pages/machine_page.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <optional>
+
+#include "equipoise/base/angles.hpp"
+#include "equipoise/explain/explain.hpp"
+#include "equipoise/motions/catalogue.hpp"
+#include "equipoise/pages/given_keys.hpp"
+#include "equipoise/pages/motion_path.hpp"
+#include "equipoise/pages/shown_runs.hpp"
+#include "equipoise/store/basin_file.hpp"
+
+namespace equipoise {
+
+namespace {
+
+constexpr std::uint64_t most_starts_drawn = 1'000'000;
+constexpr std::size_t most_motions_drawn = 6;
+constexpr double least_drift = 1e-4;  // a ball slower than that rests, for whoever looks at a drawing
+constexpr double least_turning = 1e-3;
+
+double turn_time(double speed) { return two_pi / std::max(std::fabs(speed), least_turning); }
+
+std::vector<BallOnMotion> balls_on(const MotionPath& path, const double* drift, double duration) {
+  std::vector<BallOnMotion> balls;
+  for (std::size_t i = 0; i < path.phi.size(); ++i) {
+    const std::vector<double>& phi = path.phi[i];
+    const auto [low, high] = std::minmax_element(phi.begin(), phi.end());
+    BallOnMotion ball{phi.front(), *low, *high, drift ? drift[i] : (phi.back() - phi.front()) / duration};
+    // Of the end of a run drift is what comes to more than half a turn; a motion knows its own.
+    const bool back = drift ? std::fabs(ball.drift) < least_drift : std::fabs(phi.back() - phi.front()) < 0.5 * two_pi;
+    if (back && *high - *low < two_pi) ball.drift = 0.0;
+    balls.push_back(ball);
+  }
+  return balls;
+}
+
+// Balls are looked at for all of their way, the centre for so many turns of the rotor as do not fill the drawing.
+void draw_path(const model::System& system, const Motion& motion, DrawnMotion& drawn) {
+  constexpr double longest = 2000.0, most_turns = 24.0;
+  constexpr int looks = 2000, looks_a_turn = 48;
+  const double turn = turn_time(motion.speed);
+  const bool rests = motion.kind == MotionKind::equilibrium;
+  const double way = rests ? turn : motion.kind == MotionKind::periodic ? std::max(motion.period, 4.0 * turn) : longest;
+  const double duration = std::min(way, longest);
+  drawn.balls = balls_on(motion_path(system, motion, duration, looks), motion.drift.data(), duration);
+  const double turns = std::min(duration / turn, most_turns);
+  const MotionPath path =
+      motion_path(system, motion, turns * turn, std::max(looks_a_turn, static_cast<int>(turns * looks_a_turn)));
+  drawn.x = path.x;
+  drawn.y = path.y;
+}
+
+void draw_end(const Study& study, const StartArrays& starts, std::uint64_t index, const StopFlag* stop,
+              DrawnMotion& drawn) {
+  constexpr double longest = 20000.0, turns = 12.0;
+  constexpr int looks_a_turn = 48;
+  const double until = std::min<double>((*starts.transient("followed_until"))[index], longest);
+  if (!(until > 0.0)) return;
+  const double pace = std::max(1.0, std::fabs(study.system().pace()));
+  const Trajectory run = start_run(study, index, until, two_pi / (looks_a_turn * pace), stop);
+  if (run.stopped || run.t.size() < 2) return;
+  std::size_t first = run.t.size() - 1;
+  while (first > 0 && std::fabs(run.psi.back() - run.psi[first]) < turns * two_pi) --first;
+  const MotionPath path = motion_path(study.parameters, run, first);
+  const double duration = run.t.back() - run.t[first];
+  drawn.balls = balls_on(path, nullptr, duration);
+  drawn.x = path.x;
+  drawn.y = path.y;
+  const auto begin = run.radial.begin() + static_cast<std::ptrdiff_t>(first);
+  const auto [low, high] = std::minmax_element(begin, run.radial.end());
+  drawn.r_min = *low;
+  drawn.r_max = *high;
+  drawn.r_mean = 0.5 * (*low + *high);
+  drawn.speed = (run.psi.back() - run.psi[first]) / duration;
+  drawn.one_start = true;
+}
+
+DrawnMotion drawn_of(const Attractor& a, const Study& study) {
+  DrawnMotion drawn;
+  const Motion& m = a.motion;
+  drawn.kind = name_of(m.kind);
+  drawn.r_min = m.r_min;
+  drawn.r_mean = m.r_mean;
+  drawn.r_max = m.r_max;
+  drawn.speed = m.speed;
+  drawn.continuum = a.continuum.has_value() || m.set_valued;
+  draw_path(system_of(study.parameters, m), m, drawn);
+  return drawn;
+}
+
+class PageMaker {
+ public:
+  PageMaker(const Study& study, const MachinePageOptions& options) : options_(options) {
+    page_.given = options.given.empty() ? given_tables(study) : options.given;
+    page_.explanation = explain(study, options.balls);
+    BasinOptions run = options;
+    run.keep_starts = true;
+    const bool grid = study.sampling.method == SamplingMethod::grid;  // its first starts are no fair sample
+    if (!grid) run.keep_at_most = most_starts_drawn;
+    run.transients = true;
+    page_.basin = basin(study, run, &catalogue_);
+    starts_ = std::move(*page_.basin.every_start);
+    page_.basin.every_start.reset();
+    page_.starts_drawn = starts_.starts;
+  }
+
+  MachinePage make() {
+    name_outcomes();
+    if (starts_.starts == 0) return page_;
+    distributions();
+    tell("drawing the motions");
+    motions();
+    tell("following the typical and the worst run");
+    page_.runs = shown_runs(page_.basin.study, starts_, typical_and_worst(starts_), options_.stop);
+    for (ShownRun& run : page_.runs) run.outcome = names_[run.code];
+    return page_;
+  }
+
+ private:
+  void tell(const char* what) const {
+    if (options_.progress) options_.progress({0, 0, std::string("report: ") + what, {}, true});
+  }
+
+  void name_outcomes() {
+    for (const AttractorShare& a : page_.basin.attractors) add_name(a.id, a.name);
+    if (page_.basin.stalled) add_name(stalled_code, name_of(Outcome::stalled));
+    add_name(undecided_code, name_of(Outcome::undecided));
+  }
+  void add_name(int code, const std::string& name) {
+    names_[code] = name;
+    listed_.push_back(code);
+  }
+
+  void motions() {
+    std::vector<DrawnMotion>& drawn = page_.motions;
+    for (const AttractorShare& a : page_.basin.attractors)
+      if (a.share.count > 0) drawn.push_back({a.id, a.name, a.alias, a.kind, a.share, {}, {}, {}});
+    if (const auto& stalled = page_.basin.stalled; stalled && stalled->count > 0)
+      drawn.push_back({stalled_code, names_[stalled_code], "", "", *stalled, {}, {}, {}});
+    std::stable_sort(drawn.begin(), drawn.end(),
+                     [](const DrawnMotion& a, const DrawnMotion& b) { return a.share.share > b.share.share; });
+    if (drawn.size() > most_motions_drawn) {
+      page_.motions_left_out = drawn.size() - most_motions_drawn;
+      drawn.resize(most_motions_drawn);
+    }
+    for (DrawnMotion& one : drawn) draw(one);
+  }
+
+  void draw(DrawnMotion& one) {
+    const Attractor* a = one.id > 0 ? catalogue_.find(one.id) : nullptr;
+    // With uncertain values each start has a motion of its own rotor.
+    const bool common = page_.basin.study.uncertain.empty();
+    if (a && common && a->motion.kind != MotionKind::measured && a->motion.state.size() > 0) {
+      DrawnMotion drawn = drawn_of(*a, page_.basin.study);
+      drawn.id = one.id;
+      drawn.name = one.name;
+      drawn.alias = one.alias;
+      drawn.share = one.share;
+      one = std::move(drawn);
+      return;
+    }
+    const auto found = std::find(starts_.outcome.begin(), starts_.outcome.end(), static_cast<short>(one.id));
+    if (found == starts_.outcome.end()) return;
+    draw_end(page_.basin.study, starts_, static_cast<std::uint64_t>(found - starts_.outcome.begin()), options_.stop,
+             one);
+  }
+
+  void distributions() {
+    const Limits& limits = page_.basin.study.limits;
+    add_distribution(&TransientRow::peak_radial, limits.displacement);
+    if (limits.force) add_distribution(&TransientRow::peak_force, limits.force);
+    if (limits.velocity) add_distribution(&TransientRow::rms_velocity, limits.velocity);
+  }
+
+  void add_distribution(float TransientRow::*figure, const std::optional<double>& limit) {
+    constexpr std::size_t bins = 36;
+    const std::vector<float>* values = nullptr;
+    for (std::size_t k = 0; k < transient_columns.size(); ++k)
+      if (transient_columns[k].value == figure) values = &starts_.transients[k];
+    FigureDistribution d;
+    d.figure = figure;
+    bool some = false;
+    for (const float v : *values) {
+      if (!std::isfinite(v)) continue;
+      d.low = some ? std::min<double>(d.low, v) : v;
+      d.high = some ? std::max<double>(d.high, v) : v;
+      some = true;
+    }
+    if (!some) return;
+    constexpr double near_enough = 2.5;  // to be shown with what it limits
+    if (limit && *limit < near_enough * d.high) d.high = std::max(d.high, 1.05 * *limit);
+    if (limit && *limit > 0.4 * d.low) d.low = std::min(d.low, 0.95 * *limit);
+    if (d.high - d.low < 1e-3 * d.high) d.low = 0.0;  // all alike
+    if (d.low < 0.3 * d.high) d.low = 0.0;
+    if (!(d.high > 0.0)) d.high = limit.value_or(1e-6);
+    std::map<int, std::vector<double>> counts;
+    double all = 0.0;
+    for (std::size_t i = 0; i < values->size(); ++i) {
+      const double weight = starts_.weight.empty() ? 1.0 : starts_.weight[i];
+      all += weight;
+      if (!std::isfinite((*values)[i])) continue;
+      const double place = ((*values)[i] - d.low) / (d.high - d.low) * static_cast<double>(bins);
+      auto& of = counts[starts_.outcome[i]];
+      of.resize(bins);
+      of[std::min(bins - 1, static_cast<std::size_t>(std::max(place, 0.0)))] += weight;
+    }
+    for (const int code : listed_)
+      if (auto& of = counts[code]; !of.empty()) {
+        for (double& share : of) share /= all;
+        d.outcomes.push_back({code, names_[code], std::move(of)});
+      }
+    page_.peaks.push_back(std::move(d));
+  }
+
+  const MachinePageOptions& options_;
+  MachinePage page_;
+  Catalogue catalogue_;
+  StartArrays starts_;
+  std::map<int, std::string> names_;
+  std::vector<int> listed_;
+};
+
+}  // namespace
+
+MachinePage machine_page(const Study& study, const MachinePageOptions& options) {
+  return PageMaker(study, options).make();
+}
+
+}  // namespace equipoise

@@ -1,0 +1,83 @@
+// Any system's motion is followed as a machine's, events or none: a drawing needs few of them.
+#include "equipoise/pages/motion_path.hpp"
+
+#include <array>
+#include <cmath>
+
+#include "equipoise/model/frames.hpp"
+#include "equipoise/model/strobe.hpp"
+#include "equipoise/orbits/event_run-inl.hpp"
+
+namespace equipoise {
+
+namespace {
+namespace kernels = HWY_NAMESPACE;
+
+constexpr double path_tolerance = 1e-9;  // far below what a drawing shows
+
+class PathWriter {
+ public:
+  PathWriter(const model::Parameters& p, MotionPath& path) : p_(p), path_(path) {
+    path_.phi.resize(static_cast<std::size_t>(p.balls));
+  }
+
+  void add(double psi, double x, double y) {
+    const std::array<double, 2> rest = model::rest_position(p_, psi);
+    const auto fixed = model::in_fixed_axes(std::cos(psi), std::sin(psi), x - rest[0], y - rest[1]);
+    path_.x.push_back(fixed[0]);
+    path_.y.push_back(fixed[1]);
+  }
+  void add_ball(std::size_t i, double phi) { path_.phi[i].push_back(phi); }
+
+ private:
+  const model::Parameters& p_;
+  MotionPath& path_;
+};
+
+}  // namespace
+
+MotionPath motion_path(const model::System& system, const Motion& motion, double duration, int count) {
+  MotionPath path;
+  const model::Parameters& p = system.parameters();
+  PathWriter writer(p, path);
+  kernels::EventRun run(system, motion.state.data(), 0.0, kernels::event_scale(system, path_tolerance));
+  std::array<double, kernels::EventRun::dimension> y{};
+  const double step = duration / count;
+  double psi = 0.0, speed = 0.0;
+  int next = 0;
+  // Of a motor whose supports are alike all round, the rotor's angle is no part of the state: it is summed up.
+  const auto turn_on = [&] {
+    const double now = system.prescribed() ? system.speed() : y[static_cast<std::size_t>(system.speed_place())];
+    if (system.psi_place() >= 0)
+      psi = y[static_cast<std::size_t>(system.psi_place())];
+    else if (next > 0)
+      psi += 0.5 * step * (speed + now);
+    speed = now;
+  };
+  const auto take = [&] {
+    turn_on();
+    writer.add(psi, y[model::index::x], y[model::index::y]);
+    for (int i = 0; i < p.balls; ++i)
+      writer.add_ball(static_cast<std::size_t>(i), y[static_cast<std::size_t>(model::index::phi(i))]);
+    ++next;
+  };
+  run.state(y.data());
+  take();
+  run.advance(duration, [&](double, double to, auto& state_at) {
+    for (; next <= count && next * step <= to; take()) state_at(next * step, y.data());
+    return next > count;
+  });
+  return path;
+}
+
+MotionPath motion_path(const model::Parameters& p, const Trajectory& trajectory, std::size_t first) {
+  MotionPath path;
+  PathWriter writer(p, path);
+  for (std::size_t k = first; k < trajectory.t.size(); ++k) {
+    writer.add(trajectory.psi[k], trajectory.x[k], trajectory.y[k]);
+    for (std::size_t i = 0; i < trajectory.phi.size(); ++i) writer.add_ball(i, trajectory.phi[i][k]);
+  }
+  return path;
+}
+
+}  // namespace equipoise

@@ -1,0 +1,134 @@
+// Two starts chosen, followed, and reduced to as many stretches of time as a picture has pixels.
+#include "equipoise/pages/shown_runs.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+#include "equipoise/base/angles.hpp"
+#include "equipoise/basins/basin.hpp"
+#include "equipoise/spin_up/initial_state.hpp"
+#include "equipoise/trajectory/simulate.hpp"
+
+namespace equipoise {
+
+namespace {
+
+constexpr double run_tolerance = 1e-10;
+constexpr std::size_t stretches = 360;
+constexpr double longest_run = 20000.0;  // undecided starts have no end of their own
+constexpr double most_looks = 60000.0;
+
+double weight_of(const StartArrays& starts, std::size_t i) { return starts.weight.empty() ? 1.0 : starts.weight[i]; }
+
+double last_branch(const Study& study) {
+  const model::Drive drive = study.drive();
+  const double release = std::isfinite(drive.release_time) ? drive.release_time : 0.0;
+  return std::max(drive.pieces.back().begin, release);
+}
+
+// Sixteen looks at a turn at the final speed show the largest displacement to 2 %.
+double look_step(const Study& study, double until) {
+  const double pace = std::max(1.0, std::fabs(study.system().pace()));
+  return std::max(two_pi / (16.0 * pace), until / most_looks);
+}
+
+// When a figure has come, for good, below `level`.
+double below_from(const std::vector<double>& t, const std::vector<double>& figure, double level) {
+  std::size_t k = t.size() - 1;
+  while (k > 0 && figure[k - 1] <= level) --k;
+  return t[k];
+}
+
+// When the displacement has come within a fiftieth of the way from its peak to what it does in the last tenth of the
+// run, and the speed within a twentieth of its last.
+double steady_from(const Trajectory& run) {
+  const std::size_t n = run.t.size();
+  if (n < 2) return 0.0;
+  const auto last_tenth = run.radial.begin() + static_cast<std::ptrdiff_t>(n - 1 - n / 10);
+  const double end = *std::max_element(last_tenth, run.radial.end());
+  const double peak = *std::max_element(run.radial.begin(), run.radial.end());
+  std::vector<double> missing;
+  for (const double speed : run.psi_dot) missing.push_back(std::fabs(speed - run.psi_dot.back()));
+  return std::max(below_from(run.t, run.radial, end + 0.02 * (peak - end)),
+                  below_from(run.t, missing, 0.05 * std::fabs(run.psi_dot.back())));
+}
+
+ShownRun reduced(const Trajectory& run) {
+  ShownRun shown;
+  const std::size_t n = run.t.size(), each = std::max<std::size_t>(1, n / stretches);
+  for (std::size_t first = 0; first < n; first += each) {
+    const std::size_t end = std::min(n, first + each);
+    const auto [low, high] = std::minmax_element(run.radial.begin() + static_cast<std::ptrdiff_t>(first),
+                                                 run.radial.begin() + static_cast<std::ptrdiff_t>(end));
+    shown.t.push_back(0.5 * (run.t[first] + run.t[end - 1]));
+    shown.r_low.push_back(*low);
+    shown.r_high.push_back(*high);
+    const auto speeds = run.psi_dot.begin();
+    shown.speed.push_back(
+        std::accumulate(speeds + static_cast<std::ptrdiff_t>(first), speeds + static_cast<std::ptrdiff_t>(end), 0.0) /
+        static_cast<double>(end - first));
+    shown.again = std::max(shown.again, *high);
+  }
+  return shown;
+}
+
+}  // namespace
+
+std::vector<std::uint64_t> typical_and_worst(const StartArrays& starts) {
+  const std::vector<float>& peak = *starts.transient("peak_radial");
+  std::vector<std::uint64_t> order;
+  double all = 0.0;
+  for (std::size_t i = 0; i < peak.size(); ++i) {
+    if (!std::isfinite(peak[i])) continue;
+    order.push_back(i);
+    all += weight_of(starts, i);
+  }
+  if (order.empty()) return {};
+  std::sort(order.begin(), order.end(),
+            [&](std::uint64_t a, std::uint64_t b) { return peak[a] != peak[b] ? peak[a] < peak[b] : a < b; });
+  double below = 0.0;
+  std::size_t middle = 0;
+  while (middle + 1 < order.size() && below + weight_of(starts, order[middle]) < 0.5 * all)
+    below += weight_of(starts, order[middle++]);
+  if (order[middle] == order.back()) return {order.back()};
+  return {order[middle], order.back()};
+}
+
+Trajectory start_run(const Study& study, std::uint64_t index, double until, double step, const StopFlag* stop) {
+  const std::vector<double> drawn = drawn_values(study, sampler_of(study), study.sampling.seed, index);
+  Study one = study.uncertain.empty() ? study : drawn_study(study, drawn);
+  one.initial = start_of(study, index);
+  one.numerics.tolerance = run_tolerance;
+  std::vector<double> times;
+  const auto count = static_cast<std::size_t>(std::ceil(until / step));
+  for (std::size_t k = 0; k <= count; ++k) times.push_back(static_cast<double>(k) * step);
+  RunOptions options;
+  options.stop = stop;
+  return simulate(one, times, options);
+}
+
+std::vector<ShownRun> shown_runs(const Study& study, const StartArrays& starts,
+                                 const std::vector<std::uint64_t>& indices, const StopFlag* stop) {
+  const std::vector<float>& followed = *starts.transient("followed_until");
+  const std::vector<float>& peak = *starts.transient("peak_radial");
+  const double begin = last_branch(study);
+  constexpr double least = 30.0, margin = 1.25;
+  double until = std::max(least, 1.05 * begin);
+  for (const std::uint64_t i : indices) {
+    const double end = std::clamp(static_cast<double>(followed[i]), until, begin + longest_run);
+    until = std::max(until, std::min(end, margin * steady_from(start_run(study, i, end, look_step(study, end), stop))));
+  }
+  std::vector<ShownRun> runs;
+  for (const std::uint64_t i : indices) {
+    const Trajectory run = start_run(study, i, until, look_step(study, until), stop);
+    if (run.stopped || run.t.size() < 2) continue;
+    runs.push_back(reduced(run));
+    runs.back().index = i;
+    runs.back().code = starts.outcome[i];
+    runs.back().peak = peak[i];
+  }
+  return runs;
+}
+
+}  // namespace equipoise

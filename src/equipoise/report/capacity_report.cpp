@@ -1,0 +1,201 @@
+// Capacities as text, JSON, CSV and charts.
+#include "equipoise/report/capacity_report.hpp"
+
+#include <algorithm>
+#include <array>
+#include <sstream>
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include "equipoise/base/version.hpp"
+#include "equipoise/drawing/plot_parts.hpp"
+#include "equipoise/report/text.hpp"
+
+namespace equipoise {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+std::string with_unit(const std::string& key, const std::string& unit) {
+  return unit.empty() ? key : fmt::format("{} ({})", key, unit);
+}
+
+// Each parameter with its value in a cell.
+template <class Visit>
+void visit_values(const CapacityResult& r, std::size_t cell, const Visit& visit) {
+  const std::vector<std::size_t> place = place_on(r.axes, cell);
+  for (std::size_t a = 0; a < r.axes.size(); ++a)
+    for (const SweepParameter& p : r.axes[a].parameters) visit(p, place[a]);
+}
+
+std::string value_text(const CapacityResult& r, const CapacityCell& cell) {
+  if (cell.never) return fmt::format("below {:.4g}", r.from);
+  if (cell.always) return fmt::format("above {:.4g}", r.to);
+  return fmt::format("{:.4g}", *cell.value);
+}
+
+ChartSeries boundary_series(const SweepParameter& x, const std::vector<const CapacityCell*>& cells) {
+  ChartSeries series;
+  for (std::size_t i = 0; i < cells.size(); ++i) {
+    if (!cells[i] || cells[i]->never) continue;
+    series.x.push_back(x.values[i]);
+    series.y.push_back(cells[i]->value.value_or(cells[i]->high));
+    series.low.push_back(cells[i]->low);
+    series.high.push_back(cells[i]->high);
+  }
+  return series;
+}
+
+}  // namespace
+
+std::string capacity_text(const CapacityResult& r) {
+  std::string text = study_heading(r.study), header;
+  const auto title = [](const SweepParameter& p) {
+    return p.unit.empty() ? p.key : fmt::format("{}, {}", p.key, p.unit);
+  };
+  for (const SweepAxis& axis : r.axes)
+    for (const SweepParameter& p : axis.parameters)
+      header += fmt::format("{:>{}}  ", title(p), std::max<std::size_t>(title(p).size(), 10));
+  const std::string asked = r.unit.empty() ? r.key : fmt::format("{}, {}", r.key, r.unit);
+  const std::size_t width = std::max<std::size_t>(asked.size(), 12);
+  text += fmt::format("The largest {} at which {:.4g} % of starts end balanced.\n\n", r.key, 100.0 * r.at_least);
+  text += header + fmt::format("{:>{}}  {:<24}{:>7}\n", asked, width, "surely between", "trials");
+  for (std::size_t index = 0; index < r.cells.size(); ++index) {
+    if (!r.cells[index]) continue;
+    const CapacityCell& cell = *r.cells[index];
+    visit_values(r, index, [&](const SweepParameter& p, std::size_t at) {
+      text += fmt::format("{:>{}.6g}  ", p.values[at], std::max<std::size_t>(title(p).size(), 10));
+    });
+    text += fmt::format("{:>{}}  {:<24}{:>7}\n", value_text(r, cell), width,
+                        fmt::format("{:.4g} and {:.4g}", cell.low, cell.high), cell.trials.size());
+  }
+  text += fmt::format(
+      "\nSurely between: up to the first value the share is as large with 95 % confidence, whatever undecided starts "
+      "would come to; at the second it is smaller with 95 % confidence. Looked for from {:.4g} to {:.4g}, located to "
+      "{:.3g}; a share that falls short between two of the values tried and recovers is not seen.\n",
+      r.from, r.to, r.precision * (r.to - r.from));
+  if (!r.complete()) text += "PARTIAL: stopped before all cells were done.\n";
+  return text + fmt::format(
+                    "{} starts a trial, seed {}, the same ones in all; {:.2f} s, {:.2f} s CPU on {} thread{} "
+                    "({}); equipoise {}\n",
+                    r.starts, r.study.sampling.seed, r.seconds, r.cpu_seconds, r.threads, r.threads == 1 ? "" : "s",
+                    r.cpu_target, version_string);
+}
+
+std::string capacity_json(const CapacityResult& r) {
+  Json json{{"of", r.key}, {"unit", r.unit}, {"at_least", r.at_least}, {"from", r.from}, {"to", r.to}};
+  json["over"] = Json::array();
+  for (const SweepAxis& axis : r.axes)
+    for (const SweepParameter& p : axis.parameters)
+      json["over"].push_back({{"key", p.key}, {"unit", p.unit}, {"values", p.values}});
+  json["partial"] = !r.complete();
+  json["cells"] = Json::array();
+  for (std::size_t index = 0; index < r.cells.size(); ++index) {
+    if (!r.cells[index]) continue;
+    const CapacityCell& cell = *r.cells[index];
+    Json at = Json::object(), trials = Json::array();
+    visit_values(r, index, [&](const SweepParameter& p, std::size_t k) { at[p.key] = p.values[k]; });
+    for (const CapacityTrial& t : cell.trials) {
+      Json one{{"value", t.value}};
+      one.update(share_json(t.balanced));
+      one["unstable"] = t.unstable;
+      trials.push_back(one);
+    }
+    json["cells"].push_back({{"at", at},
+                             {"value", cell.value ? Json(*cell.value) : Json(nullptr)},
+                             {"low", cell.low},
+                             {"high", cell.high},
+                             {"always", cell.always},
+                             {"never", cell.never},
+                             {"trials", trials}});
+  }
+  json["confidence"] = 0.95;
+  json["starts"] = r.starts;
+  json["seconds"] = r.seconds;
+  json["cpu_seconds"] = r.cpu_seconds;
+  json["threads"] = r.threads;
+  json["cpu_target"] = r.cpu_target;
+  json["study_name"] = r.study.name;
+  json["study"] = study_json(r.study);
+  json["version"] = version_string;
+  return json.dump(2) + "\n";
+}
+
+std::string capacity_csv(const CapacityResult& r) {
+  std::string text =
+      fmt::format("# equipoise {}: largest {} at which a share of {} of {} starts ends balanced, from {} to {}{}\n",
+                  version_string, r.key, r.at_least, r.starts, r.from, r.to, r.complete() ? "" : ", PARTIAL");
+  std::istringstream study(to_toml(r.study));
+  for (std::string line; std::getline(study, line);) text += line.empty() ? "#\n" : "# " + line + "\n";
+  for (const SweepAxis& axis : r.axes)
+    for (const SweepParameter& p : axis.parameters) text += with_unit(p.key, p.unit) + ",";
+  text += fmt::format("{0},low,high,always,never,trials\n", with_unit(r.key, r.unit));
+  for (std::size_t index = 0; index < r.cells.size(); ++index) {
+    if (!r.cells[index]) continue;
+    const CapacityCell& cell = *r.cells[index];
+    visit_values(r, index, [&](const SweepParameter& p, std::size_t k) { text += fmt::format("{},", p.values[k]); });
+    text += fmt::format("{},{},{},{},{},{}\n", cell.value ? fmt::format("{}", *cell.value) : "", cell.low, cell.high,
+                        cell.always ? 1 : 0, cell.never ? 1 : 0, cell.trials.size());
+  }
+  return text;
+}
+
+std::string capacity_title(const CapacityResult& r) {
+  return fmt::format("Largest {} balanced by {:.4g} % of starts{}", r.key, 100.0 * r.at_least,
+                     r.complete() ? "" : " (PARTIAL: stopped early)");
+}
+
+std::vector<Chart> capacity_charts(const CapacityResult& r) {
+  // Apart for any kind of colour vision, as in other pictures.
+  constexpr std::array colours{"#0072B2", "#E69F00", "#009E73", "#D55E00", "#CC79A7", "#56B4E9", "#666666"};
+  const std::string y_label = r.unit.empty() ? axis_label(r.key) : with_unit(r.key, r.unit);
+  std::vector<Chart> charts;
+  if (r.axes.empty()) {
+    Chart chart{"", y_label, "balanced (%)", false, false, true, {}};
+    ChartSeries series{"balanced share", dark_colour, ChartSeries::Style::line, {}, {}, {}, {}};
+    for (const CapacityTrial& t : r.cells.front() ? r.cells.front()->trials : std::vector<CapacityTrial>{}) {
+      series.x.push_back(t.value);
+      series.y.push_back(100.0 * t.balanced.share);
+      series.low.push_back(100.0 * t.balanced.low);
+      series.high.push_back(t.unstable ? 0.0 : 100.0 * t.balanced.high);
+    }
+    ChartSeries asked{fmt::format("{:.4g} %", 100.0 * r.at_least),
+                      light_colour,
+                      ChartSeries::Style::dashed,
+                      {r.from, r.to},
+                      {100.0 * r.at_least, 100.0 * r.at_least},
+                      {},
+                      {}};
+    chart.series = {series, asked};
+    return {chart};
+  }
+  const auto size = [&](std::size_t axis) { return axis < r.axes.size() ? r.axes[axis].size() : 1; };
+  for (std::size_t third = 0; third < size(2); ++third) {
+    const SweepParameter& x = r.axes[0].parameters.front();
+    Chart chart{"", with_unit(x.unit.empty() ? axis_label(x.key) : x.key, x.unit), y_label, false, false, true, {}};
+    if (r.axes.size() > 2) {
+      const SweepParameter& p = r.axes[2].parameters.front();
+      chart.title = fmt::format("{} = {}", p.key, p.given[third]);
+    }
+    for (std::size_t second = 0; second < size(1); ++second) {
+      std::vector<const CapacityCell*> cells;
+      for (std::size_t i = 0; i < size(0); ++i) {
+        const auto& cell = r.cells[(i * size(1) + second) * size(2) + third];
+        cells.push_back(cell ? &*cell : nullptr);
+      }
+      ChartSeries series = boundary_series(x, cells);
+      series.colour = colours[second % colours.size()];
+      if (r.axes.size() > 1) {
+        const SweepParameter& p = r.axes[1].parameters.front();
+        series.label = fmt::format("{} = {}", p.key, p.given[second]);
+      }
+      chart.series.push_back(std::move(series));
+    }
+    charts.push_back(std::move(chart));
+  }
+  return charts;
+}
+
+}  // namespace equipoise

@@ -1,0 +1,14 @@
+// What is in a file, for people and for machines.
+#pragma once
+
+#include <string>
+
+#include "equipoise/results/inspection.hpp"
+
+namespace equipoise {
+
+std::string inspection_text(const Inspection& inspection);
+/// One JSON object. docs/guide/command-line.md lists the keys.
+std::string inspection_json(const Inspection& inspection);
+
+}  // namespace equipoise

@@ -1,0 +1,29 @@
+// What a file of results holds.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace equipoise {
+
+struct Inspection {
+  std::string path;
+  std::string kind;     ///< "basin", "sweep", "map", "branches", "trajectory", "unfinished results"; empty: unknown
+  std::string version;  ///< of the program that wrote it
+  std::uint64_t bytes = 0;
+  std::string damage;            ///< in words that follow the file's name; empty: none
+  std::optional<bool> complete;  ///< if it says
+  std::vector<std::pair<std::string, std::string>> facts;  ///< by name: starts, cells, what varies
+  struct Outcome {
+    int code = 0;
+    std::string name;
+    double share = 0.0;
+  };
+  std::vector<Outcome> outcomes;  ///< of an ensemble
+  std::string study;              ///< TOML; empty if nothing could be read
+};
+
+}  // namespace equipoise

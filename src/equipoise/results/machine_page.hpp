@@ -1,0 +1,81 @@
+// What the page for one machine shows, before it is drawn.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "equipoise/model/parameters.hpp"
+#include "equipoise/results/basin_result.hpp"
+#include "equipoise/results/explanation.hpp"
+#include "equipoise/transients/transient_table.hpp"
+
+namespace equipoise {
+
+/// One table of the study with what was written in it: {"rotor", {{"mass", "2.2 kg"}, ...}}.
+struct GivenTable {
+  std::string name;
+  std::vector<std::array<std::string, 2>> keys;
+};
+
+/// A stretch of a motion at equally spaced times, dimensionless.
+struct MotionPath {
+  std::vector<double> x, y;              ///< centre of the race in fixed axes, from where the rotor rests
+  std::vector<std::vector<double>> phi;  ///< by ball: angle from the heavy side, seen from the turning rotor; unwrapped
+};
+
+/// What one ball does on a motion, seen from the turning rotor.
+struct BallOnMotion {
+  double place = 0.0;            ///< an angle on its way, all balls' at the same time
+  double low = 0.0, high = 0.0;  ///< the way that it goes to and fro, unwrapped; no more than a turn of it
+  double drift = 0.0;            ///< mean rate, 0 where it comes back; `low` and `high` then say nothing
+};
+
+/// A motion in which starts end.
+struct DrawnMotion {
+  int id = 0;  ///< attractor, or stalled_code
+  std::string name, alias, kind;
+  Share share;
+  std::vector<double> x, y;  ///< of its path
+  std::vector<BallOnMotion> balls;
+  double r_min = 0.0, r_mean = 0.0, r_max = 0.0;
+  double speed = 0.0;      ///< of the rotor, mean
+  bool continuum = false;  ///< one of many such
+  bool one_start = false;  ///< the end of one start's run, for want of the motion itself
+};
+
+/// How often a figure of transients was how large: starts (of a grid weighted) by equal bins and by outcome.
+struct FigureDistribution {
+  float TransientRow::*figure = nullptr;
+  double low = 0.0, high = 0.0;  ///< outer edges
+  struct Outcome {
+    int code = 0;
+    std::string name;
+    std::vector<double> bins;  ///< shares of all starts drawn
+  };
+  std::vector<Outcome> outcomes;  ///< as they are listed
+};
+
+/// One start followed again. Every entry is of a stretch of time, the next one's begins where it ends.
+struct ShownRun {
+  std::uint64_t index = 0;
+  int code = 0;
+  std::string outcome;
+  double peak = 0.0;                            ///< displacement, as it was gathered
+  double again = 0.0;                           ///< and as it is here
+  std::vector<double> t, r_low, r_high, speed;  ///< middle of the stretch; extremes of the displacement; mean psi'
+};
+
+struct MachinePage {
+  BasinResult basin;  ///< without its starts
+  Explanation explanation;
+  std::vector<GivenTable> given;
+  std::vector<DrawnMotion> motions;  ///< the most frequent first
+  std::size_t motions_left_out = 0;  ///< rarer ones
+  std::uint64_t starts_drawn = 0;    ///< in `peaks`, and to choose `runs` from: the first ones
+  std::vector<FigureDistribution> peaks;
+  std::vector<ShownRun> runs;  ///< the one with the median peak, the one with the largest; fewer if stopped
+};
+
+}  // namespace equipoise

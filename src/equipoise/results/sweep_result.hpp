@@ -1,0 +1,86 @@
+// What a sweep over parameters answered: an ensemble a cell.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "equipoise/results/transient_result.hpp"
+#include "equipoise/statistics/share.hpp"
+#include "equipoise/study/study.hpp"
+
+namespace equipoise {
+
+/// One parameter and the values that it takes.
+struct SweepParameter {
+  std::string key;                 ///< as --set knows it; speed.final also where the speed is constant
+  std::string unit;                ///< of quantities; empty for plain numbers
+  std::vector<double> values;      ///< in that unit
+  std::vector<std::string> given;  ///< the same as --set takes them
+};
+
+/// Parameters that vary together, one step each; a single one unless they are zipped.
+struct SweepAxis {
+  std::vector<SweepParameter> parameters;
+  std::size_t size() const { return parameters.front().values.size(); }
+};
+
+/// An attractor in one cell.
+struct SweepOutcome {
+  int id = 0;      ///< the same for the same motion in all cells
+  int own_id = 0;  ///< as basin() numbers it in this cell
+  std::string name, alias, kind;
+  Share share;
+  double mean_time = 0.0;
+  /// Of the motion: distance of the centre from the axis, period (0: none), mean rates of the balls; none where it is
+  /// told by its windows alone.
+  std::optional<double> r_min, r_mean, r_max;
+  double period = 0.0;
+  std::vector<double> drift;
+  std::vector<double> state;  ///< on it; empty: none
+};
+
+struct SweepCell {
+  std::uint64_t starts = 0;
+  std::vector<SweepOutcome> outcomes;  ///< by own_id; balanced first
+  Share undecided, diverged, failed;
+  std::optional<Share> stalled, passed;              ///< of driven rotors
+  std::shared_ptr<const TransientGroup> transients;  ///< of all starts, if they are gathered
+  bool balanced_stable = false;
+  std::string note;
+};
+
+/// By index: the last axis' values follow one another; null: not done. Pointers, for most of a large sweep's are.
+using SweepCells = std::vector<std::shared_ptr<SweepCell>>;
+
+struct SweepResult {
+  Study study;  ///< the one that is varied
+  std::vector<SweepAxis> axes;
+  SweepCells cells;
+  double half_width = 0.0;  ///< asked for; 0: none
+  bool transients = false;
+  std::uint64_t resumed_cells = 0;  ///< read from an earlier run's file
+  int threads = 0;
+  std::string cpu_target;
+  double seconds = 0.0, cpu_seconds = 0.0;  ///< of this run
+
+  bool complete() const {
+    for (const auto& cell : cells)
+      if (!cell) return false;
+    return true;
+  }
+  /// Place of a cell along every axis.
+  std::vector<std::size_t> place(std::size_t cell) const;
+};
+
+inline std::vector<std::size_t> place_on(const std::vector<SweepAxis>& axes, std::size_t cell) {
+  std::vector<std::size_t> place(axes.size());
+  for (std::size_t a = axes.size(); a-- > 0; cell /= axes[a].size()) place[a] = cell % axes[a].size();
+  return place;
+}
+inline std::vector<std::size_t> SweepResult::place(std::size_t cell) const { return place_on(axes, cell); }
+
+}  // namespace equipoise

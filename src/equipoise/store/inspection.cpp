@@ -1,0 +1,144 @@
+// Kinds of files by what stands in them.
+#include "equipoise/store/inspection.hpp"
+
+#include <array>
+#include <filesystem>
+#include <fstream>
+#include <set>
+#include <sstream>
+#include <system_error>
+
+#include <fmt/format.h>
+#include <netcdf.h>
+
+#include "equipoise/base/error.hpp"
+#include "equipoise/files/journal.hpp"
+#include "equipoise/files/netcdf.hpp"
+#include "equipoise/files/sealed_file.hpp"
+
+namespace equipoise {
+
+namespace {
+
+// A key's value in an identity, or nothing.
+std::string value_in(const std::string& identity, const std::string& key) {
+  std::istringstream lines(identity);
+  for (std::string line; std::getline(lines, line);)
+    if (line.starts_with(key + " = ")) return line.substr(key.size() + 3);
+  return "";
+}
+
+// What stands before the part that says how a file was made.
+std::string study_in(const std::string& identity) { return identity.substr(0, identity.find("\n[file]")); }
+
+void add_axes(const std::string& identity, Inspection& i) {
+  std::istringstream lines(identity);
+  for (std::string line; std::getline(lines, line);)
+    if (line.starts_with("over.")) i.facts.emplace_back("over", line.substr(5));
+}
+
+std::string kind_of(const store::NetcdfFile& file) {
+  if (const std::string kind = file.attribute("kind"); !kind.empty()) return kind;
+  if (file.length("start") > 0) return "basin";
+  if (file.length("x") > 0 && file.length("y") > 0) return "map";
+  if (!file.attribute("parameter").empty()) return "branches";
+  return file.length("t") > 0 || file.length("time") > 0 ? "trajectory" : "";
+}
+
+void add_outcomes(const store::NetcdfFile& file, Inspection& i) {
+  const std::size_t kinds = file.length("outcome_kind");
+  const int codes = file.variable("kind_code", NC_SHORT, {kinds}),
+            shares = file.variable("kind_share", NC_DOUBLE, {kinds});
+  for (std::size_t k = 0; k < kinds; ++k) {
+    short code = 0;
+    Inspection::Outcome outcome;
+    file.read(codes, {k}, {1}, &code);
+    file.read(shares, {k}, {1}, &outcome.share);
+    outcome.code = code;
+    outcome.name = file.read_text("kind_name", k);
+    i.outcomes.push_back(outcome);
+  }
+}
+
+void count_cells(const store::NetcdfFile& file, Inspection& i) {
+  const std::size_t cells = file.length("cell");
+  std::vector<double> ends(cells);
+  file.read(file.variable("record_end", NC_DOUBLE, {cells}), {0}, {cells}, ends.data());
+  std::size_t done = 0;
+  for (std::size_t k = 0; k < cells; ++k) done += ends[k] > (k > 0 ? ends[k - 1] : 0.0);
+  i.facts.emplace_back("cells done", fmt::format("{} of {}", done, cells));
+}
+
+void read_results_file(Inspection& i) {
+  const store::NetcdfFile file(i.path, store::NetcdfFile::Mode::read);
+  i.kind = kind_of(file);
+  const std::string source = file.attribute("source"), identity = file.attribute("identity");
+  i.version = source.starts_with("equipoise ") ? source.substr(10) : "";
+  if (const std::string complete = file.attribute("complete"); !complete.empty()) i.complete = complete == "yes";
+  i.study = file.attribute("study");
+  constexpr std::array told{"start", "x", "y", "value", "attractor", "event", "discovery", "t", "time"};
+  for (const char* dimension : told)
+    if (const std::size_t length = file.length(dimension)) i.facts.emplace_back(dimension, fmt::format("{}", length));
+  if (i.kind == "sweep") {
+    count_cells(file, i);
+    add_axes(identity, i);
+  }
+  if (i.kind == "basin") add_outcomes(file, i);
+  for (const char* name : {"parameter", "axes", "links", "cpu_target", "seconds"})
+    if (const std::string value = file.attribute(name); !value.empty()) i.facts.emplace_back(name, value);
+}
+
+void read_unfinished(Inspection& i) {
+  const store::Journal journal(i.path, i.path, "");
+  const std::string& identity = journal.identity();
+  i.kind = "unfinished results";
+  i.complete = false;
+  i.version = value_in(identity, "version");
+  i.study = study_in(identity);
+  add_axes(identity, i);
+  std::uint64_t starts = 0, end = 0;
+  std::set<std::uint64_t> cells;
+  for (const store::Journal::Record& record : journal.records()) {
+    if (record.kind == store::Journal::Kind::starts) starts = std::max(starts, record.first + record.count);
+    if (record.kind == store::Journal::Kind::cell) cells.insert(record.first);
+    end = record.end();
+  }
+  if (starts > 0) i.facts.emplace_back("starts done", fmt::format("up to number {}", starts));
+  if (!cells.empty()) i.facts.emplace_back("cells done", fmt::format("{}", cells.size()));
+  i.facts.emplace_back("sound records", fmt::format("{}", journal.records().size()));
+  if (end > 0 && i.bytes > end)
+    i.damage = fmt::format("{} bytes at its end are cut off or damaged; all before them is sound and will be used",
+                           i.bytes - end);
+}
+
+bool is_netcdf(const std::string& path) {
+  std::array<char, 3> begin{};
+  std::ifstream(path, std::ios::binary).read(begin.data(), begin.size());
+  return std::string(begin.data(), begin.size()) == "CDF";
+}
+
+}  // namespace
+
+Inspection inspect_file(const std::string& path) {
+  Inspection i;
+  i.path = path;
+  std::error_code error;
+  i.bytes = std::filesystem::file_size(path, error);
+  if (error || !std::filesystem::is_regular_file(path))
+    throw InputError(path, "", "",
+                     "cannot be read; must be a file of results (.nc), or its unfinished part (.nc.part)");
+  if (!is_netcdf(path)) {
+    read_unfinished(i);
+    return i;
+  }
+  i.damage = store::why_not_whole(path);
+  if (!i.damage.empty()) return i;
+  try {
+    read_results_file(i);
+  } catch (const RunError& e) {
+    i.damage = e.what();
+  }
+  return i;
+}
+
+}  // namespace equipoise

@@ -1,0 +1,228 @@
+// Trials in one cell after another: a scan, then three bisections that share their trials.
+#include "equipoise/sweeps/capacity.hpp"
+
+#include <algorithm>
+#include <atomic>
+#include <chrono>
+#include <cmath>
+#include <ctime>
+#include <exception>
+#include <functional>
+#include <map>
+#include <mutex>
+#include <thread>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "equipoise/base/error.hpp"
+#include "equipoise/base/reporting.hpp"
+#include "equipoise/basins/basin.hpp"
+#include "equipoise/fates/runner.hpp"
+#include "equipoise/kernels/cpu_target.hpp"
+#include "equipoise/motions/catalogue.hpp"
+#include "equipoise/traps/balanced_analysis.hpp"
+
+namespace equipoise {
+
+namespace {
+
+constexpr int scan = 8;  // values of the range tried first
+
+// Values are set with few digits, so that they read back to what is told.
+double few_digits(double value) { return std::strtod(fmt::format("{:.6g}", value).c_str(), nullptr); }
+
+// One cell's trials, each search beginning with what the nearest earlier one found.
+class Boundary {
+ public:
+  Boundary(const SweepPlan& plan, std::size_t cell, const CapacityOptions& options, int threads)
+      : plan_(plan), cell_(cell), options_(options), threads_(threads) {}
+
+  // None if stopped.
+  std::optional<CapacityCell> find() {
+    // Beyond the first value at which the share is surely too small nothing matters.
+    for (int k = 0; k <= scan; ++k) {
+      const Made* made = trial(options_.from + (options_.to - options_.from) * k / scan);
+      if (!made) return std::nullopt;
+      if (made->most() < options_.at_least) break;
+    }
+    const auto likely = crossing([&](const Made& m) { return m.balanced.share < options_.at_least; });
+    const auto last_sure = crossing([&](const Made& m) { return m.balanced.least < options_.at_least; });
+    const auto first_short = crossing([&](const Made& m) { return m.most() < options_.at_least; });
+    if (stopped_) return std::nullopt;
+    CapacityCell result;
+    for (const auto& [value, made] : trials_) result.trials.push_back({value, made.balanced, made.unstable});
+    result.never = likely.first < options_.from;
+    result.always = likely.second > options_.to;
+    if (!result.never && !result.always) result.value = 0.5 * (likely.first + likely.second);
+    result.low = std::max(last_sure.first, options_.from);
+    result.high = std::min(first_short.second, options_.to);
+    return result;
+  }
+
+ private:
+  struct Made {
+    Share balanced;
+    bool unstable = false;
+    std::vector<std::vector<double>> states = {};
+    double most() const { return unstable ? 0.0 : balanced.most; }
+  };
+
+  const Made* trial(double at) {
+    const double value = few_digits(at);
+    if (const auto made = trials_.find(value); made != trials_.end()) return &made->second;
+    const Study study = plan_.study_of(
+        cell_, {fmt::format("{}={}{}{}", options_.key, value, options_.unit.empty() ? "" : " ", options_.unit)});
+    // Where no balanced state attracts no start has to be followed.
+    if (!analyse_balanced(study.system(), options_.stop).stable && !is_set(options_.stop))
+      return &trials_.emplace(value, Made{{}, true}).first->second;
+    BasinOptions run;
+    run.threads = threads_;
+    run.stop = options_.stop;
+    if (const auto* near = nearest(value)) run.seeds = near->states;
+    run.informed = !run.seeds.empty();
+    Catalogue catalogue;
+    const BasinResult result = basin(study, run, &catalogue);
+    stopped_ = stopped_ || result.partial;
+    if (stopped_) return nullptr;
+    Made made{result.attractors.front().share};
+    const auto size = static_cast<Eigen::Index>(study.system().dimension());
+    for (const Attractor& a : catalogue.attractors())
+      if (a.motion.state.size() == size)
+        made.states.emplace_back(a.motion.state.data(), a.motion.state.data() + a.motion.state.size());
+    return &trials_.emplace(value, std::move(made)).first->second;
+  }
+
+  const Made* nearest(double value) const {
+    const Made* found = nullptr;
+    double least = std::numeric_limits<double>::infinity();
+    for (const auto& [at, made] : trials_)
+      if (!made.unstable && std::fabs(at - value) < least) {
+        least = std::fabs(at - value);
+        found = &made;
+      }
+    return found;
+  }
+
+  // The first value at which it falls short, and the last before it: beyond the range where there is none.
+  template <class Short>
+  std::pair<double, double> crossing(const Short& falls_short) {
+    const double outside = options_.to - options_.from;
+    for (;;) {
+      if (stopped_) return {};
+      double last = options_.from - outside, first = options_.to + outside;
+      for (const auto& [value, made] : trials_) {
+        if (falls_short(made)) {
+          first = value;
+          break;
+        }
+        last = value;
+      }
+      const bool inside = last >= few_digits(options_.from) && first <= few_digits(options_.to);
+      if (!inside || first - last <= options_.precision * outside) return {last, first};
+      const double middle = few_digits(0.5 * (last + first));
+      if (middle <= last || middle >= first) return {last, first};
+      trial(middle);
+    }
+  }
+
+  const SweepPlan& plan_;
+  std::size_t cell_;
+  const CapacityOptions& options_;
+  int threads_;
+  std::map<double, Made> trials_;  // by value
+  bool stopped_ = false;
+};
+
+class CapacityRun {
+ public:
+  CapacityRun(const SweepPlan& plan, const CapacityOptions& options) : plan_(plan), options_(options) {
+    result_.study = plan.study();
+    result_.key = options.key;
+    result_.unit = options.unit;
+    result_.from = options.from;
+    result_.to = options.to;
+    result_.precision = options.precision;
+    result_.at_least = options.at_least;
+    result_.starts = plan.study().sampling.starts;
+    result_.axes = plan.axes();
+    result_.cells.resize(plan.cells());
+    result_.threads = thread_count(options.threads);
+    result_.cpu_target = cpu_target();
+  }
+
+  CapacityResult run() {
+    const auto begin = std::chrono::steady_clock::now();
+    const std::clock_t cpu_begin = std::clock();
+    check();
+    const std::size_t at_once = std::min<std::size_t>(plan_.cells(), static_cast<std::size_t>(result_.threads));
+    std::vector<std::thread> workers;
+    for (std::size_t k = 0; k < at_once; ++k)
+      workers.emplace_back([&] { work_along(result_.threads / static_cast<int>(at_once)); });
+    for (std::thread& worker : workers) worker.join();
+    if (failure_) std::rethrow_exception(failure_);
+    result_.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+    result_.cpu_seconds = static_cast<double>(std::clock() - cpu_begin) / CLOCKS_PER_SEC;
+    return std::move(result_);
+  }
+
+ private:
+  void check() const {
+    for (std::size_t cell = 0; cell < plan_.cells(); ++cell)
+      for (const double value : {few_digits(options_.from), few_digits(options_.to)})
+        check_runnable(plan_.study_of(cell, {fmt::format("{}={}{}{}", options_.key, value,
+                                                         options_.unit.empty() ? "" : " ", options_.unit)}),
+                       plan_.transients());
+  }
+
+  void work_along(int threads) {
+    try {
+      for (std::size_t cell = next_++; cell < plan_.cells(); cell = next_++) {
+        auto found = Boundary(plan_, cell, options_, threads).find();
+        if (!found) return;
+        const std::lock_guard guard(taking_);
+        result_.cells[cell] = std::move(found);
+        ++done_;
+        if (options_.progress) options_.progress({done_, plan_.cells(), "cells", std::nullopt});
+      }
+    } catch (...) {
+      const std::lock_guard guard(taking_);
+      if (!failure_) failure_ = std::current_exception();
+      next_ = plan_.cells();
+    }
+  }
+
+  const SweepPlan& plan_;
+  const CapacityOptions& options_;
+  CapacityResult result_;
+  std::atomic<std::size_t> next_{0};
+  std::uint64_t done_ = 0;
+  std::mutex taking_;
+  std::exception_ptr failure_;
+};
+
+}  // namespace
+
+std::optional<CapacityRange> usual_range(const Study& study, const std::string& key) {
+  constexpr double least = 0.02, grams_and_millimetres = 1e6;
+  const double most = study.parameters.total_mass();
+  if (key == "rotor.eccentricity" && !study.scales) return CapacityRange{least * most, most, ""};
+  if (key != "rotor.unbalance" || !study.scales) return std::nullopt;
+  const double unbalance = most * study.scales->unbalance() * grams_and_millimetres;
+  return CapacityRange{few_digits(least * unbalance), few_digits(unbalance), "g mm"};
+}
+
+CapacityResult capacity(const SweepPlan& plan, const CapacityOptions& options) {
+  const auto reject = [&](const std::string& what, const std::string& value, const std::string& problem) {
+    throw InputError("capacity", what, value, problem);
+  };
+  if (!(options.from < options.to)) reject("range", fmt::format("{} to {}", options.from, options.to), "must rise");
+  if (!(options.at_least > 0.0 && options.at_least < 1.0))
+    reject("at_least", fmt::format("{}", options.at_least), "must be between 0 and 1");
+  if (!(options.precision >= 1e-4 && options.precision <= 0.1))
+    reject("precision", fmt::format("{}", options.precision), "must be from 0.0001 to 0.1");
+  const ChosenCpuTarget chosen(options.cpu_target);
+  return reported(options, [&](const CapacityOptions& o) { return CapacityRun(plan, o).run(); });
+}
+
+}  // namespace equipoise

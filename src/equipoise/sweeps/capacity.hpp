@@ -1,0 +1,35 @@
+// Capacity: the largest value of a parameter, such as the unbalance, at which starts still balance as often as asked.
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "equipoise/base/run_options.hpp"
+#include "equipoise/results/capacity_result.hpp"
+#include "equipoise/sweeps/sweep_plan.hpp"
+
+namespace equipoise {
+
+/// Progress is in cells.
+struct CapacityOptions : RunOptions {
+  std::string key;              ///< as --set knows it
+  std::string unit;             ///< of quantities; empty for plain numbers
+  double from = 0.0, to = 0.0;  ///< where it is looked for, in that unit; from < to
+  double at_least = 0.95;       ///< share of starts that end balanced, in (0, 1)
+  double precision = 0.005;     ///< of the boundary and its ends, as a part of to - from
+};
+
+/// The range in which an unbalance is looked for if none is given: from a fiftieth to all that the balls can make up
+/// for. In g mm for rotor.unbalance, plain for rotor.eccentricity; none for other keys.
+struct CapacityRange {
+  double from = 0.0, to = 0.0;
+  std::string unit;
+};
+std::optional<CapacityRange> usual_range(const Study& study, const std::string& key);
+
+/// In every cell of the plan: values in steps of an eighth of the range up to the first at which too few starts
+/// balance, then bisection where the balanced share, and each end of its interval, first falls below what is asked, all
+/// on the same starts. Throws InputError if a study at either end of the range is none.
+CapacityResult capacity(const SweepPlan& plan, const CapacityOptions& options);
+
+}  // namespace equipoise

@@ -1,0 +1,84 @@
+// What a file's identity says of the sweep that it is of; cells of several files in one.
+#include "equipoise/sweeps/merge.hpp"
+
+#include <cstdlib>
+#include <sstream>
+
+#include <fmt/format.h>
+
+#include "equipoise/base/error.hpp"
+#include "equipoise/kernels/cpu_target.hpp"
+#include "equipoise/store/result_identity.hpp"
+#include "equipoise/store/sweep_file.hpp"
+#include "equipoise/sweeps/attractor_labels.hpp"
+#include "equipoise/sweeps/sweep_axis.hpp"
+
+namespace equipoise {
+
+namespace {
+
+// The inverse of SweepPlan::identity(), as far as results need it.
+SweepResult asked_for(const std::string& identity, const std::string& path) {
+  SweepResult result;
+  std::istringstream lines(identity);
+  std::string study, table;
+  std::vector<std::string> over;
+  std::size_t axes = 0;
+  for (std::string line; std::getline(lines, line);) {
+    if (line.starts_with("[")) table = line;
+    const std::size_t equals = line.find(" = ");
+    const std::string value = equals == std::string::npos ? "" : line.substr(equals + 3);
+    if (table == "[sweep]") {
+      if (line.starts_with("over.")) over.push_back(line.substr(5, equals - 5) + "=" + value);
+      if (line.starts_with("axes = ")) axes = std::strtoul(value.c_str(), nullptr, 10);
+      if (line.starts_with("half_width = ")) result.half_width = std::strtod(value.c_str(), nullptr);
+    } else if (table == "[file]") {
+      if (line.starts_with("transients = ")) result.transients = value != "none";
+    } else {
+      study += line + "\n";
+    }
+  }
+  if (over.empty() || axes == 0) throw InputError(path, "", "", "does not say which sweep it is of");
+  result.study = parse_study(study, path);
+  result.axes = sweep_axes(over, axes < over.size(), path);
+  std::size_t cells = 1;
+  for (const SweepAxis& axis : result.axes) cells *= axis.size();
+  result.cells.resize(cells);
+  result.cpu_target = cpu_target();
+  return result;
+}
+
+}  // namespace
+
+SweepResult stored_sweep(const std::string& path) {
+  StoredSweep stored = read_sweep(path);
+  SweepResult result = asked_for(stored.identity, path);
+  stored.cells.resize(result.cells.size());
+  result.cells = std::move(stored.cells);
+  for (const auto& cell : result.cells) result.resumed_cells += cell != nullptr;
+  label_attractors(result.axes, result.cells);
+  return result;
+}
+
+SweepResult merge_sweeps(const std::vector<std::string>& files, const std::string& output) {
+  if (files.empty()) throw InputError("merge", "", "", "must be at least one file of a sweep");
+  const std::string identity = read_sweep(files.front()).identity;
+  SweepResult result = asked_for(identity, files.front());
+  SweepFile into(output, identity, result.cells.size());
+  result.cells = into.take_cells();
+  for (const std::string& path : files) {
+    const StoredSweep part = read_sweep(path);
+    if (const std::string how = store::difference(part.identity, identity); !how.empty())
+      throw InputError(path, "", "", fmt::format("is of another sweep than {}: {}", files.front(), how));
+    for (std::size_t k = 0; k < part.cells.size() && k < result.cells.size(); ++k) {
+      if (!part.cells[k] || result.cells[k]) continue;
+      into.append(k, *part.cells[k]);
+      result.cells[k] = part.cells[k];
+    }
+  }
+  label_attractors(result.axes, result.cells);
+  into.finish(result);
+  return result;
+}
+
+}  // namespace equipoise

@@ -1,0 +1,44 @@
+// Sweeps: an ensemble at every combination of some parameters' values.
+#pragma once
+
+#include <cstddef>
+#include <functional>
+#include <optional>
+#include <string>
+
+#include "equipoise/base/run_options.hpp"
+#include "equipoise/results/sweep_result.hpp"
+#include "equipoise/sweeps/sweep_plan.hpp"
+
+namespace equipoise {
+
+/// Work that is shared out: blocks to whoever asks, cells from whoever has done them. From any thread.
+class SweepWork {
+ public:
+  virtual ~SweepWork() = default;
+  /// A block that nobody works on yet; none once all are given out or the work is to stop.
+  virtual std::optional<std::size_t> next_block() = 0;
+  /// A cell that is done already, or null.
+  virtual const SweepCell* known(std::size_t cell) const = 0;
+  /// Takes a cell in: it is in the file, if there is one, when this returns.
+  virtual void deliver(std::size_t cell, SweepCell result) = 0;
+  /// Nothing more is to come from this process' own threads.
+  virtual bool idle() const = 0;
+};
+
+/// Progress is in cells.
+struct SweepOptions : RunOptions {
+  std::string output;  ///< NetCDF file; an unfinished one of the same sweep is resumed, a finished one read
+  /// Only every `shards`-th block, from number `shard` on: other processes have the rest (sweeps/merge.hpp).
+  std::size_t shard = 0, shards = 1;
+  /// Told of every cell that is done, with its place; never from two threads at once.
+  std::function<void(std::size_t, const SweepCell&)> cell;
+  /// Runs beside the own threads until all is done: hands work to other processes.
+  std::function<void(SweepWork&)> helpers;
+};
+
+/// Runs the ensembles. The result depends on the plan alone. Throws InputError for unusable output files, RunError if
+/// the output fails later.
+SweepResult sweep(const SweepPlan& plan, const SweepOptions& options = {});
+
+}  // namespace equipoise

@@ -1,0 +1,137 @@
+// Reading of KEY=FROM:TO:STEP and KEY=A,B,C.
+#include "equipoise/sweeps/sweep_axis.hpp"
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include "equipoise/base/display_text.hpp"
+#include "equipoise/base/error.hpp"
+
+namespace equipoise {
+
+namespace {
+
+constexpr const char* form =
+    "must be KEY=FROM:TO:STEP or KEY=A,B,C in numbers, e.g. speed.final=1.5:6:0.1, or in quantities of one unit, e.g. "
+    "\"speed.final=900 rpm:4000 rpm:100 rpm\"";
+
+struct Token {
+  double value = 0.0;
+  std::string unit;
+};
+
+std::string trimmed(const std::string& text) {
+  const std::size_t first = text.find_first_not_of(' '), last = text.find_last_not_of(' ');
+  return first == std::string::npos ? "" : text.substr(first, last - first + 1);
+}
+
+std::vector<std::string> parts_of(const std::string& text, char separator) {
+  std::vector<std::string> parts;
+  for (std::size_t at = 0; at <= text.size();) {
+    const std::size_t end = std::min(text.find(separator, at), text.size());
+    parts.push_back(trimmed(text.substr(at, end - at)));
+    at = end + 1;
+  }
+  return parts;
+}
+
+bool read_token(const std::string& text, Token& token) {
+  const char* end = text.data() + text.size();
+  const auto read = std::from_chars(text.data(), end, token.value);
+  if (read.ec != std::errc() || !std::isfinite(token.value)) return false;
+  token.unit = trimmed(std::string(read.ptr, end));
+  return true;
+}
+
+// Twelve digits, so that 1.5 + 9 * 0.1 is 2.4.
+double shortest(double value, double largest) {
+  const double unit = std::pow(10.0, std::ceil(std::log10(std::max(largest, 1e-300))) - 12.0);
+  const std::string text = fmt::format("{:.12g}", std::round(value / unit) * unit);
+  std::from_chars(text.data(), text.data() + text.size(), value);
+  return value;
+}
+
+// FROM:TO:STEP; what is wrong with it, if anything.
+std::string steps_of(double from, double to, double step, std::vector<double>& values) {
+  if (step == 0.0 || (to - from) * step < 0.0)
+    return fmt::format("STEP = {} does not lead from {} to {}; it must not be 0 and must have the sign of TO - FROM",
+                       step, from, to);
+  const double steps = std::floor((to - from) / step * (1.0 + 1e-12) + 1e-9);
+  if (!(steps < most_sweep_cells))
+    return fmt::format("has {:.6g} values; must have at most {}", steps + 1.0, most_sweep_cells);
+  const double largest = std::max(std::fabs(from), std::fabs(to));
+  for (std::size_t k = 0; k <= static_cast<std::size_t>(steps); ++k)
+    values.push_back(shortest(from + static_cast<double>(k) * step, largest));
+  return "";
+}
+
+}  // namespace
+
+SweepParameter sweep_parameter(const std::string& text, const std::string& option) {
+  const auto reject = [&](const std::string& problem) { throw InputError(option, "", display_text(text), problem); };
+  const std::size_t equals = text.find('=');
+  if (equals == std::string::npos || equals == 0) reject(form);
+  SweepParameter parameter;
+  parameter.key = trimmed(text.substr(0, equals));
+  const std::string list = text.substr(equals + 1);
+  const bool range = list.find(':') != std::string::npos;
+  std::vector<double> numbers;
+  for (const std::string& part : parts_of(list, range ? ':' : ',')) {
+    Token token;
+    if (!read_token(part, token)) reject(form);
+    if (numbers.empty()) parameter.unit = token.unit;
+    if (token.unit != parameter.unit)
+      reject(fmt::format("mixes the units \"{}\" and \"{}\"; must be one", parameter.unit, token.unit));
+    numbers.push_back(token.value);
+  }
+  if (range) {
+    if (numbers.size() != 3) reject(form);
+    const std::string problem = steps_of(numbers[0], numbers[1], numbers[2], parameter.values);
+    if (!problem.empty()) reject(problem);
+  } else {
+    parameter.values = numbers;
+  }
+  std::vector<double> sorted = parameter.values;
+  std::sort(sorted.begin(), sorted.end());
+  if (std::adjacent_find(sorted.begin(), sorted.end()) != sorted.end())
+    reject("has a value twice; must be different ones");
+  for (const double value : parameter.values)
+    parameter.given.push_back(parameter.unit.empty() ? fmt::format("{}", value)
+                                                     : fmt::format("{} {}", value, parameter.unit));
+  return parameter;
+}
+
+std::vector<SweepAxis> sweep_axes(const std::vector<std::string>& texts, bool zip, const std::string& option) {
+  std::vector<SweepAxis> axes;
+  std::size_t cells = 1;
+  std::vector<std::string> keys;
+  for (const std::string& text : texts) {
+    SweepParameter parameter = sweep_parameter(text, option);
+    const auto reject = [&](const std::string& problem) {
+      throw InputError(option, parameter.key, display_text(text.substr(text.find('=') + 1)), problem);
+    };
+    if (std::find(keys.begin(), keys.end(), parameter.key) != keys.end()) reject("is varied twice; must be named once");
+    keys.push_back(parameter.key);
+    const std::size_t size = parameter.values.size();
+    if (zip && !axes.empty()) {
+      if (axes.front().size() != size)
+        reject(fmt::format("has {} value{}, {} has {}; zipped parameters must have as many each", size,
+                           size == 1 ? "" : "s", keys.front(), axes.front().size()));
+      axes.front().parameters.push_back(std::move(parameter));
+      continue;
+    }
+    if (size > most_sweep_cells / cells)
+      reject(fmt::format("makes more than {} cells; must be fewer", most_sweep_cells));
+    cells *= size;
+    axes.push_back({{std::move(parameter)}});
+  }
+  if (axes.empty() || axes.size() > most_sweep_axes)
+    throw InputError(option, "", fmt::format("{} parameters", axes.size()),
+                     fmt::format("must be 1 to {} parameters, or more with --zip", most_sweep_axes));
+  return axes;
+}
+
+}  // namespace equipoise

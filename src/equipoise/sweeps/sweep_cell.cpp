@@ -1,0 +1,104 @@
+// From a study and its neighbour's attractors to a cell.
+#include "equipoise/sweeps/sweep_cell.hpp"
+
+#include <utility>
+
+#include "equipoise/basins/basin.hpp"
+#include "equipoise/motions/catalogue.hpp"
+
+namespace equipoise {
+
+namespace {
+
+SweepOutcome outcome_of(const AttractorShare& a, const Catalogue& catalogue, int balls) {
+  SweepOutcome outcome;
+  outcome.id = outcome.own_id = a.id;
+  outcome.name = a.name;
+  outcome.alias = a.alias;
+  outcome.kind = a.kind;
+  outcome.share = a.share;
+  outcome.mean_time = a.mean_time;
+  const Attractor* attractor = catalogue.find(a.id);
+  if (!attractor || attractor->motion.state.size() == 0) return outcome;
+  const Motion& m = attractor->motion;
+  outcome.r_min = m.r_min;
+  outcome.r_mean = m.r_mean;
+  outcome.r_max = m.r_max;
+  outcome.period = m.kind == MotionKind::periodic ? m.period : 0.0;
+  outcome.drift.assign(m.drift.begin(), m.drift.begin() + balls);
+  outcome.state.assign(m.state.data(), m.state.data() + m.state.size());
+  return outcome;
+}
+
+SweepCell cell_of(const BasinResult& result, const Catalogue& catalogue) {
+  SweepCell cell;
+  cell.starts = result.starts;
+  for (const AttractorShare& a : result.attractors)
+    cell.outcomes.push_back(outcome_of(a, catalogue, result.study.parameters.balls));
+  cell.undecided = result.undecided;
+  cell.diverged = result.diverged;
+  cell.failed = result.failed;
+  cell.stalled = result.stalled;
+  cell.passed = result.passed;
+  if (result.transients) cell.transients = std::make_shared<TransientGroup>(result.transients->groups.front());
+  cell.balanced_stable = result.balanced_stable;
+  cell.note = result.note;
+  return cell;
+}
+
+// Where a cell's search begins: with what its neighbour has, unless both search the same.
+class Chain {
+ public:
+  // Before a cell's run, whether or not it is known already.
+  void step(const Study& study, const SweepCell* before) {
+    const std::string subject = discovery_subject(study);
+    if (before && subject != subject_) {
+      const auto size = static_cast<std::size_t>(study.system().dimension());
+      seeds.clear();
+      for (const SweepOutcome& outcome : before->outcomes)
+        if (outcome.state.size() == size) seeds.push_back(outcome.state);
+      informed = !seeds.empty();
+    }
+    subject_ = subject;
+  }
+
+  std::vector<std::vector<double>> seeds;
+  bool informed = false;
+
+ private:
+  std::string subject_;
+};
+
+}  // namespace
+
+bool run_block(const SweepPlan& plan, std::size_t block, const std::function<const SweepCell*(std::size_t)>& known,
+               const std::function<void(std::size_t, SweepCell)>& deliver, int threads, const StopFlag* stop) {
+  Chain chain;
+  DiscoveryCache discoveries;
+  std::optional<SweepCell> before;
+  for (const std::size_t index : plan.cells_of(block)) {
+    const Study study = plan.study_of(index);
+    chain.step(study, before ? &*before : nullptr);
+    if (const SweepCell* done = known(index)) {
+      before = *done;
+      continue;
+    }
+    BasinOptions options;
+    options.threads = threads;
+    options.stop = stop;
+    options.half_width = plan.request().half_width;
+    options.limit_given = plan.request().limit_given;
+    options.transients = plan.transients();
+    options.seeds = chain.seeds;
+    options.informed = chain.informed;
+    options.discoveries = &discoveries;
+    Catalogue catalogue;
+    const BasinResult result = basin(study, options, &catalogue);
+    if (result.partial) return false;
+    before = cell_of(result, catalogue);
+    deliver(index, *before);
+  }
+  return true;
+}
+
+}  // namespace equipoise

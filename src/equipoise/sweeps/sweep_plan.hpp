@@ -1,0 +1,70 @@
+// The cells of a sweep: which study each is, and in which order they are computed.
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+#include "equipoise/results/sweep_result.hpp"
+#include "equipoise/study/study.hpp"
+
+namespace equipoise {
+
+/// A study that can be read again with other values.
+struct StudySource {
+  std::string toml, name;
+  std::vector<std::string> overrides;
+
+  Study with(const std::vector<std::string>& more = {}) const;
+};
+
+/// What is asked of every cell.
+struct CellRequest {
+  double half_width = 0.0;   ///< BasinOptions::half_width
+  bool limit_given = false;  ///< BasinOptions::limit_given
+  std::optional<bool> transients;
+};
+
+/// Cells come in blocks along the axis with the most values. What is found in one cell is where the search in the next
+/// one of its block begins, so a block is one piece of work; blocks know nothing of each other, and no result depends
+/// on who computes which when.
+class SweepPlan {
+ public:
+  static constexpr std::size_t block_length = 8;
+
+  /// No axes: one cell. Throws InputError, naming `option`, if a cell's study is none or cannot be decided.
+  SweepPlan(StudySource source, std::vector<SweepAxis> axes, const CellRequest& request, const std::string& option);
+
+  const Study& study() const { return study_; }
+  const std::vector<SweepAxis>& axes() const { return axes_; }
+  const CellRequest& request() const { return request_; }
+  /// Whether transients are gathered: in all cells or none.
+  bool transients() const { return transients_; }
+
+  std::size_t cells() const { return cells_; }
+  Study study_of(std::size_t cell) const { return study_of(cell, {}); }
+  /// With more set on top of it.
+  Study study_of(std::size_t cell, const std::vector<std::string>& more) const;
+  std::size_t blocks() const { return lines_ * blocks_in_line_; }
+  /// In the order in which they are computed.
+  std::vector<std::size_t> cells_of(std::size_t block) const;
+  /// "speed.final = 2.4, balancer.drag = 0.05".
+  std::string title_of(std::size_t cell) const;
+
+  /// All that decides what stands in the results, as text.
+  std::string identity() const;
+
+ private:
+  std::vector<std::string> overrides_of(std::size_t cell) const;
+  std::string target(const std::string& key) const;
+  std::size_t chain_length() const { return axes_.empty() ? 1 : axes_[chain_].size(); }
+
+  StudySource source_;
+  std::vector<SweepAxis> axes_;
+  CellRequest request_;
+  Study study_;
+  bool transients_ = false;
+  std::size_t cells_ = 1, chain_ = 0, lines_ = 1, blocks_in_line_ = 1;
+};
+
+}  // namespace equipoise

@@ -1,0 +1,164 @@
+// What the page shows against what is known otherwise: paths of motions, runs, distributions.
+#include "equipoise/pages/machine_page.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+#include <gtest/gtest.h>
+
+#include "../base_study.hpp"
+#include "../machine_study.hpp"
+#include "equipoise/basins/attractors.hpp"
+#include "equipoise/orbits/orbit.hpp"
+#include "equipoise/pages/machine_html.hpp"
+#include "equipoise/pages/motion_path.hpp"
+#include "equipoise/store/basin_file.hpp"
+
+namespace equipoise {
+namespace {
+
+constexpr std::uint64_t starts = 1200;
+
+const MachinePage& paper_page() {
+  static const MachinePage page = [] {
+    Study study = parse_study(constant_speed + "[limits]\ndisplacement = 0.2\n", "paper.toml");
+    study.sampling.starts = starts;
+    return machine_page(study);
+  }();
+  return page;
+}
+
+TEST(MotionPath, IsTheRefinedOrbit) {
+  AttractorsOptions options;
+  options.starts = 64;
+  const AttractorsResult found = attractors(parse_study(constant_speed, "paper.toml"), options);
+  const Attractor* together = found.catalogue.find(2);
+  ASSERT_TRUE(together);
+  const Motion& m = together->motion;
+  ASSERT_EQ(m.kind, MotionKind::periodic);
+  const model::System system = system_of(found.basin.study.parameters, m);
+  constexpr int count = 64;
+  const MotionPath path = motion_path(system, m, m.period, count);
+  const auto orbit = sample_orbit(system, m.orbit, count);
+  ASSERT_EQ(path.x.size(), count + 1u);
+  ASSERT_EQ(path.phi.size(), 2u);
+  // The path is integrated at 1e-9 a step, of which there are hundreds; deviations do not grow on a stable orbit.
+  constexpr double tolerance = 1e-6;
+  const double shift = orbit[0][model::index::phi(0)] - path.phi[0][0];
+  for (std::size_t k = 0; k < count; ++k) {
+    EXPECT_NEAR(std::hypot(path.x[k], path.y[k]), std::hypot(orbit[k][0], orbit[k][1]), tolerance);
+    EXPECT_NEAR(path.phi[0][k] + shift, orbit[k][model::index::phi(0)], tolerance);
+  }
+  // In fixed axes: turned by what the rotor has turned.
+  const double t = m.period * 10 / count, psi = m.speed * t;
+  EXPECT_NEAR(path.x[10], orbit[10][0] * std::cos(psi) - orbit[10][1] * std::sin(psi), tolerance);
+  EXPECT_NEAR(path.y[10], orbit[10][0] * std::sin(psi) + orbit[10][1] * std::cos(psi), tolerance);
+}
+
+TEST(MachinePage, IsOfTheEnsembleThatBasinRuns) {
+  const MachinePage& page = paper_page();
+  BasinOptions options;
+  options.transients = true;
+  const BasinResult basin = equipoise::basin(page.basin.study, options);
+  ASSERT_EQ(page.basin.starts, basin.starts);
+  for (std::size_t k = 0; k < basin.attractors.size(); ++k)
+    EXPECT_EQ(page.basin.attractors[k].share.count, basin.attractors[k].share.count);
+  EXPECT_FALSE(page.basin.every_start);
+  EXPECT_EQ(page.starts_drawn, starts);
+}
+
+TEST(MachinePage, DrawsEveryMotionThatStartsEndIn) {
+  const MachinePage& page = paper_page();
+  ASSERT_EQ(page.motions.size(), 3u);
+  EXPECT_EQ(page.motions[0].name, "balanced");  // 60 % of starts, Wright and Peng's table 2
+  EXPECT_EQ(page.motions[1].name, "drifting apart");
+  EXPECT_EQ(page.motions[2].name, "co-drifting");
+  for (const BallOnMotion& ball : page.motions[0].balls) {
+    EXPECT_EQ(ball.drift, 0.0);
+    EXPECT_NEAR(std::cos(ball.place), -0.1, 1e-9);  // each cancels half of lambda: cos = -lambda / (2 mu)
+  }
+  for (std::size_t k = 1; k < 3; ++k) {
+    const DrawnMotion& m = page.motions[k];
+    EXPECT_LT(m.balls[0].drift, 0.0);  // balls that do not balance fall behind
+    double reach = 0.0;
+    for (std::size_t i = 0; i < m.x.size(); ++i) reach = std::max(reach, std::hypot(m.x[i], m.y[i]));
+    // Never beyond; 48 looks at a turn come within 0.2 % of a maximum, but a torus shows it rarely.
+    EXPECT_LT(reach, m.r_max * (1.0 + 1e-6));
+    EXPECT_GT(reach, m.r_max * (m.kind == "periodic" ? 0.998 : 0.95));
+  }
+}
+
+TEST(MachinePage, CountsEveryStartOfADistributionOnce) {
+  const MachinePage& page = paper_page();
+  ASSERT_EQ(page.peaks.size(), 1u);
+  const FigureDistribution& peaks = page.peaks[0];
+  double above = 0.0, all = 0.0;
+  for (const auto& outcome : peaks.outcomes)
+    for (std::size_t k = 0; k < outcome.bins.size(); ++k) {
+      all += outcome.bins[k];
+      const double width = (peaks.high - peaks.low) / static_cast<double>(outcome.bins.size());
+      if (peaks.low + (static_cast<double>(k) + 0.5) * width > 0.2) above += outcome.bins[k];
+    }
+  EXPECT_NEAR(all, 1.0, 1e-9);
+  const double exceeded = page.basin.transients->groups[0].exceeded[0]->share;
+  const std::size_t bins = peaks.outcomes[0].bins.size();
+  EXPECT_NEAR(above, exceeded, 4.0 / static_cast<double>(bins));  // the bin that the limit cuts
+}
+
+TEST(MachinePage, RunsHaveThePeaksThatWereGathered) {
+  const MachinePage& page = paper_page();
+  ASSERT_EQ(page.runs.size(), 2u);
+  const SampleSummary& peak = page.basin.transients->groups[0].figures[0];
+  EXPECT_FLOAT_EQ(static_cast<float>(page.runs[1].peak), static_cast<float>(peak.largest));
+  EXPECT_NEAR(page.runs[0].peak, peak.quantiles[0].value, 0.002);  // the other of the two in the middle
+  for (const ShownRun& run : page.runs) {
+    EXPECT_NEAR(run.again, run.peak, 0.02 * run.peak);  // sixteen looks at a turn
+    EXPECT_EQ(run.t.size(), run.r_high.size());
+    EXPECT_GT(run.t.back(), 25.0);
+    EXPECT_NEAR(run.speed.front(), 2.4, 1e-12);
+  }
+}
+
+TEST(MachinePage, SpeaksAMachinesUnitsAndKeepsToThem) {
+  Study study = parse_study(machine_rotor + R"([speed]
+profile = "ramp"
+initial = "0 rpm"
+final = "2000 rpm"
+duration = "2 s"
+[limits]
+displacement = "1 mm"
+)",
+                            "machine.toml");
+  study.sampling.starts = 60;
+  const std::string page = machine_html(machine_page(study));
+  for (const char* words :
+       {"2000 rpm", "displacement, mm", "speed, rpm", "time, s", "12 kg", "60 starts", "balance quality"})
+    EXPECT_TRUE(holds(page, words)) << words;
+  for (const char* words : {"<script", "http", "nan", "inf "}) EXPECT_FALSE(holds(page, words)) << words;
+}
+
+TEST(MachinePage, FollowsOneStartWhereNoMotionIsKnown) {
+  // Switched off at 200: the rotor coasts, and no speed of it is a motion's.
+  Study study = parse_study(R"([rotor]
+eccentricity = 0.01
+damping = 0.5
+inertia = 0.5
+[balancer]
+balls = 2
+mass = 0.05
+drag = 0.05
+[speed]
+profile = "torque"
+torque = { constant = 0.05, slope = -0.02, until = 200.0 }
+)",
+                            "coasting.toml");
+  study.sampling.starts = 8;
+  const MachinePage page = machine_page(study);
+  ASSERT_FALSE(page.motions.empty());
+  EXPECT_TRUE(page.motions[0].one_start);
+  EXPECT_GT(page.motions[0].x.size(), 50u);
+}
+
+}  // namespace
+}  // namespace equipoise

@@ -1,0 +1,142 @@
+"""Sweeps under kills, a full disk, a second writer, damage, shards and dead processes of a job: cells that were done stay
+done, and the file ends up as if nothing had happened."""
+import os
+import shutil
+import signal
+import time
+
+from harness import content, ended, expect, limited, refused, wait_until
+
+MPI = {**os.environ, "OMPI_ALLOW_RUN_AS_ROOT": "1", "OMPI_ALLOW_RUN_AS_ROOT_CONFIRM": "1"}
+
+
+class Undisturbed:
+    """A sweep that nothing disturbs: what its file must hold in every bit, and how long it took."""
+
+    def __init__(self, bench, starts=None):
+        starts = starts or (300 if bench.quick else 3000)
+        speeds = "speed.final=2.6,2.8,3" if bench.quick else "speed.final=2:3.2:0.2"  # those of quick searches
+        self.arguments = ("sweep", bench.study, "--over", speeds, "--over", "balancer.drag=0.1,0.25", "--starts", starts,
+                          "--quiet")
+        path = bench.path("undisturbed.nc")
+        begin = time.monotonic()
+        done = bench.run(*self.arguments, "-o", path)
+        self.seconds = time.monotonic() - begin
+        expect(done.code == 0, f"{done}: the undisturbed sweep failed")
+        self.content = content(path)
+
+    def finish(self, bench, path, what):
+        done = bench.run(*self.arguments, "-o", path)
+        expect(done.code == 0, f"{what}: {done}")
+        expect(content(path) == self.content, f"{what}: other bytes than without it")
+        expect(not os.path.exists(path + ".part"), f"{what}: the unfinished part is still there")
+
+
+def sweep_kills(bench):
+    """kill -9 and requests to stop at random moments, over and over at one file."""
+    sweep = Undisturbed(bench)
+    path = bench.path("killed.nc")
+    rounds = 4 if bench.quick else 50
+    for k in range(rounds):
+        process = bench.start(*sweep.arguments, "--threads", 1 + k % 2, "-o", path)
+        time.sleep(bench.random.uniform(0.0, 0.4 * sweep.seconds))
+        process.send_signal(bench.random.choice((signal.SIGKILL, signal.SIGTERM, signal.SIGINT)))
+        ended(process)
+        if k % 10 == 9:
+            sweep.finish(bench, path, f"after kill {k}")
+            os.remove(path)
+    sweep.finish(bench, path, "after every kill")
+    return f"{rounds} kills"
+
+
+def sweep_disks_and_writers(bench):
+    """A file that may not grow, a second writer, bytes flipped and cut off."""
+    sweep = Undisturbed(bench)
+    size = len(sweep.content)
+    for part in (0.02, 0.4, 0.97):
+        path = bench.path(f"full-{part}.nc")
+        done = bench.run(*sweep.arguments, "-o", path, preexec_fn=limited(int(part * size)))
+        refused(done, 1, words=("cannot be written",))
+        sweep.finish(bench, path, f"a disk full at {part}")
+    path = bench.path("shared.nc")
+    first = bench.start(*sweep.arguments, "-o", path)
+    wait_until(lambda: os.path.exists(path + ".part"), first)
+    if first.poll() is None:
+        refused(bench.run(*sweep.arguments, "-o", path), 2, words=("another process",))
+    ended(first)
+    sweep.finish(bench, path, "two writers")
+    flips = 5 if bench.quick else 40
+    for _ in range(flips):
+        damaged = bytearray(sweep.content)
+        damaged[bench.random.randrange(size)] ^= 1 << bench.random.randrange(8)
+        with open(path, "wb") as file:
+            file.write(damaged if bench.random.random() < 0.7 else damaged[:bench.random.randrange(size)])
+        refused(bench.run(*sweep.arguments, "-o", path), 2)
+        inspected = bench.run("inspect", path)
+        expect(inspected.code in (2, 3), f"{inspected}: damage is not told")
+    # Of unfinished results what stands before the damage is used.
+    path = bench.path("part.nc")
+    process = bench.start(*sweep.arguments, "-o", path)
+    wait_until(lambda: os.path.exists(path + ".part") and os.path.getsize(path + ".part") > 3000, process)
+    process.kill()
+    ended(process)
+    if os.path.exists(path + ".part"):
+        with open(path + ".part", "r+b") as file:
+            file.seek(-7, os.SEEK_END)
+            file.write(b"\x00\xff\x00")
+        inspected = bench.run("inspect", path + ".part")
+        expect(inspected.code == 3 and b"DAMAGE" in inspected.out, f"{inspected}: {inspected.out!r}")
+    sweep.finish(bench, path, "a damaged end")
+    return f"{flips} damaged files"
+
+
+def sweep_shards(bench):
+    """Shards in any order and twice, unfinished ones too, merged: the same file."""
+    sweep = Undisturbed(bench)
+    paths = []
+    for number in (3, 1, 2):
+        paths.append(bench.path(f"shard-{number}.nc"))
+        done = bench.run(*sweep.arguments, "--shard", f"{number}/3", "-o", paths[-1])
+        expect(done.code == 0, f"{done}")
+    merged = bench.path("merged.nc")
+    done = bench.run("merge", *paths[:2], "-o", merged)
+    expect(done.code == 0 and b"PARTIAL" in done.out, f"{done}: two of three shards are not all")
+    done = bench.run("merge", merged, paths[2], paths[0], "-o", merged)
+    expect(done.code == 0 and content(merged) == sweep.content, f"{done}: merged shards are another file")
+    other = bench.path("other.nc")
+    expect(bench.run(*sweep.arguments, "--seed", 2, "--shard", "1/3", "-o", other).code == 0, "no other sweep")
+    refused(bench.run("merge", paths[0], other, "-o", bench.path("mixed.nc")), 2, words=("sampling.seed",))
+    return "3 shards"
+
+
+def sweep_processes(bench):
+    """Processes of one job, one of them killed: what is done is kept, any number goes on from it."""
+    if not shutil.which("mpirun") or b"MPI: not built in" in bench.run("--version").out:
+        return "left out: needs MPI"
+    sweep = Undisturbed(bench)
+    path = bench.path("job.nc")
+
+    def job(processes):
+        command = ["mpirun", "--oversubscribe", "-n", str(processes), bench.program, *map(str, sweep.arguments), "-o", path]
+        return bench.start_command(command, env=MPI)
+
+    for processes in (2, 4):
+        done = ended(job(processes))
+        expect(done.code == 0 and content(path) == sweep.content, f"{done}: other bytes with {processes} processes")
+        os.remove(path)
+    kills = 1 if bench.quick else 6
+    for _ in range(kills):
+        running = job(3)
+        time.sleep(bench.random.uniform(0.3, 1.0) * sweep.seconds)
+        victims = bench.children(running.pid)
+        if victims:
+            os.kill(bench.random.choice(victims), signal.SIGKILL)
+        ended(running)
+        if os.path.exists(path + ".part") or os.path.exists(path):
+            expect(bench.run("inspect", path if os.path.exists(path) else path + ".part").code == 0, "damage")
+    done = ended(job(2))
+    expect(done.code == 0 and content(path) == sweep.content, f"{done}: other bytes after {kills} dead processes")
+    return f"{kills} processes killed"
+
+
+CASES = [sweep_kills, sweep_disks_and_writers, sweep_shards, sweep_processes]

@@ -1,0 +1,137 @@
+// The page's sentence, its numbers and what its drawings are made of, from results made by hand.
+#include "equipoise/pages/answer.hpp"
+
+#include <cmath>
+#include <limits>
+
+#include <gtest/gtest.h>
+
+#include "../base_study.hpp"
+#include "../machine_study.hpp"
+#include "equipoise/drawing/svg.hpp"
+#include "equipoise/pages/given_keys.hpp"
+#include "equipoise/pages/quantities.hpp"
+#include "equipoise/pages/shown_runs.hpp"
+
+namespace equipoise {
+namespace {
+
+const std::string machine = machine_rotor + R"([speed]
+profile = "constant"
+speed = "2000 rpm"
+[limits]
+displacement = "5 mm"
+velocity = "4.5 mm/s"
+)";
+
+BasinResult result_of(const std::string& text, std::uint64_t starts, std::uint64_t balanced,
+                      std::uint64_t undecided = 0) {
+  BasinResult r;
+  r.study = parse_study(text, "m.toml");
+  r.starts = starts;
+  r.attractors.push_back(
+      {balanced_id, "balanced", "", "equilibrium", open_share(balanced, balanced + undecided, starts), 50.0, {}, {}});
+  r.undecided = wilson_share(undecided, starts);
+  r.diverged = r.failed = wilson_share(0, starts);
+  return r;
+}
+
+// Wilson's intervals of 1960 in 2000 are 97.29 to 98.53 %, of 40 in 2000 1.47 to 2.71 % (Wilson 1927, by hand).
+TEST(Answer, SaysHowSurelyItBalancesAndWhatIsExceeded) {
+  BasinResult r = result_of(machine, 2000, 1960);
+  EXPECT_EQ(answer_sentence(r), "The rotor ends balanced in 97.29 to 98.53 % of starts (95 % confidence).");
+  r.transients.emplace();
+  TransientGroup all;
+  all.name = "all";
+  all.starts = 2000;
+  all.exceeded[0] = wilson_share(40, 2000);
+  all.exceeded[2] = wilson_share(0, 2000);
+  r.transients->groups.push_back(all);
+  EXPECT_EQ(answer_sentence(r),
+            "The rotor ends balanced in 97.29 to 98.53 % of starts (95 % confidence); 5 mm is exceeded on the way in "
+            "1.47 to 2.71 %; 4.5 mm/s RMS in the end is exceeded in less than 0.19 %.");
+}
+
+TEST(Answer, SaysWhatIsNotKnown) {
+  const std::string open = answer_sentence(result_of(constant_speed, 1000, 700, 100));
+  EXPECT_TRUE(holds(open, "surely 67.1 to 82.4 %")) << open;  // Wilson of 700 and of 800 in 1000
+  EXPECT_TRUE(holds(open, "; 10.0 % stay undecided.")) << open;
+  EXPECT_EQ(answer_sentence(result_of(constant_speed, 0, 0)),
+            "Nothing is known: stopped before any start was decided.");
+  BasinResult lost = result_of(constant_speed, 1000, 999);
+  lost.failed = wilson_share(1, 1000);
+  EXPECT_TRUE(holds(answer_sentence(lost), "; 1 start could not be followed to an end."));
+}
+
+TEST(Answer, SaysThatNothingBalancesAndWhatStalls) {
+  BasinResult none = result_of(constant_speed, 100, 0);
+  none.stalled = wilson_share(100, 100);
+  EXPECT_EQ(answer_sentence(none),
+            "Not one of 100 starts ends balanced: less than 3.7 % would (95 % confidence); more than 96.3 % never come "
+            "up to speed.");
+  BasinResult stuck = result_of(constant_speed, 100, 100);
+  stuck.attractors.front().name = "balanced, stuck";
+  EXPECT_TRUE(holds(answer_sentence(stuck), "ends \"balanced, stuck\" in more than 96.3 %"));
+}
+
+TEST(PageNumbers, HaveThreeDigitsAndNoPowers) {
+  EXPECT_EQ(page_number(0.033127), "0.0331");
+  EXPECT_EQ(page_number(3573.2), "3573");
+  EXPECT_EQ(page_number(12345.0), "12350");
+  EXPECT_EQ(page_number(-10000.0), "-10000");
+  EXPECT_EQ(page_number(0.0), "0");
+  const PageQuantities shown(parse_study(machine, "m.toml")), plain(parse_study(constant_speed, "c.toml"));
+  EXPECT_EQ(shown.text(0.8 / 30.0, study::Dimension::length), "0.8 mm");
+  EXPECT_EQ(shown.range(0.08 / 30.0, 0.09 / 30.0, study::Dimension::length), "80 to 90 um");
+  EXPECT_EQ(plain.text(41.6, study::Dimension::time), "41.6/ω_c");
+  EXPECT_EQ(plain.axis("time", 41.6, study::Dimension::time).label, "time, 1/ω_c");
+}
+
+TEST(GivenKeys, AreThoseOfTheTextInItsUnits) {
+  const auto tables = given_tables(machine, "m.toml", {"rotor.eccentricity=\"0.3 mm\""});
+  ASSERT_EQ(tables.size(), 4u);
+  EXPECT_EQ(tables[0].name, "rotor");
+  EXPECT_EQ(tables[0].keys[1], (std::array<std::string, 2>{"eccentricity", "0.3 mm"}));
+  EXPECT_EQ(tables[1].keys.back(), (std::array<std::string, 2>{"race radius", "30 mm"}));
+  EXPECT_EQ(tables[3].name, "limits");
+  // Without a text the same machine is told in units all the same.
+  const auto echoed = given_tables(parse_study(machine, "m.toml"));
+  EXPECT_EQ(echoed[0].name, "rotor");
+  bool mass = false;
+  for (const auto& [key, value] : echoed[0].keys) mass |= key == "mass" && value == "12 kg";
+  EXPECT_TRUE(mass);
+}
+
+TEST(Runs, TypicalHasTheMedianPeakAndWorstTheLargest) {
+  StartArrays starts;
+  const float lost = std::numeric_limits<float>::quiet_NaN();
+  std::vector<float>& peak = starts.transients[0];
+  peak = {0.3f, 0.1f, lost, 0.5f, 0.2f, 0.4f};
+  EXPECT_EQ(typical_and_worst(starts), (std::vector<std::uint64_t>{0, 3}));
+  // On a grid a start may stand for several cells.
+  starts.weight = {1.0, 1.0, 1.0, 1.0, 1.0, 9.0};
+  EXPECT_EQ(typical_and_worst(starts), (std::vector<std::uint64_t>{5, 3}));
+  starts.weight.clear();
+  peak = {0.3f};
+  EXPECT_EQ(typical_and_worst(starts), (std::vector<std::uint64_t>{0}));
+  peak = {lost};
+  EXPECT_TRUE(typical_and_worst(starts).empty());
+}
+
+TEST(Svg, WritesOutWhatIsNoMarkupAndPlacesDataInItsFrame) {
+  Svg svg(100.0, 100.0, "a < b");
+  EXPECT_TRUE(holds(svg.str(), "<title>a &lt; b</title>"));
+  const SvgAxes axes(svg, {10.0, 10.0}, {90.0, 80.0}, {0.0, 2.0}, {0.0, 4.0}, {"x", 1.0}, {"y", 1.0});
+  const SvgPoint middle = axes.at(1.0, 2.0);
+  EXPECT_DOUBLE_EQ(middle.x, 50.0);
+  EXPECT_DOUBLE_EQ(middle.y, 45.0);
+  const auto ticks = round_ticks({0.0, 0.95}, 4);
+  ASSERT_EQ(ticks.size(), 2u);  // a quarter of it is 0.24: the next round step is 0.5
+  EXPECT_DOUBLE_EQ(ticks[1], 0.5);
+  EXPECT_TRUE(round_ticks({1.0, 1.0}, 4).empty());
+  EXPECT_DOUBLE_EQ(round_up(0.21), 0.5);
+  EXPECT_DOUBLE_EQ(round_up(20.0), 20.0);
+}
+
+}  // namespace
+}  // namespace equipoise

@@ -1,0 +1,181 @@
+// Sweeps: parameters as people write them, cells to bytes and back, identifiers across cells, blocks.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "equipoise/base/error.hpp"
+#include "equipoise/store/sweep_cells.hpp"
+#include "equipoise/sweeps/attractor_labels.hpp"
+#include "equipoise/sweeps/sweep_axis.hpp"
+#include "equipoise/sweeps/sweep_plan.hpp"
+
+namespace {
+
+using namespace equipoise;
+
+constexpr const char* rotor = R"(
+[rotor]
+eccentricity = 0.01
+damping = 0.5
+[balancer]
+balls = 2
+mass = 0.05
+drag = 0.05
+[speed]
+profile = "constant"
+speed = 2.4
+)";
+
+TEST(SweepAxis, StepsAreTheNumbersThatPeopleMean) {
+  const SweepParameter p = sweep_parameter("speed.final=1.5:6:0.1", "--over");
+  EXPECT_EQ(p.key, "speed.final");
+  ASSERT_EQ(p.values.size(), 46u);
+  EXPECT_EQ(p.values[9], 2.4);  // not 1.5 + 9 * 0.1
+  EXPECT_EQ(p.given[9], "2.4");
+  EXPECT_EQ(p.values.back(), 6.0);
+  EXPECT_EQ(sweep_parameter("a.b=3:1:-1", "--over").values, (std::vector<double>{3.0, 2.0, 1.0}));
+  EXPECT_EQ(sweep_parameter("a.b=1e-3:2e-3:1e-3", "--over").values, (std::vector<double>{0.001, 0.002}));
+}
+
+TEST(SweepAxis, QuantitiesKeepTheirUnit) {
+  const SweepParameter p = sweep_parameter("rotor.unbalance=100 g mm:300 g mm:100 g mm", "--over");
+  EXPECT_EQ(p.unit, "g mm");
+  EXPECT_EQ(p.given, (std::vector<std::string>{"100 g mm", "200 g mm", "300 g mm"}));
+  EXPECT_EQ(sweep_parameter("speed.final= 900 rpm , 1200 rpm", "--over").given,
+            (std::vector<std::string>{"900 rpm", "1200 rpm"}));
+}
+
+TEST(SweepAxis, RefusesWhatIsNone) {
+  for (const char* text : {"", "=1,2", "a.b", "a.b=", "a.b=x", "a.b=1:2", "a.b=1:2:3:4", "a.b=1:2:0", "a.b=2:1:0.5",
+                           "a.b=0:1:1e-9", "a.b=1,1", "a.b=1 rpm,2", "a.b=nan", "a.b=1:inf:1"})
+    EXPECT_THROW(sweep_parameter(text, "--over"), InputError) << text;
+  EXPECT_THROW(sweep_axes({}, false, "--over"), InputError);
+  EXPECT_THROW(sweep_axes({"a=1", "b=1", "c=1", "d=1"}, false, "--over"), InputError);
+  EXPECT_NO_THROW(sweep_axes({"a=1", "b=1", "c=1", "d=1"}, true, "--over"));
+}
+
+TEST(SweepPlan, BlocksHoldEveryCellOnceAndNeighboursInARow) {
+  for (const std::vector<std::string>& over :
+       {std::vector<std::string>{"speed.final=1.5:6:0.25"},
+        {"balancer.drag=0.05,0.1", "speed.final=1.5:6:0.25"},
+        {"speed.final=1.5:6:0.25", "balancer.drag=0.05,0.1", "balancer.mass=0.05,0.06,0.07"}}) {
+    const SweepPlan plan({rotor, "study", {}}, sweep_axes(over, false, "--over"), {}, "--over");
+    std::multiset<std::size_t> seen;
+    for (std::size_t block = 0; block < plan.blocks(); ++block) {
+      const std::vector<std::size_t> cells = plan.cells_of(block);
+      ASSERT_LE(cells.size(), SweepPlan::block_length);
+      seen.insert(cells.begin(), cells.end());
+      for (std::size_t k = 1; k < cells.size(); ++k) {
+        // One step of the speed, nothing else.
+        EXPECT_NEAR(plan.study_of(cells[k]).speed.speed - plan.study_of(cells[k - 1]).speed.speed, 0.25, 1e-12);
+        EXPECT_EQ(plan.study_of(cells[k]).parameters.drag, plan.study_of(cells[k - 1]).parameters.drag);
+      }
+    }
+    ASSERT_EQ(seen.size(), plan.cells());
+    EXPECT_EQ(std::set<std::size_t>(seen.begin(), seen.end()).size(), plan.cells());
+  }
+}
+
+TEST(SweepPlan, RefusesACellThatIsNoStudy) {
+  try {
+    SweepPlan({rotor, "study", {}}, sweep_axes({"balancer.drag=0.05,-0.1"}, false, "--over"), {}, "--over");
+    FAIL();
+  } catch (const InputError& e) {
+    EXPECT_NE(std::string(e.what()).find("balancer.drag = -0.1"), std::string::npos) << e.what();
+  }
+}
+
+SweepOutcome outcome(int id, const char* name, double r, double drift) {
+  SweepOutcome o;
+  o.id = o.own_id = id;
+  o.name = name;
+  o.kind = "periodic";
+  o.r_min = 0.9 * r;
+  o.r_mean = r;
+  o.r_max = 1.1 * r;
+  o.drift = {drift, -drift};
+  return o;
+}
+
+SweepCells in_a_row(const std::vector<std::vector<SweepOutcome>>& cells) {
+  SweepCells result;
+  for (const auto& outcomes : cells) {
+    result.push_back(std::make_shared<SweepCell>());
+    result.back()->outcomes = outcomes;
+  }
+  return result;
+}
+
+std::vector<SweepAxis> axis(std::size_t size) {
+  SweepParameter p{"a.b", "", {}, {}};
+  for (std::size_t k = 0; k < size; ++k) p.values.push_back(static_cast<double>(k));
+  return {{{p}}};
+}
+
+// Two motions of one name change places in the numbering from one cell to the next, as catalogues do that list the more
+// frequent one first.
+TEST(AttractorLabels, FollowMotionsThroughTheCells) {
+  auto cells = in_a_row({{outcome(1, "balanced", 0.0, 0.0), outcome(8, "both captured", 0.1, 1.0),
+                          outcome(9, "both captured (2)", 0.3, 2.0)},
+                         {outcome(1, "balanced", 0.0, 0.0), outcome(8, "both captured", 0.28, 2.1),
+                          outcome(9, "both captured (2)", 0.11, -1.05)},
+                         {outcome(1, "balanced", 0.0, 0.0), outcome(8, "both captured", 0.26, 2.2)},
+                         {outcome(1, "balanced", 0.0, 0.0), outcome(8, "both captured", 3.0, 9.0)}});
+  label_attractors(axis(4), cells);
+  const auto id = [&](std::size_t cell, std::size_t k) { return cells[cell]->outcomes[k].id; };
+  EXPECT_EQ(id(0, 0), 1);
+  EXPECT_EQ(id(1, 1), id(0, 2));
+  EXPECT_EQ(id(1, 2), id(0, 1));  // exchanged balls drift the other way about
+  EXPECT_EQ(id(2, 1), id(0, 2));
+  EXPECT_NE(id(3, 1), id(0, 1));
+  EXPECT_NE(id(3, 1), id(0, 2));
+  EXPECT_EQ(cells[1]->outcomes[1].name, cells[0]->outcomes[2].name);
+  EXPECT_EQ(cells[3]->outcomes[1].name, "both captured (3)");
+  // Reading labelled cells back changes nothing.
+  const auto name = cells[2]->outcomes[1].name;
+  label_attractors(axis(4), cells);
+  EXPECT_EQ(cells[2]->outcomes[1].name, name);
+  EXPECT_EQ(id(2, 1), id(0, 2));
+}
+
+TEST(SweepCells, ReadBackToTheSameBits) {
+  SweepCell cell;
+  cell.starts = 123456789012345;
+  cell.outcomes = {outcome(1, "balanced", 0.0, 0.0), outcome(12, "something, else (2)", 0.1 + 0.2, -1.0 / 3.0)};
+  cell.outcomes[1].share = wilson_share(7, 9);
+  cell.outcomes[1].state = {1e-310, -0.0, std::nextafter(1.0, 2.0)};
+  cell.outcomes[0].r_min.reset();
+  cell.undecided = wilson_share(0, 9);
+  cell.stalled = wilson_share(1, 9);
+  TransientGroup group;
+  group.name = "all";
+  group.figures[3].largest = std::numeric_limits<double>::infinity();
+  group.figures[3].mean = std::numeric_limits<double>::quiet_NaN();
+  group.figures[3].quantiles[1] = {1.0, 0.0, std::numeric_limits<double>::infinity()};
+  group.exceeded[1] = wilson_share(2, 9);
+  cell.transients = std::make_shared<TransientGroup>(group);
+  cell.note = "ünïcode, \"quoted\"";
+  const std::vector<std::uint8_t> bytes = store::bytes_of(cell);
+  const auto back = store::cell_from(bytes.data(), bytes.size());
+  ASSERT_TRUE(back);
+  EXPECT_EQ(store::bytes_of(*back), bytes);
+  EXPECT_EQ(back->starts, cell.starts);
+  EXPECT_EQ(back->outcomes[1].state, cell.outcomes[1].state);
+  EXPECT_TRUE(std::signbit(back->outcomes[1].state[1]));
+  EXPECT_EQ(*back->outcomes[1].r_mean, 0.1 + 0.2);
+  EXPECT_FALSE(back->outcomes[0].r_min);
+  EXPECT_EQ(back->outcomes[1].share.high, cell.outcomes[1].share.high);
+  EXPECT_TRUE(std::isnan(back->transients->figures[3].mean));
+  EXPECT_EQ(back->transients->figures[3].quantiles[1].high, std::numeric_limits<double>::infinity());
+  EXPECT_FALSE(back->passed);
+  EXPECT_EQ(back->note, cell.note);
+  for (std::size_t cut : {std::size_t{0}, bytes.size() / 2, bytes.size() - 1})
+    EXPECT_FALSE(store::cell_from(bytes.data(), cut)) << cut;
+}
+
+}  // namespace
