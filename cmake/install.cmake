@@ -19,15 +19,19 @@ foreach(header
     transients/transient_table.hpp deciding/decision_rule.hpp deciding/fate.hpp
     model/ball_mode.hpp orbits/balanced_continuum.hpp orbits/ball_events.hpp orbits/orbit.hpp motions/catalogue.hpp
     motions/motion.hpp proof/certificate.hpp proof/member_certificate.hpp
-    results/attractors_result.hpp results/basin_result.hpp results/branch.hpp results/branches_result.hpp
-    results/certify_result.hpp results/comparison_result.hpp results/explanation.hpp results/machine_page.hpp results/map_figures.hpp results/plane_map.hpp results/sensitivity_result.hpp results/start_arrays.hpp results/trajectory.hpp
+    results/attractors_result.hpp results/basin_result.hpp results/branch.hpp results/branches_result.hpp results/capacity_result.hpp
+    results/certify_result.hpp results/comparison_result.hpp results/explanation.hpp results/inspection.hpp
+    results/machine_page.hpp results/map_figures.hpp results/plane_map.hpp results/sensitivity_result.hpp
+    results/start_arrays.hpp results/sweep_result.hpp results/trajectory.hpp
     results/transient_result.hpp
-    store/basin_file.hpp store/basin_outcomes.hpp store/branches_file.hpp store/map_file.hpp store/start_columns.hpp store/trajectory_file.hpp
+    store/basin_file.hpp store/basin_outcomes.hpp store/branches_file.hpp store/inspection.hpp store/map_file.hpp store/start_columns.hpp store/trajectory_file.hpp
     basins/attractors.hpp basins/basin.hpp basins/certify.hpp basins/comparison.hpp basins/observation.hpp basins/sensitivity.hpp
     branches/continuation.hpp branches/parameter_line.hpp kernels/cpu_target.hpp
-    maps/map_axis.hpp maps/map_figures.hpp maps/plane_map.hpp trajectory/output_times.hpp trajectory/simulate.hpp drawing/map_plot.hpp
+    maps/map_axis.hpp maps/map_figures.hpp maps/plane_map.hpp sweeps/capacity.hpp sweeps/merge.hpp sweeps/sweep.hpp sweeps/sweep_axis.hpp sweeps/sweep_plan.hpp
+    trajectory/output_times.hpp trajectory/simulate.hpp drawing/chart.hpp drawing/map_plot.hpp drawing/sweep_plot.hpp
     report/attractors_report.hpp report/basin_report.hpp report/branches_report.hpp report/certify_report.hpp report/explain_report.hpp
-    report/comparison_report.hpp report/map_report.hpp
+    report/capacity_report.hpp report/comparison_report.hpp report/inspection_report.hpp report/map_report.hpp
+    report/sweep_report.hpp
     explain/explain.hpp
     pages/answer.hpp pages/given_keys.hpp pages/machine_html.hpp pages/machine_page.hpp
     paper.hpp literature/conclusions.hpp literature/paper_figure.hpp literature/published_tables.hpp

@@ -153,7 +153,9 @@ class PageMaker {
 
   void draw(DrawnMotion& one) {
     const Attractor* a = one.id > 0 ? catalogue_.find(one.id) : nullptr;
-    if (a && a->motion.kind != MotionKind::measured && a->motion.state.size() > 0) {
+    // With uncertain values each start has a motion of its own rotor.
+    const bool common = page_.basin.study.uncertain.empty();
+    if (a && common && a->motion.kind != MotionKind::measured && a->motion.state.size() > 0) {
       DrawnMotion drawn = drawn_of(*a, page_.basin.study);
       drawn.id = one.id;
       drawn.name = one.name;

@@ -7,6 +7,7 @@
 
 #include "equipoise/base/angles.hpp"
 #include "equipoise/basins/basin.hpp"
+#include "equipoise/spin_up/initial_state.hpp"
 #include "equipoise/trajectory/simulate.hpp"
 
 namespace equipoise {
@@ -95,7 +96,8 @@ std::vector<std::uint64_t> typical_and_worst(const StartArrays& starts) {
 }
 
 Trajectory start_run(const Study& study, std::uint64_t index, double until, double step, const StopFlag* stop) {
-  Study one = study;
+  const std::vector<double> drawn = drawn_values(study, sampler_of(study), study.sampling.seed, index);
+  Study one = study.uncertain.empty() ? study : drawn_study(study, drawn);
   one.initial = start_of(study, index);
   one.numerics.tolerance = run_tolerance;
   std::vector<double> times;
