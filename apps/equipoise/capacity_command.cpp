@@ -8,6 +8,7 @@
 
 #include "commands.hpp"
 #include "equipoise/drawing/chart.hpp"
+#include "equipoise/report/capacity_charts.hpp"
 #include "equipoise/report/capacity_report.hpp"
 #include "equipoise/sweeps/capacity.hpp"
 #include "equipoise/sweeps/sweep_axis.hpp"

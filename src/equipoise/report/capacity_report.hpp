@@ -2,9 +2,7 @@
 #pragma once
 
 #include <string>
-#include <vector>
 
-#include "equipoise/drawing/chart.hpp"
 #include "equipoise/results/capacity_result.hpp"
 
 namespace equipoise {
@@ -17,11 +15,5 @@ std::string capacity_json(const CapacityResult& result);
 
 /// A line a cell, the study before them as comments.
 std::string capacity_csv(const CapacityResult& result);
-
-/// Along the first parameter, a line a value of the second, a chart a value of the third; without parameters the
-/// balanced share over the values tried.
-std::vector<Chart> capacity_charts(const CapacityResult& result);
-/// What they show, in a line.
-std::string capacity_title(const CapacityResult& result);
 
 }  // namespace equipoise
