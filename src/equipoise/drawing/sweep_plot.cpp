@@ -101,61 +101,71 @@ std::string stacked_script(const SweepResult& r, const std::string& title, const
   return script + "plot " + items + "\n";
 }
 
-// One rectangle a cell, since values may be spaced in any way; written into each where there is room.
-std::string panel(const SweepResult& r, std::size_t first, const std::string& title, int number) {
-  const std::size_t a = r.axes.size() - 2;
-  const SweepParameter &y = r.axes[a].parameters.front(), &x = r.axes[a + 1].parameters.front();
-  // Values as ranks: lists such as 0.01, 0.05, 0.1 make rows of one height.
-  const auto ranks = [](const std::vector<double>& values) {
-    std::vector<double> rank(values.size());
-    for (std::size_t i = 0; i < values.size(); ++i)
-      rank[i] =
-          static_cast<double>(std::count_if(values.begin(), values.end(), [&](double v) { return v < values[i]; }));
-    return rank;
-  };
-  const auto even = [](const std::vector<double>& values) {
+// Where values stand along an axis of a heat map: evenly spaced ones at themselves, others (0.01, 0.05, 0.1) at their
+// ranks, so that all cells are of one size.
+class HeatAxis {
+ public:
+  explicit HeatAxis(const SweepParameter& p) : parameter_(p), at_(p.values), even_(is_even(p.values)) {
+    if (even_) {
+      half_ = 0.5 * std::fabs(at_[1] - at_[0]);
+      return;
+    }
+    for (double& place : at_) {
+      const double value = place;
+      place = static_cast<double>(
+          std::count_if(p.values.begin(), p.values.end(), [value](double other) { return other < value; }));
+    }
+  }
+
+  std::size_t size() const { return at_.size(); }
+  double at(std::size_t k) const { return at_[k]; }
+  double half() const { return half_; }  // of a cell's width
+  std::string label() const { return quoted(sweep_label(parameter_)); }
+  std::string tics(const char* axis) const {
+    if (even_) return fmt::format("set {} autofreq\n", axis);
+    std::string list;
+    for (std::size_t k = 0; k < at_.size(); ++k)
+      list += fmt::format("{}'{:.6g}' {:.9g}", k ? ", " : "", parameter_.values[k], at_[k]);
+    return fmt::format("set {} ({})\n", axis, list);
+  }
+  std::string range() const {
+    const auto [low, high] = std::minmax_element(at_.begin(), at_.end());
+    return fmt::format("[{:.9g}:{:.9g}]", *low - half_, *high + half_);
+  }
+
+ private:
+  static bool is_even(const std::vector<double>& values) {
     if (values.size() < 3) return false;
     const double step = values[1] - values[0];
     for (std::size_t k = 2; k < values.size(); ++k)
       if (std::fabs(values[k] - values[k - 1] - step) > 1e-6 * std::fabs(step)) return false;
     return true;
-  };
-  const bool x_even = even(x.values), y_even = even(y.values);
-  const std::vector<double> xs = x_even ? x.values : ranks(x.values), ys = y_even ? y.values : ranks(y.values);
-  const auto half = [](const std::vector<double>& v, bool is_even) {
-    return is_even ? 0.5 * std::fabs(v[1] - v[0]) : 0.5;
-  };
-  const double dx = half(xs, x_even), dy = half(ys, y_even);
+  }
+
+  const SweepParameter& parameter_;
+  std::vector<double> at_;
+  bool even_;
+  double half_ = 0.5;
+};
+
+// One rectangle a cell; the share is written into it where there is room.
+std::string panel(const SweepResult& r, std::size_t first, const std::string& title, int number) {
+  const HeatAxis y(r.axes[r.axes.size() - 2].parameters.front()), x(r.axes.back().parameters.front());
   std::string script = fmt::format("$panel_{} << EOD\n", number);
-  for (std::size_t j = 0; j < y.values.size(); ++j)
-    for (std::size_t i = 0; i < x.values.size(); ++i) {
-      const auto& cell = r.cells[first + j * x.values.size() + i];
-      if (!cell) continue;
-      script += fmt::format("{:.9g} {:.9g} {:.4g}\n", xs[i], ys[j], 100.0 * cell->outcomes.front().share.share);
-    }
-  script += "EOD\n";
-  const auto tics = [](const char* axis, const SweepParameter& p, const std::vector<double>& at, bool is_even) {
-    if (is_even) return fmt::format("set {} autofreq\n", axis);
-    std::string list;
-    for (std::size_t k = 0; k < at.size(); ++k)
-      list += fmt::format("{}'{:.6g}' {:.9g}", k ? ", " : "", p.values[k], at[k]);
-    return fmt::format("set {} ({})\n", axis, list);
-  };
-  script += tics("xtics", x, xs, x_even) + tics("ytics", y, ys, y_even);
-  const auto range = [](const std::vector<double>& v, double beyond) {
-    const auto [low, high] = std::minmax_element(v.begin(), v.end());
-    return fmt::format("[{:.9g}:{:.9g}]", *low - beyond, *high + beyond);
-  };
+  for (std::size_t j = 0; j < y.size(); ++j)
+    for (std::size_t i = 0; i < x.size(); ++i)
+      if (const auto& cell = r.cells[first + j * x.size() + i])
+        script += fmt::format("{:.9g} {:.9g} {:.4g}\n", x.at(i), y.at(j), 100.0 * cell->outcomes.front().share.share);
+  script += "EOD\n" + x.tics("xtics") + y.tics("ytics");
   script += fmt::format(
       "set title {} offset 0,-0.2\nset xlabel {}\nset ylabel {} offset 0.5,0\nset xrange {}\nset yrange {}\n",
-      quoted(title), quoted(sweep_label(x)), quoted(sweep_label(y)), range(xs, dx), range(ys, dy));
+      quoted(title), x.label(), y.label(), x.range(), y.range());
   script += fmt::format(
       "plot $panel_{0} using 1:2:($1-{1:.9g}):($1+{1:.9g}):($2-{2:.9g}):($2+{2:.9g}):3 with boxxyerror fillcolor "
-      "palette fillstyle "
-      "solid 1 noborder notitle",
-      number, dx, dy);
-  constexpr std::size_t most_written = 150;
-  if (x.values.size() <= 16 && x.values.size() * y.values.size() <= most_written)
+      "palette fillstyle solid 1 noborder notitle",
+      number, x.half(), y.half());
+  constexpr std::size_t widest = 16, most = 150;
+  if (x.size() <= widest && x.size() * y.size() <= most)
     script += fmt::format(
         ", \\\n  $panel_{} using 1:2:(sprintf('%.0f', $3)):($3 > 55 ? 0x000000 : 0xFFFFFF) with labels textcolor rgb "
         "variable font ',13' notitle",
@@ -165,10 +175,8 @@ std::string panel(const SweepResult& r, std::size_t first, const std::string& ti
 
 std::string heat_script(const SweepResult& r, const std::string& title, const std::string& path) {
   const bool several = r.axes.size() == 3;
-  const std::size_t panels = several ? r.axes.front().size() : 1, columns = panels == 1 ? 1
-                                                                            : panels == 4
-                                                                                ? 2
-                                                                                : std::min<std::size_t>(panels, 3);
+  const std::size_t panels = several ? r.axes.front().size() : 1;
+  const std::size_t columns = panels == 4 ? 2 : std::min<std::size_t>(panels, 3);
   const std::size_t rows = (panels + columns - 1) / columns;
   const std::size_t cells = r.cells.size() / panels;
   std::string script = canvas(path, 1600, static_cast<int>(90 + std::max<std::size_t>(rows * 480, 810))) + quiet_frame;

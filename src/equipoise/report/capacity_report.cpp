@@ -20,14 +20,6 @@ std::string with_unit(const std::string& key, const std::string& unit) {
   return unit.empty() ? key : fmt::format("{} ({})", key, unit);
 }
 
-// Each parameter with its value in a cell.
-template <class Visit>
-void visit_values(const CapacityResult& r, std::size_t cell, const Visit& visit) {
-  const std::vector<std::size_t> place = place_on(r.axes, cell);
-  for (std::size_t a = 0; a < r.axes.size(); ++a)
-    for (const SweepParameter& p : r.axes[a].parameters) visit(p, place[a]);
-}
-
 std::string value_text(const CapacityResult& r, const CapacityCell& cell) {
   if (cell.never) return fmt::format("below {:.4g}", r.from);
   if (cell.always) return fmt::format("above {:.4g}", r.to);
@@ -51,7 +43,7 @@ std::string capacity_text(const CapacityResult& r) {
   for (std::size_t index = 0; index < r.cells.size(); ++index) {
     if (!r.cells[index]) continue;
     const CapacityCell& cell = *r.cells[index];
-    visit_values(r, index, [&](const SweepParameter& p, std::size_t at) {
+    visit_parameters(r.axes, index, [&](const SweepParameter& p, std::size_t at) {
       text += fmt::format("{:>{}.6g}  ", p.values[at], std::max<std::size_t>(title(p).size(), 10));
     });
     text += fmt::format("{:>{}}  {:<24}{:>7}\n", value_text(r, cell), width,
@@ -82,7 +74,7 @@ std::string capacity_json(const CapacityResult& r) {
     if (!r.cells[index]) continue;
     const CapacityCell& cell = *r.cells[index];
     Json at = Json::object(), trials = Json::array();
-    visit_values(r, index, [&](const SweepParameter& p, std::size_t k) { at[p.key] = p.values[k]; });
+    visit_parameters(r.axes, index, [&](const SweepParameter& p, std::size_t k) { at[p.key] = p.values[k]; });
     for (const CapacityTrial& t : cell.trials) {
       Json one{{"value", t.value}};
       one.update(share_json(t.balanced));
@@ -121,7 +113,8 @@ std::string capacity_csv(const CapacityResult& r) {
   for (std::size_t index = 0; index < r.cells.size(); ++index) {
     if (!r.cells[index]) continue;
     const CapacityCell& cell = *r.cells[index];
-    visit_values(r, index, [&](const SweepParameter& p, std::size_t k) { text += fmt::format("{},", p.values[k]); });
+    visit_parameters(r.axes, index,
+                     [&](const SweepParameter& p, std::size_t k) { text += fmt::format("{},", p.values[k]); });
     text += fmt::format("{},{},{},{},{},{}\n", cell.value ? fmt::format("{}", *cell.value) : "", cell.low, cell.high,
                         cell.always ? 1 : 0, cell.never ? 1 : 0, cell.trials.size());
   }

@@ -81,6 +81,21 @@ inline std::vector<std::size_t> place_on(const std::vector<SweepAxis>& axes, std
   for (std::size_t a = axes.size(); a-- > 0; cell /= axes[a].size()) place[a] = cell % axes[a].size();
   return place;
 }
+/// visit(parameter, k) for every parameter: in this cell it has its k-th value.
+template <class Visit>
+void visit_parameters(const std::vector<SweepAxis>& axes, std::size_t cell, const Visit& visit) {
+  const std::vector<std::size_t> place = place_on(axes, cell);
+  for (std::size_t a = 0; a < axes.size(); ++a)
+    for (const SweepParameter& p : axes[a].parameters) visit(p, place[a]);
+}
+/// "speed.final = 2.4, balancer.drag = 0.05".
+inline std::string cell_title(const std::vector<SweepAxis>& axes, std::size_t cell) {
+  std::string title;
+  visit_parameters(axes, cell, [&](const SweepParameter& p, std::size_t k) {
+    title += (title.empty() ? "" : ", ") + p.key + " = " + p.given[k];
+  });
+  return title;
+}
 inline std::vector<std::size_t> SweepResult::place(std::size_t cell) const { return place_on(axes, cell); }
 
 }  // namespace equipoise

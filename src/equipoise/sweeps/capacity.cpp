@@ -32,6 +32,11 @@ constexpr int scan = 8;  // values of the range tried first
 // Values are set with few digits, so that they read back to what is told.
 double few_digits(double value) { return std::strtod(fmt::format("{:.6g}", value).c_str(), nullptr); }
 
+Study study_at(const SweepPlan& plan, std::size_t cell, const CapacityOptions& options, double value) {
+  const std::string space = options.unit.empty() ? "" : " ";
+  return plan.study_of(cell, {fmt::format("{}={}{}{}", options.key, value, space, options.unit)});
+}
+
 // One cell's trials, each search beginning with what the nearest earlier one found.
 class Boundary {
  public:
@@ -71,8 +76,7 @@ class Boundary {
   const Made* trial(double at) {
     const double value = few_digits(at);
     if (const auto made = trials_.find(value); made != trials_.end()) return &made->second;
-    const Study study = plan_.study_of(
-        cell_, {fmt::format("{}={}{}{}", options_.key, value, options_.unit.empty() ? "" : " ", options_.unit)});
+    const Study study = study_at(plan_, cell_, options_, value);
     // Where no balanced state attracts no start has to be followed.
     if (!analyse_balanced(study.system(), options_.stop).stable && !is_set(options_.stop))
       return &trials_.emplace(value, Made{{}, true}).first->second;
@@ -89,7 +93,7 @@ class Boundary {
     const auto size = static_cast<Eigen::Index>(study.system().dimension());
     for (const Attractor& a : catalogue.attractors())
       if (a.motion.state.size() == size)
-        made.states.emplace_back(a.motion.state.data(), a.motion.state.data() + a.motion.state.size());
+        made.states.emplace_back(a.motion.state.data(), a.motion.state.data() + size);
     return &trials_.emplace(value, std::move(made)).first->second;
   }
 
@@ -170,9 +174,7 @@ class CapacityRun {
   void check() const {
     for (std::size_t cell = 0; cell < plan_.cells(); ++cell)
       for (const double value : {few_digits(options_.from), few_digits(options_.to)})
-        check_runnable(plan_.study_of(cell, {fmt::format("{}={}{}{}", options_.key, value,
-                                                         options_.unit.empty() ? "" : " ", options_.unit)}),
-                       plan_.transients());
+        check_runnable(study_at(plan_, cell, options_, value), plan_.transients());
   }
 
   void work_along(int threads) {

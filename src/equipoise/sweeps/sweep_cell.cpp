@@ -1,9 +1,13 @@
 // From a study and its neighbour's attractors to a cell.
 #include "equipoise/sweeps/sweep_cell.hpp"
 
+#include <optional>
+#include <string>
 #include <utility>
+#include <vector>
 
 #include "equipoise/basins/basin.hpp"
+#include "equipoise/discovery/discovery.hpp"
 #include "equipoise/motions/catalogue.hpp"
 
 namespace equipoise {

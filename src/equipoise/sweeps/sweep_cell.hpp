@@ -3,12 +3,8 @@
 
 #include <cstddef>
 #include <functional>
-#include <optional>
-#include <string>
-#include <vector>
 
 #include "equipoise/base/run_options.hpp"
-#include "equipoise/discovery/discovery.hpp"
 #include "equipoise/results/sweep_result.hpp"
 #include "equipoise/sweeps/sweep_plan.hpp"
 

@@ -48,9 +48,9 @@ std::string SweepPlan::target(const std::string& key) const {
 
 std::vector<std::string> SweepPlan::overrides_of(std::size_t cell) const {
   std::vector<std::string> overrides;
-  const std::vector<std::size_t> place = place_on(axes_, cell);
-  for (std::size_t a = 0; a < axes_.size(); ++a)
-    for (const SweepParameter& p : axes_[a].parameters) overrides.push_back(target(p.key) + "=" + p.given[place[a]]);
+  visit_parameters(axes_, cell, [&](const SweepParameter& p, std::size_t k) {
+    overrides.push_back(target(p.key) + "=" + p.given[k]);
+  });
   return overrides;
 }
 
@@ -60,14 +60,7 @@ Study SweepPlan::study_of(std::size_t cell, const std::vector<std::string>& more
   return source_.with(overrides);
 }
 
-std::string SweepPlan::title_of(std::size_t cell) const {
-  std::string title;
-  const std::vector<std::size_t> place = place_on(axes_, cell);
-  for (std::size_t a = 0; a < axes_.size(); ++a)
-    for (const SweepParameter& p : axes_[a].parameters)
-      title += fmt::format("{}{} = {}", title.empty() ? "" : ", ", p.key, p.given[place[a]]);
-  return title;
-}
+std::string SweepPlan::title_of(std::size_t cell) const { return cell_title(axes_, cell); }
 
 std::vector<std::size_t> SweepPlan::cells_of(std::size_t block) const {
   const std::size_t line = block / blocks_in_line_, first = block % blocks_in_line_ * block_length;
