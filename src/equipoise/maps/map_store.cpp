@@ -11,7 +11,6 @@
 
 #include "equipoise/base/error.hpp"
 #include "equipoise/files/journal.hpp"
-#include "equipoise/files/replacement.hpp"
 #include "equipoise/store/result_identity.hpp"
 
 namespace equipoise {
@@ -82,9 +81,7 @@ struct MapStore::State {
 };
 
 void MapStore::State::require_same(const std::string& there, const std::string& of) const {
-  const std::string how = store::difference(there, store::identity_of(header));
-  if (!how.empty())
-    throw InputError(of, "", "", fmt::format("holds something other than this map: {}; {}", how, same_map));
+  store::require_same(there, store::identity_of(header), of, "this map", same_map);
 }
 
 void MapStore::State::refuse_part() const {
@@ -164,11 +161,7 @@ void MapStore::State::visit(const Piece& piece, std::uint32_t low, std::uint32_t
 
 MapStore::MapStore(const std::string& path, const store::MapFileHeader& header) : state_(std::make_unique<State>()) {
   State& s = *state_;
-  if (const std::string problem = store::why_not_writable(path); !problem.empty())
-    throw InputError("output", "", path, problem + "; must be a file that can be written");
-  s.path = store::resolved(path);
-  if (std::filesystem::exists(s.path) && !std::filesystem::is_regular_file(s.path))
-    throw InputError("output", "", path, fmt::format("is no regular file; {}", same_map));
+  s.path = store::results_path(path, same_map);
   s.header = header;
   s.size = static_cast<std::uint64_t>(header.x.pixels) * static_cast<std::uint64_t>(header.y.pixels);
   s.journal.emplace(s.path + ".part", s.path, store::identity_of(header));

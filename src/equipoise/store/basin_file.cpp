@@ -15,7 +15,6 @@
 #include "equipoise/base/error.hpp"
 #include "equipoise/files/journal.hpp"
 #include "equipoise/files/netcdf.hpp"
-#include "equipoise/files/replacement.hpp"
 #include "equipoise/files/sealed_file.hpp"
 #include "equipoise/store/basin_netcdf.hpp"
 #include "equipoise/store/result_identity.hpp"
@@ -80,9 +79,7 @@ std::size_t BasinFile::State::column(const char* name) const {
 }
 
 void BasinFile::State::require_same(const std::string& there, const std::string& of) const {
-  const std::string how = store::difference(there, store::identity_of(header));
-  if (!how.empty())
-    throw InputError(of, "", "", fmt::format("holds something other than results of this study: {}; {}", how, allowed));
+  store::require_same(there, store::identity_of(header), of, "results of this study", allowed);
 }
 
 void BasinFile::State::open_results() {
@@ -184,14 +181,10 @@ void BasinFile::State::read(std::size_t k, std::uint64_t first, std::size_t coun
 
 BasinFile::BasinFile(const std::string& path, const BasinFileHeader& header) : state_(std::make_unique<State>()) {
   State& s = *state_;
-  if (const std::string problem = store::why_not_writable(path); !problem.empty())
-    throw InputError("output", "", path, problem + "; must be a file that can be written");
-  s.path = store::resolved(path);
+  s.path = store::results_path(path, allowed);
   s.header = header;
   s.columns = store::start_columns(header);
   for (const store::StartColumn& c : s.columns) s.start_bytes += c.bytes();
-  if (std::filesystem::exists(s.path) && !std::filesystem::is_regular_file(s.path))
-    throw InputError("output", "", path, fmt::format("is no regular file; {}", allowed));
   s.journal.emplace(s.path + ".part", s.path, store::identity_of(header));
   s.open_results();
   s.read_journal();

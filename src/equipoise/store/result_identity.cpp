@@ -1,12 +1,15 @@
 // Identities written and compared key by key.
 #include "equipoise/store/result_identity.hpp"
 
+#include <filesystem>
 #include <map>
 #include <sstream>
 
 #include <fmt/format.h>
 
+#include "equipoise/base/error.hpp"
 #include "equipoise/base/version.hpp"
+#include "equipoise/files/replacement.hpp"
 #include "equipoise/store/basin_file.hpp"
 
 namespace equipoise::store {
@@ -60,6 +63,22 @@ std::string difference(const std::string& there, const std::string& here) {
   }
   if (count > most_told) text += fmt::format(", and {} more", count - most_told);
   return count == 0 && there != here ? "its header has another form" : text;
+}
+
+void require_same(const std::string& there, const std::string& here, const std::string& of, const std::string& results,
+                  const std::string& allowed) {
+  const std::string how = difference(there, here);
+  if (!how.empty())
+    throw InputError(of, "", "", fmt::format("holds something other than {}: {}; {}", results, how, allowed));
+}
+
+std::string results_path(const std::string& path, const std::string& allowed) {
+  if (const std::string problem = why_not_writable(path); !problem.empty())
+    throw InputError("output", "", path, problem + "; must be a file that can be written");
+  const std::string place = resolved(path);
+  if (std::filesystem::exists(place) && !std::filesystem::is_regular_file(place))
+    throw InputError("output", "", path, fmt::format("is no regular file; {}", allowed));
+  return place;
 }
 
 }  // namespace equipoise::store

@@ -15,5 +15,14 @@ std::string identity_of(const BasinFileHeader& header);
 /// How two identities differ, in words: "balancer.drag is [0.05] there and [0.06] here"; empty if they do not.
 std::string difference(const std::string& there, const std::string& here);
 
+/// Throws InputError about the file `of` if they do. `results`: what this run makes, "results of this study";
+/// `allowed`: what such a file must be.
+void require_same(const std::string& there, const std::string& here, const std::string& of, const std::string& results,
+                  const std::string& allowed);
+
+/// Where results are kept that are asked for at `path`, links followed. Throws InputError unless that can be written
+/// and is a regular file, or none yet.
+std::string results_path(const std::string& path, const std::string& allowed);
+
 }  // namespace store
 }  // namespace equipoise

@@ -9,7 +9,6 @@
 #include "equipoise/base/error.hpp"
 #include "equipoise/files/journal.hpp"
 #include "equipoise/files/netcdf.hpp"
-#include "equipoise/files/replacement.hpp"
 #include "equipoise/files/sealed_file.hpp"
 #include "equipoise/store/result_identity.hpp"
 #include "equipoise/store/sweep_cells.hpp"
@@ -19,6 +18,7 @@ namespace equipoise {
 
 namespace {
 
+constexpr const char* this_sweep = "results of this sweep";
 constexpr const char* same_sweep = "must be a new file, or results of the same sweep";
 
 std::shared_ptr<SweepCell> shared(std::optional<SweepCell> cell) {
@@ -66,33 +66,22 @@ struct SweepFile::State {
   SweepCells cells;
   bool changed = false;
   std::optional<store::Journal> journal;
-
-  void require_same(const std::string& there, const std::string& of) const {
-    const std::string how = store::difference(there, identity);
-    if (!how.empty())
-      throw InputError(of, "", "",
-                       fmt::format("holds something other than results of this sweep: {}; {}", how, same_sweep));
-  }
 };
 
 SweepFile::SweepFile(const std::string& path, const std::string& identity, std::size_t cells)
     : state_(std::make_unique<State>()) {
   State& s = *state_;
-  if (const std::string problem = store::why_not_writable(path); !problem.empty())
-    throw InputError("output", "", path, problem + "; must be a file that can be written");
-  s.path = store::resolved(path);
-  if (std::filesystem::exists(s.path) && !std::filesystem::is_regular_file(s.path))
-    throw InputError("output", "", path, fmt::format("is no regular file; {}", same_sweep));
+  s.path = store::results_path(path, same_sweep);
   s.identity = identity;
   s.cells.resize(cells);
   s.journal.emplace(s.path + ".part", s.path, identity);
   if (std::filesystem::exists(s.path)) {
     require_whole(s.path);
     const store::NetcdfFile file(s.path, store::NetcdfFile::Mode::read);
-    s.require_same(file.attribute("identity"), s.path);
+    store::require_same(file.attribute("identity"), identity, s.path, this_sweep, same_sweep);
     read_results(s.path, file, s.cells);
   }
-  s.require_same(s.journal->identity(), s.path + ".part");
+  store::require_same(s.journal->identity(), identity, s.path + ".part", this_sweep, same_sweep);
   read_journal(s.path + ".part", *s.journal, s.cells);
   if (s.cells.size() != cells)
     throw InputError(s.path + ".part", "", "", fmt::format("holds other cells; {}", same_sweep));
