@@ -154,7 +154,11 @@ std::string chart_plot_script(const std::string& title, const std::vector<Chart>
   const int rows = (count + columns - 1) / std::max(columns, 1);
   const int row_height = charts.empty() || charts.front().curves ? 420 : 600;
   std::string script = canvas(path, 1600, 90 + std::max(rows * row_height, 560)) + quiet_frame;
-  script += "set lmargin 10\n";
+  double largest = 0.0;  // whose digits need room at the left
+  for (const Chart& chart : charts)
+    for (const ChartSeries& s : chart.series)
+      for (const double y : s.y) largest = std::max(largest, std::fabs(y));
+  script += largest < 1e4 ? "set lmargin 10\n" : "set lmargin 14\n";
   script += fmt::format("set multiplot layout {},{} title {}\n", rows, columns, quoted(title));
   for (int k = 0; k < count; ++k) script += script_of(charts[static_cast<std::size_t>(k)], k + 1);
   return script + "unset multiplot\n";
