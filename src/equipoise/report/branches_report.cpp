@@ -3,12 +3,12 @@
 
 #include <algorithm>
 #include <cmath>
-#include <sstream>
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
 #include "equipoise/base/version.hpp"
+#include "equipoise/report/csv.hpp"
 #include "equipoise/report/text.hpp"
 
 namespace equipoise {
@@ -65,12 +65,6 @@ Json point_json(const BranchPoint& point, int balls) {
   json["torque"] = m.motor->torque;
   json["power"] = m.motor->power;
   return json;
-}
-
-std::string csv_number(double value) { return std::isfinite(value) ? fmt::format("{}", value) : ""; }
-
-std::string csv_text(const std::string& text) {
-  return text.find(',') == std::string::npos ? text : "\"" + text + "\"";
 }
 
 }  // namespace
@@ -145,8 +139,7 @@ std::string branches_csv(const BranchesResult& r) {
   const int balls = r.study.parameters.balls;
   std::string text = fmt::format("# equipoise {}: attractors along {}{}\n", version_string, r.key,
                                  r.partial ? ", PARTIAL: stopped early" : "");
-  std::istringstream study(to_toml(r.study));
-  for (std::string line; std::getline(study, line);) text += line.empty() ? "#\n" : "# " + line + "\n";
+  text += csv_study(r.study);
   for (const Branch& b : r.branches)
     for (const BranchEvent& e : b.events)
       text += fmt::format("# event: id {}, {}, {}, between {} and {}\n", b.id, name_of(e.change), name_of(e.cause),

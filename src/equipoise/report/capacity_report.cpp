@@ -2,12 +2,13 @@
 #include "equipoise/report/capacity_report.hpp"
 
 #include <algorithm>
-#include <sstream>
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
 #include "equipoise/base/version.hpp"
+#include "equipoise/report/cell_text.hpp"
+#include "equipoise/report/csv.hpp"
 #include "equipoise/report/text.hpp"
 
 namespace equipoise {
@@ -15,10 +16,6 @@ namespace equipoise {
 namespace {
 
 using Json = nlohmann::ordered_json;
-
-std::string with_unit(const std::string& key, const std::string& unit) {
-  return unit.empty() ? key : fmt::format("{} ({})", key, unit);
-}
 
 std::string value_text(const CapacityResult& r, const CapacityCell& cell) {
   if (cell.never) return fmt::format("below {:.4g}", r.from);
@@ -29,23 +26,15 @@ std::string value_text(const CapacityResult& r, const CapacityCell& cell) {
 }  // namespace
 
 std::string capacity_text(const CapacityResult& r) {
-  std::string text = study_heading(r.study), header;
-  const auto title = [](const SweepParameter& p) {
-    return p.unit.empty() ? p.key : fmt::format("{}, {}", p.key, p.unit);
-  };
-  for (const SweepAxis& axis : r.axes)
-    for (const SweepParameter& p : axis.parameters)
-      header += fmt::format("{:>{}}  ", title(p), std::max<std::size_t>(title(p).size(), 10));
-  const std::string asked = r.unit.empty() ? r.key : fmt::format("{}, {}", r.key, r.unit);
+  std::string text = study_heading(r.study);
+  const std::string asked = column_title(r.key, r.unit);
   const std::size_t width = std::max<std::size_t>(asked.size(), 12);
   text += fmt::format("The largest {} at which {:.4g} % of starts end balanced.\n\n", r.key, 100.0 * r.at_least);
-  text += header + fmt::format("{:>{}}  {:<24}{:>7}\n", asked, width, "surely between", "trials");
+  text += column_titles(r.axes) + fmt::format("{:>{}}  {:<24}{:>7}\n", asked, width, "surely between", "trials");
   for (std::size_t index = 0; index < r.cells.size(); ++index) {
     if (!r.cells[index]) continue;
     const CapacityCell& cell = *r.cells[index];
-    visit_parameters(r.axes, index, [&](const SweepParameter& p, std::size_t at) {
-      text += fmt::format("{:>{}.6g}  ", p.values[at], std::max<std::size_t>(title(p).size(), 10));
-    });
+    text += column_values(r.axes, index);
     text += fmt::format("{:>{}}  {:<24}{:>7}\n", value_text(r, cell), width,
                         fmt::format("{:.4g} and {:.4g}", cell.low, cell.high), cell.trials.size());
   }
@@ -64,24 +53,20 @@ std::string capacity_text(const CapacityResult& r) {
 
 std::string capacity_json(const CapacityResult& r) {
   Json json{{"of", r.key}, {"unit", r.unit}, {"at_least", r.at_least}, {"from", r.from}, {"to", r.to}};
-  json["over"] = Json::array();
-  for (const SweepAxis& axis : r.axes)
-    for (const SweepParameter& p : axis.parameters)
-      json["over"].push_back({{"key", p.key}, {"unit", p.unit}, {"values", p.values}});
+  json["over"] = over_json(r.axes);
   json["partial"] = !r.complete();
   json["cells"] = Json::array();
   for (std::size_t index = 0; index < r.cells.size(); ++index) {
     if (!r.cells[index]) continue;
     const CapacityCell& cell = *r.cells[index];
-    Json at = Json::object(), trials = Json::array();
-    visit_parameters(r.axes, index, [&](const SweepParameter& p, std::size_t k) { at[p.key] = p.values[k]; });
+    Json trials = Json::array();
     for (const CapacityTrial& t : cell.trials) {
       Json one{{"value", t.value}};
       one.update(share_json(t.balanced));
       one["unstable"] = t.unstable;
       trials.push_back(one);
     }
-    json["cells"].push_back({{"at", at},
+    json["cells"].push_back({{"at", at_json(r.axes, index)},
                              {"value", cell.value ? Json(*cell.value) : Json(nullptr)},
                              {"low", cell.low},
                              {"high", cell.high},
@@ -105,16 +90,11 @@ std::string capacity_csv(const CapacityResult& r) {
   std::string text =
       fmt::format("# equipoise {}: largest {} at which a share of {} of {} starts ends balanced, from {} to {}{}\n",
                   version_string, r.key, r.at_least, r.starts, r.from, r.to, r.complete() ? "" : ", PARTIAL");
-  std::istringstream study(to_toml(r.study));
-  for (std::string line; std::getline(study, line);) text += line.empty() ? "#\n" : "# " + line + "\n";
-  for (const SweepAxis& axis : r.axes)
-    for (const SweepParameter& p : axis.parameters) text += with_unit(p.key, p.unit) + ",";
-  text += fmt::format("{0},low,high,always,never,trials\n", with_unit(r.key, r.unit));
+  text += csv_study(r.study) + csv_titles(r.axes) + csv_title(r.key, r.unit) + ",low,high,always,never,trials\n";
   for (std::size_t index = 0; index < r.cells.size(); ++index) {
     if (!r.cells[index]) continue;
     const CapacityCell& cell = *r.cells[index];
-    visit_parameters(r.axes, index,
-                     [&](const SweepParameter& p, std::size_t k) { text += fmt::format("{},", p.values[k]); });
+    text += csv_values(r.axes, index);
     text += fmt::format("{},{},{},{},{},{}\n", cell.value ? fmt::format("{}", *cell.value) : "", cell.low, cell.high,
                         cell.always ? 1 : 0, cell.never ? 1 : 0, cell.trials.size());
   }

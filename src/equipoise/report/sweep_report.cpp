@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
-#include <sstream>
 #include <vector>
 
 #include <fmt/format.h>
@@ -12,6 +11,8 @@
 
 #include "equipoise/base/version.hpp"
 #include "equipoise/deciding/decision_rule.hpp"
+#include "equipoise/report/cell_text.hpp"
+#include "equipoise/report/csv.hpp"
 #include "equipoise/report/text.hpp"
 
 namespace equipoise {
@@ -62,17 +63,9 @@ const SweepOutcome* find(const SweepCell& cell, int id) {
   return at == cell.outcomes.end() ? nullptr : &*at;
 }
 
-std::string column_title(const SweepParameter& p) {
-  return p.unit.empty() ? p.key : fmt::format("{}, {}", p.key, p.unit);
-}
-std::size_t column_width(const SweepParameter& p) { return std::max<std::size_t>(column_title(p).size(), 10); }
-
 std::string header_line(const SweepResult& r, const Columns& columns) {
-  std::string line;
-  visit_parameters(r.axes, 0, [&](const SweepParameter& p, std::size_t) {
-    line += fmt::format("{:>{}}  ", column_title(p), column_width(p));
-  });
-  line += fmt::format("{:>9}  {:>10}  {:<20}", "starts", "balanced", "95 % interval");
+  std::string line =
+      column_titles(r.axes) + fmt::format("{:>9}  {:>10}  {:<20}", "starts", "balanced", "95 % interval");
   for (std::size_t k = 1; k < columns.shown.size(); ++k)
     line += fmt::format("  {:>{}}", columns.shown[k].name, columns.shown[k].width());
   return line + (columns.others ? "    others" : "") + (columns.stalled ? "   stalled" : "") + "  undecided\n";
@@ -80,10 +73,7 @@ std::string header_line(const SweepResult& r, const Columns& columns) {
 
 std::string cell_line(const SweepResult& r, const Columns& columns, std::size_t index) {
   const SweepCell& cell = *r.cells[index];
-  std::string line;
-  visit_parameters(r.axes, index, [&](const SweepParameter& p, std::size_t at) {
-    line += fmt::format("{:>{}.6g}  ", p.values[at], column_width(p));
-  });
+  std::string line = column_values(r.axes, index);
   const Share& balanced = cell.outcomes.front().share;
   line += fmt::format("{:>9}  {:>10}  {:<20}", cell.starts, percent(balanced.share, digits_for(balanced)),
                       interval(balanced));
@@ -112,13 +102,7 @@ std::string what_else(const SweepResult& r) {
   return lost > 0 ? fmt::format("{} starts diverged or failed.\n", lost) + text : text;
 }
 
-std::string quoted_csv(const std::string& text) {
-  return text.find_first_of(",\"") == std::string::npos ? text : "\"" + text + "\"";
-}
-
-std::string csv_number(const std::optional<double>& value) {
-  return value && std::isfinite(*value) ? fmt::format("{}", *value) : "";
-}
+std::string csv_optional(const std::optional<double>& value) { return value ? csv_number(*value) : ""; }
 
 Json sure_json(const Share& s) {
   Json one = share_json(s);
@@ -156,9 +140,8 @@ Json transients_json(const TransientGroup& group) {
 
 Json cell_json(const SweepResult& r, std::size_t index) {
   const SweepCell& cell = *r.cells[index];
-  Json one, at = Json::object();
-  visit_parameters(r.axes, index, [&](const SweepParameter& p, std::size_t k) { at[p.key] = p.values[k]; });
-  one["at"] = at;
+  Json one;
+  one["at"] = at_json(r.axes, index);
   one["starts"] = cell.starts;
   one["outcomes"] = Json::array();
   for (const SweepOutcome& o : cell.outcomes) one["outcomes"].push_back(outcome_json(o));
@@ -198,10 +181,7 @@ std::string sweep_text(const SweepResult& r) {
 
 std::string sweep_json(const SweepResult& r) {
   Json json;
-  json["over"] = Json::array();
-  for (const SweepAxis& axis : r.axes)
-    for (const SweepParameter& p : axis.parameters)
-      json["over"].push_back({{"key", p.key}, {"unit", p.unit}, {"values", p.values}});
+  json["over"] = over_json(r.axes);
   json["zipped"] = r.axes.size() == 1 && r.axes.front().parameters.size() > 1;
   json["partial"] = !r.complete();
   json["cells"] = Json::array();
@@ -223,24 +203,19 @@ std::string sweep_json(const SweepResult& r) {
 std::string sweep_csv(const SweepResult& r) {
   std::string text =
       fmt::format("# equipoise {}: sweep{}\n", version_string, r.complete() ? "" : ", PARTIAL: cells are missing");
-  std::istringstream study(to_toml(r.study));
-  for (std::string line; std::getline(study, line);) text += line.empty() ? "#\n" : "# " + line + "\n";
-  for (const SweepAxis& axis : r.axes)
-    for (const SweepParameter& p : axis.parameters)
-      text += quoted_csv(p.unit.empty() ? p.key : fmt::format("{} ({})", p.key, p.unit)) + ",";
+  text += csv_study(r.study) + csv_titles(r.axes);
   text += "starts,id,name,alias,kind,count,share,low,high,mean_time,r_min,r_mean,r_max,period\n";
   for (std::size_t index = 0; index < r.cells.size(); ++index) {
     if (!r.cells[index]) continue;
     const SweepCell& cell = *r.cells[index];
-    std::string at;
-    visit_parameters(r.axes, index,
-                     [&](const SweepParameter& p, std::size_t k) { at += fmt::format("{},", p.values[k]); });
+    const std::string at = csv_values(r.axes, index);
     const auto line = [&](int id, const std::string& name, const Share& s, const SweepOutcome* o) {
-      text += fmt::format("{}{},{},{},{},{},{},{},{},{},", at, cell.starts, id, quoted_csv(name), o ? o->alias : "",
+      text += fmt::format("{}{},{},{},{},{},{},{},{},{},", at, cell.starts, id, csv_text(name), o ? o->alias : "",
                           o ? o->kind : "", s.count, s.share, s.low, s.high);
-      text += o ? fmt::format("{},{},{},{},{}\n", s.count > 0 ? csv_number(o->mean_time) : "", csv_number(o->r_min),
-                              csv_number(o->r_mean), csv_number(o->r_max), o->period > 0.0 ? csv_number(o->period) : "")
-                : ",,,,\n";
+      text +=
+          o ? fmt::format("{},{},{},{},{}\n", s.count > 0 ? csv_number(o->mean_time) : "", csv_optional(o->r_min),
+                          csv_optional(o->r_mean), csv_optional(o->r_max), o->period > 0.0 ? csv_number(o->period) : "")
+            : ",,,,\n";
     };
     for (const SweepOutcome& o : cell.outcomes) line(o.id, o.name, o.share, &o);
     if (cell.stalled) line(-3, "stalled", *cell.stalled, nullptr);

@@ -1,0 +1,31 @@
+// Parameters of sweeps and their like in tables.
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+#include <nlohmann/json_fwd.hpp>
+
+#include "equipoise/results/sweep_result.hpp"
+
+namespace equipoise {
+
+/// "rotor.unbalance, g mm": the title of a terminal's column, and how wide that is.
+std::string column_title(const std::string& key, const std::string& unit);
+std::size_t column_width(const SweepParameter& parameter);
+/// The columns of all parameters: their titles, and their values in a cell.
+std::string column_titles(const std::vector<SweepAxis>& axes);
+std::string column_values(const std::vector<SweepAxis>& axes, std::size_t cell);
+
+/// The same in CSV, each with a comma behind it.
+std::string csv_titles(const std::vector<SweepAxis>& axes);
+std::string csv_values(const std::vector<SweepAxis>& axes, std::size_t cell);
+/// "rotor.unbalance (g mm)".
+std::string csv_title(const std::string& key, const std::string& unit);
+
+/// The parameters with their values, and a cell's values by key.
+nlohmann::ordered_json over_json(const std::vector<SweepAxis>& axes);
+nlohmann::ordered_json at_json(const std::vector<SweepAxis>& axes, std::size_t cell);
+
+}  // namespace equipoise

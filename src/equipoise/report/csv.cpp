@@ -1,0 +1,24 @@
+// Numbers, texts and studies in CSV.
+#include "equipoise/report/csv.hpp"
+
+#include <cmath>
+#include <sstream>
+
+#include <fmt/format.h>
+
+namespace equipoise {
+
+std::string csv_number(double value) { return std::isfinite(value) ? fmt::format("{}", value) : ""; }
+
+std::string csv_text(const std::string& text) {
+  return text.find_first_of(",\"") == std::string::npos ? text : "\"" + text + "\"";
+}
+
+std::string csv_study(const Study& study) {
+  std::string text;
+  std::istringstream lines(to_toml(study));
+  for (std::string line; std::getline(lines, line);) text += line.empty() ? "#\n" : "# " + line + "\n";
+  return text;
+}
+
+}  // namespace equipoise
