@@ -36,6 +36,13 @@ struct BasinOptions : RunOptions {
   bool keep_starts = false;  ///< the result holds every start (BasinResult::every_start): 11 bytes a start and 8 a
                              ///< ball, with transients 40 more
   std::uint64_t keep_at_most = std::numeric_limits<std::uint64_t>::max();  ///< `keep_starts`: only so many, the first
+  /// Starts of the caller's own, followed in place of drawn ones: start i begins at t = 0 as initial[i] says, each a
+  /// whole state as [initial] has it. All of them are followed, whatever study.sampling says, and counted alike: an
+  /// interval is that of random starts, and speaks of whatever distribution they were drawn from. Where the rotor turns
+  /// as prescribed, psi is the study's if the rotor's angle matters (gravity, unequal supports), and while balls are
+  /// held at first all but their angles is. Not with a half-width, sampling.method "sobol" or "grid", or uncertain
+  /// values.
+  std::vector<InitialState> initial;
   /// States near motions known from elsewhere, each dimension(balls) numbers: rare attractors that pilot starts miss.
   std::vector<std::vector<double>> seeds;
   bool informed =
@@ -76,7 +83,8 @@ struct StartReplay {
 /// `catalogue`, if given, receives the attractors found, refined and named.
 BasinResult basin(const Study& study, const BasinOptions& options = {}, Catalogue* catalogue = nullptr);
 
-/// The fate of start `index` (any, also beyond study.sampling.starts), with the very bits basin() would give it.
+/// The fate of start `index` (any, also beyond study.sampling.starts; below the number of options.initial), with the
+/// very bits basin() would give it.
 StartReplay replay_start(const Study& study, std::uint64_t index, const BasinOptions& options = {});
 
 }  // namespace equipoise
