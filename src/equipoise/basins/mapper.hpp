@@ -32,7 +32,7 @@ class Mapper {
   /// for states that no start can have (BasinOptions::initial).
   Fate operator()(const InitialState& start) const;
   /// Of many, side by side on lanes and threads: ten times and more as fast as one by one. Progress is in starts. Once
-  /// stopped, the fates of the first ones. On the CPU target that the mapper was made on, or options.cpu_target.
+  /// stopped, the fates of the first ones. On the CPU target in use, or options.cpu_target.
   std::vector<Fate> operator()(const std::vector<InitialState>& starts, const RunOptions& options = {}) const;
 
   /// The study, its horizon filled in.

@@ -2,8 +2,10 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include "equipoise/results/basin_result.hpp"
+#include "equipoise/store/basin_file.hpp"
 
 namespace equipoise {
 
@@ -12,5 +14,8 @@ namespace equipoise {
 /// not, or if another run's unfinished results stand beside `path`; RunError, with an old file as it was, if the disk
 /// cannot take it.
 void write_basin_file(const std::string& path, const BasinResult& result);
+
+/// The outcomes of an ensemble as its file lists them.
+std::vector<OutcomeSummary> outcome_summary(const BasinResult& result);
 
 }  // namespace equipoise
