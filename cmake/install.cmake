@@ -28,12 +28,12 @@ foreach(header
     basins/attractors.hpp basins/basin.hpp basins/certify.hpp basins/comparison.hpp basins/observation.hpp basins/sensitivity.hpp
     branches/continuation.hpp branches/parameter_line.hpp kernels/cpu_target.hpp
     maps/map_axis.hpp maps/map_figures.hpp maps/plane_map.hpp sweeps/capacity.hpp sweeps/merge.hpp sweeps/sweep.hpp sweeps/sweep_axis.hpp sweeps/sweep_cell.hpp sweeps/sweep_plan.hpp
-    trajectory/output_times.hpp trajectory/simulate.hpp drawing/map_plot.hpp drawing/sweep_plot.hpp
-    report/attractors_report.hpp report/basin_report.hpp report/branches_report.hpp report/certify_report.hpp report/explain_report.hpp
+    trajectory/output_times.hpp trajectory/simulate.hpp drawing/map_plot.hpp drawing/plot_parts.hpp drawing/sweep_plot.hpp
+    report/attractors_report.hpp report/basin_report.hpp report/branches_report.hpp report/certificate_json.hpp report/certify_report.hpp report/explain_report.hpp
     report/capacity_report.hpp report/comparison_report.hpp report/inspection_report.hpp report/map_report.hpp
     report/sweep_report.hpp
     explain/explain.hpp
-    pages/answer.hpp pages/given_keys.hpp pages/machine_html.hpp pages/machine_page.hpp
+    pages/answer.hpp pages/given_keys.hpp pages/machine_html.hpp pages/machine_page.hpp pages/motion_path.hpp
     paper.hpp literature/conclusions.hpp literature/paper_figure.hpp literature/published_tables.hpp
     literature/reproduction.hpp statistics/comparison.hpp reproduction/open_questions.hpp
     reproduction/open_questions_result.hpp reproduction/paper_figures.hpp reproduction/reproduce.hpp

@@ -28,35 +28,6 @@ struct CapacityArguments {
   bool zip = false, json = false, quiet = false;
 };
 
-// LOW:HIGH, in quantities of one unit or plain numbers.
-void read_range(const CapacityArguments& a, const Study& study, CapacityOptions& options) {
-  if (a.between.empty()) {
-    const auto usual = usual_range(study, a.of);
-    if (!usual)
-      throw InputError(
-          "--between", a.of, "",
-          "must be given as LOW:HIGH for this key (only rotor.eccentricity, and rotor.unbalance of a study "
-          "in physical units, have a range of their own)");
-    options.from = usual->from;
-    options.to = usual->to;
-    options.unit = usual->unit;
-    return;
-  }
-  const std::size_t colon = a.between.find(':');
-  const auto reject = [&] {
-    throw InputError("--between", a.of, display_text(a.between),
-                     "must be LOW:HIGH, two numbers or quantities of one unit, the first below the second, e.g. "
-                     "0.001:0.1 or \"20 g mm:400 g mm\"");
-  };
-  if (colon == std::string::npos || a.between.find(':', colon + 1) != std::string::npos) reject();
-  const std::string list = a.of + "=" + a.between.substr(0, colon) + "," + a.between.substr(colon + 1);
-  const SweepParameter ends = sweep_parameter(list, "--between");
-  if (ends.values.size() != 2 || !(ends.values[0] < ends.values[1])) reject();
-  options.from = ends.values[0];
-  options.to = ends.values[1];
-  options.unit = ends.unit;
-}
-
 int run_capacity(const CapacityArguments& a) {
   choose_cpu(a.cpu);
   StudySource source{read_study_text(a.study), a.study, a.overrides};
@@ -69,7 +40,10 @@ int run_capacity(const CapacityArguments& a) {
   const SweepPlan plan(source, axes, request, "--over");
   CapacityOptions options;
   options.key = a.of;
-  read_range(a, plan.study(), options);
+  const CapacityRange range = capacity_range(plan.study(), a.of, a.between, "--between");
+  options.from = range.from;
+  options.to = range.to;
+  options.unit = range.unit;
   if (a.at_least)
     options.at_least =
         option_number<double>("--at-least", *a.at_least, 0.01, 0.9999, "a fraction of one from 0.01 to 0.9999");

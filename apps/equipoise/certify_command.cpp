@@ -57,17 +57,11 @@ int check_file(const std::string& path, bool as_json) {
 }
 
 void write_certificates(const std::string& path, const CertifyResult& result) {
-  std::vector<Certificate> certificates;
-  for (const StateProof& state : result.states)
-    if (state.certificate.level > 0.0) certificates.push_back(state.certificate);
-  std::vector<MemberCertificate> members;
-  for (const MemberProof& member : result.members)
-    if (member.check.proved) members.push_back(member.certificate);
-  if (certificates.empty() && members.empty()) {
+  const std::string text = certificates_json(result);
+  if (text.empty())
     say("nothing is proved, so {} is not written", display_text(path));
-    return;
-  }
-  write_file(path, certificates_json(certificates, members));
+  else
+    write_file(path, text);
 }
 
 int run_certify(const CertifyArguments& a) {

@@ -302,6 +302,16 @@ std::string certificates_json(const std::vector<Certificate>& certificates,
   return text + "\n}\n";
 }
 
+std::string certificates_json(const CertifyResult& result) {
+  std::vector<Certificate> certificates;
+  for (const StateProof& state : result.states)
+    if (state.certificate.level > 0.0) certificates.push_back(state.certificate);
+  std::vector<MemberCertificate> members;
+  for (const MemberProof& member : result.members)
+    if (member.check.proved) members.push_back(member.certificate);
+  return certificates.empty() && members.empty() ? "" : certificates_json(certificates, members);
+}
+
 std::vector<Certificate> certificates_from_json(const std::string& text, const std::string& where) {
   return entries(file_from(text, where), "certificates", where, certificate_from);
 }

@@ -231,6 +231,8 @@ StudyValue to_tree(const Study& study) {
   return sorted(tree);
 }
 
-std::string to_toml(const Study& study) { return study::toml_text(to_tree(study)); }
+std::string to_toml(const Study& study) { return to_toml(to_tree(study)); }
+
+std::string to_toml(const StudyValue& tree) { return study::toml_text(tree); }
 
 }  // namespace equipoise

@@ -216,4 +216,7 @@ StudyValue to_tree(const Study& study);
 /// The same as TOML that read_study() takes back to an equal study.
 std::string to_toml(const Study& study);
 
+/// A tree that study_from() takes as TOML that parse_study() takes.
+std::string to_toml(const StudyValue& tree);
+
 }  // namespace equipoise

@@ -114,9 +114,15 @@ StudyValue parse_value(const std::string& key, const std::string& value) {
   throw InputError("--set", printable(key), printable(value), "must be a single TOML value");
 }
 
+// The final speed has one name whatever the profile.
+std::string key_here(const StudyValue& root, const std::string& key) {
+  const StudyValue* profile = key == "speed.final" ? root.find_path("speed.profile") : nullptr;
+  return profile && profile->string() && *profile->string() == "constant" ? "speed.speed" : key;
+}
+
 void apply_override(Document& document, const std::string& text) {
   const std::size_t equals = std::min(text.find('='), text.size());
-  const std::string key = trimmed(text.substr(0, equals));
+  const std::string key = key_here(document.root, trimmed(text.substr(0, equals)));
   const std::string value = equals == text.size() ? "" : trimmed(text.substr(equals + 1));
   const bool has_empty_part = key.empty() || key.front() == '.' || key.back() == '.' || key.find("..") != key.npos;
   if (has_empty_part || value.empty())

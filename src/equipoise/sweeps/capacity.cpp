@@ -15,12 +15,14 @@
 
 #include <fmt/format.h>
 
+#include "equipoise/base/display_text.hpp"
 #include "equipoise/base/error.hpp"
 #include "equipoise/base/reporting.hpp"
 #include "equipoise/basins/basin.hpp"
 #include "equipoise/fates/runner.hpp"
 #include "equipoise/kernels/cpu_target.hpp"
 #include "equipoise/motions/catalogue.hpp"
+#include "equipoise/sweeps/sweep_axis.hpp"
 #include "equipoise/traps/balanced_analysis.hpp"
 
 namespace equipoise {
@@ -212,6 +214,27 @@ std::optional<CapacityRange> usual_range(const Study& study, const std::string& 
   if (key != "rotor.unbalance" || !study.scales) return std::nullopt;
   const double unbalance = most * study.scales->unbalance() * grams_and_millimetres;
   return CapacityRange{few_digits(least * unbalance), few_digits(unbalance), "g mm"};
+}
+
+CapacityRange capacity_range(const Study& study, const std::string& key, const std::string& text,
+                             const std::string& option) {
+  if (text.empty()) {
+    if (const auto usual = usual_range(study, key)) return *usual;
+    throw InputError(option, key, "",
+                     "must be given as LOW:HIGH for this key (only rotor.eccentricity, and rotor.unbalance of a study "
+                     "in physical units, have a range of their own)");
+  }
+  const auto reject = [&] {
+    throw InputError(option, key, display_text(text),
+                     "must be LOW:HIGH, two numbers or quantities of one unit, the first below the second, e.g. "
+                     "0.001:0.1 or \"20 g mm:400 g mm\"");
+  };
+  const std::size_t colon = text.find(':');
+  if (colon == std::string::npos || text.find(':', colon + 1) != std::string::npos) reject();
+  const SweepParameter ends =
+      sweep_parameter(key + "=" + text.substr(0, colon) + "," + text.substr(colon + 1), option);
+  if (ends.values.size() != 2 || !(ends.values[0] < ends.values[1])) reject();
+  return {ends.values[0], ends.values[1], ends.unit};
 }
 
 CapacityResult capacity(const SweepPlan& plan, const CapacityOptions& options) {

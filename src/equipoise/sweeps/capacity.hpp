@@ -26,6 +26,10 @@ struct CapacityRange {
   std::string unit;
 };
 std::optional<CapacityRange> usual_range(const Study& study, const std::string& key);
+/// The range as people write it, "LOW:HIGH" in numbers or quantities of one unit ("20 g mm:400 g mm"); empty: the usual
+/// one. `option` names it in errors. Throws InputError.
+CapacityRange capacity_range(const Study& study, const std::string& key, const std::string& text,
+                             const std::string& option);
 
 /// In every cell of the plan: values in steps of an eighth of the range up to the first at which too few starts
 /// balance, then bisection where the balanced share, and each end of its interval, first falls below what is asked, all

@@ -41,15 +41,10 @@ SweepPlan::SweepPlan(StudySource source, std::vector<SweepAxis> axes, const Cell
   }
 }
 
-// What the key is called where the speed is constant.
-std::string SweepPlan::target(const std::string& key) const {
-  return key == "speed.final" && study_.speed.profile == Profile::constant ? "speed.speed" : key;
-}
-
 std::vector<std::string> SweepPlan::overrides_of(std::size_t cell) const {
   std::vector<std::string> overrides;
   visit_parameters(axes_, cell, [&](const SweepParameter& p, std::size_t k) {
-    overrides.push_back(target(p.key) + "=" + p.given[k]);
+    overrides.push_back(p.key + "=" + p.given[k]);
   });
   return overrides;
 }

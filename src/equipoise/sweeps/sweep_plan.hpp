@@ -56,7 +56,6 @@ class SweepPlan {
 
  private:
   std::vector<std::string> overrides_of(std::size_t cell) const;
-  std::string target(const std::string& key) const;
   std::size_t chain_length() const { return axes_.empty() ? 1 : axes_[chain_].size(); }
 
   StudySource source_;

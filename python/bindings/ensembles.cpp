@@ -1,0 +1,121 @@
+// Ensembles: shares, comparisons, sensitivity.
+#include <pybind11/stl.h>
+
+#include "bindings.hpp"
+#include "call.hpp"
+#include "convert.hpp"
+#include "equipoise/basins/basin.hpp"
+#include "equipoise/basins/comparison.hpp"
+#include "equipoise/basins/sensitivity.hpp"
+#include "equipoise/basins/write_basin.hpp"
+#include "equipoise/report/basin_report.hpp"
+#include "equipoise/report/comparison_report.hpp"
+#include "kept.hpp"
+#include "py_study.hpp"
+#include "starts.hpp"
+
+namespace equipoise::python {
+
+namespace {
+
+using Basin = Kept<BasinResult>;
+
+Basin run_basin(const PyStudy& s, double half_width, bool limit_given, std::optional<bool> transients,
+                const std::string& output, bool keep, const std::optional<py::array>& initial,
+                std::optional<std::uint64_t> sensitivity_rows, const py::dict& settings) {
+  Call call(settings);
+  BasinOptions options;
+  call.set(options);
+  options.half_width = half_width;
+  options.limit_given = limit_given;
+  options.transients = transients;
+  options.output = output;
+  options.keep_starts = keep;
+  if (initial) options.initial = starts_from(s.study, *initial, "initial");
+  SensitivityOptions depends;
+  if (sensitivity_rows) {
+    static_cast<RunOptions&>(depends) = options;
+    depends.rows = *sensitivity_rows;
+    check_sensitivity(s.study);
+  }
+  BasinResult result = Call::run([&] {
+    BasinResult made = basin(s.study, options);
+    if (sensitivity_rows && !made.partial) made.sensitivity = sensitivity(s.study, depends);
+    return made;
+  });
+  return {std::move(result), call.interrupted()};
+}
+
+template <class T>
+py::object column(const std::vector<T>& values, std::size_t starts) {
+  if (values.empty() || starts == 0) return py::none();
+  std::vector<py::ssize_t> shape{static_cast<py::ssize_t>(starts)};
+  if (const std::size_t width = values.size() / starts; width != 1) shape.push_back(static_cast<py::ssize_t>(width));
+  return array_of(std::vector<T>(values), shape);
+}
+
+// Every start, if they were kept.
+py::object arrays_of(const Basin& kept) {
+  if (!kept.result.every_start) return py::none();
+  const StartArrays& a = *kept.result.every_start;
+  const auto starts = static_cast<std::size_t>(a.starts);
+  py::dict arrays;
+  // One ball's angles are a column of one as well.
+  arrays["phi"] = array_of(std::vector<double>(a.phi), {static_cast<py::ssize_t>(starts), a.balls});
+  arrays["psi"] = column(a.psi, starts);
+  arrays["rotor_state"] = column(a.rotor_state, starts);
+  arrays["phi_dot"] = a.phi_dot.empty() ? py::object(py::none())
+                                        : array_of(std::vector<double>(a.phi_dot),
+                                                   {static_cast<py::ssize_t>(starts), a.balls});
+  arrays["drawn"] = column(a.drawn, starts);
+  arrays["weight"] = column(a.weight, starts);
+  arrays["outcome"] = array_of(std::vector<short>(a.outcome));
+  arrays["decision_time"] = array_of(std::vector<double>(a.decision_time));
+  arrays["decided_by"] = array_of(std::vector<signed char>(a.decided_by));
+  arrays["mean_speed"] = column(a.mean_speed, starts);
+  py::dict transients;
+  for (std::size_t k = 0; k < transient_columns.size(); ++k)
+    if (!a.transients[k].empty()) transients[transient_columns[k].name] = array_of(std::vector<float>(a.transients[k]));
+  arrays["transients"] = transients;
+  return arrays;
+}
+
+py::list grounds_of_decision() {
+  py::list names;
+  for (const char* name : decided_by_names) names.append(name);
+  return names;
+}
+
+using Compared = Kept<ComparisonResult>;
+
+Compared compare_studies(const PyStudy& first, const PyStudy& second, const py::dict& settings) {
+  Call call(settings);
+  RunOptions options;
+  call.set(options);
+  check_comparable(first.study);
+  check_comparable(second.study);
+  ComparisonResult result = Call::run(
+      [&] { return compare(basin_outcomes(first.study, options), basin_outcomes(second.study, options)); });
+  return {std::move(result), call.interrupted()};
+}
+
+}  // namespace
+
+void bind_ensembles(py::module_& module) {
+  bind_kept<BasinResult>(module, "Basin", &basin_text, &basin_json)
+      .def("arrays", &arrays_of)
+      .def("save", [](const Basin& b, const std::string& path) { write_basin_file(path, b.result); })
+      .def_property_readonly("seconds", [](const Basin& b) { return b.result.seconds; })
+      .def_property_readonly("cpu_seconds", [](const Basin& b) { return b.result.cpu_seconds; })
+      .def_property_readonly("threads", [](const Basin& b) { return b.result.threads; })
+      .def_property_readonly("resumed_from", [](const Basin& b) { return b.result.resumed_from; });
+  module.def("basin", &run_basin, py::arg("study"), py::arg("half_width"), py::arg("limit_given"),
+             py::arg("transients"), py::arg("output"), py::arg("keep"), py::arg("initial"),
+             py::arg("sensitivity_rows"), py::arg("settings"));
+  module.def("grounds_of_decision", &grounds_of_decision);
+  bind_kept<ComparisonResult>(module, "Comparison", &comparison_text, &comparison_json)
+      .def("verdict", [](const Compared& c) { return verdict(c.result); });
+  module.def("compare", &compare_studies, py::arg("first"), py::arg("second"), py::arg("settings"));
+}
+
+}  // namespace equipoise::python

@@ -1,0 +1,170 @@
+// Maps, sweeps, capacities.
+#include <pybind11/stl.h>
+
+#include "bindings.hpp"
+#include "call.hpp"
+#include "convert.hpp"
+#include "equipoise/maps/map_axis.hpp"
+#include "equipoise/maps/plane_map.hpp"
+#include "equipoise/report/capacity_report.hpp"
+#include "equipoise/report/map_report.hpp"
+#include "equipoise/report/sweep_report.hpp"
+#include "equipoise/store/map_file.hpp"
+#include "equipoise/store/sweep_file.hpp"
+#include "equipoise/sweeps/capacity.hpp"
+#include "equipoise/sweeps/sweep.hpp"
+#include "equipoise/sweeps/sweep_axis.hpp"
+#include "kept.hpp"
+#include "py_study.hpp"
+
+namespace equipoise::python {
+
+namespace {
+
+using Map = Kept<PlaneMap>;
+
+/// An axis as Python gives it: key, range as text (empty: a whole turn), pixels.
+struct AxisRequest {
+  std::string key, range;
+  int pixels;
+};
+
+AxisRequest axis_request(const py::tuple& given) {
+  return {given[0].cast<std::string>(), given[1].cast<std::string>(), given[2].cast<int>()};
+}
+
+Map draw_map(const PyStudy& s, const py::tuple& x, const py::tuple& y, const std::vector<std::string>& ties,
+             int block, const std::string& output, const std::string& from, const py::dict& settings) {
+  const Study study = with_medians(s.study);
+  Call call(settings);
+  PlaneMapSettings how;
+  call.set(how);
+  const AxisRequest across = axis_request(x), up = axis_request(y);
+  map_size(std::to_string(across.pixels) + "x" + std::to_string(up.pixels), "size");
+  how.x = map_axis(study, across.key, across.range, across.pixels, "x_range");
+  how.y = map_axis(study, up.key, up.range, up.pixels, "y_range");
+  for (const std::string& tie : ties) how.links.push_back(angle_link(tie, "tie"));
+  how.block = block;
+  how.output = output;
+  how.from = from;
+  PlaneMap map = Call::run([&] { return plane_map(study, how); });
+  return {std::move(map), call.interrupted()};
+}
+
+py::array_t<double> centres(const MapAxis& axis) {
+  std::vector<double> values;
+  for (int k = 0; k < axis.pixels; ++k) values.push_back(axis.centre(k));
+  return array_of(std::move(values));
+}
+
+py::dict arrays_of(const Map& kept) {
+  const PlaneMap& map = kept.result;
+  const std::vector<py::ssize_t> shape{map.y.pixels, map.x.pixels};
+  py::dict arrays;
+  arrays["x"] = centres(map.x);
+  arrays["y"] = centres(map.y);
+  arrays["outcome"] = array_of(std::vector<short>(map.code), shape);
+  arrays["time"] = array_of(std::vector<float>(map.time), shape);
+  arrays["r_max"] = array_of(std::vector<float>(map.r_max), shape);
+  if (!map.computed.empty()) {
+    std::vector<unsigned char> computed(map.computed.begin(), map.computed.end());
+    arrays["computed"] = py::array(array_of(std::move(computed), shape)).attr("astype")("bool");
+  }
+  return arrays;
+}
+
+py::object figure(const std::optional<MapFigure>& f) {
+  return f ? py::object(py::make_tuple(f->value, f->low, f->high)) : py::none();
+}
+
+py::dict summary_of(const Map& kept) {
+  const PlaneMap& map = kept.result;
+  py::dict summary, figures;
+  py::list codes;
+  for (const MapCode& c : map.codes)
+    codes.append(py::make_tuple(c.code, c.name, c.alias, c.share.share, c.share.low, c.share.high, c.share.count));
+  figures["box_dimension"] = figure(map.figures.box_dimension);
+  figures["uncertainty_exponent"] = figure(map.figures.uncertainty_exponent);
+  figures["basin_entropy"] = figure(map.figures.basin_entropy);
+  figures["boundary_basin_entropy"] = figure(map.figures.boundary_basin_entropy);
+  figures["balanced_radius"] = map.figures.balanced_radius;
+  summary["codes"] = codes;
+  summary["figures"] = figures;
+  summary["x_key"] = map.x.key;
+  summary["y_key"] = map.y.key;
+  summary["x_edges"] = py::make_tuple(map.x.low, map.x.high);
+  summary["y_edges"] = py::make_tuple(map.y.low, map.y.high);
+  summary["complete"] = map.complete;
+  summary["every"] = map.every;
+  summary["block"] = map.block;
+  summary["pixels"] = map.pixels;
+  summary["pixels_computed"] = map.pixels_computed;
+  summary["seconds"] = map.seconds;
+  return summary;
+}
+
+using Sweep = Kept<SweepResult>;
+
+Sweep run_sweep(const PyStudy& s, const std::vector<std::string>& over, bool zip, double half_width, bool limit_given,
+                std::optional<bool> transients, const std::string& output, const py::dict& settings) {
+  CellRequest request;
+  request.half_width = half_width;
+  request.limit_given = limit_given;
+  request.transients = transients;
+  const SweepPlan plan(s.source, sweep_axes(over, zip, "over"), request, "over");
+  Call call(settings);
+  SweepOptions options;
+  call.set(options);
+  options.output = output;
+  SweepResult result = Call::run([&] { return sweep(plan, options); });
+  return {std::move(result), call.interrupted()};
+}
+
+// What [sweep] says.
+py::tuple sweep_setting(const PyStudy& s) { return py::make_tuple(s.study.sweep.over, s.study.sweep.zip); }
+
+using Capacity = Kept<CapacityResult>;
+
+Capacity find_capacity(const PyStudy& s, const std::string& of, const std::string& between, double at_least,
+                       double precision, const std::vector<std::string>& over, bool zip, const py::dict& settings) {
+  CellRequest request;
+  request.transients = false;
+  const SweepPlan plan(s.source, over.empty() ? std::vector<SweepAxis>{} : sweep_axes(over, zip, "over"), request,
+                       "over");
+  Call call(settings);
+  CapacityOptions options;
+  call.set(options);
+  options.key = of;
+  const CapacityRange range = capacity_range(plan.study(), of, between, "between");
+  options.from = range.from;
+  options.to = range.to;
+  options.unit = range.unit;
+  options.at_least = at_least;
+  options.precision = precision;
+  CapacityResult result = Call::run([&] { return capacity(plan, options); });
+  return {std::move(result), call.interrupted()};
+}
+
+}  // namespace
+
+void bind_planes(py::module_& module) {
+  bind_kept<PlaneMap>(module, "Map", &map_text, &map_json)
+      .def("arrays", &arrays_of)
+      .def("summary", &summary_of)
+      .def("save", [](const Map& m, const std::string& path) { write_map_file(path, m.result); });
+  module.def("map", &draw_map, py::arg("study"), py::arg("x"), py::arg("y"), py::arg("ties"), py::arg("block"),
+             py::arg("output"), py::arg("from_file"), py::arg("settings"));
+  bind_kept<SweepResult>(module, "Sweep", &sweep_text, &sweep_json)
+      .def("csv", [](const Sweep& s) { return sweep_csv(s.result); })
+      .def("save", [](const Sweep& s, const std::string& path) { write_sweep_file(path, s.result); });
+  module.def("sweep_setting", &sweep_setting, py::arg("study"));
+  module.def("sweep", &run_sweep, py::arg("study"), py::arg("over"), py::arg("zip"), py::arg("half_width"),
+             py::arg("limit_given"), py::arg("transients"), py::arg("output"), py::arg("settings"));
+  bind_kept<CapacityResult>(module, "Capacity", &capacity_text, &capacity_json).def("csv", [](const Capacity& c) {
+    return capacity_csv(c.result);
+  });
+  module.def("capacity", &find_capacity, py::arg("study"), py::arg("of"), py::arg("between"), py::arg("at_least"),
+             py::arg("precision"), py::arg("over"), py::arg("zip"), py::arg("settings"));
+}
+
+}  // namespace equipoise::python

@@ -1,0 +1,82 @@
+// Studies.
+#include <pybind11/stl.h>
+
+#include "bindings.hpp"
+#include "convert.hpp"
+#include "equipoise/drawing/plot_parts.hpp"
+#include "equipoise/explain/explain.hpp"
+#include "equipoise/report/explain_report.hpp"
+#include "equipoise/study/physical_echo.hpp"
+#include "py_study.hpp"
+
+namespace equipoise::python {
+
+namespace {
+
+PyStudy study_from_tree(const py::dict& dictionary, const std::string& name) {
+  const StudyValue tree = value_from(dictionary);
+  study_from(tree, name);  // refuses what is none before it becomes text
+  return PyStudy({to_toml(tree), name, {}});
+}
+
+py::object scales_of(const Study& study) {
+  if (!study.scales) return py::none();
+  py::dict scales;
+  scales["mass"] = study.scales->mass;
+  scales["length"] = study.scales->length;
+  scales["time"] = study.scales->time();
+  return scales;
+}
+
+py::dict limits_of(const Study& study) {
+  py::dict limits;
+  limits["displacement"] = study.limits.displacement;
+  limits["force"] = study.limits.force;
+  limits["velocity"] = study.limits.velocity;
+  limits["settled"] = study.limits.settled;
+  return limits;
+}
+
+py::dict explained(const PyStudy& s) {
+  const Explanation e = explain(with_medians(s.study), s.balls());
+  py::dict result;
+  result["text"] = explain_text(e);
+  result["json"] = explain_json(e);
+  return result;
+}
+
+}  // namespace
+
+void bind_studies(py::module_& module) {
+  py::class_<PyStudy>(module, "Study")
+      .def(py::init([](const std::string& toml, const std::string& name, const std::vector<std::string>& overrides) {
+             return PyStudy({toml, name, overrides});
+           }),
+           py::arg("toml"), py::arg("name"), py::arg("overrides") = std::vector<std::string>{})
+      .def_static("from_tree", &study_from_tree, py::arg("tree"), py::arg("name"))
+      .def_static("from_file", [](const std::string& path) { return PyStudy({read_study_text(path), path, {}}); })
+      .def("with_overrides", &PyStudy::with)
+      .def("to_toml", [](const PyStudy& s) { return to_toml(s.study); })
+      .def("to_physical_toml", [](const PyStudy& s) { return to_physical_toml(s.study); })
+      .def("tree", [](const PyStudy& s) { return to_python(to_tree(s.study)); })
+      .def("explain", &explained)
+      .def_property_readonly("parameters_text", [](const PyStudy& s) { return parameters_text(s.study, {}); })
+      .def_property_readonly("toml", [](const PyStudy& s) { return s.source.toml; })
+      .def_property_readonly("name", [](const PyStudy& s) { return s.source.name; })
+      .def_property_readonly("overrides", [](const PyStudy& s) { return s.source.overrides; })
+      .def_property_readonly("balls", [](const PyStudy& s) { return s.study.parameters.balls; })
+      .def_property_readonly("starts", [](const PyStudy& s) { return s.study.sampling.starts; })
+      .def_property_readonly("uncertain", [](const PyStudy& s) { return !s.study.uncertain.empty(); })
+      .def_property_readonly("driven", [](const PyStudy& s) { return s.study.speed.driven(); })
+      .def_property_readonly("scales", [](const PyStudy& s) { return scales_of(s.study); })
+      .def_property_readonly("limits", [](const PyStudy& s) { return limits_of(s.study); })
+      .def_property_readonly("release_time", [](const PyStudy& s) { return s.study.release_time(); })
+      .def(py::pickle(
+          [](const PyStudy& s) { return py::make_tuple(s.source.toml, s.source.name, s.source.overrides); },
+          [](const py::tuple& state) {
+            return PyStudy({state[0].cast<std::string>(), state[1].cast<std::string>(),
+                            state[2].cast<std::vector<std::string>>()});
+          }));
+}
+
+}  // namespace equipoise::python

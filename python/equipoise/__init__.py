@@ -1,0 +1,48 @@
+"""Will this automatic balancer balance this rotor, how surely, how fast, and how badly will it shake on the way?
+
+    import equipoise as eq
+    study = eq.paper_study("table-2-omega-2.4")
+    answer = eq.basin(study, starts=20000)
+    answer.shares["balanced"], answer.errors["balanced"]
+
+Quantities are dimensionless (length R, time 1/omega_c, mass M) unless they are given, or said to be, in units.
+"""
+
+from __future__ import annotations
+
+import importlib
+from typing import TYPE_CHECKING, Any
+
+from . import _core
+from .ensembles import AttractorShare, BasinResult, Comparison, Difference, basin, compare
+from .errors import Interrupted, RunError, StudyError, UndecidedWarning
+from .model import Mapper, Model
+from .motions import Attractor, AttractorsResult, Branch, BranchesResult, CertifyResult, attractors, certify, follow
+from .paper import Explanation, Reproduction, explain, reproduce, reproducible
+from .planes import CapacityResult, MapResult, SweepResult, capacity, map, sweep
+from .study import Study, paper_studies, paper_study
+from .trajectory import Trajectory, simulate
+
+if TYPE_CHECKING:
+    from . import plot as plot
+
+__version__: str = _core.version
+
+__all__ = [
+    "Attractor", "AttractorShare", "AttractorsResult", "BasinResult", "Branch", "BranchesResult", "CapacityResult",
+    "CertifyResult", "Comparison", "Difference", "Explanation", "Interrupted", "MapResult", "Mapper", "Model",
+    "Reproduction", "RunError", "Study", "StudyError", "SweepResult", "Trajectory", "UndecidedWarning", "attractors",
+    "basin", "capacity", "certify", "compare", "cpu_targets", "explain", "follow", "map", "paper_studies",
+    "paper_study", "plot", "reproduce", "reproducible", "simulate", "sweep",
+]
+
+
+def cpu_targets() -> list[str]:
+    """Instruction sets that this machine and this build have, best first."""
+    return list(_core.cpu_targets())
+
+
+def __getattr__(name: str) -> Any:
+    if name == "plot":  # matplotlib is loaded when it is first wanted
+        return importlib.import_module(".plot", __name__)
+    raise AttributeError(f"module {__name__!r} has no attribute {name!r}")

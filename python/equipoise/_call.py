@@ -1,0 +1,65 @@
+"""What every long call shares: threads, instruction set, progress."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator
+from contextlib import contextmanager
+from typing import Any, Optional, TypeVar, Union
+
+from .errors import Interrupted
+
+ProgressArgument = Union[bool, None, Callable[[int, int, str], Any]]
+
+_Result = TypeVar("_Result")
+
+
+class _Bar:
+    """A tqdm bar that follows the stages of a call, one bar a stage."""
+
+    def __init__(self) -> None:
+        try:
+            from tqdm.auto import tqdm
+        except ImportError as error:
+            raise ImportError("progress=True needs the package tqdm; a callable needs nothing") from error
+        self._tqdm = tqdm
+        self._bar: Any = None
+        self._what = ""
+
+    def __call__(self, done: int, total: int, what: str, preparing: bool, balanced: Optional[float]) -> None:
+        if self._bar is None or what != self._what or (self._bar.total or 0) != total:
+            self.close()
+            self._bar, self._what = self._tqdm(total=total or None, desc=what, leave=not preparing), what
+        if balanced is not None:
+            self._bar.set_postfix_str(f"{100 * balanced:.1f} % balanced", refresh=False)
+        self._bar.update(done - self._bar.n)
+
+    def close(self) -> None:
+        if self._bar is not None:
+            self._bar.close()
+            self._bar = None
+
+
+@contextmanager
+def settings(threads: int, progress: ProgressArgument, cpu: Optional[str]) -> Iterator[dict[str, Any]]:
+    """The settings of a call as the module takes them."""
+    bar = _Bar() if progress is True else None
+    listener: Any = bar
+    if callable(progress):
+        tell = progress
+        listener = lambda done, total, what, preparing, balanced: tell(done, total, what)  # noqa: E731
+    elif progress not in (None, True, False):
+        raise TypeError(f"progress must be True, False or a callable(done, total, what), not {progress!r}")
+    if isinstance(threads, bool) or not isinstance(threads, int) or threads < 0:
+        raise ValueError(f"threads must be a whole number, 0 for all cores, not {threads!r}")
+    try:
+        yield {"threads": threads, "progress": listener, "cpu": cpu}
+    finally:
+        if bar:
+            bar.close()
+
+
+def unless_interrupted(result: _Result, interrupted: bool) -> _Result:
+    """The result, or Interrupted with it."""
+    if interrupted:
+        raise Interrupted(result)
+    return result

@@ -1,0 +1,415 @@
+"""Ensembles: with what probability do the balls end where."""
+
+from __future__ import annotations
+
+import os
+import warnings
+from collections.abc import Mapping
+from dataclasses import dataclass
+from typing import TYPE_CHECKING, Any, Optional
+
+import numpy as np
+import numpy.typing as npt
+
+from . import _core
+from ._call import ProgressArgument, settings, unless_interrupted
+from ._html import percent, table
+from .errors import StudyError, UndecidedWarning
+from .results import Result
+from .study import Study
+
+if TYPE_CHECKING:
+    import pandas
+    import xarray
+
+#: Codes of starts that came to no attractor.
+NO_ATTRACTOR = {0: "undecided", -1: "diverged", -2: "failed", -3: "stalled"}
+
+_most_undecided = 0.01
+
+
+@dataclass(frozen=True)
+class AttractorShare:
+    """Starts that came to one attractor.
+
+    Attributes
+    ----------
+    id : int
+        1 is balanced; the same for the same motion everywhere.
+    name, alias, kind : str
+        alias: V1 to V4, as Wright and Peng (2019) call them, or "".
+    count : int
+    share, low, high : float
+        Fraction of the starts with its 95 % interval.
+    mean_time : float
+        Mean time from the last branch's begin (and release) to the decision, in 1/omega_c; nan of no starts.
+    """
+
+    id: int
+    name: str
+    alias: str
+    kind: str
+    count: int
+    share: float
+    low: float
+    high: float
+    mean_time: float
+
+
+class BasinResult(Result):
+    """Shares of the starts that come to each attractor, and every start.
+
+    Attributes
+    ----------
+    shares : dict[str, float]
+        By name: the attractors, balanced first, then what came to none ("undecided", "diverged", "failed", "stalled")
+        as far as it happened; undecided is always there.
+    errors : dict[str, tuple[float, float]]
+        95 % intervals of the same.
+    attractors : list[AttractorShare]
+    labels : ndarray (starts,), int16
+        Attractor of each start; 0 undecided, -1 diverged, -2 failed, -3 stalled (``names`` tells).
+    names : dict[int, str]
+    phi : ndarray (starts, balls)
+        Ball angles that each start began with, rad.
+    decision_time : ndarray (starts,)
+        Study time at which the outcome was known, in 1/omega_c.
+    decided_by : ndarray (starts,), int8
+        On what grounds; ``decided_by_names`` tells.
+    transients : dict[str, ndarray (starts,)] or None
+        Peak displacement and its like by start (columns of the NetCDF file), dimensionless.
+    arrays : dict[str, ndarray]
+        All that is known start by start, also what only some studies have (``rotor_state``, ``phi_dot``, ``drawn``,
+        ``weight``, ``mean_speed``, ``psi``).
+    starts : int
+    partial : bool
+        Stopped before all starts were done.
+    """
+
+    _lasting = ("data", "text")
+
+    def __init__(self, core: _core.Basin, study: Study) -> None:
+        super().__init__(core, study)
+        self.arrays: dict[str, Any] = core.arrays() or {}
+        self.seconds, self.cpu_seconds = core.seconds, core.cpu_seconds
+        if self.undecided > _most_undecided:
+            warnings.warn(
+                f"{100 * self.undecided:.2g} % of the starts are undecided: their shares of the attractors are open "
+                "(a longer numerics.horizon may decide them)",
+                UndecidedWarning,
+                stacklevel=4,
+            )
+
+    @property
+    def starts(self) -> int:
+        return self.data["starts"]
+
+    @property
+    def partial(self) -> bool:
+        return self.data["partial"]
+
+    @property
+    def undecided(self) -> float:
+        """Share of the starts that came to no attractor by the horizon."""
+        return self.data["undecided"]["share"]
+
+    @property
+    def attractors(self) -> list[AttractorShare]:
+        return [
+            AttractorShare(
+                o["id"], o["name"], o["alias"] or "", o["kind"], o["count"], o["share"], o["low"], o["high"],
+                float("nan") if o.get("mean_time") is None else o["mean_time"],
+            )
+            for o in self.data["outcomes"]
+        ]
+
+    def _outcomes(self) -> list[tuple[str, dict[str, Any]]]:
+        outcomes = [(o["name"], o) for o in self.data["outcomes"]]
+        for name in NO_ATTRACTOR.values():
+            share = self.data.get(name)
+            if share and (share["count"] or name == "undecided"):
+                outcomes.append((name, share))
+        return outcomes
+
+    @property
+    def shares(self) -> dict[str, float]:
+        return {name: o["share"] for name, o in self._outcomes()}
+
+    @property
+    def errors(self) -> dict[str, tuple[float, float]]:
+        return {name: (o["low"], o["high"]) for name, o in self._outcomes()}
+
+    @property
+    def counts(self) -> dict[str, int]:
+        """Starts by name."""
+        return {name: o["count"] for name, o in self._outcomes()}
+
+    @property
+    def names(self) -> dict[int, str]:
+        return {**NO_ATTRACTOR, **{o["id"]: o["name"] for o in self.data["outcomes"]}}
+
+    def _array(self, name: str) -> Any:
+        if name not in self.arrays:
+            raise AttributeError(f"there is no {name} of every start: basin() was called with keep=False")
+        return self.arrays[name]
+
+    @property
+    def labels(self) -> npt.NDArray[np.int16]:
+        return self._array("outcome")
+
+    @property
+    def phi(self) -> npt.NDArray[np.float64]:
+        return self._array("phi")
+
+    @property
+    def decision_time(self) -> npt.NDArray[np.float64]:
+        return self._array("decision_time")
+
+    @property
+    def decided_by(self) -> npt.NDArray[np.int8]:
+        return self._array("decided_by")
+
+    @property
+    def decided_by_names(self) -> list[str]:
+        return list(_core.grounds_of_decision())
+
+    @property
+    def transients(self) -> Optional[dict[str, npt.NDArray[np.float32]]]:
+        return self._array("transients") or None
+
+    def __repr__(self) -> str:
+        parts = [
+            f"{name} {100 * o['share']:.2f} % ({100 * o['low']:.2f} to {100 * o['high']:.2f})"
+            for name, o in self._outcomes()
+            if o["count"] or name == "balanced"
+        ]
+        return f"<BasinResult of {self.study.name}: {self.starts} starts{', partial' * self.partial}: {'; '.join(parts)}>"
+
+    def _repr_html_(self) -> str:
+        times = {a.name: f"{a.mean_time:.4g}" for a in self.attractors if np.isfinite(a.mean_time)}
+        rows = [
+            (name, o["count"], percent(o["share"], o["low"], o["high"]), times.get(name, ""))
+            for name, o in self._outcomes()
+        ]
+        title = f"<b>{self.study.name}</b>: {self.starts} starts{', stopped early' * self.partial}"
+        return title + table(("ends", "starts", "share (95 %)", "mean time"), rows)
+
+    def to_xarray(self) -> xarray.Dataset:
+        """A dataset with dimension start: the variables of the NetCDF file, with units and long_name."""
+        import xarray
+
+        meaning = {
+            "phi": (("start", "ball"), "rad", "initial ball angle"),
+            "phi_dot": (("start", "ball"), "omega_c", "initial rate of the ball angle"),
+            "psi": (("start",), "rad", "initial rotor angle"),
+            "rotor_state": (("start", "rotor_component"), "R, R omega_c", "initial x, y, x_dot, y_dot"),
+            "drawn": (("start", "uncertain_value"), "", "uncertain values that the start drew"),
+            "weight": (("start",), "1", "cells that the start stands for"),
+            "outcome": (("start",), "1", "attractor of the start; 0 undecided, -1 diverged, -2 failed, -3 stalled"),
+            "decision_time": (("start",), "1/omega_c", "study time at which the outcome was known"),
+            "decided_by": (("start",), "1", "grounds of decision: " + ", ".join(self.decided_by_names)),
+            "mean_speed": (("start",), "omega_c", "mean rotor speed in the end"),
+        }
+        data: dict[str, Any] = {}
+        for name, (dimensions, unit, long_name) in meaning.items():
+            values = self._array("outcome") if name == "outcome" else self.arrays.get(name)
+            if values is not None:
+                values = values.reshape(self.starts, -1) if len(dimensions) == 2 else values
+                data[name] = (dimensions, values, {"units": unit, "long_name": long_name})
+        for name, values in (self.transients or {}).items():
+            data[name] = (("start",), values, {"units": "dimensionless", "long_name": name.replace("_", " ")})
+        codes = sorted(self.names)
+        data["outcome"][2].update(flag_values=codes, flag_meanings=" ".join(self.names[c].replace(" ", "_") for c in codes))
+        return xarray.Dataset(data, {"ball": np.arange(1, self.study.balls + 1)}, {"study": self.study.to_toml()})
+
+    def to_pandas(self) -> pandas.DataFrame:
+        """A table with a row a start: initial angles, outcome by name, decision time, transients if there are any."""
+        import pandas
+
+        columns: dict[str, Any] = {f"phi_{i + 1}": self.phi[:, i] for i in range(self.phi.shape[1])}
+        codes = sorted(self.names)
+        columns["outcome"] = pandas.Categorical.from_codes(
+            np.searchsorted(codes, self.labels), [self.names[code] for code in codes]
+        ).remove_unused_categories()
+        columns["decision_time"] = self.decision_time
+        columns["decided_by"] = pandas.Categorical.from_codes(self.decided_by, self.decided_by_names)
+        columns.update(self.transients or {})
+        return pandas.DataFrame(columns, index=pandas.RangeIndex(self.starts, name="start"))
+
+
+def basin(
+    study: Study,
+    starts: Optional[int] = None,
+    *,
+    seed: Optional[int] = None,
+    half_width: Optional[float] = None,
+    method: Optional[str] = None,
+    transients: Optional[bool] = None,
+    initial: Optional[npt.ArrayLike] = None,
+    sensitivity: bool | int = False,
+    output: Optional[str | os.PathLike[str]] = None,
+    keep: bool = True,
+    threads: int = 0,
+    progress: ProgressArgument = False,
+    cpu: Optional[str] = None,
+) -> BasinResult:
+    """With what probability do the balls end up balancing the rotor?
+
+    Parameters
+    ----------
+    study : Study
+    starts : int, optional
+        Number of starts; default: the study's. With `half_width`: at most so many.
+    seed : int, optional
+        Of the starts; default: the study's.
+    half_width : float, optional
+        Sample until every share's 95 % interval is within +- so much (a fraction of one, 1e-6 to 0.5).
+    method : {"random", "sobol", "grid"}, optional
+        How starts are chosen.
+    transients : bool, optional
+        Gather peak displacement, force, settling time and their like; default: if the study has limits.
+    initial : array_like (n, balls) or (n, 4 + 2 balls), optional
+        Starts of your own in place of drawn ones: ball angles, or x, y, x_dot, y_dot, ball angles, ball rates in the
+        rotating frame. The intervals are those of random starts.
+    sensitivity : bool or int
+        Of a study with uncertain values: what the outcome depends on most (``data["sensitivity"]``), from so many rows.
+    output : path, optional
+        NetCDF file that is written as starts are done; the same call resumes or extends it.
+    keep : bool
+        Keep every start in memory (11 bytes a start and 8 a ball, with transients 40 more).
+    threads : int
+        0: all cores. No result depends on it.
+    progress : bool or callable
+        True: a bar (tqdm); a callable is told ``(done, total, what)``.
+    cpu : str, optional
+        Instruction set, one of ``cpu_targets()``. Calls that run at the same time must not name different ones.
+
+    Returns
+    -------
+    BasinResult
+
+    Raises
+    ------
+    StudyError
+        For studies that cannot be decided and unusable arguments, before any work.
+    Interrupted
+        After Ctrl-C, within a fraction of a second; its ``.result`` holds the starts done by then.
+
+    Warns
+    -----
+    UndecidedWarning
+        If more than 1 % of the starts are undecided.
+    """
+    asked = study._with_starts(starts, seed, method)
+    if half_width is not None and not 1e-6 <= half_width <= 0.5:
+        raise StudyError(
+            f"half_width = {half_width}: must be a fraction of one from 1e-6 to 0.5",
+            "half_width", str(half_width), "", "a fraction of one from 1e-6 to 0.5", "half_width",
+        )
+    rows = None if sensitivity is False else 512 if sensitivity is True else int(sensitivity)
+    states = None if initial is None else np.asarray(initial)
+    with settings(threads, progress, cpu) as how:
+        core = _core.basin(
+            asked._core, half_width or 0.0, starts is not None, transients,
+            "" if output is None else os.fspath(output), keep, states, rows, how,
+        )
+    return unless_interrupted(BasinResult(core, asked), core.interrupted)
+
+
+@dataclass(frozen=True)
+class Difference:
+    """How much more often an outcome happens in the second ensemble: fractions, with a 95 % interval."""
+
+    name: str
+    difference: float
+    low: float
+    high: float
+    first: float
+    second: float
+
+
+class Comparison(Result):
+    """Two ensembles side by side.
+
+    Attributes
+    ----------
+    differences : list[Difference]
+        Second less first.
+    changed : int or None
+        Of common starts, those that ended otherwise.
+    verdict : str
+        What the difference in balanced starts amounts to.
+    """
+
+    def __init__(self, core: _core.Comparison, study: Study) -> None:
+        super().__init__(core, study)
+        self.verdict: str = core.verdict()
+
+    @property
+    def differences(self) -> list[Difference]:
+        return [
+            Difference(d["name"], d["difference"], d["low"], d["high"], d["first"]["share"], d["second"]["share"])
+            for d in self.data["differences"]
+        ]
+
+    @property
+    def changed(self) -> Optional[int]:
+        return self.data["changed"]
+
+    def save(self, path: str | os.PathLike[str]) -> None:
+        """Write ``data`` as JSON."""
+        _write_json(path, self.data)
+
+    def to_pandas(self) -> pandas.DataFrame:
+        """A row an outcome."""
+        import pandas
+
+        return pandas.DataFrame([vars(d) for d in self.differences]).set_index("name")
+
+    def __repr__(self) -> str:
+        return f"<Comparison: {self.verdict}>"
+
+    def _repr_html_(self) -> str:
+        rows = [
+            (d.name, f"{100 * d.first:.2f} %", f"{100 * d.second:.2f} %", percent(d.difference, d.low, d.high))
+            for d in self.differences
+        ]
+        return f"<b>{self.verdict}</b>" + table(("ends", "first", "second", "difference (95 %)"), rows)
+
+
+def _write_json(path: str | os.PathLike[str], data: Mapping[str, Any]) -> None:
+    import json
+
+    with open(path, "w", encoding="utf-8") as file:
+        json.dump(data, file, indent=1, ensure_ascii=False)
+
+
+def compare(
+    first: Study,
+    second: Study,
+    starts: Optional[int] = None,
+    *,
+    seed: Optional[int] = None,
+    threads: int = 0,
+    progress: ProgressArgument = False,
+    cpu: Optional[str] = None,
+) -> Comparison:
+    """Two studies on common starts: how much more often does each outcome happen in the second?
+
+    Parameters
+    ----------
+    first, second : Study
+    starts, seed : int, optional
+        Of both.
+    threads, progress, cpu
+        As for :func:`basin`.
+
+    Raises
+    ------
+    StudyError
+        For studies whose starts cannot be compared (grids).
+    """
+    one, other = first._with_starts(starts, seed), second._with_starts(starts, seed)
+    with settings(threads, progress, cpu) as how:
+        core = _core.compare(one._core, other._core, how)
+    return unless_interrupted(Comparison(core, one), core.interrupted)

@@ -1,0 +1,374 @@
+"""Attractors: which steady motions there are, along parameters, and proofs about balance."""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Iterator
+from dataclasses import dataclass
+from typing import TYPE_CHECKING, Any, Optional
+
+import numpy as np
+import numpy.typing as npt
+
+from . import _core
+from ._call import ProgressArgument, settings, unless_interrupted
+from ._html import percent, table
+from .ensembles import _write_json
+from .errors import RunError
+from .results import Result
+from .study import Study
+
+if TYPE_CHECKING:
+    import pandas
+    import xarray
+
+Array = npt.NDArray[np.float64]
+
+
+@dataclass(frozen=True)
+class Path:
+    """A stretch of a motion: times, centre of the race in the room's axes (in R), balls as seen from the rotor (rad)."""
+
+    t: Array
+    X: Array
+    Y: Array
+    phi: Array
+    study: Study
+
+    @property
+    def radial(self) -> Array:
+        """Distance of the centre from where the rotor rests, in R."""
+        return np.hypot(self.X, self.Y)
+
+
+class Attractor:
+    """A steady motion of a study's final speed.
+
+    Attributes
+    ----------
+    id, name, alias, kind
+        kind: "equilibrium", "periodic", "quasi-periodic", "chaotic" or "measured".
+    stable : bool
+    share, low, high : float
+        Of the starts that were searched, with its 95 % interval.
+    period : float
+        0 of motions that are not periodic.
+    r_min, r_mean, r_max : float
+        Distance of the rotor's centre from the axis, in R.
+    drift : ndarray (balls,)
+        Mean rates of the balls in the rotating frame, in omega_c.
+    spectrum : ndarray, complex
+        Floquet multipliers of a periodic motion, eigenvalues of an equilibrium; empty of others.
+    exponents : ndarray
+        Lyapunov exponents, falling.
+    state : ndarray
+        A state on the motion: x, y, u, v (velocity in rotating components), ball angles, ball rates, and what a motor
+        adds.
+    data : dict
+        All that the command line says of it with ``--json``.
+    """
+
+    def __init__(self, data: dict[str, Any], study: Study) -> None:
+        self.data, self.study = data, study
+        self.id: int = data["id"]
+        self.name: str = data["name"]
+        self.alias: str = data["alias"] or ""
+        self.kind: str = data["kind"]
+        self.stable: bool = data["stable"]
+        self.share: float = data["share"]
+        self.low, self.high = data["share_interval"]
+        self.period: float = data["period"] or 0.0
+        self.r_min: float = data["radial"]["min"]
+        self.r_mean: float = data["radial"]["mean"]
+        self.r_max: float = data["radial"]["max"]
+        self.drift = np.array(data["drift"], dtype=float)
+        pairs = data.get("multipliers") or data.get("eigenvalues") or []
+        self.spectrum = np.array([complex(re, im) for re, im in pairs])
+        self.exponents = np.array(data["exponents"], dtype=float)
+        self.state = np.array(data["state"], dtype=float)
+
+    def path(self, duration: Optional[float] = None, points: int = 400) -> Path:
+        """The motion itself.
+
+        Parameters
+        ----------
+        duration : float, optional
+            In 1/omega_c; default: a period, of other motions 200.
+        points : int
+            Steps of equal time; the path has one point more.
+        """
+        length = duration or self.period or 200.0
+        columns = _core.motion_path(self.study._core, self.state.tolist(), length, points)
+        t = np.linspace(0.0, length, points + 1)[: len(columns["X"])]
+        return Path(t, columns["X"], columns["Y"], columns["phi"], self.study)
+
+    def __repr__(self) -> str:
+        alias = f" ({self.alias})" if self.alias else ""
+        return (
+            f"<Attractor {self.id} {self.name}{alias}: {self.kind}, {'stable' if self.stable else 'UNSTABLE'}, "
+            f"r = {self.r_min:.4g} to {self.r_max:.4g}, {100 * self.share:.2f} % of starts>"
+        )
+
+
+class AttractorsResult(Result):
+    """Every attractor that was found, as a sequence: ``for a in result``, ``result[0]``, ``result["balanced"]``."""
+
+    @property
+    def attractors(self) -> list[Attractor]:
+        return [Attractor(a, self.study) for a in self.data["attractors"]]
+
+    def __iter__(self) -> Iterator[Attractor]:
+        return iter(self.attractors)
+
+    def __len__(self) -> int:
+        return len(self.data["attractors"])
+
+    def __getitem__(self, key: int | str) -> Attractor:
+        if isinstance(key, str):
+            for a in self.attractors:
+                if key in (a.name, a.alias):
+                    return a
+            raise KeyError(key)
+        return self.attractors[key]
+
+    def __repr__(self) -> str:
+        names = "; ".join(f"{a.name} {100 * a.share:.1f} %" for a in self)
+        return f"<AttractorsResult of {self.study.name}: {len(self)} attractors: {names}>"
+
+    def _repr_html_(self) -> str:
+        rows = [
+            (f"{a.name}{' (' + a.alias + ')' if a.alias else ''}", a.kind, "stable" if a.stable else "unstable",
+             f"{a.r_max:.4g}", f"{a.period:.5g}" if a.period else "", percent(a.share, a.low, a.high))
+            for a in self
+        ]
+        return f"<b>{self.study.name}</b>" + table(("attractor", "kind", "", "r max", "period", "share (95 %)"), rows)
+
+    def to_pandas(self) -> pandas.DataFrame:
+        """A row an attractor."""
+        import pandas
+
+        names = ("id", "name", "alias", "kind", "stable", "share", "low", "high", "period", "r_min", "r_mean", "r_max")
+        return pandas.DataFrame([{name: getattr(a, name) for name in names} for a in self]).set_index("id")
+
+    def save(self, path: str | os.PathLike[str]) -> None:
+        """Write ``data`` as JSON."""
+        _write_json(path, self.data)
+
+
+def attractors(
+    study: Study,
+    starts: Optional[int] = None,
+    *,
+    seed: Optional[int] = None,
+    states: Optional[npt.ArrayLike] = None,
+    threads: int = 0,
+    progress: ProgressArgument = False,
+    cpu: Optional[str] = None,
+) -> AttractorsResult:
+    """Every steady motion of the study's final speed: found, refined, named.
+
+    Parameters
+    ----------
+    starts : int, optional
+        Random starts searched; default 20736, which miss an attractor with a share above 1e-3 once in 1e9 searches.
+    states : array_like (n, 4 + 2 balls), optional
+        States to follow besides (x, y, u, v, ball angles, ball rates), for attractors too rare to be met by chance.
+    seed, threads, progress, cpu
+        As for :func:`basin`.
+    """
+    asked = study._with_starts(None, seed)
+    with settings(threads, progress, cpu) as how:
+        core = _core.attractors(asked._core, starts, None if states is None else np.asarray(states), how)
+    return unless_interrupted(AttractorsResult(core, asked), core.interrupted)
+
+
+@dataclass(frozen=True)
+class Event:
+    """Something that happens to a branch between two values of the parameter.
+
+    change: "birth", "death", "stability gained", "stability lost" or "kind"; cause: "fold", "pitchfork", "Hopf" and
+    their like.
+    """
+
+    change: str
+    cause: str
+    low: float
+    high: float
+
+
+class Branch:
+    """One attractor along a parameter.
+
+    Attributes
+    ----------
+    id, name, alias
+    value, r_min, r_mean, r_max, growth_rate : ndarray (n,)
+        Where it exists; growth_rate: of its slowest deviation.
+    stable : ndarray (n,), bool
+    kind : list[str]
+    multiplier : ndarray (n,)
+        Largest Floquet multiplier; nan where there is none.
+    events : list[Event]
+    """
+
+    def __init__(self, data: dict[str, Any], events: list[dict[str, Any]]) -> None:
+        self.data = data
+        self.id: int = data["id"]
+        self.name: str = data["name"]
+        self.alias: str = data["alias"] or ""
+        points = data["points"]
+        self.value = np.array([p["value"] for p in points], dtype=float)
+        self.r_min = np.array([p["radial"]["min"] for p in points], dtype=float)
+        self.r_mean = np.array([p["radial"]["mean"] for p in points], dtype=float)
+        self.r_max = np.array([p["radial"]["max"] for p in points], dtype=float)
+        self.stable = np.array([p["stable"] for p in points], dtype=bool)
+        self.kind = [p["kind"] for p in points]
+        self.growth_rate = np.array([p.get("growth_rate") for p in points], dtype=float)
+        self.multiplier = np.array([p.get("multiplier") for p in points], dtype=float)
+        self.events = [Event(e["change"], e["type"], *e["between"]) for e in events if e["id"] == self.id]
+
+    def __repr__(self) -> str:
+        stretch = f"{self.value[0]:g} to {self.value[-1]:g}" if len(self.value) else "nowhere"
+        return f"<Branch {self.id} {self.name}: {stretch}, stable at {int(self.stable.sum())} of {len(self.value)} values>"
+
+
+class BranchesResult(Result):
+    """Branches of attractors along a parameter, as a sequence.
+
+    Attributes
+    ----------
+    parameter : str
+    values : ndarray
+        All values of the parameter.
+    """
+
+    @property
+    def parameter(self) -> str:
+        return self.data["parameter"]
+
+    @property
+    def values(self) -> Array:
+        return np.array(self.data["values"], dtype=float)
+
+    @property
+    def branches(self) -> list[Branch]:
+        return [Branch(b, self.data["events"]) for b in self.data["branches"]]
+
+    def __iter__(self) -> Iterator[Branch]:
+        return iter(self.branches)
+
+    def __len__(self) -> int:
+        return len(self.data["branches"])
+
+    def __getitem__(self, key: int | str) -> Branch:
+        if isinstance(key, str):
+            for b in self.branches:
+                if key in (b.name, b.alias):
+                    return b
+            raise KeyError(key)
+        return self.branches[key]
+
+    def __repr__(self) -> str:
+        values = self.values
+        return (
+            f"<BranchesResult of {self.study.name}: {len(self)} branches along {self.parameter} = {values[0]:g} to "
+            f"{values[-1]:g}>"
+        )
+
+    def to_pandas(self) -> pandas.DataFrame:
+        """A row a value and branch."""
+        import pandas
+
+        frames = []
+        for b in self:
+            frames.append(
+                pandas.DataFrame(
+                    {self.parameter: b.value, "id": b.id, "name": b.name, "kind": b.kind, "stable": b.stable,
+                     "r_min": b.r_min, "r_mean": b.r_mean, "r_max": b.r_max, "multiplier": b.multiplier,
+                     "growth_rate": b.growth_rate}
+                )
+            )
+        return pandas.concat(frames, ignore_index=True) if frames else pandas.DataFrame()
+
+    def to_xarray(self) -> xarray.Dataset:
+        """A dataset over the parameter and the attractors; nan where one is not there."""
+        return self.to_pandas().set_index([self.parameter, "id"]).drop(columns=["name", "kind"]).to_xarray()
+
+
+def follow(
+    study: Study,
+    key: str,
+    low: float | str,
+    high: float | str,
+    step: float | str,
+    *,
+    starts: int = 0,
+    threads: int = 0,
+    progress: ProgressArgument = False,
+    cpu: Optional[str] = None,
+) -> BranchesResult:
+    """Every attractor along a parameter: births, deaths, changes of stability.
+
+    Parameters
+    ----------
+    key : str
+        "speed.final", "balancer.drag", "rotor.eccentricity" and their like.
+    low, high, step : float or str
+        Dimensionless numbers, or quantities with units ("900 rpm") where the study has them.
+    starts : int
+        Random starts searched at every value besides the pilot's.
+    threads, progress, cpu
+        As for :func:`basin`.
+    """
+    with settings(threads, progress, cpu) as how:
+        core = _core.follow(study._core, f"{key}={low}:{high}:{step}", starts, how)
+    return unless_interrupted(BranchesResult(core, study), core.interrupted)
+
+
+class CertifyResult(Result):
+    """Proofs that trajectories near balance end balanced.
+
+    Attributes
+    ----------
+    proved : bool
+    note : str
+        Why there is no state to prove anything of, if so.
+    states : list[dict]
+        One a stable balanced state that is no copy: ``phi``, ``level``, ``reach``, ``proved``, ``reason``.
+    """
+
+    @property
+    def proved(self) -> bool:
+        return self.data["proved"]
+
+    @property
+    def note(self) -> str:
+        return self.data["note"]
+
+    @property
+    def states(self) -> list[dict[str, Any]]:
+        return self.data["states"]
+
+    def save(self, path: str | os.PathLike[str]) -> None:
+        """Write the certificates as JSON, which ``equipoise certify --check`` reads. RunError if nothing is proved."""
+        text = self._saved_core().certificates()
+        if not text:
+            raise RunError("nothing is proved: there is no certificate to save")
+        with open(path, "w", encoding="utf-8") as file:
+            file.write(text)
+
+    def __repr__(self) -> str:
+        return f"<CertifyResult of {self.study.name}: {'proved' if self.proved else 'not proved'}, {len(self.states)} states>"
+
+
+def certify(study: Study, *, progress: ProgressArgument = False) -> CertifyResult:
+    """Prove, around each stable balanced state, a level set of states that all end balanced.
+
+    Raises
+    ------
+    StudyError
+        For systems without such proofs (gravity, anisotropic supports, contact, dry friction).
+    """
+    with settings(0, progress, None) as how:
+        core = _core.certify(study._core, how)
+    return unless_interrupted(CertifyResult(core, study), core.interrupted)

@@ -1,0 +1,115 @@
+"""What formulas alone say of a study, and Wright and Peng (2019) computed again."""
+
+from __future__ import annotations
+
+import json
+import os
+from typing import Any, Optional
+
+from . import _core
+from ._call import ProgressArgument, settings, unless_interrupted
+from .ensembles import _write_json
+from .results import Answer
+from .study import Study
+
+
+class Explanation:
+    """A study's numbers and what follows from them without any simulation; ``text`` and ``data``."""
+
+    def __init__(self, study: Study) -> None:
+        self.study = study
+        made = study._core.explain()
+        self.text: str = made["text"]
+        self.data: dict[str, Any] = json.loads(made["json"])
+
+    @property
+    def warnings(self) -> list[str]:
+        """What to beware of."""
+        return self.data["warnings"]
+
+    def save(self, path: str | os.PathLike[str]) -> None:
+        """Write ``data`` as JSON."""
+        _write_json(path, self.data)
+
+    def __str__(self) -> str:
+        return self.text
+
+    def __repr__(self) -> str:
+        return self.text
+
+    def _repr_html_(self) -> str:
+        from html import escape
+
+        return f"<pre>{escape(self.text)}</pre>"
+
+
+def explain(study: Study) -> Explanation:
+    """What a study's numbers mean: critical speeds, balanced states and their rates, warnings. Milliseconds."""
+    return Explanation(study)
+
+
+class Reproduction(Answer):
+    """Tables and figures of the paper, computed again and judged.
+
+    Attributes
+    ----------
+    tables : list[dict]
+        Each with its rows, cells, p values and verdicts.
+    differs : bool
+        A cell that is claimed to agree does not.
+    """
+
+    @property
+    def tables(self) -> list[dict[str, Any]]:
+        return self.data["tables"]
+
+    @property
+    def differs(self) -> bool:
+        return self.data["differs"]
+
+    def save(self, path: str | os.PathLike[str]) -> None:
+        """Write ``data`` as JSON."""
+        _write_json(path, self.data)
+
+    def __repr__(self) -> str:
+        verdicts = ", ".join(f"table {t['table']}: {t['agrees']} agree, {t['differs']} differ" for t in self.tables)
+        return f"<Reproduction: {verdicts or 'no tables'}>"
+
+
+def reproduce(
+    *what: str,
+    starts: int = 0,
+    law: str = "both",
+    folder: Optional[str | os.PathLike[str]] = None,
+    map_pixels: int = 64,
+    threads: int = 0,
+    progress: ProgressArgument = False,
+    cpu: Optional[str] = None,
+) -> Reproduction:
+    """Compute tables and figures of Wright and Peng (2019) again.
+
+    Parameters
+    ----------
+    *what : str
+        "table-1" to "table-7", figures, "tables", "figures", "future", "all": ``reproducible()``. At least one.
+    starts : int
+        An ensemble; 0: as many as the paper used (minutes a table).
+    law : {"published", "kinematic", "both"}
+        Speed law of ramps.
+    folder : path, optional
+        For every ensemble's starts; what is there is not computed again.
+    map_pixels : int
+        Along each side of the maps of "future".
+    threads, progress, cpu
+        As for :func:`basin`.
+    """
+    if not what:
+        raise ValueError(f"reproduce() needs to be told what: {', '.join(_core.reproducible())}")
+    with settings(threads, progress, cpu) as how:
+        core = _core.reproduce(list(what), starts, law, "" if folder is None else os.fspath(folder), map_pixels, how)
+    return unless_interrupted(Reproduction(core), core.interrupted)
+
+
+def reproducible() -> list[str]:
+    """What :func:`reproduce` takes."""
+    return list(_core.reproducible())

@@ -1,0 +1,485 @@
+"""Maps, sweeps, capacities: where does the balancer work."""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Mapping, Sequence
+from typing import TYPE_CHECKING, Any, Optional, Union
+
+import numpy as np
+import numpy.typing as npt
+
+from . import _core
+from ._call import ProgressArgument, settings, unless_interrupted
+from ._html import percent, table
+from .errors import StudyError
+from .results import Result
+from .study import Study, plain
+
+if TYPE_CHECKING:
+    import pandas
+    import xarray
+
+Array = npt.NDArray[np.float64]
+Range = Union[str, tuple[Any, Any], None]
+Values = Union[str, Sequence[Any], npt.NDArray[Any]]
+
+
+def _path(path: Optional[str | os.PathLike[str]]) -> str:
+    return "" if path is None else os.fspath(path)
+
+
+def _number(value: Any) -> str:
+    value = plain(value)
+    return value if isinstance(value, str) else repr(value)
+
+
+def _range(given: Range) -> str:
+    if given is None or isinstance(given, str):
+        return given or ""
+    low, high = given
+    return f"{_number(low)}:{_number(high)}"
+
+
+def _over(over: Mapping[str, Values]) -> list[str]:
+    texts = []
+    for key, values in over.items():
+        if isinstance(values, str):
+            texts.append(f"{key}={values}")
+        else:
+            texts.append(f"{key}=" + ",".join(_number(value) for value in np.asarray(values, dtype=object).ravel()))
+    return texts
+
+
+class MapResult(Result):
+    """The outcome of one start at every pixel of a plane.
+
+    Attributes
+    ----------
+    outcome : ndarray (ny, nx), int16
+        Attractor's identifier; 0 undecided, -1 diverged, -2 failed, -3 stalled; rows follow y, upwards.
+    time : ndarray (ny, nx), float32
+        Study time at which the outcome was known; nan where it was filled in.
+    r_max : ndarray (ny, nx), float32
+        Of the final motion, in R.
+    x, y : ndarray
+        Centres of the pixels.
+    x_key, y_key : str
+    x_edges, y_edges : tuple[float, float]
+        Where the outermost pixels end.
+    names : dict[int, str]
+    shares : dict[str, float]
+        Of the pixels computed.
+    errors : dict[str, tuple[float, float]]
+        Of random starts in as great a number.
+    figures : dict[str, tuple[float, float, float] or float or None]
+        box_dimension, uncertainty_exponent, basin_entropy, boundary_basin_entropy, each value, low, high at 95 %;
+        balanced_radius in rad. None where the map does not show it.
+    complete : bool
+    """
+
+    _lasting = ("text",)  # its data are as large as its arrays
+
+    def __init__(self, core: _core.Map, study: Study) -> None:
+        super().__init__(core, study)
+        arrays, summary = core.arrays(), core.summary()
+        self.outcome: npt.NDArray[np.int16] = arrays["outcome"]
+        self.time: npt.NDArray[np.float32] = arrays["time"]
+        self.r_max: npt.NDArray[np.float32] = arrays["r_max"]
+        self.computed: Optional[npt.NDArray[np.bool_]] = arrays.get("computed")
+        self.x: Array = arrays["x"]
+        self.y: Array = arrays["y"]
+        self.x_key: str = summary["x_key"]
+        self.y_key: str = summary["y_key"]
+        self.x_edges: tuple[float, float] = summary["x_edges"]
+        self.y_edges: tuple[float, float] = summary["y_edges"]
+        self.figures: dict[str, Any] = summary["figures"]
+        self.complete: bool = summary["complete"]
+        self.seconds: float = summary["seconds"]
+        self._codes = summary["codes"]
+
+    @property
+    def names(self) -> dict[int, str]:
+        return {code[0]: code[1] for code in self._codes}
+
+    @property
+    def aliases(self) -> dict[int, str]:
+        return {code[0]: code[2] for code in self._codes}
+
+    @property
+    def shares(self) -> dict[str, float]:
+        return {code[1]: code[3] for code in self._codes}
+
+    @property
+    def errors(self) -> dict[str, tuple[float, float]]:
+        return {code[1]: (code[4], code[5]) for code in self._codes}
+
+    def __repr__(self) -> str:
+        shares = "; ".join(f"{name} {100 * share:.1f} %" for name, share in self.shares.items() if share)
+        ny, nx = self.outcome.shape
+        return (
+            f"<MapResult of {self.study.name}: {nx} x {ny} over {self.x_key} and {self.y_key}"
+            f"{'' if self.complete else ', not complete'}: {shares}>"
+        )
+
+    def _repr_html_(self) -> str:
+        rows = [(c[1], c[6], percent(c[3], c[4], c[5])) for c in self._codes]
+        figures = [
+            (name.replace("_", " "), "", "not shown" if f is None else f"{f[0]:.4g} ({f[1]:.4g} to {f[2]:.4g})")
+            for name, f in self.figures.items()
+            if isinstance(f, tuple) or f is None
+        ]
+        title = f"<b>{self.study.name}</b>: {self.x_key} and {self.y_key}"
+        return title + table(("ends", "pixels", "share (95 %)"), [*rows, *figures])
+
+    def to_xarray(self) -> xarray.Dataset:
+        """A dataset over y and x."""
+        import xarray
+
+        codes = sorted(self.names)
+        flags = {"flag_values": codes, "flag_meanings": " ".join(self.names[c].replace(" ", "_") for c in codes)}
+        data = {
+            "outcome": (("y", "x"), self.outcome, {"units": "1", "long_name": "attractor", **flags}),
+            "decision_time": (("y", "x"), self.time, {"units": "1/omega_c", "long_name": "time of the decision"}),
+            "r_max": (("y", "x"), self.r_max, {"units": "R", "long_name": "largest displacement in the end"}),
+        }
+        x = ("x", self.x, {"long_name": self.x_key})
+        y = ("y", self.y, {"long_name": self.y_key})
+        return xarray.Dataset(data, {"x": x, "y": y}, {"study": self.study.to_toml()})
+
+    def to_pandas(self) -> pandas.DataFrame:
+        """Outcomes by name: rows are y, columns x."""
+        import pandas
+
+        names = np.vectorize(lambda code: self.names.get(code, ""), otypes=[object])(self.outcome)
+        return pandas.DataFrame(names, pandas.Index(self.y, name=self.y_key), pandas.Index(self.x, name=self.x_key))
+
+
+def map(  # noqa: A001 (the command line's name)
+    study: Study,
+    x: str = "initial.phi_1",
+    y: str = "initial.phi_2",
+    size: int | tuple[int, int] = 512,
+    *,
+    x_range: Range = None,
+    y_range: Range = None,
+    tie: str | Sequence[str] = (),
+    refine: int = 0,
+    output: Optional[str | os.PathLike[str]] = None,
+    from_file: Optional[str | os.PathLike[str]] = None,
+    threads: int = 0,
+    progress: ProgressArgument = False,
+    cpu: Optional[str] = None,
+) -> MapResult:
+    """The outcome of one start at every pixel of a plane of two quantities.
+
+    Parameters
+    ----------
+    x, y : str
+        Keys of rotor, balancer, speed, release or initial that take a number; initial.phi_1 for one ball's angle.
+    size : int or (int, int)
+        Pixels: along both sides, or width and height; 1 to 20000.
+    x_range, y_range : (low, high) or str, optional
+        Numbers, or quantities with units; default of ball angles: a whole turn.
+    tie : str or list of str
+        Ball angles that follow others: "phi_2=phi_1+pi".
+    refine : int
+        0, or a power of two from 2 to 64: edges of blocks of so many pixels first, filled in where they agree.
+    output : path, optional
+        NetCDF file that is written as pixels are done; the same call resumes it.
+    from_file : path, optional
+        Another map of the same study, whose pixels with the same centres are taken over.
+    threads, progress, cpu
+        As for :func:`basin`.
+    """
+    width, height = (size, size) if isinstance(size, int) else size
+    ties = [tie] if isinstance(tie, str) else list(tie)
+    if refine and (refine < 2 or refine > 64 or refine & (refine - 1)):
+        allowed = "0, or a power of two from 2 to 64"
+        raise StudyError(f"refine = {refine}: must be {allowed}", "refine", str(refine), "", allowed, "refine")
+    with settings(threads, progress, cpu) as how:
+        core = _core.map(
+            study._core, (x, _range(x_range), width), (y, _range(y_range), height), ties, refine, _path(output),
+            _path(from_file), how,
+        )
+    return unless_interrupted(MapResult(core, study), core.interrupted)
+
+
+class SweepResult(Result):
+    """An ensemble at every combination of some parameters' values.
+
+    Attributes
+    ----------
+    axes : dict[str, ndarray]
+        Values by key, in the order of the arrays' dimensions (of zipped parameters the first one's).
+    names : dict[int, str]
+    shares : dict[str, ndarray]
+        By name, of the shape of the axes: fraction of the starts; 0 where the attractor is not met, nan where the cell
+        is missing.
+    low, high : dict[str, ndarray]
+        Their 95 % intervals.
+    undecided : ndarray
+    cells : list[dict]
+        As the command line's ``--json`` has them.
+    """
+
+    @property
+    def _parameters(self) -> list[dict[str, Any]]:
+        return self.data["over"]
+
+    @property
+    def axes(self) -> dict[str, Array]:
+        kept = self._parameters[:1] if self.data["zipped"] else self._parameters
+        return {p["key"]: np.array(p["values"], dtype=float) for p in kept}
+
+    @property
+    def shape(self) -> tuple[int, ...]:
+        return tuple(len(values) for values in self.axes.values())
+
+    @property
+    def cells(self) -> list[dict[str, Any]]:
+        return self.data["cells"]
+
+    @property
+    def names(self) -> dict[int, str]:
+        return {o["id"]: o["name"] for cell in self._places() for o in cell[1]["outcomes"]}
+
+    def _places(self) -> list[tuple[tuple[int, ...], dict[str, Any]]]:
+        """Cells with their places; cells that are missing are not among them."""
+        places = []
+        index = [
+            {value: k for k, value in enumerate(p["values"])}
+            for p in (self._parameters[:1] if self.data["zipped"] else self._parameters)
+        ]
+        for cell in self.cells:
+            if cell.get("outcomes") is not None:
+                places.append((tuple(index[a][cell["at"][key]] for a, key in enumerate(self.axes)), cell))
+        return places
+
+    def _grid(self, what: str) -> dict[str, Array]:
+        grids: dict[str, Array] = {}
+        places = self._places()
+        absent = np.full(self.shape, np.nan)
+        for place, _ in places:
+            absent[place] = 0.0
+        for place, cell in places:
+            for o in cell["outcomes"]:
+                grids.setdefault(o["name"], absent.copy())[place] = o[what]
+        return grids
+
+    @property
+    def shares(self) -> dict[str, Array]:
+        return self._grid("share")
+
+    @property
+    def low(self) -> dict[str, Array]:
+        return self._grid("low")
+
+    @property
+    def high(self) -> dict[str, Array]:
+        return self._grid("high")
+
+    @property
+    def undecided(self) -> Array:
+        grid = np.full(self.shape, np.nan)
+        for place, cell in self._places():
+            grid[place] = cell["undecided"]["share"]
+        return grid
+
+    @property
+    def partial(self) -> bool:
+        return self.data["partial"]
+
+    def __repr__(self) -> str:
+        over = ", ".join(f"{key} ({len(values)})" for key, values in self.axes.items())
+        return f"<SweepResult of {self.study.name}: {len(self._places())} cells over {over}{', partial' * self.partial}>"
+
+    def _repr_html_(self) -> str:
+        rows = []
+        for _, cell in self._places():
+            at = ", ".join(f"{key} = {value:g}" for key, value in cell["at"].items())
+            balanced = next((o for o in cell["outcomes"] if o["id"] == 1), None)
+            share = percent(balanced["share"], balanced["low"], balanced["high"]) if balanced else ""
+            rows.append((at, cell["starts"], share, f"{100 * cell['undecided']['share']:.2f} %"))
+        return f"<b>{self.study.name}</b>" + table(("cell", "starts", "balanced (95 %)", "undecided"), rows)
+
+    def to_pandas(self) -> pandas.DataFrame:
+        """Tidy: a row a cell and outcome."""
+        import pandas
+
+        rows = []
+        for _, cell in self._places():
+            for o in cell["outcomes"]:
+                rows.append(
+                    {**cell["at"], "id": o["id"], "name": o["name"], "share": o["share"], "low": o["low"],
+                     "high": o["high"], "count": o["count"], "starts": cell["starts"],
+                     "undecided": cell["undecided"]["share"]}
+                )
+        return pandas.DataFrame(rows)
+
+    def to_xarray(self) -> xarray.Dataset:
+        """A dataset with the parameters as coordinates and the attractors' names."""
+        import xarray
+
+        keys = list(self.axes)
+        data: dict[str, Any] = {}
+        for what in ("share", "low", "high"):
+            grids = self._grid(what)
+            data[what] = (("outcome", *keys), np.array(list(grids.values())), {"units": "1"})
+        data["undecided"] = (tuple(keys), self.undecided, {"units": "1"})
+        coordinates: dict[str, Any] = {"outcome": list(self._grid("share")), **self.axes}
+        if self.data["zipped"]:
+            for p in self._parameters[1:]:
+                coordinates[p["key"]] = (keys[0], np.array(p["values"], dtype=float))
+        return xarray.Dataset(data, coordinates, {"study": self.study.to_toml()})
+
+
+def sweep(
+    study: Study,
+    over: Optional[Mapping[str, Values]] = None,
+    *,
+    zip: bool = False,  # noqa: A002 (the command line's name)
+    starts: Optional[int] = None,
+    seed: Optional[int] = None,
+    half_width: Optional[float] = None,
+    transients: Optional[bool] = None,
+    output: Optional[str | os.PathLike[str]] = None,
+    threads: int = 0,
+    progress: ProgressArgument = False,
+    cpu: Optional[str] = None,
+) -> SweepResult:
+    """Shares at every combination of one to three parameters' values, on common starts.
+
+    Parameters
+    ----------
+    over : dict
+        Values by key: ``{"speed.final": "1.5:6:0.1", "balancer.drag": [0.01, 0.05]}``; text as ``--over`` takes it
+        (also with units), or numbers, or texts with units. None: what the study's [sweep] says.
+    zip : bool
+        The parameters vary together, step by step, instead of in all combinations.
+    starts, seed : int, optional
+        Of every cell.
+    half_width : float, optional
+        As for :func:`basin`, in every cell.
+    output : path, optional
+        NetCDF file that is written cell by cell; the same call resumes it.
+    transients, threads, progress, cpu
+        As for :func:`basin`.
+    """
+    asked = study._with_starts(starts, seed)
+    texts, zipped = _core.sweep_setting(asked._core) if over is None else (_over(over), zip)
+    with settings(threads, progress, cpu) as how:
+        core = _core.sweep(
+            asked._core, texts, zipped, half_width or 0.0, starts is not None, transients, _path(output), how
+        )
+    return unless_interrupted(SweepResult(core, asked), core.interrupted)
+
+
+class CapacityResult(Result):
+    """How large a parameter may become before the balancer fails.
+
+    Attributes
+    ----------
+    of, unit : str
+    value, low, high : ndarray
+        The boundary in each cell with its 95 % ends, in `unit`; nan where the share is as large (``always``) or smaller
+        (``never``) all over the range.
+    always, never : ndarray, bool
+    cells : list[dict]
+    """
+
+    @property
+    def of(self) -> str:
+        return self.data["of"]
+
+    @property
+    def unit(self) -> str:
+        return self.data["unit"]
+
+    @property
+    def cells(self) -> list[dict[str, Any]]:
+        return self.data["cells"]
+
+    def _column(self, name: str, kind: Any) -> npt.NDArray[Any]:
+        return np.array([cell.get(name) for cell in self.cells], dtype=kind)
+
+    @property
+    def value(self) -> Array:
+        return self._column("value", float)
+
+    @property
+    def low(self) -> Array:
+        return self._column("low", float)
+
+    @property
+    def high(self) -> Array:
+        return self._column("high", float)
+
+    @property
+    def always(self) -> npt.NDArray[np.bool_]:
+        return self._column("always", bool)
+
+    @property
+    def never(self) -> npt.NDArray[np.bool_]:
+        return self._column("never", bool)
+
+    def to_pandas(self) -> pandas.DataFrame:
+        """A row a cell."""
+        import pandas
+
+        names = ("value", "low", "high", "always", "never")
+        return pandas.DataFrame([{**c["at"], **{name: c.get(name) for name in names}} for c in self.cells])
+
+    def save(self, path: str | os.PathLike[str]) -> None:
+        """Write the program's CSV."""
+        with open(path, "w", encoding="utf-8") as file:
+            file.write(self._saved_core().csv())
+
+    def __repr__(self) -> str:
+        return f"<CapacityResult of {self.study.name}: {self.of}, {len(self.cells)} cells: {self.value.tolist()} {self.unit}>"
+
+    def _repr_html_(self) -> str:
+        rows = []
+        for c in self.cells:
+            at = ", ".join(f"{key} = {value:g}" for key, value in c["at"].items())
+            found = "beyond the range" if c.get("always") else "below the range" if c.get("never") else f"{c['value']:.5g}"
+            rows.append((at, found, f"{c['low']:.5g} to {c['high']:.5g}"))
+        return f"<b>{self.of}, {self.unit}</b>" + table(("cell", "capacity", "95 %"), rows)
+
+
+def capacity(
+    study: Study,
+    of: str = "rotor.eccentricity",
+    *,
+    between: Range = None,
+    at_least: float = 0.95,
+    precision: float = 0.005,
+    over: Optional[Mapping[str, Values]] = None,
+    zip: bool = False,  # noqa: A002 (the command line's name)
+    starts: int = 10000,
+    seed: Optional[int] = None,
+    threads: int = 0,
+    progress: ProgressArgument = False,
+    cpu: Optional[str] = None,
+) -> CapacityResult:
+    """The largest unbalance, or other parameter, at which starts still balance as often as asked.
+
+    Parameters
+    ----------
+    of : str
+        "rotor.eccentricity", "rotor.unbalance" of a study in physical units, or any key.
+    between : (low, high) or str, optional
+        Where it is looked for; default of the two keys named: up to what all balls together can make up for.
+    at_least : float
+        Share of starts that must end balanced, 0.01 to 0.9999.
+    precision : float
+        To what part of the range the boundary is located.
+    over, zip
+        Cells, as for :func:`sweep`.
+    starts, seed, threads, progress, cpu
+        As for :func:`basin`.
+    """
+    asked = study._with_starts(starts, seed)
+    with settings(threads, progress, cpu) as how:
+        core = _core.capacity(asked._core, of, _range(between), at_least, precision, _over(over or {}), zip, how)
+    return unless_interrupted(CapacityResult(core, asked), core.interrupted)

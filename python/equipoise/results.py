@@ -1,0 +1,62 @@
+"""What all results have."""
+
+from __future__ import annotations
+
+import json
+import os
+from functools import cached_property
+from typing import Any
+
+from .errors import RunError
+from .study import Study
+
+
+class Answer:
+    """An answer: its text as the command line prints it, and its data as ``--json`` does."""
+
+    #: What is worked out when it is first asked for, and has to be before it is pickled.
+    _lasting: tuple[str, ...] = ("data", "text")
+
+    def __init__(self, core: Any) -> None:
+        self._core = core
+
+    @cached_property
+    def data(self) -> dict[str, Any]:
+        """The object that the command line prints with ``--json``."""
+        return json.loads(self._core.json())
+
+    @cached_property
+    def text(self) -> str:
+        """The table that the command line prints."""
+        return self._core.text()
+
+    def __str__(self) -> str:
+        return self.text
+
+    def _saved_core(self) -> Any:
+        if self._core is None:
+            raise RunError("this result came out of a pickle, which does not hold what a file needs: save before pickling")
+        return self._core
+
+    def save(self, path: str | os.PathLike[str]) -> None:
+        """Write the file that the command line writes, NetCDF that xarray opens."""
+        self._saved_core().save(os.fspath(path))
+
+    def __getstate__(self) -> dict[str, Any]:
+        for name in self._lasting:
+            getattr(self, name)
+        return {**self.__dict__, "_core": None}
+
+
+class Result(Answer):
+    """The answer to one study.
+
+    Attributes
+    ----------
+    study : Study
+        What was asked.
+    """
+
+    def __init__(self, core: Any, study: Study) -> None:
+        super().__init__(core)
+        self.study = study

@@ -1,0 +1,216 @@
+"""Studies: what is asked, read, changed and written."""
+
+from __future__ import annotations
+
+import json
+import math
+import os
+from collections.abc import Mapping
+from typing import Any, Optional
+
+from . import _core
+from ._html import definition_table
+
+
+def _is_quantity(value: Any) -> bool:
+    return hasattr(value, "magnitude") and hasattr(value, "to_base_units")
+
+
+def plain(value: Any) -> Any:
+    """Numbers of NumPy as Python's, quantities of pint as text with units, all that is nested likewise."""
+    if _is_quantity(value):
+        base = value.to_base_units()
+        unit = format(base.units, "~C").replace("**", "^")
+        return plain(base.magnitude) if unit in ("", "dimensionless") else f"{plain(base.magnitude)!r} {unit}"
+    if isinstance(value, Mapping):
+        return {str(key): plain(entry) for key, entry in value.items()}
+    if isinstance(value, (list, tuple)):
+        return [plain(entry) for entry in value]
+    if hasattr(value, "tolist"):
+        return value.tolist()
+    return value
+
+
+def toml_value(value: Any) -> str:
+    """A value as TOML has it, for overrides."""
+    value = plain(value)
+    if isinstance(value, bool):
+        return "true" if value else "false"
+    if isinstance(value, str):
+        return json.dumps(value)
+    if isinstance(value, dict):
+        return "{ " + ", ".join(f"{key} = {toml_value(entry)}" for key, entry in value.items()) + " }"
+    if isinstance(value, list):
+        return "[" + ", ".join(toml_value(entry) for entry in value) + "]"
+    if isinstance(value, float) and not math.isfinite(value):
+        return "nan" if math.isnan(value) else "inf" if value > 0 else "-inf"
+    return repr(value)
+
+
+class Study:
+    """A rotor, its balancer, how it is spun up, and what is asked of it.
+
+    Parameters
+    ----------
+    tables : mapping, optional
+        The tables of a study file: ``{"rotor": {"eccentricity": 0.01, ...}, ...}``.
+    name : str
+        For messages and results.
+    **sections
+        The same tables as keywords: ``rotor=dict(eccentricity=0.01, damping=0.5)``. Values are numbers (dimensionless),
+        text with units (``"200 g mm"``, ``"900 rpm"``), pint quantities, lists, or distributions
+        (``{"uniform": [0.005, 0.015]}``). The keys are those of the study file.
+
+    Raises
+    ------
+    StudyError
+        If it is none: ``.key``, ``.value`` and ``.allowed`` say why.
+
+    Examples
+    --------
+    >>> study = Study(rotor=dict(eccentricity=0.01, damping=0.5),
+    ...               balancer=dict(balls=2, mass=0.05, drag=0.05),
+    ...               speed=dict(profile="constant", speed=2.4))
+    >>> study["rotor.eccentricity"]
+    0.01
+    """
+
+    def __init__(
+        self, tables: Optional[Mapping[str, Any]] = None, /, *, name: str = "study", **sections: Mapping[str, Any]
+    ) -> None:
+        self._core: _core.Study = _core.Study.from_tree(plain({**(tables or {}), **sections}), name)
+
+    @classmethod
+    def _of(cls, core: _core.Study) -> Study:
+        study = cls.__new__(cls)
+        study._core = core
+        return study
+
+    @classmethod
+    def from_file(cls, path: str | os.PathLike[str]) -> Study:
+        """Read a study file (TOML)."""
+        return cls._of(_core.Study.from_file(os.fspath(path)))
+
+    @classmethod
+    def from_toml(cls, text: str, name: str = "study") -> Study:
+        """Read the text of a study file."""
+        return cls._of(_core.Study(text, name))
+
+    def replace(self, changes: Optional[Mapping[str, Any]] = None, /, **keys: Any) -> Study:
+        """The same study with other values.
+
+        Parameters
+        ----------
+        changes, **keys
+            Values by dotted key, as ``--set`` takes them on the command line: ``replace(**{"speed.final": 2.6})``,
+            ``replace({"rotor.unbalance": "200 g mm"})``; whole tables where keys change: ``replace(speed={...})``.
+
+        Raises
+        ------
+        StudyError
+            If the result is no study.
+        """
+        together = {**(changes or {}), **keys}
+        return self._of(self._core.with_overrides([f"{key}={toml_value(value)}" for key, value in together.items()]))
+
+    def _with_starts(self, starts: Optional[int], seed: Optional[int], method: Optional[str] = None) -> Study:
+        changes = {"sampling.starts": starts, "sampling.seed": seed, "sampling.method": method}
+        given = {key: value for key, value in changes.items() if value is not None}
+        return self.replace(given) if given else self
+
+    @property
+    def name(self) -> str:
+        """File it came from, or the name that it was given."""
+        return self._core.name
+
+    @property
+    def balls(self) -> int:
+        """Number of balls, 1 to 8."""
+        return self._core.balls
+
+    @property
+    def dimension(self) -> int:
+        """Numbers of a state to start from: x, y, x_dot, y_dot, and each ball's angle and rate."""
+        return 4 + 2 * self.balls
+
+    @property
+    def scales(self) -> Optional[dict[str, float]]:
+        """What a dimensionless 1 of mass, length and time is, in kg, m and s; None of a dimensionless study."""
+        return self._core.scales
+
+    @property
+    def limits(self) -> dict[str, Optional[float]]:
+        """[limits], dimensionless: displacement, force, velocity, settled."""
+        return self._core.limits
+
+    @property
+    def release_time(self) -> float:
+        """When the balls are let go, in 1/omega_c."""
+        return self._core.release_time
+
+    def to_dict(self) -> dict[str, Any]:
+        """All tables with all defaults."""
+        return self._core.tree()
+
+    def to_toml(self, physical: bool = False) -> str:
+        """The study with all its defaults as the text of a study file.
+
+        Parameters
+        ----------
+        physical : bool
+            In physical units; raises StudyError of a study without scales.
+        """
+        return self._core.to_physical_toml() if physical else self._core.to_toml()
+
+    def save(self, path: str | os.PathLike[str]) -> None:
+        """Write ``to_toml()`` to a file."""
+        with open(path, "w", encoding="utf-8") as file:
+            file.write(self.to_toml())
+
+    def __getitem__(self, key: str) -> Any:
+        value: Any = self.to_dict()
+        for part in key.split("."):
+            if not isinstance(value, dict) or part not in value:
+                raise KeyError(key)
+            value = value[part]
+        return value
+
+    def __eq__(self, other: object) -> bool:
+        return isinstance(other, Study) and self.to_toml() == other.to_toml()
+
+    def __hash__(self) -> int:
+        return hash(self.to_toml())
+
+    def __repr__(self) -> str:
+        return f"<Study {self.name}: {self._core.parameters_text}>"
+
+    def _repr_html_(self) -> str:
+        rows = []
+        for table, members in self.to_dict().items():
+            for key, value in members.items():
+                rows.append((f"{table}.{key}", value))
+        return f"<b>Study {self.name}</b>" + definition_table(rows)
+
+    def __getstate__(self) -> dict[str, Any]:
+        return {"core": self._core}
+
+    def __setstate__(self, state: dict[str, Any]) -> None:
+        self._core = state["core"]
+
+
+def paper_studies() -> list[str]:
+    """Names of the studies of Wright and Peng (2019): one a row of their tables."""
+    return list(_core.paper_studies())
+
+
+def paper_study(name: str, law: str = "kinematic") -> Study:
+    """A study of Wright and Peng (2019), such as ``"table-2-omega-2.4"``.
+
+    Parameters
+    ----------
+    name : str
+        One of ``paper_studies()``.
+    law : {"kinematic", "published"}
+        How the ramp function turns the rotor; it matters where the speed varies.
+    """
+    return Study._of(_core.paper_study(name, law))

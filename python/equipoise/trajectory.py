@@ -1,0 +1,171 @@
+"""One trajectory."""
+
+from __future__ import annotations
+
+import os
+from typing import TYPE_CHECKING, Any, Optional
+
+import numpy as np
+import numpy.typing as npt
+
+from . import _core
+from ._call import settings, unless_interrupted
+from .study import Study
+
+if TYPE_CHECKING:
+    import pandas
+    import xarray
+
+Array = npt.NDArray[np.float64]
+
+_UNITS = {
+    "t": ("1/omega_c", "time"),
+    "psi": ("rad", "rotor angle"),
+    "psi_dot": ("omega_c", "rotor speed"),
+    "x": ("R", "centre of the race in the rotating frame, x"),
+    "y": ("R", "centre of the race in the rotating frame, y"),
+    "x_dot": ("R omega_c", "rate of x"),
+    "y_dot": ("R omega_c", "rate of y"),
+    "radial": ("R", "radial displacement"),
+    "bearing_x": ("M R omega_c^2", "force on the supports, fixed axes, X"),
+    "bearing_y": ("M R omega_c^2", "force on the supports, fixed axes, Y"),
+    "phi": ("rad", "ball angle from the heavy side, rotating frame, unwrapped"),
+    "phi_dot": ("omega_c", "rate of the ball angle"),
+}
+
+
+class Trajectory:
+    """One run of a study, dimensionless (length R, time 1/omega_c, mass M).
+
+    Attributes
+    ----------
+    t : ndarray (n,)
+        Times, in 1/omega_c.
+    psi, psi_dot : ndarray (n,)
+        Rotor angle (rad) and speed (omega_c).
+    x, y, x_dot, y_dot : ndarray (n,)
+        Centre of the race in the rotating frame, and its rates.
+    phi, phi_dot : ndarray (n, balls)
+        Ball angles in the rotating frame (rad, unwrapped) and their rates.
+    radial : ndarray (n,)
+        Distance of the centre from where the rotor rests, in R.
+    bearing_x, bearing_y : ndarray (n,)
+        Force on the supports in fixed axes, in M R omega_c^2.
+    status : str
+        "done", "diverged", "failed" or "stopped"; if not "done", later times are missing.
+    study : Study
+    """
+
+    t: Array
+    psi: Array
+    psi_dot: Array
+    x: Array
+    y: Array
+    x_dot: Array
+    y_dot: Array
+    phi: Array
+    phi_dot: Array
+    radial: Array
+    bearing_x: Array
+    bearing_y: Array
+    status: str
+
+    def __init__(self, columns: dict[str, Any], study: Study) -> None:
+        self.study = study
+        self.status = columns["status"]
+        for name in _UNITS:
+            setattr(self, name, columns[name])
+
+    @property
+    def X(self) -> Array:
+        """Centre of the race in the room's axes, horizontal, in R: ndarray (n,)."""
+        return np.cos(self.psi) * self.x - np.sin(self.psi) * self.y
+
+    @property
+    def Y(self) -> Array:
+        """Centre of the race in the room's axes, vertical, in R: ndarray (n,)."""
+        return np.sin(self.psi) * self.x + np.cos(self.psi) * self.y
+
+    def __len__(self) -> int:
+        return len(self.t)
+
+    def __repr__(self) -> str:
+        if not len(self.t):
+            return f"<Trajectory of {self.study.name}: {self.status}, no rows>"
+        return (
+            f"<Trajectory of {self.study.name}: {self.status}, {len(self.t)} rows, t = {self.t[0]:g} to {self.t[-1]:g}, "
+            f"largest radial displacement {self.radial.max():.4g} R>"
+        )
+
+    def to_xarray(self) -> xarray.Dataset:
+        """A dataset with coordinate t; every variable has units and long_name."""
+        import xarray
+
+        data = {
+            name: (("t",) if name not in ("phi", "phi_dot") else ("t", "ball"), getattr(self, name),
+                   {"units": unit, "long_name": meaning})
+            for name, (unit, meaning) in _UNITS.items()
+            if name != "t"
+        }
+        t = ("t", self.t, dict(zip(("units", "long_name"), _UNITS["t"])))
+        ball = np.arange(1, self.phi.shape[1] + 1)
+        return xarray.Dataset(data, {"t": t, "ball": ball}, {"study": self.study.to_toml()})
+
+    def to_pandas(self) -> pandas.DataFrame:
+        """A table with one row a time, indexed by t: the columns of the program's CSV."""
+        import pandas
+
+        columns: dict[str, Array] = {}
+        for name in ("psi", "psi_dot", "x", "y", "x_dot", "y_dot", "phi", "phi_dot", "radial", "bearing_x", "bearing_y"):
+            values = getattr(self, name)
+            if values.ndim == 1:
+                columns[name] = values
+            else:
+                columns.update({f"{name}_{i + 1}": values[:, i] for i in range(values.shape[1])})
+        return pandas.DataFrame(columns, index=pandas.Index(self.t, name="t"))
+
+    def save(self, path: str | os.PathLike[str]) -> None:
+        """Write NetCDF, or CSV where the name ends in .csv: the files of ``equipoise simulate -o``."""
+        _core.save_trajectory({name: getattr(self, name) for name in _UNITS}, self.study._core, os.fspath(path))
+
+
+def simulate(
+    study: Study,
+    t: Optional[npt.ArrayLike] = None,
+    *,
+    every: Optional[float] = None,
+    progress: Any = False,
+) -> Trajectory:
+    """Integrate a study from its initial state.
+
+    Parameters
+    ----------
+    study : Study
+        With uncertain values: at their medians.
+    t : array_like (n,), float or None
+        Times in 1/omega_c, rising, from 0 on; a single number: from 0 until then; None: until 100 after the last
+        branch of the speed begins and the balls are free.
+    every : float, optional
+        Time between rows, where `t` is no array; default: a hundredth of the whole.
+    progress : bool or callable
+        True: a bar; a callable is told ``(done, total, what)``.
+
+    Returns
+    -------
+    Trajectory
+
+    Raises
+    ------
+    StudyError
+        For times out of order, and studies that are none.
+
+    Notes
+    -----
+    Equations (1) to (7) of docs/equations.md; an eighth-order Runge-Kutta method with dense output, each step to
+    ``numerics.tolerance`` (default 1e-12).
+    """
+    times = None if t is None or np.ndim(t) == 0 else np.asarray(t, dtype=float).ravel().tolist()
+    until = None if t is None or times is not None else float(t)  # type: ignore[arg-type]
+    with settings(0, progress, None) as how:
+        columns = _core.simulate(study._core, times, until, every, how)
+    return unless_interrupted(Trajectory(columns, study), columns["interrupted"])

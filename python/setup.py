@@ -1,0 +1,35 @@
+"""The wheel: CMake builds the module, setuptools packs it."""
+
+import os
+import pathlib
+import re
+import subprocess
+import sys
+
+from setuptools import Extension, setup
+from setuptools.command.build_ext import build_ext
+
+here = pathlib.Path(__file__).resolve().parent
+root = here.parent
+
+
+class CMakeBuild(build_ext):
+    """Builds the module in a folder of its own and takes it from there."""
+
+    def build_extension(self, extension: Extension) -> None:
+        target = pathlib.Path(self.get_ext_fullpath(extension.name)).resolve()
+        folder = pathlib.Path(os.environ.get("EQUIPOISE_BUILD_DIR", pathlib.Path(self.build_temp) / "cmake")).resolve()
+        subprocess.check_call(
+            ["cmake", "-S", str(root), "-B", str(folder), "-G", "Ninja", "-DCMAKE_BUILD_TYPE=Release",
+             "-DEQUIPOISE_BUILD_PYTHON=ON", "-DEQUIPOISE_BUILD_PROGRAM=OFF", f"-DPython_EXECUTABLE={sys.executable}",
+             *os.environ.get("EQUIPOISE_CMAKE_ARGS", "").split()]
+        )
+        subprocess.check_call(["cmake", "--build", str(folder), "--target", "equipoise_python"])
+        built = next((folder / "python" / "equipoise").glob("_core*.so"))
+        target.parent.mkdir(parents=True, exist_ok=True)
+        self.copy_file(str(built), str(target))
+
+
+version = re.search(r"project\(equipoise VERSION ([0-9.]+)", (root / "CMakeLists.txt").read_text())
+assert version, "CMakeLists.txt says no version"
+setup(version=version[1], ext_modules=[Extension("equipoise._core", [])], cmdclass={"build_ext": CMakeBuild})
