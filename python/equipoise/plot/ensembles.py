@@ -178,7 +178,7 @@ def _words_only(label: str) -> Any:
 
 
 def _stacked_histogram(
-    ax: Axes, result: BasinResult, values: np.ndarray, labels: np.ndarray, finite: np.ndarray, bins: int
+    ax: Axes, result: BasinResult, values: parts.Array, labels: parts.Array, finite: parts.Array, bins: int
 ) -> list[Any]:
     """Bars of percent of all starts; returns the entries of a legend."""
     handles: list[Any] = []

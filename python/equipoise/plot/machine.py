@@ -39,11 +39,11 @@ class States:
         Where the rotor rests under its weight.
     """
 
-    def __init__(self, run: Union[Trajectory, Path], frame: str, t: Optional[np.ndarray] = None) -> None:
+    def __init__(self, run: Union[Trajectory, Path], frame: str, t: Optional[parts.Array] = None) -> None:
         given = np.asarray(run.t, dtype=float)
         self.t = given if t is None else t
 
-        def at(values: Any) -> np.ndarray:
+        def at(values: Any) -> parts.Array:
             return np.asarray(values, dtype=float) if t is None else np.interp(t, given, values)
 
         psi = at(run.psi)
@@ -90,7 +90,7 @@ def _number(value: Any) -> float:
     return float(value)
 
 
-def ball_sizes(study: Study, balls: int) -> np.ndarray:
+def ball_sizes(study: Study, balls: int) -> parts.Array:
     """Radii of the balls in race radii; of balls without a size one that is well seen."""
     balancer = study.to_dict()["balancer"]
     radius = np.atleast_1d(balancer.get("ball_radius", 0.0)).astype(float)
@@ -163,7 +163,7 @@ class Machine:
             self.limit.center = (rest.real, rest.imag)
 
 
-def _xy(places: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+def _xy(places: parts.Array) -> tuple[parts.Array, parts.Array]:
     return places.real, places.imag
 
 

@@ -60,7 +60,7 @@ def _axis_unit(result: SweepResult, key: str) -> str:
     return next((p.get("unit") or "" for p in result.data["over"] if p["key"] == key), "")
 
 
-def _sweep_layers(result: SweepResult) -> list[tuple[int, str, np.ndarray]]:
+def _sweep_layers(result: SweepResult) -> list[tuple[int, str, parts.Array]]:
     """Code, title and share of what is stacked, from below: attractors by identifier, and what came to none."""
     met = [outcome for cell in result.cells for outcome in cell.get("outcomes") or ()]
     titles = {outcome["id"]: parts.outcome_title(outcome["name"], outcome["alias"] or "") for outcome in met}
@@ -115,7 +115,7 @@ def _stacked(result: SweepResult, key: str, ax: Optional[Axes]) -> Axes:
     return ax
 
 
-def _edges(values: np.ndarray) -> tuple[np.ndarray, bool]:
+def _edges(values: parts.Array) -> tuple[parts.Array, bool]:
     """Edges of the cells of a heat map, and whether values stand at themselves: evenly spaced ones do, others (0.01,
     0.05, 0.1) at their ranks, so that all cells are of one size."""
     steps = np.diff(values)
@@ -214,7 +214,7 @@ def _usual_step(result: BranchesResult) -> float:
     return float(np.max(np.abs(np.diff(values)))) if values.size > 1 else np.inf
 
 
-def _stretches(branch: Branch, step: float) -> list[tuple[bool, np.ndarray]]:
+def _stretches(branch: Branch, step: float) -> list[tuple[bool, parts.Array]]:
     """Whether it attracts, and indices of neighbouring points that do so alike. A stretch reaches to the first point of
     the next, so that the line is whole."""
     stable, value = np.asarray(branch.stable, dtype=bool), np.asarray(branch.value, dtype=float)

@@ -7,11 +7,14 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any, Optional
 
 import numpy as np
+import numpy.typing as npt
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
 
     from ..study import Study
+
+Array = npt.NDArray[Any]
 
 UNDECIDED, DIVERGED, FAILED, STALLED, NOT_COMPUTED = 0, -1, -2, -3, -32768
 BALANCED = 1

@@ -64,7 +64,7 @@ def map(result: MapResult, shade: bool = True, ax: Optional[Axes] = None) -> Axe
     return ax
 
 
-def coloured(outcome: np.ndarray, time: Optional[np.ndarray] = None) -> np.ndarray:
+def coloured(outcome: parts.Array, time: Optional[parts.Array] = None) -> parts.Array:
     """Red, green and blue, from 0 to 1, of every pixel.
 
     Parameters
@@ -92,7 +92,7 @@ def coloured(outcome: np.ndarray, time: Optional[np.ndarray] = None) -> np.ndarr
     return picture
 
 
-def _legend(result: MapResult, outcome: np.ndarray) -> list[Any]:
+def _legend(result: MapResult, outcome: parts.Array) -> list[Any]:
     from matplotlib.patches import Patch
 
     codes = sorted((int(c) for c in np.unique(outcome) if c != parts.NOT_COMPUTED), key=lambda c: (c <= 0, abs(c)))

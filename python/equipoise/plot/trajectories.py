@@ -77,14 +77,15 @@ def trajectory(
 def _one_or_two(ax: Any, balls: bool) -> tuple[Any, Any]:
     """Axes for displacement, and for angles if there are to be such."""
     if ax is None:
-        return tuple(parts.new_axes((7.2, 5.4), 2, (3, 2))) if balls else (parts.new_axes((7.2, 3.6)), None)
+        upper, lower = parts.new_axes((7.2, 5.4), 2, (3, 2)) if balls else (parts.new_axes((7.2, 3.6)), None)
+        return upper, lower
     given = list(ax) if isinstance(ax, (tuple, list, np.ndarray)) else [ax]
     if len(given) > 2 or not given or not all(hasattr(one, "plot") for one in given):
         raise TypeError(f"plot.trajectory(): ax = {ax!r}; allowed: None, axes of matplotlib, or a pair of them")
     return given[0], given[1] if len(given) == 2 else None
 
 
-def _finish(ax: Axes, t: np.ndarray, units: parts.Units, labelled: bool) -> None:
+def _finish(ax: Axes, t: parts.Array, units: parts.Units, labelled: bool) -> None:
     parts.quiet_frame(ax)
     if t.size > 1 and t[-1] > t[0]:
         ax.set_xlim(t[0] * units.time.factor, t[-1] * units.time.factor)
@@ -92,7 +93,7 @@ def _finish(ax: Axes, t: np.ndarray, units: parts.Units, labelled: bool) -> None
         ax.set_xlabel(units.time.label("time"))
 
 
-def changing_speed(t: np.ndarray, speed: np.ndarray, driven: bool) -> list[tuple[float, float]]:
+def changing_speed(t: parts.Array, speed: parts.Array, driven: bool) -> list[tuple[float, float]]:
     """Stretches of time in which a rotor's speed changes, to a step of `t`.
 
     A prescribed speed is constant to rounding where it is; one that a motor brings counts as reached within one percent
@@ -110,11 +111,11 @@ def changing_speed(t: np.ndarray, speed: np.ndarray, driven: bool) -> list[tuple
     return [(float(t[begin]), float(t[end])) for begin, end in zip(edges[::2], edges[1::2])]
 
 
-def crossings(t: np.ndarray, values: np.ndarray, level: float) -> np.ndarray:
+def crossings(t: parts.Array, values: parts.Array, level: float) -> parts.Array:
     """Times at which sampled values pass a level, by linear interpolation."""
     above = values - level
     k = np.flatnonzero((above[:-1] < 0.0) != (above[1:] < 0.0))
-    return t[k] + (t[k + 1] - t[k]) * above[k] / (above[k] - above[k + 1])
+    return np.asarray(t[k] + (t[k + 1] - t[k]) * above[k] / (above[k] - above[k + 1]))
 
 
 def _mark_speed(ax: Axes, run: Trajectory, units: parts.Units) -> list[Any]:
@@ -151,7 +152,7 @@ def _release(run: Trajectory) -> Optional[float]:
     return float(run.t[first - 1]) if first > 1 else None
 
 
-def _ball_angles(ax: Axes, run: Trajectory, time: np.ndarray) -> None:
+def _ball_angles(ax: Axes, run: Trajectory, time: parts.Array) -> None:
     phi = np.asarray(run.phi, dtype=float)
     style = {"linewidth": 1.2, **parts.line_style(time.size)}
     for ball, colour in enumerate(ball_colours(phi.shape[1])):
