@@ -43,6 +43,7 @@ py::dict path_of(const PyStudy& s, const std::vector<double>& state, double dura
   py::dict result;
   const std::size_t rows = path.x.size();
   result["phi"] = columns_of(path.phi, rows);
+  result["psi"] = array_of(std::move(path.psi));
   result["X"] = array_of(std::move(path.x));
   result["Y"] = array_of(std::move(path.y));
   return result;

@@ -27,9 +27,11 @@ Array = npt.NDArray[np.float64]
 
 @dataclass(frozen=True)
 class Path:
-    """A stretch of a motion: times, centre of the race in the room's axes (in R), balls as seen from the rotor (rad)."""
+    """A stretch of a motion: times, rotor angle (rad), centre of the race in the room's axes (in R, from where the rotor
+    rests), balls as seen from the rotor (rad)."""
 
     t: Array
+    psi: Array
     X: Array
     Y: Array
     phi: Array
@@ -100,7 +102,7 @@ class Attractor:
         length = duration or self.period or 200.0
         columns = _core.motion_path(self.study._core, self.state.tolist(), length, points)
         t = np.linspace(0.0, length, points + 1)[: len(columns["X"])]
-        return Path(t, columns["X"], columns["Y"], columns["phi"], self.study)
+        return Path(t, columns["psi"], columns["X"], columns["Y"], columns["phi"], self.study)
 
     def __repr__(self) -> str:
         alias = f" ({self.alias})" if self.alias else ""

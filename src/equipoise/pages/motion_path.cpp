@@ -24,6 +24,7 @@ class PathWriter {
   void add(double psi, double x, double y) {
     const std::array<double, 2> rest = model::rest_position(p_, psi);
     const auto fixed = model::in_fixed_axes(std::cos(psi), std::sin(psi), x - rest[0], y - rest[1]);
+    path_.psi.push_back(psi);
     path_.x.push_back(fixed[0]);
     path_.y.push_back(fixed[1]);
   }

@@ -21,6 +21,7 @@ struct GivenTable {
 
 /// A stretch of a motion at equally spaced times, dimensionless.
 struct MotionPath {
+  std::vector<double> psi;               ///< rotor angle
   std::vector<double> x, y;              ///< centre of the race in fixed axes, from where the rotor rests
   std::vector<std::vector<double>> phi;  ///< by ball: angle from the heavy side, seen from the turning rotor; unwrapped
 };

@@ -1,0 +1,25 @@
+"""Pictures of results, drawn with matplotlib.
+
+Every function takes a result and, as `ax`, the axes to draw into (None: a new figure), and returns the axes. A colour
+belongs to an attractor's identifier in every picture; colours are told apart by any kind of colour vision. Lengths are
+in mm, forces in N, times in s of a study in physical units; else in race radii R, M R omega_c^2 and 1/omega_c.
+matplotlib is imported when the first picture is drawn.
+
+`shares`, `transients`
+    of an ensemble (`equipoise.basin`)
+`sweep`, `branches`
+    along parameters (`equipoise.sweep`, `equipoise.follow`)
+`map`
+    over a plane (`equipoise.map`)
+`trajectory`, `disc`, `animate`
+    of one motion (`equipoise.simulate`, `equipoise.attractors`)
+"""
+
+from .animation import animate
+from .ensembles import shares, transients
+from .machine import disc
+from .parameters import branches, sweep
+from .plane import map
+from .trajectories import trajectory
+
+__all__ = ["animate", "branches", "disc", "map", "shares", "sweep", "trajectory", "transients"]

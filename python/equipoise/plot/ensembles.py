@@ -1,0 +1,204 @@
+"""Pictures of an ensemble: the shares of its outcomes, and what the way there costs."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import TYPE_CHECKING, Any, Optional
+
+import numpy as np
+
+from . import parts
+
+if TYPE_CHECKING:
+    from matplotlib.axes import Axes
+
+    from ..ensembles import BasinResult
+
+
+@dataclass(frozen=True)
+class Outcome:
+    """What starts came to: its code, what it is called, and its share with a 95 % interval."""
+
+    code: int
+    title: str
+    share: float
+    low: float
+    high: float
+
+
+def _outcomes(result: BasinResult) -> list[Outcome]:
+    """Attractors by identifier (two may have one name), then what came to none, undecided last."""
+    listed = [Outcome(a.id, parts.outcome_title(a.name, a.alias), a.share, a.low, a.high) for a in result.attractors]
+    for code in (parts.STALLED, parts.DIVERGED, parts.FAILED, parts.UNDECIDED):
+        name = result.names[code]
+        if name in result.shares:
+            listed.append(Outcome(code, name, result.shares[name], *result.errors[name]))
+    return listed
+
+
+def shares(result: BasinResult, ax: Optional[Axes] = None) -> Axes:
+    """Bars of the shares of starts by outcome, with their 95 % intervals; what stayed undecided comes last.
+
+    Parameters
+    ----------
+    result : BasinResult
+        Of `equipoise.basin`.
+    ax : matplotlib.axes.Axes, optional
+        To draw into; a new figure if left out.
+
+    Returns
+    -------
+    matplotlib.axes.Axes
+        Shares in percent from left to right, one bar an outcome from top to bottom.
+
+    Raises
+    ------
+    TypeError
+        `result` is not that of an ensemble.
+
+    Examples
+    --------
+    >>> eq.plot.shares(eq.basin(study, starts=4000))
+    """
+    parts.need("shares", result, "a BasinResult, that of equipoise.basin()", ("shares", "errors", "counts", "names"))
+    outcomes = _outcomes(result)
+    if ax is None:
+        ax = parts.new_axes((6.4, 0.9 + 0.42 * len(outcomes)))
+    for row, outcome in enumerate(outcomes):
+        value = parts.PERCENT * outcome.share
+        ax.barh(row, value, height=0.62, color=parts.colour_of(outcome.code), edgecolor=parts.QUIET, linewidth=0.6)
+        below, above = max(value - parts.PERCENT * outcome.low, 0.0), max(parts.PERCENT * outcome.high - value, 0.0)
+        # Dark on light and light on dark: the whisker is seen on the bar and beside it.
+        for colour, width in (("white", 3.2), (parts.INK, 1.4)):
+            ax.errorbar(value, row, xerr=[[below], [above]], fmt="none", ecolor=colour, elinewidth=width, capsize=3.0)
+        ax.annotate(
+            parts.percent_text(outcome.share, outcome.low, outcome.high), (1.02, row),
+            xycoords=("axes fraction", "data"), va="center", color=parts.INK,
+        )
+    ax.set_yticks(range(len(outcomes)), [outcome.title for outcome in outcomes])
+    ax.set_ylim(len(outcomes) - 0.5, -0.5)
+    ax.set_xlim(0.0, parts.PERCENT)
+    ax.set_xlabel("share of starts (%), with 95 % intervals" + (", PARTIAL" if result.partial else ""))
+    parts.quiet_frame(ax)
+    ax.grid(axis="y", visible=False)
+    ax.tick_params(axis="y", length=0)
+    return ax
+
+
+# Column: what its axis says, the attribute of Units that it is in, and the key of [limits] that bounds it.
+_COLUMNS: dict[str, tuple[str, str, str]] = {
+    "peak_radial": ("peak displacement", "length", "displacement"),
+    "peak_radial_after_release": ("peak displacement after release", "length", "displacement"),
+    "peak_radial_at_end": ("peak displacement at the end", "length", "displacement"),
+    "peak_force": ("peak bearing force", "force", "force"),
+    "rms_force": ("RMS bearing force at the end", "force", ""),
+    "rms_velocity": ("RMS velocity at the end", "velocity", "velocity"),
+    "residual_unbalance": ("residual unbalance $U/M$", "length", ""),
+    "time_above": ("time above the displacement limit", "time", ""),
+    "settling_time": ("settling time", "time", ""),
+}
+
+
+def transients(
+    result: BasinResult,
+    column: str = "peak_radial",
+    bins: int = 40,
+    limit: Optional[float] = None,
+    ax: Optional[Axes] = None,
+) -> Axes:
+    """How a figure of the way there is distributed over the starts, stacked by outcome, beside the study's limit.
+
+    Parameters
+    ----------
+    result : BasinResult
+        Of `equipoise.basin` with transients gathered: ``transients=True``, or a study with ``[limits]``.
+    column : str
+        One of "peak_radial", "peak_radial_after_release", "peak_radial_at_end", "peak_force", "rms_force",
+        "rms_velocity", "residual_unbalance", "time_above", "settling_time".
+    bins : int
+        Bars from the least to the largest figure.
+    limit : float, optional
+        Drawn in place of the limit that the study states, in the unit of the picture's axis.
+    ax : matplotlib.axes.Axes, optional
+        To draw into; a new figure if left out.
+
+    Returns
+    -------
+    matplotlib.axes.Axes
+        The figure from left to right (mm, N, mm/s or s of a study in physical units, else dimensionless), percent of
+        all starts upwards. Starts without the figure (lost ones; times that go on) are told in the legend.
+
+    Raises
+    ------
+    TypeError
+        `result` is not that of an ensemble.
+    ValueError
+        It has no transients, there is no such column, or `bins` is below 1.
+    """
+    wanted = "a BasinResult, that of equipoise.basin()"
+    parts.need("transients", result, wanted, ("shares", "errors", "counts", "names"))
+    parts.one_of("transients", "column", column, list(_COLUMNS))
+    if result.transients is None:
+        raise ValueError(
+            "plot.transients(): the ensemble gathered no transients; allowed: one of basin(study, transients=True), "
+            "or of a study with [limits]"
+        )
+    if bins < 1:
+        raise ValueError(f"plot.transients(): bins = {bins}; allowed: 1 or more")
+    words, dimension, limit_key = _COLUMNS[column]
+    unit: parts.Unit = getattr(parts.Units(result.study), dimension)
+    values = np.asarray(result.transients[column], dtype=float) * unit.factor
+    labels = np.asarray(result.labels)
+    finite = np.isfinite(values)
+    if ax is None:
+        ax = parts.new_axes((7.6, 3.8))
+    handles = _stacked_histogram(ax, result, values, labels, finite, bins)
+    if limit is None and limit_key:
+        own = result.study.limits[limit_key]
+        limit = None if own is None else own * unit.factor
+    if limit is not None:
+        beyond = parts.PERCENT * np.count_nonzero(values[finite] > limit) / max(values.size, 1)
+        label = f"limit {limit:.4g} {unit.name}: {beyond:.3g} % beyond"
+        handles.append(ax.axvline(limit, color=parts.LIMIT, linestyle="--", linewidth=1.6, label=label))
+    if not finite.all():
+        missing = parts.PERCENT * np.count_nonzero(~finite) / values.size
+        handles.append(_words_only(f"{missing:.3g} % without a figure"))
+    ax.set_xlabel(unit.label(words))
+    ax.set_ylabel("starts (%)")
+    parts.quiet_frame(ax)
+    ax.grid(axis="x", visible=False)
+    parts.legend_beside(ax, handles)
+    return ax
+
+
+def _words_only(label: str) -> Any:
+    from matplotlib.lines import Line2D
+
+    return Line2D([], [], linestyle="none", label=label)
+
+
+def _stacked_histogram(
+    ax: Axes, result: BasinResult, values: parts.Array, labels: parts.Array, finite: parts.Array, bins: int
+) -> list[Any]:
+    """Bars of percent of all starts; returns the entries of a legend."""
+    handles: list[Any] = []
+    if not finite.any():
+        return handles
+    low, high = float(values[finite].min()), float(values[finite].max())
+    if high - low <= 1e-6 * max(abs(high), 1e-300):  # one and the same figure: a bar of some width
+        room = 0.05 * abs(high) if high else 0.5
+        low, high = low - room, high + room
+    edges = np.linspace(low, high, bins + 1)
+    base = np.zeros(bins)
+    for outcome in _outcomes(result):
+        mine = finite & (labels == outcome.code)
+        if not mine.any():
+            continue
+        height = parts.PERCENT * np.histogram(values[mine], edges)[0] / values.size
+        bars = ax.bar(
+            edges[:-1], height, width=np.diff(edges), bottom=base, align="edge",
+            color=parts.colour_of(outcome.code), edgecolor="white", linewidth=0.3, label=outcome.title,
+        )
+        handles.append(bars)
+        base += height
+    return handles

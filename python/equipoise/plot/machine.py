@@ -1,0 +1,297 @@
+"""The machine seen along its axis: race, balls, the way of the rotor's centre."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Any, Optional, Union
+
+import numpy as np
+
+from . import parts
+
+if TYPE_CHECKING:
+    from matplotlib.axes import Axes
+
+    from ..motions import Attractor, Path
+    from ..study import Study
+    from ..trajectory import Trajectory
+
+FRAMES = ("rotor", "room")
+_PATH_POINTS = 2000
+"""Of an attractor: what does not repeat is followed over many turns."""
+_REACH = 0.42
+"""How far, in race radii, the rotor's magnified centre goes: it stays well inside the race."""
+
+
+class States:
+    """A trajectory as the picture needs it: places as complex numbers in one of the two frames.
+
+    Attributes
+    ----------
+    t : ndarray, shape (n,)
+        Time in 1/omega_c.
+    centre : complex ndarray, shape (n,)
+        The rotor's centre from the axis of the bearings, in race radii.
+    heavy : ndarray, shape (n,)
+        Direction of the rotor's heavy side in rad.
+    phi : ndarray, shape (n, balls)
+        Ball angles from there in rad, not wrapped.
+    rest : complex ndarray, shape (n,)
+        Where the rotor rests under its weight.
+    """
+
+    def __init__(self, run: Union[Trajectory, Path], frame: str, t: Optional[parts.Array] = None) -> None:
+        given = np.asarray(run.t, dtype=float)
+        self.t = given if t is None else t
+
+        def at(values: Any) -> parts.Array:
+            return np.asarray(values, dtype=float) if t is None else np.interp(t, given, values)
+
+        psi = at(run.psi)
+        self.phi = np.stack([at(ball) for ball in np.asarray(run.phi).T], axis=1)
+        self.speed = at(run.psi_dot if hasattr(run, "psi_dot") else np.gradient(run.psi, given))
+        turning = np.ones_like(psi) + 0j if frame == "room" else np.exp(-1j * psi)
+        self.centre = (at(run.X) + 1j * at(run.Y)) * turning
+        self.heavy = psi if frame == "room" else np.zeros_like(psi)
+        # A path of a steady motion is measured from where the rotor rests, a trajectory from the unloaded supports.
+        self.rest = -1j * (sag(run.study) if hasattr(run, "bearing_y") else 0.0) * turning
+
+
+def sag(study: Study) -> float:
+    """How far the rotor hangs down at rest, in race radii."""
+    rotor = study.to_dict()["rotor"]
+    return float(rotor.get("gravity", 0.0)) / float(np.atleast_1d(rotor.get("stiffness", 1.0))[-1])
+
+
+def round_down(value: float) -> float:
+    """The largest of 1, 1.5, 2, 3, 4, 5, 6, 8 times a power of ten that is not above `value` > 0."""
+    power = 10.0 ** np.floor(np.log10(value))
+    return float(max(power * m for m in (1.0, 1.5, 2.0, 3.0, 4.0, 5.0, 6.0, 8.0) if power * m <= value * (1.0 + 1e-12)))
+
+
+def magnification(study: Study, states: States, limit: Optional[float]) -> float:
+    """A round number by which displacements are drawn larger than the race.
+
+    Nothing smaller than the eccentricity is made large: a rotor that is balanced is seen to be.
+    """
+    reach = max(float(np.max(np.abs(states.centre), initial=0.0)), eccentricity(study))
+    if limit is not None and limit < 3.0 * reach:
+        reach = max(reach, limit)
+    return max(1.0, round_down(_REACH / reach)) if reach > 0.0 else 1.0
+
+
+def eccentricity(study: Study) -> float:
+    return float(_number(study.to_dict()["rotor"]["eccentricity"]))
+
+
+def _number(value: Any) -> float:
+    """A plain number; of an uncertain one the middle of what bounds it."""
+    if isinstance(value, dict):
+        return float(np.median(np.ravel(list(value.values())[0])))
+    return float(value)
+
+
+def ball_sizes(study: Study, balls: int) -> parts.Array:
+    """Radii of the balls in race radii; of balls without a size one that is well seen."""
+    balancer = study.to_dict()["balancer"]
+    radius = np.atleast_1d(balancer.get("ball_radius", 0.0)).astype(float)
+    if not radius.any():
+        radius = np.atleast_1d(np.sin(0.5 * float(balancer.get("contact_angle", 0.0))))
+    return np.broadcast_to(np.clip(np.where(radius > 0.0, radius, 0.08), 0.05, 0.2), (balls,))
+
+
+class Machine:
+    """The artists of one picture, which are moved from state to state."""
+
+    def __init__(self, ax: Axes, study: Study, balls: int, magnify: float, limit: Optional[float], colour: str) -> None:
+        from matplotlib.patches import Circle
+
+        self.ax, self.magnify, self.eccentricity = ax, magnify, eccentricity(study)
+        offset = np.asarray(study.to_dict()["balancer"].get("race_offset", (0.0, 0.0)), dtype=float)
+        self.race_offset = complex(offset[0], offset[1])
+        self.race = ax.add_patch(Circle((0, 0), 1.0, fill=False, edgecolor=parts.RULE, linewidth=5.0, zorder=1))
+        (self.heavy_side,) = ax.plot([], [], color=parts.QUIET, linewidth=0.9, linestyle=(0, (4, 3)), zorder=2)
+        (axis,) = ax.plot([0], [0], marker="+", markersize=11, color=parts.INK, linestyle="none", zorder=6)
+        axis.set_label("axis of the bearings")
+        (self.way,) = ax.plot([], [], color=colour, linewidth=1.3, zorder=3, label="way of the rotor's centre")
+        (self.centre,) = ax.plot([], [], marker="o", markersize=4, color=colour, linestyle="none", zorder=7)
+        (self.mass_ground,) = ax.plot([], [], marker="o", markersize=11, color="white", zorder=4, linestyle="none")
+        self.mass_ground.set(markeredgecolor=parts.INK, markeredgewidth=0.9)
+        (self.mass,) = ax.plot([], [], marker=_quartered(), markersize=11, color=parts.INK, linestyle="none", zorder=5)
+        self.mass.set(markeredgewidth=0.0, label="centre of mass")
+        self.balls, self.numbers = [], []
+        self.sizes = ball_sizes(study, balls)
+        for number, size in enumerate(self.sizes, start=1):
+            self.balls.append(ax.add_patch(Circle((0, 0), size, facecolor=parts.INK, edgecolor="white", zorder=8)))
+            text = ax.text(0, 0, str(number), color="white", ha="center", va="center", zorder=9, fontsize=8)
+            text.set_visible(balls > 1)
+            self.numbers.append(text)
+        self.limit = None
+        if limit is not None and limit * magnify <= 1.0:
+            ring = Circle((0, 0), limit * magnify, fill=False, edgecolor=parts.LIMIT, linestyle="--", linewidth=1.5)
+            self.limit = ax.add_patch(ring)
+
+
+    def set_stage(self, states: States) -> None:
+        """Room for all states, no frame around it."""
+        reach = self.magnify * (float(np.max(np.abs(states.centre), initial=0.0)) + abs(self.race_offset))
+        half = 1.06 + reach + float(np.max(self.sizes))
+        self.ax.set_aspect("equal", anchor="W")
+        self.ax.set(xlim=(-half, half), ylim=(-half, half), xticks=[], yticks=[])
+        for spine in self.ax.spines.values():
+            spine.set_visible(False)
+        words = "to scale" if self.magnify == 1.0 else rf"race to scale, displacement $\times$ {self.magnify:g}"
+        self.ax.set_xlabel(words, color=parts.QUIET)
+
+    def place(self, states: States, k: int, way: slice) -> None:
+        """Moves everything to state `k`; of the centre's way `way` is seen."""
+        turn = np.exp(1j * states.heavy[k])
+        centre = states.centre[k] * self.magnify
+        race = centre + self.magnify * self.race_offset * turn
+        mass = centre + self.magnify * self.eccentricity * turn
+        self.race.center = (race.real, race.imag)
+        self.heavy_side.set_data(*_xy(np.array([centre, race + turn])))
+        self.centre.set_data([centre.real], [centre.imag])
+        for artist in (self.mass, self.mass_ground):
+            artist.set_data([mass.real], [mass.imag])
+        self.way.set_data(*_xy(states.centre[way] * self.magnify))
+        places = race + np.exp(1j * (states.heavy[k] + states.phi[k]))
+        for ball, number, place in zip(self.balls, self.numbers, places):
+            ball.center = (place.real, place.imag)
+            number.set_position((place.real, place.imag))
+        if self.limit is not None:
+            rest = states.rest[k] * self.magnify
+            self.limit.center = (rest.real, rest.imag)
+
+
+def _xy(places: parts.Array) -> tuple[parts.Array, parts.Array]:
+    return places.real, places.imag
+
+
+def _quartered() -> Any:
+    """Two opposite quarters of a disc: on a white one the mark of a centre of mass."""
+    from matplotlib.path import Path
+
+    return Path.make_compound_path(Path.wedge(0, 90), Path.wedge(180, 270))
+
+
+def _legend(machine: Machine, study: Study, limit: Optional[float]) -> list[Any]:
+    from matplotlib.lines import Line2D
+
+    handles = [line for line in machine.ax.get_lines() if not line.get_label().startswith("_")]
+    handles.append(Line2D([], [], color=parts.QUIET, linewidth=0.9, linestyle=(0, (4, 3)), label="heavy side"))
+    if limit is not None:
+        unit = parts.Units(study).length
+        shown = f"limit {limit * unit.factor:.4g} {unit.name}" + ("" if machine.limit else ", outside")
+        handles.append(Line2D([], [], color=parts.LIMIT, linestyle="--", linewidth=1.5, label=shown))
+    return handles
+
+
+def run_of(function: str, motion: Any) -> tuple[Any, Any]:
+    """The trajectory of what is given, and the attractor if it is one."""
+    if hasattr(motion, "path") and hasattr(motion, "period"):
+        return motion.path(points=_PATH_POINTS), motion
+    wanted = "a Trajectory, that of equipoise.simulate(), or an Attractor, one of equipoise.attractors()"
+    parts.need(function, motion, wanted, ("t", "X", "Y", "psi", "phi", "study"))
+    return motion, None
+
+
+def own_limit(study: Study, limit: Optional[float]) -> Optional[float]:
+    """A limit in the unit of pictures, or the study's own, in race radii."""
+    return study.limits["displacement"] if limit is None else limit / parts.Units(study).length.factor
+
+
+def disc(
+    motion: Union[Trajectory, Attractor],
+    at: int = -1,
+    limit: Optional[float] = None,
+    frame: str = "rotor",
+    magnify: Optional[float] = None,
+    legend: bool = True,
+    ax: Optional[Axes] = None,
+) -> Axes:
+    """The machine seen along its axis: race, numbered balls, the way of the rotor's centre, centre of mass, limit.
+
+    Displacements are a few percent of the race's radius: they are drawn larger than the race, and the picture says how
+    much. Of an attractor the picture also tells what its balls do: bands where they swing, arrows where they run.
+
+    Parameters
+    ----------
+    motion : Trajectory or Attractor
+        Of `equipoise.simulate`, or one of `equipoise.attractors`.
+    at : int
+        Index of the time at which balls and rotor are shown; the way is drawn up to there, of an attractor all of it.
+    limit : float, optional
+        A displacement drawn as a circle, in mm of a study in physical units, else in race radii; left out: the
+        study's own, if it has one.
+    frame : {"rotor", "room"}
+        Whose eyes: turning with the rotor, or beside the machine.
+    magnify : float, optional
+        Of displacements; left out: such that they are well seen.
+    legend : bool
+        Whether the signs are explained beside the picture.
+    ax : matplotlib.axes.Axes, optional
+        To draw into; a new figure if left out.
+
+    Returns
+    -------
+    matplotlib.axes.Axes
+        In race radii, the axis of the bearings at the origin.
+
+    Raises
+    ------
+    TypeError
+        `motion` is neither of the two.
+    ValueError
+        There is no such frame, or `magnify` is not above 0.
+    IndexError
+        There is no such time.
+    """
+    parts.one_of("disc", "frame", frame, FRAMES)
+    if magnify is not None and not magnify > 0.0:
+        raise ValueError(f"plot.disc(): magnify = {magnify!r}; allowed: a number above 0")
+    run, attractor = run_of("disc", motion)
+    states = States(run, frame)
+    if not -states.t.size <= at < states.t.size:
+        raise IndexError(f"plot.disc(): at = {at}; allowed: {-states.t.size} to {states.t.size - 1}")
+    at %= states.t.size
+    if ax is None:
+        ax = parts.new_axes((6.4 if legend else 4.4, 4.4))
+    bound = own_limit(run.study, limit)
+    colour = parts.INK if attractor is None else parts.colour_of(attractor.id)
+    large = magnification(run.study, states, bound) if magnify is None else magnify
+    machine = Machine(ax, run.study, states.phi.shape[1], large, bound, colour)
+    machine.set_stage(states)
+    machine.place(states, at, slice(None) if attractor is not None else slice(0, at + 1))
+    if attractor is not None:
+        ax.set_title(parts.outcome_title(attractor.name, attractor.alias))
+        _tell_balls(ax, machine, states, at, colour)
+    if legend:
+        parts.legend_beside(ax, _legend(machine, run.study, bound))
+    return ax
+
+
+def _tell_balls(ax: Axes, machine: Machine, states: States, at: int, colour: str) -> None:
+    """Bands where balls swing, arrows where they run around the race."""
+    from matplotlib.patches import Arc, FancyArrowPatch
+
+    race = complex(*machine.race.center)
+    for ball in range(states.phi.shape[1]):
+        angle = states.heavy[at] + states.phi[:, ball]
+        gone = states.phi[-1, ball] - states.phi[0, ball]
+        low, high = float(angle.min()), float(angle.max())
+        if abs(gone) > 0.5 * (high - low) and high - low > 1.0:
+            ends = race + np.exp(1j * (angle[at] + np.sign(gone) * np.array([0.1, 1.0])))
+            bend = 0.25 * np.sign(gone)
+            ax.add_patch(
+                FancyArrowPatch(
+                    *zip(ends.real, ends.imag), connectionstyle=f"arc3,rad={bend:.3g}", arrowstyle="-|>",
+                    mutation_scale=14, color=colour, linewidth=2.5, zorder=7,
+                )
+            )
+        elif high - low > 0.03:
+            ax.add_patch(
+                Arc(
+                    (race.real, race.imag), 2.0, 2.0, theta1=np.degrees(low), theta2=np.degrees(high), color=colour,
+                    linewidth=7.0, alpha=0.5, zorder=2,
+                )
+            )

@@ -1,0 +1,276 @@
+"""Pictures along parameters: shares in a sweep, and attractors as they are followed."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Any, Optional
+
+import numpy as np
+
+from . import parts
+
+if TYPE_CHECKING:
+    from matplotlib.axes import Axes
+
+    from ..motions import Branch, BranchesResult
+    from ..planes import SweepResult
+
+
+def sweep(result: SweepResult, x: Optional[str] = None, ax: Optional[Axes] = None) -> Axes:
+    """Shares along one parameter, stacked; over two, the balanced share as a heat map.
+
+    Parameters
+    ----------
+    result : SweepResult
+        Of `equipoise.sweep` over one or two parameters; of several that vary together (``zip=True``) the first counts.
+    x : str, optional
+        The key from left to right: of two parameters by default the last.
+    ax : matplotlib.axes.Axes, optional
+        To draw into; a new figure if left out.
+
+    Returns
+    -------
+    matplotlib.axes.Axes
+        Shares in percent. What came to no attractor lies on top: undecided in light grey, the rest in black.
+
+    Raises
+    ------
+    TypeError
+        `result` is not that of a sweep.
+    ValueError
+        It has three parameters in all combinations, or `x` is none of its keys.
+    """
+    parts.need("sweep", result, "a SweepResult, that of equipoise.sweep()", ("axes", "names", "shares", "undecided"))
+    keys = list(result.axes)
+    if x is not None:
+        parts.one_of("sweep", "x", x, keys)
+    dimensions = np.ndim(result.undecided)
+    if dimensions == 1:
+        return _stacked(result, x or keys[0], ax)
+    if dimensions == 2:
+        return _heat(result, x or keys[-1], ax)
+    raise ValueError(f"plot.sweep(): {dimensions} parameters in all combinations; allowed: 1 or 2, or zipped ones")
+
+
+_LOST = "diverged, failed or stalled"
+_ROUNDING = 1e-9
+"""Of a sum of shares."""
+
+
+def _axis_unit(result: SweepResult, key: str) -> str:
+    return next((p.get("unit") or "" for p in result.data["over"] if p["key"] == key), "")
+
+
+def _sweep_layers(result: SweepResult) -> list[tuple[int, str, parts.Array]]:
+    """Code, title and share of what is stacked, from below: attractors by identifier, and what came to none."""
+    met = [outcome for cell in result.cells for outcome in cell.get("outcomes") or ()]
+    titles = {outcome["id"]: parts.outcome_title(outcome["name"], outcome["alias"] or "") for outcome in met}
+    layers, shares = [], result.shares
+    for code in sorted(result.names):
+        share = np.nan_to_num(np.asarray(shares[result.names[code]], dtype=float))
+        if code == parts.BALANCED or share.any():
+            layers.append((code, titles.get(code, result.names[code]), share))
+    undecided = np.nan_to_num(np.asarray(result.undecided, dtype=float))
+    done = np.isfinite(np.asarray(result.undecided, dtype=float))
+    lost = np.where(done, 1.0 - undecided - sum(layer[2] for layer in layers), 0.0)
+    for code, title, share in ((parts.UNDECIDED, "undecided", undecided), (parts.DIVERGED, _LOST, lost)):
+        if np.any(share > _ROUNDING):
+            layers.append((code, title, share))
+    return layers
+
+
+def _stacked(result: SweepResult, key: str, ax: Optional[Axes]) -> Axes:
+    if ax is None:
+        ax = parts.new_axes((8.2, 4.2))
+    place = np.asarray(result.axes[key], dtype=float)
+    order = np.argsort(place, kind="stable")
+    place = place[order]
+    done = np.isfinite(np.asarray(result.undecided, dtype=float))[order]
+    base = np.zeros(place.size)
+    handles: list[Any] = []
+    for code, name, share in _sweep_layers(result):
+        top = base + parts.PERCENT * share[order]
+        style: dict[str, Any] = dict(color=parts.colour_of(code), linewidth=0.0, label=name, alpha=0.9)
+        if place.size == 1:
+            handles.append(ax.bar(place, top - base, bottom=base, width=0.1, **style))
+        else:
+            handles.append(ax.fill_between(place, base, top, where=done, **style))
+        base = top
+    balanced = result.names.get(parts.BALANCED, "balanced")
+    if balanced in result.shares:
+        share = parts.PERCENT * np.asarray(result.shares[balanced], dtype=float)[order]
+        low, high = (parts.PERCENT * np.asarray(end[balanced], dtype=float)[order] for end in (result.low, result.high))
+        handles.append(
+            ax.errorbar(
+                place, share, yerr=[np.maximum(share - low, 0.0), np.maximum(high - share, 0.0)], fmt="o",
+                markersize=2.6, color=parts.INK, elinewidth=1.1, capsize=1.8, label="balanced, 95 % interval",
+            )
+        )
+    if place.size > 1:
+        ax.set_xlim(place[0], place[-1])
+    ax.set_ylim(0.0, parts.PERCENT)
+    ax.set_xlabel(parts.axis_label(key, _axis_unit(result, key)))
+    ax.set_ylabel("share of starts (%)")
+    parts.quiet_frame(ax)
+    parts.legend_beside(ax, handles[::-1])  # as they lie on one another
+    return ax
+
+
+def _edges(values: parts.Array) -> tuple[parts.Array, bool]:
+    """Edges of the cells of a heat map, and whether values stand at themselves: evenly spaced ones do, others (0.01,
+    0.05, 0.1) at their ranks, so that all cells are of one size."""
+    steps = np.diff(values)
+    if values.size >= 3 and np.allclose(steps, steps[0], rtol=1e-6, atol=0.0):
+        half = 0.5 * steps[0]
+        return np.linspace(values[0] - half, values[-1] + half, values.size + 1), True
+    return np.arange(values.size + 1) - 0.5, False
+
+
+def _heat(result: SweepResult, x_key: str, ax: Optional[Axes]) -> Axes:
+    keys = list(result.axes)
+    y_key = keys[1 - keys.index(x_key)]
+    balanced = result.names.get(parts.BALANCED, "balanced")
+    share = parts.PERCENT * np.asarray(result.shares[balanced], dtype=float)
+    if keys[0] == x_key:
+        share = share.T  # rows follow y
+    if ax is None:
+        ax = parts.new_axes((7.2, 5.0))
+    values = {"x": np.asarray(result.axes[x_key], dtype=float), "y": np.asarray(result.axes[y_key], dtype=float)}
+    edges = {}
+    for name, axis in (("x", ax.xaxis), ("y", ax.yaxis)):
+        edges[name], even = _edges(values[name])
+        if not even:
+            axis.set_ticks(np.arange(values[name].size), [f"{v:.6g}" for v in values[name]])
+    mesh = ax.pcolormesh(edges["x"], edges["y"], share, cmap="viridis", vmin=0.0, vmax=parts.PERCENT)
+    ax.figure.colorbar(mesh, ax=ax, label="balanced (%)")
+    if share.shape[1] <= 16 and share.size <= 150:
+        for (row, column), value in np.ndenumerate(share):
+            if np.isfinite(value):
+                at = [0.5 * (edges[n][k] + edges[n][k + 1]) for n, k in (("x", column), ("y", row))]
+                ax.text(*at, f"{value:.0f}", ha="center", va="center", color="black" if value > 55.0 else "white")
+    ax.set_xlabel(parts.axis_label(x_key, _axis_unit(result, x_key)))
+    ax.set_ylabel(parts.axis_label(y_key, _axis_unit(result, y_key)))
+    return ax
+
+
+_EVENT_MARKS: dict[str, str] = {
+    "fold": "o", "pitchfork": "^", "period doubling": "D", "Neimark-Sacker": "v", "Hopf": "s", "torus to chaos": "*",
+    "chaos to torus": "*", "attraction ends": "X",
+}
+_OTHER_MARK = "P"
+_HEIGHTS: dict[str, str] = {"r_min": "smallest", "r_mean": "mean", "r_max": "largest"}
+
+
+def branches(result: BranchesResult, y: str = "r_max", events: bool = True, ax: Optional[Axes] = None) -> Axes:
+    """Attractors along a parameter: solid where they attract, dashed where they are unstable, and what happens to them.
+
+    Parameters
+    ----------
+    result : BranchesResult
+        Of `equipoise.follow`.
+    y : {"r_max", "r_mean", "r_min", "range"}
+        Which rotor displacement is drawn upwards; "range": a band from the smallest to the largest.
+    events : bool
+        Whether births, ends and changes of stability are marked.
+    ax : matplotlib.axes.Axes, optional
+        To draw into; a new figure if left out.
+
+    Returns
+    -------
+    matplotlib.axes.Axes
+        The parameter from left to right, displacement upwards in race radii (mm of a study in physical units).
+
+    Raises
+    ------
+    TypeError
+        `result` holds no branches.
+    ValueError
+        `y` is none of the above.
+    """
+    wanted = "a BranchesResult, that of equipoise.follow()"
+    parts.need("branches", result, wanted, ("__iter__", "parameter", "values", "study"))
+    parts.one_of("branches", "y", y, [*_HEIGHTS, "range"])
+    if ax is None:
+        ax = parts.new_axes((8.6, 4.8))
+    unit = parts.Units(result.study).length
+    handles: list[Any] = []
+    marks: dict[str, str] = {}
+    for branch in result:
+        handles.append(_draw_branch(ax, branch, y, unit.factor, _usual_step(result)))
+        if events:
+            marks.update(_draw_events(ax, branch, "r_max" if y == "range" else y, unit.factor))
+    ax.set_xlabel(parts.axis_label(result.parameter))
+    words = "rotor displacement, smallest to largest" if y == "range" else f"{_HEIGHTS[y]} rotor displacement"
+    ax.set_ylabel(unit.label(words))
+    ax.margins(x=0.0)
+    ax.set_ylim(bottom=min(0.0, ax.get_ylim()[0]))
+    parts.quiet_frame(ax)
+    parts.legend_beside(ax, handles + _branch_key(marks))
+    return ax
+
+
+def _usual_step(result: BranchesResult) -> float:
+    """Between neighbouring values of the parameter; a branch has a hole where its own are farther apart."""
+    values = np.asarray(result.values, dtype=float)
+    return float(np.max(np.abs(np.diff(values)))) if values.size > 1 else np.inf
+
+
+def _stretches(branch: Branch, step: float) -> list[tuple[bool, parts.Array]]:
+    """Whether it attracts, and indices of neighbouring points that do so alike. A stretch reaches to the first point of
+    the next, so that the line is whole."""
+    stable, value = np.asarray(branch.stable, dtype=bool), np.asarray(branch.value, dtype=float)
+    stretches = []
+    begin = 0
+    for k in range(1, value.size + 1):
+        hole = k < value.size and value[k] - value[k - 1] > 1.5 * step
+        if k == value.size or hole or stable[k] != stable[begin]:
+            joined = k < value.size and not hole
+            stretches.append((bool(stable[begin]), np.arange(begin, k + 1 if joined else k)))
+            begin = k
+    return stretches
+
+
+def _draw_branch(ax: Axes, branch: Branch, y: str, factor: float, step: float) -> Any:
+    colour = parts.colour_of(branch.id)
+    value = np.asarray(branch.value, dtype=float)
+    radii = {name: factor * np.asarray(getattr(branch, name), dtype=float) for name in _HEIGHTS}
+    for stable, part in _stretches(branch, step):
+        if y == "range" and stable:
+            low, high = radii["r_min"][part], radii["r_max"][part]
+            ax.fill_between(value[part], low, high, color=colour, alpha=0.25, linewidth=0.0)
+        for name in ("r_min", "r_max") if y == "range" else (y,):
+            ax.plot(
+                value[part], radii[name][part], color=colour, linewidth=2.0 if stable else 1.2,
+                linestyle="-" if stable else (0, (5, 3)), marker="." if part.size == 1 else "",
+            )
+    from matplotlib.lines import Line2D
+
+    return Line2D([], [], color=colour, linewidth=3.0, label=parts.outcome_title(branch.name, branch.alias))
+
+
+def _draw_events(ax: Axes, branch: Branch, y: str, factor: float) -> dict[str, str]:
+    """Marks what happens to a branch, in the middle of where it is known to happen; returns cause and mark."""
+    value, height = np.asarray(branch.value, dtype=float), factor * np.asarray(getattr(branch, y), dtype=float)
+    used = {}
+    for event in branch.events:
+        middle = 0.5 * (event.low + event.high)
+        mark = _EVENT_MARKS.get(event.cause, _OTHER_MARK)
+        used[event.cause if event.cause in _EVENT_MARKS else "other change"] = mark
+        ax.plot(
+            middle, np.interp(middle, value, height), marker=mark, markersize=6.0, linestyle="none",
+            color=parts.colour_of(branch.id), markeredgecolor=parts.INK, markeredgewidth=0.8, zorder=4,
+            clip_on=False,
+        )
+    return used
+
+
+def _branch_key(marks: dict[str, str]) -> list[Any]:
+    from matplotlib.lines import Line2D
+
+    lines = [
+        Line2D([], [], color=parts.QUIET, linewidth=2.0, label="attracts"),
+        Line2D([], [], color=parts.QUIET, linewidth=1.2, linestyle=(0, (5, 3)), label="unstable"),
+    ]
+    return lines + [
+        Line2D([], [], linestyle="none", marker=mark, color="white", markeredgecolor=parts.INK, label=cause)
+        for cause, mark in marks.items()
+    ]

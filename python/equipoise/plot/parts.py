@@ -1,0 +1,173 @@
+"""What all pictures share: colours, axes, units, ticks, and the words of errors."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Mapping, Sequence
+from dataclasses import dataclass
+from typing import TYPE_CHECKING, Any, Optional
+
+import numpy as np
+import numpy.typing as npt
+
+if TYPE_CHECKING:
+    from matplotlib.axes import Axes
+
+    from ..study import Study
+
+Array = npt.NDArray[Any]
+
+UNDECIDED, DIVERGED, FAILED, STALLED, NOT_COMPUTED = 0, -1, -2, -3, -32768
+BALANCED = 1
+"""Codes of outcomes; attractors have their identifiers, from 1 on."""
+
+INK, QUIET, RULE = "#1B1F24", "#57606A", "#D0D7DE"
+LIMIT = "#B3361B"
+"""Colours of what is no outcome: text and lines, what stands back, grid; and what a machine is asked to keep."""
+
+PERCENT = 100.0
+LINE_POINTS_AS_PICTURE = 20000
+"""A line of more points is put into a vector file as a picture: nobody could tell, and a page stays quick."""
+
+
+def pyplot() -> Any:
+    """matplotlib.pyplot, imported when the first picture is drawn.
+
+    Raises
+    ------
+    ImportError
+        matplotlib is not installed.
+    """
+    try:
+        import matplotlib.pyplot as plt
+    except ImportError as error:
+        raise ImportError(
+            "equipoise.plot draws with matplotlib, which is not installed: pip install matplotlib, "
+            "or on Debian apt install python3-matplotlib"
+        ) from error
+    return plt
+
+
+def colour_of(code: int) -> str:
+    """'#rrggbb' of an outcome: the same in all pictures, those of the program included."""
+    from .. import _core
+
+    return "#FFFFFF" if code == NOT_COMPUTED else str(_core.colour_of(int(code)))
+
+
+def need(function: str, given: object, wanted: str, attributes: Iterable[str]) -> None:
+    """Raises TypeError unless `given` has what a picture is drawn from."""
+    if not all(hasattr(given, name) for name in attributes):
+        raise TypeError(f"plot.{function}() draws {wanted}; given: {type(given).__name__}")
+
+
+def one_of(function: str, argument: str, given: object, allowed: Sequence[str]) -> None:
+    """Raises ValueError unless `given` is one of these words."""
+    if given not in allowed:
+        raise ValueError(f"plot.{function}(): {argument} = {given!r}; allowed: " + ", ".join(repr(a) for a in allowed))
+
+
+def new_axes(size: tuple[float, float], rows: int = 1, heights: Optional[Sequence[float]] = None) -> Any:
+    """Axes of a new figure; `size` in inches."""
+    ratios = None if heights is None else {"height_ratios": list(heights)}
+    return pyplot().subplots(rows, 1, figsize=size, layout="constrained", sharex=rows > 1, gridspec_kw=ratios)[1]
+
+
+def quiet_frame(ax: Axes) -> None:
+    """Thin borders left and below, a grid that stands back."""
+    for side in ("top", "right"):
+        ax.spines[side].set_visible(False)
+    for side in ("left", "bottom"):
+        ax.spines[side].set_color(QUIET)
+    ax.tick_params(color=QUIET, labelcolor=INK)
+    ax.grid(color=RULE, linewidth=0.6)
+    ax.set_axisbelow(True)
+
+
+def legend_beside(ax: Axes, handles: Sequence[Any]) -> None:
+    """A legend to the right of the frame, where it hides nothing."""
+    if handles:
+        ax.legend(handles=list(handles), loc="upper left", bbox_to_anchor=(1.01, 1.0), borderaxespad=0.0, frameon=False)
+
+
+def line_style(points: int) -> Mapping[str, Any]:
+    """How lines of so many points are drawn."""
+    return {"rasterized": points > LINE_POINTS_AS_PICTURE}
+
+
+@dataclass(frozen=True)
+class Unit:
+    """What an axis is in: a dimensionless value times `factor`."""
+
+    name: str
+    factor: float = 1.0
+
+    def label(self, words: str) -> str:
+        return f"{words} ({self.name})"
+
+
+class Units:
+    """Units in which a study is drawn: mm, N, mm/s, s and rpm of one that knows its machine, else multiples of R,
+    1/omega_c and so on."""
+
+    def __init__(self, study: Study) -> None:
+        scales = study.scales
+        if scales is None:
+            self.length, self.time = Unit("$R$"), Unit(r"$1/\omega_c$")
+            self.force, self.velocity = Unit(r"$M R\,\omega_c^2$"), Unit(r"$R\,\omega_c$")
+            self.speed = Unit(r"$\omega_c$")
+            return
+        mass, length, time = scales["mass"], scales["length"], scales["time"]
+        self.length, self.time = Unit("mm", 1e3 * length), Unit("s", time)
+        self.force, self.velocity = Unit("N", mass * length / time**2), Unit("mm/s", 1e3 * length / time)
+        self.speed = Unit("rpm", 30.0 / (np.pi * time))
+
+
+def outcome_title(name: str, alias: str = "") -> str:
+    """'V2: drifting apart', or the name alone."""
+    return f"{alias}: {name}" if alias else name
+
+
+def percent_text(share: float, low: float, high: float) -> str:
+    """'60.4 %', with as many digits as its interval has."""
+    width = PERCENT * max(high - low, 1e-9)
+    digits = int(np.clip(np.ceil(-np.log10(0.5 * width)), 0, 4))
+    return f"{PERCENT * share:.{digits}f} %"
+
+
+def axis_label(key: str, unit: str = "") -> str:
+    """What an axis along a key of the study says; `unit` of a quantity, else it is a plain number."""
+    from .. import _core
+
+    return f"{key} ({unit})" if unit else str(_core.axis_label(key))
+
+
+def is_angle(key: str) -> bool:
+    """Whether an axis is a ball's initial angle."""
+    return key.startswith("initial.phi_") and not key.startswith("initial.phi_dot")
+
+
+def pi_text(angle: float) -> str:
+    """'0', 'π/2', '-3π/4', '2π' of a multiple of π/12; of anything else three digits."""
+    twelfths = round(12.0 * angle / np.pi)
+    if abs(12.0 * angle / np.pi - twelfths) > 1e-6:
+        return f"{angle:.3g}"
+    if twelfths == 0:
+        return "0"
+    common = int(np.gcd(abs(twelfths), 12))
+    above, below = abs(twelfths) // common, 12 // common
+    sign, times = "-" if twelfths < 0 else "", "" if above == 1 else str(above)
+    return f"{sign}{times}π" + ("" if below == 1 else f"/{below}")
+
+
+# In twelfths of π.
+_PI_STEPS = (1, 3, 6, 12, 24, 48, 120, 240, 480, 1200, 2400, 4800, 12000, 24000, 48000, 120000)
+
+
+def pi_ticks(axis: Any, low: float, high: float) -> None:
+    """Ticks of a matplotlib axis at multiples of π/12 or more, nine of them at most between `low` and `high`."""
+    from matplotlib import ticker
+
+    enough = [k for k in _PI_STEPS if (high - low) / (k * np.pi / 12.0) <= 8.0]
+    step = (enough[0] if enough else _PI_STEPS[-1]) * np.pi / 12.0
+    axis.set_major_locator(ticker.MultipleLocator(step))
+    axis.set_major_formatter(ticker.FuncFormatter(lambda value, _: pi_text(value)))

@@ -1,0 +1,105 @@
+"""Pictures of a map: outcomes over a plane of starts or parameters."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Any, Optional
+
+import numpy as np
+
+from . import parts
+
+if TYPE_CHECKING:
+    from matplotlib.axes import Axes
+
+    from ..planes import MapResult
+
+DARKEST = 0.5
+"""How bright the last decided pixel of an outcome is: the colour of the legend is still recognised."""
+
+
+def map(result: MapResult, shade: bool = True, ax: Optional[Axes] = None) -> Axes:  # as equipoise.map()
+    """Outcomes in their colours, within a colour the darker, the later a start was decided.
+
+    Parameters
+    ----------
+    result : MapResult
+        Of `equipoise.map`.
+    shade : bool
+        Whether decision times darken the colours. Of a map with ``refine`` most pixels have none: it is never shaded.
+    ax : matplotlib.axes.Axes, optional
+        To draw into; a new figure if left out.
+
+    Returns
+    -------
+    matplotlib.axes.Axes
+        The two quantities of the map; a legend with the outcomes' shares of the pixels. Pixels that were not
+        computed are white.
+
+    Raises
+    ------
+    TypeError
+        `result` is not a map.
+    """
+    parts.need("map", result, "a MapResult, that of equipoise.map()", ("outcome", "time", "x_edges", "y_edges"))
+    outcome, time = np.asarray(result.outcome), np.asarray(result.time, dtype=float)
+    if ax is None:
+        ax = parts.new_axes((7.4, 5.2))
+    filled = (outcome > 0) & ~np.isfinite(time)
+    extent = (*result.x_edges, *result.y_edges)
+    angles = parts.is_angle(result.x_key) and parts.is_angle(result.y_key)
+    ax.imshow(
+        coloured(outcome, time if shade and not filled.any() else None), origin="lower", extent=extent,
+        interpolation="nearest", aspect="equal" if angles else "auto",
+    )
+    for key, axis, low, high in (
+        (result.x_key, ax.xaxis, extent[0], extent[1]),
+        (result.y_key, ax.yaxis, extent[2], extent[3]),
+    ):
+        if parts.is_angle(key) and high - low >= 0.5 * np.pi:
+            parts.pi_ticks(axis, low, high)
+    ax.set_xlabel(parts.axis_label(result.x_key))
+    ax.set_ylabel(parts.axis_label(result.y_key))
+    ax.tick_params(color=parts.QUIET, labelcolor=parts.INK)
+    parts.legend_beside(ax, _legend(result, outcome))
+    return ax
+
+
+def coloured(outcome: parts.Array, time: Optional[parts.Array] = None) -> parts.Array:
+    """Red, green and blue, from 0 to 1, of every pixel.
+
+    Parameters
+    ----------
+    outcome : ndarray of int, shape (ny, nx)
+        Codes of outcomes.
+    time : ndarray of float, shape (ny, nx), optional
+        When each was decided. Pixels darken by their rank among those of one outcome, so that each colour has all its
+        shades.
+
+    Returns
+    -------
+    ndarray of float, shape (ny, nx, 3)
+    """
+    from matplotlib import colors
+
+    picture = np.ones((*outcome.shape, 3))
+    for code in np.unique(outcome):
+        mine = outcome == code
+        bright = np.ones(np.count_nonzero(mine))
+        if time is not None and code > 0:
+            ordered = np.sort(time[mine])
+            bright -= (1.0 - DARKEST) * np.searchsorted(ordered, time[mine]) / ordered.size
+        picture[mine] = np.asarray(colors.to_rgb(parts.colour_of(int(code)))) * bright[:, np.newaxis]
+    return picture
+
+
+def _legend(result: MapResult, outcome: parts.Array) -> list[Any]:
+    from matplotlib.patches import Patch
+
+    codes = sorted((int(c) for c in np.unique(outcome) if c != parts.NOT_COMPUTED), key=lambda c: (c <= 0, abs(c)))
+    entries = []
+    for code in codes:
+        percent = parts.PERCENT * float(result.shares[result.names[code]])
+        text = "< 0.1 %" if 0.0 < percent < 0.1 else f"{percent:.1f} %"
+        label = f"{parts.outcome_title(result.names[code], result.aliases[code])}, {text}"
+        entries.append(Patch(facecolor=parts.colour_of(code), edgecolor=parts.QUIET, linewidth=0.6, label=label))
+    return entries

@@ -1,0 +1,174 @@
+"""Pictures of one trajectory over time."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Any, Optional, Union
+
+import numpy as np
+
+from . import parts
+
+if TYPE_CHECKING:
+    from matplotlib.axes import Axes
+
+    from ..trajectory import Trajectory
+
+
+def trajectory(
+    run: Trajectory,
+    limit: Optional[float] = None,
+    balls: bool = False,
+    ax: Union[None, Axes, tuple[Axes, Axes]] = None,
+) -> Union[Axes, tuple[Axes, Axes]]:
+    """Displacement of the rotor over time; on request the angles of its balls below.
+
+    While the speed changes the ground is grey; where it passes a critical speed of the supports, and where the balls
+    are let go, a line says so.
+
+    Parameters
+    ----------
+    run : Trajectory
+        Of `equipoise.simulate`.
+    limit : float, optional
+        A displacement drawn as limit, in the unit of the picture's axis; left out: the study's own, if it has one.
+    balls : bool
+        Whether the angles of the balls are drawn in axes of their own below.
+    ax : matplotlib.axes.Axes, or a pair of them, optional
+        To draw into; a new figure if left out. A pair is for displacement and angles.
+
+    Returns
+    -------
+    matplotlib.axes.Axes, or a pair of them
+        Time from left to right (s of a study in physical units, else 1/omega_c), displacement upwards (mm, else race
+        radii), angles in the rotating frame in rad, not wrapped: a ball that runs around the race leaves upwards or
+        downwards.
+
+    Raises
+    ------
+    TypeError
+        `run` is not a trajectory, or `ax` neither axes nor a pair of them.
+    """
+    wanted = "a Trajectory, that of equipoise.simulate()"
+    parts.need("trajectory", run, wanted, ("t", "radial", "phi", "psi_dot", "study"))
+    upper, lower = _one_or_two(ax, balls)
+    units = parts.Units(run.study)
+    t = np.asarray(run.t, dtype=float)
+    radial = units.length.factor * np.asarray(run.radial, dtype=float)
+    upper.plot(t * units.time.factor, radial, color=parts.INK, linewidth=1.0, **parts.line_style(t.size))
+    handles = _mark_speed(upper, run, units)
+    if limit is None:
+        own = run.study.limits["displacement"]
+        limit = None if own is None else own * units.length.factor
+    if limit is not None:
+        label = f"limit {limit:.4g} {units.length.name}"
+        handles.append(upper.axhline(limit, color=parts.LIMIT, linestyle="--", linewidth=1.6, label=label))
+    upper.set_ylabel(units.length.label("displacement"))
+    upper.set_ylim(bottom=0.0)
+    _finish(upper, t, units, lower is None)
+    parts.legend_beside(upper, handles)
+    if lower is None:
+        return upper
+    _ball_angles(lower, run, t * units.time.factor)
+    _mark_speed(lower, run, units)
+    _finish(lower, t, units, True)
+    return upper, lower
+
+
+def _one_or_two(ax: Any, balls: bool) -> tuple[Any, Any]:
+    """Axes for displacement, and for angles if there are to be such."""
+    if ax is None:
+        upper, lower = parts.new_axes((7.2, 5.4), 2, (3, 2)) if balls else (parts.new_axes((7.2, 3.6)), None)
+        return upper, lower
+    given = list(ax) if isinstance(ax, (tuple, list, np.ndarray)) else [ax]
+    if len(given) > 2 or not given or not all(hasattr(one, "plot") for one in given):
+        raise TypeError(f"plot.trajectory(): ax = {ax!r}; allowed: None, axes of matplotlib, or a pair of them")
+    return given[0], given[1] if len(given) == 2 else None
+
+
+def _finish(ax: Axes, t: parts.Array, units: parts.Units, labelled: bool) -> None:
+    parts.quiet_frame(ax)
+    if t.size > 1 and t[-1] > t[0]:
+        ax.set_xlim(t[0] * units.time.factor, t[-1] * units.time.factor)
+    if labelled:
+        ax.set_xlabel(units.time.label("time"))
+
+
+def changing_speed(t: parts.Array, speed: parts.Array, driven: bool) -> list[tuple[float, float]]:
+    """Stretches of time in which a rotor's speed changes, to a step of `t`.
+
+    A prescribed speed is constant to rounding where it is; one that a motor brings counts as reached within one percent
+    of its range.
+    """
+    span = float(np.ptp(speed)) if speed.size else 0.0
+    if span <= 1e-9 * max(1.0, float(np.max(np.abs(speed), initial=0.0))):
+        return []
+    if driven:
+        away = np.flatnonzero(np.abs(speed - speed[-1]) > 0.01 * span)
+        return [(float(t[0]), float(t[min(away[-1] + 1, t.size - 1)]))]
+    # A hold takes a rate far below the mean one; rounding makes one of about 1e-16 of the speed a step.
+    changing = np.abs(np.diff(speed)) > 1e-9 * span
+    edges = np.flatnonzero(np.diff(np.concatenate(([False], changing, [False])).astype(int)))
+    return [(float(t[begin]), float(t[end])) for begin, end in zip(edges[::2], edges[1::2])]
+
+
+def crossings(t: parts.Array, values: parts.Array, level: float) -> parts.Array:
+    """Times at which sampled values pass a level, by linear interpolation."""
+    above = values - level
+    k = np.flatnonzero((above[:-1] < 0.0) != (above[1:] < 0.0))
+    return np.asarray(t[k] + (t[k + 1] - t[k]) * above[k] / (above[k] - above[k + 1]))
+
+
+def _mark_speed(ax: Axes, run: Trajectory, units: parts.Units) -> list[Any]:
+    """Grey ground, critical speeds and release; returns the entries of a legend."""
+    t, speed = np.asarray(run.t, dtype=float), np.abs(np.asarray(run.psi_dot, dtype=float))
+    study = run.study.to_dict()
+    handles: list[Any] = []
+    for begin, end in changing_speed(t, speed, study["speed"]["profile"] == "torque"):
+        ground = ax.axvspan(
+            begin * units.time.factor, end * units.time.factor, color=parts.RULE, alpha=0.45, linewidth=0.0, zorder=0,
+            label="speed changes",
+        )
+        handles[:1] = [ground]
+    for critical in sorted(set(np.sqrt(np.atleast_1d(study["rotor"].get("stiffness", 1.0))))):
+        passed = crossings(t, speed, critical)
+        for time in passed:
+            line = ax.axvline(time * units.time.factor, color=parts.QUIET, linestyle=":", linewidth=1.4)
+        if passed.size:
+            line.set_label("critical speed")
+            handles.append(line)
+    held = _release(run)
+    if held is not None:
+        handles.append(
+            ax.axvline(held * units.time.factor, color=parts.QUIET, linestyle="-.", linewidth=1.2, label="balls let go")
+        )
+    return handles
+
+
+def _release(run: Trajectory) -> Optional[float]:
+    """When the balls begin to move, to a step of the trajectory; None if they are free from the first, or never."""
+    moving = np.any(np.asarray(run.phi_dot, dtype=float) != 0.0, axis=1)
+    first = int(np.argmax(moving)) if moving.any() else 0
+    # Balls at rest at t = 0 are free all the same: they move at the next time.
+    return float(run.t[first - 1]) if first > 1 else None
+
+
+def _ball_angles(ax: Axes, run: Trajectory, time: parts.Array) -> None:
+    phi = np.asarray(run.phi, dtype=float)
+    style = {"linewidth": 1.2, **parts.line_style(time.size)}
+    for ball, colour in enumerate(ball_colours(phi.shape[1])):
+        dashes = _DASHES[ball % len(_DASHES)]
+        ax.plot(time, phi[:, ball], color=colour, linestyle=dashes, label=f"ball {ball + 1}", **style)
+    if phi.size:
+        parts.pi_ticks(ax.yaxis, float(phi.min()), float(phi.max()))
+    ax.set_ylabel(r"ball angle $\varphi$ (rad)")
+    parts.legend_beside(ax, ax.get_lines())
+
+
+def ball_colours(balls: int) -> list[Any]:
+    """One a ball, from dark to light in any kind of colour vision and in print."""
+    from matplotlib import cm
+
+    return [cm.cividis(0.75 * k / max(balls - 1, 1)) for k in range(balls)]
+
+
+_DASHES: tuple[Any, ...] = ("-", (0, (6, 2)), (0, (2, 1.5)), (0, (6, 1.5, 1.5, 1.5)))

@@ -1,0 +1,515 @@
+"""Pictures show what the results say: their artists are compared with the results' own numbers."""
+
+from __future__ import annotations
+
+import json
+import subprocess
+import sys
+import warnings
+from types import SimpleNamespace
+
+import numpy as np
+import pytest
+
+matplotlib = pytest.importorskip("matplotlib")
+matplotlib.use("Agg")
+
+import matplotlib.pyplot as plt  # noqa: E402
+from matplotlib.colors import same_color, to_rgb  # noqa: E402
+from matplotlib.patches import Circle  # noqa: E402
+
+import equipoise as eq  # noqa: E402
+from equipoise import _core  # noqa: E402
+
+ROUNDING = 1e-9  # of sums of a few doubles; what is drawn is what was given
+
+
+@pytest.fixture(autouse=True)
+def closed_figures():
+    yield
+    plt.close("all")
+
+
+@pytest.fixture(scope="module")
+def study():
+    """The paper's rotor at 2.4 times the critical speed: balanced, V1 and V2."""
+    return eq.paper_study("table-2-omega-2.4")
+
+
+@pytest.fixture(scope="module")
+def machine():
+    """A machine in physical units that limits its displacement."""
+    return eq.Study(
+        rotor={"mass": "12 kg", "stiffness": "48 kN/m", "damping_ratio": 0.25, "unbalance": "300 g mm"},
+        balancer={"balls": 2, "race_radius": "30 mm", "mass": "500 g", "drag": "0.002 N m s"},
+        speed={"profile": "ramp", "final": "1500 rpm", "duration": "1 s"},
+        release={"time": "0 s"},
+        limits={"displacement": "1 mm", "settled": "0.1 mm"},
+    )
+
+
+@pytest.fixture(scope="module")
+def ensemble(study):
+    return eq.basin(study, starts=600, transients=True)
+
+
+@pytest.fixture(scope="module")
+def attractors(study):
+    return eq.attractors(study, starts=600)
+
+
+@pytest.fixture(scope="module")
+def spin_up():
+    """Past the critical speed in a ramp, then on; the balls are let go at its end."""
+    ramp = eq.Study(
+        rotor={"eccentricity": 0.01, "damping": 0.5},
+        balancer={"balls": 2, "mass": 0.05, "drag": 0.05},
+        speed={"profile": "ramp", "final": 2.4, "duration": 60.0},
+        initial={"phi": [1.0, 4.0]},
+    )
+    return eq.simulate(ramp, np.linspace(0.0, 160.0, 1601))
+
+
+def legend_texts(ax):
+    return [text.get_text() for text in ax.get_legend().get_texts()]
+
+
+def an_ensemble(**changed):
+    """What pictures read of an ensemble, with outcomes that a real one seldom has."""
+    share = {"balanced": 0.5, "co-drifting": 0.25, "undecided": 0.125, "diverged": 0.125}
+    fields = {
+        "names": {0: "undecided", 1: "balanced", 2: "co-drifting", -1: "diverged", -2: "failed"},
+        "shares": share,
+        "errors": {name: (value - 0.05, value + 0.05) for name, value in share.items()},
+        "counts": {name: int(8 * value) for name, value in share.items()},
+        "attractors": [
+            SimpleNamespace(id=1, name="balanced", alias="", share=0.5, low=0.45, high=0.55),
+            SimpleNamespace(id=2, name="co-drifting", alias="V1", share=0.25, low=0.2, high=0.3),
+        ],
+        "labels": np.array([1, 1, 1, 1, 2, 2, 0, -1], dtype=np.int16),
+        "transients": {"settling_time": np.array([1.0, 2.0, 3.0, 4.0, np.inf, np.inf, 9.0, np.nan])},
+        "partial": False,
+        "study": eq.paper_study("table-2-omega-2.4"),
+    }
+    return SimpleNamespace(**{**fields, **changed})
+
+
+# --- shares -----------------------------------------------------------------------------------------------------------
+
+
+def test_shares_are_bars_of_their_length_and_colour(ensemble):
+    ax = eq.plot.shares(ensemble)
+    listed = [a for a in ensemble.attractors]
+    assert len(ax.patches) == len(ensemble.shares)
+    for bar, attractor in zip(ax.patches, listed):
+        assert bar.get_width() == pytest.approx(100.0 * attractor.share, rel=ROUNDING)
+        assert same_color(bar.get_facecolor(), _core.colour_of(attractor.id))
+    names = [label.get_text() for label in ax.get_yticklabels()]
+    assert names[0] == "balanced" and "V1: co-drifting" in names
+
+
+def test_whiskers_of_shares_are_the_intervals(ensemble):
+    ax = eq.plot.shares(ensemble)
+    segments = [c.get_segments()[0] for c in ax.collections if c.get_segments()]
+    for row, attractor in enumerate(ensemble.attractors):
+        low, high = ensemble.errors[attractor.name]
+        mine = [s for s in segments if s[0][1] == row]
+        assert mine, attractor.name
+        for segment in mine:
+            assert segment[:, 0] == pytest.approx([100.0 * low, 100.0 * high], abs=1e-9)
+
+
+def test_undecided_comes_last_among_shares():
+    ax = eq.plot.shares(an_ensemble())
+    names = [label.get_text() for label in ax.get_yticklabels()]
+    assert names == ["balanced", "V1: co-drifting", "diverged", "undecided"]
+    assert same_color(ax.patches[-1].get_facecolor(), _core.colour_of(0))
+    low, high = ax.get_ylim()
+    assert low > high  # the first is on top
+
+
+def test_a_partial_ensemble_says_so():
+    assert "PARTIAL" in eq.plot.shares(an_ensemble(partial=True)).get_xlabel()
+    assert "PARTIAL" not in eq.plot.shares(an_ensemble()).get_xlabel()
+
+
+# --- transients -------------------------------------------------------------------------------------------------------
+
+
+def test_transients_add_up_to_all_starts(ensemble):
+    ax = eq.plot.transients(ensemble, "peak_radial", bins=17)
+    finite = np.isfinite(ensemble.transients["peak_radial"])
+    assert sum(bar.get_height() for bar in ax.patches) == pytest.approx(100.0 * finite.mean(), rel=ROUNDING)
+    for container in ax.containers:
+        shown = container[0].get_facecolor()
+        code = next(int(c) for c in np.unique(ensemble.labels) if same_color(shown, _core.colour_of(int(c))))
+        mine = 100.0 * np.count_nonzero(finite & (ensemble.labels == code)) / finite.size
+        assert sum(bar.get_height() for bar in container) == pytest.approx(mine, rel=ROUNDING)
+        assert len(container) == 17
+
+
+def test_bars_of_transients_do_not_overlap(ensemble):
+    ax = eq.plot.transients(ensemble, bins=9)
+    for column in range(9):
+        stack = sorted((c[column] for c in ax.containers), key=lambda bar: bar.get_y())
+        for lower, upper in zip(stack, stack[1:]):
+            assert upper.get_y() == pytest.approx(lower.get_y() + lower.get_height(), abs=1e-9)
+
+
+def test_times_that_go_on_are_told():
+    ax = eq.plot.transients(an_ensemble(), "settling_time", bins=4)
+    assert any(text.startswith("37.5 % without") for text in legend_texts(ax))
+    assert sum(bar.get_height() for bar in ax.patches) == pytest.approx(62.5)
+
+
+def test_transients_of_a_machine_are_in_its_units_beside_its_limit(machine):
+    result = eq.basin(machine, starts=100)
+    ax = eq.plot.transients(result, bins=10)
+    assert ax.get_xlabel() == "peak displacement (mm)"
+    peaks = 30.0 * np.asarray(result.transients["peak_radial"], dtype=float)  # race radius: 30 mm
+    assert ax.patches[0].get_x() == pytest.approx(peaks.min(), rel=1e-6)
+    (limit,) = ax.get_lines()
+    assert limit.get_xdata() == pytest.approx([1.0, 1.0], rel=1e-6)
+    beyond = 100.0 * np.mean(peaks > 1.0)
+    assert f"limit 1 mm: {beyond:.3g} % beyond" in legend_texts(ax)
+    assert eq.plot.transients(result, limit=0.5).get_lines()[0].get_xdata()[0] == 0.5
+
+
+# --- sweep ------------------------------------------------------------------------------------------------------------
+
+
+def test_a_sweep_over_one_parameter_stacks_its_shares(study):
+    result = eq.sweep(study, over={"speed.final": [2.4, 2.6, 3.4]}, starts=300)
+    ax = eq.plot.sweep(result)
+    base = np.zeros(3)
+    areas = [c for c in ax.collections if type(c).__name__ == "PolyCollection"]
+    assert [a.get_label() for a in areas][:3] == ["balanced", "V1: co-drifting", "V2: drifting apart"]
+    for area in areas:
+        code = next(c for c, name in result.names.items() if area.get_label().endswith(name))
+        assert same_color(area.get_facecolor()[0], (*to_rgb(_core.colour_of(code)), 0.9))
+        top = base + 100.0 * result.shares[result.names[code]]
+        corners = area.get_paths()[0].vertices
+        for x, low, high in zip(result.axes["speed.final"], base, top):
+            heights = corners[np.isclose(corners[:, 0], x), 1]
+            assert heights.min() == pytest.approx(low, abs=1e-9) and heights.max() == pytest.approx(high, abs=1e-9)
+        base = top
+    assert base == pytest.approx(100.0 * (1.0 - result.undecided), abs=1e-6)
+
+
+def test_a_sweep_over_two_parameters_is_a_heat_map_of_balance():
+    shares = np.array([[0.1, 0.2, 0.3], [0.4, 0.5, np.nan]])
+    result = SimpleNamespace(
+        axes={"speed.final": np.array([2.0, 3.0]), "balancer.drag": np.array([0.01, 0.05, 0.1])},
+        names={1: "balanced"}, shares={"balanced": shares}, low={"balanced": shares}, high={"balanced": shares},
+        undecided=np.zeros((2, 3)), cells=[],
+        data={"over": [{"key": "speed.final", "unit": ""}, {"key": "balancer.drag", "unit": ""}]},
+    )
+    ax = eq.plot.sweep(result)
+    assert ax.collections[0].get_array().reshape(2, 3).filled(np.nan) == pytest.approx(100.0 * shares, nan_ok=True)
+    assert [t.get_text() for t in ax.texts] == ["10", "20", "30", "40", "50"]
+    assert ax.get_xlabel() == _core.axis_label("balancer.drag")
+    turned = eq.plot.sweep(result, x="speed.final")
+    array = turned.collections[0].get_array().reshape(3, 2).filled(np.nan)
+    assert array == pytest.approx(100.0 * shares.T, nan_ok=True)
+    # Uneven values stand side by side, each with its number.
+    assert [t.get_text() for t in ax.get_xticklabels()] == ["0.01", "0.05", "0.1"]
+
+
+def test_sweeps_refuse_what_they_cannot_show():
+    three = SimpleNamespace(axes={"a": [1], "b": [1], "c": [1]}, names={}, shares={}, undecided=np.zeros((1, 1, 1)))
+    with pytest.raises(ValueError, match="3 parameters .* allowed: 1 or 2"):
+        eq.plot.sweep(three)
+    with pytest.raises(ValueError, match="'d'; allowed: 'a', 'b', 'c'"):
+        eq.plot.sweep(three, x="d")
+
+
+# --- map --------------------------------------------------------------------------------------------------------------
+
+
+@pytest.fixture(scope="module")
+def plane(study):
+    return eq.map(study, size=(40, 32))
+
+
+def test_a_map_has_the_colour_of_each_outcome(plane):
+    ax = eq.plot.map(plane, shade=False)
+    picture = ax.get_images()[0].get_array()
+    assert picture.shape == (32, 40, 3)
+    for code in np.unique(plane.outcome):
+        assert np.allclose(picture[plane.outcome == code], to_rgb(_core.colour_of(int(code))))
+    assert ax.get_images()[0].origin == "lower"
+    assert ax.get_images()[0].get_extent() == pytest.approx([0.0, 2.0 * np.pi, 0.0, 2.0 * np.pi])
+
+
+def test_a_map_is_the_darker_the_later_it_was_decided(plane):
+    picture = np.asarray(eq.plot.map(plane).get_images()[0].get_array())
+    for code in np.unique(plane.outcome[plane.outcome > 0]):
+        mine = plane.outcome == code
+        brightness = picture[mine].sum(axis=1) / sum(to_rgb(_core.colour_of(int(code))))
+        order = np.argsort(plane.time[mine], kind="stable")
+        assert np.all(np.diff(brightness[order]) <= 1e-12)
+        assert brightness.max() == pytest.approx(1.0) and brightness.min() >= 0.5
+
+
+def test_a_map_says_its_shares_and_angles(plane):
+    ax = eq.plot.map(plane)
+    titles = ["balanced", "V1: co-drifting", "V2: drifting apart"]
+    for title, code, text in zip(titles, (1, 2, 3), legend_texts(ax)):
+        assert text == f"{title}, {100.0 * plane.shares[plane.names[code]]:.1f} %"
+    ax.figure.canvas.draw()
+    assert [t.get_text() for t in ax.get_xticklabels()][-1] == "2π"
+
+
+def test_pixels_without_an_outcome_are_white():
+    from equipoise.plot.plane import coloured
+
+    picture = coloured(np.array([[1, -32768, 0]]), np.array([[3.0, np.nan, np.nan]]))
+    assert np.allclose(picture[0], [to_rgb(_core.colour_of(1)), (1, 1, 1), to_rgb(_core.colour_of(0))])
+
+
+# --- branches ---------------------------------------------------------------------------------------------------------
+
+
+def some_branches():
+    value = np.array([2.0, 2.1, 2.2, 2.3, 2.7, 2.8])
+    event = SimpleNamespace(change="stability lost", cause="pitchfork", low=2.12, high=2.14)
+    branch = SimpleNamespace(
+        id=2, name="co-drifting", alias="V1", value=value, r_min=value / 100, r_mean=value / 50, r_max=value / 20,
+        stable=np.array([True, True, False, False, True, True]), events=[event],
+    )
+
+    class Branches(list):
+        parameter, values = "speed.final", np.array([2.0, 2.1, 2.2, 2.3, 2.4, 2.5, 2.6, 2.7, 2.8])
+        study = eq.paper_study("table-2-omega-2.4")
+
+    return Branches([branch])
+
+
+def test_branches_are_solid_where_they_attract_and_dashed_elsewhere():
+    ax = eq.plot.branches(some_branches(), events=False)
+    lines = ax.get_lines()
+    drawn = [(line.get_linestyle(), list(line.get_xdata())) for line in lines]
+    assert drawn == [("-", [2.0, 2.1, 2.2]), ("--", [2.2, 2.3]), ("-", [2.7, 2.8])]  # a hole from 2.3 to 2.7
+    for line in lines:
+        assert same_color(line.get_color(), _core.colour_of(2))
+        assert line.get_ydata() == pytest.approx(np.asarray(line.get_xdata()) / 20)
+    assert legend_texts(ax)[0] == "V1: co-drifting"
+
+
+def test_events_of_branches_are_marked_where_they_happen():
+    ax = eq.plot.branches(some_branches(), y="r_mean")
+    (mark,) = [line for line in ax.get_lines() if line.get_linestyle() == "None"]
+    assert (mark.get_xdata()[0], mark.get_ydata()[0]) == pytest.approx((2.13, 2.13 / 50))
+    assert mark.get_marker() == "^" and "pitchfork" in legend_texts(ax)
+
+
+def test_a_range_of_branches_reaches_from_smallest_to_largest():
+    ax = eq.plot.branches(some_branches(), y="range", events=False)
+    corners = ax.collections[0].get_paths()[0].vertices
+    at = corners[np.isclose(corners[:, 0], 2.1), 1]
+    assert (at.min(), at.max()) == pytest.approx((0.021, 0.105))
+
+
+# --- trajectory -------------------------------------------------------------------------------------------------------
+
+
+def test_a_trajectory_is_its_displacement_over_time(spin_up):
+    ax = eq.plot.trajectory(spin_up)
+    line = ax.get_lines()[0]
+    assert line.get_xdata() == pytest.approx(spin_up.t) and line.get_ydata() == pytest.approx(spin_up.radial)
+
+
+def test_a_trajectory_marks_ramp_critical_speed_and_release(spin_up):
+    ax = eq.plot.trajectory(spin_up)
+    ramp = ax.patches[0].get_xy()
+    step = 0.1  # of the trajectory's times
+    assert ramp[:, 0].min() == 0.0 and ramp[:, 0].max() == pytest.approx(60.0, abs=step)
+    upright = {line.get_label(): line.get_xdata()[0] for line in ax.get_lines()[1:]}
+    assert upright["critical speed"] == pytest.approx(60.0 / 2.4, rel=1e-6)  # linear in time: exact
+    assert upright["balls let go"] == pytest.approx(60.0, abs=step)
+
+
+def test_ball_angles_stand_below(spin_up):
+    upper, lower = eq.plot.trajectory(spin_up, balls=True)
+    for ball in range(2):
+        assert lower.get_lines()[ball].get_ydata() == pytest.approx(spin_up.phi[:, ball])
+    figure, pair = plt.subplots(2, 1)
+    assert eq.plot.trajectory(spin_up, ax=pair)[1] is pair[1]
+    with pytest.raises(TypeError, match="allowed: None, axes of matplotlib, or a pair"):
+        eq.plot.trajectory(spin_up, ax=plt.subplots(3, 1)[1])
+
+
+def test_a_machine_s_trajectory_is_in_its_units(machine):
+    run = eq.simulate(machine)
+    ax = eq.plot.trajectory(run)
+    assert ax.get_ylabel() == "displacement (mm)" and ax.get_xlabel() == "time (s)"
+    assert ax.get_lines()[0].get_ydata() == pytest.approx(30.0 * run.radial, rel=1e-9)
+    assert any(line.get_ydata()[0] == pytest.approx(1.0) for line in ax.get_lines()[1:])
+    assert "limit 1 mm" in legend_texts(ax)
+    assert "limit 2 mm" in legend_texts(eq.plot.trajectory(run, limit=2.0))
+
+
+def test_constant_speed_has_no_ramp(study):
+    run = eq.simulate(study.replace(**{"initial.phi": [1.0, 4.0]}), 20.0)
+    assert not eq.plot.trajectory(run).patches
+
+
+# --- disc -------------------------------------------------------------------------------------------------------------
+
+
+def circles(ax):
+    """The race and the balls."""
+    found = [p for p in ax.patches if isinstance(p, Circle)]
+    return found[0], found[1:]
+
+
+@pytest.mark.parametrize("frame", ["rotor", "room"])
+def test_balls_lie_in_the_race_where_the_trajectory_says(spin_up, frame):
+    ax = eq.plot.disc(spin_up, at=700, frame=frame, magnify=10.0)
+    race, balls = circles(ax)
+    turn = np.exp(1j * spin_up.psi[700]) if frame == "room" else 1.0
+    centre = 10.0 * (spin_up.x[700] + 1j * spin_up.y[700]) * turn
+    assert complex(*race.center) == pytest.approx(centre, abs=1e-12)
+    for ball, phi in zip(balls, spin_up.phi[700]):
+        assert complex(*ball.center) == pytest.approx(centre + np.exp(1j * phi) * turn, abs=1e-9)
+    mass = next(line for line in ax.get_lines() if line.get_label() == "centre of mass")
+    assert complex(mass.get_xdata()[0], mass.get_ydata()[0]) == pytest.approx(centre + 10.0 * 0.01 * turn, abs=1e-12)
+    way = next(line for line in ax.get_lines() if line.get_label().startswith("way"))
+    assert len(way.get_xdata()) == 701
+    assert [t.get_text() for t in ax.texts] == ["1", "2"]
+
+
+def test_displacements_are_made_large_enough_to_be_seen_and_said_so(spin_up):
+    ax = eq.plot.disc(spin_up)
+    way = next(line for line in ax.get_lines() if line.get_label().startswith("way"))
+    reach = np.hypot(way.get_xdata(), way.get_ydata()).max()
+    large = reach / spin_up.radial.max()
+    assert 0.1 < reach < 0.5 and f"{large:g}" in ax.get_xlabel()
+
+
+def test_a_limit_is_a_circle(spin_up):
+    ax = eq.plot.disc(spin_up, limit=0.02, magnify=10.0)
+    assert any(isinstance(p, Circle) and p.radius == pytest.approx(0.2) for p in ax.patches)
+    far = eq.plot.disc(spin_up, limit=0.2, magnify=10)
+    assert not any(isinstance(p, Circle) and p.radius > 1.0 for p in far.patches)
+    assert "limit 0.2 $R$, outside" in legend_texts(far)
+
+
+def test_an_attractor_has_its_name_and_colour(attractors):
+    drifting = next(a for a in attractors if a.id == 2)
+    ax = eq.plot.disc(drifting)
+    assert ax.get_title() == "V1: co-drifting"
+    way = next(line for line in ax.get_lines() if line.get_label().startswith("way"))
+    assert same_color(way.get_color(), _core.colour_of(2))
+    arrows = [p for p in ax.patches if type(p).__name__ == "FancyArrowPatch"]
+    assert len(arrows) == 2  # both balls run around the race
+
+
+# --- animate ----------------------------------------------------------------------------------------------------------
+
+
+def test_a_film_has_the_pictures_that_were_asked_for(spin_up, tmp_path):
+    from PIL import Image
+
+    path = eq.plot.animate(spin_up, tmp_path / "spin-up.gif", fps=5, seconds=1, frame="rotor", dpi=40)
+    with Image.open(path) as film:
+        assert film.n_frames == 5
+
+
+@pytest.mark.skipif(not matplotlib.animation.writers.is_available("ffmpeg"), reason="ffmpeg is not installed")
+def test_a_film_may_be_mp4(spin_up, tmp_path):
+    path = eq.plot.animate(spin_up, tmp_path / "spin-up.mp4", fps=10, seconds=0.5, frame="rotor", dpi=41)
+    described = subprocess.run(
+        ["ffprobe", "-v", "error", "-count_frames", "-show_streams", "-of", "json", str(path)],
+        capture_output=True, check=True, text=True,
+    )
+    (stream,) = json.loads(described.stdout)["streams"]
+    assert int(stream["nb_read_frames"]) == 5 and stream["pix_fmt"] == "yuv420p"
+
+
+def test_a_film_that_would_seem_to_stand_warns(spin_up, tmp_path):
+    with pytest.warns(UserWarning, match="turns from one picture to the next"):
+        eq.plot.animate(spin_up, tmp_path / "fast.gif", fps=2, seconds=1, frame="room", dpi=30)
+
+
+@pytest.mark.parametrize(
+    ("arguments", "message"),
+    [
+        ({"path": "film.avi"}, "ends in .mp4 or .gif"),
+        ({"path": "film.gif", "fps": 0}, "fps = 0"),
+        ({"path": "film.gif", "seconds": -1.0}, "seconds = -1.0"),
+        ({"path": "film.gif", "frame": "moon"}, "'moon'; allowed: 'rotor', 'room'"),
+    ],
+)
+def test_films_refuse_what_they_cannot_be(spin_up, tmp_path, arguments, message):
+    path = tmp_path / arguments.pop("path")
+    with pytest.raises(ValueError, match=message):
+        eq.plot.animate(spin_up, path, **arguments)
+    assert not path.exists()
+
+
+# --- what is given wrongly, and what is missing -----------------------------------------------------------------------
+
+
+@pytest.mark.parametrize(
+    ("function", "wanted"),
+    [
+        ("shares", "a BasinResult"), ("transients", "a BasinResult"), ("sweep", "a SweepResult"),
+        ("map", "a MapResult"), ("branches", "a BranchesResult"), ("trajectory", "a Trajectory"),
+        ("disc", "a Trajectory"),
+    ],
+)
+def test_pictures_say_what_they_draw(study, function, wanted):
+    with pytest.raises(TypeError, match=rf"plot\.{function}\(\) draws {wanted}.*given: Study"):
+        getattr(eq.plot, function)(study)
+    assert not plt.get_fignums()  # nothing was begun
+
+
+def test_words_and_numbers_out_of_range_are_named(ensemble, spin_up):
+    with pytest.raises(ValueError, match="column = 'peak'; allowed: 'peak_radial'"):
+        eq.plot.transients(ensemble, "peak")
+    with pytest.raises(ValueError, match="bins = 0; allowed: 1 or more"):
+        eq.plot.transients(ensemble, bins=0)
+    with pytest.raises(ValueError, match="gathered no transients"):
+        eq.plot.transients(an_ensemble(transients=None))
+    with pytest.raises(ValueError, match="y = 'r'; allowed: 'r_min'"):
+        eq.plot.branches(some_branches(), y="r")
+    with pytest.raises(IndexError, match="at = 1601; allowed: -1601 to 1600"):
+        eq.plot.disc(spin_up, at=1601)
+    with pytest.raises(ValueError, match="magnify = 0"):
+        eq.plot.disc(spin_up, magnify=0)
+
+
+def test_axes_that_are_given_are_drawn_into(ensemble, plane, spin_up):
+    for function, result in (("shares", ensemble), ("transients", ensemble), ("map", plane), ("disc", spin_up)):
+        ax = plt.figure().add_subplot()
+        assert getattr(eq.plot, function)(result, ax=ax) is ax
+
+
+def run_python(code):
+    return subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=False)
+
+
+def test_matplotlib_is_imported_by_the_first_picture_only():
+    done = run_python("import sys, equipoise as eq; eq.plot.shares; print('matplotlib' in sys.modules)")
+    assert done.stdout.strip() == "False", done.stderr
+
+
+def test_a_missing_matplotlib_is_named_with_its_remedy():
+    done = run_python(
+        "import sys; sys.modules['matplotlib'] = None\n"
+        "import equipoise as eq\n"
+        "run = eq.simulate(eq.paper_study('table-2-omega-2.4'), 1.0)\n"
+        "try: eq.plot.trajectory(run)\n"
+        "except ImportError as error: print(error)"
+    )
+    assert "pip install matplotlib" in done.stdout, done.stderr
+
+
+def test_pictures_warn_of_nothing(ensemble, plane, spin_up):
+    with warnings.catch_warnings():
+        warnings.simplefilter("error")
+        eq.plot.shares(ensemble).figure.canvas.draw()
+        eq.plot.map(plane).figure.canvas.draw()
+        eq.plot.disc(spin_up).figure.canvas.draw()
+        eq.plot.trajectory(spin_up, balls=True)[0].figure.canvas.draw()
