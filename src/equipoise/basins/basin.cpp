@@ -18,6 +18,7 @@
 
 #include "equipoise/base/reporting.hpp"
 #include "equipoise/basins/chunks.hpp"
+#include "equipoise/basins/ensemble_runner.hpp"
 #include "equipoise/basins/sampling_choice.hpp"
 #include "equipoise/basins/start_arrays.hpp"
 #include "equipoise/basins/tally.hpp"
@@ -113,9 +114,7 @@ class BasinRun {
 
   void make_runner() {
     const Study& study = result_.study;
-    const DiscoverySettings search{threads_,      options_.stop,     options_.seeds,
-                                   &discoveries_, options_.progress, options_.informed};
-    runner_ = equipoise::make_runner(study, search, gathers_);
+    runner_ = ensemble_runner(study, options_, discoveries_);
     tally_.emplace(*sampler_, study.sampling.seed, runner_->settled());
     transients_.emplace(study, *sampler_);
     filed_.clear();
@@ -306,10 +305,11 @@ class BasinRun {
   void add_note(const std::string& words) { result_.note += (result_.note.empty() ? "" : "; ") + words; }
 
   void compute(std::uint64_t first, std::uint64_t limit, const ChunkSink& sink) {
-    const auto decide = [&](Chunk& c) {
-      return runner_->run(c.first, c.count, c.phi, c.fates, c.unlisted, gathers_ ? &c.transients : nullptr);
-    };
-    const ChunkWork work{decide, threads_, runner_->one_by_one(), options_.stop};
+    const auto decide = [&](Chunk& c) { return decide_chunk(*runner_, gathers_, c); };
+    // What starts with rotors of their own came to is not told in a few words.
+    const bool helped = options_.help && !file_ && result_.study.uncertain.empty();
+    const ChunkWork work{decide, threads_, runner_->one_by_one(), options_.stop,
+                         helped ? options_.help(sampler_->method()) : nullptr};
     compute_chunks(work, first, limit, finished_, lost_, sink);
   }
 

@@ -120,10 +120,11 @@ StartRunner::StartRunner(const Study& study, const DiscoverySettings& settings, 
       system_(study.system()),
       transients_(transient_settings(study)),
       source_(make_spin_up(study_, settings.stop)),
-      discovery_(discover(study_, settings)) {
+      discovery_(discover(study_, settings)),
+      catalogue_(discovery_.catalogue) {
   if (!transients) return;
   source_->watch(transients_);
-  for (const Attractor& a : discovery_.catalogue.attractors()) {
+  for (const Attractor& a : catalogue_.attractors()) {
     ends_.resize(std::max(ends_.size(), static_cast<std::size_t>(a.id) + 1));
     ends_[static_cast<std::size_t>(a.id)] = known_end(study_.parameters, a);
   }
@@ -296,7 +297,7 @@ UnlistedStart StartRunner::follow(const std::vector<double>& state) const {
 
 int StartRunner::list(const UnlistedStart& start) {
   const bool stable = start.motion && start.motion->stable;
-  return stable ? discovery_.catalogue.add(study_.parameters, *start.motion) : 0;
+  return stable ? catalogue_.add(study_.parameters, *start.motion) : 0;
 }
 
 }  // namespace equipoise
