@@ -118,7 +118,7 @@ SweepResult compute(Team& team, const SweepPlan& plan, const SweepArguments& a, 
                             percent(balanced.share, digits_for(balanced)), interval(balanced),
                             percent(cell.undecided.share, 2)));
     };
-  if (!team.alone()) options.helpers = [&](SweepWork& work) { team.lead(plan, work); };
+  if (!team.alone()) options.helpers = [&](SweepWork& work) { team.lead(plan, work, options.threads, options.stop); };
   try {
     return sweep(plan, options);
   } catch (...) {
