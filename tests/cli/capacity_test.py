@@ -14,8 +14,8 @@ import unittest
 PROGRAM, STUDIES = os.path.abspath(sys.argv[1]), os.path.abspath(sys.argv[2])
 ROW = os.path.join(STUDIES, "paper", "table-2-omega-2.4.toml")
 
-# At 4 critical speeds a drag of 0.1 lets all starts balance until balance itself becomes unstable near 0.065.
-QUICK = ("capacity", ROW, "--set", "speed.speed=4", "--set", "balancer.drag=0.1", "--at-least", "0.9", "--between", "0.05:0.09",
+# At 5 critical speeds a drag of 0.2 lets all starts balance until balance itself becomes unstable near 0.1.
+QUICK = ("capacity", ROW, "--set", "speed.speed=5", "--set", "balancer.drag=0.2", "--at-least", "0.9", "--between", "0.08:0.14",
          "--precision", "0.1", "--starts", "200")
 
 XARRAY = """

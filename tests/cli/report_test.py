@@ -185,8 +185,8 @@ class OtherPages(unittest.TestCase):
             self.assertIn(text, page.text)
 
     def test_of_a_capacity(self):
-        quick = ["capacity", ROW, "--set", "speed.speed=4", "--set", "balancer.drag=0.1", "--at-least", "0.9", "--between",
-                 "0.03:0.09", "--precision", "0.05", "--starts", "200"]
+        quick = ["capacity", ROW, "--set", "speed.speed=5", "--set", "balancer.drag=0.2", "--at-least", "0.9", "--between",
+                 "0.08:0.14", "--precision", "0.1", "--starts", "200"]
         page, answer = self.page_of(*quick)
         cell = answer["cells"][0]
         self.assertEqual(page.lead, f"Up to rotor.eccentricity = {cell['value']:.4g} 90 % of starts end balanced: surely up to "

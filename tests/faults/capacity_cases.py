@@ -12,9 +12,9 @@ class Boundary:
 
     def __init__(self, bench):
         # Short searches for attractors: of three trials in the quick form, of two cells in the long one.
-        asked = ("balancer.drag=0.1", "0.0635:0.0735", 0.1, 100) if bench.quick else ("balancer.drag=0.1,0.15", "0.03:0.09", 0.01, 2000)
+        asked = ("balancer.drag=0.2", "0.08:0.14", 0.1, 100) if bench.quick else ("balancer.drag=0.2,0.25", "0.02:0.14", 0.01, 2000)
         over, between, precision, starts = asked
-        self.arguments = ("capacity", bench.study, "--set", "speed.speed=4", "--over", over, "--at-least", 0.9, "--between", between,
+        self.arguments = ("capacity", bench.study, "--set", "speed.speed=5", "--over", over, "--at-least", 0.9, "--between", between,
                           "--precision", precision, "--starts", starts, "--quiet")
         path = bench.path("undisturbed.nc")
         begin = time.monotonic()
