@@ -11,7 +11,7 @@ equipoise_test(sampling_test unit unit/random_test.cpp unit/sampling_test.cpp un
 equipoise_test(reproduction_test unit unit/document_test.cpp unit/published_tables_test.cpp LIBRARIES equipoise_paper nlohmann_json::nlohmann_json)
 equipoise_test(store_test unit unit/netcdf_threads_test.cpp unit/store_test.cpp)
 equipoise_test(report_test unit unit/report_test.cpp LIBRARIES nlohmann_json::nlohmann_json)
-equipoise_test(answer_test unit unit/answer_test.cpp)
+equipoise_test(answer_test unit unit/answer_test.cpp unit/cell_answer_test.cpp LIBRARIES nlohmann_json::nlohmann_json)
 equipoise_test(machine_page_test equivalence equivalence/machine_page_test.cpp)
 equipoise_test(window_test unit unit/window_test.cpp)
 equipoise_test(pilot_test unit unit/pilot_test.cpp)
@@ -65,7 +65,8 @@ if(Python3_FOUND AND EQUIPOISE_BUILD_PROGRAM)
   cli_test(cli.compare compare_test.py)
   cli_test(cli.map map_test.py)
   cli_test(cli.report report_test.py)
-  cli_test(cli.sweep_merge_capacity_inspect sweep_test.py)
+  cli_test(cli.sweep_merge_inspect sweep_test.py)
+  cli_test(cli.capacity capacity_test.py)
   cli_test(cli.reproduce_as_its_users_meet_it reproduce_test.py)
 
   if(NOT EQUIPOISE_SANITIZE)  # runs are killed at moments measured in seconds
