@@ -24,11 +24,13 @@ foreach(header
     results/machine_page.hpp results/map_figures.hpp results/plane_map.hpp results/sensitivity_result.hpp
     results/start_arrays.hpp results/sweep_result.hpp results/trajectory.hpp
     results/transient_result.hpp
-    store/basin_file.hpp store/basin_outcomes.hpp store/branches_file.hpp store/inspection.hpp store/map_file.hpp store/start_columns.hpp store/trajectory_file.hpp
-    basins/attractors.hpp basins/basin.hpp basins/certify.hpp basins/comparison.hpp basins/observation.hpp basins/sensitivity.hpp
+    store/basin_file.hpp store/basin_outcomes.hpp store/branches_file.hpp store/inspection.hpp store/map_file.hpp store/start_columns.hpp store/sweep_file.hpp
+    store/trajectory_file.hpp
+    basins/attractors.hpp basins/basin.hpp basins/certify.hpp basins/comparison.hpp basins/mapper.hpp basins/observation.hpp basins/sensitivity.hpp
+    basins/write_basin.hpp
     branches/continuation.hpp branches/parameter_line.hpp kernels/cpu_target.hpp
     maps/map_axis.hpp maps/map_figures.hpp maps/plane_map.hpp sweeps/capacity.hpp sweeps/merge.hpp sweeps/sweep.hpp sweeps/sweep_axis.hpp sweeps/sweep_cell.hpp sweeps/sweep_plan.hpp
-    trajectory/output_times.hpp trajectory/simulate.hpp drawing/map_plot.hpp drawing/plot_parts.hpp drawing/sweep_plot.hpp
+    trajectory/output_times.hpp trajectory/simulate.hpp trajectory/study_equations.hpp drawing/map_plot.hpp drawing/plot_parts.hpp drawing/sweep_plot.hpp
     report/attractors_report.hpp report/basin_report.hpp report/branches_report.hpp report/certificate_json.hpp report/certify_report.hpp report/explain_report.hpp
     report/capacity_report.hpp report/comparison_report.hpp report/inspection_report.hpp report/map_report.hpp
     report/sweep_report.hpp

@@ -27,6 +27,7 @@ equipoise_test(continuum_estimate_test equivalence equivalence/continuum_estimat
 equipoise_test(horizon_test equivalence equivalence/horizon_test.cpp)
 equipoise_test(stroboscopic_test equivalence equivalence/stroboscopic_test.cpp)
 equipoise_test(drawn_starts_test equivalence equivalence/drawn_starts_test.cpp)
+equipoise_test(own_starts_test equivalence equivalence/own_starts_test.cpp)
 equipoise_test(plane_map_test equivalence equivalence/plane_map_test.cpp)
 equipoise_test(comparison_result_test unit unit/comparison_result_test.cpp)
 equipoise_test(map_figures_test unit unit/map_figures_test.cpp unit/pixel_plan_test.cpp)

@@ -11,6 +11,7 @@
 #include "../table.hpp"
 #include "equipoise/base/error.hpp"
 #include "equipoise/basins/basin.hpp"
+#include "equipoise/discovery/discovery.hpp"
 #include "works.hpp"
 
 namespace equipoise::bench {
@@ -40,12 +41,14 @@ const std::vector<Machine> list_of_machines{
 
 std::string path_of(const Machine& m) { return fmt::format("{}/../studies/{}", EQUIPOISE_BENCH_SOURCE_DIR, m.study); }
 
-// Processor time of an ensemble's run, in seconds.
-double here(const Machine& m, std::uint64_t starts, const Options& options, BasinResult* result = nullptr) {
+// Processor time of an ensemble's run, in seconds; without the search for attractors where `known` has it.
+double here(const Machine& m, std::uint64_t starts, const Options& options, DiscoveryCache& known,
+            BasinResult* result = nullptr) {
   Study study = read_study(path_of(m), m.overrides);
   study.sampling.starts = starts;
   BasinOptions how;
   how.threads = options.threads;
+  how.discoveries = &known;
   const Stopwatch watch;
   const BasinResult found = basin(study, how);
   if (result) *result = found;
@@ -68,21 +71,22 @@ double there(const Machine& m, std::uint64_t starts, const Options& options) {
   return child.cpu_seconds;
 }
 
-// What starts cost beyond what is done before the first: from ensembles of two sizes, the larger one long enough to
-// tell them apart.
+// What starts cost beyond what is done before the first, in processor time.
 struct StartCost {
   double before = 0.0, each = 0.0;  // seconds
 
   double of(double count) const { return before + each * count; }
 };
 
+// From ensembles of growing size, the last one long enough to be told from the smallest. `searches`: every run looks
+// for attractors anew, else the first alone.
 template <class Run>
-StartCost cost_of(const Options& options, std::uint64_t few, Run&& run) {
-  StartCost cost;
-  const double small = run(few);
+StartCost cost_of(const Options& options, std::uint64_t few, bool searches, Run&& run) {
+  const double first = run(few);
+  const double small = searches ? first : run(few);
+  const double long_enough = options.quick ? 0.0 : 1.5;
   std::uint64_t many = 4 * few;
   double large = run(many);
-  const double long_enough = options.quick ? 0.0 : 1.5;
   while (large - small < long_enough && many < 1'000'000) {
     many *= 4;
     large = run(many);
@@ -90,8 +94,9 @@ StartCost cost_of(const Options& options, std::uint64_t few, Run&& run) {
   std::vector<double> each{(large - small) / static_cast<double>(many - few)};
   for (int round = 1; round < options.rounds; ++round)
     each.push_back((run(many) - small) / static_cast<double>(many - few));
+  StartCost cost;
   cost.each = spread(each).median;
-  cost.before = std::max(0.0, small - cost.each * static_cast<double>(few));
+  cost.before = std::max(0.0, first - cost.each * static_cast<double>(few));
   return cost;
 }
 
@@ -120,8 +125,9 @@ Json machines(const Options& options) {
   for (const Machine& m : list_of_machines) {
     say(fmt::format("machines: {}", m.label));
     BasinResult result;
+    DiscoveryCache known;
     const StartCost now =
-        cost_of(options, few, [&](std::uint64_t starts) { return here(m, starts, options, &result); });
+        cost_of(options, few, false, [&](std::uint64_t starts) { return here(m, starts, options, known, &result); });
     std::vector<std::string> cells{m.label, count(static_cast<double>(result.starts)),
                                    fmt::format("{:.2f}", 100.0 * result.undecided.share), figure(now.before),
                                    or_dash(1.0 / now.each)};
@@ -131,7 +137,8 @@ Json machines(const Options& options) {
              {"before_cpu_s", now.before},
              {"starts_per_cpu_second", 1.0 / now.each}};
     if (against) {
-      const StartCost old = cost_of(options, few, [&](std::uint64_t starts) { return there(m, starts, options); });
+      const StartCost old =
+          cost_of(options, few, true, [&](std::uint64_t starts) { return there(m, starts, options); });
       cells.insert(cells.end(),
                    {or_dash(1.0 / old.each), or_dash(old.each / now.each), or_dash(old.of(typical) / now.of(typical))});
       row["older"] = {{"before_cpu_s", old.before}, {"starts_per_cpu_second", 1.0 / old.each}};

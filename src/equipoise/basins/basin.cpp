@@ -9,6 +9,7 @@
 #include <memory>
 #include <optional>
 #include <set>
+#include <span>
 #include <stdexcept>
 #include <utility>
 
@@ -21,11 +22,13 @@
 #include "equipoise/basins/sampling_choice.hpp"
 #include "equipoise/basins/start_arrays.hpp"
 #include "equipoise/basins/tally.hpp"
+#include "equipoise/basins/write_basin.hpp"
 #include "equipoise/discovery/horizon.hpp"
 #include "equipoise/fates/runner.hpp"
 #include "equipoise/fates/transient_tally.hpp"
 #include "equipoise/kernels/lane_kernels.hpp"
 #include "equipoise/model/system.hpp"
+#include "equipoise/spin_up/given_starts.hpp"
 #include "equipoise/spin_up/initial_state.hpp"
 #include "equipoise/store/basin_file.hpp"
 
@@ -50,17 +53,19 @@ class BasinRun {
     result_.cpu_target = cpu_target();
     result_.half_width = options.half_width;
     if (options.keep_starts) result_.every_start.emplace();
+    result_.own_starts = !options.initial.empty();
   }
 
   BasinResult run() {
     check_runnable(result_.study, gathers_);
+    if (result_.own_starts) take_own_starts();
     horizon_ = choose_horizon(result_.study);
     result_.study.numerics.horizon = horizon_.time;
     sample();
     result_.starts = tally_->total();
     result_.partial = !finished_;
     result_.grid = sampler_->grid();
-    count_outcomes();
+    count_all();
     const BalanceNote balance = runner_->balance();
     result_.balanced_stable = balance.stable;
     result_.note = balance.note;
@@ -75,6 +80,44 @@ class BasinRun {
   const Catalogue& catalogue() const { return runner_->catalogue(); }
 
  private:
+  void take_own_starts() {
+    Study& study = result_.study;
+    check_takes_starts(study);
+    if (options_.half_width > 0.0)
+      throw InputError("starts of one's own", "half_width", fmt::format("{}", options_.half_width),
+                       "all of them are followed; must be 0");
+    const SamplingMethod method = study.sampling.method.value_or(SamplingMethod::random);
+    if (method != SamplingMethod::random)
+      throw InputError(study.name, "sampling.method", sampling_method_names[static_cast<std::size_t>(method)],
+                       "says how starts are drawn, which are given here; must be left out, or \"random\"");
+    check_given_starts(study, options_.initial);
+    study.sampling.method = method;
+    study.sampling.starts = options_.initial.size();
+    study.sampling.box = {};
+  }
+
+  // What start `index` begins with.
+  InitialState start(std::uint64_t index) const {
+    if (result_.own_starts) return options_.initial[index];
+    return drawn_start_of(result_.study, *sampler_, result_.study.sampling.seed, index);
+  }
+  std::vector<InitialState> starts(const std::vector<std::uint64_t>& indices) const {
+    std::vector<InitialState> result;
+    for (const std::uint64_t index : indices) result.push_back(start(index));
+    return result;
+  }
+
+  // Thread-safe.
+  bool decide(Chunk& c) const {
+    std::vector<TransientRow>* rows = gathers_ ? &c.transients : nullptr;
+    if (!result_.own_starts) return runner_->run(c.first, c.count, c.phi, c.fates, c.unlisted, rows);
+    const std::span<const InitialState> given(&options_.initial[c.first], c.count);
+    c.phi.clear();
+    for (const InitialState& s : given)
+      c.phi.insert(c.phi.end(), s.phi.begin(), s.phi.begin() + result_.study.parameters.balls);
+    return runner_->run_from(given, c.fates, c.unlisted, rows);
+  }
+
   void sample() {
     const std::optional<SamplingMethod> given = result_.study.sampling.method;
     if (!given && options_.half_width > 0.0)
@@ -154,9 +197,10 @@ class BasinRun {
   }
 
   void open_file() {
-    if (!options_.output.empty())
-      file_ = std::make_unique<BasinFile>(options_.output,
-                                          basin_file_header(result_.study, options_.store_angles, gathers_));
+    if (options_.output.empty()) return;
+    const std::string own = result_.own_starts ? checksum_of(result_.study, options_.initial) : "";
+    file_ = std::make_unique<BasinFile>(options_.output,
+                                        basin_file_header(result_.study, options_.store_angles, gathers_, own));
   }
 
   std::vector<AttractorShare> attractor_shares(const Tally& tally) const {
@@ -177,31 +221,22 @@ class BasinRun {
     return shares;
   }
 
-  void count_outcomes() {
-    result_.attractors = attractor_shares(*tally_);
-    result_.undecided = tally_->share(Outcome::undecided);
-    result_.diverged = tally_->share(Outcome::diverged);
-    result_.failed = tally_->share(Outcome::failed);
+  void count(const Tally& tally, BasinResult& result) const {
+    result.attractors = attractor_shares(tally);
+    result.undecided = tally.share(Outcome::undecided);
+    result.diverged = tally.share(Outcome::diverged);
+    result.failed = tally.share(Outcome::failed);
+    if (result_.study.speed.driven()) result.stalled = tally.share(Outcome::stalled);
+  }
+
+  void count_all() {
+    count(*tally_, result_);
     if (result_.study.speed.driven()) {
-      result_.stalled = tally_->share(Outcome::stalled);
       if (!result_.grid) result_.passed = open_share(passed_, passed_ + result_.undecided.count, tally_->total());
     }
     if (gathers_) result_.transients = transients_->result(runner_->catalogue());
     if (result_.choice && result_.choice->method == SamplingMethod::sobol)  // known better by now
       result_.choice->random_starts = random_starts_for(tally_->shares(), options_.half_width);
-  }
-
-  std::vector<OutcomeSummary> summary(const Tally& tally) const {
-    std::vector<OutcomeSummary> lines;
-    for (const AttractorShare& a : attractor_shares(tally)) lines.push_back({a.id, a.name, a.alias, a.share});
-    const auto add = [&](int code, Outcome outcome) {
-      lines.push_back({code, name_of(outcome), "", tally.share(outcome)});
-    };
-    add(undecided_code, Outcome::undecided);
-    add(diverged_code, Outcome::diverged);
-    add(failed_code, Outcome::failed);
-    if (result_.study.speed.driven()) add(stalled_code, Outcome::stalled);
-    return lines;
   }
 
   // A file may hold more starts than were asked for now. Its summary is of all that it holds; one that says so already
@@ -214,14 +249,18 @@ class BasinRun {
     for_each_stored(tally_->total(), file_->stored(), [&](const Fate& fate, const TransientRow*) { whole.add(fate); });
     Study study = result_.study;
     if (finished_ && !sampler_->grid()) study.sampling.starts = file_->stored();
-    file_->finish(to_toml(study), summary(whole), finished_, time);
+    BasinResult told;
+    count(whole, told);
+    file_->finish(to_toml(study), outcome_summary(told), finished_, time);
   }
 
   // Counts what an earlier run left in the file, once the motions that it met on its way are listed again.
   void read_stored() {
     if (file_)
-      for (const std::vector<double>& state : file_->discoveries())
+      for (const std::vector<double>& state : file_->discoveries()) {
         filed_.insert(runner_->list(runner_->follow(state)));
+        if (options_.keep_starts) result_.discoveries.push_back(state);
+      }
     const std::uint64_t stored = file_ ? std::min(file_->stored(), limit_) : 0;
     for_each_stored(0, stored, [&](const Fate& fate, const TransientRow* row) {
       if (!finished_) take(fate, row);
@@ -239,8 +278,9 @@ class BasinRun {
     const std::uint64_t each = std::min<std::uint64_t>(known ? 4 : 64, stored);
     for (const std::uint64_t first : {std::uint64_t{0}, stored - each}) {
       Chunk chunk;
-      if (!runner_->run(first, each, chunk.phi, chunk.fates, chunk.unlisted, gathers_ ? &chunk.transients : nullptr))
-        return;  // stopped
+      chunk.first = first;
+      chunk.count = each;
+      if (!decide(chunk)) return;  // stopped
       for (const UnlistedStart& start : chunk.unlisted) settle(*runner_, start, chunk.fates[start.place]);
       const std::vector<Fate> fates = file_->read(first, each);
       for (std::size_t i = 0; i < each; ++i)
@@ -284,7 +324,8 @@ class BasinRun {
     if (fate.outcome == Outcome::stalled && stalled_.size() < undecided_looked_at)
       stalled_.push_back(tally_->total() - 1);
     if (result_.every_start && result_.every_start->starts < options_.keep_at_most)
-      add_start(result_.study, *sampler_, fate, row, *result_.every_start);
+      add_start(result_.study, *sampler_, start(result_.every_start->starts), result_.own_starts, fate, row,
+                *result_.every_start);
     if (options_.fate) options_.fate(fate);
   }
 
@@ -296,8 +337,9 @@ class BasinRun {
     const bool stopped = runner_->stopped() || is_set(options_.stop);
     const bool may_hold = !stopped && result_.study.speed.driven() && result_.study.release.speed;
     const std::vector<UndecidedEnd> ends =
-        !stopped && (many || may_hold) ? runner_->look_at(undecided_) : std::vector<UndecidedEnd>{};
-    const std::string held = held_text(ends), held_stalled = may_hold ? held_text(runner_->look_at(stalled_)) : "";
+        !stopped && (many || may_hold) ? runner_->look_at(starts(undecided_)) : std::vector<UndecidedEnd>{};
+    const std::string held = held_text(ends),
+                      held_stalled = may_hold ? held_text(runner_->look_at(starts(stalled_))) : "";
     if (many) add_note(fmt::format("{:.0f} % are undecided: {}", 100.0 * share, why_undecided(horizon_, ends)));
     if (!many && !held.empty()) add_note("balls of undecided starts are never let go: " + held);
     if (!held_stalled.empty()) add_note("balls of stalled starts are never let go: " + held_stalled);
@@ -306,10 +348,7 @@ class BasinRun {
   void add_note(const std::string& words) { result_.note += (result_.note.empty() ? "" : "; ") + words; }
 
   void compute(std::uint64_t first, std::uint64_t limit, const ChunkSink& sink) {
-    const auto decide = [&](Chunk& c) {
-      return runner_->run(c.first, c.count, c.phi, c.fates, c.unlisted, gathers_ ? &c.transients : nullptr);
-    };
-    const ChunkWork work{decide, threads_, runner_->one_by_one(), options_.stop};
+    const ChunkWork work{[&](Chunk& c) { return decide(c); }, threads_, runner_->one_by_one(), options_.stop};
     compute_chunks(work, first, limit, finished_, lost_, sink);
   }
 
@@ -344,25 +383,35 @@ class BasinRun {
   // Starts are functions of their index, so what they drew besides angles is made again for the file alone.
   void store(const Chunk& chunk, std::size_t begin, std::size_t end) {
     const Study& study = result_.study;
-    std::vector<double> rotor, phi_dot, weight, drawn;
+    std::vector<double> rotor, phi_dot, psi, weight, drawn;
     for (std::size_t i = begin; i < end; ++i) {
       if (sampler_->grid()) weight.push_back(sampler_->weight(study.sampling.seed, chunk.first + i));
       for (const double v : drawn_values(study, *sampler_, study.sampling.seed, chunk.first + i)) drawn.push_back(v);
-      if (study.sampling.box.empty()) continue;
-      const InitialState s = drawn_start_of(study, *sampler_, study.sampling.seed, chunk.first + i);
+      if (study.sampling.box.empty() && !result_.own_starts) continue;
+      const InitialState s = start(chunk.first + i);
+      psi.push_back(s.psi);
       rotor.insert(rotor.end(), {s.x, s.y, s.x_dot, s.y_dot});
       phi_dot.insert(phi_dot.end(), s.phi_dot.begin(), s.phi_dot.begin() + study.parameters.balls);
     }
     const std::size_t balls = static_cast<std::size_t>(study.parameters.balls);
-    file_->append({end - begin, chunk.phi.data() + begin * balls, chunk.fates.data() + begin, rotor.data(),
-                   phi_dot.data(), weight.data(), chunk.row(begin), drawn.data()},
+    file_->append({.count = end - begin,
+                   .phi = chunk.phi.data() + begin * balls,
+                   .fates = chunk.fates.data() + begin,
+                   .rotor = rotor.data(),
+                   .phi_dot = phi_dot.data(),
+                   .psi = psi.data(),
+                   .weight = weight.data(),
+                   .rows = chunk.row(begin),
+                   .drawn = drawn.data()},
                   time_so_far());
   }
 
   // A stationary motion that the rule does not list: what it is decides, whenever it was first met.
   void name_fate(Fate& fate, const UnlistedStart& start) {
     const int id = settle(*runner_, start, fate);
-    if (file_ && id > 0 && filed_.insert(id).second) file_->append_discovery(start.state);
+    if (id == 0 || !filed_.insert(id).second) return;
+    if (file_) file_->append_discovery(start.state);
+    if (options_.keep_starts) result_.discoveries.push_back(start.state);
   }
 
   const BasinOptions& options_;
@@ -382,7 +431,7 @@ class BasinRun {
   std::vector<std::shared_ptr<Chunk>> pilot_;
   std::uint64_t passed_ = 0;  // the resonance
   double stall_speed_ = 0.0;
-  std::set<int> filed_;  // motions known before the first start, or in the file
+  std::set<int> filed_;  // motions known before the first start, or met and kept
   std::atomic<bool> finished_{false}, lost_{false};
   bool stop_counting_ = false;
   Horizon horizon_;

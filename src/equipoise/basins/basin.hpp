@@ -11,6 +11,7 @@
 #include "equipoise/base/error.hpp"
 #include "equipoise/base/run_options.hpp"
 #include "equipoise/deciding/fate.hpp"
+#include "equipoise/kernels/cpu_target.hpp"
 #include "equipoise/results/basin_result.hpp"
 #include "equipoise/statistics/share.hpp"
 #include "equipoise/store/basin_file.hpp"
@@ -36,6 +37,13 @@ struct BasinOptions : RunOptions {
   bool keep_starts = false;  ///< the result holds every start (BasinResult::every_start): 11 bytes a start and 8 a
                              ///< ball, with transients 40 more
   std::uint64_t keep_at_most = std::numeric_limits<std::uint64_t>::max();  ///< `keep_starts`: only so many, the first
+  /// Starts of the caller's own, followed in place of drawn ones: start i begins at t = 0 as initial[i] says, each a
+  /// whole state as [initial] has it. All of them are followed, whatever study.sampling says, and counted alike: an
+  /// interval is that of random starts, and speaks of whatever distribution they were drawn from. Where the rotor turns
+  /// as prescribed, psi is the study's if the rotor's angle matters (gravity, unequal supports), and while balls are
+  /// held at first all but their angles is. Not with a half-width, sampling.method "sobol" or "grid", or uncertain
+  /// values.
+  std::vector<InitialState> initial;
   /// States near motions known from elsewhere, each dimension(balls) numbers: rare attractors that pilot starts miss.
   std::vector<std::vector<double>> seeds;
   bool informed =
@@ -54,7 +62,9 @@ int thread_count(int asked);
 bool gathers_transients(const Study& study, const BasinOptions& options);
 
 /// What the output file of a basin() says of its run.
-BasinFileHeader basin_file_header(const Study& study, bool angles, bool transients = false);
+/// `own_starts`: of the caller's starts (checksum_of()), empty if they are drawn; `target`: the CPU target of the run.
+BasinFileHeader basin_file_header(const Study& study, bool angles, bool transients = false,
+                                  const std::string& own_starts = {}, const std::string& target = cpu_target());
 
 /// What start `index` (any, also beyond study.sampling.starts; on a grid below its number) begins with at t = 0.
 InitialState start_of(const Study& study, std::uint64_t index);
@@ -76,7 +86,8 @@ struct StartReplay {
 /// `catalogue`, if given, receives the attractors found, refined and named.
 BasinResult basin(const Study& study, const BasinOptions& options = {}, Catalogue* catalogue = nullptr);
 
-/// The fate of start `index` (any, also beyond study.sampling.starts), with the very bits basin() would give it.
+/// The fate of start `index` (any, also beyond study.sampling.starts; below the number of options.initial), with the
+/// very bits basin() would give it.
 StartReplay replay_start(const Study& study, std::uint64_t index, const BasinOptions& options = {});
 
 }  // namespace equipoise

@@ -26,15 +26,16 @@ std::string arithmetic_of(const std::string& target) {
 
 }  // namespace
 
-BasinFileHeader basin_file_header(const Study& study, bool angles, bool transients) {
+BasinFileHeader basin_file_header(const Study& study, bool angles, bool transients, const std::string& own_starts,
+                                  const std::string& target) {
   Study identity = with_horizon(study);  // all that decides the fate of start i
   const Sampler sampler = sampler_of(study);
   identity.sampling.starts = sampler.grid() ? sampler.grid()->starts() : 1;
   BasinFileHeader header;
   header.study = to_toml(identity);
   header.balls = study.parameters.balls;
-  header.cpu_target = cpu_target();
-  header.arithmetic = arithmetic_of(header.cpu_target);
+  header.cpu_target = target;
+  header.arithmetic = arithmetic_of(target);
   header.angles = angles;
   header.driven = study.speed.driven();
   const model::System system = study.system();
@@ -45,7 +46,8 @@ BasinFileHeader basin_file_header(const Study& study, bool angles, bool transien
     header.drawn.push_back(value.key);
     header.drawn_units.push_back(value.unit.empty() ? "1" : value.unit);
   }
-  header.full_starts = !study.sampling.box.empty();
+  header.full_starts = !study.sampling.box.empty() || !own_starts.empty();
+  header.own_starts = own_starts;
   header.method = sampler.method();
   header.scales = study.scales;
   if (transients) header.transients = transient_settings(study);

@@ -19,9 +19,11 @@ namespace equipoise {
 
 namespace {
 
-std::string why_not_common(const Study& a, const Study& b) {
+std::string why_not_common(const BasinOutcomes& first, const BasinOutcomes& second) {
+  const Study &a = first.study, &b = second.study;
   const auto method = [](const Study& s) { return s.sampling.method.value_or(SamplingMethod::random); };
   if (a.parameters.balls != b.parameters.balls) return "they have different numbers of balls";
+  if (first.own_starts != second.own_starts) return "they were not given the same starts";
   if (a.sampling.seed != b.sampling.seed) return "their seeds differ";
   if (method(a) != method(b)) return "their sampling methods differ";
   if (a.parameters.contact_angle != b.parameters.contact_angle) return "their balls take different room";
@@ -83,7 +85,7 @@ class Comparison {
     result_.first = first.study;
     result_.second = second.study;
     result_.partial = first.partial || second.partial;
-    result_.why_not_common = why_not_common(first.study, second.study);
+    result_.why_not_common = why_not_common(first, second);
     result_.common = result_.why_not_common.empty();
     result_.starts = std::min(first.outcome.size(), second.outcome.size());
     first_ = places(0, first);

@@ -2,22 +2,35 @@
 #include <memory>
 #include <vector>
 
+#include <fmt/format.h>
+
 #include "equipoise/base/reporting.hpp"
 #include "equipoise/basins/basin.hpp"
 #include "equipoise/fates/runner.hpp"
 #include "equipoise/kernels/cpu_target.hpp"
+#include "equipoise/spin_up/given_starts.hpp"
 #include "equipoise/spin_up/initial_state.hpp"
 
 namespace equipoise {
 
 namespace {
 
+void check_own(const Study& study, std::uint64_t index, const std::vector<InitialState>& given) {
+  check_takes_starts(study);
+  if (index >= given.size())
+    throw InputError("starts of one's own", "index", fmt::format("{}", index),
+                     fmt::format("must be below {}, their number", given.size()));
+  check_given_starts(study, {&given[index], 1});
+}
+
 StartReplay replayed(const Study& study, std::uint64_t index, const BasinOptions& options) {
   const bool gathers = gathers_transients(study, options);
   check_runnable(study, gathers);
   StartReplay replay;
   replay.index = index;
-  replay.start = start_of(study, index);
+  const bool own = !options.initial.empty();
+  if (own) check_own(study, index, options.initial);
+  replay.start = own ? options.initial[index] : start_of(study, index);
   replay.drawn = drawn_values(study, sampler_of(study), study.sampling.seed, index);
   const DiscoverySettings search{thread_count(options.threads), options.stop,     options.seeds,
                                  options.discoveries,           options.progress, options.informed};
@@ -26,8 +39,12 @@ StartReplay replayed(const Study& study, std::uint64_t index, const BasinOptions
   std::vector<Fate> fates;
   std::vector<UnlistedStart> unlisted;
   std::vector<TransientRow> rows;
-  if (runner->stopped() || !runner->run(index, 1, phi, fates, unlisted, gathers ? &rows : nullptr))
-    throw RunError("stopped before the start was decided");
+  const auto decide = [&] {
+    std::vector<TransientRow>* wanted = gathers ? &rows : nullptr;
+    return own ? runner->run_from({&replay.start, 1}, fates, unlisted, wanted)
+               : runner->run(index, 1, phi, fates, unlisted, wanted);
+  };
+  if (runner->stopped() || !decide()) throw RunError("stopped before the start was decided");
   replay.fate = fates.front();
   if (!rows.empty()) replay.transients = rows.front();
   if (!unlisted.empty()) settle(*runner, unlisted.front(), replay.fate);

@@ -9,13 +9,13 @@
 
 namespace equipoise {
 
-void add_start(const Study& study, const Sampler& sampler, const Fate& fate, const TransientRow* row,
-               StartArrays& arrays) {
+void add_start(const Study& study, const Sampler& sampler, const InitialState& s, bool own, const Fate& fate,
+               const TransientRow* row, StartArrays& arrays) {
   const std::uint64_t index = arrays.starts++;
   const int balls = arrays.balls = study.parameters.balls;
-  const InitialState s = drawn_start_of(study, sampler, study.sampling.seed, index);
   arrays.phi.insert(arrays.phi.end(), s.phi.begin(), s.phi.begin() + balls);
-  if (!study.sampling.box.empty()) {
+  if (own) arrays.psi.push_back(s.psi);
+  if (own || !study.sampling.box.empty()) {
     arrays.rotor_state.insert(arrays.rotor_state.end(), {s.x, s.y, s.x_dot, s.y_dot});
     arrays.phi_dot.insert(arrays.phi_dot.end(), s.phi_dot.begin(), s.phi_dot.begin() + balls);
   }

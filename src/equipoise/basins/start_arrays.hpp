@@ -8,9 +8,9 @@
 
 namespace equipoise {
 
-/// Adds the next start, which came to `fate`; `row`: its transients, if any. What it began with is made again: starts
-/// are functions of their index.
-void add_start(const Study& study, const Sampler& sampler, const Fate& fate, const TransientRow* row,
-               StartArrays& arrays);
+/// Adds the next start, which began as `start` and came to `fate`; `own`: it is the caller's; `row`: its transients, if
+/// any. What else it drew is made again: starts are functions of their index.
+void add_start(const Study& study, const Sampler& sampler, const InitialState& start, bool own, const Fate& fate,
+               const TransientRow* row, StartArrays& arrays);
 
 }  // namespace equipoise

@@ -17,6 +17,7 @@
 #include "equipoise/model/linearisation.hpp"
 #include "equipoise/model/strobe.hpp"
 #include "equipoise/report/engineering.hpp"
+#include "equipoise/spin_up/initial_state.hpp"
 
 namespace equipoise {
 
@@ -135,8 +136,8 @@ class Quantities {
       add("T_1", "held until", s.hold_until, Dimension::time);
     }
     add("Omega", "final " + name, s.final, Dimension::speed);
-    add(s.profile == Profile::trapezoid ? "T_2" : "T_0", "reached at", s.profile == Profile::trapezoid ? s.fall_until : s.duration,
-        Dimension::time);
+    add(s.profile == Profile::trapezoid ? "T_2" : "T_0", "reached at",
+        s.profile == Profile::trapezoid ? s.fall_until : s.duration, Dimension::time);
   }
 
   void motor() {
@@ -358,7 +359,8 @@ class Warnings {
   void release() {
     const Study& study = e_.study;
     if (!study.speed.driven() || !study.release.speed) return;
-    const std::vector<UndecidedEnd> ends = MachineRunner(study, nullptr).look_at({0, 1, 2, 3, 4, 5, 6, 7});
+    const std::vector<UndecidedEnd> ends =
+        MachineRunner(study, nullptr).look_at(starts_of(study, sampler_of(study), study.sampling.seed, 0, 8));
     const auto held =
         std::count_if(ends.begin(), ends.end(), [](const UndecidedEnd& end) { return end.what == Restlessness::held; });
     if (held > 0) warn("of {} starts tried {} never let their balls go: {}", ends.size(), held, held_text(ends));

@@ -129,28 +129,30 @@ MachineRunner::MachineRunner(const Study& study, const StopFlag* stop)
 
 bool MachineRunner::run(std::uint64_t first, std::size_t count, std::vector<double>& phi, std::vector<Fate>& fates,
                         std::vector<UnlistedStart>& unlisted, std::vector<TransientRow>* rows) const {
-  const int balls = study_.parameters.balls;
+  const std::vector<InitialState> starts = starts_of(study_, sampler_, study_.sampling.seed, first, count);
   phi.clear();
+  for (const InitialState& s : starts) phi.insert(phi.end(), s.phi.begin(), s.phi.begin() + study_.parameters.balls);
+  return run_from(starts, fates, unlisted, rows);
+}
+
+bool MachineRunner::run_from(std::span<const InitialState> given, std::vector<Fate>& fates,
+                             std::vector<UnlistedStart>& unlisted, std::vector<TransientRow>* rows) const {
   unlisted.clear();
-  fates.assign(count, Fate{});
-  if (rows) rows->assign(count, TransientRow{});
-  for (std::size_t i = 0; i < count; ++i) {
-    const InitialState start = start_of(study_, sampler_, study_.sampling.seed, first + i);
-    phi.insert(phi.end(), start.phi.begin(), start.phi.begin() + balls);
-    TransientRow* row = rows ? &(*rows)[i] : nullptr;
-    fates[i] = decide(start, row, nullptr);
-    if (stop_ && stop_->load(std::memory_order_relaxed)) return false;  // the last one may have been cut short
+  fates.assign(given.size(), Fate{});
+  if (rows) rows->assign(given.size(), TransientRow{});
+  for (std::size_t i = 0; i < given.size(); ++i) {
+    fates[i] = decide(given[i], rows ? &(*rows)[i] : nullptr, nullptr);
+    if (is_set(stop_)) return false;  // the last one may have been cut short
   }
   return true;
 }
 
-std::vector<UndecidedEnd> MachineRunner::look_at(const std::vector<std::uint64_t>& undecided) const {
+std::vector<UndecidedEnd> MachineRunner::look_at(const std::vector<InitialState>& undecided) const {
   std::vector<UndecidedEnd> ends;
-  for (const std::uint64_t number : undecided) {
-    const InitialState start = start_of(study_, sampler_, study_.sampling.seed, number);
+  for (const InitialState& start : undecided) {
     UndecidedEnd end;
     decide(start, nullptr, &end);
-    if (stop_ && stop_->load(std::memory_order_relaxed)) break;
+    if (is_set(stop_)) break;
     ends.push_back(end);
   }
   return ends;
@@ -158,10 +160,12 @@ std::vector<UndecidedEnd> MachineRunner::look_at(const std::vector<std::uint64_t
 
 Fate MachineRunner::decide(const InitialState& start, TransientRow* row, UndecidedEnd* end) const {
   const model::Parameters& p = study_.parameters;
+  model::Drive drive = drive_;
+  if (study_.speed.driven()) drive.psi = start.psi;
   double z[Machine::dimension];
-  initial_state(start, p.balls, drive_.speed, z);
+  initial_state(start, p.balls, drive.speed, z);
   const double tolerance = study_.numerics.tolerance.value_or(default_basin_tolerance);
-  Machine machine(p, drive_, ensemble_scale<model::any_count>(p, tolerance), z);
+  Machine machine(p, drive, ensemble_scale<model::any_count>(p, tolerance), z);
   MachineTransients transients(study_, machine);
   std::optional<MachineJudge> judge;
   std::optional<Fate> decided;

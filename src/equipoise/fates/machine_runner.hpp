@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "equipoise/base/error.hpp"
@@ -26,11 +27,13 @@ class MachineRunner : public Runner {
   /// Fates are kinds of steady motion (steady_kinds()), stalled, or lost; none is ever unlisted.
   bool run(std::uint64_t first, std::size_t count, std::vector<double>& phi, std::vector<Fate>& fates,
            std::vector<UnlistedStart>& unlisted, std::vector<TransientRow>* rows = nullptr) const override;
+  bool run_from(std::span<const InitialState> given, std::vector<Fate>& fates, std::vector<UnlistedStart>& unlisted,
+                std::vector<TransientRow>* rows = nullptr) const override;
   int list(const UnlistedStart&) override { return 0; }
   UnlistedStart follow(const std::vector<double>& state) const override { return {0, state, {}, {}}; }
 
   /// What any starts do where following them ends, decided or not.
-  std::vector<UndecidedEnd> look_at(const std::vector<std::uint64_t>& undecided) const override;
+  std::vector<UndecidedEnd> look_at(const std::vector<InitialState>& undecided) const override;
 
   /// Every kind that there is, met or not; their motions are not described.
   bool one_by_one() const override { return true; }

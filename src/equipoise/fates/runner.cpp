@@ -1,6 +1,8 @@
 // Which runner follows a study's starts; how an unlisted one is named.
 #include "equipoise/fates/runner.hpp"
 
+#include <stdexcept>
+
 #include "equipoise/fates/drawn_runner.hpp"
 #include "equipoise/fates/machine_runner.hpp"
 #include "equipoise/fates/start_runner.hpp"
@@ -14,6 +16,11 @@ bool followed_one_by_one(const model::System& system) {
   if (system.coasts()) return true;
   if (!system.events().contact || system.autonomous() || system.balls() <= 2) return false;
   return !BalancedContinuum::is_of(system) || !catches_all(BalancedContinuum(system).survey());
+}
+
+bool Runner::run_from(std::span<const InitialState>, std::vector<Fate>&, std::vector<UnlistedStart>&,
+                      std::vector<TransientRow>*) const {
+  throw std::logic_error("starts that draw their rotors are known by their numbers alone");
 }
 
 int settle(Runner& runner, const UnlistedStart& start, Fate& fate) {

@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <memory>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -39,15 +40,17 @@ class Runner {
   /// attractor 0 and wait for list(). `rows`, if given, receives the transients of every start.
   virtual bool run(std::uint64_t first, std::size_t count, std::vector<double>& phi, std::vector<Fate>& fates,
                    std::vector<UnlistedStart>& unlisted, std::vector<TransientRow>* rows = nullptr) const = 0;
+  /// The same for starts given (spin_up/given_starts.hpp), where they do not draw their rotors too.
+  virtual bool run_from(std::span<const InitialState> given, std::vector<Fate>& fates,
+                        std::vector<UnlistedStart>& unlisted, std::vector<TransientRow>* rows = nullptr) const;
   /// The identifier of what an unlisted start settles on, which is listed if need be; 0 if that is nothing stable.
   /// Not thread-safe: called in the order of starts, so that identifiers do not depend on threads.
   virtual int list(const UnlistedStart& start) = 0;
   /// An unlisted start from its state when it was found stationary, as an earlier run kept it.
   virtual UnlistedStart follow(const std::vector<double>& state) const = 0;
 
-  /// What some starts that are undecided, by their numbers, do at the horizon: one for each, or none where only the
-  /// horizon can be blamed.
-  virtual std::vector<UndecidedEnd> look_at(const std::vector<std::uint64_t>& /*undecided*/) const { return {}; }
+  /// What some starts that are undecided do at the horizon: one for each, or none where only the horizon can be blamed.
+  virtual std::vector<UndecidedEnd> look_at(const std::vector<InitialState>& /*undecided*/) const { return {}; }
 
   /// Whether starts are followed one at a time (followed_one_by_one()).
   virtual bool one_by_one() const = 0;

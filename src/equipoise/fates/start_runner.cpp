@@ -120,7 +120,8 @@ StartRunner::StartRunner(const Study& study, const DiscoverySettings& settings, 
       system_(study.system()),
       transients_(transient_settings(study)),
       source_(make_spin_up(study_, settings.stop)),
-      discovery_(discover(study_, settings)) {
+      discovery_(discover(study_, settings)),
+      known_(discovery_.catalogue) {
   if (!transients) return;
   source_->watch(transients_);
   for (const Attractor& a : discovery_.catalogue.attractors()) {
@@ -172,11 +173,11 @@ bool StartRunner::run(std::uint64_t first, std::size_t count, std::vector<double
   return true;
 }
 
-bool StartRunner::run_from(const std::vector<InitialState>& given, std::vector<Fate>& fates,
-                           std::vector<UnlistedStart>& unlisted) const {
+bool StartRunner::run_from(std::span<const InitialState> given, std::vector<Fate>& fates,
+                           std::vector<UnlistedStart>& unlisted, std::vector<TransientRow>* rows) const {
   SpunUp starts;
   TransientTable table{transients_, {}, ends_};
-  return source_->follow(given, starts) && finish(starts, &table, fates, unlisted, nullptr);
+  return source_->follow(given, starts, rows ? &table : nullptr) && finish(starts, &table, fates, unlisted, rows);
 }
 
 // Decides starts and says what each came to; `table` is that of their transients so far, if `rows` are wanted.
@@ -213,7 +214,7 @@ bool StartRunner::finish(SpunUp& starts, TransientTable* table, std::vector<Fate
 
 // Balls that dry friction holds leave each their own.
 void StartRunner::note_unbalance(const double* state, Fate& fate) const {
-  const Attractor* a = discovery_.catalogue.find(fate.attractor);
+  const Attractor* a = known_.find(fate.attractor);
   if (a && a->motion.set_valued) fate.unbalance = unbalance_at(state);
 }
 
@@ -223,7 +224,7 @@ float StartRunner::unbalance_at(const double* state) const {
 
 // Of a driven rotor, its attractor's own: a trap may catch it before it has turned for long.
 double StartRunner::mean_speed(const Fate& fate) const {
-  const Attractor* a = system_.prescribed() || system_.coasts() ? nullptr : discovery_.catalogue.find(fate.attractor);
+  const Attractor* a = system_.prescribed() || system_.coasts() ? nullptr : known_.find(fate.attractor);
   return a ? a->motion.speed : fate.mean_speed;
 }
 
@@ -245,12 +246,12 @@ UnlistedStart StartRunner::unlisted_start(const SpunUp& starts, std::size_t i, d
   return start;
 }
 
-std::vector<UndecidedEnd> StartRunner::look_at(const std::vector<std::uint64_t>& undecided) const {
+std::vector<UndecidedEnd> StartRunner::look_at(const std::vector<InitialState>& undecided) const {
   std::vector<UndecidedEnd> ends;
-  for (const std::uint64_t number : undecided) {
+  for (const InitialState& given : undecided) {
     SpunUp start;
     std::vector<Fate> fates;
-    if (!source_->make(study_.sampling.seed, number, 1, start)) break;
+    if (!source_->follow({&given, 1}, start)) break;
     if (start.is_over(0)) {
       ends.push_back({.what = Restlessness::held, .reached = start.nearest[0], .asked = *study_.release.speed});
       continue;

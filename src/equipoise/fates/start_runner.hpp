@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <memory>
+#include <span>
 #include <vector>
 
 #include "equipoise/base/error.hpp"
@@ -35,11 +36,11 @@ class StartRunner : public Runner {
 
   bool run(std::uint64_t first, std::size_t count, std::vector<double>& phi, std::vector<Fate>& fates,
            std::vector<UnlistedStart>& unlisted, std::vector<TransientRow>* rows = nullptr) const override;
-  /// The same for given starts, as SpinUp::follow() has them.
-  bool run_from(const std::vector<InitialState>& given, std::vector<Fate>& fates, std::vector<UnlistedStart>& unlisted) const;
+  bool run_from(std::span<const InitialState> given, std::vector<Fate>& fates, std::vector<UnlistedStart>& unlisted,
+                std::vector<TransientRow>* rows = nullptr) const override;
   int list(const UnlistedStart& start) override;
   UnlistedStart follow(const std::vector<double>& state) const override;
-  std::vector<UndecidedEnd> look_at(const std::vector<std::uint64_t>& undecided) const override;
+  std::vector<UndecidedEnd> look_at(const std::vector<InitialState>& undecided) const override;
 
   bool one_by_one() const override { return false; }
   const Catalogue& catalogue() const override { return discovery_.catalogue; }
@@ -69,6 +70,7 @@ class StartRunner : public Runner {
   TransientSettings transients_;
   std::unique_ptr<SpinUp> source_;
   Discovery discovery_;
+  const Catalogue known_;       // to the rule: what threads look up while the list grows
   std::vector<KnownEnd> ends_;  // by identifier, of the attractors known beforehand; for transients only
 };
 

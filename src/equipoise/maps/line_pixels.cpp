@@ -159,7 +159,7 @@ LinePixels::Followed LinePixels::follow(const Study& study, const model::System&
     pixel.code = failed_code;
     return result;
   }
-  if (!source->follow({study.initial}, start)) return result;
+  if (!source->follow({&study.initial, 1}, start)) return result;
   const auto [fate, settling] = follow_start(study, system, *source, start, known, options_.stop);
   if (is_set(options_.stop)) return result;
   if (one_system_ && system.smooth()) remember(system, settling, known);

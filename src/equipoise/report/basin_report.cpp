@@ -80,9 +80,10 @@ std::string basin_text(const BasinResult& r) {
                         open ? "; surely " + bounds_text(*r.passed) : "");
   if (!r.note.empty()) text += fmt::format("Note: {}.\n", r.note);
   if (r.partial) text += "PARTIAL: stopped before all starts were done; the shares above are of those that were.\n";
-  text += fmt::format("{} starts, seed {}; {:.2f} s, {:.2f} s CPU on {} thread{} ({}), {:.0f} starts/s; equipoise {}\n",
-                      r.starts, r.study.sampling.seed, r.seconds, r.cpu_seconds, r.threads, r.threads == 1 ? "" : "s",
-                      r.cpu_target, static_cast<double>(r.starts - r.resumed_from) / r.seconds, version_string);
+  const std::string seed = r.own_starts ? "" : fmt::format(", seed {}", r.study.sampling.seed);
+  text += fmt::format("{} starts{}; {:.2f} s, {:.2f} s CPU on {} thread{} ({}), {:.0f} starts/s; equipoise {}\n",
+                      r.starts, seed, r.seconds, r.cpu_seconds, r.threads, r.threads == 1 ? "" : "s", r.cpu_target,
+                      static_cast<double>(r.starts - r.resumed_from) / r.seconds, version_string);
   return text;
 }
 

@@ -75,6 +75,7 @@ std::string as_good_as(const Share& share) {
 
 std::string sampling_text(const BasinResult& r) {
   std::string text;
+  if (r.own_starts) return "Starts: given, not drawn; intervals are those of random starts.\n";
   if (method_of(r) == SamplingMethod::grid)
     text = grid_text(r);
   else if (r.choice)
@@ -90,6 +91,7 @@ std::string sampling_text(const BasinResult& r) {
 }
 
 nlohmann::ordered_json sampling_json(const BasinResult& r) {
+  if (r.own_starts) return {{"method", "given"}};
   nlohmann::ordered_json json = {{"method", sampling_method_names[static_cast<std::size_t>(method_of(r))]}};
   if (method_of(r) == SamplingMethod::sobol) {
     json["replicates"] = sobol_replicates;

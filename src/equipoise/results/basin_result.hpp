@@ -24,8 +24,8 @@ struct AttractorShare {
   Share share;             ///< with its 95 % interval
   double mean_time = 0.0;  ///< mean time from the last branch's begin (and release) to decision
   std::array<std::uint64_t, decided_by_count> decided_by{};  ///< starts by the grounds of decision
-  /// Of a continuum that dry friction leaves: the unbalance that is left, over the starts of this run that come there, at
-  /// unbalance_quantiles; empty of all others.
+  /// Of a continuum that dry friction leaves: the unbalance that is left, over the starts of this run that come there,
+  /// at unbalance_quantiles; empty of all others.
   std::vector<double> unbalance;
 };
 inline constexpr std::array<double, 4> unbalance_quantiles{0.1, 0.5, 0.9, 1.0};
@@ -42,6 +42,7 @@ struct SamplingChoice {
 struct BasinResult {
   Study study;
   std::uint64_t starts = 0;                ///< counted: starts 0 to starts - 1
+  bool own_starts = false;                 ///< the caller's (BasinOptions::initial), not drawn
   bool partial = false;                    ///< stopped before all requested starts were done
   std::uint64_t resumed_from = 0;          ///< starts read from an earlier run's file
   std::vector<AttractorShare> attractors;  ///< by identifier; balanced is always the first
@@ -52,12 +53,15 @@ struct BasinResult {
   std::optional<Share> passed;
   std::optional<TransientResult> transients;  ///< if they were gathered
   std::optional<StartArrays> every_start;     ///< if they were kept
+  /// With `every_start`: of motions that the search before the first start had missed, the state in which a start first
+  /// met each, as a file keeps it (with uncertain values: the start's number).
+  std::vector<std::vector<double>> discoveries;
   std::optional<SensitivityResult> sensitivity;  ///< if it was asked for besides
-  double half_width = 0.0;                    ///< asked for; 0: none
-  std::optional<SamplingChoice> choice;       ///< if the method was left open
-  std::optional<JitteredGrid> grid;           ///< for that method
-  bool balanced_stable = false;               ///< a linearly stable balanced state exists at the final speed
-  std::string note;                           ///< why no start can end balanced, if so
+  double half_width = 0.0;                       ///< asked for; 0: none
+  std::optional<SamplingChoice> choice;          ///< if the method was left open
+  std::optional<JitteredGrid> grid;              ///< for that method
+  bool balanced_stable = false;                  ///< a linearly stable balanced state exists at the final speed
+  std::string note;                              ///< why no start can end balanced, if so
   int threads = 0;
   std::string cpu_target;
   double seconds = 0.0, cpu_seconds = 0.0;  ///< of this run, discovery included

@@ -14,12 +14,13 @@ namespace equipoise {
 struct StartArrays {
   std::uint64_t starts = 0;
   int balls = 0;
-  std::vector<double> phi;              ///< initial ball angles, `balls` a start
-  std::vector<double> rotor_state;      ///< with a sampling box: initial x, y, x_dot, y_dot, 4 a start
-  std::vector<double> phi_dot;          ///< with a sampling box: `balls` a start
-  std::vector<double> drawn;            ///< with uncertain values: what the start drew of each, in its own unit
-  std::vector<double> weight;           ///< on a grid: cells that the start's cell stands for
-  std::vector<short> outcome;           ///< attractor's identifier, or undecided_code and its like
+  std::vector<double> phi;          ///< initial ball angles, `balls` a start
+  std::vector<double> psi;          ///< of starts of the caller's own: initial psi
+  std::vector<double> rotor_state;  ///< with a sampling box, or the caller's own: initial x, y, x_dot, y_dot, 4 a start
+  std::vector<double> phi_dot;      ///< with a sampling box, or the caller's own: `balls` a start
+  std::vector<double> drawn;        ///< with uncertain values: what the start drew of each, in its own unit
+  std::vector<double> weight;       ///< on a grid: cells that the start's cell stands for
+  std::vector<short> outcome;       ///< attractor's identifier, or undecided_code and its like
   std::vector<double> decision_time;    ///< study time at which the outcome was known
   std::vector<signed char> decided_by;  ///< a DecidedBy
   std::vector<float> mean_speed;        ///< of a driven rotor; not-a-number where never measured

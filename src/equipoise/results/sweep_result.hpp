@@ -59,6 +59,7 @@ using SweepCells = std::vector<std::shared_ptr<SweepCell>>;
 struct SweepResult {
   Study study;  ///< the one that is varied
   std::vector<SweepAxis> axes;
+  std::string identity;  ///< all that decides what stands in the cells, as text
   SweepCells cells;
   double half_width = 0.0;  ///< asked for; 0: none
   bool transients = false;

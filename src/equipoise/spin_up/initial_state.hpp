@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cstddef>
 #include <cstdint>
 #include <vector>
 
@@ -80,6 +81,14 @@ inline InitialState start_of(const Study& study, const Sampler& sampler, std::ui
   draw(box.y_dot, 3, s.y_dot);
   for (int i = 0; i < balls; ++i) draw(box.phi_dot, 4 + i, s.phi_dot[i]);
   return s;
+}
+/// Starts first .. first + count - 1 of `seed`.
+inline std::vector<InitialState> starts_of(const Study& study, const Sampler& sampler, std::uint64_t seed,
+                                           std::uint64_t first, std::size_t count) {
+  std::vector<InitialState> starts;
+  starts.reserve(count);
+  for (std::size_t i = 0; i < count; ++i) starts.push_back(start_of(study, sampler, seed, first + i));
+  return starts;
 }
 /// The uncertain values that start `index` draws, for drawn_study().
 inline std::vector<double> drawn_values(const Study& study, const Sampler& sampler, std::uint64_t seed,

@@ -87,27 +87,21 @@ void MotorSource::add(const InitialState& start, SpunUp& starts) const {
   starts.states.resize(starts.states.size() + static_cast<std::size_t>(system.dimension()));
   double* state = &*starts.states.end() - system.dimension();
   initial_state(start, system.balls(), drive_.speed, state);
-  if (system.psi_place() >= 0) state[system.psi_place()] = drive_.psi;
+  if (system.psi_place() >= 0) state[system.psi_place()] = start.psi;
   state[system.speed_place()] = drive_.speed;
   if (system.error_place() >= 0) state[system.error_place()] = 0.0;
 }
 
 bool MotorSource::make(std::uint64_t seed, std::uint64_t first, std::size_t count, SpunUp& starts,
                        TransientTable* transients) const {
-  starts.phi.clear();
-  starts.states.clear();
-  for (std::size_t i = 0; i < count; ++i) {
-    if (is_set(stop_)) return false;
-    add(start_of(study_, sampler_, seed, first + i), starts);
-  }
-  return advance(starts, transients);
+  return follow(starts_of(study_, sampler_, seed, first, count), starts, transients);
 }
 
-bool MotorSource::follow(const std::vector<InitialState>& given, SpunUp& starts) const {
+bool MotorSource::follow(std::span<const InitialState> given, SpunUp& starts, TransientTable* transients) const {
   starts.phi.clear();
   starts.states.clear();
   for (const InitialState& start : given) add(start, starts);
-  return advance(starts, nullptr);
+  return !is_set(stop_) && advance(starts, transients);
 }
 
 // From time 0 to where states are wanted.

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "equipoise/deciding/held.hpp"
@@ -22,7 +23,7 @@ class MotorSource final : public SpinUp {
   void watch(const TransientSettings&) override {}
   bool make(std::uint64_t seed, std::uint64_t first, std::size_t count, SpunUp& starts,
             TransientTable* transients = nullptr) const override;
-  bool follow(const std::vector<InitialState>& given, SpunUp& starts) const override;
+  bool follow(std::span<const InitialState> given, SpunUp& starts, TransientTable* transients = nullptr) const override;
   LaneTask last_task() const override;
   double settled() const override { return drive_.pieces.back().begin; }
   double tolerance() const override { return tolerance_; }

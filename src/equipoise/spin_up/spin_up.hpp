@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <memory>
+#include <span>
 #include <vector>
 
 #include "equipoise/base/stop_flag.hpp"
@@ -43,9 +44,10 @@ class SpinUp {
   /// each start up to where its state holds; its settings are those of watch().
   virtual bool make(std::uint64_t seed, std::uint64_t first, std::size_t count, SpunUp& starts,
                     TransientTable* transients = nullptr) const = 0;
-  /// The same for given starts. Of a prescribed speed with the balls held at first their angles alone count: where the
-  /// rotor is when they are let go follows from [initial].
-  virtual bool follow(const std::vector<InitialState>& given, SpunUp& starts) const = 0;
+  /// The same for given starts (given_starts.hpp). Of a prescribed speed with the balls held at first their angles
+  /// alone count: where the rotor is when they are let go follows from [initial].
+  virtual bool follow(std::span<const InitialState> given, SpunUp& starts,
+                      TransientTable* transients = nullptr) const = 0;
   /// What goes on from there, over the last piece of the drive. Trajectories, their end and what is gathered are still
   /// to be said.
   virtual LaneTask last_task() const = 0;

@@ -49,37 +49,35 @@ void StartSource::place(const InitialState& start, double* state) const {
 
 bool StartSource::make(std::uint64_t seed, std::uint64_t first, std::size_t count, std::vector<double>& phi,
                        std::vector<double>& states, std::vector<Fate>& fates, TransientTable* transients) const {
+  return set_off(starts_of(study_, sampler_, seed, first, count), phi, states, fates, transients);
+}
+
+bool StartSource::make(std::uint64_t seed, std::uint64_t first, std::size_t count, SpunUp& starts,
+                       TransientTable* transients) const {
+  return follow(starts_of(study_, sampler_, seed, first, count), starts, transients);
+}
+
+bool StartSource::follow(std::span<const InitialState> given, SpunUp& starts, TransientTable* transients) const {
+  for (auto* none : {&starts.begins, &starts.released, &starts.nearest}) none->clear();
+  starts.over.clear();
+  return set_off(given, starts.phi, starts.states, starts.fates, transients);
+}
+
+// From t = 0 to settled().
+bool StartSource::set_off(std::span<const InitialState> given, std::vector<double>& phi, std::vector<double>& states,
+                          std::vector<Fate>& fates, TransientTable* transients) const {
   const int balls = study_.parameters.balls, size = model::dimension(balls);
   phi.clear();
   if (transients) transients->rows.clear();
-  states.assign(count * static_cast<std::size_t>(size), 0.0);
-  for (std::size_t i = 0; i < count; ++i) {
-    if (stop_ && stop_->load(std::memory_order_relaxed)) return false;  // a start may take a million sums
-    const InitialState start = start_of(study_, sampler_, seed, first + i);
+  states.assign(given.size() * static_cast<std::size_t>(size), 0.0);
+  for (std::size_t i = 0; i < given.size(); ++i) {
+    if (is_set(stop_)) return false;  // a start may take a million sums
+    const InitialState& start = given[i];
     phi.insert(phi.end(), start.phi.begin(), start.phi.begin() + balls);
     place(start, &states[i * static_cast<std::size_t>(size)]);
     if (transients) transients->rows.push_back(clamped_.sums(study_.parameters, start.phi.data()));
   }
   return advance(states, fates, transients);
-}
-
-bool StartSource::make(std::uint64_t seed, std::uint64_t first, std::size_t count, SpunUp& starts,
-                       TransientTable* transients) const {
-  for (auto* none : {&starts.begins, &starts.released, &starts.nearest}) none->clear();
-  starts.over.clear();
-  return make(seed, first, count, starts.phi, starts.states, starts.fates, transients);
-}
-
-bool StartSource::follow(const std::vector<InitialState>& given, SpunUp& starts) const {
-  const std::size_t size = model::dimension(study_.parameters.balls);
-  for (auto* none : {&starts.phi, &starts.begins, &starts.released, &starts.nearest}) none->clear();
-  starts.over.clear();
-  starts.states.assign(given.size() * size, 0.0);
-  for (std::size_t i = 0; i < given.size(); ++i) {
-    starts.phi.insert(starts.phi.end(), given[i].phi.begin(), given[i].phi.begin() + study_.parameters.balls);
-    place(given[i], &starts.states[i * size]);
-  }
-  return advance(starts.states, starts.fates);
 }
 
 LaneTask StartSource::last_task() const {

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "equipoise/base/error.hpp"
@@ -36,7 +37,7 @@ class StartSource : public SpinUp {
             std::vector<double>& states, std::vector<Fate>& fates, TransientTable* transients = nullptr) const;
   bool make(std::uint64_t seed, std::uint64_t first, std::size_t count, SpunUp& starts,
             TransientTable* transients = nullptr) const override;
-  bool follow(const std::vector<InitialState>& given, SpunUp& starts) const override;
+  bool follow(std::span<const InitialState> given, SpunUp& starts, TransientTable* transients = nullptr) const override;
   /// The same for given ball angles, all else as in [initial]: phi.size() / balls starts.
   bool follow(const std::vector<double>& phi, std::vector<double>& states, std::vector<Fate>& fates) const;
 
@@ -59,6 +60,8 @@ class StartSource : public SpinUp {
 
  private:
   void place(const InitialState& start, double* state) const;
+  bool set_off(std::span<const InitialState> given, std::vector<double>& phi, std::vector<double>& states,
+               std::vector<Fate>& fates, TransientTable* transients) const;
   bool advance(std::vector<double>& states, std::vector<Fate>& fates, TransientTable* transients = nullptr) const;
 
   Study study_;

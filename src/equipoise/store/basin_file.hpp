@@ -21,16 +21,17 @@ namespace equipoise {
 struct BasinFileHeader {
   std::string study;  ///< resolved study as TOML, without its number of starts
   int balls = 2;
-  std::string cpu_target;    ///< of this run; a file may hold results of several
-  std::string arithmetic;    ///< what they must share for their results to be the same to the bit
-  bool angles = true;        ///< false: leave phi out; it follows from seed and index
-  bool driven = false;       ///< a motor turns the rotor: each start has a mean speed of its own
+  std::string cpu_target;  ///< of this run; a file may hold results of several
+  std::string arithmetic;  ///< what they must share for their results to be the same to the bit
+  bool angles = true;      ///< false: leave phi out; it follows from seed and index
+  bool driven = false;     ///< a motor turns the rotor: each start has a mean speed of its own
   /// What states of discoveries have beside the centre and the balls, by name: of driven rotors.
   std::vector<std::string> drive_components;
   /// Uncertain values that each start draws, by key, and their units. Of a motion the number of the start that met it
   /// is then kept, for starts have rotors of their own.
   std::vector<std::string> drawn, drawn_units;
   bool full_starts = false;  ///< starts differ in more than their ball angles
+  std::string own_starts;    ///< of starts that are the caller's: how many, and their checksum; empty: drawn
   SamplingMethod method = SamplingMethod::random;
   std::optional<TransientSettings> transients;  ///< if the file holds transients
   std::optional<model::Scales> scales;          ///< of a study in physical units; stated in files with transients
@@ -52,12 +53,12 @@ struct RunTime {
 /// Two files. The results, `path`, are NetCDF (classic, 64-bit offsets), always written whole beside and renamed:
 /// dimension start with its index and variables phi(start, ball), outcome(start), decision_time(start),
 /// decided_by(start), of driven rotors mean_speed(start), and with full_starts rotor_state(start, rotor_component) and
-/// phi_dot(start, ball), on a grid weight(start), with uncertain values drawn(start, uncertain_value);
-/// dimension outcome_kind: code, name, alias, count, share and its interval, and but for random starts
-/// where the interval is from and how many random starts would have done; with transients the columns of TransientRow
-/// by start; dimension discovery: states of motions met during the run. Every variable has units and long_name.
-/// Readable by xarray, ncdump, ncview. Behind it all stands a checksum; a file without it, or with another, is not
-/// read.
+/// phi_dot(start, ball), with own_starts psi(start), on a grid weight(start), with uncertain values drawn(start,
+/// uncertain_value); dimension outcome_kind: code, name, alias, count, share and its interval, and but for random
+/// starts where the interval is from and how many random starts would have done; with transients the columns of
+/// TransientRow by start; dimension discovery: states of motions met during the run. Every variable has units and
+/// long_name. Readable by xarray, ncdump, ncview. Behind it all stands a checksum; a file without it, or with another,
+/// is not read.
 ///
 /// While a run goes on, `path`.part holds what is new (files/journal.hpp), so that a run that is killed loses a
 /// second's work; it is gone once the results are in place. One run at a time has a file.

@@ -142,6 +142,7 @@ class BasinWriter {
     say("complete", c_.complete ? "yes" : "no");
     say("seconds", fmt::format("{:.3f}", c_.time.seconds));
     say("cpu_seconds", fmt::format("{:.3f}", c_.time.cpu_seconds));
+    if (!c_.header.own_starts.empty()) say("own_starts", c_.header.own_starts);
     say("sampling_method", sampling_method_names[static_cast<std::size_t>(c_.header.method)]);
     if (c_.header.method != SamplingMethod::sobol) return;
     say("sampling_replicates", fmt::format("{}", sobol_replicates));

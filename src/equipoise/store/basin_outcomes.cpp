@@ -21,6 +21,7 @@ BasinOutcomes read_basin_outcomes(const std::string& path) {
   BasinOutcomes result;
   result.study = parse_study(file.attribute("study"), path);
   result.partial = file.attribute("complete") != "yes";
+  result.own_starts = file.attribute("own_starts");
   result.outcome.resize(starts);
   file.read(file.variable("outcome", NC_SHORT, {starts}), {0}, {starts}, result.outcome.data());
   const int codes = file.variable("kind_code", NC_SHORT, {kinds});

@@ -16,6 +16,7 @@ struct BasinOutcomes {
     std::string name, alias;
   };
   std::map<short, Name> names;  ///< of all outcomes that there are
+  std::string own_starts;       ///< of starts that were the caller's: their number and checksum
   bool partial = false;
 };
 

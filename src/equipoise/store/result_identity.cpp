@@ -41,8 +41,9 @@ std::string identity_of(const BasinFileHeader& header) {
   const std::string transients =
       asked ? fmt::format("displacement {}, settled {}, window {}", asked->displacement, asked->settled, asked->window)
             : "none";
-  return fmt::format("{}\n[file]\nversion = {}\narithmetic = {}\nangles = {}\ntransients = {}\n", header.study,
-                     version_string, header.arithmetic, header.angles ? "kept" : "left out", transients);
+  const std::string own = header.own_starts.empty() ? "" : fmt::format("own_starts = {}\n", header.own_starts);
+  return fmt::format("{}\n[file]\nversion = {}\narithmetic = {}\nangles = {}\ntransients = {}\n{}", header.study,
+                     version_string, header.arithmetic, header.angles ? "kept" : "left out", transients, own);
 }
 
 std::string difference(const std::string& there, const std::string& here) {
@@ -78,6 +79,15 @@ std::string results_path(const std::string& path, const std::string& allowed) {
   const std::string place = resolved(path);
   if (std::filesystem::exists(place) && !std::filesystem::is_regular_file(place))
     throw InputError("output", "", path, fmt::format("is no regular file; {}", allowed));
+  return place;
+}
+
+std::string path_for_whole_results(const std::string& path) {
+  const std::string place = results_path(path, "must be a file that can be replaced"), unfinished = place + ".part";
+  if (std::filesystem::exists(unfinished))
+    throw InputError(
+        "output", "", path,
+        fmt::format("has unfinished results beside it, {}; must be another file, or those ended first", unfinished));
   return place;
 }
 

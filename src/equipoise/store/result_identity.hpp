@@ -23,6 +23,9 @@ void require_same(const std::string& there, const std::string& here, const std::
 /// Where results are kept that are asked for at `path`, links followed. Throws InputError unless that can be written
 /// and is a regular file, or none yet.
 std::string results_path(const std::string& path, const std::string& allowed);
+/// The same for results that are written whole, over what is there. Throws InputError too if unfinished ones stand
+/// beside.
+std::string path_for_whole_results(const std::string& path);
 
 }  // namespace store
 }  // namespace equipoise

@@ -25,6 +25,8 @@ std::vector<StartColumn> start_columns(const BasinFileHeader& header) {
     columns.push_back({"phi_dot", NC_DOUBLE, 8, balls, "ball", "1",
                        "initial rate of a ball in the rotating frame, radians times omega_c"});
   }
+  if (!header.own_starts.empty())
+    columns.push_back({"psi", NC_DOUBLE, 8, 1, "", "radian", "initial angle of the rotor"});
   if (!header.drawn.empty())
     columns.push_back({"drawn", NC_DOUBLE, 8, header.drawn.size(), "uncertain_value", "1",
                        "uncertain values that the start drew, each in uncertain_unit"});
@@ -70,6 +72,7 @@ std::vector<char> pack(const std::vector<StartColumn>& columns, const StartBatch
     const double* given = c.name == "phi"           ? b.phi
                           : c.name == "rotor_state" ? b.rotor
                           : c.name == "phi_dot"     ? b.phi_dot
+                          : c.name == "psi"         ? b.psi
                           : c.name == "drawn"       ? b.drawn
                           : c.name == "weight"      ? b.weight
                                                     : nullptr;

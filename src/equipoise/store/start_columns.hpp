@@ -19,6 +19,7 @@ struct StartBatch {
   const Fate* fates = nullptr;
   const double* rotor = nullptr;    ///< with full_starts: x, y, x_dot, y_dot
   const double* phi_dot = nullptr;  ///< with full_starts: one a ball
+  const double* psi = nullptr;      ///< of starts that are the caller's
   const double* weight = nullptr;   ///< on a grid
   const TransientRow* rows = nullptr;
   const double* drawn = nullptr;  ///< with uncertain values: one each

@@ -104,6 +104,10 @@ void SweepFile::finish(const SweepResult& result) {
   state_->journal->remove();
 }
 
+void write_sweep_file(const std::string& path, const SweepResult& result) {
+  store::write_sweep_netcdf(store::path_for_whole_results(path), result.identity, result);
+}
+
 StoredSweep read_sweep(const std::string& path) {
   StoredSweep sweep;
   if (path.ends_with(".part")) {

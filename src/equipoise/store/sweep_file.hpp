@@ -38,6 +38,10 @@ class SweepFile {
   std::unique_ptr<State> state_;
 };
 
+/// Writes `path` anew from a sweep in memory: what sweep() with that output would have left there. Throws InputError if
+/// unfinished results stand beside it, RunError, with an old file as it was, if the disk cannot take it.
+void write_sweep_file(const std::string& path, const SweepResult& result);
+
 /// Which sweep a file of results or its unfinished part is of, and what it holds. Throws InputError if it is neither or
 /// damaged.
 struct StoredSweep {

@@ -43,6 +43,7 @@ SweepResult asked_for(const std::string& identity, const std::string& path) {
   result.axes = sweep_axes(over, axes < over.size(), path);
   std::size_t cells = 1;
   for (const SweepAxis& axis : result.axes) cells *= axis.size();
+  result.identity = identity;
   result.cells.resize(cells);
   result.cpu_target = cpu_target();
   return result;

@@ -31,6 +31,7 @@ class SweepRun final : public SweepWork {
   SweepRun(const SweepPlan& plan, const SweepOptions& options) : plan_(plan), options_(options) {
     result_.study = plan.study();
     result_.axes = plan.axes();
+    result_.identity = plan.identity();
     result_.cells.resize(plan.cells());
     result_.half_width = plan.request().half_width;
     result_.transients = plan.transients();

@@ -15,12 +15,12 @@
 #include "equipoise/integrate/clamped.hpp"
 #include "equipoise/integrate/machine_trajectory-inl.hpp"
 #include "equipoise/model/ball_count.hpp"
-#include "equipoise/model/energy.hpp"
 #include "equipoise/model/flow-inl.hpp"
 #include "equipoise/model/frames.hpp"
 #include "equipoise/model/strobe.hpp"
 #include "equipoise/model/system.hpp"
 #include "equipoise/spin_up/initial_state.hpp"
+#include "equipoise/trajectory/record.hpp"
 
 namespace equipoise {
 
@@ -36,28 +36,6 @@ void check_times(const std::vector<double>& times) {
       throw InputError("output times", fmt::format("time {}", i + 1), fmt::format("{}", times[i]),
                        fmt::format("times out of order: must be later than the time before it, {}", times[i - 1]));
   }
-}
-
-// Appends state `z` at `t`, where the rotor has turned to `psi` and turns at `w`, to every array.
-void record(Trajectory& out, const model::Parameters& p, double psi, double w, double t, const double* z) {
-  using namespace model::index;
-  out.t.push_back(t);
-  out.psi.push_back(psi);
-  out.psi_dot.push_back(w);
-  out.x.push_back(z[x]);
-  out.y.push_back(z[y]);
-  const std::array<double, 2> velocity = model::rotating_velocity(w, z);
-  out.x_dot.push_back(velocity[0]);
-  out.y_dot.push_back(velocity[1]);
-  for (int i = 0; i < p.balls; ++i) {
-    out.phi[i].push_back(z[phi(i)]);
-    out.phi_dot[i].push_back(z[q(i, p.balls)]);
-  }
-  const std::array<double, 2> rest = model::rest_position(p, psi);
-  out.radial.push_back(std::hypot(z[x] - rest[0], z[y] - rest[1]));
-  const auto force = model::bearing_force(p, psi, z);
-  out.bearing_x.push_back(force[0]);
-  out.bearing_y.push_back(force[1]);
 }
 
 void record(Trajectory& out, const model::Parameters& p, const model::Segment& segment, double t, const double* z) {

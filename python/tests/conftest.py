@@ -1,0 +1,38 @@
+"""What the tests share: a small study, and the program that must say the same."""
+
+from __future__ import annotations
+
+import os
+import pathlib
+import subprocess
+
+import pytest
+
+import equipoise as eq
+
+root = pathlib.Path(__file__).resolve().parents[2]
+studies = root / "studies"
+
+
+@pytest.fixture(scope="session")
+def study() -> eq.Study:
+    """The paper's rotor at Omega = 2.4, 400 starts."""
+    return eq.paper_study("table-2-omega-2.4").replace(**{"sampling.starts": 400})
+
+
+@pytest.fixture(scope="session")
+def answer(study: eq.Study) -> eq.BasinResult:
+    return eq.basin(study)
+
+
+@pytest.fixture(scope="session")
+def program():
+    """Runs the command-line program of the same build."""
+    path = os.environ.get("EQUIPOISE_PROGRAM", str(root / "build" / "release" / "equipoise"))
+    if not os.access(path, os.X_OK):
+        pytest.skip("the program is not built")
+
+    def run(*arguments: object) -> subprocess.CompletedProcess[str]:
+        return subprocess.run([path, *map(str, arguments)], capture_output=True, text=True, timeout=300)
+
+    return run

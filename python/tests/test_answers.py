@@ -1,0 +1,166 @@
+"""Attractors, branches, proofs, maps, sweeps, capacities, explanations: what they hold, and that the program says the same."""
+
+from __future__ import annotations
+
+import json
+import pickle
+
+import numpy as np
+import pytest
+
+import equipoise as eq
+from conftest import studies
+
+PAPER = studies / "paper" / "table-2-omega-2.4.toml"
+
+
+def without_times(data):
+    """What two runs must agree in: no seconds, no threads, no names of files."""
+    if isinstance(data, dict):
+        away = ("seconds", "cpu_seconds", "check_seconds", "threads", "study_name")
+        return {key: without_times(value) for key, value in data.items() if key not in away}
+    return [without_times(entry) for entry in data] if isinstance(data, list) else data
+
+
+def told(program, *arguments):
+    run = program(*arguments, "--json")
+    assert run.returncode in (0, 3), run.stderr
+    return json.loads(run.stdout)
+
+
+@pytest.fixture(scope="module")
+def found(study):
+    return eq.attractors(study, 500)
+
+
+def test_attractors(found, program):
+    assert without_times(found.data)["attractors"] == without_times(
+        told(program, "attractors", PAPER, "--starts", 500, "--quiet")
+    )["attractors"]
+    balanced, v2 = found["balanced"], found["V2"]
+    assert balanced.kind == "equilibrium" and balanced.r_max < 1e-12 and balanced.spectrum.real.max() < 0
+    assert [a.id for a in found] == [a.id for a in found.attractors] and len(found) == len(found.to_pandas())
+    with pytest.raises(KeyError):
+        found["V9"]
+    path = v2.path(points=300)
+    assert path.X.shape == path.t.shape == path.radial.shape == (301,) and path.phi.shape == (301, 2)
+    assert v2.r_min - 1e-6 < path.radial.min() and path.radial.max() < v2.r_max + 1e-6  # the path's tolerance
+    again = pickle.loads(pickle.dumps(found))
+    np.testing.assert_array_equal(again["V2"].path(points=300).X, path.X)
+    assert "V2" in found._repr_html_() and "balanced" in repr(found)
+
+
+def test_states_of_the_wrong_shape_are_refused(study):
+    with pytest.raises(eq.StudyError, match=r"\(n, 8\)"):
+        eq.attractors(study, 100, states=[[1.0, 2.0]])
+
+
+def test_branches(program, tmp_path):
+    study = eq.Study.from_file(PAPER)
+    branches = eq.follow(study, "speed.final", 2.2, 2.6, 0.2)
+    same = told(program, "attractors", PAPER, "--along", "speed.final=2.2:2.6:0.2", "--quiet")
+    assert without_times(branches.data)["branches"] == without_times(same)["branches"]
+    balanced = branches["balanced"]
+    np.testing.assert_allclose(balanced.value, [2.2, 2.4, 2.6])
+    assert balanced.stable.all() and balanced.growth_rate.max() < 0
+    assert branches.parameter == "speed.final" and len(branches.to_pandas()) == sum(len(b.value) for b in branches)
+    assert pickle.loads(pickle.dumps(branches))["balanced"].stable.all()
+    branches.save(tmp_path / "branches.nc")
+    assert (tmp_path / "branches.nc").stat().st_size > 1000
+
+
+def test_certificates(study, program, tmp_path):
+    proof = eq.certify(study)
+    assert proof.proved and proof.states[0]["level"] > 0 and "proved" in repr(proof)
+    proof.save(tmp_path / "proof.json")
+    checked = program("certify", "--check", tmp_path / "proof.json")
+    assert checked.returncode == 0, checked.stdout
+    none = eq.certify(study.replace({"speed.final": 1.2}))  # below where balance is stable
+    assert not none.proved
+    with pytest.raises(eq.RunError, match="nothing is proved"):
+        none.save(tmp_path / "none.json")
+    with pytest.raises(eq.StudyError):
+        eq.certify(study.replace({"rotor.gravity": 0.002}))
+
+
+def test_maps(program, tmp_path):
+    xarray = pytest.importorskip("xarray")
+    study = eq.Study.from_file(PAPER)
+    file = tmp_path / "map.nc"
+    run = program("map", PAPER, "--size", "40x30", "-o", file, "--quiet")
+    assert run.returncode == 0, run.stderr
+    made = eq.map(study, size=(40, 30))
+    with xarray.open_dataset(file) as stored:
+        np.testing.assert_array_equal(made.outcome, stored.outcome.values)
+        np.testing.assert_array_equal(made.x, stored[stored.outcome.dims[1]].values)
+    assert made.outcome.shape == (30, 40) and made.x_key == "initial.phi_1" and made.x_edges == (0.0, 2 * np.pi)
+    for code, name in made.names.items():
+        assert np.mean(made.outcome == code) == pytest.approx(made.shares[name], abs=1e-12)
+    assert set(made.figures) >= {"box_dimension", "uncertainty_exponent", "basin_entropy"}
+    assert made.to_xarray().outcome.shape == (30, 40) and made.to_pandas().shape == (30, 40)
+    again = pickle.loads(pickle.dumps(made))
+    np.testing.assert_array_equal(again.time, made.time)
+    assert "balanced" in repr(made) and "<table>" in made._repr_html_()
+    made.save(tmp_path / "again.nc")
+    with xarray.open_dataset(tmp_path / "again.nc") as stored:
+        np.testing.assert_array_equal(made.outcome, stored.outcome.values)
+    diagonal = eq.map(study, "initial.phi_1", "speed.final", 6, y_range=(2.0, 3.0), tie="phi_2=phi_1+pi")
+    assert diagonal.outcome.shape == (6, 6)
+    for wrong in (dict(x="initial.phi_9"), dict(refine=3), dict(size=(0, 5)), dict(x_range=(1.0, 1.0))):
+        with pytest.raises(eq.StudyError):
+            eq.map(study, **{"size": 4, **wrong})
+
+
+def test_sweeps(program, tmp_path):
+    study = eq.Study.from_file(PAPER)
+    over = {"speed.final": [2.0, 2.4], "balancer.drag": "0.05,0.1"}
+    swept = eq.sweep(study, over, starts=100)
+    same = told(program, "sweep", PAPER, "--over", "speed.final=2.0,2.4", "--over", "balancer.drag=0.05,0.1",
+                "--starts", 100, "--quiet")
+    assert without_times(swept.data)["cells"] == without_times(same)["cells"]
+    balanced = swept.shares["balanced"]
+    assert balanced.shape == swept.shape == (2, 2) and list(swept.axes) == ["speed.final", "balancer.drag"]
+    alone = eq.basin(study.replace({"speed.final": 2.4, "balancer.drag": 0.1}), starts=100)
+    assert balanced[1, 1] == alone.shares["balanced"]
+    assert np.all(swept.low["balanced"] <= balanced) and np.all(balanced <= swept.high["balanced"])
+    assert swept.undecided.shape == (2, 2)
+    tidy = swept.to_pandas()
+    assert {"speed.final", "balancer.drag", "name", "share", "low", "high"} <= set(tidy.columns)
+    cube = swept.to_xarray()
+    assert float(cube.share.sel(outcome="balanced", **{"speed.final": 2.4, "balancer.drag": 0.1})) == balanced[1, 1]
+    swept.save(tmp_path / "sweep.nc")
+    assert program("inspect", tmp_path / "sweep.nc").returncode == 0
+    assert pickle.loads(pickle.dumps(swept)).shares["balanced"][0, 0] == balanced[0, 0]
+    zipped = eq.sweep(study, {"speed.final": [2.0, 2.4], "balancer.drag": [0.05, 0.1]}, zip=True, starts=100)
+    assert zipped.shares["balanced"].tolist() == [balanced[0, 0], balanced[1, 1]]
+    with pytest.raises(eq.StudyError, match="speed.fnal"):
+        eq.sweep(study, {"speed.fnal": [1.0, 2.0]})
+
+
+def test_capacities(study, program):
+    found = eq.capacity(study, between=(0.02, 0.2), at_least=0.1, precision=0.1, starts=100)
+    same = told(program, "capacity", PAPER, "--between", "0.02:0.2", "--at-least", 0.1, "--precision", 0.1, "--starts", 100,
+                "--quiet")
+    assert without_times(found.data)["cells"] == without_times(same)["cells"]
+    assert found.low[0] <= found.high[0] and found.of == "rotor.eccentricity"
+    assert len(found.to_pandas()) == 1 and "rotor.eccentricity" in repr(found)
+    with pytest.raises(eq.StudyError, match="LOW:HIGH"):
+        eq.capacity(study, between=(0.2, 0.02))
+
+
+def test_explanations(program):
+    machine = eq.Study.from_file(studies / "examples" / "washing-machine.toml")
+    said = eq.explain(machine)
+    assert without_times(said.data) == without_times(told(program, "explain", studies / "examples" / "washing-machine.toml"))
+    assert said.text == program("explain", studies / "examples" / "washing-machine.toml").stdout
+    assert isinstance(said.warnings, list) and "<pre>" in said._repr_html_()
+
+
+def test_the_paper_again():
+    made = eq.reproduce("table-1", starts=50)
+    assert [t["table"] for t in made.tables] == [1] and "table 1" in repr(made)
+    assert pickle.loads(pickle.dumps(made)).tables == made.tables
+    with pytest.raises(ValueError, match="table-1"):
+        eq.reproduce()
+    with pytest.raises(eq.StudyError, match="table-9"):
+        eq.reproduce("table-9")

@@ -1,0 +1,127 @@
+"""Threads, progress, Ctrl-C, memory."""
+
+from __future__ import annotations
+
+import os
+import signal
+import subprocess
+import sys
+import textwrap
+import threading
+import time
+
+import numpy as np
+import pytest
+
+import equipoise as eq
+
+
+def test_progress_is_told_and_may_be_a_bar(study, capsys):
+    heard = []
+    eq.basin(study, starts=200, progress=lambda done, total, what: heard.append((done, total, what)))
+    assert heard[-1][0] == heard[-1][1] == 200 and heard[-1][2] == "starts"
+    eq.basin(study, starts=200, progress=True)
+    assert "200/200" in capsys.readouterr().err
+    with pytest.raises(TypeError, match="progress"):
+        eq.basin(study, starts=10, progress="yes")
+
+
+def test_what_a_callback_throws_comes_out(study):
+    def refuse(done, total, what):
+        raise ZeroDivisionError("mine")
+
+    with pytest.raises(ZeroDivisionError, match="mine"):
+        eq.basin(study, starts=200, progress=refuse)
+    eq.basin(study, starts=20)  # and the next call works
+
+
+def test_threads_do_not_matter_and_calls_may_overlap(study, answer):
+    results = {}
+
+    def work(place):
+        results[place] = eq.basin(study, threads=1 + place % 2)
+
+    workers = [threading.Thread(target=work, args=(k,)) for k in range(4)]
+    for worker in workers:
+        worker.start()
+    for worker in workers:
+        worker.join()
+    for place in range(4):
+        np.testing.assert_array_equal(results[place].labels, answer.labels)
+        np.testing.assert_array_equal(results[place].decision_time, answer.decision_time)
+    with pytest.raises(ValueError, match="threads"):
+        eq.basin(study, threads=-1)
+
+
+def test_other_threads_run_meanwhile(study):
+    """The interpreter's lock is given up: a thread of Python goes on counting while an ensemble is computed."""
+    counted, done = [0], threading.Event()
+
+    def count():
+        while not done.is_set():
+            counted[0] += 1
+            time.sleep(0.001)
+
+    counter = threading.Thread(target=count)
+    counter.start()
+    eq.basin(study, starts=3000, threads=1)
+    done.set()
+    counter.join()
+    assert counted[0] > 20  # with the lock held it would be one
+
+
+def test_the_target_is_chosen_by_argument(study, answer):
+    slow = eq.basin(study, starts=50, cpu="scalar")
+    assert slow.data["cpu_target"] == "scalar" and "scalar" in eq.cpu_targets()
+    with pytest.raises(eq.StudyError, match="AVX-9"):
+        eq.basin(study, starts=50, cpu="AVX-9")
+
+
+@pytest.mark.parametrize("progress", ["False", "lambda done, total, what: None"])
+def test_ctrl_c_ends_a_call_soon_and_keeps_what_is_done(progress):
+    script = textwrap.dedent(
+        f"""
+        import time, equipoise as eq
+        study = eq.paper_study("table-2-omega-2.4")
+        print("go", flush=True)
+        try:
+            eq.basin(study, starts=100_000_000, keep=False, progress={progress})
+        except eq.Interrupted as stopped:
+            print(time.time(), stopped.result.starts, stopped.result.partial, flush=True)
+        """
+    )
+    child = subprocess.Popen([sys.executable, "-c", script], stdout=subprocess.PIPE, text=True)
+    assert child.stdout is not None and child.stdout.readline() == "go\n"
+    time.sleep(6.0)  # past the search for attractors
+    sent = time.time()
+    os.kill(child.pid, signal.SIGINT)
+    at, starts, partial = child.communicate(timeout=60)[0].split()
+    assert child.returncode == 0 and partial == "True" and int(starts) > 0
+    assert float(at) - sent < 2.0  # 0.2 s on an idle machine; tests run beside others
+
+
+def test_calls_leave_nothing_behind(study):
+    """Resident memory is flat over hundreds of calls of every cheap kind."""
+
+    def resident():
+        with open("/proc/self/statm", encoding="ascii") as file:
+            return int(file.read().split()[1]) * os.sysconf("SC_PAGE_SIZE")
+
+    model = eq.Model(study)
+    state = model.initial_state
+
+    def round_of_calls():
+        for _ in range(250):
+            model.rhs(0.0, state)
+            eq.explain(study).data
+            eq.simulate(study, [0.0, 5.0]).to_pandas()
+            study.replace({"speed.final": 2.5}).to_toml()
+            with pytest.raises(eq.StudyError):
+                study.replace({"rotor.damping": -1})
+
+    round_of_calls()
+    before = resident()
+    round_of_calls()
+    round_of_calls()
+    # A megabyte is 2 kB a call: less than any result here holds.
+    assert resident() - before < 1 << 20

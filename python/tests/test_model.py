@@ -1,0 +1,117 @@
+"""The equations, handed to others."""
+
+from __future__ import annotations
+
+import pickle
+
+import numpy as np
+import pytest
+
+import equipoise as eq
+from conftest import studies
+
+scipy_integrate = pytest.importorskip("scipy.integrate")
+
+
+def solved(model: eq.Model, until: float) -> np.ndarray:
+    """SciPy's way through all pieces of a study's time."""
+    state, begin = model.initial_state, 0.0
+    for number, (_, end, _) in enumerate(model.pieces):
+        stop = min(end, until)
+        if stop > begin:
+            run = scipy_integrate.solve_ivp(
+                lambda t, y: model.rhs(t, y, number), (begin, stop), state, method="DOP853", rtol=1e-11, atol=1e-13
+            )
+            state, begin = run.y[:, -1], stop
+        if end >= until:
+            return state
+        state = model.cross(number, state)
+    return state
+
+
+@pytest.mark.parametrize(
+    "name, changes",
+    [
+        ("paper/table-2-omega-2.4.toml", {"initial.phi": [1.0, 4.0]}),
+        ("paper/table-3-t0-25.toml", {"initial.phi": [1.0, 4.0]}),
+        ("paper-rotor-with-motor.toml", {"initial.phi": [1.0, 4.0]}),
+        ("examples/washing-machine.toml", {}),
+    ],
+)
+def test_scipy_integrates_the_equations_to_what_simulate_says(name, changes):
+    study = eq.Study.from_file(studies / name).replace(changes)
+    model = eq.Model(study)
+    until = model.release_time + 20.0 if np.isfinite(model.release_time) else 20.0
+    run = eq.simulate(study, [until])
+    motion = model.motion(until, solved(model, until))
+    n = study.balls
+    # Both integrate to 1e-11 a step; errors grow by less than e^(0.5 t) near the saddle that balls may pass: 1e-6.
+    scale = max(1.0, np.abs(run.phi).max())
+    np.testing.assert_allclose(motion[4 : 4 + n], run.phi[0], atol=1e-6 * scale)
+    np.testing.assert_allclose(motion[:2], [run.x[0], run.y[0]], atol=1e-6)
+    assert motion[-1] == pytest.approx(run.psi_dot[0], abs=1e-6)
+
+
+def test_the_jacobian_is_the_derivative(study):
+    model = eq.Model(study)
+    rng = np.random.default_rng(5)
+    states = rng.normal(size=(7, model.dimension))
+    matrix = model.jacobian(0.3, states)
+    assert matrix.shape == (7, model.dimension, model.dimension)
+    h = 1e-5  # error of central differences h^2, of rounding 1e-16 / h
+    for k in range(model.dimension):
+        step = np.zeros(model.dimension)
+        step[k] = h
+        column = (model.rhs(0.3, states + step) - model.rhs(0.3, states - step)) / (2 * h)
+        np.testing.assert_allclose(matrix[:, :, k], column, atol=1e-7)
+
+
+def test_energy_changes_by_the_powers(study):
+    model = eq.Model(study)
+    state = np.random.default_rng(6).normal(size=model.dimension)
+    h = 1e-4
+    run = scipy_integrate.solve_ivp(model.rhs, (0, h), state, rtol=1e-12, atol=1e-14, t_eval=[0, h / 2, h])
+    drive, supports, balls = model.powers(h / 2, run.y[:, 1])
+    slope = (model.energy(h, run.y[:, 2]) - model.energy(0, run.y[:, 0])) / h
+    assert slope == pytest.approx(drive - supports - balls, abs=1e-5)  # h^2 of the third derivative, about 1e3
+
+
+def test_arrays_of_any_shape_go_in_and_out(study):
+    model = eq.Model(study)
+    states = np.random.default_rng(7).normal(size=(3, 4, model.dimension))
+    together = model.rhs(0.0, states)
+    assert together.shape == states.shape and model.energy(0.0, states).shape == (3, 4)
+    np.testing.assert_array_equal(together[1, 2], model.rhs(0.0, states[1, 2]))
+    assert model.names[:4] == ["x", "y", "u", "v"] and len(model.names) == model.dimension
+    for wrong in (np.zeros(3), np.zeros((2, model.dimension + 1)), 1.0):
+        with pytest.raises(eq.StudyError, match="shape"):
+            model.rhs(0.0, wrong)
+    with pytest.raises(eq.StudyError, match="one time"):
+        model.rhs(np.zeros(5), states)
+    assert pickle.loads(pickle.dumps(model)).names == model.names
+
+
+def test_contact_needs_events(study):
+    with pytest.raises(eq.StudyError, match="event"):
+        eq.Model(study.replace({"balancer.contact_angle": 0.3}))
+
+
+def test_a_run_becomes_tables_and_files(study, tmp_path):
+    xarray = pytest.importorskip("xarray")
+    run = eq.simulate(study, np.linspace(0, 30, 61))
+    assert run.status == "done" and run.phi.shape == (61, 2)
+    np.testing.assert_allclose(np.hypot(run.X, run.Y), run.radial, atol=1e-15)
+    run.save(tmp_path / "run.nc")
+    with xarray.open_dataset(tmp_path / "run.nc") as stored:
+        np.testing.assert_array_equal(stored.radial.values, run.radial)
+    run.save(tmp_path / "run.csv")
+    import pandas
+
+    csv = pandas.read_csv(tmp_path / "run.csv", comment="#", index_col="t")
+    pandas.testing.assert_frame_equal(csv, run.to_pandas(), check_exact=True)
+    assert run.to_xarray().radial.units == "R"
+    again = pickle.loads(pickle.dumps(run))
+    np.testing.assert_array_equal(again.phi, run.phi)
+    with pytest.raises(eq.StudyError):
+        eq.simulate(study, [3.0, 1.0])
+    assert eq.simulate(study, 10.0).t[-1] == 10.0

@@ -1,0 +1,100 @@
+// One discovery, and states decided by it.
+#include "equipoise/basins/mapper.hpp"
+
+#include <atomic>
+#include <mutex>
+#include <optional>
+#include <span>
+#include <utility>
+
+#include "equipoise/base/error.hpp"
+#include "equipoise/base/reporting.hpp"
+#include "equipoise/basins/basin.hpp"
+#include "equipoise/basins/chunks.hpp"
+#include "equipoise/discovery/horizon.hpp"
+#include "equipoise/fates/runner.hpp"
+#include "equipoise/kernels/cpu_target.hpp"
+#include "equipoise/spin_up/given_starts.hpp"
+
+namespace equipoise {
+
+struct Mapper::State {
+  Study study;
+  std::unique_ptr<Runner> runner;
+  mutable std::mutex listing;  // of motions
+
+  void settle_all(const std::vector<UnlistedStart>& unlisted, std::vector<Fate>& fates) {
+    const std::lock_guard guard(listing);
+    for (const UnlistedStart& start : unlisted) settle(*runner, start, fates[start.place]);
+  }
+};
+
+Mapper::Mapper(const Study& study, const RunOptions& options) {
+  const ChosenCpuTarget chosen(options.cpu_target);
+  state_ = reported(options, [&](const RunOptions& o) {
+    check_takes_starts(study);
+    check_runnable(study, false);
+    auto state = std::make_unique<State>();
+    state->study = with_horizon(study);
+    // Whoever wishes to stop this call is gone when states are decided: what is found here the runner finds again.
+    DiscoveryCache found;
+    const int threads = thread_count(o.threads);
+    const bool stopped = !followed_one_by_one(state->study.system()) &&
+                         discover(state->study, {threads, o.stop, {}, &found, o.progress}).stopped;
+    if (stopped || is_set(o.stop)) throw RunError("stopped before the attractors were known");
+    state->runner = make_runner(state->study, {threads, nullptr, {}, &found}, false);
+    return state;
+  });
+}
+
+Mapper::~Mapper() = default;
+Mapper::Mapper(Mapper&&) noexcept = default;
+Mapper& Mapper::operator=(Mapper&&) noexcept = default;
+
+Fate Mapper::operator()(const InitialState& start) const {
+  const std::span<const InitialState> alone(&start, 1);
+  check_given_starts(state_->study, alone);
+  std::vector<Fate> fates;
+  std::vector<UnlistedStart> unlisted;
+  state_->runner->run_from(alone, fates, unlisted);
+  state_->settle_all(unlisted, fates);
+  return fates.front();
+}
+
+std::vector<Fate> Mapper::operator()(const std::vector<InitialState>& starts, const RunOptions& options) const {
+  check_given_starts(state_->study, starts);
+  const ChosenCpuTarget chosen(options.cpu_target);
+  return reported(options, [&](const RunOptions& o) {
+    const Runner& runner = *state_->runner;
+    const auto decide = [&](Chunk& c) { return runner.run_from({&starts[c.first], c.count}, c.fates, c.unlisted); };
+    const ChunkWork work{decide, thread_count(o.threads), runner.one_by_one(), o.stop};
+    const std::atomic<bool> finished{false};
+    std::atomic<bool> lost{false};
+    std::vector<Fate> fates;
+    compute_chunks(work, 0, starts.size(), finished, lost, [&](const std::shared_ptr<Chunk>& chunk) {
+      state_->settle_all(chunk->unlisted, chunk->fates);
+      fates.insert(fates.end(), chunk->fates.begin(), chunk->fates.end());
+      if (o.progress) o.progress({fates.size(), starts.size(), "starts", {}});
+    });
+    return fates;
+  });
+}
+
+const Study& Mapper::study() const { return state_->study; }
+
+std::string Mapper::name(int attractor) const {
+  const std::lock_guard guard(state_->listing);
+  const Attractor* found = state_->runner->catalogue().find(attractor);
+  return found ? found->name : "";
+}
+
+std::string Mapper::name(const Fate& fate) const {
+  return fate.outcome == Outcome::attracted ? name(fate.attractor) : name_of(fate.outcome);
+}
+
+Catalogue Mapper::attractors() const {
+  const std::lock_guard guard(state_->listing);
+  return state_->runner->catalogue();
+}
+
+}  // namespace equipoise

@@ -1,0 +1,103 @@
+// What no start can be is said before any is followed.
+#include "equipoise/spin_up/given_starts.hpp"
+
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include "equipoise/base/error.hpp"
+#include "equipoise/files/checksum.hpp"
+#include "equipoise/model/strobe.hpp"
+#include "equipoise/orbits/return_map.hpp"
+
+namespace equipoise {
+
+namespace {
+
+class GivenStart {
+ public:
+  GivenStart(const Study& study, const InitialState& state, std::size_t number)
+      : study_(study), s_(state), number_(number) {}
+
+  void check() const {
+    check_numbers();
+    const InitialState& common = study_.initial;
+    const bool held = study_.release_time() > 0.0, prescribed = !study_.speed.driven();
+    const char* prescribed_psi = "where the rotor turns as prescribed, and its angle matters";
+    if (prescribed && model::is_strobed(study_.parameters)) require("psi", s_.psi, common.psi, prescribed_psi);
+    if (held && prescribed) {
+      const char* why = "where the rotor turns as prescribed until the balls are let go";
+      require("x", s_.x, common.x, why);
+      require("y", s_.y, common.y, why);
+      require("x_dot", s_.x_dot, common.x_dot, why);
+      require("y_dot", s_.y_dot, common.y_dot, why);
+    }
+    for (int i = 0; held && i < study_.parameters.balls; ++i)
+      if (s_.phi_dot[i] != 0.0)
+        fail("phi_dot", s_.phi_dot[i], "must be 0: the balls are clamped until their release", i);
+    if (overlap(study_.parameters, s_.phi.data()))
+      fail("phi", s_.phi[0],
+           fmt::format("balls overlap; must be at least balancer.contact_angle, {}, apart",
+                       study_.parameters.contact_angle));
+  }
+
+ private:
+  void check_numbers() const {
+    finite("psi", s_.psi);
+    finite("x", s_.x);
+    finite("y", s_.y);
+    finite("x_dot", s_.x_dot);
+    finite("y_dot", s_.y_dot);
+    for (int i = 0; i < model::max_balls; ++i) {
+      finite("phi", s_.phi[i], i);
+      finite("phi_dot", s_.phi_dot[i], i);
+      if (i < study_.parameters.balls) continue;
+      absent("phi", s_.phi[i], i);
+      absent("phi_dot", s_.phi_dot[i], i);
+    }
+  }
+
+  [[noreturn]] void fail(const char* key, double value, const std::string& problem, int ball = -1) const {
+    const std::string of_ball = ball < 0 ? "" : fmt::format("[{}]", ball);
+    throw InputError(fmt::format("start {}", number_), fmt::format("initial.{}{}", key, of_ball),
+                     fmt::format("{}", value), problem);
+  }
+  void finite(const char* key, double value, int ball = -1) const {
+    if (!std::isfinite(value)) fail(key, value, "must be a finite number", ball);
+  }
+  void absent(const char* key, double value, int ball) const {
+    if (value != 0.0) fail(key, value, fmt::format("must be 0: the study has {} balls", study_.parameters.balls), ball);
+  }
+  void require(const char* key, double value, double common, const char* why) const {
+    if (value != common) fail(key, value, fmt::format("must be {}, as in [initial], {}", common, why));
+  }
+
+  const Study& study_;
+  const InitialState& s_;
+  std::size_t number_;
+};
+
+}  // namespace
+
+void check_takes_starts(const Study& study) {
+  if (!study.uncertain.empty())
+    throw InputError(study.name, study.uncertain.values.front().key, "",
+                     "is uncertain; starts of one's own need a study without uncertain values");
+}
+
+void check_given_starts(const Study& study, std::span<const InitialState> given) {
+  for (std::size_t i = 0; i < given.size(); ++i) GivenStart(study, given[i], i).check();
+}
+
+std::string checksum_of(const Study& study, std::span<const InitialState> given) {
+  const std::size_t angles = static_cast<std::size_t>(study.parameters.balls) * sizeof(double);
+  store::Checksum sum;
+  for (const InitialState& s : given) {
+    for (const double* part : {&s.psi, &s.x, &s.y, &s.x_dot, &s.y_dot}) sum.add(part, sizeof(double));
+    sum.add(s.phi.data(), angles);
+    sum.add(s.phi_dot.data(), angles);
+  }
+  return fmt::format("{} with checksum {:016x}", given.size(), sum.value());
+}
+
+}  // namespace equipoise

@@ -1,0 +1,34 @@
+// What a state says of everything that a trajectory tells.
+#include "equipoise/trajectory/record.hpp"
+
+#include <array>
+#include <cmath>
+
+#include "equipoise/model/energy.hpp"
+#include "equipoise/model/frames.hpp"
+#include "equipoise/model/strobe.hpp"
+
+namespace equipoise {
+
+void record(Trajectory& out, const model::Parameters& p, double psi, double w, double t, const double* z) {
+  using namespace model::index;
+  out.t.push_back(t);
+  out.psi.push_back(psi);
+  out.psi_dot.push_back(w);
+  out.x.push_back(z[x]);
+  out.y.push_back(z[y]);
+  const std::array<double, 2> velocity = model::rotating_velocity(w, z);
+  out.x_dot.push_back(velocity[0]);
+  out.y_dot.push_back(velocity[1]);
+  for (int i = 0; i < p.balls; ++i) {
+    out.phi[i].push_back(z[phi(i)]);
+    out.phi_dot[i].push_back(z[q(i, p.balls)]);
+  }
+  const std::array<double, 2> rest = model::rest_position(p, psi);
+  out.radial.push_back(std::hypot(z[x] - rest[0], z[y] - rest[1]));
+  const auto force = model::bearing_force(p, psi, z);
+  out.bearing_x.push_back(force[0]);
+  out.bearing_y.push_back(force[1]);
+}
+
+}  // namespace equipoise

@@ -1,0 +1,117 @@
+// The equations of motion of a study as a first-order system, for integrators and analyses from elsewhere.
+#pragma once
+
+#include <cstddef>
+#include <limits>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "equipoise/model/energy.hpp"
+#include "equipoise/results/trajectory.hpp"
+#include "equipoise/study/study.hpp"
+
+namespace equipoise {
+
+/// The quantities that a Trajectory has, at one time: an InitialState (psi, x, y, x_dot, y_dot, phi, phi_dot in the
+/// rotating frame) and what else there is of a driven rotor.
+struct MotionState : InitialState {
+  double psi_dot = 0.0;
+  double speed_error_integral = 0.0;  ///< of a speed control that has one
+};
+
+/// dy/dt = f(t, y) for all of a study: spin-up, balls held and let go, motor or prescribed speed. Time in 1/omega_c,
+/// all else as in docs/equations.md and model/parameters.hpp.
+///
+/// State y, `dimension()` numbers:
+///
+///     x, y                the centre O of the shaft, rotating frame
+///     u, v                its inertial velocity in rotating components: u = x' - psi' y, v = y' + psi' x
+///     phi_1 .. phi_n      ball angles in the rotating frame, unwrapped
+///     phi_dot_1 .. n      their rates
+///     psi, psi_dot        of a driven rotor: its angle and speed
+///     speed_error_integral  of a driven rotor whose control has one
+///
+/// Time is cut into pieces on which f is smooth; an integrator has to end a step where a piece ends, pass the state
+/// through cross(), and begin anew. A piece is asked by its number, for at its end two hold; without number, the one
+/// that begins there is meant. f has one more corner, in time unknown beforehand, where a motor's torque reaches its
+/// limit (speed.torque.limit).
+///
+/// A driven rotor may let go of its balls at a speed: its pieces then are those with the balls held, release_distance()
+/// is what to find the zero of, and released_at() has the equations from then on. Thread-safe.
+class StudyEquations {
+ public:
+  /// Throws InputError for invalid studies, uncertain values, and contact or dry friction: balls that meet or stick
+  /// need events, which simulate() has.
+  explicit StudyEquations(const Study& study);
+  StudyEquations(const StudyEquations&);
+  StudyEquations& operator=(const StudyEquations&);
+  ~StudyEquations();
+
+  const Study& study() const;
+  int dimension() const;
+  struct Component {
+    std::string name;  ///< "x", "phi_1", "phi_dot_1", "psi_dot"
+    std::string unit;  ///< what a dimensionless 1 is: "R", "R omega_c", "rad", "omega_c"
+    std::string long_name;
+    bool angle = false;  ///< 2 pi more is the same
+  };
+  const std::vector<Component>& components() const;
+
+  struct Piece {
+    double begin = 0.0, end = std::numeric_limits<double>::infinity();
+    bool held = false;  ///< the balls are clamped: phi_i stay, phi_dot_i = 0
+  };
+  /// Contiguous from t = 0, the last without end.
+  const std::vector<Piece>& pieces() const;
+  /// Number of the piece that holds at t; at a breakpoint the later one.
+  std::size_t piece_at(double t) const;
+  /// Ends of all pieces but the last, in order.
+  std::vector<double> breakpoints() const;
+  /// When the balls are let go; 0: free from the first; infinite if a speed decides.
+  double release_time() const;
+  std::optional<double> release_speed() const;
+  /// How much psi_dot is beyond release_speed(), in the sense in which it is first approached: the balls are let go
+  /// where this first reaches 0 from below. Throws InputError if there is none.
+  double release_distance(const double* y) const;
+  /// The same study whose balls are let go at `t`, of one that lets go at a speed.
+  StudyEquations released_at(double t) const;
+
+  /// The state at t = 0: of [initial], or of a start of one's own. Where balls are held their phi_dot is 0.
+  std::vector<double> initial_state() const;
+  std::vector<double> initial_state(const InitialState& start) const;
+
+  /// dy/dt into `dy`.
+  void rhs(double t, const double* y, double* dy) const { rhs(piece_at(t), t, y, dy); }
+  void rhs(std::size_t piece, double t, const double* y, double* dy) const;
+  /// d(dy/dt)/dy, exact (dual numbers), row-major: matrix[i * dimension() + k] = d(dy_i/dt)/dy_k.
+  void jacobian(double t, const double* y, double* matrix) const { jacobian(piece_at(t), t, y, matrix); }
+  void jacobian(std::size_t piece, double t, const double* y, double* matrix) const;
+  /// From the end of a piece into the next, in place: psi' of a prescribed motion may jump (law "published"), and with
+  /// it u and v.
+  void cross(std::size_t piece, double* y) const;
+
+  /// Mechanical energy, in M R^2 omega_c^2: model::energy().
+  double energy(double t, const double* y) const { return energy(piece_at(t), t, y); }
+  double energy(std::size_t piece, double t, const double* y) const;
+  /// What changes it: dE/dt = drive - supports - balls.
+  model::Powers powers(double t, const double* y) const { return powers(piece_at(t), t, y); }
+  model::Powers powers(std::size_t piece, double t, const double* y) const;
+
+  /// The state as a trajectory tells it, and back. Of a prescribed rotor psi and psi_dot follow from t and are not
+  /// read.
+  MotionState motion(double t, const double* y) const { return motion(piece_at(t), t, y); }
+  MotionState motion(std::size_t piece, double t, const double* y) const;
+  std::vector<double> state(double t, const MotionState& motion) const { return state(piece_at(t), t, motion); }
+  std::vector<double> state(std::size_t piece, double t, const MotionState& motion) const;
+  /// A row more, with the radial displacement and the force on the supports.
+  void append(double t, const double* y, Trajectory& trajectory) const;
+
+ private:
+  struct State;
+  explicit StudyEquations(std::shared_ptr<const State> state);
+  std::shared_ptr<const State> state_;
+};
+
+}  // namespace equipoise
