@@ -189,13 +189,16 @@ class Event:
     """Something that happens to a branch between two values of the parameter.
 
     change: "birth", "death", "stability gained", "stability lost" or "kind"; cause: "fold", "pitchfork", "Hopf" and
-    their like.
+    their like. r_min, r_mean, r_max: displacement of the branch there, in R.
     """
 
     change: str
     cause: str
     low: float
     high: float
+    r_min: float
+    r_mean: float
+    r_max: float
 
 
 class Branch:
@@ -227,7 +230,11 @@ class Branch:
         self.kind = [p["kind"] for p in points]
         self.growth_rate = np.array([p.get("growth_rate") for p in points], dtype=float)
         self.multiplier = np.array([p.get("multiplier") for p in points], dtype=float)
-        self.events = [Event(e["change"], e["type"], *e["between"]) for e in events if e["id"] == self.id]
+        self.events = [
+            Event(e["change"], e["type"], *e["between"], *(e["radial"][name] for name in ("min", "mean", "max")))
+            for e in events
+            if e["id"] == self.id
+        ]
 
     def __repr__(self) -> str:
         stretch = f"{self.value[0]:g} to {self.value[-1]:g}" if len(self.value) else "nowhere"

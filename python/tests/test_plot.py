@@ -15,6 +15,7 @@ matplotlib = pytest.importorskip("matplotlib")
 matplotlib.use("Agg")
 
 import matplotlib.pyplot as plt  # noqa: E402
+from matplotlib import animation  # noqa: E402
 from matplotlib.colors import same_color, to_rgb  # noqa: E402
 from matplotlib.patches import Circle  # noqa: E402
 
@@ -78,7 +79,7 @@ def an_ensemble(**changed):
     """What pictures read of an ensemble, with outcomes that a real one seldom has."""
     share = {"balanced": 0.5, "co-drifting": 0.25, "undecided": 0.125, "diverged": 0.125}
     fields = {
-        "names": {0: "undecided", 1: "balanced", 2: "co-drifting", -1: "diverged", -2: "failed"},
+        "names": {0: "undecided", 1: "balanced", 2: "co-drifting", -1: "diverged", -2: "failed", -3: "stalled"},
         "shares": share,
         "errors": {name: (value - 0.05, value + 0.05) for name, value in share.items()},
         "counts": {name: int(8 * value) for name, value in share.items()},
@@ -257,7 +258,8 @@ def test_a_map_says_its_shares_and_angles(plane):
     for title, code, text in zip(titles, (1, 2, 3), legend_texts(ax)):
         assert text == f"{title}, {100.0 * plane.shares[plane.names[code]]:.1f} %"
     ax.figure.canvas.draw()
-    assert [t.get_text() for t in ax.get_xticklabels()][-1] == "2π"
+    inside = [t.get_text() for t, at in zip(ax.get_xticklabels(), ax.get_xticks()) if 0.0 <= at <= 6.3]
+    assert inside == ["0", "π/2", "π", "3π/2", "2π"]
 
 
 def test_pixels_without_an_outcome_are_white():
@@ -272,10 +274,13 @@ def test_pixels_without_an_outcome_are_white():
 
 def some_branches():
     value = np.array([2.0, 2.1, 2.2, 2.3, 2.7, 2.8])
-    event = SimpleNamespace(change="stability lost", cause="pitchfork", low=2.12, high=2.14)
+    lost = SimpleNamespace(
+        change="stability lost", cause="pitchfork", low=2.16, high=2.18, r_min=0.03, r_mean=0.06, r_max=0.15
+    )
+    end = SimpleNamespace(change="death", cause="fold", low=2.33, high=2.35, r_min=0.04, r_mean=0.07, r_max=0.2)
     branch = SimpleNamespace(
         id=2, name="co-drifting", alias="V1", value=value, r_min=value / 100, r_mean=value / 50, r_max=value / 20,
-        stable=np.array([True, True, False, False, True, True]), events=[event],
+        stable=np.array([True, True, False, False, True, True]), events=[lost, end],
     )
 
     class Branches(list):
@@ -287,20 +292,24 @@ def some_branches():
 
 def test_branches_are_solid_where_they_attract_and_dashed_elsewhere():
     ax = eq.plot.branches(some_branches(), events=False)
-    lines = ax.get_lines()
-    drawn = [(line.get_linestyle(), list(line.get_xdata())) for line in lines]
-    assert drawn == [("-", [2.0, 2.1, 2.2]), ("--", [2.2, 2.3]), ("-", [2.7, 2.8])]  # a hole from 2.3 to 2.7
-    for line in lines:
-        assert same_color(line.get_color(), _core.colour_of(2))
-        assert line.get_ydata() == pytest.approx(np.asarray(line.get_xdata()) / 20)
+    drawn = [(line.get_linestyle(), line.get_xdata(), line.get_ydata()) for line in ax.get_lines()]
+    assert [style for style, _, _ in drawn] == ["-", "--", "-"]
+    # Stability is lost at 2.17, not at a value of the parameter; the branch ends at 2.34, and there is another part.
+    assert drawn[0][1] == pytest.approx([2.0, 2.1, 2.17, 2.17])
+    assert drawn[1][1] == pytest.approx([2.17, 2.2, 2.3, 2.34])
+    assert drawn[2][1] == pytest.approx([2.7, 2.8])
+    assert drawn[0][2] == pytest.approx([2.0 / 20, 2.1 / 20, 0.15, 0.15])
+    assert drawn[1][2] == pytest.approx([0.15, 2.2 / 20, 2.3 / 20, 0.2])
+    assert all(same_color(line.get_color(), _core.colour_of(2)) for line in ax.get_lines())
     assert legend_texts(ax)[0] == "V1: co-drifting"
 
 
 def test_events_of_branches_are_marked_where_they_happen():
     ax = eq.plot.branches(some_branches(), y="r_mean")
-    (mark,) = [line for line in ax.get_lines() if line.get_linestyle() == "None"]
-    assert (mark.get_xdata()[0], mark.get_ydata()[0]) == pytest.approx((2.13, 2.13 / 50))
-    assert mark.get_marker() == "^" and "pitchfork" in legend_texts(ax)
+    marks = [line for line in ax.get_lines() if line.get_linestyle() == "None"]
+    placed = [(mark.get_marker(), mark.get_xdata()[0], mark.get_ydata()[0]) for mark in marks]
+    assert placed == [("^", pytest.approx(2.17), 0.06), ("o", pytest.approx(2.34), 0.07)]
+    assert {"pitchfork", "fold"} <= set(legend_texts(ax))
 
 
 def test_a_range_of_branches_reaches_from_smallest_to_largest():
@@ -416,7 +425,7 @@ def test_a_film_has_the_pictures_that_were_asked_for(spin_up, tmp_path):
         assert film.n_frames == 5
 
 
-@pytest.mark.skipif(not matplotlib.animation.writers.is_available("ffmpeg"), reason="ffmpeg is not installed")
+@pytest.mark.skipif(not animation.writers.is_available("ffmpeg"), reason="ffmpeg is not installed")
 def test_a_film_may_be_mp4(spin_up, tmp_path):
     path = eq.plot.animate(spin_up, tmp_path / "spin-up.mp4", fps=10, seconds=0.5, frame="rotor", dpi=41)
     described = subprocess.run(

@@ -94,7 +94,7 @@ def animate(
     try:
         colour = parts.INK if attractor is None else parts.colour_of(attractor.id)
         machine = Machine(ax, run.study, states.phi.shape[1], large, bound, colour)
-        machine.set_stage(states)
+        machine.set_stage(states.centre)
         title = ax.set_title(" ")
         figure.canvas.draw()
         figure.set_layout_engine("none")  # the stage stands still

@@ -63,7 +63,7 @@ def shares(result: BasinResult, ax: Optional[Axes] = None) -> Axes:
     parts.need("shares", result, "a BasinResult, that of equipoise.basin()", ("shares", "errors", "counts", "names"))
     outcomes = _outcomes(result)
     if ax is None:
-        ax = parts.new_axes((6.4, 0.9 + 0.42 * len(outcomes)))
+        ax = parts.new_axes((7.6, 0.9 + 0.42 * len(outcomes)))
     for row, outcome in enumerate(outcomes):
         value = parts.PERCENT * outcome.share
         ax.barh(row, value, height=0.62, color=parts.colour_of(outcome.code), edgecolor=parts.QUIET, linewidth=0.6)

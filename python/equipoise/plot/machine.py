@@ -16,6 +16,8 @@ if TYPE_CHECKING:
     from ..trajectory import Trajectory
 
 FRAMES = ("rotor", "room")
+_SEEN = 0.02
+"""Race radii between balls that are drawn as one: it bears all their numbers."""
 _PATH_POINTS = 2000
 """Of an attractor: what does not repeat is followed over many turns."""
 _REACH = 0.42
@@ -120,20 +122,18 @@ class Machine:
         self.mass.set(markeredgewidth=0.0, label="centre of mass")
         self.balls, self.numbers = [], []
         self.sizes = ball_sizes(study, balls)
-        for number, size in enumerate(self.sizes, start=1):
+        for size in self.sizes:
             self.balls.append(ax.add_patch(Circle((0, 0), size, facecolor=parts.INK, edgecolor="white", zorder=8)))
-            text = ax.text(0, 0, str(number), color="white", ha="center", va="center", zorder=9, fontsize=8)
-            text.set_visible(balls > 1)
-            self.numbers.append(text)
+            self.numbers.append(ax.text(0, 0, "", color="white", ha="center", va="center", zorder=9, visible=balls > 1))
         self.limit = None
         if limit is not None and limit * magnify <= 1.0:
             ring = Circle((0, 0), limit * magnify, fill=False, edgecolor=parts.LIMIT, linestyle="--", linewidth=1.5)
             self.limit = ax.add_patch(ring)
 
 
-    def set_stage(self, states: States) -> None:
-        """Room for all states, no frame around it."""
-        reach = self.magnify * (float(np.max(np.abs(states.centre), initial=0.0)) + abs(self.race_offset))
+    def set_stage(self, centres: parts.Array) -> None:
+        """Room for the race around each of these places of the rotor's centre, no frame around it."""
+        reach = self.magnify * (float(np.max(np.abs(centres))) + abs(self.race_offset))
         half = 1.06 + reach + float(np.max(self.sizes))
         self.ax.set_aspect("equal", anchor="W")
         self.ax.set(xlim=(-half, half), ylim=(-half, half), xticks=[], yticks=[])
@@ -154,10 +154,14 @@ class Machine:
         for artist in (self.mass, self.mass_ground):
             artist.set_data([mass.real], [mass.imag])
         self.way.set_data(*_xy(states.centre[way] * self.magnify))
-        places = race + np.exp(1j * (states.heavy[k] + states.phi[k]))
-        for ball, number, place in zip(self.balls, self.numbers, places):
+        on_race = np.exp(1j * (states.heavy[k] + states.phi[k]))
+        for ball, number, at in zip(self.balls, self.numbers, on_race):
+            place = race + at
             ball.center = (place.real, place.imag)
             number.set_position((place.real, place.imag))
+            together = 1 + np.flatnonzero(np.abs(on_race - at) < _SEEN)
+            number.set_text("+".join(str(one) for one in together))
+            number.set_fontsize(8.0 if together.size == 1 else 5.5)
         if self.limit is not None:
             rest = states.rest[k] * self.magnify
             self.limit.center = (rest.real, rest.imag)
@@ -260,7 +264,7 @@ def disc(
     colour = parts.INK if attractor is None else parts.colour_of(attractor.id)
     large = magnification(run.study, states, bound) if magnify is None else magnify
     machine = Machine(ax, run.study, states.phi.shape[1], large, bound, colour)
-    machine.set_stage(states)
+    machine.set_stage(states.centre[at : at + 1])
     machine.place(states, at, slice(None) if attractor is not None else slice(0, at + 1))
     if attractor is not None:
         ax.set_title(parts.outcome_title(attractor.name, attractor.alias))

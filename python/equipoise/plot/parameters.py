@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any, Optional
 
 import numpy as np
@@ -103,6 +104,7 @@ def _stacked(result: SweepResult, key: str, ax: Optional[Axes]) -> Axes:
             ax.errorbar(
                 place, share, yerr=[np.maximum(share - low, 0.0), np.maximum(high - share, 0.0)], fmt="o",
                 markersize=2.6, color=parts.INK, elinewidth=1.1, capsize=1.8, label="balanced, 95 % interval",
+                clip_on=False, zorder=3,
             )
         )
     if place.size > 1:
@@ -154,9 +156,11 @@ def _heat(result: SweepResult, x_key: str, ax: Optional[Axes]) -> Axes:
 
 _EVENT_MARKS: dict[str, str] = {
     "fold": "o", "pitchfork": "^", "period doubling": "D", "Neimark-Sacker": "v", "Hopf": "s", "torus to chaos": "*",
-    "chaos to torus": "*", "attraction ends": "X",
+    "chaos to torus": "*", "no longer attracting": "X",
 }
 _OTHER_MARK = "P"
+_UNSTABLE = (0, (5, 3))
+"""Dashes of what does not attract."""
 _HEIGHTS: dict[str, str] = {"r_min": "smallest", "r_mean": "mean", "r_max": "largest"}
 
 
@@ -214,10 +218,38 @@ def _usual_step(result: BranchesResult) -> float:
     return float(np.max(np.abs(np.diff(values)))) if values.size > 1 else np.inf
 
 
-def _stretches(branch: Branch, step: float) -> list[tuple[bool, parts.Array]]:
+@dataclass(frozen=True)
+class _Course:
+    """A branch from event to event: its points, and where between them it begins, ends or changes stability."""
+
+    value: parts.Array
+    radii: dict[str, parts.Array]
+    stable: parts.Array
+
+
+def _course(branch: Branch, factor: float) -> _Course:
+    radii = [np.asarray(getattr(branch, name), dtype=float) for name in _HEIGHTS]
+    stable = np.asarray(branch.stable, dtype=bool)
+    rows = [(*numbers, bool(attracts)) for *numbers, attracts in zip(branch.value, *radii, stable)]
+    for event in branch.events:
+        if event.change == "kind" or not rows:
+            continue
+        middle = 0.5 * (event.low + event.high)
+        after = int(np.searchsorted(branch.value, middle))
+        # A birth or an end is as stable as what it begins or ends; a change of stability belongs to both sides.
+        sides = {"birth": (after,), "death": (after - 1,)}.get(event.change, (after - 1, after))
+        for side in np.clip(sides, 0, stable.size - 1):
+            rows.append((middle, *(getattr(event, name) for name in _HEIGHTS), bool(stable[side])))
+    rows.sort(key=lambda row: row[0])
+    columns = np.array([row[:-1] for row in rows], dtype=float).reshape(-1, 4).T
+    named = dict(zip(_HEIGHTS, factor * columns[1:]))
+    return _Course(columns[0], named, np.array([row[-1] for row in rows], dtype=bool))
+
+
+def _stretches(course: _Course, step: float) -> list[tuple[bool, parts.Array]]:
     """Whether it attracts, and indices of neighbouring points that do so alike. A stretch reaches to the first point of
     the next, so that the line is whole."""
-    stable, value = np.asarray(branch.stable, dtype=bool), np.asarray(branch.value, dtype=float)
+    stable, value = course.stable, course.value
     stretches = []
     begin = 0
     for k in range(1, value.size + 1):
@@ -230,35 +262,32 @@ def _stretches(branch: Branch, step: float) -> list[tuple[bool, parts.Array]]:
 
 
 def _draw_branch(ax: Axes, branch: Branch, y: str, factor: float, step: float) -> Any:
-    colour = parts.colour_of(branch.id)
-    value = np.asarray(branch.value, dtype=float)
-    radii = {name: factor * np.asarray(getattr(branch, name), dtype=float) for name in _HEIGHTS}
-    for stable, part in _stretches(branch, step):
-        if y == "range" and stable:
-            low, high = radii["r_min"][part], radii["r_max"][part]
-            ax.fill_between(value[part], low, high, color=colour, alpha=0.25, linewidth=0.0)
-        for name in ("r_min", "r_max") if y == "range" else (y,):
-            ax.plot(
-                value[part], radii[name][part], color=colour, linewidth=2.0 if stable else 1.2,
-                linestyle="-" if stable else (0, (5, 3)), marker="." if part.size == 1 else "",
-            )
     from matplotlib.lines import Line2D
 
+    colour = parts.colour_of(branch.id)
+    course = _course(branch, factor)
+    for stable, part in _stretches(course, step):
+        value = course.value[part]
+        if y == "range" and stable:
+            low, high = course.radii["r_min"][part], course.radii["r_max"][part]
+            ax.fill_between(value, low, high, color=colour, alpha=0.25, linewidth=0.0)
+        for name in ("r_min", "r_max") if y == "range" else (y,):
+            ax.plot(
+                value, course.radii[name][part], color=colour, linewidth=2.0 if stable else 1.2,
+                linestyle="-" if stable else _UNSTABLE, marker="." if part.size == 1 else "",
+            )
     return Line2D([], [], color=colour, linewidth=3.0, label=parts.outcome_title(branch.name, branch.alias))
 
 
 def _draw_events(ax: Axes, branch: Branch, y: str, factor: float) -> dict[str, str]:
     """Marks what happens to a branch, in the middle of where it is known to happen; returns cause and mark."""
-    value, height = np.asarray(branch.value, dtype=float), factor * np.asarray(getattr(branch, y), dtype=float)
     used = {}
     for event in branch.events:
-        middle = 0.5 * (event.low + event.high)
         mark = _EVENT_MARKS.get(event.cause, _OTHER_MARK)
         used[event.cause if event.cause in _EVENT_MARKS else "other change"] = mark
         ax.plot(
-            middle, np.interp(middle, value, height), marker=mark, markersize=6.0, linestyle="none",
-            color=parts.colour_of(branch.id), markeredgecolor=parts.INK, markeredgewidth=0.8, zorder=4,
-            clip_on=False,
+            0.5 * (event.low + event.high), factor * getattr(event, y), marker=mark, markersize=6.0, linestyle="none",
+            color=parts.colour_of(branch.id), markeredgecolor=parts.INK, markeredgewidth=0.8, zorder=4, clip_on=False,
         )
     return used
 
@@ -268,7 +297,7 @@ def _branch_key(marks: dict[str, str]) -> list[Any]:
 
     lines = [
         Line2D([], [], color=parts.QUIET, linewidth=2.0, label="attracts"),
-        Line2D([], [], color=parts.QUIET, linewidth=1.2, linestyle=(0, (5, 3)), label="unstable"),
+        Line2D([], [], color=parts.QUIET, linewidth=1.2, linestyle=_UNSTABLE, label="unstable"),
     ]
     return lines + [
         Line2D([], [], linestyle="none", marker=mark, color="white", markeredgecolor=parts.INK, label=cause)

@@ -128,10 +128,11 @@ def outcome_title(name: str, alias: str = "") -> str:
 
 
 def percent_text(share: float, low: float, high: float) -> str:
-    """'60.4 %', with as many digits as its interval has."""
-    width = PERCENT * max(high - low, 1e-9)
-    digits = int(np.clip(np.ceil(-np.log10(0.5 * width)), 0, 4))
-    return f"{PERCENT * share:.{digits}f} %"
+    """'60.4 % (59.7 to 61.1)', with as many digits as its interval has."""
+    half_width = 0.5 * PERCENT * max(high - low, 1e-9)
+    digits = int(np.clip(np.ceil(-np.log10(half_width)), 1, 4))
+    value, below, above = (f"{PERCENT * number:.{digits}f}" for number in (share, low, high))
+    return f"{value} % ({below} to {above})"
 
 
 def axis_label(key: str, unit: str = "") -> str:
@@ -164,10 +165,10 @@ _PI_STEPS = (1, 3, 6, 12, 24, 48, 120, 240, 480, 1200, 2400, 4800, 12000, 24000,
 
 
 def pi_ticks(axis: Any, low: float, high: float) -> None:
-    """Ticks of a matplotlib axis at multiples of π/12 or more, nine of them at most between `low` and `high`."""
+    """Ticks of a matplotlib axis at multiples of π/12 or more, seven of them at most between `low` and `high`."""
     from matplotlib import ticker
 
-    enough = [k for k in _PI_STEPS if (high - low) / (k * np.pi / 12.0) <= 8.0]
+    enough = [k for k in _PI_STEPS if (high - low) / (k * np.pi / 12.0) <= 6.0]
     step = (enough[0] if enough else _PI_STEPS[-1]) * np.pi / 12.0
     axis.set_major_locator(ticker.MultipleLocator(step))
     axis.set_major_formatter(ticker.FuncFormatter(lambda value, _: pi_text(value)))

@@ -43,7 +43,7 @@ def map(result: MapResult, shade: bool = True, ax: Optional[Axes] = None) -> Axe
     parts.need("map", result, "a MapResult, that of equipoise.map()", ("outcome", "time", "x_edges", "y_edges"))
     outcome, time = np.asarray(result.outcome), np.asarray(result.time, dtype=float)
     if ax is None:
-        ax = parts.new_axes((7.4, 5.2))
+        ax = parts.new_axes((8.2, 5.2))
     filled = (outcome > 0) & ~np.isfinite(time)
     extent = (*result.x_edges, *result.y_edges)
     angles = parts.is_angle(result.x_key) and parts.is_angle(result.y_key)
@@ -51,6 +51,7 @@ def map(result: MapResult, shade: bool = True, ax: Optional[Axes] = None) -> Axe
         coloured(outcome, time if shade and not filled.any() else None), origin="lower", extent=extent,
         interpolation="nearest", aspect="equal" if angles else "auto",
     )
+    ax.set_anchor("W")  # beside its legend
     for key, axis, low, high in (
         (result.x_key, ax.xaxis, extent[0], extent[1]),
         (result.y_key, ax.yaxis, extent[2], extent[3]),
