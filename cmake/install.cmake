@@ -35,7 +35,8 @@ foreach(header
     report/capacity_report.hpp report/comparison_report.hpp report/inspection_report.hpp report/map_report.hpp
     report/sweep_report.hpp
     explain/explain.hpp
-    pages/answer.hpp pages/given_keys.hpp pages/machine_html.hpp pages/machine_page.hpp pages/motion_path.hpp
+    pages/answer.hpp pages/capacity_html.hpp pages/given_keys.hpp pages/given_machine.hpp pages/machine_html.hpp pages/machine_page.hpp
+    pages/map_html.hpp pages/motion_path.hpp pages/sweep_html.hpp
     paper.hpp literature/conclusions.hpp literature/paper_figure.hpp literature/published_tables.hpp
     literature/reproduction.hpp statistics/comparison.hpp reproduction/open_questions.hpp
     reproduction/open_questions_result.hpp reproduction/paper_figures.hpp reproduction/reproduce.hpp

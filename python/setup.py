@@ -14,16 +14,17 @@ root = here.parent
 
 
 class CMakeBuild(build_ext):
-    """Builds the module in a folder of its own and takes it from there."""
+    """Builds the module and takes it: in a folder of its own, or in EQUIPOISE_BUILD_DIR as that is configured already."""
 
     def build_extension(self, extension: Extension) -> None:
         target = pathlib.Path(self.get_ext_fullpath(extension.name)).resolve()
         folder = pathlib.Path(os.environ.get("EQUIPOISE_BUILD_DIR", pathlib.Path(self.build_temp) / "cmake")).resolve()
-        subprocess.check_call(
-            ["cmake", "-S", str(root), "-B", str(folder), "-G", "Ninja", "-DCMAKE_BUILD_TYPE=Release",
-             "-DEQUIPOISE_BUILD_PYTHON=ON", "-DEQUIPOISE_BUILD_PROGRAM=OFF", f"-DPython_EXECUTABLE={sys.executable}",
-             *os.environ.get("EQUIPOISE_CMAKE_ARGS", "").split()]
-        )
+        if not (folder / "CMakeCache.txt").exists():
+            subprocess.check_call(
+                ["cmake", "-S", str(root), "-B", str(folder), "-G", "Ninja", "-DCMAKE_BUILD_TYPE=Release",
+                 "-DEQUIPOISE_BUILD_PYTHON=ON", "-DEQUIPOISE_BUILD_PROGRAM=OFF", f"-DPython_EXECUTABLE={sys.executable}",
+                 *os.environ.get("EQUIPOISE_CMAKE_ARGS", "").split()]
+            )
         subprocess.check_call(["cmake", "--build", str(folder), "--target", "equipoise_python"])
         built = next((folder / "python" / "equipoise").glob("_core*.so"))
         target.parent.mkdir(parents=True, exist_ok=True)

@@ -4,6 +4,7 @@ find_package(SUNDIALS REQUIRED COMPONENTS arkode nvecserial)
 equipoise_test(inertial_frame_test equivalence
   equivalence/inertial_frame_test.cpp equivalence/lagrangian.cpp equivalence/cases.cpp
   LIBRARIES SUNDIALS::arkode_shared SUNDIALS::nvecserial_shared)
+equipoise_test(study_equations_test equivalence equivalence/study_equations_test.cpp)
 equipoise_test(energy_balance_test equivalence
   equivalence/energy_balance_test.cpp equivalence/lagrangian.cpp equivalence/cases.cpp
   LIBRARIES SUNDIALS::arkode_shared SUNDIALS::nvecserial_shared)

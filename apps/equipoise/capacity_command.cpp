@@ -8,39 +8,47 @@
 
 #include "commands.hpp"
 #include "equipoise/drawing/chart.hpp"
+#include "equipoise/pages/capacity_html.hpp"
+#include "equipoise/pages/given_machine.hpp"
 #include "equipoise/report/capacity_charts.hpp"
 #include "equipoise/report/capacity_report.hpp"
 #include "equipoise/sweeps/capacity.hpp"
 #include "equipoise/sweeps/sweep_axis.hpp"
-#include "gnuplot.hpp"
 #include "options.hpp"
 #include "progress.hpp"
+#include "result_forms.hpp"
 #include "streams.hpp"
 
 namespace equipoise::app {
 
 namespace {
 
-struct CapacityArguments {
-  std::string study, of = "rotor.eccentricity", between, csv, plot, cpu;
+struct CapacityArguments : ResultForms {
+  std::string study, of = "rotor.eccentricity", between, cpu;
   std::vector<std::string> over, overrides;
   std::optional<std::string> at_least, precision, starts, seed, threads;
-  bool zip = false, json = false, quiet = false;
+  bool zip = false, quiet = false;
 };
 
-int run_capacity(const CapacityArguments& a) {
-  choose_cpu(a.cpu);
+StudySource capacity_source(const CapacityArguments& a) {
   StudySource source{read_study_text(a.study), a.study, a.overrides};
   // Many ensembles on the way: as many starts as locate a share of 95 % to half a percent.
   constexpr const char* usual_starts = "10000";
   override_starts(a.starts ? a.starts : std::optional<std::string>(usual_starts), a.seed, source.overrides);
+  return source;
+}
+
+SweepPlan capacity_plan(const CapacityArguments& a, const StudySource& source) {
   const std::vector<SweepAxis> axes = a.over.empty() ? std::vector<SweepAxis>{} : sweep_axes(a.over, a.zip, "--over");
   CellRequest request;
   request.transients = false;
-  const SweepPlan plan(source, axes, request, "--over");
+  return SweepPlan(source, axes, request, "--over");
+}
+
+CapacityOptions capacity_options(const CapacityArguments& a, const Study& study) {
   CapacityOptions options;
   options.key = a.of;
-  const CapacityRange range = capacity_range(plan.study(), a.of, a.between, "--between");
+  const CapacityRange range = capacity_range(study, a.of, a.between, "--between");
   options.from = range.from;
   options.to = range.to;
   options.unit = range.unit;
@@ -50,24 +58,31 @@ int run_capacity(const CapacityArguments& a) {
   if (a.precision)
     options.precision =
         option_number<double>("--precision", *a.precision, 1e-4, 0.1, "a part of the range from 0.0001 to 0.1");
-  require_ending("--csv", a.csv, ".csv");
-  require_ending("--plot", a.plot, ".png", ".svg");
-  if (!a.plot.empty()) require_gnuplot("--plot", a.plot);
-  require_writable("--csv", a.csv);
-  require_writable("--plot", a.plot);
+  options.output = a.output;
   options.threads = threads_option(a.threads);
   options.stop = &stop_flag();
+  return options;
+}
+
+int run_capacity(const CapacityArguments& a) {
+  choose_cpu(a.cpu);
+  const StudySource source = capacity_source(a);
+  const SweepPlan plan = capacity_plan(a, source);
+  CapacityOptions options = capacity_options(a, plan.study());
+  check_forms(a);
   ProgressLine progress(a.quiet);
   options.progress = progress.listener();
   const CapacityResult result = capacity(plan, options);
   progress.finish();
-  put(a.json ? capacity_json(result) : capacity_text(result));
-  if (!a.csv.empty()) write_file(a.csv, capacity_csv(result));
-  if (!a.plot.empty())
-    draw(a.plot, [&](const std::string& file) {
-      return chart_plot_script(capacity_title(result), capacity_charts(result), file);
-    });
-  return result.complete() ? done : interrupted;
+  put_forms(a, {[&] { return capacity_text(result); }, [&] { return capacity_json(result); },
+                [&] { return capacity_csv(result); },
+                [&](const std::string& file) {
+                  return chart_plot_script(capacity_title(result), capacity_charts(result), file);
+                },
+                [&] { return capacity_html(result, given_machine(source.toml, source.name, source.overrides)); }});
+  if (result.complete()) return done;
+  say_stopped(a.output);
+  return interrupted;
 }
 
 }  // namespace
@@ -93,12 +108,13 @@ Command add_capacity(CLI::App& app) {
   app.add_flag("--zip", a->zip, "the parameters vary together, step by step, instead of in all combinations");
   app.add_option("--starts", a->starts, "number of starts of every ensemble (default 10000)")->type_name("N");
   app.add_option("--seed", a->seed, "seed of the starts, which are the same in all")->type_name("S");
-  app.add_option("--csv", a->csv, "a line a cell (.csv)")->type_name("FILE");
-  app.add_option("--plot", a->plot, "a picture (.png or .svg); drawn by gnuplot")->type_name("FILE");
+  app.add_option("-o,--output", a->output,
+                 "all cells as NetCDF (.nc), their trials kept as they come; the same command goes on from it")
+      ->type_name("FILE");
+  add_forms(app, *a, {"a line a cell (.csv)", "a picture (.png or .svg); drawn by gnuplot"});
   app.add_option("--threads", a->threads, "threads (default: all cores)")->type_name("T");
   add_overrides(app, a->overrides);
   app.add_option("--cpu", a->cpu, "instruction set to use instead of the best (see --version)")->type_name("NAME");
-  app.add_flag("--json", a->json, "print one JSON object");
   app.add_flag("--quiet", a->quiet, "no progress");
   return [a] { return run_capacity(*a); };
 }

@@ -1,5 +1,6 @@
 // equipoise map: the outcome of a start at every pixel of a plane.
 #include <filesystem>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <string>
@@ -11,22 +12,23 @@
 #include "equipoise/drawing/map_plot.hpp"
 #include "equipoise/maps/map_axis.hpp"
 #include "equipoise/maps/plane_map.hpp"
+#include "equipoise/pages/given_machine.hpp"
+#include "equipoise/pages/map_html.hpp"
 #include "equipoise/report/map_report.hpp"
-#include "gnuplot.hpp"
 #include "options.hpp"
 #include "progress.hpp"
+#include "result_forms.hpp"
 #include "streams.hpp"
 
 namespace equipoise::app {
 
 namespace {
 
-struct MapArguments {
-  std::string study, x = "initial.phi_1", y = "initial.phi_2", x_range, y_range, size = "512x512", output, plot, cpu,
-                     from;
+struct MapArguments : ResultForms {
+  std::string study, x = "initial.phi_1", y = "initial.phi_2", x_range, y_range, size = "512x512", cpu, from;
   std::vector<std::string> overrides, ties;
   std::optional<std::string> threads, refine;
-  bool json = false, quiet = false;
+  bool quiet = false;
 };
 
 int block_option(const std::string& text) {
@@ -36,21 +38,29 @@ int block_option(const std::string& text) {
   return block;
 }
 
+void put_map(const ResultForms& a, const PlaneMap& map, const std::function<GivenMachine()>& machine) {
+  put_forms(a, {[&] { return map_text(map); },
+                [&] { return map_json(map); },
+                {},
+                [&](const std::string& file) {
+                  return map_plot_script(map, display_text(std::filesystem::path(map.study.name).filename().string()),
+                                         file, map.block > 0 ? MapShading::none : MapShading::decision_time);
+                },
+                [&] { return map_html(map, machine()); }});
+}
+
 int run_map(const MapArguments& a) {
   choose_cpu(a.cpu);
-  const Study study = at_medians(read_study(a.study, a.overrides));
+  const std::string text = read_study_text(a.study), name = display_text(a.study);
+  const Study study = at_medians(parse_study(text, name, a.overrides));
   const MapSize size = map_size(a.size, "--size");
   PlaneMapSettings settings;
   settings.x = map_axis(study, a.x, a.x_range, size.width, "--x-range");
   settings.y = map_axis(study, a.y, a.y_range, size.height, "--y-range");
   for (const std::string& tie : a.ties) settings.links.push_back(angle_link(tie, "--tie"));
   if (a.refine) settings.block = block_option(*a.refine);
-  require_ending("--output", a.output, ".nc");
   require_ending("--from", a.from, ".nc");
-  require_ending("--plot", a.plot, ".png", ".svg");
-  if (!a.plot.empty()) require_gnuplot("--plot", a.plot);
-  require_writable("--output", a.output);
-  require_writable("--plot", a.plot);
+  check_forms(a);
   settings.output = a.output;
   settings.from = a.from;
   settings.threads = threads_option(a.threads);
@@ -62,12 +72,7 @@ int run_map(const MapArguments& a) {
   if (map.read_whole) say("read from {}", a.output);
   if (!map.complete && !a.output.empty() && map.pixels_computed > 0)
     say("{} of {} pixels are kept in {}; the same command goes on", map.pixels_computed, map.pixels, a.output);
-  put(a.json ? map_json(map) : map_text(map));
-  if (!a.plot.empty())
-    draw(a.plot, [&](const std::string& file) {
-      return map_plot_script(map, display_text(std::filesystem::path(study.name).filename().string()), file,
-                             map.block > 0 ? MapShading::none : MapShading::decision_time);
-    });
+  put_map(a, map, [&] { return given_machine(text, name, a.overrides); });
   return map.complete ? done : interrupted;
 }
 
@@ -101,12 +106,10 @@ Command add_map(CLI::App& app) {
          "what is there")
       ->type_name("FILE");
   app.add_option("--from", a->from, "take pixels with the same centres from another map's file")->type_name("FILE");
-  app.add_option("--plot", a->plot, "a picture (.png or .svg), darker where decided later; drawn by gnuplot")
-      ->type_name("FILE");
+  add_forms(app, *a, {nullptr, "a picture (.png or .svg), darker where decided later; drawn by gnuplot"});
   app.add_option("--threads", a->threads, "threads (default: all cores)")->type_name("T");
   add_overrides(app, a->overrides);
   app.add_option("--cpu", a->cpu, "instruction set to use instead of the best (see --version)")->type_name("NAME");
-  app.add_flag("--json", a->json, "print one JSON object");
   app.add_flag("--quiet", a->quiet, "no progress");
   return [a] { return run_map(*a); };
 }

@@ -2,6 +2,7 @@
 #include <charconv>
 #include <cstdint>
 #include <filesystem>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <string>
@@ -12,14 +13,16 @@
 
 #include "commands.hpp"
 #include "equipoise/drawing/sweep_plot.hpp"
+#include "equipoise/pages/given_machine.hpp"
+#include "equipoise/pages/sweep_html.hpp"
 #include "equipoise/report/sweep_report.hpp"
 #include "equipoise/report/text.hpp"
 #include "equipoise/sweeps/merge.hpp"
 #include "equipoise/sweeps/sweep.hpp"
 #include "equipoise/sweeps/sweep_axis.hpp"
-#include "gnuplot.hpp"
 #include "options.hpp"
 #include "progress.hpp"
+#include "result_forms.hpp"
 #include "streams.hpp"
 #include "team.hpp"
 
@@ -27,37 +30,26 @@ namespace equipoise::app {
 
 namespace {
 
-// What is made of a sweep besides what is printed.
-struct SweepForms {
-  std::string output, csv, plot;
-  bool json = false;
-};
-
-struct SweepArguments : SweepForms {
+struct SweepArguments : ResultForms {
   std::string study, cpu, shard;
   std::vector<std::string> over, overrides;
   std::optional<std::string> starts, seed, half_width, threads;
   bool zip = false, quiet = false, transients = false;
 };
 
-void check_forms(const SweepForms& a) {
-  require_ending("--output", a.output, ".nc");
-  require_ending("--csv", a.csv, ".csv");
-  require_ending("--plot", a.plot, ".png", ".svg");
-  if (!a.plot.empty()) require_gnuplot("--plot", a.plot);
-  for (const auto& [option, path] : {std::pair{"--output", a.output}, {"--csv", a.csv}, {"--plot", a.plot}})
-    require_writable(option, path);
+void put_sweep(const ResultForms& a, const SweepResult& result, const std::function<GivenMachine()>& machine) {
+  put_forms(a,
+            {[&] { return sweep_text(result); }, [&] { return sweep_json(result); }, [&] { return sweep_csv(result); },
+             [&](const std::string& file) {
+               return sweep_plot_script(
+                   result, display_text(std::filesystem::path(result.study.name).filename().string()), file);
+             },
+             [&] { return sweep_html(result, machine()); }});
 }
 
-void put_forms(const SweepForms& a, const SweepResult& result) {
-  put(a.json ? sweep_json(result) : sweep_text(result));
-  if (!a.csv.empty()) write_file(a.csv, sweep_csv(result));
-  if (!a.plot.empty())
-    draw(a.plot, [&](const std::string& file) {
-      return sweep_plot_script(result, display_text(std::filesystem::path(result.study.name).filename().string()),
-                               file);
-    });
-}
+constexpr FormWords sweep_words{
+    "a line a cell and outcome (.csv)",
+    "a picture (.png or .svg): stacked shares along one parameter, a heat map over two; drawn by gnuplot"};
 
 // "2/8": the second of eight.
 void read_shard(const std::string& text, SweepOptions& options) {
@@ -75,9 +67,13 @@ void read_shard(const std::string& text, SweepOptions& options) {
   options.shard = number - 1;
 }
 
-SweepPlan plan_of(const SweepArguments& a) {
+StudySource source_of(const SweepArguments& a) {
   StudySource source{read_study_text(a.study), a.study, a.overrides};
   override_starts(a.starts, a.seed, source.overrides);
+  return source;
+}
+
+SweepPlan plan_of(const SweepArguments& a, const StudySource& source) {
   CellRequest request;
   request.limit_given = a.starts.has_value();
   if (a.half_width)
@@ -87,9 +83,10 @@ SweepPlan plan_of(const SweepArguments& a) {
   const Study study = source.with();
   const bool own = a.over.empty() && !study.sweep.over.empty();
   if (a.over.empty() && !own)
-    throw InputError("--over", "", "",
-                     "says nothing, and the study has no [sweep] with over = [\"KEY=VALUES\"]; must name a parameter and "
-                     "its values, e.g. speed.final=1.5:6:0.1");
+    throw InputError(
+        "--over", "", "",
+        "says nothing, and the study has no [sweep] with over = [\"KEY=VALUES\"]; must name a parameter and "
+        "its values, e.g. speed.final=1.5:6:0.1");
   const std::string where = own ? fmt::format("{}: [sweep] over", study.name) : "--over";
   const std::vector<SweepAxis> axes = sweep_axes(own ? study.sweep.over : a.over, own ? study.sweep.zip : a.zip, where);
   return SweepPlan(source, axes, request, where);
@@ -104,7 +101,7 @@ void check_outputs(const SweepArguments& a, const SweepOptions& options) {
 // One process of several that the first leads; what is wrong with the study, that one says.
 int follow(Team& team, const SweepArguments& a) {
   if (!team.agree(true)) return bad_input;
-  team.follow(plan_of(a), a.threads ? threads_option(a.threads) : 1, &stop_flag());
+  team.follow(plan_of(a, source_of(a)), a.threads ? threads_option(a.threads) : 1, &stop_flag());
   return done;
 }
 
@@ -118,7 +115,7 @@ SweepResult compute(Team& team, const SweepPlan& plan, const SweepArguments& a, 
                             percent(balanced.share, digits_for(balanced)), interval(balanced),
                             percent(cell.undecided.share, 2)));
     };
-  if (!team.alone()) options.helpers = [&](SweepWork& work) { team.lead(plan, work); };
+  if (!team.alone()) options.helpers = [&](SweepWork& work) { team.lead(plan, work, options.threads, options.stop); };
   try {
     return sweep(plan, options);
   } catch (...) {
@@ -136,10 +133,12 @@ int run_sweep(const SweepArguments& a) {
   // Of several processes on a machine each has a core of its own.
   options.threads = a.threads || team.alone() ? threads_option(a.threads) : 1;
   options.stop = &stop_flag();
+  StudySource source;
   std::optional<SweepPlan> plan;
   try {
     read_shard(a.shard, options);
-    plan = plan_of(a);
+    source = source_of(a);
+    plan = plan_of(a, source);
     check_outputs(a, options);
   } catch (...) {
     team.agree(false);
@@ -147,29 +146,21 @@ int run_sweep(const SweepArguments& a) {
   }
   team.agree(true);
   const SweepResult result = compute(team, *plan, a, options);
-  put_forms(a, result);
+  put_sweep(a, result, [&] { return given_machine(source.toml, source.name, source.overrides); });
   if (result.complete() || !stop_flag()) return done;
-  say(a.output.empty() ? "stopped; with -o FILE.nc the same command would go on from here"
-                       : fmt::format("stopped; the same command goes on from {}", a.output));
+  say_stopped(a.output);
   return interrupted;
 }
 
-struct MergeArguments : SweepForms {
+struct MergeArguments : ResultForms {
   std::vector<std::string> files;
 };
 
 int run_merge(const MergeArguments& a) {
   check_forms(a);
-  put_forms(a, merge_sweeps(a.files, a.output));
+  const SweepResult result = merge_sweeps(a.files, a.output);
+  put_sweep(a, result, [&] { return given_machine(result.study); });
   return done;
-}
-
-void add_forms(CLI::App& app, SweepForms& forms) {
-  app.add_option("--csv", forms.csv, "a line a cell and outcome (.csv)")->type_name("FILE");
-  app.add_option("--plot", forms.plot,
-                 "a picture (.png or .svg): stacked shares along one parameter, a heat map over two; drawn by gnuplot")
-      ->type_name("FILE");
-  app.add_flag("--json", forms.json, "print one JSON object");
 }
 
 }  // namespace
@@ -196,7 +187,7 @@ Command add_sweep(CLI::App& app) {
       ->type_name("FILE");
   app.add_option("--shard", a->shard, "only the I-th of N parts of the work, to be merged (equipoise merge)")
       ->type_name("I/N");
-  add_forms(app, *a);
+  add_forms(app, *a, sweep_words);
   app.add_option("--threads", a->threads, "threads (default: all cores)")->type_name("T");
   add_overrides(app, a->overrides);
   app.add_option("--cpu", a->cpu, "instruction set to use instead of the best (see --version)")->type_name("NAME");
@@ -210,7 +201,7 @@ Command add_merge(CLI::App& app) {
       ->required()
       ->type_name("FILE");
   app.add_option("-o,--output", a->output, "what they are put together into (.nc)")->type_name("FILE")->required();
-  add_forms(app, *a);
+  add_forms(app, *a, sweep_words);
   return [a] { return run_merge(*a); };
 }
 

@@ -1,27 +1,26 @@
-// Messages between the processes of a job. The first answers whoever asks for work; a block goes out with what is known
-// of it, cells come back one by one.
+// The processes of a job: the first gives blocks to whoever asks, with what is known of them, and takes cells in; whom it
+// has no block for it sends to help another.
 #include "team.hpp"
 
+#include <algorithm>
 #include <chrono>
-#include <cstdint>
 #include <cstdlib>
-#include <cstring>
+#include <future>
 #include <map>
+#include <mutex>
 #include <optional>
+#include <string>
 #include <thread>
 #include <utility>
 #include <vector>
 
 #include "commands.hpp"
 #include "equipoise/base/error.hpp"
-#include "equipoise/store/sweep_cells.hpp"
+#include "equipoise/kernels/cpu_target.hpp"
+#include "equipoise/sweeps/cell_desk.hpp"
 #include "equipoise/sweeps/sweep_cell.hpp"
-
-#ifdef EQUIPOISE_MPI
-#define OMPI_SKIP_MPICXX
-#define MPICH_SKIP_MPICXX
-#include <mpi.h>
-#endif
+#include "team_help.hpp"
+#include "team_messages.hpp"
 
 namespace equipoise::app {
 
@@ -40,79 +39,237 @@ bool started_by_mpi() {
 
 namespace {
 
-enum Tag { asks = 1, brings, leaves, gives };
-constexpr std::int64_t nothing = -1;
-
-using Bytes = std::vector<std::uint8_t>;
-
-void put_number(Bytes& bytes, std::int64_t number) {
-  const std::size_t at = bytes.size();
-  bytes.resize(at + sizeof number);
-  std::memcpy(bytes.data() + at, &number, sizeof number);
-}
-
-std::int64_t take_number(const Bytes& bytes, std::size_t& at) {
-  std::int64_t number = nothing;
-  if (bytes.size() - at < sizeof number) throw RunError("a message between processes was cut short");
-  std::memcpy(&number, bytes.data() + at, sizeof number);
-  at += sizeof number;
-  return number;
-}
-
-void put_cell(Bytes& bytes, std::size_t index, const SweepCell& cell) {
-  const Bytes content = store::bytes_of(cell);
-  put_number(bytes, static_cast<std::int64_t>(index));
-  put_number(bytes, static_cast<std::int64_t>(content.size()));
-  bytes.insert(bytes.end(), content.begin(), content.end());
-}
-
-std::pair<std::size_t, SweepCell> take_cell(const Bytes& bytes, std::size_t& at) {
-  const auto index = static_cast<std::size_t>(take_number(bytes, at));
-  const auto size = static_cast<std::size_t>(take_number(bytes, at));
-  if (size > bytes.size() - at) throw RunError("a message between processes was cut short");
-  auto cell = store::cell_from(bytes.data() + at, size);
-  if (!cell) throw RunError("a message between processes holds no cell");
-  at += size;
-  return {index, std::move(*cell)};
-}
-
-void send(const Bytes& bytes, int to, int tag) {
-  MPI_Send(bytes.data(), static_cast<int>(bytes.size()), MPI_BYTE, to, tag, MPI_COMM_WORLD);
-}
-
-Bytes receive(const MPI_Status& found) {
-  int size = 0;
-  MPI_Get_count(&found, MPI_BYTE, &size);
-  Bytes bytes(static_cast<std::size_t>(size));
-  MPI_Recv(bytes.data(), size, MPI_BYTE, found.MPI_SOURCE, found.MPI_TAG, MPI_COMM_WORLD, MPI_STATUS_IGNORE);
-  return bytes;
-}
-
-std::optional<MPI_Status> waiting() {
-  int there = 0;
-  MPI_Status found;
-  MPI_Iprobe(MPI_ANY_SOURCE, MPI_ANY_TAG, MPI_COMM_WORLD, &there, &found);
-  return there ? std::optional(found) : std::nullopt;
-}
+enum class Gift : std::uint8_t { nothing, block, other };  // a block's cells to compute, or a process to help
 
 using Clock = std::chrono::steady_clock;
 constexpr std::chrono::milliseconds rest{2};  // between two looks for messages
 constexpr std::chrono::seconds patience{3};   // with others that are to come home
 
-void answer(int to, const SweepPlan& plan, const SweepWork& work, const std::optional<std::size_t>& block) {
+Bytes gift(Gift what) {
   Bytes bytes;
-  put_number(bytes, block ? static_cast<std::int64_t>(*block) : nothing);
-  if (block)
-    for (const std::size_t index : plan.cells_of(*block))
-      if (const SweepCell* cell = work.known(index)) put_cell(bytes, index, *cell);
-  send(bytes, to, gives);
+  put(bytes, what);
+  return bytes;
 }
 
-void give_nothing(int to) {
-  Bytes bytes;
-  put_number(bytes, nothing);
-  send(bytes, to, gives);
-}
+// The first process' view of all.
+class Leader {
+ public:
+  Leader(Mail& mail, int size, int& left, const SweepPlan& plan, SweepWork& work, int threads, const StopFlag* stop)
+      : mail_(mail),
+        left_(left),
+        plan_(plan),
+        work_(work),
+        stop_(stop),
+        help_(mail, plan, work.desk(), threads, stop),
+        others_(static_cast<std::size_t>(size)) {
+    others_[0].target = cpu_target();
+  }
+
+  // Until all the others have gone, or do not go although they should.
+  void run() {
+    std::optional<Clock::time_point> stopped;
+    while (left_ > 0) {
+      const auto message = mail_.next();
+      if (message) take(*message);
+      others_[0].doing = !work_.idle() ? Doing::block : help_.helping() ? Doing::helps : Doing::nothing;
+      help_.step(!work_.idle());
+      assign();
+      if (message) continue;
+      if (is_set(stop_) && !stopped) stopped = Clock::now();
+      if (stopped && Clock::now() - *stopped > patience) return;
+      std::this_thread::sleep_for(rest);
+    }
+  }
+
+ private:
+  enum class Doing { nothing, block, helps, gone };
+  struct Other {
+    Doing doing = Doing::block;  // until it asks
+    std::string target;          // its instruction set
+    std::size_t helped = 0;      // which one, while it helps
+  };
+
+  void take(const Message& message) {
+    Reader reader(message.bytes);
+    Other& other = others_[static_cast<std::size_t>(message.from)];
+    if (message.tag == brings) {
+      auto [index, cell] = take_cell(reader);
+      work_.deliver(index, std::move(cell));
+    } else if (message.tag == asks) {
+      const std::vector<char> target = reader.take_list<char>();
+      other.target.assign(target.begin(), target.end());
+      const auto block = work_.next_block();
+      other.doing = block ? Doing::block : Doing::nothing;
+      if (block) give(message.from, *block);
+    } else if (message.tag == leaves) {
+      other.doing = Doing::gone;
+      --left_;
+    } else {
+      help_.take(message);
+    }
+  }
+
+  void give(int to, std::size_t block) {
+    Bytes bytes = gift(Gift::block);
+    put(bytes, block);
+    for (const std::size_t index : plan_.cells_of(block))
+      if (const SweepCell* cell = work_.known(index)) put_cell(bytes, index, *cell);
+    mail_.send(std::move(bytes), to, gives);
+  }
+
+  // Who has nothing to do helps the one at work that has the fewest helpers, of its own kind: others' bits may differ.
+  // Once nobody is at work all go home.
+  void assign() {
+    const auto any = [this](Doing doing) {
+      return std::any_of(others_.begin(), others_.end(), [doing](const Other& o) { return o.doing == doing; });
+    };
+    const bool over = (!any(Doing::block) && !any(Doing::helps)) || is_set(stop_);
+    for (std::size_t rank = 0; rank < others_.size(); ++rank) {
+      if (others_[rank].doing != Doing::nothing) continue;
+      if (over)
+        dismiss(rank);
+      else if (const auto helped = least_helped(others_[rank].target))
+        send_to(rank, *helped);
+    }
+  }
+
+  void dismiss(std::size_t rank) {
+    if (rank == 0) return;
+    mail_.send(gift(Gift::nothing), static_cast<int>(rank), gives);
+    others_[rank].doing = Doing::gone;
+    --left_;
+  }
+
+  std::optional<std::size_t> least_helped(const std::string& target) const {
+    std::optional<std::size_t> found;
+    std::ptrdiff_t fewest = 0;
+    for (std::size_t rank = 0; rank < others_.size(); ++rank) {
+      if (others_[rank].doing != Doing::block || others_[rank].target != target) continue;
+      const auto helpers = std::count_if(others_.begin(), others_.end(), [rank](const Other& o) {
+        return o.doing == Doing::helps && o.helped == rank;
+      });
+      if (found && helpers >= fewest) continue;
+      found = rank;
+      fewest = helpers;
+    }
+    return found;
+  }
+
+  void send_to(std::size_t rank, std::size_t helped) {
+    others_[rank].doing = Doing::helps;
+    others_[rank].helped = helped;
+    if (rank == 0) return help_.help(static_cast<int>(helped));
+    Bytes bytes = gift(Gift::other);
+    put(bytes, static_cast<int>(helped));
+    mail_.send(std::move(bytes), static_cast<int>(rank), gives);
+  }
+
+  Mail& mail_;
+  int& left_;
+  const SweepPlan& plan_;
+  SweepWork& work_;
+  const StopFlag* stop_;
+  TeamHelp help_;
+  std::vector<Other> others_;  // by rank; the first is this process
+};
+
+// Any other process: one block at a time on a thread of its own, beside the messages.
+class Follower {
+ public:
+  Follower(Mail& mail, const SweepPlan& plan, int threads, const StopFlag* stop)
+      : mail_(mail), plan_(plan), threads_(threads), stop_(stop), help_(mail, plan, desk_, threads, stop) {}
+
+  void run() {
+    ask();
+    while (!home_) {
+      const auto message = mail_.next();
+      if (message) take(*message);
+      send_cells();
+      end_block();
+      help_.step(block_.valid());
+      end_help();
+      if (waits_ && is_set(stop_)) leave();
+      if (!message) std::this_thread::sleep_for(rest);
+    }
+  }
+
+ private:
+  void ask() {
+    Bytes bytes;
+    const std::string target = cpu_target();
+    put_list(bytes, std::vector<char>(target.begin(), target.end()));
+    mail_.send(std::move(bytes), 0, asks);
+    waits_ = true;
+  }
+
+  void leave() {
+    mail_.send({}, 0, leaves);
+    home_ = true;
+  }
+
+  void take(const Message& message) {
+    if (message.tag != gives) return help_.take(message);
+    waits_ = false;
+    Reader reader(message.bytes);
+    const auto what = reader.take<Gift>();
+    home_ = what == Gift::nothing;
+    helps_ = what == Gift::other;
+    if (helps_) help_.help(reader.take<int>());
+    if (what == Gift::block) begin_block(reader);
+  }
+
+  void begin_block(Reader& reader) {
+    const auto block = reader.take<std::size_t>();
+    std::map<std::size_t, SweepCell> there;
+    while (!reader.at_end()) there.insert(take_cell(reader));
+    block_ = std::async(std::launch::async, [this, block, there = std::move(there)] {
+      const auto known = [&there](std::size_t index) -> const SweepCell* {
+        const auto cell = there.find(index);
+        return cell == there.end() ? nullptr : &cell->second;
+      };
+      const auto deliver = [this](std::size_t index, const SweepCell& cell) {
+        Bytes bytes;
+        put_cell(bytes, index, cell);
+        const std::lock_guard guard(delivering_);
+        delivered_.push_back(std::move(bytes));
+      };
+      return run_block(plan_, block, known, deliver, {threads_, {}, &desk_, stop_});
+    });
+  }
+
+  void send_cells() {
+    const std::lock_guard guard(delivering_);
+    for (Bytes& cell : delivered_) mail_.send(std::move(cell), 0, brings);
+    delivered_.clear();
+  }
+
+  void end_block() {
+    if (!block_.valid() || block_.wait_for(std::chrono::seconds(0)) != std::future_status::ready) return;
+    const bool whole = block_.get();
+    send_cells();  // the last may have come since
+    if (whole)
+      ask();
+    else
+      leave();
+  }
+
+  void end_help() {
+    if (!helps_ || help_.helping()) return;
+    helps_ = false;
+    ask();
+  }
+
+  Mail& mail_;
+  const SweepPlan& plan_;
+  const int threads_;
+  const StopFlag* stop_;
+  CellDesk desk_;
+  TeamHelp help_;
+  bool home_ = false, waits_ = false, helps_ = false;
+  std::mutex delivering_;
+  std::vector<Bytes> delivered_;
+  std::future<bool> block_;  // whether it was not stopped
+};
 
 }  // namespace
 
@@ -124,10 +281,10 @@ std::string mpi_text() {
   return text.substr(0, text.find(','));
 }
 
-Team::Team() {
+Team::Team() : mail_(std::make_unique<Mail>()) {
   if (!started_by_mpi()) return;
   int provided = 0;
-  MPI_Init_thread(nullptr, nullptr, MPI_THREAD_FUNNELED, &provided);
+  MPI_Init_thread(nullptr, nullptr, MPI_THREAD_SERIALIZED, &provided);
   MPI_Comm_rank(MPI_COMM_WORLD, &rank_);
   MPI_Comm_size(MPI_COMM_WORLD, &size_);
   left_ = size_ - 1;
@@ -137,10 +294,12 @@ Team::Team() {
 // Others that will not answer any more cannot be waited for.
 Team::~Team() {
   if (!joined_) return;
-  if (left_ == 0)
+  if (left_ == 0) {
+    mail_->see_off();
     MPI_Finalize();
-  else
+  } else {
     MPI_Abort(MPI_COMM_WORLD, interrupted);
+  }
 }
 
 bool Team::agree(bool good) {
@@ -150,71 +309,31 @@ bool Team::agree(bool good) {
   return answer;
 }
 
-void Team::lead(const SweepPlan& plan, SweepWork& work) {
-  std::optional<Clock::time_point> stopped;
-  while (left_ > 0) {
-    const auto found = waiting();
-    if (!found) {
-      if (stop_flag() && !stopped) stopped = Clock::now();
-      if (stopped && Clock::now() - *stopped > patience) return;
-      std::this_thread::sleep_for(rest);
-      continue;
-    }
-    const Bytes message = receive(*found);
-    std::size_t at = 0;
-    if (found->MPI_TAG == brings) {
-      auto [index, cell] = take_cell(message, at);
-      work.deliver(index, std::move(cell));
-      continue;
-    }
-    const auto block = found->MPI_TAG == asks ? work.next_block() : std::nullopt;
-    if (found->MPI_TAG == asks) answer(found->MPI_SOURCE, plan, work, block);
-    if (!block) --left_;
-  }
+void Team::lead(const SweepPlan& plan, SweepWork& work, int threads, const StopFlag* stop) {
+  Leader(*mail_, size_, left_, plan, work, threads, stop).run();
 }
 
 void Team::dismiss() {
   const Clock::time_point begin = Clock::now();
   while (left_ > 0 && Clock::now() - begin < patience) {
-    const auto found = waiting();
-    if (!found) {
+    const auto message = mail_->next();
+    if (!message) {
       std::this_thread::sleep_for(rest);
       continue;
     }
-    receive(*found);
-    if (found->MPI_TAG == asks) give_nothing(found->MPI_SOURCE);
-    if (found->MPI_TAG != brings) --left_;
+    if (message->tag == asks) mail_->send(gift(Gift::nothing), message->from, gives);
+    if (message->tag == asks || message->tag == leaves) --left_;
   }
 }
 
 void Team::follow(const SweepPlan& plan, int threads, const StopFlag* stop) {
-  const auto deliver = [](std::size_t index, const SweepCell& cell) {
-    Bytes message;
-    put_cell(message, index, cell);
-    send(message, 0, brings);
-  };
-  for (;;) {
-    send({}, 0, asks);
-    MPI_Status found;
-    MPI_Probe(0, gives, MPI_COMM_WORLD, &found);
-    const Bytes work = receive(found);
-    std::size_t at = 0;
-    const std::int64_t block = take_number(work, at);
-    if (block == nothing) break;
-    std::map<std::size_t, SweepCell> there;
-    while (at < work.size()) there.insert(take_cell(work, at));
-    const auto known = [&](std::size_t index) -> const SweepCell* {
-      const auto cell = there.find(index);
-      return cell == there.end() ? nullptr : &cell->second;
-    };
-    if (run_block(plan, static_cast<std::size_t>(block), known, deliver, threads, stop)) continue;
-    send({}, 0, leaves);
-    break;
-  }
+  Follower(*mail_, plan, threads, stop).run();
   left_ = 0;
 }
 
 #else
+
+class Mail {};
 
 std::string mpi_text() { return "not built in"; }
 
@@ -226,7 +345,7 @@ Team::Team() {
 }
 Team::~Team() = default;
 bool Team::agree(bool good) { return good; }
-void Team::lead(const SweepPlan&, SweepWork&) {}
+void Team::lead(const SweepPlan&, SweepWork&, int, const StopFlag*) {}
 void Team::follow(const SweepPlan&, int, const StopFlag*) {}
 void Team::dismiss() {}
 

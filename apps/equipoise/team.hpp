@@ -12,6 +12,8 @@ namespace equipoise::app {
 /// What --version says of it.
 std::string mpi_text();
 
+class Mail;
+
 class Team {
  public:
   /// Joins the others if mpirun, or what does as it does, started this process. Throws RunError where it did and this
@@ -28,8 +30,9 @@ class Team {
 
   /// What the first found of what was asked, known to all: whether there is work.
   bool agree(bool good);
-  /// Of the first: gives blocks to the others and takes their cells until none of them has any left.
-  void lead(const SweepPlan& plan, SweepWork& work);
+  /// Of the first: gives blocks to the others and takes their cells until none of them has any left. Whom no block is
+  /// left for decides starts of others' cells, this process too: `threads` chunks at a time.
+  void lead(const SweepPlan& plan, SweepWork& work, int threads, const StopFlag* stop);
   /// Of the first, if the work cannot go on: sends the others home.
   void dismiss();
   /// Of the others: works until the first has nothing more.
@@ -38,6 +41,7 @@ class Team {
  private:
   int rank_ = 0, size_ = 1, left_ = 0;  // left_: of the others, those that may ask again
   bool joined_ = false;
+  std::unique_ptr<Mail> mail_;
 };
 
 }  // namespace equipoise::app

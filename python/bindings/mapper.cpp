@@ -3,6 +3,7 @@
 
 #include "bindings.hpp"
 #include "call.hpp"
+#include "equipoise/base/error.hpp"
 #include "equipoise/basins/mapper.hpp"
 #include "equipoise/store/basin_file.hpp"
 #include "py_study.hpp"

@@ -137,7 +137,7 @@ class MapResult(Result):
         import xarray
 
         codes = sorted(self.names)
-        flags = {"flag_values": codes, "flag_meanings": " ".join(self.names[c].replace(" ", "_") for c in codes)}
+        flags: dict[str, Any] = {"flag_values": codes, "flag_meanings": " ".join(self.names[c].replace(" ", "_") for c in codes)}
         data = {
             "outcome": (("y", "x"), self.outcome, {"units": "1", "long_name": "attractor", **flags}),
             "decision_time": (("y", "x"), self.time, {"units": "1/omega_c", "long_name": "time of the decision"}),

@@ -75,7 +75,7 @@ def test_certificates(study, program, tmp_path):
     proof.save(tmp_path / "proof.json")
     checked = program("certify", "--check", tmp_path / "proof.json")
     assert checked.returncode == 0, checked.stdout
-    none = eq.certify(study.replace({"speed.final": 1.2}))  # below where balance is stable
+    none = eq.certify(study.replace({"speed.final": 0.5}))  # below the critical speed balance is unstable
     assert not none.proved
     with pytest.raises(eq.RunError, match="nothing is proved"):
         none.save(tmp_path / "none.json")
@@ -157,8 +157,8 @@ def test_explanations(program):
 
 
 def test_the_paper_again():
-    made = eq.reproduce("table-1", starts=50)
-    assert [t["table"] for t in made.tables] == [1] and "table 1" in repr(made)
+    made = eq.reproduce("table-7", starts=20, law="published")
+    assert [t["table"] for t in made.tables] == [7] and "table 7" in repr(made)
     assert pickle.loads(pickle.dumps(made)).tables == made.tables
     with pytest.raises(ValueError, match="table-1"):
         eq.reproduce()

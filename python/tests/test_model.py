@@ -107,7 +107,7 @@ def test_a_run_becomes_tables_and_files(study, tmp_path):
     run.save(tmp_path / "run.csv")
     import pandas
 
-    csv = pandas.read_csv(tmp_path / "run.csv", comment="#", index_col="t")
+    csv = pandas.read_csv(tmp_path / "run.csv", comment="#", index_col="t", float_precision="round_trip")
     pandas.testing.assert_frame_equal(csv, run.to_pandas(), check_exact=True)
     assert run.to_xarray().radial.units == "R"
     again = pickle.loads(pickle.dumps(run))

@@ -1,8 +1,9 @@
 #!/usr/bin/env python3
-"""equipoise report, and basin --report, as their users meet them: one page that needs nothing else.
+"""equipoise report, and --report of basin, sweep, capacity and map, as their users meet them: one page that needs nothing else.
 
     report_test.py PROGRAM STUDIES
 """
+import base64
 import json
 import os
 import re
@@ -12,6 +13,7 @@ import sys
 import tempfile
 import time
 import unittest
+import zlib
 from html.parser import HTMLParser
 
 PROGRAM, STUDIES = os.path.abspath(sys.argv[1]), os.path.abspath(sys.argv[2])
@@ -36,7 +38,7 @@ class Page(HTMLParser):
     def handle_starttag(self, tag, attributes):
         self.tags[tag] = self.tags.get(tag, 0) + 1
         self.loads += [value for name, value in attributes if name in ("src", "href", "xlink:href", "data", "srcset")]
-        if tag not in ("meta", "img", "input", "br", "line", "path", "rect", "circle"):
+        if tag not in ("meta", "img", "input", "br", "line", "path", "rect", "circle", "image"):
             self.open.append((tag, dict(attributes)))
 
     def handle_startendtag(self, tag, attributes):
@@ -133,6 +135,119 @@ class Machines(unittest.TestCase):
             self.assertIn("Stopped before all starts were done", Page(path).text)
 
 
+class OtherPages(unittest.TestCase):
+    """Of sweeps, capacities and maps."""
+
+    def page_of(self, *arguments):
+        with tempfile.TemporaryDirectory() as folder:
+            path = os.path.join(folder, "page.html")
+            done = run(*arguments, "--report", path, "--json", "--quiet")
+            self.assertEqual((done.returncode, done.stderr), (0, ""), arguments)
+            page = Page(path)
+        self.assertEqual((page.wrong, page.open), ([], []))
+        self.assertEqual([load for load in page.loads if not load.startswith("data:image/png;base64,")], [])
+        for outside in ("http:", "https:", "@import", "url(", "<script", "<link", ">nan", ">inf"):
+            self.assertNotIn(outside, page.text)
+        for rule in ("prefers-color-scheme: dark", "@page", "max-width: 600px", "width=device-width", "<h2>The machine</h2>",
+                     "<h2>How it was computed</h2>", "seed 1"):
+            self.assertIn(rule, page.text)
+        self.assertLess(len(page.text), 300_000)
+        return page, json.loads(done.stdout)
+
+    def test_of_a_sweep_along_a_parameter(self):
+        page, answer = self.page_of("sweep", ROW, "--over", "speed.final=2.4,2.6", "--starts", "200", "--transients")
+        first, second = ({o["id"]: o for o in c["outcomes"]}[1] for c in answer["cells"])
+        self.assertEqual(page.lead, f"The rotor ends balanced most often at speed.final = 2.6: in {words_of(second)} of starts; "
+                                    f"least often at speed.final = 2.4: in {words_of(first)} (95 % confidence in each cell).")
+        self.assertEqual(page.tags["svg"], 2)  # stacked shares, peaks
+        for cell in answer["cells"]:
+            self.assertIn(str(cell["at"]["speed.final"]), page.cells)
+        for text in ("speed.final 2.4, 2.6", "2 cells with 200 starts each (400 in all) at random ball angles", "drifting apart"):
+            self.assertIn(text, page.text)
+
+    def test_of_a_sweep_over_two_and_three_parameters(self):
+        at = ["--over", "speed.final=2.4,2.6", "--over", "balancer.drag=0.1,0.25", "--starts", "40"]
+        page, answer = self.page_of("sweep", ROW, *at)
+        self.assertEqual(page.tags["svg"], 1)
+        self.assertEqual(page.text.count(">balanced: 0 %<"), 1)
+        for cell in answer["cells"]:  # in the picture as a number
+            share = {o["id"]: o for o in cell["outcomes"]}[1]["share"]
+            self.assertIn(f">{100 * share:.0f}</text>", page.text)
+        page, _ = self.page_of("sweep", ROW, *at, "--over", "rotor.damping=0.5,0.6")
+        self.assertEqual(page.tags["svg"], 2)
+        self.assertIn("speed.final = 2.6", page.text)
+
+    def test_of_a_machine(self):
+        page, answer = self.page_of("sweep", WASHING, "--over", "rotor.unbalance=50 kg mm,100 kg mm", "--starts", "40")
+        above = [c["transients"]["exceeded"]["displacement"]["share"] for c in answer["cells"]]
+        self.assertIn(f"15 mm is exceeded on the way in {100 * min(above):.3g} to {100 * max(above):.3g} %", page.lead)
+        for text in ("rotor.unbalance, kg mm", "above 15 mm", "mass 40 kg", "peak displacement, mm", "limit"):
+            self.assertIn(text, page.text)
+
+    def test_of_a_capacity(self):
+        quick = ["capacity", ROW, "--set", "speed.speed=5", "--set", "balancer.drag=0.2", "--at-least", "0.9", "--between",
+                 "0.08:0.14", "--precision", "0.1", "--starts", "200"]
+        page, answer = self.page_of(*quick)
+        cell = answer["cells"][0]
+        self.assertEqual(page.lead, f"Up to rotor.eccentricity = {cell['value']:.4g} 90 % of starts end balanced: surely up to "
+                                    f"{cell['low']:.4g}, surely fewer from {cell['high']:.4g} on (95 % confidence).")
+        self.assertEqual(page.tags["svg"], 1)
+        for trial in cell["trials"]:
+            self.assertIn(f"{trial['value']:.6g}", page.cells)
+        self.assertIn("no balanced state attracts", page.text)
+        page, answer = self.page_of(*quick, "--over", "rotor.damping=0.5,0.6")
+        self.assertIn("The largest rotor.eccentricity at which 90 % of starts end balanced is", page.lead)
+        for cell in answer["cells"]:
+            self.assertIn(f"{cell['low']:.4g} and {cell['high']:.4g}", page.cells)
+
+    def test_of_a_map(self):
+        page, answer = self.page_of("map", ROW, "--size", "24x16")
+        balanced = answer["outcomes"][0]
+        self.assertTrue(page.lead.startswith("Of 384 points over initial.phi_1 and initial.phi_2, "), page.lead)
+        self.assertIn(str(balanced["pixels"]), page.cells)
+        self.assertEqual(png_size(page.text), (24, 16))
+        large, _ = self.page_of("map", ROW, "--size", "700x4")
+        self.assertEqual(png_size(large.text), (350, 2))
+        self.assertIn("One of 2 x 2 points is drawn", large.text)
+
+    def test_drawn_values_are_said_in_the_first_sentence(self):
+        drawn = ["--set", "rotor.eccentricity={uniform=[0.005,0.015]}", "--set", "rotor.damping={normal=[0.5,0.02]}"]
+        both = "With rotor.damping and rotor.eccentricity drawn anew for every start, "
+        for command in (["basin", ROW, "--starts", "20"],
+                        ["sweep", ROW, "--over", "speed.final=2.6,2.8", "--starts", "20"]):
+            with self.subTest(command=command):
+                page, _ = self.page_of(*command, *drawn)
+                self.assertTrue(page.lead.startswith(both), page.lead)
+                self.assertIn("uniform 0.005, 0.015", page.text)
+        # What is varied is not drawn.
+        page, _ = self.page_of("sweep", ROW, "--over", "rotor.damping=0.5,0.6", "--starts", "20", *drawn)
+        self.assertTrue(page.lead.startswith("With rotor.eccentricity drawn anew for every start, "), page.lead)
+        page, _ = self.page_of("sweep", ROW, "--over", "speed.final=2.6", "--starts", "20")
+        self.assertNotIn("drawn", page.text)
+
+
+def words_of(outcome):
+    """As a share is told (report/text.cpp), of 200 starts."""
+    low, high = 100 * outcome["low"], 100 * outcome["high"]
+    return f"more than {low:.1f} %" if outcome["count"] == 200 else f"{low:.1f} to {high:.1f} %"
+
+
+def png_size(text):
+    """Of the picture in a page, once every chunk of it has proved whole, as have its pixels."""
+    data = base64.b64decode(re.search(r"data:image/png;base64,([^\"]+)", text).group(1))
+    assert data[:8] == b"\x89PNG\r\n\x1a\n"
+    chunks, at = {}, 8
+    while at < len(data):
+        length = int.from_bytes(data[at:at + 4], "big")
+        name, content = data[at + 4:at + 8], data[at + 8:at + 8 + length]
+        assert zlib.crc32(name + content) == int.from_bytes(data[at + 8 + length:at + 12 + length], "big")
+        chunks[name] = content
+        at += 12 + length
+    width, height = (int.from_bytes(chunks[b"IHDR"][k:k + 4], "big") for k in (0, 4))
+    assert len(zlib.decompress(chunks[b"IDAT"])) == height * (1 + (width * chunks[b"IHDR"][8] + 7) // 8)
+    return width, height
+
+
 class Errors(unittest.TestCase):
     def test_bad_options_are_one_line_naming_option_value_and_form(self):
         for arguments, words in (
@@ -141,6 +256,9 @@ class Errors(unittest.TestCase):
             (["report", ROW, "-o", "page.html", "--starts", "0"], ("--starts", "0", "1 to")),
             (["report", ROW], ("FILE.html is missing", "must be a page")),
             (["basin", ROW, "--report", "page.txt"], ("--report", "page.txt", ".html")),
+            (["map", ROW, "--report", "page.txt"], ("--report", "page.txt", ".html")),
+            (["capacity", ROW, "--report", "/nowhere/page.html"], ("--report", "/nowhere/page.html", "cannot be written")),
+            (["sweep", ROW, "--over", "speed.final=2,3", "--report", "page.txt"], ("--report", "page.txt", ".html")),
             (["basin", ROW, "--report", "/nowhere/page.html"], ("--report", "/nowhere/page.html", "cannot be written")),
             (["basin", ROW, "--report", "page.html", "--start-index", "3"], ("--report", "--start-index")),
         ):

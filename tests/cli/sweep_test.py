@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""equipoise sweep, merge, capacity and inspect as their users meet them: answers, files, pictures, errors.
+"""equipoise sweep, merge and inspect as their users meet them: answers, files, pictures, errors.
 
     sweep_test.py PROGRAM STUDIES
 """
@@ -195,42 +195,6 @@ class Inspect(unittest.TestCase):
             done = run("inspect", path)
             self.assertEqual((done.returncode, done.stdout), (2, ""), path)
             self.assertEqual(done.stderr.count("\n"), 1)
-
-
-class Capacity(unittest.TestCase):
-    def test_the_boundary_is_where_basin_has_it(self):
-        # At 4 critical speeds a drag of 0.1 lets all starts balance until balance itself becomes unstable near 0.065.
-        found = answer("capacity", ROW, "--set", "speed.speed=4", "--set", "balancer.drag=0.1", "--at-least", "0.9",
-                       "--between", "0.03:0.09", "--precision", "0.02", "--starts", "300")
-        cell = found["cells"][0]
-        self.assertTrue(cell["low"] <= cell["value"] <= cell["high"], cell)
-        self.assertTrue(0.06 < cell["low"] and cell["high"] < 0.07, cell)
-        below = answer("basin", ROW, "--set", "speed.speed=4", "--set", "balancer.drag=0.1", "--starts", "300",
-                       "--set", f"rotor.eccentricity={cell['low']}")
-        self.assertGreaterEqual(below["outcomes"][0]["share"], 0.9)
-
-    def test_what_lies_outside_of_the_range_is_said(self):
-        at = ["--set", "speed.speed=4", "--set", "balancer.drag=0.1", "--starts", "100", "--precision", "0.1"]
-        all_balance = answer("capacity", ROW, *at, "--between", "0.01:0.02")["cells"][0]
-        self.assertEqual((all_balance["always"], all_balance["value"]), (True, None))
-        at = ["--set", "speed.speed=2", "--set", "balancer.drag=0.01", "--starts", "100"]  # table 1: nothing balances
-        none_does = answer("capacity", ROW, *at, "--between", "0.01:0.02")["cells"][0]
-        self.assertEqual((none_does["never"], none_does["value"]), (True, None))
-
-    def test_bad_input_is_one_line_before_any_work(self):
-        for arguments, words in (
-            (["--of", "balancer.drag"], ("--between", "balancer.drag")),
-            (["--between", "2:1"], ("--between", "2:1")),
-            (["--at-least", "95"], ("--at-least", "95")),
-            (["--precision", "0"], ("--precision",)),
-            (["--over", "balancer.dragg=1"], ("balancer.dragg",)),
-            (["--of", "rotor.eccentricityy", "--between", "1:2"], ("rotor.eccentricityy",)),
-        ):
-            done = run("capacity", ROW, *arguments)
-            self.assertEqual((done.returncode, done.stdout), (2, ""), arguments)
-            self.assertEqual(done.stderr.count("\n"), 1, done.stderr)
-            for word in words:
-                self.assertIn(word, done.stderr)
 
 
 if __name__ == "__main__":

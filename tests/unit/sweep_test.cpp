@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "equipoise/base/error.hpp"
+#include "equipoise/store/result_identity.hpp"
 #include "equipoise/store/sweep_cells.hpp"
 #include "equipoise/sweeps/attractor_labels.hpp"
 #include "equipoise/sweeps/sweep_axis.hpp"
@@ -176,6 +177,37 @@ TEST(SweepCells, ReadBackToTheSameBits) {
   EXPECT_EQ(back->note, cell.note);
   for (std::size_t cut : {std::size_t{0}, bytes.size() / 2, bytes.size() - 1})
     EXPECT_FALSE(store::cell_from(bytes.data(), cut)) << cut;
+}
+
+TEST(CapacityTrials, ReadBackToTheSameBits) {
+  CapacityTrial made, unstable;
+  made.value = 0.1 + 0.2;
+  made.balanced = open_share(7, 8, 9);
+  made.undecided = wilson_share(1, 9);
+  made.states = {{1e-310, -0.0}, {}};
+  unstable.unstable = true;
+  const std::vector<std::uint8_t> bytes = store::bytes_of(std::vector{made, unstable});
+  const auto back = store::trials_from(bytes);
+  ASSERT_TRUE(back);
+  ASSERT_EQ(back->size(), 2u);
+  EXPECT_EQ(store::bytes_of(*back), bytes);
+  EXPECT_EQ(back->front().value, made.value);
+  EXPECT_EQ(back->front().states, made.states);
+  EXPECT_EQ(back->front().most(), made.balanced.most);
+  EXPECT_EQ(back->back().most(), 0.0);
+  EXPECT_FALSE(store::trials_from({bytes.begin(), bytes.end() - 1}));
+}
+
+TEST(IdentityLines, TakeApartWhatAPlanPutTogether) {
+  const SweepPlan plan({rotor, "study", {}}, sweep_axes({"speed.final=2.4,2.6", "balancer.drag=0.1"}, false, "--over"),
+                       {}, "--over");
+  const store::IdentityLines lines(plan.identity());
+  EXPECT_EQ(lines.over(), (std::vector<std::string>{"speed.final=2.4, 2.6", "balancer.drag=0.1"}));
+  EXPECT_EQ(lines.value("sweep.axes"), "2");
+  EXPECT_EQ(lines.value("transients"), "none");
+  EXPECT_EQ(lines.value("rotor.damping"), "[0.5, 0.5]");
+  EXPECT_EQ(lines.value("nothing"), "");
+  EXPECT_EQ(to_toml(parse_study(lines.study, "again")), to_toml(plan.study()));
 }
 
 }  // namespace

@@ -19,6 +19,7 @@
 
 #include "equipoise/base/reporting.hpp"
 #include "equipoise/basins/chunks.hpp"
+#include "equipoise/basins/ensemble_runner.hpp"
 #include "equipoise/basins/sampling_choice.hpp"
 #include "equipoise/basins/start_arrays.hpp"
 #include "equipoise/basins/tally.hpp"
@@ -109,13 +110,12 @@ class BasinRun {
 
   // Thread-safe.
   bool decide(Chunk& c) const {
-    std::vector<TransientRow>* rows = gathers_ ? &c.transients : nullptr;
-    if (!result_.own_starts) return runner_->run(c.first, c.count, c.phi, c.fates, c.unlisted, rows);
+    if (!result_.own_starts) return decide_chunk(*runner_, gathers_, c);
     const std::span<const InitialState> given(&options_.initial[c.first], c.count);
     c.phi.clear();
     for (const InitialState& s : given)
       c.phi.insert(c.phi.end(), s.phi.begin(), s.phi.begin() + result_.study.parameters.balls);
-    return runner_->run_from(given, c.fates, c.unlisted, rows);
+    return runner_->run_from(given, c.fates, c.unlisted, gathers_ ? &c.transients : nullptr);
   }
 
   void sample() {
@@ -156,9 +156,7 @@ class BasinRun {
 
   void make_runner() {
     const Study& study = result_.study;
-    const DiscoverySettings search{threads_,      options_.stop,     options_.seeds,
-                                   &discoveries_, options_.progress, options_.informed};
-    runner_ = equipoise::make_runner(study, search, gathers_);
+    runner_ = ensemble_runner(study, options_, discoveries_);
     tally_.emplace(*sampler_, study.sampling.seed, runner_->settled());
     transients_.emplace(study, *sampler_);
     filed_.clear();
@@ -348,7 +346,10 @@ class BasinRun {
   void add_note(const std::string& words) { result_.note += (result_.note.empty() ? "" : "; ") + words; }
 
   void compute(std::uint64_t first, std::uint64_t limit, const ChunkSink& sink) {
-    const ChunkWork work{[&](Chunk& c) { return decide(c); }, threads_, runner_->one_by_one(), options_.stop};
+    // What starts with rotors of their own came to is not told in a few words, nor are starts of the caller's own.
+    const bool helped = options_.help && !file_ && result_.study.uncertain.empty() && !result_.own_starts;
+    const ChunkWork work{[&](Chunk& c) { return decide(c); }, threads_, runner_->one_by_one(), options_.stop,
+                         helped ? options_.help(sampler_->method()) : nullptr};
     compute_chunks(work, first, limit, finished_, lost_, sink);
   }
 

@@ -20,6 +20,7 @@
 namespace equipoise {
 
 class Catalogue;
+class ChunkHelp;
 struct DiscoveryCache;
 
 /// Progress is in stages of the search for attractors (Progress::preparing), then in starts decided, in order; the
@@ -48,6 +49,9 @@ struct BasinOptions : RunOptions {
   std::vector<std::vector<double>> seeds;
   bool informed =
       false;  ///< the seeds are all of a neighbouring study's: a shorter search (DiscoverySettings::informed)
+  int search_threads = 0;  ///< before the first start is decided; 0: as `threads`
+  /// Who helps to decide starts that are sampled so (basins/chunks.hpp), or null; asked before each sample.
+  std::function<ChunkHelp*(SamplingMethod)> help;
   DiscoveryCache* discoveries = nullptr;  ///< shared by runs one after the other that end at the same speed; results do
                                           ///< not depend on it
   /// Every start counted, in order of index, those read from `output` included; from any thread, never from two at

@@ -43,6 +43,8 @@ constexpr double loose_grouping = 0.3;
 constexpr double torus_grouping = 0.15;
 // Groups that are followed, the largest first: more are the debris of a motion that does not settle.
 constexpr std::size_t most_groups = 24;
+// By so much longer, windows of chaos and of tori show what they are.
+constexpr double later_windows = 4.0;
 
 // A weak motor brings a balanced rotor to its speed so slowly that tries of wider levels, which wait for that, would
 // take longer than starts do that have to come into the narrow one.
@@ -98,9 +100,10 @@ class Discoverer {
 
   Discovery run() {
     find_balanced();
-    if (is_stopped() || !pilot_.make() || !follow_pilot(pilot_.scouts())) return stopped();
+    if (is_stopped() || (settings_.informed && !list_seeds())) return stopped();
+    if (!pilot_.make() || !follow_pilot(pilot_.scouts())) return stopped();
     find_candidates();
-    add_seeds();
+    if (!settings_.informed) add_seeds();
     if (!refine_and_list()) return stopped();
     make_boxes();
     if (!follow_pilot(pilot_.size())) return stopped();
@@ -189,12 +192,50 @@ class Discoverer {
         candidates_.push_back(
             {group.members, group.features, group.range, pilot_.state_at_strobe(group.members.front())});
     }
+    if (settings_.informed) recognise_candidates();
+  }
+
+  // Whose later windows, which are longer, show a neighbour's motion, or that its traps catch, need not be followed.
+  void recognise_candidates() {
+    std::vector<double> states;
+    for (const Candidate& c : candidates_) states.insert(states.end(), c.state.begin(), c.state.end());
+    DecisionRule later = result_.rule;
+    later.first_long_window *= later_windows;
+    const std::vector<Fate> fates = fates_by_windows(system_, std::move(states), later, pilot_windows,
+                                                     trials_.tolerance, settings_.stop);
+    std::vector<Candidate> unknown;
+    for (std::size_t k = 0; k < candidates_.size(); ++k) {
+      if (fates[k].attractor == 0)
+        unknown.push_back(std::move(candidates_[k]));
+      else if (const KnownFeatures* known = looks_of(fates[k].attractor, candidates_[k].features))
+        result_.rule.known.push_back({candidates_[k].features, known->attractor, known->chaotic});
+    }
+    candidates_ = std::move(unknown);
+  }
+
+  // The attractor's, if they agree as well as two windows of it do.
+  const KnownFeatures* looks_of(int attractor, const Features& features) const {
+    const Attractor* a = result_.catalogue.find(attractor);
+    for (const KnownFeatures& k : result_.rule.known)
+      if (a && k.attractor == attractor &&
+          same_motion(k.features, features, result_.rule.balls, agreement(a->motion.kind)))
+        return &k;
+    return nullptr;
   }
 
   void add_seeds() {
     for (const std::vector<double>& seed : settings_.seeds)
       candidates_.push_back(
           {{}, {}, {}, Eigen::Map<const Eigen::VectorXd>(seed.data(), static_cast<Eigen::Index>(seed.size()))});
+  }
+
+  // What a neighbour has comes first: the pilot's trajectories are then caught by its traps, or told by what it looks
+  // like, and only what else they come to has to be followed.
+  bool list_seeds() {
+    add_seeds();
+    if (!refine_and_list()) return false;
+    seeds_ = std::move(candidates_);
+    return true;
   }
 
   // Follows the candidates until they are steady; lists those that become so, with what recognises them.
@@ -219,20 +260,26 @@ class Discoverer {
       c.attractor = result_.catalogue.add(study_.parameters, *c.motion);
       // Balance is never told by what it looks like: traps know it, or the way to it is followed.
       if (!c.shows_motion || c.attractor == balanced_id) continue;
-      result_.rule.known.push_back({c.features, c.attractor, c.motion->kind == MotionKind::chaotic});
+      if (c.members.empty() && is_known(c.attractor)) c.shows_motion = false;  // another seed came to the same
+      if (c.shows_motion) result_.rule.known.push_back({c.features, c.attractor, c.motion->kind == MotionKind::chaotic});
     }
     for (const Attractor& a : result_.catalogue.listed_since(before)) add_traps(a.motion, a.id);
     set_rule_traps();
     return !is_stopped();
   }
 
+  bool is_known(int attractor) const {
+    const std::vector<KnownFeatures>& known = result_.rule.known;
+    return std::any_of(known.begin(), known.end(), [&](const KnownFeatures& k) { return k.attractor == attractor; });
+  }
+
   // A trajectory may seem stationary near an unstable motion, or on chaos that ends, and come to a stable one in the
-  // end: what its windows showed is then not what recognises that one.
+  // end: what its windows showed is then not what recognises that one. A neighbour's motion is known by its own.
   void compare_with_motions() {
     std::vector<Candidate*> followed;
     std::vector<const Motion*> motions;
     for (Candidate& c : candidates_) {
-      if (!c.motion || !c.motion->stable || c.members.empty()) continue;
+      if (!c.motion || !c.motion->stable || (c.members.empty() && !settings_.informed)) continue;
       followed.push_back(&c);
       motions.push_back(&*c.motion);
     }
@@ -241,8 +288,13 @@ class Discoverer {
     for (std::size_t k = 0; k < followed.size(); ++k) {
       Candidate& c = *followed[k];
       // Of a continuum that dry friction leaves every member looks its own way.
-      c.shows_motion = !c.motion->set_valued && own[k].finished_window &&
-                       same_motion(c.features, own[k].features, study_.parameters.balls, agreement(c.motion->kind));
+      c.shows_motion = !c.motion->set_valued && own[k].finished_window;
+      if (c.members.empty()) {
+        c.features = own[k].features;
+        c.range = own[k].range;
+        continue;
+      }
+      c.shows_motion = c.shows_motion && same_motion(c.features, own[k].features, study_.parameters.balls, agreement(c.motion->kind));
     }
   }
 
@@ -265,12 +317,13 @@ class Discoverer {
   void make_boxes() {
     constexpr std::size_t members_needed = 3;
     DecisionRule& rule = result_.rule;
+    candidates_.insert(candidates_.begin(), seeds_.begin(), seeds_.end());
     for (const double widths : box_widths)
       for (const Candidate& c : candidates_) {
         const Attractor* a = result_.catalogue.find(c.attractor);
         if (!a || !c.shows_motion || c.attractor == balanced_id) continue;
-        // A refined orbit vouches for a lone member.
-        if (c.members.size() < (a->motion.kind == MotionKind::periodic ? 1 : members_needed)) continue;
+        // A refined orbit vouches for a lone member, and a motion for itself.
+        if (!c.members.empty() && c.members.size() < (a->motion.kind == MotionKind::periodic ? 1 : members_needed)) continue;
         const FeatureBox box = box_around(c.range, rule.balls, c.attractor, widths);
         if (box.attractor && rule.boxes.size() < most_boxes) rule.boxes.push_back(box);
       }
@@ -319,7 +372,7 @@ class Discoverer {
   CycleTraps cycles_;
   std::vector<std::shared_ptr<const TorusTrap>> tori_;
   std::optional<ContinuumTrap> continuum_;
-  std::vector<Candidate> candidates_;
+  std::vector<Candidate> candidates_, seeds_;
 };
 
 // What is discovered of a study depends on this much of it. How a motor brings its rotor up is part of what can be met:

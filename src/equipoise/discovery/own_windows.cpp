@@ -6,6 +6,21 @@
 
 namespace equipoise {
 
+namespace {
+
+LaneTask task_from(const model::System& system, std::vector<double>& states, const DecisionRule& rule, double longest,
+                   double tolerance, const StopFlag* stop) {
+  LaneTask task = lane_task(system);                          // psi = 0 at first, where states of strobed motions are
+  task.end = longest * rule.first_long_window + rule.window;  // windows end with a step, a little late
+  task.tolerance = tolerance;
+  task.count = states.size() / static_cast<std::size_t>(system.dimension());
+  task.states = states.data();
+  task.stop = stop;
+  return task;
+}
+
+}  // namespace
+
 std::vector<PilotRecord> own_windows(const model::System& system, const std::vector<const Motion*>& motions,
                                      const DecisionRule& rule, double longest, double tolerance, const StopFlag* stop) {
   std::vector<double> states;
@@ -20,15 +35,20 @@ std::vector<PilotRecord> own_windows(const model::System& system, const std::vec
   windows_only.window = rule.window;
   windows_only.first_long_window = rule.first_long_window;
   windows_only.sameness = rule.sameness;
-  LaneTask task = lane_task(system);                          // psi = 0 at first, where states of strobed motions are
-  task.end = longest * rule.first_long_window + rule.window;  // windows end with a step, a little late
-  task.tolerance = tolerance;
-  task.count = motions.size();
-  task.states = states.data();
-  task.stop = stop;
+  LaneTask task = task_from(system, states, windows_only, longest, tolerance, stop);
   std::vector<Fate> fates(motions.size());
   if (!decide_lanes(task, windows_only, fates, &records)) return std::vector<PilotRecord>(motions.size());
   return records;
+}
+
+std::vector<Fate> fates_by_windows(const model::System& system, std::vector<double> states, DecisionRule rule,
+                                   double longest, double tolerance, const StopFlag* stop) {
+  rule.boxes.clear();
+  rule.blind = false;
+  const LaneTask task = task_from(system, states, rule, longest, tolerance, stop);
+  std::vector<Fate> fates(task.count);
+  if (task.count > 0 && !decide_lanes(task, rule, fates, nullptr)) fates.assign(task.count, Fate{});
+  return fates;
 }
 
 }  // namespace equipoise

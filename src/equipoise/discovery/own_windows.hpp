@@ -17,4 +17,9 @@ namespace equipoise {
 std::vector<PilotRecord> own_windows(const model::System& system, const std::vector<const Motion*>& motions,
                                      const DecisionRule& rule, double longest, double tolerance, const StopFlag* stop);
 
+/// What the rule says of trajectories from these states (at a strobe, where the rotor's angle matters) by its traps and
+/// by windows alone, within the same time.
+std::vector<Fate> fates_by_windows(const model::System& system, std::vector<double> states, DecisionRule rule,
+                                   double longest, double tolerance, const StopFlag* stop);
+
 }  // namespace equipoise

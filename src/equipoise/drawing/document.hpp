@@ -51,6 +51,7 @@ struct DrawingRow {
   std::vector<Drawing> drawings;
   std::string caption;
   bool large = false;  ///< on paper two beside each other, not three: charts, which have small print
+  bool wide = false;   ///< one below the other, as wide as text: what the page is about
 };
 /// Lines as they are, shown on demand.
 struct Listing {

@@ -9,6 +9,7 @@
 
 #include "equipoise/drawing/page_files.hpp"
 #include "equipoise/base/error.hpp"
+#include "equipoise/drawing/base64.hpp"
 #include "equipoise/drawing/document.hpp"
 #include "equipoise/drawing/html_text.hpp"
 
@@ -19,20 +20,6 @@ namespace {
 const char* name_of(Tone tone) {
   constexpr std::array names{"", "good", "bad", "open"};
   return names[static_cast<std::size_t>(tone)];
-}
-
-// RFC 4648.
-std::string base64(const std::string& bytes) {
-  constexpr const char* digits = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
-  std::string text;
-  text.reserve((bytes.size() + 2) / 3 * 4);
-  for (std::size_t i = 0; i < bytes.size(); i += 3) {
-    const std::size_t left = std::min<std::size_t>(3, bytes.size() - i);
-    unsigned group = 0;
-    for (std::size_t k = 0; k < 3; ++k) group = group << 8 | (k < left ? static_cast<unsigned char>(bytes[i + k]) : 0u);
-    for (std::size_t k = 0; k < 4; ++k) text += k <= left ? digits[group >> (18 - 6 * k) & 63u] : '=';
-  }
-  return text;
 }
 
 std::string image_data(const std::string& path) {
@@ -118,7 +105,7 @@ class HtmlWriter {
   }
 
   void operator()(const DrawingRow& row) {
-    out += fmt::format("<figure class=\"drawings{}\">\n<div>\n", row.large ? " large" : "");
+    out += fmt::format("<figure class=\"drawings{}\">\n<div>\n", row.wide ? " wide" : row.large ? " large" : "");
     for (const Drawing& d : row.drawings) {
       const std::string swatch =
           d.colour.empty() ? "" : fmt::format("<span class=\"swatch\" style=\"background:{}\"></span>", d.colour);

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstddef>
 
 #include <fmt/format.h>
@@ -68,6 +69,18 @@ std::string parameters_text(const Study& study, const std::vector<std::string>& 
       std::any_of(varied.begin(), varied.end(), [](const std::string& key) { return key.starts_with("speed."); });
   if (!speed_varies) text += fmt::format(", Ω = {}", study.speed_profile().final_speed());
   return text;
+}
+
+std::string heat_colour(double share) {
+  const double place = std::clamp(share, 0.0, 1.0) * static_cast<double>(viridis.size() - 1);
+  const std::size_t below = std::min(static_cast<std::size_t>(place), viridis.size() - 2);
+  std::string colour = "#";
+  for (const std::size_t at : {1, 3, 5}) {
+    const auto part = [&](const char* of) { return std::stoi(std::string(of + at, 2), nullptr, 16); };
+    const double from = part(viridis[below]), to = part(viridis[below + 1]);
+    colour += fmt::format("{:02x}", std::lround(from + (place - static_cast<double>(below)) * (to - from)));
+  }
+  return colour;
 }
 
 std::string canvas(const std::string& path, int width, int height) {

@@ -1,6 +1,7 @@
 // What all pictures share: colours, labels, canvas.
 #pragma once
 
+#include <array>
 #include <string>
 #include <vector>
 
@@ -25,6 +26,13 @@ std::string canvas(const std::string& path, int width, int height);
 
 /// Thin borders left and below, quiet grid.
 extern const char* const quiet_frame;
+
+/// Viridis (S. van der Walt, N. Smith, 2015), from none to all, in even steps: by it any kind of colour vision, and a
+/// greyscale print, tells more from less.
+inline constexpr std::array viridis{"#440154", "#472c7a", "#3b518b", "#2c718e", "#21908d",
+                                    "#27ad81", "#5cc863", "#aadc32", "#fde725"};
+/// Of a share from 0 to 1 on that scale, "#rrggbb".
+std::string heat_colour(double share);
 
 /// Two colours that any kind of colour vision, and a greyscale print, tells apart.
 inline constexpr const char* dark_colour = "#0072B2";

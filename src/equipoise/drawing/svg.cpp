@@ -6,6 +6,7 @@
 
 #include <fmt/format.h>
 
+#include "equipoise/drawing/base64.hpp"
 #include "equipoise/drawing/html_text.hpp"
 
 namespace equipoise {
@@ -74,6 +75,13 @@ void Svg::text(SvgPoint at, const std::string& words, SvgAnchor anchor, const st
       "<text x=\"{:.5g}\" y=\"{:.5g}\" text-anchor=\"{}\" font-size=\"{:.3g}\" style=\"fill:{}\">{}"
       "</text>\n",
       at.x, at.y, name_of(anchor), size, colour.empty() ? ink : colour, html_text(words));
+}
+
+void Svg::image(SvgPoint corner, double width, double height, const std::string& png) {
+  out_ += fmt::format(
+      "<image x=\"{:.5g}\" y=\"{:.5g}\" width=\"{:.5g}\" height=\"{:.5g}\" preserveAspectRatio=\"none\" "
+      "style=\"image-rendering:pixelated\" href=\"data:image/png;base64,{}\"/>\n",
+      corner.x, corner.y, width, height, base64(png));
 }
 
 void Svg::text_upwards(SvgPoint at, const std::string& words) {

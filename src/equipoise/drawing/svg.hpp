@@ -40,6 +40,8 @@ class Svg {
   /// `at`: of its base line. `colour`: ink if empty.
   void text(SvgPoint at, const std::string& words, SvgAnchor anchor = SvgAnchor::start, const std::string& colour = {},
             double size = 11.0);
+  /// The bytes of a PNG file stretched over a rectangle, its squares with sharp edges.
+  void image(SvgPoint corner, double width, double height, const std::string& png);
   /// Turned to be read from below.
   void text_upwards(SvgPoint at, const std::string& words);
 

@@ -3,53 +3,24 @@
 
 #include <algorithm>
 #include <cmath>
-#include <map>
 #include <vector>
 
 #include <fmt/format.h>
 
-#include "equipoise/deciding/decision_rule.hpp"
 #include "equipoise/drawing/plot_parts.hpp"
+#include "equipoise/drawing/sweep_layers.hpp"
 
 namespace equipoise {
 
 namespace {
 
-std::string sweep_label(const SweepParameter& p) {
-  return p.unit.empty() ? axis_label(p.key) : fmt::format("{} ({})", p.key, p.unit);
-}
-
-std::vector<std::string> varied(const SweepResult& r) {
-  std::vector<std::string> keys;
-  for (const SweepAxis& axis : r.axes)
-    for (const SweepParameter& p : axis.parameters) keys.push_back(p.key);
-  return keys;
-}
-
 std::string heading(const SweepResult& r, const std::string& title) {
-  return fmt::format("{}{}{}", title.empty() ? "" : title + ": ", parameters_text(r.study, varied(r)),
+  return fmt::format("{}{}{}", title.empty() ? "" : title + ": ", parameters_text(r.study, keys_of(r.axes)),
                      r.complete() ? "" : " (PARTIAL: cells are missing)");
 }
 
-// What is stacked, from below: balanced, the others by identifier, and what came to none.
-struct Layer {
-  std::string name, colour;
-};
-
 std::string stacked_script(const SweepResult& r, const std::string& title, const std::string& path) {
-  std::map<int, Layer> layers;
-  const auto add = [&](int order, const std::string& name, int code) {
-    layers.try_emplace(order, Layer{name, colour_of(code)});
-  };
-  constexpr int last = 1'000'000;
-  for (const auto& cell : r.cells) {
-    if (!cell) continue;
-    for (const SweepOutcome& o : cell->outcomes)
-      if (o.share.count > 0 || o.id == balanced_id) add(o.id, o.alias.empty() ? o.name : o.alias + ": " + o.name, o.id);
-    if (cell->stalled && cell->stalled->count > 0) add(last, "stalled", -3);
-    if (cell->undecided.count > 0) add(last + 1, "undecided", 0);
-    if (cell->diverged.count + cell->failed.count > 0) add(last + 2, "diverged or failed", -1);
-  }
+  const std::vector<SweepLayer> layers = sweep_layers(r);
   const SweepParameter& x = r.axes.front().parameters.front();
   std::string script = canvas(path, 1600, 900) + "$shares << EOD\n";
   for (std::size_t k = 0; k < r.cells.size(); ++k) {
@@ -58,16 +29,7 @@ std::string stacked_script(const SweepResult& r, const std::string& title, const
     const Share& balanced = cell.outcomes.front().share;
     script += fmt::format("{:.9g} {:.6g} {:.6g}", x.values[k], 100.0 * balanced.low, 100.0 * balanced.high);
     double sum = 0.0;
-    for (const auto& [order, layer] : layers) {
-      double share = 0.0;
-      if (order == last) share = cell.stalled ? cell.stalled->share : 0.0;
-      if (order == last + 1) share = cell.undecided.share;
-      if (order == last + 2) share = cell.diverged.share + cell.failed.share;
-      for (const SweepOutcome& o : cell.outcomes)
-        if (o.id == order) share = o.share.share;
-      sum += 100.0 * share;
-      script += fmt::format(" {:.6g}", sum);
-    }
+    for (const SweepLayer& layer : layers) script += fmt::format(" {:.6g}", sum += 100.0 * layer.share[k]);
     script += "\n";
   }
   script += "EOD\n" + std::string(quiet_frame);
@@ -77,12 +39,12 @@ std::string stacked_script(const SweepResult& r, const std::string& title, const
       "set title {} offset 0,0.3\nset xlabel {}\nset ylabel 'share of starts (%)'\nset xrange [{:.9g}:{:.9g}]\n"
       "set yrange [0:100]\nset key outside right top vertical Left reverse samplen 2 spacing 1.3 width 1 invert\n"
       "set lmargin 9\nset grid front\n",
-      quoted(heading(r, title)), quoted(sweep_label(x)), *low - margin, *high + margin);
+      quoted(heading(r, title)), quoted(sweep_axis_label(x)), *low - margin, *high + margin);
   // A lone value is a column.
   const bool lone = r.axes.front().size() == 1;
   std::string items;
   int column = 4;
-  for (const auto& [order, layer] : layers) {
+  for (const SweepLayer& layer : layers) {
     items += items.empty() ? "" : ", \\\n  ";
     items +=
         lone ? fmt::format(
@@ -120,7 +82,7 @@ class HeatAxis {
   std::size_t size() const { return at_.size(); }
   double at(std::size_t k) const { return at_[k]; }
   double half() const { return half_; }  // of a cell's width
-  std::string label() const { return quoted(sweep_label(parameter_)); }
+  std::string label() const { return quoted(sweep_axis_label(parameter_)); }
   std::string tics(const char* axis) const {
     if (even_) return fmt::format("set {} autofreq\n", axis);
     std::string list;
@@ -180,11 +142,10 @@ std::string heat_script(const SweepResult& r, const std::string& title, const st
   const std::size_t rows = (panels + columns - 1) / columns;
   const std::size_t cells = r.cells.size() / panels;
   std::string script = canvas(path, 1600, static_cast<int>(90 + std::max<std::size_t>(rows * 480, 810))) + quiet_frame;
-  // Viridis, by which any kind of colour vision, and a greyscale print, tells more from less.
-  script +=
-      "set palette defined (0 '#440154', 1 '#472c7a', 2 '#3b518b', 3 '#2c718e', 4 '#21908d', 5 '#27ad81', 6 '#5cc863', "
-      "7 '#aadc32', 8 '#fde725')\nset cbrange [0:100]\nset cblabel 'balanced (%)' offset 1,0\nunset grid\n"
-      "set lmargin 11\nset rmargin 12\n";
+  std::string colours;
+  for (std::size_t k = 0; k < viridis.size(); ++k) colours += fmt::format("{}{} '{}'", k ? ", " : "", k, viridis[k]);
+  script += fmt::format("set palette defined ({})\nset cbrange [0:100]\n", colours);
+  script += "set cblabel 'balanced (%)' offset 1,0\nunset grid\nset lmargin 11\nset rmargin 12\n";
   if (several) script += fmt::format("set multiplot layout {},{} title {}\n", rows, columns, quoted(heading(r, title)));
   for (std::size_t k = 0; k < panels; ++k) {
     const SweepParameter& first = r.axes.front().parameters.front();

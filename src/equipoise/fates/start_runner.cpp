@@ -121,10 +121,10 @@ StartRunner::StartRunner(const Study& study, const DiscoverySettings& settings, 
       transients_(transient_settings(study)),
       source_(make_spin_up(study_, settings.stop)),
       discovery_(discover(study_, settings)),
-      known_(discovery_.catalogue) {
+      catalogue_(discovery_.catalogue) {
   if (!transients) return;
   source_->watch(transients_);
-  for (const Attractor& a : discovery_.catalogue.attractors()) {
+  for (const Attractor& a : catalogue_.attractors()) {
     ends_.resize(std::max(ends_.size(), static_cast<std::size_t>(a.id) + 1));
     ends_[static_cast<std::size_t>(a.id)] = known_end(study_.parameters, a);
   }
@@ -214,7 +214,7 @@ bool StartRunner::finish(SpunUp& starts, TransientTable* table, std::vector<Fate
 
 // Balls that dry friction holds leave each their own.
 void StartRunner::note_unbalance(const double* state, Fate& fate) const {
-  const Attractor* a = known_.find(fate.attractor);
+  const Attractor* a = discovery_.catalogue.find(fate.attractor);
   if (a && a->motion.set_valued) fate.unbalance = unbalance_at(state);
 }
 
@@ -224,7 +224,7 @@ float StartRunner::unbalance_at(const double* state) const {
 
 // Of a driven rotor, its attractor's own: a trap may catch it before it has turned for long.
 double StartRunner::mean_speed(const Fate& fate) const {
-  const Attractor* a = system_.prescribed() || system_.coasts() ? nullptr : known_.find(fate.attractor);
+  const Attractor* a = system_.prescribed() || system_.coasts() ? nullptr : discovery_.catalogue.find(fate.attractor);
   return a ? a->motion.speed : fate.mean_speed;
 }
 
@@ -297,7 +297,7 @@ UnlistedStart StartRunner::follow(const std::vector<double>& state) const {
 
 int StartRunner::list(const UnlistedStart& start) {
   const bool stable = start.motion && start.motion->stable;
-  return stable ? discovery_.catalogue.add(study_.parameters, *start.motion) : 0;
+  return stable ? catalogue_.add(study_.parameters, *start.motion) : 0;
 }
 
 }  // namespace equipoise

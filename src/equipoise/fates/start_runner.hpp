@@ -43,7 +43,7 @@ class StartRunner : public Runner {
   std::vector<UndecidedEnd> look_at(const std::vector<InitialState>& undecided) const override;
 
   bool one_by_one() const override { return false; }
-  const Catalogue& catalogue() const override { return discovery_.catalogue; }
+  const Catalogue& catalogue() const override { return catalogue_; }
   BalanceNote balance() const override { return {discovery_.balanced.stable, discovery_.balanced.note}; }
   double settled() const override { return source_->settled(); }
   bool stopped() const override { return discovery_.stopped; }
@@ -70,7 +70,7 @@ class StartRunner : public Runner {
   TransientSettings transients_;
   std::unique_ptr<SpinUp> source_;
   Discovery discovery_;
-  const Catalogue known_;       // to the rule: what threads look up while the list grows
+  Catalogue catalogue_;         // grows by list(), while run() reads the one that was discovered
   std::vector<KnownEnd> ends_;  // by identifier, of the attractors known beforehand; for transients only
 };
 

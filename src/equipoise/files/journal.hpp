@@ -15,7 +15,15 @@ namespace equipoise::store {
 class Journal {
  public:
   /// What kind of thing a record holds; values are those in the file.
-  enum class Kind : std::uint64_t { starts = 1, discovery = 2, cpu_target = 3, cell = 4, pixels = 5, outcome_name = 6 };
+  enum class Kind : std::uint64_t {
+    starts = 1,
+    discovery = 2,
+    cpu_target = 3,
+    cell = 4,
+    pixels = 5,
+    outcome_name = 6,
+    trial = 7
+  };
   struct Record {
     Kind kind = Kind::starts;
     std::uint64_t first = 0, count = 0;       ///< things of that kind: their places in the whole

@@ -95,9 +95,15 @@ int evaluate_derivatives(const model::Parameters& p, double speed, long count, d
 
 std::string cpu_target() { return name_of(HWY_DYNAMIC_DISPATCH(target_code)()); }
 
+// Those that there are, found before the first choice: a choice hides all others from Highway.
+static const std::vector<std::int64_t>& all_targets() {
+  static const std::vector<std::int64_t> targets = hwy::SupportedAndGeneratedTargets();
+  return targets;
+}
+
 std::vector<std::string> cpu_targets() {
   std::vector<std::string> names;
-  for (auto target : hwy::SupportedAndGeneratedTargets()) names.push_back(name_of(target));
+  for (const std::int64_t target : all_targets()) names.push_back(name_of(target));
   return names;
 }
 
@@ -105,7 +111,7 @@ bool use_cpu_target(const std::string& name) {
   hwy::SetSupportedTargetsForTest(0);  // back to what the machine has
   hwy::GetChosenTarget().DeInit();
   if (name.empty()) return true;
-  for (auto target : hwy::SupportedAndGeneratedTargets())
+  for (const std::int64_t target : all_targets())
     if (name == name_of(target)) {
       hwy::SetSupportedTargetsForTest(target);
       hwy::GetChosenTarget().DeInit();

@@ -3,10 +3,14 @@
 
 #include <algorithm>
 #include <array>
+#include <cctype>
 #include <optional>
+#include <vector>
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
+#include "equipoise/pages/after_what_is_drawn.hpp"
 #include "equipoise/pages/quantities.hpp"
 #include "equipoise/report/text.hpp"
 
@@ -67,6 +71,22 @@ std::string share_words(const Share& s) {
   return interval(s);
 }
 
+std::vector<std::string> drawn_keys(const Study& study, const std::vector<std::string>& set) {
+  std::vector<std::string> keys;
+  for (const UncertainValue& value : study.uncertain.values)
+    if (std::find(set.begin(), set.end(), value.key) == set.end()) keys.push_back(value.key);
+  return keys;
+}
+
+std::string after_what_is_drawn(std::vector<std::string> keys, std::string sentence) {
+  if (keys.empty()) return sentence;
+  const std::string last = keys.back();
+  keys.pop_back();
+  sentence.front() = static_cast<char>(std::tolower(static_cast<unsigned char>(sentence.front())));
+  return fmt::format("With {}{}{} drawn anew for every start, {}", fmt::join(keys, ", "), keys.empty() ? "" : " and ",
+                     last, sentence);
+}
+
 std::string answer_sentence(const BasinResult& r) {
   if (r.starts == 0 || r.attractors.empty()) return "Nothing is known: stopped before any start was decided.";
   std::string text = balance_words(r);
@@ -76,7 +96,7 @@ std::string answer_sentence(const BasinResult& r) {
   const std::uint64_t lost = r.diverged.count + r.failed.count;
   if (lost > 0)
     text += fmt::format("; {} could not be followed to an end", lost == 1 ? "1 start" : fmt::format("{} starts", lost));
-  return text + ".";
+  return after_what_is_drawn(drawn_keys(r.study), text + ".");
 }
 
 }  // namespace equipoise

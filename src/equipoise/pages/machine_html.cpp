@@ -8,39 +8,22 @@
 
 #include <fmt/format.h>
 
-#include "equipoise/base/version.hpp"
 #include "equipoise/drawing/document.hpp"
 #include "equipoise/drawing/plot_parts.hpp"
-#include "equipoise/model/balance_grade.hpp"
 #include "equipoise/pages/answer.hpp"
 #include "equipoise/pages/drawings.hpp"
+#include "equipoise/pages/page_parts.hpp"
 #include "equipoise/pages/quantities.hpp"
 #include "equipoise/report/left_unbalance.hpp"
 #include "equipoise/report/sampling_text.hpp"
 #include "equipoise/report/text.hpp"
 #include "equipoise/report/transient_report.hpp"
 #include "equipoise/store/basin_file.hpp"
-#include "equipoise/study/physical_echo.hpp"
 
 namespace equipoise {
 
 namespace {
 using study::Dimension;
-
-DocumentCell number_cell(const std::string& text) { return {text, Tone::plain, true}; }
-
-// "angle-grinder" of "studies/angle-grinder.toml".
-std::string stem_of(const std::string& name) {
-  const std::size_t folder = name.find_last_of('/');
-  std::string stem = folder == std::string::npos ? name : name.substr(folder + 1);
-  if (stem.ends_with(".toml")) stem.resize(stem.size() - 5);
-  return stem.empty() ? "study" : stem;
-}
-
-std::string grade_words(double grade) {
-  const auto met = model::standard_grade_met(grade);
-  return met ? fmt::format("G {:g}", *met) : "beyond G 4000";
-}
 
 // Spaces instead of the ends of lines that the terminal has.
 std::string on_one_line(std::string text) {
@@ -61,7 +44,7 @@ class MachineDocument {
       : page_(page), basin_(page.basin), study_(page.basin.study), shown_(page.basin.study) {}
 
   Document make() {
-    document_.title = "Ball balancer: " + stem_of(study_.name);
+    document_.title = page_title(study_);
     document_.sheet = true;
     add(Paragraph{answer_sentence(basin_), Tone::plain, true});
     if (basin_.partial) add(Paragraph{"Stopped before all starts were done: this is of those that were.", Tone::bad});
@@ -70,7 +53,7 @@ class MachineDocument {
       ends();
       way();
     }
-    machine();
+    add_machine(document_, page_, "in the study");
     origin();
     return std::move(document_);
   }
@@ -274,78 +257,17 @@ class MachineDocument {
     return table;
   }
 
-  // Which machine.
-  void machine() {
-    add(Heading{2, "The machine", ""});
-    DocumentTable table{{"given", "in the study"}, {}, "", false, {}};
-    for (const GivenTable& given : page_.given) {
-      std::string text;
-      for (const auto& [key, value] : given.keys) text += fmt::format("{}{} {}", text.empty() ? "" : "; ", key, value);
-      table.rows.push_back({{given.name, Tone::plain, false, true}, {text}});
-    }
-    add(std::move(table));
-    DocumentTable facts{{"follows", "without any simulation"}, {}, "", false, {}};
-    for (const auto& [name, text] : derived()) facts.rows.push_back({{name, Tone::plain, false, true}, {text}});
-    add(std::move(facts));
-    for (const std::string& warning : page_.explanation.warnings)
-      add(Paragraph{"Beware: " + warning + ".", Tone::open});
-  }
-
-  std::string by_direction(const std::array<double, 2>& v, Dimension d) const {
-    return v[0] == v[1] ? shown_.text(v[0], d) : fmt::format("x {}, y {}", shown_.text(v[0], d), shown_.text(v[1], d));
-  }
-
-  std::vector<std::array<std::string, 2>> derived() const {
-    const Explanation& e = page_.explanation;
-    std::vector<std::array<std::string, 2>> rows;
-    std::string speeds = by_direction(e.critical_alone, Dimension::speed) + " without balls, " +
-                         by_direction(e.critical_with_balls, Dimension::speed) + " with them";
-    if (e.speed)
-      speeds += fmt::format("; final speed {}, {:.3g} times that", shown_.text(*e.speed, Dimension::speed),
-                            std::fabs(*e.speed) / std::min(e.critical_with_balls[0], e.critical_with_balls[1]));
-    rows.push_back({"critical speed", speeds});
-    std::string unbalance =
-        fmt::format("{}; the balls can cancel {}", shown_.text(study_.parameters.eccentricity, Dimension::unbalance),
-                    shown_.range(e.least_unbalance, e.largest_unbalance, Dimension::unbalance));
-    if (study_.scales && e.speed)
-      unbalance += fmt::format("; {} without balls",
-                               grade_words(model::balance_grade(study_.parameters.eccentricity * study_.scales->length,
-                                                                *e.speed * study_.scales->frequency)));
-    rows.push_back({"unbalance", unbalance});
-    if (e.bare)
-      rows.push_back({"without balls", fmt::format("shakes by {} at the final speed, {} on the supports",
-                                                   by_direction(e.bare->displacement, Dimension::length),
-                                                   by_direction(e.bare->force, Dimension::force))});
-    if (e.motion)
-      rows.push_back({"way into balance", e.motion->stable
-                                              ? fmt::format("stable, slowest time constant {}",
-                                                            shown_.text(-1.0 / e.motion->slowest_rate, Dimension::time))
-                                              : "not stable by linear theory"});
-    return rows;
-  }
-
   // How that is known.
   void origin() {
     add(Heading{2, "How it was computed", ""});
-    const auto method = study_.sampling.method.value_or(SamplingMethod::random);
-    std::string text = fmt::format(
-        "{} starts at {} ball angles{}, seed {}, each followed until it is known where it ends (undecided after {}). ",
-        basin_.starts, sampling_method_names[static_cast<std::size_t>(method)],
-        study_.sampling.box.empty() ? "" : " and in the box of initial states", study_.sampling.seed,
-        shown_.text(study_.numerics.horizon.value_or(0.0), Dimension::time));
+    std::string text = fmt::format("{} starts {}, each followed until it is known where it ends (undecided after {}). ",
+                                   basin_.starts, starts_words(study_, drawn_keys(study_)),
+                                   shown_.text(study_.numerics.horizon.value_or(0.0), Dimension::time));
     text += on_one_line(sampling_text(basin_));
-    if (!study_.speed.driven() && study_.speed.profile != Profile::constant)
-      text += fmt::format(" Speed law: {}.", name_of(study_.speed.law));
-    text += fmt::format(
-        " Intervals hold with 95 % confidence. The model: a rotor in a plane, docs/equations.md. "
-        "equipoise {}, {}, {} thread{}, {:.1f} s ({:.1f} s CPU)",
-        version_string, basin_.cpu_target, basin_.threads, basin_.threads == 1 ? "" : "s", basin_.seconds,
-        basin_.cpu_seconds);
+    text += model_words(study_, {basin_.cpu_target, basin_.threads, basin_.seconds, basin_.cpu_seconds});
     if (basin_.resumed_from > 0) text += fmt::format("; {} starts from an earlier run's file", basin_.resumed_from);
     add(Paragraph{text + "."});
-    if (study_.scales) add(Listing{"The study in full, in physical units", to_physical_toml(study_)});
-    add(Listing{study_.scales ? "The same without dimensions, as it was computed" : "The study in full",
-                to_toml(study_)});
+    add_study(document_, study_);
   }
 
   const MachinePage& page_;

@@ -2,6 +2,7 @@
 #include "equipoise/report/capacity_report.hpp"
 
 #include <algorithm>
+#include <vector>
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -9,6 +10,7 @@
 #include "equipoise/base/version.hpp"
 #include "equipoise/report/cell_text.hpp"
 #include "equipoise/report/csv.hpp"
+#include "equipoise/report/sensitivity_report.hpp"
 #include "equipoise/report/text.hpp"
 
 namespace equipoise {
@@ -17,16 +19,18 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-std::string value_text(const CapacityResult& r, const CapacityCell& cell) {
+}  // namespace
+
+std::string capacity_value_text(const CapacityResult& r, const CapacityCell& cell) {
   if (cell.never) return fmt::format("below {:.4g}", r.from);
   if (cell.always) return fmt::format("above {:.4g}", r.to);
   return fmt::format("{:.4g}", *cell.value);
 }
 
-}  // namespace
-
 std::string capacity_text(const CapacityResult& r) {
-  std::string text = study_heading(r.study);
+  std::vector<std::string> set = keys_of(r.axes);
+  set.push_back(r.key);
+  std::string text = study_heading(r.study) + uncertain_text(r.study, set);
   const std::string asked = column_title(r.key, r.unit);
   const std::size_t width = std::max<std::size_t>(asked.size(), 12);
   text += fmt::format("The largest {} at which {:.4g} % of starts end balanced.\n\n", r.key, 100.0 * r.at_least);
@@ -35,7 +39,7 @@ std::string capacity_text(const CapacityResult& r) {
     if (!r.cells[index]) continue;
     const CapacityCell& cell = *r.cells[index];
     text += column_values(r.axes, index);
-    text += fmt::format("{:>{}}  {:<24}{:>7}\n", value_text(r, cell), width,
+    text += fmt::format("{:>{}}  {:<24}{:>7}\n", capacity_value_text(r, cell), width,
                         fmt::format("{:.4g} and {:.4g}", cell.low, cell.high), cell.trials.size());
   }
   text += fmt::format(
@@ -44,6 +48,7 @@ std::string capacity_text(const CapacityResult& r) {
       "{:.3g}; a share that falls short between two of the values tried and recovers is not seen.\n",
       r.from, r.to, r.precision * (r.to - r.from));
   if (!r.complete()) text += "PARTIAL: stopped before all cells were done.\n";
+  if (r.resumed_trials > 0) text += fmt::format("{} trials from an earlier run. ", r.resumed_trials);
   return text + fmt::format(
                     "{} starts a trial, seed {}, the same ones in all; {:.2f} s, {:.2f} s CPU on {} thread{} "
                     "({}); equipoise {}\n",
@@ -63,6 +68,7 @@ std::string capacity_json(const CapacityResult& r) {
     for (const CapacityTrial& t : cell.trials) {
       Json one{{"value", t.value}};
       one.update(share_json(t.balanced));
+      one["undecided"] = t.undecided.share;
       one["unstable"] = t.unstable;
       trials.push_back(one);
     }
@@ -76,6 +82,7 @@ std::string capacity_json(const CapacityResult& r) {
   }
   json["confidence"] = 0.95;
   json["starts"] = r.starts;
+  json["resumed_trials"] = r.resumed_trials;
   json["seconds"] = r.seconds;
   json["cpu_seconds"] = r.cpu_seconds;
   json["threads"] = r.threads;

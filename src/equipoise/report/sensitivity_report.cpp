@@ -42,10 +42,11 @@ nlohmann::ordered_json estimate_json(const IndexEstimate& e) {
 
 }  // namespace
 
-std::string uncertain_text(const Study& study) {
+std::string uncertain_text(const Study& study, const std::vector<std::string>& set) {
   std::string text;
   for (const UncertainValue& v : study.uncertain.values)
-    text += fmt::format("drawn with each start: {} {}\n", v.key, distribution_text(v));
+    if (std::find(set.begin(), set.end(), v.key) == set.end())
+      text += fmt::format("drawn with each start: {} {}\n", v.key, distribution_text(v));
   return text.empty() ? text : text + "\n";
 }
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include <nlohmann/json_fwd.hpp>
 
@@ -11,8 +12,8 @@
 namespace equipoise {
 
 /// A line for every uncertain value: "drawn with each start: rotor.eccentricity uniform, 0.005 to 0.015"; empty
-/// without.
-std::string uncertain_text(const Study& study);
+/// without. Not for keys that are `set` otherwise.
+std::string uncertain_text(const Study& study, const std::vector<std::string>& set = {});
 
 std::string sensitivity_text(const SensitivityResult& result);
 /// An array: key, first and total, each value, low and high.

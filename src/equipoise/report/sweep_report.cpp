@@ -13,6 +13,7 @@
 #include "equipoise/deciding/decision_rule.hpp"
 #include "equipoise/report/cell_text.hpp"
 #include "equipoise/report/csv.hpp"
+#include "equipoise/report/sensitivity_report.hpp"
 #include "equipoise/report/text.hpp"
 
 namespace equipoise {
@@ -160,7 +161,7 @@ Json cell_json(const SweepResult& r, std::size_t index) {
 
 std::string sweep_text(const SweepResult& r) {
   const Columns columns(r);
-  std::string text = study_heading(r.study) + header_line(r, columns);
+  std::string text = study_heading(r.study) + uncertain_text(r.study, keys_of(r.axes)) + header_line(r, columns);
   for (std::size_t index = 0; index < r.cells.size(); ++index)
     if (r.cells[index]) text += cell_line(r, columns, index);
   text += "\n" + what_else(r);

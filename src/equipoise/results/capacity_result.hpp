@@ -16,8 +16,13 @@ namespace equipoise {
 /// One ensemble on the way to it.
 struct CapacityTrial {
   double value = 0.0;
-  Share balanced;         ///< of no starts if `unstable`
-  bool unstable = false;  ///< no balanced state attracts there: none of its starts were followed
+  Share balanced, undecided;  ///< of no starts if `unstable`
+  bool unstable = false;      ///< no balanced state attracts there: none of its starts were followed
+  /// On the motions found, where the search at a neighbouring value begins.
+  std::vector<std::vector<double>> states;
+
+  /// What the balanced share is at most, whatever undecided starts would come to.
+  double most() const { return unstable ? 0.0 : balanced.most; }
 };
 
 /// The boundary in one cell: below it the balanced share of the starts is as large as asked at every value tried.
@@ -41,6 +46,7 @@ struct CapacityResult {
   std::uint64_t starts = 0;  ///< of every ensemble
   std::vector<SweepAxis> axes;
   std::vector<std::optional<CapacityCell>> cells;  ///< as of a sweep
+  std::uint64_t resumed_trials = 0;                ///< read from an earlier run's file
   int threads = 0;
   std::string cpu_target;
   double seconds = 0.0, cpu_seconds = 0.0;

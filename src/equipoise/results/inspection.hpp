@@ -11,11 +11,12 @@ namespace equipoise {
 
 struct Inspection {
   std::string path;
-  std::string kind;     ///< "basin", "sweep", "map", "branches", "trajectory", "unfinished results"; empty: unknown
+  std::string
+      kind;  ///< "basin", "sweep", "capacity", "map", "branches", "trajectory", "unfinished results"; empty: unknown
   std::string version;  ///< of the program that wrote it
   std::uint64_t bytes = 0;
-  std::string damage;            ///< in words that follow the file's name; empty: none
-  std::optional<bool> complete;  ///< if it says
+  std::string damage;                                      ///< in words that follow the file's name; empty: none
+  std::optional<bool> complete;                            ///< if it says
   std::vector<std::pair<std::string, std::string>> facts;  ///< by name: starts, cells, what varies
   struct Outcome {
     int code = 0;

@@ -19,6 +19,12 @@ struct GivenTable {
   std::vector<std::array<std::string, 2>> keys;
 };
 
+/// What a study says of its machine, and what follows from that without any simulation.
+struct GivenMachine {
+  std::vector<GivenTable> given;
+  Explanation explanation;
+};
+
 /// A stretch of a motion at equally spaced times, dimensionless.
 struct MotionPath {
   std::vector<double> psi;               ///< rotor angle
@@ -68,10 +74,8 @@ struct ShownRun {
   std::vector<double> t, r_low, r_high, speed;  ///< middle of the stretch; extremes of the displacement; mean psi'
 };
 
-struct MachinePage {
-  BasinResult basin;  ///< without its starts
-  Explanation explanation;
-  std::vector<GivenTable> given;
+struct MachinePage : GivenMachine {
+  BasinResult basin;                 ///< without its starts
   std::vector<DrawnMotion> motions;  ///< the most frequent first
   std::size_t motions_left_out = 0;  ///< rarer ones
   std::uint64_t starts_drawn = 0;    ///< in `peaks`, and to choose `runs` from: the first ones

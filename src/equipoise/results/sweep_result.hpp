@@ -89,6 +89,13 @@ void visit_parameters(const std::vector<SweepAxis>& axes, std::size_t cell, cons
   for (std::size_t a = 0; a < axes.size(); ++a)
     for (const SweepParameter& p : axes[a].parameters) visit(p, place[a]);
 }
+/// Of all that varies.
+inline std::vector<std::string> keys_of(const std::vector<SweepAxis>& axes) {
+  std::vector<std::string> keys;
+  for (const SweepAxis& axis : axes)
+    for (const SweepParameter& p : axis.parameters) keys.push_back(p.key);
+  return keys;
+}
 /// "speed.final = 2.4, balancer.drag = 0.05".
 inline std::string cell_title(const std::vector<SweepAxis>& axes, std::size_t cell) {
   std::string title;

@@ -5,7 +5,6 @@
 #include <filesystem>
 #include <fstream>
 #include <set>
-#include <sstream>
 #include <system_error>
 
 #include <fmt/format.h>
@@ -15,26 +14,18 @@
 #include "equipoise/files/journal.hpp"
 #include "equipoise/files/netcdf.hpp"
 #include "equipoise/files/sealed_file.hpp"
+#include "equipoise/store/result_identity.hpp"
 
 namespace equipoise {
 
 namespace {
 
-// A key's value in an identity, or nothing.
-std::string value_in(const std::string& identity, const std::string& key) {
-  std::istringstream lines(identity);
-  for (std::string line; std::getline(lines, line);)
-    if (line.starts_with(key + " = ")) return line.substr(key.size() + 3);
-  return "";
-}
-
-// What stands before the part that says how a file was made.
-std::string study_in(const std::string& identity) { return identity.substr(0, identity.find("\n[file]")); }
-
-void add_axes(const std::string& identity, Inspection& i) {
-  std::istringstream lines(identity);
-  for (std::string line; std::getline(lines, line);)
-    if (line.starts_with("over.")) i.facts.emplace_back("over", line.substr(5));
+// What was varied and looked for.
+void add_question(const store::IdentityLines& identity, Inspection& i) {
+  for (const std::string& parameter : identity.over()) i.facts.emplace_back("over", parameter);
+  for (const char* key : {"of", "at_least", "from", "to", "unit"})
+    if (const std::string value = identity.value(std::string("capacity.") + key); !value.empty())
+      i.facts.emplace_back(key, value);
 }
 
 std::string kind_of(const store::NetcdfFile& file) {
@@ -80,9 +71,9 @@ void read_results_file(Inspection& i) {
   constexpr std::array told{"start", "x", "y", "value", "attractor", "event", "discovery", "t", "time"};
   for (const char* dimension : told)
     if (const std::size_t length = file.length(dimension)) i.facts.emplace_back(dimension, fmt::format("{}", length));
-  if (i.kind == "sweep") {
+  if (i.kind == "sweep" || i.kind == "capacity") {
     count_cells(file, i);
-    add_axes(identity, i);
+    add_question(store::IdentityLines(identity), i);
   }
   if (i.kind == "basin") add_outcomes(file, "kind_", i);
   if (i.kind == "map") add_outcomes(file, "", i);
@@ -92,22 +83,24 @@ void read_results_file(Inspection& i) {
 
 void read_unfinished(Inspection& i) {
   const store::Journal journal(i.path, i.path, "");
-  const std::string& identity = journal.identity();
+  const store::IdentityLines identity(journal.identity());
   i.kind = "unfinished results";
   i.complete = false;
-  i.version = value_in(identity, "version");
-  i.study = study_in(identity);
-  add_axes(identity, i);
-  std::uint64_t starts = 0, pixels = 0, end = 0;
+  i.version = identity.value("version");
+  i.study = identity.study;
+  add_question(identity, i);
+  std::uint64_t starts = 0, pixels = 0, trials = 0, end = 0;
   std::set<std::uint64_t> cells;
   for (const store::Journal::Record& record : journal.records()) {
     if (record.kind == store::Journal::Kind::starts) starts = std::max(starts, record.first + record.count);
     if (record.kind == store::Journal::Kind::cell) cells.insert(record.first);
     if (record.kind == store::Journal::Kind::pixels) pixels += record.count;
+    if (record.kind == store::Journal::Kind::trial) trials += record.count;
     end = record.end();
   }
   if (starts > 0) i.facts.emplace_back("starts done", fmt::format("up to number {}", starts));
   if (pixels > 0) i.facts.emplace_back("pixels done", fmt::format("{}", pixels));
+  if (trials > 0) i.facts.emplace_back("trials done", fmt::format("{}", trials));
   if (!cells.empty()) i.facts.emplace_back("cells done", fmt::format("{}", cells.size()));
   i.facts.emplace_back("sound records", fmt::format("{}", journal.records().size()));
   if (end > 0 && i.bytes > end)

@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <map>
 #include <sstream>
+#include <string_view>
 
 #include <fmt/format.h>
 
@@ -19,18 +20,9 @@ namespace {
 // More than these would hide which differ.
 constexpr std::size_t most_told = 3;
 
-// Values by dotted key. The texts are the program's own: a table or a key a line.
 std::map<std::string, std::string> values_of(const std::string& identity) {
   std::map<std::string, std::string> values;
-  std::istringstream lines(identity);
-  std::string table;
-  for (std::string line; std::getline(lines, line);) {
-    const std::size_t equals = line.find(" = ");
-    if (line.starts_with("["))
-      table = line.substr(1, line.find(']') - 1) + ".";
-    else if (equals != std::string::npos)
-      values[(table == "file." ? "" : table) + line.substr(0, equals)] = line.substr(equals + 3);
-  }
+  for (const auto& [key, value] : IdentityLines(identity).lines) values[key] = value;
   return values;
 }
 
@@ -44,6 +36,32 @@ std::string identity_of(const BasinFileHeader& header) {
   const std::string own = header.own_starts.empty() ? "" : fmt::format("own_starts = {}\n", header.own_starts);
   return fmt::format("{}\n[file]\nversion = {}\narithmetic = {}\nangles = {}\ntransients = {}\n{}", header.study,
                      version_string, header.arithmetic, header.angles ? "kept" : "left out", transients, own);
+}
+
+IdentityLines::IdentityLines(const std::string& identity) : study(identity.substr(0, identity.find("\n[file]"))) {
+  std::istringstream text(identity);
+  std::string table;
+  for (std::string line; std::getline(text, line);) {
+    const std::size_t equals = line.find(" = ");
+    if (line.starts_with("["))
+      table = line.substr(1, line.find(']') - 1) + ".";
+    else if (equals != std::string::npos)
+      lines.emplace_back((table == "file." ? "" : table) + line.substr(0, equals), line.substr(equals + 3));
+  }
+}
+
+std::string IdentityLines::value(const std::string& key) const {
+  for (const auto& [name, text] : lines)
+    if (name == key) return text;
+  return "";
+}
+
+std::vector<std::string> IdentityLines::over() const {
+  constexpr std::string_view table = "sweep.over.";
+  std::vector<std::string> parameters;
+  for (const auto& [key, text] : lines)
+    if (key.starts_with(table)) parameters.push_back(key.substr(table.size()) + "=" + text);
+  return parameters;
 }
 
 std::string difference(const std::string& there, const std::string& here) {

@@ -2,6 +2,8 @@
 #pragma once
 
 #include <string>
+#include <utility>
+#include <vector>
 
 namespace equipoise {
 
@@ -11,6 +13,18 @@ namespace store {
 
 /// All that decides what stands in a file for start i, a key a line as in a study.
 std::string identity_of(const BasinFileHeader& header);
+
+/// An identity taken apart. The texts are the program's own: a table or a key a line.
+struct IdentityLines {
+  explicit IdentityLines(const std::string& identity);
+  /// By dotted key, those of [file] by their bare one ("version"); empty if there is none.
+  std::string value(const std::string& key) const;
+  /// What a sweep varies: "speed.final=2.4, 2.6" and the like.
+  std::vector<std::string> over() const;
+
+  std::string study;                                       ///< what stands before [file], as TOML
+  std::vector<std::pair<std::string, std::string>> lines;  ///< dotted key and value, in order
+};
 
 /// How two identities differ, in words: "balancer.drag is [0.05] there and [0.06] here"; empty if they do not.
 std::string difference(const std::string& there, const std::string& here);

@@ -1,4 +1,4 @@
-// SweepCell to CBOR and back: a map of the members by name.
+// SweepCell and CapacityTrial to CBOR and back: a map of the members by name.
 #include "equipoise/store/sweep_cells.hpp"
 
 #include <nlohmann/json.hpp>
@@ -122,6 +122,16 @@ void visit_members(Visitor&& v, S& s) {
   v("note", s.note);
 }
 
+template <class Visitor, class S>
+requires std::is_same_v<std::remove_const_t<S>, CapacityTrial>
+void visit_members(Visitor&& v, S& s) {
+  v("value", s.value);
+  v("balanced", s.balanced);
+  v("undecided", s.undecided);
+  v("unstable", s.unstable);
+  v("states", s.states);
+}
+
 template <class T>
 struct IsList : std::false_type {};
 template <class T>
@@ -179,6 +189,17 @@ void Reader::decode(const Json& json, T& value) {
   }
 }
 
+template <class T>
+std::optional<T> read_as(const std::uint8_t* bytes, std::size_t count) {
+  try {
+    T value;
+    Reader::decode(Json::from_cbor(bytes, bytes + count), value);
+    return value;
+  } catch (const Json::exception&) {
+    return std::nullopt;
+  }
+}
+
 }  // namespace
 
 namespace store {
@@ -186,13 +207,15 @@ namespace store {
 std::vector<std::uint8_t> bytes_of(const SweepCell& cell) { return Json::to_cbor(Writer::encode(cell)); }
 
 std::optional<SweepCell> cell_from(const std::uint8_t* bytes, std::size_t count) {
-  try {
-    SweepCell cell;
-    Reader::decode(Json::from_cbor(bytes, bytes + count), cell);
-    return cell;
-  } catch (const Json::exception&) {
-    return std::nullopt;
-  }
+  return read_as<SweepCell>(bytes, count);
+}
+
+std::vector<std::uint8_t> bytes_of(const std::vector<CapacityTrial>& trials) {
+  return Json::to_cbor(Writer::encode(trials));
+}
+
+std::optional<std::vector<CapacityTrial>> trials_from(const std::vector<std::uint8_t>& bytes) {
+  return read_as<std::vector<CapacityTrial>>(bytes.data(), bytes.size());
 }
 
 }  // namespace store

@@ -9,10 +9,9 @@
 #include <fmt/format.h>
 #include <netcdf.h>
 
-#include "equipoise/base/version.hpp"
 #include "equipoise/files/netcdf.hpp"
-#include "equipoise/results/branches_result.hpp"
 #include "equipoise/store/basin_file.hpp"
+#include "equipoise/store/cell_netcdf.hpp"
 #include "equipoise/store/sweep_cells.hpp"
 
 namespace equipoise::store {
@@ -21,16 +20,10 @@ namespace {
 
 constexpr double none = std::numeric_limits<double>::quiet_NaN();
 
-std::string variable_name(const std::string& key) {
-  std::string name = key;
-  std::replace(name.begin(), name.end(), '.', '_');
-  return name;
-}
-
 class SweepWriter {
  public:
-  SweepWriter(NetcdfFile& file, const std::string& identity, const SweepResult& result)
-      : file_(file), identity_(identity), result_(result) {
+  SweepWriter(NetcdfFile& file, const std::string& identity, const SweepResult& result, const CellRecords& records)
+      : file_(file), identity_(identity), result_(result), table_(file, result.axes, records) {
     const auto note = [&](int code, const std::string& name, const std::string& alias) {
       kinds_.try_emplace(code, name, alias);
     };
@@ -49,37 +42,21 @@ class SweepWriter {
       names_.push_back(kinds_.at(code).first);
       aliases_.push_back(kinds_.at(code).second);
     }
-    for (const auto& cell : result.cells) {
-      const std::vector<std::uint8_t> bytes = cell ? bytes_of(*cell) : std::vector<std::uint8_t>{};
-      records_.insert(records_.end(), bytes.begin(), bytes.end());
-      record_ends_.push_back(static_cast<double>(records_.size()));
-    }
   }
 
   void write() {
     define();
-    for (const auto& [variable, values] : coordinates_) file_.write(variable, {0}, {values->size()}, values->data());
-    for (const Column& column : columns_) write_column(column);
+    table_.write();
     for (std::size_t k = 0; k < codes_.size(); ++k) file_.write(code_, {k}, {1}, &codes_[k]);
     file_.write_texts(name_, names_);
     file_.write_texts(alias_, aliases_);
     for (std::size_t k = 0; k < reported_quantiles.size(); ++k) {
       if (quantile_ >= 0) file_.write(quantile_, {k}, {1}, &reported_quantiles[k]);
     }
-    if (!records_.empty()) file_.write(record_, {0}, {records_.size()}, records_.data());
-    file_.write(record_end_, {0}, {record_ends_.size()}, record_ends_.data());
   }
 
  private:
-  // Values of a cell, `width` of them; missing ones are not-a-number.
-  struct Column {
-    int variable = -1;
-    std::size_t width = 1;
-    std::function<void(const SweepCell&, double*)> values;
-  };
-
   void define() {
-    define_axes();
     outcome_ = file_.dimension("outcome", codes_.size());
     code_ = file_.variable("outcome", NC_INT, {outcome_}, "1",
                            "identifier of an attractor, the same in all cells; 0 undecided, negative: lost or stalled");
@@ -92,38 +69,17 @@ class SweepWriter {
     define_shares();
     define_motions();
     if (result_.transients) define_transients();
-    const int bytes = file_.dimension("record_byte", std::max<std::size_t>(records_.size(), 1));
-    const int cells = file_.dimension("cell", result_.cells.size());
-    record_ =
-        file_.variable("record", NC_BYTE, {bytes}, "1", "all that is known of every cell, for the program (CBOR)");
-    record_end_ = file_.variable("record_end", NC_DOUBLE, {cells}, "1", "where in record a cell ends, in bytes");
-    define_attributes();
+    table_.define_records();
+    define_cell_attributes(file_, "sweep", "Where a rotor with an automatic ball balancer ends, over parameters",
+                           identity_, result_.study, result_.complete());
     file_.end_definitions();
-  }
-
-  void define_axes() {
-    for (const SweepAxis& axis : result_.axes) {
-      const bool zipped = axis.parameters.size() > 1;
-      const std::string first = variable_name(axis.parameters.front().key);
-      const int dimension = file_.dimension(zipped ? "step" : first, axis.size());
-      axis_dimensions_.push_back(dimension);
-      for (const SweepParameter& p : axis.parameters) {
-        const int variable = file_.variable(variable_name(p.key), NC_DOUBLE, {dimension}, p.unit.empty() ? "1" : p.unit,
-                                            fmt::format("{}: {}", p.key, parameter_label(p.key)));
-        coordinates_.emplace_back(variable, &p.values);
-        if (zipped) along_ += (along_.empty() ? "" : " ") + variable_name(p.key);
-      }
-    }
   }
 
   void column(const std::string& name, const char* units, const std::string& meaning, std::size_t width,
               const std::function<void(const SweepCell&, double*)>& values, int dimension = -1) {
-    std::vector<int> dimensions = axis_dimensions_;
-    if (dimension >= 0) dimensions.push_back(dimension);
-    const int variable = file_.variable(name, NC_DOUBLE, dimensions, units, meaning);
-    file_.fill(variable, &none);
-    if (!along_.empty()) file_.attribute(variable, "coordinates", along_);
-    columns_.push_back({variable, dimension >= 0 ? width : 0, values});
+    table_.column(
+        name, units, meaning, [this, values](std::size_t index, double* v) { values(*result_.cells[index], v); },
+        dimension, width);
   }
 
   void define_shares() {
@@ -208,51 +164,25 @@ class SweepWriter {
     }
   }
 
-  void define_attributes() {
-    const std::string study = to_toml(result_.study);
-    file_.attribute(NC_GLOBAL, "Conventions", "CF-1.8");
-    file_.attribute(NC_GLOBAL, "title", "Where a rotor with an automatic ball balancer ends, over parameters");
-    file_.attribute(NC_GLOBAL, "source", fmt::format("equipoise {}", version_string));
-    file_.attribute(NC_GLOBAL, "kind", "sweep");
-    file_.attribute(NC_GLOBAL, "identity", identity_);
-    file_.attribute(NC_GLOBAL, "study", study);
-    file_.attribute(NC_GLOBAL, "complete", result_.complete() ? "yes" : "no");
-  }
-
-  void write_column(const Column& column) {
-    std::vector<double> values(std::max<std::size_t>(column.width, 1));
-    for (std::size_t index = 0; index < result_.cells.size(); ++index) {
-      if (!result_.cells[index]) continue;
-      std::fill(values.begin(), values.end(), none);
-      column.values(*result_.cells[index], values.data());
-      std::vector<std::size_t> start = result_.place(index), count(start.size(), 1);
-      if (column.width > 0) {
-        start.push_back(0);
-        count.push_back(column.width);
-      }
-      file_.write(column.variable, start, count, values.data());
-    }
-  }
-
   NetcdfFile& file_;
   const std::string& identity_;
   const SweepResult& result_;
   std::map<int, std::pair<std::string, std::string>> kinds_;
-  std::vector<int> codes_, axis_dimensions_;
+  CellTable table_;
+  std::vector<int> codes_;
   std::vector<std::string> names_, aliases_;
-  std::vector<std::uint8_t> records_;
-  std::vector<double> record_ends_;
-  std::vector<std::pair<int, const std::vector<double>*>> coordinates_;
-  std::vector<Column> columns_;
-  std::string along_;  // coordinates of zipped parameters
-  int outcome_ = -1, code_ = -1, name_ = -1, alias_ = -1, quantile_ = -1, record_ = -1, record_end_ = -1;
+  int outcome_ = -1, code_ = -1, name_ = -1, alias_ = -1, quantile_ = -1;
 };
 
 }  // namespace
 
 void write_sweep_netcdf(const std::string& path, const std::string& identity, const SweepResult& result) {
+  const CellRecords records(result.cells.size(), [&](std::size_t index) {
+    const auto& cell = result.cells[index];
+    return cell ? bytes_of(*cell) : std::vector<std::uint8_t>{};
+  });
   write_netcdf_file(
-      path, [&](NetcdfFile& file) { SweepWriter(file, identity, result).write(); }, NetcdfFile::Mode::create_large);
+      path, [&](NetcdfFile& file) { SweepWriter(file, identity, result, records).write(); }, records.mode());
 }
 
 }  // namespace equipoise::store

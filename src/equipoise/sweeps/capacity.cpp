@@ -8,7 +8,9 @@
 #include <ctime>
 #include <exception>
 #include <functional>
+#include <limits>
 #include <map>
+#include <memory>
 #include <mutex>
 #include <thread>
 #include <utility>
@@ -22,6 +24,7 @@
 #include "equipoise/fates/runner.hpp"
 #include "equipoise/kernels/cpu_target.hpp"
 #include "equipoise/motions/catalogue.hpp"
+#include "equipoise/store/capacity_file.hpp"
 #include "equipoise/sweeps/sweep_axis.hpp"
 #include "equipoise/traps/balanced_analysis.hpp"
 
@@ -39,26 +42,35 @@ Study study_at(const SweepPlan& plan, std::size_t cell, const CapacityOptions& o
   return plan.study_of(cell, {fmt::format("{}={}{}{}", options.key, value, space, options.unit)});
 }
 
-// One cell's trials, each search beginning with what the nearest earlier one found.
+// What is left to do of one cell.
+struct CellWork {
+  std::size_t cell = 0;
+  const std::vector<CapacityTrial>& known;  ///< made by an earlier run
+  std::function<void(const CapacityTrial&)> keep;
+  std::function<bool()> stopped;
+};
+
+// One cell's trials, each search beginning with what the nearest earlier one found. Those of an earlier run are taken
+// when their turn comes, so that all others come out as if there had been one run.
 class Boundary {
  public:
-  Boundary(const SweepPlan& plan, std::size_t cell, const CapacityOptions& options, int threads)
-      : plan_(plan), cell_(cell), options_(options), threads_(threads) {}
+  Boundary(const SweepPlan& plan, const CapacityOptions& options, int threads, CellWork work)
+      : plan_(plan), options_(options), threads_(threads), work_(std::move(work)) {}
 
   // None if stopped.
   std::optional<CapacityCell> find() {
     // Beyond the first value at which the share is surely too small nothing matters.
     for (int k = 0; k <= scan; ++k) {
-      const Made* made = trial(options_.from + (options_.to - options_.from) * k / scan);
+      const CapacityTrial* made = trial(options_.from + (options_.to - options_.from) * k / scan);
       if (!made) return std::nullopt;
       if (made->most() < options_.at_least) break;
     }
-    const auto likely = crossing([&](const Made& m) { return m.balanced.share < options_.at_least; });
-    const auto last_sure = crossing([&](const Made& m) { return m.balanced.least < options_.at_least; });
-    const auto first_short = crossing([&](const Made& m) { return m.most() < options_.at_least; });
+    const auto likely = crossing([&](const CapacityTrial& t) { return t.balanced.share < options_.at_least; });
+    const auto last_sure = crossing([&](const CapacityTrial& t) { return t.balanced.least < options_.at_least; });
+    const auto first_short = crossing([&](const CapacityTrial& t) { return t.most() < options_.at_least; });
     if (stopped_) return std::nullopt;
     CapacityCell result;
-    for (const auto& [value, made] : trials_) result.trials.push_back({value, made.balanced, made.unstable});
+    for (const auto& [value, made] : trials_) result.trials.push_back(made);
     result.never = likely.first < options_.from;
     result.always = likely.second > options_.to;
     if (!result.never && !result.always) result.value = 0.5 * (likely.first + likely.second);
@@ -68,39 +80,48 @@ class Boundary {
   }
 
  private:
-  struct Made {
-    Share balanced;
-    bool unstable = false;
-    std::vector<std::vector<double>> states = {};
-    double most() const { return unstable ? 0.0 : balanced.most; }
-  };
-
-  const Made* trial(double at) {
+  // Null if stopped.
+  const CapacityTrial* trial(double at) {
     const double value = few_digits(at);
     if (const auto made = trials_.find(value); made != trials_.end()) return &made->second;
-    const Study study = study_at(plan_, cell_, options_, value);
-    // Where no balanced state attracts no start has to be followed.
-    if (!analyse_balanced(study.system(), options_.stop).stable && !is_set(options_.stop))
-      return &trials_.emplace(value, Made{{}, true}).first->second;
+    for (const CapacityTrial& t : work_.known)
+      if (t.value == value) return &trials_.emplace(value, t).first->second;
+    const auto made = stopped_ ? std::nullopt : run(value);
+    stopped_ = !made;
+    if (!made) return nullptr;
+    work_.keep(*made);
+    return &trials_.emplace(value, *made).first->second;
+  }
+
+  std::optional<CapacityTrial> run(double value) const {
+    if (work_.stopped()) return std::nullopt;
+    const Study study = study_at(plan_, work_.cell, options_, value);
+    CapacityTrial made;
+    made.value = value;
+    // Where no balanced state attracts no start has to be followed; of drawn rotors each has its own.
+    if (study.uncertain.empty() && !analyse_balanced(study.system(), options_.stop).stable) {
+      made.unstable = true;
+      return is_set(options_.stop) ? std::nullopt : std::optional(made);
+    }
     BasinOptions run;
     run.threads = threads_;
     run.stop = options_.stop;
+    run.transients = false;
     if (const auto* near = nearest(value)) run.seeds = near->states;
     run.informed = !run.seeds.empty();
     Catalogue catalogue;
     const BasinResult result = basin(study, run, &catalogue);
-    stopped_ = stopped_ || result.partial;
-    if (stopped_) return nullptr;
-    Made made{result.attractors.front().share};
+    if (result.partial) return std::nullopt;
+    made.balanced = result.attractors.front().share;
+    made.undecided = result.undecided;
     const auto size = static_cast<Eigen::Index>(study.system().dimension());
     for (const Attractor& a : catalogue.attractors())
-      if (a.motion.state.size() == size)
-        made.states.emplace_back(a.motion.state.data(), a.motion.state.data() + size);
-    return &trials_.emplace(value, std::move(made)).first->second;
+      if (a.motion.state.size() == size) made.states.emplace_back(a.motion.state.data(), a.motion.state.data() + size);
+    return made;
   }
 
-  const Made* nearest(double value) const {
-    const Made* found = nullptr;
+  const CapacityTrial* nearest(double value) const {
+    const CapacityTrial* found = nullptr;
     double least = std::numeric_limits<double>::infinity();
     for (const auto& [at, made] : trials_)
       if (!made.unstable && std::fabs(at - value) < least) {
@@ -133,12 +154,19 @@ class Boundary {
   }
 
   const SweepPlan& plan_;
-  std::size_t cell_;
   const CapacityOptions& options_;
   int threads_;
-  std::map<double, Made> trials_;  // by value
+  CellWork work_;
+  std::map<double, CapacityTrial> trials_;  // by value
   bool stopped_ = false;
 };
+
+// All that decides what stands in the results, as text.
+std::string capacity_identity(const SweepPlan& plan, const CapacityOptions& o) {
+  return plan.identity() +
+         fmt::format("[capacity]\nof = {}\nunit = {}\nfrom = {}\nto = {}\nat_least = {}\nprecision = {}\n", o.key,
+                     o.unit.empty() ? "none" : o.unit, o.from, o.to, o.at_least, o.precision);
+}
 
 class CapacityRun {
  public:
@@ -161,6 +189,12 @@ class CapacityRun {
     const auto begin = std::chrono::steady_clock::now();
     const std::clock_t cpu_begin = std::clock();
     check();
+    known_.resize(plan_.cells());
+    if (!options_.output.empty()) {
+      file_ = std::make_unique<CapacityFile>(options_.output, capacity_identity(plan_, options_), plan_.cells());
+      known_ = file_->take_trials();
+      for (const auto& trials : known_) result_.resumed_trials += trials.size();
+    }
     const std::size_t at_once = std::min<std::size_t>(plan_.cells(), static_cast<std::size_t>(result_.threads));
     std::vector<std::thread> workers;
     for (std::size_t k = 0; k < at_once; ++k)
@@ -169,6 +203,7 @@ class CapacityRun {
     if (failure_) std::rethrow_exception(failure_);
     result_.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
     result_.cpu_seconds = static_cast<double>(std::clock() - cpu_begin) / CLOCKS_PER_SEC;
+    if (file_) file_->finish(result_);
     return std::move(result_);
   }
 
@@ -181,8 +216,13 @@ class CapacityRun {
 
   void work_along(int threads) {
     try {
-      for (std::size_t cell = next_++; cell < plan_.cells(); cell = next_++) {
-        auto found = Boundary(plan_, cell, options_, threads).find();
+      for (std::size_t cell = next_++; cell < plan_.cells() && !failed_; cell = next_++) {
+        const auto keep = [this, cell](const CapacityTrial& trial) {
+          const std::lock_guard guard(taking_);
+          if (file_) file_->append(cell, trial);
+        };
+        const auto stopped = [this] { return failed_ || is_set(options_.stop); };
+        auto found = Boundary(plan_, options_, threads, {cell, known_[cell], keep, stopped}).find();
         if (!found) return;
         const std::lock_guard guard(taking_);
         result_.cells[cell] = std::move(found);
@@ -191,15 +231,18 @@ class CapacityRun {
       }
     } catch (...) {
       const std::lock_guard guard(taking_);
-      if (!failure_) failure_ = std::current_exception();
-      next_ = plan_.cells();
+      if (!failure_) failure_ = std::current_exception();  // what is done is kept beside the output
+      failed_ = true;
     }
   }
 
   const SweepPlan& plan_;
   const CapacityOptions& options_;
   CapacityResult result_;
+  std::unique_ptr<CapacityFile> file_;
+  std::vector<std::vector<CapacityTrial>> known_;
   std::atomic<std::size_t> next_{0};
+  std::atomic<bool> failed_{false};
   std::uint64_t done_ = 0;
   std::mutex taking_;
   std::exception_ptr failure_;

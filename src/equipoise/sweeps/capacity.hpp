@@ -17,6 +17,7 @@ struct CapacityOptions : RunOptions {
   double from = 0.0, to = 0.0;  ///< where it is looked for, in that unit; from < to
   double at_least = 0.95;       ///< share of starts that end balanced, in (0, 1)
   double precision = 0.005;     ///< of the boundary and its ends, as a part of to - from
+  std::string output;           ///< NetCDF file; an unfinished one of the same capacity is resumed, a finished one read
 };
 
 /// The range in which an unbalance is looked for if none is given: from a fiftieth to all that the balls can make up
@@ -33,7 +34,8 @@ CapacityRange capacity_range(const Study& study, const std::string& key, const s
 
 /// In every cell of the plan: values in steps of an eighth of the range up to the first at which too few starts
 /// balance, then bisection where the balanced share, and each end of its interval, first falls below what is asked, all
-/// on the same starts. Throws InputError if a study at either end of the range is none.
+/// on the same starts. Throws InputError if a study at either end of the range is none, or for unusable output files,
+/// RunError if the output fails later. The result depends on the plan and on what is asked alone.
 CapacityResult capacity(const SweepPlan& plan, const CapacityOptions& options);
 
 }  // namespace equipoise

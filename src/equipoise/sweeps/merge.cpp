@@ -2,7 +2,8 @@
 #include "equipoise/sweeps/merge.hpp"
 
 #include <cstdlib>
-#include <sstream>
+#include <string>
+#include <vector>
 
 #include <fmt/format.h>
 
@@ -20,26 +21,13 @@ namespace {
 // The inverse of SweepPlan::identity(), as far as results need it.
 SweepResult asked_for(const std::string& identity, const std::string& path) {
   SweepResult result;
-  std::istringstream lines(identity);
-  std::string study, table;
-  std::vector<std::string> over;
-  std::size_t axes = 0;
-  for (std::string line; std::getline(lines, line);) {
-    if (line.starts_with("[")) table = line;
-    const std::size_t equals = line.find(" = ");
-    const std::string value = equals == std::string::npos ? "" : line.substr(equals + 3);
-    if (table == "[sweep]") {
-      if (line.starts_with("over.")) over.push_back(line.substr(5, equals - 5) + "=" + value);
-      if (line.starts_with("axes = ")) axes = std::strtoul(value.c_str(), nullptr, 10);
-      if (line.starts_with("half_width = ")) result.half_width = std::strtod(value.c_str(), nullptr);
-    } else if (table == "[file]") {
-      if (line.starts_with("transients = ")) result.transients = value != "none";
-    } else {
-      study += line + "\n";
-    }
-  }
+  const store::IdentityLines lines(identity);
+  const std::vector<std::string> over = lines.over();
+  const std::size_t axes = std::strtoul(lines.value("sweep.axes").c_str(), nullptr, 10);
   if (over.empty() || axes == 0) throw InputError(path, "", "", "does not say which sweep it is of");
-  result.study = parse_study(study, path);
+  result.half_width = std::strtod(lines.value("sweep.half_width").c_str(), nullptr);
+  result.transients = lines.value("transients") != "none";
+  result.study = parse_study(lines.study, path);
   result.axes = sweep_axes(over, axes < over.size(), path);
   std::size_t cells = 1;
   for (const SweepAxis& axis : result.axes) cells *= axis.size();

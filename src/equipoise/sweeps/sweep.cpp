@@ -20,6 +20,7 @@
 #include "equipoise/kernels/cpu_target.hpp"
 #include "equipoise/store/sweep_file.hpp"
 #include "equipoise/sweeps/attractor_labels.hpp"
+#include "equipoise/sweeps/cell_desk.hpp"
 #include "equipoise/sweeps/sweep_cell.hpp"
 
 namespace equipoise {
@@ -79,6 +80,7 @@ class SweepRun final : public SweepWork {
   }
 
   bool idle() const override { return working_ == 0; }
+  CellDesk& desk() override { return desk_; }
 
  private:
   bool stopped() const { return is_set(options_.stop) || failed_; }
@@ -95,12 +97,15 @@ class SweepRun final : public SweepWork {
     }
   }
 
-  // As many blocks at a time as there are threads; where there are fewer, each has several threads.
+  // As many blocks at a time as there are threads; where there are fewer, each has several threads. Threads for which
+  // no block is left help with the cells of the others.
   void work() {
     const std::size_t at_once = std::min<std::size_t>(blocks_.size(), static_cast<std::size_t>(result_.threads));
     const int each = at_once > 0 ? result_.threads / static_cast<int>(at_once) : 1;
     working_ = static_cast<int>(at_once);
+    idle_ = result_.threads - each * working_;
     std::vector<std::thread> workers;
+    for (int k = 0; k < idle_; ++k) workers.emplace_back([this] { help(); });
     for (std::size_t k = 0; k < at_once; ++k) workers.emplace_back([this, each] { work_along(each); });
     guarded([&] {
       if (options_.helpers) options_.helpers(*this);
@@ -109,14 +114,29 @@ class SweepRun final : public SweepWork {
   }
 
   void work_along(int threads) {
+    const auto seen = [this](std::size_t cell) { return known(cell); };
+    const auto take = [this](std::size_t index, SweepCell cell) { deliver(index, std::move(cell)); };
+    const auto idle = [this] { return idle_ / std::max(1, working_.load()); };
     guarded([&] {
-      while (const auto block = next_block()) {
-        const auto seen = [this](std::size_t cell) { return known(cell); };
-        const auto take = [this](std::size_t index, SweepCell cell) { deliver(index, std::move(cell)); };
-        if (!run_block(plan_, *block, seen, take, threads, options_.stop)) break;
-      }
+      const BlockWorkers workers{threads, idle, &desk_, options_.stop};
+      while (const auto block = next_block())
+        if (!run_block(plan_, *block, seen, take, workers)) break;
     });
+    idle_ += threads;
     --working_;
+    std::vector<std::thread> helpers;
+    for (int k = 1; k < threads; ++k) helpers.emplace_back([this] { help(); });
+    help();
+    for (std::thread& helper : helpers) helper.join();
+  }
+
+  // A thread without a block, for as long as another has one.
+  void help() {
+    constexpr std::chrono::milliseconds until_a_look{5};
+    guarded([&] {
+      while (!idle() && !stopped())
+        if (!desk_.help()) std::this_thread::sleep_for(until_a_look);
+    });
   }
 
   // What one thread throws ends the work of all.
@@ -141,7 +161,8 @@ class SweepRun final : public SweepWork {
   std::unique_ptr<SweepFile> file_;
   std::vector<std::size_t> blocks_;
   std::atomic<std::size_t> next_{0};
-  std::atomic<int> working_{0};
+  std::atomic<int> working_{0}, idle_{0};  // those at blocks; threads without one
+  CellDesk desk_;
   std::atomic<bool> failed_{false};
   std::uint64_t done_ = 0, total_ = 0;
   mutable std::mutex taking_, failing_;

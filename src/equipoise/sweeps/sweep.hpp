@@ -12,6 +12,8 @@
 
 namespace equipoise {
 
+class CellDesk;
+
 /// Work that is shared out: blocks to whoever asks, cells from whoever has done them. From any thread.
 class SweepWork {
  public:
@@ -24,6 +26,8 @@ class SweepWork {
   virtual void deliver(std::size_t cell, SweepCell result) = 0;
   /// Nothing more is to come from this process' own threads.
   virtual bool idle() const = 0;
+  /// Where the cells lie that they work on.
+  virtual CellDesk& desk() = 0;
 };
 
 /// Progress is in cells.

@@ -1,6 +1,7 @@
 // From a study and its neighbour's attractors to a cell.
 #include "equipoise/sweeps/sweep_cell.hpp"
 
+#include <memory>
 #include <optional>
 #include <string>
 #include <utility>
@@ -9,6 +10,8 @@
 #include "equipoise/basins/basin.hpp"
 #include "equipoise/discovery/discovery.hpp"
 #include "equipoise/motions/catalogue.hpp"
+#include "equipoise/sweeps/cell_desk.hpp"
+#include "equipoise/sweeps/cell_help.hpp"
 
 namespace equipoise {
 
@@ -50,7 +53,7 @@ SweepCell cell_of(const BasinResult& result, const Catalogue& catalogue) {
   return cell;
 }
 
-// Where a cell's search begins: with what its neighbour has, unless both search the same.
+// Where a cell's search begins: where the one before it began, if both search the same.
 class Chain {
  public:
   // Before a cell's run, whether or not it is known already.
@@ -58,25 +61,40 @@ class Chain {
     const std::string subject = discovery_subject(study);
     if (before && subject != subject_) {
       const auto size = static_cast<std::size_t>(study.system().dimension());
-      seeds.clear();
+      start_.seeds.clear();
       for (const SweepOutcome& outcome : before->outcomes)
-        if (outcome.state.size() == size) seeds.push_back(outcome.state);
-      informed = !seeds.empty();
+        if (outcome.state.size() == size) start_.seeds.push_back(outcome.state);
+      start_.informed = !start_.seeds.empty();
     }
     subject_ = subject;
   }
 
-  std::vector<std::vector<double>> seeds;
-  bool informed = false;
+  const CellStart& start() const { return start_; }
 
  private:
+  CellStart start_;
   std::string subject_;
+};
+
+// A cell is at the desk no longer than it is at work.
+class AtDesk {
+ public:
+  AtDesk(CellDesk* desk, std::size_t cell) : desk_(desk), cell_(cell) {}
+  ~AtDesk() {
+    if (desk_) desk_->retract(cell_);
+  }
+  AtDesk(const AtDesk&) = delete;
+  AtDesk& operator=(const AtDesk&) = delete;
+
+ private:
+  CellDesk* desk_;
+  std::size_t cell_;
 };
 
 }  // namespace
 
 bool run_block(const SweepPlan& plan, std::size_t block, const std::function<const SweepCell*(std::size_t)>& known,
-               const std::function<void(std::size_t, SweepCell)>& deliver, int threads, const StopFlag* stop) {
+               const std::function<void(std::size_t, SweepCell)>& deliver, const BlockWorkers& workers) {
   Chain chain;
   DiscoveryCache discoveries;
   std::optional<SweepCell> before;
@@ -87,15 +105,20 @@ bool run_block(const SweepPlan& plan, std::size_t block, const std::function<con
       before = *done;
       continue;
     }
-    BasinOptions options;
-    options.threads = threads;
-    options.stop = stop;
-    options.half_width = plan.request().half_width;
-    options.limit_given = plan.request().limit_given;
-    options.transients = plan.transients();
-    options.seeds = chain.seeds;
-    options.informed = chain.informed;
+    BasinOptions options = cell_options(plan, chain.start());
+    options.threads = workers.threads;
+    if (workers.idle) options.search_threads = workers.threads + workers.idle();
+    options.stop = workers.stop;
     options.discoveries = &discoveries;
+    std::vector<std::unique_ptr<ChunkHelp>> help;  // one a sample
+    const AtDesk at_desk(workers.desk, index);
+    if (workers.desk)
+      options.help = [&](SamplingMethod method) {
+        return help.emplace_back(workers.desk->help_for({index, chain.start(), method})).get();
+      };
+    // While the search goes on, which others then make too.
+    if (workers.desk && options.half_width == 0.0)
+      workers.desk->announce({index, chain.start(), study.sampling.method.value_or(SamplingMethod::random)});
     Catalogue catalogue;
     const BasinResult result = basin(study, options, &catalogue);
     if (result.partial) return false;

@@ -10,9 +10,19 @@
 
 namespace equipoise {
 
+class CellDesk;
+
+/// Who works on a block. No result depends on it.
+struct BlockWorkers {
+  int threads = 1;
+  std::function<int()> idle;  ///< threads that have nothing else to do when a cell's search begins; empty: none
+  CellDesk* desk = nullptr;   ///< where others decide starts of its cells; null: nobody does
+  const StopFlag* stop = nullptr;
+};
+
 /// Computes the cells of a block one after another, those that are known already left out. `known`: a cell that was
 /// done earlier, or null; `deliver`: takes each new one. False if stopped.
 bool run_block(const SweepPlan& plan, std::size_t block, const std::function<const SweepCell*(std::size_t)>& known,
-               const std::function<void(std::size_t, SweepCell)>& deliver, int threads, const StopFlag* stop);
+               const std::function<void(std::size_t, SweepCell)>& deliver, const BlockWorkers& workers);
 
 }  // namespace equipoise

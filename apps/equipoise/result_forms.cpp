@@ -1,0 +1,46 @@
+// Checked before any work, made after it.
+#include "result_forms.hpp"
+
+#include <utility>
+
+#include "gnuplot.hpp"
+#include "options.hpp"
+#include "streams.hpp"
+
+namespace equipoise::app {
+
+void add_forms(CLI::App& app, ResultForms& forms, const FormWords& words) {
+  if (words.csv) app.add_option("--csv", forms.csv, words.csv)->type_name("FILE");
+  app.add_option("--plot", forms.plot, words.plot)->type_name("FILE");
+  app.add_option("--report", forms.report,
+                 "the same as a page to be taken to a meeting: one file that needs nothing else")
+      ->type_name("FILE.html");
+  app.add_flag("--json", forms.json, "print one JSON object");
+}
+
+void check_forms(const ResultForms& forms) {
+  require_ending("--output", forms.output, ".nc");
+  require_ending("--csv", forms.csv, ".csv");
+  require_ending("--plot", forms.plot, ".png", ".svg");
+  require_ending("--report", forms.report, ".html");
+  if (!forms.plot.empty()) require_gnuplot("--plot", forms.plot);
+  for (const auto& [option, path] :
+       {std::pair{"--output", forms.output}, {"--csv", forms.csv}, {"--plot", forms.plot}, {"--report", forms.report}})
+    require_writable(option, path);
+}
+
+void put_forms(const ResultForms& forms, const FormMakers& makers) {
+  put(forms.json ? makers.json() : makers.text());
+  if (!forms.csv.empty()) write_file(forms.csv, makers.csv());
+  if (!forms.plot.empty()) draw(forms.plot, makers.plot);
+  if (!forms.report.empty()) write_file(forms.report, makers.html());
+}
+
+void say_stopped(const std::string& output) {
+  if (output.empty())
+    say("stopped; with -o FILE.nc the same command would go on from here");
+  else
+    say("stopped; the same command goes on from {}", output);
+}
+
+}  // namespace equipoise::app

@@ -1,0 +1,45 @@
+// A runner with what an ensemble asks of its search.
+#include "equipoise/basins/ensemble_runner.hpp"
+
+#include <utility>
+
+#include "equipoise/discovery/horizon.hpp"
+
+namespace equipoise {
+
+namespace {
+
+// Everything that basin() itself settles before it makes its runner.
+Study as_sampled(Study study, SamplingMethod method) {
+  study.sampling.method = method;
+  return with_horizon(std::move(study));
+}
+
+}  // namespace
+
+std::unique_ptr<Runner> ensemble_runner(const Study& study, const BasinOptions& options, DiscoveryCache& discoveries) {
+  const int threads = options.search_threads > 0 ? options.search_threads : thread_count(options.threads);
+  const DiscoverySettings search{threads,      options.stop,     options.seeds,
+                                 &discoveries, options.progress, options.informed};
+  return make_runner(study, search, gathers_transients(study, options));
+}
+
+bool decide_chunk(const Runner& runner, bool gathers, Chunk& chunk) {
+  if (!chunk.from_elsewhere)
+    return runner.run(chunk.first, chunk.count, chunk.phi, chunk.fates, chunk.unlisted,
+                      gathers ? &chunk.transients : nullptr);
+  for (UnlistedStart& start : chunk.unlisted) {
+    const std::size_t place = start.place;
+    start = runner.follow(start.state);
+    start.place = place;
+  }
+  return true;
+}
+
+EnsembleHelper::EnsembleHelper(Study study, const BasinOptions& options, SamplingMethod method)
+    : gathers_(gathers_transients(study, options)) {
+  DiscoveryCache discoveries;
+  runner_ = ensemble_runner(as_sampled(std::move(study), method), options, discoveries);
+}
+
+}  // namespace equipoise

@@ -1,0 +1,34 @@
+// Whoever decides the starts of a basin(): itself, or another process on its behalf.
+#pragma once
+
+#include <memory>
+
+#include "equipoise/basins/basin.hpp"
+#include "equipoise/basins/chunks.hpp"
+#include "equipoise/discovery/discovery.hpp"
+#include "equipoise/fates/runner.hpp"
+#include "equipoise/study/study.hpp"
+
+namespace equipoise {
+
+/// The study has its horizon and its method of sampling. Of the options those of the search and of transients count.
+std::unique_ptr<Runner> ensemble_runner(const Study& study, const BasinOptions& options, DiscoveryCache& discoveries);
+
+/// Fills a chunk in, or completes one from elsewhere. Thread-safe; false if stopped early.
+bool decide_chunk(const Runner& runner, bool gathers, Chunk& chunk);
+
+/// Decides chunks of basin(study, options) with the very bits that it would give them.
+class EnsembleHelper {
+ public:
+  /// `method`: as it samples. Ask stopped() afterwards.
+  EnsembleHelper(Study study, const BasinOptions& options, SamplingMethod method);
+  bool stopped() const { return runner_->stopped(); }
+  /// Thread-safe; false if stopped early.
+  bool decide(Chunk& chunk) const { return decide_chunk(*runner_, gathers_, chunk); }
+
+ private:
+  bool gathers_;
+  std::unique_ptr<Runner> runner_;
+};
+
+}  // namespace equipoise

@@ -1,0 +1,88 @@
+// Axes that hold all values with their intervals, series, legend.
+#include "equipoise/drawing/chart_svg.hpp"
+
+#include <algorithm>
+#include <limits>
+
+namespace equipoise {
+
+namespace {
+
+constexpr double legend_row = 16.0, legend_left = 14.0;
+constexpr std::size_t short_name = 30;  // letters that fit half the width
+
+std::size_t legend_columns(const std::vector<LegendEntry>& entries) {
+  const bool short_ones =
+      std::all_of(entries.begin(), entries.end(), [](const LegendEntry& e) { return e.second.size() <= short_name; });
+  return short_ones && entries.size() > 1 ? 2 : 1;
+}
+
+struct ChartExtents {
+  AxisExtent x, y;
+};
+
+ChartExtents extents_of(const Chart& chart) {
+  constexpr double most = std::numeric_limits<double>::infinity();
+  AxisExtent x{most, -most}, y{most, -most};
+  const auto hold = [](AxisExtent& extent, double value) {
+    extent.low = std::min(extent.low, value);
+    extent.high = std::max(extent.high, value);
+  };
+  for (const ChartSeries& s : chart.series)
+    for (std::size_t i = 0; i < s.x.size(); ++i) {
+      hold(x, s.x[i]);
+      for (const double value : {s.y[i], s.low.empty() ? s.y[i] : s.low[i], s.high.empty() ? s.y[i] : s.high[i]})
+        hold(y, value);
+    }
+  if (x.low > x.high) return {};
+  ChartExtents extents{widened(x, 0.04), widened(y, 0.06)};
+  if (chart.from_zero && y.low >= 0.0) extents.y.low = 0.0;
+  return extents;
+}
+
+void draw_series(Svg& svg, const SvgAxes& axes, const ChartSeries& s) {
+  const bool points = s.style == ChartSeries::Style::points, dashed = s.style == ChartSeries::Style::dashed;
+  std::vector<SvgPoint> way;
+  for (std::size_t i = 0; i < s.x.size(); ++i) way.push_back(axes.at(s.x[i], s.y[i]));
+  if (!points) svg.path(way, {s.colour, "", 1.6, 1.0, dashed});
+  for (std::size_t i = 0; i < s.low.size(); ++i) {
+    const SvgPoint low = axes.at(s.x[i], s.low[i]), high = axes.at(s.x[i], s.high[i]);
+    svg.line(low, high, {s.colour, "", 1.3});
+    for (const SvgPoint& end : {low, high}) svg.line({end.x - 3.0, end.y}, {end.x + 3.0, end.y}, {s.colour, "", 1.3});
+  }
+  if (!dashed)
+    for (const SvgPoint& at : way) svg.circle(at, points ? 3.5 : 2.4, {points ? s.colour : "", points ? "" : s.colour});
+}
+
+}  // namespace
+
+double legend_height(const std::vector<LegendEntry>& entries) {
+  const std::size_t columns = legend_columns(entries);
+  return entries.empty() ? 0.0 : 6.0 + legend_row * static_cast<double>((entries.size() + columns - 1) / columns);
+}
+
+void draw_legend(Svg& svg, double top, const std::vector<LegendEntry>& entries) {
+  const std::size_t columns = legend_columns(entries);
+  const double column = (svg.width() - legend_left) / static_cast<double>(columns);
+  for (std::size_t k = 0; k < entries.size(); ++k) {
+    const double x = legend_left + column * static_cast<double>(k % columns);
+    const double y = top + 6.0 + legend_row * static_cast<double>(k / columns);
+    svg.rectangle({x, y}, 10.0, 10.0, {"var(--swatch-edge)", entries[k].first, 1.0});
+    svg.text({x + 16.0, y + 9.0}, entries[k].second);
+  }
+}
+
+std::string chart_svg(const Chart& chart, const std::string& described) {
+  std::vector<LegendEntry> entries;
+  for (const ChartSeries& s : chart.series)
+    if (!s.label.empty()) entries.emplace_back(s.colour, s.label);
+  Svg svg(drawing_width, drawing_height + legend_height(entries), described);
+  const ChartExtents extents = extents_of(chart);
+  const SvgAxes axes(svg, drawing_top_left, drawing_bottom_right, extents.x, extents.y, {chart.x_label},
+                     {chart.y_label});
+  for (const ChartSeries& s : chart.series) draw_series(svg, axes, s);
+  draw_legend(svg, drawing_height, entries);
+  return svg.str();
+}
+
+}  // namespace equipoise

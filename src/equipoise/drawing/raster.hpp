@@ -1,0 +1,21 @@
+// A picture of coloured squares as PNG.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace equipoise {
+
+/// Rows from above, `width` places of the palette a row; colours "#rrggbb", 1 to 256 of them. Not compressed: half a
+/// byte a square for up to 16 colours, else one.
+struct Raster {
+  std::size_t width = 0, height = 0;
+  std::vector<std::string> palette;
+  std::vector<std::uint8_t> squares;
+};
+
+/// The bytes of a PNG file (ISO/IEC 15948). Throws std::invalid_argument if sizes do not agree.
+std::string png_bytes(const Raster& raster);
+
+}  // namespace equipoise

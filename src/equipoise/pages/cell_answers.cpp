@@ -1,0 +1,178 @@
+// One sentence about many cells: the best, the worst, what is not known.
+#include <algorithm>
+#include <array>
+#include <optional>
+#include <vector>
+
+#include <fmt/format.h>
+
+#include "equipoise/deciding/decision_rule.hpp"
+#include "equipoise/pages/after_what_is_drawn.hpp"
+#include "equipoise/pages/answer.hpp"
+#include "equipoise/pages/quantities.hpp"
+#include "equipoise/report/text.hpp"
+#include "equipoise/store/basin_file.hpp"
+
+namespace equipoise {
+
+namespace {
+
+using study::Dimension;
+
+std::vector<std::size_t> done_cells(const SweepResult& r) {
+  std::vector<std::size_t> cells;
+  for (std::size_t k = 0; k < r.cells.size(); ++k)
+    if (r.cells[k]) cells.push_back(k);
+  return cells;
+}
+
+const Share& balanced_share(const SweepResult& r, std::size_t cell) { return r.cells[cell]->outcomes.front().share; }
+
+// "at speed.final = 2.4", "in 3 of 12 cells, such as speed.final = 2.4": those alike in their balanced share.
+std::string where(const SweepResult& r, const std::vector<std::size_t>& cells, std::size_t one) {
+  const auto alike = std::count_if(cells.begin(), cells.end(), [&](std::size_t cell) {
+    return balanced_share(r, cell).share == balanced_share(r, one).share;
+  });
+  const std::string title = cell_title(r.axes, one);
+  return alike == 1 ? "at " + title : fmt::format("in {} of {} cells, such as {}", alike, cells.size(), title);
+}
+
+std::string balance_over(const SweepResult& r, const std::vector<std::size_t>& cells) {
+  const auto less = [&](std::size_t a, std::size_t b) {
+    return balanced_share(r, a).share < balanced_share(r, b).share;
+  };
+  const std::size_t worst = *std::min_element(cells.begin(), cells.end(), less);
+  const std::size_t best = *std::max_element(cells.begin(), cells.end(), less);
+  const std::string most = share_words(balanced_share(r, best)), least = share_words(balanced_share(r, worst));
+  if (cells.size() == 1)
+    return fmt::format("At {} the rotor ends balanced in {} of starts (95 % confidence)", cell_title(r.axes, best),
+                       most);
+  if (!less(worst, best))
+    return fmt::format("In each of {} cells the rotor ends balanced in {} of starts (95 % confidence)", cells.size(),
+                       most);
+  return fmt::format(
+      "The rotor ends balanced most often {}: in {} of starts; least often {}: in {} (95 % confidence in each cell)",
+      where(r, cells, best), most, where(r, cells, worst), least);
+}
+
+// How often a limit is exceeded, from the best cell to the worst.
+std::string limits_over(const SweepResult& r, const std::vector<std::size_t>& cells) {
+  const PageQuantities shown(r.study);
+  const Limits& limits = r.study.limits;
+  struct Told {
+    const std::optional<double>& limit;
+    Dimension dimension;
+    const char* words;
+  };
+  const std::array<Told, 3> told{{{limits.displacement, Dimension::length, " is exceeded on the way"},
+                                  {limits.force, Dimension::force, " on the supports is exceeded on the way"},
+                                  {limits.velocity, Dimension::velocity, " RMS in the end is exceeded"}}};
+  std::string text;
+  for (std::size_t k = 0; k < told.size(); ++k) {
+    if (!told[k].limit) continue;
+    double least = 1.0, most = 0.0;
+    for (const std::size_t cell : cells) {
+      const auto& transients = r.cells[cell]->transients;
+      if (!transients || !transients->exceeded[k]) return text;
+      least = std::min(least, transients->exceeded[k]->share);
+      most = std::max(most, transients->exceeded[k]->share);
+    }
+    const std::string share = least < most ? fmt::format("{:.3g} to {:.3g} %", 100.0 * least, 100.0 * most)
+                                           : fmt::format("{:.3g} %", 100.0 * most);
+    text += fmt::format("; {}{} in {}", shown.text(*told[k].limit, told[k].dimension), told[k].words, share);
+  }
+  return text;
+}
+
+std::string range_word(const CapacityResult& r, double value) {
+  return fmt::format("{:.4g}{}{}", value, r.unit.empty() ? "" : " ", r.unit);
+}
+
+// "213 g mm (surely between 201 and 220)".
+std::string capacity_words(const CapacityResult& r, const CapacityCell& cell) {
+  if (cell.never) return "less than " + range_word(r, r.from);
+  if (cell.always) return "more than " + range_word(r, r.to);
+  return fmt::format("{} (surely between {:.4g} and {:.4g})", range_word(r, *cell.value), cell.low, cell.high);
+}
+
+// Orders also what lies beyond the range.
+double rank(const CapacityResult& r, const CapacityCell& cell) {
+  const double outside = r.to - r.from;
+  return cell.never ? r.from - outside : cell.always ? r.to + outside : *cell.value;
+}
+
+std::string lone_capacity(const CapacityResult& r, const CapacityCell& cell, const std::string& starts) {
+  if (cell.never)
+    return fmt::format("Nowhere from {} = {} on do {} end balanced: already there it is less", r.key,
+                       range_word(r, r.from), starts);
+  if (cell.always)
+    return fmt::format("Up to {} = {}, as far as was looked, {} end balanced", r.key, range_word(r, r.to), starts);
+  return fmt::format("Up to {} = {} {} end balanced: surely up to {:.4g}, surely fewer from {:.4g} on", r.key,
+                     range_word(r, *cell.value), starts, cell.low, cell.high);
+}
+
+}  // namespace
+
+std::string answer_sentence(const SweepResult& r) {
+  const std::vector<std::size_t> cells = done_cells(r);
+  if (cells.empty()) return "Nothing is known: stopped before any cell was done.";
+  const std::vector<std::string> keys = drawn_keys(r.study, keys_of(r.axes));
+  std::string text = balance_over(r, cells) + limits_over(r, cells);
+  const auto open = std::max_element(cells.begin(), cells.end(), [&](std::size_t a, std::size_t b) {
+    return r.cells[a]->undecided.share < r.cells[b]->undecided.share;
+  });
+  if (const Share& undecided = r.cells[*open]->undecided; undecided.count > 0)
+    text += fmt::format("; up to {} stay undecided, at {}", percent(undecided.share, digits_for(undecided)),
+                        cell_title(r.axes, *open));
+  return after_what_is_drawn(keys, text + ".");
+}
+
+std::string answer_sentence(const CapacityResult& r) {
+  std::vector<std::size_t> cells;
+  for (std::size_t k = 0; k < r.cells.size(); ++k)
+    if (r.cells[k]) cells.push_back(k);
+  if (cells.empty()) return "Nothing is known: stopped before any cell was done.";
+  std::vector<std::string> set = keys_of(r.axes);
+  set.push_back(r.key);
+  const std::vector<std::string> keys = drawn_keys(r.study, set);
+  const std::string starts = fmt::format("{:.4g} % of starts", 100.0 * r.at_least);
+  const auto title = [&](std::size_t cell) { return cell_title(r.axes, cell); };
+  if (cells.size() == 1) {
+    std::string text = lone_capacity(r, *r.cells[cells.front()], starts) + " (95 % confidence)";
+    if (!r.axes.empty()) text += ", at " + title(cells.front());
+    return after_what_is_drawn(keys, text + ".");
+  }
+  const auto less = [&](std::size_t a, std::size_t b) { return rank(r, *r.cells[a]) < rank(r, *r.cells[b]); };
+  const auto [worst, best] = std::minmax_element(cells.begin(), cells.end(), less);
+  if (!less(*worst, *best))
+    return after_what_is_drawn(
+        keys, fmt::format("The largest {} at which {} end balanced is {} in each of {} cells (95 % confidence).", r.key,
+                          starts, capacity_words(r, *r.cells[*best]), cells.size()));
+  return after_what_is_drawn(
+      keys, fmt::format("The largest {} at which {} end balanced is {} at {}; it is least at {}: {} (95 % confidence).",
+                        r.key, starts, capacity_words(r, *r.cells[*best]), title(*best), title(*worst),
+                        capacity_words(r, *r.cells[*worst])));
+}
+
+std::string answer_sentence(const PlaneMap& map) {
+  const auto with = [&](short code) {
+    return std::find_if(map.codes.begin(), map.codes.end(), [&](const MapCode& c) { return c.code == code; });
+  };
+  const auto of_all =
+      std::find_if(map.codes.begin(), map.codes.end(), [](const MapCode& c) { return c.share.total > 0; });
+  if (of_all == map.codes.end()) return "Nothing is known: stopped before any pixel was done.";
+  const std::uint64_t points = of_all->share.total;
+  const std::string plane = fmt::format("{} points over {} and {}", points, map.x.key, map.y.key);
+  const auto balanced = with(balanced_id);
+  const bool none = balanced == map.codes.end() || balanced->share.count == 0;
+  std::string text = none ? fmt::format("Not one of {} ends balanced", plane)
+                          : fmt::format("Of {}, {} end balanced (95 % confidence, as of random ones)", plane,
+                                        share_words(balanced->share));
+  if (map.figures.balanced_radius && *map.figures.balanced_radius > 0.0)
+    text += fmt::format("; all within {:.3g} rad of balanced angles do", *map.figures.balanced_radius);
+  if (const auto open = with(undecided_code); open != map.codes.end() && open->share.count > 0)
+    text += fmt::format("; {} stay undecided", percent(open->share.share, digits_for(open->share)));
+  return text + ".";
+}
+
+}  // namespace equipoise

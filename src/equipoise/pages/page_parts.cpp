@@ -1,0 +1,136 @@
+// Tables of the machine and words of the run.
+#include "equipoise/pages/page_parts.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include "equipoise/base/version.hpp"
+#include "equipoise/model/balance_grade.hpp"
+#include "equipoise/pages/quantities.hpp"
+#include "equipoise/report/text.hpp"
+#include "equipoise/sampling/sampling.hpp"
+#include "equipoise/study/physical_echo.hpp"
+
+namespace equipoise {
+
+namespace {
+using study::Dimension;
+
+// "angle-grinder" of "studies/angle-grinder.toml".
+std::string stem_of(const std::string& name) {
+  const std::size_t folder = name.find_last_of('/');
+  std::string stem = folder == std::string::npos ? name : name.substr(folder + 1);
+  if (stem.ends_with(".toml")) stem.resize(stem.size() - 5);
+  return stem.empty() ? "study" : stem;
+}
+
+// What follows from a study without any simulation.
+class Derived {
+ public:
+  explicit Derived(const Explanation& explanation) : e_(explanation), study_(e_.study), shown_(e_.study) {}
+
+  std::vector<std::array<std::string, 2>> rows() const {
+    std::vector<std::array<std::string, 2>> rows{{"critical speed", speeds()}, {"unbalance", unbalance()}};
+    if (e_.bare)
+      rows.push_back({"without balls", fmt::format("shakes by {} at the final speed, {} on the supports",
+                                                   by_direction(e_.bare->displacement, Dimension::length),
+                                                   by_direction(e_.bare->force, Dimension::force))});
+    if (e_.motion)
+      rows.push_back({"way into balance",
+                      e_.motion->stable ? fmt::format("stable, slowest time constant {}",
+                                                      shown_.text(-1.0 / e_.motion->slowest_rate, Dimension::time))
+                                        : "not stable by linear theory"});
+    return rows;
+  }
+
+ private:
+  std::string by_direction(const std::array<double, 2>& v, Dimension d) const {
+    return v[0] == v[1] ? shown_.text(v[0], d) : fmt::format("x {}, y {}", shown_.text(v[0], d), shown_.text(v[1], d));
+  }
+
+  std::string speeds() const {
+    std::string text = by_direction(e_.critical_alone, Dimension::speed) + " without balls, " +
+                       by_direction(e_.critical_with_balls, Dimension::speed) + " with them";
+    if (e_.speed)
+      text += fmt::format("; final speed {}, {:.3g} times that", shown_.text(*e_.speed, Dimension::speed),
+                          std::fabs(*e_.speed) / std::min(e_.critical_with_balls[0], e_.critical_with_balls[1]));
+    return text;
+  }
+
+  std::string unbalance() const {
+    std::string text =
+        fmt::format("{}; the balls can cancel {}", shown_.text(study_.parameters.eccentricity, Dimension::unbalance),
+                    shown_.range(e_.least_unbalance, e_.largest_unbalance, Dimension::unbalance));
+    if (study_.scales && e_.speed)
+      text += fmt::format("; {} without balls",
+                          grade_words(model::balance_grade(study_.parameters.eccentricity * study_.scales->length,
+                                                           *e_.speed * study_.scales->frequency)));
+    return text;
+  }
+
+  const Explanation& e_;
+  const Study& study_;
+  const PageQuantities shown_;
+};
+
+}  // namespace
+
+DocumentCell share_cell(const Share& s) { return number_cell(percent(s.share, s.count == 0 ? 0 : digits_for(s))); }
+
+std::string page_title(const Study& study) { return "Ball balancer: " + stem_of(study.name); }
+
+std::string grade_words(double grade) {
+  const auto met = model::standard_grade_met(grade);
+  return met ? fmt::format("G {:g}", *met) : "beyond G 4000";
+}
+
+std::string starts_words(const Study& study, const std::vector<std::string>& drawn) {
+  const auto method = static_cast<std::size_t>(study.sampling.method.value_or(SamplingMethod::random));
+  return fmt::format("at {} ball angles{}{}, seed {}", sampling_method_names[method],
+                     study.sampling.box.empty() ? "" : " and in the box of initial states",
+                     drawn.empty() ? "" : fmt::format(", with {} drawn anew for each", fmt::join(drawn, ", ")),
+                     study.sampling.seed);
+}
+
+std::string model_words(const Study& study, const RunWords& run) {
+  std::string text;
+  if (!study.speed.driven() && study.speed.profile != Profile::constant)
+    text = fmt::format(" Speed law: {}.", name_of(study.speed.law));
+  text += fmt::format(
+      " Intervals hold with 95 % confidence. The model: a rotor in a plane, docs/equations.md. equipoise {}, {}",
+      version_string, run.cpu_target);
+  if (run.seconds > 0.0)
+    text += fmt::format(", {} thread{}, {:.1f} s ({:.1f} s CPU)", run.threads, run.threads == 1 ? "" : "s", run.seconds,
+                        run.cpu_seconds);
+  return text;
+}
+
+void add_machine(Document& document, const GivenMachine& machine, const std::string& given) {
+  const auto add = [&](Block block) { document.blocks.push_back(std::move(block)); };
+  add(Heading{2, "The machine", ""});
+  DocumentTable table{{"given", given}, {}, "", false, {}};
+  for (const GivenTable& of : machine.given) {
+    std::string text;
+    for (const auto& [key, value] : of.keys) text += fmt::format("{}{} {}", text.empty() ? "" : "; ", key, value);
+    table.rows.push_back({{of.name, Tone::plain, false, true}, {text}});
+  }
+  add(std::move(table));
+  DocumentTable facts{{"follows", "without any simulation"}, {}, "", false, {}};
+  for (const auto& [name, text] : Derived(machine.explanation).rows())
+    facts.rows.push_back({{name, Tone::plain, false, true}, {text}});
+  add(std::move(facts));
+  for (const std::string& warning : machine.explanation.warnings)
+    add(Paragraph{"Beware: " + warning + ".", Tone::open});
+}
+
+void add_study(Document& document, const Study& study) {
+  if (study.scales) document.blocks.push_back(Listing{"The study in full, in physical units", to_physical_toml(study)});
+  document.blocks.push_back(
+      Listing{study.scales ? "The same without dimensions, as it was computed" : "The study in full", to_toml(study)});
+}
+
+}  // namespace equipoise

@@ -1,0 +1,43 @@
+// What all pages share: the machine, how it was computed, the study in full.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "equipoise/drawing/document.hpp"
+#include "equipoise/results/machine_page.hpp"
+#include "equipoise/statistics/share.hpp"
+#include "equipoise/study/study.hpp"
+
+namespace equipoise {
+
+inline DocumentCell number_cell(const std::string& text) { return {text, Tone::plain, true}; }
+/// "60.40 %", without digits that its interval does not support.
+DocumentCell share_cell(const Share& share);
+
+/// "Ball balancer: angle-grinder".
+std::string page_title(const Study& study);
+
+/// "G 6.3": the best standard grade that a balance quality in mm/s stays within.
+std::string grade_words(double grade);
+
+/// "at random ball angles, seed 1"; `drawn`: keys of what is drawn with each start.
+std::string starts_words(const Study& study, const std::vector<std::string>& drawn);
+
+/// What a run took; 0 s: nobody knows.
+struct RunWords {
+  std::string cpu_target;
+  int threads = 1;
+  double seconds = 0.0, cpu_seconds = 0.0;
+};
+/// Speed law, intervals, model, version, time; without a full stop.
+std::string model_words(const Study& study, const RunWords& run);
+
+/// Heading, what the study says, what follows, what to beware of. `given`: whose values these are.
+void add_machine(Document& document, const GivenMachine& machine, const std::string& given);
+
+/// The study in full, folded: in physical units if it has them, and without dimensions.
+void add_study(Document& document, const Study& study);
+
+}  // namespace equipoise

@@ -1,0 +1,98 @@
+// Records of cells: finished results in NetCDF, new ones in a journal.
+#include "equipoise/store/cell_file.hpp"
+
+#include <filesystem>
+
+#include <fmt/format.h>
+#include <netcdf.h>
+
+#include "equipoise/base/error.hpp"
+#include "equipoise/files/netcdf.hpp"
+#include "equipoise/files/sealed_file.hpp"
+#include "equipoise/store/result_identity.hpp"
+
+namespace equipoise::store {
+
+namespace {
+
+void read_results(const CellFileKind& kind, const std::string& path, const NetcdfFile& file,
+                  const CellFile::Take& take) {
+  const std::size_t cells = file.length("cell"), size = file.length("record_byte");
+  std::vector<double> ends(cells);
+  file.read(file.variable("record_end", NC_DOUBLE, {cells}), {0}, {cells}, ends.data());
+  const int records = file.variable("record", NC_BYTE, {size});
+  std::size_t begin = 0;
+  for (std::size_t cell = 0; cell < cells; ++cell) {
+    const auto end = static_cast<std::size_t>(ends[cell]);
+    if (end < begin || end > size) throw InputError(path, "", "", fmt::format("is damaged; {}", kind.same_results));
+    if (end == begin) continue;
+    std::vector<std::uint8_t> record(end - begin);
+    file.read(records, {begin}, {record.size()}, record.data());
+    take(cell, record);
+    begin = end;
+  }
+}
+
+void read_journal(const CellFileKind& kind, const std::string& path, const Journal& journal,
+                  const CellFile::Take& take) {
+  for (const Journal::Record& record : journal.records()) {
+    if (record.kind != kind.record)
+      throw InputError(path, "", "", fmt::format("is of something else; {}", kind.same_results));
+    std::vector<std::uint8_t> bytes(record.bytes);
+    journal.read(record, 0, bytes.size(), bytes.data());
+    take(record.first, bytes);
+  }
+}
+
+void require_whole(const CellFileKind& kind, const std::string& path) {
+  if (const std::string damage = why_not_whole(path); !damage.empty())
+    throw InputError(path, "", "", fmt::format("{}; {}", damage, kind.same_results));
+}
+
+}  // namespace
+
+CellFile::CellFile(const CellFileKind& kind, const std::string& path, const std::string& identity, std::size_t cells,
+                   const Take& take)
+    : kind_(kind), path_(results_path(path, kind.same_results)), identity_(identity) {
+  const std::string part = path_ + ".part";
+  journal_ = std::make_unique<Journal>(part, path_, identity);
+  if (std::filesystem::exists(path_)) {
+    require_whole(kind, path_);
+    const NetcdfFile file(path_, NetcdfFile::Mode::read);
+    require_same(file.attribute("identity"), identity, path_, kind.these_results, kind.same_results);
+    if (const std::size_t there = file.length("cell"); there != cells)
+      throw InputError(path_, "", "", fmt::format("holds {} cells; {}", there, kind.same_results));
+    read_results(kind, path_, file, take);
+  }
+  require_same(journal_->identity(), identity, part, kind.these_results, kind.same_results);
+  for (const Journal::Record& record : journal_->records())
+    if (record.first >= cells) throw InputError(part, "", "", fmt::format("holds other cells; {}", kind.same_results));
+  read_journal(kind, part, *journal_, take);
+  changed_ = !journal_->records().empty();
+}
+
+void CellFile::append(std::size_t cell, const std::vector<std::uint8_t>& record) {
+  journal_->append({.kind = kind_.record, .first = cell, .count = 1}, record.data(), record.size());
+  changed_ = true;
+}
+
+void CellFile::finish(const std::function<void(const std::string&, const std::string&)>& write, bool keep) {
+  if (!changed_ && std::filesystem::exists(path_)) return;
+  write(path_, identity_);
+  if (!keep) journal_->remove();
+}
+
+std::string read_cell_file(const CellFileKind& kind, const std::string& path, const CellFile::Take& take) {
+  if (path.ends_with(".part")) {
+    const Journal journal(path, path, "");
+    read_journal(kind, path, journal, take);
+    return journal.identity();
+  }
+  require_whole(kind, path);
+  const NetcdfFile file(path, NetcdfFile::Mode::read);
+  if (file.attribute("kind") != kind.kind) throw InputError(path, "", "", kind.holds_none);
+  read_results(kind, path, file, take);
+  return file.attribute("identity");
+}
+
+}  // namespace equipoise::store

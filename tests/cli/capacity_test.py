@@ -1,0 +1,144 @@
+#!/usr/bin/env python3
+"""equipoise capacity as its users meet it: boundaries, files, drawn values, errors.
+
+    capacity_test.py PROGRAM STUDIES
+"""
+import csv
+import json
+import os
+import subprocess
+import sys
+import tempfile
+import unittest
+
+PROGRAM, STUDIES = os.path.abspath(sys.argv[1]), os.path.abspath(sys.argv[2])
+ROW = os.path.join(STUDIES, "paper", "table-2-omega-2.4.toml")
+
+# At 5 critical speeds a drag of 0.2 lets all starts balance until balance itself becomes unstable near 0.1.
+QUICK = ("capacity", ROW, "--set", "speed.speed=5", "--set", "balancer.drag=0.2", "--at-least", "0.9", "--between", "0.08:0.14",
+         "--precision", "0.1", "--starts", "200")
+
+XARRAY = """
+import json, sys, xarray
+with xarray.open_dataset(sys.argv[1]) as data:
+    at = data.sel(rotor_damping=0.6)
+    tried = [float(v) for v in at["trial_value"].values if v == v]
+    print(json.dumps({"dampings": list(map(float, data["rotor_damping"].values)), "capacity": float(at["capacity"]),
+                      "low": float(at["capacity_low"]), "high": float(at["capacity_high"]), "tried": tried,
+                      "of": data.attrs["of"], "units": data["capacity"].attrs["units"],
+                      "without_words": [str(v) for v in data.data_vars
+                                        if not {"long_name", "units"} <= set(data[v].attrs)]}))
+"""
+
+
+def run(*arguments, **options):
+    return subprocess.run([PROGRAM, *arguments], capture_output=True, text=True, timeout=600, check=False, **options)
+
+
+def answer(*arguments):
+    done = run(*arguments, "--json", "--quiet")
+    if done.returncode != 0 or done.stderr:
+        raise AssertionError(f"{arguments}: exit {done.returncode}, {done.stderr}")
+    return json.loads(done.stdout)
+
+
+def content(path):
+    with open(path, "rb") as file:
+        return file.read()
+
+
+class Capacity(unittest.TestCase):
+    def test_the_boundary_is_where_basin_has_it(self):
+        # At 4 critical speeds a drag of 0.1 lets all starts balance until balance itself becomes unstable near 0.065.
+        found = answer("capacity", ROW, "--set", "speed.speed=4", "--set", "balancer.drag=0.1", "--at-least", "0.9",
+                       "--between", "0.03:0.09", "--precision", "0.02", "--starts", "300")
+        cell = found["cells"][0]
+        self.assertTrue(cell["low"] <= cell["value"] <= cell["high"], cell)
+        self.assertTrue(0.06 < cell["low"] and cell["high"] < 0.07, cell)
+        below = answer("basin", ROW, "--set", "speed.speed=4", "--set", "balancer.drag=0.1", "--starts", "300",
+                       "--set", f"rotor.eccentricity={cell['low']}")
+        self.assertGreaterEqual(below["outcomes"][0]["share"], 0.9)
+
+    def test_what_lies_outside_of_the_range_is_said(self):
+        at = ["--set", "speed.speed=4", "--set", "balancer.drag=0.1", "--starts", "100", "--precision", "0.1"]
+        all_balance = answer("capacity", ROW, *at, "--between", "0.01:0.02")["cells"][0]
+        self.assertEqual((all_balance["always"], all_balance["value"]), (True, None))
+        at = ["--set", "speed.speed=2", "--set", "balancer.drag=0.01", "--starts", "100"]  # table 1: nothing balances
+        none_does = answer("capacity", ROW, *at, "--between", "0.01:0.02")["cells"][0]
+        self.assertEqual((none_does["never"], none_does["value"]), (True, None))
+
+    def test_bad_input_is_one_line_before_any_work(self):
+        for arguments, words in (
+            (["--of", "balancer.drag"], ("--between", "balancer.drag")),
+            (["--between", "2:1"], ("--between", "2:1")),
+            (["--at-least", "95"], ("--at-least", "95")),
+            (["--precision", "0"], ("--precision",)),
+            (["--over", "balancer.dragg=1"], ("balancer.dragg",)),
+            (["--of", "rotor.eccentricityy", "--between", "1:2"], ("rotor.eccentricityy",)),
+            (["-o", "c.txt"], ("--output", "c.txt", ".nc")),
+            (["-o", "/nowhere/c.nc"], ("/nowhere",)),
+        ):
+            done = run("capacity", ROW, *arguments)
+            self.assertEqual((done.returncode, done.stdout), (2, ""), arguments)
+            self.assertEqual(done.stderr.count("\n"), 1, done.stderr)
+            for word in words:
+                self.assertIn(word, done.stderr)
+
+
+class Files(unittest.TestCase):
+    def test_a_finished_file_is_read_and_tells_all(self):
+        with tempfile.TemporaryDirectory() as folder:
+            nc, table = os.path.join(folder, "c.nc"), os.path.join(folder, "c.csv")
+            command = [*QUICK, "--over", "rotor.damping=0.5,0.6", "-o", nc]
+            first = answer(*command)
+            before = content(nc)
+            again = answer(*command, "--csv", table, "--threads", "1")
+            self.assertEqual((first["resumed_trials"], again["resumed_trials"]),
+                             (0, sum(len(c["trials"]) for c in first["cells"])))
+            self.assertEqual(first["cells"], again["cells"])
+            self.assertEqual((content(nc), os.path.exists(nc + ".part")), (before, False))
+            with open(table, encoding="utf-8") as file:
+                rows = list(csv.DictReader(line for line in file if not line.startswith("#")))
+            self.assertEqual([float(r["low"]) for r in rows], [c["low"] for c in first["cells"]])
+            inspected = json.loads(run("inspect", nc, "--json").stdout)
+            self.assertEqual((inspected["kind"], inspected["complete"], inspected["damage"]), ("capacity", True, ""))
+            for fact in ({"name": "cells done", "value": "2 of 2"}, {"name": "of", "value": "rotor.eccentricity"},
+                         {"name": "over", "value": "rotor.damping=0.5, 0.6"}, {"name": "at_least", "value": "0.9"}):
+                self.assertIn(fact, inspected["facts"])
+            for other, words in ((["--seed", "2"], "sampling.seed"), (["--set", "balancer.drag=0.11"], "balancer.drag"),
+                                 (["--set", "rotor.gravity=0.001"], "rotor.gravity"),
+                                 (["--over", "balancer.mass=0.05,0.06"], "sweep.over.balancer.mass")):
+                refused = run(*command, *other)
+                self.assertEqual((refused.returncode, refused.stdout, refused.stderr.count("\n")), (2, "", 1), refused.stderr)
+                self.assertIn(words, refused.stderr)
+            self.assertEqual(content(nc), before)
+            asked = [("0.8" if word == "0.9" else word) for word in command]
+            self.assertIn("capacity.at_least is 0.9 there and 0.8 here", run(*asked).stderr)
+            sweep = run("sweep", ROW, "--over", "rotor.damping=0.5,0.6", "-o", nc)
+            self.assertEqual((sweep.returncode, sweep.stderr.count("\n")), (2, 1), sweep.stderr)
+
+    def test_one_cell_alone_has_a_file_too(self):
+        with tempfile.TemporaryDirectory() as folder:
+            nc = os.path.join(folder, "c.nc")
+            first = answer(*QUICK, "-o", nc)
+            self.assertEqual(answer(*QUICK, "-o", nc)["cells"], first["cells"])
+
+    def test_xarray_opens_the_file_with_names_and_units(self):
+        python = next((p for p in (sys.executable, "/usr/bin/python3") if os.path.exists(p) and subprocess.run(
+            [p, "-c", "import xarray"], capture_output=True, check=False).returncode == 0), None)
+        if not python:
+            self.skipTest("needs python3-xarray")
+        with tempfile.TemporaryDirectory() as folder:
+            nc = os.path.join(folder, "c.nc")
+            cell = answer(*QUICK, "--over", "rotor.damping=0.5,0.6", "-o", nc)["cells"][1]
+            done = subprocess.run([python, "-c", XARRAY, nc], capture_output=True, text=True, check=False, timeout=120)
+            self.assertEqual(done.returncode, 0, done.stderr)
+            seen = json.loads(done.stdout)
+            self.assertEqual(seen["dampings"], [0.5, 0.6])
+            self.assertEqual((seen["capacity"], seen["low"], seen["high"]), (cell["value"], cell["low"], cell["high"]))
+            self.assertEqual(seen["tried"], [t["value"] for t in cell["trials"]])
+            self.assertEqual((seen["of"], seen["units"], seen["without_words"]), ("rotor.eccentricity", "1", []))
+
+
+if __name__ == "__main__":
+    unittest.main(argv=sys.argv[:1], verbosity=2)

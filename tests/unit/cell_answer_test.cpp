@@ -1,0 +1,173 @@
+// Sentences of sweeps, capacities and maps, and charts as drawings, from results made by hand.
+#include <gtest/gtest.h>
+
+#include <stdexcept>
+
+#include "../base_study.hpp"
+#include "../machine_study.hpp"
+#include "equipoise/deciding/decision_rule.hpp"
+#include "equipoise/drawing/chart_svg.hpp"
+#include "equipoise/drawing/plot_parts.hpp"
+#include "equipoise/drawing/raster.hpp"
+#include "equipoise/drawing/sweep_layers.hpp"
+#include "equipoise/pages/answer.hpp"
+#include "equipoise/store/basin_file.hpp"
+
+namespace equipoise {
+namespace {
+
+constexpr const char* drawn_rotor = R"(
+[rotor]
+eccentricity = { uniform = [0.005, 0.015] }
+damping = 0.5
+[balancer]
+balls = 2
+mass = 0.05
+drag = { values = [0.04, 0.06] }
+[speed]
+profile = "constant"
+speed = 2.4
+)";
+
+SweepAxis speeds(const std::vector<std::string>& given) {
+  SweepParameter p{"speed.final", "", {}, given};
+  for (const std::string& value : given) p.values.push_back(std::stod(value));
+  return {{p}};
+}
+
+std::shared_ptr<SweepCell> cell_of(std::uint64_t balanced, std::uint64_t undecided = 0) {
+  auto cell = std::make_shared<SweepCell>();
+  cell->starts = 100;
+  SweepOutcome o;
+  o.id = balanced_id;
+  o.name = "balanced";
+  o.share = open_share(balanced, balanced + undecided, 100);
+  cell->outcomes.push_back(o);
+  cell->undecided = wilson_share(undecided, 100);
+  cell->diverged = cell->failed = wilson_share(0, 100);
+  return cell;
+}
+
+SweepResult sweep_of(const std::string& study, const std::vector<std::shared_ptr<SweepCell>>& cells) {
+  SweepResult r;
+  r.study = parse_study(study, "s.toml");
+  std::vector<std::string> given;
+  for (std::size_t k = 0; k < cells.size(); ++k) given.push_back(std::to_string(k + 2));
+  r.axes = {speeds(given)};
+  r.cells = cells;
+  return r;
+}
+
+// Wilson's intervals of 60 in 100 are 50.2 to 69.1 %, of 20 in 100 13.3 to 28.9 %.
+TEST(SweepAnswer, SaysWhereItBalancesMostAndLeast) {
+  SweepResult r = sweep_of(constant_speed, {cell_of(60), cell_of(20), cell_of(40)});
+  EXPECT_EQ(answer_sentence(r),
+            "The rotor ends balanced most often at speed.final = 2: in 50.2 to 69.1 % of starts; least often at "
+            "speed.final = 3: in 13.3 to 28.9 % (95 % confidence in each cell).");
+  r.cells[2] = cell_of(60, 5);
+  EXPECT_TRUE(holds(answer_sentence(r), "most often in 2 of 3 cells, such as speed.final = ")) << answer_sentence(r);
+  EXPECT_TRUE(holds(answer_sentence(r), "; up to 5.0 % stay undecided, at speed.final = 4.")) << answer_sentence(r);
+  r.cells[1] = nullptr;
+  EXPECT_TRUE(holds(answer_sentence(r), "In each of 2 cells the rotor ends balanced in 50.2 to 69.1 %"));
+  r.cells[2] = nullptr;
+  EXPECT_TRUE(holds(answer_sentence(r), "At speed.final = 2 the rotor ends balanced in 50.2 to 69.1 %"));
+  r.cells[0] = nullptr;
+  EXPECT_TRUE(holds(answer_sentence(r), "Nothing is known"));
+}
+
+TEST(SweepAnswer, BeginsWithWhatIsDrawnUnlessItIsVaried) {
+  SweepResult r = sweep_of(drawn_rotor, {cell_of(60)});
+  EXPECT_TRUE(answer_sentence(r).starts_with(
+      "With balancer.drag and rotor.eccentricity drawn anew for every start, at speed.final = 2 the rotor"))
+      << answer_sentence(r);
+  r.axes.front().parameters.front().key = "balancer.drag";
+  EXPECT_TRUE(
+      answer_sentence(r).starts_with("With rotor.eccentricity drawn anew for every start, at balancer.drag = 2"));
+}
+
+TEST(SweepLayers, AreOfAllCellsInOrder) {
+  auto with_two = cell_of(60, 5);
+  SweepOutcome other;
+  other.id = 9;
+  other.name = "locked";
+  other.share = wilson_share(35, 100);
+  with_two->outcomes.push_back(other);
+  const auto layers = sweep_layers(sweep_of(constant_speed, {cell_of(100), nullptr, with_two}));
+  ASSERT_EQ(layers.size(), 3u);
+  EXPECT_EQ(layers[0].share, (std::vector<double>{1.0, 0.0, 0.6}));
+  EXPECT_EQ(layers[1].name, "locked");
+  EXPECT_EQ(layers[1].share, (std::vector<double>{0.0, 0.0, 0.35}));
+  EXPECT_EQ(layers[2].name, "undecided");
+  EXPECT_EQ(layers[2].colour, colour_of(undecided_code));
+}
+
+CapacityResult capacity_of(const std::vector<CapacityCell>& cells) {
+  CapacityResult r;
+  r.study = parse_study(machine_rotor + "[speed]\nprofile = \"constant\"\nspeed = \"2000 rpm\"\n", "m.toml");
+  r.key = "rotor.unbalance";
+  r.unit = "g mm";
+  r.from = 20.0;
+  r.to = 400.0;
+  std::vector<std::string> given;
+  for (std::size_t k = 0; k < cells.size(); ++k) given.push_back(std::to_string(k + 2));
+  if (cells.size() > 1) r.axes = {speeds(given)};
+  r.cells.assign(cells.begin(), cells.end());
+  return r;
+}
+
+TEST(CapacityAnswer, TellsTheBoundaryOrWhatLiesBeyond) {
+  const CapacityCell inside{{}, 213.2, 201.0, 220.0, false, false};
+  const CapacityCell always{{}, {}, 400.0, 400.0, true, false}, never{{}, {}, 20.0, 20.0, false, true};
+  EXPECT_EQ(
+      answer_sentence(capacity_of({inside})),
+      "Up to rotor.unbalance = 213.2 g mm 95 % of starts end balanced: surely up to 201, surely fewer from 220 on "
+      "(95 % confidence).");
+  EXPECT_TRUE(holds(answer_sentence(capacity_of({always})), "Up to rotor.unbalance = 400 g mm, as far as was looked"));
+  EXPECT_TRUE(holds(answer_sentence(capacity_of({never})), "Nowhere from rotor.unbalance = 20 g mm on"));
+  EXPECT_EQ(
+      answer_sentence(capacity_of({inside, never, always})),
+      "The largest rotor.unbalance at which 95 % of starts end balanced is more than 400 g mm at speed.final = 4; it "
+      "is least at speed.final = 3: less than 20 g mm (95 % confidence).");
+}
+
+TEST(MapAnswer, TellsThePartThatBalances) {
+  PlaneMap map;
+  map.study = parse_study(constant_speed, "c.toml");
+  map.x.key = "initial.phi_1";
+  map.y.key = "initial.phi_2";
+  EXPECT_TRUE(holds(answer_sentence(map), "Nothing is known"));
+  map.codes = {{balanced_id, "balanced", "", wilson_share(60, 100)},
+               {undecided_code, "undecided", "", wilson_share(2, 100)}};
+  EXPECT_EQ(
+      answer_sentence(map),
+      "Of 100 points over initial.phi_1 and initial.phi_2, 50.2 to 69.1 % end balanced (95 % confidence, as of random "
+      "ones); 2.0 % stay undecided.");
+  map.codes.front().share = wilson_share(0, 100);
+  EXPECT_TRUE(holds(answer_sentence(map), "Not one of 100 points over"));
+}
+
+TEST(ChartSvg, DrawsIntervalsAndNamesSeries) {
+  Chart chart{"", "x <", "y", false, false, true, {}};
+  chart.series.push_back({"one", "#0072B2", ChartSeries::Style::line, {1.0, 2.0}, {3.0, 4.0}, {2.0, 3.5}, {4.0, 4.5}});
+  const std::string svg = chart_svg(chart, "what");
+  for (const char* part : {"<title>what</title>", "x &lt;", ">one</text>", "#0072B2"})
+    EXPECT_TRUE(holds(svg, part)) << part;
+  EXPECT_FALSE(holds(svg, "nan"));
+  EXPECT_FALSE(holds(chart_svg(Chart{}, "nothing"), "nan"));
+}
+
+TEST(Raster, IsRefusedWhereItsPartsDoNotAgree) {
+  EXPECT_EQ(png_bytes({1, 1, {"#ff0000"}, {0}}).substr(1, 3), "PNG");
+  EXPECT_THROW(png_bytes({2, 1, {"#ff0000"}, {0}}), std::invalid_argument);
+  EXPECT_THROW(png_bytes({1, 1, {"#ff0000"}, {1}}), std::invalid_argument);
+  EXPECT_THROW(png_bytes({0, 0, {"#ff0000"}, {}}), std::invalid_argument);
+}
+
+TEST(HeatColour, GoesFromEndToEnd) {
+  EXPECT_EQ(heat_colour(0.0), viridis.front());
+  EXPECT_EQ(heat_colour(1.0), viridis.back());
+  EXPECT_EQ(heat_colour(0.5), viridis[4]);
+}
+
+}  // namespace
+}  // namespace equipoise
