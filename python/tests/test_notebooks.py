@@ -82,7 +82,8 @@ def test_notebooks_come_to_the_numbers_that_they_speak_of(name, monkeypatch):
     # A kernel shows pictures unless it is told to draw elsewhere.
     monkeypatch.delenv("MPLBACKEND", raising=False)
     notebook = nbformat.read(FOLDER / f"{name}.ipynb", 4)
-    drawing = [c for c in notebook.cells if c.cell_type == "code" and ("eq.plot." in c.source or "figure, " in c.source)]
+    code = [cell for cell in notebook.cells if cell.cell_type == "code"]
+    drawing = [cell for cell in code if "eq.plot." in cell.source or "figure, " in cell.source]
     for check in CHECKS[name]:
         notebook.cells.append(nbformat.v4.new_code_cell(f"assert {check}"))
     client = nbclient.NotebookClient(

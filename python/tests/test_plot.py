@@ -89,8 +89,9 @@ def an_ensemble(**changed):
         ],
         "labels": np.array([1, 1, 1, 1, 2, 2, 0, -1], dtype=np.int16),
         "transients": {"settling_time": np.array([1.0, 2.0, 3.0, 4.0, np.inf, np.inf, 9.0, np.nan])},
+        "arrays": {},
         "partial": False,
-        "study": eq.paper_study("table-2-omega-2.4"),
+        "study": eq.paper_study("table-2-omega-2.4").replace(limits={"settled": 0.001}),
     }
     return SimpleNamespace(**{**fields, **changed})
 
@@ -163,6 +164,13 @@ def test_times_that_go_on_are_told():
     assert sum(bar.get_height() for bar in ax.patches) == pytest.approx(62.5)
 
 
+def test_cells_of_a_grid_count_for_what_they_stand_for():
+    weight = np.array([5.0, 1.0, 1.0, 1.0, 1.0, 1.0, 1.0, 1.0])
+    ax = eq.plot.transients(an_ensemble(arrays={"weight": weight}), "settling_time", bins=8)
+    assert ax.patches[0].get_height() == pytest.approx(100.0 * 5.0 / 12.0)
+    assert any(text.startswith("25 % without") for text in legend_texts(ax))
+
+
 def test_transients_of_a_machine_are_in_its_units_beside_its_limit(machine):
     result = eq.basin(machine, starts=100)
     ax = eq.plot.transients(result, bins=10)
@@ -174,6 +182,12 @@ def test_transients_of_a_machine_are_in_its_units_beside_its_limit(machine):
     beyond = 100.0 * np.mean(peaks > 1.0)
     assert f"limit 1 mm: {beyond:.3g} % beyond" in legend_texts(ax)
     assert eq.plot.transients(result, limit=0.5).get_lines()[0].get_xdata()[0] == 0.5
+
+
+def test_figures_far_below_a_limit_are_still_seen(ensemble):
+    ax = eq.plot.transients(ensemble, limit=100.0)
+    assert min(bar.get_width() for bar in ax.patches) > 0.9  # of the hundred that the axis shows
+    assert sum(bar.get_height() for bar in ax.patches) == pytest.approx(100.0)
 
 
 # --- sweep ------------------------------------------------------------------------------------------------------------
@@ -479,6 +493,8 @@ def test_words_and_numbers_out_of_range_are_named(ensemble, spin_up):
         eq.plot.transients(ensemble, "peak")
     with pytest.raises(ValueError, match="bins = 0; allowed: 1 or more"):
         eq.plot.transients(ensemble, bins=0)
+    with pytest.raises(ValueError, match="settling_time was not watched; allowed: of a study with limits.settled"):
+        eq.plot.transients(ensemble, "settling_time")
     with pytest.raises(ValueError, match="gathered no transients"):
         eq.plot.transients(an_ensemble(transients=None))
     with pytest.raises(ValueError, match="y = 'r'; allowed: 'r_min'"):

@@ -85,17 +85,27 @@ def shares(result: BasinResult, ax: Optional[Axes] = None) -> Axes:
     return ax
 
 
-# Column: what its axis says, the attribute of Units that it is in, and the key of [limits] that bounds it.
-_COLUMNS: dict[str, tuple[str, str, str]] = {
-    "peak_radial": ("peak displacement", "length", "displacement"),
-    "peak_radial_after_release": ("peak displacement after release", "length", "displacement"),
-    "peak_radial_at_end": ("peak displacement at the end", "length", "displacement"),
-    "peak_force": ("peak bearing force", "force", "force"),
-    "rms_force": ("RMS bearing force at the end", "force", ""),
-    "rms_velocity": ("RMS velocity at the end", "velocity", "velocity"),
-    "residual_unbalance": ("residual unbalance $U/M$", "length", ""),
-    "time_above": ("time above the displacement limit", "time", ""),
-    "settling_time": ("settling time", "time", ""),
+@dataclass(frozen=True)
+class Column:
+    """How a column of transients is drawn: words, unit (an attribute of Units), the key of [limits] that bounds it, and
+    the one without which it was not watched."""
+
+    words: str
+    unit: str
+    limit: str = ""
+    needs: str = ""
+
+
+_COLUMNS: dict[str, Column] = {
+    "peak_radial": Column("peak displacement", "length", "displacement"),
+    "peak_radial_after_release": Column("peak displacement after release", "length", "displacement"),
+    "peak_radial_at_end": Column("peak displacement at the end", "length", "displacement"),
+    "peak_force": Column("peak bearing force", "force", "force"),
+    "rms_force": Column("RMS bearing force at the end", "force"),
+    "rms_velocity": Column("RMS velocity at the end", "velocity", "velocity"),
+    "residual_unbalance": Column("residual unbalance $U/M$", "length"),
+    "time_above": Column("time above the displacement limit", "time", needs="displacement"),
+    "settling_time": Column("settling time", "time", needs="settled"),
 }
 
 
@@ -137,38 +147,51 @@ def transients(
     """
     wanted = "a BasinResult, that of equipoise.basin()"
     parts.need("transients", result, wanted, ("shares", "errors", "counts", "names"))
+    if bins < 1:
+        raise ValueError(f"plot.transients(): bins = {bins}; allowed: 1 or more")
+    values, how = _watched(result, column)
+    unit: parts.Unit = getattr(parts.Units(result.study), how.unit)
+    values = values * unit.factor
+    weight = _weights(result)
+    finite = np.isfinite(values)
+    if ax is None:
+        ax = parts.new_axes((7.6, 3.8))
+    own = result.study.limits[how.limit] if how.limit else None
+    if limit is None and own is not None:
+        limit = own * unit.factor
+    handles = _stacked_histogram(ax, result, values, weight, _edges(values[finite], bins, limit))
+    if limit is not None:
+        label = f"limit {limit:.4g} {unit.name}: {weight[finite & (values > limit)].sum():.3g} % beyond"
+        handles.append(ax.axvline(limit, color=parts.LIMIT, linestyle="--", linewidth=1.6, label=label))
+    if not finite.all():
+        handles.append(_words_only(f"{weight[~finite].sum():.3g} % without a figure"))
+    ax.set_xlabel(unit.label(how.words))
+    ax.set_ylabel("starts (%)")
+    parts.quiet_frame(ax)
+    ax.grid(axis="x", visible=False)
+    parts.legend_beside(ax, handles)
+    return ax
+
+
+def _watched(result: BasinResult, column: str) -> tuple[parts.Array, Column]:
+    """The figures of a column, dimensionless; raises ValueError where there are none."""
     parts.one_of("transients", "column", column, list(_COLUMNS))
     if result.transients is None:
         raise ValueError(
             "plot.transients(): the ensemble gathered no transients; allowed: one of basin(study, transients=True), "
             "or of a study with [limits]"
         )
-    if bins < 1:
-        raise ValueError(f"plot.transients(): bins = {bins}; allowed: 1 or more")
-    words, dimension, limit_key = _COLUMNS[column]
-    unit: parts.Unit = getattr(parts.Units(result.study), dimension)
-    values = np.asarray(result.transients[column], dtype=float) * unit.factor
-    labels = np.asarray(result.labels)
-    finite = np.isfinite(values)
-    if ax is None:
-        ax = parts.new_axes((7.6, 3.8))
-    handles = _stacked_histogram(ax, result, values, labels, finite, bins)
-    if limit is None and limit_key:
-        own = result.study.limits[limit_key]
-        limit = None if own is None else own * unit.factor
-    if limit is not None:
-        beyond = parts.PERCENT * np.count_nonzero(values[finite] > limit) / max(values.size, 1)
-        label = f"limit {limit:.4g} {unit.name}: {beyond:.3g} % beyond"
-        handles.append(ax.axvline(limit, color=parts.LIMIT, linestyle="--", linewidth=1.6, label=label))
-    if not finite.all():
-        missing = parts.PERCENT * np.count_nonzero(~finite) / values.size
-        handles.append(_words_only(f"{missing:.3g} % without a figure"))
-    ax.set_xlabel(unit.label(words))
-    ax.set_ylabel("starts (%)")
-    parts.quiet_frame(ax)
-    ax.grid(axis="x", visible=False)
-    parts.legend_beside(ax, handles)
-    return ax
+    how = _COLUMNS[column]
+    if how.needs and result.study.limits[how.needs] is None:
+        raise ValueError(f"plot.transients(): {column} was not watched; allowed: of a study with limits.{how.needs}")
+    return np.asarray(result.transients[column], dtype=float), how
+
+
+def _weights(result: BasinResult) -> parts.Array:
+    """What each start stands for in percent of all; on a grid a cell may stand for several."""
+    given = result.arrays.get("weight")
+    weight = np.ones(len(result.labels)) if given is None else np.asarray(given, dtype=float)
+    return np.asarray(parts.PERCENT * weight / weight.sum())
 
 
 def _words_only(label: str) -> Any:
@@ -177,24 +200,30 @@ def _words_only(label: str) -> Any:
     return Line2D([], [], linestyle="none", label=label)
 
 
+def _edges(values: parts.Array, bins: int, limit: Optional[float]) -> parts.Array:
+    """Edges of the bars from the least to the largest value; they are wide enough to be seen beside a limit far off."""
+    if not values.size:
+        return np.array([0.0, 1.0])
+    low, high = float(values.min()), float(values.max())
+    if high - low <= 1e-6 * abs(high):  # one and the same figure: a bar of some width
+        low, high = low - 0.025 * (abs(high) or 1.0), high + 0.025 * (abs(high) or 1.0)
+    least = 0.0 if limit is None else 0.01 * (max(high, limit) - min(low, limit))
+    width = max((high - low) / bins, least)
+    return low + width * np.arange(int(np.ceil((high - low) / width - 1e-9)) + 1)
+
+
 def _stacked_histogram(
-    ax: Axes, result: BasinResult, values: parts.Array, labels: parts.Array, finite: parts.Array, bins: int
+    ax: Axes, result: BasinResult, values: parts.Array, weight: parts.Array, edges: parts.Array
 ) -> list[Any]:
     """Bars of percent of all starts; returns the entries of a legend."""
     handles: list[Any] = []
-    if not finite.any():
-        return handles
-    low, high = float(values[finite].min()), float(values[finite].max())
-    if high - low <= 1e-6 * max(abs(high), 1e-300):  # one and the same figure: a bar of some width
-        room = 0.05 * abs(high) if high else 0.5
-        low, high = low - room, high + room
-    edges = np.linspace(low, high, bins + 1)
-    base = np.zeros(bins)
+    edges[-1] = max(edges[-1], np.max(values[np.isfinite(values)], initial=-np.inf))  # by rounding
+    base = np.zeros(edges.size - 1)
     for outcome in _outcomes(result):
-        mine = finite & (labels == outcome.code)
+        mine = np.isfinite(values) & (np.asarray(result.labels) == outcome.code)
         if not mine.any():
             continue
-        height = parts.PERCENT * np.histogram(values[mine], edges)[0] / values.size
+        height = np.histogram(values[mine], edges, weights=weight[mine])[0]
         bars = ax.bar(
             edges[:-1], height, width=np.diff(edges), bottom=base, align="edge",
             color=parts.colour_of(outcome.code), edgecolor="white", linewidth=0.3, label=outcome.title,

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
+from operator import itemgetter
 from typing import TYPE_CHECKING, Any, Optional
 
 import numpy as np
@@ -240,7 +241,7 @@ def _course(branch: Branch, factor: float) -> _Course:
         sides = {"birth": (after,), "death": (after - 1,)}.get(event.change, (after - 1, after))
         for side in np.clip(sides, 0, stable.size - 1):
             rows.append((middle, *(getattr(event, name) for name in _HEIGHTS), bool(stable[side])))
-    rows.sort(key=lambda row: row[0])
+    rows.sort(key=itemgetter(0))
     columns = np.array([row[:-1] for row in rows], dtype=float).reshape(-1, 4).T
     named = dict(zip(_HEIGHTS, factor * columns[1:]))
     return _Course(columns[0], named, np.array([row[-1] for row in rows], dtype=bool))
