@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <complex>
 #include <limits>
 #include <utility>
 
@@ -65,9 +66,23 @@ class EntryTime {
   std::vector<Eigen::VectorXd> amplitudes_;
 };
 
+// What the nearest eigenvalues weigh.
+Eigen::VectorXd weights_from(const std::vector<ModeWeight>& known, const Modes& modes) {
+  Eigen::VectorXd weights(modes.rates.size());
+  for (Eigen::Index k = 0; k < weights.size(); ++k) {
+    const auto away = [&](const ModeWeight& w) { return std::abs(modes.rates[k] - std::complex<double>(w.re, w.im)); };
+    weights[k] = std::min_element(known.begin(), known.end(), [&](const ModeWeight& x, const ModeWeight& y) {
+                   return away(x) < away(y);
+                 })->weight;
+  }
+  return weights;
+}
+
 // The modal form whose weights make the entry time small: coordinate search over one weight a conjugate
-// pair. Unit weights on unit vectors are within a factor of two of the best in every row of the paper.
-Eigen::MatrixXd best_modal_form(const model::System& system, const Eigen::VectorXd& centre, const Eigen::MatrixXd& a) {
+// pair. Unit weights on unit vectors are within a factor of two of the best in every row of the paper. From those of a
+// neighbour few steps are left.
+Eigen::MatrixXd best_modal_form(const model::System& system, const Eigen::VectorXd& centre, const Eigen::MatrixXd& a,
+                                std::vector<ModeWeight>& known) {
   const Modes modes = left_modes(a);
   const Eigen::Index size = modes.rates.size();
   Eigen::VectorXd weights = Eigen::VectorXd::Ones(size);
@@ -76,8 +91,15 @@ Eigen::MatrixXd best_modal_form(const model::System& system, const Eigen::Vector
     return entry_time(w, level_by_rays(system, centre, modal_form(modes, w), rays_while_weighing));
   };
   double least = cost(weights);
+  if (!known.empty())
+    if (const Eigen::VectorXd near = weights_from(known, modes); cost(near) < least) {
+      weights = near;
+      least = cost(near);
+    }
+  const double coarsest = known.empty() ? 2.0 : 1.4;
+  const int sweeps = known.empty() ? 3 : 1;
   for (double factor : {2.0, 1.4}) {
-    for (int sweep = 0; sweep < 3; ++sweep) {
+    for (int sweep = 0; sweep < sweeps && factor <= coarsest; ++sweep) {
       bool improved = false;
       for (Eigen::Index k = 0; k < size; ++k) {
         if (modes.rates[k].imag() < 0.0) continue;  // moves with its conjugate
@@ -98,6 +120,8 @@ Eigen::MatrixXd best_modal_form(const model::System& system, const Eigen::Vector
       if (!improved) break;
     }
   }
+  known.clear();
+  for (Eigen::Index k = 0; k < size; ++k) known.push_back({modes.rates[k].real(), modes.rates[k].imag(), weights[k]});
   return modal_form(modes, weights);
 }
 
@@ -122,10 +146,11 @@ BalancedTrap make_trap(const Angles& phi, const Centre& centre, const Eigen::Mat
 
 // The form whose sampled level set is entered soonest, among modal ones and Lyapunov's for Q = 1 (where modes are
 // nearly defective the former degenerate).
-BalancedTrap isolated_trap(const model::System& system, const Angles& phi, double speed) {
+BalancedTrap isolated_trap(const model::System& system, const Angles& phi, double speed,
+                           std::vector<ModeWeight>& weights) {
   const Eigen::VectorXd state = model::balanced_state(system, speed, phi.data());
   const Eigen::MatrixXd a = model::jacobian(system, state);
-  const Eigen::MatrixXd modal = best_modal_form(system, state, a);
+  const Eigen::MatrixXd modal = best_modal_form(system, state, a, weights);
   const Eigen::MatrixXd plain = solve_lyapunov(a, Eigen::MatrixXd::Identity(a.rows(), a.cols()));
   const double modal_level = critical_level(system, state, modal, rays_for_level);
   const double plain_level = critical_level(system, state, plain, rays_for_level);
@@ -173,13 +198,13 @@ BalancedTrap exchanged(const BalancedTrap& trap) {
 }
 
 // What is searched for is searched for of the rotor that turns forwards, so that mirror images have the same level.
-BalancedTrap balanced_trap(const model::System& system, const Angles& phi) {
+BalancedTrap balanced_trap(const model::System& system, const Angles& phi, std::vector<ModeWeight>& weights) {
   const double speed = model::balanced_speed(system).value_or(0.0), forwards = std::fabs(speed);
   Angles angles = phi;
   const bool backwards = speed < 0.0, equal = system.balls() == 2 && system.parameters().equal_balls();
   for (int i = 0; backwards && i < system.balls(); ++i) angles[i] = -phi[i];
   if (backwards && equal) std::swap(angles[0], angles[1]);  // of equal balls both states are made from the first
-  const BalancedTrap trap = isolated_trap(backwards ? reflected(system) : system, angles, forwards);
+  const BalancedTrap trap = isolated_trap(backwards ? reflected(system) : system, angles, forwards, weights);
   if (!backwards) return trap;
   return reflected(system, equal ? exchanged(trap) : trap);
 }
