@@ -79,8 +79,8 @@ Eigen::VectorXd weights_from(const std::vector<ModeWeight>& known, const Modes& 
 }
 
 // The modal form whose weights make the entry time small: coordinate search over one weight a conjugate
-// pair. Unit weights on unit vectors are within a factor of two of the best in every row of the paper. From those of a
-// neighbour few steps are left.
+// pair. Unit weights on unit vectors are within a factor of two of the best in every row of the paper. Those of a
+// neighbour, where they are better, are good enough.
 Eigen::MatrixXd best_modal_form(const model::System& system, const Eigen::VectorXd& centre, const Eigen::MatrixXd& a,
                                 std::vector<ModeWeight>& known) {
   const Modes modes = left_modes(a);
@@ -91,15 +91,11 @@ Eigen::MatrixXd best_modal_form(const model::System& system, const Eigen::Vector
     return entry_time(w, level_by_rays(system, centre, modal_form(modes, w), rays_while_weighing));
   };
   double least = cost(weights);
+  const int sweeps = known.empty() ? 3 : 0;
   if (!known.empty())
-    if (const Eigen::VectorXd near = weights_from(known, modes); cost(near) < least) {
-      weights = near;
-      least = cost(near);
-    }
-  const double coarsest = known.empty() ? 2.0 : 1.4;
-  const int sweeps = known.empty() ? 3 : 1;
+    if (const Eigen::VectorXd near = weights_from(known, modes); cost(near) < least) weights = near;
   for (double factor : {2.0, 1.4}) {
-    for (int sweep = 0; sweep < sweeps && factor <= coarsest; ++sweep) {
+    for (int sweep = 0; sweep < sweeps; ++sweep) {
       bool improved = false;
       for (Eigen::Index k = 0; k < size; ++k) {
         if (modes.rates[k].imag() < 0.0) continue;  // moves with its conjugate
@@ -150,18 +146,27 @@ BalancedTrap isolated_trap(const model::System& system, const Angles& phi, doubl
                            std::vector<ModeWeight>& weights) {
   const Eigen::VectorXd state = model::balanced_state(system, speed, phi.data());
   const Eigen::MatrixXd a = model::jacobian(system, state);
+  const bool near = !weights.empty();
   const Eigen::MatrixXd modal = best_modal_form(system, state, a, weights);
   const Eigen::MatrixXd plain = solve_lyapunov(a, Eigen::MatrixXd::Identity(a.rows(), a.cols()));
-  const double modal_level = critical_level(system, state, modal, rays_for_level);
-  const double plain_level = critical_level(system, state, plain, rays_for_level);
+  const auto level_of = [&](const Eigen::MatrixXd& form) {
+    return critical_level(system, state, form, rays_for_level);
+  };
   const auto log_volume = [&](const Eigen::MatrixXd& form, double level) {
     return level > 0.0 ? 0.5 * (a.rows() * std::log(level) - std::log(dense::determinant(form))) : -1e300;
   };
+  // Which one is better few rays tell well enough where the modes' weights are known.
+  const auto first_level = [&](const Eigen::MatrixXd& form) {
+    return near ? level_by_rays(system, state, form, rays_while_weighing) : level_of(form);
+  };
+  const double modal_level = first_level(modal), plain_level = first_level(plain);
   const bool use_modal = log_volume(modal, modal_level) >= log_volume(plain, plain_level);
+  const Eigen::MatrixXd& form = use_modal ? modal : plain;
+  const double level = near ? level_of(form) : use_modal ? modal_level : plain_level;
   Centre centre{};
   std::copy(state.begin(), state.end(), centre.begin());
   std::fill_n(centre.begin() + model::index::phi(0), system.balls(), 0.0);
-  return make_trap(phi, centre, use_modal ? modal : plain, level_margin * (use_modal ? modal_level : plain_level));
+  return make_trap(phi, centre, form, level_margin * level);
 }
 
 // What mirrors a state: of the rotor that turns the other way.

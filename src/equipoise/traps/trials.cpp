@@ -18,22 +18,28 @@ namespace equipoise {
 
 namespace {
 
+// Lanes seldom wait for the last state of a large chunk; several threads need several chunks.
+std::size_t chunk_of(const Trials& trials, const TrialSettings& settings) {
+  return trials.alike && settings.threads == 1 ? trial_part : trial_chunk;
+}
+
 // Calls told(first, fates) for every chunk, from any thread, until it or the lanes say false.
 template <class Told>
 bool follow(Trials& trials, const TrialSettings& settings, Told&& told) {
   const std::size_t size = settings.system->dimension(), total = trials.states.size() / size;
+  const std::size_t chunk = chunk_of(trials, settings);
   std::atomic<bool> good{true};
   if (settings.progress) settings.progress->begin("states tried on level sets");
   tbb::task_arena arena(settings.threads);
   arena.execute([&] {
-    tbb::parallel_for(std::size_t{0}, (total + trial_chunk - 1) / trial_chunk, [&](std::size_t k) {
+    tbb::parallel_for(std::size_t{0}, (total + chunk - 1) / chunk, [&](std::size_t k) {
       if (!good) return;
-      const std::size_t first = k * trial_chunk;
+      const std::size_t first = k * chunk;
       const Trials::Flight flight = trials.flight(first);
       LaneTask task = lane_task(*settings.system, flight.psi);
       task.end = flight.end;
       task.tolerance = settings.tolerance;
-      task.count = std::min(trial_chunk, total - first);
+      task.count = std::min(chunk, total - first);
       task.states = &trials.states[first * size];
       task.stop = settings.stop;
       std::vector<Fate> fates(task.count);
@@ -138,7 +144,7 @@ double highest_good_level(const LevelLadder& ladder, const TrialCounts& counts,
   near = steps > 0 ? near : 0.0;
   int step = near > 0.0 ? first_good_near(step_of(ladder, near), few_pass) : halved(-1, steps, few_pass);
   // Part after part, and round again, until all have passed on one level.
-  const std::size_t size = std::min(4 * trial_chunk, counts.all), parts = (counts.all + size - 1) / size;
+  const std::size_t size = std::min(trial_part, counts.all), parts = (counts.all + size - 1) / size;
   std::size_t passed = 0;
   // The first part is the dearest: from a level that is likely to be good it comes last.
   for (std::size_t part = near > 0.0 ? 1 % parts : 0; step < steps && passed < parts; part = (part + 1) % parts) {

@@ -26,6 +26,8 @@ struct TrialSettings {
 
 /// As many states are followed together, and share how they are.
 inline constexpr std::size_t trial_chunk = 128;
+/// So many are asked at a time of all that a level must pass.
+inline constexpr std::size_t trial_part = 4 * trial_chunk;
 
 struct Trials {
   struct Flight {
@@ -35,6 +37,7 @@ struct Trials {
   std::vector<double> states;  ///< one after the other
   DecisionRule rule;
   std::function<Flight(std::size_t first)> flight;  ///< of the chunk that begins with this state
+  bool alike = false;                               ///< all fly alike: chunks may be larger
 };
 
 /// A rule without windows: traps alone decide.

@@ -29,7 +29,7 @@ constexpr double highest_by_ball = 16.0, highest_by_rotor = 4.0;
 constexpr double slowest_worth_it = 2e-3, slowest_balance = 2e-4;
 
 Trials follow_for(double end, DecisionRule rule, std::vector<double> states) {
-  return {std::move(states), std::move(rule), [end](std::size_t) { return Trials::Flight{end, 0.0}; }};
+  return {std::move(states), std::move(rule), [end](std::size_t) { return Trials::Flight{end, 0.0}; }, true};
 }
 
 DecisionRule rule_of(const std::vector<BalancedTrap>& balanced, const model::System& system) {
@@ -85,6 +85,7 @@ bool all_approach(const CycleTrap& trap, const TrialSettings& settings, double s
   double cell_angle = 0.0;  // where the rotor's angle is no phase, it is of no account
   if (trap.clock == CycleTrap::rotor)
     cell_angle = system.strobe_angle() / trap.cells * (system.speed() < 0.0 ? -1.0 : 1.0);
+  trials.alike = trap.clock != CycleTrap::rotor;
   trials.flight = [&trap, &tries, end, cell_angle](std::size_t first) {
     return Trials::Flight{end, cell_angle * (row_of(trap, tries.first + first) % trap.cells)};
   };
