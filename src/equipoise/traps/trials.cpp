@@ -120,11 +120,13 @@ int first_good(int bad, int end, const std::function<bool(int)>& good) {
   return halved(bad, std::min(far, end), good);
 }
 
-// From a step that may be the first good one: that itself, or an earlier one if two steps before it is good too.
-int first_good_near(int near, const std::function<bool(int)>& good) {
-  for (int by = 2; near > 0; by *= 2) {
+// From a step that may be the first good one: that itself, or an earlier one if a few tries pass so far before it that
+// more of them would pass before it too (all of them pass some three steps later than a few).
+int first_good_near(int near, const std::function<bool(int)>& few_pass) {
+  constexpr int before = 6;
+  for (int by = before; near > 0; by *= 2) {
     const int up = std::max(0, near - by);
-    if (!good(up)) return by == 2 ? near : halved(up, near, good);
+    if (!few_pass(up)) return by == before ? near : halved(up, near, few_pass);
     near = up;
   }
   return near;
