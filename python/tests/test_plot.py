@@ -323,7 +323,7 @@ def test_branches_are_solid_where_they_attract_and_dashed_elsewhere():
     assert drawn[0][2] == pytest.approx([2.0 / 20, 2.1 / 20, 0.15, 0.15])
     assert drawn[1][2] == pytest.approx([0.15, 2.2 / 20, 2.3 / 20, 0.2])
     assert all(same_color(line.get_color(), _core.colour_of(2)) for line in ax.get_lines())
-    assert legend_texts(ax)[0] == "V1: co-drifting"
+    assert legend_texts(ax) == ["V1: co-drifting", "dashed: unstable"]
 
 
 def test_events_of_branches_are_marked_where_they_happen():

@@ -209,7 +209,8 @@ def branches(result: BranchesResult, y: str = "r_max", events: bool = True, ax: 
     ax.margins(x=0.0)
     ax.set_ylim(bottom=min(0.0, ax.get_ylim()[0]))
     parts.quiet_frame(ax)
-    parts.legend_beside(ax, handles + _branch_key(marks))
+    unstable = any(not np.all(branch.stable) for branch in result)
+    parts.legend_beside(ax, handles + _branch_key(marks, unstable))
     return ax
 
 
@@ -293,13 +294,12 @@ def _draw_events(ax: Axes, branch: Branch, y: str, factor: float) -> dict[str, s
     return used
 
 
-def _branch_key(marks: dict[str, str]) -> list[Any]:
+def _branch_key(marks: dict[str, str], unstable: bool) -> list[Any]:
     from matplotlib.lines import Line2D
 
-    lines = [
-        Line2D([], [], color=parts.QUIET, linewidth=2.0, label="attracts"),
-        Line2D([], [], color=parts.QUIET, linewidth=1.2, linestyle=_UNSTABLE, label="unstable"),
-    ]
+    lines = []
+    if unstable:
+        lines.append(Line2D([], [], color=parts.QUIET, linewidth=1.2, linestyle=_UNSTABLE, label="dashed: unstable"))
     return lines + [
         Line2D([], [], linestyle="none", marker=mark, color="white", markeredgecolor=parts.INK, label=cause)
         for cause, mark in marks.items()
