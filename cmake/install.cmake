@@ -18,7 +18,7 @@ foreach(header
     study/ball_details.hpp study/physical_echo.hpp study/study.hpp study/study_value.hpp study/uncertain.hpp study/units.hpp
     transients/transient_table.hpp deciding/decision_rule.hpp deciding/fate.hpp
     model/ball_mode.hpp orbits/balanced_continuum.hpp orbits/ball_events.hpp orbits/orbit.hpp motions/catalogue.hpp
-    motions/motion.hpp proof/certificate.hpp proof/member_certificate.hpp
+    motions/motion.hpp proof/certificate.hpp proof/member_certificate.hpp traps/trap_hints.hpp
     results/attractors_result.hpp results/basin_result.hpp results/branch.hpp results/branches_result.hpp results/capacity_result.hpp
     results/certify_result.hpp results/comparison_result.hpp results/explanation.hpp results/inspection.hpp
     results/machine_page.hpp results/map_figures.hpp results/plane_map.hpp results/sensitivity_result.hpp

@@ -33,6 +33,8 @@ void put_task(Bytes& bytes, const CellDesk::Task& task) {
   put(bytes, task.at.start.informed);
   put(bytes, task.at.start.seeds.size());
   for (const std::vector<double>& seed : task.at.start.seeds) put_list(bytes, seed);
+  put_list(bytes, task.at.start.hints.levels);
+  put_list(bytes, task.at.start.hints.weights);
 }
 
 CellDesk::Task take_task(Reader& reader) {
@@ -43,6 +45,8 @@ CellDesk::Task take_task(Reader& reader) {
   task.at.start.informed = reader.take<bool>();
   for (auto left = reader.take<std::size_t>(); left > 0; --left)
     task.at.start.seeds.push_back(reader.take_list<double>());
+  task.at.start.hints.levels = reader.take_list<LevelHint>();
+  task.at.start.hints.weights = reader.take_list<ModeWeight>();
   return task;
 }
 

@@ -157,8 +157,8 @@ class OtherPages(unittest.TestCase):
     def test_of_a_sweep_along_a_parameter(self):
         page, answer = self.page_of("sweep", ROW, "--over", "speed.final=2.4,2.6", "--starts", "200", "--transients")
         first, second = ({o["id"]: o for o in c["outcomes"]}[1] for c in answer["cells"])
-        self.assertEqual(page.lead, f"The rotor ends balanced most often at speed.final = 2.6: in {words_of(second)} of starts; "
-                                    f"least often at speed.final = 2.4: in {words_of(first)} (95 % confidence in each cell).")
+        self.assertEqual(page.lead, f"The rotor ends balanced most often at final speed 2.6 ω_c: in {words_of(second)} of starts; "
+                                    f"least often at final speed 2.4 ω_c: in {words_of(first)} (95 % confidence in each cell).")
         self.assertEqual(page.tags["svg"], 2)  # stacked shares, peaks
         for cell in answer["cells"]:
             self.assertIn(str(cell["at"]["speed.final"]), page.cells)
@@ -189,21 +189,21 @@ class OtherPages(unittest.TestCase):
                  "0.08:0.14", "--precision", "0.1", "--starts", "200"]
         page, answer = self.page_of(*quick)
         cell = answer["cells"][0]
-        self.assertEqual(page.lead, f"Up to rotor.eccentricity = {cell['value']:.4g} 90 % of starts end balanced: surely up to "
+        self.assertEqual(page.lead, f"Up to eccentricity {cell['value']:.4g} R, 90 % of starts end balanced: surely up to "
                                     f"{cell['low']:.4g}, surely fewer from {cell['high']:.4g} on (95 % confidence).")
         self.assertEqual(page.tags["svg"], 1)
         for trial in cell["trials"]:
             self.assertIn(f"{trial['value']:.6g}", page.cells)
         self.assertIn("no balanced state attracts", page.text)
         page, answer = self.page_of(*quick, "--over", "rotor.damping=0.5,0.6")
-        self.assertIn("The largest rotor.eccentricity at which 90 % of starts end balanced is", page.lead)
+        self.assertIn("The largest eccentricity at which 90 % of starts end balanced is", page.lead)
         for cell in answer["cells"]:
             self.assertIn(f"{cell['low']:.4g} and {cell['high']:.4g}", page.cells)
 
     def test_of_a_map(self):
         page, answer = self.page_of("map", ROW, "--size", "24x16")
         balanced = answer["outcomes"][0]
-        self.assertTrue(page.lead.startswith("Of 384 points over initial.phi_1 and initial.phi_2, "), page.lead)
+        self.assertTrue(page.lead.startswith("Of 384 points over initial angle of ball 1 and initial angle of ball 2, "), page.lead)
         self.assertIn(str(balanced["pixels"]), page.cells)
         self.assertEqual(png_size(page.text), (24, 16))
         large, _ = self.page_of("map", ROW, "--size", "700x4")
@@ -212,7 +212,7 @@ class OtherPages(unittest.TestCase):
 
     def test_drawn_values_are_said_in_the_first_sentence(self):
         drawn = ["--set", "rotor.eccentricity={uniform=[0.005,0.015]}", "--set", "rotor.damping={normal=[0.5,0.02]}"]
-        both = "With rotor.damping and rotor.eccentricity drawn anew for every start, "
+        both = "With rotor damping and eccentricity drawn anew for every start, "
         for command in (["basin", ROW, "--starts", "20"],
                         ["sweep", ROW, "--over", "speed.final=2.6,2.8", "--starts", "20"]):
             with self.subTest(command=command):
@@ -221,7 +221,7 @@ class OtherPages(unittest.TestCase):
                 self.assertIn("uniform 0.005, 0.015", page.text)
         # What is varied is not drawn.
         page, _ = self.page_of("sweep", ROW, "--over", "rotor.damping=0.5,0.6", "--starts", "20", *drawn)
-        self.assertTrue(page.lead.startswith("With rotor.eccentricity drawn anew for every start, "), page.lead)
+        self.assertTrue(page.lead.startswith("With eccentricity drawn anew for every start, "), page.lead)
         page, _ = self.page_of("sweep", ROW, "--over", "speed.final=2.6", "--starts", "20")
         self.assertNotIn("drawn", page.text)
 

@@ -95,6 +95,32 @@ void ensembles(const equipoise::Study& study) {
   expect(equipoise::basin(study, endless).partial, "work stops when it is asked to");
 }
 
+// Starts and integrators of one's own.
+void own_methods(const equipoise::Study& study) {
+  equipoise::BasinOptions options;
+  options.keep_starts = true;
+  for (std::uint64_t i = 0; i < 50; ++i) options.initial.push_back(equipoise::start_of(study, i));
+  const equipoise::BasinResult answer = equipoise::basin(study, options);
+  const equipoise::Mapper mapper(study);
+  const std::vector<equipoise::Fate> fates = mapper(options.initial);
+  expect(answer.starts == 50 && fates[7].time == answer.every_start->decision_time[7],
+         "starts of one's own are decided");
+  expect(mapper.name(mapper(options.initial[7])) == mapper.name(fates[7]), "a state is told by name");
+  equipoise::write_basin_file("outside.nc", answer);
+  expect(equipoise::inspect_file("outside.nc").kind == "basin", "an ensemble is written down from memory");
+  std::remove("outside.nc");
+
+  const equipoise::StudyEquations equations(study);
+  std::vector<double> y = equations.initial_state(), dy(y.size());
+  constexpr double step = 1e-3;  // by which, times a second derivative of the order of one, Euler's method errs
+  for (int k = 0; k < 100; ++k) {
+    equations.rhs(k * step, y.data(), dy.data());
+    for (std::size_t i = 0; i < y.size(); ++i) y[i] += step * dy[i];
+  }
+  const auto there = equipoise::simulate(study, {100 * step});
+  expect(std::fabs(equations.motion(0.1, y.data()).phi[1] - there.phi[1][0]) < step, "an integrator of one's own");
+}
+
 void motions(const equipoise::Study& study) {
   equipoise::AttractorsOptions search;
   search.starts = 500;
@@ -135,6 +161,7 @@ int main() {
   const equipoise::Study study = filled_in_by_code();
   trees();
   ensembles(study);
+  own_methods(study);
   motions(study);
   trajectories(study);
   return failures;

@@ -11,6 +11,7 @@
 #include "equipoise/drawing/raster.hpp"
 #include "equipoise/drawing/sweep_layers.hpp"
 #include "equipoise/pages/answer.hpp"
+#include "equipoise/pages/quantities.hpp"
 #include "equipoise/store/basin_file.hpp"
 
 namespace equipoise {
@@ -62,15 +63,15 @@ SweepResult sweep_of(const std::string& study, const std::vector<std::shared_ptr
 TEST(SweepAnswer, SaysWhereItBalancesMostAndLeast) {
   SweepResult r = sweep_of(constant_speed, {cell_of(60), cell_of(20), cell_of(40)});
   EXPECT_EQ(answer_sentence(r),
-            "The rotor ends balanced most often at speed.final = 2: in 50.2 to 69.1 % of starts; least often at "
-            "speed.final = 3: in 13.3 to 28.9 % (95 % confidence in each cell).");
+            "The rotor ends balanced most often at final speed 2 ω_c: in 50.2 to 69.1 % of starts; least often at "
+            "final speed 3 ω_c: in 13.3 to 28.9 % (95 % confidence in each cell).");
   r.cells[2] = cell_of(60, 5);
-  EXPECT_TRUE(holds(answer_sentence(r), "most often in 2 of 3 cells, such as speed.final = ")) << answer_sentence(r);
-  EXPECT_TRUE(holds(answer_sentence(r), "; up to 5.0 % stay undecided, at speed.final = 4.")) << answer_sentence(r);
+  EXPECT_TRUE(holds(answer_sentence(r), "most often in 2 of 3 cells, such as final speed ")) << answer_sentence(r);
+  EXPECT_TRUE(holds(answer_sentence(r), "; up to 5.0 % stay undecided, at final speed 4 ω_c.")) << answer_sentence(r);
   r.cells[1] = nullptr;
   EXPECT_TRUE(holds(answer_sentence(r), "In each of 2 cells the rotor ends balanced in 50.2 to 69.1 %"));
   r.cells[2] = nullptr;
-  EXPECT_TRUE(holds(answer_sentence(r), "At speed.final = 2 the rotor ends balanced in 50.2 to 69.1 %"));
+  EXPECT_TRUE(holds(answer_sentence(r), "At final speed 2 ω_c the rotor ends balanced in 50.2 to 69.1 %"));
   r.cells[0] = nullptr;
   EXPECT_TRUE(holds(answer_sentence(r), "Nothing is known"));
 }
@@ -78,11 +79,18 @@ TEST(SweepAnswer, SaysWhereItBalancesMostAndLeast) {
 TEST(SweepAnswer, BeginsWithWhatIsDrawnUnlessItIsVaried) {
   SweepResult r = sweep_of(drawn_rotor, {cell_of(60)});
   EXPECT_TRUE(answer_sentence(r).starts_with(
-      "With balancer.drag and rotor.eccentricity drawn anew for every start, at speed.final = 2 the rotor"))
+      "With ball drag and eccentricity drawn anew for every start, at final speed 2 ω_c the rotor"))
       << answer_sentence(r);
   r.axes.front().parameters.front().key = "balancer.drag";
-  EXPECT_TRUE(
-      answer_sentence(r).starts_with("With rotor.eccentricity drawn anew for every start, at balancer.drag = 2"));
+  EXPECT_TRUE(answer_sentence(r).starts_with("With eccentricity drawn anew for every start, at ball drag 2"));
+}
+
+TEST(KeyWords, ArePlain) {
+  EXPECT_EQ(key_words("rotor.damping"), "rotor damping");
+  EXPECT_EQ(key_words("initial.phi_dot_2"), "initial rate of ball 2");
+  EXPECT_EQ(key_words("initial.phi_2"), "initial angle of ball 2");
+  EXPECT_EQ(value_words("speed.speed", "2.4"), "2.4 ω_c");
+  EXPECT_EQ(value_words("speed.final", "900 rpm"), "900 rpm");
 }
 
 TEST(SweepLayers, AreOfAllCellsInOrder) {
@@ -118,16 +126,14 @@ CapacityResult capacity_of(const std::vector<CapacityCell>& cells) {
 TEST(CapacityAnswer, TellsTheBoundaryOrWhatLiesBeyond) {
   const CapacityCell inside{{}, 213.2, 201.0, 220.0, false, false};
   const CapacityCell always{{}, {}, 400.0, 400.0, true, false}, never{{}, {}, 20.0, 20.0, false, true};
-  EXPECT_EQ(
-      answer_sentence(capacity_of({inside})),
-      "Up to rotor.unbalance = 213.2 g mm 95 % of starts end balanced: surely up to 201, surely fewer from 220 on "
-      "(95 % confidence).");
-  EXPECT_TRUE(holds(answer_sentence(capacity_of({always})), "Up to rotor.unbalance = 400 g mm, as far as was looked"));
-  EXPECT_TRUE(holds(answer_sentence(capacity_of({never})), "Nowhere from rotor.unbalance = 20 g mm on"));
-  EXPECT_EQ(
-      answer_sentence(capacity_of({inside, never, always})),
-      "The largest rotor.unbalance at which 95 % of starts end balanced is more than 400 g mm at speed.final = 4; it "
-      "is least at speed.final = 3: less than 20 g mm (95 % confidence).");
+  EXPECT_EQ(answer_sentence(capacity_of({inside})),
+            "Up to unbalance 213.2 g mm, 95 % of starts end balanced: surely up to 201, surely fewer from 220 on "
+            "(95 % confidence).");
+  EXPECT_TRUE(holds(answer_sentence(capacity_of({always})), "Up to unbalance 400 g mm, as far as was looked"));
+  EXPECT_TRUE(holds(answer_sentence(capacity_of({never})), "Nowhere from unbalance 20 g mm on"));
+  EXPECT_EQ(answer_sentence(capacity_of({inside, never, always})),
+            "The largest unbalance at which 95 % of starts end balanced is more than 400 g mm at final speed 4 ω_c; it "
+            "is least at final speed 3 ω_c: less than 20 g mm (95 % confidence).");
 }
 
 TEST(MapAnswer, TellsThePartThatBalances) {
@@ -138,10 +144,10 @@ TEST(MapAnswer, TellsThePartThatBalances) {
   EXPECT_TRUE(holds(answer_sentence(map), "Nothing is known"));
   map.codes = {{balanced_id, "balanced", "", wilson_share(60, 100)},
                {undecided_code, "undecided", "", wilson_share(2, 100)}};
-  EXPECT_EQ(
-      answer_sentence(map),
-      "Of 100 points over initial.phi_1 and initial.phi_2, 50.2 to 69.1 % end balanced (95 % confidence, as of random "
-      "ones); 2.0 % stay undecided.");
+  EXPECT_EQ(answer_sentence(map),
+            "Of 100 points over initial angle of ball 1 and initial angle of ball 2, 50.2 to 69.1 % end balanced (95 % "
+            "confidence, as of random "
+            "ones); 2.0 % stay undecided.");
   map.codes.front().share = wilson_share(0, 100);
   EXPECT_TRUE(holds(answer_sentence(map), "Not one of 100 points over"));
 }

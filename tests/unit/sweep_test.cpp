@@ -1,8 +1,12 @@
 // Sweeps: parameters as people write them, cells to bytes and back, identifiers across cells, blocks.
 #include <gtest/gtest.h>
+#include <unistd.h>
 
 #include <algorithm>
 #include <cmath>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
 #include <limits>
 #include <set>
 #include <string>
@@ -11,7 +15,10 @@
 #include "equipoise/base/error.hpp"
 #include "equipoise/store/result_identity.hpp"
 #include "equipoise/store/sweep_cells.hpp"
+#include "equipoise/store/sweep_file.hpp"
 #include "equipoise/sweeps/attractor_labels.hpp"
+#include "equipoise/sweeps/merge.hpp"
+#include "equipoise/sweeps/sweep.hpp"
 #include "equipoise/sweeps/sweep_axis.hpp"
 #include "equipoise/sweeps/sweep_plan.hpp"
 
@@ -208,6 +215,31 @@ TEST(IdentityLines, TakeApartWhatAPlanPutTogether) {
   EXPECT_EQ(lines.value("rotor.damping"), "[0.5, 0.5]");
   EXPECT_EQ(lines.value("nothing"), "");
   EXPECT_EQ(to_toml(parse_study(lines.study, "again")), to_toml(plan.study()));
+}
+
+std::string content(const std::string& path) {
+  std::ifstream file(path, std::ios::binary);
+  return {std::istreambuf_iterator<char>(file), {}};
+}
+
+// Byte for byte: what is in a file of results does not hang on when it was written.
+TEST(SweepFile, IsTheSameFromMemory) {
+  const std::string folder = testing::TempDir() + "equipoise_" + std::to_string(getpid());
+  const auto axes = sweep_axes({"balancer.drag=0.05,0.1"}, false, "test");
+  const SweepPlan plan({rotor, "rotor.toml", {"sampling.starts=20"}}, axes, {}, "test");
+  SweepOptions options;
+  options.output = folder + "direct.nc";
+  const SweepResult direct = sweep(plan, options);
+  const std::string path = folder + "memory.nc";
+  write_sweep_file(path, direct);
+  EXPECT_EQ(content(path), content(options.output));
+  EXPECT_NE(content(path), "");
+  options.output = path;
+  EXPECT_EQ(sweep(plan, options).resumed_cells, 2u);
+  write_sweep_file(path, stored_sweep(path));
+  EXPECT_EQ(content(path), content(folder + "direct.nc"));
+  std::filesystem::remove(path);
+  std::filesystem::remove(folder + "direct.nc");
 }
 
 }  // namespace

@@ -79,6 +79,7 @@ class BasinRun {
   }
 
   const Catalogue& catalogue() const { return runner_->catalogue(); }
+  TrapHints hints() const { return runner_->hints(); }
 
  private:
   void take_own_starts() {
@@ -448,12 +449,13 @@ bool gathers_transients(const Study& study, const BasinOptions& options) {
 
 int thread_count(int asked) { return asked > 0 ? asked : tbb::info::default_concurrency(); }
 
-BasinResult basin(const Study& study, const BasinOptions& options, Catalogue* catalogue) {
+BasinResult basin(const Study& study, const BasinOptions& options, Catalogue* catalogue, TrapHints* hints) {
   const ChosenCpuTarget chosen(options.cpu_target);
   return reported(options, [&](const BasinOptions& o) {
     BasinRun run(study, o);
     BasinResult result = run.run();
     if (catalogue) *catalogue = run.catalogue();
+    if (hints) *hints = run.hints();
     return result;
   });
 }

@@ -22,6 +22,7 @@ namespace equipoise {
 class Catalogue;
 class ChunkHelp;
 struct DiscoveryCache;
+struct TrapHints;
 
 /// Progress is in stages of the search for attractors (Progress::preparing), then in starts decided, in order; the
 /// total is 0 while sampling until a half-width is reached.
@@ -49,6 +50,7 @@ struct BasinOptions : RunOptions {
   std::vector<std::vector<double>> seeds;
   bool informed =
       false;  ///< the seeds are all of a neighbouring study's: a shorter search (DiscoverySettings::informed)
+  const TrapHints* hints = nullptr;  ///< and its traps, or null
   int search_threads = 0;  ///< before the first start is decided; 0: as `threads`
   /// Who helps to decide starts that are sampled so (basins/chunks.hpp), or null; asked before each sample.
   std::function<ChunkHelp*(SamplingMethod)> help;
@@ -87,8 +89,9 @@ struct StartReplay {
 /// depends on the study and i alone (for one CPU target; see docs/numerics.md).
 /// Throws InputError for studies that cannot be decided (see check_runnable()) and unusable output files,
 /// RunError if the output file fails later.
-/// `catalogue`, if given, receives the attractors found, refined and named.
-BasinResult basin(const Study& study, const BasinOptions& options = {}, Catalogue* catalogue = nullptr);
+/// `catalogue`, if given, receives the attractors found, refined and named, `hints` what is found about their traps.
+BasinResult basin(const Study& study, const BasinOptions& options = {}, Catalogue* catalogue = nullptr,
+                  TrapHints* hints = nullptr);
 
 /// The fate of start `index` (any, also beyond study.sampling.starts; below the number of options.initial), with the
 /// very bits basin() would give it.

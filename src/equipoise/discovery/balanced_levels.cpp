@@ -64,16 +64,17 @@ void prove_levels(std::vector<BalancedTrap>& traps, const TrialSettings& setting
   });
 }
 
-void widen_levels(std::vector<BalancedTrap>& traps, const TrialSettings& settings, double slowest_rate,
-                  const PilotRun& pilot) {
-  if (traps.empty()) return;
+double widen_levels(std::vector<BalancedTrap>& traps, const TrialSettings& settings, double slowest_rate,
+                    const PilotRun& pilot, double near) {
+  if (traps.empty()) return 0.0;
   const std::vector<BalancedTrap> narrow = traps;
   double nearest_foreign = nearest_elsewhere(narrow, settings, slowest_rate, pilot);
   // Twice the level is tried, where no balls may overlap.
   for (const BalancedTrap& trap : narrow)
     nearest_foreign = std::min(nearest_foreign, touching_level(*settings.system, trap));
   level_each(traps, settings.system->parameters(),
-             [&](BalancedTrap& trap) { widen(trap, narrow, settings, slowest_rate, nearest_foreign); });
+             [&](BalancedTrap& trap) { widen(trap, narrow, settings, slowest_rate, nearest_foreign, near); });
+  return traps.front().level / narrow.front().level;
 }
 
 }  // namespace equipoise

@@ -10,8 +10,9 @@
 namespace equipoise {
 
 void prove_levels(std::vector<BalancedTrap>& traps, const TrialSettings& settings);
-/// `slowest_rate`: at which balance is approached, negative.
-void widen_levels(std::vector<BalancedTrap>& traps, const TrialSettings& settings, double slowest_rate,
-                  const PilotRun& pilot);
+/// `slowest_rate`: at which balance is approached, negative. By how much the first one is widened, which `near` may be
+/// near to; 0: not known.
+double widen_levels(std::vector<BalancedTrap>& traps, const TrialSettings& settings, double slowest_rate,
+                    const PilotRun& pilot, double near);
 
 }  // namespace equipoise

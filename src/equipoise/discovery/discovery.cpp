@@ -127,7 +127,8 @@ class Discoverer {
   void find_balanced() {
     stages_.begin("balanced states");
     BalancedAnalysis& balanced = result_.balanced;
-    balanced = analyse_balanced(system_, settings_.stop);
+    balanced = analyse_balanced(system_, settings_.stop, settings_.hints.weights);
+    result_.hints.weights = balanced.weights;
     const auto part = balanced.continuum ? std::optional<ContinuumPart>(balanced.survey) : std::nullopt;
     for (const Motion& motion : balanced.motions) result_.catalogue.add(study_.parameters, motion, part);
     if (is_stopped()) return;
@@ -160,7 +161,10 @@ class Discoverer {
     if (study_.numerics.decide == DecideMode::proof)
       prove_levels(result_.rule.balanced, trials_);
     else if (system_.plain() || result_.balanced.slowest_rate < -slowest_worth_widening)
-      widen_levels(result_.rule.balanced, trials_, result_.balanced.slowest_rate, pilot_);
+      result_.hints.levels.push_back(
+          {balanced_id, false,
+           widen_levels(result_.rule.balanced, trials_, result_.balanced.slowest_rate, pilot_,
+                        settings_.hints.level(balanced_id, false))});
   }
 
   // Decides the first `count` of the pilot's starts by the rule as it stands.
@@ -306,11 +310,21 @@ class Discoverer {
 
   void add_traps(const Motion& motion, int id) {
     if (motion.eventful) return;  // windows tell it
-    auto torus = system_.smooth() ? torus_trap(system_, motion, id, trials_) : nullptr;
-    if (torus) tori_.push_back(std::move(torus));
+    if (system_.smooth() && motion.kind == MotionKind::quasi_periodic) add_torus(motion, id);
     std::vector<CycleTrap> traps = cycle_traps(system_, motion, id);
-    if (traps.empty() || !validate(traps, trials_, motion.orbit.slowest_rate())) return;
+    if (traps.empty() || !validate(traps, trials_, motion.orbit.slowest_rate(), settings_.hints.level(id, false)))
+      return;
+    result_.hints.levels.push_back({id, false, traps.front().level});
     for (CycleTrap& trap : traps) cycles_.push_back(std::make_shared<CycleTrap>(std::move(trap)));
+  }
+
+  // Where the neighbour's has none it is not looked for: that takes long, and windows tell the torus too.
+  void add_torus(const Motion& motion, int id) {
+    const LevelHint* hint = settings_.hints.find(id, true);
+    auto torus = hint && hint->level == 0.0 ? nullptr
+                                            : torus_trap(system_, motion, id, trials_, hint ? hint->level : 0.0);
+    result_.hints.levels.push_back({id, true, torus ? torus->level() : 0.0});
+    if (torus) tori_.push_back(std::move(torus));
   }
 
   // Around what the scouts of each attractor did.
@@ -399,7 +413,9 @@ Discovery discover(const Study& study, const DiscoverySettings& settings) {
     return Discoverer(steady, *source, settings).run();
   };
   if (!settings.cache) return make();
-  const std::string key = fmt::format("{}\n{}\n{}", to_toml(steady), settings.seeds, settings.informed);
+  std::string key = fmt::format("{}\n{}\n{}", to_toml(steady), settings.seeds, settings.informed);
+  for (const LevelHint& h : settings.hints.levels) key += fmt::format("\n{} {} {}", h.attractor, h.torus, h.level);
+  for (const ModeWeight& w : settings.hints.weights) key += fmt::format("\n{} {} {}", w.re, w.im, w.weight);
   if (const auto at = settings.cache->made.find(key); at != settings.cache->made.end()) return at->second;
   Discovery discovery = make();
   if (!discovery.stopped) settings.cache->made.emplace(key, discovery);

@@ -13,6 +13,7 @@
 #include "equipoise/motions/catalogue.hpp"
 #include "equipoise/study/study.hpp"
 #include "equipoise/traps/balanced_analysis.hpp"
+#include "equipoise/traps/trap_hints.hpp"
 
 namespace equipoise {
 
@@ -29,16 +30,18 @@ struct DiscoverySettings {
   /// The seeds are all that was found at a neighbouring parameter: a pilot of a quarter of the starts then looks for
   /// what is new. What that misses is listed once a start comes to it, as ever.
   bool informed = false;
+  TrapHints hints = {};  ///< of the neighbour's search, if informed
 };
 
 /// Everything found before the first start is decided. Depends on the rotor, its final speed, [numerics],
-/// settings.seeds and settings.informed alone (each state where the rotor's angle is 0, if that matters): not on how a
+/// settings.seeds, informed and hints alone (each state where the rotor's angle is 0, if that matters): not on how a
 /// prescribed speed is reached, so that all spin-ups to one speed share it. A driven rotor's depends on its whole
 /// spin-up.
 struct Discovery {
   BalancedAnalysis balanced;
   Catalogue catalogue;
   DecisionRule rule;
+  TrapHints hints;  ///< for a neighbour's search
   bool stopped = false;
 };
 

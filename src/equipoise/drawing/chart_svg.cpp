@@ -40,14 +40,16 @@ ChartExtents extents_of(const Chart& chart) {
   return extents;
 }
 
-void draw_series(Svg& svg, const SvgAxes& axes, const ChartSeries& s) {
+// `above`: series that are drawn over this one, by which its line is the wider, to be seen where they coincide.
+void draw_series(Svg& svg, const SvgAxes& axes, const ChartSeries& s, std::size_t above) {
   const bool points = s.style == ChartSeries::Style::points, dashed = s.style == ChartSeries::Style::dashed;
   std::vector<SvgPoint> way;
   for (std::size_t i = 0; i < s.x.size(); ++i) way.push_back(axes.at(s.x[i], s.y[i]));
-  if (!points) svg.path(way, {s.colour, "", 1.6, 1.0, dashed});
+  const double wider = 1.4 * static_cast<double>(std::min<std::size_t>(above, 3));
+  if (!points) svg.path(way, {s.colour, "", 1.6 + wider, 1.0, dashed});
   for (std::size_t i = 0; i < s.low.size(); ++i) {
     const SvgPoint low = axes.at(s.x[i], s.low[i]), high = axes.at(s.x[i], s.high[i]);
-    svg.line(low, high, {s.colour, "", 1.3});
+    svg.line(low, high, {s.colour, "", 1.3 + wider});
     for (const SvgPoint& end : {low, high}) svg.line({end.x - 3.0, end.y}, {end.x + 3.0, end.y}, {s.colour, "", 1.3});
   }
   if (!dashed)
@@ -80,7 +82,8 @@ std::string chart_svg(const Chart& chart, const std::string& described) {
   const ChartExtents extents = extents_of(chart);
   const SvgAxes axes(svg, drawing_top_left, drawing_bottom_right, extents.x, extents.y, {chart.x_label},
                      {chart.y_label});
-  for (const ChartSeries& s : chart.series) draw_series(svg, axes, s);
+  for (std::size_t k = 0; k < chart.series.size(); ++k)
+    draw_series(svg, axes, chart.series[k], chart.series.size() - 1 - k);
   draw_legend(svg, drawing_height, entries);
   return svg.str();
 }

@@ -56,6 +56,8 @@ class Runner {
   virtual bool one_by_one() const = 0;
   virtual const Catalogue& catalogue() const = 0;
   virtual BalanceNote balance() const = 0;
+  /// What the search for attractors found that a neighbour's may begin with.
+  virtual TrapHints hints() const { return {}; }
   /// Study time from which decision times are counted.
   virtual double settled() const = 0;
   /// Stopped before it could begin.

@@ -45,6 +45,7 @@ class StartRunner : public Runner {
   bool one_by_one() const override { return false; }
   const Catalogue& catalogue() const override { return catalogue_; }
   BalanceNote balance() const override { return {discovery_.balanced.stable, discovery_.balanced.note}; }
+  TrapHints hints() const override { return discovery_.hints; }
   double settled() const override { return source_->settled(); }
   bool stopped() const override { return discovery_.stopped; }
 

@@ -6,7 +6,7 @@
 
 namespace equipoise {
 
-/// "With rotor.unbalance and rotor.damping drawn anew for every start, the rotor ends ..."; the sentence itself if
+/// "With unbalance and rotor damping drawn anew for every start, the rotor ends ..."; the sentence itself if
 /// there are no keys.
 std::string after_what_is_drawn(std::vector<std::string> keys, std::string sentence);
 

@@ -80,6 +80,7 @@ std::vector<std::string> drawn_keys(const Study& study, const std::vector<std::s
 
 std::string after_what_is_drawn(std::vector<std::string> keys, std::string sentence) {
   if (keys.empty()) return sentence;
+  std::transform(keys.begin(), keys.end(), keys.begin(), key_words);
   const std::string last = keys.back();
   keys.pop_back();
   sentence.front() = static_cast<char>(std::tolower(static_cast<unsigned char>(sentence.front())));

@@ -16,8 +16,8 @@ std::string share_words(const Share& share);
 
 /// "The rotor ends balanced in 97.1 to 98.9 % of starts (95 % confidence); 5 mm is exceeded on the way in 1.6 to 2.5
 /// %." Undecided starts are said, and bounds that hold whatever they come to; limits that the study does not have are
-/// not. Of a study with uncertain values it begins with what is drawn: "With rotor.unbalance drawn anew for every
-/// start, the rotor ends ...".
+/// not. Of a study with uncertain values it begins with what is drawn: "With unbalance drawn anew for every start,
+/// the rotor ends ...".
 std::string answer_sentence(const BasinResult& result);
 
 /// Where it balances most often and least often, how often at worst a limit is exceeded, what stays undecided at most.

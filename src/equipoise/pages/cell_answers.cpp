@@ -28,12 +28,21 @@ std::vector<std::size_t> done_cells(const SweepResult& r) {
 
 const Share& balanced_share(const SweepResult& r, std::size_t cell) { return r.cells[cell]->outcomes.front().share; }
 
-// "at speed.final = 2.4", "in 3 of 12 cells, such as speed.final = 2.4": those alike in their balanced share.
+// "final speed 2.4 ω_c, ball drag 0.05".
+std::string cell_words(const std::vector<SweepAxis>& axes, std::size_t cell) {
+  std::string words;
+  visit_parameters(axes, cell, [&](const SweepParameter& p, std::size_t k) {
+    words += (words.empty() ? "" : ", ") + key_words(p.key) + " " + value_words(p.key, p.given[k]);
+  });
+  return words;
+}
+
+// "at final speed 2.4 ω_c", "in 3 of 12 cells, such as final speed 2.4 ω_c": those alike in their balanced share.
 std::string where(const SweepResult& r, const std::vector<std::size_t>& cells, std::size_t one) {
   const auto alike = std::count_if(cells.begin(), cells.end(), [&](std::size_t cell) {
     return balanced_share(r, cell).share == balanced_share(r, one).share;
   });
-  const std::string title = cell_title(r.axes, one);
+  const std::string title = cell_words(r.axes, one);
   return alike == 1 ? "at " + title : fmt::format("in {} of {} cells, such as {}", alike, cells.size(), title);
 }
 
@@ -45,7 +54,7 @@ std::string balance_over(const SweepResult& r, const std::vector<std::size_t>& c
   const std::size_t best = *std::max_element(cells.begin(), cells.end(), less);
   const std::string most = share_words(balanced_share(r, best)), least = share_words(balanced_share(r, worst));
   if (cells.size() == 1)
-    return fmt::format("At {} the rotor ends balanced in {} of starts (95 % confidence)", cell_title(r.axes, best),
+    return fmt::format("At {} the rotor ends balanced in {} of starts (95 % confidence)", cell_words(r.axes, best),
                        most);
   if (!less(worst, best))
     return fmt::format("In each of {} cells the rotor ends balanced in {} of starts (95 % confidence)", cells.size(),
@@ -84,15 +93,16 @@ std::string limits_over(const SweepResult& r, const std::vector<std::size_t>& ce
   return text;
 }
 
-std::string range_word(const CapacityResult& r, double value) {
-  return fmt::format("{:.4g}{}{}", value, r.unit.empty() ? "" : " ", r.unit);
+// "213.2 g mm".
+std::string sought_value(const CapacityResult& r, double value) {
+  return value_words(r.key, fmt::format("{:.4g}{}{}", value, r.unit.empty() ? "" : " ", r.unit));
 }
 
 // "213 g mm (surely between 201 and 220)".
 std::string capacity_words(const CapacityResult& r, const CapacityCell& cell) {
-  if (cell.never) return "less than " + range_word(r, r.from);
-  if (cell.always) return "more than " + range_word(r, r.to);
-  return fmt::format("{} (surely between {:.4g} and {:.4g})", range_word(r, *cell.value), cell.low, cell.high);
+  if (cell.never) return "less than " + sought_value(r, r.from);
+  if (cell.always) return "more than " + sought_value(r, r.to);
+  return fmt::format("{} (surely between {:.4g} and {:.4g})", sought_value(r, *cell.value), cell.low, cell.high);
 }
 
 // Orders also what lies beyond the range.
@@ -102,13 +112,14 @@ double rank(const CapacityResult& r, const CapacityCell& cell) {
 }
 
 std::string lone_capacity(const CapacityResult& r, const CapacityCell& cell, const std::string& starts) {
+  const std::string what = key_words(r.key);
   if (cell.never)
-    return fmt::format("Nowhere from {} = {} on do {} end balanced: already there it is less", r.key,
-                       range_word(r, r.from), starts);
+    return fmt::format("Nowhere from {} {} on do {} end balanced: already there it is less", what,
+                       sought_value(r, r.from), starts);
   if (cell.always)
-    return fmt::format("Up to {} = {}, as far as was looked, {} end balanced", r.key, range_word(r, r.to), starts);
-  return fmt::format("Up to {} = {} {} end balanced: surely up to {:.4g}, surely fewer from {:.4g} on", r.key,
-                     range_word(r, *cell.value), starts, cell.low, cell.high);
+    return fmt::format("Up to {} {}, as far as was looked, {} end balanced", what, sought_value(r, r.to), starts);
+  return fmt::format("Up to {} {}, {} end balanced: surely up to {:.4g}, surely fewer from {:.4g} on", what,
+                     sought_value(r, *cell.value), starts, cell.low, cell.high);
 }
 
 }  // namespace
@@ -123,7 +134,7 @@ std::string answer_sentence(const SweepResult& r) {
   });
   if (const Share& undecided = r.cells[*open]->undecided; undecided.count > 0)
     text += fmt::format("; up to {} stay undecided, at {}", percent(undecided.share, digits_for(undecided)),
-                        cell_title(r.axes, *open));
+                        cell_words(r.axes, *open));
   return after_what_is_drawn(keys, text + ".");
 }
 
@@ -136,7 +147,7 @@ std::string answer_sentence(const CapacityResult& r) {
   set.push_back(r.key);
   const std::vector<std::string> keys = drawn_keys(r.study, set);
   const std::string starts = fmt::format("{:.4g} % of starts", 100.0 * r.at_least);
-  const auto title = [&](std::size_t cell) { return cell_title(r.axes, cell); };
+  const auto title = [&](std::size_t cell) { return cell_words(r.axes, cell); };
   if (cells.size() == 1) {
     std::string text = lone_capacity(r, *r.cells[cells.front()], starts) + " (95 % confidence)";
     if (!r.axes.empty()) text += ", at " + title(cells.front());
@@ -146,11 +157,11 @@ std::string answer_sentence(const CapacityResult& r) {
   const auto [worst, best] = std::minmax_element(cells.begin(), cells.end(), less);
   if (!less(*worst, *best))
     return after_what_is_drawn(
-        keys, fmt::format("The largest {} at which {} end balanced is {} in each of {} cells (95 % confidence).", r.key,
-                          starts, capacity_words(r, *r.cells[*best]), cells.size()));
+        keys, fmt::format("The largest {} at which {} end balanced is {} in each of {} cells (95 % confidence).",
+                          key_words(r.key), starts, capacity_words(r, *r.cells[*best]), cells.size()));
   return after_what_is_drawn(
       keys, fmt::format("The largest {} at which {} end balanced is {} at {}; it is least at {}: {} (95 % confidence).",
-                        r.key, starts, capacity_words(r, *r.cells[*best]), title(*best), title(*worst),
+                        key_words(r.key), starts, capacity_words(r, *r.cells[*best]), title(*best), title(*worst),
                         capacity_words(r, *r.cells[*worst])));
 }
 
@@ -162,7 +173,7 @@ std::string answer_sentence(const PlaneMap& map) {
       std::find_if(map.codes.begin(), map.codes.end(), [](const MapCode& c) { return c.share.total > 0; });
   if (of_all == map.codes.end()) return "Nothing is known: stopped before any pixel was done.";
   const std::uint64_t points = of_all->share.total;
-  const std::string plane = fmt::format("{} points over {} and {}", points, map.x.key, map.y.key);
+  const std::string plane = fmt::format("{} points over {} and {}", points, key_words(map.x.key), key_words(map.y.key));
   const auto balanced = with(balanced_id);
   const bool none = balanced == map.codes.end() || balanced->share.count == 0;
   std::string text = none ? fmt::format("Not one of {} ends balanced", plane)

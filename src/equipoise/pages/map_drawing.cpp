@@ -70,9 +70,9 @@ std::string map_svg(const PlaneMap& map) {
       entries.emplace_back(colour_of(c.code), fmt::format("{}{}, {}", c.alias.empty() ? "" : c.alias + ": ", c.name,
                                                           percent(c.share.share, 1)));
   Svg svg(drawing_width, below + legend_height(entries), "Outcome of the start at every point of the plane");
-  svg.image(top_left, frame, frame, png_bytes(raster_of(map)));
   const SvgAxes axes(svg, top_left, bottom_right, {map.x.low, map.x.high}, {map.y.low, map.y.high},
                      words_for(map.study, map.x), words_for(map.study, map.y));
+  svg.image(top_left, frame, frame, png_bytes(raster_of(map)));  // over the grid
   draw_border(svg, axes, zero_line(map, map.balance_margin), true);
   draw_border(svg, axes, zero_line(map, map.balance_growth), false);
   draw_legend(svg, below, entries);

@@ -13,6 +13,7 @@
 #include "equipoise/pages/map_drawing.hpp"
 #include "equipoise/pages/page_parts.hpp"
 #include "equipoise/report/text.hpp"
+#include "equipoise/store/basin_file.hpp"
 
 namespace equipoise {
 
@@ -58,11 +59,13 @@ class MapDocument {
 
   void outcomes() {
     DocumentTable table{{"outcome", "of the points", "95 % interval", "points"}, {}, "", false, {3}};
-    for (const MapCode& c : map_.codes)
+    for (const MapCode& c : map_.codes) {
+      if (c.share.count == 0 && c.code < undecided_code) continue;
       table.rows.push_back({{c.alias.empty() ? c.name : fmt::format("{} ({})", c.name, c.alias)},
                             share_cell(c.share),
                             number_cell(interval(c.share)),
                             number_cell(fmt::format("{}", c.share.count))});
+    }
     table.caption = "Points lie on a grid; the interval is that of as many random ones.";
     add(std::move(table));
   }

@@ -2,7 +2,10 @@
 #include "equipoise/pages/quantities.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <string_view>
+#include <utility>
 
 #include <fmt/format.h>
 
@@ -47,6 +50,30 @@ std::string page_number(double value) {
   if (!(size >= 1000.0 && size < 1e7)) return fmt::format("{:.3g}", value);
   const double unit = std::pow(10.0, std::floor(std::log10(size)) - 3.0);
   return fmt::format("{:.0f}", std::round(value / unit) * unit);
+}
+
+std::string key_words(const std::string& key) {
+  constexpr std::array<std::pair<const char*, const char*>, 6> known{{{"speed.final", "final speed"},
+                                                                      {"speed.speed", "final speed"},
+                                                                      {"rotor.unbalance", "unbalance"},
+                                                                      {"rotor.eccentricity", "eccentricity"},
+                                                                      {"balancer.mass", "ball mass"},
+                                                                      {"balancer.drag", "ball drag"}}};
+  for (const auto& [name, words] : known)
+    if (key == name) return words;
+  constexpr std::string_view angle = "initial.phi_", rate = "initial.phi_dot_";
+  if (key.starts_with(rate)) return "initial rate of ball " + key.substr(rate.size());
+  if (key.starts_with(angle)) return "initial angle of ball " + key.substr(angle.size());
+  std::string words = key;
+  std::replace_if(
+      words.begin(), words.end(), [](char c) { return c == '.' || c == '_'; }, ' ');
+  return words;
+}
+
+std::string value_words(const std::string& key, const std::string& value) {
+  if (value.find(' ') != std::string::npos) return value;
+  if (key == "speed.final" || key == "speed.speed") return value + " ω_c";
+  return key == "rotor.eccentricity" ? value + " R" : value;
 }
 
 PageQuantities::Unit PageQuantities::unit(double value, Dimension d) const {

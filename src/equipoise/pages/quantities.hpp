@@ -13,6 +13,11 @@ namespace equipoise {
 /// Three digits, four of what has as many before the point: "0.0331", "3573", "12350".
 std::string page_number(double value);
 
+/// A key of a study in words: "final speed", "unbalance", "ball drag", "initial angle of ball 1".
+std::string key_words(const std::string& key);
+/// A key's value as it was given; a plain number of what has a symbol gets that: "2.4 ω_c".
+std::string value_words(const std::string& key, const std::string& value);
+
 class PageQuantities {
  public:
   explicit PageQuantities(const Study& study) : scales_(study.scales) {}

@@ -113,7 +113,7 @@ std::string stacked_svg(const SweepResult& r) {
   std::vector<double> x, sum(cells.size(), 0.0);
   for (const std::size_t k : cells) x.push_back(p.values[k]);
   const bool lone = x.size() == 1;
-  const AxisExtent across = lone ? widened({x[0], x[0]}, 0.0) : AxisExtent{x.front(), x.back()};
+  const AxisExtent across = widened(AxisExtent{x.front(), x.back()}, lone ? 0.0 : 0.02);
   SvgAxes axes(svg, drawing_top_left, drawing_bottom_right, across, {0.0, 100.0}, {sweep_axis_label(p)},
                {"share of starts, %"});
   for (const SweepLayer& layer : layers) {

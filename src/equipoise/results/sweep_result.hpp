@@ -11,6 +11,7 @@
 #include "equipoise/results/transient_result.hpp"
 #include "equipoise/statistics/share.hpp"
 #include "equipoise/study/study.hpp"
+#include "equipoise/traps/trap_hints.hpp"
 
 namespace equipoise {
 
@@ -51,6 +52,7 @@ struct SweepCell {
   std::shared_ptr<const TransientGroup> transients;  ///< of all starts, if they are gathered
   bool balanced_stable = false;
   std::string note;
+  TrapHints hints;  ///< what the next cell's search begins with besides the motions
 };
 
 /// By index: the last axis' values follow one another; null: not done. Pointers, for most of a large sweep's are.

@@ -108,6 +108,22 @@ void visit_members(Visitor&& v, S& s) {
 }
 
 template <class Visitor, class S>
+requires std::is_same_v<std::remove_const_t<S>, LevelHint>
+void visit_members(Visitor&& v, S& s) {
+  v("attractor", s.attractor);
+  v("torus", s.torus);
+  v("level", s.level);
+}
+
+template <class Visitor, class S>
+requires std::is_same_v<std::remove_const_t<S>, ModeWeight>
+void visit_members(Visitor&& v, S& s) {
+  v("re", s.re);
+  v("im", s.im);
+  v("weight", s.weight);
+}
+
+template <class Visitor, class S>
 requires std::is_same_v<std::remove_const_t<S>, SweepCell>
 void visit_members(Visitor&& v, S& s) {
   v("starts", s.starts);
@@ -120,6 +136,8 @@ void visit_members(Visitor&& v, S& s) {
   v("transients", s.transients);
   v("balanced_stable", s.balanced_stable);
   v("note", s.note);
+  v("levels", s.hints.levels);
+  v("weights", s.hints.weights);
 }
 
 template <class Visitor, class S>

@@ -13,6 +13,7 @@
 
 #include "equipoise/basins/chunks.hpp"
 #include "equipoise/study/study.hpp"
+#include "equipoise/traps/trap_hints.hpp"
 
 namespace equipoise {
 
@@ -20,6 +21,7 @@ namespace equipoise {
 struct CellStart {
   std::vector<std::vector<double>> seeds;
   bool informed = false;
+  TrapHints hints;
   bool operator==(const CellStart&) const = default;
 };
 

@@ -10,6 +10,7 @@ BasinOptions cell_options(const SweepPlan& plan, const CellStart& start) {
   options.transients = plan.transients();
   options.seeds = start.seeds;
   options.informed = start.informed;
+  options.hints = &start.hints;
   return options;
 }
 

@@ -8,7 +8,7 @@
 
 namespace equipoise {
 
-/// What is asked of a cell's ensemble, whoever works on it.
+/// What is asked of a cell's ensemble, whoever works on it; for as long as `start` is there.
 BasinOptions cell_options(const SweepPlan& plan, const CellStart& start);
 
 /// The starts of a cell that another process works on. It searches as that one does, from where that began, and so

@@ -65,6 +65,7 @@ class Chain {
       for (const SweepOutcome& outcome : before->outcomes)
         if (outcome.state.size() == size) start_.seeds.push_back(outcome.state);
       start_.informed = !start_.seeds.empty();
+      start_.hints = start_.informed ? before->hints : TrapHints{};
     }
     subject_ = subject;
   }
@@ -120,9 +121,11 @@ bool run_block(const SweepPlan& plan, std::size_t block, const std::function<con
     if (workers.desk && options.half_width == 0.0)
       workers.desk->announce({index, chain.start(), study.sampling.method.value_or(SamplingMethod::random)});
     Catalogue catalogue;
-    const BasinResult result = basin(study, options, &catalogue);
+    TrapHints hints;
+    const BasinResult result = basin(study, options, &catalogue, &hints);
     if (result.partial) return false;
     before = cell_of(result, catalogue);
+    before->hints = std::move(hints);
     deliver(index, *before);
   }
   return true;

@@ -83,7 +83,8 @@ std::string instability(const BalancedAnalysis& result, double speed) {
   return fmt::format("the balanced state exists but is not linearly stable at speed {} (largest rate 0)", speed);
 }
 
-void analyse_isolated(const Balance& at, const StopFlag* stop, BalancedAnalysis& result) {
+void analyse_isolated(const Balance& at, const StopFlag* stop, const std::vector<ModeWeight>& known,
+                      BalancedAnalysis& result) {
   const model::Parameters& p = at.system.parameters();
   std::vector<Angles> angles = result.states.angles;
   const bool images = p.balls == 2 && p.equal_balls() && angles.size() == 2;
@@ -105,7 +106,9 @@ void analyse_isolated(const Balance& at, const StopFlag* stop, BalancedAnalysis&
     slowest = std::max(slowest, rate);
     result.stable = true;
     if (!at.system.autonomous()) continue;
-    result.traps.push_back(balanced_trap(at.system, phi));
+    std::vector<ModeWeight> weights = known;
+    result.traps.push_back(balanced_trap(at.system, phi, weights));
+    if (result.weights.empty()) result.weights = std::move(weights);
     BalancedTrap& trap = result.traps.back();
     set_level(trap, std::min(trap.level, touching_level(at.system, trap)));
     if (images) result.traps.push_back(exchanged(result.traps.back()));
@@ -121,7 +124,8 @@ void analyse_isolated(const Balance& at, const StopFlag* stop, BalancedAnalysis&
 
 }  // namespace
 
-BalancedAnalysis analyse_balanced(const model::System& system, const StopFlag* stop) {
+BalancedAnalysis analyse_balanced(const model::System& system, const StopFlag* stop,
+                                  const std::vector<ModeWeight>& weights) {
   using Kind = model::BalancedStates::Kind;
   constexpr double any_speed = 1.0;
   BalancedAnalysis result;
@@ -136,7 +140,7 @@ BalancedAnalysis analyse_balanced(const model::System& system, const StopFlag* s
   } else if (result.states.kind == Kind::family) {
     analyse_continuum(at, stop, result);
   } else {
-    analyse_isolated(at, stop, result);
+    analyse_isolated(at, stop, weights, result);
   }
   return result;
 }

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <complex>
 #include <limits>
 #include <utility>
 
@@ -65,9 +66,23 @@ class EntryTime {
   std::vector<Eigen::VectorXd> amplitudes_;
 };
 
+// What the nearest eigenvalues weigh.
+Eigen::VectorXd weights_from(const std::vector<ModeWeight>& known, const Modes& modes) {
+  Eigen::VectorXd weights(modes.rates.size());
+  for (Eigen::Index k = 0; k < weights.size(); ++k) {
+    const auto away = [&](const ModeWeight& w) { return std::abs(modes.rates[k] - std::complex<double>(w.re, w.im)); };
+    weights[k] = std::min_element(known.begin(), known.end(), [&](const ModeWeight& x, const ModeWeight& y) {
+                   return away(x) < away(y);
+                 })->weight;
+  }
+  return weights;
+}
+
 // The modal form whose weights make the entry time small: coordinate search over one weight a conjugate
-// pair. Unit weights on unit vectors are within a factor of two of the best in every row of the paper.
-Eigen::MatrixXd best_modal_form(const model::System& system, const Eigen::VectorXd& centre, const Eigen::MatrixXd& a) {
+// pair. Unit weights on unit vectors are within a factor of two of the best in every row of the paper. Those of a
+// neighbour, where they are better, are good enough.
+Eigen::MatrixXd best_modal_form(const model::System& system, const Eigen::VectorXd& centre, const Eigen::MatrixXd& a,
+                                std::vector<ModeWeight>& known) {
   const Modes modes = left_modes(a);
   const Eigen::Index size = modes.rates.size();
   Eigen::VectorXd weights = Eigen::VectorXd::Ones(size);
@@ -76,8 +91,11 @@ Eigen::MatrixXd best_modal_form(const model::System& system, const Eigen::Vector
     return entry_time(w, level_by_rays(system, centre, modal_form(modes, w), rays_while_weighing));
   };
   double least = cost(weights);
+  const int sweeps = known.empty() ? 3 : 0;
+  if (!known.empty())
+    if (const Eigen::VectorXd near = weights_from(known, modes); cost(near) < least) weights = near;
   for (double factor : {2.0, 1.4}) {
-    for (int sweep = 0; sweep < 3; ++sweep) {
+    for (int sweep = 0; sweep < sweeps; ++sweep) {
       bool improved = false;
       for (Eigen::Index k = 0; k < size; ++k) {
         if (modes.rates[k].imag() < 0.0) continue;  // moves with its conjugate
@@ -98,6 +116,8 @@ Eigen::MatrixXd best_modal_form(const model::System& system, const Eigen::Vector
       if (!improved) break;
     }
   }
+  known.clear();
+  for (Eigen::Index k = 0; k < size; ++k) known.push_back({modes.rates[k].real(), modes.rates[k].imag(), weights[k]});
   return modal_form(modes, weights);
 }
 
@@ -122,21 +142,31 @@ BalancedTrap make_trap(const Angles& phi, const Centre& centre, const Eigen::Mat
 
 // The form whose sampled level set is entered soonest, among modal ones and Lyapunov's for Q = 1 (where modes are
 // nearly defective the former degenerate).
-BalancedTrap isolated_trap(const model::System& system, const Angles& phi, double speed) {
+BalancedTrap isolated_trap(const model::System& system, const Angles& phi, double speed,
+                           std::vector<ModeWeight>& weights) {
   const Eigen::VectorXd state = model::balanced_state(system, speed, phi.data());
   const Eigen::MatrixXd a = model::jacobian(system, state);
-  const Eigen::MatrixXd modal = best_modal_form(system, state, a);
+  const bool near = !weights.empty();
+  const Eigen::MatrixXd modal = best_modal_form(system, state, a, weights);
   const Eigen::MatrixXd plain = solve_lyapunov(a, Eigen::MatrixXd::Identity(a.rows(), a.cols()));
-  const double modal_level = critical_level(system, state, modal, rays_for_level);
-  const double plain_level = critical_level(system, state, plain, rays_for_level);
+  const auto level_of = [&](const Eigen::MatrixXd& form) {
+    return critical_level(system, state, form, rays_for_level);
+  };
   const auto log_volume = [&](const Eigen::MatrixXd& form, double level) {
     return level > 0.0 ? 0.5 * (a.rows() * std::log(level) - std::log(dense::determinant(form))) : -1e300;
   };
+  // Which one is better few rays tell well enough where the modes' weights are known.
+  const auto first_level = [&](const Eigen::MatrixXd& form) {
+    return near ? level_by_rays(system, state, form, rays_while_weighing) : level_of(form);
+  };
+  const double modal_level = first_level(modal), plain_level = first_level(plain);
   const bool use_modal = log_volume(modal, modal_level) >= log_volume(plain, plain_level);
+  const Eigen::MatrixXd& form = use_modal ? modal : plain;
+  const double level = near ? level_of(form) : use_modal ? modal_level : plain_level;
   Centre centre{};
   std::copy(state.begin(), state.end(), centre.begin());
   std::fill_n(centre.begin() + model::index::phi(0), system.balls(), 0.0);
-  return make_trap(phi, centre, use_modal ? modal : plain, level_margin * (use_modal ? modal_level : plain_level));
+  return make_trap(phi, centre, form, level_margin * level);
 }
 
 // What mirrors a state: of the rotor that turns the other way.
@@ -173,13 +203,13 @@ BalancedTrap exchanged(const BalancedTrap& trap) {
 }
 
 // What is searched for is searched for of the rotor that turns forwards, so that mirror images have the same level.
-BalancedTrap balanced_trap(const model::System& system, const Angles& phi) {
+BalancedTrap balanced_trap(const model::System& system, const Angles& phi, std::vector<ModeWeight>& weights) {
   const double speed = model::balanced_speed(system).value_or(0.0), forwards = std::fabs(speed);
   Angles angles = phi;
   const bool backwards = speed < 0.0, equal = system.balls() == 2 && system.parameters().equal_balls();
   for (int i = 0; backwards && i < system.balls(); ++i) angles[i] = -phi[i];
   if (backwards && equal) std::swap(angles[0], angles[1]);  // of equal balls both states are made from the first
-  const BalancedTrap trap = isolated_trap(backwards ? reflected(system) : system, angles, forwards);
+  const BalancedTrap trap = isolated_trap(backwards ? reflected(system) : system, angles, forwards, weights);
   if (!backwards) return trap;
   return reflected(system, equal ? exchanged(trap) : trap);
 }

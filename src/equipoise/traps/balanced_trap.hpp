@@ -2,18 +2,21 @@
 #pragma once
 
 #include <array>
+#include <vector>
 
 #include <Eigen/Core>
 
 #include "equipoise/deciding/decision_rule.hpp"
 #include "equipoise/model/system.hpp"
+#include "equipoise/traps/trap_hints.hpp"
 
 namespace equipoise {
 
 /// The trap of the linearly stable balanced state at ball angles `phi` of a smooth system of section none. Its level is
 /// level_margin times the smallest value of V at which dV/dt >= 0 was found by sampling rays and descending from the
-/// worst.
-BalancedTrap balanced_trap(const model::System& system, const std::array<double, model::max_balls>& phi);
+/// worst. `weights`: what its modes weigh; those of a neighbouring parameter, or none, before.
+BalancedTrap balanced_trap(const model::System& system, const std::array<double, model::max_balls>& phi,
+                           std::vector<ModeWeight>& weights);
 
 /// The trap of the other balanced state of two equal balls.
 BalancedTrap exchanged(const BalancedTrap& trap);

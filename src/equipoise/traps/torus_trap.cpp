@@ -238,15 +238,16 @@ bool all_approach(const std::shared_ptr<TorusTrap>& trap, const TrialSettings& s
 }  // namespace
 
 std::shared_ptr<const TorusTrap> torus_trap(const model::System& system, const Motion& motion, int attractor,
-                                            const TrialSettings& settings) {
+                                            const TrialSettings& settings, double near) {
   // Two exponents of 0 belong to the torus.
   const bool known = motion.kind == MotionKind::quasi_periodic && motion.stable && motion.exponents.size() > 2;
   if (!known || !system.autonomous() || !(motion.exponents[2] < -slowest_worth_it)) return nullptr;
   const auto trap = TorusTrap::around(system, motion, attractor, settings.stop);
   if (!trap) return nullptr;
-  const double level = highest_good_level({highest_level, 12}, TrialCounts{}, [&](double tried, const TryRange& tries) {
+  const auto good = [&](double tried, const TryRange& tries) {
     return all_approach(trap, settings, motion.exponents[2], tried, tries);
-  });
+  };
+  const double level = highest_good_level({highest_level, 12}, TrialCounts{}, good, near);
   if (!(level > 0.0)) return nullptr;
   trap->set_level(level);
   return trap;

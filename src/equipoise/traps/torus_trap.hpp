@@ -58,9 +58,9 @@ class TorusTrap {
 };
 
 /// The trap around an attracting torus of a smooth system of section none, its level found by tries as those of other
-/// traps are. Null if there is none.
+/// traps are. Null if there is none. `near`: as of highest_good_level().
 std::shared_ptr<const TorusTrap> torus_trap(const model::System& system, const Motion& motion, int attractor,
-                                            const TrialSettings& settings);
+                                            const TrialSettings& settings, double near = 0.0);
 
 /// Makes `rule` ask these in place of those it asked before.
 void set_tori(DecisionRule& rule, const std::vector<std::shared_ptr<const TorusTrap>>& tori);

@@ -18,22 +18,28 @@ namespace equipoise {
 
 namespace {
 
+// Lanes seldom wait for the last state of a large chunk; several threads need several chunks.
+std::size_t chunk_of(const Trials& trials, const TrialSettings& settings) {
+  return trials.alike && settings.threads == 1 ? trial_part : trial_chunk;
+}
+
 // Calls told(first, fates) for every chunk, from any thread, until it or the lanes say false.
 template <class Told>
 bool follow(Trials& trials, const TrialSettings& settings, Told&& told) {
   const std::size_t size = settings.system->dimension(), total = trials.states.size() / size;
+  const std::size_t chunk = chunk_of(trials, settings);
   std::atomic<bool> good{true};
   if (settings.progress) settings.progress->begin("states tried on level sets");
   tbb::task_arena arena(settings.threads);
   arena.execute([&] {
-    tbb::parallel_for(std::size_t{0}, (total + trial_chunk - 1) / trial_chunk, [&](std::size_t k) {
+    tbb::parallel_for(std::size_t{0}, (total + chunk - 1) / chunk, [&](std::size_t k) {
       if (!good) return;
-      const std::size_t first = k * trial_chunk;
+      const std::size_t first = k * chunk;
       const Trials::Flight flight = trials.flight(first);
       LaneTask task = lane_task(*settings.system, flight.psi);
       task.end = flight.end;
       task.tolerance = settings.tolerance;
-      task.count = std::min(trial_chunk, total - first);
+      task.count = std::min(chunk, total - first);
       task.states = &trials.states[first * size];
       task.stop = settings.stop;
       std::vector<Fate> fates(task.count);
@@ -95,6 +101,15 @@ double level_at(const LevelLadder& ladder, int step) {
   return std::ldexp(ladder.highest * parts[step % steps_a_halving], -(step / steps_a_halving));
 }
 
+// The first step in (bad, end] that is good, if `end` is; steps beyond a good one are taken for good.
+int halved(int bad, int end, const std::function<bool(int)>& good) {
+  while (end - bad > 1) {
+    const int middle = (bad + end) / 2;
+    (good(middle) ? end : bad) = middle;
+  }
+  return end;
+}
+
 // The first step in (bad, end] that is good, `end` if none before; steps beyond a good one are taken for good.
 int first_good(int bad, int end, const std::function<bool(int)>& good) {
   int far = bad + 1;
@@ -102,28 +117,39 @@ int first_good(int bad, int end, const std::function<bool(int)>& good) {
     bad = far;
     far += by;
   }
-  far = std::min(far, end);
-  while (far - bad > 1) {
-    const int middle = (bad + far) / 2;
-    (good(middle) ? far : bad) = middle;
+  return halved(bad, std::min(far, end), good);
+}
+
+// From a step that may be the first good one: that itself, or an earlier one if a few tries pass so far before it that
+// more of them would pass before it too (all of them pass some three steps later than a few).
+int first_good_near(int near, const std::function<bool(int)>& few_pass) {
+  constexpr int before = 6;
+  for (int by = before; near > 0; by *= 2) {
+    const int up = std::max(0, near - by);
+    if (!few_pass(up)) return by == before ? near : halved(up, near, few_pass);
+    near = up;
   }
-  return far;
+  return near;
+}
+
+int step_of(const LevelLadder& ladder, double level) {
+  const double step = std::round(steps_a_halving * std::log2(0.5 * ladder.highest / level));
+  return static_cast<int>(std::clamp(step, 0.0, steps_a_halving * ladder.halvings - 1.0));
 }
 
 }  // namespace
 
 double highest_good_level(const LevelLadder& ladder, const TrialCounts& counts,
-                          const std::function<bool(double level, const TryRange& tries)>& good) {
+                          const std::function<bool(double level, const TryRange& tries)>& good, double near) {
   const int steps = steps_a_halving * ladder.halvings;
-  int low = -1, step = steps;
-  while (step - low > 1) {
-    const int middle = (low + step) / 2;
-    (good(level_at(ladder, middle), {0, counts.few, counts.few}) ? step : low) = middle;
-  }
+  const auto few_pass = [&](int k) { return good(level_at(ladder, k), {0, counts.few, counts.few}); };
+  near = steps > 0 ? near : 0.0;
+  int step = near > 0.0 ? first_good_near(step_of(ladder, near), few_pass) : halved(-1, steps, few_pass);
   // Part after part, and round again, until all have passed on one level.
-  const std::size_t size = std::min(4 * trial_chunk, counts.all), parts = (counts.all + size - 1) / size;
+  const std::size_t size = std::min(trial_part, counts.all), parts = (counts.all + size - 1) / size;
   std::size_t passed = 0;
-  for (std::size_t part = 0; step < steps && passed < parts; part = (part + 1) % parts) {
+  // The first part is the dearest: from a level that is likely to be good it comes last.
+  for (std::size_t part = near > 0.0 ? 1 % parts : 0; step < steps && passed < parts; part = (part + 1) % parts) {
     const TryRange tries{part * size, std::min(size, counts.all - part * size), counts.all};
     const auto passes = [&](int k) { return good(level_at(ladder, k), tries); };
     if (passes(step)) {

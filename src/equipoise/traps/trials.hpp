@@ -26,6 +26,8 @@ struct TrialSettings {
 
 /// As many states are followed together, and share how they are.
 inline constexpr std::size_t trial_chunk = 128;
+/// So many are asked at a time of all that a level must pass.
+inline constexpr std::size_t trial_part = 4 * trial_chunk;
 
 struct Trials {
   struct Flight {
@@ -35,6 +37,7 @@ struct Trials {
   std::vector<double> states;  ///< one after the other
   DecisionRule rule;
   std::function<Flight(std::size_t first)> flight;  ///< of the chunk that begins with this state
+  bool alike = false;                               ///< all fly alike: chunks may be larger
 };
 
 /// A rule without windows: traps alone decide.
@@ -77,8 +80,9 @@ struct TryRange {
 };
 
 /// Half the highest level for which good(level, tries) holds of all tries, which are asked in parts; 0 if there is
-/// none. What passes on a level is taken to pass on lower ones only to choose which level is tried next.
+/// none. What passes on a level is taken to pass on lower ones only to choose which level is tried next. `near`: what it
+/// may be, 0 if that is not known; the search then begins there, and goes up only where a few tries say so.
 double highest_good_level(const LevelLadder& ladder, const TrialCounts& counts,
-                          const std::function<bool(double level, const TryRange& tries)>& good);
+                          const std::function<bool(double level, const TryRange& tries)>& good, double near = 0.0);
 
 }  // namespace equipoise

@@ -29,7 +29,7 @@ constexpr double highest_by_ball = 16.0, highest_by_rotor = 4.0;
 constexpr double slowest_worth_it = 2e-3, slowest_balance = 2e-4;
 
 Trials follow_for(double end, DecisionRule rule, std::vector<double> states) {
-  return {std::move(states), std::move(rule), [end](std::size_t) { return Trials::Flight{end, 0.0}; }};
+  return {std::move(states), std::move(rule), [end](std::size_t) { return Trials::Flight{end, 0.0}; }, true};
 }
 
 DecisionRule rule_of(const std::vector<BalancedTrap>& balanced, const model::System& system) {
@@ -85,6 +85,7 @@ bool all_approach(const CycleTrap& trap, const TrialSettings& settings, double s
   double cell_angle = 0.0;  // where the rotor's angle is no phase, it is of no account
   if (trap.clock == CycleTrap::rotor)
     cell_angle = system.strobe_angle() / trap.cells * (system.speed() < 0.0 ? -1.0 : 1.0);
+  trials.alike = trap.clock != CycleTrap::rotor;
   trials.flight = [&trap, &tries, end, cell_angle](std::size_t first) {
     return Trials::Flight{end, cell_angle * (row_of(trap, tries.first + first) % trap.cells)};
   };
@@ -93,19 +94,20 @@ bool all_approach(const CycleTrap& trap, const TrialSettings& settings, double s
 
 }  // namespace
 
-bool validate(std::vector<CycleTrap>& traps, const TrialSettings& settings, double slowest_rate) {
+bool validate(std::vector<CycleTrap>& traps, const TrialSettings& settings, double slowest_rate, double near) {
   const CycleTrap& one = traps.front();
   if (!(slowest_rate < -(one.attractor == balanced_id ? slowest_balance : slowest_worth_it))) return false;
   const double highest = one.clock == CycleTrap::rotor ? highest_by_rotor : highest_by_ball;
-  const double level = highest_good_level({highest}, orbit_tries, [&](double tried, const TryRange& tries) {
+  const auto good = [&](double tried, const TryRange& tries) {
     return all_approach(one, settings, slowest_rate, tried, tries);
-  });
+  };
+  const double level = highest_good_level({highest}, orbit_tries, good, near);
   for (CycleTrap& trap : traps) trap.level = level;
   return level > 0.0;
 }
 
 void widen(BalancedTrap& trap, const std::vector<BalancedTrap>& balanced, const TrialSettings& settings,
-           double slowest_rate, double nearest_foreign) {
+           double slowest_rate, double nearest_foreign, double near) {
   double factor = widest_factor;  // no ball may deviate by half a turn on twice the level
   for (int i = 0; i < settings.system->balls(); ++i)
     factor = std::min(factor, 0.5 * std::pow(pi / trap.reach[model::index::phi(i)], 2));
@@ -114,9 +116,10 @@ void widen(BalancedTrap& trap, const std::vector<BalancedTrap>& balanced, const 
   int halvings = 0;
   while (std::ldexp(factor, -halvings) > 0.5) ++halvings;
   const LevelLadder ladder{2.0 * factor * trap.level, halvings};
-  const double level = highest_good_level(ladder, TrialCounts{}, [&](double tried, const TryRange& tries) {
+  const auto good = [&](double tried, const TryRange& tries) {
     return all_balance(trap, balanced, settings, slowest_rate, tried, tries);
-  });
+  };
+  const double level = highest_good_level(ladder, TrialCounts{}, good, near * trap.level);
   set_level(trap, level > 0.0 ? level : std::ldexp(factor, -halvings) * trap.level);
 }
 

@@ -13,14 +13,16 @@ namespace equipoise {
 /// Sets the level of a motion's traps, one or more, exchange images of each other: half the highest of a falling series
 /// of levels from which all of 4096 states came to the motion. `slowest_rate`: of approach, negative. False if there is
 /// none, or if to look for one would take longer than an ensemble.
-bool validate(std::vector<CycleTrap>& traps, const TrialSettings& settings, double slowest_rate);
+/// `near`: as of highest_good_level().
+bool validate(std::vector<CycleTrap>& traps, const TrialSettings& settings, double slowest_rate, double near = 0.0);
 
 /// Widens `trap`, whose level must be one inside which V decreases, to where all of 4096 states on twice the level come
 /// to balance: by a factor of at most 64, so that twice the level lies within half a turn of any ball and below
 /// `nearest_foreign`, the smallest V on any pilot trajectory that ended elsewhere. `balanced`: the traps of all
 /// balanced states, this one's among them, at levels inside which V decreases: to whichever a state comes, it balances.
+/// `near`: the factor that it may be, 0 if that is not known.
 void widen(BalancedTrap& trap, const std::vector<BalancedTrap>& balanced, const TrialSettings& settings,
-           double slowest_rate, double nearest_foreign);
+           double slowest_rate, double nearest_foreign, double near = 0.0);
 
 /// Which of `states`, one after the other, enter one of the `balanced` traps in ten times what the linear flow needs.
 std::vector<char> come_to_balance(std::vector<double> states, const std::vector<BalancedTrap>& balanced,
