@@ -37,6 +37,32 @@ py::dict limits_of(const Study& study) {
   return limits;
 }
 
+// One a ball as a list, without the room for more of them.
+py::dict parameters_of(const Study& uncertain) {
+  const Study study = with_medians(uncertain);
+  const model::Parameters& p = study.parameters;
+  const auto by_ball = [&](const std::array<double, model::max_balls>& values) {
+    return std::vector<double>(values.begin(), values.begin() + p.balls);
+  };
+  py::dict parameters;
+  parameters["balls"] = p.balls;
+  parameters["eccentricity"] = p.eccentricity;
+  parameters["damping"] = p.damping;
+  parameters["stiffness"] = p.stiffness;
+  parameters["gravity"] = p.gravity;
+  parameters["inertia"] = p.inertia;
+  parameters["mass"] = by_ball(p.mass);
+  parameters["drag"] = by_ball(p.drag);
+  parameters["race_offset"] = p.race_offset;
+  parameters["rolling"] = by_ball(p.rolling);
+  parameters["stiction"] = by_ball(p.stiction);
+  parameters["contact_angle"] = p.contact_angle;
+  parameters["restitution"] = p.restitution;
+  parameters["rolls"] = p.rolls;
+  parameters["ball_radius"] = by_ball(p.ball_radius);
+  return parameters;
+}
+
 py::dict explained(const PyStudy& s) {
   const Explanation e = explain(with_medians(s.study), s.balls());
   py::dict result;
@@ -54,7 +80,10 @@ void bind_studies(py::module_& module) {
            }),
            py::arg("toml"), py::arg("name"), py::arg("overrides") = std::vector<std::string>{})
       .def_static("from_tree", &study_from_tree, py::arg("tree"), py::arg("name"))
-      .def_static("from_file", [](const std::string& path) { return PyStudy({read_study_text(path), path, {}}); })
+      .def_static("from_file",
+                  [](const std::string& path) {
+                    return PyStudy({read_study_text(path), path, {}});
+                  })
       .def("with_overrides", &PyStudy::with)
       .def("to_toml", [](const PyStudy& s) { return to_toml(s.study); })
       .def("to_physical_toml", [](const PyStudy& s) { return to_physical_toml(s.study); })
@@ -70,13 +99,13 @@ void bind_studies(py::module_& module) {
       .def_property_readonly("driven", [](const PyStudy& s) { return s.study.speed.driven(); })
       .def_property_readonly("scales", [](const PyStudy& s) { return scales_of(s.study); })
       .def_property_readonly("limits", [](const PyStudy& s) { return limits_of(s.study); })
+      .def_property_readonly("parameters", [](const PyStudy& s) { return parameters_of(s.study); })
       .def_property_readonly("release_time", [](const PyStudy& s) { return s.study.release_time(); })
-      .def(py::pickle(
-          [](const PyStudy& s) { return py::make_tuple(s.source.toml, s.source.name, s.source.overrides); },
-          [](const py::tuple& state) {
-            return PyStudy({state[0].cast<std::string>(), state[1].cast<std::string>(),
-                            state[2].cast<std::vector<std::string>>()});
-          }));
+      .def(py::pickle([](const PyStudy& s) { return py::make_tuple(s.source.toml, s.source.name, s.source.overrides); },
+                      [](const py::tuple& state) {
+                        return PyStudy({state[0].cast<std::string>(), state[1].cast<std::string>(),
+                                        state[2].cast<std::vector<std::string>>()});
+                      }));
 }
 
 }  // namespace equipoise::python

@@ -242,10 +242,10 @@ class SweepResult(Result):
 
     @property
     def names(self) -> dict[int, str]:
-        return {o["id"]: o["name"] for cell in self._places() for o in cell[1]["outcomes"]}
+        return {o["id"]: o["name"] for cell in self.cells_by_place() for o in cell[1]["outcomes"]}
 
-    def _places(self) -> list[tuple[tuple[int, ...], dict[str, Any]]]:
-        """Cells with their places; cells that are missing are not among them."""
+    def cells_by_place(self) -> list[tuple[tuple[int, ...], dict[str, Any]]]:
+        """Cells with their places along the axes; cells that are missing are not among them."""
         places = []
         index = [
             {value: k for k, value in enumerate(p["values"])}
@@ -258,7 +258,7 @@ class SweepResult(Result):
 
     def _grid(self, what: str) -> dict[str, Array]:
         grids: dict[str, Array] = {}
-        places = self._places()
+        places = self.cells_by_place()
         absent = np.full(self.shape, np.nan)
         for place, _ in places:
             absent[place] = 0.0
@@ -282,7 +282,7 @@ class SweepResult(Result):
     @property
     def undecided(self) -> Array:
         grid = np.full(self.shape, np.nan)
-        for place, cell in self._places():
+        for place, cell in self.cells_by_place():
             grid[place] = cell["undecided"]["share"]
         return grid
 
@@ -292,11 +292,11 @@ class SweepResult(Result):
 
     def __repr__(self) -> str:
         over = ", ".join(f"{key} ({len(values)})" for key, values in self.axes.items())
-        return f"<SweepResult of {self.study.name}: {len(self._places())} cells over {over}{', partial' * self.partial}>"
+        return f"<SweepResult of {self.study.name}: {len(self.cells_by_place())} cells over {over}{', partial' * self.partial}>"
 
     def _repr_html_(self) -> str:
         rows = []
-        for _, cell in self._places():
+        for _, cell in self.cells_by_place():
             at = ", ".join(f"{key} = {value:g}" for key, value in cell["at"].items())
             balanced = next((o for o in cell["outcomes"] if o["id"] == 1), None)
             share = percent(balanced["share"], balanced["low"], balanced["high"]) if balanced else ""
@@ -308,7 +308,7 @@ class SweepResult(Result):
         import pandas
 
         rows = []
-        for _, cell in self._places():
+        for _, cell in self.cells_by_place():
             for o in cell["outcomes"]:
                 rows.append(
                     {**cell["at"], "id": o["id"], "name": o["name"], "share": o["share"], "low": o["low"],

@@ -144,6 +144,17 @@ class Study:
         return self._core.limits
 
     @property
+    def parameters(self) -> dict[str, Any]:
+        """What the equations are computed with, dimensionless, whatever the units of the study: eccentricity, damping and
+        stiffness [x, y], gravity, mass, drag and ball_radius one a ball, and so on. Uncertain values at their medians."""
+        return self._core.parameters
+
+    @property
+    def driven(self) -> bool:
+        """Whether a motor turns the rotor, so that its speed is part of the answer."""
+        return self._core.driven
+
+    @property
     def release_time(self) -> float:
         """When the balls are let go, in 1/omega_c."""
         return self._core.release_time

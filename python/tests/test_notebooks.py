@@ -14,7 +14,7 @@ pytest.importorskip("matplotlib")
 
 FOLDER = Path(__file__).resolve().parent.parent / "notebooks"
 
-# What each notebook has come to at its end: expressions that have to be true in it. Samples are drawn with a stated seed
+# What each notebook has come to at its end: expressions that have to be true in it. Samples have a stated seed
 # and do not change; intervals leave room for what another instruction set rounds otherwise.
 CHECKS = {
     "1-first-study": [

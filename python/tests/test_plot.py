@@ -193,45 +193,83 @@ def test_figures_far_below_a_limit_are_still_seen(ensemble):
 # --- sweep ------------------------------------------------------------------------------------------------------------
 
 
+def a_sweep(over, cells):
+    """A result of the shape that the engine gives; a cell: its place, and share by outcome."""
+    written = []
+    for place, shares in cells.items():
+        cell = {"at": {key: over[key][k] for key, k in zip(over, place)}, "starts": 100, "outcomes": []}
+        for name, share in shares.items():
+            told = {"share": share, "low": share - 0.02, "high": share + 0.01}
+            if name in ("undecided", "diverged", "stalled"):
+                cell[name] = told
+            else:
+                alias, code = {"balanced": (None, 1), "co-drifting": ("V1", 2)}[name]
+                cell["outcomes"].append({"id": code, "name": name, "alias": alias, "count": 1, **told})
+        cell.setdefault("undecided", {"share": 0.0, "low": 0.0, "high": 0.03})
+        written.append(cell)
+    keys = [{"key": key, "unit": "", "values": values} for key, values in over.items()]
+    data = {"over": keys, "zipped": False, "partial": False, "cells": written}
+    core = SimpleNamespace(json=lambda: json.dumps(data), text=lambda: "")
+    return eq.SweepResult(core, eq.paper_study("table-2-omega-2.4"))
+
+
+def areas_of(ax):
+    return [c for c in ax.collections if type(c).__name__ == "PolyCollection"]
+
+
+def heights_at(area, x):
+    corners = area.get_paths()[0].vertices
+    heights = corners[np.isclose(corners[:, 0], x), 1]
+    return heights.min(), heights.max()
+
+
 def test_a_sweep_over_one_parameter_stacks_its_shares(study):
     result = eq.sweep(study, over={"speed.final": [2.4, 2.6, 3.4]}, starts=300)
     ax = eq.plot.sweep(result)
     base = np.zeros(3)
-    areas = [c for c in ax.collections if type(c).__name__ == "PolyCollection"]
-    assert [a.get_label() for a in areas][:3] == ["balanced", "V1: co-drifting", "V2: drifting apart"]
-    for area in areas:
+    assert [a.get_label() for a in areas_of(ax)][:3] == ["balanced", "V1: co-drifting", "V2: drifting apart"]
+    for area in areas_of(ax):
         code = next(c for c, name in result.names.items() if area.get_label().endswith(name))
         assert same_color(area.get_facecolor()[0], (*to_rgb(_core.colour_of(code)), 0.9))
         top = base + 100.0 * result.shares[result.names[code]]
-        corners = area.get_paths()[0].vertices
         for x, low, high in zip(result.axes["speed.final"], base, top):
-            heights = corners[np.isclose(corners[:, 0], x), 1]
-            assert heights.min() == pytest.approx(low, abs=1e-9) and heights.max() == pytest.approx(high, abs=1e-9)
+            assert heights_at(area, x) == pytest.approx((low, high), abs=1e-9)
         base = top
     assert base == pytest.approx(100.0 * (1.0 - result.undecided), abs=1e-6)
 
 
+def test_what_came_to_no_attractor_lies_on_top_of_a_sweep():
+    cells = {(0,): {"balanced": 0.5, "stalled": 0.4, "undecided": 0.1}, (1,): {"balanced": 1.0, "diverged": 0.0}}
+    ax = eq.plot.sweep(a_sweep({"speed.final": [2.0, 3.0]}, cells))
+    assert [(a.get_label(), *heights_at(a, 2.0)) for a in areas_of(ax)] == [
+        ("balanced", 0.0, 50.0), ("stalled", 50.0, pytest.approx(90.0)), ("undecided", pytest.approx(90.0), 100.0),
+    ]
+    assert same_color(areas_of(ax)[1].get_facecolor()[0], (*to_rgb(_core.colour_of(-3)), 0.9))
+
+
+def test_a_sweep_shows_the_interval_of_balance():
+    ax = eq.plot.sweep(a_sweep({"speed.final": [2.0, 3.0]}, {(0,): {"balanced": 0.5}, (1,): {"balanced": 0.75}}))
+    (bars,) = [c for c in ax.collections if type(c).__name__ == "LineCollection"]
+    assert [list(s[:, 1]) for s in bars.get_segments()] == [pytest.approx([48.0, 51.0]), pytest.approx([73.0, 76.0])]
+
+
 def test_a_sweep_over_two_parameters_is_a_heat_map_of_balance():
-    shares = np.array([[0.1, 0.2, 0.3], [0.4, 0.5, np.nan]])
-    result = SimpleNamespace(
-        axes={"speed.final": np.array([2.0, 3.0]), "balancer.drag": np.array([0.01, 0.05, 0.1])},
-        names={1: "balanced"}, shares={"balanced": shares}, low={"balanced": shares}, high={"balanced": shares},
-        undecided=np.zeros((2, 3)), cells=[],
-        data={"over": [{"key": "speed.final", "unit": ""}, {"key": "balancer.drag", "unit": ""}]},
-    )
+    shares = {(0, 0): 0.1, (0, 1): 0.2, (0, 2): 0.3, (1, 0): 0.4, (1, 1): 0.5}  # one cell is missing
+    over = {"speed.final": [2.0, 3.0], "balancer.drag": [0.01, 0.05, 0.1]}
+    result = a_sweep(over, {place: {"balanced": share} for place, share in shares.items()})
     ax = eq.plot.sweep(result)
-    assert ax.collections[0].get_array().reshape(2, 3).filled(np.nan) == pytest.approx(100.0 * shares, nan_ok=True)
+    expected = np.array([[10.0, 20.0, 30.0], [40.0, 50.0, np.nan]])
+    assert ax.collections[0].get_array().reshape(2, 3).filled(np.nan) == pytest.approx(expected, nan_ok=True)
     assert [t.get_text() for t in ax.texts] == ["10", "20", "30", "40", "50"]
     assert ax.get_xlabel() == _core.axis_label("balancer.drag")
-    turned = eq.plot.sweep(result, x="speed.final")
-    array = turned.collections[0].get_array().reshape(3, 2).filled(np.nan)
-    assert array == pytest.approx(100.0 * shares.T, nan_ok=True)
+    turned = eq.plot.sweep(result, x="speed.final").collections[0].get_array().reshape(3, 2).filled(np.nan)
+    assert turned == pytest.approx(expected.T, nan_ok=True)
     # Uneven values stand side by side, each with its number.
     assert [t.get_text() for t in ax.get_xticklabels()] == ["0.01", "0.05", "0.1"]
 
 
 def test_sweeps_refuse_what_they_cannot_show():
-    three = SimpleNamespace(axes={"a": [1], "b": [1], "c": [1]}, names={}, shares={}, undecided=np.zeros((1, 1, 1)))
+    three = a_sweep({"a": [1], "b": [1], "c": [1]}, {(0, 0, 0): {"balanced": 1.0}})
     with pytest.raises(ValueError, match="3 parameters .* allowed: 1 or 2"):
         eq.plot.sweep(three)
     with pytest.raises(ValueError, match="'d'; allowed: 'a', 'b', 'c'"):
@@ -283,6 +321,14 @@ def test_pixels_without_an_outcome_are_white():
     assert np.allclose(picture[0], [to_rgb(_core.colour_of(1)), (1, 1, 1), to_rgb(_core.colour_of(0))])
 
 
+def test_a_map_that_was_filled_in_is_not_shaded(plane):
+    time = np.where(plane.outcome == 1, np.nan, plane.time)
+    fields = ("x_edges", "y_edges", "x_key", "y_key", "names", "aliases", "shares")
+    filled = SimpleNamespace(outcome=plane.outcome, time=time, **{name: getattr(plane, name) for name in fields})
+    picture = np.asarray(eq.plot.map(filled).get_images()[0].get_array())
+    assert np.allclose(picture[plane.outcome == 3], to_rgb(_core.colour_of(3)))
+
+
 # --- branches ---------------------------------------------------------------------------------------------------------
 
 
@@ -315,7 +361,7 @@ def test_branches_are_solid_where_they_attract_and_dashed_elsewhere():
     assert drawn[0][2] == pytest.approx([2.0 / 20, 2.1 / 20, 0.15, 0.15])
     assert drawn[1][2] == pytest.approx([0.15, 2.2 / 20, 2.3 / 20, 0.2])
     assert all(same_color(line.get_color(), _core.colour_of(2)) for line in ax.get_lines())
-    assert legend_texts(ax)[0] == "V1: co-drifting"
+    assert legend_texts(ax) == ["V1: co-drifting", "dashed: unstable"]
 
 
 def test_events_of_branches_are_marked_where_they_happen():
@@ -426,6 +472,17 @@ def test_an_attractor_has_its_name_and_colour(attractors):
     assert same_color(way.get_color(), _core.colour_of(2))
     arrows = [p for p in ax.patches if type(p).__name__ == "FancyArrowPatch"]
     assert len(arrows) == 2  # both balls run around the race
+
+
+def test_uncertain_values_in_units_are_drawn_at_their_medians(machine):
+    uncertain = machine.replace({"rotor.unbalance": {"uniform": ["200 g mm", "400 g mm"]}})
+    run = eq.simulate(uncertain, np.linspace(0.0, 50.0, 51))
+    ax = eq.plot.disc(run, magnify=10.0)
+    mass = next(line for line in ax.get_lines() if line.get_label() == "centre of mass")
+    centre = 10.0 * complex(run.x[-1], run.y[-1])
+    offset = 10.0 * 300.0 / (12000.0 * 30.0)  # unbalance over mass and race radius
+    assert complex(mass.get_xdata()[0], mass.get_ydata()[0]) == pytest.approx(centre + offset, abs=1e-9)
+    assert "critical speed" in legend_texts(eq.plot.trajectory(run))
 
 
 # --- animate ----------------------------------------------------------------------------------------------------------

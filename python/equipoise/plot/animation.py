@@ -93,7 +93,7 @@ def animate(
     figure, ax = plt.subplots(figsize=(4.8, 5.0), layout="constrained")
     try:
         colour = parts.INK if attractor is None else parts.colour_of(attractor.id)
-        machine = Machine(ax, run.study, states.phi.shape[1], large, bound, colour)
+        machine = Machine(ax, run.study, large, bound, colour)
         machine.set_stage(states.centre)
         title = ax.set_title(" ")
         figure.canvas.draw()

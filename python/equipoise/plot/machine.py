@@ -60,8 +60,8 @@ class States:
 
 def sag(study: Study) -> float:
     """How far the rotor hangs down at rest, in race radii."""
-    rotor = study.to_dict()["rotor"]
-    return float(rotor.get("gravity", 0.0)) / float(np.atleast_1d(rotor.get("stiffness", 1.0))[-1])
+    parameters = study.parameters
+    return float(parameters["gravity"] / parameters["stiffness"][1])
 
 
 def round_down(value: float) -> float:
@@ -82,34 +82,26 @@ def magnification(study: Study, states: States, limit: Optional[float]) -> float
 
 
 def eccentricity(study: Study) -> float:
-    return float(_number(study.to_dict()["rotor"]["eccentricity"]))
+    return float(study.parameters["eccentricity"])
 
 
-def _number(value: Any) -> float:
-    """A plain number; of an uncertain one the middle of what bounds it."""
-    if isinstance(value, dict):
-        return float(np.median(np.ravel(list(value.values())[0])))
-    return float(value)
-
-
-def ball_sizes(study: Study, balls: int) -> parts.Array:
+def ball_sizes(study: Study) -> parts.Array:
     """Radii of the balls in race radii; of balls without a size one that is well seen."""
-    balancer = study.to_dict()["balancer"]
-    radius = np.atleast_1d(balancer.get("ball_radius", 0.0)).astype(float)
+    parameters = study.parameters
+    radius = np.asarray(parameters["ball_radius"], dtype=float)
     if not radius.any():
-        radius = np.atleast_1d(np.sin(0.5 * float(balancer.get("contact_angle", 0.0))))
-    return np.broadcast_to(np.clip(np.where(radius > 0.0, radius, 0.08), 0.05, 0.2), (balls,))
+        radius = np.full_like(radius, np.sin(0.5 * parameters["contact_angle"]))
+    return np.clip(np.where(radius > 0.0, radius, 0.08), 0.05, 0.2)
 
 
 class Machine:
     """The artists of one picture, which are moved from state to state."""
 
-    def __init__(self, ax: Axes, study: Study, balls: int, magnify: float, limit: Optional[float], colour: str) -> None:
+    def __init__(self, ax: Axes, study: Study, magnify: float, limit: Optional[float], colour: str) -> None:
         from matplotlib.patches import Circle
 
         self.ax, self.magnify, self.eccentricity = ax, magnify, eccentricity(study)
-        offset = np.asarray(study.to_dict()["balancer"].get("race_offset", (0.0, 0.0)), dtype=float)
-        self.race_offset = complex(offset[0], offset[1])
+        self.race_offset = complex(*study.parameters["race_offset"])
         self.race = ax.add_patch(Circle((0, 0), 1.0, fill=False, edgecolor=parts.RULE, linewidth=5.0, zorder=1))
         (self.heavy_side,) = ax.plot([], [], color=parts.QUIET, linewidth=0.9, linestyle=(0, (4, 3)), zorder=2)
         (axis,) = ax.plot([0], [0], marker="+", markersize=11, color=parts.INK, linestyle="none", zorder=6)
@@ -121,10 +113,12 @@ class Machine:
         (self.mass,) = ax.plot([], [], marker=_quartered(), markersize=11, color=parts.INK, linestyle="none", zorder=5)
         self.mass.set(markeredgewidth=0.0, label="centre of mass")
         self.balls, self.numbers = [], []
-        self.sizes = ball_sizes(study, balls)
+        self.sizes = ball_sizes(study)
         for size in self.sizes:
             self.balls.append(ax.add_patch(Circle((0, 0), size, facecolor=parts.INK, edgecolor="white", zorder=8)))
-            self.numbers.append(ax.text(0, 0, "", color="white", ha="center", va="center", zorder=9, visible=balls > 1))
+            number = ax.text(0, 0, "", color="white", ha="center", va="center", zorder=9)
+            number.set_visible(study.balls > 1)
+            self.numbers.append(number)
         self.limit = None
         if limit is not None and limit * magnify <= 1.0:
             ring = Circle((0, 0), limit * magnify, fill=False, edgecolor=parts.LIMIT, linestyle="--", linewidth=1.5)
@@ -263,7 +257,7 @@ def disc(
     bound = own_limit(run.study, limit)
     colour = parts.INK if attractor is None else parts.colour_of(attractor.id)
     large = magnification(run.study, states, bound) if magnify is None else magnify
-    machine = Machine(ax, run.study, states.phi.shape[1], large, bound, colour)
+    machine = Machine(ax, run.study, large, bound, colour)
     machine.set_stage(states.centre[at : at + 1])
     machine.place(states, at, slice(None) if attractor is not None else slice(0, at + 1))
     if attractor is not None:

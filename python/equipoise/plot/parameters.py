@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING, Any, Optional
 
 import numpy as np
 
+from ..ensembles import NO_ATTRACTOR
 from . import parts
 
 if TYPE_CHECKING:
@@ -32,7 +33,7 @@ def sweep(result: SweepResult, x: Optional[str] = None, ax: Optional[Axes] = Non
     Returns
     -------
     matplotlib.axes.Axes
-        Shares in percent. What came to no attractor lies on top: undecided in light grey, the rest in black.
+        Shares in percent. What came to no attractor lies on top, undecided last.
 
     Raises
     ------
@@ -41,11 +42,11 @@ def sweep(result: SweepResult, x: Optional[str] = None, ax: Optional[Axes] = Non
     ValueError
         It has three parameters in all combinations, or `x` is none of its keys.
     """
-    parts.need("sweep", result, "a SweepResult, that of equipoise.sweep()", ("axes", "names", "shares", "undecided"))
+    parts.need("sweep", result, "a SweepResult, that of equipoise.sweep()", ("axes", "shape", "cells_by_place"))
     keys = list(result.axes)
     if x is not None:
         parts.one_of("sweep", "x", x, keys)
-    dimensions = np.ndim(result.undecided)
+    dimensions = len(result.shape)
     if dimensions == 1:
         return _stacked(result, x or keys[0], ax)
     if dimensions == 2:
@@ -53,31 +54,37 @@ def sweep(result: SweepResult, x: Optional[str] = None, ax: Optional[Axes] = Non
     raise ValueError(f"plot.sweep(): {dimensions} parameters in all combinations; allowed: 1 or 2, or zipped ones")
 
 
-_LOST = "diverged, failed or stalled"
-_ROUNDING = 1e-9
-"""Of a sum of shares."""
+@dataclass(frozen=True)
+class _Layer:
+    """An outcome in every cell of a sweep: what it is called, its share and 95 % interval; not a number where a cell is
+    missing."""
+
+    title: str
+    share: parts.Array
+    low: parts.Array
+    high: parts.Array
+
+
+def _layers(result: SweepResult) -> dict[int, _Layer]:
+    """By code, as they lie on one another: balanced, the others by identifier, and what came to none. Without what was
+    met nowhere, but for balanced."""
+    places = result.cells_by_place()
+    missing = np.full(result.shape, np.nan)
+    for place, _ in places:
+        missing[place] = 0.0
+    layers: dict[int, _Layer] = {}
+    for place, cell in places:
+        met = [(o["id"], parts.outcome_title(o["name"], o["alias"] or ""), o) for o in cell["outcomes"]]
+        met += [(code, name, cell[name]) for code, name in NO_ATTRACTOR.items() if cell.get(name)]
+        for code, title, share in met:
+            layer = layers.setdefault(code, _Layer(title, missing.copy(), missing.copy(), missing.copy()))
+            layer.share[place], layer.low[place], layer.high[place] = share["share"], share["low"], share["high"]
+    seen = {c: layer for c, layer in layers.items() if c == parts.BALANCED or np.nansum(layer.share) > 0.0}
+    return dict(sorted(seen.items(), key=lambda item: (item[0] <= 0, item[0] == parts.UNDECIDED, abs(item[0]))))
 
 
 def _axis_unit(result: SweepResult, key: str) -> str:
     return next((p.get("unit") or "" for p in result.data["over"] if p["key"] == key), "")
-
-
-def _sweep_layers(result: SweepResult) -> list[tuple[int, str, parts.Array]]:
-    """Code, title and share of what is stacked, from below: attractors by identifier, and what came to none."""
-    met = [outcome for cell in result.cells for outcome in cell.get("outcomes") or ()]
-    titles = {outcome["id"]: parts.outcome_title(outcome["name"], outcome["alias"] or "") for outcome in met}
-    layers, shares = [], result.shares
-    for code in sorted(result.names):
-        share = np.nan_to_num(np.asarray(shares[result.names[code]], dtype=float))
-        if code == parts.BALANCED or share.any():
-            layers.append((code, titles.get(code, result.names[code]), share))
-    undecided = np.nan_to_num(np.asarray(result.undecided, dtype=float))
-    done = np.isfinite(np.asarray(result.undecided, dtype=float))
-    lost = np.where(done, 1.0 - undecided - sum(layer[2] for layer in layers), 0.0)
-    for code, title, share in ((parts.UNDECIDED, "undecided", undecided), (parts.DIVERGED, _LOST, lost)):
-        if np.any(share > _ROUNDING):
-            layers.append((code, title, share))
-    return layers
 
 
 def _stacked(result: SweepResult, key: str, ax: Optional[Axes]) -> Axes:
@@ -85,29 +92,19 @@ def _stacked(result: SweepResult, key: str, ax: Optional[Axes]) -> Axes:
         ax = parts.new_axes((8.2, 4.2))
     place = np.asarray(result.axes[key], dtype=float)
     order = np.argsort(place, kind="stable")
-    place = place[order]
-    done = np.isfinite(np.asarray(result.undecided, dtype=float))[order]
-    base = np.zeros(place.size)
+    place, base = place[order], np.zeros(place.size)
     handles: list[Any] = []
-    for code, name, share in _sweep_layers(result):
-        top = base + parts.PERCENT * share[order]
-        style: dict[str, Any] = dict(color=parts.colour_of(code), linewidth=0.0, label=name, alpha=0.9)
+    layers = _layers(result)
+    for code, layer in layers.items():
+        top = base + parts.PERCENT * layer.share[order]
+        style: dict[str, Any] = dict(color=parts.colour_of(code), linewidth=0.0, label=layer.title, alpha=0.9)
         if place.size == 1:
             handles.append(ax.bar(place, top - base, bottom=base, width=0.1, **style))
         else:
-            handles.append(ax.fill_between(place, base, top, where=done, **style))
+            handles.append(ax.fill_between(place, base, top, where=np.isfinite(top), **style))
         base = top
-    balanced = result.names.get(parts.BALANCED, "balanced")
-    if balanced in result.shares:
-        share = parts.PERCENT * np.asarray(result.shares[balanced], dtype=float)[order]
-        low, high = (parts.PERCENT * np.asarray(end[balanced], dtype=float)[order] for end in (result.low, result.high))
-        handles.append(
-            ax.errorbar(
-                place, share, yerr=[np.maximum(share - low, 0.0), np.maximum(high - share, 0.0)], fmt="o",
-                markersize=2.6, color=parts.INK, elinewidth=1.1, capsize=1.8, label="balanced, 95 % interval",
-                clip_on=False, zorder=3,
-            )
-        )
+    if parts.BALANCED in layers:
+        handles.append(_balanced_points(ax, place, layers[parts.BALANCED], order))
     if place.size > 1:
         ax.set_xlim(place[0], place[-1])
     ax.set_ylim(0.0, parts.PERCENT)
@@ -116,6 +113,14 @@ def _stacked(result: SweepResult, key: str, ax: Optional[Axes]) -> Axes:
     parts.quiet_frame(ax)
     parts.legend_beside(ax, handles[::-1])  # as they lie on one another
     return ax
+
+
+def _balanced_points(ax: Axes, place: parts.Array, layer: _Layer, order: parts.Array) -> Any:
+    share, low, high = (parts.PERCENT * numbers[order] for numbers in (layer.share, layer.low, layer.high))
+    return ax.errorbar(
+        place, share, yerr=[np.maximum(share - low, 0.0), np.maximum(high - share, 0.0)], fmt="o", markersize=2.6,
+        color=parts.INK, elinewidth=1.1, capsize=1.8, label="balanced, 95 % interval", clip_on=False, zorder=3,
+    )
 
 
 def _edges(values: parts.Array) -> tuple[parts.Array, bool]:
@@ -131,8 +136,7 @@ def _edges(values: parts.Array) -> tuple[parts.Array, bool]:
 def _heat(result: SweepResult, x_key: str, ax: Optional[Axes]) -> Axes:
     keys = list(result.axes)
     y_key = keys[1 - keys.index(x_key)]
-    balanced = result.names.get(parts.BALANCED, "balanced")
-    share = parts.PERCENT * np.asarray(result.shares[balanced], dtype=float)
+    share = parts.PERCENT * _layers(result)[parts.BALANCED].share
     if keys[0] == x_key:
         share = share.T  # rows follow y
     if ax is None:
@@ -209,7 +213,8 @@ def branches(result: BranchesResult, y: str = "r_max", events: bool = True, ax: 
     ax.margins(x=0.0)
     ax.set_ylim(bottom=min(0.0, ax.get_ylim()[0]))
     parts.quiet_frame(ax)
-    parts.legend_beside(ax, handles + _branch_key(marks))
+    unstable = any(not np.all(branch.stable) for branch in result)
+    parts.legend_beside(ax, handles + _branch_key(marks, unstable))
     return ax
 
 
@@ -293,13 +298,12 @@ def _draw_events(ax: Axes, branch: Branch, y: str, factor: float) -> dict[str, s
     return used
 
 
-def _branch_key(marks: dict[str, str]) -> list[Any]:
+def _branch_key(marks: dict[str, str], unstable: bool) -> list[Any]:
     from matplotlib.lines import Line2D
 
-    lines = [
-        Line2D([], [], color=parts.QUIET, linewidth=2.0, label="attracts"),
-        Line2D([], [], color=parts.QUIET, linewidth=1.2, linestyle=_UNSTABLE, label="unstable"),
-    ]
+    lines = []
+    if unstable:
+        lines.append(Line2D([], [], color=parts.QUIET, linewidth=1.2, linestyle=_UNSTABLE, label="dashed: unstable"))
     return lines + [
         Line2D([], [], linestyle="none", marker=mark, color="white", markeredgecolor=parts.INK, label=cause)
         for cause, mark in marks.items()

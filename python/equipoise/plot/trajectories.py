@@ -121,15 +121,14 @@ def crossings(t: parts.Array, values: parts.Array, level: float) -> parts.Array:
 def _mark_speed(ax: Axes, run: Trajectory, units: parts.Units) -> list[Any]:
     """Grey ground, critical speeds and release; returns the entries of a legend."""
     t, speed = np.asarray(run.t, dtype=float), np.abs(np.asarray(run.psi_dot, dtype=float))
-    study = run.study.to_dict()
     handles: list[Any] = []
-    for begin, end in changing_speed(t, speed, study["speed"]["profile"] == "torque"):
+    for begin, end in changing_speed(t, speed, run.study.driven):
         ground = ax.axvspan(
             begin * units.time.factor, end * units.time.factor, color=parts.RULE, alpha=0.45, linewidth=0.0, zorder=0,
             label="speed changes",
         )
         handles[:1] = [ground]
-    for critical in sorted(set(np.sqrt(np.atleast_1d(study["rotor"].get("stiffness", 1.0))))):
+    for critical in sorted({float(np.sqrt(stiffness)) for stiffness in run.study.parameters["stiffness"]}):
         passed = crossings(t, speed, critical)
         for time in passed:
             line = ax.axvline(time * units.time.factor, color=parts.QUIET, linestyle=":", linewidth=1.4)

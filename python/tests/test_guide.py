@@ -1,0 +1,73 @@
+"""The guide's page runs: its examples one after another, on smaller samples, and what they say they come to."""
+
+from __future__ import annotations
+
+import re
+
+import numpy as np
+import pytest
+from conftest import root
+
+pytest.importorskip("matplotlib")
+pytest.importorskip("scipy")
+
+import equipoise as eq
+
+PAGE = (root / "docs" / "guide" / "python.md").read_text(encoding="utf-8")
+
+# As the page has it, and what takes its place here: the same calls on smaller samples.
+SMALLER = {
+    "starts=20000": "starts=600",
+    "starts=4000": "starts=300",
+    "starts=10**7": "starts=600",
+    "progress=True": "progress=False",
+    "half_width=0.002": "half_width=0.04",
+    "eq.attractors(study)": "eq.attractors(study, starts=300)",
+    "1.4, 6.5, 0.05": "2.9, 3.0, 0.1",
+    "1.5:6:0.1": "2.4:2.6:0.2",
+    "size=(512, 512)": "size=(32, 32)",
+    "at_least=0.95": "at_least=0.95, starts=200, precision=0.1",
+}
+
+
+def examples():
+    return re.findall(r"^```python\n(.*?)^```", PAGE, re.MULTILINE | re.DOTALL)
+
+
+def test_what_is_made_smaller_stands_on_the_page():
+    text = "\n".join(examples())
+    assert [words for words in SMALLER if words not in text] == []
+
+
+def test_the_examples_of_the_page_run(tmp_path, monkeypatch):
+    import matplotlib
+
+    matplotlib.use("Agg")
+    import matplotlib.pyplot as plt
+    import scipy.integrate
+
+    monkeypatch.chdir(tmp_path)
+    eq.paper_study("table-2-omega-2.4").save("spin-up.toml")
+    machine = eq.Study.from_file(root / "studies" / "examples" / "washing-machine.toml")
+    names = {"plt": plt, "scipy": scipy, "machine": machine, "angles": np.array([[1.0, 4.0], [0.5, 0.6]])}
+    for k, example in enumerate(examples()):
+        for words, smaller in SMALLER.items():
+            example = example.replace(words, smaller)
+        exec(compile(example, f"example {k + 1}", "exec"), names)  # noqa: S102 (our own page)
+    plt.close("all")
+    low, high = names["answer"].errors["balanced"]
+    assert low < 0.604 < high  # as the page says
+    assert names["comparison"].differences[0].low > 0.0
+    assert names["mapper"]([1.0, 4.0]).name == "balanced"
+
+
+def test_every_picture_and_call_is_on_the_page():
+    for name in eq.plot.__all__:
+        assert f"eq.plot.{name}(" in PAGE, name
+    for name in ("simulate", "basin", "compare", "attractors", "follow", "certify", "map", "sweep", "capacity", "explain"):
+        assert f"eq.{name}(" in PAGE, name
+
+
+def test_links_of_the_page_lead_somewhere():
+    for target in re.findall(r"\]\(([^)#:]+)(?:#[^)]*)?\)", PAGE):
+        assert (root / "docs" / "guide" / target).exists(), target
