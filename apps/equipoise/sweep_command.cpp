@@ -87,9 +87,10 @@ SweepPlan plan_of(const SweepArguments& a) {
   const Study study = source.with();
   const bool own = a.over.empty() && !study.sweep.over.empty();
   if (a.over.empty() && !own)
-    throw InputError("--over", "", "",
-                     "says nothing, and the study has no [sweep] with over = [\"KEY=VALUES\"]; must name a parameter and "
-                     "its values, e.g. speed.final=1.5:6:0.1");
+    throw InputError(
+        "--over", "", "",
+        "says nothing, and the study has no [sweep] with over = [\"KEY=VALUES\"]; must name a parameter and "
+        "its values, e.g. speed.final=1.5:6:0.1");
   const std::string where = own ? fmt::format("{}: [sweep] over", study.name) : "--over";
   const std::vector<SweepAxis> axes = sweep_axes(own ? study.sweep.over : a.over, own ? study.sweep.zip : a.zip, where);
   return SweepPlan(source, axes, request, where);

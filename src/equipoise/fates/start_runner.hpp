@@ -36,7 +36,8 @@ class StartRunner : public Runner {
   bool run(std::uint64_t first, std::size_t count, std::vector<double>& phi, std::vector<Fate>& fates,
            std::vector<UnlistedStart>& unlisted, std::vector<TransientRow>* rows = nullptr) const override;
   /// The same for given starts, as SpinUp::follow() has them.
-  bool run_from(const std::vector<InitialState>& given, std::vector<Fate>& fates, std::vector<UnlistedStart>& unlisted) const;
+  bool run_from(const std::vector<InitialState>& given, std::vector<Fate>& fates,
+                std::vector<UnlistedStart>& unlisted) const;
   int list(const UnlistedStart& start) override;
   UnlistedStart follow(const std::vector<double>& state) const override;
   std::vector<UndecidedEnd> look_at(const std::vector<std::uint64_t>& undecided) const override;
