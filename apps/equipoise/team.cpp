@@ -1,5 +1,5 @@
-// The processes of a job: the first gives blocks to whoever asks, with what is known of them, and takes cells in; whom it
-// has no block for it sends to help another.
+// The processes of a job: the first gives blocks to whoever asks, with what is known of them, and takes cells in; whom
+// it has no block for it sends to help another.
 #include "team.hpp"
 
 #include <algorithm>

@@ -1,5 +1,5 @@
-// Offers, loans and their return. Who offers help names the task that it is ready for; the answer is a chunk of that, or
-// the task to get ready for, or that there is none. So nobody who is not ready holds a chunk.
+// Offers, loans and their return. Who offers help names the task that it is ready for; the answer is a chunk of that,
+// or the task to get ready for, or that there is none. So nobody who is not ready holds a chunk.
 #ifdef EQUIPOISE_MPI
 #include "team_help.hpp"
 

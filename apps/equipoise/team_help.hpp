@@ -61,9 +61,9 @@ class TeamHelp {
 
   // For another:
   int helped_ = nobody;
-  bool over_ = false;             // nothing more is to come from it
-  std::size_t offers_ = 0;        // that it has not answered yet
-  std::uint64_t task_ = 0;        // that we are ready for, or are getting ready for; 0: none
+  bool over_ = false;       // nothing more is to come from it
+  std::size_t offers_ = 0;  // that it has not answered yet
+  std::uint64_t task_ = 0;  // that we are ready for, or are getting ready for; 0: none
   std::shared_ptr<const EnsembleHelper> ensemble_;
   std::future<std::shared_ptr<const EnsembleHelper>> search_;
   std::vector<InHand> in_hand_;

@@ -22,8 +22,8 @@
 
 namespace equipoise::app {
 
-/// asks: for work, of the first; with the sender's instruction set. brings: it a cell. leaves: its service. gives: work,
-/// by the first. Between any two: offers to decide starts; lends starts or says which; returns their fates.
+/// asks: for work, of the first; with the sender's instruction set. brings: it a cell. leaves: its service. gives:
+/// work, by the first. Between any two: offers to decide starts; lends starts or says which; returns their fates.
 enum Tag { asks = 1, brings, leaves, gives, offers, lends, returns };
 
 using Bytes = std::vector<std::uint8_t>;

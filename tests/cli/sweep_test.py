@@ -57,6 +57,14 @@ class Sweep(unittest.TestCase):
             self.assertEqual(counts(cell["outcomes"]), counts(alone["outcomes"]), cell["at"])
             self.assertEqual(cell["starts"], 800)
 
+    def test_a_neighbours_search_changes_no_outcome(self):
+        # Motions come and go from one to the next: an orbit, a torus that becomes chaos, one captured.
+        sweep = answer("sweep", ROW, "--over", "speed.final=2,2.2,2.4,2.5,3.2", "--starts", "3000")
+        for cell in sweep["cells"]:
+            alone = answer("basin", ROW, "--starts", "3000", "--set", f"speed.speed={cell['at']['speed.final']}")
+            self.assertEqual(counts(cell["outcomes"]), counts(alone["outcomes"]), cell["at"])
+            self.assertEqual(cell["undecided"]["count"], alone["undecided"]["count"], cell["at"])
+
     def test_zipped_parameters_go_step_by_step(self):
         sweep = answer("sweep", ROW, "--over", "speed.final=2.4,2.6", "--over", "balancer.drag=0.1,0.25", "--zip", "--starts", "100")
         self.assertTrue(sweep["zipped"])

@@ -14,9 +14,10 @@ MPI = {**os.environ, "OMPI_ALLOW_RUN_AS_ROOT": "1", "OMPI_ALLOW_RUN_AS_ROOT_CONF
 class Undisturbed:
     """A sweep that nothing disturbs: what its file must hold in every bit, and how long it took."""
 
-    def __init__(self, bench, starts=None):
+    def __init__(self, bench, starts=None, speeds=None):
         starts = starts or (300 if bench.quick else 3000)
-        speeds = "speed.final=2.6,2.8,3" if bench.quick else "speed.final=2:3.2:0.2"  # those of quick searches
+        # Those of quick searches.
+        speeds = speeds or ("speed.final=2.6,2.8,3" if bench.quick else "speed.final=2:3.2:0.2")
         self.arguments = ("sweep", bench.study, "--over", speeds, "--over", "balancer.drag=0.1,0.25", "--starts", starts,
                           "--quiet")
         path = bench.path("undisturbed.nc")
@@ -115,10 +116,12 @@ def sweep_processes(bench):
     if not shutil.which("mpirun") or b"MPI: not built in" in bench.run("--version").out:
         return "left out: needs MPI"
     sweep = Undisturbed(bench)
+    # Fewer blocks than processes: one cell each, whose starts are shared out.
+    few = Undisturbed(bench, starts=40000, speeds="speed.final=2.8")
     path = bench.path("job.nc")
 
-    def job(processes):
-        command = ["mpirun", "--oversubscribe", "-n", str(processes), bench.program, *map(str, sweep.arguments), "-o", path]
+    def job(processes, what=sweep, *more):
+        command = ["mpirun", "--oversubscribe", "-n", str(processes), bench.program, *map(str, what.arguments), *more, "-o", path]
         return bench.start_command(command, env=MPI)
 
     def over(started):
@@ -131,9 +134,9 @@ def sweep_processes(bench):
             started.kill()
         return ended(started)
 
-    for processes in (2, 4):
-        done = over(job(processes))
-        expect(content(path) == sweep.content, f"{done}: other bytes with {processes} processes")
+    for processes, what, more in ((2, sweep, ()), (4, sweep, ()), (2, few, ("--threads", "2")), (4, few, ())):
+        done = over(job(processes, what, *more))
+        expect(content(path) == what.content, f"{done}: other bytes with {processes} processes {more}")
         os.remove(path)
     kills = 1 if bench.quick else 6
     for _ in range(kills):

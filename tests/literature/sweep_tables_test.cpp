@@ -33,7 +33,8 @@ std::vector<std::string> over(const PublishedTable& table) {
     speeds.insert(constant_speed(row).speed.speed);
     drags.insert(constant_speed(row).parameters.drag[0]);
   }
-  return {fmt::format("speed.final={}", fmt::join(speeds, ",")), fmt::format("balancer.drag={}", fmt::join(drags, ","))};
+  return {fmt::format("speed.final={}", fmt::join(speeds, ",")),
+          fmt::format("balancer.drag={}", fmt::join(drags, ","))};
 }
 
 SweepPlan plan_of(const PublishedTable& table) {
@@ -62,7 +63,8 @@ EnsembleResult ensemble_of(const SweepCell& cell) {
 }
 
 // The table with every row's cell, or the cell of the row `shift` places further on.
-ReproducedTable judged(const PublishedTable& table, const SweepPlan& plan, const SweepResult& result, std::size_t shift) {
+ReproducedTable judged(const PublishedTable& table, const SweepPlan& plan, const SweepResult& result,
+                       std::size_t shift) {
   ReproducedTable reproduced;
   reproduced.published = &table;
   for (std::size_t k = 0; k < table.rows.size(); ++k) {

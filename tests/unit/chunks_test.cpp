@@ -52,7 +52,8 @@ Outcome compute(const ChunkWork& work) {
   Outcome outcome;
   const std::atomic<bool> finished{false};
   std::atomic<bool> lost{false};
-  compute_chunks(work, first, limit, finished, lost, [&](const std::shared_ptr<Chunk>& chunk) { outcome.row.take(*chunk); });
+  compute_chunks(work, first, limit, finished, lost,
+                 [&](const std::shared_ptr<Chunk>& chunk) { outcome.row.take(*chunk); });
   outcome.lost = lost;
   return outcome;
 }

@@ -168,6 +168,8 @@ TEST(SweepCells, ReadBackToTheSameBits) {
   group.exceeded[1] = wilson_share(2, 9);
   cell.transients = std::make_shared<TransientGroup>(group);
   cell.note = "ünïcode, \"quoted\"";
+  cell.hints.levels = {{1, false, 64.0 / 3.0}, {3, true, 0.0}};
+  cell.hints.weights = {{-0.1, 1.0 / 3.0, 2.8}};
   const std::vector<std::uint8_t> bytes = store::bytes_of(cell);
   const auto back = store::cell_from(bytes.data(), bytes.size());
   ASSERT_TRUE(back);
@@ -182,6 +184,7 @@ TEST(SweepCells, ReadBackToTheSameBits) {
   EXPECT_EQ(back->transients->figures[3].quantiles[1].high, std::numeric_limits<double>::infinity());
   EXPECT_FALSE(back->passed);
   EXPECT_EQ(back->note, cell.note);
+  EXPECT_EQ(back->hints, cell.hints);
   for (std::size_t cut : {std::size_t{0}, bytes.size() / 2, bytes.size() - 1})
     EXPECT_FALSE(store::cell_from(bytes.data(), cut)) << cut;
 }

@@ -218,5 +218,39 @@ TEST(LevelLadder, HighestGoodLevelIsFoundAndHalved) {
   EXPECT_EQ(tried[2.0 * found].size(), 4096u);
 }
 
+// From wherever the search begins, all tries pass on the level that is found, and far fewer are made where it begins
+// well.
+TEST(LevelLadder, ANeighboursLevelIsABeginningOnly) {
+  constexpr double limit = 0.3;
+  const auto search = [&](double near, std::size_t& tries_made) {
+    std::map<double, std::set<std::size_t>> tried;
+    const double found = highest_good_level(
+        {16.0}, {},
+        [&](double level, const TryRange& tries) {
+          tries_made += tries.count;
+          for (std::size_t i = tries.first; tries.of == 4096 && i < tries.first + tries.count; ++i)
+            tried[level].insert(i);
+          return level < limit;
+        },
+        near);
+    EXPECT_EQ(tried[2.0 * found].size(), 4096u) << near;
+    return found;
+  };
+  std::size_t cold = 0, warm = 0;
+  const double found = search(0.0, cold);
+  EXPECT_EQ(search(found, warm), found);
+  EXPECT_LT(warm, 4096u + 256u);
+  for (const double near : {1e-6, 0.01 * found, 0.5 * found, 0.9 * found, 1.1 * found, 3.0 * found, 100.0, 1e6}) {
+    std::size_t made = 0;
+    const double from_there = search(near, made);
+    EXPECT_LT(2.0 * from_there, limit) << near;
+    // Not looked for higher within six steps.
+    EXPECT_GE(from_there, found * std::pow(2.0, -6.0 / 8.0) * (1.0 - 1e-12)) << near;
+  }
+  const auto none = [](double, const TryRange&) { return false; };
+  EXPECT_EQ(highest_good_level({16.0}, {}, none, 1.0), 0.0);
+  EXPECT_EQ(highest_good_level({16.0, 0}, {}, none, 1.0), 0.0);
+}
+
 }  // namespace
 }  // namespace equipoise

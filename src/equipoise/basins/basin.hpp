@@ -51,7 +51,7 @@ struct BasinOptions : RunOptions {
   bool informed =
       false;  ///< the seeds are all of a neighbouring study's: a shorter search (DiscoverySettings::informed)
   const TrapHints* hints = nullptr;  ///< and its traps, or null
-  int search_threads = 0;  ///< before the first start is decided; 0: as `threads`
+  int search_threads = 0;            ///< before the first start is decided; 0: as `threads`
   /// Who helps to decide starts that are sampled so (basins/chunks.hpp), or null; asked before each sample.
   std::function<ChunkHelp*(SamplingMethod)> help;
   DiscoveryCache* discoveries = nullptr;  ///< shared by runs one after the other that end at the same speed; results do

@@ -19,8 +19,12 @@ Study as_sampled(Study study, SamplingMethod method) {
 
 std::unique_ptr<Runner> ensemble_runner(const Study& study, const BasinOptions& options, DiscoveryCache& discoveries) {
   const int threads = options.search_threads > 0 ? options.search_threads : thread_count(options.threads);
-  const DiscoverySettings search{threads,          options.stop,     options.seeds,
-                                 &discoveries,     options.progress, options.informed,
+  const DiscoverySettings search{threads,
+                                 options.stop,
+                                 options.seeds,
+                                 &discoveries,
+                                 options.progress,
+                                 options.informed,
                                  options.hints ? *options.hints : TrapHints{}};
   return make_runner(study, search, gathers_transients(study, options));
 }

@@ -161,10 +161,9 @@ class Discoverer {
     if (study_.numerics.decide == DecideMode::proof)
       prove_levels(result_.rule.balanced, trials_);
     else if (system_.plain() || result_.balanced.slowest_rate < -slowest_worth_widening)
-      result_.hints.levels.push_back(
-          {balanced_id, false,
-           widen_levels(result_.rule.balanced, trials_, result_.balanced.slowest_rate, pilot_,
-                        settings_.hints.level(balanced_id, false))});
+      result_.hints.levels.push_back({balanced_id, false,
+                                      widen_levels(result_.rule.balanced, trials_, result_.balanced.slowest_rate,
+                                                   pilot_, settings_.hints.level(balanced_id, false))});
   }
 
   // Decides the first `count` of the pilot's starts by the rule as it stands.
@@ -205,8 +204,8 @@ class Discoverer {
     for (const Candidate& c : candidates_) states.insert(states.end(), c.state.begin(), c.state.end());
     DecisionRule later = result_.rule;
     later.first_long_window *= later_windows;
-    const std::vector<Fate> fates = fates_by_windows(system_, std::move(states), later, pilot_windows,
-                                                     trials_.tolerance, settings_.stop);
+    const std::vector<Fate> fates =
+        fates_by_windows(system_, std::move(states), later, pilot_windows, trials_.tolerance, settings_.stop);
     std::vector<Candidate> unknown;
     for (std::size_t k = 0; k < candidates_.size(); ++k) {
       if (fates[k].attractor == 0)
@@ -265,7 +264,8 @@ class Discoverer {
       // Balance is never told by what it looks like: traps know it, or the way to it is followed.
       if (!c.shows_motion || c.attractor == balanced_id) continue;
       if (c.members.empty() && is_known(c.attractor)) c.shows_motion = false;  // another seed came to the same
-      if (c.shows_motion) result_.rule.known.push_back({c.features, c.attractor, c.motion->kind == MotionKind::chaotic});
+      if (c.shows_motion)
+        result_.rule.known.push_back({c.features, c.attractor, c.motion->kind == MotionKind::chaotic});
     }
     for (const Attractor& a : result_.catalogue.listed_since(before)) add_traps(a.motion, a.id);
     set_rule_traps();
@@ -298,7 +298,8 @@ class Discoverer {
         c.range = own[k].range;
         continue;
       }
-      c.shows_motion = c.shows_motion && same_motion(c.features, own[k].features, study_.parameters.balls, agreement(c.motion->kind));
+      c.shows_motion = c.shows_motion &&
+                       same_motion(c.features, own[k].features, study_.parameters.balls, agreement(c.motion->kind));
     }
   }
 
@@ -321,8 +322,8 @@ class Discoverer {
   // Where the neighbour's has none it is not looked for: that takes long, and windows tell the torus too.
   void add_torus(const Motion& motion, int id) {
     const LevelHint* hint = settings_.hints.find(id, true);
-    auto torus = hint && hint->level == 0.0 ? nullptr
-                                            : torus_trap(system_, motion, id, trials_, hint ? hint->level : 0.0);
+    auto torus =
+        hint && hint->level == 0.0 ? nullptr : torus_trap(system_, motion, id, trials_, hint ? hint->level : 0.0);
     result_.hints.levels.push_back({id, true, torus ? torus->level() : 0.0});
     if (torus) tori_.push_back(std::move(torus));
   }
@@ -337,7 +338,8 @@ class Discoverer {
         const Attractor* a = result_.catalogue.find(c.attractor);
         if (!a || !c.shows_motion || c.attractor == balanced_id) continue;
         // A refined orbit vouches for a lone member, and a motion for itself.
-        if (!c.members.empty() && c.members.size() < (a->motion.kind == MotionKind::periodic ? 1 : members_needed)) continue;
+        if (!c.members.empty() && c.members.size() < (a->motion.kind == MotionKind::periodic ? 1 : members_needed))
+          continue;
         const FeatureBox box = box_around(c.range, rule.balls, c.attractor, widths);
         if (box.attractor && rule.boxes.size() < most_boxes) rule.boxes.push_back(box);
       }

@@ -21,7 +21,8 @@ namespace {
 
 // Pilot starts are drawn from a seed of their own, so the decision rule depends on the study but not on its seed.
 constexpr std::uint64_t pilot_seed = 0x9e3779b97f4a7c15;
-constexpr std::size_t chunk = 256;
+// Lanes seldom wait for the last start of a large chunk; several threads need several chunks.
+std::size_t chunk_for(int threads) { return threads == 1 ? PilotRun::random_starts : 256; }
 
 }  // namespace
 
@@ -87,6 +88,7 @@ bool PilotRun::make() {
 bool PilotRun::follow(std::size_t count, const DecisionRule& rule, double horizon, int threads, const StopFlag* stop,
                       StageProgress& stages) {
   const int size = system_.dimension();
+  const std::size_t chunk = chunk_for(threads);
   followed_ = count;
   states_ = begin_;
   std::atomic<bool> complete{true};

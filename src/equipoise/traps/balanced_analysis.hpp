@@ -27,7 +27,7 @@ struct BalancedAnalysis {
   /// Of each stable state where nothing depends on the rotor's angle and states are isolated. Elsewhere traps are those
   /// of the motions (traps/cycle_forms.hpp) or of the continuum.
   std::vector<BalancedTrap> traps;
-  std::vector<ModeWeight> weights;  ///< of the modes of the first of these
+  std::vector<ModeWeight> weights;                     ///< of the modes of the first of these
   std::shared_ptr<const BalancedContinuum> continuum;  ///< null: the states are isolated
   ContinuumSurvey survey;                              ///< of that
   std::string note;  ///< one sentence for the reader when no start can end balanced, else empty
@@ -40,10 +40,11 @@ struct BalancedAnalysis {
 /// motion is then the orbit of one strobe that a balanced state becomes as gravity and anisotropy are switched on
 /// gradually. Of a continuum of balanced states these leave single ones, which starts have to find (leads_to_balance()
 /// tells them), and so they have to under a motor where the rotor's angle matters. A motor without torque holds no
-/// speed: balance, if it comes to that, is at any. Balls in contact are balanced where they have room, and a trap's level is
-/// cut so that none touch on it (traps/touching.hpp). Where dry friction acts balls come to rest near balance, and there is
-/// no trap: what all of them being stuck is worth is told otherwise (motions/stuck.hpp). Once `stop` is set the answer is worth nothing, and comes soon.
-/// `weights`: those of a neighbouring parameter, from which the search for the traps' forms then begins.
+/// speed: balance, if it comes to that, is at any. Balls in contact are balanced where they have room, and a trap's
+/// level is cut so that none touch on it (traps/touching.hpp). Where dry friction acts balls come to rest near balance,
+/// and there is no trap: what all of them being stuck is worth is told otherwise (motions/stuck.hpp). Once `stop` is
+/// set the answer is worth nothing, and comes soon. `weights`: those of a neighbouring parameter, from which the search
+/// for the traps' forms then begins.
 BalancedAnalysis analyse_balanced(const model::System& system, const StopFlag* stop = nullptr,
                                   const std::vector<ModeWeight>& weights = {});
 

@@ -1,13 +1,13 @@
-// What a search found about its traps that the one at a neighbouring parameter may begin with: it finds the same traps or
-// better ones sooner, and tries each as often.
+// What a search found about its traps that the one at a neighbouring parameter may begin with: it finds the same traps
+// or better ones sooner, and tries each as often.
 #pragma once
 
 #include <vector>
 
 namespace equipoise {
 
-/// The level of an attractor's traps, of balanced ones (traps/balanced_trap.hpp) by what they had before it was widened;
-/// 0: none was found.
+/// The level of an attractor's traps, of balanced ones (traps/balanced_trap.hpp) by what they had before it was
+/// widened; 0: none was found.
 struct LevelHint {
   int attractor = 0;
   bool torus = false;  ///< of a trap around a torus, not around an orbit or a state

@@ -80,8 +80,8 @@ struct TryRange {
 };
 
 /// Half the highest level for which good(level, tries) holds of all tries, which are asked in parts; 0 if there is
-/// none. What passes on a level is taken to pass on lower ones only to choose which level is tried next. `near`: what it
-/// may be, 0 if that is not known; the search then begins there, and goes up only where a few tries say so.
+/// none. What passes on a level is taken to pass on lower ones only to choose which level is tried next. `near`: what
+/// it may be, 0 if that is not known; the search then begins there, and goes up only where a few tries say so.
 double highest_good_level(const LevelLadder& ladder, const TrialCounts& counts,
                           const std::function<bool(double level, const TryRange& tries)>& good, double near = 0.0);
 

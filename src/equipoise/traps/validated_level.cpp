@@ -17,8 +17,9 @@ namespace equipoise {
 namespace {
 
 constexpr double widest_factor = 64.0;
-// A trajectory whose V falls to this share of what it was has come to the motion; the first part of all tries is followed so
-// far. Of the others, a quarter of the level that will be used: what is inside came to the motion with the first ones.
+// A trajectory whose V falls to this share of what it was has come to the motion; the first part of all tries is
+// followed so far. Of the others, a quarter of the level that will be used: what is inside came to the motion with the
+// first ones.
 constexpr double come_close = 1e-3, come_inside = 0.125;
 constexpr TrialCounts orbit_tries;
 // Levels where the search begins. In Floquet coordinates, which have no common size, beyond any that was found good; V
