@@ -115,7 +115,10 @@ class SweepDocument {
     DocumentTable table;
     table.header = parameter_titles(r_.axes);
     table.header.insert(table.header.end(), {"balanced", "95 % interval"});
-    if (open_) table.header.push_back("surely within");
+    if (open_) {
+      table.spare.push_back(table.header.size());
+      table.header.push_back("surely within");
+    }
     table.header.push_back("undecided");
     if (stalls_) table.header.push_back("stalled");
     const PageQuantities shown(r_.study);
@@ -124,7 +127,7 @@ class SweepDocument {
       table.header.push_back("above " + shown.text(*limits.displacement, study::Dimension::length));
     if (r_.transients && limits.force)
       table.header.push_back("above " + shown.text(*limits.force, study::Dimension::force));
-    table.spare = {table.header.size()};
+    table.spare.push_back(table.header.size());
     table.header.push_back("starts");
     if (open_) table.caption = "Surely within: whatever undecided starts would come to.";
     for (std::size_t k = 0; k < r_.cells.size(); ++k)
