@@ -175,7 +175,7 @@ class OtherPages(unittest.TestCase):
             self.assertIn(f">{100 * share:.0f}</text>", page.text)
         page, _ = self.page_of("sweep", ROW, *at, "--over", "rotor.damping=0.5,0.6")
         self.assertEqual(page.tags["svg"], 2)
-        self.assertIn("speed.final = 2.6", page.text)
+        self.assertIn("final speed 2.6 ω_c</p>", page.text)
 
     def test_of_a_machine(self):
         page, answer = self.page_of("sweep", WASHING, "--over", "rotor.unbalance=50 kg mm,100 kg mm", "--starts", "40")

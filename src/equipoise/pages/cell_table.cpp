@@ -35,10 +35,8 @@ void add_cell_table(Document& document, DocumentTable table, const std::string& 
     table.rows.resize(most);
     document.blocks.push_back(Paragraph{fmt::format("The table ends after {} of {} cells; {}.", most, rows, all)});
   }
-  if (table.folded) {
-    if (!table.caption.empty()) document.blocks.push_back(Paragraph{table.caption});
-    table.caption = fmt::format("All {} cells", rows);
-  }
+  if (table.folded)
+    table.caption = fmt::format("All {} cells{}{}", rows, table.caption.empty() ? "" : ". ", table.caption);
   document.blocks.push_back(std::move(table));
 }
 

@@ -105,10 +105,12 @@ class SweepDocument {
     const std::size_t cells = r_.cells.size() / outer.values.size();
     constexpr std::size_t most = 12;
     for (std::size_t k = 0; k < std::min(outer.values.size(), most); ++k)
-      row.drawings.push_back({fmt::format("{} = {}", outer.key, outer.given[k]), heat_svg(r_, k * cells), "", ""});
+      row.drawings.push_back(
+          {key_words(outer.key) + " " + value_words(outer.key, outer.given[k]), heat_svg(r_, k * cells), "", ""});
     row.caption = "Balanced share of the starts in every cell, in per cent where there is room.";
     if (outer.values.size() > most)
-      row.caption += fmt::format(" {} more values of {} are not drawn.", outer.values.size() - most, outer.key);
+      row.caption +=
+          fmt::format(" {} more values of {} are not drawn.", outer.values.size() - most, key_words(outer.key));
   }
 
   void table() {
