@@ -85,6 +85,27 @@ class Capacity(unittest.TestCase):
                 self.assertIn(word, done.stderr)
 
 
+class DrawnValues(unittest.TestCase):
+    def test_a_trial_is_what_basin_says_of_drawn_rotors(self):
+        drawn = ["--set", "rotor.damping={uniform=[0.4,0.6]}"]
+        found = answer(*QUICK, *drawn, "--set", "rotor.eccentricity={uniform=[0.01,0.02]}")  # which --of takes the place of
+        trial = found["cells"][0]["trials"][0]
+        alone = answer("basin", ROW, *QUICK[2:6], "--starts", "200", *drawn, "--set", f"rotor.eccentricity={trial['value']}")
+        self.assertEqual(trial["count"], alone["outcomes"][0]["count"])
+        self.assertEqual(found["cells"], answer(*QUICK, *drawn)["cells"])
+        text = run(*QUICK, *drawn, "--quiet").stdout
+        self.assertIn("drawn with each start: rotor.damping uniform, 0.4 to 0.6", text)
+
+    def test_rotors_that_can_balance_count_where_that_of_the_medians_cannot(self):
+        # Two balls of 0.06 make up for an eccentricity of 0.08, two of 0.03 or 0.02 do not: a third of the starts balances.
+        found = answer("capacity", ROW, *QUICK[2:6], "--set", "balancer.mass={values=[0.02,0.03,0.06]}", "--at-least", "0.2",
+                       "--between", "0.08:0.16", "--precision", "0.1", "--starts", "90")
+        trial = found["cells"][0]["trials"][0]
+        self.assertEqual((trial["value"], trial["unstable"]), (0.08, False))
+        self.assertTrue(trial["low"] < 1 / 3 < trial["high"], trial)
+        self.assertFalse(found["cells"][0]["never"])
+
+
 class Files(unittest.TestCase):
     def test_a_finished_file_is_read_and_tells_all(self):
         with tempfile.TemporaryDirectory() as folder:

@@ -40,7 +40,9 @@ ChartExtents extents_of(const Chart& chart) {
   return extents;
 }
 
-// `above`: series that are drawn over this one, by which its line is the wider, to be seen where they coincide.
+bool covers(const ChartSeries& s) { return s.style == ChartSeries::Style::line; }
+
+// `above`: lines that are drawn over this one, by which its line is the wider, to be seen where they coincide.
 void draw_series(Svg& svg, const SvgAxes& axes, const ChartSeries& s, std::size_t above) {
   const bool points = s.style == ChartSeries::Style::points, dashed = s.style == ChartSeries::Style::dashed;
   std::vector<SvgPoint> way;
@@ -82,8 +84,11 @@ std::string chart_svg(const Chart& chart, const std::string& described) {
   const ChartExtents extents = extents_of(chart);
   const SvgAxes axes(svg, drawing_top_left, drawing_bottom_right, extents.x, extents.y, {chart.x_label},
                      {chart.y_label});
-  for (std::size_t k = 0; k < chart.series.size(); ++k)
-    draw_series(svg, axes, chart.series[k], chart.series.size() - 1 - k);
+  auto above = static_cast<std::size_t>(std::count_if(chart.series.begin(), chart.series.end(), covers));
+  for (const ChartSeries& s : chart.series) {
+    above -= covers(s);
+    draw_series(svg, axes, s, above);
+  }
   draw_legend(svg, drawing_height, entries);
   return svg.str();
 }

@@ -12,6 +12,7 @@
 #include "equipoise/pages/answer.hpp"
 #include "equipoise/pages/cell_table.hpp"
 #include "equipoise/pages/page_parts.hpp"
+#include "equipoise/pages/quantities.hpp"
 #include "equipoise/report/capacity_charts.hpp"
 #include "equipoise/report/capacity_report.hpp"
 #include "equipoise/report/cell_text.hpp"
@@ -58,7 +59,7 @@ class CapacityDocument {
                       : fmt::format(
                             "The largest {} at which {:.4g} % of starts end balanced; strokes: up to their lower "
                             "end that is sure, from their upper end on it surely fails.",
-                            r_.key, 100.0 * r_.at_least);
+                            key_words(r_.key), 100.0 * r_.at_least);
     add(std::move(row));
   }
 
@@ -68,7 +69,7 @@ class CapacityDocument {
     DocumentTable table;
     table.header = parameter_titles(r_.axes);
     table.header.insert(table.header.end(),
-                        {column_title(r_.key, r_.unit), "surely between", "undecided at most", "trials"});
+                        {column_title(key_words(r_.key), r_.unit), "surely between", "undecided at most", "trials"});
     table.spare = {table.header.size() - 1};
     table.caption =
         "Surely between: up to the first value the share is as large with 95 % confidence, whatever undecided "
@@ -90,7 +91,8 @@ class CapacityDocument {
   }
 
   void table_of_trials() {
-    DocumentTable table{{column_title(r_.key, r_.unit), "balanced", "95 % interval", "undecided"}, {}, "", false, {}};
+    DocumentTable table{
+        {column_title(key_words(r_.key), r_.unit), "balanced", "95 % interval", "undecided"}, {}, "", false, {}};
     for (const CapacityTrial& t : r_.cells.front()->trials) {
       std::vector<DocumentCell> row{number_cell(fmt::format("{:.6g}", t.value))};
       if (t.unstable)
@@ -111,7 +113,7 @@ class CapacityDocument {
         "Values of {} from {:.4g} to {:.4g}{} in steps of an eighth of that until one is surely too large, then halved "
         "to "
         "{:.3g}; a share that falls short between two of them and recovers is not seen. ",
-        r_.key, r_.from, r_.to, r_.unit.empty() ? "" : " " + r_.unit, r_.precision * (r_.to - r_.from));
+        key_words(r_.key), r_.from, r_.to, r_.unit.empty() ? "" : " " + r_.unit, r_.precision * (r_.to - r_.from));
     if (!r_.axes.empty()) text += fmt::format("Varied: {}. ", varied_words(r_.axes));
     text += fmt::format("{} starts a value {}, the same in all.", r_.starts,
                         starts_words(r_.study, drawn_keys(r_.study, set)));

@@ -175,10 +175,12 @@ std::string answer_sentence(const PlaneMap& map) {
   const std::uint64_t points = of_all->share.total;
   const std::string plane = fmt::format("{} points over {} and {}", points, key_words(map.x.key), key_words(map.y.key));
   const auto balanced = with(balanced_id);
-  const bool none = balanced == map.codes.end() || balanced->share.count == 0;
-  std::string text = none ? fmt::format("Not one of {} ends balanced", plane)
-                          : fmt::format("Of {}, {} end balanced (95 % confidence, as of random ones)", plane,
-                                        share_words(balanced->share));
+  std::string text = fmt::format("Not one of {} ends balanced", plane);
+  if (balanced != map.codes.end() && balanced->share.count > 0) {
+    const bool plain = balanced->name == "balanced";  // else held by friction
+    text = fmt::format("Of {}, {} end {} (95 % confidence, as of random ones)", plane, share_words(balanced->share),
+                       plain ? balanced->name : "\"" + balanced->name + "\"");
+  }
   if (map.figures.balanced_radius && *map.figures.balanced_radius > 0.0)
     text += fmt::format("; all within {:.3g} rad of balanced angles do", *map.figures.balanced_radius);
   if (const auto open = with(undecided_code); open != map.codes.end() && open->share.count > 0)

@@ -7,14 +7,15 @@
 #include <fmt/ranges.h>
 
 #include "equipoise/pages/page_parts.hpp"
+#include "equipoise/pages/quantities.hpp"
 #include "equipoise/report/cell_text.hpp"
 
 namespace equipoise {
 
 std::vector<std::string> parameter_titles(const std::vector<SweepAxis>& axes) {
   std::vector<std::string> titles;
-  visit_parameters(axes, 0,
-                   [&](const SweepParameter& p, std::size_t) { titles.push_back(column_title(p.key, p.unit)); });
+  visit_parameters(
+      axes, 0, [&](const SweepParameter& p, std::size_t) { titles.push_back(column_title(key_words(p.key), p.unit)); });
   return titles;
 }
 
@@ -34,10 +35,8 @@ void add_cell_table(Document& document, DocumentTable table, const std::string& 
     table.rows.resize(most);
     document.blocks.push_back(Paragraph{fmt::format("The table ends after {} of {} cells; {}.", most, rows, all)});
   }
-  if (table.folded) {
-    if (!table.caption.empty()) document.blocks.push_back(Paragraph{table.caption});
-    table.caption = fmt::format("All {} cells", rows);
-  }
+  if (table.folded)
+    table.caption = fmt::format("All {} cells{}{}", rows, table.caption.empty() ? "" : ". ", table.caption);
   document.blocks.push_back(std::move(table));
 }
 
@@ -47,8 +46,9 @@ std::string varied_words(const std::vector<SweepAxis>& axes) {
   visit_parameters(axes, 0, [&](const SweepParameter& p, std::size_t) {
     const std::size_t count = p.given.size();
     text += text.empty() ? "" : "; ";
-    text += count <= few ? fmt::format("{} {}", p.key, fmt::join(p.given, ", "))
-                         : fmt::format("{} from {} to {} ({} values)", p.key, p.given.front(), p.given.back(), count);
+    text += count <= few
+                ? fmt::format("{} {}", key_words(p.key), fmt::join(p.given, ", "))
+                : fmt::format("{} from {} to {} ({} values)", key_words(p.key), p.given.front(), p.given.back(), count);
   });
   return text;
 }

@@ -15,10 +15,10 @@ std::vector<std::string> parameter_titles(const std::vector<SweepAxis>& axes);
 std::vector<DocumentCell> parameter_values(const std::vector<SweepAxis>& axes, std::size_t cell);
 
 /// Puts a table with a row a cell where it belongs: open where it is short, else folded, and cut where it is endless.
-/// `caption`: below it; `all`: where all cells are to be had.
+/// `all`: where all cells are to be had.
 void add_cell_table(Document& document, DocumentTable table, const std::string& all);
 
-/// "speed.final from 1.5 to 6 (46 values), balancer.drag 0.05, 0.1": what varies.
+/// "final speed from 1.5 to 6 (46 values); ball drag 0.05, 0.1": what varies.
 std::string varied_words(const std::vector<SweepAxis>& axes);
 
 }  // namespace equipoise

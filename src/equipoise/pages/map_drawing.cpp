@@ -30,7 +30,7 @@ AxisWords words_for(const Study& study, const MapAxis& axis) {
   }
   const double largest = std::max(std::fabs(axis.low), std::fabs(axis.high));
   if (const auto unit = study.scales ? study::unit_of(study, axis.key) : std::nullopt)
-    return PageQuantities(study).axis(axis.key, largest, unit->dimension);
+    return PageQuantities(study).axis(key_words(axis.key), largest, unit->dimension);
   return {axis_label(axis.key), 1.0};
 }
 

@@ -103,7 +103,8 @@ std::string model_words(const Study& study, const RunWords& run) {
   text += fmt::format(
       " Intervals hold with 95 % confidence. The model: a rotor in a plane, docs/equations.md. equipoise {}, {}",
       version_string, run.cpu_target);
-  if (run.seconds > 0.0)
+  constexpr double shown = 0.05;
+  if (run.seconds >= shown)
     text += fmt::format(", {} thread{}, {:.1f} s ({:.1f} s CPU)", run.threads, run.threads == 1 ? "" : "s", run.seconds,
                         run.cpu_seconds);
   return text;

@@ -25,7 +25,7 @@ std::string grade_words(double grade);
 /// "at random ball angles, seed 1"; `drawn`: keys of what is drawn with each start.
 std::string starts_words(const Study& study, const std::vector<std::string>& drawn);
 
-/// What a run took; 0 s: nobody knows.
+/// What a run took; next to no time is not told.
 struct RunWords {
   std::string cpu_target;
   int threads = 1;

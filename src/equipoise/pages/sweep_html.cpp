@@ -105,17 +105,22 @@ class SweepDocument {
     const std::size_t cells = r_.cells.size() / outer.values.size();
     constexpr std::size_t most = 12;
     for (std::size_t k = 0; k < std::min(outer.values.size(), most); ++k)
-      row.drawings.push_back({fmt::format("{} = {}", outer.key, outer.given[k]), heat_svg(r_, k * cells), "", ""});
+      row.drawings.push_back(
+          {key_words(outer.key) + " " + value_words(outer.key, outer.given[k]), heat_svg(r_, k * cells), "", ""});
     row.caption = "Balanced share of the starts in every cell, in per cent where there is room.";
     if (outer.values.size() > most)
-      row.caption += fmt::format(" {} more values of {} are not drawn.", outer.values.size() - most, outer.key);
+      row.caption +=
+          fmt::format(" {} more values of {} are not drawn.", outer.values.size() - most, key_words(outer.key));
   }
 
   void table() {
     DocumentTable table;
     table.header = parameter_titles(r_.axes);
     table.header.insert(table.header.end(), {"balanced", "95 % interval"});
-    if (open_) table.header.push_back("surely within");
+    if (open_) {
+      table.spare.push_back(table.header.size());
+      table.header.push_back("surely within");
+    }
     table.header.push_back("undecided");
     if (stalls_) table.header.push_back("stalled");
     const PageQuantities shown(r_.study);
@@ -124,7 +129,7 @@ class SweepDocument {
       table.header.push_back("above " + shown.text(*limits.displacement, study::Dimension::length));
     if (r_.transients && limits.force)
       table.header.push_back("above " + shown.text(*limits.force, study::Dimension::force));
-    table.spare = {table.header.size()};
+    table.spare.push_back(table.header.size());
     table.header.push_back("starts");
     if (open_) table.caption = "Surely within: whatever undecided starts would come to.";
     for (std::size_t k = 0; k < r_.cells.size(); ++k)
