@@ -312,6 +312,7 @@ def follow(
     step: float | str,
     *,
     starts: int = 0,
+    states: Optional[npt.ArrayLike] = None,
     threads: int = 0,
     progress: ProgressArgument = False,
     cpu: Optional[str] = None,
@@ -326,11 +327,15 @@ def follow(
         Dimensionless numbers, or quantities with units ("900 rpm") where the study has them.
     starts : int
         Random starts searched at every value besides the pilot's.
+    states : array_like (n, 4 + 2 balls), optional
+        States tried at every value, as for :func:`attractors`: ways to attractors too rare for the pilot.
     threads, progress, cpu
         As for :func:`basin`.
     """
     with settings(threads, progress, cpu) as how:
-        core = _core.follow(study._core, f"{key}={low}:{high}:{step}", starts, how)
+        core = _core.follow(
+            study._core, f"{key}={low}:{high}:{step}", starts, None if states is None else np.asarray(states), how
+        )
     return unless_interrupted(BranchesResult(core, study), core.interrupted)
 
 
