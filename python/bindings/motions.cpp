@@ -20,6 +20,13 @@ namespace equipoise::python {
 
 namespace {
 
+// States to follow besides, each as Attractor.state has it without what a motor adds.
+std::vector<std::vector<double>> seeds_from(const Study& study, const std::optional<py::array>& states) {
+  if (!states) return {};
+  return rows_from(*states, static_cast<std::size_t>(model::dimension(study.parameters.balls)), "states",
+                   "x, y, u, v, ball angles, ball rates");
+}
+
 Kept<AttractorsResult> find_attractors(const PyStudy& s, std::optional<std::uint64_t> starts,
                                        const std::optional<py::array>& states, const py::dict& settings) {
   const Study study = with_medians(s.study);
@@ -27,9 +34,7 @@ Kept<AttractorsResult> find_attractors(const PyStudy& s, std::optional<std::uint
   AttractorsOptions options;
   call.set(options);
   if (starts) options.starts = *starts;
-  if (states)
-    options.seeds = rows_from(*states, static_cast<std::size_t>(model::dimension(study.parameters.balls)), "states",
-                              "x, y, u, v, ball angles, ball rates");
+  options.seeds = seeds_from(study, states);
   AttractorsResult result = Call::run([&] { return attractors(study, options); });
   return {std::move(result), call.interrupted()};
 }
@@ -51,13 +56,15 @@ py::dict path_of(const PyStudy& s, const std::vector<double>& state, double dura
 
 using Branches = Kept<BranchesResult>;
 
-Branches follow(const PyStudy& s, const std::string& along, std::uint64_t starts, const py::dict& settings) {
+Branches follow(const PyStudy& s, const std::string& along, std::uint64_t starts, const std::optional<py::array>& states,
+                const py::dict& settings) {
   const Study study = with_medians(s.study);
   const ParameterLine line(study, along);
   Call call(settings);
   ContinuationOptions options;
   call.set(options);
   options.starts = starts;
+  options.seeds = seeds_from(study, states);
   BranchesResult result = Call::run([&] { return follow_attractors(study, line, options); });
   return {std::move(result), call.interrupted()};
 }
@@ -81,7 +88,8 @@ void bind_motions(py::module_& module) {
   bind_kept<BranchesResult>(module, "Branches", &branches_text, &branches_json)
       .def("csv", [](const Branches& b) { return branches_csv(b.result); })
       .def("save", [](const Branches& b, const std::string& path) { write_branches_file(path, b.result); });
-  module.def("follow", &follow, py::arg("study"), py::arg("along"), py::arg("starts"), py::arg("settings"));
+  module.def("follow", &follow, py::arg("study"), py::arg("along"), py::arg("starts"), py::arg("states"),
+             py::arg("settings"));
   bind_kept<CertifyResult>(module, "Certificates", &certify_text, &certify_json)
       .def("certificates", [](const Kept<CertifyResult>& c) { return certificates_json(c.result); });
   module.def("certify", &prove, py::arg("study"), py::arg("settings"));

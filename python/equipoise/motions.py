@@ -330,6 +330,7 @@ def follow(
     step: float | str,
     *,
     starts: int = 0,
+    states: Optional[npt.ArrayLike] = None,
     threads: int = 0,
     progress: ProgressArgument = False,
     cpu: Optional[str] = None,
@@ -344,14 +345,17 @@ def follow(
         Dimensionless numbers, or quantities with units ("900 rpm") where the study has them.
     starts : int
         Random starts searched at every value besides the pilot's.
+    states : array_like (n, 4 + 2 balls), optional
+        States tried at every value, as for :func:`attractors`: ways to attractors too rare for the pilot.
     threads, progress, cpu
         As for :func:`basin`.
     """
     checked_study(study)
     line = f"{key}=" + ":".join(option_value(value) for value in (low, high, step))
     searched = whole("starts", starts, 0, MOST_STARTS)
+    seeds = None if states is None else numbers("states", states)
     with settings(threads, progress, cpu) as how:
-        core = _core.follow(study._core, line, searched, how)
+        core = _core.follow(study._core, line, searched, seeds, how)
     return unless_interrupted(BranchesResult(core, study), core.interrupted)
 
 

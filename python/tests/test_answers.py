@@ -65,6 +65,8 @@ def test_branches(program, tmp_path):
     assert balanced.stable.all() and balanced.growth_rate.max() < 0
     assert branches.parameter == "speed.final" and len(branches.to_pandas()) == sum(len(b.value) for b in branches)
     assert pickle.loads(pickle.dumps(branches))["balanced"].stable.all()
+    with pytest.raises(eq.StudyError, match=r"\(n, 8\)"):
+        eq.follow(study, "speed.final", 2.2, 2.6, 0.2, states=[[1.0, 2.0]])
     branches.save(tmp_path / "branches.nc")
     assert (tmp_path / "branches.nc").stat().st_size > 1000
 

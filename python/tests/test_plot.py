@@ -519,6 +519,7 @@ def test_a_film_that_would_seem_to_stand_warns(spin_up, tmp_path):
         ({"path": "film.gif", "fps": 0}, "fps = 0"),
         ({"path": "film.gif", "seconds": -1.0}, "seconds = -1.0"),
         ({"path": "film.gif", "frame": "moon"}, "'moon'; allowed: 'rotor', 'room'"),
+        ({"path": "film.gif", "magnify": -2.0}, "magnify = -2.0"),
     ],
 )
 def test_films_refuse_what_they_cannot_be(spin_up, tmp_path, arguments, message):

@@ -177,6 +177,18 @@ class OtherPages(unittest.TestCase):
         self.assertEqual(page.tags["svg"], 2)
         self.assertIn("final speed 2.6 ω_c</p>", page.text)
 
+    def test_of_merged_files(self):
+        with tempfile.TemporaryDirectory() as folder:
+            nc, merged = os.path.join(folder, "s.nc"), os.path.join(folder, "m.nc")
+            of_sweep, _ = self.page_of("sweep", ROW, "--over", "speed.final=2.6,2.8", "--starts", "40", "-o", nc)
+            path = os.path.join(folder, "page.html")
+            done = run("merge", nc, "-o", merged, "--report", path)
+            self.assertEqual((done.returncode, done.stderr), (0, ""))
+            page = Page(path)
+            self.assertEqual((page.lead, page.cells[:4]), (of_sweep.lead, of_sweep.cells[:4]))
+            for text in ("<h1>Ball balancer: s</h1>", "2 cells with 40 starts each (80 in all)"):
+                self.assertIn(text, page.text)
+
     def test_of_a_machine(self):
         page, answer = self.page_of("sweep", WASHING, "--over", "rotor.unbalance=50 kg mm,100 kg mm", "--starts", "40")
         above = [c["transients"]["exceeded"]["displacement"]["share"] for c in answer["cells"]]

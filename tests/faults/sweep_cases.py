@@ -20,7 +20,7 @@ class Undisturbed:
         speeds = speeds or ("speed.final=2.6,2.8,3" if bench.quick else "speed.final=2:3.2:0.2")
         self.arguments = ("sweep", bench.study, "--over", speeds, "--over", "balancer.drag=0.1,0.25", "--starts", starts,
                           "--quiet")
-        path = bench.path("undisturbed.nc")
+        path = bench.path(f"undisturbed-{starts}.nc")
         begin = time.monotonic()
         done = bench.run(*self.arguments, "-o", path)
         self.seconds = time.monotonic() - begin

@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, Any, Optional, Union
 import numpy as np
 
 from . import parts
-from .machine import FRAMES, Machine, States, magnification, own_limit, run_of
+from .machine import Machine, States, check_view, magnification, own_limit, run_of
 
 if TYPE_CHECKING:
     from ..motions import Attractor
@@ -77,7 +77,7 @@ def animate(
         The rotor turns so far from one picture to the next that it seems to stand or to turn backwards. Film a shorter
         stretch of time, or in the rotor's frame.
     """
-    parts.one_of("animate", "frame", frame, FRAMES)
+    check_view("animate", frame, magnify)
     run, attractor = run_of("animate", motion)
     if fps < 1 or not seconds > 0.0 or not np.isfinite(seconds):
         raise ValueError(f"plot.animate(): fps = {fps}, seconds = {seconds}; allowed: 1 or more, and above 0")

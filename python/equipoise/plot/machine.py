@@ -193,6 +193,13 @@ def run_of(function: str, motion: Any) -> tuple[Any, Any]:
     return motion, None
 
 
+def check_view(function: str, frame: str, magnify: Optional[float]) -> None:
+    """Raises ValueError unless there is such a view."""
+    parts.one_of(function, "frame", frame, FRAMES)
+    if magnify is not None and not magnify > 0.0:
+        raise ValueError(f"plot.{function}(): magnify = {magnify!r}; allowed: a number above 0")
+
+
 def own_limit(study: Study, limit: Optional[float]) -> Optional[float]:
     """A limit in the unit of pictures, or the study's own, in race radii."""
     return study.limits["displacement"] if limit is None else limit / parts.Units(study).length.factor
@@ -244,9 +251,7 @@ def disc(
     IndexError
         There is no such time.
     """
-    parts.one_of("disc", "frame", frame, FRAMES)
-    if magnify is not None and not magnify > 0.0:
-        raise ValueError(f"plot.disc(): magnify = {magnify!r}; allowed: a number above 0")
+    check_view("disc", frame, magnify)
     run, attractor = run_of("disc", motion)
     states = States(run, frame)
     if not -states.t.size <= at < states.t.size:

@@ -2,7 +2,6 @@
 #include "equipoise/pages/answer.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cctype>
 #include <optional>
 #include <vector>
@@ -10,7 +9,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include "equipoise/pages/after_what_is_drawn.hpp"
+#include "equipoise/pages/answer_parts.hpp"
 #include "equipoise/pages/quantities.hpp"
 #include "equipoise/report/text.hpp"
 
@@ -39,23 +38,10 @@ std::string balance_words(const BasinResult& r) {
 
 std::string limit_words(const BasinResult& r) {
   if (!r.transients || r.transients->groups.empty()) return "";
-  const PageQuantities shown(r.study);
-  const Limits& limits = r.study.limits;
-  struct Told {
-    const std::optional<double>& limit;
-    Dimension dimension;
-    const char* what;
-    const char* way;
-  };
-  const std::array<Told, 3> told{{{limits.displacement, Dimension::length, "", " on the way"},
-                                  {limits.force, Dimension::force, " on the supports", " on the way"},
-                                  {limits.velocity, Dimension::velocity, " RMS in the end", ""}}};
   std::string text;
-  const TransientGroup& all = r.transients->groups.front();
-  for (std::size_t k = 0; k < told.size(); ++k)
-    if (told[k].limit && all.exceeded[k])
-      text += fmt::format("; {}{} is exceeded{} in {}", shown.text(*told[k].limit, told[k].dimension), told[k].what,
-                          told[k].way, share_words(*all.exceeded[k]));
+  for (const ToldLimit& limit : told_limits(r.study))
+    if (const auto& exceeded = r.transients->groups.front().exceeded[limit.place])
+      text += fmt::format("; {} in {}", limit.words, share_words(*exceeded));
   return text;
 }
 
@@ -76,6 +62,19 @@ std::vector<std::string> drawn_keys(const Study& study, const std::vector<std::s
   for (const UncertainValue& value : study.uncertain.values)
     if (std::find(set.begin(), set.end(), value.key) == set.end()) keys.push_back(value.key);
   return keys;
+}
+
+std::vector<ToldLimit> told_limits(const Study& study) {
+  const PageQuantities shown(study);
+  const Limits& limits = study.limits;
+  std::vector<ToldLimit> told;
+  const auto tell = [&](std::size_t place, const std::optional<double>& limit, Dimension d, const char* words) {
+    if (limit) told.push_back({place, shown.text(*limit, d) + words});
+  };
+  tell(0, limits.displacement, Dimension::length, " is exceeded on the way");
+  tell(1, limits.force, Dimension::force, " on the supports is exceeded on the way");
+  tell(2, limits.velocity, Dimension::velocity, " RMS in the end is exceeded");
+  return told;
 }
 
 std::string after_what_is_drawn(std::vector<std::string> keys, std::string sentence) {

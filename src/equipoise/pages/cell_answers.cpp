@@ -1,13 +1,11 @@
 // One sentence about many cells: the best, the worst, what is not known.
 #include <algorithm>
-#include <array>
-#include <optional>
 #include <vector>
 
 #include <fmt/format.h>
 
 #include "equipoise/deciding/decision_rule.hpp"
-#include "equipoise/pages/after_what_is_drawn.hpp"
+#include "equipoise/pages/answer_parts.hpp"
 #include "equipoise/pages/answer.hpp"
 #include "equipoise/pages/quantities.hpp"
 #include "equipoise/report/text.hpp"
@@ -16,8 +14,6 @@
 namespace equipoise {
 
 namespace {
-
-using study::Dimension;
 
 std::vector<std::size_t> done_cells(const SweepResult& r) {
   std::vector<std::size_t> cells;
@@ -66,29 +62,18 @@ std::string balance_over(const SweepResult& r, const std::vector<std::size_t>& c
 
 // How often a limit is exceeded, from the best cell to the worst.
 std::string limits_over(const SweepResult& r, const std::vector<std::size_t>& cells) {
-  const PageQuantities shown(r.study);
-  const Limits& limits = r.study.limits;
-  struct Told {
-    const std::optional<double>& limit;
-    Dimension dimension;
-    const char* words;
-  };
-  const std::array<Told, 3> told{{{limits.displacement, Dimension::length, " is exceeded on the way"},
-                                  {limits.force, Dimension::force, " on the supports is exceeded on the way"},
-                                  {limits.velocity, Dimension::velocity, " RMS in the end is exceeded"}}};
   std::string text;
-  for (std::size_t k = 0; k < told.size(); ++k) {
-    if (!told[k].limit) continue;
+  for (const ToldLimit& limit : told_limits(r.study)) {
     double least = 1.0, most = 0.0;
     for (const std::size_t cell : cells) {
       const auto& transients = r.cells[cell]->transients;
-      if (!transients || !transients->exceeded[k]) return text;
-      least = std::min(least, transients->exceeded[k]->share);
-      most = std::max(most, transients->exceeded[k]->share);
+      if (!transients || !transients->exceeded[limit.place]) return text;
+      least = std::min(least, transients->exceeded[limit.place]->share);
+      most = std::max(most, transients->exceeded[limit.place]->share);
     }
     const std::string share = least < most ? fmt::format("{:.3g} to {:.3g} %", 100.0 * least, 100.0 * most)
                                            : fmt::format("{:.3g} %", 100.0 * most);
-    text += fmt::format("; {}{} in {}", shown.text(*told[k].limit, told[k].dimension), told[k].words, share);
+    text += fmt::format("; {} in {}", limit.words, share);
   }
   return text;
 }

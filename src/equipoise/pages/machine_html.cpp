@@ -156,8 +156,7 @@ class MachineDocument {
     table.spare = {open ? 4u : 3u, open ? 6u : 5u};
     for (const EndLine& line : end_lines()) {
       const Share& s = line.share;
-      std::vector<DocumentCell> cells{
-          {line.name}, number_cell(percent(s.share, s.count == 0 ? 0 : digits_for(s))), number_cell(interval(s))};
+      std::vector<DocumentCell> cells{{line.name}, share_cell(s), number_cell(interval(s))};
       if (open) cells.push_back(number_cell(&s == &basin_.undecided ? "-" : bounds_text(s)));
       cells.push_back(number_cell(fmt::format("{}", s.count)));
       const auto mean = [&](float TransientRow::*value, Dimension d) {

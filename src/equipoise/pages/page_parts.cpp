@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <string_view>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -20,11 +21,12 @@ namespace equipoise {
 namespace {
 using study::Dimension;
 
-// "angle-grinder" of "studies/angle-grinder.toml".
+// "angle-grinder" of "studies/angle-grinder.toml"; of files of results likewise.
 std::string stem_of(const std::string& name) {
   const std::size_t folder = name.find_last_of('/');
   std::string stem = folder == std::string::npos ? name : name.substr(folder + 1);
-  if (stem.ends_with(".toml")) stem.resize(stem.size() - 5);
+  for (const std::string_view ending : {".toml", ".nc"})
+    if (stem.ends_with(ending)) stem.resize(stem.size() - ending.size());
   return stem.empty() ? "study" : stem;
 }
 
