@@ -58,6 +58,13 @@ def real(name: str, value: Any, low: float, high: float, allowed: str) -> float:
     return number
 
 
+def flag(name: str, value: Any) -> Optional[bool]:
+    """True, False, or None where the study says."""
+    if value is not None and not isinstance(value, (bool, np.bool_, int)):
+        refuse(name, value, "True, False or None")
+    return None if value is None else bool(value)
+
+
 def angles(name: str, values: npt.ArrayLike) -> npt.NDArray[Any]:
     """Rows of starts: what is masked, or has a unit that is no angle's, is refused; the module checks shape and numbers."""
     if is_quantity(values):

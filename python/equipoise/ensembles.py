@@ -13,7 +13,7 @@ import numpy as np
 import numpy.typing as npt
 
 from . import _core
-from ._arguments import LARGEST_SEED, MOST_STARTS, angles, checked_study, real, refuse, whole
+from ._arguments import LARGEST_SEED, MOST_STARTS, angles, checked_study, flag, real, refuse, whole
 from ._call import ProgressArgument, settings, unless_interrupted
 from ._html import percent, table
 from .errors import UndecidedWarning
@@ -331,7 +331,7 @@ def basin(
         refuse("initial", states, "one start or more")
     with settings(threads, progress, cpu) as how:
         core = _core.basin(
-            asked._core, half_width_of(half_width), starts is not None, None if transients is None else bool(transients),
+            asked._core, half_width_of(half_width), starts is not None, flag("transients", transients),
             "" if output is None else os.fspath(output), bool(keep), states, rows, how,
         )
     return unless_interrupted(BasinResult(core, asked), core.interrupted)

@@ -8,7 +8,7 @@ import numpy as np
 import numpy.typing as npt
 
 from . import _core
-from ._arguments import angles, checked_study
+from ._arguments import angles, checked_study, refuse
 from ._call import ProgressArgument, settings, unless_interrupted
 from .ensembles import NO_ATTRACTOR
 from .errors import Interrupted
@@ -212,7 +212,10 @@ class Mapper:
 
     def __call__(self, state: npt.ArrayLike) -> Optional[Known]:
         """The attractor of one state: `balls` angles, or 4 + 2 `balls` numbers. None if it comes to none."""
-        label = int(self.labels(angles("state", state)[None])[0])
+        row = angles("state", state)
+        if row.ndim != 1:
+            refuse("state", state, "one state; labels() takes many")
+        label = int(self.labels(row[None])[0])
         return self.attractors[label] if label > 0 else None
 
     def labels(

@@ -26,6 +26,15 @@ if TYPE_CHECKING:
 
 Array = npt.NDArray[np.float64]
 
+_UNITS = {
+    "stable": ("1", "whether the attractor is stable"),
+    "r_min": ("R", "smallest displacement"),
+    "r_mean": ("R", "mean displacement"),
+    "r_max": ("R", "largest displacement"),
+    "multiplier": ("1", "largest Floquet multiplier"),
+    "growth_rate": ("omega_c", "growth rate of the slowest deviation"),
+}
+
 _LONGEST_PATH = 1e5  # a second or so, which Ctrl-C does not end
 
 
@@ -318,8 +327,19 @@ class BranchesResult(Result):
         return pandas.concat(frames, ignore_index=True) if frames else pandas.DataFrame()
 
     def to_xarray(self) -> xarray.Dataset:
-        """A dataset over the parameter and the attractors; nan where one is not there."""
-        return self.to_pandas().set_index([self.parameter, "id"]).drop(columns=["name", "kind"]).to_xarray()
+        """A dataset over the parameter and the attractors; nan where one is not there, else stable is 1 or 0."""
+        rows = self.to_pandas()
+        if rows.empty:
+            import xarray
+
+            return xarray.Dataset(attrs={"study": self.study.to_toml()})
+        rows["stable"] = rows["stable"].astype(float)
+        dataset = rows.set_index([self.parameter, "id"]).drop(columns=["name", "kind"]).to_xarray()
+        for name, (unit, meaning) in _UNITS.items():
+            dataset[name].attrs.update(units=unit, long_name=meaning)
+        names = {b.id: b.name for b in self}
+        dataset = dataset.assign_coords(name=("id", [names[int(number)] for number in dataset["id"]]))
+        return dataset.assign_attrs(study=self.study.to_toml())
 
 
 def follow(

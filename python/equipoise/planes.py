@@ -14,7 +14,7 @@ import numpy as np
 import numpy.typing as npt
 
 from . import _core
-from ._arguments import checked_study, real, refuse, whole
+from ._arguments import checked_study, flag, real, refuse, whole
 from ._call import ProgressArgument, settings, unless_interrupted
 from ._html import percent, table
 from .ensembles import half_width_of, with_starts
@@ -396,8 +396,8 @@ def sweep(
     texts, zipped = _core.sweep_setting(asked._core) if over is None else (_over(over), zip)
     with settings(threads, progress, cpu) as how:
         core = _core.sweep(
-            asked._core, texts, bool(zipped), half_width_of(half_width), starts is not None,
-            None if transients is None else bool(transients), _path(output), how,
+            asked._core, texts, bool(zipped), half_width_of(half_width), starts is not None, flag("transients", transients),
+            _path(output), how,
         )
     return unless_interrupted(SweepResult(core, asked), core.interrupted)
 
