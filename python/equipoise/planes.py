@@ -237,7 +237,9 @@ class SweepResult(Result):
     Attributes
     ----------
     axes : dict[str, ndarray]
-        Values by key, in the order of the arrays' dimensions (of zipped parameters the first one's).
+        Values by key, in the order of the arrays' dimensions (of zipped parameters the first one's), as they were given.
+    units : dict[str, str]
+        Of the same; "" of dimensionless values.
     names : dict[int, str]
     shares : dict[str, ndarray]
         By name, of the shape of the axes: fraction of the starts; 0 where the attractor is not met, nan where the cell
@@ -257,6 +259,10 @@ class SweepResult(Result):
     def axes(self) -> dict[str, Array]:
         kept = self._parameters[:1] if self.data["zipped"] else self._parameters
         return {p["key"]: np.array(p["values"], dtype=float) for p in kept}
+
+    @property
+    def units(self) -> dict[str, str]:
+        return {p["key"]: p["unit"] for p in self._parameters}
 
     @property
     def shape(self) -> tuple[int, ...]:
@@ -329,7 +335,7 @@ class SweepResult(Result):
         return f"<b>{escape(self.study.name)}</b>" + table(("cell", "starts", "balanced (95 %)", "undecided"), rows)
 
     def to_pandas(self) -> pandas.DataFrame:
-        """Tidy: a row a cell and outcome."""
+        """Tidy: a row a cell and outcome; ``.attrs["units"]`` has the units of the parameters."""
         import pandas
 
         rows = []
@@ -340,10 +346,12 @@ class SweepResult(Result):
                      "high": o["high"], "count": o["count"], "starts": cell["starts"],
                      "undecided": cell["undecided"]["share"]}
                 )
-        return pandas.DataFrame(rows)
+        frame = pandas.DataFrame(rows)
+        frame.attrs["units"] = self.units
+        return frame
 
     def to_xarray(self) -> xarray.Dataset:
-        """A dataset with the parameters as coordinates and the attractors' names."""
+        """A dataset with the parameters, in their units, and the attractors' names as coordinates."""
         import xarray
 
         keys = list(self.axes)
@@ -353,10 +361,10 @@ class SweepResult(Result):
             stacked = np.array(list(grids.values())).reshape(len(grids), *self.shape)
             data[what] = (("outcome", *keys), stacked, {"units": "1"})
         data["undecided"] = (tuple(keys), self.undecided, {"units": "1"})
-        coordinates: dict[str, Any] = {"outcome": list(self._grid("share")), **self.axes}
-        if self.data["zipped"]:
-            for p in self._parameters[1:]:
-                coordinates[p["key"]] = (keys[0], np.array(p["values"], dtype=float))
+        coordinates: dict[str, Any] = {"outcome": list(self._grid("share"))}
+        for p in self._parameters:
+            along = keys[0] if self.data["zipped"] else p["key"]
+            coordinates[p["key"]] = (along, np.array(p["values"], dtype=float), {"units": p["unit"] or "1"})
         return xarray.Dataset(data, coordinates, {"study": self.study.to_toml()})
 
 

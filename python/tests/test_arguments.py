@@ -160,6 +160,8 @@ def test_quantities_keep_their_units(study, machine):
         speeds = eq.sweep(machine, {"speed.final": [800, 900] * units.rpm}, starts=4)
     np.testing.assert_allclose(in_seconds.t * machine.scales["time"], [0.1, 2.0], rtol=1e-14)
     as_text = eq.sweep(machine, {"speed.final": ["800 rpm", "900 rpm"]}, starts=4)
+    assert (speeds.units, as_text.units) == ({"speed.final": "rad/s"}, {"speed.final": "rpm"})
+    assert as_text.to_xarray()["speed.final"].units == as_text.to_pandas().attrs["units"]["speed.final"] == "rpm"
     np.testing.assert_allclose(speeds.axes["speed.final"], as_text.axes["speed.final"] * np.pi / 30, rtol=1e-12)
     assert machine.replace({"initial.phi": [10.0] * machine.balls * units.degree})["initial.phi"][0] == pytest.approx(np.pi / 18)
     with pytest.raises(eq.StudyError, match="no angle"):
