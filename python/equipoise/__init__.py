@@ -42,6 +42,10 @@ def cpu_targets() -> list[str]:
     return list(_core.cpu_targets())
 
 
+def __dir__() -> list[str]:
+    return sorted({*globals(), *__all__})
+
+
 def __getattr__(name: str) -> Any:
     if name == "plot":  # matplotlib is loaded when it is first wanted
         return importlib.import_module(".plot", __name__)

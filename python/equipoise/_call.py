@@ -6,11 +6,14 @@ from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 from typing import Any, Optional, TypeVar, Union
 
+from ._arguments import refuse, whole
 from .errors import Interrupted
 
 ProgressArgument = Union[bool, None, Callable[[int, int, str], Any]]
 
 _Result = TypeVar("_Result")
+
+MOST_THREADS = 4096  # the command line's, too
 
 
 class _Bar:
@@ -49,8 +52,9 @@ def settings(threads: int, progress: ProgressArgument, cpu: Optional[str]) -> It
         listener = lambda done, total, what, preparing, balanced: tell(done, total, what)  # noqa: E731
     elif progress not in (None, True, False):
         raise TypeError(f"progress must be True, False or a callable(done, total, what), not {progress!r}")
-    if isinstance(threads, bool) or not isinstance(threads, int) or threads < 0:
-        raise ValueError(f"threads must be a whole number, 0 for all cores, not {threads!r}")
+    threads = whole("threads", threads, 0, MOST_THREADS, ", 0 for all cores")
+    if cpu is not None and not isinstance(cpu, str):
+        refuse("cpu", cpu, "one of equipoise.cpu_targets()")
     try:
         yield {"threads": threads, "progress": listener, "cpu": cpu}
     finally:

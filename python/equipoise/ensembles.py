@@ -6,15 +6,17 @@ import os
 import warnings
 from collections.abc import Mapping
 from dataclasses import dataclass
+from html import escape
 from typing import TYPE_CHECKING, Any, Optional
 
 import numpy as np
 import numpy.typing as npt
 
 from . import _core
+from ._arguments import LARGEST_SEED, MOST_STARTS, angles, checked_study, flag, real, refuse, whole
 from ._call import ProgressArgument, settings, unless_interrupted
 from ._html import percent, table
-from .errors import StudyError, UndecidedWarning
+from .errors import UndecidedWarning
 from .results import Result
 from .study import Study
 
@@ -97,7 +99,7 @@ class BasinResult(Result):
                 f"{100 * self.undecided:.2g} % of the starts are undecided: their shares of the attractors are open "
                 "(a longer numerics.horizon may decide them)",
                 UndecidedWarning,
-                stacklevel=4,
+                stacklevel=3,  # the line that called basin()
             )
 
     @property
@@ -191,7 +193,7 @@ class BasinResult(Result):
             (name, o["count"], percent(o["share"], o["low"], o["high"]), times.get(name, ""))
             for name, o in self._outcomes()
         ]
-        title = f"<b>{self.study.name}</b>: {self.starts} starts{', stopped early' * self.partial}"
+        title = f"<b>{escape(self.study.name)}</b>: {self.starts} starts{', stopped early' * self.partial}"
         return title + table(("ends", "starts", "share (95 %)", "mean time"), rows)
 
     def to_xarray(self) -> xarray.Dataset:
@@ -235,6 +237,26 @@ class BasinResult(Result):
         columns["decided_by"] = pandas.Categorical.from_codes(self.decided_by, self.decided_by_names)
         columns.update(self.transients or {})
         return pandas.DataFrame(columns, index=pandas.RangeIndex(self.starts, name="start"))
+
+
+def with_starts(study: Study, starts: Optional[int], seed: Optional[int], method: Optional[str] = None) -> Study:
+    """The study that is asked with what a call was told of starts."""
+    return checked_study(study).with_starts(
+        None if starts is None else whole("starts", starts, 1, MOST_STARTS),
+        None if seed is None else whole("seed", seed, 0, LARGEST_SEED),
+        method,
+    )
+
+
+def half_width_of(given: Optional[float]) -> float:
+    """As the module takes it: 0 is none."""
+    return 0.0 if given is None else real("half_width", given, 1e-6, 0.5, "a fraction of one from 1e-6 to 0.5")
+
+
+def sensitivity_rows(given: bool | int) -> Optional[int]:
+    if isinstance(given, (bool, np.bool_)):
+        return 512 if given else None
+    return whole("sensitivity", given, 1, MOST_STARTS, ", or True or False")
 
 
 def basin(
@@ -300,18 +322,17 @@ def basin(
     UndecidedWarning
         If more than 1 % of the starts are undecided.
     """
-    asked = study._with_starts(starts, seed, method)
-    if half_width is not None and not 1e-6 <= half_width <= 0.5:
-        raise StudyError(
-            f"half_width = {half_width}: must be a fraction of one from 1e-6 to 0.5",
-            "half_width", str(half_width), "", "a fraction of one from 1e-6 to 0.5", "half_width",
-        )
-    rows = None if sensitivity is False else 512 if sensitivity is True else int(sensitivity)
-    states = None if initial is None else np.asarray(initial)
+    asked = with_starts(study, starts, seed, method)
+    if initial is not None and starts is not None:
+        refuse("starts", starts, "left out", "initial gives the starts, all of which are followed")
+    rows = sensitivity_rows(sensitivity)
+    states = None if initial is None else angles("initial", initial)
+    if states is not None and states.ndim == 2 and not len(states):
+        refuse("initial", states, "one start or more")
     with settings(threads, progress, cpu) as how:
         core = _core.basin(
-            asked._core, half_width or 0.0, starts is not None, transients,
-            "" if output is None else os.fspath(output), keep, states, rows, how,
+            asked._core, half_width_of(half_width), starts is not None, flag("transients", transients),
+            "" if output is None else os.fspath(output), bool(keep), states, rows, how,
         )
     return unless_interrupted(BasinResult(core, asked), core.interrupted)
 
@@ -374,7 +395,7 @@ class Comparison(Result):
             (d.name, f"{100 * d.first:.2f} %", f"{100 * d.second:.2f} %", percent(d.difference, d.low, d.high))
             for d in self.differences
         ]
-        return f"<b>{self.verdict}</b>" + table(("ends", "first", "second", "difference (95 %)"), rows)
+        return f"<b>{escape(self.verdict)}</b>" + table(("ends", "first", "second", "difference (95 %)"), rows)
 
 
 def _write_json(path: str | os.PathLike[str], data: Mapping[str, Any]) -> None:
@@ -409,7 +430,9 @@ def compare(
     StudyError
         For studies whose starts cannot be compared (grids).
     """
-    one, other = first._with_starts(starts, seed), second._with_starts(starts, seed)
+    checked_study(first, "first")
+    checked_study(second, "second")
+    one, other = with_starts(first, starts, seed), with_starts(second, starts, seed)
     with settings(threads, progress, cpu) as how:
         core = _core.compare(one._core, other._core, how)
     return unless_interrupted(Comparison(core, one), core.interrupted)

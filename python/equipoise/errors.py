@@ -51,6 +51,9 @@ class Interrupted(KeyboardInterrupt):
         super().__init__("interrupted; .result holds what was done by then")
         self.result = result
 
+    def __reduce__(self) -> tuple[Any, ...]:
+        return type(self), (self.result,)
+
 
 class UndecidedWarning(UserWarning):
     """More than 1 % of the starts came to no attractor by the horizon."""

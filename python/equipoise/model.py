@@ -8,8 +8,10 @@ import numpy as np
 import numpy.typing as npt
 
 from . import _core
+from ._arguments import angles, checked_study, refuse
 from ._call import ProgressArgument, settings, unless_interrupted
 from .ensembles import NO_ATTRACTOR
+from .errors import Interrupted
 from .study import Study
 
 Array = npt.NDArray[np.float64]
@@ -44,14 +46,9 @@ class Model:
     """
 
     def __init__(self, study: Study) -> None:
-        self._equations = _core.Equations(study._core)
+        self._equations = _core.Equations(checked_study(study)._core)
         self.study = study
-
-    @classmethod
-    def _of(cls, equations: _core.Equations, study: Study) -> Model:
-        model = cls.__new__(cls)
-        model._equations, model.study = equations, study
-        return model
+        self._released_at: Optional[float] = None
 
     @property
     def dimension(self) -> int:
@@ -84,7 +81,7 @@ class Model:
 
     def states_of(self, starts: npt.ArrayLike) -> Array:
         """States of starts: (n, balls) angles or (n, 4 + 2 balls) as ``basin(initial=)`` takes them -> (n, dimension)."""
-        return self._equations.initial_states(np.asarray(starts))
+        return self._equations.initial_states(angles("starts", starts))
 
     def rhs(self, t: npt.ArrayLike, state: npt.ArrayLike, piece: Optional[int] = None) -> Array:
         """d(state)/dt.
@@ -124,13 +121,17 @@ class Model:
 
     def released_at(self, t: float) -> Model:
         """The same with the balls let go at `t`, of a driven rotor that lets go at a speed."""
-        return self._of(self._equations.released_at(t), self.study)
+        model = type(self).__new__(type(self))
+        model._equations, model.study, model._released_at = self._equations.released_at(t), self.study, t
+        return model
 
     def __getstate__(self) -> dict[str, Any]:
-        return {"study": self.study}
+        return {"study": self.study, "released_at": self._released_at}
 
     def __setstate__(self, state: dict[str, Any]) -> None:
         self.__init__(state["study"])  # type: ignore[misc]
+        if state["released_at"] is not None:
+            self.__dict__ = self.released_at(state["released_at"]).__dict__
 
     def __repr__(self) -> str:
         return f"<Model of {self.study.name}: {', '.join(self.names)}>"
@@ -165,7 +166,7 @@ class Mapper:
     """Classifies states by the attractor that they come to, with the decisions of :func:`basin`, bit for bit.
 
     The attractors are searched for once, when it is made; then ``mapper(state)`` takes micro- to milliseconds. Safe from
-    several threads.
+    several threads. One that is pickled, to work in another process say, searches anew there.
 
     Parameters
     ----------
@@ -184,9 +185,25 @@ class Mapper:
     def __init__(
         self, study: Study, *, threads: int = 0, progress: ProgressArgument = False, cpu: Optional[str] = None
     ) -> None:
-        self.study = study
+        self.study = checked_study(study)
+        self._cpu = cpu
         with settings(threads, progress, cpu) as how:
-            self._core = _core.Mapper(study._core, how)
+            try:
+                self._core = _core.Mapper(study._core, how)
+            except KeyboardInterrupt:
+                raise Interrupted(None) from None  # half a search is no mapper
+
+    def __getstate__(self) -> dict[str, Any]:
+        return {"study": self.study, "cpu": self._cpu}
+
+    def __setstate__(self, state: dict[str, Any]) -> None:
+        self.__init__(state["study"], cpu=state["cpu"])  # type: ignore[misc]
+
+    def __copy__(self) -> Mapper:
+        return self  # safe from several threads: there is nothing to keep apart
+
+    def __deepcopy__(self, memo: dict[int, Any]) -> Mapper:
+        return self
 
     @property
     def attractors(self) -> dict[int, Known]:
@@ -195,7 +212,10 @@ class Mapper:
 
     def __call__(self, state: npt.ArrayLike) -> Optional[Known]:
         """The attractor of one state: `balls` angles, or 4 + 2 `balls` numbers. None if it comes to none."""
-        label = int(self.labels(np.atleast_2d(np.asarray(state)))[0])
+        row = angles("state", state)
+        if row.ndim != 1:
+            refuse("state", state, "one state; labels() takes many")
+        label = int(self.labels(row[None])[0])
         return self.attractors[label] if label > 0 else None
 
     def labels(
@@ -214,7 +234,7 @@ class Mapper:
             0 undecided, -1 diverged, -2 failed, -3 stalled.
         """
         with settings(threads, progress, None) as how:
-            fates = self._core.fates(np.asarray(states), how)
+            fates = self._core.fates(angles("states", states), how)
         return unless_interrupted(fates["labels"], fates["interrupted"])
 
     def name(self, label: int) -> str:

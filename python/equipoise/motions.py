@@ -5,24 +5,37 @@ from __future__ import annotations
 import os
 from collections.abc import Iterator
 from dataclasses import dataclass
+from html import escape
 from typing import TYPE_CHECKING, Any, Optional
 
 import numpy as np
 import numpy.typing as npt
 
 from . import _core
+from ._arguments import MOST_STARTS, checked_study, numbers, real, whole
 from ._call import ProgressArgument, settings, unless_interrupted
 from ._html import percent, table
-from .ensembles import _write_json
+from .ensembles import _write_json, with_starts
 from .errors import RunError
 from .results import Result
-from .study import Study
+from .study import Study, option_value
 
 if TYPE_CHECKING:
     import pandas
     import xarray
 
 Array = npt.NDArray[np.float64]
+
+_UNITS = {
+    "stable": ("1", "whether the attractor is stable"),
+    "r_min": ("R", "smallest displacement"),
+    "r_mean": ("R", "mean displacement"),
+    "r_max": ("R", "largest displacement"),
+    "multiplier": ("1", "largest Floquet multiplier"),
+    "growth_rate": ("omega_c", "growth rate of the slowest deviation"),
+}
+
+_LONGEST_PATH = 1e5  # a second or so, which Ctrl-C does not end
 
 
 @dataclass(frozen=True)
@@ -95,13 +108,16 @@ class Attractor:
         Parameters
         ----------
         duration : float, optional
-            In 1/omega_c; default: a period, of other motions 200.
+            In 1/omega_c, at most 1e5; default: a period, of other motions 200.
         points : int
             Steps of equal time; the path has one point more.
         """
-        length = duration or self.period or 200.0
-        columns = _core.motion_path(self.study._core, self.state.tolist(), length, points)
-        t = np.linspace(0.0, length, points + 1)[: len(columns["X"])]
+        length = self.period or 200.0
+        if duration is not None:
+            length = real("duration", duration, 1e-9, _LONGEST_PATH, f"a time above 0, at most {_LONGEST_PATH:g}")
+        steps = whole("points", points, 1, 10**7)
+        columns = _core.motion_path(self.study._core, self.state.tolist(), length, steps)
+        t = np.linspace(0.0, length, steps + 1)[: len(columns["X"])]
         return Path(t, columns["psi"], columns["X"], columns["Y"], columns["phi"], self.study)
 
     def __repr__(self) -> str:
@@ -143,7 +159,7 @@ class AttractorsResult(Result):
              f"{a.r_max:.4g}", f"{a.period:.5g}" if a.period else "", percent(a.share, a.low, a.high))
             for a in self
         ]
-        return f"<b>{self.study.name}</b>" + table(("attractor", "kind", "", "r max", "period", "share (95 %)"), rows)
+        return f"<b>{escape(self.study.name)}</b>" + table(("attractor", "kind", "", "r max", "period", "share (95 %)"), rows)
 
     def to_pandas(self) -> pandas.DataFrame:
         """A row an attractor."""
@@ -178,9 +194,11 @@ def attractors(
     seed, threads, progress, cpu
         As for :func:`basin`.
     """
-    asked = study._with_starts(None, seed)
+    asked = with_starts(study, None, seed)
+    searched = None if starts is None else whole("starts", starts, 1, MOST_STARTS)
+    seeds = None if states is None else numbers("states", states)
     with settings(threads, progress, cpu) as how:
-        core = _core.attractors(asked._core, starts, None if states is None else np.asarray(states), how)
+        core = _core.attractors(asked._core, searched, seeds, how)
     return unless_interrupted(AttractorsResult(core, asked), core.interrupted)
 
 
@@ -279,10 +297,19 @@ class BranchesResult(Result):
 
     def __repr__(self) -> str:
         values = self.values
-        return (
-            f"<BranchesResult of {self.study.name}: {len(self)} branches along {self.parameter} = {values[0]:g} to "
-            f"{values[-1]:g}>"
-        )
+        stretch = f"{values[0]:g} to {values[-1]:g}" if len(values) else "no value"
+        return f"<BranchesResult of {self.study.name}: {len(self)} branches along {self.parameter} = {stretch}>"
+
+    def _repr_html_(self) -> str:
+        rows = [
+            (f"{b.name}{f' ({b.alias})' * bool(b.alias)}", f"{b.value.min():g} to {b.value.max():g}",
+             f"{int(b.stable.sum())} of {len(b.value)}", f"{b.r_max.max():.4g}",
+             "; ".join(f"{e.change} ({e.cause}) at {e.low:.6g} to {e.high:.6g}" for e in b.events))
+            for b in self
+            if len(b.value)
+        ]
+        head = ("attractor", self.parameter, "stable at", "largest r max", "events")
+        return f"<b>{escape(self.study.name)}</b>" + table(head, rows)
 
     def to_pandas(self) -> pandas.DataFrame:
         """A row a value and branch."""
@@ -300,8 +327,19 @@ class BranchesResult(Result):
         return pandas.concat(frames, ignore_index=True) if frames else pandas.DataFrame()
 
     def to_xarray(self) -> xarray.Dataset:
-        """A dataset over the parameter and the attractors; nan where one is not there."""
-        return self.to_pandas().set_index([self.parameter, "id"]).drop(columns=["name", "kind"]).to_xarray()
+        """A dataset over the parameter and the attractors; nan where one is not there, else stable is 1 or 0."""
+        rows = self.to_pandas()
+        if rows.empty:
+            import xarray
+
+            return xarray.Dataset(attrs={"study": self.study.to_toml()})
+        rows["stable"] = rows["stable"].astype(float)
+        dataset = rows.set_index([self.parameter, "id"]).drop(columns=["name", "kind"]).to_xarray()
+        for name, (unit, meaning) in _UNITS.items():
+            dataset[name].attrs.update(units=unit, long_name=meaning)
+        names = {b.id: b.name for b in self}
+        dataset = dataset.assign_coords(name=("id", [names[int(number)] for number in dataset["id"]]))
+        return dataset.assign_attrs(study=self.study.to_toml())
 
 
 def follow(
@@ -332,10 +370,12 @@ def follow(
     threads, progress, cpu
         As for :func:`basin`.
     """
+    checked_study(study)
+    line = f"{key}=" + ":".join(option_value(value) for value in (low, high, step))
+    searched = whole("starts", starts, 0, MOST_STARTS)
+    seeds = None if states is None else numbers("states", states)
     with settings(threads, progress, cpu) as how:
-        core = _core.follow(
-            study._core, f"{key}={low}:{high}:{step}", starts, None if states is None else np.asarray(states), how
-        )
+        core = _core.follow(study._core, line, searched, seeds, how)
     return unless_interrupted(BranchesResult(core, study), core.interrupted)
 
 
@@ -384,5 +424,5 @@ def certify(study: Study, *, progress: ProgressArgument = False) -> CertifyResul
         For systems without such proofs (gravity, anisotropic supports, contact, dry friction).
     """
     with settings(0, progress, None) as how:
-        core = _core.certify(study._core, how)
+        core = _core.certify(checked_study(study)._core, how)
     return unless_interrupted(CertifyResult(core, study), core.interrupted)

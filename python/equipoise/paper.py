@@ -7,6 +7,7 @@ import os
 from typing import Any, Optional
 
 from . import _core
+from ._arguments import MOST_STARTS, checked_study, refuse, whole
 from ._call import ProgressArgument, settings, unless_interrupted
 from .ensembles import _write_json
 from .results import Answer
@@ -17,7 +18,7 @@ class Explanation:
     """A study's numbers and what follows from them without any simulation; ``text`` and ``data``."""
 
     def __init__(self, study: Study) -> None:
-        self.study = study
+        self.study = checked_study(study)
         made = study._core.explain()
         self.text: str = made["text"]
         self.data: dict[str, Any] = json.loads(made["json"])
@@ -105,8 +106,12 @@ def reproduce(
     """
     if not what:
         raise ValueError(f"reproduce() needs to be told what: {', '.join(_core.reproducible())}")
+    for entry in what:
+        if not isinstance(entry, str):
+            refuse("what", entry, "one of reproducible()")
+    ensemble, pixels = whole("starts", starts, 0, MOST_STARTS), whole("map_pixels", map_pixels, 1, 20000)
     with settings(threads, progress, cpu) as how:
-        core = _core.reproduce(list(what), starts, law, "" if folder is None else os.fspath(folder), map_pixels, how)
+        core = _core.reproduce(list(what), ensemble, law, "" if folder is None else os.fspath(folder), pixels, how)
     return unless_interrupted(Reproduction(core), core.interrupted)
 
 

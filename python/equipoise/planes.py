@@ -2,23 +2,30 @@
 
 from __future__ import annotations
 
+import builtins
+import itertools
 import os
+import re
 from collections.abc import Mapping, Sequence
+from html import escape
 from typing import TYPE_CHECKING, Any, Optional, Union
 
 import numpy as np
 import numpy.typing as npt
 
 from . import _core
+from ._arguments import checked_study, flag, real, refuse, whole
 from ._call import ProgressArgument, settings, unless_interrupted
 from ._html import percent, table
-from .errors import StudyError
+from .ensembles import half_width_of, with_starts
 from .results import Result
-from .study import Study, plain
+from .study import Study, option_value, plain
 
 if TYPE_CHECKING:
     import pandas
     import xarray
+
+_MOST_PIXELS = 20000
 
 Array = npt.NDArray[np.float64]
 Range = Union[str, tuple[Any, Any], None]
@@ -29,26 +36,44 @@ def _path(path: Optional[str | os.PathLike[str]]) -> str:
     return "" if path is None else os.fspath(path)
 
 
-def _number(value: Any) -> str:
-    value = plain(value)
-    return value if isinstance(value, str) else repr(value)
-
-
-def _range(given: Range) -> str:
+def _range(name: str, given: Range) -> str:
     if given is None or isinstance(given, str):
         return given or ""
-    low, high = given
-    return f"{_number(low)}:{_number(high)}"
+    ends = plain(given)
+    if not isinstance(ends, list) or len(ends) != 2:
+        refuse(name, given, 'a pair (low, high), or text such as "0:2pi"')
+    return ":".join(option_value(end) for end in ends)
 
 
 def _over(over: Mapping[str, Values]) -> list[str]:
+    if not isinstance(over, Mapping):
+        refuse("over", over, 'a dictionary of values by key, such as {"speed.final": [2.0, 2.4]}')
     texts = []
     for key, values in over.items():
-        if isinstance(values, str):
-            texts.append(f"{key}={values}")
-        else:
-            texts.append(f"{key}=" + ",".join(_number(value) for value in np.asarray(values, dtype=object).ravel()))
+        if not isinstance(values, str):
+            entries = plain(values)
+            values = ",".join(option_value(entry) for entry in (entries if isinstance(entries, list) else [entries]))
+        texts.append(f"{key}={values}")
     return texts
+
+
+def _size(size: int | tuple[int, int]) -> tuple[int, int]:
+    sides = [size, size] if np.ndim(size) == 0 else list(size)  # type: ignore[arg-type]
+    if len(sides) != 2:
+        refuse("size", size, "one whole number, or two: width and height")
+    width, height = (whole("size", side, 1, _MOST_PIXELS) for side in sides)
+    return width, height
+
+
+def _axis(study: Study, name: str, key: str) -> str:
+    if not isinstance(key, str):
+        refuse(name, key, 'a key of the study, such as "initial.phi_1"')
+    ball = re.fullmatch(r"initial\.phi(?:_dot)?_(\d+)", key)
+    if ball and not 1 <= int(ball[1]) <= study.balls:
+        last = study.balls
+        others = 'of its one ball, "initial.phi_1" or "initial.phi_dot_1"' if last == 1 else f"of one of its balls 1 to {last}"
+        refuse(name, key, f"{others}, or another key of the study")
+    return key
 
 
 class MapResult(Result):
@@ -129,7 +154,7 @@ class MapResult(Result):
             for name, f in self.figures.items()
             if isinstance(f, tuple) or f is None
         ]
-        title = f"<b>{self.study.name}</b>: {self.x_key} and {self.y_key}"
+        title = f"<b>{escape(self.study.name)}</b>: {self.x_key} and {self.y_key}"
         return title + table(("ends", "pixels", "share (95 %)"), [*rows, *figures])
 
     def to_xarray(self) -> xarray.Dataset:
@@ -192,15 +217,16 @@ def map(  # noqa: A001 (the command line's name)
     threads, progress, cpu
         As for :func:`basin`.
     """
-    width, height = (size, size) if isinstance(size, int) else size
-    ties = [tie] if isinstance(tie, str) else list(tie)
-    if refine and (refine < 2 or refine > 64 or refine & (refine - 1)):
-        allowed = "0, or a power of two from 2 to 64"
-        raise StudyError(f"refine = {refine}: must be {allowed}", "refine", str(refine), "", allowed, "refine")
+    across, up = _axis(checked_study(study), "x", x), _axis(study, "y", y)
+    width, height = _size(size)
+    ties = [tie] if isinstance(tie, str) else list(tie or ())
+    block = whole("refine", refine, 0, 64, ", a power of two")
+    if block == 1 or block & (block - 1):
+        refuse("refine", refine, "0, or a power of two from 2 to 64")
     with settings(threads, progress, cpu) as how:
         core = _core.map(
-            study._core, (x, _range(x_range), width), (y, _range(y_range), height), ties, refine, _path(output),
-            _path(from_file), how,
+            study._core, (across, _range("x_range", x_range), width), (up, _range("y_range", y_range), height), ties,
+            block, _path(output), _path(from_file), how,
         )
     return unless_interrupted(MapResult(core, study), core.interrupted)
 
@@ -211,7 +237,9 @@ class SweepResult(Result):
     Attributes
     ----------
     axes : dict[str, ndarray]
-        Values by key, in the order of the arrays' dimensions (of zipped parameters the first one's).
+        Values by key, in the order of the arrays' dimensions (of zipped parameters the first one's), as they were given.
+    units : dict[str, str]
+        Of the same; "" of dimensionless values.
     names : dict[int, str]
     shares : dict[str, ndarray]
         By name, of the shape of the axes: fraction of the starts; 0 where the attractor is not met, nan where the cell
@@ -233,6 +261,10 @@ class SweepResult(Result):
         return {p["key"]: np.array(p["values"], dtype=float) for p in kept}
 
     @property
+    def units(self) -> dict[str, str]:
+        return {p["key"]: p["unit"] for p in self._parameters}
+
+    @property
     def shape(self) -> tuple[int, ...]:
         return tuple(len(values) for values in self.axes.values())
 
@@ -246,15 +278,14 @@ class SweepResult(Result):
 
     def cells_by_place(self) -> list[tuple[tuple[int, ...], dict[str, Any]]]:
         """Cells with their places along the axes; cells that are missing are not among them."""
-        places = []
-        index = [
-            {value: k for k, value in enumerate(p["values"])}
-            for p in (self._parameters[:1] if self.data["zipped"] else self._parameters)
-        ]
-        for cell in self.cells:
-            if cell.get("outcomes") is not None:
-                places.append((tuple(index[a][cell["at"][key]] for a, key in enumerate(self.axes)), cell))
-        return places
+        cells = {
+            tuple(cell["at"][p["key"]] for p in self._parameters): cell
+            for cell in self.cells
+            if cell.get("outcomes") is not None
+        }
+        columns = [p["values"] for p in self._parameters]
+        combinations = builtins.zip(*columns) if self.data["zipped"] else itertools.product(*columns)
+        return [(place, cells[at]) for place, at in builtins.zip(np.ndindex(self.shape), combinations) if at in cells]
 
     def _grid(self, what: str) -> dict[str, Array]:
         grids: dict[str, Array] = {}
@@ -301,10 +332,10 @@ class SweepResult(Result):
             balanced = next((o for o in cell["outcomes"] if o["id"] == 1), None)
             share = percent(balanced["share"], balanced["low"], balanced["high"]) if balanced else ""
             rows.append((at, cell["starts"], share, f"{100 * cell['undecided']['share']:.2f} %"))
-        return f"<b>{self.study.name}</b>" + table(("cell", "starts", "balanced (95 %)", "undecided"), rows)
+        return f"<b>{escape(self.study.name)}</b>" + table(("cell", "starts", "balanced (95 %)", "undecided"), rows)
 
     def to_pandas(self) -> pandas.DataFrame:
-        """Tidy: a row a cell and outcome."""
+        """Tidy: a row a cell and outcome; ``.attrs["units"]`` has the units of the parameters."""
         import pandas
 
         rows = []
@@ -315,22 +346,25 @@ class SweepResult(Result):
                      "high": o["high"], "count": o["count"], "starts": cell["starts"],
                      "undecided": cell["undecided"]["share"]}
                 )
-        return pandas.DataFrame(rows)
+        frame = pandas.DataFrame(rows)
+        frame.attrs["units"] = self.units
+        return frame
 
     def to_xarray(self) -> xarray.Dataset:
-        """A dataset with the parameters as coordinates and the attractors' names."""
+        """A dataset with the parameters, in their units, and the attractors' names as coordinates."""
         import xarray
 
         keys = list(self.axes)
         data: dict[str, Any] = {}
         for what in ("share", "low", "high"):
             grids = self._grid(what)
-            data[what] = (("outcome", *keys), np.array(list(grids.values())), {"units": "1"})
+            stacked = np.array(list(grids.values())).reshape(len(grids), *self.shape)
+            data[what] = (("outcome", *keys), stacked, {"units": "1"})
         data["undecided"] = (tuple(keys), self.undecided, {"units": "1"})
-        coordinates: dict[str, Any] = {"outcome": list(self._grid("share")), **self.axes}
-        if self.data["zipped"]:
-            for p in self._parameters[1:]:
-                coordinates[p["key"]] = (keys[0], np.array(p["values"], dtype=float))
+        coordinates: dict[str, Any] = {"outcome": list(self._grid("share"))}
+        for p in self._parameters:
+            along = keys[0] if self.data["zipped"] else p["key"]
+            coordinates[p["key"]] = (along, np.array(p["values"], dtype=float), {"units": p["unit"] or "1"})
         return xarray.Dataset(data, coordinates, {"study": self.study.to_toml()})
 
 
@@ -366,13 +400,18 @@ def sweep(
     transients, threads, progress, cpu
         As for :func:`basin`.
     """
-    asked = study._with_starts(starts, seed)
+    asked = with_starts(study, starts, seed)
     texts, zipped = _core.sweep_setting(asked._core) if over is None else (_over(over), zip)
     with settings(threads, progress, cpu) as how:
         core = _core.sweep(
-            asked._core, texts, zipped, half_width or 0.0, starts is not None, transients, _path(output), how
+            asked._core, texts, bool(zipped), half_width_of(half_width), starts is not None, flag("transients", transients),
+            _path(output), how,
         )
     return unless_interrupted(SweepResult(core, asked), core.interrupted)
+
+
+def _shown(number: Optional[float]) -> str:
+    return "?" if number is None else f"{number:.5g}"
 
 
 class CapacityResult(Result):
@@ -442,9 +481,9 @@ class CapacityResult(Result):
         rows = []
         for c in self.cells:
             at = ", ".join(f"{key} = {value:g}" for key, value in c["at"].items())
-            found = "beyond the range" if c.get("always") else "below the range" if c.get("never") else f"{c['value']:.5g}"
-            rows.append((at, found, f"{c['low']:.5g} to {c['high']:.5g}"))
-        return f"<b>{self.of}, {self.unit}</b>" + table(("cell", "capacity", "95 %"), rows)
+            found = "beyond the range" if c.get("always") else "below the range" if c.get("never") else _shown(c.get("value"))
+            rows.append((at, found, f"{_shown(c.get('low'))} to {_shown(c.get('high'))}"))
+        return f"<b>{self.of}{', ' * bool(self.unit)}{self.unit}</b>" + table(("cell", "capacity", "95 %"), rows)
 
 
 def capacity(
@@ -479,7 +518,13 @@ def capacity(
     starts, seed, threads, progress, cpu
         As for :func:`basin`.
     """
-    asked = study._with_starts(starts, seed)
+    asked = with_starts(study, starts, seed)
+    if not isinstance(of, str):
+        refuse("of", of, 'a key of the study, such as "rotor.eccentricity"')
+    share = real("at_least", at_least, 0.01, 0.9999, "a share from 0.01 to 0.9999")
+    part = real("precision", precision, 0.0, 1.0, "a part of the range, such as 0.005")
     with settings(threads, progress, cpu) as how:
-        core = _core.capacity(asked._core, of, _range(between), at_least, precision, _over(over or {}), zip, how)
+        core = _core.capacity(
+            asked._core, of, _range("between", between), share, part, _over({} if over is None else over), bool(zip), how
+        )
     return unless_interrupted(CapacityResult(core, asked), core.interrupted)

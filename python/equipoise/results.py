@@ -2,9 +2,11 @@
 
 from __future__ import annotations
 
+import copy
 import json
 import os
 from functools import cached_property
+from html import escape
 from typing import Any
 
 from .errors import RunError
@@ -41,6 +43,22 @@ class Answer:
     def save(self, path: str | os.PathLike[str]) -> None:
         """Write the file that the command line writes, NetCDF that xarray opens."""
         self._saved_core().save(os.fspath(path))
+
+    def _repr_html_(self) -> str:
+        return f"<pre>{escape(self.text)}</pre>"
+
+    # What the module holds never changes, so copies share it, and can be saved as the original can.
+    def __copy__(self) -> Any:
+        other = type(self).__new__(type(self))
+        other.__dict__.update(self.__dict__)
+        return other
+
+    def __deepcopy__(self, memo: dict[int, Any]) -> Any:
+        other = type(self).__new__(type(self))
+        memo[id(self)] = other
+        for name, value in self.__dict__.items():
+            other.__dict__[name] = value if name == "_core" else copy.deepcopy(value, memo)
+        return other
 
     def __getstate__(self) -> dict[str, Any]:
         for name in self._lasting:

@@ -4,47 +4,76 @@ from __future__ import annotations
 
 import json
 import math
+import numbers
 import os
-from collections.abc import Mapping
+from collections.abc import Iterator, Mapping
+from html import escape
 from typing import Any, Optional
 
 from . import _core
 from ._html import definition_table
+from .errors import StudyError
 
 
-def _is_quantity(value: Any) -> bool:
+def is_quantity(value: Any) -> bool:
+    """Whether it is one of pint's, which need not be installed."""
     return hasattr(value, "magnitude") and hasattr(value, "to_base_units")
 
 
 def plain(value: Any) -> Any:
     """Numbers of NumPy as Python's, quantities of pint as text with units, all that is nested likewise."""
-    if _is_quantity(value):
+    if is_quantity(value):
         base = value.to_base_units()
         unit = format(base.units, "~C").replace("**", "^")
-        return plain(base.magnitude) if unit in ("", "dimensionless") else f"{plain(base.magnitude)!r} {unit}"
+        return _with_unit(plain(base.magnitude), "" if unit == "dimensionless" else unit)
     if isinstance(value, Mapping):
         return {str(key): plain(entry) for key, entry in value.items()}
-    if isinstance(value, (list, tuple)):
+    if isinstance(value, (list, tuple, range)):
         return [plain(entry) for entry in value]
     if hasattr(value, "tolist"):
-        return value.tolist()
-    return value
+        return plain(value.tolist())
+    if isinstance(value, numbers.Real) and not isinstance(value, (bool, int, float)):
+        return float(value)  # Fraction
+    return float(value) if type(value).__name__ == "Decimal" else value
 
 
-def toml_value(value: Any) -> str:
-    """A value as TOML has it, for overrides."""
+def _with_unit(magnitude: Any, unit: str) -> Any:
+    if isinstance(magnitude, list):
+        return [_with_unit(entry, unit) for entry in magnitude]
+    return f"{magnitude!r} {unit}" if unit else magnitude
+
+
+def toml_value(key: str, value: Any) -> str:
+    """A value as TOML has it, for overrides; `key` is whose it is, for messages."""
     value = plain(value)
     if isinstance(value, bool):
         return "true" if value else "false"
     if isinstance(value, str):
-        return json.dumps(value)
+        return json.dumps(value, ensure_ascii=False).replace("\x7f", "\\u007f")  # which TOML does not take as it is
     if isinstance(value, dict):
-        return "{ " + ", ".join(f"{key} = {toml_value(entry)}" for key, entry in value.items()) + " }"
+        return "{ " + ", ".join(f"{name} = {toml_value(f'{key}.{name}', entry)}" for name, entry in value.items()) + " }"
     if isinstance(value, list):
-        return "[" + ", ".join(toml_value(entry) for entry in value) + "]"
+        return "[" + ", ".join(toml_value(key, entry) for entry in value) + "]"
     if isinstance(value, float) and not math.isfinite(value):
         return "nan" if math.isnan(value) else "inf" if value > 0 else "-inf"
-    return repr(value)
+    if isinstance(value, float) or (isinstance(value, int) and abs(value) < 2**63):
+        return repr(value)
+    wrong = "is too large a number" if isinstance(value, int) else f"is a value of type {type(value).__name__}"
+    allowed = "must be a number, text, a truth value, a list or a table"
+    raise StudyError(f"{key} = {value!r}: {wrong}; {allowed}", key, repr(value), wrong, allowed)
+
+
+def option_value(value: Any) -> str:
+    """A number, or text with a unit, as the command line's options take it."""
+    value = plain(value)
+    return value if isinstance(value, str) else repr(value)
+
+
+def _tables(given: Any, what: str) -> Mapping[str, Any]:
+    if given is None or isinstance(given, Mapping):
+        return given or {}
+    hint = " (Study.from_file(path) reads a file, Study.from_toml(text) its text)" if what == "tables" else ""
+    raise TypeError(f"{what} must be a dictionary, not {type(given).__name__}{hint}")
 
 
 class Study:
@@ -78,7 +107,7 @@ class Study:
     def __init__(
         self, tables: Optional[Mapping[str, Any]] = None, /, *, name: str = "study", **sections: Mapping[str, Any]
     ) -> None:
-        self._core: _core.Study = _core.Study.from_tree(plain({**(tables or {}), **sections}), name)
+        self._core: _core.Study = _core.Study.from_tree(plain({**_tables(tables, "tables"), **sections}), str(name))
 
     @classmethod
     def _of(cls, core: _core.Study) -> Study:
@@ -110,10 +139,18 @@ class Study:
         StudyError
             If the result is no study.
         """
-        together = {**(changes or {}), **keys}
-        return self._of(self._core.with_overrides([f"{key}={toml_value(value)}" for key, value in together.items()]))
+        together = {**_tables(changes, "changes"), **keys}
+        overrides = [f"{key}={toml_value(str(key), value)}" for key, value in together.items()]
+        try:
+            return self._of(self._core.with_overrides(overrides))
+        except StudyError as error:
+            if error.where != "--set":  # the command line's name for what is said here
+                raise
+            text = str(error).removeprefix("--set").removeprefix(":").strip()
+            raise StudyError(text, error.key, error.value, error.wrong, error.allowed, self.name) from None
 
-    def _with_starts(self, starts: Optional[int], seed: Optional[int], method: Optional[str] = None) -> Study:
+    def with_starts(self, starts: Optional[int], seed: Optional[int], method: Optional[str] = None) -> Study:
+        """The same study with another number of starts, seed or method of sampling; None leaves what there is."""
         changes = {"sampling.starts": starts, "sampling.seed": seed, "sampling.method": method}
         given = {key: value for key, value in changes.items() if value is not None}
         return self.replace(given) if given else self
@@ -179,12 +216,27 @@ class Study:
             file.write(self.to_toml())
 
     def __getitem__(self, key: str) -> Any:
+        if not isinstance(key, str):
+            raise KeyError(key)
         value: Any = self.to_dict()
         for part in key.split("."):
             if not isinstance(value, dict) or part not in value:
                 raise KeyError(key)
             value = value[part]
         return value
+
+    def __contains__(self, key: object) -> bool:
+        try:
+            self[key]  # type: ignore[index]
+        except KeyError:
+            return False
+        return True
+
+    def __iter__(self) -> Iterator[str]:
+        return (f"{table}.{key}" for table, members in self.to_dict().items() for key in members)
+
+    def _ipython_key_completions_(self) -> list[str]:
+        return list(self)
 
     def __eq__(self, other: object) -> bool:
         return isinstance(other, Study) and self.to_toml() == other.to_toml()
@@ -196,11 +248,7 @@ class Study:
         return f"<Study {self.name}: {self._core.parameters_text}>"
 
     def _repr_html_(self) -> str:
-        rows = []
-        for table, members in self.to_dict().items():
-            for key, value in members.items():
-                rows.append((f"{table}.{key}", value))
-        return f"<b>Study {self.name}</b>" + definition_table(rows)
+        return f"<b>Study {escape(self.name)}</b>" + definition_table((key, self[key]) for key in self)
 
     def __getstate__(self) -> dict[str, Any]:
         return {"core": self._core}

@@ -3,14 +3,17 @@
 from __future__ import annotations
 
 import os
+from html import escape
 from typing import TYPE_CHECKING, Any, Optional
 
 import numpy as np
 import numpy.typing as npt
 
 from . import _core
+from ._arguments import checked_study, numbers, real, refuse
 from ._call import settings, unless_interrupted
-from .study import Study
+from ._html import definition_table
+from .study import Study, is_quantity
 
 if TYPE_CHECKING:
     import pandas
@@ -97,6 +100,15 @@ class Trajectory:
             f"largest radial displacement {self.radial.max():.4g} R>"
         )
 
+    def _repr_html_(self) -> str:
+        rows: list[tuple[str, Any]] = [("status", self.status), ("rows", len(self))]
+        if len(self):
+            rows += [
+                ("t", f"{self.t[0]:g} to {self.t[-1]:g}"), ("psi_dot", f"{self.psi_dot[0]:g} to {self.psi_dot[-1]:g}"),
+                ("largest radial", f"{self.radial.max():.4g} R"), ("last radial", f"{self.radial[-1]:.4g} R"),
+            ]
+        return f"<b>Trajectory of {escape(self.study.name)}</b>" + definition_table(rows)
+
     def to_xarray(self) -> xarray.Dataset:
         """A dataset with coordinate t; every variable has units and long_name."""
         import xarray
@@ -129,6 +141,22 @@ class Trajectory:
         _core.save_trajectory({name: getattr(self, name) for name in _UNITS}, self.study._core, os.fspath(path))
 
 
+def _output_times(study: Study, t: Any) -> tuple[Optional[list[float]], Optional[float]]:
+    """All times, or the last one."""
+    if t is None:
+        return None, None
+    if is_quantity(t):
+        if study.scales is None:
+            refuse("t", t, "in 1/omega_c: the study is dimensionless", "has a unit")
+        t = (t / (study.scales["time"] * t._REGISTRY.second)).to("dimensionless").magnitude
+    if np.ndim(t) == 0:
+        return None, real("t", t, 0.0, 1e9, "a number from 0 to 1e9, in 1/omega_c, or an array of them")
+    array = numbers("t", t)
+    if array.ndim != 1 or (array.size and array.dtype.kind not in "fiu"):
+        refuse("t", t, "one number or a row of them, in 1/omega_c")
+    return array.tolist(), None
+
+
 def simulate(
     study: Study,
     t: Optional[npt.ArrayLike] = None,
@@ -143,7 +171,7 @@ def simulate(
     study : Study
         With uncertain values: at their medians.
     t : array_like (n,), float or None
-        Times in 1/omega_c, rising, from 0 on; a single number: from 0 until then; None: until 100 after the last
+        Times in 1/omega_c (of a study in physical units also pint quantities), rising, from 0 on; a single number: from 0 until then; None: until 100 after the last
         branch of the speed begins and the balls are free.
     every : float, optional
         Time between rows, where `t` is no array; default: a hundredth of the whole.
@@ -164,8 +192,10 @@ def simulate(
     Equations (1) to (7) of docs/equations.md; an eighth-order Runge-Kutta method with dense output, each step to
     ``numerics.tolerance`` (default 1e-12).
     """
-    times = None if t is None or np.ndim(t) == 0 else np.asarray(t, dtype=float).ravel().tolist()
-    until = None if t is None or times is not None else float(t)  # type: ignore[arg-type]
+    times, until = _output_times(checked_study(study), t)
+    if times is not None and every is not None:
+        refuse("every", every, "left out", "t gives all times")
+    between = None if every is None else real("every", every, 0.0, 1e9, "a number greater than 0, at most 1e9")
     with settings(0, progress, None) as how:
-        columns = _core.simulate(study._core, times, until, every, how)
+        columns = _core.simulate(study._core, times, until, between, how)
     return unless_interrupted(Trajectory(columns, study), columns["interrupted"])
