@@ -63,6 +63,13 @@ py::dict parameters_of(const Study& uncertain) {
   return parameters;
 }
 
+// Key and unit of each value that starts draw, in the order of the columns drawn.
+py::list uncertain_of(const PyStudy& s) {
+  py::list values;
+  for (const UncertainValue& value : s.study.uncertain.values) values.append(py::make_tuple(value.key, value.unit));
+  return values;
+}
+
 py::dict explained(const PyStudy& s) {
   const Explanation e = explain(with_medians(s.study), s.balls());
   py::dict result;
@@ -95,7 +102,7 @@ void bind_studies(py::module_& module) {
       .def_property_readonly("overrides", [](const PyStudy& s) { return s.source.overrides; })
       .def_property_readonly("balls", [](const PyStudy& s) { return s.study.parameters.balls; })
       .def_property_readonly("starts", [](const PyStudy& s) { return s.study.sampling.starts; })
-      .def_property_readonly("uncertain", [](const PyStudy& s) { return !s.study.uncertain.empty(); })
+      .def_property_readonly("uncertain", &uncertain_of)
       .def_property_readonly("driven", [](const PyStudy& s) { return s.study.speed.driven(); })
       .def_property_readonly("scales", [](const PyStudy& s) { return scales_of(s.study); })
       .def_property_readonly("limits", [](const PyStudy& s) { return limits_of(s.study); })

@@ -93,6 +93,8 @@ class BasinResult(Result):
     def __init__(self, core: _core.Basin, study: Study) -> None:
         super().__init__(core, study)
         self.arrays: dict[str, Any] = core.arrays() or {}
+        if self.arrays.get("drawn") is not None:  # one value, too, is a column
+            self.arrays["drawn"] = self.arrays["drawn"].reshape(-1, len(study.uncertain))
         self.seconds, self.cpu_seconds = core.seconds, core.cpu_seconds
         if self.undecided > _most_undecided:
             warnings.warn(
@@ -222,10 +224,16 @@ class BasinResult(Result):
             data[name] = (("start",), values, {"units": "dimensionless", "long_name": name.replace("_", " ")})
         codes = sorted(self.names)
         data["outcome"][2].update(flag_values=codes, flag_meanings=" ".join(self.names[c].replace(" ", "_") for c in codes))
-        return xarray.Dataset(data, {"ball": np.arange(1, self.study.balls + 1)}, {"study": self.study.to_toml()})
+        coordinates: dict[str, Any] = {"ball": np.arange(1, self.study.balls + 1)}
+        if "drawn" in data:
+            units = self.study.uncertain
+            coordinates["uncertain_value"] = list(units)
+            coordinates["uncertain_unit"] = ("uncertain_value", list(units.values()))
+        return xarray.Dataset(data, coordinates, {"study": self.study.to_toml()})
 
     def to_pandas(self) -> pandas.DataFrame:
-        """A table with a row a start: initial angles, outcome by name, decision time, transients if there are any."""
+        """A table with a row a start: initial angles, outcome by name, decision time, transients if there are any; what the
+        start drew by key, the cells that it stands for and the rotor's speed in the end where the study has such."""
         import pandas
 
         columns: dict[str, Any] = {f"phi_{i + 1}": self.phi[:, i] for i in range(self.phi.shape[1])}
@@ -236,6 +244,11 @@ class BasinResult(Result):
         columns["decision_time"] = self.decision_time
         columns["decided_by"] = pandas.Categorical.from_codes(self.decided_by, self.decided_by_names)
         columns.update(self.transients or {})
+        if self.arrays["drawn"] is not None:
+            columns.update(zip(self.study.uncertain, self.arrays["drawn"].T))
+        for name in ("weight", "mean_speed"):
+            if self.arrays[name] is not None:
+                columns[name] = self.arrays[name]
         return pandas.DataFrame(columns, index=pandas.RangeIndex(self.starts, name="start"))
 
 

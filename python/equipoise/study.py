@@ -196,6 +196,12 @@ class Study:
         """When the balls are let go, in 1/omega_c."""
         return self._core.release_time
 
+    @property
+    def uncertain(self) -> dict[str, str]:
+        """Units of the values that every start draws for itself, by key, in the order of ``BasinResult.arrays["drawn"]``;
+        "" of plain numbers."""
+        return dict(self._core.uncertain)
+
     def to_dict(self) -> dict[str, Any]:
         """All tables with all defaults."""
         return self._core.tree()

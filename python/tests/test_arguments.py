@@ -209,6 +209,22 @@ def test_every_result_shows_itself_in_a_notebook(study):
     assert "<i>" not in named._repr_html_() + eq.simulate(named, 1.0)._repr_html_()
 
 
+def test_what_starts_drew_and_stand_for_is_in_their_tables(study):
+    pytest.importorskip("xarray")
+    one = {"rotor.eccentricity": {"uniform": [0.005, 0.015]}}
+    for changes in (one, {**one, "balancer.drag": {"uniform": [0.04, 0.06]}}):
+        answer = eq.basin(study.replace(changes), 30)
+        table, dataset = answer.to_pandas(), answer.to_xarray()
+        assert answer.arrays["drawn"].shape == (30, len(changes)) and set(answer.study.uncertain) == set(changes)
+        for key, distribution in changes.items():
+            low, high = distribution["uniform"]
+            assert table[key].between(low, high).all() and table[key].nunique() == 30
+            np.testing.assert_array_equal(dataset.drawn.sel(uncertain_value=key), table[key])
+    assert study.uncertain == {}
+    grid = eq.basin(study, 50, method="grid")
+    assert grid.to_pandas().weight.sum() == grid.arrays["weight"].sum() > grid.starts  # cells alike are followed once
+
+
 def test_branches_become_a_dataset_with_names_and_units(study, tmp_path):
     pytest.importorskip("xarray")
     dataset = eq.follow(study, "speed.final", 1.4, 2.4, 1.0).to_xarray()
