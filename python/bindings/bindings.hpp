@@ -1,5 +1,5 @@
-// The parts of the module equipoise._core. What they return is plain: numbers, arrays, text, dictionaries; the package's
-// Python code makes objects of it.
+// The parts of the module equipoise._core. What they return is plain: numbers, arrays, text, dictionaries; the
+// package's Python code makes objects of it.
 #pragma once
 
 #include <pybind11/pybind11.h>

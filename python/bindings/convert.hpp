@@ -15,8 +15,8 @@ namespace equipoise::python {
 
 namespace py = pybind11;
 
-/// A tree from dictionaries, lists, numbers, strings and truth values; what else there is becomes StudyValue::Other, which
-/// the reader of studies refuses by name.
+/// A tree from dictionaries, lists, numbers, strings and truth values; what else there is becomes StudyValue::Other,
+/// which the reader of studies refuses by name.
 StudyValue value_from(const py::handle& object);
 py::object to_python(const StudyValue& value);
 

@@ -64,9 +64,9 @@ py::object arrays_of(const Basin& kept) {
   arrays["phi"] = array_of(std::vector<double>(a.phi), {static_cast<py::ssize_t>(starts), a.balls});
   arrays["psi"] = column(a.psi, starts);
   arrays["rotor_state"] = column(a.rotor_state, starts);
-  arrays["phi_dot"] = a.phi_dot.empty() ? py::object(py::none())
-                                        : array_of(std::vector<double>(a.phi_dot),
-                                                   {static_cast<py::ssize_t>(starts), a.balls});
+  arrays["phi_dot"] = a.phi_dot.empty()
+                          ? py::object(py::none())
+                          : array_of(std::vector<double>(a.phi_dot), {static_cast<py::ssize_t>(starts), a.balls});
   arrays["drawn"] = column(a.drawn, starts);
   arrays["weight"] = column(a.weight, starts);
   arrays["outcome"] = array_of(std::vector<short>(a.outcome));
@@ -94,8 +94,8 @@ Compared compare_studies(const PyStudy& first, const PyStudy& second, const py::
   call.set(options);
   check_comparable(first.study);
   check_comparable(second.study);
-  ComparisonResult result = Call::run(
-      [&] { return compare(basin_outcomes(first.study, options), basin_outcomes(second.study, options)); });
+  ComparisonResult result =
+      Call::run([&] { return compare(basin_outcomes(first.study, options), basin_outcomes(second.study, options)); });
   return {std::move(result), call.interrupted()};
 }
 
@@ -110,8 +110,8 @@ void bind_ensembles(py::module_& module) {
       .def_property_readonly("threads", [](const Basin& b) { return b.result.threads; })
       .def_property_readonly("resumed_from", [](const Basin& b) { return b.result.resumed_from; });
   module.def("basin", &run_basin, py::arg("study"), py::arg("half_width"), py::arg("limit_given"),
-             py::arg("transients"), py::arg("output"), py::arg("keep"), py::arg("initial"),
-             py::arg("sensitivity_rows"), py::arg("settings"));
+             py::arg("transients"), py::arg("output"), py::arg("keep"), py::arg("initial"), py::arg("sensitivity_rows"),
+             py::arg("settings"));
   module.def("grounds_of_decision", &grounds_of_decision);
   bind_kept<ComparisonResult>(module, "Comparison", &comparison_text, &comparison_json)
       .def("verdict", [](const Compared& c) { return verdict(c.result); });

@@ -18,7 +18,8 @@ using States = py::array_t<double, py::array::c_style | py::array::forcecast>;
 std::size_t states_in(const StudyEquations& equations, const States& states) {
   const auto width = static_cast<py::ssize_t>(equations.dimension());
   if (states.ndim() == 0 || states.shape(states.ndim() - 1) != width)
-    throw InputError("state", "", states.ndim() == 0 ? "a single number" : std::to_string(states.shape(states.ndim() - 1)),
+    throw InputError("state", "",
+                     states.ndim() == 0 ? "a single number" : std::to_string(states.shape(states.ndim() - 1)),
                      "must be an array of shape (..., " + std::to_string(width) + ")");
   return static_cast<std::size_t>(states.size() / width);
 }
@@ -53,8 +54,7 @@ std::size_t piece_of(const StudyEquations& equations, std::optional<std::size_t>
 // compute(piece, t, y, out) for every state, `numbers` of them into `out` each.
 template <class Compute>
 py::array_t<double> for_each(const StudyEquations& e, const States& times, const States& states,
-                             std::optional<std::size_t> piece, const std::vector<py::ssize_t>& more,
-                             Compute compute) {
+                             std::optional<std::size_t> piece, const std::vector<py::ssize_t>& more, Compute compute) {
   const std::size_t count = states_in(e, states), width = static_cast<std::size_t>(e.dimension());
   const Times t(times, count);
   std::vector<py::ssize_t> shape = outer_shape(states);

@@ -56,8 +56,8 @@ py::dict path_of(const PyStudy& s, const std::vector<double>& state, double dura
 
 using Branches = Kept<BranchesResult>;
 
-Branches follow(const PyStudy& s, const std::string& along, std::uint64_t starts, const std::optional<py::array>& states,
-                const py::dict& settings) {
+Branches follow(const PyStudy& s, const std::string& along, std::uint64_t starts,
+                const std::optional<py::array>& states, const py::dict& settings) {
   const Study study = with_medians(s.study);
   const ParameterLine line(study, along);
   Call call(settings);

@@ -33,8 +33,8 @@ AxisRequest axis_request(const py::tuple& given) {
   return {given[0].cast<std::string>(), given[1].cast<std::string>(), given[2].cast<int>()};
 }
 
-Map draw_map(const PyStudy& s, const py::tuple& x, const py::tuple& y, const std::vector<std::string>& ties,
-             int block, const std::string& output, const std::string& from, const py::dict& settings) {
+Map draw_map(const PyStudy& s, const py::tuple& x, const py::tuple& y, const std::vector<std::string>& ties, int block,
+             const std::string& output, const std::string& from, const py::dict& settings) {
   const Study study = with_medians(s.study);
   Call call(settings);
   PlaneMapSettings how;
@@ -126,7 +126,8 @@ py::tuple sweep_setting(const PyStudy& s) { return py::make_tuple(s.study.sweep.
 using Capacity = Kept<CapacityResult>;
 
 Capacity find_capacity(const PyStudy& s, const std::string& of, const std::string& between, double at_least,
-                       double precision, const std::vector<std::string>& over, bool zip, const py::dict& settings) {
+                       double precision, const std::vector<std::string>& over, bool zip, const std::string& output,
+                       const py::dict& settings) {
   CellRequest request;
   request.transients = false;
   const SweepPlan plan(s.source, over.empty() ? std::vector<SweepAxis>{} : sweep_axes(over, zip, "over"), request,
@@ -141,6 +142,7 @@ Capacity find_capacity(const PyStudy& s, const std::string& of, const std::strin
   options.unit = range.unit;
   options.at_least = at_least;
   options.precision = precision;
+  options.output = output;
   CapacityResult result = Call::run([&] { return capacity(plan, options); });
   return {std::move(result), call.interrupted()};
 }
@@ -164,7 +166,7 @@ void bind_planes(py::module_& module) {
     return capacity_csv(c.result);
   });
   module.def("capacity", &find_capacity, py::arg("study"), py::arg("of"), py::arg("between"), py::arg("at_least"),
-             py::arg("precision"), py::arg("over"), py::arg("zip"), py::arg("settings"));
+             py::arg("precision"), py::arg("over"), py::arg("zip"), py::arg("output"), py::arg("settings"));
 }
 
 }  // namespace equipoise::python

@@ -25,10 +25,16 @@ py::dict to_dict(Trajectory run) {
   result["status"] = status_name(run);
   result["phi"] = columns_of(run.phi, rows);
   result["phi_dot"] = columns_of(run.phi_dot, rows);
-  for (const auto& [name, column] :
-       {std::pair{"t", &run.t}, {"psi", &run.psi}, {"psi_dot", &run.psi_dot}, {"x", &run.x}, {"y", &run.y},
-        {"x_dot", &run.x_dot}, {"y_dot", &run.y_dot}, {"radial", &run.radial}, {"bearing_x", &run.bearing_x},
-        {"bearing_y", &run.bearing_y}})
+  for (const auto& [name, column] : {std::pair{"t", &run.t},
+                                     {"psi", &run.psi},
+                                     {"psi_dot", &run.psi_dot},
+                                     {"x", &run.x},
+                                     {"y", &run.y},
+                                     {"x_dot", &run.x_dot},
+                                     {"y_dot", &run.y_dot},
+                                     {"radial", &run.radial},
+                                     {"bearing_x", &run.bearing_x},
+                                     {"bearing_y", &run.bearing_y}})
     result[name] = array_of(std::move(*column));
   return result;
 }

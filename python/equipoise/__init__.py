@@ -14,13 +14,15 @@ import importlib
 from typing import TYPE_CHECKING, Any
 
 from . import _core
+from .capacities import CapacityResult, capacity
 from .ensembles import AttractorShare, BasinResult, Comparison, Difference, basin, compare
 from .errors import Interrupted, RunError, StudyError, UndecidedWarning
+from .maps import MapResult, map
 from .model import Mapper, Model
 from .motions import Attractor, AttractorsResult, Branch, BranchesResult, CertifyResult, attractors, certify, follow
 from .paper import Explanation, Reproduction, explain, reproduce, reproducible
-from .planes import CapacityResult, MapResult, SweepResult, capacity, map, sweep
 from .study import Study, paper_studies, paper_study
+from .sweeps import SweepResult, sweep
 from .trajectory import Trajectory, simulate
 
 if TYPE_CHECKING:

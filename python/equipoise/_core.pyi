@@ -177,6 +177,7 @@ def capacity(
     precision: float,
     over: list[str],
     zip: bool,
+    output: str,
     settings: dict[str, Any],
 ) -> Capacity: ...
 def reproduce(

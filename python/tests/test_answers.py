@@ -139,8 +139,11 @@ def test_sweeps(program, tmp_path):
         eq.sweep(study, {"speed.fnal": [1.0, 2.0]})
 
 
-def test_capacities(study, program):
-    found = eq.capacity(study, between=(0.02, 0.2), at_least=0.1, precision=0.1, starts=100)
+def test_capacities(study, program, tmp_path):
+    question = dict(between=(0.02, 0.2), at_least=0.1, precision=0.1, starts=100)
+    found = eq.capacity(study, **question, output=tmp_path / "capacity.nc")
+    assert program("inspect", tmp_path / "capacity.nc").returncode == 0
+    assert without_times(eq.capacity(study, **question, output=tmp_path / "capacity.nc").data)["cells"] == found.cells
     same = told(program, "capacity", PAPER, "--between", "0.02:0.2", "--at-least", 0.1, "--precision", 0.1, "--starts", 100,
                 "--quiet")
     assert without_times(found.data)["cells"] == without_times(same)["cells"]

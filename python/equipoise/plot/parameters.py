@@ -15,7 +15,7 @@ if TYPE_CHECKING:
     from matplotlib.axes import Axes
 
     from ..motions import Branch, BranchesResult
-    from ..planes import SweepResult
+    from ..sweeps import SweepResult
 
 
 def sweep(result: SweepResult, x: Optional[str] = None, ax: Optional[Axes] = None) -> Axes:

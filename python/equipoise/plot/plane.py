@@ -11,7 +11,7 @@ from . import parts
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
 
-    from ..planes import MapResult
+    from ..maps import MapResult
 
 DARKEST = 0.5
 """How bright the last decided pixel of an outcome is: the colour of the legend is still recognised."""

@@ -130,15 +130,16 @@ double TorusTrap::value_in_place(const double* state) const {
   const Eigen::Index size = inverse_scale_.size();
   std::array<double, max_dimension> here;
   for (Eigen::Index i = 0; i < size; ++i) here[i] = state[i] * inverse_scale_[i];
+  for (int i = 0; i < balls_; ++i) here[4 + i] = within_a_turn(here[4 + i]);  // as those of states_ are
   double least = infinite;
   int nearest = -1;
   const auto difference = [&](int k, Eigen::Index i) {
     const double d = here[i] - states_(i, k);
-    return i >= 4 && i < 4 + balls_ ? wrapped(d) : d;
+    return i < 4 || i >= 4 + balls_ ? d : d > pi ? d - two_pi : d < -pi ? d + two_pi : d;
   };
-  around_angles(state[model::index::phi(0)], balls_ > 1 ? state[model::index::phi(1)] : 0.0, [&](int k) {
+  around_angles(here[4], balls_ > 1 ? here[5] : 0.0, [&](int k) {
     double square = 0.0;
-    for (Eigen::Index i = 0; i < size; ++i) {
+    for (Eigen::Index i = 0; i < size && square < least; ++i) {
       const double d = difference(k, i);
       square += d * d;
     }

@@ -1,0 +1,148 @@
+"""Capacities: how large may the unbalance be, or another parameter?"""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Mapping
+from typing import TYPE_CHECKING, Any, Optional
+
+import numpy as np
+import numpy.typing as npt
+
+from . import _core
+from ._arguments import real, refuse
+from ._call import ProgressArgument, settings, unless_interrupted
+from ._html import table
+from ._ranges import Range, Values, over_texts, path_text, range_text
+from .ensembles import with_starts
+from .results import Result
+from .study import Study
+
+if TYPE_CHECKING:
+    import pandas
+
+Array = npt.NDArray[np.float64]
+
+
+def _shown(number: Optional[float]) -> str:
+    return "?" if number is None else f"{number:.5g}"
+
+
+class CapacityResult(Result):
+    """How large a parameter may become before the balancer fails.
+
+    Attributes
+    ----------
+    of, unit : str
+    value, low, high : ndarray
+        The boundary in each cell with its 95 % ends, in `unit`; nan where the share is as large (``always``) or smaller
+        (``never``) all over the range.
+    always, never : ndarray, bool
+    cells : list[dict]
+    """
+
+    @property
+    def of(self) -> str:
+        return self.data["of"]
+
+    @property
+    def unit(self) -> str:
+        return self.data["unit"]
+
+    @property
+    def cells(self) -> list[dict[str, Any]]:
+        return self.data["cells"]
+
+    def _column(self, name: str, kind: Any) -> npt.NDArray[Any]:
+        return np.array([cell.get(name) for cell in self.cells], dtype=kind)
+
+    @property
+    def value(self) -> Array:
+        return self._column("value", float)
+
+    @property
+    def low(self) -> Array:
+        return self._column("low", float)
+
+    @property
+    def high(self) -> Array:
+        return self._column("high", float)
+
+    @property
+    def always(self) -> npt.NDArray[np.bool_]:
+        return self._column("always", bool)
+
+    @property
+    def never(self) -> npt.NDArray[np.bool_]:
+        return self._column("never", bool)
+
+    def to_pandas(self) -> pandas.DataFrame:
+        """A row a cell."""
+        import pandas
+
+        names = ("value", "low", "high", "always", "never")
+        return pandas.DataFrame([{**c["at"], **{name: c.get(name) for name in names}} for c in self.cells])
+
+    def save(self, path: str | os.PathLike[str]) -> None:
+        """Write the program's CSV."""
+        with open(path, "w", encoding="utf-8") as file:
+            file.write(self._saved_core().csv())
+
+    def __repr__(self) -> str:
+        return f"<CapacityResult of {self.study.name}: {self.of}, {len(self.cells)} cells: {self.value.tolist()} {self.unit}>"
+
+    def _repr_html_(self) -> str:
+        rows = []
+        for c in self.cells:
+            at = ", ".join(f"{key} = {value:g}" for key, value in c["at"].items())
+            found = "beyond the range" if c.get("always") else "below the range" if c.get("never") else _shown(c.get("value"))
+            rows.append((at, found, f"{_shown(c.get('low'))} to {_shown(c.get('high'))}"))
+        return f"<b>{self.of}{', ' * bool(self.unit)}{self.unit}</b>" + table(("cell", "capacity", "95 %"), rows)
+
+
+def capacity(
+    study: Study,
+    of: str = "rotor.eccentricity",
+    *,
+    between: Range = None,
+    at_least: float = 0.95,
+    precision: float = 0.005,
+    over: Optional[Mapping[str, Values]] = None,
+    zip: bool = False,  # noqa: A002 (the command line's name)
+    starts: int = 10000,
+    seed: Optional[int] = None,
+    output: Optional[str | os.PathLike[str]] = None,
+    threads: int = 0,
+    progress: ProgressArgument = False,
+    cpu: Optional[str] = None,
+) -> CapacityResult:
+    """The largest unbalance, or other parameter, at which starts still balance as often as asked.
+
+    Parameters
+    ----------
+    of : str
+        "rotor.eccentricity", "rotor.unbalance" of a study in physical units, or any key.
+    between : (low, high) or str, optional
+        Where it is looked for; default of the two keys named: up to what all balls together can make up for.
+    at_least : float
+        Share of starts that must end balanced, 0.01 to 0.9999.
+    precision : float
+        To what part of the range the boundary is located.
+    over, zip
+        Cells, as for :func:`sweep`.
+    output : path, optional
+        NetCDF file that is written trial by trial; the same call resumes it.
+    starts, seed, threads, progress, cpu
+        As for :func:`basin`.
+    """
+    asked = with_starts(study, starts, seed)
+    if not isinstance(of, str):
+        refuse("of", of, 'a key of the study, such as "rotor.eccentricity"')
+    share = real("at_least", at_least, 0.01, 0.9999, "a share from 0.01 to 0.9999")
+    part = real("precision", precision, 0.0, 1.0, "a part of the range, such as 0.005")
+    with settings(threads, progress, cpu) as how:
+        core = _core.capacity(
+            asked._core, of, range_text("between", between), share, part, over_texts({} if over is None else over),
+            bool(zip), path_text(output), how,
+        )
+    return unless_interrupted(CapacityResult(core, asked), core.interrupted)

@@ -1,0 +1,202 @@
+"""Maps: the outcome of one start at every pixel of a plane."""
+
+from __future__ import annotations
+
+import os
+import re
+from collections.abc import Sequence
+from html import escape
+from typing import TYPE_CHECKING, Any, Optional
+
+import numpy as np
+import numpy.typing as npt
+
+from . import _core
+from ._arguments import checked_study, refuse, whole
+from ._call import ProgressArgument, settings, unless_interrupted
+from ._html import percent, table
+from ._ranges import Range, path_text, range_text
+from .results import Result
+from .study import Study
+
+if TYPE_CHECKING:
+    import pandas
+    import xarray
+
+_MOST_PIXELS = 20000
+
+Array = npt.NDArray[np.float64]
+
+
+def _size(size: int | tuple[int, int]) -> tuple[int, int]:
+    sides = [size, size] if np.ndim(size) == 0 else list(size)  # type: ignore[arg-type]
+    if len(sides) != 2:
+        refuse("size", size, "one whole number, or two: width and height")
+    width, height = (whole("size", side, 1, _MOST_PIXELS) for side in sides)
+    return width, height
+
+
+def _axis(study: Study, name: str, key: str) -> str:
+    if not isinstance(key, str):
+        refuse(name, key, 'a key of the study, such as "initial.phi_1"')
+    ball = re.fullmatch(r"initial\.phi(?:_dot)?_(\d+)", key)
+    if ball and not 1 <= int(ball[1]) <= study.balls:
+        last = study.balls
+        others = 'of its one ball, "initial.phi_1" or "initial.phi_dot_1"' if last == 1 else f"of one of its balls 1 to {last}"
+        refuse(name, key, f"{others}, or another key of the study")
+    return key
+
+
+class MapResult(Result):
+    """The outcome of one start at every pixel of a plane.
+
+    Attributes
+    ----------
+    outcome : ndarray (ny, nx), int16
+        Attractor's identifier; 0 undecided, -1 diverged, -2 failed, -3 stalled; rows follow y, upwards.
+    time : ndarray (ny, nx), float32
+        Study time at which the outcome was known; nan where it was filled in.
+    r_max : ndarray (ny, nx), float32
+        Of the final motion, in R.
+    x, y : ndarray
+        Centres of the pixels.
+    x_key, y_key : str
+    x_edges, y_edges : tuple[float, float]
+        Where the outermost pixels end.
+    names : dict[int, str]
+    shares : dict[str, float]
+        Of the pixels computed.
+    errors : dict[str, tuple[float, float]]
+        Of random starts in as great a number.
+    figures : dict[str, tuple[float, float, float] or float or None]
+        box_dimension, uncertainty_exponent, basin_entropy, boundary_basin_entropy, each value, low, high at 95 %;
+        balanced_radius in rad. None where the map does not show it.
+    complete : bool
+    """
+
+    _lasting = ("text",)  # its data are as large as its arrays
+
+    def __init__(self, core: _core.Map, study: Study) -> None:
+        super().__init__(core, study)
+        arrays, summary = core.arrays(), core.summary()
+        self.outcome: npt.NDArray[np.int16] = arrays["outcome"]
+        self.time: npt.NDArray[np.float32] = arrays["time"]
+        self.r_max: npt.NDArray[np.float32] = arrays["r_max"]
+        self.computed: Optional[npt.NDArray[np.bool_]] = arrays.get("computed")
+        self.x: Array = arrays["x"]
+        self.y: Array = arrays["y"]
+        self.x_key: str = summary["x_key"]
+        self.y_key: str = summary["y_key"]
+        self.x_edges: tuple[float, float] = summary["x_edges"]
+        self.y_edges: tuple[float, float] = summary["y_edges"]
+        self.figures: dict[str, Any] = summary["figures"]
+        self.complete: bool = summary["complete"]
+        self.seconds: float = summary["seconds"]
+        self._codes = summary["codes"]
+
+    @property
+    def names(self) -> dict[int, str]:
+        return {code[0]: code[1] for code in self._codes}
+
+    @property
+    def aliases(self) -> dict[int, str]:
+        return {code[0]: code[2] for code in self._codes}
+
+    @property
+    def shares(self) -> dict[str, float]:
+        return {code[1]: code[3] for code in self._codes}
+
+    @property
+    def errors(self) -> dict[str, tuple[float, float]]:
+        return {code[1]: (code[4], code[5]) for code in self._codes}
+
+    def __repr__(self) -> str:
+        shares = "; ".join(f"{name} {100 * share:.1f} %" for name, share in self.shares.items() if share)
+        ny, nx = self.outcome.shape
+        return (
+            f"<MapResult of {self.study.name}: {nx} x {ny} over {self.x_key} and {self.y_key}"
+            f"{'' if self.complete else ', not complete'}: {shares}>"
+        )
+
+    def _repr_html_(self) -> str:
+        rows = [(c[1], c[6], percent(c[3], c[4], c[5])) for c in self._codes]
+        figures = [
+            (name.replace("_", " "), "", "not shown" if f is None else f"{f[0]:.4g} ({f[1]:.4g} to {f[2]:.4g})")
+            for name, f in self.figures.items()
+            if isinstance(f, tuple) or f is None
+        ]
+        title = f"<b>{escape(self.study.name)}</b>: {self.x_key} and {self.y_key}"
+        return title + table(("ends", "pixels", "share (95 %)"), [*rows, *figures])
+
+    def to_xarray(self) -> xarray.Dataset:
+        """A dataset over y and x."""
+        import xarray
+
+        codes = sorted(self.names)
+        flags: dict[str, Any] = {"flag_values": codes, "flag_meanings": " ".join(self.names[c].replace(" ", "_") for c in codes)}
+        data = {
+            "outcome": (("y", "x"), self.outcome, {"units": "1", "long_name": "attractor", **flags}),
+            "decision_time": (("y", "x"), self.time, {"units": "1/omega_c", "long_name": "time of the decision"}),
+            "r_max": (("y", "x"), self.r_max, {"units": "R", "long_name": "largest displacement in the end"}),
+        }
+        x = ("x", self.x, {"long_name": self.x_key})
+        y = ("y", self.y, {"long_name": self.y_key})
+        return xarray.Dataset(data, {"x": x, "y": y}, {"study": self.study.to_toml()})
+
+    def to_pandas(self) -> pandas.DataFrame:
+        """Outcomes by name: rows are y, columns x."""
+        import pandas
+
+        names = np.vectorize(lambda code: self.names.get(code, ""), otypes=[object])(self.outcome)
+        return pandas.DataFrame(names, pandas.Index(self.y, name=self.y_key), pandas.Index(self.x, name=self.x_key))
+
+
+def map(  # noqa: A001 (the command line's name)
+    study: Study,
+    x: str = "initial.phi_1",
+    y: str = "initial.phi_2",
+    size: int | tuple[int, int] = 512,
+    *,
+    x_range: Range = None,
+    y_range: Range = None,
+    tie: str | Sequence[str] = (),
+    refine: int = 0,
+    output: Optional[str | os.PathLike[str]] = None,
+    from_file: Optional[str | os.PathLike[str]] = None,
+    threads: int = 0,
+    progress: ProgressArgument = False,
+    cpu: Optional[str] = None,
+) -> MapResult:
+    """The outcome of one start at every pixel of a plane of two quantities.
+
+    Parameters
+    ----------
+    x, y : str
+        Keys of rotor, balancer, speed, release or initial that take a number; initial.phi_1 for one ball's angle.
+    size : int or (int, int)
+        Pixels: along both sides, or width and height; 1 to 20000.
+    x_range, y_range : (low, high) or str, optional
+        Numbers, or quantities with units; default of ball angles: a whole turn.
+    tie : str or list of str
+        Ball angles that follow others: "phi_2=phi_1+pi".
+    refine : int
+        0, or a power of two from 2 to 64: edges of blocks of so many pixels first, filled in where they agree.
+    output : path, optional
+        NetCDF file that is written as pixels are done; the same call resumes it.
+    from_file : path, optional
+        Another map of the same study, whose pixels with the same centres are taken over.
+    threads, progress, cpu
+        As for :func:`basin`.
+    """
+    across, up = _axis(checked_study(study), "x", x), _axis(study, "y", y)
+    width, height = _size(size)
+    ties = [tie] if isinstance(tie, str) else list(tie or ())
+    block = whole("refine", refine, 0, 64, ", a power of two")
+    if block == 1 or block & (block - 1):
+        refuse("refine", refine, "0, or a power of two from 2 to 64")
+    with settings(threads, progress, cpu) as how:
+        core = _core.map(
+            study._core, (across, range_text("x_range", x_range), width), (up, range_text("y_range", y_range), height), ties,
+            block, path_text(output), path_text(from_file), how,
+        )
+    return unless_interrupted(MapResult(core, study), core.interrupted)
