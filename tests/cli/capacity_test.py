@@ -11,8 +11,8 @@ import sys
 import tempfile
 import unittest
 
-PROGRAM, STUDIES = os.path.abspath(sys.argv[1]), os.path.abspath(sys.argv[2])
-ROW = os.path.join(STUDIES, "paper", "table-2-omega-2.4.toml")
+from program import PROGRAM, ROW, STUDIES, answer, run
+
 
 # At 5 critical speeds a drag of 0.2 lets all starts balance until balance itself becomes unstable near 0.1.
 QUICK = ("capacity", ROW, "--set", "speed.speed=5", "--set", "balancer.drag=0.2", "--at-least", "0.9", "--between", "0.08:0.14",
@@ -29,17 +29,6 @@ with xarray.open_dataset(sys.argv[1]) as data:
                       "without_words": [str(v) for v in data.data_vars
                                         if not {"long_name", "units"} <= set(data[v].attrs)]}))
 """
-
-
-def run(*arguments, **options):
-    return subprocess.run([PROGRAM, *arguments], capture_output=True, text=True, timeout=600, check=False, **options)
-
-
-def answer(*arguments):
-    done = run(*arguments, "--json", "--quiet")
-    if done.returncode != 0 or done.stderr:
-        raise AssertionError(f"{arguments}: exit {done.returncode}, {done.stderr}")
-    return json.loads(done.stdout)
 
 
 def content(path):

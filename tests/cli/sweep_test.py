@@ -12,8 +12,8 @@ import sys
 import tempfile
 import unittest
 
-PROGRAM, STUDIES = os.path.abspath(sys.argv[1]), os.path.abspath(sys.argv[2])
-ROW = os.path.join(STUDIES, "paper", "table-2-omega-2.4.toml")
+from program import PROGRAM, ROW, STUDIES, answer, run
+
 WASHER = os.path.join(STUDIES, "examples", "washing-machine.toml")
 
 
@@ -27,17 +27,6 @@ with xarray.open_dataset(sys.argv[1]) as data:
                       "median": float(median),
                       "without_words": [str(v) for v in data.data_vars if "long_name" not in data[v].attrs]}))
 """
-
-
-def run(*arguments, **options):
-    return subprocess.run([PROGRAM, *arguments], capture_output=True, text=True, timeout=600, check=False, **options)
-
-
-def answer(*arguments):
-    done = run(*arguments, "--json", "--quiet")
-    if done.returncode != 0 or done.stderr:
-        raise AssertionError(f"{arguments}: exit {done.returncode}, {done.stderr}")
-    return json.loads(done.stdout)
 
 
 def counts(outcomes):

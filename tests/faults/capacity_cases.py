@@ -4,35 +4,20 @@ import os
 import signal
 import time
 
-from harness import content, ended, expect, limited, refused
+from harness import Undisturbed, ended, expect, limited, refused
 
 
-class Boundary:
-    """A capacity that nothing disturbs: what its file must hold in every bit, and how long it took."""
-
-    def __init__(self, bench):
-        # Short searches for attractors: of three trials in the quick form, of two cells in the long one.
-        asked = ("balancer.drag=0.2", "0.08:0.14", 0.1, 100) if bench.quick else ("balancer.drag=0.2,0.25", "0.02:0.14", 0.01, 2000)
-        over, between, precision, starts = asked
-        self.arguments = ("capacity", bench.study, "--set", "speed.speed=5", "--over", over, "--at-least", 0.9, "--between", between,
-                          "--precision", precision, "--starts", starts, "--quiet")
-        path = bench.path("undisturbed.nc")
-        begin = time.monotonic()
-        done = bench.run(*self.arguments, "-o", path)
-        self.seconds = time.monotonic() - begin
-        expect(done.code == 0, f"{done}: the undisturbed capacity failed")
-        self.content = content(path)
-
-    def finish(self, bench, path, what):
-        done = bench.run(*self.arguments, "-o", path)
-        expect(done.code == 0, f"{what}: {done}")
-        expect(content(path) == self.content, f"{what}: other bytes than without it")
-        expect(not os.path.exists(path + ".part"), f"{what}: the unfinished part is still there")
+def undisturbed(bench):
+    # Short searches for attractors: of three trials in the quick form, of two cells in the long one.
+    asked = ("balancer.drag=0.2", "0.08:0.14", 0.1, 100) if bench.quick else ("balancer.drag=0.2,0.25", "0.02:0.14", 0.01, 2000)
+    over, between, precision, starts = asked
+    return Undisturbed(bench, "undisturbed.nc", "capacity", bench.study, "--set", "speed.speed=5", "--over", over,
+                       "--at-least", 0.9, "--between", between, "--precision", precision, "--starts", starts, "--quiet")
 
 
 def capacity_faults(bench):
     """kill -9 and requests to stop at random moments, over and over at one file; then a file that may not grow."""
-    capacity = Boundary(bench)
+    capacity = undisturbed(bench)
     path = bench.path("killed.nc")
     rounds, kept = 2 if bench.quick else 30, 0
     for k in range(rounds):

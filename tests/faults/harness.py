@@ -122,6 +122,25 @@ def content(path):
         return file.read()
 
 
+class Undisturbed:
+    """A command that nothing disturbs: what its file must hold in every bit, and how long it took."""
+
+    def __init__(self, bench, name, *arguments):
+        self.arguments = arguments
+        path = bench.path(name)
+        begin = time.monotonic()
+        done = bench.run(*arguments, "-o", path)
+        self.seconds = time.monotonic() - begin
+        expect(done.code == 0, f"{done}: the undisturbed {arguments[0]} failed")
+        self.content = content(path)
+
+    def finish(self, bench, path, what):
+        done = bench.run(*self.arguments, "-o", path)
+        expect(done.code == 0, f"{what}: {done}")
+        expect(content(path) == self.content, f"{what}: other bytes than without it")
+        expect(not os.path.exists(path + ".part"), f"{what}: the unfinished part is still there")
+
+
 def result(path):
     """All that a file of results says but the time that it took."""
     dimensions, attributes, variables = classic_netcdf.read(path)

@@ -6,37 +6,22 @@ import signal
 import subprocess
 import time
 
-from harness import content, ended, expect, limited, refused, wait_until
+from harness import Undisturbed, content, ended, expect, limited, refused, wait_until
 
 MPI = {**os.environ, "OMPI_ALLOW_RUN_AS_ROOT": "1", "OMPI_ALLOW_RUN_AS_ROOT_CONFIRM": "1"}
 
 
-class Undisturbed:
-    """A sweep that nothing disturbs: what its file must hold in every bit, and how long it took."""
-
-    def __init__(self, bench, starts=None, speeds=None):
-        starts = starts or (300 if bench.quick else 3000)
-        # Those of quick searches.
-        speeds = speeds or ("speed.final=2.6,2.8,3" if bench.quick else "speed.final=2:3.2:0.2")
-        self.arguments = ("sweep", bench.study, "--over", speeds, "--over", "balancer.drag=0.1,0.25", "--starts", starts,
-                          "--quiet")
-        path = bench.path(f"undisturbed-{starts}.nc")
-        begin = time.monotonic()
-        done = bench.run(*self.arguments, "-o", path)
-        self.seconds = time.monotonic() - begin
-        expect(done.code == 0, f"{done}: the undisturbed sweep failed")
-        self.content = content(path)
-
-    def finish(self, bench, path, what):
-        done = bench.run(*self.arguments, "-o", path)
-        expect(done.code == 0, f"{what}: {done}")
-        expect(content(path) == self.content, f"{what}: other bytes than without it")
-        expect(not os.path.exists(path + ".part"), f"{what}: the unfinished part is still there")
+def undisturbed(bench, starts=None, speeds=None):
+    starts = starts or (300 if bench.quick else 3000)
+    # Those of quick searches.
+    speeds = speeds or ("speed.final=2.6,2.8,3" if bench.quick else "speed.final=2:3.2:0.2")
+    return Undisturbed(bench, f"undisturbed-{starts}.nc", "sweep", bench.study, "--over", speeds,
+                       "--over", "balancer.drag=0.1,0.25", "--starts", starts, "--quiet")
 
 
 def sweep_kills(bench):
     """kill -9 and requests to stop at random moments, over and over at one file."""
-    sweep = Undisturbed(bench)
+    sweep = undisturbed(bench)
     path = bench.path("killed.nc")
     rounds = 4 if bench.quick else 50
     for k in range(rounds):
@@ -53,7 +38,7 @@ def sweep_kills(bench):
 
 def sweep_disks_and_writers(bench):
     """A file that may not grow, a second writer, bytes flipped and cut off."""
-    sweep = Undisturbed(bench)
+    sweep = undisturbed(bench)
     size = len(sweep.content)
     for part in (0.02, 0.4, 0.97):
         path = bench.path(f"full-{part}.nc")
@@ -94,7 +79,7 @@ def sweep_disks_and_writers(bench):
 
 def sweep_shards(bench):
     """Shards in any order and twice, unfinished ones too, merged: the same file."""
-    sweep = Undisturbed(bench)
+    sweep = undisturbed(bench)
     paths = []
     for number in (3, 1, 2):
         paths.append(bench.path(f"shard-{number}.nc"))
@@ -115,9 +100,9 @@ def sweep_processes(bench):
     """Processes of one job, one of them killed: what is done is kept, any number goes on from it."""
     if not shutil.which("mpirun") or b"MPI: not built in" in bench.run("--version").out:
         return "left out: needs MPI"
-    sweep = Undisturbed(bench)
+    sweep = undisturbed(bench)
     # Fewer blocks than processes: one cell each, whose starts are shared out.
-    few = Undisturbed(bench, starts=40000, speeds="speed.final=2.8")
+    few = undisturbed(bench, starts=40000, speeds="speed.final=2.8")
     path = bench.path("job.nc")
 
     def job(processes, what=sweep, *more):

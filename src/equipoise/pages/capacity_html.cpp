@@ -29,11 +29,8 @@ class CapacityDocument {
   }
 
   Document make() {
-    document_.title = page_title(r_.study);
-    document_.sheet = true;
-    add(Paragraph{answer_sentence(r_), Tone::plain, true});
-    if (!r_.complete())
-      add(Paragraph{fmt::format("{} of {} cells are done; the rest is missing.", done_, r_.cells.size()), Tone::bad});
+    document_ = page_with(r_.study, answer_sentence(r_));
+    add_missing_cells(document_, done_, r_.cells.size());
     if (done_ > 0) {
       picture();
       table();

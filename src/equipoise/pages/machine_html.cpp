@@ -44,9 +44,7 @@ class MachineDocument {
       : page_(page), basin_(page.basin), study_(page.basin.study), shown_(page.basin.study) {}
 
   Document make() {
-    document_.title = page_title(study_);
-    document_.sheet = true;
-    add(Paragraph{answer_sentence(basin_), Tone::plain, true});
+    document_ = page_with(study_, answer_sentence(basin_));
     if (basin_.partial) add(Paragraph{"Stopped before all starts were done: this is of those that were.", Tone::bad});
     if (!basin_.note.empty()) add(Paragraph{"Note: " + basin_.note + ".", Tone::open});
     if (basin_.starts > 0) {

@@ -26,9 +26,7 @@ class MapDocument {
   MapDocument(const PlaneMap& map, const GivenMachine& machine) : map_(map), machine_(machine) {}
 
   Document make() {
-    document_.title = page_title(map_.study);
-    document_.sheet = true;
-    add(Paragraph{answer_sentence(map_), Tone::plain, true});
+    document_ = page_with(map_.study, answer_sentence(map_));
     if (!map_.complete)
       add(Paragraph{"Stopped before all points were done: white ones are missing, shares are of the others.",
                     Tone::bad});

@@ -83,7 +83,19 @@ class Derived {
 
 DocumentCell share_cell(const Share& s) { return number_cell(percent(s.share, s.count == 0 ? 0 : digits_for(s))); }
 
-std::string page_title(const Study& study) { return "Ball balancer: " + stem_of(study.name); }
+Document page_with(const Study& study, const std::string& answer) {
+  Document document;
+  document.title = "Ball balancer: " + stem_of(study.name);
+  document.sheet = true;
+  document.blocks.push_back(Paragraph{answer, Tone::plain, true});
+  return document;
+}
+
+void add_missing_cells(Document& document, std::size_t done, std::size_t cells) {
+  if (done < cells)
+    document.blocks.push_back(
+        Paragraph{fmt::format("{} of {} cells are done; the rest is missing.", done, cells), Tone::bad});
+}
 
 std::string grade_words(double grade) {
   const auto met = model::standard_grade_met(grade);

@@ -1,6 +1,7 @@
 // What all pages share: the machine, how it was computed, the study in full.
 #pragma once
 
+#include <cstddef>
 #include <optional>
 #include <string>
 #include <vector>
@@ -16,8 +17,10 @@ inline DocumentCell number_cell(const std::string& text) { return {text, Tone::p
 /// "60.40 %", without digits that its interval does not support.
 DocumentCell share_cell(const Share& share);
 
-/// "Ball balancer: angle-grinder".
-std::string page_title(const Study& study);
+/// A page with its title, "Ball balancer: angle-grinder", and, first of all, the answer.
+Document page_with(const Study& study, const std::string& answer);
+/// Says so if not all cells are done.
+void add_missing_cells(Document& document, std::size_t done, std::size_t cells);
 
 /// "G 6.3": the best standard grade that a balance quality in mm/s stays within.
 std::string grade_words(double grade);

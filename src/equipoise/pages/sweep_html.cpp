@@ -36,11 +36,8 @@ class SweepDocument {
   }
 
   Document make() {
-    document_.title = page_title(r_.study);
-    document_.sheet = true;
-    add(Paragraph{answer_sentence(r_), Tone::plain, true});
-    if (done_ < r_.cells.size())
-      add(Paragraph{fmt::format("{} of {} cells are done; the rest is missing.", done_, r_.cells.size()), Tone::bad});
+    document_ = page_with(r_.study, answer_sentence(r_));
+    add_missing_cells(document_, done_, r_.cells.size());
     if (lost_ > 0) add(Paragraph{fmt::format("{} starts could not be followed to an end.", lost_), Tone::open});
     notes();
     if (done_ > 0) {
