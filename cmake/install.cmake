@@ -15,12 +15,12 @@ foreach(header
     model/balance_grade.hpp model/balanced_state.hpp model/energy.hpp model/machine.hpp model/motor.hpp
     model/parameters.hpp model/scales.hpp model/speed.hpp model/system.hpp integrate/status.hpp
     statistics/quantile.hpp statistics/share.hpp statistics/sobol_indices.hpp sampling/jittered_grid.hpp sampling/sampling.hpp
-    study/ball_details.hpp study/physical_echo.hpp study/study.hpp study/study_value.hpp study/uncertain.hpp study/units.hpp
+    study/ball_details.hpp study/overrides.hpp study/physical_echo.hpp study/study.hpp study/study_value.hpp study/uncertain.hpp study/units.hpp
     transients/transient_table.hpp deciding/decision_rule.hpp deciding/fate.hpp
     model/ball_mode.hpp orbits/balanced_continuum.hpp orbits/ball_events.hpp orbits/orbit.hpp motions/catalogue.hpp
     motions/motion.hpp proof/certificate.hpp proof/member_certificate.hpp traps/trap_hints.hpp
     results/attractors_result.hpp results/basin_result.hpp results/branch.hpp results/branches_result.hpp results/capacity_result.hpp
-    results/certify_result.hpp results/comparison_result.hpp results/explanation.hpp results/inspection.hpp
+    results/certify_result.hpp results/comparison_result.hpp results/design_result.hpp results/explanation.hpp results/inspection.hpp
     results/machine_page.hpp results/map_figures.hpp results/plane_map.hpp results/sensitivity_result.hpp
     results/start_arrays.hpp results/sweep_result.hpp results/trajectory.hpp
     results/transient_result.hpp
@@ -30,12 +30,13 @@ foreach(header
     basins/write_basin.hpp
     branches/continuation.hpp branches/parameter_line.hpp kernels/cpu_target.hpp
     maps/map_axis.hpp maps/map_figures.hpp maps/plane_map.hpp sweeps/capacity.hpp sweeps/merge.hpp sweeps/sweep.hpp sweeps/sweep_axis.hpp sweeps/sweep_cell.hpp sweeps/sweep_plan.hpp
+    design/design.hpp design/figures.hpp design/problem.hpp
     trajectory/output_times.hpp trajectory/simulate.hpp trajectory/study_equations.hpp drawing/map_plot.hpp drawing/plot_parts.hpp drawing/sweep_plot.hpp
     report/attractors_report.hpp report/basin_report.hpp report/branches_report.hpp report/certificate_json.hpp report/certify_report.hpp report/explain_report.hpp
-    report/capacity_report.hpp report/comparison_report.hpp report/inspection_report.hpp report/map_report.hpp
+    report/capacity_report.hpp report/comparison_report.hpp report/design_report.hpp report/inspection_report.hpp report/map_report.hpp
     report/sweep_report.hpp
     explain/explain.hpp
-    pages/answer.hpp pages/capacity_html.hpp pages/given_keys.hpp pages/given_machine.hpp pages/machine_html.hpp pages/machine_page.hpp
+    pages/answer.hpp pages/capacity_html.hpp pages/design_html.hpp pages/given_keys.hpp pages/given_machine.hpp pages/machine_html.hpp pages/machine_page.hpp
     pages/map_html.hpp pages/motion_path.hpp pages/sweep_html.hpp
     paper.hpp literature/conclusions.hpp literature/paper_figure.hpp literature/published_tables.hpp
     literature/reproduction.hpp statistics/comparison.hpp reproduction/open_questions.hpp

@@ -7,7 +7,7 @@ target_compile_options(kernel_speed_test PRIVATE $<$<CONFIG:Release>:-O3>)  # of
 equipoise_test(statistics_test unit unit/statistics_test.cpp unit/comparison_test.cpp unit/quantile_test.cpp
   unit/sobol_indices_test.cpp)
 equipoise_test(sampling_test unit unit/random_test.cpp unit/sampling_test.cpp unit/even_share_test.cpp
-  unit/stopped_spin_up_test.cpp)
+  unit/stopped_following_test.cpp unit/stopped_spin_up_test.cpp)
 equipoise_test(reproduction_test unit unit/document_test.cpp unit/published_tables_test.cpp LIBRARIES equipoise_paper nlohmann_json::nlohmann_json)
 equipoise_test(store_test unit unit/netcdf_threads_test.cpp unit/store_test.cpp)
 equipoise_test(report_test unit unit/report_test.cpp LIBRARIES nlohmann_json::nlohmann_json)
@@ -28,9 +28,12 @@ equipoise_test(horizon_test equivalence equivalence/horizon_test.cpp)
 equipoise_test(stroboscopic_test equivalence equivalence/stroboscopic_test.cpp)
 equipoise_test(drawn_starts_test equivalence equivalence/drawn_starts_test.cpp)
 equipoise_test(own_starts_test equivalence equivalence/own_starts_test.cpp)
+equipoise_test(watched_starts_test equivalence equivalence/watched_starts_test.cpp)
 equipoise_test(plane_map_test equivalence equivalence/plane_map_test.cpp)
 equipoise_test(comparison_result_test unit unit/comparison_result_test.cpp)
 equipoise_test(map_figures_test unit unit/map_figures_test.cpp unit/pixel_plan_test.cpp)
+equipoise_test(design_problem_test unit unit/design_problem_test.cpp unit/design_search_test.cpp)
+equipoise_test(design_test equivalence equivalence/design_test.cpp)
 equipoise_test(sweep_test unit unit/chunks_test.cpp unit/sweep_test.cpp)
 equipoise_test(sweep_tables_test long literature/sweep_tables_test.cpp LIBRARIES equipoise_paper)
 equipoise_test(continuation_test equivalence equivalence/continuation_test.cpp)
@@ -59,6 +62,7 @@ if(Python3_FOUND AND EQUIPOISE_BUILD_PROGRAM)
     set_tests_properties(${name} PROPERTIES LABELS cli TIMEOUT ${longest_test} ENVIRONMENT ${test_environment})
   endfunction()
   cli_test(cli.program_as_its_users_meet_it cli_test.py)
+  cli_test(cli.basin basin_test.py)
   cli_test(cli.streams_and_usage streams_test.py)
   cli_test(cli.attractors_and_proofs attractors_test.py)
   cli_test(cli.attractors_along_a_parameter along_test.py)
@@ -67,13 +71,14 @@ if(Python3_FOUND AND EQUIPOISE_BUILD_PROGRAM)
   cli_test(cli.report report_test.py)
   cli_test(cli.sweep_merge_inspect sweep_test.py)
   cli_test(cli.capacity capacity_test.py)
+  cli_test(cli.design design_test.py)
   cli_test(cli.reproduce_as_its_users_meet_it reproduce_test.py)
 
   if(NOT EQUIPOISE_SANITIZE)  # runs are killed at moments measured in seconds
     add_test(NAME faults.nothing_is_lost
       COMMAND Python3::Interpreter ${CMAKE_CURRENT_SOURCE_DIR}/faults/faults.py $<TARGET_FILE:equipoise_program>
         ${PROJECT_SOURCE_DIR}/studies --quick)
-    set_tests_properties(faults.nothing_is_lost PROPERTIES LABELS faults TIMEOUT ${longest_test})
+    set_tests_properties(faults.nothing_is_lost PROPERTIES LABELS faults TIMEOUT ${longest_test} COST 130)
   endif()
 
   # Every table from a few thousand starts a row, judged by the errors of both samples (exit code 3 if a cell that is

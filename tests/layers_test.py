@@ -15,7 +15,7 @@ from pathlib import Path
 LAYERS = [
     "base", "math", "model", "integrate", "statistics", "sampling", "study", "lanes", "transients", "deciding",
     "kernels", "orbits", "motions", "proof", "traps", "results", "files", "store", "spin_up", "discovery", "fates",
-    "basins", "branches", "maps", "sweeps", "trajectory", "drawing", "report", "explain", "pages", "literature",
+    "basins", "branches", "maps", "sweeps", "design", "trajectory", "drawing", "report", "explain", "pages", "literature",
     "reproduction",
 ]
 SOURCES = {".hpp", ".h", ".cpp", ".cc", ".cu", ".in"}

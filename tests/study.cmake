@@ -2,10 +2,13 @@
 equipoise_test(study_test unit unit/study_test.cpp unit/study_errors_test.cpp unit/study_tree_test.cpp
   unit/sampling_box_test.cpp)
 equipoise_test(physical_study_test unit unit/units_test.cpp unit/physical_study_test.cpp LIBRARIES rapidcheck UDUNITS2::UDUNITS2)
+equipoise_test(unit_table_test unit unit/unit_table_test.cpp ${PROJECT_SOURCE_DIR}/src/equipoise/study/unit_table.cpp)
+equipoise_test(read_number_test unit unit/read_number_test.cpp)
 equipoise_test(uncertain_test unit unit/uncertain_test.cpp)
 equipoise_test(display_text_test unit unit/display_text_test.cpp)
 equipoise_test(reporting_test unit unit/reporting_test.cpp)
-equipoise_test(explain_test unit unit/explain_test.cpp LIBRARIES nlohmann_json::nlohmann_json)
+equipoise_test(form_test unit unit/form_test.cpp)
+equipoise_test(explain_test unit unit/explain_test.cpp unit/rules_of_thumb_test.cpp LIBRARIES nlohmann_json::nlohmann_json)
 
 find_package(Python3 COMPONENTS Interpreter)
 if(Python3_FOUND)
@@ -33,7 +36,8 @@ if(EQUIPOISE_BUILD_FUZZER)
   # into all three, and nothing else of the library has to be instrumented.
   set(library ${PROJECT_SOURCE_DIR}/src/equipoise)
   file(GLOB reader CONFIGURE_DEPENDS ${library}/study/*.cpp)
-  target_sources(study_fuzz PRIVATE ${reader} ${library}/base/display_text.cpp ${library}/base/error.cpp ${library}/model/speed.cpp
+  list(FILTER reader EXCLUDE REGEX "unit_library_table.cpp|unit_table.cpp")
+  target_sources(study_fuzz PRIVATE ${reader} ${library}/base/display_text.cpp ${library}/base/error.cpp ${library}/base/read_number.cpp ${library}/model/speed.cpp
     ${library}/statistics/distributions.cpp)
   target_include_directories(study_fuzz PRIVATE ${PROJECT_SOURCE_DIR}/src
     $<TARGET_PROPERTY:tomlplusplus::tomlplusplus,INTERFACE_INCLUDE_DIRECTORIES>)

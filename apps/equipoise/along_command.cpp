@@ -16,7 +16,7 @@ namespace equipoise::app {
 int run_along(const Study& study, const AlongArguments& a) {
   require_ending("--output", a.output, ".csv", ".nc");
   require_ending("--plot", a.plot, ".png", ".svg");
-  const ParameterLine line(study, a.along);
+  const ParameterLine line(study, a.along, "--along");
   if (!a.plot.empty()) require_gnuplot("--plot", a.plot);
   require_writable("--output", a.output);
   require_writable("--plot", a.plot);

@@ -27,6 +27,7 @@ Command add_basin(CLI::App& app);
 Command add_capacity(CLI::App& app);
 Command add_certify(CLI::App& app);
 Command add_compare(CLI::App& app);
+Command add_design(CLI::App& app);
 Command add_explain(CLI::App& app);
 Command add_inspect(CLI::App& app);
 Command add_map(CLI::App& app);

@@ -5,6 +5,7 @@
 #include <ctime>
 #include <exception>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include <fmt/format.h>
@@ -13,7 +14,9 @@
 #include "commands.hpp"
 #include "equipoise/drawing/page_files.hpp"
 #include "equipoise/base/version.hpp"
+#include "equipoise/design/search.hpp"
 #include "equipoise/kernels/cpu_target.hpp"
+#include "equipoise/study/overrides.hpp"
 #include "streams.hpp"
 #include "team.hpp"
 #include "usage.hpp"
@@ -46,9 +49,9 @@ void ask_to_stop(int signal) {
 
 std::string version_text() {
   return fmt::format(
-      "equipoise {}\ncompiler: {}\nCPU targets here: {}; using {}\nreports: {}\nMPI: {}\n", version_string, __VERSION__,
+      "equipoise {}\ncompiler: {}\nCPU targets here: {}; using {}\nreports: {}\noptimisers: {}\nMPI: {}\n", version_string, __VERSION__,
       fmt::join(cpu_targets(), ", "), cpu_target(),
-      embedded::page_files.find("plotly.js").empty() ? "pictures only" : "interactive charts and pictures", mpi_text());
+      embedded::page_files.find("plotly.js").empty() ? "pictures only" : "interactive charts and pictures", optimisers_version(), mpi_text());
 }
 
 int run(int argc, char** argv) {
@@ -57,7 +60,8 @@ int run(int argc, char** argv) {
   app.require_subcommand(1);
   app.set_version_flag("--version", version_text);
   app.footer(
-      "Exit codes: 0 done, 1 failed, 2 bad usage or study, 3 not proved or damaged, 130 interrupted with results kept.\n"
+      "Exit codes: 0 done, 1 failed, 2 bad usage or study, 3 not proved or damaged, 130 interrupted with results "
+      "kept.\n"
       "Data go to standard output, all else to standard error.");
   std::vector<std::pair<CLI::App*, Command>> commands;
   const auto add = [&](const char* name, const char* description, Command (*make)(CLI::App&)) {
@@ -69,6 +73,7 @@ int run(int argc, char** argv) {
   add("capacity", "the largest unbalance, or other parameter, that is balanced as often as asked", add_capacity);
   add("certify", "a proof that trajectories near balance end balanced, or the check of one", add_certify);
   add("compare", "two studies or results on common starts: how much more often the second balances", add_compare);
+  add("design", "the best balancer or spin-up within what may be chosen, with margins and evidence", add_design);
   add("explain", "a study in physical and dimensionless form, and what follows without simulation", add_explain);
   add("inspect", "what a file of results holds, how complete and whether damaged", add_inspect);
   add("map", "the outcome of a start at every pixel of a plane of two quantities", add_map);
@@ -92,11 +97,18 @@ int run(int argc, char** argv) {
   return bad_input;
 }
 
+// Here overrides come from --set.
+InputError from_options(const InputError& e) {
+  const std::string_view name = overrides_name;
+  if (!e.where().starts_with(name)) return e;
+  return {"--set" + e.where().substr(name.size()), e.key(), e.value(), e.problem()};
+}
+
 int run_guarded(int argc, char** argv) {
   try {
     return run(argc, argv);
   } catch (const InputError& e) {
-    say(e.what());
+    say(from_options(e).what());
     return bad_input;
   } catch (const std::exception& e) {
     say(e.what());

@@ -29,7 +29,7 @@ namespace fs = std::filesystem;
 struct ReproduceArguments {
   std::vector<std::string> what;
   std::optional<std::string> starts, threads, pixels;
-  std::string law = "both", output, report, cpu;
+  std::string law = "both", output, report, explorer, cpu;
   bool json = false, quiet = false;
 };
 
@@ -60,6 +60,7 @@ std::string command_line(const ReproduceArguments& a) {
 void check_paths(const ReproduceArguments& a) {
   if (!a.report.empty() && !a.report.ends_with(".html") && !a.report.ends_with(".md"))
     throw InputError("--report", "", a.report, "must be a file name that ends in .html or .md");
+  if (!a.explorer.empty() && a.report.empty()) throw InputError("--explorer", "", a.explorer, "goes with --report");
   require_writable("--report", a.report);
   if (!a.report.empty()) require_gnuplot("--report", a.report);
   if (!a.output.empty()) require_gnuplot("--output", a.output);
@@ -77,7 +78,7 @@ int run_reproduce(const ReproduceArguments& a) {
   r.command = command_line(a);
   if (!folder.path().empty() && !r.partial) {
     draw_pictures(r, folder);
-    if (!a.report.empty()) write_report(r, a.report, folder);
+    if (!a.report.empty()) write_report(r, a.report, a.explorer, folder);
   }
   if (folder.temporary()) r.pictures.clear();
   if (!a.output.empty()) write_file(a.output + "/reproduction.json", reproduction_json(r));
@@ -95,6 +96,10 @@ Command add_reproduce(CLI::App& app) {
   app.add_option("--law", a->law, "speed law of ramps (default: both)")->type_name("LAW");
   app.add_option("--report", a->report, "one page with everything (HTML), or Markdown with pictures beside it")
       ->type_name("FILE.html|.md");
+  app.add_option(
+         "--explorer", a->explorer,
+         "where the explorer's page lies, as seen from the report, whose rows then lead to their settings there")
+      ->type_name("PAGE");
   app.add_option("-o,--output", a->output, "folder for ensembles, pictures and tables; the same command resumes")
       ->type_name("DIR");
   app.add_option("--pixels", a->pixels, "pixels along each side of the maps of `future` (default: 64)")->type_name("P");

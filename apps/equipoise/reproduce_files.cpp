@@ -93,8 +93,9 @@ void draw_pictures(Reproduction& r, const PictureFolder& folder) {
   charts("future-box", "Balanced share of starts in an eight-dimensional box and at rest", {box_chart(*r.open)});
 }
 
-void write_report(const Reproduction& r, const std::string& path, const PictureFolder& folder) {
-  const Document document = reproduction_document(r);
+void write_report(const Reproduction& r, const std::string& path, const std::string& explorer,
+                  const PictureFolder& folder) {
+  const Document document = reproduction_document(r, explorer);
   if (path.ends_with(".html")) return write_file(path, document_html(document));
   const fs::path beside = pictures_beside(path);
   std::error_code error;

@@ -30,6 +30,7 @@ class PictureFolder {
 void draw_pictures(Reproduction& r, const PictureFolder& folder);
 
 /// Writes the report (.html or .md); throws RunError if it cannot.
-void write_report(const Reproduction& r, const std::string& path, const PictureFolder& folder);
+void write_report(const Reproduction& r, const std::string& path, const std::string& explorer,
+                  const PictureFolder& folder);
 
 }  // namespace equipoise::app

@@ -5,7 +5,6 @@
 #include "call.hpp"
 #include "equipoise/base/error.hpp"
 #include "equipoise/basins/mapper.hpp"
-#include "equipoise/store/basin_file.hpp"
 #include "py_study.hpp"
 #include "starts.hpp"
 
@@ -24,22 +23,6 @@ std::unique_ptr<Mapper> make_mapper(const PyStudy& s, const py::dict& settings) 
     PyErr_SetNone(PyExc_KeyboardInterrupt);
     throw py::error_already_set();
   }
-}
-
-short code_of(const Fate& fate) {
-  switch (fate.outcome) {
-    case Outcome::attracted:
-      return fate.attractor;
-    case Outcome::diverged:
-      return diverged_code;
-    case Outcome::failed:
-      return failed_code;
-    case Outcome::stalled:
-      return stalled_code;
-    case Outcome::undecided:
-      break;
-  }
-  return undecided_code;
 }
 
 py::dict fates_of(const Mapper& mapper, const py::array& states, const py::dict& settings) {

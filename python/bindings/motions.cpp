@@ -40,12 +40,17 @@ Kept<AttractorsResult> find_attractors(const PyStudy& s, std::optional<std::uint
 }
 
 // A stretch of the motion that the state lies on: centre in the room's axes, balls as seen from the rotor.
-py::dict path_of(const PyStudy& s, const std::vector<double>& state, double duration, int count) {
+py::dict path_of(const PyStudy& s, const std::vector<double>& state, double duration, int count,
+                 const py::dict& settings) {
   const Study study = with_medians(s.study);
   Motion motion;
   motion.state = Eigen::Map<const Eigen::VectorXd>(state.data(), static_cast<Eigen::Index>(state.size()));
-  MotionPath path = Call::run([&] { return motion_path(study.system(), motion, duration, count); });
+  Call call(settings);
+  RunOptions options;
+  call.set(options);
+  MotionPath path = Call::run([&] { return motion_path(study.system(), motion, duration, count, options); });
   py::dict result;
+  result["interrupted"] = call.interrupted();
   const std::size_t rows = path.x.size();
   result["phi"] = columns_of(path.phi, rows);
   result["psi"] = array_of(std::move(path.psi));
@@ -84,7 +89,8 @@ void bind_motions(py::module_& module) {
   bind_kept<AttractorsResult>(module, "Attractors", &attractors_text, &attractors_json);
   module.def("attractors", &find_attractors, py::arg("study"), py::arg("starts"), py::arg("states"),
              py::arg("settings"));
-  module.def("motion_path", &path_of, py::arg("study"), py::arg("state"), py::arg("duration"), py::arg("count"));
+  module.def("motion_path", &path_of, py::arg("study"), py::arg("state"), py::arg("duration"), py::arg("count"),
+             py::arg("settings"));
   bind_kept<BranchesResult>(module, "Branches", &branches_text, &branches_json)
       .def("csv", [](const Branches& b) { return branches_csv(b.result); })
       .def("save", [](const Branches& b, const std::string& path) { write_branches_file(path, b.result); });

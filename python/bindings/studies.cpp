@@ -6,6 +6,7 @@
 #include "equipoise/drawing/plot_parts.hpp"
 #include "equipoise/explain/explain.hpp"
 #include "equipoise/report/explain_report.hpp"
+#include "equipoise/study/overrides.hpp"
 #include "equipoise/study/physical_echo.hpp"
 #include "py_study.hpp"
 
@@ -81,6 +82,7 @@ py::dict explained(const PyStudy& s) {
 }  // namespace
 
 void bind_studies(py::module_& module) {
+  module.attr("overrides_name") = overrides_name;
   py::class_<PyStudy>(module, "Study")
       .def(py::init([](const std::string& toml, const std::string& name, const std::vector<std::string>& overrides) {
              return PyStudy({toml, name, overrides});

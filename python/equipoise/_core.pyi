@@ -5,6 +5,7 @@ import numpy as np
 import numpy.typing as npt
 
 version: str
+overrides_name: str
 
 _Array = npt.NDArray[np.float64]
 
@@ -143,7 +144,9 @@ def compare(first: Study, second: Study, settings: dict[str, Any]) -> Comparison
 def attractors(
     study: Study, starts: Optional[int], states: Optional[npt.NDArray[Any]], settings: dict[str, Any]
 ) -> Attractors: ...
-def motion_path(study: Study, state: list[float], duration: float, count: int) -> dict[str, Any]: ...
+def motion_path(
+    study: Study, state: list[float], duration: float, count: int, settings: dict[str, Any]
+) -> dict[str, Any]: ...
 def follow(
     study: Study, along: str, starts: int, states: Optional[npt.NDArray[Any]], settings: dict[str, Any]
 ) -> Branches: ...

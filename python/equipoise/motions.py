@@ -116,9 +116,10 @@ class Attractor:
         if duration is not None:
             length = real("duration", duration, 1e-9, _LONGEST_PATH, f"a time above 0, at most {_LONGEST_PATH:g}")
         steps = whole("points", points, 1, 10**7)
-        columns = _core.motion_path(self.study._core, self.state.tolist(), length, steps)
+        columns = _core.motion_path(self.study._core, self.state.tolist(), length, steps, {})
         t = np.linspace(0.0, length, steps + 1)[: len(columns["X"])]
-        return Path(t, columns["psi"], columns["X"], columns["Y"], columns["phi"], self.study)
+        path = Path(t, columns["psi"], columns["X"], columns["Y"], columns["phi"], self.study)
+        return unless_interrupted(path, columns["interrupted"])
 
     def __repr__(self) -> str:
         alias = f" ({self.alias})" if self.alias else ""

@@ -28,6 +28,11 @@ class Explanation:
         """What to beware of."""
         return self.data["warnings"]
 
+    @property
+    def advice(self) -> dict[str, dict[str, Any]]:
+        """Rules of thumb by their ``id``: ``kept``, ``words``, ``figures``, ``formula``, ``source``; estimates, not results."""
+        return {rule["id"]: rule for rule in self.data["advice"]}
+
     def save(self, path: str | os.PathLike[str]) -> None:
         """Write ``data`` as JSON."""
         _write_json(path, self.data)
@@ -45,7 +50,7 @@ class Explanation:
 
 
 def explain(study: Study) -> Explanation:
-    """What a study's numbers mean: critical speeds, balanced states and their rates, warnings. Milliseconds."""
+    """What a study's numbers mean: critical speeds, balanced states and their rates, rules of thumb, warnings. Milliseconds."""
     return Explanation(study)
 
 

@@ -144,9 +144,9 @@ class Study:
         try:
             return self._of(self._core.with_overrides(overrides))
         except StudyError as error:
-            if error.where != "--set":  # the command line's name for what is said here
+            if error.where != _core.overrides_name:  # a call is known to override
                 raise
-            text = str(error).removeprefix("--set").removeprefix(":").strip()
+            text = str(error).removeprefix(_core.overrides_name).removeprefix(":").strip()
             raise StudyError(text, error.key, error.value, error.wrong, error.allowed, self.name) from None
 
     def with_starts(self, starts: Optional[int], seed: Optional[int], method: Optional[str] = None) -> Study:

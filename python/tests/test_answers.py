@@ -158,6 +158,8 @@ def test_explanations(program):
     said = eq.explain(machine)
     assert without_times(said.data) == without_times(told(program, "explain", studies / "examples" / "washing-machine.toml"))
     assert said.text == program("explain", studies / "examples" / "washing-machine.toml").stdout
+    assert list(said.advice) == ["ball_mass", "critical_speed", "room", "drag", "settling", "torque"]
+    assert said.advice["ball_mass"]["kept"] is True and "rules-of-thumb.md" in said.advice["drag"]["source"]
     assert isinstance(said.warnings, list) and "<pre>" in said._repr_html_()
 
 

@@ -61,6 +61,24 @@ def test_the_examples_of_the_page_run(tmp_path, monkeypatch):
     assert names["mapper"]([1.0, 4.0]).name == "balanced"
 
 
+def test_the_first_ten_minutes_run(tmp_path, monkeypatch):
+    """Its statements run, on fewer starts; the one that is wrong is refused in the page's words."""
+    (session,) = re.findall(r"^```pycon\n(.*?)^```", PAGE, re.MULTILINE | re.DOTALL)
+    blocks = re.findall(r"^>>> \S.*(?:\n\.\.\. .*)*", session, re.MULTILINE)
+    assert len(blocks) == 13 and blocks[-1] == ">>> exit()"
+    monkeypatch.chdir(tmp_path)
+    names: dict[str, object] = {}
+    refused = []
+    for block in blocks[:-1]:
+        code = "\n".join(line[4:] for line in block.split("\n")) + "\n"
+        try:
+            exec(compile(code.replace("starts=4000", "starts=300").replace("starts=1000", "starts=300"), "session", "single"), names)  # noqa: S102
+        except eq.StudyError as error:
+            refused.append(str(error))
+    assert len(refused) == 1 and refused[0] in session
+    assert names["answer"].shares["balanced"] < 0.4 and (tmp_path / "fan.png").stat().st_size > 0
+
+
 def test_every_picture_and_call_is_on_the_page():
     for name in eq.plot.__all__:
         assert f"eq.plot.{name}(" in PAGE, name

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""The program as its users meet it: output, exit codes, errors, progress, interruption.
+"""The program as its users meet it: studies explained, examples, trajectories, errors, help.
 
     cli_test.py PROGRAM STUDIES
 """
@@ -8,21 +8,13 @@ import io
 import json
 import math
 import os
-import pty
-import signal
-import subprocess
 import sys
 import tempfile
-import time
 import unittest
 
-PROGRAM, STUDIES = sys.argv[1], sys.argv[2]
-ROW = os.path.join(STUDIES, "paper", "table-2-omega-2.4.toml")
+from program import ROW, STUDIES, run
+
 WASHER = os.path.join(STUDIES, "examples", "washing-machine.toml")
-
-
-def run(*arguments, **options):
-    return subprocess.run([PROGRAM, *arguments], capture_output=True, text=True, timeout=300, check=False, **options)
 
 
 class Explain(unittest.TestCase):
@@ -116,228 +108,6 @@ class Examples(unittest.TestCase):
             self.assertEqual((everything["starts"], answer["transients"]["units"]["displacement"]), (20, "mm"))
             self.assertGreater(everything["figures"]["peak_radial"]["largest"], 0)
             self.assertTrue(everything["exceeded"])
-
-
-class Basin(unittest.TestCase):
-    def test_json_has_shares_as_fractions_with_intervals(self):
-        done = run("basin", ROW, "--starts", "3000", "--json", "--quiet")
-        self.assertEqual((done.returncode, done.stderr), (0, ""))
-        answer = json.loads(done.stdout)
-        self.assertEqual(answer["starts"], 3000)
-        balanced = answer["outcomes"][0]
-        self.assertEqual((balanced["id"], balanced["name"]), (1, "balanced"))
-        self.assertLess(balanced["low"], balanced["share"])
-        self.assertLess(balanced["share"], balanced["high"])
-        # Published 60.54 %; 3000 starts have a standard error of 0.9 %: five of them.
-        self.assertAlmostEqual(balanced["share"], 0.6054, delta=0.045)
-        counts = [o["count"] for o in answer["outcomes"]] + [answer[k]["count"] for k in ("undecided", "diverged", "failed")]
-        self.assertEqual(sum(counts), 3000)
-        self.assertEqual(answer["study"]["sampling"], {"starts": 3000, "seed": 1, "method": "random"})
-        self.assertEqual(answer["study"]["speed"]["speed"], 2.4)
-
-    def test_seed_changes_the_sample_and_nothing_else(self):
-        one, again, two = (json.loads(run("basin", ROW, "--starts", "2000", "--json", "--quiet", "--seed", s).stdout)
-                           for s in ("1", "1", "2"))
-        self.assertEqual(one["outcomes"], again["outcomes"])
-        self.assertNotEqual(one["outcomes"], two["outcomes"])
-
-    def test_table_names_every_outcome_and_the_interval(self):
-        text = run("basin", ROW, "--starts", "1000", "--quiet").stdout
-        for word in ("balanced", "co-drifting (V1)", "drifting apart (V2)", "undecided", "diverged", "failed", "95 % interval", "1000 starts", "seed 1"):
-            self.assertIn(word, text)
-
-    def test_published_law_is_named_wherever_it_was_used(self):
-        study = os.path.join(STUDIES, "paper", "table-5-t0-300.toml")
-        self.assertIn("PUBLISHED speed law", run("basin", study, "--starts", "500", "--quiet").stdout)
-        self.assertEqual(json.loads(run("basin", study, "--starts", "500", "--json", "--quiet").stdout)["law"], "published")
-        self.assertIn("published speed law", run("simulate", study, "--at", "0,1").stderr)
-
-    def test_transients_are_told_by_outcome_when_asked_for(self):
-        common = ("basin", ROW, "--starts", "1000", "--quiet")
-        self.assertNotIn("transients", json.loads(run(*common, "--json").stdout))
-        done = run(*common, "--json", "--transients")
-        self.assertEqual((done.returncode, done.stderr), (0, ""))
-        answer = json.loads(done.stdout)["transients"]
-        everything, *outcomes = answer["groups"]
-        self.assertEqual((everything["name"], everything["starts"], answer["lost"]), ("all", 1000, 0))
-        self.assertEqual(sum(g["starts"] for g in outcomes), 1000)
-        self.assertEqual(answer["units"]["displacement"], "R")
-        for name, figure in everything["figures"].items():
-            self.assertEqual(figure["count"], 1000)
-            middle = [q["value"] for q in figure["quantiles"]]
-            self.assertEqual(middle, sorted(middle), name)
-            for q in figure["quantiles"]:
-                self.assertTrue(q["low"] <= q["value"] <= (q["high"] or math.inf), name)
-            self.assertTrue(figure["mean_low"] < figure["mean"] < figure["mean_high"] < figure["largest"], name)
-        self.assertNotIn("settling_time", everything["figures"])  # no limit to settle below
-        self.assertLess(everything["figures"]["rms_force"]["mean"], everything["figures"]["peak_force"]["mean"])
-        text = run(*common, "--transients").stdout
-        for word in ("peak displacement", "peak bearing force", "RMS velocity at the end", "all outcomes, 1000 starts"):
-            self.assertIn(word, text)
-        one = dict(line.split(" = ") for line in run("basin", ROW, "--transients", "--start-index", "5").stdout.splitlines()[1:])
-        self.assertLessEqual(float(one["peak_radial"]), everything["figures"]["peak_radial"]["largest"])
-
-    def test_half_width_is_reached(self):
-        answer = json.loads(run("basin", ROW, "--half-width", "0.02", "--json", "--quiet").stdout)
-        balanced = answer["outcomes"][0]
-        self.assertLessEqual((balanced["high"] - balanced["low"]) / 2, 0.02)
-        self.assertLess(answer["starts"], 20000)
-
-    def test_half_width_chooses_the_cheaper_way_and_says_so(self):
-        text = run("basin", ROW, "--half-width", "0.004", "--quiet").stdout
-        self.assertRegex(text, r"Sampling: scrambled Sobol, 16 x \d[\d ]* starts; random starts would have needed about 57 \d00\.")
-        answer = json.loads(run("basin", ROW, "--half-width", "0.004", "--json", "--quiet").stdout)
-        self.assertEqual(answer["study"]["sampling"]["method"], "sobol")
-        self.assertEqual(answer["sampling"]["replicates"], 16)
-        self.assertEqual(16 * answer["sampling"]["points_per_replicate"], answer["starts"])
-        self.assertLess(answer["starts"], answer["sampling"]["random_starts_needed"])
-        self.assertIn("scrambled Sobol", answer["sampling"]["why"])
-        obeyed = run("basin", ROW, "--half-width", "0.006", "--set", "sampling.method=random", "--json", "--quiet")
-        self.assertEqual(json.loads(obeyed.stdout)["sampling"], {"method": "random", "half_width": 0.006})
-
-    def test_sobol_and_grid_say_what_they_are_worth(self):
-        for method, by in (("sobol", "replicates"), ("grid", "pairs")):
-            way = ["--set", "sampling.method=" + method, "--starts", "8192", "--quiet"]
-            balanced = json.loads(run("basin", ROW, *way, "--json").stdout)["outcomes"][0]
-            self.assertEqual(balanced["interval"], by)
-            self.assertGreater(balanced["effective_random_starts"], 8192)
-            # Known to 0.005 points; five standard errors, themselves known to 18 %.
-            self.assertAlmostEqual(balanced["share"], 0.60495, delta=5 * balanced["standard_error"])
-            text = run("basin", ROW, *way).stdout
-            self.assertIn("as good as", text)
-            self.assertIn("16 x 512 starts" if method == "sobol" else "90^2 cells, two starts a cell", text)
-
-    def test_grid_refuses_a_half_width(self):
-        done = run("basin", ROW, "--half-width", "0.001", "--set", "sampling.method=grid")
-        self.assertEqual((done.returncode, done.stdout), (2, ""))
-        self.assertIn("sampling.method", done.stderr)
-
-    def test_replayed_start_prints_angles_outcome_and_time(self):
-        lines = run("basin", ROW, "--start-index", "5").stdout.splitlines()
-        self.assertEqual(lines[0], "start 5 of seed 1")
-        values = dict(line.split(" = ") for line in lines[1:])
-        self.assertEqual(set(values), {"phi_1", "phi_2", "outcome", "decided_by", "decision_time"})
-        self.assertTrue(0 <= float(values["phi_1"]) < 2 * math.pi)
-
-    def test_replayed_start_that_stalls_says_so(self):
-        with tempfile.NamedTemporaryFile("w", suffix=".toml") as study:
-            study.write("""[rotor]
-eccentricity = 0.05
-damping = 0.1
-inertia = 1.0
-[balancer]
-balls = 2
-mass = 0.05
-drag = 0.05
-[speed]
-profile = "torque"
-torque = { stall = 0.005, no_load_speed = 3.0 }
-""")
-            study.flush()
-            done = run("basin", study.name, "--start-index", "0")
-            self.assertEqual(done.returncode, 0)
-            self.assertIn("outcome = stalled\n", done.stdout)
-            speed = float(done.stdout.split("mean_speed = ")[1].split()[0])
-            self.assertTrue(0.0 < speed < math.sqrt(2.0))
-
-    def test_grade_is_at_the_speed_that_starts_come_to(self):
-        """A motor that is switched off leaves the rotor at a speed that nobody aimed at, and it is not 0."""
-        with tempfile.NamedTemporaryFile("w", suffix=".toml") as study:
-            study.write("""[rotor]
-mass = "4 kg"
-stiffness = "10 kN/m"
-damping_ratio = 0.25
-unbalance = "300 g mm"
-inertia = "0.02 kg m2"
-[balancer]
-balls = 1
-race_radius = "60 mm"
-mass = "20 g"
-drag = "2e-4 N m s"
-[speed]
-profile = "torque"
-torque = { constant = "1 N m", until = "5 s" }
-[numerics]
-horizon = "20 s"
-""")
-            study.flush()
-            answer = json.loads(run("basin", study.name, "--starts", "8", "--quiet", "--transients", "--json").stdout)
-            every = answer["transients"]["groups"][0]
-            self.assertGreater(every["mean_speed"], 0.0)
-            residual = every["figures"]["residual_unbalance"]["mean"]  # mm
-            # e omega, omega_c = 50 rad/s; the figure is stored in single precision.
-            self.assertAlmostEqual(every["balance_grade"] / (residual * every["mean_speed"] * 50.0), 1.0, places=5)
-
-    def test_replayed_start_of_a_box_prints_its_whole_state(self):
-        whole = ["--set", "sampling.box.x=[-0.1,0.1]", "--set", "sampling.box.phi_dot=[0.5,2.0]"]
-        free = ["--set", "release={time=0.0}"]
-        lines = run("basin", ROW, "--start-index", "5", *free, *whole).stdout.splitlines()
-        values = dict(line.split(" = ") for line in lines[1:])
-        self.assertEqual(set(values), {"phi_1", "phi_2", "x", "y", "x_dot", "y_dot", "phi_dot_1", "phi_dot_2",
-                                       "outcome", "decided_by", "decision_time"})
-        self.assertTrue(-0.1 <= float(values["x"]) <= 0.1 and 0.5 <= float(values["phi_dot_2"]) <= 2.0)
-        self.assertEqual(float(values["y"]), 0.0)
-
-    def test_lines_of_progress_where_standard_error_is_no_terminal(self):
-        with tempfile.TemporaryDirectory() as folder:
-            process = subprocess.Popen([PROGRAM, "basin", ROW, "--starts", "100000000"], stdout=subprocess.PIPE,
-                                       stderr=subprocess.PIPE, text=True, cwd=folder)
-            lines = (line for line in process.stderr if "of 100000000" in line)  # after those of the search
-            next(lines)  # on a busy machine the first comes before there is a rate to tell
-            line = next(lines)
-            process.send_signal(signal.SIGINT)
-            process.communicate(timeout=60)
-            self.assertRegex(line, r"% +\d+ of 100000000 .*/s .* left  balanced \d")
-
-    def test_interrupted_run_says_what_is_known_so_far(self):
-        with tempfile.TemporaryDirectory() as folder:
-            output = os.path.join(folder, "out.nc")
-            process = subprocess.Popen([PROGRAM, "basin", ROW, "--starts", "100000000", "--json", "-o", output],
-                                       stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
-            next(line for line in process.stderr if "of 100000000" in line)  # of progress: starts have been counted
-            process.send_signal(signal.SIGINT)
-            out, _ = process.communicate(timeout=60)
-            self.assertEqual(process.returncode, 130)
-            answer = json.loads(out)
-            self.assertTrue(answer["partial"])
-            self.assertTrue(0 < answer["starts"] < 100000000)
-            self.assertGreater(os.path.getsize(output), 1000)
-
-    def test_a_long_search_for_attractors_is_told_and_can_be_ended(self):
-        # A minute and more for four balls under gravity, before the first start is followed.
-        with tempfile.TemporaryDirectory() as folder:
-            study = os.path.join(folder, "four.toml")
-            with open(study, "w", encoding="utf-8") as file:
-                file.write("[rotor]\neccentricity = 0.01\ndamping = 0.05\ngravity = 0.001\n"
-                           "[balancer]\nballs = 4\nmass = 0.01\ndrag = 0.02\n"
-                           "[speed]\nprofile = \"constant\"\nspeed = 2.4\n")
-            for command in (["basin"], ["attractors"], ["basin", "--start-index", "7"]):
-                with self.subTest(command=command):
-                    process = subprocess.Popen([PROGRAM, *command, study], stdout=subprocess.PIPE,
-                                               stderr=subprocess.PIPE, text=True)
-                    self.assertIn("looking for attractors: ", process.stderr.readline())
-                    process.send_signal(signal.SIGINT)
-                    began = time.monotonic()
-                    process.communicate(timeout=60)
-                    self.assertLess(time.monotonic() - began, 10.0)  # about one, on a machine with nothing else to do
-                    self.assertEqual(process.returncode, 130)
-
-    def test_bar_on_a_terminal(self):
-        pid, terminal = pty.fork()
-        if pid == 0:
-            os.execv(PROGRAM, [PROGRAM, "basin", ROW, "--starts", "400000"])
-        seen = b""
-        while True:
-            try:
-                part = os.read(terminal, 65536)
-            except OSError:
-                break
-            if not part:
-                break
-            seen += part
-        _, status = os.waitpid(pid, 0)
-        self.assertEqual(os.waitstatus_to_exitcode(status), 0)
-        self.assertRegex(seen.decode(), r"\r\[#*\.+\] +\d+ % +\d+ of 400000 .*balanced")
 
 
 class Simulate(unittest.TestCase):

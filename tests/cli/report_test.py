@@ -78,7 +78,7 @@ class Report(unittest.TestCase):
         self.assertEqual(self.page.tags["svg"], 1 + 3 + 1 + 2)  # shares, three motions, peaks, displacement and speed
         for rule in ("prefers-color-scheme: dark", "@page", "max-width: 600px", "width=device-width"):
             self.assertIn(rule, self.page.text)
-        self.assertNotIn("nan", self.page.text)
+        self.assertNotRegex(self.page.text, r"\bnan\b")
 
     def test_sentence_and_shares_are_those_of_basin(self):
         answer = json.loads(run("basin", ROW, "--starts", "1500", "--transients", "--json", "--quiet").stdout)

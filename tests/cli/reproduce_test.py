@@ -122,6 +122,19 @@ class Reports(unittest.TestCase):
             self.assertIn("figure-transients.png", markdown)
             self.assertEqual(sorted(os.listdir(folder)), ["paper-pictures", "paper.html", "paper.md"])
 
+    def test_rows_lead_to_their_settings_in_the_explorer(self):
+        with tempfile.TemporaryDirectory() as folder:
+            page = os.path.join(folder, "paper.html")
+            done = run("reproduce", "table-3", "--starts", "20", "--report", page, "--explorer", "web/index.html", "--quiet")
+            self.assertEqual(done.returncode, 0, done.stderr)
+            with open(page, encoding="utf-8") as file:
+                links = re.findall(r'<a href="([^"]*)">(table-3-[^<]*)</a>', file.read())
+            self.assertEqual(len(links) % 2, 0)  # under both laws
+            self.assertGreater(len(links), 2)
+            for address, study in links:
+                self.assertRegex(address, rf"^web/index\.html#study={re.escape(study)}&amp;set=speed\.law%3D(published|kinematic)$")
+                self.assertTrue(os.path.exists(os.path.join(STUDIES, "paper", study + ".toml")), study)
+
     def test_markdown_has_its_pictures_beside_it_whatever_the_folder_of_results(self):
         with tempfile.TemporaryDirectory() as folder, tempfile.TemporaryDirectory() as results:
             text = os.path.join(folder, "paper.md")
@@ -154,6 +167,7 @@ class Refusals(unittest.TestCase):
     def test_bad_usage_is_refused_before_any_work(self):
         self.refused("table-8", words=["table-8", "table-7", "figure-attractors", "future"])
         self.refused("table-1", "--starts", "0", words=["--starts", "0", "from 1"])
+        self.refused("table-1", "--explorer", "web/index.html", words=["--explorer", "web/index.html", "--report"])
         self.refused("table-1", "--law", "real", words=["--law", "published"])
         self.refused("table-1", "--report", "x.pdf", words=["--report", "x.pdf", ".html or .md"])
         self.refused("table-1", "--report", "/nowhere/x.html", words=["--report", "/nowhere/x.html"])

@@ -13,6 +13,7 @@ import tempfile
 import time
 
 import capacity_cases
+import design_cases
 import file_cases
 import program_cases
 import sweep_cases
@@ -20,7 +21,8 @@ from harness import Bench, Finding
 
 
 def main():
-    cases = {case.__name__: case for case in file_cases.CASES + program_cases.CASES + sweep_cases.CASES + capacity_cases.CASES}
+    cases = {case.__name__: case for case in file_cases.CASES + program_cases.CASES + sweep_cases.CASES + capacity_cases.CASES +
+             design_cases.CASES}
     parser = argparse.ArgumentParser(description="Tries faults on the program.")
     parser.add_argument("program")
     parser.add_argument("studies")

@@ -141,6 +141,29 @@ class Undisturbed:
         expect(not os.path.exists(path + ".part"), f"{what}: the unfinished part is still there")
 
 
+def kept_through_kills_and_full_disks(bench, command, rounds, moments=(0.4, 0.8)):
+    """kill -9 and requests to stop at random moments, over and over at one file; then a file that may not grow. `moments`:
+    shares of the undisturbed time between which they come."""
+    path, kept = bench.path("killed.nc"), 0
+    for k in range(rounds):
+        process = bench.start(*command.arguments, "--threads", 1 + k % 2, "-o", path)
+        time.sleep(bench.random.uniform(*moments) * command.seconds)
+        process.send_signal((signal.SIGKILL, signal.SIGTERM)[k % 2])
+        ended(process)
+        for left in filter(os.path.exists, (path, path + ".part")):
+            inspected = bench.run("inspect", left)
+            expect(inspected.code == 0, f"{inspected}: damage after a kill")
+        kept += os.path.exists(path + ".part") or os.path.exists(path)
+    command.finish(bench, path, "after every kill")
+    expect(kept > 0, "no kill came while something was kept")
+    for part in (0.05, 0.95):
+        path = bench.path(f"full-{part}.nc")
+        done = bench.run(*command.arguments, "-o", path, preexec_fn=limited(int(part * len(command.content))))
+        refused(done, 1, words=("cannot be written",))
+        command.finish(bench, path, f"a disk full at {part}")
+    return f"{rounds} kills"
+
+
 def result(path):
     """All that a file of results says but the time that it took."""
     dimensions, attributes, variables = classic_netcdf.read(path)

@@ -17,6 +17,7 @@
 #include "equipoise/base/error.hpp"
 #include "equipoise/study/physical.hpp"
 #include "equipoise/study/physical_echo.hpp"
+#include "equipoise/study/overrides.hpp"
 #include "equipoise/study/study.hpp"
 #include "study_difference.hpp"
 
@@ -266,7 +267,7 @@ TEST(PhysicalStudy, RefusesPlainNumbersAndNamesTheKey) {
                    "0, such as \"10 s\""});
   expect_rejected({machine,
                    {"numerics.horizon=100.0"},
-                   "--set",
+                   overrides_name,
                    "numerics.horizon",
                    "100.0",
                    "is a plain number and rotor.mass makes this a study in physical units; must be a time greater than "
@@ -313,19 +314,19 @@ TEST(PhysicalStudy, RefusesWrongDimensionsAndRanges) {
                    "has 1 entries; must be a mass greater than 0, such as \"12 kg\", or an array of 2, one a ball"});
   expect_rejected({machine,
                    {"speed.duration=-3 s"},
-                   "--set",
+                   overrides_name,
                    "speed.duration",
                    "\"-3 s\"",
                    "must be a time greater than 0, such as \"10 s\""});
   expect_rejected({machine,
                    {"limits.force=0 N"},
-                   "--set",
+                   overrides_name,
                    "limits.force",
                    "\"0 N\"",
                    "must be a force greater than 0, such as \"500 N\""});
   expect_rejected({machine,
                    {"numerics.horizon=1 ms"},
-                   "--set",
+                   overrides_name,
                    "numerics.horizon",
                    "\"1 ms\"",
                    "must be a time from 0.0158114 s to 158114 s (1 to 10000000 times 1/omega_c)"});
@@ -359,13 +360,13 @@ TEST(PhysicalStudy, NamesMissingKeysAndTwoForOne) {
                    "rotor.damping_ratio, a plain number, c/(2 sqrt(k M))"});
   expect_rejected({machine,
                    {"rotor.damping_ratio=0.1"},
-                   "--set",
+                   overrides_name,
                    "rotor.damping_ratio",
                    "0.1",
                    "give either rotor.damping or rotor.damping_ratio, not both"});
   expect_rejected({machine,
                    {"rotor.unbalance=3 g mm"},
-                   "--set",
+                   overrides_name,
                    "rotor.unbalance",
                    "\"3 g mm\"",
                    "give either rotor.eccentricity or rotor.unbalance, not both"});
@@ -378,13 +379,13 @@ TEST(PhysicalStudy, NamesMissingKeysAndTwoForOne) {
                    "eccentricity, such as \"300 g mm\""});
   expect_rejected({machine,
                    {"balancer.oil_viscosity=1 Pa s"},
-                   "--set",
+                   overrides_name,
                    "balancer.oil_viscosity",
                    "\"1 Pa s\"",
                    "give either balancer.drag or balancer.oil_viscosity, not both"});
   expect_rejected({machine,
                    {"balancer.oil_density=900 kg/m3"},
-                   "--set",
+                   overrides_name,
                    "balancer.oil_density",
                    "\"900 kg/m3\"",
                    "has a meaning only with balancer.oil_viscosity"});
@@ -402,37 +403,37 @@ TEST(PhysicalStudy, NamesMissingKeysAndTwoForOne) {
                    "is a kinematic viscosity and needs balancer.oil_density, such as \"900 kg/m3\""});
   expect_rejected({machine,
                    {"balancer.contact=true"},
-                   "--set",
+                   overrides_name,
                    "balancer.contact",
                    "true",
                    "needs balancer.ball_diameter, such as \"8 mm\""});
   expect_rejected({machine,
                    {"balancer.rolls=true"},
-                   "--set",
+                   overrides_name,
                    "balancer.rolls",
                    "true",
                    "needs balancer.ball_diameter, such as \"8 mm\""});
   expect_rejected({machine,
                    {"balancer.ball_radius=4 mm"},
-                   "--set",
+                   overrides_name,
                    "balancer.ball_radius",
                    "\"4 mm\"",
                    "has a meaning only with balancer.rolls = true"});
   expect_rejected({machine,
                    {"balancer.ball_diameter=8 mm", "balancer.ball_radius=4 mm"},
-                   "--set",
+                   overrides_name,
                    "balancer.ball_radius",
                    "\"4 mm\"",
                    "give either balancer.ball_radius or balancer.ball_diameter, not both"});
   expect_rejected({machine,
                    {"balancer.rolls=true", "balancer.ball_radius=30 mm"},
-                   "--set",
+                   overrides_name,
                    "balancer.ball_radius",
                    "\"30 mm\"",
                    "must be less than balancer.race_radius"});
   expect_rejected({machine,
                    {"balancer.ball_diameter=60 mm"},
-                   "--set",
+                   overrides_name,
                    "balancer.ball_diameter",
                    "\"60 mm\"",
                    "must be less than twice balancer.race_radius"});
@@ -455,7 +456,7 @@ TEST(PhysicalStudy, NamesUnknownKeysAmongThoseOfPhysicalStudies) {
                    "eccentricity, such as \"300 g mm\""});
   expect_rejected({machine,
                    {"rotor.gravitiy=9.81 m/s2"},
-                   "--set",
+                   overrides_name,
                    "rotor.gravitiy",
                    "\"9.81 m/s2\"",
                    "unknown key; did you mean \"gravity\"? (allowed: mass, stiffness, damping, damping_ratio, "
@@ -465,17 +466,17 @@ TEST(PhysicalStudy, NamesUnknownKeysAmongThoseOfPhysicalStudies) {
 TEST(PhysicalStudy, SpeaksOfRulesBetweenKeysInItsOwnUnits) {
   expect_rejected({machine,
                    {"release.speed=4000 rpm"},
-                   "--set",
+                   overrides_name,
                    "release.speed",
                    "\"4000 rpm\"",
                    "the ramp function never reaches it; must be from 0 rpm to 3000 rpm"});
   const std::string trapezoid =
       "speed={profile='trapezoid', peak='50 Hz', final='40 Hz', rise_until='9 s', hold_until='8 s', fall_until='12 s'}";
   expect_rejected(
-      {machine, {trapezoid}, "--set", "speed.hold_until", "\"8 s\"", "must be greater than rise_until, 9 s"});
+      {machine, {trapezoid}, overrides_name, "speed.hold_until", "\"8 s\"", "must be greater than rise_until, 9 s"});
   expect_rejected({machine,
                    {"sampling.box.x=['0 mm', '1 mm']"},
-                   "--set",
+                   overrides_name,
                    "sampling.box.x",
                    "[\"0 mm\", \"1 mm\"]",
                    "needs balls that are free from t = 0, but their release is at t = 10 s (clamped balls share one "
@@ -500,7 +501,7 @@ TEST(Units, OfADimensionlessStudyAreKeptAndChecked) {
                    "must be a number at least 1e-30 and at most 1e+30"});
   expect_rejected({text + "frequency=1\n",
                    {"limits.force=-1"},
-                   "--set",
+                   overrides_name,
                    "limits.force",
                    "-1",
                    "must be a finite number greater than 0"});

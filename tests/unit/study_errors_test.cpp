@@ -9,6 +9,7 @@
 #include <gtest/gtest.h>
 
 #include "equipoise/base/error.hpp"
+#include "equipoise/study/overrides.hpp"
 #include "equipoise/study/study.hpp"
 
 namespace equipoise {
@@ -102,22 +103,23 @@ TEST(BadInput, SamplingMethodsAreThree) {
   expect_rejected({{good + "method = \"lattice\"\n", {}, "f.toml:18", "sampling.method", "\"lattice\"", wanted},
                    {good + "method = 2\n", {}, "f.toml:18", "sampling.method", "2", wanted}});
   const std::vector<std::string> lone{"sampling.method=grid", "sampling.starts=1"};
-  expect_rejected({{good, lone, "--set", "sampling.starts", "1", "must be 2 or more"}});
+  expect_rejected({{good, lone, overrides_name, "sampling.starts", "1", "must be 2 or more"}});
 }
 
 TEST(BadInput, BallsRollOrSlide) {
-  expect_override_rejected("balancer.rolls=1", "--set", "balancer.rolls", "1", "is a number; must be true or false");
-  expect_override_rejected("balancer.ball_radius=0.1", "--set", "balancer.ball_radius", "0.1",
+  expect_override_rejected("balancer.rolls=1", overrides_name, "balancer.rolls", "1",
+                           "is a number; must be true or false");
+  expect_override_rejected("balancer.ball_radius=0.1", overrides_name, "balancer.ball_radius", "0.1",
                            "has a meaning only with balancer.rolls = true");
   expect_rejected({{good,
                     {"balancer.rolls=true", "balancer.ball_radius=1.0"},
-                    "--set",
+                    overrides_name,
                     "balancer.ball_radius",
                     "1.0",
                     "must be a number at least 0 and less than 1"},
                    {good,
                     {"balancer.rolls=true", "balancer.ball_radius=[0.1, 0.1, 0.1]"},
-                    "--set",
+                    overrides_name,
                     "balancer.ball_radius",
                     "[0.1, 0.1, 0.1]",
                     "has 3 entries"}});
@@ -343,8 +345,8 @@ TEST(BadInput, WhatTheTomlLibraryWouldStumbleOverIsStoppedBefore) {
       {with("500.0", "\"\u00e9\""), {}, "f.toml:11", "speed.duration", "\"\u00e9\"", "number"},
       {good + "x = \"\"\"\\", {}, "f.toml:18:", "", "", "not TOML: "},
       {good + "[[\n", {}, "f.toml:18:", "", "", "not TOML: "},
-      {good, {"rotor.eccentricity=\u03bb"}, "--set", "rotor.eccentricity", "\"\u03bb\"", "is a string"},
-      {good, {"rotor.eccentricity=[\u03bb]"}, "--set", "rotor.eccentricity", "[\u03bb]", "not ASCII"},
+      {good, {"rotor.eccentricity=\u03bb"}, overrides_name, "rotor.eccentricity", "\"\u03bb\"", "is a string"},
+      {good, {"rotor.eccentricity=[\u03bb]"}, overrides_name, "rotor.eccentricity", "[\u03bb]", "not ASCII"},
   });
 }
 
@@ -365,7 +367,7 @@ TEST(BadInput, StrangeTextStaysOnOneLineAndIsCutToLength) {
       // Never cut within a character.
       {good,
        {"speed.profile=" + std::string(58, 'x') + "\u00e9\u00e9"},
-       "--set",
+       overrides_name,
        "speed.profile",
        "\"" + std::string(58, 'x') + "\u00e9...",
        "one of"},
@@ -383,8 +385,8 @@ TEST(BadInput, NestingEndsInAMessageBeforeItEndsTheStack) {
       {good + "[initial.x]\ny = {" + deep_key + " = 1}\n", {}, "f.toml:19:", "", "", too_many},
       {good + "x = \"\"\"\\\"\"\"\n\"#\"\"\"\n" + deep_key + " = 1\n", {}, "f.toml:20:", "", "", too_many},
       {"x = " + repeated("[", 100000) + "\n", {}, "f.toml:1:", "", "", "exceeded maximum nested value depth"},
-      {good, {deep_key + "=1"}, "--set", shown_key, "1", "more parts than any key of a study has"},
-      {good, {"rotor={" + deep_key + "=1}"}, "--set", "rotor", "{" + repeated("a.", 29) + "a...", too_many},
+      {good, {deep_key + "=1"}, overrides_name, shown_key, "1", "more parts than any key of a study has"},
+      {good, {"rotor={" + deep_key + "=1}"}, overrides_name, "rotor", "{" + repeated("a.", 29) + "a...", too_many},
   });
 }
 
@@ -401,37 +403,41 @@ TEST(BadInput, OverridesThatAreNotKeyAndValueAreQuotedWhole) {
   const std::string form = "must be key=value, for example rotor.eccentricity=0.02";
   for (const std::string item : {"", "=", "=3", "rotor", "rotor.eccentricity", "rotor.eccentricity=", ".x=3",
                                  "rotor.=3", "a..b=1", "rotor.eccentricity= "})
-    expect_override_rejected(item, "--set " + item, "", "", form);
+    expect_override_rejected(item, std::string(overrides_name) + " " + item, "", "", form);
 }
 
 TEST(BadInput, OverridesAreToldFromTheFile) {
-  expect_override_rejected("rotor.eccentricity=-1", "--set", "rotor.eccentricity", "-1", "at least 0");
-  expect_override_rejected("rotor.eccentricity=0.01 kg", "--set", "rotor.eccentricity", "\"0.01 kg\"", "is a string");
-  expect_override_rejected("rotr.eccentricity=1", "--set", "rotr", "{ eccentricity = 1 }", "did you mean \"rotor\"?");
-  expect_override_rejected("rotor.eccentricty=1", "--set", "rotor.eccentricty", "1", "did you mean \"eccentricity\"?");
-  expect_override_rejected("rotor={eccentricity=-1}", "--set", "rotor.eccentricity", "-1", "at least 0");
-  expect_override_rejected("rotor={eccentricity=1}", "--set", "rotor.damping", "", "missing");
-  expect_override_rejected("balancer.mass=[0.05]", "--set", "balancer.mass", "[0.05]", "has 1 entries");
-  expect_override_rejected("release.speed=9", "--set", "release.speed", "9", "never reaches it");
-  expect_override_rejected("sampling.seed=99999999999999999999", "--set", "sampling.seed", "\"99999999999999999999\"",
-                           "is a string; must be a whole number");
-  expect_override_rejected("release.time=1", "--set", "release.time", "1", "not both");
+  expect_override_rejected("rotor.eccentricity=-1", overrides_name, "rotor.eccentricity", "-1", "at least 0");
+  expect_override_rejected("rotor.eccentricity=0.01 kg", overrides_name, "rotor.eccentricity", "\"0.01 kg\"",
+                           "is a string");
+  expect_override_rejected("rotr.eccentricity=1", overrides_name, "rotr", "{ eccentricity = 1 }",
+                           "did you mean \"rotor\"?");
+  expect_override_rejected("rotor.eccentricty=1", overrides_name, "rotor.eccentricty", "1",
+                           "did you mean \"eccentricity\"?");
+  expect_override_rejected("rotor={eccentricity=-1}", overrides_name, "rotor.eccentricity", "-1", "at least 0");
+  expect_override_rejected("rotor={eccentricity=1}", overrides_name, "rotor.damping", "", "missing");
+  expect_override_rejected("balancer.mass=[0.05]", overrides_name, "balancer.mass", "[0.05]", "has 1 entries");
+  expect_override_rejected("release.speed=9", overrides_name, "release.speed", "9", "never reaches it");
+  expect_override_rejected("sampling.seed=99999999999999999999", overrides_name, "sampling.seed",
+                           "\"99999999999999999999\"", "is a string; must be a whole number");
+  expect_override_rejected("release.time=1", overrides_name, "release.time", "1", "not both");
   expect_override_rejected("speed.profile=constant", "f.toml", "speed.speed", "", "missing");
 }
 
 TEST(BadInput, OverridesRespectWhatIsATable) {
-  expect_override_rejected("speed=3", "--set", "speed", "3", "must be a table, [speed]");
-  expect_override_rejected("rotor.eccentricity.x=1", "--set", "rotor.eccentricity.x", "1",
+  expect_override_rejected("speed=3", overrides_name, "speed", "3", "must be a table, [speed]");
+  expect_override_rejected("rotor.eccentricity.x=1", overrides_name, "rotor.eccentricity.x", "1",
                            "\"rotor.eccentricity\" is not a table");
-  expect_override_rejected("initial.phi.x=1", "--set", "initial.phi.x", "1", "\"initial.phi\" is not a table");
-  expect_rejected({{good, {"speed=3", "speed.final=2"}, "--set", "speed.final", "2", "\"speed\" is not a table"}});
+  expect_override_rejected("initial.phi.x=1", overrides_name, "initial.phi.x", "1", "\"initial.phi\" is not a table");
+  expect_rejected(
+      {{good, {"speed=3", "speed.final=2"}, overrides_name, "speed.final", "2", "\"speed\" is not a table"}});
 }
 
 TEST(BadInput, OverridesAreOneTomlValue) {
-  expect_override_rejected("balancer.mass=[0.05", "--set", "balancer.mass", "[0.05", "not TOML: ");
-  expect_override_rejected("speed.profile=\"ramp", "--set", "speed.profile", "\"ramp", "not TOML: ");
-  expect_override_rejected("initial={psi=1", "--set", "initial", "{psi=1", "not TOML: ");
-  expect_override_rejected("rotor.gravity=1\n[numerics]\nhorizon=1", "--set", "rotor.gravity",
+  expect_override_rejected("balancer.mass=[0.05", overrides_name, "balancer.mass", "[0.05", "not TOML: ");
+  expect_override_rejected("speed.profile=\"ramp", overrides_name, "speed.profile", "\"ramp", "not TOML: ");
+  expect_override_rejected("initial={psi=1", overrides_name, "initial", "{psi=1", "not TOML: ");
+  expect_override_rejected("rotor.gravity=1\n[numerics]\nhorizon=1", overrides_name, "rotor.gravity",
                            "1\\u000A[numerics]\\u000Ahorizon=1", "must be a single TOML value");
 }
 

@@ -15,6 +15,7 @@
 
 #include "equipoise/base/error.hpp"
 #include "equipoise/study/ball_details.hpp"
+#include "equipoise/study/overrides.hpp"
 #include "equipoise/study/study.hpp"
 #include "study_difference.hpp"
 
@@ -81,7 +82,7 @@ TEST(StudyTree, TakesOverrides) {
   EXPECT_EQ(study.speed.law, model::SpeedLaw::published);
   EXPECT_EQ(study.limits.force, 0.5);
   const InputError error = refused([&] { study_from(tree, "tree", {"speed.final=fast"}); });
-  EXPECT_EQ(error.place().name, "--set");
+  EXPECT_EQ(error.place().name, overrides_name);
   EXPECT_EQ(error.value(), "\"fast\"");
 }
 

@@ -60,11 +60,17 @@ TEST(SweepAxis, QuantitiesKeepTheirUnit) {
 
 TEST(SweepAxis, RefusesWhatIsNone) {
   for (const char* text : {"", "=1,2", "a.b", "a.b=", "a.b=x", "a.b=1:2", "a.b=1:2:3:4", "a.b=1:2:0", "a.b=2:1:0.5",
-                           "a.b=0:1:1e-9", "a.b=1,1", "a.b=1 rpm,2", "a.b=nan", "a.b=1:inf:1"})
+                           "a.b=0:1:1e-9", "a.b=1 rpm,2", "a.b=nan", "a.b=1:inf:1"})
     EXPECT_THROW(sweep_parameter(text, "--over"), InputError) << text;
   EXPECT_THROW(sweep_axes({}, false, "--over"), InputError);
   EXPECT_THROW(sweep_axes({"a=1", "b=1", "c=1", "d=1"}, false, "--over"), InputError);
   EXPECT_NO_THROW(sweep_axes({"a=1", "b=1", "c=1", "d=1"}, true, "--over"));
+  EXPECT_THROW(sweep_axes({"a=1,1"}, false, "--over"), InputError);
+  // Of parameters that vary together only the first tells cells apart.
+  EXPECT_THROW(sweep_axes({"a=1,1", "b=1,2"}, true, "--over"), InputError);
+  const std::vector<SweepAxis> axes = sweep_axes({"a=1,2,3", "b=5,5,6"}, true, "--over");
+  ASSERT_EQ(axes.size(), 1u);
+  EXPECT_EQ(axes[0].parameters[1].values, (std::vector<double>{5, 5, 6}));
 }
 
 TEST(SweepPlan, BlocksHoldEveryCellOnceAndNeighboursInARow) {

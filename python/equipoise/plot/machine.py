@@ -59,9 +59,9 @@ class States:
 
 
 def sag(study: Study) -> float:
-    """How far the rotor hangs down at rest, in race radii."""
+    """How far the rotor hangs down at rest under its weight and the balls', in race radii."""
     parameters = study.parameters
-    return float(parameters["gravity"] / parameters["stiffness"][1])
+    return float(parameters["gravity"] * (1.0 + np.sum(parameters["mass"])) / parameters["stiffness"][1])
 
 
 def round_down(value: float) -> float:

@@ -15,8 +15,8 @@
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
-#include <oneapi/tbb/info.h>
 
+#include "equipoise/base/parallel.hpp"
 #include "equipoise/base/reporting.hpp"
 #include "equipoise/basins/chunks.hpp"
 #include "equipoise/basins/ensemble_runner.hpp"
@@ -134,7 +134,7 @@ class BasinRun {
     read_stored();
     for (auto& chunk : pilot_) commit(*chunk);
     pilot_.clear();
-    if (finished_ || runner_->stopped()) return;
+    if (finished_ || unread_ || runner_->stopped()) return;
     compute(tally_->total(), limit_, [&](const std::shared_ptr<Chunk>& chunk) { commit(*chunk); });
   }
 
@@ -241,7 +241,7 @@ class BasinRun {
   // A file may hold more starts than were asked for now. Its summary is of all that it holds; one that says so already
   // is left as it is.
   void finish_file(const RunTime& time) {
-    if (runner_->stopped()) return;  // before it knew the attractors by which outcomes are named
+    if (unread_ || runner_->stopped()) return;  // before it knew the attractors by which outcomes are named
     const bool all = tally_->total() == file_->stored();
     if (file_->unfinished() == 0 && (!all || !finished_ || file_->complete())) return;
     Tally whole = *tally_;
@@ -257,7 +257,10 @@ class BasinRun {
   void read_stored() {
     if (file_)
       for (const std::vector<double>& state : file_->discoveries()) {
-        filed_.insert(runner_->list(runner_->follow(state)));
+        const std::optional<UnlistedStart> start = runner_->follow(state);
+        unread_ = !start;
+        if (unread_) return;
+        filed_.insert(runner_->list(*start));
         if (options_.keep_starts) result_.discoveries.push_back(state);
       }
     const std::uint64_t stored = file_ ? std::min(file_->stored(), limit_) : 0;
@@ -435,19 +438,13 @@ class BasinRun {
   double stall_speed_ = 0.0;
   std::set<int> filed_;  // motions known before the first start, or met and kept
   std::atomic<bool> finished_{false}, lost_{false};
+  bool unread_ = false;  // stopped before the motions that the file names were listed
   bool stop_counting_ = false;
   Horizon horizon_;
   std::vector<std::uint64_t> undecided_, stalled_;  // numbers of the first ones
 };
 
 }  // namespace
-
-bool gathers_transients(const Study& study, const BasinOptions& options) {
-  const Limits& limits = study.limits;
-  return options.transients.value_or(limits.displacement || limits.force || limits.velocity || limits.settled);
-}
-
-int thread_count(int asked) { return asked > 0 ? asked : tbb::info::default_concurrency(); }
 
 BasinResult basin(const Study& study, const BasinOptions& options, Catalogue* catalogue, TrapHints* hints) {
   const ChosenCpuTarget chosen(options.cpu_target);

@@ -61,9 +61,6 @@ struct BasinOptions : RunOptions {
   std::function<void(const Fate&)> fate;
 };
 
-/// Threads that work on an ensemble: as asked, or all cores for 0.
-int thread_count(int asked);
-
 /// Whether a run with these options gathers transients.
 bool gathers_transients(const Study& study, const BasinOptions& options);
 

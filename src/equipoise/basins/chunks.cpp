@@ -4,8 +4,7 @@
 #include <algorithm>
 #include <chrono>
 
-#include <oneapi/tbb/parallel_for.h>
-#include <oneapi/tbb/task_arena.h>
+#include "equipoise/base/parallel.hpp"
 
 namespace equipoise {
 
@@ -133,15 +132,9 @@ void compute_chunks(const ChunkWork& work, std::uint64_t first, std::uint64_t li
   ChunkQueue queue(work, first, limit, finished, lost, sink);
   {
     const Opened opened(work.help, queue);
-    tbb::task_arena arena(work.threads);
-    arena.execute([&] {
-      tbb::parallel_for(
-          0, work.threads,
-          [&](int) {
-            while (queue.work_off(true)) {
-            }
-          },
-          tbb::simple_partitioner());
+    in_parallel(work.threads, static_cast<std::size_t>(work.threads), [&](std::size_t) {
+      while (queue.work_off(true)) {
+      }
     });
   }
   if (!finished && !queue.passed_all()) lost = true;

@@ -10,10 +10,9 @@
 
 #include "equipoise/base/error.hpp"
 #include "equipoise/deciding/decision_rule.hpp"
+#include "equipoise/deciding/fate.hpp"
 #include "equipoise/fates/runner.hpp"
 #include "equipoise/motions/catalogue.hpp"
-#include "equipoise/store/basin_file.hpp"
-#include "equipoise/store/start_columns.hpp"
 
 namespace equipoise {
 
@@ -161,24 +160,6 @@ class Comparison {
 void check_comparable(const Study& study) {
   refuse_grid(study);
   check_runnable(study, false);
-}
-
-BasinOutcomes basin_outcomes(const Study& study, const RunOptions& options) {
-  BasinOutcomes outcomes;
-  BasinOptions run;
-  static_cast<RunOptions&>(run) = options;
-  run.transients = false;
-  run.fate = [&](const Fate& fate) { outcomes.outcome.push_back(store::code_of(fate)); };
-  const BasinResult result = basin(study, run);
-  outcomes.study = result.study;
-  outcomes.partial = result.partial;
-  for (const AttractorShare& a : result.attractors) outcomes.names[static_cast<short>(a.id)] = {a.name, a.alias};
-  const auto add = [&](short code, Outcome outcome) { outcomes.names[code] = {name_of(outcome), ""}; };
-  add(undecided_code, Outcome::undecided);
-  add(diverged_code, Outcome::diverged);
-  add(failed_code, Outcome::failed);
-  if (result.stalled) add(stalled_code, Outcome::stalled);
-  return outcomes;
 }
 
 ComparisonResult compare(const BasinOutcomes& first, const BasinOutcomes& second) {

@@ -3,19 +3,20 @@
 
 #include <utility>
 
+#include "equipoise/base/parallel.hpp"
 #include "equipoise/discovery/horizon.hpp"
 
 namespace equipoise {
 
-namespace {
-
-// Everything that basin() itself settles before it makes its runner.
 Study as_sampled(Study study, SamplingMethod method) {
   study.sampling.method = method;
   return with_horizon(std::move(study));
 }
 
-}  // namespace
+bool gathers_transients(const Study& study, const BasinOptions& options) {
+  const Limits& limits = study.limits;
+  return options.transients.value_or(limits.displacement || limits.force || limits.velocity || limits.settled);
+}
 
 std::unique_ptr<Runner> ensemble_runner(const Study& study, const BasinOptions& options, DiscoveryCache& discoveries) {
   const int threads = options.search_threads > 0 ? options.search_threads : thread_count(options.threads);
@@ -34,9 +35,10 @@ bool decide_chunk(const Runner& runner, bool gathers, Chunk& chunk) {
     return runner.run(chunk.first, chunk.count, chunk.phi, chunk.fates, chunk.unlisted,
                       gathers ? &chunk.transients : nullptr);
   for (UnlistedStart& start : chunk.unlisted) {
-    const std::size_t place = start.place;
-    start = runner.follow(start.state);
-    start.place = place;
+    std::optional<UnlistedStart> followed = runner.follow(start.state);
+    if (!followed) return false;
+    followed->place = start.place;
+    start = *std::move(followed);
   }
   return true;
 }

@@ -11,6 +11,9 @@
 
 namespace equipoise {
 
+/// Everything that basin() settles before it makes its runner.
+Study as_sampled(Study study, SamplingMethod method);
+
 /// The study has its horizon and its method of sampling. Of the options those of the search and of transients count.
 std::unique_ptr<Runner> ensemble_runner(const Study& study, const BasinOptions& options, DiscoveryCache& discoveries);
 

@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "equipoise/base/error.hpp"
+#include "equipoise/base/parallel.hpp"
 #include "equipoise/base/reporting.hpp"
 #include "equipoise/basins/basin.hpp"
 #include "equipoise/basins/chunks.hpp"

@@ -8,9 +8,8 @@
 #include <mutex>
 
 #include <fmt/format.h>
-#include <oneapi/tbb/parallel_for.h>
-#include <oneapi/tbb/task_arena.h>
 
+#include "equipoise/base/parallel.hpp"
 #include "equipoise/base/reporting.hpp"
 #include "equipoise/basins/basin.hpp"
 #include "equipoise/fates/start_runner.hpp"
@@ -91,17 +90,14 @@ Observation observe_from(const Study& study, const StartSource& source, const Ob
   std::atomic<bool> lost{false};
   std::mutex reporting;
   std::uint64_t done = 0;
-  tbb::task_arena arena(thread_count(settings.threads));
-  arena.execute([&] {
-    const std::size_t chunks = (result.starts + chunk_size - 1) / chunk_size;
-    tbb::parallel_for(std::size_t{0}, chunks, [&](std::size_t chunk) {
-      const std::size_t place = chunk * chunk_size;
-      const std::size_t count = std::min(chunk_size, result.starts - place);
-      if (!lost && !observer.run(place, count)) lost = true;
-      if (lost || !settings.progress) return;
-      const std::lock_guard lock(reporting);
-      settings.progress({done += count, result.starts, "starts", {}});
-    });
+  const std::size_t chunks = (result.starts + chunk_size - 1) / chunk_size;
+  in_parallel(thread_count(settings.threads), chunks, [&](std::size_t chunk) {
+    const std::size_t place = chunk * chunk_size;
+    const std::size_t count = std::min(chunk_size, result.starts - place);
+    if (!lost && !observer.run(place, count)) lost = true;
+    if (lost || !settings.progress) return;
+    const std::lock_guard lock(reporting);
+    settings.progress({done += count, result.starts, "starts", {}});
   });
   result.complete = !lost;
   return result;

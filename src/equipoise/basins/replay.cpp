@@ -4,6 +4,7 @@
 
 #include <fmt/format.h>
 
+#include "equipoise/base/parallel.hpp"
 #include "equipoise/base/reporting.hpp"
 #include "equipoise/basins/basin.hpp"
 #include "equipoise/fates/runner.hpp"

@@ -7,6 +7,7 @@
 #include <optional>
 #include <vector>
 
+#include "equipoise/base/parallel.hpp"
 #include "equipoise/base/reporting.hpp"
 #include "equipoise/basins/basin.hpp"
 #include "equipoise/basins/chunks.hpp"

@@ -22,7 +22,7 @@ void add_start(const Study& study, const Sampler& sampler, const InitialState& s
   const std::vector<double> drawn = drawn_values(study, sampler, study.sampling.seed, index);
   arrays.drawn.insert(arrays.drawn.end(), drawn.begin(), drawn.end());
   if (sampler.grid()) arrays.weight.push_back(sampler.weight(study.sampling.seed, index));
-  arrays.outcome.push_back(store::code_of(fate));
+  arrays.outcome.push_back(code_of(fate));
   arrays.decision_time.push_back(fate.time);
   arrays.decided_by.push_back(static_cast<signed char>(fate.by));
   if (study.speed.driven()) arrays.mean_speed.push_back(fate.mean_speed);

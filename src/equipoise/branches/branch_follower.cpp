@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <utility>
 
 #include "equipoise/model/balanced_state.hpp"
@@ -29,7 +30,7 @@ std::optional<Motion> if_clear(const model::System& system, Motion motion) {
   return motion;
 }
 
-std::optional<Motion> refined(const model::System& system, const Motion& guess) {
+std::optional<Motion> refined(const model::System& system, const Motion& guess, const StopFlag* stop) {
   // Where equations begin to depend on the rotor's angle, or cease to, motions become others.
   if (guess.state.size() != system.dimension()) return std::nullopt;
   if (guess.orbit.nodes.empty()) {
@@ -39,7 +40,8 @@ std::optional<Motion> refined(const model::System& system, const Motion& guess) 
     return if_clear(system, describe_equilibrium(system, *found));
   }
   if (guess.orbit.imposed != (system.section() == model::Section::strobe)) return std::nullopt;
-  const auto found = refine_orbit(system, guess.orbit.nodes, guess.orbit.period);
+  const auto found =
+      refine_orbit(system, guess.orbit.nodes, guess.orbit.period, std::numeric_limits<double>::infinity(), stop);
   if (!found) return std::nullopt;
   return if_clear(system, describe_orbit(system, *found));
 }
@@ -90,7 +92,7 @@ bool resembles(const model::Parameters& p, const Motion& a, const Motion& b) {
 
 std::optional<Motion> BranchFollower::refine(const Motion& motion, double to) const {
   const model::System system = line_.system_at(to);
-  auto found = refined(system, motion);
+  auto found = refined(system, motion, stop_);
   if (!found || !same_signature(system.parameters(), motion, *found)) return std::nullopt;
   return found;
 }
@@ -102,7 +104,7 @@ Advance BranchFollower::advance(const Motion& motion, double from, double to) co
   if (result.arrived || !result.motion.stable || motion.kind == MotionKind::equilibrium || stopped()) return result;
   // A periodic motion locked within a torus ends where the torus goes on.
   const model::System system = line_.system_at(to);
-  auto next = motion_from(system, result.motion.state);
+  auto next = motion_from(system, result.motion.state, motion_patience, stop_);
   if (next && next->stable && is_restless(*next) && resembles(system.parameters(), motion, *next))
     return {to, std::move(*next), true, to, {}};
   return result;
@@ -119,11 +121,11 @@ Advance BranchFollower::advance_refined(const Motion& motion, double from, doubl
     const double next = last ? to : at.value + step, middle = 0.5 * (at.value + next);
     const model::System there = line_.system_at(next);
     const model::Parameters& p = there.parameters();
-    std::optional<Motion> half = refined(line_.system_at(middle), at.motion), whole;
+    std::optional<Motion> half = refined(line_.system_at(middle), at.motion, stop_), whole;
     const std::optional<Motion>* stranger = nullptr;
     if (half && !same_signature(p, at.motion, *half)) stranger = &half;
     if (half && !stranger) {
-      whole = refined(there, *half);
+      whole = refined(there, *half, stop_);
       if (whole && !same_signature(p, at.motion, *whole)) stranger = &whole;
     }
     if (whole && !stranger && smooth(change(there, at.motion, *half), change(there, *half, *whole))) {
@@ -152,7 +154,7 @@ Advance BranchFollower::advance_refined(const Motion& motion, double from, doubl
 // The motion that a trajectory from a restless one comes to, if it resembles that; `stranger` gets what does not.
 std::optional<Motion> BranchFollower::settled(const Motion& from, double value, std::optional<Motion>& stranger) const {
   const model::System system = line_.system_at(value);
-  auto found = motion_from(system, from.state);
+  auto found = motion_from(system, from.state, motion_patience, stop_);
   if (found && found->stable && resembles(system.parameters(), from, *found)) return found;
   stranger = std::move(found);
   return std::nullopt;

@@ -8,12 +8,9 @@
 #include <mutex>
 #include <optional>
 #include <set>
-#include <thread>
 #include <utility>
 
-#include <oneapi/tbb/parallel_for.h>
-#include <oneapi/tbb/task_arena.h>
-
+#include "equipoise/base/parallel.hpp"
 #include "equipoise/base/reporting.hpp"
 #include "equipoise/basins/attractors.hpp"
 #include "equipoise/branches/branch_events.hpp"
@@ -60,9 +57,7 @@ class Continuation {
       : line_(line),
         options_(options),
         follower_(line, options.stop),
-        threads_(options.threads > 0 ? options.threads
-                                     : static_cast<int>(std::max(1u, std::thread::hardware_concurrency()))),
-        arena_(threads_),
+        threads_(options.threads > 0 ? options.threads : core_count()),
         found_(line.values().size()),
         named_(line.values().size()) {
     result_.study = study;
@@ -87,19 +82,13 @@ class Continuation {
   }
 
  private:
-  // body(i) for i in [0, count) on all threads.
-  template <class Body>
-  void in_parallel(std::size_t count, const Body& body) {
-    arena_.execute([&] { tbb::parallel_for(std::size_t{0}, count, body, tbb::simple_partitioner()); });
-  }
-
   void report(std::uint64_t total, const char* what) {
     const std::lock_guard lock(mutex_);
     if (++done_ <= total && options_.progress) options_.progress({done_, total, what, {}});
   }
 
   void search() {
-    in_parallel(found_.size(), [&](std::size_t k) {
+    in_parallel(threads_, found_.size(), [&](std::size_t k) {
       if (follower_.stopped()) return;
       const Study study = line_.study_at(line_.values()[k]);
       Catalogue catalogue = options_.starts > 0 ? catalogue_from_starts(study) : catalogue_from_pilot(study);
@@ -150,7 +139,7 @@ class Continuation {
     }
     done_ = tracks_.size();
     const std::uint64_t total = done_ + 2 * origins.size();
-    in_parallel(2 * origins.size(), [&](std::size_t i) {
+    in_parallel(threads_, 2 * origins.size(), [&](std::size_t i) {
       Origin& origin = origins[i / 2];
       (i % 2 ? origin.up : origin.down) = follow(origin, i % 2 ? 1 : -1);
       report(total, "branches followed");
@@ -227,9 +216,10 @@ class Continuation {
   }
 
   void follow_leads(std::vector<Lead>& leads) {
-    in_parallel(leads.size(), [&](std::size_t i) {
+    in_parallel(threads_, leads.size(), [&](std::size_t i) {
       Lead& lead = leads[i];
-      if (!follower_.stopped()) lead.motion = motion_from(systems_[lead.at], lead.state);
+      if (!follower_.stopped())
+        lead.motion = motion_from(systems_[lead.at], lead.state, motion_patience, options_.stop);
     });
     for (Lead& lead : leads)
       if (lead.motion && lead.motion->stable) found_[lead.at].push_back(std::move(*lead.motion));
@@ -283,7 +273,7 @@ class Continuation {
       for (std::size_t i = 0; i + 1 < points.size(); ++i)
         if (points[i + 1].at == points[i].at + 1) gaps.push_back({t, i, {}});
     }
-    in_parallel(gaps.size(), [&](std::size_t g) {
+    in_parallel(threads_, gaps.size(), [&](std::size_t g) {
       const auto& points = branches[gaps[g].track].points;
       gaps[g].events = changes_between(follower_, points[gaps[g].at], points[gaps[g].at + 1]);
     });
@@ -313,7 +303,6 @@ class Continuation {
   const ContinuationOptions& options_;
   BranchFollower follower_;
   int threads_;
-  tbb::task_arena arena_;
   std::vector<std::vector<Motion>> found_;  // by value
   std::vector<std::vector<Motion>> named_;  // by value: those that a search there gave the identifier of their name
   std::vector<model::System> systems_;      // by value

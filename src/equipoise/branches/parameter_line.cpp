@@ -16,7 +16,6 @@ namespace equipoise {
 
 namespace {
 
-constexpr const char* option = "--along";
 constexpr const char* allowed =
     "must be KEY=FROM:TO:STEP with three numbers, e.g. speed.final=1.4:6.5:0.05; in a study with units also "
     "quantities, "
@@ -33,22 +32,23 @@ double shortest(double value, double largest) {
 
 }  // namespace
 
-ParameterLine::ParameterLine(const Study& study, const std::string& text) : study_(with_medians(study)) {
-  parse(text);
+ParameterLine::ParameterLine(const Study& study, const std::string& text, const std::string& where)
+    : study_(with_medians(study)) {
+  parse(text, where);
   for (const double value : values_) {
     try {
       const Study there = study_at(value);
       check_offers(there, model::Answer::branches);
       if (const model::System system = there.system(); system.prescribed() && system.speed() == 0.0)
-        throw InputError(option, key_, fmt::format("{}", value), "nothing turns; the final speed must not be 0");
+        throw InputError(where, key_, fmt::format("{}", value), "nothing turns; the final speed must not be 0");
     } catch (const InputError& e) {
-      throw InputError(fmt::format("{} {}", option, text), e.key(), e.value(), e.problem());
+      throw InputError(fmt::format("{} {}", where, text), e.key(), e.value(), e.problem());
     }
   }
 }
 
-void ParameterLine::parse(const std::string& text) {
-  const auto reject = [&](const std::string& problem) { throw InputError(option, "", text, problem); };
+void ParameterLine::parse(const std::string& text, const std::string& where) {
+  const auto reject = [&](const std::string& problem) { throw InputError(where, "", text, problem); };
   const std::size_t equals = text.find('=');
   if (equals == std::string::npos || equals == 0) reject(allowed);
   key_ = text.substr(0, equals);

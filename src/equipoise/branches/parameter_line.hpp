@@ -26,8 +26,8 @@ class ParameterLine {
   /// `text`: KEY=FROM:TO:STEP. KEY is a key of rotor, balancer or speed that takes a number, or speed.final, which is
   /// the final speed whatever the profile. FROM, TO and STEP are dimensionless numbers, or quantities ("900 rpm") where
   /// the study has scales. Throws InputError for anything else, and if the study cannot be decided at
-  /// one of the values.
-  ParameterLine(const Study& study, const std::string& text);
+  /// one of the values; `where` names the text in errors.
+  ParameterLine(const Study& study, const std::string& text, const std::string& where = "parameter");
 
   const std::string& key() const { return key_; }
   /// Rising, whichever way FROM and TO were given, to twelve digits.
@@ -38,7 +38,7 @@ class ParameterLine {
   model::System system_at(double value) const;
 
  private:
-  void parse(const std::string& text);
+  void parse(const std::string& text, const std::string& where);
 
   Study study_;
   std::string key_;

@@ -50,13 +50,15 @@ class DecideFate {
         fates_(fates),
         pilot_(pilot),
         trackers_(groups * lanes),
-        family_reach_(groups * lanes) {}
+        family_reach_(groups * lanes),
+        torus_asked_from_(groups * lanes) {}
 
   void begin(int slot, std::size_t, double t, const double* z) {
     open_window(slot / lanes, slot % lanes, t, z + 4);
     verdict_[slot] = {};
     trackers_[slot].begin(rule_);
     family_reach_[slot] = rule_.family.reach;
+    torus_asked_from_[slot] = t;
     element(least_value_[slot / lanes], slot % lanes) = 1e300;
   }
 
@@ -322,8 +324,8 @@ class DecideFate {
           verdict = {true, attractor};
           by = DecidedBy::validated;
         }
-      if (rule_.tori.caught && !rule_.at_horizon)
-        if (const int attractor = caught_by_torus(lane, z)) {
+      if (rule_.tori.caught && !rule_.at_horizon && looks_like_torus(sums))
+        if (const int attractor = caught_by_torus(g * lanes + lane, now, z)) {
           verdict = {true, attractor};
           by = DecidedBy::validated;
         }
@@ -336,10 +338,20 @@ class DecideFate {
     return decided;
   }
 
-  int caught_by_torus(int lane, const Pack* z) const {
+  bool looks_like_torus(const WindowSums& sums) const {
+    const TorusTraps& tori = rule_.tori;
+    bool like = sums.r2_min > tori.r2_low && sums.r2_max < tori.r2_high;
+    for (int i = 0; i < n; ++i) like = like && sums.q_min[i] > tori.q_low && sums.q_max[i] < tori.q_high;
+    return like;
+  }
+
+  int caught_by_torus(int slot, double now, const Pack* z) {
+    if (now < torus_asked_from_[slot]) return 0;
     double state[dimension];
-    for (int i = 0; i < size(); ++i) state[i] = element(z[i], lane);
-    return rule_.tori.caught(state);
+    for (int i = 0; i < size(); ++i) state[i] = element(z[i], slot % lanes);
+    const TorusTraps::Answer answer = rule_.tori.caught(state);
+    torus_asked_from_[slot] = now + answer.wait;
+    return answer.attractor;
   }
 
   int caught_by_strobed(int lane, double now, const Pack* z) const {
@@ -383,7 +395,7 @@ class DecideFate {
   Pack rotor_turned_[groups], speed_min_[groups], speed_max_[groups];
   Verdict verdict_[groups * lanes];
   std::vector<WindowTracker> trackers_;
-  std::vector<double> family_reach_;
+  std::vector<double> family_reach_, torus_asked_from_;
 };
 
 }  // namespace HWY_NAMESPACE

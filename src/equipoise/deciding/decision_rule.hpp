@@ -92,9 +92,14 @@ struct StrobedTraps {
 };
 
 /// Decides for states of a system whose rotor's angle does not matter whether a torus has caught them. Asked where half
-/// a short window ends.
+/// a short window ends that has stayed within these bounds of r^2 and of all q.
 struct TorusTraps {
-  std::function<int(const double* state)> caught;  ///< the attractor's identifier, 0 if there is none; thread-safe
+  struct Answer {
+    int attractor = 0;  ///< its identifier, 0 if there is none
+    double wait = 0.0;  ///< how long it is not worth asking again
+  };
+  std::function<Answer(const double* state)> caught;  ///< thread-safe
+  double r2_low = 0.0, r2_high = 1e300, q_low = -1e300, q_high = 1e300;
 };
 
 /// A driven rotor that turns faster, in critical speeds, is beyond any machine: the integrator's steps shrink with the

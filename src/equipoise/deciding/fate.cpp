@@ -19,4 +19,19 @@ const char* name_of(Outcome outcome) {
   return "failed";
 }
 
+short code_of(const Fate& fate) {
+  switch (fate.outcome) {
+    case Outcome::attracted:
+      return fate.attractor;
+    case Outcome::undecided:
+      return undecided_code;
+    case Outcome::diverged:
+      return diverged_code;
+    case Outcome::stalled:
+      return stalled_code;
+    default:
+      return failed_code;
+  }
+}
+
 }  // namespace equipoise

@@ -18,6 +18,9 @@ enum class Outcome : signed char {
   stalled = 4,    ///< a driven rotor whose motor did not bring it up to speed (Sommerfeld capture)
 };
 
+/// What stands for those that no attractor's identifier stands for, in files and arrays.
+inline constexpr short undecided_code = 0, diverged_code = -1, failed_code = -2, stalled_code = -3;
+
 const char* name_of(Outcome outcome);  ///< its one word, as results and files have it: "undecided"
 
 struct Fate {
@@ -32,6 +35,9 @@ struct Fate {
   /// starts that are read from a file.
   float unbalance = std::numeric_limits<float>::quiet_NaN();
 };
+
+/// The attractor's identifier, or undecided_code and its like.
+short code_of(const Fate& fate);
 
 /// What the pilot keeps of a trajectory: the features of its last long window, the range of that window's short ones,
 /// for every box of the rule the longest run of windows inside, and how near it came to balance.

@@ -11,9 +11,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include <oneapi/tbb/parallel_for.h>
-#include <oneapi/tbb/task_arena.h>
-
+#include "equipoise/base/parallel.hpp"
 #include "equipoise/base/stage_progress.hpp"
 #include "equipoise/deciding/pilot.hpp"
 #include "equipoise/deciding/window_features.hpp"
@@ -244,16 +242,10 @@ class Discoverer {
   // Follows the candidates until they are steady; lists those that become so, with what recognises them.
   bool refine_and_list() {
     stages_.begin("motions followed until they are steady", candidates_.size());
-    tbb::task_arena arena(settings_.threads);
-    arena.execute([&] {
-      tbb::parallel_for(
-          std::size_t{0}, candidates_.size(),
-          [&](std::size_t k) {
-            if (is_stopped()) return;
-            candidates_[k].motion = motion_from(system_, candidates_[k].state, motion_patience, settings_.stop);
-            stages_.add(1);
-          },
-          tbb::simple_partitioner());
+    in_parallel(settings_.threads, candidates_.size(), [&](std::size_t k) {
+      if (is_stopped()) return;
+      candidates_[k].motion = motion_from(system_, candidates_[k].state, motion_patience, settings_.stop);
+      stages_.add(1);
     });
     if (is_stopped()) return false;
     compare_with_motions();

@@ -5,10 +5,8 @@
 #include <array>
 #include <atomic>
 
-#include <oneapi/tbb/parallel_for.h>
-#include <oneapi/tbb/task_arena.h>
-
 #include "equipoise/base/angles.hpp"
+#include "equipoise/base/parallel.hpp"
 #include "equipoise/kernels/lane_kernels.hpp"
 #include "equipoise/model/strobe.hpp"
 #include "equipoise/orbits/stroboscopic.hpp"
@@ -93,24 +91,21 @@ bool PilotRun::follow(std::size_t count, const DecisionRule& rule, double horizo
   states_ = begin_;
   std::atomic<bool> complete{true};
   stages.begin("pilot trajectories", count);
-  tbb::task_arena arena(threads);
-  arena.execute([&] {
-    tbb::parallel_for(std::size_t{0}, (count + chunk - 1) / chunk, [&](std::size_t k) {
-      const std::size_t first = k * chunk, length = std::min(chunk, count - first);
-      LaneTask task = task_;
-      task.end = task.segment.begin + horizon;
-      task.count = length;
-      task.states = &states_[first * size];
-      task.stop = stop;
-      std::vector<Fate> fates(length);
-      std::vector<PilotRecord> records(length);
-      if (decide_lanes(task, rule, fates, &records))
-        stages.add(length);
-      else
-        complete = false;
-      std::copy(fates.begin(), fates.end(), fates_.begin() + static_cast<std::ptrdiff_t>(first));
-      std::copy(records.begin(), records.end(), records_.begin() + static_cast<std::ptrdiff_t>(first));
-    });
+  in_parallel(threads, (count + chunk - 1) / chunk, [&](std::size_t k) {
+    const std::size_t first = k * chunk, length = std::min(chunk, count - first);
+    LaneTask task = task_;
+    task.end = task.segment.begin + horizon;
+    task.count = length;
+    task.states = &states_[first * size];
+    task.stop = stop;
+    std::vector<Fate> fates(length);
+    std::vector<PilotRecord> records(length);
+    if (decide_lanes(task, rule, fates, &records))
+      stages.add(length);
+    else
+      complete = false;
+    std::copy(fates.begin(), fates.end(), fates_.begin() + static_cast<std::ptrdiff_t>(first));
+    std::copy(records.begin(), records.end(), records_.begin() + static_cast<std::ptrdiff_t>(first));
   });
   return complete;
 }

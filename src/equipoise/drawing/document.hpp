@@ -17,6 +17,7 @@ struct DocumentCell {
   Tone tone = Tone::plain;
   bool number = false;  ///< set to the right
   bool label = false;   ///< kept on one line where there is room
+  std::string link{};   ///< where the text leads; may be empty
 };
 
 struct Heading {

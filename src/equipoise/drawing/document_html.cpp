@@ -29,6 +29,11 @@ std::string image_data(const std::string& path) {
   return fmt::format("data:image/{};base64,{}", path.ends_with(".svg") ? "svg+xml" : "png", base64(bytes));
 }
 
+std::string linked(const DocumentCell& cell) {
+  const std::string words = html_text(cell.text);
+  return cell.link.empty() ? words : fmt::format("<a href=\"{}\">{}</a>", html_text(cell.link), words);
+}
+
 // JSON inside a script element: "</" would end it.
 std::string script_safe(std::string json) {
   for (std::size_t at = 0; (at = json.find("</", at)) != std::string::npos; at += 3) json.replace(at, 2, "<\\/");
@@ -70,7 +75,7 @@ class HtmlWriter {
                                     : row[k].label ? "label"
                                                    : "",
                                     spare(k) ? "spare" : "", name_of(row[k].tone)),
-                           html_text(row[k].text));
+                           linked(row[k]));
       out += "</tr>\n";
     }
     out += "</tbody></table></div>\n";

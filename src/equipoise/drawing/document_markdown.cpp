@@ -38,7 +38,10 @@ struct MarkdownWriter {
     out += "\n";
     for (const auto& row : t.rows) {
       out += "|";
-      for (const DocumentCell& cell : row) out += fmt::format(" {} |", markdown_text(cell.text));
+      for (const DocumentCell& cell : row) {
+        const std::string words = markdown_text(cell.text);
+        out += cell.link.empty() ? fmt::format(" {} |", words) : fmt::format(" [{}]({}) |", words, cell.link);
+      }
       out += "\n";
     }
     out += "\n";

@@ -8,7 +8,7 @@
 
 #include <fmt/format.h>
 
-#include "equipoise/store/basin_file.hpp"
+#include "equipoise/deciding/fate.hpp"
 
 namespace equipoise {
 

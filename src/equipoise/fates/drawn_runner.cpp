@@ -162,11 +162,11 @@ bool DrawnRunner::run(std::uint64_t first, std::size_t count, std::vector<double
   return true;
 }
 
-UnlistedStart DrawnRunner::follow(const std::vector<double>& state) const {
+std::optional<UnlistedStart> DrawnRunner::follow(const std::vector<double>& state) const {
   const auto index = static_cast<std::uint64_t>(state.front());
   std::optional<DrawnStart> drawn = decide(index, values_of(index), nullptr);
-  if (!drawn) return {0, state, {}, {}};
-  return {0, state, std::move(drawn->motion), std::move(drawn->name)};
+  if (!drawn) return std::nullopt;
+  return UnlistedStart{0, state, std::move(drawn->motion), std::move(drawn->name)};
 }
 
 int DrawnRunner::list(const UnlistedStart& start) {

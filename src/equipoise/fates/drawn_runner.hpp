@@ -36,7 +36,7 @@ class DrawnRunner : public Runner {
            std::vector<UnlistedStart>& unlisted, std::vector<TransientRow>* rows = nullptr) const override;
   int list(const UnlistedStart& start) override;
   /// `state`: the number of a start.
-  UnlistedStart follow(const std::vector<double>& state) const override;
+  std::optional<UnlistedStart> follow(const std::vector<double>& state) const override;
 
   /// Start `index` of the study with `values` drawn (drawn_values(), or any others); in the units of the study's
   /// medians. One whose values make no study has failed. Empty if stopped early.

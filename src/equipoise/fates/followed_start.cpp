@@ -92,7 +92,9 @@ TransientRow followed_transients(const Study& study, const model::System& system
     DecisionRule rule;
     rule.balls = p.balls;
     rule.interchangeable = p.equal_balls();
-    rule.tori = {[&](const double* state) { return looks_like(p, *motion, state) ? balanced_id : 0; }};
+    rule.tori = {[&](const double* state) {
+      return TorusTraps::Answer{looks_like(p, *motion, state) ? balanced_id : 0, 0.0};
+    }};
     const double longest = task.end + longest_detour * (task.end - start.begin(0, source.settled()));
     begin = std::exchange(task.end, std::min(longest, horizon));
     if (!decide_lanes(task, rule, fates, nullptr)) return {};

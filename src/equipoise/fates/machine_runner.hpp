@@ -30,7 +30,9 @@ class MachineRunner : public Runner {
   bool run_from(std::span<const InitialState> given, std::vector<Fate>& fates, std::vector<UnlistedStart>& unlisted,
                 std::vector<TransientRow>* rows = nullptr) const override;
   int list(const UnlistedStart&) override { return 0; }
-  UnlistedStart follow(const std::vector<double>& state) const override { return {0, state, {}, {}}; }
+  std::optional<UnlistedStart> follow(const std::vector<double>& state) const override {
+    return UnlistedStart{0, state, {}, {}};
+  }
 
   /// What any starts do where following them ends, decided or not.
   std::vector<UndecidedEnd> look_at(const std::vector<InitialState>& undecided) const override;

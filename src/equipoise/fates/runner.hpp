@@ -46,8 +46,9 @@ class Runner {
   /// The identifier of what an unlisted start settles on, which is listed if need be; 0 if that is nothing stable.
   /// Not thread-safe: called in the order of starts, so that identifiers do not depend on threads.
   virtual int list(const UnlistedStart& start) = 0;
-  /// An unlisted start from its state when it was found stationary, as an earlier run kept it.
-  virtual UnlistedStart follow(const std::vector<double>& state) const = 0;
+  /// An unlisted start from its state when it was found stationary, as an earlier run kept it. Empty if
+  /// stopped early.
+  virtual std::optional<UnlistedStart> follow(const std::vector<double>& state) const = 0;
 
   /// What some starts that are undecided do at the horizon: one for each, or none where only the horizon can be blamed.
   virtual std::vector<UndecidedEnd> look_at(const std::vector<InitialState>& /*undecided*/) const { return {}; }

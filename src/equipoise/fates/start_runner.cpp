@@ -46,7 +46,7 @@ void check_watchable(const Study& study) {
   if (points <= most_clamped_grid_points) return;
   throw InputError(study.name, release_key(study), fmt::format("{:.6g}", study.release.speed.value_or(release)),
                    fmt::format("holds the balls until t = {:.6g}, too long to watch for transients; must be release by "
-                               "about t = {:.3g}, or a study without [limits] and --transients",
+                               "about t = {:.3g}, or a study without [limits], its transients not asked for",
                                release, release * (most_clamped_grid_points / points)));
 }
 
@@ -193,7 +193,9 @@ bool StartRunner::finish(SpunUp& starts, TransientTable* table, std::vector<Fate
     std::optional<MotionFigures> end;
     if (attracted && fate.attractor == 0) {
       // A watched trajectory has gone on since it was decided.
-      unlisted.push_back(unlisted_start(starts, i, rows ? table->rows[i].end : fate.time));
+      std::optional<UnlistedStart> start = unlisted_start(starts, i, rows ? table->rows[i].end : fate.time);
+      if (!start) return false;
+      unlisted.push_back(*std::move(start));
       fate.by = DecidedBy::followed;
       const auto& motion = unlisted.back().motion;
       if (motion && !system_.prescribed()) fate.mean_speed = static_cast<float>(motion->speed);
@@ -240,9 +242,9 @@ TransientSettings StartRunner::settings_of(const SpunUp& starts, std::size_t i) 
   return settings;
 }
 
-UnlistedStart StartRunner::unlisted_start(const SpunUp& starts, std::size_t i, double now) const {
-  UnlistedStart start = follow(when_recognised(&starts.states[i * system_.dimension()], now));
-  start.place = i;
+std::optional<UnlistedStart> StartRunner::unlisted_start(const SpunUp& starts, std::size_t i, double now) const {
+  std::optional<UnlistedStart> start = follow(when_recognised(&starts.states[i * system_.dimension()], now));
+  if (start) start->place = i;
   return start;
 }
 
@@ -290,9 +292,11 @@ std::vector<double> StartRunner::when_recognised(const double* state, double now
   return result;
 }
 
-UnlistedStart StartRunner::follow(const std::vector<double>& state) const {
+std::optional<UnlistedStart> StartRunner::follow(const std::vector<double>& state) const {
   const Eigen::Map<const Eigen::VectorXd> z(state.data(), static_cast<Eigen::Index>(state.size()));
-  return {0, state, motion_from(system_, z), {}};
+  UnlistedStart start{0, state, motion_from(system_, z, motion_patience, stop_), {}};
+  if (is_set(stop_)) return std::nullopt;  // its motion may have been cut short
+  return start;
 }
 
 int StartRunner::list(const UnlistedStart& start) {

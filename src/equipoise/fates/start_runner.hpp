@@ -39,7 +39,7 @@ class StartRunner : public Runner {
   bool run_from(std::span<const InitialState> given, std::vector<Fate>& fates, std::vector<UnlistedStart>& unlisted,
                 std::vector<TransientRow>* rows = nullptr) const override;
   int list(const UnlistedStart& start) override;
-  UnlistedStart follow(const std::vector<double>& state) const override;
+  std::optional<UnlistedStart> follow(const std::vector<double>& state) const override;
   std::vector<UndecidedEnd> look_at(const std::vector<InitialState>& undecided) const override;
 
   bool one_by_one() const override { return false; }
@@ -56,7 +56,7 @@ class StartRunner : public Runner {
   bool decide(SpunUp& starts, TransientTable* table, std::vector<Fate>& fates) const;
   bool finish(SpunUp& starts, TransientTable* table, std::vector<Fate>& fates, std::vector<UnlistedStart>& unlisted,
               std::vector<TransientRow>* rows) const;
-  UnlistedStart unlisted_start(const SpunUp& starts, std::size_t i, double now) const;
+  std::optional<UnlistedStart> unlisted_start(const SpunUp& starts, std::size_t i, double now) const;
   double mean_speed(const Fate& fate) const;
   void note_unbalance(const double* state, Fate& fate) const;
   float unbalance_at(const double* state) const;

@@ -22,7 +22,8 @@ class Journal {
     cell = 4,
     pixels = 5,
     outcome_name = 6,
-    trial = 7
+    trial = 7,
+    ensemble = 8
   };
   struct Record {
     Kind kind = Kind::starts;

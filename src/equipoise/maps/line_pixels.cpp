@@ -10,9 +10,7 @@
 #include <string>
 #include <utility>
 
-#include <oneapi/tbb/parallel_for.h>
-#include <oneapi/tbb/task_arena.h>
-
+#include "equipoise/base/parallel.hpp"
 #include "equipoise/branches/parameter_line.hpp"
 #include "equipoise/fates/followed_start.hpp"
 #include "equipoise/math/dense.hpp"
@@ -97,12 +95,8 @@ bool LinePixels::compute(const std::vector<std::uint32_t>& asked, const TakePixe
   std::vector<std::size_t> ends{0};
   for (std::size_t k = 1; k <= positions.size(); ++k)
     if (k == positions.size() || piece_of(positions[k]) != piece_of(positions[k - 1])) ends.push_back(k);
-  tbb::task_arena arena(map_.threads);
-  arena.execute([&] {
-    tbb::parallel_for(
-        std::size_t{1}, ends.size(), [&](std::size_t k) { compute_piece(positions, ends[k - 1], ends[k], take); },
-        tbb::simple_partitioner());
-  });
+  in_parallel(map_.threads, ends.size() - 1,
+              [&](std::size_t k) { compute_piece(positions, ends[k], ends[k + 1], take); });
   return !is_set(options_.stop);
 }
 
@@ -164,7 +158,7 @@ LinePixels::Followed LinePixels::follow(const Study& study, const model::System&
   if (is_set(options_.stop)) return result;
   if (one_system_ && system.smooth()) remember(system, settling, known);
   pixel.time = static_cast<float>(fate.time);
-  pixel.code = store::code_of(fate);
+  pixel.code = code_of(fate);
   if (!settling.motion || !settling.motion->stable) return result;
   result.motion = motion_name(p, *settling.motion);
   pixel.r_max = static_cast<float>(settling.motion->r_max);

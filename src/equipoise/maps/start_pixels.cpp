@@ -34,11 +34,16 @@ StartPixels::StartPixels(const PlaneMap& map, const RunOptions& options, const s
       runner_(map.study, {map.threads, options.stop, {}, nullptr, options.progress}) {
   if (runner_.stopped()) return;
   for (const Attractor& a : runner_.catalogue().attractors()) listed_.insert(a.id);
-  for (const std::vector<double>& state : met) listed_.insert(runner_.list(runner_.follow(state)));
+  for (const std::vector<double>& state : met) {
+    const std::optional<UnlistedStart> start = runner_.follow(state);
+    unread_ = !start;
+    if (unread_) return;
+    listed_.insert(runner_.list(*start));
+  }
 }
 
 bool StartPixels::compute(const std::vector<std::uint32_t>& positions, const TakePixels& take) {
-  if (runner_.stopped()) return false;
+  if (unread_ || runner_.stopped()) return false;
   const ChunkWork work{[&](Chunk& chunk) { return decide(positions, chunk); }, map_.threads, false, options_.stop};
   const std::atomic<bool> finished{false};
   std::atomic<bool> lost{false};
@@ -91,7 +96,7 @@ void StartPixels::hand_on(const std::vector<std::uint32_t>& positions, Chunk& ch
 MapPixel StartPixels::pixel_of(const Fate& fate, const MotionName*& motion) {
   MapPixel pixel;
   pixel.time = static_cast<float>(fate.time);
-  pixel.code = store::code_of(fate);
+  pixel.code = code_of(fate);
   const Attractor* a = fate.outcome == Outcome::attracted ? runner_.catalogue().find(fate.attractor) : nullptr;
   if (!a) return pixel;
   auto& name = names_[a->id];

@@ -44,6 +44,7 @@ class StartPixels {
   const RunOptions& options_;
   Discovered discovered_;
   StartRunner runner_;
+  bool unread_ = false;                                     // stopped before all of `met` were listed
   std::set<int> listed_;                                    // attractors known beforehand, or told
   std::map<int, std::unique_ptr<const MotionName>> names_;  // of attractors
 };

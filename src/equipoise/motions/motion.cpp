@@ -70,7 +70,7 @@ class Journey : Stretches {
   Settling settle();
 
  private:
-  bool is_over() const { return are_over(elapsed_); }
+  bool is_over() const { return are_over(elapsed_) || is_set(stop_); }
   // Times between samples_.
   double spacing() const { return strobed() ? strobe() : last_.spacing; }
 
@@ -250,10 +250,10 @@ std::optional<Motion> Journey::recurrence() {
 }
 
 std::optional<PeriodicOrbit> Journey::orbit_of(const Return& now) {
-  if (!strobed()) return worth_trying(now) ? find_orbit(system_, state_, now.time, in_reach) : std::nullopt;
+  if (!strobed()) return worth_trying(now) ? find_orbit(system_, state_, now.time, in_reach, stop_) : std::nullopt;
   const long strobes = std::lround(now.time / strobe());
   return refine_orbit(system_, std::vector<Eigen::VectorXd>(samples_.end() - 1 - strobes, samples_.end() - 1), now.time,
-                      in_reach);
+                      in_reach, stop_);
 }
 
 // Newton's method that failed from a return is not asked again before the return has become twice as close: on the way

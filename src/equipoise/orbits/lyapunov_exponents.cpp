@@ -59,12 +59,11 @@ std::vector<double> lyapunov_exponents(const model::System& system, const Vector
   VectorXd here = state, sums = VectorXd::Zero(columns);
   double leg = 1.0, t = 0.0;
   while (t < alignment + duration) {
-    if (is_set(stop)) return {};
     const bool aligned = t >= alignment;
     const double end = aligned ? alignment + duration : alignment;
     const bool last = t + leg >= end;
     const double psi = std::fmod(system.speed() * t, two_pi);  // matters where states are strobed
-    auto flight = follow_tangents(system, here, vectors, last ? end - t : leg, tolerance, psi);
+    auto flight = follow_tangents(system, here, vectors, last ? end - t : leg, tolerance, psi, stop);
     if (!flight) return {};
     const VectorXd growth = orthonormalise(flight->tangents);
     const double skew = growth.maxCoeff() / growth.minCoeff();

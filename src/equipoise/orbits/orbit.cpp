@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <complex>
 #include <utility>
 
@@ -83,13 +84,14 @@ struct Shooting {
 
 class OrbitProblem {
  public:
-  OrbitProblem(const model::System& system, std::size_t nodes, double step_error)
+  OrbitProblem(const model::System& system, std::size_t nodes, double step_error, const StopFlag* stop)
       : system_(system),
         angles_(system.angles()),
         unit_(system.scale()),
         tolerance_(step_error),
         nodes_(nodes),
-        size_(unit_.size()) {}
+        size_(unit_.size()),
+        stop_(stop) {}
 
   // Whole turns of each angle from the first node to the end of the last arc.
   std::optional<Winding> find_winding(const Shooting& guess) {
@@ -108,7 +110,7 @@ class OrbitProblem {
     s.residual = 0.0;
     s.mismatch = VectorXd::Zero(unknowns(s));
     for (std::size_t k = 0; k < nodes_; ++k) {
-      auto arc = follow_derivative(system_, s.nodes[k], s.period / double(nodes_), tolerance_);
+      auto arc = follow_derivative(system_, s.nodes[k], s.period / double(nodes_), tolerance_, 0.0, stop_);
       if (!arc) return false;
       VectorXd miss = arc->end - s.nodes[(k + 1) % nodes_];
       if (k + 1 == nodes_)
@@ -170,6 +172,7 @@ class OrbitProblem {
   double tolerance_;
   std::size_t nodes_;
   Index size_;
+  const StopFlag* stop_;
   Winding winding_{};
 };
 
@@ -270,13 +273,13 @@ bool shorten(const model::System& system, Shooting& s, int times) {
   return !s.nodes.empty();
 }
 
-std::optional<PeriodicOrbit> refine(const model::System& system, Shooting s, double reach) {
+std::optional<PeriodicOrbit> refine(const model::System& system, Shooting s, double reach, const StopFlag* stop) {
   for (const auto& angle : system.angles()) {  // whole turns off, so that angles keep their digits
     const double turns = angle.turn * std::floor(s.nodes[0][angle.place] / angle.turn);
     for (VectorXd& z : s.nodes) z[angle.place] -= turns;
   }
   for (;;) {
-    OrbitProblem problem(system, s.nodes.size(), refining.tolerance);
+    OrbitProblem problem(system, s.nodes.size(), refining.tolerance, stop);
     const auto winding = problem.find_winding(s);
     if (!winding || !solve(problem, s, refining, reach) || is_equilibrium(system, s)) return std::nullopt;
     const int times = repeats(system, s, *winding);
@@ -310,40 +313,40 @@ double PeriodicOrbit::slowest_rate() const {
 }
 
 std::optional<PeriodicOrbit> refine_orbit(const model::System& system, const std::vector<VectorXd>& guess,
-                                          double period, double reach) {
+                                          double period, double reach, const StopFlag* stop) {
   if (system.section() == model::Section::strobe)
-    return refine_imposed_orbit(system, guess, system.strobe_period(), reach);
+    return refine_imposed_orbit(system, guess, system.strobe_period(), reach, stop);
   if (guess.empty() || !(period > 0.0)) return std::nullopt;
   const int given = static_cast<int>(guess.size());
   const bool as_given = given >= fewest_nodes && given <= most_nodes;
   Shooting s;
   s.period = period;
   s.nodes = as_given ? guess : resample(system, guess, period, period, node_count(period));
-  return s.nodes.empty() ? std::nullopt : refine(system, std::move(s), reach);
+  return s.nodes.empty() ? std::nullopt : refine(system, std::move(s), reach, stop);
 }
 
 std::optional<PeriodicOrbit> refine_imposed_orbit(const model::System& system, const std::vector<VectorXd>& guess,
-                                                  double strobe, double reach) {
+                                                  double strobe, double reach, const StopFlag* stop) {
   if (guess.empty()) return std::nullopt;
   Shooting s;
   s.period = strobe * static_cast<double>(guess.size());
   s.nodes = guess;
   s.imposed = true;
-  return refine(system, std::move(s), reach);
+  return refine(system, std::move(s), reach, stop);
 }
 
 std::optional<PeriodicOrbit> refine_orbit(const model::System& system, const VectorXd& state, double period) {
   return refine_orbit(system, std::vector<VectorXd>{state}, period);
 }
 
-std::optional<PeriodicOrbit> find_orbit(const model::System& system, const VectorXd& state, double period,
-                                        double reach) {
-  OrbitProblem problem(system, 1, searching.tolerance);
+std::optional<PeriodicOrbit> find_orbit(const model::System& system, const VectorXd& state, double period, double reach,
+                                        const StopFlag* stop) {
+  OrbitProblem problem(system, 1, searching.tolerance, stop);
   Shooting s;
   s.nodes = {state};
   s.period = period;
   if (!problem.find_winding(s) || !solve(problem, s, searching, reach)) return std::nullopt;
-  return refine_orbit(system, s.nodes, s.period);
+  return refine_orbit(system, s.nodes, s.period, std::numeric_limits<double>::infinity(), stop);
 }
 
 std::vector<VectorXd> sample_orbit(const model::System& system, const PeriodicOrbit& orbit, int count) {

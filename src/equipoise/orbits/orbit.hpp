@@ -60,13 +60,15 @@ bool contracts(const Eigen::VectorXcd& multipliers, int units_allowed = 0);
 /// states at successive strobes, which also tell the period, and where the equations for the nodes are singular (a
 /// continuum of balanced states) the least change is taken. Empty if it does not converge, or goes farther than `reach`
 /// (in System::scale()) from the guess, or if the period is free and the motion found is an equilibrium. The period
-/// returned is the smallest one.
+/// returned is the smallest one. Empty, too, once `stop` is set.
 std::optional<PeriodicOrbit> refine_orbit(const model::System& system, const std::vector<Eigen::VectorXd>& guess,
-                                          double period, double reach = std::numeric_limits<double>::infinity());
+                                          double period, double reach = std::numeric_limits<double>::infinity(),
+                                          const StopFlag* stop = nullptr);
 /// The same with nodes `strobe` apart, whatever the section: for systems that are about to become strobed.
 std::optional<PeriodicOrbit> refine_imposed_orbit(const model::System& system,
                                                   const std::vector<Eigen::VectorXd>& guess, double strobe,
-                                                  double reach = std::numeric_limits<double>::infinity());
+                                                  double reach = std::numeric_limits<double>::infinity(),
+                                                  const StopFlag* stop = nullptr);
 /// The same from one state near the orbit and the time after which it returns.
 std::optional<PeriodicOrbit> refine_orbit(const model::System& system, const Eigen::VectorXd& state, double period);
 
@@ -74,7 +76,7 @@ std::optional<PeriodicOrbit> refine_orbit(const model::System& system, const Eig
 /// good enough for stable orbits, and it gives up early where there is none (on a torus a second multiplier is near 1,
 /// whatever the time, and steps do not shrink).
 std::optional<PeriodicOrbit> find_orbit(const model::System& system, const Eigen::VectorXd& state, double period,
-                                        double reach);
+                                        double reach, const StopFlag* stop = nullptr);
 
 /// `count` >= 1 states at equally spaced times of one period, from nodes[0] on, angles unwrapped. Empty if an
 /// integration fails.

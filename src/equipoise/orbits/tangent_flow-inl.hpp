@@ -60,7 +60,7 @@ void set_system_scale(const model::System& system, int stride, ErrorScale<dimens
 template <class Source, int width>
 std::optional<TangentFlight> follow_at_width(const model::System& system, const Eigen::VectorXd& state,
                                              const Eigen::MatrixXd& start, int vectors, double duration,
-                                             double tolerance, double psi) {
+                                             double tolerance, double psi, const StopFlag* stop) {
   using Flow = TangentFlow<Source, width>;
   const int size = system.dimension(), stride = 1 + vectors, count = static_cast<int>(start.cols());
   const Eigen::VectorXd unit = system.scale();
@@ -79,8 +79,9 @@ std::optional<TangentFlight> follow_at_width(const model::System& system, const 
   }
   const Flow flow(system, psi, vectors);
   AdaptiveIntegrator<Flow, Flow::dimension> integrator(flow, scale, size * stride);
-  const auto status = integrator.advance(0.0, duration, y, [](double, double, auto&&) {});
-  if (status != IntegrationStatus::done) return std::nullopt;
+  const auto status = integrator.advance(
+      0.0, duration, y, [](double, double, auto&&) {}, stop);
+  if (status != IntegrationStatus::done || is_set(stop)) return std::nullopt;
   TangentFlight flight{Eigen::VectorXd(size), Eigen::MatrixXd(size, count)};
   for (int i = 0; i < size; ++i) {
     flight.end[i] = y[stride * i];
@@ -93,20 +94,21 @@ std::optional<TangentFlight> follow_at_width(const model::System& system, const 
 template <class Source, int width, int... wider>
 std::optional<TangentFlight> follow_within(const model::System& system, const Eigen::VectorXd& state,
                                            const Eigen::MatrixXd& start, int vectors, double duration, double tolerance,
-                                           double psi) {
+                                           double psi, const StopFlag* stop) {
   if constexpr (sizeof...(wider) > 0)
     if (vectors > width)
-      return follow_within<Source, wider...>(system, state, start, vectors, duration, tolerance, psi);
-  return follow_at_width<Source, width>(system, state, start, vectors, duration, tolerance, psi);
+      return follow_within<Source, wider...>(system, state, start, vectors, duration, tolerance, psi, stop);
+  return follow_at_width<Source, width>(system, state, start, vectors, duration, tolerance, psi, stop);
 }
 
 // `widths`: for all tangents of the state. Few, as for the leading Lyapunov exponents, are carried at less cost.
 template <class Source, int... widths>
 std::optional<TangentFlight> follow(const model::System& system, const Eigen::VectorXd& state,
-                                    const Eigen::MatrixXd& start, double duration, double tolerance, double psi) {
+                                    const Eigen::MatrixXd& start, double duration, double tolerance, double psi,
+                                    const StopFlag* stop) {
   constexpr int few = 4;
   const int vectors = start.cols() <= few ? few : system.dimension();
-  return follow_within<Source, few, widths...>(system, state, start, vectors, duration, tolerance, psi);
+  return follow_within<Source, few, widths...>(system, state, start, vectors, duration, tolerance, psi, stop);
 }
 
 template <class Source>
@@ -129,7 +131,7 @@ std::optional<Eigen::VectorXd> advance(const model::System& system, const Eigen:
 // Systems that are not plain (model/system.hpp).
 std::optional<TangentFlight> follow_tangents_generally(const model::System& system, const Eigen::VectorXd& state,
                                                        const Eigen::MatrixXd& start, double duration, double tolerance,
-                                                       double psi);
+                                                       double psi, const StopFlag* stop);
 std::optional<Eigen::VectorXd> advance_generally(const model::System& system, const Eigen::VectorXd& state,
                                                  double duration, double psi, double tolerance);
 

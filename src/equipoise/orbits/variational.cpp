@@ -27,24 +27,24 @@ using Strobed = PlainFlow<kernels::Terms{false, true, true}>;
 
 template <class Source>
 std::optional<TangentFlight> follow_plain(const model::System& system, const VectorXd& state, const MatrixXd& start,
-                                          double duration, double tolerance, double psi) {
+                                          double duration, double tolerance, double psi, const StopFlag* stop) {
   using model::dimension;
   return kernels::follow<Source, dimension(2), dimension(4), dimension(6), dimension(8)>(system, state, start, duration,
-                                                                                         tolerance, psi);
+                                                                                         tolerance, psi, stop);
 }
 
 }  // namespace
 
 std::optional<TangentFlight> follow_tangents(const model::System& system, const VectorXd& state, const MatrixXd& start,
-                                             double duration, double tolerance, double psi) {
-  if (!system.plain()) return follow_tangents_generally(system, state, start, duration, tolerance, psi);
-  return system.autonomous() ? follow_plain<Autonomous>(system, state, start, duration, tolerance, psi)
-                             : follow_plain<Strobed>(system, state, start, duration, tolerance, psi);
+                                             double duration, double tolerance, double psi, const StopFlag* stop) {
+  if (!system.plain()) return follow_tangents_generally(system, state, start, duration, tolerance, psi, stop);
+  return system.autonomous() ? follow_plain<Autonomous>(system, state, start, duration, tolerance, psi, stop)
+                             : follow_plain<Strobed>(system, state, start, duration, tolerance, psi, stop);
 }
 
 std::optional<TangentFlight> follow_derivative(const model::System& system, const VectorXd& state, double duration,
-                                               double tolerance, double psi) {
-  return follow_tangents(system, state, MatrixXd::Identity(state.size(), state.size()), duration, tolerance, psi);
+                                               double tolerance, double psi, const StopFlag* stop) {
+  return follow_tangents(system, state, MatrixXd::Identity(state.size(), state.size()), duration, tolerance, psi, stop);
 }
 
 std::optional<VectorXd> advance_state(const model::System& system, const VectorXd& state, double duration, double psi,

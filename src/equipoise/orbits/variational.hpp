@@ -6,12 +6,13 @@
 
 #include <Eigen/Core>
 
+#include "equipoise/base/stop_flag.hpp"
 #include "equipoise/model/system.hpp"
 
 namespace equipoise {
 
 // Everywhere: states are those of model/system.hpp; `psi` is the rotor's angle at the beginning, which matters on
-// section strobe only. Answers are empty if the integration fails.
+// section strobe only. Answers are empty if the integration fails, and once `stop` is set.
 
 struct TangentFlight {
   Eigen::VectorXd end;       ///< the state where the trajectory ends
@@ -23,11 +24,12 @@ struct TangentFlight {
 /// (angles: of one radian); for tangents the same relative to the larger of their own size and the given vector's.
 std::optional<TangentFlight> follow_tangents(const model::System& system, const Eigen::VectorXd& state,
                                              const Eigen::MatrixXd& vectors, double duration, double tolerance,
-                                             double psi = 0.0);
+                                             double psi = 0.0, const StopFlag* stop = nullptr);
 
 /// The same with the identity: `tangents` is then the derivative of the end with respect to the start.
 std::optional<TangentFlight> follow_derivative(const model::System& system, const Eigen::VectorXd& state,
-                                               double duration, double tolerance, double psi = 0.0);
+                                               double duration, double tolerance, double psi = 0.0,
+                                               const StopFlag* stop = nullptr);
 
 /// The state a time `duration` >= 0 later (adaptive DOP853).
 std::optional<Eigen::VectorXd> advance_state(const model::System& system, const Eigen::VectorXd& state, double duration,

@@ -25,9 +25,9 @@ struct GeneralFlow {
 
 std::optional<TangentFlight> follow_tangents_generally(const model::System& system, const Eigen::VectorXd& state,
                                                        const Eigen::MatrixXd& start, double duration, double tolerance,
-                                                       double psi) {
+                                                       double psi, const StopFlag* stop) {
   return kernels::follow<GeneralFlow, largest<2>, largest<4>, largest<8>>(system, state, start, duration, tolerance,
-                                                                          psi);
+                                                                          psi, stop);
 }
 
 std::optional<Eigen::VectorXd> advance_generally(const model::System& system, const Eigen::VectorXd& state,

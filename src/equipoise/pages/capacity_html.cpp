@@ -84,7 +84,7 @@ class CapacityDocument {
       row.push_back(number_cell(fmt::format("{}", cell.trials.size())));
       table.rows.push_back(std::move(row));
     }
-    add_cell_table(document_, std::move(table), "--csv writes all of them");
+    add_cell_table(document_, std::move(table), "the CSV file holds all of them");
   }
 
   void table_of_trials() {
@@ -99,7 +99,7 @@ class CapacityDocument {
       table.rows.push_back(std::move(row));
     }
     table.caption = "All values that were tried.";
-    add_cell_table(document_, std::move(table), "--json tells all of them");
+    add_cell_table(document_, std::move(table), "the JSON answer tells all of them");
   }
 
   void origin() {

@@ -21,9 +21,6 @@ namespace {
 constexpr std::uint64_t most_starts_drawn = 1'000'000;
 constexpr std::size_t most_motions_drawn = 6;
 constexpr double least_drift = 1e-4;  // a ball slower than that rests, for whoever looks at a drawing
-constexpr double least_turning = 1e-3;
-
-double turn_time(double speed) { return two_pi / std::max(std::fabs(speed), least_turning); }
 
 std::vector<BallOnMotion> balls_on(const MotionPath& path, const double* drift, double duration) {
   std::vector<BallOnMotion> balls;
@@ -41,12 +38,9 @@ std::vector<BallOnMotion> balls_on(const MotionPath& path, const double* drift, 
 
 // Balls are looked at for all of their way, the centre for so many turns of the rotor as do not fill the drawing.
 void draw_path(const model::System& system, const Motion& motion, DrawnMotion& drawn) {
-  constexpr double longest = 2000.0, most_turns = 24.0;
+  constexpr double most_turns = 24.0;
   constexpr int looks = 2000, looks_a_turn = 48;
-  const double turn = turn_time(motion.speed);
-  const bool rests = motion.kind == MotionKind::equilibrium;
-  const double way = rests ? turn : motion.kind == MotionKind::periodic ? std::max(motion.period, 4.0 * turn) : longest;
-  const double duration = std::min(way, longest);
+  const double turn = turn_time(motion.speed), duration = whole_way(motion);
   drawn.balls = balls_on(motion_path(system, motion, duration, looks), motion.drift.data(), duration);
   const double turns = std::min(duration / turn, most_turns);
   const MotionPath path =

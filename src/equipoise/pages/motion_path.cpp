@@ -1,9 +1,12 @@
 // Any system's motion is followed as a machine's, events or none: a drawing needs few of them.
 #include "equipoise/pages/motion_path.hpp"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 
+#include "equipoise/base/angles.hpp"
+#include "equipoise/base/reporting.hpp"
 #include "equipoise/model/frames.hpp"
 #include "equipoise/model/strobe.hpp"
 #include "equipoise/orbits/event_run-inl.hpp"
@@ -13,6 +16,7 @@ namespace equipoise {
 namespace {
 namespace kernels = HWY_NAMESPACE;
 
+constexpr double least_turning = 1e-3;
 constexpr double path_tolerance = 1e-9;  // far below what a drawing shows
 
 class PathWriter {
@@ -35,9 +39,8 @@ class PathWriter {
   MotionPath& path_;
 };
 
-}  // namespace
-
-MotionPath motion_path(const model::System& system, const Motion& motion, double duration, int count) {
+MotionPath followed_path(const model::System& system, const Motion& motion, double duration, int count,
+                         const StopFlag* stop) {
   MotionPath path;
   const model::Parameters& p = system.parameters();
   PathWriter writer(p, path);
@@ -64,11 +67,31 @@ MotionPath motion_path(const model::System& system, const Motion& motion, double
   };
   run.state(y.data());
   take();
-  run.advance(duration, [&](double, double to, auto& state_at) {
-    for (; next <= count && next * step <= to; take()) state_at(next * step, y.data());
-    return next > count;
-  });
+  run.advance(
+      duration,
+      [&](double, double to, auto& state_at) {
+        for (; next <= count && next * step <= to; take()) state_at(next * step, y.data());
+        return next > count;
+      },
+      stop);
   return path;
+}
+
+}  // namespace
+
+double turn_time(double speed) { return two_pi / std::max(std::fabs(speed), least_turning); }
+
+double whole_way(const Motion& motion) {
+  constexpr double longest = 2000.0;
+  const double turn = turn_time(motion.speed);
+  const bool rests = motion.kind == MotionKind::equilibrium;
+  const double way = rests ? turn : motion.kind == MotionKind::periodic ? std::max(motion.period, 4.0 * turn) : longest;
+  return std::min(way, longest);
+}
+
+MotionPath motion_path(const model::System& system, const Motion& motion, double duration, int count,
+                       const RunOptions& options) {
+  return reported(options, [&](const RunOptions& o) { return followed_path(system, motion, duration, count, o.stop); });
 }
 
 MotionPath motion_path(const model::Parameters& p, const Trajectory& trajectory, std::size_t first) {

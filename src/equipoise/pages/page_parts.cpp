@@ -9,6 +9,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include "equipoise/base/angles.hpp"
 #include "equipoise/base/version.hpp"
 #include "equipoise/model/balance_grade.hpp"
 #include "equipoise/pages/quantities.hpp"
@@ -28,6 +29,36 @@ std::string stem_of(const std::string& name) {
   for (const std::string_view ending : {".toml", ".nc"})
     if (stem.ends_with(ending)) stem.resize(stem.size() - ending.size());
   return stem.empty() ? "study" : stem;
+}
+
+// A rule of thumb's figures in one line.
+std::string figures_words(const RuleOfThumb& rule, const Study& study) {
+  const PageQuantities shown(study);
+  std::string text;
+  for (std::size_t k = 0; k < rule.figures.size(); ++k) {
+    const ExplainedQuantity& f = rule.figures[k];
+    if (k + 1 < rule.figures.size() && rule.figures[k + 1].name == f.name) continue;  // drag: the machine's own follows
+    const std::string value = !f.dimension                       ? page_number(f.value)
+                              : *f.dimension == Dimension::angle ? page_number(f.value * 180.0 / pi) + "°"
+                                                                 : shown.text(f.value, *f.dimension);
+    text += fmt::format("{}{}: {}", text.empty() ? "" : "; ", f.name, value);
+  }
+  return text;
+}
+
+DocumentTable advice_table(const Explanation& e) {
+  DocumentTable table{{"rule of thumb", "an estimate by a formula", "figures"},
+                      {},
+                      "docs/rules-of-thumb.md derives these formulas and says how often each is right.",
+                      false,
+                      {2}};
+  for (const RuleOfThumb& rule : e.advice)
+    table.rows.push_back({{rule.name, Tone::plain, false, true},
+                          {rule.words, !rule.kept   ? Tone::plain
+                                       : *rule.kept ? Tone::good
+                                                    : Tone::open},
+                          {figures_words(rule, e.study)}});
+  return table;
 }
 
 // What follows from a study without any simulation.
@@ -138,6 +169,7 @@ void add_machine(Document& document, const GivenMachine& machine, const std::str
   for (const auto& [name, text] : Derived(machine.explanation).rows())
     facts.rows.push_back({{name, Tone::plain, false, true}, {text}});
   add(std::move(facts));
+  add(advice_table(machine.explanation));
   for (const std::string& warning : machine.explanation.warnings)
     add(Paragraph{"Beware: " + warning + ".", Tone::open});
 }

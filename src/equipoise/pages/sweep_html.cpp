@@ -131,7 +131,7 @@ class SweepDocument {
     if (open_) table.caption = "Surely within: whatever undecided starts would come to.";
     for (std::size_t k = 0; k < r_.cells.size(); ++k)
       if (r_.cells[k]) table.rows.push_back(row_of(k));
-    add_cell_table(document_, std::move(table), "--csv writes all of them");
+    add_cell_table(document_, std::move(table), "the CSV file holds all of them");
   }
 
   std::vector<DocumentCell> row_of(std::size_t index) const {

@@ -93,7 +93,7 @@ std::string branches_text(const BranchesResult& r) {
   if (events.empty()) text += "  none\n";
   text += fmt::format(
       "\nA range that begins at {:.12g} or ends at {:.12g} may go on beyond. Attractors that live between two values "
-      "only, or that no pilot start meets, are not listed; --state follows a state of their own.\n",
+      "only, or that no pilot start meets, are not listed; states of one's own are followed too.\n",
       r.values.front(), r.values.back());
   if (r.partial) text += "PARTIAL: stopped before every branch was followed to its ends.\n";
   text += fmt::format("{:.1f} s on {} thread{} ({}); equipoise {}\n", r.seconds, r.threads, r.threads == 1 ? "" : "s",

@@ -26,6 +26,15 @@ double in_degrees(double angle) {
   return turn < 0.0 ? turn + 360.0 : turn;
 }
 
+std::string figure_text(const ExplainedQuantity& figure, const std::optional<Scales>& scales) {
+  const std::string plain = fmt::format("{}{:.5g}", figure.symbol == "beta" ? "beta = " : "", figure.value);
+  if (!figure.dimension) return plain;
+  if (*figure.dimension == Dimension::angle) return fmt::format("{:.4g} degree", figure.value * 180.0 / pi);
+  if (!scales) return plain;
+  return fmt::format("{} ({})",
+                     engineering(figure.value * study::scale_of(*figure.dimension, *scales), *figure.dimension), plain);
+}
+
 class Text {
  public:
   explicit Text(const Explanation& e) : e_(e), scales_(e.study.scales) {}
@@ -41,6 +50,7 @@ class Text {
       item("Reynolds number", fmt::format("{:.3g} of a ball that keeps the critical speed while the rotor runs at its "
                                           "final one",
                                           *e_.reynolds));
+    rules();
     text_ += "\n";
     for (const std::string& w : e_.warnings) text_ += "warning: " + w + "\n";
     if (e_.warnings.empty()) text_ += "no warnings\n";
@@ -163,6 +173,26 @@ class Text {
                                         grade, met ? fmt::format("within grade G {}", *met) : "beyond grade G 4000"));
   }
 
+  void rules() {
+    text_ +=
+        "\nRules of thumb: estimates by formulas; docs/rules-of-thumb.md derives them and says how often each is "
+        "right\n";
+    for (const RuleOfThumb& rule : e_.advice) {
+      const char* verdict = !rule.kept ? "" : *rule.kept ? "kept: " : "NOT kept: ";
+      item(rule.name, verdict + rule.words);
+      std::size_t name = 0;
+      for (const ExplainedQuantity& f : rule.figures) name = std::max(name, f.name.size());
+      for (std::size_t k = 0; k < rule.figures.size(); ++k) {
+        const ExplainedQuantity& f = rule.figures[k];
+        std::string text = figure_text(f, scales_);
+        const bool second_form = k + 1 < rule.figures.size() && rule.figures[k + 1].name == f.name;
+        if (second_form) text += ", " + figure_text(rule.figures[++k], scales_);
+        item("", fmt::format("{:<{}}  {}", f.name, name, text));
+      }
+      item("", fmt::format("rule: {} [{}]", rule.formula, rule.source));
+    }
+  }
+
   const Explanation& e_;
   const std::optional<Scales>& scales_;
   std::string text_;
@@ -182,6 +212,12 @@ Json pair_json(const std::array<double, 2>& values, Dimension d, const std::opti
   return Json::array({value_json(values[0], d, scales), value_json(values[1], d, scales)});
 }
 
+Json quantity_json(const ExplainedQuantity& q, const std::optional<Scales>& scales) {
+  Json row{{"symbol", q.symbol}, {"name", q.name}};
+  row.update(q.dimension ? value_json(q.value, *q.dimension, scales) : Json{{"dimensionless", q.value}});
+  return row;
+}
+
 Json motion_json(const BalancedMotion& m, const Explanation& e) {
   Json json{{"stable", m.stable},
             {"angles", std::vector<double>(m.angles.begin(), m.angles.begin() + e.study.parameters.balls)}};
@@ -193,6 +229,19 @@ Json motion_json(const BalancedMotion& m, const Explanation& e) {
   return json;
 }
 
+Json advice_json(const Explanation& e) {
+  Json rules = Json::array();
+  for (const RuleOfThumb& r : e.advice) {
+    Json rule{{"id", r.id}, {"name", r.name}, {"kept", r.kept ? Json(*r.kept) : Json(nullptr)}, {"words", r.words}};
+    rule["figures"] = Json::array();
+    for (const ExplainedQuantity& figure : r.figures) rule["figures"].push_back(quantity_json(figure, e.study.scales));
+    rule["formula"] = r.formula;
+    rule["source"] = r.source;
+    rules.push_back(rule);
+  }
+  return rules;
+}
+
 }  // namespace
 
 std::string explain_text(const Explanation& e) { return Text(e).all(); }
@@ -201,11 +250,7 @@ std::string explain_json(const Explanation& e) {
   const auto& scales = e.study.scales;
   Json json;
   json["quantities"] = Json::array();
-  for (const auto& q : e.quantities) {
-    Json row{{"symbol", q.symbol}, {"name", q.name}};
-    row.update(q.dimension ? value_json(q.value, *q.dimension, scales) : Json{{"dimensionless", q.value}});
-    json["quantities"].push_back(row);
-  }
+  for (const auto& q : e.quantities) json["quantities"].push_back(quantity_json(q, scales));
   json["critical_speed"] = pair_json(e.critical_alone, Dimension::speed, scales);
   json["critical_speed_with_balls"] = pair_json(e.critical_with_balls, Dimension::speed, scales);
   json["final_speed"] = e.speed ? value_json(*e.speed, Dimension::speed, scales) : Json(nullptr);
@@ -231,6 +276,7 @@ std::string explain_json(const Explanation& e) {
     json["balance_grade"] = {{"mm_per_s", grade}, {"standard", met ? Json(*met) : Json(nullptr)}};
   }
   json["reynolds_number"] = e.reynolds ? Json(*e.reynolds) : Json(nullptr);
+  json["advice"] = advice_json(e);
   json["warnings"] = e.warnings;
   json["study"] = study_json(e.study);
   json["study_name"] = e.study.name;

@@ -248,18 +248,22 @@ void figures(const Reproduction& r, Document& d) {
 }
 
 void ensemble_row(DocumentTable& table, const ReproducedRow& row, const std::optional<EnsembleResult>& e, bool ramps,
-                  const char* law) {
+                  const char* law, const std::string& explorer) {
   if (!e) return;
   const auto lost = e->diverged.count + e->failed.count;
-  table.rows.push_back({text(row.published->study), text(ramps ? law : "constant speed"),
-                        number(std::to_string(e->starts)), number(e->starts ? interval(e->undecided) : "-"),
-                        number(std::to_string(lost)), number(std::to_string(e->seed)),
-                        number(fmt::format("{:.1f}", e->cpu_seconds)),
+  DocumentCell study = text(row.published->study);
+  // As the explorer writes its own address (web/src/setting/setting.ts).
+  if (!explorer.empty())
+    study.link = fmt::format("{}#study={}{}", explorer, row.published->study,
+                             ramps ? fmt::format("&set=speed.law%3D{}", law) : "");
+  table.rows.push_back({std::move(study), text(ramps ? law : "constant speed"), number(std::to_string(e->starts)),
+                        number(e->starts ? interval(e->undecided) : "-"), number(std::to_string(lost)),
+                        number(std::to_string(e->seed)), number(fmt::format("{:.1f}", e->cpu_seconds)),
                         text(fmt::format("equipoise basin studies/paper/{}.toml --starts {}{}", row.published->study,
                                          e->starts, ramps ? fmt::format(" --set speed.law={}", law) : ""))});
 }
 
-void settings(const Reproduction& r, Document& d) {
+void settings(const Reproduction& r, const std::string& explorer, Document& d) {
   d.blocks.push_back(Heading{2, "Settings", "settings"});
   d.blocks.push_back(Paragraph{fmt::format("Made by: {}", r.command)});
   d.blocks.push_back(Paragraph{fmt::format(
@@ -276,10 +280,11 @@ void settings(const Reproduction& r, Document& d) {
   DocumentTable table{
       {"study", "law", "starts", "undecided (95 %)", "lost", "seed", "CPU s", "command"}, {}, "", true, {4, 5}};
   table.caption = "Every ensemble: its study, seed, cost, and the command that computes it alone";
+  if (!explorer.empty()) table.caption += "; a study's name leads to the explorer, at that setting";
   for (const ReproducedTable& t : r.tables)
     for (const ReproducedRow& row : t.rows) {
-      ensemble_row(table, row, row.by_published_law, t.published->ramps, "published");
-      ensemble_row(table, row, row.by_kinematic_law, t.published->ramps, "kinematic");
+      ensemble_row(table, row, row.by_published_law, t.published->ramps, "published", explorer);
+      ensemble_row(table, row, row.by_kinematic_law, t.published->ramps, "kinematic", explorer);
     }
   if (!table.rows.empty()) d.blocks.push_back(std::move(table));
   d.blocks.push_back(
@@ -288,7 +293,7 @@ void settings(const Reproduction& r, Document& d) {
 
 }  // namespace
 
-Document reproduction_document(const Reproduction& r) {
+Document reproduction_document(const Reproduction& r, const std::string& explorer) {
   Document d{"Wright and Peng (2019), computed again", {}};
   d.blocks.push_back(
       Paragraph{"With what probability does an automatic ball balancer balance its rotor? Every number and figure of "
@@ -298,7 +303,7 @@ Document reproduction_document(const Reproduction& r) {
   for (const ReproducedTable& t : r.tables) table_section(r, t, d);
   figures(r, d);
   open_questions(r, d);
-  settings(r, d);
+  settings(r, explorer, d);
   return d;
 }
 

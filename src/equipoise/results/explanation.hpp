@@ -37,6 +37,15 @@ struct BareVibration {
   std::array<double, 2> displacement{}, force{};  ///< in R and M R omega_c^2
 };
 
+/// A formula of docs/rules-of-thumb.md, applied to the study: an estimate, not a result.
+struct RuleOfThumb {
+  std::string id, name;                         ///< "ball_mass", "ball mass"
+  std::string formula, source;                  ///< in the symbols of docs/equations.md; where it comes from
+  std::optional<bool> kept = {};                ///< none: it asks for nothing, or cannot be told
+  std::string words = {};                       ///< what follows; without figures, why it says nothing of this study
+  std::vector<ExplainedQuantity> figures = {};  ///< by the rule, and by linear theory where that knows better
+};
+
 struct Explanation {
   Study study;
   std::vector<ExplainedQuantity> quantities;
@@ -51,6 +60,7 @@ struct Explanation {
   std::string no_motion;  ///< why `motion` is not there
   std::optional<BareVibration> bare;
   std::optional<double> reynolds;  ///< of a ball that keeps the critical speed while the rotor runs at its final one
+  std::vector<RuleOfThumb> advice;
   std::vector<std::string> warnings;
 };
 

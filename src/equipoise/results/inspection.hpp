@@ -11,8 +11,8 @@ namespace equipoise {
 
 struct Inspection {
   std::string path;
-  std::string
-      kind;  ///< "basin", "sweep", "capacity", "map", "branches", "trajectory", "unfinished results"; empty: unknown
+  std::string kind;  ///< "basin", "sweep", "capacity", "design", "map", "branches", "trajectory", "unfinished results";
+                     ///< empty: unknown
   std::string version;  ///< of the program that wrote it
   std::uint64_t bytes = 0;
   std::string damage;                                      ///< in words that follow the file's name; empty: none

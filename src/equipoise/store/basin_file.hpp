@@ -43,7 +43,6 @@ struct OutcomeSummary {
   std::string name, alias;
   Share share;
 };
-inline constexpr short undecided_code = 0, diverged_code = -1, failed_code = -2, stalled_code = -3;
 
 /// Time that all runs into a file took together.
 struct RunTime {

@@ -68,7 +68,8 @@ void read_results_file(Inspection& i) {
   i.version = source.starts_with("equipoise ") ? source.substr(10) : "";
   if (const std::string complete = file.attribute("complete"); !complete.empty()) i.complete = complete == "yes";
   i.study = file.attribute("study");
-  constexpr std::array told{"start", "x", "y", "value", "attractor", "event", "discovery", "t", "time"};
+  constexpr std::array told{"start",     "x", "y",    "value",    "attractor", "event",
+                            "discovery", "t", "time", "ensemble", "front"};
   for (const char* dimension : told)
     if (const std::size_t length = file.length(dimension)) i.facts.emplace_back(dimension, fmt::format("{}", length));
   if (i.kind == "sweep" || i.kind == "capacity") {
@@ -89,18 +90,20 @@ void read_unfinished(Inspection& i) {
   i.version = identity.value("version");
   i.study = identity.study;
   add_question(identity, i);
-  std::uint64_t starts = 0, pixels = 0, trials = 0, end = 0;
+  std::uint64_t starts = 0, pixels = 0, trials = 0, ensembles = 0, end = 0;
   std::set<std::uint64_t> cells;
   for (const store::Journal::Record& record : journal.records()) {
     if (record.kind == store::Journal::Kind::starts) starts = std::max(starts, record.first + record.count);
     if (record.kind == store::Journal::Kind::cell) cells.insert(record.first);
     if (record.kind == store::Journal::Kind::pixels) pixels += record.count;
     if (record.kind == store::Journal::Kind::trial) trials += record.count;
+    if (record.kind == store::Journal::Kind::ensemble) ensembles += record.count;
     end = record.end();
   }
   if (starts > 0) i.facts.emplace_back("starts done", fmt::format("up to number {}", starts));
   if (pixels > 0) i.facts.emplace_back("pixels done", fmt::format("{}", pixels));
   if (trials > 0) i.facts.emplace_back("trials done", fmt::format("{}", trials));
+  if (ensembles > 0) i.facts.emplace_back("ensembles done", fmt::format("{}", ensembles));
   if (!cells.empty()) i.facts.emplace_back("cells done", fmt::format("{}", cells.size()));
   i.facts.emplace_back("sound records", fmt::format("{}", journal.records().size()));
   if (end > 0 && i.bytes > end)

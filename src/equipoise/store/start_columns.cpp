@@ -100,21 +100,6 @@ std::vector<char> pack(const std::vector<StartColumn>& columns, const StartBatch
   return bytes;
 }
 
-short code_of(const Fate& fate) {
-  switch (fate.outcome) {
-    case Outcome::attracted:
-      return fate.attractor;
-    case Outcome::undecided:
-      return undecided_code;
-    case Outcome::diverged:
-      return diverged_code;
-    case Outcome::stalled:
-      return stalled_code;
-    default:
-      return failed_code;
-  }
-}
-
 bool fate_from(short code, signed char by, double time, Fate& fate) {
   if (code < stalled_code || by < 0 || by >= decided_by_count) return false;
   fate.outcome = code == undecided_code  ? Outcome::undecided

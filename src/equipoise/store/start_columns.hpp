@@ -43,8 +43,7 @@ std::vector<StartColumn> start_columns(const BasinFileHeader& header);
 /// The batch column by column, as an unfinished file holds it.
 std::vector<char> pack(const std::vector<StartColumn>& columns, const StartBatch& batch);
 
-/// The code that stands for a fate, and back. False for what is none.
-short code_of(const Fate& fate);
+/// The fate that a code stands for. False for what is none.
 bool fate_from(short code, signed char by, double time, Fate& fate);
 
 /// Stands where a start has no value of a transient figure.

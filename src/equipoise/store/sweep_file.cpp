@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "equipoise/store/cell_file.hpp"
+#include "equipoise/store/result_identity.hpp"
 #include "equipoise/store/sweep_cells.hpp"
 #include "equipoise/store/sweep_netcdf.hpp"
 

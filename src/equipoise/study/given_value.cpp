@@ -2,10 +2,10 @@
 #include "equipoise/study/given_value.hpp"
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 #include <system_error>
 
+#include "equipoise/base/read_number.hpp"
 #include "equipoise/study/physical_keys.hpp"
 
 namespace equipoise::study {
@@ -34,7 +34,7 @@ std::optional<ValueUnit> unit_of(const Study& study, const std::string& key) {
 GivenValue read_given(const std::string& text, const std::optional<ValueUnit>& unit) {
   GivenValue given;
   const char* end = text.data() + text.size();
-  const auto [after, error] = std::from_chars(text.data(), end, given.value);
+  const auto [after, error] = read_number(text.data(), end, given.value);
   if (error == std::errc() && after == end && std::isfinite(given.value)) return given;
   if (!unit) {
     given.problem = "is no plain number";

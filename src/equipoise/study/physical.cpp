@@ -270,12 +270,12 @@ void replace_quantities(Document& document, const QuantityTable& quantities, con
     Derived derived{key, key, {}};
     const StudyValue::Array* array = value->array();
     if (!array) {
-      const auto reject = [&](const std::string& problem) { reader.fail(key, problem); };
+      const auto reject = [&, name = key](const std::string& problem) { reader.fail(name, problem); };
       derived.values.push_back(measure_value(*value, {dimension}, range, reject).value / scale);
     } else {
       for (const StudyValue& entry : *array) {
-        const auto reject = [&](const std::string& problem) {
-          reader.fail(key, fmt::format("entry {} {}", derived.values.size() + 1, problem));
+        const auto reject = [&, name = key](const std::string& problem) {
+          reader.fail(name, fmt::format("entry {} {}", derived.values.size() + 1, problem));
         };
         derived.values.push_back(measure_value(entry, {dimension}, range, reject).value / scale);
       }

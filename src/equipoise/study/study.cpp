@@ -4,19 +4,15 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <filesystem>
-#include <fstream>
 #include <limits>
 #include <optional>
 #include <span>
-#include <system_error>
 #include <utility>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
 #include "equipoise/base/angles.hpp"
-#include "equipoise/base/display_text.hpp"
 #include "equipoise/base/error.hpp"
 #include "equipoise/model/frames.hpp"
 #include "equipoise/model/strobe.hpp"
@@ -277,32 +273,6 @@ std::optional<model::Scales> read_units(const Document& document) {
   return scales;
 }
 
-// The longest study that anybody wrote is a thousandth of this. What never ends, as /dev/zero, ends here.
-constexpr std::size_t longest_study = std::size_t{16} << 20;
-
-}  // namespace
-
-std::string read_study_text(const std::string& path) {
-  const auto reject = [&](const std::string& why) {
-    throw InputError(display_text(path), "", "",
-                     fmt::format("cannot be read ({}); must be a readable study file (TOML)", why));
-  };
-  std::error_code ignored;
-  if (std::filesystem::is_directory(path, ignored)) reject("a directory");
-  std::ifstream file(path, std::ios::binary);
-  if (!file) reject(std::filesystem::exists(path, ignored) ? "not open to this user" : "no such file");
-  std::string text;
-  std::array<char, 65536> block;
-  while (file.read(block.data(), block.size()), file.gcount() > 0) {
-    text.append(block.data(), file.gcount());
-    if (text.size() > longest_study) reject(fmt::format("more than {} MiB", longest_study >> 20));
-  }
-  if (file.bad()) reject("reading broke off");
-  return text;
-}
-
-namespace {
-
 model::SpeedProfile profile_of(const RampSetting& speed) {
   model::SpeedProfile profile;
   if (speed.profile == Profile::constant) {
@@ -439,7 +409,8 @@ void check_ends(const Document& document, const StudyValue& medians, const std::
 
 Study read(Document document) {
   check_tables(document,
-               {"rotor", "balancer", "speed", "release", "initial", "sampling", "numerics", "limits", "sweep", "units"});
+               {"rotor", "balancer", "speed", "release", "initial", "sampling", "numerics", "limits", "sweep", "design",
+                "units"});
   Uncertainty uncertain;
   if (is_physical(document)) uncertain.physical = document.root;
   uncertain.values = take_uncertain(document);
@@ -476,10 +447,6 @@ Study parse_study(const std::string& toml_text, const std::string& name, const s
 
 Study study_from(const StudyValue& tree, const std::string& name, const std::vector<std::string>& overrides) {
   return read(document_of(tree, name, overrides));
-}
-
-Study read_study(const std::string& path, const std::vector<std::string>& overrides) {
-  return parse_study(read_study_text(path), display_text(path), overrides);
 }
 
 namespace {

@@ -10,6 +10,7 @@
 #include <fmt/ranges.h>
 
 #include "equipoise/base/angles.hpp"
+#include "equipoise/study/overrides.hpp"
 #include "equipoise/study/printable.hpp"
 #include "equipoise/study/text_guard.hpp"
 #include "equipoise/study/toml_tree.hpp"
@@ -109,9 +110,9 @@ StudyValue parse_value(const std::string& key, const std::string& value) {
     if (parsed.table()->size() == 1) return *parsed.find("value");
   } catch (const TextFault& fault) {
     if (std::string_view("[{\"'").find(value.front()) == std::string_view::npos) return value;
-    throw InputError("--set", printable(key), printable(value), fault.problem);
+    throw InputError(overrides_name, printable(key), printable(value), fault.problem);
   }
-  throw InputError("--set", printable(key), printable(value), "must be a single TOML value");
+  throw InputError(overrides_name, printable(key), printable(value), "must be a single TOML value");
 }
 
 // The final speed has one name whatever the profile.
@@ -126,9 +127,11 @@ void apply_override(Document& document, const std::string& text) {
   const std::string value = equals == text.size() ? "" : trimmed(text.substr(equals + 1));
   const bool has_empty_part = key.empty() || key.front() == '.' || key.back() == '.' || key.find("..") != key.npos;
   if (has_empty_part || value.empty())
-    throw InputError("--set " + printable(text), "", "", "must be key=value, for example rotor.eccentricity=0.02");
+    throw InputError(std::string(overrides_name) + " " + printable(text), "", "",
+                     "must be key=value, for example rotor.eccentricity=0.02");
   if (std::count(key.begin(), key.end(), '.') >= most_key_parts)
-    throw InputError("--set", printable(key), printable(value), "unknown key: more parts than any key of a study has");
+    throw InputError(overrides_name, printable(key), printable(value),
+                     "unknown key: more parts than any key of a study has");
 
   StudyValue parsed = parse_value(key, value);
   StudyValue* table = &document.root;
@@ -142,7 +145,7 @@ void apply_override(Document& document, const std::string& text) {
     }
     table = inner;
     if (!table->table())
-      throw InputError("--set", printable(key), printable(value),
+      throw InputError(overrides_name, printable(key), printable(value),
                        fmt::format("\"{}\" is not a table", printable(key.substr(0, dot))));
   }
   table->set(key.substr(begin), std::move(parsed));
@@ -174,10 +177,10 @@ Place Document::where(const std::string& dotted_key, const StudyValue* value) co
   if (const auto found = written.find(dotted_key); found != written.end()) return found->second.where;
   for (std::size_t dot = 0; dot != std::string::npos;) {
     dot = dotted_key.find('.', dot + 1);
-    if (overridden.count(dotted_key.substr(0, dot))) return "--set";
+    if (overridden.count(dotted_key.substr(0, dot))) return overrides_name;
   }
   if (!value) return name;
-  if (value->line() == line_of_override) return "--set";
+  if (value->line() == line_of_override) return overrides_name;
   return {name, value->line()};
 }
 

@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <array>
-#include <charconv>
 #include <cmath>
 #include <string_view>
 #include <utility>
@@ -12,6 +11,7 @@
 #include <fmt/ranges.h>
 
 #include "equipoise/base/error.hpp"
+#include "equipoise/base/read_number.hpp"
 #include "equipoise/study/physical_keys.hpp"
 #include "equipoise/study/printable.hpp"
 
@@ -75,7 +75,7 @@ class DistributionReader {
     if (const std::string* text = entry.string()) {
       const std::size_t first = std::min(text->find_first_not_of(" \t+"), text->size());
       const char* end = text->data() + text->size();
-      const auto [after, error] = std::from_chars(text->data() + first, end, result);
+      const auto [after, error] = read_number(text->data() + first, end, result);
       if (error != std::errc()) fail(fmt::format("{} entry {} does not begin with a number", name, place));
       unit.assign(after, end);
       unit.erase(0, std::min(unit.find_first_not_of(" \t"), unit.size()));

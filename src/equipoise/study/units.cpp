@@ -1,21 +1,18 @@
-// The one place that knows UDUNITS-2.
+// What each quantity must measure, and what its numbers are worth.
 #include "equipoise/study/units.hpp"
 
 #include <algorithm>
 #include <array>
-#include <charconv>
 #include <cmath>
-#include <memory>
-#include <mutex>
 #include <stdexcept>
 #include <string_view>
 
 #include <fmt/format.h>
-#include <udunits2.h>
 
 #include "equipoise/base/angles.hpp"
 #include "equipoise/base/display_text.hpp"
-#include "equipoise/base/error.hpp"
+#include "equipoise/base/read_number.hpp"
+#include "equipoise/study/unit_library.hpp"
 #include "equipoise/study/unit_text.hpp"
 
 namespace equipoise::study {
@@ -42,68 +39,17 @@ constexpr std::array<DimensionWords, 17> all_words{{
     {"an angle", "rad", "30 degree", "rad"},
 }};
 
-using UnitPointer = std::unique_ptr<ut_unit, decltype(&ut_free)>;
-using ConverterPointer = std::unique_ptr<cv_converter, decltype(&cv_free)>;
-
-// UDUNITS keeps its state for the whole process and is not made for threads: whoever calls it holds one of these. It
-// would print what it cannot read, which status and null pointers say as well; the handler of messages and the status
-// that the process has set are put back.
-class LibraryUse {
- public:
-  LibraryUse() = default;
-  ~LibraryUse() {
-    ut_set_error_message_handler(handler_);
-    ut_set_status(status_);
-  }
-  LibraryUse(const LibraryUse&) = delete;
-  LibraryUse& operator=(const LibraryUse&) = delete;
-
- private:
-  static std::mutex& library_mutex() {
-    static std::mutex mutex;
-    return mutex;
-  }
-
-  const std::lock_guard<std::mutex> lock_{library_mutex()};
-  const ut_status status_ = ut_get_status();
-  const ut_error_message_handler handler_ = ut_set_error_message_handler(ut_ignore);
-};
-
-ut_system* unit_system() {
-  static const std::unique_ptr<ut_system, decltype(&ut_free_system)> system(ut_read_xml(nullptr), &ut_free_system);
-  if (!system) throw RunError("the unit database of UDUNITS-2 cannot be read (Debian package libudunits2-data)");
-  return system.get();
-}
-
-UnitPointer parse_unit(const std::string& text) { return {ut_parse(unit_system(), text.c_str(), UT_UTF8), &ut_free}; }
-
-// UDUNITS takes angles for pure numbers and so would let a frequency pass for a speed: whether the unit counts radians
-// to the first power is seen in its definition, such as "0.104719755 s-1.rad".
-bool counts_radians(const ut_unit* unit) {
-  std::array<char, 256> text{};
-  const int length = ut_format(unit, text.data(), text.size() - 1, UT_ASCII | UT_DEFINITION);
-  if (length < 0 || length >= static_cast<int>(text.size())) return false;
-  const std::string_view definition(text.data(), static_cast<std::size_t>(length));
-  const std::size_t at = definition.find("rad");
-  if (at == std::string_view::npos) return false;
-  const std::string_view after = definition.substr(at + 3);
-  return after.empty() || after.front() == '.' || after.front() == ' ';
-}
-
 bool names_hertz(std::string_view unit) {
   return unit.find("Hz") != std::string_view::npos || unit.find("hertz") != std::string_view::npos;
 }
 
-// What one of `unit` is worth in the dimension's SI unit; 0 if it measures something else.
-double factor(const ut_unit* unit, std::string_view unit_text, Dimension wanted) {
-  const UnitPointer si = parse_unit(words(wanted).si);
-  const ConverterPointer converter(ut_get_converter(const_cast<ut_unit*>(unit), si.get()), &cv_free);
-  if (!converter) return 0.0;
-  const double one = cv_convert_double(converter.get(), 1.0);
-  // Reciprocal units (s for 1/s), offsets and logarithms convert too, but not in proportion.
-  if (cv_convert_double(converter.get(), 0.0) != 0.0 || !(one > 0.0) || !std::isfinite(one)) return 0.0;
-  if (wanted == Dimension::angle && !counts_radians(unit)) return 0.0;
-  if (wanted == Dimension::speed && !counts_radians(unit)) return names_hertz(unit_text) ? 2.0 * pi * one : 0.0;
+// What one of `unit` is worth in the dimension's SI unit; 0 if it measures something else. Angles count as pure numbers
+// among units, which would let a frequency pass for a speed.
+double factor(const Unit& unit, std::string_view unit_text, Dimension wanted) {
+  const double one = unit.worth_in(Unit(words(wanted).si));
+  if (one == 0.0) return 0.0;
+  if (wanted == Dimension::angle && !unit.counts_radians()) return 0.0;
+  if (wanted == Dimension::speed && !unit.counts_radians()) return names_hertz(unit_text) ? 2.0 * pi * one : 0.0;
   if (wanted != Dimension::speed && names_hertz(unit_text)) return 0.0;  // of turns or of radians?
   return one;
 }
@@ -167,9 +113,9 @@ Measured measure(const std::string& text, const std::vector<Dimension>& wanted) 
   const std::string quantity = trimmed(text);
   const std::string must_be = "must be " + wanted_text(wanted);
   Measured result;
-  const std::size_t sign = !quantity.empty() && quantity.front() == '+' ? 1 : 0;  // from_chars takes none
+  const std::size_t sign = !quantity.empty() && quantity.front() == '+' ? 1 : 0;  // read_number() takes none
   const char* end = quantity.data() + quantity.size();
-  const auto [after, error] = std::from_chars(quantity.data() + sign, end, result.value);
+  const auto [after, error] = read_number(quantity.data() + sign, end, result.value);
   if (error == std::errc::invalid_argument) {
     result.problem = "does not begin with a number; " + must_be;
     return result;
@@ -183,24 +129,24 @@ Measured measure(const std::string& text, const std::vector<Dimension>& wanted) 
     result.problem = "has no unit; " + must_be;
     return result;
   }
-  const LibraryUse use;
+  const UnitLibraryUse use;
   const UnitText checked(unit_text);
   if (!checked.is_product) {
     result.problem = "is no number with a unit; " + must_be;
     return result;
   }
   for (const std::string& name : checked.names) {
-    if (parse_unit(name)) continue;
-    result.problem = fmt::format("UDUNITS knows no unit \"{}\"; {}", display_text(name), must_be);
+    if (Unit(name).is_known()) continue;
+    result.problem = fmt::format("{} knows no unit \"{}\"; {}", Unit::reader(), display_text(name), must_be);
     return result;
   }
-  const UnitPointer unit = parse_unit(checked.text);
-  if (!unit) {
-    result.problem = fmt::format("UDUNITS cannot read the unit \"{}\"; {}", unit_text, must_be);
+  const Unit unit(checked.text);
+  if (!unit.is_known()) {
+    result.problem = fmt::format("{} cannot read the unit \"{}\"; {}", Unit::reader(), unit_text, must_be);
     return result;
   }
   for (const Dimension dimension : wanted) {
-    const double one = factor(unit.get(), unit_text, dimension);
+    const double one = factor(unit, unit_text, dimension);
     if (one == 0.0) continue;
     result.value *= one;
     result.dimension = dimension;
@@ -212,9 +158,9 @@ Measured measure(const std::string& text, const std::vector<Dimension>& wanted) 
 }
 
 std::string quantity_text(double si, Dimension dimension) {
-  const LibraryUse use;
-  const UnitPointer shown = parse_unit(words(dimension).shown);
-  return fmt::format("{} {}", si / factor(shown.get(), words(dimension).shown, dimension), words(dimension).shown);
+  const UnitLibraryUse use;
+  const Unit shown(words(dimension).shown);
+  return fmt::format("{} {}", si / factor(shown, words(dimension).shown, dimension), words(dimension).shown);
 }
 
 }  // namespace equipoise::study

@@ -1,4 +1,4 @@
-// Values with units, as text: "48 kN/m". UDUNITS-2 reads the units; this file says what each quantity must measure.
+// Values with units, as text: "48 kN/m". A library of units reads them; this file says what each quantity must measure.
 #pragma once
 
 #include <optional>
@@ -52,7 +52,7 @@ struct Measured {
 
 /// Reads "number unit" as a value of the first of `wanted` that the unit measures. Speeds: rad/s, rpm, and Hz for turns
 /// a second (UDUNITS would read 1 rad/s); a bare 1/s is refused. Any finite number passes; ranges are the caller's.
-/// Throws RunError if the unit database of UDUNITS cannot be read.
+/// Throws RunError if the library of units cannot be used.
 Measured measure(const std::string& text, const std::vector<Dimension>& wanted);
 
 /// The value in the unit that is shown, with all its digits: "0.2 mm" from 0.0002 m.

@@ -19,6 +19,7 @@
 
 #include "equipoise/base/display_text.hpp"
 #include "equipoise/base/error.hpp"
+#include "equipoise/base/parallel.hpp"
 #include "equipoise/base/reporting.hpp"
 #include "equipoise/basins/basin.hpp"
 #include "equipoise/fates/runner.hpp"
@@ -274,8 +275,7 @@ CapacityRange capacity_range(const Study& study, const std::string& key, const s
   };
   const std::size_t colon = text.find(':');
   if (colon == std::string::npos || text.find(':', colon + 1) != std::string::npos) reject();
-  const SweepParameter ends =
-      sweep_parameter(key + "=" + text.substr(0, colon) + "," + text.substr(colon + 1), option);
+  const SweepParameter ends = sweep_parameter(key + "=" + text.substr(0, colon) + "," + text.substr(colon + 1), option);
   if (ends.values.size() != 2 || !(ends.values[0] < ends.values[1])) reject();
   return {ends.values[0], ends.values[1], ends.unit};
 }

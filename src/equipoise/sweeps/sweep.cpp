@@ -15,6 +15,7 @@
 #include <fmt/format.h>
 
 #include "equipoise/base/error.hpp"
+#include "equipoise/base/parallel.hpp"
 #include "equipoise/base/reporting.hpp"
 #include "equipoise/basins/basin.hpp"
 #include "equipoise/kernels/cpu_target.hpp"

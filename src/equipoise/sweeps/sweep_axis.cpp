@@ -68,6 +68,11 @@ std::string steps_of(double from, double to, double step, std::vector<double>& v
   return "";
 }
 
+bool has_repeats(std::vector<double> values) {
+  std::sort(values.begin(), values.end());
+  return std::adjacent_find(values.begin(), values.end()) != values.end();
+}
+
 }  // namespace
 
 SweepParameter sweep_parameter(const std::string& text, const std::string& option) {
@@ -94,10 +99,6 @@ SweepParameter sweep_parameter(const std::string& text, const std::string& optio
   } else {
     parameter.values = numbers;
   }
-  std::vector<double> sorted = parameter.values;
-  std::sort(sorted.begin(), sorted.end());
-  if (std::adjacent_find(sorted.begin(), sorted.end()) != sorted.end())
-    reject("has a value twice; must be different ones");
   for (const double value : parameter.values)
     parameter.given.push_back(parameter.unit.empty() ? fmt::format("{}", value)
                                                      : fmt::format("{} {}", value, parameter.unit));
@@ -116,7 +117,12 @@ std::vector<SweepAxis> sweep_axes(const std::vector<std::string>& texts, bool zi
     if (std::find(keys.begin(), keys.end(), parameter.key) != keys.end()) reject("is varied twice; must be named once");
     keys.push_back(parameter.key);
     const std::size_t size = parameter.values.size();
-    if (zip && !axes.empty()) {
+    const bool along_another = zip && !axes.empty();
+    if (!along_another && has_repeats(parameter.values))
+      reject(zip ? "has a value twice; the first of parameters that vary together is the axis, and must have different "
+                   "ones"
+                 : "has a value twice; must be different ones");
+    if (along_another) {
       if (axes.front().size() != size)
         reject(fmt::format("has {} value{}, {} has {}; zipped parameters must have as many each", size,
                            size == 1 ? "" : "s", keys.front(), axes.front().size()));
@@ -130,7 +136,7 @@ std::vector<SweepAxis> sweep_axes(const std::vector<std::string>& texts, bool zi
   }
   if (axes.empty() || axes.size() > most_sweep_axes)
     throw InputError(option, "", fmt::format("{} parameters", axes.size()),
-                     fmt::format("must be 1 to {} parameters, or more with --zip", most_sweep_axes));
+                     fmt::format("must be 1 to {} parameters, or more that vary together", most_sweep_axes));
   return axes;
 }
 

@@ -8,18 +8,17 @@
 
 #include <fmt/format.h>
 
-#include "equipoise/base/angles.hpp"
 #include "equipoise/base/error.hpp"
 #include "equipoise/base/reporting.hpp"
 #include "equipoise/integrate/adaptive-inl.hpp"
 #include "equipoise/integrate/clamped.hpp"
-#include "equipoise/integrate/machine_trajectory-inl.hpp"
 #include "equipoise/model/ball_count.hpp"
 #include "equipoise/model/flow-inl.hpp"
 #include "equipoise/model/frames.hpp"
 #include "equipoise/model/strobe.hpp"
 #include "equipoise/model/system.hpp"
 #include "equipoise/spin_up/initial_state.hpp"
+#include "equipoise/trajectory/machine_run.hpp"
 #include "equipoise/trajectory/record.hpp"
 
 namespace equipoise {
@@ -112,21 +111,13 @@ void simulate_free(const Task& task, const std::vector<model::Segment>& segments
 
 // A machine's trajectory: from event to event.
 void simulate_machine(const Task& task, Trajectory& out) {
-  using Machine = kernels::MachineTrajectory<model::any_count>;
+  using Machine = kernels::MachineRun::Machine;
   using namespace model::machine_index;
-  const Study& study = task.study;
   const std::vector<double>& times = task.times;
-  const model::Parameters& p = study.parameters;
+  const model::Parameters& p = task.study.parameters;
   const int n = p.balls;
-  const model::Drive drive = study.drive();
-  Machine::Scale scale;
-  scale.tolerance = task.tolerance;
-  kernels::set_state_scale(p, 1, scale);
-  scale.floor[psi(n)] = scale.floor[speed(n)] = scale.floor[error_integral(n)] = 1.0;
-  scale.absolute[psi(n)] = scale.angle[psi(n)] = true;
-  double z[Machine::dimension];
-  initial_state(study.initial, n, drive.speed, z);
-  Machine machine(p, drive, scale, z);
+  kernels::MachineRun run(task.study);
+  Machine& machine = run.machine();
   std::size_t next = 0;
   const auto take = [&](double t, const double* at) { record(out, p, at[psi(n)], at[speed(n)], t, at); };
   if (times.empty()) return;
@@ -148,19 +139,6 @@ void simulate_machine(const Task& task, Trajectory& out) {
   take(times.back(), machine.state());
 }
 
-// Balls that overlap have no motion.
-void check_overlap(const Study& study) {
-  const model::Parameters& p = study.parameters;
-  for (int i = 0; i < p.balls; ++i)
-    for (int j = 0; j < i; ++j) {
-      const double apart = std::fabs(wrapped(study.initial.phi[i] - study.initial.phi[j]));
-      if (apart < p.contact_angle)
-        throw InputError(study.name, "initial.phi", fmt::format("{}", study.initial.phi[i]),
-                         fmt::format("balls {} and {} overlap: {} apart; must be at least balancer.contact_angle, {}",
-                                     j + 1, i + 1, apart, p.contact_angle));
-    }
-}
-
 Trajectory followed(const Task& task) {
   const Study& study = task.study;
   const std::vector<double>& times = task.times;
@@ -169,7 +147,7 @@ Trajectory followed(const Task& task) {
   out.phi.resize(p.balls);
   out.phi_dot.resize(p.balls);
   if (!study.system().simple()) {
-    if (p.balls_collide()) check_overlap(study);
+    kernels::check_overlap(study);
     simulate_machine(task, out);
     return out;
   }

@@ -142,9 +142,8 @@ std::optional<ContinuumTrap> continuum_trap(const std::shared_ptr<const Balanced
   if (!continuum || !survey.attracts()) return std::nullopt;
   const Members members = members_to_try(*continuum, survey, settings);
   if (members.all.empty()) return std::nullopt;
-  ContinuumTrap trap{continuum, 0.0, members.slowest_rate, members.place};
-  if (!settings.system->autonomous())
-    trap.estimate = std::make_shared<ContinuumEstimate>(*settings.system, members.all);
+  ContinuumTrap trap{continuum,     0.0, members.slowest_rate,
+                     members.place, 0.0, std::make_shared<ContinuumEstimate>(*settings.system, members.all)};
   // With anisotropic supports or gravity to tell what a state comes to is a flight of its own.
   TrialCounts counts{.few = 128, .all = 1024};
   if (!settings.system->autonomous()) counts = {counts.few / 4, counts.all / 4};

@@ -19,7 +19,8 @@ struct ContinuumTrap {
   double slowest_rate = 0.0;  ///< of the members that were tried (negative): slower ones catch nothing
   Eigen::Vector4d place = Eigen::Vector4d::Zero();  ///< about which x, y, u, v of members are (at a strobe)
   double reach = 0.0;  ///< x, y, u, v of every state inside are as near to it, velocities and imbalance to balance
-  /// Of V, and cheap, where the rotor's angle matters; else there is none.
+  /// Of V, from members tried beforehand: to compute V of a state takes an analysis of the member it comes to. Null if
+  /// it cannot tell inside from outside.
   std::shared_ptr<const ContinuumEstimate> estimate;
   double deep = 0.0;  ///< estimated below this share of its level, a state is inside
   double far = 0.0;   ///< estimated above it, a state counts as outside; between them V is computed

@@ -28,6 +28,9 @@ constexpr double highest_level = 0.25, highest_floor = 1e-3;
 constexpr double come_close = 1e-2, come_inside = 0.125;
 constexpr double slowest_worth_it = 2e-3;
 constexpr double window = 4.0;  // of tries: they are asked twice a window
+// Of the time that the slowest approach would take: other directions sink faster.
+constexpr double approach = 0.5;
+constexpr double away_in_window = 2.0;
 
 double within_a_turn(double angle) { return angle - two_pi * std::floor(angle / two_pi); }
 
@@ -42,18 +45,22 @@ int TorusTrap::cell_of(double first, double second) const {
   const auto place = [&](double angle) {
     return std::min(cells_ - 1, static_cast<int>(within_a_turn(angle) / two_pi * cells_));
   };
-  return place(first) * (balls_ > 1 ? cells_ : 1) + (balls_ > 1 ? place(second) : 0);
+  return balls_ > 1 ? place(first) * cells_ + place(second) : place(first);
 }
 
 template <class F>
 void TorusTrap::around_angles(double first, double second, F&& f) const {
-  const double step = two_pi / cells_;
-  for (int a = -1; a <= 1; ++a)
-    for (int b = -1; b <= 1; ++b) {
-      if (balls_ == 1 && b != 0) continue;
-      const int cell = cell_of(first + a * step, second + b * step);
-      for (int k = first_in_cell_[cell]; k < first_in_cell_[cell + 1]; ++k) f(k);
-    }
+  const int rows = balls_ > 1 ? cells_ : 1, cell = cell_of(first, second), row = cell / cells_, place = cell % cells_;
+  const auto all_in = [&](int begin, int end) {
+    for (int k = first_in_cell_[begin]; k < first_in_cell_[end]; ++k) f(k);
+  };
+  for (int a = rows > 1 ? -1 : 0; a <= (rows > 1 ? 1 : 0); ++a) {
+    const int r = row + a < 0 ? rows - 1 : row + a == rows ? 0 : row + a, begin = r * cells_;
+    // Neighbours within a row lie side by side, but across the full turn.
+    all_in(begin + std::max(place - 1, 0), begin + std::min(place + 2, cells_));
+    if (place == 0) all_in(begin + cells_ - 1, begin + cells_);
+    if (place == cells_ - 1) all_in(begin, begin + 1);
+  }
 }
 
 // Two states a cell.
@@ -77,7 +84,7 @@ void TorusTrap::sort_into_cells() {
 
 // One tangent is the flow; the other is what is left of the ways to the neighbours, which lie on other windings.
 void TorusTrap::find_tangents(const model::System& system) {
-  along_ = across_ = Eigen::MatrixXd::Zero(states_.rows(), states_.cols());
+  tangents_ = Eigen::MatrixXd::Zero(2 * states_.rows(), states_.cols());
   for (int k = 0; k < states_.cols(); ++k) {
     const VectorXd here = states_.col(k);
     const VectorXd along =
@@ -106,8 +113,8 @@ void TorusTrap::find_tangents(const model::System& system) {
       const VectorXd d = sideways(other);
       sum += d.dot(farthest) < 0.0 ? VectorXd(-d) : d;
     });
-    along_.col(k) = along;
-    if (sum.norm() > 0.0) across_.col(k) = sum.normalized();
+    tangents_.col(k).head(here.size()) = along;
+    if (sum.norm() > 0.0) tangents_.col(k).tail(here.size()) = sum.normalized();
   }
 }
 
@@ -126,34 +133,61 @@ void TorusTrap::find_images(const model::System& system) {
   } while (std::next_permutation(order.begin(), order.begin() + balls_));
 }
 
+void TorusTrap::key_of(const double* state, float* key) const {
+  float* k = std::copy(state, state + 4, key);
+  for (int i = 0; i < balls_; ++i) {
+    *k++ = static_cast<float>(std::cos(state[4 + i]));
+    *k++ = static_cast<float>(std::sin(state[4 + i]));
+    *k++ = static_cast<float>(state[4 + balls_ + i]);
+  }
+  k = std::copy(state + 4 + 2 * balls_, state + inverse_scale_.size(), k);  // what a driven rotor adds
+  std::fill(k, key + keys_.rows(), 0.0f);
+}
+
+void TorusTrap::make_keys() {
+  const Eigen::Index used = inverse_scale_.size() + balls_;
+  keys_.resize((used + 3) / 4 * 4, states_.cols());
+  for (Eigen::Index k = 0; k < states_.cols(); ++k) key_of(states_.col(k).data(), keys_.col(k).data());
+}
+
+// The number of a state of the cloud, in units of the scale; -1: there is none around these angles.
+int TorusTrap::nearest_to(const double* here) const {
+  std::array<float, max_dimension + model::max_balls + 3> key;
+  key_of(here, key.data());
+  const Eigen::Index rows = keys_.rows();
+  float least = std::numeric_limits<float>::infinity();
+  int nearest = -1;
+  around_angles(here[4], balls_ > 1 ? here[5] : 0.0, [&](int k) {
+    const float* other = keys_.data() + k * rows;
+    Eigen::Array4f sum = Eigen::Array4f::Zero();
+    for (Eigen::Index i = 0; i < rows; i += 4)
+      sum += (Eigen::Map<const Eigen::Array4f>(key.data() + i) - Eigen::Map<const Eigen::Array4f>(other + i)).square();
+    const float square = sum.sum();
+    if (square >= least) return;
+    least = square;
+    nearest = k;
+  });
+  return nearest;
+}
+
 double TorusTrap::value_in_place(const double* state) const {
   const Eigen::Index size = inverse_scale_.size();
   std::array<double, max_dimension> here;
   for (Eigen::Index i = 0; i < size; ++i) here[i] = state[i] * inverse_scale_[i];
   for (int i = 0; i < balls_; ++i) here[4 + i] = within_a_turn(here[4 + i]);  // as those of states_ are
-  double least = infinite;
-  int nearest = -1;
+  const int nearest = nearest_to(here.data());
+  if (nearest < 0) return infinite;
   const auto difference = [&](int k, Eigen::Index i) {
     const double d = here[i] - states_(i, k);
     return i < 4 || i >= 4 + balls_ ? d : d > pi ? d - two_pi : d < -pi ? d + two_pi : d;
   };
-  around_angles(here[4], balls_ > 1 ? here[5] : 0.0, [&](int k) {
-    double square = 0.0;
-    for (Eigen::Index i = 0; i < size && square < least; ++i) {
-      const double d = difference(k, i);
-      square += d * d;
-    }
-    if (square >= least) return;
-    least = square;
-    nearest = k;
-  });
-  if (nearest < 0) return infinite;
   double square = 0.0, along = 0.0, across = 0.0;
+  const double* const tangent = tangents_.data() + nearest * 2 * size;
   for (Eigen::Index i = 0; i < size; ++i) {
     const double d = difference(nearest, i);
     square += d * d;
-    along += d * along_(i, nearest);
-    across += d * across_(i, nearest);
+    along += d * tangent[i];
+    across += d * tangent[size + i];
   }
   // Orthonormal; what lies along the torus is no distance from it, as far as the next of its states.
   return std::max(0.0, square - along * along - across * across);
@@ -176,10 +210,14 @@ double TorusTrap::value(const double* state) const {
   return least;
 }
 
+double TorusTrap::time_to_level(double value) const {
+  return std::isfinite(value) && level_ > 0.0 && rate_ < 0.0 ? std::log(value / level_) / (-2.0 * rate_) : 0.0;
+}
+
 VectorXd TorusTrap::state_on_level(std::size_t which, double level, const VectorXd& direction) const {
   const auto k = static_cast<Eigen::Index>(which % size());
   VectorXd d = direction;
-  const VectorXd along = along_.col(k), across = across_.col(k);
+  const VectorXd along = tangents_.col(k).head(d.size()), across = tangents_.col(k).tail(d.size());
   d -= along * along.dot(d);
   d -= across * across.dot(d);
   return (states_.col(k) + std::sqrt(level) * d.normalized()).cwiseQuotient(inverse_scale_);
@@ -189,6 +227,7 @@ std::shared_ptr<TorusTrap> TorusTrap::around(const model::System& system, const 
                                              const StopFlag* stop) {
   std::shared_ptr<TorusTrap> trap(new TorusTrap(system));
   trap->attractor_ = attractor;
+  trap->rate_ = motion.exponents[2];
   VectorXd state = motion.state;
   const double spacing = sample_spacing(system, state);
   std::vector<VectorXd> samples;
@@ -200,15 +239,31 @@ std::shared_ptr<TorusTrap> TorusTrap::around(const model::System& system, const 
   for (int k = 0; k < cloud; ++k) {
     trap->low_ = trap->low_.cwiseMin(samples[k]);
     trap->high_ = trap->high_.cwiseMax(samples[k]);
+    const double r2 = samples[k].head<2>().squaredNorm();
+    trap->r2_low_ = std::min(trap->r2_low_, r2);
+    trap->r2_high_ = std::max(trap->r2_high_, r2);
     VectorXd s = samples[k];
     for (int i = 0; i < system.balls(); ++i) s[model::index::phi(i)] = within_a_turn(s[model::index::phi(i)]);
     trap->states_.col(k) = s.cwiseProduct(trap->inverse_scale_);
   }
   trap->sort_into_cells();
+  trap->make_keys();
   trap->find_tangents(system);
   trap->find_images(system);
   for (int k = 0; k < fresh; ++k) trap->floor_ = std::max(trap->floor_, trap->value(samples[cloud + k].data()));
   return trap->floor_ < highest_floor ? trap : nullptr;
+}
+
+// By as much as the states of a window that ends inside the trap may lie farther away.
+void TorusTrap::widen(TorusTraps& bounds) const {
+  const double far = away_in_window * std::sqrt(level_);
+  const double r = std::max(0.0, std::sqrt(r2_low_) - far / inverse_scale_[0]);
+  bounds.r2_low = std::min(bounds.r2_low, r * r - 1e-300);
+  bounds.r2_high = std::max(bounds.r2_high, std::pow(std::sqrt(r2_high_) + far / inverse_scale_[0], 2));
+  for (int i = 4 + balls_; i < 4 + 2 * balls_; ++i) {
+    bounds.q_low = std::min(bounds.q_low, low_[i] - far / inverse_scale_[i]);
+    bounds.q_high = std::max(bounds.q_high, high_[i] + far / inverse_scale_[i]);
+  }
 }
 
 namespace {
@@ -257,10 +312,17 @@ std::shared_ptr<const TorusTrap> torus_trap(const model::System& system, const M
 void set_tori(DecisionRule& rule, const std::vector<std::shared_ptr<const TorusTrap>>& tori) {
   rule.tori = {};
   if (tori.empty()) return;
-  rule.tori.caught = [tori](const double* state) {
-    for (const auto& trap : tori)
-      if (trap->value(state) < trap->level()) return trap->attractor();
-    return 0;
+  rule.tori.r2_low = rule.tori.q_low = infinite;
+  rule.tori.r2_high = rule.tori.q_high = -infinite;
+  for (const auto& trap : tori) trap->widen(rule.tori);
+  rule.tori.caught = [tori](const double* state) -> TorusTraps::Answer {
+    double wait = infinite;
+    for (const auto& trap : tori) {
+      const double value = trap->value(state);
+      if (value < trap->level()) return {trap->attractor(), 0.0};
+      wait = std::min(wait, trap->time_to_level(value));
+    }
+    return {0, approach * wait};
   };
 }
 

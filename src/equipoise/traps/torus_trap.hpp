@@ -32,6 +32,10 @@ class TorusTrap {
   /// V, the least over the places that like balls may take; infinite where nothing on the torus is near in the angles
   /// or where the state plainly lies above the level.
   double value(const double* state) const;
+  /// How long V takes to sink from `value` to the level at the torus' own rate; 0 where that is not known.
+  double time_to_level(double value) const;
+  /// Makes the bounds at which lanes are asked hold this trap.
+  void widen(TorusTraps& bounds) const;
   /// A state on `level` beside the one number `which` (modulo how many there are) of the cloud.
   Eigen::VectorXd state_on_level(std::size_t which, double level, const Eigen::VectorXd& direction) const;
   std::size_t size() const { return static_cast<std::size_t>(states_.cols()); }
@@ -42,16 +46,20 @@ class TorusTrap {
   void find_tangents(const model::System& system);
   void find_images(const model::System& system);
   int cell_of(double first, double second) const;
+  void make_keys();
+  void key_of(const double* state, float* key) const;
+  int nearest_to(const double* here) const;
   double value_in_place(const double* state) const;
   // Calls f(number) for all states of the cells around a pair of angles.
   template <class F>
   void around_angles(double first, double second, F&& f) const;
 
   int attractor_ = 0, balls_ = 0, cells_ = 1;
-  double level_ = 0.0, floor_ = 0.0;
+  double level_ = 0.0, floor_ = 0.0, rate_ = 0.0, r2_low_ = 1e300, r2_high_ = 0.0;
   Eigen::VectorXd inverse_scale_;
   Eigen::MatrixXd states_;               // columns, in units of the scale, angles within a turn
-  Eigen::MatrixXd along_, across_;       // orthonormal tangents at each, in the same units
+  Eigen::MatrixXf keys_;                 // of each, padded: cosine and sine in place of an angle; nearest by these
+  Eigen::MatrixXd tangents_;             // at each: along the flow, and then across it; orthonormal, in the same units
   std::vector<int> first_in_cell_;       // and one more than there are cells
   std::vector<Eigen::VectorXi> places_;  // of a state's components, for each exchange of like balls that is looked at
   Eigen::VectorXd low_, high_;           // of everything on the torus

@@ -7,9 +7,7 @@
 #include <cmath>
 #include <utility>
 
-#include <oneapi/tbb/parallel_for.h>
-#include <oneapi/tbb/task_arena.h>
-
+#include "equipoise/base/parallel.hpp"
 #include "equipoise/deciding/fate.hpp"
 #include "equipoise/kernels/lane_kernels.hpp"
 #include "equipoise/model/balanced_state.hpp"
@@ -30,22 +28,19 @@ bool follow(Trials& trials, const TrialSettings& settings, Told&& told) {
   const std::size_t chunk = chunk_of(trials, settings);
   std::atomic<bool> good{true};
   if (settings.progress) settings.progress->begin("states tried on level sets");
-  tbb::task_arena arena(settings.threads);
-  arena.execute([&] {
-    tbb::parallel_for(std::size_t{0}, (total + chunk - 1) / chunk, [&](std::size_t k) {
-      if (!good) return;
-      const std::size_t first = k * chunk;
-      const Trials::Flight flight = trials.flight(first);
-      LaneTask task = lane_task(*settings.system, flight.psi);
-      task.end = flight.end;
-      task.tolerance = settings.tolerance;
-      task.count = std::min(chunk, total - first);
-      task.states = &trials.states[first * size];
-      task.stop = settings.stop;
-      std::vector<Fate> fates(task.count);
-      if (!decide_lanes(task, trials.rule, fates, nullptr) || !told(first, fates)) good = false;
-      if (settings.progress) settings.progress->add(task.count);
-    });
+  in_parallel(settings.threads, (total + chunk - 1) / chunk, [&](std::size_t k) {
+    if (!good) return;
+    const std::size_t first = k * chunk;
+    const Trials::Flight flight = trials.flight(first);
+    LaneTask task = lane_task(*settings.system, flight.psi);
+    task.end = flight.end;
+    task.tolerance = settings.tolerance;
+    task.count = std::min(chunk, total - first);
+    task.states = &trials.states[first * size];
+    task.stop = settings.stop;
+    std::vector<Fate> fates(task.count);
+    if (!decide_lanes(task, trials.rule, fates, nullptr) || !told(first, fates)) good = false;
+    if (settings.progress) settings.progress->add(task.count);
   });
   return good;
 }

@@ -1,0 +1,89 @@
+// equipoise design: the best balancer or spin-up within what may be chosen.
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "commands.hpp"
+#include "equipoise/design/design.hpp"
+#include "equipoise/drawing/chart.hpp"
+#include "equipoise/pages/design_html.hpp"
+#include "equipoise/pages/given_machine.hpp"
+#include "equipoise/report/design_charts.hpp"
+#include "equipoise/report/design_report.hpp"
+#include "options.hpp"
+#include "progress.hpp"
+#include "result_forms.hpp"
+#include "streams.hpp"
+
+namespace equipoise::app {
+
+namespace {
+
+struct DesignArguments : ResultForms {
+  std::string study, best, cpu;
+  std::vector<std::string> overrides;
+  std::optional<std::string> seed, threads, trajectories;
+  bool quiet = false;
+};
+
+StudySource design_source(const DesignArguments& a) {
+  StudySource source{read_study_text(a.study), a.study, a.overrides};
+  override_starts(std::nullopt, a.seed, source.overrides);
+  if (a.trajectories) {
+    const auto n = option_number<std::uint64_t>("--trajectories", *a.trajectories, 1000, 1'000'000'000'000,
+                                                "a whole number from 1000 to 1000000000000");
+    source.overrides.push_back(fmt::format("design.trajectories={}", n));
+  }
+  return source;
+}
+
+int run_design(const DesignArguments& a) {
+  choose_cpu(a.cpu);
+  const StudySource source = design_source(a);
+  const DesignProblem problem(source);
+  check_forms(a);
+  require_ending("--best", a.best, ".toml");
+  require_writable("--best", a.best);
+  DesignOptions options;
+  options.output = a.output;
+  options.threads = threads_option(a.threads);
+  options.stop = &stop_flag();
+  ProgressLine progress(a.quiet);
+  options.progress = progress.listener();
+  const DesignResult result = design(problem, options);
+  progress.finish();
+  put_forms(
+      a, {[&] { return design_text(result); }, [&] { return design_json(result); }, [&] { return design_csv(result); },
+          [&](const std::string& file) { return chart_plot_script(design_title(result), design_charts(result), file); },
+          [&] { return design_html(result, given_machine(source.toml, source.name, source.overrides)); }});
+  if (!a.best.empty() && result.chosen) write_file(a.best, result.best_study);
+  if (result.partial) {
+    say_stopped(a.output);
+    return interrupted;
+  }
+  return result.feasible ? done : check_failed;
+}
+
+}  // namespace
+
+Command add_design(CLI::App& app) {
+  const auto a = std::make_shared<DesignArguments>();
+  app.add_option("study", a->study, "study file (TOML) with a [design]")->required()->type_name("STUDY");
+  app.add_option("--best", a->best, "write the chosen design as a study that every other command takes")
+      ->type_name("FILE.toml");
+  app.add_option("--trajectories", a->trajectories, "budget (default: design.trajectories, else 2000000)")
+      ->type_name("N");
+  app.add_option("--seed", a->seed, "seed of the starts, which are the same for all candidates")->type_name("S");
+  app.add_option("-o,--output", a->output,
+                 "all ensembles as NetCDF (.nc), kept as they come; the same command goes on from it")
+      ->type_name("FILE");
+  add_forms(app, *a, {"a line a member of the front (.csv)", "a picture (.png or .svg); drawn by gnuplot"});
+  app.add_option("--threads", a->threads, "threads (default: all cores)")->type_name("T");
+  add_overrides(app, a->overrides);
+  app.add_option("--cpu", a->cpu, "instruction set to use instead of the best (see --version)")->type_name("NAME");
+  app.add_flag("--quiet", a->quiet, "no progress");
+  return [a] { return run_design(*a); };
+}
+
+}  // namespace equipoise::app

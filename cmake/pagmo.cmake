@@ -1,0 +1,12 @@
+# The optimisers of designs: pagmo2, where it is found. EQUIPOISE_PAGMO becomes whether it is.
+option(EQUIPOISE_WITH_PAGMO "Use pagmo2 if it is found: CMA-ES and NSGA-II for equipoise design" ON)
+set(EQUIPOISE_PAGMO OFF)
+if(EQUIPOISE_WITH_PAGMO)
+  find_package(pagmo QUIET)
+  if(TARGET Pagmo::pagmo)
+    set(EQUIPOISE_PAGMO ON)
+    message(STATUS "Optimisers: pagmo ${pagmo_VERSION}")
+  else()
+    message(STATUS "Optimisers: pagmo2 not found; designs are searched at random, by Latin hypercubes or on grids")
+  endif()
+endif()

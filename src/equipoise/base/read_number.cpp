@@ -1,0 +1,88 @@
+// The standard library's way where it has one, and the C library's, on a text cut to what is a number.
+#include "equipoise/base/read_number.hpp"
+
+#include <cerrno>
+#include <charconv>
+#include <cstdlib>
+#include <string>
+#include <version>
+
+namespace equipoise {
+
+namespace {
+
+bool is_digit(char c) { return c >= '0' && c <= '9'; }
+
+const char* digits(const char* at, const char* end) {
+  while (at < end && is_digit(*at)) ++at;
+  return at;
+}
+
+// "inf", "infinity", "nan", "nan(word)", in either case.
+const char* word(const char* at, const char* end) {
+  const auto starts = [&](const char* letters) {
+    const char* here = at;
+    for (; *letters; ++letters, ++here)
+      if (here == end || (*here | 0x20) != *letters) return false;
+    return true;
+  };
+  if (starts("infinity")) return at + 8;
+  if (starts("inf")) return at + 3;
+  if (!starts("nan")) return at;
+  const char* close = at + 3;
+  if (close == end || *close != '(') return at + 3;
+  for (++close;
+       close < end && (is_digit(*close) || *close == '_' || ((*close | 0x20) >= 'a' && (*close | 0x20) <= 'z'));)
+    ++close;
+  return close < end && *close == ')' ? close + 1 : at + 3;
+}
+
+// Where a number that begins at `begin` ends; `begin` if there is none.
+const char* number_end(const char* begin, const char* end) {
+  const char* first = begin < end && *begin == '-' ? begin + 1 : begin;
+  const char* at = digits(first, end);
+  std::ptrdiff_t count = at - first;
+  if (at < end && *at == '.') {
+    const char* after = digits(at + 1, end);
+    count += after - at - 1;
+    if (count > 0) at = after;
+  }
+  if (count == 0) {
+    const char* after = word(first, end);
+    return after == first ? begin : after;
+  }
+  if (at < end && (*at | 0x20) == 'e') {
+    const char* power = at + 1;
+    if (power < end && (*power == '-' || *power == '+')) ++power;
+    const char* after = digits(power, end);
+    if (after > power) at = after;
+  }
+  return at;
+}
+
+}  // namespace
+
+NumberRead read_number_by_c(const char* begin, const char* end, double& value) {
+  const char* last = number_end(begin, end);
+  if (last == begin) return {begin, std::errc::invalid_argument};
+  const std::string text(begin, last);
+  const int before = errno;
+  errno = 0;
+  const double read = std::strtod(text.c_str(), nullptr);
+  const bool out_of_range = errno == ERANGE && (read == 0.0 || read > 1e300 || read < -1e300);
+  errno = before;
+  if (out_of_range) return {last, std::errc::result_out_of_range};
+  value = read;
+  return {last, std::errc()};
+}
+
+NumberRead read_number(const char* begin, const char* end, double& value) {
+#ifdef __cpp_lib_to_chars
+  const auto [after, error] = std::from_chars(begin, end, value);
+  return {after, error};
+#else
+  return read_number_by_c(begin, end, value);
+#endif
+}
+
+}  // namespace equipoise

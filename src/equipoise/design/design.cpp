@@ -1,0 +1,218 @@
+// Search, choice, check, margins.
+#include "equipoise/design/design.hpp"
+
+#include <algorithm>
+#include <chrono>
+#include <ctime>
+#include <memory>
+
+#include <fmt/format.h>
+
+#include "equipoise/base/parallel.hpp"
+#include "equipoise/base/reporting.hpp"
+#include "equipoise/basins/basin.hpp"
+#include "equipoise/design/ensembles.hpp"
+#include "equipoise/design/margins.hpp"
+#include "equipoise/design/race.hpp"
+#include "equipoise/design/search.hpp"
+#include "equipoise/design/standing.hpp"
+#include "equipoise/kernels/cpu_target.hpp"
+#include "equipoise/store/design_file.hpp"
+
+namespace equipoise {
+
+namespace {
+
+// Parts of the budget.
+constexpr double for_search = 0.65, for_choice = 0.1, for_check = 0.15, for_margins = 0.1;
+// Of one objective so many are followed on, and so many checked: one of them is chosen.
+constexpr std::size_t most_chosen_from = 16, most_checked = 4;
+constexpr std::size_t most_in_front = 24;
+// Starts of one ensemble: fewer would not tell a figure, more would not tell it usefully better.
+constexpr std::uint64_t fewest_starts = 500, most_starts = 100'000;
+
+class DesignRun {
+ public:
+  DesignRun(const DesignProblem& problem, const DesignOptions& options)
+      : problem_(problem), options_(options), standing_(problem.figures(), problem.objectives(), problem.limits()) {
+    result_.study = problem.study();
+    result_.variables = problem.variables();
+    for (const FigureSource& f : problem.figures()) result_.figures.push_back(f.figure);
+    result_.objectives = problem.objectives();
+    result_.limits = problem.limits();
+    result_.method = problem.method();
+    result_.budget = problem.trajectories();
+    result_.search_seed = problem.study().sampling.seed;
+    // Any other number: starts of different seeds share nothing.
+    result_.held_out_seed = (result_.search_seed + 1'000'003) & 0x7fffffffffffffff;
+    result_.identity = problem.identity();
+    result_.threads = thread_count(options.threads);
+    result_.cpu_target = cpu_target();
+  }
+
+  DesignResult run() {
+    const auto begin = std::chrono::steady_clock::now();
+    const std::clock_t cpu_begin = std::clock();
+    if (!options_.output.empty())
+      file_ = std::make_unique<DesignFile>(options_.output, result_.identity, most_ensembles());
+    ensembles_ = std::make_unique<DesignEnsembles>(problem_, options_, file_.get());
+    find();
+    result_.trajectories = ensembles_->trajectories();
+    result_.resumed = ensembles_->resumed();
+    if (result_.chosen) {
+      const DesignCandidate& best = result_.front[*result_.chosen];
+      result_.feasible = standing_.violation(best.best_known(), Side::worst) == 0.0;
+      result_.limited_by = design_limits_reached(problem_, standing_, best);
+      result_.best_study = to_toml(problem_.tree_of(best.settings));
+    }
+    result_.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+    result_.cpu_seconds = static_cast<double>(std::clock() - cpu_begin) / CLOCKS_PER_SEC;
+    if (file_ && !result_.partial) file_->finish(result_);
+    return std::move(result_);
+  }
+
+ private:
+  std::uint64_t part(double share) const {
+    return static_cast<std::uint64_t>(share * static_cast<double>(result_.budget));
+  }
+  static std::uint64_t each(std::uint64_t budget, std::size_t count) {
+    return std::clamp(budget / std::max<std::size_t>(count, 1), fewest_starts, most_starts);
+  }
+  // Every ensemble has so many starts at least; the last parts of the work may go beyond the budget where it is small.
+  std::size_t most_ensembles() const {
+    return static_cast<std::size_t>(2 * result_.budget / std::min(problem_.first_look(), fewest_starts)) + 1000;
+  }
+
+  void find() {
+    Race race(problem_, standing_, *ensembles_, part(for_search), result_.search_seed,
+              [this](const DesignCandidate* best) { tell(best); });
+    const SearchSpace space{problem_.dimensions(), result_.objectives.size(),
+                            std::max<std::uint64_t>(part(for_search) / (problem_.first_look() * 3 / 2), 8)};
+    search(problem_.method(), space, problem_.seed(),
+           [&](const std::vector<SearchPoint>& points) { return race.judge(points); });
+    result_.history = race.history();
+    std::vector<DesignCandidate> candidates = race.candidates();
+    result_.candidates = candidates.size();
+    result_.partial = ensembles_->stopped();
+    take_front(candidates, false);
+    try {
+      if (!result_.partial) choose(candidates);
+      if (!result_.partial) check();
+      if (!result_.partial) move();
+    } catch (const SearchOver&) {
+      result_.partial = true;
+    }
+  }
+
+  static std::vector<const DesignSample*> samples_of(const std::vector<DesignCandidate>& candidates) {
+    std::vector<const DesignSample*> samples;
+    for (const DesignCandidate& c : candidates) samples.push_back(&c.best_known());
+    return samples;
+  }
+
+  // Those that no other beats; `reserves`: of one objective a few that come next, too.
+  void take_front(const std::vector<DesignCandidate>& candidates, bool reserves) {
+    result_.front.clear();
+    result_.chosen.reset();
+    const auto samples = samples_of(candidates);
+    std::vector<std::size_t> places = reserves && result_.objectives.size() == 1
+                                          ? standing_.order(samples, Side::estimate)
+                                          : standing_.front(samples, Side::estimate);
+    if (reserves && result_.objectives.size() == 1 && places.size() > most_checked) places.resize(most_checked);
+    for (const std::size_t k : thinned(places)) result_.front.push_back(candidates[k]);
+    if (result_.front.empty()) return;
+    result_.chosen = result_.objectives.size() == 1 ? 0 : standing_.middle(samples_of(result_.front));
+  }
+
+  // Evenly along the first objective, both ends kept.
+  static std::vector<std::size_t> thinned(const std::vector<std::size_t>& places) {
+    if (places.size() <= most_in_front) return places;
+    std::vector<std::size_t> kept;
+    for (std::size_t k = 0; k < most_in_front; ++k)
+      kept.push_back(places[k * (places.size() - 1) / (most_in_front - 1)]);
+    return kept;
+  }
+
+  // More of the same starts for those that looked best.
+  void choose(const std::vector<DesignCandidate>& candidates) {
+    const auto samples = samples_of(candidates);
+    const bool one = result_.objectives.size() == 1;
+    std::vector<std::size_t> places =
+        one ? standing_.order(samples, Side::doubtful) : thinned(standing_.front(samples, Side::doubtful));
+    if (one && places.size() > most_chosen_from) places.resize(most_chosen_from);
+    std::vector<WantedSample> wanted;
+    std::vector<DesignCandidate> finalists;
+    const std::uint64_t starts = each(part(for_choice), places.size());
+    for (const std::size_t k : places) {
+      finalists.push_back(candidates[k]);
+      wanted.push_back({candidates[k].settings, std::max(starts, candidates[k].search.starts), result_.search_seed});
+    }
+    const std::vector<DesignSample> larger = ensembles_->run(wanted);
+    for (std::size_t k = 0; k < larger.size(); ++k) finalists[k].search = larger[k];
+    tell(nullptr);
+    take_front(finalists, true);
+  }
+
+  // On starts that the search did not see, the study as it is beside them.
+  void check() {
+    if (result_.front.empty()) return;
+    const std::uint64_t starts = each(part(for_check), result_.front.size() + 1);
+    std::vector<WantedSample> wanted{{{}, starts, result_.held_out_seed}};
+    for (const DesignCandidate& c : result_.front) wanted.push_back({c.settings, starts, result_.held_out_seed});
+    const std::vector<DesignSample> samples = ensembles_->run(wanted);
+    result_.before = samples.front();
+    for (std::size_t k = 0; k < result_.front.size(); ++k) result_.front[k].held_out = samples[k + 1];
+    tell(nullptr);
+    if (result_.objectives.size() == 1) {
+      // The search's choice stands, unless it proves to miss what must hold: who is picked by the held-out starts would
+      // look better on them than it is.
+      std::stable_sort(
+          result_.front.begin(), result_.front.end(), [&](const DesignCandidate& a, const DesignCandidate& b) {
+            return standing_.violation(*a.held_out, Side::worst) < standing_.violation(*b.held_out, Side::worst);
+          });
+      result_.front.resize(1);
+      result_.chosen = 0;
+    } else {
+      take_front(std::vector<DesignCandidate>(result_.front), false);
+    }
+  }
+
+  void move() {
+    if (!result_.chosen) return;
+    const std::uint64_t starts = each(part(for_margins), margin_points(problem_));
+    result_.margins =
+        design_margins(problem_, standing_, *ensembles_, result_.front[*result_.chosen], starts, result_.held_out_seed);
+  }
+
+  void tell(const DesignCandidate* best) {
+    if (!options_.progress) return;
+    const DesignFigure& first = result_.figures[result_.objectives.front()];
+    Progress progress{ensembles_->trajectories(), std::max(result_.budget, ensembles_->trajectories()), "trajectories",
+                      std::nullopt};
+    if (best && !best->search.figures.empty()) {
+      const double value = best->search.figures[result_.objectives.front()].value;
+      const bool kept = standing_.violation(best->search, Side::worst) == 0.0;
+      best_words_ = fmt::format("; best so far {} {:.4g}{}{}", first.name, value,
+                                first.unit.empty() ? "" : " " + first.unit, kept ? "" : ", requirements not met");
+    }
+    progress.what += best_words_;
+    options_.progress(progress);
+  }
+
+  const DesignProblem& problem_;
+  const DesignOptions& options_;
+  DesignStanding standing_;
+  DesignResult result_;
+  std::unique_ptr<DesignFile> file_;
+  std::unique_ptr<DesignEnsembles> ensembles_;
+  std::string best_words_;
+};
+
+}  // namespace
+
+DesignResult design(const DesignProblem& problem, const DesignOptions& options) {
+  const ChosenCpuTarget chosen(options.cpu_target);
+  return reported(options, [&](const DesignOptions& o) { return DesignRun(problem, o).run(); });
+}
+
+}  // namespace equipoise

@@ -1,0 +1,23 @@
+// Design: the best balancer and the best spin-up for a machine, as far as a budget of trajectories finds them.
+#pragma once
+
+#include <string>
+
+#include "equipoise/base/run_options.hpp"
+#include "equipoise/design/problem.hpp"
+#include "equipoise/results/design_result.hpp"
+
+namespace equipoise {
+
+/// Progress is in trajectories.
+struct DesignOptions : RunOptions {
+  std::string output;  ///< NetCDF file; an unfinished one of the same design is resumed, a finished one read
+};
+
+/// Searches with two thirds of the budget, all candidates on the same starts; follows the best with more of them;
+/// judges the front on starts that the search did not see; and moves the numbers of the chosen one, each by itself. The
+/// result depends on the problem alone. Stopped, it tells what the search has found by then. Throws InputError for
+/// unusable output files, RunError if the output fails later.
+DesignResult design(const DesignProblem& problem, const DesignOptions& options = {});
+
+}  // namespace equipoise

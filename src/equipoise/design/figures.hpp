@@ -1,0 +1,47 @@
+// The figures by which candidates are judged: their names, units, and what an ensemble says of them.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "equipoise/results/basin_result.hpp"
+#include "equipoise/results/design_result.hpp"
+#include "equipoise/study/units.hpp"
+
+namespace equipoise {
+
+/// A name as people write it, taken apart: "balanced" and "passed" (shares; more is better), "time_to_balance.Q" and
+/// "COLUMN.Q" (the Q-quantile over starts of a column of transient_columns), "ball_mass", "spin_up_time" and
+/// "acceleration" of the prescribed speed (less is better), or a number that is varied: "-balancer.mass" if less of it
+/// is better, "balancer.mass" if more is.
+struct FigureSource {
+  enum class Kind { balanced, passed, transient, time_to_balance, ball_mass, spin_up_time, acceleration, variable };
+  Kind kind = Kind::balanced;
+  std::size_t column = 0;  ///< of transient_columns
+  double quantile = 0.0;
+  std::string key;  ///< of the variable
+  std::optional<study::Dimension> dimension;
+  DesignFigure figure;
+
+  /// Whether starts need be followed where no balanced state attracts.
+  bool by_outcome() const { return kind == Kind::transient || kind == Kind::time_to_balance || kind == Kind::passed; }
+};
+
+/// What is wrong with the name, if anything, is left in `problem`: "must be ...".
+std::optional<FigureSource> figure_source(const std::string& name, const Study& study,
+                                          const std::vector<DesignVariable>& variables, std::string& problem);
+
+/// By name; of a study without units none.
+std::string figure_unit(const Study& study, std::optional<study::Dimension> dimension);
+/// What one of the figure's unit is worth without dimension.
+double unit_in_study(const Study& study, std::optional<study::Dimension> dimension);
+
+/// A sample of `basin`, run with keep_starts. `candidate`: its study.
+DesignSample sample_of(const std::vector<FigureSource>& sources, const BasinResult& basin, const Study& candidate,
+                       const std::vector<DesignSetting>& settings);
+/// Of one where no balanced state attracts, and none of whose figures asks for more than that.
+DesignSample sample_without_balance(const std::vector<FigureSource>& sources, std::uint64_t starts,
+                                    const Study& candidate, const std::vector<DesignSetting>& settings);
+
+}  // namespace equipoise

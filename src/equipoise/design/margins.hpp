@@ -1,0 +1,28 @@
+// How far the chosen candidate's numbers may be off, each by itself.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "equipoise/design/ensembles.hpp"
+#include "equipoise/design/problem.hpp"
+#include "equipoise/design/standing.hpp"
+#include "equipoise/results/design_result.hpp"
+
+namespace equipoise {
+
+/// Every number of the candidate, changed to either side by parts of its range, or to its other choices, on the
+/// held-out starts; of a spin-up each point's speed and time. By effect, the largest first. Throws SearchOver if
+/// stopped.
+std::vector<DesignMargin> design_margins(const DesignProblem& problem, const DesignStanding& standing,
+                                         DesignEnsembles& ensembles, const DesignCandidate& chosen,
+                                         std::uint64_t starts, std::uint64_t seed);
+/// Ensembles that these take.
+std::size_t margin_points(const DesignProblem& problem);
+
+/// In words: limits that are just kept or missed, and variables at an end of their range.
+std::vector<std::string> design_limits_reached(const DesignProblem& problem, const DesignStanding& standing,
+                                               const DesignCandidate& chosen);
+
+}  // namespace equipoise

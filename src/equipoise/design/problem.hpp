@@ -1,0 +1,64 @@
+// A study's [design] read and checked: what may be chosen, what is wanted, what must hold; and candidates as studies.
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "equipoise/design/figures.hpp"
+#include "equipoise/results/design_result.hpp"
+#include "equipoise/sweeps/sweep_plan.hpp"
+
+namespace equipoise {
+
+inline constexpr std::size_t most_design_variables = 20, most_design_objectives = 4, most_spin_up_points = 8;
+
+class DesignProblem {
+ public:
+  /// Throws InputError, naming the key, for a study without [design], unknown variables or figures, reversed ranges,
+  /// values that make no study, and what else cannot be met before any work.
+  explicit DesignProblem(const StudySource& source);
+
+  const Study& study() const { return study_; }
+  const std::vector<DesignVariable>& variables() const { return variables_; }
+  const std::vector<FigureSource>& figures() const { return figures_; }
+  const std::vector<std::size_t>& objectives() const { return objectives_; }
+  const std::vector<DesignLimit>& limits() const { return limits_; }
+  DesignMethod method() const { return method_; }  ///< never automatic
+  std::uint64_t trajectories() const { return trajectories_; }
+  std::uint64_t first_look() const { return first_look_; }  ///< starts of a candidate at first
+  std::uint64_t seed() const { return seed_; }              ///< of the search
+  /// Whether figures need the statistics of transients, or that starts are followed where no balanced state attracts.
+  bool transients() const;
+  bool by_outcome() const;
+
+  /// Coordinates of a candidate, each from 0 to 1.
+  std::size_t dimensions() const { return dimensions_; }
+  std::vector<DesignSetting> settings_at(std::span<const double> at) const;
+
+  /// The study with these, as a tree; without settings the study as it is.
+  StudyValue tree_of(const std::vector<DesignSetting>& settings) const;
+  /// The same for an ensemble of the search or its check. Throws InputError if it is none.
+  Study study_of(const std::vector<DesignSetting>& settings, std::uint64_t starts, std::uint64_t seed) const;
+
+  /// All that decides what stands in the results, as text.
+  std::string identity() const;
+
+ private:
+  void check_candidates() const;
+  void check_one(const std::vector<DesignSetting>& settings, const std::string& key, const std::string& text) const;
+
+  std::string name_;
+  StudyValue tree_;  ///< without [design]
+  Study study_;
+  std::vector<DesignVariable> variables_;
+  std::vector<FigureSource> figures_;
+  std::vector<std::size_t> objectives_;
+  std::vector<DesignLimit> limits_;
+  DesignMethod method_ = DesignMethod::automatic;
+  std::uint64_t trajectories_ = 0, first_look_ = 0, seed_ = 1;
+  std::size_t dimensions_ = 0;
+};
+
+}  // namespace equipoise

@@ -1,0 +1,52 @@
+// The search's judge: every candidate gets a first look, those that might win get more starts.
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <map>
+#include <string>
+#include <vector>
+
+#include "equipoise/design/ensembles.hpp"
+#include "equipoise/design/problem.hpp"
+#include "equipoise/design/search.hpp"
+#include "equipoise/design/standing.hpp"
+#include "equipoise/results/design_result.hpp"
+
+namespace equipoise {
+
+class Race {
+ public:
+  /// `budget`: trajectories after which it is over.
+  Race(const DesignProblem& problem, const DesignStanding& standing, DesignEnsembles& ensembles, std::uint64_t budget,
+       std::uint64_t seed, std::function<void(const DesignCandidate*)> told);
+
+  /// As a Judge: throws SearchOver when the budget is spent, when nothing new is proposed any more, or when stopped.
+  std::vector<SearchWorth> judge(const std::vector<SearchPoint>& points);
+
+  /// All that were looked at, each with its largest sample.
+  const std::vector<DesignCandidate>& candidates() const { return candidates_; }
+  const std::vector<DesignStep>& history() const { return history_; }
+
+ private:
+  std::size_t enter(const SearchPoint& point);
+  void look(const std::vector<std::size_t>& places, std::uint64_t starts);
+  std::vector<std::size_t> might_win(const std::vector<std::size_t>& places) const;
+  void raise(std::vector<std::size_t> places);
+  void take_into_leaders(std::size_t place);
+  void note_best();
+
+  const DesignProblem& problem_;
+  const DesignStanding& standing_;
+  DesignEnsembles& ensembles_;
+  std::uint64_t budget_, seed_;
+  std::function<void(const DesignCandidate*)> told_;
+  std::vector<DesignCandidate> candidates_;
+  std::map<std::string, std::size_t> places_;  // by text
+  std::vector<std::size_t> leaders_;           // that no other beats
+  std::vector<DesignStep> history_;
+  std::uint64_t looked_ = 0, raised_ = 0;  // trajectories
+  int idle_ = 0;                           // batches without anything new
+};
+
+}  // namespace equipoise

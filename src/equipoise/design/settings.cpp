@@ -1,0 +1,98 @@
+// Trees, numbers and texts of settings.
+#include "equipoise/design/settings.hpp"
+
+#include <charconv>
+#include <cmath>
+#include <string_view>
+
+#include <fmt/format.h>
+
+#include "equipoise/study/toml_tree.hpp"
+
+namespace equipoise {
+
+namespace {
+
+// What follows on the number.
+std::string_view behind_number(const std::string& text, double& number) {
+  const auto read = std::from_chars(text.data(), text.data() + text.size(), number);
+  std::string_view rest(read.ptr, text.data() + text.size() - read.ptr);
+  rest.remove_prefix(std::min(rest.find_first_not_of(' '), rest.size()));
+  return read.ec == std::errc() ? rest : std::string_view();
+}
+
+// The final speed has one name whatever the profile.
+std::string key_in(const StudyValue& tree, const std::string& key) {
+  const StudyValue* profile = key == "speed.final" ? tree.find_path("speed.profile") : nullptr;
+  return profile && profile->string() && *profile->string() == "constant" ? "speed.speed" : key;
+}
+
+StudyValue& table_in(StudyValue& tree, const std::string& dotted) {
+  StudyValue* table = &tree;
+  for (std::size_t begin = 0; begin < dotted.size();) {
+    const std::size_t dot = std::min(dotted.find('.', begin), dotted.size());
+    const std::string part = dotted.substr(begin, dot - begin);
+    StudyValue* inner = table->find(part);
+    table = inner && inner->table() ? inner : &table->set(part, StudyValue());
+    begin = dot + 1;
+  }
+  return *table;
+}
+
+}  // namespace
+
+double number_of(const StudyValue& value) {
+  double number = value.number();
+  if (const std::string* text = value.string()) behind_number(*text, number);
+  return number;
+}
+
+std::string unit_of_value(const StudyValue& value) {
+  double number = 0.0;
+  return value.string() ? std::string(behind_number(*value.string(), number)) : "";
+}
+
+StudyValue value_of(double number, const std::string& unit, bool whole) {
+  if (whole) return static_cast<std::int64_t>(std::llround(number));
+  const std::string digits = fmt::format("{:.6g}", number);
+  if (!unit.empty()) return digits + " " + unit;
+  std::from_chars(digits.data(), digits.data() + digits.size(), number);
+  return number;
+}
+
+std::string text_of(const StudyValue& value) {
+  StudyValue table{{"v", value}};
+  if (value.table()) {
+    std::string text;
+    for (const auto& [key, entry] : *value.table())
+      text += fmt::format("{}{} = {}", text.empty() ? "" : ", ", key, text_of(entry));
+    return text;
+  }
+  const std::string text = study::toml_text(StudyValue{{"t", table}});  // "[t]\nv = ...\n"
+  const std::size_t begin = text.find("v = ") + 4;
+  return text.substr(begin, text.size() - begin - 1);
+}
+
+std::string text_of(const std::vector<DesignSetting>& settings) {
+  std::string text;
+  for (const DesignSetting& s : settings)
+    text += fmt::format("{}{} = {}", text.empty() ? "" : "; ", s.key, text_of(s.value));
+  return text;
+}
+
+void set_in(StudyValue& tree, const std::vector<DesignSetting>& settings) {
+  for (const DesignSetting& s : settings) {
+    if (s.value.table()) {
+      tree.set(s.key, s.value);
+      continue;
+    }
+    const std::string key = key_in(tree, s.key);
+    const std::size_t dot = key.rfind('.');
+    StudyValue& table = table_in(tree, key.substr(0, dot));
+    table.set(key.substr(dot + 1), s.value);
+    if (key == "release.time") table.erase("speed");
+    if (key == "release.speed") table.erase("time");
+  }
+}
+
+}  // namespace equipoise

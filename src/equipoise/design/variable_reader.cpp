@@ -1,0 +1,178 @@
+// Ranges, choices and spin-ups.
+#include "equipoise/design/variable_reader.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include "equipoise/design/problem.hpp"
+#include "equipoise/design/settings.hpp"
+#include "equipoise/design/spin_up_shape.hpp"
+#include "equipoise/study/printable.hpp"
+#include "equipoise/study/units.hpp"
+
+namespace equipoise {
+
+namespace {
+
+using study::Dimension;
+
+constexpr const char* forms =
+    "must be [low, high], { range = [low, high], scale = \"log\" }, { choices = [..] }, or for \"speed\" "
+    "{ points = 2, until = 500.0, range = [0.0, 3.0], slope = 0.05 }; keys of a study stand in quotes";
+
+bool whole_number(const std::string& key) { return key == "balancer.balls"; }
+
+void read_range(const DesignEntry& entry, const StudyValue& written, DesignVariable& variable) {
+  const auto [low, high] = entry.range(written);
+  variable.low = low.value;
+  variable.high = high.value;
+  variable.unit = low.unit;
+  variable.whole = whole_number(variable.key);
+  if (variable.whole && (std::floor(variable.low) != variable.low || std::floor(variable.high) != variable.high))
+    entry.fail("must have whole numbers at both ends");
+}
+
+void read_choices(const DesignEntry& entry, const StudyValue& written, DesignVariable& variable) {
+  const StudyValue::Array* array = written.array();
+  if (!array || array->size() < 2) entry.fail("choices must be an array of two or more values");
+  for (const StudyValue& choice : *array) {
+    if (choice.table() || choice.array() || choice.other()) entry.fail("choices must be numbers, quantities or words");
+    for (const StudyValue& other : variable.choices)
+      if (text_of(other) == text_of(choice)) entry.fail(fmt::format("has {} twice", text_of(choice)));
+    variable.choices.push_back(choice);
+  }
+  variable.unit = unit_of_value(variable.choices.front());
+}
+
+// What one of the unit is worth without dimension.
+double unit_worth(const DesignEntry& entry, const Study& study, Dimension dimension, const std::string& unit) {
+  if (!study.scales) {
+    if (!unit.empty())
+      entry.fail(fmt::format("has the unit \"{}\"; must be plain numbers: this study has no units", unit));
+    return 1.0;
+  }
+  const study::Measured one = study::measure("1 " + unit, {dimension});
+  if (unit.empty() || !one.problem.empty())
+    entry.fail(
+        fmt::format("must be {}, such as \"{}\"", study::words(dimension).name, study::words(dimension).example));
+  return one.value / study::scale_of(dimension, *study.scales);
+}
+
+// "200 rpm/s" in the units of the speeds and times.
+double slope_in(const DesignEntry& entry, const Study& study, const WrittenNumber& slope, double speed, double time) {
+  if (!study.scales) return slope.value;
+  const std::size_t over = slope.unit.rfind('/');
+  if (over == std::string::npos) entry.fail("slope must be a speed of rotation a time, such as \"200 rpm/s\"");
+  return slope.value * unit_worth(entry, study, Dimension::speed, slope.unit.substr(0, over)) /
+         unit_worth(entry, study, Dimension::time, slope.unit.substr(over + 1)) / (speed / time);
+}
+
+void read_spin_up(const DesignEntry& entry, const Study& study, DesignVariable& variable) {
+  entry.allow_only({"points", "until", "range", "slope"});
+  if (study.speed.driven()) entry.fail("needs a prescribed speed; this rotor is driven by a motor (speed.profile)");
+  SpinUpShape shape;
+  const double points = entry.need("points", "a whole number").value;
+  if (!(points >= 1 && points <= most_spin_up_points && std::floor(points) == points))
+    entry.fail(fmt::format("points must be a whole number from 1 to {}", most_spin_up_points));
+  shape.points = static_cast<int>(points);
+  const WrittenNumber until = entry.need("until", "a time");
+  const StudyValue* range = entry.value().find("range");
+  if (!range) entry.fail("lacks range, the speeds of its points");
+  const auto [low, high] = entry.range(*range);
+  const double speed = unit_worth(entry, study, Dimension::speed, low.unit);
+  const double time = unit_worth(entry, study, Dimension::time, until.unit);
+  const model::SpeedProfile profile = study.speed_profile();
+  shape.until = until.value;
+  shape.time_unit = until.unit;
+  shape.low = low.value;
+  shape.high = high.value;
+  shape.initial = profile.ramp_function(0.0) / speed;
+  shape.final = profile.final_speed() / speed;
+  if (study.speed.profile == Profile::constant) shape.initial = 0.0;  // which it comes to from rest
+  if (study.speed.law != model::SpeedLaw::kinematic)
+    shape.law = speed_law_names[static_cast<std::size_t>(study.speed.law)];
+  if (entry.value().find("slope"))
+    shape.slope = slope_in(entry, study, entry.need("slope", "a change of speed in a time"), speed, time);
+  if (!(shape.until > 0.0)) entry.fail("until must be greater than 0");
+  if (shape.slope && !(*shape.slope > 0.0)) entry.fail("slope must be greater than 0");
+  for (const double end : {shape.initial, shape.final})
+    if (!(end >= shape.low && end <= shape.high))
+      entry.fail(fmt::format("range must hold the speeds that the spin-up begins and ends with, {:.6g} and {:.6g}",
+                             shape.initial, shape.final));
+  if (const double least = shortest_spin_up(shape); least > shape.until)
+    entry.fail(fmt::format("with this slope the final speed takes {:.6g}, longer than until", least));
+  variable.unit = low.unit;
+  variable.low = shape.low;
+  variable.high = shape.high;
+  variable.spin_up = shape;
+}
+
+}  // namespace
+
+void DesignEntry::fail(const std::string& problem) const {
+  const std::string dotted = table_ + "." + key_;
+  throw InputError(document_.where(table_, &value_), study::printable(dotted), document_.value_text(dotted, value_),
+                   problem);
+}
+
+void DesignEntry::allow_only(std::initializer_list<std::string_view> members) const {
+  for (const auto& [name, value] : *value_.table())
+    if (std::find(members.begin(), members.end(), name) == members.end())
+      fail(fmt::format("has an unknown entry \"{}\"; {}", study::printable(name), forms));
+}
+
+std::optional<WrittenNumber> DesignEntry::number(const StudyValue& written) const {
+  if (!written.is_number() && !written.string()) return std::nullopt;
+  const WrittenNumber number{number_of(written), unit_of_value(written)};
+  if (!std::isfinite(number.value) || (written.string() && number.unit.empty())) return std::nullopt;
+  return number;
+}
+
+WrittenNumber DesignEntry::need(std::string_view member, const char* wanted) const {
+  const StudyValue* written = value_.find(member);
+  const auto found = written ? number(*written) : std::nullopt;
+  if (!found) fail(fmt::format("{} must be {}", member, wanted));
+  return *found;
+}
+
+std::array<WrittenNumber, 2> DesignEntry::range(const StudyValue& written) const {
+  const StudyValue::Array* ends = written.array();
+  if (!ends || ends->size() != 2) fail(forms);
+  const auto low = number((*ends)[0]), high = number((*ends)[1]);
+  if (!low || !high) fail("must have numbers, or quantities with their units, at both ends");
+  if (low->unit != high->unit)
+    fail(fmt::format("mixes the units \"{}\" and \"{}\"; must be one", low->unit, high->unit));
+  if (!(low->value < high->value)) fail("is reversed or empty; the first end must be below the second");
+  return {*low, *high};
+}
+
+DesignVariable read_variable(const DesignEntry& entry, const Study& study) {
+  DesignVariable variable;
+  variable.key = entry.key();
+  const StudyValue& value = entry.value();
+  if (!value.table()) {
+    if (variable.key == "speed") entry.fail(forms);
+    read_range(entry, value, variable);
+  } else if (variable.key == "speed") {
+    read_spin_up(entry, study, variable);
+  } else if (const StudyValue* choices = value.find("choices")) {
+    entry.allow_only({"choices"});
+    read_choices(entry, *choices, variable);
+  } else if (const StudyValue* range = value.find("range")) {
+    entry.allow_only({"range", "scale"});
+    read_range(entry, *range, variable);
+    const StudyValue* scale = value.find("scale");
+    const std::string* word = scale ? scale->string() : nullptr;
+    if (scale && (!word || (*word != "log" && *word != "linear"))) entry.fail("scale must be \"log\" or \"linear\"");
+    variable.logarithmic = word && *word == "log";
+    if (variable.logarithmic && !(variable.low > 0.0)) entry.fail("must begin above 0 where the scale is \"log\"");
+  } else {
+    entry.fail(forms);
+  }
+  return variable;
+}
+
+}  // namespace equipoise

@@ -1,0 +1,45 @@
+// [design.vary] and [design.require] as people write them.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "equipoise/results/design_result.hpp"
+#include "equipoise/study/table_reader.hpp"
+
+namespace equipoise {
+
+/// A number or a quantity as it was written.
+struct WrittenNumber {
+  double value = 0.0;
+  std::string unit;  ///< empty: a plain one
+};
+
+/// One entry of a table of the design, with errors that name it.
+class DesignEntry {
+ public:
+  DesignEntry(const study::Document& document, std::string table, std::string key, const StudyValue& value)
+      : document_(document), table_(std::move(table)), key_(std::move(key)), value_(value) {}
+
+  const std::string& key() const { return key_; }
+  const StudyValue& value() const { return value_; }
+  [[noreturn]] void fail(const std::string& problem) const;
+  /// Of a table: fails for a member that is none of these.
+  void allow_only(std::initializer_list<std::string_view> members) const;
+  std::optional<WrittenNumber> number(const StudyValue& written) const;
+  /// Of a table: the member, which must be a number of this kind.
+  WrittenNumber need(std::string_view member, const char* wanted) const;
+  /// Two of one unit, the first below the second.
+  std::array<WrittenNumber, 2> range(const StudyValue& written) const;
+
+ private:
+  const study::Document& document_;
+  std::string table_, key_;
+  const StudyValue& value_;
+};
+
+/// `study`: the one that is varied, whose speeds a spin-up begins and ends with.
+DesignVariable read_variable(const DesignEntry& entry, const Study& study);
+
+}  // namespace equipoise

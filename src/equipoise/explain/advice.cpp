@@ -1,0 +1,297 @@
+// What each rule of thumb says of a study, beside what linear theory knows.
+#include "equipoise/explain/advice.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+#include <string>
+
+#include <fmt/format.h>
+
+#include "equipoise/base/angles.hpp"
+#include "equipoise/explain/balanced_motion.hpp"
+#include "equipoise/explain/rules_of_thumb.hpp"
+#include "equipoise/model/strobe.hpp"
+
+namespace equipoise {
+
+namespace {
+using study::Dimension;
+
+constexpr double quiet_from =
+    1.4142135623730951;  // critical speeds: where a bare rotor shakes by twice its eccentricity
+
+void add(RuleOfThumb& rule, const char* symbol, const std::string& name, double value, std::optional<Dimension> d) {
+  if (std::isfinite(value)) rule.figures.push_back({symbol, name, value, d});
+}
+
+double lowest(const std::array<double, 2>& pair) { return std::min(pair[0], pair[1]); }
+double highest(const std::array<double, 2>& pair) { return std::max(pair[0], pair[1]); }
+
+// The rotor that linear theory knows: the study's own, or the nearest one whose balls rest in balance.
+struct NearBalance {
+  model::Parameters parameters;
+  double speed;
+  std::array<double, model::max_balls> angles;
+  bool family;
+  std::string less;  // what was left out: "; without gravity"
+};
+
+std::optional<NearBalance> near_balance(const Explanation& e, std::string& why_not) {
+  const model::Parameters& own = e.study.parameters;
+  if (!e.speed)
+    why_not = "the motor, not the study, sets the final speed";
+  else if (std::abs(*e.speed) <= lowest(e.critical_with_balls))
+    why_not = "at or below the critical speed balls gather on the heavy side, whatever their drag";
+  if (!why_not.empty()) return std::nullopt;
+  const double speed = std::abs(*e.speed);
+  const model::Parameters p = model::centred_twin(model::weakened(own, 0.0), speed).parameters;
+  const model::BalancedStates states = model::balanced_states(p);
+  const auto angles = balanced_angles(states, p);
+  if (!angles) {
+    why_not = states.reason.empty() ? "no balanced state was found" : states.reason;
+    return std::nullopt;
+  }
+  std::string less;
+  if (own.gravity != 0.0) less += "; without gravity";
+  if (!own.isotropic()) less += "; with the mean of x and y";
+  if (!own.race_is_centred()) less += "; with a centred race";
+  return NearBalance{p, speed, *angles, states.kind == model::BalancedStates::Kind::family, less};
+}
+
+RuleOfThumb ball_mass(const Explanation& e, const std::vector<double>& width) {
+  const model::Parameters& p = e.study.parameters;
+  RuleOfThumb rule{"ball_mass", "ball mass", "lambda <= mu sin(n delta/2)/sin(delta/2), of points n mu",
+                   "docs/rules-of-thumb.md, Ball mass; Existence in docs/equations.md"};
+  const double most =
+      std::accumulate(width.begin(), width.end(), 0.0) > two_pi ? e.largest_unbalance : rules::most_cancelled(p, width);
+  const double lambda = p.eccentricity;
+  rule.kept = lambda <= most && lambda >= e.least_unbalance;
+  rule.words = lambda > most                ? "the balls cannot cancel the unbalance"
+               : lambda < e.least_unbalance ? "one ball outweighs the others and the unbalance"
+                                            : "the balls can cancel the unbalance";
+  add(rule, "", "most that they cancel side by side", most, Dimension::unbalance);
+  add(rule, "", "least that they cancel", e.least_unbalance, Dimension::unbalance);
+  add(rule, "", "unbalance", lambda, Dimension::unbalance);
+  if (p.balls == 2 && p.equal_balls() && lambda > 0.0)
+    add(rule, "", "mass of each ball that settles fastest, lambda/sqrt(2)", lambda / std::sqrt(2.0), Dimension::mass);
+  return rule;
+}
+
+RuleOfThumb critical_speeds(const Explanation& e) {
+  const model::Parameters& p = e.study.parameters;
+  RuleOfThumb rule{"critical_speed", "critical speed", "Omega >= sqrt(2) sqrt(kappa/(1 + N))",
+                   "docs/rules-of-thumb.md, Critical speeds; Clamped balls in docs/equations.md"};
+  const std::array<double, 2>& critical = e.critical_with_balls;
+  const bool one = p.isotropic();
+  for (int d = 0; d < (one ? 1 : 2); ++d) {
+    const std::string direction = one ? "" : d == 0 ? ", x" : ", y";
+    add(rule, "", "critical speed with the balls" + direction, critical[static_cast<std::size_t>(d)], Dimension::speed);
+    if (const auto peak = rules::speed_of_largest_vibration(p, d))
+      add(rule, "", "largest vibration" + direction + ", of held balls", *peak, Dimension::speed);
+  }
+  if (p.gravity > 0.0)
+    add(rule, "", "balls shake twice a turn by their weight, resonance at", 0.5 * lowest(critical), Dimension::speed);
+  const double least = quiet_from * highest(critical);
+  add(rule, "", "run above", least, Dimension::speed);
+  if (!e.speed) {
+    rule.words = "the motor, not the study, sets the final speed";
+    return rule;
+  }
+  rule.kept = std::abs(*e.speed) >= least;
+  rule.words = *rule.kept ? "far enough above resonance" : "near or below resonance";
+  if (!one && std::abs(*e.speed) > lowest(critical) && std::abs(*e.speed) < highest(critical))
+    rule.words = "between the critical speeds of x and y, where balls have no side to gather on";
+  return rule;
+}
+
+// The least angle between neighbours at these angles.
+double least_spacing(const std::array<double, model::max_balls>& angles, int balls) {
+  double least = two_pi;
+  for (int i = 0; i < balls; ++i)
+    for (int k = 0; k < i; ++k)
+      least = std::min(least, std::abs(std::remainder(
+                                  angles[static_cast<std::size_t>(i)] - angles[static_cast<std::size_t>(k)], two_pi)));
+  return least;
+}
+
+RuleOfThumb room(const Explanation& e, const std::vector<double>& width) {
+  const model::Parameters& p = e.study.parameters;
+  RuleOfThumb rule{"room", "room in the race", "sum of 2 asin(d_i/(2 R)) <= 2 pi",
+                   "docs/rules-of-thumb.md, Room in the race; Contact in docs/equations.md"};
+  if (width.empty()) {
+    rule.words = "the study does not give the balls' size";
+    return rule;
+  }
+  const double all = std::accumulate(width.begin(), width.end(), 0.0),
+               widest = *std::max_element(width.begin(), width.end());
+  rule.kept = all <= two_pi;
+  rule.words = *rule.kept ? "the balls fit into the race" : "the balls do not fit into the race";
+  add(rule, "", "angle between touching balls, 2 asin(d/(2 R))", widest, Dimension::angle);
+  add(rule, "", "balls of this size that fit", std::floor(two_pi / widest * (1.0 + 1e-12)), std::nullopt);
+  add(rule, "", "part of the race that they fill", all / two_pi, std::nullopt);
+  // Of three balls and more there are many balanced states, and among them such with room whenever rule ball_mass
+  // holds.
+  if (p.balls != 2 || e.balanced.kind != model::BalancedStates::Kind::isolated) return rule;
+  const double spacing = least_spacing(e.balanced.angles.front(), p.balls), touching = 0.5 * (width[0] + width[1]);
+  add(rule, "", "angle between them in balance", spacing, Dimension::angle);
+  if (spacing < touching) {
+    rule.kept = false;
+    rule.words = "in balance the balls would overlap";
+  }
+  return rule;
+}
+
+// Factors from a drag to the quantities that are shown of it.
+void add_drag(RuleOfThumb& rule, const Explanation& e, const std::string& name, double beta) {
+  add(rule, "beta", name, beta, std::nullopt);
+  if (e.study.scales && e.study.parameters.equal_balls())
+    add(rule, "D", name, beta * e.study.parameters.mass[0], Dimension::gain);
+}
+
+RuleOfThumb drag(const Explanation& e) {
+  RuleOfThumb rule{"drag", "ball drag",
+                   "beta_s/2 <= beta <= 2 beta_s, beta_s = 2 sqrt(s k_b); beta >= N omega^3/(zeta (Omega - omega))",
+                   "docs/rules-of-thumb.md, Ball drag; Linearisation in docs/equations.md"};
+  std::string why_not;
+  const auto near = near_balance(e, why_not);
+  if (!near) {
+    rule.words = why_not;
+    return rule;
+  }
+  const double own = rules::mean_drag(near->parameters);
+  const double stiffness = rules::ball_stiffness(near->parameters, near->speed, near->angles.data());
+  if (stiffness <= 0.0) {
+    rule.words = "nothing brings the balls of this balanced state back: all lie on one line";
+    return rule;
+  }
+  const double best = rules::settling_drag(near->parameters, stiffness);
+  double from = rules::least_of_settling_drag * best, to = rules::most_of_settling_drag * best;
+  add_drag(rule, e, "from", from);
+  add_drag(rule, e, "to", to);
+  bool unstable = false;
+  if (own > 0.0) {
+    // Drags a thousand times less and more than either: nobody has a choice of more.
+    const double low = std::min(best, own) / (1e3 * own), high = std::max(best, own) * 1e3 / own;
+    const DragScan scan(near->parameters, near->speed, near->angles, near->family);
+    if (const auto range = scan.range(rules::settling_share, low, high)) {
+      from = range->low * own;
+      to = range->high * own;
+      add_drag(rule, e, "from, by linear theory", from);
+      add_drag(rule, e, "fastest, by linear theory", range->best * own);
+      add_drag(rule, e, "to, by linear theory", to);
+    } else {
+      unstable = true;
+    }
+  }
+  rule.kept = own >= from && own <= to && !unstable;
+  rule.words = unstable     ? "by linear theory no drag makes balance stable"
+               : own < from ? "too little: near balance the balls ring"
+               : own > to   ? "too much: near balance the balls creep"
+                            : "near balance the balls neither ring nor creep";
+  rule.words += near->less;
+  const double against = rules::drag_against_capture(e.study.parameters, near->speed);
+  add_drag(rule, e, "below it balls may lag at the critical speed", against);
+  if (own < against) rule.words += "; on the way up they may lag behind at the critical speed";
+  return rule;
+}
+
+RuleOfThumb settling(const Explanation& e) {
+  RuleOfThumb rule{"settling", "settling near balance",
+                   "slower decay of s q'' + beta q' + k_b q = 0 and (1 + N) r'' + zeta r' + kappa r = 0",
+                   "docs/rules-of-thumb.md, Settling; Linearisation in docs/equations.md"};
+  std::string why_not;
+  const auto near = near_balance(e, why_not);
+  if (!near) {
+    rule.words = why_not;
+    return rule;
+  }
+  const double stiffness = rules::ball_stiffness(near->parameters, near->speed, near->angles.data());
+  const double time = rules::settling_time(near->parameters, std::max(stiffness, 0.0));
+  rule.words = "a deviation falls to 1/e" + near->less;
+  if (!std::isfinite(time)) rule.words = "without drag or without damping nothing settles";
+  if (e.study.parameters.balls_stick()) rule.words += "; friction holds balls before they are there";
+  add(rule, "", "by the rule", time, Dimension::time);
+  const double rate = DragScan(near->parameters, near->speed, near->angles, near->family).slowest(1.0);
+  if (rate < -least_rate)
+    add(rule, "", "by linear theory", -1.0 / rate, Dimension::time);
+  else
+    rule.words += "; linear theory: not at all, balance is unstable";
+  return rule;
+}
+
+// What the motor gives at this speed while it still speeds up; none if the study does not bound it.
+std::optional<double> torque_at(const Study& study, double speed) {
+  const TorqueSetting& t = study.speed.torque;
+  using Kind = model::MotorLaw::Kind;
+  if (t.by_stall) return t.stall * (1.0 - speed / t.no_load_speed);
+  if (t.kind == Kind::linear) return t.constant + t.slope * speed;
+  if (t.kind == Kind::table) return *std::max_element(t.values.begin(), t.values.end());
+  if (t.integral != 0.0) return t.limit;  // the integral grows until the rotor is through, or the limit holds it
+  const double given = t.gain * (study.motor().target.final_speed() - speed);
+  return t.limit ? std::min(given, *t.limit) : given;
+}
+
+RuleOfThumb torque(const Explanation& e) {
+  const model::Parameters& p = e.study.parameters;
+  RuleOfThumb rule{"torque", "motor torque",
+                   "tau(omega) >= (lambda + N)^2 omega^3/zeta, half of it where x and y differ",
+                   "docs/rules-of-thumb.md, Torque; [Som], [Kon]"};
+  const double critical = highest(e.critical_with_balls), first = lowest(e.critical_with_balls);
+  const auto need = [&](double unbalance) {
+    return std::max(rules::shaking_torque(p, unbalance, first), rules::shaking_torque(p, unbalance, critical));
+  };
+  const double alone = need(p.eccentricity), together = need(p.all_unbalances());
+  if (e.speed && std::abs(*e.speed) <= first) {
+    rule.words = "the final speed is below the critical speed";
+    return rule;
+  }
+  if (!std::isfinite(together)) {
+    rule.words = "without damping no torque holds against resonance: only a fast run-up passes";
+    return rule;
+  }
+  add(rule, "tau", "taken at resonance with all balls on the heavy side", together, Dimension::torque);
+  add(rule, "tau", "taken at resonance by the rotor's own unbalance", alone, Dimension::torque);
+  if (!e.study.speed.driven()) {
+    rule.words = "the study prescribes the speed; a motor would need as much, besides what speeds the rotor up";
+    return rule;
+  }
+  const auto given = torque_at(e.study, critical);
+  if (!given) {
+    rule.kept = true;
+    rule.words = "the motor's integral part has no limit";
+    return rule;
+  }
+  add(rule, "tau", "given by the motor at the critical speed", *given, Dimension::torque);
+  rule.words = "enough however slowly it passes, wherever the balls are";
+  if (*given >= together) {
+    rule.kept = true;
+  } else if (*given < alone) {
+    rule.kept = false;
+    rule.words = "less than the rotor's own unbalance takes: it stalls unless it comes with momentum";
+  } else {
+    rule.words = "whether it is enough hangs on where the balls are";
+  }
+  return rule;
+}
+
+}  // namespace
+
+std::vector<double> ball_widths(const Study& study, const BallDetails& balls) {
+  const model::Parameters& p = study.parameters;
+  const auto count = static_cast<std::size_t>(p.balls);
+  std::vector<double> widths;
+  if (!balls.diameter.empty() && study.scales)
+    for (const double d : balls.diameter) widths.push_back(2.0 * std::asin(0.5 * d / study.scales->length));
+  else if (p.balls_collide())
+    widths.assign(count, p.contact_angle);
+  else if (p.rolls)
+    for (std::size_t i = 0; i < count; ++i) widths.push_back(2.0 * std::asin(p.ball_radius[i]));
+  return widths;
+}
+
+std::vector<RuleOfThumb> advice(const Explanation& e, const std::vector<double>& ball_width) {
+  return {ball_mass(e, ball_width), critical_speeds(e), room(e, ball_width), drag(e), settling(e), torque(e)};
+}
+
+}  // namespace equipoise

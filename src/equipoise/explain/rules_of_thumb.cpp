@@ -1,0 +1,94 @@
+// The formulas of docs/rules-of-thumb.md.
+#include "equipoise/explain/rules_of_thumb.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <complex>
+#include <deque>
+#include <limits>
+#include <numeric>
+
+namespace equipoise::rules {
+
+namespace {
+
+double mean(const std::array<double, 2>& pair) { return 0.5 * (pair[0] + pair[1]); }
+
+// Decay of m s'' + c s' + k s = 0: of its slower part.
+double decay(double m, double c, double k) { return (c - std::sqrt(std::max(0.0, c * c - 4.0 * m * k))) / (2.0 * m); }
+
+}  // namespace
+
+double most_cancelled(const model::Parameters& p, const std::vector<double>& width) {
+  if (width.empty()) return p.total_mass();
+  std::vector<std::size_t> by_mass(static_cast<std::size_t>(p.balls));
+  std::iota(by_mass.begin(), by_mass.end(), std::size_t{0});
+  std::stable_sort(by_mass.begin(), by_mass.end(), [&](auto a, auto b) { return p.mass[a] > p.mass[b]; });
+  std::deque<std::size_t> row;
+  for (std::size_t k = 0; k < by_mass.size(); ++k) k % 2 ? row.push_back(by_mass[k]) : row.push_front(by_mass[k]);
+  std::complex<double> sum;
+  double begin = 0.0;
+  for (const std::size_t i : row) {
+    sum += std::polar(p.mass[i], begin + 0.5 * width[i]);
+    begin += width[i];
+  }
+  return std::abs(sum);
+}
+
+std::array<double, 2> critical_speeds(const model::Parameters& p) {
+  const double mass = 1.0 + p.total_mass();
+  return {std::sqrt(p.stiffness[0] / mass), std::sqrt(p.stiffness[1] / mass)};
+}
+
+std::optional<double> speed_of_largest_vibration(const model::Parameters& p, int direction) {
+  const auto d = static_cast<std::size_t>(direction);
+  const double part = p.damping[d] * p.damping[d] / (2.0 * (1.0 + p.total_mass()) * p.stiffness[d]);
+  if (part >= 1.0) return std::nullopt;
+  return critical_speeds(p)[d] / std::sqrt(1.0 - part);
+}
+
+double shaking_torque(const model::Parameters& p, double unbalance, double speed) {
+  const double mass = 1.0 + p.total_mass();
+  double sum = 0.0;
+  for (std::size_t d = 0; d < 2; ++d) {
+    const double spring = p.stiffness[d] - mass * speed * speed, damper = p.damping[d] * speed;
+    const double left = spring * spring + damper * damper;
+    // A critical speed is one up to a few roundings.
+    if (damper == 0.0 && std::abs(spring) < 1e-14 * p.stiffness[d]) return std::numeric_limits<double>::infinity();
+    sum += p.damping[d] / left;
+  }
+  return 0.5 * unbalance * unbalance * std::pow(speed, 5) * sum;
+}
+
+double drag_against_capture(const model::Parameters& p, double speed) {
+  const std::array<double, 2> critical = critical_speeds(p);
+  const double lowest = std::min(critical[0], critical[1]), all = p.total_mass();
+  return shaking_torque(p, all, lowest) / (all * (speed - lowest));
+}
+
+double ball_stiffness(const model::Parameters& p, double speed, const double* phi) {
+  std::complex<double> doubled;
+  for (int i = 0; i < p.balls; ++i) doubled += std::polar(p.mass[static_cast<std::size_t>(i)], 2.0 * phi[i]);
+  const double slower = 0.5 * (p.total_mass() - std::abs(doubled));
+  const double square = speed * speed, spring = (1.0 + p.total_mass()) * square - mean(p.stiffness);
+  const double damper = mean(p.damping) * speed;
+  return slower * square * square * spring / (spring * spring + damper * damper);
+}
+
+double settling_drag(const model::Parameters& p, double stiffness) {
+  return 2.0 * std::sqrt(p.inertia_along_race() * stiffness);
+}
+
+double settling_time(const model::Parameters& p, double stiffness) {
+  const double balls = decay(p.inertia_along_race(), mean_drag(p), stiffness);
+  const double rotor = decay(1.0 + p.total_mass(), mean(p.damping), mean(p.stiffness));
+  return 1.0 / std::min(balls, rotor);
+}
+
+double mean_drag(const model::Parameters& p) {
+  double sum = 0.0;
+  for (std::size_t i = 0; i < static_cast<std::size_t>(p.balls); ++i) sum += p.mass[i] * p.drag[i];
+  return sum / p.total_mass();
+}
+
+}  // namespace equipoise::rules

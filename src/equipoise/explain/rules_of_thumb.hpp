@@ -1,0 +1,48 @@
+// Rules of thumb for rotors with ball balancers, each a formula: docs/rules-of-thumb.md derives them and says how often
+// each is right.
+#pragma once
+
+#include <array>
+#include <optional>
+#include <vector>
+
+#include "equipoise/model/parameters.hpp"
+
+namespace equipoise::rules {
+
+/// The most that balls side by side cancel, the heaviest in the middle; `width`: the angle that each takes up in the
+/// race, seen from its centre. Equal balls: mu sin(n delta/2)/sin(delta/2); of no width: the sum of all.
+double most_cancelled(const model::Parameters& p, const std::vector<double>& width);
+
+/// sqrt(kappa/(1 + N)), by direction.
+std::array<double, 2> critical_speeds(const model::Parameters& p);
+
+/// Where a rotor whose balls are held shakes most in a direction; none if damping leaves it no such speed.
+std::optional<double> speed_of_largest_vibration(const model::Parameters& p, int direction);
+
+/// The torque that shaking takes from the motor at constant `speed`, in the mean, the rotor as one body with this
+/// unbalance. Exact for balls that are held. Infinite at an undamped critical speed.
+double shaking_torque(const model::Parameters& p, double unbalance, double speed);
+
+/// The drag below which all balls together may stay at the lowest critical speed while the rotor turns at `speed`:
+/// shaking takes from them there what drag gives. Mean of the balls by mass. `speed` is above that critical speed.
+double drag_against_capture(const model::Parameters& p, double speed);
+
+/// Balls near balance as pendulums in the field that a rotor above its critical speed makes them: stiffness of the
+/// slower one of their two ways, over the ball's mass. Not above 0 at or below the critical speed. `phi`: of a
+/// balanced state. Means of supports that differ.
+double ball_stiffness(const model::Parameters& p, double speed, const double* phi);
+
+/// The drag with which that pendulum is damped critically.
+double settling_drag(const model::Parameters& p, double stiffness);
+/// From half of settling_drag() to twice it such a pendulum settles at no less than a quarter of its fastest rate.
+inline constexpr double least_of_settling_drag = 0.5, most_of_settling_drag = 2.0, settling_share = 0.25;
+
+/// Time in which a deviation from balance falls to 1/e: of that pendulum or of the rotor on its supports, the longer
+/// one. Infinite without any damping.
+double settling_time(const model::Parameters& p, double stiffness);
+
+/// sum mu_i beta_i / N.
+double mean_drag(const model::Parameters& p);
+
+}  // namespace equipoise::rules

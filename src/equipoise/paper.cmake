@@ -1,0 +1,44 @@
+# Wright and Peng (2019): what they printed, and everything of it computed again; and what both libraries carry inside.
+add_library(equipoise_paper
+  literature/conclusions.cpp literature/published_tables.cpp literature/reproduction.cpp
+    literature/table_7_candidates.cpp
+  reproduction/open_questions.cpp reproduction/paper_figures.cpp reproduction/reproduce.cpp
+    reproduction/reproduction.cpp reproduction/reproduction_charts.cpp reproduction/reproduction_document.cpp
+    reproduction/reproduction_words.cpp reproduction/table_7.cpp reproduction/whole_paper.cpp
+)
+add_library(equipoise::paper ALIAS equipoise_paper)
+set_target_properties(equipoise_paper PROPERTIES EXPORT_NAME paper)
+
+# What the libraries carry inside themselves: how pages look and move; the published tables and the studies of their rows.
+include(${PROJECT_SOURCE_DIR}/cmake/embed.cmake)
+set(page_files "")
+foreach(name document.css document.js sheet.css)
+  list(APPEND page_files ${name}=${CMAKE_CURRENT_SOURCE_DIR}/drawing/${name})
+endforeach()
+include(${PROJECT_SOURCE_DIR}/cmake/plotly.cmake)
+if(EQUIPOISE_PLOTLY)
+  list(APPEND page_files plotly.js=${EQUIPOISE_PLOTLY})
+endif()
+equipoise_embed(OUTPUT ${CMAKE_CURRENT_BINARY_DIR}/page_files.cpp ARCHIVE page_files FILES ${page_files})
+target_sources(equipoise PRIVATE ${CMAKE_CURRENT_BINARY_DIR}/page_files.cpp)
+set(paper_files "")
+file(GLOB published CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/studies/paper/published/*.csv)
+file(GLOB studies CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/studies/paper/*.toml)
+foreach(path IN LISTS published)
+  get_filename_component(name ${path} NAME)
+  list(APPEND paper_files published/${name}=${path})
+endforeach()
+foreach(path IN LISTS studies)
+  get_filename_component(name ${path} NAME)
+  list(APPEND paper_files studies/${name}=${path})
+endforeach()
+list(APPEND paper_files
+  evidence/table-7-candidates.csv=${PROJECT_SOURCE_DIR}/docs/evidence/table-7-candidates.csv)
+equipoise_embed(OUTPUT ${CMAKE_CURRENT_BINARY_DIR}/paper_files.cpp ARCHIVE paper_files FILES ${paper_files})
+target_sources(equipoise_paper PRIVATE ${CMAKE_CURRENT_BINARY_DIR}/paper_files.cpp)
+
+target_link_libraries(equipoise_paper PUBLIC equipoise PRIVATE
+  TBB::tbb fmt::fmt $<BUILD_INTERFACE:nlohmann_json::nlohmann_json>)
+target_compile_options(equipoise_paper PRIVATE -Wall -Wextra -Wshadow -Wnon-virtual-dtor $<$<CONFIG:Release>:-O1>)
+set_target_properties(equipoise_paper PROPERTIES UNITY_BUILD ON UNITY_BUILD_BATCH_SIZE 5)
+equipoise_precompile(equipoise_paper <Eigen/Core> <fmt/format.h>)

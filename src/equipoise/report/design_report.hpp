@@ -1,0 +1,31 @@
+// Designs as text and JSON.
+#pragma once
+
+#include <cstddef>
+#include <string>
+
+#include "equipoise/results/design_result.hpp"
+
+namespace equipoise {
+
+/// For a terminal: the front, the chosen design beside the study as it is, its margins, what limits it.
+std::string design_text(const DesignResult& result);
+/// One JSON object; figures are in the units of "units", shares are fractions of one, what has no end is null.
+std::string design_json(const DesignResult& result);
+/// A line a member of the front.
+std::string design_csv(const DesignResult& result);
+
+/// What the answer is, in a sentence or two.
+std::string design_answer(const DesignResult& result);
+
+/// "99.62 %", "0.31 mm", and with its interval "99.62 % (99.50 to 99.71 %)".
+std::string estimate_text(const DesignFigure& figure, double value);
+std::string estimate_with_interval(const DesignFigure& figure, const DesignEstimate& estimate);
+/// "below 0.3 mm".
+std::string limit_text(const DesignFigure& figure, const DesignLimit& limit);
+/// "0.05", "12 g", "0 at 0, 2.8 at 60": a candidate's value.
+std::string setting_text(const StudyValue& value);
+/// By how much the search thought the chosen design better than the held-out starts say; empty if no different.
+std::string optimism_text(const DesignResult& result);
+
+}  // namespace equipoise

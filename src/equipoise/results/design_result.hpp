@@ -1,0 +1,140 @@
+// What a design answered: the candidates that no other beats, the one chosen, how far it may be off, what limits it.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "equipoise/study/study.hpp"
+#include "equipoise/study/study_value.hpp"
+
+namespace equipoise {
+
+/// A spin-up that is free between two speeds: piecewise linear over `points` points, then constant. Times and speeds in
+/// the units of the design.
+struct SpinUpShape {
+  int points = 1;
+  double until = 0.0;            ///< when the final speed is reached at the latest
+  double low = 0.0, high = 0.0;  ///< of the points' speeds
+  std::optional<double> slope;   ///< largest change of speed in a unit of time
+  double initial = 0.0, final = 0.0;
+  std::string time_unit;
+  std::optional<std::string> law;  ///< speed.law, if the study states it
+
+  /// Of the shortest piece.
+  double least_duration() const { return 1e-3 * until; }
+};
+
+/// What may be chosen.
+struct DesignVariable {
+  std::string key;   ///< as --set knows it; "speed": a spin-up
+  std::string unit;  ///< of quantities; empty for plain numbers
+  double low = 0.0, high = 0.0;
+  bool logarithmic = false, whole = false;
+  std::vector<StudyValue> choices;     ///< if these are all the values that there are
+  std::optional<SpinUpShape> spin_up;  ///< `unit`, `low` and `high` are of its speeds
+};
+
+/// One variable's value in a candidate: as a study has it; of a spin-up a table of times and speeds.
+struct DesignSetting {
+  std::string key;
+  StudyValue value;
+};
+
+/// What a candidate is judged by.
+struct DesignFigure {
+  std::string name;  ///< "balanced", "peak_radial.0.95", "-balancer.mass"
+  std::string unit;  ///< of a study in physical units; empty: no dimension
+  bool up = false;   ///< whether more of it is better
+  bool share = false;
+};
+
+/// A figure with its 95 % interval; both ends equal the value where nothing is drawn.
+struct DesignEstimate {
+  double value = 0.0, low = 0.0, high = 0.0;
+};
+
+/// [design.require]: must hold with 95 % confidence.
+struct DesignLimit {
+  std::size_t figure = 0;
+  std::optional<double> below, above;
+};
+
+/// What an ensemble says of a candidate.
+struct DesignSample {
+  std::uint64_t starts = 0;
+  std::vector<DesignEstimate> figures;  ///< by DesignResult::figures; empty if this is no study
+  DesignEstimate undecided;
+  std::string note;  ///< why no start can end balanced, or why this is no study
+};
+
+struct DesignCandidate {
+  std::vector<DesignSetting> settings;
+  DesignSample search;                   ///< on the starts that the search saw
+  std::optional<DesignSample> held_out;  ///< on starts that it did not see
+
+  const DesignSample& best_known() const { return held_out ? *held_out : search; }
+};
+
+/// The chosen candidate with one number of it changed.
+struct DesignPoint {
+  double value = 0.0;
+  std::string given;  ///< as a study has it
+  DesignSample sample;
+};
+struct DesignMargin {
+  std::string key;  ///< "balancer.drag", "speed.speeds[1]": the second point
+  std::string unit;
+  double value = 0.0, low = 0.0, high = 0.0;  ///< chosen; the range looked at
+  std::vector<DesignPoint> points;            ///< by value, without the chosen one
+  DesignSample here;                          ///< the chosen one, from as many starts as these
+  /// How far it may go with all requirements kept, at the values tried: the last that keeps them on either side, and
+  /// what fails beyond; empty: nothing within the range. Without requirements: until the first objective is surely
+  /// worse.
+  double keeps_from = 0.0, keeps_to = 0.0;
+  std::string fails_below, fails_above;
+  double effect = 0.0;  ///< largest change of the first objective within a tenth of the range to either side
+};
+
+/// The best found by then.
+struct DesignStep {
+  std::uint64_t trajectories = 0;
+  double violation = 0.0;  ///< of the requirements, as parts of the limits; 0: kept
+  double value = 0.0;      ///< of the first objective
+};
+
+/// How candidates are proposed: auto is CMA-ES for one objective, NSGA-II for several.
+enum class DesignMethod { automatic, cmaes, nsga2, random, latin, grid };
+inline constexpr std::array<const char*, 6> design_method_names{"auto", "cmaes", "nsga2", "random", "latin", "grid"};
+
+struct DesignResult {
+  Study study;
+  std::vector<DesignVariable> variables;
+  std::vector<DesignFigure> figures;
+  std::vector<std::size_t> objectives;  ///< places in `figures`
+  std::vector<DesignLimit> limits;
+  DesignMethod method = DesignMethod::automatic;  ///< the one that ran
+  std::uint64_t budget = 0, trajectories = 0;     ///< allowed; followed, earlier runs' included
+  std::uint64_t candidates = 0;                   ///< different ones
+  std::uint64_t search_seed = 0, held_out_seed = 0;
+  std::optional<DesignSample> before;  ///< the study as it is, on the held-out starts
+  std::vector<DesignCandidate> front;  ///< by the first objective, the best first
+  std::optional<std::size_t> chosen;   ///< place in `front`
+  /// No candidate keeps all requirements: the chosen one comes nearest.
+  bool feasible = false;
+  std::vector<DesignMargin> margins;  ///< by effect, the largest first
+  std::vector<std::string> limited_by;
+  std::vector<DesignStep> history;
+  std::string best_study;     ///< the chosen one as TOML
+  bool partial = false;       ///< stopped: of the front only what the search saw
+  std::uint64_t resumed = 0;  ///< ensembles read from an earlier run's file
+  std::string identity;
+  int threads = 0;
+  std::string cpu_target;
+  double seconds = 0.0, cpu_seconds = 0.0;
+};
+
+}  // namespace equipoise

@@ -1,0 +1,194 @@
+// Designs: one record an ensemble.
+#include "equipoise/store/design_file.hpp"
+
+#include <limits>
+#include <map>
+#include <utility>
+#include <vector>
+
+#include <fmt/format.h>
+#include <netcdf.h>
+#include <nlohmann/json.hpp>
+
+#include "equipoise/files/netcdf.hpp"
+#include "equipoise/store/cell_file.hpp"
+#include "equipoise/store/cell_netcdf.hpp"
+
+namespace equipoise {
+
+namespace {
+
+using DesignJson = nlohmann::json;
+
+constexpr store::CellFileKind design_kind{"design", store::Journal::Kind::ensemble, "results of this design",
+                                          "must be a new file, or results of the same design",
+                                          "holds no design; must be what \"design -o\" wrote"};
+
+using KeptSample = std::pair<std::string, DesignSample>;  // its name first
+using KeptSamples = std::map<std::uint64_t, KeptSample>;
+
+// JSON has no number for what has no end.
+DesignJson number_json(double v) { return std::isfinite(v) ? DesignJson(v) : DesignJson(v > 0.0 ? "inf" : "-inf"); }
+double number_from(const DesignJson& j) {
+  if (j.is_number()) return j.get<double>();
+  return j.get<std::string>() == "inf" ? std::numeric_limits<double>::infinity()
+                                       : -std::numeric_limits<double>::infinity();
+}
+DesignJson estimate_json(const DesignEstimate& e) {
+  return {number_json(e.value), number_json(e.low), number_json(e.high)};
+}
+DesignEstimate estimate_from(const DesignJson& j) {
+  return {number_from(j.at(0)), number_from(j.at(1)), number_from(j.at(2))};
+}
+
+std::vector<std::uint8_t> bytes_of_sample(const std::string& name, const DesignSample& sample) {
+  DesignJson figures = DesignJson::array();
+  for (const DesignEstimate& e : sample.figures) figures.push_back(estimate_json(e));
+  return DesignJson::to_cbor({{"name", name},
+                              {"starts", sample.starts},
+                              {"figures", figures},
+                              {"undecided", estimate_json(sample.undecided)},
+                              {"note", sample.note}});
+}
+
+// A record that is no such thing counts for none.
+std::optional<KeptSample> sample_from(const std::vector<std::uint8_t>& record) {
+  try {
+    const DesignJson json = DesignJson::from_cbor(record);
+    KeptSample kept{json.at("name"), {}};
+    kept.second.starts = json.at("starts");
+    for (const DesignJson& e : json.at("figures")) kept.second.figures.push_back(estimate_from(e));
+    kept.second.undecided = estimate_from(json.at("undecided"));
+    kept.second.note = json.at("note");
+    return kept;
+  } catch (const DesignJson::exception&) {
+    return std::nullopt;
+  }
+}
+
+std::string variable_of(const std::string& figure) {
+  std::string name;
+  for (const char c : figure) name += std::isalnum(static_cast<unsigned char>(c)) ? c : '_';
+  return name.front() == '_' ? "less" + name : name;
+}
+
+class DesignWriter {
+ public:
+  DesignWriter(store::NetcdfFile& file, const std::string& identity, const DesignResult& result,
+               const KeptSamples& samples, const store::CellRecords& records)
+      : file_(file), identity_(identity), result_(result), samples_(samples), table_(file, {}, records) {}
+
+  void write() {
+    const std::size_t count = std::max<std::size_t>(samples_.size(), 1);
+    const int ensemble = file_.dimension("ensemble", count);
+    std::vector<std::string> names;
+    std::vector<const DesignSample*> all, front;
+    for (const auto& [number, kept] : samples_) {
+      names.push_back(kept.first);
+      all.push_back(&kept.second);
+    }
+    names.resize(count);
+    const int candidate = file_.text_variable("candidate", ensemble, names, "starts, seed and values of the candidate");
+    file_.attribute(candidate, "units", "1");
+    add_figures("", ensemble, all, "of the ensemble");
+    if (!result_.front.empty()) {
+      const int member = file_.dimension("front", result_.front.size());
+      for (const DesignCandidate& c : result_.front) front.push_back(&c.best_known());
+      add_figures("front_", member, front,
+                  result_.partial ? "of the front, on the starts of the search" : "of the front, on held-out starts");
+    }
+    table_.define_records();
+    store::define_cell_attributes(file_, "design", "Design: candidates, and those that no other beats", identity_,
+                                  result_.study, !result_.partial);
+    file_.attribute(NC_GLOBAL, "best_study", result_.best_study);
+    file_.end_definitions();
+    table_.write();
+    file_.write_texts(candidate, names);
+    for (const auto& [variable, values] : columns_) file_.write(variable, {0}, {values.size()}, values.data());
+  }
+
+ private:
+  void add(const std::string& name, int dimension, const std::string& unit, const std::string& meaning,
+           const std::vector<const DesignSample*>& samples, const std::function<double(const DesignSample&)>& value) {
+    const int variable = file_.variable(name, NC_DOUBLE, {dimension}, unit.empty() ? "1" : unit, meaning);
+    constexpr double none = std::numeric_limits<double>::quiet_NaN();
+    file_.fill(variable, &none);
+    std::vector<double> values;
+    for (const DesignSample* s : samples) values.push_back(value(*s));
+    columns_.emplace_back(variable, std::move(values));
+  }
+
+  void add_figures(const std::string& prefix, int dimension, const std::vector<const DesignSample*>& samples,
+                   const std::string& of) {
+    add(prefix + "starts", dimension, "1", "starts " + of, samples,
+        [](const DesignSample& s) { return static_cast<double>(s.starts); });
+    add(prefix + "undecided", dimension, "1", "undecided share " + of, samples,
+        [](const DesignSample& s) { return s.undecided.value; });
+    for (std::size_t k = 0; k < result_.figures.size(); ++k) {
+      const DesignFigure& figure = result_.figures[k];
+      const std::string name = prefix + variable_of(figure.name);
+      const auto part = [k](double DesignEstimate::*end) {
+        return [k, end](const DesignSample& s) {
+          return s.figures.empty() ? std::numeric_limits<double>::quiet_NaN() : s.figures[k].*end;
+        };
+      };
+      add(name, dimension, figure.unit, figure.name + " " + of, samples, part(&DesignEstimate::value));
+      add(name + "_low", dimension, figure.unit, "lower end of its 95 % interval", samples, part(&DesignEstimate::low));
+      add(name + "_high", dimension, figure.unit, "upper end of its 95 % interval", samples,
+          part(&DesignEstimate::high));
+    }
+  }
+
+  store::NetcdfFile& file_;
+  const std::string& identity_;
+  const DesignResult& result_;
+  const KeptSamples& samples_;
+  store::CellTable table_;
+  std::vector<std::pair<int, std::vector<double>>> columns_;
+};
+
+}  // namespace
+
+struct DesignFile::State {
+  std::size_t most;
+  KeptSamples samples;
+  store::CellFile file;
+};
+
+DesignFile::DesignFile(const std::string& path, const std::string& identity, std::size_t most) {
+  KeptSamples there;
+  store::CellFile file(design_kind, path, identity, most,
+                       [&](std::size_t number, const std::vector<std::uint8_t>& record) {
+                         if (auto kept = sample_from(record)) there[number] = std::move(*kept);
+                       });
+  state_ = std::make_unique<State>(State{most, std::move(there), std::move(file)});
+}
+
+DesignFile::~DesignFile() = default;
+
+std::optional<DesignSample> DesignFile::sample(std::uint64_t number, const std::string& name) const {
+  const auto at = state_->samples.find(number);
+  if (at == state_->samples.end() || at->second.first != name) return std::nullopt;
+  return at->second.second;
+}
+
+void DesignFile::append(std::uint64_t number, const std::string& name, const DesignSample& sample) {
+  state_->file.append(number, bytes_of_sample(name, sample));
+  state_->samples[number] = {name, sample};
+}
+
+void DesignFile::finish(const DesignResult& result) {
+  const auto write = [&](const std::string& path, const std::string& identity) {
+    const store::CellRecords records(state_->most, [&](std::size_t number) {
+      const auto at = state_->samples.find(number);
+      return at == state_->samples.end() ? std::vector<std::uint8_t>{}
+                                         : bytes_of_sample(at->second.first, at->second.second);
+    });
+    store::write_netcdf_file(
+        path, [&](store::NetcdfFile& file) { DesignWriter(file, identity, result, state_->samples, records).write(); },
+        records.mode());
+  };
+  state_->file.finish(write, result.partial);
+}
+
+}  // namespace equipoise

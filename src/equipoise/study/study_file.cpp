@@ -1,0 +1,46 @@
+// Studies from files.
+#include <array>
+#include <cstddef>
+#include <filesystem>
+#include <fstream>
+#include <string>
+#include <system_error>
+#include <vector>
+
+#include <fmt/format.h>
+
+#include "equipoise/base/display_text.hpp"
+#include "equipoise/base/error.hpp"
+#include "equipoise/study/study.hpp"
+
+namespace equipoise {
+
+namespace {
+// The longest study that anybody wrote is a thousandth of this. What never ends, as /dev/zero, ends here.
+constexpr std::size_t longest_study = std::size_t{16} << 20;
+}  // namespace
+
+std::string read_study_text(const std::string& path) {
+  const auto reject = [&](const std::string& why) {
+    throw InputError(display_text(path), "", "",
+                     fmt::format("cannot be read ({}); must be a readable study file (TOML)", why));
+  };
+  std::error_code ignored;
+  if (std::filesystem::is_directory(path, ignored)) reject("a directory");
+  std::ifstream file(path, std::ios::binary);
+  if (!file) reject(std::filesystem::exists(path, ignored) ? "not open to this user" : "no such file");
+  std::string text;
+  std::array<char, 65536> block;
+  while (file.read(block.data(), block.size()), file.gcount() > 0) {
+    text.append(block.data(), file.gcount());
+    if (text.size() > longest_study) reject(fmt::format("more than {} MiB", longest_study >> 20));
+  }
+  if (file.bad()) reject("reading broke off");
+  return text;
+}
+
+Study read_study(const std::string& path, const std::vector<std::string>& overrides) {
+  return parse_study(read_study_text(path), display_text(path), overrides);
+}
+
+}  // namespace equipoise

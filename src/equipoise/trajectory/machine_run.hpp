@@ -1,0 +1,70 @@
+// A study's trajectory as a machine's: its drive, its error scale and its state at t = 0.
+#pragma once
+
+#include <array>
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include "equipoise/base/angles.hpp"
+#include "equipoise/base/error.hpp"
+#include "equipoise/integrate/machine_trajectory-inl.hpp"
+#include "equipoise/model/ball_count.hpp"
+#include "equipoise/spin_up/initial_state.hpp"
+#include "equipoise/study/study.hpp"
+
+HWY_BEFORE_NAMESPACE();
+namespace equipoise {
+namespace HWY_NAMESPACE {
+
+// Balls that overlap have no motion.
+inline void check_overlap(const Study& study) {
+  const model::Parameters& p = study.parameters;
+  if (!p.balls_collide()) return;
+  for (int i = 0; i < p.balls; ++i)
+    for (int j = 0; j < i; ++j) {
+      const double apart = std::fabs(wrapped(study.initial.phi[i] - study.initial.phi[j]));
+      if (apart < p.contact_angle)
+        throw InputError(study.name, "initial.phi", fmt::format("{}", study.initial.phi[i]),
+                         fmt::format("balls {} and {} overlap: {} apart; must be at least balancer.contact_angle, {}",
+                                     j + 1, i + 1, apart, p.contact_angle));
+    }
+}
+
+class MachineRun {
+ public:
+  using Machine = MachineTrajectory<model::any_count>;
+
+  // The study outlives it.
+  explicit MachineRun(const Study& study)
+      : drive_(study.drive()), machine_(study.parameters, drive_, scale_of(study), first_state(study, drive_).data()) {}
+  MachineRun(const MachineRun&) = delete;
+  MachineRun& operator=(const MachineRun&) = delete;
+
+  Machine& machine() { return machine_; }
+  const Machine& machine() const { return machine_; }
+
+ private:
+  static Machine::Scale scale_of(const Study& study) {
+    using namespace model::machine_index;
+    const int n = study.parameters.balls;
+    Machine::Scale scale;
+    scale.tolerance = study.numerics.tolerance.value_or(default_simulate_tolerance);
+    set_state_scale(study.parameters, 1, scale);
+    scale.floor[psi(n)] = scale.floor[speed(n)] = scale.floor[error_integral(n)] = 1.0;
+    scale.absolute[psi(n)] = scale.angle[psi(n)] = true;
+    return scale;
+  }
+  static std::array<double, Machine::dimension> first_state(const Study& study, const model::Drive& drive) {
+    std::array<double, Machine::dimension> z{};
+    initial_state(study.initial, study.parameters.balls, drive.speed, z.data());
+    return z;
+  }
+
+  const model::Drive drive_;
+  Machine machine_;
+};
+
+}  // namespace HWY_NAMESPACE
+}  // namespace equipoise
+HWY_AFTER_NAMESPACE();

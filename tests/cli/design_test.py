@@ -1,0 +1,124 @@
+#!/usr/bin/env python3
+"""equipoise design as its users meet it: what it answers, files, pictures, errors.
+
+    design_test.py PROGRAM STUDIES
+"""
+import csv
+import json
+import os
+import subprocess
+import sys
+import tempfile
+import unittest
+
+from program import PROGRAM, ROW, STUDIES, answer, run
+
+# Spin-ups to one speed share their search for attractors: an ensemble costs its starts alone.
+DESIGN = """
+[design]
+objective = {objective}
+method = "latin"
+starts = 100
+trajectories = 10_000
+[design.vary]
+speed = {{ points = 1, until = 200.0, range = [0.0, 5.0], slope = 0.05 }}
+"release.time" = [0.0, 150.0]
+"""
+
+XARRAY = """
+import json, sys, xarray
+with xarray.open_dataset(sys.argv[1]) as data:
+    print(json.dumps({"ensembles": data.sizes["ensemble"], "best": float(data["front_balanced"][0]),
+                      "without_words": [str(v) for v in data.data_vars
+                                        if not {"long_name", "units"} <= set(data[v].attrs)]}))
+"""
+
+
+class Design(unittest.TestCase):
+    def setUp(self):
+        self.folder = tempfile.TemporaryDirectory()
+        self.addCleanup(self.folder.cleanup)
+
+    def path(self, name):
+        return os.path.join(self.folder.name, name)
+
+    def study(self, objective='["balanced"]', more=""):
+        with open(ROW, encoding="utf-8") as base, open(self.path("study.toml"), "w", encoding="utf-8") as file:
+            file.write(base.read() + DESIGN.format(objective=objective) + more)
+        return self.path("study.toml")
+
+    def test_best_study_answers_as_told_in_every_form(self):
+        best, page, picture, table, file = map(
+            self.path, ("best.toml", "page.html", "picture.svg", "table.csv", "front.nc"))
+        told = answer("design", self.study(), "--best", best, "--report", page, "--plot", picture, "--csv", table, "-o", file)
+        chosen = told["chosen"]
+        self.assertTrue(told["feasible"] and chosen["held_out"])
+        share = chosen["objectives"]["balanced"]
+        found = answer("basin", best, "--starts", str(chosen["starts"]), "--seed", str(told["held_out_seed"]))["outcomes"][0]
+        self.assertEqual((share["value"], share["low"], share["high"]), (found["share"], found["low"], found["high"]))
+        self.assertGreater(share["low"], told["before"]["objectives"]["balanced"]["high"])
+        self.assertEqual(set(told["margins"]), {"speed.speeds[1]", "speed.times[1]", "speed.times[2]", "release.time"})
+        with open(table, encoding="utf-8") as lines:
+            rows = list(csv.DictReader(line for line in lines if not line.startswith("#")))
+        self.assertEqual([float(row["balanced"]) for row in rows], [share["value"]])
+        with open(page, encoding="utf-8") as text:
+            html = text.read()
+        for words in ("The chosen design", "How far each may be off", "balls let go"):
+            self.assertIn(words, html)
+        with open(picture, encoding="utf-8") as text:
+            self.assertIn("</svg>", text.read())
+        self.assertIn("design", run("inspect", file).stdout)
+
+    def test_xarray_opens_the_file_with_names_and_units(self):
+        python = next((p for p in (sys.executable, "/usr/bin/python3") if os.path.exists(p) and subprocess.run(
+            [p, "-c", "import xarray"], capture_output=True, check=False).returncode == 0), None)
+        if not python:
+            self.skipTest("needs python3-xarray")
+        file = self.path("front.nc")
+        told = answer("design", self.study(), "-o", file)
+        done = subprocess.run([python, "-c", XARRAY, file], capture_output=True, text=True, check=False, timeout=120)
+        self.assertEqual(done.returncode, 0, done.stderr)
+        read = json.loads(done.stdout)
+        self.assertEqual(read["best"], told["chosen"]["objectives"]["balanced"]["value"])
+        self.assertEqual(read["without_words"], [])
+        self.assertGreater(read["ensembles"], told["candidates"])
+
+    def test_front_of_two_objectives_trades_one_for_the_other(self):
+        told = answer("design", self.study('["balanced", "spin_up_time"]'), "--set", "design.method=random")
+        pairs = [(m["objectives"]["balanced"]["value"], m["objectives"]["spin_up_time"]["value"]) for m in told["front"]]
+        self.assertGreater(len(pairs), 2)
+        for a in pairs:
+            for b in pairs:
+                self.assertFalse(a != b and a[0] >= b[0] and a[1] <= b[1], (a, b))
+        self.assertIn(told["chosen"], told["front"])
+
+    def test_bad_input_is_one_line_before_any_work(self):
+        study = self.study()
+        for arguments, words in (
+                (["--set", "design.method=annealing"], "design.method"),
+                (["--set", 'design.objective=["ballanced"]'], "ballanced"),
+                (["--set", "design.trajectories=100"], "design.trajectories"),
+                (["--set", "design.goal=1"], "design.goal"),
+                (["--best", self.path("best.txt")], "--best"),
+                (["--trajectories", "many"], "--trajectories")):
+            done = run("design", study, *arguments)
+            self.assertEqual((done.returncode, done.stdout), (2, ""), done.stderr)
+            self.assertEqual(done.stderr.count("\n"), 1, done.stderr)
+            self.assertIn(words, done.stderr)
+        self.assertEqual(run("design", ROW).returncode, 2)
+
+    def test_what_cannot_be_met_is_said_and_ends_with_3(self):
+        done = run("design", self.study(more="[design.require]\nspin_up_time = { below = 30.0 }\n"), "--quiet")
+        self.assertEqual(done.returncode, 3, done.stderr)
+        self.assertIn("No candidate keeps all requirements: spin_up_time must be below 30 and is at best", done.stdout)
+
+    def test_designs_of_the_examples_are_problems(self):
+        # With a budget too small for any work they are refused for that alone.
+        for name in sorted(os.listdir(os.path.join(STUDIES, "examples"))):
+            done = run("design", os.path.join(STUDIES, "examples", name), "--trajectories", "1000", "--set", "limits.settled=5 um")
+            self.assertEqual(done.returncode, 2, name)
+            self.assertIn("design.trajectories", done.stderr, name)
+
+
+if __name__ == "__main__":
+    unittest.main(argv=sys.argv[:1])

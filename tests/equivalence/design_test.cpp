@@ -1,0 +1,151 @@
+// Designs on ensembles: the same bits for any threads and after any stop; what is told of a candidate is what basin()
+// says of it; what cannot be met is said.
+#include <filesystem>
+#include <fstream>
+#include <sstream>
+#include <string>
+
+#include <gtest/gtest.h>
+
+#include "../base_study.hpp"
+#include "equipoise/basins/basin.hpp"
+#include "equipoise/design/design.hpp"
+#include "equipoise/design/search.hpp"
+#include "equipoise/report/design_report.hpp"
+
+namespace equipoise {
+namespace {
+
+// Spin-ups to one speed share their search for attractors: an ensemble costs its starts alone.
+const std::string small_design = rotor_and_balancer + R"([speed]
+profile = "constant"
+speed = 2.0
+[design]
+objective = ["balanced"]
+method = "latin"
+starts = 100
+trajectories = 10_000
+[design.vary]
+speed = { points = 1, until = 200.0, range = [0.0, 5.0], slope = 0.05 }
+"release.time" = [0.0, 150.0]
+)";
+
+DesignProblem problem_of(const std::string& toml) { return DesignProblem(StudySource{toml, "study.toml", {}}); }
+
+std::string without_times(const DesignResult& result) {
+  std::istringstream text(design_json(result));
+  std::string kept;
+  for (std::string line; std::getline(text, line);)
+    if (line.find("seconds") == line.npos && line.find("\"threads\"") == line.npos &&
+        line.find("\"resumed\"") == line.npos)
+      kept += line + "\n";
+  return kept;
+}
+
+std::string content(const std::string& path) {
+  std::ifstream file(path, std::ios::binary);
+  return {std::istreambuf_iterator<char>(file), {}};
+}
+
+class Folder {
+ public:
+  Folder() : path_(std::filesystem::temp_directory_path() / ("equipoise-design-" + std::to_string(::getpid()))) {
+    std::filesystem::create_directories(path_);
+  }
+  ~Folder() { std::filesystem::remove_all(path_); }
+  std::string file(const std::string& name) const { return path_ / name; }
+
+ private:
+  std::filesystem::path path_;
+};
+
+TEST(Design, SameBitsForAnyThreads) {
+  const DesignProblem problem = problem_of(small_design);
+  DesignOptions one, three;
+  one.threads = 1;
+  three.threads = 3;
+  const DesignResult result = design(problem, one);
+  EXPECT_EQ(without_times(result), without_times(design(problem, three)));
+  ASSERT_EQ(result.front.size(), 1u);
+  EXPECT_GT(result.candidates, 50u);
+  EXPECT_FALSE(result.margins.empty());
+}
+
+TEST(Design, StoppedAndGoneOnWithItEndsInTheSameFile) {
+  const Folder folder;
+  const DesignProblem problem = problem_of(small_design);
+  DesignOptions options;
+  options.threads = 2;
+  options.output = folder.file("whole.nc");
+  const DesignResult whole = design(problem, options);
+  options.output = folder.file("stopped.nc");
+  int stops = 0;
+  for (bool partial = true; partial; ++stops) {
+    StopFlag stop{false};
+    options.stop = &stop;
+    options.progress = [&](const Progress& p) {
+      stop = stop || p.done >= 3000 * static_cast<std::uint64_t>(stops + 1);
+    };
+    partial = design(problem, options).partial;
+    ASSERT_LT(stops, 20);
+  }
+  EXPECT_GT(stops, 1);
+  EXPECT_EQ(content(folder.file("whole.nc")), content(folder.file("stopped.nc")));
+  EXPECT_FALSE(std::filesystem::exists(folder.file("stopped.nc.part")));
+  options.progress = {};
+  options.stop = nullptr;
+  const DesignResult read = design(problem, options);
+  EXPECT_GT(read.resumed, 0u);
+  EXPECT_EQ(without_times(whole), without_times(read));
+}
+
+TEST(Design, AnotherDesignIsNotAddedToAFile) {
+  const Folder folder;
+  DesignOptions options;
+  options.output = folder.file("one.nc");
+  design(problem_of(small_design), options);
+  EXPECT_THROW(design(DesignProblem(StudySource{small_design, "study.toml", {"design.seed=2"}}), options), InputError);
+}
+
+TEST(Design, FiguresOfTheChosenOneAreThoseOfItsStudy) {
+  const DesignResult result = design(problem_of(small_design));
+  ASSERT_TRUE(result.chosen && result.front[*result.chosen].held_out);
+  const DesignSample& told = *result.front[*result.chosen].held_out;
+  const Study best = parse_study(
+      result.best_study, "best.toml",
+      {"sampling.starts=" + std::to_string(told.starts), "sampling.seed=" + std::to_string(result.held_out_seed)});
+  const BasinResult basins = basin(best);
+  EXPECT_EQ(told.figures[0].value, basins.attractors.front().share.share);
+  EXPECT_EQ(told.figures[0].low, basins.attractors.front().share.low);
+  EXPECT_EQ(told.undecided.value, basins.undecided.share);
+  EXPECT_NE(result.search_seed, result.held_out_seed);
+  // At this constant speed about 45 % of starts do not balance; a spin-up can do better than that.
+  EXPECT_GT(told.figures[0].low, result.before->figures[0].high);
+}
+
+TEST(Design, WhatCannotBeMetIsSaidWithHowNearItCame) {
+  const DesignResult result = design(problem_of(small_design + "[design.require]\nspin_up_time = { below = 30.0 }\n"));
+  EXPECT_FALSE(result.feasible);
+  ASSERT_TRUE(result.chosen);
+  const double nearest = result.front[*result.chosen].best_known().figures[1].value;
+  EXPECT_GE(nearest, 40.0);  // to 2 at a slope of 0.05
+  EXPECT_LT(nearest, 100.0);
+  EXPECT_NE(design_answer(result).find("spin_up_time must be below 30"), std::string::npos) << design_answer(result);
+  ASSERT_FALSE(result.limited_by.empty());
+  EXPECT_NE(result.limited_by.front().find("not met: spin_up_time"), std::string::npos);
+}
+
+TEST(Design, StoppedSearchTellsWhatItHadFound) {
+  StopFlag stop{false};
+  DesignOptions options;
+  options.stop = &stop;
+  options.progress = [&](const Progress& p) { stop = p.done >= 3000; };
+  const DesignResult result = design(problem_of(small_design), options);
+  EXPECT_TRUE(result.partial);
+  ASSERT_TRUE(result.chosen);
+  EXPECT_FALSE(result.front[*result.chosen].held_out);
+  EXPECT_GT(result.front[*result.chosen].search.starts, 0u);
+}
+
+}  // namespace
+}  // namespace equipoise

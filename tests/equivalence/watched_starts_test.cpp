@@ -1,0 +1,139 @@
+// Who watches results as they come sees what basin(), the mapper and simulate() answer.
+#include <algorithm>
+#include <cmath>
+#include <string>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include "equipoise/basins/basin.hpp"
+#include "equipoise/basins/ensemble.hpp"
+#include "equipoise/basins/mapper.hpp"
+#include "equipoise/trajectory/followed_run.hpp"
+#include "equipoise/trajectory/simulate.hpp"
+#include "../base_study.hpp"
+
+namespace equipoise {
+namespace {
+
+StartArrays starts_of_basin(Study study, std::uint64_t starts) {
+  study.sampling.starts = starts;
+  BasinOptions options;
+  options.keep_starts = true;
+  options.transients = true;
+  return *basin(study, options).every_start;
+}
+
+TEST(Ensemble, GivesStartsTheBitsOfBasinInWhateverPieces) {
+  const Study study = parse_study(constant_speed, "rotor");
+  const StartArrays whole = starts_of_basin(study, 700);
+  EnsembleOptions options;
+  options.transients = true;
+  Ensemble ensemble(study, options);
+  for (const auto& [first, count] : {std::pair{500u, 200u}, std::pair{0u, 37u}, std::pair{37u, 463u}}) {
+    const Ensemble::Ended ended = ensemble.starts(first, count);
+    ASSERT_EQ(ended.fates.size(), count);
+    for (std::size_t i = 0; i < count; ++i) {
+      EXPECT_EQ(code_of(ended.fates[i]), whole.outcome[first + i]);
+      EXPECT_EQ(ended.fates[i].time, whole.decision_time[first + i]);
+      EXPECT_EQ(ended.transients[i].peak_radial, (*whole.transient("peak_radial"))[first + i]);
+      for (std::size_t b = 0; b < 2; ++b) EXPECT_EQ(ended.phi[2 * i + b], whole.phi[2 * (first + i) + b]);
+    }
+  }
+}
+
+TEST(Ensemble, GivesAnglesTheBitsOfTheMapper) {
+  const Study study = parse_study(constant_speed, "rotor");
+  const Mapper mapper(study);
+  Ensemble ensemble(study);
+  std::vector<double> phi;
+  std::vector<InitialState> states;
+  for (int k = 0; k < 40; ++k) {
+    InitialState s;
+    s.phi[0] = 0.1 + 0.15 * k;
+    s.phi[1] = 6.0 - 0.11 * k;
+    states.push_back(s);
+    phi.insert(phi.end(), {s.phi[0], s.phi[1]});
+  }
+  const std::vector<Fate> expected = mapper(states);
+  const Ensemble::Ended ended = ensemble.at_angles(phi);
+  for (std::size_t i = 0; i < states.size(); ++i) {
+    EXPECT_EQ(code_of(ended.fates[i]), code_of(expected[i]));
+    EXPECT_EQ(ended.fates[i].time, expected[i].time);
+  }
+}
+
+TEST(Ensemble, BallsThatOverlapMakeNoStart) {
+  Ensemble ensemble(parse_study(constant_speed, "rotor", {"balancer.contact_angle=0.3"}));
+  const Ensemble::Ended ended = ensemble.at_angles({1.0, 1.1, 1.0, 4.0});
+  EXPECT_EQ(ended.fates[0].outcome, Outcome::failed);
+  EXPECT_TRUE(std::isnan(ended.fates[0].time));
+  EXPECT_EQ(ended.fates[1].outcome, Outcome::attracted);
+}
+
+TEST(Ensemble, RefusesWhatBasinRefuses) {
+  EXPECT_THROW(Ensemble(parse_study(constant_speed, "rotor", {"speed.speed=1e7"})), InputError);
+  Ensemble grid(parse_study(constant_speed, "rotor", {"sampling.method=grid", "sampling.starts=400"}));
+  EXPECT_THROW(grid.starts(100000, 10), InputError);
+  EXPECT_THROW(grid.at_angles({1.0, 2.0, 3.0}), InputError);
+}
+
+// What simulate() says at some times, asked again in steps. Both keep 1e-12 a step; a few hundred steps, and a growth
+// of differences by less than a thousand on these stretches, leave 1e-7 of the angles.
+void expect_followed(const std::string& toml, const std::vector<std::string>& overrides, double until) {
+  const Study study = parse_study(toml, "rotor", overrides);
+  std::vector<double> times;
+  for (int k = 1; k <= 60; ++k) times.push_back(until * k / 60.0);
+  const Trajectory expected = simulate(study, times);
+  ASSERT_EQ(expected.t.size(), times.size());
+  FollowedRun run(study);
+  Trajectory followed;
+  followed.phi.resize(static_cast<std::size_t>(study.parameters.balls));
+  followed.phi_dot.resize(followed.phi.size());
+  for (const double t : times) {
+    ASSERT_EQ(run.advance(t), IntegrationStatus::done);
+    run.record(followed);
+  }
+  for (std::size_t k = 0; k < times.size(); ++k) {
+    EXPECT_NEAR(followed.t[k], expected.t[k], 1e-12 * until);
+    EXPECT_NEAR(followed.psi[k], expected.psi[k], 1e-7) << times[k];
+    EXPECT_NEAR(followed.psi_dot[k], expected.psi_dot[k], 1e-7) << times[k];
+    EXPECT_NEAR(followed.radial[k], expected.radial[k], 1e-7) << times[k];
+    for (std::size_t b = 0; b < followed.phi.size(); ++b)
+      EXPECT_NEAR(followed.phi[b][k], expected.phi[b][k], 1e-7) << times[k];
+  }
+}
+
+const std::vector<std::string> apart{"initial.phi=[1.0, 4.0]"};
+const std::string ramp =
+    rotor_and_balancer +
+    "[speed]\nprofile = \"ramp\"\ninitial = 0.0\nfinal = 2.4\nduration = 40.0\n[release]\nspeed = 2.0\n";
+
+TEST(FollowedRun, GoesWhereSimulateGoes) {
+  expect_followed(constant_speed, apart, 60.0);
+  expect_followed(ramp, apart, 60.0);
+  expect_followed(ramp, {apart[0], "rotor.gravity=0.001", "rotor.stiffness=[1.0, 1.2]"}, 60.0);
+}
+
+TEST(FollowedRun, CrossesTheJumpsOfThePublishedLaw) { expect_followed(ramp, {apart[0], "speed.law=published"}, 60.0); }
+
+TEST(FollowedRun, FollowsMotorsContactAndStiction) {
+  const std::string motor =
+      "[speed]\nprofile = \"torque\"\ninitial = 0.0\ntorque = { stall = 0.05, no_load_speed = 2.4 }\n";
+  expect_followed(rotor_and_balancer + motor, {apart[0], "rotor.inertia=0.5"}, 60.0);
+  expect_followed(constant_speed, {apart[0], "balancer.contact_angle=0.2", "balancer.rolling=0.0002"}, 20.0);
+}
+
+TEST(FollowedRun, KnowsWhenBallsAreHeld) {
+  FollowedRun run(parse_study(ramp, "rotor", apart));
+  EXPECT_TRUE(run.held());
+  run.advance(20.0);
+  EXPECT_TRUE(run.held());
+  run.advance(50.0);
+  EXPECT_FALSE(run.held());
+  run.advance(10.0);  // the past is over
+  EXPECT_EQ(run.time(), 50.0);
+}
+
+}  // namespace
+}  // namespace equipoise

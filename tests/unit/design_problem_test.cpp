@@ -1,0 +1,188 @@
+// [design] read and refused; spin-ups that keep to their limits; how candidates stand to each other.
+#include <cmath>
+#include <string>
+
+#include <gtest/gtest.h>
+
+#include "../base_study.hpp"
+#include "equipoise/base/error.hpp"
+#include "equipoise/base/random.hpp"
+#include "equipoise/design/problem.hpp"
+#include "equipoise/design/settings.hpp"
+#include "equipoise/design/spin_up_shape.hpp"
+#include "equipoise/design/standing.hpp"
+
+namespace equipoise {
+namespace {
+
+const std::string plain_design = constant_speed + "[design]\nmethod = \"random\"\nobjective = [\"balanced\"]\n";
+
+DesignProblem problem_of(const std::string& toml) { return DesignProblem(StudySource{toml, "study.toml", {}}); }
+
+std::string refusal(const std::string& toml) {
+  try {
+    problem_of(toml);
+  } catch (const InputError& e) {
+    EXPECT_EQ(std::string(e.what()).find('\n'), std::string::npos) << e.what();
+    return e.what();
+  }
+  return "accepted";
+}
+
+void expect_words(const std::string& text, const std::vector<std::string>& words) {
+  for (const std::string& word : words) EXPECT_NE(text.find(word), std::string::npos) << text << "\nlacks: " << word;
+}
+
+TEST(DesignProblem, BadTablesAreRefusedInOneLineThatNamesTheKey) {
+  const std::string vary = plain_design + "[design.vary]\n";
+  expect_words(refusal(constant_speed), {"design", "missing"});
+  expect_words(refusal(plain_design), {"design.vary", "1 to 20"});
+  expect_words(refusal(vary + "\"balancer.weight\" = [0.1, 0.2]\n"), {"balancer.weight", "unknown key"});
+  expect_words(refusal(vary + "\"balancer.mass\" = [0.2, 0.1]\n"), {"study.toml:", "balancer.mass", "reversed"});
+  expect_words(refusal(vary + "\"balancer.mass\" = [-0.1, 0.1]\n"), {"balancer.mass", "-0.1", "greater than 0"});
+  expect_words(refusal(vary + "\"balancer.mass\" = 0.1\n"), {"balancer.mass", "[low, high]"});
+  expect_words(refusal(vary + "\"balancer.mass\" = [\"1 g\", \"2 g\"]\n"), {"balancer.mass"});
+  expect_words(refusal(vary + "\"balancer.drag\" = { range = [0.0, 0.1], scale = \"log\" }\n"),
+               {"balancer.drag", "above 0"});
+  expect_words(refusal(vary + "\"balancer.drag\" = { range = [0.01, 0.1], scales = \"log\" }\n"), {"scales"});
+  expect_words(refusal(vary + "\"balancer.balls\" = [1.5, 4.0]\n"), {"balancer.balls", "whole"});
+  expect_words(refusal(vary + "balancer.mass = [0.1, 0.2]\n"), {"quotes"});
+  const std::string good = vary + "\"balancer.mass\" = [0.01, 0.1]\n";
+  EXPECT_EQ(refusal(good), "accepted");
+  expect_words(refusal(good + "[design.require]\n\"peak_radial.2\" = { below = 1.0 }\n"),
+               {"peak_radial.2", "quantile"});
+  expect_words(refusal(good + "[design.require]\n\"settling_time.0.5\" = { below = 1.0 }\n"), {"limits.settled"});
+  expect_words(refusal(good + "[design.require]\nbalanced = { above = 1.0 }\n"), {"balanced", "no share"});
+  expect_words(refusal(good + "[design.require]\nbalanced = { below = 0.5, above = 0.6 }\n"), {"met by nothing"});
+  expect_words(refusal(good + "[design.require]\nballanced = { above = 0.5 }\n"), {"ballanced", "must be balanced"});
+}
+
+TEST(DesignProblem, SpinUpsThatCannotBeAreRefused) {
+  const std::string vary = plain_design + "[design.vary]\nspeed = ";
+  EXPECT_EQ(refusal(vary + "{ points = 2, until = 500.0, range = [0.0, 5.0], slope = 0.05 }\n"), "accepted");
+  expect_words(refusal(vary + "{ points = 2, until = 20.0, range = [0.0, 5.0], slope = 0.05 }\n"),
+               {"longer than until"});
+  expect_words(refusal(vary + "{ points = 2, until = 500.0, range = [0.0, 2.0], slope = 0.05 }\n"), {"2.4"});
+  expect_words(refusal(vary + "{ points = 9, until = 500.0, range = [0.0, 5.0] }\n"), {"1 to 8"});
+  expect_words(refusal(vary + "[0.0, 5.0]\n"), {"points"});
+}
+
+TEST(DesignProblem, EverySpinUpKeepsToItsLimits) {
+  RandomStream draws(11);
+  SpinUpShape shape;
+  shape.points = 3;
+  shape.until = 100.0;
+  shape.low = 0.0;
+  shape.high = 5.0;
+  shape.slope = 0.05;  // too little for most of what is asked: from 0 to 5 takes all the time there is
+  shape.final = 2.0;
+  double latest = 0.0;
+  for (int k = 0; k < 2000; ++k) {
+    std::vector<double> at(coordinates(shape));
+    for (double& x : at) x = k == 0 ? 0.0 : k == 1 ? 1.0 : draws.uniform();
+    const SpinUpPoints points = spin_up_at(shape, at);
+    ASSERT_EQ(points.times.size(), 5u);
+    EXPECT_EQ(points.times.front(), 0.0);
+    EXPECT_EQ(points.speeds.front(), 0.0);
+    EXPECT_EQ(points.speeds.back(), 2.0);
+    // Times are sums of five terms.
+    EXPECT_LE(points.times.back(), shape.until * (1.0 + 1e-12));
+    latest = std::max(latest, points.times.back());
+    for (std::size_t p = 1; p < points.times.size(); ++p) {
+      const double duration = points.times[p] - points.times[p - 1];
+      EXPECT_GE(duration, shape.least_duration() * (1.0 - 1e-9));
+      EXPECT_LE(std::fabs(points.speeds[p] - points.speeds[p - 1]), *shape.slope * duration * (1.0 + 1e-9));
+      EXPECT_GE(points.speeds[p], shape.low);
+      EXPECT_LE(points.speeds[p], shape.high);
+    }
+  }
+  EXPECT_GT(latest, 0.999 * shape.until);  // all of the time can be used
+}
+
+TEST(DesignProblem, SpinUpTakesThePlaceOfTheSpeedAndOneReleaseThatOfTheOther) {
+  const DesignProblem problem =
+      problem_of(constant_speed +
+                 "law = \"published\"\n[release]\nspeed = 2.4\n[design]\nmethod = \"random\"\n"
+                 "objective = [\"balanced\"]\n[design.vary]\n\"release.time\" = [0.0, 400.0]\n"
+                 "speed = { points = 1, until = 500.0, range = [0.0, 5.0] }\n");
+  const std::vector<double> at{0.25, 0.6, 0.5, 0.5};
+  const Study study = problem.study_of(problem.settings_at(at), 10, 1);
+  EXPECT_EQ(study.speed.profile, Profile::points);
+  EXPECT_EQ(study.speed.speeds, (std::vector<double>{0.0, 3.0, 2.4}));
+  EXPECT_EQ(study.speed.law, model::SpeedLaw::published);
+  EXPECT_EQ(study.release_time(), 100.0);
+  EXPECT_FALSE(study.release.speed);
+}
+
+TEST(DesignProblem, ChoicesWholeNumbersAndScalesAreReached) {
+  const DesignProblem problem = problem_of(plain_design +
+                                           "[design.vary]\n\"balancer.balls\" = [2, 4]\n"
+                                           "\"balancer.drag\" = { range = [0.01, 1.0], scale = \"log\" }\n"
+                                           "\"balancer.mass\" = { choices = [0.03, 0.05] }\n");
+  const auto at = [&](std::vector<double> x) { return text_of(problem.settings_at(x)); };
+  EXPECT_EQ(at({0.0, 0.0, 0.0}), "balancer.balls = 2; balancer.drag = 0.01; balancer.mass = 0.03");
+  EXPECT_EQ(at({0.5, 0.5, 0.6}), "balancer.balls = 3; balancer.drag = 0.1; balancer.mass = 0.05");
+  EXPECT_EQ(at({1.0, 1.0, 1.0}), "balancer.balls = 4; balancer.drag = 1.0; balancer.mass = 0.05");
+}
+
+TEST(DesignProblem, LimitsInOtherUnitsAreThoseOfTheFigure) {
+  const std::string machine = R"([rotor]
+mass = "10 kg"
+stiffness = "100 kN/m"
+damping_ratio = 0.1
+eccentricity = "0.1 mm"
+[balancer]
+balls = 2
+race_radius = "50 mm"
+mass = "20 g"
+drag = "0.01 N m s"
+[speed]
+profile = "constant"
+speed = "3000 rpm"
+[design]
+method = "random"
+objective = ["peak_radial.0.5"]
+[design.vary]
+"balancer.mass" = ["15 g", "30 g"]
+[design.require]
+"peak_radial.0.5" = { below = "200 um" }
+ball_mass = { below = "50 g" }
+)";
+  const DesignProblem problem = problem_of(machine);
+  EXPECT_EQ(problem.figures()[0].figure.unit, "mm");
+  for (const DesignLimit& limit : problem.limits())
+    EXPECT_NEAR(*limit.below, limit.figure == 0 ? 0.2 : 0.05, 1e-12);  // roundings of two conversions
+  expect_words(refusal(machine + "\"peak_force.0.5\" = { below = \"3 mm\" }\n"), {"peak_force.0.5", "force"});
+}
+
+DesignSample sample(double balanced, double peak, double arm = 0.0) {
+  return {1000, {{balanced, balanced - arm, balanced + arm}, {peak, peak - arm, peak + arm}}, {}, ""};
+}
+
+TEST(DesignStanding, LimitsComeFirstThenEveryObjective) {
+  const DesignProblem problem =
+      problem_of(constant_speed +
+                 "[design]\nmethod = \"random\"\nobjective = [\"balanced\", \"peak_radial.0.5\"]\n"
+                 "[design.vary]\n\"balancer.mass\" = [0.01, 0.1]\n"
+                 "[design.require]\n\"balanced\" = { above = 0.5 }\n");
+  const DesignStanding standing(problem.figures(), problem.objectives(), problem.limits());
+  const auto beats = [&](const DesignSample& a, const DesignSample& b) {
+    return standing.beats(a, Side::estimate, b, Side::estimate);
+  };
+  EXPECT_TRUE(beats(sample(0.9, 0.1), sample(0.9, 0.2)));
+  EXPECT_FALSE(beats(sample(0.9, 0.2), sample(0.8, 0.1)));
+  EXPECT_TRUE(beats(sample(0.6, 0.9), sample(0.4, 0.1)));  // the second one may not be
+  EXPECT_TRUE(beats(sample(0.4, 0.9), sample(0.3, 0.1)));  // the first one comes nearer
+  EXPECT_EQ(standing.violation(sample(0.52, 0.1, 0.03), Side::estimate), 0.0);
+  EXPECT_NEAR(standing.violation(sample(0.52, 0.1, 0.03), Side::worst), 0.02, 1e-12);
+  const std::vector<DesignSample> all{sample(0.9, 0.3), sample(0.8, 0.2), sample(0.7, 0.25), sample(0.99, 0.9),
+                                      sample(0.2, 0.0)};
+  std::vector<const DesignSample*> samples;
+  for (const DesignSample& s : all) samples.push_back(&s);
+  EXPECT_EQ(standing.front(samples, Side::estimate), (std::vector<std::size_t>{3, 0, 1}));
+  EXPECT_EQ(standing.middle({&all[3], &all[0], &all[1]}), 1u);
+  EXPECT_LT(standing.worth(all[2])[0], standing.worth(all[4])[0]);
+}
+
+}  // namespace
+}  // namespace equipoise

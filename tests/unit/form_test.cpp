@@ -1,0 +1,103 @@
+// A study's form: what is written, what may be, and that a form filled in gives the study back.
+#include <algorithm>
+#include <string>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include "equipoise/base/error.hpp"
+#include "equipoise/pages/form.hpp"
+#include "../base_study.hpp"
+#include "../machine_study.hpp"
+
+namespace equipoise {
+namespace {
+
+const std::string machine =
+    machine_rotor + "[speed]\nprofile = \"ramp\"\ninitial = \"0 rpm\"\nfinal = \"1500 rpm\"\nduration = \"10 s\"\n";
+
+const FormField* find(const std::vector<FormField>& form, const std::string& key) {
+  const auto at = std::find_if(form.begin(), form.end(), [&](const FormField& f) { return f.key == key; });
+  return at == form.end() ? nullptr : &*at;
+}
+
+// A field as --set takes it.
+std::string override_of(const FormField& f) {
+  if (f.kind == FormField::Kind::list) {
+    std::string entries;
+    for (std::size_t at = 0; at <= f.value.size();) {
+      const std::size_t comma = std::min(f.value.find(", ", at), f.value.size());
+      const std::string entry = f.value.substr(at, comma - at);
+      entries += (entries.empty() ? "" : ", ") + (f.unit.empty() ? entry : "\"" + entry + " " + f.unit + "\"");
+      at = comma + 2;
+    }
+    return f.key + "=[" + entries + "]";
+  }
+  return f.key + "=" + f.value + (f.unit.empty() ? "" : " " + f.unit);
+}
+
+TEST(Form, ShowsQuantitiesWithTheirUnits) {
+  const std::vector<FormField> form = form_of(machine, "machine");
+  const FormField* mass = find(form, "rotor.mass");
+  ASSERT_TRUE(mass);
+  EXPECT_EQ(mass->value, "12");
+  EXPECT_EQ(mass->unit, "kg");
+  EXPECT_EQ(mass->units, (std::vector<std::string>{"kg", "g", "mg"}));
+  EXPECT_EQ(mass->kind, FormField::Kind::number);
+  EXPECT_TRUE(mass->given);
+  EXPECT_NE(mass->allowed.find("a mass"), std::string::npos) << mass->allowed;
+  const FormField* speed = find(form, "speed.final");
+  ASSERT_TRUE(speed);
+  EXPECT_EQ(speed->label, "final speed");
+  EXPECT_EQ(find(form, "balancer.race_radius")->label, "race radius");
+  EXPECT_EQ(find(form, "initial.phi_dot")->label, "ball rates");
+  EXPECT_EQ(speed->unit, "rpm");
+}
+
+TEST(Form, KnowsChoicesWholeNumbersAndFlags) {
+  const std::vector<FormField> form = form_of(constant_speed, "rotor");
+  const FormField* profile = find(form, "speed.profile");
+  ASSERT_TRUE(profile);
+  EXPECT_EQ(profile->kind, FormField::Kind::choice);
+  EXPECT_EQ(profile->choices, (std::vector<std::string>{"constant", "ramp", "trapezoid", "points", "torque"}));
+  const FormField* balls = find(form, "balancer.balls");
+  ASSERT_TRUE(balls);
+  EXPECT_EQ(balls->kind, FormField::Kind::whole);
+  const FormField* damping = find(form, "rotor.damping");
+  ASSERT_TRUE(damping);
+  EXPECT_NE(damping->allowed.find("at least 0"), std::string::npos) << damping->allowed;
+}
+
+TEST(Form, OffersDefaultsThatStandBesideWhatIsWritten) {
+  const std::vector<FormField> form = form_of(constant_speed, "rotor");
+  const FormField* gravity = find(form, "rotor.gravity");
+  ASSERT_TRUE(gravity);
+  EXPECT_FALSE(gravity->given);
+  EXPECT_EQ(gravity->value, "0");
+  // The unbalance that is written is not offered again as an eccentricity.
+  const std::string unbalanced = machine.substr(0, machine.find("eccentricity")) + "unbalance = \"2400 g mm\"\n" +
+                                 machine.substr(machine.find("[balancer]"));
+  EXPECT_FALSE(find(form_of(unbalanced, "machine"), "rotor.eccentricity"));
+  EXPECT_TRUE(find(form_of(unbalanced, "machine"), "rotor.unbalance"));
+}
+
+TEST(Form, EveryFieldIsAnOverride) {
+  for (const std::string& text : {constant_speed, machine}) {
+    const std::string echo = to_toml(parse_study(text, "study"));
+    for (const FormField& f : form_of(text, "study")) {
+      if (!f.given) continue;
+      EXPECT_EQ(to_toml(parse_study(text, "study", {override_of(f)})), echo) << override_of(f);
+    }
+  }
+}
+
+TEST(Form, OverridesAreWrittenIntoTheText) {
+  const std::string text = with_overrides(machine, "machine", {"rotor.mass=13 kg", "speed.final=1400 rpm"});
+  EXPECT_EQ(to_toml(parse_study(text, "machine")),
+            to_toml(parse_study(machine, "machine", {"rotor.mass=13 kg", "speed.final=1400 rpm"})));
+  EXPECT_EQ(with_overrides(machine, "machine", {}), machine);
+  EXPECT_THROW(form_of(machine, "machine", {"rotor.mass=13 m"}), InputError);
+}
+
+}  // namespace
+}  // namespace equipoise

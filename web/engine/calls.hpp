@@ -1,0 +1,34 @@
+// The calls of web/src/engine/protocol.ts. Each takes the list of its arguments and answers its result.
+#pragma once
+
+#include <string>
+
+#include "bulk.hpp"
+#include "equipoise/base/run_options.hpp"
+#include "equipoise/study/study.hpp"
+
+namespace equipoise::web {
+
+/// What studies that come from the page are called in messages.
+inline constexpr const char* study_name = "study";
+
+Study study_of(const Json& toml);
+
+/// Tells the worker.
+void tell(const Progress& progress);
+
+Json check_study(const Json& args);
+Json presets(const Json& args);
+
+Json discover(const Json& args, Bulk& bulk);
+Json ensemble(const Json& args, Bulk& bulk);
+Json states(const Json& args, Bulk& bulk);
+Json shares(const Json& args);
+Json compare_shares(const Json& args);
+
+Json play_open(const Json& args, Bulk& bulk);
+Json play_advance(const Json& args, Bulk& bulk);
+Json play_rows(const Json& args, Bulk& bulk);
+Json play_close(const Json& args);
+
+}  // namespace equipoise::web

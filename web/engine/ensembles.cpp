@@ -1,0 +1,195 @@
+// Attractors, starts and shares. A search is kept: the page asks for one study again and again.
+#include <algorithm>
+#include <array>
+#include <chrono>
+#include <cmath>
+#include <cstdint>
+#include <limits>
+#include <list>
+#include <map>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "calls.hpp"
+#include "equipoise/basins/comparison.hpp"
+#include "equipoise/basins/ensemble.hpp"
+#include "equipoise/drawing/plot_parts.hpp"
+#include "equipoise/pages/motion_path.hpp"
+#include "equipoise/report/comparison_report.hpp"
+#include "equipoise/report/motion_words.hpp"
+
+namespace equipoise::web {
+
+namespace {
+
+struct Kept {
+  std::string toml;
+  bool transients;
+  double seconds;
+  Ensemble ensemble;
+};
+
+// The last few: two settings side by side, with figures of transients and without.
+Ensemble& kept(const std::string& toml, const Study& study, bool transients, double* seconds = nullptr) {
+  constexpr std::size_t most = 6, most_searches = 24;
+  static std::list<Kept> all;
+  static DiscoveryCache discoveries;
+  const auto same = [&](const Kept& k) { return k.toml == toml && k.transients == transients; };
+  auto at = std::find_if(all.begin(), all.end(), same);
+  if (at == all.end()) {
+    if (discoveries.made.size() >= most_searches) discoveries.made.clear();
+    const auto begin = std::chrono::steady_clock::now();
+    EnsembleOptions options;
+    options.transients = transients;
+    options.discoveries = &discoveries;
+    options.progress = tell;
+    Ensemble ensemble(study, options);
+    const double took = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+    all.push_front({toml, transients, took, std::move(ensemble)});
+    if (all.size() > most) all.pop_back();
+    at = all.begin();
+  }
+  all.splice(all.begin(), all, at);
+  if (seconds) *seconds = all.front().seconds;
+  return all.front().ensemble;
+}
+
+Json outcome_json(int code, const std::string& name, const std::string& alias) {
+  return {{"code", code}, {"name", name}, {"alias", alias}, {"colour", colour_of(code)}};
+}
+
+Json outcomes_json(const Ensemble& ensemble) {
+  Json list = Json::array();
+  for (const Attractor& a : ensemble.catalogue().attractors()) list.push_back(outcome_json(a.id, a.name, a.alias));
+  for (const Outcome outcome : {Outcome::undecided, Outcome::diverged, Outcome::failed, Outcome::stalled}) {
+    if (outcome == Outcome::stalled && !ensemble.study().speed.driven()) continue;
+    Fate fate;
+    fate.outcome = outcome;
+    list.push_back(outcome_json(code_of(fate), name_of(outcome), ""));
+  }
+  return list;
+}
+
+// So many looks a turn that a moving picture of it is smooth.
+Json path_json(const Study& study, const Motion& motion) {
+  constexpr double most_turns = 24.0;
+  constexpr int looks_a_turn = 48;
+  const double turn = turn_time(motion.speed), duration = std::min(whole_way(motion), most_turns * turn);
+  const MotionPath path = motion_path(study.system(), motion, duration,
+                                      std::max(looks_a_turn, static_cast<int>(duration / turn * looks_a_turn)));
+  return {{"duration", duration}, {"psi", path.psi}, {"x", path.x}, {"y", path.y}, {"phi", path.phi}};
+}
+
+Json fates_json(const Ensemble& ensemble, std::uint64_t first, Ensemble::Ended&& ended, Bulk& bulk) {
+  std::vector<std::int32_t> outcome;
+  std::vector<double> time, peak;
+  for (const Fate& fate : ended.fates) {
+    outcome.push_back(code_of(fate));
+    time.push_back(fate.time);
+  }
+  for (const TransientRow& row : ended.transients) peak.push_back(row.peak_radial);
+  return {{"first", first},
+          {"count", ended.fates.size()},
+          {"outcome", bulk.wholes(std::move(outcome))},
+          {"time", bulk.doubles(std::move(time))},
+          {"peak", bulk.doubles(std::move(peak))},
+          {"angles", bulk.doubles(std::move(ended.phi))},
+          {"balls", ensemble.study().parameters.balls},
+          {"outcomes", outcomes_json(ensemble)}};
+}
+
+Json share_of(const Share& s) {
+  return {{"count", s.count}, {"total", s.total}, {"share", s.share}, {"low", s.low},
+          {"high", s.high},   {"least", s.least}, {"most", s.most}};
+}
+
+BasinOutcomes outcomes_of(const Json& side) {
+  BasinOutcomes o;
+  o.study = study_of(side.at("toml"));
+  for (const std::int32_t code : numbers_of<std::int32_t>(side.at("outcome")))
+    o.outcome.push_back(static_cast<short>(code));
+  for (const Json& one : side.at("outcomes"))
+    o.names[one.at("code").get<short>()] = {one.at("name").get<std::string>(), one.at("alias").get<std::string>()};
+  return o;
+}
+
+}  // namespace
+
+Json discover(const Json& args, Bulk&) {
+  const std::string toml = args.at(0).get<std::string>();
+  double seconds = 0.0;
+  const Ensemble& ensemble = kept(toml, study_of(args.at(0)), false, &seconds);
+  const Study study = with_medians(ensemble.study());
+  const TableUnits units(study.scales);
+  Json attractors = Json::array();
+  for (const Attractor& a : ensemble.catalogue().attractors()) {
+    Json one = outcome_json(a.id, a.name, a.alias);
+    one.update(motion_json(a, study));
+    one["stability"] = stability_text(a, units);
+    one["path"] = path_json(study, a.motion);
+    attractors.push_back(std::move(one));
+  }
+  return {{"outcomes", outcomes_json(ensemble)},
+          {"attractors", attractors},
+          {"note", ensemble.balance().note},
+          {"horizon", *ensemble.study().numerics.horizon},
+          {"seconds", seconds}};
+}
+
+Json ensemble(const Json& args, Bulk& bulk) {
+  std::string toml = args.at(0).get<std::string>();
+  const auto first = args.at(1).get<std::uint64_t>();
+  const auto count = args.at(2).get<std::size_t>();
+  const Json options = args.size() > 3 && args.at(3).is_object() ? args.at(3) : Json::object();
+  Study study = study_of(args.at(0));
+  if (options.contains("seed") && options.at("seed").is_number_unsigned()) {
+    study.sampling.seed = options.at("seed").get<std::uint64_t>();
+    toml += "\n# seed " + std::to_string(study.sampling.seed);
+  }
+  Ensemble& e = kept(toml, study, options.value("peaks", false));
+  return fates_json(e, first, e.starts(first, count), bulk);
+}
+
+Json states(const Json& args, Bulk& bulk) {
+  Ensemble& e = kept(args.at(0).get<std::string>(), study_of(args.at(0)), false);
+  return fates_json(e, 0, e.at_angles(numbers_of<double>(args.at(1))), bulk);
+}
+
+Json shares(const Json& args) {
+  std::uint64_t total = 0, open = 0;
+  for (const Json& one : args.at(0)) {
+    const auto count = one.at("count").get<std::uint64_t>();
+    total += count;
+    if (one.at("code").get<int>() == undecided_code) open += count;
+  }
+  Json list = Json::array();
+  for (const Json& one : args.at(0)) {
+    const auto count = one.at("count").get<std::uint64_t>();
+    const int code = one.at("code").get<int>();
+    Json share = share_of(open_share(count, code == undecided_code ? count : count + open, total));
+    share["code"] = code;
+    list.push_back(share);
+  }
+  return list;
+}
+
+Json compare_shares(const Json& args) {
+  const ComparisonResult r = compare(outcomes_of(args.at(0)), outcomes_of(args.at(1)));
+  Json shares = Json::array();
+  for (const ComparedShare& s : r.shares)
+    shares.push_back(
+        {{"name", s.name},
+         {"alias", s.alias},
+         {"first", share_of(s.first)},
+         {"second", share_of(s.second)},
+         {"difference",
+          {{"difference", s.difference.difference}, {"low", s.difference.low}, {"high", s.difference.high}}}});
+  return {{"common", r.common},
+          {"why_not", r.why_not_common},
+          {"starts", r.starts},
+          {"shares", shares},
+          {"verdict", verdict(r)}};
+}
+
+}  // namespace equipoise::web

@@ -1,0 +1,161 @@
+// Studies: read, explained, as forms; and those that come with the page.
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include <fmt/format.h>
+
+#include "calls.hpp"
+#include "equipoise/base/angles.hpp"
+#include "equipoise/base/embedded.hpp"
+#include "equipoise/base/error.hpp"
+#include "equipoise/explain/explain.hpp"
+#include "equipoise/fates/runner.hpp"
+#include "equipoise/model/strobe.hpp"
+#include "equipoise/pages/form.hpp"
+#include "equipoise/report/explain_report.hpp"
+#include "equipoise/report/text.hpp"
+#include "equipoise/study/ball_details.hpp"
+#include "equipoise/trajectory/output_times.hpp"
+
+namespace equipoise::embedded {
+extern const Archive preset_files;
+}
+
+namespace equipoise::web {
+
+namespace {
+
+Json optional_number(const std::optional<double>& value) {
+  return value && std::isfinite(*value) ? Json(*value) : Json();
+}
+
+Json scales_json(const std::optional<model::Scales>& s) {
+  if (!s) return nullptr;
+  return {{"mass", s->mass},
+          {"length", s->length},
+          {"time", s->time()},
+          {"force", s->force()},
+          {"velocity", s->velocity()},
+          {"speed", s->frequency},
+          {"speed_rpm", s->frequency * 30.0 / pi}};
+}
+
+Json machine_json(const Study& study, const Explanation& e) {
+  const model::Parameters& p = study.parameters;
+  const auto by_ball = [&](const auto& values) {
+    return std::vector<double>(values.begin(), values.begin() + p.balls);
+  };
+  const Limits& limits = study.limits;
+  std::optional<double> spun_up = e.spin_up;
+  if (!spun_up && !study.speed.driven()) spun_up = 0.0;
+  return {{"balls", p.balls},
+          {"mass", by_ball(p.mass)},
+          {"ball_radius", by_ball(p.ball_radius)},
+          {"eccentricity", p.eccentricity},
+          {"race_offset", p.race_offset},
+          {"contact_angle", p.contact_angle},
+          {"gravity", p.gravity},
+          {"sag", model::static_sag(p)},
+          {"driven", study.speed.driven()},
+          {"final_speed", optional_number(e.speed)},
+          {"release_time", optional_number(study.release_time())},
+          {"spun_up", optional_number(spun_up)},
+          {"watch_until", output_times(study).back()},
+          {"limits",
+           {{"displacement", optional_number(limits.displacement)},
+            {"force", optional_number(limits.force)},
+            {"velocity", optional_number(limits.velocity)},
+            {"settled", optional_number(limits.settled)}}}};
+}
+
+Json fields_json(const std::vector<FormField>& fields) {
+  Json json = Json::array();
+  for (const FormField& f : fields)
+    json.push_back({{"key", f.key},
+                    {"label", f.label},
+                    {"value", f.value},
+                    {"unit", f.unit},
+                    {"units", f.units},
+                    {"worth", f.worth},
+                    {"allowed", f.allowed},
+                    {"choices", f.choices},
+                    {"kind", name_of(f.kind)},
+                    {"given", f.given}});
+  return json;
+}
+
+std::string command_of(const std::vector<std::string>& overrides) {
+  std::string command = "equipoise basin study.toml";
+  for (const std::string& text : overrides) {
+    const bool plain = text.find_first_of(" '\"[]{}$\\") == text.npos;
+    command += plain ? " --set " + text : fmt::format(" --set '{}'", text);
+  }
+  return command;
+}
+
+Json undecidable(const Study& study) {
+  try {
+    check_runnable(study, false);
+  } catch (const InputError& e) {
+    return {{"message", e.what()},    {"key", e.key()}, {"value", e.value()}, {"problem", e.problem()},
+            {"allowed", e.allowed()}, {"line", 0},      {"kind", "input"}};
+  }
+  return nullptr;
+}
+
+// A study's first line says what it is; of a machine, up to where it begins to say more.
+std::string title_of(const std::string& group, const std::string& toml) {
+  const std::size_t begin = toml.find_first_not_of("# "), end = toml.find('\n');
+  if (!toml.starts_with('#') || begin >= end) return "";
+  std::string title = toml.substr(begin, end - begin);
+  if (group == "machines") title.erase(std::min(title.find_first_of(",:."), title.size()));
+  if (title.ends_with('.')) title.pop_back();
+  return title;
+}
+
+}  // namespace
+
+Json check_study(const Json& args) {
+  const std::string text = args.at(0).get<std::string>();
+  std::vector<std::string> overrides;
+  if (args.size() > 1)
+    for (const Json& pair : args.at(1))
+      overrides.push_back(pair.at(0).get<std::string>() + "=" + pair.at(1).get<std::string>());
+  const Study uncertain = parse_study(text, study_name, overrides);
+  const Study study = with_medians(uncertain);
+  const Explanation e = explain(study, parse_ball_details(text, study_name, overrides));
+  const Json problem = undecidable(uncertain);
+  return {{"toml", with_overrides(text, study_name, overrides)},
+          {"study", study_json(uncertain)},
+          {"physical", study.scales.has_value()},
+          {"scales", scales_json(study.scales)},
+          {"machine", machine_json(study, e)},
+          {"fields", fields_json(form_of(text, study_name, overrides))},
+          {"explain", explain_text(e)},
+          {"warnings", e.warnings},
+          {"command", command_of(overrides)},
+          {"decidable", problem.is_null()},
+          {"problem", problem},
+          {"starts", uncertain.sampling.starts},
+          {"seed", uncertain.sampling.seed}};
+}
+
+Json presets(const Json&) {
+  Json list = Json::array();
+  const embedded::Archive& files = embedded::preset_files;
+  for (std::size_t k = 0; k < files.count; ++k) {
+    const std::string path(files.files[k].name), toml(files.files[k].text);
+    const std::size_t slash = path.find('/'), dot = path.rfind('.');
+    const std::string group = path.substr(0, slash);
+    list.push_back({{"name", path.substr(slash + 1, dot - slash - 1)},
+                    {"title", title_of(group, toml)},
+                    {"group", group},
+                    {"toml", toml}});
+  }
+  return list;
+}
+
+}  // namespace equipoise::web

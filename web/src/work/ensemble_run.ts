@@ -1,0 +1,114 @@
+// Starts of a study computed in small chunks, shared among workers; what is known so far.
+import type { StudyCheck } from "../engine/protocol";
+import { throttled } from "../base/dom";
+import type { Crew } from "./crew";
+import { Outcomes } from "./outcomes";
+import { isAborted } from "./pool";
+
+const NOT_DONE = -32768;
+const CHUNK_TIME = 150; // ms: a worker is free again soon, and the message costs nothing beside it
+const [LEAST_CHUNK, MOST_CHUNK] = [16, 4096];
+
+/** How many starts to give a worker at once, from what the last chunk took. */
+export class ChunkSize {
+  size = 64;
+
+  took(starts: number, milliseconds: number): void {
+    const wanted = (starts * CHUNK_TIME) / Math.max(1, milliseconds);
+    this.size = Math.round(Math.max(LEAST_CHUNK, Math.min(MOST_CHUNK, wanted, 4 * this.size)));
+  }
+}
+
+export class EnsembleRun {
+  readonly outcome: Int32Array;
+  readonly time: Float64Array;
+  readonly angles: Float64Array;
+  readonly outcomes = new Outcomes();
+  done = 0;
+  failure: Error | null = null;
+
+  private next = 0;
+  private asked = 0;
+  private busy = 0;
+  private readonly chunk = new ChunkSize();
+  private readonly stopper = new AbortController();
+  private readonly changed: () => void;
+
+  /** `check` holds the study; `most` starts can be asked for. */
+  constructor(
+    private readonly crew: Crew,
+    readonly check: StudyCheck,
+    readonly most: number,
+    private readonly urgency: number,
+    changed: () => void,
+  ) {
+    this.outcome = new Int32Array(most).fill(NOT_DONE);
+    this.time = new Float64Array(most);
+    this.angles = new Float64Array(most * check.machine.balls);
+    this.changed = throttled(120, changed);
+  }
+
+  /** Computes on until so many starts are done. */
+  extend(starts: number): void {
+    this.asked = Math.max(this.asked, Math.min(starts, this.most));
+    while (this.busy < this.crew.computing.size && this.next < this.asked && !this.failure) void this.work();
+  }
+
+  get wanted(): number {
+    return this.asked;
+  }
+
+  stop(): void {
+    this.stopper.abort();
+  }
+
+  /** Starts 0 to below this are all done. */
+  get prefix(): number {
+    const at = this.outcome.subarray(0, this.next).indexOf(NOT_DONE);
+    return at < 0 ? this.next : at;
+  }
+
+  /** How many starts came to each outcome that is known, in their order. */
+  counts(): { code: number; count: number }[] {
+    const counts = new Map<number, number>(this.outcomes.list.map(({ code }) => [code, 0]));
+    for (let k = 0; k < this.next; ++k) {
+      const code = this.outcome[k]!;
+      if (code !== NOT_DONE) counts.set(code, (counts.get(code) ?? 0) + 1);
+    }
+    return [...counts].map(([code, count]) => ({ code, count }));
+  }
+
+  /** A start that came to this, if there is one among those done. */
+  startOf(code: number): number | null {
+    const at = this.outcome.indexOf(code);
+    return at < 0 ? null : at;
+  }
+
+  isDone(start: number): boolean {
+    return start < this.next && this.outcome[start] !== NOT_DONE;
+  }
+
+  private async work(): Promise<void> {
+    this.busy += 1;
+    const { signal } = this.stopper;
+    while (this.next < this.asked && !signal.aborted && !this.failure) {
+      const first = this.next;
+      const count = Math.min(this.chunk.size, this.asked - first);
+      this.next += count;
+      try {
+        const options = { urgency: this.urgency, signal, took: (ms: number) => this.chunk.took(count, ms) };
+        const fates = await this.crew.compute("ensemble", [this.check.toml, first, count], options);
+        if (fates.count !== count) throw new Error(`${count} starts were asked for, ${fates.count} came back.`);
+        this.outcomes.adopt(fates.outcomes, fates.outcome);
+        this.outcome.set(fates.outcome, first);
+        this.time.set(fates.time, first);
+        this.angles.set(fates.angles, first * fates.balls);
+        this.done += count;
+      } catch (error) {
+        if (!isAborted(error)) this.failure = error as Error;
+      }
+      if (!signal.aborted) this.changed();
+    }
+    this.busy -= 1;
+  }
+}

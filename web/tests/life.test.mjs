@@ -1,0 +1,163 @@
+// The page as a thing to live with: frame rate, memory, broken workers, phones, keyboards, dark rooms.
+import assert from "node:assert/strict";
+import { after, before, test } from "node:test";
+import { LONGEST, browse, closePage, missing, openPage, settledShares } from "./browser.mjs";
+
+let browser;
+before(async () => {
+  if (!missing) browser = await browse();
+});
+after(() => browser?.close());
+
+const check = (name, work) => test(name, { skip: missing, timeout: LONGEST }, work);
+
+check("plays on smoothly while workers compute", async () => {
+  const page = await openPage(browser);
+  const frames = await page.evaluate(
+    () =>
+      new Promise((resolve) => {
+        const times = [];
+        const tick = (now) => (times.push(now), times.length < 150 ? requestAnimationFrame(tick) : resolve(times));
+        requestAnimationFrame(tick);
+      }),
+  );
+  const gaps = frames
+    .slice(1)
+    .map((time, k) => time - frames[k])
+    .sort((a, b) => a - b);
+  const median = gaps[Math.floor(gaps.length / 2)];
+  console.log(
+    `frames a second: median ${(1000 / median).toFixed(0)}, slowest twentieth ${(1000 / gaps[Math.floor(0.95 * gaps.length)]).toFixed(0)}`,
+  );
+  assert.ok(median < 25, `${median} ms`); // a 60 Hz screen with room for a machine that does other work too
+  const before = await page.textContent("#stage .readout b");
+  await page.waitForFunction((time) => document.querySelector("#stage .readout b").textContent !== time, before);
+  await closePage(page);
+});
+
+check("steps, pauses, lets held balls go, and a dragged ball starts where it is dropped", async () => {
+  const page = await openPage(browser, { hash: "study=table-4-omega-2.4&start=0", ready: false });
+  await page.waitForFunction(() => /balls held/.test(document.querySelector("#stage .readout")?.textContent ?? ""));
+  await page.getByRole("button", { name: "Let the balls go" }).click();
+  await page.waitForFunction(() => !/balls held/.test(document.querySelector("#stage .readout").textContent));
+  await page.getByRole("button", { name: "Pause" }).click();
+  const paused = await page.textContent("#stage .readout");
+  await page.getByRole("button", { name: "Step" }).click();
+  await page.waitForFunction((text) => document.querySelector("#stage .readout").textContent !== text, paused);
+  await page.getByRole("button", { name: "with the rotor" }).click();
+  await page.getByRole("button", { name: "Spin up again" }).click();
+  await page.waitForFunction(() => /time 0/.test(document.querySelector("#stage .readout").textContent));
+  // Drag ball 1 to 90 degrees: straight up from the centre of the disc.
+  const box = await page.locator("#stage canvas").boundingBox();
+  const radius = box.width / 2 / (1.18 + 0.3);
+  const from = (Math.PI / 180) * Number(await page.inputValue(".angles input"));
+  const middle = [box.x + box.width / 2, box.y + box.height / 2];
+  await page.mouse.move(middle[0] + radius * Math.cos(from), middle[1] - radius * Math.sin(from));
+  await page.mouse.down();
+  await page.mouse.move(middle[0], middle[1] - radius, { steps: 4 });
+  await page.mouse.up();
+  const angle = Number(await page.inputValue(".angles input"));
+  assert.ok(Math.abs(angle - 90) < 2, String(angle));
+  await page.waitForFunction(() => /This start/.test(document.querySelector("#stage .fate").textContent));
+  await closePage(page);
+});
+
+check("a worker that breaks is replaced, said so, and the answer goes on", async () => {
+  const page = await openPage(browser);
+  await settledShares(page, 10_000);
+  await page.getByRole("button", { name: "more starts" }).click();
+  const done = () => page.evaluate(() => document.querySelector("#verdict .quiet").textContent);
+  await page.evaluate(() => {
+    for (const worker of [...window.workers]) {
+      worker.dispatchEvent(new ErrorEvent("error", { message: "unreachable executed" }));
+      worker.terminate();
+    }
+  });
+  await page.waitForSelector("#notices .notice");
+  assert.match(await page.textContent("#notices"), /started again/);
+  const before = await done();
+  await page.waitForFunction((text) => document.querySelector("#verdict .quiet").textContent !== text, before);
+  const time = await page.textContent("#stage .readout b");
+  await page.waitForFunction((text) => document.querySelector("#stage .readout b").textContent !== text, time);
+  await closePage(page);
+});
+
+check("memory stays flat from study to study", async () => {
+  const page = await openPage(browser);
+  const names = await page.$$eval("#preset optgroup[label^='Wright'] option", (all) =>
+    all.slice(0, 6).map((one) => one.value),
+  );
+  const session = await page.context().newCDPSession(page);
+  const heap = async () => {
+    await session.send("HeapProfiler.collectGarbage");
+    return (await session.send("Runtime.getHeapUsage")).usedSize;
+  };
+  const rounds = [];
+  for (let round = 0; round < 3; ++round) {
+    for (const name of names) {
+      await page.selectOption("#preset", name);
+      await page.waitForTimeout(250);
+    }
+    rounds.push(await heap());
+  }
+  console.log(`heap after each round, MB: ${rounds.map((size) => (size / 1e6).toFixed(1)).join(", ")}`);
+  // A study that leaked its map (256 x 256 x 12 bytes) and starts would add 15 MB a round of six.
+  assert.ok(rounds[2] - rounds[0] < 8e6, String(rounds));
+  await closePage(page);
+});
+
+check("on a phone nothing is wider than the screen, and touch plays a start", async () => {
+  const page = await openPage(browser, { viewport: { width: 390, height: 844 }, isMobile: true, hasTouch: true });
+  assert.ok((await page.evaluate(() => document.documentElement.scrollWidth)) <= 390);
+  await page.waitForFunction(() => /(16|32|64|128) × /.test(document.querySelector("#map .quiet").textContent));
+  await page.locator("#map canvas").tap();
+  await page.waitForFunction(() => /This start/.test(document.querySelector("#stage .fate").textContent));
+  const small = await page.$$eval("button, select", (all) =>
+    all
+      .filter(
+        (one) =>
+          one.offsetParent &&
+          !one.closest(".segments") &&
+          !one.classList.contains("text") &&
+          one.getBoundingClientRect().height < 36,
+      )
+      .map((one) => one.textContent),
+  );
+  assert.deepEqual(small, []); // a fingertip
+  await closePage(page);
+});
+
+check("by keyboard alone, with a name for everything", async () => {
+  const page = await openPage(browser);
+  await page.keyboard.press("Tab");
+  assert.equal(await page.evaluate(() => document.activeElement.textContent), "To the answer");
+  await page.keyboard.press("Enter");
+  const nameless = await page.$$eval("button, select, input:not([hidden]), [role=img], [role=button]", (all) =>
+    all
+      .filter((one) => !(one.getAttribute("aria-label") || one.labels?.length || one.textContent.trim()))
+      .map((one) => one.outerHTML.slice(0, 80)),
+  );
+  assert.deepEqual(nameless, []);
+  const slider = page.locator('[data-key="speed.speed"] input[type=range]');
+  await slider.focus();
+  await page.keyboard.press("ArrowRight");
+  await page.waitForFunction(() => document.querySelector('[data-key="speed.speed"]').classList.contains("changed"));
+  await closePage(page);
+});
+
+check("who asked for little motion gets a machine that stands until it is started", async () => {
+  const page = await openPage(browser, { reducedMotion: "reduce", colorScheme: "dark" });
+  assert.equal(await page.textContent("#stage button.main"), "Play");
+  const paper = await page.evaluate(() => getComputedStyle(document.body).backgroundColor);
+  assert.equal(paper, "rgb(15, 19, 23)");
+  await closePage(page);
+});
+
+check("shares are those of the starts, whatever the order in which workers took them", async () => {
+  const page = await openPage(browser);
+  const first = await settledShares(page, 10_000);
+  await page.reload();
+  await page.waitForSelector("#verdict .big");
+  assert.deepEqual(await settledShares(page, 10_000), first);
+  await closePage(page);
+});

@@ -1,0 +1,61 @@
+// One file in the end: page, style, workers and engine, so that it opens from a disk as well as from any host.
+import { readFileSync } from "node:fs";
+import { fileURLToPath } from "node:url";
+import { gzipSync } from "node:zlib";
+import { defineConfig, type Plugin } from "vite";
+
+/** `?packed`: a file's bytes, compressed, as text in base64. Hosts compress what they send, but not through base64. */
+function packed(): Plugin {
+  return {
+    name: "packed",
+    enforce: "pre",
+    load(id) {
+      const [path, query] = id.split("?");
+      if (query !== "packed") return null;
+      this.addWatchFile(path!);
+      const text = gzipSync(readFileSync(path!), { level: 9 }).toString("base64");
+      return { code: `export default ${JSON.stringify(text)};`, moduleType: "js" };
+    },
+  };
+}
+
+/** Scripts and style sheets written into the page that asks for them. */
+function singleFile(): Plugin {
+  return {
+    name: "single-file",
+    enforce: "post",
+    generateBundle(_options, bundle) {
+      const page = bundle["index.html"];
+      if (page?.type !== "asset") return;
+      let html = String(page.source);
+      for (const [name, part] of Object.entries(bundle)) {
+        if (name === "index.html") continue;
+        const text = part.type === "chunk" ? part.code : String(part.source);
+        const script = new RegExp(`<script[^>]*src="[./]*${name}"[^>]*></script>`);
+        const style = new RegExp(`<link[^>]*href="[./]*${name}"[^>]*>`);
+        if (script.test(html)) {
+          // At the end of the body, and with nothing in it that would end a script.
+          const inline = `<script type="module">${text.replaceAll("</script", "<\\/script")}</script>`;
+          html = html.replace(script, "").replace("</body>", () => `${inline}\n  </body>`);
+        } else if (style.test(html)) html = html.replace(style, () => `<style>${text}</style>`);
+        else this.error(`${name} is asked for by nobody`);
+        delete bundle[name];
+      }
+      page.source = html;
+    },
+  };
+}
+
+export default defineConfig({
+  base: "./",
+  plugins: [packed(), singleFile()],
+  worker: { plugins: () => [packed()] },
+  build: {
+    outDir: process.env.EQUIPOISE_WEB_OUT ?? fileURLToPath(new URL("../build/web", import.meta.url)),
+    emptyOutDir: false,
+    target: "es2022",
+    modulePreload: false,
+    cssCodeSplit: false,
+    assetsInlineLimit: 100_000_000,
+  },
+});
