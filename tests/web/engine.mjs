@@ -10,8 +10,7 @@ import { resolve } from "node:path";
 const [folder, door] = process.argv.slice(2).map((path) => resolve(path));
 const { default: createEquipoise } = await import(pathToFileURL(`${folder}/equipoise.mjs`));
 const { loadEngine } = await import(pathToFileURL(door));
-const file = readFileSync(`${folder}/equipoise.wasm`);
-const ask = await loadEngine(createEquipoise, file.buffer.slice(file.byteOffset, file.byteOffset + file.length));
+const ask = await loadEngine(createEquipoise, await WebAssembly.compile(readFileSync(`${folder}/equipoise.wasm`)));
 
 /** Lists that are meant to be typed arrays come as {"f64": [...]} or {"i32": [...]}. */
 const typed = (_key, value) =>

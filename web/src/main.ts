@@ -1,7 +1,7 @@
 // The page: who is who, and the first question.
 import "./style/page.css";
 import "./style/parts.css";
-import EngineWorker from "./engine/worker?worker&inline";
+import { engineWorkers } from "./engine/compiled";
 import { Answer } from "./page/answer";
 import { ComparisonView } from "./page/comparison";
 import { Desk } from "./page/desk";
@@ -12,17 +12,16 @@ import { Notices } from "./page/notices";
 import { Stage } from "./page/stage";
 import { StudyFiles } from "./page/study_files";
 import { SweepView } from "./page/sweep_view";
+import { FIRST_STUDY } from "./setting/first_study.mjs";
 import { fromHash, type Setting } from "./setting/setting";
 import { Crew } from "./work/crew";
-
-const FIRST_STUDY = "table-2-omega-2.4"; // six in ten balance: both fates are seen within a minute
 
 const place = (id: string): HTMLElement => document.getElementById(id)!;
 
 async function begin(): Promise<void> {
   const notices = new Notices(place("notices"));
   const crew = new Crew(
-    () => new EngineWorker(),
+    engineWorkers((error) => notices.say(`This browser cannot run the engine: ${error.message}`, true)),
     (why) => notices.say(`A worker stopped (${why}) and was started again; what it was computing is computed anew.`),
   );
   const presets = await crew.ask("presets");
@@ -44,9 +43,9 @@ async function begin(): Promise<void> {
   new SweepView(desk, place("sweep-form"), place("sweep-chart"));
   new StudyFiles(desk, presets, place("terminal"));
   if (window.matchMedia("(max-width: 760px)").matches) place("settings-fold").removeAttribute("open");
+  await desk.take(first);
   const { version } = await crew.ask("version");
   place("foot").textContent = `Equipoise ${version}. Everything is computed in this page; nothing leaves it.`;
-  await desk.take(first);
 }
 
 begin().catch((error: Error) => new Notices(place("notices")).say(`The page could not begin: ${error.message}`, true));

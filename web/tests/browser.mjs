@@ -23,8 +23,11 @@ export async function browse() {
   return chromium.launch({ executablePath: CHROMIUM, args: ["--no-sandbox", "--enable-precise-memory-info"] });
 }
 
-/** A page that keeps what it asks of the world and what breaks in it; workers can be broken from outside. */
-export async function openPage(browser, { hash = "", ready = true, ...options } = {}) {
+/**
+ * A page that keeps what it asks of the world and what breaks in it; workers can be broken from outside. `before`: run in it
+ * ahead of its own scripts.
+ */
+export async function openPage(browser, { hash = "", ready = true, before = () => undefined, ...options } = {}) {
   const context = await browser.newContext({
     viewport: { width: 1440, height: 900 },
     acceptDownloads: true,
@@ -46,6 +49,7 @@ export async function openPage(browser, { hash = "", ready = true, ...options } 
       }
     };
   });
+  await page.addInitScript(before);
   await page.goto(address + (hash ? `#${hash}` : ""));
   if (ready) await page.waitForSelector("#verdict .big", { timeout: PATIENCE });
   return page;

@@ -6,6 +6,6 @@ export type Engine = (call: keyof Calls, args: unknown[]) => { result: unknown }
 
 export function loadEngine(
   createEquipoise: EquipoiseFactory,
-  wasmBinary: ArrayBuffer,
+  compiled: WebAssembly.Module,
   onProgress?: (progress: Progress) => void,
 ): Promise<Engine>;

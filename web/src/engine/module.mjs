@@ -3,13 +3,16 @@
 
 /**
  * @param {(given: object) => Promise<any>} createEquipoise default export of equipoise.mjs
- * @param {ArrayBuffer} wasmBinary bytes of equipoise.wasm
+ * @param {WebAssembly.Module} compiled equipoise.wasm
  * @param {(progress: object) => void} [onProgress]
  * @returns {Promise<(call: string, args: unknown[]) => {result: unknown} | {error: object}>}
  */
-export async function loadEngine(createEquipoise, wasmBinary, onProgress) {
+export async function loadEngine(createEquipoise, compiled, onProgress) {
   const module = await createEquipoise({
-    wasmBinary,
+    instantiateWasm: (imports, done) => {
+      void WebAssembly.instantiate(compiled, imports).then(done);
+      return {}; // exports follow
+    },
     onProgress: (what, done, total, preparing) => onProgress?.({ what, done, total, preparing }),
   });
   return (call, args) => asked(module, call, args);

@@ -288,9 +288,7 @@ export interface Request {
 export type Response =
   | { id: number; result: unknown }
   | { id: number; error: Problem }
-  | { id: number; progress: Progress }
-  /** The module is loaded (id 0). */
-  | { id: 0; ready: true };
+  | { id: number; progress: Progress };
 
 export class EngineError extends Error {
   constructor(readonly problem: Problem) {

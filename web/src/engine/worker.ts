@@ -1,7 +1,6 @@
-// The worker: loads one module and answers calls in the order in which they come.
+// The worker: is given the compiled engine, makes one of its own of it and answers calls in the order in which they come.
 import createEquipoise from "../../../build/web-engine/equipoise.mjs";
-import packed from "../../../build/web-engine/equipoise.wasm?packed";
-import { loadEngine } from "./module.mjs";
+import { loadEngine, type Engine } from "./module.mjs";
 import type { Problem, Request, Response } from "./protocol";
 
 const say = (response: Response, transfer: Transferable[] = []) =>
@@ -16,23 +15,19 @@ function arraysOf(result: unknown): Transferable[] {
   return Object.values(result).flatMap((value) => (ArrayBuffer.isView(value) ? [value.buffer as ArrayBuffer] : []));
 }
 
-// The module comes inside the script, so that nothing has to be fetched.
-async function unpacked(base64: string): Promise<ArrayBuffer> {
-  const bytes = Uint8Array.from(atob(base64), (c) => c.charCodeAt(0));
-  return new Response(new Blob([bytes]).stream().pipeThrough(new DecompressionStream("gzip"))).arrayBuffer();
-}
-
 function crash(error: unknown): Problem {
   const message = error instanceof Error ? error.message : String(error);
   return { message, key: "", value: "", problem: message, allowed: "", line: 0, kind: "crash" };
 }
 
 let current = 0;
-const engine = unpacked(packed).then((bytes) =>
-  loadEngine(createEquipoise, bytes, (progress) => say({ id: current, progress })),
+let give: (compiled: WebAssembly.Module) => void;
+const engine: Promise<Engine> = new Promise<WebAssembly.Module>((resolve) => (give = resolve)).then((compiled) =>
+  loadEngine(createEquipoise, compiled, (progress) => say({ id: current, progress })),
 );
 
-self.addEventListener("message", (event: MessageEvent<Request>) => {
+self.addEventListener("message", (event: MessageEvent<WebAssembly.Module | Request>) => {
+  if (event.data instanceof WebAssembly.Module) return give(event.data);
   const { id, call, args } = event.data;
   void engine
     .then((ask) => {
@@ -44,8 +39,3 @@ self.addEventListener("message", (event: MessageEvent<Request>) => {
     // What the module does not answer leaves it in no state to go on in.
     .catch((error: unknown) => say({ id, error: crash(error) }));
 });
-
-void engine.then(
-  () => say({ id: 0, ready: true }),
-  () => undefined, // told in answer to the first call
-);

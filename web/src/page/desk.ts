@@ -17,6 +17,7 @@ import type { Crew } from "../work/crew";
 import { EnsembleRun } from "../work/ensemble_run";
 import { MapRun } from "../work/map_run";
 import { isAborted } from "../work/pool";
+import { preparedStarts } from "../work/prepared";
 
 /** What goes first when workers are scarce. */
 export const URGENCY = {
@@ -164,6 +165,8 @@ export class Desk {
       this.discovery.set(found);
       this.run = new EnsembleRun(this.crew, check, MOST_STARTS, URGENCY.starts, () => void this.count(check));
       this.run.outcomes.adopt(found.outcomes, new Int32Array(0));
+      const prepared = preparedStarts(check.toml);
+      if (prepared) this.run.beginWith(prepared);
       this.run.extend(Math.min(FIRST_STARTS, check.starts));
     } catch (error) {
       if (!isAborted(error)) this.fail(error as Error);

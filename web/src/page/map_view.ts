@@ -14,6 +14,7 @@ export class MapView {
   private readonly words = h("p", { class: "quiet" });
   private readonly frame: HTMLElement;
   private cursor: number | null = null;
+  private pointed: number | null = null; // the pixel that is told of
   private colours = new Map<string, number>();
 
   constructor(
@@ -49,6 +50,7 @@ export class MapView {
 
   private show(map: MapRun | null): void {
     this.cursor = map ? this.cursor : null;
+    this.pointed = map ? this.pointed : null;
     const balls = this.desk.checked.value?.machine.balls ?? 2;
     this.place.hidden = balls < 2;
     if (!map) {
@@ -65,6 +67,7 @@ export class MapView {
     this.paint();
     this.draw();
     this.describe();
+    this.tell(this.pointed);
   }
 
   private packed(colour: string): number {
@@ -149,14 +152,20 @@ export class MapView {
 
   private tell(pixel: number | null): void {
     const map = this.map;
-    if (!map || pixel === null) return void (this.told.textContent = "");
+    this.pointed = pixel;
+    if (!map || pixel === null) return this.say("");
     const [first, second] = map.angles(pixel).map((angle) => degrees(angle).toFixed(0));
     const known = map.standIn(pixel);
     const at = `Balls at ${first}° and ${second}°: `;
-    if (known === NO_PIXEL) return void (this.told.textContent = `${at}not computed yet`);
+    if (known === NO_PIXEL) return this.say(`${at}not computed yet`);
     const outcome = map.outcomes.of(map.outcome[known]!);
+    if (known !== pixel) return this.say(`${at}not computed yet, beside it ${outcomeName(outcome)}`);
     const when = new Units(map.check.scales).timeText(map.time[known]!);
-    this.told.textContent = `${at}${outcomeName(outcome)}${outcome.code > 0 ? `, certain at ${when}` : ""}`;
+    this.say(`${at}${outcomeName(outcome)}${outcome.code > 0 ? `, certain at ${when}` : ""}`);
+  }
+
+  private say(text: string): void {
+    if (this.told.textContent !== text) this.told.textContent = text; // said aloud once only
   }
 
   private listen(): void {

@@ -1,6 +1,7 @@
 // Who works for the page: one worker that answers at once, and as many as the machine has room for that compute.
 import type { Calls } from "../engine/protocol";
 import { Pool, type TaskOptions } from "./pool";
+import { preparedAnswer } from "./prepared";
 
 const MOST_COMPUTING = 8; // each holds a module and the attractors it found: some 50 MB
 
@@ -18,7 +19,8 @@ export class Crew {
   }
 
   ask<K extends keyof Calls>(call: K, ...args: Parameters<Calls[K]>): Promise<ReturnType<Calls[K]>> {
-    return this.front.run(call, args);
+    const prepared = preparedAnswer(call, args);
+    return prepared ? Promise.resolve(prepared) : this.front.run(call, args);
   }
 
   compute<K extends keyof Calls>(
@@ -26,6 +28,7 @@ export class Crew {
     args: Parameters<Calls[K]>,
     options: TaskOptions,
   ): Promise<ReturnType<Calls[K]>> {
-    return this.computing.run(call, args, options);
+    const prepared = preparedAnswer(call, args);
+    return prepared ? Promise.resolve(prepared) : this.computing.run(call, args, options);
   }
 }

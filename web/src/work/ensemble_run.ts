@@ -1,5 +1,5 @@
 // Starts of a study computed in small chunks, shared among workers; what is known so far.
-import type { StudyCheck } from "../engine/protocol";
+import type { Fates, StudyCheck } from "../engine/protocol";
 import { throttled } from "../base/dom";
 import type { Crew } from "./crew";
 import { Outcomes } from "./outcomes";
@@ -54,6 +54,13 @@ export class EnsembleRun {
     while (this.busy < this.crew.computing.size && this.next < this.asked && !this.failure) void this.work();
   }
 
+  /** Takes the first starts from elsewhere; before any is asked for. */
+  beginWith(fates: Fates): void {
+    this.next = this.asked = fates.count;
+    this.keep(fates, 0);
+    this.changed();
+  }
+
   get wanted(): number {
     return this.asked;
   }
@@ -88,6 +95,14 @@ export class EnsembleRun {
     return start < this.next && this.outcome[start] !== NOT_DONE;
   }
 
+  private keep(fates: Fates, first: number): void {
+    this.outcomes.adopt(fates.outcomes, fates.outcome);
+    this.outcome.set(fates.outcome, first);
+    this.time.set(fates.time, first);
+    this.angles.set(fates.angles, first * fates.balls);
+    this.done += fates.count;
+  }
+
   private async work(): Promise<void> {
     this.busy += 1;
     const { signal } = this.stopper;
@@ -99,11 +114,7 @@ export class EnsembleRun {
         const options = { urgency: this.urgency, signal, took: (ms: number) => this.chunk.took(count, ms) };
         const fates = await this.crew.compute("ensemble", [this.check.toml, first, count], options);
         if (fates.count !== count) throw new Error(`${count} starts were asked for, ${fates.count} came back.`);
-        this.outcomes.adopt(fates.outcomes, fates.outcome);
-        this.outcome.set(fates.outcome, first);
-        this.time.set(fates.time, first);
-        this.angles.set(fates.angles, first * fates.balls);
-        this.done += count;
+        this.keep(fates, first);
       } catch (error) {
         if (!isAborted(error)) this.failure = error as Error;
       }

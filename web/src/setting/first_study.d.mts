@@ -1,0 +1,2 @@
+// Types of first_study.mjs.
+export const FIRST_STUDY: string;
