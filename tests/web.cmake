@@ -25,8 +25,10 @@ web_test(web.calls_answer_as_the_program_does calls_test.py)
 # The page around it, in a browser.
 find_program(EQUIPOISE_NPM npm)
 find_program(EQUIPOISE_CHROMIUM chromium)
-if(NOT EQUIPOISE_NPM OR NOT EQUIPOISE_CHROMIUM)
-  message(STATUS "Tests of the browser's page are left out: they need npm and Chromium")
+execute_process(COMMAND ${EQUIPOISE_NODE} --version OUTPUT_VARIABLE node_version OUTPUT_STRIP_TRAILING_WHITESPACE)
+string(REPLACE "v" "" node_version "${node_version}")
+if(NOT EQUIPOISE_NPM OR NOT EQUIPOISE_CHROMIUM OR node_version VERSION_LESS 20)
+  message(STATUS "Tests of the browser's page are left out: they need npm, Node.js 20 (here: ${node_version}) and Chromium")
   return()
 endif()
 add_test(NAME web.page_is_built
