@@ -89,7 +89,6 @@ Command add_attractors(CLI::App& app) {
          "as \"state\" in --json prints them; may be repeated")
       ->type_name("X,Y,...")
       ->take_all();
-  app.add_option("--threads", a->threads, "threads (default: all cores)")->type_name("T");
   app.add_option(
          "--along", a->along,
          "follow every attractor along a study key, e.g. speed.final=1.4:6.5:0.05, or in a study with units "
@@ -102,9 +101,8 @@ Command add_attractors(CLI::App& app) {
   app.add_option("--plot", a->plot, "with --along: a picture of r_min to r_max (.png or .svg), drawn by gnuplot")
       ->type_name("FILE");
   add_overrides(app, a->overrides);
-  app.add_option("--cpu", a->cpu, "instruction set to use instead of the best (see --version)")->type_name("NAME");
+  add_computing(app, *a);
   app.add_flag("--json", a->json, "print one JSON object");
-  app.add_flag("--quiet", a->quiet, "no progress");
   return [a] { return run_attractors(*a); };
 }
 

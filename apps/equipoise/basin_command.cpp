@@ -159,11 +159,9 @@ Command add_basin(CLI::App& app) {
                "peak vibration, bearing force, settling time and their like (default where the study has [limits])");
   app.add_option("--report", a->report, "the same as a page to be taken to a meeting (see report); with --transients")
       ->type_name("FILE.html");
-  app.add_option("--threads", a->threads, "threads (default: all cores)")->type_name("T");
   add_overrides(app, a->overrides);
-  app.add_option("--cpu", a->cpu, "instruction set to use instead of the best (see --version)")->type_name("NAME");
+  add_computing(app, *a);
   app.add_flag("--json", a->json, "print one JSON object");
-  app.add_flag("--quiet", a->quiet, "no progress");
   return [a] { return run_basin(*a); };
 }
 

@@ -72,11 +72,9 @@ Command add_compare(CLI::App& app) {
   app.add_option("--set-second", a->second_overrides, "override a key of the second study only; may be repeated")
       ->type_name("KEY=VALUE")
       ->take_all();
-  app.add_option("--threads", a->threads, "threads (default: all cores)")->type_name("T");
   add_overrides(app, a->overrides);
-  app.add_option("--cpu", a->cpu, "instruction set to use instead of the best (see --version)")->type_name("NAME");
+  add_computing(app, *a);
   app.add_flag("--json", a->json, "print one JSON object");
-  app.add_flag("--quiet", a->quiet, "no progress");
   return [a] { return run_compare(*a); };
 }
 

@@ -79,10 +79,8 @@ Command add_design(CLI::App& app) {
                  "all ensembles as NetCDF (.nc), kept as they come; the same command goes on from it")
       ->type_name("FILE");
   add_forms(app, *a, {"a line a member of the front (.csv)", "a picture (.png or .svg); drawn by gnuplot"});
-  app.add_option("--threads", a->threads, "threads (default: all cores)")->type_name("T");
   add_overrides(app, a->overrides);
-  app.add_option("--cpu", a->cpu, "instruction set to use instead of the best (see --version)")->type_name("NAME");
-  app.add_flag("--quiet", a->quiet, "no progress");
+  add_computing(app, *a);
   return [a] { return run_design(*a); };
 }
 

@@ -107,10 +107,8 @@ Command add_map(CLI::App& app) {
       ->type_name("FILE");
   app.add_option("--from", a->from, "take pixels with the same centres from another map's file")->type_name("FILE");
   add_forms(app, *a, {nullptr, "a picture (.png or .svg), darker where decided later; drawn by gnuplot"});
-  app.add_option("--threads", a->threads, "threads (default: all cores)")->type_name("T");
   add_overrides(app, a->overrides);
-  app.add_option("--cpu", a->cpu, "instruction set to use instead of the best (see --version)")->type_name("NAME");
-  app.add_flag("--quiet", a->quiet, "no progress");
+  add_computing(app, *a);
   return [a] { return run_map(*a); };
 }
 

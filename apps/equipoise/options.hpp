@@ -68,4 +68,12 @@ void write_file(const std::string& path, const std::string& text);
 /// --set KEY=VALUE, repeated.
 void add_overrides(CLI::App& app, std::vector<std::string>& overrides);
 
+/// --threads, --cpu and --quiet, which all commands have that compute.
+template <class Arguments>
+void add_computing(CLI::App& app, Arguments& a) {
+  app.add_option("--threads", a.threads, "threads (default: all cores)")->type_name("T");
+  app.add_option("--cpu", a.cpu, "instruction set to use instead of the best (see --version)")->type_name("NAME");
+  app.add_flag("--quiet", a.quiet, "no progress");
+}
+
 }  // namespace equipoise::app

@@ -65,10 +65,8 @@ Command add_report(CLI::App& app) {
       ->type_name("FILE.html");
   app.add_option("--starts", a->starts, "number of starts")->type_name("N");
   app.add_option("--seed", a->seed, "seed of the starts")->type_name("S");
-  app.add_option("--threads", a->threads, "threads (default: all cores)")->type_name("T");
   add_overrides(app, a->overrides);
-  app.add_option("--cpu", a->cpu, "instruction set to use instead of the best (see --version)")->type_name("NAME");
-  app.add_flag("--quiet", a->quiet, "no progress");
+  add_computing(app, *a);
   return [a] { return run_report(*a); };
 }
 

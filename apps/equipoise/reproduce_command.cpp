@@ -103,10 +103,8 @@ Command add_reproduce(CLI::App& app) {
   app.add_option("-o,--output", a->output, "folder for ensembles, pictures and tables; the same command resumes")
       ->type_name("DIR");
   app.add_option("--pixels", a->pixels, "pixels along each side of the maps of `future` (default: 64)")->type_name("P");
-  app.add_option("--threads", a->threads, "threads (default: all cores)")->type_name("T");
-  app.add_option("--cpu", a->cpu, "instruction set to use instead of the best (see --version)")->type_name("NAME");
+  add_computing(app, *a);
   app.add_flag("--json", a->json, "print one JSON object");
-  app.add_flag("--quiet", a->quiet, "no progress");
   return [a] { return run_reproduce(*a); };
 }
 

@@ -188,10 +188,8 @@ Command add_sweep(CLI::App& app) {
   app.add_option("--shard", a->shard, "only the I-th of N parts of the work, to be merged (equipoise merge)")
       ->type_name("I/N");
   add_forms(app, *a, sweep_words);
-  app.add_option("--threads", a->threads, "threads (default: all cores)")->type_name("T");
   add_overrides(app, a->overrides);
-  app.add_option("--cpu", a->cpu, "instruction set to use instead of the best (see --version)")->type_name("NAME");
-  app.add_flag("--quiet", a->quiet, "no progress");
+  add_computing(app, *a);
   return [a] { return run_sweep(*a); };
 }
 

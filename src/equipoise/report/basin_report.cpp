@@ -10,6 +10,7 @@
 #include "equipoise/report/left_unbalance.hpp"
 #include "equipoise/report/sampling_text.hpp"
 #include "equipoise/report/sensitivity_report.hpp"
+#include "equipoise/report/computed.hpp"
 #include "equipoise/report/text.hpp"
 #include "equipoise/report/transient_report.hpp"
 
@@ -129,16 +130,10 @@ std::string basin_json(const BasinResult& r) {
   }
   json["balanced_stable"] = r.balanced_stable;
   json["note"] = r.note;
-  json["seconds"] = r.seconds;
-  json["cpu_seconds"] = r.cpu_seconds;
   json["starts_per_second"] = r.seconds > 0.0 ? static_cast<double>(r.starts - r.resumed_from) / r.seconds : 0.0;
   json["resumed_from"] = r.resumed_from;
-  json["threads"] = r.threads;
-  json["cpu_target"] = r.cpu_target;
   json["law"] = name_of(r.study.speed.law);
-  json["study_name"] = r.study.name;
-  json["study"] = study_json(r.study);
-  json["version"] = version_string;
+  add_computed(json, r);
   return json.dump(2) + "\n";
 }
 

@@ -9,6 +9,7 @@
 
 #include "equipoise/base/version.hpp"
 #include "equipoise/report/csv.hpp"
+#include "equipoise/report/computed.hpp"
 #include "equipoise/report/text.hpp"
 
 namespace equipoise {
@@ -126,12 +127,7 @@ std::string branches_json(const BranchesResult& r) {
                                 {"radial", {{"min", e.r_min}, {"mean", e.r_mean}, {"max", e.r_max}}}});
   }
   json["partial"] = r.partial;
-  json["seconds"] = r.seconds;
-  json["threads"] = r.threads;
-  json["cpu_target"] = r.cpu_target;
-  json["study_name"] = r.study.name;
-  json["study"] = study_json(r.study);
-  json["version"] = version_string;
+  add_computed(json, r);
   return json.dump(2) + "\n";
 }
 

@@ -11,6 +11,7 @@
 #include "equipoise/report/cell_text.hpp"
 #include "equipoise/report/csv.hpp"
 #include "equipoise/report/sensitivity_report.hpp"
+#include "equipoise/report/computed.hpp"
 #include "equipoise/report/text.hpp"
 
 namespace equipoise {
@@ -83,13 +84,7 @@ std::string capacity_json(const CapacityResult& r) {
   json["confidence"] = 0.95;
   json["starts"] = r.starts;
   json["resumed_trials"] = r.resumed_trials;
-  json["seconds"] = r.seconds;
-  json["cpu_seconds"] = r.cpu_seconds;
-  json["threads"] = r.threads;
-  json["cpu_target"] = r.cpu_target;
-  json["study_name"] = r.study.name;
-  json["study"] = study_json(r.study);
-  json["version"] = version_string;
+  add_computed(json, r);
   return json.dump(2) + "\n";
 }
 

@@ -12,6 +12,7 @@
 #include <nlohmann/json.hpp>
 
 #include "equipoise/base/version.hpp"
+#include "equipoise/report/computed.hpp"
 #include "equipoise/report/text.hpp"
 
 namespace equipoise {
@@ -145,12 +146,7 @@ std::string map_json(const PlaneMap& map) {
   json["pixels_reused"] = map.pixels_reused;
   json["refine"] = map.block > 0 ? MapJson(map.block) : MapJson(nullptr);
   json["every"] = map.every;
-  json["seconds"] = map.seconds;
-  json["threads"] = map.threads;
-  json["cpu_target"] = map.cpu_target;
-  json["study_name"] = map.study.name;
-  json["study"] = study_json(map.study);
-  json["version"] = version_string;
+  add_computed(json, map);
   const std::string rest = json.dump();
   return text + "," + rest.substr(1) + "\n";
 }

@@ -14,6 +14,7 @@
 #include "equipoise/report/cell_text.hpp"
 #include "equipoise/report/csv.hpp"
 #include "equipoise/report/sensitivity_report.hpp"
+#include "equipoise/report/computed.hpp"
 #include "equipoise/report/text.hpp"
 
 namespace equipoise {
@@ -190,14 +191,8 @@ std::string sweep_json(const SweepResult& r) {
     if (r.cells[index]) json["cells"].push_back(cell_json(r, index));
   json["confidence"] = 0.95;
   json["half_width"] = r.half_width;
-  json["seconds"] = r.seconds;
-  json["cpu_seconds"] = r.cpu_seconds;
   json["resumed_cells"] = r.resumed_cells;
-  json["threads"] = r.threads;
-  json["cpu_target"] = r.cpu_target;
-  json["study_name"] = r.study.name;
-  json["study"] = study_json(r.study);
-  json["version"] = version_string;
+  add_computed(json, r);
   return json.dump(2) + "\n";
 }
 
