@@ -207,6 +207,44 @@ TEST(HybridLanesAlone, LetBallsStopDead) {
   EXPECT_NEAR(z[4] - 1.0, (std::log1p(q0) - q0 / (1.0 + q0)) / k, 1e-9);
 }
 
+// A weak motor brings its rotor up so slowly that balls stay at the edge of what friction holds, where errors of steps
+// let them go and stop them again and again: that must neither take forever nor end anywhere else.
+TEST(HybridLanesAlone, PassWhereBallsCreepAtTheEdgeOfFriction) {
+  const Study study = parse_study(
+      "[rotor]\neccentricity = 0.01\ndamping = 0.5\ninertia = 0.5\n[balancer]\nballs = 2\nmass = 0.05\ndrag = 0.05\n"
+      "rolling = 0.001\n[speed]\nprofile = \"torque\"\ninitial = 2.25\n"
+      "torque = { stall = 0.05, no_load_speed = 2.4 }\n[numerics]\nhorizon = 1000\n",
+      "study");
+  const std::size_t count = 40;
+  const double end = 500.0;
+  SpunUp spun;
+  const auto source = make_spin_up(study, nullptr);
+  ASSERT_TRUE(source->make(study.sampling.seed, 0, count, spun));
+  const auto size = static_cast<std::size_t>(study.system().dimension());
+  LaneTask task = source->last_task();
+  LaneWork work;
+  task.end = end;
+  task.count = count;
+  task.states = spun.states.data();
+  task.work = &work;
+  std::vector<Fate> fates(count);
+  ASSERT_TRUE(advance_lanes(task, fates));
+  // They take 1.3 steps a time unit. Let go and stopped at every step, a ball took 500.
+  RecordProperty("steps", static_cast<int>(work.steps));
+  EXPECT_LT(static_cast<double>(work.steps), 4.0 * end * static_cast<double>(count));
+  int resting = 0;
+  for (std::size_t i = 0; i < count; ++i) {
+    EXPECT_EQ(fates[i].outcome, Outcome::undecided) << i;  // none is given up
+    const double* z = &spun.states[i * size];
+    if (std::fabs(z[6]) > 1e-4 || std::fabs(z[7]) > 1e-4) continue;
+    ++resting;
+    const Reference reference = one_by_one(study, i, end);
+    // Steps of 1e-6 leave 2e-3 where a ball slid through a dozen turns before.
+    for (const int k : {4, 5}) EXPECT_NEAR(z[k], reference.state[k], 0.01) << i;
+  }
+  EXPECT_GT(resting, 0);
+}
+
 // A ball thrown against one that is held by friction: bounces ever smaller, an end in finite time, together at rest.
 TEST(HybridLanesAlone, EndASeriesOfImpacts) {
   for (const double restitution : {0.0, 0.5, 0.9}) {

@@ -95,7 +95,10 @@ class BallEvents {
   }
   const Happened<room>& happened() const { return happened_; }
 
-  // What first() found happens at `z`. `hold`: share of its force with which friction still holds; less than 1 where
+  // For first(): by this share more than its force friction holds balls at rest.
+  void hold_on(double share) { hold_on_ = share; }
+
+  // What first() found happens at `z`. `hold`: share of its force with which friction still holds; other than 1 where
   // it would hold and let go for ever. False if it was an event by rounding alone, and nothing has changed.
   bool pass(double t, double* z, const Happened<room>& now, double hold = 1.0) {
     const model::BallMode before = mode_;
@@ -166,7 +169,7 @@ class BallEvents {
     }
     if (p_.balls_stick() && modes_.any_held())
       each_row([&](const std::array<int, room>& balls, int size) {
-        const RestingRow<room> row = resting_row(balls, size, forces, 1.0);
+        const RestingRow<room> row = resting_row(balls, size, forces, 1.0 + hold_on_);
         for (int g = 0; g < row.groups(); ++g) now.any = now.any || row.group(g).goes() != 0.0;
       });
   }
@@ -343,6 +346,7 @@ class BallEvents {
   Modes& modes_;
   model::BallMode mode_;
   Happened<room> happened_;
+  double hold_on_ = 0.0;
 };
 
 }  // namespace HWY_NAMESPACE

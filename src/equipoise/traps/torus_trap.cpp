@@ -1,4 +1,4 @@
-// Nearest states of a cloud and the plane that touches the torus there.
+// A cloud of states on a torus, and the planes that touch it there.
 #include "equipoise/traps/torus_trap.hpp"
 
 #include <algorithm>
@@ -22,6 +22,9 @@ constexpr double infinite = std::numeric_limits<double>::infinity();
 // About 0.05 rad from one state to the next, in either direction of the torus: its curvature leaves 1e-3.
 constexpr int cloud = 16384, fresh = 512;
 constexpr double tolerance = 1e-9;
+// Of the width of a cell: states this far off a plane lie on another sheet, or where the torus bends too much for one
+// plane. V of states on V2 at Omega = 2.4 is then 6e-5 at most, with a fifth 2e-4.
+constexpr double bent = 0.1;
 // Tries begin no farther than half of what counts as one; none is worth it where the torus fills the like of it.
 constexpr double highest_level = 0.25, highest_floor = 1e-3;
 // As of orbits (validated_level.cpp): some tries are followed far, all until they are well inside.
@@ -133,64 +136,71 @@ void TorusTrap::find_images(const model::System& system) {
   } while (std::next_permutation(order.begin(), order.begin() + balls_));
 }
 
-void TorusTrap::key_of(const double* state, float* key) const {
-  float* k = std::copy(state, state + 4, key);
-  for (int i = 0; i < balls_; ++i) {
-    *k++ = static_cast<float>(std::cos(state[4 + i]));
-    *k++ = static_cast<float>(std::sin(state[4 + i]));
-    *k++ = static_cast<float>(state[4 + balls_ + i]);
+// Whether a state of the cloud lies on the plane that touches the torus at another, as far as one sheet bends.
+bool TorusTrap::lies_on(int chart, int other) const {
+  const double bend = bent * two_pi / cells_;
+  VectorXd d = states_.col(other) - states_.col(chart);
+  for (int i = 0; i < balls_; ++i) d[model::index::phi(i)] = wrapped(d[model::index::phi(i)]);
+  const double along = d.dot(tangents_.col(chart).head(d.size())), across = d.dot(tangents_.col(chart).tail(d.size()));
+  return d.squaredNorm() - along * along - across * across < bend * bend;
+}
+
+void TorusTrap::make_charts() {
+  const Eigen::Index size = inverse_scale_.size();
+  rows_ = static_cast<int>((size + 3) / 4 * 4);
+  const int rows = balls_ > 1 ? cells_ : 1;
+  const double width = two_pi / cells_;
+  first_chart_.assign(1, 0);
+  for (int cell = 0; cell < rows * cells_; ++cell) {
+    const double first = ((balls_ > 1 ? cell / cells_ : cell) + 0.5) * width, second = (cell % cells_ + 0.5) * width;
+    std::vector<std::pair<double, int>> order;
+    around_angles(first, second, [&](int k) {
+      const double a = wrapped(states_(model::index::phi(0), k) - first);
+      const double b = balls_ > 1 ? wrapped(states_(model::index::phi(1), k) - second) : 0.0;
+      order.emplace_back(std::max(std::fabs(a), std::fabs(b)), k);
+    });
+    std::sort(order.begin(), order.end());
+    // Those in the cell and half a cell around it have to lie on its planes; where there are none, what is near.
+    const auto near = std::partition_point(order.begin(), order.end(), [&](const auto& o) { return o.first < width; });
+    if (near != order.begin()) order.erase(near, order.end());
+    std::vector<int> chosen;
+    for (const auto& [distance, k] : order)
+      if (std::none_of(chosen.begin(), chosen.end(), [&, k = k](int chart) { return lies_on(chart, k); }))
+        chosen.push_back(k);
+    for (const int k : chosen)
+      for (const double* from : {&states_(0, k), &tangents_(0, k), &tangents_(size, k)}) {
+        for (Eigen::Index i = 0; i < rows_; ++i) charts_.push_back(i < size ? static_cast<float>(from[i]) : 0.0f);
+      }
+    first_chart_.push_back(static_cast<int>(charts_.size()) / (3 * rows_));
   }
-  k = std::copy(state + 4 + 2 * balls_, state + inverse_scale_.size(), k);  // what a driven rotor adds
-  std::fill(k, key + keys_.rows(), 0.0f);
-}
-
-void TorusTrap::make_keys() {
-  const Eigen::Index used = inverse_scale_.size() + balls_;
-  keys_.resize((used + 3) / 4 * 4, states_.cols());
-  for (Eigen::Index k = 0; k < states_.cols(); ++k) key_of(states_.col(k).data(), keys_.col(k).data());
-}
-
-// The number of a state of the cloud, in units of the scale; -1: there is none around these angles.
-int TorusTrap::nearest_to(const double* here) const {
-  std::array<float, max_dimension + model::max_balls + 3> key;
-  key_of(here, key.data());
-  const Eigen::Index rows = keys_.rows();
-  float least = std::numeric_limits<float>::infinity();
-  int nearest = -1;
-  around_angles(here[4], balls_ > 1 ? here[5] : 0.0, [&](int k) {
-    const float* other = keys_.data() + k * rows;
-    Eigen::Array4f sum = Eigen::Array4f::Zero();
-    for (Eigen::Index i = 0; i < rows; i += 4)
-      sum += (Eigen::Map<const Eigen::Array4f>(key.data() + i) - Eigen::Map<const Eigen::Array4f>(other + i)).square();
-    const float square = sum.sum();
-    if (square >= least) return;
-    least = square;
-    nearest = k;
-  });
-  return nearest;
 }
 
 double TorusTrap::value_in_place(const double* state) const {
   const Eigen::Index size = inverse_scale_.size();
-  std::array<double, max_dimension> here;
-  for (Eigen::Index i = 0; i < size; ++i) here[i] = state[i] * inverse_scale_[i];
-  for (int i = 0; i < balls_; ++i) here[4 + i] = within_a_turn(here[4 + i]);  // as those of states_ are
-  const int nearest = nearest_to(here.data());
-  if (nearest < 0) return infinite;
-  const auto difference = [&](int k, Eigen::Index i) {
-    const double d = here[i] - states_(i, k);
-    return i < 4 || i >= 4 + balls_ ? d : d > pi ? d - two_pi : d < -pi ? d + two_pi : d;
-  };
-  double square = 0.0, along = 0.0, across = 0.0;
-  const double* const tangent = tangents_.data() + nearest * 2 * size;
-  for (Eigen::Index i = 0; i < size; ++i) {
-    const double d = difference(nearest, i);
-    square += d * d;
-    along += d * tangent[i];
-    across += d * tangent[size + i];
+  std::array<float, max_dimension + 3> here{}, d{};
+  for (Eigen::Index i = 0; i < size; ++i) here[i] = static_cast<float>(state[i] * inverse_scale_[i]);
+  const int cell = cell_of(state[4] * inverse_scale_[4], balls_ > 1 ? state[5] * inverse_scale_[5] : 0.0);
+  // As those of the cloud are.
+  for (int i = 4; i < 4 + balls_; ++i) here[i] = static_cast<float>(within_a_turn(state[i] * inverse_scale_[i]));
+  using Four = Eigen::Map<const Eigen::Array4f>;
+  float least = std::numeric_limits<float>::infinity();
+  for (int k = first_chart_[cell]; k < first_chart_[cell + 1]; ++k) {
+    const float* const chart = &charts_[static_cast<std::size_t>(k) * 3 * rows_];
+    for (int i = 0; i < rows_; ++i) d[i] = here[i] - chart[i];
+    constexpr auto half = static_cast<float>(pi), turn = static_cast<float>(two_pi);
+    for (int i = 4; i < 4 + balls_; ++i) d[i] += d[i] > half ? -turn : d[i] < -half ? turn : 0.0f;
+    Eigen::Array4f squares = Eigen::Array4f::Zero(), along = squares, across = squares;
+    for (int i = 0; i < rows_; i += 4) {
+      const Four part(&d[i]);
+      squares += part.square();
+      along += part * Four(chart + rows_ + i);
+      across += part * Four(chart + 2 * rows_ + i);
+    }
+    // Orthonormal; what lies along the torus is no distance from it, as far as the next of its states.
+    const float a = along.sum(), b = across.sum();
+    least = std::min(least, std::max(0.0f, squares.sum() - a * a - b * b));
   }
-  // Orthonormal; what lies along the torus is no distance from it, as far as the next of its states.
-  return std::max(0.0, square - along * along - across * across);
+  return least;
 }
 
 double TorusTrap::value(const double* state) const {
@@ -247,8 +257,8 @@ std::shared_ptr<TorusTrap> TorusTrap::around(const model::System& system, const 
     trap->states_.col(k) = s.cwiseProduct(trap->inverse_scale_);
   }
   trap->sort_into_cells();
-  trap->make_keys();
   trap->find_tangents(system);
+  trap->make_charts();
   trap->find_images(system);
   for (int k = 0; k < fresh; ++k) trap->floor_ = std::max(trap->floor_, trap->value(samples[cloud + k].data()));
   return trap->floor_ < highest_floor ? trap : nullptr;

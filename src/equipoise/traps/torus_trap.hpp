@@ -14,8 +14,9 @@
 namespace equipoise {
 
 /// States along one trajectory that winds densely around a torus, sorted into cells by the angles of the first two
-/// balls (of one ball: by its angle). V of a state is the square of its distance, in System::scale(), from the torus'
-/// tangent plane at the nearest of them.
+/// balls (of one ball: by its angle). Each cell is stood for by one of them, or by one of each sheet of the torus that
+/// passes over it. V of a state is the square of its distance, in System::scale(), from the nearest of the tangent
+/// planes there.
 class TorusTrap {
  public:
   /// Empty if the trajectory is lost, or if a fresh one does not lie on the cloud: what it winds around is no torus, or
@@ -46,9 +47,8 @@ class TorusTrap {
   void find_tangents(const model::System& system);
   void find_images(const model::System& system);
   int cell_of(double first, double second) const;
-  void make_keys();
-  void key_of(const double* state, float* key) const;
-  int nearest_to(const double* here) const;
+  void make_charts();
+  bool lies_on(int chart, int other) const;
   double value_in_place(const double* state) const;
   // Calls f(number) for all states of the cells around a pair of angles.
   template <class F>
@@ -57,10 +57,14 @@ class TorusTrap {
   int attractor_ = 0, balls_ = 0, cells_ = 1;
   double level_ = 0.0, floor_ = 0.0, rate_ = 0.0, r2_low_ = 1e300, r2_high_ = 0.0;
   Eigen::VectorXd inverse_scale_;
-  Eigen::MatrixXd states_;               // columns, in units of the scale, angles within a turn
-  Eigen::MatrixXf keys_;                 // of each, padded: cosine and sine in place of an angle; nearest by these
-  Eigen::MatrixXd tangents_;             // at each: along the flow, and then across it; orthonormal, in the same units
-  std::vector<int> first_in_cell_;       // and one more than there are cells
+  Eigen::MatrixXd states_;          // columns, in units of the scale, angles within a turn
+  Eigen::MatrixXd tangents_;        // at each: along the flow, and then across it; orthonormal, in the same units
+  std::vector<int> first_in_cell_;  // and one more than there are cells
+  // What stands for the cells, cell after cell: a state and its two tangents, each padded to rows_ numbers. Lanes ask
+  // at states all over the torus, so that what they read has to be little.
+  std::vector<float> charts_;
+  std::vector<int> first_chart_;  // of each cell, and one more than there are cells
+  int rows_ = 0;
   std::vector<Eigen::VectorXi> places_;  // of a state's components, for each exchange of like balls that is looked at
   Eigen::VectorXd low_, high_;           // of everything on the torus
 };
