@@ -135,6 +135,24 @@ TEST(Design, WhatCannotBeMetIsSaidWithHowNearItCame) {
   EXPECT_NE(result.limited_by.front().find("not met: spin_up_time"), std::string::npos);
 }
 
+// Restarts of CMA-ES double its population: counted in batches, a search that knows every choice would never end.
+TEST(Design, SearchAmongAFewChoicesEnds) {
+  if (!optimisers_built_in()) GTEST_SKIP() << "built without pagmo2";
+  const DesignResult result = design(problem_of(rotor_and_balancer + R"([speed]
+profile = "ramp"
+final = 2.0
+duration = 100.0
+[design]
+objective = ["balanced"]
+starts = 100
+trajectories = 10_000
+[design.vary]
+"release.time" = { choices = [0.0, 50.0, 100.0] }
+)"));
+  EXPECT_EQ(result.candidates, 3u);
+  EXPECT_TRUE(result.chosen && !result.partial);
+}
+
 TEST(Design, StoppedSearchTellsWhatItHadFound) {
   StopFlag stop{false};
   DesignOptions options;
@@ -145,6 +163,16 @@ TEST(Design, StoppedSearchTellsWhatItHadFound) {
   ASSERT_TRUE(result.chosen);
   EXPECT_FALSE(result.front[*result.chosen].held_out);
   EXPECT_GT(result.front[*result.chosen].search.starts, 0u);
+}
+
+TEST(Design, StoppedBeforeItsFirstBatchSaysSo) {
+  StopFlag stop{true};
+  DesignOptions options;
+  options.stop = &stop;
+  const DesignResult result = design(problem_of(small_design), options);
+  EXPECT_TRUE(result.partial);
+  EXPECT_FALSE(result.chosen);
+  EXPECT_EQ(design_answer(result), "Stopped before any candidate was known.");
 }
 
 }  // namespace

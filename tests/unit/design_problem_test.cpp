@@ -47,6 +47,16 @@ TEST(DesignProblem, BadTablesAreRefusedInOneLineThatNamesTheKey) {
   expect_words(refusal(vary + "\"balancer.drag\" = { range = [0.01, 0.1], scales = \"log\" }\n"), {"scales"});
   expect_words(refusal(vary + "\"balancer.balls\" = [1.5, 4.0]\n"), {"balancer.balls", "whole"});
   expect_words(refusal(vary + "balancer.mass = [0.1, 0.2]\n"), {"quotes"});
+  for (const std::string key : {"sampling.seed", "numerics.horizon", "design.seed", "balancer", "", "units.mass"})
+    expect_words(refusal(vary + "\"" + key + "\" = [1, 9]\n"),
+                 {"study.toml:", "design.vary", "must be a key of rotor"});
+  expect_words(refusal(vary + "\"release.speed\" = [1.0, 2.0]\n\"release.time\" = [0.0, 5.0]\n"),
+               {"release.time", "beside release.speed"});
+  expect_words(refusal("[rotor]\neccentricity = { uniform = [0.005, 0.02] }\ndamping = 0.5\n[balancer]\nballs = 2\n"
+                       "mass = 0.05\ndrag = 0.05\n[speed]\nprofile = \"constant\"\nspeed = 2.4\n[design]\n"
+                       "method = \"random\"\nobjective = [\"balanced\"]\n[design.vary]\n"
+                       "\"rotor.eccentricity\" = [0.001, 0.05]\n"),
+               {"rotor.eccentricity", "drawn with each start"});
   const std::string good = vary + "\"balancer.mass\" = [0.01, 0.1]\n";
   EXPECT_EQ(refusal(good), "accepted");
   expect_words(refusal(good + "[design.require]\n\"peak_radial.2\" = { below = 1.0 }\n"),
@@ -65,6 +75,8 @@ TEST(DesignProblem, SpinUpsThatCannotBeAreRefused) {
   expect_words(refusal(vary + "{ points = 2, until = 500.0, range = [0.0, 2.0], slope = 0.05 }\n"), {"2.4"});
   expect_words(refusal(vary + "{ points = 9, until = 500.0, range = [0.0, 5.0] }\n"), {"1 to 8"});
   expect_words(refusal(vary + "[0.0, 5.0]\n"), {"points"});
+  expect_words(refusal(vary + "{ points = 2, until = 500.0, range = [0.0, 5.0] }\n\"speed.speed\" = [2.0, 3.0]\n"),
+               {"speed.speed", "beside speed"});
 }
 
 TEST(DesignProblem, EverySpinUpKeepsToItsLimits) {

@@ -25,11 +25,14 @@ namespace {
 
 // Parts of the budget.
 constexpr double for_search = 0.65, for_choice = 0.1, for_check = 0.15, for_margins = 0.1;
-// Of one objective so many are followed on, and so many checked: one of them is chosen.
+// Of one objective so many are followed on; where there are requirements so many are checked, lest the first one
+// proves to miss them: one is chosen.
 constexpr std::size_t most_chosen_from = 16, most_checked = 4;
+constexpr std::uint64_t raise_by = 2;  // in the choice: interval by interval
 constexpr std::size_t most_in_front = 24;
-// Starts of one ensemble: fewer would not tell a figure, more would not tell it usefully better.
-constexpr std::uint64_t fewest_starts = 500, most_starts = 100'000;
+// Starts of one ensemble: more would not tell a figure usefully better. Fewer than the first look's would not tell what
+// the search was told, and so many do where starts are cheap.
+constexpr std::uint64_t most_starts = 100'000, fewest_starts_of_cheap = 500;
 
 class DesignRun {
  public:
@@ -75,13 +78,12 @@ class DesignRun {
   std::uint64_t part(double share) const {
     return static_cast<std::uint64_t>(share * static_cast<double>(result_.budget));
   }
-  static std::uint64_t each(std::uint64_t budget, std::size_t count) {
-    return std::clamp(budget / std::max<std::size_t>(count, 1), fewest_starts, most_starts);
+  std::uint64_t fewest_starts() const { return std::min(problem_.first_look(), fewest_starts_of_cheap); }
+  std::uint64_t each(std::uint64_t budget, std::size_t count) const {
+    return std::clamp(budget / std::max<std::size_t>(count, 1), fewest_starts(), most_starts);
   }
   // Every ensemble has so many starts at least; the last parts of the work may go beyond the budget where it is small.
-  std::size_t most_ensembles() const {
-    return static_cast<std::size_t>(2 * result_.budget / std::min(problem_.first_look(), fewest_starts)) + 1000;
-  }
+  std::size_t most_ensembles() const { return static_cast<std::size_t>(2 * result_.budget / fewest_starts()) + 1000; }
 
   void find() {
     Race race(problem_, standing_, *ensembles_, part(for_search), result_.search_seed,
@@ -104,6 +106,8 @@ class DesignRun {
     }
   }
 
+  bool one_objective() const { return result_.objectives.size() == 1; }
+
   static std::vector<const DesignSample*> samples_of(const std::vector<DesignCandidate>& candidates) {
     std::vector<const DesignSample*> samples;
     for (const DesignCandidate& c : candidates) samples.push_back(&c.best_known());
@@ -115,13 +119,16 @@ class DesignRun {
     result_.front.clear();
     result_.chosen.reset();
     const auto samples = samples_of(candidates);
-    std::vector<std::size_t> places = reserves && result_.objectives.size() == 1
-                                          ? standing_.order(samples, Side::estimate)
-                                          : standing_.front(samples, Side::estimate);
-    if (reserves && result_.objectives.size() == 1 && places.size() > most_checked) places.resize(most_checked);
+    std::vector<std::size_t> places;
+    if (reserves && one_objective()) {
+      places = standing_.order(samples, Side::doubtful);  // samples differ in size: a small one's luck counts less
+      places.resize(std::min(places.size(), result_.limits.empty() ? 1 : most_checked));
+    } else {
+      places = standing_.front(samples, Side::estimate);
+    }
     for (const std::size_t k : thinned(places)) result_.front.push_back(candidates[k]);
     if (result_.front.empty()) return;
-    result_.chosen = result_.objectives.size() == 1 ? 0 : standing_.middle(samples_of(result_.front));
+    result_.chosen = one_objective() ? 0 : standing_.middle(samples_of(result_.front));
   }
 
   // Evenly along the first objective, both ends kept.
@@ -133,24 +140,67 @@ class DesignRun {
     return kept;
   }
 
+  // Whether this one may be better than the one that is best as far as is known.
+  bool may_be_best(const DesignSample& sample, const DesignSample& best) const {
+    return !standing_.beats(best, Side::doubtful, sample, Side::hopeful);
+  }
+
   // More of the same starts for those that looked best.
   void choose(const std::vector<DesignCandidate>& candidates) {
+    if (candidates.empty()) return;
     const auto samples = samples_of(candidates);
-    const bool one = result_.objectives.size() == 1;
-    std::vector<std::size_t> places =
-        one ? standing_.order(samples, Side::doubtful) : thinned(standing_.front(samples, Side::doubtful));
-    if (one && places.size() > most_chosen_from) places.resize(most_chosen_from);
-    std::vector<WantedSample> wanted;
-    std::vector<DesignCandidate> finalists;
-    const std::uint64_t starts = each(part(for_choice), places.size());
-    for (const std::size_t k : places) {
-      finalists.push_back(candidates[k]);
-      wanted.push_back({candidates[k].settings, std::max(starts, candidates[k].search.starts), result_.search_seed});
+    std::vector<std::size_t> places;
+    if (one_objective()) {
+      places = standing_.order(samples, Side::doubtful);
+      const DesignSample& best = *samples[places.front()];
+      std::stable_partition(places.begin(), places.end(),
+                            [&](std::size_t k) { return may_be_best(*samples[k], best); });
+      places.resize(std::min(places.size(), most_chosen_from));
+    } else {
+      places = thinned(standing_.front(samples, Side::doubtful));
     }
-    const std::vector<DesignSample> larger = ensembles_->run(wanted);
-    for (std::size_t k = 0; k < larger.size(); ++k) finalists[k].search = larger[k];
+    std::vector<DesignCandidate> finalists;
+    for (const std::size_t k : places) finalists.push_back(candidates[k]);
+    if (one_objective())
+      tell_apart(finalists);
+    else
+      follow_on(finalists, each(part(for_choice), finalists.size()));
     tell(nullptr);
     take_front(finalists, true);
+  }
+
+  void follow_on(std::vector<DesignCandidate>& finalists, std::uint64_t starts) {
+    std::vector<WantedSample> wanted;
+    for (const DesignCandidate& c : finalists)
+      wanted.push_back({c.settings, std::max(starts, c.search.starts), result_.search_seed});
+    const std::vector<DesignSample> larger = ensembles_->run(wanted);
+    for (std::size_t k = 0; k < larger.size(); ++k) finalists[k].search = larger[k];
+  }
+
+  // As long as several may be the best, those of them that are known least are followed on, the most promising first.
+  void tell_apart(std::vector<DesignCandidate>& finalists) {
+    std::uint64_t left = part(for_choice);
+    for (;;) {
+      const auto samples = samples_of(finalists);
+      std::vector<std::size_t> rivals = standing_.order(samples, Side::doubtful);
+      const DesignSample& best = *samples[rivals.front()];
+      std::erase_if(rivals,
+                    [&](std::size_t k) { return samples[k]->figures.empty() || !may_be_best(*samples[k], best); });
+      std::uint64_t fewest = most_starts;
+      for (const std::size_t k : rivals) fewest = std::min(fewest, samples[k]->starts);
+      const std::uint64_t starts = std::min(std::max(raise_by * fewest, fewest_starts()), most_starts);
+      std::vector<std::size_t> raised;
+      std::vector<WantedSample> wanted;
+      for (const std::size_t k : rivals) {
+        if (rivals.size() < 2 || samples[k]->starts > fewest || starts == fewest || starts > left) continue;
+        left -= starts;
+        raised.push_back(k);
+        wanted.push_back({finalists[k].settings, starts, result_.search_seed});
+      }
+      if (raised.empty()) return;
+      const std::vector<DesignSample> larger = ensembles_->run(wanted);
+      for (std::size_t k = 0; k < raised.size(); ++k) finalists[raised[k]].search = larger[k];
+    }
   }
 
   // On starts that the search did not see, the study as it is beside them.
@@ -163,7 +213,7 @@ class DesignRun {
     result_.before = samples.front();
     for (std::size_t k = 0; k < result_.front.size(); ++k) result_.front[k].held_out = samples[k + 1];
     tell(nullptr);
-    if (result_.objectives.size() == 1) {
+    if (one_objective()) {
       // The search's choice stands, unless it proves to miss what must hold: who is picked by the held-out starts would
       // look better on them than it is.
       std::stable_sort(

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <string_view>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -109,6 +110,11 @@ StudyValue value_at(const DesignVariable& v, std::span<const double> at) {
   return value_of(from_fraction(v, fraction), v.unit);
 }
 
+// Whether a sets what b sets, too.
+bool takes_the_place(std::string_view a, std::string_view b) {
+  return (a == "speed" && b.starts_with("speed.")) || (a == "release.speed" && b == "release.time");
+}
+
 std::size_t coordinates_of(const DesignVariable& v) { return v.spin_up ? coordinates(*v.spin_up) : 1; }
 
 }  // namespace
@@ -118,8 +124,13 @@ DesignProblem::DesignProblem(const StudySource& source) : name_(source.name), st
   if (!document.root.find("design"))
     throw InputError(source.name, "design", "",
                      "missing; must be a table that says what may be varied and what is wanted");
-  for (const auto& [key, value] : table_of(document, "design.vary"))
-    variables_.push_back(read_variable(DesignEntry(document, "design.vary", key, value), study_));
+  for (const auto& [key, value] : table_of(document, "design.vary")) {
+    const DesignEntry entry(document, "design.vary", key, value);
+    for (const DesignVariable& v : variables_)
+      if (takes_the_place(v.key, key) || takes_the_place(key, v.key))
+        entry.fail(fmt::format("cannot be varied beside {}, which sets it too", v.key));
+    variables_.push_back(read_variable(entry, study_));
+  }
   for (const DesignVariable& v : variables_) dimensions_ += coordinates_of(v);
   TableReader table(document, "design");
   table.has("vary");

@@ -11,9 +11,10 @@ namespace equipoise {
 namespace {
 
 constexpr std::uint64_t raise_by = 4;  // halves an interval
-constexpr int raises = 2;
-// A search among a few values comes to an end, though no budget is spent.
-constexpr int most_idle = 200;
+constexpr int raises = 3;
+// A search among a few values comes to an end, though no budget is spent: after so many points in a row that were all
+// known. Batches are no measure: an optimiser that learns nothing new starts anew with ever larger ones.
+constexpr std::size_t most_idle = 5000;
 
 }  // namespace
 
@@ -54,16 +55,22 @@ void Race::take_into_leaders(std::size_t place) {
   leaders_.push_back(place);
 }
 
+// The most promising first: not all may be affordable.
 std::vector<std::size_t> Race::might_win(const std::vector<std::size_t>& places) const {
-  std::vector<std::size_t> result;
+  std::vector<std::size_t> rivals;
+  std::vector<const DesignSample*> samples;
   for (const std::size_t k : places) {
     const DesignSample& sample = candidates_[k].search;
     const bool beaten =
         sample.figures.empty() || std::any_of(leaders_.begin(), leaders_.end(), [&](std::size_t leader) {
           return leader != k && standing_.beats(candidates_[leader].search, Side::estimate, sample, Side::hopeful);
         });
-    if (!beaten) result.push_back(k);
+    if (beaten) continue;
+    rivals.push_back(k);
+    samples.push_back(&sample);
   }
+  std::vector<std::size_t> result;
+  for (const std::size_t k : standing_.order(samples, Side::doubtful)) result.push_back(rivals[k]);
   return result;
 }
 
@@ -98,6 +105,7 @@ void Race::note_best() {
 }
 
 std::vector<SearchWorth> Race::judge(const std::vector<SearchPoint>& points) {
+  if (ensembles_.stopped()) throw SearchOver();  // known points ask for no ensemble that would notice
   std::vector<std::size_t> places, fresh;
   std::set<std::size_t> seen;
   const std::size_t known = candidates_.size();
@@ -105,7 +113,7 @@ std::vector<SearchWorth> Race::judge(const std::vector<SearchPoint>& points) {
     places.push_back(enter(point));
     if (places.back() >= known && seen.insert(places.back()).second) fresh.push_back(places.back());
   }
-  idle_ = fresh.empty() ? idle_ + 1 : 0;
+  idle_ = fresh.empty() ? idle_ + points.size() : 0;
   const std::uint64_t left = budget_ - std::min(budget_, ensembles_.trajectories());
   const bool last = idle_ > most_idle || fresh.size() * problem_.first_look() > left;
   if (last) {

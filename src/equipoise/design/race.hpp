@@ -46,7 +46,7 @@ class Race {
   std::vector<std::size_t> leaders_;           // that no other beats
   std::vector<DesignStep> history_;
   std::uint64_t looked_ = 0, raised_ = 0;  // trajectories
-  int idle_ = 0;                           // batches without anything new
+  std::size_t idle_ = 0;                   // points in a row without anything new
 };
 
 }  // namespace equipoise

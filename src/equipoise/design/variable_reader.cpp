@@ -4,8 +4,10 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <string_view>
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include "equipoise/design/problem.hpp"
 #include "equipoise/design/settings.hpp"
@@ -22,6 +24,15 @@ using study::Dimension;
 constexpr const char* forms =
     "must be [low, high], { range = [low, high], scale = \"log\" }, { choices = [..] }, or for \"speed\" "
     "{ points = 2, until = 500.0, range = [0.0, 3.0], slope = 0.05 }; keys of a study stand in quotes";
+
+// What a machine has; how starts are drawn or decided is not a choice of its designer.
+constexpr std::array<std::string_view, 5> tables{"rotor", "balancer", "speed", "release", "initial"};
+
+bool of_a_machine(const std::string& key) {
+  const std::size_t dot = key.find('.');
+  return key == "speed" ||
+         (dot != std::string::npos && std::find(tables.begin(), tables.end(), key.substr(0, dot)) != tables.end());
+}
 
 bool whole_number(const std::string& key) { return key == "balancer.balls"; }
 
@@ -152,6 +163,12 @@ std::array<WrittenNumber, 2> DesignEntry::range(const StudyValue& written) const
 DesignVariable read_variable(const DesignEntry& entry, const Study& study) {
   DesignVariable variable;
   variable.key = entry.key();
+  if (!of_a_machine(variable.key))
+    entry.fail(fmt::format("must be a key of {}, in quotes, such as \"balancer.mass\", or \"speed\", a spin-up",
+                           fmt::join(tables, ", ")));
+  for (const UncertainValue& drawn : study.uncertain.values)
+    if (drawn.key == variable.key)
+      entry.fail("is drawn with each start of this study; must be a plain value there to be chosen");
   const StudyValue& value = entry.value();
   if (!value.table()) {
     if (variable.key == "speed") entry.fail(forms);

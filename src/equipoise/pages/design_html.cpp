@@ -1,6 +1,7 @@
 // Words, tables and drawings around a design.
 #include "equipoise/pages/design_html.hpp"
 
+#include <algorithm>
 #include <utility>
 #include <vector>
 
@@ -55,7 +56,7 @@ class DesignDocument {
     DocumentTable values{{"chosen", "value", "could be"}, {}, "", false, {}};
     for (std::size_t k = 0; k < best.settings.size(); ++k)
       values.rows.push_back({{key_words(best.settings[k].key), Tone::plain, false, true},
-                             number_cell(setting_text(best.settings[k].value)),
+                             value_cell(best.settings[k].value),
                              {range_words(r_.variables[k])}});
     add(std::move(values));
     add_drawings(spin_up_charts(r_), "The spin-up: piecewise linear, then constant.", true);
@@ -65,6 +66,11 @@ class DesignDocument {
       for (const std::string& w : r_.limited_by) words += (words.empty() ? "" : "; ") + w;
       add(Paragraph{"What limits it: " + words + "."});
     }
+  }
+
+  // A spin-up is a sentence, which a narrow screen may break.
+  static DocumentCell value_cell(const StudyValue& value) {
+    return value.table() ? DocumentCell{setting_text(value)} : number_cell(setting_text(value));
   }
 
   static std::string range_words(const DesignVariable& v) {
@@ -79,8 +85,9 @@ class DesignDocument {
                                   ? fmt::format(", at most {:.4g}{} a {}", *v.spin_up->slope, unit,
                                                 v.spin_up->time_unit.empty() ? "unit of time" : v.spin_up->time_unit)
                                   : "";
-    return fmt::format("{} points from {:.4g} to {:.4g}{} within {:.4g} {}{}", v.spin_up->points, v.low, v.high, unit,
-                       v.spin_up->until, v.spin_up->time_unit, slope);
+    return fmt::format("{} point{} from {:.4g} to {:.4g}{} within {:.4g}{}{}{}", v.spin_up->points,
+                       v.spin_up->points == 1 ? "" : "s", v.low, v.high, unit, v.spin_up->until,
+                       v.spin_up->time_unit.empty() ? "" : " ", v.spin_up->time_unit, slope);
   }
 
   void figures(const DesignCandidate& best) {
@@ -121,7 +128,9 @@ class DesignDocument {
   void front() {
     if (r_.objectives.size() < 2) return;
     add(Heading{2, "What can be had for what", ""});
-    add_drawings(front_charts(r_), "Candidates that no other beats in every objective, with 95 % intervals.", true);
+    add_drawings(front_charts(r_),
+                 "Candidates that no other beats in every objective; bars are 95 % intervals of what stands upright.",
+                 true);
     DocumentTable table;
     for (const std::size_t k : r_.objectives) table.header.push_back(r_.figures[k].name);
     for (const DesignVariable& v : r_.variables) table.header.push_back(key_words(v.key));
@@ -130,7 +139,7 @@ class DesignDocument {
       std::vector<DocumentCell> row;
       for (const std::size_t k : r_.objectives)
         row.push_back(number_cell(s.figures.empty() ? "-" : estimate_with_interval(r_.figures[k], s.figures[k])));
-      for (const DesignSetting& setting : r_.front[m].settings) row.push_back(number_cell(setting_text(setting.value)));
+      for (const DesignSetting& setting : r_.front[m].settings) row.push_back(value_cell(setting.value));
       if (r_.chosen == m)
         for (DocumentCell& cell : row) cell.tone = Tone::good;
       table.rows.push_back(std::move(row));
@@ -152,12 +161,15 @@ class DesignDocument {
       std::string fails;
       if (!m.fails_below.empty()) fails = "below: " + m.fails_below;
       if (!m.fails_above.empty()) fails += (fails.empty() ? "above: " : "; above: ") + m.fails_above;
-      table.rows.push_back({{key_words(m.key), Tone::plain, false, true},
+      const bool ordered = has_order(m);  // choices have no ends
+      table.rows.push_back({{key_words(margin_name(m.key)), Tone::plain, false, true},
                             number_cell(fmt::format("{:.4g}{}", m.value, unit)),
-                            number_cell(fmt::format("{:.4g}", m.keeps_from)),
-                            number_cell(fmt::format("{:.4g}", m.keeps_to)),
+                            number_cell(ordered ? fmt::format("{:.4g}", m.keeps_from) : "-"),
+                            number_cell(ordered ? fmt::format("{:.4g}", m.keeps_to) : "-"),
                             number_cell(estimate_text(first, m.effect)),
-                            {fails.empty() ? "nothing that was tried" : fails}});
+                            {!ordered        ? "other choices: see the drawing"
+                             : fails.empty() ? "nothing that was tried"
+                                             : fails}});
     }
     table.caption = fmt::format(
         "{} Near it: by how much {} changes at most within a tenth of the range; what matters most comes first.",
@@ -168,7 +180,9 @@ class DesignDocument {
 
   void origin() {
     add(Heading{2, "How it was found", ""});
-    add_drawings(history_charts(r_), "The best that was known after so many trajectories.", true);
+    if (std::any_of(r_.history.begin(), r_.history.end(),
+                    [&](const DesignStep& step) { return step.value != r_.history.front().value; }))
+      add_drawings(history_charts(r_), "The best that was known after so many trajectories.", true);
     std::string text = fmt::format(
         "{} candidates by {}, all on the same starts {}; {} trajectories of {}. The front was judged on other starts, "
         "seed {}. ",

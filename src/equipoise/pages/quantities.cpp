@@ -53,12 +53,13 @@ std::string page_number(double value) {
 }
 
 std::string key_words(const std::string& key) {
-  constexpr std::array<std::pair<const char*, const char*>, 6> known{{{"speed.final", "final speed"},
+  constexpr std::array<std::pair<const char*, const char*>, 7> known{{{"speed.final", "final speed"},
                                                                       {"speed.speed", "final speed"},
                                                                       {"rotor.unbalance", "unbalance"},
                                                                       {"rotor.eccentricity", "eccentricity"},
                                                                       {"balancer.mass", "ball mass"},
-                                                                      {"balancer.drag", "ball drag"}}};
+                                                                      {"balancer.drag", "ball drag"},
+                                                                      {"balancer.balls", "balls"}}};
   for (const auto& [name, words] : known)
     if (key == name) return words;
   constexpr std::string_view angle = "initial.phi_", rate = "initial.phi_dot_";

@@ -59,7 +59,7 @@ std::vector<Chart> front_charts(const DesignResult& r) {
   for (std::size_t g = 1; g < r.objectives.size(); ++g) {
     const std::size_t k = r.objectives[g];
     Chart chart{"", figure_label(first), figure_label(r.figures[k]), false, false, false, {}};
-    ChartSeries front{"not beaten by any", dark_colour, ChartSeries::Style::line, {}, {}, {}, {}};
+    ChartSeries front{"not beaten by any", dark_colour, ChartSeries::Style::points, {}, {}, {}, {}};
     ChartSeries best{"chosen", "#D55E00", ChartSeries::Style::points, {}, {}, {}, {}};
     ChartSeries before{"as it is", "#666666", ChartSeries::Style::points, {}, {}, {}, {}};
     for (std::size_t m = 0; m < r.front.size(); ++m) {
@@ -130,7 +130,8 @@ std::vector<Chart> margin_charts(const DesignResult& r, std::size_t most) {
     if (!here) add_point(series, m.value, r.figures[k], m.here.figures[k]);
     ChartSeries chosen{"chosen", "#D55E00", ChartSeries::Style::points, {}, {}, {}, {}};
     add_point(chosen, m.value, r.figures[k], m.here.figures[k]);
-    Chart chart{"", unit_label(m.key, m.unit), figure_label(r.figures[k]), false, false, false, {series, chosen}};
+    Chart chart{
+        "", unit_label(margin_name(m.key), m.unit), figure_label(r.figures[k]), false, false, false, {series, chosen}};
     if (ChartSeries limit = limit_series(r, k, series); !limit.x.empty()) chart.series.push_back(std::move(limit));
     charts.push_back(std::move(chart));
   }

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <string_view>
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -133,12 +134,11 @@ std::string margin_table(const DesignResult& r) {
                                  "near it", "beyond that fails");
   for (const DesignMargin& m : r.margins) {
     const std::string unit = m.unit.empty() ? "" : " " + m.unit;
-    const bool ordered = m.keeps_from != m.keeps_to || !m.fails_below.empty() || !m.fails_above.empty();
     std::string fails;
     if (!m.fails_below.empty()) fails = "below: " + m.fails_below;
     if (!m.fails_above.empty()) fails += (fails.empty() ? "above: " : "; above: ") + m.fails_above;
     text += fmt::format("{:<24}{:>12}  {:<26}{:<14}{}\n", m.key, fmt::format("{:.4g}{}", m.value, unit),
-                        ordered ? fmt::format("{:.4g} .. {:.4g}{}", m.keeps_from, m.keeps_to, unit) : "-",
+                        has_order(m) ? fmt::format("{:.4g} .. {:.4g}{}", m.keeps_from, m.keeps_to, unit) : "-",
                         estimate_text(r.figures[r.objectives.front()], m.effect),
                         fails.empty() ? "nothing that was tried" : fails);
   }
@@ -187,6 +187,18 @@ std::string setting_text(const StudyValue& value) {
   return text;
 }
 
+std::string margin_name(const std::string& key) {
+  const std::string_view times = "speed.times[", speeds = "speed.speeds[";
+  const auto place = [&](std::string_view of) { return key.substr(of.size(), key.size() - of.size() - 1); };
+  if (key.starts_with(times)) return "time of point " + place(times);
+  if (key.starts_with(speeds)) return "speed of point " + place(speeds);
+  return key;
+}
+
+bool has_order(const DesignMargin& m) {
+  return m.keeps_from != m.keeps_to || !m.fails_below.empty() || !m.fails_above.empty();
+}
+
 std::string optimism_text(const DesignResult& r) {
   if (!r.chosen || !r.front[*r.chosen].held_out) return "";
   const DesignCandidate& best = r.front[*r.chosen];
@@ -200,7 +212,8 @@ std::string optimism_text(const DesignResult& r) {
 }
 
 std::string design_answer(const DesignResult& r) {
-  if (!r.chosen || r.front[*r.chosen].best_known().figures.empty()) return "No candidate was found.";
+  if (!r.chosen || r.front[*r.chosen].best_known().figures.empty())
+    return r.partial ? "Stopped before any candidate was known." : "No candidate was found.";
   const DesignCandidate& best = r.front[*r.chosen];
   const DesignSample& sample = best.best_known();
   std::string text;
@@ -209,7 +222,7 @@ std::string design_answer(const DesignResult& r) {
                         estimate_with_interval(r.figures[k], sample.figures[k]));
   std::string before;
   if (r.before && !r.before->figures.empty())
-    before = fmt::format("; as it is {}",
+    before = fmt::format("; as it is {}{}", r.objectives.size() > 1 ? r.figures[r.objectives.front()].name + " " : "",
                          estimate_text(r.figures[r.objectives.front()], r.before->figures[r.objectives.front()].value));
   if (r.feasible) return fmt::format("{}{}{}.", r.limits.empty() ? "" : "All requirements are kept: ", text, before);
   std::string missed;
