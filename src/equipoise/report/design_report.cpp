@@ -10,6 +10,7 @@
 
 #include "equipoise/base/version.hpp"
 #include "equipoise/report/csv.hpp"
+#include "equipoise/report/computed.hpp"
 #include "equipoise/report/text.hpp"
 
 namespace equipoise {
@@ -294,14 +295,8 @@ std::string design_json(const DesignResult& r) {
   json["search_seed"] = r.search_seed;
   json["held_out_seed"] = r.held_out_seed;
   json["resumed"] = r.resumed;
-  json["seconds"] = r.seconds;
-  json["cpu_seconds"] = r.cpu_seconds;
-  json["threads"] = r.threads;
-  json["cpu_target"] = r.cpu_target;
-  json["study_name"] = r.study.name;
-  json["study"] = study_json(r.study);
   json["best_study"] = r.best_study;
-  json["version"] = version_string;
+  add_computed(json, r);
   return json.dump(2) + "\n";
 }
 
