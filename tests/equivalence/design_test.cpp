@@ -1,9 +1,11 @@
 // Designs on ensembles: the same bits for any threads and after any stop; what is told of a candidate is what basin()
 // says of it; what cannot be met is said.
+#include <chrono>
 #include <filesystem>
 #include <fstream>
 #include <sstream>
 #include <string>
+#include <thread>
 
 #include <gtest/gtest.h>
 
@@ -163,6 +165,31 @@ TEST(Design, StoppedSearchTellsWhatItHadFound) {
   ASSERT_TRUE(result.chosen);
   EXPECT_FALSE(result.front[*result.chosen].held_out);
   EXPECT_GT(result.front[*result.chosen].search.starts, 0u);
+}
+
+// What an interrupted batch left in the file is all that a search of dear candidates has to tell.
+TEST(Design, StoppedAmidItsFirstBatchTellsWhatWasDoneOfIt) {
+  const Folder folder;
+  const std::string file = folder.file("amid.nc");
+  const std::string longer = small_design + "[design.require]\n\"peak_radial.0.95\" = { below = 1.0 }\n";
+  const DesignProblem problem = DesignProblem(StudySource{longer, "study.toml", {"design.starts=400"}});
+  StopFlag stop{false};
+  DesignOptions options;
+  options.threads = 1;
+  options.stop = &stop;
+  options.output = file;
+  std::thread watcher([&] {  // until the first ensembles are in the file
+    while (!stop && !(std::filesystem::exists(file + ".part") &&
+                      content(file + ".part").find("400 starts") != std::string::npos))
+      std::this_thread::sleep_for(std::chrono::milliseconds(1));
+    stop = true;
+  });
+  const DesignResult result = design(problem, options);
+  stop = true;
+  watcher.join();
+  EXPECT_TRUE(result.partial);
+  ASSERT_TRUE(result.chosen);
+  EXPECT_GE(result.front[*result.chosen].search.starts, 400u);
 }
 
 TEST(Design, StoppedBeforeItsFirstBatchSaysSo) {

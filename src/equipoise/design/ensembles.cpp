@@ -96,7 +96,7 @@ DesignSample DesignEnsembles::one(const WantedSample& wanted, int threads, Met& 
   return sample_of(problem_.figures(), result, *study, wanted.settings);
 }
 
-void DesignEnsembles::work_off(const std::vector<WantedSample>& wanted, const std::vector<std::size_t>& missing,
+void DesignEnsembles::work_off(const std::vector<WantedSample>& wanted, std::vector<std::size_t>& missing,
                                std::vector<DesignSample>& samples) {
   if (missing.empty()) return;
   const int at_once = std::min(static_cast<int>(missing.size()), threads_);
@@ -104,6 +104,7 @@ void DesignEnsembles::work_off(const std::vector<WantedSample>& wanted, const st
   std::vector<Met*> free;
   for (Met& met : met_) free.push_back(&met);
   std::atomic<bool> lost{false};
+  std::vector<char> done(missing.size(), 0);
   in_parallel(at_once, missing.size(), [&](std::size_t k) {
     if (lost || stopped()) lost = true;
     if (lost) return;
@@ -120,8 +121,17 @@ void DesignEnsembles::work_off(const std::vector<WantedSample>& wanted, const st
     if (!complete) return;
     if (file_) file_->append(asked_ + missing[k], name_of_sample(w), sample);
     samples[missing[k]] = std::move(sample);
+    done[k] = 1;
   });
-  if (lost) throw SearchOver();
+  std::vector<std::size_t> left;
+  for (std::size_t k = 0; k < missing.size(); ++k)
+    if (!done[k]) left.push_back(missing[k]);
+  missing = std::move(left);
+}
+
+const DesignSample* DesignEnsembles::known(const WantedSample& wanted) const {
+  const auto at = known_.find(name_of_sample(wanted));
+  return at == known_.end() ? nullptr : &at->second;
 }
 
 std::vector<DesignSample> DesignEnsembles::run(const std::vector<WantedSample>& wanted) {
@@ -140,7 +150,10 @@ std::vector<DesignSample> DesignEnsembles::run(const std::vector<WantedSample>& 
   work_off(wanted, missing, samples);
   asked_ += wanted.size();
   for (std::size_t k = 0; k < wanted.size(); ++k)
-    if (known_.emplace(name_of_sample(wanted[k]), samples[k]).second) trajectories_ += wanted[k].starts;
+    if (std::find(missing.begin(), missing.end(), k) == missing.end() &&
+        known_.emplace(name_of_sample(wanted[k]), samples[k]).second)
+      trajectories_ += wanted[k].starts;
+  if (!missing.empty()) throw SearchOver();
   return samples;
 }
 

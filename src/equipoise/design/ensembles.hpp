@@ -32,8 +32,11 @@ class DesignEnsembles {
   DesignEnsembles(const DesignProblem& problem, const RunOptions& options, DesignFile* file);
 
   /// In the order of `wanted`; candidates at once, threads shared among them. Throws SearchOver if stopped: what is
-  /// done is kept.
+  /// done is kept, and known().
   std::vector<DesignSample> run(const std::vector<WantedSample>& wanted);
+
+  /// What was run of it before, or null.
+  const DesignSample* known(const WantedSample& wanted) const;
 
   std::uint64_t trajectories() const { return trajectories_; }  ///< followed, those of earlier runs included
   std::uint64_t resumed() const { return resumed_; }
@@ -47,7 +50,8 @@ class DesignEnsembles {
   };
   void begin_with_study();
   bool balances(const Study& study, Met& met) const;
-  void work_off(const std::vector<WantedSample>& wanted, const std::vector<std::size_t>& missing,
+  /// Answers those of `wanted` that are `missing`, and takes them from there: what is left was not done.
+  void work_off(const std::vector<WantedSample>& wanted, std::vector<std::size_t>& missing,
                 std::vector<DesignSample>& samples);
   DesignSample one(const WantedSample& wanted, int threads, Met& met, bool& complete) const;
 

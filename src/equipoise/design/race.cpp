@@ -38,8 +38,17 @@ std::size_t Race::enter(const SearchPoint& point) {
 void Race::look(const std::vector<std::size_t>& places, std::uint64_t starts) {
   std::vector<WantedSample> wanted;
   for (const std::size_t k : places) wanted.push_back({candidates_[k].settings, starts, seed_});
-  const std::vector<DesignSample> samples = ensembles_.run(wanted);
-  for (std::size_t k = 0; k < places.size(); ++k) candidates_[places[k]].search = samples[k];
+  const auto take = [&] {
+    for (std::size_t k = 0; k < places.size(); ++k)
+      if (const DesignSample* sample = ensembles_.known(wanted[k])) candidates_[places[k]].search = *sample;
+  };
+  try {
+    ensembles_.run(wanted);
+  } catch (const SearchOver&) {  // stopped: a batch of dear candidates may be all that there was time for
+    take();
+    throw;
+  }
+  take();
   for (const std::size_t k : places) take_into_leaders(k);
 }
 

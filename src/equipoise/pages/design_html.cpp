@@ -139,7 +139,7 @@ class DesignDocument {
       std::vector<DocumentCell> row;
       for (const std::size_t k : r_.objectives)
         row.push_back(number_cell(s.figures.empty() ? "-" : estimate_with_interval(r_.figures[k], s.figures[k])));
-      for (const DesignSetting& setting : r_.front[m].settings) row.push_back(value_cell(setting.value));
+      for (const DesignSetting& setting : r_.front[m].settings) row.push_back(number_cell(setting_text(setting.value)));
       if (r_.chosen == m)
         for (DocumentCell& cell : row) cell.tone = Tone::good;
       table.rows.push_back(std::move(row));
