@@ -153,12 +153,8 @@ RuleOfThumb drag(const Explanation& e) {
   RuleOfThumb rule{"drag", "ball drag",
                    "beta_s/2 <= beta <= 2 beta_s, beta_s = 2 sqrt(s k_b); beta >= N omega^3/(zeta (Omega - omega))",
                    "docs/rules-of-thumb.md, Ball drag; Linearisation in docs/equations.md"};
-  std::string why_not;
-  const auto near = near_balance(e, why_not);
-  if (!near) {
-    rule.words = why_not;
-    return rule;
-  }
+  const auto near = near_balance(e, rule.words);
+  if (!near) return rule;
   const double own = rules::mean_drag(near->parameters);
   const double stiffness = rules::ball_stiffness(near->parameters, near->speed, near->angles.data());
   if (stiffness <= 0.0) {
@@ -200,12 +196,8 @@ RuleOfThumb settling(const Explanation& e) {
   RuleOfThumb rule{"settling", "settling near balance",
                    "slower decay of s q'' + beta q' + k_b q = 0 and (1 + N) r'' + zeta r' + kappa r = 0",
                    "docs/rules-of-thumb.md, Settling; Linearisation in docs/equations.md"};
-  std::string why_not;
-  const auto near = near_balance(e, why_not);
-  if (!near) {
-    rule.words = why_not;
-    return rule;
-  }
+  const auto near = near_balance(e, rule.words);
+  if (!near) return rule;
   const double stiffness = rules::ball_stiffness(near->parameters, near->speed, near->angles.data());
   const double time = rules::settling_time(near->parameters, std::max(stiffness, 0.0));
   rule.words = "a deviation falls to 1/e" + near->less;
