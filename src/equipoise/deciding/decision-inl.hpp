@@ -51,7 +51,8 @@ class DecideFate {
         pilot_(pilot),
         trackers_(groups * lanes),
         family_reach_(groups * lanes),
-        torus_asked_from_(groups * lanes) {}
+        torus_asked_from_(groups * lanes),
+        torus_catch_(groups * lanes) {}
 
   void begin(int slot, std::size_t, double t, const double* z) {
     open_window(slot / lanes, slot % lanes, t, z + 4);
@@ -59,6 +60,7 @@ class DecideFate {
     trackers_[slot].begin(rule_);
     family_reach_[slot] = rule_.family.reach;
     torus_asked_from_[slot] = t;
+    torus_catch_[slot] = {};
     element(least_value_[slot / lanes], slot % lanes) = 1e300;
   }
 
@@ -324,8 +326,8 @@ class DecideFate {
           verdict = {true, attractor};
           by = DecidedBy::validated;
         }
-      if (rule_.tori.caught && !rule_.at_horizon && looks_like_torus(sums))
-        if (const int attractor = caught_by_torus(g * lanes + lane, now, z)) {
+      if (rule_.tori.caught && !rule_.at_horizon)
+        if (const int attractor = kept_by_torus(g * lanes + lane, sums, now, z, verdict.decided)) {
           verdict = {true, attractor};
           by = DecidedBy::validated;
         }
@@ -343,6 +345,14 @@ class DecideFate {
     bool like = sums.r2_min > tori.r2_low && sums.r2_max < tori.r2_high;
     for (int i = 0; i < n; ++i) like = like && sums.q_min[i] > tori.q_low && sums.q_max[i] < tori.q_high;
     return like;
+  }
+
+  // The torus that has caught a lane, once nothing more is to be learnt from it; `over`: its windows decide now.
+  int kept_by_torus(int slot, const WindowSums& sums, double now, const Pack* z, bool over) {
+    TorusCatch& caught = torus_catch_[slot];
+    if (caught.attractor == 0 && looks_like_torus(sums))
+      caught = {caught_by_torus(slot, now, z), rule_.blind ? rule_.tori.watched : 0};
+    return over || caught.left-- <= 0 ? caught.attractor : 0;
   }
 
   int caught_by_torus(int slot, double now, const Pack* z) {
@@ -396,6 +406,10 @@ class DecideFate {
   Verdict verdict_[groups * lanes];
   std::vector<WindowTracker> trackers_;
   std::vector<double> family_reach_, torus_asked_from_;
+  struct TorusCatch {
+    int attractor = 0, left = 0;  // half windows that are still watched
+  };
+  std::vector<TorusCatch> torus_catch_;
 };
 
 }  // namespace HWY_NAMESPACE

@@ -29,7 +29,7 @@ void level_each(std::vector<BalancedTrap>& traps, const model::Parameters& p, Le
 
 // The smallest V on any of the pilot's trajectories that ended elsewhere. What is undecided is followed on: it may be
 // on its slow way to balance.
-double nearest_elsewhere(const std::vector<BalancedTrap>& traps, const TrialSettings& settings, double slowest_rate,
+double nearest_elsewhere(const DecisionRule& rule, const TrialSettings& settings, double slowest_rate,
                          const PilotRun& pilot) {
   double nearest = 1e300;
   std::vector<std::size_t> open;
@@ -45,7 +45,7 @@ double nearest_elsewhere(const std::vector<BalancedTrap>& traps, const TrialSett
     const auto state = pilot.state(i);
     states.insert(states.end(), state.begin(), state.end());
   }
-  const std::vector<char> came = come_to_balance(std::move(states), traps, settings, slowest_rate);
+  const std::vector<char> came = come_to_balance(std::move(states), rule, settings, slowest_rate);
   for (std::size_t k = 0; k < open.size(); ++k)
     if (!came[k]) nearest = std::min(nearest, pilot.records()[open[k]].least_value);
   return nearest;
@@ -64,11 +64,12 @@ void prove_levels(std::vector<BalancedTrap>& traps, const TrialSettings& setting
   });
 }
 
-double widen_levels(std::vector<BalancedTrap>& traps, const TrialSettings& settings, double slowest_rate,
-                    const PilotRun& pilot, double near) {
+double widen_levels(DecisionRule& rule, const TrialSettings& settings, double slowest_rate, const PilotRun& pilot,
+                    double near) {
+  std::vector<BalancedTrap>& traps = rule.balanced;
   if (traps.empty()) return 0.0;
   const std::vector<BalancedTrap> narrow = traps;
-  double nearest_foreign = nearest_elsewhere(narrow, settings, slowest_rate, pilot);
+  double nearest_foreign = nearest_elsewhere(rule, settings, slowest_rate, pilot);
   // Twice the level is tried, where no balls may overlap.
   for (const BalancedTrap& trap : narrow)
     nearest_foreign = std::min(nearest_foreign, touching_level(*settings.system, trap));

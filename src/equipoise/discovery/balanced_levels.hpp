@@ -10,9 +10,9 @@
 namespace equipoise {
 
 void prove_levels(std::vector<BalancedTrap>& traps, const TrialSettings& settings);
-/// `slowest_rate`: at which balance is approached, negative. By how much the first one is widened, which `near` may be
-/// near to; 0: not known.
-double widen_levels(std::vector<BalancedTrap>& traps, const TrialSettings& settings, double slowest_rate,
-                    const PilotRun& pilot, double near);
+/// Those of `rule`, whose other traps tell what does not balance. `slowest_rate`: at which balance is approached,
+/// negative. By how much the first one is widened, which `near` may be near to; 0: not known.
+double widen_levels(DecisionRule& rule, const TrialSettings& settings, double slowest_rate, const PilotRun& pilot,
+                    double near);
 
 }  // namespace equipoise

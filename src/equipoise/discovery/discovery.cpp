@@ -109,7 +109,6 @@ class Discoverer {
     level_balanced();
     find_candidates();
     if (!refine_and_list()) return stopped();
-    set_tori(result_.rule, tori_);  // only now: windows are learnt from a pilot that shows them
     result_.rule.blind = false;
     result_.rule.at_horizon = study_.numerics.decide == DecideMode::horizon;
     return std::move(result_);
@@ -143,6 +142,7 @@ class Discoverer {
 
   // Of balls that stick no single state attracts: what catches a start is that all of them are held for good.
   void set_rule_traps() {
+    set_tori(result_.rule, tori_);
     if (!system_.events().stick) {
       set_traps(result_.rule, system_, cycles_, continuum_);
       return;
@@ -160,8 +160,8 @@ class Discoverer {
       prove_levels(result_.rule.balanced, trials_);
     else if (system_.plain() || result_.balanced.slowest_rate < -slowest_worth_widening)
       result_.hints.levels.push_back({balanced_id, false,
-                                      widen_levels(result_.rule.balanced, trials_, result_.balanced.slowest_rate,
-                                                   pilot_, settings_.hints.level(balanced_id, false))});
+                                      widen_levels(result_.rule, trials_, result_.balanced.slowest_rate, pilot_,
+                                                   settings_.hints.level(balanced_id, false))});
   }
 
   // Decides the first `count` of the pilot's starts by the rule as it stands.

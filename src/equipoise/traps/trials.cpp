@@ -45,6 +45,8 @@ bool follow(Trials& trials, const TrialSettings& settings, Told&& told) {
   return good;
 }
 
+constexpr double never = 1e9;  // a window that ends after all
+
 bool is_attracted(const Fate& fate) { return fate.outcome == Outcome::attracted; }
 
 }  // namespace
@@ -52,11 +54,20 @@ bool is_attracted(const Fate& fate) { return fate.outcome == Outcome::attracted;
 DecisionRule rule_of_traps(const model::System& system) {
   DecisionRule rule;
   rule.balls = system.balls();
-  rule.first_long_window = 1e9;
+  rule.first_long_window = never;
   // Where the rotor's angle matters, and beside continua off centre, traps are asked as half a short window ends.
   if (system.autonomous() && (system.parameters().race_is_centred() || model::balanced_freedom(system) == 0))
-    rule.window = 1e9;
+    rule.window = never;
   return rule;
+}
+
+DecisionRule traps_of(const DecisionRule& rule) {
+  DecisionRule traps = rule;
+  traps.blind = traps.at_horizon = false;
+  traps.boxes.clear();
+  traps.known.clear();
+  traps.first_long_window = never;
+  return traps;
 }
 
 bool all_attracted(Trials trials, const TrialSettings& settings) {
@@ -65,10 +76,11 @@ bool all_attracted(Trials trials, const TrialSettings& settings) {
   });
 }
 
-std::vector<char> attracted(Trials trials, const TrialSettings& settings) {
+std::vector<char> come_to(int attractor, Trials trials, const TrialSettings& settings) {
   std::vector<char> came(trials.states.size() / settings.system->dimension());
   follow(trials, settings, [&](std::size_t first, const std::vector<Fate>& fates) {
-    std::transform(fates.begin(), fates.end(), came.begin() + static_cast<std::ptrdiff_t>(first), is_attracted);
+    std::transform(fates.begin(), fates.end(), came.begin() + static_cast<std::ptrdiff_t>(first),
+                   [&](const Fate& fate) { return is_attracted(fate) && fate.attractor == attractor; });
     return true;
   });
   return came;

@@ -43,10 +43,13 @@ struct Trials {
 /// A rule without windows: traps alone decide.
 DecisionRule rule_of_traps(const model::System& system);
 
+/// What `rule` knows of traps, and nothing of windows.
+DecisionRule traps_of(const DecisionRule& rule);
+
 /// All of them are attracted; false if stopped.
 bool all_attracted(Trials trials, const TrialSettings& settings);
-/// Which of them are; if stopped, not all that would be.
-std::vector<char> attracted(Trials trials, const TrialSettings& settings);
+/// Which of them come to this attractor; if stopped, not all that would.
+std::vector<char> come_to(int attractor, Trials trials, const TrialSettings& settings);
 
 /// Unit vectors, the same for every study.
 class Directions {

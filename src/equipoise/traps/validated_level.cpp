@@ -124,10 +124,10 @@ void widen(BalancedTrap& trap, const std::vector<BalancedTrap>& balanced, const 
   set_level(trap, level > 0.0 ? level : std::ldexp(factor, -halvings) * trap.level);
 }
 
-std::vector<char> come_to_balance(std::vector<double> states, const std::vector<BalancedTrap>& balanced,
-                                  const TrialSettings& settings, double slowest_rate) {
+std::vector<char> come_to_balance(std::vector<double> states, const DecisionRule& rule, const TrialSettings& settings,
+                                  double slowest_rate) {
   const double end = patience(widest_factor, slowest_rate);
-  return attracted(follow_for(end, rule_of(balanced, *settings.system), std::move(states)), settings);
+  return come_to(balanced_id, follow_for(end, traps_of(rule), std::move(states)), settings);
 }
 
 }  // namespace equipoise

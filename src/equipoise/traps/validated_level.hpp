@@ -24,8 +24,9 @@ bool validate(std::vector<CycleTrap>& traps, const TrialSettings& settings, doub
 void widen(BalancedTrap& trap, const std::vector<BalancedTrap>& balanced, const TrialSettings& settings,
            double slowest_rate, double nearest_foreign, double near = 0.0);
 
-/// Which of `states`, one after the other, enter one of the `balanced` traps in ten times what the linear flow needs.
-std::vector<char> come_to_balance(std::vector<double> states, const std::vector<BalancedTrap>& balanced,
-                                  const TrialSettings& settings, double slowest_rate);
+/// Which of `states`, one after the other, enter a balanced trap of `rule` in ten times what the linear flow needs, and
+/// none of the traps of other motions that it has before.
+std::vector<char> come_to_balance(std::vector<double> states, const DecisionRule& rule, const TrialSettings& settings,
+                                  double slowest_rate);
 
 }  // namespace equipoise
