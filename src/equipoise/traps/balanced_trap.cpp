@@ -82,13 +82,13 @@ Eigen::VectorXd weights_from(const std::vector<ModeWeight>& known, const Modes& 
 // pair. Unit weights on unit vectors are within a factor of two of the best in every row of the paper. Those of a
 // neighbour, where they are better, are good enough.
 Eigen::MatrixXd best_modal_form(const model::System& system, const Eigen::VectorXd& centre, const Eigen::MatrixXd& a,
-                                std::vector<ModeWeight>& known) {
+                                std::vector<ModeWeight>& known, SearchVectors& vectors) {
   const Modes modes = left_modes(a);
   const Eigen::Index size = modes.rates.size();
   Eigen::VectorXd weights = Eigen::VectorXd::Ones(size);
   const EntryTime entry_time(modes, system.balls());
   const auto cost = [&](const Eigen::VectorXd& w) {
-    return entry_time(w, level_by_rays(system, centre, modal_form(modes, w), rays_while_weighing));
+    return entry_time(w, level_by_rays(system, centre, modal_form(modes, w), rays_while_weighing, vectors));
   };
   double least = cost(weights);
   const int sweeps = known.empty() ? 3 : 0;
@@ -147,17 +147,18 @@ BalancedTrap isolated_trap(const model::System& system, const Angles& phi, doubl
   const Eigen::VectorXd state = model::balanced_state(system, speed, phi.data());
   const Eigen::MatrixXd a = model::jacobian(system, state);
   const bool near = !weights.empty();
-  const Eigen::MatrixXd modal = best_modal_form(system, state, a, weights);
+  SearchVectors vectors(a.rows());
+  const Eigen::MatrixXd modal = best_modal_form(system, state, a, weights, vectors);
   const Eigen::MatrixXd plain = solve_lyapunov(a, Eigen::MatrixXd::Identity(a.rows(), a.cols()));
   const auto level_of = [&](const Eigen::MatrixXd& form) {
-    return critical_level(system, state, form, rays_for_level);
+    return critical_level(system, state, form, rays_for_level, vectors);
   };
   const auto log_volume = [&](const Eigen::MatrixXd& form, double level) {
     return level > 0.0 ? 0.5 * (a.rows() * std::log(level) - std::log(dense::determinant(form))) : -1e300;
   };
   // Which one is better few rays tell well enough where the modes' weights are known.
   const auto first_level = [&](const Eigen::MatrixXd& form) {
-    return near ? level_by_rays(system, state, form, rays_while_weighing) : level_of(form);
+    return near ? level_by_rays(system, state, form, rays_while_weighing, vectors) : level_of(form);
   };
   const double modal_level = first_level(modal), plain_level = first_level(plain);
   const bool use_modal = log_volume(modal, modal_level) >= log_volume(plain, plain_level);

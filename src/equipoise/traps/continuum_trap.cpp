@@ -100,18 +100,16 @@ Eigen::VectorXd state_with_room(const ContinuumTrap& trap, const ContinuumMember
 }
 
 // All states that are tried at `factor` times the members' units of V come near to the continuum.
-bool all_approach(const ContinuumTrap& trap, const Members& members, const TrialSettings& settings, double factor,
-                  const TryRange& tries) {
+bool all_approach(const ContinuumTrap& trap, const Members& members, DirectionTable& directions,
+                  const TrialSettings& settings, double factor, const TryRange& tries) {
   const std::size_t count = members.all.size();
   Trials trials;
-  Directions directions(trap.continuum->directions());
-  directions.skip(tries.first);
   const auto member_of = [&](std::size_t i) -> const ContinuumMember& {
     return members.all[(tries.first + i) * count / tries.of];
   };
   for (std::size_t i = 0; i < tries.count; ++i) {
     const ContinuumMember& m = member_of(i);
-    const Eigen::VectorXd z = state_with_room(trap, m, factor * m.unit, directions.next(), *settings.system);
+    const Eigen::VectorXd z = state_with_room(trap, m, factor * m.unit, directions[tries.first + i], *settings.system);
     trials.states.insert(trials.states.end(), z.begin(), z.end());
   }
   ContinuumTrap near = at_factor(trap, members, come_near * factor);
@@ -147,8 +145,9 @@ std::optional<ContinuumTrap> continuum_trap(const std::shared_ptr<const Balanced
   // With anisotropic supports or gravity to tell what a state comes to is a flight of its own.
   TrialCounts counts{.few = 128, .all = 1024};
   if (!settings.system->autonomous()) counts = {counts.few / 4, counts.all / 4};
+  DirectionTable directions(continuum->directions());
   const double factor = highest_good_level({0.5 / members.unit}, counts, [&](double level, const TryRange& tries) {
-    return all_approach(trap, members, settings, level, tries);
+    return all_approach(trap, members, directions, settings, level, tries);
   });
   return factor > 0.0 ? std::optional(at_factor(std::move(trap), members, factor)) : std::nullopt;
 }

@@ -4,9 +4,9 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <utility>
 #include <vector>
 
-#include "equipoise/base/random.hpp"
 #include "equipoise/math/dense.hpp"
 #include "equipoise/model/ball_count.hpp"
 #include "equipoise/model/flow-inl.hpp"
@@ -43,24 +43,31 @@ class RaySearch {
         factor_(factor),
         centre_(centre) {}
 
-  // Where V equals 1 along a direction given in coordinates in which V is the squared length.
-  Vector edge(const Vector& direction) const {
-    return factor_.template triangularView<Eigen::Upper>().solve(direction.normalized());
+  // e, where V equals 1, and half of V's gradient there.
+  struct Ray {
+    Vector e, gradient;
+  };
+
+  // Along a direction given in coordinates in which V is the squared length.
+  Ray edge(const Vector& direction) const {
+    Vector e = factor_.template triangularView<Eigen::Upper>().solve(direction.normalized());
+    Vector gradient = form_ * e;
+    return {std::move(e), std::move(gradient)};
   }
 
   // Smallest s <= limit with dV/dt >= 0 at z* + s e, or limit.
-  double first_growth(const Vector& e, double limit) const {
+  double first_growth(const Ray& ray, double limit) const {
     static constexpr std::array<double, 7> fractions{0.15, 0.3, 0.45, 0.6, 0.75, 0.88, 1.0};
     double good = 0.0;
     for (double fraction : fractions) {
       double bad = fraction * limit;
-      if (!grows(e, bad)) {
+      if (!grows(ray, bad)) {
         good = bad;
         continue;
       }
       for (int i = 0; i < 20 && bad - good > 1e-6 * bad; ++i) {
         const double middle = 0.5 * (good + bad);
-        (grows(e, middle) ? bad : good) = middle;
+        (grows(ray, middle) ? bad : good) = middle;
       }
       return bad;
     }
@@ -68,13 +75,13 @@ class RaySearch {
   }
 
   // Half of dV/dt at z* + s e, over s.
-  double slope(const Vector& e, double s) const { return e.dot(form_ * rate(centre_ + s * e)); }
+  double slope(const Ray& ray, double s) const { return ray.gradient.dot(rate(centre_ + s * ray.e)); }
 
-  bool grows(const Vector& e, double s) const { return slope(e, s) >= 0.0; }
+  bool grows(const Ray& ray, double s) const { return slope(ray, s) >= 0.0; }
 
   // The direction in which dV/dt rises fastest at V^(1/2) = s along a direction; both as `edge` takes them.
   Vector uphill(const Vector& direction, double s) const {
-    const Vector d = s * edge(direction), z = centre_ + d;
+    const Vector d = s * edge(direction).e, z = centre_ + d;
     const Vector rise = form_ * rate(z) + model::jacobian(system_, z).transpose() * (form_ * d);
     return into_unit(rise).normalized();
   }
@@ -124,7 +131,7 @@ double descend(const RaySearch<Flow>& search, typename RaySearch<Flow>::Vector d
   double reach = search.first_growth(search.edge(direction), limit), part = 0.5;
   for (int step = 0; step < most_steps && part > least_part; ++step) {
     const Vector turned = ((1.0 - part) * direction + part * search.uphill(direction, reach)).normalized();
-    const Vector before = search.edge(direction), after = search.edge(turned);
+    const auto before = search.edge(direction), after = search.edge(turned);
     const double shorter = search.first_growth(after, reach);
     // On rays along which V falls all the way, how fast it still falls at their ends tells where to look.
     const bool better = shorter < reach || (reach == limit && search.slope(after, limit) > search.slope(before, limit));
@@ -138,14 +145,9 @@ double descend(const RaySearch<Flow>& search, typename RaySearch<Flow>::Vector d
 
 // The same by random directions, and random steps from the worst of them.
 template <class Flow>
-double sample(const RaySearch<Flow>& search, int size, int rays) {
+double sample(const RaySearch<Flow>& search, int size, int rays, SearchVectors& vectors) {
   using Vector = typename RaySearch<Flow>::Vector;
-  RandomStream random;
-  const auto random_vector = [&] {
-    Vector v(size);
-    for (int i = 0; i < size; ++i) v[i] = random.normal();
-    return v;
-  };
+  std::size_t next = 0;
 
   struct Ray {
     double reach;
@@ -155,7 +157,7 @@ double sample(const RaySearch<Flow>& search, int size, int rays) {
   std::vector<Ray> worst;
   double best = search.half_turn();
   for (int ray = 0; ray < rays; ++ray) {
-    const Vector direction = random_vector().normalized();
+    const Vector direction = vectors[next++].normalized();
     const double limit = 1.3 * best;  // look a little beyond, to keep several worst rays
     const double reach = search.first_growth(search.edge(direction), limit);
     if (reach >= limit) continue;
@@ -167,7 +169,7 @@ double sample(const RaySearch<Flow>& search, int size, int rays) {
   for (Ray& ray : worst) {
     double amplitude = 0.3;
     for (int step = 0; step < 300; ++step) {
-      const Vector direction = (ray.direction + amplitude * random_vector() / std::sqrt(double(size))).normalized();
+      const Vector direction = (ray.direction + amplitude * vectors[next++] / std::sqrt(double(size))).normalized();
       const double reach = search.first_growth(search.edge(direction), ray.reach);
       if (reach < ray.reach)
         ray = {reach, direction};
@@ -182,11 +184,11 @@ double sample(const RaySearch<Flow>& search, int size, int rays) {
 // Least level of a search of `rays` rays, with a descent besides or not.
 template <class Flow>
 double least_level(const model::System& system, const Flow& flow, const Eigen::VectorXd& centre,
-                   const Eigen::MatrixXd& form, int rays, bool descending) {
+                   const Eigen::MatrixXd& form, int rays, SearchVectors& vectors, bool descending) {
   const dense::Cholesky cholesky(form);
   if (!cholesky.definite()) return 0.0;
   const RaySearch<Flow> search(system, flow, centre, form, cholesky.upper());
-  double least = sample(search, system.dimension(), rays);
+  double least = sample(search, system.dimension(), rays, vectors);
   if (!descending) return least * least;
   const Eigen::MatrixXd principal = search.principal_directions();
   for (Eigen::Index k = 0; k < principal.cols(); ++k)
@@ -196,21 +198,29 @@ double least_level(const model::System& system, const Flow& flow, const Eigen::V
 }
 
 double least_level(const model::System& system, const Eigen::VectorXd& centre, const Eigen::MatrixXd& form, int rays,
-                   bool descending) {
-  if (system.plain()) return least_level(system, plain_flow(system), centre, form, rays, descending);
-  return least_level(system, GeneralFlow(system, 0.0), centre, form, rays, descending);
+                   SearchVectors& vectors, bool descending) {
+  if (system.plain()) return least_level(system, plain_flow(system), centre, form, rays, vectors, descending);
+  return least_level(system, GeneralFlow(system, 0.0), centre, form, rays, vectors, descending);
 }
 
 }  // namespace
 
-double level_by_rays(const model::System& system, const Eigen::VectorXd& centre, const Eigen::MatrixXd& form,
-                     int rays) {
-  return least_level(system, centre, form, rays, false);
+const Eigen::VectorXd& SearchVectors::operator[](std::size_t number) {
+  while (made_.size() <= number) {
+    made_.emplace_back(size_);
+    for (double& x : made_.back()) x = random_.normal();
+  }
+  return made_[number];
 }
 
-double critical_level(const model::System& system, const Eigen::VectorXd& centre, const Eigen::MatrixXd& form,
-                      int rays) {
-  return least_level(system, centre, form, rays, true);
+double level_by_rays(const model::System& system, const Eigen::VectorXd& centre, const Eigen::MatrixXd& form, int rays,
+                     SearchVectors& vectors) {
+  return least_level(system, centre, form, rays, vectors, false);
+}
+
+double critical_level(const model::System& system, const Eigen::VectorXd& centre, const Eigen::MatrixXd& form, int rays,
+                      SearchVectors& vectors) {
+  return least_level(system, centre, form, rays, vectors, true);
 }
 
 }  // namespace equipoise

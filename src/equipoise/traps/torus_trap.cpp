@@ -37,6 +37,9 @@ constexpr double away_in_window = 2.0;
 
 double within_a_turn(double angle) { return angle - two_pi * std::floor(angle / two_pi); }
 
+// Between two angles within a turn.
+double shorter_way(double d) { return d > pi ? d - two_pi : d < -pi ? d + two_pi : d; }
+
 }  // namespace
 
 TorusTrap::TorusTrap(const model::System& system)
@@ -87,35 +90,31 @@ void TorusTrap::sort_into_cells() {
 
 // One tangent is the flow; the other is what is left of the ways to the neighbours, which lie on other windings.
 void TorusTrap::find_tangents(const model::System& system) {
+  using State = Eigen::Matrix<double, Eigen::Dynamic, 1, 0, max_dimension, 1>;
   tangents_ = Eigen::MatrixXd::Zero(2 * states_.rows(), states_.cols());
+  const double near = 4.0 * two_pi / cells_;
+  std::vector<State> ways;
   for (int k = 0; k < states_.cols(); ++k) {
-    const VectorXd here = states_.col(k);
-    const VectorXd along =
+    const State here = states_.col(k);
+    const State along =
         model::rate(system, here.cwiseQuotient(inverse_scale_)).cwiseProduct(inverse_scale_).normalized();
-    VectorXd sum = VectorXd::Zero(here.size());
+    ways.clear();
     double longest = 0.0;
-    VectorXd farthest = sum;
-    const auto way_to = [&](int other) {
-      VectorXd d = states_.col(other) - here;
-      for (int i = 0; i < balls_; ++i) d[model::index::phi(i)] = wrapped(d[model::index::phi(i)]);
-      return d;
-    };
-    const double near = 4.0 * two_pi / cells_;
-    const auto sideways = [&](int other) {
-      const VectorXd d = way_to(other);
-      return VectorXd(d.norm() < near ? VectorXd(d - along * along.dot(d)) : VectorXd::Zero(d.size()));
-    };
+    State farthest = State::Zero(here.size());
     const double first = here[model::index::phi(0)], second = balls_ > 1 ? here[model::index::phi(1)] : 0.0;
     around_angles(first, second, [&](int other) {
-      const VectorXd d = sideways(other);
-      if (d.norm() <= longest) return;
-      longest = d.norm();
+      State d = states_.col(other) - here;
+      for (int i = 0; i < balls_; ++i) d[model::index::phi(i)] = shorter_way(d[model::index::phi(i)]);
+      d -= along * along.dot(d);
+      const double length = d.norm();
+      if (!(length < near)) return;
+      ways.push_back(d);
+      if (length <= longest) return;
+      longest = length;
       farthest = d;
     });
-    around_angles(first, second, [&](int other) {
-      const VectorXd d = sideways(other);
-      sum += d.dot(farthest) < 0.0 ? VectorXd(-d) : d;
-    });
+    State sum = State::Zero(here.size());
+    for (const State& d : ways) sum += d.dot(farthest) < 0.0 ? State(-d) : d;
     tangents_.col(k).head(here.size()) = along;
     if (sum.norm() > 0.0) tangents_.col(k).tail(here.size()) = sum.normalized();
   }
@@ -139,8 +138,8 @@ void TorusTrap::find_images(const model::System& system) {
 // Whether a state of the cloud lies on the plane that touches the torus at another, as far as one sheet bends.
 bool TorusTrap::lies_on(int chart, int other) const {
   const double bend = bent * two_pi / cells_;
-  VectorXd d = states_.col(other) - states_.col(chart);
-  for (int i = 0; i < balls_; ++i) d[model::index::phi(i)] = wrapped(d[model::index::phi(i)]);
+  Eigen::Matrix<double, Eigen::Dynamic, 1, 0, max_dimension, 1> d = states_.col(other) - states_.col(chart);
+  for (int i = 0; i < balls_; ++i) d[model::index::phi(i)] = shorter_way(d[model::index::phi(i)]);
   const double along = d.dot(tangents_.col(chart).head(d.size())), across = d.dot(tangents_.col(chart).tail(d.size()));
   return d.squaredNorm() - along * along - across * across < bend * bend;
 }
@@ -155,8 +154,8 @@ void TorusTrap::make_charts() {
     const double first = ((balls_ > 1 ? cell / cells_ : cell) + 0.5) * width, second = (cell % cells_ + 0.5) * width;
     std::vector<std::pair<double, int>> order;
     around_angles(first, second, [&](int k) {
-      const double a = wrapped(states_(model::index::phi(0), k) - first);
-      const double b = balls_ > 1 ? wrapped(states_(model::index::phi(1), k) - second) : 0.0;
+      const double a = shorter_way(states_(model::index::phi(0), k) - first);
+      const double b = balls_ > 1 ? shorter_way(states_(model::index::phi(1), k) - second) : 0.0;
       order.emplace_back(std::max(std::fabs(a), std::fabs(b)), k);
     });
     std::sort(order.begin(), order.end());
@@ -278,24 +277,22 @@ void TorusTrap::widen(TorusTraps& bounds) const {
 
 namespace {
 
-bool all_approach(const std::shared_ptr<TorusTrap>& trap, const TrialSettings& settings, double rate, double level,
-                  const TryRange& tries) {
+bool all_approach(const std::shared_ptr<TorusTrap>& trap, DirectionTable& directions, const TrialSettings& settings,
+                  double rate, double level, const TryRange& tries) {
   Trials trials;
-  Directions directions(settings.system->dimension());
-  directions.skip(tries.first);
   for (std::size_t i = tries.first; i < tries.first + tries.count; ++i) {
     // Spread over the torus whatever the order of its states.
-    const VectorXd z = trap->state_on_level(i * 40503, level, directions.next());
+    const VectorXd z = trap->state_on_level(i * 40503, level, directions[i]);
     trials.states.insert(trials.states.end(), z.begin(), z.end());
   }
   const bool far = tries.first == 0 && tries.of == TrialCounts{}.all;
   const double share = std::max(far ? come_close : come_inside, 4.0 * trap->floor() / level);
   if (share > come_inside) return false;
-  auto close = std::make_shared<TorusTrap>(*trap);
-  close->set_level(share * level);
+  trap->set_level(share * level);
+  trials.alike = true;
   trials.rule = rule_of_traps(*settings.system);
   trials.rule.window = window;
-  set_tori(trials.rule, {close});
+  set_tori(trials.rule, {trap});
   const double end = 2.0 * std::log(1.0 / share) / (2.0 * -rate) + 200.0;
   trials.flight = [end](std::size_t) { return Trials::Flight{end, 0.0}; };
   return all_attracted(std::move(trials), settings);
@@ -310,8 +307,9 @@ std::shared_ptr<const TorusTrap> torus_trap(const model::System& system, const M
   if (!known || !system.autonomous() || !(motion.exponents[2] < -slowest_worth_it)) return nullptr;
   const auto trap = TorusTrap::around(system, motion, attractor, settings.stop);
   if (!trap) return nullptr;
+  DirectionTable directions(system.dimension());
   const auto good = [&](double tried, const TryRange& tries) {
-    return all_approach(trap, settings, motion.exponents[2], tried, tries);
+    return all_approach(trap, directions, settings, motion.exponents[2], tried, tries);
   };
   const double level = highest_good_level({highest_level, 12}, TrialCounts{}, good, near);
   if (!(level > 0.0)) return nullptr;

@@ -92,6 +92,11 @@ const Eigen::VectorXd& Directions::next() {
   return v_;
 }
 
+const Eigen::VectorXd& DirectionTable::operator[](std::size_t number) {
+  while (made_.size() <= number) made_.push_back(directions_.next());
+  return made_[number];
+}
+
 namespace {
 
 constexpr int steps_a_halving = 8;

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <deque>
 #include <functional>
 #include <vector>
 
@@ -56,13 +57,21 @@ class Directions {
  public:
   explicit Directions(Eigen::Index size) : v_(size) {}
   const Eigen::VectorXd& next();
-  void skip(std::size_t count) {
-    for (std::size_t i = 0; i < count; ++i) next();
-  }
 
  private:
   RandomStream random_;
   Eigen::VectorXd v_;
+};
+
+/// The same by number, for who asks again and again.
+class DirectionTable {
+ public:
+  explicit DirectionTable(Eigen::Index size) : directions_(size) {}
+  const Eigen::VectorXd& operator[](std::size_t number);
+
+ private:
+  Directions directions_;
+  std::deque<Eigen::VectorXd> made_;
 };
 
 /// Levels from `highest` down over so many halvings, in eighths of one: where a rounding sends a try elsewhere the

@@ -43,14 +43,12 @@ DecisionRule rule_of(const std::vector<BalancedTrap>& balanced, const model::Sys
 double patience(double factor, double slowest_rate) { return 10.0 * std::log(factor) / -slowest_rate + 500.0; }
 
 // All states that are tried on the level enter one of the `balanced` traps.
-bool all_balance(const BalancedTrap& trap, const std::vector<BalancedTrap>& balanced, const TrialSettings& settings,
-                 double slowest_rate, double level, const TryRange& tries) {
+bool all_balance(const BalancedTrap& trap, const std::vector<BalancedTrap>& balanced, DirectionTable& directions,
+                 const TrialSettings& settings, double slowest_rate, double level, const TryRange& tries) {
   const model::System& system = *settings.system;
   std::vector<double> states;
-  Directions directions(system.dimension());
-  directions.skip(tries.first);
   for (std::size_t i = 0; i < tries.count; ++i) {
-    const Eigen::VectorXd z = state_on_level(system, trap, level, directions.next());
+    const Eigen::VectorXd z = state_on_level(system, trap, level, directions[tries.first + i]);
     states.insert(states.end(), z.begin(), z.end());
   }
   const double end = patience(level / trap.level, slowest_rate);
@@ -66,14 +64,12 @@ int row_of(const CycleTrap& trap, std::size_t i) {
 }
 
 // All states that are tried on the level come to the motion.
-bool all_approach(const CycleTrap& trap, const TrialSettings& settings, double slowest_rate, double level,
-                  const TryRange& tries) {
+bool all_approach(const CycleTrap& trap, DirectionTable& random, const TrialSettings& settings, double slowest_rate,
+                  double level, const TryRange& tries) {
   const model::System& system = *settings.system;
   Trials trials;
-  Directions random(directions(trap));
-  random.skip(tries.first);
   for (std::size_t i = 0; i < tries.count; ++i) {
-    const Eigen::VectorXd z = state_on_level(trap, row_of(trap, tries.first + i), level, random.next());
+    const Eigen::VectorXd z = state_on_level(trap, row_of(trap, tries.first + i), level, random[tries.first + i]);
     trials.states.insert(trials.states.end(), z.begin(), z.end());
   }
   auto close = std::make_shared<CycleTrap>(trap);
@@ -99,8 +95,9 @@ bool validate(std::vector<CycleTrap>& traps, const TrialSettings& settings, doub
   const CycleTrap& one = traps.front();
   if (!(slowest_rate < -(one.attractor == balanced_id ? slowest_balance : slowest_worth_it))) return false;
   const double highest = one.clock == CycleTrap::rotor ? highest_by_rotor : highest_by_ball;
+  DirectionTable random(directions(one));
   const auto good = [&](double tried, const TryRange& tries) {
-    return all_approach(one, settings, slowest_rate, tried, tries);
+    return all_approach(one, random, settings, slowest_rate, tried, tries);
   };
   const double level = highest_good_level({highest}, orbit_tries, good, near);
   for (CycleTrap& trap : traps) trap.level = level;
@@ -117,8 +114,9 @@ void widen(BalancedTrap& trap, const std::vector<BalancedTrap>& balanced, const 
   int halvings = 0;
   while (std::ldexp(factor, -halvings) > 0.5) ++halvings;
   const LevelLadder ladder{2.0 * factor * trap.level, halvings};
+  DirectionTable directions(settings.system->dimension());
   const auto good = [&](double tried, const TryRange& tries) {
-    return all_balance(trap, balanced, settings, slowest_rate, tried, tries);
+    return all_balance(trap, balanced, directions, settings, slowest_rate, tried, tries);
   };
   const double level = highest_good_level(ladder, TrialCounts{}, good, near * trap.level);
   set_level(trap, level > 0.0 ? level : std::ldexp(factor, -halvings) * trap.level);
