@@ -81,7 +81,12 @@ Json path_json(const Study& study, const Motion& motion) {
   return {{"duration", duration}, {"psi", path.psi}, {"x", path.x}, {"y", path.y}, {"phi", path.phi}};
 }
 
-Json fates_json(const Ensemble& ensemble, std::uint64_t first, Ensemble::Ended&& ended, Bulk& bulk) {
+// What `decide` answers, and how long it took: a search for attractors, which comes before, is made once.
+template <class Decide>
+Json fates_json(const Ensemble& ensemble, std::uint64_t first, Decide&& decide, Bulk& bulk) {
+  const auto begin = std::chrono::steady_clock::now();
+  Ensemble::Ended ended = decide();
+  const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
   std::vector<std::int32_t> outcome;
   std::vector<double> time, peak;
   for (const Fate& fate : ended.fates) {
@@ -96,6 +101,7 @@ Json fates_json(const Ensemble& ensemble, std::uint64_t first, Ensemble::Ended&&
           {"peak", bulk.doubles(std::move(peak))},
           {"angles", bulk.doubles(std::move(ended.phi))},
           {"balls", ensemble.study().parameters.balls},
+          {"seconds", seconds},
           {"outcomes", outcomes_json(ensemble)}};
 }
 
@@ -148,12 +154,12 @@ Json ensemble(const Json& args, Bulk& bulk) {
     toml += "\n# seed " + std::to_string(study.sampling.seed);
   }
   Ensemble& e = kept(toml, study, options.value("peaks", false));
-  return fates_json(e, first, e.starts(first, count), bulk);
+  return fates_json(e, first, [&] { return e.starts(first, count); }, bulk);
 }
 
 Json states(const Json& args, Bulk& bulk) {
   Ensemble& e = kept(args.at(0).get<std::string>(), study_of(args.at(0)), false);
-  return fates_json(e, 0, e.at_angles(numbers_of<double>(args.at(1))), bulk);
+  return fates_json(e, 0, [&] { return e.at_angles(numbers_of<double>(args.at(1))); }, bulk);
 }
 
 Json shares(const Json& args) {

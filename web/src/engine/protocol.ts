@@ -178,6 +178,8 @@ export interface Fates {
   /** Initial ball angles, `balls` a start. */
   angles: Float64Array;
   balls: number;
+  /** That it took, a search for attractors left out. */
+  seconds: number;
   /** Outcomes known by now: those of the discovery, and motions that these starts were the first to meet. */
   outcomes: OutcomeInfo[];
 }

@@ -4,7 +4,8 @@ import { h, swatch, throttled } from "../base/dom";
 import { count, outcomeName, percent } from "../base/numbers";
 import { csv, saveText } from "../base/save";
 import { EnsembleRun } from "../work/ensemble_run";
-import { URGENCY, type Desk } from "./desk";
+import { URGENCY } from "../work/urgency";
+import type { Desk } from "./desk";
 import { saveMenu } from "./save_menu";
 
 const STARTS = 4000; // of common starts: most differences of two points show

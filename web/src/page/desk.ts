@@ -18,18 +18,7 @@ import { EnsembleRun } from "../work/ensemble_run";
 import { MapRun } from "../work/map_run";
 import { isAborted } from "../work/pool";
 import { preparedStarts } from "../work/prepared";
-
-/** What goes first when workers are scarce. */
-export const URGENCY = {
-  fate: 0,
-  discovery: 1,
-  firstStarts: 2,
-  map: 3,
-  starts: 3,
-  sweep: 4,
-  comparison: 4,
-  peaks: 3,
-} as const;
+import { URGENCY } from "../work/urgency";
 
 const FIRST_STARTS = 500; // shares are worth showing from here on, before the map takes its half of the workers
 const STARTS = 10_000; // +- 1 point

@@ -7,7 +7,8 @@ import { saveCanvas, saveText, csv } from "../base/save";
 import type { Moment } from "../work/player";
 import { isAborted } from "../work/pool";
 import type { Frame } from "../drawing/machine";
-import { URGENCY, type Desk } from "./desk";
+import { URGENCY } from "../work/urgency";
+import type { Desk } from "./desk";
 import type { Stage } from "./stage";
 
 const PACE_RANGE = 30; // how much slower or faster than the pace proposed

@@ -7,7 +7,8 @@ import { layersOf, stackedShares } from "../drawing/stacked";
 import { numberOf, rounded, valueText } from "../setting/values";
 import { withOverride, type SweepSetting } from "../setting/setting";
 import { SweepRun } from "../work/sweep_run";
-import { URGENCY, type Desk } from "./desk";
+import { URGENCY } from "../work/urgency";
+import type { Desk } from "./desk";
 import { saveMenu } from "./save_menu";
 
 const [VALUES, STARTS] = [13, 300];

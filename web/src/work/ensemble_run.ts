@@ -4,18 +4,27 @@ import { throttled } from "../base/dom";
 import type { Crew } from "./crew";
 import { Outcomes } from "./outcomes";
 import { isAborted } from "./pool";
+import { URGENCY } from "./urgency";
 
 const NOT_DONE = -32768;
-const CHUNK_TIME = 150; // ms: a worker is free again soon, and the message costs nothing beside it
+const CHUNK_TIME = 0.15; // s: a worker is free again soon, and the message costs nothing beside it
+const SOON = 1.5; // s in which what is asked for would be done: it then goes before the map
 const [LEAST_CHUNK, MOST_CHUNK] = [16, 4096];
 
 /** How many starts to give a worker at once, from what the last chunk took. */
 export class ChunkSize {
   size = 64;
+  private each = Infinity; // seconds
 
-  took(starts: number, milliseconds: number): void {
-    const wanted = (starts * CHUNK_TIME) / Math.max(1, milliseconds);
+  took(starts: number, seconds: number): void {
+    const wanted = (starts * CHUNK_TIME) / Math.max(1e-3, seconds);
     this.size = Math.round(Math.max(LEAST_CHUNK, Math.min(MOST_CHUNK, wanted, 4 * this.size)));
+    this.each = seconds / starts;
+  }
+
+  /** By what the last chunk took; infinite before there was one. */
+  secondsFor(starts: number): number {
+    return starts * this.each;
   }
 }
 
@@ -111,9 +120,11 @@ export class EnsembleRun {
       const count = Math.min(this.chunk.size, this.asked - first);
       this.next += count;
       try {
-        const options = { urgency: this.urgency, signal, took: (ms: number) => this.chunk.took(count, ms) };
+        const soon = this.chunk.secondsFor(this.asked - first) / this.crew.computing.size < SOON;
+        const options = { urgency: soon ? URGENCY.soonDone : this.urgency, signal };
         const fates = await this.crew.compute("ensemble", [this.check.toml, first, count], options);
         if (fates.count !== count) throw new Error(`${count} starts were asked for, ${fates.count} came back.`);
+        this.chunk.took(count, fates.seconds);
         this.keep(fates, first);
       } catch (error) {
         if (!isAborted(error)) this.failure = error as Error;

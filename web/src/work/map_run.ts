@@ -113,8 +113,8 @@ export class MapRun {
     const balls = this.check.machine.balls;
     const phi = new Float64Array(pixels.length * balls);
     pixels.forEach((pixel, k) => phi.set(this.angles(pixel), k * balls));
-    const took = (ms: number) => this.chunk.took(pixels.length, ms);
-    const fates = await this.crew.compute("states", [this.check.toml, phi], { urgency: this.urgency, signal, took });
+    const fates = await this.crew.compute("states", [this.check.toml, phi], { urgency: this.urgency, signal });
+    this.chunk.took(pixels.length, fates.seconds);
     this.outcomes.adopt(fates.outcomes, fates.outcome);
     pixels.forEach((pixel, k) => {
       this.outcome[pixel] = fates.outcome[k]!;

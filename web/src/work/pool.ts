@@ -11,8 +11,6 @@ export interface TaskOptions {
   /** Work that has begun is finished: it is short, and what the worker knows is worth more. */
   gentle?: boolean;
   progress?: (progress: Progress) => void;
-  /** Told how many ms the worker took, waiting in line left out. */
-  took?: (milliseconds: number) => void;
 }
 
 interface Task {
@@ -23,7 +21,6 @@ interface Task {
   signal: AbortSignal | undefined;
   gentle: boolean;
   progress: ((progress: Progress) => void) | undefined;
-  took: ((milliseconds: number) => void) | undefined;
   broken: number;
   resolve: (result: never) => void;
   reject: (error: Error) => void;
@@ -33,7 +30,6 @@ interface Seat {
   worker: Worker;
   task: Task | null;
   number: number;
-  began: number;
 }
 
 const GRACE = 200; // ms that an abandoned call may still take: less than what loading a module anew costs
@@ -53,7 +49,7 @@ export class Pool {
     private readonly broke: (why: string) => void,
   ) {
     for (let k = 0; k < size; ++k)
-      this.seats.push({ worker: null as unknown as Worker, task: null, number: 0, began: 0 });
+      this.seats.push({ worker: null as unknown as Worker, task: null, number: 0 });
     for (const seat of this.seats) this.start(seat);
   }
 
@@ -83,7 +79,6 @@ export class Pool {
         signal,
         gentle: options.gentle ?? false,
         progress: options.progress,
-        took: options.took,
         broken: 0,
         resolve,
         reject,
@@ -109,7 +104,6 @@ export class Pool {
       if (!task) return;
       seat.task = task;
       seat.number += 1;
-      seat.began = performance.now();
       seat.worker.postMessage({ id: seat.number, call: task.call, args: task.args } satisfies Request);
     }
   }
@@ -132,7 +126,6 @@ export class Pool {
     if ("error" in response && response.error.kind === "crash") return this.replace(seat, response.error.message);
     seat.task = null;
     this.lost = 0;
-    task.took?.(performance.now() - seat.began);
     if ("error" in response) task.reject(new EngineError(response.error));
     else if ("result" in response) task.resolve(response.result as never);
     this.feed();

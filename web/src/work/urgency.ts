@@ -1,0 +1,11 @@
+/** What goes first when workers are scarce. */
+export const URGENCY = {
+  fate: 0,
+  discovery: 1,
+  soonDone: 2,
+  map: 3,
+  starts: 3,
+  sweep: 4,
+  comparison: 4,
+  peaks: 3,
+} as const;
