@@ -9,8 +9,11 @@
 
 #include "../base_parameters.hpp"
 #include "equipoise/discovery/discovery.hpp"
+#include "equipoise/kernels/lane_kernels.hpp"
 #include "equipoise/model/balanced_state.hpp"
 #include "equipoise/motions/motion_statistics.hpp"
+#include "equipoise/traps/balanced_analysis.hpp"
+#include "equipoise/traps/validated_level.hpp"
 
 namespace equipoise {
 namespace {
@@ -72,6 +75,54 @@ TEST(TorusTrap, LetsNothingOut) {
     EXPECT_LT(trap.value(state.data()),
               0.01 * trap.level());  // at a rate of 0.037 e^-30 is left, and the cloud's floor
   }
+}
+
+// A lane from a state, by a rule.
+Fate decided(const Found& found, Eigen::VectorXd state, const DecisionRule& rule, std::vector<PilotRecord>* records) {
+  LaneTask task = lane_task(found.system);
+  task.end = 1000.0;
+  task.tolerance = 1e-8;
+  task.count = 1;
+  task.states = state.data();
+  std::vector<Fate> fates(1);
+  EXPECT_TRUE(decide_lanes(task, rule, fates, records));
+  return fates[0];
+}
+
+TEST(TorusTrap, IsWatchedInAudits) {
+  const Found found;
+  ASSERT_TRUE(found.trap);
+  DecisionRule rule = rule_of_traps(found.system);
+  rule.window = 16.0;
+  set_tori(rule, {found.trap});
+  FeatureBox all;  // in which every window lies
+  all.low.fill(-1e300);
+  all.high.fill(1e300);
+  rule.boxes = {all};
+  std::vector<PilotRecord> records(1);
+  const Fate at_once = decided(found, found.motion.state, rule, &records);
+  EXPECT_EQ(at_once.attractor, 3);
+  EXPECT_LT(at_once.time, 10.0);  // the first half window
+  rule.blind = true;
+  const Fate watched = decided(found, found.motion.state, rule, &records);
+  EXPECT_EQ(watched.attractor, 3);
+  EXPECT_EQ(watched.by, DecidedBy::validated);
+  // Half windows end with a step, a little late.
+  EXPECT_NEAR(watched.time - at_once.time, 8.0 * rule.tori.watched, 0.5 * rule.tori.watched);
+  EXPECT_GE(records[0].longest_run[0], rule.tori.watched - 1);
+}
+
+TEST(TorusTrap, TellsWhatDoesNotBalance) {
+  const Found found;
+  ASSERT_TRUE(found.trap);
+  DecisionRule rule = rule_of_traps(found.system);
+  rule.balanced = analyse_balanced(found.system).traps;
+  ASSERT_FALSE(rule.balanced.empty());
+  set_tori(rule, {found.trap});
+  std::vector<double> states(found.motion.state.begin(), found.motion.state.end());
+  const Eigen::VectorXd balanced = model::balanced_state(found.system, 2.4, rule.balanced[0].phi.data());
+  states.insert(states.end(), balanced.begin(), balanced.end());
+  EXPECT_EQ(come_to_balance(states, rule, found.settings, -0.024), (std::vector<char>{0, 1}));
 }
 
 TEST(TorusTrap, IsForToriOnly) {
