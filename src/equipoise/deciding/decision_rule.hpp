@@ -102,7 +102,7 @@ struct TorusTraps {
   double r2_low = 0.0, r2_high = 1e300, q_low = -1e300, q_high = 1e300;
   /// Audits (DecisionRule::blind): half windows for which what is caught is followed on, so that boxes learn what
   /// they show.
-  int watched = 24;
+  int watched = 12;
 };
 
 /// A driven rotor that turns faster, in critical speeds, is beyond any machine: the integrator's steps shrink with the
