@@ -73,6 +73,7 @@ py::object arrays_of(const Basin& kept) {
   arrays["decision_time"] = array_of(std::vector<double>(a.decision_time));
   arrays["decided_by"] = array_of(std::vector<signed char>(a.decided_by));
   arrays["mean_speed"] = column(a.mean_speed, starts);
+  arrays["left_unbalance"] = column(a.left_unbalance, starts);
   py::dict transients;
   for (std::size_t k = 0; k < transient_columns.size(); ++k)
     if (!a.transients[k].empty()) transients[transient_columns[k].name] = array_of(std::vector<float>(a.transients[k]));

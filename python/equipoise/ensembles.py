@@ -82,7 +82,7 @@ class BasinResult(Result):
         Peak displacement and its like by start (columns of the NetCDF file), dimensionless.
     arrays : dict[str, ndarray]
         All that is known start by start, also what only some studies have (``rotor_state``, ``phi_dot``, ``drawn``,
-        ``weight``, ``mean_speed``, ``psi``).
+        ``weight``, ``mean_speed``, ``left_unbalance``, ``psi``).
     starts : int
     partial : bool
         Stopped before all starts were done.
@@ -213,6 +213,7 @@ class BasinResult(Result):
             "decision_time": (("start",), "1/omega_c", "study time at which the outcome was known"),
             "decided_by": (("start",), "1", "grounds of decision: " + ", ".join(self.decided_by_names)),
             "mean_speed": (("start",), "omega_c", "mean rotor speed in the end"),
+            "left_unbalance": (("start",), "M R", "unbalance left where dry friction holds the balls"),
         }
         data: dict[str, Any] = {}
         for name, (dimensions, unit, long_name) in meaning.items():
@@ -246,7 +247,7 @@ class BasinResult(Result):
         columns.update(self.transients or {})
         if self.arrays["drawn"] is not None:
             columns.update(zip(self.study.uncertain, self.arrays["drawn"].T))
-        for name in ("weight", "mean_speed"):
+        for name in ("weight", "mean_speed", "left_unbalance"):
             if self.arrays[name] is not None:
                 columns[name] = self.arrays[name]
         return pandas.DataFrame(columns, index=pandas.RangeIndex(self.starts, name="start"))

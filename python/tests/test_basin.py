@@ -175,6 +175,17 @@ def test_results_become_tables_and_files(answer, tmp_path):
         again.save(tmp_path / "again.nc")
 
 
+def test_what_dry_friction_leaves_is_known_by_start(study):
+    pytest.importorskip("xarray")
+    sticking = study.replace({"balancer.rolling": 1e-3, "balancer.stiction": 2e-3, "sampling.starts": 40})
+    answer = eq.basin(sticking)
+    left = answer.arrays["left_unbalance"]
+    assert np.isfinite(left[answer.labels == 1]).all() and (answer.labels == 1).any()
+    assert answer.to_xarray()["left_unbalance"].attrs["units"] == "M R"
+    np.testing.assert_array_equal(answer.to_pandas()["left_unbalance"], left)
+    assert eq.basin(study, starts=8).arrays["left_unbalance"] is None
+
+
 def test_seaborn_takes_the_table(answer):
     seaborn = pytest.importorskip("seaborn")
     axes = seaborn.histplot(answer.to_pandas(), x="decision_time", hue="outcome")

@@ -17,6 +17,31 @@ import unittest
 from program import PROGRAM, ROW, STUDIES, run
 
 
+# Of a file with xarray: everything in it, what has no words, and what stands for the run and not for its answer.
+XARRAY = """
+import json, sys, xarray
+def told(path):
+    with xarray.open_dataset(path, decode_times=False) as data:
+        values = {k: [None if x != x else x for x in v.values.ravel().tolist()] for k, v in data.variables.items()}
+        bare = [k for k, v in data.variables.items() if not v.attrs.get("long_name") or
+                (v.dtype.kind != "O" and v.dtype.kind != "S" and not v.attrs.get("units"))]
+        return {"values": values, "bare": bare, "dimensions": {k: list(v.dims) for k, v in data.variables.items()}}
+print(json.dumps([told(path) for path in sys.argv[1:]]))
+"""
+STICKS = ("--set", "balancer.rolling=1e-3", "--set", "balancer.stiction=2e-3")
+
+
+def opened(*paths):
+    python = next((p for p in (sys.executable, "/usr/bin/python3") if os.path.exists(p) and subprocess.run(
+        [p, "-c", "import xarray"], capture_output=True, check=False).returncode == 0), None)
+    if not python:
+        raise unittest.SkipTest("needs python3-xarray")
+    done = subprocess.run([python, "-c", XARRAY, *paths], capture_output=True, text=True, check=False, timeout=120)
+    if done.returncode != 0:
+        raise AssertionError(done.stderr)
+    return json.loads(done.stdout)
+
+
 class Basin(unittest.TestCase):
     def test_json_has_shares_as_fractions_with_intervals(self):
         done = run("basin", ROW, "--starts", "3000", "--json", "--quiet")
@@ -50,6 +75,59 @@ class Basin(unittest.TestCase):
         self.assertIn("PUBLISHED speed law", run("basin", study, "--starts", "500", "--quiet").stdout)
         self.assertEqual(json.loads(run("basin", study, "--starts", "500", "--json", "--quiet").stdout)["law"], "published")
         self.assertIn("published speed law", run("simulate", study, "--at", "0,1").stderr)
+
+    def test_what_dry_friction_leaves_is_in_the_file(self):
+        with tempfile.TemporaryDirectory() as folder:
+            path = os.path.join(folder, "r.nc")
+            answer = json.loads(run("basin", ROW, *STICKS, "--starts", "200", "--json", "--quiet", "-o", path).stdout)
+            [told] = opened(path)
+            values = told["values"]
+            self.assertEqual(told["bare"], [])
+            self.assertEqual(told["dimensions"]["left_unbalance"], ["start"])
+            self.assertEqual(told["dimensions"]["kind_left_unbalance"], ["outcome_kind", "unbalance_quantile"])
+            self.assertEqual(values["unbalance_quantile"], [0.1, 0.5, 0.9, 1.0])
+            self.assertNotIn("kind_left_balance_grade", values)  # the study has no units
+            sticking = 0
+            for k, outcome in enumerate(answer["outcomes"]):
+                left = values["kind_left_unbalance"][4 * k:4 * k + 4]
+                of_starts = [u for u, o in zip(values["left_unbalance"], values["outcome"]) if o == outcome["id"]]
+                self.assertEqual(len(of_starts), outcome["count"])
+                if "left_unbalance" not in outcome:
+                    self.assertEqual(left, 4 * [None])
+                    self.assertEqual(set(of_starts), {None} if of_starts else set())
+                    continue
+                sticking += 1
+                self.assertEqual(left, outcome["left_unbalance"]["unbalance"])
+                self.assertEqual(left[3], max(of_starts))
+                self.assertEqual(left[1], sorted(of_starts)[(len(of_starts) - 1) // 2])
+            self.assertGreater(sticking, 0)
+
+    def test_what_dry_friction_leaves_is_the_same_after_an_interruption(self):
+        with tempfile.TemporaryDirectory() as folder:
+            whole, parts = (os.path.join(folder, name) for name in ("whole.nc", "parts.nc"))
+            command = ("basin", ROW, *STICKS, "--json", "--quiet", "--starts")
+            once = json.loads(run(*command, "150", "-o", whole).stdout)
+            run(*command, "60", "-o", parts)
+            again = json.loads(run(*command, "150", "-o", parts).stdout)
+            self.assertEqual(again["resumed_from"], 60)
+            self.assertEqual(once["outcomes"], again["outcomes"])  # also what is left by starts that were read
+            a, b = opened(whole, parts)
+            self.assertEqual(a, b)
+
+    def test_balance_grades_of_what_dry_friction_leaves_are_in_the_file(self):
+        with tempfile.TemporaryDirectory() as folder:
+            path = os.path.join(folder, "r.nc")
+            study = os.path.join(STUDIES, "examples", "optical-drive.toml")
+            done = run("basin", study, "--starts", "16", "--json", "--quiet", "-o", path)
+            outcomes = [o for o in json.loads(done.stdout)["outcomes"]]
+            [told] = opened(path)
+            self.assertEqual(told["bare"], [])
+            grades = told["values"]["kind_left_balance_grade"]
+            for k, outcome in enumerate(outcomes):
+                if "left_unbalance" in outcome:
+                    self.assertEqual(grades[4 * k:4 * k + 4],
+                                     [g["mm_per_s"] for g in outcome["left_unbalance"]["balance_grade"]])
+            self.assertTrue(any("left_unbalance" in o for o in outcomes))
 
     def test_transients_are_told_by_outcome_when_asked_for(self):
         common = ("basin", ROW, "--starts", "1000", "--quiet")

@@ -133,6 +133,34 @@ class Sweep(unittest.TestCase):
             self.assertEqual(seen["median"], sweep["cells"][0]["transients"]["peak_radial"]["quantiles"][0]["value"])
             self.assertEqual(seen["without_words"], [])
 
+    def test_what_dry_friction_leaves_is_in_the_file(self):
+        python = next((p for p in (sys.executable, "/usr/bin/python3") if os.path.exists(p) and subprocess.run(
+            [p, "-c", "import xarray"], capture_output=True, check=False).returncode == 0), None)
+        if not python:
+            self.skipTest("needs python3-xarray")
+        look = """
+import json, sys, xarray
+with xarray.open_dataset(sys.argv[1], decode_times=False) as data:
+    left = [data[f"left_unbalance_{p}"] for p in (10, 50, 90, 100)]
+    print(json.dumps([[v.sel(outcome=1).values.tolist() for v in left], [list(v.dims) for v in left],
+                      [v.attrs["units"] + v.attrs["long_name"] for v in left]]))
+"""
+        with tempfile.TemporaryDirectory() as folder:
+            nc, parts = os.path.join(folder, "s.nc"), os.path.join(folder, "p.nc")
+            common = ["sweep", ROW, "--set", "balancer.rolling=1e-3", "--over", "balancer.stiction=2e-3,4e-3"]
+            sweep = answer(*common, "--starts", "60", "-o", nc)
+            done = subprocess.run([python, "-c", look, nc], capture_output=True, text=True, check=False, timeout=120)
+            self.assertEqual(done.returncode, 0, done.stderr)
+            values, dimensions, words = json.loads(done.stdout)
+            for q in range(4):
+                self.assertEqual(values[q], [c["outcomes"][0]["left_unbalance"]["unbalance"][q] for c in sweep["cells"]])
+                self.assertEqual(dimensions[q], ["balancer_stiction", "outcome"])
+                self.assertIn("dry friction", words[q])
+            answer(*common, "--starts", "60", "--shard", "1/2", "-o", parts)
+            self.assertEqual(answer(*common, "--starts", "60", "-o", parts)["cells"], sweep["cells"])
+            with open(nc, "rb") as one, open(parts, "rb") as other:
+                self.assertEqual(one.read(), other.read())
+
     def test_bad_input_is_one_line_before_any_work(self):
         for arguments, words in (
             (["--over", "speed.fnal=1:2:1"], ("--over", "speed.fnal", "unknown key")),

@@ -261,6 +261,9 @@ void expect_as_in_file(const StartArrays& arrays, const std::string& path, const
   if (study.speed.driven()) {
     expect_same(stored_form(arrays.mean_speed), column<float>(file, "mean_speed", n, 1), "mean_speed");
   }
+  if (study.parameters.balls_stick()) {
+    expect_same(stored_form(arrays.left_unbalance), column<float>(file, "left_unbalance", n, 1), "left_unbalance");
+  }
   if (!transients) return;
   for (const TransientColumn& c : transient_columns)
     expect_same(stored_form(*arrays.transient(c.name)), column<float>(file, c.name, n, 1), c.name);
@@ -278,6 +281,7 @@ TEST(StartArrays, SayWhatTheFileSays) {
            {"box", {"sampling.box={x=[-0.1,0.1], phi_dot=[0.0,0.5]}"}, false},
            {"grid", {"sampling.method=grid"}, false},
            {"limits", {"limits={displacement=0.03, settled=0.001}"}, true},
+           {"sticking", {"balancer.rolling=1e-3", "balancer.stiction=2e-3"}, false},
            {"motor",
             {"rotor.inertia=1.0", "speed={profile='torque', torque={constant=0.2, slope=-0.05}}", "sampling.starts=8"},
             false}}) {

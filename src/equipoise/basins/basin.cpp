@@ -249,6 +249,7 @@ class BasinRun {
     Study study = result_.study;
     if (finished_ && !sampler_->grid()) study.sampling.starts = file_->stored();
     BasinResult told;
+    told.study = study;
     count(whole, told);
     file_->finish(to_toml(study), outcome_summary(told), finished_, time);
   }

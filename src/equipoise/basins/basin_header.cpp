@@ -3,6 +3,7 @@
 #include <string>
 
 #include "equipoise/basins/basin.hpp"
+#include "equipoise/basins/start_arrays.hpp"
 #include "equipoise/discovery/horizon.hpp"
 #include "equipoise/fates/transient_tally.hpp"
 #include "equipoise/kernels/lane_kernels.hpp"
@@ -38,6 +39,7 @@ BasinFileHeader basin_file_header(const Study& study, bool angles, bool transien
   header.arithmetic = arithmetic_of(target);
   header.angles = angles;
   header.driven = study.speed.driven();
+  header.sticks = balls_may_stick(study);
   const model::System system = study.system();
   if (system.psi_place() >= 0) header.drive_components.emplace_back("psi");
   if (system.speed_place() >= 0) header.drive_components.emplace_back("psi_dot");

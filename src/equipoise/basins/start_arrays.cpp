@@ -1,6 +1,8 @@
 // One start after another, as a file's columns have them.
 #include "equipoise/basins/start_arrays.hpp"
 
+#include <algorithm>
+
 #include <fmt/format.h>
 
 #include "equipoise/basins/basin.hpp"
@@ -8,6 +10,14 @@
 #include "equipoise/store/start_columns.hpp"
 
 namespace equipoise {
+
+bool balls_may_stick(const Study& study) {
+  const auto drawn = [](const UncertainValue& v) {
+    return v.key == "balancer.rolling" || v.key == "balancer.stiction";
+  };
+  const auto& values = study.uncertain.values;
+  return study.parameters.balls_stick() || std::any_of(values.begin(), values.end(), drawn);
+}
 
 void add_start(const Study& study, const Sampler& sampler, const InitialState& s, bool own, const Fate& fate,
                const TransientRow* row, StartArrays& arrays) {
@@ -26,6 +36,7 @@ void add_start(const Study& study, const Sampler& sampler, const InitialState& s
   arrays.decision_time.push_back(fate.time);
   arrays.decided_by.push_back(static_cast<signed char>(fate.by));
   if (study.speed.driven()) arrays.mean_speed.push_back(fate.mean_speed);
+  if (balls_may_stick(study)) arrays.left_unbalance.push_back(fate.unbalance);
   if (row)
     for (std::size_t k = 0; k < transient_columns.size(); ++k)
       arrays.transients[k].push_back(row->*transient_columns[k].value);

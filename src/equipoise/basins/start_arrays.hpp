@@ -13,4 +13,7 @@ namespace equipoise {
 void add_start(const Study& study, const Sampler& sampler, const InitialState& start, bool own, const Fate& fate,
                const TransientRow* row, StartArrays& arrays);
 
+/// Dry friction may hold balls of the study, or of what its starts draw.
+bool balls_may_stick(const Study& study);
+
 }  // namespace equipoise

@@ -9,6 +9,7 @@
 
 #include "equipoise/base/error.hpp"
 #include "equipoise/basins/basin.hpp"
+#include "equipoise/results/left_grade.hpp"
 #include "equipoise/spin_up/given_starts.hpp"
 #include "equipoise/store/basin_netcdf.hpp"
 #include "equipoise/store/result_identity.hpp"
@@ -42,6 +43,7 @@ std::vector<Fate> fates_of(const StartArrays& a) {
       throw InputError("every_start", fmt::format("outcome[{}]", i), fmt::format("{}", a.outcome[i]),
                        "must be what basin() told");
     if (!a.mean_speed.empty()) fates[i].mean_speed = a.mean_speed[i];
+    if (!a.left_unbalance.empty()) fates[i].unbalance = a.left_unbalance[i];
   }
   return fates;
 }
@@ -64,7 +66,11 @@ void check_whole(const BasinResult& result) {
 
 std::vector<OutcomeSummary> outcome_summary(const BasinResult& result) {
   std::vector<OutcomeSummary> lines;
-  for (const AttractorShare& a : result.attractors) lines.push_back({a.id, a.name, a.alias, a.share});
+  for (const AttractorShare& a : result.attractors) {
+    lines.push_back({a.id, a.name, a.alias, a.share, a.unbalance});
+    if (result.study.scales)
+      for (const double u : a.unbalance) lines.back().grade.push_back(left_balance_grade(u, result.study));
+  }
   const auto add = [&](int code, Outcome outcome, const Share& share) {
     lines.push_back({code, name_of(outcome), "", share});
   };

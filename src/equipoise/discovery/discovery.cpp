@@ -25,6 +25,7 @@
 #include "equipoise/spin_up/spin_up.hpp"
 #include "equipoise/traps/continuum_trap.hpp"
 #include "equipoise/traps/cycle_forms.hpp"
+#include "equipoise/traps/stalled_trap.hpp"
 #include "equipoise/traps/torus_trap.hpp"
 #include "equipoise/traps/trap_rule.hpp"
 #include "equipoise/traps/validated_level.hpp"
@@ -137,14 +138,28 @@ class Discoverer {
       if (const auto m = balanced.continuum->member(balanced.survey.typical.data()))
         result_.catalogue.add(study_.parameters, describe_creep(system_, m->centre, m->rate), part);
     for (const Motion& motion : balanced.motions) add_traps(motion, balanced_id);
+    find_stalled();
     set_rule_traps();
+  }
+
+  // Where gravity holds the rotor against its motor it can rest.
+  void find_stalled() {
+    const auto well = model::GravityWell::of(system_);
+    if (!well) return;
+    stalled_ = StalledTrap{*well};
+    for (const Eigen::VectorXd& place : places_to_hang(system_, *well)) {
+      const auto motion = motion_from(system_, place, motion_patience, settings_.stop);
+      if (!motion || !motion->stable) continue;
+      const int id = result_.catalogue.add(study_.parameters, *motion);
+      stalled_->rests.push_back({order_of(system_, motion->state.data()), id});
+    }
   }
 
   // Of balls that stick no single state attracts: what catches a start is that all of them are held for good.
   void set_rule_traps() {
     set_tori(result_.rule, tori_);
     if (!system_.events().stick) {
-      set_traps(result_.rule, system_, cycles_, continuum_);
+      set_traps(result_.rule, system_, cycles_, continuum_, stalled_);
       return;
     }
     result_.rule.strobed = {[system = system_, listed = result_.catalogue](const double* state, double psi) {
@@ -380,6 +395,7 @@ class Discoverer {
   CycleTraps cycles_;
   std::vector<std::shared_ptr<const TorusTrap>> tori_;
   std::optional<ContinuumTrap> continuum_;
+  std::optional<StalledTrap> stalled_;
   std::vector<Candidate> candidates_, seeds_;
 };
 

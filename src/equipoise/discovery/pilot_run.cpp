@@ -12,6 +12,7 @@
 #include "equipoise/orbits/stroboscopic.hpp"
 #include "equipoise/sampling/starts.hpp"
 #include "equipoise/spin_up/initial_state.hpp"
+#include "equipoise/traps/touching.hpp"
 
 namespace equipoise {
 
@@ -66,15 +67,13 @@ bool PilotRun::make() {
   const int balls = system_.balls();
   const std::size_t scouting = random_scouts / part_, all = random_starts / part_;
   if (!add(0, scouting)) return false;
-  std::vector<InitialState> side_by_side(coincident_scouts, initial_);
-  // Side by side, if they cannot pass each other.
-  constexpr double beyond_touching = 1.0 + 1e-6;
+  std::vector<InitialState> in_one_place(coincident_scouts, initial_);
   for (std::size_t k = 0; k < coincident_scouts; ++k)
     for (int i = 0; i < balls; ++i)
-      side_by_side[k].phi[i] = two_pi * static_cast<double>(k) / coincident_scouts +
-                               beyond_touching * system_.parameters().contact_angle * i;
+      in_one_place[k].phi[i] =
+          two_pi * static_cast<double>(k) / coincident_scouts + side_by_side * system_.parameters().contact_angle * i;
   SpunUp together;
-  if (!source_.follow(side_by_side, together)) return false;
+  if (!source_.follow(in_one_place, together)) return false;
   append(together);
   scouts_ = begin_.size() / system_.dimension();
   if (!add(scouting, all - scouting)) return false;

@@ -184,7 +184,7 @@ class EventJourney : Stretches {
   }
 
   std::optional<Motion> rest() {
-    if (!system_.autonomous()) return std::nullopt;
+    if (strobed()) return std::nullopt;
     const auto at = refine_mode_equilibrium(system_, state_);
     if (!at || !(at->eigenvalues[0].real() < zero_eigenvalue)) return std::nullopt;
     const auto distance = [&](const Eigen::VectorXd& z) { return difference_.distance(z, at->state); };
@@ -199,7 +199,7 @@ class EventJourney : Stretches {
     for (const auto& value : motion.spectrum) motion.exponents.push_back(value.real());
     motion.residual = at->residual;
     describe_rest(system_, motion);
-    motion.r_min = motion.r_mean = motion.r_max = std::hypot(motion.state[0], motion.state[1]);
+    motion.r_min = motion.r_mean = motion.r_max = r_at_rest(system_, motion.state);
     motion.stable = motion.eventful = true;
     motion.mode = mode_at(system_, motion.state);
     return motion;

@@ -188,6 +188,12 @@ void describe_rest(const model::System& system, Motion& motion) {
   describe_rest(system.parameters(), motion);
 }
 
+double r_at_rest(const model::System& system, const Eigen::VectorXd& state) {
+  const int place = system.psi_place();
+  const auto rest = place < 0 ? std::array{0.0, 0.0} : model::rest_position(system.parameters(), state[place]);
+  return std::hypot(state[0] - rest[0], state[1] - rest[1]);
+}
+
 model::System system_of(const model::Parameters& p, const Motion& motion) {
   return motion.motor ? model::System(p, motion.motor->drive) : model::System(p, motion.speed);
 }
@@ -200,10 +206,7 @@ Motion describe_equilibrium(const model::System& system, const Equilibrium& equi
   motion.spectrum = equilibrium.eigenvalues;
   for (const std::complex<double>& value : equilibrium.eigenvalues) motion.exponents.push_back(value.real());
   motion.residual = equilibrium.residual;
-  const auto rest = system.psi_place() < 0
-                        ? std::array{0.0, 0.0}
-                        : model::rest_position(system.parameters(), motion.state[system.psi_place()]);
-  motion.r_min = motion.r_mean = motion.r_max = std::hypot(motion.state[0] - rest[0], motion.state[1] - rest[1]);
+  motion.r_min = motion.r_mean = motion.r_max = r_at_rest(system, motion.state);
   motion.stable = attracts(motion.spectrum, is_balanced(system, motion) ? model::balanced_freedom(system) : 0);
   motion.copies = count_copies(system, motion);
   return motion;

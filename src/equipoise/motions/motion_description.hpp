@@ -25,6 +25,9 @@ void describe_pairs(const model::Parameters& p, const MotionStatistics& statisti
 /// Of a motion that rests in the rotating frame, at motion.state: what turns the rotor, and the angles between balls.
 void describe_rest(const model::System& system, Motion& motion);
 
+/// r of a system at rest at `state`, from where gravity lets it sag to.
+double r_at_rest(const model::System& system, const Eigen::VectorXd& state);
+
 /// No eigenvalue has a positive real part, and at most `zeros_allowed` are zero: those of a continuum.
 bool attracts(const Eigen::VectorXcd& eigenvalues, int zeros_allowed);
 

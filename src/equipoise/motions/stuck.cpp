@@ -5,10 +5,13 @@
 #include <array>
 #include <cmath>
 #include <complex>
+#include <limits>
 
 #include "equipoise/base/angles.hpp"
 #include "equipoise/math/dense.hpp"
 #include "equipoise/math/lyapunov.hpp"
+#include "equipoise/model/gravity_well.hpp"
+#include "equipoise/model/held_state.hpp"
 #include "equipoise/model/strobe.hpp"
 #include "equipoise/model/unbalance.hpp"
 #include "equipoise/motions/motion_description.hpp"
@@ -108,13 +111,30 @@ std::optional<StuckEnd> prescribed_end(const model::System& system, const Eigen:
   return result;
 }
 
+// The rotor will not turn over any more, whatever its balls do.
+bool hangs_for_good(const model::System& system, const Eigen::VectorXd& y) {
+  const auto well = model::GravityWell::of(system);
+  return well && well->holds(y.data());
+}
+
+// Nor with its balls stuck where they are.
+bool hangs_while_stuck(const model::System& system, const Eigen::VectorXd& y) {
+  std::array<double, model::machine_dimension(1)> held{};
+  model::hold_balls(system, y.data(), held.data());
+  return model::held_in_well(system, held.data(), std::numeric_limits<double>::infinity());
+}
+
 // Around an equilibrium of the rotor and its motor V = d^T P d falls in the linear flow, so that a force of gradient g
 // stays within sqrt(g^T P^-1 g V).
 std::optional<StuckEnd> driven_end(const model::System& system, const Eigen::VectorXd& y) {
-  if (!system.autonomous()) return std::nullopt;
+  const bool hangs = hangs_for_good(system, y);
+  if (!system.autonomous() && !hangs && !hangs_while_stuck(system, y)) return std::nullopt;
   const auto end = refine_mode_equilibrium(system, y);
   const double slowest = end ? end->eigenvalues[0].real() : 0.0;
   if (!(slowest < 0.0)) return std::nullopt;
+  const double r = r_at_rest(system, end->state);
+  // Balls that come loose stop again, and all of that is one continuum.
+  if (hangs) return StuckEnd{end->state, r, r, r, slowest};
   const int n = system.balls();
   kernels::EventRun run(system, end->state.data(), 0.0, kernels::event_scale(system, 1e-9));
   if (!all_held(run.mode(), n)) return std::nullopt;
@@ -152,7 +172,6 @@ std::optional<StuckEnd> driven_end(const model::System& system, const Eigen::Vec
   const Eigen::MatrixXd inverse = dense::inverse(p);
   for (Eigen::Index k = 0; k < 2 * n; ++k)
     if (!(safety * std::sqrt(gradients.row(k).dot(gradients.row(k) * inverse) * v) < left[k])) return std::nullopt;
-  const double r = std::hypot(end->state[0], end->state[1]);
   return StuckEnd{end->state, r, r, r, slowest};
 }
 

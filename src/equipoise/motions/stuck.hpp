@@ -27,7 +27,8 @@ struct StuckEnd {
 /// Whether all balls rest at `state`, the rotor's angle being `psi`, and will never be torn off: what is still to come
 /// of the rotor's motion decays with a Lyapunov function, which bounds the forces on the balls from now on. At a
 /// prescribed speed (on any supports, with gravity) that is a proof; under a motor, whose equations are not linear,
-/// forces may be twice what the linear ones bound. Not decided (empty) for a motor with gravity or unequal supports.
+/// forces may be twice what the linear ones bound; with gravity or unequal supports only where it hangs at rest for
+/// good (model/gravity_well.hpp), else that is not decided (empty).
 std::optional<StuckEnd> stuck_for_good(const model::System& system, const Eigen::VectorXd& state, double psi);
 
 /// Described.

@@ -5,23 +5,16 @@
 
 #include <fmt/format.h>
 
-#include "equipoise/model/balance_grade.hpp"
-#include "equipoise/model/system.hpp"
 #include "equipoise/report/engineering.hpp"
+#include "equipoise/results/left_grade.hpp"
 
 namespace equipoise {
 
 namespace {
 
-// mm/s, of the centre of mass of rotor and balls at the speed that the rotor is there for.
-double grade_of(double unbalance, const Study& study) {
-  const double eccentricity = unbalance / (1.0 + study.parameters.total_mass());
-  return model::balance_grade(eccentricity * study.scales->length, study.system().pace() * study.scales->frequency);
-}
-
 std::string amount_text(double unbalance, const Study& study) {
   if (!study.scales) return fmt::format("{:.3g}", unbalance);
-  const double grade = grade_of(unbalance, study);
+  const double grade = left_balance_grade(unbalance, study);
   const auto met = model::standard_grade_met(grade);
   return fmt::format("{} ({})", engineering(unbalance * study.scales->unbalance(), study::Dimension::unbalance),
                      met ? fmt::format("G {}", *met) : "beyond G 4000");
@@ -50,7 +43,7 @@ nlohmann::ordered_json left_unbalance_json(const AttractorShare& a, const Study&
   nlohmann::ordered_json json = {{"probability", unbalance_quantiles}, {"unbalance", a.unbalance}};
   if (!study.scales) return json;
   for (const double u : a.unbalance) {
-    const double grade = grade_of(u, study);
+    const double grade = left_balance_grade(u, study);
     const auto met = model::standard_grade_met(grade);
     json["unbalance_si"].push_back(u * study.scales->unbalance());
     json["balance_grade"].push_back(

@@ -120,6 +120,8 @@ Json outcome_json(const SweepOutcome& o) {
   outcome["mean_time"] = o.mean_time;
   outcome["radial"] = {{"min", optional(o.r_min)}, {"mean", optional(o.r_mean)}, {"max", optional(o.r_max)}};
   outcome["period"] = o.period > 0.0 ? Json(o.period) : Json(nullptr);
+  if (!o.left_unbalance.empty())
+    outcome["left_unbalance"] = {{"probability", unbalance_quantiles}, {"unbalance", o.left_unbalance}};
   return outcome;
 }
 

@@ -24,8 +24,8 @@ struct AttractorShare {
   Share share;             ///< with its 95 % interval
   double mean_time = 0.0;  ///< mean time from the last branch's begin (and release) to decision
   std::array<std::uint64_t, decided_by_count> decided_by{};  ///< starts by the grounds of decision
-  /// Of a continuum that dry friction leaves: the unbalance that is left, over the starts of this run that come there,
-  /// at unbalance_quantiles; empty of all others.
+  /// Of a continuum that dry friction leaves: the unbalance that is left, over the starts that come there, at
+  /// unbalance_quantiles; empty of all others.
   std::vector<double> unbalance;
 };
 inline constexpr std::array<double, 4> unbalance_quantiles{0.1, 0.5, 0.9, 1.0};

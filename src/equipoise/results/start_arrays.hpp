@@ -24,6 +24,7 @@ struct StartArrays {
   std::vector<double> decision_time;    ///< study time at which the outcome was known
   std::vector<signed char> decided_by;  ///< a DecidedBy
   std::vector<float> mean_speed;        ///< of a driven rotor; not-a-number where never measured
+  std::vector<float> left_unbalance;    ///< of balls that stick; not-a-number where dry friction holds none
   /// If they were gathered: one array a column of transient_columns. Infinite (a file says: missing) where a time goes
   /// on, not-a-number for starts that were lost.
   std::array<std::vector<float>, transient_columns.size()> transients;

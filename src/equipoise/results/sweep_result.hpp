@@ -41,7 +41,8 @@ struct SweepOutcome {
   std::optional<double> r_min, r_mean, r_max;
   double period = 0.0;
   std::vector<double> drift;
-  std::vector<double> state;  ///< on it; empty: none
+  std::vector<double> left_unbalance;  ///< as AttractorShare::unbalance
+  std::vector<double> state;           ///< on it; empty: none
 };
 
 struct SweepCell {

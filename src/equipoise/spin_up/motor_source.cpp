@@ -7,6 +7,7 @@
 
 #include "equipoise/base/stop_flag.hpp"
 #include "equipoise/kernels/lane_kernels.hpp"
+#include "equipoise/model/gravity_well.hpp"
 #include "equipoise/model/held_state.hpp"
 #include "equipoise/model/strobe.hpp"
 #include "equipoise/spin_up/initial_state.hpp"
@@ -20,6 +21,8 @@ namespace {
 // Held balls and a rotor are a damped oscillator with a motor: windows of its speed that differ by less, each twice as
 // long as the one before, approach what they come to.
 constexpr double steady = 1e-3;
+// The motion, in the rule's words, of a rotor that never lets its balls go.
+constexpr int held_for_good = 1;
 // A speed that comes this near to the one at which balls are let go, as a share of it, may reach it yet.
 constexpr double nearly_let_go = 1e-3;
 
@@ -133,11 +136,24 @@ LaneTask MotorSource::task(std::size_t k) const {
 
 LaneTask MotorSource::last_task() const { return task(systems_.size() - 1); }
 
+// Where a time lets the balls go, or the torque still changes, a rotor that is steady is no end.
+HoldRule MotorSource::rule_over(std::size_t k) const {
+  HoldRule rule = hold_;
+  if (!drive_.release_speed || k + 1 < systems_.size())
+    rule.windows.first_long_window = std::numeric_limits<double>::infinity();
+  else
+    rule.windows.strobed = {[system = systems_[k], speed = rule.release_speed](const double* held, double) {
+      return model::held_in_well(system, held, speed) ? held_for_good : 0;
+    }};
+  return rule;
+}
+
 // Held balls over piece k of the drive, until they are let go.
 bool MotorSource::hold(std::size_t k, Fleet& fleet) const {
   const model::System& system = systems_[k];
   const std::size_t size = model::held_dimension(system);
   const double until = std::min({drive_.pieces[k].end, drive_.release_time, settled() + horizon_});
+  const HoldRule rule = rule_over(k);
   SpunUp& starts = fleet.starts;
   for (;;) {
     const auto places = fleet.which([&](std::size_t i) { return fleet.held[i] && starts.begins[i] < until; });
@@ -157,7 +173,7 @@ bool MotorSource::hold(std::size_t k, Fleet& fleet) const {
     if (fleet.transients) rows = fleet.rows_of(places);
     if (fleet.transients) held.transients = &rows;
     std::vector<HeldEnd> ends(places.size());
-    if (!hold_lanes(held, hold_, ends)) return false;
+    if (!hold_lanes(held, rule, ends)) return false;
     if (fleet.transients) fleet.put_rows(places, rows);
     for (std::size_t j = 0; j < places.size(); ++j) end_hold(k, places[j], ends[j], until, &states[j * size], fleet);
   }
@@ -184,14 +200,14 @@ void MotorSource::end_hold(std::size_t k, std::size_t i, const HeldEnd& end, dou
   const bool to_the_end = fate.outcome == Outcome::undecided && now >= until;
   if (to_the_end && until < settled() + horizon_) return;
   const bool may_come = std::fabs(end.nearest - hold_.release_speed) < nearly_let_go * std::fabs(hold_.release_speed);
-  if (fate.outcome == Outcome::attracted && may_come) return;  // goes on, with new windows
+  const bool hangs = fate.by == DecidedBy::validated;                    // for good
+  if (fate.outcome == Outcome::attracted && may_come && !hangs) return;  // goes on, with new windows
   const bool steady_now = fate.outcome == Outcome::attracted || hold_.windows.at_horizon;
+  if (hangs) fate.mean_speed = 0.0F;
   const bool slow = std::fabs(fate.mean_speed) < study_.stall_speed();
   if (fate.outcome == Outcome::attracted) fate.outcome = Outcome::undecided;
   if (fate.outcome == Outcome::undecided && steady_now && slow) fate.outcome = Outcome::stalled;
-  fate.by = fate.outcome != Outcome::stalled ? DecidedBy::nothing
-            : to_the_end                     ? DecidedBy::horizon
-                                             : DecidedBy::windows;
+  fate.by = fate.outcome != Outcome::stalled ? DecidedBy::nothing : to_the_end ? DecidedBy::horizon : end.fate.by;
   starts.fates[i] = fate;
   starts.over[i] = 1;
 }

@@ -32,6 +32,7 @@ class MotorSource final : public SpinUp {
   struct Fleet;
   void add(const InitialState& start, SpunUp& starts) const;
   bool advance(SpunUp& starts, TransientTable* transients) const;
+  HoldRule rule_over(std::size_t k) const;
   bool hold(std::size_t k, Fleet& fleet) const;
   bool run_free(std::size_t k, Fleet& fleet) const;
   void end_hold(std::size_t k, std::size_t i, const HeldEnd& end, double until, double* state, Fleet& fleet) const;

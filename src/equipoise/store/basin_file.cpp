@@ -209,6 +209,11 @@ std::vector<Fate> BasinFile::read(std::uint64_t first, std::size_t count) const 
     for (std::size_t i = 0; i < count; ++i)
       if (speeds[i] != store::missing_figure) fates[i].mean_speed = speeds[i];
   }
+  if (state_->header.sticks) {
+    const auto left = state_->values<float>("left_unbalance", first, count);
+    for (std::size_t i = 0; i < count; ++i)
+      if (left[i] != store::missing_figure) fates[i].unbalance = left[i];
+  }
   return fates;
 }
 

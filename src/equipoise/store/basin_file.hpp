@@ -25,6 +25,7 @@ struct BasinFileHeader {
   std::string arithmetic;  ///< what they must share for their results to be the same to the bit
   bool angles = true;      ///< false: leave phi out; it follows from seed and index
   bool driven = false;     ///< a motor turns the rotor: each start has a mean speed of its own
+  bool sticks = false;     ///< dry friction may hold balls anywhere: each start has an unbalance left of its own
   /// What states of discoveries have beside the centre and the balls, by name: of driven rotors.
   std::vector<std::string> drive_components;
   /// Uncertain values that each start draws, by key, and their units. Of a motion the number of the start that met it
@@ -42,6 +43,9 @@ struct OutcomeSummary {
   int code = 0;  ///< attractor's identifier, or undecided_code and its like
   std::string name, alias;
   Share share;
+  /// Of a continuum that dry friction leaves, at unbalance_quantiles; empty of all others.
+  std::vector<double> unbalance{};
+  std::vector<double> grade{};  ///< of a study in physical units: their balance quality grades, mm/s
 };
 
 /// Time that all runs into a file took together.
@@ -51,13 +55,13 @@ struct RunTime {
 
 /// Two files. The results, `path`, are NetCDF (classic, 64-bit offsets), always written whole beside and renamed:
 /// dimension start with its index and variables phi(start, ball), outcome(start), decision_time(start),
-/// decided_by(start), of driven rotors mean_speed(start), and with full_starts rotor_state(start, rotor_component) and
-/// phi_dot(start, ball), with own_starts psi(start), on a grid weight(start), with uncertain values drawn(start,
-/// uncertain_value); dimension outcome_kind: code, name, alias, count, share and its interval, and but for random
-/// starts where the interval is from and how many random starts would have done; with transients the columns of
-/// TransientRow by start; dimension discovery: states of motions met during the run. Every variable has units and
-/// long_name. Readable by xarray, ncdump, ncview. Behind it all stands a checksum; a file without it, or with another,
-/// is not read.
+/// decided_by(start), of driven rotors mean_speed(start), with balls that stick left_unbalance(start), and with
+/// full_starts rotor_state(start, rotor_component) and phi_dot(start, ball), with own_starts psi(start), on a grid
+/// weight(start), with uncertain values drawn(start, uncertain_value); dimension outcome_kind: code, name, alias,
+/// count, share and its interval, and but for random starts where the interval is from and how many random starts would
+/// have done, with balls that stick quantiles of what they leave; with transients the columns of TransientRow by start;
+/// dimension discovery: states of motions met during the run. Every variable has units and long_name. Readable by
+/// xarray, ncdump, ncview. Behind it all stands a checksum; a file without it, or with another, is not read.
 ///
 /// While a run goes on, `path`.part holds what is new (files/journal.hpp), so that a run that is killed loses a
 /// second's work; it is gone once the results are in place. One run at a time has a file.

@@ -12,6 +12,7 @@
 #include "equipoise/files/netcdf.hpp"
 #include "equipoise/files/replacement.hpp"
 #include "equipoise/files/sealed_file.hpp"
+#include "equipoise/results/basin_result.hpp"
 #include "equipoise/sampling/scrambled_sobol.hpp"
 #include "equipoise/store/result_identity.hpp"
 
@@ -123,12 +124,26 @@ class BasinWriter {
                                  "lower bound of the share whatever undecided starts would come to");
     kind_most_ = file_.variable("kind_share_most", NC_DOUBLE, {kind}, "1",
                                 "upper bound of the share whatever undecided starts would come to");
+    define_left_unbalance(kind);
     if (random_) return;  // those alone need no more than their counts
     kind_interval_ =
         file_.text_variable("kind_interval", kind, intervals_,
                             "where the interval is from: wilson, replicates (their spread) or pairs (of a cell)");
     kind_effective_ = file_.variable("kind_effective_starts", NC_DOUBLE, {kind}, "1",
                                      "independent random starts that have the same standard error of the share");
+  }
+
+  void define_left_unbalance(int kind) {
+    if (!c_.header.sticks) return;
+    const int quantile = file_.dimension("unbalance_quantile", unbalance_quantiles.size());
+    quantile_ = file_.variable("unbalance_quantile", NC_DOUBLE, {quantile}, "1", "share of an outcome's starts");
+    left_ =
+        file_.variable("kind_left_unbalance", NC_DOUBLE, {kind, quantile}, "1",
+                       "unbalance that so many of the starts leave, or less, where dry friction holds the balls, in "
+                       "rotor masses times race radii");
+    if (c_.header.scales)
+      grade_ = file_.variable("kind_left_balance_grade", NC_DOUBLE, {kind, quantile}, "mm s-1",
+                              "balance quality grade of that (ISO 21940-11), at the speed that the rotor is there for");
   }
 
   void define_attributes() {
@@ -233,9 +248,23 @@ class BasinWriter {
       file_.write(kind_most_, {k}, {1}, &s.share.most);
       if (!random_) file_.write(kind_effective_, {k}, {1}, &s.share.effective_starts);
     }
+    if (quantile_ >= 0) write_left_unbalance();
     file_.write_texts(kind_name_, names_);
     file_.write_texts(kind_alias_, aliases_);
     if (!random_) file_.write_texts(kind_interval_, intervals_);
+  }
+
+  void write_left_unbalance() {
+    constexpr std::size_t width = unbalance_quantiles.size();
+    const std::vector<double> none(width, std::numeric_limits<double>::quiet_NaN());
+    file_.write(quantile_, {0}, {width}, unbalance_quantiles.data());
+    for (std::size_t k = 0; k < c_.summary.size(); ++k) {
+      const auto row = [&](int variable, const std::vector<double>& values) {
+        if (variable >= 0) file_.write(variable, {k, 0}, {1, width}, (values.empty() ? none : values).data());
+      };
+      row(left_, c_.summary[k].unbalance);
+      row(grade_, c_.summary[k].grade);
+    }
   }
 
   NetcdfFile& file_;
@@ -246,6 +275,7 @@ class BasinWriter {
   int start_ = -1, ball_ = -1, rotor_ = -1, component_ = -1, discovery_ = -1, value_ = -1, unit_ = -1;
   int kind_code_ = -1, kind_name_ = -1, kind_alias_ = -1, kind_count_ = -1, kind_share_ = -1, kind_low_ = -1;
   int kind_high_ = -1, kind_least_ = -1, kind_most_ = -1, kind_interval_ = -1, kind_effective_ = -1;
+  int quantile_ = -1, left_ = -1, grade_ = -1;
 };
 
 }  // namespace

@@ -44,6 +44,10 @@ std::vector<StartColumn> start_columns(const BasinFileHeader& header) {
     columns.push_back({"mean_speed", NC_FLOAT, 4, 1, "", "1",
                        "mean rotor speed over the later half of what was seen of the start, in omega_c; missing where "
                        "never measured"});
+  if (header.sticks)
+    columns.push_back({"left_unbalance", NC_FLOAT, 4, 1, "", "1",
+                       "unbalance that is left where dry friction holds the balls, in rotor masses times race radii; "
+                       "missing where it holds none"});
   columns.push_back({"decided_by", NC_BYTE, 1, 1, "", "1", "grounds on which the outcome was decided"});
   return columns;
 }
@@ -86,6 +90,11 @@ std::vector<char> pack(const std::vector<StartColumn>& columns, const StartBatch
       put<float>(bytes, b.count, [&](std::size_t i) {
         const float speed = b.fates[i].mean_speed;
         return std::isfinite(speed) ? speed : missing_figure;
+      });
+    else if (c.name == "left_unbalance")
+      put<float>(bytes, b.count, [&](std::size_t i) {
+        const float left = b.fates[i].unbalance;
+        return std::isfinite(left) ? left : missing_figure;
       });
     else if (c.name == "decided_by")
       put<signed char>(bytes, b.count, [&](std::size_t i) { return static_cast<signed char>(b.fates[i].by); });

@@ -10,6 +10,7 @@
 #include <netcdf.h>
 
 #include "equipoise/files/netcdf.hpp"
+#include "equipoise/results/basin_result.hpp"
 #include "equipoise/store/basin_file.hpp"
 #include "equipoise/store/cell_netcdf.hpp"
 #include "equipoise/store/sweep_cells.hpp"
@@ -129,8 +130,34 @@ class SweepWriter {
                [](const SweepOutcome& o) { return o.r_mean.value_or(none); });
     of_motions("r_max", "largest distance of the rotor's centre from the axis, in race radii",
                [](const SweepOutcome& o) { return o.r_max.value_or(none); });
+    define_left_unbalance();
     of_motions("period", "period of a periodic motion, in 1/omega_c",
                [](const SweepOutcome& o) { return o.period > 0.0 ? o.period : none; });
+  }
+
+  // Only where dry friction leaves any.
+  void define_left_unbalance() {
+    const auto leaves = [](const auto& cell) {
+      const auto some = [](const SweepOutcome& o) { return !o.left_unbalance.empty(); };
+      return cell && std::any_of(cell->outcomes.begin(), cell->outcomes.end(), some);
+    };
+    if (std::none_of(result_.cells.begin(), result_.cells.end(), leaves)) return;
+    for (std::size_t q = 0; q < unbalance_quantiles.size(); ++q) {
+      const double percent = 100.0 * unbalance_quantiles[q];
+      column(
+          fmt::format("left_unbalance_{:.0f}", percent), "1",
+          fmt::format(
+              "unbalance that {:.0f} % of the starts leave, or less, where dry friction holds the balls, in rotor "
+              "masses times race radii",
+              percent),
+          codes_.size(),
+          [this, q](const SweepCell& cell, double* values) {
+            for (const SweepOutcome& o : cell.outcomes)
+              if (!o.left_unbalance.empty())
+                values[std::find(codes_.begin(), codes_.end(), o.id) - codes_.begin()] = o.left_unbalance[q];
+          },
+          outcome_);
+    }
   }
 
   void define_transients() {

@@ -25,6 +25,7 @@ SweepOutcome outcome_of(const AttractorShare& a, const Catalogue& catalogue, int
   outcome.kind = a.kind;
   outcome.share = a.share;
   outcome.mean_time = a.mean_time;
+  outcome.left_unbalance = a.unbalance;
   const Attractor* attractor = catalogue.find(a.id);
   if (!attractor || attractor->motion.state.size() == 0) return outcome;
   const Motion& m = attractor->motion;

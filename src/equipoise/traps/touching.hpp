@@ -10,6 +10,9 @@
 
 namespace equipoise {
 
+/// Angles between balls side by side, in contact angles: clear of what rounding makes of touching.
+inline constexpr double side_by_side = 1.0 + 1e-6;
+
 /// Whether balls at these angles have room beside each other.
 bool has_room(const model::Parameters& p, const std::array<double, model::max_balls>& phi);
 

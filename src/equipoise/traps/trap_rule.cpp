@@ -58,11 +58,12 @@ std::function<bool(const double*, double)> strobed_family(const model::System& s
 }
 
 StrobedTraps strobed_traps(const model::System& system, const CycleTraps& cycles,
-                           const std::optional<ContinuumTrap>& continuum) {
-  if (cycles.empty() && !continuum) return {};
+                           const std::optional<ContinuumTrap>& continuum, const std::optional<StalledTrap>& stalled) {
+  if (cycles.empty() && !continuum && !stalled) return {};
   std::function<bool(const double*, double)> family;
   if (continuum) family = strobed_family(system, *continuum);
-  return {[system, cycles, family](const double* state, double psi) {
+  return {[system, cycles, family, stalled](const double* state, double psi) {
+    if (const int attractor = stalled ? stalled->caught(system, state) : 0) return attractor;
     for (const auto& trap : cycles)
       if (value(system, *trap, state, psi) < trap->level) return trap->attractor;
     return family && family(state, psi) ? balanced_id : 0;
@@ -72,12 +73,12 @@ StrobedTraps strobed_traps(const model::System& system, const CycleTraps& cycles
 }  // namespace
 
 void set_traps(DecisionRule& rule, const model::System& system, const CycleTraps& cycles,
-               const std::optional<ContinuumTrap>& continuum) {
+               const std::optional<ContinuumTrap>& continuum, const std::optional<StalledTrap>& stalled) {
   rule.cycles.clear();
   rule.family = {};
   rule.strobed = {};
   if (!system.autonomous()) {
-    rule.strobed = strobed_traps(system, cycles, continuum);
+    rule.strobed = strobed_traps(system, cycles, continuum, stalled);
     return;
   }
   for (const auto& trap : cycles) rule.cycles.push_back(table_of(*trap, system.balls()));
@@ -86,7 +87,7 @@ void set_traps(DecisionRule& rule, const model::System& system, const CycleTraps
   if (system.parameters().race_is_centred())
     rule.family = family_of(system, *continuum);
   else
-    rule.strobed = strobed_traps(system, {}, continuum);
+    rule.strobed = strobed_traps(system, {}, continuum, {});
 }
 
 }  // namespace equipoise

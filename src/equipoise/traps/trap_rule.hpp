@@ -9,6 +9,7 @@
 #include "equipoise/model/system.hpp"
 #include "equipoise/traps/continuum_trap.hpp"
 #include "equipoise/traps/cycle_trap.hpp"
+#include "equipoise/traps/stalled_trap.hpp"
 
 namespace equipoise {
 
@@ -18,6 +19,6 @@ using CycleTraps = std::vector<std::shared_ptr<const CycleTrap>>;
 /// every step where nothing depends on the rotor's angle, else, and of a continuum around a race off its centre, one
 /// state at a time and with that angle, where half a window ends. Traps of balanced states stay as they are.
 void set_traps(DecisionRule& rule, const model::System& system, const CycleTraps& cycles,
-               const std::optional<ContinuumTrap>& continuum);
+               const std::optional<ContinuumTrap>& continuum, const std::optional<StalledTrap>& stalled = {});
 
 }  // namespace equipoise

@@ -1,0 +1,15 @@
+// The balance quality grade of the unbalance that balls leave.
+#pragma once
+
+#include "equipoise/model/balance_grade.hpp"
+#include "equipoise/study/study.hpp"
+
+namespace equipoise {
+
+/// In mm/s, of the centre of mass of rotor and balls at the speed that the rotor is there for. `study` has units.
+inline double left_balance_grade(double unbalance, const Study& study) {
+  const double eccentricity = unbalance / (1.0 + study.parameters.total_mass());
+  return model::balance_grade(eccentricity * study.scales->length, study.system().pace() * study.scales->frequency);
+}
+
+}  // namespace equipoise
