@@ -63,6 +63,10 @@ TEST(DesignProblem, BadTablesAreRefusedInOneLineThatNamesTheKey) {
                {"peak_radial.2", "quantile"});
   expect_words(refusal(good + "[design.require]\n\"settling_time.0.5\" = { below = 1.0 }\n"), {"limits.settled"});
   expect_words(refusal(good + "[design.require]\nbalanced = { above = 1.0 }\n"), {"balanced", "no share"});
+  const std::string energy = "[design.require]\n\"energy.0.9\" = { below = 1.0 }\n";
+  EXPECT_EQ(refusal(good + energy), "accepted");  // at constant speed no inertia is felt
+  const std::string spin_up = "speed = { points = 1, until = 500.0, range = [0.0, 5.0] }\n";
+  expect_words(refusal(vary + spin_up + energy), {"energy.0.9", "needs rotor.inertia"});
   expect_words(refusal(good + "[design.require]\nbalanced = { below = 0.5, above = 0.6 }\n"), {"met by nothing"});
   expect_words(refusal(good + "[design.require]\nballanced = { above = 0.5 }\n"), {"ballanced", "must be balanced"});
 }
