@@ -171,6 +171,23 @@ ball_mass = { below = "50 g" }
   expect_words(refusal(machine + "\"peak_force.0.5\" = { below = \"3 mm\" }\n"), {"peak_force.0.5", "force"});
 }
 
+// What the study as it is says of a number that is wanted, whatever its unit.
+TEST(DesignProblem, WantedNumbersOfTheStudyAsItIsAreKnown) {
+  const auto own = [](const std::string& of_balls) {
+    const DesignProblem problem = problem_of(
+        "[rotor]\nmass = \"10 kg\"\nstiffness = \"100 kN/m\"\ndamping_ratio = 0.1\n"
+        "eccentricity = \"0.1 mm\"\n[balancer]\nballs = 2\nrace_radius = \"50 mm\"\n" +
+        of_balls +
+        "drag = \"0.01 N m s\"\n[speed]\nprofile = \"constant\"\nspeed = \"3000 rpm\"\n"
+        "[design]\nmethod = \"random\"\nobjective = [\"-balancer.mass\"]\n"
+        "[design.vary]\n\"balancer.mass\" = [\"15 g\", \"30 g\"]\n");
+    return problem.figures()[0].own;
+  };
+  EXPECT_EQ(own("mass = \"20 g\"\n"), 20.0);
+  EXPECT_NEAR(own("mass = \"0.02 kg\"\n"), 20.0, 1e-12);  // roundings of a conversion
+  EXPECT_TRUE(std::isnan(own("mass = [\"20 g\", \"25 g\"]\n")));
+}
+
 DesignSample sample(double balanced, double peak, double arm = 0.0) {
   return {1000, {{balanced, balanced - arm, balanced + arm}, {peak, peak - arm, peak + arm}}, {}, ""};
 }

@@ -169,7 +169,7 @@ double stated(const FigureSource& source, const Study& study, const std::vector<
     case FigureKind::variable:
       for (const DesignSetting& s : settings)
         if (s.key == source.key) return number_of(s.value);
-      return 0.0;
+      return source.own;
     default:
       return 0.0;
   }

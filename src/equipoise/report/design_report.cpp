@@ -149,13 +149,14 @@ std::string margin_table(const DesignResult& r) {
 }  // namespace
 
 std::string estimate_text(const DesignFigure& figure, double value) {
+  if (std::isnan(value)) return "not stated";
   if (!std::isfinite(value)) return "no end";
   if (figure.share) return fmt::format("{:.4g} %", 100.0 * value);
   return fmt::format("{:.4g}{}", value, figure.unit.empty() ? "" : " " + figure.unit);
 }
 
 std::string estimate_with_interval(const DesignFigure& figure, const DesignEstimate& e) {
-  if (e.low == e.high) return estimate_text(figure, e.value);
+  if (e.low == e.high || std::isnan(e.value)) return estimate_text(figure, e.value);
   if (figure.share) {
     Share share;  // of as many starts as tell none, some and all apart
     share.total = 2;
