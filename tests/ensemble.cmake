@@ -41,6 +41,7 @@ equipoise_test(continuation_test equivalence equivalence/continuation_test.cpp)
 equipoise_test(observation_test equivalence equivalence/observation_test.cpp)
 equipoise_test(library_face_test equivalence equivalence/library_face_test.cpp LIBRARIES equipoise_paper)
 equipoise_test(transients_test equivalence equivalence/transients_test.cpp)
+equipoise_test(drive_work_test equivalence equivalence/drive_work_test.cpp)
 equipoise_test(table_7_test equivalence equivalence/table_7_test.cpp LIBRARIES equipoise_paper)
 if(EQUIPOISE_SANITIZE)  # instrumented kernels run at a hundredth of the speed
   target_compile_definitions(decisions_test PRIVATE DECISION_STARTS=40 BALL_COUNT_STARTS=20)

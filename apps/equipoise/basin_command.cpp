@@ -1,4 +1,5 @@
 // equipoise basin: the share of starts that comes to each attractor.
+#include <cmath>
 #include <cstdint>
 #include <memory>
 #include <optional>
@@ -44,6 +45,7 @@ std::string transients_text(const Study& study, const TransientRow& row) {
   for (const TransientColumn& column : transient_columns) {
     const bool asked = column.value == &TransientRow::time_above      ? study.limits.displacement.has_value()
                        : column.value == &TransientRow::settling_time ? study.limits.settled.has_value()
+                       : column.value == &TransientRow::energy        ? !std::isnan(row.energy)
                                                                       : true;
     if (asked) text += fmt::format("{} = {}\n", column.name, row.*column.value);
   }

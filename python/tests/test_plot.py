@@ -553,6 +553,8 @@ def test_words_and_numbers_out_of_range_are_named(ensemble, spin_up):
         eq.plot.transients(ensemble, bins=0)
     with pytest.raises(ValueError, match="settling_time was not watched; allowed: of a study with limits.settled"):
         eq.plot.transients(ensemble, "settling_time")
+    with pytest.raises(ValueError, match="energy was not watched; allowed: of a motor"):
+        eq.plot.transients(an_ensemble(transients={"energy": np.full(8, np.nan)}), "energy")
     with pytest.raises(ValueError, match="gathered no transients"):
         eq.plot.transients(an_ensemble(transients=None))
     with pytest.raises(ValueError, match="y = 'r'; allowed: 'r_min'"):

@@ -154,6 +154,15 @@ class Basin(unittest.TestCase):
         one = dict(line.split(" = ") for line in run("basin", ROW, "--transients", "--start-index", "5").stdout.splitlines()[1:])
         self.assertLessEqual(float(one["peak_radial"]), everything["figures"]["peak_radial"]["largest"])
 
+    def test_work_of_the_drive_is_told_where_it_is_known(self):
+        ramp = ("--set", "speed={profile='ramp', final=2.4, duration=100.0}", "--transients", "--quiet")
+        self.assertNotIn("work of the drive", run("basin", ROW, "--starts", "100", *ramp).stdout)
+        known = run("basin", ROW, "--starts", "100", *ramp, "--set", "rotor.inertia=0.3", "--json")
+        everything = json.loads(known.stdout)["transients"]["groups"][0]
+        energy = everything["figures"]["energy"]
+        self.assertEqual((energy["unit"], energy["count"]), ("M R^2 omega_c^2", 100))
+        self.assertGreater(energy["mean"], 0.5 * 0.3 * 2.4**2)  # the rotor's spin, and more
+
     def test_half_width_is_reached(self):
         answer = json.loads(run("basin", ROW, "--half-width", "0.02", "--json", "--quiet").stdout)
         balanced = answer["outcomes"][0]

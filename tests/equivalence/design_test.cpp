@@ -1,6 +1,7 @@
 // Designs on ensembles: the same bits for any threads and after any stop; what is told of a candidate is what basin()
 // says of it; what cannot be met is said.
 #include <chrono>
+#include <cmath>
 #include <filesystem>
 #include <fstream>
 #include <sstream>
@@ -12,6 +13,7 @@
 #include "../base_study.hpp"
 #include "equipoise/basins/basin.hpp"
 #include "equipoise/design/design.hpp"
+#include "equipoise/design/ensembles.hpp"
 #include "equipoise/design/search.hpp"
 #include "equipoise/report/design_report.hpp"
 
@@ -123,6 +125,78 @@ TEST(Design, FiguresOfTheChosenOneAreThoseOfItsStudy) {
   EXPECT_NE(result.search_seed, result.held_out_seed);
   // At this constant speed about 45 % of starts do not balance; a spin-up can do better than that.
   EXPECT_GT(told.figures[0].low, result.before->figures[0].high);
+}
+
+// At constant speed 55 % of starts balance: half of all have an energy, nine tenths have none. Spun up, each costs the
+// rotor's spin at least, iota Omega^2/2.
+TEST(Design, EnergyIsThatOfStartsThatBalance) {
+  std::string study = small_design;
+  study.replace(study.find("damping = 0.5"), 13, "damping = 0.5\ninertia = 0.3");
+  study.replace(study.find("[\"balanced\"]"), 12, "[\"energy.0.5\"]");
+  const DesignResult result = design(problem_of(study + "[design.require]\n\"energy.0.9\" = { below = 1000.0 }\n"));
+  ASSERT_TRUE(result.chosen && result.before);
+  EXPECT_TRUE(std::isfinite(result.before->figures[0].value));
+  EXPECT_TRUE(std::isinf(result.before->figures[1].value));
+  EXPECT_TRUE(result.feasible);
+  for (const DesignEstimate& e : result.front[*result.chosen].held_out->figures) {
+    EXPECT_GT(e.low, 0.5 * 0.3 * 4.0);
+    EXPECT_TRUE(std::isfinite(e.high));
+  }
+}
+
+// Two balls of m at 50 mm cancel up to m times 100 mm: of unbalances from 100 to 400 g mm, all alike probable, two
+// thirds with 3 g and all with 4.5 g, in thin enough a film of oil.
+TEST(Design, HoldsOverWhatEachStartDraws) {
+  const DesignProblem problem = problem_of(R"([rotor]
+mass = "10 kg"
+stiffness = "100 kN/m"
+damping_ratio = 0.1
+unbalance = { uniform = ["100 g mm", "400 g mm"] }
+[balancer]
+balls = 2
+race_radius = "50 mm"
+mass = "6 g"
+drag = "0.0002 N m s"
+[speed]
+profile = "ramp"
+initial = "0 rpm"
+final = "3000 rpm"
+duration = "5 s"
+[release]
+time = "0 s"
+[design]
+objective = ["-balancer.mass"]
+method = "latin"
+[design.vary]
+"balancer.mass" = ["3 g", "15 g"]
+[design.require]
+balanced = { above = 0.95 }
+"peak_radial.0.95" = { below = "0.5 mm" }
+)");
+  const DesignOptions defaults;
+  DesignEnsembles ensembles(problem, defaults, nullptr);
+  const auto with = [](const char* mass) { return std::vector<DesignSetting>{{"balancer.mass", StudyValue(mass)}}; };
+  constexpr std::uint64_t starts = 60;
+  const auto samples =
+      ensembles.run({{with("3 g"), starts, 5}, {with("4.5 g"), starts, 5}, {with("4.5 g"), starts, 6}});
+  const auto place = [&](const char* name) {
+    for (std::size_t k = 0; k < problem.figures().size(); ++k)
+      if (problem.figures()[k].figure.name == name) return k;
+    return problem.figures().size();
+  };
+  const std::size_t balanced = place("balanced"), peak = place("peak_radial.0.95"), mass = place("-balancer.mass");
+  EXPECT_NEAR(samples[0].figures[balanced].value, 2.0 / 3, 3.0 * std::sqrt(2.0 / 9 / starts));  // three standard errors
+  EXPECT_EQ(samples[1].figures[balanced].value, 1.0);
+  EXPECT_EQ(samples[0].figures[mass].value, 3.0);
+  EXPECT_NE(samples[1].figures[peak].value, samples[2].figures[peak].value);  // other draws
+  // The study of a candidate draws like the one that it came from.
+  const Study study = problem.study_of(with("4.5 g"), starts, 5);
+  EXPECT_EQ(study.uncertain.values.size(), 1u);
+  BasinOptions options;
+  options.transients = options.keep_starts = true;
+  const BasinResult result = basin(study, options);
+  EXPECT_EQ(sample_of(problem.figures(), result, study, with("4.5 g")).figures[peak].value,
+            samples[1].figures[peak].value);
 }
 
 TEST(Design, WhatCannotBeMetIsSaidWithHowNearItCame) {

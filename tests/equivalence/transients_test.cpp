@@ -364,7 +364,7 @@ TEST(BasinTransients, FiguresAtTheEndAreThoseOfTheMotionWhateverDecides) {
     for (std::size_t g = 0; g < groups.size(); ++g) {
       EXPECT_EQ(groups[g].lasting, first[g].lasting);
       for (const TransientColumn& column : transient_columns) {
-        if (column.value == &TransientRow::followed_until) continue;
+        if (column.value == &TransientRow::followed_until || column.value == &TransientRow::energy) continue;
         const SampleSummary &one = figure_of(first[g], column.name), &two = figure_of(groups[g], column.name);
         // The same trajectories: single precision, and the 2 % to which the largest r of a torus is known.
         EXPECT_EQ(one.open, two.open) << column.name;

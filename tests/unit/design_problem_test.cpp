@@ -63,6 +63,10 @@ TEST(DesignProblem, BadTablesAreRefusedInOneLineThatNamesTheKey) {
                {"peak_radial.2", "quantile"});
   expect_words(refusal(good + "[design.require]\n\"settling_time.0.5\" = { below = 1.0 }\n"), {"limits.settled"});
   expect_words(refusal(good + "[design.require]\nbalanced = { above = 1.0 }\n"), {"balanced", "no share"});
+  const std::string energy = "[design.require]\n\"energy.0.9\" = { below = 1.0 }\n";
+  EXPECT_EQ(refusal(good + energy), "accepted");  // at constant speed no inertia is felt
+  const std::string spin_up = "speed = { points = 1, until = 500.0, range = [0.0, 5.0] }\n";
+  expect_words(refusal(vary + spin_up + energy), {"energy.0.9", "needs rotor.inertia"});
   expect_words(refusal(good + "[design.require]\nbalanced = { below = 0.5, above = 0.6 }\n"), {"met by nothing"});
   expect_words(refusal(good + "[design.require]\nballanced = { above = 0.5 }\n"), {"ballanced", "must be balanced"});
 }
@@ -165,6 +169,23 @@ ball_mass = { below = "50 g" }
   for (const DesignLimit& limit : problem.limits())
     EXPECT_NEAR(*limit.below, limit.figure == 0 ? 0.2 : 0.05, 1e-12);  // roundings of two conversions
   expect_words(refusal(machine + "\"peak_force.0.5\" = { below = \"3 mm\" }\n"), {"peak_force.0.5", "force"});
+}
+
+// What the study as it is says of a number that is wanted, whatever its unit.
+TEST(DesignProblem, WantedNumbersOfTheStudyAsItIsAreKnown) {
+  const auto own = [](const std::string& of_balls) {
+    const DesignProblem problem = problem_of(
+        "[rotor]\nmass = \"10 kg\"\nstiffness = \"100 kN/m\"\ndamping_ratio = 0.1\n"
+        "eccentricity = \"0.1 mm\"\n[balancer]\nballs = 2\nrace_radius = \"50 mm\"\n" +
+        of_balls +
+        "drag = \"0.01 N m s\"\n[speed]\nprofile = \"constant\"\nspeed = \"3000 rpm\"\n"
+        "[design]\nmethod = \"random\"\nobjective = [\"-balancer.mass\"]\n"
+        "[design.vary]\n\"balancer.mass\" = [\"15 g\", \"30 g\"]\n");
+    return problem.figures()[0].own;
+  };
+  EXPECT_EQ(own("mass = \"20 g\"\n"), 20.0);
+  EXPECT_NEAR(own("mass = \"0.02 kg\"\n"), 20.0, 1e-12);  // roundings of a conversion
+  EXPECT_TRUE(std::isnan(own("mass = [\"20 g\", \"25 g\"]\n")));
 }
 
 DesignSample sample(double balanced, double peak, double arm = 0.0) {

@@ -106,6 +106,7 @@ _COLUMNS: dict[str, Column] = {
     "residual_unbalance": Column("residual unbalance $U/M$", "length"),
     "time_above": Column("time above the displacement limit", "time", needs="displacement"),
     "settling_time": Column("settling time", "time", needs="settled"),
+    "energy": Column("work of the drive", "energy"),
 }
 
 
@@ -124,7 +125,7 @@ def transients(
         Of `equipoise.basin` with transients gathered: ``transients=True``, or a study with ``[limits]``.
     column : str
         One of "peak_radial", "peak_radial_after_release", "peak_radial_at_end", "peak_force", "rms_force",
-        "rms_velocity", "residual_unbalance", "time_above", "settling_time".
+        "rms_velocity", "residual_unbalance", "time_above", "settling_time", "energy".
     bins : int
         Bars from the least to the largest figure.
     limit : float, optional
@@ -135,7 +136,7 @@ def transients(
     Returns
     -------
     matplotlib.axes.Axes
-        The figure from left to right (mm, N, mm/s or s of a study in physical units, else dimensionless), percent of
+        The figure from left to right (mm, N, mm/s, s or J of a study in physical units, else dimensionless), percent of
         all starts upwards. Starts without the figure (lost ones; times that go on) are told in the legend.
 
     Raises
@@ -184,7 +185,13 @@ def _watched(result: BasinResult, column: str) -> tuple[parts.Array, Column]:
     how = _COLUMNS[column]
     if how.needs and result.study.limits[how.needs] is None:
         raise ValueError(f"plot.transients(): {column} was not watched; allowed: of a study with limits.{how.needs}")
-    return np.asarray(result.transients[column], dtype=float), how
+    values = np.asarray(result.transients[column], dtype=float)
+    if column == "energy" and np.isnan(values).all():
+        raise ValueError(
+            "plot.transients(): energy was not watched; allowed: of a motor, or of a prescribed speed without contact or "
+            "dry friction whose study states rotor.inertia"
+        )
+    return values, how
 
 
 def _weights(result: BasinResult) -> parts.Array:

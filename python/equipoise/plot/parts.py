@@ -106,7 +106,7 @@ class Unit:
 
 
 class Units:
-    """Units in which a study is drawn: mm, N, mm/s, s and rpm of one that knows its machine, else multiples of R,
+    """Units in which a study is drawn: mm, N, mm/s, s, rpm and J of one that knows its machine, else multiples of R,
     1/omega_c and so on."""
 
     def __init__(self, study: Study) -> None:
@@ -115,11 +115,13 @@ class Units:
             self.length, self.time = Unit("$R$"), Unit(r"$1/\omega_c$")
             self.force, self.velocity = Unit(r"$M R\,\omega_c^2$"), Unit(r"$R\,\omega_c$")
             self.speed = Unit(r"$\omega_c$")
+            self.energy = Unit(r"$M R^2\omega_c^2$")
             return
         mass, length, time = scales["mass"], scales["length"], scales["time"]
         self.length, self.time = Unit("mm", 1e3 * length), Unit("s", time)
         self.force, self.velocity = Unit("N", mass * length / time**2), Unit("mm/s", 1e3 * length / time)
         self.speed = Unit("rpm", 30.0 / (np.pi * time))
+        self.energy = Unit("J", mass * (length / time) ** 2)
 
 
 def outcome_title(name: str, alias: str = "") -> str:

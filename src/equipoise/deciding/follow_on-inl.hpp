@@ -26,7 +26,7 @@ class FollowOn {
  public:
   static_assert(groups <= most_lane_groups);
 
-  FollowOn(Fates& fates, LaneWatch* watch, int psi_place) : fates_(fates), watch_(watch), psi_place_(psi_place) {}
+  FollowOn(Fates& fates, LaneWatch* watch, int size) : fates_(fates), watch_(watch), size_(size) {}
 
   void begin(int slot, std::size_t start, double t, const double* z) {
     fates_.begin(slot, start, t, z);
@@ -64,8 +64,7 @@ class FollowOn {
   static unsigned bit(int slot) { return 1u << (slot % lanes); }
 
   HWY_INLINE void sample(Pack* kept, const Pack* z) const {
-    for (int i = 0; i < 4; ++i) kept[i] = z[i];
-    if (psi_place_ >= 0) kept[4] = z[psi_place_];
+    for (int i = 0; i < size_; ++i) kept[i] = z[i];
   }
 
   // Of the lanes decided before whose window has just ended (`full`), those that may leave; notes the `fresh` ones.
@@ -101,11 +100,11 @@ class FollowOn {
 
   Fates& fates_;
   LaneWatch* const watch_;
-  const int psi_place_;
+  const int size_;                 // of a state
   unsigned decided_[groups] = {};  // bits of lanes followed on
   double decided_at_[groups * lanes] = {};
   int attractor_[groups * lanes] = {};
-  Pack first_[groups][5], second_[groups][5];
+  Pack first_[groups][watched_state], second_[groups][watched_state];
 };
 
 }  // namespace HWY_NAMESPACE

@@ -29,7 +29,6 @@ class HoldBalls {
   HoldBalls(const LaneTask& task, const HoldRule& rule, LaneWatch* watch, std::vector<HeldEnd>& ends)
       : task_(task),
         size_(task.dimension()),
-        psi_place_(task.psi_place()),
         speed_place_(task.speed_place()),
         sign_(rule.rising ? 1.0 : -1.0),
         release_(sign_ * rule.release_speed),
@@ -56,7 +55,7 @@ class HoldBalls {
   HWY_INLINE unsigned step(int g, unsigned active, Mask accepted, Pack t, Pack h, const Pack* z) {
     const Pack sign(sign_);
     const Pack here = sign * z[speed_place_];
-    const Pack fastest = maximum(maximum(sign * first_speed_, sign * second_speed_), here);
+    const Pack fastest = maximum(maximum(sign * first_[speed_place_], sign * second_[speed_place_]), here);
     const Mask crossed = accepted & (Pack(release_) <= fastest), held = accepted & (fastest < Pack(release_));
     unsigned leaving = windows_.step(g, active, held, t, h, z);
     if (watch_) watch_->step({g, active, held, t, h, z, first_, second_});
@@ -87,22 +86,21 @@ class HoldBalls {
 
  private:
   HWY_INLINE void sample(Pack* kept, const Pack* z) {
-    for (int i = 0; i < 4; ++i) kept[i] = z[i];
-    if (psi_place_ >= 0) kept[4] = z[psi_place_];
-    (kept == first_ ? first_speed_ : second_speed_) = z[speed_place_];
+    for (int i = 0; i < size_; ++i) kept[i] = z[i];
   }
 
   static double& element(Pack& p, int lane) { return reinterpret_cast<double*>(&p)[lane]; }
 
   const LaneTask& task_;
-  const int size_, psi_place_, speed_place_;
+  const int size_, speed_place_;
   const double sign_, release_;
   std::vector<Fate> fates_;
   DecideFate<1, 1, LaneKind::smooth> windows_;
   LaneWatch* const watch_;
   std::vector<HeldEnd>& ends_;
-  Pack first_[5], second_[5], first_speed_, second_speed_;
-  Pack before_[model::dimension(1) + 3], before_t_, nearest_;
+  static constexpr int largest_held_state = model::dimension(1) + 3;
+  Pack first_[largest_held_state], second_[largest_held_state];
+  Pack before_[largest_held_state], before_t_, nearest_;
   unsigned crossing_ = 0;
 };
 

@@ -10,6 +10,7 @@
 #include <fmt/format.h>
 
 #include "equipoise/design/settings.hpp"
+#include "equipoise/fates/transient_tally.hpp"
 #include "equipoise/statistics/quantile.hpp"
 #include "equipoise/transients/transient_table.hpp"
 
@@ -24,8 +25,9 @@ constexpr double no_end = std::numeric_limits<double>::infinity();
 
 // By transient_columns.
 constexpr std::array<Dimension, transient_columns.size()> column_dimensions{
-    Dimension::length,   Dimension::length,    Dimension::length, Dimension::force, Dimension::force,
-    Dimension::velocity, Dimension::unbalance, Dimension::time,   Dimension::time,  Dimension::time};
+    Dimension::length, Dimension::length,   Dimension::length,    Dimension::force,
+    Dimension::force,  Dimension::velocity, Dimension::unbalance, Dimension::time,
+    Dimension::time,   Dimension::energy,   Dimension::time};
 
 std::string column_names() {
   std::string names = "time_to_balance";
@@ -33,8 +35,22 @@ std::string column_names() {
   return names;
 }
 
+// Why the drive's work is not known; empty: it is.
+std::string lack_of_energy(const Study& study, const std::vector<DesignVariable>& variables) {
+  const bool spins_up =
+      std::any_of(variables.begin(), variables.end(), [](const DesignVariable& v) { return v.spin_up; });
+  if (!study.speed.driven() && !study.system().smooth())
+    return "must be another figure: at a prescribed speed the work that collisions and dry friction take is not known "
+           "(of "
+           "a motor, profile \"torque\", it is)";
+  if (!knows_energy(study) || (spins_up && !(study.parameters.inertia > 0.0)))
+    return "needs rotor.inertia, which a change of speed has to work against; must be stated in the study";
+  return "";
+}
+
 // "peak_radial.0.95"
-std::optional<FigureSource> quantile_source(const std::string& name, const Study& study, std::string& problem) {
+std::optional<FigureSource> quantile_source(const std::string& name, const Study& study,
+                                            const std::vector<DesignVariable>& variables, std::string& problem) {
   const std::size_t dot = name.find('.');
   const std::string column = name.substr(0, dot);
   FigureSource source;
@@ -59,6 +75,8 @@ std::optional<FigureSource> quantile_source(const std::string& name, const Study
     problem = "needs limits.settled; must be stated in the study";
   else if (column == "time_above" && !study.limits.displacement)
     problem = "needs limits.displacement; must be stated in the study";
+  else if (column == "energy")
+    problem = lack_of_energy(study, variables);
   if (!problem.empty()) return std::nullopt;
   return source;
 }
@@ -111,10 +129,15 @@ DesignEstimate quantile_of(std::vector<double>& values, double q) {
 
 DesignEstimate scaled(DesignEstimate e, double unit) { return {e.value / unit, e.low / unit, e.high / unit}; }
 
+// Of a start that was lost there is no figure, and no drive brings one into balance that does not come to it.
 DesignEstimate transient_quantile(const FigureSource& source, const StartArrays& starts) {
   std::vector<double> values;
-  for (const float v : starts.transients[source.column])
-    values.push_back(std::isnan(v) ? no_end : static_cast<double>(v));  // a start that was lost
+  const bool until_balance = transient_columns[source.column].value == &TransientRow::energy;
+  const std::vector<float>& column = starts.transients[source.column];
+  for (std::size_t i = 0; i < column.size(); ++i) {
+    const bool none = std::isnan(column[i]) || (until_balance && starts.outcome[i] != 1);
+    values.push_back(none ? no_end : static_cast<double>(column[i]));
+  }
   return quantile_of(values, source.quantile);
 }
 
@@ -146,7 +169,7 @@ double stated(const FigureSource& source, const Study& study, const std::vector<
     case FigureKind::variable:
       for (const DesignSetting& s : settings)
         if (s.key == source.key) return number_of(s.value);
-      return 0.0;
+      return source.own;
     default:
       return 0.0;
   }
@@ -167,7 +190,7 @@ double unit_in_study(const Study& study, std::optional<Dimension> dimension) {
 std::optional<FigureSource> figure_source(const std::string& name, const Study& study,
                                           const std::vector<DesignVariable>& variables, std::string& problem) {
   std::optional<FigureSource> source = plain_source(name, study);
-  if (!source) source = quantile_source(name, study, problem);
+  if (!source) source = quantile_source(name, study, variables, problem);
   if (!source && problem.empty() && !name.empty()) source = variable_source(name, variables);
   if (!source) {
     if (problem.empty())

@@ -1,6 +1,7 @@
 // The figures by which candidates are judged: their names, units, and what an ensemble says of them.
 #pragma once
 
+#include <limits>
 #include <optional>
 #include <string>
 #include <vector>
@@ -21,6 +22,8 @@ struct FigureSource {
   std::size_t column = 0;  ///< of transient_columns
   double quantile = 0.0;
   std::string key;  ///< of the variable
+  /// What the study as it is says of it, in the variable's unit; not-a-number: nothing.
+  double own = std::numeric_limits<double>::quiet_NaN();
   std::optional<study::Dimension> dimension;
   DesignFigure figure;
 

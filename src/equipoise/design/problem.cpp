@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <string_view>
 
 #include <fmt/format.h>
@@ -17,6 +18,7 @@
 #include "equipoise/fates/runner.hpp"
 #include "equipoise/store/result_identity.hpp"
 #include "equipoise/study/table_reader.hpp"
+#include "equipoise/study/unit_library.hpp"
 #include "equipoise/study/units.hpp"
 
 namespace equipoise {
@@ -37,10 +39,27 @@ const StudyValue::Table& table_of(const Document& document, const std::string& n
   return *table->table();
 }
 
+// Of a value that may be no number, or of another unit.
+double number_in(const StudyValue& value, const std::string& unit) {
+  constexpr double none = std::numeric_limits<double>::quiet_NaN();
+  const std::string written = unit_of_value(value);
+  if (!value.is_number() && written.empty()) return none;
+  if (written == unit) return number_of(value);
+  if (written.empty() || unit.empty()) return none;
+  const study::UnitLibraryUse use;
+  const study::Unit from(written), to(unit);
+  return from.is_known() && to.is_known() ? number_of(value) * from.worth_in(to) : none;
+}
+
 FigureSource read_figure(const Document& document, const std::string& where, const StudyValue* value,
                          const std::string& name, const Study& study, const std::vector<DesignVariable>& variables) {
   std::string problem;
-  if (auto source = figure_source(name, study, variables, problem)) return *source;
+  if (auto source = figure_source(name, study, variables, problem)) {
+    if (source->kind == FigureSource::Kind::variable)
+      if (const StudyValue* own = document.root.find_path(source->key))
+        source->own = number_in(*own, source->figure.unit);
+    return *source;
+  }
   throw InputError(document.where("design", value), where, name, problem);
 }
 

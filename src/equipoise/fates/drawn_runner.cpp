@@ -60,6 +60,7 @@ void change_units(const model::Scales& from, const model::Scales& to, Fate& fate
     scale(row->*column, length);
   for (float TransientRow::*column : {&TransientRow::peak_force, &TransientRow::rms_force}) scale(row->*column, force);
   scale(row->rms_velocity, velocity);
+  scale(row->energy, from.torque() / to.torque());
   scale(row->residual_unbalance, unbalance);
   for (float TransientRow::*column :
        {&TransientRow::time_above, &TransientRow::settling_time, &TransientRow::followed_until})

@@ -42,21 +42,23 @@ SteadySample sample(const model::Parameters& p, const double* z) {
   return s;
 }
 
-TransientSample transient_sample_of(const model::Parameters& p, double t, const double* z) {
-  return transient_sample(p, z[model::machine_index::psi(p.balls)], t, z);
-}
-
 // The transients of one machine, whose balls are let go at a time of its own.
 class MachineTransients {
  public:
   MachineTransients(const Study& study, const Machine& machine)
-      : p_(study.parameters), settings_(transient_settings(study)), machine_(machine), watch_(settings(machine)) {}
+      : p_(study.parameters), settings_(transient_settings(study)), machine_(machine), watch_(settings(machine)) {
+    if (study.speed.driven()) motor_ = model::drive_segments(study.motor());
+  }
 
   // A step, of which state_at is asked.
   template <class StateAt>
   void step(double from, double to, StateAt&& state_at) {
     double z[Machine::dimension];
     state_at.roughly(from, z);
+    while (piece_ + 1 < motor_.size() && motor_[piece_].end <= from) {
+      ++piece_;
+      watch_.end_piece();
+    }
     // Wherever the motion has a corner, speeds or forces may have jumped.
     if (events_ != machine_.events() || from != last_) {
       if (events_ != machine_.events() && free_ == machine_.clamped()) {
@@ -64,11 +66,11 @@ class MachineTransients {
         free_ = !machine_.clamped();
       }
       events_ = machine_.events();
-      watch_.begin(transient_sample_of(p_, from, z), free_);
+      watch_.begin(sample_of(from, z), free_);
     }
     watch_.step_to(to, [&](double t) {
       state_at.roughly(t, z);
-      return transient_sample_of(p_, t, z);
+      return sample_of(t, z);
     });
     last_ = to;
   }
@@ -81,6 +83,14 @@ class MachineTransients {
   }
 
  private:
+  TransientSample sample_of(double t, const double* z) const {
+    const int n = p_.balls;
+    TransientSample s = transient_sample(p_, z[model::machine_index::psi(n)], t, z);
+    const double speed = z[model::machine_index::speed(n)];
+    if (!motor_.empty()) s.power = motor_[piece_].torque(t, speed, z[model::machine_index::error_integral(n)]) * speed;
+    return s;
+  }
+
   // Balls that roll freely in a centred race, without gravity, balance to nothing; other ends are measured.
   std::optional<MotionFigures> end(bool balanced) const {
     const bool exact = p_.race_is_centred() && p_.gravity == 0.0 && !p_.balls_stick();
@@ -97,6 +107,8 @@ class MachineTransients {
   TransientSettings settings_;
   const Machine& machine_;
   TransientWatch watch_;
+  std::vector<model::DriveSegment> motor_;  // by piece; of a prescribed speed none
+  std::size_t piece_ = 0;
   long events_ = -1;
   bool free_ = false;
   double last_ = -1.0;

@@ -15,7 +15,15 @@ TransientSettings transient_settings(const Study& study) {
   if (study.limits.displacement) settings.displacement = *study.limits.displacement;
   if (study.limits.settled) settings.settled = *study.limits.settled;
   settings.release = study.release_time();
+  if (knows_energy(study)) settings.work = study.speed.driven() ? WorkSource::motor : WorkSource::balance;
   return settings;
+}
+
+// With contact or dry friction a balance would have to know what impacts and friction take.
+bool knows_energy(const Study& study) {
+  if (study.speed.driven()) return true;
+  const bool inertia_matters = study.speed.profile != Profile::constant;
+  return study.system().smooth() && (!inertia_matters || study.parameters.inertia > 0.0);
 }
 
 TransientTally::TransientTally(const Study& study, const Sampler& sampler)
@@ -37,7 +45,7 @@ void TransientTally::add(const Fate& fate, const TransientRow& row) {
     line.speed_weight += weight;
   }
   for (std::size_t k = 0; k < transient_columns.size(); ++k)
-    line.figures[k].add(row.*transient_columns[k].value, weight);
+    if (const float value = row.*transient_columns[k].value; !std::isnan(value)) line.figures[k].add(value, weight);
   // What a start goes on doing is known once its motion is.
   const bool known = fate.outcome != Outcome::undecided;
   if (known && row.peak_radial_at_end > settings_.displacement) ++line.lasting;

@@ -19,6 +19,10 @@ namespace equipoise {
 /// What is asked of every trajectory of `study`.
 TransientSettings transient_settings(const Study& study);
 
+/// Whether the drive's work can be told: of a motor; of a prescribed speed without contact or dry friction, of which
+/// the rotor's inertia is stated where the speed changes.
+bool knows_energy(const Study& study);
+
 /// Takes starts in by index, from start 0 on.
 class TransientTally {
  public:

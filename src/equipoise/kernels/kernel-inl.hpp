@@ -60,7 +60,7 @@ bool run_block(const LaneTask& task, const Flow& flow, Observer& observer) {
 template <class Flow, int groups, class Fates>
 bool run_watched(const LaneTask& task, const Flow& flow, Fates& fates) {
   const auto watch = watch_of(task);
-  const auto observer = std::make_unique<FollowOn<Fates, groups>>(fates, watch.get(), task.psi_place());
+  const auto observer = std::make_unique<FollowOn<Fates, groups>>(fates, watch.get(), flow.size());
   return run_block<Flow, groups>(task, flow, *observer);
 }
 

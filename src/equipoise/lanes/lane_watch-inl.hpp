@@ -10,6 +10,7 @@
 #include <cstddef>
 
 #include "equipoise/lanes/lane_block-inl.hpp"
+#include "equipoise/model/parameters.hpp"
 
 HWY_BEFORE_NAMESPACE();
 namespace equipoise {
@@ -22,12 +23,15 @@ struct TriedStep {
   Mask accepted;
   Pack t, h;           // t: where it leads
   const Pack* z;       // the state there
-  const Pack* first;   // x, y, u, v at first_sampled_stage, then psi where it is part of the state
+  const Pack* first;   // and at first_sampled_stage
   const Pack* second;  // and at second_sampled_stage
 };
 
 // Stages of DOP853 at 1/3 and 0.6 of a step: with its ends, samples 0.4 apart at most.
 inline constexpr int first_sampled_stage = 5, second_sampled_stage = 9;
+
+// Of any system (model/system.hpp).
+inline constexpr int watched_state = model::dimension(model::max_balls) + 3;
 
 // A watch has places for this many groups.
 inline constexpr int most_lane_groups = 3;

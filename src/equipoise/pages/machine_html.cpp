@@ -245,6 +245,8 @@ class MachineDocument {
     if (limits.settled)
       row("settled after release", &TransientRow::settling_time, Dimension::time, all.never > 0 ? "never" : "not yet",
           std::nullopt, std::nullopt);
+    if (figure_of(all, &TransientRow::energy).count > 0)
+      row("work of the drive", &TransientRow::energy, Dimension::energy, "", std::nullopt, std::nullopt);
     if (limits.settled)
       table.caption = fmt::format("Settled: displacement below {}.", shown_.text(*limits.settled, Dimension::length));
     if (page_.explanation.sag > 0.0)

@@ -29,6 +29,8 @@ const char* dimensionless_unit(Dimension d) {
       return "R ω_c";
     case Dimension::force:
       return "M R ω_c²";
+    case Dimension::energy:
+      return "M R² ω_c²";
     case Dimension::unbalance:
       return "M R";
     default:

@@ -69,10 +69,7 @@ std::vector<Chart> front_charts(const DesignResult& r) {
       add_point(front, x, r.figures[k], s.figures[k]);
       if (r.chosen == m) add_point(best, x, r.figures[k], s.figures[k]);
     }
-    const auto own_value = [&](std::size_t f) {
-      return r.before && !r.before->figures.empty() && r.figures[f].name.find("balancer.") == std::string::npos;
-    };
-    if (own_value(k) && own_value(r.objectives.front()))
+    if (r.before && !r.before->figures.empty())
       add_point(before, shown_value(first, r.before->figures[r.objectives.front()].value), r.figures[k],
                 r.before->figures[k]);
     chart.series = {front, best};

@@ -131,15 +131,23 @@ std::string comparison_table(const DesignResult& r, const DesignCandidate& best)
 }
 
 std::string margin_table(const DesignResult& r) {
-  std::string text = fmt::format("{:<24}{:>12}  {:<26}{:<14}{}\n", "varied alone", "chosen", "may go from .. to",
-                                 "near it", "beyond that fails");
+  const auto unit_of = [](const DesignMargin& m) { return m.unit.empty() ? "" : " " + m.unit; };
+  const auto chosen_of = [&](const DesignMargin& m) { return fmt::format("{:.4g}{}", m.value, unit_of(m)); };
+  const auto range_of = [&](const DesignMargin& m) {
+    return has_order(m) ? fmt::format("{:.4g} .. {:.4g}{}", m.keeps_from, m.keeps_to, unit_of(m)) : "-";
+  };
+  std::size_t chosen = 12, range = 24;
   for (const DesignMargin& m : r.margins) {
-    const std::string unit = m.unit.empty() ? "" : " " + m.unit;
+    chosen = std::max(chosen, chosen_of(m).size());
+    range = std::max(range, range_of(m).size());
+  }
+  std::string text = fmt::format("{:<24}{:>{}}  {:<{}}  {:<14}{}\n", "varied alone", "chosen", chosen,
+                                 "may go from .. to", range, "near it", "beyond that fails");
+  for (const DesignMargin& m : r.margins) {
     std::string fails;
     if (!m.fails_below.empty()) fails = "below: " + m.fails_below;
     if (!m.fails_above.empty()) fails += (fails.empty() ? "above: " : "; above: ") + m.fails_above;
-    text += fmt::format("{:<24}{:>12}  {:<26}{:<14}{}\n", m.key, fmt::format("{:.4g}{}", m.value, unit),
-                        has_order(m) ? fmt::format("{:.4g} .. {:.4g}{}", m.keeps_from, m.keeps_to, unit) : "-",
+    text += fmt::format("{:<24}{:>{}}  {:<{}}  {:<14}{}\n", m.key, chosen_of(m), chosen, range_of(m), range,
                         estimate_text(r.figures[r.objectives.front()], m.effect),
                         fails.empty() ? "nothing that was tried" : fails);
   }
@@ -149,13 +157,14 @@ std::string margin_table(const DesignResult& r) {
 }  // namespace
 
 std::string estimate_text(const DesignFigure& figure, double value) {
+  if (std::isnan(value)) return "not stated";
   if (!std::isfinite(value)) return "no end";
   if (figure.share) return fmt::format("{:.4g} %", 100.0 * value);
   return fmt::format("{:.4g}{}", value, figure.unit.empty() ? "" : " " + figure.unit);
 }
 
 std::string estimate_with_interval(const DesignFigure& figure, const DesignEstimate& e) {
-  if (e.low == e.high) return estimate_text(figure, e.value);
+  if (e.low == e.high || std::isnan(e.value)) return estimate_text(figure, e.value);
   if (figure.share) {
     Share share;  // of as many starts as tell none, some and all apart
     share.total = 2;

@@ -128,6 +128,7 @@ Json outcome_json(const SweepOutcome& o) {
 Json transients_json(const TransientGroup& group) {
   Json transients = Json::object();
   for (std::size_t k = 0; k < transient_columns.size(); ++k) {
+    if (!group.tells(k)) continue;
     const SampleSummary& s = group.figures[k];
     Json& figure = transients[transient_columns[k].name];
     figure = {{"mean", s.mean}, {"largest", s.largest}};

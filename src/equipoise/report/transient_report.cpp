@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 #include <optional>
+#include <string_view>
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -24,13 +25,15 @@ struct Unit {
   double size;  // in it, of the dimensionless unit
 };
 struct Units {
-  Unit displacement, force, velocity, time;
+  Unit displacement, force, velocity, time, energy;
 };
 
 Units units_of(const Study& study) {
-  if (!study.scales) return {{"R", 1.0}, {"M R omega_c^2", 1.0}, {"R omega_c", 1.0}, {"1/omega_c", 1.0}};
+  if (!study.scales)
+    return {{"R", 1.0}, {"M R omega_c^2", 1.0}, {"R omega_c", 1.0}, {"1/omega_c", 1.0}, {"M R^2 omega_c^2", 1.0}};
   const model::Scales& s = *study.scales;
-  return {{"mm", 1000.0 * s.length}, {"N", s.force()}, {"mm/s", 1000.0 * s.velocity()}, {"s", s.time()}};
+  return {
+      {"mm", 1000.0 * s.length}, {"N", s.force()}, {"mm/s", 1000.0 * s.velocity()}, {"s", s.time()}, {"J", s.torque()}};
 }
 
 // How a column is told. `open`: words for a figure without end: of a motion that exceeds the limit for good, of a start
@@ -57,6 +60,7 @@ constexpr std::array<Told, transient_columns.size()> told{{
      {"lasting", "not over"},
      &TransientGroup::lasting},
     {&TransientRow::settling_time, "settling time", &Units::time, {"never", "not yet"}, &TransientGroup::never},
+    {&TransientRow::energy, "work of the drive", &Units::energy},
     {&TransientRow::followed_until, "followed until", &Units::time},
 }};
 
@@ -68,6 +72,7 @@ std::size_t column_of(float TransientRow::*value) {
 
 bool applies(const Told& t, const TransientSettings& settings) {
   if (t.value == &TransientRow::time_above) return std::isfinite(settings.displacement);
+  if (t.value == &TransientRow::energy) return settings.work != WorkSource::none;
   return t.value != &TransientRow::settling_time || settings.watches_settling();
 }
 
@@ -90,7 +95,8 @@ std::string figure_line(const Told& t, const SampleSummary& s, const Unit& unit,
     return fmt::format("{} ({} to {})", number(value, unit.size, open), number(low, unit.size, open),
                        number(high, unit.size, open));
   };
-  std::string line = fmt::format("  {:<30}{:<15}", t.title, unit.name);
+  const std::size_t unit_width = std::max<std::size_t>(15, std::string_view(unit.name).size() + 1);
+  std::string line = fmt::format("  {:<{}}{:<{}}", t.title, 45 - unit_width, unit.name, unit_width);
   if (s.open == 0 && s.mean_low == s.mean_high)  // of one motion
     return line + fmt::format("{}, the same for all starts\n", number(s.mean, unit.size, open));
   line += fmt::format("{:<36}", s.open == s.count ? open : with_interval(s.mean, s.mean_low, s.mean_high));
@@ -201,7 +207,8 @@ nlohmann::ordered_json transient_json(const TransientResult& r, const Study& stu
   json["units"] = {{"displacement", units.displacement.name},
                    {"force", units.force.name},
                    {"velocity", units.velocity.name},
-                   {"time", units.time.name}};
+                   {"time", units.time.name},
+                   {"energy", units.energy.name}};
   json["window"] = r.settings.window * units.time.size;
   const double sag = 0.0 - model::static_sag(study.parameters);
   json["static_sag"] = sag * units.displacement.size;

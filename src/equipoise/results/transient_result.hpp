@@ -24,10 +24,13 @@ struct TransientGroup {
   int id = -1;       ///< attractor; 0: undecided or stalled; -1: all
   std::uint64_t starts = 0;
   std::optional<double> mean_speed;  ///< of driven rotors: |psi'| in the end, mean over starts
-  std::uint64_t lasting = 0;  ///< of these, whose motion exceeds limits.displacement for good
-  std::uint64_t never = 0;    ///< whose motion exceeds limits.settled for good
+  std::uint64_t lasting = 0;         ///< of these, whose motion exceeds limits.displacement for good
+  std::uint64_t never = 0;           ///< whose motion exceeds limits.settled for good
   std::array<SampleSummary, transient_columns.size()> figures{};  ///< by column
   std::array<std::optional<Share>, 3> exceeded{};                 ///< of the starts of this group; none without a limit
+
+  /// Whether column `k` has figures: none of them does where it was not asked.
+  bool tells(std::size_t k) const { return starts == 0 || figures[k].count > 0; }
 };
 
 /// Starts that were lost (diverged, failed) have no figures and are in no group.

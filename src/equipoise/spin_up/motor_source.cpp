@@ -121,6 +121,8 @@ bool MotorSource::advance(SpunUp& starts, TransientTable* transients) const {
     if (held_at_first_ && !hold(k, fleet)) return false;
     const bool last = k + 1 == drive_.pieces.size();
     if (!last && !run_free(k, fleet)) return false;
+    if (!last && transients)
+      for (TransientSums& row : transients->rows) row.work.end_piece();
   }
   return true;
 }

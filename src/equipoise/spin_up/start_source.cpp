@@ -77,7 +77,14 @@ bool StartSource::set_off(std::span<const InitialState> given, std::vector<doubl
     place(start, &states[i * static_cast<std::size_t>(size)]);
     if (transients) transients->rows.push_back(clamped_.sums(study_.parameters, start.phi.data()));
   }
+  if (transients && first_free_ > 0) end_piece(first_free_ - 1, *transients);
   return advance(states, fates, transients);
+}
+
+// Between segment k and the next one.
+void StartSource::end_piece(std::size_t k, TransientTable& transients) const {
+  if (segments_[k].acceleration == segments_[k + 1].acceleration) return;  // cut apart by the release alone
+  for (TransientSums& row : transients.rows) row.work.end_piece();
 }
 
 LaneTask StartSource::last_task() const {
@@ -128,6 +135,7 @@ bool StartSource::advance(std::vector<double>& states, std::vector<Fate>& fates,
     branch.transients = transients;
     if (!advance_lanes(branch, fates)) return false;
     cross(k, states);
+    if (transients) end_piece(k, *transients);
   }
   return true;
 }

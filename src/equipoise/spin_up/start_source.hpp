@@ -62,6 +62,7 @@ class StartSource : public SpinUp {
   void place(const InitialState& start, double* state) const;
   bool set_off(std::span<const InitialState> given, std::vector<double>& phi, std::vector<double>& states,
                std::vector<Fate>& fates, TransientTable* transients) const;
+  void end_piece(std::size_t k, TransientTable& transients) const;
   bool advance(std::vector<double>& states, std::vector<Fate>& fates, TransientTable* transients = nullptr) const;
 
   Study study_;

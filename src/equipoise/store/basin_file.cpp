@@ -231,6 +231,7 @@ std::vector<TransientRow> BasinFile::read_transients(std::uint64_t first, std::s
       if (lost) row.*column.value = std::numeric_limits<float>::quiet_NaN();
     for (float* endless : {&row.time_above, &row.settling_time})
       if (*endless == store::missing_figure) *endless = std::numeric_limits<float>::infinity();
+    if (row.energy == store::missing_figure) row.energy = std::numeric_limits<float>::quiet_NaN();
   }
   return rows;
 }

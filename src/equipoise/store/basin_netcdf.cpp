@@ -178,6 +178,7 @@ class BasinWriter {
     say("unit_of_force_N", c_.header.scales->force());
     say("unit_of_velocity_m_per_s", c_.header.scales->velocity());
     say("unit_of_time_s", c_.header.scales->time());
+    say("unit_of_energy_J", c_.header.scales->torque());
   }
 
   static const std::vector<std::string>& rotor_components() {

@@ -28,9 +28,13 @@ using KeptSample = std::pair<std::string, DesignSample>;  // its name first
 using KeptSamples = std::map<std::uint64_t, KeptSample>;
 
 // JSON has no number for what has no end.
-DesignJson number_json(double v) { return std::isfinite(v) ? DesignJson(v) : DesignJson(v > 0.0 ? "inf" : "-inf"); }
+DesignJson number_json(double v) {
+  if (std::isnan(v)) return nullptr;
+  return std::isfinite(v) ? DesignJson(v) : DesignJson(v > 0.0 ? "inf" : "-inf");
+}
 double number_from(const DesignJson& j) {
   if (j.is_number()) return j.get<double>();
+  if (j.is_null()) return std::numeric_limits<double>::quiet_NaN();
   return j.get<std::string>() == "inf" ? std::numeric_limits<double>::infinity()
                                        : -std::numeric_limits<double>::infinity();
 }

@@ -31,7 +31,8 @@ std::map<std::string, std::string> values_of(const std::string& identity) {
 std::string identity_of(const BasinFileHeader& header) {
   const auto& asked = header.transients;
   const std::string transients =
-      asked ? fmt::format("displacement {}, settled {}, window {}", asked->displacement, asked->settled, asked->window)
+      asked ? fmt::format("displacement {}, settled {}, window {}{}", asked->displacement, asked->settled,
+                          asked->window, asked->work == WorkSource::none ? "" : ", energy")
             : "none";
   const std::string own = header.own_starts.empty() ? "" : fmt::format("own_starts = {}\n", header.own_starts);
   return fmt::format("{}\n[file]\nversion = {}\narithmetic = {}\nangles = {}\ntransients = {}\n{}", header.study,

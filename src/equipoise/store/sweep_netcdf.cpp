@@ -169,7 +169,8 @@ class SweepWriter {
         column(
             transient_columns[k].name + suffix, "1", words + transient_columns[k].long_name, reported_quantiles.size(),
             [k, part](const SweepCell& cell, double* values) {
-              for (std::size_t q = 0; cell.transients && q < reported_quantiles.size(); ++q)
+              const bool told = cell.transients && cell.transients->tells(k);
+              for (std::size_t q = 0; told && q < reported_quantiles.size(); ++q)
                 values[q] = cell.transients->figures[k].quantiles[q].*part;
             },
             quantile);

@@ -23,6 +23,7 @@ enum class Dimension {
   torque,
   gain,
   inertia,
+  energy,
   unbalance,
   density,
   viscosity,

@@ -5,10 +5,12 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
+#include <numeric>
 
 #include "equipoise/base/error.hpp"
 #include "equipoise/integrate/clamped.hpp"
 #include "equipoise/model/energy.hpp"
+#include "equipoise/model/frames.hpp"
 #include "equipoise/model/strobe.hpp"
 #include "equipoise/model/unbalance.hpp"
 #include "equipoise/transients/transient_step-inl.hpp"
@@ -46,9 +48,13 @@ double clamped_grid_points(const model::Parameters& p, const std::vector<model::
   return points;
 }
 
-void ClampedTransients::Squares::add(const std::array<std::array<double, 2>, 3>& v) {
+ClampedTransients::Monomials ClampedTransients::Squares::of(const std::array<std::array<double, 2>, 3>& v) {
   const auto dot = [&](int i, int j) { return v[i][0] * v[j][0] + v[i][1] * v[j][1]; };
-  const Monomials c{dot(0, 0), 2.0 * dot(0, 1), 2.0 * dot(0, 2), dot(1, 1), 2.0 * dot(1, 2), dot(2, 2)};
+  return {dot(0, 0), 2.0 * dot(0, 1), 2.0 * dot(0, 2), dot(1, 1), 2.0 * dot(1, 2), dot(2, 2)};
+}
+
+void ClampedTransients::Squares::add(const std::array<std::array<double, 2>, 3>& v) {
+  const Monomials c = of(v);
   for (std::size_t j = 0; j < c.size(); ++j) coefficient[j].push_back(c[j]);
 }
 
@@ -93,6 +99,7 @@ ClampedTransients::ClampedTransients(const model::Parameters& p, const std::vect
     for (std::size_t i = 0; i < 2; ++i) centre[0][i] -= rest[i];
     radius_.add(centre);
     force_.add(force);
+    if (settings_.work != WorkSource::none) lose(p, t, segment, basis);
   };
   const auto status = integrate_clamped(p, segments, initial, tolerance, at_release, times_, observe,
                                         std::numeric_limits<double>::infinity(), stop);
@@ -108,6 +115,50 @@ ClampedTransients::ClampedTransients(const model::Parameters& p, const std::vect
   force_peak_ = force_.largest(one);
 }
 
+// Power straight between the times of the grid: it oscillates at twice the rotor's speed or the supports' frequency, 32
+// times or more a period, so that all but the ends of a segment cancels.
+void ClampedTransients::lose(const model::Parameters& p, double t, const model::Segment& segment,
+                             const ClampedBasis& basis) {
+  std::array<std::array<double, 2>, 3> rate;
+  const double psi = segment.psi_at(t);
+  for (std::size_t k = 0; k < 3; ++k) {
+    const double* z = basis.values.data() + 4 * k;
+    rate[k] = model::in_fixed_axes(std::cos(psi), std::sin(psi), z[model::index::u], z[model::index::v]);
+    for (std::size_t i = 0; i < 2; ++i) rate[k][i] *= std::sqrt(p.damping[i]);
+  }
+  const Monomials power = Squares::of(rate);
+  if (losses_.empty()) begin_ = basis;
+  if (losses_.empty() || losses_.back().segment.begin != segment.begin)
+    losses_.push_back({segment, t, basis, power, {}});
+  Losses& here = losses_.back();
+  for (std::size_t j = 0; j < power.size(); ++j) here.energy[j] += 0.5 * (t - here.until) * (here.power[j] + power[j]);
+  here.until = t;
+  here.end = basis;
+  here.power = power;
+}
+
+DriveWork ClampedTransients::work(const model::Parameters& p, const double* phi, const Monomials& m) const {
+  DriveWork work;
+  if (losses_.empty()) return work;
+  double z[model::dimension(model::max_balls)] = {};
+  std::copy_n(phi, p.balls, z + model::index::phi(0));
+  const auto stored = [&](const model::Segment& segment, double t, const ClampedBasis& basis) {
+    basis.centre(p, phi, z);
+    return model::energy(p, p.inertia, segment, t, z);
+  };
+  const auto of = [&](const Monomials& c) { return std::inner_product(m.begin(), m.end(), c.begin(), 0.0); };
+  work.begun = true;
+  work.stored = stored(losses_.front().segment, losses_.front().segment.begin, begin_);
+  for (const Losses& one : losses_) {
+    if (&one != &losses_.front() && one.segment.acceleration != (&one - 1)->segment.acceleration) work.end_piece();
+    const double now = stored(one.segment, one.until, one.end);
+    work.piece += now - work.stored + of(one.energy);
+    work.stored = now;
+    work.power = of(one.power);
+  }
+  return work;
+}
+
 TransientSums ClampedTransients::sums(const model::Parameters& p, const double* phi) const {
   TransientSums result;
   if (times_.empty()) return result;
@@ -116,6 +167,7 @@ TransientSums ClampedTransients::sums(const model::Parameters& p, const double* 
   const Monomials m{1.0, ux, uy, ux * ux, ux * uy, uy * uy};
   const double square = ux * ux + uy * uy;
   result.end = settings_.release;
+  result.work = work(p, phi, m);
   result.clamped_peak = proportional_ ? square * radius_peak_ : radius_.largest(m);
   result.force_peak = proportional_ ? square * force_peak_ : force_.largest(m);
   const double limit = settings_.displacement * settings_.displacement;

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "equipoise/base/error.hpp"
+#include "equipoise/integrate/clamped.hpp"
 #include "equipoise/model/parameters.hpp"
 #include "equipoise/model/speed.hpp"
 #include "equipoise/transients/transient_table.hpp"
@@ -39,18 +40,32 @@ class ClampedTransients {
  private:
   /// 1, Ux, Uy, Ux^2, Ux Uy, Uy^2.
   using Monomials = std::array<double, 6>;
+  /// What the supports' dampers take over a clamped segment.
+  struct Losses {
+    model::Segment segment;
+    double until = 0.0;  // the last time looked at
+    ClampedBasis end;    // then
+    Monomials power{};   // then
+    Monomials energy{};  // in all until then
+  };
   struct Squares {
     std::array<std::vector<double>, 6> coefficient;  // by monomial, then by time
 
     void add(const std::array<std::array<double, 2>, 3>& vectors);
     double at(const Monomials& m, std::size_t k) const;
+    static Monomials of(const std::array<std::array<double, 2>, 3>& vectors);
     double largest(const Monomials& m) const;
   };
+
+  void lose(const model::Parameters& p, double t, const model::Segment& segment, const ClampedBasis& basis);
+  DriveWork work(const model::Parameters& p, const double* phi, const Monomials& m) const;
 
   TransientSettings settings_;
   bool proportional_ = false;  // all is proportional to |U|: isotropic supports, no gravity, from rest
   std::vector<double> times_;
   Squares radius_, force_;
+  ClampedBasis begin_;                           // where the first segment begins
+  std::vector<Losses> losses_;                   // a segment each, if work is asked
   double radius_peak_ = 0.0, force_peak_ = 0.0;  // of U = 1, if proportional_
 };
 

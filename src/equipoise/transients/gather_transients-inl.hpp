@@ -9,6 +9,7 @@
 
 #include <array>
 #include <cmath>
+#include <optional>
 
 #include "equipoise/model/equations-inl.hpp"
 #include "equipoise/transients/transient_step-inl.hpp"
@@ -36,6 +37,8 @@ template <class T>
 struct Sample {
   T r2, slope;          // squared distance of O from where the rotor rests under its weight, and its derivative
   T force2, velocity2;  // |f|^2 of the bearing force, u^2 + v^2
+  T power;              // whose integral, with the change of `stored`, is the work of the drive
+  T stored;             // read at the ends of steps only
 };
 
 // Of state z of a rotor that would rest at `rest`. The slope needs no derivative of the state, since the rotation of
@@ -44,8 +47,12 @@ template <class T>
 HWY_INLINE Sample<T> sample_of(const Vector2<T>& rest, const Vector2<T>& force, const T* z) {
   using namespace model::index;
   const T rx = z[x] - rest.x, ry = z[y] - rest.y;
-  return {rx * rx + ry * ry, T(2.0) * (rx * z[u] + ry * z[v]), force.x * force.x + force.y * force.y,
-          z[u] * z[u] + z[v] * z[v]};
+  return {rx * rx + ry * ry,
+          T(2.0) * (rx * z[u] + ry * z[v]),
+          force.x * force.x + force.y * force.y,
+          z[u] * z[u] + z[v] * z[v],
+          T(0.0),
+          T(0.0)};
 }
 
 // What is asked of every trajectory, in numbers of the time loop.
@@ -54,11 +61,12 @@ struct Limits {
   explicit Limits(const TransientSettings& s)
       : timed(std::isfinite(s.displacement)),
         settling(s.watches_settling()),
+        working(s.work != WorkSource::none),
         displacement2(s.displacement * s.displacement),
         settled2(s.settled * s.settled),
         window(s.window) {}
 
-  bool timed, settling;
+  bool timed, settling, working;
   T displacement2, settled2, window;
 };
 
@@ -75,6 +83,15 @@ class GatherTransients {
     element(force_peak_, lane) = row.force_peak;
     element(time_above_, lane) = row.time_above;
     element(last_above_, lane) = row.last_above;
+    work_before_[lane] = row.work;
+    known_work_[lane].reset();
+  }
+
+  // Between the sums loaded and `here`, where the motion is seen again at t, the power ran straight.
+  void resume(int lane, const TransientSums& row, double t, const Sample<double>& here) {
+    const DriveWork& work = work_before_[lane];
+    element(work_, lane) =
+        work.begun ? work.piece - work.stored + 0.5 * (work.power + here.power) * (t - row.end) : -here.stored;
   }
 
   // The motion goes on from here, with no step that leads to it.
@@ -83,6 +100,8 @@ class GatherTransients {
     element(from_.slope, lane) = here.slope;
     element(from_.force2, lane) = here.force2;
     element(from_.velocity2, lane) = here.velocity2;
+    element(from_.power, lane) = here.power;
+    element(from_.stored, lane) = here.stored;
     element(from_unbalance_, lane) = unbalance;
     for (T* peak : {&peak_, &window_peak_}) element(*peak, lane) = std::fmax(element(*peak, lane), here.r2);
     element(force_peak_, lane) = std::fmax(element(force_peak_, lane), here.force2);
@@ -94,6 +113,16 @@ class GatherTransients {
     closed_[lane] = {};
     count_[lane] = 0;
   }
+
+  // The next piece of the drive begins.
+  void end_piece(int lane) {
+    work_before_[lane] = work_of(lane);
+    work_before_[lane].end_piece();
+    element(work_, lane) = -element(from_.stored, lane);
+  }
+
+  // What the drive does from here on is not asked.
+  void end_work(int lane) { known_work_[lane] = work_of(lane); }
 
   // Adds, where it was accepted, a step of length h from `begin` to t; `at`: at the two nodes within it and at its end,
   // `unbalance`: at its end. Returns the bits of the `active` lanes whose window it ends.
@@ -117,6 +146,11 @@ class GatherTransients {
     keep(accepted, at[2].slope, from_.slope);
     keep(accepted, at[2].force2, from_.force2);
     keep(accepted, at[2].velocity2, from_.velocity2);
+    if (limits.working) {
+      keep(accepted, multiply_add(h, Cubic<T>::through(samples.power).integral(), work_), work_);
+      keep(accepted, at[2].power, from_.power);
+      keep(accepted, at[2].stored, from_.stored);
+    }
     const unsigned full = active & bits_of(accepted) & ~bits_of(t < window_begin_ + limits.window);
     if (full) close(full, t);
     return full;
@@ -138,6 +172,7 @@ class GatherTransients {
     row.force_peak = element(force_peak_, lane);
     row.time_above = element(time_above_, lane);
     row.last_above = element(last_above_, lane);
+    row.work = known_work_[lane].value_or(work_of(lane));
     // The window that has ended last is empty unless the open one follows on it.
     row.window = last_windows(closed_[lane][0], open_window(lane, t));
     if (row.window.length > 0.0) return;
@@ -157,6 +192,7 @@ class GatherTransients {
       s.slope[k] = here.slope;
       s.force2[k] = here.force2;
       s.velocity2[k] = here.velocity2;
+      s.power[k] = here.power;
     }
     return s;
   }
@@ -185,6 +221,16 @@ class GatherTransients {
     }
   }
 
+  // The work of a lane up to its present time.
+  DriveWork work_of(int lane) const {
+    DriveWork work = work_before_[lane];
+    work.stored = element(from_.stored, lane);
+    work.piece = element(work_, lane) + work.stored;
+    work.power = element(from_.power, lane);
+    work.begun = true;
+    return work;
+  }
+
   // What the open window of a lane holds at time `t`.
   TransientWindow open_window(int lane, double t) const {
     return {t - element(window_begin_, lane), element(window_peak_, lane), element(window_force_, lane),
@@ -203,6 +249,9 @@ class GatherTransients {
   T from_unbalance_{};
   T peak_{}, force_peak_{}, time_above_{}, last_above_{};
   T window_begin_{}, window_peak_{}, window_force_{}, window_velocity_{}, window_unbalance_{};
+  T work_{};                                      // of the piece under way, but for what is stored
+  DriveWork work_before_[lanes];                  // as loaded
+  std::optional<DriveWork> known_work_[lanes];    // where it has ended
   std::array<TransientWindow, 3> closed_[lanes];  // the last ones, the latest first
   int count_[lanes] = {};                         // since restart()
 };

@@ -31,7 +31,7 @@ inline constexpr double piece_length[3] = {node1, node2 - node1, 1.0 - node2};
 // At the step's begin, at node1, node2 and at its end.
 template <class T>
 struct StepSamples {
-  T r2[4], slope[4], force2[4], velocity2[4];
+  T r2[4], slope[4], force2[4], velocity2[4], power[4];
 };
 
 // A cubic in s from 0 to 1.

@@ -39,6 +39,7 @@ TransientRow transient_row(const TransientSettings& settings, const TransientSum
   row.settling_time = settings.watches_settling() && below(settings.settled)
                           ? static_cast<float>(std::max(0.0, sums.last_above - settings.release))
                           : endless;
+  row.energy = settings.work == WorkSource::none ? unknown : static_cast<float>(sums.work.total());
   row.followed_until = static_cast<float>(sums.end);
   return row;
 }

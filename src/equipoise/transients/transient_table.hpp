@@ -10,6 +10,10 @@
 
 namespace equipoise {
 
+/// What the drive's work is made of: nothing that is asked; of a prescribed speed energy stored and taken; of a motor
+/// its torque times psi'.
+enum class WorkSource { none, balance, motor };
+
 /// What is asked of every trajectory. Dimensionless.
 struct TransientSettings {
   /// Radial displacement whose exceedance is timed; infinite: none.
@@ -20,6 +24,7 @@ struct TransientSettings {
   /// Length of the windows of time in which a trajectory is watched once its outcome is known. Many turns of the rotor,
   /// and several of the slow turns of balls about it.
   double window = 16.0;
+  WorkSource work = WorkSource::none;  ///< of the drive
 
   bool watches_settling() const { return settled > 0.0; }
 };
@@ -93,6 +98,22 @@ inline bool seen_enough(const TransientSettings& settings, const KnownEnd& end,
   return steady(before[1].peak, before[0].peak, last.peak) && steady(mean(before[1]), mean(before[0]), mean(last));
 }
 
+/// The work of what drives a rotor. What it takes back while it brakes is lost: of each piece of the drive what it gave
+/// in all counts, if that is more than nothing.
+struct DriveWork {
+  double before = 0.0;  ///< of the pieces that are over
+  double piece = 0.0;   ///< of the one under way, less what was taken back
+  double stored = 0.0;  ///< energy when last seen, where work is told by a balance
+  double power = 0.0;   ///< then: what is summed over time
+  bool begun = false;
+
+  void end_piece() {
+    before = total();
+    piece = 0.0;
+  }
+  double total() const { return before + (piece > 0.0 ? piece : 0.0); }
+};
+
 /// What one trajectory has come to so far; grows over spin-up, release and branches. Squares, so that no root is taken
 /// in the time loop.
 struct TransientSums {
@@ -103,12 +124,14 @@ struct TransientSums {
   double time_above = 0.0;    ///< with r > settings.displacement, from t = 0
   double last_above = 0.0;    ///< study time at which r > settings.settled held last, from release on; else 0
   TransientWindow window;     ///< the last one, or the last two, up to `end`
+  DriveWork work;             ///< up to `end`, or to when the outcome was known
 };
 
 /// The figures of one start, as they are stored and counted; not-a-number for one that was lost. Dimensionless: lengths
-/// in R, forces in M R omega_c^2, velocities in R omega_c, times in 1/omega_c. Displacements are from where the rotor
-/// rests under its weight; bearing forces hold the weight. "At the end": of the steady motion that the start came to;
-/// of an undecided start, and where that motion's own figures are not known, in the last window.
+/// in R, forces in M R omega_c^2, velocities in R omega_c, energy in M R^2 omega_c^2, times in 1/omega_c. Displacements
+/// are from where the rotor rests under its weight; bearing forces hold the weight. "At the end": of the steady motion
+/// that the start came to; of an undecided start, and where that motion's own figures are not known, in the last
+/// window.
 struct TransientRow {
   float peak_radial = 0.0f;                ///< of the centre O, over the whole run
   float peak_radial_after_release = 0.0f;  ///< from release on
@@ -117,9 +140,11 @@ struct TransientRow {
   float rms_force = 0.0f;           ///< the same, root mean square at the end
   float rms_velocity = 0.0f;        ///< of O, root mean square of the inertial velocity at the end
   float residual_unbalance = 0.0f;  ///< mean |lambda + sum mu_i e^{i phi_i}| at the end
-  float time_above = 0.0f;      ///< with r above the displacement limit, from t = 0; 0 without a limit; infinite: the
-                                ///< motion at the end exceeds it, or r still did when the start was last followed
-  float settling_time = 0.0f;   ///< from release until r was last above `settled`; infinite in the same cases
+  float time_above = 0.0f;     ///< with r above the displacement limit, from t = 0; 0 without a limit; infinite: the
+                               ///< motion at the end exceeds it, or r still did when the start was last followed
+  float settling_time = 0.0f;  ///< from release until r was last above `settled`; infinite in the same cases
+  float energy =
+      0.0f;  ///< given by the drive from t = 0 until the outcome was known; not-a-number if work is not asked
   float followed_until = 0.0f;  ///< study time
 };
 
@@ -129,7 +154,7 @@ struct TransientColumn {
   const char* long_name;  ///< with its unit
   float TransientRow::*value;
 };
-inline constexpr std::array<TransientColumn, 10> transient_columns{{
+inline constexpr std::array<TransientColumn, 11> transient_columns{{
     {"peak_radial", "largest radial displacement of the centre from its place at rest, in race radii",
      &TransientRow::peak_radial},
     {"peak_radial_after_release", "largest radial displacement from release on, in race radii",
@@ -147,6 +172,10 @@ inline constexpr std::array<TransientColumn, 10> transient_columns{{
      "time from release until the radial displacement was last above limits.settled, in 1/omega_c; missing: not "
      "settled",
      &TransientRow::settling_time},
+    {"energy",
+     "work of the drive until the outcome was known, without what it took back in pieces of braking, in M R^2 "
+     "omega_c^2; missing: not asked",
+     &TransientRow::energy},
     {"followed_until", "study time up to which the start was followed, in 1/omega_c", &TransientRow::followed_until},
 }};
 

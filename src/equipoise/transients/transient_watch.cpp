@@ -12,7 +12,9 @@ namespace equipoise {
 namespace {
 namespace kernels = HWY_NAMESPACE::transient;
 
-kernels::Sample<double> place(const TransientSample& s) { return {s.r2, s.r2_slope, s.force2, s.velocity2}; }
+kernels::Sample<double> place(const TransientSample& s) {
+  return {s.r2, s.r2_slope, s.force2, s.velocity2, s.power, s.stored};
+}
 }  // namespace
 
 TransientSample transient_sample(const model::Parameters& p, double psi, double t, const double* z) {
@@ -33,6 +35,7 @@ void TransientWatch::begin(const TransientSample& first, bool free) {
     free_ = free;
   }
   limits_.settling = free && settings_.watches_settling();
+  if (!begun_) gathered_.resume(0, sums_, first.t, place(first));
   gathered_.stand(0, place(first), first.unbalance);
   t_ = first.t;
   if (!begun_) gathered_.restart(0, t_);
@@ -48,8 +51,11 @@ void TransientWatch::step(const std::array<TransientSample, 3>& samples) {
     may_leave_ = gathered_.seen_enough(0, settings_, end_, free_ ? gathered_.peak(0) : sums_.free_peak);
 }
 
+void TransientWatch::end_piece() { gathered_.end_piece(0); }
+
 void TransientWatch::decided(const KnownEnd& end) {
   decided_ = true;
+  gathered_.end_work(0);
   end_ = end;
   gathered_.restart(0, t_);
 }

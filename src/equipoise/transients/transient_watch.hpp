@@ -27,6 +27,8 @@ struct TransientSample {
   double force2 = 0.0;     ///< |f|^2 of the bearing force
   double velocity2 = 0.0;  ///< u^2 + v^2
   double unbalance = 0.0;  ///< |lambda + sum mu_i e^{i phi_i}|; read at step ends only
+  double power = 0.0;      ///< whose integral, with the change of `stored`, is the work of the drive; 0: not asked
+  double stored = 0.0;     ///< read at step ends only
 };
 
 /// Of rotor and balls in state `z` at time `t`, with the rotor at angle `psi`; z: as many numbers as dimension(balls).
@@ -53,6 +55,8 @@ class TransientWatch {
       samples[k] = sample(k + 1 == nodes.size() ? to : from + nodes[k] * (to - from));
     step(samples);
   }
+  /// A piece of the drive ends at the end of the last step.
+  void end_piece();
   /// The outcome is known at the end of the last step: windows count from here.
   void decided(const KnownEnd& end);
   /// Whether a decided trajectory has been followed far enough (seen_enough()).

@@ -7,8 +7,11 @@
 #endif
 
 #include <cstddef>
+#include <optional>
 
 #include "equipoise/lanes/lane_watch-inl.hpp"
+#include "equipoise/model/drive-inl.hpp"
+#include "equipoise/model/energy-inl.hpp"
 #include "equipoise/model/flow-inl.hpp"
 #include "equipoise/model/strobe.hpp"
 #include "equipoise/model/unbalance-inl.hpp"
@@ -28,6 +31,8 @@ class WatchTransients final : public LaneWatch {
         plain_(*task.parameters),
         turning_(*task.parameters),
         motion_(task.segment),
+        segment_(task.segment),
+        energy_(*task.parameters),
         table_(table),
         limits_(table.settings),
         rotor_(of_rotor(*task.parameters)),
@@ -35,32 +40,33 @@ class WatchTransients final : public LaneWatch {
         held_(task.held),
         size_(task.dimension()),
         psi_place_(task.psi_place()),
+        speed_place_(task.speed_place()),
         sag_(model::static_sag(*task.parameters)) {
     for (int i = 0; i < balls_; ++i) mass_[i] = Pack(task.parameters->mass[i]);
+    if (table.settings.work == WorkSource::motor)
+      motor_.emplace(*task.parameters, task.system->drive(), task.places(), task.segment.begin, 0.0);
   }
 
   void begin(int slot, std::size_t start, double t, const double* state) override {
     Group& group = groups_[slot / lanes];
     group.load(slot % lanes, table_.rows[start], !held_);
+    group.resume(slot % lanes, table_.rows[start], t, corner_sample(t, state));
     corner(slot, t, state);
     group.restart(slot % lanes, t);
   }
 
   void corner(int slot, double t, const double* state) override {
-    Pack z[model::dimension(model::max_balls) + 3];
-    for (int i = 0; i < size_; ++i) z[i] = Pack(state[i]);
-    const transient::Sample<Pack> here = sample(Pack(t), z, psi_place_);
-    groups_[slot / lanes].stand(slot % lanes,
-                                {transient::element(here.r2, 0), transient::element(here.slope, 0),
-                                 transient::element(here.force2, 0), transient::element(here.velocity2, 0)},
-                                transient::element(unbalance(z), 0));
+    Pack z[watched_state];
+    spread(state, z);
+    groups_[slot / lanes].stand(slot % lanes, corner_sample(t, state), transient::element(unbalance(z), 0));
   }
 
   unsigned step(const TriedStep& s) override {
     const Pack begin = s.t - s.h;
-    const transient::Sample<Pack> at[3] = {sample(multiply_add(Pack(transient::node1), s.h, begin), s.first, 4),
-                                           sample(multiply_add(Pack(transient::node2), s.h, begin), s.second, 4),
-                                           sample(s.t, s.z, psi_place_)};
+    transient::Sample<Pack> at[3] = {sample(multiply_add(Pack(transient::node1), s.h, begin), s.first),
+                                     sample(multiply_add(Pack(transient::node2), s.h, begin), s.second),
+                                     sample(s.t, s.z)};
+    at[2].stored = stored(s.t, s.z);
     return groups_[s.group].add(limits_, s.active, s.accepted, begin, s.t, s.h, at, unbalance(s.z));
   }
 
@@ -68,7 +74,10 @@ class WatchTransients final : public LaneWatch {
     groups_[slot / lanes].store(slot % lanes, t, table_.rows[start], !held_);
   }
 
-  void restart(int slot, double t) override { groups_[slot / lanes].restart(slot % lanes, t); }
+  void restart(int slot, double t) override {
+    groups_[slot / lanes].restart(slot % lanes, t);
+    groups_[slot / lanes].end_work(slot % lanes);
+  }
 
   bool seen_enough(int slot, int attractor) const override {
     const Group& group = groups_[slot / lanes];
@@ -86,19 +95,45 @@ class WatchTransients final : public LaneWatch {
     return {Pack(p.eccentricity + balls * p.race_offset[0]), Pack(balls * p.race_offset[1])};
   }
 
-  // The force of isotropic supports does not ask where the rotor points, and only gravity lets it sag. `psi`: the place
-  // of the angle, where states have one.
-  HWY_INLINE transient::Sample<Pack> sample(Pack t, const Pack* z, int psi) const {
-    if (!turns_) {
-      const RotorMotion<Pack> unasked{};
-      return transient::sample_of({Pack(0.0), Pack(0.0)}, plain_.bearing_force(unasked, z), z);
-    }
-    RotorMotion<Pack> rotor;
-    if (psi_place_ < 0)
-      rotor = motion_.at(t);
-    else
-      sin_cos(z[psi], rotor.sin_psi, rotor.cos_psi);
-    return transient::sample_of({sag_ * rotor.sin_psi, sag_ * rotor.cos_psi}, turning_.bearing_force(rotor, z), z);
+  void spread(const double* state, Pack* z) const {
+    for (int i = 0; i < size_; ++i) z[i] = Pack(state[i]);
+  }
+
+  transient::Sample<double> corner_sample(double t, const double* state) const {
+    Pack z[watched_state];
+    spread(state, z);
+    const transient::Sample<Pack> here = sample(Pack(t), z);
+    const auto first = [](const Pack& p) { return transient::element(p, 0); };
+    return {first(here.r2),        first(here.slope), first(here.force2),
+            first(here.velocity2), first(here.power), first(stored(Pack(t), z))};
+  }
+
+  // Speed always; sin and cos of psi where they are asked for: the force of isotropic supports does not ask where the
+  // rotor points, and only gravity lets it sag.
+  HWY_INLINE RotorMotion<Pack> rotor_at(Pack t, const Pack* z) const {
+    RotorMotion<Pack> rotor{};
+    if (turns_ && psi_place_ < 0) return motion_.at(t);
+    if (turns_) sin_cos(z[psi_place_], rotor.sin_psi, rotor.cos_psi);
+    rotor.speed = speed_place_ < 0
+                      ? multiply_add(Pack(segment_.acceleration), t - Pack(segment_.begin), Pack(segment_.speed))
+                      : z[speed_place_];
+    return rotor;
+  }
+
+  HWY_INLINE transient::Sample<Pack> sample(Pack t, const Pack* z) const {
+    const RotorMotion<Pack> rotor = rotor_at(t, z);
+    transient::Sample<Pack> here =
+        turns_ ? transient::sample_of({sag_ * rotor.sin_psi, sag_ * rotor.cos_psi}, turning_.bearing_force(rotor, z), z)
+               : transient::sample_of({Pack(0.0), Pack(0.0)}, plain_.bearing_force(rotor, z), z);
+    if (motor_)
+      here.power = motor_->motor(t, rotor, z).torque * rotor.speed;
+    else if (limits_.working)
+      here.power = energy_.taken_by_supports(rotor, z) + energy_.taken_by_drag(z);
+    return here;
+  }
+
+  HWY_INLINE Pack stored(Pack t, const Pack* z) const {
+    return limits_.working && !motor_ ? energy_.stored(rotor_at(t, z), z) : Pack(0.0);
   }
 
   HWY_INLINE Pack unbalance(const Pack* z) const {
@@ -112,12 +147,15 @@ class WatchTransients final : public LaneWatch {
   const BallBalancer<Pack, 1, paper_terms(false)> plain_;
   const BallBalancer<Pack, 1, Terms{}> turning_;
   const SegmentMotion<Pack, Terms{}> motion_;
+  const model::Segment segment_;
+  const RotorEnergy<Pack> energy_;
+  std::optional<RotorDrive<Pack>> motor_;
   TransientTable& table_;
   const transient::Limits<Pack> limits_;
   const Vector2<Pack> rotor_;
   Pack mass_[model::max_balls];
   const bool turns_, held_;
-  const int size_, psi_place_;
+  const int size_, psi_place_, speed_place_;
   const Pack sag_;
   Group groups_[most_lane_groups];
 };
