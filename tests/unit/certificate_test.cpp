@@ -203,7 +203,7 @@ TEST(Certificate, is_refused_with_a_reason_where_there_is_nothing_to_prove) {
   EXPECT_NE(reason(balancer(0.05, {0.05, 0.02}), 3.0, {0.0, 3.14}).find("no balanced state"), std::string::npos);
   model::Parameters p = balancer(0.05);
   p.stiffness[1] = 2.0;
-  EXPECT_NE(reason(p, 3.0, {1.67096, -1.67096}).find("equal in x and y"), std::string::npos);
+  EXPECT_NE(reason(p, 3.0, {1.67096, -1.67096}).find("equal values in x and y"), std::string::npos);
   p = balancer(0.05);
   p.gravity = 0.1;
   EXPECT_NE(reason(p, 3.0, {1.67096, -1.67096}).find("gravity"), std::string::npos);

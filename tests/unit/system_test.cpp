@@ -1,9 +1,12 @@
 // Systems: sections, states and symmetries; the rates of the general equations against those of the plain ones; flows
 // and their derivatives against simulate() and against differences of whole trajectories.
 #include <cmath>
+#include <fstream>
+#include <iterator>
 #include <string>
 #include <vector>
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <Eigen/Dense>
@@ -214,23 +217,58 @@ TEST(System, FlowsAreWhatSimulateFollows) {
 // Every answer but those that take anything refuses what it needs, with one line that says which commands do not.
 TEST(System, WhatAnAnswerLacksIsSaid) {
   using model::Answer;
+  using model::Need;
   const System plain(rotor(2), 2.0), strobed(rotor(2, false), 2.0), driven(rotor(2), motor(0.0)),
-      off_centre(rotor(2, true, false), 2.0);
-  model::Parameters sticky = rotor(2);
+      off_centre(rotor(2, true, false), 2.0), still(rotor(2, false), 0.0), hanging(rotor(2, false), motor(0.0));
+  model::Parameters sticky = rotor(2), crowd = rotor(3, false);
   sticky.rolling[0] = 0.01;
+  crowd.contact_angle = 0.1;
+  model::DrivePiece idle = motor(0.0);
+  idle.motor.slope = idle.motor.constant = 0.0;
+  const System coasting(rotor(2), idle), touching(crowd, 2.0);
   for (const model::Capability& c : model::capabilities) {
-    EXPECT_FALSE(model::lacking(plain, c.answer)) << c.name;
+    const auto lacks = [&](const System& system) { return model::lacking(system, c.answer).has_value(); };
+    EXPECT_FALSE(lacks(plain)) << c.name;
     EXPECT_EQ(&model::capability(c.answer), &c) << c.name;
-    EXPECT_EQ(model::lacking(strobed, c.answer).has_value(), c.autonomous) << c.name;
-    EXPECT_EQ(model::lacking(driven, c.answer).has_value(), c.prescribed) << c.name;
-    EXPECT_EQ(model::lacking(off_centre, c.answer).has_value(), c.centred) << c.name;
-    EXPECT_EQ(model::lacking(System(sticky, 2.0), c.answer).has_value(), c.smooth) << c.name;
+    EXPECT_EQ(lacks(strobed), c.needs.has(Need::equal_supports)) << c.name;
+    EXPECT_EQ(lacks(driven), c.needs.has(Need::prescribed_speed)) << c.name;
+    EXPECT_EQ(lacks(off_centre), c.needs.has(Need::centred_race)) << c.name;
+    EXPECT_EQ(lacks(System(sticky, 2.0)), c.needs.has(Need::sliding_balls)) << c.name;
+    EXPECT_EQ(lacks(still), c.needs.has(Need::equal_supports) || c.needs.has(Need::turning)) << c.name;
+    EXPECT_EQ(lacks(coasting), c.needs.has(Need::prescribed_speed) || c.needs.has(Need::lasting_drive)) << c.name;
+    EXPECT_EQ(lacks(hanging), c.needs.has(Need::prescribed_speed) || c.needs.has(Need::equal_supports)) << c.name;
+    for (const bool even : {true, false}) {
+      const auto lack = model::lacking(touching, c.answer, [even](const System&) { return even; });
+      EXPECT_EQ(lack.has_value(), c.needs.has(Need::passing_balls) || (!even && c.needs.has(Need::even_balance)))
+          << c.name;
+    }
   }
   EXPECT_EQ(model::lacking(strobed, Answer::proofs)->reason,
             "proofs need equal values in x and y (simulate, basin, attractors and map take any)");
   EXPECT_FALSE(model::lacking(driven, Answer::proofs));
   EXPECT_EQ(model::lacking(driven, Answer::displacements)->reason,
             "observed displacements need a prescribed speed (simulate, basin, attractors and map take any)");
+  EXPECT_EQ(model::lacking(coasting, Answer::maps)->reason,
+            "maps need a rotor that something turns for good (simulate and basin take any)");
+  EXPECT_EQ(model::lacking(still, Answer::shares)->reason,
+            "shares need a rotor that turns in the end (other than 0) where supports are unequal or gravity acts "
+            "(simulate takes any)");
+}
+
+// The guide's table is this one.
+TEST(System, TheGuideSaysWhatAnswersNeed) {
+  std::ifstream file(EQUIPOISE_GUIDE);
+  const std::string guide((std::istreambuf_iterator<char>(file)), std::istreambuf_iterator<char>());
+  ASSERT_FALSE(guide.empty());
+  std::string table;
+  for (const model::Capability& c : model::capabilities) {
+    std::string needs;
+    for (const model::Need need : model::all_needs)
+      if (c.needs.has(need)) needs += (needs.empty() ? "" : "; ") + std::string(model::words(need));
+    table += fmt::format("| {} | {} | {} |\n", c.name, *c.command ? fmt::format("`{}`", c.command) : "",
+                         needs.empty() ? "nothing" : needs);
+  }
+  EXPECT_NE(guide.find(table), std::string::npos) << "docs/guide/command-line.md must hold\n" << table;
 }
 
 }  // namespace

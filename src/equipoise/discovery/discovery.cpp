@@ -19,6 +19,7 @@
 #include "equipoise/discovery/horizon.hpp"
 #include "equipoise/discovery/own_windows.hpp"
 #include "equipoise/discovery/pilot_run.hpp"
+#include "equipoise/model/capability.hpp"
 #include "equipoise/model/strobe.hpp"
 #include "equipoise/motions/motion_description.hpp"
 #include "equipoise/motions/stuck.hpp"
@@ -318,7 +319,8 @@ class Discoverer {
 
   void add_traps(const Motion& motion, int id) {
     if (motion.eventful) return;  // windows tell it
-    if (system_.smooth() && motion.kind == MotionKind::quasi_periodic) add_torus(motion, id);
+    if (motion.kind == MotionKind::quasi_periodic && !model::lacking(system_, model::Answer::torus_traps))
+      add_torus(motion, id);
     std::vector<CycleTrap> traps = cycle_traps(system_, motion, id);
     if (traps.empty() || !validate(traps, trials_, motion.orbit.slowest_rate(), settings_.hints.level(id, false)))
       return;

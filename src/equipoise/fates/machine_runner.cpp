@@ -11,6 +11,7 @@
 #include "equipoise/discovery/cost.hpp"
 #include "equipoise/discovery/horizon.hpp"
 #include "equipoise/fates/machine_scale.hpp"
+#include "equipoise/fates/start_runner.hpp"
 #include "equipoise/fates/transient_tally.hpp"
 #include "equipoise/integrate/machine_trajectory-inl.hpp"
 #include "equipoise/model/balanced_state.hpp"
@@ -118,10 +119,7 @@ class MachineTransients {
 
 void check_machine(const Study& study) {
   check(study);
-  if (study.numerics.decide == DecideMode::proof)
-    throw InputError(study.name, "numerics.decide", "proof",
-                     "with contact, rolling resistance or a motor without torque no balance is proved; must be "
-                     "\"validated\" or \"horizon\"");
+  check_proof(study);
 }
 
 MachineRunner::MachineRunner(const Study& study, const StopFlag* stop)

@@ -12,10 +12,12 @@
 
 namespace equipoise {
 
+bool balance_is_even(const model::System& system) {
+  return BalancedContinuum::is_of(system) && catches_all(BalancedContinuum(system).survey());
+}
+
 bool followed_one_by_one(const model::System& system) {
-  if (system.coasts()) return true;
-  if (!system.events().contact || system.autonomous() || system.balls() <= 2) return false;
-  return !BalancedContinuum::is_of(system) || !catches_all(BalancedContinuum(system).survey());
+  return model::lacking(system, model::Answer::listed_decision, balance_is_even).has_value();
 }
 
 bool Runner::run_from(std::span<const InitialState>, std::vector<Fate>&, std::vector<UnlistedStart>&,

@@ -11,6 +11,7 @@
 #include "equipoise/deciding/fate.hpp"
 #include "equipoise/discovery/discovery.hpp"
 #include "equipoise/discovery/undecided.hpp"
+#include "equipoise/model/capability.hpp"
 #include "equipoise/motions/catalogue.hpp"
 #include "equipoise/motions/motion.hpp"
 #include "equipoise/study/study.hpp"
@@ -69,10 +70,12 @@ class Runner {
 /// Returns its identifier, or 0. Not thread-safe, as list().
 int settle(Runner& runner, const UnlistedStart& start, Fate& fate);
 
-/// Whether starts are followed one by one and told by kinds: rotors that no torque drives in the end may keep any
-/// speed, and lose it for as long as they shake, so that there is no list of what they come to; and of three balls or
-/// more in contact, under gravity or on unequal supports, unless catches_all() their continuum of balanced states: what
-/// else is left of it then is too dear to search.
+/// Whether the continuum of balanced states attracts as a whole (catches_all()).
+bool balance_is_even(const model::System& system);
+
+/// Whether starts are followed one by one and told by kinds, for want of what a list of attractors needs
+/// (model/capability.hpp): rotors that no torque drives in the end may keep any speed, and lose it for as long as they
+/// shake; and where balls in contact have an uneven balance, what else is left of it is too dear to search.
 bool followed_one_by_one(const model::System& system);
 
 /// Throws InputError for invalid studies and those whose starts cannot be decided; if `transients` are gathered, also

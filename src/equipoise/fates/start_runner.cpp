@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 #include <optional>
+#include <string>
+#include <utility>
 
 #include <fmt/format.h>
 
@@ -38,6 +40,47 @@ const char* release_key(const Study& study) {
                                        : "speed.duration";
 }
 
+// A key of the study in which a need is not met, and its value.
+std::pair<const char*, std::string> blamed(const Study& study, model::Need need) {
+  using model::Need;
+  const model::Parameters& p = study.parameters;
+  const auto number = [](double v) { return fmt::format("{}", v); };
+  const auto pair = [](const std::array<double, 2>& v) { return fmt::format("[{}, {}]", v[0], v[1]); };
+  const auto supports = [&]() -> std::pair<const char*, std::string> {
+    if (p.stiffness[0] != p.stiffness[1]) return {"rotor.stiffness", pair(p.stiffness)};
+    return {"rotor.damping", pair(p.damping)};
+  };
+  switch (need) {
+    case Need::prescribed_speed:
+      return {"speed.profile", "torque"};
+    case Need::passing_balls:
+      return {"balancer.contact_angle", number(p.contact_angle)};
+    case Need::sliding_balls:
+      if (p.rolling[0] > 0.0) return {"balancer.rolling", number(p.rolling[0])};
+      return {"balancer.stiction", number(p.stiction[0])};
+    case Need::centred_race:
+      return {"balancer.race_offset", pair(p.race_offset)};
+    case Need::equal_supports:
+      return supports();
+    case Need::no_gravity:
+      return {"rotor.gravity", number(p.gravity)};
+    case Need::turning:
+      return {final_speed_key(study), "0"};
+    case Need::lasting_drive:
+      return {"speed.torque", "0 in the end"};
+    default:
+      if (p.gravity != 0.0) return {"rotor.gravity", number(p.gravity)};
+      return supports();
+  }
+}
+
+void reject_if_lacking(const Study& study, model::Answer answer) {
+  const auto lack = model::lacking(study.system(), answer, balance_is_even);
+  if (!lack) return;
+  const auto [key, value] = blamed(study, lack->need);
+  throw InputError(study.name, key, value, lack->reason);
+}
+
 }  // namespace
 
 void check_watchable(const Study& study) {
@@ -58,60 +101,19 @@ void check_decidable(const Study& study) {
     throw InputError(
         study.name, final_speed_key(study), fmt::format("{:.6g}", speed),
         fmt::format("basin and attractors take final speeds from -{0:g} to {0:g} critical speeds", fastest_speed));
-  const bool proof = study.numerics.decide == DecideMode::proof;
-  if (proof && !study.system().smooth())
-    throw InputError(study.name, "numerics.decide", "proof",
-                     "with contact or dry friction there are no proofs: use \"validated\" or \"horizon\"");
-  if (!model::is_strobed(study.parameters)) return;
-  if (speed == 0.0 && !study.speed.driven())
-    throw InputError(study.name, final_speed_key(study), "0",
-                     "basins and attractors need a rotor that turns in the end (other than 0) where supports are "
-                     "anisotropic or gravity acts");
-  if (proof)
-    throw InputError(study.name, "numerics.decide", "proof",
-                     "with anisotropic supports or gravity there are no proofs: use \"validated\" or \"horizon\"");
+  check_proof(study);
+  reject_if_lacking(study, model::Answer::shares);
+}
+
+void check_proof(const Study& study) {
+  if (study.numerics.decide != DecideMode::proof) return;
+  if (const auto lack = model::lacking(study.system(), model::Answer::proofs))
+    throw InputError(study.name, "numerics.decide", "proof", lack->reason + "; must be \"validated\" or \"horizon\"");
 }
 
 void check_offers(const Study& study, model::Answer answer) {
-  using model::Need;
   check(study);
-  const model::Parameters& p = study.parameters;
-  const auto lack = model::lacking(study.system(), answer);
-  const bool lists =
-      answer == model::Answer::attractors || answer == model::Answer::branches || answer == model::Answer::maps;
-  if (!lack && lists && study.system().coasts())
-    throw InputError(study.name, "speed.torque", "0 in the end",
-                     fmt::format("{} need a rotor that something turns for good", model::capability(answer).name));
-  const auto reject = [&](const char* key, const std::string& value) {
-    throw InputError(study.name, key, value, lack->reason);
-  };
-  const auto pair = [](const std::array<double, 2>& v) { return fmt::format("[{}, {}]", v[0], v[1]); };
-  const bool stiffness = p.stiffness[0] != p.stiffness[1];
-  if (!lack && lists && followed_one_by_one(study.system())) {
-    const std::string reason = fmt::format(
-        "{} of three balls or more in contact need equal supports and no gravity, or "
-        "balance that attracts alike wherever its balls stand",
-        model::capability(answer).name);
-    if (p.gravity != 0.0) throw InputError(study.name, "rotor.gravity", fmt::format("{}", p.gravity), reason);
-    const auto& values = stiffness ? p.stiffness : p.damping;
-    throw InputError(study.name, stiffness ? "rotor.stiffness" : "rotor.damping", pair(values), reason);
-  }
-  if (!lack) return;
-  switch (lack->need) {
-    case Need::prescribed_speed:
-      return reject("speed.profile", "torque");
-    case Need::passing_balls:
-      return reject("balancer.contact_angle", fmt::format("{}", p.contact_angle));
-    case Need::sliding_balls:
-      return p.rolling[0] > 0.0 ? reject("balancer.rolling", fmt::format("{}", p.rolling[0]))
-                                : reject("balancer.stiction", fmt::format("{}", p.stiction[0]));
-    case Need::centred_race:
-      return reject("balancer.race_offset", pair(p.race_offset));
-    case Need::equal_supports:
-      return reject(stiffness ? "rotor.stiffness" : "rotor.damping", pair(stiffness ? p.stiffness : p.damping));
-    case Need::no_gravity:
-      return reject("rotor.gravity", fmt::format("{}", p.gravity));
-  }
+  reject_if_lacking(study, answer);
 }
 
 StartRunner::StartRunner(const Study& study, const DiscoverySettings& settings, bool transients)

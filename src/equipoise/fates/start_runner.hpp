@@ -18,9 +18,10 @@
 
 namespace equipoise {
 
-/// Throws InputError for invalid studies and those whose starts cannot be decided: anisotropic supports or gravity on a
-/// rotor that is to come to rest, or with decisions by proof.
+/// Throws InputError for invalid studies and those whose starts cannot be decided.
 void check_decidable(const Study& study);
+/// Throws InputError for a study that asks for decisions by proof where there are none.
+void check_proof(const Study& study);
 
 /// Throws InputError for a spin-up with the balls held that is too long to look for peaks in.
 void check_watchable(const Study& study);

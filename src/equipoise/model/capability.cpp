@@ -7,10 +7,7 @@ namespace equipoise::model {
 
 namespace {
 
-constexpr std::array all_needs{Need::prescribed_speed, Need::passing_balls,  Need::sliding_balls,
-                               Need::centred_race,     Need::equal_supports, Need::no_gravity};
-
-bool offers(const System& system, Need need) {
+bool offers(const System& system, Need need, const EvenBalance& even_balance) {
   const Parameters& p = system.parameters();
   switch (need) {
     case Need::prescribed_speed:
@@ -23,10 +20,19 @@ bool offers(const System& system, Need need) {
       return p.race_is_centred();
     case Need::equal_supports:
       return p.isotropic();
-    default:
+    case Need::no_gravity:
       return p.gravity == 0.0;
+    case Need::turning:
+      return system.section() != Section::strobe || system.speed() != 0.0;
+    case Need::lasting_drive:
+      return !system.coasts();
+    default:
+      return !system.events().contact || system.autonomous() || system.balls() <= 2 || !even_balance ||
+             even_balance(system);
   }
 }
+
+}  // namespace
 
 const char* words(Need need) {
   switch (need) {
@@ -40,18 +46,27 @@ const char* words(Need need) {
       return "a centred race, [0, 0]";
     case Need::equal_supports:
       return "equal values in x and y";
-    default:
+    case Need::no_gravity:
       return "gravity 0";
+    case Need::turning:
+      return "a rotor that turns in the end (other than 0) where supports are unequal or gravity acts";
+    case Need::lasting_drive:
+      return "a rotor that something turns for good";
+    default:
+      return "of three balls or more in contact equal supports and no gravity, or balance that attracts alike wherever "
+             "its balls stand";
   }
 }
+
+namespace {
 
 // "simulate, basin and attractors": the commands that do without.
 std::string commands_without(Need need) {
   std::string text;
   std::size_t left = 0;
-  for (const Capability& c : capabilities) left += *c.command != '\0' && !c.needs(need);
+  for (const Capability& c : capabilities) left += *c.command != '\0' && !c.needs.has(need);
   for (const Capability& c : capabilities) {
-    if (*c.command == '\0' || c.needs(need)) continue;
+    if (*c.command == '\0' || c.needs.has(need)) continue;
     text += c.command;
     if (--left > 0) text += left > 1 ? ", " : " and ";
   }
@@ -60,11 +75,13 @@ std::string commands_without(Need need) {
 
 }  // namespace
 
-std::optional<Lack> lacking(const System& system, Answer answer) {
+std::optional<Lack> lacking(const System& system, Answer answer, const EvenBalance& even_balance) {
   const Capability& asked = capability(answer);
   for (const Need need : all_needs) {
-    if (!asked.needs(need) || offers(system, need)) continue;
-    return Lack{need, std::string(asked.name) + " need " + words(need) + " (" + commands_without(need) + " take any)"};
+    if (!asked.needs.has(need) || offers(system, need, even_balance)) continue;
+    const std::string others = commands_without(need);
+    return Lack{need, std::string(asked.name) + " need " + words(need) + " (" + others +
+                          (others.find(" and ") == std::string::npos ? " takes any)" : " take any)")};
   }
   return std::nullopt;
 }

@@ -2,6 +2,8 @@
 #pragma once
 
 #include <array>
+#include <functional>
+#include <initializer_list>
 #include <optional>
 #include <string>
 
@@ -9,44 +11,80 @@
 
 namespace equipoise::model {
 
-/// What may be asked about a system.
-enum class Answer { trajectory, shares, attractors, proofs, displacements, branches, maps };
+/// What may be asked about a system; `listed_decision`: of a start, by an attractor of a list.
+enum class Answer {
+  trajectory,
+  shares,
+  attractors,
+  proofs,
+  displacements,
+  branches,
+  maps,
+  listed_decision,
+  torus_traps
+};
 
-/// What an answer may need. Smooth: both of the balls'; autonomous: both of the supports'.
-enum class Need { prescribed_speed, passing_balls, sliding_balls, centred_race, equal_supports, no_gravity };
+/// What an answer may need.
+enum class Need {
+  prescribed_speed,
+  passing_balls,
+  sliding_balls,
+  centred_race,
+  equal_supports,
+  no_gravity,
+  turning,        ///< a speed other than 0 in the end, where the rotor's angle matters
+  lasting_drive,  ///< a speed, or a torque that does not vanish for good
+  even_balance,  ///< of three balls or more in contact, where the rotor's angle matters: balance attracts wherever they
+                 ///< stand
+};
+inline constexpr std::array all_needs{Need::prescribed_speed, Need::passing_balls,  Need::sliding_balls,
+                                      Need::centred_race,     Need::equal_supports, Need::no_gravity,
+                                      Need::turning,          Need::lasting_drive,  Need::even_balance};
+
+class Needs {
+ public:
+  constexpr Needs(std::initializer_list<Need> needs) {
+    for (const Need need : needs) bits_ |= 1u << static_cast<unsigned>(need);
+  }
+  constexpr bool has(Need need) const { return (bits_ >> static_cast<unsigned>(need) & 1u) != 0; }
+
+ private:
+  unsigned bits_ = 0;
+};
 
 struct Capability {
   Answer answer;
   const char* name;     ///< of the answer, as errors call it
   const char* command;  ///< that gives it to any system which has what it needs; empty if it is no command of its own
-  bool smooth, prescribed, centred, autonomous;
-
-  constexpr bool needs(Need need) const {
-    switch (need) {
-      case Need::prescribed_speed:
-        return prescribed;
-      case Need::passing_balls:
-      case Need::sliding_balls:
-        return smooth;
-      case Need::centred_race:
-        return centred;
-      default:
-        return autonomous;
-    }
-  }
+  Needs needs;
 };
 
-/// One line an answer, in the order of Answer.
-inline constexpr std::array<Capability, 7> capabilities{{
-    {Answer::trajectory, "trajectories", "simulate", false, false, false, false},
-    {Answer::shares, "shares", "basin", false, false, false, false},
-    {Answer::attractors, "attractors", "attractors", false, false, false, false},
-    {Answer::proofs, "proofs", "", true, false, false, true},
-    {Answer::displacements, "observed displacements", "", true, true, true, true},
-    {Answer::branches, "branches along a parameter", "", false, false, false, false},
-    {Answer::maps, "maps", "map", false, false, false, false},
+/// One line an answer, in the order of Answer. docs/guide/command-line.md shows it.
+inline constexpr std::array<Capability, 9> capabilities{{
+    {Answer::trajectory, "trajectories", "simulate", {}},
+    {Answer::shares, "shares", "basin", {Need::turning}},
+    {Answer::attractors, "attractors", "attractors", {Need::turning, Need::lasting_drive, Need::even_balance}},
+    {Answer::proofs,
+     "proofs",
+     "",
+     {Need::passing_balls, Need::sliding_balls, Need::equal_supports, Need::no_gravity, Need::lasting_drive}},
+    {Answer::displacements,
+     "observed displacements",
+     "",
+     {Need::prescribed_speed, Need::passing_balls, Need::sliding_balls, Need::centred_race, Need::equal_supports,
+      Need::no_gravity}},
+    {Answer::branches, "branches along a parameter", "", {Need::turning, Need::lasting_drive, Need::even_balance}},
+    {Answer::maps, "maps", "map", {Need::turning, Need::lasting_drive, Need::even_balance}},
+    {Answer::listed_decision, "starts decided by a list of attractors", "", {Need::lasting_drive, Need::even_balance}},
+    {Answer::torus_traps,
+     "traps of tori",
+     "",
+     {Need::passing_balls, Need::sliding_balls, Need::equal_supports, Need::no_gravity}},
 }};
 constexpr const Capability& capability(Answer answer) { return capabilities[static_cast<std::size_t>(answer)]; }
+
+/// "a prescribed speed": what a need asks for.
+const char* words(Need need);
 
 /// What a system lacks for an answer, and one line that says so.
 struct Lack {
@@ -54,7 +92,11 @@ struct Lack {
   std::string reason;
 };
 
-/// The first need, in the order of Need, that the system does not meet; empty if it has all.
-std::optional<Lack> lacking(const System& system, Answer answer);
+/// Whether balance of a system attracts alike wherever its balls stand: asked only of systems where that is a need.
+using EvenBalance = std::function<bool(const System&)>;
+
+/// The first need, in the order of Need, that the system does not meet; empty if it has all. `even_balance`: if not
+/// given, that is taken to be met.
+std::optional<Lack> lacking(const System& system, Answer answer, const EvenBalance& even_balance = {});
 
 }  // namespace equipoise::model

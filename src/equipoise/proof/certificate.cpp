@@ -10,6 +10,7 @@
 
 #include "equipoise/math/dense.hpp"
 #include "equipoise/model/balanced_state.hpp"
+#include "equipoise/model/capability.hpp"
 #include "equipoise/model/linearisation.hpp"
 #include "equipoise/proof/level_proof.hpp"
 
@@ -117,11 +118,8 @@ std::string refusal(const model::System& system) {
   const model::Parameters& p = system.parameters();
   if (p.balls < 1 || p.balls > 2)
     return "three balls or more have a continuum of balanced states; proofs are for isolated ones";
-  if (!p.isotropic()) return "proofs need supports that are equal in x and y";
-  if (p.gravity != 0.0) return "proofs need gravity 0";
-  if (!system.smooth()) return "proofs need balls that pass each other and do not stick";
   if (!std::isfinite(system.speed())) return "the speed must be a finite number";
-  if (system.coasts()) return "proofs need a rotor that something turns for good";
+  if (const auto lack = model::lacking(system, model::Answer::proofs)) return lack->reason;
   const model::BalancedStates states = model::balanced_states(system);
   if (states.kind == model::BalancedStates::Kind::none) return "no balanced state exists: " + states.reason;
   if (states.kind == model::BalancedStates::Kind::family)
