@@ -47,6 +47,12 @@ class Design(unittest.TestCase):
             file.write(base.read() + DESIGN.format(objective=objective) + more)
         return self.path("study.toml")
 
+    def test_what_stays_the_same_whatever_moves_is_drawn(self):
+        picture = self.path("picture.svg")
+        told = answer("design", self.study('["-release.time"]'), "--plot", picture)
+        self.assertGreater(os.path.getsize(picture), 5000)
+        self.assertIsNone(told["before"]["objectives"]["-release.time"]["value"])  # the study states none
+
     def test_best_study_answers_as_told_in_every_form(self):
         best, page, picture, table, file = map(
             self.path, ("best.toml", "page.html", "picture.svg", "table.csv", "front.nc"))

@@ -88,6 +88,12 @@ std::string plot_items(const ChartSeries& s, const std::string& block, bool curv
   return items;
 }
 
+// Of six digits, as ranges are written, two ends have to differ.
+double room_between(double low, double high) {
+  const double size = std::max(std::fabs(low), std::fabs(high));
+  return high - low > 1e-4 * size ? high - low : std::max(0.1 * size, 1e-6);
+}
+
 // Ranges a little wider than the data; gnuplot's own would put points on the frame.
 std::string ranges(const Chart& chart) {
   double left = 1e300, right = -1e300, low = 1e300, high = -1e300;
@@ -100,7 +106,8 @@ std::string ranges(const Chart& chart) {
     }
   if (left > right) return "set xrange [0:1]\nset yrange [0:1]\n";
   if (chart.from_zero) low = 0.0;
-  const double pad = 0.05 * std::max(high - low, 1e-6), margin = chart.curves ? 0.0 : 0.02 * (right - left);
+  const double pad = 0.05 * room_between(low, high);
+  const double margin = chart.curves && right > left ? 0.0 : 0.02 * room_between(left, right);
   const double room = chart.curves && chart.series.size() > 1 ? 5.0 * pad : pad;  // for the legend inside
   if (chart.log_x)
     return fmt::format("set xrange [{:.6g}:{:.6g}]\nset yrange [{:.6g}:{:.6g}]\n", left / 2.0, 2.0 * right, low - pad,

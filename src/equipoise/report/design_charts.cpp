@@ -109,15 +109,19 @@ std::vector<Chart> margin_charts(const DesignResult& r, std::size_t most) {
   std::vector<Chart> charts;
   const DesignCandidate* best = chosen_of(r);
   if (!best) return charts;
-  const std::size_t first = r.objectives.front();
+  // A number that is itself the objective tells nothing of others: what they have to keep does.
+  const auto is_variable = [&](const DesignFigure& f) {
+    return std::any_of(r.variables.begin(), r.variables.end(),
+                       [&](const DesignVariable& v) { return f.name == v.key || f.name == "-" + v.key; });
+  };
+  std::size_t k = r.objectives.front();
+  for (std::size_t other = 0; other < r.figures.size() && is_variable(r.figures[k]); ++other)
+    if (!is_variable(r.figures[other])) k = other;
   for (const DesignMargin& m : r.margins) {
     if (charts.size() == most) break;
     const bool words = std::any_of(m.points.begin(), m.points.end(),
                                    [](const DesignPoint& p) { return p.given.front() == '"' && p.value == 0.0; });
     if (m.points.empty() || words) continue;
-    // What the first objective says of a number that is itself the objective needs no chart.
-    const bool of_itself = r.figures[first].name.ends_with(m.key);
-    const std::size_t k = of_itself && r.figures.size() > 1 ? (first == 0 ? 1 : 0) : first;
     ChartSeries series{r.figures[k].name, dark_colour, ChartSeries::Style::line, {}, {}, {}, {}};
     bool here = false;
     for (const DesignPoint& p : m.points) {
