@@ -52,7 +52,7 @@ void expect_same(const std::vector<Fate>& a, const std::vector<Fate>& b) {
 class SameBits : public testing::TestWithParam<const char*> {};
 
 TEST_P(SameBits, HoweverTheStartsAreCut) {
-  const StartRunner runner(paper_row(GetParam(), 600), {2, nullptr, {}});
+  const StartRunner runner(paper_row(GetParam(), 600), {.threads = 2});
   std::vector<double> phi;
   std::vector<Fate> whole, joined;
   std::vector<UnlistedStart> unlisted;
@@ -89,6 +89,28 @@ TEST_P(SameBits, ForOneThreadAndTwoAndForAStartAlone) {
 // A smooth row, a row with a fractal boundary, a ramp released on the way (two branches with free balls).
 INSTANTIATE_TEST_SUITE_P(Rows, SameBits,
                          testing::Values("table-2-omega-2.4", "table-1-beta-0.01-omega-4.0", "table-5-t0-300"));
+
+// A start alone is decided with all that its ensemble was: traps that a neighbour's search found are others, and their
+// starts enter them at other times.
+TEST(Basin, AReplayedStartKnowsTheTrapsThatItsEnsembleKnew) {
+  const auto at_speed = [](double speed) {
+    Study study = paper_row("table-2-omega-2.4", 300);
+    study.speed.speed = speed;
+    return study;
+  };
+  Catalogue catalogue;
+  TrapHints hints;
+  basin(at_speed(2.6), {}, &catalogue, &hints);
+  BasinOptions hinted, plain;
+  hinted.hints = &hints;
+  DiscoveryCache searched;  // one search for all that follow
+  hinted.discoveries = &searched;
+  hinted.keep_starts = plain.keep_starts = true;
+  const Study study = at_speed(2.4);
+  const std::vector<double> times = basin(study, hinted).every_start->decision_time;
+  EXPECT_NE(times, basin(study, plain).every_start->decision_time) << "hints decide nothing here";
+  for (std::uint64_t i = 0; i < times.size(); i += 30) EXPECT_EQ(replay_start(study, i, hinted).fate.time, times[i]);
+}
 
 // Three grounds of decision, one answer: row 2.4 has a smooth boundary, on which no start changes sides.
 TEST(Basin, EveryGroundOfDecisionGivesTheSameFates) {

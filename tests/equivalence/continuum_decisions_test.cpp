@@ -28,7 +28,7 @@ Study rotor(int balls) {
 }
 
 std::vector<Fate> fates_of(const Study& study, std::size_t count) {
-  StartRunner runner(study, {2, nullptr, {}});
+  StartRunner runner(study, {.threads = 2});
   std::vector<double> phi;
   std::vector<Fate> fates;
   std::vector<UnlistedStart> unlisted;
@@ -70,7 +70,7 @@ TEST(ContinuumDecisions, AreQuickAndHold) {
 // The state that stands for the continuum is one that attracts wherever any does.
 TEST(ContinuumDecisions, TheCatalogueListsAnAttractingMember) {
   for (const int balls : {4, sized(6, 4)}) {
-    const Discovery discovery = discover(rotor(balls), {2, nullptr, {}});
+    const Discovery discovery = discover(rotor(balls), {.threads = 2});
     const Attractor* a = discovery.catalogue.find(balanced_id);
     ASSERT_TRUE(a) << balls;
     EXPECT_TRUE(a->motion.stable) << balls;
@@ -87,7 +87,7 @@ TEST(ContinuumDecisions, BalanceIsNotToldByWindows) {
     Study study = rotor(2);
     study.parameters.gravity = gravity;
     study.parameters.stiffness = {1.0, 1.3};
-    const Discovery discovery = discover(study, {2, nullptr, {}});
+    const Discovery discovery = discover(study, {.threads = 2});
     for (const FeatureBox& box : discovery.rule.boxes) EXPECT_NE(box.attractor, balanced_id);
     for (const KnownFeatures& known : discovery.rule.known) EXPECT_NE(known.attractor, balanced_id);
     int balanced = 0;
@@ -131,7 +131,7 @@ TEST(ContinuumDecisions, WhatIsCaughtComesToRest) {
   study.parameters.drag.fill(0.088);
   study.speed.speed = 2.23;
   constexpr std::size_t count = sized(12, 4);
-  const StartRunner runner(study, {2, nullptr, {}});
+  const StartRunner runner(study, {.threads = 2});
   const StartSource source(study, nullptr);
   std::vector<double> phi, begin;
   std::vector<Fate> fates(count);

@@ -47,7 +47,7 @@ struct Verdicts {
 // Fates decided early against where the very same trajectories are at `end`: by the kernel that decides, which then
 // decides nothing before.
 Verdicts compare(const Study& study, std::size_t count, double end) {
-  const StartRunner runner(study, {2, nullptr, {}});
+  const StartRunner runner(study, {.threads = 2});
   std::vector<double> phi, states;
   std::vector<Fate> early, late(count);
   std::vector<UnlistedStart> unlisted;
@@ -158,7 +158,7 @@ TEST(DecisionsFor, OverdampedBallsTakeAsLongEitherWayRound) {
     study.parameters.eccentricity = 0.0083;
     study.parameters.damping = {0.883, 0.883};
     study.parameters.mass = {0.00434, 0.00434};
-    const StartRunner runner(study, {2, nullptr, {}});
+    const StartRunner runner(study, {.threads = 2});
     std::vector<double> phi;
     std::vector<Fate> fates;
     std::vector<UnlistedStart> unlisted;

@@ -56,7 +56,7 @@ TEST(FullState, ABoxWithoutExtentIsNoBox) {
 
 TEST(FullState, StartsComeToWhatTheirTrajectoriesComeToAlone) {
   const Study study = boxed(1);
-  const StartRunner runner(study, {2, nullptr, {}});
+  const StartRunner runner(study, {.threads = 2});
   constexpr std::size_t count = 40;
   std::vector<double> phi;
   std::vector<Fate> fates;

@@ -98,7 +98,7 @@ void expect_own_features(const StartRunner& runner) {
 
 TEST(Lingering, WhatWandersNearAnOrbitIsNotToldByIt) {
   const Study study = parse_study(wandering, "wandering");
-  const StartRunner runner(study, {2, nullptr, {}});
+  const StartRunner runner(study, {.threads = 2});
   expect_own_features(runner);
   // At t = 5788 it seemed to have come to the orbit, and has left by t = 12 000.
   constexpr std::uint64_t start = 1342;
@@ -110,7 +110,7 @@ TEST(Lingering, WhatWandersNearAnOrbitIsNotToldByIt) {
 
 TEST(Lingering, AShortStayNearARareMotionDecidesNothing) {
   const Study study = parse_study(swinging, "swinging");
-  const StartRunner runner(study, {2, nullptr, {}});
+  const StartRunner runner(study, {.threads = 2});
   expect_own_features(runner);
   // By t = 147 it had stayed near the swing for five windows; it co-drifts in the end.
   constexpr std::uint64_t start = 115;

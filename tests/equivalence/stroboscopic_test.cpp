@@ -113,8 +113,8 @@ TEST(Stroboscopic, OrbitsCloseUnderSimulate) {
 
 TEST(Stroboscopic, WeakGravityAndAnisotropyChangeNextToNothing) {
   constexpr std::size_t count = 500;
-  StartRunner plain(paper_rotor(0.0, {1.0, 1.0}), {2, nullptr, {}}),
-      weak(paper_rotor(1e-6, {1.0, 1.0 + 1e-6}), {2, nullptr, {}});
+  StartRunner plain(paper_rotor(0.0, {1.0, 1.0}), {.threads = 2}),
+      weak(paper_rotor(1e-6, {1.0, 1.0 + 1e-6}), {.threads = 2});
   const auto before = fates_of(plain, count), after = fates_of(weak, count);
   std::size_t other = 0, undecided = 0;
   for (std::size_t i = 0; i < count; ++i) {
@@ -142,7 +142,7 @@ TEST(Stroboscopic, ADriftingMotionIsModulatedByGravity) {
 TEST(Stroboscopic, DecisionsHoldMuchLater) {
   for (const Study& study : {paper_rotor(0.01, {1.0, 1.0}), paper_rotor(0.0, {1.0, 1.3})}) {
     constexpr std::size_t count = 128;
-    StartRunner runner(study, {2, nullptr, {}});
+    StartRunner runner(study, {.threads = 2});
     const Attractor* balanced = runner.catalogue().find(balanced_id);
     ASSERT_TRUE(balanced);
     EXPECT_TRUE(balanced->motion.stable);

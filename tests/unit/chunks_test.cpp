@@ -88,7 +88,7 @@ TEST(Chunks, AreSharedWithIdleThreads) {
 // Some are lent and come back decided, some come back as they went, one comes back when all is over.
 TEST(Chunks, AreLentAndTakenBack) {
   CellDesk desk;
-  const CellAtWork cell{3, {{{1.0}}, true}, SamplingMethod::random};
+  const CellAtWork cell{.cell = 3, .start = {.seeds = {{1.0}}, .informed = true, .hints = {}}, .method = SamplingMethod::random};
   std::atomic<bool> over{false};
   std::thread other([&] {
     for (std::size_t k = 0; !over; ++k) {

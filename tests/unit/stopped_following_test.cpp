@@ -55,7 +55,7 @@ TEST_F(StoppedFollowing, ListsNoStart) {
   Study study = study_;
   study.numerics.horizon = 3000.0;
   StopFlag stop{false};
-  const auto runner = make_runner(study, {1, &stop, {}}, false);
+  const auto runner = make_runner(study, {.stop = &stop}, false);
   const std::vector<double> state(motion_->state.begin(), motion_->state.end());
   const auto followed = runner->follow(state);
   ASSERT_TRUE(followed.has_value());

@@ -26,7 +26,7 @@ struct Found {
     study.parameters = system.parameters();
     study.speed.profile = Profile::constant;
     study.speed.speed = 2.4;
-    const Discovery all = discover(study, {2, nullptr, {}});
+    const Discovery all = discover(study, {.threads = 2});
     for (const Attractor& a : all.catalogue.attractors())
       if (a.motion.kind == MotionKind::quasi_periodic) motion = a.motion;
     settings.system = &system;

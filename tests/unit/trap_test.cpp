@@ -37,7 +37,7 @@ Study study_of(const model::Parameters& p, double speed) {
 
 struct Found {
   Found(const model::Parameters& p, double speed)
-      : system(p, speed), all(discover(study_of(p, speed), {2, nullptr, {}})) {
+      : system(p, speed), all(discover(study_of(p, speed), {.threads = 2})) {
     for (const Attractor& a : all.catalogue.attractors())
       for (CycleTrap& trap : cycle_traps(system, a.motion, a.id)) traps.push_back({&a, std::move(trap)});
   }

@@ -353,8 +353,11 @@ class BasinRun {
   void compute(std::uint64_t first, std::uint64_t limit, const ChunkSink& sink) {
     // What starts with rotors of their own came to is not told in a few words, nor are starts of the caller's own.
     const bool helped = options_.help && !file_ && result_.study.uncertain.empty() && !result_.own_starts;
-    const ChunkWork work{[&](Chunk& c) { return decide(c); }, threads_, runner_->one_by_one(), options_.stop,
-                         helped ? options_.help(sampler_->method()) : nullptr};
+    const ChunkWork work{.decide = [&](Chunk& c) { return decide(c); },
+                         .threads = threads_,
+                         .machine = runner_->one_by_one(),
+                         .stop = options_.stop,
+                         .help = helped ? options_.help(sampler_->method()) : nullptr};
     compute_chunks(work, first, limit, finished_, lost_, sink);
   }
 

@@ -18,16 +18,18 @@ bool gathers_transients(const Study& study, const BasinOptions& options) {
   return options.transients.value_or(limits.displacement || limits.force || limits.velocity || limits.settled);
 }
 
+DiscoverySettings search_settings(const BasinOptions& options, DiscoveryCache* discoveries) {
+  return {.threads = options.search_threads > 0 ? options.search_threads : thread_count(options.threads),
+          .stop = options.stop,
+          .seeds = options.seeds,
+          .cache = discoveries,
+          .progress = options.progress,
+          .informed = options.informed,
+          .hints = options.hints ? *options.hints : TrapHints{}};
+}
+
 std::unique_ptr<Runner> ensemble_runner(const Study& study, const BasinOptions& options, DiscoveryCache& discoveries) {
-  const int threads = options.search_threads > 0 ? options.search_threads : thread_count(options.threads);
-  const DiscoverySettings search{threads,
-                                 options.stop,
-                                 options.seeds,
-                                 &discoveries,
-                                 options.progress,
-                                 options.informed,
-                                 options.hints ? *options.hints : TrapHints{}};
-  return make_runner(study, search, gathers_transients(study, options));
+  return make_runner(study, search_settings(options, &discoveries), gathers_transients(study, options));
 }
 
 bool decide_chunk(const Runner& runner, bool gathers, Chunk& chunk) {

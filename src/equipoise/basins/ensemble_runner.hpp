@@ -14,6 +14,9 @@ namespace equipoise {
 /// Everything that basin() settles before it makes its runner.
 Study as_sampled(Study study, SamplingMethod method);
 
+/// What the options of a basin() ask of the search for attractors. `discoveries`: or null.
+DiscoverySettings search_settings(const BasinOptions& options, DiscoveryCache* discoveries);
+
 /// The study has its horizon and its method of sampling. Of the options those of the search and of transients count.
 std::unique_ptr<Runner> ensemble_runner(const Study& study, const BasinOptions& options, DiscoveryCache& discoveries);
 

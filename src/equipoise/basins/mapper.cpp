@@ -40,10 +40,10 @@ Mapper::Mapper(const Study& study, const RunOptions& options) {
     // Whoever wishes to stop this call is gone when states are decided: what is found here the runner finds again.
     DiscoveryCache found;
     const int threads = thread_count(o.threads);
-    const bool stopped = !followed_one_by_one(state->study.system()) &&
-                         discover(state->study, {threads, o.stop, {}, &found, o.progress}).stopped;
+    const DiscoverySettings search{.threads = threads, .stop = o.stop, .cache = &found, .progress = o.progress};
+    const bool stopped = !followed_one_by_one(state->study.system()) && discover(state->study, search).stopped;
     if (stopped || is_set(o.stop)) throw RunError("stopped before the attractors were known");
-    state->runner = make_runner(state->study, {threads, nullptr, {}, &found}, false);
+    state->runner = make_runner(state->study, {.threads = threads, .cache = &found}, false);
     return state;
   });
 }
@@ -68,7 +68,10 @@ std::vector<Fate> Mapper::operator()(const std::vector<InitialState>& starts, co
   return reported(options, [&](const RunOptions& o) {
     const Runner& runner = *state_->runner;
     const auto decide = [&](Chunk& c) { return runner.run_from({&starts[c.first], c.count}, c.fates, c.unlisted); };
-    const ChunkWork work{decide, thread_count(o.threads), runner.one_by_one(), o.stop};
+    const ChunkWork work{.decide = decide,
+                         .threads = thread_count(o.threads),
+                         .machine = runner.one_by_one(),
+                         .stop = o.stop};
     const std::atomic<bool> finished{false};
     std::atomic<bool> lost{false};
     std::vector<Fate> fates;

@@ -4,9 +4,9 @@
 
 #include <fmt/format.h>
 
-#include "equipoise/base/parallel.hpp"
 #include "equipoise/base/reporting.hpp"
 #include "equipoise/basins/basin.hpp"
+#include "equipoise/basins/ensemble_runner.hpp"
 #include "equipoise/fates/runner.hpp"
 #include "equipoise/kernels/cpu_target.hpp"
 #include "equipoise/spin_up/given_starts.hpp"
@@ -33,9 +33,7 @@ StartReplay replayed(const Study& study, std::uint64_t index, const BasinOptions
   if (own) check_own(study, index, options.initial);
   replay.start = own ? options.initial[index] : start_of(study, index);
   replay.drawn = drawn_values(study, sampler_of(study), study.sampling.seed, index);
-  const DiscoverySettings search{thread_count(options.threads), options.stop,     options.seeds,
-                                 options.discoveries,           options.progress, options.informed};
-  const std::unique_ptr<Runner> runner = make_runner(study, search, gathers);
+  const std::unique_ptr<Runner> runner = make_runner(study, search_settings(options, options.discoveries), gathers);
   std::vector<double> phi;
   std::vector<Fate> fates;
   std::vector<UnlistedStart> unlisted;

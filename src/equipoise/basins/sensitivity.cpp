@@ -26,8 +26,10 @@ class PickFreeze {
   }
 
   SensitivityResult run(const Study& study) {
-    const ChunkWork work{[&](Chunk& chunk) { return decide(chunk); }, thread_count(options_.threads), true,
-                         options_.stop};
+    const ChunkWork work{.decide = [&](Chunk& chunk) { return decide(chunk); },
+                         .threads = thread_count(options_.threads),
+                         .machine = true,
+                         .stop = options_.stop};
     const std::atomic<bool> finished{false};
     std::atomic<bool> lost{false};
     compute_chunks(work, 0, options_.rows, finished, lost, [&](const std::shared_ptr<Chunk>& chunk) { take(*chunk); });

@@ -101,7 +101,7 @@ class Continuation {
   }
 
   Catalogue catalogue_from_pilot(const Study& study) const {
-    return discover(study, {1, options_.stop, options_.seeds}).catalogue;
+    return discover(study, {.stop = options_.stop, .seeds = options_.seeds}).catalogue;
   }
 
   Catalogue catalogue_from_starts(const Study& study) const {

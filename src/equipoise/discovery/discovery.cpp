@@ -95,7 +95,11 @@ class Discoverer {
         system_(study.system()),
         settings_(settings),
         stages_("looking for attractors", settings.progress),
-        trials_{&system_, source.tolerance(), settings.threads, settings.stop, &stages_},
+        trials_{.system = &system_,
+                .tolerance = source.tolerance(),
+                .threads = settings.threads,
+                .stop = settings.stop,
+                .progress = &stages_},
         pilot_(system_, source, study.initial, settings.informed ? 4 : 1) {}
 
   Discovery run() {

@@ -23,7 +23,7 @@ struct DiscoverySettings {
   int threads = 1;
   const StopFlag* stop = nullptr;
   /// States near motions known from elsewhere (a neighbouring parameter, an earlier run), as the system has them.
-  std::vector<std::vector<double>> seeds;
+  std::vector<std::vector<double>> seeds{};
   DiscoveryCache* cache = nullptr;
   /// Told of the stages, from any thread, never from two at once; Progress::preparing is set.
   std::function<void(const Progress&)> progress{};

@@ -44,7 +44,9 @@ StartPixels::StartPixels(const PlaneMap& map, const RunOptions& options, const s
 
 bool StartPixels::compute(const std::vector<std::uint32_t>& positions, const TakePixels& take) {
   if (unread_ || runner_.stopped()) return false;
-  const ChunkWork work{[&](Chunk& chunk) { return decide(positions, chunk); }, map_.threads, false, options_.stop};
+  const ChunkWork work{.decide = [&](Chunk& chunk) { return decide(positions, chunk); },
+                       .threads = map_.threads,
+                       .stop = options_.stop};
   const std::atomic<bool> finished{false};
   std::atomic<bool> lost{false};
   bool whole = true;  // all chunks so far

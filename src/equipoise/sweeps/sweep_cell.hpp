@@ -15,7 +15,7 @@ class CellDesk;
 /// Who works on a block. No result depends on it.
 struct BlockWorkers {
   int threads = 1;
-  std::function<int()> idle;  ///< threads that have nothing else to do when a cell's search begins; empty: none
+  std::function<int()> idle{};  ///< threads that have nothing else to do when a cell's search begins; empty: none
   CellDesk* desk = nullptr;   ///< where others decide starts of its cells; null: nobody does
   const StopFlag* stop = nullptr;
 };
