@@ -50,7 +50,7 @@ else()
 endif()
 
 # The search for table 7's protocol: minutes to hours, run by hand (docs/table-7.md).
-add_executable(table_7_evidence EXCLUDE_FROM_ALL literature/table_7_evidence.cpp literature/table_7_elsewhere.cpp
+add_executable(table_7_evidence literature/table_7_evidence.cpp literature/table_7_elsewhere.cpp
   literature/table_7_fit.cpp literature/table_7_variants.cpp)
 target_compile_options(table_7_evidence PRIVATE -Wall -Wextra)
 target_link_libraries(table_7_evidence PRIVATE equipoise_paper fmt::fmt)
@@ -75,6 +75,10 @@ if(Python3_FOUND AND EQUIPOISE_BUILD_PROGRAM)
   cli_test(cli.capacity capacity_test.py)
   cli_test(cli.design design_test.py)
   cli_test(cli.reproduce_as_its_users_meet_it reproduce_test.py)
+  add_test(NAME cli.without_mpi
+    COMMAND Python3::Interpreter ${CMAKE_CURRENT_SOURCE_DIR}/cli/without_mpi_test.py
+      $<TARGET_FILE:equipoise_without_mpi> ${PROJECT_SOURCE_DIR}/studies)
+  set_tests_properties(cli.without_mpi PROPERTIES LABELS cli TIMEOUT ${longest_test} ENVIRONMENT ${test_environment})
 
   if(NOT EQUIPOISE_SANITIZE)  # runs are killed at moments measured in seconds
     add_test(NAME faults.nothing_is_lost

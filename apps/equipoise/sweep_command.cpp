@@ -20,6 +20,7 @@
 #include "equipoise/sweeps/merge.hpp"
 #include "equipoise/sweeps/sweep.hpp"
 #include "equipoise/sweeps/sweep_axis.hpp"
+#include "job.hpp"
 #include "options.hpp"
 #include "progress.hpp"
 #include "result_forms.hpp"
@@ -126,6 +127,7 @@ SweepResult compute(Team& team, const SweepPlan& plan, const SweepArguments& a, 
 
 int run_sweep(const SweepArguments& a) {
   choose_cpu(a.cpu);
+  if (!has_mpi() && a.shard.empty() && repeats_work()) return bad_input;
   Team team;
   if (!team.leads()) return follow(team, a);
   SweepOptions options;

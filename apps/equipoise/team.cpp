@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <chrono>
-#include <cstdlib>
 #include <future>
 #include <map>
 #include <mutex>
@@ -19,21 +18,11 @@
 #include "equipoise/kernels/cpu_target.hpp"
 #include "equipoise/sweeps/cell_desk.hpp"
 #include "equipoise/sweeps/sweep_cell.hpp"
+#include "job.hpp"
 #include "team_help.hpp"
 #include "team_messages.hpp"
 
 namespace equipoise::app {
-
-namespace {
-
-// By what the starters of jobs leave in the environment: Open MPI, MPICH and its kin, Slurm's srun with PMIx.
-bool started_by_mpi() {
-  for (const char* name : {"OMPI_COMM_WORLD_SIZE", "PMI_SIZE", "PMIX_RANK"})
-    if (std::getenv(name)) return true;
-  return false;
-}
-
-}  // namespace
 
 #ifdef EQUIPOISE_MPI
 
@@ -233,7 +222,7 @@ class Follower {
         const std::lock_guard guard(delivering_);
         delivered_.push_back(std::move(bytes));
       };
-      return run_block(plan_, block, known, deliver, {threads_, {}, &desk_, stop_});
+      return run_block(plan_, block, known, deliver, {.threads = threads_, .desk = &desk_, .stop = stop_});
     });
   }
 
@@ -281,8 +270,10 @@ std::string mpi_text() {
   return text.substr(0, text.find(','));
 }
 
+bool has_mpi() { return true; }
+
 Team::Team() : mail_(std::make_unique<Mail>()) {
-  if (!started_by_mpi()) return;
+  if (!job_of_environment().variable) return;
   int provided = 0;
   MPI_Init_thread(nullptr, nullptr, MPI_THREAD_SERIALIZED, &provided);
   MPI_Comm_rank(MPI_COMM_WORLD, &rank_);
@@ -336,13 +327,9 @@ void Team::follow(const SweepPlan& plan, int threads, const StopFlag* stop) {
 class Mail {};
 
 std::string mpi_text() { return "not built in"; }
+bool has_mpi() { return false; }
 
-Team::Team() {
-  if (started_by_mpi())
-    throw RunError(
-        "was started as one of several processes (MPI), but is built without MPI: every one of them would do the whole "
-        "work; build it where an MPI library is installed (libopenmpi-dev), or start one process");
-}
+Team::Team() = default;
 Team::~Team() = default;
 bool Team::agree(bool good) { return good; }
 void Team::lead(const SweepPlan&, SweepWork&, int, const StopFlag*) {}

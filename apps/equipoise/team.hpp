@@ -11,13 +11,14 @@ namespace equipoise::app {
 
 /// What --version says of it.
 std::string mpi_text();
+/// Whether this program is built with MPI.
+bool has_mpi();
 
 class Mail;
 
 class Team {
  public:
-  /// Joins the others if mpirun, or what does as it does, started this process. Throws RunError where it did and this
-  /// program was built without MPI.
+  /// Joins the others if mpirun, or what does as it does, started this process and this program is built with MPI.
   Team();
   /// Leaves them: once all have left, or at once if this process was stopped.
   ~Team();

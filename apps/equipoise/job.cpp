@@ -1,0 +1,51 @@
+// What the starter of a job of several processes (mpirun, srun) tells each of them.
+#include "job.hpp"
+
+#include <chrono>
+#include <cstdlib>
+#include <string>
+#include <thread>
+
+#include <fmt/format.h>
+
+#include "equipoise/base/error.hpp"
+
+namespace equipoise::app {
+
+namespace {
+
+int number(const char* variable, int otherwise) {
+  const char* text = std::getenv(variable);
+  return text ? std::atoi(text) : otherwise;
+}
+
+}  // namespace
+
+Job job_of_environment() {
+  if (std::getenv("OMPI_COMM_WORLD_SIZE"))
+    return {number("OMPI_COMM_WORLD_SIZE", 1), number("OMPI_COMM_WORLD_RANK", 0), "OMPI_COMM_WORLD_SIZE"};
+  if (std::getenv("PMI_SIZE")) return {number("PMI_SIZE", 1), number("PMI_RANK", 0), "PMI_SIZE"};
+  // PMIx names no size; Slurm, which starts processes with it, does.
+  if (std::getenv("PMIX_RANK")) {
+    const int rank = number("PMIX_RANK", 0);
+    return {number("SLURM_STEP_NUM_TASKS", number("SLURM_NTASKS", rank + 1)), rank, "PMIX_RANK"};
+  }
+  return {};
+}
+
+bool repeats_work() {
+  const Job job = job_of_environment();
+  if (job.size <= 1) return false;
+  if (job.rank > 0) {
+    std::this_thread::sleep_for(std::chrono::seconds(1));
+    return true;
+  }
+  throw InputError(
+      job.variable, "", "",
+      fmt::format("says that {} processes were started, but this program is built without MPI: each would do the whole "
+                  "work. Install an MPI library (Debian: apt-get install libopenmpi-dev) and build again (./dev run, or "
+                  "cmake), or give each process a part with --shard I/N, or start one process",
+                  job.size));
+}
+
+}  // namespace equipoise::app

@@ -1,0 +1,20 @@
+// What the starter of a job of several processes (mpirun, srun) tells each of them.
+#pragma once
+
+namespace equipoise::app {
+
+struct Job {
+  int size = 1;                    ///< processes; 1: started alone
+  int rank = 0;                    ///< this one, from 0
+  const char* variable = nullptr;  ///< the environment's, that says so; null: started alone
+};
+
+/// By what Open MPI, MPICH and its kin, and Slurm with PMIx leave in the environment.
+Job job_of_environment();
+
+/// Whether this is one of several processes, each of which would do the whole work. For programs built without MPI. The
+/// first process says so for all: it throws InputError. The others are told true, a second later: starters of jobs end
+/// all processes as soon as one has failed, and the first must have spoken by then.
+bool repeats_work();
+
+}  // namespace equipoise::app
