@@ -11,6 +11,7 @@
 #include <fmt/ranges.h>
 
 #include "equipoise/base/error.hpp"
+#include "equipoise/base/parallel.hpp"
 #include "equipoise/basins/basin.hpp"
 #include "machine.hpp"
 #include "table.hpp"
