@@ -20,8 +20,18 @@ if(Python3_FOUND)
     COMMAND Python3::Interpreter ${PROJECT_SOURCE_DIR}/studies/paper/generate.py --check)
   set_tests_properties(layers.include_leftwards_only layers.faults_are_found studies.of_the_paper_are_as_generated
     PROPERTIES LABELS unit TIMEOUT 60)
+  # The same sources: whether all of them are built (of folders that are meant to build all).
+  if(EQUIPOISE_BUILD_PROGRAM AND EQUIPOISE_BUILD_PYTHON AND EQUIPOISE_BUILD_BENCHMARKS AND CMAKE_GENERATOR STREQUAL "Ninja")
+    add_test(NAME build.misses_are_found
+      COMMAND Python3::Interpreter ${CMAKE_CURRENT_SOURCE_DIR}/built_test.py --self-test ${PROJECT_BINARY_DIR})
+    set_tests_properties(build.misses_are_found PROPERTIES LABELS unit TIMEOUT 60)
+    set(whole_build ${PROJECT_BINARY_DIR})
+  endif()
+  add_test(NAME build.leaves_nothing_out
+    COMMAND Python3::Interpreter ${CMAKE_CURRENT_SOURCE_DIR}/built_test.py ${PROJECT_SOURCE_DIR} ${whole_build})
+  set_tests_properties(build.leaves_nothing_out PROPERTIES LABELS unit TIMEOUT 60)
 else()
-  message(STATUS "Python 3 not found: the checks of layers and of generated studies are left out")
+  message(STATUS "Python 3 not found: the checks of layers, of generated studies and of builds are left out")
 endif()
 
 # The fuzz target, with libFuzzer where asked for and with a driver of our own everywhere else. Both run a bounded,

@@ -78,7 +78,12 @@ BasinResult result_of(const std::string& text, std::uint64_t balanced, std::uint
   r.study = parse_study(text, "m.toml");
   r.starts = balanced + undecided;
   r.seconds = 1.0;
-  AttractorShare share{balanced_id, "balanced", "", "equilibrium", open_share(balanced, r.starts, r.starts), 50.0, {}};
+  AttractorShare share;
+  share.id = balanced_id;
+  share.name = "balanced";
+  share.kind = "equilibrium";
+  share.share = open_share(balanced, r.starts, r.starts);
+  share.mean_time = 50.0;
   r.attractors.push_back(share);
   r.undecided = wilson_share(undecided, r.starts);
   r.diverged = r.failed = open_share(0, undecided, r.starts);

@@ -51,7 +51,7 @@ void Tally::add_to_pair(Key key, Line& line, double w) {
   weight_ += w;
   weight_squared_ += w * w;
   if (total_ % 2 == 1 && key != before_)
-    for (const Key half : {key, before_}) {
+    for (const Key& half : {key, before_}) {
       Line& one = half == key ? line : lines_[before_];
       const Key other = half == key ? before_ : key;
       one.split.add(w);

@@ -107,7 +107,7 @@ bool DrawnRunner::follow_alone(const Study& draw, std::uint64_t index, DrawnStar
   if (!source->make(draw.sampling.seed, index, 1, start, row ? &table : nullptr)) return false;
   FollowedStart followed = follow_start(draw, system, *source, start, {}, stop_);
   result.fate = followed.fate;
-  if (row) *row = followed_transients(draw, system, *source, start, followed, table, stop_);
+  if (row) *row = followed_transients(draw, *source, start, followed, table, stop_);
   if (is_set(stop_)) return false;
   if (result.fate.outcome != Outcome::attracted) return true;
   result.name = motion_name(draw.parameters, *followed.settling.motion);

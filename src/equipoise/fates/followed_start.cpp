@@ -62,8 +62,8 @@ FollowedStart follow_start(const Study& study, const model::System& system, cons
   return result;
 }
 
-TransientRow followed_transients(const Study& study, const model::System& system, const SpinUp& source, SpunUp& start,
-                                 const FollowedStart& followed, TransientTable& table, const StopFlag* stop) {
+TransientRow followed_transients(const Study& study, const SpinUp& source, SpunUp& start, const FollowedStart& followed,
+                                 TransientTable& table, const StopFlag* stop) {
   const model::Parameters& p = study.parameters;
   const auto lost = [](const Fate& f) { return f.outcome == Outcome::diverged || f.outcome == Outcome::failed; };
   if (!start.released.empty()) table.settings.release = start.released.front();

@@ -30,7 +30,7 @@ FollowedStart follow_start(const Study& study, const model::System& system, cons
 /// and the settings of source.watch()): followed on lanes, over as long as its fate took, and then until its end is
 /// seen. Where a start's way is chaotic this is another such way than the one that told its fate, for steps differ; it
 /// ends with the figures of the same motion.
-TransientRow followed_transients(const Study& study, const model::System& system, const SpinUp& source, SpunUp& start,
-                                 const FollowedStart& followed, TransientTable& table, const StopFlag* stop);
+TransientRow followed_transients(const Study& study, const SpinUp& source, SpunUp& start, const FollowedStart& followed,
+                                 TransientTable& table, const StopFlag* stop);
 
 }  // namespace equipoise

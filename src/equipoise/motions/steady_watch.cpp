@@ -140,7 +140,9 @@ int kind_of(const model::Parameters& p, const Parts& part, const std::array<doub
 }  // namespace
 
 std::vector<SteadyKind> steady_kinds(int balls) {
-  std::vector<SteadyKind> kinds{{balanced_id, "balanced"}};
+  std::vector<SteadyKind> kinds;
+  kinds.reserve(model::max_balls + 8);
+  kinds.push_back({balanced_id, "balanced"});
   if (balls == 1) return {kinds.front(), {drifting, "drifting"}, {locked, "locked"}, {hanging, "hanging"}};
   kinds.insert(kinds.end(), {{drifting, "co-drifting"}, {apart, "drifting apart"}, {one_captured, "one captured"}});
   if (balls == 2) kinds.push_back({pair_drift, "pair drift"});

@@ -50,7 +50,7 @@ class ModeCoordinates {
   VectorXd reduced(const VectorXd& y) const { return y(places_); }
   VectorXd whole(const VectorXd& r) const {
     VectorXd y = state_;
-    y(places_) = r;
+    for (Index k = 0; k < size(); ++k) y[places_[static_cast<std::size_t>(k)]] = r[k];
     for (int i = 0; i < n_; ++i) {
       const int leader = leader_[i];
       y[model::index::q(i, n_)] = leader < 0 ? 0.0 : y[model::index::q(leader, n_)];

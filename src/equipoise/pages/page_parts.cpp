@@ -27,7 +27,7 @@ std::string stem_of(const std::string& name) {
   const std::size_t folder = name.find_last_of('/');
   std::string stem = folder == std::string::npos ? name : name.substr(folder + 1);
   for (const std::string_view ending : {".toml", ".nc"})
-    if (stem.ends_with(ending)) stem.resize(stem.size() - ending.size());
+    if (stem.ends_with(ending)) stem.erase(stem.size() - ending.size());
   return stem.empty() ? "study" : stem;
 }
 

@@ -167,21 +167,21 @@ nlohmann::ordered_json share_json(const Share& s) {
 namespace {
 
 nlohmann::ordered_json tree_json(const StudyValue& value) {
-  using Json = nlohmann::ordered_json;
+  using nlohmann::ordered_json;
   if (const auto* table = value.table()) {
-    Json json = Json::object();
+    ordered_json json = ordered_json::object();
     for (const auto& [key, member] : *table) json[key] = tree_json(member);
     return json;
   }
   if (const auto* array = value.array()) {
-    Json json = Json::array();
+    ordered_json json = ordered_json::array();
     for (const StudyValue& entry : *array) json.push_back(tree_json(entry));
     return json;
   }
   if (const auto* truth = value.boolean()) return *truth;
   if (const auto* whole = value.integer()) return *whole;
   if (const auto* number = value.real()) return *number;
-  return value.string() ? Json(*value.string()) : Json(value.other()->text);
+  return value.string() ? ordered_json(*value.string()) : ordered_json(value.other()->text);
 }
 
 }  // namespace

@@ -126,8 +126,8 @@ struct StudyEquations::State {
     flows.reserve(pieces.size());
     for (std::size_t i = 0; i < pieces.size(); ++i) flows.push_back(flow(i, pieces[i].held ? held : free));
   }
-  void add(std::size_t of, double begin, double end, bool clamped) {
-    pieces.push_back({begin, end, clamped});
+  void add(std::size_t of, double begin, double end, bool balls_held) {
+    pieces.push_back({begin, end, balls_held});
     drive_of.push_back(of);
   }
 };
