@@ -154,6 +154,15 @@ TEST(CoincidentBalls, PartForWhoeverFollowsThem) {
   EXPECT_EQ(ensemble.attractors.front().share.count, 1u);
 }
 
+// Where the study says nothing balls of any size and number have room.
+TEST(Simulate, StartsFromTheDefaultsOfBallsThatTouch) {
+  for (const char* contact : {"0.3", "0.78"}) {  // eight balls fill the race at 0.785
+    const Study study = parse_study(constant_speed, "rotor",
+                                    {"balancer.balls=8", "balancer.mass=0.01", fmt::format("balancer.contact_angle={}", contact)});
+    EXPECT_EQ(simulate(study, {0.0, 1.0}).status, IntegrationStatus::done) << contact;
+  }
+}
+
 // With one ball heavier nothing keeps them together, and nothing is moved.
 TEST(CoincidentBalls, StartAsGivenIfTheyAreNotAlike) {
   std::vector<std::string> unlike = in_one_place;

@@ -201,9 +201,13 @@ void read_initial(const Document& document, Study& study) {
   s.x_dot = reader.number("x_dot", any_number, 0.0);
   s.y_dot = reader.number("y_dot", any_number, 0.0);
   const int balls = study.parameters.balls;
-  const auto phi = reader.one_or_each("phi", any_number, balls, "ball", 0.0);
+  s.phi = even_angles(balls);
+  study.angles_stated = reader.has("phi");
+  if (study.angles_stated) {
+    const auto phi = reader.one_or_each("phi", any_number, balls, "ball");
+    std::copy(phi.begin(), phi.end(), s.phi.begin());
+  }
   const auto phi_dot = reader.one_or_each("phi_dot", any_number, balls, "ball", 0.0);
-  std::copy(phi.begin(), phi.end(), s.phi.begin());
   std::copy(phi_dot.begin(), phi_dot.end(), s.phi_dot.begin());
   if (study.release_time() > 0.0)
     for (double rate : phi_dot)
@@ -301,6 +305,16 @@ model::SpeedProfile Study::speed_profile() const {
   profile.law = speed.law;
   profile.initial_angle = initial.psi;
   return profile;
+}
+
+std::array<double, model::max_balls> even_angles(int balls) {
+  std::array<double, model::max_balls> phi{};
+  for (int i = 0; i < std::min(balls, model::max_balls); ++i) phi[i] = two_pi * i / balls;
+  return phi;
+}
+
+bool states_angles(const Study& study) {
+  return study.angles_stated || study.initial.phi != even_angles(study.parameters.balls);
 }
 
 double Study::release_time() const {

@@ -80,8 +80,9 @@ struct ReleaseSetting {
   std::optional<double> time;
 };
 
-/// [initial]: state at t = 0, rotating frame. Ensembles draw phi and ignore the one given here. Under gravity a study
-/// that says nothing of x, y, x_dot and y_dot is read with those of a rotor at rest under its weight.
+/// [initial]: state at t = 0, rotating frame. Ensembles draw phi. A study that says nothing of phi is read with
+/// even_angles(); under gravity one that says nothing of x, y, x_dot and y_dot with those of a rotor at rest under its
+/// weight.
 struct InitialState {
   double psi = 0.0, x = 0.0, y = 0.0, x_dot = 0.0, y_dot = 0.0;
   std::array<double, model::max_balls> phi{}, phi_dot{};
@@ -159,6 +160,7 @@ struct Study {
   SpeedSetting speed;
   ReleaseSetting release;
   InitialState initial;
+  bool angles_stated = false;  ///< the study said where the balls start: see states_angles()
   Sampling sampling;
   Numerics numerics;
   Limits limits;
@@ -183,6 +185,12 @@ struct Study {
   /// sqrt(2), from where supports isolate, and nine tenths of the speed that the motor aims at.
   double stall_speed() const;
 };
+
+/// Ball angles evenly around the race, the first at 0; where there is no such ball 0.
+std::array<double, model::max_balls> even_angles(int balls);
+
+/// Whether the ball angles of [initial] are somebody's choice: stated in the study, or set by code.
+bool states_angles(const Study& study);
 
 /// The text of a study file; a pipe can be read once only. Throws InputError if it cannot be read or does not end.
 std::string read_study_text(const std::string& path);
