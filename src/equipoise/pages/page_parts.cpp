@@ -120,6 +120,10 @@ Document page_with(const Study& study, const std::string& answer) {
   document.title = "Ball balancer: " + stem_of(study.name);
   document.sheet = true;
   document.blocks.push_back(Paragraph{answer, Tone::plain, true});
+  if (std::string held = held_text(study); !held.empty()) {
+    held.front() = 'B';
+    document.blocks.push_back(Paragraph{held + "."});
+  }
   return document;
 }
 

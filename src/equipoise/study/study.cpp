@@ -405,7 +405,9 @@ void rest_under_gravity(const Document& document, Study& study) {
 
 namespace {
 
-Study read(Document document);
+enum class Source { asked, kept };  // kept: the study of a result
+
+Study read(Document document, Source source = Source::asked);
 
 // Each value alone at either end: what lies between makes a study if both ends do.
 void check_ends(const Document& document, const StudyValue& medians, const std::vector<UncertainValue>& values) {
@@ -421,10 +423,23 @@ void check_ends(const Document& document, const StudyValue& medians, const std::
     }
 }
 
-Study read(Document document) {
+// A real race has no latch: in the units of a machine nothing holds the balls unless the study says so, and results say
+// that it does not. A dimensionless study keeps the paper's way. With a motor balls are free in any case.
+void free_balls_of_machine(Document& document) {
+  if (!is_physical(document)) return;
+  const StudyValue* profile = document.root.find_path("speed.profile");
+  if (profile && profile->string() && *profile->string() == profile_names[static_cast<std::size_t>(Profile::torque)])
+    return;
+  StudyValue* release = document.root.find("release");
+  if (!release) release = &document.root.set("release", StudyValue());
+  if (release->table() && release->table()->empty()) release->set("time", "0 s");
+}
+
+Study read(Document document, Source source) {
   check_tables(document,
                {"rotor", "balancer", "speed", "release", "initial", "sampling", "numerics", "limits", "sweep", "design",
                 "units"});
+  if (source == Source::asked) free_balls_of_machine(document);
   Uncertainty uncertain;
   if (is_physical(document)) uncertain.physical = document.root;
   uncertain.values = take_uncertain(document);
@@ -457,6 +472,10 @@ Study read(Document document) {
 
 Study parse_study(const std::string& toml_text, const std::string& name, const std::vector<std::string>& overrides) {
   return read(parse_document(toml_text, name, overrides));
+}
+
+Study parse_kept_study(const std::string& toml_text, const std::string& name) {
+  return read(parse_document(toml_text, name, {}), Source::kept);
 }
 
 Study study_from(const StudyValue& tree, const std::string& name, const std::vector<std::string>& overrides) {

@@ -172,8 +172,9 @@ struct Study {
   /// t = 0, as a constant.
   model::SpeedProfile speed_profile() const;
   /// Time at which the balls are let go, >= 0. With no [release]: 0 at constant speed and of a driven rotor, else the
-  /// end of the ramp (trapezoid: of the rise; points: the last time). Infinite for a driven rotor that lets go at a
-  /// speed. Throws InputError if the ramp function never reaches release.speed.
+  /// end of the ramp (trapezoid: of the rise; points: the last time); a study in physical units that says nothing is
+  /// read with release.time = 0. Infinite for a driven rotor that lets go at a speed. Throws InputError if the ramp
+  /// function never reaches release.speed.
   double release_time() const;
   /// The motor of profile torque.
   model::MotorLaw motor() const;
@@ -202,6 +203,10 @@ Study read_study(const std::string& path, const std::vector<std::string>& overri
 /// The same from TOML text; `name` stands in for the file name in messages.
 Study parse_study(const std::string& toml_text, const std::string& name,
                   const std::vector<std::string>& overrides = {});
+
+/// The study that a result carries, as to_toml() wrote it. Versions up to 0.3.0 held the balls of machines to the end of
+/// their ramp and did not write that down; here such a study says so.
+Study parse_kept_study(const std::string& toml_text, const std::string& name);
 
 /// The same from a tree of values: tables and keys as in a study file.
 Study study_from(const StudyValue& tree, const std::string& name = "study",
