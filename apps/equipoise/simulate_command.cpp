@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 
 #include "commands.hpp"
+#include "equipoise/report/start_text.hpp"
 #include "equipoise/store/trajectory_file.hpp"
 #include "equipoise/trajectory/output_times.hpp"
 #include "equipoise/trajectory/simulate.hpp"
@@ -93,6 +94,8 @@ int run_simulate(const SimulateArguments& a) {
   } else {
     write_netcdf(a.output, trajectory, to_toml(study));
   }
+  for (const std::string& note : {held_text(study), coincident_text(study)})
+    if (!note.empty()) say(note);
   if (study.speed.law == model::SpeedLaw::published) say("published speed law, psi = t Omega(t)");
   const double last = trajectory.t.empty() ? 0.0 : trajectory.t.back();
   if (trajectory.stopped) {

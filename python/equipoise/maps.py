@@ -169,6 +169,9 @@ def map(  # noqa: A001 (the command line's name)
 ) -> MapResult:
     """The outcome of one start at every pixel of a plane of two quantities.
 
+    Balls that no axis and no tie places start as the study's [initial] says, in all pixels alike. Over two parameters
+    every pixel draws ball angles of its own, by the study's seed, unless the study states ``initial.phi``.
+
     Parameters
     ----------
     x, y : str

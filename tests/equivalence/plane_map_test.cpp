@@ -21,10 +21,12 @@
 #include "equipoise/maps/plane_map.hpp"
 #include "equipoise/model/linearisation.hpp"
 #include "equipoise/motions/motion.hpp"
+#include "equipoise/spin_up/initial_state.hpp"
 #include "equipoise/store/basin_file.hpp"
 #include "equipoise/store/map_file.hpp"
 #include "equipoise/trajectory/simulate.hpp"
 #include "../base_study.hpp"
+#include "../machine_study.hpp"
 
 namespace equipoise {
 namespace {
@@ -247,6 +249,90 @@ TEST(PlaneMap, LanesAndSingleTrajectoriesAgree) {
   }
 }
 
+// A rotor that says nothing of its balls, and hardly differs from pixel to pixel.
+PlaneMapSettings one_rotor(int columns, int rows) {
+  PlaneMapSettings s;
+  s.x = {"rotor.eccentricity", 0.00999, 0.01001, columns};
+  s.y = {"balancer.drag", 0.0499, 0.0501, rows};
+  return s;
+}
+
+// Balls that all pixels start in one place never part there, and tell nothing of other starts.
+TEST(PlaneMap, OverParametersDrawsAStartAtEveryPixel) {
+  const PlaneMap map = plane_map(parse_study(constant_speed, "rotor"), one_rotor(24, 20));
+  EXPECT_TRUE(draws_starts(map));
+  // Shares of the rotor between: 60.4 % balanced, 3.9 % co-drifting; four standard errors of 480 random starts.
+  for (const MapCode& c : map.codes) {
+    if (c.name == "balanced") EXPECT_NEAR(c.share.share, 0.604, 4.0 * 0.0223);
+    if (c.name == "co-drifting") EXPECT_NEAR(c.share.share, 0.039, 4.0 * 0.0088);
+  }
+  EXPECT_FALSE(map.figures.basin_entropy || map.figures.box_dimension);  // they would tell of chance
+}
+
+TEST(PlaneMap, DrawsStartsBySeedAndPixel) {
+  const Study study = parse_study(constant_speed, "rotor", {"sampling.seed=7"});
+  const PlaneMap map = plane_map(study, one_rotor(4, 3));
+  for (int row = 0; row < 3; ++row)
+    for (int column = 0; column < 4; ++column) {
+      Study here = pixel(map, column, row);
+      here.initial = start_of(study, 7, static_cast<std::uint64_t>(4 * row + column));
+      const auto alone = motion_from({here.parameters, 2.4},
+                                     model::centred_state(here.parameters, here.initial.phi.data()), 3000.0);
+      ASSERT_TRUE(alone);
+      EXPECT_EQ(name_of(map, map.at(column, row)), motion_name(here.parameters, *alone).name);
+    }
+  EXPECT_NE(plane_map(parse_study(constant_speed, "rotor"), one_rotor(4, 3)).code, map.code);
+}
+
+TEST(PlaneMap, TakesOneStartWhereItIsStatedOrVaried) {
+  PlaneMap map;
+  map.x.key = "rotor.eccentricity";
+  map.y.key = "balancer.drag";
+  map.study = parse_study(constant_speed, "rotor", {"initial.phi=[1.0, 1.0]"});
+  EXPECT_FALSE(draws_starts(map));
+  // Said, even if it is what would hold anyway.
+  map.study = parse_study(constant_speed, "rotor", {"initial.phi=[0.0, 3.14159265358979323846]"});
+  EXPECT_FALSE(draws_starts(map));
+  map.study = parse_study(constant_speed, "rotor");
+  EXPECT_TRUE(draws_starts(map));
+  map.study.initial.phi[0] = 1.0;  // by code
+  EXPECT_FALSE(draws_starts(map));
+  map.study = parse_study(constant_speed, "rotor");
+  map.y.key = "initial.phi_1";
+  EXPECT_FALSE(draws_starts(map));
+}
+
+// Whose balls are free because it says nothing of them.
+TEST(PlaneMap, VariesTheReleaseOfAMachine) {
+  const Study machine = parse_study(machine_rotor + "[speed]\nprofile=\"ramp\"\nfinal=\"2000 rpm\"\nduration=\"5 s\"\n",
+                                    "machine");
+  EXPECT_EQ(machine.release_time(), 0.0);
+  EXPECT_EQ(study_with(machine, "release.speed", 1.0).release.speed, 1.0);
+  const Study again = study_with(study_with(machine, "release.speed", 1.0), "release.time", 7.0);
+  EXPECT_EQ(again.release_time(), 7.0);
+}
+
+TEST(PlaneMap, RefusesGroundsOfDecisionThatItHasNot) {
+  const Study study = parse_study(constant_speed, "rotor", {"numerics.decide=horizon", "numerics.horizon=50"});
+  EXPECT_THROW(plane_map(study, one_rotor(2, 2)), InputError);
+  EXPECT_NO_THROW(plane_map(study, both_angles(2, 2)));
+}
+
+TEST(PlaneMap, RefusesWhatDrawnStartsMakeMeaningless) {
+  const Study study = parse_study(constant_speed, "rotor");
+  PlaneMapSettings blocks = one_rotor(8, 8), reuse = blocks;
+  blocks.block = 4;
+  EXPECT_THROW(plane_map(study, blocks), InputError);
+  EXPECT_NO_THROW(plane_map(rotor(), blocks));
+  reuse.from = "coarse.nc";
+  try {
+    plane_map(study, reuse);
+    ADD_FAILURE() << "accepted";
+  } catch (const InputError& e) {
+    EXPECT_EQ(e.key(), "from");
+  }
+}
+
 TEST(PlaneMap, StopsWhenAsked) {
   StopFlag stop{true};
   PlaneMapSettings settings = mass_plane(4, 4);
@@ -278,6 +364,10 @@ TEST(PlaneMap, ErrorsNameTheKey) {
   EXPECT_EQ(key_of_error(s), "rotor.eccentricity");
   s = angle_plane(2, 2);
   s.links = {{3, 1, 0.0}};
+  EXPECT_EQ(key_of_error(s), "links");
+  s.links = {{1, 2, 0.0}};  // the axis would have no effect
+  EXPECT_EQ(key_of_error(s), "links");
+  s.links = {{2, 1, 0.0}, {2, 1, 1.0}};
   EXPECT_EQ(key_of_error(s), "links");
 }
 

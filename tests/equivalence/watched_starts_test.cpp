@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include "equipoise/basins/basin.hpp"
@@ -11,6 +12,7 @@
 #include "equipoise/basins/mapper.hpp"
 #include "equipoise/trajectory/followed_run.hpp"
 #include "equipoise/trajectory/simulate.hpp"
+#include "equipoise/trajectory/study_equations.hpp"
 #include "../base_study.hpp"
 
 namespace equipoise {
@@ -122,6 +124,53 @@ TEST(FollowedRun, FollowsMotorsContactAndStiction) {
       "[speed]\nprofile = \"torque\"\ninitial = 0.0\ntorque = { stall = 0.05, no_load_speed = 2.4 }\n";
   expect_followed(rotor_and_balancer + motor, {apart[0], "rotor.inertia=0.5"}, 60.0);
   expect_followed(constant_speed, {apart[0], "balancer.contact_angle=0.2", "balancer.rolling=0.0002"}, 20.0);
+}
+
+// Here the motion with both balls in one place rests and is unstable (r = 0.082): of real balls nothing is left of it.
+const std::vector<std::string> in_one_place{"speed.speed=3.5", "rotor.eccentricity=0.02", "balancer.drag=0.3",
+                                            "initial.phi=[0.0, 0.0]"};
+
+// Whoever follows a start sees the same trajectory.
+TEST(CoincidentBalls, PartForWhoeverFollowsThem) {
+  const Study study = parse_study(constant_speed, "rotor", in_one_place);
+  const Trajectory alone = simulate(study, {0.0, 1000.0});
+  EXPECT_NEAR(alone.phi[1][0], 0.0, 1e-8);
+  EXPECT_NE(alone.phi[1][0], 0.0);
+  EXPECT_LT(alone.radial[1], 1e-6);  // balanced since t = 200
+  FollowedRun run(study);
+  Trajectory watched;
+  watched.phi.resize(2);
+  watched.phi_dot.resize(2);
+  run.record(watched);
+  EXPECT_EQ(watched.phi[1][0], alone.phi[1][0]);
+  const StudyEquations equations(study);
+  EXPECT_EQ(equations.initial_state()[5], alone.phi[1][0]);
+  const Mapper mapper(study);
+  EXPECT_EQ(mapper.name(mapper(study.initial)), "balanced");
+  BasinOptions options;
+  options.initial = {study.initial};
+  const BasinResult ensemble = basin(study, options);
+  EXPECT_EQ(ensemble.attractors.front().name, "balanced");
+  EXPECT_EQ(ensemble.attractors.front().share.count, 1u);
+}
+
+// Where the study says nothing balls of any size and number have room.
+TEST(Simulate, StartsFromTheDefaultsOfBallsThatTouch) {
+  for (const char* contact : {"0.3", "0.78"}) {  // eight balls fill the race at 0.785
+    const Study study = parse_study(constant_speed, "rotor",
+                                    {"balancer.balls=8", "balancer.mass=0.01", fmt::format("balancer.contact_angle={}", contact)});
+    EXPECT_EQ(simulate(study, {0.0, 1.0}).status, IntegrationStatus::done) << contact;
+  }
+}
+
+// With one ball heavier nothing keeps them together, and nothing is moved.
+TEST(CoincidentBalls, StartAsGivenIfTheyAreNotAlike) {
+  std::vector<std::string> unlike = in_one_place;
+  unlike.emplace_back("balancer.mass=[0.05, 0.06]");
+  EXPECT_EQ(simulate(parse_study(constant_speed, "rotor", unlike), {0.0}).phi[1][0], 0.0);
+  std::vector<std::string> turning = in_one_place;
+  turning.emplace_back("initial.phi_dot=[0.1, -0.1]");
+  EXPECT_EQ(simulate(parse_study(constant_speed, "rotor", turning), {0.0}).phi[1][0], 0.0);
 }
 
 TEST(FollowedRun, KnowsWhenBallsAreHeld) {

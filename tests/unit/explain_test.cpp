@@ -157,6 +157,8 @@ TEST(Explain, Warns) {
   EXPECT_TRUE(warned(with("balancer.drag=1 N m s"), "overdamped"));
   EXPECT_TRUE(warned(with("speed.duration=10 ms"), "more slowly than the rotor spins up"));
   EXPECT_TRUE(warned(with("balancer.mass=7 kg"), "heavier than the rotor"));
+  EXPECT_TRUE(warned(with("balancer.restitution=0.9"), "restitution has no effect"));
+  EXPECT_FALSE(warned(of(machine, {"balancer.restitution=0.9", "balancer.contact_angle=0.1"}), "restitution"));
   // Two balls of 59 mm in a race of 60 mm: each takes 2 asin(59/60) = 159 degrees; four do not fit.
   EXPECT_FALSE(warned(with("balancer.ball_diameter=59 mm"), "do not fit"));
   EXPECT_TRUE(warned(of(machine, {"balancer.ball_diameter=59 mm", "balancer.balls=4"}), "do not fit"));

@@ -475,12 +475,52 @@ TEST(PhysicalStudy, SpeaksOfRulesBetweenKeysInItsOwnUnits) {
   expect_rejected(
       {machine, {trapezoid}, overrides_name, "speed.hold_until", "\"8 s\"", "must be greater than rise_until, 9 s"});
   expect_rejected({machine,
-                   {"sampling.box.x=['0 mm', '1 mm']"},
+                   {"release.time=10 s", "sampling.box.x=['0 mm', '1 mm']"},
                    overrides_name,
                    "sampling.box.x",
                    "[\"0 mm\", \"1 mm\"]",
                    "needs balls that are free from t = 0, but their release is at t = 10 s (clamped balls share one "
                    "spin-up); set release.time = 0 or leave [sampling.box] out"});
+}
+
+const std::vector<std::string> spin_ups{
+    "speed={profile='ramp', final='3000 rpm', duration='10 s'}",
+    "speed={profile='trapezoid', peak='50 Hz', final='40 Hz', rise_until='8 s', hold_until='9 s', fall_until='12 s'}",
+    "speed={profile='points', times=['0 s', '4 s'], speeds=['0 rpm', '2000 rpm']}"};
+
+TEST(PhysicalStudy, LetsItsBallsRunFreeUnlessItSaysOtherwise) {
+  for (const std::string& speed : spin_ups) {
+    const Study s = parse(machine, {speed});
+    EXPECT_EQ(s.release_time(), 0.0) << speed;
+    EXPECT_EQ(parse(machine, {speed, "release={}"}).release_time(), 0.0) << speed;
+    EXPECT_DOUBLE_EQ(parse(machine, {speed, "release.time=2 s"}).release_time(), 2.0 * omega_c) << speed;
+    EXPECT_GT(parse(machine, {speed, "release.speed=1000 rpm"}).release_time(), 0.0) << speed;
+    // What a result carries is dimensionless, and would hold the balls if it said nothing.
+    EXPECT_NE(to_toml(s).find("[release]\ntime = 0.0\n"), std::string::npos) << to_toml(s);
+    EXPECT_EQ(parse(to_toml(s)).release_time(), 0.0) << speed;
+    EXPECT_EQ(parse(to_physical_toml(s)).release_time(), 0.0) << speed;
+  }
+}
+
+TEST(PhysicalStudy, ThatDrawsValuesStatesItsReleaseToo) {
+  const std::string draws = "rotor.eccentricity={uniform=['0.1 mm', '0.3 mm']}";
+  for (const std::string& speed : spin_ups) {
+    const Study s = parse(machine, {speed, draws});
+    EXPECT_EQ(s.release_time(), 0.0) << speed;
+    EXPECT_NE(to_toml(s).find("[release]\ntime = \"0 s\"\n"), std::string::npos) << to_toml(s);
+    EXPECT_EQ(drawn_study(s, std::vector{0.2}).release_time(), 0.0) << speed;
+    EXPECT_NO_THROW(check(s));
+  }
+}
+
+// Its result would else be told of balls that ran free.
+TEST(PhysicalStudy, OfAnOlderResultHeldItsBalls) {
+  std::string older = to_toml(parse(machine, {"rotor.eccentricity={uniform=['0.1 mm', '0.3 mm']}"}));
+  const std::string release = "\n[release]\ntime = \"0 s\"\n";
+  const std::string today = older;
+  older.erase(older.find(release), release.size());
+  EXPECT_DOUBLE_EQ(parse_kept_study(older, "older.nc").release_time(), 10.0 * omega_c);
+  EXPECT_EQ(parse_kept_study(today, "today.nc").release_time(), 0.0);
 }
 
 TEST(Units, OfADimensionlessStudyAreKeptAndChecked) {

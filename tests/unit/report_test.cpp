@@ -12,6 +12,9 @@
 #include "equipoise/fates/transient_tally.hpp"
 #include "equipoise/report/attractors_report.hpp"
 #include "equipoise/report/basin_report.hpp"
+#include "equipoise/report/sensitivity_report.hpp"
+#include "equipoise/report/start_text.hpp"
+#include "equipoise/report/text.hpp"
 #include "equipoise/report/transient_report.hpp"
 #include "equipoise/results/attractors_result.hpp"
 #include "equipoise/results/basin_result.hpp"
@@ -152,6 +155,53 @@ struct Counted {
     for (int i = 0; i < count; ++i) tally.add(f, row);
   }
 };
+
+std::string heading_of(const std::string& text, const std::vector<std::string>& overrides) {
+  return study_heading(parse_study(text, "rotor", overrides));
+}
+
+// Said where it holds, and nowhere else.
+TEST(StudyHeading, SaysHowLongBallsAreHeld) {
+  const std::string ramp = "speed={profile='ramp', final=2.4, duration=40.0}";
+  const auto dimensionless = [&](std::vector<std::string> overrides) { return heading_of(constant_speed, overrides); };
+  EXPECT_TRUE(holds(dimensionless({ramp}), "\nballs held until t = 40, the end of the ramp\n"));
+  EXPECT_TRUE(holds(dimensionless({ramp, "release.speed=2.2"}), "\nballs held until t = 36.6667, at speed 2.2\n"));
+  EXPECT_TRUE(holds(dimensionless({ramp, "release.time=7"}), "\nballs held until t = 7\n"));
+  EXPECT_TRUE(holds(dimensionless({"speed={profile='points', times=[0.0, 5.0], speeds=[0.0, 2.0]}"}),
+                    "\nballs held until t = 5, the last point of the speed\n"));
+  EXPECT_TRUE(holds(dimensionless({"rotor.inertia=1", "release.speed=1.5",
+                                   "speed={profile='torque', torque={stall=0.2, no_load_speed=3.0}}"}),
+                    "\nballs held until the rotor comes to 1.5\n"));
+  for (const auto& free : std::vector<std::vector<std::string>>{{}, {ramp, "release.time=0"}, {"release.speed=2.4"}})
+    EXPECT_FALSE(holds(dimensionless(free), "held")) << dimensionless(free);
+  const std::string seconds = "speed={profile='ramp', final='2000 rpm', duration='3 s'}";
+  EXPECT_FALSE(holds(heading_of(machine, {seconds}), "held"));
+  EXPECT_TRUE(holds(heading_of(machine, {seconds, "release.speed=1000 rpm"}),
+                    "\nballs held until t = 1.5 s, at speed 1000 rpm\n"))
+      << heading_of(machine, {seconds, "release.speed=1000 rpm"});
+}
+
+TEST(StartText, NamesWhatIsDrawnInsteadOfWhatTheStudyStates) {
+  const auto drawn = [](const std::vector<std::string>& overrides) {
+    return uncertain_text(parse_study(constant_speed, "rotor", overrides));
+  };
+  EXPECT_EQ(drawn({}), "");
+  EXPECT_EQ(drawn({"initial.x=0.1"}), "");
+  EXPECT_TRUE(holds(drawn({"initial.phi=[0, 0]"}), "initial.phi; simulate starts from there\n"));
+  EXPECT_TRUE(holds(drawn({"initial.x=0.1", "sampling.box.x=[-0.2, 0.2]"}), "not taken from the study: initial.x;"));
+  EXPECT_EQ(drawn({"initial.x=0.1", "sampling.box.y=[-0.2, 0.2]"}), "");
+}
+
+TEST(StartText, WarnsOfBallsInOnePlaceThatNothingParts) {
+  const auto together = [](const std::vector<std::string>& overrides) {
+    return coincident_text(parse_study(constant_speed, "rotor", overrides));
+  };
+  EXPECT_TRUE(together({"initial.phi=[1.0, 1.0]"}).starts_with("balls 1 and 2 are alike and start in one place"));
+  EXPECT_NE(together({"initial.phi=[0.0, 6.28318530717958647692]"}), "");
+  EXPECT_EQ(together({}), "");
+  EXPECT_EQ(together({"initial.phi=[1.0, 1.0]", "balancer.mass=[0.05, 0.06]"}), "");
+  EXPECT_EQ(together({"initial.phi=[1.0, 1.0]", "initial.phi_dot=[0.0, 1.0]"}), "");
+}
 
 TEST(TransientText, FoldsAwayOutcomesOfTooFewStarts) {
   Counted c(machine);

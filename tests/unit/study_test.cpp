@@ -12,6 +12,7 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
+#include "equipoise/base/angles.hpp"
 #include "equipoise/base/error.hpp"
 #include "equipoise/study/study.hpp"
 #include "../base_study.hpp"
@@ -140,6 +141,29 @@ TEST(Release, FollowsTheProfileWhereNothingIsSaid) {
   EXPECT_EQ(release_time(trapezoid), 50.0);
   EXPECT_EQ(release_time(points), 40.0);
   EXPECT_EQ(release_time(ramp + "[release]\n"), 500.0);
+}
+
+TEST(InitialAngles, AreSpreadEvenlyWhereNothingIsSaid) {
+  const Study three = parse(ramp, {"balancer.balls=3"});
+  for (int i = 0; i < 3; ++i) EXPECT_DOUBLE_EQ(three.initial.phi[i], two_pi * i / 3.0);
+  EXPECT_EQ(three.initial.phi[3], 0.0);
+  EXPECT_FALSE(states_angles(three));
+  EXPECT_EQ(to_toml(three).find("phi ="), std::string::npos);
+  expect_round_trip(three);
+}
+
+TEST(InitialAngles, ThatAreStatedAreKept) {
+  for (const char* phi : {"[1.0, 1.0]", "0", "[0.0, 3.14159265358979323846]"}) {
+    const Study study = parse(ramp, {fmt::format("initial.phi={}", phi)});
+    EXPECT_TRUE(states_angles(study)) << phi;
+    EXPECT_NE(to_toml(study).find("phi = ["), std::string::npos) << phi;
+    EXPECT_TRUE(states_angles(parse(to_toml(study)))) << phi;
+    expect_round_trip(study);
+  }
+  Study by_code = parse(ramp);
+  by_code.initial.phi = {0.0, 0.0};
+  EXPECT_TRUE(states_angles(by_code));
+  expect_round_trip(by_code);
 }
 
 TEST(Release, BySpeedIsTheFirstTimeThatTheRampFunctionReachesIt) {

@@ -102,7 +102,13 @@ Study study_with(const Study& original, const std::string& key, double value) {
       check(study);
       return study;
     }
-  if (key != "speed.final") return study_from(to_tree(study), study.name, {key + "=" + study::number_text(value)});
+  if (key != "speed.final") {
+    StudyValue tree = to_tree(study);
+    // One takes the place of the other.
+    if (StudyValue* release = tree.find("release"); release && key.starts_with("release."))
+      release->erase(key == "release.speed" ? "time" : "speed");
+    return study_from(tree, study.name, {key + "=" + study::number_text(value)});
+  }
   if (study.speed.profile == Profile::constant)
     study.speed.speed = value;
   else if (study.speed.profile == Profile::points)

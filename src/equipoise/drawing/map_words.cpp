@@ -27,14 +27,16 @@ std::string angle_text(double angle) {
 
 std::string fixed_angles_text(const PlaneMap& map) {
   const int balls = map.study.parameters.balls;
-  std::string text;
+  const bool drawn = draws_starts(map);
+  std::string text = drawn ? ", ball angles drawn at every point" : "";
   for (int i = 1; i <= balls; ++i) {
     const std::string key = fmt::format("initial.phi_{}", i);
     if (key == map.x.key || key == map.y.key) continue;
+    bool tied = false;
     std::string value = angle_text(map.study.initial.phi[static_cast<std::size_t>(i - 1)]);
     for (const AngleLink& link : map.links)
-      if (link.ball == i) value = fmt::format("φ{} + {}", link.of, angle_text(link.offset));
-    text += fmt::format(", φ{} = {}", i, value);
+      if (link.ball == i) tied = true, value = fmt::format("φ{} + {}", link.of, angle_text(link.offset));
+    if (tied || !drawn) text += fmt::format(", φ{} = {}", i, value);
   }
   return text;
 }

@@ -67,6 +67,8 @@ class Warnings {
     room(balls);
     if (e.gravity_ratio && *e.gravity_ratio >= 1.0)
       warn("at the final speed the weight of a ball exceeds its centrifugal force: it falls off the top of the race");
+    if (!p_.balls_collide() && p_.restitution != model::Parameters{}.restitution)
+      warn("balancer.restitution has no effect: balls of no contact_angle pass each other");
     if (p_.total_mass() >= 1.0) warn("the balls together are heavier than the rotor");
     if (e.reynolds && *e.reynolds > 1.0)
       warn(

@@ -173,7 +173,7 @@ Fate MachineRunner::decide(const InitialState& start, TransientRow* row, Undecid
   model::Drive drive = drive_;
   if (study_.speed.driven()) drive.psi = start.psi;
   double z[Machine::dimension];
-  initial_state(start, p.balls, drive.speed, z);
+  initial_state(parted(p, start), p.balls, drive.speed, z);
   const double tolerance = study_.numerics.tolerance.value_or(default_basin_tolerance);
   Machine machine(p, drive, ensemble_scale<model::any_count>(p, tolerance), z);
   MachineTransients transients(study_, machine);

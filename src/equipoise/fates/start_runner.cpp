@@ -19,6 +19,7 @@
 #include "equipoise/model/unbalance.hpp"
 #include "equipoise/motions/motion_figures.hpp"
 #include "equipoise/orbits/stroboscopic.hpp"
+#include "equipoise/spin_up/initial_state.hpp"
 #include "equipoise/transients/clamped_transients.hpp"
 
 namespace equipoise {
@@ -179,7 +180,8 @@ bool StartRunner::run_from(std::span<const InitialState> given, std::vector<Fate
                            std::vector<UnlistedStart>& unlisted, std::vector<TransientRow>* rows) const {
   SpunUp starts;
   TransientTable table{transients_, {}, ends_};
-  return source_->follow(given, starts, rows ? &table : nullptr) && finish(starts, &table, fates, unlisted, rows);
+  return source_->follow(parted(study_.parameters, given), starts, rows ? &table : nullptr) &&
+         finish(starts, &table, fates, unlisted, rows);
 }
 
 // Decides starts and says what each came to; `table` is that of their transients so far, if `rows` are wanted.
@@ -255,7 +257,7 @@ std::vector<UndecidedEnd> StartRunner::look_at(const std::vector<InitialState>& 
   for (const InitialState& given : undecided) {
     SpunUp start;
     std::vector<Fate> fates;
-    if (!source_->follow({&given, 1}, start)) break;
+    if (!source_->follow(parted(study_.parameters, {&given, 1}), start)) break;
     if (start.is_over(0)) {
       ends.push_back({.what = Restlessness::held, .reached = start.nearest[0], .asked = *study_.release.speed});
       continue;

@@ -17,6 +17,7 @@
 #include "equipoise/model/balanced_state.hpp"
 #include "equipoise/model/linearisation.hpp"
 #include "equipoise/orbits/return_map.hpp"
+#include "equipoise/spin_up/initial_state.hpp"
 #include "equipoise/spin_up/spin_up.hpp"
 #include "equipoise/store/basin_file.hpp"
 #include "equipoise/store/start_columns.hpp"
@@ -62,6 +63,11 @@ double balance_growth(const model::System& system) {
 Study study_at(const PlaneMap& map, int column, int row) {
   Study study = study_with(map.study, map.x.key, map.x.centre(column));
   study = study_with(study, map.y.key, map.y.centre(row));
+  if (draws_starts(map)) {
+    const auto pixel = static_cast<std::uint64_t>(row) * static_cast<std::uint64_t>(map.x.pixels);
+    const Sampler sampler(SamplingMethod::random, study.parameters.balls, 0, false);
+    study.initial = start_of(study, sampler, study.sampling.seed, pixel + static_cast<std::uint64_t>(column));
+  }
   tie(study.initial, map.links);
   return study;
 }
@@ -153,7 +159,7 @@ LinePixels::Followed LinePixels::follow(const Study& study, const model::System&
     pixel.code = failed_code;
     return result;
   }
-  if (!source->follow({&study.initial, 1}, start)) return result;
+  if (!source->follow(parted(p, {&study.initial, 1}), start)) return result;
   const auto [fate, settling] = follow_start(study, system, *source, start, known, options_.stop);
   if (is_set(options_.stop)) return result;
   if (one_system_ && system.smooth()) remember(system, settling, known);

@@ -105,7 +105,7 @@ void MapAssembly::finish() {
   const std::uint64_t missing = counts_[not_computed_code];
   map_.complete = missing == 0;
   for (MapCode& code : map_.codes) code.share = wilson_share(counts_[code.code], map_.pixels - missing);
-  if (map_.complete) map_.figures = figures_.figures();
+  if (map_.complete && !draws_starts(map_)) map_.figures = figures_.figures();
   map_.x = thinned(map_.x, every_);
   map_.y = thinned(map_.y, every_);
   map_.every = every_;

@@ -55,11 +55,42 @@ void check(const PlaneMap& map) {
         link.ball == link.of)
       throw InputError("map", "links", fmt::format("phi_{} = phi_{} + {}", link.ball, link.of, link.offset),
                        fmt::format("must name two different balls from 1 to {}", map.study.parameters.balls));
+  for (std::size_t k = 0; k < map.links.size(); ++k) {
+    const AngleLink& link = map.links[k];
+    const auto moved = [&](const std::string& by) {
+      throw InputError("map", "links", fmt::format("phi_{} = phi_{} + {}", link.ball, link.of, link.offset),
+                       fmt::format("ball {} has its angle from {}; must be another ball", link.ball, by));
+    };
+    for (const MapAxis* axis : {&map.x, &map.y})
+      if (axis->key == fmt::format("initial.phi_{}", link.ball)) moved("an axis");
+    for (std::size_t other = 0; other < k; ++other)
+      if (map.links[other].ball == link.ball) moved("another tie");
+  }
   if (map.block != 0 && (map.block < 2 || map.block > largest_map_block || !std::has_single_bit(unsigned(map.block))))
     throw InputError("map", "block", fmt::format("{}", map.block),
                      fmt::format("must be 2, 4, 8, ... or {} pixels", largest_map_block));
+  if (map.block != 0 && draws_starts(map))
+    throw InputError("map", "block", fmt::format("{}", map.block),
+                     "every pixel draws its own ball angles, so edges do not tell what lies between them; must be left "
+                     "out, or initial.phi stated");
   for (const int column : {0, map.x.pixels - 1})
     for (const int row : {0, map.y.pixels - 1}) check_offers(study_at(map, column, row), model::Answer::maps);
+}
+
+// Along a parameter no rule is made that could go by other grounds.
+void check_decides(const Study& study) {
+  const DecideMode decide = study.numerics.decide;
+  if (decide != DecideMode::validated)
+    throw InputError(study.name, "numerics.decide", decide_mode_names[static_cast<std::size_t>(decide)],
+                     "along a parameter every pixel is followed until it is seen to approach a motion; must be "
+                     "\"validated\"");
+}
+
+// Another size numbers pixels otherwise, and so draws other starts.
+void check_reuse(const PlaneMap& map, const std::string& from) {
+  if (!from.empty() && draws_starts(map))
+    throw InputError("map", "from", from,
+                     "every pixel draws its own ball angles by its number; must be left out, or initial.phi stated");
 }
 
 void check_memory(const PlaneMap& map, const std::string& output) {
@@ -85,6 +116,7 @@ class Mapper {
     const std::clock_t cpu_begin = std::clock();
     check(map_);
     check_memory(map_, settings_.output);
+    check_reuse(map_, settings_.from);
     prepare();
     open();
     if (file_ && file_->complete()) {
@@ -107,8 +139,9 @@ class Mapper {
       map_.study = with_horizon(map_.study);
       map_.balance_margin = {static_cast<float>(balance_margin(map_.study.parameters))};
       map_.balance_growth = {static_cast<float>(balance_growth(map_.study.system()))};
-    } else if (!map_.study.numerics.horizon) {
-      map_.study.numerics.horizon = default_horizon;
+    } else {
+      check_decides(map_.study);
+      if (!map_.study.numerics.horizon) map_.study.numerics.horizon = default_horizon;
     }
     header_ = {to_toml(map_.study),
                map_.x,

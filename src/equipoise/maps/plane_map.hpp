@@ -30,7 +30,8 @@ struct PlaneMapSettings : RunOptions {
   std::string from;
 };
 
-/// Follows the start [initial] of `study`, with the pixel's two values. Over two initial values pixels are
+/// Follows the start [initial] of `study`, with the pixel's two values; where draws_starts() one of its own. Over two
+/// initial values pixels are
 /// decided as basin() decides its starts (StartPixels). Else each is followed until it is seen to approach a motion
 /// that exists and is linearly stable there (settle()), for numerics.horizon (unset: 3000) after the last branch
 /// begins: what becomes steady in no way by then is undecided. Codes are the identifiers of the catalogue; motions

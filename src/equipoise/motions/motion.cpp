@@ -16,6 +16,7 @@
 #include "equipoise/base/angles.hpp"
 #include "equipoise/math/dense.hpp"
 #include "equipoise/model/balanced_state.hpp"
+#include "equipoise/model/coincident_balls.hpp"
 #include "equipoise/model/linearisation.hpp"
 #include "equipoise/motions/event_motion.hpp"
 #include "equipoise/motions/motion_description.hpp"
@@ -74,7 +75,6 @@ class Journey : Stretches {
   // Times between samples_.
   double spacing() const { return strobed() ? strobe() : last_.spacing; }
 
-  void nudge();
   bool travel_stretch(double duration);
   bool travel(Eigen::VectorXd& z, double duration, MotionStatistics* statistics = nullptr,
               std::vector<Eigen::VectorXd>* samples = nullptr) {
@@ -129,18 +129,11 @@ IntegrationStatus Journey::follow_whole(Eigen::VectorXd& z, double duration, Mot
   return IntegrationStatus::done;
 }
 
-// Equal balls in one place stay there in exact arithmetic of equal operations, even where that is unstable. From the
-// second stretch on they are kept this far apart, so that an unstable companionship breaks up.
-void Journey::nudge() {
-  constexpr double nudge = 1e-9;
-  for (int i = 0; i < p_.balls; ++i)
-    for (int k = 0; k < i; ++k)
-      if (std::fabs(wrapped(state_[model::index::phi(i)] - state_[model::index::phi(k)])) < nudge)
-        state_[model::index::phi(i)] += nudge * (i + 1);
-}
-
 bool Journey::travel_stretch(double duration) {
-  if (elapsed_ > 0.0) nudge();
+  // A trajectory that others handed over may hold such balls (discovery's starts in one place do); whether they stay
+  // together is seen from the second stretch on.
+  if (elapsed_ > 0.0)
+    model::part_coincident(p_, &state_[model::index::phi(0)], &state_[model::index::q(0, p_.balls)]);
   previous_ = last_;
   last_ = MotionStatistics();
   const double memory = std::min(duration, whole(longest_memory));

@@ -124,6 +124,12 @@ class Form {
       : name_(name), given_(study::parse_document(text, name, overrides).root) {
     const Study study = parse_study(text, name, overrides);  // for messages that know the text's lines
     all_ = study.scales ? study::parse_toml(to_physical_toml(study)) : to_tree(study);
+    // A study's tree leaves out angles that nobody chose; a form offers them.
+    StudyValue& initial = *all_.find("initial");
+    if (!initial.find("phi")) {
+      const auto& phi = study.initial.phi;
+      initial.set("phi", std::vector<double>(phi.begin(), phi.begin() + study.parameters.balls));
+    }
   }
 
   std::vector<FormField> fields() {

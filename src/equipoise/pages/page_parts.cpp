@@ -13,6 +13,7 @@
 #include "equipoise/base/version.hpp"
 #include "equipoise/model/balance_grade.hpp"
 #include "equipoise/pages/quantities.hpp"
+#include "equipoise/report/start_text.hpp"
 #include "equipoise/report/text.hpp"
 #include "equipoise/sampling/sampling.hpp"
 #include "equipoise/study/physical_echo.hpp"
@@ -119,6 +120,10 @@ Document page_with(const Study& study, const std::string& answer) {
   document.title = "Ball balancer: " + stem_of(study.name);
   document.sheet = true;
   document.blocks.push_back(Paragraph{answer, Tone::plain, true});
+  if (std::string held = held_text(study); !held.empty()) {
+    held.front() = 'B';
+    document.blocks.push_back(Paragraph{held + "."});
+  }
   return document;
 }
 
@@ -135,10 +140,12 @@ std::string grade_words(double grade) {
 
 std::string starts_words(const Study& study, const std::vector<std::string>& drawn) {
   const auto method = static_cast<std::size_t>(study.sampling.method.value_or(SamplingMethod::random));
-  return fmt::format("at {} ball angles{}{}, seed {}", sampling_method_names[method],
+  const std::vector<std::string> instead = drawn_instead(study);
+  return fmt::format("at {} ball angles{}{}, seed {}{}", sampling_method_names[method],
                      study.sampling.box.empty() ? "" : " and in the box of initial states",
                      drawn.empty() ? "" : fmt::format(", with {} drawn anew for each", fmt::join(drawn, ", ")),
-                     study.sampling.seed);
+                     study.sampling.seed,
+                     instead.empty() ? "" : fmt::format(" (not from {} of the study)", fmt::join(instead, ", ")));
 }
 
 std::string model_words(const Study& study, const RunWords& run) {

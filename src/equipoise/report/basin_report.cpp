@@ -41,7 +41,7 @@ std::string title_of(const AttractorShare& a) {
 }  // namespace
 
 std::string basin_text(const BasinResult& r) {
-  std::string text = study_heading(r.study) + uncertain_text(r.study);
+  std::string text = study_heading(r.study) + (r.own_starts ? "" : uncertain_text(r.study));
   const bool even = r.study.sampling.method.value_or(SamplingMethod::random) != SamplingMethod::random;
   const bool open = r.undecided.count > 0;
   const double second = r.study.scales ? r.study.scales->time() : 1.0;

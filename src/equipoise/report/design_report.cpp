@@ -11,6 +11,7 @@
 #include "equipoise/base/version.hpp"
 #include "equipoise/report/csv.hpp"
 #include "equipoise/report/computed.hpp"
+#include "equipoise/report/sensitivity_report.hpp"
 #include "equipoise/report/text.hpp"
 
 namespace equipoise {
@@ -248,7 +249,7 @@ std::string design_answer(const DesignResult& r) {
 }
 
 std::string design_text(const DesignResult& r) {
-  std::string text = study_heading(r.study);
+  std::string text = study_heading(r.study) + uncertain_text(r.study);
   text += design_answer(r) + "\n\n";
   if (r.front.empty()) return text;
   text += fmt::format(

@@ -11,6 +11,7 @@
 #include "equipoise/base/version.hpp"
 #include "equipoise/model/balance_grade.hpp"
 #include "equipoise/report/engineering.hpp"
+#include "equipoise/report/start_text.hpp"
 #include "equipoise/report/text.hpp"
 
 namespace equipoise {
@@ -40,7 +41,8 @@ class Text {
   explicit Text(const Explanation& e) : e_(e), scales_(e.study.scales) {}
 
   std::string all() {
-    text_ = e_.study.name + "\n\n";
+    const std::string held = held_text(e_.study);
+    text_ = e_.study.name + "\n" + (held.empty() ? "" : held + "\n") + "\n";
     table();
     speeds();
     balance();

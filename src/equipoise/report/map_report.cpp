@@ -13,6 +13,7 @@
 
 #include "equipoise/base/version.hpp"
 #include "equipoise/report/computed.hpp"
+#include "equipoise/report/start_text.hpp"
 #include "equipoise/report/text.hpp"
 
 namespace equipoise {
@@ -60,6 +61,27 @@ void add_number(std::string& text, Number number) {
   fmt::format_to(std::back_inserter(text), "{}", number);
 }
 
+// Where the balls start that no axis and no tie places.
+std::string starts_text(const PlaneMap& map) {
+  if (draws_starts(map))
+    return fmt::format("Every pixel draws its own ball angles (seed {}); state initial.phi to start them all alike.\n",
+                       map.study.sampling.seed);
+  std::string text;
+  for (int i = 1; i <= map.study.parameters.balls; ++i) {
+    const std::string key = fmt::format("initial.phi_{}", i);
+    const bool tied =
+        std::any_of(map.links.begin(), map.links.end(), [&](const AngleLink& link) { return link.ball == i; });
+    if (key != map.x.key && key != map.y.key && !tied)
+      text += fmt::format("{}phi_{} = {:.6g}", text.empty() ? "" : ", ", i,
+                          map.study.initial.phi[static_cast<std::size_t>(i - 1)]);
+  }
+  if (text.empty()) return text;
+  text = fmt::format("All pixels start with {}{}.\n", text, states_angles(map.study) ? "" : ", evenly spread");
+  const bool as_stated = map.links.empty() && !map.x.angle() && !map.y.angle();
+  const std::string together = as_stated ? coincident_text(map.study) : "";
+  return together.empty() ? text : text + "Note: " + together + ".\n";
+}
+
 // What the map was made of, beside one run that computes every pixel.
 std::string making_text(const PlaneMap& map) {
   std::string text;
@@ -82,6 +104,7 @@ std::string map_text(const PlaneMap& map) {
   std::string text = study_heading(map.study) + axis_text("x", map.x, map.every) + axis_text("y", map.y, map.every);
   for (const AngleLink& link : map.links)
     text += fmt::format("phi_{} = phi_{} + {:.10g}\n", link.ball, link.of, link.offset);
+  text += starts_text(map);
   text += fmt::format("\n{:>5}  {:<44}{:>10}{:>12}\n", "code", "outcome", "pixels", "of the map");
   for (const MapCode& c : map.codes)
     text += fmt::format("{:>5}  {:<44}{:>10}{:>10.2f} %\n", c.code,
@@ -144,6 +167,7 @@ std::string map_json(const PlaneMap& map) {
   json["pixels_computed"] = map.pixels_computed;
   json["pixels_kept"] = map.pixels_kept;
   json["pixels_reused"] = map.pixels_reused;
+  json["draws_starts"] = draws_starts(map);
   json["refine"] = map.block > 0 ? MapJson(map.block) : MapJson(nullptr);
   json["every"] = map.every;
   add_computed(json, map);

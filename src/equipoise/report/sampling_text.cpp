@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include "equipoise/report/start_text.hpp"
 #include "equipoise/sampling/scrambled_sobol.hpp"
 
 namespace equipoise {
@@ -93,6 +94,7 @@ std::string sampling_text(const BasinResult& r) {
 nlohmann::ordered_json sampling_json(const BasinResult& r) {
   if (r.own_starts) return {{"method", "given"}};
   nlohmann::ordered_json json = {{"method", sampling_method_names[static_cast<std::size_t>(method_of(r))]}};
+  if (const auto drawn = drawn_instead(r.study); !drawn.empty()) json["drawn_instead_of"] = drawn;
   if (method_of(r) == SamplingMethod::sobol) {
     json["replicates"] = sobol_replicates;
     json["points_per_replicate"] = r.starts / sobol_replicates;

@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include "equipoise/report/start_text.hpp"
 #include "equipoise/report/text.hpp"
 
 namespace equipoise {
@@ -47,6 +48,7 @@ std::string uncertain_text(const Study& study, const std::vector<std::string>& s
   for (const UncertainValue& v : study.uncertain.values)
     if (std::find(set.begin(), set.end(), v.key) == set.end())
       text += fmt::format("drawn with each start: {} {}\n", v.key, distribution_text(v));
+  text += drawn_instead_text(study);
   return text.empty() ? text : text + "\n";
 }
 

@@ -11,8 +11,8 @@
 
 namespace equipoise {
 
-/// A line for every uncertain value: "drawn with each start: rotor.eccentricity uniform, 0.005 to 0.015"; empty
-/// without. Not for keys that are `set` otherwise.
+/// A line for every uncertain value: "drawn with each start: rotor.eccentricity uniform, 0.005 to 0.015", and one for
+/// what the study states of starts and they draw all the same; empty without. Not for keys that are `set` otherwise.
 std::string uncertain_text(const Study& study, const std::vector<std::string>& set = {});
 
 std::string sensitivity_text(const SensitivityResult& result);

@@ -10,6 +10,7 @@
 
 #include "equipoise/base/angles.hpp"
 #include "equipoise/report/engineering.hpp"
+#include "equipoise/report/start_text.hpp"
 
 namespace equipoise {
 
@@ -103,11 +104,6 @@ std::string speed_text(const Study& study) {
                        time(s.rise_until), time(s.hold_until), speed(s.final), time(s.fall_until));
   else
     text = fmt::format("{} speed points to {} at {}", s.times.size(), speed(s.speeds.back()), time(s.times.back()));
-  const double release = study.release_time();
-  if (std::isinf(release))
-    text += ", balls released at " + speed(*study.release.speed);
-  else if (release > 0.0)
-    text += ", balls released at t = " + (study.scales ? time(release) : fmt::format("{:.6g}", release));
   if (s.profile != Profile::constant && !s.driven())
     text += s.law == model::SpeedLaw::published ? "; PUBLISHED speed law, psi = t Omega(t)"
                                                 : "; kinematic speed law, psi' = Omega(t)";
@@ -151,7 +147,8 @@ std::string study_heading(const Study& study) {
   if (study.scales)
     text +=
         fmt::format("critical speed {}, 1/omega_c = {}\n", shown(1.0, Dimension::speed), shown(1.0, Dimension::time));
-  return text + more_text(study) + speed_text(study) + "\n\n";
+  const std::string held = held_text(study);
+  return text + more_text(study) + speed_text(study) + "\n" + (held.empty() ? "" : held + "\n") + "\n";
 }
 
 std::string rotor_speed_text(const Study& study, double speed) {

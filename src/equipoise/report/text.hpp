@@ -20,7 +20,7 @@ std::string interval(const Share& s);
 std::string bounds_text(const Share& s);
 /// A rotor speed: in rpm if the study has scales, else dimensionless.
 std::string rotor_speed_text(const Study& study, double speed);
-/// Name, balls, rotor, speed: what every report begins with; ends with an empty line.
+/// Name, balls, rotor, speed, how long balls are held: what every report begins with; ends with an empty line.
 std::string study_heading(const Study& study);
 /// "published" or "kinematic".
 const char* name_of(model::SpeedLaw law);

@@ -5,6 +5,11 @@
 
 namespace equipoise {
 
+bool draws_starts(const PlaneMap& map) {
+  const auto is_start = [](const MapAxis& axis) { return axis.key.starts_with("initial."); };
+  return !is_start(map.x) && !is_start(map.y) && !states_angles(map.study);
+}
+
 MapAxis thinned(const MapAxis& axis, int every) {
   if (every == 1) return axis;
   MapAxis result = axis;

@@ -85,6 +85,10 @@ struct PlaneMap {
   }
 };
 
+/// Whether every pixel draws its own start, by its number (row by row from 0) and the study's seed: where both axes are
+/// parameters and the study does not say where the balls start. One start at all pixels would stand for no other.
+bool draws_starts(const PlaneMap& map);
+
 /// The axis of every `every`-th pixel of another: their centres are where they were.
 MapAxis thinned(const MapAxis& axis, int every);
 /// The first of these pixels.

@@ -5,10 +5,12 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "equipoise/base/angles.hpp"
 #include "equipoise/base/error.hpp"
+#include "equipoise/model/coincident_balls.hpp"
 #include "equipoise/model/frames.hpp"
 #include "equipoise/sampling/sampling.hpp"
 #include "equipoise/study/study.hpp"
@@ -26,6 +28,18 @@ inline void initial_state(const InitialState& s, int balls, double speed, double
     z[model::index::phi(i)] = s.phi[i];
     z[model::index::q(i, balls)] = s.phi_dot[i];
   }
+}
+
+/// The start as it is followed by whoever follows it: alike balls in one place are set a few 1e-9 apart.
+inline InitialState parted(const model::Parameters& p, InitialState s) {
+  model::part_coincident(p, s.phi.data(), s.phi_dot.data());
+  return s;
+}
+/// The same of many.
+inline std::vector<InitialState> parted(const model::Parameters& p, std::span<const InitialState> given) {
+  std::vector<InitialState> starts(given.begin(), given.end());
+  for (InitialState& s : starts) model::part_coincident(p, s.phi.data(), s.phi_dot.data());
+  return starts;
 }
 
 /// Whether exchanging balls changes no start's probability and no start's fate but for the balls' names: equal balls,

@@ -19,7 +19,7 @@ BasinOutcomes read_basin_outcomes(const std::string& path) {
   if (starts == 0 || kinds == 0)
     throw InputError(path, "", "", "holds no starts; must be a result that \"basin -o\" finished");
   BasinOutcomes result;
-  result.study = parse_study(file.attribute("study"), path);
+  result.study = parse_kept_study(file.attribute("study"), path);
   result.partial = file.attribute("complete") != "yes";
   result.own_starts = file.attribute("own_starts");
   result.outcome.resize(starts);

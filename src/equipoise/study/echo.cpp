@@ -124,14 +124,14 @@ StudyValue speed_table(const SpeedSetting& s) {
   return speed;
 }
 
-StudyValue initial_table(const InitialState& s, std::size_t balls) {
-  return {{"psi", s.psi},
-          {"x", s.x},
-          {"y", s.y},
-          {"x_dot", s.x_dot},
-          {"y_dot", s.y_dot},
-          {"phi", first(s.phi, balls)},
-          {"phi_dot", first(s.phi_dot, balls)}};
+// Ball angles that nobody chose are left out: whoever draws them would else seem to start from these.
+StudyValue initial_table(const Study& study) {
+  const InitialState& s = study.initial;
+  const std::size_t balls = ball_count(study.parameters);
+  StudyValue initial{{"psi", s.psi}, {"x", s.x}, {"y", s.y}, {"x_dot", s.x_dot}, {"y_dot", s.y_dot}};
+  if (states_angles(study)) initial.set("phi", first(s.phi, balls));
+  initial.set("phi_dot", first(s.phi_dot, balls));
+  return initial;
 }
 
 StudyValue sampling_table(const Sampling& s) {
@@ -170,7 +170,7 @@ StudyValue tree_with_medians(const Study& study) {
   set_if(release, "speed", study.release.speed);
   set_if(release, "time", study.release.time);
   if (!release.table()->empty()) tree.set("release", release);
-  tree.set("initial", initial_table(study.initial, ball_count(study.parameters)));
+  tree.set("initial", initial_table(study));
   tree.set("sampling", sampling_table(study.sampling));
   tree.set("numerics", numerics_table(study.numerics));
   if (const StudyValue limits = limits_table(study.limits); !limits.table()->empty()) tree.set("limits", limits);

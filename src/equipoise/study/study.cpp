@@ -201,9 +201,13 @@ void read_initial(const Document& document, Study& study) {
   s.x_dot = reader.number("x_dot", any_number, 0.0);
   s.y_dot = reader.number("y_dot", any_number, 0.0);
   const int balls = study.parameters.balls;
-  const auto phi = reader.one_or_each("phi", any_number, balls, "ball", 0.0);
+  s.phi = even_angles(balls);
+  study.angles_stated = reader.has("phi");
+  if (study.angles_stated) {
+    const auto phi = reader.one_or_each("phi", any_number, balls, "ball");
+    std::copy(phi.begin(), phi.end(), s.phi.begin());
+  }
   const auto phi_dot = reader.one_or_each("phi_dot", any_number, balls, "ball", 0.0);
-  std::copy(phi.begin(), phi.end(), s.phi.begin());
   std::copy(phi_dot.begin(), phi_dot.end(), s.phi_dot.begin());
   if (study.release_time() > 0.0)
     for (double rate : phi_dot)
@@ -303,6 +307,16 @@ model::SpeedProfile Study::speed_profile() const {
   return profile;
 }
 
+std::array<double, model::max_balls> even_angles(int balls) {
+  std::array<double, model::max_balls> phi{};
+  for (int i = 0; i < std::min(balls, model::max_balls); ++i) phi[i] = two_pi * i / balls;
+  return phi;
+}
+
+bool states_angles(const Study& study) {
+  return study.angles_stated || study.initial.phi != even_angles(study.parameters.balls);
+}
+
 double Study::release_time() const {
   if (release.time) return *release.time;
   if (speed.driven())
@@ -391,7 +405,9 @@ void rest_under_gravity(const Document& document, Study& study) {
 
 namespace {
 
-Study read(Document document);
+enum class Source { asked, kept };  // kept: the study of a result
+
+Study read(Document document, Source source = Source::asked);
 
 // Each value alone at either end: what lies between makes a study if both ends do.
 void check_ends(const Document& document, const StudyValue& medians, const std::vector<UncertainValue>& values) {
@@ -407,10 +423,23 @@ void check_ends(const Document& document, const StudyValue& medians, const std::
     }
 }
 
-Study read(Document document) {
+// A real race has no latch: in the units of a machine nothing holds the balls unless the study says so, and results say
+// that it does not. A dimensionless study keeps the paper's way. With a motor balls are free in any case.
+void free_balls_of_machine(Document& document) {
+  if (!is_physical(document)) return;
+  const StudyValue* profile = document.root.find_path("speed.profile");
+  if (profile && profile->string() && *profile->string() == profile_names[static_cast<std::size_t>(Profile::torque)])
+    return;
+  StudyValue* release = document.root.find("release");
+  if (!release) release = &document.root.set("release", StudyValue());
+  if (release->table() && release->table()->empty()) release->set("time", "0 s");
+}
+
+Study read(Document document, Source source) {
   check_tables(document,
                {"rotor", "balancer", "speed", "release", "initial", "sampling", "numerics", "limits", "sweep", "design",
                 "units"});
+  if (source == Source::asked) free_balls_of_machine(document);
   Uncertainty uncertain;
   if (is_physical(document)) uncertain.physical = document.root;
   uncertain.values = take_uncertain(document);
@@ -443,6 +472,10 @@ Study read(Document document) {
 
 Study parse_study(const std::string& toml_text, const std::string& name, const std::vector<std::string>& overrides) {
   return read(parse_document(toml_text, name, overrides));
+}
+
+Study parse_kept_study(const std::string& toml_text, const std::string& name) {
+  return read(parse_document(toml_text, name, {}), Source::kept);
 }
 
 Study study_from(const StudyValue& tree, const std::string& name, const std::vector<std::string>& overrides) {

@@ -80,8 +80,9 @@ struct ReleaseSetting {
   std::optional<double> time;
 };
 
-/// [initial]: state at t = 0, rotating frame. Ensembles draw phi and ignore the one given here. Under gravity a study
-/// that says nothing of x, y, x_dot and y_dot is read with those of a rotor at rest under its weight.
+/// [initial]: state at t = 0, rotating frame. Ensembles draw phi. A study that says nothing of phi is read with
+/// even_angles(); under gravity one that says nothing of x, y, x_dot and y_dot with those of a rotor at rest under its
+/// weight.
 struct InitialState {
   double psi = 0.0, x = 0.0, y = 0.0, x_dot = 0.0, y_dot = 0.0;
   std::array<double, model::max_balls> phi{}, phi_dot{};
@@ -159,6 +160,7 @@ struct Study {
   SpeedSetting speed;
   ReleaseSetting release;
   InitialState initial;
+  bool angles_stated = false;  ///< the study said where the balls start: see states_angles()
   Sampling sampling;
   Numerics numerics;
   Limits limits;
@@ -170,8 +172,9 @@ struct Study {
   /// t = 0, as a constant.
   model::SpeedProfile speed_profile() const;
   /// Time at which the balls are let go, >= 0. With no [release]: 0 at constant speed and of a driven rotor, else the
-  /// end of the ramp (trapezoid: of the rise; points: the last time). Infinite for a driven rotor that lets go at a
-  /// speed. Throws InputError if the ramp function never reaches release.speed.
+  /// end of the ramp (trapezoid: of the rise; points: the last time); a study in physical units that says nothing is
+  /// read with release.time = 0. Infinite for a driven rotor that lets go at a speed. Throws InputError if the ramp
+  /// function never reaches release.speed.
   double release_time() const;
   /// The motor of profile torque.
   model::MotorLaw motor() const;
@@ -184,6 +187,12 @@ struct Study {
   double stall_speed() const;
 };
 
+/// Ball angles evenly around the race, the first at 0; where there is no such ball 0.
+std::array<double, model::max_balls> even_angles(int balls);
+
+/// Whether the ball angles of [initial] are somebody's choice: stated in the study, or set by code.
+bool states_angles(const Study& study);
+
 /// The text of a study file; a pipe can be read once only. Throws InputError if it cannot be read or does not end.
 std::string read_study_text(const std::string& path);
 
@@ -194,6 +203,10 @@ Study read_study(const std::string& path, const std::vector<std::string>& overri
 /// The same from TOML text; `name` stands in for the file name in messages.
 Study parse_study(const std::string& toml_text, const std::string& name,
                   const std::vector<std::string>& overrides = {});
+
+/// The study that a result carries, as to_toml() wrote it. Versions up to 0.3.0 held the balls of machines to the end of
+/// their ramp and did not write that down; here such a study says so.
+Study parse_kept_study(const std::string& toml_text, const std::string& name);
 
 /// The same from a tree of values: tables and keys as in a study file.
 Study study_from(const StudyValue& tree, const std::string& name = "study",

@@ -27,7 +27,7 @@ SweepResult asked_for(const std::string& identity, const std::string& path) {
   if (over.empty() || axes == 0) throw InputError(path, "", "", "does not say which sweep it is of");
   result.half_width = std::strtod(lines.value("sweep.half_width").c_str(), nullptr);
   result.transients = lines.value("transients") != "none";
-  result.study = parse_study(lines.study, path);
+  result.study = parse_kept_study(lines.study, path);
   result.axes = sweep_axes(over, axes < over.size(), path);
   std::size_t cells = 1;
   for (const SweepAxis& axis : result.axes) cells *= axis.size();

@@ -57,7 +57,7 @@ class MachineRun {
   }
   static std::array<double, Machine::dimension> first_state(const Study& study, const model::Drive& drive) {
     std::array<double, Machine::dimension> z{};
-    initial_state(study.initial, study.parameters.balls, drive.speed, z.data());
+    initial_state(parted(study.parameters, study.initial), study.parameters.balls, drive.speed, z.data());
     return z;
   }
 

@@ -153,10 +153,11 @@ Trajectory followed(const Task& task) {
   }
   const double release = study.release_time();
   const auto segments = model::segments(study.speed_profile(), release);
-  const double* phi = study.initial.phi.data();
+  const InitialState start = parted(p, study.initial);
+  const double* phi = start.phi.data();
 
   std::vector<double> z(model::dimension(p.balls));
-  initial_state(study.initial, p.balls, segments.front().speed, z.data());
+  initial_state(start, p.balls, segments.front().speed, z.data());
 
   std::size_t free_from = 0;
   while (segments[free_from].clamped) ++free_from;

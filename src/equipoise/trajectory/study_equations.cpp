@@ -187,7 +187,7 @@ StudyEquations StudyEquations::released_at(double t) const {
 std::vector<double> StudyEquations::initial_state() const { return initial_state(study().initial); }
 
 std::vector<double> StudyEquations::initial_state(const InitialState& start) const {
-  MotionState motion{start};
+  MotionState motion{parted(study().parameters, start)};
   motion.psi_dot = state_->drive.speed;
   return state(0, 0.0, motion);
 }
