@@ -12,6 +12,7 @@
 #include "equipoise/fates/transient_tally.hpp"
 #include "equipoise/report/attractors_report.hpp"
 #include "equipoise/report/basin_report.hpp"
+#include "equipoise/report/csv.hpp"
 #include "equipoise/report/transient_report.hpp"
 #include "equipoise/results/attractors_result.hpp"
 #include "equipoise/results/basin_result.hpp"
@@ -44,6 +45,14 @@ Tally tally_of(SamplingMethod method, std::uint64_t starts, bool all_balanced = 
                                       : fate(Outcome::undecided));
   }
   return tally;
+}
+
+// RFC 4180: quotes around what holds a comma or a quote, its own quotes twice.
+TEST(Csv, QuotesAndDoublesQuotes) {
+  EXPECT_EQ(csv_text("two balls stuck"), "two balls stuck");
+  EXPECT_EQ(csv_text("a, b"), "\"a, b\"");
+  EXPECT_EQ(csv_text("called \"V2\""), "\"called \"\"V2\"\"\"");
+  EXPECT_EQ(csv_text("one\ntwo"), "\"one\ntwo\"");
 }
 
 TEST(OpenShares, HaveBoundsThatHoldWhateverTheUndecidedAre) {
