@@ -24,7 +24,7 @@ namespace equipoise::app {
 namespace {
 
 struct CapacityArguments : ResultForms {
-  std::string study, of = "rotor.eccentricity", between, cpu;
+  std::string study, of, between, cpu;
   std::vector<std::string> over, overrides;
   std::optional<std::string> at_least, precision, starts, seed, threads;
   bool zip = false, quiet = false;
@@ -45,10 +45,10 @@ SweepPlan capacity_plan(const CapacityArguments& a, const StudySource& source) {
   return SweepPlan(source, axes, request, "--over");
 }
 
-CapacityOptions capacity_options(const CapacityArguments& a, const Study& study) {
+CapacityOptions capacity_options(const CapacityArguments& a, const SweepPlan& plan) {
   CapacityOptions options;
-  options.key = a.of;
-  const CapacityRange range = capacity_range(study, a.of, a.between, "--between");
+  options.key = capacity_key(plan.source(), a.of, "--of");
+  const CapacityRange range = capacity_range(plan, options.key, a.between, "--between");
   options.from = range.from;
   options.to = range.to;
   options.unit = range.unit;
@@ -68,7 +68,7 @@ int run_capacity(const CapacityArguments& a) {
   choose_cpu(a.cpu);
   const StudySource source = capacity_source(a);
   const SweepPlan plan = capacity_plan(a, source);
-  CapacityOptions options = capacity_options(a, plan.study());
+  CapacityOptions options = capacity_options(a, plan);
   check_forms(a);
   ProgressLine progress(a.quiet);
   options.progress = progress.listener();
@@ -91,8 +91,8 @@ Command add_capacity(CLI::App& app) {
   const auto a = std::make_shared<CapacityArguments>();
   app.add_option("study", a->study, "study file (TOML)")->required()->type_name("STUDY");
   app.add_option("--of", a->of,
-                 "what is to be as large as possible: rotor.eccentricity (default), rotor.unbalance of a study in "
-                 "physical units, or any key that --set takes")
+                 "what is to be as large as possible, any key that --set takes (default: rotor.unbalance where the study "
+                 "states it, else rotor.eccentricity)")
       ->type_name("KEY");
   app.add_option("--between", a->between,
                  "where it is looked for, e.g. 0.001:0.1 or \"20 g mm:400 g mm\" (default for an "

@@ -135,8 +135,8 @@ Capacity find_capacity(const PyStudy& s, const std::string& of, const std::strin
   Call call(settings);
   CapacityOptions options;
   call.set(options);
-  options.key = of;
-  const CapacityRange range = capacity_range(plan.study(), of, between, "between");
+  options.key = capacity_key(plan.source(), of, "of");
+  const CapacityRange range = capacity_range(plan, options.key, between, "between");
   options.from = range.from;
   options.to = range.to;
   options.unit = range.unit;

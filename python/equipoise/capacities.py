@@ -102,7 +102,7 @@ class CapacityResult(Result):
 
 def capacity(
     study: Study,
-    of: str = "rotor.eccentricity",
+    of: Optional[str] = None,
     *,
     between: Range = None,
     at_least: float = 0.95,
@@ -120,8 +120,8 @@ def capacity(
 
     Parameters
     ----------
-    of : str
-        "rotor.eccentricity", "rotor.unbalance" of a study in physical units, or any key.
+    of : str, optional
+        Any key of the study; default "rotor.unbalance" where the study states it, else "rotor.eccentricity".
     between : (low, high) or str, optional
         Where it is looked for; default of the two keys named: up to what all balls together can make up for.
     at_least : float
@@ -136,13 +136,13 @@ def capacity(
         As for :func:`basin`.
     """
     asked = with_starts(study, starts, seed)
-    if not isinstance(of, str):
+    if not (of is None or isinstance(of, str)):
         refuse("of", of, 'a key of the study, such as "rotor.eccentricity"')
     share = real("at_least", at_least, 0.01, 0.9999, "a share from 0.01 to 0.9999")
     part = real("precision", precision, 0.0, 1.0, "a part of the range, such as 0.005")
     with settings(threads, progress, cpu) as how:
         core = _core.capacity(
-            asked._core, of, range_text("between", between), share, part, over_texts({} if over is None else over),
+            asked._core, of or "", range_text("between", between), share, part, over_texts({} if over is None else over),
             bool(zip), path_text(output), how,
         )
     return unless_interrupted(CapacityResult(core, asked), core.interrupted)

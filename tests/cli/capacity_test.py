@@ -5,7 +5,9 @@
 """
 import csv
 import json
+import math
 import os
+import re
 import subprocess
 import sys
 import tempfile
@@ -55,6 +57,33 @@ class Capacity(unittest.TestCase):
         at = ["--set", "speed.speed=2", "--set", "balancer.drag=0.01", "--starts", "100"]  # table 1: nothing balances
         none_does = answer("capacity", ROW, *at, "--between", "0.01:0.02")["cells"][0]
         self.assertEqual((none_does["never"], none_does["value"]), (True, None))
+
+    def test_an_unbalance_has_a_range_of_its_own_which_the_answer_tells(self):
+        # In grams, so that the sentence has no exponent; three decisions of a few starts are enough to be told where.
+        few = ["--starts", "5", "--precision", "0.1", "--at-least", "0.3"]
+        drum = os.path.join(STUDIES, "examples", "washing-machine.toml")
+        balls = 4 * 7.8e-3 * math.pi / 6 * 38 ** 3 * 250  # g mm: what they can make up for
+        with tempfile.TemporaryDirectory() as folder:
+            by_length = os.path.join(folder, "length.toml")
+            with open(drum, encoding="utf-8") as study, open(by_length, "w", encoding="utf-8") as other:
+                other.write(study.read().replace('unbalance = "100 kg mm"', 'eccentricity = "2.5 mm"'))
+            for path, key, unit, most in ((drum, "rotor.unbalance", "g mm", balls),
+                                          (by_length, "rotor.eccentricity", "mm", balls / 40000),
+                                          (ROW, "rotor.eccentricity", "", 0.1)):
+                found = answer("capacity", path, *few)
+                self.assertEqual((found["of"], found["unit"]), (key, unit))
+                self.assertTrue(abs(found["to"] / most - 1) < 1e-5 and abs(found["from"] / most - 0.02) < 1e-5, found)  # six digits
+                text = run("capacity", path, *few, "--quiet").stdout
+                told = re.search(rf"The largest {key} at which 30 % of starts end balanced, looked for from (\S+) to (\S+?)( g mm| mm)?\.\n", text)
+                self.assertTrue(told, text)
+                self.assertEqual((told[3] or "").strip(), unit)
+                self.assertTrue(abs(float(told[2]) / most - 1) < 1e-3, told[2])  # four digits
+
+    def test_of_the_two_unbalances_only_the_stated_one_is_looked_for(self):
+        done = run("capacity", os.path.join(STUDIES, "examples", "washing-machine.toml"), "--of", "rotor.eccentricity")
+        self.assertEqual((done.returncode, done.stdout), (2, ""))
+        self.assertIn("--of", done.stderr)
+        self.assertIn("must be rotor.unbalance", done.stderr)
 
     def test_bad_input_is_one_line_before_any_work(self):
         for arguments, words in (

@@ -1,7 +1,10 @@
 // What reports say, from results made by hand: bounds beside intervals, units, what may be missing, what is folded
 // away.
+#include <array>
 #include <cstdint>
+#include <memory>
 #include <string>
+#include <vector>
 
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
@@ -12,12 +15,15 @@
 #include "equipoise/fates/transient_tally.hpp"
 #include "equipoise/report/attractors_report.hpp"
 #include "equipoise/report/basin_report.hpp"
+#include "equipoise/report/csv.hpp"
 #include "equipoise/report/sensitivity_report.hpp"
 #include "equipoise/report/start_text.hpp"
+#include "equipoise/report/sweep_report.hpp"
 #include "equipoise/report/text.hpp"
 #include "equipoise/report/transient_report.hpp"
 #include "equipoise/results/attractors_result.hpp"
 #include "equipoise/results/basin_result.hpp"
+#include "equipoise/results/sweep_result.hpp"
 #include "equipoise/study/study.hpp"
 
 namespace equipoise {
@@ -47,6 +53,76 @@ Tally tally_of(SamplingMethod method, std::uint64_t starts, bool all_balanced = 
                                       : fate(Outcome::undecided));
   }
   return tally;
+}
+
+// Six motions, three of one alias, the rarest of them common in one cell only: every column has a name of its own, the
+// commonest over all cells come first, and what the last column holds is said.
+TEST(SweepText, TellsMotionsApartAndSaysWhatOthersAre) {
+  SweepResult r;
+  r.study = parse_study(machine, "s.toml");
+  r.axes = {{{{"balancer.drag", "", {1.0, 2.0}, {"1", "2"}}}}};
+  struct Came {
+    int id;
+    const char *name, *alias;
+    std::array<std::uint64_t, 2> count;
+  };
+  const std::vector<Came> came{{1, "balanced", "", {500, 500}},
+                               {3, "drifting apart", "V2", {300, 300}},
+                               {8, "drifting apart (2)", "V2", {100, 0}},
+                               {9, "drifting apart (3)", "V2", {60, 60}},
+                               {2, "co-drifting", "V1", {40, 90}},
+                               {4, "one captured", "V3", {0, 50}}};
+  for (std::size_t k = 0; k < 2; ++k) {
+    auto cell = std::make_shared<SweepCell>();
+    cell->starts = 1000;
+    for (const Came& c : came) {
+      SweepOutcome o;
+      o.id = c.id;
+      o.name = c.name;
+      o.alias = c.alias;
+      o.share = wilson_share(c.count[k], 1000);
+      cell->outcomes.push_back(o);
+    }
+    cell->undecided = cell->diverged = cell->failed = wilson_share(0, 1000);
+    r.cells.push_back(cell);
+  }
+  const std::string text = sweep_text(r);
+  std::size_t from = 0;
+  for (const char* title : {"95 % interval", " V2 ", " V1 ", " V2 (3) ", " V2 (2) ", "others", "undecided"}) {
+    from = text.find(title, from);
+    ASSERT_NE(from, std::string::npos) << title << "\n" << text;
+  }
+  EXPECT_NE(text.find("Others: 1 motion: V3, 5.00 % at most, in 1 cell.\n"), std::string::npos) << text;
+  r.cells.pop_back();
+  r.cells.push_back(nullptr);
+  EXPECT_EQ(sweep_text(r).find("thers"), std::string::npos);
+}
+
+// Two motions of one name, which no catalogue makes, still have columns of their own.
+TEST(SweepText, NeverHasTwoColumnsOfOneTitle) {
+  SweepResult r;
+  r.study = parse_study(machine, "s.toml");
+  r.axes = {{{{"balancer.drag", "", {1.0}, {"1"}}}}};
+  auto cell = std::make_shared<SweepCell>();
+  cell->starts = 10;
+  for (const int id : {1, 8, 9}) {
+    SweepOutcome o;
+    o.id = id;
+    o.name = id == 1 ? "balanced" : "stuck";
+    o.share = wilson_share(3, 10);
+    cell->outcomes.push_back(o);
+  }
+  cell->undecided = cell->diverged = cell->failed = wilson_share(0, 10);
+  r.cells = {cell};
+  EXPECT_NE(sweep_text(r).find("stuck #8  stuck #9"), std::string::npos) << sweep_text(r);
+}
+
+// RFC 4180: quotes around what holds a comma or a quote, its own quotes twice.
+TEST(Csv, QuotesAndDoublesQuotes) {
+  EXPECT_EQ(csv_text("two balls stuck"), "two balls stuck");
+  EXPECT_EQ(csv_text("a, b"), "\"a, b\"");
+  EXPECT_EQ(csv_text("called \"V2\""), "\"called \"\"V2\"\"\"");
+  EXPECT_EQ(csv_text("one\ntwo"), "\"one\ntwo\"");
 }
 
 TEST(OpenShares, HaveBoundsThatHoldWhateverTheUndecidedAre) {

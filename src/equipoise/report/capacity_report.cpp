@@ -2,6 +2,7 @@
 #include "equipoise/report/capacity_report.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <vector>
 
 #include <fmt/format.h>
@@ -20,12 +21,26 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
+// Four digits, and all that stand before the point.
+std::string four_digits(double value) {
+  return std::fabs(value) < 1e4 ? fmt::format("{:.4g}", value) : fmt::format("{:.0f}", value);
+}
+
+std::string in_unit(const CapacityResult& r, const std::string& value) {
+  return r.unit.empty() ? value : value + " " + r.unit;
+}
+
+// "20 to 400 g mm"
+std::string sought_text(const CapacityResult& r) {
+  return in_unit(r, fmt::format("{} to {}", four_digits(r.from), four_digits(r.to)));
+}
+
 }  // namespace
 
 std::string capacity_value_text(const CapacityResult& r, const CapacityCell& cell) {
-  if (cell.never) return fmt::format("below {:.4g}", r.from);
-  if (cell.always) return fmt::format("above {:.4g}", r.to);
-  return fmt::format("{:.4g}", *cell.value);
+  if (cell.never) return "below " + four_digits(r.from);
+  if (cell.always) return "above " + four_digits(r.to);
+  return four_digits(*cell.value);
 }
 
 std::string capacity_text(const CapacityResult& r) {
@@ -34,20 +49,21 @@ std::string capacity_text(const CapacityResult& r) {
   std::string text = study_heading(r.study) + uncertain_text(r.study, set);
   const std::string asked = column_title(r.key, r.unit);
   const std::size_t width = std::max<std::size_t>(asked.size(), 12);
-  text += fmt::format("The largest {} at which {:.4g} % of starts end balanced.\n\n", r.key, 100.0 * r.at_least);
+  text += fmt::format("The largest {} at which {:.4g} % of starts end balanced, looked for from {}.\n\n", r.key,
+                      100.0 * r.at_least, sought_text(r));
   text += column_titles(r.axes) + fmt::format("{:>{}}  {:<24}{:>7}\n", asked, width, "surely between", "trials");
   for (std::size_t index = 0; index < r.cells.size(); ++index) {
     if (!r.cells[index]) continue;
     const CapacityCell& cell = *r.cells[index];
     text += column_values(r.axes, index);
     text += fmt::format("{:>{}}  {:<24}{:>7}\n", capacity_value_text(r, cell), width,
-                        fmt::format("{:.4g} and {:.4g}", cell.low, cell.high), cell.trials.size());
+                        fmt::format("{} and {}", four_digits(cell.low), four_digits(cell.high)), cell.trials.size());
   }
   text += fmt::format(
       "\nSurely between: up to the first value the share is as large with 95 % confidence, whatever undecided starts "
-      "would come to; at the second it is smaller with 95 % confidence. Looked for from {:.4g} to {:.4g}, located to "
-      "{:.3g}; a share that falls short between two of the values tried and recovers is not seen.\n",
-      r.from, r.to, r.precision * (r.to - r.from));
+      "would come to; at the second it is smaller with 95 % confidence. Located to {}; a share that falls short "
+      "between two of the values tried and recovers is not seen.\n",
+      in_unit(r, four_digits(r.precision * (r.to - r.from))));
   if (!r.complete()) text += "PARTIAL: stopped before all cells were done.\n";
   if (r.resumed_trials > 0) text += fmt::format("{} trials from an earlier run. ", r.resumed_trials);
   return text + fmt::format(
@@ -90,8 +106,8 @@ std::string capacity_json(const CapacityResult& r) {
 
 std::string capacity_csv(const CapacityResult& r) {
   std::string text =
-      fmt::format("# equipoise {}: largest {} at which a share of {} of {} starts ends balanced, from {} to {}{}\n",
-                  version_string, r.key, r.at_least, r.starts, r.from, r.to, r.complete() ? "" : ", PARTIAL");
+      fmt::format("# equipoise {}: largest {} at which a share of {} of {} starts ends balanced, looked for from {}{}\n",
+                  version_string, r.key, r.at_least, r.starts, sought_text(r), r.complete() ? "" : ", PARTIAL");
   text += csv_study(r.study) + csv_titles(r.axes) + csv_title(r.key, r.unit) + ",low,high,always,never,trials\n";
   for (std::size_t index = 0; index < r.cells.size(); ++index) {
     if (!r.cells[index]) continue;

@@ -24,41 +24,72 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 // Attractors with a column of their own in a terminal's table.
-constexpr std::size_t most_columns = 5;
+constexpr std::size_t most_columns = 4;  // beside balanced
 
 struct SweepColumn {
   int id = 0;
-  std::string name;
-  double largest = 0.0;  // share in any cell
-  std::size_t width() const { return std::max<std::size_t>(name.size(), 8); }
+  std::string title;
+  double sum = 0.0, largest = 0.0;  // of its shares in all cells, and in any
+  std::size_t cells = 0;            // in which starts came to it
+  std::size_t width() const { return std::max<std::size_t>(title.size(), 8); }
 };
 
-// Attractors that some start came to, balanced first and the others by identifier; the rarest may have none.
+// "V2", and with its number the second motion of that alias: "V2 (2)".
+std::string column_name(const SweepOutcome& o) {
+  if (o.alias.empty()) return o.name;
+  const std::size_t number = o.name.rfind(" (");
+  return number == std::string::npos ? o.alias : o.alias + o.name.substr(number);
+}
+
+// Attractors that some start came to: balanced first, then by their shares over all cells; the rarest have no column.
 struct Columns {
   explicit Columns(const SweepResult& r) {
     std::map<int, SweepColumn> all;
-    all[balanced_id] = {balanced_id, "balanced", 0.0};
     for (const auto& cell : r.cells) {
       if (!cell) continue;
       if (cell->stalled && cell->stalled->count > 0) stalled = true;
       for (const SweepOutcome& o : cell->outcomes) {
-        if (o.share.count == 0) continue;
+        if (o.share.count == 0 || o.id == balanced_id) continue;
         SweepColumn& column = all[o.id];
-        column = {o.id, o.alias.empty() ? o.name : o.alias, std::max(column.largest, o.share.share)};
+        column = {o.id, column_name(o), column.sum + o.share.share, std::max(column.largest, o.share.share),
+                  column.cells + 1};
       }
     }
     for (const auto& [id, column] : all) shown.push_back(column);
-    others = shown.size() > most_columns;
-    if (!others) return;
-    std::stable_sort(shown.begin() + 1, shown.end(),
-                     [](const auto& a, const auto& b) { return a.largest > b.largest; });
+    std::stable_sort(shown.begin(), shown.end(), [](const auto& a, const auto& b) { return a.sum > b.sum; });
+    tell_apart();
+    if (shown.size() <= most_columns) return;
+    others.assign(shown.begin() + most_columns, shown.end());
     shown.resize(most_columns);
-    std::sort(shown.begin(), shown.end(), [](const auto& a, const auto& b) { return a.id < b.id; });
   }
 
-  std::vector<SweepColumn> shown;
-  bool others = false, stalled = false;
+  std::vector<SweepColumn> shown, others;
+  bool stalled = false;
+
+ private:
+  // Whatever motions are called, no two columns are called alike.
+  void tell_apart() {
+    std::map<std::string, int> titles;
+    for (const SweepColumn& column : shown) ++titles[column.title];
+    for (SweepColumn& column : shown)
+      if (titles[column.title] > 1) column.title += fmt::format(" #{}", column.id);
+  }
 };
+
+// Which motions the last column holds, and how much of any cell.
+std::string others_text(const Columns& columns) {
+  constexpr std::size_t most_named = 6;
+  if (columns.others.empty()) return "";
+  std::string text;
+  for (std::size_t k = 0; k < std::min(columns.others.size(), most_named); ++k) {
+    const SweepColumn& c = columns.others[k];
+    text += fmt::format("{}{}, {} at most, in {} cell{}", k ? "; " : "", c.title, percent(c.largest, 2), c.cells,
+                        c.cells == 1 ? "" : "s");
+  }
+  const std::size_t unnamed = columns.others.size() - std::min(columns.others.size(), most_named);
+  if (unnamed > 0) text += fmt::format("; {} more", unnamed);
+  return fmt::format("Others: {} motion{}: {}.\n", columns.others.size(), columns.others.size() == 1 ? "" : "s", text);
+}
 
 const SweepOutcome* find(const SweepCell& cell, int id) {
   const auto at = std::find_if(cell.outcomes.begin(), cell.outcomes.end(), [&](const auto& o) { return o.id == id; });
@@ -68,9 +99,8 @@ const SweepOutcome* find(const SweepCell& cell, int id) {
 std::string header_line(const SweepResult& r, const Columns& columns) {
   std::string line =
       column_titles(r.axes) + fmt::format("{:>9}  {:>10}  {:<20}", "starts", "balanced", "95 % interval");
-  for (std::size_t k = 1; k < columns.shown.size(); ++k)
-    line += fmt::format("  {:>{}}", columns.shown[k].name, columns.shown[k].width());
-  return line + (columns.others ? "    others" : "") + (columns.stalled ? "   stalled" : "") + "  undecided\n";
+  for (const SweepColumn& column : columns.shown) line += fmt::format("  {:>{}}", column.title, column.width());
+  return line + (columns.others.empty() ? "" : "    others") + (columns.stalled ? "   stalled" : "") + "  undecided\n";
 }
 
 std::string cell_line(const SweepResult& r, const Columns& columns, std::size_t index) {
@@ -79,14 +109,15 @@ std::string cell_line(const SweepResult& r, const Columns& columns, std::size_t 
   const Share& balanced = cell.outcomes.front().share;
   line += fmt::format("{:>9}  {:>10}  {:<20}", cell.starts, percent(balanced.share, digits_for(balanced)),
                       interval(balanced));
-  double rest = -balanced.share;
-  for (const SweepOutcome& o : cell.outcomes) rest += o.share.share;
-  for (std::size_t k = 1; k < columns.shown.size(); ++k) {
-    const SweepOutcome* o = find(cell, columns.shown[k].id);
-    if (o) rest -= o->share.share;
-    line += fmt::format("  {:>{}}", o ? percent(o->share.share, 2) : "-", columns.shown[k].width());
-  }
-  if (columns.others) line += fmt::format("  {:>8}", percent(std::max(rest, 0.0), 2));
+  const auto share_of = [&](const SweepColumn& column) {
+    const SweepOutcome* o = find(cell, column.id);
+    return o ? o->share.share : 0.0;
+  };
+  for (const SweepColumn& column : columns.shown)
+    line += fmt::format("  {:>{}}", find(cell, column.id) ? percent(share_of(column), 2) : "-", column.width());
+  double rest = 0.0;
+  for (const SweepColumn& column : columns.others) rest += share_of(column);
+  if (!columns.others.empty()) line += fmt::format("  {:>8}", rest > 0.0 ? percent(rest, 2) : "-");
   if (columns.stalled) line += fmt::format("  {:>8}", cell.stalled ? percent(cell.stalled->share, 2) : "-");
   return line + fmt::format("  {:>9}\n", percent(cell.undecided.share, 2));
 }
@@ -168,7 +199,7 @@ std::string sweep_text(const SweepResult& r) {
   std::string text = study_heading(r.study) + uncertain_text(r.study, keys_of(r.axes)) + header_line(r, columns);
   for (std::size_t index = 0; index < r.cells.size(); ++index)
     if (r.cells[index]) text += cell_line(r, columns, index);
-  text += "\n" + what_else(r);
+  text += "\n" + others_text(columns) + what_else(r);
   std::size_t done = 0;
   std::uint64_t starts = 0;
   for (const auto& cell : r.cells)

@@ -251,19 +251,37 @@ class CapacityRun {
 
 }  // namespace
 
-std::optional<CapacityRange> usual_range(const Study& study, const std::string& key) {
-  constexpr double least = 0.02, grams_and_millimetres = 1e6;
-  const double most = study.parameters.total_mass();
-  if (key == "rotor.eccentricity" && !study.scales) return CapacityRange{least * most, most, ""};
-  if (key != "rotor.unbalance" || !study.scales) return std::nullopt;
-  const double unbalance = most * study.scales->unbalance() * grams_and_millimetres;
-  return CapacityRange{few_digits(least * unbalance), few_digits(unbalance), "g mm"};
+std::string capacity_key(const StudySource& source, const std::string& text, const std::string& option) {
+  const std::string unbalance = "rotor.unbalance", eccentricity = "rotor.eccentricity";
+  const std::string& stated = source.states(unbalance) ? unbalance : eccentricity;
+  if (text.empty()) return stated;
+  if ((text == unbalance || text == eccentricity) && text != stated)
+    throw InputError(option, "", text, fmt::format("the study states {0}; must be {0}, or another key", stated));
+  return text;
 }
 
-CapacityRange capacity_range(const Study& study, const std::string& key, const std::string& text,
+namespace {
+
+std::optional<CapacityRange> usual_range(const SweepPlan& plan, const std::string& key) {
+  constexpr double least = 0.02, grams_and_millimetres = 1e6, millimetres = 1e3;
+  const Study& study = plan.study();
+  const double most = study.parameters.total_mass();
+  const auto up_to = [](double all, const char* unit) {
+    return CapacityRange{few_digits(least * all), few_digits(all), unit};
+  };
+  const bool physical = plan.source().physical();
+  if (key == "rotor.unbalance" && physical) return up_to(most * study.scales->unbalance() * grams_and_millimetres, "g mm");
+  if (key != "rotor.eccentricity") return std::nullopt;
+  if (physical) return up_to(most * study.scales->length * millimetres, "mm");
+  return CapacityRange{least * most, most, ""};
+}
+
+}  // namespace
+
+CapacityRange capacity_range(const SweepPlan& plan, const std::string& key, const std::string& text,
                              const std::string& option) {
   if (text.empty()) {
-    if (const auto usual = usual_range(study, key)) return *usual;
+    if (const auto usual = usual_range(plan, key)) return *usual;
     throw InputError(option, key, "",
                      "must be given as LOW:HIGH for this key (only rotor.eccentricity, and rotor.unbalance of a study "
                      "in physical units, have a range of their own)");

@@ -20,16 +20,19 @@ struct CapacityOptions : RunOptions {
   std::string output;           ///< NetCDF file; an unfinished one of the same capacity is resumed, a finished one read
 };
 
-/// The range in which an unbalance is looked for if none is given: from a fiftieth to all that the balls can make up
-/// for. In g mm for rotor.unbalance, plain for rotor.eccentricity; none for other keys.
+/// What is to be as large as possible, as people name it; empty: rotor.unbalance where the study states it, else
+/// rotor.eccentricity. `option` names it in errors. Throws InputError for the one of the two that the study does not
+/// state.
+std::string capacity_key(const StudySource& source, const std::string& text, const std::string& option);
+
 struct CapacityRange {
   double from = 0.0, to = 0.0;
   std::string unit;
 };
-std::optional<CapacityRange> usual_range(const Study& study, const std::string& key);
-/// The range as people write it, "LOW:HIGH" in numbers or quantities of one unit ("20 g mm:400 g mm"); empty: the usual
-/// one. `option` names it in errors. Throws InputError.
-CapacityRange capacity_range(const Study& study, const std::string& key, const std::string& text,
+/// The range as people write it, "LOW:HIGH" in numbers or quantities of one unit ("20 g mm:400 g mm"). Empty: for
+/// rotor.unbalance (in g mm) and rotor.eccentricity (plain, or in mm) from a fiftieth to all that the balls can make up
+/// for. `option` names it in errors. Throws InputError.
+CapacityRange capacity_range(const SweepPlan& plan, const std::string& key, const std::string& text,
                              const std::string& option);
 
 /// In every cell of the plan: values in steps of an eighth of the range up to the first at which too few starts

@@ -10,6 +10,8 @@
 #include "equipoise/basins/basin.hpp"
 #include "equipoise/fates/runner.hpp"
 #include "equipoise/store/result_identity.hpp"
+#include "equipoise/study/physical.hpp"
+#include "equipoise/study/table_reader.hpp"
 
 namespace equipoise {
 
@@ -18,6 +20,12 @@ Study StudySource::with(const std::vector<std::string>& more) const {
   all.insert(all.end(), more.begin(), more.end());
   return parse_study(toml, name, all);
 }
+
+bool StudySource::states(const std::string& key) const {
+  return study::parse_document(toml, name, overrides).root.find_path(key) != nullptr;
+}
+
+bool StudySource::physical() const { return study::is_physical(study::parse_document(toml, name, overrides)); }
 
 SweepPlan::SweepPlan(StudySource source, std::vector<SweepAxis> axes, const CellRequest& request,
                      const std::string& option)

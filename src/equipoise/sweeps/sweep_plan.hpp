@@ -16,6 +16,10 @@ struct StudySource {
   std::vector<std::string> overrides;
 
   Study with(const std::vector<std::string>& more = {}) const;
+  /// Whether it gives this key ("rotor.unbalance") a value.
+  bool states(const std::string& key) const;
+  /// Whether its values are quantities in physical units.
+  bool physical() const;
 };
 
 /// What is asked of every cell.
@@ -36,6 +40,7 @@ class SweepPlan {
   SweepPlan(StudySource source, std::vector<SweepAxis> axes, const CellRequest& request, const std::string& option);
 
   const Study& study() const { return study_; }
+  const StudySource& source() const { return source_; }
   const std::vector<SweepAxis>& axes() const { return axes_; }
   const CellRequest& request() const { return request_; }
   /// Whether transients are gathered: in all cells or none.
