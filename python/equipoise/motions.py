@@ -207,8 +207,9 @@ def attractors(
 class Event:
     """Something that happens to a branch between two values of the parameter.
 
-    change: "birth", "death", "stability gained", "stability lost" or "kind"; cause: "fold", "pitchfork", "Hopf" and
-    their like. r_min, r_mean, r_max: displacement of the branch there, in R.
+    change: "birth", "death", "first seen", "last seen", "stability gained", "stability lost" or "kind"; cause: "fold",
+    "pitchfork", "Hopf" and their like, or "not followed further" of a branch that is first or last seen there. r_min,
+    r_mean, r_max: displacement of the branch there, in R.
     """
 
     change: str
@@ -218,6 +219,11 @@ class Event:
     r_min: float
     r_mean: float
     r_max: float
+
+    @property
+    def place(self) -> float:
+        """Where it is drawn: in the middle; of what was not followed further, where it was seen."""
+        return {"first seen": self.high, "last seen": self.low}.get(self.change, 0.5 * (self.low + self.high))
 
 
 class Branch:
@@ -267,7 +273,7 @@ class BranchesResult(Result):
     ----------
     parameter : str
     values : ndarray
-        All values of the parameter.
+        All values of the parameter, and those half-way between at which a branch lives that has no others.
     """
 
     @property
@@ -365,7 +371,7 @@ def follow(
     low, high, step : float or str
         Dimensionless numbers, or quantities with units ("900 rpm") where the study has them.
     starts : int
-        Random starts searched at every value besides the pilot's.
+        Random starts searched at every value, and half-way between, besides the pilot's; 0: 2000.
     states : array_like (n, 4 + 2 balls), optional
         States tried at every value, as for :func:`attractors`: ways to attractors too rare for the pilot.
     threads, progress, cpu

@@ -161,7 +161,7 @@ def _heat(result: SweepResult, x_key: str, ax: Optional[Axes]) -> Axes:
 
 _EVENT_MARKS: dict[str, str] = {
     "fold": "o", "pitchfork": "^", "period doubling": "D", "Neimark-Sacker": "v", "Hopf": "s", "torus to chaos": "*",
-    "chaos to torus": "*", "no longer attracting": "X",
+    "chaos to torus": "*", "no longer attracting": "X", "not followed further": "|",
 }
 _OTHER_MARK = "P"
 _UNSTABLE = (0, (5, 3))
@@ -240,12 +240,12 @@ def _course(branch: Branch, factor: float) -> _Course:
     for event in branch.events:
         if event.change == "kind" or not rows:
             continue
-        middle = 0.5 * (event.low + event.high)
-        after = int(np.searchsorted(branch.value, middle))
+        after = int(np.searchsorted(branch.value, event.place))
         # A birth or an end is as stable as what it begins or ends; a change of stability belongs to both sides.
-        sides = {"birth": (after,), "death": (after - 1,)}.get(event.change, (after - 1, after))
+        begins, ends = event.change in ("birth", "first seen"), event.change in ("death", "last seen")
+        sides = (after,) if begins else (after - 1,) if ends else (after - 1, after)
         for side in np.clip(sides, 0, stable.size - 1):
-            rows.append((middle, *(getattr(event, name) for name in _HEIGHTS), bool(stable[side])))
+            rows.append((event.place, *(getattr(event, name) for name in _HEIGHTS), bool(stable[side])))
     rows.sort(key=itemgetter(0))
     columns = np.array([row[:-1] for row in rows], dtype=float).reshape(-1, 4).T
     named = dict(zip(_HEIGHTS, factor * columns[1:]))
@@ -286,13 +286,13 @@ def _draw_branch(ax: Axes, branch: Branch, y: str, factor: float, step: float) -
 
 
 def _draw_events(ax: Axes, branch: Branch, y: str, factor: float) -> dict[str, str]:
-    """Marks what happens to a branch, in the middle of where it is known to happen; returns cause and mark."""
+    """Marks what happens to a branch, where it is known to happen; returns cause and mark."""
     used = {}
     for event in branch.events:
         mark = _EVENT_MARKS.get(event.cause, _OTHER_MARK)
         used[event.cause if event.cause in _EVENT_MARKS else "other change"] = mark
         ax.plot(
-            0.5 * (event.low + event.high), factor * getattr(event, y), marker=mark, markersize=6.0, linestyle="none",
+            event.place, factor * getattr(event, y), marker=mark, markersize=6.0, linestyle="none",
             color=parts.colour_of(branch.id), markeredgecolor=parts.INK, markeredgewidth=0.8, zorder=4, clip_on=False,
         )
     return used

@@ -114,12 +114,40 @@ BranchEvent kind_change(const BranchFollower& follower, const BranchPoint& low, 
   return event;
 }
 
+// How far the nearest multiplier is from 1, the nearest eigenvalue from 0.
+double nearest_to_fold(const Motion& motion) {
+  double nearest = 1e300;
+  const bool orbit = !motion.orbit.nodes.empty();
+  for (const std::complex<double>& value : orbit ? motion.orbit.decays() : motion.spectrum)
+    nearest = std::min(nearest, orbit ? std::abs(value - 1.0) : std::abs(value));
+  return nearest;
+}
+
+// Towards a fold a multiplier goes to 1 like the root of the distance. One that is always near 1 (a slow motion) says
+// nothing of why the branch could not be followed further.
+bool folds(const BranchFollower& follower, const Advance& end) {
+  constexpr double root_like = 1.3;  // at a distance twice as large: 1.41
+  const double at_end = nearest_to_fold(end.motion);
+  if (!(at_end < near_one)) return false;
+  const double inwards = end.value > end.refused ? 1.0 : -1.0;
+  Motion motion = end.motion;
+  for (const double share : {fine, 4.0 * fine, coarse}) {
+    auto found = follower.refine(motion, end.value + inwards * share * follower.line().step());
+    if (!found) return false;
+    if (nearest_to_fold(*found) > root_like * at_end) return true;
+    motion = std::move(*found);
+  }
+  return false;
+}
+
 }  // namespace
 
-BranchCause cause_of_end(const ParameterLine& line, const Advance& end) {
+BranchCause cause_of_end(const BranchFollower& follower, const Advance& end) {
   const Motion& last = end.motion;
-  if (is_restless(last))
-    return end.beyond && grew_from(*end.beyond, last) ? BranchCause::neimark_sacker : BranchCause::attraction_ends;
+  if (end.carried) {
+    if (end.beyond && grew_from(*end.beyond, last)) return BranchCause::neimark_sacker;
+    return end.left ? BranchCause::attraction_ends : BranchCause::unresolved;
+  }
   if (end.beyond && end.beyond->kind == MotionKind::periodic && last.kind == MotionKind::periodic) {
     bool halved = false;
     for (std::size_t i = 0; i < last.winding.size(); ++i) {
@@ -132,12 +160,9 @@ BranchCause cause_of_end(const ParameterLine& line, const Advance& end) {
     if (halved) return BranchCause::period_doubling;
   }
   if (end.beyond && end.beyond->kind == last.kind && end.beyond->copies < last.copies) return BranchCause::pitchfork;
-  if (last.kind == MotionKind::periodic && has_shrunk(line.system_at(end.value), last)) return BranchCause::hopf;
-  double nearest = 1e300;
-  const bool orbit = !last.orbit.nodes.empty();
-  for (const std::complex<double>& value : orbit ? last.orbit.decays() : last.spectrum)
-    nearest = std::min(nearest, orbit ? std::abs(value - 1.0) : std::abs(value));
-  return nearest < near_one ? BranchCause::fold : BranchCause::unresolved;
+  if (last.kind == MotionKind::periodic && has_shrunk(follower.line().system_at(end.value), last))
+    return BranchCause::hopf;
+  return folds(follower, end) ? BranchCause::fold : BranchCause::unresolved;
 }
 
 std::vector<BranchEvent> changes_between(const BranchFollower& follower, const BranchPoint& low,

@@ -9,8 +9,8 @@
 
 namespace equipoise {
 
-/// Why a branch of `line` ends where `end` stopped.
-BranchCause cause_of_end(const ParameterLine& line, const Advance& end);
+/// Why a branch ends where `end` stopped; unresolved if nothing tells.
+BranchCause cause_of_end(const BranchFollower& follower, const Advance& end);
 
 /// Changes of stability and of kind between two neighbouring points of a branch, in order of value, bracketed by
 /// bisection: to 1/256 of the line's step for equilibria and periodic motions, to 1/16 of it for tori and chaos.

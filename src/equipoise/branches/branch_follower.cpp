@@ -3,11 +3,14 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdlib>
 #include <limits>
 #include <utility>
 
+#include "equipoise/branches/value_search.hpp"
 #include "equipoise/model/balanced_state.hpp"
 #include "equipoise/motions/event_motion.hpp"
+#include "equipoise/motions/motion_statistics.hpp"
 #include "equipoise/orbits/recurrence.hpp"
 
 namespace equipoise {
@@ -16,7 +19,16 @@ namespace {
 
 // Shortest Newton step as a part of the line's step: ends are known that well.
 constexpr double shortest_step = 1.0 / 65536;
-constexpr double restless_step = 1.0 / 16;
+// Basins of tori may be so thin that a trajectory carried farther than this leaves them.
+constexpr double shortest_restless_step = 1.0 / 64;
+// From here on trajectories begin in several states, some time apart on the motion, before it is given up.
+constexpr double careful_step = 1.0 / 16;
+constexpr int careful_states = 4;
+constexpr double time_between_states = 37.0;  // some turns, and no multiple of any period
+// Chaos that is left only after a long time, and slow ways to what comes then, are given as much longer.
+constexpr double long_patience = 4.0 * motion_patience;
+// Between two values of the line random starts are asked so often whether the motion is still there.
+constexpr int most_searches = 4;
 // A motion that changes by more than this within half a step, in natural sizes, may be another one.
 constexpr double largest_change = 0.5;
 // Two halves of a step that change the motion about equally are smooth: at a fold, where changes go like a square root,
@@ -69,7 +81,18 @@ bool smooth(double first, double second) {
   return large < largest_change && (large < smallest_uneven || large < uneven * small);
 }
 
+// `next`, met by a trajectory, is what becomes of `motion` at another value of the parameter.
+bool goes_on(const model::Parameters& p, const Motion& motion, const Motion& next) {
+  return next.stable && resembles(p, motion, next) &&
+         (is_restless(motion) || is_restless(next) || may_be_locked(motion) || may_be_locked(next));
+}
+
 }  // namespace
+
+bool may_be_locked(const Motion& motion) {
+  return motion.kind == MotionKind::periodic && std::any_of(motion.winding.begin(), motion.winding.end(),
+                                                            [](int turns) { return std::abs(turns) > 1; });
+}
 
 bool is_restless(const Motion& motion) {
   return motion.kind == MotionKind::quasi_periodic || motion.kind == MotionKind::chaotic || motion.eventful;
@@ -101,12 +124,19 @@ Advance BranchFollower::advance(const Motion& motion, double from, double to) co
   if (stopped()) return {from, motion, false, to, {}};
   if (is_restless(motion)) return advance_restless(motion, from, to);
   Advance result = advance_refined(motion, from, to);
-  if (result.arrived || !result.motion.stable || motion.kind == MotionKind::equilibrium || stopped()) return result;
-  // A periodic motion locked within a torus ends where the torus goes on.
+  if (motion.kind == MotionKind::equilibrium || !motion.stable || stopped()) return result;
+  if (result.arrived && (result.motion.stable || !may_be_locked(motion))) return result;
+  // A periodic motion locked within a torus ends, or stops attracting, where the torus goes on.
+  if (may_be_locked(motion)) {
+    const bool stable = !result.arrived && result.motion.stable;
+    Advance on = advance_restless(stable ? result.motion : motion, stable ? result.value : from, to);
+    return on.arrived || on.value != (stable ? result.value : from) ? on : result;
+  }
+  if (!result.motion.stable) return result;
   const model::System system = line_.system_at(to);
   auto next = motion_from(system, result.motion.state, motion_patience, stop_);
   if (next && next->stable && is_restless(*next) && resembles(system.parameters(), motion, *next))
-    return {to, std::move(*next), true, to, {}};
+    return {to, std::move(*next), true, to, {}, true};
   return result;
 }
 
@@ -151,34 +181,89 @@ Advance BranchFollower::advance_refined(const Motion& motion, double from, doubl
   return at;
 }
 
-// The motion that a trajectory from a restless one comes to, if it resembles that; `stranger` gets what does not.
-std::optional<Motion> BranchFollower::settled(const Motion& from, double value, std::optional<Motion>& stranger) const {
+// States of the motion, some time apart; at strobes where the rotor's angle matters.
+std::vector<Eigen::VectorXd> BranchFollower::states_along(const Advance& at, int count) const {
+  std::vector<Eigen::VectorXd> states{at.motion.state};
+  if (count == 1) return states;
+  const model::System system = line_.system_at(at.value);
+  const bool strobed = system.section() == model::Section::strobe;
+  const double piece = strobed ? system.strobe_period() : time_between_states;
+  const int pieces = strobed ? std::max(1, static_cast<int>(std::lround(time_between_states / piece))) : 1;
+  constexpr double tolerance = 1e-9;  // as the motion itself was followed
+  Eigen::VectorXd z = at.motion.state;
+  while (static_cast<int>(states.size()) < count) {
+    for (int k = 0; k < pieces; ++k)
+      if (follow(system, z, piece, tolerance, nullptr, nullptr, stop_) != IntegrationStatus::done) return states;
+    z = system.with_angles_reduced(std::move(z));
+    states.push_back(z);
+  }
+  return states;
+}
+
+// What trajectories from so many states of the motion at `at` come to.
+BranchFollower::Meeting BranchFollower::meet(const Advance& at, double value, int states) const {
   const model::System system = line_.system_at(value);
-  auto found = motion_from(system, from.state, motion_patience, stop_);
-  if (found && found->stable && resembles(system.parameters(), from, *found)) return found;
-  stranger = std::move(found);
+  const model::Parameters& p = system.parameters();
+  Meeting meeting;
+  for (const Eigen::VectorXd& state : states_along(at, states)) {
+    auto found = motion_from(system, state, motion_patience, stop_);
+    if (!found && states > 1) found = motion_from(system, state, long_patience, stop_);
+    if (found && goes_on(p, at.motion, *found)) {
+      meeting.same = std::move(found);
+      return meeting;
+    }
+    meeting.left = meeting.left && found && found->stable;
+    if (!meeting.other) meeting.other = std::move(found);
+  }
+  return meeting;
+}
+
+std::optional<Motion> BranchFollower::find_by_starts(const Advance& at, double value) const {
+  std::vector<std::vector<double>> seeds;
+  for (const Eigen::VectorXd& state : states_along(at, careful_states)) seeds.emplace_back(state.begin(), state.end());
+  const Study study = line_.study_at(value);
+  for (const Motion& motion : attractors_at(study, starts_, seeds, stop_).motions)
+    if (goes_on(study.parameters, at.motion, motion)) return motion;
   return std::nullopt;
 }
 
 Advance BranchFollower::advance_restless(const Motion& motion, double from, double to) const {
+  const double shortest = shortest_restless_step * line_.step(), careful = careful_step * line_.step();
+  constexpr double rounding = 1.0 + 1e-9;
   Advance at{from, motion, false, to, {}};
-  if (auto found = settled(motion, to, at.beyond)) return {to, std::move(*found), true, to, {}};
-  bool asked_again = false;
-  while (std::fabs(at.refused - at.value) > restless_step * line_.step() * (1.0 + 1e-9) && !stopped()) {
-    const double middle = 0.5 * (at.value + at.refused);
-    std::optional<Motion> stranger;
-    auto found = settled(at.motion, middle, stranger);
-    if (!found) {
-      at.refused = middle;
-      at.beyond = std::move(stranger);
+  at.carried = true;
+  double step = to - from;
+  int searches = 0;
+  while (!stopped()) {
+    const bool whole = std::fabs(step) * rounding >= std::fabs(to - at.value);
+    const double next = whole ? to : at.value + step, length = std::fabs(next - at.value);
+    Meeting met = meet(at, next, length <= careful * rounding ? careful_states : 1);
+    const bool last_try = !met.same && length <= shortest * rounding;
+    if (last_try && searches < most_searches) {
+      ++searches;
+      met.same = find_by_starts(at, next);
+    } else if (last_try) {
+      met.left = false;
+    }
+    if (met.same) {
+      at.value = next;
+      at.motion = std::move(*met.same);
+      at.beyond.reset();
+      at.left = false;
+      if (whole) {
+        at.arrived = true;
+        return at;
+      }
+      step *= 2.0;
       continue;
     }
-    at.value = middle;
-    at.motion = std::move(*found);
-    if (asked_again) continue;
-    asked_again = true;  // the way to the whole step may have been too far for the basin
-    if (auto whole = settled(at.motion, to, stranger)) return {to, std::move(*whole), true, to, {}};
+    at.refused = next;
+    at.beyond = std::move(met.other);
+    at.left = met.left;
+    if (last_try) return at;
+    step = std::copysign(std::max(0.5 * length, shortest), step);
   }
+  at.left = false;
   return at;
 }
 
@@ -188,16 +273,17 @@ Advance BranchFollower::narrowed(const Advance& end) const {
     return refined_end.arrived ? end : refined_end;
   }
   Advance at = end;
-  while (std::fabs(at.refused - at.value) > restless_step * line_.step() * (1.0 + 1e-9) && !stopped()) {
+  at.carried = true;
+  while (std::fabs(at.refused - at.value) > careful_step * line_.step() * (1.0 + 1e-9) && !stopped()) {
     const double middle = 0.5 * (at.value + at.refused);
-    std::optional<Motion> stranger;
-    auto found = settled(at.motion, middle, stranger);
-    if (found && is_restless(*found)) {
+    Meeting met = meet(at, middle, careful_states);
+    if (met.same && is_restless(*met.same)) {
       at.value = middle;
-      at.motion = std::move(*found);
+      at.motion = std::move(*met.same);
     } else {
       at.refused = middle;
-      at.beyond = found ? std::move(found) : std::move(stranger);
+      at.left = met.same || met.left;  // what is not restless is the other branch's
+      at.beyond = met.same ? std::move(met.same) : std::move(met.other);
     }
   }
   return at;

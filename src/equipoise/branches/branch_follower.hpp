@@ -2,8 +2,10 @@
 // tori and chaos.
 #pragma once
 
+#include <cstdint>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "equipoise/base/error.hpp"
 #include "equipoise/branches/parameter_line.hpp"
@@ -13,6 +15,9 @@ namespace equipoise {
 
 /// Tori and chaos, which cannot be refined.
 bool is_restless(const Motion& motion);
+
+/// A periodic motion of several turns: a torus may lock to it and go on beyond it, and chaos may have it for a window.
+bool may_be_locked(const Motion& motion);
 
 /// What a motion is called, whether it is a torus or chaotic or neither.
 std::string family_of(const model::Parameters& p, const Motion& motion);
@@ -27,16 +32,23 @@ struct Advance {
   bool arrived = false;
   double refused = 0.0;          ///< if not arrived: the nearest value at which the motion was not found
   std::optional<Motion> beyond;  ///< if not arrived: another motion met at that value
+  bool carried = false;          ///< by trajectories, not by Newton's method
+  /// If it was carried and has not arrived: all trajectories from its states that were tried at `refused` came to other
+  /// stable motions, and random starts there found none like it.
+  bool left = false;
 };
 
 class BranchFollower {
  public:
-  BranchFollower(const ParameterLine& line, const StopFlag* stop) : line_(line), stop_(stop) {}
+  /// `starts`: random ones searched where trajectories leave a motion.
+  BranchFollower(const ParameterLine& line, std::uint64_t starts, const StopFlag* stop)
+      : line_(line), starts_(starts), stop_(stop) {}
 
   /// From `motion` at `from` to the value `to`, one step of the line away at most. Newton's steps are halved where the
   /// method fails or the motion changes abruptly or in kind, down to 2^-16 of the line's step; a motion not found then
-  /// ends. Restless motions end where trajectories from them come to something else, found to 1/16 of the step.
-  /// A stopped advance has not arrived and ends where it began.
+  /// ends. Restless motions, and periodic ones locked within them, are carried on by trajectories in steps as short as
+  /// 1/64 of the line's, from several states in the end; what these miss, random starts may find.
+  /// A stopped advance has not arrived.
   Advance advance(const Motion& motion, double from, double to) const;
 
   /// Where a motion ends that was seen at end.value, and at end.refused only as a motion of another branch: the same
@@ -52,9 +64,18 @@ class BranchFollower {
  private:
   Advance advance_refined(const Motion& motion, double from, double to) const;
   Advance advance_restless(const Motion& motion, double from, double to) const;
-  std::optional<Motion> settled(const Motion& from, double value, std::optional<Motion>& stranger) const;
+
+  // What trajectories from a motion come to at another value.
+  struct Meeting {
+    std::optional<Motion> same, other;
+    bool left = true;  // all came to other stable motions
+  };
+  Meeting meet(const Advance& at, double value, int states) const;
+  std::vector<Eigen::VectorXd> states_along(const Advance& at, int count) const;
+  std::optional<Motion> find_by_starts(const Advance& at, double value) const;
 
   const ParameterLine& line_;
+  const std::uint64_t starts_;
   const StopFlag* stop_;
 };
 

@@ -12,11 +12,10 @@
 
 #include "equipoise/base/parallel.hpp"
 #include "equipoise/base/reporting.hpp"
-#include "equipoise/basins/attractors.hpp"
 #include "equipoise/branches/branch_events.hpp"
 #include "equipoise/branches/branch_follower.hpp"
 #include "equipoise/branches/branch_names.hpp"
-#include "equipoise/discovery/discovery.hpp"
+#include "equipoise/branches/value_search.hpp"
 #include "equipoise/kernels/cpu_target.hpp"
 
 namespace equipoise {
@@ -56,25 +55,35 @@ class Continuation {
   Continuation(const Study& study, const ParameterLine& line, const ContinuationOptions& options)
       : line_(line),
         options_(options),
-        follower_(line, options.stop),
-        threads_(options.threads > 0 ? options.threads : core_count()),
-        found_(line.values().size()),
-        named_(line.values().size()) {
+        starts_(options.starts > 0 ? options.starts : along_starts),
+        follower_(line, starts_, options.stop),
+        threads_(options.threads > 0 ? options.threads : core_count()) {
     result_.study = study;
+    for (std::size_t k = 0; k < line.values().size(); ++k) {
+      values_.push_back(line.values()[k]);
+      asked_.push_back(true);
+      if (const auto between = line.half_way(k)) {
+        values_.push_back(*between);
+        asked_.push_back(false);
+      }
+    }
+    found_.resize(values_.size());
+    named_.resize(values_.size());
   }
 
   BranchesResult run() {
     const auto begin = std::chrono::steady_clock::now();
-    for (const double value : line_.values()) systems_.push_back(line_.system_at(value));
+    for (const double value : values_) systems_.push_back(line_.system_at(value));
     search();
     while (!follower_.stopped() && follow_new()) {
     }
     result_.partial = follower_.stopped();
     if (result_.partial) gather_rest();
     locate_and_name();
+    leave_out_unasked();
     result_.key = line_.key();
-    result_.values = line_.values();
     result_.step = line_.step();
+    result_.starts = starts_;
     result_.threads = threads_;
     result_.cpu_target = cpu_target();
     result_.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
@@ -90,35 +99,21 @@ class Continuation {
   void search() {
     in_parallel(threads_, found_.size(), [&](std::size_t k) {
       if (follower_.stopped()) return;
-      const Study study = line_.study_at(line_.values()[k]);
-      Catalogue catalogue = options_.starts > 0 ? catalogue_from_starts(study) : catalogue_from_pilot(study);
-      for (const Attractor& a : catalogue.attractors()) {
-        if (a.motion.stable || a.name == "balanced") found_[k].push_back(a.motion);
-        if (a.id < first_free_id) named_[k].push_back(a.motion);
-      }
+      ValueSearch there = attractors_at(line_.study_at(values_[k]), starts_, options_.seeds, options_.stop);
+      found_[k] = std::move(there.motions);
+      named_[k] = std::move(there.named);
       report(found_.size(), "values searched");
     });
-  }
-
-  Catalogue catalogue_from_pilot(const Study& study) const {
-    return discover(study, {.stop = options_.stop, .seeds = options_.seeds}).catalogue;
-  }
-
-  Catalogue catalogue_from_starts(const Study& study) const {
-    AttractorsOptions search;
-    search.starts = options_.starts;
-    search.threads = 1;
-    search.seeds = options_.seeds;
-    search.stop = options_.stop;
-    return attractors(study, search).catalogue;
   }
 
   bool is_on(const Track& track, std::size_t k, const Motion& motion) const {
     const auto at = track.points.find(k);
     if (at == track.points.end()) return false;
     const model::Parameters& p = systems_[k].parameters();
+    const auto like = [](const Motion& m) { return is_restless(m) || may_be_locked(m); };
     return same_motion(p, at->second, motion) ||
-           (is_restless(at->second) && is_restless(motion) && resembles(p, at->second, motion));
+           (at->second.stable && motion.stable && like(at->second) && like(motion) &&
+            (is_restless(at->second) || is_restless(motion)) && resembles(p, at->second, motion));
   }
   int track_of(std::size_t k, const Motion& motion) const {
     for (std::size_t t = 0; t < tracks_.size(); ++t)
@@ -155,11 +150,11 @@ class Continuation {
     Way way;
     std::size_t k = origin.at;
     const Motion* last = &origin.motion;
-    const std::size_t end = direction > 0 ? line_.values().size() - 1 : 0;
+    const std::size_t end = direction > 0 ? values_.size() - 1 : 0;
     while (k != end && !follower_.stopped()) {
       const std::size_t next = k + direction;
-      const double value = line_.values()[next];
-      Advance advance = follower_.advance(*last, line_.values()[k], value);
+      const double value = values_[next];
+      Advance advance = follower_.advance(*last, values_[k], value);
       if (follower_.stopped()) return way;
       if (advance.arrived) {
         const int track = track_of(next, advance.motion);
@@ -168,7 +163,7 @@ class Continuation {
           return way;
         }
         if (track >= 0) {  // it fell onto a branch that it has been beside
-          way.end = follower_.narrowed({line_.values()[k], *last, false, value, std::move(advance.motion)});
+          way.end = follower_.narrowed({values_[k], *last, false, value, std::move(advance.motion)});
           if (follower_.stopped()) way.end.reset();
           return way;
         }
@@ -268,7 +263,7 @@ class Continuation {
     std::vector<Branch> branches(tracks_.size());
     for (std::size_t t = 0; t < tracks_.size(); ++t) {
       for (auto& [k, motion] : tracks_[t].points)
-        branches[t].points.push_back({k, line_.values()[k], std::move(motion)});
+        branches[t].points.push_back({k, values_[k], std::move(motion)});
       const auto& points = branches[t].points;
       for (std::size_t i = 0; i + 1 < points.size(); ++i)
         if (points[i + 1].at == points[i].at + 1) gaps.push_back({t, i, {}});
@@ -287,10 +282,31 @@ class Continuation {
     result_.branches = std::move(branches);
   }
 
+  // Of the values in between only those stay at which a branch lives that has no others.
+  void leave_out_unasked() {
+    std::vector<bool> kept = asked_;
+    for (const Branch& branch : result_.branches) {
+      const auto is_asked = [&](const BranchPoint& point) { return asked_[point.at]; };
+      if (std::any_of(branch.points.begin(), branch.points.end(), is_asked)) continue;
+      for (const BranchPoint& point : branch.points) kept[point.at] = true;
+    }
+    std::vector<std::size_t> place(values_.size());
+    for (std::size_t k = 0; k < values_.size(); ++k) {
+      place[k] = result_.values.size();
+      if (kept[k]) result_.values.push_back(values_[k]);
+    }
+    for (Branch& branch : result_.branches) {
+      std::erase_if(branch.points, [&](const BranchPoint& point) { return !kept[point.at]; });
+      for (BranchPoint& point : branch.points) point.at = place[point.at];
+    }
+  }
+
   BranchEvent end_event(BranchChange change, const Advance& end) const {
     BranchEvent event;
+    event.cause = cause_of_end(follower_, end);
     event.change = change;
-    event.cause = cause_of_end(line_, end);
+    if (event.cause == BranchCause::unresolved)
+      event.change = change == BranchChange::birth ? BranchChange::first_seen : BranchChange::last_seen;
     event.low = std::min(end.value, end.refused);
     event.high = std::max(end.value, end.refused);
     event.r_min = end.motion.r_min;
@@ -301,8 +317,11 @@ class Continuation {
 
   const ParameterLine& line_;
   const ContinuationOptions& options_;
+  const std::uint64_t starts_;
   BranchFollower follower_;
   int threads_;
+  std::vector<double> values_;              // those of the line and those half-way between
+  std::vector<bool> asked_;                 // by value: one of the line
   std::vector<std::vector<Motion>> found_;  // by value
   std::vector<std::vector<Motion>> named_;  // by value: those that a search there gave the identifier of their name
   std::vector<model::System> systems_;      // by value

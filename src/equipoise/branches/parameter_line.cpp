@@ -37,14 +37,30 @@ ParameterLine::ParameterLine(const Study& study, const std::string& text, const 
   parse(text, where);
   for (const double value : values_) {
     try {
-      const Study there = study_at(value);
-      check_offers(there, model::Answer::branches);
-      if (const model::System system = there.system(); system.prescribed() && system.speed() == 0.0)
-        throw InputError(where, key_, fmt::format("{}", value), "nothing turns; the final speed must not be 0");
+      check_at(value, where);
     } catch (const InputError& e) {
       throw InputError(fmt::format("{} {}", where, text), e.key(), e.value(), e.problem());
     }
   }
+}
+
+void ParameterLine::check_at(double value, const std::string& where) const {
+  const Study there = study_at(value);
+  check_offers(there, model::Answer::branches);
+  if (const model::System system = there.system(); system.prescribed() && system.speed() == 0.0)
+    throw InputError(where, key_, fmt::format("{}", value), "nothing turns; the final speed must not be 0");
+}
+
+std::optional<double> ParameterLine::half_way(std::size_t value) const {
+  if (value + 1 >= values_.size()) return std::nullopt;
+  const double largest = std::max(std::fabs(values_.front()), std::fabs(values_.back()));
+  const double middle = shortest(0.5 * (values_[value] + values_[value + 1]), largest);
+  try {
+    check_at(middle, "");
+  } catch (const InputError&) {
+    return std::nullopt;
+  }
+  return middle;
 }
 
 void ParameterLine::parse(const std::string& text, const std::string& where) {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -33,12 +34,15 @@ class ParameterLine {
   /// Rising, whichever way FROM and TO were given, to twelve digits.
   const std::vector<double>& values() const { return values_; }
   double step() const { return step_; }
+  /// Half-way to the next value, unless there is none or the study cannot be decided there.
+  std::optional<double> half_way(std::size_t value) const;
 
   Study study_at(double value) const;
   model::System system_at(double value) const;
 
  private:
   void parse(const std::string& text, const std::string& where);
+  void check_at(double value, const std::string& where) const;
 
   Study study_;
   std::string key_;

@@ -24,7 +24,7 @@ struct Stretch {
 std::vector<Stretch> stretches_of(const Branch& branch) {
   std::vector<Stretch> stretches;
   auto event = branch.events.begin();
-  const auto sample_of = [](const BranchEvent& e) { return Sample{e.middle(), e.r_min, e.r_mean, e.r_max}; };
+  const auto sample_of = [](const BranchEvent& e) { return Sample{e.place(), e.r_min, e.r_mean, e.r_max}; };
   std::size_t last = 0;
   for (const BranchPoint& point : branch.points) {
     const Motion& m = point.motion;

@@ -20,25 +20,78 @@ using Json = nlohmann::ordered_json;
 
 std::string title(const Branch& b) { return b.alias.empty() ? b.name : fmt::format("{} ({})", b.name, b.alias); }
 
-// Digits that a bracket of this width supports.
-std::string located(double value, double width) {
-  if (!(width > 0.0)) return fmt::format("{:.12g}", value);
-  const int digits = std::clamp(static_cast<int>(std::ceil(-std::log10(width))), 0, 12);
-  return fmt::format("{:.{}f}", value, digits);
+int digits_of(double width) { return std::clamp(static_cast<int>(std::ceil(-std::log10(width))), 0, 12); }
+
+// The number with the fewest digits that lies between, but with as many as the bracket supports.
+std::string located(double low, double high) {
+  const double middle = 0.5 * (low + high);
+  if (!(high > low)) return fmt::format("{:.12g}", middle);
+  for (int digits = std::max(digits_of(high - low) - 1, 0); digits < 12; ++digits) {
+    std::string text = fmt::format("{:.{}f}", middle, digits);
+    if (const double value = std::stod(text); value >= low && value <= high) return text;
+  }
+  return fmt::format("{:.12f}", middle);
 }
 
-std::string event_text(const BranchEvent& e) { return located(e.middle(), e.high - e.low); }
+// Rounded down or up to these digits; what is a decimal number of as many stays.
+std::string rounded_down(double value, int digits) {
+  const double scale = std::pow(10.0, digits);
+  return fmt::format("{:.{}f}", std::floor(value * scale + 1e-6) / scale, digits);
+}
+std::string rounded_up(double value, int digits) {
+  const double scale = std::pow(10.0, digits);
+  return fmt::format("{:.{}f}", std::ceil(value * scale - 1e-6) / scale, digits);
+}
+
+std::string event_text(const BranchEvent& e) {
+  if (!(e.high > e.low)) return fmt::format("{:.12g}", e.middle());
+  const int digits = digits_of(e.high - e.low);
+  if (e.change == BranchChange::first_seen) return rounded_up(e.high, digits);
+  if (e.change == BranchChange::last_seen) return rounded_down(e.low, digits);
+  return located(e.low, e.high);
+}
+
+std::string bracket_text(const BranchEvent& e) {
+  if (!(e.high > e.low)) return fmt::format("{:.12g}", e.middle());
+  const int digits = std::min(digits_of(e.high - e.low) + 1, 12);
+  return fmt::format("{} and {}", rounded_down(e.low, digits), rounded_up(e.high, digits));
+}
 
 // Where the branch's range ends, told as well as it is known.
 std::string end_text(const Branch& branch, double value) {
   for (const BranchEvent& e : branch.events)
-    if (e.middle() == value) return event_text(e);
+    if (e.place() == value) return event_text(e);
   return fmt::format("{:.12g}", value);
 }
 
 std::string range_text(const Branch& branch, const ValueRange& range) {
   if (range.begin == range.end) return end_text(branch, range.begin);
   return fmt::format("{} to {}", end_text(branch, range.begin), end_text(branch, range.end));
+}
+
+bool has_event(const Branch& branch, BranchChange change) {
+  return std::any_of(branch.events.begin(), branch.events.end(),
+                     [&](const BranchEvent& e) { return e.change == change; });
+}
+
+// Whether the branch begins, or ends, for a known reason or where the line does.
+bool begin_is_known(const BranchesResult& r, const Branch& branch) {
+  return has_event(branch, BranchChange::birth) ||
+         (branch.points.front().value == r.values.front() && !has_event(branch, BranchChange::first_seen));
+}
+bool end_is_known(const BranchesResult& r, const Branch& branch) {
+  return has_event(branch, BranchChange::death) ||
+         (branch.points.back().value == r.values.back() && !has_event(branch, BranchChange::last_seen));
+}
+
+std::string existence_text(const BranchesResult& r, const Branch& branch) {
+  const auto ranges = ranges_of(branch);
+  const ValueRange whole{ranges.front().begin, ranges.back().end, true};
+  const bool begin = begin_is_known(r, branch), end = end_is_known(r, branch);
+  if (begin && end) return range_text(branch, whole);
+  const char* where = begin ? " above" : end ? " below" : "";
+  return fmt::format("seen {}{}, not followed further{}", whole.begin == whole.end ? "at " : "from ",
+                     range_text(branch, whole), where);
 }
 
 std::string stable_text(const Branch& branch, const std::vector<ValueRange>& ranges) {
@@ -74,13 +127,14 @@ std::string branches_text(const BranchesResult& r) {
   std::string text = study_heading(r.study);
   text += fmt::format("along {} ({}): {:.12g} to {:.12g}, {} values\n\n", r.key, parameter_label(r.key),
                       r.values.front(), r.values.back(), r.values.size());
-  constexpr const char* row = "{:>3}  {:<44}{:<24}{}\n";
-  text += fmt::format(row, "id", "attractor", "exists", "attracts");
-  for (const Branch& b : r.branches) {
-    const auto ranges = ranges_of(b);
-    text += fmt::format(row, b.id, title(b), range_text(b, {ranges.front().begin, ranges.back().end, true}),
-                        stable_text(b, ranges));
-  }
+  std::size_t width = 22;
+  for (const Branch& b : r.branches) width = std::max(width, existence_text(r, b).size());
+  const auto add_row = [&](const auto& id, const std::string& name, const std::string& exists,
+                           const std::string& attracts) {
+    text += fmt::format("{:>3}  {:<44}{:<{}}{}\n", id, name, exists, width + 2, attracts);
+  };
+  add_row("id", "attractor", "exists", "attracts");
+  for (const Branch& b : r.branches) add_row(b.id, title(b), existence_text(r, b), stable_text(b, ranges_of(b)));
   constexpr const char* line = "{:>12}  {:<26}{:>3}  {:<44}{:<18}{}\n";
   text += "\n" + fmt::format(line, "at", "between", "id", "attractor", "event", "type");
   std::vector<std::pair<const BranchEvent*, const Branch*>> events;
@@ -89,13 +143,14 @@ std::string branches_text(const BranchesResult& r) {
   std::stable_sort(events.begin(), events.end(),
                    [](const auto& a, const auto& b) { return a.first->middle() < b.first->middle(); });
   for (const auto& [e, b] : events)
-    text += fmt::format(line, event_text(*e), fmt::format("{:.9g} and {:.9g}", e->low, e->high), e->id, title(*b),
-                        name_of(e->change), name_of(e->cause));
+    text += fmt::format(line, event_text(*e), bracket_text(*e), e->id, title(*b), name_of(e->change),
+                        name_of(e->cause));
   if (events.empty()) text += "  none\n";
   text += fmt::format(
-      "\nA range that begins at {:.12g} or ends at {:.12g} may go on beyond. Attractors that live between two values "
-      "only, or that no pilot start meets, are not listed; states of one's own are followed too.\n",
-      r.values.front(), r.values.back());
+      "\nA range that begins at {:.12g} or ends at {:.12g} may go on beyond. At every value and half-way between, {} "
+      "random starts and the pilot were searched: an attractor to which fewer come, or that lives between two of these "
+      "values only, is not listed; states of one's own are followed too.\n",
+      r.values.front(), r.values.back(), r.starts);
   if (r.partial) text += "PARTIAL: stopped before every branch was followed to its ends.\n";
   text += fmt::format("{:.1f} s on {} thread{} ({}); equipoise {}\n", r.seconds, r.threads, r.threads == 1 ? "" : "s",
                       r.cpu_target, version_string);
@@ -117,6 +172,7 @@ std::string branches_json(const BranchesResult& r) {
                                 {"name", b.name},
                                 {"alias", b.alias},
                                 {"exists", {ranges.front().begin, ranges.back().end}},
+                                {"ends_known", {begin_is_known(r, b), end_is_known(r, b)}},
                                 {"stable", stable},
                                 {"points", points}});
     for (const BranchEvent& e : b.events)
@@ -126,6 +182,7 @@ std::string branches_json(const BranchesResult& r) {
                                 {"between", {e.low, e.high}},
                                 {"radial", {{"min", e.r_min}, {"mean", e.r_mean}, {"max", e.r_max}}}});
   }
+  json["starts"] = r.starts;
   json["partial"] = r.partial;
   add_computed(json, r);
   return json.dump(2) + "\n";

@@ -15,6 +15,10 @@ const char* name_of(BranchChange change) {
       return "birth";
     case BranchChange::death:
       return "death";
+    case BranchChange::first_seen:
+      return "first seen";
+    case BranchChange::last_seen:
+      return "last seen";
     case BranchChange::stability_gained:
       return "stability gained";
     case BranchChange::stability_lost:
@@ -47,26 +51,31 @@ const char* name_of(BranchCause cause) {
     case BranchCause::attraction_ends:
       return "no longer attracting";
     default:
-      return "unresolved";
+      return "not followed further";
   }
 }
 
 std::vector<ValueRange> ranges_of(const Branch& branch) {
-  std::vector<ValueRange> ranges;
-  for (const BranchPoint& point : branch.points) {
-    if (!ranges.empty() && ranges.back().stable == point.motion.stable)
-      ranges.back().end = point.value;
-    else
-      ranges.push_back({point.value, point.value, point.motion.stable});
-  }
-  std::size_t cut = 0;
-  for (const BranchEvent& e : branch.events) {
-    if (e.change == BranchChange::birth) ranges.front().begin = e.middle();
-    if (e.change == BranchChange::death) ranges.back().end = e.middle();
-    if (e.change == BranchChange::stability_gained || e.change == BranchChange::stability_lost) {
-      if (cut + 1 < ranges.size()) ranges[cut].end = ranges[cut + 1].begin = e.middle();
-      ++cut;
+  const auto& points = branch.points;
+  std::vector<ValueRange> ranges{{points.front().value, points.front().value, points.front().motion.stable}};
+  // Stability may be lost and gained again between two points.
+  auto event = branch.events.begin();
+  const auto pass_events = [&](double until) {
+    for (; event != branch.events.end() && event->middle() < until; ++event) {
+      if (event->change != BranchChange::stability_gained && event->change != BranchChange::stability_lost) continue;
+      ranges.back().end = event->middle();
+      ranges.push_back({event->middle(), event->middle(), event->change == BranchChange::stability_gained});
     }
+  };
+  for (const BranchPoint& point : points) {
+    pass_events(point.value);
+    if (point.motion.stable != ranges.back().stable) ranges.push_back({point.value, point.value, point.motion.stable});
+    ranges.back().end = point.value;
+  }
+  pass_events(std::numeric_limits<double>::infinity());
+  for (const BranchEvent& e : branch.events) {
+    if (e.change == BranchChange::birth || e.change == BranchChange::first_seen) ranges.front().begin = e.place();
+    if (e.change == BranchChange::death || e.change == BranchChange::last_seen) ranges.back().end = e.place();
   }
   return ranges;
 }

@@ -16,8 +16,9 @@ struct BranchPoint {
   Motion motion;
 };
 
-enum class BranchChange { birth, death, stability_gained, stability_lost, kind };
-/// "birth", "death", "stability gained", "stability lost", "kind".
+/// First and last seen: it was not followed further, and nothing is known of whether it ends there.
+enum class BranchChange { birth, death, first_seen, last_seen, stability_gained, stability_lost, kind };
+/// "birth", "death", "first seen", "last seen", "stability gained", "stability lost", "kind".
 const char* name_of(BranchChange change);
 
 /// Why a branch changes. Multipliers are those of periodic motions, eigenvalues those of equilibria.
@@ -31,10 +32,10 @@ enum class BranchCause {
   chaos_to_torus,
   to_periodic,  ///< a torus or chaos gives way to a periodic motion
   from_periodic,
-  attraction_ends,  ///< trajectories leave a torus or chaos for another motion
-  unresolved,       ///< the motion could not be followed farther
+  attraction_ends,  ///< trajectories leave a torus or chaos for other motions, and random starts find none like it
+  unresolved,       ///< not known
 };
-/// "fold", "pitchfork", "period doubling" and so on.
+/// "fold", "pitchfork", "period doubling" and so on; "not followed further" of what is unresolved.
 const char* name_of(BranchCause cause);
 
 /// Something that happens to a branch between two parameter values.
@@ -45,6 +46,10 @@ struct BranchEvent {
   double low = 0.0, high = 0.0;                   ///< it happens between these
   double r_min = 0.0, r_mean = 0.0, r_max = 0.0;  ///< of the branch at the side where it exists, or of the lower one
   double middle() const { return 0.5 * (low + high); }
+  /// Where it is told to be: in the middle; of a branch that was not followed further, where it was seen.
+  double place() const {
+    return change == BranchChange::first_seen ? high : change == BranchChange::last_seen ? low : middle();
+  }
 };
 
 /// One attractor, with its unstable parts.
@@ -60,7 +65,8 @@ struct ValueRange {
   double begin = 0.0, end = 0.0;
   bool stable = false;
 };
-/// The branch cut where it gains or loses stability, from its birth (or first value) to its death (or last value).
+/// The branch cut where it gains or loses stability, from its birth (or the first value at which it was seen) to its
+/// death (or the last one).
 std::vector<ValueRange> ranges_of(const Branch& branch);
 
 /// How fast the slowest deviation grows: the largest real part of an eigenvalue, log|multiplier| / period, or Lyapunov

@@ -1,6 +1,7 @@
 // What a search for attractors along a parameter answered.
 #pragma once
 
+#include <cstdint>
 #include <string>
 #include <vector>
 
@@ -14,6 +15,7 @@ struct BranchesResult {
   std::string key;             ///< of the parameter
   std::vector<double> values;  ///< rising
   double step = 0.0;
+  std::uint64_t starts = 0;      ///< random ones searched at every value and half-way between
   std::vector<Branch> branches;  ///< by identifier
   bool partial = false;          ///< stopped before all was followed
   double seconds = 0.0;

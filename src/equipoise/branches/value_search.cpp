@@ -1,0 +1,24 @@
+// A plain search, without its shares.
+#include "equipoise/branches/value_search.hpp"
+
+#include "equipoise/basins/attractors.hpp"
+
+namespace equipoise {
+
+ValueSearch attractors_at(const Study& study, std::uint64_t starts, const std::vector<std::vector<double>>& seeds,
+                          const StopFlag* stop) {
+  AttractorsOptions search;
+  search.starts = starts;
+  search.threads = 1;
+  search.seeds = seeds;
+  search.stop = stop;
+  ValueSearch result;
+  const Catalogue catalogue = attractors(study, search).catalogue;
+  for (const Attractor& a : catalogue.attractors()) {
+    if (a.motion.stable || a.name == "balanced") result.motions.push_back(a.motion);
+    if (a.id < first_free_id) result.named.push_back(a.motion);
+  }
+  return result;
+}
+
+}  // namespace equipoise
