@@ -49,14 +49,15 @@ void make_physical(StudyValue& root, const model::Parameters& p, const model::Sc
 
 }  // namespace
 
+Study stating_release(Study study) {
+  if (!study.release.speed && !study.release.time && !study.speed.driven()) study.release.time = study.release_time();
+  return study;
+}
+
 std::string to_physical_toml(const Study& study) {
   if (!study.scales)
     throw InputError(study.name, "units", "", "missing; a dimensionless study is shown in physical units by [units]");
-  Study stated = with_medians(study);
-  // What is silent on its release means one thing without units and another with them.
-  if (!stated.release.speed && !stated.release.time && !stated.speed.driven())
-    stated.release.time = stated.release_time();
-  StudyValue tree = to_tree(stated);
+  StudyValue tree = to_tree(stating_release(with_medians(study)));
   make_physical(tree, study.parameters, *study.scales);
   return toml_text(tree);
 }
