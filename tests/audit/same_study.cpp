@@ -11,6 +11,8 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include "equipoise/study/physical_echo.hpp"
+
 namespace equipoise::audit {
 
 namespace {
@@ -189,7 +191,8 @@ std::string start_text(const Study& s, const model::Scales& u) {
 
 }  // namespace
 
-std::optional<std::string> physical_text(const Study& study, const model::Scales& u) {
+std::optional<std::string> physical_text(const Study& silent, const model::Scales& u) {
+  const Study study = stating_release(silent);
   const model::Parameters& p = study.parameters;
   if (p.stiffness[0] + p.stiffness[1] != 2.0) return std::nullopt;
   std::string text = rotor_text(p, u) + balancer_text(p, u);
@@ -209,7 +212,7 @@ std::optional<std::string> physical_text(const Study& study, const model::Scales
 }
 
 std::string numbers_differ(const Study& a, const Study& b) {
-  std::istringstream first(to_toml(a)), second(to_toml(b));
+  std::istringstream first(to_toml(stating_release(a))), second(to_toml(stating_release(b)));
   std::string line, other;
   while (std::getline(first, line) && std::getline(second, other)) {
     if (line.starts_with("[units]") || other.starts_with("[units]")) return {};

@@ -70,6 +70,29 @@ class Basin(unittest.TestCase):
         for word in ("balanced", "co-drifting (V1)", "drifting apart (V2)", "undecided", "diverged", "failed", "95 % interval", "1000 starts", "seed 1"):
             self.assertIn(word, text)
 
+    def test_says_that_stated_angles_are_drawn_all_the_same(self):
+        stated = ["--starts", "200", "--quiet", "--set", "initial.phi=[0, 0]"]
+        words = "drawn with each start, not taken from the study: initial.phi"
+        self.assertIn(words, run("basin", ROW, *stated).stdout)
+        self.assertIn(words, run("compare", ROW, ROW, *stated).stdout)
+        self.assertNotIn(words, run("basin", ROW, *stated[:3]).stdout)
+        drawn, plain = (json.loads(run("basin", ROW, "--json", *options).stdout) for options in (stated, stated[:3]))
+        self.assertEqual(drawn["sampling"]["drawn_instead_of"], ["initial.phi"])
+        self.assertNotIn("drawn_instead_of", plain["sampling"])
+        self.assertNotIn("phi", plain["study"]["initial"])  # nobody starts there
+        self.assertEqual(drawn["outcomes"], plain["outcomes"])
+
+    def test_the_head_says_until_when_balls_are_held(self):
+        ramp = ["--set", "speed={profile='ramp', final=2.4, duration=8.0}", "--quiet"]
+        words = "\nballs held until t = 8, the end of the ramp\n"
+        for command, options in (("basin", ["--starts", "50"]), ("compare", [ROW, "--starts", "50"]),
+                                 ("map", ["--size", "2x2"]), ("explain", []),
+                                 ("sweep", ["--over", "balancer.drag=0.05,0.06", "--starts", "20"])):
+            quiet = [option for option in ramp if command != "explain" or option != "--quiet"]
+            with self.subTest(command=command):
+                self.assertIn(words, run(command, ROW, *options, *quiet).stdout)
+                self.assertNotIn("balls held", run(command, ROW, *options, *quiet, "--set", "release.time=0").stdout)
+
     def test_published_law_is_named_wherever_it_was_used(self):
         study = os.path.join(STUDIES, "paper", "table-5-t0-300.toml")
         self.assertIn("PUBLISHED speed law", run("basin", study, "--starts", "500", "--quiet").stdout)

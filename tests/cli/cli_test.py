@@ -123,6 +123,28 @@ class Simulate(unittest.TestCase):
         self.assertEqual([r["t"] for r in self.rows(ROW, "--at", "0.5,2,5")], [0.5, 2.0, 5.0])
         self.assertEqual([r["t"] for r in self.rows(ROW, "--every", "0.25", "--until", "1")], [0, 0.25, 0.5, 0.75, 1])
 
+    def test_balls_start_evenly_around_the_race_where_nothing_is_said(self):
+        for extra in ([], ["--set", "balancer.contact_angle=0.3"]):
+            row = self.rows(ROW, "--at", "0", *extra)[0]
+            self.assertEqual((row["phi_1"], row["phi_2"]), (0.0, math.pi))
+
+    def test_says_until_when_balls_are_held_and_which_start_in_one_place(self):
+        ramp = ["--set", "speed={profile='ramp', final=2.4, duration=8.0}", "--at", "0,5,20"]
+        self.assertEqual(run("simulate", ROW, *ramp).stderr, "equipoise: balls held until t = 8, the end of the ramp\n")
+        angles = [float(row["phi_1"]) for row in csv.DictReader(io.StringIO(run("simulate", ROW, *ramp).stdout))]
+        self.assertEqual(angles[0], angles[1])
+        self.assertNotEqual(angles[1], angles[2])
+        self.assertEqual(run("simulate", ROW, *ramp, "--set", "release.time=0").stderr, "")
+        together = ["--at", "0", "--set", "initial.phi=[1.0, 1.0]"]
+        self.assertIn("balls 1 and 2 are alike and start in one place", run("simulate", ROW, *together).stderr)
+        self.assertEqual(run("simulate", ROW, *together, "--set", "balancer.mass=[0.05, 0.06]").stderr, "")
+
+    def test_a_machine_has_no_latch_unless_its_study_says_so(self):
+        free, held = (run("explain", WASHER, "--set", f"release={release}").stdout.splitlines()[1]
+                      for release in ("{}", "{time='10 s'}"))
+        self.assertEqual((free, held), ("", "balls held until t = 10 s"))
+        self.assertEqual(run("simulate", WASHER, "--at", "0", "--set", "release={}").stderr, "")
+
     def test_states_do_not_depend_on_which_times_are_asked_for(self):
         few = self.rows(ROW, "--at", "7.3,20", "--set", "initial.phi=[1.0,4.0]")
         many = self.rows(ROW, "--every", "0.1", "--until", "20", "--set", "initial.phi=[1.0,4.0]")

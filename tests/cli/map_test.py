@@ -87,6 +87,21 @@ class Results(unittest.TestCase):
         self.assertAlmostEqual(answer["x"]["values"][0], 9500.0 / 3573.0, delta=1e-3)
         self.assertAlmostEqual(answer["ties"][0]["offset"], 1.0471975512, delta=1e-9)
 
+    def test_says_where_balls_start_that_no_axis_places(self):
+        plane = ["--x", "rotor.eccentricity", "--x-range", "0.009:0.011", "--y", "balancer.drag", "--y-range", "0.04:0.06",
+                 "--size", "4x4", "--quiet"]
+        drawn, again = (run(ROW, *plane, *seed) for seed in ([], ["--set", "sampling.seed=1"]))
+        self.assertIn("Every pixel draws its own ball angles (seed 1)", drawn.stdout)
+        self.assertEqual(drawn.stdout.split("pixels;")[0], again.stdout.split("pixels;")[0])
+        self.assertTrue(json.loads(run(ROW, *plane, "--json").stdout)["draws_starts"])
+        stated = run(ROW, *plane, "--set", "initial.phi=[1.0, 4.0]").stdout
+        self.assertIn("All pixels start with phi_1 = 1, phi_2 = 4.\n", stated)
+        together = run(ROW, *plane, "--set", "initial.phi=[1.0, 1.0]").stdout
+        self.assertIn("Note: balls 1 and 2 are alike and start in one place", together)
+        three = run(ROW, "--set", "balancer.balls=3", "--size", "2x2", "--quiet").stdout
+        self.assertIn("All pixels start with phi_3 = 4.18879, evenly spread.\n", three)
+        self.assertNotIn("start with", run(ROW, "--size", "2x2", "--quiet").stdout)
+
     def test_interrupted_keeps_what_is_done_and_says_how_to_go_on(self):
         file = os.path.join(self.folder.name, "large.nc")
         process = subprocess.Popen([PROGRAM, "map", ROW, "--size", "4000x4000", "--quiet", "-o", file],
@@ -149,6 +164,9 @@ class Errors(unittest.TestCase):
             (["--x", "initial.phi_3"], ("initial.phi_3",)),
             (["--tie", "phi_2"], ("--tie", "phi_2", "phi_2=phi_1+pi")),
             (["--tie", "phi_2=phi_3"], ("phi_2 = phi_3", "balls from 1 to 2")),
+            (["--tie", "phi_2=phi_1+pi"], ("phi_2 = phi_1", "from an axis")),
+            (["--refine", "4", "--x", "rotor.eccentricity", "--x-range", "0.01:0.02", "--y", "balancer.drag", "--y-range",
+              "0.01:0.02"], ("draws its own ball angles", "initial.phi")),
             (["-o", "out.csv"], ("--output", "out.csv", ".nc")),
             (["--plot", "out.pdf"], ("--plot", "out.pdf", ".png or .svg")),
             (["-o", "/nowhere/out.nc"], ("--output", "/nowhere/out.nc", "cannot be written")),

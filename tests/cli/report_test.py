@@ -55,6 +55,21 @@ class Page(HTMLParser):
             self.lead += data
 
 
+class HeldBalls(unittest.TestCase):
+    def test_every_page_begins_with_until_when_balls_are_held(self):
+        ramp = "speed={profile='ramp', final=2.4, duration=8.0}"
+        with tempfile.TemporaryDirectory() as folder:
+            file = os.path.join(folder, "page.html")
+            for command in (["basin", ROW, "--starts", "50"], ["sweep", ROW, "--over", "balancer.drag=0.05", "--starts", "20"],
+                            ["map", ROW, "--size", "2x2"]):
+                for release, said in (("{}", True), ("{time=0.0}", False)):
+                    with self.subTest(command=command[0], release=release):
+                        done = run(*command, "--quiet", "--set", ramp, "--set", f"release={release}", "--report", file)
+                        self.assertEqual(done.returncode, 0, done.stderr)
+                        words = "Balls held until t = 8, the end of the ramp."
+                        self.assertEqual(words in Page(file).text.split("<h2")[0], said)
+
+
 class Report(unittest.TestCase):
     @classmethod
     def setUpClass(cls):

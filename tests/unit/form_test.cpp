@@ -54,6 +54,16 @@ TEST(Form, ShowsQuantitiesWithTheirUnits) {
   EXPECT_EQ(speed->unit, "rpm");
 }
 
+// A study's echo has no angles that nobody chose; the form offers those that hold.
+TEST(Form, OffersTheAnglesWhereBallsStart) {
+  const std::vector<FormField> form = form_of(constant_speed, "rotor");
+  const FormField* angles = find(form, "initial.phi");
+  ASSERT_TRUE(angles);
+  EXPECT_EQ(angles->value, "0, 3.141592653589793");
+  EXPECT_FALSE(angles->given);
+  EXPECT_EQ(find(form_of(machine, "machine"), "release.time")->value, "0");
+}
+
 TEST(Form, KnowsChoicesWholeNumbersAndFlags) {
   const std::vector<FormField> form = form_of(constant_speed, "rotor");
   const FormField* profile = find(form, "speed.profile");

@@ -502,6 +502,17 @@ TEST(PhysicalStudy, LetsItsBallsRunFreeUnlessItSaysOtherwise) {
   }
 }
 
+// Without units balls are held to the end of the ramp, and they still are once units are written.
+TEST(PhysicalEcho, OfADimensionlessStudyStatesItsRelease) {
+  const std::string units = "[units]\nmass = 12.0\nlength = 0.03\nfrequency = 63.2\n";
+  const std::string rotor = "[rotor]\neccentricity = 0.01\ndamping = 0.5\n[balancer]\nballs = 2\nmass = 0.05\ndrag = 0.05\n";
+  const Study held = parse(rotor + "[speed]\nprofile = \"ramp\"\nfinal = 2.4\nduration = 40.0\n" + units);
+  EXPECT_EQ(held.release_time(), 40.0);
+  EXPECT_NEAR(parse(to_physical_toml(held)).release_time(), 40.0, 1e-12);  // times a scale and over it
+  const Study constant = parse(rotor + "[speed]\nprofile = \"constant\"\nspeed = 2.4\n" + units);
+  EXPECT_EQ(parse(to_physical_toml(constant)).release_time(), 0.0);
+}
+
 TEST(PhysicalStudy, ThatDrawsValuesStatesItsReleaseToo) {
   const std::string draws = "rotor.eccentricity={uniform=['0.1 mm', '0.3 mm']}";
   for (const std::string& speed : spin_ups) {

@@ -49,10 +49,15 @@ void make_physical(StudyValue& root, const model::Parameters& p, const model::Sc
 
 }  // namespace
 
+Study stating_release(Study study) {
+  if (!study.release.speed && !study.release.time && !study.speed.driven()) study.release.time = study.release_time();
+  return study;
+}
+
 std::string to_physical_toml(const Study& study) {
   if (!study.scales)
     throw InputError(study.name, "units", "", "missing; a dimensionless study is shown in physical units by [units]");
-  StudyValue tree = to_tree(with_medians(study));
+  StudyValue tree = to_tree(stating_release(with_medians(study)));
   make_physical(tree, study.parameters, *study.scales);
   return toml_text(tree);
 }
