@@ -285,6 +285,7 @@ def state_on(motion: npt.ArrayLike, study: Study) -> State:
     """A state on a motion at the study's final speed, as the module gives it."""
     array = np.asarray(motion, dtype=float)
     psi, speed, error = (None if place < 0 else array[place] for place in study._core.state_places)
-    whole = 4 + 2 * study.balls
-    state = State.from_array(array[:whole], frame="inertial", study=study)
+    if psi is None and study._core.angle_matters:
+        psi = 0.0  # there motions are looked at once a turn
+    state = State.from_array(array[: 4 + 2 * study.balls], frame="inertial", study=study)
     return state._with(psi=psi, psi_dot=study._core.final_speed if speed is None else speed, speed_error_integral=error)

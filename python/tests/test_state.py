@@ -120,9 +120,15 @@ def test_the_rotors_angle_goes_with_a_state_where_it_matters():
     study = eq.Study.from_file(studies / "paper-rotor-with-motor.toml").replace({"rotor.gravity": 0.02})
     state = eq.State(phi=[[1.0, 4.0]] * 2, x_dot=0.0, y_dot=0.0, psi=[0.0, 2.0])
     np.testing.assert_array_equal(eq.basin(study, initial=state).initial.psi, [0.0, 2.0])
-    at_rest = eq.Study.from_file(studies / "paper/table-2-omega-2.4.toml").replace({"rotor.gravity": 0.02})
+    heavy = eq.Study.from_file(studies / "paper/table-2-omega-2.4.toml").replace({"rotor.gravity": 0.02})
     with pytest.raises(eq.StudyError, match="psi"):
-        eq.basin(at_rest, initial=state)
+        eq.basin(heavy, initial=state)
+    # Motions are looked at where the rotor's angle is 0, and so is their state.
+    mapper = eq.Mapper(heavy)
+    for known in mapper.attractors.values():
+        assert known.state.psi == 0.0 and mapper(known.state).id == known.id
+    with pytest.raises(eq.StudyError, match="psi"):
+        mapper(known.state._with(psi=1.0))
 
 
 WHOLE = np.zeros((1, 8))
