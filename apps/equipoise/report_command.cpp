@@ -20,8 +20,10 @@ namespace equipoise::app {
 MachinePage write_machine_page(const std::string& study_text, const std::string& name,
                                const std::vector<std::string>& overrides, const Study& study,
                                const BasinOptions& options, const std::string& path) {
-  MachinePageOptions page_options{options, parse_ball_details(study_text, name, overrides),
-                                  given_tables(study_text, name, overrides)};
+  MachinePageOptions page_options;
+  static_cast<BasinOptions&>(page_options) = options;
+  page_options.balls = parse_ball_details(study_text, name, overrides);
+  page_options.given = given_tables(study_text, name, overrides);
   MachinePage page = machine_page(study, page_options);
   write_file(path, machine_html(page));
   return page;

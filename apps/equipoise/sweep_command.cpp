@@ -129,7 +129,12 @@ int run_sweep(const SweepArguments& a) {
   choose_cpu(a.cpu);
   if (!has_mpi() && a.shard.empty() && repeats_work()) return bad_input;
   Team team;
-  if (!team.leads()) return follow(team, a);
+  const bool same = team.have_same(a.shard);
+  if (!team.leads()) return same ? follow(team, a) : bad_input;
+  if (!same)
+    throw InputError("--shard", "", a.shard,
+                     "is not what the other processes of the job were given; must be the same for all, which share the "
+                     "work of that part (start processes that have a part each without mpirun)");
   SweepOptions options;
   options.output = a.output;
   // Of several processes on a machine each has a core of its own.

@@ -3,7 +3,10 @@
 #include "team.hpp"
 
 #include <algorithm>
+#include <array>
 #include <chrono>
+#include <cstdint>
+#include <functional>
 #include <future>
 #include <map>
 #include <mutex>
@@ -293,6 +296,18 @@ Team::~Team() {
   }
 }
 
+// Equal numbers have the same least and largest one, which is the complement of the least complement.
+bool Team::have_same(const std::string& words) {
+  if (!joined_) return true;
+  const std::uint64_t number = std::hash<std::string>()(words);
+  const std::array<std::uint64_t, 2> mine{number, ~number};
+  std::array<std::uint64_t, 2> least{};
+  MPI_Allreduce(mine.data(), least.data(), 2, MPI_UINT64_T, MPI_MIN, MPI_COMM_WORLD);
+  const bool same = least[0] == ~least[1];
+  if (!same) left_ = 0;
+  return same;
+}
+
 bool Team::agree(bool good) {
   int answer = good;
   if (joined_) MPI_Bcast(&answer, 1, MPI_INT, 0, MPI_COMM_WORLD);
@@ -331,6 +346,7 @@ bool has_mpi() { return false; }
 
 Team::Team() = default;
 Team::~Team() = default;
+bool Team::have_same(const std::string&) { return true; }
 bool Team::agree(bool good) { return good; }
 void Team::lead(const SweepPlan&, SweepWork&, int, const StopFlag*) {}
 void Team::follow(const SweepPlan&, int, const StopFlag*) {}

@@ -29,6 +29,8 @@ class Team {
   bool leads() const { return rank_ == 0; }
   int size() const { return size_; }
 
+  /// Whether all were given the same words. If not there is no work for anybody.
+  bool have_same(const std::string& words);
   /// What the first found of what was asked, known to all: whether there is work.
   bool agree(bool good);
   /// Of the first: gives blocks to the others and takes their cells until none of them has any left. Whom no block is

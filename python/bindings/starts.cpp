@@ -10,9 +10,9 @@ std::vector<InitialState> starts_from(const Study& study, const py::array& array
   const std::string widths = std::to_string(balls) + " (ball angles) or " + std::to_string(4 + 2 * balls) +
                              " (x, y, x_dot, y_dot, ball angles, ball rates)";
   const std::size_t width = array.ndim() == 2 ? static_cast<std::size_t>(array.shape(1)) : 0;
-  if (array.ndim() == 2 && width != balls && width != 4 + 2 * balls)
+  const bool turned = width == 5 + 2 * balls, whole = turned || width == 4 + 2 * balls;
+  if (array.ndim() == 2 && width != balls && !whole)
     throw InputError(argument, "", std::to_string(width) + " numbers a row", "must be rows of " + widths);
-  const bool whole = width == 4 + 2 * balls;
   const auto rows = rows_from(array, whole ? width : balls, argument, widths);
   std::vector<InitialState> starts(rows.size(), study.initial);
   for (std::size_t i = 0; i < rows.size(); ++i) {
@@ -29,6 +29,7 @@ std::vector<InitialState> starts_from(const Study& study, const py::array& array
       start.phi[k] = row[k];
       if (whole) start.phi_dot[k] = row[balls + k];
     }
+    if (turned) start.psi = row[2 * balls];
   }
   return starts;
 }

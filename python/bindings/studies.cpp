@@ -64,6 +64,32 @@ py::dict parameters_of(const Study& uncertain) {
   return parameters;
 }
 
+// What starts begin with that name no more than ball angles.
+py::dict initial_of(const PyStudy& s) {
+  const InitialState& start = s.study.initial;
+  py::dict initial;
+  for (const auto& [name, number] : {std::pair{"x", start.x}, {"y", start.y}, {"x_dot", start.x_dot},
+                                     {"y_dot", start.y_dot}, {"psi", start.psi}})
+    initial[name] = number;
+  initial["phi_dot"] = std::vector<double>(start.phi_dot.begin(), start.phi_dot.begin() + s.study.parameters.balls);
+  return initial;
+}
+
+// The rotor's speed in the end, where it is prescribed.
+std::optional<double> final_speed_of(const PyStudy& s) {
+  const model::System system = with_medians(s.study).system();
+  if (!system.prescribed()) return std::nullopt;
+  return system.drive().speed;
+}
+
+// Where psi, psi_dot and speed_error_integral stand in a motion's state; -1: nowhere.
+py::tuple places_of(const PyStudy& s) {
+  const model::DrivePlaces places = with_medians(s.study).system().places();
+  return py::make_tuple(places.psi, places.speed, places.error);
+}
+
+bool angle_matters(const PyStudy& s) { return !with_medians(s.study).system().autonomous(); }
+
 // Key and unit of each value that starts draw, in the order of the columns drawn.
 py::list uncertain_of(const PyStudy& s) {
   py::list values;
@@ -109,6 +135,11 @@ void bind_studies(py::module_& module) {
       .def_property_readonly("scales", [](const PyStudy& s) { return scales_of(s.study); })
       .def_property_readonly("limits", [](const PyStudy& s) { return limits_of(s.study); })
       .def_property_readonly("parameters", [](const PyStudy& s) { return parameters_of(s.study); })
+      .def_property_readonly("initial", &initial_of)
+      .def_property_readonly("initial_speed", [](const PyStudy& s) { return with_medians(s.study).drive().speed; })
+      .def_property_readonly("final_speed", &final_speed_of)
+      .def_property_readonly("state_places", &places_of)
+      .def_property_readonly("angle_matters", &angle_matters)
       .def_property_readonly("release_time", [](const PyStudy& s) { return s.study.release_time(); })
       .def(py::pickle([](const PyStudy& s) { return py::make_tuple(s.source.toml, s.source.name, s.source.overrides); },
                       [](const py::tuple& state) {

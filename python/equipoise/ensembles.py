@@ -13,11 +13,12 @@ import numpy as np
 import numpy.typing as npt
 
 from . import _core
-from ._arguments import LARGEST_SEED, MOST_STARTS, angles, checked_study, flag, real, refuse, whole
+from ._arguments import LARGEST_SEED, MOST_STARTS, checked_study, flag, real, refuse, whole
 from ._call import ProgressArgument, settings, unless_interrupted
 from ._html import percent, table
 from .errors import UndecidedWarning
 from .results import Result
+from .state import Frame, State, StateLike, starts_of
 from .study import Study
 
 if TYPE_CHECKING:
@@ -74,6 +75,8 @@ class BasinResult(Result):
     names : dict[int, str]
     phi : ndarray (starts, balls)
         Ball angles that each start began with, rad.
+    initial : State (starts,)
+        All that each start began with.
     decision_time : ndarray (starts,)
         Study time at which the outcome was known, in 1/omega_c.
     decided_by : ndarray (starts,), int8
@@ -164,6 +167,16 @@ class BasinResult(Result):
     @property
     def phi(self) -> npt.NDArray[np.float64]:
         return self._array("phi")
+
+    @property
+    def initial(self) -> State:
+        fields = dict(self.study._core.initial)
+        if self.arrays.get("rotor_state") is not None:
+            fields.update(zip(("x", "y", "x_dot", "y_dot"), self.arrays["rotor_state"].reshape(-1, 4).T))
+        for name in ("phi_dot", "psi"):
+            if self.arrays.get(name) is not None:
+                fields[name] = self.arrays[name]
+        return State(phi=self.phi, psi_dot=self.study._core.initial_speed, **fields)
 
     @property
     def decision_time(self) -> npt.NDArray[np.float64]:
@@ -281,7 +294,8 @@ def basin(
     half_width: Optional[float] = None,
     method: Optional[str] = None,
     transients: Optional[bool] = None,
-    initial: Optional[npt.ArrayLike] = None,
+    initial: Optional[StateLike] = None,
+    frame: Optional[Frame] = None,
     sensitivity: bool | int = False,
     output: Optional[str | os.PathLike[str]] = None,
     keep: bool = True,
@@ -304,9 +318,11 @@ def basin(
         How starts are chosen.
     transients : bool, optional
         Gather peak displacement, force, settling time and their like; default: if the study has limits.
-    initial : array_like (n, balls) or (n, 4 + 2 balls), optional
-        Starts of your own in place of drawn ones: ball angles, or x, y, x_dot, y_dot, ball angles, ball rates in the
-        rotating frame. The intervals are those of random starts.
+    initial : State, or array_like (n, balls) or (n, 4 + 2 balls), optional
+        Starts of your own in place of drawn ones: states, ball angles, or with `frame` rows of x, y, two velocities,
+        ball angles, ball rates. The intervals are those of random starts.
+    frame : {"rotating", "inertial"}, optional
+        What the velocities of such rows are: x_dot and y_dot, or u and v.
     sensitivity : bool or int
         Of a study with uncertain values: what the outcome depends on most (``data["sensitivity"]``), from so many rows.
     output : path, optional
@@ -340,7 +356,7 @@ def basin(
     if initial is not None and starts is not None:
         refuse("starts", starts, "left out", "initial gives the starts, all of which are followed")
     rows = sensitivity_rows(sensitivity)
-    states = None if initial is None else angles("initial", initial)
+    states = None if initial is None else starts_of("initial", initial, frame, asked)
     if states is not None and states.ndim == 2 and not len(states):
         refuse("initial", states, "one start or more")
     with settings(threads, progress, cpu) as how:

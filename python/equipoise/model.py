@@ -12,6 +12,7 @@ from ._arguments import angles, checked_study, refuse
 from ._call import ProgressArgument, settings, unless_interrupted
 from .ensembles import NO_ATTRACTOR
 from .errors import Interrupted
+from .state import Frame, State, StateLike, checked_frame, no_frame, of_study, starts_of, state_on
 from .study import Study
 
 Array = npt.NDArray[np.float64]
@@ -20,9 +21,18 @@ Array = npt.NDArray[np.float64]
 class Model:
     """The equations of motion of a study as a first-order system, vectorised over arrays of states.
 
-    A state has ``dimension`` numbers, ``names`` tells which: x, y (centre of the race in the rotating frame, in R), u, v
-    (its velocity in the room, in rotating components), ball angles, ball rates, and of a driven rotor psi, psi_dot and
-    the integral of the speed error. Time is in 1/omega_c.
+    Its methods take a :class:`State`, or, once `frame` says what the velocities in it are, an array (..., dimension):
+    x, y (centre of the race in the rotating frame, in R), two velocities, ball angles, ball rates, and of a driven rotor
+    psi, psi_dot and the integral of the speed error. Time is in 1/omega_c.
+
+    The equations are in u, v, the velocity in the room: ``names`` tells their components, of which ``rhs`` and
+    ``jacobian`` give rates and slopes whatever frame a state was given in. So integrators want ``frame="inertial"``.
+
+    Parameters
+    ----------
+    study : Study
+    frame : {"rotating", "inertial"}, optional
+        Of arrays that methods take: their velocities are x_dot and y_dot, or u and v. Methods may be told another.
 
     Attributes
     ----------
@@ -41,13 +51,17 @@ class Model:
 
     Examples
     --------
-    >>> model = Model(study)                                                  # doctest: +SKIP
-    >>> run = scipy.integrate.solve_ivp(model.rhs, (0, 50), model.initial_state)  # doctest: +SKIP
+    >>> model = Model(study, frame="inertial")                        # doctest: +SKIP
+    >>> begin = model.array(0.0, model.initial_state)                 # doctest: +SKIP
+    >>> run = scipy.integrate.solve_ivp(model.rhs, (0, 50), begin)    # doctest: +SKIP
+    >>> model.state(run.t, run.y.T)                                   # doctest: +SKIP
+    <State of 2 balls, inertial: shape (213,)>
     """
 
-    def __init__(self, study: Study) -> None:
+    def __init__(self, study: Study, *, frame: Optional[Frame] = None) -> None:
         self._equations = _core.Equations(checked_study(study)._core)
         self.study = study
+        self.frame = None if frame is None else checked_frame(frame)
         self._released_at: Optional[float] = None
 
     @property
@@ -75,61 +89,127 @@ class Model:
         return self._equations.release_time
 
     @property
-    def initial_state(self) -> Array:
-        """The state at t = 0 that the study's [initial] says: ndarray (dimension,)."""
-        return self._equations.initial_states()
+    def initial_state(self) -> State:
+        """The state at t = 0 that the study's [initial] says."""
+        return self._state_of(self._equations.initial_states(), self.study._core.initial_speed)
 
-    def states_of(self, starts: npt.ArrayLike) -> Array:
-        """States of starts: (n, balls) angles or (n, 4 + 2 balls) as ``basin(initial=)`` takes them -> (n, dimension)."""
-        return self._equations.initial_states(angles("starts", starts))
+    def states_of(self, starts: StateLike, *, frame: Optional[Frame] = None) -> State:
+        """States at t = 0 of n starts, as ``basin(initial=, frame=)`` takes them."""
+        rows = self._equations.initial_states(starts_of("starts", starts, frame, self.study))
+        return self._state_of(rows, self.study._core.initial_speed)
 
-    def rhs(self, t: npt.ArrayLike, state: npt.ArrayLike, piece: Optional[int] = None) -> Array:
-        """d(state)/dt.
+    def state(
+        self, t: npt.ArrayLike, state: StateLike, piece: Optional[int] = None, *, frame: Optional[Frame] = None
+    ) -> State:
+        """The state that an array (..., dimension) holds, with the rotor's speed at `t`."""
+        rows = self._rows(t, state, piece, frame)
+        return self._state_of(rows, self._speed(t, rows, piece))
+
+    def array(self, t: npt.ArrayLike, state: State, piece: Optional[int] = None) -> Array:
+        """A state at `t` as the equations have it, with u and v: ndarray (..., dimension)."""
+        return self._rows_of(t, state, piece)
+
+    def _state_of(self, rows: Array, speed: npt.ArrayLike) -> State:
+        """Of an array as the equations have it; of a driven rotor the speed is in the array."""
+        whole = 4 + 2 * self.study.balls
+        state = State.from_array(rows[..., :whole], frame="inertial", study=self.study, psi_dot=speed)
+        return state._with(**dict(zip(self.names[whole:], np.moveaxis(rows[..., whole:], -1, 0))))
+
+    def _speed(self, t: npt.ArrayLike, rows: Array, piece: Optional[int]) -> Array:
+        return self._equations.motion(t, rows, piece)[..., -1]
+
+    def _rows(
+        self, t: npt.ArrayLike, state: StateLike, piece: Optional[int], frame: Optional[Frame]
+    ) -> Array:
+        """States as the equations have them; the module checks their shape."""
+        if isinstance(state, State):
+            return self._rows_of(t, of_study("state", state, frame, self.study), piece)
+        frame = frame or self.frame
+        if frame is None:
+            raise no_frame("state")
+        if checked_frame(frame) == "inertial":
+            return np.asarray(state, dtype=float)
+        rows = np.array(state, dtype=float)
+        whole = 4 + 2 * self.study.balls
+        speed = self._speed(t, rows, piece)  # prescribed, or in the array: no velocity counts
+        seen = State.from_array(rows[..., :whole], frame=frame, study=self.study, psi_dot=speed)
+        return np.concatenate((seen.array("inertial"), rows[..., whole:]), axis=-1)
+
+    def _rows_of(self, t: npt.ArrayLike, state: State, piece: Optional[int]) -> Array:
+        more = self.names[4 + 2 * self.study.balls :]
+        if state.psi_dot is None:
+            if more:
+                raise TypeError("a motor turns the rotor, whose speed is part of the state: state.at_speed(psi_dot)")
+            rest = np.zeros((*state.shape, self.dimension))
+            state = state.at_speed(self._speed(t, rest, piece))
+        unsaid = np.zeros(state.shape)
+        columns = [unsaid if getattr(state, name) is None else getattr(state, name) for name in more]
+        return np.concatenate((state.array("inertial"), *(column[..., None] for column in columns)), axis=-1)
+
+    def rhs(
+        self, t: npt.ArrayLike, state: StateLike, piece: Optional[int] = None, *, frame: Optional[Frame] = None
+    ) -> Array:
+        """Rates of the components that ``names`` tells.
 
         Parameters
         ----------
         t : float, or array of one time a state
-        state : array_like (..., dimension)
+        state : State, or array_like (..., dimension)
         piece : int, optional
             Which piece of time is meant, where `t` is the end of one and the begin of the next; default: the later one.
+        frame : {"rotating", "inertial"}, optional
+            Of such an array; default: the model's.
 
         Returns
         -------
         ndarray (..., dimension)
         """
-        return self._equations.rhs(t, state, piece)
+        return self._equations.rhs(t, self._rows(t, state, piece, frame), piece)
 
-    def jacobian(self, t: npt.ArrayLike, state: npt.ArrayLike, piece: Optional[int] = None) -> Array:
-        """The exact derivative of ``rhs`` by the state (dual numbers): ndarray (..., dimension, dimension)."""
-        return self._equations.jacobian(t, state, piece)
+    def jacobian(
+        self, t: npt.ArrayLike, state: StateLike, piece: Optional[int] = None, *, frame: Optional[Frame] = None
+    ) -> Array:
+        """The exact derivative of the rates by the components that ``names`` tells (dual numbers): (..., dimension, dimension)."""
+        return self._equations.jacobian(t, self._rows(t, state, piece, frame), piece)
 
-    def energy(self, t: npt.ArrayLike, state: npt.ArrayLike, piece: Optional[int] = None) -> Array:
+    def energy(
+        self, t: npt.ArrayLike, state: StateLike, piece: Optional[int] = None, *, frame: Optional[Frame] = None
+    ) -> Array:
         """Mechanical energy in M R^2 omega_c^2: ndarray (...)."""
-        return self._equations.energy(t, state, piece)
+        return self._equations.energy(t, self._rows(t, state, piece, frame), piece)
 
-    def powers(self, t: npt.ArrayLike, state: npt.ArrayLike, piece: Optional[int] = None) -> Array:
+    def powers(
+        self, t: npt.ArrayLike, state: StateLike, piece: Optional[int] = None, *, frame: Optional[Frame] = None
+    ) -> Array:
         """What changes the energy: drive, supports, balls (dE/dt = drive - supports - balls): ndarray (..., 3)."""
-        return self._equations.powers(t, state, piece)
+        return self._equations.powers(t, self._rows(t, state, piece, frame), piece)
 
-    def motion(self, t: npt.ArrayLike, state: npt.ArrayLike, piece: Optional[int] = None) -> Array:
-        """As a trajectory tells it: x, y, x_dot, y_dot, ball angles, ball rates, psi, psi_dot: (..., 6 + 2 balls)."""
-        return self._equations.motion(t, state, piece)
+    def motion(
+        self, t: npt.ArrayLike, state: StateLike, piece: Optional[int] = None, *, frame: Optional[Frame] = None
+    ) -> State:
+        """The state as a trajectory tells it, with x_dot, y_dot, psi and psi_dot."""
+        rows = self._equations.motion(t, self._rows(t, state, piece, frame), piece)
+        seen = State.from_array(rows[..., :-2], frame="rotating", study=self.study, psi_dot=rows[..., -1])
+        return seen._with(psi=rows[..., -2])
 
-    def cross(self, piece: int, state: npt.ArrayLike) -> Array:
-        """The state at the end of a piece as the next one begins with it: ndarray (dimension,)."""
-        return self._equations.cross(piece, state)
+    def cross(self, piece: int, state: StateLike, *, frame: Optional[Frame] = None) -> State:
+        """One state at the end of a piece as the next one begins with it."""
+        end = self.pieces[piece][1] if 0 <= piece < len(self.pieces) else 0.0
+        rows = self._equations.cross(piece, self._rows(end, state, piece, frame))
+        return self._state_of(rows, self._speed(end, rows, min(piece + 1, len(self.pieces) - 1)))
 
     def released_at(self, t: float) -> Model:
         """The same with the balls let go at `t`, of a driven rotor that lets go at a speed."""
         model = type(self).__new__(type(self))
         model._equations, model.study, model._released_at = self._equations.released_at(t), self.study, t
+        model.frame = self.frame
         return model
 
     def __getstate__(self) -> dict[str, Any]:
-        return {"study": self.study, "released_at": self._released_at}
+        return {"study": self.study, "released_at": self._released_at, "frame": self.frame}
 
     def __setstate__(self, state: dict[str, Any]) -> None:
-        self.__init__(state["study"])  # type: ignore[misc]
+        self.__init__(state["study"], frame=state["frame"])  # type: ignore[misc]
         if state["released_at"] is not None:
             self.__dict__ = self.released_at(state["released_at"]).__dict__
 
@@ -144,13 +224,14 @@ class Known:
     ----------
     id, name, alias, kind, stable
     r_min, r_mean, r_max : float
-    state : ndarray
+    state : State
+        One on its motion.
     """
 
-    def __init__(self, fields: tuple[Any, ...]) -> None:
+    def __init__(self, fields: tuple[Any, ...], study: Study) -> None:
         self.id, self.name, self.alias, self.kind, self.stable, radial, state = fields
         self.r_min, self.r_mean, self.r_max = radial
-        self.state = np.array(state)
+        self.state: State = state_on(state, study)
 
     def __eq__(self, other: object) -> bool:
         return isinstance(other, Known) and (self.id, self.name) == (other.id, other.name)
@@ -208,33 +289,43 @@ class Mapper:
     @property
     def attractors(self) -> dict[int, Known]:
         """Those known so far, by identifier."""
-        return {fields[0]: Known(fields) for fields in self._core.attractors()}
+        return {fields[0]: Known(fields, self.study) for fields in self._core.attractors()}
 
-    def __call__(self, state: npt.ArrayLike) -> Optional[Known]:
-        """The attractor of one state: `balls` angles, or 4 + 2 `balls` numbers. None if it comes to none."""
-        row = angles("state", state)
-        if row.ndim != 1:
+    def __call__(self, state: StateLike, *, frame: Optional[Frame] = None) -> Optional[Known]:
+        """The attractor of one state: a State, `balls` angles, or with `frame` 4 + 2 `balls` numbers. None if it comes to
+        none."""
+        one = not state.shape if isinstance(state, State) else angles("state", state).ndim == 1
+        if not one:
             refuse("state", state, "one state; labels() takes many")
-        label = int(self.labels(row[None])[0])
+        rows = starts_of("state", state, frame, self.study)
+        label = int(self._labels(rows if rows.ndim == 2 else rows[None], 0, False)[0])
         return self.attractors[label] if label > 0 else None
 
     def labels(
-        self, states: npt.ArrayLike, *, threads: int = 0, progress: ProgressArgument = False
+        self,
+        states: StateLike,
+        *,
+        frame: Optional[Frame] = None,
+        threads: int = 0,
+        progress: ProgressArgument = False,
     ) -> npt.NDArray[np.int16]:
         """Identifiers of the attractors of many states, side by side.
 
         Parameters
         ----------
-        states : array_like (n, balls) or (n, 4 + 2 balls)
-            As ``basin(initial=)`` takes them.
+        states, frame
+            As ``basin(initial=, frame=)`` takes them.
 
         Returns
         -------
         ndarray (n,), int16
             0 undecided, -1 diverged, -2 failed, -3 stalled.
         """
+        return self._labels(starts_of("states", states, frame, self.study), threads, progress)
+
+    def _labels(self, rows: npt.NDArray[Any], threads: int, progress: ProgressArgument) -> npt.NDArray[np.int16]:
         with settings(threads, progress, None) as how:
-            fates = self._core.fates(angles("states", states), how)
+            fates = self._core.fates(rows, how)
         return unless_interrupted(fates["labels"], fates["interrupted"])
 
     def name(self, label: int) -> str:

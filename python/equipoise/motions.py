@@ -12,12 +12,13 @@ import numpy as np
 import numpy.typing as npt
 
 from . import _core
-from ._arguments import MOST_STARTS, checked_study, numbers, real, whole
+from ._arguments import MOST_STARTS, checked_study, real, whole
 from ._call import ProgressArgument, settings, unless_interrupted
 from ._html import percent, table
 from .ensembles import _write_json, with_starts
 from .errors import RunError
 from .results import Result
+from .state import Frame, State, StateLike, seeds_of, state_on
 from .study import Study, option_value
 
 if TYPE_CHECKING:
@@ -76,9 +77,8 @@ class Attractor:
         Floquet multipliers of a periodic motion, eigenvalues of an equilibrium; empty of others.
     exponents : ndarray
         Lyapunov exponents, falling.
-    state : ndarray
-        A state on the motion: x, y, u, v (velocity in rotating components), ball angles, ball rates, and what a motor
-        adds.
+    state : State
+        One on the motion.
     data : dict
         All that the command line says of it with ``--json``.
     """
@@ -100,7 +100,7 @@ class Attractor:
         pairs = data.get("multipliers") or data.get("eigenvalues") or []
         self.spectrum = np.array([complex(re, im) for re, im in pairs])
         self.exponents = np.array(data["exponents"], dtype=float)
-        self.state = np.array(data["state"], dtype=float)
+        self.state: State = state_on(data["state"], study)
 
     def path(self, duration: Optional[float] = None, points: int = 400) -> Path:
         """The motion itself.
@@ -116,7 +116,7 @@ class Attractor:
         if duration is not None:
             length = real("duration", duration, 1e-9, _LONGEST_PATH, f"a time above 0, at most {_LONGEST_PATH:g}")
         steps = whole("points", points, 1, 10**7)
-        columns = _core.motion_path(self.study._core, self.state.tolist(), length, steps, {})
+        columns = _core.motion_path(self.study._core, self.data["state"], length, steps, {})
         t = np.linspace(0.0, length, steps + 1)[: len(columns["X"])]
         path = Path(t, columns["psi"], columns["X"], columns["Y"], columns["phi"], self.study)
         return unless_interrupted(path, columns["interrupted"])
@@ -179,7 +179,8 @@ def attractors(
     starts: Optional[int] = None,
     *,
     seed: Optional[int] = None,
-    states: Optional[npt.ArrayLike] = None,
+    states: Optional[StateLike] = None,
+    frame: Optional[Frame] = None,
     threads: int = 0,
     progress: ProgressArgument = False,
     cpu: Optional[str] = None,
@@ -190,14 +191,17 @@ def attractors(
     ----------
     starts : int, optional
         Random starts searched; default 20736, which miss an attractor with a share above 1e-3 once in 1e9 searches.
-    states : array_like (n, 4 + 2 balls), optional
-        States to follow besides (x, y, u, v, ball angles, ball rates), for attractors too rare to be met by chance.
+    states : State, or array_like (n, 4 + 2 balls), optional
+        States at the final speed to follow besides, for attractors too rare to be met by chance; rows hold x, y, two
+        velocities, ball angles, ball rates.
+    frame : {"rotating", "inertial"}, optional
+        What the velocities of such rows are: x_dot and y_dot, or u and v.
     seed, threads, progress, cpu
         As for :func:`basin`.
     """
     asked = with_starts(study, None, seed)
     searched = None if starts is None else whole("starts", starts, 1, MOST_STARTS)
-    seeds = None if states is None else numbers("states", states)
+    seeds = None if states is None else seeds_of("states", states, frame, asked)
     with settings(threads, progress, cpu) as how:
         core = _core.attractors(asked._core, searched, seeds, how)
     return unless_interrupted(AttractorsResult(core, asked), core.interrupted)
@@ -357,7 +361,8 @@ def follow(
     step: float | str,
     *,
     starts: int = 0,
-    states: Optional[npt.ArrayLike] = None,
+    states: Optional[StateLike] = None,
+    frame: Optional[Frame] = None,
     threads: int = 0,
     progress: ProgressArgument = False,
     cpu: Optional[str] = None,
@@ -372,15 +377,18 @@ def follow(
         Dimensionless numbers, or quantities with units ("900 rpm") where the study has them.
     starts : int
         Random starts searched at every value, and half-way between, besides the pilot's; 0: 2000.
-    states : array_like (n, 4 + 2 balls), optional
-        States tried at every value, as for :func:`attractors`: ways to attractors too rare for the pilot.
+    states : State, or array_like (n, 4 + 2 balls), optional
+        States tried at every value, as for :func:`attractors`: ways to attractors too rare for the pilot. Whatever the
+        value, their velocity in the room is that which they have at the study's own final speed.
+    frame : {"rotating", "inertial"}, optional
+        As for :func:`attractors`.
     threads, progress, cpu
         As for :func:`basin`.
     """
     checked_study(study)
     line = f"{key}=" + ":".join(option_value(value) for value in (low, high, step))
     searched = whole("starts", starts, 0, MOST_STARTS)
-    seeds = None if states is None else numbers("states", states)
+    seeds = None if states is None else seeds_of("states", states, frame, study)
     with settings(threads, progress, cpu) as how:
         core = _core.follow(study._core, line, searched, seeds, how)
     return unless_interrupted(BranchesResult(core, study), core.interrupted)

@@ -13,6 +13,7 @@ from . import _core
 from ._arguments import checked_study, numbers, real, refuse
 from ._call import settings, unless_interrupted
 from ._html import definition_table
+from .state import State
 from .study import Study, is_quantity
 
 if TYPE_CHECKING:
@@ -50,6 +51,8 @@ class Trajectory:
         Centre of the race in the rotating frame, and its rates.
     phi, phi_dot : ndarray (n, balls)
         Ball angles in the rotating frame (rad, unwrapped) and their rates.
+    states : State (n,)
+        The same as states.
     radial : ndarray (n,)
         Distance of the centre from where the rotor rests, in R.
     bearing_x, bearing_y : ndarray (n,)
@@ -88,6 +91,13 @@ class Trajectory:
     def Y(self) -> Array:
         """Centre of the race in the room's axes, vertical, in R: ndarray (n,)."""
         return np.sin(self.psi) * self.x + np.cos(self.psi) * self.y
+
+    @property
+    def states(self) -> State:
+        return State(
+            x=self.x, y=self.y, x_dot=self.x_dot, y_dot=self.y_dot, phi=self.phi, phi_dot=self.phi_dot, psi=self.psi,
+            psi_dot=self.psi_dot,
+        )
 
     def __len__(self) -> int:
         return len(self.t)

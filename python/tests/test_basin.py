@@ -106,9 +106,9 @@ def test_starts_of_ones_own_come_to_what_drawn_ones_do(study, answer):
     np.testing.assert_array_equal(own.decision_time, answer.decision_time[:100])
     whole = np.zeros((100, 8))
     whole[:, 4:6] = answer.phi[:100]
-    np.testing.assert_array_equal(eq.basin(study, initial=whole).labels, answer.labels[:100])
+    np.testing.assert_array_equal(eq.basin(study, initial=whole, frame="rotating").labels, answer.labels[:100])
     whole[:, 0] = 0.2
-    assert np.any(eq.basin(study, initial=whole).labels != answer.labels[:100])
+    assert np.any(eq.basin(study, initial=whole, frame="rotating").labels != answer.labels[:100])
 
 
 @pytest.mark.parametrize(

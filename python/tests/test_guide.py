@@ -49,7 +49,8 @@ def test_the_examples_of_the_page_run(tmp_path, monkeypatch):
     monkeypatch.chdir(tmp_path)
     eq.paper_study("table-2-omega-2.4").save("spin-up.toml")
     machine = eq.Study.from_file(root / "studies" / "examples" / "washing-machine.toml")
-    names = {"plt": plt, "scipy": scipy, "machine": machine, "angles": np.array([[1.0, 4.0], [0.5, 0.6]])}
+    names = {"plt": plt, "scipy": scipy, "machine": machine, "angles": np.array([[1.0, 4.0], [0.5, 0.6]]),
+             "array": np.zeros((3, 8))}
     for k, example in enumerate(examples()):
         for words, smaller in SMALLER.items():
             example = example.replace(words, smaller)

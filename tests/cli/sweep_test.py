@@ -191,6 +191,30 @@ def answer_of_inspect(path):
     return json.loads(done.stdout)
 
 
+@unittest.skipUnless(shutil.which("mpirun") and "MPI: not built in" not in run("--version").stdout, "needs MPI")
+class Job(unittest.TestCase):
+    """Processes of one job share one part."""
+
+    def started(self, shard, folder):
+        command = f'exec "$0" sweep "$1" --over speed.final=2.6,2.8 --starts 60 --quiet --shard {shard} -o "$2/$OMPI_COMM_WORLD_RANK.nc"'
+        allowed = {"OMPI_ALLOW_RUN_AS_ROOT": "1", "OMPI_ALLOW_RUN_AS_ROOT_CONFIRM": "1"}
+        return subprocess.run(["mpirun", "--oversubscribe", "-n", "2", "sh", "-c", command, PROGRAM, ROW, folder],
+                              capture_output=True, text=True, timeout=120, check=False, env={**os.environ, **allowed})
+
+    def test_of_different_parts_none_is_left_out_silently(self):
+        with tempfile.TemporaryDirectory() as folder:
+            done = self.started("$((OMPI_COMM_WORLD_RANK + 1))/2", folder)
+            self.assertNotEqual(done.returncode, 0)
+            self.assertEqual(done.stderr.count("must be the same for all"), 1, done.stderr)
+            self.assertEqual(os.listdir(folder), [])
+
+    def test_of_the_same_part_the_first_writes_it(self):
+        with tempfile.TemporaryDirectory() as folder:
+            done = self.started("1/2", folder)
+            self.assertEqual(done.returncode, 0, done)
+            self.assertEqual(os.listdir(folder), ["0.nc"])
+
+
 class Inspect(unittest.TestCase):
     def test_every_kind_of_file_is_told(self):
         with tempfile.TemporaryDirectory() as folder:

@@ -70,7 +70,10 @@ MotionPath followed_path(const model::System& system, const Motion& motion, doub
   run.advance(
       duration,
       [&](double, double to, auto& state_at) {
-        for (; next <= count && next * step <= to; take()) state_at(next * step, y.data());
+        while (next <= count && next * step <= to) {
+          state_at(next * step, y.data());
+          take();
+        }
         return next > count;
       },
       stop);
