@@ -9,6 +9,7 @@
 #include <nlohmann/json.hpp>
 
 #include "equipoise/base/angles.hpp"
+#include "equipoise/model/held_speed.hpp"
 #include "equipoise/report/engineering.hpp"
 
 namespace equipoise {
@@ -56,6 +57,7 @@ std::string motor_text(const Study& study) {
   else
     law = fmt::format("torque {}, {} a unit of speed{}", torque(t.constant), shown(t.slope, Dimension::gain),
                       t.until ? fmt::format(", until t = {}", shown(*t.until, Dimension::time)) : "");
+  if (model::speeds_up_for_ever(study.system())) law += "; the last torque acts for ever, and a balanced rotor needs none: no speed is held";
   return fmt::format("driven from {}: {}", speed(study.speed.initial), law);
 }
 
@@ -167,21 +169,20 @@ nlohmann::ordered_json share_json(const Share& s) {
 namespace {
 
 nlohmann::ordered_json tree_json(const StudyValue& value) {
-  using Json = nlohmann::ordered_json;
   if (const auto* table = value.table()) {
-    Json json = Json::object();
+    nlohmann::ordered_json json = nlohmann::ordered_json::object();
     for (const auto& [key, member] : *table) json[key] = tree_json(member);
     return json;
   }
   if (const auto* array = value.array()) {
-    Json json = Json::array();
+    nlohmann::ordered_json json = nlohmann::ordered_json::array();
     for (const StudyValue& entry : *array) json.push_back(tree_json(entry));
     return json;
   }
   if (const auto* truth = value.boolean()) return *truth;
   if (const auto* whole = value.integer()) return *whole;
   if (const auto* number = value.real()) return *number;
-  return value.string() ? Json(*value.string()) : Json(value.other()->text);
+  return value.string() ? nlohmann::ordered_json(*value.string()) : nlohmann::ordered_json(value.other()->text);
 }
 
 }  // namespace
