@@ -2,7 +2,6 @@
 // the linearised equations.
 #include <algorithm>
 #include <cmath>
-#include <complex>
 #include <random>
 #include <string>
 #include <vector>
@@ -12,27 +11,16 @@
 
 #include "equipoise/base/angles.hpp"
 #include "equipoise/explain/balanced_motion.hpp"
-#include "equipoise/explain/explain.hpp"
+#include "equipoise/explain/drag_scan.hpp"
 #include "equipoise/explain/rules_of_thumb.hpp"
 #include "equipoise/report/explain_report.hpp"
-#include "equipoise/study/study.hpp"
 #include "../base_study.hpp"
-#include "../machine_study.hpp"
+#include "../explained.hpp"
 
 namespace equipoise {
 namespace {
 
 const std::string machine = machine_rotor + "[speed]\nprofile = \"constant\"\nspeed = \"2000 rpm\"\n";
-
-Explanation explained(const std::string& text, const std::vector<std::string>& overrides = {}) {
-  return explain(parse_study(text, "m.toml", overrides), parse_ball_details(text, "m.toml", overrides));
-}
-
-const RuleOfThumb& rule(const Explanation& e, const std::string& id) {
-  const auto found = std::find_if(e.advice.begin(), e.advice.end(), [&](const auto& r) { return r.id == id; });
-  if (found == e.advice.end()) throw std::logic_error("no rule " + id);
-  return *found;
-}
 
 double figure(const RuleOfThumb& rule, const std::string& name) {
   const auto found =
@@ -63,49 +51,6 @@ model::Parameters drawn_rotor(Draw& draw) {
   std::fill_n(p.drag.begin(), p.balls, drag);
   p.rolls = draw.whole(0, 1) == 1;
   return p;
-}
-
-TEST(BallMassRule, IsTheClosedFormForEqualBalls) {
-  model::Parameters p;
-  for (const int n : {1, 2, 5, 8}) {
-    p.balls = n;
-    std::fill_n(p.mass.begin(), n, 0.03);
-    const double delta = 0.3;
-    // Eight roundings of numbers up to 0.24.
-    EXPECT_NEAR(rules::most_cancelled(p, std::vector<double>(static_cast<std::size_t>(n), delta)),
-                0.03 * std::sin(n * delta / 2.0) / std::sin(delta / 2.0), 1e-15);
-    EXPECT_DOUBLE_EQ(rules::most_cancelled(p, {}), 0.03 * n);
-  }
-}
-
-TEST(BallMassRule, NoPlacingWithoutOverlapCancelsMore) {
-  Draw draw;
-  for (int k = 0; k < 200; ++k) {
-    model::Parameters p;
-    p.balls = draw.whole(1, 5);
-    const auto n = static_cast<std::size_t>(p.balls);
-    std::vector<double> width(n, draw.uniform(0.05, 1.2));
-    for (std::size_t i = 0; i < n; ++i) p.mass[i] = draw.uniform(0.2, 1.0);
-    const double most = rules::most_cancelled(p, width);
-    double reached = 0.0;
-    for (int placing = 0; placing < 500; ++placing) {
-      // A random order along the race, with gaps that are mostly small.
-      std::vector<std::size_t> order(n);
-      for (std::size_t i = 0; i < n; ++i) order[i] = i;
-      for (std::size_t i = n; i > 1; --i)
-        std::swap(order[i - 1], order[static_cast<std::size_t>(draw.whole(0, static_cast<int>(i) - 1))]);
-      std::complex<double> sum;
-      double at = 0.0;
-      const double spare = placing % 2 ? 0.0 : two_pi - width[0] * static_cast<double>(n);
-      for (const std::size_t i : order) {
-        sum += std::polar(p.mass[i], at);
-        at += width[i] + spare / static_cast<double>(n) * std::pow(draw.uniform(0.0, 1.0), 3);
-      }
-      reached = std::max(reached, std::abs(sum));
-    }
-    EXPECT_LE(reached, most * (1.0 + 1e-14));
-    EXPECT_GT(reached, 0.99 * most);  // of 120 orders of five balls 250 draws meet the best, or its near equal
-  }
 }
 
 TEST(CriticalSpeedRule, HeldBallsShakeMostWhereItSays) {
@@ -182,8 +127,7 @@ TEST(TorqueRule, JudgesMotors) {
                      "given by the motor at the critical speed"),
               0.05, 1e-15);
   EXPECT_EQ(judged("gain=0.1, integral=0.01, target={profile='ramp', final=3.0, duration=10.0}").kept, true);
-  EXPECT_NEAR(figure(judged("times=[0.0, 5.0], values=[0.03, 0.01]"), "given by the motor at the critical speed"), 0.03,
-              0.0);
+  EXPECT_NEAR(figure(judged("times=[0.0, 5.0], values=[0.03, 0.01]"), "largest torque of the motor"), 0.03, 0.0);
   EXPECT_TRUE(holds(judged("stall=0.1, no_load_speed=0.5").words, "below the critical speed"));
   EXPECT_TRUE(
       holds(rule(explained(driven, {"rotor.inertia=0.5", "rotor.damping=0.0", "speed.torque={constant=0.1}"}), "torque")
@@ -200,8 +144,8 @@ TEST(DragRule, TwoEqualBallsByHand) {
   EXPECT_NEAR(figure(rule(e, "drag"), "from"), std::sqrt(stiffness), 1e-12);
   EXPECT_NEAR(figure(rule(e, "drag"), "to"), 4.0 * std::sqrt(stiffness), 1e-12);
   EXPECT_EQ(rule(e, "drag").kept, true);
-  EXPECT_TRUE(holds(rule(explained(constant_speed, {"balancer.drag=0.001"}), "drag").words, "ring"));
-  EXPECT_TRUE(holds(rule(explained(constant_speed, {"balancer.drag=5.0"}), "drag").words, "creep"));
+  EXPECT_TRUE(holds(rule(explained(constant_speed, {"balancer.drag=0.001"}), "drag").words, "too little"));
+  EXPECT_TRUE(holds(rule(explained(constant_speed, {"balancer.drag=5.0"}), "drag").words, "too much: the balls creep"));
   // Below 0.1 omega^3/(0.5 (2.4 - omega)) = 0.1198 all balls can be left behind, and are: the paper's V1.
   EXPECT_NEAR(figure(rule(e, "drag"), "below it balls may lag at the critical speed"), 0.1198, 1e-4);
   EXPECT_TRUE(holds(rule(e, "drag").words, "may lag behind"));

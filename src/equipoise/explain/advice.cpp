@@ -10,16 +10,15 @@
 
 #include "equipoise/base/angles.hpp"
 #include "equipoise/explain/balanced_motion.hpp"
+#include "equipoise/explain/drag_scan.hpp"
 #include "equipoise/explain/rules_of_thumb.hpp"
+#include "equipoise/explain/run_up.hpp"
 #include "equipoise/model/strobe.hpp"
 
 namespace equipoise {
 
 namespace {
 using study::Dimension;
-
-constexpr double quiet_from =
-    1.4142135623730951;  // critical speeds: where a bare rotor shakes by twice its eccentricity
 
 void add(RuleOfThumb& rule, const char* symbol, const std::string& name, double value, std::optional<Dimension> d) {
   if (std::isfinite(value)) rule.figures.push_back({symbol, name, value, d});
@@ -35,12 +34,14 @@ struct NearBalance {
   std::array<double, model::max_balls> angles;
   bool family;
   std::string less;  // what was left out: "; without gravity"
+
+  bool above_resonance() const { return speed > highest(rules::critical_speeds(parameters)); }
 };
 
 std::optional<NearBalance> near_balance(const Explanation& e, std::string& why_not) {
   const model::Parameters& own = e.study.parameters;
   if (!e.speed)
-    why_not = "the motor, not the study, sets the final speed";
+    why_not = e.speed_words;
   else if (std::abs(*e.speed) <= lowest(e.critical_with_balls))
     why_not = "at or below the critical speed balls gather on the heavy side, whatever their drag";
   if (!why_not.empty()) return std::nullopt;
@@ -59,18 +60,14 @@ std::optional<NearBalance> near_balance(const Explanation& e, std::string& why_n
   return NearBalance{p, speed, *angles, states.kind == model::BalancedStates::Kind::family, less};
 }
 
-RuleOfThumb ball_mass(const Explanation& e, const std::vector<double>& width) {
+RuleOfThumb ball_mass(const Explanation& e) {
   const model::Parameters& p = e.study.parameters;
   RuleOfThumb rule{"ball_mass", "ball mass", "lambda <= mu sin(n delta/2)/sin(delta/2), of points n mu",
                    "docs/rules-of-thumb.md, Ball mass; Existence in docs/equations.md"};
-  const double most =
-      std::accumulate(width.begin(), width.end(), 0.0) > two_pi ? e.largest_unbalance : rules::most_cancelled(p, width);
-  const double lambda = p.eccentricity;
-  rule.kept = lambda <= most && lambda >= e.least_unbalance;
-  rule.words = lambda > most                ? "the balls cannot cancel the unbalance"
-               : lambda < e.least_unbalance ? "one ball outweighs the others and the unbalance"
-                                            : "the balls can cancel the unbalance";
-  add(rule, "", "most that they cancel side by side", most, Dimension::unbalance);
+  const double lambda = e.unbalance;
+  rule.kept = e.balanced.kind != model::BalancedStates::Kind::none;
+  rule.words = *rule.kept ? "the balls can cancel the unbalance" : e.balanced.reason;
+  add(rule, "", "most that they cancel side by side", e.largest_unbalance, Dimension::unbalance);
   add(rule, "", "least that they cancel", e.least_unbalance, Dimension::unbalance);
   add(rule, "", "unbalance", lambda, Dimension::unbalance);
   if (p.balls == 2 && p.equal_balls() && lambda > 0.0)
@@ -92,10 +89,10 @@ RuleOfThumb critical_speeds(const Explanation& e) {
   }
   if (p.gravity > 0.0)
     add(rule, "", "balls shake twice a turn by their weight, resonance at", 0.5 * lowest(critical), Dimension::speed);
-  const double least = quiet_from * highest(critical);
+  const double least = rules::quiet_speed(p);
   add(rule, "", "run above", least, Dimension::speed);
   if (!e.speed) {
-    rule.words = "the motor, not the study, sets the final speed";
+    rule.words = e.speed_words;
     return rule;
   }
   rule.kept = std::abs(*e.speed) >= least;
@@ -105,18 +102,16 @@ RuleOfThumb critical_speeds(const Explanation& e) {
   return rule;
 }
 
-// The least angle between neighbours at these angles.
-double least_spacing(const std::array<double, model::max_balls>& angles, int balls) {
-  double least = two_pi;
-  for (int i = 0; i < balls; ++i)
-    for (int k = 0; k < i; ++k)
-      least = std::min(least, std::abs(std::remainder(
-                                  angles[static_cast<std::size_t>(i)] - angles[static_cast<std::size_t>(k)], two_pi)));
-  return least;
+// The angle between two balls that balance; none if two cannot.
+std::optional<double> spacing_in_balance(const Explanation& e) {
+  const model::Parameters& p = e.study.parameters;
+  if (p.balls != 2) return std::nullopt;
+  const double a = p.mass[0], b = p.mass[1], cosine = (e.unbalance * e.unbalance - a * a - b * b) / (2.0 * a * b);
+  return std::abs(cosine) <= 1.0 ? std::optional(std::acos(cosine)) : std::nullopt;
 }
 
-RuleOfThumb room(const Explanation& e, const std::vector<double>& width) {
-  const model::Parameters& p = e.study.parameters;
+RuleOfThumb room(const Explanation& e) {
+  const std::vector<double>& width = e.ball_width;
   RuleOfThumb rule{"room", "room in the race", "sum of 2 asin(d_i/(2 R)) <= 2 pi",
                    "docs/rules-of-thumb.md, Room in the race; Contact in docs/equations.md"};
   if (width.empty()) {
@@ -132,10 +127,10 @@ RuleOfThumb room(const Explanation& e, const std::vector<double>& width) {
   add(rule, "", "part of the race that they fill", all / two_pi, std::nullopt);
   // Of three balls and more there are many balanced states, and among them such with room whenever rule ball_mass
   // holds.
-  if (p.balls != 2 || e.balanced.kind != model::BalancedStates::Kind::isolated) return rule;
-  const double spacing = least_spacing(e.balanced.angles.front(), p.balls), touching = 0.5 * (width[0] + width[1]);
-  add(rule, "", "angle between them in balance", spacing, Dimension::angle);
-  if (spacing < touching) {
+  const auto spacing = spacing_in_balance(e);
+  if (!spacing) return rule;
+  add(rule, "", "angle between them in balance", *spacing, Dimension::angle);
+  if (*spacing < 0.5 * (width[0] + width[1])) {
     rule.kept = false;
     rule.words = "in balance the balls would overlap";
   }
@@ -158,7 +153,8 @@ RuleOfThumb drag(const Explanation& e) {
   const double own = rules::mean_drag(near->parameters);
   const double stiffness = rules::ball_stiffness(near->parameters, near->speed, near->angles.data());
   if (stiffness <= 0.0) {
-    rule.words = "nothing brings the balls of this balanced state back: all lie on one line";
+    rule.words = near->above_resonance() ? "nothing brings the balls of this balanced state back: all lie on one line"
+                                         : "between the critical speeds nothing brings the balls back";
     return rule;
   }
   const double best = rules::settling_drag(near->parameters, stiffness);
@@ -182,10 +178,15 @@ RuleOfThumb drag(const Explanation& e) {
   }
   rule.kept = own >= from && own <= to && !unstable;
   rule.words = unstable     ? "by linear theory no drag makes balance stable"
-               : own < from ? "too little: near balance the balls ring"
-               : own > to   ? "too much: near balance the balls creep"
-                            : "near balance the balls neither ring nor creep";
+               : own < from ? "too little: balance settles at less than a quarter of its fastest rate, or is unstable"
+               : own > to   ? "too much: the balls creep into balance at less than a quarter of the fastest rate"
+                            : "balance settles at a quarter of its fastest rate or more";
   rule.words += near->less;
+  // What was left out there may decide.
+  if (rule.kept == true && e.motion && !e.motion->stable) {
+    rule.kept = false;
+    rule.words += ", with which it is unstable";
+  }
   const double against = rules::drag_against_capture(e.study.parameters, near->speed);
   add_drag(rule, e, "below it balls may lag at the critical speed", against);
   if (own < against) rule.words += "; on the way up they may lag behind at the critical speed";
@@ -200,15 +201,20 @@ RuleOfThumb settling(const Explanation& e) {
   if (!near) return rule;
   const double stiffness = rules::ball_stiffness(near->parameters, near->speed, near->angles.data());
   const double time = rules::settling_time(near->parameters, std::max(stiffness, 0.0));
-  rule.words = "a deviation falls to 1/e" + near->less;
-  if (!std::isfinite(time)) rule.words = "without drag or without damping nothing settles";
+  // Linear theory may leave less out than the rule.
+  const bool knows_more = e.motion && e.motion->less.empty() && !near->less.empty();
+  rule.words = "a deviation falls to 1/e" + (knows_more ? "; the rule " + near->less.substr(2) : near->less);
+  if (!std::isfinite(time))
+    rule.words = stiffness > 0.0 ? "without drag or without damping nothing settles" : "nothing brings the balls back";
   if (e.study.parameters.balls_stick()) rule.words += "; friction holds balls before they are there";
   add(rule, "", "by the rule", time, Dimension::time);
-  const double rate = DragScan(near->parameters, near->speed, near->angles, near->family).slowest(1.0);
+  const double rate = e.motion ? e.motion->slowest_rate
+                               : DragScan(near->parameters, near->speed, near->angles, near->family).slowest(1.0);
   if (rate < -least_rate)
     add(rule, "", "by linear theory", -1.0 / rate, Dimension::time);
   else
-    rule.words += "; linear theory: not at all, balance is unstable";
+    rule.words += rate > least_rate ? "; linear theory: not at all, balance is unstable"
+                                    : "; linear theory: the largest rate is within 1e-9 of 0";
   return rule;
 }
 
@@ -238,6 +244,10 @@ RuleOfThumb torque(const Explanation& e) {
     rule.words = "the final speed is below the critical speed";
     return rule;
   }
+  if (e.study.speed.driven() && std::abs(e.study.speed.initial) > critical) {
+    rule.words = "the rotor is above the critical speed from the beginning";
+    return rule;
+  }
   if (!std::isfinite(together)) {
     rule.words = "without damping no torque holds against resonance: only a fast run-up passes";
     return rule;
@@ -254,15 +264,26 @@ RuleOfThumb torque(const Explanation& e) {
     rule.words = "the motor's integral part has no limit";
     return rule;
   }
-  add(rule, "tau", "given by the motor at the critical speed", *given, Dimension::torque);
-  rule.words = "enough however slowly it passes, wherever the balls are";
-  if (*given >= together) {
+  const TorqueSetting& motor = e.study.speed.torque;
+  const bool passing = motor.kind == model::MotorLaw::Kind::table || motor.until;
+  add(rule, "tau", passing ? "largest torque of the motor" : "given by the motor at the critical speed", *given,
+      Dimension::torque);
+  const double quiet = rules::quiet_speed(p), through = e.speed ? std::min(quiet, 0.99 * std::abs(*e.speed)) : quiet;
+  const auto arrives = [&](double unbalance) { return rotor_alone(e.study, unbalance, through).arrived; };
+  // A torque that lasts for a time only has to bring the rotor through within it. And strong dampers take most above
+  // the critical speed, where balls no longer are on the heavy side.
+  const bool with_all = passing ? arrives(p.all_unbalances()) : *given >= together && arrives(p.eccentricity);
+  const bool by_itself = passing ? arrives(p.eccentricity) : *given >= alone;
+  if (with_all) {
     rule.kept = true;
-  } else if (*given < alone) {
+    rule.words = passing ? "enough while it lasts, wherever the balls are"
+                         : "enough however slowly it passes, wherever the balls are";
+  } else if (!by_itself) {
     rule.kept = false;
-    rule.words = "less than the rotor's own unbalance takes: it stalls unless it comes with momentum";
+    rule.words = passing ? "too little or too short: the rotor's own unbalance stops it"
+                         : "less than the rotor's own unbalance takes: it stalls unless it comes with momentum";
   } else {
-    rule.words = "whether it is enough hangs on where the balls are";
+    rule.words = "whether it is enough depends on where the balls are";
   }
   return rule;
 }
@@ -282,8 +303,8 @@ std::vector<double> ball_widths(const Study& study, const BallDetails& balls) {
   return widths;
 }
 
-std::vector<RuleOfThumb> advice(const Explanation& e, const std::vector<double>& ball_width) {
-  return {ball_mass(e, ball_width), critical_speeds(e), room(e, ball_width), drag(e), settling(e), torque(e)};
+std::vector<RuleOfThumb> advice(const Explanation& e) {
+  return {ball_mass(e), critical_speeds(e), room(e), drag(e), settling(e), torque(e)};
 }
 
 }  // namespace equipoise

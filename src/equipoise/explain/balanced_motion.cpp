@@ -1,143 +1,204 @@
-// Eigenvalues of the equations' Jacobian at a balanced state.
+// Eigenvalues at a balanced state, or multipliers over the time after which the equations repeat themselves.
 #include "equipoise/explain/balanced_motion.hpp"
 
 #include <algorithm>
 #include <cmath>
+#include <complex>
 
 #include "equipoise/base/angles.hpp"
+#include "equipoise/discovery/cost.hpp"
+#include "equipoise/explain/drag_scan.hpp"
 #include "equipoise/math/dense.hpp"
 #include "equipoise/model/linearisation.hpp"
+#include "equipoise/model/strobe.hpp"
+#include "equipoise/motions/event_motion.hpp"
+#include "equipoise/orbits/stroboscopic.hpp"
+#include "equipoise/orbits/variational.hpp"
 
 namespace equipoise {
 
 namespace {
 
-// Rounding moves an eigenvalue by about 1e-15; that of a double zero by its square root.
-constexpr double zero_rate = 1e-7;
+using Angles = std::array<double, model::max_balls>;
 
-Eigen::MatrixXd balanced_jacobian(const model::Parameters& p, double speed, const double* phi) {
-  return model::jacobian(p, speed, model::centred_state(p, phi).data());
-}
+// What linear theory says of one balanced motion.
+struct Linear {
+  std::vector<std::complex<double>> rates;  // slowest first
+  std::optional<double> left;
+};
 
-// Slowest first; of a continuum without its own zeros.
-std::vector<std::complex<double>> balanced_eigenvalues(const Eigen::MatrixXd& jacobian, bool family) {
-  const Eigen::VectorXcd all = dense::eigenvalues(jacobian);
-  std::vector<std::complex<double>> rates(all.begin(), all.end());
-  if (family) {
-    // n - 2 directions along the continuum (one more where nothing is to be balanced), n at most.
-    std::sort(rates.begin(), rates.end(), [](auto a, auto b) { return std::abs(a) < std::abs(b); });
-    const auto own = std::find_if(rates.begin(), rates.end(), [](auto v) { return std::abs(v) > zero_rate; });
-    rates.erase(rates.begin(), own);
+// The rotor itself, or as much of it as linear theory knows.
+struct LinearRotor {
+  model::Parameters parameters;
+  double speed;
+  bool family;
+  std::string less;
+
+  model::System system() const { return {parameters, speed}; }
+  model::System with_drag(double factor) const {
+    model::Parameters p = parameters;
+    for (double& beta : p.drag) beta *= factor;
+    return {p, speed};
   }
-  std::sort(rates.begin(), rates.end(),
-            [](auto a, auto b) { return a.real() != b.real() ? a.real() > b.real() : a.imag() > b.imag(); });
-  return rates;
+};
+
+LinearRotor linear_rotor(const Explanation& e, bool family) {
+  LinearRotor rotor{without_events(model::System(e.study.parameters, *e.speed)).parameters(), *e.speed, family, ""};
+  model::Parameters& p = rotor.parameters;
+  // Multipliers are integrated over a turn: not over one that takes for ever, nor of equations that are stiff.
+  constexpr double slowest = 0.05;
+  const bool can_integrate = std::fabs(rotor.speed) >= slowest && start_cost(e.study).bearable();
+  const auto left_out = [&](const char* words) { rotor.less += (rotor.less.empty() ? "" : ", ") + std::string(words); };
+  if (e.study.parameters.balls_stick()) left_out("without dry friction");
+  const bool falls = e.gravity_ratio && *e.gravity_ratio >= 1.0;
+  if (p.gravity != 0.0 && (family || falls || !can_integrate)) {
+    p.gravity = 0.0;
+    left_out("without gravity");
+  }
+  if (!p.isotropic() && (!can_integrate || (family && !p.race_is_centred()))) {
+    p = model::weakened(p, 0.0);
+    left_out("with the mean of x and y");
+  }
+  return rotor;
 }
 
-model::Parameters with_drag(model::Parameters p, double factor) {
-  for (double& beta : p.drag) beta *= factor;
-  return p;
+// Of the race's centre, from where it rests: what the balls' rocking leaves.
+double farthest(const model::System& system, const PeriodicOrbit& orbit) {
+  constexpr int looks = 64;
+  const auto& offset = system.parameters().race_offset;
+  const double sense = system.speed() < 0.0 ? -1.0 : 1.0;
+  double most = 0.0;
+  int k = 0;
+  for (const Eigen::VectorXd& z : sample_orbit(system, orbit, looks)) {
+    const auto rest = model::rest_position(system.parameters(), sense * system.strobe_angle() * k++ / looks);
+    most = std::max(most, std::hypot(z[0] + offset[0] - rest[0], z[1] + offset[1] - rest[1]));
+  }
+  return most;
+}
+
+std::optional<Linear> strobed(const model::System& system, const Angles& phi, int freedom) {
+  // Errors of an integration over a turn; beside a multiple 1 their square root.
+  constexpr double error = 1e-11, zero = 1e-5;
+  const double turn = system.strobe_period();
+  const bool rests = system.parameters().gravity == 0.0 && system.parameters().race_is_centred();
+  Linear linear;
+  Eigen::VectorXcd multipliers;
+  if (rests) {
+    const auto flight =
+        follow_derivative(system, model::balanced_state(system, system.speed(), phi.data()), turn, 1e-12);
+    if (!flight) return std::nullopt;
+    multipliers = dense::eigenvalues(flight->tangents);
+  } else {
+    const auto orbit = balanced_orbit(system, phi.data());
+    if (!orbit) return std::nullopt;
+    multipliers = orbit->multipliers;
+    linear.left = farthest(system, *orbit);
+  }
+  // What has died out within a turn is known to that only.
+  const double noise = error * std::max(1.0, multipliers.cwiseAbs().maxCoeff());
+  const Eigen::VectorXcd rates = multipliers.unaryExpr(
+      [&](std::complex<double> m) { return std::log(std::abs(m) > noise ? m : std::complex<double>(noise)) / turn; });
+  linear.rates = without_continuum(rates, freedom, zero);
+  return linear;
+}
+
+std::optional<Linear> linear_motion(const model::System& system, const Angles& phi, bool family) {
+  const int freedom = family ? model::balanced_freedom(system) : 0;
+  if (!system.autonomous()) return strobed(system, phi, freedom);
+  const Eigen::VectorXd state = model::balanced_state(system, system.speed(), phi.data());
+  return Linear{without_continuum(dense::eigenvalues(model::jacobian(system, state)), freedom, zero_rate), {}};
+}
+
+bool overlap(const Angles& phi, const std::vector<double>& width) {
+  for (std::size_t i = 0; i < width.size(); ++i)
+    for (std::size_t k = 0; k < i; ++k)
+      if (std::abs(std::remainder(phi[i] - phi[k], two_pi)) < 0.5 * (width[i] + width[k]) * (1.0 - 1e-12)) return true;
+  return false;
+}
+
+// Balls side by side in a fan, the heaviest in the middle, with gaps between them such that they cancel `unbalance`,
+// which lies between what they cancel with no gaps and with gaps all round.
+Angles fan(const model::Parameters& p, const std::vector<double>& width) {
+  std::vector<std::size_t> order(width.size());
+  for (std::size_t i = 0; i < order.size(); ++i) order[i] = i;
+  std::stable_sort(order.begin(), order.end(), [&](auto a, auto b) { return p.mass[a] > p.mass[b]; });
+  std::vector<std::size_t> row;
+  for (std::size_t k = 0; k < order.size(); ++k) row.insert(k % 2 ? row.end() : row.begin(), order[k]);
+  double filled = 0.0;
+  for (const double w : width) filled += w;
+  Angles phi{};
+  const auto spread = [&](double gap) {
+    std::complex<double> sum;
+    double at = 0.0;
+    for (const std::size_t i : row) {
+      phi[i] = at + 0.5 * width[i];
+      at += width[i] + gap;
+      sum += std::polar(p.mass[i], phi[i]);
+    }
+    for (const std::size_t i : row) phi[i] += pi - std::arg(sum);
+    return std::abs(sum);
+  };
+  double narrow = 0.0, wide = (two_pi - filled) / static_cast<double>(row.size());
+  for (int k = 0; k < 60; ++k) {
+    const double middle = 0.5 * (narrow + wide);
+    (spread(middle) > p.eccentricity ? narrow : wide) = middle;
+  }
+  spread(narrow);
+  return phi;
 }
 
 }  // namespace
 
-std::optional<std::array<double, model::max_balls>> balanced_angles(const model::BalancedStates& states,
-                                                                    const model::Parameters& p) {
+std::optional<Angles> balanced_angles(const model::BalancedStates& states, const model::Parameters& p,
+                                      const std::vector<double>& width) {
   using Kind = model::BalancedStates::Kind;
   if (states.kind == Kind::none) return std::nullopt;
   if (states.kind == Kind::isolated) return states.angles.front();
-  std::array<double, model::max_balls> phi{};
+  Angles phi{};
   for (const double reach : {0.5, 0.9, 0.2}) {  // spread evenly on the light side, then moved into balance
     for (int i = 0; i < p.balls; ++i)
       phi[static_cast<std::size_t>(i)] = pi + reach * pi * (2.0 * (i + 0.5) / p.balls - 1.0);
-    if (model::project_to_balanced(p, phi.data())) return phi;
+    if (model::project_to_balanced(p, phi.data()) && !overlap(phi, width)) return phi;
   }
-  return std::nullopt;
+  if (width.empty()) return std::nullopt;
+  phi = fan(p, width);
+  return model::project_to_balanced(p, phi.data()) ? std::optional(phi) : std::nullopt;
 }
 
 void linearise(Explanation& e) {
-  const model::Parameters& p = e.study.parameters;
-  const auto skip = [&](const char* why) { e.no_motion = why; };
-  if (!e.speed) return skip("the motor, not the study, sets the final speed");
+  const auto skip = [&](const std::string& why) { e.no_motion = why; };
+  if (!e.speed) return skip(e.speed_words);
   if (*e.speed == 0.0) return skip("the rotor does not turn");
-  if (p.gravity > 0.0) return skip("with gravity the balls do not rest in the turning frame");
-  if (!p.race_is_centred()) return skip("in a race off the shaft the balls find no rest where the rotor is centred");
-  if (!p.isotropic()) return skip("with supports that differ in x and y the linear system changes with the angle");
   if (e.balanced.kind == model::BalancedStates::Kind::none) return skip("there is no balanced state");
-  const auto angles = balanced_angles(e.balanced, p);
+  const model::CentredTwin twin = model::centred_twin(e.study.parameters, *e.speed);
+  const auto angles = balanced_angles(e.balanced, twin.parameters, e.ball_width);
   if (!angles) return skip("no balanced state was found among the continuum of them");
   const bool family = e.balanced.kind == model::BalancedStates::Kind::family;
+  const LinearRotor rotor = linear_rotor(e, family);
   BalancedMotion motion;
   motion.angles = *angles;
-  motion.eigenvalues = balanced_eigenvalues(balanced_jacobian(p, *e.speed, angles->data()), family);
+  for (int i = 0; i < twin.parameters.balls; ++i) motion.angles[static_cast<std::size_t>(i)] += twin.turn;
+  const auto linear = linear_motion(rotor.system(), motion.angles, family);
+  if (!linear) return skip("no balanced motion was found as gravity and unequal supports come in");
+  motion.less = rotor.less;
+  motion.strobe = rotor.system().autonomous() ? 0.0 : rotor.system().strobe_period();
+  motion.left = linear->left;
+  motion.eigenvalues = linear->rates;
   motion.slowest_rate = motion.eigenvalues.front().real();
   motion.stable = motion.slowest_rate < -least_rate;
   constexpr double part = 1e-3;  // of the drag: a difference far above rounding, far below what bends the curve
-  const DragScan scan(p, *e.speed, *angles, family);
-  motion.drag_sensitivity = (scan.slowest(1.0 + part) - scan.slowest(1.0 - part)) / (2.0 * part * motion.slowest_rate);
-  if (p.rolls) {
-    model::Parameters sliding = p;
-    sliding.rolls = false;
-    motion.slowest_if_sliding = DragScan(sliding, *e.speed, *angles, family).slowest(1.0);
+  const auto more = linear_motion(rotor.with_drag(1.0 + part), motion.angles, family);
+  const auto less = linear_motion(rotor.with_drag(1.0 - part), motion.angles, family);
+  if (more && less && motion.slowest_rate != 0.0)
+    motion.drag_sensitivity =
+        (more->rates.front().real() - less->rates.front().real()) / (2.0 * part * motion.slowest_rate);
+  if (rotor.parameters.rolls) {
+    LinearRotor sliding = rotor;
+    sliding.parameters.rolls = false;
+    if (const auto slid = linear_motion(sliding.system(), motion.angles, family))
+      motion.slowest_if_sliding = slid->rates.front().real();
   }
   e.motion = motion;
-}
-
-DragScan::DragScan(const model::Parameters& p, double speed, const std::array<double, model::max_balls>& angles,
-                   bool family)
-    : without_(balanced_jacobian(with_drag(p, 0.0), speed, angles.data())),
-      drag_(balanced_jacobian(p, speed, angles.data()) - without_),
-      family_(family) {}
-
-double DragScan::slowest(double factor) const {
-  return balanced_eigenvalues(without_ + factor * drag_, family_).front().real();
-}
-
-std::optional<DragScan::Range> DragScan::range(double share, double low, double high) const {
-  // Twenty a decade: the fastest drag is a kink of the curve, which has few others and none so near.
-  constexpr double grid = 1.122018454301963;
-  double best = low, rate = slowest(low);
-  for (double factor = low * grid; factor <= high; factor *= grid) {
-    const double here = slowest(factor);
-    if (here < rate) {
-      rate = here;
-      best = factor;
-    }
-  }
-  if (rate > -least_rate) return std::nullopt;
-  best = fastest_within(best / grid, best * grid);
-  rate = slowest(best);
-  return Range{end_of(best, low, share * rate), best, end_of(best, high, share * rate)};
-}
-
-// By golden sections of the logarithm, to three digits of the factor.
-double DragScan::fastest_within(double low, double high) const {
-  constexpr double golden = 0.6180339887498949;
-  double a = std::log(low), b = std::log(high);
-  for (int k = 0; k < 10; ++k) {
-    const double left = b - golden * (b - a), right = a + golden * (b - a);
-    if (slowest(std::exp(left)) < slowest(std::exp(right)))
-      b = right;
-    else
-      a = left;
-  }
-  return std::exp(0.5 * (a + b));
-}
-
-// From `best` towards `end`, where the slowest rate first exceeds `rate`.
-double DragScan::end_of(double best, double end, double rate) const {
-  const double step = end > best ? 1.2 : 1.0 / 1.2;
-  double inside = best, outside = best;
-  while (slowest(outside) <= rate) {
-    inside = outside;
-    if (step > 1.0 ? outside >= end : outside <= end) return end;
-    outside = step > 1.0 ? std::min(outside * step, end) : std::max(outside * step, end);
-  }
-  for (int k = 0; k < 12; ++k) {  // a factor of 1.2 to five digits
-    const double middle = std::sqrt(inside * outside);
-    (slowest(middle) <= rate ? inside : outside) = middle;
-  }
-  return inside;
 }
 
 }  // namespace equipoise

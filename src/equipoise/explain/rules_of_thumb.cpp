@@ -4,9 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <complex>
-#include <deque>
 #include <limits>
-#include <numeric>
 
 namespace equipoise::rules {
 
@@ -19,25 +17,14 @@ double decay(double m, double c, double k) { return (c - std::sqrt(std::max(0.0,
 
 }  // namespace
 
-double most_cancelled(const model::Parameters& p, const std::vector<double>& width) {
-  if (width.empty()) return p.total_mass();
-  std::vector<std::size_t> by_mass(static_cast<std::size_t>(p.balls));
-  std::iota(by_mass.begin(), by_mass.end(), std::size_t{0});
-  std::stable_sort(by_mass.begin(), by_mass.end(), [&](auto a, auto b) { return p.mass[a] > p.mass[b]; });
-  std::deque<std::size_t> row;
-  for (std::size_t k = 0; k < by_mass.size(); ++k) k % 2 ? row.push_back(by_mass[k]) : row.push_front(by_mass[k]);
-  std::complex<double> sum;
-  double begin = 0.0;
-  for (const std::size_t i : row) {
-    sum += std::polar(p.mass[i], begin + 0.5 * width[i]);
-    begin += width[i];
-  }
-  return std::abs(sum);
-}
-
 std::array<double, 2> critical_speeds(const model::Parameters& p) {
   const double mass = 1.0 + p.total_mass();
   return {std::sqrt(p.stiffness[0] / mass), std::sqrt(p.stiffness[1] / mass)};
+}
+
+double quiet_speed(const model::Parameters& p) {
+  const std::array<double, 2> critical = critical_speeds(p);
+  return std::sqrt(2.0) * std::max(critical[0], critical[1]);
 }
 
 std::optional<double> speed_of_largest_vibration(const model::Parameters& p, int direction) {
@@ -69,7 +56,9 @@ double drag_against_capture(const model::Parameters& p, double speed) {
 double ball_stiffness(const model::Parameters& p, double speed, const double* phi) {
   std::complex<double> doubled;
   for (int i = 0; i < p.balls; ++i) doubled += std::polar(p.mass[static_cast<std::size_t>(i)], 2.0 * phi[i]);
-  const double slower = 0.5 * (p.total_mass() - std::abs(doubled));
+  // One ball, and two that balance each other, have one way only to leave balance by: across their line.
+  const bool one_way = p.balls == 1 || (p.balls == 2 && p.eccentricity == 0.0);
+  const double slower = 0.5 * (p.total_mass() + (one_way ? 1.0 : -1.0) * std::abs(doubled));
   const double square = speed * speed, spring = (1.0 + p.total_mass()) * square - mean(p.stiffness);
   const double damper = mean(p.damping) * speed;
   return slower * square * square * spring / (spring * spring + damper * damper);

@@ -4,18 +4,16 @@
 
 #include <array>
 #include <optional>
-#include <vector>
 
 #include "equipoise/model/parameters.hpp"
 
 namespace equipoise::rules {
 
-/// The most that balls side by side cancel, the heaviest in the middle; `width`: the angle that each takes up in the
-/// race, seen from its centre. Equal balls: mu sin(n delta/2)/sin(delta/2); of no width: the sum of all.
-double most_cancelled(const model::Parameters& p, const std::vector<double>& width);
-
 /// sqrt(kappa/(1 + N)), by direction.
 std::array<double, 2> critical_speeds(const model::Parameters& p);
+
+/// sqrt(2) times the highest of them: from there a bare undamped rotor shakes by less than twice its eccentricity.
+double quiet_speed(const model::Parameters& p);
 
 /// Where a rotor whose balls are held shakes most in a direction; none if damping leaves it no such speed.
 std::optional<double> speed_of_largest_vibration(const model::Parameters& p, int direction);

@@ -14,6 +14,7 @@
 #include "equipoise/pages/drawings.hpp"
 #include "equipoise/pages/page_parts.hpp"
 #include "equipoise/pages/quantities.hpp"
+#include "equipoise/report/grade_text.hpp"
 #include "equipoise/report/left_unbalance.hpp"
 #include "equipoise/report/sampling_text.hpp"
 #include "equipoise/report/text.hpp"
@@ -164,7 +165,7 @@ class MachineDocument {
       cells.push_back(mean(&TransientRow::rms_velocity, Dimension::velocity));
       if (graded) {
         const auto grade = line.group ? left_grade(*line.group, study_) : std::nullopt;
-        cells.push_back(number_cell(grade ? grade_words(*grade) : "-"));
+        cells.push_back(number_cell(grade ? grade_text(*grade) : "-"));
       }
       table.rows.push_back(std::move(cells));
     }

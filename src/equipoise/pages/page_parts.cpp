@@ -13,6 +13,8 @@
 #include "equipoise/base/version.hpp"
 #include "equipoise/model/balance_grade.hpp"
 #include "equipoise/pages/quantities.hpp"
+#include "equipoise/report/explain_report.hpp"
+#include "equipoise/report/grade_text.hpp"
 #include "equipoise/report/start_text.hpp"
 #include "equipoise/report/text.hpp"
 #include "equipoise/sampling/sampling.hpp"
@@ -68,16 +70,19 @@ class Derived {
   explicit Derived(const Explanation& explanation) : e_(explanation), study_(e_.study), shown_(e_.study) {}
 
   std::vector<std::array<std::string, 2>> rows() const {
-    std::vector<std::array<std::string, 2>> rows{{"critical speed", speeds()}, {"unbalance", unbalance()}};
+    std::vector<std::array<std::string, 2>> rows{{"critical speed", speeds()},
+                                                 {"unbalance", unbalance()},
+                                                 {"can balance", verdict_text(e_)}};
     if (e_.bare)
       rows.push_back({"without balls", fmt::format("shakes by {} at the final speed, {} on the supports",
                                                    by_direction(e_.bare->displacement, Dimension::length),
                                                    by_direction(e_.bare->force, Dimension::force))});
     if (e_.motion)
       rows.push_back({"way into balance",
-                      e_.motion->stable ? fmt::format("stable, slowest time constant {}",
-                                                      shown_.text(-1.0 / e_.motion->slowest_rate, Dimension::time))
-                                        : "not stable by linear theory"});
+                      (e_.motion->stable ? fmt::format("stable, slowest time constant {}",
+                                                       shown_.text(-1.0 / e_.motion->slowest_rate, Dimension::time))
+                                         : "not stable by linear theory") +
+                          (e_.motion->less.empty() ? "" : ", " + e_.motion->less)});
     return rows;
   }
 
@@ -97,12 +102,13 @@ class Derived {
 
   std::string unbalance() const {
     std::string text =
-        fmt::format("{}; the balls can cancel {}", shown_.text(study_.parameters.eccentricity, Dimension::unbalance),
-                    shown_.range(e_.least_unbalance, e_.largest_unbalance, Dimension::unbalance));
+        fmt::format("{}; the balls can cancel {}{}", shown_.text(e_.unbalance, Dimension::unbalance),
+                    shown_.range(e_.least_unbalance, e_.largest_unbalance, Dimension::unbalance),
+                    e_.ball_width.empty() ? "" : " side by side");
     if (study_.scales && e_.speed)
       text += fmt::format("; {} without balls",
-                          grade_words(model::balance_grade(study_.parameters.eccentricity * study_.scales->length,
-                                                           *e_.speed * study_.scales->frequency)));
+                          grade_text(model::balance_grade(study_.parameters.eccentricity * study_.scales->length,
+                                                          *e_.speed * study_.scales->frequency)));
     return text;
   }
 
@@ -131,11 +137,6 @@ void add_missing_cells(Document& document, std::size_t done, std::size_t cells) 
   if (done < cells)
     document.blocks.push_back(
         Paragraph{fmt::format("{} of {} cells are done; the rest is missing.", done, cells), Tone::bad});
-}
-
-std::string grade_words(double grade) {
-  const auto met = model::standard_grade_met(grade);
-  return met ? fmt::format("G {:g}", *met) : "beyond G 4000";
 }
 
 std::string starts_words(const Study& study, const std::vector<std::string>& drawn) {

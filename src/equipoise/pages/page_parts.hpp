@@ -22,9 +22,6 @@ Document page_with(const Study& study, const std::string& answer);
 /// Says so if not all cells are done.
 void add_missing_cells(Document& document, std::size_t done, std::size_t cells);
 
-/// "G 6.3": the best standard grade that a balance quality in mm/s stays within.
-std::string grade_words(double grade);
-
 /// "at random ball angles, seed 1"; `drawn`: keys of what is drawn with each start.
 std::string starts_words(const Study& study, const std::vector<std::string>& drawn);
 

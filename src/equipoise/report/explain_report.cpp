@@ -2,7 +2,10 @@
 #include "equipoise/report/explain_report.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <complex>
+#include <vector>
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -11,6 +14,7 @@
 #include "equipoise/base/version.hpp"
 #include "equipoise/model/balance_grade.hpp"
 #include "equipoise/report/engineering.hpp"
+#include "equipoise/report/grade_text.hpp"
 #include "equipoise/report/start_text.hpp"
 #include "equipoise/report/text.hpp"
 
@@ -102,21 +106,37 @@ class Text {
   void speeds() {
     item("critical speed", by_direction(e_.critical_alone, Dimension::speed) + " without balls, " +
                                by_direction(e_.critical_with_balls, Dimension::speed) + " with the balls in the race");
-    if (!e_.speed) return;
+    if (!e_.speed) return item("final speed", "none: " + e_.speed_words);
     const double lowest = std::min(e_.critical_with_balls[0], e_.critical_with_balls[1]);
     item("final speed",
          fmt::format("{}, {:.3g} times the {}critical speed with balls", either(*e_.speed, Dimension::speed),
                      std::abs(*e_.speed) / lowest, e_.critical_alone[0] == e_.critical_alone[1] ? "" : "lower "));
+    if (!e_.speed_words.empty()) item("", e_.speed_words);
+    if (e_.run_up) run_up(*e_.run_up);
+  }
+
+  void run_up(const RunUp& r) {
+    const std::string to = either(r.speed, Dimension::speed);
+    item("run-up", r.alone ? fmt::format("{} to {}, 95 % of that, without losses; rotor and balls have {}",
+                                         either(*r.alone, Dimension::time), to, either(r.inertia, Dimension::inertia))
+                           : fmt::format("the motor does not bring the rotor to {}, 95 % of that", to));
+    if (!r.alone) return;
+    item("", r.shaken ? fmt::format("{} with what the rotor's own unbalance takes up to sqrt(2) critical speeds; what "
+                                    "the balls add to that is left out",
+                                    either(*r.shaken, Dimension::time))
+                      : fmt::format("never with what the rotor's own unbalance takes up to sqrt(2) critical speeds: it stalls at {}",
+                                    either(r.stalls_at, Dimension::speed)));
   }
 
   void balance() {
-    const bool possible = e_.balanced.kind != model::BalancedStates::Kind::none;
-    item("can balance",
-         possible ? (e_.study.parameters.gravity > 0.0 ? "yes, but for gravity" : "yes") : "no: " + e_.balanced.reason);
+    item("can balance", verdict_text(e_));
     item("",
-         fmt::format("unbalance {}; these balls cancel from {} to {}",
-                     both(e_.study.parameters.eccentricity, Dimension::unbalance),
-                     both(e_.least_unbalance, Dimension::unbalance), both(e_.largest_unbalance, Dimension::unbalance)));
+         fmt::format("unbalance {}; these balls cancel from {} to {}{}", both(e_.unbalance, Dimension::unbalance),
+                     both(e_.least_unbalance, Dimension::unbalance), both(e_.largest_unbalance, Dimension::unbalance),
+                     e_.ball_width.empty() ? "" : " side by side"));
+    if (e_.unbalance != e_.study.parameters.eccentricity)
+      item("", fmt::format("the rotor's own is {}; the race off the shaft makes that of it at the final speed",
+                           both(e_.study.parameters.eccentricity, Dimension::unbalance)));
     if (e_.sag > 0.0)
       item("static sag",
            fmt::format("{} under the weight of {}; displacements count from there, bearing forces hold it",
@@ -136,22 +156,47 @@ class Text {
                                         family                          ? " (one of a continuum)"
                                         : e_.balanced.angles.size() > 1 ? " (and their mirror image)"
                                                                         : ""));
-    item("way into balance", m.stable ? fmt::format("stable{}; slowest time constant {}, {} with more drag",
-                                                    e_.study.speed.driven() ? " at constant speed" : "",
-                                                    either(-1.0 / m.slowest_rate, Dimension::time),
-                                                    m.drag_sensitivity < 0.0 ? "longer" : "shorter")
-                                      : fmt::format("NOT stable: largest growth rate {:.3g}", m.slowest_rate));
+    const std::string where =
+        (e_.study.speed.driven() ? " at constant speed" : "") + (m.less.empty() ? "" : ", " + m.less);
+    const char* more_drag = m.more_drag() > 0 ? "shorter" : m.more_drag() < 0 ? "longer" : "hardly changed";
+    item("way into balance",
+         m.stable ? fmt::format("stable{}; slowest time constant {}, {} with more drag", where,
+                                either(-1.0 / m.slowest_rate, Dimension::time), more_drag)
+         : m.grows() ? fmt::format("NOT stable{}: largest growth rate {:.3g}", where, m.slowest_rate)
+                     : fmt::format("NOT stable{}: the largest rate is within 1e-9 of 0", where));
+    if (m.left)
+      item("", fmt::format("the balls rock as the rotor turns: the centre of the race keeps moving, by up to {}",
+                           both(*m.left, Dimension::length)));
     if (m.slowest_if_sliding) item("", "if the balls slid instead of rolled: " + slowest(*m.slowest_if_sliding));
-    item("",
-         scales_ ? "eigenvalue               time constant     oscillation" : "eigenvalue               time constant");
+    eigenvalues(m);
+  }
+
+  void eigenvalues(const BalancedMotion& m) {
+    // What rounding makes of a real double eigenvalue is no oscillation.
+    double largest = 0.0;
+    for (const auto& v : m.eigenvalues) largest = std::max(largest, std::abs(v));
+    const auto paired = [&](const std::complex<double>& v) {
+      return std::abs(v.imag()) > 1e-7 * largest;  // the square root of a rounding
+    };
+    const auto swings = [&](const std::complex<double>& v) { return m.strobe == 0.0 && paired(v); };
+    std::vector<std::array<std::string, 3>> rows{
+        {m.strobe > 0.0 ? "rate, by multipliers" : "eigenvalue", "time constant",
+         scales_ && m.strobe == 0.0 ? "oscillation" : ""}};
     for (const auto& v : m.eigenvalues) {
-      if (v.imag() < 0.0) continue;  // the conjugate stands for both
-      const std::string rate =
-          fmt::format("{:.5g}{}", v.real(), v.imag() != 0.0 ? fmt::format(" +- {:.5g} i", v.imag()) : "");
-      const std::string constant = v.real() < 0.0 ? either(-1.0 / v.real(), Dimension::time) : "grows";
-      const std::string frequency =
-          scales_ && v.imag() != 0.0 ? fmt::format("{:.4g} Hz", v.imag() * scales_->frequency / (2.0 * pi)) : "";
-      std::string line = fmt::format("{:<25}{:<18}{}", rate, constant, frequency);
+      if (paired(v) && v.imag() < 0.0) continue;  // the conjugate stands for both
+      rows.push_back({swings(v) ? fmt::format("{:.5g} +- {:.5g} i", v.real(), v.imag()) : fmt::format("{:.5g}", v.real()),
+                      v.real() < -least_rate  ? either(-1.0 / v.real(), Dimension::time)
+                      : v.real() > least_rate ? "grows"
+                                              : "stays",
+                      scales_ && swings(v) ? fmt::format("{:.4g} Hz", v.imag() * scales_->frequency / (2.0 * pi)) : ""});
+    }
+    std::size_t first = 25, second = 18;  // wider for the few that are, with two spaces after each
+    for (const auto& row : rows) {
+      first = std::max(first, row[0].size() + 2);
+      second = std::max(second, row[1].size() + 2);
+    }
+    for (const auto& row : rows) {
+      std::string line = fmt::format("{:<{}}{:<{}}{}", row[0], first, row[1], second, row[2]);
       line.erase(line.find_last_not_of(' ') + 1);
       item("", line);
     }
@@ -170,9 +215,8 @@ class Text {
     if (!scales_) return;
     const double grade =
         model::balance_grade(e_.study.parameters.eccentricity * scales_->length, *e_.speed * scales_->frequency);
-    const auto met = model::standard_grade_met(grade);
-    item("balance quality", fmt::format("G {:.3g} (eps omega in mm/s, ISO 21940-11), {}; a figure, not a certification",
-                                        grade, met ? fmt::format("within grade G {}", *met) : "beyond grade G 4000"));
+    item("balance quality",
+         grade_text(grade) + "; eps omega in mm/s as ISO 21940-11 grades it: a figure, not a certification");
   }
 
   void rules() {
@@ -225,9 +269,24 @@ Json motion_json(const BalancedMotion& m, const Explanation& e) {
             {"angles", std::vector<double>(m.angles.begin(), m.angles.begin() + e.study.parameters.balls)}};
   json["time_constant"] = m.stable ? value_json(-1.0 / m.slowest_rate, Dimension::time, e.study.scales) : Json(nullptr);
   json["drag_sensitivity"] = m.drag_sensitivity;
+  json["left_out"] = m.less;
+  json["strobe"] = m.strobe > 0.0 ? value_json(m.strobe, Dimension::time, e.study.scales) : Json(nullptr);
+  json["displacement_left"] = m.left ? value_json(*m.left, Dimension::length, e.study.scales) : Json(nullptr);
   if (m.slowest_if_sliding) json["slowest_rate_if_sliding"] = *m.slowest_if_sliding;
   json["eigenvalues"] = Json::array();
   for (const auto& v : m.eigenvalues) json["eigenvalues"].push_back({v.real(), v.imag()});
+  return json;
+}
+
+Json run_up_json(const RunUp& r, const std::optional<Scales>& scales) {
+  const auto time = [&](const std::optional<double>& t) {
+    return t ? value_json(*t, Dimension::time, scales) : Json(nullptr);
+  };
+  Json json{{"speed", value_json(r.speed, Dimension::speed, scales)}};
+  json["inertia"] = value_json(r.inertia, Dimension::inertia, scales);
+  json["without_losses"] = time(r.alone);
+  json["with_own_unbalance"] = time(r.shaken);
+  json["stalls_at"] = r.shaken ? Json(nullptr) : value_json(r.stalls_at, Dimension::speed, scales);
   return json;
 }
 
@@ -246,6 +305,13 @@ Json advice_json(const Explanation& e) {
 
 }  // namespace
 
+std::string verdict_text(const Explanation& e) {
+  if (e.balanced.kind == model::BalancedStates::Kind::none) return "no: " + e.balanced.reason;
+  if (e.motion && !e.motion->stable)
+    return "yes, but balance is not stable at the final speed" + e.motion->place(e.balanced);
+  return e.study.parameters.gravity > 0.0 ? "yes, but for gravity" : "yes";
+}
+
 std::string explain_text(const Explanation& e) { return Text(e).all(); }
 
 std::string explain_json(const Explanation& e) {
@@ -256,12 +322,14 @@ std::string explain_json(const Explanation& e) {
   json["critical_speed"] = pair_json(e.critical_alone, Dimension::speed, scales);
   json["critical_speed_with_balls"] = pair_json(e.critical_with_balls, Dimension::speed, scales);
   json["final_speed"] = e.speed ? value_json(*e.speed, Dimension::speed, scales) : Json(nullptr);
+  json["final_speed_reason"] = e.speed_words;
+  json["run_up"] = e.run_up ? run_up_json(*e.run_up, scales) : Json(nullptr);
   json["can_balance"] = e.balanced.kind != model::BalancedStates::Kind::none;
   json["reason"] = e.balanced.reason;
   json["static_sag"] = value_json(e.sag, Dimension::length, scales);
   json["weight"] = value_json(e.sag * e.study.parameters.stiffness[1], Dimension::force, scales);
   json["gravity_ratio"] = e.gravity_ratio ? Json(*e.gravity_ratio) : Json(nullptr);
-  json["unbalance"] = value_json(e.study.parameters.eccentricity, Dimension::unbalance, scales);
+  json["unbalance"] = value_json(e.unbalance, Dimension::unbalance, scales);
   json["least_unbalance"] = value_json(e.least_unbalance, Dimension::unbalance, scales);
   json["largest_unbalance"] = value_json(e.largest_unbalance, Dimension::unbalance, scales);
   json["balanced"] = e.motion ? motion_json(*e.motion, e) : Json(nullptr);

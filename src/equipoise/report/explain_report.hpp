@@ -7,6 +7,9 @@
 
 namespace equipoise {
 
+/// Whether the balls can balance the rotor, in a line.
+std::string verdict_text(const Explanation& e);
+
 /// For people. Physical units wherever the study has scales.
 std::string explain_text(const Explanation& e);
 

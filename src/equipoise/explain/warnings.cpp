@@ -1,0 +1,201 @@
+// What each warning takes: a comparison of numbers that explain() has.
+#include "equipoise/explain/warnings.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+#include <fmt/format.h>
+
+#include "equipoise/base/angles.hpp"
+#include "equipoise/discovery/cost.hpp"
+#include "equipoise/discovery/horizon.hpp"
+#include "equipoise/discovery/undecided.hpp"
+#include "equipoise/explain/drag_scan.hpp"
+#include "equipoise/fates/machine_runner.hpp"
+#include "equipoise/report/engineering.hpp"
+#include "equipoise/spin_up/initial_state.hpp"
+
+namespace equipoise {
+
+namespace {
+using study::Dimension;
+
+constexpr double root_two = 1.4142135623730951;
+
+class Warnings {
+ public:
+  explicit Warnings(Explanation& e) : e_(e), p_(e.study.parameters) {
+    speed();
+    unbalance();
+    sag();
+    if (e.motion) motion(*e.motion);
+    if (e.speeds_up)
+      warn("{}; in balance the rotor speeds up without end", e.speed_words);
+    torque();
+    if (e.run_up) run_up(*e.run_up);
+    patience();
+    release();
+    room();
+    if (e.gravity_ratio && *e.gravity_ratio >= 1.0)
+      warn("at the final speed the weight of a ball exceeds its centrifugal force: it falls off the top of the race");
+    if (!p_.balls_collide() && p_.restitution != model::Parameters{}.restitution)
+      warn("balancer.restitution has no effect: balls of no contact_angle pass each other");
+    if (p_.total_mass() >= 1.0) warn("the balls together are heavier than the rotor");
+    if (e.reynolds && *e.reynolds > 1.0)
+      warn(
+          "the Reynolds number of a ball that slips is {:.3g}: Stokes' drag holds below about 1, so only near "
+          "balance, where balls creep, and is too small before",
+          *e.reynolds);
+  }
+
+ private:
+  template <class... T>
+  void warn(fmt::format_string<T...> format, T&&... values) {
+    e_.warnings.push_back(fmt::format(format, std::forward<T>(values)...));
+  }
+
+  void speed() {
+    if (!e_.speed) return;
+    const double w = std::abs(*e_.speed);
+    const double lowest = std::min(e_.critical_with_balls[0], e_.critical_with_balls[1]);
+    const double highest = std::max(e_.critical_alone[0], e_.critical_alone[1]);
+    if (w < lowest)
+      warn(
+          "the final speed is below the critical speed: there balls gather on the heavy side and add to the unbalance");
+    if (w >= 0.9 * lowest && w <= 1.1 * highest)
+      warn("the final speed is within 10 % of a critical speed: vibration is near its largest");
+    else if (w >= lowest && w < root_two * highest)
+      warn(
+          "the final speed is less than sqrt(2) times the critical speed: vibration without balls exceeds twice the "
+          "eccentricity unless damping is strong, and balance is often unstable");
+  }
+
+  void sag() {
+    const std::optional<double>& room = e_.study.limits.displacement;
+    if (room && e_.sag > *room)
+      warn("the rotor sags by {} under its weight, more than limits.displacement, {}, which counts from where it rests",
+           text(e_.sag, Dimension::length), text(*room, Dimension::length));
+    // Springs would have to be longer than the rotor is wide: stiffness, mass or their units are wrong.
+    if (e_.sag > 1.0)
+      warn("the rotor sags by {} under its weight, more than the race's radius, {}: no suspension is as soft as that",
+           text(e_.sag, Dimension::length), text(1.0, Dimension::length));
+  }
+
+  std::string text(double value, Dimension d) const {
+    return e_.study.scales ? engineering(value * study::scale_of(d, *e_.study.scales), d) : fmt::format("{:.5g}", value);
+  }
+
+  void unbalance() {
+    constexpr double near = 0.1;
+    const double own = e_.unbalance, most = e_.largest_unbalance, least = e_.least_unbalance;
+    if (most == 0.0) return;  // the balls do not fit into the race: room() says so
+    if (p_.balls == 1) {
+      if (own != most)
+        warn("one ball cancels {} and no other unbalance; this one is {}", text(most, Dimension::unbalance),
+             text(own, Dimension::unbalance));
+      return;
+    }
+    const char* these = e_.ball_width.empty() ? "all balls together" : "all balls side by side";
+    if (own > most)
+      warn("the unbalance is {:.3g} times what {} can cancel", own / most, these);
+    else if (own < least)
+      warn("the unbalance is below the least that these balls can balance: they would add one of their own");
+    else if (own > (1.0 - near) * most)
+      warn("the unbalance is within 10 % of the most that {} can cancel", these);
+    else if (own < (1.0 + near) * least)
+      warn("the unbalance is within 10 % of the least that these balls can balance");
+  }
+
+  void motion(const BalancedMotion& m) {
+    const std::string less = m.place(e_.balanced);
+    if (!m.stable) {
+      if (m.slowest_rate <= least_rate)
+        warn("balance is not linearly stable at the final speed{}: its largest rate is within 1e-9 of 0", less);
+      else
+        warn("balance is unstable at the final speed{}: the balls do not stay there; {} drag makes it less so", less,
+             m.drag_sensitivity < 0.0 ? "more" : "less");
+      return;
+    }
+    const double constant = -1.0 / m.slowest_rate;
+    constexpr double patience = 1000.0;
+    if (constant > patience)
+      warn("balance settles slowly, in more than 1000 units of time{}{}", less, remedy(m));
+    else if (e_.spin_up && constant > *e_.spin_up)
+      warn("balance settles more slowly than the rotor spins up{}{}", less, remedy(m));
+    if (const RuleOfThumb* drag = rule("drag"); drag && drag->kept == false && m.more_drag() < 0)
+      warn("the balls are overdamped{}{}", less, remedy(m));
+  }
+
+  // What drag does about a slow balance; the rotor's own way to rest hardly depends on it.
+  static const char* remedy(const BalancedMotion& m) {
+    return m.more_drag() > 0   ? "; more drag would bring balance sooner"
+           : m.more_drag() < 0 ? "; less drag would bring balance sooner"
+                               : "; the balls' drag hardly changes that";
+  }
+
+  const RuleOfThumb* rule(const char* id) const {
+    const auto found = std::find_if(e_.advice.begin(), e_.advice.end(), [&](const auto& r) { return r.id == id; });
+    return found == e_.advice.end() ? nullptr : &*found;
+  }
+
+  // What a motor has too little of.
+  void torque() {
+    const RuleOfThumb* torque = rule("torque");
+    constexpr std::size_t with_the_motors = 3;  // figures: what is taken, by two unbalances, and what is given
+    if (!e_.study.speed.driven() || !torque || torque->figures.size() < with_the_motors) return;
+    if (torque->kept == false)
+      warn("the motor is too weak for the critical speed: {}", torque->words);
+    else if (!torque->kept)
+      warn("the motor's torque may not suffice at the critical speed: {}", torque->words);
+  }
+
+  void run_up(const RunUp& r) {
+    const double horizon = choose_horizon(e_.study).time;
+    if (r.alone && *r.alone - r.last_piece > horizon)
+      warn(
+          "without any losses the motor takes {} to bring the rotor to {}, longer than starts are followed, {}: they may "
+          "stay undecided",
+          text(*r.alone, Dimension::time), text(r.speed, Dimension::speed), text(horizon, Dimension::time));
+  }
+
+  // What basin and attractors will make of it.
+  void patience() {
+    const StartCost cost = start_cost(e_.study);
+    const char* key = cost.by_drag ? "balancer.drag" : "rotor.damping";
+    if (!cost.bearable())
+      warn("stiff: with {} = {:.4g} a start takes about {:.1g} steps; basin and attractors refuse above {:.3g}", key,
+           cost.cause, cost.steps, cost.allowed);
+    const Horizon horizon = choose_horizon(e_.study);
+    if (!horizon.long_enough())
+      warn("{}: of starts that are followed for {:.6g} many may stay undecided", slowness_text(horizon), horizon.time);
+  }
+
+  // Whether a motor comes to the speed at which the balls are let go depends on where they are held: some are tried.
+  void release() {
+    const Study& study = e_.study;
+    if (!study.speed.driven() || !study.release.speed) return;
+    const std::vector<UndecidedEnd> ends =
+        MachineRunner(study, nullptr).look_at(starts_of(study, sampler_of(study), study.sampling.seed, 0, 8));
+    const auto held =
+        std::count_if(ends.begin(), ends.end(), [](const UndecidedEnd& end) { return end.what == Restlessness::held; });
+    if (held > 0) warn("of {} starts tried {} never let their balls go: {}", ends.size(), held, held_text(ends));
+  }
+
+  void room() {
+    const std::vector<double>& widths = e_.ball_width;
+    const double angle = std::accumulate(widths.begin(), widths.end(), 0.0);
+    if (angle > 2.0 * pi)
+      warn("{} balls of this size do not fit into the race: there is room for {:.0f} % of them", p_.balls,
+           100.0 * 2.0 * pi / angle);
+  }
+
+  Explanation& e_;
+  const model::Parameters& p_;
+};
+
+}  // namespace
+
+void add_warnings(Explanation& e) { Warnings{e}; }
+
+}  // namespace equipoise

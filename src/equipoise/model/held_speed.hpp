@@ -1,0 +1,26 @@
+// The speed that a motor holds.
+#pragma once
+
+#include <optional>
+
+#include "equipoise/model/balanced_state.hpp"
+#include "equipoise/model/system.hpp"
+
+namespace equipoise::model {
+
+/// balanced_speed() of a motor that holds it: it gives less as the rotor turns faster. None of one that coasts, and of
+/// one whose last torque speeds the rotor up for ever.
+inline std::optional<double> held_speed(const System& system) {
+  if (system.prescribed() || system.coasts()) return std::nullopt;
+  const DriveSegment& m = system.drive().motor;
+  const std::optional<double> speed = balanced_speed(system);
+  const bool holds = m.integral != 0.0 || m.slope < 0.0 || (speed && *speed * m.constant > 0.0);
+  return holds ? speed : std::nullopt;
+}
+
+/// The motor's last torque acts for good and holds no speed: in balance the rotor speeds up without end.
+inline bool speeds_up_for_ever(const System& system) {
+  return !system.prescribed() && !system.coasts() && !held_speed(system);
+}
+
+}  // namespace equipoise::model

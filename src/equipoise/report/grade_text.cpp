@@ -1,0 +1,17 @@
+// The figure itself, and the grade of the standard that it stays within.
+#include "equipoise/report/grade_text.hpp"
+
+#include <fmt/format.h>
+
+#include "equipoise/model/balance_grade.hpp"
+
+namespace equipoise {
+
+std::string grade_text(double grade_mm_s) {
+  if (grade_mm_s == 0.0) return "G 0";
+  const auto met = model::standard_grade_met(grade_mm_s);
+  return met ? fmt::format("G {:.3g} (within grade G {})", grade_mm_s, *met)
+             : fmt::format("G {:.3g} (beyond grade G {})", grade_mm_s, model::standard_balance_grades.back());
+}
+
+}  // namespace equipoise
