@@ -1,4 +1,4 @@
-// Drawing of progress: at most ten times a second as a bar, every five seconds as lines.
+// Drawing of progress: at most ten times a second as a bar, every ten seconds as lines.
 #include "progress.hpp"
 
 #include <cmath>
@@ -50,7 +50,7 @@ void ProgressLine::update(const Progress& progress) {
     begin_ = now;
   }
   before_ = progress;
-  const double interval = style_ == Style::bar ? 0.1 : 5.0;
+  const double interval = style_ == Style::bar ? 0.1 : 10.0;
   if (std::chrono::duration<double>(now - last_).count() < interval) return;
   last_ = now;
   const double elapsed = std::chrono::duration<double>(now - begin_).count();

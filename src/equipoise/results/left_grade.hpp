@@ -2,6 +2,7 @@
 #pragma once
 
 #include "equipoise/model/balance_grade.hpp"
+#include "equipoise/model/system.hpp"
 #include "equipoise/study/study.hpp"
 
 namespace equipoise {

@@ -17,6 +17,7 @@
 #include "equipoise/model/frames.hpp"
 #include "equipoise/model/strobe.hpp"
 #include "equipoise/model/system.hpp"
+#include "equipoise/study/known_keys.hpp"
 #include "equipoise/study/physical.hpp"
 #include "equipoise/study/table_reader.hpp"
 #include "equipoise/study/toml_tree.hpp"
@@ -411,6 +412,7 @@ Study read(Document document) {
   check_tables(document,
                {"rotor", "balancer", "speed", "release", "initial", "sampling", "numerics", "limits", "sweep", "design",
                 "units"});
+  check_keys(document, is_physical(document));
   Uncertainty uncertain;
   if (is_physical(document)) uncertain.physical = document.root;
   uncertain.values = take_uncertain(document);
