@@ -182,6 +182,9 @@ struct Study {
   /// Of a driven rotor: the mean speed below which it counts as stalled. stalled_below of [speed]; else the smaller of
   /// sqrt(2), from where supports isolate, and nine tenths of the speed that the motor aims at.
   double stall_speed() const;
+  /// Of a driven rotor: the mean speed above which it has come through the resonance: the default of stall_speed(), but
+  /// no less than the greatest critical speed, whatever the motor aims at.
+  double passed_speed() const;
 };
 
 /// The text of a study file; a pipe can be read once only. Throws InputError if it cannot be read or does not end.
