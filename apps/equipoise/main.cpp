@@ -1,4 +1,5 @@
 // equipoise: will this automatic balancer balance this rotor, how surely, how fast?
+#include <algorithm>
 #include <atomic>
 #include <csignal>
 #include <cstdint>
@@ -54,7 +55,20 @@ std::string version_text() {
       embedded::page_files.find("plotly.js").empty() ? "pictures only" : "interactive charts and pictures", optimisers_version(), mpi_text());
 }
 
-int run(int argc, char** argv) {
+// "help basin" is "basin --help"; of a command that there is none of the name remains, to be told so.
+std::vector<char*> words_of(const CLI::App& app, int argc, char** argv) {
+  static char help[] = "--help";
+  std::vector<char*> words(argv, argv + argc);
+  if (argc < 2 || argv[1] != std::string_view("help")) return words;
+  words.erase(words.begin() + 1);
+  const auto commands = app.get_subcommands([](const CLI::App*) { return true; });
+  const bool of_all = argc == 2;
+  if (of_all || std::any_of(commands.begin(), commands.end(), [&](const auto* c) { return c->get_name() == argv[2]; }))
+    words.insert(words.begin() + (of_all ? 1 : 2), help);
+  return words;
+}
+
+int run(int given, char** arguments) {
   CLI::App app("Will this automatic balancer balance this rotor, how surely and how fast?");
   app.name("equipoise");
   app.require_subcommand(1);
@@ -82,6 +96,9 @@ int run(int argc, char** argv) {
   add("reproduce", "the tables and figures of Wright and Peng (2019), computed again and judged", add_reproduce);
   add("simulate", "one trajectory at stated times", add_simulate);
   add("sweep", "shares at every combination of some parameters' values", add_sweep);
+  std::vector<char*> words = words_of(app, given, arguments);
+  const int argc = static_cast<int>(words.size());
+  char** argv = words.data();
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& e) {

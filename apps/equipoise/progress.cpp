@@ -1,4 +1,4 @@
-// Drawing of progress: at most ten times a second as a bar, every five seconds as lines.
+// Drawing of progress: at most ten times a second as a bar, seldom as lines.
 #include "progress.hpp"
 
 #include <cmath>
@@ -50,8 +50,8 @@ void ProgressLine::update(const Progress& progress) {
     begin_ = now;
   }
   before_ = progress;
-  const double interval = style_ == Style::bar ? 0.1 : 5.0;
-  if (std::chrono::duration<double>(now - last_).count() < interval) return;
+  constexpr std::chrono::milliseconds redrawn{100};
+  if (now - last_ < (style_ == Style::bar ? redrawn : lines_apart)) return;
   last_ = now;
   const double elapsed = std::chrono::duration<double>(now - begin_).count();
   const double rate = elapsed > 0.0 ? static_cast<double>(done - first_) / elapsed : 0.0;

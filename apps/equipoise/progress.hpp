@@ -10,6 +10,9 @@
 
 namespace equipoise::app {
 
+/// Between lines where standard error is no terminal: it may be a log that somebody reads.
+inline constexpr std::chrono::seconds lines_apart{10};
+
 class ProgressLine {
  public:
   enum class Style { none, bar, lines };

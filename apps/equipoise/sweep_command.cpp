@@ -1,5 +1,6 @@
 // equipoise sweep: an ensemble at every combination of some parameters' values; equipoise merge: several files of one.
 #include <charconv>
+#include <chrono>
 #include <cstdint>
 #include <filesystem>
 #include <functional>
@@ -109,8 +110,12 @@ int follow(Team& team, const SweepArguments& a) {
 SweepResult compute(Team& team, const SweepPlan& plan, const SweepArguments& a, SweepOptions& options) {
   ProgressLine progress(a.quiet);
   options.progress = progress.listener();
+  using Clock = std::chrono::steady_clock;
+  Clock::time_point told;  // not yet
   if (!a.quiet && !isatty(STDERR_FILENO))
     options.cell = [&](std::size_t index, const SweepCell& cell) {
+      if (told != Clock::time_point{} && Clock::now() - told < lines_apart) return;
+      told = Clock::now();
       const Share& balanced = cell.outcomes.front().share;
       put_error(fmt::format("{}: {} starts, balanced {} ({}), undecided {}\n", plan.title_of(index), cell.starts,
                             percent(balanced.share, digits_for(balanced)), interval(balanced),

@@ -101,7 +101,7 @@ class BasinResult(Result):
         self.seconds, self.cpu_seconds = core.seconds, core.cpu_seconds
         if self.undecided > _most_undecided:
             warnings.warn(
-                f"{100 * self.undecided:.2g} % of the starts are undecided: their shares of the attractors are open "
+                f"{100 * self.undecided:.1f} % of the starts are undecided: their shares of the attractors are open "
                 "(a longer numerics.horizon may decide them)",
                 UndecidedWarning,
                 stacklevel=3,  # the line that called basin()

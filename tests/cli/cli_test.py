@@ -8,6 +8,7 @@ import io
 import json
 import math
 import os
+import re
 import sys
 import tempfile
 import unittest
@@ -265,6 +266,17 @@ class Errors(unittest.TestCase):
         for arguments in (["basin", ROW, "--nonsense"], ["nonsense"], [], ["basin"]):
             done = run(*arguments)
             self.assertEqual((done.returncode, done.stdout), (2, ""))
+
+    def test_help_as_a_word_is_that_of_a_command(self):
+        commands = re.findall(r"^  (\w+) ", run("--help").stdout.partition("ubcommands:")[2], re.MULTILINE)
+        self.assertGreater(len(commands), 10)
+        for command in commands:
+            told = run("help", command)
+            self.assertEqual((told.returncode, told.stderr, told.stdout), (0, "", run(command, "--help").stdout), command)
+        self.assertEqual(run("help").stdout, run("--help").stdout)
+        wrong = run("help", "bsin")
+        self.assertEqual((wrong.returncode, wrong.stdout), (2, ""))
+        self.assertIn('unknown command "bsin" (is "basin" meant?)', wrong.stderr)
 
     def test_help_and_version_go_to_standard_output(self):
         for arguments in (["--help"], ["basin", "--help"], ["simulate", "--help"], ["--version"]):

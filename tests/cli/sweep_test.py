@@ -10,6 +10,7 @@ import shutil
 import subprocess
 import sys
 import tempfile
+import time
 import unittest
 
 from program import PROGRAM, ROW, STUDIES, answer, run
@@ -45,6 +46,14 @@ class Sweep(unittest.TestCase):
             # The search begins elsewhere; starts are the same and come to the same.
             self.assertEqual(counts(cell["outcomes"]), counts(alone["outcomes"]), cell["at"])
             self.assertEqual(cell["starts"], 800)
+
+    def test_a_log_gets_a_line_in_ten_seconds(self):
+        begin = time.monotonic()
+        done = run("sweep", ROW, "--over", "balancer.drag=0.05:0.07:0.002", "--starts", "10")  # eleven cells
+        elapsed = time.monotonic() - begin
+        self.assertEqual(done.returncode, 0)
+        # Of the first cell, and at most two more, of cells and of progress, every ten seconds.
+        self.assertTrue(1 <= done.stderr.count("\n") <= 1 + 2 * int(elapsed / 10), (elapsed, done.stderr))
 
     def test_a_neighbours_search_changes_no_outcome(self):
         # Motions come and go from one to the next: an orbit, a torus that becomes chaos, one captured.

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "equipoise/base/display_text.hpp"
+#include "equipoise/base/percent_text.hpp"
 
 namespace equipoise {
 namespace {
@@ -32,6 +33,17 @@ TEST(DisplayText, EscapesControlCharactersOfBothSets) {
                          "31m"),
             "\\u009B31m");  // the other control sequence introducer
   EXPECT_EQ(display_text(std::string("\0", 1)), "\\u0000");
+}
+
+// 1e+02 % was once told of all starts.
+TEST(PercentText, HasNoExponentAndNeverRoundsToAllOrNone) {
+  EXPECT_EQ(percent_text(1.0), "100 %");
+  EXPECT_EQ(percent_text(0.0), "0 %");
+  EXPECT_EQ(percent_text(0.9996), "more than 99 %");
+  EXPECT_EQ(percent_text(0.471), "47 %");
+  EXPECT_EQ(percent_text(0.0321), "3.2 %");
+  EXPECT_EQ(percent_text(0.0015), "0.15 %");
+  EXPECT_EQ(percent_text(0.00001), "less than 0.01 %");
 }
 
 }  // namespace

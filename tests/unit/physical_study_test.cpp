@@ -257,7 +257,14 @@ TEST(PhysicalStudy, RefusesPlainNumbersAndNamesTheKey) {
                    "rotor.eccentricity",
                    "0.01",
                    "is a plain number and rotor.mass makes this a study in physical units; must be a length of 0 or "
-                   "more, such as \"0.2 mm\""});
+                   "more, such as \"0.2 mm\", or give rotor.unbalance, mass times eccentricity, such as \"300 g mm\""});
+  expect_rejected({with("\"200 N s/m\"", "0.07"),
+                   {},
+                   "m.toml:4",
+                   "rotor.damping",
+                   "0.07",
+                   "is a plain number and rotor.mass makes this a study in physical units; must be a damping coefficient "
+                   "of 0 or more, such as \"200 N s/m\", or give rotor.damping_ratio, a plain number, c/(2 sqrt(k M))"});
   expect_rejected({with("\"10 s\"", "500"),
                    {},
                    "m.toml:14",
@@ -344,7 +351,20 @@ TEST(PhysicalStudy, NamesMissingKeysAndTwoForOne) {
                    "m.toml",
                    "rotor.mass",
                    "",
-                   "missing; must be a mass greater than 0, such as \"12 kg\""});
+                   "missing; must be a mass greater than 0, such as \"12 kg\", for balancer.race_radius makes this a "
+                   "study in physical units"});
+  expect_rejected({with("final = \"3000 rpm\"\n", ""),
+                   {},
+                   "m.toml",
+                   "speed.final",
+                   "",
+                   "missing; must be a speed of rotation, such as \"3000 rpm\""});
+  expect_rejected({with("duration = \"10 s\"\n", ""),
+                   {},
+                   "m.toml",
+                   "speed.duration",
+                   "",
+                   "missing; must be a time greater than 0, such as \"10 s\""});
   expect_rejected({with("race_radius = \"30 mm\"\n", ""),
                    {},
                    "m.toml",
@@ -447,13 +467,20 @@ TEST(PhysicalStudy, NamesMissingKeysAndTwoForOne) {
 }
 
 TEST(PhysicalStudy, NamesUnknownKeysAmongThoseOfPhysicalStudies) {
+  const std::string of_rotor =
+      "(allowed: mass, stiffness, damping, damping_ratio, eccentricity, unbalance, gravity, inertia)";
   expect_rejected({with("eccentricity", "excentricity"),
                    {},
-                   "m.toml",
-                   "rotor.eccentricity",
-                   "",
-                   "missing; must be a length of 0 or more, such as \"0.2 mm\", or give rotor.unbalance, mass times "
-                   "eccentricity, such as \"300 g mm\""});
+                   "m.toml:5",
+                   "rotor.excentricity",
+                   "\"0.2 mm\"",
+                   "unknown key; did you mean \"eccentricity\"? " + of_rotor});
+  expect_rejected({with("stiffness = \"48 kN/m\"", "natural_frequency = \"10 Hz\""),
+                   {},
+                   "m.toml:3",
+                   "rotor.natural_frequency",
+                   "\"10 Hz\"",
+                   "unknown key; did you mean \"stiffness\"? " + of_rotor});
   expect_rejected({machine,
                    {"rotor.gravitiy=9.81 m/s2"},
                    overrides_name,

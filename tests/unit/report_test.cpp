@@ -182,6 +182,46 @@ TEST(BasinText, ShowsBoundsWhereStartsAreUndecided) {
   EXPECT_EQ(json["outcomes"][0]["most"], 1.0);
 }
 
+TEST(BasinText, SaysWhichStartsCameThroughAndOfWhichThatIsOpen) {
+  BasinResult r;
+  r.study = parse_study(machine_rotor + R"([speed]
+profile = "torque"
+torque = { stall = "2 N m", no_load_speed = "3000 rpm" }
+)",
+                        "m.toml", {"rotor.inertia=0.02 kg m2"});
+  r.starts = 100;
+  r.attractors.push_back({1, "balanced", "", "equilibrium", wilson_share(50, 100), 1.0, {}, {}});
+  r.stalled = wilson_share(20, 100);
+  r.undecided = wilson_share(30, 100);
+  r.diverged = r.failed = wilson_share(0, 100);
+  r.passed = open_share(60, 80, 100);
+  r.not_passed = open_share(20, 40, 100);
+  const std::string text = basin_text(r);
+  for (const char* part : {"Came through the resonance: 60.0 % of all starts (50.2 to 69.1 %), turning faster than ",
+                           " rpm in their motion or when last seen; held below: 20.0 % (13.3 to 28.9 %); not known yet: 20 %, "
+                           "undecided and slower when last seen; surely through: 50.2 to 86.7 %.\n"})
+    EXPECT_NE(text.find(part), std::string::npos) << text;
+  r.study.speed.initial = 100.0;
+  EXPECT_NE(basin_text(r).find("Above the resonance in the end: 60.0 %"), std::string::npos);
+  r.passed = open_share(100, 100, 100);
+  r.not_passed = open_share(0, 0, 100);
+  const std::string all = basin_text(r);
+  for (const char* part : {"held below", "not known yet", "surely through"})
+    EXPECT_EQ(all.find(part), std::string::npos) << all;
+}
+
+// A table of dashes says nothing, and "0 %" of no starts is no share.
+TEST(BasinText, OfNoStartHasNoShares) {
+  BasinResult r;
+  r.study = parse_study(machine, "m.toml");
+  r.partial = true;
+  r.attractors.push_back({1, "balanced", "", "equilibrium", Share{}, 0.0, {}, {}});
+  r.passed = r.not_passed = open_share(0, 0, 0);
+  const std::string text = basin_text(r);
+  EXPECT_NE(text.find("PARTIAL: stopped before the first start was decided; there are no shares.\n"), std::string::npos);
+  for (const char* word : {"outcome", "balanced", " % "}) EXPECT_EQ(text.find(word), std::string::npos) << text;
+}
+
 TEST(BasinText, HasTimesInSecondsWhereThereAreUnits) {
   const BasinResult r = result_of(machine, 100, 0);
   const std::string text = basin_text(r);

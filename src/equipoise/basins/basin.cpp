@@ -17,6 +17,7 @@
 #include <fmt/ranges.h>
 
 #include "equipoise/base/parallel.hpp"
+#include "equipoise/base/percent_text.hpp"
 #include "equipoise/base/reporting.hpp"
 #include "equipoise/basins/chunks.hpp"
 #include "equipoise/basins/ensemble_runner.hpp"
@@ -49,7 +50,10 @@ class BasinRun {
         threads_(thread_count(options.threads)),
         discoveries_(options.discoveries ? *options.discoveries : own_discoveries_) {
     result_.study = study;
-    if (study.speed.driven()) stall_speed_ = study.stall_speed();
+    if (study.speed.driven()) {
+      stall_speed_ = study.stall_speed();
+      passed_speed_ = study.passed_speed();
+    }
     result_.threads = threads_;
     result_.cpu_target = cpu_target();
     result_.half_width = options.half_width;
@@ -231,7 +235,11 @@ class BasinRun {
   void count_all() {
     count(*tally_, result_);
     if (result_.study.speed.driven()) {
-      if (!result_.grid) result_.passed = open_share(passed_, passed_ + result_.undecided.count, tally_->total());
+      // A grid's starts weigh differently, and are not counted here.
+      if (!result_.grid) {
+        result_.passed = open_share(passed_, passed_ + below_, tally_->total());
+        result_.not_passed = open_share(held_below_, held_below_ + below_, tally_->total());
+      }
     }
     if (gathers_) result_.transients = transients_->result(runner_->catalogue());
     if (result_.choice && result_.choice->method == SamplingMethod::sobol)  // known better by now
@@ -314,7 +322,7 @@ class BasinRun {
 
   void take(const Fate& fate, const TransientRow* row) {
     tally_->add(fate);
-    passed_ += fate.outcome == Outcome::attracted && std::fabs(fate.mean_speed) >= stall_speed_;
+    if (result_.study.speed.driven()) count_passage(fate);
     if (row) transients_->add(fate, *row);
     // What a pilot has decided counts, whether or not less would have done.
     const std::uint64_t least = result_.choice ? result_.choice->pilot : 0;
@@ -332,6 +340,18 @@ class BasinRun {
     if (options_.fate) options_.fate(fate);
   }
 
+  // By the speed in the motion that a start came to, or when it was last seen.
+  void count_passage(const Fate& fate) {
+    const bool lost = fate.outcome == Outcome::diverged || fate.outcome == Outcome::failed;
+    const bool above = std::fabs(fate.mean_speed) >= passed_speed_;
+    if (!lost && above)
+      ++passed_;
+    else if (fate.outcome == Outcome::undecided)
+      ++below_;
+    else if (!lost)
+      ++held_below_;
+  }
+
   // Many undecided starts are no answer: the note then says why there are so many. That balls are never let go is said
   // of any.
   void explain_undecided() {
@@ -343,7 +363,7 @@ class BasinRun {
         !stopped && (many || may_hold) ? runner_->look_at(starts(undecided_)) : std::vector<UndecidedEnd>{};
     const std::string held = held_text(ends),
                       held_stalled = may_hold ? held_text(runner_->look_at(starts(stalled_))) : "";
-    if (many) add_note(fmt::format("{:.0f} % are undecided: {}", 100.0 * share, why_undecided(horizon_, ends)));
+    if (many) add_note(fmt::format("{} are undecided: {}", percent_text(share), why_undecided(result_.study, horizon_, ends)));
     if (!many && !held.empty()) add_note("balls of undecided starts are never let go: " + held);
     if (!held_stalled.empty()) add_note("balls of stalled starts are never let go: " + held_stalled);
   }
@@ -438,8 +458,8 @@ class BasinRun {
   std::optional<Tally> tally_;
   std::optional<TransientTally> transients_;
   std::vector<std::shared_ptr<Chunk>> pilot_;
-  std::uint64_t passed_ = 0;  // the resonance
-  double stall_speed_ = 0.0;
+  std::uint64_t passed_ = 0, held_below_ = 0, below_ = 0;  // the resonance; for good, or when last seen
+  double stall_speed_ = 0.0, passed_speed_ = 0.0;
   std::set<int> filed_;  // motions known before the first start, or met and kept
   std::atomic<bool> finished_{false}, lost_{false};
   bool unread_ = false;  // stopped before the motions that the file names were listed

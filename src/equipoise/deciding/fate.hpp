@@ -28,8 +28,8 @@ struct Fate {
   DecidedBy by = DecidedBy::nothing;
   short attractor = 0;  ///< identifier in the catalogue, from 1; 0: none, or stationary in a way the rule does not list
   double time = 0.0;    ///< study time at which it was known
-  /// Of a driven rotor: mean psi' over the last long window, signed; NaN where it was never measured, and for all
-  /// others.
+  /// Of a driven rotor: mean psi' of the motion it came to, or, of an undecided start, when it was last seen; signed.
+  /// NaN where it was never measured, and for all others.
   float mean_speed = std::numeric_limits<float>::quiet_NaN();
   /// Of balls that dry friction holds: what unbalance they leave (model/unbalance.hpp); NaN for all others, and of
   /// starts that are read from a file.

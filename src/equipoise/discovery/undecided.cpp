@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -41,10 +42,42 @@ double largest_exponent(const model::System& system, const Eigen::VectorXd& stat
   return exponents.empty() ? 0.0 : exponents.front();
 }
 
-std::string horizon_text(const Horizon& h) {
-  const std::string followed =
-      fmt::format("they were followed for {:.6g} ({})", h.time, h.given ? "numerics.horizon" : "chosen");
+// So many digits, and all that stand before the point.
+std::string plain_number(double value, int digits) {
+  return value < std::pow(10.0, digits) ? fmt::format("{:.{}g}", value, digits) : fmt::format("{:.0f}", value);
+}
+
+std::string time_words(const Study& study, double time, int digits) {
+  return study.scales ? plain_number(time * study.scales->time(), digits) + " s" : plain_number(time, digits);
+}
+
+std::string speed_words(const Study& study, double speed) {
+  constexpr double rpm = pi / 30.0;
+  return study.scales ? plain_number(speed * study.scales->frequency / rpm, 3) + " rpm" : plain_number(speed, 3);
+}
+
+std::string horizon_text(const Study& study, const Horizon& h) {
+  const std::string followed = fmt::format("they were followed for {} ({})", time_words(study, h.time, 6),
+                                           h.given ? "numerics.horizon" : "chosen");
   return h.long_enough() ? followed : slowness_text(h) + "; " + followed;
+}
+
+// Of those that speed up: how far they have come, and how long it takes.
+std::string speeding_text(const Study& study, const Horizon& horizon, const std::vector<UndecidedEnd>& ends) {
+  double least = std::numeric_limits<double>::infinity(), most = 0.0;
+  for (const UndecidedEnd& e : ends) {
+    if (e.what != Restlessness::speeding_up) continue;
+    least = std::min(least, e.reached);
+    most = std::max(most, e.reached);
+  }
+  const std::string from = speed_words(study, least), to = speed_words(study, most);
+  std::string text = "at " + (from == to ? to : from + " to " + to);
+  if (const auto aim = study.motor().final_speed())
+    text += fmt::format(" when last seen, of {} that the motor aims at", speed_words(study, std::fabs(*aim)));
+  if (const auto time = run_up_time(study))
+    text += fmt::format("; a run-up takes about {}, inertia times speed over torque{}", time_words(study, *time, 2),
+                        *time > horizon.time ? ", longer than they were followed" : "");
+  return text;
 }
 
 }  // namespace
@@ -86,7 +119,16 @@ std::string held_text(const std::vector<UndecidedEnd>& ends) {
              : fmt::format("the rotor comes to {:.2g} of release.speed at most", best->reached / best->asked);
 }
 
-std::string why_undecided(const Horizon& horizon, const std::vector<UndecidedEnd>& ends) {
+std::optional<double> run_up_time(const Study& study) {
+  const model::MotorLaw law = study.motor();
+  const auto aim = law.final_speed();
+  if (!aim || law.kind != model::MotorLaw::Kind::linear || law.constant == 0.0) return std::nullopt;
+  const model::Parameters& p = study.parameters;
+  const double inertia = p.inertia + p.eccentricity * p.eccentricity + p.total_mass();
+  return inertia * std::fabs(*aim - study.speed.initial) / std::fabs(law.constant);
+}
+
+std::string why_undecided(const Study& study, const Horizon& horizon, const std::vector<UndecidedEnd>& ends) {
   constexpr std::array<const char*, restlessness_kinds> words{
       "{} near balance",
       "{} creeping, all balls nearly at rest",
@@ -94,6 +136,7 @@ std::string why_undecided(const Horizon& horizon, const std::vector<UndecidedEnd
       "{} in motions whose windows of time do not repeat yet",
       "{} whose balls are never let go",
       "{} whose motor speeds the rotor up without end",
+      "{} whose rotor still speeds up",
       "{} whose rotor still changes its mean speed",
       "{} that still change from one part of time to the next",
       "{} whose balls drift too little, or too seldom, to tell their motion from another",
@@ -107,6 +150,7 @@ std::string why_undecided(const Horizon& horizon, const std::vector<UndecidedEnd
         std::count_if(ends.begin(), ends.end(), [&](const UndecidedEnd& e) { return e.what == what; }));
     if (count == 0) continue;
     parts.push_back(fmt::format(fmt::runtime(words[k]), count));
+    if (what == Restlessness::speeding_up) parts.back() += " (" + speeding_text(study, horizon, ends) + ")";
     if (what == Restlessness::held) parts.back() += " (" + held_text(ends) + ")";
     if (what == Restlessness::held || what == Restlessness::running_away) hopeless += count;
     if (what != Restlessness::chaotic) continue;
@@ -114,9 +158,9 @@ std::string why_undecided(const Horizon& horizon, const std::vector<UndecidedEnd
     for (const UndecidedEnd& e : ends) sum += e.exponent;
     parts.back() += fmt::format(" (largest Lyapunov exponent {:.2g})", sum / static_cast<double>(count));
   }
-  if (parts.empty()) return horizon_text(horizon);
+  if (parts.empty()) return horizon_text(study, horizon);
   const std::string seen = fmt::format("of {} looked at: {}", ends.size(), fmt::join(parts, ", "));
-  return hopeless == ends.size() ? seen : seen + "; " + horizon_text(horizon);
+  return hopeless == ends.size() ? seen : seen + "; " + horizon_text(study, horizon);
 }
 
 }  // namespace equipoise

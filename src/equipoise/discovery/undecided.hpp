@@ -1,6 +1,7 @@
 // Why many starts stay undecided: what some of them do at the end, and which known rate the horizon was too short for.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -8,6 +9,7 @@
 
 #include "equipoise/discovery/horizon.hpp"
 #include "equipoise/model/system.hpp"
+#include "equipoise/study/study.hpp"
 
 namespace equipoise {
 
@@ -25,18 +27,20 @@ enum class Restlessness {
   // Of machines:
   held,            ///< a driven rotor never comes to the speed at which its balls are let go
   running_away,    ///< a motor whose torque never vanishes speeds it up without end
+  speeding_up,     ///< its mean speed still rises
   changing_speed,  ///< its mean speed is not steady
   changing,        ///< something grows or shrinks from one part of time to the next
   between_kinds,   ///< what its balls do is not told from something else yet (a slow drift from none)
   unrepeated,      ///< it never quite repeats itself, and was not watched for long
   hardly_seen,     ///< not even eight parts of time
 };
-constexpr std::size_t restlessness_kinds = 11;
+constexpr std::size_t restlessness_kinds = 12;
 
 struct UndecidedEnd {
   Restlessness what = Restlessness::regular;
   double exponent = 0.0;              ///< chaotic only
-  double reached = 0.0, asked = 0.0;  ///< held only: the nearest speed to release.speed, and that
+  /// Held: the nearest speed to release.speed, and that. Speeding up: `reached` is the speed when it was last seen.
+  double reached = 0.0, asked = 0.0;
 };
 
 /// `state`: where it is at the horizon; at a strobe if the rotor is strobed.
@@ -48,8 +52,12 @@ std::string slowness_text(const Horizon& horizon);
 /// Of those that are held: how near to release.speed they come at best. Empty if none is.
 std::string held_text(const std::vector<UndecidedEnd>& ends);
 
+/// Of a motor that pushes with one torque, or with one that falls to none at its no-load speed: about how long it takes
+/// to its speed, inertia times speed over torque. Of others, and where no speed is aimed at, none.
+std::optional<double> run_up_time(const Study& study);
+
 /// One line, without a full stop: how many of `ends` do what, and, where more time might help, what the horizon was
-/// against the slowest known rate.
-std::string why_undecided(const Horizon& horizon, const std::vector<UndecidedEnd>& ends);
+/// against the slowest known rate, or against a run-up. Times and speeds are in the study's units.
+std::string why_undecided(const Study& study, const Horizon& horizon, const std::vector<UndecidedEnd>& ends);
 
 }  // namespace equipoise

@@ -58,6 +58,7 @@ FollowedStart follow_start(const Study& study, const model::System& system, cons
   if (result.settling.status == IntegrationStatus::diverged) result.fate.outcome = Outcome::diverged;
   if (result.settling.status == IntegrationStatus::failed) result.fate.outcome = Outcome::failed;
   const std::optional<Motion>& motion = result.settling.motion;
+  if (!motion && !system.prescribed()) result.fate.mean_speed = static_cast<float>(result.settling.speed);
   if (motion && motion->stable) note_motion(study, system, *motion, result.fate);
   return result;
 }

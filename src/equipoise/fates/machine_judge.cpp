@@ -310,6 +310,8 @@ UndecidedEnd MachineJudge::end() const {
   const SteadyLook now = watch_.look();
   if (!now.enough) return {.what = Restlessness::hardly_seen};
   if (facts_.runs_away(now.speed)) return {.what = Restlessness::running_away};
+  if (now.quickening && !now.speed_steady)
+    return {.what = Restlessness::speeding_up, .reached = std::fabs(watch_.mean_speed())};
   if (!now.speed_steady) return {.what = Restlessness::changing_speed};
   if (approach_.distance() < near_balance) return {.what = Restlessness::near_balance};
   if (now.trending) return {.what = Restlessness::changing};

@@ -198,6 +198,10 @@ Fate MachineRunner::decide(const InitialState& start, TransientRow* row, Undecid
   };
   Fate fate;
   bool known = false, ran_away = false;
+  // Whatever stays open is told by its speed over the last eight turns at the critical speed.
+  constexpr double last_turns = 50.0;
+  const double horizon = settled_ + *study_.numerics.horizon;
+  double turns_from = -1.0, psi_from = 0.0;
   const auto observe = [&](double from, double to, auto&& state_at) {
     if (row) transients.step(from, to, state_at);
     if (known) return transients.may_leave();
@@ -207,6 +211,10 @@ Fate MachineRunner::decide(const InitialState& start, TransientRow* row, Undecid
       fate = {.time = to, .mean_speed = static_cast<float>(last[model::machine_index::speed(p.balls)])};
       return true;
     }
+    if (turns_from < 0.0 && to > horizon - last_turns) {
+      turns_from = to;
+      psi_from = last[model::machine_index::psi(p.balls)];
+    }
     if (to <= settled_ || !decided_at(from, to, state_at)) return false;
     known = true;
     fate = *decided;
@@ -215,7 +223,7 @@ Fate MachineRunner::decide(const InitialState& start, TransientRow* row, Undecid
     transients.decided(fate.attractor == balanced_id);
     return false;
   };
-  const auto status = machine.advance(settled_ + *study_.numerics.horizon, observe, stop_);
+  const auto status = machine.advance(horizon, observe, stop_);
   const bool lost = status != IntegrationStatus::done;
   if (lost) {
     fate = {status == IntegrationStatus::diverged ? Outcome::diverged : Outcome::failed, DecidedBy::nothing, 0,
@@ -223,6 +231,9 @@ Fate MachineRunner::decide(const InitialState& start, TransientRow* row, Undecid
   } else if (!known) {
     if (judge) fate = judge->at_horizon(machine.state());
     fate.time = machine.time();
+    if (fate.outcome == Outcome::undecided && turns_from >= 0.0 && turns_from < fate.time)
+      fate.mean_speed = static_cast<float>((machine.state()[model::machine_index::psi(p.balls)] - psi_from) /
+                                           (fate.time - turns_from));
   }
   if (end && ran_away)
     end->what = Restlessness::running_away;

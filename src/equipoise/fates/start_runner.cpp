@@ -11,6 +11,7 @@
 
 #include "equipoise/discovery/cost.hpp"
 #include "equipoise/discovery/horizon.hpp"
+#include "equipoise/fates/last_speed.hpp"
 #include "equipoise/fates/transient_tally.hpp"
 #include "equipoise/kernels/lane_kernels.hpp"
 #include "equipoise/model/speed.hpp"
@@ -188,6 +189,7 @@ bool StartRunner::run_from(std::span<const InitialState> given, std::vector<Fate
 bool StartRunner::finish(SpunUp& starts, TransientTable* table, std::vector<Fate>& fates,
                          std::vector<UnlistedStart>& unlisted, std::vector<TransientRow>* rows) const {
   if (!decide(starts, rows ? table : nullptr, fates)) return false;
+  if (!note_last_speeds(starts, fates)) return false;
   const std::size_t count = starts.size();
   unlisted.clear();
   if (rows) rows->assign(count, TransientRow{});
@@ -216,6 +218,28 @@ bool StartRunner::finish(SpunUp& starts, TransientTable* table, std::vector<Fate
     (*rows)[i] = transient_row(settings_of(starts, i), table->rows[i], lost, end);
   }
   return true;
+}
+
+// Of starts whose fate the horizon left open. What runs away turns ever faster.
+bool StartRunner::note_last_speeds(const SpunUp& starts, std::vector<Fate>& fates) const {
+  if (system_.prescribed()) return true;
+  const std::size_t size = system_.dimension();
+  const LaneTask task = source_->last_task();
+  const double horizon = source_->settled() + *study_.numerics.horizon;
+  std::vector<std::size_t> places;
+  std::vector<double> states;
+  for (std::size_t i = 0; i < starts.size(); ++i) {
+    if (fates[i].outcome != Outcome::undecided || starts.is_over(i)) continue;
+    const double* state = &starts.states[i * size];
+    fates[i].mean_speed = static_cast<float>(state[task.places().speed]);
+    if (fates[i].time < horizon) continue;
+    places.push_back(i);
+    states.insert(states.end(), state, state + size);
+  }
+  if (places.empty()) return true;
+  const std::vector<double> speeds = mean_speeds_from(task, std::move(states), horizon);
+  for (std::size_t k = 0; k < speeds.size(); ++k) fates[places[k]].mean_speed = static_cast<float>(speeds[k]);
+  return !speeds.empty();
 }
 
 // Balls that dry friction holds leave each their own.
@@ -267,22 +291,28 @@ std::vector<UndecidedEnd> StartRunner::look_at(const std::vector<InitialState>& 
     const Eigen::Map<const Eigen::VectorXd> state(z.data(), static_cast<Eigen::Index>(z.size()));
     ends.push_back(look_at_undecided(system_, state));
     if (system_.prescribed()) continue;
-    const Restlessness of_rotor = restlessness(fates[0], start.begin(0, source_->settled()), system_.speed(state));
-    Restlessness& what = ends.back().what;
-    const bool creeps_faster = what == Restlessness::creeping && of_rotor == Restlessness::changing_speed;
-    if (what == Restlessness::regular || creeps_faster) what = of_rotor;
+    const float before = fates[0].mean_speed;
+    if (!note_last_speeds(start, fates)) break;
+    const double now = fates[0].mean_speed;
+    const Restlessness of_rotor = restlessness(before, fates[0], start.begin(0, source_->settled()));
+    UndecidedEnd& end = ends.back();
+    const bool changes = of_rotor == Restlessness::speeding_up || of_rotor == Restlessness::changing_speed;
+    const bool waits_for_speed = end.what == Restlessness::creeping || end.what == Restlessness::near_balance;
+    if (end.what == Restlessness::regular || (changes && waits_for_speed)) end.what = of_rotor;
+    if (end.what == Restlessness::speeding_up) end.reached = std::fabs(now);
   }
   return ends;
 }
 
-// Of a driven rotor that is neither near balance nor chaotic: its last speed is not the mean of its last long window,
-// or it was not watched for as many short ones as tell one from the next.
-Restlessness StartRunner::restlessness(const Fate& fate, double begin, double speed) const {
+// Of a driven rotor that is not chaotic: whether its speed when it was last seen is the mean of its last long window,
+// `before`; or that it was not watched for as many short ones as tell one from the next.
+Restlessness StartRunner::restlessness(double before, const Fate& fate, double begin) const {
   constexpr double steady = 0.02;
   constexpr int fewest_windows = 8;
+  const double now = fate.mean_speed;
   if (fate.time - begin < fewest_windows * discovery_.rule.window) return Restlessness::hardly_seen;
-  return std::fabs(speed - fate.mean_speed) > steady * std::fabs(speed) ? Restlessness::changing_speed
-                                                                        : Restlessness::regular;
+  if (!(std::fabs(now - before) > steady * std::fabs(now))) return Restlessness::regular;
+  return std::fabs(now) > std::fabs(before) ? Restlessness::speeding_up : Restlessness::changing_speed;
 }
 
 // The state at time `now` as a start is followed further from it: at a prescribed speed with anisotropy or gravity one

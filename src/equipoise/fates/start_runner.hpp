@@ -59,10 +59,11 @@ class StartRunner : public Runner {
               std::vector<TransientRow>* rows) const;
   std::optional<UnlistedStart> unlisted_start(const SpunUp& starts, std::size_t i, double now) const;
   double mean_speed(const Fate& fate) const;
+  bool note_last_speeds(const SpunUp& starts, std::vector<Fate>& fates) const;
   void note_unbalance(const double* state, Fate& fate) const;
   float unbalance_at(const double* state) const;
   bool stalls(const Fate& fate) const;
-  Restlessness restlessness(const Fate& fate, double begin, double speed) const;
+  Restlessness restlessness(double before, const Fate& fate, double begin) const;
   TransientSettings settings_of(const SpunUp& starts, std::size_t i) const;
   std::vector<double> when_recognised(const double* state, double now) const;
 

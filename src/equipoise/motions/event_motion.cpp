@@ -95,6 +95,7 @@ class EventJourney : Stretches {
       return result;
     }
     result.status = status_;
+    result.speed = system_.speed(state_);
     result.time = elapsed_;
     return result;
   }

@@ -376,6 +376,7 @@ Settling Journey::settle() {
     return result;
   }
   result.status = status_;
+  result.speed = system_.speed(state_);
   result.time = elapsed_;
   return result;
 }

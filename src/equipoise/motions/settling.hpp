@@ -52,6 +52,7 @@ struct Settling {
   IntegrationStatus status = IntegrationStatus::done;  ///< else the trajectory was lost
   double time = 0.0;                                   ///< after which the motion was recognised, or all that was
                                                        ///< followed
+  double speed = 0.0;                                  ///< of the rotor, without a motion, when it was last seen
   bool known = false;                                  ///< the motion is one of those that were known
 };
 

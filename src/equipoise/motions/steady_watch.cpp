@@ -266,6 +266,7 @@ SteadyLook SteadyWatch::look() const {
   // Mean speeds of eight parts wander by a few per cent in chaos; a trend of a ten thousandth has not come to its end.
   look.speed_steady = range(speeds) < 0.03 * size && !trends(speeds, 1e-4 * size);
   look.slowing = kendall(speeds) <= -trend;
+  look.quickening = kendall(speeds) >= trend;
   // Three samples a step tell an extreme to a per cent or two; what trends within a thousandth is told by no sample.
   bool trending = false, same = true;
   const auto judge = [&](const Series& v, double unit) {

@@ -51,6 +51,7 @@ struct SteadyLook {
   bool enough = false;        ///< there are eight parts to compare
   bool speed_steady = false;  ///< the rotor's mean speed neither trends nor wanders
   bool slowing = false;       ///< it fell from part to part
+  bool quickening = false;    ///< it rose
   bool trending = false;      ///< something grew or shrank from part to part
   bool repeats = false;       ///< all parts look the same
   bool resting = false;       ///< all balls stay where they are, give or take a little rocking

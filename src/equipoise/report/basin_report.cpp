@@ -2,10 +2,13 @@
 #include "equipoise/report/basin_report.hpp"
 
 #include <algorithm>
+#include <array>
+#include <cmath>
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include "equipoise/base/percent_text.hpp"
 #include "equipoise/base/version.hpp"
 #include "equipoise/report/left_unbalance.hpp"
 #include "equipoise/report/sampling_text.hpp"
@@ -38,10 +41,38 @@ std::string title_of(const AttractorShare& a) {
   return a.alias.empty() ? a.name : fmt::format("{} ({})", a.name, a.alias);
 }
 
+// Which starts came through the resonance, which did not, and of which that is not known.
+std::string passage_text(const BasinResult& r) {
+  const Share &passed = *r.passed, &held = *r.not_passed;
+  const double above = r.study.passed_speed();
+  const bool from_above = std::fabs(r.study.speed.initial) >= above;
+  const auto part = [](const Share& s) { return fmt::format("{} ({})", percent(s.share, digits_for(s)), interval(s)); };
+  std::string text = fmt::format("{}: {} of all starts ({}), turning faster than {} in their motion or when last seen",
+                     from_above ? "Above the resonance in the end" : "Came through the resonance",
+                     percent(passed.share, digits_for(passed)), interval(passed), rotor_speed_text(r.study, above));
+  if (held.count > 0) text += fmt::format("; held below: {}", part(held));
+  const std::uint64_t lost = r.diverged.count + r.failed.count;
+  const std::uint64_t open = passed.total - passed.count - held.count - lost;
+  if (open > 0)
+    text += fmt::format("; not known yet: {}, undecided and slower when last seen",
+                        percent_text(static_cast<double>(open) / static_cast<double>(passed.total)));
+  if (open > 0 && (passed.least > 0.0 || passed.most < 1.0)) text += "; surely through: " + bounds_text(passed);
+  return text + ".\n";
+}
+
+std::string run_text(const BasinResult& r) {
+  const std::string seed = r.own_starts ? "" : fmt::format(", seed {}", r.study.sampling.seed);
+  return fmt::format("{} starts{}; {:.2f} s, {:.2f} s CPU on {} thread{} ({}), {:.0f} starts/s; equipoise {}\n",
+                     r.starts, seed, r.seconds, r.cpu_seconds, r.threads, r.threads == 1 ? "" : "s", r.cpu_target,
+                     static_cast<double>(r.starts - r.resumed_from) / r.seconds, version_string);
+}
+
 }  // namespace
 
 std::string basin_text(const BasinResult& r) {
   std::string text = study_heading(r.study) + (r.own_starts ? "" : uncertain_text(r.study));
+  if (r.starts == 0)
+    return text + "PARTIAL: stopped before the first start was decided; there are no shares.\n" + run_text(r);
   const bool even = r.study.sampling.method.value_or(SamplingMethod::random) != SamplingMethod::random;
   const bool open = r.undecided.count > 0;
   const double second = r.study.scales ? r.study.scales->time() : 1.0;
@@ -75,17 +106,10 @@ std::string basin_text(const BasinResult& r) {
   text += sampling_text(r);
   text += decided_text(r);
   text += left_unbalance_text(r.attractors, r.study);
-  if (r.passed)
-    text += fmt::format("Came through the resonance: {} of all starts ({}){}.\n",
-                        percent(r.passed->share, digits_for(*r.passed)), interval(*r.passed),
-                        open ? "; surely " + bounds_text(*r.passed) : "");
+  if (r.passed) text += passage_text(r);
   if (!r.note.empty()) text += fmt::format("Note: {}.\n", r.note);
   if (r.partial) text += "PARTIAL: stopped before all starts were done; the shares above are of those that were.\n";
-  const std::string seed = r.own_starts ? "" : fmt::format(", seed {}", r.study.sampling.seed);
-  text += fmt::format("{} starts{}; {:.2f} s, {:.2f} s CPU on {} thread{} ({}), {:.0f} starts/s; equipoise {}\n",
-                      r.starts, seed, r.seconds, r.cpu_seconds, r.threads, r.threads == 1 ? "" : "s", r.cpu_target,
-                      static_cast<double>(r.starts - r.resumed_from) / r.seconds, version_string);
-  return text;
+  return text + run_text(r);
 }
 
 std::string basin_json(const BasinResult& r) {
@@ -114,7 +138,11 @@ std::string basin_json(const BasinResult& r) {
   if (r.stalled) {
     json["stalled"] = share(*r.stalled);
     json["stalled"]["below"] = r.study.stall_speed();
-    if (r.passed) json["passed"] = share(*r.passed);
+    if (r.passed) {
+      json["passed"] = share(*r.passed);
+      json["passed"]["above"] = r.study.passed_speed();
+      json["not_passed"] = share(*r.not_passed);
+    }
   }
   json["undecided"] = share(r.undecided);
   json["diverged"] = share(r.diverged);
@@ -123,6 +151,7 @@ std::string basin_json(const BasinResult& r) {
   json["units"] = {{"mean_time", "1/omega_c"}};
   if (r.study.scales) json["units"]["mean_time_si"] = "s";
   if (r.stalled) json["units"]["below"] = "omega_c";
+  if (r.passed) json["units"]["above"] = "omega_c";
   if (r.transients) json["transients"] = transient_json(*r.transients, r.study);
   if (r.sensitivity) {
     json["sensitivity"] = sensitivity_json(*r.sensitivity);

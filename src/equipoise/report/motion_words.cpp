@@ -10,6 +10,7 @@
 #include <fmt/format.h>
 
 #include "equipoise/base/angles.hpp"
+#include "equipoise/base/percent_text.hpp"
 
 namespace equipoise {
 
@@ -35,7 +36,7 @@ std::string continuum_text(const ContinuumPart& part, const TableUnits& units) {
                        part.drawn, part.least_growth / units.time, part.most_growth / units.time, units.rate);
   const std::string share = part.stable == part.drawn ? "all"
                             : part.stable == 0        ? fmt::format("less than 1 in {}", part.drawn)
-                                                      : fmt::format("{:.2g} %", 100.0 * part.share());
+                                                      : percent_text(part.share());
   return fmt::format("stable in part: {} of the continuum, slowest rates {:.5f} to {:.5f}{}", share,
                      part.fastest_rate / units.time, part.slowest_rate / units.time, units.rate);
 }

@@ -48,9 +48,10 @@ struct BasinResult {
   std::vector<AttractorShare> attractors;  ///< by identifier; balanced is always the first
   Share undecided, diverged, failed;
   std::optional<Share> stalled;  ///< of a driven rotor: its motor did not bring it to stall_speed()
-  /// Of a driven rotor: starts whose own mean speed in a steady motion is above it; what is undecided may come through
-  /// or not (least, most).
-  std::optional<Share> passed;
+  /// Of a driven rotor: starts that turn faster than Study::passed_speed(), in the motion that they came to or, undecided,
+  /// when last seen; and those that came to something slower. Undecided ones that were slower when last seen may come
+  /// to either (least, most). Not of a grid.
+  std::optional<Share> passed, not_passed;
   std::optional<TransientResult> transients;  ///< if they were gathered
   std::optional<StartArrays> every_start;     ///< if they were kept
   /// With `every_start`: of motions that the search before the first start had missed, the state in which a start first

@@ -206,6 +206,8 @@ void MotorSource::end_hold(std::size_t k, std::size_t i, const HeldEnd& end, dou
   if (fate.outcome == Outcome::attracted && may_come && !hangs) return;  // goes on, with new windows
   const bool steady_now = fate.outcome == Outcome::attracted || hold_.windows.at_horizon;
   if (hangs) fate.mean_speed = 0.0F;
+  // A window of the run-up tells how fast it turned then.
+  if (to_the_end) fate.mean_speed = static_cast<float>(fleet.state(i)[systems_[k].places().speed]);
   const bool slow = std::fabs(fate.mean_speed) < study_.stall_speed();
   if (fate.outcome == Outcome::attracted) fate.outcome = Outcome::undecided;
   if (fate.outcome == Outcome::undecided && steady_now && slow) fate.outcome = Outcome::stalled;

@@ -42,8 +42,8 @@ std::vector<StartColumn> start_columns(const BasinFileHeader& header) {
       {"decision_time", NC_DOUBLE, 8, 1, "", "1", "study time at which the outcome was known, in 1/omega_c"});
   if (header.driven)
     columns.push_back({"mean_speed", NC_FLOAT, 4, 1, "", "1",
-                       "mean rotor speed over the later half of what was seen of the start, in omega_c; missing where "
-                       "never measured"});
+                       "mean rotor speed in the motion that the start came to, of an undecided one when it was last seen, in "
+                       "omega_c; missing where never measured"});
   if (header.sticks)
     columns.push_back({"left_unbalance", NC_FLOAT, 4, 1, "", "1",
                        "unbalance that is left where dry friction holds the balls, in rotor masses times race radii; "

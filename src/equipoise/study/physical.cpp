@@ -284,6 +284,24 @@ void replace_quantities(Document& document, const QuantityTable& quantities, con
   }
 }
 
+// The first key that only a study in physical units has; empty if there is none.
+std::string physical_key(const Document& document) {
+  for (const char* key : {"rotor.mass", "rotor.damping_ratio", "rotor.unbalance", "balancer.race_radius",
+                          "balancer.ball_diameter", "balancer.ball_density", "balancer.oil_viscosity",
+                          "balancer.oil_density", "balancer.channel_diameter", "balancer.contact"})
+    if (document.root.find_path(key)) return key;
+  return "";
+}
+
+// Without it nothing has a scale; who meant a dimensionless study is told what makes it another.
+void require_mass(const Document& document) {
+  const std::string key = physical_key(document);
+  if (key == "rotor.mass") return;
+  throw InputError(document.where("rotor.mass", nullptr), "rotor.mass", "",
+                   fmt::format("missing; must be {}, for {} makes this a study in physical units",
+                               wanted_quantity({Dimension::mass}, positive), key));
+}
+
 void check_horizon(const Document& document, const model::Scales& s) {
   TableReader numerics(document, "numerics");
   if (!numerics.has("horizon")) return;
@@ -296,15 +314,7 @@ void check_horizon(const Document& document, const model::Scales& s) {
 
 }  // namespace
 
-bool is_physical(const Document& document) {
-  const auto has = [&](const char* table, std::initializer_list<const char*> keys) {
-    const StudyValue* found = document.root.find(table);
-    return found && std::any_of(keys.begin(), keys.end(), [&](const char* key) { return found->find(key); });
-  };
-  return has("rotor", {"mass", "damping_ratio", "unbalance"}) ||
-         has("balancer", {"race_radius", "ball_diameter", "ball_density", "oil_viscosity", "oil_density",
-                          "channel_diameter", "contact"});
-}
+bool is_physical(const Document& document) { return !physical_key(document).empty(); }
 
 BallDetails ball_details(const Document& document) {
   return is_physical(document) ? BalancerReader(document).read().details : BallDetails{};
@@ -317,6 +327,7 @@ void make_dimensionless(Document& document) {
         document.where("units", units), "units", "",
         "belongs to a dimensionless study; here the units follow from rotor.mass, balancer.race_radius and "
         "rotor.stiffness");
+  require_mass(document);
   const Rotor rotor = read_rotor(document);
   const Balancer balancer = BalancerReader(document).read();
   const model::Scales scales = model::Scales::of(rotor.mass, balancer.radius, rotor.mean_stiffness);

@@ -8,10 +8,7 @@
 
 namespace equipoise::study {
 
-namespace {
-
-// "a length of 0 or more, such as "0.2 mm"".
-std::string wanted(const std::vector<Dimension>& dimensions, const Range& range) {
+std::string wanted_quantity(const std::vector<Dimension>& dimensions, const Range& range) {
   const std::string bound = range.low != 0.0 ? "" : range.low_open ? " greater than 0" : " of 0 or more";
   std::string text;
   for (const Dimension d : dimensions)
@@ -19,30 +16,35 @@ std::string wanted(const std::vector<Dimension>& dimensions, const Range& range)
   return text;
 }
 
-}  // namespace
-
 Measured measure_value(const StudyValue& value, const std::vector<Dimension>& dimensions, const Range& range,
                        const std::function<void(const std::string&)>& reject) {
   if (dimensions.front() == Dimension::angle && value.is_number()) {  // in radians
     const double angle = value.number();
-    if (!range.contains(angle)) reject("must be " + wanted(dimensions, range));
+    if (!range.contains(angle)) reject("must be " + wanted_quantity(dimensions, range));
     return {angle, Dimension::angle, ""};
   }
   if (!value.string())
     reject(fmt::format("is {} and rotor.mass makes this a study in physical units; must be {}",
-                       value.is_number() ? "a plain number" : "no quantity", wanted(dimensions, range)));
+                       value.is_number() ? "a plain number" : "no quantity", wanted_quantity(dimensions, range)));
   const Measured result = measure(*value.string(), dimensions);
   if (!result.problem.empty()) reject(result.problem);
-  if (!range.contains(result.value)) reject("must be " + wanted({result.dimension}, range));
+  if (!range.contains(result.value)) reject("must be " + wanted_quantity({result.dimension}, range));
   const double size = std::abs(result.value);
   if (size > largest_si || (size < smallest_si && (size > 0.0 || range.low_open)))
-    reject(fmt::format("must be {}; in SI units from {} to {} in size", wanted({result.dimension}, range), smallest_si,
+    reject(fmt::format("must be {}; in SI units from {} to {} in size", wanted_quantity({result.dimension}, range), smallest_si,
                        largest_si));
   return result;
 }
 
+// A plain number may be what the key's alternative takes.
+std::function<void(const std::string&)> QuantityReader::refusal(const std::string& key, const StudyValue& value) const {
+  const auto other = alternatives_.find(key);
+  const std::string more = value.is_number() && other != alternatives_.end() ? other->second : "";
+  return [this, key, more](const std::string& problem) { fail(key, problem + more); };
+}
+
 double QuantityReader::quantity(const std::string& key, Dimension dimension, const Range& range) {
-  require(key, wanted({dimension}, range));
+  require(key, wanted_quantity({dimension}, range));
   return *optional_quantity(key, dimension, range);
 }
 
@@ -50,7 +52,7 @@ std::optional<double> QuantityReader::optional_quantity(const std::string& key, 
                                                         const Range& range) {
   const StudyValue* value = find(key);
   if (!value) return std::nullopt;
-  return measure_value(*value, {dimension}, range, [&](const std::string& problem) { fail(key, problem); }).value;
+  return measure_value(*value, {dimension}, range, refusal(key, *value)).value;
 }
 
 std::vector<double> QuantityReader::one_or_each(const std::string& key, const std::vector<Dimension>& dimensions,
@@ -62,13 +64,13 @@ std::vector<double> QuantityReader::one_or_each(const std::string& key, const st
   Dimension& dimension = measured ? *measured : ignored;
   const StudyValue::Array* array = value->array();
   if (!array) {
-    const Measured one = measure_value(*value, dimensions, range, [&](const std::string& p) { fail(key, p); });
+    const Measured one = measure_value(*value, dimensions, range, refusal(key, *value));
     dimension = one.dimension;
     return std::vector<double>(static_cast<std::size_t>(count), one.value);
   }
   if (array->size() != static_cast<std::size_t>(count))
     fail(key, fmt::format("has {} entries; must be {}, or an array of {}, one a {}", array->size(),
-                          wanted(dimensions, range), count, each));
+                          wanted_quantity(dimensions, range), count, each));
   std::vector<double> values;
   for (const StudyValue& entry : *array) {
     const std::vector<Dimension> allowed = values.empty() ? dimensions : std::vector<Dimension>{dimension};
@@ -83,6 +85,8 @@ std::vector<double> QuantityReader::one_or_each(const std::string& key, const st
 void QuantityReader::exactly_one(const std::string& a, const std::string& a_words, const std::string& b,
                                  const std::string& b_words) {
   const bool has_a = has(a), has_b = has(b);
+  alternatives_[a] = fmt::format(", or give {}, {}", dotted(b), b_words);
+  alternatives_[b] = fmt::format(", or give {}, {}", dotted(a), a_words);
   if (has_a && has_b) fail(b, fmt::format("give either {} or {}, not both", dotted(a), dotted(b)));
   if (!has_a && !has_b) fail(a, fmt::format("missing; must be {}, or give {}, {}", a_words, dotted(b), b_words));
 }

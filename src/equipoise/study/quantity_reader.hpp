@@ -2,6 +2,7 @@
 #pragma once
 
 #include <functional>
+#include <map>
 #include <optional>
 #include <string>
 #include <vector>
@@ -29,7 +30,15 @@ class QuantityReader : public TableReader {
   using TableReader::one_or_each;
   /// Throws unless exactly one of the two keys is there, saying what each would be.
   void exactly_one(const std::string& a, const std::string& a_words, const std::string& b, const std::string& b_words);
+
+ private:
+  std::function<void(const std::string&)> refusal(const std::string& key, const StudyValue& value) const;
+
+  std::map<std::string, std::string> alternatives_;  // by key: what may be given in its place
 };
+
+/// "a length of 0 or more, such as "0.2 mm"".
+std::string wanted_quantity(const std::vector<Dimension>& dimensions, const Range& range);
 
 /// The SI value of one value (a string, or an array's entry) with its checks; `reject` throws. Angles may be plain
 /// numbers.

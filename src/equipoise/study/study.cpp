@@ -17,6 +17,7 @@
 #include "equipoise/model/frames.hpp"
 #include "equipoise/model/strobe.hpp"
 #include "equipoise/model/system.hpp"
+#include "equipoise/study/known_keys.hpp"
 #include "equipoise/study/physical.hpp"
 #include "equipoise/study/table_reader.hpp"
 #include "equipoise/study/toml_tree.hpp"
@@ -364,10 +365,21 @@ model::System Study::system() const {
   return {parameters, model::motor_drive(motor(), initial.psi, speed.initial).pieces.back()};
 }
 
-double Study::stall_speed() const {
-  if (speed.stalled_below) return *speed.stalled_below;
-  const auto aim = motor().final_speed();
+namespace {
+
+// From where supports isolate, or nearly what the motor aims at.
+double usual_stall_speed(const Study& study) {
+  const auto aim = study.motor().final_speed();
   return aim ? std::min(std::sqrt(2.0), 0.9 * std::fabs(*aim)) : std::sqrt(2.0);
+}
+
+}  // namespace
+
+double Study::stall_speed() const { return speed.stalled_below ? *speed.stalled_below : usual_stall_speed(*this); }
+
+double Study::passed_speed() const {
+  const auto& kappa = parameters.stiffness;
+  return std::max(std::sqrt(std::max(kappa[0], kappa[1])), usual_stall_speed(*this));
 }
 
 namespace {
@@ -439,6 +451,7 @@ Study read(Document document, Source source) {
   check_tables(document,
                {"rotor", "balancer", "speed", "release", "initial", "sampling", "numerics", "limits", "sweep", "design",
                 "units"});
+  check_keys(document, is_physical(document));
   if (source == Source::asked) free_balls_of_machine(document);
   Uncertainty uncertain;
   if (is_physical(document)) uncertain.physical = document.root;

@@ -185,6 +185,9 @@ struct Study {
   /// Of a driven rotor: the mean speed below which it counts as stalled. stalled_below of [speed]; else the smaller of
   /// sqrt(2), from where supports isolate, and nine tenths of the speed that the motor aims at.
   double stall_speed() const;
+  /// Of a driven rotor: the mean speed above which it has come through the resonance: the default of stall_speed(), but
+  /// no less than the greatest critical speed, whatever the motor aims at.
+  double passed_speed() const;
 };
 
 /// Ball angles evenly around the race, the first at 0; where there is no such ball 0.

@@ -3,14 +3,16 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 #include <utility>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
 #include "equipoise/base/angles.hpp"
+#include "equipoise/study/known_keys.hpp"
 #include "equipoise/study/overrides.hpp"
+#include "equipoise/study/physical_keys.hpp"
+#include "equipoise/study/quantity_reader.hpp"
 #include "equipoise/study/printable.hpp"
 #include "equipoise/study/text_guard.hpp"
 #include "equipoise/study/toml_tree.hpp"
@@ -20,8 +22,6 @@ namespace equipoise::study {
 
 namespace {
 
-// A misspelling is this close to what was meant.
-constexpr std::size_t nearest_distance = 2;
 // Of a table that an override made.
 constexpr int line_of_override = -1;
 
@@ -68,33 +68,6 @@ std::string shown(const StudyValue& value) {
 bool looks_physical(const StudyValue& value) {
   const auto* text = value.string();
   return text && !text->empty() && std::string_view("+-.0123456789").find(text->front()) != std::string::npos;
-}
-
-std::size_t edit_distance(std::string_view a, std::string_view b) {
-  std::vector<std::size_t> row(b.size() + 1);
-  std::iota(row.begin(), row.end(), std::size_t{0});
-  for (std::size_t i = 1; i <= a.size(); ++i) {
-    std::size_t diagonal = row[0]++;
-    for (std::size_t j = 1; j <= b.size(); ++j) {
-      const std::size_t above = row[j];
-      row[j] = std::min({row[j] + 1, row[j - 1] + 1, diagonal + (a[i - 1] == b[j - 1] ? 0 : 1)});
-      diagonal = above;
-    }
-  }
-  return row[b.size()];
-}
-
-bool nearly_same(std::string_view a, std::string_view b) {
-  return a.size() <= longest_shown && b.size() <= longest_shown && edit_distance(a, b) <= nearest_distance;
-}
-
-std::string unknown_key(std::string_view key, const std::vector<std::string>& known) {
-  std::string text = "unknown key";
-  const auto nearest = std::min_element(known.begin(), known.end(), [&](const auto& a, const auto& b) {
-    return edit_distance(key.substr(0, longest_shown), a) < edit_distance(key.substr(0, longest_shown), b);
-  });
-  if (nearest != known.end() && nearly_same(key, *nearest)) text += fmt::format("; did you mean \"{}\"?", *nearest);
-  return text + fmt::format(" (allowed: {})", fmt::join(known, ", "));
 }
 
 std::string trimmed(const std::string& text) {
@@ -221,8 +194,21 @@ const StudyValue* TableReader::find(const std::string& key) {
 
 bool TableReader::has(const std::string& key) { return find(key) != nullptr; }
 
-const StudyValue& TableReader::require(const std::string& key, const std::string& wanted) {
+// What the key holds in a study in physical units; empty if it is no quantity there.
+std::string TableReader::quantity_wanted(const std::string& key) const {
+  if (document_.scales)
+    for (const QuantityTable& table : quantity_tables())
+      for (const QuantityKey& quantity : table.keys)
+        if (table.name == prefix_ && quantity.key == key) return wanted_quantity({quantity.dimension}, quantity.range);
+  return "";
+}
+
+const StudyValue& TableReader::require(const std::string& key, const std::string& number) {
   if (const StudyValue* value = find(key)) return *value;
+  const std::string quantity = quantity_wanted(key);
+  const std::string wanted = quantity.empty()                ? number
+                             : number.starts_with("an array") ? "an array, each entry " + quantity
+                                                              : quantity;
   std::string hint;
   if (table_)
     for (const auto& [other, value] : *table_->table())
@@ -255,6 +241,8 @@ std::string TableReader::kind(const StudyValue& value) {
   return value.other() ? value.other()->kind : "a number";
 }
 
+bool TableReader::states_units() const { return document_.scales || document_.root.find_path("rotor.mass"); }
+
 double TableReader::as_number(const std::string& key, const StudyValue& value, const Range& range,
                               std::optional<std::size_t> entry) const {
   const std::string which = entry ? fmt::format("entry {} ", *entry + 1) : "";
@@ -264,7 +252,7 @@ double TableReader::as_number(const std::string& key, const StudyValue& value, c
   };
   if (!value.is_number())
     reject(fmt::format("is {}; must be {}{}", kind(value), range.text(),
-                       looks_physical(value) ? " (a study in physical units states rotor.mass)"
+                       looks_physical(value) && !states_units() ? " (a study in physical units states rotor.mass)"
                        : value.table() && takes_distributions(prefix_)
                            ? fmt::format(", or a distribution, {}", distribution_forms)
                            : ""));
@@ -356,14 +344,14 @@ void TableReader::finish() const {
   for (const auto& [name, value] : *table_->table())
     if (std::find(known_.begin(), known_.end(), name) == known_.end())
       throw InputError(document_.where(dotted(name), &value), dotted(printable(name)),
-                       document_.value_text(dotted(name), value), unknown_key(name, known_));
+                       document_.value_text(dotted(name), value), unknown_key(*table_, prefix_, name, known_));
 }
 
 void check_tables(const Document& document, std::initializer_list<std::string_view> tables) {
   const std::vector<std::string> known(tables.begin(), tables.end());
   for (const auto& [name, value] : *document.root.table())
     if (std::find(known.begin(), known.end(), name) == known.end())
-      throw InputError(document.where(name, &value), printable(name), shown(value), unknown_key(name, known));
+      throw InputError(document.where(name, &value), printable(name), shown(value), unknown_key(document.root, "", name, known));
 }
 
 }  // namespace equipoise::study

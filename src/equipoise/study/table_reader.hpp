@@ -94,7 +94,7 @@ class TableReader {
 
  protected:
   const StudyValue* find(const std::string& key);
-  const StudyValue& require(const std::string& key, const std::string& wanted);
+  const StudyValue& require(const std::string& key, const std::string& number);
   double as_number(const std::string& key, const StudyValue& value, const Range& range,
                    std::optional<std::size_t> entry = std::nullopt) const;
   std::string dotted(const std::string& key) const;
@@ -102,6 +102,8 @@ class TableReader {
   static std::string kind(const StudyValue& value);
 
  private:
+  bool states_units() const;
+  std::string quantity_wanted(const std::string& key) const;
   std::size_t place_among(const std::string& key, std::span<const char* const> names);
 
   const Document& document_;

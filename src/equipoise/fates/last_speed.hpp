@@ -1,0 +1,14 @@
+// How fast rotors turn that are undecided: over their last turns, not over a long window that may lie in their run-up.
+#pragma once
+
+#include <vector>
+
+#include "equipoise/lanes/lane_task.hpp"
+
+namespace equipoise {
+
+/// Mean psi' of driven rotors over some turns from where they are: `states` (a row each) at `now`. `task` holds their
+/// equations. One that is lost on the way has the speed that it was lost with. Empty if stopped early.
+std::vector<double> mean_speeds_from(LaneTask task, std::vector<double> states, double now);
+
+}  // namespace equipoise
