@@ -21,6 +21,7 @@ from matplotlib.patches import Circle  # noqa: E402
 
 import equipoise as eq  # noqa: E402
 from equipoise import _core  # noqa: E402
+from equipoise.motions import Event  # noqa: E402
 
 ROUNDING = 1e-9  # of sums of a few doubles; what is drawn is what was given
 
@@ -335,9 +336,12 @@ def test_a_map_that_was_filled_in_is_not_shaded(plane):
 def some_branches():
     value = np.array([2.0, 2.1, 2.2, 2.3, 2.7, 2.8])
     lost = SimpleNamespace(
-        change="stability lost", cause="pitchfork", low=2.16, high=2.18, r_min=0.03, r_mean=0.06, r_max=0.15
+        change="stability lost", cause="pitchfork", low=2.16, high=2.18, place=2.17, r_min=0.03, r_mean=0.06,
+        r_max=0.15,
     )
-    end = SimpleNamespace(change="death", cause="fold", low=2.33, high=2.35, r_min=0.04, r_mean=0.07, r_max=0.2)
+    end = SimpleNamespace(
+        change="death", cause="fold", low=2.33, high=2.35, place=2.34, r_min=0.04, r_mean=0.07, r_max=0.2
+    )
     branch = SimpleNamespace(
         id=2, name="co-drifting", alias="V1", value=value, r_min=value / 100, r_mean=value / 50, r_max=value / 20,
         stable=np.array([True, True, False, False, True, True]), events=[lost, end],
@@ -370,6 +374,17 @@ def test_events_of_branches_are_marked_where_they_happen():
     placed = [(mark.get_marker(), mark.get_xdata()[0], mark.get_ydata()[0]) for mark in marks]
     assert placed == [("^", pytest.approx(2.17), 0.06), ("o", pytest.approx(2.34), 0.07)]
     assert {"pitchfork", "fold"} <= set(legend_texts(ax))
+
+
+def test_a_branch_that_was_not_followed_further_is_drawn_as_far_as_it_was_seen():
+    seen = Event("last seen", "not followed further", 2.33, 2.35, 0.04, 0.07, 0.2)
+    assert (seen.place, Event("first seen", "not followed further", 2.33, 2.35, 0, 0, 0).place) == (2.33, 2.35)
+    branches = some_branches()
+    branches[0].events[1] = seen
+    ax = eq.plot.branches(branches)
+    lines = [line for line in ax.get_lines() if line.get_linestyle() == "--"]
+    assert lines[0].get_xdata() == pytest.approx([2.17, 2.2, 2.3, 2.33])
+    assert "not followed further" in legend_texts(ax)
 
 
 def test_a_range_of_branches_reaches_from_smallest_to_largest():

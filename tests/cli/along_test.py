@@ -47,6 +47,8 @@ class Results(unittest.TestCase):
         births = [e for e in self.answer["events"] if e["id"] == 4]
         self.assertEqual([(e["change"], e["type"]) for e in births], [("birth", "fold")])
         self.assertEqual(by_id[4]["stable"], [by_id[4]["exists"]])
+        self.assertEqual(by_id[4]["ends_known"], [True, True])  # a fold, and the end of the line
+        self.assertEqual(self.answer["starts"], 2000)
 
     def test_csv_has_a_line_a_value_and_attractor(self):
         with open(self.csv, encoding="utf-8") as file:
@@ -76,7 +78,7 @@ class Files(unittest.TestCase):
             path = os.path.join(folder, "out.nc")
             done = run("--along", "speed.speed=3:3:0.1", "--quiet", "-o", path)
             self.assertEqual((done.returncode, done.stderr), (0, ""))
-            for word in ("along speed.speed", "exists", "attracts", "one captured (V3)", "event"):
+            for word in ("along speed.speed", "exists", "attracts", "one captured (V3)", "event", "2000 random starts"):
                 self.assertIn(word, done.stdout)
             with open(path, "rb") as file:
                 self.assertEqual(file.read(4), b"CDF\x02")
@@ -90,7 +92,13 @@ class Files(unittest.TestCase):
             process.send_signal(signal.SIGINT)
             out, _ = process.communicate(timeout=60)
             self.assertEqual(process.returncode, 130)
-            self.assertTrue(json.loads(out)["partial"])
+            answer = json.loads(out)
+            self.assertTrue(answer["partial"])
+            for branch in answer["branches"]:  # what was not followed to its end is not said to end
+                at_line = [branch["exists"][0] == answer["values"][0], branch["exists"][1] == answer["values"][-1]]
+                changes = {e["change"] for e in answer["events"] if e["id"] == branch["id"]}
+                ends = [at_line[0] or "birth" in changes, at_line[1] or "death" in changes]
+                self.assertEqual(branch["ends_known"], ends, branch["name"])
             with open(path, encoding="utf-8") as file:
                 self.assertIn("PARTIAL", file.readline())
 

@@ -135,8 +135,8 @@ TEST(Branches, torus_that_turns_chaotic_and_locks_keeps_its_identifier) {
   }
 }
 
-// With little drag the torus's basin is thin: 0.03 % of the starts at 1.97. It attracts from below 1.95, where most starts
-// that come to it are slow, to beyond 2.0234 (1.8 % of 15 000 starts), and one trajectory carried over 0.01 leaves it.
+// With little drag the torus has a thin basin. It attracts from 2 (4.4 % of 3000 starts) through 2.0156 (0.4 %) to beyond
+// 2.0234 (1.8 % of 15 000), and one trajectory carried over 0.0125 leaves it.
 TEST(Branches, thin_basin_of_a_torus_is_followed_through) {
   Study s = study();
   s.parameters.drag.fill(0.01);
@@ -158,8 +158,7 @@ TEST(Branches, thin_basin_of_a_torus_is_followed_through) {
   EXPECT_EQ(motion_name(s.parameters, *later).name.substr(0, 14), "drifting apart");
 }
 
-// Pair drift attracts a little around 1.81 only (0.9 % of 3000 starts there, none at 1.8 and 1.82): half-way between two
-// values of the line, which the result then has.
+// Pair drift attracts a little around 1.81 (0.9 % of 3000 starts there, none at 1.8 and 1.82).
 TEST(Branches, motion_that_lives_between_two_values_is_found_half_way) {
   const BranchesResult result = along("speed.final=1.805:1.815:0.01");
   EXPECT_TRUE(std::any_of(result.branches.begin(), result.branches.end(),
