@@ -167,7 +167,7 @@ TEST(BadInput, UnknownKeysAreReportedBeforeWhatIsMissing) {
        "rotor.sprokets",
        "2",
        "unknown key (allowed: eccentricity, damping, stiffness, gravity, inertia)"},
-      {good, {"balancer.balls=3", "balancer.number=2"}, overrides_name, "balancer.number", "2", "unknown key (allowed"},
+      {good, {"balancer.ball_count=3"}, overrides_name, "balancer.ball_count", "3", "did you mean \"balls\"?"},
       // What another profile takes is left behind by whoever changes it: no misspelling.
       {good, {"speed.profile=constant"}, "f.toml", "speed.speed", "", "missing"},
   });

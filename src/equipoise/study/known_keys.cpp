@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <array>
-#include <iterator>
 #include <numeric>
 #include <utility>
 
@@ -143,16 +142,15 @@ std::size_t edit_distance(std::string_view a, std::string_view b) {
   return row[b.size()];
 }
 
-// The known name that was meant, or none. What is there already may have been misspelt (in an override), but no other
-// name stands for it.
-std::string meant(std::string_view key, const Names& known, const Names& absent) {
+// The known name that was meant, or none.
+std::string meant(std::string_view key, const Names& known) {
   const auto nearest = std::min_element(known.begin(), known.end(), [&](const auto& a, const auto& b) {
     return edit_distance(key.substr(0, longest_shown), a) < edit_distance(key.substr(0, longest_shown), b);
   });
   if (nearest != known.end() && nearly_same(key, *nearest)) return *nearest;
   for (const auto& [said, name] : other_names)
-    if (key == said && holds(absent, name)) return name;
-  for (const std::string& name : absent)
+    if (key == said && holds(known, name)) return name;
+  for (const std::string& name : known)
     if (extends(key, name) || extends(name, key)) return name;
   return "";
 }
@@ -163,13 +161,10 @@ bool nearly_same(std::string_view a, std::string_view b) {
   return a.size() <= longest_shown && b.size() <= longest_shown && edit_distance(a, b) <= nearest_distance;
 }
 
-std::string unknown_key(const StudyValue& table, std::string_view name, std::string_view key, const Names& known) {
+std::string unknown_key(std::string_view table, std::string_view key, const Names& known) {
   // As --set writes it.
-  if (!name.empty() && key.starts_with(fmt::format("{}.", name))) key.remove_prefix(name.size() + 1);
-  Names absent;
-  std::copy_if(known.begin(), known.end(), std::back_inserter(absent),
-               [&](const std::string& k) { return !table.find(k); });
-  const std::string other = holds(absent, key) ? std::string(key) : meant(key, known, absent);
+  if (!table.empty() && key.starts_with(fmt::format("{}.", table))) key.remove_prefix(table.size() + 1);
+  const std::string other = holds(known, key) ? std::string(key) : meant(key, known);
   return fmt::format("unknown key{} (allowed: {})", other.empty() ? "" : fmt::format("; did you mean \"{}\"?", other),
                      fmt::join(known, ", "));
 }
@@ -182,7 +177,7 @@ void check_keys(const Document& document, bool physical) {
     for (const auto& [name, value] : *table->table()) {
       if (holds(list.keys, name) || holds(list.elsewhere, name)) continue;
       const std::string dotted = list.table + "." + name;
-      std::string problem = unknown_key(*table, list.table, name, list.keys);
+      std::string problem = unknown_key(list.table, name, list.keys);
       const auto home = std::find_if(lists.begin(), lists.end(), [&](const KeyList& l) { return holds(l.keys, name); });
       if (home != lists.end() && problem.find("did you mean") == std::string::npos)
         problem += fmt::format("; [{}] has a key of this name", home->table);

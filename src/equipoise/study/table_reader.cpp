@@ -344,14 +344,14 @@ void TableReader::finish() const {
   for (const auto& [name, value] : *table_->table())
     if (std::find(known_.begin(), known_.end(), name) == known_.end())
       throw InputError(document_.where(dotted(name), &value), dotted(printable(name)),
-                       document_.value_text(dotted(name), value), unknown_key(*table_, prefix_, name, known_));
+                       document_.value_text(dotted(name), value), unknown_key(prefix_, name, known_));
 }
 
 void check_tables(const Document& document, std::initializer_list<std::string_view> tables) {
   const std::vector<std::string> known(tables.begin(), tables.end());
   for (const auto& [name, value] : *document.root.table())
     if (std::find(known.begin(), known.end(), name) == known.end())
-      throw InputError(document.where(name, &value), printable(name), shown(value), unknown_key(document.root, "", name, known));
+      throw InputError(document.where(name, &value), printable(name), shown(value), unknown_key("", name, known));
 }
 
 }  // namespace equipoise::study
