@@ -16,6 +16,7 @@
 #include "equipoise/report/sensitivity_report.hpp"
 #include "equipoise/report/computed.hpp"
 #include "equipoise/report/text.hpp"
+#include "equipoise/results/basin_result.hpp"
 
 namespace equipoise {
 
