@@ -27,6 +27,7 @@ equipoise_test(continuum_decisions_test equivalence equivalence/continuum_decisi
 equipoise_test(continuum_estimate_test equivalence equivalence/continuum_estimate_test.cpp)
 equipoise_test(horizon_test equivalence equivalence/horizon_test.cpp)
 equipoise_test(stroboscopic_test equivalence equivalence/stroboscopic_test.cpp)
+equipoise_test(touching_balance_test equivalence equivalence/touching_balance_test.cpp)
 equipoise_test(drawn_starts_test equivalence equivalence/drawn_starts_test.cpp)
 equipoise_test(own_starts_test equivalence equivalence/own_starts_test.cpp)
 equipoise_test(watched_starts_test equivalence equivalence/watched_starts_test.cpp)

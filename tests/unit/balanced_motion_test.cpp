@@ -16,8 +16,8 @@
 namespace equipoise {
 namespace {
 
-// 12 kg on springs of `stiffness` (N/m), 800 g mm, two balls of 11.2 g in a race of 70 mm, under its weight: on 50 N/m it
-// hangs 34 radii of its race below where the springs are slack.
+// 12 kg on springs of `stiffness` (N/m), 800 g mm, two balls of 11.2 g in a race of 70 mm, under its weight: on 50 N/m
+// it hangs 34 radii of its race below where the springs are slack.
 Study soft_rotor(double stiffness, double rpm) {
   const double critical = std::sqrt(stiffness / 12.0), radius = 0.07;
   Study study;

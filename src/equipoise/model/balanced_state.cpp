@@ -7,6 +7,7 @@
 #include <complex>
 
 #include "equipoise/base/angles.hpp"
+#include "equipoise/model/cancelling.hpp"
 #include "equipoise/model/unbalance.hpp"
 
 namespace equipoise::model {
@@ -31,6 +32,14 @@ BalancedStates balanced_states(const Parameters& p) {
     result.reason = lambda == largest ? "the unbalance is larger than all balls together can cancel"
                                       : "one ball outweighs the unbalance and the other balls together";
     return result;
+  }
+  if (p.balls_collide()) {
+    const Cancelling room = cancelling(p);
+    if (!room.cancels(lambda)) {
+      result.reason = lambda > room.most() ? "balls in contact touch before they cancel the unbalance"
+                                           : "balls in contact would overlap where they cancel the unbalance";
+      return result;
+    }
   }
   if (lambda > 0.0 && slack <= equal_within * (lambda + total)) {
     // Equality: one state, all on a line. The largest balances the rest: lambda at angle 0, or one ball at pi.

@@ -18,14 +18,15 @@ struct BalancedStates {
   enum class Kind {
     none,      ///< the balls cannot cancel the unbalance (`reason` says why)
     isolated,  ///< finitely many; `angles` lists them
-    family,    ///< a continuum (three balls or more, or no unbalance at all)
+    family,    ///< a continuum (three balls or more, or no unbalance at all); balls in contact overlap in a part of it
   };
   Kind kind = Kind::none;
   std::vector<std::array<double, max_balls>> angles;
   std::string reason;
 };
 
-/// Exists if and only if 2 max(lambda, mu_1..mu_n) <= lambda + sum mu_i (polygon inequality) and there is no gravity.
+/// Exists if and only if 2 max(lambda, mu_1..mu_n) <= lambda + sum mu_i (polygon inequality), balls that collide have
+/// room for it (model/cancelling.hpp), and there is no gravity.
 BalancedStates balanced_states(const Parameters& p);
 
 /// A member of the family near the ball angles `phi`: Newton's method with the least change of angles. False if it does

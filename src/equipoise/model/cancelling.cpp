@@ -105,7 +105,7 @@ class Turning {
   std::complex<double> sum_;
 };
 
-// From balls with even gaps, and where a row may close more than half the race and have a minimum of its own, from rows.
+// From balls with even gaps, and from rows where these fill more than half the race: the sum may have a minimum at one.
 double least_of(const Ring& ring, double nothing) {
   const int n = ring.size();
   std::vector<double> even(static_cast<std::size_t>(n));
@@ -116,8 +116,8 @@ double least_of(const Ring& ring, double nothing) {
   return least > nothing ? least : 0.0;
 }
 
-// Every order of the balls round the race, once for all its turns and mirror images; balls that are alike exchanged make
-// no other.
+// Every order of the balls round the race, once for all its turns and mirror images; balls that are alike exchanged
+// make no other.
 std::vector<Ring> all_orders(const Parameters& p, const std::vector<double>& width) {
   std::vector<int> kind(static_cast<std::size_t>(p.balls));
   for (int i = 0; i < p.balls; ++i) {

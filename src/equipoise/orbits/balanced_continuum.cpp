@@ -39,6 +39,12 @@ model::System without_gravity(const model::System& system) {
   return {p, system.drive()};
 }
 
+model::System without_contact(const model::System& system) {
+  model::Parameters p = system.parameters();
+  p.contact_angle = 0.0;
+  return {p, system.drive()};
+}
+
 // The largest real part (of rates) or the rate of the largest multiplier, the `zeros` nearest to zero left out.
 double slowest_of(const Eigen::VectorXcd& eigenvalues, Index zeros, double strobe) {
   std::vector<std::complex<double>> values(eigenvalues.begin(), eigenvalues.end());
@@ -55,8 +61,8 @@ double slowest_of(const Eigen::VectorXcd& eigenvalues, Index zeros, double strob
 }  // namespace
 
 BalancedContinuum::BalancedContinuum(const model::System& system)
-    : system_(system),
-      balanced_(without_gravity(system)),
+    : system_(without_contact(system)),
+      balanced_(without_gravity(system_)),
       twin_(model::centred_twin(system.parameters(), model::balanced_speed(system).value_or(0.0))),
       speed_(model::balanced_speed(system).value_or(0.0)),
       strobe_(system.autonomous() ? 0.0 : system.strobe_period()),

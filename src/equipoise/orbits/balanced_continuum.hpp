@@ -53,7 +53,8 @@ struct ContinuumSurvey : ContinuumPart {
 
 class BalancedContinuum {
  public:
-  /// Of any system but of sections turn and of motors without torque.
+  /// Of any system but of sections turn and of motors without torque. Balls pass each other on their way to balance,
+  /// but members that a survey draws have room.
   explicit BalancedContinuum(const model::System& system);
   static bool is_of(const model::System& system) {
     return system.section() != model::Section::turn && !system.coasts();
@@ -93,7 +94,7 @@ class BalancedContinuum {
   Eigen::VectorXd deviation(const ContinuumMember& member, const Eigen::VectorXd& state) const;
 
   model::System system_, balanced_;  // as given; without gravity
-  model::CentredTwin twin_;          // whose balls balance at these angles but for a turn
+  model::CentredTwin twin_;          // whose balls balance at these angles but for a turn; they collide if those do
   double speed_, strobe_;            // in balance; 0: nothing depends on the rotor's angle
   bool rests_;                       // members are at rest
   Eigen::Index dimension_;

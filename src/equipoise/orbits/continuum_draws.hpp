@@ -9,7 +9,8 @@
 namespace equipoise {
 
 /// Ball angles drawn evenly among those that balance to a twentieth of what balls and unbalance could make together,
-/// then balanced. The same sequence for the same rotor.
+/// then balanced. Balls that collide have room beside each other; where hardly any angles leave them that, a random
+/// walk among those that do takes the place of draws. The same sequence for the same rotor.
 class ContinuumDraws {
  public:
   /// `p` outlives this.
@@ -21,8 +22,14 @@ class ContinuumDraws {
   bool beside(std::array<double, model::max_balls>& phi, double distance);
 
  private:
+  bool balance(std::array<double, model::max_balls>& phi) const;
+  bool spread_row(std::array<double, model::max_balls>& phi) const;
+
   const model::Parameters& p_;
   RandomStream random_;
+  bool walking_ = false;
+  double stride_ = 0.1;  // of the walk
+  std::array<double, model::max_balls> place_{};
 };
 
 }  // namespace equipoise

@@ -12,6 +12,7 @@
 #include "equipoise/base/error.hpp"
 #include "equipoise/model/coincident_balls.hpp"
 #include "equipoise/model/frames.hpp"
+#include "equipoise/model/room_in_race.hpp"
 #include "equipoise/sampling/sampling.hpp"
 #include "equipoise/study/study.hpp"
 
@@ -55,20 +56,6 @@ inline bool balls_exchange(const Study& study) {
 inline Sampler sampler_of(const Study& study) {
   return {study.sampling.method.value_or(SamplingMethod::random), study.parameters.balls, study.sampling.starts,
           balls_exchange(study)};
-}
-
-/// From angles drawn evenly to angles of balls that do not overlap, drawn evenly among all such: the gaps beyond
-/// touching are those of the angles drawn, shrunk to the room that the balls leave.
-inline void make_room(const model::Parameters& p, double* phi) {
-  const double room = (two_pi - p.balls * p.contact_angle) / two_pi;
-  int place[model::max_balls];
-  for (int i = 1; i < p.balls; ++i) {
-    place[i] = 1;
-    for (int j = 1; j < p.balls; ++j)
-      if (wrapped_positive(phi[j] - phi[0]) < wrapped_positive(phi[i] - phi[0])) ++place[i];
-  }
-  for (int i = 1; i < p.balls; ++i)
-    phi[i] = wrapped_positive(phi[0] + wrapped_positive(phi[i] - phi[0]) * room + place[i] * p.contact_angle);
 }
 
 /// [initial] of `study` with the ball angles of start `index` of `seed`, and what [sampling.box] asks for. `sampler` is

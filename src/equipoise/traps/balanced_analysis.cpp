@@ -12,7 +12,7 @@
 #include "equipoise/math/dense.hpp"
 #include "equipoise/model/balanced_state.hpp"
 #include "equipoise/model/linearisation.hpp"
-#include "equipoise/motions/event_motion.hpp"
+#include "equipoise/model/room_in_race.hpp"
 #include "equipoise/orbits/stroboscopic.hpp"
 #include "equipoise/traps/balanced_trap.hpp"
 #include "equipoise/traps/touching.hpp"
@@ -56,23 +56,17 @@ void analyse_continuum(const Balance& at, const StopFlag* stop, BalancedAnalysis
   const bool rests = model::balanced_freedom(at.system) > 0;
   result.stable = true;
   if (!BalancedContinuum::is_of(at.system)) return;
-  result.continuum = std::make_shared<BalancedContinuum>(without_events(at.system));
+  result.continuum = std::make_shared<BalancedContinuum>(at.system);
   result.survey = result.continuum->survey(stop);
-  const bool stable = result.survey.attracts();
-  keep_members_with_room(at.system.parameters(), result.survey);
   const ContinuumSurvey& survey = result.survey;
   result.stable = survey.attracts() || !rests;
   result.growth_rate = survey.most_growth;
-  if (!result.stable)
+  if (!result.stable && survey.drawn > 0)
     result.note = fmt::format(
         "the balanced states form a continuum, and all {} drawn evenly from it are unstable at speed {} (growth rates "
         "{:.3g} to {:.3g})",
         survey.drawn, at.speed, survey.least_growth, survey.most_growth);
-  if (stable && !survey.attracts() && rests) {
-    result.note = "balls in contact have no room to be balanced: they would overlap";
-    return;
-  }
-  if (!rests || is_set(stop)) return;
+  if (!rests || survey.drawn == 0 || is_set(stop)) return;
   if (auto motion = balanced_motion(at, survey.typical)) result.motions.push_back(*std::move(motion));
 }
 
@@ -80,8 +74,8 @@ void analyse_continuum(const Balance& at, const StopFlag* stop, BalancedAnalysis
 std::string lost_motion(const model::Parameters& p, double reached) {
   const bool gravity = p.gravity != 0.0, unequal = !p.isotropic();
   return fmt::format(
-      "no balanced motion was found: the one that the balanced state becomes as {} switched on can be followed to {:.2g} "
-      "% of {}",
+      "no balanced motion was found: the one that the balanced state becomes as {} switched on can be followed to "
+      "{:.2g} % of {}",
       gravity && unequal ? "gravity and the supports' difference are"
       : gravity          ? "gravity is"
                          : "the supports' difference is",
@@ -102,11 +96,9 @@ void analyse_isolated(const Balance& at, const StopFlag* stop, const std::vector
   const bool images = p.balls == 2 && p.equal_balls() && angles.size() == 2;
   if (images) angles.pop_back();  // the other one by exchange of the balls
   double slowest = -std::numeric_limits<double>::infinity(), farthest = 0.0;
-  bool overlap = false;
   for (const Angles& phi : angles) {
     if (is_set(stop)) return;
-    overlap = overlap || !has_room(p, phi);
-    if (!has_room(p, phi)) continue;
+    if (!model::has_room(p, phi.data())) continue;
     double reached = 0.0;
     auto motion = balanced_motion(at, phi, &reached);
     farthest = std::max(farthest, reached);
@@ -130,8 +122,6 @@ void analyse_isolated(const Balance& at, const StopFlag* stop, const std::vector
   std::stable_partition(result.motions.begin(), result.motions.end(), [](const Motion& m) { return m.stable; });
   if (result.stable)
     result.slowest_rate = slowest;
-  else if (overlap)
-    result.note = "balls in contact have no room to be balanced: they would overlap";
   else if (result.motions.empty())
     result.note = lost_motion(p, farthest);
   else

@@ -21,14 +21,6 @@ double gap(const model::Parameters& p, const std::array<double, model::max_balls
 }
 }  // namespace
 
-bool has_room(const model::Parameters& p, const std::array<double, model::max_balls>& phi) {
-  if (!p.balls_collide()) return true;
-  for (int i = 0; i < p.balls; ++i)
-    for (int k = 0; k < i; ++k)
-      if (!(gap(p, phi, i, k) > 0.0)) return false;
-  return true;
-}
-
 double touching_level(const model::System& system, const BalancedTrap& trap) {
   const model::Parameters& p = system.parameters();
   double level = std::numeric_limits<double>::infinity();
@@ -41,18 +33,6 @@ double touching_level(const model::System& system, const BalancedTrap& trap) {
       level = std::min(level, room * room / (inverse(a, a) + inverse(b, b) - 2.0 * inverse(a, b)));
     }
   return level;
-}
-
-void keep_members_with_room(const model::Parameters& p, ContinuumSurvey& survey) {
-  std::size_t kept = 0;
-  for (std::size_t k = 0; k < survey.members.size(); ++k) {
-    if (!has_room(p, survey.members[k])) continue;
-    survey.members[kept] = survey.members[k];
-    survey.rates[kept++] = survey.rates[k];
-  }
-  survey.members.resize(kept);
-  survey.rates.resize(kept);
-  if (kept > 0) survey.typical = survey.members[kept / 2];
 }
 
 }  // namespace equipoise

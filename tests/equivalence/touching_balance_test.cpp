@@ -1,0 +1,120 @@
+// Balance of balls in contact that need nearly all their room: which rotors have it, and that starts come to it.
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include "equipoise/fates/start_runner.hpp"
+#include "equipoise/model/balanced_state.hpp"
+#include "equipoise/model/room_in_race.hpp"
+#include "equipoise/model/unbalance.hpp"
+#include "equipoise/orbits/continuum_draws.hpp"
+#include "equipoise/trajectory/simulate.hpp"
+#include "equipoise/traps/balanced_analysis.hpp"
+
+namespace equipoise {
+namespace {
+
+using Kind = model::BalancedStates::Kind;
+
+// 10 kg on 20 kN/m, six balls of 20 mm in a race of 40 mm: points would cancel 0.0196, balls side by side 0.01305.
+constexpr double ball = 0.00326726, touching = 0.505360510284157;
+const double most = ball * std::sin(3.0 * touching) / std::sin(0.5 * touching);
+
+Study crowded_rotor(double unbalance) {
+  Study study;
+  study.name = "rotor";
+  model::Parameters& p = study.parameters;
+  p.balls = 6;
+  p.eccentricity = unbalance;
+  p.damping = {0.2, 0.2};
+  for (int i = 0; i < p.balls; ++i) {
+    p.mass[i] = ball;
+    p.drag[i] = 0.855484;
+  }
+  p.contact_angle = touching;
+  study.speed.profile = Profile::constant;
+  study.speed.speed = 7.02481;
+  return study;
+}
+
+TEST(TouchingBalance, ExistsUpToARowSideBySide) {
+  // Beside the share 1e-6 of all masses to which rows are told.
+  EXPECT_EQ(model::balanced_states(crowded_rotor(0.9999 * most).parameters).kind, Kind::family);
+  const auto none = model::balanced_states(crowded_rotor(1.0001 * most).parameters);
+  EXPECT_EQ(none.kind, Kind::none);
+  EXPECT_EQ(none.reason, "balls in contact touch before they cancel the unbalance");
+  // Balls that pass each other cancel it.
+  model::Parameters passing = crowded_rotor(1.0001 * most).parameters;
+  passing.contact_angle = 0.0;
+  EXPECT_EQ(model::balanced_states(passing).kind, Kind::family);
+}
+
+TEST(TouchingBalance, TwoBallsHaveRoomOrOverlap) {
+  model::Parameters p = crowded_rotor(0.0).parameters;
+  p.balls = 2;
+  const double side_by_side = 2.0 * ball * std::cos(0.5 * touching);
+  p.eccentricity = 0.999 * side_by_side;
+  EXPECT_EQ(model::balanced_states(p).kind, Kind::isolated);
+  p.eccentricity = 1.001 * side_by_side;
+  EXPECT_EQ(model::balanced_states(p).kind, Kind::none);
+  // A heavy ball and two that balance it only where they overlap.
+  p.balls = 3;
+  p.eccentricity = 0.0;
+  p.mass = {1.99 * ball, ball, ball};
+  const auto heavy = model::balanced_states(p);
+  EXPECT_EQ(heavy.kind, Kind::none);
+  EXPECT_EQ(heavy.reason, "balls in contact would overlap where they cancel the unbalance");
+  p.mass[0] = 1.9 * ball;
+  EXPECT_EQ(model::balanced_states(p).kind, Kind::family);
+}
+
+TEST(TouchingBalance, MembersAreDrawnWithRoom) {
+  for (const double share : {0.0, 0.5, 0.766, 0.98, 0.9995}) {
+    const Study study = crowded_rotor(share * most);
+    const model::Parameters& p = study.parameters;
+    ContinuumDraws draws(p);
+    std::array<double, model::max_balls> phi{};
+    std::vector<double> first;
+    for (int k = 0; k < 100; ++k) {
+      ASSERT_TRUE(draws.next(phi)) << share;
+      EXPECT_LT(std::abs(model::unbalance(p, phi.data())), 1e-14 * p.all_unbalances());
+      EXPECT_TRUE(model::has_room(p, phi.data()));
+      first.push_back(phi[0]);
+    }
+    std::sort(first.begin(), first.end());
+    EXPECT_GT(first.back(), first.front()) << "all the same";
+    const BalancedAnalysis found = analyse_balanced({p, study.speed.speed});
+    EXPECT_TRUE(found.stable) << share;
+    EXPECT_EQ(found.note, "") << share;
+  }
+}
+
+TEST(TouchingBalance, StartsComeToItAsSimulateDoes) {
+  Study study = crowded_rotor(0.766 * most);
+  constexpr std::size_t count = 16;
+  StartRunner runner(study, {2, nullptr, {}});
+  EXPECT_EQ(runner.balance().note, "");
+  std::vector<double> phi;
+  std::vector<Fate> fates;
+  std::vector<UnlistedStart> unlisted;
+  ASSERT_TRUE(runner.run(0, count, phi, fates, unlisted));
+  EXPECT_TRUE(unlisted.empty());
+  for (const Fate& fate : fates) {
+    EXPECT_EQ(fate.outcome, Outcome::attracted);
+    EXPECT_EQ(fate.attractor, balanced_id);
+  }
+  for (std::size_t i = 0; i < 2; ++i) {
+    std::copy_n(&phi[i * 6], 6, study.initial.phi.begin());
+    study.numerics.tolerance = 1e-9;
+    const Trajectory path = simulate(study, {0.0, 1.0, 300.0});
+    EXPECT_GT(path.radial[1], 0.1 * study.parameters.eccentricity);
+    // Thirty times as long as the slowest deviation takes to fall to 1/e.
+    EXPECT_LT(path.radial[2], 1e-5 * study.parameters.eccentricity);
+  }
+}
+
+}  // namespace
+}  // namespace equipoise
