@@ -269,6 +269,8 @@ TEST(ExplainedBalance, EigenvaluesAreReadable) {
 TEST(GradeText, HasTheFigureAndTheGradeOfTheStandard) {
   EXPECT_EQ(grade_text(147.2), "G 147 (within grade G 250)");
   EXPECT_EQ(grade_text(0.0), "G 0");
+  EXPECT_EQ(grade_text(1e-9), "G 0");
+  EXPECT_EQ(grade_text(0.01), "G 0.01 (within grade G 0.4)");
   EXPECT_EQ(grade_text(5000.0), "G 5e+03 (beyond grade G 4000)");
   EXPECT_EQ(grade_text(6.3), "G 6.3 (within grade G 6.3)");
 }
