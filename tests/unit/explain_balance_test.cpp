@@ -254,6 +254,11 @@ TEST(ExplainedBalance, AnOffCentreRaceChangesWhatThereIsToCancel) {
   EXPECT_TRUE(holds(verdict_text(far), "no: the unbalance is larger"));
 }
 
+TEST(ExplainedBalance, NothingIsSaidOfASteadyVibrationThatIsNone) {
+  EXPECT_FALSE(explained(constant_speed, {"rotor.damping=0", "speed.speed=1"}).bare);
+  EXPECT_TRUE(explained(constant_speed, {"rotor.damping=0.1", "speed.speed=1"}).bare);
+}
+
 TEST(ExplainedBalance, EigenvaluesAreReadable) {
   const std::string text = explain_text(explained(constant_speed, {"balancer.balls=5", "balancer.drag=1"}));
   EXPECT_FALSE(holds(text, "e-15 i"));

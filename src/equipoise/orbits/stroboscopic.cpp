@@ -38,19 +38,6 @@ std::optional<PeriodicOrbit> orbit_at(const model::System& system, const Periodi
   return captured ? found : std::nullopt;
 }
 
-// The orbit as it is at a share, moved by what its rotor sags more or less at another: far more, on soft supports, than
-// a branch may move over one step.
-PeriodicOrbit with_sag(const model::System& system, PeriodicOrbit orbit, double from, double to) {
-  const auto sag = [&](double share) { return model::static_sag(model::weakened(system.parameters(), share)); };
-  const double more = sag(to) - sag(from);
-  for (VectorXd& node : orbit.nodes) {
-    const double psi = system.psi_place() < 0 ? 0.0 : node[system.psi_place()];
-    node[model::index::x] += more * std::sin(psi);
-    node[model::index::y] += more * std::cos(psi);
-  }
-  return orbit;
-}
-
 // Follows an orbit of one strobe from `orbit` at share `from` to share `to`, in steps that are halved where they fail.
 std::optional<PeriodicOrbit> continued(const model::System& system, PeriodicOrbit orbit, double from, double to) {
   constexpr double first_step = 0.25, smallest_step = 1.0 / 512;
@@ -58,7 +45,7 @@ std::optional<PeriodicOrbit> continued(const model::System& system, PeriodicOrbi
   double at = from, step = first_step;
   while (at != to) {
     const double next = std::fabs(to - at) <= step * (1.0 + 1e-9) ? to : at + direction * step;
-    const auto found = orbit_at(system, with_sag(system, orbit, at, next), next);
+    const auto found = orbit_at(system, orbit, next);
     if (!found) {
       step *= 0.5;
       if (step < smallest_step) return std::nullopt;
@@ -101,7 +88,7 @@ std::optional<PeriodicOrbit> balanced_orbit(const model::System& system, const d
   start.period = system.strobe_angle() / std::fabs(*speed);
   const double from = least_share(system);
   if (from > 0.0) {
-    const auto weak = orbit_at(system, with_sag(system, start, 0.0, from), from);
+    const auto weak = orbit_at(system, start, from);
     if (!weak) return std::nullopt;
     start = *weak;
   }
