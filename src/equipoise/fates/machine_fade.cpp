@@ -4,12 +4,14 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 #include <vector>
 
 #include "equipoise/base/angles.hpp"
 #include "equipoise/fates/machine_balance.hpp"
 #include "equipoise/fates/machine_scale.hpp"
 #include "equipoise/model/ball_count.hpp"
+#include "equipoise/model/hanging.hpp"
 
 namespace equipoise {
 
@@ -48,15 +50,17 @@ class Fade {
     // Each step takes a fortieth away; ten turns let go what it has stirred up.
     constexpr int steps = 40;
     const double time = std::clamp(10.0 * two_pi / std::fabs(speed_), 16.0, 64.0);
-    for (int k = 1; k < steps; ++k)
-      if (!go_on(with_imperfections(p_, 1.0 - static_cast<double>(k) / steps), time, [](auto&&...) { return false; }))
-        return false;
-    const model::Parameters perfect = with_imperfections(p_, 0.0);
-    const MachineBalance balance(perfect, {.end = std::numeric_limits<double>::infinity(), .speed = speed_});
+    model::Parameters now = p_;
+    for (int k = 1; k < steps; ++k) {
+      weaken(now, 1.0 - static_cast<double>(k) / steps);
+      if (!go_on(now, time, [](auto&&...) { return false; })) return false;
+    }
+    weaken(now, 0.0);
+    const MachineBalance balance(now, {.end = std::numeric_limits<double>::infinity(), .speed = speed_});
     BalanceApproach approach(balance);
     bool balanced = false;
     double next = 0.0;
-    go_on(perfect, patience, [&](double t, const double* z) {
+    go_on(now, patience, [&](double t, const double* z) {
       if (t < next) return false;
       next = t + time;
       balanced = approach.look(t, z) != BalanceApproach::Verdict::none;
@@ -66,6 +70,11 @@ class Fade {
   }
 
  private:
+  void weaken(model::Parameters& now, double share) {
+    const model::Parameters before = std::exchange(now, with_imperfections(p_, share));
+    model::hang_anew(before, now, z_[model::machine_index::psi(p_.balls)], z_.data());
+  }
+
   bool near() const {
     for (int i = 0; i < p_.balls; ++i)
       if (std::fabs(z_[model::index::phi(i)] - begin_[model::index::phi(i)]) > 0.5 * pi) return false;

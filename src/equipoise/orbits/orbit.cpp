@@ -10,6 +10,7 @@
 #include "equipoise/base/angles.hpp"
 #include "equipoise/math/dense.hpp"
 #include "equipoise/model/linearisation.hpp"
+#include "equipoise/model/strobe.hpp"
 #include "equipoise/orbits/floquet.hpp"
 #include "equipoise/orbits/variational.hpp"
 
@@ -150,6 +151,9 @@ class OrbitProblem {
     return result;
   }
 
+  // By how much more steps leave than elsewhere: a rotor that hangs far below its supports has large x and y.
+  double coarser() const { return std::max(1.0, std::fabs(model::static_sag(system_.parameters()))); }
+
   // Of the nodes, the farthest moved by a change.
   double farthest(const VectorXd& change) const {
     double result = 0.0;
@@ -214,7 +218,8 @@ constexpr Effort searching{1e-9, 1e-4, 1e300, 1e-6, 10, 1.0};
 bool solve(const OrbitProblem& problem, Shooting& s, const Effort& effort, double reach) {
   if (!problem.evaluate(s)) return false;
   const Shooting first = s;
-  const double largest_residual = effort.largest_residual * (s.imposed ? longer_arcs : 1.0);
+  const double coarser = problem.coarser();
+  const double largest_residual = effort.largest_residual * coarser * (s.imposed ? longer_arcs : 1.0);
   for (int iteration = 0; iteration < effort.most_iterations; ++iteration) {
     const NewtonSteps steps(problem.matrix(s), s.imposed);
     const VectorXd change = steps.to_zero(s.mismatch);
@@ -227,10 +232,10 @@ bool solve(const OrbitProblem& problem, Shooting& s, const Effort& effort, doubl
       if (!(trial.period > 0.5 * first.period && trial.period < 2.0 * first.period) || !problem.evaluate(trial))
         continue;
       const double next = steps.to_zero(trial.mismatch).norm();
-      if (!(next <= std::max((1.0 - 0.25 * share) * length, effort.noise))) continue;
+      if (!(next <= std::max((1.0 - 0.25 * share) * length, effort.noise * coarser))) continue;
       s = std::move(trial);
       if (problem.distance(s, first) > 2.0 * reach) return false;
-      if (share == 1.0 && length < effort.converged && s.residual < largest_residual) return true;
+      if (share == 1.0 && length < effort.converged * coarser && s.residual < largest_residual) return true;
       break;
     }
   }

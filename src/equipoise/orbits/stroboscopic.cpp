@@ -5,9 +5,11 @@
 #include <cmath>
 #include <cstdlib>
 #include <utility>
+#include <vector>
 
 #include "equipoise/base/angles.hpp"
 #include "equipoise/model/balanced_state.hpp"
+#include "equipoise/model/hanging.hpp"
 #include "equipoise/model/strobe.hpp"
 #include "equipoise/orbits/variational.hpp"
 
@@ -24,14 +26,23 @@ model::System weakened(const model::System& system, double share) {
 // A driven rotor's angle is to stay part of the state: so much is left when all is switched off.
 double least_share(const model::System& system) { return system.prescribed() ? 0.0 : 1e-6; }
 
-// The orbit of one strobe near those nodes at a share. At a prescribed speed the strobe stays what it is where nothing
-// is left to ask for it.
-std::optional<PeriodicOrbit> orbit_at(const model::System& system, const PeriodicOrbit& near, double share) {
+// States of one share of gravity and anisotropy as those of another.
+std::vector<VectorXd> hung_anew(const model::System& from, const model::System& to, std::vector<VectorXd> states) {
+  for (VectorXd& z : states)
+    model::hang_anew(from.parameters(), to.parameters(), to.psi_place() < 0 ? 0.0 : z[to.psi_place()], z.data());
+  return states;
+}
+
+// The orbit of one strobe at a share near one at another share. At a prescribed speed the strobe stays what it is where
+// nothing is left to ask for it.
+std::optional<PeriodicOrbit> orbit_at(const model::System& system, const PeriodicOrbit& near, double near_share,
+                                      double share) {
   // A branch moves less than this, in System::scale(), over one step; what moves more may be another branch.
   constexpr double farthest = 0.25;
   const model::System weak = weakened(system, share);
-  const auto found = system.prescribed() ? refine_imposed_orbit(weak, near.nodes, system.strobe_period(), farthest)
-                                         : refine_orbit(weak, near.nodes, near.period, farthest);
+  const std::vector<VectorXd> nodes = hung_anew(weakened(system, near_share), weak, near.nodes);
+  const auto found = system.prescribed() ? refine_imposed_orbit(weak, nodes, system.strobe_period(), farthest)
+                                         : refine_orbit(weak, nodes, near.period, farthest);
   if (!found) return std::nullopt;
   const auto still = [](int turns) { return turns == 0; };
   const bool captured = std::all_of(found->winding.begin(), found->winding.begin() + system.balls(), still);
@@ -39,13 +50,16 @@ std::optional<PeriodicOrbit> orbit_at(const model::System& system, const Periodi
 }
 
 // Follows an orbit of one strobe from `orbit` at share `from` to share `to`, in steps that are halved where they fail.
-std::optional<PeriodicOrbit> continued(const model::System& system, PeriodicOrbit orbit, double from, double to) {
+// `reached`: the share to which it could be followed.
+std::optional<PeriodicOrbit> continued(const model::System& system, PeriodicOrbit orbit, double from, double to,
+                                       double* reached = nullptr) {
   constexpr double first_step = 0.25, smallest_step = 1.0 / 512;
   const double direction = to > from ? 1.0 : -1.0;
   double at = from, step = first_step;
   while (at != to) {
+    if (reached) *reached = at;
     const double next = std::fabs(to - at) <= step * (1.0 + 1e-9) ? to : at + direction * step;
-    const auto found = orbit_at(system, orbit, next);
+    const auto found = orbit_at(system, orbit, at, next);
     if (!found) {
       step *= 0.5;
       if (step < smallest_step) return std::nullopt;
@@ -55,6 +69,7 @@ std::optional<PeriodicOrbit> continued(const model::System& system, PeriodicOrbi
     at = next;
     step = std::min(1.5 * step, first_step);
   }
+  if (reached) *reached = to;
   return orbit;
 }
 
@@ -80,7 +95,8 @@ std::optional<VectorXd> at_next_strobe(const model::System& system, const Vector
   return advance_state(system, state, ahead / std::fabs(speed), psi, tolerance);
 }
 
-std::optional<PeriodicOrbit> balanced_orbit(const model::System& system, const double* phi) {
+std::optional<PeriodicOrbit> balanced_orbit(const model::System& system, const double* phi, double* reached) {
+  if (reached) *reached = 0.0;
   const auto speed = model::balanced_speed(system);
   if (!speed || *speed == 0.0) return std::nullopt;
   PeriodicOrbit start;
@@ -88,11 +104,11 @@ std::optional<PeriodicOrbit> balanced_orbit(const model::System& system, const d
   start.period = system.strobe_angle() / std::fabs(*speed);
   const double from = least_share(system);
   if (from > 0.0) {
-    const auto weak = orbit_at(system, start, from);
+    const auto weak = orbit_at(system, start, 0.0, from);
     if (!weak) return std::nullopt;
     start = *weak;
   }
-  return continued(system, start, from, 1.0);
+  return continued(system, start, from, 1.0, reached);
 }
 
 bool leads_to_balance(const model::System& system, const PeriodicOrbit& orbit) {
@@ -119,8 +135,10 @@ bool relaxes_to_balance(const model::System& system, const VectorXd& state) {
   constexpr double centred = 1e-3;
   VectorXd z = state;
   for (int k = 1; k <= fading + settling; ++k) {
-    const double share = std::max(0.0, 1.0 - static_cast<double>(k) / fading);
-    auto next = advance_state(weakened(system, share), z, system.strobe_period());
+    const auto share_after = [](int strobes) { return std::max(0.0, 1.0 - static_cast<double>(strobes) / fading); };
+    const model::System weak = weakened(system, share_after(k));
+    z = hung_anew(weakened(system, share_after(k - 1)), weak, {z}).front();
+    auto next = advance_state(weak, z, system.strobe_period());
     if (!next) return false;
     z = *std::move(next);
   }

@@ -19,8 +19,9 @@ std::optional<Eigen::VectorXd> at_next_strobe(const model::System& system, const
                                               double tolerance = 1e-12);
 
 /// The orbit that a balanced state at ball angles `phi` becomes as gravity and anisotropy are switched on gradually.
-/// Empty if there is none: it may meet another one and vanish on the way.
-std::optional<PeriodicOrbit> balanced_orbit(const model::System& system, const double* phi);
+/// Empty if there is none: it may meet another one and vanish on the way. `reached`, if given: the share of both to
+/// which it could be followed.
+std::optional<PeriodicOrbit> balanced_orbit(const model::System& system, const double* phi, double* reached = nullptr);
 
 /// The same the other way round: as gravity and anisotropy are switched off gradually, the orbit becomes a balanced
 /// state (its centre comes to rest on the axis).

@@ -32,12 +32,13 @@ struct Balance {
   double speed;  // psi'
 };
 
-std::optional<Motion> balanced_motion(const Balance& at, const Angles& phi) {
+// `reached`: of gravity and of unequal supports, the share at which there still is one.
+std::optional<Motion> balanced_motion(const Balance& at, const Angles& phi, double* reached = nullptr) {
   if (at.system.autonomous()) {
     const auto refined = refine_equilibrium(at.system, model::balanced_state(at.system, at.speed, phi.data()));
     return refined ? std::optional(describe_equilibrium(at.system, *refined)) : std::nullopt;
   }
-  const auto orbit = balanced_orbit(at.system, phi.data());
+  const auto orbit = balanced_orbit(at.system, phi.data(), reached);
   if (!orbit) return std::nullopt;
   Motion motion = describe_orbit(at.system, *orbit);
   motion.balanced = true;  // it was followed from there
@@ -75,8 +76,19 @@ void analyse_continuum(const Balance& at, const StopFlag* stop, BalancedAnalysis
   if (auto motion = balanced_motion(at, survey.typical)) result.motions.push_back(*std::move(motion));
 }
 
+// What keeps the balanced state from being one at rest, and how much of that the motion which it becomes can bear.
+std::string lost_motion(const model::Parameters& p, double reached) {
+  const bool gravity = p.gravity != 0.0, unequal = !p.isotropic();
+  return fmt::format(
+      "no balanced motion was found: the one that the balanced state becomes as {} switched on can be followed to {:.2g} "
+      "% of {}",
+      gravity && unequal ? "gravity and the supports' difference are"
+      : gravity          ? "gravity is"
+                         : "the supports' difference is",
+      100.0 * reached, gravity && unequal ? "both" : "it");
+}
+
 std::string instability(const BalancedAnalysis& result, double speed) {
-  if (result.motions.empty()) return "no balanced motion exists: it vanishes as gravity and anisotropy are switched on";
   if (result.growth_rate > least_rate)
     return fmt::format("the balanced state exists but is unstable at speed {} (growth rate {:.3g})", speed,
                        result.growth_rate);
@@ -89,13 +101,15 @@ void analyse_isolated(const Balance& at, const StopFlag* stop, const std::vector
   std::vector<Angles> angles = result.states.angles;
   const bool images = p.balls == 2 && p.equal_balls() && angles.size() == 2;
   if (images) angles.pop_back();  // the other one by exchange of the balls
-  double slowest = -std::numeric_limits<double>::infinity();
+  double slowest = -std::numeric_limits<double>::infinity(), farthest = 0.0;
   bool overlap = false;
   for (const Angles& phi : angles) {
     if (is_set(stop)) return;
     overlap = overlap || !has_room(p, phi);
     if (!has_room(p, phi)) continue;
-    auto motion = balanced_motion(at, phi);
+    double reached = 0.0;
+    auto motion = balanced_motion(at, phi, &reached);
+    farthest = std::max(farthest, reached);
     if (!motion) continue;
     const double rate = rate_of(at, phi, *motion);
     result.motions.push_back(*std::move(motion));
@@ -118,6 +132,8 @@ void analyse_isolated(const Balance& at, const StopFlag* stop, const std::vector
     result.slowest_rate = slowest;
   else if (overlap)
     result.note = "balls in contact have no room to be balanced: they would overlap";
+  else if (result.motions.empty())
+    result.note = lost_motion(p, farthest);
   else
     result.note = instability(result, at.speed);
 }
