@@ -121,7 +121,8 @@ class Machines(unittest.TestCase):
             self.assertEqual((done.returncode, done.stderr), (0, ""))
             page = Page(path)
             self.assertIn("15 mm is exceeded on the way in", page.lead)
-            for words in ("mass 40 kg", "unbalance 100 kg mm", "limit 15 mm", "displacement, mm", "speed, rpm", "G 0.4"):
+            for words in ("mass 40 kg", "unbalance 100 kg mm", "limit 15 mm", "displacement, mm", "speed, rpm",
+                          "G 314 (within grade G 630) without balls", ">G 0<"):
                 self.assertIn(words, page.text)
             self.assertEqual(page.loads, [])
 

@@ -254,6 +254,11 @@ TEST(ExplainedBalance, AnOffCentreRaceChangesWhatThereIsToCancel) {
   EXPECT_TRUE(holds(verdict_text(far), "no: the unbalance is larger"));
 }
 
+TEST(ExplainedBalance, NothingIsSaidOfASteadyVibrationThatIsNone) {
+  EXPECT_FALSE(explained(constant_speed, {"rotor.damping=0", "speed.speed=1"}).bare);
+  EXPECT_TRUE(explained(constant_speed, {"rotor.damping=0.1", "speed.speed=1"}).bare);
+}
+
 TEST(ExplainedBalance, EigenvaluesAreReadable) {
   const std::string text = explain_text(explained(constant_speed, {"balancer.balls=5", "balancer.drag=1"}));
   EXPECT_FALSE(holds(text, "e-15 i"));
@@ -269,6 +274,8 @@ TEST(ExplainedBalance, EigenvaluesAreReadable) {
 TEST(GradeText, HasTheFigureAndTheGradeOfTheStandard) {
   EXPECT_EQ(grade_text(147.2), "G 147 (within grade G 250)");
   EXPECT_EQ(grade_text(0.0), "G 0");
+  EXPECT_EQ(grade_text(1e-9), "G 0");
+  EXPECT_EQ(grade_text(0.01), "G 0.01 (within grade G 0.4)");
   EXPECT_EQ(grade_text(5000.0), "G 5e+03 (beyond grade G 4000)");
   EXPECT_EQ(grade_text(6.3), "G 6.3 (within grade G 6.3)");
 }

@@ -179,7 +179,11 @@ void linearise(Explanation& e) {
   motion.angles = *angles;
   for (int i = 0; i < twin.parameters.balls; ++i) motion.angles[static_cast<std::size_t>(i)] += twin.turn;
   const auto linear = linear_motion(rotor.system(), motion.angles, family);
-  if (!linear) return skip("no balanced motion was found as gravity and unequal supports come in");
+  if (!linear) {
+    const bool gravity = rotor.parameters.gravity != 0.0, uneven = !rotor.parameters.isotropic();
+    return skip(std::string("no balanced motion was found as ") + (gravity ? "gravity" : "") +
+                (gravity && uneven ? " and " : "") + (uneven ? "unequal supports" : "") + " come in");
+  }
   motion.less = rotor.less;
   motion.strobe = rotor.system().autonomous() ? 0.0 : rotor.system().strobe_period();
   motion.left = linear->left;

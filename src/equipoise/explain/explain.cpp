@@ -70,6 +70,8 @@ Explanation explain(const Study& study, const BallDetails& balls) {
   if (p.gravity > 0.0 && e.speed && *e.speed != 0.0) e.gravity_ratio = p.gravity / (*e.speed * *e.speed);
   linearise(e);
   if (e.speed) e.bare = bare_vibration(p, *e.speed);
+  // Undamped at its critical speed the rotor has none: it shakes more and more.
+  if (e.bare && !std::isfinite(e.bare->displacement[0] + e.bare->displacement[1])) e.bare.reset();
   if (e.speed && study.scales && balls.oil_viscosity && balls.oil_density) {
     const double slip =
         std::max(0.0, std::abs(*e.speed) - std::min(e.critical_with_balls[0], e.critical_with_balls[1]));

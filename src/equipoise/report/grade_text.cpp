@@ -8,7 +8,8 @@
 namespace equipoise {
 
 std::string grade_text(double grade_mm_s) {
-  if (grade_mm_s == 0.0) return "G 0";
+  constexpr double nothing = 1e-3;  // mm/s: a micrometre a second, a four hundredth of the best grade
+  if (grade_mm_s < nothing) return "G 0";
   const auto met = model::standard_grade_met(grade_mm_s);
   return met ? fmt::format("G {:.3g} (within grade G {})", grade_mm_s, *met)
              : fmt::format("G {:.3g} (beyond grade G {})", grade_mm_s, model::standard_balance_grades.back());
