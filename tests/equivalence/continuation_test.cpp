@@ -14,6 +14,7 @@
 
 #include "equipoise/base/angles.hpp"
 #include "equipoise/base/error.hpp"
+#include "equipoise/branches/branch_follower.hpp"
 #include "equipoise/report/branches_report.hpp"
 #include "../machine_study.hpp"
 
@@ -135,8 +136,8 @@ TEST(Branches, torus_that_turns_chaotic_and_locks_keeps_its_identifier) {
   }
 }
 
-// With little drag the torus has a thin basin. It attracts from 2 (4.4 % of 3000 starts) through 2.0156 (0.4 %) to beyond
-// 2.0234 (1.8 % of 15 000), and one trajectory carried over 0.0125 leaves it.
+// With little drag the torus has a thin basin. It attracts from 2 (4.4 % of 3000 starts) through 2.0156 (0.4 %) to
+// beyond 2.0234 (1.8 % of 15 000), and one trajectory carried over 0.0125 leaves it.
 TEST(Branches, thin_basin_of_a_torus_is_followed_through) {
   Study s = study();
   s.parameters.drag.fill(0.01);
@@ -209,6 +210,40 @@ TEST(Branches, stability_lost_and_gained_between_two_values_makes_two_ranges) {
   EXPECT_FALSE(ranges[1].stable);
   EXPECT_EQ(ranges[2].begin, 1.7);
   EXPECT_EQ(ranges[2].end, 2.0);
+  // Likewise between a point and an end.
+  b.events.insert(b.events.begin(), {1, BranchChange::stability_gained, BranchCause::hopf, 0.9, 0.9, 0.0, 0.0, 0.0});
+  b.events.insert(b.events.begin(), {1, BranchChange::birth, BranchCause::fold, 0.8, 0.8, 0.0, 0.0, 0.0});
+  const auto more = ranges_of(b);
+  ASSERT_EQ(more.size(), 4u);
+  EXPECT_FALSE(more[0].stable);
+  EXPECT_EQ(more[0].begin, 0.8);
+  EXPECT_EQ(more[1].begin, 0.9);
+}
+
+// At 1.775 the drift of this torus is measured to be of two rates, and it has another name there: 14 % of 6000 starts
+// come to it, as 13 % do at 1.7765 and 12 % at 1.779, where it is pair drift.
+TEST(Branches, torus_named_otherwise_at_one_value_is_still_the_same) {
+  const model::Parameters p = study().parameters;
+  Motion pair;
+  pair.kind = MotionKind::quasi_periodic;
+  pair.stable = true;
+  pair.r_mean = 0.0299;
+  pair.r_max = 0.0518;
+  pair.drift[0] = pair.drift[1] = -0.1525;
+  pair.drift_group[0] = pair.drift_group[1] = 1;
+  pair.oppositions_per_turn = 11.5;
+  Motion apart = pair;
+  apart.r_max = 0.052;
+  apart.drift[0] = -0.154;
+  apart.drift[1] = -0.1539;
+  apart.drift_group[1] = 2;
+  ASSERT_NE(family_of(p, pair), family_of(p, apart));
+  EXPECT_TRUE(resembles(p, pair, apart));
+  apart.drift[1] = -0.3;
+  EXPECT_FALSE(resembles(p, pair, apart));
+  apart.drift[1] = -0.1539;
+  apart.r_max = 0.07;
+  EXPECT_FALSE(resembles(p, pair, apart));
 }
 
 TEST(Branches, do_not_depend_on_threads) {
@@ -219,7 +254,9 @@ TEST(Branches, do_not_depend_on_threads) {
 // No motion is on two branches; events of a branch lie in its order.
 TEST(Branches, are_disjoint_and_ordered) {
   const BranchesResult result = along("balancer.drag=0.05:0.1:0.05");
-  ASSERT_EQ(result.values.size(), 2u);
+  ASSERT_GE(result.values.size(), 2u);  // and 0.075, if something lives there only
+  EXPECT_EQ(result.values.front(), 0.05);
+  EXPECT_EQ(result.values.back(), 0.1);
   for (const Branch& a : result.branches) {
     for (std::size_t i = 0; i + 1 < a.points.size(); ++i) EXPECT_LT(a.points[i].at, a.points[i + 1].at);
     for (std::size_t i = 0; i + 1 < a.events.size(); ++i) EXPECT_LE(a.events[i].middle(), a.events[i + 1].middle());

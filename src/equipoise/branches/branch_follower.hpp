@@ -22,7 +22,8 @@ bool may_be_locked(const Motion& motion);
 /// What a motion is called, whether it is a torus or chaotic or neither.
 std::string family_of(const model::Parameters& p, const Motion& motion);
 
-/// A restless motion at one parameter value may be the one at another: same family, like excursions.
+/// A restless motion at one parameter value may be the one at another: same family, like excursions; or, since names of
+/// what is measured may differ by chance, excursions and rates of drift that are closely alike.
 bool resembles(const model::Parameters& p, const Motion& a, const Motion& b);
 
 /// How far an advance came.

@@ -256,7 +256,8 @@ class Continuation {
   void locate_and_name() {
     const std::vector<std::size_t> votes = count_votes();
     struct Gap {
-      std::size_t track = 0, at = 0;
+      std::size_t track = 0;
+      BranchPoint low, high;
       std::vector<BranchEvent> events;
     };
     std::vector<Gap> gaps;
@@ -265,12 +266,15 @@ class Continuation {
       for (auto& [k, motion] : tracks_[t].points)
         branches[t].points.push_back({k, values_[k], std::move(motion)});
       const auto& points = branches[t].points;
+      const auto &low = tracks_[t].low, &high = tracks_[t].high;
+      if (low) gaps.push_back({t, {0, low->value, low->motion}, points.front(), {}});
       for (std::size_t i = 0; i + 1 < points.size(); ++i)
-        if (points[i + 1].at == points[i].at + 1) gaps.push_back({t, i, {}});
+        if (points[i + 1].at == points[i].at + 1) gaps.push_back({t, points[i], points[i + 1], {}});
+      if (high) gaps.push_back({t, points.back(), {0, high->value, high->motion}, {}});
     }
     in_parallel(threads_, gaps.size(), [&](std::size_t g) {
-      const auto& points = branches[gaps[g].track].points;
-      gaps[g].events = changes_between(follower_, points[gaps[g].at], points[gaps[g].at + 1]);
+      Gap& gap = gaps[g];
+      if (gap.low.value < gap.high.value) gap.events = changes_between(follower_, gap.low, gap.high);
     });
     for (std::size_t t = 0; t < tracks_.size(); ++t)
       if (tracks_[t].low) branches[t].events.push_back(end_event(BranchChange::birth, *tracks_[t].low));

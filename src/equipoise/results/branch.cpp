@@ -57,8 +57,13 @@ const char* name_of(BranchCause cause) {
 
 std::vector<ValueRange> ranges_of(const Branch& branch) {
   const auto& points = branch.points;
-  std::vector<ValueRange> ranges{{points.front().value, points.front().value, points.front().motion.stable}};
-  // Stability may be lost and gained again between two points.
+  const auto first = std::find_if(branch.events.begin(), branch.events.end(), [](const BranchEvent& e) {
+    return e.change == BranchChange::stability_gained || e.change == BranchChange::stability_lost;
+  });
+  const bool before_points = first != branch.events.end() && first->middle() < points.front().value;
+  const bool stable = before_points ? first->change == BranchChange::stability_lost : points.front().motion.stable;
+  std::vector<ValueRange> ranges{{points.front().value, points.front().value, stable}};
+  // Stability may be lost and gained again between two points, or between the last one and the end.
   auto event = branch.events.begin();
   const auto pass_events = [&](double until) {
     for (; event != branch.events.end() && event->middle() < until; ++event) {
