@@ -39,6 +39,15 @@ std::optional<double> stable_share(const MachineBalance& balance, double speed) 
   return static_cast<double>(stable) / found;
 }
 
+// What the study has that leaves no state at rest.
+std::string left_of_continuum(const model::Parameters& p) {
+  const bool gravity = p.gravity != 0.0, offset = !p.race_is_centred();
+  return fmt::format("of the continuum of balanced states {} single ones; their stability is that without",
+                     gravity && offset ? "gravity and an off-centre race leave"
+                     : gravity         ? "gravity leaves"
+                                       : "an off-centre race leaves");
+}
+
 double patience_for(Study study) {
   study.numerics.horizon.reset();
   study.numerics.decide = DecideMode::validated;
@@ -140,10 +149,7 @@ BalanceNote MachineFacts::make_note() {
   }
   const MachineBalance perfect(centred(p), study_.drive().pieces.back());
   const auto share = stable_share(perfect, *speed);
-  if (share && *share > 0.0)
-    return {true,
-            "of the continuum of balanced states gravity or an off-centre race leave single ones; their "
-            "stability is that without"};
+  if (share && *share > 0.0) return {true, left_of_continuum(p)};
   return {false, fmt::format("the balanced states are unstable at speed {:.6g}", *speed)};
 }
 
