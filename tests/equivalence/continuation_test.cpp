@@ -246,6 +246,19 @@ TEST(Branches, torus_named_otherwise_at_one_value_is_still_the_same) {
   EXPECT_FALSE(resembles(p, pair, apart));
 }
 
+// Pair drift is a torus at 1.812, periodic from 1.8145 on, and ends in a fold before the line's next value.
+TEST(Branches, torus_that_becomes_periodic_is_followed_to_its_fold) {
+  const BranchesResult result = along("speed.final=1.812:1.832:0.02");
+  const Branch* b = branch(result, 6);
+  ASSERT_TRUE(b);
+  const BranchEvent *kind = event(*b, BranchChange::kind), *death = event(*b, BranchChange::death);
+  ASSERT_TRUE(kind && death) << branches_text(result);
+  EXPECT_EQ(kind->cause, BranchCause::to_periodic);
+  EXPECT_NEAR(kind->middle(), 1.8145, 1.5e-3);  // bracketed to 1/16 of the step
+  EXPECT_EQ(death->cause, BranchCause::fold);
+  EXPECT_NEAR(death->middle(), 1.8183334, 1e-6);  // 2^-16 of the step, twice; as in the run with steps of 0.005
+}
+
 TEST(Branches, do_not_depend_on_threads) {
   const BranchesResult one = along("speed.final=2.9:2.95:0.05", {}, 1), two = along("speed.final=2.9:2.95:0.05", {}, 2);
   EXPECT_EQ(branches_csv(one), branches_csv(two));

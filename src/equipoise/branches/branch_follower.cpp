@@ -273,6 +273,8 @@ Advance BranchFollower::advance_restless(const Motion& motion, double from, doub
         at.arrived = true;
         return at;
       }
+      // A torus that has become a periodic motion of one turn is followed on as such.
+      if (!is_restless(at.motion) && !may_be_locked(at.motion)) return advance(at.motion, at.value, to);
       step *= 2.0;
       continue;
     }
