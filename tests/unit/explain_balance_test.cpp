@@ -148,6 +148,18 @@ TEST(ExplainedBalance, SoftSpringsUnderGravityHaveABalancedMotionToo) {
   EXPECT_LT(*e.motion->left, 1e-3);
 }
 
+TEST(ExplainedBalance, GravityMayLeaveNoBalancedMotion) {
+  const Explanation e = explained(constant_speed, {"rotor.gravity=1"});
+  EXPECT_EQ(verdict_text(e), "yes by mass and room, but no balanced motion was found with gravity");
+  // A ball that begins where it would balance without gravity does not stay: it passes half a turn.
+  Study study = e.study;
+  const double phi = std::acos(-0.1);
+  study.initial.phi = {phi, -phi};
+  const Trajectory t = simulate(study, {0.0, 500.0});
+  EXPECT_GT(std::max(std::fabs(t.phi[0][1] - phi), std::fabs(t.phi[1][1] + phi)), pi);
+  EXPECT_FALSE(holds(verdict_text(explained(constant_speed, {"rotor.gravity=0.05"})), "no balanced motion"));
+}
+
 TEST(ExplainedBalance, WarnsOfSpringsThatNoMachineHas) {
   const auto with = [](const char* gravity) { return explained(constant_speed, {std::string("rotor.gravity=") + gravity}); };
   // (1 + 0.1) G.

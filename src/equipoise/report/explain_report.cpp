@@ -307,6 +307,7 @@ std::string verdict_text(const Explanation& e) {
   if (e.balanced.kind == model::BalancedStates::Kind::none) return "no: " + e.balanced.reason;
   if (e.motion && !e.motion->stable)
     return "yes, but balance is not stable at the final speed" + e.motion->place(e.balanced);
+  if (!e.motion) return "yes by mass and room, but " + e.no_motion;
   return e.study.parameters.gravity > 0.0 ? "yes, but for gravity" : "yes";
 }
 
