@@ -42,7 +42,8 @@ speed = "3000 rpm"
 double measured_rate(const Explanation& e, double off, int from, int to) {
   Study study = e.study;
   for (int i = 0; i < study.parameters.balls; ++i)
-    study.initial.phi[static_cast<std::size_t>(i)] = e.motion->angles[static_cast<std::size_t>(i)] + (i ? 0.5 : 1.0) * off;
+    study.initial.phi[static_cast<std::size_t>(i)] =
+        e.motion->angles[static_cast<std::size_t>(i)] + (i ? 0.5 : 1.0) * off;
   const auto rest = model::rest_position(study.parameters, 0.0);
   study.initial.x = rest[0] - study.parameters.race_offset[0];
   study.initial.y = rest[1] - study.parameters.race_offset[1];
@@ -63,11 +64,12 @@ double measured_rate(const Explanation& e, double off, int from, int to) {
 }
 
 // What each leaves out of the equilibrium of a plain rotor.
-const std::vector<std::vector<std::string>> not_plain{{"rotor.gravity=0.05"},
-                                                      {"rotor.stiffness=[0.8,1.2]"},
-                                                      {"balancer.race_offset=[0.004,0.002]"},
-                                                      {"rotor.gravity=0.03", "rotor.damping=[0.4,0.6]"},
-                                                      {"balancer.race_offset=[0.004,0.002]", "rotor.stiffness=[0.9,1.1]"}};
+const std::vector<std::vector<std::string>> not_plain{
+    {"rotor.gravity=0.05"},
+    {"rotor.stiffness=[0.8,1.2]"},
+    {"balancer.race_offset=[0.004,0.002]"},
+    {"rotor.gravity=0.03", "rotor.damping=[0.4,0.6]"},
+    {"balancer.race_offset=[0.004,0.002]", "rotor.stiffness=[0.9,1.1]"}};
 
 TEST(ExplainedBalance, RatesOfRotorsThatAreNotPlainAreThoseOfTrajectories) {
   for (const auto& overrides : not_plain) {
@@ -87,7 +89,8 @@ TEST(ExplainedBalance, InstabilityUnderGravityIsTold) {
   const Explanation e = explained(constant_speed, unstable);
   EXPECT_NEAR(e.motion->slowest_rate, 0.0218, 5e-5);  // gravity this weak leaves the published digits
   EXPECT_GT(measured_rate(e, 1e-4, 0, 120), 0.2 * e.motion->slowest_rate);  // until it is far away
-  EXPECT_TRUE(warned(e, "balance is unstable at the final speed: the balls do not stay there; more drag makes it less so"));
+  EXPECT_TRUE(
+      warned(e, "balance is unstable at the final speed: the balls do not stay there; more drag makes it less so"));
   EXPECT_TRUE(holds(explain_text(e), "can balance           yes, but balance is not stable at the final speed\n"));
   EXPECT_EQ(rule(e, "drag").kept, false);
   const Explanation stable = explained(constant_speed, {unstable[0]});
@@ -135,8 +138,8 @@ TEST(ExplainedBalance, SaysWhatLinearTheoryLeavesOut) {
   EXPECT_EQ(uneven.motion->less, "");
   EXPECT_EQ(uneven.motion->eigenvalues.size(), 12u - 2u);
   // 9.81 m/s2 = R omega^2 at 172.7 rpm: below that balls fall.
-  const Explanation falls = explained(machine_rotor + "[speed]\nprofile = \"constant\"\nspeed = \"170 rpm\"\n",
-                                      {"rotor.gravity=9.81 m/s2"});
+  const Explanation falls =
+      explained(machine_rotor + "[speed]\nprofile = \"constant\"\nspeed = \"170 rpm\"\n", {"rotor.gravity=9.81 m/s2"});
   EXPECT_EQ(falls.motion->less, "without gravity");
 }
 
@@ -148,8 +151,22 @@ TEST(ExplainedBalance, SoftSpringsUnderGravityHaveABalancedMotionToo) {
   EXPECT_LT(*e.motion->left, 1e-3);
 }
 
+TEST(ExplainedBalance, GravityMayLeaveNoBalancedMotion) {
+  const Explanation e = explained(constant_speed, {"rotor.gravity=1"});
+  EXPECT_EQ(verdict_text(e), "yes by mass and room, but no balanced motion was found with gravity");
+  // A ball that begins where it would balance without gravity does not stay: it passes half a turn.
+  Study study = e.study;
+  const double phi = std::acos(-0.1);
+  study.initial.phi = {phi, -phi};
+  const Trajectory t = simulate(study, {0.0, 500.0});
+  EXPECT_GT(std::max(std::fabs(t.phi[0][1] - phi), std::fabs(t.phi[1][1] + phi)), pi);
+  EXPECT_FALSE(holds(verdict_text(explained(constant_speed, {"rotor.gravity=0.05"})), "no balanced motion"));
+}
+
 TEST(ExplainedBalance, WarnsOfSpringsThatNoMachineHas) {
-  const auto with = [](const char* gravity) { return explained(constant_speed, {std::string("rotor.gravity=") + gravity}); };
+  const auto with = [](const char* gravity) {
+    return explained(constant_speed, {std::string("rotor.gravity=") + gravity});
+  };
   // (1 + 0.1) G.
   EXPECT_TRUE(warned(with("0.92"), "more than the race's radius, 1: no suspension is as soft as that"));
   EXPECT_FALSE(warned(with("0.9"), "race's radius"));
@@ -162,7 +179,8 @@ TEST(ExplainedBalance, BallsCancelWhatTheyHaveRoomFor) {
   EXPECT_EQ(verdict_text(fits), "yes");
   EXPECT_TRUE(holds(explain_text(fits), "these balls cancel from 0 kg mm (0) to 5.2198 kg mm (0.013049) side by side"));
   EXPECT_FALSE(warned(fits, "within 10 %"));
-  EXPECT_TRUE(warned(explained(crowded, {"rotor.unbalance=5000 g mm"}), "within 10 % of the most that all balls side by side"));
+  EXPECT_TRUE(
+      warned(explained(crowded, {"rotor.unbalance=5000 g mm"}), "within 10 % of the most that all balls side by side"));
   const Explanation more = explained(crowded, {"rotor.unbalance=6000 g mm"});
   EXPECT_EQ(verdict_text(more), "no: balls of this size, side by side, cancel less than the unbalance");
   EXPECT_EQ(rule(more, "ball_mass").kept, false);
@@ -192,7 +210,8 @@ TEST(ExplainedBalance, TheStateShownHasRoom) {
 TEST(ExplainedBalance, OneBallIsNotSeveral) {
   const Explanation e = explained(constant_speed, {"balancer.balls=1"});
   EXPECT_TRUE(warned(e, "one ball cancels 0.05 and no other unbalance; this one is 0.01"));
-  for (const char* words : {"these unequal balls", "these balls can", "within 10 %"}) EXPECT_FALSE(warned(e, words)) << words;
+  for (const char* words : {"these unequal balls", "these balls can", "within 10 %"})
+    EXPECT_FALSE(warned(e, words)) << words;
   const Explanation just = explained(constant_speed, {"balancer.balls=1", "rotor.eccentricity=0.05"});
   EXPECT_FALSE(warned(just, "one ball"));
   // One ball has one way out of balance, and that brings it back.

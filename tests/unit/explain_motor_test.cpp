@@ -26,9 +26,10 @@ double speed_at(const Explanation& e, double time) { return simulate(e.study, {0
 TEST(ExplainedMotor, RunUpIsThatOfTheTrajectory) {
   // Hardly any unbalance, and balls that drag takes along: nothing is left out.
   const std::vector<std::string> smooth{"rotor.eccentricity=1e-5", "balancer.mass=0.0005", "balancer.drag=2"};
-  for (const char* torque : {"{stall=0.01, no_load_speed=3.0}", "{times=[0, 50, 100], values=[0.01, 0.03, 0.0]}",
-                             "{constant=0.01, until=80}", "{gain=0.02, limit=0.01, target={profile='ramp', final=3.0, duration=50.0}}",
-                             "{gain=0.02, integral=0.001, target={profile='constant', speed=3.0}}"}) {
+  for (const char* torque :
+       {"{stall=0.01, no_load_speed=3.0}", "{times=[0, 50, 100], values=[0.01, 0.03, 0.0]}",
+        "{constant=0.01, until=80}", "{gain=0.02, limit=0.01, target={profile='ramp', final=3.0, duration=50.0}}",
+        "{gain=0.02, integral=0.001, target={profile='constant', speed=3.0}}"}) {
     const Explanation e = driven(torque, smooth);
     ASSERT_TRUE(e.run_up && e.run_up->alone && e.run_up->shaken) << torque;
     // Balls that are pulled along by drag lag by 1/beta of a time of 50 or more, and are a thousandth of the inertia.
@@ -56,7 +57,8 @@ TEST(ExplainedMotor, RunUpKnowsWhatShakingTakes) {
   EXPECT_LT(stalled, 1.0);
   EXPECT_NEAR(stalled, weak.run_up->stalls_at, 1e-3);  // it still comes closer, and swings about it once a turn
   EXPECT_TRUE(warned(weak, "too weak for the critical speed"));
-  EXPECT_TRUE(warned(slow, "may not suffice at the critical speed: whether it is enough depends on where the balls are"));
+  EXPECT_TRUE(
+      warned(slow, "may not suffice at the critical speed: whether it is enough depends on where the balls are"));
   EXPECT_FALSE(warned(driven("{stall=0.1, no_load_speed=3.0}"), "critical speed:"));
 }
 
@@ -76,6 +78,7 @@ TEST(ExplainedMotor, TorqueThatNeverEndsHoldsNoSpeed) {
     EXPECT_TRUE(warned(e, "in balance the rotor speeds up without end")) << torque;
     EXPECT_TRUE(holds(study_heading(e.study), "the last torque acts for ever")) << torque;
     EXPECT_TRUE(holds(e.no_motion, "no speed is held")) << torque;
+    EXPECT_TRUE(holds(verdict_text(e), "yes by mass and room, but the motor's last torque acts for ever")) << torque;
     // A rotor that begins in balance, as of two equal balls.
     Explanation balanced = e;
     const double phi = std::acos(-0.01 / (2.0 * 0.05));
@@ -86,8 +89,8 @@ TEST(ExplainedMotor, TorqueThatNeverEndsHoldsNoSpeed) {
     EXPECT_GT(later, sooner + 1.0) << torque;
   }
   // Torque that ends, or falls with speed, or is taken by the damper of a race off the shaft.
-  for (const char* torque : {"{times=[0, 2, 4], values=[0.2, 0.3, 0.0]}", "{constant=0.05, slope=-0.01}",
-                             "{constant=0.05, until=20}"}) {
+  for (const char* torque :
+       {"{times=[0, 2, 4], values=[0.2, 0.3, 0.0]}", "{constant=0.05, slope=-0.01}", "{constant=0.05, until=20}"}) {
     const Explanation e = driven(torque);
     EXPECT_TRUE(e.speed.has_value()) << torque;
     EXPECT_FALSE(warned(e, "without end")) << torque;

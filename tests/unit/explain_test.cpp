@@ -144,7 +144,8 @@ TEST(Explain, Warns) {
   EXPECT_TRUE(warned(with("balancer.drag=1e-7 N m s"),
                      "balance is unstable at the final speed: the balls do not stay "
                      "there; more drag makes it less so"));
-  EXPECT_TRUE(warned(with("balancer.drag=1 N m s"), "in more than 1000 units of time; less drag would bring balance sooner"));
+  EXPECT_TRUE(
+      warned(with("balancer.drag=1 N m s"), "in more than 1000 units of time; less drag would bring balance sooner"));
   EXPECT_TRUE(warned(with("balancer.drag=1 N m s"), "overdamped"));
   EXPECT_TRUE(warned(with("speed.duration=10 ms"), "more slowly than the rotor spins up"));
   EXPECT_TRUE(warned(with("balancer.mass=7 kg"), "heavier than the rotor"));
@@ -196,8 +197,9 @@ TEST(Explain, HasTheReynoldsNumberOfASlippingBall) {
 
 TEST(ExplainText, ShowsBothFormsOrTheOneThereIs) {
   const std::string both = explain_text(of(machine));
-  for (const char* part : {"physical", "12 kg", "30 mm", "603.95 rpm", "48 kN/m", "2.4 kg mm", "3.6 kg mm",
-                           "rms velocity", "ISO 21940-11", "(within grade G 100)", "not a certification", "no warnings"})
+  for (const char* part :
+       {"physical", "12 kg", "30 mm", "603.95 rpm", "48 kN/m", "2.4 kg mm", "3.6 kg mm", "rms velocity", "ISO 21940-11",
+        "(within grade G 100)", "not a certification", "no warnings"})
     EXPECT_NE(both.find(part), std::string::npos) << part << "\n" << both;
   const std::string plain = explain_text(of(constant_speed));
   for (const char* part : {"rpm", "physical", "ISO"}) EXPECT_EQ(plain.find(part), std::string::npos) << plain;

@@ -9,8 +9,8 @@
 
 namespace equipoise {
 
-/// The angle that each ball takes up in the race, whether the study lets balls pass each other or not: real ones cannot.
-/// Empty where the study does not give their size.
+/// The angle that each ball takes up in the race, whether the study lets balls pass each other or not: real ones
+/// cannot. Empty where the study does not give their size.
 std::vector<double> ball_widths(const Study& study, const BallDetails& balls);
 
 /// Of an explanation that has all but advice and warnings. A rule that says nothing of the study says why.

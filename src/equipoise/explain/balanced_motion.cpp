@@ -181,8 +181,8 @@ void linearise(Explanation& e) {
   const auto linear = linear_motion(rotor.system(), motion.angles, family);
   if (!linear) {
     const bool gravity = rotor.parameters.gravity != 0.0, uneven = !rotor.parameters.isotropic();
-    return skip(std::string("no balanced motion was found as ") + (gravity ? "gravity" : "") +
-                (gravity && uneven ? " and " : "") + (uneven ? "unequal supports" : "") + " come in");
+    return skip(std::string("no balanced motion was found with ") + (gravity ? "gravity" : "") +
+                (gravity && uneven ? " and " : "") + (uneven ? "unequal supports" : ""));
   }
   motion.less = rotor.less;
   motion.strobe = rotor.system().autonomous() ? 0.0 : rotor.system().strobe_period();

@@ -43,10 +43,11 @@ void balance(Explanation& e) {
   e.balanced = model::balanced_states(p);
   if (e.balanced.kind == Kind::none || room.cancels(e.unbalance)) return;
   e.balanced = {.kind = Kind::none, .angles = {}, .reason = ""};
-  e.balanced.reason = !room.fit()                   ? "the balls do not fit into the race"
-                      : e.unbalance > room.most()   ? "balls of this size, side by side, cancel less than the unbalance"
-                      : e.unbalance < room.least() ? "balls of this size have no room to cancel as little as the unbalance"
-                                                    : "no order of these balls in the race cancels just the unbalance";
+  e.balanced.reason = !room.fit()                 ? "the balls do not fit into the race"
+                      : e.unbalance > room.most() ? "balls of this size, side by side, cancel less than the unbalance"
+                      : e.unbalance < room.least()
+                          ? "balls of this size have no room to cancel as little as the unbalance"
+                          : "no order of these balls in the race cancels just the unbalance";
 }
 
 }  // namespace

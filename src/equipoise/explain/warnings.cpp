@@ -30,8 +30,7 @@ class Warnings {
     unbalance();
     sag();
     if (e.motion) motion(*e.motion);
-    if (e.speeds_up)
-      warn("{}; in balance the rotor speeds up without end", e.speed_words);
+    if (e.speeds_up) warn("{}; in balance the rotor speeds up without end", e.speed_words);
     torque();
     if (e.run_up) run_up(*e.run_up);
     patience();
@@ -83,7 +82,8 @@ class Warnings {
   }
 
   std::string text(double value, Dimension d) const {
-    return e_.study.scales ? engineering(value * study::scale_of(d, *e_.study.scales), d) : fmt::format("{:.5g}", value);
+    return e_.study.scales ? engineering(value * study::scale_of(d, *e_.study.scales), d)
+                           : fmt::format("{:.5g}", value);
   }
 
   void unbalance() {
@@ -154,7 +154,8 @@ class Warnings {
     const double horizon = choose_horizon(e_.study).time;
     if (r.alone && *r.alone - r.last_piece > horizon)
       warn(
-          "without any losses the motor takes {} to bring the rotor to {}, longer than starts are followed, {}: they may "
+          "without any losses the motor takes {} to bring the rotor to {}, longer than starts are followed, {}: they "
+          "may "
           "stay undecided",
           text(*r.alone, Dimension::time), text(r.speed, Dimension::speed), text(horizon, Dimension::time));
   }

@@ -121,11 +121,13 @@ class Text {
                                          either(*r.alone, Dimension::time), to, either(r.inertia, Dimension::inertia))
                            : fmt::format("the motor does not bring the rotor to {}, 95 % of that", to));
     if (!r.alone) return;
-    item("", r.shaken ? fmt::format("{} with what the rotor's own unbalance takes up to sqrt(2) critical speeds; what "
-                                    "the balls add to that is left out",
-                                    either(*r.shaken, Dimension::time))
-                      : fmt::format("never with what the rotor's own unbalance takes up to sqrt(2) critical speeds: it stalls at {}",
-                                    either(r.stalls_at, Dimension::speed)));
+    item("", r.shaken
+                 ? fmt::format("{} with what the rotor's own unbalance takes up to sqrt(2) critical speeds; what "
+                               "the balls add to that is left out",
+                               either(*r.shaken, Dimension::time))
+                 : fmt::format(
+                       "never with what the rotor's own unbalance takes up to sqrt(2) critical speeds: it stalls at {}",
+                       either(r.stalls_at, Dimension::speed)));
   }
 
   void balance() {
@@ -159,11 +161,11 @@ class Text {
     const std::string where =
         (e_.study.speed.driven() ? " at constant speed" : "") + (m.less.empty() ? "" : ", " + m.less);
     const char* more_drag = m.more_drag() > 0 ? "shorter" : m.more_drag() < 0 ? "longer" : "hardly changed";
-    item("way into balance",
-         m.stable ? fmt::format("stable{}; slowest time constant {}, {} with more drag", where,
-                                either(-1.0 / m.slowest_rate, Dimension::time), more_drag)
-         : m.grows() ? fmt::format("NOT stable{}: largest growth rate {:.3g}", where, m.slowest_rate)
-                     : fmt::format("NOT stable{}: the largest rate is within 1e-9 of 0", where));
+    item("way into balance", m.stable ? fmt::format("stable{}; slowest time constant {}, {} with more drag", where,
+                                                    either(-1.0 / m.slowest_rate, Dimension::time), more_drag)
+                             : m.grows()
+                                 ? fmt::format("NOT stable{}: largest growth rate {:.3g}", where, m.slowest_rate)
+                                 : fmt::format("NOT stable{}: the largest rate is within 1e-9 of 0", where));
     if (m.left)
       item("", fmt::format("the balls rock as the rotor turns: the centre of the race keeps moving, by up to {}",
                            both(*m.left, Dimension::length)));
@@ -179,16 +181,16 @@ class Text {
       return std::abs(v.imag()) > 1e-7 * largest;  // the square root of a rounding
     };
     const auto swings = [&](const std::complex<double>& v) { return m.strobe == 0.0 && paired(v); };
-    std::vector<std::array<std::string, 3>> rows{
-        {m.strobe > 0.0 ? "rate, by multipliers" : "eigenvalue", "time constant",
-         scales_ && m.strobe == 0.0 ? "oscillation" : ""}};
+    std::vector<std::array<std::string, 3>> rows{{m.strobe > 0.0 ? "rate, by multipliers" : "eigenvalue",
+                                                  "time constant", scales_ && m.strobe == 0.0 ? "oscillation" : ""}};
     for (const auto& v : m.eigenvalues) {
       if (paired(v) && v.imag() < 0.0) continue;  // the conjugate stands for both
-      rows.push_back({swings(v) ? fmt::format("{:.5g} +- {:.5g} i", v.real(), v.imag()) : fmt::format("{:.5g}", v.real()),
-                      v.real() < -least_rate  ? either(-1.0 / v.real(), Dimension::time)
-                      : v.real() > least_rate ? "grows"
-                                              : "stays",
-                      scales_ && swings(v) ? fmt::format("{:.4g} Hz", v.imag() * scales_->frequency / (2.0 * pi)) : ""});
+      rows.push_back(
+          {swings(v) ? fmt::format("{:.5g} +- {:.5g} i", v.real(), v.imag()) : fmt::format("{:.5g}", v.real()),
+           v.real() < -least_rate  ? either(-1.0 / v.real(), Dimension::time)
+           : v.real() > least_rate ? "grows"
+                                   : "stays",
+           scales_ && swings(v) ? fmt::format("{:.4g} Hz", v.imag() * scales_->frequency / (2.0 * pi)) : ""});
     }
     std::size_t first = 25, second = 18;  // wider for the few that are, with two spaces after each
     for (const auto& row : rows) {
@@ -309,6 +311,7 @@ std::string verdict_text(const Explanation& e) {
   if (e.balanced.kind == model::BalancedStates::Kind::none) return "no: " + e.balanced.reason;
   if (e.motion && !e.motion->stable)
     return "yes, but balance is not stable at the final speed" + e.motion->place(e.balanced);
+  if (!e.motion) return "yes by mass and room, but " + e.no_motion;
   return e.study.parameters.gravity > 0.0 ? "yes, but for gravity" : "yes";
 }
 

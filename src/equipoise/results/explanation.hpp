@@ -65,12 +65,13 @@ struct RuleOfThumb {
 
 /// How long a motor takes to bring the rotor to speed, balls turning with it.
 struct RunUp {
-  double inertia = 0.0;          ///< of rotor and balls
-  double speed = 0.0;            ///< that it is counted to: a share of the final one
-  std::optional<double> alone;   ///< without any losses; none: never
-  std::optional<double> shaken;  ///< less the torque that the rotor's own unbalance takes at each speed; none: it stalls
-  double stalls_at = 0.0;        ///< then: the speed that it comes to
-  double last_piece = 0.0;       ///< when the last piece of the motor's law begins, from where a horizon counts
+  double inertia = 0.0;         ///< of rotor and balls
+  double speed = 0.0;           ///< that it is counted to: a share of the final one
+  std::optional<double> alone;  ///< without any losses; none: never
+  std::optional<double>
+      shaken;               ///< less the torque that the rotor's own unbalance takes at each speed; none: it stalls
+  double stalls_at = 0.0;   ///< then: the speed that it comes to
+  double last_piece = 0.0;  ///< when the last piece of the motor's law begins, from where a horizon counts
 };
 
 struct Explanation {
@@ -78,17 +79,17 @@ struct Explanation {
   std::vector<ExplainedQuantity> quantities;
   std::array<double, 2> critical_alone{}, critical_with_balls{};  ///< by direction (x, y)
   std::optional<double> speed;                                    ///< final; none: the motor holds none
-  std::string speed_words;        ///< of a motor: why it is that; without `speed`, why there is none
-  bool speeds_up = false;         ///< for ever, in balance: the motor's last torque acts for good
-  std::optional<RunUp> run_up;    ///< of a motor that speeds the rotor up
-  std::optional<double> spin_up;  ///< time until it is reached; none: it does not change, or depends on the motor
+  std::string speed_words;         ///< of a motor: why it is that; without `speed`, why there is none
+  bool speeds_up = false;          ///< for ever, in balance: the motor's last torque acts for good
+  std::optional<RunUp> run_up;     ///< of a motor that speeds the rotor up
+  std::optional<double> spin_up;   ///< time until it is reached; none: it does not change, or depends on the motor
   std::vector<double> ball_width;  ///< angle that each takes up in the race; empty: the study gives no size
   /// What the balls have to cancel: lambda, or what an off-centre race makes of it at the final speed.
   double unbalance = 0.0;
   double least_unbalance = 0.0, largest_unbalance = 0.0;  ///< that they can cancel beside each other
   /// Gravity left out, and supports that differ. None, too, where the balls have no room to be balanced.
   model::BalancedStates balanced;
-  double sag = 0.0;                                       ///< of the rotor's centre under the weight of rotor and balls
+  double sag = 0.0;                     ///< of the rotor's centre under the weight of rotor and balls
   std::optional<double> gravity_ratio;  ///< weight of a ball over its centrifugal force; none without gravity or speed
   std::optional<BalancedMotion> motion;
   std::string no_motion;  ///< why `motion` is not there
