@@ -274,7 +274,7 @@ def run_up(e):
     """How long a motor takes to 95 % of the final speed, and whether the rotor's own unbalance stalls it: with two balls
     held opposite each other, which add nothing to it."""
     told = e.said["run_up"]
-    if not told or e.balls != 2 or not told["without_losses"]:
+    if not told or e.balls != 2 or not told["without_losses"] or lasting_loss(e) > 0.05:
         return
     alone = told["without_losses"]["dimensionless"]
     shaken = told["with_own_unbalance"]["dimensionless"] if told["with_own_unbalance"] else None
@@ -293,11 +293,22 @@ def run_up(e):
             f"{reached}; told {alone:.5g} without losses, {shaken:.5g} with the unbalance's"
 
 
+def lasting_loss(e):
+    """What the rotor's own unbalance goes on to take at 95 % of the final speed, which balls that balance spare the motor,
+    over what it gives there: a motor whose torque falls to nothing gives a twentieth of its stall torque."""
+    speed, zeta = 0.95 * e.speed, e.support_damping
+    mass = 1.0 + e.quantity["mass of all balls"]["dimensionless"]
+    taken = zeta * (e.said["unbalance"]["dimensionless"] * speed**2) ** 2 * speed
+    return taken / ((1.0 - mass * speed**2) ** 2 + (zeta * speed) ** 2) / \
+        (0.05 * e.quantity["motor torque at rest"]["dimensionless"])
+
+
 def late(e, start, begin, length):
     """The start's own run, seen for `length` from `begin` on."""
-    step = min(0.5, 2.0 * math.pi / (e.speed or 3.0) / 12.0)
+    # As many times as a command line takes, at no whole part of a turn.
+    count = int(min(2000, length / min(0.5, 2.0 * math.pi / abs(e.speed or 3.0) / 12.0)))
     angles = [float(a) for a in np.atleast_1d(start.phi.values)]
-    return e.simulate(e.machine, "", begin + np.arange(0.0, length, step), [f"initial.phi={angles}"])
+    return e.simulate(e.machine, "", begin + length / count * np.arange(count), [f"initial.phi={angles}"])
 
 
 def fates(e):

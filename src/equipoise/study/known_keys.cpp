@@ -174,7 +174,9 @@ void check_keys(const Document& document, bool physical) {
   for (const KeyList& list : lists) {
     const StudyValue* table = document.root.find_path(list.table);
     if (!table || !table->table()) continue;
-    for (const auto& [name, value] : *table->table()) {
+    for (const auto& entry : *table->table()) {
+      const std::string& name = entry.first;
+      const StudyValue& value = entry.second;
       if (holds(list.keys, name) || holds(list.elsewhere, name)) continue;
       const std::string dotted = list.table + "." + name;
       std::string problem = unknown_key(list.table, name, list.keys);
