@@ -16,10 +16,14 @@ import numpy as np
 import xarray
 
 
+class NoAnswer(Exception):
+    """A command that takes too long: nothing false, and told apart."""
+
+
 class Examination:
     """One machine, what `explain` says of it, and trajectories of it and its variants."""
 
-    patience = 120.0  # seconds that one command may take
+    patience = 60.0  # seconds that one command may take
 
     def __init__(self, program, machine, folder, starts):
         self.program, self.machine, self.folder, self.starts = program, machine, folder, starts
@@ -44,7 +48,7 @@ class Examination:
         try:
             done = subprocess.run([self.program, *arguments], capture_output=True, text=True, timeout=self.patience)
         except subprocess.TimeoutExpired as late:
-            raise RuntimeError(f"equipoise {arguments[0]} {arguments[1]}: no answer in {self.patience} s") from late
+            raise NoAnswer(f"equipoise {arguments[0]} {arguments[1]}: no answer in {self.patience:.0f} s") from late
         if done.returncode not in allowed:
             command = " ".join(word if len(word) < 80 else word[:60] + "..." for word in arguments)
             raise RuntimeError(f"equipoise {command}: exit {done.returncode}: {done.stderr.strip()[-300:]}")
@@ -303,11 +307,11 @@ def lasting_loss(e):
         (0.05 * e.quantity["motor torque at rest"]["dimensionless"])
 
 
-def late(e, start, begin, length):
-    """The start's own run, seen for `length` from `begin` on."""
+def late(e, start, begin, length, aside=0.0):
+    """The run of a start, or of one `aside` of it in its balls' angles, seen for `length` from `begin` on."""
     # As many times as a command line takes, at no whole part of a turn.
     count = int(min(2000, length / min(0.5, 2.0 * math.pi / abs(e.speed or 3.0) / 12.0)))
-    angles = [float(a) for a in np.atleast_1d(start.phi.values)]
+    angles = [float(a) + aside for a in np.atleast_1d(start.phi.values)]
     return e.simulate(e.machine, "", begin + length / count * np.arange(count), [f"initial.phi={angles}"])
 
 
@@ -326,28 +330,41 @@ def fates(e):
     if motion and not motion["stable"] and motion["eigenvalues"][0][0] > 1e-6 and e.gravity == 0.0 and widths(e) == 0.0:
         yield "what is unstable is not balanced", balanced["count"] == 0, f"{balanced['count']} starts balanced"
     bare = max(amplitude(axis) for axis in e.bare()) if e.speed else e.said["unbalance"]["dimensionless"]
-    passed = 0
+    passed = quiet = undecided = 0
+    motion = e.said["balanced"]
+    slow = 8.0 / abs(motion["eigenvalues"][0][0]) if motion and motion["stable"] else 0.0
     with xarray.open_dataset(path) as file:
         for i in range(e.starts):
             start = file.isel(start=i)
             outcome, decided = int(start.outcome), float(start.decision_time)
-            seen = late(e, start, min(decided, 20000.0) + LATER, 60.0)
+            begin = min(decided, 20000.0) + max(LATER, min(slow, 2000.0))
+            seen = late(e, start, begin, 60.0)
             r = seen["radial"].max()
+            if outcome > 0 and (r < 0.5 * bare) != (outcome == 1):
+                # Chaos on the way makes another fate of rounding: then starts a hair aside differ too, and nothing is
+                # learnt of the sentence.
+                aside = [late(e, start, begin, 60.0, d)["radial"].max() < 0.5 * bare for d in (-1e-8, 1e-8, 1e-7, 1e-6)]
+                if len(set(aside)) > 1 or aside[0] != (r < 0.5 * bare):
+                    continue
             name = f"start {i}: {outcome}"
             # Balanced motions under gravity or on a race off its centre shake a little, and less than half as much as
             # no balls at all; what is still on its way is followed on.
             if outcome == 1:
                 yield f"{name}, balanced", r < 0.5 * bare, f"r reaches {r:.3g}, {bare:.3g} without balls"
-            elif outcome in (0, -3) or outcome > 1:
-                quiet = r < 0.02 * bare
-                yield f"{name}, not balanced", not quiet, f"r only reaches {r:.3g}, {bare:.3g} without balls; {note}"
+            elif outcome == 0:  # chaos on the way may last longer here than there: judged by all of them
+                undecided += 1
+                quiet += r < 0.02 * bare
+            elif outcome == -3 or outcome > 1:
+                yield f"{name}, not balanced", r > 0.02 * bare, f"r only reaches {r:.3g}, {bare:.3g} without balls; {note}"
             mean = np.mean(seen["psi_dot"])
             passed += mean > e.critical
     if "passed" in answer:
-        told, undecided = answer["passed"]["count"], answer["undecided"]["count"]
+        told = answer["passed"]["count"]
         yield "came through the resonance", told <= passed <= told + undecided, \
             f"{told} told, {undecided} undecided, {passed} of {e.starts} seen"
-    if note:
+    if undecided > 1:
+        yield "undecided starts do not all balance", quiet < undecided, f"{quiet} of {undecided} are quiet; {note}"
+    if not answer["balanced_stable"]:
         yield "note that none can balance", balanced["count"] == 0, note
 
 
