@@ -10,6 +10,7 @@
 #include "equipoise/base/random.hpp"
 #include "equipoise/math/dense.hpp"
 #include "equipoise/math/lyapunov.hpp"
+#include "equipoise/model/balanced_state.hpp"
 #include "equipoise/model/strobe.hpp"
 
 namespace equipoise {
@@ -81,7 +82,7 @@ MachineBalance::MachineBalance(const model::Parameters& p, const model::DrivePie
   else if (!p.race_is_centred())
     reason_ = "a race off the shaft's centre keeps the rotor from exact balance";
   else if (!machine_.balanced_speed() && !machine_.coasts())
-    reason_ = "a balanced rotor needs no torque, and the motor's never vanishes: it speeds up for ever";
+    reason_ = model::no_speed_is_held;
   exists_ = reason_.empty();
 }
 

@@ -144,7 +144,7 @@ BalancedStates balanced_states(const System& system, double coasting) {
   const std::optional<double> speed = system.coasts() ? std::optional(coasting) : balanced_speed(system);
   BalancedStates none;
   if (!speed)
-    none.reason = "a balanced rotor needs no torque, and the motor's never vanishes: it speeds up for ever";
+    none.reason = no_speed_is_held;
   else if (*speed == 0.0 && !(system.prescribed() && system.parameters().race_is_centred()))
     none.reason = "the rotor comes to rest: nothing balances it";
   else if (system.coasts() && !system.parameters().race_is_centred())

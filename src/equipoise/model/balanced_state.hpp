@@ -13,6 +13,10 @@
 
 namespace equipoise::model {
 
+/// Of a motor whose torque acts for good at every speed. What shakes may be held by that; what is balanced may not.
+inline constexpr const char* no_speed_is_held =
+    "a balanced rotor needs no torque, and the motor's never vanishes: balanced, it would speed up without end";
+
 /// Solutions of lambda + sum mu_i e^{i phi_i} = 0, x = y = 0, all at rest in the rotating frame.
 struct BalancedStates {
   enum class Kind {
