@@ -175,8 +175,8 @@ void check_keys(const Document& document, bool physical) {
     const StudyValue* table = document.root.find_path(list.table);
     if (!table || !table->table()) continue;
     for (const auto& entry : *table->table()) {
-      const std::string& name = entry.first;
-      const StudyValue& value = entry.second;
+      const std::string& name = entry.key;
+      const StudyValue& value = entry.value;
       if (holds(list.keys, name) || holds(list.elsewhere, name)) continue;
       const std::string dotted = list.table + "." + name;
       std::string problem = unknown_key(list.table, name, list.keys);
