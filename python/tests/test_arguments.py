@@ -227,7 +227,7 @@ def test_what_starts_drew_and_stand_for_is_in_their_tables(study):
 
 def test_branches_become_a_dataset_with_names_and_units(study, tmp_path):
     pytest.importorskip("xarray")
-    dataset = eq.follow(study, "speed.final", 1.4, 2.4, 1.0).to_xarray()
+    dataset = eq.follow(study, "speed.final", 2.4, 2.5, 0.1).to_xarray()
     assert dataset.r_max.units == "R" and "balanced" in dataset.name.values and dataset.study
     dataset.to_netcdf(tmp_path / "branches.nc")
 
