@@ -267,6 +267,18 @@ class Errors(unittest.TestCase):
             done = run(*arguments)
             self.assertEqual((done.returncode, done.stdout), (2, ""))
 
+    def test_every_command_speaks_of_a_misspelt_key_before_what_is_missing(self):
+        with open(os.path.join(STUDIES, "examples", "washing-machine.toml"), encoding="utf-8") as file:
+            text = file.read().replace("\nballs = 4", "\nball_count = 4")
+        with tempfile.TemporaryDirectory() as folder:
+            path = os.path.join(folder, "typo.toml")
+            with open(path, "w", encoding="utf-8") as file:
+                file.write(text)
+            for command in ("explain", "basin", "attractors", "simulate", "capacity", "report"):
+                done = run(command, path, *(["-o", os.path.join(folder, "page.html")] if command == "report" else []))
+                self.assertEqual((done.returncode, done.stdout), (2, ""), command)
+                self.assertIn('balancer.ball_count = 4: unknown key; did you mean "balls"?', done.stderr, command)
+
     def test_help_as_a_word_is_that_of_a_command(self):
         commands = re.findall(r"^  (\w+) ", run("--help").stdout.partition("ubcommands:")[2], re.MULTILINE)
         self.assertGreater(len(commands), 10)

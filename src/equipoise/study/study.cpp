@@ -497,6 +497,7 @@ Study study_from(const StudyValue& tree, const std::string& name, const std::vec
 
 namespace {
 BallDetails ball_details_of(Document document) {
+  check_keys(document, is_physical(document));  // whichever is asked first speaks of typing errors first
   take_uncertain(document);
   return ball_details(document);
 }
