@@ -64,7 +64,7 @@ class Examination:
         return {name: values[:, k] for k, name in enumerate(rows[0])}
 
     def at_speed(self, changes):
-        """The machine at its final speed from the begin on, its balls free."""
+        """The machine at its final speed from the start, its balls free."""
         rpm = self.said["final_speed"]["si"] * 30.0 / math.pi
         return self.machine.changed({"speed": {"profile": "constant", "speed": f"{rpm!r} rpm"}, "release": {"time": "0 s"},
                                      "rotor.inertia": None, **changes})
@@ -129,8 +129,7 @@ def static_sag(e):
     seen = -np.mean(fixed(e.simulate(held, "-held", whole))[1])
     told = e.said["static_sag"]["dimensionless"]
     yield "static sag", abs(seen - told) <= 1e-3 * told, f"{told:.6g} told, {seen:.6g} seen"
-    deep = told > 1.0
-    yield "warning of a large sag", deep == any("sags" in w for w in e.warnings) or not deep, f"sag of {told:.3g} race radii"
+    yield "warning of a large sag", told <= 1.0 or any("sags" in w for w in e.warnings), f"sag of {told:.3g} race radii"
 
 
 def held_resonance(e):
@@ -184,6 +183,11 @@ def deviation(seen, balls):
     return np.sqrt(square)
 
 
+def beside(motion):
+    """Ball angles a thousandth of a radian from balance, each another way."""
+    return [a + 1e-3 * math.cos(1.0 + 2.3 * k) for k, a in enumerate(motion["angles"])]
+
+
 def stability(e):
     """`way into balance`: stable or not, at the rate told, seen from a thousandth of a radian away."""
     motion = e.said["balanced"]
@@ -197,7 +201,7 @@ def stability(e):
     longest = 4000.0
     if abs(rate) * longest < 3.0 or overlapping(e, motion["angles"]):
         return  # too slow to be told from rest within reasonable time; or such balls cannot be put there
-    angles = [a + 1e-3 * math.cos(1.0 + 2.3 * k) for k, a in enumerate(motion["angles"])]
+    angles = beside(motion)
     span = min(longest, (5.0 if rate > 0.0 else 9.0) / abs(rate))
     times = np.arange(0.0, span, min(0.5, span / 400))
     seen = e.simulate(e.at_speed({}), "-near", times, [f"initial.phi={angles}"])
@@ -243,7 +247,7 @@ def more_or_less_drag(e):
     rate = abs(motion["eigenvalues"][0][0])
     if rate < 1e-3:
         return
-    angles = [a + 1e-3 * math.cos(1.0 + 2.3 * k) for k, a in enumerate(motion["angles"])]
+    angles = beside(motion)
     times = np.linspace(2.0 / rate, 8.0 / rate, 600)
     seen = []
     drag, unit = e.machine.tables["balancer"]["drag"].split(" ", 1)
@@ -324,14 +328,12 @@ def fates(e):
     answer = json.loads(e.run("basin", e.path, "--starts", str(e.starts), "--json", "--quiet", "-o", path))
     balanced = next((o for o in answer["outcomes"] if o["name"].startswith("balanced")), {"count": 0})
     note = answer.get("note", "")
-    impossible = not e.said["can_balance"]
-    yield "what cannot balance does not", not (impossible and balanced["count"]), f"{balanced['count']} starts balanced"
+    yield "what cannot balance does not", e.said["can_balance"] or balanced["count"] == 0, f"{balanced['count']} starts balanced"
     motion = e.said["balanced"]
     if motion and not motion["stable"] and motion["eigenvalues"][0][0] > 1e-6 and e.gravity == 0.0 and widths(e) == 0.0:
         yield "what is unstable is not balanced", balanced["count"] == 0, f"{balanced['count']} starts balanced"
     bare = max(amplitude(axis) for axis in e.bare()) if e.speed else e.said["unbalance"]["dimensionless"]
     passed = quiet = undecided = 0
-    motion = e.said["balanced"]
     slow = 8.0 / abs(motion["eigenvalues"][0][0]) if motion and motion["stable"] else 0.0
     with xarray.open_dataset(path) as file:
         for i in range(e.starts):

@@ -10,7 +10,9 @@
 #include <fmt/ranges.h>
 
 #include "equipoise/base/angles.hpp"
+#include "equipoise/base/plain_number.hpp"
 #include "equipoise/model/linearisation.hpp"
+#include "equipoise/model/turning_inertia.hpp"
 #include "equipoise/model/unbalance.hpp"
 #include "equipoise/orbits/orbit.hpp"
 
@@ -40,11 +42,6 @@ bool is_near_balance(const model::Parameters& p, double speed, const Eigen::Vect
 double largest_exponent(const model::System& system, const Eigen::VectorXd& state) {
   const std::vector<double> exponents = lyapunov_exponents(system, state, exponent_time, 1);
   return exponents.empty() ? 0.0 : exponents.front();
-}
-
-// So many digits, and all that stand before the point.
-std::string plain_number(double value, int digits) {
-  return value < std::pow(10.0, digits) ? fmt::format("{:.{}g}", value, digits) : fmt::format("{:.0f}", value);
 }
 
 std::string time_words(const Study& study, double time, int digits) {
@@ -123,9 +120,7 @@ std::optional<double> run_up_time(const Study& study) {
   const model::MotorLaw law = study.motor();
   const auto aim = law.final_speed();
   if (!aim || law.kind != model::MotorLaw::Kind::linear || law.constant == 0.0) return std::nullopt;
-  const model::Parameters& p = study.parameters;
-  const double inertia = p.inertia + p.eccentricity * p.eccentricity + p.total_mass();
-  return inertia * std::fabs(*aim - study.speed.initial) / std::fabs(law.constant);
+  return model::turning_inertia(study.parameters) * std::fabs(*aim - study.speed.initial) / std::fabs(law.constant);
 }
 
 std::string why_undecided(const Study& study, const Horizon& horizon, const std::vector<UndecidedEnd>& ends) {

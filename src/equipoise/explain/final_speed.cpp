@@ -26,7 +26,7 @@ FinalSpeed final_speed(const Study& study) {
                          ? "where the motor's torque vanishes: a balanced rotor needs none"
                          : "where the motor gives what the supports' dampers take in balance"};
   return {.speed = std::nullopt,
-          .words = "the motor's last torque acts for ever, and a balanced rotor needs none: no speed is held",
+          .words = std::string("the motor's ") + model::holds_no_speed,
           .speeds_up = true};
 }
 

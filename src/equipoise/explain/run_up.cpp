@@ -8,6 +8,7 @@
 #include "equipoise/explain/rules_of_thumb.hpp"
 #include "equipoise/integrate/adaptive-inl.hpp"
 #include "equipoise/model/system.hpp"
+#include "equipoise/model/turning_inertia.hpp"
 
 namespace equipoise {
 
@@ -16,10 +17,6 @@ namespace {
 namespace kernels = HWY_NAMESPACE;
 
 constexpr double share_of_final = 0.95;
-
-double inertia_with_balls(const model::Parameters& p) {
-  return p.inertia + p.eccentricity * p.eccentricity + p.total_mass();
-}
 
 // State: psi', and the integral of a speed control's error.
 struct TurningBody {
@@ -44,7 +41,7 @@ SpeedRun rotor_alone(const Study& study, double unbalance, std::optional<double>
   constexpr double rests = 1e-6;
   const model::Parameters& p = study.parameters;
   const auto pieces = model::drive_segments(study.motor());
-  const double inertia = inertia_with_balls(p);
+  const double inertia = model::turning_inertia(p);
   double y[2] = {study.speed.initial, 0.0}, largest = 0.0;
   SpeedRun run{0.0, y[0], to && std::fabs(y[0]) >= *to};
   for (const model::DriveSegment& piece : pieces) {
@@ -87,7 +84,7 @@ SpeedRun rotor_alone(const Study& study, double unbalance, std::optional<double>
 
 std::optional<RunUp> run_up(const Study& study, double final_speed) {
   RunUp result;
-  result.inertia = inertia_with_balls(study.parameters);
+  result.inertia = model::turning_inertia(study.parameters);
   result.speed = share_of_final * final_speed;
   result.last_piece = study.drive().pieces.back().begin;
   const double to = std::fabs(result.speed);

@@ -9,9 +9,8 @@
 namespace equipoise {
 
 namespace {
-// Eight turns at the critical speed, in parts of a quarter turn: gravity and unequal supports swing the speed twice a
-// turn at most, drifting balls more slowly.
-constexpr double watched = 50.0;
+// Of last_turns, in parts of a quarter turn: gravity and unequal supports swing the speed twice a turn at most, drifting
+// balls more slowly.
 constexpr int watched_parts = 32;
 }  // namespace
 
@@ -30,7 +29,7 @@ std::vector<double> mean_speeds_from(LaneTask task, std::vector<double> states, 
     const double weight = k == 0 || k == watched_parts ? 1.0 : k % 2 == 1 ? 4.0 : 2.0;
     for (std::size_t i = 0; i < count; ++i) mean[i] += weight / (3.0 * watched_parts) * states[i * size + place];
     if (k == watched_parts) break;
-    task.end = now + watched * (k + 1) / watched_parts;
+    task.end = now + last_turns * (k + 1) / watched_parts;
     if (!advance_lanes(task, fates)) return {};
     begins.assign(count, task.end);
   }

@@ -7,7 +7,10 @@
 
 namespace equipoise {
 
-/// Mean psi' of driven rotors over some turns from where they are: `states` (a row each) at `now`. `task` holds their
+/// Eight turns at the critical speed: what tells the speed of a start that stays open.
+inline constexpr double last_turns = 50.0;
+
+/// Mean psi' of driven rotors over last_turns from where they are: `states` (a row each) at `now`. `task` holds their
 /// equations. One that is lost on the way has the speed that it was lost with. Empty if stopped early.
 std::vector<double> mean_speeds_from(LaneTask task, std::vector<double> states, double now);
 

@@ -10,6 +10,7 @@
 
 #include "equipoise/discovery/cost.hpp"
 #include "equipoise/discovery/horizon.hpp"
+#include "equipoise/fates/last_speed.hpp"
 #include "equipoise/fates/machine_scale.hpp"
 #include "equipoise/fates/start_runner.hpp"
 #include "equipoise/fates/transient_tally.hpp"
@@ -198,8 +199,7 @@ Fate MachineRunner::decide(const InitialState& start, TransientRow* row, Undecid
   };
   Fate fate;
   bool known = false, ran_away = false;
-  // Whatever stays open is told by its speed over the last eight turns at the critical speed.
-  constexpr double last_turns = 50.0;
+  // A start that stays open is known by its speed over the last_turns before the horizon.
   const double horizon = settled_ + *study_.numerics.horizon;
   double turns_from = -1.0, psi_from = 0.0;
   const auto observe = [&](double from, double to, auto&& state_at) {

@@ -18,6 +18,10 @@ inline std::optional<double> held_speed(const System& system) {
   return holds ? speed : std::nullopt;
 }
 
+/// What is said of such a motor, after "the" or "the motor's".
+inline constexpr const char* holds_no_speed =
+    "last torque acts for ever, and a balanced rotor needs none: no speed is held";
+
 /// The motor's last torque acts for good and holds no speed: in balance the rotor speeds up without end.
 inline bool speeds_up_for_ever(const System& system) {
   return !system.prescribed() && !system.coasts() && !held_speed(system);

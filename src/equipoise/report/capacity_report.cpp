@@ -2,12 +2,12 @@
 #include "equipoise/report/capacity_report.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <vector>
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include "equipoise/base/plain_number.hpp"
 #include "equipoise/base/version.hpp"
 #include "equipoise/report/cell_text.hpp"
 #include "equipoise/report/csv.hpp"
@@ -21,10 +21,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-// Four digits, and all that stand before the point.
-std::string four_digits(double value) {
-  return std::fabs(value) < 1e4 ? fmt::format("{:.4g}", value) : fmt::format("{:.0f}", value);
-}
+std::string four_digits(double value) { return plain_number(value, 4); }
 
 std::string in_unit(const CapacityResult& r, const std::string& value) {
   return r.unit.empty() ? value : value + " " + r.unit;

@@ -59,7 +59,7 @@ std::string motor_text(const Study& study) {
     law = fmt::format("torque {}, {} a unit of speed{}", torque(t.constant), shown(t.slope, Dimension::gain),
                       t.until ? fmt::format(", until t = {}", shown(*t.until, Dimension::time)) : "");
   if (model::speeds_up_for_ever(study.system()))
-    law += "; the last torque acts for ever, and a balanced rotor needs none: no speed is held";
+    law += std::string("; the ") + model::holds_no_speed;
   return fmt::format("driven from {}: {}", speed(study.speed.initial), law);
 }
 

@@ -31,7 +31,7 @@ inline void initial_state(const InitialState& s, int balls, double speed, double
   }
 }
 
-/// The start as it is followed by whoever follows it: alike balls in one place are set a few 1e-9 apart.
+/// The start as everything that follows it does: alike balls in one place are set a few 1e-9 apart.
 inline InitialState parted(const model::Parameters& p, InitialState s) {
   model::part_coincident(p, s.phi.data(), s.phi_dot.data());
   return s;

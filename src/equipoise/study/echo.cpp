@@ -124,7 +124,7 @@ StudyValue speed_table(const SpeedSetting& s) {
   return speed;
 }
 
-// Ball angles that nobody chose are left out: whoever draws them would else seem to start from these.
+// Ball angles that nobody chose are left out: a result that draws them must not seem to start from these.
 StudyValue initial_table(const Study& study) {
   const InitialState& s = study.initial;
   const std::size_t balls = ball_count(study.parameters);

@@ -23,7 +23,7 @@ constexpr std::size_t nearest_distance = 2;
 struct KeyList {
   std::string table;
   Names keys;
-  Names elsewhere = {};  // that another profile takes: no misspellings, whoever changes the profile leaves them behind
+  Names elsewhere = {};  // of other profiles: left behind when the profile changes, not misspelt
 };
 
 Names joined(Names first, const Names& more) {
