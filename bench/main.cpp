@@ -24,7 +24,7 @@ namespace {
 constexpr int failed = 1, bad_usage = 2;
 
 const std::vector<std::string> all_works{"full",    "decided", "ramped", "kernel",
-                                         "targets", "threads", "balls",  "starts",  "machines"};
+                                         "targets", "threads", "balls",  "starts",  "machines", "uncertain"};
 
 const char* const footer =
     "Works:\n"
@@ -37,6 +37,7 @@ const char* const footer =
     "  balls    full length by number of balls\n"
     "  starts   time and memory of ensembles of 10^3 to 10^6 starts (10^7 with --long)\n"
     "  machines motors, gravity, contact, stiction, off-centre races and the worked examples; --against PROGRAM\n"
+    "  uncertain  values drawn anew for every start beside the same values known\n"
     "Tables go to standard output, progress to standard error. Exit codes: 0 done, 1 failed, 2 bad usage.";
 
 void measure(const Options& options) {
@@ -59,6 +60,7 @@ void measure(const Options& options) {
   if (options.asked("balls")) works["balls"] = balls(options);
   if (options.asked("starts")) works["starts"] = starts(options);
   if (options.asked("machines")) works["machines"] = machines(options);
+  if (options.asked("uncertain")) works["uncertain"] = uncertain(options);
   if (options.json.empty()) return;
   std::ofstream file(options.json);
   file << out.dump(2) << '\n';

@@ -5,7 +5,7 @@ import subprocess
 import sys
 import tempfile
 
-WORKS = ["full", "decided", "ramped", "kernel", "targets", "threads", "balls", "starts", "machines"]
+WORKS = ["full", "decided", "ramped", "kernel", "targets", "threads", "balls", "starts", "machines", "uncertain"]
 # Median distance in (x, y) from the reference. Tolerances of 1e-6 a step grow over hundreds of steps, most in CVODE
 # (1e-5 here, hence the factor of hundred); other equations or another start would be off by the size of the motion, 0.1.
 LARGEST_MEDIAN_ERROR = 1e-3

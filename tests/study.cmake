@@ -6,6 +6,7 @@ equipoise_test(unit_table_test unit unit/unit_table_test.cpp ${PROJECT_SOURCE_DI
 equipoise_test(read_number_test unit unit/read_number_test.cpp)
 equipoise_test(uncertain_test unit unit/uncertain_test.cpp)
 equipoise_test(display_text_test unit unit/display_text_test.cpp)
+equipoise_test(deadline_test unit unit/deadline_test.cpp)
 equipoise_test(reporting_test unit unit/reporting_test.cpp)
 equipoise_test(form_test unit unit/form_test.cpp)
 equipoise_test(explain_test unit unit/explain_test.cpp unit/explain_balance_test.cpp

@@ -10,6 +10,7 @@
 #include "options.hpp"
 #include "progress.hpp"
 #include "streams.hpp"
+#include "time_limit.hpp"
 
 namespace equipoise::app {
 
@@ -34,7 +35,7 @@ int run_along(const Study& study, const AlongArguments& a) {
   if (a.output.ends_with(".csv")) write_file(a.output, branches_csv(result));
   if (a.output.ends_with(".nc")) write_branches_file(a.output, result);
   if (!a.plot.empty()) draw(a.plot, [&](const std::string& file) { return branch_plot_script(result, file); });
-  return result.partial ? interrupted : done;
+  return result.partial ? ended_early(progress.left(), nullptr, "") : done;
 }
 
 }  // namespace equipoise::app

@@ -13,6 +13,7 @@
 #include "options.hpp"
 #include "progress.hpp"
 #include "streams.hpp"
+#include "time_limit.hpp"
 
 namespace equipoise::app {
 
@@ -21,7 +22,7 @@ namespace {
 struct AttractorsArguments {
   std::string study, cpu, along, output, plot;
   std::vector<std::string> overrides, states;
-  std::optional<std::string> starts, seed, threads;
+  std::optional<std::string> starts, seed, threads, within;
   bool json = false, quiet = false;
 };
 
@@ -56,6 +57,7 @@ int follow_along(const AttractorsArguments& a) {
 }
 
 int run_attractors(const AttractorsArguments& a) {
+  begin_time(a.within);
   choose_cpu(a.cpu);
   if (!a.along.empty()) return follow_along(a);
   for (const auto& [option, value] : {std::pair{"--output", &a.output}, std::pair{"--plot", &a.plot}})
@@ -73,7 +75,7 @@ int run_attractors(const AttractorsArguments& a) {
   const AttractorsResult result = attractors(study, options);
   progress.finish();
   put(a.json ? attractors_json(result) : attractors_text(result));
-  return result.basin.partial && stop_flag() ? interrupted : done;
+  return result.basin.partial && stop_flag() ? ended_early(progress.left(), nullptr, "") : done;
 }
 
 }  // namespace

@@ -17,6 +17,7 @@
 #include "progress.hpp"
 #include "report_command.hpp"
 #include "streams.hpp"
+#include "time_limit.hpp"
 
 namespace equipoise::app {
 
@@ -25,7 +26,7 @@ namespace {
 struct BasinArguments {
   std::string study;
   std::vector<std::string> overrides;
-  std::optional<std::string> starts, seed, start_index, half_width, threads, decide, rows;
+  std::optional<std::string> starts, seed, start_index, half_width, threads, within, decide, rows;
   std::string output, report, cpu;
   bool json = false, quiet = false, transients = false, sensitivity = false;
 };
@@ -63,7 +64,7 @@ int print_replay(const Study& study, const BasinOptions& options, const std::str
     if (!stop_flag()) throw;
     progress.finish();
     say(e.what());
-    return interrupted;
+    return ended_early(progress.left(), nullptr, "");
   }
   progress.finish();
   const SamplingMethod method = study.sampling.method.value_or(SamplingMethod::random);
@@ -93,6 +94,7 @@ int print_replay(const Study& study, const BasinOptions& options, const std::str
 }
 
 int run_basin(const BasinArguments& a) {
+  begin_time(a.within);
   choose_cpu(a.cpu);
   require_ending("--report", a.report, ".html");
   require_writable("--report", a.report);
@@ -129,7 +131,7 @@ int run_basin(const BasinArguments& a) {
   progress.finish();
   put(a.json ? basin_json(result) : basin_text(result));
   const bool partial = result.partial || (result.sensitivity && result.sensitivity->partial);
-  return partial && stop_flag() ? interrupted : done;
+  return partial && stop_flag() ? ended_early(progress.left(), kept_by_output, a.output) : done;
 }
 
 }  // namespace

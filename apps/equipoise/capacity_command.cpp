@@ -18,6 +18,7 @@
 #include "progress.hpp"
 #include "result_forms.hpp"
 #include "streams.hpp"
+#include "time_limit.hpp"
 
 namespace equipoise::app {
 
@@ -26,7 +27,7 @@ namespace {
 struct CapacityArguments : ResultForms {
   std::string study, of, between, cpu;
   std::vector<std::string> over, overrides;
-  std::optional<std::string> at_least, precision, starts, seed, threads;
+  std::optional<std::string> at_least, precision, starts, seed, threads, within;
   bool zip = false, quiet = false;
 };
 
@@ -65,6 +66,7 @@ CapacityOptions capacity_options(const CapacityArguments& a, const SweepPlan& pl
 }
 
 int run_capacity(const CapacityArguments& a) {
+  begin_time(a.within);
   choose_cpu(a.cpu);
   const StudySource source = capacity_source(a);
   const SweepPlan plan = capacity_plan(a, source);
@@ -81,8 +83,11 @@ int run_capacity(const CapacityArguments& a) {
                 },
                 [&] { return capacity_html(result, given_machine(source.toml, source.name, source.overrides)); }});
   if (result.complete()) return done;
-  say_stopped(a.output);
-  return interrupted;
+  WorkLeft left{result.resumed_trials + result.trials, result.most_trials, "trials (at most)"};
+  if (result.trials > 0)
+    left.seconds =
+        result.seconds / static_cast<double>(result.trials) * static_cast<double>(left.total - left.done);
+  return ended_early(left, kept_by_output, a.output);
 }
 
 }  // namespace

@@ -2,6 +2,7 @@
 #include <array>
 #include <fstream>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -15,6 +16,7 @@
 #include "options.hpp"
 #include "progress.hpp"
 #include "streams.hpp"
+#include "time_limit.hpp"
 
 namespace equipoise::app {
 
@@ -23,6 +25,7 @@ namespace {
 struct CertifyArguments {
   std::string study, output, check;
   std::vector<std::string> overrides;
+  std::optional<std::string> within;
   bool json = false, quiet = false;
 };
 
@@ -72,6 +75,7 @@ int run_certify(const CertifyArguments& a) {
       throw InputError("--check", "", a.check, "a certificate is checked as it is: --set and -o need a study");
     return check_file(a.check, a.json);
   }
+  begin_time(a.within);
   require_writable("--output", a.output);
   RunOptions options;
   options.stop = &stop_flag();
@@ -81,7 +85,7 @@ int run_certify(const CertifyArguments& a) {
   progress.finish();
   put(a.json ? certify_json(result) : certify_text(result));
   if (!a.output.empty()) write_certificates(a.output, result);
-  return result.partial ? interrupted : result.proved() ? done : check_failed;
+  return result.partial ? ended_early(progress.left(), nullptr, "") : result.proved() ? done : check_failed;
 }
 
 }  // namespace
@@ -93,6 +97,7 @@ Command add_certify(CLI::App& app) {
   add_overrides(app, a->overrides);
   app.add_option("-o,--output", a->output, "write the certificates here")->type_name("FILE.json");
   app.add_flag("--json", a->json, "print one JSON object");
+  add_within(app, a->within);
   app.add_flag("--quiet", a->quiet, "no progress");
   return [a] { return run_certify(*a); };
 }

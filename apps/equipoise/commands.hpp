@@ -15,6 +15,7 @@ enum ExitCode : int {
   failed = 1,
   bad_input = 2,
   check_failed = 3,
+  out_of_time = 4,
   interrupted = 130,
 };
 

@@ -1,4 +1,5 @@
 // equipoise compare: two studies, or results, on common starts.
+#include <chrono>
 #include <memory>
 #include <optional>
 #include <string>
@@ -10,6 +11,7 @@
 #include "options.hpp"
 #include "progress.hpp"
 #include "streams.hpp"
+#include "time_limit.hpp"
 
 namespace equipoise::app {
 
@@ -18,7 +20,7 @@ namespace {
 struct CompareArguments {
   std::string first, second, cpu;
   std::vector<std::string> overrides, second_overrides;
-  std::optional<std::string> starts, seed, threads;
+  std::optional<std::string> starts, seed, threads, within;
   bool json = false, quiet = false;
 };
 
@@ -46,6 +48,7 @@ Side side(const std::string& given, const CompareArguments& a, bool second) {
 }
 
 int run_compare(const CompareArguments& a) {
+  begin_time(a.within);
   choose_cpu(a.cpu);
   RunOptions options;
   options.threads = threads_option(a.threads);
@@ -53,12 +56,20 @@ int run_compare(const CompareArguments& a) {
   options.stop = &stop_flag();
   ProgressLine progress(a.quiet);
   options.progress = progress.listener();
-  for (Side* s : {&first, &second})
-    if (!s->stored) s->stored = basin_outcomes(*s->study, options);
+  RunOptions of_first = options;
+  if (!second.stored) of_first.stop_asked = half_of_the_time();
+  const auto begin = std::chrono::steady_clock::now();
+  if (!first.stored) first.stored = basin_outcomes(*first.study, of_first);
+  if (!second.stored) second.stored = basin_outcomes(*second.study, options);
   progress.finish();
   const ComparisonResult result = compare(*first.stored, *second.stored);
   put(a.json ? comparison_json(result) : comparison_text(result));
-  return result.partial && stop_flag() ? interrupted : done;
+  if (!result.partial || !(stop_flag() || time_is_limited())) return done;
+  const Study& asked = second.study ? *second.study : first.study.value_or(result.first);
+  WorkLeft left{result.starts, asked.sampling.starts, "starts of both"};
+  const double taken = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+  if (left.done > 0) left.seconds = taken * (static_cast<double>(left.total) / static_cast<double>(left.done) - 1.0);
+  return ended_early(left, nullptr, "");
 }
 
 }  // namespace

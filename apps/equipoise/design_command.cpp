@@ -1,4 +1,5 @@
 // equipoise design: the best balancer or spin-up within what may be chosen.
+#include <algorithm>
 #include <memory>
 #include <optional>
 #include <string>
@@ -15,6 +16,7 @@
 #include "progress.hpp"
 #include "result_forms.hpp"
 #include "streams.hpp"
+#include "time_limit.hpp"
 
 namespace equipoise::app {
 
@@ -23,7 +25,7 @@ namespace {
 struct DesignArguments : ResultForms {
   std::string study, best, cpu;
   std::vector<std::string> overrides;
-  std::optional<std::string> seed, threads, trajectories;
+  std::optional<std::string> seed, threads, within, trajectories;
   bool quiet = false;
 };
 
@@ -39,6 +41,7 @@ StudySource design_source(const DesignArguments& a) {
 }
 
 int run_design(const DesignArguments& a) {
+  begin_time(a.within);
   choose_cpu(a.cpu);
   const StudySource source = design_source(a);
   const DesignProblem problem(source);
@@ -58,10 +61,12 @@ int run_design(const DesignArguments& a) {
           [&](const std::string& file) { return chart_plot_script(design_title(result), design_charts(result), file); },
           [&] { return design_html(result, given_machine(source.toml, source.name, source.overrides)); }});
   if (!a.best.empty() && result.chosen) write_file(a.best, result.best_study);
-  if (result.partial) {
-    say_stopped(a.output);
-    return interrupted;
+  std::optional<WorkLeft> left = progress.left();
+  if (!left && result.resumed == 0 && result.trajectories > 0) {
+    left = WorkLeft{result.trajectories, std::max(result.budget, result.trajectories), "trajectories"};
+    left->seconds = result.seconds * (static_cast<double>(left->total) / static_cast<double>(left->done) - 1.0);
   }
+  if (result.partial) return ended_early(left, kept_by_output, a.output);
   return result.feasible ? done : check_failed;
 }
 

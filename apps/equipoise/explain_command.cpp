@@ -1,10 +1,13 @@
 // equipoise explain: a study in physical and dimensionless form, and what follows without simulation.
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "commands.hpp"
+#include "equipoise/base/deadline.hpp"
 #include "equipoise/base/display_text.hpp"
+#include "equipoise/basins/basin_cost.hpp"
 #include "equipoise/explain/explain.hpp"
 #include "equipoise/report/explain_report.hpp"
 #include "options.hpp"
@@ -17,13 +20,21 @@ namespace {
 struct ExplainArguments {
   std::string study;
   std::vector<std::string> overrides;
-  bool json = false;
+  std::optional<std::string> within;
+  bool json = false, cost = false;
 };
 
 int run_explain(const ExplainArguments& a) {
   const std::string text = read_study_text(a.study), name = display_text(a.study);
-  const Explanation e =
-      explain(at_medians(parse_study(text, name, a.overrides)), parse_ball_details(text, name, a.overrides));
+  const Study study = parse_study(text, name, a.overrides);
+  Explanation e = explain(at_medians(study), parse_ball_details(text, name, a.overrides));
+  if (a.cost) {
+    RunOptions options;
+    options.stop = &stop_flag();
+    e.cost = measure_cost(study, options, a.within ? read_time_limit("--within", *a.within) : cost_patience);
+  } else if (a.within) {
+    throw InputError("--within", "", display_text(*a.within), "goes with --cost only: nothing else takes time here");
+  }
   put(a.json ? explain_json(e) : explain_text(e));
   return done;
 }
@@ -33,6 +44,9 @@ int run_explain(const ExplainArguments& a) {
 Command add_explain(CLI::App& app) {
   const auto a = std::make_shared<ExplainArguments>();
   app.add_option("study", a->study, "study file (TOML)")->required()->type_name("STUDY");
+  app.add_flag("--cost", a->cost,
+               "also what basin takes, measured on a piece of it: the search for attractors and the first starts");
+  app.add_option("--within", a->within, "of --cost: the longest that this may take (default 10s)")->type_name("TIME");
   add_overrides(app, a->overrides);
   app.add_flag("--json", a->json, "print one JSON object");
   return [a] { return run_explain(*a); };

@@ -74,8 +74,8 @@ int run(int given, char** arguments) {
   app.require_subcommand(1);
   app.set_version_flag("--version", version_text);
   app.footer(
-      "Exit codes: 0 done, 1 failed, 2 bad usage or study, 3 not proved or damaged, 130 interrupted with results "
-      "kept.\n"
+      "Exit codes: 0 done, 1 failed, 2 bad usage or study, 3 not proved or damaged, 4 time over (--within) with a "
+      "partial answer, 130 interrupted with results kept.\n"
       "Data go to standard output, all else to standard error.");
   std::vector<std::pair<CLI::App*, Command>> commands;
   const auto add = [&](const char* name, const char* description, Command (*make)(CLI::App&)) {

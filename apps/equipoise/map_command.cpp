@@ -19,6 +19,7 @@
 #include "progress.hpp"
 #include "result_forms.hpp"
 #include "streams.hpp"
+#include "time_limit.hpp"
 
 namespace equipoise::app {
 
@@ -27,7 +28,7 @@ namespace {
 struct MapArguments : ResultForms {
   std::string study, x = "initial.phi_1", y = "initial.phi_2", x_range, y_range, size = "512x512", cpu, from;
   std::vector<std::string> overrides, ties;
-  std::optional<std::string> threads, refine;
+  std::optional<std::string> threads, within, refine;
   bool quiet = false;
 };
 
@@ -50,6 +51,7 @@ void put_map(const ResultForms& a, const PlaneMap& map, const std::function<Give
 }
 
 int run_map(const MapArguments& a) {
+  begin_time(a.within);
   choose_cpu(a.cpu);
   const std::string text = read_study_text(a.study), name = display_text(a.study);
   const Study study = at_medians(parse_study(text, name, a.overrides));
@@ -70,10 +72,8 @@ int run_map(const MapArguments& a) {
   const PlaneMap map = plane_map(study, settings);
   progress.finish();
   if (map.read_whole) say("read from {}", a.output);
-  if (!map.complete && !a.output.empty() && map.pixels_computed > 0)
-    say("{} of {} pixels are kept in {}; the same command goes on", map.pixels_computed, map.pixels, a.output);
   put_map(a, map, [&] { return given_machine(text, name, a.overrides); });
-  return map.complete ? done : interrupted;
+  return map.complete ? done : ended_early(progress.left(), kept_by_output, a.output);
 }
 
 }  // namespace

@@ -15,6 +15,7 @@
 #include "equipoise/base/display_text.hpp"
 #include "equipoise/base/error.hpp"
 #include "equipoise/study/study.hpp"
+#include "time_limit.hpp"
 
 namespace equipoise::app {
 
@@ -68,11 +69,12 @@ void write_file(const std::string& path, const std::string& text);
 /// --set KEY=VALUE, repeated.
 void add_overrides(CLI::App& app, std::vector<std::string>& overrides);
 
-/// --threads, --cpu and --quiet, which all commands have that compute.
+/// --threads, --cpu, --within and --quiet, which all commands have that compute.
 template <class Arguments>
 void add_computing(CLI::App& app, Arguments& a) {
   app.add_option("--threads", a.threads, "threads (default: all cores)")->type_name("T");
   app.add_option("--cpu", a.cpu, "instruction set to use instead of the best (see --version)")->type_name("NAME");
+  add_within(app, a.within);
   app.add_flag("--quiet", a.quiet, "no progress");
 }
 

@@ -8,17 +8,11 @@
 #include <unistd.h>
 
 #include "streams.hpp"
+#include "time_limit.hpp"
 
 namespace equipoise::app {
 
 namespace {
-
-std::string duration(double seconds) {
-  if (seconds < 60.0) return fmt::format("{:.0f} s", seconds);
-  if (seconds < 3600.0)
-    return fmt::format("{:.0f} min {:02.0f} s", std::floor(seconds / 60.0), std::fmod(seconds, 60.0));
-  return fmt::format("{:.0f} h {:02.0f} min", std::floor(seconds / 3600.0), std::fmod(seconds / 60.0, 60.0));
-}
 
 std::size_t terminal_width() {
   winsize size{};
@@ -26,6 +20,13 @@ std::size_t terminal_width() {
 }
 
 }  // namespace
+
+std::string duration_text(double seconds) {
+  if (seconds < 60.0) return fmt::format("{:.0f} s", seconds);
+  if (seconds < 3600.0)
+    return fmt::format("{:.0f} min {:02.0f} s", std::floor(seconds / 60.0), std::fmod(seconds, 60.0));
+  return fmt::format("{:.0f} h {:02.0f} min", std::floor(seconds / 3600.0), std::fmod(seconds / 60.0, 60.0));
+}
 
 ProgressLine::ProgressLine(bool quiet)
     : style_(quiet                   ? Style::none
@@ -37,7 +38,7 @@ ProgressLine::ProgressLine(bool quiet)
 ProgressLine::~ProgressLine() { finish(); }
 
 std::function<void(const Progress&)> ProgressLine::listener() {
-  if (style_ == Style::none) return {};
+  if (style_ == Style::none && !time_is_limited()) return {};
   return [this](const Progress& progress) { update(progress); };
 }
 
@@ -50,11 +51,12 @@ void ProgressLine::update(const Progress& progress) {
     begin_ = now;
   }
   before_ = progress;
+  told_ = now;
+  if (style_ == Style::none) return;
   constexpr std::chrono::milliseconds redrawn{100};
   if (now - last_ < (style_ == Style::bar ? redrawn : lines_apart)) return;
   last_ = now;
-  const double elapsed = std::chrono::duration<double>(now - begin_).count();
-  const double rate = elapsed > 0.0 ? static_cast<double>(done - first_) / elapsed : 0.0;
+  const double rate = this->rate();
   std::string text;
   if (total > 0) {
     const double fraction = static_cast<double>(done) / static_cast<double>(total);
@@ -65,7 +67,7 @@ void ProgressLine::update(const Progress& progress) {
     }
     text += fmt::format("{:3.0f} %  {} of {}", 100.0 * fraction, done, total);
     if (rate > 0.0)
-      text += fmt::format("  {:.0f}/s  {} left", rate, duration(static_cast<double>(total - done) / rate));
+      text += fmt::format("  {:.0f}/s  {} left", rate, duration_text(static_cast<double>(total - done) / rate));
   } else if (preparing) {
     text += done > 0 ? fmt::format("{}  {}  {:.0f}/s", what, done, rate) : what;
   } else {
@@ -82,6 +84,22 @@ void ProgressLine::update(const Progress& progress) {
     put_error(text + "\n");
   }
   shown_ = true;
+}
+
+// Work a second since the present part of it began.
+double ProgressLine::rate() const {
+  const double elapsed = std::chrono::duration<double>(told_ - begin_).count();
+  return elapsed > 0.0 ? static_cast<double>(before_->done - first_) / elapsed : 0.0;
+}
+
+std::optional<WorkLeft> ProgressLine::left() const {
+  if (!before_) return std::nullopt;
+  const auto& [done, total, what, balanced, preparing] = *before_;
+  if (preparing || total == 0) return WorkLeft{0, 0, what};
+  const double per_second = rate();
+  WorkLeft left{done, total, what};
+  if (per_second > 0.0) left.seconds = static_cast<double>(total - done) / per_second;
+  return left;
 }
 
 void ProgressLine::finish() {

@@ -14,6 +14,7 @@
 #include "options.hpp"
 #include "progress.hpp"
 #include "streams.hpp"
+#include "time_limit.hpp"
 
 namespace equipoise::app {
 
@@ -34,11 +35,12 @@ namespace {
 struct ReportArguments {
   std::string study, output, cpu;
   std::vector<std::string> overrides;
-  std::optional<std::string> starts, seed, threads;
+  std::optional<std::string> starts, seed, threads, within;
   bool quiet = false;
 };
 
 int run_report(const ReportArguments& a) {
+  begin_time(a.within);
   choose_cpu(a.cpu);
   require_ending("--output", a.output, ".html");
   require_writable("--output", a.output);
@@ -54,7 +56,7 @@ int run_report(const ReportArguments& a) {
   const MachinePage page = write_machine_page(text, name, overrides, study, options, a.output);
   progress.finish();
   put(answer_sentence(page.basin) + "\n");
-  return page.basin.partial && stop_flag() ? interrupted : done;
+  return page.basin.partial && stop_flag() ? ended_early(progress.left(), nullptr, "") : done;
 }
 
 }  // namespace

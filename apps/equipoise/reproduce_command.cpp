@@ -19,6 +19,7 @@
 #include "progress.hpp"
 #include "reproduce_files.hpp"
 #include "streams.hpp"
+#include "time_limit.hpp"
 
 namespace equipoise::app {
 
@@ -28,7 +29,7 @@ namespace fs = std::filesystem;
 
 struct ReproduceArguments {
   std::vector<std::string> what;
-  std::optional<std::string> starts, threads, pixels;
+  std::optional<std::string> starts, threads, within, pixels;
   std::string law = "both", output, report, explorer, cpu;
   bool json = false, quiet = false;
 };
@@ -67,6 +68,7 @@ void check_paths(const ReproduceArguments& a) {
 }
 
 int run_reproduce(const ReproduceArguments& a) {
+  begin_time(a.within);
   choose_cpu(a.cpu);
   ReproduceOptions options = options_from(a);
   check_paths(a);
@@ -83,7 +85,9 @@ int run_reproduce(const ReproduceArguments& a) {
   if (folder.temporary()) r.pictures.clear();
   if (!a.output.empty()) write_file(a.output + "/reproduction.json", reproduction_json(r));
   put(a.json ? reproduction_json(r) : reproduction_text(r));
-  return r.partial ? interrupted : r.differs() ? check_failed : done;
+  std::optional<WorkLeft> left = progress.left();
+  if (left && left->total > 0) left->what = "starts";
+  return r.partial ? ended_early(left, "-o DIR", a.output) : r.differs() ? check_failed : done;
 }
 
 }  // namespace

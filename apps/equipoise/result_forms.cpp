@@ -36,11 +36,4 @@ void put_forms(const ResultForms& forms, const FormMakers& makers) {
   if (!forms.report.empty()) write_file(forms.report, makers.html());
 }
 
-void say_stopped(const std::string& output) {
-  if (output.empty())
-    say("stopped; with -o FILE.nc the same command would go on from here");
-  else
-    say("stopped; the same command goes on from {}", output);
-}
-
 }  // namespace equipoise::app

@@ -35,7 +35,4 @@ struct FormMakers {
 /// Prints, writes, draws.
 void put_forms(const ResultForms& forms, const FormMakers& makers);
 
-/// What becomes of work that was stopped.
-void say_stopped(const std::string& output);
-
 }  // namespace equipoise::app

@@ -1,4 +1,5 @@
 // equipoise simulate: one trajectory at stated times.
+#include <chrono>
 #include <iostream>
 #include <memory>
 #include <optional>
@@ -14,6 +15,7 @@
 #include "equipoise/trajectory/simulate.hpp"
 #include "options.hpp"
 #include "streams.hpp"
+#include "time_limit.hpp"
 
 namespace equipoise::app {
 
@@ -22,7 +24,7 @@ namespace {
 struct SimulateArguments {
   std::string study, output;
   std::vector<std::string> overrides, at;
-  std::optional<std::string> every, until, tolerance;
+  std::optional<std::string> every, until, tolerance, within;
 };
 
 double time_option(const char* option, const std::string& text, const Study& study) {
@@ -74,7 +76,18 @@ void check_output(const std::string& path) {
   require_writable("--output", path);
 }
 
+// By time reached, which costs alike all along where the rotor turns at one speed.
+WorkLeft rows_left(const Trajectory& trajectory, const std::vector<double>& times,
+                   std::chrono::steady_clock::time_point begin) {
+  WorkLeft left{trajectory.t.size(), times.size(), "rows"};
+  const double reached = trajectory.t.empty() ? 0.0 : trajectory.t.back();
+  const double taken = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+  if (reached > 0.0) left.seconds = taken * (times.back() / reached - 1.0);
+  return left;
+}
+
 int run_simulate(const SimulateArguments& a) {
+  begin_time(a.within);
   std::vector<std::string> overrides = a.overrides;
   if (a.tolerance)
     overrides.push_back(
@@ -84,6 +97,7 @@ int run_simulate(const SimulateArguments& a) {
   const std::vector<double> times = output_times(a, study);
   check_output(a.output);
 
+  const auto begin = std::chrono::steady_clock::now();
   RunOptions options;
   options.stop = &stop_flag();
   const Trajectory trajectory = simulate(study, times, options);
@@ -99,8 +113,8 @@ int run_simulate(const SimulateArguments& a) {
   if (study.speed.law == model::SpeedLaw::published) say("published speed law, psi = t Omega(t)");
   const double last = trajectory.t.empty() ? 0.0 : trajectory.t.back();
   if (trajectory.stopped) {
-    say("interrupted after t = {}; the rows so far are kept", last);
-    return interrupted;
+    say("stopped after t = {}; the rows so far are kept", last);
+    return ended_early(rows_left(trajectory, times, begin), nullptr, "");
   }
   if (trajectory.status != IntegrationStatus::done) {
     say("the trajectory {} after t = {}; the rows so far are kept",
@@ -123,6 +137,7 @@ Command add_simulate(CLI::App& app) {
   app.add_option("--tolerance", a->tolerance, "error allowed a step, relative (default 1e-12)")->type_name("E");
   app.add_option("-o,--output", a->output, "write here (.csv or .nc) instead of CSV on standard output")
       ->type_name("FILE");
+  add_within(app, a->within);
   app.add_option("--set", a->overrides, "override a study key, e.g. initial.phi=[1.0,4.0]; may be repeated")
       ->type_name("KEY=VALUE")
       ->take_all();

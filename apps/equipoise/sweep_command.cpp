@@ -26,6 +26,7 @@
 #include "progress.hpp"
 #include "result_forms.hpp"
 #include "streams.hpp"
+#include "time_limit.hpp"
 #include "team.hpp"
 
 namespace equipoise::app {
@@ -35,7 +36,7 @@ namespace {
 struct SweepArguments : ResultForms {
   std::string study, cpu, shard;
   std::vector<std::string> over, overrides;
-  std::optional<std::string> starts, seed, half_width, threads;
+  std::optional<std::string> starts, seed, half_width, threads, within;
   bool zip = false, quiet = false, transients = false;
 };
 
@@ -107,8 +108,8 @@ int follow(Team& team, const SweepArguments& a) {
   return done;
 }
 
-SweepResult compute(Team& team, const SweepPlan& plan, const SweepArguments& a, SweepOptions& options) {
-  ProgressLine progress(a.quiet);
+SweepResult compute(Team& team, const SweepPlan& plan, const SweepArguments& a, SweepOptions& options,
+                    ProgressLine& progress) {
   options.progress = progress.listener();
   using Clock = std::chrono::steady_clock;
   Clock::time_point told;  // not yet
@@ -131,6 +132,7 @@ SweepResult compute(Team& team, const SweepPlan& plan, const SweepArguments& a, 
 }
 
 int run_sweep(const SweepArguments& a) {
+  begin_time(a.within);
   choose_cpu(a.cpu);
   if (!has_mpi() && a.shard.empty() && repeats_work()) return bad_input;
   Team team;
@@ -157,11 +159,12 @@ int run_sweep(const SweepArguments& a) {
     throw;
   }
   team.agree(true);
-  const SweepResult result = compute(team, *plan, a, options);
+  ProgressLine progress(a.quiet);
+  const SweepResult result = compute(team, *plan, a, options, progress);
+  progress.finish();
   put_sweep(a, result, [&] { return given_machine(source.toml, source.name, source.overrides); });
   if (result.complete() || !stop_flag()) return done;
-  say_stopped(a.output);
-  return interrupted;
+  return ended_early(progress.left(), kept_by_output, a.output);
 }
 
 struct MergeArguments : ResultForms {

@@ -7,11 +7,14 @@ Call::Call(const py::dict& settings) : progress_(py::none()) {
   if (settings.contains("threads")) threads_ = settings["threads"].cast<int>();
   if (settings.contains("cpu") && !settings["cpu"].is_none()) cpu_ = settings["cpu"].cast<std::string>();
   if (settings.contains("progress")) progress_ = settings["progress"];
+  if (settings.contains("within") && !settings["within"].is_none())
+    deadline_.emplace(over_, read_time_limit("within", settings["within"].cast<std::string>()));
 }
 
 void Call::set(RunOptions& options) {
   options.threads = threads_;
   options.cpu_target = cpu_;
+  options.stop = &over_;
   options.stop_asked = [this] { return stop_asked(); };
   if (!progress_.is_none()) options.progress = [this](const Progress& p) { report(p); };
 }

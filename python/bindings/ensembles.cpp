@@ -6,8 +6,10 @@
 #include "convert.hpp"
 #include "equipoise/basins/basin.hpp"
 #include "equipoise/basins/comparison.hpp"
+#include "equipoise/basins/mapped_search.hpp"
 #include "equipoise/basins/sensitivity.hpp"
 #include "equipoise/basins/write_basin.hpp"
+#include "equipoise/kernels/cpu_target.hpp"
 #include "equipoise/report/basin_report.hpp"
 #include "equipoise/report/comparison_report.hpp"
 #include "kept.hpp"
@@ -22,7 +24,7 @@ using Basin = Kept<BasinResult>;
 
 Basin run_basin(const PyStudy& s, double half_width, bool limit_given, std::optional<bool> transients,
                 const std::string& output, bool keep, const std::optional<py::array>& initial,
-                std::optional<std::uint64_t> sensitivity_rows, const py::dict& settings) {
+                std::optional<std::uint64_t> sensitivity_rows, const Mapper* mapper, const py::dict& settings) {
   Call call(settings);
   BasinOptions options;
   call.set(options);
@@ -31,6 +33,12 @@ Basin run_basin(const PyStudy& s, double half_width, bool limit_given, std::opti
   options.transients = transients;
   options.output = output;
   options.keep_starts = keep;
+  DiscoveryCache searched;
+  if (mapper) {
+    const ChosenCpuTarget chosen(options.cpu_target);
+    searched = mapped_search(*mapper, s.study, cpu_target());
+    options.discoveries = &searched;
+  }
   if (initial) options.initial = starts_from(s.study, *initial, "initial");
   SensitivityOptions depends;
   if (sensitivity_rows) {
@@ -74,6 +82,7 @@ py::object arrays_of(const Basin& kept) {
   arrays["decided_by"] = array_of(std::vector<signed char>(a.decided_by));
   arrays["mean_speed"] = column(a.mean_speed, starts);
   arrays["left_unbalance"] = column(a.left_unbalance, starts);
+  arrays["balls_met"] = column(a.balls_met, starts);
   py::dict transients;
   for (std::size_t k = 0; k < transient_columns.size(); ++k)
     if (!a.transients[k].empty()) transients[transient_columns[k].name] = array_of(std::vector<float>(a.transients[k]));
@@ -95,8 +104,12 @@ Compared compare_studies(const PyStudy& first, const PyStudy& second, const py::
   call.set(options);
   check_comparable(first.study);
   check_comparable(second.study);
-  ComparisonResult result =
-      Call::run([&] { return compare(basin_outcomes(first.study, options), basin_outcomes(second.study, options)); });
+  RunOptions of_first = options;
+  of_first.stop_asked = [&] { return call.half_over() || options.stop_asked(); };
+  ComparisonResult result = Call::run([&] {
+    const BasinOutcomes one = basin_outcomes(first.study, of_first);
+    return compare(one, basin_outcomes(second.study, options));
+  });
   return {std::move(result), call.interrupted()};
 }
 
@@ -112,7 +125,7 @@ void bind_ensembles(py::module_& module) {
       .def_property_readonly("resumed_from", [](const Basin& b) { return b.result.resumed_from; });
   module.def("basin", &run_basin, py::arg("study"), py::arg("half_width"), py::arg("limit_given"),
              py::arg("transients"), py::arg("output"), py::arg("keep"), py::arg("initial"), py::arg("sensitivity_rows"),
-             py::arg("settings"));
+             py::arg("mapper").none(true), py::arg("settings"));
   module.def("grounds_of_decision", &grounds_of_decision);
   bind_kept<ComparisonResult>(module, "Comparison", &comparison_text, &comparison_json)
       .def("verdict", [](const Compared& c) { return verdict(c.result); });

@@ -6,14 +6,17 @@ from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 from typing import Any, Optional, TypeVar, Union
 
-from ._arguments import refuse, whole
+from ._arguments import real, refuse, whole
 from .errors import Interrupted
 
 ProgressArgument = Union[bool, None, Callable[[int, int, str], Any]]
 
+WithinArgument = Union[float, str, None]
+
 _Result = TypeVar("_Result")
 
 MOST_THREADS = 4096  # the command line's, too
+LIMIT = (0.0, 3.6e7, "seconds greater than 0, at most 10000 h, or text: \"60s\", \"10min\", \"1.5h\"")
 
 
 class _Bar:
@@ -43,7 +46,9 @@ class _Bar:
 
 
 @contextmanager
-def settings(threads: int, progress: ProgressArgument, cpu: Optional[str]) -> Iterator[dict[str, Any]]:
+def settings(
+    threads: int, progress: ProgressArgument, cpu: Optional[str], within: WithinArgument = None
+) -> Iterator[dict[str, Any]]:
     """The settings of a call as the module takes them."""
     bar = _Bar() if progress is True else None
     listener: Any = bar
@@ -55,8 +60,9 @@ def settings(threads: int, progress: ProgressArgument, cpu: Optional[str]) -> It
     threads = whole("threads", threads, 0, MOST_THREADS, ", 0 for all cores")
     if cpu is not None and not isinstance(cpu, str):
         refuse("cpu", cpu, "one of equipoise.cpu_targets()")
+    limit = None if within is None else within if isinstance(within, str) else repr(real("within", within, *LIMIT))
     try:
-        yield {"threads": threads, "progress": listener, "cpu": cpu}
+        yield {"threads": threads, "progress": listener, "cpu": cpu, "within": limit}
     finally:
         if bar:
             bar.close()

@@ -148,6 +148,7 @@ def basin(
     keep: bool,
     initial: Optional[npt.NDArray[Any]],
     sensitivity_rows: Optional[int],
+    mapper: Optional[Mapper],
     settings: dict[str, Any],
 ) -> Basin: ...
 def compare(first: Study, second: Study, settings: dict[str, Any]) -> Comparison: ...

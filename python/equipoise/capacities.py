@@ -11,7 +11,7 @@ import numpy.typing as npt
 
 from . import _core
 from ._arguments import real, refuse
-from ._call import ProgressArgument, settings, unless_interrupted
+from ._call import ProgressArgument, WithinArgument, settings, unless_interrupted
 from ._html import table
 from ._ranges import Range, Values, over_texts, path_text, range_text
 from .ensembles import with_starts
@@ -115,6 +115,7 @@ def capacity(
     threads: int = 0,
     progress: ProgressArgument = False,
     cpu: Optional[str] = None,
+    within: WithinArgument = None,
 ) -> CapacityResult:
     """The largest unbalance, or other parameter, at which starts still balance as often as asked.
 
@@ -132,7 +133,7 @@ def capacity(
         Cells, as for :func:`sweep`.
     output : path, optional
         NetCDF file that is written trial by trial; the same call resumes it.
-    starts, seed, threads, progress, cpu
+    starts, seed, threads, progress, cpu, within
         As for :func:`basin`.
     """
     asked = with_starts(study, starts, seed)
@@ -140,7 +141,7 @@ def capacity(
         refuse("of", of, 'a key of the study, such as "rotor.eccentricity"')
     share = real("at_least", at_least, 0.01, 0.9999, "a share from 0.01 to 0.9999")
     part = real("precision", precision, 0.0, 1.0, "a part of the range, such as 0.005")
-    with settings(threads, progress, cpu) as how:
+    with settings(threads, progress, cpu, within) as how:
         core = _core.capacity(
             asked._core, of or "", range_text("between", between), share, part, over_texts({} if over is None else over),
             bool(zip), path_text(output), how,

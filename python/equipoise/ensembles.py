@@ -14,7 +14,7 @@ import numpy.typing as npt
 
 from . import _core
 from ._arguments import LARGEST_SEED, MOST_STARTS, checked_study, flag, real, refuse, whole
-from ._call import ProgressArgument, settings, unless_interrupted
+from ._call import ProgressArgument, WithinArgument, settings, unless_interrupted
 from ._html import percent, table
 from .errors import UndecidedWarning
 from .results import Result
@@ -24,6 +24,8 @@ from .study import Study
 if TYPE_CHECKING:
     import pandas
     import xarray
+
+    from .model import Mapper
 
 #: Codes of starts that came to no attractor.
 NO_ATTRACTOR = {0: "undecided", -1: "diverged", -2: "failed", -3: "stalled"}
@@ -85,7 +87,7 @@ class BasinResult(Result):
         Peak displacement and its like by start (columns of the NetCDF file), dimensionless.
     arrays : dict[str, ndarray]
         All that is known start by start, also what only some studies have (``rotor_state``, ``phi_dot``, ``drawn``,
-        ``weight``, ``mean_speed``, ``left_unbalance``, ``psi``).
+        ``weight``, ``mean_speed``, ``left_unbalance``, ``balls_met``, ``psi``).
     starts : int
     partial : bool
         Stopped before all starts were done.
@@ -110,10 +112,6 @@ class BasinResult(Result):
     @property
     def starts(self) -> int:
         return self.data["starts"]
-
-    @property
-    def partial(self) -> bool:
-        return self.data["partial"]
 
     @property
     def undecided(self) -> float:
@@ -227,6 +225,7 @@ class BasinResult(Result):
             "decided_by": (("start",), "1", "grounds of decision: " + ", ".join(self.decided_by_names)),
             "mean_speed": (("start",), "omega_c", "mean rotor speed in the end"),
             "left_unbalance": (("start",), "M R", "unbalance left where dry friction holds the balls"),
+            "balls_met": (("start",), "1", "1 where balls touched before the outcome was known, else 0"),
         }
         data: dict[str, Any] = {}
         for name, (dimensions, unit, long_name) in meaning.items():
@@ -260,7 +259,7 @@ class BasinResult(Result):
         columns.update(self.transients or {})
         if self.arrays["drawn"] is not None:
             columns.update(zip(self.study.uncertain, self.arrays["drawn"].T))
-        for name in ("weight", "mean_speed", "left_unbalance"):
+        for name in ("weight", "mean_speed", "left_unbalance", "balls_met"):
             if self.arrays[name] is not None:
                 columns[name] = self.arrays[name]
         return pandas.DataFrame(columns, index=pandas.RangeIndex(self.starts, name="start"))
@@ -297,11 +296,13 @@ def basin(
     initial: Optional[StateLike] = None,
     frame: Optional[Frame] = None,
     sensitivity: bool | int = False,
+    attractors: Optional[Mapper] = None,
     output: Optional[str | os.PathLike[str]] = None,
     keep: bool = True,
     threads: int = 0,
     progress: ProgressArgument = False,
     cpu: Optional[str] = None,
+    within: WithinArgument = None,
 ) -> BasinResult:
     """With what probability do the balls end up balancing the rotor?
 
@@ -325,6 +326,9 @@ def basin(
         What the velocities of such rows are: x_dot and y_dot, or u and v.
     sensitivity : bool or int
         Of a study with uncertain values: what the outcome depends on most (``data["sensitivity"]``), from so many rows.
+    attractors : Mapper, optional
+        Of the same rotor, final speed and numerics: its search serves here too, and is not made again. The result has the
+        same bits.
     output : path, optional
         NetCDF file that is written as starts are done; the same call resumes or extends it.
     keep : bool
@@ -335,6 +339,9 @@ def basin(
         True: a bar (tqdm); a callable is told ``(done, total, what)``.
     cpu : str, optional
         Instruction set, one of ``cpu_targets()``. Calls that run at the same time must not name different ones.
+    within : float or str, optional
+        Seconds, or "60s", "10min", "1.5h": after this time the call returns what is known by then, and ``partial`` of it
+        is True. With `output` the same call goes on from there.
 
     Returns
     -------
@@ -359,10 +366,14 @@ def basin(
     states = None if initial is None else starts_of("initial", initial, frame, asked)
     if states is not None and states.ndim == 2 and not len(states):
         refuse("initial", states, "one start or more")
-    with settings(threads, progress, cpu) as how:
+    searched = getattr(attractors, "_core", None)
+    if attractors is not None and not isinstance(searched, _core.Mapper):
+        refuse("attractors", attractors, "a Mapper")
+    with settings(threads, progress, cpu, within) as how:
         core = _core.basin(
             asked._core, half_width_of(half_width), starts is not None, flag("transients", transients),
-            "" if output is None else os.fspath(output), bool(keep), states, rows, how,
+            "" if output is None else os.fspath(output), bool(keep), states, rows,
+            searched, how,
         )
     return unless_interrupted(BasinResult(core, asked), core.interrupted)
 
@@ -444,6 +455,7 @@ def compare(
     threads: int = 0,
     progress: ProgressArgument = False,
     cpu: Optional[str] = None,
+    within: WithinArgument = None,
 ) -> Comparison:
     """Two studies on common starts: how much more often does each outcome happen in the second?
 
@@ -452,7 +464,7 @@ def compare(
     first, second : Study
     starts, seed : int, optional
         Of both.
-    threads, progress, cpu
+    threads, progress, cpu, within
         As for :func:`basin`.
 
     Raises
@@ -463,6 +475,6 @@ def compare(
     checked_study(first, "first")
     checked_study(second, "second")
     one, other = with_starts(first, starts, seed), with_starts(second, starts, seed)
-    with settings(threads, progress, cpu) as how:
+    with settings(threads, progress, cpu, within) as how:
         core = _core.compare(one._core, other._core, how)
     return unless_interrupted(Comparison(core, one), core.interrupted)

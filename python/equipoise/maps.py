@@ -13,7 +13,7 @@ import numpy.typing as npt
 
 from . import _core
 from ._arguments import checked_study, refuse, whole
-from ._call import ProgressArgument, settings, unless_interrupted
+from ._call import ProgressArgument, WithinArgument, settings, unless_interrupted
 from ._html import percent, table
 from ._ranges import Range, path_text, range_text
 from .results import Result
@@ -57,7 +57,7 @@ class MapResult(Result):
     time : ndarray (ny, nx), float32
         Study time at which the outcome was known; nan where it was filled in.
     r_max : ndarray (ny, nx), float32
-        Of the final motion, in R.
+        Of the final motion, in R; where rotors differ from pixel to pixel, within 5 % of it.
     x, y : ndarray
         Centres of the pixels.
     x_key, y_key : str
@@ -109,6 +109,10 @@ class MapResult(Result):
     @property
     def errors(self) -> dict[str, tuple[float, float]]:
         return {code[1]: (code[4], code[5]) for code in self._codes}
+
+    @property
+    def partial(self) -> bool:
+        return not self.complete
 
     def __repr__(self) -> str:
         shares = "; ".join(f"{name} {100 * share:.1f} %" for name, share in self.shares.items() if share)
@@ -166,6 +170,7 @@ def map(  # noqa: A001 (the command line's name)
     threads: int = 0,
     progress: ProgressArgument = False,
     cpu: Optional[str] = None,
+    within: WithinArgument = None,
 ) -> MapResult:
     """The outcome of one start at every pixel of a plane of two quantities.
 
@@ -188,7 +193,7 @@ def map(  # noqa: A001 (the command line's name)
         NetCDF file that is written as pixels are done; the same call resumes it.
     from_file : path, optional
         Another map of the same study, whose pixels with the same centres are taken over.
-    threads, progress, cpu
+    threads, progress, cpu, within
         As for :func:`basin`.
     """
     across, up = _axis(checked_study(study), "x", x), _axis(study, "y", y)
@@ -197,7 +202,7 @@ def map(  # noqa: A001 (the command line's name)
     block = whole("refine", refine, 0, 64, ", a power of two")
     if block == 1 or block & (block - 1):
         refuse("refine", refine, "0, or a power of two from 2 to 64")
-    with settings(threads, progress, cpu) as how:
+    with settings(threads, progress, cpu, within) as how:
         core = _core.map(
             study._core, (across, range_text("x_range", x_range), width), (up, range_text("y_range", y_range), height), ties,
             block, path_text(output), path_text(from_file), how,

@@ -13,7 +13,7 @@ import numpy.typing as npt
 
 from . import _core
 from ._arguments import MOST_STARTS, checked_study, real, whole
-from ._call import ProgressArgument, settings, unless_interrupted
+from ._call import ProgressArgument, WithinArgument, settings, unless_interrupted
 from ._html import percent, table
 from .ensembles import _write_json, with_starts
 from .errors import RunError
@@ -184,6 +184,7 @@ def attractors(
     threads: int = 0,
     progress: ProgressArgument = False,
     cpu: Optional[str] = None,
+    within: WithinArgument = None,
 ) -> AttractorsResult:
     """Every steady motion of the study's final speed: found, refined, named.
 
@@ -196,13 +197,13 @@ def attractors(
         velocities, ball angles, ball rates.
     frame : {"rotating", "inertial"}, optional
         What the velocities of such rows are: x_dot and y_dot, or u and v.
-    seed, threads, progress, cpu
+    seed, threads, progress, cpu, within
         As for :func:`basin`.
     """
     asked = with_starts(study, None, seed)
     searched = None if starts is None else whole("starts", starts, 1, MOST_STARTS)
     seeds = None if states is None else seeds_of("states", states, frame, asked)
-    with settings(threads, progress, cpu) as how:
+    with settings(threads, progress, cpu, within) as how:
         core = _core.attractors(asked._core, searched, seeds, how)
     return unless_interrupted(AttractorsResult(core, asked), core.interrupted)
 
@@ -366,6 +367,7 @@ def follow(
     threads: int = 0,
     progress: ProgressArgument = False,
     cpu: Optional[str] = None,
+    within: WithinArgument = None,
 ) -> BranchesResult:
     """Every attractor along a parameter: births, deaths, changes of stability.
 
@@ -382,14 +384,14 @@ def follow(
         value, their velocity in the room is that which they have at the study's own final speed.
     frame : {"rotating", "inertial"}, optional
         As for :func:`attractors`.
-    threads, progress, cpu
+    threads, progress, cpu, within
         As for :func:`basin`.
     """
     checked_study(study)
     line = f"{key}=" + ":".join(option_value(value) for value in (low, high, step))
     searched = whole("starts", starts, 0, MOST_STARTS)
     seeds = None if states is None else seeds_of("states", states, frame, study)
-    with settings(threads, progress, cpu) as how:
+    with settings(threads, progress, cpu, within) as how:
         core = _core.follow(study._core, line, searched, seeds, how)
     return unless_interrupted(BranchesResult(core, study), core.interrupted)
 
@@ -430,7 +432,7 @@ class CertifyResult(Result):
         return f"<CertifyResult of {self.study.name}: {'proved' if self.proved else 'not proved'}, {len(self.states)} states>"
 
 
-def certify(study: Study, *, progress: ProgressArgument = False) -> CertifyResult:
+def certify(study: Study, *, progress: ProgressArgument = False, within: WithinArgument = None) -> CertifyResult:
     """Prove, around each stable balanced state, a level set of states that all end balanced.
 
     Raises
@@ -438,6 +440,6 @@ def certify(study: Study, *, progress: ProgressArgument = False) -> CertifyResul
     StudyError
         For systems without such proofs (gravity, anisotropic supports, contact, dry friction).
     """
-    with settings(0, progress, None) as how:
+    with settings(0, progress, None, within) as how:
         core = _core.certify(checked_study(study)._core, how)
     return unless_interrupted(CertifyResult(core, study), core.interrupted)

@@ -8,7 +8,7 @@ from typing import Any, Optional
 
 from . import _core
 from ._arguments import MOST_STARTS, checked_study, refuse, whole
-from ._call import ProgressArgument, settings, unless_interrupted
+from ._call import ProgressArgument, WithinArgument, settings, unless_interrupted
 from .ensembles import _write_json
 from .results import Answer
 from .study import Study
@@ -91,6 +91,7 @@ def reproduce(
     threads: int = 0,
     progress: ProgressArgument = False,
     cpu: Optional[str] = None,
+    within: WithinArgument = None,
 ) -> Reproduction:
     """Compute tables and figures of Wright and Peng (2019) again.
 
@@ -106,7 +107,7 @@ def reproduce(
         For every ensemble's starts; what is there is not computed again.
     map_pixels : int
         Along each side of the maps of "future".
-    threads, progress, cpu
+    threads, progress, cpu, within
         As for :func:`basin`.
     """
     if not what:
@@ -115,7 +116,7 @@ def reproduce(
         if not isinstance(entry, str):
             refuse("what", entry, "one of reproducible()")
     ensemble, pixels = whole("starts", starts, 0, MOST_STARTS), whole("map_pixels", map_pixels, 1, 20000)
-    with settings(threads, progress, cpu) as how:
+    with settings(threads, progress, cpu, within) as how:
         core = _core.reproduce(list(what), ensemble, law, "" if folder is None else os.fspath(folder), pixels, how)
     return unless_interrupted(Reproduction(core), core.interrupted)
 

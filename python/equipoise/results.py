@@ -32,6 +32,11 @@ class Answer:
         """The table that the command line prints."""
         return self._core.text()
 
+    @property
+    def partial(self) -> bool:
+        """Whether the call ended early: Ctrl-C, or its time (`within`) was over."""
+        return bool(self.data.get("partial", False))
+
     def __str__(self) -> str:
         return self.text
 

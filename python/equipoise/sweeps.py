@@ -14,7 +14,7 @@ import numpy.typing as npt
 
 from . import _core
 from ._arguments import flag
-from ._call import ProgressArgument, settings, unless_interrupted
+from ._call import ProgressArgument, WithinArgument, settings, unless_interrupted
 from ._html import percent, table
 from ._ranges import Values, over_texts, path_text
 from .ensembles import half_width_of, with_starts
@@ -114,10 +114,6 @@ class SweepResult(Result):
             grid[place] = cell["undecided"]["share"]
         return grid
 
-    @property
-    def partial(self) -> bool:
-        return self.data["partial"]
-
     def __repr__(self) -> str:
         over = ", ".join(f"{key} ({len(values)})" for key, values in self.axes.items())
         return f"<SweepResult of {self.study.name}: {len(self.cells_by_place())} cells over {over}{', partial' * self.partial}>"
@@ -178,6 +174,7 @@ def sweep(
     threads: int = 0,
     progress: ProgressArgument = False,
     cpu: Optional[str] = None,
+    within: WithinArgument = None,
 ) -> SweepResult:
     """Shares at every combination of one to three parameters' values, on common starts.
 
@@ -194,12 +191,12 @@ def sweep(
         As for :func:`basin`, in every cell.
     output : path, optional
         NetCDF file that is written cell by cell; the same call resumes it.
-    transients, threads, progress, cpu
+    transients, threads, progress, cpu, within
         As for :func:`basin`.
     """
     asked = with_starts(study, starts, seed)
     texts, zipped = _core.sweep_setting(asked._core) if over is None else (over_texts(over), zip)
-    with settings(threads, progress, cpu) as how:
+    with settings(threads, progress, cpu, within) as how:
         core = _core.sweep(
             asked._core, texts, bool(zipped), half_width_of(half_width), starts is not None, flag("transients", transients),
             path_text(output), how,

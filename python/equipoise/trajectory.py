@@ -11,7 +11,7 @@ import numpy.typing as npt
 
 from . import _core
 from ._arguments import checked_study, numbers, real, refuse
-from ._call import settings, unless_interrupted
+from ._call import WithinArgument, settings, unless_interrupted
 from ._html import definition_table
 from .state import State
 from .study import Study, is_quantity
@@ -173,6 +173,7 @@ def simulate(
     *,
     every: Optional[float] = None,
     progress: Any = False,
+    within: WithinArgument = None,
 ) -> Trajectory:
     """Integrate a study from its initial state.
 
@@ -187,6 +188,8 @@ def simulate(
         Time between rows, where `t` is no array; default: a hundredth of the whole.
     progress : bool or callable
         True: a bar; a callable is told ``(done, total, what)``.
+    within : float or str, optional
+        As for :func:`basin`: then only the rows until the time was over.
 
     Returns
     -------
@@ -206,6 +209,6 @@ def simulate(
     if times is not None and every is not None:
         refuse("every", every, "left out", "t gives all times")
     between = None if every is None else real("every", every, 0.0, 1e9, "a number greater than 0, at most 1e9")
-    with settings(0, progress, None) as how:
+    with settings(0, progress, None, within) as how:
         columns = _core.simulate(study._core, times, until, between, how)
     return unless_interrupted(Trajectory(columns, study), columns["interrupted"])

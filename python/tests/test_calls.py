@@ -101,6 +101,78 @@ def test_ctrl_c_ends_a_call_soon_and_keeps_what_is_done(progress):
     assert float(at) - sent < 2.0  # 0.2 s on an idle machine; tests run beside others
 
 
+@pytest.mark.parametrize(
+    "call",
+    [
+        lambda s: eq.basin(s, starts=100_000_000, keep=False, within=2),
+        lambda s: eq.attractors(s, starts=100_000_000, within="2s"),
+        lambda s: eq.map(s, size=4000, within=2.0),
+        lambda s: eq.sweep(s, {"speed.final": [2.0 + 0.01 * k for k in range(300)]}, within=2),
+        lambda s: eq.capacity(s, starts=10_000_000, within=2),
+        lambda s: eq.compare(s, s.replace(**{"balancer.drag": 0.06}), starts=100_000_000, within=2),
+        lambda s: eq.follow(s, "speed.final", 1.4, 6.5, 0.005, within=2),
+    ],
+)
+def test_a_call_returns_what_it_has_when_its_time_is_over(study, call):
+    begin = time.monotonic()
+    result = call(study)  # does not raise: nobody interrupted it
+    assert result.partial
+    assert time.monotonic() - begin < 7.0  # 2.2 s on an idle machine; tests run beside others
+    assert "PARTIAL" in result.text
+
+
+def test_a_call_that_ends_in_time_is_whole(study):
+    assert not eq.basin(study, starts=100, within="1h").partial
+    assert eq.basin(study, starts=100, within="1h").text.count("PARTIAL") == 0
+
+
+def test_a_trajectory_ends_when_its_time_is_over(study):
+    run = eq.simulate(study, 1e9, every=1e6, within=1)
+    assert run.status == "stopped" and 0 < len(run.t) < 1000
+
+
+@pytest.mark.parametrize("within", [0, -1, "5x", "", float("nan"), True, [1]])
+def test_a_time_that_is_none_is_refused(study, within):
+    with pytest.raises(eq.StudyError, match="within.*10000 h"):
+        eq.basin(study, starts=100, within=within)
+
+
+def test_a_budgeted_ensemble_goes_on_to_the_bits_of_one_that_was_never_stopped(study, tmp_path):
+    path, within = tmp_path / "parts.nc", 0.5
+    while eq.basin(study, starts=200_000, output=path, within=within).partial:
+        within *= 1.5  # a busy machine may not come to the first start in time
+    parts = eq.basin(study, starts=200_000, output=path)
+    whole = eq.basin(study, starts=200_000)
+    assert (parts.labels == whole.labels).all() and (parts.decision_time == whole.decision_time).all()
+
+
+def test_the_search_of_a_mapper_serves_an_ensemble_with_the_same_bits(study):
+    mapper = eq.Mapper(study)
+    stages: list[str] = []
+    again = eq.basin(study, attractors=mapper, progress=lambda done, total, what: stages.append(what))
+    assert set(stages) == {"starts"}  # no search
+    alone = eq.basin(study)
+    assert (again.labels == alone.labels).all() and (again.decision_time == alone.decision_time).all()
+    for key in ("outcomes", "undecided"):
+        assert again.data[key] == alone.data[key]
+    # What a search does not depend on may differ: how the final speed is reached.
+    ramp = study.replace(speed={"profile": "ramp", "final": 2.4, "duration": 100.0})
+    assert (eq.basin(ramp, attractors=mapper).labels == eq.basin(ramp).labels).all()
+    limited = study.replace(**{"limits.displacement": 0.1})
+    assert (eq.basin(limited, attractors=mapper).labels == alone.labels).all()
+
+
+def test_the_search_of_another_rotor_is_refused_with_the_key_that_differs(study):
+    mapper = eq.Mapper(study)
+    with pytest.raises(eq.StudyError, match=r"attractors.*balancer.drag is .*0.05.* there and .*0.06.* here"):
+        eq.basin(study.replace(**{"balancer.drag": 0.06}), attractors=mapper)
+    with pytest.raises(eq.StudyError, match="attractors.*a Mapper"):
+        eq.basin(study, attractors="r.nc")  # type: ignore[arg-type]
+    if "scalar" in eq.cpu_targets()[1:]:
+        with pytest.raises(eq.StudyError, match="attractors.*must be the same cpu"):
+            eq.basin(study, attractors=mapper, cpu="scalar")
+
+
 INNER_LOOPS = {
     "a path": ("motion = eq.attractors(study, starts=100)[-1]", 0.3, "motion.path(1e5, 500_000)", "len(result.t) < 500_001"),
     # Of its starts many end in motions that nothing listed explains.

@@ -135,7 +135,8 @@ std::string contradiction(const Study& study, const Ensemble& ensemble, std::siz
   }
   if (kind == "balanced") return not_balanced(study, late, times);
   if (std::string named = not_as_named(study, kind, late, times); !named.empty()) return named;
-  if (a->motion.kind == MotionKind::measured) return {};
+  // Of rotors that differ the figures listed are another's.
+  if (a->motion.kind == MotionKind::measured || ensemble.own_rotors) return {};
   return not_as_listed(study, a->motion, late, times);
 }
 

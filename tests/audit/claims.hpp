@@ -8,7 +8,8 @@
 
 namespace equipoise::audit {
 
-/// Empty if what `ensemble` says of start `i` agrees with what the start does late; else what does not.
+/// `study`: the start's own. Empty if what `ensemble` says of start `i` agrees with what the start does late; else what
+/// does not.
 std::string contradiction(const Study& study, const Ensemble& ensemble, std::size_t i, const LateMotion& late,
                           const LookTimes& times);
 

@@ -51,6 +51,7 @@ Ensemble run_ensemble(Study study, std::uint64_t starts, const BasinOptions& opt
   BasinOptions all = options;
   all.fate = [&](const Fate& fate) { ensemble.fates.push_back(fate); };
   study.sampling.starts = starts;
+  ensemble.own_rotors = !study.uncertain.empty();
   ensemble.result = basin(study, all, &ensemble.catalogue);
   return ensemble;
 }

@@ -15,6 +15,7 @@ struct Ensemble {
   BasinResult result;
   Catalogue catalogue;
   std::vector<Fate> fates;
+  bool own_rotors = false;  ///< each start draws its own
 
   /// What became of start i: the attractor's name, "undecided", "stalled", "diverged", "failed".
   std::string name(std::size_t i) const;

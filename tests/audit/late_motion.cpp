@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <span>
 #include <utility>
 
@@ -13,6 +14,7 @@
 #include "equipoise/kernels/lane_kernels.hpp"
 #include "equipoise/model/strobe.hpp"
 #include "equipoise/model/system.hpp"
+#include "equipoise/spin_up/initial_state.hpp"
 #include "equipoise/spin_up/spin_up.hpp"
 
 namespace equipoise::audit {
@@ -97,19 +99,26 @@ DecisionRule rule_that_never_decides(int balls) {
   return rule;
 }
 
-// Starts first .. first + motions.size() - 1.
+// Starts first .. first + motions.size() - 1; `family`: of a study with uncertain values, else null.
 class Followers {
  public:
-  Followers(const Study& study, const SpinUp& source, std::size_t first, std::span<LateMotion> motions)
+  Followers(const Study& study, const StudyFamily* family, const SpinUp& source, std::size_t first,
+            std::span<LateMotion> motions)
       : source_(source),
         motions_(motions),
         size_(study.system().dimension()),
         rule_(rule_that_never_decides(study.parameters.balls)) {
-    if (!source.make(study.sampling.seed, first, motions.size(), starts_)) return;
+    std::vector<OwnStart> own;
+    for (std::size_t i = 0; family && i < motions.size(); ++i) own.push_back(own_start(*family, study, first + i));
+    if (family ? !spin_up_own(own, nullptr, starts_)
+               : !source.make(study.sampling.seed, first, motions.size(), starts_))
+      return;
     task_ = source.last_task();
     psi_.assign(motions.size(), 0.0);
+    parameters_.assign(motions.size(), study.parameters);
+    for (std::size_t i = 0; i < own.size(); ++i) parameters_[i] = own[i].study.parameters;
     for (std::size_t i = 0; i < motions.size(); ++i) {
-      lookers_.emplace_back(study.parameters, motions[i]);
+      lookers_.emplace_back(parameters_[i], motions[i]);
       now_.push_back(starts_.begin(i, source.settled()));
       motions[i].followed = starts_.over.empty() || !starts_.over[i];
       motions[i].lost = motions[i].followed && starts_.is_over(i);
@@ -134,8 +143,13 @@ class Followers {
   void go_to(double time) {
     std::vector<std::size_t> places;
     std::vector<double> states, begins;
+    std::vector<const OwnRotor*> own;
     for (std::size_t i = 0; i < lookers_.size(); ++i) {
       if (!under_way(i) || !(now_[i] < time)) continue;
+      if (!starts_.rotors.empty()) {
+        starts_.rotors[i].end = time;
+        own.push_back(&starts_.rotors[i]);
+      }
       places.push_back(i);
       states.insert(states.end(), state(i), state(i) + size_);
       begins.push_back(now_[i]);
@@ -145,6 +159,7 @@ class Followers {
     task_.count = places.size();
     task_.states = states.data();
     task_.begins = begins.data();
+    if (!own.empty()) task_.own = own.data();
     std::vector<Fate> fates(places.size());
     decide_lanes(task_, rule_, fates, nullptr);
     for (std::size_t k = 0; k < places.size(); ++k) {
@@ -159,7 +174,7 @@ class Followers {
   // samples, in which the speed hardly changes.
   void turn(std::size_t i, double time) {
     if (task_.speed_place() < 0)
-      psi_[i] = task_.segment.psi_at(time);
+      psi_[i] = (starts_.rotors.empty() ? task_.segment : starts_.rotors[i].segment).psi_at(time);
     else if (task_.psi_place() >= 0)
       psi_[i] = state(i)[task_.psi_place()];
     else
@@ -172,6 +187,7 @@ class Followers {
   const SpinUp& source_;
   std::span<LateMotion> motions_;
   SpunUp starts_;
+  std::vector<model::Parameters> parameters_;
   std::vector<Looker> lookers_;
   std::vector<double> now_, psi_;
   std::size_t size_;
@@ -181,18 +197,28 @@ class Followers {
 
 }  // namespace
 
+OwnStart own_start(const StudyFamily& family, const Study& study, std::uint64_t number) {
+  const Sampler sampler = sampler_of(study);
+  const std::uint64_t seed = study.sampling.seed;
+  Study own = family.at(family.values_at(drawn_fractions(study, sampler, seed, number)));
+  const InitialState start = parted(own.parameters, start_of(own, sampler, seed, number));
+  return {std::move(own), start};
+}
+
 std::vector<LateMotion> follow_late(const Study& study, std::uint64_t first, std::size_t count, const LookTimes& times,
                                     int threads) {
   std::vector<LateMotion> motions(count);
   const Study with_end = with_horizon(study);
-  const auto source = make_spin_up(with_end, nullptr);
+  const auto source = make_spin_up(with_medians(with_end), nullptr);
+  const std::optional<StudyFamily> family =
+      study.uncertain.empty() ? std::nullopt : std::optional<StudyFamily>(with_end);
   tbb::task_arena arena(threads);
   constexpr std::size_t chunk = 32;  // fills the widest lanes four times
   arena.execute([&] {
     tbb::parallel_for(std::size_t{0}, (count + chunk - 1) / chunk, [&](std::size_t k) {
       const std::size_t begin = k * chunk;
       const std::span<LateMotion> part(&motions[begin], std::min(chunk, count - begin));
-      Followers(with_end, *source, first + begin, part).run(times);
+      Followers(with_end, family ? &*family : nullptr, *source, first + begin, part).run(times);
     });
   });
   return motions;

@@ -6,6 +6,8 @@
 #include <cstdint>
 #include <vector>
 
+#include "equipoise/discovery/study_family.hpp"
+#include "equipoise/spin_up/own_starts.hpp"
 #include "equipoise/study/study.hpp"
 
 namespace equipoise::audit {
@@ -35,7 +37,11 @@ struct LookTimes {
   double span() const { return second + length - first; }
 };
 
-/// Starts first .. first + count - 1 of `study`, on `threads` threads.
+/// Start `number` of a study with uncertain values, and the rotor that it draws.
+OwnStart own_start(const StudyFamily& family, const Study& study, std::uint64_t number);
+
+/// Starts first .. first + count - 1 of `study`, on `threads` threads; of one with uncertain values each with its own
+/// rotor.
 std::vector<LateMotion> follow_late(const Study& study, std::uint64_t first, std::size_t count, const LookTimes& times,
                                     int threads);
 

@@ -2,10 +2,12 @@
 #include "machines.hpp"
 
 #include <algorithm>
+#include <optional>
 
 #include <fmt/format.h>
 
 #include "claims.hpp"
+#include "equipoise/discovery/horizon.hpp"
 #include "late_motion.hpp"
 
 namespace equipoise::audit {
@@ -17,6 +19,13 @@ struct Machine {
   const char* study;
   std::vector<std::string> overrides;
 };
+
+const std::string unbalance = "rotor.eccentricity={ uniform = [0.005, 0.015] }";
+const std::string narrow = "rotor.eccentricity={ uniform = [0.008, 0.012] }";
+const std::string damping = "rotor.damping={ uniform = [0.4, 0.6] }";
+const std::string mass = "balancer.mass={ uniform = [0.045, 0.055] }";
+const std::string drag = "balancer.drag={ loguniform = [0.04, 0.06] }";
+const std::string speed = "speed.speed={ uniform = [2.3, 2.5] }";
 
 const std::vector<Machine> machines{
     {"paper's rotor, 2.4", "paper/table-2-omega-2.4.toml", {}},
@@ -33,6 +42,17 @@ const std::vector<Machine> machines{
     {"balls that stick", "paper/table-2-omega-2.4.toml", {"balancer.rolling=0.001"}},
     {"angle grinder", "examples/angle-grinder.toml", {}},
     {"motor, touch and stick", "paper-rotor-with-motor.toml", {"balancer.contact_angle=0.3", "balancer.rolling=0.001"}},
+    // Each start with values of its own.
+    {"unbalance", "paper/table-2-omega-2.4.toml", {unbalance}},
+    {"five values", "paper/table-2-omega-2.4.toml", {narrow, damping, mass, drag, speed}},
+    {"fast, unbalance", "paper/table-2-omega-4.0.toml", {unbalance}},
+    {"ramp, unbalance, drag", "paper/table-3-t0-100.toml", {unbalance, drag}},
+    {"motor, unbalance", "paper-rotor-with-motor.toml", {unbalance}},
+    {"motor, torque, drag", "paper-rotor-with-motor.toml", {"speed.torque.stall={ uniform = [0.05, 0.2] }", drag}},
+    {"gravity, unbalance", "paper/table-2-omega-3.0.toml", {"rotor.gravity=0.002", unbalance}},
+    {"unequal supports", "paper/table-2-omega-3.0.toml", {"rotor.stiffness=[1.0, 1.2]", unbalance}},
+    {"three balls, unbalance", "paper/table-2-omega-3.0.toml", {"balancer.balls=3", unbalance, mass}},
+    {"touch, unbalance", "paper/table-2-omega-2.4.toml", {"balancer.contact_angle=0.3", unbalance}},
 };
 
 LookTimes look_times(const Study& study, const Ensemble& ensemble, double longer, MachineAudit& audit) {
@@ -65,6 +85,9 @@ MachineAudit audit_machine(std::size_t k, std::uint64_t starts, const Settings& 
   const Ensemble ensemble = run_ensemble(study, starts, options);
   audit.undecided_share = ensemble.result.undecided.share;
   const LookTimes times = look_times(study, ensemble, settings.longer, audit);
+  const Study with_end = with_horizon(study);
+  const std::optional<StudyFamily> family =
+      study.uncertain.empty() ? std::nullopt : std::optional<StudyFamily>(with_end);
   constexpr std::uint64_t part = 20000;  // what is held in memory at a time
   for (std::uint64_t first = 0; first < starts && audit.decided > 0; first += part) {
     const auto count = static_cast<std::size_t>(std::min(part, starts - first));
@@ -72,7 +95,8 @@ MachineAudit audit_machine(std::size_t k, std::uint64_t starts, const Settings& 
     for (std::size_t j = 0; j < count; ++j) {
       const std::size_t i = first + j;
       if (!ensemble.decided(i)) continue;
-      const std::string against = contradiction(study, ensemble, i, late[j], times);
+      const std::string against =
+          contradiction(family ? own_start(*family, with_end, i).study : study, ensemble, i, late[j], times);
       if (against.empty()) continue;
       if (audit.wrong++ == 0)
         audit.first = fmt::format("start {} is \"{}\" at {:.0f}, but at {:.0f} {}", i, ensemble.name(i),

@@ -41,6 +41,30 @@ class Explain(unittest.TestCase):
                                       'such as "12 kg"\n')
 
 
+class Cost(unittest.TestCase):
+    """What explain says that basin takes, against what it takes."""
+
+    # Predicted on as many starts as basin follows here it is out by what else the machine does; a factor of three for that.
+    def test_it_is_within_a_factor_of_three(self):
+        for study, more in ((ROW, ["--set", "sampling.starts=200000"]), (WASHER, [])):
+            cost = json.loads(run("explain", study, "--cost", "--within", "60s", "--json", *more).stdout)["cost"]
+            taken = json.loads(run("basin", study, "--threads", "1", "--json", "--quiet", *more).stdout)["cpu_seconds"]
+            self.assertTrue(cost["search_ended"])
+            self.assertTrue(taken / 3 < cost["cpu_seconds"] < taken * 3, (study, cost, taken))
+
+    def test_what_did_not_end_in_time_is_said(self):
+        grinder = os.path.join(STUDIES, "examples", "angle-grinder.toml")  # its search takes 10 s and more
+        self.assertIn("basin takes           more than", run("explain", grinder, "--cost", "--within", "1s").stdout)
+        self.assertIn("basin takes           about", run("explain", ROW, "--cost", "--within", "60s").stdout)
+
+    def test_it_is_measured_only_if_asked_for(self):
+        self.assertNotIn("basin takes", run("explain", ROW).stdout)
+        self.assertIsNone(json.loads(run("explain", ROW, "--json").stdout)["cost"])
+        done = run("explain", ROW, "--within", "1s")
+        self.assertEqual(done.returncode, 2)
+        self.assertIn("goes with --cost only", done.stderr)
+
+
 class Uncertain(unittest.TestCase):
     """Values that every start draws: what basin tells of them, and what other commands make of them."""
     DRAWS = ["--set", "rotor.eccentricity={uniform=[0.005, 0.015]}", "--set", "speed={profile='constant', speed=1.8}",

@@ -77,7 +77,7 @@ TEST(ContinuumDecisions, TheCatalogueListsAnAttractingMember) {
     ASSERT_TRUE(a->continuum) << balls;
     EXPECT_GT(a->continuum->share(), 0.0) << balls;
     EXPECT_LT(a->continuum->share(), 1.0) << balls;
-    EXPECT_TRUE(discovery.rule.family.caught) << balls;
+    EXPECT_TRUE(discovery.rule.family.traps) << balls;
   }
 }
 

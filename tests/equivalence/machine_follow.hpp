@@ -9,10 +9,10 @@
 #include <string>
 
 #include "equipoise/base/angles.hpp"
-#include "equipoise/fates/machine_scale.hpp"
 #include "equipoise/model/ball_count.hpp"
 #include "equipoise/model/strobe.hpp"
 #include "equipoise/spin_up/initial_state.hpp"
+#include "machine_scale.hpp"
 
 namespace machine_follow {
 
@@ -73,7 +73,7 @@ inline Seen follow(const equipoise::Study& study, std::uint64_t index, double un
   return seen;
 }
 
-/// The kinds of motions/steady_watch.hpp, but "rest" for all balls captured, r above rounding or not.
+/// Names of motions without what tells how they come back, but "rest" for all balls captured, r above rounding or not.
 inline std::string kind_of(const equipoise::Study& study, const Seen& seen) {
   using equipoise::two_pi;
   if (study.speed.driven() && std::fabs(seen.speed) < study.stall_speed()) return "stalled";

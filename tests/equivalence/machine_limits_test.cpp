@@ -12,7 +12,6 @@
 
 #include "equipoise/base/angles.hpp"
 #include "equipoise/basins/basin.hpp"
-#include "equipoise/fates/machine_runner.hpp"
 #include "equipoise/model/energy.hpp"
 #include "equipoise/trajectory/simulate.hpp"
 
@@ -162,16 +161,14 @@ TEST(MachineEnsemble, a_weak_motor_stalls_and_a_strong_one_does_not) {
   const auto outcomes = [](double stall) {
     std::string text =
         study_text("inertia = 1.0", "",
-                   fmt::format("profile = \"torque\"\ntorque = {{ stall = {}, no_load_speed = 3.0 }}", stall));
+                   fmt::format("profile = \"torque\"\ntorque = {{ stall = {}, no_load_speed = 3.0 }}\n[sampling]\nstarts = 12", stall));
     text.replace(text.find("eccentricity = 0.01"), 19, "eccentricity = 0.05");
     text.replace(text.find("damping = 0.5"), 13, "damping = 0.1");
     const Study study = parse_study(text, "motor");
-    std::vector<equipoise::Fate> fates;
-    std::vector<double> phi;
-    std::vector<equipoise::UnlistedStart> unlisted;
-    EXPECT_TRUE(equipoise::MachineRunner(study, nullptr).run(0, 12, phi, fates, unlisted));
     std::map<equipoise::Outcome, int> count;
-    for (const auto& fate : fates) ++count[fate.outcome];
+    equipoise::BasinOptions options;
+    options.fate = [&](const equipoise::Fate& fate) { ++count[fate.outcome]; };
+    equipoise::basin(study, options);
     return count;
   };
   EXPECT_EQ(outcomes(0.005)[equipoise::Outcome::stalled], 12);

@@ -19,6 +19,7 @@
 #include "equipoise/drawing/map_plot.hpp"
 #include "equipoise/files/netcdf.hpp"
 #include "equipoise/maps/plane_map.hpp"
+#include "equipoise/maps/start_pixels.hpp"
 #include "equipoise/model/linearisation.hpp"
 #include "equipoise/motions/motion.hpp"
 #include "equipoise/spin_up/initial_state.hpp"
@@ -121,11 +122,16 @@ TEST(PlaneMap, PixelsComeToWhatTheirTrajectoriesComeToAlone) {
             motion_from({study.parameters, 2.4}, model::centred_state(study.parameters, study.initial.phi.data()),
                         *study.numerics.horizon);
         const std::size_t at = map.at(column, row);
-        const std::string name = alone ? motion_name(study.parameters, *alone).name : "undecided";
-        EXPECT_EQ(name_of(map, at), name) << column << ", " << row;
-        // Orbits are refined to 1e-11; tori and chaos are measured.
+        // What has not shown a motion alone by the horizon may be chaos, which windows tell.
+        if (alone || name_of(map, at).find("chaotic") == std::string::npos) {
+          const std::string name = alone ? motion_name(study.parameters, *alone).name : "undecided";
+          EXPECT_EQ(name_of(map, at), name) << column << ", " << row;
+        }
+        // Orbits are refined to 1e-11; tori and chaos are measured. Of rotors that differ the last window tells, whose
+        // samples, 0.4 apart at most, miss a peak by a thousandth.
         if (alone && alone->kind <= MotionKind::periodic) {
-          EXPECT_NEAR(map.r_max[at], alone->r_max, 1e-8) << column << ", " << row;
+          const double tolerance = maps_starts(map) ? 1e-8 : 0.002 * alone->r_max + 1e-8;
+          EXPECT_NEAR(map.r_max[at], alone->r_max, tolerance) << column << ", " << row;
         }
       }
   }
@@ -154,38 +160,51 @@ double r_max_after_long(Study study) {
   return *std::max_element(trajectory.radial.begin(), trajectory.radial.end());
 }
 
+// Compares the pixels whose largest r is a number to compare; returns how many. `slack`: what has not died out by then.
+int compare_with_long(const PlaneMap& map, double slack) {
+  // Samples 0.1 apart miss a peak of angular frequency 3 by 1 - cos(0.15) = 1.1 % at most.
+  constexpr double tolerance = 0.012;
+  int compared = 0;
+  for (int row = 0; row < map.y.pixels; ++row)
+    for (int column = 0; column < map.x.pixels; ++column) {
+      const std::size_t at = map.at(column, row);
+      if (map.code[at] <= 0 || name_of(map, at).find("chaotic") != std::string::npos) continue;
+      const double expected = map.r_max[at];
+      const auto agrees = [&](double r) { return std::fabs(r - expected) < tolerance * expected + slack; };
+      Study study = pixel(map, column, row);
+      const double r = r_max_after_long(study);
+      ++compared;
+      if (agrees(r)) continue;
+      // Beside a boundary of basins what a start comes to hangs on the last digits, and neighbours say what it may.
+      bool beside = false, one_agrees = false;
+      for (const double aside : {-1e-6, 1e-6, -1e-5, 1e-5}) {
+        study.initial.phi[0] += aside;
+        const double neighbour = r_max_after_long(study);
+        study.initial.phi[0] -= aside;
+        beside = beside || std::fabs(neighbour - r) > tolerance * r + slack;
+        one_agrees = one_agrees || agrees(neighbour);
+      }
+      EXPECT_TRUE(beside && one_agrees) << name_of(map, at) << " at " << column << ", " << row << ": " << expected
+                                        << " in place of " << r;
+    }
+  return compared;
+}
+
 TEST(PlaneMap, LongAccurateTrajectoriesShakeAsTheMapSays) {
   int compared = 0;
-  for (const PlaneMapSettings& settings : {angle_plane(4, 3), mass_plane(4, 3), both_angles(3, 3)}) {
-    const PlaneMap map = plane_map(rotor(), settings);
-    for (int row = 0; row < map.y.pixels; ++row)
-      for (int column = 0; column < map.x.pixels; ++column) {
-        const std::string name = name_of(map, map.at(column, row));
-        if (name == "undecided" || name.find("chaotic") != name.npos) continue;  // no number to compare
-        // Balance within 1 % of losing its stability is still 1e-6 away by then. Samples 0.1 apart miss a peak of
-        // angular frequency 3 by 1 - cos(0.15) = 1.1 % at most.
-        const double expected = map.r_max[map.at(column, row)];
-        EXPECT_NEAR(r_max_after_long(pixel(map, column, row)), expected, 0.012 * expected + 1e-5)
-            << name << " at " << column << ", " << row;
-        ++compared;
-      }
-  }
+  for (const PlaneMapSettings& settings : {angle_plane(4, 3), mass_plane(4, 3), both_angles(3, 3)})
+    // Balance within 1 % of losing its stability is still 1e-6 away by then.
+    compared += compare_with_long(plane_map(rotor(), settings), 1e-5);
   EXPECT_GE(compared, 16);
 }
 
 TEST(PlaneMap, OfMotorsShakesAsLongAccurateTrajectories) {
   const PlaneMap map = motors();
+  // What a weak motor lets approach slowly is at 9000 still 1e-4 away.
+  EXPECT_GE(compare_with_long(map, 1e-4), 6);
   std::set<std::string> names;
   for (int row = 0; row < map.y.pixels; ++row)
-    for (int column = 0; column < map.x.pixels; ++column) {
-      const std::size_t at = map.at(column, row);
-      const std::string name = name_of(map, at);
-      names.insert(name);
-      if (name == "undecided" || name.find("chaotic") != name.npos) continue;  // no number to compare
-      // As above; what a weak motor lets approach slowly is at 9000 still 1e-4 away.
-      EXPECT_NEAR(r_max_after_long(pixel(map, column, row)), map.r_max[at], 0.012 * map.r_max[at] + 1e-4)
-          << name << " at " << column << ", " << row;
-    }
+    for (int column = 0; column < map.x.pixels; ++column) names.insert(name_of(map, map.at(column, row)));
   EXPECT_TRUE(names.contains("balanced"));
   EXPECT_GE(names.size(), 2u);  // and captured at resonance
 }
@@ -279,8 +298,8 @@ TEST(PlaneMap, DrawsStartsBySeedAndPixel) {
     for (int column = 0; column < 4; ++column) {
       Study here = pixel(map, column, row);
       here.initial = start_of(study, 7, static_cast<std::uint64_t>(4 * row + column));
-      const auto alone = motion_from({here.parameters, 2.4},
-                                     model::centred_state(here.parameters, here.initial.phi.data()), 3000.0);
+      const auto alone =
+          motion_from({here.parameters, 2.4}, model::centred_state(here.parameters, here.initial.phi.data()), 3000.0);
       ASSERT_TRUE(alone);
       EXPECT_EQ(name_of(map, map.at(column, row)), motion_name(here.parameters, *alone).name);
     }
@@ -307,8 +326,8 @@ TEST(PlaneMap, TakesOneStartWhereItIsStatedOrVaried) {
 
 // Whose balls are free because it says nothing of them.
 TEST(PlaneMap, VariesTheReleaseOfAMachine) {
-  const Study machine = parse_study(machine_rotor + "[speed]\nprofile=\"ramp\"\nfinal=\"2000 rpm\"\nduration=\"5 s\"\n",
-                                    "machine");
+  const Study machine =
+      parse_study(machine_rotor + "[speed]\nprofile=\"ramp\"\nfinal=\"2000 rpm\"\nduration=\"5 s\"\n", "machine");
   EXPECT_EQ(machine.release_time(), 0.0);
   EXPECT_EQ(study_with(machine, "release.speed", 1.0).release.speed, 1.0);
   const Study again = study_with(study_with(machine, "release.speed", 1.0), "release.time", 7.0);

@@ -6,11 +6,15 @@
 
 #include <gtest/gtest.h>
 
+#include "equipoise/discovery/horizon.hpp"
 #include "equipoise/fates/start_runner.hpp"
+#include "equipoise/kernels/lane_kernels.hpp"
 #include "equipoise/model/balanced_state.hpp"
 #include "equipoise/model/room_in_race.hpp"
 #include "equipoise/model/unbalance.hpp"
 #include "equipoise/orbits/continuum_draws.hpp"
+#include "equipoise/spin_up/initial_state.hpp"
+#include "equipoise/spin_up/spin_up.hpp"
 #include "equipoise/trajectory/simulate.hpp"
 #include "equipoise/traps/balanced_analysis.hpp"
 
@@ -45,7 +49,7 @@ TEST(TouchingBalance, ExistsUpToARowSideBySide) {
   EXPECT_EQ(model::balanced_states(crowded_rotor(0.9999 * most).parameters).kind, Kind::family);
   const auto none = model::balanced_states(crowded_rotor(1.0001 * most).parameters);
   EXPECT_EQ(none.kind, Kind::none);
-  EXPECT_EQ(none.reason, "balls in contact touch before they cancel the unbalance");
+  EXPECT_EQ(none.reason, "balls of this size, side by side, cancel less than the unbalance");
   // Balls that pass each other cancel it.
   model::Parameters passing = crowded_rotor(1.0001 * most).parameters;
   passing.contact_angle = 0.0;
@@ -66,7 +70,7 @@ TEST(TouchingBalance, TwoBallsHaveRoomOrOverlap) {
   p.mass = {1.99 * ball, ball, ball};
   const auto heavy = model::balanced_states(p);
   EXPECT_EQ(heavy.kind, Kind::none);
-  EXPECT_EQ(heavy.reason, "balls in contact would overlap where they cancel the unbalance");
+  EXPECT_EQ(heavy.reason, "balls of this size have no room to cancel as little as the unbalance");
   p.mass[0] = 1.9 * ball;
   EXPECT_EQ(model::balanced_states(p).kind, Kind::family);
 }
@@ -114,6 +118,46 @@ TEST(TouchingBalance, StartsComeToItAsSimulateDoes) {
     // Thirty times as long as the slowest deviation takes to fall to 1/e.
     EXPECT_LT(path.radial[2], 1e-5 * study.parameters.eccentricity);
   }
+}
+
+// Both ways: who never met goes as balls that pass each other do; nearly all others do not.
+TEST(TouchingBalance, StartsWhoseBallsNeverMeetAreThoseOfBallsThatPass) {
+  constexpr std::size_t starts = 400;
+  Study touching = crowded_rotor(0.5 * most);
+  touching.parameters.balls = 3;
+  touching.parameters.drag.fill(0.1);
+  touching.speed.speed = 2.5;
+  Study passing = touching;
+  passing.parameters.contact_angle = 0.0;
+  std::vector<InitialState> begins;  // with room
+  for (std::size_t i = 0; i < starts; ++i) begins.push_back(start_of(touching, 1, i));
+  const auto states_of = [&](const Study& study, std::vector<Fate>& fates) {
+    const auto source = make_spin_up(with_horizon(study), nullptr);
+    SpunUp spun;
+    EXPECT_TRUE(source->follow(begins, spun));
+    LaneTask task = source->last_task();
+    task.end = 20.0;
+    task.count = starts;
+    task.states = spun.states.data();
+    fates.assign(starts, Fate{});
+    EXPECT_TRUE(advance_lanes(task, fates));
+    return spun.states;
+  };
+  std::vector<Fate> fates, none;
+  const std::vector<double> with = states_of(touching, fates), without = states_of(passing, none);
+  const std::size_t size = with.size() / starts;
+  std::size_t met = 0;
+  for (std::size_t i = 0; i < starts; ++i) {
+    EXPECT_FALSE(none[i].met);
+    double apart = 0.0;
+    for (std::size_t k = 0; k < size; ++k)
+      apart = std::max(apart, std::fabs(with[i * size + k] - without[i * size + k]));
+    met += fates[i].met;
+    // Lanes of other kinds round otherwise; what collides loses half its speed.
+    EXPECT_EQ(fates[i].met, apart > 1e-4) << i << " " << apart;
+  }
+  EXPECT_GT(met, starts / 10);
+  EXPECT_LT(met, 9 * starts / 10);
 }
 
 }  // namespace

@@ -7,7 +7,6 @@
 #include <gtest/gtest.h>
 
 #include "equipoise/base/angles.hpp"
-#include "equipoise/fates/machine_judge.hpp"
 #include "equipoise/model/strobe.hpp"
 #include "equipoise/orbits/stroboscopic.hpp"
 #include "equipoise/study/study.hpp"
@@ -103,26 +102,6 @@ TEST(BalancedMotion, IsSaidToBeLostToWhatTheRotorHas) {
   const std::string neither = note_of();
   EXPECT_FALSE(says(neither, "switched on")) << neither;
   EXPECT_FALSE(says(neither, "gravity")) << neither;
-}
-
-// Four balls in contact, whose balance is uneven: their starts go one by one.
-TEST(BalancedMotion, OfAContinuumIsLeftByWhatTheRotorHas) {
-  Study study;
-  study.name = "rotor";
-  model::Parameters& p = study.parameters;
-  p.balls = 4;
-  for (int i = 0; i < p.balls; ++i) p.mass[i] = p.drag[i] = 0.05;
-  p.contact_angle = 0.2;
-  study.speed.profile = Profile::constant;
-  study.speed.speed = 2.4;
-  const auto note_of = [&] { return MachineFacts(study, study.drive(), nullptr).note().note; };
-  p.gravity = 0.001;
-  EXPECT_TRUE(says(note_of(), "balanced states gravity leaves single ones")) << note_of();
-  p.race_offset = {0.001, 0.0};
-  EXPECT_TRUE(says(note_of(), "gravity and an off-centre race leave single ones")) << note_of();
-  p.gravity = 0.0;
-  p.stiffness = {1.0, 1.2};
-  EXPECT_TRUE(says(note_of(), "balanced states an off-centre race leaves single ones")) << note_of();
 }
 
 }  // namespace

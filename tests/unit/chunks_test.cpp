@@ -76,7 +76,7 @@ TEST(Chunks, AreSharedWithIdleThreads) {
     while (!over) helped += desk.help();
   });
   const auto help = desk.help_for({});
-  const Outcome outcome = compute({number_slowly, 1, false, nullptr, help.get()});
+  const Outcome outcome = compute({number_slowly, 1, nullptr, help.get()});
   over = true;
   helper.join();
   EXPECT_GT(helped, 0);
@@ -107,7 +107,7 @@ TEST(Chunks, AreLentAndTakenBack) {
     }
   });
   const auto help = desk.help_for(cell);
-  const Outcome outcome = compute({number_slowly, 2, false, nullptr, help.get()});
+  const Outcome outcome = compute({number_slowly, 2, nullptr, help.get()});
   over = true;
   other.join();
   EXPECT_GT(outcome.row.from_elsewhere, 0u);
@@ -124,7 +124,7 @@ TEST(Chunks, EndWhereTheyAreToldTo) {
                                stop = chunk.first > 4000;
                                return number_slowly(chunk);
                              },
-                             2, false, &stop});
+                             2, &stop});
   EXPECT_TRUE(outcome.lost);
   EXPECT_LT(outcome.row.numbers.size(), limit - first);
   EXPECT_GT(outcome.row.numbers.size(), 3000u);

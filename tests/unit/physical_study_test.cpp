@@ -427,6 +427,13 @@ TEST(PhysicalStudy, NamesMissingKeysAndTwoForOne) {
                    "balancer.contact",
                    "true",
                    "needs balancer.ball_diameter, such as \"8 mm\""});
+  // Side by side 2 R sin(pi/6) each.
+  expect_rejected({machine,
+                   {"balancer.balls=6", "balancer.ball_diameter=30 mm", "balancer.contact=true"},
+                   overrides_name,
+                   "balancer.ball_diameter",
+                   "\"30 mm\"",
+                   "must be less than 30 mm: 6 balls that touch side by side fill the race then"});
   expect_rejected({machine,
                    {"balancer.rolls=true"},
                    overrides_name,

@@ -13,7 +13,6 @@
 
 #include "equipoise/base/angles.hpp"
 #include "equipoise/model/capability.hpp"
-#include "equipoise/model/free_machine.hpp"
 #include "equipoise/model/linearisation.hpp"
 #include "equipoise/model/smooth_flow-inl.hpp"
 #include "equipoise/model/system.hpp"
@@ -137,22 +136,6 @@ TEST(System, GeneralEquationsAreThePlainOnes) {
   }
 }
 
-TEST(System, AMachineAtAnAngleIsItsSystem) {
-  for (const double integral : {0.0, 0.3}) {
-    const model::Parameters p = rotor(2, false, false);
-    const System s(p, motor(integral));
-    const model::FreeMachine machine(p, motor(integral));
-    ASSERT_EQ(machine.size() + 1, s.dimension());
-    VectorXd y = some_state(s), without(machine.size());
-    without << y.head(8), y.tail(machine.size() - 8);
-    const VectorXd rate = model::rate(s, y);
-    EXPECT_EQ(rate[s.psi_place()], y[s.speed_place()]);
-    EXPECT_EQ(machine.rate(without, y[s.psi_place()]).head(8), rate.head(8));
-    EXPECT_EQ(machine.rate(without, y[s.psi_place()])[machine.speed_place()], rate[s.speed_place()]);
-    EXPECT_EQ(machine.jacobian(without, y[s.psi_place()]).rows(), machine.size());
-  }
-}
-
 // Central differences: with steps of 1e-5 their own error is some 1e-10 of the third derivative, and errors of 1e-12 a
 // step of the integration count a hundred thousandfold.
 TEST(System, DerivativesAreThoseOfRatesAndOfWholeTrajectories) {
@@ -237,11 +220,7 @@ TEST(System, WhatAnAnswerLacksIsSaid) {
     EXPECT_EQ(lacks(still), c.needs.has(Need::equal_supports) || c.needs.has(Need::turning)) << c.name;
     EXPECT_EQ(lacks(coasting), c.needs.has(Need::prescribed_speed) || c.needs.has(Need::lasting_drive)) << c.name;
     EXPECT_EQ(lacks(hanging), c.needs.has(Need::prescribed_speed) || c.needs.has(Need::equal_supports)) << c.name;
-    for (const bool even : {true, false}) {
-      const auto lack = model::lacking(touching, c.answer, [even](const System&) { return even; });
-      EXPECT_EQ(lack.has_value(), c.needs.has(Need::passing_balls) || (!even && c.needs.has(Need::even_balance)))
-          << c.name;
-    }
+    EXPECT_EQ(lacks(touching), c.needs.has(Need::passing_balls)) << c.name;
   }
   EXPECT_EQ(model::lacking(strobed, Answer::proofs)->reason,
             "proofs need equal values in x and y (simulate, basin, attractors and map take any)");

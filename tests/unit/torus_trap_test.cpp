@@ -135,7 +135,7 @@ TEST(TorusTrap, IsForToriOnly) {
     EXPECT_FALSE(torus_trap(found.system, motion, 3, found.settings));
   DecisionRule rule;
   set_tori(rule, {});
-  EXPECT_FALSE(rule.tori.caught);
+  EXPECT_FALSE(rule.tori.traps);
 }
 
 }  // namespace

@@ -150,14 +150,14 @@ TEST(CycleTraps, ImagesExchangeLikeBallsOnly) {
 // What the rule asks catches every motion that it was made for, and its exchange image.
 TEST(CycleTraps, RulesCatchTheirMotions) {
   const Found& found = by_rotor();
-  ASSERT_TRUE(found.all.rule.strobed.caught);
+  ASSERT_TRUE(found.all.rule.strobed);
   for (const auto& [of, trap] : found.traps) {
     const VectorXd z = of->motion.state, swapped = z(exchanged_components(2, {1, 0}));
-    EXPECT_EQ(found.all.rule.strobed.caught(z.data(), 0.0), of->id) << of->name;
-    EXPECT_EQ(found.all.rule.strobed.caught(swapped.data(), 0.0), of->id) << of->name;
+    EXPECT_EQ(found.all.rule.strobed->ask(z.data(), 0.0, nullptr).attractor, of->id) << of->name;
+    EXPECT_EQ(found.all.rule.strobed->ask(swapped.data(), 0.0, nullptr).attractor, of->id) << of->name;
   }
   EXPECT_FALSE(by_ball().all.rule.cycles.empty());
-  EXPECT_FALSE(by_ball().all.rule.strobed.caught);
+  EXPECT_FALSE(by_ball().all.rule.strobed);
   EXPECT_TRUE(found.all.rule.cycles.empty());
 }
 
@@ -216,6 +216,29 @@ TEST(LevelLadder, HighestGoodLevelIsFoundAndHalved) {
   EXPECT_LT(2.0 * found, 0.3);
   EXPECT_GE(2.0 * found, 0.3 * std::pow(2.0, -1.0 / 8.0));
   EXPECT_EQ(tried[2.0 * found].size(), 4096u);
+}
+
+// What no try fails on is tried on the highest level only, all of it once besides the few.
+TEST(LevelLadder, TheHighestLevelIsTriedFirst) {
+  std::size_t made = 0;
+  const auto counted = [&](double, const TryRange& tries) { return made += tries.count, true; };
+  EXPECT_DOUBLE_EQ(highest_good_level({16.0}, {}, counted), 8.0);
+  EXPECT_EQ(made, 128u + 4096u);
+}
+
+// Tries of the first part that are followed far all fail above 1: a few of them tell, before other parts are asked.
+TEST(LevelLadder, AFewTriesGoFarBeforeTheOthersAreAsked) {
+  std::size_t failed = 0, above = 0;
+  const double found = highest_good_level({16.0}, {.first_goes_far = true}, [&](double level, const TryRange& tries) {
+    const bool far = tries.first == 0 && tries.of == 4096, good = !(far && level > 1.0);
+    if (!good) failed += tries.count;
+    if (tries.first > 0 && level > 1.0) above += tries.count;
+    return good;
+  });
+  EXPECT_DOUBLE_EQ(found, 0.5);
+  EXPECT_EQ(failed % 128, 0u);
+  EXPECT_LE(failed, 10u * 128u);  // steps 1, 2, 4 ... down the ladder, and halvings between the last two
+  EXPECT_EQ(above, 0u);
 }
 
 // From wherever the search begins, all tries pass on the level that is found, and far fewer are made where it begins

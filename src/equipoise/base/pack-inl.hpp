@@ -134,6 +134,21 @@ HWY_INLINE void sin_cos(Pack a, Pack& sine, Pack& cosine) {
   cosine = Pack(hn::Xor(c.v, sign));
 }
 
+// One lane of numbers that each lane has its own of: of single ones, and of all of an aggregate of packs.
+HWY_INLINE double& lane_of(Pack& a, int lane) { return reinterpret_cast<double*>(&a)[lane]; }
+HWY_INLINE double lane_of(const Pack& a, int lane) { return reinterpret_cast<const double*>(&a)[lane]; }
+template <class Packs>
+void take_lane(Packs& mine, const Packs& from, int lane) {
+  static_assert(sizeof(Packs) % sizeof(Pack) == 0);
+  for (std::size_t i = 0; i < sizeof(Packs) / sizeof(Pack); ++i)
+    lane_of(reinterpret_cast<Pack*>(&mine)[i], lane) = lane_of(reinterpret_cast<const Pack*>(&from)[i], lane);
+}
+// The same of these members of an object.
+template <class X, class... Members>
+void take_lane_of(X& mine, const X& from, int lane, Members X::*... members) {
+  (take_lane(mine.*members, from.*members, lane), ...);
+}
+
 HWY_INLINE double multiply_add(double a, double b, double c) { return a * b + c; }
 HWY_INLINE double square_root(double a) { return std::sqrt(a); }
 HWY_INLINE double minimum(double a, double b) { return b < a ? b : a; }

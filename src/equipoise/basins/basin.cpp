@@ -68,6 +68,7 @@ class BasinRun {
     result_.study.numerics.horizon = horizon_.time;
     sample();
     result_.starts = tally_->total();
+    result_.asked = limit_ < open_ended_limit || options_.limit_given ? limit_ : 0;
     result_.partial = !finished_;
     result_.grid = sampler_->grid();
     count_all();
@@ -241,6 +242,8 @@ class BasinRun {
         result_.not_passed = open_share(held_below_, held_below_ + below_, tally_->total());
       }
     }
+    if (result_.study.parameters.balls_collide() && !result_.grid)
+      result_.met = open_share(met_, met_, tally_->total());
     if (gathers_) result_.transients = transients_->result(runner_->catalogue());
     if (result_.choice && result_.choice->method == SamplingMethod::sobol)  // known better by now
       result_.choice->random_starts = random_starts_for(tally_->shares(), options_.half_width);
@@ -337,6 +340,7 @@ class BasinRun {
     if (result_.every_start && result_.every_start->starts < options_.keep_at_most)
       add_start(result_.study, *sampler_, start(result_.every_start->starts), result_.own_starts, fate, row,
                 *result_.every_start);
+    met_ += fate.met;
     if (options_.fate) options_.fate(fate);
   }
 
@@ -375,7 +379,6 @@ class BasinRun {
     const bool helped = options_.help && !file_ && result_.study.uncertain.empty() && !result_.own_starts;
     const ChunkWork work{.decide = [&](Chunk& c) { return decide(c); },
                          .threads = threads_,
-                         .machine = runner_->one_by_one(),
                          .stop = options_.stop,
                          .help = helped ? options_.help(sampler_->method()) : nullptr};
     compute_chunks(work, first, limit, finished_, lost_, sink);
@@ -459,6 +462,7 @@ class BasinRun {
   std::optional<TransientTally> transients_;
   std::vector<std::shared_ptr<Chunk>> pilot_;
   std::uint64_t passed_ = 0, held_below_ = 0, below_ = 0;  // the resonance; for good, or when last seen
+  std::uint64_t met_ = 0;  // starts whose balls touched
   double stall_speed_ = 0.0, passed_speed_ = 0.0;
   std::set<int> filed_;  // motions known before the first start, or met and kept
   std::atomic<bool> finished_{false}, lost_{false};

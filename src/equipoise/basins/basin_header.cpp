@@ -39,6 +39,7 @@ BasinFileHeader basin_file_header(const Study& study, bool angles, bool transien
   header.arithmetic = arithmetic_of(target);
   header.angles = angles;
   header.driven = study.speed.driven();
+  header.touches = study.parameters.balls_collide();
   header.sticks = balls_may_stick(study);
   const model::System system = study.system();
   if (system.psi_place() >= 0) header.drive_components.emplace_back("psi");

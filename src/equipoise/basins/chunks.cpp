@@ -25,7 +25,7 @@ ChunkQueue::ChunkQueue(const ChunkWork& work, std::uint64_t first, std::uint64_t
       finished_(finished),
       lost_(lost),
       sink_(sink),
-      size_(limit - first, work.threads, work.machine),
+      size_(limit - first, work.threads),
       most_open_(most_open(work)),
       next_(first),
       passed_(first) {}

@@ -45,7 +45,6 @@ class ChunkHelp {
 struct ChunkWork {
   std::function<bool(Chunk&)> decide;  ///< fills a chunk in; thread-safe; false if stopped early
   int threads = 1;
-  bool machine = false;  ///< starts ride in no lanes
   const StopFlag* stop = nullptr;
   ChunkHelp* help = nullptr;
 };

@@ -40,7 +40,7 @@ Ensemble::Ensemble(const Study& study, const EnsembleOptions& options) : gathers
   DiscoveryCache& found = options.discoveries ? *options.discoveries : own;
   // Whoever wishes to stop this call is gone when starts are decided: what is found here the runner finds again.
   const bool stopped = reported(static_cast<const RunOptions&>(options), [&](const RunOptions& o) {
-    const bool searches = study_.uncertain.empty() && !followed_one_by_one(study_.system());
+    const bool searches = study_.uncertain.empty();
     const DiscoverySettings search{
         .threads = thread_count(o.threads), .stop = o.stop, .cache = &found, .progress = o.progress};
     return searches && discover(study_, search).stopped;

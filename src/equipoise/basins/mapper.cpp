@@ -22,6 +22,8 @@ namespace equipoise {
 struct Mapper::State {
   Study study;
   std::unique_ptr<Runner> runner;
+  DiscoveryCache found;
+  std::string target;
   mutable std::mutex listing;  // of motions
 
   void settle_all(const std::vector<UnlistedStart>& unlisted, std::vector<Fate>& fates) {
@@ -37,12 +39,12 @@ Mapper::Mapper(const Study& study, const RunOptions& options) {
     check_runnable(study, false);
     auto state = std::make_unique<State>();
     state->study = with_horizon(study);
+    state->target = cpu_target();
     // Whoever wishes to stop this call is gone when states are decided: what is found here the runner finds again.
-    DiscoveryCache found;
+    DiscoveryCache& found = state->found;
     const int threads = thread_count(o.threads);
     const DiscoverySettings search{.threads = threads, .stop = o.stop, .cache = &found, .progress = o.progress};
-    const bool stopped = !followed_one_by_one(state->study.system()) && discover(state->study, search).stopped;
-    if (stopped || is_set(o.stop)) throw RunError("stopped before the attractors were known");
+    if (discover(state->study, search).stopped || is_set(o.stop)) throw RunError("stopped before the attractors were known");
     state->runner = make_runner(state->study, {.threads = threads, .cache = &found}, false);
     return state;
   });
@@ -70,7 +72,6 @@ std::vector<Fate> Mapper::operator()(const std::vector<InitialState>& starts, co
     const auto decide = [&](Chunk& c) { return runner.run_from({&starts[c.first], c.count}, c.fates, c.unlisted); };
     const ChunkWork work{.decide = decide,
                          .threads = thread_count(o.threads),
-                         .machine = runner.one_by_one(),
                          .stop = o.stop};
     const std::atomic<bool> finished{false};
     std::atomic<bool> lost{false};
@@ -83,6 +84,9 @@ std::vector<Fate> Mapper::operator()(const std::vector<InitialState>& starts, co
     return fates;
   });
 }
+
+const DiscoveryCache& Mapper::search() const { return state_->found; }
+const std::string& Mapper::target() const { return state_->target; }
 
 const Study& Mapper::study() const { return state_->study; }
 

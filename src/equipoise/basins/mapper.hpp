@@ -12,6 +12,8 @@
 
 namespace equipoise {
 
+struct DiscoveryCache;
+
 /// Decides states as basin() decides its starts, with the same bits. The attractors are searched for once, when it is
 /// made. Safe from several threads.
 ///
@@ -34,6 +36,10 @@ class Mapper {
   /// Of many, side by side on lanes and threads: ten times and more as fast as one by one. Progress is in starts. Once
   /// stopped, the fates of the first ones. On the CPU target in use, or options.cpu_target.
   std::vector<Fate> operator()(const std::vector<InitialState>& starts, const RunOptions& options = {}) const;
+
+  /// What its search found, empty where there is none, and the CPU target that found it (see mapped_search()).
+  const DiscoveryCache& search() const;
+  const std::string& target() const;
 
   /// The study, its horizon filled in.
   const Study& study() const;

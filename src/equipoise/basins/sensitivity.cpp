@@ -11,7 +11,7 @@
 #include "equipoise/base/reporting.hpp"
 #include "equipoise/basins/basin.hpp"
 #include "equipoise/basins/chunks.hpp"
-#include "equipoise/fates/drawn_runner.hpp"
+#include "equipoise/fates/start_runner.hpp"
 #include "equipoise/kernels/cpu_target.hpp"
 
 namespace equipoise {
@@ -21,14 +21,13 @@ namespace {
 class PickFreeze {
  public:
   PickFreeze(const Study& study, const SensitivityOptions& options)
-      : options_(options), runner_(at_random(study), options.stop), keys_(study.uncertain.values.size() + 1) {
+      : options_(options), runner_(at_random(study), {.threads = thread_count(options.threads), .stop = options.stop}), keys_(study.uncertain.values.size() + 1) {
     rows_.inputs = keys_;
   }
 
   SensitivityResult run(const Study& study) {
     const ChunkWork work{.decide = [&](Chunk& chunk) { return decide(chunk); },
                          .threads = thread_count(options_.threads),
-                         .machine = true,
                          .stop = options_.stop};
     const std::atomic<bool> finished{false};
     std::atomic<bool> lost{false};
@@ -49,26 +48,21 @@ class PickFreeze {
 
   // Row i: starts 2 i and 2 i + 1, then the first with one input of the second. The last input is where it begins.
   bool decide(Chunk& chunk) const {
-    chunk.fates.clear();
+    std::vector<DrawnStart> drawn;
     for (std::uint64_t row = chunk.first; row < chunk.first + chunk.count; ++row) {
       const std::uint64_t a = 2 * row, b = a + 1;
-      const std::vector<double> of_a = runner_.values_of(a), of_b = runner_.values_of(b);
-      if (!add(a, of_a, chunk) || !add(b, of_b, chunk)) return false;
+      const std::vector<double> of_a = runner_.fractions_of(a), of_b = runner_.fractions_of(b);
+      drawn.push_back({a, of_a});
+      drawn.push_back({b, of_b});
       for (std::size_t k = 0; k < of_a.size(); ++k) {
-        std::vector<double> mixed = of_a;
-        mixed[k] = of_b[k];
-        if (!add(a, mixed, chunk)) return false;
+        drawn.push_back({a, of_a});
+        drawn.back().fractions[k] = of_b[k];
       }
-      if (!add(b, of_a, chunk)) return false;
+      drawn.push_back({b, of_a});
     }
-    return true;
-  }
-
-  bool add(std::uint64_t start, const std::vector<double>& values, Chunk& chunk) const {
-    const std::optional<DrawnStart> drawn = runner_.decide(start, values, nullptr);
-    if (!drawn) return false;
-    chunk.fates.push_back(drawn->fate);
-    if (drawn->motion) chunk.fates.back().attractor = static_cast<short>(drawn->name.id);
+    if (runner_.stopped() || !runner_.run_drawn(drawn, chunk.phi, chunk.fates, chunk.unlisted)) return false;
+    for (const UnlistedStart& u : chunk.unlisted)
+      if (u.motion && u.motion->stable) chunk.fates[u.place].attractor = static_cast<short>(u.name.id);
     return true;
   }
 
@@ -99,7 +93,7 @@ class PickFreeze {
   }
 
   const SensitivityOptions& options_;
-  DrawnRunner runner_;
+  StartRunner runner_;
   std::size_t keys_;  // inputs
   PickFreezeRows rows_;
   SensitivityResult result_;

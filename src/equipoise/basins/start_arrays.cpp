@@ -37,6 +37,7 @@ void add_start(const Study& study, const Sampler& sampler, const InitialState& s
   arrays.decided_by.push_back(static_cast<signed char>(fate.by));
   if (study.speed.driven()) arrays.mean_speed.push_back(fate.mean_speed);
   if (balls_may_stick(study)) arrays.left_unbalance.push_back(fate.unbalance);
+  if (study.parameters.balls_collide()) arrays.balls_met.push_back(fate.met);
   if (row)
     for (std::size_t k = 0; k < transient_columns.size(); ++k)
       arrays.transients[k].push_back(row->*transient_columns[k].value);

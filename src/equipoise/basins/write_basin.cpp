@@ -44,6 +44,7 @@ std::vector<Fate> fates_of(const StartArrays& a) {
                        "must be what basin() told");
     if (!a.mean_speed.empty()) fates[i].mean_speed = a.mean_speed[i];
     if (!a.left_unbalance.empty()) fates[i].unbalance = a.left_unbalance[i];
+    if (!a.balls_met.empty()) fates[i].met = a.balls_met[i] != 0;
   }
   return fates;
 }

@@ -62,7 +62,8 @@ class Continuation {
     for (std::size_t k = 0; k < line.values().size(); ++k) {
       values_.push_back(line.values()[k]);
       asked_.push_back(true);
-      if (const auto between = line.half_way(k)) {
+      // Whether there is a study between is asked at some cost where balance is a continuum under gravity.
+      if (const auto between = is_set(options.stop) ? std::nullopt : line.half_way(k)) {
         values_.push_back(*between);
         asked_.push_back(false);
       }

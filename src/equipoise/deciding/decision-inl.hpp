@@ -8,6 +8,7 @@
 #endif
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <type_traits>
 #include <vector>
@@ -42,8 +43,7 @@ class DecideFate {
   DecideFate(const LaneTask& task, const DecisionRule& rule, std::vector<Fate>& fates, std::vector<PilotRecord>* pilot)
       : n(task.held ? 1 : task.parameters->balls),
         rule_(rule),
-        segment_(task.segment),
-        parameters_(*task.parameters),
+        task_(task),
         size_(task.dimension()),
         psi_place_(task.psi_place()),
         speed_place_(task.speed_place()),
@@ -52,12 +52,17 @@ class DecideFate {
         trackers_(groups * lanes),
         family_reach_(groups * lanes),
         torus_asked_from_(groups * lanes),
-        torus_catch_(groups * lanes) {}
+        torus_catch_(groups * lanes) {
+    for (int g = 0; g < groups; ++g) set_segment(g, task.segment, rule.sag);
+    for (const BalancedTrap& trap : rule.balanced) centres_.push_back(trap.place(n));
+  }
 
-  void begin(int slot, std::size_t, double t, const double* z) {
+  void begin(int slot, std::size_t start, double t, const double* z) {
+    start_[slot] = start;
+    if (task_.own) take_rotor(slot, *task_.own[start]);
     open_window(slot / lanes, slot % lanes, t, z + 4);
     verdict_[slot] = {};
-    trackers_[slot].begin(rule_);
+    trackers_[slot].begin(rule_, own(slot));
     family_reach_[slot] = rule_.family.reach;
     torus_asked_from_[slot] = t;
     torus_catch_[slot] = {};
@@ -75,7 +80,7 @@ class DecideFate {
     unsigned done = caught_by_traps(g, accepted, accepted_bits, z);
     if (rule_.at_horizon)
       done = 0;
-    else if (rule_.family.caught)
+    else if (rule_.family.traps)
       done |= caught_by_family(g, accepted_bits & ~done, z);
     const unsigned full = accepted_bits & ~lane_bits(t < window_end_[g]) & ~done;
     if (full) done |= close_windows(g, full, t, z);
@@ -92,15 +97,17 @@ class DecideFate {
             : how == LaneEnd::failed   ? Outcome::failed
                                        : Outcome::undecided,
             DecidedBy::nothing, 0, t};
+    fate.radius = static_cast<float>(trackers_[slot].radius());
     Verdict verdict = verdict_[slot];
     if constexpr (smooth) {
       if (speed_place_ >= 0) fate.mean_speed = static_cast<float>(trackers_[slot].mean_speed());
       if (verdict.runs_away) fate.outcome = Outcome::undecided;
     }
     if (how == LaneEnd::reached_end && rule_.at_horizon) {
-      if (!verdict.attractor && rule_.family.caught && rule_.family.caught(z)) verdict.attractor = balanced_id;
+      if (!verdict.attractor && rule_.family.traps && rule_.family.traps->ask(z, 0.0, own(slot)).attractor)
+        verdict.attractor = balanced_id;
       if constexpr (angle_known)
-        if (rule_.strobed.caught) verdict.attractor = rule_.strobed.caught(z, angle(t, z));
+        if (rule_.strobed) verdict.attractor = rule_.strobed->ask(z, angle(slot, t, z), own(slot)).attractor;
       if (!verdict.attractor) verdict.attractor = trackers_[slot].attractor_at_end();
       if (verdict.attractor) {
         fate.outcome = Outcome::attracted;
@@ -140,11 +147,35 @@ class DecideFate {
       return n.size();
   }
 
+  // The lane's own rotor; null: the task's.
+  const OwnRotor* own(int slot) const { return task_.own ? task_.own[start_[slot]] : nullptr; }
+
   // psi in a state of a lane at time t.
-  double angle(double t, const double* z) const {
+  double angle(int slot, double t, const double* z) const {
     if constexpr (smooth)
       if (psi_place_ >= 0) return z[psi_place_];
-    return segment_.psi_at(t);
+    const OwnRotor* rotor = own(slot);
+    return (rotor ? rotor->segment : task_.segment).psi_at(t);
+  }
+
+  void set_segment(int g, const model::Segment& segment, double sag) {
+    segment_speed_[g] = Pack(segment.speed);
+    segment_begin_[g] = Pack(segment.begin);
+    segment_psi_[g] = Pack(segment.psi);
+    sag_[g] = Pack(sag);
+  }
+
+  void take_rotor(int slot, const OwnRotor& rotor) {
+    const int g = slot / lanes, lane = slot % lanes;
+    element(segment_speed_[g], lane) = rotor.segment.speed;
+    element(segment_begin_[g], lane) = rotor.segment.begin;
+    element(segment_psi_[g], lane) = rotor.segment.psi;
+    element(sag_[g], lane) = model::static_sag(rotor.system.parameters());
+    const std::size_t row = static_cast<std::size_t>(size_), square = row * row;
+    for (std::size_t k = 0; k < rule_.balanced.size(); ++k) {
+      for (std::size_t i = 0; i < row; ++i) element(places_[g][k][i], lane) = rotor.places[k * row + i];
+      for (std::size_t i = 0; i < square; ++i) element(factors_[g][k][i], lane) = rotor.factors[k * square + i];
+    }
   }
 
   HWY_INLINE void take(Taken& sample, const Pack* z) const {
@@ -162,13 +193,13 @@ class DecideFate {
   }
 
   // r^2 of a sample taken at time t, from where the rotor would rest.
-  HWY_INLINE void measure(Taken& sample, Pack t) const {
+  HWY_INLINE void measure(int g, Taken& sample, Pack t) const {
     Pack sine(0.0), cosine(1.0);
-    Pack psi = multiply_add(Pack(segment_.speed), t - Pack(segment_.begin), Pack(segment_.psi));
+    Pack psi = multiply_add(segment_speed_[g], t - segment_begin_[g], segment_psi_[g]);
     if constexpr (smooth)
       if (psi_place_ >= 0) psi = sample.psi;
     if (!smooth || rule_.sag != 0.0) sin_cos(psi, sine, cosine);
-    const Pack x = sample.x - Pack(rule_.sag) * sine, y = sample.y - Pack(rule_.sag) * cosine;
+    const Pack x = sample.x - sag_[g] * sine, y = sample.y - sag_[g] * cosine;
     sample.r2 = x * x + y * y;
   }
 
@@ -177,9 +208,9 @@ class DecideFate {
     Taken last;
     take(last, z);
     if constexpr (angle_known) {
-      measure(first_[g], t - Pack(2.0 / 3) * h);
-      measure(second_[g], t - Pack(0.4) * h);
-      measure(last, t);
+      measure(g, first_[g], t - Pack(2.0 / 3) * h);
+      measure(g, second_[g], t - Pack(0.4) * h);
+      measure(g, last, t);
     }
     const Pack low = minimum(minimum(first_[g].r2, second_[g].r2), last.r2);
     const Pack high = maximum(maximum(first_[g].r2, second_[g].r2), last.r2);
@@ -216,12 +247,14 @@ class DecideFate {
   // Lanes inside a trap. Box tests cost little and spare most of them the quadratic forms.
   HWY_INLINE unsigned caught_by_traps(int g, Mask accepted, unsigned accepted_bits, const Pack* z) {
     unsigned caught = 0;
-    for (const BalancedTrap& trap : rule_.balanced) {
+    for (std::size_t k = 0; k < rule_.balanced.size(); ++k) {
+      const BalancedTrap& trap = rule_.balanced[k];
       Mask near = accepted;
-      for (int i = 0; i < 4; ++i) near = near & (away(trap, i, z) < Pack(trap.reach[i]));
-      for (int i = 4 + n; i < size(); ++i) near = near & (away(trap, i, z) < Pack(trap.reach[i]));
+      for (int i = 0; i < 4; ++i) near = near & (away(g, k, i, z) < Pack(trap.reach[i]));
+      for (int i = 4 + n; i < size(); ++i) near = near & (away(g, k, i, z) < Pack(trap.reach[i]));
       if (!any(near)) continue;
-      const unsigned inside = lane_bits(near & inside_balanced(trap, z)) & accepted_bits & ~caught;
+      const unsigned inside =
+          lane_bits(near & (balanced_value(g, k, z) < Pack(trap.level))) & accepted_bits & ~caught;
       if (inside) caught |= mark(g, inside, {trap.by, balanced_id});
     }
     if (rule_.blind) watch_values(g, accepted, z);
@@ -239,19 +272,20 @@ class DecideFate {
   }
 
   // All plain balanced states have the same centre.
-  static HWY_INLINE Pack away(const BalancedTrap& trap, int i, const Pack* z) {
-    if constexpr (smooth) return absolute(z[i] - Pack(trap.centre[i]));
+  HWY_INLINE Pack away(int g, std::size_t k, int i, const Pack* z) {
+    if constexpr (smooth) return absolute(z[i] - (task_.own ? places_[g][k][i] : Pack(centres_[k][i])));
     return absolute(z[i]);
   }
 
-  HWY_NOINLINE Mask inside_balanced(const BalancedTrap& trap, const Pack* z) {
-    return trap_value(trap, n, size(), z) < Pack(trap.level);
+  HWY_NOINLINE Pack balanced_value(int g, std::size_t k, const Pack* z) {
+    if (task_.own) return balanced_trap_value(places_[g][k], factors_[g][k], n, size(), z);
+    return balanced_trap_value(centres_[k].data(), rule_.balanced[k].factor.data(), n, size(), z);
   }
 
   // How near to balance each lane has come.
   HWY_NOINLINE void watch_values(int g, Mask accepted, const Pack* z) {
-    for (const BalancedTrap& trap : rule_.balanced) {
-      const Pack least = minimum(least_value_[g], trap_value(trap, n, size(), z));
+    for (std::size_t k = 0; k < rule_.balanced.size(); ++k) {
+      const Pack least = minimum(least_value_[g], balanced_value(g, k, z));
       least_value_[g] = select(accepted, least, least_value_[g]);
     }
   }
@@ -275,8 +309,10 @@ class DecideFate {
       }
       if (away >= rule_.family.reach) reach = rule_.family.reach;
       if (!(away < reach)) continue;
-      if (std::abs(model::unbalance(parameters_, state + 4)) >= reach) continue;
-      if (rule_.family.caught(state))
+      const OwnRotor* rotor = own(g * lanes + lane);
+      const model::Parameters& p = rotor ? rotor->system.parameters() : *task_.parameters;
+      if (std::abs(model::unbalance(p, state + 4)) >= reach) continue;
+      if (rule_.family.traps->ask(state, 0.0, rotor).attractor)
         caught |= mark(g, 1u << lane, {DecidedBy::validated, balanced_id});
       else
         reach *= 0.5;
@@ -322,11 +358,11 @@ class DecideFate {
       WindowVerdict verdict = trackers_[g * lanes + lane].add(sums);
       DecidedBy by = DecidedBy::windows;
       if constexpr (angle_known)
-        if (const int attractor = caught_by_strobed(lane, now, z)) {
+        if (const int attractor = caught_by_strobed(g * lanes + lane, now, z)) {
           verdict = {true, attractor};
           by = DecidedBy::validated;
         }
-      if (rule_.tori.caught && !rule_.at_horizon)
+      if (rule_.tori.traps && !rule_.at_horizon)
         if (const int attractor = kept_by_torus(g * lanes + lane, sums, now, z, verdict.decided)) {
           verdict = {true, attractor};
           by = DecidedBy::validated;
@@ -359,16 +395,16 @@ class DecideFate {
     if (now < torus_asked_from_[slot]) return 0;
     double state[dimension];
     for (int i = 0; i < size(); ++i) state[i] = element(z[i], slot % lanes);
-    const TorusTraps::Answer answer = rule_.tori.caught(state);
+    const Caught answer = rule_.tori.traps->ask(state, 0.0, own(slot));
     torus_asked_from_[slot] = now + answer.wait;
     return answer.attractor;
   }
 
-  int caught_by_strobed(int lane, double now, const Pack* z) const {
-    if (!rule_.strobed.caught || rule_.at_horizon) return 0;
+  int caught_by_strobed(int slot, double now, const Pack* z) const {
+    if (!rule_.strobed || rule_.at_horizon) return 0;
     double state[dimension];
-    for (int i = 0; i < size(); ++i) state[i] = element(z[i], lane);
-    return rule_.strobed.caught(state, angle(now, state));
+    for (int i = 0; i < size(); ++i) state[i] = element(z[i], slot % lanes);
+    return rule_.strobed->ask(state, angle(slot, now, state), own(slot)).attractor;
   }
 
   void open_window(int g, int lane, double t, const double* phi) {
@@ -393,8 +429,7 @@ class DecideFate {
 
   const model::BallCount<room> n;
   const DecisionRule& rule_;
-  const model::Segment segment_;
-  const model::Parameters& parameters_;
+  const LaneTask& task_;
   const int size_, psi_place_, speed_place_;
   std::vector<Fate>& fates_;
   std::vector<PilotRecord>* pilot_;
@@ -403,6 +438,11 @@ class DecideFate {
   Pack r2_min_[groups], r2_max_[groups], r2_integral_[groups], window_end_[groups];
   Pack q_min_[groups][room], q_max_[groups][room], phi_start_[groups][room];
   Pack rotor_turned_[groups], speed_min_[groups], speed_max_[groups];
+  // Of each lane's rotor.
+  Pack segment_speed_[groups], segment_begin_[groups], segment_psi_[groups], sag_[groups];
+  Pack places_[groups][most_balanced][dimension], factors_[groups][most_balanced][dimension * dimension];
+  std::vector<std::array<double, max_dimension>> centres_;  // of balanced traps of the task's rotor
+  std::size_t start_[groups * lanes] = {};
   Verdict verdict_[groups * lanes];
   std::vector<WindowTracker> trackers_;
   std::vector<double> family_reach_, torus_asked_from_;

@@ -2,12 +2,14 @@
 #pragma once
 
 #include <array>
-#include <functional>
 #include <vector>
 
+#include "equipoise/deciding/trap_set.hpp"
 #include "equipoise/model/parameters.hpp"
 
 namespace equipoise {
+
+struct OwnRotor;
 
 /// Of the state of any system (model/system.hpp): a driven rotor's angle, speed and speed error come last.
 inline constexpr int max_dimension = model::dimension(model::max_balls) + 3;
@@ -31,12 +33,21 @@ struct BalancedTrap {
   std::array<double, model::max_balls> phi{};  ///< ball angles of the balanced state
   /// Its other components: 0 but for a driven rotor's speed and for all of them where the race is off centre.
   std::array<double, max_dimension> centre{};
+  int state = 0;  ///< its number among the rotor's balanced states (model/balanced_state.hpp)
   /// Upper triangular F, row-major dimension x dimension of the system: the Lyapunov function of a deviation d is
   /// V = |F d|^2.
   std::vector<double> factor;
   double level = 0.0;                         ///< inside: V < level
   std::array<double, max_dimension> reach{};  ///< no point inside deviates further in that component
   DecidedBy by = DecidedBy::validated;
+
+  /// The balanced state as a whole. Of a trajectory that has a rotor of its own (lanes/own_rotor.hpp) that rotor's
+  /// stands in its place.
+  std::array<double, max_dimension> place(int balls) const {
+    std::array<double, max_dimension> result = centre;
+    for (int i = 0; i < balls; ++i) result[model::index::phi(i)] = phi[i];
+    return result;
+  }
 };
 
 /// A trap around a stable periodic orbit (traps/cycle_trap.hpp) whose phase is the angle of one ball, the clock, as
@@ -60,6 +71,8 @@ constexpr int cycle_table_columns(int dimension) { return 2 * (dimension - 1) + 
 /// feature_count(balls) of them are used.
 using Features = std::array<double, 6 + 3 * model::max_balls>;
 constexpr int feature_count(int balls) { return 6 + 3 * balls; }
+/// The place of the largest r.
+inline constexpr int largest_radius = 1;
 /// The place of the mean psi'; least and greatest follow.
 constexpr int speed_feature(int balls) { return 3 + 3 * balls; }
 
@@ -68,6 +81,8 @@ struct FeatureBox {
   Features low{}, high{};
   int attractor = 0;
   int hits_needed = 3;  ///< successive short windows inside that decide
+  int trend = -1;       ///< as KnownFeatures::trend
+  int chaos = -1;       ///< of the attractor's chaos, as KnownFeatures::chaos: passing chaos looks like it
 };
 inline constexpr int most_boxes = 24;
 
@@ -76,29 +91,22 @@ struct KnownFeatures {
   Features features{};
   int attractor = 0;
   bool chaotic = false;  ///< no two windows are quite the same
+  /// Of rotors that differ: its number among OwnRotor::chaos_lasts; -1: for none of them it ends.
+  int chaos = -1;
+  /// Of rotors that differ: the row of OwnRotor::shifts that features of their own have to be brought back by; -1: none.
+  int trend = -1;
 };
 
-/// Decides for states near a continuum of balanced states whether they are caught by it (three balls or more).
+/// A continuum of balanced states (three balls or more).
 struct FamilyTrap {
   double reach = 0.0;  ///< asked only when all velocities, x, y and imbalance are below this
-  std::function<bool(const double* state)> caught;  ///< thread-safe
+  Traps traps;
 };
 
-/// Decides for states of a rotor with anisotropic supports or gravity, driven or not, whether an attractor has caught
-/// them. Asked where half a short window ends.
-struct StrobedTraps {
-  /// The attractor's identifier, 0 if there is none; `psi`: the rotor's angle. Thread-safe.
-  std::function<int(const double* state, double psi)> caught;
-};
-
-/// Decides for states of a system whose rotor's angle does not matter whether a torus has caught them. Asked where half
-/// a short window ends that has stayed within these bounds of r^2 and of all q.
+/// Tori of a system whose rotor's angle does not matter. Asked where half a short window ends that has stayed within
+/// these bounds of r^2 and of all q.
 struct TorusTraps {
-  struct Answer {
-    int attractor = 0;  ///< its identifier, 0 if there is none
-    double wait = 0.0;  ///< how long it is not worth asking again
-  };
-  std::function<Answer(const double* state)> caught;  ///< thread-safe
+  Traps traps;
   double r2_low = 0.0, r2_high = 1e300, q_low = -1e300, q_high = 1e300;
   /// Audits (DecisionRule::blind): half windows for which what is caught is followed on, so that boxes learn what
   /// they show.
@@ -109,17 +117,25 @@ struct TorusTraps {
 /// turns to be made.
 inline constexpr double runaway_speed = 1e4;
 
+/// As many isolated balanced states there are: two balls have two, one ball one, more a continuum.
+inline constexpr std::size_t most_balanced = 2;
+
 struct DecisionRule {
   int balls = 2;
   bool interchangeable = true;  ///< equal balls: features do not depend on their order
   bool at_horizon = false;      ///< nothing ends early; what holds at the task's end decides
   bool blind = false;           ///< audits: boxes are watched and decide nothing; V is recorded
-  std::vector<BalancedTrap> balanced;
+  /// Of rotors that differ: chaos of one for which it may end, or which looks a little otherwise than what is known, is
+  /// told only once it has lasted for so long. 0: all have one rotor.
+  double chaos_lasts = 0.0;
+  std::vector<BalancedTrap> balanced;  ///< at most most_balanced
   std::vector<CycleTable> cycles;
-  FamilyTrap family;     ///< `caught` empty: no continuum
-  StrobedTraps strobed;  ///< `caught` empty: none; not asked by kernels of plain rotors
-  TorusTraps tori;       ///< `caught` empty: none
-  double sag = 0.0;      ///< r is measured from Y = sag, X = 0 in fixed axes; not by those either
+  FamilyTrap family;
+  /// Of a rotor with anisotropic supports or gravity, driven or not: asked where half a short window ends. Null: none;
+  /// not asked by kernels of plain rotors.
+  Traps strobed;
+  TorusTraps tori;
+  double sag = 0.0;  ///< r is measured from Y = sag, X = 0 in fixed axes; not by those either
   /// A driven rotor that turns faster on average over half a short window runs away for good, and is given up.
   double fastest = runaway_speed;
   double window = 16.0;              ///< length of a short window

@@ -34,6 +34,9 @@ struct Fate {
   /// Of balls that dry friction holds: what unbalance they leave (model/unbalance.hpp); NaN for all others, and of
   /// starts that are read from a file.
   float unbalance = std::numeric_limits<float>::quiet_NaN();
+  /// The largest r over the last window of time that ended before the fate was known; NaN if none did.
+  float radius = std::numeric_limits<float>::quiet_NaN();
+  bool met = false;  ///< of balls that touch: two of them did before the fate was known
 };
 
 /// The attractor's identifier, or undecided_code and its like.

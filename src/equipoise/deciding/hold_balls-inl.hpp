@@ -31,6 +31,7 @@ class HoldBalls {
         size_(task.dimension()),
         speed_place_(task.speed_place()),
         sign_(rule.rising ? 1.0 : -1.0),
+        rule_(rule),
         release_(sign_ * rule.release_speed),
         fates_(task.count),
         windows_(task, rule.windows, fates_, nullptr),
@@ -42,6 +43,7 @@ class HoldBalls {
     if (watch_) watch_->begin(slot, start, t, z);
     for (int i = 0; i < size_; ++i) element(before_[i], slot) = z[i];
     element(before_t_, slot) = t;
+    if (!rule_.own_speeds.empty()) element(release_, slot) = sign_ * rule_.own_speeds[start];
     element(nearest_, slot) = sign_ * z[speed_place_];
     crossing_ &= ~(1u << slot);
   }
@@ -56,7 +58,7 @@ class HoldBalls {
     const Pack sign(sign_);
     const Pack here = sign * z[speed_place_];
     const Pack fastest = maximum(maximum(sign * first_[speed_place_], sign * second_[speed_place_]), here);
-    const Mask crossed = accepted & (Pack(release_) <= fastest), held = accepted & (fastest < Pack(release_));
+    const Mask crossed = accepted & (release_ <= fastest), held = accepted & (fastest < release_);
     unsigned leaving = windows_.step(g, active, held, t, h, z);
     if (watch_) watch_->step({g, active, held, t, h, z, first_, second_});
     nearest_ = select(held, maximum(nearest_, here), nearest_);
@@ -93,7 +95,9 @@ class HoldBalls {
 
   const LaneTask& task_;
   const int size_, speed_place_;
-  const double sign_, release_;
+  const double sign_;
+  const HoldRule& rule_;
+  Pack release_;
   std::vector<Fate> fates_;
   DecideFate<1, 1, LaneKind::smooth> windows_;
   LaneWatch* const watch_;

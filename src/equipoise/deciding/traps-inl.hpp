@@ -27,17 +27,18 @@ HWY_INLINE T shortest_turn(T angle) {
 template <int room, class Size>
 inline constexpr int largest_state = model::dimension(room) + (std::is_same_v<Size, int> ? 3 : 0);
 
-// V of a balanced trap at state z of n balls, of `dimension` components.
-template <int room, class T, class Size>
-HWY_INLINE T trap_value(const BalancedTrap& trap, model::BallCount<room> n, Size dimension, const T* z) {
+// V of a balanced trap at state z of n balls, of `dimension` components; `place`: where its centre is; `factor`: F.
+template <int room, class T, class Number, class Size>
+HWY_INLINE T balanced_trap_value(const Number* place, const Number* factor, model::BallCount<room> n, Size dimension,
+                                 const T* z) {
   T d[largest_state<room, Size>];
-  for (int i = 0; i < dimension; ++i) d[i] = z[i] - T(trap.centre[i]);
-  for (int i = 0; i < n; ++i) d[4 + i] = shortest_turn(z[4 + i] - T(trap.phi[i]));
+  for (int i = 0; i < dimension; ++i) d[i] = z[i] - T(place[i]);
+  for (int i = 0; i < n; ++i) d[4 + i] = shortest_turn(d[4 + i]);
   T v(0.0);
   for (int row = 0; row < dimension; ++row) {
     T sum(0.0);
     for (int column = row; column < dimension; ++column)
-      sum = multiply_add(T(trap.factor[row * dimension + column]), d[column], sum);
+      sum = multiply_add(T(factor[row * dimension + column]), d[column], sum);
     v = multiply_add(sum, sum, v);
   }
   return v;

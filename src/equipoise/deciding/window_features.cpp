@@ -8,6 +8,8 @@
 #include <utility>
 #include <vector>
 
+#include "equipoise/lanes/own_rotor.hpp"
+
 namespace equipoise {
 
 namespace {
@@ -100,12 +102,20 @@ bool same_motion(const Features& a, const Features& b, int balls, double samenes
   return same;
 }
 
-const KnownFeatures* nearest_known(const Features& f, const std::vector<KnownFeatures>& known, int balls) {
-  // A finite window of a torus or of chaos shows its extremes and means to a few percent.
-  constexpr double tolerance = 0.05;
+Features brought_back(const Features& f, int trend, const double* shifts, int balls) {
+  Features result = f;
+  const int count = feature_count(balls);
+  if (shifts && trend >= 0)
+    for (int k = 0; k < count; ++k) result[k] -= shifts[trend * count + k];
+  return result;
+}
+
+const KnownFeatures* nearest_known(const Features& own, const std::vector<KnownFeatures>& known, int balls,
+                                   const double* shifts, double tolerance) {
   const KnownFeatures* nearest = nullptr;
   double least = std::numeric_limits<double>::infinity();
   for (const KnownFeatures& k : known) {
+    const Features f = brought_back(own, k.trend, shifts, balls);
     if (!same_motion(k.features, f, balls, tolerance)) continue;
     double distance = 0.0;
     for (int i = 0; i < feature_count(balls); ++i) distance += std::fabs(k.features[i] - f[i]);
@@ -117,9 +127,11 @@ const KnownFeatures* nearest_known(const Features& f, const std::vector<KnownFea
   return nearest;
 }
 
-void WindowTracker::begin(const DecisionRule& rule) {
+void WindowTracker::begin(const DecisionRule& rule, const OwnRotor* own) {
   rule_ = &rule;
+  own_ = own;
   elapsed_ = 0.0;
+  radius_ = std::numeric_limits<double>::quiet_NaN();
   long_end_ = rule.first_long_window;
   repeats_ = chaotic_ = chaotic_repeats_ = 0;
   has_half_ = has_previous_ = false;
@@ -137,10 +149,12 @@ WindowVerdict WindowTracker::add(const WindowSums& half) {
     WindowSums whole = half_;
     extend(whole, half, balls, false);
     const Features f = features(whole, balls, rule_->interchangeable);
+    radius_ = f[largest_radius];
     extend(range_, f, feature_count(balls), fresh_range_);
     fresh_range_ = false;
     for (std::size_t b = 0; b < rule_->boxes.size(); ++b) {
-      runs_[b] = inside(rule_->boxes[b], f, feature_count(balls)) ? runs_[b] + 1 : 0;
+      const FeatureBox& box = rule_->boxes[b];
+      runs_[b] = inside(box, brought_back(f, box.trend, shifts(), balls), feature_count(balls)) ? runs_[b] + 1 : 0;
       longest_[b] = std::max(longest_[b], runs_[b]);
     }
   }
@@ -153,14 +167,14 @@ WindowVerdict WindowTracker::add(const WindowSums& half) {
 
 int WindowTracker::attractor_now() const {
   for (std::size_t b = 0; b < rule_->boxes.size(); ++b)
-    if (runs_[b] >= rule_->boxes[b].hits_needed) return rule_->boxes[b].attractor;
+    if (runs_[b] >= rule_->boxes[b].hits_needed && !may_end(rule_->boxes[b].chaos)) return rule_->boxes[b].attractor;
   return 0;
 }
 
 int WindowTracker::attractor_at_end() const {
   if (const int attractor = attractor_now()) return attractor;
-  const KnownFeatures* known = has_previous_ ? nearest_known(previous_, rule_->known, rule_->balls) : nullptr;
-  return known ? known->attractor : 0;
+  const KnownFeatures* known = has_previous_ ? nearest_known(previous_, rule_->known, rule_->balls, shifts()) : nullptr;
+  return known && !may_end(known->chaos) ? known->attractor : 0;
 }
 
 double WindowTracker::mean_speed() const {
@@ -181,17 +195,36 @@ WindowVerdict WindowTracker::finish_long_window() {
   const Features f = features(long_, rule_->balls, rule_->interchangeable);
   const bool repeats = has_previous_ && same_motion(previous_, f, rule_->balls, rule_->sameness);
   previous_ = f;
+  radius_ = f[largest_radius];
   previous_range_ = range_;
   has_previous_ = true;
   long_end_ *= 2.0;
   fresh_ = fresh_range_ = true;
   repeats_ = repeats ? repeats_ + 1 : 0;
-  const KnownFeatures* known = nearest_known(f, rule_->known, rule_->balls);
-  const int chaotic = known && known->chaotic ? known->attractor : 0;
+  const KnownFeatures* known = nearest_known(f, rule_->known, rule_->balls, shifts());
+  const int chaotic = chaos_in(f);
   chaotic_repeats_ = chaotic && chaotic == chaotic_ ? chaotic_repeats_ + 1 : 0;
   chaotic_ = chaotic;
   if (repeats_ < rule_->repeats_needed && chaotic_repeats_ < rule_->repeats_needed) return {};
+  if (repeats_ < rule_->repeats_needed) return {true, chaotic};
+  if (known && may_end(known->chaos)) return {};
   return {true, known ? known->attractor : 0};
+}
+
+const double* WindowTracker::shifts() const { return own_ ? own_->shifts.data() : nullptr; }
+
+bool WindowTracker::may_end(int chaos) const {
+  if (chaos < 0 || elapsed_ >= rule_->chaos_lasts) return false;
+  const std::size_t number = static_cast<std::size_t>(chaos);
+  return !(own_ && number < own_->chaos_lasts.size() && own_->chaos_lasts[number]);
+}
+
+int WindowTracker::chaos_in(const Features& f) const {
+  constexpr double other_rotor = 0.3;  // as that of one rotor looks beside that of another
+  const bool has_lasted = rule_->chaos_lasts > 0.0 && elapsed_ >= rule_->chaos_lasts;
+  const KnownFeatures* known = nearest_known(f, rule_->known, rule_->balls, shifts());
+  if (!known && has_lasted) known = nearest_known(f, rule_->known, rule_->balls, shifts(), other_rotor);
+  return known && known->chaotic && !may_end(known->chaos) ? known->attractor : 0;
 }
 
 }  // namespace equipoise

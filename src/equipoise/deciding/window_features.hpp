@@ -5,6 +5,7 @@
 #pragma once
 
 #include <array>
+#include <limits>
 #include <vector>
 
 #include "equipoise/deciding/decision_rule.hpp"
@@ -28,8 +29,16 @@ Features features(const WindowSums& sums, int balls, bool interchangeable);
 /// `sameness` of its greatest size.
 bool same_motion(const Features& a, const Features& b, int balls, double sameness);
 
-/// The entry of `known` nearest to long-window features `f`; null if none is the same motion.
-const KnownFeatures* nearest_known(const Features& f, const std::vector<KnownFeatures>& known, int balls);
+/// Features of a rotor's motion as the middle's would be: row `trend` of `shifts` (OwnRotor::shifts) taken off. As they
+/// are where there is no such row.
+Features brought_back(const Features& f, int trend, const double* shifts, int balls);
+
+/// A finite window of a torus or of chaos shows its extremes and means to a few percent.
+inline constexpr double known_tolerance = 0.05;
+/// The entry of `known` nearest to long-window features `f`; null if none is the same motion, to `tolerance`.
+/// `shifts`: of the rotor that shows them, or null.
+const KnownFeatures* nearest_known(const Features& f, const std::vector<KnownFeatures>& known, int balls,
+                                   const double* shifts = nullptr, double tolerance = known_tolerance);
 
 /// What a trajectory's windows say.
 struct WindowVerdict {
@@ -40,13 +49,16 @@ struct WindowVerdict {
 /// One trajectory's windows. Fed with half windows: short windows overlap by one half.
 class WindowTracker {
  public:
-  void begin(const DecisionRule& rule);
+  /// `own`: the rotor's own, or null; it outlives the windows.
+  void begin(const DecisionRule& rule, const OwnRotor* own = nullptr);
   /// Takes in a finished half window. Decided when as many short windows in a row as its box asks for lie in one box,
   /// or when repeats_needed long windows in a row repeat the one before (a chaotic transient matches once in 10^5) or
   /// show a known chaotic motion.
   WindowVerdict add(const WindowSums& half);
   /// What is known so far: features of the last long window, range of its short ones, longest runs inside boxes.
   PilotRecord record() const;
+  /// The largest r over the last window, short or long; NaN before one has ended.
+  double radius() const { return radius_; }
   /// Mean psi' over the last long window; before one has ended, since the first began; NaN before half a short one has.
   double mean_speed() const;
   /// What to say at the end of all time: the attractor that the last short windows tell, or else the last long one; 0
@@ -57,9 +69,15 @@ class WindowTracker {
   // The attractor in whose box the last short windows lie, as many as it asks for; 0 if none.
   int attractor_now() const;
   WindowVerdict finish_long_window();
+  const double* shifts() const;
+  // Whether this chaos (KnownFeatures::chaos) has yet to show that it lasts.
+  bool may_end(int chaos) const;
+  // The chaotic motion that long-window features show; 0 if none.
+  int chaos_in(const Features& f) const;
 
   const DecisionRule* rule_ = nullptr;
-  double elapsed_ = 0.0, long_end_ = 0.0;
+  const OwnRotor* own_ = nullptr;
+  double elapsed_ = 0.0, long_end_ = 0.0, radius_ = std::numeric_limits<double>::quiet_NaN();
   int repeats_ = 0, chaotic_ = 0, chaotic_repeats_ = 0;
   bool has_half_ = false, fresh_ = true, fresh_range_ = true, has_previous_ = false;
   WindowSums half_, long_;

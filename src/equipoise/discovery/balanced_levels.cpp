@@ -28,26 +28,37 @@ void level_each(std::vector<BalancedTrap>& traps, const model::Parameters& p, Le
 }
 
 // The smallest V on any of the pilot's trajectories that ended elsewhere. What is undecided is followed on: it may be
-// on its slow way to balance.
+// on its slow way to balance. Of these the ones that came nearest to balance are the first, and no more than tell.
 double nearest_elsewhere(const DecisionRule& rule, const TrialSettings& settings, double slowest_rate,
                          const PilotRun& pilot) {
+  constexpr std::size_t together = 32;  // fill the lanes
+  const auto least = [&](std::size_t i) { return pilot.records()[i].least_value; };
   double nearest = 1e300;
   std::vector<std::size_t> open;
-  std::vector<double> states;
-  for (std::size_t i = 0; i < pilot.size(); ++i) {
+  for (std::size_t i = 0; i < pilot.followed(); ++i) {
     const Fate& fate = pilot.fates()[i];
     if (fate.attractor == balanced_id) continue;
-    if (fate.outcome != Outcome::undecided) {
-      nearest = std::min(nearest, pilot.records()[i].least_value);
-      continue;
-    }
-    open.push_back(i);
-    const auto state = pilot.state(i);
-    states.insert(states.end(), state.begin(), state.end());
+    if (fate.outcome == Outcome::undecided)
+      open.push_back(i);
+    else
+      nearest = std::min(nearest, least(i));
   }
-  const std::vector<char> came = come_to_balance(std::move(states), rule, settings, slowest_rate);
-  for (std::size_t k = 0; k < open.size(); ++k)
-    if (!came[k]) nearest = std::min(nearest, pilot.records()[open[k]].least_value);
+  std::stable_sort(open.begin(), open.end(), [&](std::size_t a, std::size_t b) { return least(a) < least(b); });
+  for (std::size_t first = 0; first < open.size() && least(open[first]) < nearest; first += together) {
+    const std::size_t count = std::min(together, open.size() - first);
+    std::vector<double> states;
+    std::vector<OwnRotor> rotors;
+    for (std::size_t k = 0; k < count; ++k) {
+      const auto state = pilot.state(open[first + k]);
+      states.insert(states.end(), state.begin(), state.end());
+      if (const OwnRotor* own = pilot.rotor(open[first + k])) rotors.push_back(*own);
+    }
+    TrialSettings own = settings;
+    own.rotors = rotors;
+    const std::vector<char> came = come_to_balance(std::move(states), rule, own, slowest_rate);
+    for (std::size_t k = 0; k < count; ++k)
+      if (!came[k]) nearest = std::min(nearest, least(open[first + k]));
+  }
   return nearest;
 }
 

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <map>
 #include <memory>
 #include <optional>
 #include <utility>
@@ -15,14 +16,15 @@
 #include "equipoise/base/stage_progress.hpp"
 #include "equipoise/deciding/pilot.hpp"
 #include "equipoise/deciding/window_features.hpp"
+#include "equipoise/discovery/balance_box.hpp"
 #include "equipoise/discovery/balanced_levels.hpp"
 #include "equipoise/discovery/horizon.hpp"
+#include "equipoise/discovery/machine_ends.hpp"
 #include "equipoise/discovery/own_windows.hpp"
 #include "equipoise/discovery/pilot_run.hpp"
 #include "equipoise/model/capability.hpp"
 #include "equipoise/model/strobe.hpp"
 #include "equipoise/motions/motion_description.hpp"
-#include "equipoise/motions/stuck.hpp"
 #include "equipoise/spin_up/spin_up.hpp"
 #include "equipoise/traps/continuum_trap.hpp"
 #include "equipoise/traps/cycle_forms.hpp"
@@ -46,6 +48,9 @@ constexpr std::size_t most_groups = 24;
 // By so much longer, windows of chaos and of tori show what they are.
 constexpr double later_windows = 4.0;
 
+// Chaos that ends, ends sooner than this for nearly all rotors but those beside the one for which it no longer ends.
+constexpr double lasting_chaos = 10000.0;
+
 // A weak motor brings a balanced rotor to its speed so slowly that tries of wider levels, which wait for that, would
 // take longer than starts do that have to come into the narrow one.
 constexpr double slowest_worth_widening = 1e-3;
@@ -64,7 +69,8 @@ DecisionRule first_rule(const Study& study, const BalancedAnalysis& balanced, co
   rule.balanced = balanced.traps;
   // Slow rotors move slowly: a window holds several revolutions of every motion met between 1.4 and 6.5 critical
   // speeds.
-  rule.window = std::max(16.0, 32.0 / std::max(std::fabs(system.pace()), 0.1));
+  const double pace = system.coasts() ? study.stall_speed() : std::fabs(system.pace());
+  rule.window = std::max(16.0, 32.0 / std::max(pace, 0.1));
   rule.sag = model::static_sag(study.parameters);
   if (system.section() == model::Section::strobe) rule.window = whole_strobes(rule.window, system.strobe_period());
   if (system.runs_away(rule.fastest)) rule.fastest = model::out_of_reach;
@@ -78,43 +84,68 @@ DecisionRule first_rule(const Study& study, const BalancedAnalysis& balanced, co
   return rule;
 }
 
+// Where weights or unequal supports make balls strike each other with every turn, chains of ever smaller impacts are
+// followed one by one.
+bool is_dear(const model::System& system) {
+  return system.events().contact && system.balls() > 2 && !system.autonomous();
+}
+
+// A quarter is enough where a neighbour's motions are known; and where many balls touch, a start costs fifty times what
+// it does where they pass each other.
+std::size_t pilot_part(const model::System& system, const DiscoverySettings& settings) {
+  return is_dear(system) ? 16 : settings.informed ? 4 : 1;
+}
+
 struct Candidate {
   std::vector<std::size_t> members;  // records; none for seeds
   Features features{};
   FeatureBox range;
   Eigen::VectorXd state;
+  const OwnRotor* own = nullptr;  // its rotor, if starts draw theirs
   std::optional<Motion> motion{};
   int attractor = 0;
   bool shows_motion = false;  // its members' windows are those of the motion that it was followed to
+  bool stationary = false;
 };
 
 class Discoverer {
  public:
-  Discoverer(const Study& study, const SpinUp& source, const DiscoverySettings& settings)
+  // `drawn`: the source, if it draws rotors; `study` is then that of its middle.
+  Discoverer(const Study& study, const SpinUp& source, const DiscoverySettings& settings,
+             const DrawnSource* drawn = nullptr)
       : study_(study),
         system_(study.system()),
         settings_(settings),
+        drawn_(drawn),
         stages_("looking for attractors", settings.progress),
         trials_{.system = &system_,
                 .tolerance = source.tolerance(),
                 .threads = settings.threads,
                 .stop = settings.stop,
                 .progress = &stages_},
-        pilot_(system_, source, study.initial, settings.informed ? 4 : 1) {}
+        pilot_(system_, source, study.initial, pilot_part(system_, settings), drawn) {
+    result_.catalogue = Catalogue(drawn != nullptr);
+  }
 
   Discovery run() {
+    if (system_.coasts()) return coasting();
     find_balanced();
     if (is_stopped() || (settings_.informed && !list_seeds())) return stopped();
-    if (!pilot_.make() || !follow_pilot(pilot_.scouts())) return stopped();
-    find_candidates();
-    if (!settings_.informed) add_seeds();
-    if (!refine_and_list()) return stopped();
+    if (!pilot_.make()) return stopped();
+    for (OwnRotor& rotor : pilot_.rotors()) result_.place(rotor);
+    if (!follow_pilot(pilot_.scouts())) return stopped();
+    if (!list_found(settings_.informed ? Seeds::listed : Seeds::new_ones)) return stopped();
     make_boxes();
-    if (!follow_pilot(pilot_.size())) return stopped();
-    audit_boxes();
+    if (!scouts_suffice()) {
+      if (!follow_pilot(pilot_.size())) return stopped();
+      // Of rotors that differ few show what the first ones did, and what nobody has named bars every box.
+      if (drawn_ && !list_found(Seeds::listed)) return stopped();
+      audit_boxes();
+    }
     level_balanced();
-    find_candidates();
-    if (!refine_and_list()) return stopped();
+    if (!list_found(Seeds::listed)) return stopped();
+    if (balance_box_) ask_for_balance();
+    if (drawn_ && !follow_chaos()) return stopped();
     result_.rule.blind = false;
     result_.rule.at_horizon = study_.numerics.decide == DecideMode::horizon;
     return std::move(result_);
@@ -127,24 +158,87 @@ class Discoverer {
     return std::move(result_);
   }
 
+  // Which speed is left, and with it what else there is to come to, every start finds for itself.
+  Discovery coasting() {
+    result_.balanced = analyse_balanced(system_, settings_.stop);
+    std::string& note = result_.balanced.note;
+    if (note.empty()) note = "no torque acts in the end, and which speed the rotor keeps is not known beforehand";
+    DecisionRule& rule = result_.rule = first_rule(study_, result_.balanced, system_);
+    const double horizon = *study_.numerics.horizon;
+    // Slow losses of speed are to show.
+    rule.first_long_window = std::max(rule.first_long_window, horizon / 16.0);
+    rule.at_horizon = study_.numerics.decide == DecideMode::horizon;
+    const auto trap = std::make_shared<const CoastingTrap>(system_, study_.stall_speed(), horizon);
+    result_.coasting = trap;
+    const int stalled = list_ends_of_coasting();
+    const Traps ends = ends_of_coasting(trap, stalled, settings_.stop);
+    if (rule.at_horizon) {
+      rule.strobed = ends;
+    } else {
+      rule.tori.traps = ends;
+      rule.tori.r2_low = -1.0;
+    }
+    return std::move(result_);
+  }
+
+  // Each start's motion is its own.
+  int list_ends_of_coasting() {
+    Motion balanced;
+    balanced.kind = MotionKind::measured;
+    balanced.set_valued = system_.events().stick;
+    result_.catalogue.add({balanced_id, balanced.set_valued ? "balanced, stuck" : "balanced", "", balanced, {}});
+    Motion stalled;
+    stalled.kind = MotionKind::measured;
+    return result_.catalogue.add({"stalled", "", 0}, stalled);
+  }
+
   void find_balanced() {
     stages_.begin("balanced states");
     BalancedAnalysis& balanced = result_.balanced;
     balanced = analyse_balanced(system_, settings_.stop, settings_.hints.weights);
+    if (drawn_) draw_rotors(balanced);
     result_.hints.weights = balanced.weights;
     const auto part = balanced.continuum ? std::optional<ContinuumPart>(balanced.survey) : std::nullopt;
     for (const Motion& motion : balanced.motions) result_.catalogue.add(study_.parameters, motion, part);
     if (is_stopped()) return;
     result_.rule = first_rule(study_, balanced, system_);
     result_.rule.blind = true;
-    continuum_ = continuum_trap(balanced.continuum, balanced.survey, trials_);
-    // Under gravity one of the motions that the continuum's trap leads to stands for all.
-    if (continuum_ && !system_.autonomous() && balanced.motions.empty())
-      if (const auto m = balanced.continuum->member(balanced.survey.typical.data()))
-        result_.catalogue.add(study_.parameters, describe_creep(system_, m->centre, m->rate), part);
+    if (drawn_) result_.rule.chaos_lasts = std::min(lasting_chaos, 0.25 * *study_.numerics.horizon);
+    balance_box_ = balance_box(system_, balanced, result_.rule.window, *study_.numerics.horizon);
+    // Where balls touch, a continuum's level sets catch late what lies side by side in it, and each state that they are
+    // asked about costs as much as to follow it for a hundred turns.
+    if (!balance_box_ || !system_.events().contact)
+      continuum_ = continuum_trap(balanced.continuum, balanced.survey, trials_);
+    if (!system_.autonomous() && balanced.motions.empty() && (continuum_ || balance_box_)) list_member(part);
     for (const Motion& motion : balanced.motions) add_traps(motion, balanced_id);
     find_stalled();
     set_rule_traps();
+  }
+
+  // Rotors for tries, and balanced traps that hold for all of them.
+  void draw_rotors(BalancedAnalysis& balanced) {
+    constexpr std::size_t draws = 256, looked_at = 64;
+    rotors_ = drawn_->ends();
+    for (std::size_t k = 0; k < draws; ++k) rotors_.push_back(drawn_->rotor(k));
+    const std::span<const OwnRotor> all(rotors_);
+    result_.family = BalancedFamily(balanced.traps, all, all.first(std::min(all.size(), looked_at)), balanced.weights);
+    for (OwnRotor& rotor : rotors_) result_.family.place(balanced.traps, rotor);
+    trials_.rotors = rotors_;
+  }
+
+  // Of the motions that a continuum leaves where nothing of it rests one stands for all: of the typical member where
+  // that is known.
+  void list_member(const std::optional<ContinuumPart>& part) {
+    const BalancedAnalysis& balanced = result_.balanced;
+    const auto m =
+        balanced.survey.attracts() ? balanced.continuum->member(balanced.survey.typical.data()) : std::nullopt;
+    if (m) {
+      result_.catalogue.add(study_.parameters, describe_creep(system_, m->centre, m->rate), part);
+    } else if (balanced.stable) {
+      Motion measured;
+      measured.kind = MotionKind::measured;
+      result_.catalogue.add({balanced_id, "balanced", "", measured, {}});
+    }
   }
 
   // Where gravity holds the rotor against its motor it can rest.
@@ -160,18 +254,13 @@ class Discoverer {
     }
   }
 
-  // Of balls that stick no single state attracts: what catches a start is that all of them are held for good.
   void set_rule_traps() {
     set_tori(result_.rule, tori_);
     if (!system_.events().stick) {
       set_traps(result_.rule, system_, cycles_, continuum_, stalled_);
       return;
     }
-    result_.rule.strobed = {[system = system_, listed = result_.catalogue](const double* state, double psi) {
-      const Eigen::Map<const Eigen::VectorXd> y(state, system.dimension());
-      const auto end = stuck_for_good(system, y, psi);
-      return end ? listed.find(system.parameters(), describe_stuck(system, *end)) : 0;
-    }};
+    result_.rule.strobed = stuck_balls(system_, result_.catalogue);
   }
 
   // Proved or widened levels of the balanced traps.
@@ -190,6 +279,48 @@ class Discoverer {
     return pilot_.follow(count, result_.rule, horizon, settings_.threads, settings_.stop, stages_);
   }
 
+  enum class Seeds { listed, new_ones };
+
+  // Lists what the pilot came to that the rule cannot name. Stationary motions come first: most of what wanders looks
+  // like one of them, a torus that had not repeated itself yet, and need not be followed.
+  bool list_found(Seeds seeds) {
+    find_candidates();
+    const auto wandering =
+        std::stable_partition(candidates_.begin(), candidates_.end(), [](const Candidate& c) { return c.stationary; });
+    std::vector<Candidate> later(wandering, candidates_.end());
+    candidates_.erase(wandering, candidates_.end());
+    if (seeds == Seeds::new_ones) add_seeds();
+    if (!refine_and_list()) return false;
+    found_ = std::move(candidates_);
+    candidates_.clear();
+    for (Candidate& c : later) (name_by_looks(c) ? found_ : candidates_).push_back(c);
+    if (!refine_and_list()) return false;
+    found_.insert(found_.end(), candidates_.begin(), candidates_.end());
+    return true;
+  }
+
+  // As what is listed and looks the same; boxes are made around what it did all the same.
+  bool name_by_looks(Candidate& c) {
+    const KnownFeatures* known =
+        nearest_known(c.features, result_.rule.known, study_.parameters.balls, shifts_of(c.own));
+    if (!known) return false;
+    c.attractor = known->attractor;
+    c.shows_motion = true;
+    add_known(c, known->chaotic);
+    return true;
+  }
+
+  static const double* shifts_of(const OwnRotor* own) { return own ? own->shifts.data() : nullptr; }
+  // Features of a candidate, or of one of its members, as the middle's motion shows them.
+  Features brought_back(const Candidate& c, const Features& f, const OwnRotor* own) const {
+    return equipoise::brought_back(f, result_.trends.of(c.attractor), shifts_of(own), study_.parameters.balls);
+  }
+  void add_known(const Candidate& c, bool chaotic) {
+    // Until it is known for which rotors it lasts, chaos may end for all.
+    result_.rule.known.push_back({brought_back(c, c.features, c.own), c.attractor, chaotic, chaotic && drawn_ ? 0 : -1,
+                                  result_.trends.of(c.attractor)});
+  }
+
   // Groups of trajectories that the rule cannot name yet: stationary ones, and ones that neither settled nor came to
   // balance.
   void find_candidates() {
@@ -198,9 +329,10 @@ class Discoverer {
     std::vector<std::size_t> stationary, wandering;
     for (std::size_t i = 0; i < pilot_.followed(); ++i) {
       const Fate& fate = pilot_.fates()[i];
+      if (fate.attractor == 0 && shows_balance(i)) continue;
       if (fate.outcome == Outcome::attracted && fate.attractor == 0) stationary.push_back(i);
       if (fate.outcome == Outcome::undecided && pilot_.records()[i].finished_window &&
-          !nearest_known(pilot_.records()[i].features, known, balls))
+          !nearest_known(pilot_.records()[i].features, known, balls, shifts_of(pilot_.rotor(i))))
         wandering.push_back(i);
     }
     candidates_.clear();
@@ -209,11 +341,56 @@ class Discoverer {
       std::stable_sort(groups.begin(), groups.end(),
                        [](const MotionGroup& a, const MotionGroup& b) { return a.members.size() > b.members.size(); });
       if (groups.size() > most_groups) groups.resize(most_groups);
-      for (const MotionGroup& group : groups)
-        candidates_.push_back(
-            {group.members, group.features, group.range, pilot_.state_at_strobe(group.members.front())});
+      for (const MotionGroup& group : groups) {
+        candidates_.push_back({group.members, group.features, group.range,
+                               pilot_.state_at_strobe(group.members.front()), pilot_.rotor(group.members.front())});
+        candidates_.back().stationary = which == &stationary;
+      }
     }
+    if (balance_box_) drop_balanced_candidates();
     if (settings_.informed) recognise_candidates();
+  }
+
+  // What is on its slow way to balance is followed on lanes before it is followed to a motion, which it may never be
+  // on.
+  void drop_balanced_candidates() {
+    std::vector<double> states;
+    for (const Candidate& c : candidates_) states.insert(states.end(), c.state.begin(), c.state.end());
+    DecisionRule only_balance = result_.rule;
+    only_balance.boxes = {*balance_box_};
+    only_balance.first_long_window = *study_.numerics.horizon;
+    const double time = 2.0 * balance_box_->hits_needed * 0.5 * result_.rule.window;
+    const std::vector<Fate> fates =
+        fates_by_windows(system_, std::move(states), rotors_of(candidates_), only_balance,
+                         time / only_balance.first_long_window, trials_.tolerance, settings_.stop);
+    std::vector<Candidate> others;
+    for (std::size_t k = 0; k < candidates_.size(); ++k)
+      if (fates[k].attractor != balanced_id) others.push_back(std::move(candidates_[k]));
+    candidates_ = std::move(others);
+  }
+
+  // Long windows, three of which tell what is stationary, leave it time: what creeps near balance looks the same in all
+  // of them, and would be followed to a motion that never comes back.
+  void ask_for_balance() {
+    DecisionRule& rule = result_.rule;
+    rule.boxes.push_back(*balance_box_);
+    rule.first_long_window = std::max(rule.first_long_window, balance_box_->hits_needed * 0.5 * rule.window / 3.0);
+  }
+
+  bool shows_balance(std::size_t i) const {
+    const PilotRecord& record = pilot_.records()[i];
+    return balance_box_ && record.finished_window && shows(*balance_box_, record.features, study_.parameters.balls);
+  }
+
+  // Where all random scouts came to what is listed and no box is to be audited, the rest of the pilot would only look
+  // for what is rarer than one in a thousand, which is listed as well once a start comes to it. Of a smooth rotor at a
+  // prescribed speed that feels no gravity this costs less than to follow a few such starts, of all others most of the
+  // search.
+  bool scouts_suffice() const {
+    const std::vector<Fate>& fates = pilot_.fates();
+    return !(system_.simple() && system_.autonomous()) && result_.rule.boxes.empty() &&
+           std::all_of(fates.begin(), fates.begin() + static_cast<std::ptrdiff_t>(pilot_.random_ones()),
+                       [](const Fate& fate) { return fate.outcome == Outcome::attracted && fate.attractor != 0; });
   }
 
   // Whose later windows, which are longer, show a neighbour's motion, or that its traps catch, need not be followed.
@@ -222,24 +399,36 @@ class Discoverer {
     for (const Candidate& c : candidates_) states.insert(states.end(), c.state.begin(), c.state.end());
     DecisionRule later = result_.rule;
     later.first_long_window *= later_windows;
-    const std::vector<Fate> fates =
-        fates_by_windows(system_, std::move(states), later, pilot_windows, trials_.tolerance, settings_.stop);
+    later.boxes.clear();
+    const std::vector<Fate> fates = fates_by_windows(system_, std::move(states), rotors_of(candidates_), later,
+                                                     pilot_windows, trials_.tolerance, settings_.stop);
     std::vector<Candidate> unknown;
     for (std::size_t k = 0; k < candidates_.size(); ++k) {
       if (fates[k].attractor == 0)
         unknown.push_back(std::move(candidates_[k]));
-      else if (const KnownFeatures* known = looks_of(fates[k].attractor, candidates_[k].features))
-        result_.rule.known.push_back({candidates_[k].features, known->attractor, known->chaotic});
+      else if (const KnownFeatures* known = looks_of(fates[k].attractor, candidates_[k])) {
+        candidates_[k].attractor = known->attractor;
+        add_known(candidates_[k], known->chaotic);
+      }
     }
     candidates_ = std::move(unknown);
   }
 
+  static std::vector<const OwnRotor*> rotors_of(const std::vector<Candidate>& candidates) {
+    std::vector<const OwnRotor*> rotors;
+    for (const Candidate& c : candidates)
+      if (c.own) rotors.push_back(c.own);
+    return rotors;
+  }
+  const model::System& system_of(const Candidate& c) const { return c.own ? c.own->system : system_; }
+
   // The attractor's, if they agree as well as two windows of it do.
-  const KnownFeatures* looks_of(int attractor, const Features& features) const {
+  const KnownFeatures* looks_of(int attractor, const Candidate& c) const {
     const Attractor* a = result_.catalogue.find(attractor);
     for (const KnownFeatures& k : result_.rule.known)
       if (a && k.attractor == attractor &&
-          same_motion(k.features, features, result_.rule.balls, agreement(a->motion.kind)))
+          same_motion(k.features, equipoise::brought_back(c.features, k.trend, shifts_of(c.own), result_.rule.balls),
+                      result_.rule.balls, agreement(a->motion.kind)))
         return &k;
     return nullptr;
   }
@@ -264,24 +453,105 @@ class Discoverer {
     stages_.begin("motions followed until they are steady", candidates_.size());
     in_parallel(settings_.threads, candidates_.size(), [&](std::size_t k) {
       if (is_stopped()) return;
-      candidates_[k].motion = motion_from(system_, candidates_[k].state, motion_patience, settings_.stop);
+      Candidate& c = candidates_[k];
+      c.motion = motion_from(system_of(c), c.state, followed_for(system_), settings_.stop);
       stages_.add(1);
     });
     if (is_stopped()) return false;
     compare_with_motions();
     const Catalogue before = result_.catalogue;
+    for (Candidate& c : candidates_)
+      if (c.motion && c.motion->stable) c.attractor = result_.catalogue.add(system_of(c).parameters(), *c.motion);
+    if (!add_trends(before)) return false;
     for (Candidate& c : candidates_) {
       if (!c.motion || !c.motion->stable) continue;
-      c.attractor = result_.catalogue.add(study_.parameters, *c.motion);
       // Balance is never told by what it looks like: traps know it, or the way to it is followed.
       if (!c.shows_motion || c.attractor == balanced_id) continue;
       if (c.members.empty() && is_known(c.attractor)) c.shows_motion = false;  // another seed came to the same
-      if (c.shows_motion)
-        result_.rule.known.push_back({c.features, c.attractor, c.motion->kind == MotionKind::chaotic});
+      if (!c.shows_motion) continue;
+      add_known(c, c.motion->kind == MotionKind::chaotic);
+      if (c.motion->kind == MotionKind::chaotic) chaos_.try_emplace(c.attractor, c.motion->state);
     }
-    for (const Attractor& a : result_.catalogue.listed_since(before)) add_traps(a.motion, a.id);
+    for (const Attractor& a : result_.catalogue.listed_since(before)) add_traps_of_middle(a);
     set_rule_traps();
     return !is_stopped();
+  }
+
+  // How what is newly listed looks for others of the family: rotors all over the part set off from one's motion.
+  bool add_trends(const Catalogue& before) {
+    if (!drawn_ || is_dear(system_)) return !is_stopped();
+    for (const Attractor& a : result_.catalogue.listed_since(before)) {
+      const auto c = std::find_if(candidates_.begin(), candidates_.end(), [&](const Candidate& candidate) {
+        return candidate.attractor == a.id && candidate.shows_motion;
+      });
+      if (a.id == balanced_id || c == candidates_.end()) continue;
+      constexpr std::size_t tried = 128;
+      std::vector<const Motion*> motions;
+      std::vector<const OwnRotor*> own;
+      for (std::size_t k = 0; k < std::min(tried, rotors_.size()); ++k) {
+        motions.push_back(&*c->motion);
+        own.push_back(&rotors_[k]);
+      }
+      const std::vector<PilotRecord> windows =
+          own_windows(system_, motions, own, result_.rule, pilot_windows, trials_.tolerance, settings_.stop);
+      if (is_stopped()) return false;
+      std::vector<ShownFeatures> others;
+      for (std::size_t k = 0; k < windows.size(); ++k)
+        if (windows[k].finished_window) others.push_back({own[k]->coordinates, windows[k].features});
+      const OwnRotor& first = c->own ? *c->own : rotors_.front();
+      result_.trends.add(a.id, study_.parameters.balls, agreement(c->motion->kind), {first.coordinates, c->features},
+                         std::move(others));
+    }
+    for (OwnRotor& rotor : rotors_) result_.trends.place(rotor);
+    for (OwnRotor& rotor : pilot_.rotors()) result_.trends.place(rotor);
+    return true;
+  }
+
+  // For which rotors chaos lasts: all over the part they set off from one's.
+  bool follow_chaos() {
+    std::map<int, int> numbers;
+    for (const auto& [attractor, state] : chaos_) {
+      if (is_dear(system_)) continue;
+      numbers[attractor] = result_.trends.add_chaos(lasting(attractor, state));
+      if (is_stopped()) return false;
+    }
+    const int unknown = static_cast<int>(numbers.size());
+    for (KnownFeatures& known : result_.rule.known)
+      if (known.chaos >= 0) known.chaos = numbers.contains(known.attractor) ? numbers[known.attractor] : unknown;
+    for (FeatureBox& box : result_.rule.boxes)
+      if (numbers.contains(box.attractor)) box.chaos = numbers[box.attractor];
+    return true;
+  }
+
+  // What comes to another motion has ended; what becomes regular has kept its name.
+  std::vector<FeatureTrends::Lasting> lasting(int attractor, const Eigen::VectorXd& state) const {
+    constexpr std::size_t most = 128;
+    const std::size_t tried = std::min(most, rotors_.size());
+    std::vector<double> states;
+    std::vector<const OwnRotor*> own;
+    for (std::size_t k = 0; k < tried; ++k) {
+      states.insert(states.end(), state.begin(), state.end());
+      own.push_back(&rotors_[k]);
+    }
+    const DecisionRule& rule = result_.rule;
+    const std::vector<Fate> fates =
+        fates_by_windows(system_, std::move(states), own, rule, rule.chaos_lasts / rule.first_long_window,
+                         trials_.tolerance, settings_.stop);
+    std::vector<FeatureTrends::Lasting> result;
+    for (std::size_t k = 0; k < tried; ++k)
+      result.push_back({own[k]->coordinates, fates[k].attractor == attractor ||
+                                                 fates[k].outcome == Outcome::undecided ||
+                                                 fates[k].time >= 0.9 * rule.chaos_lasts});
+    return result;
+  }
+
+  // Traps are made around the middle's motion, if it has that one.
+  void add_traps_of_middle(const Attractor& a) {
+    if (!drawn_) return add_traps(a.motion, a.id);
+    if (a.motion.eventful || a.motion.state.size() == 0) return;
+    const auto motion = motion_from(system_, a.motion.state, motion_patience, settings_.stop);
+    if (motion && motion->stable && result_.catalogue.find(study_.parameters, *motion) == a.id)
+      add_traps(*motion, a.id);
   }
 
   bool is_known(int attractor) const {
@@ -294,24 +564,26 @@ class Discoverer {
   void compare_with_motions() {
     std::vector<Candidate*> followed;
     std::vector<const Motion*> motions;
+    std::vector<const OwnRotor*> own;
     for (Candidate& c : candidates_) {
       if (!c.motion || !c.motion->stable || (c.members.empty() && !settings_.informed)) continue;
       followed.push_back(&c);
       motions.push_back(&*c.motion);
+      if (drawn_) own.push_back(c.own ? c.own : &rotors_.front());
     }
-    const std::vector<PilotRecord> own =
-        own_windows(system_, motions, result_.rule, pilot_windows, trials_.tolerance, settings_.stop);
+    const std::vector<PilotRecord> windows =
+        own_windows(system_, motions, own, result_.rule, pilot_windows, trials_.tolerance, settings_.stop);
     for (std::size_t k = 0; k < followed.size(); ++k) {
       Candidate& c = *followed[k];
       // Of a continuum that dry friction leaves every member looks its own way.
-      c.shows_motion = !c.motion->set_valued && own[k].finished_window;
+      c.shows_motion = !c.motion->set_valued && windows[k].finished_window;
       if (c.members.empty()) {
-        c.features = own[k].features;
-        c.range = own[k].range;
+        c.features = windows[k].features;
+        c.range = windows[k].range;
         continue;
       }
       c.shows_motion = c.shows_motion &&
-                       same_motion(c.features, own[k].features, study_.parameters.balls, agreement(c.motion->kind));
+                       same_motion(c.features, windows[k].features, study_.parameters.balls, agreement(c.motion->kind));
     }
   }
 
@@ -323,11 +595,14 @@ class Discoverer {
 
   void add_traps(const Motion& motion, int id) {
     if (motion.eventful) return;  // windows tell it
-    if (motion.kind == MotionKind::quasi_periodic && !model::lacking(system_, model::Answer::torus_traps))
+    // The torus of another rotor lies beside this one, by more than the cloud that stands for it tells.
+    if (motion.kind == MotionKind::quasi_periodic && !drawn_ && !model::lacking(system_, model::Answer::torus_traps))
       add_torus(motion, id);
     std::vector<CycleTrap> traps = cycle_traps(system_, motion, id);
-    if (traps.empty() || !validate(traps, trials_, motion.orbit.slowest_rate(), settings_.hints.level(id, false)))
-      return;
+    if (traps.empty()) return;
+    const auto is_it = [&](const model::Parameters& p, const Motion& m) { return result_.catalogue.find(p, m) == id; };
+    const double floor = drawn_ ? own_floor(traps.front(), trials_, motion, is_it) : 0.0;
+    if (!validate(traps, trials_, motion.orbit.slowest_rate(), settings_.hints.level(id, false), floor)) return;
     result_.hints.levels.push_back({id, false, traps.front().level});
     for (CycleTrap& trap : traps) cycles_.push_back(std::make_shared<CycleTrap>(std::move(trap)));
   }
@@ -345,17 +620,35 @@ class Discoverer {
   void make_boxes() {
     constexpr std::size_t members_needed = 3;
     DecisionRule& rule = result_.rule;
-    candidates_.insert(candidates_.begin(), seeds_.begin(), seeds_.end());
+    std::vector<Candidate> all = seeds_;
+    all.insert(all.end(), found_.begin(), found_.end());
     for (const double widths : box_widths)
-      for (const Candidate& c : candidates_) {
+      for (const Candidate& c : all) {
         const Attractor* a = result_.catalogue.find(c.attractor);
         if (!a || !c.shows_motion || c.attractor == balanced_id) continue;
         // A refined orbit vouches for a lone member, and a motion for itself.
         if (!c.members.empty() && c.members.size() < (a->motion.kind == MotionKind::periodic ? 1 : members_needed))
           continue;
-        const FeatureBox box = box_around(c.range, rule.balls, c.attractor, widths);
-        if (box.attractor && rule.boxes.size() < most_boxes) rule.boxes.push_back(box);
+        FeatureBox box = box_around(range_of(c), rule.balls, c.attractor, widths);
+        box.trend = result_.trends.of(c.attractor);
+        if (box.attractor && rule.boxes.size() + 1 < most_boxes) rule.boxes.push_back(box);
       }
+  }
+
+  // Of all its members, as the middle's motion would show it.
+  FeatureBox range_of(const Candidate& c) const {
+    if (c.members.empty() || result_.trends.of(c.attractor) < 0) return c.range;
+    FeatureBox range;
+    for (std::size_t m = 0; m < c.members.size(); ++m) {
+      const FeatureBox& shown = pilot_.records()[c.members[m]].range;
+      const OwnRotor* own = pilot_.rotor(c.members[m]);
+      const Features low = brought_back(c, shown.low, own), high = brought_back(c, shown.high, own);
+      for (int k = 0; k < feature_count(study_.parameters.balls); ++k) {
+        range.low[k] = m ? std::min(range.low[k], low[k]) : low[k];
+        range.high[k] = m ? std::max(range.high[k], high[k]) : high[k];
+      }
+    }
+    return range;
   }
 
   // How many hits each box takes, from what the whole pilot did where only traps and stationarity decided.
@@ -374,53 +667,66 @@ class Discoverer {
   // A torus or chaos may not repeat itself within the pilot's time; its last long window tells it all the same.
   void name_undecided() {
     const DecisionRule& rule = result_.rule;
+    for (const Candidate& c : found_)
+      for (const std::size_t i : c.members)
+        if (drawn_ && pilot_.fates()[i].attractor == 0) pilot_.name(i, c.attractor);
     for (std::size_t i = 0; i < pilot_.followed(); ++i) {
       if (pilot_.fates()[i].outcome != Outcome::undecided || !pilot_.records()[i].finished_window) continue;
       const Features& features = pilot_.records()[i].features;
-      if (const KnownFeatures* known = nearest_known(features, rule.known, rule.balls))
+      if (shows_balance(i))
+        pilot_.name(i, balanced_id);
+      else if (const KnownFeatures* known = nearest_known(features, rule.known, rule.balls, shifts_of(pilot_.rotor(i))))
         pilot_.name(i, known->attractor);
       else if (!system_.autonomous())
-        pilot_.name(i, loosely_known(features));
+        pilot_.name(i, loosely_known(features, shifts_of(pilot_.rotor(i))));
     }
   }
 
   // Modulated by the rotor, a torus has a frequency more.
-  int loosely_known(const Features& features) const {
+  int loosely_known(const Features& features, const double* shifts) const {
+    const int balls = result_.rule.balls;
     for (const KnownFeatures& known : result_.rule.known)
-      if (same_motion(known.features, features, result_.rule.balls, torus_grouping)) return known.attractor;
+      if (same_motion(known.features, equipoise::brought_back(features, known.trend, shifts, balls), balls,
+                      torus_grouping))
+        return known.attractor;
     return 0;
   }
 
   const Study& study_;
   const model::System system_;
   const DiscoverySettings& settings_;
+  const DrawnSource* const drawn_;
   StageProgress stages_;
-  const TrialSettings trials_;
+  TrialSettings trials_;
+  std::vector<OwnRotor> rotors_;  // for tries: the middle's first
   PilotRun pilot_;
   Discovery result_;
   CycleTraps cycles_;
   std::vector<std::shared_ptr<const TorusTrap>> tori_;
   std::optional<ContinuumTrap> continuum_;
   std::optional<StalledTrap> stalled_;
-  std::vector<Candidate> candidates_, seeds_;
+  std::optional<FeatureBox> balance_box_;              // beside traps
+  std::map<int, Eigen::VectorXd> chaos_;               // by attractor: a state on one rotor's
+  std::vector<Candidate> candidates_, found_, seeds_;  // being followed; what the pilot came to; a neighbour's
 };
-
-// What is discovered of a study depends on this much of it. How a motor brings its rotor up is part of what can be met:
-// a limited one may never pass a resonance.
-Study at_final_speed(const Study& study) {
-  Study steady = study;
-  steady.sampling = {};
-  if (study.speed.driven()) return with_horizon(steady);
-  steady.speed = {};
-  steady.speed.speed = study.speed_profile().final_speed();
-  steady.release = {};
-  steady.initial = {};
-  return with_horizon(steady);
-}
 
 }  // namespace
 
+Discovery discover(const StudyFamily& family, const FamilyBox& box, const DiscoverySettings& settings) {
+  const DrawnSource source(family, box, settings.stop);
+  return Discoverer(source.middle(), source, settings, &source).run();
+}
+
+double followed_for(const model::System& system) { return is_dear(system) ? 0.25 * motion_patience : motion_patience; }
+
 std::string discovery_subject(const Study& study) { return to_toml(at_final_speed(study)); }
+
+std::string search_key(const std::string& subject, const DiscoverySettings& settings) {
+  std::string key = fmt::format("{}\n{}\n{}", subject, settings.seeds, settings.informed);
+  for (const LevelHint& h : settings.hints.levels) key += fmt::format("\n{} {} {}", h.attractor, h.torus, h.level);
+  for (const ModeWeight& w : settings.hints.weights) key += fmt::format("\n{} {} {}", w.re, w.im, w.weight);
+  return key;
+}
 
 Discovery discover(const Study& study, const DiscoverySettings& settings) {
   const Study steady = at_final_speed(study);
@@ -429,9 +735,7 @@ Discovery discover(const Study& study, const DiscoverySettings& settings) {
     return Discoverer(steady, *source, settings).run();
   };
   if (!settings.cache) return make();
-  std::string key = fmt::format("{}\n{}\n{}", to_toml(steady), settings.seeds, settings.informed);
-  for (const LevelHint& h : settings.hints.levels) key += fmt::format("\n{} {} {}", h.attractor, h.torus, h.level);
-  for (const ModeWeight& w : settings.hints.weights) key += fmt::format("\n{} {} {}", w.re, w.im, w.weight);
+  const std::string key = search_key(to_toml(steady), settings);
   if (const auto at = settings.cache->made.find(key); at != settings.cache->made.end()) return at->second;
   Discovery discovery = make();
   if (!discovery.stopped) settings.cache->made.emplace(key, discovery);

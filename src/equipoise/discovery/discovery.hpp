@@ -4,20 +4,26 @@
 
 #include <functional>
 #include <map>
+#include <memory>
 #include <string>
 #include <vector>
 
 #include "equipoise/base/error.hpp"
 #include "equipoise/base/run_options.hpp"
 #include "equipoise/deciding/decision_rule.hpp"
+#include "equipoise/discovery/feature_trends.hpp"
+#include "equipoise/discovery/study_family.hpp"
 #include "equipoise/motions/catalogue.hpp"
 #include "equipoise/study/study.hpp"
 #include "equipoise/traps/balanced_analysis.hpp"
+#include "equipoise/traps/balanced_family.hpp"
+#include "equipoise/traps/coasting_trap.hpp"
 #include "equipoise/traps/trap_hints.hpp"
 
 namespace equipoise {
 
 struct DiscoveryCache;
+struct FamilyMesh;
 
 struct DiscoverySettings {
   int threads = 1;
@@ -41,23 +47,44 @@ struct Discovery {
   BalancedAnalysis balanced;
   Catalogue catalogue;
   DecisionRule rule;
-  TrapHints hints;  ///< for a neighbour's search
+  BalancedFamily family;  ///< of a part of a family: where its balanced traps stand
+  FeatureTrends trends;   ///< and how its motions' features change
+  TrapHints hints;        ///< for a neighbour's search
+  std::shared_ptr<const CoastingTrap> coasting;  ///< of a rotor that coasts
   bool stopped = false;
+
+  /// Prepares a rotor of the part, whose coordinates are known, for the rule.
+  void place(OwnRotor& rotor) const {
+    family.place(rule.balanced, rotor);
+    trends.place(rotor);
+  }
 };
 
 /// Discoveries made so far, by what they depend on. Not to be used by two runs at once.
 struct DiscoveryCache {
   std::map<std::string, Discovery> made;
+  std::map<std::string, std::shared_ptr<const FamilyMesh>> meshes;  ///< of studies with uncertain values
 };
+
+/// How long a trajectory is followed to its motion (motion_from()): where many balls touch it takes a hundred times as
+/// long, and a motion that does not come back is none the better known for it.
+double followed_for(const model::System& system);
 
 /// The part of a study that its discovery depends on, as text: studies that agree in it share one.
 std::string discovery_subject(const Study& study);
+/// What a search depends on in all: the key under which caches hold it.
+std::string search_key(const std::string& subject, const DiscoverySettings& settings);
 
-/// For any system but those that coast. Analyses the balanced states; runs pilot starts, free from rest at the final
+/// Analyses the balanced states; runs pilot starts, free from rest at the final
 /// speed (of a driven rotor see PilotRun::make()), and starts in the invariant subspace of coincident balls until they
 /// are stationary; follows, refines and names one of each group; makes traps and boxes and tries them. With anisotropic
 /// supports or gravity motions are strobed ones. Starts that come to something else later are followed and listed by
-/// StartRunner.
+/// StartRunner. A rotor that coasts has no final speed, and nothing is searched: balance and the rotor that has stalled
+/// are listed, and starts are asked about both by CoastingTrap.
 Discovery discover(const Study& study, const DiscoverySettings& settings);
+/// The same for all rotors of a part of a family at once: pilots and tries draw theirs from it, motions of one name are
+/// one, and traps stand where each rotor has what they surround. Centres, forms and hints are those of the part's
+/// middle. settings.cache is not asked.
+Discovery discover(const StudyFamily& family, const FamilyBox& box, const DiscoverySettings& settings);
 
 }  // namespace equipoise

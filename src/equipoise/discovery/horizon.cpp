@@ -13,7 +13,6 @@
 #include "equipoise/model/strobe.hpp"
 #include "equipoise/model/system.hpp"
 #include "equipoise/motions/motion_description.hpp"
-#include "equipoise/motions/steady_watch.hpp"
 #include "equipoise/orbits/continuum_draws.hpp"
 
 namespace equipoise {
@@ -29,9 +28,8 @@ constexpr double e_foldings = 10.0;
 constexpr double shortest = 50000.0;
 // Where every start goes to the horizon all pay: no longer than rates ask, and as long as chaos commonly lasts.
 constexpr double shortest_for_all = 3000.0;
-// A machine's motion that never quite repeats itself has to last for unrepeated_time, and twice as long as it took to
-// come to it.
-constexpr double shortest_for_machines = 1.2 * unrepeated_time;
+// With events: balls that touch take longer to come to anything.
+constexpr double shortest_with_events = 24000.0;
 // What nobody waits for: 100 000 starts that never decide then take a quarter of an hour.
 constexpr double longest = 100000.0;
 // Rounding moves an eigenvalue by about 1e-15; beside the zeros of a continuum, by the square root of that.
@@ -104,7 +102,7 @@ Horizon choose_horizon(const Study& study) {
   horizon.given = study.numerics.horizon.has_value();
   // Where not even one e-folding fits, what waits for it is not decided at all, and the longest horizon gains nothing.
   const bool hopeless = horizon.rates.slowest() * longest < 1.0;
-  const double for_all = study.system().smooth() ? shortest_for_all : shortest_for_machines;
+  const double for_all = study.system().smooth() ? shortest_for_all : shortest_with_events;
   const double least = study.numerics.decide == DecideMode::horizon ? for_all : shortest;
   horizon.time = hopeless ? least : std::clamp(rounded_up(horizon.asked), least, longest);
   if (horizon.given) horizon.time = *study.numerics.horizon;
@@ -112,7 +110,7 @@ Horizon choose_horizon(const Study& study) {
 }
 
 Study with_horizon(Study study) {
-  study.numerics.horizon = choose_horizon(study).time;
+  if (!study.numerics.horizon) study.numerics.horizon = choose_horizon(study).time;
   return study;
 }
 

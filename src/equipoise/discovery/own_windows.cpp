@@ -8,6 +8,20 @@ namespace equipoise {
 
 namespace {
 
+// Rotors as they are over the same stretch of time.
+struct Rotors {
+  Rotors(const std::vector<const OwnRotor*>& own, const LaneTask& task) {
+    for (const OwnRotor* given : own) {
+      rotors.push_back(*given);
+      rotors.back().segment = own_rotor(given->system).segment;
+      rotors.back().end = task.end;
+    }
+    for (const OwnRotor& rotor : rotors) pointers.push_back(&rotor);
+  }
+  std::vector<OwnRotor> rotors;
+  std::vector<const OwnRotor*> pointers;
+};
+
 LaneTask task_from(const model::System& system, std::vector<double>& states, const DecisionRule& rule, double longest,
                    double tolerance, const StopFlag* stop) {
   LaneTask task = lane_task(system);                          // psi = 0 at first, where states of strobed motions are
@@ -22,7 +36,8 @@ LaneTask task_from(const model::System& system, std::vector<double>& states, con
 }  // namespace
 
 std::vector<PilotRecord> own_windows(const model::System& system, const std::vector<const Motion*>& motions,
-                                     const DecisionRule& rule, double longest, double tolerance, const StopFlag* stop) {
+                                     std::vector<const OwnRotor*> own, const DecisionRule& rule, double longest,
+                                     double tolerance, const StopFlag* stop) {
   std::vector<double> states;
   for (const Motion* motion : motions) states.insert(states.end(), motion->state.begin(), motion->state.end());
   std::vector<PilotRecord> records(motions.size());
@@ -36,16 +51,20 @@ std::vector<PilotRecord> own_windows(const model::System& system, const std::vec
   windows_only.first_long_window = rule.first_long_window;
   windows_only.sameness = rule.sameness;
   LaneTask task = task_from(system, states, windows_only, longest, tolerance, stop);
+  const Rotors rotors(own, task);
+  if (!own.empty()) task.own = rotors.pointers.data();
   std::vector<Fate> fates(motions.size());
   if (!decide_lanes(task, windows_only, fates, &records)) return std::vector<PilotRecord>(motions.size());
   return records;
 }
 
-std::vector<Fate> fates_by_windows(const model::System& system, std::vector<double> states, DecisionRule rule,
-                                   double longest, double tolerance, const StopFlag* stop) {
-  rule.boxes.clear();
+std::vector<Fate> fates_by_windows(const model::System& system, std::vector<double> states,
+                                   std::vector<const OwnRotor*> own, DecisionRule rule, double longest,
+                                   double tolerance, const StopFlag* stop) {
   rule.blind = false;
-  const LaneTask task = task_from(system, states, rule, longest, tolerance, stop);
+  LaneTask task = task_from(system, states, rule, longest, tolerance, stop);
+  const Rotors rotors(own, task);
+  if (!own.empty()) task.own = rotors.pointers.data();
   std::vector<Fate> fates(task.count);
   if (task.count > 0 && !decide_lanes(task, rule, fates, nullptr)) fates.assign(task.count, Fate{});
   return fates;

@@ -6,20 +6,23 @@
 #include "equipoise/base/error.hpp"
 #include "equipoise/deciding/decision_rule.hpp"
 #include "equipoise/deciding/fate.hpp"
+#include "equipoise/lanes/own_rotor.hpp"
 #include "equipoise/model/system.hpp"
 #include "equipoise/motions/motion.hpp"
 
 namespace equipoise {
 
 /// A record of each of `motions`, all stable, followed from its own state as the pilot's trajectories are: over windows
-/// as long as those of `rule`, until they repeat themselves, or for `longest` times the first long one. If stopped,
-/// records without a finished window.
+/// as long as those of `rule`, until they repeat themselves, or for `longest` times the first long one. `own`: their
+/// rotors, where they are not all motions of `system`. If stopped, records without a finished window.
 std::vector<PilotRecord> own_windows(const model::System& system, const std::vector<const Motion*>& motions,
-                                     const DecisionRule& rule, double longest, double tolerance, const StopFlag* stop);
+                                     std::vector<const OwnRotor*> own, const DecisionRule& rule, double longest,
+                                     double tolerance, const StopFlag* stop);
 
 /// What the rule says of trajectories from these states (at a strobe, where the rotor's angle matters) by its traps and
 /// by windows alone, within the same time.
-std::vector<Fate> fates_by_windows(const model::System& system, std::vector<double> states, DecisionRule rule,
-                                   double longest, double tolerance, const StopFlag* stop);
+std::vector<Fate> fates_by_windows(const model::System& system, std::vector<double> states,
+                                   std::vector<const OwnRotor*> own, DecisionRule rule, double longest,
+                                   double tolerance, const StopFlag* stop);
 
 }  // namespace equipoise

@@ -28,26 +28,31 @@ std::size_t chunk_for(int threads) { return threads == 1 ? PilotRun::random_star
 // Those whose way is not over. Nothing depends on time any more: all go on from when the last piece begins.
 void PilotRun::append(const SpunUp& starts) {
   const std::size_t size = system_.dimension();
-  for (std::size_t i = 0; i < starts.size(); ++i)
-    if (!starts.is_over(i)) begin_.insert(begin_.end(), &starts.states[i * size], &starts.states[i * size] + size);
+  for (std::size_t i = 0; i < starts.size(); ++i) {
+    if (starts.is_over(i)) continue;
+    begin_.insert(begin_.end(), &starts.states[i * size], &starts.states[i * size] + size);
+    if (!starts.rotors.empty()) rotors_.push_back(starts.rotors[i]);
+  }
 }
 
 SpunUp PilotRun::free_at_speeds(std::size_t first, std::size_t count) const {
   constexpr std::size_t speeds = 8;
   constexpr double beyond_resonance = 3.0;  // as far as is looked where the motor has no speed of its own
-  const double fastest = system_.no_load_speed().value_or(beyond_resonance);
   SpunUp starts;
+  for (std::size_t i = 0; drawn_ && i < count; ++i) starts.rotors.push_back(drawn_->rotor(first + i));
   starts.fates.assign(count, Fate{});
   const std::size_t size = system_.dimension();
   starts.states.assign(count * size, 0.0);
   for (std::size_t i = 0; i < count; ++i) {
     double* state = &starts.states[i * size];
+    const model::System& system = starts.rotors.empty() ? system_ : starts.rotors[i].system;
+    const double fastest = system.no_load_speed().value_or(beyond_resonance);
     start_angles(pilot_seed, first + i, system_.balls(), state + model::index::phi(0));
-    if (system_.events().contact) make_room(system_.parameters(), state + model::index::phi(0));
+    if (system.events().contact) make_room(system.parameters(), state + model::index::phi(0));
     const double speed = fastest * (static_cast<double>(i % speeds) + 0.5) / speeds;
     state[system_.speed_place()] = speed;
     // At rest under its weight.
-    const std::array<double, 2> rest = model::rest_position(system_.parameters(), 0.0);
+    const std::array<double, 2> rest = model::rest_position(system.parameters(), 0.0);
     std::copy(rest.begin(), rest.end(), state);
   }
   return starts;
@@ -67,6 +72,7 @@ bool PilotRun::make() {
   const int balls = system_.balls();
   const std::size_t scouting = random_scouts / part_, all = random_starts / part_;
   if (!add(0, scouting)) return false;
+  random_ones_ = begin_.size() / system_.dimension();
   std::vector<InitialState> in_one_place(coincident_scouts, initial_);
   for (std::size_t k = 0; k < coincident_scouts; ++k)
     for (int i = 0; i < balls; ++i)
@@ -94,6 +100,14 @@ bool PilotRun::follow(std::size_t count, const DecisionRule& rule, double horizo
     const std::size_t first = k * chunk, length = std::min(chunk, count - first);
     LaneTask task = task_;
     task.end = task.segment.begin + horizon;
+    std::vector<OwnRotor> rotors;
+    std::vector<const OwnRotor*> own;
+    for (std::size_t i = 0; i < length && !rotors_.empty(); ++i) {
+      OwnRotor& rotor = rotors.emplace_back(rotors_[first + i]);
+      rotor.end = rotor.segment.begin + horizon;
+    }
+    for (const OwnRotor& rotor : rotors) own.push_back(&rotor);
+    if (!own.empty()) task.own = own.data();
     task.count = length;
     task.states = &states_[first * size];
     task.stop = stop;
@@ -116,7 +130,8 @@ Eigen::Map<const Eigen::VectorXd> PilotRun::state(std::size_t i) const {
 
 Eigen::VectorXd PilotRun::state_at_strobe(std::size_t i) const {
   if (system_.section() != model::Section::strobe) return state(i);
-  return at_next_strobe(system_, state(i), task_.segment.psi_at(fates_[i].time)).value_or(state(i));
+  const model::Segment& segment = rotors_.empty() ? task_.segment : rotors_[i].segment;
+  return at_next_strobe(system(i), state(i), segment.psi_at(fates_[i].time)).value_or(state(i));
 }
 
 }  // namespace equipoise

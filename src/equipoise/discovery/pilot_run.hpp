@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <span>
 #include <vector>
 
 #include <Eigen/Core>
@@ -10,6 +11,7 @@
 #include "equipoise/base/stop_flag.hpp"
 #include "equipoise/deciding/decision_rule.hpp"
 #include "equipoise/deciding/fate.hpp"
+#include "equipoise/discovery/drawn_source.hpp"
 #include "equipoise/model/system.hpp"
 #include "equipoise/spin_up/spin_up.hpp"
 
@@ -20,12 +22,15 @@ inline constexpr double pilot_windows = 16.0;
 
 class PilotRun {
  public:
-  /// Scouts find motions; with their traps in place all of the pilot shows how far those and the boxes can be trusted.
+  /// Scouts find motions; with their traps in place all of the pilot shows how far those and the boxes can be trusted,
+  /// and is followed only for that where it is dear.
   static constexpr std::size_t random_scouts = 1024, coincident_scouts = 32, random_starts = 4096;
 
   /// `initial`: what starts have that draw nothing else. `part`: of the random ones only every so many are made.
-  PilotRun(const model::System& system, const SpinUp& source, const InitialState& initial, std::size_t part = 1)
-      : system_(system), source_(source), initial_(initial), part_(part), task_(source.last_task()) {}
+  /// `drawn`: the source, if it draws rotors.
+  PilotRun(const model::System& system, const SpinUp& source, const InitialState& initial, std::size_t part = 1,
+           const DrawnSource* drawn = nullptr)
+      : system_(system), source_(source), drawn_(drawn), initial_(initial), part_(part), task_(source.last_task()) {}
 
   /// Random starts, starts with all balls together, and more random ones. Of a driven rotor every other one is free
   /// from the beginning, at speeds from rest to the one that the motor comes to without load: a slow rotor may stay
@@ -33,6 +38,9 @@ class PilotRun {
   bool make();
   /// How many of them are scouts.
   std::size_t scouts() const { return scouts_; }
+  /// And how many of these, the first, were drawn: balls all in one place may stay on a motion that nothing else comes
+  /// to.
+  std::size_t random_ones() const { return random_ones_; }
   /// Decides the first `count` of them by a rule, at `horizon` at the latest. False if stopped.
   bool follow(std::size_t count, const DecisionRule& rule, double horizon, int threads, const StopFlag* stop,
               StageProgress& stages);
@@ -48,6 +56,11 @@ class PilotRun {
   /// the next strobe, where that matters.
   Eigen::Map<const Eigen::VectorXd> state(std::size_t i) const;
   Eigen::VectorXd state_at_strobe(std::size_t i) const;
+  /// The system of start `i`, and its rotor where starts draw their own, else null.
+  const model::System& system(std::size_t i) const { return rotors_.empty() ? system_ : rotors_[i].system; }
+  const OwnRotor* rotor(std::size_t i) const { return rotors_.empty() ? nullptr : &rotors_[i]; }
+  /// Their rotors, to be prepared for the rule; none where all have the system's.
+  std::span<OwnRotor> rotors() { return rotors_; }
 
  private:
   bool add(std::size_t first, std::size_t count);
@@ -56,13 +69,15 @@ class PilotRun {
 
   const model::System& system_;
   const SpinUp& source_;
+  const DrawnSource* drawn_;
   InitialState initial_;
   const std::size_t part_;
   const LaneTask task_;
   std::vector<double> begin_, states_;
+  std::vector<OwnRotor> rotors_;  // each start's own, or none
   std::vector<Fate> fates_;
   std::vector<PilotRecord> records_;
-  std::size_t scouts_ = 0, followed_ = 0;
+  std::size_t scouts_ = 0, random_ones_ = 0, followed_ = 0;
 };
 
 }  // namespace equipoise

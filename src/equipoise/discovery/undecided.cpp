@@ -11,10 +11,11 @@
 
 #include "equipoise/base/angles.hpp"
 #include "equipoise/base/plain_number.hpp"
+#include "equipoise/model/held_speed.hpp"
 #include "equipoise/model/linearisation.hpp"
-#include "equipoise/model/turning_inertia.hpp"
 #include "equipoise/model/unbalance.hpp"
 #include "equipoise/orbits/orbit.hpp"
+#include "equipoise/spin_up/run_up.hpp"
 
 namespace equipoise {
 
@@ -59,6 +60,19 @@ std::string horizon_text(const Study& study, const Horizon& h) {
   return h.long_enough() ? followed : slowness_text(h) + "; " + followed;
 }
 
+// As explain has it. Empty where the motor holds no speed, or the rotor has it from the beginning.
+std::string run_up_text(const Study& study, const Horizon& horizon) {
+  const auto aim = model::held_speed(study.system());
+  const auto run = aim ? run_up(study, *aim) : std::nullopt;
+  if (!run || !run->alone) return "";
+  if (!run->shaken)
+    return fmt::format("; by itself the rotor stalls at {} under what its own unbalance takes",
+                       speed_words(study, std::fabs(run->stalls_at)));
+  return fmt::format("; a run-up to {} takes about {} with what the rotor's own unbalance takes{}",
+                     speed_words(study, std::fabs(run->speed)), time_words(study, *run->shaken, 3),
+                     *run->shaken - run->last_piece > horizon.time ? ", longer than they were followed" : "");
+}
+
 // Of those that speed up: how far they have come, and how long it takes.
 std::string speeding_text(const Study& study, const Horizon& horizon, const std::vector<UndecidedEnd>& ends) {
   double least = std::numeric_limits<double>::infinity(), most = 0.0;
@@ -71,9 +85,7 @@ std::string speeding_text(const Study& study, const Horizon& horizon, const std:
   std::string text = "at " + (from == to ? to : from + " to " + to);
   if (const auto aim = study.motor().final_speed())
     text += fmt::format(" when last seen, of {} that the motor aims at", speed_words(study, std::fabs(*aim)));
-  if (const auto time = run_up_time(study))
-    text += fmt::format("; a run-up takes about {}, inertia times speed over torque{}", time_words(study, *time, 2),
-                        *time > horizon.time ? ", longer than they were followed" : "");
+  text += run_up_text(study, horizon);
   return text;
 }
 
@@ -114,13 +126,6 @@ std::string held_text(const std::vector<UndecidedEnd>& ends) {
              ? fmt::format("the rotor keeps turning, at {:.2g} at least, and never comes to release.speed = 0",
                            best->reached)
              : fmt::format("the rotor comes to {:.2g} of release.speed at most", best->reached / best->asked);
-}
-
-std::optional<double> run_up_time(const Study& study) {
-  const model::MotorLaw law = study.motor();
-  const auto aim = law.final_speed();
-  if (!aim || law.kind != model::MotorLaw::Kind::linear || law.constant == 0.0) return std::nullopt;
-  return model::turning_inertia(study.parameters) * std::fabs(*aim - study.speed.initial) / std::fabs(law.constant);
 }
 
 std::string why_undecided(const Study& study, const Horizon& horizon, const std::vector<UndecidedEnd>& ends) {

@@ -52,10 +52,6 @@ std::string slowness_text(const Horizon& horizon);
 /// Of those that are held: how near to release.speed they come at best. Empty if none is.
 std::string held_text(const std::vector<UndecidedEnd>& ends);
 
-/// Of a motor that pushes with one torque, or with one that falls to none at its no-load speed: about how long it takes
-/// to its speed, inertia times speed over torque. Of others, and where no speed is aimed at, none.
-std::optional<double> run_up_time(const Study& study);
-
 /// One line, without a full stop: how many of `ends` do what, and, where more time might help, what the horizon was
 /// against the slowest known rate, or against a run-up. Times and speeds are in the study's units.
 std::string why_undecided(const Study& study, const Horizon& horizon, const std::vector<UndecidedEnd>& ends);

@@ -12,8 +12,8 @@
 #include "equipoise/explain/balanced_motion.hpp"
 #include "equipoise/explain/drag_scan.hpp"
 #include "equipoise/explain/rules_of_thumb.hpp"
-#include "equipoise/explain/run_up.hpp"
 #include "equipoise/model/strobe.hpp"
+#include "equipoise/spin_up/run_up.hpp"
 
 namespace equipoise {
 

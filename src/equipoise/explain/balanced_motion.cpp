@@ -9,6 +9,7 @@
 #include "equipoise/discovery/cost.hpp"
 #include "equipoise/explain/drag_scan.hpp"
 #include "equipoise/math/dense.hpp"
+#include "equipoise/model/fan.hpp"
 #include "equipoise/model/linearisation.hpp"
 #include "equipoise/model/strobe.hpp"
 #include "equipoise/motions/event_motion.hpp"
@@ -116,37 +117,6 @@ bool overlap(const Angles& phi, const std::vector<double>& width) {
   return false;
 }
 
-// Balls side by side in a fan, the heaviest in the middle, with gaps between them such that they cancel `unbalance`,
-// which lies between what they cancel with no gaps and with gaps all round.
-Angles fan(const model::Parameters& p, const std::vector<double>& width) {
-  std::vector<std::size_t> order(width.size());
-  for (std::size_t i = 0; i < order.size(); ++i) order[i] = i;
-  std::stable_sort(order.begin(), order.end(), [&](auto a, auto b) { return p.mass[a] > p.mass[b]; });
-  std::vector<std::size_t> row;
-  for (std::size_t k = 0; k < order.size(); ++k) row.insert(k % 2 ? row.end() : row.begin(), order[k]);
-  double filled = 0.0;
-  for (const double w : width) filled += w;
-  Angles phi{};
-  const auto spread = [&](double gap) {
-    std::complex<double> sum;
-    double at = 0.0;
-    for (const std::size_t i : row) {
-      phi[i] = at + 0.5 * width[i];
-      at += width[i] + gap;
-      sum += std::polar(p.mass[i], phi[i]);
-    }
-    for (const std::size_t i : row) phi[i] += pi - std::arg(sum);
-    return std::abs(sum);
-  };
-  double narrow = 0.0, wide = (two_pi - filled) / static_cast<double>(row.size());
-  for (int k = 0; k < 60; ++k) {
-    const double middle = 0.5 * (narrow + wide);
-    (spread(middle) > p.eccentricity ? narrow : wide) = middle;
-  }
-  spread(narrow);
-  return phi;
-}
-
 }  // namespace
 
 std::optional<Angles> balanced_angles(const model::BalancedStates& states, const model::Parameters& p,
@@ -161,7 +131,7 @@ std::optional<Angles> balanced_angles(const model::BalancedStates& states, const
     if (model::project_to_balanced(p, phi.data()) && !overlap(phi, width)) return phi;
   }
   if (width.empty()) return std::nullopt;
-  phi = fan(p, width);
+  phi = model::fan(p, width);
   return model::project_to_balanced(p, phi.data()) ? std::optional(phi) : std::nullopt;
 }
 

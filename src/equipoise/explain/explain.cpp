@@ -9,11 +9,11 @@
 #include "equipoise/explain/final_speed.hpp"
 #include "equipoise/explain/quantity_table.hpp"
 #include "equipoise/explain/rules_of_thumb.hpp"
-#include "equipoise/explain/run_up.hpp"
 #include "equipoise/explain/warnings.hpp"
 #include "equipoise/model/ball_drag.hpp"
 #include "equipoise/model/cancelling.hpp"
 #include "equipoise/model/strobe.hpp"
+#include "equipoise/spin_up/run_up.hpp"
 
 namespace equipoise {
 
@@ -43,11 +43,7 @@ void balance(Explanation& e) {
   e.balanced = model::balanced_states(p);
   if (e.balanced.kind == Kind::none || room.cancels(e.unbalance)) return;
   e.balanced = {.kind = Kind::none, .angles = {}, .reason = ""};
-  e.balanced.reason = !room.fit()                 ? "the balls do not fit into the race"
-                      : e.unbalance > room.most() ? "balls of this size, side by side, cancel less than the unbalance"
-                      : e.unbalance < room.least()
-                          ? "balls of this size have no room to cancel as little as the unbalance"
-                          : "no order of these balls in the race cancels just the unbalance";
+  e.balanced.reason = room.why_not(e.unbalance);
 }
 
 }  // namespace

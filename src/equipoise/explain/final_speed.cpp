@@ -1,9 +1,9 @@
 // Prescribed speeds, and where a motor's torque and what balance takes are equal.
 #include "equipoise/explain/final_speed.hpp"
 
-#include "equipoise/explain/run_up.hpp"
 #include "equipoise/model/held_speed.hpp"
 #include "equipoise/model/system.hpp"
+#include "equipoise/spin_up/run_up.hpp"
 
 namespace equipoise {
 

@@ -17,34 +17,11 @@ double decay(double m, double c, double k) { return (c - std::sqrt(std::max(0.0,
 
 }  // namespace
 
-std::array<double, 2> critical_speeds(const model::Parameters& p) {
-  const double mass = 1.0 + p.total_mass();
-  return {std::sqrt(p.stiffness[0] / mass), std::sqrt(p.stiffness[1] / mass)};
-}
-
-double quiet_speed(const model::Parameters& p) {
-  const std::array<double, 2> critical = critical_speeds(p);
-  return std::sqrt(2.0) * std::max(critical[0], critical[1]);
-}
-
 std::optional<double> speed_of_largest_vibration(const model::Parameters& p, int direction) {
   const auto d = static_cast<std::size_t>(direction);
   const double part = p.damping[d] * p.damping[d] / (2.0 * (1.0 + p.total_mass()) * p.stiffness[d]);
   if (part >= 1.0) return std::nullopt;
   return critical_speeds(p)[d] / std::sqrt(1.0 - part);
-}
-
-double shaking_torque(const model::Parameters& p, double unbalance, double speed) {
-  const double mass = 1.0 + p.total_mass();
-  double sum = 0.0;
-  for (std::size_t d = 0; d < 2; ++d) {
-    const double spring = p.stiffness[d] - mass * speed * speed, damper = p.damping[d] * speed;
-    const double left = spring * spring + damper * damper;
-    // A critical speed is one up to a few roundings.
-    if (damper == 0.0 && std::abs(spring) < 1e-14 * p.stiffness[d]) return std::numeric_limits<double>::infinity();
-    sum += p.damping[d] / left;
-  }
-  return 0.5 * unbalance * unbalance * std::pow(speed, 5) * sum;
 }
 
 double drag_against_capture(const model::Parameters& p, double speed) {

@@ -2,25 +2,19 @@
 // each is right.
 #pragma once
 
-#include <array>
 #include <optional>
 
 #include "equipoise/model/parameters.hpp"
+#include "equipoise/model/shaking.hpp"
 
 namespace equipoise::rules {
 
-/// sqrt(kappa/(1 + N)), by direction.
-std::array<double, 2> critical_speeds(const model::Parameters& p);
-
-/// sqrt(2) times the highest of them: from there a bare undamped rotor shakes by less than twice its eccentricity.
-double quiet_speed(const model::Parameters& p);
+using model::critical_speeds;
+using model::quiet_speed;
+using model::shaking_torque;
 
 /// Where a rotor whose balls are held shakes most in a direction; none if damping leaves it no such speed.
 std::optional<double> speed_of_largest_vibration(const model::Parameters& p, int direction);
-
-/// The torque that shaking takes from the motor at constant `speed`, in the mean, the rotor as one body with this
-/// unbalance. Exact for balls that are held. Infinite at an undamped critical speed.
-double shaking_torque(const model::Parameters& p, double unbalance, double speed);
 
 /// The drag below which all balls together may stay at the lowest critical speed while the rotor turns at `speed`:
 /// shaking takes from them there what drag gives. Mean of the balls by mass. `speed` is above that critical speed.

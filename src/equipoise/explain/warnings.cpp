@@ -12,9 +12,8 @@
 #include "equipoise/discovery/horizon.hpp"
 #include "equipoise/discovery/undecided.hpp"
 #include "equipoise/explain/drag_scan.hpp"
-#include "equipoise/fates/machine_runner.hpp"
 #include "equipoise/report/engineering.hpp"
-#include "equipoise/spin_up/initial_state.hpp"
+#include "equipoise/spin_up/spin_up.hpp"
 
 namespace equipoise {
 
@@ -176,11 +175,15 @@ class Warnings {
   void release() {
     const Study& study = e_.study;
     if (!study.speed.driven() || !study.release.speed) return;
-    const std::vector<UndecidedEnd> ends =
-        MachineRunner(study, nullptr).look_at(starts_of(study, sampler_of(study), study.sampling.seed, 0, 8));
-    const auto held =
-        std::count_if(ends.begin(), ends.end(), [](const UndecidedEnd& end) { return end.what == Restlessness::held; });
-    if (held > 0) warn("of {} starts tried {} never let their balls go: {}", ends.size(), held, held_text(ends));
+    constexpr std::size_t tried = 8;
+    SpunUp starts;
+    if (!make_spin_up(with_horizon(study), nullptr)->make(study.sampling.seed, 0, tried, starts)) return;
+    std::vector<UndecidedEnd> held;
+    for (std::size_t i = 0; i < starts.size(); ++i)
+      if (starts.is_over(i) && !starts.nearest.empty() && std::isfinite(starts.nearest[i]))
+        held.push_back({.what = Restlessness::held, .reached = starts.nearest[i], .asked = *study.release.speed});
+    if (!held.empty())
+      warn("of {} starts tried {} never let their balls go: {}", tried, held.size(), held_text(held));
   }
 
   void room() {

@@ -14,11 +14,19 @@ namespace {
 constexpr int watched_parts = 32;
 }  // namespace
 
-std::vector<double> mean_speeds_from(LaneTask task, std::vector<double> states, double now) {
+std::vector<double> mean_speeds_from(LaneTask task, std::vector<double> states, double now,
+                                     std::vector<OwnRotor> own) {
   const auto size = static_cast<std::size_t>(task.dimension());
   const auto place = static_cast<std::size_t>(task.places().speed);
   const std::size_t count = states.size() / size;
   std::vector<double> begins(count, now), mean(count, 0.0);
+  std::vector<const OwnRotor*> rotors;
+  for (std::size_t i = 0; i < own.size(); ++i) {
+    begins[i] = own[i].end;
+    rotors.push_back(&own[i]);
+  }
+  const std::vector<double> from = begins;
+  if (!own.empty()) task.own = rotors.data();
   task.count = count;
   task.states = states.data();
   task.begins = begins.data();
@@ -29,9 +37,11 @@ std::vector<double> mean_speeds_from(LaneTask task, std::vector<double> states, 
     const double weight = k == 0 || k == watched_parts ? 1.0 : k % 2 == 1 ? 4.0 : 2.0;
     for (std::size_t i = 0; i < count; ++i) mean[i] += weight / (3.0 * watched_parts) * states[i * size + place];
     if (k == watched_parts) break;
-    task.end = now + last_turns * (k + 1) / watched_parts;
+    const double later = last_turns * (k + 1) / watched_parts;
+    task.end = now + later;
+    for (std::size_t i = 0; i < own.size(); ++i) own[i].end = from[i] + later;
     if (!advance_lanes(task, fates)) return {};
-    begins.assign(count, task.end);
+    for (std::size_t i = 0; i < count; ++i) begins[i] = from[i] + later;
   }
   return mean;
 }

@@ -11,7 +11,9 @@ namespace equipoise {
 inline constexpr double last_turns = 50.0;
 
 /// Mean psi' of driven rotors over last_turns from where they are: `states` (a row each) at `now`. `task` holds their
-/// equations. One that is lost on the way has the speed that it was lost with. Empty if stopped early.
-std::vector<double> mean_speeds_from(LaneTask task, std::vector<double> states, double now);
+/// equations; `own`: their own rotors, each at its end now, or none. One that is lost on the way has the speed that it
+/// was lost with. Empty if stopped early.
+std::vector<double> mean_speeds_from(LaneTask task, std::vector<double> states, double now,
+                                     std::vector<OwnRotor> own = {});
 
 }  // namespace equipoise

@@ -54,8 +54,6 @@ class Runner {
   /// What some starts that are undecided do at the horizon: one for each, or none where only the horizon can be blamed.
   virtual std::vector<UndecidedEnd> look_at(const std::vector<InitialState>& /*undecided*/) const { return {}; }
 
-  /// Whether starts are followed one at a time (followed_one_by_one()).
-  virtual bool one_by_one() const = 0;
   virtual const Catalogue& catalogue() const = 0;
   virtual BalanceNote balance() const = 0;
   /// What the search for attractors found that a neighbour's may begin with.
@@ -70,20 +68,12 @@ class Runner {
 /// Returns its identifier, or 0. Not thread-safe, as list().
 int settle(Runner& runner, const UnlistedStart& start, Fate& fate);
 
-/// Whether the continuum of balanced states attracts as a whole (catches_all()).
-bool balance_is_even(const model::System& system);
-
-/// Whether starts are followed one by one and told by kinds, for want of what a list of attractors needs
-/// (model/capability.hpp): rotors that no torque drives in the end may keep any speed, and lose it for as long as they
-/// shake; and where balls in contact have an uneven balance, what else is left of it is too dear to search.
-bool followed_one_by_one(const model::System& system);
-
 /// Throws InputError for invalid studies and those whose starts cannot be decided; if `transients` are gathered, also
 /// for those that cannot be watched.
 void check_runnable(const Study& study, bool transients);
 
-/// StartRunner on SIMD lanes, MachineRunner for those that are followed_one_by_one(), or DrawnRunner where the study
-/// has uncertain values. The study has passed check_runnable().
+/// StartRunner. The study has passed
+/// check_runnable().
 std::unique_ptr<Runner> make_runner(const Study& study, const DiscoverySettings& settings, bool transients);
 
 }  // namespace equipoise

@@ -3,15 +3,20 @@
 
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <span>
 #include <vector>
 
 #include "equipoise/base/error.hpp"
 #include "equipoise/deciding/fate.hpp"
 #include "equipoise/discovery/discovery.hpp"
+#include "equipoise/discovery/family_mesh.hpp"
+#include "equipoise/discovery/study_family.hpp"
 #include "equipoise/fates/runner.hpp"
 #include "equipoise/model/capability.hpp"
 #include "equipoise/model/system.hpp"
+#include "equipoise/sampling/sampling.hpp"
+#include "equipoise/spin_up/own_starts.hpp"
 #include "equipoise/spin_up/spin_up.hpp"
 #include "equipoise/study/study.hpp"
 #include "equipoise/transients/transient_table.hpp"
@@ -28,12 +33,25 @@ void check_watchable(const Study& study);
 /// Throws InputError for invalid studies, and those whose system lacks what the answer needs (model/capability.hpp).
 void check_offers(const Study& study, model::Answer answer);
 
-/// Everything about a study that all its starts share.
+/// A start and the fractions that its uncertain values are quantiles of.
+struct DrawnStart {
+  std::uint64_t number = 0;
+  std::vector<double> fractions;
+};
+/// A start whose study is its own, and where that lies in the family (discovery/study_family.hpp).
+struct FamilyStart {
+  OwnStart own;
+  std::vector<double> fractions;
+};
+
+/// Everything about a study that all its starts share; of one with uncertain values, about all rotors that they draw.
 class StartRunner : public Runner {
  public:
-  /// Spins up and discovers the attractors. The study has passed check_decidable(). Ask stopped() afterwards.
+  /// Spins up and discovers the attractors. The study has passed check_runnable(). Ask stopped() afterwards.
   /// `transients`: run() can be asked for rows.
   StartRunner(const Study& study, const DiscoverySettings& settings, bool transients = false);
+  /// Of the starts of a family, by run_family(); `study` is one of it, in whose units fates are.
+  StartRunner(const Study& study, StudyFamily family, const DiscoverySettings& settings);
 
   bool run(std::uint64_t first, std::size_t count, std::vector<double>& phi, std::vector<Fate>& fates,
            std::vector<UnlistedStart>& unlisted, std::vector<TransientRow>* rows = nullptr) const override;
@@ -43,36 +61,53 @@ class StartRunner : public Runner {
   std::optional<UnlistedStart> follow(const std::vector<double>& state) const override;
   std::vector<UndecidedEnd> look_at(const std::vector<InitialState>& undecided) const override;
 
-  bool one_by_one() const override { return false; }
-  const Catalogue& catalogue() const override { return catalogue_; }
-  BalanceNote balance() const override { return {discovery_.balanced.stable, discovery_.balanced.note}; }
-  TrapHints hints() const override { return discovery_.hints; }
-  double settled() const override { return source_->settled(); }
-  bool stopped() const override { return discovery_.stopped; }
+  /// Of a study with uncertain values: what start `number` draws, and the fates of draws.
+  std::vector<double> fractions_of(std::uint64_t number) const;
+  bool run_drawn(std::span<const DrawnStart> drawn, std::vector<double>& phi, std::vector<Fate>& fates,
+                 std::vector<UnlistedStart>& unlisted, std::vector<TransientRow>* rows = nullptr) const;
 
+  /// Fates of starts of rotors that the study's family holds.
+  bool run_family(std::vector<FamilyStart> given, std::vector<Fate>& fates, std::vector<UnlistedStart>& unlisted,
+                  std::vector<TransientRow>* rows = nullptr) const;
+
+  const Catalogue& catalogue() const override { return catalogue_; }
+  BalanceNote balance() const override;
+  TrapHints hints() const override { return family_ ? mesh_.hints() : discovery_.hints; }
+  double settled() const override { return source_->settled(); }
+  bool stopped() const override { return discovery_.stopped || mesh_.stopped; }
+
+  const StudyFamily* family() const { return family_ ? &*family_ : nullptr; }
+  const FamilyMesh& mesh() const { return mesh_; }
   const BalancedAnalysis& balanced() const { return discovery_.balanced; }
   const DecisionRule& rule() const { return discovery_.rule; }
 
  private:
-  bool decide(SpunUp& starts, TransientTable* table, std::vector<Fate>& fates) const;
-  bool finish(SpunUp& starts, TransientTable* table, std::vector<Fate>& fates, std::vector<UnlistedStart>& unlisted,
+  bool run_coasting(std::span<const FamilyStart> given, std::vector<Fate>& fates, std::vector<UnlistedStart>& unlisted,
+                    std::vector<TransientRow>* rows) const;
+  static FamilyMesh mesh_of(const Study& study, const StudyFamily& family, const DiscoverySettings& settings);
+  struct Batch;
+  bool decide(Batch& batch) const;
+  bool decide_some(Batch& batch, const std::vector<std::size_t>& places, const DecisionRule& rule) const;
+  bool finish(Batch& batch, std::vector<Fate>& fates, std::vector<UnlistedStart>& unlisted,
               std::vector<TransientRow>* rows) const;
-  std::optional<UnlistedStart> unlisted_start(const SpunUp& starts, std::size_t i, double now) const;
-  double mean_speed(const Fate& fate) const;
-  bool note_last_speeds(const SpunUp& starts, std::vector<Fate>& fates) const;
-  void note_unbalance(const double* state, Fate& fate) const;
-  float unbalance_at(const double* state) const;
-  bool stalls(const Fate& fate) const;
+  std::optional<UnlistedStart> unlisted_start(const Batch& batch, std::size_t i, double now) const;
+  double mean_speed(const Batch& batch, std::size_t i, const Fate& fate) const;
+  bool note_last_speeds(Batch& batch) const;
+  void note_unbalance(const Batch& batch, std::size_t i, Fate& fate) const;
   Restlessness restlessness(double before, const Fate& fate, double begin) const;
-  TransientSettings settings_of(const SpunUp& starts, std::size_t i) const;
-  std::vector<double> when_recognised(const double* state, double now) const;
+  TransientSettings settings_of(const Batch& batch, std::size_t i) const;
+  std::vector<double> when_recognised(const Batch& batch, std::size_t i, double now) const;
+  KnownEnd end_of(int attractor) const;
 
   Study study_;
   const StopFlag* stop_;
   const model::System system_;
   TransientSettings transients_;
-  std::unique_ptr<SpinUp> source_;
-  Discovery discovery_;
+  std::unique_ptr<SpinUp> source_;  // of an uncertain study that of its medians
+  Sampler sampler_;
+  Discovery discovery_;  // of one rotor
+  std::optional<StudyFamily> family_;
+  FamilyMesh mesh_;  // of many
   Catalogue catalogue_;         // grows by list(), while run() reads the one that was discovered
   std::vector<KnownEnd> ends_;  // by identifier, of the attractors known beforehand; for transients only
 };

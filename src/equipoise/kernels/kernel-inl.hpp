@@ -44,24 +44,24 @@ class WatchForLoss : public NoObserver {
   std::vector<Fate>& fates_;
 };
 
-// None for a task that asks for none.
+// Rotors' own or not: what is watched takes no notice of it. None for a task that asks for none.
 inline std::unique_ptr<LaneWatch> watch_of(const LaneTask& task) {
   if (task.transients) return std::make_unique<WatchTransients>(task, *task.transients);
   if (task.radius) return std::make_unique<WatchRadius>(*task.radius);
   return nullptr;
 }
 
-template <class Flow, int groups, class Observer>
-bool run_block(const LaneTask& task, const Flow& flow, Observer& observer) {
-  const auto block = std::make_unique<LaneBlock<Flow, Observer, groups>>(task, flow, observer);
+template <class Flow, int groups, class Observer, class Rotors>
+bool run_block(const LaneTask& task, const Flow& flow, Observer& observer, const Rotors& rotors) {
+  const auto block = std::make_unique<LaneBlock<Flow, Observer, groups, Rotors>>(task, flow, observer, rotors);
   return block->run();
 }
 
-template <class Flow, int groups, class Fates>
-bool run_watched(const LaneTask& task, const Flow& flow, Fates& fates) {
+template <class Flow, int groups, class Fates, class Rotors>
+bool run_watched(const LaneTask& task, const Flow& flow, Fates& fates, const Rotors& rotors) {
   const auto watch = watch_of(task);
   const auto observer = std::make_unique<FollowOn<Fates, groups>>(fates, watch.get(), flow.size());
-  return run_block<Flow, groups>(task, flow, *observer);
+  return run_block<Flow, groups>(task, flow, *observer, rotors);
 }
 
 // The terms of a rotor at a prescribed speed whose race is centred.
@@ -70,13 +70,26 @@ constexpr Terms terms_of(LaneKind kind, bool acceleration) {
 }
 
 template <int room, LaneKind kind, bool acceleration>
-auto flow_of(const LaneTask& task) {
+auto flow_of(const model::Parameters& parameters, const model::System* system, const model::Segment& segment) {
   if constexpr (kind == LaneKind::smooth)
-    return SmoothFlow<Pack, room>(*task.system, task.segment);
+    return SmoothFlow<Pack, room>(*system, segment);
   else if constexpr (kind == LaneKind::hybrid)
-    return HybridFlow<Pack, room>(*task.system, task.segment);
+    return HybridFlow<Pack, room>(*system, segment);
   else
-    return FreeFlow<Pack, room, terms_of(kind, acceleration)>(*task.parameters, task.segment);
+    return FreeFlow<Pack, room, terms_of(kind, acceleration)>(parameters, segment);
+}
+
+template <int room, LaneKind kind, bool acceleration>
+auto flow_of(const LaneTask& task) {
+  return flow_of<room, kind, acceleration>(*task.parameters, task.system, task.segment);
+}
+
+template <int room, LaneKind kind, bool acceleration>
+auto own_rotors() {
+  const auto make = [](const OwnRotor& own) {
+    return flow_of<room, kind, acceleration>(own.system.parameters(), &own.system, own.segment);
+  };
+  return OwnRotors<decltype(make)>{make};
 }
 
 template <int room, LaneKind kind>
@@ -84,7 +97,12 @@ bool decide_balls(const LaneJob& job) {
   using Fates = DecideFate<room, lane_groups<room, kind>, kind>;
   const auto fates = std::make_unique<Fates>(job.task, *job.rule, job.fates, job.pilot);
   const auto flow = flow_of<room, kind, false>(job.task);
-  return run_watched<decltype(flow), lane_groups<room, kind>>(job.task, flow, *fates);
+  const auto run = [&](const auto& rotors) {
+    return run_watched<std::remove_const_t<decltype(flow)>, lane_groups<room, kind>>(job.task, flow, *fates, rotors);
+  };
+  if constexpr (kind < LaneKind::smooth)
+    if (!job.task.own) return run(OneRotor{});
+  return run(own_rotors<room, kind, false>());
 }
 
 // What plain rotors do unwatched is compiled without the question for a watch, which would cost 3 % here, and without
@@ -92,19 +110,23 @@ bool decide_balls(const LaneJob& job) {
 template <int room, LaneKind kind>
 bool advance_balls(const LaneJob& job) {
   constexpr int groups = lane_groups<room, kind>;
-  const auto run = [&]<bool acceleration, bool watched>() {
+  const auto run = [&]<bool acceleration, bool watched>(const auto& rotors) {
     WatchForLoss fates(job.fates);
     const auto flow = flow_of<room, kind, acceleration>(job.task);
+    using Flow = std::remove_const_t<decltype(flow)>;
     if constexpr (watched)
-      return run_watched<decltype(flow), groups>(job.task, flow, fates);
+      return run_watched<Flow, groups>(job.task, flow, fates, rotors);
     else
-      return run_block<decltype(flow), groups>(job.task, flow, fates);
+      return run_block<Flow, groups>(job.task, flow, fates, rotors);
   };
-  if constexpr (kind == LaneKind::plain)
-    if (!job.task.watched())
-      return job.task.segment.acceleration == 0.0 ? run.template operator()<false, false>()
-                                                  : run.template operator()<true, false>();
-  return run.template operator()<true, true>();
+  if constexpr (kind == LaneKind::plain) {
+    if (!job.task.own && !job.task.watched())
+      return job.task.segment.acceleration == 0.0 ? run.template operator()<false, false>(OneRotor{})
+                                                  : run.template operator()<true, false>(OneRotor{});
+  }
+  if constexpr (kind < LaneKind::smooth)
+    if (!job.task.own) return run.template operator()<true, true>(OneRotor{});
+  return run.template operator()<true, true>(own_rotors<room, kind, true>());
 }
 
 template <LaneKind kind>

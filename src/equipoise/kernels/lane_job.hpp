@@ -27,6 +27,8 @@ bool run_general_lanes(const LaneJob& job);
 bool run_smooth_lanes(const LaneJob& job);
 /// Of every system with contact or dry friction.
 bool run_hybrid_lanes(const LaneJob& job);
+/// Of rotors whose balls are held, to the task's end.
+bool advance_held_lanes(const LaneJob& job);
 /// Of driven rotors whose balls are held.
 bool run_held_lanes(const LaneTask& task, const HoldRule& rule, std::vector<HeldEnd>& ends);
 

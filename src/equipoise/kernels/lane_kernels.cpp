@@ -64,7 +64,8 @@ std::string name_of(std::int64_t target) {
   return target == HWY_AVX3 ? "AVX-512" : target == HWY_SCALAR ? "scalar" : hwy::TargetName(target);
 }
 
-bool run_lanes(const LaneJob& job) {
+bool run_kind(const LaneJob& job) {
+  if (job.task.held) return advance_held_lanes(job);
   switch (job.task.kind()) {
     case LaneKind::smooth:
       return run_smooth_lanes(job);
@@ -75,6 +76,18 @@ bool run_lanes(const LaneJob& job) {
     default:
       return run_plain_lanes(job);
   }
+}
+
+// Balls that touched once have touched, in whatever piece of the drive.
+bool run_lanes(const LaneJob& job) {
+  if (!job.task.parameters->balls_collide() || job.task.held) return run_kind(job);
+  std::vector<char> met(job.task.count);
+  for (std::size_t i = 0; i < met.size(); ++i) met[i] = job.fates[i].met;
+  LaneTask task = job.task;
+  task.met = met.data();
+  const bool done = run_kind({task, job.fates, job.rule, job.pilot});
+  for (std::size_t i = 0; i < met.size(); ++i) job.fates[i].met = met[i] != 0;
+  return done;
 }
 }  // namespace
 

@@ -16,11 +16,22 @@ namespace HWY_NAMESPACE {
 
 bool run_smooth_target(const LaneJob& job) { return run_job<LaneKind::smooth>(job); }
 
+const auto held_rotors = [] {
+  const auto make = [](const OwnRotor& own) { return HeldFlow<Pack>(own.system); };
+  return OwnRotors<decltype(make)>{make};
+}();
+
 // However many balls are held: they are one body.
 bool run_held_target(const LaneTask& task, const HoldRule& rule, std::vector<HeldEnd>& ends) {
   const auto watch = watch_of(task);
   const auto observer = std::make_unique<HoldBalls>(task, rule, watch.get(), ends);
-  return run_block<HeldFlow<Pack>, 1>(task, HeldFlow<Pack>(*task.system), *observer);
+  return run_block<HeldFlow<Pack>, 1>(task, HeldFlow<Pack>(*task.system), *observer, held_rotors);
+}
+
+// Taken to the task's end, whatever the rotor does.
+bool advance_held_target(const LaneJob& job) {
+  WatchForLoss fates(job.fates);
+  return run_watched<HeldFlow<Pack>, 1>(job.task, HeldFlow<Pack>(*job.task.system), fates, held_rotors);
 }
 
 }  // namespace HWY_NAMESPACE
@@ -32,8 +43,11 @@ namespace equipoise {
 
 HWY_EXPORT(run_smooth_target);
 HWY_EXPORT(run_held_target);
+HWY_EXPORT(advance_held_target);
 
 bool run_smooth_lanes(const LaneJob& job) { return HWY_DYNAMIC_DISPATCH(run_smooth_target)(job); }
+
+bool advance_held_lanes(const LaneJob& job) { return HWY_DYNAMIC_DISPATCH(advance_held_target)(job); }
 
 bool run_held_lanes(const LaneTask& task, const HoldRule& rule, std::vector<HeldEnd>& ends) {
   return HWY_DYNAMIC_DISPATCH(run_held_target)(task, rule, ends);

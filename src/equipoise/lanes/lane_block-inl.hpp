@@ -10,6 +10,7 @@
 #define EQUIPOISE_LANES_LANE_BLOCK_INL
 #endif
 
+#include <array>
 #include <bit>
 #include <cmath>
 #include <cstddef>
@@ -41,24 +42,39 @@ struct NoObserver {
   void end(int, std::size_t, LaneEnd, double, const double*) {}
 };
 
-template <class Flow, class Observer, int groups>
+// Lanes whose trajectories have rotors of their own have a flow a group; where all have one rotor it is a constant of
+// the loop, and steps are a little faster.
+struct OneRotor {
+  static constexpr bool own = false;
+};
+// Makes the flow of a trajectory's rotor.
+template <class Make>
+struct OwnRotors {
+  static constexpr bool own = true;
+  Make make;
+};
+
+template <class Flow, class Observer, int groups, class Rotors = OneRotor>
 class LaneBlock {
  public:
+  static constexpr bool own = Rotors::own;
   static constexpr int dimension = Flow::dimension;  // the largest size
   static constexpr int lanes = static_cast<int>(pack_lanes);
   static constexpr int slots = groups * lanes;
   using Events = LaneEvents<std::remove_const_t<Flow>>;
   static_assert(groups == 1 || !Events::happen);
 
-  LaneBlock(const LaneTask& task, const Flow& flow, Observer& observer)
+  LaneBlock(const LaneTask& task, const Flow& flow, Observer& observer, Rotors rotors = {})
       : task_(task),
+        rotors_(std::move(rotors)),
         events_(task, flow),
-        flow_(events_.bind(flow)),
+        flow_(make_flows(events_.bind(flow), std::make_index_sequence<flows>())),
         observer_(observer),
-        size_(flow.size()),
-        end_(task.end) {
-    for (int i = 0; i < size_; ++i)
-      inverse_scale_[i] = Pack(1.0 / (task.tolerance * lane_error_scale(*task.parameters, i)));
+        size_(flow.size()) {
+    for (int g = 0; g < flows; ++g) {
+      end_[g] = Pack(task.end);
+      for (int i = 0; i < size_; ++i) inverse_scale_[g][i] = Pack(inverse_scale(*task.parameters, i));
+    }
   }
 
   // Runs every trajectory of the task. False if stopped before all were done.
@@ -69,17 +85,24 @@ class LaneBlock {
       // Components that no state has, where sums take an even number of them, stay 0.
       for (auto& stage : k_[g])
         for (int i = 0; i < dimension; ++i) stage[i] = Pack(0.0);
-      t_[g] = end_;
+      t_[g] = end(g);
       h_[g] = Pack(0.0);
       log_error_[g] = Pack(0.0);
       unsigned filled = 0;
       for (int lane = 0; lane < lanes; ++lane) filled |= fill(g, lane);
       start_rates(g, filled);
     }
-    const Flow flow = flow_;  // one that no store can change: what is constant in it is computed once
-    while (working_ > 0) {
-      if (is_set(task_.stop)) return false;
-      advance(flow);
+    if constexpr (own) {
+      while (working_ > 0) {
+        if (is_set(task_.stop)) return false;
+        advance([this](int g) HWY_ATTR -> const Flow& { return flow_[g]; });
+      }
+    } else {
+      const Flow flow = flow_[0];  // one that no store can change: what is constant in it is computed once
+      while (working_ > 0) {
+        if (is_set(task_.stop)) return false;
+        advance([&flow](int) HWY_ATTR -> const Flow& { return flow; });
+      }
     }
     if (task_.work) {
       task_.work->steps += work_.steps;
@@ -91,6 +114,30 @@ class LaneBlock {
 
  private:
   using Size = decltype(std::declval<Flow>().size());
+  static constexpr int flows = own ? groups : 1;
+
+  template <std::size_t... g>
+  static std::array<Flow, flows> make_flows(const Flow& flow, std::index_sequence<g...>) {
+    return {((void)g, flow)...};
+  }
+
+  const Pack& end(int g) const { return end_[own ? g : 0]; }
+  double inverse_scale(const model::Parameters& p, int component) const {
+    return 1.0 / (task_.tolerance * lane_error_scale(p, component));
+  }
+
+  // Puts the rotor of trajectory `start` into its lane.
+  void take_rotor(int g, int lane, std::size_t start) {
+    if constexpr (own) {
+      if (!task_.own) return;
+      const OwnRotor& rotor = *task_.own[start];
+      flow_[g].take_lane(rotors_.make(rotor), lane);
+      element(end_[g], lane) = task_.end_of(start);
+      for (int i = 0; i < size_; ++i)
+        element(inverse_scale_[g][i], lane) = inverse_scale(rotor.system.parameters(), i);
+      if constexpr (Events::happen) events_.take_rotor(lane, rotor);
+    }
+  }
 
   // Calls f with the size as a constant, whatever the flow makes of it: what walks the tableau keeps its sums in
   // registers.
@@ -115,9 +162,10 @@ class LaneBlock {
   }
 
   // One step tried in every lane.
-  HWY_INLINE void advance(const Flow& flow) {
+  template <class FlowOf>
+  HWY_INLINE void advance(const FlowOf& flow) {
     if constexpr (Events::happen) events_.begin_step();
-    for (int g = 0; g < groups; ++g) step_[g] = minimum(h_[g], end_ - t_[g]);
+    for (int g = 0; g < groups; ++g) step_[g] = minimum(h_[g], end(g) - t_[g]);
 #pragma GCC unroll 1
     for (int row = 1; row < dop853::tableau::stages; ++row)
 #pragma GCC unroll 1
@@ -125,20 +173,20 @@ class LaneBlock {
         Pack z[dimension];
         with_size([&](auto size) HWY_ATTR { dop853::stage_state(row, step_[g], y_[g], k_[g], z, size); });
         observer_.stage(row, g, z);
-        rates(flow, multiply_add(Pack(dop853::tableau::c[row]), step_[g], t_[g]), z, k_[g][row]);
+        rates(flow(g), multiply_add(Pack(dop853::tableau::c[row]), step_[g], t_[g]), z, k_[g][row]);
       }
 #pragma GCC unroll 1
-    for (int g = 0; g < groups; ++g) finish_step(flow, g);
+    for (int g = 0; g < groups; ++g) finish_step(flow(g), g);
   }
 
   HWY_INLINE void finish_step(const Flow& flow, int g) {
     Pack z[dimension], error5[dimension], error3[dimension], k_end[dimension];
     with_size([&](auto size) HWY_ATTR { dop853::step_end(step_[g], y_[g], k_[g], z, error5, error3, size); });
-    const Pack error2 = dop853::squared_error<Pack, dimension>(step_[g], error5, error3, inverse_scale_, size_);
+    const Pack error2 = dop853::squared_error<Pack, dimension>(step_[g], error5, error3, inverse_scale_[own ? g : 0], size_);
     Mask accepted = error2 <= Pack(1.0);  // false for not-a-number
     // The last step lands on the end exactly.
     const Pack t_try = t_[g] + step_[g];
-    const Pack t_new = select(end_ - t_[g] <= h_[g], end_, t_try);
+    const Pack t_new = select(end(g) - t_[g] <= h_[g], end(g), t_try);
     rates(flow, t_new, z, k_end);
     unsigned interrupted = 0;
     if constexpr (Events::happen) {
@@ -163,7 +211,7 @@ class LaneBlock {
     const unsigned accepted_bits = lane_bits(accepted);
     work_.steps += static_cast<unsigned>(std::popcount(active_[g]));
     work_.accepted += static_cast<unsigned>(std::popcount(active_[g] & accepted_bits));
-    const unsigned reached = accepted_bits & ~lane_bits(t_[g] < end_);
+    const unsigned reached = accepted_bits & ~lane_bits(t_[g] < end(g));
     const unsigned diverged = accepted_bits & ~lane_bits(bounded);
     unsigned failed = ~lane_bits(moving);
     if constexpr (Events::happen)
@@ -211,6 +259,8 @@ class LaneBlock {
                           : reached & bit  ? LaneEnd::reached_end
                                            : LaneEnd::failed;
       const std::size_t start = start_of_[g][lane];
+      if constexpr (Events::happen)
+        if (task_.met && events_.met(lane)) task_.met[start] = 1;
       double* row = task_.states + start * static_cast<std::size_t>(size_);
       for (int i = 0; i < size_; ++i) row[i] = element(y_[g][i], lane);
       observer_.end(g * lanes + lane, start, how, element(t_[g], lane), row);
@@ -226,17 +276,18 @@ class LaneBlock {
   unsigned fill(int g, int lane) {
     if (next_ == task_.count) {
       for (int i = 0; i < size_; ++i) element(y_[g][i], lane) = 0.0;
-      element(t_[g], lane) = task_.end;
+      element(t_[g], lane) = element(end_[own ? g : 0], lane);
       element(h_[g], lane) = 0.0;
       return 0;
     }
     const std::size_t start = next_++;
     double* row = task_.states + start * static_cast<std::size_t>(size_);
-    const double begin = task_.begins ? task_.begins[start] : task_.segment.begin;
+    const double begin = task_.begin_of(start);
+    take_rotor(g, lane, start);
     if constexpr (Events::happen) events_.enter(lane, begin, row);
     for (int i = 0; i < size_; ++i) element(y_[g][i], lane) = row[i];
     element(t_[g], lane) = begin;
-    element(h_[g], lane) = first_step(begin, row);
+    element(h_[g], lane) = first_step(start, row);
     element(log_error_[g], lane) = 0.0;
     start_of_[g][lane] = start;
     active_[g] |= 1u << lane;
@@ -246,12 +297,14 @@ class LaneBlock {
   }
 
   // A cautious first step from the fastest rate around: the controller opens it within a few steps.
-  double first_step(double begin, const double* row) const {
-    double fastest = 1.0 + std::fabs(task_.segment.speed) + std::fabs(task_.segment.speed_at(task_.end));
+  double first_step(std::size_t start, const double* row) const {
+    const model::Segment& segment = task_.own ? task_.own[start]->segment : task_.segment;
+    const double begin = task_.begin_of(start), end = task_.end_of(start);
+    double fastest = 1.0 + std::fabs(segment.speed) + std::fabs(segment.speed_at(end));
     const int balls = task_.held ? 0 : task_.parameters->balls;
     for (int i = 0; i < balls; ++i) fastest += std::fabs(row[model::index::q(i, balls)]);
     if (task_.speed_place() >= 0) fastest += std::fabs(row[task_.speed_place()]);
-    const double span = task_.end - begin;
+    const double span = end - begin;
     const double step = 0.2 / fastest;
     return step < span ? step : span;
   }
@@ -260,7 +313,7 @@ class LaneBlock {
   // this copy of the equations differently, and a trajectory must not feel when its neighbours are replaced.
   HWY_NOINLINE void start_rates(int g, unsigned filled) {
     Pack k_start[dimension];
-    flow_(t_[g], y_[g], k_start);
+    flow_[own ? g : 0](t_[g], y_[g], k_start);
     for (int lane = 0; lane < lanes; ++lane)
       if (filled & (1u << lane))
         for (int i = 0; i < size_; ++i) element(k_[g][0][i], lane) = element(k_start[i], lane);
@@ -269,12 +322,13 @@ class LaneBlock {
   static double& element(Pack& p, int lane) { return reinterpret_cast<double*>(&p)[lane]; }
 
   const LaneTask& task_;
+  [[no_unique_address]] Rotors rotors_;
   [[no_unique_address]] Events events_;
-  const Flow flow_;
+  std::array<Flow, flows> flow_;
   Observer& observer_;
   const Size size_;
-  Pack end_;
-  Pack inverse_scale_[dimension];
+  Pack end_[flows];
+  Pack inverse_scale_[flows][dimension];
   Pack y_[groups][dimension];
   Pack k_[groups][dop853::tableau::stages][dimension];
   Pack t_[groups], h_[groups], step_[groups], log_error_[groups];

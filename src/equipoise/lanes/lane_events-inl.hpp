@@ -8,7 +8,9 @@
 #endif
 
 #include <algorithm>
+#include <array>
 #include <cstdint>
+#include <optional>
 
 #include "equipoise/integrate/ball_events-inl.hpp"
 #include "equipoise/integrate/dop853-inl.hpp"
@@ -53,13 +55,10 @@ class LaneEvents<HybridFlow<Pack, room>> {
 
   LaneEvents(const LaneTask& task, const Flow& flow)
       : n(task.parameters->balls),
-        p_(*task.parameters),
-        modes_(p_),
-        one_modes_(p_),
-        one_(*task.system, task.segment, &one_modes_),
-        balls_(p_, one_, one_modes_),
+        modes_(*task.parameters),
         size_(flow.size()),
-        pairs_(p_.balls_collide() && n > 1 ? n : 0) {
+        pairs_(task.parameters->balls_collide() && n > 1 ? n : 0) {
+    for (auto& one : ones_) one.emplace(*task.system, task.segment);
     // In every lane: those that nothing enters look at pairs too.
     for (int k = 0; k < pairs_; ++k)
       for (int lane = 0; lane < lanes; ++lane) set_pair(k, lane, k, (k + 1) % n, far);
@@ -69,13 +68,20 @@ class LaneEvents<HybridFlow<Pack, room>> {
 
   Flow bind(const Flow& flow) const { return flow.with(modes_); }
 
+  // The rotor of the trajectory that enters lane `lane` next.
+  void take_rotor(int lane, const OwnRotor& rotor) {
+    modes_.take_balls(rotor.system.parameters(), lane);
+    ones_[lane].emplace(rotor.system, rotor.segment);
+  }
+
   // The modes with which a trajectory enters a lane in state z, where joined balls may be put together.
   void enter(int lane, double t, double* z) {
-    balls_.enter(t, z);
+    ones_[lane]->balls.enter(t, z);
     keep(lane);
     waiting_ &= ~(1u << lane);
     count_[lane] = {};
     hold_on_[lane] = 0.0;
+    met_[lane] = any_joined(lane);
   }
 
   void begin_step() { margins_ = {Pack(far), Pack(far)}; }
@@ -104,14 +110,18 @@ class LaneEvents<HybridFlow<Pack, room>> {
   // The event of a lane that stands at z. False if events do not come to an end.
   bool pass(int lane, double t, double* z) {
     if (!count_[lane].add(t)) return false;
-    balls_.set_mode(mode_[lane]);
-    if (balls_.pass(t, z, happened_[lane], count_[lane].hold() + hold_on_[lane]))
+    BallEvents<room>& balls = ones_[lane]->balls;
+    balls.set_mode(mode_[lane]);
+    if (balls.pass(t, z, happened_[lane], count_[lane].hold() + hold_on_[lane]))
       ++passed_;
     else
       hold_on_[lane] = std::clamp(4.0 * hold_on_[lane], least_hold_on, most_hold_on);
     keep(lane);
+    for (int k = 0; k < pairs_; ++k) met_[lane] = met_[lane] || happened_[lane].pair[k];
     return true;
   }
+  // Whether balls of a lane's trajectory have touched.
+  bool met(int lane) const { return met_[lane]; }
   // Of all lanes, that changed what balls do.
   std::uint64_t passed() const { return passed_; }
   // With which step it goes on: that which was interrupted.
@@ -131,12 +141,19 @@ class LaneEvents<HybridFlow<Pack, room>> {
   static double element(const Pack& p, int lane) { return reinterpret_cast<const double*>(&p)[lane]; }
 
   void keep(int lane) {
-    mode_[lane] = balls_.mode();
+    mode_[lane] = ones_[lane]->balls.mode();
+    const double contact = ones_[lane]->parameters.contact_angle;
     modes_.set(mode_[lane], lane);
     for (int k = 0; k < pairs_; ++k) {
       const int i = mode_[lane].order[k], j = mode_[lane].order[(k + 1) % n];
-      set_pair(k, lane, i, j, mode_[lane].joined[k] ? far : mode_[lane].turns[k] - p_.contact_angle);
+      set_pair(k, lane, i, j, mode_[lane].joined[k] ? far : mode_[lane].turns[k] - contact);
     }
+  }
+
+  bool any_joined(int lane) const {
+    for (int k = 0; k < pairs_; ++k)
+      if (mode_[lane].joined[k]) return true;
+    return false;
   }
 
   void set_pair(int k, int lane, int behind, int ahead, double apart) {
@@ -175,15 +192,16 @@ class LaneEvents<HybridFlow<Pack, room>> {
       for (int row = 0; row < dop853::tableau::stages; ++row) k_[row][i] = element(s.k[row][i], lane);
       k_[dop853::tableau::stages][i] = element(s.end[i], lane);
     }
-    balls_.set_mode(mode_[lane]);
-    balls_.hold_on(hold_on_[lane]);
+    One& one = *ones_[lane];
+    one.balls.set_mode(mode_[lane]);
+    one.balls.hold_on(hold_on_[lane]);
     double rows[7][dimension];
-    dop853::prepare_dense<double, dimension>(one_, begin, h, y, z, k_, rows, size_);
-    const auto found = balls_.first(
+    dop853::prepare_dense<double, dimension>(one.flow, begin, h, y, z, k_, rows, size_);
+    const auto found = one.balls.first(
         0.0, h, [&](double t, double* out) { dop853::dense_state<double, dimension>(t / h, y, rows, out, size_); },
         by_forces, begin, share);
     if (!found) return 0;
-    happened_[lane] = balls_.happened();
+    happened_[lane] = one.balls.happened();
     whole_[lane] = h;
     if (*found == h) {
       ready_ |= bit;
@@ -199,12 +217,25 @@ class LaneEvents<HybridFlow<Pack, room>> {
     return bit;
   }
 
+  // A lane's rotor in doubles, and its balls.
+  struct One {
+    One(const model::System& s, const model::Segment& segment)
+        : parameters(s.parameters()),
+          modes(parameters),
+          flow(s, segment, &modes),
+          balls(parameters, flow, modes) {}
+    One(const One&) = delete;
+    One& operator=(const One&) = delete;
+
+    model::Parameters parameters;
+    ModeTable<double, room> modes;
+    HybridFlow<double, room> flow;
+    BallEvents<room> balls;
+  };
+
   const model::BallCount<room> n;
-  const model::Parameters& p_;
   ModeTable<Pack, room> modes_;
-  ModeTable<double, room> one_modes_;
-  HybridFlow<double, room> one_;  // one lane's
-  BallEvents<room> balls_;
+  std::array<std::optional<One>, lanes> ones_;
   const int size_, pairs_;
   EventMargins<Pack> margins_;
   Pack behind_[room], ahead_[room], apart_[room];  // of pairs: their balls' places in rows of lanes, and turns
@@ -212,6 +243,7 @@ class LaneEvents<HybridFlow<Pack, room>> {
   Happened<room> happened_[lanes];
   EventCount count_[lanes];
   double hold_on_[lanes] = {};
+  bool met_[lanes] = {};
   double cut_[lanes] = {}, whole_[lanes] = {};
   double k_[dop853::tableau::dense_stages][dimension] = {};
   std::uint64_t passed_ = 0;

@@ -1,10 +1,11 @@
-// What a lane block works on: many trajectories of one rotor over one segment, or one piece of its drive.
+// What a lane block works on: many trajectories over one segment of a rotor's motion, or one piece of its drive.
 #pragma once
 
 #include <cstddef>
 #include <cstdint>
 
 #include "equipoise/base/stop_flag.hpp"
+#include "equipoise/lanes/own_rotor.hpp"
 #include "equipoise/model/held_state.hpp"
 #include "equipoise/model/parameters.hpp"
 #include "equipoise/model/speed.hpp"
@@ -47,12 +48,21 @@ struct LaneTask {
   const model::System* system = nullptr;
   /// When each trajectory begins; null: all with the segment. Those of a motor's release may differ.
   const double* begins = nullptr;
+  /// Every trajectory's own rotor, `count` of them; null: all have the task's, which says what is common to them.
+  const OwnRotor* const* own = nullptr;
+  char* met = nullptr;  ///< if given, `count` flags: set to 1 for a trajectory on which balls touch
   bool held = false;  ///< of a driven rotor: its balls are held; states are those of model/held_state.hpp
   // What is gathered on the way, if given; one of the two at most.
   TransientTable* transients = nullptr;  ///< one row a trajectory; what is decided is followed on until its end is seen
   const RadiusWindows* radius = nullptr;  ///< how far the centre of the race was out
 
   bool watched() const { return transients || radius; }
+  /// When trajectory `start` begins, and its last moment.
+  double begin_of(std::size_t start) const {
+    if (begins) return begins[start];
+    return own ? own[start]->segment.begin : segment.begin;
+  }
+  double end_of(std::size_t start) const { return own ? own[start]->end : end; }
   LaneKind kind() const {
     if (system) return system->smooth() ? LaneKind::smooth : LaneKind::hybrid;
     return model::is_strobed(*parameters) || parameters->rolls ? LaneKind::turning : LaneKind::plain;

@@ -20,7 +20,6 @@
 #include "equipoise/discovery/horizon.hpp"
 #include "equipoise/fates/start_runner.hpp"
 #include "equipoise/kernels/cpu_target.hpp"
-#include "equipoise/maps/line_pixels.hpp"
 #include "equipoise/maps/map_assembly.hpp"
 #include "equipoise/maps/map_names.hpp"
 #include "equipoise/maps/pixel_plan.hpp"
@@ -32,10 +31,9 @@ namespace equipoise {
 
 namespace {
 
-// Unless the study says. Pixels are followed one by one, and what is chaotic is only known at the end.
+// Unless the study says: pixels of a family whose rotors may settle slowly.
 constexpr double default_horizon = 3000.0;
-// Starts that are asked for at once: 16 MB of numbers, minutes of work. Along lines all are, so that pieces of lines do
-// not depend on where a run was stopped.
+// Starts that are asked for at once: 16 MB of numbers, minutes of work.
 constexpr std::size_t most_starts_asked = std::size_t{1} << 22;
 
 void check(const PlaneMap& map) {
@@ -184,7 +182,7 @@ class Mapper {
     map_.pixels_kept = plan_->known_count();
     if (!settings_.from.empty()) reuse();
     for (;;) {
-      const auto positions = plan_->next(starts_ ? most_starts_asked : std::numeric_limits<std::size_t>::max());
+      const auto positions = plan_->next(most_starts_asked);
       if (positions.empty() || !compute(positions)) break;
     }
     complete_ = plan_->settled() == plan_->size();
@@ -199,7 +197,6 @@ class Mapper {
 
   bool compute(const std::vector<std::uint32_t>& positions) {
     const TakePixels taken = [&](const DonePixels& done) { take(done); };
-    if (!starts_) return LinePixels(map_, settings_).compute(positions, taken);
     if (!start_pixels_) {
       const auto discovered = [&](const std::vector<double>& state) {
         if (file_) file_->append_discovery(state);

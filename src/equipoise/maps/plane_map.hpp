@@ -32,9 +32,8 @@ struct PlaneMapSettings : RunOptions {
 
 /// Follows the start [initial] of `study`, with the pixel's two values; where draws_starts() one of its own. Over two
 /// initial values pixels are
-/// decided as basin() decides its starts (StartPixels). Else each is followed until it is seen to approach a motion
-/// that exists and is linearly stable there (settle()), for numerics.horizon (unset: 3000) after the last branch
-/// begins: what becomes steady in no way by then is undecided. Codes are the identifiers of the catalogue; motions
+/// decided as basin() decides its starts, else as it decides those of a study with uncertain values, within
+/// numerics.horizon (unset: 3000) after the last branch begins. Codes are the identifiers of the catalogue; motions
 /// without one of their own get the next ones, one a name: those usual in maps the same ones everywhere, others in the
 /// order of pixels. The map depends on the study, the axes and the blocks alone. Memory is bounded: of a map of more
 /// than most_pixels_in_memory pixels all are in the output, and the answer holds some of them (PlaneMap::every). Throws

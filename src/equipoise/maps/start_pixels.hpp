@@ -1,4 +1,4 @@
-// Maps over initial values: their pixels are starts of one system, and go together on lanes.
+// Pixels as starts: of one rotor, or of a family of rotors where an axis is one of their parameters.
 #pragma once
 
 #include <cstddef>
@@ -6,7 +6,9 @@
 #include <functional>
 #include <map>
 #include <memory>
+#include <optional>
 #include <set>
+#include <span>
 #include <vector>
 
 #include "equipoise/base/run_options.hpp"
@@ -21,7 +23,14 @@ namespace equipoise {
 /// first, other initial values.
 bool maps_starts(const PlaneMap& map);
 
-/// The pixels of such a map, decided as basin() decides its starts.
+double balance_margin(const model::Parameters& p);
+/// Of isolated balanced states where nothing depends on the rotor's angle and the race is centred; else not a number.
+double balance_growth(const model::System& system);
+
+/// The study of a pixel. Throws InputError if it is none.
+Study study_at(const PlaneMap& map, int column, int row);
+
+/// The pixels of a map, decided as basin() decides its starts.
 class StartPixels {
  public:
   using Discovered = std::function<void(const std::vector<double>& state)>;
@@ -35,15 +44,20 @@ class StartPixels {
   bool compute(const std::vector<std::uint32_t>& positions, const TakePixels& take);
 
  private:
+  bool of_family() const { return runner_->family() != nullptr; }
   InitialState start(std::uint32_t position) const;
+  FamilyStart family_start(std::uint32_t position) const;
   bool decide(const std::vector<std::uint32_t>& positions, Chunk& chunk) const;
   void hand_on(const std::vector<std::uint32_t>& positions, Chunk& chunk, const TakePixels& take);
-  MapPixel pixel_of(const Fate& fate, const MotionName*& motion);
+  // `own`: where rotors differ from pixel to pixel.
+  MapPixel pixel_of(const std::optional<FamilyStart>& own, const Fate& fate, const MotionName*& motion);
+  static void add_balance(const Study& study, MapPixel& pixel);
+  double largest_radius(std::span<const double> fractions, const Fate& fate, const Attractor& a) const;
 
   const PlaneMap& map_;
   const RunOptions& options_;
   Discovered discovered_;
-  StartRunner runner_;
+  std::unique_ptr<StartRunner> runner_;
   bool unread_ = false;                                     // stopped before all of `met` were listed
   std::set<int> listed_;                                    // attractors known beforehand, or told
   std::map<int, std::unique_ptr<const MotionName>> names_;  // of attractors

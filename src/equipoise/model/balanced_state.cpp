@@ -36,8 +36,7 @@ BalancedStates balanced_states(const Parameters& p) {
   if (p.balls_collide()) {
     const Cancelling room = cancelling(p);
     if (!room.cancels(lambda)) {
-      result.reason = lambda > room.most() ? "balls in contact touch before they cancel the unbalance"
-                                           : "balls in contact would overlap where they cancel the unbalance";
+      result.reason = room.why_not(lambda);
       return result;
     }
   }

@@ -158,6 +158,13 @@ bool Cancelling::cancels(double unbalance) const {
   });
 }
 
+const char* Cancelling::why_not(double unbalance) const {
+  if (!fit()) return "the balls do not fit into the race";
+  if (unbalance > most()) return "balls of this size, side by side, cancel less than the unbalance";
+  if (unbalance < least()) return "balls of this size have no room to cancel as little as the unbalance";
+  return "no order of these balls in the race cancels just the unbalance";
+}
+
 Cancelling cancelling(const Parameters& p, const std::vector<double>& width) {
   constexpr double equal_within = 1e-12, turned_within = 1e-6;  // roundings; what turning groups leaves of a sum
   const double total = p.total_mass(), heaviest = *std::max_element(p.mass.begin(), p.mass.begin() + p.balls);

@@ -18,6 +18,8 @@ struct Cancelling {
   double least() const { return fit() ? ranges.front()[0] : 0.0; }
   double most() const { return fit() ? ranges.back()[1] : 0.0; }
   bool cancels(double unbalance) const;
+  /// Why not, where they do not cancel it: words that follow a colon.
+  const char* why_not(double unbalance) const;
   double uncertain = 0.0;  ///< of the ends: 1e-6 of all masses; of balls without a size roundings
 };
 

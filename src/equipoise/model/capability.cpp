@@ -7,7 +7,7 @@ namespace equipoise::model {
 
 namespace {
 
-bool offers(const System& system, Need need, const EvenBalance& even_balance) {
+bool offers(const System& system, Need need) {
   const Parameters& p = system.parameters();
   switch (need) {
     case Need::prescribed_speed:
@@ -24,11 +24,8 @@ bool offers(const System& system, Need need, const EvenBalance& even_balance) {
       return p.gravity == 0.0;
     case Need::turning:
       return system.section() != Section::strobe || system.speed() != 0.0;
-    case Need::lasting_drive:
-      return !system.coasts();
     default:
-      return !system.events().contact || system.autonomous() || system.balls() <= 2 || !even_balance ||
-             even_balance(system);
+      return !system.coasts();
   }
 }
 
@@ -50,11 +47,8 @@ const char* words(Need need) {
       return "gravity 0";
     case Need::turning:
       return "a rotor that turns in the end (other than 0) where supports are unequal or gravity acts";
-    case Need::lasting_drive:
-      return "a rotor that something turns for good";
     default:
-      return "of three balls or more in contact equal supports and no gravity, or balance that attracts alike wherever "
-             "its balls stand";
+      return "a rotor that something turns for good";
   }
 }
 
@@ -75,10 +69,10 @@ std::string commands_without(Need need) {
 
 }  // namespace
 
-std::optional<Lack> lacking(const System& system, Answer answer, const EvenBalance& even_balance) {
+std::optional<Lack> lacking(const System& system, Answer answer) {
   const Capability& asked = capability(answer);
   for (const Need need : all_needs) {
-    if (!asked.needs.has(need) || offers(system, need, even_balance)) continue;
+    if (!asked.needs.has(need) || offers(system, need)) continue;
     const std::string others = commands_without(need);
     return Lack{need, std::string(asked.name) + " need " + words(need) + " (" + others +
                           (others.find(" and ") == std::string::npos ? " takes any)" : " take any)")};

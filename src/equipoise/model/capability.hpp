@@ -2,7 +2,6 @@
 #pragma once
 
 #include <array>
-#include <functional>
 #include <initializer_list>
 #include <optional>
 #include <string>
@@ -11,7 +10,7 @@
 
 namespace equipoise::model {
 
-/// What may be asked about a system; `listed_decision`: of a start, by an attractor of a list.
+/// What may be asked about a system.
 enum class Answer {
   trajectory,
   shares,
@@ -20,7 +19,6 @@ enum class Answer {
   displacements,
   branches,
   maps,
-  listed_decision,
   torus_traps
 };
 
@@ -34,12 +32,10 @@ enum class Need {
   no_gravity,
   turning,        ///< a speed other than 0 in the end, where the rotor's angle matters
   lasting_drive,  ///< a speed, or a torque that does not vanish for good
-  even_balance,  ///< of three balls or more in contact, where the rotor's angle matters: balance attracts wherever they
-                 ///< stand
 };
 inline constexpr std::array all_needs{Need::prescribed_speed, Need::passing_balls,  Need::sliding_balls,
                                       Need::centred_race,     Need::equal_supports, Need::no_gravity,
-                                      Need::turning,          Need::lasting_drive,  Need::even_balance};
+                                      Need::turning,          Need::lasting_drive};
 
 class Needs {
  public:
@@ -60,10 +56,10 @@ struct Capability {
 };
 
 /// One line an answer, in the order of Answer. docs/guide/command-line.md shows it.
-inline constexpr std::array<Capability, 9> capabilities{{
+inline constexpr std::array<Capability, 8> capabilities{{
     {Answer::trajectory, "trajectories", "simulate", {}},
     {Answer::shares, "shares", "basin", {Need::turning}},
-    {Answer::attractors, "attractors", "attractors", {Need::turning, Need::lasting_drive, Need::even_balance}},
+    {Answer::attractors, "attractors", "attractors", {Need::turning, Need::lasting_drive}},
     {Answer::proofs,
      "proofs",
      "",
@@ -73,9 +69,8 @@ inline constexpr std::array<Capability, 9> capabilities{{
      "",
      {Need::prescribed_speed, Need::passing_balls, Need::sliding_balls, Need::centred_race, Need::equal_supports,
       Need::no_gravity}},
-    {Answer::branches, "branches along a parameter", "", {Need::turning, Need::lasting_drive, Need::even_balance}},
-    {Answer::maps, "maps", "map", {Need::turning, Need::lasting_drive, Need::even_balance}},
-    {Answer::listed_decision, "starts decided by a list of attractors", "", {Need::lasting_drive, Need::even_balance}},
+    {Answer::branches, "branches along a parameter", "", {Need::turning, Need::lasting_drive}},
+    {Answer::maps, "maps", "map", {Need::turning, Need::lasting_drive}},
     {Answer::torus_traps,
      "traps of tori",
      "",
@@ -92,11 +87,7 @@ struct Lack {
   std::string reason;
 };
 
-/// Whether balance of a system attracts alike wherever its balls stand: asked only of systems where that is a need.
-using EvenBalance = std::function<bool(const System&)>;
-
-/// The first need, in the order of Need, that the system does not meet; empty if it has all. `even_balance`: if not
-/// given, that is taken to be met.
-std::optional<Lack> lacking(const System& system, Answer answer, const EvenBalance& even_balance = {});
+/// The first need, in the order of Need, that the system does not meet; empty if it has all.
+std::optional<Lack> lacking(const System& system, Answer answer);
 
 }  // namespace equipoise::model

@@ -8,6 +8,7 @@
 #endif
 
 #include <cmath>
+#include <type_traits>
 
 #include "equipoise/math/dual.hpp"
 #include "equipoise/model/equations-inl.hpp"
@@ -46,14 +47,35 @@ MotorState<Dual<slopes>> motor_state(const model::DriveSegment& motor, const Dua
   return result;
 }
 
-HWY_INLINE MotorState<Pack> motor_state(const model::DriveSegment& motor, const Pack& elapsed, const Pack& speed,
+// A motor's law in every lane.
+struct MotorLanes {
+  explicit MotorLanes(const model::DriveSegment& m)
+      : constant(m.constant),
+        slope(m.slope),
+        rate(m.rate),
+        integral(m.integral),
+        aim(m.aim),
+        aim_rate(m.aim_rate),
+        limit(m.limit),
+        integrates(m.integral != 0.0) {}
+
+  void take_lane(const MotorLanes& from, int lane) {
+    using M = MotorLanes;
+    take_lane_of(*this, from, lane, &M::constant, &M::slope, &M::rate, &M::integral, &M::aim, &M::aim_rate, &M::limit);
+    integrates = integrates || from.integrates;
+  }
+
+  Pack constant, slope, rate, integral, aim, aim_rate, limit;
+  bool integrates;
+};
+
+HWY_INLINE MotorState<Pack> motor_state(const MotorLanes& motor, const Pack& elapsed, const Pack& speed,
                                         const Pack& error) {
-  const Pack uncut =
-      Pack(motor.constant) + Pack(motor.rate) * elapsed + Pack(motor.slope) * speed + Pack(motor.integral) * error;
-  const Pack limit(motor.limit), zero(0.0);
+  const Pack uncut = motor.constant + motor.rate * elapsed + motor.slope * speed + motor.integral * error;
+  const Pack &limit = motor.limit, zero(0.0);
   MotorState<Pack> result{minimum(maximum(uncut, -limit), limit), zero};
-  if (motor.integral == 0.0) return result;
-  const Pack lag = Pack(motor.aim) + Pack(motor.aim_rate) * elapsed - speed, push = lag * Pack(motor.integral);
+  if (!motor.integrates) return result;
+  const Pack lag = motor.aim + motor.aim_rate * elapsed - speed, push = lag * motor.integral;
   const Mask cut_further = ((limit < uncut) & (zero < push)) | ((uncut < -limit) & (push < zero));
   result.error_rate = select(cut_further, zero, lag);
   return result;
@@ -66,24 +88,29 @@ class RotorDrive {
  public:
   RotorDrive(const model::Parameters& p, const model::DrivePiece& piece, model::DrivePlaces places, double begin,
              double psi)
-      : piece_(piece), places_(places), turning_(model::is_strobed(p)), begin_(begin), psi_(psi) {}
-
-  void enter(const model::DrivePiece& piece) {
-    piece_ = piece;
-    begin_ = piece.begin;
-    psi_ = piece.psi;
+      : places_(places), turning_(model::is_strobed(p)), motor_(piece.motor) {
+    enter(piece, begin, psi);
   }
 
-  bool driven() const { return !piece_.prescribed; }
+  void enter(const model::DrivePiece& piece) { enter(piece, piece.begin, piece.psi); }
+
+  // Lane `lane` gets the drive of `from`: its kind and places must be the same.
+  void take_lane(const RotorDrive& from, int lane) {
+    using D = RotorDrive;
+    take_lane_of(*this, from, lane, &D::begin_, &D::psi_, &D::speed_, &D::acceleration_);
+    motor_.take_lane(from.motor_, lane);
+  }
+
+  bool driven() const { return driven_; }
   const model::DrivePlaces& places() const { return places_; }
 
   HWY_INLINE RotorMotion<T> rotor(const T& t, const T* y) const {
-    const T elapsed = t - T(begin_);
-    const T prescribed = T(piece_.speed) + T(piece_.acceleration) * elapsed;
-    RotorMotion<T> rotor{places_.speed < 0 ? prescribed : y[places_.speed], T(piece_.acceleration), T(0.0), T(1.0)};
+    const T elapsed = t - begin_;
+    const T prescribed = speed_ + acceleration_ * elapsed;
+    RotorMotion<T> rotor{places_.speed < 0 ? prescribed : y[places_.speed], acceleration_, T(0.0), T(1.0)};
     if (!turning_) return rotor;
-    const T mean = T(0.5) * (T(piece_.speed) + prescribed);
-    const T angle = places_.psi < 0 ? T(psi_) + mean * elapsed : y[places_.psi];
+    const T mean = T(0.5) * (speed_ + prescribed);
+    const T angle = places_.psi < 0 ? psi_ + mean * elapsed : y[places_.psi];
     sin_cos(angle, rotor.sin_psi, rotor.cos_psi);
     return rotor;
   }
@@ -91,7 +118,7 @@ class RotorDrive {
   // Of a driven rotor.
   HWY_INLINE MotorState<T> motor(const T& t, const RotorMotion<T>& rotor, const T* y) const {
     if (!driven()) return {};
-    return motor_state(piece_.motor, t - T(begin_), rotor.speed, places_.error < 0 ? T(0.0) : y[places_.error]);
+    return motor_state(motor_, t - begin_, rotor.speed, places_.error < 0 ? T(0.0) : y[places_.error]);
   }
 
   HWY_INLINE void rates(const RotorMotion<T>& rotor, const T& acceleration, const T& error_rate, T* dy) const {
@@ -101,10 +128,21 @@ class RotorDrive {
   }
 
  private:
-  model::DrivePiece piece_;
+  void enter(const model::DrivePiece& piece, double begin, double psi) {
+    driven_ = !piece.prescribed;
+    motor_ = Motor(piece.motor);
+    begin_ = T(begin);
+    psi_ = T(psi);
+    speed_ = T(piece.speed);
+    acceleration_ = T(piece.acceleration);
+  }
+
+  using Motor = std::conditional_t<std::is_same_v<T, Pack>, MotorLanes, model::DriveSegment>;
+
   model::DrivePlaces places_;
-  bool turning_;
-  double begin_, psi_;
+  bool turning_, driven_ = false;
+  Motor motor_;
+  T begin_, psi_, speed_, acceleration_;
 };
 
 }  // namespace HWY_NAMESPACE

@@ -19,31 +19,54 @@ namespace HWY_NAMESPACE {
 template <class T>
 class RotorEnergy {
  public:
-  explicit RotorEnergy(const model::Parameters& p) : p_(p), turning_(model::is_strobed(p)) {}
+  explicit RotorEnergy(const model::Parameters& p)
+      : balls_(p.balls),
+        turning_(model::is_strobed(p)),
+        heavy_(p.gravity != 0.0),
+        rolls_(p.rolls),
+        lambda_(p.eccentricity),
+        offset_{T(p.race_offset[0]), T(p.race_offset[1])},
+        inertia_(p.inertia),
+        stiffness_{T(p.stiffness[0]), T(p.stiffness[1])},
+        damping_{T(p.damping[0]), T(p.damping[1])},
+        gravity_(p.gravity) {
+    for (int i = 0; i < model::max_balls; ++i) {
+      mass_[i] = T(p.mass[i]);
+      drag_force_[i] = T(p.mass[i] * p.drag[i]);
+      radius_[i] = T(p.ball_radius[i]);
+    }
+  }
+
+  // Lane `lane` gets the rotor of `from`.
+  void take_lane(const RotorEnergy& from, int lane) {
+    using E = RotorEnergy;
+    take_lane_of(*this, from, lane, &E::lambda_, &E::offset_, &E::inertia_, &E::stiffness_, &E::damping_, &E::gravity_,
+                 &E::mass_, &E::drag_force_, &E::radius_);
+  }
 
   // Kinetic, of the supports' springs, and of gravity.
   HWY_INLINE T stored(const RotorMotion<T>& rotor, const T* z) const {
     using namespace model::index;
-    const T w = rotor.speed, lambda(p_.eccentricity), half(0.5);
-    const T ox(p_.race_offset[0]), oy(p_.race_offset[1]);
+    const T w = rotor.speed, half(0.5);
+    const T &lambda = lambda_, &ox = offset_.x, &oy = offset_.y;
     const Vector2<T> place = in_fixed_axes(rotor, z[x], z[y]);
     const T across = z[v] + lambda * w;
-    T e = half * (T(p_.inertia) * w * w + z[u] * z[u] + across * across + T(p_.stiffness[0]) * place.x * place.x +
-                  T(p_.stiffness[1]) * place.y * place.y);
-    if (p_.gravity != 0.0) e = e + T(p_.gravity) * (place.y + lambda * rotor.sin_psi);
-    for (int i = 0; i < p_.balls; ++i) {
-      const T own = z[q(i, p_.balls)], rate = w + own, mass(p_.mass[i]);
+    T e = half * (inertia_ * w * w + z[u] * z[u] + across * across + stiffness_.x * place.x * place.x +
+                  stiffness_.y * place.y * place.y);
+    if (heavy_) e = e + gravity_ * (place.y + lambda * rotor.sin_psi);
+    for (int i = 0; i < balls_; ++i) {
+      const T own = z[q(i, balls_)], rate = w + own;
       T s, c;
       sin_cos(z[phi(i)], s, c);
       const T vx = z[u] - w * oy - rate * s, vy = z[v] + w * ox + rate * c;
       T one = half * (vx * vx + vy * vy);
-      if (p_.gravity != 0.0)
-        one = one + T(p_.gravity) * (place.y + rotor.sin_psi * (ox + c) + rotor.cos_psi * (oy + s));
-      if (p_.rolls) {
-        const T rim = T(p_.ball_radius[i]) * w - own;  // radius times spin, from where it touches
+      if (heavy_)
+        one = one + gravity_ * (place.y + rotor.sin_psi * (ox + c) + rotor.cos_psi * (oy + s));
+      if (rolls_) {
+        const T rim = radius_[i] * w - own;  // radius times spin, from where it touches
         one = one + half * T(model::sphere_inertia.value()) * rim * rim;
       }
-      e = e + mass * one;
+      e = e + mass_[i] * one;
     }
     return e;
   }
@@ -51,15 +74,15 @@ class RotorEnergy {
   // What the supports' dampers take in a unit of time.
   HWY_INLINE T taken_by_supports(const RotorMotion<T>& rotor, const T* z) const {
     const Vector2<T> rate = in_fixed_axes(rotor, z[model::index::u], z[model::index::v]);
-    return T(p_.damping[0]) * rate.x * rate.x + T(p_.damping[1]) * rate.y * rate.y;
+    return damping_.x * rate.x * rate.x + damping_.y * rate.y * rate.y;
   }
 
   // And the drag of balls that run free.
   HWY_INLINE T taken_by_drag(const T* z) const {
     T sum(0.0);
-    for (int i = 0; i < p_.balls; ++i) {
-      const T own = z[model::index::q(i, p_.balls)];
-      sum = sum + T(p_.mass[i] * p_.drag[i]) * own * own;
+    for (int i = 0; i < balls_; ++i) {
+      const T own = z[model::index::q(i, balls_)];
+      sum = sum + drag_force_[i] * own * own;
     }
     return sum;
   }
@@ -71,8 +94,14 @@ class RotorEnergy {
     return {x * rotor.cos_psi - y * rotor.sin_psi, x * rotor.sin_psi + y * rotor.cos_psi};
   }
 
-  const model::Parameters p_;
-  const bool turning_;
+  int balls_;
+  bool turning_, heavy_, rolls_;
+  T lambda_;
+  Vector2<T> offset_;
+  T inertia_;
+  Vector2<T> stiffness_, damping_;
+  T gravity_;
+  T mass_[model::max_balls], drag_force_[model::max_balls], radius_[model::max_balls];
 };
 
 }  // namespace HWY_NAMESPACE

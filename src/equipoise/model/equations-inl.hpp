@@ -134,6 +134,15 @@ class BallBalancer {
     inertia_sum_ = T(2.0) * rotor_.mass + mass;
   }
 
+  // Lane `lane` gets the rotor of `from`: of like terms, with as many balls.
+  void take_lane(const BallBalancer& from, int lane) {
+    using B = BallBalancer;
+    take_lane_of(*this, from, lane, &B::rotor_, &B::zeta_mean_, &B::zeta_half_, &B::kappa_mean_, &B::kappa_half_,
+                 &B::gravity_, &B::inertia_sum_, &B::mu_, &B::beta_, &B::drag_force_, &B::offset_, &B::share_,
+                 &B::sliding_mass_, &B::carried_, &B::lever_, &B::lag_, &B::inertia_along_, &B::yield_);
+    sizes_differ_ = sizes_differ_ || from.sizes_differ_;
+  }
+
   // What springs and dampers exert on the support, in rotating components (fx, fy).
   HWY_INLINE Vector2<T> bearing_force(const RotorMotion<T>& rotor, const T* z) const {
     const T x = z[0], y = z[1], u = z[2], v = z[3];
@@ -508,13 +517,13 @@ class BallBalancer {
   const model::BallCount<room> n;  // named as in the equations
   Body<T> rotor_{};
   T zeta_mean_, zeta_half_, kappa_mean_, kappa_half_, gravity_, inertia_sum_;
-  T mu_[places], beta_[places], drag_force_[places];  // beta_i: what it slows a ball by
-  Vector2<T> offset_{};                               // of bodies: O' from O
+  T mu_[places]{}, beta_[places]{}, drag_force_[places]{};  // beta_i: what it slows a ball by
+  Vector2<T> offset_{};                                     // of bodies: O' from O
   // Of balls that may roll; see split().
   T share_ = T(1.0);
-  T sliding_mass_[places], carried_[places];  // carried: the fixed mass times its distance from O'
-  T lever_[places], lag_[places];             // lag: how far a ball stays behind a race that speeds up
-  T inertia_along_[places], yield_[places];   // what resists a force along the race, and one over it
+  T sliding_mass_[places]{}, carried_[places]{};  // carried: the fixed mass times its distance from O'
+  T lever_[places]{}, lag_[places]{};             // lag: how far a ball stays behind a race that speeds up
+  T inertia_along_[places]{}, yield_[places]{};   // what resists a force along the race, and one over it
   bool sizes_differ_ = false;
 };
 

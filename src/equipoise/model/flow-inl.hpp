@@ -37,6 +37,11 @@ class SegmentMotion {
     return rotor;
   }
 
+  void take_lane(const SegmentMotion& from, int lane) {
+    using M = SegmentMotion;
+    take_lane_of(*this, from, lane, &M::begin_, &M::psi_, &M::speed_, &M::acceleration_);
+  }
+
  private:
   T begin_, psi_, speed_, acceleration_;
 };
@@ -54,6 +59,12 @@ class FreeFlow {
   HWY_INLINE auto size() const { return balls_.size(); }
 
   HWY_INLINE void operator()(const T& t, const T* z, T* dz) const { balancer_.free_derivative(motion_.at(t), z, dz); }
+
+  // Lane `lane` gets the rotor and the segment of `from`.
+  void take_lane(const FreeFlow& from, int lane) {
+    balancer_.take_lane(from.balancer_, lane);
+    motion_.take_lane(from.motion_, lane);
+  }
 
  private:
   model::BallCount<room> balls_;

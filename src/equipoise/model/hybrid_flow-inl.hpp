@@ -24,13 +24,18 @@ class ModeTable {
  public:
   explicit ModeTable(const model::Parameters& p) : n(p.balls) {
     for (int i = 0; i < n; ++i) {
-      mass_[i] = p.mass[i];
+      mass_[i] = T(p.mass[i]);
       held[i] = sense[i] = T(0.0);
       for (int j = 0; j < n; ++j) {
         together[i][j] = T(i == j ? 1.0 : 0.0);
         behind[i][j] = T(0.0);
       }
     }
+  }
+
+  // Lane `lane` gets the balls of these parameters.
+  void take_balls(const model::Parameters& p, int lane) {
+    for (int i = 0; i < n; ++i) element(mass_[i], lane) = p.mass[i];
   }
 
   void set(const model::BallMode& mode, int lane = 0) {
@@ -81,19 +86,19 @@ class ModeTable {
       double mass = 0.0;
       for (int k = first;; k = (k + 1) % n) {
         group[size++] = mode.order[k];
-        mass += mass_[mode.order[k]];
+        mass += element(mass_[mode.order[k]], lane);
         if (!moves_joined(mode, k)) break;
       }
       for (int a = 0; a < size; ++a)
         for (int b = 0; b < size; ++b) {
-          element(together[group[a]][group[b]], lane) = mass_[group[b]] / mass;
+          element(together[group[a]][group[b]], lane) = element(mass_[group[b]], lane) / mass;
           element(behind[group[a]][group[b]], lane) = b <= a && a + 1 < size;
         }
     }
   }
 
   const model::BallCount<room> n;
-  double mass_[room];
+  T mass_[room];
   unsigned held_ = 0, joined_ = 0;  // bits of lanes
 };
 
@@ -131,6 +136,15 @@ class HybridFlow {
     HybridFlow result = *this;
     result.modes_ = &modes;
     return result;
+  }
+
+  // Lane `lane` gets the rotor and the piece of a drive of `from`, in a state of the same size.
+  void take_lane(const HybridFlow& from, int lane) {
+    using F = HybridFlow;
+    balancer_.take_lane(from.balancer_, lane);
+    drive_.take_lane(from.drive_, lane);
+    take_lane_of(*this, from, lane, &F::mass_, &F::rolling_, &F::stiction_);
+    resists_ = resists_ || from.resists_;
   }
 
   // Over the next piece of a drive, as of model/machine.hpp.
@@ -240,7 +254,7 @@ class HybridFlow {
   RotorDrive<T> drive_;
   int size_;
   bool resists_;
-  T mass_[room], rolling_[room], stiction_[room];  // mass: what resists a push
+  T mass_[room]{}, rolling_[room]{}, stiction_[room]{};  // mass: what resists a push
   const Modes* modes_;
 };
 

@@ -40,6 +40,12 @@ class SmoothFlow {
     drive_.rates(rotor, result.acceleration, motor.error_rate, dy);
   }
 
+  // Lane `lane` gets the rotor and the piece of a drive of `from`, in a state of the same size.
+  void take_lane(const SmoothFlow& from, int lane) {
+    balancer_.take_lane(from.balancer_, lane);
+    drive_.take_lane(from.drive_, lane);
+  }
+
  private:
   SmoothFlow(const model::System& s, double begin, double psi)
       : balancer_(s.parameters()), drive_(s.parameters(), s.drive(), s.places(), begin, psi), size_(s.dimension()) {}
@@ -49,8 +55,8 @@ class SmoothFlow {
   int size_;
 };
 
-// A driven rotor whose balls are held: one body, whose unbalance is part of the state and stays what it is. State: x,
-// y, u, v; sum mu_i e^{i phi_i} of the balls, x and y; then what the system has of psi, psi' and the speed error.
+// A rotor whose balls are held: one body, whose unbalance is part of the state and stays what it is. State: x, y, u, v;
+// sum mu_i e^{i phi_i} of the balls, x and y; then what the system has of psi, psi' and the speed error.
 template <class T>
 class HeldFlow {
  public:
@@ -59,7 +65,7 @@ class HeldFlow {
   // Over the piece of a drive that the system holds, in study time.
   explicit HeldFlow(const model::System& s)
       : balancer_(s.parameters()),
-        drive_(s.parameters(), s.drive(), model::held_places(s), s.drive().begin, 0.0),
+        drive_(s.parameters(), s.drive(), model::held_places(s), s.drive().begin, s.drive().psi),
         size_(model::held_dimension(s)) {
     const model::Parameters& p = s.parameters();
     const double x = p.eccentricity - p.race_offset[0], y = -p.race_offset[1];
@@ -76,9 +82,16 @@ class HeldFlow {
     const MotorState<T> motor = drive_.motor(t, rotor, y);
     Body<T> body = rotor_;
     body.unbalance = {body.unbalance.x + y[4], body.unbalance.y + y[5]};
-    const BodyResult<T> result = balancer_.body_derivative(rotor, body, &motor.torque, y, dy);
+    const BodyResult<T> result =
+        balancer_.body_derivative(rotor, body, drive_.driven() ? &motor.torque : nullptr, y, dy);
     dy[4] = dy[5] = T(0.0);
     drive_.rates(rotor, result.acceleration, motor.error_rate, dy);
+  }
+
+  void take_lane(const HeldFlow& from, int lane) {
+    balancer_.take_lane(from.balancer_, lane);
+    drive_.take_lane(from.drive_, lane);
+    equipoise::HWY_NAMESPACE::take_lane(rotor_, from.rotor_, lane);
   }
 
  private:

@@ -24,10 +24,14 @@ std::vector<Attractor> Catalogue::listed_since(const Catalogue& earlier) const {
 }
 
 int Catalogue::find(const model::Parameters& p, const Motion& motion) const {
-  const bool balanced = motion_name(p, motion).id == balanced_id;
-  for (const Attractor& a : attractors_)
-    if (balanced ? a.id == balanced_id : same_motion(p, a.motion, motion)) return a.id;
-  return 0;
+  const MotionName name = motion_name(p, motion);
+  const auto is_it = [&](const Attractor& a) {
+    if (name.id == balanced_id) return a.id == balanced_id;
+    if (by_name_) return name.id ? a.id == name.id : a.name == name.name;
+    return same_motion(p, a.motion, motion);
+  };
+  const auto at = std::find_if(attractors_.begin(), attractors_.end(), is_it);
+  return at == attractors_.end() ? 0 : at->id;
 }
 
 int Catalogue::add(const model::Parameters& p, const Motion& motion, const std::optional<ContinuumPart>& continuum) {
@@ -42,6 +46,16 @@ int Catalogue::add(const model::Parameters& p, const Motion& motion, const std::
   }
   add({name.id, name.name, name.alias, motion, continuum});
   return name.id;
+}
+
+int Catalogue::add(const MotionName& name, const Motion& motion, const std::optional<ContinuumPart>& continuum) {
+  for (const Attractor& a : attractors_)
+    if (name.id ? a.id == name.id : a.name == name.name) return a.id;
+  int id = name.id;
+  if (id == 0)
+    for (id = first_free_id; find(id);) ++id;
+  add({id, name.name, name.alias, motion, continuum});
+  return id;
 }
 
 void Catalogue::add(Attractor attractor) {

@@ -23,6 +23,10 @@ inline constexpr int first_free_id = 8;
 
 class Catalogue {
  public:
+  Catalogue() = default;
+  /// `by_name`: motions of one name are one, as those of rotors that differ.
+  explicit Catalogue(bool by_name) : by_name_(by_name) {}
+
   const std::vector<Attractor>& attractors() const { return attractors_; }
   const Attractor* find(int id) const;
   /// What `earlier`, a state that this list once had, did not hold. The list is kept by identifier: what is new in it
@@ -33,11 +37,14 @@ class Catalogue {
   /// Lists a motion unless it is listed, and returns its identifier. A second motion of the same name gets a free
   /// identifier and a number behind its name.
   int add(const model::Parameters& p, const Motion& motion, const std::optional<ContinuumPart>& continuum = {});
+  /// The same of rotors that each have a motion of their own: all that have a name are one.
+  int add(const MotionName& name, const Motion& motion, const std::optional<ContinuumPart>& continuum = {});
   /// Lists an attractor under the identifier that it brings, which must be free.
   void add(Attractor attractor);
 
  private:
   std::vector<Attractor> attractors_;  // by identifier
+  bool by_name_ = false;
 };
 
 }  // namespace equipoise

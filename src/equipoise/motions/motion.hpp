@@ -16,7 +16,7 @@
 
 namespace equipoise {
 
-/// `measured`: told by windows of time alone (motions/steady_watch.hpp).
+/// `measured`: told by windows of time, or by energy, alone.
 enum class MotionKind { equilibrium, periodic, quasi_periodic, chaotic, measured };
 /// "equilibrium", "periodic", "quasi-periodic", "chaotic", "measured".
 const char* name_of(MotionKind kind);

@@ -124,13 +124,13 @@ MotionFigures motion_figures(const model::Parameters& p, const Motion& motion) {
 
 KnownEnd known_end(const model::Parameters& p, const Attractor& attractor) {
   const Motion& motion = attractor.motion;
-  if (motion.kind == MotionKind::measured || motion.state.size() == 0) return {};
   if (motion.set_valued) {  // each start's is its own
     constexpr double time_constants = 5.0;
     const double rate = motion.exponents.empty() ? 0.0 : -motion.exponents.back();
     return {std::nullopt, rate > slowest ? time_constants / rate : 0.0};
   }
   if (attractor.id == balanced_id && p.gravity == 0.0 && p.race_is_centred()) return {MotionFigures{}, 0.0};
+  if (motion.kind == MotionKind::measured || motion.state.size() == 0) return {};
   // Members of a continuum around an off-centre race whirl alike.
   const bool unique = attractor.id != balanced_id || p.balls == 1 || (p.balls == 2 && p.equal_balls()) ||
                       (p.gravity == 0.0 && p.isotropic());

@@ -5,10 +5,11 @@
 #include <cmath>
 #include <complex>
 #include <cstddef>
-#include <numeric>
+#include <vector>
 
 #include "equipoise/base/angles.hpp"
 #include "equipoise/model/balanced_state.hpp"
+#include "equipoise/model/fan.hpp"
 #include "equipoise/model/room_in_race.hpp"
 #include "equipoise/model/unbalance.hpp"
 
@@ -27,8 +28,12 @@ bool ContinuumDraws::next(std::array<double, model::max_balls>& phi) {
     if (p_.balls_collide()) model::make_room(p_, phi.data());
     if (std::abs(model::unbalance(p_, phi.data())) < near && balance(phi)) return true;
   }
-  if (!walking_ && !(p_.balls_collide() && spread_row(place_))) return false;
-  walking_ = true;
+  if (!walking_) {
+    if (!p_.balls_collide()) return false;
+    place_ = model::fan(p_, std::vector<double>(static_cast<std::size_t>(p_.balls), p_.contact_angle));
+    if (!balance(place_)) return false;
+    walking_ = true;
+  }
   // Strides shrink to what the room allows: half of them are taken.
   constexpr int strides = 16;
   for (int k = 0; k < strides; ++k) {
@@ -43,31 +48,6 @@ bool ContinuumDraws::next(std::array<double, model::max_balls>& phi) {
 
 bool ContinuumDraws::beside(std::array<double, model::max_balls>& phi, double distance) {
   for (int i = 0; i < p_.balls; ++i) phi[i] += distance * random_.normal();
-  return balance(phi);
-}
-
-// A row of balls side by side, the heaviest in its middle, cancels most; with growing gaps it cancels less and less.
-bool ContinuumDraws::spread_row(std::array<double, model::max_balls>& phi) const {
-  std::array<std::size_t, model::max_balls> by_mass{};
-  const auto end = by_mass.begin() + p_.balls;
-  std::iota(by_mass.begin(), end, std::size_t{0});
-  std::stable_sort(by_mass.begin(), end, [&](auto a, auto b) { return p_.mass[a] > p_.mass[b]; });
-  const auto row = [&](double spacing) {
-    for (int k = 0; k < p_.balls; ++k)
-      phi[by_mass[static_cast<std::size_t>(k)]] = spacing * (k % 2 ? (k + 1) / 2 : -k / 2);
-    std::complex<double> sum;
-    for (int i = 0; i < p_.balls; ++i) sum += std::polar(p_.mass[i], phi[i]);
-    return sum;
-  };
-  double least = p_.contact_angle, most = two_pi / p_.balls;
-  if (!(least < most && std::abs(row(least)) >= p_.eccentricity && std::abs(row(most)) <= p_.eccentricity))
-    return false;
-  for (int k = 0; k < 60; ++k) {  // to rounding
-    const double middle = 0.5 * (least + most);
-    (std::abs(row(middle)) > p_.eccentricity ? least : most) = middle;
-  }
-  const double turn = pi - std::arg(row(least));
-  for (int i = 0; i < p_.balls; ++i) phi[i] += turn;
   return balance(phi);
 }
 

@@ -23,7 +23,6 @@ class ContinuumDraws {
 
  private:
   bool balance(std::array<double, model::max_balls>& phi) const;
-  bool spread_row(std::array<double, model::max_balls>& phi) const;
 
   const model::Parameters& p_;
   RandomStream random_;

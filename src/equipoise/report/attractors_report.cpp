@@ -165,7 +165,9 @@ std::string attractors_text(const AttractorsResult& r) {
   for (const Attractor& a : r.catalogue.attractors()) text += events_text(a, balls);
   text += left_unbalance_text(r.basin.attractors, r.basin.study);
   if (!r.basin.note.empty()) text += fmt::format("Note: {}.\n", r.basin.note);
-  if (r.basin.partial) text += "PARTIAL: stopped before all starts were done.\n";
+  if (r.basin.partial)
+    text += fmt::format("PARTIAL: stopped after {} of {} starts; the search had not ended: there may be others.\n",
+                        r.basin.starts, r.basin.asked);
   text += search_text(r);
   text += fmt::format("seed {}; {:.2f} s, {:.2f} s CPU on {} thread{} ({}); equipoise {}\n",
                       r.basin.study.sampling.seed, r.basin.seconds, r.basin.cpu_seconds, r.basin.threads,

@@ -60,6 +60,18 @@ std::string passage_text(const BasinResult& r) {
   return text + ".\n";
 }
 
+// Whether it mattered that balls collide.
+std::string contact_text(const Share& met) {
+  if (met.count == 0) return "Contact: in no start did balls touch before its fate was known, so contact decided none.\n";
+  return fmt::format("Contact: balls touched in {} of all starts ({}) before the fate was known.\n",
+                     percent(met.share, digits_for(met)), interval(met));
+}
+
+std::string stopped_basin_text(const BasinResult& r) {
+  return fmt::format("PARTIAL: stopped after {}{} starts; the shares and intervals above are of those.\n", r.starts,
+                     r.asked > 0 ? fmt::format(" of {}", r.asked) : "");
+}
+
 std::string run_text(const BasinResult& r) {
   const std::string seed = r.own_starts ? "" : fmt::format(", seed {}", r.study.sampling.seed);
   return fmt::format("{} starts{}; {:.2f} s, {:.2f} s CPU on {} thread{} ({}), {:.0f} starts/s; equipoise {}\n",
@@ -107,14 +119,16 @@ std::string basin_text(const BasinResult& r) {
   text += decided_text(r);
   text += left_unbalance_text(r.attractors, r.study);
   if (r.passed) text += passage_text(r);
+  if (r.met) text += contact_text(*r.met);
   if (!r.note.empty()) text += fmt::format("Note: {}.\n", r.note);
-  if (r.partial) text += "PARTIAL: stopped before all starts were done; the shares above are of those that were.\n";
+  if (r.partial) text += stopped_basin_text(r);
   return text + run_text(r);
 }
 
 std::string basin_json(const BasinResult& r) {
   Json json;
   json["starts"] = r.starts;
+  json["starts_asked"] = r.asked > 0 ? Json(r.asked) : Json(nullptr);
   json["partial"] = r.partial;
   json["sampling"] = sampling_json(r);
   const auto share = [&](const Share& s) {
@@ -151,6 +165,7 @@ std::string basin_json(const BasinResult& r) {
   json["units"] = {{"mean_time", "1/omega_c"}};
   if (r.study.scales) json["units"]["mean_time_si"] = "s";
   if (r.stalled) json["units"]["below"] = "omega_c";
+  if (r.met) json["balls_met"] = share(*r.met);
   if (r.passed) json["units"]["above"] = "omega_c";
   if (r.transients) json["transients"] = transient_json(*r.transients, r.study);
   if (r.sensitivity) {

@@ -151,7 +151,9 @@ std::string branches_text(const BranchesResult& r) {
       "random starts and the pilot were searched: an attractor to which fewer come, or that lives between two of these "
       "values only, is not listed; states of one's own are followed too.\n",
       r.values.front(), r.values.back(), r.starts);
-  if (r.partial) text += "PARTIAL: stopped before every branch was followed to its ends.\n";
+  if (r.partial)
+    text +=
+        "PARTIAL: stopped before every branch was followed to its ends; there may be others, and events beyond.\n";
   text += fmt::format("{:.1f} s on {} thread{} ({}); equipoise {}\n", r.seconds, r.threads, r.threads == 1 ? "" : "s",
                       r.cpu_target, version_string);
   return text;

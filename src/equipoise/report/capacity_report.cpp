@@ -32,6 +32,13 @@ std::string sought_text(const CapacityResult& r) {
   return in_unit(r, fmt::format("{} to {}", four_digits(r.from), four_digits(r.to)));
 }
 
+// Of a cell that was begun and not done.
+std::string open_row(const OpenCapacity& open, std::size_t width) {
+  const auto end = [](const std::optional<double>& value) { return value ? four_digits(*value) : std::string("?"); };
+  return fmt::format("{:>{}}  {:<24}{:>7}\n", "open", width, fmt::format("{} and {}", end(open.low), end(open.high)),
+                     open.trials);
+}
+
 }  // namespace
 
 std::string capacity_value_text(const CapacityResult& r, const CapacityCell& cell) {
@@ -50,6 +57,7 @@ std::string capacity_text(const CapacityResult& r) {
                       100.0 * r.at_least, sought_text(r));
   text += column_titles(r.axes) + fmt::format("{:>{}}  {:<24}{:>7}\n", asked, width, "surely between", "trials");
   for (std::size_t index = 0; index < r.cells.size(); ++index) {
+    if (r.open[index]) text += column_values(r.axes, index) + open_row(*r.open[index], width);
     if (!r.cells[index]) continue;
     const CapacityCell& cell = *r.cells[index];
     text += column_values(r.axes, index);
@@ -61,7 +69,9 @@ std::string capacity_text(const CapacityResult& r) {
       "would come to; at the second it is smaller with 95 % confidence. Located to {}; a share that falls short "
       "between two of the values tried and recovers is not seen.\n",
       in_unit(r, four_digits(r.precision * (r.to - r.from))));
-  if (!r.complete()) text += "PARTIAL: stopped before all cells were done.\n";
+  if (!r.complete())
+    text += "PARTIAL: stopped before all cells were done. Of an open one the capacity is not known between the two "
+            "values; ?: no value tried says so.\n";
   if (r.resumed_trials > 0) text += fmt::format("{} trials from an earlier run. ", r.resumed_trials);
   return text + fmt::format(
                     "{} starts a trial, seed {}, the same ones in all; {:.2f} s, {:.2f} s CPU on {} thread{} "
@@ -94,6 +104,14 @@ std::string capacity_json(const CapacityResult& r) {
                              {"never", cell.never},
                              {"trials", trials}});
   }
+  json["open"] = Json::array();
+  const auto or_null = [](const std::optional<double>& value) { return value ? Json(*value) : Json(nullptr); };
+  for (std::size_t index = 0; index < r.open.size(); ++index)
+    if (const auto& open = r.open[index])
+      json["open"].push_back({{"at", at_json(r.axes, index)},
+                              {"low", or_null(open->low)},
+                              {"high", or_null(open->high)},
+                              {"trials", open->trials}});
   json["confidence"] = 0.95;
   json["starts"] = r.starts;
   json["resumed_trials"] = r.resumed_trials;

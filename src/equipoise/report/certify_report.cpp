@@ -102,12 +102,15 @@ std::string certify_text(const CertifyResult& r) {
   std::string text = fmt::format("{}: speed {}\n", r.study.name, r.speed);
   if (!r.note.empty()) text += fmt::format("{}{}\n", r.members.empty() ? "nothing proved: " : "", r.note);
   for (const StateProof& s : r.states) text += state_text(s, r.study.system());
-  return text + members_text(r);
+  text += members_text(r);
+  if (r.partial) text += "PARTIAL: stopped; what is not proved above was not tried to the end.\n";
+  return text;
 }
 
 std::string certify_json(const CertifyResult& r) {
   Json json;
   json["proved"] = r.proved();
+  json["partial"] = r.partial;
   json["note"] = r.note;
   json["speed"] = r.speed;
   json["states"] = Json::array();

@@ -53,7 +53,7 @@ std::string comparison_text(const ComparisonResult& r) {
     text += fmt::format("Compared as independent samples: {}.\n", r.why_not_common);
   }
   text += verdict(r) + "\n";
-  if (r.partial) text += "PARTIAL: stopped before all starts were done.\n";
+  if (r.partial) text += "PARTIAL: stopped before all starts were done; what is said above is of those that were.\n";
   return text + fmt::format("equipoise {}\n", version_string);
 }
 

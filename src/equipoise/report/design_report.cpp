@@ -248,6 +248,17 @@ std::string design_answer(const DesignResult& r) {
   return fmt::format("No candidate keeps all requirements: {}. There {}{}.", missed, text, before);
 }
 
+namespace {
+
+std::string stopped_design_text(const DesignResult& r) {
+  std::string text = "\nPARTIAL: stopped; what the search had found by then, judged on its own starts. ";
+  if (r.trajectories >= r.budget) return text + "Some of its checks were still to be made.\n";
+  return text + fmt::format("{} of {} trajectories were left, for more candidates and for checks of the best.\n",
+                            r.budget - r.trajectories, r.budget);
+}
+
+}  // namespace
+
 std::string design_text(const DesignResult& r) {
   std::string text = study_heading(r.study) + uncertain_text(r.study);
   text += design_answer(r) + "\n\n";
@@ -267,7 +278,7 @@ std::string design_text(const DesignResult& r) {
         fmt::format(
             "Near it: by how much {} changes at most within a tenth of the range; what matters most is told first.\n",
             r.figures[r.objectives.front()].name);
-  if (r.partial) text += "\nPARTIAL: stopped; what the search had found by then, judged on its own starts.\n";
+  if (r.partial) text += stopped_design_text(r);
   if (r.resumed > 0) text += fmt::format("\n{} ensembles from an earlier run. ", r.resumed);
   return text +
          fmt::format(

@@ -57,6 +57,7 @@ class Text {
                                           "final one",
                                           *e_.reynolds));
     rules();
+    if (e_.cost) cost(*e_.cost);
     text_ += "\n";
     for (const std::string& w : e_.warnings) text_ += "warning: " + w + "\n";
     if (e_.warnings.empty()) text_ += "no warnings\n";
@@ -113,6 +114,17 @@ class Text {
                      std::abs(*e_.speed) / lowest, e_.critical_alone[0] == e_.critical_alone[1] ? "" : "lower "));
     if (!e_.speed_words.empty()) item("", e_.speed_words);
     if (e_.run_up) run_up(*e_.run_up);
+  }
+
+  void cost(const BasinCost& c) {
+    constexpr double microseconds = 1e6;
+    if (!c.search_ended || c.measured == 0)
+      return item("basin takes", fmt::format("more than {:.2g} s of CPU: {} had not ended by then", c.total(),
+                                             c.search_ended ? "the first starts" : "the search for attractors"));
+    item("basin takes",
+         fmt::format("about {:.2g} s of CPU: {:.2g} s for the search for attractors, {:.2g} us for each of {} starts, "
+                     "by {} that were followed",
+                     c.total(), c.search, microseconds * c.a_start, c.starts, c.measured));
   }
 
   void run_up(const RunUp& r) {
@@ -327,6 +339,14 @@ std::string explain_json(const Explanation& e) {
   json["final_speed"] = e.speed ? value_json(*e.speed, Dimension::speed, scales) : Json(nullptr);
   json["final_speed_reason"] = e.speed_words;
   json["run_up"] = e.run_up ? run_up_json(*e.run_up, scales) : Json(nullptr);
+  json["cost"] = nullptr;
+  if (e.cost)
+    json["cost"] = {{"cpu_seconds", e.cost->total()},
+                    {"search", e.cost->search},
+                    {"search_ended", e.cost->search_ended},
+                    {"a_start", e.cost->a_start},
+                    {"starts", e.cost->starts},
+                    {"measured", e.cost->measured}};
   json["can_balance"] = e.balanced.kind != model::BalancedStates::Kind::none;
   json["reason"] = e.balanced.reason;
   json["static_sag"] = value_json(e.sag, Dimension::length, scales);

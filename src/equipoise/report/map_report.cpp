@@ -82,6 +82,17 @@ std::string starts_text(const PlaneMap& map) {
   return together.empty() ? text : text + "Note: " + together + ".\n";
 }
 
+// Those that a stopped run did not come to.
+std::uint64_t open_pixels(const PlaneMap& map) { return map.pixels - map.codes.front().share.total; }
+
+// Of a stopped run whatever the open pixels come to.
+std::string part_of_map(const PlaneMap& map, const Share& share) {
+  const double all = static_cast<double>(map.pixels), count = static_cast<double>(share.count);
+  const auto percents = [&](double pixels) { return 100.0 * pixels / all; };
+  if (map.complete) return fmt::format("{:>10.2f} %", percents(count));
+  return fmt::format("{:>10.2f} to {:.2f} %", percents(count), percents(count + static_cast<double>(open_pixels(map))));
+}
+
 // What the map was made of, beside one run that computes every pixel.
 std::string making_text(const PlaneMap& map) {
   std::string text;
@@ -105,11 +116,12 @@ std::string map_text(const PlaneMap& map) {
   for (const AngleLink& link : map.links)
     text += fmt::format("phi_{} = phi_{} + {:.10g}\n", link.ball, link.of, link.offset);
   text += starts_text(map);
-  text += fmt::format("\n{:>5}  {:<44}{:>10}{:>12}\n", "code", "outcome", "pixels", "of the map");
+  text += fmt::format("\n{:>5}  {:<44}{:>10}{}\n", "code", "outcome", "pixels",
+                      map.complete ? "  of the map" : "    of the map");
   for (const MapCode& c : map.codes)
-    text += fmt::format("{:>5}  {:<44}{:>10}{:>10.2f} %\n", c.code,
+    text += fmt::format("{:>5}  {:<44}{:>10}{}\n", c.code,
                         c.alias.empty() ? c.name : fmt::format("{} ({})", c.name, c.alias), c.share.count,
-                        100.0 * c.share.share);
+                        part_of_map(map, c.share));
   const std::string figures =
       figure_text("box dimension", f.box_dimension) + figure_text("uncertainty exponent", f.uncertainty_exponent) +
       figure_text("basin entropy", f.basin_entropy) + figure_text("boundary basin entropy", f.boundary_basin_entropy) +
@@ -122,7 +134,9 @@ std::string map_text(const PlaneMap& map) {
             "95 % intervals: of the line through the scales, and of boxes of 5 x 5 pixels. Above log 2 = 0.693 the "
             "boundary's entropy tells a fractal one.\n\n";
   text += making_text(map);
-  if (!map.complete) text += "PARTIAL: stopped before all pixels were done.\n";
+  if (!map.complete)
+    text += fmt::format("PARTIAL: stopped with {} of {} pixels open. Of the map: from none of those to all of them.\n",
+                        open_pixels(map), map.pixels);
   const double now = static_cast<double>(map.pixels_computed - map.pixels_kept - map.pixels_reused);
   return text + fmt::format("{} pixels; {:.2f} s, {:.2f} s CPU on {} thread{} ({}){}; equipoise {}\n", map.pixels,
                             map.seconds, map.cpu_seconds, map.threads, map.threads == 1 ? "" : "s", map.cpu_target,
@@ -164,6 +178,7 @@ std::string map_json(const PlaneMap& map) {
                      {"balanced_radius", f.balanced_radius ? MapJson(*f.balanced_radius) : MapJson(nullptr)}};
   json["partial"] = !map.complete;
   json["pixels"] = map.pixels;
+  json["pixels_open"] = open_pixels(map);
   json["pixels_computed"] = map.pixels_computed;
   json["pixels_kept"] = map.pixels_kept;
   json["pixels_reused"] = map.pixels_reused;

@@ -42,6 +42,7 @@ struct SamplingChoice {
 struct BasinResult {
   Study study;
   std::uint64_t starts = 0;                ///< counted: starts 0 to starts - 1
+  std::uint64_t asked = 0;                 ///< starts wanted; 0: as many as a half-width takes
   bool own_starts = false;                 ///< the caller's (BasinOptions::initial), not drawn
   bool partial = false;                    ///< stopped before all requested starts were done
   std::uint64_t resumed_from = 0;          ///< starts read from an earlier run's file
@@ -52,6 +53,9 @@ struct BasinResult {
   /// when last seen; and those that came to something slower. Undecided ones that were slower when last seen may come
   /// to either (least, most). Not of a grid.
   std::optional<Share> passed, not_passed;
+  /// Of balls that collide: starts in which two touched before the fate was known. Had they passed through each other, all
+  /// others would have gone the same way. Not of a grid.
+  std::optional<Share> met;
   std::optional<TransientResult> transients;  ///< if they were gathered
   std::optional<StartArrays> every_start;     ///< if they were kept
   /// With `every_start`: of motions that the search before the first start had missed, the state in which a start first

@@ -38,6 +38,13 @@ struct CapacityCell {
   bool never = false;   ///< smaller from its begin on
 };
 
+/// What a stopped run knows of a cell's boundary, as CapacityCell::low and high: none where no value tried says so. More
+/// trials only bring the two closer.
+struct OpenCapacity {
+  std::optional<double> low, high;
+  std::size_t trials = 0;
+};
+
 struct CapacityResult {
   Study study;
   std::string key, unit;  ///< of what is asked for, and of its values
@@ -46,6 +53,9 @@ struct CapacityResult {
   std::uint64_t starts = 0;  ///< of every ensemble
   std::vector<SweepAxis> axes;
   std::vector<std::optional<CapacityCell>> cells;  ///< as of a sweep
+  std::vector<std::optional<OpenCapacity>> open;   ///< of cells that were begun and not done
+  std::uint64_t trials = 0;                        ///< made in this run
+  std::uint64_t most_trials = 0;                   ///< that all cells take
   std::uint64_t resumed_trials = 0;                ///< read from an earlier run's file
   int threads = 0;
   std::string cpu_target;

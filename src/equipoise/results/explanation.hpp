@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "equipoise/model/balanced_state.hpp"
+#include "equipoise/results/basin_cost.hpp"
 #include "equipoise/study/study.hpp"
 #include "equipoise/study/units.hpp"
 
@@ -97,6 +98,7 @@ struct Explanation {
   std::optional<double> reynolds;  ///< of a ball that keeps the critical speed while the rotor runs at its final one
   std::vector<RuleOfThumb> advice;
   std::vector<std::string> warnings;
+  std::optional<BasinCost> cost;  ///< of basin; if it was measured
 };
 
 }  // namespace equipoise

@@ -91,15 +91,22 @@ inline std::vector<InitialState> starts_of(const Study& study, const Sampler& sa
   for (std::size_t i = 0; i < count; ++i) starts.push_back(start_of(study, sampler, seed, first + i));
   return starts;
 }
-/// The uncertain values that start `index` draws, for drawn_study().
-inline std::vector<double> drawn_values(const Study& study, const Sampler& sampler, std::uint64_t seed,
-                                        std::uint64_t index) {
+/// The fractions from 0 to 1 that start `index` draws for the uncertain values, whose quantiles they are.
+inline std::vector<double> drawn_fractions(const Study& study, const Sampler& sampler, std::uint64_t seed,
+                                           std::uint64_t index) {
   const SamplingBox& box = study.sampling.box;
   const int wanted = box.x.has_value() + box.y.has_value() + box.x_dot.has_value() + box.y_dot.has_value() +
                      (box.phi_dot ? study.parameters.balls : 0);
-  std::vector<double> values;
+  std::vector<double> fractions;
   for (const UncertainValue& value : study.uncertain.values)
-    values.push_back(value.at(sampler.named(seed, index, wanted, static_cast<int>(values.size()), value.key)));
+    fractions.push_back(sampler.named(seed, index, wanted, static_cast<int>(fractions.size()), value.key));
+  return fractions;
+}
+/// The uncertain values themselves, for drawn_study().
+inline std::vector<double> drawn_values(const Study& study, const Sampler& sampler, std::uint64_t seed,
+                                        std::uint64_t index) {
+  std::vector<double> values = drawn_fractions(study, sampler, seed, index);
+  for (std::size_t k = 0; k < values.size(); ++k) values[k] = study.uncertain.values[k].at(values[k]);
   return values;
 }
 /// start_of() with the uncertain values that the start draws; of values that make no study with the medians.

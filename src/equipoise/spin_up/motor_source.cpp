@@ -4,6 +4,10 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <map>
+#include <memory>
+#include <tuple>
+#include <utility>
 
 #include "equipoise/base/stop_flag.hpp"
 #include "equipoise/kernels/lane_kernels.hpp"
@@ -38,6 +42,19 @@ HoldRule hold_rule(const model::Parameters& p, const model::Drive& drive) {
   return rule;
 }
 
+class HeldInWell final : public TrapSet {
+ public:
+  HeldInWell(const model::System& system, double release_speed) : system_(system), speed_(release_speed) {}
+
+  Caught ask(const double* held, double /*psi*/, const OwnRotor* /*own*/) const override {
+    return {model::held_in_well(system_, held, speed_) ? held_for_good : 0};
+  }
+
+ private:
+  model::System system_;
+  double speed_;
+};
+
 }  // namespace
 
 // Starts on their way.
@@ -63,7 +80,10 @@ struct MotorSource::Fleet {
   // A table with the rows of these alone, and back.
   TransientTable rows_of(const std::vector<std::size_t>& places) const {
     TransientTable table{transients->settings, {}, transients->ends};
-    for (const std::size_t i : places) table.rows.push_back(transients->rows[i]);
+    for (const std::size_t i : places) {
+      table.rows.push_back(transients->rows[i]);
+      if (!transients->own.empty()) table.own.push_back(transients->own[i]);
+    }
     return table;
   }
   void put_rows(const std::vector<std::size_t>& places, const TransientTable& table) const {
@@ -71,55 +91,122 @@ struct MotorSource::Fleet {
   }
 };
 
-MotorSource::MotorSource(const Study& study, const StopFlag* stop)
-    : study_(study),
-      sampler_(sampler_of(study)),
-      stop_(stop),
-      drive_(study.drive()),
-      hold_(hold_rule(study.parameters, drive_)),
-      held_at_first_(drive_.release_time > 0.0 && !(drive_.release_speed && *drive_.release_speed == drive_.speed)),
-      horizon_(*study.numerics.horizon),
-      tolerance_(study.numerics.tolerance.value_or(default_basin_tolerance)) {
-  for (const model::DrivePiece& piece : drive_.pieces) systems_.emplace_back(study.parameters, piece);
-  if (study.numerics.decide == DecideMode::horizon) hold_.windows.at_horizon = true;
+// Of these starts over piece k, where each has its own.
+struct MotorSource::OwnRotors {
+  OwnRotors(const MotorSource& source, std::size_t k, const std::vector<std::size_t>& places) {
+    if (!source.are_own()) return;
+    for (const std::size_t i : places) rotors.push_back(source.of(i).rotor(k));
+    for (const OwnRotor& rotor : rotors) pointers.push_back(&rotor);
+  }
+  std::vector<OwnRotor> rotors;
+  std::vector<const OwnRotor*> pointers;
+};
+
+MotorSource::Machine::Machine(const Study& given)
+    : study(given),
+      drive(study.drive()),
+      hold(hold_rule(study.parameters, drive)),
+      held_at_first(drive.release_time > 0.0 && !(drive.release_speed && *drive.release_speed == drive.speed)),
+      horizon(*study.numerics.horizon) {
+  for (const model::DrivePiece& piece : drive.pieces) systems.emplace_back(study.parameters, piece);
+  if (study.numerics.decide == DecideMode::horizon) hold.windows.at_horizon = true;
 }
 
-void MotorSource::add(const InitialState& start, SpunUp& starts) const {
-  const model::System& system = systems_.front();
+OwnRotor MotorSource::Machine::rotor(std::size_t k) const {
+  OwnRotor rotor = own_rotor(systems[k]);
+  rotor.segment.begin = drive.pieces[k].begin;
+  rotor.end = k + 1 < systems.size() ? drive.pieces[k].end : settled() + horizon;
+  return rotor;
+}
+
+MotorSource::MotorSource(const Study& study, const StopFlag* stop)
+    : MotorSource(std::vector<Machine>{Machine(study)}, stop) {}
+
+MotorSource::MotorSource(std::vector<Machine> machines, const StopFlag* stop)
+    : machines_(std::move(machines)),
+      sampler_(sampler_of(machines_.front().study)),
+      stop_(stop),
+      tolerance_(machines_.front().study.numerics.tolerance.value_or(default_basin_tolerance)) {}
+
+void MotorSource::add(const Machine& machine, const InitialState& start, SpunUp& starts) const {
+  const model::System& system = machine.systems.front();
   starts.phi.insert(starts.phi.end(), start.phi.begin(), start.phi.begin() + system.balls());
   starts.states.resize(starts.states.size() + static_cast<std::size_t>(system.dimension()));
   double* state = &*starts.states.end() - system.dimension();
-  initial_state(start, system.balls(), drive_.speed, state);
+  initial_state(start, system.balls(), machine.drive.speed, state);
   if (system.psi_place() >= 0) state[system.psi_place()] = start.psi;
-  state[system.speed_place()] = drive_.speed;
+  state[system.speed_place()] = machine.drive.speed;
   if (system.error_place() >= 0) state[system.error_place()] = 0.0;
 }
 
 bool MotorSource::make(std::uint64_t seed, std::uint64_t first, std::size_t count, SpunUp& starts,
                        TransientTable* transients) const {
-  return follow(starts_of(study_, sampler_, seed, first, count), starts, transients);
+  return follow(starts_of(machines_.front().study, sampler_, seed, first, count), starts, transients);
 }
 
 bool MotorSource::follow(std::span<const InitialState> given, SpunUp& starts, TransientTable* transients) const {
   starts.phi.clear();
   starts.states.clear();
-  for (const InitialState& start : given) add(start, starts);
+  for (const InitialState& start : given) add(machines_.front(), start, starts);
   return !is_set(stop_) && advance(starts, transients);
+}
+
+// Machines whose drives have the same pieces go side by side.
+bool MotorSource::follow_own(std::span<const OwnStart> starts, const StopFlag* stop, SpunUp& spun,
+                             TransientTable* transients) {
+  using Shape = std::tuple<std::size_t, bool, bool, bool>;
+  std::map<Shape, std::vector<std::size_t>> groups;
+  std::vector<Machine> machines;
+  for (std::size_t i = 0; i < starts.size(); ++i) {
+    const Machine& m = machines.emplace_back(starts[i].study);
+    groups[{m.systems.size(), m.held_at_first, m.drive.release_speed.has_value(), m.hold.rising}].push_back(i);
+  }
+  const std::size_t size = machines.front().systems.front().dimension();
+  for (const auto& [shape, places] : groups) {
+    std::vector<Machine> group;
+    for (const std::size_t i : places) group.push_back(machines[i]);
+    const MotorSource source(std::move(group), stop);
+    SpunUp some;
+    for (std::size_t j = 0; j < places.size(); ++j) source.add(source.of(j), starts[places[j]].start, some);
+    TransientTable table;
+    if (transients) {
+      table.settings = transients->settings;
+      for (const std::size_t i : places) table.own.push_back(transients->own[i]);
+    }
+    if (is_set(stop) || !source.advance(some, transients ? &table : nullptr)) return false;
+    spun.released.resize(starts.size());
+    spun.over.resize(starts.size());
+    spun.nearest.resize(starts.size());
+    for (std::size_t j = 0; j < places.size(); ++j) {
+      const std::size_t i = places[j];
+      std::copy_n(&some.states[j * size], size, &spun.states[i * size]);
+      spun.begins[i] = some.begins[j];
+      spun.released[i] = some.released[j];
+      spun.fates[i] = some.fates[j];
+      spun.over[i] = some.over[j];
+      spun.nearest[i] = some.nearest[j];
+      spun.rotors[i] = source.of(j).rotor(source.of(j).systems.size() - 1);
+      if (transients) transients->rows[i] = table.rows[j];
+    }
+  }
+  return true;
 }
 
 // From time 0 to where states are wanted.
 bool MotorSource::advance(SpunUp& starts, TransientTable* transients) const {
-  const std::size_t size = systems_.front().dimension(), count = starts.states.size() / size;
+  const Machine& one = machines_.front();
+  const std::size_t size = one.systems.front().dimension(), count = starts.states.size() / size;
   starts.begins.assign(count, 0.0);
   starts.released.assign(count, 0.0);
   starts.fates.assign(count, Fate{});
   starts.over.assign(count, 0);
-  starts.nearest.assign(count, drive_.speed);
+  starts.nearest.resize(count);
+  for (std::size_t i = 0; i < count; ++i) starts.nearest[i] = of(i).drive.speed;
   if (transients) transients->rows.assign(count, TransientSums{});
-  Fleet fleet{starts, transients, std::vector<char>(count, held_at_first_), size};
-  for (std::size_t k = 0; k < drive_.pieces.size(); ++k) {
-    if (held_at_first_ && !hold(k, fleet)) return false;
-    const bool last = k + 1 == drive_.pieces.size();
+  Fleet fleet{starts, transients, std::vector<char>(count, one.held_at_first), size};
+  for (std::size_t k = 0; k < one.drive.pieces.size(); ++k) {
+    if (one.held_at_first && !hold(k, fleet)) return false;
+    const bool last = k + 1 == one.drive.pieces.size();
     if (!last && !run_free(k, fleet)) return false;
     if (!last && transients)
       for (TransientSums& row : transients->rows) row.work.end_piece();
@@ -128,45 +215,54 @@ bool MotorSource::advance(SpunUp& starts, TransientTable* transients) const {
 }
 
 LaneTask MotorSource::task(std::size_t k) const {
-  LaneTask task = lane_task(systems_[k]);
-  task.segment.begin = drive_.pieces[k].begin;
-  task.end = drive_.pieces[k].end;
+  const Machine& one = machines_.front();
+  LaneTask task = lane_task(one.systems[k]);
+  task.segment.begin = one.drive.pieces[k].begin;
+  task.end = one.drive.pieces[k].end;
   task.tolerance = tolerance_;
   task.stop = stop_;
   return task;
 }
 
-LaneTask MotorSource::last_task() const { return task(systems_.size() - 1); }
+LaneTask MotorSource::last_task() const { return task(machines_.front().systems.size() - 1); }
 
 // Where a time lets the balls go, or the torque still changes, a rotor that is steady is no end.
-HoldRule MotorSource::rule_over(std::size_t k) const {
-  HoldRule rule = hold_;
-  if (!drive_.release_speed || k + 1 < systems_.size())
+HoldRule MotorSource::rule_over(std::size_t k, const std::vector<std::size_t>& places) const {
+  const Machine& one = machines_.front();
+  HoldRule rule = one.hold;
+  for (const std::size_t i : places)
+    if (are_own()) rule.own_speeds.push_back(of(i).hold.release_speed);
+  if (!one.drive.release_speed || k + 1 < one.systems.size())
     rule.windows.first_long_window = std::numeric_limits<double>::infinity();
-  else
-    rule.windows.strobed = {[system = systems_[k], speed = rule.release_speed](const double* held, double) {
-      return model::held_in_well(system, held, speed) ? held_for_good : 0;
-    }};
+  else if (!are_own())  // which speed lets go of its balls a rotor of its own does not say
+    rule.windows.strobed = std::make_shared<const HeldInWell>(one.systems[k], rule.release_speed);
   return rule;
+}
+
+// How long balls are held over piece k at most.
+double MotorSource::until(std::size_t i, std::size_t k) const {
+  const Machine& m = of(i);
+  return std::min({m.drive.pieces[k].end, m.drive.release_time, m.settled() + m.horizon});
 }
 
 // Held balls over piece k of the drive, until they are let go.
 bool MotorSource::hold(std::size_t k, Fleet& fleet) const {
-  const model::System& system = systems_[k];
-  const std::size_t size = model::held_dimension(system);
-  const double until = std::min({drive_.pieces[k].end, drive_.release_time, settled() + horizon_});
-  const HoldRule rule = rule_over(k);
+  const std::size_t size = model::held_dimension(machines_.front().systems[k]);
   SpunUp& starts = fleet.starts;
   for (;;) {
-    const auto places = fleet.which([&](std::size_t i) { return fleet.held[i] && starts.begins[i] < until; });
+    const auto places = fleet.which([&](std::size_t i) { return fleet.held[i] && starts.begins[i] < until(i, k); });
     if (places.empty()) break;
+    const HoldRule rule = rule_over(k, places);
     std::vector<double> states(places.size() * size), begins;
     for (std::size_t j = 0; j < places.size(); ++j) {
-      model::hold_balls(system, fleet.state(places[j]), &states[j * size]);
+      model::hold_balls(of(places[j]).systems[k], fleet.state(places[j]), &states[j * size]);
       begins.push_back(starts.begins[places[j]]);
     }
     LaneTask held = task(k);
-    held.end = until;
+    held.end = until(places.front(), k);
+    OwnRotors own(*this, k, places);
+    for (std::size_t j = 0; j < own.rotors.size(); ++j) own.rotors[j].end = until(places[j], k);
+    if (are_own()) held.own = own.pointers.data();
     held.count = places.size();
     held.states = states.data();
     held.begins = begins.data();
@@ -177,38 +273,39 @@ bool MotorSource::hold(std::size_t k, Fleet& fleet) const {
     std::vector<HeldEnd> ends(places.size());
     if (!hold_lanes(held, rule, ends)) return false;
     if (fleet.transients) fleet.put_rows(places, rows);
-    for (std::size_t j = 0; j < places.size(); ++j) end_hold(k, places[j], ends[j], until, &states[j * size], fleet);
+    for (std::size_t j = 0; j < places.size(); ++j) end_hold(k, places[j], ends[j], &states[j * size], fleet);
   }
   // Balls whose time of release is the end of this piece, or was.
   for (const std::size_t i : fleet.which([&](std::size_t i) { return fleet.held[i] != 0; }))
-    if (starts.begins[i] >= drive_.release_time) fleet.let_go(i, starts.begins[i]);
+    if (starts.begins[i] >= of(i).drive.release_time) fleet.let_go(i, starts.begins[i]);
   return true;
 }
 
-void MotorSource::end_hold(std::size_t k, std::size_t i, const HeldEnd& end, double until, double* state,
-                           Fleet& fleet) const {
+void MotorSource::end_hold(std::size_t k, std::size_t i, const HeldEnd& end, double* state, Fleet& fleet) const {
   SpunUp& starts = fleet.starts;
+  const Machine& m = of(i);
+  const HoldRule& hold = m.hold;
   double now = end.fate.time;
   if (end.crossing) {
-    const auto release = find_release(systems_[k], hold_, now, end.crossed_by, state);
+    const auto release = find_release(m.systems[k], hold, now, end.crossed_by, state);
     now = release.value_or(end.crossed_by);
     if (release) fleet.let_go(i, now);
   }
   starts.begins[i] = now;
   starts.nearest[i] = end.nearest;
-  model::release_balls(systems_[k], state, fleet.state(i));
+  model::release_balls(m.systems[k], state, fleet.state(i));
   if (end.crossing) return;
   Fate fate = end.fate;
-  const bool to_the_end = fate.outcome == Outcome::undecided && now >= until;
-  if (to_the_end && until < settled() + horizon_) return;
-  const bool may_come = std::fabs(end.nearest - hold_.release_speed) < nearly_let_go * std::fabs(hold_.release_speed);
+  const bool to_the_end = fate.outcome == Outcome::undecided && now >= until(i, k);
+  if (to_the_end && until(i, k) < m.settled() + m.horizon) return;
+  const bool may_come = std::fabs(end.nearest - hold.release_speed) < nearly_let_go * std::fabs(hold.release_speed);
   const bool hangs = fate.by == DecidedBy::validated;                    // for good
   if (fate.outcome == Outcome::attracted && may_come && !hangs) return;  // goes on, with new windows
-  const bool steady_now = fate.outcome == Outcome::attracted || hold_.windows.at_horizon;
+  const bool steady_now = fate.outcome == Outcome::attracted || hold.windows.at_horizon;
   if (hangs) fate.mean_speed = 0.0F;
   // A window of the run-up tells how fast it turned then.
-  if (to_the_end) fate.mean_speed = static_cast<float>(fleet.state(i)[systems_[k].places().speed]);
-  const bool slow = std::fabs(fate.mean_speed) < study_.stall_speed();
+  if (to_the_end) fate.mean_speed = static_cast<float>(fleet.state(i)[m.systems[k].places().speed]);
+  const bool slow = std::fabs(fate.mean_speed) < m.study.stall_speed();
   if (fate.outcome == Outcome::attracted) fate.outcome = Outcome::undecided;
   if (fate.outcome == Outcome::undecided && steady_now && slow) fate.outcome = Outcome::stalled;
   fate.by = fate.outcome != Outcome::stalled ? DecidedBy::nothing : to_the_end ? DecidedBy::horizon : end.fate.by;
@@ -219,8 +316,8 @@ void MotorSource::end_hold(std::size_t k, std::size_t i, const HeldEnd& end, dou
 // Free balls over piece k of the drive, which is not the last.
 bool MotorSource::run_free(std::size_t k, Fleet& fleet) const {
   SpunUp& starts = fleet.starts;
-  const double end = drive_.pieces[k].end;
-  const auto places = fleet.which([&](std::size_t i) { return !fleet.held[i] && starts.begins[i] < end; });
+  const auto end = [&](std::size_t i) { return of(i).drive.pieces[k].end; };
+  const auto places = fleet.which([&](std::size_t i) { return !fleet.held[i] && starts.begins[i] < end(i); });
   if (places.empty()) return true;
   std::vector<double> states, begins;
   for (const std::size_t i : places) {
@@ -231,6 +328,8 @@ bool MotorSource::run_free(std::size_t k, Fleet& fleet) const {
   free.count = places.size();
   free.states = states.data();
   free.begins = begins.data();
+  const OwnRotors own(*this, k, places);
+  if (are_own()) free.own = own.pointers.data();
   TransientTable rows;
   if (fleet.transients) rows = fleet.rows_of(places);
   if (fleet.transients) free.transients = &rows;
@@ -240,8 +339,10 @@ bool MotorSource::run_free(std::size_t k, Fleet& fleet) const {
   for (std::size_t j = 0; j < places.size(); ++j) {
     const std::size_t i = places[j];
     std::copy_n(&states[j * fleet.size], fleet.size, fleet.state(i));
-    starts.begins[i] = end;
+    starts.begins[i] = end(i);
+    const bool met = starts.fates[i].met;
     starts.fates[i] = fates[j];
+    starts.fates[i].met |= met;
   }
   return true;
 }

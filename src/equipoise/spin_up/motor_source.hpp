@@ -10,6 +10,7 @@
 #include "equipoise/model/machine.hpp"
 #include "equipoise/model/system.hpp"
 #include "equipoise/sampling/sampling.hpp"
+#include "equipoise/spin_up/own_starts.hpp"
 #include "equipoise/spin_up/spin_up.hpp"
 #include "equipoise/study/study.hpp"
 
@@ -25,27 +26,48 @@ class MotorSource final : public SpinUp {
             TransientTable* transients = nullptr) const override;
   bool follow(std::span<const InitialState> given, SpunUp& starts, TransientTable* transients = nullptr) const override;
   LaneTask last_task() const override;
-  double settled() const override { return drive_.pieces.back().begin; }
+  double settled() const override { return machines_.front().drive.pieces.back().begin; }
   double tolerance() const override { return tolerance_; }
 
+  /// Starts whose motors and rotors are their own: see spin_up_own().
+  static bool follow_own(std::span<const OwnStart> starts, const StopFlag* stop, SpunUp& spun,
+                         TransientTable* transients);
+
  private:
+  // A rotor with its motor.
+  struct Machine {
+    explicit Machine(const Study& given);
+
+    Study study;
+    model::Drive drive;
+    std::vector<model::System> systems;  // over each piece
+    HoldRule hold;
+    bool held_at_first;
+    double horizon;
+
+    double settled() const { return drive.pieces.back().begin; }
+    OwnRotor rotor(std::size_t k) const;
+  };
   struct Fleet;
-  void add(const InitialState& start, SpunUp& starts) const;
+  struct OwnRotors;
+
+  MotorSource(std::vector<Machine> machines, const StopFlag* stop);
+  // Of a start: all have the one machine, or each its own.
+  const Machine& of(std::size_t i) const { return machines_[machines_.size() == 1 ? 0 : i]; }
+  bool are_own() const { return machines_.size() > 1; }
+  double until(std::size_t i, std::size_t k) const;
+  void add(const Machine& machine, const InitialState& start, SpunUp& starts) const;
   bool advance(SpunUp& starts, TransientTable* transients) const;
-  HoldRule rule_over(std::size_t k) const;
+  HoldRule rule_over(std::size_t k, const std::vector<std::size_t>& places) const;
   bool hold(std::size_t k, Fleet& fleet) const;
   bool run_free(std::size_t k, Fleet& fleet) const;
-  void end_hold(std::size_t k, std::size_t i, const HeldEnd& end, double until, double* state, Fleet& fleet) const;
+  void end_hold(std::size_t k, std::size_t i, const HeldEnd& end, double* state, Fleet& fleet) const;
   LaneTask task(std::size_t k) const;
 
-  Study study_;
+  std::vector<Machine> machines_;
   Sampler sampler_;
   const StopFlag* stop_;
-  model::Drive drive_;
-  std::vector<model::System> systems_;  // over each piece
-  HoldRule hold_;
-  bool held_at_first_;
-  double horizon_, tolerance_;
+  double tolerance_;
 };
 
 }  // namespace equipoise

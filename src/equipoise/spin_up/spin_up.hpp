@@ -24,6 +24,7 @@ struct SpunUp {
   std::vector<Fate> fates;       ///< of those that are over
   std::vector<char> over;        ///< whether the fate is known already: never let go; empty: of none but the lost
   std::vector<double> nearest;   ///< of such: the speed nearest to the one of release that they came to
+  std::vector<OwnRotor> rotors;  ///< each start's own, over the last piece of its drive; empty: all have the same
 
   bool is_over(std::size_t i) const {
     const bool lost = fates[i].outcome == Outcome::diverged || fates[i].outcome == Outcome::failed;

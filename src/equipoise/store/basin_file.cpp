@@ -214,6 +214,10 @@ std::vector<Fate> BasinFile::read(std::uint64_t first, std::size_t count) const 
     for (std::size_t i = 0; i < count; ++i)
       if (left[i] != store::missing_figure) fates[i].unbalance = left[i];
   }
+  if (state_->header.touches) {
+    const auto met = state_->values<signed char>("balls_met", first, count);
+    for (std::size_t i = 0; i < count; ++i) fates[i].met = met[i] != 0;
+  }
   return fates;
 }
 

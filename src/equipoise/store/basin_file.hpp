@@ -25,6 +25,7 @@ struct BasinFileHeader {
   std::string arithmetic;  ///< what they must share for their results to be the same to the bit
   bool angles = true;      ///< false: leave phi out; it follows from seed and index
   bool driven = false;     ///< a motor turns the rotor: each start has a mean speed of its own
+  bool touches = false;    ///< balls collide: whether they did is said of each start
   bool sticks = false;     ///< dry friction may hold balls anywhere: each start has an unbalance left of its own
   /// What states of discoveries have beside the centre and the balls, by name: of driven rotors.
   std::vector<std::string> drive_components;
@@ -55,7 +56,8 @@ struct RunTime {
 
 /// Two files. The results, `path`, are NetCDF (classic, 64-bit offsets), always written whole beside and renamed:
 /// dimension start with its index and variables phi(start, ball), outcome(start), decision_time(start),
-/// decided_by(start), of driven rotors mean_speed(start), with balls that stick left_unbalance(start), and with
+/// decided_by(start), of driven rotors mean_speed(start), with balls that stick left_unbalance(start), with balls that touch
+/// balls_met(start), and with
 /// full_starts rotor_state(start, rotor_component) and phi_dot(start, ball), with own_starts psi(start), on a grid
 /// weight(start), with uncertain values drawn(start, uncertain_value); dimension outcome_kind: code, name, alias,
 /// count, share and its interval, and but for random starts where the interval is from and how many random starts would

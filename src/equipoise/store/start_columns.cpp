@@ -48,6 +48,8 @@ std::vector<StartColumn> start_columns(const BasinFileHeader& header) {
     columns.push_back({"left_unbalance", NC_FLOAT, 4, 1, "", "1",
                        "unbalance that is left where dry friction holds the balls, in rotor masses times race radii; "
                        "missing where it holds none"});
+  if (header.touches)
+    columns.push_back({"balls_met", NC_BYTE, 1, 1, "", "1", "1 where balls touched before the outcome was known, else 0"});
   columns.push_back({"decided_by", NC_BYTE, 1, 1, "", "1", "grounds on which the outcome was decided"});
   return columns;
 }
@@ -96,6 +98,8 @@ std::vector<char> pack(const std::vector<StartColumn>& columns, const StartBatch
         const float left = b.fates[i].unbalance;
         return std::isfinite(left) ? left : missing_figure;
       });
+    else if (c.name == "balls_met")
+      put<signed char>(bytes, b.count, [&](std::size_t i) { return static_cast<signed char>(b.fates[i].met); });
     else if (c.name == "decided_by")
       put<signed char>(bytes, b.count, [&](std::size_t i) { return static_cast<signed char>(b.fates[i].by); });
     else

@@ -179,13 +179,19 @@ class BalancerReader {
         reader_.fail("contact", "give either balancer.contact_angle or balancer.contact, not both");
       b_.contact_angle = reader_.optional_quantity("contact_angle", Dimension::angle, not_negative);
       b_.contact_from = "contact_angle";
-    } else if (reader_.flag("contact", false)) {
-      need_diameter("contact");
-      if (std::any_of(diameter_.begin(), diameter_.end(), [&](double d) { return d != diameter_.front(); }))
-        reader_.fail("contact", "needs balls of one diameter");
-      b_.contact_angle = 2.0 * std::asin(0.5 * diameter_.front() / b_.radius);
-      b_.contact_from = "contact";
+      return;
     }
+    if (!reader_.flag("contact", false)) return;
+    need_diameter("contact");
+    if (std::any_of(diameter_.begin(), diameter_.end(), [&](double d) { return d != diameter_.front(); }))
+      reader_.fail("contact", "needs balls of one diameter");
+    const double widest = 2.0 * b_.radius * std::sin(pi / b_.balls);
+    if (b_.balls > 1 && diameter_.front() >= widest)
+      reader_.fail("ball_diameter",
+                   fmt::format("must be less than {:.6g} mm: {} balls that touch side by side fill the race then",
+                               1000.0 * widest, b_.balls));
+    b_.contact_angle = 2.0 * std::asin(0.5 * diameter_.front() / b_.radius);
+    b_.contact_from = "contact";
   }
 
   QuantityReader reader_;

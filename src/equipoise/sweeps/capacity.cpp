@@ -58,6 +58,19 @@ class Boundary {
   Boundary(const SweepPlan& plan, const CapacityOptions& options, int threads, CellWork work)
       : plan_(plan), options_(options), threads_(threads), work_(std::move(work)) {}
 
+  // Of one stopped.
+  OpenCapacity open() const {
+    OpenCapacity known;
+    known.trials = trials_.size();
+    for (const auto& [value, made] : trials_) {
+      if (made.balanced.least < options_.at_least || made.unstable) break;
+      known.low = value;
+    }
+    for (const auto& [value, made] : trials_)
+      if (!known.high && made.most() < options_.at_least) known.high = value;
+    return known;
+  }
+
   // None if stopped.
   std::optional<CapacityCell> find() {
     // Beyond the first value at which the share is surely too small nothing matters.
@@ -182,6 +195,9 @@ class CapacityRun {
     result_.starts = plan.study().sampling.starts;
     result_.axes = plan.axes();
     result_.cells.resize(plan.cells());
+    result_.open.resize(plan.cells());
+    const double halvings = std::ceil(std::log2(1.0 / (scan * options.precision)));
+    result_.most_trials = plan.cells() * (scan + 1 + 3 * static_cast<std::uint64_t>(std::max(halvings, 0.0)));
     result_.threads = thread_count(options.threads);
     result_.cpu_target = cpu_target();
   }
@@ -220,12 +236,15 @@ class CapacityRun {
       for (std::size_t cell = next_++; cell < plan_.cells() && !failed_; cell = next_++) {
         const auto keep = [this, cell](const CapacityTrial& trial) {
           const std::lock_guard guard(taking_);
+          ++result_.trials;
           if (file_) file_->append(cell, trial);
         };
         const auto stopped = [this] { return failed_ || is_set(options_.stop); };
-        auto found = Boundary(plan_, options_, threads, {cell, known_[cell], keep, stopped}).find();
-        if (!found) return;
+        Boundary boundary(plan_, options_, threads, {cell, known_[cell], keep, stopped});
+        auto found = boundary.find();
         const std::lock_guard guard(taking_);
+        if (!found) result_.open[cell] = boundary.open();
+        if (!found) return;
         result_.cells[cell] = std::move(found);
         ++done_;
         if (options_.progress) options_.progress({done_, plan_.cells(), "cells", std::nullopt});

@@ -66,6 +66,11 @@ struct Limits {
         settled2(s.settled * s.settled),
         window(s.window) {}
 
+  // Lane `lane` gets those of `from`, which ask for the same.
+  void take_lane(const Limits& from, int lane) {
+    take_lane_of(*this, from, lane, &Limits::displacement2, &Limits::settled2, &Limits::window);
+  }
+
   bool timed, settling, working;
   T displacement2, settled2, window;
 };

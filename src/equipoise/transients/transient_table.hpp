@@ -185,6 +185,10 @@ struct TransientTable {
   TransientSettings settings;
   std::vector<TransientSums> rows;
   std::vector<KnownEnd> ends;  ///< by the attractor's identifier; nothing is known of what is not there
+  /// Of trajectories with rotors of their own, whose units may differ: a row's settings in place of those; else empty.
+  std::vector<TransientSettings> own{};
+
+  const TransientSettings& settings_of(std::size_t row) const { return own.empty() ? settings : own[row]; }
 
   const KnownEnd& end_of(int attractor) const {
     static const KnownEnd unknown;

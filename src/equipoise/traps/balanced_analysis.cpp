@@ -96,7 +96,8 @@ void analyse_isolated(const Balance& at, const StopFlag* stop, const std::vector
   const bool images = p.balls == 2 && p.equal_balls() && angles.size() == 2;
   if (images) angles.pop_back();  // the other one by exchange of the balls
   double slowest = -std::numeric_limits<double>::infinity(), farthest = 0.0;
-  for (const Angles& phi : angles) {
+  for (std::size_t number = 0; number < angles.size(); ++number) {
+    const Angles& phi = angles[number];
     if (is_set(stop)) return;
     if (!model::has_room(p, phi.data())) continue;
     double reached = 0.0;
@@ -117,7 +118,10 @@ void analyse_isolated(const Balance& at, const StopFlag* stop, const std::vector
     if (result.weights.empty()) result.weights = std::move(weights);
     BalancedTrap& trap = result.traps.back();
     set_level(trap, std::min(trap.level, touching_level(at.system, trap)));
-    if (images) result.traps.push_back(exchanged(result.traps.back()));
+    trap.state = static_cast<int>(number);
+    if (!images) continue;
+    result.traps.push_back(exchanged(result.traps.back()));
+    result.traps.back().state = 1;
   }
   std::stable_partition(result.motions.begin(), result.motions.end(), [](const Motion& m) { return m.stable; });
   if (result.stable)

@@ -22,7 +22,7 @@ namespace {
 // While weighing, with random steps from the worst enough to rank weights; without them thousands mislead. Ranked by
 // the level that gradients find, weights of overdamped balls come out whose level sets can hardly be proved.
 constexpr int rays_while_weighing = 300;
-constexpr int rays_for_level = 20000;  // plus descent: two seeds agree to 1e-4
+constexpr int rays_for_level = 2000;  // plus descent: 300 and 20 000 agree to 1e-5
 
 // Mean time the linear flow needs from ball angles up to `spread` away from balance into the level set, the quantity
 // that a good choice of weights makes small. The spread is where the balls are when the last slow approach begins.
@@ -146,7 +146,6 @@ BalancedTrap isolated_trap(const model::System& system, const Angles& phi, doubl
                            std::vector<ModeWeight>& weights) {
   const Eigen::VectorXd state = model::balanced_state(system, speed, phi.data());
   const Eigen::MatrixXd a = model::jacobian(system, state);
-  const bool near = !weights.empty();
   SearchVectors vectors(a.rows());
   const Eigen::MatrixXd modal = best_modal_form(system, state, a, weights, vectors);
   const Eigen::MatrixXd plain = solve_lyapunov(a, Eigen::MatrixXd::Identity(a.rows(), a.cols()));
@@ -156,14 +155,10 @@ BalancedTrap isolated_trap(const model::System& system, const Angles& phi, doubl
   const auto log_volume = [&](const Eigen::MatrixXd& form, double level) {
     return level > 0.0 ? 0.5 * (a.rows() * std::log(level) - std::log(dense::determinant(form))) : -1e300;
   };
-  // Which one is better few rays tell well enough where the modes' weights are known.
-  const auto first_level = [&](const Eigen::MatrixXd& form) {
-    return near ? level_by_rays(system, state, form, rays_while_weighing, vectors) : level_of(form);
-  };
-  const double modal_level = first_level(modal), plain_level = first_level(plain);
+  const double modal_level = level_of(modal), plain_level = level_of(plain);
   const bool use_modal = log_volume(modal, modal_level) >= log_volume(plain, plain_level);
   const Eigen::MatrixXd& form = use_modal ? modal : plain;
-  const double level = near ? level_of(form) : use_modal ? modal_level : plain_level;
+  const double level = use_modal ? modal_level : plain_level;
   Centre centre{};
   std::copy(state.begin(), state.end(), centre.begin());
   std::fill_n(centre.begin() + model::index::phi(0), system.balls(), 0.0);
@@ -213,6 +208,11 @@ BalancedTrap balanced_trap(const model::System& system, const Angles& phi, std::
   const BalancedTrap trap = isolated_trap(backwards ? reflected(system) : system, angles, forwards, weights);
   if (!backwards) return trap;
   return reflected(system, equal ? exchanged(trap) : trap);
+}
+
+Eigen::MatrixXd weighted_form(const Eigen::MatrixXd& a, const std::vector<ModeWeight>& weights) {
+  const Modes modes = left_modes(a);
+  return modal_form(modes, weights_from(weights, modes));
 }
 
 Eigen::Map<const Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>> factor_of(

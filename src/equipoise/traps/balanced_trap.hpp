@@ -21,6 +21,9 @@ BalancedTrap balanced_trap(const model::System& system, const std::array<double,
 /// The trap of the other balanced state of two equal balls.
 BalancedTrap exchanged(const BalancedTrap& trap);
 
+/// The modal form of a linearisation, its modes weighted as those nearest to them were.
+Eigen::MatrixXd weighted_form(const Eigen::MatrixXd& a, const std::vector<ModeWeight>& weights);
+
 /// F and P = F^T F of the trap's Lyapunov function V = |F d|^2 = d^T P d. The first is a view of the trap.
 Eigen::Map<const Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>> factor_of(
     const BalancedTrap& trap);

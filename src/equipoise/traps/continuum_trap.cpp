@@ -2,12 +2,14 @@
 #include "equipoise/traps/continuum_trap.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <utility>
 #include <vector>
 
 #include <Eigen/Core>
 
+#include "equipoise/lanes/own_rotor.hpp"
 #include "equipoise/model/balanced_state.hpp"
 #include "equipoise/orbits/return_map.hpp"
 #include "equipoise/traps/trap_rule.hpp"
@@ -31,7 +33,7 @@ double slowest_caught(const ContinuumPart& part) {
 struct Members {
   std::vector<ContinuumMember> all;
   Eigen::Vector4d place = Eigen::Vector4d::Zero();  // of the rotor, on average
-  double unit = 0.0, slowest_rate = 0.0, unrest = 0.0;
+  double unit = 0.0, slowest_rate = 0.0, fastest_rate = 0.0, unrest = 0.0;
   bool everywhere = false;  // catches_all()
 };
 
@@ -50,6 +52,7 @@ Members members_to_try(const BalancedContinuum& continuum, const ContinuumSurvey
     auto m = continuum.member(survey.members[first + k * count / taken].data());
     if (!m || m->form.size() == 0 || !(m->rate <= result.slowest_rate)) continue;
     result.unit = std::max(result.unit, m->unit);
+    result.fastest_rate = std::min(result.fastest_rate, m->rate);
     result.place += m->centre.head(4);
     result.all.push_back(*std::move(m));
   }
@@ -99,23 +102,37 @@ Eigen::VectorXd state_with_room(const ContinuumTrap& trap, const ContinuumMember
   return m.centre;
 }
 
+// From a member to the one beside it in the continuum of another rotor.
+Eigen::VectorXd moved_to(const model::System& other, const model::System& system, const ContinuumMember& m) {
+  std::array<double, model::max_balls> phi = m.phi;
+  const double speed = model::balanced_speed(system).value_or(0.0),
+               other_speed = model::balanced_speed(other).value_or(speed);
+  if (!model::project_to_balanced(other, other_speed, phi.data())) return Eigen::VectorXd::Zero(system.dimension());
+  return model::balanced_state(other, other_speed, phi.data()) - model::balanced_state(system, speed, m.phi.data());
+}
+
 // All states that are tried at `factor` times the members' units of V come near to the continuum.
 bool all_approach(const ContinuumTrap& trap, const Members& members, DirectionTable& directions,
                   const TrialSettings& settings, double factor, const TryRange& tries) {
   const std::size_t count = members.all.size();
   Trials trials;
+  trials.first = tries.first;
   const auto member_of = [&](std::size_t i) -> const ContinuumMember& {
     return members.all[(tries.first + i) * count / tries.of];
   };
   for (std::size_t i = 0; i < tries.count; ++i) {
     const ContinuumMember& m = member_of(i);
-    const Eigen::VectorXd z = state_with_room(trap, m, factor * m.unit, directions[tries.first + i], *settings.system);
+    Eigen::VectorXd z = state_with_room(trap, m, factor * m.unit, directions[tries.first + i], *settings.system);
+    if (const OwnRotor* own = settings.rotor(tries.first + i)) z += moved_to(own->system, *settings.system, m);
     trials.states.insert(trials.states.end(), z.begin(), z.end());
   }
   ContinuumTrap near = at_factor(trap, members, come_near * factor);
   near.slowest_rate *= slower;
   trials.rule = rule_of_traps(*settings.system);
-  set_traps(trials.rule, *settings.system, {}, near);
+  // Where half windows end: to tell what a state comes to costs more than to follow it until V has fallen by a factor
+  // of e, even of the member that attracts most.
+  trials.rule.window = std::max(trials.rule.window, 1.0 / -members.fastest_rate);
+  set_traps(trials.rule, *settings.system, {}, near);  // which asks by the window
   trials.flight = [&](std::size_t first) {
     const double rate = -member_of(first).rate;  // the slowest of the chunk
     return Trials::Flight{2.0 * std::log(1.0 / come_near) / (2.0 * rate) + 500.0, 0.0};
@@ -129,7 +146,9 @@ bool catches_all(const ContinuumPart& part) {
   return part.drawn > 0 && part.stable == part.drawn && part.slowest_rate <= slowest_caught(part);
 }
 
-bool ContinuumTrap::holds(const Eigen::VectorXd& state) const {
+bool ContinuumTrap::holds(const Eigen::VectorXd& state, const OwnRotor* own) const {
+  if (own)
+    return BalancedContinuum::is_of(own->system) && BalancedContinuum(own->system).holds(state, factor, slowest_rate);
   const auto depth = estimate ? estimate->depth(state, factor) : std::nullopt;
   if (depth && *depth < deep) return true;
   return !(depth && *depth > far) && continuum->holds(state, factor, slowest_rate);

@@ -26,7 +26,8 @@ struct ContinuumTrap {
   double far = 0.0;   ///< estimated above it, a state counts as outside; between them V is computed
 
   /// Whether a state (where the rotor's angle matters one at a strobe) is inside.
-  bool holds(const Eigen::VectorXd& state) const;
+  /// Of a trajectory with a rotor of its own: around the members of that rotor's continuum.
+  bool holds(const Eigen::VectorXd& state, const OwnRotor* own = nullptr) const;
 };
 
 /// Whether all members drawn attract, the slowest at a tenth of the fastest's rate or more: none is left out then.

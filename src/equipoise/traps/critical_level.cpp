@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <span>
 #include <utility>
 #include <vector>
 
@@ -17,10 +18,12 @@ namespace equipoise {
 
 namespace {
 namespace kernels = HWY_NAMESPACE;
-using PlainFlow = kernels::FreeFlow<double, model::any_count, kernels::Terms{false, false, false}>;
+template <int room>
+using PlainFlow = kernels::FreeFlow<double, room, kernels::Terms{false, false, false}>;
 using GeneralFlow = kernels::SmoothFlow<double, model::any_count>;
 
-PlainFlow plain_flow(const model::System& system) {
+template <int room>
+PlainFlow<room> plain_flow(const model::System& system) {
   return {system.parameters(), model::Segment{0.0, 0.0, 0.0, system.speed(), 0.0, false}};
 }
 
@@ -34,14 +37,15 @@ class RaySearch {
   using Matrix = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, 0, most, most>;
 
   RaySearch(const model::System& system, const Flow& flow, const Matrix& centre, const Matrix& form,
-            const Matrix& factor)
+            const Matrix& factor, bool closely)
       : n(system.balls()),
         size(system.dimension()),
         system_(system),
         flow_(flow),
         form_(form),
         factor_(factor),
-        centre_(centre) {}
+        centre_(centre),
+        closely_(closely) {}
 
   // e, where V equals 1, and half of V's gradient there.
   struct Ray {
@@ -58,8 +62,9 @@ class RaySearch {
   // Smallest s <= limit with dV/dt >= 0 at z* + s e, or limit.
   double first_growth(const Ray& ray, double limit) const {
     static constexpr std::array<double, 7> fractions{0.15, 0.3, 0.45, 0.6, 0.75, 0.88, 1.0};
+    static constexpr std::array<double, 2> few{0.5, 1.0};
     double good = 0.0;
-    for (double fraction : fractions) {
+    for (const double fraction : closely_ ? std::span<const double>(fractions) : few) {
       double bad = fraction * limit;
       if (!grows(ray, bad)) {
         good = bad;
@@ -118,6 +123,7 @@ class RaySearch {
   const Flow flow_;
   Matrix form_, factor_;
   Vector centre_;
+  const bool closely_;  // the level is wanted, not only which form has the higher one
 };
 
 // The least V^(1/2), below `limit`, with dV/dt >= 0 that is found by turning a direction to where dV/dt rises fastest:
@@ -187,7 +193,7 @@ double least_level(const model::System& system, const Flow& flow, const Eigen::V
                    const Eigen::MatrixXd& form, int rays, SearchVectors& vectors, bool descending) {
   const dense::Cholesky cholesky(form);
   if (!cholesky.definite()) return 0.0;
-  const RaySearch<Flow> search(system, flow, centre, form, cholesky.upper());
+  const RaySearch<Flow> search(system, flow, centre, form, cholesky.upper(), descending);
   double least = sample(search, system.dimension(), rays, vectors);
   if (!descending) return least * least;
   const Eigen::MatrixXd principal = search.principal_directions();
@@ -199,7 +205,11 @@ double least_level(const model::System& system, const Flow& flow, const Eigen::V
 
 double least_level(const model::System& system, const Eigen::VectorXd& centre, const Eigen::MatrixXd& form, int rays,
                    SearchVectors& vectors, bool descending) {
-  if (system.plain()) return least_level(system, plain_flow(system), centre, form, rays, vectors, descending);
+  constexpr int unrolled = 2;  // balls: above, balanced states form continua
+  if (system.plain())
+    return model::with_ball_count<unrolled>(system.balls(), [&](auto room) {
+      return least_level(system, plain_flow<room>(system), centre, form, rays, vectors, descending);
+    });
   return least_level(system, GeneralFlow(system, 0.0), centre, form, rays, vectors, descending);
 }
 

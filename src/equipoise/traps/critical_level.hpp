@@ -30,7 +30,8 @@ class SearchVectors {
 double critical_level(const model::System& system, const Eigen::VectorXd& centre, const Eigen::MatrixXd& form, int rays,
                       SearchVectors& vectors);
 
-/// The same by rays and random steps alone. Where level sets are narrow it is several times too high.
+/// The same by rays and random steps alone, each ray looked at in two places: to compare forms. Where level sets are
+/// narrow it is several times too high.
 double level_by_rays(const model::System& system, const Eigen::VectorXd& centre, const Eigen::MatrixXd& form, int rays,
                      SearchVectors& vectors);
 

@@ -21,7 +21,7 @@ using Eigen::VectorXd;
 constexpr double infinite = std::numeric_limits<double>::infinity();
 // About 0.05 rad from one state to the next, in either direction of the torus: its curvature leaves 1e-3.
 constexpr int cloud = 16384, fresh = 512;
-constexpr double tolerance = 1e-9;
+constexpr double tolerance = 1e-7;  // the torus attracts, so that errors of steps do not add up
 // Of the width of a cell: states this far off a plane lie on another sheet, or where the torus bends too much for one
 // plane. V of states on V2 at Omega = 2.4 is then 6e-5 at most, with a fifth 2e-4.
 constexpr double bent = 0.1;
@@ -90,33 +90,44 @@ void TorusTrap::sort_into_cells() {
 
 // One tangent is the flow; the other is what is left of the ways to the neighbours, which lie on other windings.
 void TorusTrap::find_tangents(const model::System& system) {
-  using State = Eigen::Matrix<double, Eigen::Dynamic, 1, 0, max_dimension, 1>;
-  tangents_ = Eigen::MatrixXd::Zero(2 * states_.rows(), states_.cols());
+  const auto size = static_cast<int>(states_.rows());
+  tangents_ = Eigen::MatrixXd::Zero(2 * size, states_.cols());
   const double near = 4.0 * two_pi / cells_;
-  std::vector<State> ways;
+  std::vector<double> ways;  // one after the other
+  std::array<double, max_dimension> along{}, way{}, sum{};
   for (int k = 0; k < states_.cols(); ++k) {
-    const State here = states_.col(k);
-    const State along =
-        model::rate(system, here.cwiseQuotient(inverse_scale_)).cwiseProduct(inverse_scale_).normalized();
+    const VectorXd flow = model::rate(system, states_.col(k).cwiseQuotient(inverse_scale_));
+    VectorXd::Map(along.data(), size) = flow.cwiseProduct(inverse_scale_).normalized();
+    const double* const here = &states_(0, k);
     ways.clear();
     double longest = 0.0;
-    State farthest = State::Zero(here.size());
-    const double first = here[model::index::phi(0)], second = balls_ > 1 ? here[model::index::phi(1)] : 0.0;
-    around_angles(first, second, [&](int other) {
-      State d = states_.col(other) - here;
-      for (int i = 0; i < balls_; ++i) d[model::index::phi(i)] = shorter_way(d[model::index::phi(i)]);
-      d -= along * along.dot(d);
-      const double length = d.norm();
-      if (!(length < near)) return;
-      ways.push_back(d);
-      if (length <= longest) return;
-      longest = length;
-      farthest = d;
+    std::size_t farthest = 0;
+    around_angles(here[model::index::phi(0)], balls_ > 1 ? here[model::index::phi(1)] : 0.0, [&](int other) {
+      const double* const there = &states_(0, other);
+      double dot = 0.0, square = 0.0;
+      for (int i = 0; i < size; ++i) way[i] = there[i] - here[i];
+      for (int i = 0; i < balls_; ++i) way[model::index::phi(i)] = shorter_way(way[model::index::phi(i)]);
+      for (int i = 0; i < size; ++i) dot += way[i] * along[i];
+      for (int i = 0; i < size; ++i) {
+        way[i] -= along[i] * dot;
+        square += way[i] * way[i];
+      }
+      if (!(square < near * near)) return;
+      if (square > longest) {
+        longest = square;
+        farthest = ways.size();
+      }
+      ways.insert(ways.end(), way.begin(), way.begin() + size);
     });
-    State sum = State::Zero(here.size());
-    for (const State& d : ways) sum += d.dot(farthest) < 0.0 ? State(-d) : d;
-    tangents_.col(k).head(here.size()) = along;
-    if (sum.norm() > 0.0) tangents_.col(k).tail(here.size()) = sum.normalized();
+    sum.fill(0.0);
+    for (std::size_t first = 0; first < ways.size(); first += static_cast<std::size_t>(size)) {
+      double dot = 0.0;
+      for (int i = 0; i < size; ++i) dot += ways[first + i] * ways[farthest + i];
+      for (int i = 0; i < size; ++i) sum[i] += dot < 0.0 ? -ways[first + i] : ways[first + i];
+    }
+    tangents_.col(k).head(size) = VectorXd::Map(along.data(), size);
+    const auto across = VectorXd::Map(sum.data(), size);
+    if (across.norm() > 0.0) tangents_.col(k).tail(size) = across.normalized();
   }
 }
 
@@ -285,7 +296,9 @@ bool all_approach(const std::shared_ptr<TorusTrap>& trap, DirectionTable& direct
     const VectorXd z = trap->state_on_level(i * 40503, level, directions[i]);
     trials.states.insert(trials.states.end(), z.begin(), z.end());
   }
-  const bool far = tries.first == 0 && tries.of == TrialCounts{}.all;
+  trials.first = tries.first;
+  // A rotor of its own has its torus beside this one: how far beside, no first part of the tries can say.
+  const bool far = tries.first == 0 && tries.of == TrialCounts{}.all && settings.rotors.empty();
   const double share = std::max(far ? come_close : come_inside, 4.0 * trap->floor() / level);
   if (share > come_inside) return false;
   trap->set_level(share * level);
@@ -311,11 +324,33 @@ std::shared_ptr<const TorusTrap> torus_trap(const model::System& system, const M
   const auto good = [&](double tried, const TryRange& tries) {
     return all_approach(trap, directions, settings, motion.exponents[2], tried, tries);
   };
-  const double level = highest_good_level({highest_level, 12}, TrialCounts{}, good, near);
+  const double level = highest_good_level({highest_level, 12}, {.first_goes_far = true}, good, near);
   if (!(level > 0.0)) return nullptr;
   trap->set_level(level);
   return trap;
 }
+
+namespace {
+
+class Tori final : public TrapSet {
+ public:
+  explicit Tori(std::vector<std::shared_ptr<const TorusTrap>> tori) : tori_(std::move(tori)) {}
+
+  Caught ask(const double* state, double /*psi*/, const OwnRotor* /*own*/) const override {
+    double wait = infinite;
+    for (const auto& trap : tori_) {
+      const double value = trap->value(state);
+      if (value < trap->level()) return {trap->attractor(), 0.0};
+      wait = std::min(wait, trap->time_to_level(value));
+    }
+    return {0, approach * wait};
+  }
+
+ private:
+  std::vector<std::shared_ptr<const TorusTrap>> tori_;
+};
+
+}  // namespace
 
 void set_tori(DecisionRule& rule, const std::vector<std::shared_ptr<const TorusTrap>>& tori) {
   rule.tori = {};
@@ -323,15 +358,7 @@ void set_tori(DecisionRule& rule, const std::vector<std::shared_ptr<const TorusT
   rule.tori.r2_low = rule.tori.q_low = infinite;
   rule.tori.r2_high = rule.tori.q_high = -infinite;
   for (const auto& trap : tori) trap->widen(rule.tori);
-  rule.tori.caught = [tori](const double* state) -> TorusTraps::Answer {
-    double wait = infinite;
-    for (const auto& trap : tori) {
-      const double value = trap->value(state);
-      if (value < trap->level()) return {trap->attractor(), 0.0};
-      wait = std::min(wait, trap->time_to_level(value));
-    }
-    return {0, approach * wait};
-  };
+  rule.tori.traps = std::make_shared<const Tori>(tori);
 }
 
 }  // namespace equipoise

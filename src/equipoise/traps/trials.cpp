@@ -38,6 +38,15 @@ bool follow(Trials& trials, const TrialSettings& settings, Told&& told) {
     task.count = std::min(chunk, total - first);
     task.states = &trials.states[first * size];
     task.stop = settings.stop;
+    std::vector<OwnRotor> rotors;
+    std::vector<const OwnRotor*> own;
+    for (std::size_t i = 0; i < task.count && !settings.rotors.empty(); ++i) {
+      OwnRotor& rotor = rotors.emplace_back(*settings.rotor(trials.first + first + i));
+      rotor.segment.psi = flight.psi;
+      rotor.end = flight.end;
+    }
+    for (const OwnRotor& rotor : rotors) own.push_back(&rotor);
+    if (!own.empty()) task.own = own.data();
     std::vector<Fate> fates(task.count);
     if (!decide_lanes(task, trials.rule, fates, nullptr) || !told(first, fates)) good = false;
     if (settings.progress) settings.progress->add(task.count);
@@ -144,6 +153,12 @@ int first_good_near(int near, const std::function<bool(int)>& few_pass) {
   return near;
 }
 
+// The first good step if nothing is known of it. The highest comes before all others: many levels are bounded by how
+// far tries may begin, not by what becomes of them.
+int first_good_anywhere(int steps, const std::function<bool(int)>& few_pass) {
+  return steps > 0 && few_pass(0) ? 0 : halved(0, steps, few_pass);
+}
+
 int step_of(const LevelLadder& ladder, double level) {
   const double step = std::round(steps_a_halving * std::log2(0.5 * ladder.highest / level));
   return static_cast<int>(std::clamp(step, 0.0, steps_a_halving * ladder.halvings - 1.0));
@@ -156,12 +171,14 @@ double highest_good_level(const LevelLadder& ladder, const TrialCounts& counts,
   const int steps = steps_a_halving * ladder.halvings;
   const auto few_pass = [&](int k) { return good(level_at(ladder, k), {0, counts.few, counts.few}); };
   near = steps > 0 ? near : 0.0;
-  int step = near > 0.0 ? first_good_near(step_of(ladder, near), few_pass) : halved(-1, steps, few_pass);
+  int step = near > 0.0 ? first_good_near(step_of(ladder, near), few_pass) : first_good_anywhere(steps, few_pass);
   // Part after part, and round again, until all have passed on one level.
   const std::size_t size = std::min(trial_part, counts.all), parts = (counts.all + size - 1) / size;
   std::size_t passed = 0;
-  // The first part is the dearest: from a level that is likely to be good it comes last.
-  for (std::size_t part = near > 0.0 ? 1 % parts : 0; step < steps && passed < parts; part = (part + 1) % parts) {
+  if (counts.first_goes_far && step < steps)
+    step = first_good(step - 1, steps, [&](int k) { return good(level_at(ladder, k), {0, counts.few, counts.all}); });
+  // The first part is the dearest: it comes last.
+  for (std::size_t part = 1 % parts; step < steps && passed < parts; part = (part + 1) % parts) {
     const TryRange tries{part * size, std::min(size, counts.all - part * size), counts.all};
     const auto passes = [&](int k) { return good(level_at(ladder, k), tries); };
     if (passes(step)) {

@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <deque>
 #include <functional>
+#include <span>
 #include <vector>
 
 #include <Eigen/Core>
@@ -12,6 +13,7 @@
 #include "equipoise/base/stage_progress.hpp"
 #include "equipoise/base/stop_flag.hpp"
 #include "equipoise/deciding/decision_rule.hpp"
+#include "equipoise/lanes/own_rotor.hpp"
 #include "equipoise/model/system.hpp"
 
 namespace equipoise {
@@ -23,6 +25,12 @@ struct TrialSettings {
   int threads = 1;
   const StopFlag* stop = nullptr;
   StageProgress* progress = nullptr;
+  /// Rotors that tries have, one after the other and round again; none: all have that of `system`.
+  std::span<const OwnRotor> rotors{};
+
+  const OwnRotor* rotor(std::size_t number) const {
+    return rotors.empty() ? nullptr : &rotors[number % rotors.size()];
+  }
 };
 
 /// As many states are followed together, and share how they are.
@@ -39,6 +47,7 @@ struct Trials {
   DecisionRule rule;
   std::function<Flight(std::size_t first)> flight;  ///< of the chunk that begins with this state
   bool alike = false;                               ///< all fly alike: chunks may be larger
+  std::size_t first = 0;                            ///< number of the first state's rotor
 };
 
 /// A rule without windows: traps alone decide.
@@ -84,6 +93,7 @@ struct LevelLadder {
 /// A few tries find where to begin, all of them where to stop.
 struct TrialCounts {
   std::size_t few = 128, all = 4096;
+  bool first_goes_far = false;  ///< the first part is followed farther: a few of it are asked before the others
 };
 
 /// Tries first .. first + count - 1 of `of`.
@@ -91,9 +101,10 @@ struct TryRange {
   std::size_t first, count, of;
 };
 
-/// Half the highest level for which good(level, tries) holds of all tries, which are asked in parts; 0 if there is
-/// none. What passes on a level is taken to pass on lower ones only to choose which level is tried next. `near`: what
-/// it may be, 0 if that is not known; the search then begins there, and goes up only where a few tries say so.
+/// Half the highest level for which good(level, tries) holds of all tries, which are asked in parts, the first part
+/// last; 0 if there is none. What passes on a level is taken to pass on lower ones only to choose which level is tried
+/// next. `near`: what it may be, 0 if that is not known; the search then begins there, and goes up only where a few
+/// tries say so.
 double highest_good_level(const LevelLadder& ladder, const TrialCounts& counts,
                           const std::function<bool(double level, const TryRange& tries)>& good, double near = 0.0);
 

@@ -3,12 +3,14 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <memory>
 #include <utility>
 
 #include <Eigen/Core>
 
 #include "equipoise/base/angles.hpp"
+#include "equipoise/traps/balanced_family.hpp"
 #include "equipoise/traps/balanced_trap.hpp"
 #include "equipoise/traps/trap_rule.hpp"
 
@@ -21,7 +23,10 @@ constexpr double widest_factor = 64.0;
 // followed so far. Of the others, a quarter of the level that will be used: what is inside came to the motion with the
 // first ones.
 constexpr double come_close = 1e-3, come_inside = 0.125;
-constexpr TrialCounts orbit_tries;
+// Where motions of other rotors lie farther beside the trap's, V tells too little of what is near them: other motions
+// come as close.
+constexpr double largest_floor = 0.01;
+constexpr TrialCounts orbit_tries{.first_goes_far = true};
 // Levels where the search begins. In Floquet coordinates, which have no common size, beyond any that was found good; V
 // of strobed motions is |d|^2 or more in natural sizes.
 constexpr double highest_by_ball = 16.0, highest_by_rotor = 4.0;
@@ -47,12 +52,20 @@ bool all_balance(const BalancedTrap& trap, const std::vector<BalancedTrap>& bala
                  const TrialSettings& settings, double slowest_rate, double level, const TryRange& tries) {
   const model::System& system = *settings.system;
   std::vector<double> states;
+  const auto self = static_cast<std::size_t>(
+      std::find_if(balanced.begin(), balanced.end(), [&](const BalancedTrap& b) { return b.state == trap.state; }) -
+      balanced.begin());
   for (std::size_t i = 0; i < tries.count; ++i) {
-    const Eigen::VectorXd z = state_on_level(system, trap, level, directions[tries.first + i]);
+    const OwnRotor* own = settings.rotor(tries.first + i);
+    const Eigen::VectorXd& direction = directions[tries.first + i];
+    const Eigen::VectorXd z =
+        own ? state_on_level(*own, self, level, direction) : state_on_level(system, trap, level, direction);
     states.insert(states.end(), z.begin(), z.end());
   }
   const double end = patience(level / trap.level, slowest_rate);
-  return all_attracted(follow_for(end, rule_of(balanced, system), std::move(states)), settings);
+  Trials trials = follow_for(end, rule_of(balanced, system), std::move(states));
+  trials.first = tries.first;
+  return all_attracted(std::move(trials), settings);
 }
 
 // The row that try `i` begins in. With the rotor's angle as phase a chunk shares it: so it does the rotor's angle.
@@ -65,16 +78,22 @@ int row_of(const CycleTrap& trap, std::size_t i) {
 
 // All states that are tried on the level come to the motion.
 bool all_approach(const CycleTrap& trap, DirectionTable& random, const TrialSettings& settings, double slowest_rate,
-                  double level, const TryRange& tries) {
+                  double floor, double level, const TryRange& tries) {
+  if (floor > std::min(come_inside * level, largest_floor)) return false;
   const model::System& system = *settings.system;
   Trials trials;
+  trials.first = tries.first;
   for (std::size_t i = 0; i < tries.count; ++i) {
-    const Eigen::VectorXd z = state_on_level(trap, row_of(trap, tries.first + i), level, random[tries.first + i]);
+    Eigen::VectorXd z = state_on_level(trap, row_of(trap, tries.first + i), level, random[tries.first + i]);
+    const OwnRotor* own = settings.rotor(tries.first + i);
+    if (own && trap.attractor == balanced_id && !system.autonomous())
+      z += balanced_shift(own->system, system, trap.nodes.front().state);
     trials.states.insert(trials.states.end(), z.begin(), z.end());
   }
   auto close = std::make_shared<CycleTrap>(trap);
   const bool far = tries.first == 0 && tries.of == orbit_tries.all;
-  const double share = far ? come_close : come_inside;
+  // A rotor of its own has its motion beside this one: V does not fall to nothing there.
+  const double share = far ? std::max(come_close, floor / level) : come_inside;
   close->level = share * level;
   trials.rule = rule_of_traps(system);
   set_traps(trials.rule, system, {close}, {});
@@ -91,13 +110,34 @@ bool all_approach(const CycleTrap& trap, DirectionTable& random, const TrialSett
 
 }  // namespace
 
-bool validate(std::vector<CycleTrap>& traps, const TrialSettings& settings, double slowest_rate, double near) {
+double own_floor(const CycleTrap& trap, const TrialSettings& settings, const Motion& motion,
+                 const std::function<bool(const model::Parameters&, const Motion&)>& is_it) {
+  constexpr std::size_t few = 12;
+  constexpr double margin = 4.0, none = std::numeric_limits<double>::infinity();
+  const model::System& system = *settings.system;
+  double largest = 0.0;
+  for (std::size_t k = 0; k < std::min(few, settings.rotors.size()); ++k) {
+    const model::System& own = settings.rotors[k].system;
+    const auto there = motion_from(own, motion.state, motion_patience, settings.stop);
+    if (!there || !there->stable || there->kind != motion.kind || !is_it(own.parameters(), *there)) return none;
+    Eigen::VectorXd state = there->state;
+    if (trap.attractor == balanced_id && !system.autonomous())
+      state -= balanced_shift(own, system, trap.nodes.front().state);
+    CycleTrap wide = trap;  // whose V is finite wherever it is asked
+    wide.level = none;
+    largest = std::max(largest, value(system, wide, state.data(), 0.0));
+  }
+  return margin * largest;
+}
+
+bool validate(std::vector<CycleTrap>& traps, const TrialSettings& settings, double slowest_rate, double near,
+              double floor) {
   const CycleTrap& one = traps.front();
   if (!(slowest_rate < -(one.attractor == balanced_id ? slowest_balance : slowest_worth_it))) return false;
   const double highest = one.clock == CycleTrap::rotor ? highest_by_rotor : highest_by_ball;
   DirectionTable random(directions(one));
   const auto good = [&](double tried, const TryRange& tries) {
-    return all_approach(one, random, settings, slowest_rate, tried, tries);
+    return all_approach(one, random, settings, slowest_rate, floor, tried, tries);
   };
   const double level = highest_good_level({highest}, orbit_tries, good, near);
   for (CycleTrap& trap : traps) trap.level = level;

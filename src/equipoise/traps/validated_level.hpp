@@ -6,6 +6,7 @@
 
 #include "equipoise/deciding/decision_rule.hpp"
 #include "equipoise/traps/cycle_trap.hpp"
+#include "equipoise/motions/motion.hpp"
 #include "equipoise/traps/trials.hpp"
 
 namespace equipoise {
@@ -13,8 +14,15 @@ namespace equipoise {
 /// Sets the level of a motion's traps, one or more, exchange images of each other: half the highest of a falling series
 /// of levels from which all of 4096 states came to the motion. `slowest_rate`: of approach, negative. False if there is
 /// none, or if to look for one would take longer than an ensemble.
-/// `near`: as of highest_good_level().
-bool validate(std::vector<CycleTrap>& traps, const TrialSettings& settings, double slowest_rate, double near = 0.0);
+/// `near`: as of highest_good_level(). `floor`: V of the same motions of the rotors that tries have (own_floor()), to
+/// which it can fall at most.
+bool validate(std::vector<CycleTrap>& traps, const TrialSettings& settings, double slowest_rate, double near = 0.0,
+              double floor = 0.0);
+
+/// Four times the largest V of the motion that these rotors, few of those that tries have, have in place of the one
+/// that the trap surrounds. Infinite if one has another motion there, or none: is_it() says which is the same.
+double own_floor(const CycleTrap& trap, const TrialSettings& settings, const Motion& motion,
+                 const std::function<bool(const model::Parameters&, const Motion&)>& is_it);
 
 /// Widens `trap`, whose level must be one inside which V decreases, to where all of 4096 states on twice the level come
 /// to balance: by a factor of at most 64, so that twice the level lies within half a turn of any ball and below

@@ -14,8 +14,8 @@ struct SpeedRun {
   bool arrived = false;  ///< at the speed asked for
 };
 
-/// (I_C + M eps^2 + N) psi'' = tau less rules::shaking_torque() of `unbalance`, from rest or the initial speed: balls
-/// turn with the rotor, and up to rules::quiet_speed(), from where balls cancel what they can, the rotor shakes at each
+/// (I_C + M eps^2 + N) psi'' = tau less model::shaking_torque() of `unbalance`, from rest or the initial speed: balls
+/// turn with the rotor, and up to model::quiet_speed(), from where balls cancel what they can, the rotor shakes at each
 /// speed as it would if it stayed there. Until |psi'| is `to`, or to
 /// where the rotor comes to rest at less; without `to` up to the last piece of the motor's law.
 SpeedRun rotor_alone(const Study& study, double unbalance, std::optional<double> to);

@@ -1,12 +1,12 @@
 // The motor's law integrated piece by piece.
-#include "equipoise/explain/run_up.hpp"
+#include "equipoise/spin_up/run_up.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
 
-#include "equipoise/explain/rules_of_thumb.hpp"
 #include "equipoise/integrate/adaptive-inl.hpp"
+#include "equipoise/model/shaking.hpp"
 #include "equipoise/model/system.hpp"
 #include "equipoise/model/turning_inertia.hpp"
 
@@ -26,7 +26,7 @@ struct TurningBody {
 
   void operator()(double t, const double* y, double* dy) const {
     const double speed = std::fabs(y[0]);
-    const double taken = speed < shakes_below ? rules::shaking_torque(p, unbalance, speed) : 0.0;
+    const double taken = speed < shakes_below ? model::shaking_torque(p, unbalance, speed) : 0.0;
     dy[0] = (motor.torque(t, y[0], y[1]) - (std::isfinite(taken) ? std::copysign(taken, y[0]) : 0.0)) / inertia;
     dy[1] = motor.error_rate(t, y[0], y[1]);
   }
@@ -47,7 +47,7 @@ SpeedRun rotor_alone(const Study& study, double unbalance, std::optional<double>
   for (const model::DriveSegment& piece : pieces) {
     const bool last = std::isinf(piece.end);
     if (run.arrived || (last && !to)) break;
-    const TurningBody body{p, inertia, unbalance, rules::quiet_speed(p), piece};
+    const TurningBody body{p, inertia, unbalance, model::quiet_speed(p), piece};
     kernels::ErrorScale<2> scale;
     scale.tolerance = 1e-8;  // a time to more digits than anybody reads
     // A control's error integral stops and goes at the motor's limit, at every step: what that does to the speed

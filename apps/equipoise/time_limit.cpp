@@ -1,0 +1,75 @@
+// One deadline a run of the program.
+#include "time_limit.hpp"
+
+#include <filesystem>
+
+#include <fmt/format.h>
+
+#include "equipoise/base/deadline.hpp"
+#include "streams.hpp"
+
+namespace equipoise::app {
+
+namespace {
+
+struct Time {
+  std::string given;
+  bool half_used = false;
+  std::optional<Deadline> deadline;
+};
+
+Time& time_given() {
+  static Time time;
+  return time;
+}
+
+// "475392 of 3000000 starts are done; the rest takes about 26 s more"
+std::string left_text(const std::optional<WorkLeft>& left) {
+  constexpr const char* unknown = "how long the rest takes is not known yet";
+  if (!left) return unknown;
+  if (left->total == 0) return fmt::format("it was at \"{}\"; {}", left->what, unknown);
+  const std::string done = fmt::format("{} of {} {} are done", left->done, left->total, left->what);
+  if (!left->seconds) return fmt::format("{}; {}", done, unknown);
+  return fmt::format("{}; the rest takes about {} more", done, duration_text(*left->seconds));
+}
+
+std::string going_on(const std::optional<WorkLeft>& left, Keeper keeper, const std::string& output) {
+  if (keeper && left && left->total == 0) return "a search is not kept: give it more time";
+  if (!output.empty() && (std::filesystem::exists(output) || std::filesystem::exists(output + ".part")))
+    return fmt::format("the same command goes on from {}", output);
+  if (!output.empty()) return fmt::format("nothing is in {} yet", output);
+  if (keeper) return fmt::format("with {} the same command would go on from here", keeper);
+  return "this command keeps nothing between runs: give it more time";
+}
+
+}  // namespace
+
+void add_within(CLI::App& app, std::optional<std::string>& within) {
+  app.add_option("--within", within,
+                 "stop after this time with what is known by then, marked partial: 90, 60s, 10min, 1.5h")
+      ->type_name("TIME");
+}
+
+void begin_time(const std::optional<std::string>& within) {
+  if (!within) return;
+  time_given().deadline.emplace(stop_flag(), read_time_limit("--within", *within));
+  time_given().given = *within;
+}
+
+std::function<bool()> half_of_the_time() {
+  if (!time_is_limited()) return {};
+  return [] { return time_given().half_used = time_given().half_used || time_given().deadline->half_over(); };
+}
+
+bool time_is_limited() { return time_given().deadline.has_value(); }
+
+int ended_early(const std::optional<WorkLeft>& left, Keeper keeper, const std::string& output) {
+  if (!time_is_limited() || !(time_given().deadline->over() || time_given().half_used)) {
+    if (keeper) say("stopped; {}", going_on(left, keeper, output));
+    return interrupted;
+  }
+  say("time over (--within {}): {}; {}", time_given().given, left_text(left), going_on(left, keeper, output));
+  return out_of_time;
+}
+
+}  // namespace equipoise::app

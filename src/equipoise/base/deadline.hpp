@@ -1,0 +1,45 @@
+// A limit to the time that a call may take: one more reason for its stop flag.
+#pragma once
+
+#include <atomic>
+#include <chrono>
+#include <condition_variable>
+#include <mutex>
+#include <string>
+#include <thread>
+
+#include "equipoise/base/stop_flag.hpp"
+
+namespace equipoise {
+
+/// Seconds of a time as it is written: "90", "60s", "10 min", "1.5h". Throws InputError, naming `option`, for anything
+/// else.
+double read_time_limit(const std::string& option, const std::string& text);
+
+/// Sets the flag once so many seconds have passed, unless it is destroyed before.
+class Deadline {
+ public:
+  Deadline(StopFlag& stop, double seconds);
+  ~Deadline();
+  Deadline(const Deadline&) = delete;
+  Deadline& operator=(const Deadline&) = delete;
+
+  /// The time was over before anything else had set the flag.
+  bool over() const { return over_; }
+  /// Half of it is: for the first of two works that only count together.
+  bool half_over() const;
+
+ private:
+  using Clock = std::chrono::steady_clock;
+
+  StopFlag& stop_;
+  const Clock::time_point begin_;
+  const std::chrono::duration<double> length_;
+  std::atomic<bool> over_{false};
+  std::mutex mutex_;
+  std::condition_variable changed_;
+  bool cancelled_ = false;
+  std::thread clock_;
+};
+
+}  // namespace equipoise

@@ -1,0 +1,63 @@
+// A search and some hundred starts, timed.
+#include "equipoise/basins/basin_cost.hpp"
+
+#include <algorithm>
+#include <ctime>
+#include <memory>
+#include <vector>
+
+#include "equipoise/base/deadline.hpp"
+#include "equipoise/base/reporting.hpp"
+#include "equipoise/basins/basin.hpp"
+#include "equipoise/discovery/horizon.hpp"
+#include "equipoise/fates/runner.hpp"
+#include "equipoise/kernels/cpu_target.hpp"
+
+namespace equipoise {
+
+namespace {
+
+double cpu_taken() { return static_cast<double>(std::clock()) / CLOCKS_PER_SEC; }
+
+// Of starts that a block of lanes takes at once, at first. A few that stay undecided may cost more than all others: so
+// many more are followed that a share of one in a thousand of such is met.
+constexpr std::uint64_t first_starts = 512, most_starts = 8192;
+constexpr double enough = 0.5;  // seconds of CPU on starts
+
+}  // namespace
+
+BasinCost measure_cost(const Study& asked, const RunOptions& options, double patience) {
+  const ChosenCpuTarget chosen(options.cpu_target);
+  return reported(options, [&](const RunOptions& o) {
+    const bool gathers = gathers_transients(asked, {});
+    check_runnable(asked, gathers);
+    Study study = with_horizon(asked);
+    study.sampling.method = study.sampling.method.value_or(SamplingMethod::random);
+    BasinCost cost;
+    cost.starts = study.sampling.starts;
+    StopFlag stop{is_set(o.stop)};
+    const Deadline deadline(stop, patience);
+    const double begin = cpu_taken();
+    const std::unique_ptr<Runner> runner =
+        make_runner(study, {.threads = 1, .stop = &stop, .progress = o.progress}, gathers);
+    cost.search = cpu_taken() - begin;
+    cost.search_ended = !runner->stopped();
+    const double searched = cpu_taken();
+    for (std::uint64_t next = first_starts; cost.search_ended && cost.measured < std::min(cost.starts, most_starts);) {
+      const std::uint64_t count = std::min(next, std::min(cost.starts, most_starts) - cost.measured);
+      std::vector<double> phi;
+      std::vector<Fate> fates;
+      std::vector<UnlistedStart> unlisted;
+      std::vector<TransientRow> rows;
+      if (!runner->run(cost.measured, count, phi, fates, unlisted, gathers ? &rows : nullptr)) break;
+      cost.measured += count;
+      const double taken = cpu_taken() - searched;
+      cost.a_start = taken / static_cast<double>(cost.measured);
+      if (taken > enough) break;
+      next = cost.measured;
+    }
+    return cost;
+  });
+}
+
+}  // namespace equipoise

@@ -1,0 +1,46 @@
+// Attractors as functions of what differs: parts of a family, each with the rule that holds for all of its rotors.
+#pragma once
+
+#include <cstddef>
+#include <memory>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "equipoise/discovery/discovery.hpp"
+#include "equipoise/discovery/study_family.hpp"
+#include "equipoise/model/system.hpp"
+
+namespace equipoise {
+
+struct FamilyCell {
+  FamilyBox box;
+  model::System middle;
+  Discovery discovery;
+  /// Identifiers of its attractors in the mesh's catalogue, by those that they have in its own.
+  std::vector<int> ids;
+
+  int id(int own) const { return own > 0 ? ids[static_cast<std::size_t>(own)] : own; }
+};
+
+/// Cells fill the unit cube of a family's fractions. One is halved while that makes its starts known much sooner, or
+/// leaves many fewer that come to something its list does not hold.
+struct FamilyMesh {
+  std::vector<FamilyCell> cells;
+  Catalogue catalogue{true};
+  bool stopped = false;
+
+  /// For the search of a neighbouring family.
+  TrapHints hints() const { return cells.empty() ? TrapHints{} : cells.front().discovery.hints; }
+  /// The number of the cell there.
+  std::size_t index(std::span<const double> fractions) const;
+  /// The largest r of an attractor of `catalogue` as the family's rotor there has it, to a few percent; none where only
+  /// that of another rotor is known.
+  std::optional<double> largest_radius(const StudyFamily& family, int attractor,
+                                       std::span<const double> fractions) const;
+};
+
+/// Depends on the family alone, and on settings.seeds.
+FamilyMesh discover_mesh(const StudyFamily& family, const DiscoverySettings& settings);
+
+}  // namespace equipoise

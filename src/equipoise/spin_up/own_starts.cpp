@@ -1,0 +1,186 @@
+// Groups of starts whose drives have the same pieces, piece after piece on lanes.
+#include "equipoise/spin_up/own_starts.hpp"
+
+#include <algorithm>
+#include <map>
+#include <utility>
+
+#include "equipoise/kernels/lane_kernels.hpp"
+#include "equipoise/model/held_state.hpp"
+#include "equipoise/spin_up/initial_state.hpp"
+#include "equipoise/spin_up/motor_source.hpp"
+#include "equipoise/spin_up/start_source.hpp"
+
+namespace equipoise {
+
+namespace {
+
+// One start of a rotor that turns as prescribed.
+struct Prescribed {
+  std::size_t place;  // among all
+  const OwnStart* own;
+  std::vector<model::Segment> segments;
+  std::vector<model::System> systems{};  // over each
+  std::size_t free = 0;                  // the first segment that is not clamped
+
+  double tolerance() const { return own->study.numerics.tolerance.value_or(default_basin_tolerance); }
+  double settled() const { return segments.back().begin; }
+  OwnRotor rotor(std::size_t k) const { return {systems[k], segments[k], segments[k].end}; }
+};
+
+// What tells drives apart that cannot go side by side.
+using Shape = std::pair<std::size_t, std::size_t>;  // pieces, and clamped ones
+
+// Takes rows of states over a segment of each rotor's own.
+bool advance(std::vector<Prescribed*>& group, std::size_t k, bool held, std::vector<double>& states,
+             std::vector<Fate>& fates, TransientTable* table, const StopFlag* stop) {
+  std::vector<OwnRotor> rotors;
+  std::vector<const OwnRotor*> own;
+  for (const Prescribed* p : group) rotors.push_back(p->rotor(k));
+  for (const OwnRotor& rotor : rotors) own.push_back(&rotor);
+  const model::System& first = rotors.front().system;
+  LaneTask task;
+  task.parameters = &first.parameters();
+  task.segment = rotors.front().segment;
+  task.end = rotors.front().end;
+  task.held = held;
+  if (held || !first.simple()) task.system = &first;
+  // Held balls cost little, and where they are let go decides much.
+  constexpr double held_tolerance = 1e-3;
+  task.tolerance = group.front()->tolerance() * (held ? held_tolerance : 1.0);
+  task.count = group.size();
+  task.states = states.data();
+  task.own = own.data();
+  task.transients = table;
+  task.stop = stop;
+  return advance_lanes(task, fates);
+}
+
+class PrescribedGroup {
+ public:
+  PrescribedGroup(std::vector<Prescribed*> group, SpunUp& spun, TransientTable* transients, const StopFlag* stop)
+      : group_(std::move(group)), spun_(spun), transients_(transients), stop_(stop), fates_(group_.size()) {
+    if (transients) table_ = {transients->settings, {}, {}};
+    for (const Prescribed* p : group_)
+      if (transients) table_.own.push_back(transients->own[p->place]);
+  }
+
+  bool run() {
+    const std::size_t size = group_.front()->systems.front().dimension();
+    std::vector<double> states(group_.size() * size);
+    if (transients_ && group_.front()->free > 0) return run_watched();
+    if (!set_off(states)) return false;
+    const std::size_t pieces = group_.front()->segments.size();
+    for (std::size_t k = group_.front()->free; k + 1 < pieces; ++k) {
+      if (!advance(group_, k, false, states, fates_, transients_ ? &table_ : nullptr, stop_)) return false;
+      for (std::size_t j = 0; j < group_.size(); ++j) cross(j, k, &states[j * size]);
+    }
+    for (std::size_t j = 0; j < group_.size(); ++j) {
+      const Prescribed& p = *group_[j];
+      std::copy_n(&states[j * size], size, &spun_.states[p.place * size]);
+      finish(p, fates_[j]);
+      if (transients_) transients_->rows[p.place] = table_.rows[j];
+    }
+    return true;
+  }
+
+ private:
+  void finish(const Prescribed& p, const Fate& fate) {
+    spun_.fates[p.place] = fate;
+    spun_.begins[p.place] = p.settled();
+    spun_.rotors[p.place] = p.rotor(p.segments.size() - 1);
+    spun_.rotors[p.place].end = p.settled() + *p.own->study.numerics.horizon;
+  }
+
+  // What happens while the balls are held is watched by superposition, one rotor at a time.
+  bool run_watched() {
+    for (const Prescribed* p : group_) {
+      const std::size_t size = p->systems.front().dimension();
+      StartSource source(p->own->study, stop_);
+      TransientTable one{transients_->own[p->place], {}, {}};
+      source.watch(one.settings);
+      SpunUp spun;
+      if (!source.follow({&p->own->start, 1}, spun, &one)) return false;
+      std::copy_n(spun.states.begin(), size, &spun_.states[p->place * size]);
+      finish(*p, spun.fates.front());
+      transients_->rows[p->place] = one.rows.front();
+    }
+    return true;
+  }
+
+  // The states in which the balls are let go.
+  bool set_off(std::vector<double>& states) {
+    const std::size_t size = group_.front()->systems.front().dimension();
+    for (std::size_t j = 0; j < group_.size(); ++j) {
+      const Prescribed& p = *group_[j];
+      initial_state(p.own->start, p.own->study.parameters.balls, p.segments.front().speed, &states[j * size]);
+      if (transients_) table_.rows.emplace_back();
+    }
+    if (group_.front()->free == 0) return true;
+    const std::size_t held_size = model::held_dimension(group_.front()->systems.front());
+    std::vector<double> held(group_.size() * held_size);
+    for (std::size_t j = 0; j < group_.size(); ++j)
+      model::hold_balls(group_[j]->systems.front(), &states[j * size], &held[j * held_size]);
+    for (std::size_t k = 0; k < group_.front()->free; ++k) {
+      if (!advance(group_, k, true, held, fates_, nullptr, stop_)) return false;
+      for (std::size_t j = 0; j < group_.size(); ++j) cross(j, k, &held[j * held_size]);
+    }
+    for (std::size_t j = 0; j < group_.size(); ++j)
+      model::release_balls(group_[j]->systems.front(), &held[j * held_size], &states[j * size]);
+    return true;
+  }
+
+  // Between segment k and the next one.
+  void cross(std::size_t j, std::size_t k, double* state) {
+    const std::vector<model::Segment>& segments = group_[j]->segments;
+    model::apply_speed_jump(segments[k + 1].speed - segments[k].speed_at(segments[k].end), state);
+    if (transients_ && k >= group_[j]->free && segments[k].acceleration != segments[k + 1].acceleration)
+      table_.rows[j].work.end_piece();
+  }
+
+  std::vector<Prescribed*> group_;
+  SpunUp& spun_;
+  TransientTable* transients_;
+  const StopFlag* stop_;
+  TransientTable table_;
+  std::vector<Fate> fates_;
+};
+
+bool spin_up_prescribed(std::span<const OwnStart> starts, const StopFlag* stop, SpunUp& spun,
+                        TransientTable* transients) {
+  std::vector<Prescribed> all;
+  all.reserve(starts.size());
+  for (std::size_t i = 0; i < starts.size(); ++i) {
+    const Study& s = starts[i].study;
+    all.push_back({i, &starts[i], model::segments(s.speed_profile(), s.release_time())});
+    Prescribed& p = all.back();
+    for (const model::DrivePiece& piece : model::prescribed_drive(p.segments).pieces)
+      p.systems.emplace_back(s.parameters, piece);
+    while (p.segments[p.free].clamped) ++p.free;
+  }
+  std::map<Shape, std::vector<Prescribed*>> groups;
+  for (Prescribed& p : all) groups[{p.segments.size(), p.free}].push_back(&p);
+  for (auto& [shape, group] : groups)
+    if (is_set(stop) || !PrescribedGroup(std::move(group), spun, transients, stop).run()) return false;
+  return true;
+}
+
+}  // namespace
+
+bool spin_up_own(std::span<const OwnStart> starts, const StopFlag* stop, SpunUp& spun, TransientTable* transients) {
+  spun = {};
+  if (starts.empty()) return true;
+  const model::System last = starts.front().study.system();
+  for (const OwnStart& own : starts)
+    spun.phi.insert(spun.phi.end(), own.start.phi.begin(), own.start.phi.begin() + last.balls());
+  const std::size_t count = starts.size();
+  spun.states.assign(count * static_cast<std::size_t>(last.dimension()), 0.0);
+  spun.begins.assign(count, 0.0);
+  spun.fates.assign(count, Fate{});
+  spun.rotors.assign(count, own_rotor(last));
+  if (transients) transients->rows.assign(count, TransientSums{});
+  if (starts.front().study.speed.driven()) return MotorSource::follow_own(starts, stop, spun, transients);
+  return spin_up_prescribed(starts, stop, spun, transients);
+}
+
+}  // namespace equipoise

@@ -1,0 +1,25 @@
+// Starts with rotors of their own, brought to the last piece of their drives side by side.
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "equipoise/base/stop_flag.hpp"
+#include "equipoise/spin_up/spin_up.hpp"
+#include "equipoise/study/study.hpp"
+
+namespace equipoise {
+
+/// A start and the study that it is one of: nothing uncertain in it, its horizon filled in.
+struct OwnStart {
+  Study study;
+  InitialState start;
+};
+
+/// As SpinUp::follow(), each start in the units of its own study; SpunUp::rotors are theirs. Their last systems ride
+/// together (lanes/own_rotor.hpp). `transients`, if given, holds the settings of each (TransientTable::own). False if
+/// stopped early.
+bool spin_up_own(std::span<const OwnStart> starts, const StopFlag* stop, SpunUp& spun,
+                 TransientTable* transients = nullptr);
+
+}  // namespace equipoise

@@ -1,0 +1,50 @@
+// The traps of balanced states as functions of what differs from rotor to rotor: where they stand, and their forms.
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include <Eigen/Core>
+
+#include "equipoise/deciding/decision_rule.hpp"
+#include "equipoise/lanes/own_rotor.hpp"
+#include "equipoise/traps/trap_hints.hpp"
+
+namespace equipoise {
+
+/// The balanced state has a closed form, and the form P of its Lyapunov function V = d^T P d is a polynomial in
+/// OwnRotor::coordinates, fitted to the modal forms of many rotors.
+class BalancedFamily {
+ public:
+  BalancedFamily() = default;
+  /// Fits the forms of `rotors`, the first of which `traps` are made for, and gives the traps the level that holds for
+  /// all of `tried`: half the least at which V was seen to grow for one of them, by a few hundred rays each. `traps` are
+  /// none afterwards if there is no such level. `weights`: of modes, as balanced_trap() found them.
+  BalancedFamily(std::vector<BalancedTrap>& traps, std::span<const OwnRotor> rotors, std::span<const OwnRotor> tried,
+                 const std::vector<ModeWeight>& weights);
+
+  /// Fills in the rotor's places and factors for these traps.
+  void place(const std::vector<BalancedTrap>& traps, OwnRotor& rotor) const;
+
+ private:
+  bool fit(const std::vector<BalancedTrap>& traps, std::span<const OwnRotor> rotors,
+           const std::vector<ModeWeight>& weights, bool modal);
+  Eigen::MatrixXd form(const OwnRotor& rotor) const;
+  double level(const std::vector<BalancedTrap>& traps, std::span<const OwnRotor> tried) const;
+
+  Eigen::Index size_ = 0;
+  Eigen::MatrixXd coefficients_;  // a column an entry of P's upper triangle, a row a term
+  int degree_ = 0;
+};
+
+/// From each balanced state of `system` to the same one of another rotor, as without gravity and with the means of
+/// unequal supports: what motions around them move by, to first order. None where states are not isolated.
+std::vector<Eigen::VectorXd> balanced_shifts(const model::System& other, const model::System& system);
+/// The one for the balanced state next to `state`; zero if there is none.
+Eigen::VectorXd balanced_shift(const model::System& other, const model::System& system, const Eigen::VectorXd& state);
+
+/// A state on `level` of trap `number` as it stands for a rotor that has been placed.
+Eigen::VectorXd state_on_level(const OwnRotor& rotor, std::size_t number, double level,
+                               const Eigen::VectorXd& direction);
+
+}  // namespace equipoise

@@ -1,0 +1,169 @@
+#!/usr/bin/env python3
+"""--within as its users meet it: every command ends in time, says that it is partial, with bounds that hold, and goes on.
+
+    within_test.py PROGRAM STUDIES
+"""
+import json
+import os
+import re
+import subprocess
+import sys
+import tempfile
+import time
+import unittest
+
+from program import PROGRAM, ROW, STUDIES, answer, run
+
+# Work of a minute and more for every command that computes.
+LONG = {
+    "basin": ("basin", ROW, "--starts", "100000000"),
+    "attractors": ("attractors", ROW, "--starts", "100000000"),
+    "along": ("attractors", ROW, "--along", "speed.final=1.4:6.5:0.005"),
+    "map": ("map", ROW, "--size", "4096x4096"),
+    "sweep": ("sweep", ROW, "--over", "speed.final=1.5:6:0.001"),
+    "capacity": ("capacity", ROW, "--starts", "10000000"),
+    "compare": ("compare", ROW, ROW, "--set-second", "balancer.drag=0.06", "--starts", "100000000"),
+    "design": ("design", os.path.join(STUDIES, "examples", "washing-machine.toml"), "--trajectories", "100000000"),
+    "simulate": ("simulate", ROW, "--until", "1e9", "--every", "1e6"),
+    "reproduce": ("reproduce", "table-3", "--law", "published"),
+}
+OUT_OF_TIME = 4
+
+
+def content(path):
+    with open(path, "rb") as file:
+        return file.read()
+
+
+def limited(seconds, *arguments):
+    """The finished process, and how long it took beyond its time."""
+    quiet = [] if arguments[0] == "simulate" else ["--quiet"]
+    begin = time.monotonic()
+    done = run(*arguments, "--within", f"{seconds}s", *quiet)
+    return done, time.monotonic() - begin - seconds
+
+
+class Within(unittest.TestCase):
+    def test_every_command_ends_in_time_and_says_that_it_is_partial(self):
+        for name, arguments in LONG.items():
+            with self.subTest(name):
+                done, late = limited(2, *arguments)
+                self.assertEqual(done.returncode, OUT_OF_TIME, done.stderr)
+                self.assertRegex(done.stderr, r"equipoise: time over \(--within 2s\): .*(more|known yet); .*")
+                # 0.2 s on an idle machine; tests run beside others.
+                self.assertLess(late, 5.0)
+                if name != "simulate":
+                    self.assertIn("PARTIAL", done.stdout)
+                    self.assertTrue(json.loads(limited(2, *arguments, "--json")[0].stdout)["partial"])
+
+    def test_what_ends_before_its_time_says_nothing_of_it(self):
+        done = run("basin", ROW, "--starts", "200", "--within", "1h", "--quiet")
+        self.assertEqual((done.returncode, done.stderr), (0, ""))
+        self.assertNotIn("PARTIAL", done.stdout)
+
+    def test_units(self):
+        for text in ("3600", "60 min", "1.5h", "90s"):
+            done = run("basin", ROW, "--starts", "100", "--within", text, "--quiet")
+            self.assertEqual(done.returncode, 0, text + done.stderr)
+        for text in ("5x", "-1", "0", "s", "1e9h", "nan", "10 m"):
+            done = run("basin", ROW, "--within", text)
+            self.assertEqual(done.returncode, 2, text)
+            self.assertEqual(done.stderr.count("\n"), 1)
+            for word in ("--within", text, "greater than 0, at most 10000 h"):
+                self.assertIn(word, done.stderr)
+
+    def test_without_a_file_it_says_which_option_keeps_what_is_done(self):
+        self.assertIn("with -o FILE.nc the same command would go on", limited(3, *LONG["basin"])[0].stderr)
+        self.assertIn("keeps nothing between runs", limited(3, *LONG["along"])[0].stderr)
+
+    # A search that its time cuts off leaves no file.
+    def test_a_search_that_did_not_end_is_said_to_begin_anew(self):
+        done = limited(0.05, *LONG["basin"])[0]
+        self.assertEqual(done.returncode, OUT_OF_TIME)
+        self.assertIn("stopped before the first start was decided; there are no shares", done.stdout)
+        self.assertNotIn("would go on", done.stderr)
+
+
+class GoingOn(unittest.TestCase):
+    """A result made in several runs of a second each is that of one run."""
+
+    def setUp(self):
+        folder = tempfile.TemporaryDirectory()
+        self.addCleanup(folder.cleanup)
+        self.whole, self.parts = (os.path.join(folder.name, name) for name in ("whole.nc", "parts.nc"))
+
+    def in_parts(self, seconds, *arguments):
+        """Runs until it is done; how many runs were cut off."""
+        for cut in range(100):
+            done = limited(seconds, *arguments, "-o", self.parts)[0]
+            if done.returncode == 0:
+                return cut
+            self.assertEqual(done.returncode, OUT_OF_TIME, done.stderr)
+            seconds *= 1.2  # a busy machine may not come to the first start in time
+        return self.fail("never done")
+
+    def same_file(self, seconds, *arguments):
+        self.assertEqual(run(*arguments, "--quiet", "-o", self.whole).returncode, 0)
+        self.assertGreater(self.in_parts(seconds, *arguments), 0)
+        self.assertEqual(content(self.parts), content(self.whole))
+
+    def test_a_map(self):
+        self.same_file(0.5, "map", ROW, "--size", "400x400")
+
+    def test_a_sweep(self):
+        self.same_file(1, "sweep", ROW, "--over", "speed.final=2.4,3,4", "--starts", "20000")
+
+    def test_a_capacity(self):
+        self.same_file(0.3, "capacity", ROW, "--set", "speed.speed=5", "--set", "balancer.drag=0.2", "--at-least", "0.9",
+                       "--between", "0.08:0.14", "--precision", "0.05", "--starts", "5000")
+
+    # An ensemble's file also tells how long it took and how often it was resumed: what it holds is compared.
+    def test_an_ensemble(self):
+        command = ("basin", ROW, "--starts", "400000", "--json")
+        whole = json.loads(run(*command, "--quiet", "-o", self.whole).stdout)
+        self.assertGreater(self.in_parts(1, *command), 0)
+        parts = json.loads(run(*command, "--quiet", "-o", self.parts).stdout)
+        for key in ("outcomes", "undecided", "starts", "starts_asked"):
+            self.assertEqual(parts[key], whole[key], key)
+        self.assertEqual(answer("compare", self.whole, self.parts)["changed"], 0)
+
+
+class Bounds(unittest.TestCase):
+    def test_the_shares_of_an_ensemble_hold_the_whole_one(self):
+        part = json.loads(limited(2, *LONG["basin"], "--json")[0].stdout)
+        self.assertEqual(part["starts_asked"], 100000000)
+        self.assertLess(part["starts"], part["starts_asked"])
+        text = limited(2, *LONG["basin"])[0].stdout
+        self.assertRegex(text, r"PARTIAL: stopped after \d+ of 100000000 starts")
+
+    def test_of_a_map_each_outcome_has_as_much_as_could_be(self):
+        part = limited(1.5, "map", ROW, "--size", "3000x3000")[0].stdout
+        whole = answer("map", ROW, "--size", "200x200")
+        found = re.search(r"^ +1  balanced +\d+ +([\d.]+) to ([\d.]+) %$", part, re.M)
+        # The coarse map's share is within a per cent of the fine one's: its boundary is no wider than some pixels.
+        share = 100 * next(o["share"] for o in whole["outcomes"] if o["id"] == 1)
+        self.assertTrue(float(found[1]) - 1 < share < float(found[2]) + 1, (found[0], share))
+
+    def test_an_open_capacity_lies_where_it_is_said_to(self):
+        command = ("capacity", ROW, "--set", "speed.speed=5", "--set", "balancer.drag=0.2", "--at-least", "0.9", "--between",
+                   "0.08:0.14", "--precision", "0.02", "--starts", "4000")
+        cell = answer(*command)["cells"][0]
+        opened = 0
+        for seconds in (0.5, 1, 1.5, 2, 3, 4):
+            part = json.loads(limited(seconds, *command, "--json")[0].stdout)
+            for one in part["open"]:
+                opened += one["trials"] > 0
+                if one["low"] is not None:
+                    self.assertLessEqual(one["low"], cell["low"])
+                if one["high"] is not None:
+                    self.assertGreaterEqual(one["high"], cell["high"])
+        self.assertGreater(opened, 0)
+
+    def test_both_of_two_that_are_compared_are_followed(self):
+        part = limited(3, *LONG["compare"])[0]
+        self.assertIn("common starts", part.stdout)
+        self.assertRegex(part.stderr, r"[1-9]\d* of 100000000 starts of both are done")
+
+
+if __name__ == "__main__":
+    unittest.main(argv=sys.argv[:1])
