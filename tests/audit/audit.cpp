@@ -4,9 +4,12 @@
 //     equipoise_audit [--studies N] [--seed S] [--only K] [--starts N] [--seconds T] [--threads T] [--folder DIR]
 //                     [--json FILE]
 //     equipoise_audit --machines STARTS [--only K] [--threads T]
+//     equipoise_audit --families STARTS [--only K] [--threads T]
 //
-// The second form decides so many starts of each of a list of machines and follows every one of them on.
+// The second form decides so many starts of each of a list of machines and follows every one of them on; the third
+// decides starts that draw their rotors again, each as that of its rotor known exactly.
 #include <algorithm>
+#include <cmath>
 #include <cstdio>
 #include <cstdlib>
 #include <exception>
@@ -19,6 +22,7 @@
 #include <oneapi/tbb/global_control.h>
 
 #include "checks.hpp"
+#include "families.hpp"
 #include "machines.hpp"
 #include "table.hpp"
 
@@ -29,7 +33,7 @@ using namespace equipoise::audit;
 struct Arguments {
   Settings settings;
   int studies = 40, only = -1;
-  std::uint64_t seed = 1, machine_starts = 0;
+  std::uint64_t seed = 1, machine_starts = 0, family_starts = 0;
   std::string json;
 };
 
@@ -37,7 +41,8 @@ int usage() {
   fmt::print(stderr,
              "usage: equipoise_audit [--studies N (40)] [--seed S (1)] [--only NUMBER] [--starts N (300)]\n"
              "                       [--seconds CPU_A_STUDY (40)] [--threads T] [--folder DIR] [--json FILE]\n"
-             "       equipoise_audit --machines STARTS [--only NUMBER] [--threads T]\n");
+             "       equipoise_audit --machines STARTS [--only NUMBER] [--threads T]\n"
+             "       equipoise_audit --families STARTS [--only NUMBER] [--threads T]\n");
   return 2;
 }
 
@@ -58,6 +63,8 @@ bool read(int argc, char** argv, Arguments& a) {
       a.studies = static_cast<int>(number);
     else if (option == "--machines" && number >= 1.0)
       a.machine_starts = static_cast<std::uint64_t>(number);
+    else if (option == "--families" && number >= 1.0)
+      a.family_starts = static_cast<std::uint64_t>(number);
     else if (option == "--only")
       a.only = static_cast<int>(number);
     else if (option == "--seed")
@@ -88,6 +95,23 @@ int run_machines(const Arguments& a) {
   }
   fmt::print("\n{} of {} decided starts are something else later\n", wrong, decided);
   return wrong > 0 ? 3 : 0;
+}
+
+int run_families(const Arguments& a) {
+  std::uint64_t different = 0, apart = 0;
+  fmt::print("{}", family_head());
+  for (std::size_t k = 0; k < machine_count(); ++k) {
+    if (a.only >= 0 && static_cast<std::size_t>(a.only) != k) continue;
+    if (machine_study(k).uncertain.empty()) continue;
+    const FamilyAudit audit = audit_family(k, a.family_starts, a.settings);
+    different += audit.different;
+    apart += std::fabs(audit.deviation) > largest_deviation;
+    fmt::print("{}", family_line(audit));
+    std::fflush(stdout);
+  }
+  fmt::print("\n{} starts are otherwise where their rotor is known exactly; shares of {} machines are\n", different,
+             apart);
+  return different + apart > 0 ? 3 : 0;
 }
 
 int run(const Arguments& a) {
@@ -124,6 +148,7 @@ int main(int argc, char** argv) {
   Arguments a;
   if (!read(argc, argv, a)) return usage();
   try {
+    if (a.family_starts > 0) return run_families(a);
     return a.machine_starts > 0 ? run_machines(a) : run(a);
   } catch (const std::exception& e) {
     fmt::print(stderr, "equipoise_audit: {}\n", e.what());

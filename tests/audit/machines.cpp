@@ -73,12 +73,17 @@ LookTimes look_times(const Study& study, const Ensemble& ensemble, double longer
 
 std::size_t machine_count() { return machines.size(); }
 
+std::string machine_label(std::size_t k) { return machines[k].label; }
+
+Study machine_study(std::size_t k) {
+  return read_study(std::string(EQUIPOISE_SOURCE_DIR "/studies/") + machines[k].study, machines[k].overrides);
+}
+
 MachineAudit audit_machine(std::size_t k, std::uint64_t starts, const Settings& settings) {
-  const Machine& machine = machines[k];
   const double begin = cpu_seconds();
-  const Study study = read_study(std::string(EQUIPOISE_SOURCE_DIR "/studies/") + machine.study, machine.overrides);
+  const Study study = machine_study(k);
   MachineAudit audit;
-  audit.label = machine.label;
+  audit.label = machine_label(k);
   audit.starts = starts;
   BasinOptions options;
   options.threads = settings.threads;

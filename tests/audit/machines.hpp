@@ -21,6 +21,8 @@ struct MachineAudit {
 
 /// How many machines there are.
 std::size_t machine_count();
+std::string machine_label(std::size_t k);
+Study machine_study(std::size_t k);
 /// Decides `starts` starts of machine k and follows every one of them, with nothing that decides, to at least
 /// settings.longer times the time by which nine in ten were decided.
 MachineAudit audit_machine(std::size_t k, std::uint64_t starts, const Settings& settings);

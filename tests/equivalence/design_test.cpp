@@ -273,7 +273,7 @@ TEST(Design, StoppedBeforeItsFirstBatchSaysSo) {
   const DesignResult result = design(problem_of(small_design), options);
   EXPECT_TRUE(result.partial);
   EXPECT_FALSE(result.chosen);
-  EXPECT_EQ(design_answer(result), "Stopped before any candidate was known.");
+  EXPECT_EQ(design_answer(result), "PARTIAL: stopped before any candidate was known.");
 }
 
 }  // namespace

@@ -224,7 +224,7 @@ std::string optimism_text(const DesignResult& r) {
 
 std::string design_answer(const DesignResult& r) {
   if (!r.chosen || r.front[*r.chosen].best_known().figures.empty())
-    return r.partial ? "Stopped before any candidate was known." : "No candidate was found.";
+    return r.partial ? "PARTIAL: stopped before any candidate was known." : "No candidate was found.";
   const DesignCandidate& best = r.front[*r.chosen];
   const DesignSample& sample = best.best_known();
   std::string text;
