@@ -127,10 +127,11 @@ TEST(PlaneMap, PixelsComeToWhatTheirTrajectoriesComeToAlone) {
           const std::string name = alone ? motion_name(study.parameters, *alone).name : "undecided";
           EXPECT_EQ(name_of(map, at), name) << column << ", " << row;
         }
-        // Orbits are refined to 1e-11; tori and chaos are measured. Of rotors that differ the last window tells, whose
-        // samples, 0.4 apart at most, miss a peak by a thousandth.
+        // Orbits are refined to 1e-11; tori and chaos are measured. Of rotors that differ the last window tells: it is
+        // believed once windows agree to 2 % (DecisionRule::sameness), while what is left may still be dying out. Beside
+        // a period doubling that was measured to be 1.2 %.
         if (alone && alone->kind <= MotionKind::periodic) {
-          const double tolerance = maps_starts(map) ? 1e-8 : 0.002 * alone->r_max + 1e-8;
+          const double tolerance = maps_starts(map) ? 1e-8 : 0.02 * alone->r_max + 1e-8;
           EXPECT_NEAR(map.r_max[at], alone->r_max, tolerance) << column << ", " << row;
         }
       }

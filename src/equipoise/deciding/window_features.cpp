@@ -113,10 +113,14 @@ Features brought_back(const Features& f, int trend, const double* shifts, int ba
 const KnownFeatures* nearest_known(const Features& own, const std::vector<KnownFeatures>& known, int balls,
                                    const double* shifts, double tolerance) {
   const KnownFeatures* nearest = nullptr;
+  int first = 0;  // the attractor of one that agrees
   double least = std::numeric_limits<double>::infinity();
   for (const KnownFeatures& k : known) {
     const Features f = brought_back(own, k.trend, shifts, balls);
     if (!same_motion(k.features, f, balls, tolerance)) continue;
+    // Of rotors that differ two motions that look alike may be one before and after it bifurcates.
+    if (shifts && tolerance <= known_tolerance && first && first != k.attractor) return nullptr;
+    first = k.attractor;
     double distance = 0.0;
     for (int i = 0; i < feature_count(balls); ++i) distance += std::fabs(k.features[i] - f[i]);
     if (distance < least) {

@@ -36,7 +36,7 @@ Features brought_back(const Features& f, int trend, const double* shifts, int ba
 /// A finite window of a torus or of chaos shows its extremes and means to a few percent.
 inline constexpr double known_tolerance = 0.05;
 /// The entry of `known` nearest to long-window features `f`; null if none is the same motion, to `tolerance`.
-/// `shifts`: of the rotor that shows them, or null.
+/// `shifts`: of the rotor that shows them, or null; of such null also where two attractors agree to known_tolerance.
 const KnownFeatures* nearest_known(const Features& f, const std::vector<KnownFeatures>& known, int balls,
                                    const double* shifts = nullptr, double tolerance = known_tolerance);
 

@@ -45,6 +45,8 @@ constexpr double loose_grouping = 0.3;
 constexpr double torus_grouping = 0.15;
 // Groups that are followed, the largest first: more are the debris of a motion that does not settle.
 constexpr std::size_t most_groups = 24;
+// In a part of a family, beside what the whole had: its halves look again, and what is rare is followed start by start.
+constexpr std::size_t most_groups_beside = 8;
 // By so much longer, windows of chaos and of tori show what they are.
 constexpr double later_windows = 4.0;
 
@@ -104,6 +106,7 @@ struct Candidate {
   const OwnRotor* own = nullptr;  // its rotor, if starts draw theirs
   std::optional<Motion> motion{};
   int attractor = 0;
+  int trend = -1;             // of rotors that differ: the row of its motion's features (FeatureTrends)
   bool shows_motion = false;  // its members' windows are those of the motion that it was followed to
   bool stationary = false;
 };
@@ -305,20 +308,22 @@ class Discoverer {
         nearest_known(c.features, result_.rule.known, study_.parameters.balls, shifts_of(c.own));
     if (!known) return false;
     c.attractor = known->attractor;
+    c.trend = known->trend;
     c.shows_motion = true;
-    add_known(c, known->chaotic);
+    // One entry tells the motion of all rotors; chaos looks different in every window.
+    if (!drawn_ || known->chaotic) add_known(c, known->chaotic);
     return true;
   }
 
   static const double* shifts_of(const OwnRotor* own) { return own ? own->shifts.data() : nullptr; }
   // Features of a candidate, or of one of its members, as the middle's motion shows them.
   Features brought_back(const Candidate& c, const Features& f, const OwnRotor* own) const {
-    return equipoise::brought_back(f, result_.trends.of(c.attractor), shifts_of(own), study_.parameters.balls);
+    return equipoise::brought_back(f, c.trend, shifts_of(own), study_.parameters.balls);
   }
   void add_known(const Candidate& c, bool chaotic) {
     // Until it is known for which rotors it lasts, chaos may end for all.
-    result_.rule.known.push_back({brought_back(c, c.features, c.own), c.attractor, chaotic, chaotic && drawn_ ? 0 : -1,
-                                  result_.trends.of(c.attractor)});
+    result_.rule.known.push_back(
+        {brought_back(c, c.features, c.own), c.attractor, chaotic, chaotic && drawn_ ? 0 : -1, c.trend});
   }
 
   // Groups of trajectories that the rule cannot name yet: stationary ones, and ones that neither settled nor came to
@@ -340,7 +345,7 @@ class Discoverer {
       auto groups = group_records(pilot_.records(), *which, balls, tolerance);
       std::stable_sort(groups.begin(), groups.end(),
                        [](const MotionGroup& a, const MotionGroup& b) { return a.members.size() > b.members.size(); });
-      if (groups.size() > most_groups) groups.resize(most_groups);
+      groups.resize(std::min(groups.size(), drawn_ && settings_.informed ? most_groups_beside : most_groups));
       for (const MotionGroup& group : groups) {
         candidates_.push_back({group.members, group.features, group.range,
                                pilot_.state_at_strobe(group.members.front()), pilot_.rotor(group.members.front())});
@@ -408,6 +413,7 @@ class Discoverer {
         unknown.push_back(std::move(candidates_[k]));
       else if (const KnownFeatures* known = looks_of(fates[k].attractor, candidates_[k])) {
         candidates_[k].attractor = known->attractor;
+        candidates_[k].trend = known->trend;
         add_known(candidates_[k], known->chaotic);
       }
     }
@@ -448,8 +454,27 @@ class Discoverer {
     return true;
   }
 
-  // Follows the candidates until they are steady; lists those that become so, with what recognises them.
+  // Of rotors that differ a few at a time: most others are what these come to, as another rotor has it.
   bool refine_and_list() {
+    if (!drawn_) return refine_candidates();
+    constexpr std::size_t at_once = 4;
+    const std::vector<Candidate> all = std::move(candidates_);
+    std::vector<Candidate> done;
+    for (auto next = all.begin(); next != all.end();) {
+      candidates_.clear();
+      for (; next != all.end() && candidates_.size() < at_once; ++next) {
+        Candidate c = *next;
+        (!c.members.empty() && name_by_looks(c) ? done : candidates_).push_back(std::move(c));
+      }
+      if (!refine_candidates()) return false;
+      done.insert(done.end(), candidates_.begin(), candidates_.end());
+    }
+    candidates_ = std::move(done);
+    return true;
+  }
+
+  // Follows the candidates until they are steady; lists those that become so, with what recognises them.
+  bool refine_candidates() {
     stages_.begin("motions followed until they are steady", candidates_.size());
     in_parallel(settings_.threads, candidates_.size(), [&](std::size_t k) {
       if (is_stopped()) return;
@@ -462,13 +487,16 @@ class Discoverer {
     const Catalogue before = result_.catalogue;
     for (Candidate& c : candidates_)
       if (c.motion && c.motion->stable) c.attractor = result_.catalogue.add(system_of(c).parameters(), *c.motion);
-    if (!add_trends(before)) return false;
     for (Candidate& c : candidates_) {
-      if (!c.motion || !c.motion->stable) continue;
       // Balance is never told by what it looks like: traps know it, or the way to it is followed.
-      if (!c.shows_motion || c.attractor == balanced_id) continue;
-      if (c.members.empty() && is_known(c.attractor)) c.shows_motion = false;  // another seed came to the same
-      if (!c.shows_motion) continue;
+      if (!c.motion || !c.motion->stable || !c.shows_motion || c.attractor == balanced_id) continue;
+      if (drawn_ ? looks_known(c) : is_known(c.attractor)) {
+        if (c.members.empty()) c.shows_motion = false;  // another seed came to the same
+        if (!c.shows_motion) continue;
+      } else {
+        if (!add_trend(c)) return false;
+        result_.seeds.emplace_back(c.motion->state.begin(), c.motion->state.end());
+      }
       add_known(c, c.motion->kind == MotionKind::chaotic);
       if (c.motion->kind == MotionKind::chaotic) chaos_.try_emplace(c.attractor, c.motion->state);
     }
@@ -477,31 +505,42 @@ class Discoverer {
     return !is_stopped();
   }
 
-  // How what is newly listed looks for others of the family: rotors all over the part set off from one's motion.
-  bool add_trends(const Catalogue& before) {
+  // Rotors that set off from one's motion: the more, the more values differ.
+  std::size_t tried() const {
+    constexpr std::size_t most = 128;
+    const std::size_t wanted = std::size_t{24} << std::min<std::size_t>(rotors_.front().coordinates.size(), 3);
+    return std::min({most, wanted, rotors_.size()});
+  }
+
+  // Of rotors that differ several motions may have one name. Sees to it that a candidate that looks like what is known
+  // under its own has that one's trend.
+  bool looks_known(Candidate& c) const {
+    const DecisionRule& rule = result_.rule;
+    const KnownFeatures* known = nearest_known(c.features, rule.known, rule.balls, shifts_of(c.own));
+    if (!known || known->attractor != c.attractor) return false;
+    c.trend = known->trend;
+    return true;
+  }
+
+  // How a candidate's motion looks for others of the family: rotors all over the part set off from it.
+  bool add_trend(Candidate& c) {
     if (!drawn_ || is_dear(system_)) return !is_stopped();
-    for (const Attractor& a : result_.catalogue.listed_since(before)) {
-      const auto c = std::find_if(candidates_.begin(), candidates_.end(), [&](const Candidate& candidate) {
-        return candidate.attractor == a.id && candidate.shows_motion;
-      });
-      if (a.id == balanced_id || c == candidates_.end()) continue;
-      constexpr std::size_t tried = 128;
-      std::vector<const Motion*> motions;
-      std::vector<const OwnRotor*> own;
-      for (std::size_t k = 0; k < std::min(tried, rotors_.size()); ++k) {
-        motions.push_back(&*c->motion);
-        own.push_back(&rotors_[k]);
-      }
-      const std::vector<PilotRecord> windows =
-          own_windows(system_, motions, own, result_.rule, pilot_windows, trials_.tolerance, settings_.stop);
-      if (is_stopped()) return false;
-      std::vector<ShownFeatures> others;
-      for (std::size_t k = 0; k < windows.size(); ++k)
-        if (windows[k].finished_window) others.push_back({own[k]->coordinates, windows[k].features});
-      const OwnRotor& first = c->own ? *c->own : rotors_.front();
-      result_.trends.add(a.id, study_.parameters.balls, agreement(c->motion->kind), {first.coordinates, c->features},
-                         std::move(others));
+    std::vector<const Motion*> motions;
+    std::vector<const OwnRotor*> own;
+    for (std::size_t k = 0; k < tried(); ++k) {
+      motions.push_back(&*c.motion);
+      own.push_back(&rotors_[k]);
     }
+    const std::vector<PilotRecord> windows =
+        own_windows(system_, motions, own, result_.rule, pilot_windows, trials_.tolerance, settings_.stop);
+    if (is_stopped()) return false;
+    std::vector<ShownFeatures> others;
+    for (std::size_t k = 0; k < windows.size(); ++k)
+      if (windows[k].finished_window) others.push_back({own[k]->coordinates, windows[k].features});
+    const OwnRotor& first = c.own ? *c.own : rotors_.front();
+    c.trend = result_.trends.add(c.attractor, study_.parameters.balls, agreement(c.motion->kind),
+                                 {first.coordinates, c.features}, std::move(others));
+    if (c.trend < 0) return true;
     for (OwnRotor& rotor : rotors_) result_.trends.place(rotor);
     for (OwnRotor& rotor : pilot_.rotors()) result_.trends.place(rotor);
     return true;
@@ -525,11 +564,9 @@ class Discoverer {
 
   // What comes to another motion has ended; what becomes regular has kept its name.
   std::vector<FeatureTrends::Lasting> lasting(int attractor, const Eigen::VectorXd& state) const {
-    constexpr std::size_t most = 128;
-    const std::size_t tried = std::min(most, rotors_.size());
     std::vector<double> states;
     std::vector<const OwnRotor*> own;
-    for (std::size_t k = 0; k < tried; ++k) {
+    for (std::size_t k = 0; k < tried(); ++k) {
       states.insert(states.end(), state.begin(), state.end());
       own.push_back(&rotors_[k]);
     }
@@ -538,7 +575,7 @@ class Discoverer {
         fates_by_windows(system_, std::move(states), own, rule, rule.chaos_lasts / rule.first_long_window,
                          trials_.tolerance, settings_.stop);
     std::vector<FeatureTrends::Lasting> result;
-    for (std::size_t k = 0; k < tried; ++k)
+    for (std::size_t k = 0; k < tried(); ++k)
       result.push_back({own[k]->coordinates, fates[k].attractor == attractor ||
                                                  fates[k].outcome == Outcome::undecided ||
                                                  fates[k].time >= 0.9 * rule.chaos_lasts});
@@ -630,14 +667,14 @@ class Discoverer {
         if (!c.members.empty() && c.members.size() < (a->motion.kind == MotionKind::periodic ? 1 : members_needed))
           continue;
         FeatureBox box = box_around(range_of(c), rule.balls, c.attractor, widths);
-        box.trend = result_.trends.of(c.attractor);
+        box.trend = c.trend;
         if (box.attractor && rule.boxes.size() + 1 < most_boxes) rule.boxes.push_back(box);
       }
   }
 
   // Of all its members, as the middle's motion would show it.
   FeatureBox range_of(const Candidate& c) const {
-    if (c.members.empty() || result_.trends.of(c.attractor) < 0) return c.range;
+    if (c.members.empty() || c.trend < 0) return c.range;
     FeatureBox range;
     for (std::size_t m = 0; m < c.members.size(); ++m) {
       const FeatureBox& shown = pilot_.records()[c.members[m]].range;

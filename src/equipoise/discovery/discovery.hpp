@@ -50,6 +50,7 @@ struct Discovery {
   BalancedFamily family;  ///< of a part of a family: where its balanced traps stand
   FeatureTrends trends;   ///< and how its motions' features change
   TrapHints hints;        ///< for a neighbour's search
+  std::vector<std::vector<double>> seeds;  ///< for that too: a state on each motion that windows tell
   std::shared_ptr<const CoastingTrap> coasting;  ///< of a rotor that coasts
   bool stopped = false;
 

@@ -10,6 +10,8 @@
 #include "equipoise/base/parallel.hpp"
 #include "equipoise/discovery/drawn_source.hpp"
 #include "equipoise/kernels/lane_kernels.hpp"
+#include "equipoise/motions/motion.hpp"
+#include "equipoise/orbits/stroboscopic.hpp"
 
 namespace equipoise {
 
@@ -18,17 +20,24 @@ namespace {
 // Starts by which cells are judged: their own, the same for all.
 constexpr std::uint64_t judging_seed = 0xa0761d6478bd642f;
 constexpr std::size_t judged = 1024;
-constexpr int most_halvings = 4;
-// To follow a start that a cell's rule does not know costs as much as to decide so many.
-constexpr double dear = 1000.0;
-// Less is not worth another search.
-constexpr double worth_it = 0.85;
-// A cell that costs less is good enough; one that knows so little of what starts come to, halves would not know either.
-constexpr double good_enough = 2.0, too_little_known = 0.05;
+constexpr int most_halvings = 10;
+// All in starts that are known at once, which take about so long each.
+constexpr double soon = 200.0;
+// To follow a start that a cell's rule does not know; to search a cell.
+constexpr double dear = 2000.0, a_search = 3e5;
+// Cells are halved while two searches more cost less than this part of all that their starts do.
+constexpr double worth_two_searches = 0.5;
+// Halves that are not better by so much are not kept, but at first: a part that knows next to nothing has to become
+// small before it knows more.
+constexpr double better = 0.85, much_to_gain = 25.0;
+constexpr int at_first = 3;
+// Of starts that the horizon leaves open so many are followed for as long again; if fewer than half come to something
+// by then, they are left open.
+constexpr std::size_t followed_on = 8;
 
-// What a start costs in a cell, in starts that are known at once, by halves of every axis too.
+// What a start costs in a cell, by halves of every axis too.
 struct Judgement {
-  double cost = 0.0, unknown = 0.0;  // unknown: the share of what its rule does not list
+  double cost = 0.0;
   std::vector<double> unlike;  // how much fates of its lower half differ from those of its upper half
 };
 
@@ -39,7 +48,8 @@ struct Tried {
 
 class MeshMaker {
  public:
-  MeshMaker(const StudyFamily& family, const DiscoverySettings& settings) : family_(family), settings_(settings) {}
+  MeshMaker(const StudyFamily& family, double starts, const DiscoverySettings& settings)
+      : family_(family), starts_(starts), settings_(settings) {}
 
   FamilyMesh run() {
     for (const FamilyBox& part : family_.parts()) {
@@ -60,10 +70,7 @@ class MeshMaker {
     DiscoverySettings settings = settings_;
     if (parent) {
       settings.informed = true;
-      settings.seeds.clear();
-      for (const Attractor& a : parent->discovery.catalogue.attractors())
-        if (a.id != balanced_id && a.motion.state.size() > 0)
-          settings.seeds.emplace_back(a.motion.state.begin(), a.motion.state.end());
+      settings.seeds = parent->discovery.seeds;
       settings.hints = parent->discovery.hints;
     }
     Discovery found = discover(family_, box, settings);
@@ -75,8 +82,8 @@ class MeshMaker {
 
   // Halves while it pays, along the axis whose halves differ most.
   bool divide(Tried whole, int depth) {
-    const Judgement& judgement = whole.judgement;
-    if (depth < most_halvings && judgement.cost > good_enough && judgement.unknown < too_little_known) {
+    const double starts = starts_ * volume(whole.cell.box), to_gain = starts * whole.judgement.cost / a_search;
+    if (depth < most_halvings && 2.0 < worth_two_searches * to_gain) {
       const std::size_t axis = axis_of(whole);
       std::array<std::optional<Tried>, 2> halves;
       for (int side = 0; side < 2; ++side) {
@@ -86,7 +93,7 @@ class MeshMaker {
         if (!halves[side]) return false;
       }
       const double both = 0.5 * (halves[0]->judgement.cost + halves[1]->judgement.cost);
-      if (both < worth_it * whole.judgement.cost) {
+      if (both < better * whole.judgement.cost || (depth < at_first && to_gain > much_to_gain)) {
         for (auto& half : halves)
           if (!divide(*std::move(half), depth + 1)) return false;
         return true;
@@ -94,6 +101,12 @@ class MeshMaker {
     }
     mesh_.cells.push_back(std::move(whole.cell));
     return true;
+  }
+
+  static double volume(const FamilyBox& box) {
+    double volume = 1.0;
+    for (std::size_t k = 0; k < box.low.size(); ++k) volume *= box.high[k] - box.low[k];
+    return volume;
   }
 
   std::size_t axis_of(const Tried& whole) const {
@@ -109,7 +122,6 @@ class MeshMaker {
     if (!source.make(judging_seed, 0, judged, starts)) return false;
     const double horizon = *source.middle().numerics.horizon;
     std::vector<const OwnRotor*> own;
-    std::vector<double> begins;
     for (std::size_t i = 0; i < judged; ++i) {
       cell.discovery.place(starts.rotors[i]);
       own.push_back(&starts.rotors[i]);
@@ -123,28 +135,48 @@ class MeshMaker {
     task.stop = settings_.stop;
     std::vector<Fate> fates(judged);
     if (!decide_lanes(task, cell.discovery.rule, fates, nullptr)) return false;
-    double time = 0.0, unknown = 0.0;
+    std::vector<std::size_t> open;
+    for (std::size_t i = 0; i < judged; ++i)
+      if (fates[i].outcome == Outcome::undecided) open.push_back(i);
+    cell.follows_open = settle(starts, fates, open, horizon);
+    if (is_set(settings_.stop)) return false;
+    std::vector<double> costs;
     for (std::size_t i = 0; i < judged; ++i) {
-      time += fates[i].time - starts.begins[i];
-      unknown += fates[i].outcome == Outcome::attracted && fates[i].attractor == 0;
+      const bool is_open = fates[i].outcome == Outcome::undecided;
+      const bool followed =
+          is_open ? cell.follows_open : fates[i].outcome == Outcome::attracted && fates[i].attractor == 0;
+      costs.push_back((fates[i].time - starts.begins[i]) / soon + (followed ? dear : 0.0));
+      result.judgement.cost += costs.back() / judged;
     }
-    // Ones that are known at once take about this long.
-    constexpr double soon = 200.0;
-    result.judgement.unknown = unknown / judged;
-    result.judgement.cost = time / judged / soon + dear * result.judgement.unknown;
-    for (std::size_t k = 0; k < family_.size(); ++k) result.judgement.unlike.push_back(unlikeness(fates, source, k));
+    for (std::size_t k = 0; k < family_.size(); ++k) result.judgement.unlike.push_back(unlikeness(costs, source, k));
     return true;
   }
 
+  // Whether starts that the horizon leaves open soon come to something, by the first of them.
+  bool settle(const SpunUp& starts, const std::vector<Fate>& fates, const std::vector<std::size_t>& open,
+              double patience) const {
+    const std::size_t count = std::min(open.size(), followed_on);
+    std::vector<char> settles(count);
+    in_parallel(settings_.threads, count, [&](std::size_t k) {
+      const OwnRotor& own = starts.rotors[open[k]];
+      const int size = own.system.dimension();
+      const Eigen::Map<const Eigen::VectorXd> z(&starts.states[open[k] * static_cast<std::size_t>(size)], size);
+      const auto at_strobe = at_next_strobe(own.system, z, own.segment.psi_at(fates[open[k]].time));
+      const auto motion = motion_from(own.system, at_strobe.value_or(z), patience, settings_.stop);
+      settles[k] = motion && motion->stable;
+    });
+    return 2 * std::count(settles.begin(), settles.end(), 1) >= static_cast<std::ptrdiff_t>(count);
+  }
+
   // By the study's order of draws: which half of the box's axis `k` a start drew.
-  double unlikeness(const std::vector<Fate>& fates, const DrawnSource& source, std::size_t k) const {
-    std::array<double, 2> count{}, time{};
-    for (std::size_t i = 0; i < fates.size(); ++i) {
+  static double unlikeness(const std::vector<double>& costs, const DrawnSource& source, std::size_t k) {
+    std::array<double, 2> count{}, sum{};
+    for (std::size_t i = 0; i < costs.size(); ++i) {
       const int side = source.place(i)[k] >= 0.5;
       ++count[side];
-      time[side] += fates[i].time + (fates[i].attractor == 0 ? dear : 0.0);
+      sum[side] += costs[i];
     }
-    return std::fabs(std::log((time[0] / count[0] + 1.0) / (time[1] / count[1] + 1.0)));
+    return std::fabs(std::log((sum[0] / count[0] + 1.0) / (sum[1] / count[1] + 1.0)));
   }
 
   // Gives the cell's attractors their identifiers in the mesh's catalogue.
@@ -158,6 +190,7 @@ class MeshMaker {
   }
 
   const StudyFamily& family_;
+  const double starts_;
   const DiscoverySettings& settings_;
   FamilyMesh mesh_;
 };
@@ -175,13 +208,13 @@ std::optional<double> FamilyMesh::largest_radius(const StudyFamily& family, int 
   const FamilyCell& cell = cells[index(fractions)];
   const auto own = std::find(cell.ids.begin(), cell.ids.end(), attractor);
   if (attractor <= 0 || own == cell.ids.end()) return std::nullopt;
-  const auto features = cell.discovery.trends.features(static_cast<int>(own - cell.ids.begin()),
-                                                       family.coordinates(cell.box, fractions));
+  const auto features =
+      cell.discovery.trends.features(static_cast<int>(own - cell.ids.begin()), family.coordinates(cell.box, fractions));
   return features ? std::optional((*features)[equipoise::largest_radius]) : std::nullopt;
 }
 
-FamilyMesh discover_mesh(const StudyFamily& family, const DiscoverySettings& settings) {
-  return MeshMaker(family, settings).run();
+FamilyMesh discover_mesh(const StudyFamily& family, double starts, const DiscoverySettings& settings) {
+  return MeshMaker(family, starts, settings).run();
 }
 
 }  // namespace equipoise

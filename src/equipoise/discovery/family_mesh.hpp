@@ -19,6 +19,7 @@ struct FamilyCell {
   Discovery discovery;
   /// Identifiers of its attractors in the mesh's catalogue, by those that they have in its own.
   std::vector<int> ids;
+  bool follows_open = true;  ///< starts that the horizon leaves open mostly come to something soon if they are followed on
 
   int id(int own) const { return own > 0 ? ids[static_cast<std::size_t>(own)] : own; }
 };
@@ -40,7 +41,10 @@ struct FamilyMesh {
                                        std::span<const double> fractions) const;
 };
 
-/// Depends on the family alone, and on settings.seeds.
-FamilyMesh discover_mesh(const StudyFamily& family, const DiscoverySettings& settings);
+/// Starts for which the mesh of a study with uncertain values is made, however many are decided by it in the end.
+inline constexpr double usual_starts = 1e5;
+
+/// As fine as pays for so many `starts`. Depends on these, the family and settings.seeds alone.
+FamilyMesh discover_mesh(const StudyFamily& family, double starts, const DiscoverySettings& settings);
 
 }  // namespace equipoise

@@ -66,8 +66,8 @@ bool lasts_beside(const OwnRotor& rotor, const std::vector<FeatureTrends::Lastin
 
 }  // namespace
 
-void FeatureTrends::add(int attractor, int balls, double agreement, const ShownFeatures& first,
-                        std::vector<ShownFeatures> others) {
+int FeatureTrends::add(int attractor, int balls, double agreement, const ShownFeatures& first,
+                       std::vector<ShownFeatures> others) {
   std::stable_sort(others.begin(), others.end(), [&](const ShownFeatures& a, const ShownFeatures& b) {
     return distance(a.coordinates, first.coordinates) < distance(b.coordinates, first.coordinates);
   });
@@ -80,25 +80,22 @@ void FeatureTrends::add(int attractor, int balls, double agreement, const ShownF
   // What was taken in before the trend was clear is judged by it too.
   for (int round = 0; round < 3; ++round) {
     const Fit fit(used, balls);
-    if (fit.degree() == 0) return;
+    if (fit.degree() == 0) return -1;
     used = {&first};
     for (const ShownFeatures& s : others)
       if (same_motion(fit.at(s.coordinates), s.features, balls, agreement)) used.push_back(&s);
   }
   const Fit fit(used, balls);
-  if (fit.degree() > 0) trends_.push_back({attractor, balls, fit.degree(), fit.coefficients()});
-}
-
-int FeatureTrends::of(int attractor) const {
-  for (std::size_t k = 0; k < trends_.size(); ++k)
-    if (trends_[k].attractor == attractor) return static_cast<int>(k);
-  return -1;
+  if (fit.degree() == 0) return -1;
+  trends_.push_back({attractor, balls, fit.degree(), fit.coefficients()});
+  return static_cast<int>(trends_.size()) - 1;
 }
 
 std::optional<Features> FeatureTrends::features(int attractor, const std::vector<double>& coordinates) const {
-  const int row = of(attractor);
-  if (row < 0) return std::nullopt;
-  const Trend& trend = trends_[static_cast<std::size_t>(row)];
+  const auto at =
+      std::find_if(trends_.begin(), trends_.end(), [&](const Trend& t) { return t.attractor == attractor; });
+  if (at == trends_.end()) return std::nullopt;
+  const Trend& trend = *at;
   Features result{};
   Eigen::Map<Eigen::VectorXd>(result.data(), trend.coefficients.cols()) =
       trend.coefficients.transpose() * polynomial_terms(coordinates, trend.degree);

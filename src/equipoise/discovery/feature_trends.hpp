@@ -22,9 +22,9 @@ struct ShownFeatures {
 class FeatureTrends {
  public:
   /// Fits the trend of an attractor: `first` is what it surely shows, `others` what rotors showed that began there, some
-  /// of which went elsewhere. `agreement`: how well windows of such a motion agree (same_motion()). None where too few
-  /// stayed.
-  void add(int attractor, int balls, double agreement, const ShownFeatures& first, std::vector<ShownFeatures> others);
+  /// of which went elsewhere. `agreement`: how well windows of such a motion agree (same_motion()). Returns the row of
+  /// OwnRotor::shifts that it fills; -1: too few stayed.
+  int add(int attractor, int balls, double agreement, const ShownFeatures& first, std::vector<ShownFeatures> others);
   /// One rotor's chaos: whether it lasts for a rotor with these coordinates.
   struct Lasting {
     std::vector<double> coordinates;
@@ -32,9 +32,7 @@ class FeatureTrends {
   };
   /// Chaos that was followed for many rotors; returns its number.
   int add_chaos(std::vector<Lasting> tried);
-  /// The row of OwnRotor::shifts for an attractor; -1: none.
-  int of(int attractor) const;
-  /// What the attractor shows where the rotor has these coordinates, if it has a trend.
+  /// What the attractor shows where the rotor has these coordinates: of several motions the first, if it has a trend.
   std::optional<Features> features(int attractor, const std::vector<double>& coordinates) const;
   /// Fills in the rotor's shifts, and which chaos lasts for it.
   void place(OwnRotor& rotor) const;

@@ -146,8 +146,8 @@ void check_offers(const Study& study, model::Answer answer) {
 // Starts under way, and what is known of each.
 struct StartRunner::Batch {
   SpunUp starts;
-  std::vector<FamilyStart> own;        // each start's study, where they differ; else empty
-  std::vector<std::size_t> cell;       // of the mesh, of such
+  std::vector<FamilyStart> own;   // each start's study, where they differ; else empty
+  std::vector<std::size_t> cell;  // of the mesh, of such
   TransientTable table;
   bool watched = false;
   std::vector<Fate> fates;
@@ -195,18 +195,18 @@ StartRunner::StartRunner(const Study& study, const DiscoverySettings& settings, 
 
 // Of a study with uncertain values, made once for all runs that share a cache.
 FamilyMesh StartRunner::mesh_of(const Study& study, const StudyFamily& family, const DiscoverySettings& settings) {
-  if (!settings.cache) return discover_mesh(family, settings);
+  if (!settings.cache) return discover_mesh(family, usual_starts, settings);
   Study subject = study;
   subject.sampling = {};
   subject.limits = {};
   std::string key = search_key(to_toml(subject), settings);
   if (const auto at = settings.cache->meshes.find(key); at != settings.cache->meshes.end()) return *at->second;
-  FamilyMesh mesh = discover_mesh(family, settings);
+  FamilyMesh mesh = discover_mesh(family, usual_starts, settings);
   if (!mesh.stopped) settings.cache->meshes.emplace(std::move(key), std::make_shared<const FamilyMesh>(mesh));
   return mesh;
 }
 
-StartRunner::StartRunner(const Study& study, StudyFamily family, const DiscoverySettings& settings)
+StartRunner::StartRunner(const Study& study, StudyFamily family, double starts, const DiscoverySettings& settings)
     : study_(with_horizon(study)),
       stop_(settings.stop),
       system_(study.system()),
@@ -214,7 +214,7 @@ StartRunner::StartRunner(const Study& study, StudyFamily family, const Discovery
       source_(make_spin_up(study_, settings.stop)),
       sampler_(sampler_of(study_)),
       family_(std::move(family)),
-      mesh_(discover_mesh(*family_, settings)),
+      mesh_(discover_mesh(*family_, starts, settings)),
       catalogue_(mesh_.catalogue) {}
 
 // Of rotors that differ none is known beforehand but the end that is none: exact balance.
@@ -420,7 +420,7 @@ bool StartRunner::finish(Batch& batch, std::vector<Fate>& fates, std::vector<Unl
     const model::System& system = batch.system(*this, i);
     // At the horizon a rotor of its own is not undecided for want of a list that holds for it.
     const bool open = family_ && fate.outcome == Outcome::undecided && !batch.starts.is_over(i) &&
-                      fate.time >= batch.end(*this, i);
+                      fate.time >= batch.end(*this, i) && mesh_.cells[batch.cell[i]].follows_open;
     if (open) fate.outcome = Outcome::attracted;
     const bool attracted = fate.outcome == Outcome::attracted;
     std::optional<MotionFigures> end;
@@ -524,8 +524,7 @@ std::vector<UndecidedEnd> StartRunner::look_at(const std::vector<InitialState>& 
     Batch batch;
     if (!source_->follow(parted(study_.parameters, {&given, 1}), batch.starts)) break;
     if (batch.starts.is_over(0)) {
-      ends.push_back(
-          {.what = Restlessness::held, .reached = batch.starts.nearest[0], .asked = *study_.release.speed});
+      ends.push_back({.what = Restlessness::held, .reached = batch.starts.nearest[0], .asked = *study_.release.speed});
       continue;
     }
     if (!decide(batch)) break;
@@ -536,8 +535,7 @@ std::vector<UndecidedEnd> StartRunner::look_at(const std::vector<InitialState>& 
     const float before = batch.fates[0].mean_speed;
     if (!note_last_speeds(batch)) break;
     const double now = batch.fates[0].mean_speed;
-    const Restlessness of_rotor =
-        restlessness(before, batch.fates[0], batch.starts.begin(0, source_->settled()));
+    const Restlessness of_rotor = restlessness(before, batch.fates[0], batch.starts.begin(0, source_->settled()));
     UndecidedEnd& end = ends.back();
     const bool changes = of_rotor == Restlessness::speeding_up || of_rotor == Restlessness::changing_speed;
     const bool waits_for_speed = end.what == Restlessness::creeping || end.what == Restlessness::near_balance;

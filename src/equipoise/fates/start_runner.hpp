@@ -50,8 +50,8 @@ class StartRunner : public Runner {
   /// Spins up and discovers the attractors. The study has passed check_runnable(). Ask stopped() afterwards.
   /// `transients`: run() can be asked for rows.
   StartRunner(const Study& study, const DiscoverySettings& settings, bool transients = false);
-  /// Of the starts of a family, by run_family(); `study` is one of it, in whose units fates are.
-  StartRunner(const Study& study, StudyFamily family, const DiscoverySettings& settings);
+  /// Of the starts of a family, about so many, by run_family(); `study` is one of it, in whose units fates are.
+  StartRunner(const Study& study, StudyFamily family, double starts, const DiscoverySettings& settings);
 
   bool run(std::uint64_t first, std::size_t count, std::vector<double>& phi, std::vector<Fate>& fates,
            std::vector<UnlistedStart>& unlisted, std::vector<TransientRow>* rows = nullptr) const override;

@@ -83,7 +83,8 @@ StudyFamily family_of(const PlaneMap& map) {
 std::unique_ptr<StartRunner> runner_of(const PlaneMap& map, const RunOptions& options) {
   const DiscoverySettings settings{map.threads, options.stop, {}, nullptr, options.progress};
   if (maps_starts(map)) return std::make_unique<StartRunner>(map.study, settings);
-  return std::make_unique<StartRunner>(map.study, family_of(map), settings);
+  const double pixels = static_cast<double>(map.x.pixels) * map.y.pixels;
+  return std::make_unique<StartRunner>(map.study, family_of(map), pixels, settings);
 }
 
 }  // namespace
