@@ -136,6 +136,16 @@ TEST(Windows, LongWindowsNameTheKnownMotionTheyResemble) {
   EXPECT_EQ(nearest_known(features(circling(-1.5, 0.1), 2, true), known, 2), nullptr);
 }
 
+// Before and after a bifurcation a motion looks alike and has two names.
+TEST(Windows, OfRotorsThatDifferWhatLooksLikeTwoMotionsIsNeither) {
+  const Features f = features(circling(-1.0, 0.1), 2, true), beside = features(circling(-1.001, 0.1), 2, true);
+  const std::vector<KnownFeatures> known{{f, 3, false, -1, -1}, {beside, 5, false, -1, -1}};
+  const std::vector<double> none(static_cast<std::size_t>(feature_count(2)), 0.0);
+  EXPECT_EQ(nearest_known(f, known, 2)->attractor, 3);
+  EXPECT_EQ(nearest_known(f, known, 2, none.data()), nullptr);
+  EXPECT_EQ(nearest_known(f, {known[0], known[0]}, 2, none.data())->attractor, 3);
+}
+
 TEST(Windows, ChaosIsKnownByWindowsThatResembleItWithoutRepeating) {
   DecisionRule rule;
   rule.window = 16.0;

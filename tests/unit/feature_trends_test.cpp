@@ -1,0 +1,86 @@
+// What motions look like from rotor to rotor.
+#include "equipoise/discovery/feature_trends.hpp"
+
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include "equipoise/deciding/window_features.hpp"
+#include "equipoise/lanes/own_rotor.hpp"
+#include "equipoise/literature/paper_rotor.hpp"
+
+namespace equipoise {
+namespace {
+
+// Largest r as given, of balls that drift at `rate`.
+Features shown(double largest, double rate) {
+  Features f{};
+  f[0] = 0.5 * largest;
+  f[1] = largest;
+  f[2] = 0.8 * largest;
+  for (int i = 0; i < 2; ++i) f[3 + 3 * i] = f[4 + 3 * i] = f[5 + 3 * i] = rate;
+  return f;
+}
+
+// Of rotors from one end of the box to the other, as `slope` has it.
+std::vector<ShownFeatures> along(double first, double slope, double rate) {
+  std::vector<ShownFeatures> all;
+  for (int k = 0; k <= 40; ++k) {
+    const double x = k / 40.0;
+    all.push_back({{x}, shown(first + slope * x, rate)});
+  }
+  return all;
+}
+
+OwnRotor rotor_at(double x) {
+  OwnRotor rotor = own_rotor(paper_rotor().system());
+  rotor.coordinates = {x};
+  return rotor;
+}
+
+TEST(FeatureTrends, MotionsOfOneNameHaveOneEach) {
+  FeatureTrends trends;
+  const auto growing = along(0.1, 0.05, -1.0), shrinking = along(0.3, -0.1, -0.5);
+  EXPECT_EQ(trends.add(7, 2, 0.05, growing[20], growing), 0);
+  EXPECT_EQ(trends.add(7, 2, 0.05, shrinking[20], shrinking), 1);
+  OwnRotor rotor = rotor_at(0.9);
+  trends.place(rotor);
+  // As the middle's motion shows it.
+  EXPECT_NEAR(brought_back(shown(0.145, -1.0), 0, rotor.shifts.data(), 2)[1], 0.125, 1e-9);
+  EXPECT_NEAR(brought_back(shown(0.21, -0.5), 1, rotor.shifts.data(), 2)[1], 0.25, 1e-9);
+  EXPECT_NEAR((*trends.features(7, {0.9}))[1], 0.145, 1e-9);
+  EXPECT_FALSE(trends.features(8, {0.9}));
+}
+
+TEST(FeatureTrends, TooFewThatStayMakeNone) {
+  FeatureTrends trends;
+  const auto all = along(0.1, 0.05, -1.0);
+  EXPECT_EQ(trends.add(7, 2, 0.05, all[20], {all[20]}), -1);
+  OwnRotor rotor = rotor_at(0.9);
+  trends.place(rotor);
+  EXPECT_TRUE(rotor.shifts.empty());
+}
+
+// Others that went elsewhere do not bend it.
+TEST(FeatureTrends, IsThatOfTheRotorsThatStayed) {
+  FeatureTrends trends;
+  auto mixed = along(0.1, 0.05, -1.0);
+  for (int k = 30; k <= 40; ++k) mixed[k].features = shown(0.4, 0.0);
+  EXPECT_EQ(trends.add(7, 2, 0.05, mixed[10], mixed), 0);
+  EXPECT_NEAR((*trends.features(7, {0.2}))[1], 0.11, 1e-9);
+}
+
+TEST(FeatureTrends, ChaosLastsWhereItDidForAllNearest) {
+  FeatureTrends trends;
+  std::vector<FeatureTrends::Lasting> tried;
+  for (int k = 0; k <= 40; ++k) tried.push_back({{k / 40.0}, k <= 20});
+  EXPECT_EQ(trends.add_chaos(tried), 0);
+  for (const auto& [x, lasts] : {std::pair{0.1, true}, std::pair{0.9, false}, std::pair{0.51, false}}) {
+    OwnRotor rotor = rotor_at(x);
+    trends.place(rotor);
+    EXPECT_EQ(rotor.chaos_lasts, std::vector<char>{lasts}) << x;
+  }
+}
+
+}  // namespace
+}  // namespace equipoise
