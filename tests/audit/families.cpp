@@ -94,7 +94,10 @@ void compare(const Ensemble& drawn, const std::vector<Shares>& rotors, FamilyAud
       sum += s;
       squares += s * s;
     }
-    const double mean = sum / m, between = std::max(0.0, squares / m - mean * mean) / std::max(1.0, m - 1.0);
+    const double mean = sum / m;
+    // What none of the rotors showed may be all that a few others do.
+    const double between =
+        sum > 0.0 ? std::max(0.0, squares / m - mean * mean) / std::max(1.0, m - 1.0) : share / m;
     // A kind that one of the two never showed has an error all the same.
     const double least = 1.0 / n, error = std::sqrt(between + std::max(share * (1.0 - share), least) / n);
     const double deviation = (share - mean) / error;
