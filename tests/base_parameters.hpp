@@ -1,7 +1,8 @@
-// The rotor that most tests start from, as parameters.
+// The rotor that most tests start from, as parameters, and studies of rotors.
 #pragma once
 
 #include "equipoise/model/parameters.hpp"
+#include "equipoise/study/study.hpp"
 
 namespace equipoise {
 
@@ -12,6 +13,16 @@ inline model::Parameters base_rotor(int balls = 2, double drag = 0.05, double ma
   p.mass.fill(mass);
   p.drag.fill(drag);
   return p;
+}
+
+/// At constant speed.
+inline Study study_of(const model::Parameters& p, double speed) {
+  Study study;
+  study.name = "rotor";
+  study.parameters = p;
+  study.speed.profile = Profile::constant;
+  study.speed.speed = speed;
+  return study;
 }
 
 }  // namespace equipoise

@@ -2,7 +2,6 @@
 #include "ensemble.hpp"
 
 #include <algorithm>
-#include <ctime>
 #include <set>
 
 #include "equipoise/statistics/comparison.hpp"
@@ -43,8 +42,6 @@ std::vector<double> Ensemble::decision_times(const Study& study) const {
   std::sort(times.begin(), times.end());
   return times;
 }
-
-double cpu_seconds() { return static_cast<double>(std::clock()) / CLOCKS_PER_SEC; }
 
 Ensemble run_ensemble(Study study, std::uint64_t starts, const BasinOptions& options) {
   Ensemble ensemble;

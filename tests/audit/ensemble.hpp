@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "equipoise/base/cpu_time.hpp"
 #include "equipoise/basins/basin.hpp"
 #include "equipoise/motions/catalogue.hpp"
 
@@ -27,9 +28,6 @@ struct Ensemble {
   /// Of the decided, since the last branch began and the balls were free; in ascending order.
   std::vector<double> decision_times(const Study& study) const;
 };
-
-/// Processor time of this process.
-double cpu_seconds();
 
 /// Starts 0 .. starts - 1 of `study`.
 Ensemble run_ensemble(Study study, std::uint64_t starts, const BasinOptions& options);

@@ -15,11 +15,6 @@ namespace {
 // The discovery of a rotor, and how many of each thing its stages counted in all.
 struct Search {
   Search(const model::Parameters& p, double speed) {
-    Study study;
-    study.name = "rotor";
-    study.parameters = p;
-    study.speed.profile = Profile::constant;
-    study.speed.speed = speed;
     DiscoverySettings settings;
     settings.progress = [this](const Progress& at) {
       const std::string stage = at.what.substr(at.what.find(": ") + 2);
@@ -27,7 +22,7 @@ struct Search {
       last_ = stage;
       now_ = at.total;
     };
-    found = discover(study, settings);
+    found = discover(study_of(p, speed), settings);
     totals[last_] += now_;
   }
   Discovery found;

@@ -21,12 +21,7 @@ namespace {
 // The torus V2 of two balls at Omega = 2.4, and its trap.
 struct Found {
   Found() {
-    Study study;
-    study.name = "rotor";
-    study.parameters = system.parameters();
-    study.speed.profile = Profile::constant;
-    study.speed.speed = 2.4;
-    const Discovery all = discover(study, {.threads = 2});
+    const Discovery all = discover(study_of(system.parameters(), 2.4), {.threads = 2});
     for (const Attractor& a : all.catalogue.attractors())
       if (a.motion.kind == MotionKind::quasi_periodic) motion = a.motion;
     settings.system = &system;

@@ -26,15 +26,6 @@ model::Parameters on_other_supports(model::Parameters p, double gravity) {
   return p;
 }
 
-Study study_of(const model::Parameters& p, double speed) {
-  Study study;
-  study.name = "rotor";
-  study.parameters = p;
-  study.speed.profile = Profile::constant;
-  study.speed.speed = speed;
-  return study;
-}
-
 struct Found {
   Found(const model::Parameters& p, double speed)
       : system(p, speed), all(discover(study_of(p, speed), {.threads = 2})) {

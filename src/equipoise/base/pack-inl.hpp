@@ -135,13 +135,13 @@ HWY_INLINE void sin_cos(Pack a, Pack& sine, Pack& cosine) {
 }
 
 // One lane of numbers that each lane has its own of: of single ones, and of all of an aggregate of packs.
-HWY_INLINE double& lane_of(Pack& a, int lane) { return reinterpret_cast<double*>(&a)[lane]; }
-HWY_INLINE double lane_of(const Pack& a, int lane) { return reinterpret_cast<const double*>(&a)[lane]; }
+HWY_INLINE double& element(Pack& a, int lane) { return reinterpret_cast<double*>(&a)[lane]; }
+HWY_INLINE double element(const Pack& a, int lane) { return reinterpret_cast<const double*>(&a)[lane]; }
 template <class Packs>
 void take_lane(Packs& mine, const Packs& from, int lane) {
   static_assert(sizeof(Packs) % sizeof(Pack) == 0);
   for (std::size_t i = 0; i < sizeof(Packs) / sizeof(Pack); ++i)
-    lane_of(reinterpret_cast<Pack*>(&mine)[i], lane) = lane_of(reinterpret_cast<const Pack*>(&from)[i], lane);
+    element(reinterpret_cast<Pack*>(&mine)[i], lane) = element(reinterpret_cast<const Pack*>(&from)[i], lane);
 }
 // The same of these members of an object.
 template <class X, class... Members>

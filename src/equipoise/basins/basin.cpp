@@ -5,7 +5,6 @@
 #include <atomic>
 #include <chrono>
 #include <cmath>
-#include <ctime>
 #include <memory>
 #include <optional>
 #include <set>
@@ -16,6 +15,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include "equipoise/base/cpu_time.hpp"
 #include "equipoise/base/parallel.hpp"
 #include "equipoise/base/percent_text.hpp"
 #include "equipoise/base/reporting.hpp"
@@ -39,8 +39,6 @@ namespace equipoise {
 namespace {
 
 constexpr std::uint64_t open_ended_limit = 1'000'000'000;
-
-double cpu_now() { return static_cast<double>(std::clock()) / CLOCKS_PER_SEC; }
 
 class BasinRun {
  public:
@@ -144,7 +142,8 @@ class BasinRun {
   }
 
   RunTime time_so_far() const {
-    return {std::chrono::duration<double>(std::chrono::steady_clock::now() - begin_).count(), cpu_now() - cpu_begin_};
+    return {std::chrono::duration<double>(std::chrono::steady_clock::now() - begin_).count(),
+            cpu_seconds() - cpu_begin_};
   }
 
   void set_method(SamplingMethod method) {
@@ -367,7 +366,8 @@ class BasinRun {
         !stopped && (many || may_hold) ? runner_->look_at(starts(undecided_)) : std::vector<UndecidedEnd>{};
     const std::string held = held_text(ends),
                       held_stalled = may_hold ? held_text(runner_->look_at(starts(stalled_))) : "";
-    if (many) add_note(fmt::format("{} are undecided: {}", percent_text(share), why_undecided(result_.study, horizon_, ends)));
+    if (many)
+      add_note(fmt::format("{} are undecided: {}", percent_text(share), why_undecided(result_.study, horizon_, ends)));
     if (!many && !held.empty()) add_note("balls of undecided starts are never let go: " + held);
     if (!held_stalled.empty()) add_note("balls of stalled starts are never let go: " + held_stalled);
   }
@@ -449,7 +449,7 @@ class BasinRun {
   const BasinOptions& options_;
   bool gathers_;  // transients
   std::chrono::steady_clock::time_point begin_ = std::chrono::steady_clock::now();
-  double cpu_begin_ = cpu_now();
+  double cpu_begin_ = cpu_seconds();
   int threads_;
   DiscoveryCache own_discoveries_;
   DiscoveryCache& discoveries_;
@@ -462,7 +462,7 @@ class BasinRun {
   std::optional<TransientTally> transients_;
   std::vector<std::shared_ptr<Chunk>> pilot_;
   std::uint64_t passed_ = 0, held_below_ = 0, below_ = 0;  // the resonance; for good, or when last seen
-  std::uint64_t met_ = 0;  // starts whose balls touched
+  std::uint64_t met_ = 0;                                  // starts whose balls touched
   double stall_speed_ = 0.0, passed_speed_ = 0.0;
   std::set<int> filed_;  // motions known before the first start, or met and kept
   std::atomic<bool> finished_{false}, lost_{false};

@@ -2,10 +2,10 @@
 #include "equipoise/basins/basin_cost.hpp"
 
 #include <algorithm>
-#include <ctime>
 #include <memory>
 #include <vector>
 
+#include "equipoise/base/cpu_time.hpp"
 #include "equipoise/base/deadline.hpp"
 #include "equipoise/base/reporting.hpp"
 #include "equipoise/basins/basin.hpp"
@@ -16,8 +16,6 @@
 namespace equipoise {
 
 namespace {
-
-double cpu_taken() { return static_cast<double>(std::clock()) / CLOCKS_PER_SEC; }
 
 // Of starts that a block of lanes takes at once, at first. A few that stay undecided may cost more than all others: so
 // many more are followed that a share of one in a thousand of such is met.
@@ -37,12 +35,12 @@ BasinCost measure_cost(const Study& asked, const RunOptions& options, double pat
     cost.starts = study.sampling.starts;
     StopFlag stop{is_set(o.stop)};
     const Deadline deadline(stop, patience);
-    const double begin = cpu_taken();
+    const double begin = cpu_seconds();
     const std::unique_ptr<Runner> runner =
         make_runner(study, {.threads = 1, .stop = &stop, .progress = o.progress}, gathers);
-    cost.search = cpu_taken() - begin;
+    cost.search = cpu_seconds() - begin;
     cost.search_ended = !runner->stopped();
-    const double searched = cpu_taken();
+    const double searched = cpu_seconds();
     for (std::uint64_t next = first_starts; cost.search_ended && cost.measured < std::min(cost.starts, most_starts);) {
       const std::uint64_t count = std::min(next, std::min(cost.starts, most_starts) - cost.measured);
       std::vector<double> phi;
@@ -51,7 +49,7 @@ BasinCost measure_cost(const Study& asked, const RunOptions& options, double pat
       std::vector<TransientRow> rows;
       if (!runner->run(cost.measured, count, phi, fates, unlisted, gathers ? &rows : nullptr)) break;
       cost.measured += count;
-      const double taken = cpu_taken() - searched;
+      const double taken = cpu_seconds() - searched;
       cost.a_start = taken / static_cast<double>(cost.measured);
       if (taken > enough) break;
       next = cost.measured;

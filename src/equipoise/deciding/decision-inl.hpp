@@ -424,9 +424,6 @@ class DecideFate {
     }
   }
 
-  static double& element(Pack& p, int lane) { return reinterpret_cast<double*>(&p)[lane]; }
-  static double element(const Pack& p, int lane) { return reinterpret_cast<const double*>(&p)[lane]; }
-
   const model::BallCount<room> n;
   const DecisionRule& rule_;
   const LaneTask& task_;

@@ -72,7 +72,7 @@ constexpr int cycle_table_columns(int dimension) { return 2 * (dimension - 1) + 
 using Features = std::array<double, 6 + 3 * model::max_balls>;
 constexpr int feature_count(int balls) { return 6 + 3 * balls; }
 /// The place of the largest r.
-inline constexpr int largest_radius = 1;
+inline constexpr int radius_feature = 1;
 /// The place of the mean psi'; least and greatest follow.
 constexpr int speed_feature(int balls) { return 3 + 3 * balls; }
 
@@ -93,7 +93,8 @@ struct KnownFeatures {
   bool chaotic = false;  ///< no two windows are quite the same
   /// Of rotors that differ: its number among OwnRotor::chaos_lasts; -1: for none of them it ends.
   int chaos = -1;
-  /// Of rotors that differ: the row of OwnRotor::shifts that features of their own have to be brought back by; -1: none.
+  /// Of rotors that differ: the row of OwnRotor::shifts that features of their own have to be brought back by; -1:
+  /// none.
   int trend = -1;
 };
 

@@ -91,8 +91,6 @@ class HoldBalls {
     for (int i = 0; i < size_; ++i) kept[i] = z[i];
   }
 
-  static double& element(Pack& p, int lane) { return reinterpret_cast<double*>(&p)[lane]; }
-
   const LaneTask& task_;
   const int size_, speed_place_;
   const double sign_;

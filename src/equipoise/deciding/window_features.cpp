@@ -48,13 +48,13 @@ double largest_speed(const Features& f, int balls) {
   return std::max(std::fabs(f[speed_feature(balls) + 1]), std::fabs(f[speed_feature(balls) + 2]));
 }
 
-bool inside(const FeatureBox& box, const Features& f, int count) {
-  for (int i = 0; i < count; ++i)
+}  // namespace
+
+bool inside(const FeatureBox& box, const Features& f, int balls) {
+  for (int i = 0; i < feature_count(balls); ++i)
     if (!(f[i] >= box.low[i] && f[i] <= box.high[i])) return false;
   return true;
 }
-
-}  // namespace
 
 Features features(const WindowSums& sums, int balls, bool interchangeable) {
   std::array<int, model::max_balls> order{};
@@ -153,12 +153,12 @@ WindowVerdict WindowTracker::add(const WindowSums& half) {
     WindowSums whole = half_;
     extend(whole, half, balls, false);
     const Features f = features(whole, balls, rule_->interchangeable);
-    radius_ = f[largest_radius];
+    radius_ = f[radius_feature];
     extend(range_, f, feature_count(balls), fresh_range_);
     fresh_range_ = false;
     for (std::size_t b = 0; b < rule_->boxes.size(); ++b) {
       const FeatureBox& box = rule_->boxes[b];
-      runs_[b] = inside(box, brought_back(f, box.trend, shifts(), balls), feature_count(balls)) ? runs_[b] + 1 : 0;
+      runs_[b] = inside(box, brought_back(f, box.trend, shifts_of(own_), balls), balls) ? runs_[b] + 1 : 0;
       longest_[b] = std::max(longest_[b], runs_[b]);
     }
   }
@@ -177,7 +177,8 @@ int WindowTracker::attractor_now() const {
 
 int WindowTracker::attractor_at_end() const {
   if (const int attractor = attractor_now()) return attractor;
-  const KnownFeatures* known = has_previous_ ? nearest_known(previous_, rule_->known, rule_->balls, shifts()) : nullptr;
+  const KnownFeatures* known =
+      has_previous_ ? nearest_known(previous_, rule_->known, rule_->balls, shifts_of(own_)) : nullptr;
   return known && !may_end(known->chaos) ? known->attractor : 0;
 }
 
@@ -199,13 +200,13 @@ WindowVerdict WindowTracker::finish_long_window() {
   const Features f = features(long_, rule_->balls, rule_->interchangeable);
   const bool repeats = has_previous_ && same_motion(previous_, f, rule_->balls, rule_->sameness);
   previous_ = f;
-  radius_ = f[largest_radius];
+  radius_ = f[radius_feature];
   previous_range_ = range_;
   has_previous_ = true;
   long_end_ *= 2.0;
   fresh_ = fresh_range_ = true;
   repeats_ = repeats ? repeats_ + 1 : 0;
-  const KnownFeatures* known = nearest_known(f, rule_->known, rule_->balls, shifts());
+  const KnownFeatures* known = nearest_known(f, rule_->known, rule_->balls, shifts_of(own_));
   const int chaotic = chaos_in(f);
   chaotic_repeats_ = chaotic && chaotic == chaotic_ ? chaotic_repeats_ + 1 : 0;
   chaotic_ = chaotic;
@@ -214,8 +215,6 @@ WindowVerdict WindowTracker::finish_long_window() {
   if (known && may_end(known->chaos)) return {};
   return {true, known ? known->attractor : 0};
 }
-
-const double* WindowTracker::shifts() const { return own_ ? own_->shifts.data() : nullptr; }
 
 bool WindowTracker::may_end(int chaos) const {
   if (chaos < 0 || elapsed_ >= rule_->chaos_lasts) return false;
@@ -226,8 +225,8 @@ bool WindowTracker::may_end(int chaos) const {
 int WindowTracker::chaos_in(const Features& f) const {
   constexpr double other_rotor = 0.3;  // as that of one rotor looks beside that of another
   const bool has_lasted = rule_->chaos_lasts > 0.0 && elapsed_ >= rule_->chaos_lasts;
-  const KnownFeatures* known = nearest_known(f, rule_->known, rule_->balls, shifts());
-  if (!known && has_lasted) known = nearest_known(f, rule_->known, rule_->balls, shifts(), other_rotor);
+  const KnownFeatures* known = nearest_known(f, rule_->known, rule_->balls, shifts_of(own_));
+  if (!known && has_lasted) known = nearest_known(f, rule_->known, rule_->balls, shifts_of(own_), other_rotor);
   return known && known->chaotic && !may_end(known->chaos) ? known->attractor : 0;
 }
 

@@ -33,6 +33,9 @@ bool same_motion(const Features& a, const Features& b, int balls, double samenes
 /// are where there is no such row.
 Features brought_back(const Features& f, int trend, const double* shifts, int balls);
 
+/// Whether the features of a window lie inside.
+bool inside(const FeatureBox& box, const Features& f, int balls);
+
 /// A finite window of a torus or of chaos shows its extremes and means to a few percent.
 inline constexpr double known_tolerance = 0.05;
 /// The entry of `known` nearest to long-window features `f`; null if none is the same motion, to `tolerance`.
@@ -69,7 +72,6 @@ class WindowTracker {
   // The attractor in whose box the last short windows lie, as many as it asks for; 0 if none.
   int attractor_now() const;
   WindowVerdict finish_long_window();
-  const double* shifts() const;
   // Whether this chaos (KnownFeatures::chaos) has yet to show that it lasts.
   bool may_end(int chaos) const;
   // The chaotic motion that long-window features show; 0 if none.

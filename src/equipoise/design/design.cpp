@@ -3,11 +3,11 @@
 
 #include <algorithm>
 #include <chrono>
-#include <ctime>
 #include <memory>
 
 #include <fmt/format.h>
 
+#include "equipoise/base/cpu_time.hpp"
 #include "equipoise/base/parallel.hpp"
 #include "equipoise/base/reporting.hpp"
 #include "equipoise/basins/basin.hpp"
@@ -55,7 +55,7 @@ class DesignRun {
 
   DesignResult run() {
     const auto begin = std::chrono::steady_clock::now();
-    const std::clock_t cpu_begin = std::clock();
+    const double cpu_begin = cpu_seconds();
     if (!options_.output.empty())
       file_ = std::make_unique<DesignFile>(options_.output, result_.identity, most_ensembles());
     ensembles_ = std::make_unique<DesignEnsembles>(problem_, options_, file_.get());
@@ -69,7 +69,7 @@ class DesignRun {
       result_.best_study = to_toml(problem_.tree_of(best.settings));
     }
     result_.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
-    result_.cpu_seconds = static_cast<double>(std::clock() - cpu_begin) / CLOCKS_PER_SEC;
+    result_.cpu_seconds = cpu_seconds() - cpu_begin;
     if (file_ && !result_.partial) file_->finish(result_);
     return std::move(result_);
   }

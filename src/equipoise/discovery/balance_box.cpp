@@ -13,8 +13,8 @@ namespace equipoise {
 
 namespace {
 
-// As long has to be balanced who is called so: e^10 of what grows anywhere on the continuum or, where all of it attracts,
-// e^5 of what dies out slowest; no more than a quarter of all the time that there is.
+// What is called balanced has been so for this long: e^10 of what grows anywhere on the continuum or, where all of it
+// attracts, e^5 of what dies out slowest; no more than a quarter of all the time that there is.
 double lasting(const ContinuumSurvey& survey, double horizon) {
   constexpr double growing = 10.0, dying = 5.0, least = 200.0, long_enough = 1000.0;
   double asked = long_enough;
@@ -51,12 +51,6 @@ std::optional<FeatureBox> balance_box(const model::System& system, const Balance
   box.attractor = balanced_id;
   box.hits_needed = static_cast<int>(std::ceil(2.0 * time / window));
   return box;
-}
-
-bool shows(const FeatureBox& box, const Features& features, int balls) {
-  for (int k = 0; k < feature_count(balls); ++k)
-    if (!(features[k] >= box.low[k] && features[k] <= box.high[k])) return false;
-  return true;
 }
 
 }  // namespace equipoise

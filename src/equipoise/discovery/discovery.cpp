@@ -315,7 +315,6 @@ class Discoverer {
     return true;
   }
 
-  static const double* shifts_of(const OwnRotor* own) { return own ? own->shifts.data() : nullptr; }
   // Features of a candidate, or of one of its members, as the middle's motion shows them.
   Features brought_back(const Candidate& c, const Features& f, const OwnRotor* own) const {
     return equipoise::brought_back(f, c.trend, shifts_of(own), study_.parameters.balls);
@@ -384,7 +383,7 @@ class Discoverer {
 
   bool shows_balance(std::size_t i) const {
     const PilotRecord& record = pilot_.records()[i];
-    return balance_box_ && record.finished_window && shows(*balance_box_, record.features, study_.parameters.balls);
+    return balance_box_ && record.finished_window && inside(*balance_box_, record.features, study_.parameters.balls);
   }
 
   // Where all random scouts came to what is listed and no box is to be audited, the rest of the pilot would only look

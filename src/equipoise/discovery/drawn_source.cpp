@@ -1,6 +1,7 @@
 // Draws by number.
 #include "equipoise/discovery/drawn_source.hpp"
 
+#include <utility>
 #include <vector>
 
 #include "equipoise/base/error.hpp"
@@ -15,25 +16,21 @@ DrawnSource::DrawnSource(const StudyFamily& family, const FamilyBox& box, const 
       study_(at_final_speed(family.at(family.values_at(box.centre())))),
       middle_(make_spin_up(study_, stop)) {}
 
-// Empty where draw `index` makes no study that rides with the middle.
-std::optional<Study> DrawnSource::drawn(std::uint64_t index) const {
+// Draw `index`, or the middle where that makes no study that rides with it.
+StudyFamily::Placed DrawnSource::drawn(std::uint64_t index) const {
   try {
     Study study = at_final_speed(family_.draw(box_, index));
-    if (ride_together(study.system(), study_.system())) return study;
+    if (ride_together(study.system(), study_.system()))
+      return {family_.coordinates(box_, box_.at(family_.place(index))), std::move(study)};
   } catch (const InputError&) {
   }
-  return std::nullopt;
-}
-
-// Of a draw, or of the middle in its stead.
-std::vector<double> DrawnSource::coordinates(bool is_drawn, std::uint64_t index) const {
-  return family_.coordinates(box_, is_drawn ? box_.at(family_.place(index)) : box_.centre());
+  return {family_.coordinates(box_, box_.centre()), study_};
 }
 
 OwnRotor DrawnSource::rotor(std::uint64_t index) const {
-  const std::optional<Study> study = drawn(index);
-  OwnRotor rotor = own_rotor((study ? *study : study_).system());
-  rotor.coordinates = coordinates(study.has_value(), index);
+  const auto [coordinates, study] = drawn(index);
+  OwnRotor rotor = own_rotor(study.system());
+  rotor.coordinates = coordinates;
   return rotor;
 }
 
@@ -50,26 +47,32 @@ std::vector<OwnRotor> DrawnSource::ends() const {
 
 bool DrawnSource::make(std::uint64_t seed, std::uint64_t first, std::size_t count, SpunUp& starts,
                        TransientTable* transients) const {
+  std::vector<std::vector<double>> places;
   std::vector<OwnStart> own;
   for (std::size_t i = 0; i < count; ++i) {
-    Study study = drawn(first + i).value_or(study_);
+    auto [coordinates, study] = drawn(first + i);
     const InitialState start = parted(study.parameters, start_of(study, seed, first + i));
     own.push_back({std::move(study), start});
+    places.push_back(std::move(coordinates));
   }
-  return set_off(own, first, starts, transients);
+  return set_off(own, std::move(places), starts, transients);
 }
 
 bool DrawnSource::follow(std::span<const InitialState> given, SpunUp& starts, TransientTable* transients) const {
+  std::vector<std::vector<double>> places;
   std::vector<OwnStart> own;
-  for (std::size_t i = 0; i < given.size(); ++i) own.push_back({drawn(i).value_or(study_), given[i]});
-  return set_off(own, 0, starts, transients);
+  for (std::size_t i = 0; i < given.size(); ++i) {
+    auto [coordinates, study] = drawn(i);
+    own.push_back({std::move(study), given[i]});
+    places.push_back(std::move(coordinates));
+  }
+  return set_off(own, std::move(places), starts, transients);
 }
 
-bool DrawnSource::set_off(const std::vector<OwnStart>& own, std::uint64_t first, SpunUp& starts,
+bool DrawnSource::set_off(const std::vector<OwnStart>& own, std::vector<std::vector<double>> places, SpunUp& starts,
                           TransientTable* transients) const {
   if (!spin_up_own(own, stop_, starts, transients)) return false;
-  for (std::size_t i = 0; i < own.size(); ++i)
-    starts.rotors[i].coordinates = coordinates(drawn(first + i).has_value(), first + i);
+  for (std::size_t i = 0; i < own.size(); ++i) starts.rotors[i].coordinates = std::move(places[i]);
   return true;
 }
 

@@ -35,9 +35,10 @@ class DrawnSource final : public SpinUp {
   std::vector<OwnRotor> ends() const;
 
  private:
-  std::optional<Study> drawn(std::uint64_t index) const;
-  std::vector<double> coordinates(bool is_drawn, std::uint64_t index) const;
-  bool set_off(const std::vector<OwnStart>& own, std::uint64_t first, SpunUp& starts, TransientTable* transients) const;
+  StudyFamily::Placed drawn(std::uint64_t index) const;
+  // `places`: the coordinates of each start's rotor.
+  bool set_off(const std::vector<OwnStart>& own, std::vector<std::vector<double>> places, SpunUp& starts,
+               TransientTable* transients) const;
 
   const StudyFamily& family_;
   const FamilyBox& box_;

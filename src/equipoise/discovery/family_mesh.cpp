@@ -121,11 +121,8 @@ class MeshMaker {
     SpunUp starts;
     if (!source.make(judging_seed, 0, judged, starts)) return false;
     const double horizon = *source.middle().numerics.horizon;
-    std::vector<const OwnRotor*> own;
-    for (std::size_t i = 0; i < judged; ++i) {
-      cell.discovery.place(starts.rotors[i]);
-      own.push_back(&starts.rotors[i]);
-    }
+    for (OwnRotor& rotor : starts.rotors) cell.discovery.place(rotor);
+    const std::vector<const OwnRotor*> own = pointers_to(starts.rotors);
     LaneTask task = source.last_task();
     task.end = source.settled() + horizon;
     task.count = judged;
@@ -210,7 +207,7 @@ std::optional<double> FamilyMesh::largest_radius(const StudyFamily& family, int 
   if (attractor <= 0 || own == cell.ids.end()) return std::nullopt;
   const auto features =
       cell.discovery.trends.features(static_cast<int>(own - cell.ids.begin()), family.coordinates(cell.box, fractions));
-  return features ? std::optional((*features)[equipoise::largest_radius]) : std::nullopt;
+  return features ? std::optional((*features)[radius_feature]) : std::nullopt;
 }
 
 FamilyMesh discover_mesh(const StudyFamily& family, double starts, const DiscoverySettings& settings) {

@@ -16,7 +16,7 @@ struct Rotors {
       rotors.back().segment = own_rotor(given->system).segment;
       rotors.back().end = task.end;
     }
-    for (const OwnRotor& rotor : rotors) pointers.push_back(&rotor);
+    pointers = pointers_to(rotors);
   }
   std::vector<OwnRotor> rotors;
   std::vector<const OwnRotor*> pointers;

@@ -101,12 +101,11 @@ bool PilotRun::follow(std::size_t count, const DecisionRule& rule, double horizo
     LaneTask task = task_;
     task.end = task.segment.begin + horizon;
     std::vector<OwnRotor> rotors;
-    std::vector<const OwnRotor*> own;
     for (std::size_t i = 0; i < length && !rotors_.empty(); ++i) {
       OwnRotor& rotor = rotors.emplace_back(rotors_[first + i]);
       rotor.end = rotor.segment.begin + horizon;
     }
-    for (const OwnRotor& rotor : rotors) own.push_back(&rotor);
+    const std::vector<const OwnRotor*> own = pointers_to(rotors);
     if (!own.empty()) task.own = own.data();
     task.count = length;
     task.states = &states_[first * size];

@@ -16,8 +16,6 @@ namespace {
 
 // Rotors are drawn from a seed of their own: what is found does not depend on the study's.
 constexpr std::uint64_t family_seed = 0xd1b54a32d192ed03;
-// With more values each end is tried by itself.
-constexpr std::size_t most_tried_together = 6;
 // Of values without ends so many at each side are told without traps.
 constexpr double rare = 1e-4;
 
@@ -53,7 +51,8 @@ std::vector<double> FamilyBox::at(std::span<const double> of_cube) const {
 std::vector<double> FamilyBox::centre() const { return at(std::vector<double>(low.size(), 0.5)); }
 
 StudyFamily::StudyFamily(const Study& study)
-    : StudyFamily(quantiles_of(study), [study](std::span<const double> values) { return drawn_study(study, values); }) {}
+    : StudyFamily(quantiles_of(study), [study](std::span<const double> values) { return drawn_study(study, values); }) {
+}
 
 StudyFamily::StudyFamily(std::vector<Quantile> values, Make make) : values_(std::move(values)), make_(std::move(make)) {
   // A few places all over the family tell whether its values stand in the study as they are.
@@ -111,9 +110,7 @@ std::vector<double> StudyFamily::place(std::uint64_t index) const {
   return of_cube;
 }
 
-Study StudyFamily::draw(const FamilyBox& box, std::uint64_t index) const {
-  return at(values_at(box.at(place(index))));
-}
+Study StudyFamily::draw(const FamilyBox& box, std::uint64_t index) const { return at(values_at(box.at(place(index)))); }
 
 std::vector<StudyFamily::Placed> StudyFamily::ends(const FamilyBox& box) const {
   std::vector<std::vector<double>> places{std::vector<double>(size(), 0.5)};

@@ -13,6 +13,9 @@
 
 namespace equipoise {
 
+/// The ends of so many values are tried in all combinations, of more each by itself.
+inline constexpr std::size_t most_tried_together = 6;
+
 /// A part of a family: bounds of the fractions of every value, between 0 and 1.
 struct FamilyBox {
   std::vector<double> low, high;
@@ -56,8 +59,8 @@ class StudyFamily {
     std::vector<double> coordinates;
     Study study;
   };
-  /// The studies at a box's centre and then at its corners that there are; of more than six values at the ends of each
-  /// alone in place of the corners.
+  /// The studies at a box's centre and then at its corners that there are; of more than most_tried_together values at
+  /// the ends of each alone in place of the corners.
   std::vector<Placed> ends(const FamilyBox& box) const;
 
  private:

@@ -9,22 +9,18 @@
 namespace equipoise {
 
 namespace {
-// Of last_turns, in parts of a quarter turn: gravity and unequal supports swing the speed twice a turn at most, drifting
-// balls more slowly.
+// Of last_turns, in parts of a quarter turn: gravity and unequal supports swing the speed twice a turn at most,
+// drifting balls more slowly.
 constexpr int watched_parts = 32;
 }  // namespace
 
-std::vector<double> mean_speeds_from(LaneTask task, std::vector<double> states, double now,
-                                     std::vector<OwnRotor> own) {
+std::vector<double> mean_speeds_from(LaneTask task, std::vector<double> states, double now, std::vector<OwnRotor> own) {
   const auto size = static_cast<std::size_t>(task.dimension());
   const auto place = static_cast<std::size_t>(task.places().speed);
   const std::size_t count = states.size() / size;
   std::vector<double> begins(count, now), mean(count, 0.0);
-  std::vector<const OwnRotor*> rotors;
-  for (std::size_t i = 0; i < own.size(); ++i) {
-    begins[i] = own[i].end;
-    rotors.push_back(&own[i]);
-  }
+  const std::vector<const OwnRotor*> rotors = pointers_to(own);
+  for (std::size_t i = 0; i < own.size(); ++i) begins[i] = own[i].end;
   const std::vector<double> from = begins;
   if (!own.empty()) task.own = rotors.data();
   task.count = count;

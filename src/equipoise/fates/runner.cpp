@@ -13,9 +13,6 @@ namespace equipoise {
 
 namespace {
 
-// With more uncertain values each end is tried by itself: the reader has done so.
-constexpr std::size_t most_tried_together = 6;
-
 std::string words(const Uncertainty& uncertain, const std::vector<double>& values) {
   std::string text;
   for (std::size_t k = 0; k < values.size(); ++k)
@@ -32,8 +29,8 @@ void check_corner(const Study& study, const std::vector<double>& values, bool tr
   }
 }
 
-// Throws InputError for a study with uncertain values whose starts cannot be decided, at its medians or where all values
-// are at one of their ends.
+// Throws InputError for a study with uncertain values whose starts cannot be decided, at its medians or where all
+// values are at one of their ends.
 void check_drawable(const Study& study, bool transients) {
   check(study);
   if (study.numerics.decide != DecideMode::validated)
@@ -42,7 +39,7 @@ void check_drawable(const Study& study, bool transients) {
         "with uncertain values every start is followed to a motion of its own rotor; must be \"validated\"");
   check_runnable(with_medians(study), transients);
   const std::vector<UncertainValue>& uncertain = study.uncertain.values;
-  if (uncertain.size() > most_tried_together) return;
+  if (uncertain.size() > most_tried_together) return;  // the reader has tried each end by itself
   for (std::size_t corner = 0; corner < std::size_t{1} << uncertain.size(); ++corner) {
     std::vector<double> values;
     for (std::size_t k = 0; k < uncertain.size(); ++k) values.push_back(uncertain[k].ends()[(corner >> k) & 1]);

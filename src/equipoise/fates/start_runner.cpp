@@ -280,12 +280,11 @@ bool StartRunner::decide_some(Batch& batch, const std::vector<std::size_t>& plac
   if (family_) task.own = own.data();
   if (batch.watched) task.transients = &rows;
   std::vector<Fate> decided(places.size());
+  for (std::size_t k = 0; k < places.size(); ++k) decided[k].met = starts.fates[places[k]].met;
   if (!decide_lanes(task, rule, decided, nullptr)) return false;
   for (std::size_t k = 0; k < places.size(); ++k) {
     const std::size_t i = places[k];
-    const bool met = batch.starts.fates[i].met;
     batch.fates[i] = decided[k];
-    batch.fates[i].met |= met;
     std::copy_n(&states[k * size], size, &starts.states[i * size]);
     if (batch.watched) batch.table.rows[i] = rows.rows[k];
   }

@@ -319,8 +319,6 @@ class LaneBlock {
         for (int i = 0; i < size_; ++i) element(k_[g][0][i], lane) = element(k_start[i], lane);
   }
 
-  static double& element(Pack& p, int lane) { return reinterpret_cast<double*>(&p)[lane]; }
-
   const LaneTask& task_;
   [[no_unique_address]] Rotors rotors_;
   [[no_unique_address]] Events events_;

@@ -137,9 +137,6 @@ class LaneEvents<HybridFlow<Pack, room>> {
   // visibly: at 1e-5 balls creep at 1e-6, and rates err by 1e-7 within steps.
   static constexpr double least_hold_on = 1e-9, most_hold_on = 1e-4;
 
-  static double& element(Pack& p, int lane) { return reinterpret_cast<double*>(&p)[lane]; }
-  static double element(const Pack& p, int lane) { return reinterpret_cast<const double*>(&p)[lane]; }
-
   void keep(int lane) {
     mode_[lane] = ones_[lane]->balls.mode();
     const double contact = ones_[lane]->parameters.contact_angle;

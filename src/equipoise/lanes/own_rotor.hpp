@@ -11,8 +11,8 @@ namespace equipoise {
 
 /// Of the same kind as the task's: as many balls, a state of the same size and section, a motor or none.
 struct OwnRotor {
-  model::System system;      ///< over the piece of the drive that the task is about
-  model::Segment segment{};  ///< as LaneTask::segment
+  model::System system;                                  ///< over the piece of the drive that the task is about
+  model::Segment segment{};                              ///< as LaneTask::segment
   double end = std::numeric_limits<double>::infinity();  ///< as LaneTask::end
   /// Where it lies in the part of a family that the rule is made for, in its unit cube (discovery/study_family.hpp).
   std::vector<double> coordinates{};
@@ -20,8 +20,8 @@ struct OwnRotor {
   /// not-a-number where this rotor has none. Empty where there are no such traps.
   std::vector<double> places{};
   std::vector<double> factors{};  ///< theirs, in place of BalancedTrap::factor
-  /// By how much the features of its motions differ from those of the part's middle: feature_count(balls) numbers a trend
-  /// (discovery/feature_trends.hpp). Empty where there is none.
+  /// By how much the features of its motions differ from those of the part's middle: feature_count(balls) numbers a
+  /// trend (discovery/feature_trends.hpp). Empty where there is none.
   std::vector<double> shifts{};
   /// Of each chaos that ends for some rotors: whether it was seen to last for all others beside this one.
   std::vector<char> chaos_lasts{};
@@ -31,6 +31,16 @@ struct OwnRotor {
 inline OwnRotor own_rotor(const model::System& system, double psi = 0.0) {
   return {system, {0.0, 1e300, psi, system.drive().speed, 0.0, false}};
 }
+
+/// As LaneTask::own has them.
+inline std::vector<const OwnRotor*> pointers_to(const std::vector<OwnRotor>& rotors) {
+  std::vector<const OwnRotor*> pointers;
+  for (const OwnRotor& rotor : rotors) pointers.push_back(&rotor);
+  return pointers;
+}
+
+/// OwnRotor::shifts of a trajectory that may have no rotor of its own: null then.
+inline const double* shifts_of(const OwnRotor* own) { return own ? own->shifts.data() : nullptr; }
 
 /// Whether trajectories of the one can ride in lanes beside those of the other.
 inline bool ride_together(const model::System& a, const model::System& b) {

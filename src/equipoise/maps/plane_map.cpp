@@ -5,7 +5,6 @@
 #include <bit>
 #include <chrono>
 #include <cmath>
-#include <ctime>
 #include <limits>
 #include <memory>
 #include <optional>
@@ -13,6 +12,7 @@
 
 #include <fmt/format.h>
 
+#include "equipoise/base/cpu_time.hpp"
 #include "equipoise/base/error.hpp"
 #include "equipoise/base/parallel.hpp"
 #include "equipoise/base/reporting.hpp"
@@ -111,7 +111,7 @@ class Mapper {
 
   PlaneMap run() {
     const auto begin = std::chrono::steady_clock::now();
-    const std::clock_t cpu_begin = std::clock();
+    const double cpu_begin = cpu_seconds();
     check(map_);
     check_memory(map_, settings_.output);
     check_reuse(map_, settings_.from);
@@ -124,7 +124,7 @@ class Mapper {
       put_together();
     }
     map_.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
-    map_.cpu_seconds = static_cast<double>(std::clock() - cpu_begin) / CLOCKS_PER_SEC;
+    map_.cpu_seconds = cpu_seconds() - cpu_begin;
     return std::move(map_);
   }
 

@@ -96,7 +96,7 @@ struct MotorSource::OwnRotors {
   OwnRotors(const MotorSource& source, std::size_t k, const std::vector<std::size_t>& places) {
     if (!source.are_own()) return;
     for (const std::size_t i : places) rotors.push_back(source.of(i).rotor(k));
-    for (const OwnRotor& rotor : rotors) pointers.push_back(&rotor);
+    pointers = pointers_to(rotors);
   }
   std::vector<OwnRotor> rotors;
   std::vector<const OwnRotor*> pointers;
@@ -334,15 +334,14 @@ bool MotorSource::run_free(std::size_t k, Fleet& fleet) const {
   if (fleet.transients) rows = fleet.rows_of(places);
   if (fleet.transients) free.transients = &rows;
   std::vector<Fate> fates(places.size());
+  for (std::size_t j = 0; j < places.size(); ++j) fates[j].met = starts.fates[places[j]].met;
   if (!advance_lanes(free, fates)) return false;
   if (fleet.transients) fleet.put_rows(places, rows);
   for (std::size_t j = 0; j < places.size(); ++j) {
     const std::size_t i = places[j];
     std::copy_n(&states[j * fleet.size], fleet.size, fleet.state(i));
     starts.begins[i] = end(i);
-    const bool met = starts.fates[i].met;
     starts.fates[i] = fates[j];
-    starts.fates[i].met |= met;
   }
   return true;
 }

@@ -35,9 +35,8 @@ using Shape = std::pair<std::size_t, std::size_t>;  // pieces, and clamped ones
 bool advance(std::vector<Prescribed*>& group, std::size_t k, bool held, std::vector<double>& states,
              std::vector<Fate>& fates, TransientTable* table, const StopFlag* stop) {
   std::vector<OwnRotor> rotors;
-  std::vector<const OwnRotor*> own;
   for (const Prescribed* p : group) rotors.push_back(p->rotor(k));
-  for (const OwnRotor& rotor : rotors) own.push_back(&rotor);
+  const std::vector<const OwnRotor*> own = pointers_to(rotors);
   const model::System& first = rotors.front().system;
   LaneTask task;
   task.parameters = &first.parameters();

@@ -5,7 +5,6 @@
 #include <atomic>
 #include <chrono>
 #include <cmath>
-#include <ctime>
 #include <exception>
 #include <functional>
 #include <limits>
@@ -17,6 +16,7 @@
 
 #include <fmt/format.h>
 
+#include "equipoise/base/cpu_time.hpp"
 #include "equipoise/base/display_text.hpp"
 #include "equipoise/base/error.hpp"
 #include "equipoise/base/parallel.hpp"
@@ -204,7 +204,7 @@ class CapacityRun {
 
   CapacityResult run() {
     const auto begin = std::chrono::steady_clock::now();
-    const std::clock_t cpu_begin = std::clock();
+    const double cpu_begin = cpu_seconds();
     check();
     known_.resize(plan_.cells());
     if (!options_.output.empty()) {
@@ -219,7 +219,7 @@ class CapacityRun {
     for (std::thread& worker : workers) worker.join();
     if (failure_) std::rethrow_exception(failure_);
     result_.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
-    result_.cpu_seconds = static_cast<double>(std::clock() - cpu_begin) / CLOCKS_PER_SEC;
+    result_.cpu_seconds = cpu_seconds() - cpu_begin;
     if (file_) file_->finish(result_);
     return std::move(result_);
   }
@@ -289,7 +289,8 @@ std::optional<CapacityRange> usual_range(const SweepPlan& plan, const std::strin
     return CapacityRange{few_digits(least * all), few_digits(all), unit};
   };
   const bool physical = plan.source().physical();
-  if (key == "rotor.unbalance" && physical) return up_to(most * study.scales->unbalance() * grams_and_millimetres, "g mm");
+  if (key == "rotor.unbalance" && physical)
+    return up_to(most * study.scales->unbalance() * grams_and_millimetres, "g mm");
   if (key != "rotor.eccentricity") return std::nullopt;
   if (physical) return up_to(most * study.scales->length * millimetres, "mm");
   return CapacityRange{least * most, most, ""};

@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <atomic>
 #include <chrono>
-#include <ctime>
 #include <exception>
 #include <memory>
 #include <mutex>
@@ -14,6 +13,7 @@
 
 #include <fmt/format.h>
 
+#include "equipoise/base/cpu_time.hpp"
 #include "equipoise/base/error.hpp"
 #include "equipoise/base/parallel.hpp"
 #include "equipoise/base/reporting.hpp"
@@ -43,7 +43,7 @@ class SweepRun final : public SweepWork {
 
   SweepResult run() {
     const auto begin = std::chrono::steady_clock::now();
-    const std::clock_t cpu_begin = std::clock();
+    const double cpu_begin = cpu_seconds();
     if (!options_.output.empty()) {
       file_ = std::make_unique<SweepFile>(options_.output, plan_.identity(), plan_.cells());
       result_.cells = file_->take_cells();
@@ -53,7 +53,7 @@ class SweepRun final : public SweepWork {
     work();
     label_attractors(result_.axes, result_.cells);
     result_.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
-    result_.cpu_seconds = static_cast<double>(std::clock() - cpu_begin) / CLOCKS_PER_SEC;
+    result_.cpu_seconds = cpu_seconds() - cpu_begin;
     if (failure_) std::rethrow_exception(failure_);  // what is done is kept beside the output
     if (file_) file_->finish(result_);
     return std::move(result_);

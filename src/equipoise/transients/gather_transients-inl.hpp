@@ -25,8 +25,7 @@ inline constexpr int lane_count = 1;
 template <>
 inline constexpr int lane_count<Pack> = static_cast<int>(pack_lanes);
 
-HWY_INLINE double& element(Pack& p, int lane) { return reinterpret_cast<double*>(&p)[lane]; }
-HWY_INLINE double element(const Pack& p, int lane) { return reinterpret_cast<const double*>(&p)[lane]; }
+using HWY_NAMESPACE::element;  // of packs
 HWY_INLINE double& element(double& a, int) { return a; }
 HWY_INLINE double element(const double& a, int) { return a; }
 HWY_INLINE unsigned bits_of(Mask m) { return lane_bits(m); }

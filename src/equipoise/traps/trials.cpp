@@ -39,13 +39,12 @@ bool follow(Trials& trials, const TrialSettings& settings, Told&& told) {
     task.states = &trials.states[first * size];
     task.stop = settings.stop;
     std::vector<OwnRotor> rotors;
-    std::vector<const OwnRotor*> own;
     for (std::size_t i = 0; i < task.count && !settings.rotors.empty(); ++i) {
       OwnRotor& rotor = rotors.emplace_back(*settings.rotor(trials.first + first + i));
       rotor.segment.psi = flight.psi;
       rotor.end = flight.end;
     }
-    for (const OwnRotor& rotor : rotors) own.push_back(&rotor);
+    const std::vector<const OwnRotor*> own = pointers_to(rotors);
     if (!own.empty()) task.own = own.data();
     std::vector<Fate> fates(task.count);
     if (!decide_lanes(task, trials.rule, fates, nullptr) || !told(first, fates)) good = false;
