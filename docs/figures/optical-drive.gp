@@ -8,7 +8,7 @@ set grid lc rgb "#dddddd"
 set xlabel "rolling resistance over normal force (stiction twice that)"
 set ylabel "RMS velocity at 10 000 rpm, mm/s"
 set xrange [-0.00005:0.00205]
-set yrange [0:62]
+set yrange [0:50]
 set key left top
 of(runout, column) = $1 == runout ? column : NaN
 plot file using 2:(of(5,$6)) skip 1 with linespoints pt 6 dt 2 lw 2 lc rgb "#1f77b4" title "runout 5 um: 90 % of starts below", \

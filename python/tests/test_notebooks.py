@@ -41,8 +41,8 @@ CHECKS = {
     ],
     "4-washing-machine": [
         "as_it_is.shares['balanced'] == 1.0",
-        "(peak_mm(as_it_is) > 15).mean() > 0.88",  # 91.3 % of 3000 starts, standard error of 1000: 0.9 %
-        "(peak_mm(results['and balls of 34 mm']) > 15).mean() < 0.025",  # 1.2 % of 3000 starts
+        "(peak_mm(as_it_is) > 15).mean() > 0.88",  # 91.2 % of 3000 starts, standard error of 1000: 0.9 %
+        "(peak_mm(results['and balls of 34 mm']) > 15).mean() < 0.025",  # 0.67 % of 3000 starts
         "250 * run.radial.max() > 15 > 250 * best.radial.max()",
     ],
     "5-table-5-and-the-speed-law": [

@@ -342,7 +342,7 @@ def fates(e):
             begin = min(decided, 20000.0) + max(LATER, min(slow, 2000.0))
             seen = late(e, start, begin, 60.0)
             r = seen["radial"].max()
-            passed += np.mean(seen["psi_dot"]) > e.critical
+            passed += np.mean(seen["psi_dot"]) > answer.get("passed", {"above": 0.0})["above"]
             if outcome > 0 and (r < 0.5 * bare) != (outcome == 1):
                 # Chaos on the way makes another fate of rounding: then starts a hair aside differ too, and nothing is
                 # learnt of the sentence.

@@ -146,5 +146,22 @@ TEST(Continuum, SurveySaysWhichPartAttracts) {
   EXPECT_LT(eight.share(), 0.1);
 }
 
+// Light balls in hardly any oil, on soft supports under gravity: Newton's method finds no motion beside the balanced
+// state and steps far off, to balls so fast that following them for one strobe took hours.
+TEST(Continuum, WhatNewtonsMethodLeavesIsNoMember) {
+  model::Parameters p = base_rotor(3, 0.0114, 0.00217);
+  p.eccentricity = 0.0023;
+  p.damping.fill(0.04);
+  p.gravity = 0.0385;
+  p.rolls = true;
+  p.ball_radius.fill(0.078);
+  const BalancedContinuum continuum({p, 1.817});
+  const ContinuumSurvey survey = continuum.survey();
+  ASSERT_TRUE(survey.attracts());
+  int members = 0;
+  for (const auto& phi : survey.members) members += continuum.member(phi.data()).has_value();
+  EXPECT_LT(members, static_cast<int>(survey.members.size()));
+}
+
 }  // namespace
 }  // namespace equipoise

@@ -7,6 +7,7 @@
 #include <nlohmann/json.hpp>
 
 #include "equipoise/base/angles.hpp"
+#include "equipoise/base/error.hpp"
 #include "equipoise/report/explain_report.hpp"
 #include "../base_study.hpp"
 #include "../explained.hpp"
@@ -153,7 +154,22 @@ TEST(Explain, Warns) {
   EXPECT_FALSE(warned(of(machine, {"balancer.restitution=0.9", "balancer.contact_angle=0.1"}), "restitution"));
   // Two balls of 59 mm in a race of 60 mm: each takes 2 asin(59/60) = 159 degrees; four do not fit.
   EXPECT_FALSE(warned(with("balancer.ball_diameter=59 mm"), "do not fit"));
-  EXPECT_TRUE(warned(of(machine, {"balancer.ball_diameter=59 mm", "balancer.balls=4"}), "do not fit"));
+  const std::vector<std::string> crowded{"balancer.ball_diameter=59 mm", "balancer.balls=4"};
+  EXPECT_THROW(of(machine, crowded), InputError);  // where they touch, as by default
+  std::vector<std::string> passing = crowded;
+  passing.push_back("balancer.contact=false");
+  EXPECT_TRUE(warned(of(machine, passing), "do not fit"));
+}
+
+TEST(Explain, WarnsOfBallsThatPassThroughEachOther) {
+  const std::string size = "balancer.ball_diameter=8 mm", passes = "pass through each other",
+                    sizes = "of one balancer.ball_diameter";
+  EXPECT_FALSE(warned(of(machine), passes));  // of no known size
+  EXPECT_FALSE(warned(of(machine, {size}), passes));
+  EXPECT_TRUE(warned(of(machine, {size, "balancer.contact=false"}), passes));
+  EXPECT_FALSE(warned(of(machine, {size, "balancer.contact=false"}), sizes));
+  EXPECT_FALSE(warned(of(machine, {size, "balancer.contact=false", "balancer.balls=1"}), passes));
+  EXPECT_TRUE(warned(of(machine, {"balancer.ball_diameter=[\"8 mm\", \"9 mm\"]"}), sizes));
 }
 
 TEST(Explain, LeavesGravityOutOfWhatTheBallsCancel) {

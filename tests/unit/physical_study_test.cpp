@@ -203,6 +203,22 @@ TEST(PhysicalStudy, ConvertsMotorContactAndOffset) {
   EXPECT_FALSE(d.root.find("balancer")->find("contact"));
 }
 
+TEST(PhysicalStudy, BallsOfOneKnownSizeTouchUnlessToldOtherwise) {
+  const std::string size = "balancer.ball_diameter=8 mm";
+  const auto touching = [](const std::vector<std::string>& overrides) {
+    return parse(machine, overrides).parameters.contact_angle;
+  };
+  const double side_by_side = 2.0 * std::asin(4.0 / 30.0);
+  EXPECT_EQ(touching({}), 0.0);
+  EXPECT_DOUBLE_EQ(touching({size}), side_by_side);
+  EXPECT_DOUBLE_EQ(touching({size, "balancer.contact=true"}), side_by_side);
+  EXPECT_EQ(touching({size, "balancer.contact=false"}), 0.0);
+  EXPECT_EQ(touching({size, "balancer.contact_angle=0"}), 0.0);
+  EXPECT_EQ(touching({size, "balancer.contact_angle=0.3"}), 0.3);
+  EXPECT_EQ(touching({size, "balancer.balls=1"}), 0.0);
+  EXPECT_EQ(touching({"balancer.ball_diameter=['8 mm', '9 mm']"}), 0.0);
+}
+
 TEST(PhysicalStudy, BallsWhoseSizeIsGivenRoll) {
   EXPECT_FALSE(parse(machine).parameters.rolls);
   const model::Parameters p = parse(machine, {"balancer.ball_diameter=['8 mm', '9 mm']"}).parameters;

@@ -240,6 +240,7 @@ class Discoverer {
     } else if (balanced.stable) {
       Motion measured;
       measured.kind = MotionKind::measured;
+      measured.stable = true;
       result_.catalogue.add({balanced_id, "balanced", "", measured, {}});
     }
   }

@@ -37,6 +37,7 @@ class Warnings {
     room();
     if (e.gravity_ratio && *e.gravity_ratio >= 1.0)
       warn("at the final speed the weight of a ball exceeds its centrifugal force: it falls off the top of the race");
+    contact();
     if (!p_.balls_collide() && p_.restitution != model::Parameters{}.restitution)
       warn("balancer.restitution has no effect: balls of no contact_angle pass each other");
     if (p_.total_mass() >= 1.0) warn("the balls together are heavier than the rotor");
@@ -67,6 +68,14 @@ class Warnings {
       warn(
           "the final speed is less than sqrt(2) times the critical speed: vibration without balls exceeds twice the "
           "eccentricity unless damping is strong, and balance is often unstable");
+  }
+
+  void contact() {
+    const std::vector<double>& widths = e_.ball_width;
+    if (p_.balls_collide() || p_.balls < 2 || widths.empty()) return;
+    const bool alike = std::all_of(widths.begin(), widths.end(), [&](double w) { return w == widths.front(); });
+    warn("balls pass through each other in this study, which real balls do not: shares and shaking may differ{}",
+         alike ? "" : "; contact needs balls of one balancer.ball_diameter");
   }
 
   void sag() {

@@ -36,7 +36,7 @@ const char* words(Need need) {
     case Need::prescribed_speed:
       return "a prescribed speed";
     case Need::passing_balls:
-      return "balls that pass each other, 0";
+      return "balls that pass each other, 0 or contact = false";
     case Need::sliding_balls:
       return "balls without rolling resistance or stiction, 0";
     case Need::centred_race:

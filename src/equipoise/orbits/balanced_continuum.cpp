@@ -108,6 +108,7 @@ bool BalancedContinuum::settle(ContinuumMember& m, const VectorXd& offset) const
       if (part.norm() < converged) break;
       if (k == most) return false;
       m.centre -= scale_.cwiseProduct(m.range * solver.solve(part));
+      if (is_astray(m)) return false;
       const auto end = advance_state(system_, m.centre, strobe_);
       if (!end) return false;
       miss = (*end - m.centre).cwiseQuotient(scale_);
@@ -116,6 +117,14 @@ bool BalancedContinuum::settle(ContinuumMember& m, const VectorXd& offset) const
   if (!rests_) m.creep = m.along * (m.left * miss) / strobe_;
   m.rate = slowest_of(dense::eigenvalues(strobe_ > 0.0 ? MatrixXd(m.across + one) : m.across), 0, strobe_);
   return m.left.allFinite() && std::isfinite(m.rate);
+}
+
+// Where nothing is damped enough Newton's steps may lead anywhere, to balls too fast to be followed for a strobe.
+bool BalancedContinuum::is_astray(const ContinuumMember& m) const {
+  const int n = system_.balls();
+  const VectorXd moved = (m.centre - model::balanced_state(system_, speed_, m.phi.data())).cwiseQuotient(scale_);
+  const auto farthest = [&](int first) { return moved.segment(first, n).lpNorm<Eigen::Infinity>(); };
+  return !(farthest(model::index::phi(0)) < pi && farthest(model::index::q(0, n)) < pi);
 }
 
 bool BalancedContinuum::shape(ContinuumMember& m) const {

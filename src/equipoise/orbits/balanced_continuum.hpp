@@ -84,6 +84,7 @@ class BalancedContinuum {
 
  private:
   bool settle(ContinuumMember& member, const Eigen::VectorXd& offset = {}) const;
+  bool is_astray(const ContinuumMember& member) const;
   bool shape(ContinuumMember& member) const;
   bool stays(ContinuumMember member, double slowest_rate) const;
   bool balance(double* phi) const { return model::project_to_balanced(system_, speed_, phi); }

@@ -152,12 +152,14 @@ std::string attractors_text(const AttractorsResult& r) {
     const Share& share = share_of(r, a.id).share;
     std::string drift;
     for (int i = 0; i < balls; ++i) drift += fmt::format("{}{:.4f}", i ? ", " : "", m.drift[i] * units.speed + 0.0);
+    const bool measured = m.kind == MotionKind::measured;  // of which no state is known
+    const auto r_text = [&](double value) { return measured ? "-" : fmt::format("{:.4f}", value * units.length); };
     rows.push_back({fmt::format("{}", a.id), a.alias.empty() ? a.name : fmt::format("{} ({})", a.name, a.alias),
                     name_of(m.kind), share.total ? percent(share.share, share.count == 0 ? 0 : digits_for(share)) : "-",
-                    a.continuum ? "-" : fmt::format("{}", m.copies),
+                    a.continuum || measured ? "-" : fmt::format("{}", m.copies),
                     m.kind == MotionKind::periodic ? fmt::format("{:.5f}", m.period * units.time) : "-",
-                    fmt::format("{:.4f}", m.r_min * units.length), fmt::format("{:.4f}", m.r_mean * units.length),
-                    fmt::format("{:.4f}", m.r_max * units.length), drift, stability_text(a, units)});
+                    r_text(m.r_min), r_text(m.r_mean), r_text(m.r_max), measured ? "-" : drift,
+                    stability_text(a, units)});
     if (driven) insert(rows.back(), m.motor ? motor_cells(m, units) : Row(4, "-"));
   }
   text += aligned(rows, alignment) + "\n";

@@ -47,6 +47,7 @@ std::string stability_text(const Attractor& a, const TableUnits& units) {
   if (a.motion.set_valued) return "a continuum that dry friction holds";
   if (a.continuum) return continuum_text(*a.continuum, units);
   const Motion& m = a.motion;
+  if (m.kind == MotionKind::measured) return "starts come to it, by windows of time";
   const char* verdict = m.stable ? "stable" : "UNSTABLE";
   if (m.strobed && m.spectrum.size() > 0) {
     double largest = 0.0;
@@ -107,7 +108,8 @@ nlohmann::ordered_json motion_json(const Attractor& a, const Study& study) {
     json["torque"] = m.motor->torque;
     json["power"] = {{"motor", m.motor->power}, {"supports", m.motor->support_power}};
   }
-  json["radial"] = {{"min", m.r_min}, {"mean", m.r_mean}, {"max", m.r_max}};
+  const auto r = [&](double value) { return m.kind == MotionKind::measured ? Json(nullptr) : Json(value); };
+  json["radial"] = {{"min", r(m.r_min)}, {"mean", r(m.r_mean)}, {"max", r(m.r_max)}};
   if (m.kind == MotionKind::equilibrium || m.kind == MotionKind::periodic) {
     Json spectrum = Json::array();
     for (Eigen::Index k = 0; k < m.spectrum.size(); ++k)

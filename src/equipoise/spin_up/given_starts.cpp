@@ -37,7 +37,7 @@ class GivenStart {
         fail("phi_dot", s_.phi_dot[i], "must be 0: the balls are clamped until their release", i);
     if (overlap(study_.parameters, s_.phi.data()))
       fail("phi", s_.phi[0],
-           fmt::format("balls overlap; must be at least balancer.contact_angle, {}, apart",
+           fmt::format("balls overlap; must be at least {} rad apart, as balls are that touch",
                        study_.parameters.contact_angle));
   }
 

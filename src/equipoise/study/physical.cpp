@@ -173,6 +173,11 @@ class BalancerReader {
       if (r >= b_.radius) reader_.fail(b_.rolls_from, "must be less than balancer.race_radius");
   }
 
+  bool one_diameter() const {
+    return std::all_of(diameter_.begin(), diameter_.end(), [&](double d) { return d == diameter_.front(); });
+  }
+
+  // Balls whose size is known touch; those of several sizes cannot yet.
   void read_contact() {
     if (reader_.has("contact_angle")) {
       if (reader_.has("contact"))
@@ -181,17 +186,18 @@ class BalancerReader {
       b_.contact_from = "contact_angle";
       return;
     }
-    if (!reader_.flag("contact", false)) return;
+    const bool given = reader_.has("contact");
+    if (!reader_.flag("contact", !diameter_.empty() && one_diameter())) return;
     need_diameter("contact");
-    if (std::any_of(diameter_.begin(), diameter_.end(), [&](double d) { return d != diameter_.front(); }))
-      reader_.fail("contact", "needs balls of one diameter");
+    if (!one_diameter()) reader_.fail("contact", "needs balls of one diameter");
+    if (b_.balls == 1) return;
     const double widest = 2.0 * b_.radius * std::sin(pi / b_.balls);
-    if (b_.balls > 1 && diameter_.front() >= widest)
+    if (diameter_.front() >= widest)
       reader_.fail("ball_diameter",
                    fmt::format("must be less than {:.6g} mm: {} balls that touch side by side fill the race then",
                                1000.0 * widest, b_.balls));
     b_.contact_angle = 2.0 * std::asin(0.5 * diameter_.front() / b_.radius);
-    b_.contact_from = "contact";
+    b_.contact_from = given ? "contact" : "ball_diameter";
   }
 
   QuantityReader reader_;

@@ -25,9 +25,10 @@ inline void check_overlap(const Study& study) {
     for (int j = 0; j < i; ++j) {
       const double apart = std::fabs(wrapped(study.initial.phi[i] - study.initial.phi[j]));
       if (apart < p.contact_angle)
-        throw InputError(study.name, "initial.phi", fmt::format("{}", study.initial.phi[i]),
-                         fmt::format("balls {} and {} overlap: {} apart; must be at least balancer.contact_angle, {}",
-                                     j + 1, i + 1, apart, p.contact_angle));
+        throw InputError(
+            study.name, "initial.phi", fmt::format("{}", study.initial.phi[i]),
+            fmt::format("balls {} and {} overlap: {} rad apart; must be at least {} apart, as balls are that touch",
+                        j + 1, i + 1, apart, p.contact_angle));
     }
 }
 

@@ -37,7 +37,8 @@ void check_has_equations(const Study& study) {
     throw InputError(study.name, study.uncertain.values.front().key, "",
                      "is uncertain; equations are those of one rotor: with_medians() or drawn_study()");
   if (p.balls_collide())
-    refuse("balancer.contact_angle", p.contact_angle, "balls that meet need events, as simulate() has them; must be 0");
+    refuse("balancer.contact_angle", p.contact_angle,
+           "balls that meet need events, as simulate() has them; must be 0, or contact = false");
   const char* sticks = "balls that stick need events, as simulate() has them; must be 0";
   for (int i = 0; i < p.balls; ++i) {
     if (p.rolling[i] > 0.0) refuse("balancer.rolling", p.rolling[i], sticks);
