@@ -36,28 +36,6 @@ constexpr double largest_change = 0.5;
 constexpr double uneven = 4.0, smallest_uneven = 0.02;
 constexpr double centred = 1e-9;  // off_balance() of balanced states
 
-// Balls in contact may come to touch on a motion that was refined as if they passed each other.
-std::optional<Motion> if_clear(const model::System& system, Motion motion) {
-  if (!stays_clear(system, motion)) return std::nullopt;
-  return motion;
-}
-
-std::optional<Motion> refined(const model::System& system, const Motion& guess, const StopFlag* stop) {
-  // Where equations begin to depend on the rotor's angle, or cease to, motions become others.
-  if (guess.state.size() != system.dimension()) return std::nullopt;
-  if (guess.orbit.nodes.empty()) {
-    if (system.section() == model::Section::strobe) return std::nullopt;
-    const auto found = refine_equilibrium(system, guess.state);
-    if (!found) return std::nullopt;
-    return if_clear(system, describe_equilibrium(system, *found));
-  }
-  if (guess.orbit.imposed != (system.section() == model::Section::strobe)) return std::nullopt;
-  const auto found =
-      refine_orbit(system, guess.orbit.nodes, guess.orbit.period, std::numeric_limits<double>::infinity(), stop);
-  if (!found) return std::nullopt;
-  return if_clear(system, describe_orbit(system, *found));
-}
-
 // What no smooth change of a motion alters.
 bool same_signature(const model::Parameters& p, const Motion& a, const Motion& b) {
   const auto is_centred = [&](const Motion& m) { return model::off_balance(p, m.state[0], m.state[1]) < centred; };
@@ -104,8 +82,8 @@ bool drift_alike(const model::Parameters& p, const Motion& a, const Motion& b) {
 }  // namespace
 
 bool may_be_locked(const Motion& motion) {
-  return motion.kind == MotionKind::periodic && std::any_of(motion.winding.begin(), motion.winding.end(),
-                                                            [](int turns) { return std::abs(turns) > 1; });
+  return motion.kind == MotionKind::periodic &&
+         std::any_of(motion.winding.begin(), motion.winding.end(), [](int turns) { return std::abs(turns) > 1; });
 }
 
 bool is_restless(const Motion& motion) {
@@ -131,7 +109,7 @@ bool resembles(const model::Parameters& p, const Motion& a, const Motion& b) {
 
 std::optional<Motion> BranchFollower::refine(const Motion& motion, double to) const {
   const model::System system = line_.system_at(to);
-  auto found = refined(system, motion, stop_);
+  auto found = refined_motion(system, motion, stop_);
   if (!found || !same_signature(system.parameters(), motion, *found)) return std::nullopt;
   return found;
 }
@@ -170,11 +148,11 @@ Advance BranchFollower::advance_refined(const Motion& motion, double from, doubl
     const double next = last ? to : at.value + step, middle = 0.5 * (at.value + next);
     const model::System there = line_.system_at(next);
     const model::Parameters& p = there.parameters();
-    std::optional<Motion> half = refined(line_.system_at(middle), at.motion, stop_), whole;
+    std::optional<Motion> half = refined_motion(line_.system_at(middle), at.motion, stop_), whole;
     const std::optional<Motion>* stranger = nullptr;
     if (half && !same_signature(p, at.motion, *half)) stranger = &half;
     if (half && !stranger) {
-      whole = refined(there, *half, stop_);
+      whole = refined_motion(there, *half, stop_);
       if (whole && !same_signature(p, at.motion, *whole)) stranger = &whole;
     }
     if (whole && !stranger && smooth(change(there, at.motion, *half), change(there, *half, *whole))) {

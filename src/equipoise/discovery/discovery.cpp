@@ -473,16 +473,34 @@ class Discoverer {
     return true;
   }
 
+  // Chaos that goes on for so long counts as lasting for rotors that differ.
+  double patience() const { return drawn_ ? std::min(followed_for(system_), lasting_chaos) : followed_for(system_); }
+
+  // The same state of the pilot is a candidate again if it came to no motion, or to one that looks different each time.
+  struct Followed {
+    Eigen::VectorXd state;
+    const OwnRotor* own = nullptr;
+    std::optional<Motion> motion;
+  };
+  const Followed* followed_before(const Candidate& c) const {
+    const auto at = std::find_if(followed_.begin(), followed_.end(),
+                                 [&](const Followed& f) { return f.own == c.own && f.state == c.state; });
+    return at == followed_.end() ? nullptr : &*at;
+  }
+
   // Follows the candidates until they are steady; lists those that become so, with what recognises them.
   bool refine_candidates() {
     stages_.begin("motions followed until they are steady", candidates_.size());
     in_parallel(settings_.threads, candidates_.size(), [&](std::size_t k) {
       if (is_stopped()) return;
       Candidate& c = candidates_[k];
-      c.motion = motion_from(system_of(c), c.state, followed_for(system_), settings_.stop);
+      const Followed* before = followed_before(c);
+      c.motion = before ? before->motion : motion_from(system_of(c), c.state, patience(), settings_.stop);
       stages_.add(1);
     });
     if (is_stopped()) return false;
+    for (const Candidate& c : candidates_)
+      if (!followed_before(c)) followed_.push_back({c.state, c.own, c.motion});
     compare_with_motions();
     const Catalogue before = result_.catalogue;
     for (Candidate& c : candidates_)
@@ -742,7 +760,8 @@ class Discoverer {
   std::vector<std::shared_ptr<const TorusTrap>> tori_;
   std::optional<ContinuumTrap> continuum_;
   std::optional<StalledTrap> stalled_;
-  std::optional<FeatureBox> balance_box_;              // beside traps
+  std::optional<FeatureBox> balance_box_;  // beside traps
+  std::vector<Followed> followed_;
   std::map<int, Eigen::VectorXd> chaos_;               // by attractor: a state on one rotor's
   std::vector<Candidate> candidates_, found_, seeds_;  // being followed; what the pilot came to; a neighbour's
 };

@@ -92,7 +92,7 @@ class Journey : Stretches {
   std::optional<Motion> persistence();
   std::optional<PeriodicOrbit> orbit_of(const Return& now);
   bool worth_trying(const Return& now);
-  std::optional<std::vector<double>> exponents_of(MotionKind& kind) const;
+  std::optional<std::vector<double>> exponents_of(MotionKind& kind);
   std::optional<Motion> restless(MotionKind kind, const std::vector<double>& exponents);
   bool statistics_repeat(double share_of_extremes, double share_of_means) const;
   bool comes_back() const;
@@ -112,6 +112,9 @@ class Journey : Stretches {
   const std::vector<KnownOrbit>& known_;
   std::vector<KnownOrbit> orbits_;  // further stable ones met so far
   std::vector<Return> tried_;       // Newton's method did not find the motion from these
+  // What exponents said last. They are measured for longer than a journey lasts, so that a periodic motion stays one;
+  // chaos, which may end, is only believed in the end.
+  bool periodic_ = false, chaotic_ = false;
   IntegrationStatus status_ = IntegrationStatus::done;
   double ahead_ = 0.0;  // how far the last approach was followed beyond elapsed_
   bool recognised_ = false;
@@ -132,8 +135,7 @@ IntegrationStatus Journey::follow_whole(Eigen::VectorXd& z, double duration, Mot
 bool Journey::travel_stretch(double duration) {
   // A trajectory that others handed over may hold such balls (discovery's starts in one place do); whether they stay
   // together is seen from the second stretch on.
-  if (elapsed_ > 0.0)
-    model::part_coincident(p_, &state_[model::index::phi(0)], &state_[model::index::q(0, p_.balls)]);
+  if (elapsed_ > 0.0) model::part_coincident(p_, &state_[model::index::phi(0)], &state_[model::index::q(0, p_.balls)]);
   previous_ = last_;
   last_ = MotionStatistics();
   const double memory = std::min(duration, whole(longest_memory));
@@ -300,7 +302,7 @@ bool Journey::creeps_balanced(const Motion& motion) const {
 }
 
 // Lyapunov exponents along the trajectory from here, and the kind that they tell; empty if none goes on for ever.
-std::optional<std::vector<double>> Journey::exponents_of(MotionKind& kind) const {
+std::optional<std::vector<double>> Journey::exponents_of(MotionKind& kind) {
   // A shift in time leaves one exponent of 0; strobes leave none.
   const std::size_t next = strobed() ? 0 : 1;
   const int count = std::min<int>(4, system_.dimension());
@@ -312,6 +314,7 @@ std::optional<std::vector<double>> Journey::exponents_of(MotionKind& kind) const
     duration *= 8.0;
     exponents = lyapunov_exponents(system_, state_, duration, count, stop_);
     if (exponents.size() < 2) return std::nullopt;
+    periodic_ = duration >= patience() && exponents[next] < -8.0 / duration;
   }
   const double zero = 8.0 / duration;
   if (exponents[0] > zero)
@@ -356,8 +359,10 @@ std::optional<Motion> Journey::persistence() {
   // What creeps along a continuum of balanced states under gravity does not come back either.
   if (!strobed() && !comes_back()) return std::nullopt;
   if (last_.duration < 1000.0 || !(repeats_ >= 2 || (is_over() && loose))) return std::nullopt;
+  if (periodic_ || (chaotic_ && !is_over())) return std::nullopt;
   MotionKind kind;
   const auto exponents = exponents_of(kind);
+  chaotic_ = exponents && kind == MotionKind::chaotic;
   if (!exponents || (kind == MotionKind::chaotic ? !is_over() : repeats_ < 2)) return std::nullopt;
   return restless(kind, *exponents);
 }
@@ -397,6 +402,21 @@ Settling settle(const model::System& system, const Eigen::VectorXd& state, doubl
                 const std::vector<KnownOrbit>& known, const StopFlag* stop) {
   if (!system.smooth()) return settle_with_events(system, state, patience, stop);
   return Journey(system, state, patience, known, stop).settle();
+}
+
+std::optional<Motion> refined_motion(const model::System& system, const Motion& guess, const StopFlag* stop) {
+  // Where equations begin to depend on the rotor's angle, or cease to, motions become others.
+  if (guess.state.size() != system.dimension()) return std::nullopt;
+  std::optional<Motion> motion;
+  if (guess.orbit.nodes.empty()) {
+    if (system.section() == model::Section::strobe) return std::nullopt;
+    if (const auto found = refine_equilibrium(system, guess.state)) motion = describe_equilibrium(system, *found);
+  } else if (guess.orbit.imposed == (system.section() == model::Section::strobe)) {
+    const auto found =
+        refine_orbit(system, guess.orbit.nodes, guess.orbit.period, std::numeric_limits<double>::infinity(), stop);
+    if (found) motion = describe_orbit(system, *found);
+  }
+  return motion && stays_clear(system, *motion) ? motion : std::nullopt;
 }
 
 std::optional<Motion> motion_from(const model::System& system, const Eigen::VectorXd& state, double patience,

@@ -87,7 +87,10 @@ inline constexpr double motion_patience = 20000.0;
 /// `stop` is set. Else deterministic.
 std::optional<Motion> motion_from(const model::System& system, const Eigen::VectorXd& state,
                                   double patience = motion_patience, const StopFlag* stop = nullptr);
-/// The same for states already refined.
+/// What Newton's method makes of `guess`, a neighbouring system's motion, in this system: an equilibrium or a periodic
+/// motion, stable or not. Empty where it finds none, or one on which balls in contact would touch.
+std::optional<Motion> refined_motion(const model::System& system, const Motion& guess, const StopFlag* stop = nullptr);
+/// The same as motion_from() says, of states already refined.
 Motion describe_equilibrium(const model::System& system, const Equilibrium& equilibrium);
 Motion describe_orbit(const model::System& system, const PeriodicOrbit& orbit);
 /// Balance under gravity with three balls or more: the motion along what gravity leaves of a continuum of balanced

@@ -118,8 +118,12 @@ double own_floor(const CycleTrap& trap, const TrialSettings& settings, const Mot
   double largest = 0.0;
   for (std::size_t k = 0; k < std::min(few, settings.rotors.size()); ++k) {
     const model::System& own = settings.rotors[k].system;
-    const auto there = motion_from(own, motion.state, motion_patience, settings.stop);
-    if (!there || !there->stable || there->kind != motion.kind || !is_it(own.parameters(), *there)) return none;
+    const auto is_same = [&](const std::optional<Motion>& m) {
+      return m && m->stable && m->kind == motion.kind && is_it(own.parameters(), *m);
+    };
+    auto there = refined_motion(own, motion, settings.stop);
+    if (!is_same(there)) there = motion_from(own, motion.state, motion_patience, settings.stop);
+    if (!is_same(there)) return none;
     Eigen::VectorXd state = there->state;
     if (trap.attractor == balanced_id && !system.autonomous())
       state -= balanced_shift(own, system, trap.nodes.front().state);
