@@ -79,6 +79,13 @@ class Capacity(unittest.TestCase):
                 self.assertEqual((told[3] or "").strip(), unit)
                 self.assertTrue(abs(float(told[2]) / most - 1) < 1e-3, told[2])  # four digits
 
+    def test_the_range_of_a_sweep_holds_those_of_all_its_cells(self):
+        drum = os.path.join(STUDIES, "examples", "washing-machine.toml")
+        found = answer("capacity", drum, "--starts", "5", "--precision", "0.1", "--at-least", "0.3",
+                       "--over", "balancer.ball_diameter=30 mm,44 mm")
+        least, most = (4 * 7.8e-3 * math.pi / 6 * size ** 3 * 250 for size in (30, 44))
+        self.assertTrue(abs(found["to"] / most - 1) < 1e-5 and abs(found["from"] / least / 0.02 - 1) < 1e-5, found)
+
     def test_of_the_two_unbalances_only_the_stated_one_is_looked_for(self):
         done = run("capacity", os.path.join(STUDIES, "examples", "washing-machine.toml"), "--of", "rotor.eccentricity")
         self.assertEqual((done.returncode, done.stdout), (2, ""))

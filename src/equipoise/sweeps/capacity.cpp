@@ -281,19 +281,24 @@ std::string capacity_key(const StudySource& source, const std::string& text, con
 
 namespace {
 
+// From a fiftieth of what the balls of the cell with the least can make up for to all that those of the one with the
+// most can.
 std::optional<CapacityRange> usual_range(const SweepPlan& plan, const std::string& key) {
   constexpr double least = 0.02, grams_and_millimetres = 1e6, millimetres = 1e3;
-  const Study& study = plan.study();
-  const double most = study.parameters.total_mass();
-  const auto up_to = [](double all, const char* unit) {
-    return CapacityRange{few_digits(least * all), few_digits(all), unit};
-  };
-  const bool physical = plan.source().physical();
-  if (key == "rotor.unbalance" && physical)
-    return up_to(most * study.scales->unbalance() * grams_and_millimetres, "g mm");
-  if (key != "rotor.eccentricity") return std::nullopt;
-  if (physical) return up_to(most * study.scales->length * millimetres, "mm");
-  return CapacityRange{least * most, most, ""};
+  const bool physical = plan.source().physical(), unbalance = key == "rotor.unbalance" && physical;
+  if (!unbalance && key != "rotor.eccentricity") return std::nullopt;
+  double low = std::numeric_limits<double>::infinity(), high = 0.0;
+  for (std::size_t cell = 0; cell < plan.cells(); ++cell) {
+    const Study study = plan.study_of(cell);
+    const double scale = unbalance  ? study.scales->unbalance() * grams_and_millimetres
+                         : physical ? study.scales->length * millimetres
+                                    : 1.0;
+    const double most = study.parameters.total_mass() * scale;
+    low = std::min(low, least * most);
+    high = std::max(high, most);
+  }
+  if (!physical) return CapacityRange{low, high, ""};
+  return CapacityRange{few_digits(low), few_digits(high), unbalance ? "g mm" : "mm"};
 }
 
 }  // namespace

@@ -30,8 +30,8 @@ struct CapacityRange {
   std::string unit;
 };
 /// The range as people write it, "LOW:HIGH" in numbers or quantities of one unit ("20 g mm:400 g mm"). Empty: for
-/// rotor.unbalance (in g mm) and rotor.eccentricity (plain, or in mm) from a fiftieth to all that the balls can make up
-/// for. `option` names it in errors. Throws InputError.
+/// rotor.unbalance (in g mm) and rotor.eccentricity (plain, or in mm) from a fiftieth to all that balls can make up
+/// for, over all cells. `option` names it in errors. Throws InputError.
 CapacityRange capacity_range(const SweepPlan& plan, const std::string& key, const std::string& text,
                              const std::string& option);
 
