@@ -35,10 +35,10 @@ const std::vector<Machine> list_of_machines{
     {"with a strong motor, balls that stick",
      "paper-rotor-with-motor.toml",
      {"balancer.rolling=0.001", "speed.torque.stall=1.0"}},
-    {"angle grinder", "examples/angle-grinder.toml", {}},
-    {"laboratory centrifuge", "examples/laboratory-centrifuge.toml", {}},
-    {"optical drive", "examples/optical-drive.toml", {}},
-    {"washing machine", "examples/washing-machine.toml", {}},
+    {"angle grinder", "examples/angle-grinder.toml", {"balancer.contact=true"}},
+    {"laboratory centrifuge", "examples/laboratory-centrifuge.toml", {"balancer.contact=true"}},
+    {"optical drive", "examples/optical-drive.toml", {"balancer.contact=true"}},
+    {"washing machine", "examples/washing-machine.toml", {"balancer.contact=true"}},
 };
 
 std::string path_of(const Machine& m) { return fmt::format("{}/../studies/{}", EQUIPOISE_BENCH_SOURCE_DIR, m.study); }
