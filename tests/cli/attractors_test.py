@@ -54,6 +54,35 @@ class Attractors(unittest.TestCase):
         self.assertLess(by_id[3]["radial"]["min"], by_id[3]["radial"]["mean"])
         self.assertLess(by_id[3]["radial"]["mean"], by_id[3]["radial"]["max"])
 
+    def test_what_windows_alone_show_has_no_figures(self):
+        # Light balls that touch, in hardly any oil: gravity leaves them creeping beside balance.
+        study = """[rotor]
+mass = "0.553 kg"
+stiffness = "2870 N/m"
+damping_ratio = 0.02
+unbalance = "54.3 g mm"
+gravity = "8.52 m/s2"
+[balancer]
+balls = 3
+ball_diameter = "6.65 mm"
+ball_density = "7800 kg/m3"
+race_radius = "42.6 mm"
+drag = "1.79e-6 N m s"
+[speed]
+profile = "constant"
+speed = "1250 rpm"
+"""
+        with tempfile.TemporaryDirectory() as folder:
+            path = os.path.join(folder, "light.toml")
+            with open(path, "w", encoding="utf-8") as file:
+                file.write(study)
+            (motion,) = json.loads(run("attractors", path, "--starts", "50", "--json", "--quiet").stdout)["attractors"]
+            text = run("attractors", path, "--starts", "50", "--quiet").stdout
+        self.assertEqual((motion["name"], motion["kind"], motion["stable"]), ("balanced", "measured", True))
+        self.assertEqual(motion["radial"], {"min": None, "mean": None, "max": None})
+        self.assertIn("starts come to it, by windows of time", text)
+        self.assertNotIn("UNSTABLE", text)
+
     def test_shares_are_those_of_basin(self):
         basin = json.loads(run("basin", ROW, "--starts", "3000", "--json", "--quiet").stdout)
         self.assertEqual([(a["id"], a["starts"], a["share"]) for a in self.answer["attractors"]],
