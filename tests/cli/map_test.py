@@ -87,6 +87,15 @@ class Results(unittest.TestCase):
         self.assertAlmostEqual(answer["x"]["values"][0], 9500.0 / 3573.0, delta=1e-3)
         self.assertAlmostEqual(answer["ties"][0]["offset"], 1.0471975512, delta=1e-9)
 
+    def test_pixels_without_a_start_are_named(self):
+        # 16 pixels a turn are 0.393 rad apart: balls overlap on the diagonal alone.
+        touching = run(ROW, "--size", "16x16", "--json", "--quiet", "--set", "balancer.contact_angle=0.3")
+        outcomes = {o["name"]: o["pixels"] for o in json.loads(touching.stdout)["outcomes"]}
+        self.assertEqual(outcomes["balls would overlap, or failed"], 16)
+        passing = run(ROW, "--size", "16x16", "--json", "--quiet")
+        outcomes = {o["name"]: o["pixels"] for o in json.loads(passing.stdout)["outcomes"]}
+        self.assertEqual(outcomes["failed"], 0)
+
     def test_says_where_balls_start_that_no_axis_places(self):
         plane = ["--x", "rotor.eccentricity", "--x-range", "0.009:0.011", "--y", "balancer.drag", "--y-range", "0.04:0.06",
                  "--size", "4x4", "--quiet"]

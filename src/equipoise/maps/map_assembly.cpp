@@ -17,21 +17,22 @@ constexpr int fewest_band_rows = 64;
 
 }  // namespace
 
-std::vector<MapCode> map_codes(const std::map<short, MapCode>& seen, bool driven) {
+std::vector<MapCode> map_codes(const std::map<short, MapCode>& seen, const Study& study) {
   std::vector<MapCode> codes;
   for (const auto& [given, code] : seen) codes.push_back(code);
   std::sort(codes.begin(), codes.end(), [](const MapCode& a, const MapCode& b) { return a.code < b.code; });
   codes.push_back({undecided_code, name_of(Outcome::undecided), "", {}});
   codes.push_back({diverged_code, name_of(Outcome::diverged), "", {}});
-  codes.push_back({failed_code, name_of(Outcome::failed), "", {}});
-  if (driven) codes.push_back({stalled_code, name_of(Outcome::stalled), "", {}});
+  const bool touch = study.parameters.balls_collide();
+  codes.push_back({failed_code, touch ? "balls would overlap, or failed" : name_of(Outcome::failed), "", {}});
+  if (study.speed.driven()) codes.push_back({stalled_code, name_of(Outcome::stalled), "", {}});
   return codes;
 }
 
 MapAssembly::MapAssembly(PlaneMap& map, const PixelStore& store, const PixelPlan* plan,
                          const std::map<short, MapCode>& seen)
     : map_(map), store_(store), plan_(plan), seen_(seen), figures_(map), one_rotor_(!map.balance_margin.empty()) {
-  map_.codes = map_codes(seen, map.study.speed.driven());
+  map_.codes = map_codes(seen, map.study);
   map_.pixels = static_cast<std::uint64_t>(map.x.pixels) * static_cast<std::uint64_t>(map.y.pixels);
   if (map_.pixels > most_pixels_in_memory)
     every_ = (std::max(map.x.pixels, map.y.pixels) + most_held_side - 1) / most_held_side;

@@ -15,7 +15,7 @@ namespace equipoise {
 
 /// All of a map's codes and no shares yet: attractors seen, under the codes that they have in the whole map, then
 /// undecided and its like.
-std::vector<MapCode> map_codes(const std::map<short, MapCode>& seen, bool driven);
+std::vector<MapCode> map_codes(const std::map<short, MapCode>& seen, const Study& study);
 
 /// Reads all rows of `store` in order, fills in what `plan` (if any) says, gives codes by `seen`, counts, and adds to
 /// `map`, whose axes are those of the whole map: pixels (every so many-th, if it is large), shares, figures. `write`,

@@ -62,7 +62,8 @@ export class MapView {
         map.complete === map.side
           ? `${map.side} × ${map.side} starts`
           : `sharpening: ${map.complete || "…"} × ${map.complete || "…"}`;
-      this.words.textContent = `${state}${others ? `; ${others}` : ""}. Click a point to watch that start.`;
+      const blank = map.check.machine.contact_angle > 0 ? " Blank: balls would overlap." : "";
+      this.words.textContent = `${state}${others ? `; ${others}` : ""}. Click a point to watch that start.${blank}`;
     }
     this.paint();
     this.draw();
@@ -96,7 +97,7 @@ export class MapView {
     };
     for (let pixel = 0; pixel < side * side; ++pixel) {
       const known = map.outcome[pixel] !== NO_PIXEL ? pixel : map.standIn(pixel);
-      if (known === NO_PIXEL) continue;
+      if (known === NO_PIXEL || map.overlaps(pixel) || map.overlaps(known)) continue;
       const row = side - 1 - Math.floor(pixel / side); // angles grow upwards
       pixels[row * side + (pixel % side)] = colourOf(map.outcome[known]!);
     }
@@ -157,7 +158,8 @@ export class MapView {
     const [first, second] = map.angles(pixel).map((angle) => degrees(angle).toFixed(0));
     const known = map.standIn(pixel);
     const at = `Balls at ${first}° and ${second}°: `;
-    if (known === NO_PIXEL) return this.say(`${at}not computed yet`);
+    if (map.overlaps(pixel)) return this.say(`${at}they would overlap`);
+    if (known === NO_PIXEL || map.overlaps(known)) return this.say(`${at}not computed yet`);
     const outcome = map.outcomes.of(map.outcome[known]!);
     if (known !== pixel) return this.say(`${at}not computed yet, beside it ${outcomeName(outcome)}`);
     const when = new Units(map.check.scales).timeText(map.time[known]!);
@@ -177,7 +179,7 @@ export class MapView {
   }
 
   private playPixel(pixel: number | null): void {
-    if (this.map && pixel !== null) this.desk.play({ phi: this.map.angles(pixel) });
+    if (this.map && pixel !== null && !this.map.overlaps(pixel)) this.desk.play({ phi: this.map.angles(pixel) });
   }
 
   private moveTo(pixel: number | null): void {
@@ -211,9 +213,14 @@ export class MapView {
   private describe(): void {
     const map = this.map;
     const counts = new Map<number, number>();
-    if (map) for (const code of map.outcome) if (code !== NO_PIXEL) counts.set(code, (counts.get(code) ?? 0) + 1);
+    let starts = 0;
+    map?.outcome.forEach((code, pixel) => {
+      if (code === NO_PIXEL || map.overlaps(pixel)) return;
+      counts.set(code, (counts.get(code) ?? 0) + 1);
+      ++starts;
+    });
     const parts = [...counts].map(
-      ([code, n]) => `${outcomeName(map!.outcomes.of(code))} ${((100 * n) / map!.done).toFixed(0)} %`,
+      ([code, n]) => `${outcomeName(map!.outcomes.of(code))} ${((100 * n) / starts).toFixed(0)} %`,
     );
     this.canvas.setAttribute(
       "aria-label",
@@ -235,7 +242,7 @@ export class MapView {
     const [left, size] = [54, 480];
     const word = (x: number, y: number, text: string, more = {}) =>
       s("text", { x, y, "font-size": 13, fill: "currentColor", "text-anchor": "middle", ...more }, text);
-    const codes = new Set(this.map ? [...this.map.outcome] : []);
+    const codes = new Set(this.map?.outcome.filter((_, pixel) => !this.map!.overlaps(pixel)) ?? []);
     const known = (this.map?.outcomes.list ?? []).filter(({ code }) => codes.has(code));
     const legend = known.flatMap((outcome, k) => [
       s("rect", { x: left, y: size + 66 + 20 * k, width: 12, height: 12, fill: outcome.colour }),

@@ -64,6 +64,19 @@ export class MapRun {
     return [first, second, ...this.others].slice(0, this.check.machine.balls);
   }
 
+  /** Balls in contact would overlap there: no start. */
+  overlaps(pixel: number): boolean {
+    const least = this.check.machine.contact_angle;
+    if (!(least > 0)) return false;
+    const angles = this.angles(pixel);
+    return angles.some((first, i) =>
+      angles.some((second, j) => {
+        const apart = Math.abs(first - second) % TURN;
+        return j < i && Math.min(apart, TURN - apart) < least;
+      }),
+    );
+  }
+
   pixelAt(phi: readonly number[]): number {
     const index = (angle: number) => Math.floor((((angle / TURN) % 1) + 1) * this.side) % this.side;
     return index(phi[1] ?? 0) * this.side + index(phi[0] ?? 0);
