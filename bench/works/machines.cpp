@@ -35,6 +35,7 @@ const std::vector<Machine> list_of_machines{
     {"with a strong motor, balls that stick",
      "paper-rotor-with-motor.toml",
      {"balancer.rolling=0.001", "speed.torque.stall=1.0"}},
+    // Said of the examples too: to an older program balls of a known size pass each other unless told otherwise.
     {"angle grinder", "examples/angle-grinder.toml", {"balancer.contact=true"}},
     {"laboratory centrifuge", "examples/laboratory-centrifuge.toml", {"balancer.contact=true"}},
     {"optical drive", "examples/optical-drive.toml", {"balancer.contact=true"}},

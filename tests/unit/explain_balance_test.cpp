@@ -191,7 +191,8 @@ TEST(ExplainedBalance, BallsCancelWhatTheyHaveRoomFor) {
   const std::string points = machine_rotor + "[speed]\nprofile = \"constant\"\nspeed = \"2000 rpm\"\n";
   EXPECT_EQ(verdict_text(explained(points)), "yes");
   EXPECT_TRUE(holds(verdict_text(explained(points, {"balancer.ball_diameter=50 mm"})), "no: balls of this size"));
-  EXPECT_TRUE(holds(verdict_text(explained(crowded, {"balancer.ball_diameter=45 mm", "balancer.contact=false"})), "no: the balls do not fit"));
+  EXPECT_TRUE(holds(verdict_text(explained(crowded, {"balancer.ball_diameter=45 mm", "balancer.contact=false"})),
+                    "no: the balls do not fit"));
   EXPECT_FALSE(holds(explain_text(explained(points)), "side by side\n"));
 }
 

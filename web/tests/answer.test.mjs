@@ -50,6 +50,22 @@ check("shares fill in, with intervals that narrow", async () => {
   await closePage(page);
 });
 
+check("where balls would overlap the map is blank, says so and plays nothing", async () => {
+  const page = await openPage(browser, { hash: "study=washing-machine&start=0" });
+  await page.waitForFunction(() => /Blank: balls would overlap\./.test(document.querySelector("#map .quiet").textContent));
+  const map = page.locator("#map canvas");
+  const box = await map.boundingBox();
+  const angles = () => page.$$eval(".angles input", (all) => all.map((input) => input.value));
+  const before = await angles();
+  const diagonal = { x: box.width * 0.1, y: box.height * 0.9 }; // both balls at 36 degrees
+  await map.hover({ position: diagonal });
+  await page.waitForFunction(() => /they would overlap$/.test(document.querySelector("#map .told").textContent));
+  await map.click({ position: diagonal });
+  assert.deepEqual(await angles(), before);
+  assert.doesNotMatch(await map.getAttribute("aria-label"), /failed/);
+  await closePage(page);
+});
+
 check("the map sharpens; a click on it plays that start, the keyboard too", async () => {
   const page = await openPage(browser);
   await page.waitForFunction(() => /(16|32|64|128) × /.test(document.querySelector("#map .quiet").textContent));

@@ -4,12 +4,10 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
-#include <limits>
 #include <utility>
 
 #include "equipoise/branches/value_search.hpp"
 #include "equipoise/model/balanced_state.hpp"
-#include "equipoise/motions/event_motion.hpp"
 #include "equipoise/motions/motion_statistics.hpp"
 #include "equipoise/orbits/recurrence.hpp"
 

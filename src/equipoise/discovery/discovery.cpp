@@ -98,6 +98,14 @@ std::size_t pilot_part(const model::System& system, const DiscoverySettings& set
   return is_dear(system) ? 16 : settings.informed || system.events().contact ? 4 : 1;
 }
 
+// What starts come to without a state of it being known.
+Motion measured_motion() {
+  Motion motion;
+  motion.kind = MotionKind::measured;
+  motion.stable = true;
+  return motion;
+}
+
 struct Candidate {
   std::vector<std::size_t> members;  // records; none for seeds
   Features features{};
@@ -186,13 +194,10 @@ class Discoverer {
 
   // Each start's motion is its own.
   int list_ends_of_coasting() {
-    Motion balanced;
-    balanced.kind = MotionKind::measured;
+    Motion balanced = measured_motion();
     balanced.set_valued = system_.events().stick;
     result_.catalogue.add({balanced_id, balanced.set_valued ? "balanced, stuck" : "balanced", "", balanced, {}});
-    Motion stalled;
-    stalled.kind = MotionKind::measured;
-    return result_.catalogue.add({"stalled", "", 0}, stalled);
+    return result_.catalogue.add({"stalled", "", 0}, measured_motion());
   }
 
   void find_balanced() {
@@ -238,10 +243,7 @@ class Discoverer {
     if (m) {
       result_.catalogue.add(study_.parameters, describe_creep(system_, m->centre, m->rate), part);
     } else if (balanced.stable) {
-      Motion measured;
-      measured.kind = MotionKind::measured;
-      measured.stable = true;
-      result_.catalogue.add({balanced_id, "balanced", "", measured, {}});
+      result_.catalogue.add({balanced_id, "balanced", "", measured_motion(), {}});
     }
   }
 
@@ -477,14 +479,9 @@ class Discoverer {
   double patience() const { return drawn_ ? std::min(followed_for(system_), lasting_chaos) : followed_for(system_); }
 
   // The same state of the pilot is a candidate again if it came to no motion, or to one that looks different each time.
-  struct Followed {
-    Eigen::VectorXd state;
-    const OwnRotor* own = nullptr;
-    std::optional<Motion> motion;
-  };
-  const Followed* followed_before(const Candidate& c) const {
+  const Candidate* followed_before(const Candidate& c) const {
     const auto at = std::find_if(followed_.begin(), followed_.end(),
-                                 [&](const Followed& f) { return f.own == c.own && f.state == c.state; });
+                                 [&](const Candidate& f) { return f.own == c.own && f.state == c.state; });
     return at == followed_.end() ? nullptr : &*at;
   }
 
@@ -494,13 +491,13 @@ class Discoverer {
     in_parallel(settings_.threads, candidates_.size(), [&](std::size_t k) {
       if (is_stopped()) return;
       Candidate& c = candidates_[k];
-      const Followed* before = followed_before(c);
+      const Candidate* before = followed_before(c);
       c.motion = before ? before->motion : motion_from(system_of(c), c.state, patience(), settings_.stop);
       stages_.add(1);
     });
     if (is_stopped()) return false;
     for (const Candidate& c : candidates_)
-      if (!followed_before(c)) followed_.push_back({c.state, c.own, c.motion});
+      if (!followed_before(c)) followed_.push_back(c);
     compare_with_motions();
     const Catalogue before = result_.catalogue;
     for (Candidate& c : candidates_)
@@ -761,9 +758,9 @@ class Discoverer {
   std::optional<ContinuumTrap> continuum_;
   std::optional<StalledTrap> stalled_;
   std::optional<FeatureBox> balance_box_;  // beside traps
-  std::vector<Followed> followed_;
-  std::map<int, Eigen::VectorXd> chaos_;               // by attractor: a state on one rotor's
-  std::vector<Candidate> candidates_, found_, seeds_;  // being followed; what the pilot came to; a neighbour's
+  std::map<int, Eigen::VectorXd> chaos_;   // by attractor: a state on one rotor's
+  // Being followed; all that were; what the pilot came to; a neighbour's.
+  std::vector<Candidate> candidates_, followed_, found_, seeds_;
 };
 
 }  // namespace

@@ -97,7 +97,7 @@ export class MapView {
     };
     for (let pixel = 0; pixel < side * side; ++pixel) {
       const known = map.outcome[pixel] !== NO_PIXEL ? pixel : map.standIn(pixel);
-      if (known === NO_PIXEL || map.overlaps(pixel) || map.overlaps(known)) continue;
+      if (known === NO_PIXEL || map.overlaps(pixel)) continue;
       const row = side - 1 - Math.floor(pixel / side); // angles grow upwards
       pixels[row * side + (pixel % side)] = colourOf(map.outcome[known]!);
     }
@@ -159,7 +159,7 @@ export class MapView {
     const known = map.standIn(pixel);
     const at = `Balls at ${first}° and ${second}°: `;
     if (map.overlaps(pixel)) return this.say(`${at}they would overlap`);
-    if (known === NO_PIXEL || map.overlaps(known)) return this.say(`${at}not computed yet`);
+    if (known === NO_PIXEL) return this.say(`${at}not computed yet`);
     const outcome = map.outcomes.of(map.outcome[known]!);
     if (known !== pixel) return this.say(`${at}not computed yet, beside it ${outcomeName(outcome)}`);
     const when = new Units(map.check.scales).timeText(map.time[known]!);
@@ -213,14 +213,9 @@ export class MapView {
   private describe(): void {
     const map = this.map;
     const counts = new Map<number, number>();
-    let starts = 0;
-    map?.outcome.forEach((code, pixel) => {
-      if (code === NO_PIXEL || map.overlaps(pixel)) return;
-      counts.set(code, (counts.get(code) ?? 0) + 1);
-      ++starts;
-    });
+    if (map) for (const code of map.outcome) if (code !== NO_PIXEL) counts.set(code, (counts.get(code) ?? 0) + 1);
     const parts = [...counts].map(
-      ([code, n]) => `${outcomeName(map!.outcomes.of(code))} ${((100 * n) / starts).toFixed(0)} %`,
+      ([code, n]) => `${outcomeName(map!.outcomes.of(code))} ${((100 * n) / map!.done).toFixed(0)} %`,
     );
     this.canvas.setAttribute(
       "aria-label",
@@ -242,7 +237,7 @@ export class MapView {
     const [left, size] = [54, 480];
     const word = (x: number, y: number, text: string, more = {}) =>
       s("text", { x, y, "font-size": 13, fill: "currentColor", "text-anchor": "middle", ...more }, text);
-    const codes = new Set(this.map?.outcome.filter((_, pixel) => !this.map!.overlaps(pixel)) ?? []);
+    const codes = new Set(this.map ? [...this.map.outcome] : []);
     const known = (this.map?.outcomes.list ?? []).filter(({ code }) => codes.has(code));
     const legend = known.flatMap((outcome, k) => [
       s("rect", { x: left, y: size + 66 + 20 * k, width: 12, height: 12, fill: outcome.colour }),

@@ -20,6 +20,16 @@ export function newPixels(side: number, step: number): number[] {
   return pixels;
 }
 
+/** Whether any two balls are less than `least` apart. */
+function overlap(angles: readonly number[], least: number): boolean {
+  return angles.some((first, i) =>
+    angles.slice(0, i).some((second) => {
+      const apart = Math.abs(first - second) % TURN;
+      return Math.min(apart, TURN - apart) < least;
+    }),
+  );
+}
+
 export class MapRun {
   readonly outcome: Int32Array;
   readonly time: Float64Array;
@@ -29,6 +39,7 @@ export class MapRun {
   /** Pixels a side of the finest picture that is complete. */
   complete = 0;
 
+  private readonly blank: Uint8Array;
   private queue: number[] = [];
   private next = 0;
   private step: number;
@@ -48,6 +59,9 @@ export class MapRun {
   ) {
     this.outcome = new Int32Array(side * side).fill(NO_PIXEL);
     this.time = new Float64Array(side * side);
+    const least = check.machine.contact_angle;
+    this.blank = new Uint8Array(side * side);
+    if (least > 0) this.blank.forEach((_, pixel, all) => (all[pixel] = Number(overlap(this.angles(pixel), least))));
     this.step = (2 * side) / COARSEST;
     this.changed = throttled(120, changed);
     for (let k = 0; k < crew.computing.size; ++k) void this.work();
@@ -64,17 +78,9 @@ export class MapRun {
     return [first, second, ...this.others].slice(0, this.check.machine.balls);
   }
 
-  /** Balls in contact would overlap there: no start. */
+  /** Balls in contact would overlap there: no start, and never computed. */
   overlaps(pixel: number): boolean {
-    const least = this.check.machine.contact_angle;
-    if (!(least > 0)) return false;
-    const angles = this.angles(pixel);
-    return angles.some((first, i) =>
-      angles.some((second, j) => {
-        const apart = Math.abs(first - second) % TURN;
-        return j < i && Math.min(apart, TURN - apart) < least;
-      }),
-    );
+    return this.blank[pixel] === 1;
   }
 
   pixelAt(phi: readonly number[]): number {
@@ -112,9 +118,9 @@ export class MapRun {
 
   /** The next pixels of this level, or of the one below it. */
   private take(): number[] {
-    if (this.next >= this.queue.length && this.step > 1) {
+    while (this.next >= this.queue.length && this.step > 1) {
       this.step /= 2;
-      this.queue = newPixels(this.side, this.step);
+      this.queue = newPixels(this.side, this.step).filter((pixel) => !this.overlaps(pixel));
       this.next = 0;
     }
     const pixels = this.queue.slice(this.next, this.next + this.chunk.size);
