@@ -89,7 +89,7 @@ TEST(TorusTrap, IsWatchedInAudits) {
   ASSERT_TRUE(found.trap);
   DecisionRule rule = rule_of_traps(found.system);
   rule.window = 16.0;
-  set_tori(rule, {found.trap});
+  set_window_traps(rule, {found.trap});
   FeatureBox all;  // in which every window lies
   all.low.fill(-1e300);
   all.high.fill(1e300);
@@ -103,8 +103,8 @@ TEST(TorusTrap, IsWatchedInAudits) {
   EXPECT_EQ(watched.attractor, 3);
   EXPECT_EQ(watched.by, DecidedBy::validated);
   // Half windows end with a step, a little late.
-  EXPECT_NEAR(watched.time - at_once.time, 8.0 * rule.tori.watched, 0.5 * rule.tori.watched);
-  EXPECT_GE(records[0].longest_run[0], rule.tori.watched - 1);
+  EXPECT_NEAR(watched.time - at_once.time, 8.0 * rule.windowed.watched, 0.5 * rule.windowed.watched);
+  EXPECT_GE(records[0].longest_run[0], rule.windowed.watched - 1);
 }
 
 TEST(TorusTrap, TellsWhatDoesNotBalance) {
@@ -113,7 +113,7 @@ TEST(TorusTrap, TellsWhatDoesNotBalance) {
   DecisionRule rule = rule_of_traps(found.system);
   rule.balanced = analyse_balanced(found.system).traps;
   ASSERT_FALSE(rule.balanced.empty());
-  set_tori(rule, {found.trap});
+  set_window_traps(rule, {found.trap});
   std::vector<double> states(found.motion.state.begin(), found.motion.state.end());
   const Eigen::VectorXd balanced = model::balanced_state(found.system, 2.4, rule.balanced[0].phi.data());
   states.insert(states.end(), balanced.begin(), balanced.end());
@@ -129,8 +129,8 @@ TEST(TorusTrap, IsForToriOnly) {
   for (const Motion& motion : {chaotic, unstable, slow})
     EXPECT_FALSE(torus_trap(found.system, motion, 3, found.settings));
   DecisionRule rule;
-  set_tori(rule, {});
-  EXPECT_FALSE(rule.tori.traps);
+  set_window_traps(rule, {});
+  EXPECT_FALSE(rule.windowed.traps);
 }
 
 }  // namespace

@@ -51,8 +51,8 @@ class DecideFate {
         pilot_(pilot),
         trackers_(groups * lanes),
         family_reach_(groups * lanes),
-        torus_asked_from_(groups * lanes),
-        torus_catch_(groups * lanes) {
+        windowed_asked_from_(groups * lanes),
+        window_catch_(groups * lanes) {
     for (int g = 0; g < groups; ++g) set_segment(g, task.segment, rule.sag);
     for (const BalancedTrap& trap : rule.balanced) centres_.push_back(trap.place(n));
   }
@@ -64,8 +64,8 @@ class DecideFate {
     verdict_[slot] = {};
     trackers_[slot].begin(rule_, own(slot));
     family_reach_[slot] = rule_.family.reach;
-    torus_asked_from_[slot] = t;
-    torus_catch_[slot] = {};
+    windowed_asked_from_[slot] = t;
+    window_catch_[slot] = {};
     element(least_value_[slot / lanes], slot % lanes) = 1e300;
   }
 
@@ -362,8 +362,8 @@ class DecideFate {
           verdict = {true, attractor};
           by = DecidedBy::validated;
         }
-      if (rule_.tori.traps && !rule_.at_horizon)
-        if (const int attractor = kept_by_torus(g * lanes + lane, sums, now, z, verdict.decided)) {
+      if (rule_.windowed.traps && !rule_.at_horizon)
+        if (const int attractor = kept_by_windowed(g * lanes + lane, sums, now, z, verdict.decided)) {
           verdict = {true, attractor};
           by = DecidedBy::validated;
         }
@@ -376,27 +376,27 @@ class DecideFate {
     return decided;
   }
 
-  bool looks_like_torus(const WindowSums& sums) const {
-    const TorusTraps& tori = rule_.tori;
-    bool like = sums.r2_min > tori.r2_low && sums.r2_max < tori.r2_high;
-    for (int i = 0; i < n; ++i) like = like && sums.q_min[i] > tori.q_low && sums.q_max[i] < tori.q_high;
+  bool within_bounds(const WindowSums& sums) const {
+    const WindowTraps& traps = rule_.windowed;
+    bool like = sums.r2_min > traps.r2_low && sums.r2_max < traps.r2_high;
+    for (int i = 0; i < n; ++i) like = like && sums.q_min[i] > traps.q_low && sums.q_max[i] < traps.q_high;
     return like;
   }
 
-  // The torus that has caught a lane, once nothing more is to be learnt from it; `over`: its windows decide now.
-  int kept_by_torus(int slot, const WindowSums& sums, double now, const Pack* z, bool over) {
-    TorusCatch& caught = torus_catch_[slot];
-    if (caught.attractor == 0 && looks_like_torus(sums))
-      caught = {caught_by_torus(slot, now, z), rule_.blind ? rule_.tori.watched : 0};
+  // The trap that has caught a lane, once nothing more is to be learnt from it; `over`: its windows decide now.
+  int kept_by_windowed(int slot, const WindowSums& sums, double now, const Pack* z, bool over) {
+    WindowCatch& caught = window_catch_[slot];
+    if (caught.attractor == 0 && within_bounds(sums))
+      caught = {caught_by_windowed(slot, now, z), rule_.blind ? rule_.windowed.watched : 0};
     return over || caught.left-- <= 0 ? caught.attractor : 0;
   }
 
-  int caught_by_torus(int slot, double now, const Pack* z) {
-    if (now < torus_asked_from_[slot]) return 0;
+  int caught_by_windowed(int slot, double now, const Pack* z) {
+    if (now < windowed_asked_from_[slot]) return 0;
     double state[dimension];
     for (int i = 0; i < size(); ++i) state[i] = element(z[i], slot % lanes);
-    const Caught answer = rule_.tori.traps->ask(state, 0.0, own(slot));
-    torus_asked_from_[slot] = now + answer.wait;
+    const Caught answer = rule_.windowed.traps->ask(state, 0.0, own(slot));
+    windowed_asked_from_[slot] = now + std::max(answer.wait, rule_.windowed.rest * trackers_[slot].elapsed());
     return answer.attractor;
   }
 
@@ -442,11 +442,11 @@ class DecideFate {
   std::size_t start_[groups * lanes] = {};
   Verdict verdict_[groups * lanes];
   std::vector<WindowTracker> trackers_;
-  std::vector<double> family_reach_, torus_asked_from_;
-  struct TorusCatch {
+  std::vector<double> family_reach_, windowed_asked_from_;
+  struct WindowCatch {
     int attractor = 0, left = 0;  // half windows that are still watched
   };
-  std::vector<TorusCatch> torus_catch_;
+  std::vector<WindowCatch> window_catch_;
 };
 
 }  // namespace HWY_NAMESPACE

@@ -104,11 +104,13 @@ struct FamilyTrap {
   Traps traps;
 };
 
-/// Tori of a system whose rotor's angle does not matter. Asked where half a short window ends that has stayed within
-/// these bounds of r^2 and of all q.
-struct TorusTraps {
+/// Of motions of a system whose rotor's angle does not matter, one state at a time: asked where half a short window ends
+/// that has stayed within these bounds of r^2 and of all q.
+struct WindowTraps {
   Traps traps;
   double r2_low = 0.0, r2_high = 1e300, q_low = -1e300, q_high = 1e300;
+  /// Asked again after this share of all the time that a lane has been followed, if that is longer than half a window.
+  double rest = 0.0;
   /// Audits (DecisionRule::blind): half windows for which what is caught is followed on, so that boxes learn what
   /// they show.
   int watched = 12;
@@ -135,7 +137,7 @@ struct DecisionRule {
   /// Of a rotor with anisotropic supports or gravity, driven or not: asked where half a short window ends. Null: none;
   /// not asked by kernels of plain rotors.
   Traps strobed;
-  TorusTraps tori;
+  WindowTraps windowed;
   double sag = 0.0;  ///< r is measured from Y = sag, X = 0 in fixed axes; not by those either
   /// A driven rotor that turns faster on average over half a short window runs away for good, and is given up.
   double fastest = runaway_speed;

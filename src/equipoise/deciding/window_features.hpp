@@ -60,6 +60,8 @@ class WindowTracker {
   WindowVerdict add(const WindowSums& half);
   /// What is known so far: features of the last long window, range of its short ones, longest runs inside boxes.
   PilotRecord record() const;
+  /// Time since the first window began.
+  double elapsed() const { return elapsed_; }
   /// The largest r over the last window, short or long; NaN before one has ended.
   double radius() const { return radius_; }
   /// Mean psi' over the last long window; before one has ended, since the first began; NaN before half a short one has.

@@ -28,6 +28,7 @@
 #include "equipoise/spin_up/spin_up.hpp"
 #include "equipoise/traps/continuum_trap.hpp"
 #include "equipoise/traps/cycle_forms.hpp"
+#include "equipoise/traps/motion_trap.hpp"
 #include "equipoise/traps/stalled_trap.hpp"
 #include "equipoise/traps/torus_trap.hpp"
 #include "equipoise/traps/trap_rule.hpp"
@@ -50,8 +51,9 @@ constexpr std::size_t most_groups_beside = 8;
 // By so much longer, windows of chaos and of tori show what they are.
 constexpr double later_windows = 4.0;
 
-// Chaos that ends, ends sooner than this for nearly all rotors but those beside the one for which it no longer ends.
-constexpr double lasting_chaos = 10000.0;
+// Of rotors that differ it takes a hundred times as long to ask about all places of a motion as to follow a start for a
+// unit of time.
+constexpr double rest_of_drawn = 0.25;
 
 // A weak motor brings a balanced rotor to its speed so slowly that tries of wider levels, which wait for that, would
 // take longer than starts do that have to come into the narrow one.
@@ -186,8 +188,8 @@ class Discoverer {
     if (rule.at_horizon) {
       rule.strobed = ends;
     } else {
-      rule.tori.traps = ends;
-      rule.tori.r2_low = -1.0;
+      rule.windowed.traps = ends;
+      rule.windowed.r2_low = -1.0;
     }
     return std::move(result_);
   }
@@ -219,6 +221,7 @@ class Discoverer {
       continuum_ = continuum_trap(balanced.continuum, balanced.survey, trials_);
     if (!system_.autonomous() && balanced.motions.empty() && (continuum_ || balance_box_)) list_member(part);
     for (const Motion& motion : balanced.motions) add_traps(motion, balanced_id);
+    if (drawn_ && balanced.traps.empty()) balance_of_some();
     find_stalled();
     set_rule_traps();
   }
@@ -232,6 +235,22 @@ class Discoverer {
     result_.family = BalancedFamily(balanced.traps, all, all.first(std::min(all.size(), looked_at)), balanced.weights);
     for (OwnRotor& rotor : rotors_) result_.family.place(balanced.traps, rotor);
     trials_.rotors = rotors_;
+  }
+
+  // Where a part holds rotors that do not balance, no trap holds for all: one around the balanced state of a rotor at
+  // the part's ends that does, for those that do too.
+  void balance_of_some() {
+    if (!system_.autonomous() || result_.balanced.continuum) return;
+    for (const OwnRotor& own : rotors_ends()) {
+      const BalancedAnalysis there = analyse_balanced(own.system, settings_.stop);
+      if (is_stopped()) return;
+      if (!there.stable || there.motions.empty() || there.continuum) continue;
+      if (!result_.catalogue.find(balanced_id)) result_.catalogue.add(own.system.parameters(), there.motions.front());
+      if (add_motion_trap(own.system, there.motions.front(), balanced_id, &own)) return;
+    }
+  }
+  std::span<const OwnRotor> rotors_ends() const {
+    return std::span<const OwnRotor>(rotors_).first(std::min(rotors_.size(), drawn_->ends().size()));
   }
 
   // Of the motions that a continuum leaves where nothing of it rests one stands for all: of the typical member where
@@ -261,7 +280,8 @@ class Discoverer {
   }
 
   void set_rule_traps() {
-    set_tori(result_.rule, tori_);
+    set_window_traps(result_.rule, windowed_);
+    if (drawn_) result_.rule.windowed.rest = rest_of_drawn;
     if (!system_.events().stick) {
       set_traps(result_.rule, system_, cycles_, continuum_, stalled_);
       return;
@@ -510,6 +530,7 @@ class Discoverer {
         if (!c.shows_motion) continue;
       } else {
         if (!add_trend(c)) return false;
+        add_trap_of_candidate(c);
         result_.seeds.emplace_back(c.motion->state.begin(), c.motion->state.end());
       }
       add_known(c, c.motion->kind == MotionKind::chaotic);
@@ -597,9 +618,18 @@ class Discoverer {
     return result;
   }
 
+  // Around a motion that every rotor has elsewhere, as one was found to have it.
+  void add_trap_of_candidate(const Candidate& c) {
+    constexpr int most_failures = 2;
+    if (!drawn_ || !system_.autonomous() || c.motion->eventful || without_trap_[c.attractor] >= most_failures) return;
+    const OwnRotor& own = c.own ? *c.own : rotors_.front();
+    if (!add_motion_trap(own.system, *c.motion, c.attractor, &own)) ++without_trap_[c.attractor];
+  }
+
   // Traps are made around the middle's motion, if it has that one.
   void add_traps_of_middle(const Attractor& a) {
     if (!drawn_) return add_traps(a.motion, a.id);
+    if (system_.autonomous()) return;  // each of its motions has been looked at
     if (a.motion.eventful || a.motion.state.size() == 0) return;
     const auto motion = motion_from(system_, a.motion.state, motion_patience, settings_.stop);
     if (motion && motion->stable && result_.catalogue.find(study_.parameters, *motion) == a.id)
@@ -651,12 +681,27 @@ class Discoverer {
     if (motion.kind == MotionKind::quasi_periodic && !drawn_ && !model::lacking(system_, model::Answer::torus_traps))
       add_torus(motion, id);
     std::vector<CycleTrap> traps = cycle_traps(system_, motion, id);
-    if (traps.empty()) return;
+    if (traps.empty()) {
+      if (id != balanced_id) add_motion_trap(system_, motion, id);
+      return;
+    }
     const auto is_it = [&](const model::Parameters& p, const Motion& m) { return result_.catalogue.find(p, m) == id; };
     const double floor = drawn_ ? own_floor(traps.front(), trials_, motion, is_it) : 0.0;
     if (!validate(traps, trials_, motion.orbit.slowest_rate(), settings_.hints.level(id, false), floor)) return;
     result_.hints.levels.push_back({id, false, traps.front().level});
     for (CycleTrap& trap : traps) cycles_.push_back(std::make_shared<CycleTrap>(std::move(trap)));
+  }
+
+  // `own`: the rotor whose motion it is, if tries have their own. False if there is none.
+  bool add_motion_trap(const model::System& system, const Motion& motion, int id, const OwnRotor* own = nullptr) {
+    if (motion.state.size() != system.dimension()) return false;
+    for (const auto& trap : windowed_)
+      if (trap->attractor() == id && trap->value(motion.state.data(), own) < trap->level()) return true;
+    auto trap = motion_trap(system, motion, id, trials_, own, settings_.hints.level(id, false));
+    if (!trap) return false;
+    result_.hints.levels.push_back({id, false, trap->level()});
+    windowed_.push_back(std::move(trap));
+    return true;
   }
 
   // Where the neighbour's has none it is not looked for: that takes long, and windows tell the torus too.
@@ -665,7 +710,7 @@ class Discoverer {
     auto torus =
         hint && hint->level == 0.0 ? nullptr : torus_trap(system_, motion, id, trials_, hint ? hint->level : 0.0);
     result_.hints.levels.push_back({id, true, torus ? torus->level() : 0.0});
-    if (torus) tori_.push_back(std::move(torus));
+    if (torus) windowed_.push_back(std::move(torus));
   }
 
   // Around what the scouts of each attractor did.
@@ -754,11 +799,12 @@ class Discoverer {
   PilotRun pilot_;
   Discovery result_;
   CycleTraps cycles_;
-  std::vector<std::shared_ptr<const TorusTrap>> tori_;
+  std::vector<std::shared_ptr<const WindowTrap>> windowed_;
   std::optional<ContinuumTrap> continuum_;
   std::optional<StalledTrap> stalled_;
   std::optional<FeatureBox> balance_box_;  // beside traps
   std::map<int, Eigen::VectorXd> chaos_;   // by attractor: a state on one rotor's
+  std::map<int, int> without_trap_;        // by attractor: motions around which none was found
   // Being followed; all that were; what the pilot came to; a neighbour's.
   std::vector<Candidate> candidates_, followed_, found_, seeds_;
 };

@@ -67,6 +67,10 @@ struct DiscoveryCache {
   std::map<std::string, std::shared_ptr<const FamilyMesh>> meshes;  ///< of studies with uncertain values
 };
 
+/// Of rotors that differ, chaos that ends, ends sooner than this for nearly all but those beside the one for which it no
+/// longer ends.
+inline constexpr double lasting_chaos = 10000.0;
+
 /// How long a trajectory is followed to its motion (motion_from()): where many balls touch it takes a hundred times as
 /// long, and a motion that does not come back is none the better known for it.
 double followed_for(const model::System& system);

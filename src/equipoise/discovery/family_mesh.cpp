@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <mutex>
 #include <optional>
 #include <utility>
 
@@ -31,9 +32,9 @@ constexpr double worth_two_searches = 0.5;
 // small before it knows more.
 constexpr double better = 0.85, much_to_gain = 25.0;
 constexpr int at_first = 3;
-// Of starts that the horizon leaves open so many are followed for as long again; if fewer than half come to something
-// by then, they are left open.
-constexpr std::size_t followed_on = 8;
+// Of starts that the horizon leaves open so many are followed alone, for as long again; if fewer than half come to
+// something by then, they are left open. If not, so many are followed on together.
+constexpr std::size_t looked_at = 8, followed_on = 64;
 
 // What a start costs in a cell, by halves of every axis too.
 struct Judgement {
@@ -49,7 +50,13 @@ struct Tried {
 class MeshMaker {
  public:
   MeshMaker(const StudyFamily& family, double starts, const DiscoverySettings& settings)
-      : family_(family), starts_(starts), settings_(settings) {}
+      : family_(family), starts_(starts), settings_(settings) {
+    if (settings.progress)
+      settings_.progress = [this, &settings](const Progress& progress) {
+        const std::lock_guard lock(telling_);
+        settings.progress(progress);
+      };
+  }
 
   FamilyMesh run() {
     for (const FamilyBox& part : family_.parts()) {
@@ -86,12 +93,12 @@ class MeshMaker {
     if (depth < most_halvings && 2.0 < worth_two_searches * to_gain) {
       const std::size_t axis = axis_of(whole);
       std::array<std::optional<Tried>, 2> halves;
-      for (int side = 0; side < 2; ++side) {
+      in_parallel(settings_.threads, 2, [&](std::size_t side) {
         FamilyBox box = whole.cell.box;
         (side ? box.low : box.high)[axis] = 0.5 * (box.low[axis] + box.high[axis]);
         halves[side] = tried(box, &whole.cell);
-        if (!halves[side]) return false;
-      }
+      });
+      if (!halves[0] || !halves[1]) return false;
       const double both = 0.5 * (halves[0]->judgement.cost + halves[1]->judgement.cost);
       if (both < better * whole.judgement.cost || (depth < at_first && to_gain > much_to_gain)) {
         for (auto& half : halves)
@@ -137,6 +144,7 @@ class MeshMaker {
       if (fates[i].outcome == Outcome::undecided) open.push_back(i);
     cell.follows_open = settle(starts, fates, open, horizon);
     if (is_set(settings_.stop)) return false;
+    if (cell.follows_open && !follow_on(task, open, cell, starts, fates)) return false;
     std::vector<double> costs;
     for (std::size_t i = 0; i < judged; ++i) {
       const bool is_open = fates[i].outcome == Outcome::undecided;
@@ -152,7 +160,7 @@ class MeshMaker {
   // Whether starts that the horizon leaves open soon come to something, by the first of them.
   bool settle(const SpunUp& starts, const std::vector<Fate>& fates, const std::vector<std::size_t>& open,
               double patience) const {
-    const std::size_t count = std::min(open.size(), followed_on);
+    const std::size_t count = std::min(open.size(), looked_at);
     std::vector<char> settles(count);
     in_parallel(settings_.threads, count, [&](std::size_t k) {
       const OwnRotor& own = starts.rotors[open[k]];
@@ -163,6 +171,33 @@ class MeshMaker {
       settles[k] = motion && motion->stable;
     });
     return 2 * std::count(settles.begin(), settles.end(), 1) >= static_cast<std::ptrdiff_t>(count);
+  }
+
+  // Decides more of the starts that the horizon leaves open as the cell will.
+  bool follow_on(LaneTask task, const std::vector<std::size_t>& open, const FamilyCell& cell, const SpunUp& starts,
+                 std::vector<Fate>& fates) const {
+    const std::size_t count = std::min(open.size(), followed_on), size = starts.states.size() / judged;
+    if (count == 0) return true;
+    std::vector<double> states;
+    std::vector<OwnRotor> rotors;
+    for (std::size_t k = 0; k < count; ++k) {
+      states.insert(states.end(), &starts.states[open[k] * size], &starts.states[open[k] * size] + size);
+      rotors.push_back(starts.rotors[open[k]]);
+    }
+    const double horizon = task.end;
+    task.end += cell.beyond_horizon();
+    for (OwnRotor& rotor : rotors) rotor.end = task.end;
+    const std::vector<const OwnRotor*> own = pointers_to(rotors);
+    const std::vector<double> begins(count, horizon);
+    task.count = count;
+    task.states = states.data();
+    task.begins = begins.data();
+    task.own = own.data();
+    std::vector<Fate> later(count);
+    if (!decide_lanes(task, cell.discovery.rule, later, nullptr)) return false;
+    // What these come to stands for what the others do.
+    for (std::size_t k = 0; k < open.size(); ++k) fates[open[k]] = later[k % count];
+    return true;
   }
 
   // By the study's order of draws: which half of the box's axis `k` a start drew.
@@ -188,7 +223,8 @@ class MeshMaker {
 
   const StudyFamily& family_;
   const double starts_;
-  const DiscoverySettings& settings_;
+  DiscoverySettings settings_;
+  std::mutex telling_;  // two searches are under way at once
   FamilyMesh mesh_;
 };
 

@@ -10,6 +10,7 @@
 #include "equipoise/discovery/discovery.hpp"
 #include "equipoise/discovery/study_family.hpp"
 #include "equipoise/model/system.hpp"
+#include "equipoise/motions/motion.hpp"
 
 namespace equipoise {
 
@@ -20,6 +21,8 @@ struct FamilyCell {
   /// Identifiers of its attractors in the mesh's catalogue, by those that they have in its own.
   std::vector<int> ids;
   bool follows_open = true;  ///< starts that the horizon leaves open mostly come to something soon if they are followed on
+  /// By so much longer than to the horizon its starts are then followed together, before one is alone.
+  double beyond_horizon() const { return follows_open ? motion_patience : 0.0; }
 
   int id(int own) const { return own > 0 ? ids[static_cast<std::size_t>(own)] : own; }
 };

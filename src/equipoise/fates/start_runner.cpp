@@ -28,6 +28,9 @@ namespace equipoise {
 
 namespace {
 
+// For what has been followed long beyond the horizon, and is at rest or repeats itself if it ever will.
+constexpr double a_look = 1000.0;
+
 const char* final_speed_key(const Study& study) {
   const Profile profile = study.speed.profile;
   return profile == Profile::constant ? "speed.speed" : profile == Profile::points ? "speed.speeds" : "speed.final";
@@ -373,6 +376,8 @@ bool StartRunner::run_family(std::vector<FamilyStart> given, std::vector<Fate>& 
   }
   batch.own = std::move(given);
   if (!spin_up_own(starts, stop_, batch.starts, rows ? &batch.table : nullptr)) return false;
+  for (std::size_t i = 0; i < starts.size(); ++i)
+    batch.starts.rotors[i].end += mesh_.cells[batch.cell[i]].beyond_horizon();
   if (!finish(batch, fates, unlisted, rows)) return false;
   for (std::size_t i = 0; i < fates.size(); ++i)
     if (const auto& scales = batch.own[i].own.study.scales)
@@ -425,7 +430,8 @@ bool StartRunner::finish(Batch& batch, std::vector<Fate>& fates, std::vector<Unl
     std::optional<MotionFigures> end;
     if (attracted && fate.attractor == 0) {
       // A watched trajectory has gone on since it was decided.
-      std::optional<UnlistedStart> start = unlisted_start(batch, i, rows ? batch.table.rows[i].end : fate.time);
+      const double now = rows ? batch.table.rows[i].end : fate.time;
+      std::optional<UnlistedStart> start = unlisted_start(batch, i, now, open ? a_look : lasting_chaos);
       if (!start) return false;
       unlisted.push_back(*std::move(start));
       fate.by = DecidedBy::followed;
@@ -500,7 +506,9 @@ TransientSettings StartRunner::settings_of(const Batch& batch, std::size_t i) co
   return settings;
 }
 
-std::optional<UnlistedStart> StartRunner::unlisted_start(const Batch& batch, std::size_t i, double now) const {
+// `patience`: for a rotor of its own.
+std::optional<UnlistedStart> StartRunner::unlisted_start(const Batch& batch, std::size_t i, double now,
+                                                         double patience) const {
   const std::vector<double> state = when_recognised(batch, i, now);
   std::optional<UnlistedStart> start;
   if (!family_) {
@@ -508,7 +516,7 @@ std::optional<UnlistedStart> StartRunner::unlisted_start(const Batch& batch, std
   } else {
     const model::System& system = batch.system(*this, i);
     const Eigen::Map<const Eigen::VectorXd> z(state.data(), static_cast<Eigen::Index>(state.size()));
-    start = UnlistedStart{0, state, motion_from(system, z, motion_patience, stop_), {}};
+    start = UnlistedStart{0, state, motion_from(system, z, patience, stop_), {}};
     if (is_set(stop_)) return std::nullopt;
     if (start->motion) start->name = motion_name(system.parameters(), *start->motion);
   }

@@ -90,7 +90,7 @@ class StartRunner : public Runner {
   bool decide_some(Batch& batch, const std::vector<std::size_t>& places, const DecisionRule& rule) const;
   bool finish(Batch& batch, std::vector<Fate>& fates, std::vector<UnlistedStart>& unlisted,
               std::vector<TransientRow>* rows) const;
-  std::optional<UnlistedStart> unlisted_start(const Batch& batch, std::size_t i, double now) const;
+  std::optional<UnlistedStart> unlisted_start(const Batch& batch, std::size_t i, double now, double patience) const;
   double mean_speed(const Batch& batch, std::size_t i, const Fate& fate) const;
   bool note_last_speeds(Batch& batch) const;
   void note_unbalance(const Batch& batch, std::size_t i, Fate& fate) const;

@@ -27,13 +27,8 @@ constexpr double tolerance = 1e-7;  // the torus attracts, so that errors of ste
 constexpr double bent = 0.1;
 // Tries begin no farther than half of what counts as one; none is worth it where the torus fills the like of it.
 constexpr double highest_level = 0.25, highest_floor = 1e-3;
-// As of orbits (validated_level.cpp): some tries are followed far, all until they are well inside.
-constexpr double come_close = 1e-2, come_inside = 0.125;
+constexpr double come_close = 1e-2;
 constexpr double slowest_worth_it = 2e-3;
-constexpr double window = 4.0;  // of tries: they are asked twice a window
-// Of the time that the slowest approach would take: other directions sink faster.
-constexpr double approach = 0.5;
-constexpr double away_in_window = 2.0;
 
 double within_a_turn(double angle) { return angle - two_pi * std::floor(angle / two_pi); }
 
@@ -41,11 +36,6 @@ double within_a_turn(double angle) { return angle - two_pi * std::floor(angle / 
 double shorter_way(double d) { return d > pi ? d - two_pi : d < -pi ? d + two_pi : d; }
 
 }  // namespace
-
-TorusTrap::TorusTrap(const model::System& system)
-    : balls_(system.balls()), inverse_scale_(system.scale().cwiseInverse()) {}
-
-void TorusTrap::set_level(double level) { level_ = level; }
 
 int TorusTrap::cell_of(double first, double second) const {
   const auto place = [&](double angle) {
@@ -213,28 +203,19 @@ double TorusTrap::value_in_place(const double* state) const {
   return least;
 }
 
-double TorusTrap::value(const double* state) const {
+double TorusTrap::value(const double* state, const OwnRotor* /*own*/) const {
   const Eigen::Index size = inverse_scale_.size();
   double least = infinite;
   std::array<double, max_dimension> placed;
   for (const Eigen::VectorXi& places : places_) {
-    bool near = true;
-    for (Eigen::Index i = 0; i < size && near; ++i) {
-      placed[i] = state[places[i]];
-      if (i >= 4 && i < 4 + balls_) continue;
-      const double reach = level_ > 0.0 ? std::sqrt(level_) / inverse_scale_[i] : infinite;
-      near = placed[i] > low_[i] - reach && placed[i] < high_[i] + reach;
-    }
-    if (near) least = std::min(least, value_in_place(placed.data()));
+    for (Eigen::Index i = 0; i < size; ++i) placed[i] = state[places[i]];
+    if (may_hold(placed.data())) least = std::min(least, value_in_place(placed.data()));
   }
   return least;
 }
 
-double TorusTrap::time_to_level(double value) const {
-  return std::isfinite(value) && level_ > 0.0 && rate_ < 0.0 ? std::log(value / level_) / (-2.0 * rate_) : 0.0;
-}
-
-VectorXd TorusTrap::state_on_level(std::size_t which, double level, const VectorXd& direction) const {
+VectorXd TorusTrap::state_on_level(std::size_t which, double level, const VectorXd& direction,
+                                   const OwnRotor* /*own*/) const {
   const auto k = static_cast<Eigen::Index>(which % size());
   VectorXd d = direction;
   const VectorXd along = tangents_.col(k).head(d.size()), across = tangents_.col(k).tail(d.size());
@@ -245,8 +226,7 @@ VectorXd TorusTrap::state_on_level(std::size_t which, double level, const Vector
 
 std::shared_ptr<TorusTrap> TorusTrap::around(const model::System& system, const Motion& motion, int attractor,
                                              const StopFlag* stop) {
-  std::shared_ptr<TorusTrap> trap(new TorusTrap(system));
-  trap->attractor_ = attractor;
+  std::shared_ptr<TorusTrap> trap(new TorusTrap(system, attractor));
   trap->rate_ = motion.exponents[2];
   VectorXd state = motion.state;
   const double spacing = sample_spacing(system, state);
@@ -255,13 +235,8 @@ std::shared_ptr<TorusTrap> TorusTrap::around(const model::System& system, const 
       samples.size() < static_cast<std::size_t>(cloud + fresh))
     return nullptr;
   trap->states_.resize(state.size(), cloud);
-  trap->low_ = trap->high_ = samples.front();
   for (int k = 0; k < cloud; ++k) {
-    trap->low_ = trap->low_.cwiseMin(samples[k]);
-    trap->high_ = trap->high_.cwiseMax(samples[k]);
-    const double r2 = samples[k].head<2>().squaredNorm();
-    trap->r2_low_ = std::min(trap->r2_low_, r2);
-    trap->r2_high_ = std::max(trap->r2_high_, r2);
+    trap->hold(samples[k]);
     VectorXd s = samples[k];
     for (int i = 0; i < system.balls(); ++i) s[model::index::phi(i)] = within_a_turn(s[model::index::phi(i)]);
     trap->states_.col(k) = s.cwiseProduct(trap->inverse_scale_);
@@ -274,45 +249,6 @@ std::shared_ptr<TorusTrap> TorusTrap::around(const model::System& system, const 
   return trap->floor_ < highest_floor ? trap : nullptr;
 }
 
-// By as much as the states of a window that ends inside the trap may lie farther away.
-void TorusTrap::widen(TorusTraps& bounds) const {
-  const double far = away_in_window * std::sqrt(level_);
-  const double r = std::max(0.0, std::sqrt(r2_low_) - far / inverse_scale_[0]);
-  bounds.r2_low = std::min(bounds.r2_low, r * r - 1e-300);
-  bounds.r2_high = std::max(bounds.r2_high, std::pow(std::sqrt(r2_high_) + far / inverse_scale_[0], 2));
-  for (int i = 4 + balls_; i < 4 + 2 * balls_; ++i) {
-    bounds.q_low = std::min(bounds.q_low, low_[i] - far / inverse_scale_[i]);
-    bounds.q_high = std::max(bounds.q_high, high_[i] + far / inverse_scale_[i]);
-  }
-}
-
-namespace {
-
-bool all_approach(const std::shared_ptr<TorusTrap>& trap, DirectionTable& directions, const TrialSettings& settings,
-                  double rate, double level, const TryRange& tries) {
-  Trials trials;
-  for (std::size_t i = tries.first; i < tries.first + tries.count; ++i) {
-    // Spread over the torus whatever the order of its states.
-    const VectorXd z = trap->state_on_level(i * 40503, level, directions[i]);
-    trials.states.insert(trials.states.end(), z.begin(), z.end());
-  }
-  trials.first = tries.first;
-  // A rotor of its own has its torus beside this one: how far beside, no first part of the tries can say.
-  const bool far = tries.first == 0 && tries.of == TrialCounts{}.all && settings.rotors.empty();
-  const double share = std::max(far ? come_close : come_inside, 4.0 * trap->floor() / level);
-  if (share > come_inside) return false;
-  trap->set_level(share * level);
-  trials.alike = true;
-  trials.rule = rule_of_traps(*settings.system);
-  trials.rule.window = window;
-  set_tori(trials.rule, {trap});
-  const double end = 2.0 * std::log(1.0 / share) / (2.0 * -rate) + 200.0;
-  trials.flight = [end](std::size_t) { return Trials::Flight{end, 0.0}; };
-  return all_attracted(std::move(trials), settings);
-}
-
-}  // namespace
-
 std::shared_ptr<const TorusTrap> torus_trap(const model::System& system, const Motion& motion, int attractor,
                                             const TrialSettings& settings, double near) {
   // Two exponents of 0 belong to the torus.
@@ -320,45 +256,7 @@ std::shared_ptr<const TorusTrap> torus_trap(const model::System& system, const M
   if (!known || !system.autonomous() || !(motion.exponents[2] < -slowest_worth_it)) return nullptr;
   const auto trap = TorusTrap::around(system, motion, attractor, settings.stop);
   if (!trap) return nullptr;
-  DirectionTable directions(system.dimension());
-  const auto good = [&](double tried, const TryRange& tries) {
-    return all_approach(trap, directions, settings, motion.exponents[2], tried, tries);
-  };
-  const double level = highest_good_level({highest_level, 12}, {.first_goes_far = true}, good, near);
-  if (!(level > 0.0)) return nullptr;
-  trap->set_level(level);
-  return trap;
-}
-
-namespace {
-
-class Tori final : public TrapSet {
- public:
-  explicit Tori(std::vector<std::shared_ptr<const TorusTrap>> tori) : tori_(std::move(tori)) {}
-
-  Caught ask(const double* state, double /*psi*/, const OwnRotor* /*own*/) const override {
-    double wait = infinite;
-    for (const auto& trap : tori_) {
-      const double value = trap->value(state);
-      if (value < trap->level()) return {trap->attractor(), 0.0};
-      wait = std::min(wait, trap->time_to_level(value));
-    }
-    return {0, approach * wait};
-  }
-
- private:
-  std::vector<std::shared_ptr<const TorusTrap>> tori_;
-};
-
-}  // namespace
-
-void set_tori(DecisionRule& rule, const std::vector<std::shared_ptr<const TorusTrap>>& tori) {
-  rule.tori = {};
-  if (tori.empty()) return;
-  rule.tori.r2_low = rule.tori.q_low = infinite;
-  rule.tori.r2_high = rule.tori.q_high = -infinite;
-  for (const auto& trap : tori) trap->widen(rule.tori);
-  rule.tori.traps = std::make_shared<const Tori>(tori);
+  return validate(trap, {highest_level, 12, come_close}, settings, near) ? trap : nullptr;
 }
 
 }  // namespace equipoise

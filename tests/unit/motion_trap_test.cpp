@@ -1,0 +1,147 @@
+// Traps around motions of which no angle tells the phase, and around those that every rotor of a family has elsewhere.
+#include "equipoise/traps/motion_trap.hpp"
+
+#include <gtest/gtest.h>
+
+#include <memory>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "../base_parameters.hpp"
+#include "equipoise/discovery/discovery.hpp"
+#include "equipoise/discovery/drawn_source.hpp"
+#include "equipoise/fates/start_runner.hpp"
+#include "equipoise/orbits/variational.hpp"
+
+namespace equipoise {
+namespace {
+
+constexpr double speed = 2.4;
+
+Study study_with_eccentricity(double eccentricity) {
+  model::Parameters p = base_rotor(2);
+  p.eccentricity = eccentricity;
+  Study study = study_of(p, speed);
+  study.numerics.horizon = 3000.0;
+  return study;
+}
+
+// The motions of a name that a search finds beyond balance.
+Motion found(const Study& study, const std::string& name) {
+  const Discovery all = discover(study, {.threads = 2});
+  for (const Attractor& a : all.catalogue.attractors())
+    if (a.name == name) return a.motion;
+  return {};
+}
+
+// Both "locked", at rest, and "both captured", which swings without any ball going round: at lambda = 0.11.
+class OfOneRotor : public testing::TestWithParam<const char*> {
+ protected:
+  const Study study = study_with_eccentricity(0.11);
+  const model::System system = study.system();
+  const Motion motion = found(study, GetParam());
+};
+
+TEST_P(OfOneRotor, SurroundsTheMotionAndLetsNothingOut) {
+  ASSERT_TRUE(motion.stable);
+  const TrialSettings settings{.system = &system, .threads = 2};
+  const auto trap = motion_trap(system, motion, 7, settings, nullptr);
+  ASSERT_TRUE(trap);
+  Eigen::VectorXd state = motion.state;
+  EXPECT_GT(trap->level(), 32.0 * trap->floor());  // tries need 16
+  // The other balls' places are the same motion, and so is every time of it. The motion is refined to 1e-6.
+  const double on_it = 2.0 * trap->floor() + 1e-10;
+  for (int k = 0; k < 40; ++k) {
+    EXPECT_LT(trap->value(state.data(), nullptr), on_it) << k;
+    Eigen::VectorXd exchanged = state;
+    std::swap(exchanged[4], exchanged[5]);
+    std::swap(exchanged[6], exchanged[7]);
+    EXPECT_LT(trap->value(exchanged.data(), nullptr), on_it) << k;
+    state = *advance_state(system, state, 3.7);
+  }
+  Directions directions(8);
+  for (std::size_t k = 0; k < 40; ++k) {
+    state = trap->state_on_level(977 * k + 5, trap->level(), directions.next(), nullptr);
+    EXPECT_LT(trap->value(state.data(), nullptr), 1.5 * trap->level());
+    // At the slowest rate of either, 0.025, e^-20 of V is left.
+    state = *advance_state(system, state, 400.0);
+    EXPECT_LT(trap->value(state.data(), nullptr), 1e-3 * trap->level()) << k;
+  }
+  // The other attractors lie outside.
+  for (const char* other : {"co-drifting", "one captured", "locked", "both captured"}) {
+    if (other == std::string(GetParam())) continue;
+    const Motion elsewhere = found(study, other);
+    ASSERT_GT(elsewhere.state.size(), 0) << other;
+    EXPECT_GT(trap->value(elsewhere.state.data(), nullptr), trap->level()) << other;
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(MotionTrap, OfOneRotor, testing::Values("locked", "both captured"),
+                         [](const auto& test) { return test.param[0] == 'l' ? "Locked" : "BothCaptured"; });
+
+TEST(MotionTrap, CatchesWhatComesToTheMotionWhenFollowed) {
+  const Study study = study_with_eccentricity(0.11);
+  const StartRunner runner(study, {.threads = 2});
+  std::vector<double> phi;
+  std::vector<Fate> fates;
+  std::vector<UnlistedStart> unlisted;
+  constexpr std::size_t count = 80;
+  ASSERT_TRUE(runner.run(0, count, phi, fates, unlisted));
+  int caught = 0;
+  for (std::size_t i = 0; i < count; ++i) {
+    const Attractor* a = runner.catalogue().find(fates[i].attractor);
+    ASSERT_TRUE(a) << i;
+    if (a->name != "locked" && a->name != "both captured") continue;
+    caught += fates[i].by == DecidedBy::validated && fates[i].time < 400.0;
+    Eigen::VectorXd state = Eigen::VectorXd::Zero(8);
+    state[4] = phi[2 * i];
+    state[5] = phi[2 * i + 1];
+    const auto motion = motion_from(study.system(), state);
+    ASSERT_TRUE(motion) << i;
+    EXPECT_EQ(motion_name(study.parameters, *motion).name, a->name) << i;
+  }
+  // 70 % of all starts come to one of the two; windows of time would take 1500 units or more to tell.
+  EXPECT_GT(caught, 40);
+}
+
+// Rotors from lambda = 0.095 to 0.115; "locked" is there from 0.1 on.
+struct Family {
+  Family() : source(family, box, nullptr) {
+    rotors = source.ends();
+    for (std::size_t k = 0; k < 128; ++k) rotors.push_back(source.rotor(k));
+  }
+  StudyFamily family{{{[](double f) { return 0.095 + 0.02 * f; }}},
+                     [](std::span<const double> at) { return study_with_eccentricity(at[0]); }};
+  FamilyBox box{{0.0}, {1.0}};
+  DrawnSource source;
+  std::vector<OwnRotor> rotors;
+};
+
+TEST(MotionTrap, StandsWhereEachRotorHasTheMotion) {
+  const Family all;
+  // Found in the middle of the part, and at its upper end.
+  for (const auto& [name, first] : {std::pair{"both captured", 0}, std::pair{"locked", 2}}) {
+    const OwnRotor& own = all.rotors[static_cast<std::size_t>(first)];
+    const Motion motion = found(study_with_eccentricity(own.system.parameters().eccentricity), name);
+    ASSERT_TRUE(motion.stable) << name;
+    const TrialSettings settings{.system = &own.system, .threads = 2, .rotors = all.rotors};
+    const auto trap = motion_trap(own.system, motion, 7, settings, &own);
+    ASSERT_TRUE(trap) << name;
+    int holds = 0;
+    for (const OwnRotor& rotor : all.rotors) {
+      const double eccentricity = rotor.system.parameters().eccentricity;
+      const bool locked = name == std::string("locked");
+      if (!trap->holds_for(rotor)) continue;
+      ++holds;
+      const auto there = refined_motion(rotor.system, motion);
+      ASSERT_TRUE(there && there->stable) << name << ' ' << eccentricity;
+      EXPECT_LT(trap->value(there->state.data(), &rotor), trap->floor()) << name << ' ' << eccentricity;
+      EXPECT_FALSE(locked && eccentricity < 0.1);
+    }
+    EXPECT_GT(holds, 40) << name;
+  }
+}
+
+}  // namespace
+}  // namespace equipoise
