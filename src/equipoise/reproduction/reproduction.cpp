@@ -155,7 +155,8 @@ std::string open_text(const OpenQuestions& open) {
   }
   for (const auto& [name, map] :
        {std::pair{"(lambda, phi_1)", &open.eccentricity_and_angle}, {"(lambda, mu)", &open.eccentricity_and_mass}})
-    text += fmt::format("  plane {}, {} x {} pixels: {}\n", name, map->x.pixels, map->y.pixels, codes_text(*map));
+    text += fmt::format("  plane {}, {} x {} pixels: {}\n  {}\n", name, map->x.pixels, map->y.pixels, codes_text(*map),
+                        balanced_text(*map));
   return text + "\n";
 }
 

@@ -2,8 +2,13 @@
 #include "equipoise/reproduction/reproduction_words.hpp"
 
 #include <algorithm>
+#include <functional>
+#include <utility>
+#include <vector>
 
 #include <fmt/format.h>
+
+#include "equipoise/deciding/decision_rule.hpp"
 
 namespace equipoise {
 
@@ -66,6 +71,71 @@ std::string codes_text(const PlaneMap& map) {
       list += fmt::format("{}{}{} {:.1f} %", list.empty() ? "" : ", ", c.name,
                           c.alias.empty() ? "" : " (" + c.alias + ")", 100.0 * c.share.share);
   return list;
+}
+
+namespace {
+
+// First and last pixels of stretches for which `holds`.
+std::vector<std::pair<int, int>> stretches(int pixels, const std::function<bool(int)>& holds) {
+  std::vector<std::pair<int, int>> result;
+  for (int k = 0; k < pixels; ++k) {
+    if (!holds(k)) continue;
+    if (result.empty() || result.back().second != k - 1) result.emplace_back(k, k);
+    result.back().second = k;
+  }
+  return result;
+}
+
+std::string at_lambda(const PlaneMap& map, const std::vector<std::pair<int, int>>& stretches) {
+  std::string text;
+  for (const auto& [first, last] : stretches)
+    text += fmt::format("{}{:.3g} to {:.3g}", text.empty() ? "at λ from " : " and from ", map.x.centre(first),
+                        map.x.centre(last));
+  return text.empty() ? "nowhere" : text;
+}
+
+std::string balanced_by_angle(const PlaneMap& map) {
+  const auto balanced = [&](int column, int row) { return map.code[map.at(column, row)] == balanced_id; };
+  const auto count = [&](int column) {
+    int sum = 0;
+    for (int row = 0; row < map.y.pixels; ++row) sum += balanced(column, row);
+    return sum;
+  };
+  const auto all = stretches(map.x.pixels, [&](int column) { return count(column) == map.y.pixels; });
+  const auto some = stretches(map.x.pixels, [&](int column) { return count(column) > 0; });
+  const model::Parameters& p = map.study.parameters;
+  return fmt::format("Every start balances {}; some balance {}. The balls can cancel λ up to {:.3g}.",
+                     at_lambda(map, all), at_lambda(map, some), p.total_mass());
+}
+
+// In the mass that the balls have together.
+std::string balanced_by_mass(const PlaneMap& map) {
+  double least = 1e300, most = 0.0, of_least = 0.0, of_most = 0.0;
+  int rows = 0, again = 0;
+  for (int row = 0; row < map.y.pixels; ++row) {
+    const auto here =
+        stretches(map.x.pixels, [&](int column) { return map.code[map.at(column, row)] == balanced_id; });
+    if (here.empty()) continue;
+    const double mass = map.y.centre(row), all = map.study.parameters.balls * mass;
+    const double reached = map.x.centre(here.front().second) / all;
+    ++rows;
+    again += here.size() > 1;
+    if (reached < least) of_least = mass;
+    if (reached > most) of_most = mass;
+    least = std::min(least, reached);
+    most = std::max(most, reached);
+  }
+  if (rows == 0) return "Nothing balances.";
+  return fmt::format(
+      "As λ grows starts first cease to balance at {:.2f} (μ = {:.3g}) to {:.2f} (μ = {:.3g}) of what the balls can "
+      "cancel, {} μ; in {} of {} rows that balance some balance again at a larger λ.",
+      least, of_least, most, of_most, map.study.parameters.balls, again, rows);
+}
+
+}  // namespace
+
+std::string balanced_text(const PlaneMap& map) {
+  return map.y.angle() ? balanced_by_angle(map) : balanced_by_mass(map);
 }
 
 }  // namespace equipoise

@@ -23,5 +23,8 @@ std::string summary_text(const Reproduction& r);
 
 /// Shares of the motions of a map, the largest first.
 std::string codes_text(const PlaneMap& map);
+/// What a map over lambda and a ball's angle, or over lambda and mu, says of the eccentricity that the balls balance.
+/// Values are those of pixels' centres.
+std::string balanced_text(const PlaneMap& map);
 
 }  // namespace equipoise
