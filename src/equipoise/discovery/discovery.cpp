@@ -241,16 +241,15 @@ class Discoverer {
   // the part's ends that does, for those that do too.
   void balance_of_some() {
     if (!system_.autonomous() || result_.balanced.continuum) return;
-    for (const OwnRotor& own : rotors_ends()) {
-      const BalancedAnalysis there = analyse_balanced(own.system, settings_.stop);
+    const std::vector<OwnRotor> ends = drawn_->ends();
+    for (const OwnRotor& own : ends) {
+      const bool middle = &own == &ends.front();  // which has been analysed
+      const BalancedAnalysis there = middle ? result_.balanced : analyse_balanced(own.system, settings_.stop);
       if (is_stopped()) return;
       if (!there.stable || there.motions.empty() || there.continuum) continue;
       if (!result_.catalogue.find(balanced_id)) result_.catalogue.add(own.system.parameters(), there.motions.front());
       if (add_motion_trap(own.system, there.motions.front(), balanced_id, &own)) return;
     }
-  }
-  std::span<const OwnRotor> rotors_ends() const {
-    return std::span<const OwnRotor>(rotors_).first(std::min(rotors_.size(), drawn_->ends().size()));
   }
 
   // Of the motions that a continuum leaves where nothing of it rests one stands for all: of the typical member where

@@ -15,12 +15,6 @@ constexpr int highest_degree = 3;
 // As the nearest rotors look beside the first, before a trend can be told.
 constexpr double as_neighbours = 0.3;
 
-double distance(const std::vector<double>& a, const std::vector<double>& b) {
-  double sum = 0.0;
-  for (std::size_t k = 0; k < a.size(); ++k) sum += (a[k] - b[k]) * (a[k] - b[k]);
-  return sum;
-}
-
 class Fit {
  public:
   // Of the highest degree for which there are twice as many examples as terms; of degree 0 it is the first.
@@ -58,7 +52,8 @@ bool lasts_beside(const OwnRotor& rotor, const std::vector<FeatureTrends::Lastin
   const std::size_t asked =
       std::min(tried.size(), std::size_t{2} << std::min<std::size_t>(rotor.coordinates.size(), 20));
   std::vector<std::pair<double, bool>> all;
-  for (const FeatureTrends::Lasting& t : tried) all.emplace_back(distance(t.coordinates, rotor.coordinates), t.lasts);
+  for (const FeatureTrends::Lasting& t : tried)
+    all.emplace_back(squared_distance(t.coordinates, rotor.coordinates), t.lasts);
   std::partial_sort(all.begin(), all.begin() + static_cast<std::ptrdiff_t>(asked), all.end());
   return std::all_of(all.begin(), all.begin() + static_cast<std::ptrdiff_t>(asked),
                      [](const auto& t) { return t.second; });
@@ -69,7 +64,7 @@ bool lasts_beside(const OwnRotor& rotor, const std::vector<FeatureTrends::Lastin
 int FeatureTrends::add(int attractor, int balls, double agreement, const ShownFeatures& first,
                        std::vector<ShownFeatures> others) {
   std::stable_sort(others.begin(), others.end(), [&](const ShownFeatures& a, const ShownFeatures& b) {
-    return distance(a.coordinates, first.coordinates) < distance(b.coordinates, first.coordinates);
+    return squared_distance(a.coordinates, first.coordinates) < squared_distance(b.coordinates, first.coordinates);
   });
   std::vector<const ShownFeatures*> used{&first};
   for (const ShownFeatures& s : others) {

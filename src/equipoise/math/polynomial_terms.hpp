@@ -1,6 +1,7 @@
 // Terms of a polynomial in several coordinates, and its fit.
 #pragma once
 
+#include <cstddef>
 #include <utility>
 #include <vector>
 
@@ -27,6 +28,13 @@ inline Eigen::VectorXd polynomial_terms(const std::vector<double>& coordinates, 
   };
   add(add, 0, degree, 1.0);
   return Eigen::Map<const Eigen::VectorXd>(terms.data(), static_cast<Eigen::Index>(terms.size()));
+}
+
+/// Of two places with as many coordinates.
+inline double squared_distance(const std::vector<double>& a, const std::vector<double>& b) {
+  double sum = 0.0;
+  for (std::size_t k = 0; k < a.size(); ++k) sum += (a[k] - b[k]) * (a[k] - b[k]);
+  return sum;
 }
 
 /// Coefficients, a row a term and a column a quantity, by least squares: rows of `values` belong to `terms`.

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <functional>
 #include <numeric>
+#include <optional>
 #include <vector>
 
 #include "equipoise/model/balanced_state.hpp"
@@ -81,7 +82,9 @@ Eigen::VectorXi exchanged_components(int balls, const BallOrder& order, Eigen::I
 
 std::vector<BallOrder> exchange_images(const model::System& system, const Motion& motion) {
   const int n = system.balls();
-  const OrbitCurve orbit(system, motion.orbit);
+  std::optional<OrbitCurve> orbit;
+  if (!motion.orbit.nodes.empty()) orbit.emplace(system, motion.orbit);
+  const StateDifference difference(system);
   const double rate = largest_rate(motion, n);
   std::vector<BallOrder> images;
   // Two orders make the same motion if what leads from one to the other leaves the motion alone.
@@ -90,7 +93,8 @@ std::vector<BallOrder> exchange_images(const model::System& system, const Motion
     for (int i = 0; i < n; ++i) between[earlier[i]] = order[i];
     for (int i = 0; i < n; ++i)
       if (!same_ball(motion, i, motion, between[i], sameness(motion), rate)) return false;
-    return orbit.distance(exchanged(motion.state, n, between)) < same_point;
+    const Eigen::VectorXd there = exchanged(motion.state, n, between);
+    return (orbit ? orbit->distance(there) : difference.distance(motion.state, there)) < same_point;
   };
   any_order(
       n, [&](int i, int k) { return system.alike(i, k); },
@@ -186,7 +190,8 @@ bool same_motion(const model::Parameters& p, const Motion& a, const Motion& b) {
   const auto may_replace = [&](int i, int k) {
     return system.alike(i, k) && (a.kind == MotionKind::equilibrium || same_ball(b, i, a, k, share, rate));
   };
-  if (measured(a) || (a.eventful && a.kind == MotionKind::periodic)) return any_order(n, may_replace, [](const BallOrder&) { return true; });
+  if (measured(a) || (a.eventful && a.kind == MotionKind::periodic))
+    return any_order(n, may_replace, [](const BallOrder&) { return true; });
   if (a.kind == MotionKind::equilibrium) {
     if (both_balanced) return true;
     const StateDifference difference(system);

@@ -154,9 +154,10 @@ std::string open_text(const OpenQuestions& open) {
                         percentage(rest), interval(rest));
   }
   for (const auto& [name, map] :
-       {std::pair{"(lambda, phi_1)", &open.eccentricity_and_angle}, {"(lambda, mu)", &open.eccentricity_and_mass}})
-    text += fmt::format("  plane {}, {} x {} pixels: {}\n  {}\n", name, map->x.pixels, map->y.pixels, codes_text(*map),
-                        balanced_text(*map));
+       {std::pair{"(lambda, phi_1)", &open.eccentricity_and_angle}, {"(lambda, mu)", &open.eccentricity_and_mass}}) {
+    text += fmt::format("  plane {}, {} x {} pixels: {}\n", name, map->x.pixels, map->y.pixels, codes_text(*map));
+    if (const std::string said = balanced_text(*map); !said.empty()) text += fmt::format("    {}\n", said);
+  }
   return text + "\n";
 }
 

@@ -210,7 +210,7 @@ void open_questions(const Reproduction& r, Document& d) {
     d.blocks.push_back(Heading{3, title, id});
     d.blocks.push_back(
         Figure{fmt::format("{} × {} pixels: {}.", m.x.pixels, m.y.pixels, codes_text(m)), {}, picture_of(r, id)});
-    d.blocks.push_back(Paragraph{balanced_text(m)});
+    if (std::string said = balanced_text(m); !said.empty()) d.blocks.push_back(Paragraph{std::move(said)});
   };
   map(r.open->eccentricity_and_angle, "future-eccentricity-angle", "Basins in the plane (λ, φ1), φ2 = φ1 + π");
   map(r.open->eccentricity_and_mass, "future-eccentricity-mass", "The parameter plane (λ, μ), φ = (−π/2, π/2)");

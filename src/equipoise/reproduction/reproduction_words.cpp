@@ -9,6 +9,7 @@
 #include <fmt/format.h>
 
 #include "equipoise/deciding/decision_rule.hpp"
+#include "equipoise/store/basin_file.hpp"
 
 namespace equipoise {
 
@@ -75,9 +76,10 @@ std::string codes_text(const PlaneMap& map) {
 
 namespace {
 
-// First and last pixels of stretches for which `holds`.
-std::vector<std::pair<int, int>> stretches(int pixels, const std::function<bool(int)>& holds) {
-  std::vector<std::pair<int, int>> result;
+using Stretches = std::vector<std::pair<int, int>>;  // first and last pixels
+
+Stretches stretches(int pixels, const std::function<bool(int)>& holds) {
+  Stretches result;
   for (int k = 0; k < pixels; ++k) {
     if (!holds(k)) continue;
     if (result.empty() || result.back().second != k - 1) result.emplace_back(k, k);
@@ -86,55 +88,61 @@ std::vector<std::pair<int, int>> stretches(int pixels, const std::function<bool(
   return result;
 }
 
-std::string at_lambda(const PlaneMap& map, const std::vector<std::pair<int, int>>& stretches) {
+// "at lambda from 0.002 to 0.026 and from 0.09 to 0.1".
+std::string at_eccentricities(const MapAxis& x, const Stretches& stretches) {
   std::string text;
   for (const auto& [first, last] : stretches)
-    text += fmt::format("{}{:.3g} to {:.3g}", text.empty() ? "at λ from " : " and from ", map.x.centre(first),
-                        map.x.centre(last));
-  return text.empty() ? "nowhere" : text;
+    text +=
+        fmt::format("{}{:.3g} to {:.3g}", text.empty() ? "at λ from " : " and from ", x.centre(first), x.centre(last));
+  return text.empty() ? "at no λ" : text;
 }
 
 std::string balanced_by_angle(const PlaneMap& map) {
-  const auto balanced = [&](int column, int row) { return map.code[map.at(column, row)] == balanced_id; };
-  const auto count = [&](int column) {
-    int sum = 0;
-    for (int row = 0; row < map.y.pixels; ++row) sum += balanced(column, row);
-    return sum;
+  std::vector<int> balanced(static_cast<std::size_t>(map.x.pixels));
+  for (int row = 0; row < map.y.pixels; ++row)
+    for (int column = 0; column < map.x.pixels; ++column)
+      balanced[static_cast<std::size_t>(column)] += map.code[map.at(column, row)] == balanced_id;
+  const auto of_at_least = [&](int least) {
+    return at_eccentricities(map.x, stretches(map.x.pixels, [&](int column) {
+                               return balanced[static_cast<std::size_t>(column)] >= least;
+                             }));
   };
-  const auto all = stretches(map.x.pixels, [&](int column) { return count(column) == map.y.pixels; });
-  const auto some = stretches(map.x.pixels, [&](int column) { return count(column) > 0; });
-  const model::Parameters& p = map.study.parameters;
-  return fmt::format("Every start balances {}; some balance {}. The balls can cancel λ up to {:.3g}.",
-                     at_lambda(map, all), at_lambda(map, some), p.total_mass());
+  return fmt::format("All starts balance {}, some {}. The balls can cancel λ up to {:.3g}.", of_at_least(map.y.pixels),
+                     of_at_least(1), map.study.parameters.total_mass());
 }
 
-// In the mass that the balls have together.
+// How far, of what all balls together can cancel, and whether something balances beyond.
 std::string balanced_by_mass(const PlaneMap& map) {
-  double least = 1e300, most = 0.0, of_least = 0.0, of_most = 0.0;
-  int rows = 0, again = 0;
+  const int balls = map.study.parameters.balls;
+  std::vector<std::pair<double, double>> ends;  // of what they can cancel; mu
+  int again = 0;
   for (int row = 0; row < map.y.pixels; ++row) {
-    const auto here =
-        stretches(map.x.pixels, [&](int column) { return map.code[map.at(column, row)] == balanced_id; });
-    if (here.empty()) continue;
-    const double mass = map.y.centre(row), all = map.study.parameters.balls * mass;
-    const double reached = map.x.centre(here.front().second) / all;
-    ++rows;
-    again += here.size() > 1;
-    if (reached < least) of_least = mass;
-    if (reached > most) of_most = mass;
-    least = std::min(least, reached);
-    most = std::max(most, reached);
+    // What is not decided ends no stretch.
+    const auto code = [&](int column) { return map.code[map.at(column, row)]; };
+    int last = -1;
+    bool ended = false, returns = false;
+    for (int column = 0; column < map.x.pixels; ++column) {
+      const bool balanced = code(column) == balanced_id;
+      returns = returns || (ended && balanced);
+      if (balanced && !ended) last = column;
+      ended = ended || (last >= 0 && !balanced && code(column) != undecided_code);
+    }
+    if (!ended) continue;
+    ends.emplace_back(map.x.centre(last) / (balls * map.y.centre(row)), map.y.centre(row));
+    again += returns;
   }
-  if (rows == 0) return "Nothing balances.";
+  if (ends.empty()) return "No row of one μ shows where balance ends.";
+  const auto [least, most] = std::minmax_element(ends.begin(), ends.end());
   return fmt::format(
-      "As λ grows starts first cease to balance at {:.2f} (μ = {:.3g}) to {:.2f} (μ = {:.3g}) of what the balls can "
-      "cancel, {} μ; in {} of {} rows that balance some balance again at a larger λ.",
-      least, of_least, most, of_most, map.study.parameters.balls, again, rows);
+      "As λ grows starts cease to balance at {:.2f} (μ = {:.3g}) to {:.2f} (μ = {:.3g}) of the {} μ that the balls can "
+      "cancel; in {} of {} rows some balance again beyond.",
+      least->first, least->second, most->first, most->second, balls, again, ends.size());
 }
 
 }  // namespace
 
 std::string balanced_text(const PlaneMap& map) {
+  if (!map.complete) return "";
   return map.y.angle() ? balanced_by_angle(map) : balanced_by_mass(map);
 }
 

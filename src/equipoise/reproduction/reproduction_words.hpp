@@ -24,7 +24,7 @@ std::string summary_text(const Reproduction& r);
 /// Shares of the motions of a map, the largest first.
 std::string codes_text(const PlaneMap& map);
 /// What a map over lambda and a ball's angle, or over lambda and mu, says of the eccentricity that the balls balance.
-/// Values are those of pixels' centres.
+/// Values are those of pixels' centres. Empty of a map that is not complete.
 std::string balanced_text(const PlaneMap& map);
 
 }  // namespace equipoise

@@ -35,8 +35,6 @@ constexpr int samples_a_turn = 4 * cells_a_turn;  // times at which the orbit an
 constexpr int cells_a_strobe = 32;
 constexpr int most_turns = 16, most_copies = 24, most_strobes = 8;  // all of them are compared with every state
 constexpr double tolerance = 1e-12;
-// Share of the slowest rate that the form's decay is asked to reach: nearer to 1 it would be all slow directions.
-constexpr double share_of_rate = 0.8;
 
 // What an orbit's angles grow by in one period.
 VectorXd shift_of(const model::System& system, const PeriodicOrbit& orbit) {
@@ -56,7 +54,7 @@ int clock_of(int balls, const Motion& motion) {
   return clock;
 }
 
-// The orbit sampled in time, with its forms P = sum_k Re(conj(w_k) w_k^T).
+// The orbit sampled in time, with its forms.
 struct Samples {
   std::vector<VectorXd> states;
   std::vector<MatrixXd> forms;
@@ -68,8 +66,7 @@ std::optional<Samples> sample(const model::System& system, const Motion& motion,
   if (!frame) return std::nullopt;
   Samples samples;
   samples.states = std::move(frame->states);
-  for (const Eigen::MatrixXcd& left : frame->left)
-    samples.forms.push_back((left.conjugate() * left.transpose()).real());
+  for (const Eigen::MatrixXcd& left : frame->left) samples.forms.push_back(floquet_form(left));
   samples.shift = shift_of(system, motion.orbit);
   return samples;
 }
@@ -250,6 +247,8 @@ std::vector<CycleTrap> traps_by_rotor(const model::System& system, const Motion&
 }
 
 }  // namespace
+
+Eigen::MatrixXd floquet_form(const Eigen::MatrixXcd& left) { return (left.conjugate() * left.transpose()).real(); }
 
 std::vector<CycleTrap> cycle_traps(const model::System& system, const Motion& motion, int attractor) {
   if (!motion.stable) return {};

@@ -5,22 +5,24 @@
 #include <array>
 #include <cmath>
 #include <limits>
-#include <numeric>
 #include <optional>
 #include <utility>
 
 #include "equipoise/base/angles.hpp"
+#include "equipoise/deciding/traps-inl.hpp"
 #include "equipoise/math/dense.hpp"
 #include "equipoise/math/lyapunov.hpp"
 #include "equipoise/math/polynomial_terms.hpp"
 #include "equipoise/model/linearisation.hpp"
 #include "equipoise/motions/motion_symmetry.hpp"
 #include "equipoise/orbits/variational.hpp"
+#include "equipoise/traps/cycle_forms.hpp"
 
 namespace equipoise {
 
 namespace {
 
+namespace kernels = HWY_NAMESPACE;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
@@ -29,15 +31,10 @@ constexpr double infinite = std::numeric_limits<double>::infinity();
 // as the rotor swings once on its springs.
 constexpr int places_a_turn = 48, most_turns = 12;
 constexpr int most_copies = 24;
-constexpr double same_state = 1e-6;
 // States beside a place: more than half way to the next, so that nothing falls between two where the motion bends.
 constexpr double beside = 0.8;
-// Share of the slowest rate that the form's decay is asked to reach, as of other motions (cycle_forms.cpp).
-constexpr double share_of_rate = 0.8;
 // In System::scale().
 constexpr double highest_level = 4.0;
-// Slower ones are decided by windows: following the tries would take longer than the ensemble.
-constexpr double slowest_worth_it = 2e-3;
 // Of rotors that differ: so many are looked at, two or more a term, and one in three asks whether
 // the others' polynomial holds for it.
 constexpr std::size_t most_looked_at = 40, asked_a_term = 2, kept_back = 3, fewest = 5;
@@ -52,14 +49,6 @@ constexpr double farthest_neighbour = 8.0;
 constexpr double tolerance = 1e-10;
 // V of own motions beyond which tries have no level to pass.
 constexpr double highest_floor = 0.02, good_floor = 2e-4, floor_margin = 4.0;
-
-double wrapped_away(double angle) { return angle - two_pi * std::nearbyint(angle / two_pi); }
-
-double squared_distance(const std::vector<double>& a, const std::vector<double>& b) {
-  double sum = 0.0;
-  for (std::size_t k = 0; k < a.size(); ++k) sum += (a[k] - b[k]) * (a[k] - b[k]);
-  return sum;
-}
 
 // Of a family's rotors: the more, the more values differ.
 std::size_t first_looked_at(const OwnRotor& own) { return std::min(most_looked_at, 8 + 8 * own.coordinates.size()); }
@@ -80,7 +69,8 @@ bool normalise(std::vector<MatrixXd>& forms, const VectorXd& scale, int free_dir
 
 bool MotionTrap::describe_rest(const model::System& system, const Motion& motion) {
   const VectorXd scale = system.scale();
-  const MatrixXd scaled = scale.cwiseInverse().asDiagonal() * model::jacobian(system, motion.state) * scale.asDiagonal();
+  const MatrixXd scaled =
+      scale.cwiseInverse().asDiagonal() * model::jacobian(system, motion.state) * scale.asDiagonal();
   const MatrixXd one = MatrixXd::Identity(scaled.rows(), scaled.cols());
   rate_ = dense::largest_real_part(scaled);
   if (!(rate_ < 0.0)) return false;
@@ -105,10 +95,7 @@ bool MotionTrap::describe_orbit(const model::System& system, const Motion& motio
   half_ = beside * motion.orbit.period / count;
   const VectorXd scale = system.scale();
   std::vector<MatrixXd> forms;
-  for (int k = 0; k < count; ++k) {
-    const Eigen::MatrixXcd& left = frame->left[static_cast<std::size_t>(2 * k)];
-    forms.push_back((left.conjugate() * left.transpose()).real());
-  }
+  for (int k = 0; k < count; ++k) forms.push_back(floquet_form(frame->left[static_cast<std::size_t>(2 * k)]));
   if (!normalise(forms, scale, 1)) return false;
   positions_.resize(scale.size() * count, 1);
   for (int k = 0; k < count; ++k) {
@@ -127,7 +114,7 @@ bool MotionTrap::describe_orbit(const model::System& system, const Motion& motio
 
 VectorXd MotionTrap::away(const VectorXd& state, const VectorXd& from) const {
   VectorXd d = state - from;
-  for (int i = 4; i < 4 + balls_; ++i) d[i] = wrapped_away(d[i]);
+  for (int i = 4; i < 4 + balls_; ++i) d[i] = kernels::shortest_turn(d[i]);
   return d;
 }
 
@@ -190,8 +177,7 @@ VectorXd MotionTrap::places_of(There& there) const {
 }
 
 // From rotor to rotor, each from the nearest that has the motion. Where few of the first have it, more beside those.
-bool MotionTrap::follow_rotors(const Motion& motion, const std::vector<const OwnRotor*>& rotors,
-                               const StopFlag* stop) {
+bool MotionTrap::follow_rotors(const Motion& motion, const std::vector<const OwnRotor*>& rotors, const StopFlag* stop) {
   std::vector<Tried> tried;
   There first;
   first.rest = motion.state;
@@ -232,21 +218,23 @@ bool MotionTrap::follow_rotors(const Motion& motion, const std::vector<const Own
 
 // Whether a polynomial through the motions of most holds for the others: of the lowest degree that does well.
 bool MotionTrap::fit(const std::vector<There>& all) {
+  std::vector<const OwnRotor*> owns;
+  std::vector<VectorXd> fitted;
+  for (std::size_t k = 0; k < all.size(); ++k) {
+    if (k % kept_back == kept_back - 1) continue;
+    owns.push_back(all[k].own);
+    fitted.push_back(all[k].places);
+  }
   floor_ = infinite;
-  for (degree_ = 1; degree_ <= highest_degree; ++degree_) {
-    std::vector<VectorXd> rows, fitted;
-    for (std::size_t k = 0; k < all.size(); ++k) {
-      if (k % kept_back == kept_back - 1) continue;
-      rows.push_back(polynomial_terms(all[k].own->coordinates, degree_));
-      fitted.push_back(all[k].places);
-    }
+  for (int degree = 1; degree <= highest_degree && !(floor_ < good_floor); ++degree) {
+    std::vector<VectorXd> rows;
+    for (const OwnRotor* own : owns) rows.push_back(polynomial_terms(own->coordinates, degree));
     if (asked_a_term * static_cast<std::size_t>(rows.front().size()) > all.size()) break;
+    degree_ = degree;
     positions_ = polynomial_fit(rows, fitted).transpose();
     lay_out();
     floor_ = floor_margin * largest_miss(all);
-    if (floor_ < good_floor) return true;
   }
-  --degree_;
   return floor_ < highest_floor;
 }
 
@@ -272,33 +260,6 @@ bool MotionTrap::holds_for(const OwnRotor& own) const {
   });
 }
 
-void MotionTrap::find_images(const model::System& system, const Motion& motion) {
-  BallOrder order{};
-  std::iota(order.begin(), order.end(), 0);
-  const Eigen::Index size = inverse_scale_.size();
-  if (half_ > 0.0) {
-    for (const BallOrder& image : exchange_images(system, motion))
-      places_.push_back(exchanged_components(balls_, image, size));
-    return;
-  }
-  std::vector<VectorXd> seen;
-  const auto is_new = [&](const VectorXd& state) {
-    return std::none_of(seen.begin(), seen.end(), [&](const VectorXd& other) {
-      return away(state, other).cwiseProduct(inverse_scale_).norm() < same_state;
-    });
-  };
-  do {
-    bool like = true;
-    for (int i = 0; i < balls_; ++i) like = like && system.alike(i, order[i]);
-    if (!like) continue;
-    const Eigen::VectorXi places = exchanged_components(balls_, order, size);
-    const VectorXd image = motion.state(places);
-    if (!is_new(image)) continue;
-    seen.push_back(image);
-    places_.push_back(places);
-  } while (static_cast<int>(seen.size()) < motion.copies && std::next_permutation(order.begin(), order.begin() + balls_));
-}
-
 // Positions by terms, phase, flow, bend, half P (twice off its diagonal).
 void MotionTrap::lay_out() {
   const Eigen::Index size = inverse_scale_.size(), count = positions_.cols();
@@ -306,9 +267,9 @@ void MotionTrap::lay_out() {
   for (std::size_t k = 0; k < along_.size(); ++k) {
     const Place& place = along_[k];
     for (Eigen::Index i = 0; i < size; ++i)
-      for (Eigen::Index t = 0; t < count; ++t)
-        table_.push_back(positions_(static_cast<Eigen::Index>(k) * size + i, t));
-    for (const VectorXd* v : {&place.phase, &place.flow, &place.bend}) table_.insert(table_.end(), v->begin(), v->end());
+      for (Eigen::Index t = 0; t < count; ++t) table_.push_back(positions_(static_cast<Eigen::Index>(k) * size + i, t));
+    for (const VectorXd* v : {&place.phase, &place.flow, &place.bend})
+      table_.insert(table_.end(), v->begin(), v->end());
     for (Eigen::Index i = 0; i < size; ++i)
       for (Eigen::Index l = i; l < size; ++l) table_.push_back((l > i ? 2.0 : 1.0) * place.form(i, l));
   }
@@ -332,7 +293,7 @@ double MotionTrap::value_in_place(const double* state, const VectorXd& terms, co
       for (int t = 1; t < count; ++t) here[i] += at[t] * terms[t];
       d[i] = state[i] - here[i];
     }
-    for (int i = 4; i < 4 + balls_; ++i) d[i] = wrapped_away(d[i]);
+    for (int i = 4; i < 4 + balls_; ++i) d[i] = kernels::shortest_turn(d[i]);
     if (half_ > 0.0) {
       double later = 0.0;
       for (int i = 0; i < size; ++i) later += at[i] * d[i];
@@ -401,7 +362,8 @@ std::shared_ptr<MotionTrap> MotionTrap::around(const model::System& system, cons
   if (!(trap->rate_ < -slowest_worth_it)) return nullptr;
   const Eigen::Index size = system.dimension();
   for (Eigen::Index k = 0; k < trap->positions_.rows(); k += size) trap->hold(trap->positions_.block(k, 0, size, 1));
-  trap->find_images(system, motion);
+  for (const BallOrder& image : exchange_images(system, motion))
+    trap->places_.push_back(exchanged_components(system.balls(), image, size));
   if (!rotors.empty() && !trap->follow_rotors(motion, rotors, stop)) return nullptr;
   return trap;
 }

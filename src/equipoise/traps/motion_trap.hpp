@@ -74,21 +74,20 @@ class MotionTrap final : public WindowTrap {
   // At the places; empty if that fails. Fills in what is between.
   Eigen::VectorXd places_of(There& there) const;
   Eigen::VectorXd away(const Eigen::VectorXd& state, const Eigen::VectorXd& from) const;
-  void find_images(const model::System& system, const Motion& motion);
   void lay_out();
   Eigen::VectorXd terms(const OwnRotor* own) const;
   double value_in_place(const double* state, const Eigen::VectorXd& terms, const OwnRotor* own) const;
 
   std::vector<Place> along_;
-  Eigen::MatrixXd positions_;  // a column a term of the rotor's coordinates; place after place
-  int degree_ = 0;             // of these
+  Eigen::MatrixXd positions_;     // a column a term of the rotor's coordinates; place after place
+  int degree_ = 0;                // of these
   std::vector<Lacking> lacking_;  // of a family
-  double half_ = 0.0;          // a state this much earlier or later lies beside a place; 0 of an equilibrium
-  std::vector<double> table_;  // of all places: what value_in_place() reads
+  double half_ = 0.0;             // a state this much earlier or later lies beside a place; 0 of an equilibrium
+  std::vector<double> table_;     // of all places: what value_in_place() reads
 };
 
-/// The trap, its level found by tries. Null if there is none. `own`: the rotor that has the motion, if tries have rotors
-/// of their own; `near`: as of highest_good_level().
+/// The trap, its level found by tries. Null if there is none. `own`: the rotor that has the motion, if tries have
+/// rotors of their own; `near`: as of highest_good_level().
 std::shared_ptr<const MotionTrap> motion_trap(const model::System& system, const Motion& motion, int attractor,
                                               const TrialSettings& settings, const OwnRotor* own, double near = 0.0);
 

@@ -28,7 +28,6 @@ constexpr double bent = 0.1;
 // Tries begin no farther than half of what counts as one; none is worth it where the torus fills the like of it.
 constexpr double highest_level = 0.25, highest_floor = 1e-3;
 constexpr double come_close = 1e-2;
-constexpr double slowest_worth_it = 2e-3;
 
 double within_a_turn(double angle) { return angle - two_pi * std::floor(angle / two_pi); }
 

@@ -28,10 +28,14 @@ struct TrialSettings {
   /// Rotors that tries have, one after the other and round again; none: all have that of `system`.
   std::span<const OwnRotor> rotors{};
 
-  const OwnRotor* rotor(std::size_t number) const {
-    return rotors.empty() ? nullptr : &rotors[number % rotors.size()];
-  }
+  const OwnRotor* rotor(std::size_t number) const { return rotors.empty() ? nullptr : &rotors[number % rotors.size()]; }
 };
+
+/// Motions that are approached more slowly have no trap made by tries: to follow these would take longer than an
+/// ensemble.
+inline constexpr double slowest_worth_it = 2e-3;
+/// All tries come to this share of the level that they begin on: a quarter of the level that will be used.
+inline constexpr double come_inside = 0.125;
 
 /// As many states are followed together, and share how they are.
 inline constexpr std::size_t trial_chunk = 128;

@@ -20,9 +20,8 @@ namespace {
 
 constexpr double widest_factor = 64.0;
 // A trajectory whose V falls to this share of what it was has come to the motion; the first part of all tries is
-// followed so far. Of the others, a quarter of the level that will be used: what is inside came to the motion with the
-// first ones.
-constexpr double come_close = 1e-3, come_inside = 0.125;
+// followed so far. The others come_inside: what is there came to the motion with the first ones.
+constexpr double come_close = 1e-3;
 // Where motions of other rotors lie farther beside the trap's, V tells too little of what is near them: other motions
 // come as close.
 constexpr double largest_floor = 0.01;
@@ -30,9 +29,8 @@ constexpr TrialCounts orbit_tries{.first_goes_far = true};
 // Levels where the search begins. In Floquet coordinates, which have no common size, beyond any that was found good; V
 // of strobed motions is |d|^2 or more in natural sizes.
 constexpr double highest_by_ball = 16.0, highest_by_rotor = 4.0;
-// Slower ones are decided by windows: following the tries would take longer than the ensemble. Balance is not, so that
-// more patience is worth it there.
-constexpr double slowest_worth_it = 2e-3, slowest_balance = 2e-4;
+// Slower motions than slowest_worth_it are decided by windows. Balance is not, so that more patience is worth it there.
+constexpr double slowest_balance = 2e-4;
 
 Trials follow_for(double end, DecisionRule rule, std::vector<double> states) {
   return {std::move(states), std::move(rule), [end](std::size_t) { return Trials::Flight{end, 0.0}; }, true};

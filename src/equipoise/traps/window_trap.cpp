@@ -11,8 +11,6 @@ namespace equipoise {
 namespace {
 
 constexpr double infinite = std::numeric_limits<double>::infinity();
-// All tries come so far inside.
-constexpr double come_inside = 0.125;
 constexpr double window = 4.0;  // of tries: they are asked twice a window
 // Of the time that the slowest approach would take: other directions sink faster.
 constexpr double approach = 0.5;

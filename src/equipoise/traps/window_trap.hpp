@@ -21,7 +21,7 @@ class WindowTrap {
   int attractor() const { return attractor_; }
   double level() const { return level_; }
   void set_level(double level) { level_ = level; }
-  /// V of states on the motion, as computed, is below this.
+  /// V of states on the motion, as computed, is no higher.
   double floor() const { return floor_; }
   /// How long V takes to sink from `value` to the level at the motion's own rate; 0 where that is not known.
   double time_to_level(double value) const;
@@ -36,7 +36,7 @@ class WindowTrap {
                                          const OwnRotor* own) const = 0;
 
  protected:
-  explicit WindowTrap(const model::System& system, int attractor)
+  WindowTrap(const model::System& system, int attractor)
       : attractor_(attractor), balls_(system.balls()), inverse_scale_(system.scale().cwiseInverse()) {}
 
   // Takes a state on the motion into low_, high_ and the bounds of r.
@@ -47,7 +47,7 @@ class WindowTrap {
   int attractor_, balls_;
   double level_ = 0.0, floor_ = 0.0;
   double between_ = 0.0;  // how far the motion goes from one of the states that were held to the next, at most
-  double rate_ = 0.0;  // at which states come to the motion, negative
+  double rate_ = 0.0;     // at which states come to the motion, negative
   Eigen::VectorXd inverse_scale_;
   std::vector<Eigen::VectorXi> places_;  // of a state's components, for each exchange of like balls that is looked at
 
