@@ -7,7 +7,7 @@ target_compile_options(kernel_speed_test PRIVATE $<$<CONFIG:Release>:-O3>)  # of
 equipoise_test(statistics_test unit unit/statistics_test.cpp unit/comparison_test.cpp unit/quantile_test.cpp
   unit/sobol_indices_test.cpp)
 equipoise_test(sampling_test unit unit/random_test.cpp unit/sampling_test.cpp unit/even_share_test.cpp
-  unit/stopped_following_test.cpp unit/stopped_spin_up_test.cpp)
+  unit/notes_test.cpp unit/stopped_following_test.cpp unit/stopped_spin_up_test.cpp)
 equipoise_test(reproduction_test unit unit/balanced_text_test.cpp unit/document_test.cpp unit/published_tables_test.cpp LIBRARIES equipoise_paper nlohmann_json::nlohmann_json)
 equipoise_test(store_test unit unit/netcdf_threads_test.cpp unit/store_test.cpp)
 equipoise_test(report_test unit unit/report_test.cpp LIBRARIES nlohmann_json::nlohmann_json)

@@ -15,7 +15,7 @@ equipoise_test(hybrid_sundials_test equivalence
   equivalence/hybrid_sundials_test.cpp equivalence/lagrangian.cpp
   LIBRARIES SUNDIALS::arkode_shared SUNDIALS::nvecserial_shared)
 equipoise_test(hybrid_energy_test equivalence equivalence/hybrid_energy_test.cpp)
-equipoise_test(linearisation_test unit unit/linearisation_test.cpp)
+equipoise_test(linearisation_test unit unit/linearisation_test.cpp unit/tangent_test.cpp)
 equipoise_test(ball_rest_test unit unit/ball_rest_test.cpp)
 equipoise_test(system_test unit unit/system_test.cpp unit/gravity_well_test.cpp)
 target_compile_definitions(system_test PRIVATE EQUIPOISE_GUIDE="${PROJECT_SOURCE_DIR}/docs/guide/command-line.md")

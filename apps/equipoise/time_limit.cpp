@@ -33,8 +33,7 @@ std::string left_text(const std::optional<WorkLeft>& left) {
   return fmt::format("{}; the rest takes about {} more", done, duration_text(*left->seconds));
 }
 
-std::string going_on(const std::optional<WorkLeft>& left, Keeper keeper, const std::string& output) {
-  if (keeper && left && left->total == 0) return "a search is not kept: give it more time";
+std::string going_on(Keeper keeper, const std::string& output) {
   if (!output.empty() && (std::filesystem::exists(output) || std::filesystem::exists(output + ".part")))
     return fmt::format("the same command goes on from {}", output);
   if (!output.empty()) return fmt::format("nothing is in {} yet", output);
@@ -65,10 +64,10 @@ bool time_is_limited() { return time_given().deadline.has_value(); }
 
 int ended_early(const std::optional<WorkLeft>& left, Keeper keeper, const std::string& output) {
   if (!time_is_limited() || !(time_given().deadline->over() || time_given().half_used)) {
-    if (keeper) say("stopped; {}", going_on(left, keeper, output));
+    if (keeper) say("stopped; {}", going_on(keeper, output));
     return interrupted;
   }
-  say("time over (--within {}): {}; {}", time_given().given, left_text(left), going_on(left, keeper, output));
+  say("time over (--within {}): {}; {}", time_given().given, left_text(left), going_on(keeper, output));
   return out_of_time;
 }
 

@@ -161,7 +161,9 @@ class BasinRun {
 
   void make_runner() {
     const Study& study = result_.study;
-    runner_ = ensemble_runner(study, options_, discoveries_);
+    BasinOptions options = options_;
+    if (file_) options.notes = &file_->notes();
+    runner_ = ensemble_runner(study, options, discoveries_);
     tally_.emplace(*sampler_, study.sampling.seed, runner_->settled());
     transients_.emplace(study, *sampler_);
     filed_.clear();

@@ -21,6 +21,7 @@ namespace equipoise {
 
 class Catalogue;
 class ChunkHelp;
+class Notes;
 struct DiscoveryCache;
 struct TrapHints;
 
@@ -54,6 +55,7 @@ struct BasinOptions : RunOptions {
   int search_threads = 0;            ///< before the first start is decided; 0: as `threads`
   /// Who helps to decide starts that are sampled so (basins/chunks.hpp), or null; asked before each sample.
   std::function<ChunkHelp*(SamplingMethod)> help;
+  Notes* notes = nullptr;                 ///< of the search, or null: of a run with `output` those that are kept there
   DiscoveryCache* discoveries = nullptr;  ///< shared by runs one after the other that end at the same speed; results do
                                           ///< not depend on it
   /// Every start counted, in order of index, those read from `output` included; from any thread, never from two at

@@ -25,7 +25,8 @@ DiscoverySettings search_settings(const BasinOptions& options, DiscoveryCache* d
           .cache = discoveries,
           .progress = options.progress,
           .informed = options.informed,
-          .hints = options.hints ? *options.hints : TrapHints{}};
+          .hints = options.hints ? *options.hints : TrapHints{},
+          .notes = options.notes};
 }
 
 std::unique_ptr<Runner> ensemble_runner(const Study& study, const BasinOptions& options, DiscoveryCache& discoveries) {

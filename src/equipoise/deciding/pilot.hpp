@@ -4,10 +4,18 @@
 #include <cstddef>
 #include <vector>
 
+#include "equipoise/base/bytes.hpp"
 #include "equipoise/deciding/decision_rule.hpp"
 #include "equipoise/deciding/fate.hpp"
 
 namespace equipoise {
+
+/// For notes.
+template <class Bytes, Like<PilotRecord> T>
+void members(Bytes& b, T& r) {
+  b(Trimmed{r.features}, Trimmed{r.range.low}, Trimmed{r.range.high}, r.range.attractor, r.range.hits_needed,
+    r.range.trend, r.range.chaos, r.finished_window, Trimmed{r.longest_run}, r.least_value);
+}
 
 /// Trajectories whose long windows show the same motion.
 struct MotionGroup {

@@ -24,6 +24,7 @@
 #include "equipoise/discovery/pilot_run.hpp"
 #include "equipoise/model/capability.hpp"
 #include "equipoise/model/strobe.hpp"
+#include "equipoise/motions/motion_bytes.hpp"
 #include "equipoise/motions/motion_description.hpp"
 #include "equipoise/spin_up/spin_up.hpp"
 #include "equipoise/traps/continuum_trap.hpp"
@@ -124,18 +125,21 @@ struct Candidate {
 class Discoverer {
  public:
   // `drawn`: the source, if it draws rotors; `study` is then that of its middle.
-  Discoverer(const Study& study, const SpinUp& source, const DiscoverySettings& settings,
+  // `subject`: all that the search depends on.
+  Discoverer(const Study& study, const SpinUp& source, const DiscoverySettings& settings, const std::string& subject,
              const DrawnSource* drawn = nullptr)
       : study_(study),
         system_(study.system()),
         settings_(settings),
         drawn_(drawn),
+        notes_(settings.notes, subject),
         stages_("looking for attractors", settings.progress),
         trials_{.system = &system_,
                 .tolerance = source.tolerance(),
                 .threads = settings.threads,
                 .stop = settings.stop,
-                .progress = &stages_},
+                .progress = &stages_,
+                .notes = &notes_},
         pilot_(system_, source, study.initial, pilot_part(system_, settings), drawn) {
     result_.catalogue = Catalogue(drawn != nullptr);
   }
@@ -166,6 +170,13 @@ class Discoverer {
 
  private:
   bool is_stopped() const { return is_set(settings_.stop); }
+  template <class Work>
+  auto noted(const char* question, const Work& work) {
+    return notes_.answer(question, settings_.stop, work);
+  }
+  std::optional<Motion> motion_of_middle(const Eigen::VectorXd& state) {
+    return noted("middle's motion", [&] { return motion_from(system_, state, motion_patience, settings_.stop); });
+  }
   Discovery stopped() {
     result_.stopped = true;
     return std::move(result_);
@@ -271,7 +282,7 @@ class Discoverer {
     if (!well) return;
     stalled_ = StalledTrap{*well};
     for (const Eigen::VectorXd& place : places_to_hang(system_, *well)) {
-      const auto motion = motion_from(system_, place, motion_patience, settings_.stop);
+      const auto motion = motion_of_middle(place);
       if (!motion || !motion->stable) continue;
       const int id = result_.catalogue.add(study_.parameters, *motion);
       stalled_->rests.push_back({order_of(system_, motion->state.data()), id});
@@ -301,7 +312,7 @@ class Discoverer {
   // Decides the first `count` of the pilot's starts by the rule as it stands.
   bool follow_pilot(std::size_t count) {
     const double horizon = std::min(*study_.numerics.horizon, pilot_windows * result_.rule.first_long_window);
-    return pilot_.follow(count, result_.rule, horizon, settings_.threads, settings_.stop, stages_);
+    return pilot_.follow(count, result_.rule, horizon, settings_.threads, settings_.stop, stages_, notes_);
   }
 
   enum class Seeds { listed, new_ones };
@@ -387,8 +398,7 @@ class Discoverer {
     only_balance.first_long_window = *study_.numerics.horizon;
     const double time = 2.0 * balance_box_->hits_needed * 0.5 * result_.rule.window;
     const std::vector<Fate> fates =
-        fates_by_windows(system_, std::move(states), rotors_of(candidates_), only_balance,
-                         time / only_balance.first_long_window, trials_.tolerance, settings_.stop);
+        fates_by_windows(states, rotors_of(candidates_), only_balance, time / only_balance.first_long_window);
     std::vector<Candidate> others;
     for (std::size_t k = 0; k < candidates_.size(); ++k)
       if (fates[k].attractor != balanced_id) others.push_back(std::move(candidates_[k]));
@@ -426,8 +436,7 @@ class Discoverer {
     DecisionRule later = result_.rule;
     later.first_long_window *= later_windows;
     later.boxes.clear();
-    const std::vector<Fate> fates = fates_by_windows(system_, std::move(states), rotors_of(candidates_), later,
-                                                     pilot_windows, trials_.tolerance, settings_.stop);
+    const std::vector<Fate> fates = fates_by_windows(states, rotors_of(candidates_), later, pilot_windows);
     std::vector<Candidate> unknown;
     for (std::size_t k = 0; k < candidates_.size(); ++k) {
       if (fates[k].attractor == 0)
@@ -507,11 +516,14 @@ class Discoverer {
   // Follows the candidates until they are steady; lists those that become so, with what recognises them.
   bool refine_candidates() {
     stages_.begin("motions followed until they are steady", candidates_.size());
+    const std::uint64_t first = notes_.reserve(candidates_.size());
     in_parallel(settings_.threads, candidates_.size(), [&](std::size_t k) {
       if (is_stopped()) return;
       Candidate& c = candidates_[k];
       const Candidate* before = followed_before(c);
-      c.motion = before ? before->motion : motion_from(system_of(c), c.state, patience(), settings_.stop);
+      c.motion = before ? before->motion : notes_.answer_at(first + k, "motion", settings_.stop, [&] {
+        return motion_from(system_of(c), c.state, patience(), settings_.stop);
+      });
       stages_.add(1);
     });
     if (is_stopped()) return false;
@@ -540,6 +552,20 @@ class Discoverer {
     return !is_stopped();
   }
 
+  std::vector<PilotRecord> own_windows(const std::vector<const Motion*>& motions,
+                                       const std::vector<const OwnRotor*>& own) {
+    return noted("windows of motions", [&] {
+      return equipoise::own_windows(system_, motions, own, result_.rule, pilot_windows, trials_.tolerance,
+                                    settings_.stop);
+    });
+  }
+  std::vector<Fate> fates_by_windows(const std::vector<double>& states, const std::vector<const OwnRotor*>& own,
+                                     const DecisionRule& rule, double longest) {
+    return noted("fates by windows", [&] {
+      return equipoise::fates_by_windows(system_, states, own, rule, longest, trials_.tolerance, settings_.stop);
+    });
+  }
+
   // Rotors that set off from one's motion: the more, the more values differ.
   std::size_t tried() const {
     constexpr std::size_t most = 128;
@@ -566,8 +592,7 @@ class Discoverer {
       motions.push_back(&*c.motion);
       own.push_back(&rotors_[k]);
     }
-    const std::vector<PilotRecord> windows =
-        own_windows(system_, motions, own, result_.rule, pilot_windows, trials_.tolerance, settings_.stop);
+    const std::vector<PilotRecord> windows = own_windows(motions, own);
     if (is_stopped()) return false;
     std::vector<ShownFeatures> others;
     for (std::size_t k = 0; k < windows.size(); ++k)
@@ -598,7 +623,7 @@ class Discoverer {
   }
 
   // What comes to another motion has ended; what becomes regular has kept its name.
-  std::vector<FeatureTrends::Lasting> lasting(int attractor, const Eigen::VectorXd& state) const {
+  std::vector<FeatureTrends::Lasting> lasting(int attractor, const Eigen::VectorXd& state) {
     std::vector<double> states;
     std::vector<const OwnRotor*> own;
     for (std::size_t k = 0; k < tried(); ++k) {
@@ -606,9 +631,7 @@ class Discoverer {
       own.push_back(&rotors_[k]);
     }
     const DecisionRule& rule = result_.rule;
-    const std::vector<Fate> fates =
-        fates_by_windows(system_, std::move(states), own, rule, rule.chaos_lasts / rule.first_long_window,
-                         trials_.tolerance, settings_.stop);
+    const std::vector<Fate> fates = fates_by_windows(states, own, rule, rule.chaos_lasts / rule.first_long_window);
     std::vector<FeatureTrends::Lasting> result;
     for (std::size_t k = 0; k < tried(); ++k)
       result.push_back({own[k]->coordinates, fates[k].attractor == attractor ||
@@ -630,7 +653,7 @@ class Discoverer {
     if (!drawn_) return add_traps(a.motion, a.id);
     if (system_.autonomous()) return;  // each of its motions has been looked at
     if (a.motion.eventful || a.motion.state.size() == 0) return;
-    const auto motion = motion_from(system_, a.motion.state, motion_patience, settings_.stop);
+    const auto motion = motion_of_middle(a.motion.state);
     if (motion && motion->stable && result_.catalogue.find(study_.parameters, *motion) == a.id)
       add_traps(*motion, a.id);
   }
@@ -652,8 +675,7 @@ class Discoverer {
       motions.push_back(&*c.motion);
       if (drawn_) own.push_back(c.own ? c.own : &rotors_.front());
     }
-    const std::vector<PilotRecord> windows =
-        own_windows(system_, motions, own, result_.rule, pilot_windows, trials_.tolerance, settings_.stop);
+    const std::vector<PilotRecord> windows = own_windows(motions, own);
     for (std::size_t k = 0; k < followed.size(); ++k) {
       Candidate& c = *followed[k];
       // Of a continuum that dry friction leaves every member looks its own way.
@@ -792,6 +814,7 @@ class Discoverer {
   const model::System system_;
   const DiscoverySettings& settings_;
   const DrawnSource* const drawn_;
+  NotePage notes_;
   StageProgress stages_;
   TrialSettings trials_;
   std::vector<OwnRotor> rotors_;  // for tries: the middle's first
@@ -812,7 +835,7 @@ class Discoverer {
 
 Discovery discover(const StudyFamily& family, const FamilyBox& box, const DiscoverySettings& settings) {
   const DrawnSource source(family, box, settings.stop);
-  return Discoverer(source.middle(), source, settings, &source).run();
+  return Discoverer(source.middle(), source, settings, search_key(box, settings), &source).run();
 }
 
 double followed_for(const model::System& system) { return is_dear(system) ? 0.25 * motion_patience : motion_patience; }
@@ -826,14 +849,18 @@ std::string search_key(const std::string& subject, const DiscoverySettings& sett
   return key;
 }
 
+std::string search_key(const FamilyBox& part, const DiscoverySettings& settings) {
+  return search_key(fmt::format("{}\n{} to {}", settings.family, part.low, part.high), settings);
+}
+
 Discovery discover(const Study& study, const DiscoverySettings& settings) {
   const Study steady = at_final_speed(study);
+  const std::string key = search_key(to_toml(steady), settings);
   const auto make = [&] {
     const std::unique_ptr<SpinUp> source = make_spin_up(steady, settings.stop);
-    return Discoverer(steady, *source, settings).run();
+    return Discoverer(steady, *source, settings, key).run();
   };
   if (!settings.cache) return make();
-  const std::string key = search_key(to_toml(steady), settings);
   if (const auto at = settings.cache->made.find(key); at != settings.cache->made.end()) return at->second;
   Discovery discovery = make();
   if (!discovery.stopped) settings.cache->made.emplace(key, discovery);

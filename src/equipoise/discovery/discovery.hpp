@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "equipoise/base/error.hpp"
+#include "equipoise/base/notes.hpp"
 #include "equipoise/base/run_options.hpp"
 #include "equipoise/deciding/decision_rule.hpp"
 #include "equipoise/discovery/feature_trends.hpp"
@@ -36,7 +37,9 @@ struct DiscoverySettings {
   /// The seeds are all that was found at a neighbouring parameter: a pilot of a quarter of the starts then looks for
   /// what is new. What that misses is listed once a start comes to it, as ever.
   bool informed = false;
-  TrapHints hints = {};  ///< of the neighbour's search, if informed
+  TrapHints hints = {};    ///< of the neighbour's search, if informed
+  Notes* notes = nullptr;  ///< of what searches find out step by step, or null
+  std::string family{};    ///< what tells a family's notes from those of others
 };
 
 /// Everything found before the first start is decided. Depends on the rotor, its final speed, [numerics],
@@ -47,10 +50,10 @@ struct Discovery {
   BalancedAnalysis balanced;
   Catalogue catalogue;
   DecisionRule rule;
-  BalancedFamily family;  ///< of a part of a family: where its balanced traps stand
-  FeatureTrends trends;   ///< and how its motions' features change
-  TrapHints hints;        ///< for a neighbour's search
-  std::vector<std::vector<double>> seeds;  ///< for that too: a state on each motion that windows tell
+  BalancedFamily family;                         ///< of a part of a family: where its balanced traps stand
+  FeatureTrends trends;                          ///< and how its motions' features change
+  TrapHints hints;                               ///< for a neighbour's search
+  std::vector<std::vector<double>> seeds;        ///< for that too: a state on each motion that windows tell
   std::shared_ptr<const CoastingTrap> coasting;  ///< of a rotor that coasts
   bool stopped = false;
 
@@ -67,8 +70,8 @@ struct DiscoveryCache {
   std::map<std::string, std::shared_ptr<const FamilyMesh>> meshes;  ///< of studies with uncertain values
 };
 
-/// Of rotors that differ, chaos that ends, ends sooner than this for nearly all but those beside the one for which it no
-/// longer ends.
+/// Of rotors that differ, chaos that ends, ends sooner than this for nearly all but those beside the one for which it
+/// no longer ends.
 inline constexpr double lasting_chaos = 10000.0;
 
 /// How long a trajectory is followed to its motion (motion_from()): where many balls touch it takes a hundred times as
@@ -79,6 +82,8 @@ double followed_for(const model::System& system);
 std::string discovery_subject(const Study& study);
 /// What a search depends on in all: the key under which caches hold it.
 std::string search_key(const std::string& subject, const DiscoverySettings& settings);
+/// The same of a part of settings.family.
+std::string search_key(const FamilyBox& part, const DiscoverySettings& settings);
 
 /// Analyses the balanced states; runs pilot starts, free from rest at the final
 /// speed (of a driven rotor see PilotRun::make()), and starts in the invariant subspace of coincident balls until they

@@ -40,7 +40,13 @@ constexpr std::size_t looked_at = 8, followed_on = 64;
 struct Judgement {
   double cost = 0.0;
   std::vector<double> unlike;  // how much fates of its lower half differ from those of its upper half
+  bool follows_open = true;    // FamilyCell::follows_open
 };
+
+template <class Bytes, Like<Judgement> T>
+void members(Bytes& b, T& j) {
+  b(j.cost, j.unlike, j.follows_open);
+}
 
 struct Tried {
   FamilyCell cell;
@@ -83,7 +89,10 @@ class MeshMaker {
     Discovery found = discover(family_, box, settings);
     if (found.stopped) return std::nullopt;
     Tried result{{box, family_.at(family_.values_at(box.centre())).system(), std::move(found), {}}, {}};
-    if (!judge(result)) return std::nullopt;
+    NotePage notes(settings_.notes, "judging\n" + search_key(box, settings));
+    result.judgement = notes.answer("cost", settings_.stop, [&] { return judge(result.cell); });
+    if (is_set(settings_.stop)) return std::nullopt;
+    result.cell.follows_open = result.judgement.follows_open;
     return result;
   }
 
@@ -121,12 +130,12 @@ class MeshMaker {
     return static_cast<std::size_t>(std::max_element(unlike.begin(), unlike.end()) - unlike.begin());
   }
 
-  // Decides starts of the cell by its rule.
-  bool judge(Tried& result) {
-    FamilyCell& cell = result.cell;
+  // Decides starts of the cell by its rule. If stopped, worth nothing.
+  Judgement judge(const FamilyCell& cell) const {
+    Judgement judgement;
     const DrawnSource source(family_, cell.box, settings_.stop);
     SpunUp starts;
-    if (!source.make(judging_seed, 0, judged, starts)) return false;
+    if (!source.make(judging_seed, 0, judged, starts)) return judgement;
     const double horizon = *source.middle().numerics.horizon;
     for (OwnRotor& rotor : starts.rotors) cell.discovery.place(rotor);
     const std::vector<const OwnRotor*> own = pointers_to(starts.rotors);
@@ -138,23 +147,23 @@ class MeshMaker {
     task.own = own.data();
     task.stop = settings_.stop;
     std::vector<Fate> fates(judged);
-    if (!decide_lanes(task, cell.discovery.rule, fates, nullptr)) return false;
+    if (!decide_lanes(task, cell.discovery.rule, fates, nullptr)) return judgement;
     std::vector<std::size_t> open;
     for (std::size_t i = 0; i < judged; ++i)
       if (fates[i].outcome == Outcome::undecided) open.push_back(i);
-    cell.follows_open = settle(starts, fates, open, horizon);
-    if (is_set(settings_.stop)) return false;
-    if (cell.follows_open && !follow_on(task, open, cell, starts, fates)) return false;
+    judgement.follows_open = settle(starts, fates, open, horizon);
+    if (is_set(settings_.stop)) return judgement;
+    if (judgement.follows_open && !follow_on(task, open, cell, starts, fates)) return judgement;
     std::vector<double> costs;
     for (std::size_t i = 0; i < judged; ++i) {
       const bool is_open = fates[i].outcome == Outcome::undecided;
       const bool followed =
-          is_open ? cell.follows_open : fates[i].outcome == Outcome::attracted && fates[i].attractor == 0;
+          is_open ? judgement.follows_open : fates[i].outcome == Outcome::attracted && fates[i].attractor == 0;
       costs.push_back((fates[i].time - starts.begins[i]) / soon + (followed ? dear : 0.0));
-      result.judgement.cost += costs.back() / judged;
+      judgement.cost += costs.back() / judged;
     }
-    for (std::size_t k = 0; k < family_.size(); ++k) result.judgement.unlike.push_back(unlikeness(costs, source, k));
-    return true;
+    for (std::size_t k = 0; k < family_.size(); ++k) judgement.unlike.push_back(unlikeness(costs, source, k));
+    return judgement;
   }
 
   // Whether starts that the horizon leaves open soon come to something, by the first of them.
@@ -185,7 +194,7 @@ class MeshMaker {
       rotors.push_back(starts.rotors[open[k]]);
     }
     const double horizon = task.end;
-    task.end += cell.beyond_horizon();
+    task.end += FamilyCell::further;
     for (OwnRotor& rotor : rotors) rotor.end = task.end;
     const std::vector<const OwnRotor*> own = pointers_to(rotors);
     const std::vector<double> begins(count, horizon);

@@ -20,9 +20,11 @@ struct FamilyCell {
   Discovery discovery;
   /// Identifiers of its attractors in the mesh's catalogue, by those that they have in its own.
   std::vector<int> ids;
-  bool follows_open = true;  ///< starts that the horizon leaves open mostly come to something soon if they are followed on
-  /// By so much longer than to the horizon its starts are then followed together, before one is alone.
-  double beyond_horizon() const { return follows_open ? motion_patience : 0.0; }
+  bool follows_open =
+      true;  ///< starts that the horizon leaves open mostly come to something soon if they are followed on
+  /// So much longer than to the horizon those are followed together then, before one is alone.
+  static constexpr double further = motion_patience;
+  double beyond_horizon() const { return follows_open ? further : 0.0; }
 
   int id(int own) const { return own > 0 ? ids[static_cast<std::size_t>(own)] : own; }
 };

@@ -7,6 +7,7 @@
 
 #include "equipoise/base/angles.hpp"
 #include "equipoise/base/parallel.hpp"
+#include "equipoise/deciding/pilot.hpp"
 #include "equipoise/kernels/lane_kernels.hpp"
 #include "equipoise/model/strobe.hpp"
 #include "equipoise/orbits/stroboscopic.hpp"
@@ -88,11 +89,53 @@ bool PilotRun::make() {
   return true;
 }
 
+namespace {
+
+// What became of the first starts; states only of those that are not known by name, one after the other.
+struct Followed {
+  bool complete = false;
+  std::vector<Fate> fates;
+  std::vector<PilotRecord> records;
+  std::vector<double> states;
+};
+
+template <class Bytes, Like<Followed> T>
+void members(Bytes& b, T& f) {
+  b(f.complete, f.fates, f.records, f.states);
+}
+
+}  // namespace
+
 bool PilotRun::follow(std::size_t count, const DecisionRule& rule, double horizon, int threads, const StopFlag* stop,
+                      StageProgress& stages, NotePage& notes) {
+  const auto size = static_cast<std::size_t>(system_.dimension());
+  const auto each_unnamed = [&](const std::vector<Fate>& fates, auto&& visit) {
+    for (std::size_t i = 0; i < count; ++i)
+      if (fates[i].attractor == 0) visit(&states_[i * size]);
+  };
+  const Followed followed = notes.answer("pilot", stop, [&] {
+    Followed now{decide(count, rule, horizon, threads, stop, stages), {}, {}, {}};
+    now.fates.assign(fates_.begin(), fates_.begin() + static_cast<std::ptrdiff_t>(count));
+    now.records.assign(records_.begin(), records_.begin() + static_cast<std::ptrdiff_t>(count));
+    each_unnamed(now.fates, [&](const double* state) { now.states.insert(now.states.end(), state, state + size); });
+    return now;
+  });
+  followed_ = count;
+  states_ = begin_;
+  std::copy(followed.fates.begin(), followed.fates.end(), fates_.begin());
+  std::copy(followed.records.begin(), followed.records.end(), records_.begin());
+  auto next = followed.states.begin();
+  each_unnamed(followed.fates, [&](double* state) {
+    std::copy(next, next + static_cast<std::ptrdiff_t>(size), state);
+    next += static_cast<std::ptrdiff_t>(size);
+  });
+  return followed.complete;
+}
+
+bool PilotRun::decide(std::size_t count, const DecisionRule& rule, double horizon, int threads, const StopFlag* stop,
                       StageProgress& stages) {
   const int size = system_.dimension();
   const std::size_t chunk = chunk_for(threads);
-  followed_ = count;
   states_ = begin_;
   std::atomic<bool> complete{true};
   stages.begin("pilot trajectories", count);

@@ -7,6 +7,7 @@
 
 #include <Eigen/Core>
 
+#include "equipoise/base/notes.hpp"
 #include "equipoise/base/stage_progress.hpp"
 #include "equipoise/base/stop_flag.hpp"
 #include "equipoise/deciding/decision_rule.hpp"
@@ -43,7 +44,7 @@ class PilotRun {
   std::size_t random_ones() const { return random_ones_; }
   /// Decides the first `count` of them by a rule, at `horizon` at the latest. False if stopped.
   bool follow(std::size_t count, const DecisionRule& rule, double horizon, int threads, const StopFlag* stop,
-              StageProgress& stages);
+              StageProgress& stages, NotePage& notes);
 
   std::size_t size() const { return fates_.size(); }
   /// Of so many of them fates and records are known.
@@ -65,6 +66,8 @@ class PilotRun {
  private:
   bool add(std::size_t first, std::size_t count);
   void append(const SpunUp& starts);
+  bool decide(std::size_t count, const DecisionRule& rule, double horizon, int threads, const StopFlag* stop,
+              StageProgress& stages);
   SpunUp free_at_speeds(std::size_t first, std::size_t count) const;
 
   const model::System& system_;

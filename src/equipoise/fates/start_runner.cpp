@@ -198,13 +198,15 @@ StartRunner::StartRunner(const Study& study, const DiscoverySettings& settings, 
 
 // Of a study with uncertain values, made once for all runs that share a cache.
 FamilyMesh StartRunner::mesh_of(const Study& study, const StudyFamily& family, const DiscoverySettings& settings) {
-  if (!settings.cache) return discover_mesh(family, usual_starts, settings);
   Study subject = study;
   subject.sampling = {};
   subject.limits = {};
-  std::string key = search_key(to_toml(subject), settings);
+  DiscoverySettings of_family = settings;
+  of_family.family = to_toml(subject);
+  if (!settings.cache) return discover_mesh(family, usual_starts, of_family);
+  std::string key = search_key(of_family.family, settings);
   if (const auto at = settings.cache->meshes.find(key); at != settings.cache->meshes.end()) return *at->second;
-  FamilyMesh mesh = discover_mesh(family, usual_starts, settings);
+  FamilyMesh mesh = discover_mesh(family, usual_starts, of_family);
   if (!mesh.stopped) settings.cache->meshes.emplace(std::move(key), std::make_shared<const FamilyMesh>(mesh));
   return mesh;
 }

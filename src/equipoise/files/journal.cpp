@@ -160,6 +160,7 @@ void Journal::read(const Record& record, std::uint64_t offset, std::size_t bytes
 }
 
 void Journal::append(Record record, const void* payload, std::size_t bytes) {
+  const std::lock_guard lock(appending_);
   RecordHeader header;
   header.kind = static_cast<std::uint64_t>(record.kind);
   header.first = record.first;
@@ -214,6 +215,25 @@ void Journal::remove() {
   unlink(path_.c_str());
   close(file_);
   file_ = -1;
+}
+
+void Journal::keep_only(Kind kind) {
+  std::vector<std::pair<Record, std::vector<char>>> kept;
+  for (const Record& record : records_) {
+    if (record.kind != kind) continue;
+    auto& [copy, payload] = kept.emplace_back(record, std::vector<char>(record.bytes));
+    read(copy, 0, payload.size(), payload.data());
+  }
+  if (kept.empty()) return remove();
+  records_.clear();
+  end_ = sizeof(FileHeader) + identity_.size();
+  spoilt_ = true;  // what stands behind the header goes with the first record
+  try {
+    for (const auto& [record, payload] : kept) append(record, payload.data(), payload.size());
+    sync();
+  } catch (const RunError&) {  // a full disk: what is lost had not been asked for
+    remove();
+  }
 }
 
 }  // namespace equipoise::store

@@ -4,6 +4,7 @@
 #include <chrono>
 #include <cstddef>
 #include <cstdint>
+#include <mutex>
 #include <string>
 #include <vector>
 
@@ -23,7 +24,8 @@ class Journal {
     pixels = 5,
     outcome_name = 6,
     trial = 7,
-    ensemble = 8
+    ensemble = 8,
+    note = 9
   };
   struct Record {
     Kind kind = Kind::starts;
@@ -50,10 +52,12 @@ class Journal {
 
   /// Behind the whole records; what was spoilt behind them is cut off. It is in the system's hands at once, where a
   /// killed process cannot lose it, and on disk within about a second of work. Throws RunError, with the records before
-  /// it as they were, if the disk is full.
+  /// it as they were, if the disk is full. Thread-safe.
   void append(Record record, const void* payload, std::size_t bytes);
   /// Removes the file: all that it holds is elsewhere.
   void remove();
+  /// Leaves it with the records of this kind, for all others are elsewhere; removes it if there is none.
+  void keep_only(Kind kind);
 
  private:
   void open_locked(const std::string& output);
@@ -68,6 +72,7 @@ class Journal {
   std::uint64_t end_ = 0;  ///< behind the last whole record
   bool spoilt_ = false;    ///< something is behind it that counts for nothing
   std::vector<Record> records_;
+  std::mutex appending_;
   std::chrono::steady_clock::time_point synced_;
   std::chrono::steady_clock::duration sync_took_{};
 };

@@ -10,7 +10,9 @@
 #include <fmt/format.h>
 
 #include "equipoise/base/error.hpp"
+#include "equipoise/base/notes.hpp"
 #include "equipoise/files/journal.hpp"
+#include "equipoise/files/kept_notes.hpp"
 #include "equipoise/store/result_identity.hpp"
 
 namespace equipoise {
@@ -69,6 +71,7 @@ struct MapStore::State {
   std::vector<Piece> pieces;
   std::optional<store::MapReader> file;
   std::optional<store::Journal> journal;
+  std::unique_ptr<Notes> notes;
 
   void require_same(const std::string& there, const std::string& of) const;
   void open_results();
@@ -98,6 +101,7 @@ void MapStore::State::open_results() {
 
 void MapStore::State::take(const store::Journal::Record& record) {
   using Kind = store::Journal::Kind;
+  if (record.kind == Kind::note) return;
   if (record.kind == Kind::outcome_name) return take_name(record);
   if (record.kind == Kind::pixels) return take_pixels(record);
   if (record.kind != Kind::discovery || record.first > discoveries.size() || record.bytes % sizeof(double) != 0)
@@ -171,8 +175,12 @@ MapStore::MapStore(const std::string& path, const store::MapFileHeader& header) 
     for (const store::Journal::Record& record : s.journal->records()) s.take(record);
   } else if (!s.journal->records().empty()) {  // a kill came before that
     s.journal->remove();
+    return;
   }
+  s.notes = store::notes_kept_in(*s.journal);
 }
+
+Notes& MapStore::notes() { return *state_->notes; }
 
 MapStore::~MapStore() = default;
 
@@ -251,7 +259,7 @@ void MapStore::read_rows(int first, int rows, MapPixel* pixels) const {
       s.visit(piece, low, high, [&](std::uint32_t at, const MapPixel& pixel) { pixels[at - low] = pixel; });
 }
 
-void MapStore::finish(const std::function<void(const std::string&)>& write) {
+void MapStore::finish(const std::function<void(const std::string&)>& write, bool complete) {
   State& s = *state_;
   try {
     write(s.path);
@@ -259,7 +267,7 @@ void MapStore::finish(const std::function<void(const std::string&)>& write) {
     throw RunError(
         fmt::format("{}; what was computed is kept in {}.part and put in place by the same command", e.what(), s.path));
   }
-  s.journal->remove();
+  store::leave_notes(*s.journal, complete);
 }
 
 }  // namespace equipoise

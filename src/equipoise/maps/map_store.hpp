@@ -13,6 +13,8 @@
 
 namespace equipoise {
 
+class Notes;
+
 /// Two files, as BasinFile has them: the results, `path`, in NetCDF (map_file.hpp), written whole; and while a run goes
 /// on `path`.part with what is new.
 class MapStore : public PixelStore {
@@ -41,12 +43,15 @@ class MapStore : public PixelStore {
   /// A code that pixels have from now on.
   void append_code(const MapCode& code);
   void append_discovery(const std::vector<double>& state);
+  /// Of the search for attractors, as far as runs came that did not finish.
+  Notes& notes();
   /// Of a map that is not complete, only what was computed.
   void read_rows(int first, int rows, MapPixel* pixels) const override;
 
-  /// Writes the results by `write`, which is handed where; then the unfinished part is removed. Throws RunError, with
+  /// Writes the results by `write`, which is handed where; then the unfinished part is removed, but for the search of a
+  /// map that is not `complete`. Throws RunError, with
   /// everything kept as it was, if the disk cannot take them.
-  void finish(const std::function<void(const std::string& path)>& write);
+  void finish(const std::function<void(const std::string& path)>& write, bool complete);
 
  private:
   struct State;

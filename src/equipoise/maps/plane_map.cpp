@@ -202,7 +202,7 @@ class Mapper {
         if (file_) file_->append_discovery(state);
       };
       const auto met = file_ ? file_->discoveries() : std::vector<std::vector<double>>{};
-      start_pixels_.emplace(map_, settings_, met, discovered);
+      start_pixels_.emplace(map_, settings_, met, discovered, file_ ? &file_->notes() : nullptr);
     }
     return start_pixels_->compute(positions, taken);
   }
@@ -237,11 +237,13 @@ class Mapper {
     const auto seen = names_.seen(complete_);  // what goes on must find the codes that it left
     MapAssembly assembly(map_, *store_, &*plan_, seen);
     if (!file_ || !file_->unfinished()) return assembly.run({});
-    file_->finish([&](const std::string& path) {
-      store::MapWriter writer(path, header_, map_.codes, file_->discoveries(), complete_);
-      assembly.run([&](int first, int rows, const MapPixel* pixels) { writer.write_rows(first, rows, pixels); });
-      writer.finish(map_.codes);
-    });
+    file_->finish(
+        [&](const std::string& path) {
+          store::MapWriter writer(path, header_, map_.codes, file_->discoveries(), complete_);
+          assembly.run([&](int first, int rows, const MapPixel* pixels) { writer.write_rows(first, rows, pixels); });
+          writer.finish(map_.codes);
+        },
+        complete_);
   }
 
   const PlaneMapSettings& settings_;

@@ -80,8 +80,9 @@ StudyFamily family_of(const PlaneMap& map) {
           }};
 }
 
-std::unique_ptr<StartRunner> runner_of(const PlaneMap& map, const RunOptions& options) {
-  const DiscoverySettings settings{map.threads, options.stop, {}, nullptr, options.progress};
+std::unique_ptr<StartRunner> runner_of(const PlaneMap& map, const RunOptions& options, Notes* notes) {
+  const DiscoverySettings settings{
+      .threads = map.threads, .stop = options.stop, .progress = options.progress, .notes = notes};
   if (maps_starts(map)) return std::make_unique<StartRunner>(map.study, settings);
   const double pixels = static_cast<double>(map.x.pixels) * map.y.pixels;
   return std::make_unique<StartRunner>(map.study, family_of(map), pixels, settings);
@@ -97,8 +98,8 @@ Study study_at(const PlaneMap& map, int column, int row) {
 }
 
 StartPixels::StartPixels(const PlaneMap& map, const RunOptions& options, const std::vector<std::vector<double>>& met,
-                         const Discovered& discovered)
-    : map_(map), options_(options), discovered_(discovered), runner_(runner_of(map, options)) {
+                         const Discovered& discovered, Notes* notes)
+    : map_(map), options_(options), discovered_(discovered), runner_(runner_of(map, options, notes)) {
   if (runner_->stopped()) return;
   for (const Attractor& a : runner_->catalogue().attractors()) listed_.insert(a.id);
   for (const std::vector<double>& state : of_family() ? std::vector<std::vector<double>>{} : met) {

@@ -36,9 +36,9 @@ class StartPixels {
   using Discovered = std::function<void(const std::vector<double>& state)>;
 
   /// Finds the attractors. `map`: its study has a horizon. `met`: states on motions that earlier runs met, which are
-  /// listed first; `discovered` is told new ones, before the pixels that came to them.
+  /// listed first; `discovered` is told new ones, before the pixels that came to them. `notes`: of the search, or null.
   StartPixels(const PlaneMap& map, const RunOptions& options, const std::vector<std::vector<double>>& met,
-              const Discovered& discovered);
+              const Discovered& discovered, Notes* notes);
 
   /// Pixels at these positions, handed on in this order. False if stopped before all were done.
   bool compute(const std::vector<std::uint32_t>& positions, const TakePixels& take);

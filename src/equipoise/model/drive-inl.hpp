@@ -10,7 +10,6 @@
 #include <cmath>
 #include <type_traits>
 
-#include "equipoise/math/dual.hpp"
 #include "equipoise/model/equations-inl.hpp"
 #include "equipoise/model/strobe.hpp"
 #include "equipoise/model/system.hpp"
@@ -31,19 +30,15 @@ inline MotorState<double> motor_state(const model::DriveSegment& motor, const do
   return {motor.torque(t, speed, error), motor.error_rate(t, speed, error)};
 }
 
-// With their slopes; where the torque is cut at the motor's limit it has none.
-template <int slopes>
-MotorState<Dual<slopes>> motor_state(const model::DriveSegment& motor, const Dual<slopes>& elapsed,
-                                     const Dual<slopes>& speed, const Dual<slopes>& error) {
+// Of dual numbers, with their slopes; where the torque is cut at the motor's limit it has none.
+template <class T>
+requires(!std::is_same_v<T, double> && std::is_same_v<decltype(T::value), double>)
+    MotorState<T> motor_state(const model::DriveSegment& motor, const T& elapsed, const T& speed, const T& error) {
   const MotorState<double> here = motor_state(motor, elapsed.value, speed.value, error.value);
-  MotorState<Dual<slopes>> result;
-  result.torque = here.torque;
-  result.error_rate = here.error_rate;
-  const bool cut = std::fabs(result.torque.value) >= motor.limit;
-  for (int k = 0; k < slopes; ++k) {
-    if (!cut) result.torque.slope[k] = motor.slope * speed.slope[k] + motor.integral * error.slope[k];
-    if (!cut && motor.integral != 0.0) result.error_rate.slope[k] = -speed.slope[k];
-  }
+  if (std::fabs(here.torque) >= motor.limit) return {T(here.torque), T(here.error_rate)};
+  MotorState<T> result{T(motor.slope) * speed + T(motor.integral) * error, motor.integral != 0.0 ? -speed : T(0.0)};
+  result.torque.value = here.torque;
+  result.error_rate.value = here.error_rate;
   return result;
 }
 

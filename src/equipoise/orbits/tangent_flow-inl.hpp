@@ -1,6 +1,11 @@
-// One trajectory of a flow of the model, with and without tangent vectors, for the adaptive integrator. A flow's source
-// tells its largest dimension and makes it over a number type: variational.cpp, variational_general.cpp.
-#pragma once
+// One trajectory of a smooth system, with and without tangent vectors, for the adaptive integrator. Included once per
+// CPU target.
+#if defined(EQUIPOISE_ORBITS_TANGENT_FLOW_INL) == defined(HWY_TARGET_TOGGLE)
+#ifdef EQUIPOISE_ORBITS_TANGENT_FLOW_INL
+#undef EQUIPOISE_ORBITS_TANGENT_FLOW_INL
+#else
+#define EQUIPOISE_ORBITS_TANGENT_FLOW_INL
+#endif
 
 #include <algorithm>
 #include <optional>
@@ -8,40 +13,75 @@
 #include <Eigen/Core>
 
 #include "equipoise/integrate/adaptive-inl.hpp"
-#include "equipoise/math/dual.hpp"
+#include "equipoise/math/wide_dual-inl.hpp"
+#include "equipoise/model/ball_count.hpp"
+#include "equipoise/model/flow-inl.hpp"
+#include "equipoise/model/smooth_flow-inl.hpp"
 #include "equipoise/model/system.hpp"
 #include "equipoise/orbits/variational.hpp"
 
+HWY_BEFORE_NAMESPACE();
 namespace equipoise {
 namespace HWY_NAMESPACE {
+
+// Plain systems, which have terms only for what they are; for that many balls, or any number.
+template <int room, Terms terms>
+struct PlainSource {
+  static constexpr int dimension = model::dimension(room);
+  template <class T>
+  using Flow = FreeFlow<T, room, terms>;
+  template <class T>
+  static Flow<T> make(const model::System& system, double psi) {
+    return {system.parameters(), model::Segment{0.0, 0.0, psi, system.speed(), 0.0, false}};
+  }
+};
+template <int room>
+using Autonomous = PlainSource<room, Terms{false, false, false}>;
+template <int room>
+using Strobed = PlainSource<room, Terms{false, true, true}>;
+
+// All others: with a motor or an off-centre race.
+struct GeneralSource {
+  // Of the largest state for that many balls.
+  template <int balls>
+  static constexpr int largest = SmoothFlow<double, balls>::dimension;
+  static constexpr int dimension = largest<model::max_balls>;
+  template <class T>
+  using Flow = SmoothFlow<T, model::any_count>;
+  template <class T>
+  static Flow<T> make(const model::System& system, double psi) {
+    return {system, psi};
+  }
+};
 
 // As many tangent vectors along a trajectory as asked for, `width` at most. Component (1 + vectors) i is variable i,
 // the next `vectors` are its tangents.
 template <class Source, int width>
 class TangentFlow {
  public:
+  using Number = WideDual<width>;
   static constexpr int most = Source::dimension, dimension = most * (1 + width);
 
   TangentFlow(const model::System& system, double psi, int vectors)
-      : flow_(Source::template make<Dual<width>>(system, psi)), size_(system.dimension()), vectors_(vectors) {}
+      : flow_(Source::template make<Number>(system, psi)), size_(system.dimension()), vectors_(vectors) {}
 
   // Not inlined: the integrator calls it in sixteen places.
   HWY_NOINLINE void operator()(double t, const double* y, double* dy) const {
-    Dual<width> z[most], rate[most];
+    Number z[most], rate[most];
     const int stride = 1 + vectors_;
     for (int i = 0; i < size_; ++i) {
       z[i].value = y[stride * i];
-      std::copy_n(y + stride * i + 1, vectors_, z[i].slope);
+      z[i].take_slopes(y + stride * i + 1, vectors_);
     }
-    flow_(Dual<width>(t), z, rate);
+    flow_(Number(t), z, rate);
     for (int i = 0; i < size_; ++i) {
       dy[stride * i] = rate[i].value;
-      std::copy_n(rate[i].slope, vectors_, dy + stride * i + 1);
+      rate[i].put_slopes(dy + stride * i + 1, vectors_);
     }
   }
 
  private:
-  typename Source::template Flow<Dual<width>> flow_;
+  typename Source::template Flow<Number> flow_;
   int size_, vectors_;
 };
 
@@ -127,12 +167,7 @@ std::optional<Eigen::VectorXd> advance(const model::System& system, const Eigen:
 }
 
 }  // namespace HWY_NAMESPACE
-
-// Systems that are not plain (model/system.hpp).
-std::optional<TangentFlight> follow_tangents_generally(const model::System& system, const Eigen::VectorXd& state,
-                                                       const Eigen::MatrixXd& start, double duration, double tolerance,
-                                                       double psi, const StopFlag* stop);
-std::optional<Eigen::VectorXd> advance_generally(const model::System& system, const Eigen::VectorXd& state,
-                                                 double duration, double psi, double tolerance);
-
 }  // namespace equipoise
+HWY_AFTER_NAMESPACE();
+
+#endif

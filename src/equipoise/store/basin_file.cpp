@@ -13,7 +13,9 @@
 #include <netcdf.h>
 
 #include "equipoise/base/error.hpp"
+#include "equipoise/base/notes.hpp"
 #include "equipoise/files/journal.hpp"
+#include "equipoise/files/kept_notes.hpp"
 #include "equipoise/files/netcdf.hpp"
 #include "equipoise/files/sealed_file.hpp"
 #include "equipoise/store/basin_netcdf.hpp"
@@ -49,6 +51,7 @@ struct BasinFile::State {
   std::optional<store::NetcdfFile> file;
   std::vector<int> variables;  // of the columns, in `file`
   std::optional<store::Journal> journal;
+  std::unique_ptr<Notes> notes;
 
   std::size_t state_size() const {
     if (!header.drawn.empty()) return 1;
@@ -126,6 +129,7 @@ void BasinFile::State::read_journal() {
 // already is passed over.
 void BasinFile::State::take(const store::Journal::Record& record) {
   using Kind = store::Journal::Kind;
+  if (record.kind == Kind::note) return;
   if (record.kind == Kind::cpu_target && record.bytes < 100) {
     std::string target(record.bytes, '\0');
     journal->read(record, 0, record.bytes, target.data());
@@ -188,7 +192,10 @@ BasinFile::BasinFile(const std::string& path, const BasinFileHeader& header) : s
   s.journal.emplace(s.path + ".part", s.path, store::identity_of(header));
   s.open_results();
   s.read_journal();
+  s.notes = store::notes_kept_in(*s.journal);
 }
+
+Notes& BasinFile::notes() { return *state_->notes; }
 
 BasinFile::~BasinFile() = default;
 
@@ -342,7 +349,7 @@ void BasinFile::finish(const std::string& resolved_study, const std::vector<Outc
     throw RunError(fmt::format("{}; {} starts are kept in {}.part and put in place by the same command", e.what(),
                                s.stored, s.path));
   }
-  s.journal->remove();
+  store::leave_notes(*s.journal, complete);
 }
 
 }  // namespace equipoise

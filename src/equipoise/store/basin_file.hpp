@@ -17,6 +17,8 @@
 
 namespace equipoise {
 
+class Notes;
+
 /// What a basin file says of the run that made it.
 struct BasinFileHeader {
   std::string study;  ///< resolved study as TOML, without its number of starts
@@ -56,17 +58,18 @@ struct RunTime {
 
 /// Two files. The results, `path`, are NetCDF (classic, 64-bit offsets), always written whole beside and renamed:
 /// dimension start with its index and variables phi(start, ball), outcome(start), decision_time(start),
-/// decided_by(start), of driven rotors mean_speed(start), with balls that stick left_unbalance(start), with balls that touch
-/// balls_met(start), and with
-/// full_starts rotor_state(start, rotor_component) and phi_dot(start, ball), with own_starts psi(start), on a grid
-/// weight(start), with uncertain values drawn(start, uncertain_value); dimension outcome_kind: code, name, alias,
-/// count, share and its interval, and but for random starts where the interval is from and how many random starts would
-/// have done, with balls that stick quantiles of what they leave; with transients the columns of TransientRow by start;
-/// dimension discovery: states of motions met during the run. Every variable has units and long_name. Readable by
-/// xarray, ncdump, ncview. Behind it all stands a checksum; a file without it, or with another, is not read.
+/// decided_by(start), of driven rotors mean_speed(start), with balls that stick left_unbalance(start), with balls that
+/// touch balls_met(start), and with full_starts rotor_state(start, rotor_component) and phi_dot(start, ball), with
+/// own_starts psi(start), on a grid weight(start), with uncertain values drawn(start, uncertain_value); dimension
+/// outcome_kind: code, name, alias, count, share and its interval, and but for random starts where the interval is from
+/// and how many random starts would have done, with balls that stick quantiles of what they leave; with transients the
+/// columns of TransientRow by start; dimension discovery: states of motions met during the run. Every variable has
+/// units and long_name. Readable by xarray, ncdump, ncview. Behind it all stands a checksum; a file without it, or with
+/// another, is not read.
 ///
 /// While a run goes on, `path`.part holds what is new (files/journal.hpp), so that a run that is killed loses a
-/// second's work; it is gone once the results are in place. One run at a time has a file.
+/// second's work, and what its search has found out; it is gone once all results are in place, and of some only the
+/// search is left. One run at a time has a file.
 class BasinFile {
  public:
   /// Opens what `path` and `path`.part hold of the same study, seed, version and arithmetic, or begins anew.
@@ -91,6 +94,8 @@ class BasinFile {
   void append(const StartBatch& batch, const RunTime& so_far);
   /// States on motions that were first met during earlier runs, in the order of starts: enough to name them again.
   std::vector<std::vector<double>> discoveries() const;
+  /// Of the search for attractors, as far as runs came that did not finish.
+  Notes& notes();
   void append_discovery(const std::vector<double>& state);
   /// Writes the results: all that is stored, the summary of all of it, the resolved study; `complete` marks whether all
   /// requested starts are there. `time`: of this run; it is added to what earlier ones took. Nothing is written where

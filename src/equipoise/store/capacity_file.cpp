@@ -133,6 +133,8 @@ void CapacityFile::append(std::size_t cell, const CapacityTrial& trial) {
   state_->file.append(cell, store::bytes_of(std::vector{trial}));
 }
 
+Notes& CapacityFile::notes() { return state_->file.notes(); }
+
 void CapacityFile::finish(const CapacityResult& result) {
   const auto write = [&](const std::string& path, const std::string& identity) {
     const store::CellRecords records(result.cells.size(), [&](std::size_t index) {
@@ -144,7 +146,7 @@ void CapacityFile::finish(const CapacityResult& result) {
         records.mode());
   };
   // Trials of cells that are missing stand in the unfinished part alone.
-  state_->file.finish(write, !result.complete());
+  state_->file.finish(write, result.complete() ? store::CellFile::Rest::nothing : store::CellFile::Rest::all);
 }
 
 }  // namespace equipoise

@@ -10,6 +10,8 @@
 
 namespace equipoise {
 
+class Notes;
+
 /// Two files, as of a sweep (sweep_file.hpp). The results, `path`, are NetCDF (classic, 64-bit offsets), sealed: a
 /// coordinate for every parameter, along one dimension an axis; by cell the capacity, its interval, whether it lies
 /// beyond the range; by cell and trial the value, the balanced share with its interval and the undecided one; cells
@@ -28,6 +30,8 @@ class CapacityFile {
   std::vector<std::vector<CapacityTrial>> take_trials();
   /// On disk within about a second of work. Throws RunError, with all before it kept, if the disk cannot take it.
   void append(std::size_t cell, const CapacityTrial& trial);
+  /// Of the searches for attractors, as far as runs came that did not finish.
+  Notes& notes();
   /// Writes the results, if any trial is new or there is no file. Throws RunError, with everything kept as it was.
   void finish(const CapacityResult& result);
 

@@ -7,6 +7,7 @@
 #include <netcdf.h>
 
 #include "equipoise/base/error.hpp"
+#include "equipoise/files/kept_notes.hpp"
 #include "equipoise/files/netcdf.hpp"
 #include "equipoise/files/sealed_file.hpp"
 #include "equipoise/store/result_identity.hpp"
@@ -36,6 +37,7 @@ void read_results(const CellFileKind& kind, const std::string& path, const Netcd
 void read_journal(const CellFileKind& kind, const std::string& path, const Journal& journal,
                   const CellFile::Take& take) {
   for (const Journal::Record& record : journal.records()) {
+    if (record.kind == Journal::Kind::note) continue;
     if (record.kind != kind.record)
       throw InputError(path, "", "", fmt::format("is of something else; {}", kind.same_results));
     std::vector<std::uint8_t> bytes(record.bytes);
@@ -65,10 +67,13 @@ CellFile::CellFile(const CellFileKind& kind, const std::string& path, const std:
     read_results(kind, path_, file, take);
   }
   require_same(journal_->identity(), identity, part, kind.these_results, kind.same_results);
-  for (const Journal::Record& record : journal_->records())
+  for (const Journal::Record& record : journal_->records()) {
+    if (record.kind == Journal::Kind::note) continue;
     if (record.first >= cells) throw InputError(part, "", "", fmt::format("holds other cells; {}", kind.same_results));
+    changed_ = true;
+  }
   read_journal(kind, part, *journal_, take);
-  changed_ = !journal_->records().empty();
+  notes_ = notes_kept_in(*journal_);
 }
 
 void CellFile::append(std::size_t cell, const std::vector<std::uint8_t>& record) {
@@ -76,10 +81,10 @@ void CellFile::append(std::size_t cell, const std::vector<std::uint8_t>& record)
   changed_ = true;
 }
 
-void CellFile::finish(const std::function<void(const std::string&, const std::string&)>& write, bool keep) {
+void CellFile::finish(const std::function<void(const std::string&, const std::string&)>& write, Rest rest) {
   if (!changed_ && std::filesystem::exists(path_)) return;
   write(path_, identity_);
-  if (!keep) journal_->remove();
+  if (rest != Rest::all) leave_notes(*journal_, rest == Rest::nothing);
 }
 
 std::string read_cell_file(const CellFileKind& kind, const std::string& path, const CellFile::Take& take) {

@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "equipoise/base/notes.hpp"
 #include "equipoise/files/journal.hpp"
 
 namespace equipoise::store {
@@ -36,15 +37,23 @@ class CellFile {
 
   /// On disk within about a second of work. Throws RunError, with all before it kept, if the disk cannot take it.
   void append(std::size_t cell, const std::vector<std::uint8_t>& record);
-  /// Has the results written by `write`, if any record is new or there is no file. `keep`: leaves the unfinished part
-  /// where it is, for it holds what the results do not. Throws RunError, with everything kept as it was.
-  void finish(const std::function<void(const std::string& path, const std::string& identity)>& write,
-              bool keep = false);
+  /// Of the searches for attractors in its cells, as far as runs came that did not finish.
+  Notes& notes() { return *notes_; }
+  /// What of the unfinished part stays beside results.
+  enum class Rest {
+    nothing,  ///< they are complete
+    notes,    ///< they hold every record
+    all       ///< records hold more than they do
+  };
+  /// Has the results written by `write`, if any record is new or there is no file. Throws RunError, with everything
+  /// kept as it was.
+  void finish(const std::function<void(const std::string& path, const std::string& identity)>& write, Rest rest);
 
  private:
   CellFileKind kind_;
   std::string path_, identity_;
   std::unique_ptr<Journal> journal_;
+  std::unique_ptr<Notes> notes_;
   bool changed_ = false;
 };
 

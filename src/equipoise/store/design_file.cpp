@@ -192,7 +192,7 @@ void DesignFile::finish(const DesignResult& result) {
         path, [&](store::NetcdfFile& file) { DesignWriter(file, identity, result, state_->samples, records).write(); },
         records.mode());
   };
-  state_->file.finish(write, result.partial);
+  state_->file.finish(write, result.partial ? store::CellFile::Rest::all : store::CellFile::Rest::nothing);
 }
 
 }  // namespace equipoise

@@ -45,9 +45,12 @@ SweepCells SweepFile::take_cells() { return std::move(state_->cells); }
 
 void SweepFile::append(std::size_t index, const SweepCell& cell) { state_->file.append(index, store::bytes_of(cell)); }
 
+Notes& SweepFile::notes() { return state_->file.notes(); }
+
 void SweepFile::finish(const SweepResult& result) {
   state_->file.finish(
-      [&](const std::string& path, const std::string& identity) { store::write_sweep_netcdf(path, identity, result); });
+      [&](const std::string& path, const std::string& identity) { store::write_sweep_netcdf(path, identity, result); },
+      result.complete() ? store::CellFile::Rest::nothing : store::CellFile::Rest::notes);
 }
 
 void write_sweep_file(const std::string& path, const SweepResult& result) {

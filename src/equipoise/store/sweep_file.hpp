@@ -11,6 +11,8 @@
 
 namespace equipoise {
 
+class Notes;
+
 /// Two files, as of an ensemble (basin_file.hpp). The results, `path`, are NetCDF (classic, 64-bit offsets), sealed: a
 /// coordinate for every parameter, along one dimension an axis; outcome kinds with code, name and alias; count, share
 /// and its interval, mean decision time and figures of the motion by cell and outcome; quantiles of the transients and
@@ -29,8 +31,10 @@ class SweepFile {
   SweepCells take_cells();
   /// On disk within about a second of work. Throws RunError, with all before it kept, if the disk cannot take it.
   void append(std::size_t index, const SweepCell& cell);
-  /// Writes the results, if any cell is new or there is no file; what holds unfinished ones is removed once all are
-  /// there. Throws RunError, with everything kept as it was.
+  /// Of the searches for attractors, as far as runs came that did not finish.
+  Notes& notes();
+  /// Writes the results, if any cell is new or there is no file; of the unfinished part only searches of
+  /// missing ones stay. Throws RunError, with everything kept as it was.
   void finish(const SweepResult& result);
 
  private:

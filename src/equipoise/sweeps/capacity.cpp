@@ -49,6 +49,7 @@ struct CellWork {
   const std::vector<CapacityTrial>& known;  ///< made by an earlier run
   std::function<void(const CapacityTrial&)> keep;
   std::function<bool()> stopped;
+  Notes* notes;  // of searches, or null
 };
 
 // One cell's trials, each search beginning with what the nearest earlier one found. Those of an earlier run are taken
@@ -121,6 +122,7 @@ class Boundary {
     run.threads = threads_;
     run.stop = options_.stop;
     run.transients = false;
+    run.notes = work_.notes;
     if (const auto* near = nearest(value)) run.seeds = near->states;
     run.informed = !run.seeds.empty();
     Catalogue catalogue;
@@ -240,7 +242,8 @@ class CapacityRun {
           if (file_) file_->append(cell, trial);
         };
         const auto stopped = [this] { return failed_ || is_set(options_.stop); };
-        Boundary boundary(plan_, options_, threads, {cell, known_[cell], keep, stopped});
+        Boundary boundary(plan_, options_, threads,
+                          {cell, known_[cell], keep, stopped, file_ ? &file_->notes() : nullptr});
         auto found = boundary.find();
         const std::lock_guard guard(taking_);
         if (!found) result_.open[cell] = boundary.open();

@@ -119,7 +119,11 @@ class SweepRun final : public SweepWork {
     const auto take = [this](std::size_t index, SweepCell cell) { deliver(index, std::move(cell)); };
     const auto idle = [this] { return idle_ / std::max(1, working_.load()); };
     guarded([&] {
-      const BlockWorkers workers{.threads = threads, .idle = idle, .desk = &desk_, .stop = options_.stop};
+      const BlockWorkers workers{.threads = threads,
+                                 .idle = idle,
+                                 .desk = &desk_,
+                                 .stop = options_.stop,
+                                 .notes = file_ ? &file_->notes() : nullptr};
       while (const auto block = next_block())
         if (!run_block(plan_, *block, seen, take, workers)) break;
     });

@@ -112,6 +112,7 @@ bool run_block(const SweepPlan& plan, std::size_t block, const std::function<con
     if (workers.idle) options.search_threads = workers.threads + workers.idle();
     options.stop = workers.stop;
     options.discoveries = &discoveries;
+    options.notes = workers.notes;
     std::vector<std::unique_ptr<ChunkHelp>> help;  // one a sample
     const AtDesk at_desk(workers.desk, index);
     if (workers.desk)

@@ -11,13 +11,15 @@
 namespace equipoise {
 
 class CellDesk;
+class Notes;
 
 /// Who works on a block. No result depends on it.
 struct BlockWorkers {
   int threads = 1;
   std::function<int()> idle{};  ///< threads that have nothing else to do when a cell's search begins; empty: none
-  CellDesk* desk = nullptr;   ///< where others decide starts of its cells; null: nobody does
+  CellDesk* desk = nullptr;     ///< where others decide starts of its cells; null: nobody does
   const StopFlag* stop = nullptr;
+  Notes* notes = nullptr;  ///< of searches, or null
 };
 
 /// Computes the cells of a block one after another, those that are known already left out. `known`: a cell that was

@@ -14,6 +14,7 @@
 #include "equipoise/math/lyapunov.hpp"
 #include "equipoise/math/polynomial_terms.hpp"
 #include "equipoise/model/linearisation.hpp"
+#include "equipoise/motions/motion_bytes.hpp"
 #include "equipoise/motions/motion_symmetry.hpp"
 #include "equipoise/orbits/variational.hpp"
 #include "equipoise/traps/cycle_forms.hpp"
@@ -121,7 +122,6 @@ VectorXd MotionTrap::away(const VectorXd& state, const VectorXd& from) const {
 std::optional<MotionTrap::There> MotionTrap::found(const OwnRotor& own, const There& neighbour,
                                                    const StopFlag* stop) const {
   There there;
-  there.own = &own;
   if (half_ == 0.0) {
     const auto rest = refine_equilibrium(own.system, neighbour.rest);
     if (!rest) return std::nullopt;
@@ -134,18 +134,17 @@ std::optional<MotionTrap::There> MotionTrap::found(const OwnRotor& own, const Th
     there.rate = there.orbit.slowest_rate();
   }
   if (!(there.rate < -slowest_worth_it) || !(there.rate < barely * rate_)) return std::nullopt;
-  there.places = places_of(there);
+  there.places = places_of(own.system, there);
   return there.places.size() > 0 ? std::optional(std::move(there)) : std::nullopt;
 }
 
 // From where it passes the first place on.
-VectorXd MotionTrap::places_of(There& there) const {
+VectorXd MotionTrap::places_of(const model::System& system, There& there) const {
   const Eigen::Index size = inverse_scale_.size();
   std::vector<VectorXd> states{there.rest};
   if (half_ > 0.0) {
     const int count = static_cast<int>(along_.size()), fine = 4 * count;
     const VectorXd first = positions_.block(0, 0, size, 1);
-    const model::System& system = there.own->system;
     const std::vector<VectorXd> all = sample_orbit(system, there.orbit, fine);
     const auto distance = [&](const VectorXd& state) { return away(state, first).cwiseProduct(inverse_scale_).norm(); };
     if (all.empty()) return {};
@@ -177,7 +176,8 @@ VectorXd MotionTrap::places_of(There& there) const {
 }
 
 // From rotor to rotor, each from the nearest that has the motion. Where few of the first have it, more beside those.
-bool MotionTrap::follow_rotors(const Motion& motion, const std::vector<const OwnRotor*>& rotors, const StopFlag* stop) {
+bool MotionTrap::follow_rotors(const Motion& motion, const std::vector<const OwnRotor*>& rotors, const StopFlag* stop,
+                               NotePage* notes) {
   std::vector<Tried> tried;
   There first;
   first.rest = motion.state;
@@ -195,8 +195,10 @@ bool MotionTrap::follow_rotors(const Motion& motion, const std::vector<const Own
       return squared_distance(a.own->coordinates, own.coordinates) <
              squared_distance(b.own->coordinates, own.coordinates);
     });
-    auto there = found(own, near == all.end() ? first : *near, stop);
+    auto there =
+        noted(notes, "a rotor's motion", stop, [&] { return found(own, near == all.end() ? first : *near, stop); });
     if (is_set(stop)) return false;
+    if (there) there->own = &own;
     tried.push_back({own.coordinates, there.has_value()});
     if (there) all.push_back(*std::move(there));
   }
@@ -353,7 +355,8 @@ VectorXd MotionTrap::state_on_level(std::size_t which, double level, const Vecto
 }
 
 std::shared_ptr<MotionTrap> MotionTrap::around(const model::System& system, const Motion& motion, int attractor,
-                                               const std::vector<const OwnRotor*>& rotors, const StopFlag* stop) {
+                                               const std::vector<const OwnRotor*>& rotors, const StopFlag* stop,
+                                               NotePage* notes) {
   const bool rest = motion.kind == MotionKind::equilibrium;
   if (!motion.stable || motion.set_valued || (!rest && motion.kind != MotionKind::periodic)) return nullptr;
   if (!system.autonomous() || motion.copies > most_copies || motion.state.size() != system.dimension()) return nullptr;
@@ -364,7 +367,7 @@ std::shared_ptr<MotionTrap> MotionTrap::around(const model::System& system, cons
   for (Eigen::Index k = 0; k < trap->positions_.rows(); k += size) trap->hold(trap->positions_.block(k, 0, size, 1));
   for (const BallOrder& image : exchange_images(system, motion))
     trap->places_.push_back(exchanged_components(system.balls(), image, size));
-  if (!rotors.empty() && !trap->follow_rotors(motion, rotors, stop)) return nullptr;
+  if (!rotors.empty() && !trap->follow_rotors(motion, rotors, stop, notes)) return nullptr;
   return trap;
 }
 
@@ -392,7 +395,7 @@ std::shared_ptr<const MotionTrap> motion_trap(const model::System& system, const
                        return squared_distance(a->coordinates, own->coordinates) <
                               squared_distance(b->coordinates, own->coordinates);
                      });
-  const auto trap = MotionTrap::around(system, motion, attractor, rotors, settings.stop);
+  const auto trap = MotionTrap::around(system, motion, attractor, rotors, settings.stop, settings.notes);
   if (!trap) return nullptr;
   TrialSettings of_those = settings;
   std::vector<OwnRotor> having;

@@ -8,6 +8,7 @@
 
 #include <Eigen/Core>
 
+#include "equipoise/base/notes.hpp"
 #include "equipoise/lanes/own_rotor.hpp"
 #include "equipoise/model/system.hpp"
 #include "equipoise/motions/motion.hpp"
@@ -29,7 +30,8 @@ class MotionTrap final : public WindowTrap {
   /// integration. `rotors`: of a family's part, the nearest to the one that has `motion` first; null, too, if few of
   /// them have it.
   static std::shared_ptr<MotionTrap> around(const model::System& system, const Motion& motion, int attractor,
-                                            const std::vector<const OwnRotor*>& rotors, const StopFlag* stop);
+                                            const std::vector<const OwnRotor*>& rotors, const StopFlag* stop,
+                                            NotePage* notes = nullptr);
 
   double value(const double* state, const OwnRotor* own) const override;
   Eigen::VectorXd state_on_level(std::size_t which, double level, const Eigen::VectorXd& direction,
@@ -52,6 +54,10 @@ class MotionTrap final : public WindowTrap {
     Eigen::VectorXd places;                // one after the other
     std::vector<Eigen::VectorXd> between;  // half way from one to the next
   };
+  template <class Bytes, Like<There> T>
+  friend void members(Bytes& b, T& t) {
+    b(t.rest, t.orbit, t.rate, t.places, t.between);
+  }
   struct Tried {
     std::vector<double> coordinates;
     bool has = false;
@@ -65,14 +71,15 @@ class MotionTrap final : public WindowTrap {
   using WindowTrap::WindowTrap;
   bool describe_rest(const model::System& system, const Motion& motion);
   bool describe_orbit(const model::System& system, const Motion& motion);
-  bool follow_rotors(const Motion& motion, const std::vector<const OwnRotor*>& rotors, const StopFlag* stop);
+  bool follow_rotors(const Motion& motion, const std::vector<const OwnRotor*>& rotors, const StopFlag* stop,
+                     NotePage* notes);
   bool fit(const std::vector<There>& all);
   // The largest V of these, whose states it holds from now on.
   double largest_miss(const std::vector<There>& all);
   // As Newton's method finds it from a neighbour's.
   std::optional<There> found(const OwnRotor& own, const There& neighbour, const StopFlag* stop) const;
   // At the places; empty if that fails. Fills in what is between.
-  Eigen::VectorXd places_of(There& there) const;
+  Eigen::VectorXd places_of(const model::System& system, There& there) const;
   Eigen::VectorXd away(const Eigen::VectorXd& state, const Eigen::VectorXd& from) const;
   void lay_out();
   Eigen::VectorXd terms(const OwnRotor* own) const;

@@ -79,19 +79,23 @@ DecisionRule traps_of(const DecisionRule& rule) {
 }
 
 bool all_attracted(Trials trials, const TrialSettings& settings) {
-  return follow(trials, settings, [](std::size_t, const std::vector<Fate>& fates) {
-    return std::all_of(fates.begin(), fates.end(), is_attracted);
+  return noted(settings.notes, "all attracted", settings.stop, [&] {
+    return follow(trials, settings, [](std::size_t, const std::vector<Fate>& fates) {
+      return std::all_of(fates.begin(), fates.end(), is_attracted);
+    });
   });
 }
 
 std::vector<char> come_to(int attractor, Trials trials, const TrialSettings& settings) {
-  std::vector<char> came(trials.states.size() / settings.system->dimension());
-  follow(trials, settings, [&](std::size_t first, const std::vector<Fate>& fates) {
-    std::transform(fates.begin(), fates.end(), came.begin() + static_cast<std::ptrdiff_t>(first),
-                   [&](const Fate& fate) { return is_attracted(fate) && fate.attractor == attractor; });
-    return true;
+  return noted(settings.notes, "come to", settings.stop, [&] {
+    std::vector<char> came(trials.states.size() / settings.system->dimension());
+    follow(trials, settings, [&](std::size_t first, const std::vector<Fate>& fates) {
+      std::transform(fates.begin(), fates.end(), came.begin() + static_cast<std::ptrdiff_t>(first),
+                     [&](const Fate& fate) { return is_attracted(fate) && fate.attractor == attractor; });
+      return true;
+    });
+    return came;
   });
-  return came;
 }
 
 const Eigen::VectorXd& Directions::next() {

@@ -9,6 +9,7 @@
 
 #include <Eigen/Core>
 
+#include "equipoise/base/notes.hpp"
 #include "equipoise/base/random.hpp"
 #include "equipoise/base/stage_progress.hpp"
 #include "equipoise/base/stop_flag.hpp"
@@ -25,6 +26,7 @@ struct TrialSettings {
   int threads = 1;
   const StopFlag* stop = nullptr;
   StageProgress* progress = nullptr;
+  NotePage* notes = nullptr;  ///< of what was tried, or null
   /// Rotors that tries have, one after the other and round again; none: all have that of `system`.
   std::span<const OwnRotor> rotors{};
 

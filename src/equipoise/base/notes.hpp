@@ -1,0 +1,100 @@
+// What long work has found out step by step, so that the same work goes on where it was stopped.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <map>
+#include <mutex>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "equipoise/base/bytes.hpp"
+#include "equipoise/base/stop_flag.hpp"
+
+namespace equipoise {
+
+/// Answers that earlier runs worked out, by page and number; new ones are handed on to whoever keeps them. The work has
+/// to ask the same questions in the same order whenever it is done.
+class Notes {
+ public:
+  /// Called from any thread, never from two at once. What it throws comes out of the work.
+  using Keep = std::function<void(std::uint64_t page, std::uint64_t number, const std::vector<char>& answer)>;
+
+  Notes() = default;
+  explicit Notes(Keep keep) : keep_(std::move(keep)) {}
+
+  /// Of an earlier run. To be called before the work begins.
+  void know(std::uint64_t page, std::uint64_t number, std::vector<char> answer) {
+    known_.insert_or_assign({page, number}, std::move(answer));
+  }
+
+ private:
+  friend class NotePage;
+
+  const std::vector<char>* find(std::uint64_t page, std::uint64_t number) const {
+    const auto at = known_.find({page, number});
+    return at == known_.end() ? nullptr : &at->second;
+  }
+  void keep(std::uint64_t page, std::uint64_t number, const std::vector<char>& answer) {
+    const std::lock_guard lock(keeping_);
+    if (keep_) keep_(page, number, answer);
+  }
+
+  Keep keep_;
+  std::map<std::pair<std::uint64_t, std::uint64_t>, std::vector<char>> known_;
+  std::mutex keeping_;
+};
+
+/// The notes of one piece of work.
+class NotePage {
+ public:
+  /// No notes are taken: every answer is worked out.
+  NotePage() = default;
+  /// `subject`: all that the work depends on. `notes` may be null.
+  NotePage(Notes* notes, const std::string& subject);
+
+  /// What `work` gives, which is as it was noted, or is worked out and noted, unless `stop` is set by then. `question`:
+  /// which one it answers.
+  template <class Work>
+  auto answer(const char* question, const StopFlag* stop, const Work& work) {
+    return answer_at(reserve(1), question, stop, work);
+  }
+
+  /// The first of so many numbers for answers that are asked for side by side, from any thread.
+  std::uint64_t reserve(std::size_t count) { return std::exchange(next_, next_ + count); }
+  template <class Work>
+  auto answer_at(std::uint64_t number, const char* question, const StopFlag* stop, const Work& work) const {
+    using Answer = decltype(work());
+    if (!notes_) return work();
+    const std::uint64_t asked = number_of(question);
+    if (const std::vector<char>* known = notes_->find(page_, number)) {
+      Answer result{};
+      std::uint64_t told = 0;
+      BytesIn in(*known);
+      in(told, result);
+      if (in.whole() && told == asked) return result;
+    }
+    Answer result = work();
+    if (is_set(stop)) return result;  // it may have been cut short
+    BytesOut out;
+    out(asked, result);
+    notes_->keep(page_, number, out.take());
+    return result;
+  }
+
+ private:
+  static std::uint64_t number_of(const std::string& text);
+
+  Notes* notes_ = nullptr;
+  std::uint64_t page_ = 0, next_ = 0;
+};
+
+/// `page` may be null: no notes are taken.
+template <class Work>
+auto noted(NotePage* page, const char* question, const StopFlag* stop, const Work& work) {
+  return page ? page->answer(question, stop, work) : work();
+}
+
+}  // namespace equipoise

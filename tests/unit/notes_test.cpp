@@ -1,0 +1,225 @@
+// What long work notes, and what it is given back: the same bits or nothing.
+#include "equipoise/base/notes.hpp"
+
+#include <filesystem>
+#include <map>
+#include <optional>
+#include <utility>
+#include <vector>
+
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+#include "../base_study.hpp"
+#include "equipoise/deciding/pilot.hpp"
+#include "equipoise/discovery/discovery.hpp"
+#include "equipoise/discovery/family_mesh.hpp"
+#include "equipoise/discovery/horizon.hpp"
+#include "equipoise/files/journal.hpp"
+#include "equipoise/files/kept_notes.hpp"
+#include "equipoise/motions/motion.hpp"
+#include "equipoise/motions/motion_bytes.hpp"
+#include "equipoise/study/study.hpp"
+
+namespace equipoise {
+namespace {
+
+template <class T>
+std::vector<char> bytes_of(const T& value) {
+  BytesOut out;
+  out(value);
+  return out.take();
+}
+
+// As bytes read back and written again; empty if that is not whole.
+template <class T>
+std::vector<char> again(const std::vector<char>& bytes) {
+  T value{};
+  BytesIn in(bytes);
+  in(value);
+  return in.whole() ? bytes_of(value) : std::vector<char>{};
+}
+
+// Every note of a run, by page and number.
+using Kept = std::map<std::pair<std::uint64_t, std::uint64_t>, std::vector<char>>;
+Notes::Keep into(Kept& kept) {
+  return [&kept](std::uint64_t page, std::uint64_t number, const std::vector<char>& answer) {
+    kept[{page, number}] = answer;
+  };
+}
+
+TEST(Bytes, GiveBackAMotion) {
+  const Study study = parse_study(constant_speed, "notes.toml");
+  Eigen::VectorXd state = Eigen::VectorXd::Zero(8);
+  state << 0.0, 0.0, 0.0, 0.0, 0.1, 0.2, -1.6, -1.6;
+  const auto motion = motion_from(study.system(), state);
+  ASSERT_TRUE(motion && motion->kind == MotionKind::periodic);
+  const std::vector<char> bytes = bytes_of(motion);
+  EXPECT_EQ(again<std::optional<Motion>>(bytes), bytes);
+  std::optional<Motion> back;
+  BytesIn in(bytes);
+  in(back);
+  ASSERT_TRUE(back);
+  EXPECT_EQ(back->state, motion->state);
+  EXPECT_EQ(back->orbit.nodes, motion->orbit.nodes);
+  EXPECT_EQ(back->orbit.multipliers, motion->orbit.multipliers);
+  EXPECT_EQ(back->exponents, motion->exponents);
+  EXPECT_EQ(back->drift_group, motion->drift_group);
+  EXPECT_EQ(motion_name(study.parameters, *back).name, motion_name(study.parameters, *motion).name);
+}
+
+TEST(Bytes, GiveBackARecordOfThePilot) {
+  PilotRecord record;
+  for (int k = 0; k < feature_count(2); ++k) record.features[k] = 0.1 * k, record.range.high[k] = 1.0 / (1 + k);
+  record.range.trend = 3;
+  record.finished_window = true;
+  record.longest_run[5] = 7;
+  record.least_value = 1e-7;
+  const std::vector<char> bytes = bytes_of(record);
+  EXPECT_LT(bytes.size(), sizeof record / 2);
+  EXPECT_EQ(again<PilotRecord>(bytes), bytes);
+  PilotRecord back;
+  back.longest_run.fill(9);
+  BytesIn in(bytes);
+  in(back);
+  EXPECT_EQ(back.features, record.features);
+  EXPECT_EQ(back.longest_run, record.longest_run);
+  EXPECT_EQ(back.range.trend, 3);
+}
+
+// Of no length but their own.
+TEST(Bytes, AreRefusedIfCutOffOrSpoilt) {
+  const std::vector<std::vector<double>> lists{{1.0, 2.0}, {}, {3.0}};
+  const std::vector<char> bytes = bytes_of(lists);
+  ASSERT_EQ(again<std::vector<std::vector<double>>>(bytes), bytes);
+  for (std::size_t length = 0; length < bytes.size(); ++length)
+    EXPECT_TRUE(
+        again<std::vector<std::vector<double>>>({bytes.begin(), bytes.begin() + static_cast<long>(length)}).empty());
+  std::vector<char> longer = bytes, huge = bytes;
+  longer.push_back(0);
+  EXPECT_TRUE(again<std::vector<std::vector<double>>>(longer).empty());
+  huge[7] = 0x7f;  // so many lists that no memory holds them
+  EXPECT_TRUE(again<std::vector<std::vector<double>>>(huge).empty());
+}
+
+TEST(Notes, AreAnswersToTheSameQuestionsInTheSameOrder) {
+  Kept kept;
+  int worked = 0;
+  const auto ask = [&](Notes& notes, const std::string& subject, const char* second) {
+    NotePage page(&notes, subject);
+    const double one = page.answer("one", nullptr, [&] { return ++worked, 1.5; });
+    const auto many = page.answer(second, nullptr, [&] { return ++worked, std::vector<double>{2.0, 3.0}; });
+    return std::pair{one, many};
+  };
+  Notes first(into(kept));
+  const auto answers = ask(first, "this", "many");
+  EXPECT_EQ(worked, 2);
+  EXPECT_EQ(kept.size(), 2u);
+  const auto known = [&] {
+    auto notes = std::make_unique<Notes>();
+    for (const auto& [where, answer] : kept) notes->know(where.first, where.second, answer);
+    return notes;
+  };
+  EXPECT_EQ(ask(*known(), "this", "many"), answers);
+  EXPECT_EQ(worked, 2);
+  EXPECT_EQ(ask(*known(), "this", "others"), answers);  // another question is worked out
+  EXPECT_EQ(worked, 3);
+  EXPECT_EQ(ask(*known(), "that", "many"), answers);
+  EXPECT_EQ(worked, 5);
+}
+
+TEST(Notes, AreNotTakenOfWorkThatWasStopped) {
+  Kept kept;
+  Notes notes(into(kept));
+  NotePage page(&notes, "stopped");
+  StopFlag stop{false};
+  const auto cut_short = [&] {
+    stop = true;
+    return 1;
+  };
+  EXPECT_EQ(page.answer("whole", &stop, [] { return 2; }), 2);
+  EXPECT_EQ(page.answer("cut short", &stop, cut_short), 1);
+  EXPECT_EQ(kept.size(), 1u);
+}
+
+// Everything that a search finds, as far as the lanes and the catalogue show it.
+void expect_same(const Discovery& a, const Discovery& b) {
+  EXPECT_EQ(a.seeds, b.seeds);
+  EXPECT_EQ(a.hints, b.hints);
+  ASSERT_EQ(a.catalogue.attractors().size(), b.catalogue.attractors().size());
+  for (std::size_t k = 0; k < a.catalogue.attractors().size(); ++k)
+    EXPECT_EQ(bytes_of(a.catalogue.attractors()[k].motion), bytes_of(b.catalogue.attractors()[k].motion));
+  ASSERT_EQ(a.rule.known.size(), b.rule.known.size());
+  for (std::size_t k = 0; k < a.rule.known.size(); ++k) EXPECT_EQ(a.rule.known[k].features, b.rule.known[k].features);
+  ASSERT_EQ(a.rule.boxes.size(), b.rule.boxes.size());
+  for (std::size_t k = 0; k < a.rule.boxes.size(); ++k) {
+    EXPECT_EQ(a.rule.boxes[k].low, b.rule.boxes[k].low);
+    EXPECT_EQ(a.rule.boxes[k].high, b.rule.boxes[k].high);
+    EXPECT_EQ(a.rule.boxes[k].hits_needed, b.rule.boxes[k].hits_needed);
+  }
+  ASSERT_EQ(a.rule.balanced.size(), b.rule.balanced.size());
+  for (std::size_t k = 0; k < a.rule.balanced.size(); ++k)
+    EXPECT_EQ(a.rule.balanced[k].level, b.rule.balanced[k].level);
+}
+
+// A search that is stopped again and again, each time a little later, ends as one that is not; what it has noted by
+// then is all that it asks for.
+TEST(Notes, BringAStoppedSearchToTheSameEnd) {
+  Study study = with_horizon(parse_study(constant_speed, "notes.toml"));
+  const Discovery whole = discover(study, {});
+  Kept kept;
+  int cut = 0;
+  for (;; ++cut) {
+    ASSERT_LT(cut, 2000);
+    StopFlag stop{false};
+    const std::size_t enough = kept.size() + 8;
+    Notes notes([&](std::uint64_t page, std::uint64_t number, const std::vector<char>& answer) {
+      kept[{page, number}] = answer;
+      stop = kept.size() >= enough;
+    });
+    for (const auto& [where, answer] : kept) notes.know(where.first, where.second, answer);
+    const Discovery found = discover(study, {.stop = &stop, .notes = &notes});
+    if (found.stopped) continue;
+    expect_same(found, whole);
+    break;
+  }
+  EXPECT_GT(cut, 3);
+  const std::size_t all = kept.size();
+  Notes complete(into(kept));
+  for (const auto& [where, answer] : kept) complete.know(where.first, where.second, answer);
+  expect_same(discover(study, {.notes = &complete}), whole);
+  EXPECT_EQ(kept.size(), all);
+}
+
+TEST(Notes, AreKeptAmongUnfinishedResults) {
+  const std::string path =
+      (std::filesystem::temp_directory_path() / ("equipoise_notes_" + std::to_string(getpid()))).string();
+  using store::Journal;
+  const std::vector<double> result{1.0, 2.0};
+  const auto ask = [](Notes& notes, double value) {
+    return NotePage(&notes, "kept").answer("value", nullptr, [&] { return value; });
+  };
+  {
+    Journal journal(path, path, "mine");
+    journal.append({.kind = Journal::Kind::starts, .first = 0, .count = 2}, result.data(), 16);
+    EXPECT_EQ(ask(*store::notes_kept_in(journal), 3.0), 3.0);
+    journal.append({.kind = Journal::Kind::starts, .first = 2, .count = 2}, result.data(), 16);
+  }
+  {
+    Journal journal(path, path, "mine");
+    ASSERT_EQ(journal.records().size(), 3u);
+    EXPECT_EQ(ask(*store::notes_kept_in(journal), 4.0), 3.0);  // as it was noted
+    store::leave_notes(journal, false);
+    EXPECT_EQ(journal.records().size(), 1u);
+  }
+  {
+    Journal journal(path, path, "mine");
+    ASSERT_EQ(journal.records().size(), 1u);
+    EXPECT_EQ(ask(*store::notes_kept_in(journal), 4.0), 3.0);
+    store::leave_notes(journal, true);
+  }
+  EXPECT_FALSE(std::filesystem::exists(path));
+}
+
+}  // namespace
+}  // namespace equipoise
