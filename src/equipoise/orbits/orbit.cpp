@@ -208,6 +208,8 @@ struct Effort {
 // Full steps this short square to rounding. The residual is what some hundred steps at that tolerance leave; where one
 // multiplier is near 1 it counts a hundredfold and more in the next step.
 constexpr Effort refining{tolerance, 1e-8, 1e-11, 1e-9, 40, 1.0 / 1024};
+// From a motion that the neighbour has and this system may lack: where few steps do not come to it, many rarely do.
+constexpr Effort continuing{tolerance, 1e-8, 1e-11, 1e-9, 10, 1.0 / 8};
 // Arcs from strobe to strobe are as long as they are.
 constexpr double longer_arcs = 10.0;
 constexpr Effort searching{1e-9, 1e-4, 1e300, 1e-6, 10, 1.0};
@@ -278,15 +280,16 @@ bool shorten(const model::System& system, Shooting& s, int times) {
   return !s.nodes.empty();
 }
 
-std::optional<PeriodicOrbit> refine(const model::System& system, Shooting s, double reach, const StopFlag* stop) {
+std::optional<PeriodicOrbit> refine(const model::System& system, Shooting s, double reach, const StopFlag* stop,
+                                    const Effort& effort = refining) {
   for (const auto& angle : system.angles()) {  // whole turns off, so that angles keep their digits
     const double turns = angle.turn * std::floor(s.nodes[0][angle.place] / angle.turn);
     for (VectorXd& z : s.nodes) z[angle.place] -= turns;
   }
   for (;;) {
-    OrbitProblem problem(system, s.nodes.size(), refining.tolerance, stop);
+    OrbitProblem problem(system, s.nodes.size(), effort.tolerance, stop);
     const auto winding = problem.find_winding(s);
-    if (!winding || !solve(problem, s, refining, reach) || is_equilibrium(system, s)) return std::nullopt;
+    if (!winding || !solve(problem, s, effort, reach) || is_equilibrium(system, s)) return std::nullopt;
     const int times = repeats(system, s, *winding);
     if (times == 1) {
       PeriodicOrbit orbit{s.period, *winding, s.nodes, {}, s.residual, s.imposed};
@@ -338,6 +341,16 @@ std::optional<PeriodicOrbit> refine_imposed_orbit(const model::System& system, c
   s.nodes = guess;
   s.imposed = true;
   return refine(system, std::move(s), reach, stop);
+}
+
+std::optional<PeriodicOrbit> continue_orbit(const model::System& system, const PeriodicOrbit& neighbour, double reach,
+                                            const StopFlag* stop) {
+  Shooting s;
+  s.period = neighbour.period;
+  s.nodes = neighbour.nodes;
+  s.imposed = neighbour.imposed;
+  auto orbit = refine(system, std::move(s), reach, stop, continuing);
+  return orbit && orbit->winding == neighbour.winding ? orbit : std::nullopt;
 }
 
 std::optional<PeriodicOrbit> refine_orbit(const model::System& system, const VectorXd& state, double period) {

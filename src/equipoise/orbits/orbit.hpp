@@ -71,8 +71,12 @@ std::optional<PeriodicOrbit> refine_imposed_orbit(const model::System& system,
                                                   const StopFlag* stop = nullptr);
 /// The same from one state near the orbit and the time after which it returns.
 std::optional<PeriodicOrbit> refine_orbit(const model::System& system, const Eigen::VectorXd& state, double period);
+/// The orbit that a neighbouring system's goes over into, by a few steps of the same method: empty, too, if it has
+/// another winding. Cheaper than refine_orbit() where there is none.
+std::optional<PeriodicOrbit> continue_orbit(const model::System& system, const PeriodicOrbit& neighbour, double reach,
+                                            const StopFlag* stop = nullptr);
 
-/// The same where there may be none, of a flow: single shooting first, undamped and true to about 1e-5 only. That is
+/// An orbit of a flow where there may be none: single shooting first, undamped and true to about 1e-5 only. That is
 /// good enough for stable orbits, and it gives up early where there is none (on a torus a second multiplier is near 1,
 /// whatever the time, and steps do not shrink).
 std::optional<PeriodicOrbit> find_orbit(const model::System& system, const Eigen::VectorXd& state, double period,

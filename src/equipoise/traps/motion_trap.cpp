@@ -128,8 +128,8 @@ std::optional<MotionTrap::There> MotionTrap::found(const OwnRotor& own, const Th
     there.rest = rest->state;
     there.rate = rest->eigenvalues.real().maxCoeff();
   } else {
-    auto orbit = refine_orbit(own.system, neighbour.orbit.nodes, neighbour.orbit.period, farthest_neighbour, stop);
-    if (!orbit || orbit->winding != neighbour.orbit.winding) return std::nullopt;
+    auto orbit = continue_orbit(own.system, neighbour.orbit, farthest_neighbour, stop);
+    if (!orbit) return std::nullopt;
     there.orbit = *std::move(orbit);
     there.rate = there.orbit.slowest_rate();
   }
