@@ -142,6 +142,33 @@ TEST(Notes, AreNotTakenOfWorkThatWasStopped) {
   EXPECT_EQ(kept.size(), 1u);
 }
 
+// Of short work, unless it is given up, nothing is kept where that is asked.
+TEST(Notes, AreKeptOnceTheyAreWorthIt) {
+  constexpr double for_ever = 1e9;
+  const auto ask_twice = [](NotePage& page) {
+    page.answer("one", nullptr, [] { return 1; });
+    page.answer("two", nullptr, [] { return 2; });
+  };
+  Kept kept;
+  Notes notes(into(kept), for_ever);
+  {
+    NotePage page(&notes, "done");
+    ask_twice(page);
+    page.finish();
+  }
+  EXPECT_TRUE(kept.empty());
+  {
+    NotePage page(&notes, "given up");
+    ask_twice(page);
+    EXPECT_TRUE(kept.empty());
+  }
+  EXPECT_EQ(kept.size(), 2u);
+  Notes soon(into(kept), 0.0);
+  NotePage page(&soon, "at once");
+  ask_twice(page);
+  EXPECT_EQ(kept.size(), 4u);
+}
+
 // Everything that a search finds, as far as the lanes and the catalogue show it.
 void expect_same(const Discovery& a, const Discovery& b) {
   EXPECT_EQ(a.seeds, b.seeds);

@@ -1,6 +1,7 @@
 // What long work has found out step by step, so that the same work goes on where it was stopped.
 #pragma once
 
+#include <chrono>
 #include <cstddef>
 #include <cstdint>
 #include <functional>
@@ -15,15 +16,16 @@
 
 namespace equipoise {
 
-/// Answers that earlier runs worked out, by page and number; new ones are handed on to whoever keeps them. The work has
-/// to ask the same questions in the same order whenever it is done.
+/// Answers that earlier runs worked out, by page and number; new ones are handed on to be kept. The work has to ask the
+/// same questions in the same order whenever it is done.
 class Notes {
  public:
   /// Called from any thread, never from two at once. What it throws comes out of the work.
   using Keep = std::function<void(std::uint64_t page, std::uint64_t number, const std::vector<char>& answer)>;
 
   Notes() = default;
-  explicit Notes(Keep keep) : keep_(std::move(keep)) {}
+  /// `worth`: a page's answers are kept once its work has taken so many seconds, or when it is given up.
+  explicit Notes(Keep keep, double worth = 0.0) : keep_(std::move(keep)), worth_(worth) {}
 
   /// Of an earlier run. To be called before the work begins.
   void know(std::uint64_t page, std::uint64_t number, std::vector<char> answer) {
@@ -43,17 +45,22 @@ class Notes {
   }
 
   Keep keep_;
+  double worth_ = 0.0;
   std::map<std::pair<std::uint64_t, std::uint64_t>, std::vector<char>> known_;
   std::mutex keeping_;
 };
 
-/// The notes of one piece of work.
+/// The notes of one piece of work, which is given up if the page goes before finish().
 class NotePage {
  public:
-  /// No notes are taken: every answer is worked out.
-  NotePage() = default;
-  /// `subject`: all that the work depends on. `notes` may be null.
+  /// `subject`: all that the work depends on. `notes` may be null: none are taken then, and every answer is worked out.
   NotePage(Notes* notes, const std::string& subject);
+  ~NotePage();
+  NotePage(const NotePage&) = delete;
+  NotePage& operator=(const NotePage&) = delete;
+
+  /// The work is done: answers that were not worth keeping until now never will be.
+  void finish() { waiting_.clear(); }
 
   /// What `work` gives, which is as it was noted, or is worked out and noted, unless `stop` is set by then. `question`:
   /// which one it answers.
@@ -65,7 +72,7 @@ class NotePage {
   /// The first of so many numbers for answers that are asked for side by side, from any thread.
   std::uint64_t reserve(std::size_t count) { return std::exchange(next_, next_ + count); }
   template <class Work>
-  auto answer_at(std::uint64_t number, const char* question, const StopFlag* stop, const Work& work) const {
+  auto answer_at(std::uint64_t number, const char* question, const StopFlag* stop, const Work& work) {
     using Answer = decltype(work());
     if (!notes_) return work();
     const std::uint64_t asked = number_of(question);
@@ -80,15 +87,21 @@ class NotePage {
     if (is_set(stop)) return result;  // it may have been cut short
     BytesOut out;
     out(asked, result);
-    notes_->keep(page_, number, out.take());
+    keep(number, out.take());
     return result;
   }
 
  private:
   static std::uint64_t number_of(const std::string& text);
+  void keep(std::uint64_t number, std::vector<char> answer);
+  void hand_on();
 
-  Notes* notes_ = nullptr;
-  std::uint64_t page_ = 0, next_ = 0;
+  Notes* const notes_;
+  const std::uint64_t page_;
+  std::uint64_t next_ = 0;
+  std::chrono::steady_clock::time_point begin_ = std::chrono::steady_clock::now();
+  std::vector<std::pair<std::uint64_t, std::vector<char>>> waiting_;  // by number
+  std::mutex writing_;
 };
 
 /// `page` may be null: no notes are taken.

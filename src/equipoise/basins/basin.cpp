@@ -253,6 +253,8 @@ class BasinRun {
   // A file may hold more starts than were asked for now. Its summary is of all that it holds; one that says so already
   // is left as it is.
   void finish_file(const RunTime& time) {
+    if (file_->complete() && file_->unfinished() == 0 && (finished_ || file_->stored() >= limit_))
+      return file_->forget_notes();
     if (unread_ || runner_->stopped()) return;  // before it knew the attractors by which outcomes are named
     const bool all = tally_->total() == file_->stored();
     if (file_->unfinished() == 0 && (!all || !finished_ || file_->complete())) return;

@@ -163,6 +163,7 @@ class Discoverer {
     if (!list_found(Seeds::listed)) return stopped();
     if (balance_box_) ask_for_balance();
     if (drawn_ && !follow_chaos()) return stopped();
+    if (!is_stopped()) notes_.finish();
     result_.rule.blind = false;
     result_.rule.at_horizon = study_.numerics.decide == DecideMode::horizon;
     return std::move(result_);

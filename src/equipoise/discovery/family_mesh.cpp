@@ -93,6 +93,7 @@ class MeshMaker {
     NotePage notes(settings_.notes, "judging\n" + search_key(box, settings));
     result.judgement = notes.answer("cost", settings_.stop, [&] { return judge(result.cell); });
     if (is_set(settings_.stop)) return std::nullopt;
+    notes.finish();
     result.cell.follows_open = result.judgement.follows_open;
     return result;
   }

@@ -47,6 +47,8 @@ class Journal {
   const std::string& identity() const { return identity_; }
   /// Those that are whole.
   const std::vector<Record>& records() const { return records_; }
+  /// So many bytes of the file are whole; 0: not even its header.
+  std::uint64_t whole_bytes() const { return end_; }
   /// Part of a record's payload.
   void read(const Record& record, std::uint64_t offset, std::size_t bytes, void* data) const;
 

@@ -4,13 +4,28 @@
 #include <utility>
 #include <vector>
 
+#include "equipoise/base/error.hpp"
+
 namespace equipoise::store {
 
+namespace {
+
+// A second or two of work nobody minds to see done again, and a sweep has it a thousand times.
+constexpr double worth_keeping = 2.0;
+
+}  // namespace
+
 std::unique_ptr<Notes> notes_kept_in(Journal& journal) {
-  auto notes =
-      std::make_unique<Notes>([&journal](std::uint64_t page, std::uint64_t number, const std::vector<char>& answer) {
+  const auto keep = [&journal, full = false](std::uint64_t page, std::uint64_t number,
+                                             const std::vector<char>& answer) mutable {
+    try {
+      if (!full)
         journal.append({.kind = Journal::Kind::note, .first = page, .count = number}, answer.data(), answer.size());
-      });
+    } catch (const RunError&) {  // results that it cannot take either will say so
+      full = true;
+    }
+  };
+  auto notes = std::make_unique<Notes>(keep, worth_keeping);
   for (const Journal::Record& record : journal.records()) {
     if (record.kind != Journal::Kind::note) continue;
     std::vector<char> answer(record.bytes);

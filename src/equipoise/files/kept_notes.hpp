@@ -8,8 +8,9 @@
 
 namespace equipoise::store {
 
-/// What earlier runs into this journal noted, and where new notes go. The journal outlives them. Work that takes notes
-/// throws RunError where the disk cannot take them.
+/// What earlier runs into this journal noted, and where new notes go: those of work that takes some seconds, and of all
+/// work that is given up. The journal outlives them. A disk that cannot take a note ends no work; from then on none is
+/// kept.
 std::unique_ptr<Notes> notes_kept_in(Journal& journal);
 
 /// Those that work on incomplete results goes on with stay, as notes alone; of complete ones nothing does.

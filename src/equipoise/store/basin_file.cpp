@@ -197,6 +197,8 @@ BasinFile::BasinFile(const std::string& path, const BasinFileHeader& header) : s
 
 Notes& BasinFile::notes() { return *state_->notes; }
 
+void BasinFile::forget_notes() { state_->journal->remove(); }
+
 BasinFile::~BasinFile() = default;
 
 std::uint64_t BasinFile::stored() const { return state_->stored; }

@@ -96,6 +96,8 @@ class BasinFile {
   std::vector<std::vector<double>> discoveries() const;
   /// Of the search for attractors, as far as runs came that did not finish.
   Notes& notes();
+  /// Leaves no notes behind: all that was asked for is in `path`.
+  void forget_notes();
   void append_discovery(const std::vector<double>& state);
   /// Writes the results: all that is stored, the summary of all of it, the resolved study; `complete` marks whether all
   /// requested starts are there. `time`: of this run; it is added to what earlier ones took. Nothing is written where

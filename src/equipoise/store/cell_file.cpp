@@ -82,7 +82,10 @@ void CellFile::append(std::size_t cell, const std::vector<std::uint8_t>& record)
 }
 
 void CellFile::finish(const std::function<void(const std::string&, const std::string&)>& write, Rest rest) {
-  if (!changed_ && std::filesystem::exists(path_)) return;
+  if (!changed_ && std::filesystem::exists(path_)) {
+    if (rest == Rest::nothing) journal_->remove();
+    return;
+  }
   write(path_, identity_);
   if (rest != Rest::all) leave_notes(*journal_, rest == Rest::nothing);
 }

@@ -90,7 +90,7 @@ void read_unfinished(Inspection& i) {
   i.version = identity.value("version");
   i.study = identity.study;
   add_question(identity, i);
-  std::uint64_t starts = 0, pixels = 0, trials = 0, ensembles = 0, notes = 0, end = 0;
+  std::uint64_t starts = 0, pixels = 0, trials = 0, ensembles = 0, notes = 0;
   std::set<std::uint64_t> cells;
   for (const store::Journal::Record& record : journal.records()) {
     if (record.kind == store::Journal::Kind::starts) starts = std::max(starts, record.first + record.count);
@@ -99,7 +99,6 @@ void read_unfinished(Inspection& i) {
     if (record.kind == store::Journal::Kind::trial) trials += record.count;
     if (record.kind == store::Journal::Kind::ensemble) ensembles += record.count;
     if (record.kind == store::Journal::Kind::note) ++notes;
-    end = record.end();
   }
   if (starts > 0) i.facts.emplace_back("starts done", fmt::format("up to number {}", starts));
   if (pixels > 0) i.facts.emplace_back("pixels done", fmt::format("{}", pixels));
@@ -108,7 +107,7 @@ void read_unfinished(Inspection& i) {
   if (!cells.empty()) i.facts.emplace_back("cells done", fmt::format("{}", cells.size()));
   if (notes > 0) i.facts.emplace_back("steps of the search", fmt::format("{}", notes));
   i.facts.emplace_back("sound records", fmt::format("{}", journal.records().size()));
-  if (end > 0 && i.bytes > end)
+  if (const std::uint64_t end = journal.whole_bytes(); end > 0 && i.bytes > end)
     i.damage = fmt::format("{} bytes at its end are cut off or damaged; all before them is sound and will be used",
                            i.bytes - end);
 }
