@@ -136,10 +136,17 @@ const KnownFeatures* nearest_known(const Features& own, const std::vector<KnownF
 
 namespace {
 
+bool rests(const Features& f, int balls) {
+  for (int i = 0; i < balls; ++i)
+    if (f[4 + 3 * i] < -rest_rate || f[5 + 3 * i] > rest_rate) return false;
+  return true;
+}
+
 // What repeats itself looks like that of another rotor at the least; if it may be chaos, like that. Null where several
-// attractors do.
+// attractors do, and of what may be on its way to rest, which looks like any slow motion.
 const KnownFeatures* only_one_like(const Features& f, const DecisionRule& rule, const OwnRotor* own) {
   const KnownFeatures* found = nullptr;
+  if (rests(f, rule.balls)) return found;
   for (const KnownFeatures& known : rule.known) {
     const Features here = brought_back(f, known.trend, shifts_of(own), rule.balls);
     if (!same_motion(known.features, here, rule.balls, other_rotor)) continue;
