@@ -14,9 +14,6 @@ namespace equipoise {
 
 namespace {
 
-// How well the windows of one rotor's motion agree with those of another's.
-constexpr double other_rotor = 0.3;
-
 // Below this a ball counts as at rest when rates are compared: a hundredth of a radian in half a time unit of the
 // rotor.
 constexpr double rest_rate = 0.02;
@@ -134,30 +131,6 @@ const KnownFeatures* nearest_known(const Features& own, const std::vector<KnownF
   return nearest;
 }
 
-namespace {
-
-bool rests(const Features& f, int balls) {
-  for (int i = 0; i < balls; ++i)
-    if (f[4 + 3 * i] < -rest_rate || f[5 + 3 * i] > rest_rate) return false;
-  return true;
-}
-
-// What repeats itself looks like that of another rotor at the least; if it may be chaos, like that. Null where several
-// attractors do, and of what may be on its way to rest, which looks like any slow motion.
-const KnownFeatures* only_one_like(const Features& f, const DecisionRule& rule, const OwnRotor* own) {
-  const KnownFeatures* found = nullptr;
-  if (rests(f, rule.balls)) return found;
-  for (const KnownFeatures& known : rule.known) {
-    const Features here = brought_back(f, known.trend, shifts_of(own), rule.balls);
-    if (!same_motion(known.features, here, rule.balls, other_rotor)) continue;
-    if (found && found->attractor != known.attractor) return nullptr;
-    if (!found || known.chaotic) found = &known;
-  }
-  return found;
-}
-
-}  // namespace
-
 void WindowTracker::begin(const DecisionRule& rule, const OwnRotor* own) {
   rule_ = &rule;
   own_ = own;
@@ -239,7 +212,6 @@ WindowVerdict WindowTracker::finish_long_window() {
   chaotic_ = chaotic;
   if (repeats_ < rule_->repeats_needed && chaotic_repeats_ < rule_->repeats_needed) return {};
   if (repeats_ < rule_->repeats_needed) return {true, chaotic};
-  if (!known && own_) known = only_one_like(f, *rule_, own_);
   if (known && may_end(known->chaos)) return {};
   return {true, known ? known->attractor : 0};
 }
@@ -251,6 +223,7 @@ bool WindowTracker::may_end(int chaos) const {
 }
 
 int WindowTracker::chaos_in(const Features& f) const {
+  constexpr double other_rotor = 0.3;  // as that of one rotor looks beside that of another
   const bool has_lasted = rule_->chaos_lasts > 0.0 && elapsed_ >= rule_->chaos_lasts;
   const KnownFeatures* known = nearest_known(f, rule_->known, rule_->balls, shifts_of(own_));
   if (!known && has_lasted) known = nearest_known(f, rule_->known, rule_->balls, shifts_of(own_), other_rotor);
