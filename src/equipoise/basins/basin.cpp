@@ -161,9 +161,9 @@ class BasinRun {
 
   void make_runner() {
     const Study& study = result_.study;
-    BasinOptions options = options_;
-    if (file_) options.notes = &file_->notes();
-    runner_ = ensemble_runner(study, options, discoveries_);
+    DiscoverySettings search = search_settings(options_, &discoveries_);
+    if (file_) search.notes = &file_->notes();
+    runner_ = equipoise::make_runner(study, search, gathers_);
     tally_.emplace(*sampler_, study.sampling.seed, runner_->settled());
     transients_.emplace(study, *sampler_);
     filed_.clear();

@@ -32,9 +32,9 @@ constexpr double worth_two_searches = 0.5;
 // small before it knows more.
 constexpr double better = 0.85, much_to_gain = 25.0;
 constexpr int at_first = 3;
-// Of starts that the horizon leaves open so many are followed alone, for as long again as long as chaos that lasts is
-// told from chaos that ends; if fewer than half come to something by then, they are left open. If not, so many are
-// followed on together.
+// Of starts that the horizon leaves open so many are followed alone, for as long again but no longer than
+// lasting_chaos. If fewer than half come to something by then, they are left open. If not, so many are followed on
+// together.
 constexpr std::size_t looked_at = 8, followed_on = 64;
 
 // What a start costs in a cell, by halves of every axis too.

@@ -20,8 +20,8 @@ struct FamilyCell {
   Discovery discovery;
   /// Identifiers of its attractors in the mesh's catalogue, by those that they have in its own.
   std::vector<int> ids;
-  bool follows_open =
-      true;  ///< starts that the horizon leaves open mostly come to something soon if they are followed on
+  /// Starts that the horizon leaves open mostly come to something soon if they are followed on.
+  bool follows_open = true;
   /// So much longer than to the horizon those are followed together then, before one is alone.
   static constexpr double further = motion_patience;
   double beyond_horizon() const { return follows_open ? further : 0.0; }

@@ -173,11 +173,10 @@ MapStore::MapStore(const std::string& path, const store::MapFileHeader& header) 
   s.require_same(s.journal->identity(), s.path + ".part");
   if (!complete()) {
     for (const store::Journal::Record& record : s.journal->records()) s.take(record);
+    s.notes = store::notes_kept_in(*s.journal);
   } else if (!s.journal->records().empty()) {  // a kill came before that
     s.journal->remove();
-    return;
   }
-  s.notes = store::notes_kept_in(*s.journal);
 }
 
 Notes& MapStore::notes() { return *state_->notes; }

@@ -43,14 +43,13 @@ class MapStore : public PixelStore {
   /// A code that pixels have from now on.
   void append_code(const MapCode& code);
   void append_discovery(const std::vector<double>& state);
-  /// Of the search for attractors, as far as runs came that did not finish.
+  /// Of the search for attractors, as far as runs came that did not finish. Not of a map that is complete.
   Notes& notes();
   /// Of a map that is not complete, only what was computed.
   void read_rows(int first, int rows, MapPixel* pixels) const override;
 
-  /// Writes the results by `write`, which is handed where; then the unfinished part is removed, but for the search of a
-  /// map that is not `complete`. Throws RunError, with
-  /// everything kept as it was, if the disk cannot take them.
+  /// Has `write` write the results to the path that it is given. Then removes the unfinished part, but for the search
+  /// of a map that is not `complete`. Throws RunError, with everything kept as it was, if the disk cannot take them.
   void finish(const std::function<void(const std::string& path)>& write, bool complete);
 
  private:
