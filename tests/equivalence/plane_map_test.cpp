@@ -18,6 +18,7 @@
 #include "equipoise/branches/parameter_line.hpp"
 #include "equipoise/drawing/map_plot.hpp"
 #include "equipoise/files/netcdf.hpp"
+#include "equipoise/maps/line_motions.hpp"
 #include "equipoise/maps/plane_map.hpp"
 #include "equipoise/maps/start_pixels.hpp"
 #include "equipoise/model/linearisation.hpp"
@@ -98,7 +99,7 @@ std::string fresh(const std::string& name) {
 }
 
 TEST(PlaneMap, SameBitsForAnyNumberOfThreads) {
-  for (PlaneMapSettings settings : {angle_plane(3, 6), mass_plane(4, 4), both_angles(40, 30)}) {
+  for (PlaneMapSettings settings : {angle_plane(3, 32), mass_plane(4, 4), both_angles(40, 30)}) {
     settings.threads = 1;
     const PlaneMap one = plane_map(rotor(), settings);
     settings.threads = 3;
@@ -111,7 +112,6 @@ TEST(PlaneMap, SameBitsForAnyNumberOfThreads) {
   }
 }
 
-// What the pixels of a line tell one another saves work and must not change what is found.
 TEST(PlaneMap, PixelsComeToWhatTheirTrajectoriesComeToAlone) {
   for (const PlaneMapSettings& settings : {angle_plane(4, 5), mass_plane(4, 4), both_angles(6, 6)}) {
     const PlaneMap map = plane_map(rotor(), settings);
@@ -128,8 +128,8 @@ TEST(PlaneMap, PixelsComeToWhatTheirTrajectoriesComeToAlone) {
           EXPECT_EQ(name_of(map, at), name) << column << ", " << row;
         }
         // Orbits are refined to 1e-11; tori and chaos are measured. Of rotors that differ the last window tells: it is
-        // believed once windows agree to 2 % (DecisionRule::sameness), while what is left may still be dying out. Beside
-        // a period doubling that was measured to be 1.2 %.
+        // believed once windows agree to 2 % (DecisionRule::sameness), while what is left may still be dying out.
+        // Beside a period doubling that was measured to be 1.2 %.
         if (alone && alone->kind <= MotionKind::periodic) {
           const double tolerance = maps_starts(map) ? 1e-8 : 0.02 * alone->r_max + 1e-8;
           EXPECT_NEAR(map.r_max[at], alone->r_max, tolerance) << column << ", " << row;
@@ -189,6 +189,60 @@ int compare_with_long(const PlaneMap& map, double slack) {
                                         << " in place of " << r;
     }
   return compared;
+}
+
+// What some pixels of a line come to names the others: it saves work and must not change what is found. Here a motion
+// that the mesh does not list takes a third of every column.
+TEST(PlaneMap, WhatPixelsOfALineTellOneAnotherIsWhatTheyComeToAlone) {
+  PlaneMapSettings settings = angle_plane(2, 64);
+  settings.x.low = 0.0462;
+  settings.x.high = 0.0470;
+  const PlaneMap together = plane_map(rotor(), settings);
+  for (int column = 0; column < 2; ++column) {
+    PlaneMapSettings line = both_angles(1, 64);  // starts of one rotor: its own search lists what it has
+    line.x = {"initial.phi_dot_1", -0.001, 0.001, 1};
+    line.y = settings.y;
+    line.links = settings.links;
+    const PlaneMap alone = plane_map(study_with(rotor(), settings.x.key, settings.x.centre(column)), line);
+    for (int row = 0; row < 64; ++row)
+      EXPECT_EQ(name_of(together, together.at(column, row)), name_of(alone, alone.at(0, row))) << column << ", " << row;
+  }
+}
+
+// Balls that are captured, each in its own way, are what the mesh of so few starts does not list.
+TEST(PlaneMap, LooksAlongLinesThatAreLongEnoughToPay) {
+  PlaneMap map;
+  map.study = with_horizon(rotor());
+  map.x = {"rotor.eccentricity", 0.0462, 0.0470, 2};
+  map.y = {"initial.phi_1", 0.0, two_pi, 64};
+  map.threads = 2;
+  const StudyFamily family({{[](double f) { return 0.0462 + 0.0008 * f; }}},
+                           [&](std::span<const double> v) { return study_with(map.study, map.x.key, v[0]); });
+  const StartRunner runner(map.study, family, {128.0, 2.0}, {});
+  const auto start = [&](std::uint32_t position) {
+    const double value = map.x.centre(static_cast<int>(position % 2));
+    FamilyStart s;
+    s.own.study = family.at(std::vector{value});
+    const double angle = two_pi * (position / 2u) / map.y.pixels;
+    s.own.study.initial.phi[0] = angle;
+    s.own.study.initial.phi[1] = angle + pi;
+    s.own.start = s.own.study.initial;
+    s.fractions = {(value - map.x.low) / (map.x.high - map.x.low)};
+    return s;
+  };
+  EXPECT_FALSE(LineMotions::pays(31));
+  EXPECT_TRUE(LineMotions::pays(32));
+  LineMotions lines(map, true, runner, nullptr);
+  EXPECT_TRUE(lines.look_along({0, 1}, start, {}));
+  for (const std::uint32_t position : {0u, 1u}) {
+    ASSERT_FALSE(lines.at(position).motions.empty());
+    for (const Motion& motion : lines.at(position).motions)
+      EXPECT_EQ(motion_name(start(position).own.study.parameters, motion).name, "both captured");
+  }
+  StopFlag stop{true};
+  RunOptions stopped;
+  stopped.stop = &stop;
+  EXPECT_FALSE(LineMotions(map, true, runner, nullptr).look_along({0}, start, stopped));
 }
 
 TEST(PlaneMap, LongAccurateTrajectoriesShakeAsTheMapSays) {
@@ -419,7 +473,7 @@ TEST(PlaneMap, FileHoldsWhatTheMapHolds) {
 TEST(PlaneMap, StoppedAndResumedItLeavesTheSameFile) {
   PlaneMapSettings blocks = both_angles(60, 50);
   blocks.block = 8;
-  for (PlaneMapSettings settings : {both_angles(40, 35), mass_plane(4, 3), angle_plane(2, 17), blocks}) {
+  for (PlaneMapSettings settings : {both_angles(40, 35), mass_plane(4, 3), angle_plane(2, 33), blocks}) {
     settings.output = fresh("undisturbed.nc");
     const PlaneMap whole = plane_map(rotor(), settings);
     EXPECT_TRUE(whole.complete);

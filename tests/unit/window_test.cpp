@@ -9,6 +9,7 @@
 #include "equipoise/basins/attractors.hpp"
 #include "equipoise/deciding/window_features.hpp"
 #include "equipoise/lanes/lane_block-inl.hpp"
+#include "equipoise/lanes/own_rotor.hpp"
 #include "equipoise/model/flow-inl.hpp"
 #include "equipoise/study/study.hpp"
 
@@ -144,6 +145,27 @@ TEST(Windows, OfRotorsThatDifferWhatLooksLikeTwoMotionsIsNeither) {
   EXPECT_EQ(nearest_known(f, known, 2)->attractor, 3);
   EXPECT_EQ(nearest_known(f, known, 2, none.data()), nullptr);
   EXPECT_EQ(nearest_known(f, {known[0], known[0]}, 2, none.data())->attractor, 3);
+}
+
+// What other starts of the same rotor came to; a motion that repeats has to be that to the 2 % that count as no change.
+TEST(Windows, MotionsMetBeforeNameWhatTheRuleDoesNotList) {
+  const DecisionRule rule;
+  const std::vector<KnownFeatures> met{{features(circling(-1.0, 0.1), 2, true), -1},
+                                       {features(circling(-2.0, 0.1), 2, true), -2, true}};
+  OwnRotor rotor{model::System(model::Parameters{}, {})};
+  const auto told = [&](double rate) {
+    WindowTracker tracker;
+    tracker.begin(rule, &rotor);
+    for (int k = 0; k < 400; ++k)
+      if (const WindowVerdict verdict = tracker.add(circling(rate, 0.1)); verdict.decided) return verdict.attractor;
+    return 99;
+  };
+  EXPECT_EQ(told(-1.01), 0);
+  rotor.met = &met;
+  EXPECT_EQ(told(-1.01), -1);
+  EXPECT_EQ(told(-1.03), 0);
+  EXPECT_EQ(told(-2.06), -2);
+  EXPECT_EQ(told(-3.0), 0);
 }
 
 TEST(Windows, ChaosIsKnownByWindowsThatResembleItWithoutRepeating) {

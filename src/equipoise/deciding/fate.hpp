@@ -26,7 +26,9 @@ const char* name_of(Outcome outcome);  ///< its one word, as results and files h
 struct Fate {
   Outcome outcome = Outcome::undecided;
   DecidedBy by = DecidedBy::nothing;
-  short attractor = 0;  ///< identifier in the catalogue, from 1; 0: none, or stationary in a way the rule does not list
+  /// Identifier in the catalogue, from 1; 0: none, or stationary in a way the rule does not list. Below 0, until its
+  /// motion is listed: of OwnRotor::met.
+  short attractor = 0;
   double time = 0.0;    ///< study time at which it was known
   /// Of a driven rotor: mean psi' of the motion it came to, or, of an undecided start, when it was last seen; signed.
   /// NaN where it was never measured, and for all others.

@@ -131,6 +131,11 @@ const KnownFeatures* nearest_known(const Features& own, const std::vector<KnownF
   return nearest;
 }
 
+const KnownFeatures* nearest_met(const Features& f, const std::vector<KnownFeatures>& met, int balls, double sameness) {
+  const KnownFeatures* nearest = nearest_known(f, met, balls);
+  return nearest && (nearest->chaotic || same_motion(nearest->features, f, balls, sameness)) ? nearest : nullptr;
+}
+
 void WindowTracker::begin(const DecisionRule& rule, const OwnRotor* own) {
   rule_ = &rule;
   own_ = own;
@@ -177,8 +182,7 @@ int WindowTracker::attractor_now() const {
 
 int WindowTracker::attractor_at_end() const {
   if (const int attractor = attractor_now()) return attractor;
-  const KnownFeatures* known =
-      has_previous_ ? nearest_known(previous_, rule_->known, rule_->balls, shifts_of(own_)) : nullptr;
+  const KnownFeatures* known = has_previous_ ? known_by(previous_) : nullptr;
   return known && !may_end(known->chaos) ? known->attractor : 0;
 }
 
@@ -206,8 +210,8 @@ WindowVerdict WindowTracker::finish_long_window() {
   long_end_ *= 2.0;
   fresh_ = fresh_range_ = true;
   repeats_ = repeats ? repeats_ + 1 : 0;
-  const KnownFeatures* known = nearest_known(f, rule_->known, rule_->balls, shifts_of(own_));
-  const int chaotic = chaos_in(f);
+  const KnownFeatures* known = known_by(f);
+  const int chaotic = chaos_in(f, known);
   chaotic_repeats_ = chaotic && chaotic == chaotic_ ? chaotic_repeats_ + 1 : 0;
   chaotic_ = chaotic;
   if (repeats_ < rule_->repeats_needed && chaotic_repeats_ < rule_->repeats_needed) return {};
@@ -222,11 +226,17 @@ bool WindowTracker::may_end(int chaos) const {
   return !(own_ && number < own_->chaos_lasts.size() && own_->chaos_lasts[number]);
 }
 
-int WindowTracker::chaos_in(const Features& f) const {
+const KnownFeatures* WindowTracker::known_by(const Features& f) const {
+  if (own_ && own_->met) return nearest_met(f, *own_->met, rule_->balls, rule_->sameness);
+  return nearest_known(f, rule_->known, rule_->balls, shifts_of(own_));
+}
+
+int WindowTracker::chaos_in(const Features& f, const KnownFeatures* known) const {
   constexpr double other_rotor = 0.3;  // as that of one rotor looks beside that of another
   const bool has_lasted = rule_->chaos_lasts > 0.0 && elapsed_ >= rule_->chaos_lasts;
-  const KnownFeatures* known = nearest_known(f, rule_->known, rule_->balls, shifts_of(own_));
-  if (!known && has_lasted) known = nearest_known(f, rule_->known, rule_->balls, shifts_of(own_), other_rotor);
+  const bool alone = !own_ || !own_->met;
+  if (!known && has_lasted && alone && repeats_ == 0)
+    known = nearest_known(f, rule_->known, rule_->balls, shifts_of(own_), other_rotor);
   return known && known->chaotic && !may_end(known->chaos) ? known->attractor : 0;
 }
 

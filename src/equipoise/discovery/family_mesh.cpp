@@ -26,6 +26,8 @@ constexpr int most_halvings = 10;
 constexpr double soon = 200.0;
 // To follow a start that a cell's rule does not know; to search a cell.
 constexpr double dear = 2000.0, a_search = 3e5;
+// Of the starts of one rotor so many are followed so.
+constexpr double met_by_a_rotor = 2.0;
 // Cells are halved while two searches more cost less than this part of all that their starts do.
 constexpr double worth_two_searches = 0.5;
 // Halves that are not better by so much are not kept, but at first: a part that knows next to nothing has to become
@@ -56,7 +58,7 @@ struct Tried {
 
 class MeshMaker {
  public:
-  MeshMaker(const StudyFamily& family, double starts, const DiscoverySettings& settings)
+  MeshMaker(const StudyFamily& family, const FamilyStarts& starts, const DiscoverySettings& settings)
       : family_(family), starts_(starts), settings_(settings) {
     if (settings.progress)
       settings_.progress = [this, &settings](const Progress& progress) {
@@ -100,7 +102,7 @@ class MeshMaker {
 
   // Halves while it pays, along the axis whose halves differ most.
   bool divide(Tried whole, int depth) {
-    const double starts = starts_ * volume(whole.cell.box), to_gain = starts * whole.judgement.cost / a_search;
+    const double starts = starts_.count * volume(whole.cell.box), to_gain = starts * whole.judgement.cost / a_search;
     if (depth < most_halvings && 2.0 < worth_two_searches * to_gain) {
       const std::size_t axis = axis_of(whole);
       std::array<std::optional<Tried>, 2> halves;
@@ -156,12 +158,13 @@ class MeshMaker {
     judgement.follows_open = settle(starts, fates, open, std::min(horizon, lasting_chaos));
     if (is_set(settings_.stop)) return judgement;
     if (judgement.follows_open && !follow_on(task, open, cell, starts, fates)) return judgement;
+    const double unknown = dear * std::min(1.0, met_by_a_rotor * starts_.rotors / starts_.count);
     std::vector<double> costs;
     for (std::size_t i = 0; i < judged; ++i) {
       const bool is_open = fates[i].outcome == Outcome::undecided;
       const bool followed =
           is_open ? judgement.follows_open : fates[i].outcome == Outcome::attracted && fates[i].attractor == 0;
-      costs.push_back((fates[i].time - starts.begins[i]) / soon + (followed ? dear : 0.0));
+      costs.push_back((fates[i].time - starts.begins[i]) / soon + (followed ? unknown : 0.0));
       judgement.cost += costs.back() / judged;
     }
     for (std::size_t k = 0; k < family_.size(); ++k) judgement.unlike.push_back(unlikeness(costs, source, k));
@@ -233,7 +236,7 @@ class MeshMaker {
   }
 
   const StudyFamily& family_;
-  const double starts_;
+  const FamilyStarts starts_;
   DiscoverySettings settings_;
   std::mutex telling_;  // two searches are under way at once
   FamilyMesh mesh_;
@@ -257,7 +260,7 @@ std::optional<double> FamilyMesh::largest_radius(const StudyFamily& family, int 
   return features ? std::optional((*features)[radius_feature]) : std::nullopt;
 }
 
-FamilyMesh discover_mesh(const StudyFamily& family, double starts, const DiscoverySettings& settings) {
+FamilyMesh discover_mesh(const StudyFamily& family, const FamilyStarts& starts, const DiscoverySettings& settings) {
   return MeshMaker(family, starts, settings).run();
 }
 

@@ -46,10 +46,14 @@ struct FamilyMesh {
                                        std::span<const double> fractions) const;
 };
 
-/// Starts for which the mesh of a study with uncertain values is made, however many are decided by it in the end.
-inline constexpr double usual_starts = 1e5;
+/// For what a mesh is made.
+struct FamilyStarts {
+  /// Of a study with uncertain values always as many, however many are decided by its mesh in the end.
+  double count = 1e5;
+  double rotors = count;  ///< where starts share one, what one comes to names what others do (FamilyStart::met)
+};
 
-/// As fine as pays for so many `starts`. Depends on these, the family and settings.seeds alone.
-FamilyMesh discover_mesh(const StudyFamily& family, double starts, const DiscoverySettings& settings);
+/// As fine as pays for these starts. Depends on them, the family and settings.seeds alone.
+FamilyMesh discover_mesh(const StudyFamily& family, const FamilyStarts& starts, const DiscoverySettings& settings);
 
 }  // namespace equipoise

@@ -9,6 +9,7 @@
 
 #include <fmt/format.h>
 
+#include "equipoise/deciding/window_features.hpp"
 #include "equipoise/discovery/cost.hpp"
 #include "equipoise/discovery/horizon.hpp"
 #include "equipoise/fates/last_speed.hpp"
@@ -154,6 +155,7 @@ struct StartRunner::Batch {
   TransientTable table;
   bool watched = false;
   std::vector<Fate> fates;
+  std::optional<std::vector<PilotRecord>> records;  // of all starts, if wanted
 
   const Study& study(const StartRunner& runner, std::size_t i) const {
     return own.empty() ? runner.study_ : own[i].own.study;
@@ -203,15 +205,16 @@ FamilyMesh StartRunner::mesh_of(const Study& study, const StudyFamily& family, c
   subject.limits = {};
   DiscoverySettings of_family = settings;
   of_family.family = to_toml(subject);
-  if (!settings.cache) return discover_mesh(family, usual_starts, of_family);
+  if (!settings.cache) return discover_mesh(family, {}, of_family);
   std::string key = search_key(of_family.family, settings);
   if (const auto at = settings.cache->meshes.find(key); at != settings.cache->meshes.end()) return *at->second;
-  FamilyMesh mesh = discover_mesh(family, usual_starts, of_family);
+  FamilyMesh mesh = discover_mesh(family, {}, of_family);
   if (!mesh.stopped) settings.cache->meshes.emplace(std::move(key), std::make_shared<const FamilyMesh>(mesh));
   return mesh;
 }
 
-StartRunner::StartRunner(const Study& study, StudyFamily family, double starts, const DiscoverySettings& settings)
+StartRunner::StartRunner(const Study& study, StudyFamily family, const FamilyStarts& starts,
+                         const DiscoverySettings& settings)
     : study_(with_horizon(study)),
       stop_(settings.stop),
       system_(study.system()),
@@ -276,6 +279,7 @@ bool StartRunner::decide_some(Batch& batch, const std::vector<std::size_t>& plac
     const FamilyCell& cell = mesh_.cells[batch.cell[i]];
     starts.rotors[i].coordinates = family_->coordinates(cell.box, batch.own[i].fractions);
     cell.discovery.place(starts.rotors[i]);
+    if (const MetMotions* met = batch.own[i].met) starts.rotors[i].met = &met->known;
     own.push_back(&starts.rotors[i]);
     if (batch.watched) rows.own.push_back(batch.table.own[i]);
   }
@@ -286,10 +290,13 @@ bool StartRunner::decide_some(Batch& batch, const std::vector<std::size_t>& plac
   if (batch.watched) task.transients = &rows;
   std::vector<Fate> decided(places.size());
   for (std::size_t k = 0; k < places.size(); ++k) decided[k].met = starts.fates[places[k]].met;
-  if (!decide_lanes(task, rule, decided, nullptr)) return false;
+  std::vector<PilotRecord> records(batch.records ? places.size() : 0);
+  if (!decide_lanes(task, rule, decided, batch.records ? &records : nullptr)) return false;
+  if (batch.records) batch.records->resize(starts.size());
   for (std::size_t k = 0; k < places.size(); ++k) {
     const std::size_t i = places[k];
     batch.fates[i] = decided[k];
+    if (batch.records) (*batch.records)[i] = records[k];
     std::copy_n(&states[k * size], size, &starts.states[i * size]);
     if (batch.watched) batch.table.rows[i] = rows.rows[k];
   }
@@ -368,22 +375,57 @@ bool StartRunner::run_family(std::vector<FamilyStart> given, std::vector<Fate>& 
                              std::vector<UnlistedStart>& unlisted, std::vector<TransientRow>* rows) const {
   if (system_.coasts()) return run_coasting(given, fates, unlisted, rows);
   Batch batch;
-  batch.watched = rows != nullptr;
+  if (!begin_family(std::move(given), rows != nullptr, batch) || !finish(batch, fates, unlisted, rows)) return false;
+  for (std::size_t i = 0; i < fates.size(); ++i)
+    if (const auto& scales = batch.own[i].own.study.scales)
+      change_units(*scales, *study_.scales, fates[i], rows ? &(*rows)[i] : nullptr);
+  return true;
+}
+
+bool StartRunner::begin_family(std::vector<FamilyStart> given, bool watched, Batch& batch) const {
+  batch.watched = watched;
   batch.table = {transients_, {}, ends_};
   std::vector<OwnStart> starts;
   for (const FamilyStart& g : given) {
     starts.push_back(g.own);
     batch.cell.push_back(mesh_.index(g.fractions));
-    if (batch.watched) batch.table.own.push_back(transient_settings(g.own.study));
+    if (watched) batch.table.own.push_back(transient_settings(g.own.study));
   }
   batch.own = std::move(given);
-  if (!spin_up_own(starts, stop_, batch.starts, rows ? &batch.table : nullptr)) return false;
+  if (!spin_up_own(starts, stop_, batch.starts, watched ? &batch.table : nullptr)) return false;
   for (std::size_t i = 0; i < starts.size(); ++i)
     batch.starts.rotors[i].end += mesh_.cells[batch.cell[i]].beyond_horizon();
-  if (!finish(batch, fates, unlisted, rows)) return false;
-  for (std::size_t i = 0; i < fates.size(); ++i)
-    if (const auto& scales = batch.own[i].own.study.scales)
-      change_units(*scales, *study_.scales, fates[i], rows ? &(*rows)[i] : nullptr);
+  return true;
+}
+
+// One after the other, so that each motion is followed once.
+bool StartRunner::meet(std::vector<FamilyStart> given, std::span<const std::size_t> rotor,
+                       std::span<MetMotions> met) const {
+  Batch batch;
+  batch.records.emplace();
+  if (!begin_family(std::move(given), false, batch) || !decide(batch)) return false;
+  const int balls = study_.parameters.balls;
+  std::vector<char> restless(met.size());  // one of the rotor's starts comes to nothing
+  for (std::size_t i = 0; i < batch.fates.size(); ++i) {
+    const Fate& fate = batch.fates[i];
+    const PilotRecord& record = (*batch.records)[i];
+    const bool stationary = fate.outcome == Outcome::attracted && fate.attractor == 0;
+    const bool open = fate.outcome == Outcome::undecided && !batch.starts.is_over(i) && !restless[rotor[i]];
+    if (!(stationary || open) || !record.finished_window) continue;
+    const Features& shown = record.features;
+    auto& [known, motions] = met[rotor[i]];
+    if (nearest_met(shown, known, balls, mesh_.cells[batch.cell[i]].discovery.rule.sameness)) continue;
+    const std::optional<UnlistedStart> start = unlisted_start(batch, i, fate.time, lasting_chaos);
+    if (!start) return false;
+    restless[rotor[i]] = open && !start->motion;
+    // Balls that dry friction holds stay each where they are.
+    if (!start->motion || !start->motion->stable || start->motion->set_valued) continue;
+    motions.push_back(*start->motion);
+    const MotionKind kind = start->motion->kind;
+    const bool never_quite_repeats = kind == MotionKind::quasi_periodic || kind == MotionKind::chaotic;
+    known.push_back(
+        {.features = shown, .attractor = -static_cast<int>(motions.size()), .chaotic = never_quite_repeats});
+  }
   return true;
 }
 
@@ -430,12 +472,14 @@ bool StartRunner::finish(Batch& batch, std::vector<Fate>& fates, std::vector<Unl
     if (open) fate.outcome = Outcome::attracted;
     const bool attracted = fate.outcome == Outcome::attracted;
     std::optional<MotionFigures> end;
-    if (attracted && fate.attractor == 0) {
+    if (attracted && fate.attractor <= 0) {
       // A watched trajectory has gone on since it was decided.
       const double now = rows ? batch.table.rows[i].end : fate.time;
-      std::optional<UnlistedStart> start = unlisted_start(batch, i, now, open ? a_look : lasting_chaos);
+      std::optional<UnlistedStart> start =
+          fate.attractor < 0 ? met_again(batch, i, fate) : unlisted_start(batch, i, now, open ? a_look : lasting_chaos);
       if (!start) return false;
       unlisted.push_back(*std::move(start));
+      fate.attractor = 0;
       fate.by = DecidedBy::followed;
       const auto& motion = unlisted.back().motion;
       if (motion && !system.prescribed()) fate.mean_speed = static_cast<float>(motion->speed);
@@ -524,6 +568,12 @@ std::optional<UnlistedStart> StartRunner::unlisted_start(const Batch& batch, std
   }
   if (start) start->place = i;
   return start;
+}
+
+UnlistedStart StartRunner::met_again(const Batch& batch, std::size_t i, const Fate& fate) const {
+  const Motion& motion = batch.own[i].met->motions[static_cast<std::size_t>(-fate.attractor - 1)];
+  return {
+      i, {motion.state.begin(), motion.state.end()}, motion, motion_name(batch.system(*this, i).parameters(), motion)};
 }
 
 std::vector<UndecidedEnd> StartRunner::look_at(const std::vector<InitialState>& undecided) const {

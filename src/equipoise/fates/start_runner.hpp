@@ -38,10 +38,16 @@ struct DrawnStart {
   std::uint64_t number = 0;
   std::vector<double> fractions;
 };
+/// Motions of one rotor of a family that the mesh does not list.
+struct MetMotions {
+  std::vector<KnownFeatures> known;  ///< as OwnRotor::met
+  std::vector<Motion> motions;
+};
 /// A start whose study is its own, and where that lies in the family (discovery/study_family.hpp).
 struct FamilyStart {
   OwnStart own;
   std::vector<double> fractions;
+  const MetMotions* met = nullptr;  ///< by other starts of its rotor, if that is known
 };
 
 /// Everything about a study that all its starts share; of one with uncertain values, about all rotors that they draw.
@@ -50,8 +56,8 @@ class StartRunner : public Runner {
   /// Spins up and discovers the attractors. The study has passed check_runnable(). Ask stopped() afterwards.
   /// `transients`: run() can be asked for rows.
   StartRunner(const Study& study, const DiscoverySettings& settings, bool transients = false);
-  /// Of the starts of a family, about so many, by run_family(); `study` is one of it, in whose units fates are.
-  StartRunner(const Study& study, StudyFamily family, double starts, const DiscoverySettings& settings);
+  /// Of such starts of a family, by run_family(); `study` is one of it, in whose units fates are.
+  StartRunner(const Study& study, StudyFamily family, const FamilyStarts& starts, const DiscoverySettings& settings);
 
   bool run(std::uint64_t first, std::size_t count, std::vector<double>& phi, std::vector<Fate>& fates,
            std::vector<UnlistedStart>& unlisted, std::vector<TransientRow>* rows = nullptr) const override;
@@ -69,6 +75,9 @@ class StartRunner : public Runner {
   /// Fates of starts of rotors that the study's family holds.
   bool run_family(std::vector<FamilyStart> given, std::vector<Fate>& fates, std::vector<UnlistedStart>& unlisted,
                   std::vector<TransientRow>* rows = nullptr) const;
+  /// What such starts come to that the mesh does not list; `rotor`: of each start the place of its rotor's motions in
+  /// `met`. Starts with one rotor only; no rotors that coast. False if stopped.
+  bool meet(std::vector<FamilyStart> given, std::span<const std::size_t> rotor, std::span<MetMotions> met) const;
 
   const Catalogue& catalogue() const override { return catalogue_; }
   BalanceNote balance() const override;
@@ -86,11 +95,13 @@ class StartRunner : public Runner {
                     std::vector<TransientRow>* rows) const;
   static FamilyMesh mesh_of(const Study& study, const StudyFamily& family, const DiscoverySettings& settings);
   struct Batch;
+  bool begin_family(std::vector<FamilyStart> given, bool watched, Batch& batch) const;
   bool decide(Batch& batch) const;
   bool decide_some(Batch& batch, const std::vector<std::size_t>& places, const DecisionRule& rule) const;
   bool finish(Batch& batch, std::vector<Fate>& fates, std::vector<UnlistedStart>& unlisted,
               std::vector<TransientRow>* rows) const;
   std::optional<UnlistedStart> unlisted_start(const Batch& batch, std::size_t i, double now, double patience) const;
+  UnlistedStart met_again(const Batch& batch, std::size_t i, const Fate& fate) const;
   double mean_speed(const Batch& batch, std::size_t i, const Fate& fate) const;
   bool note_last_speeds(Batch& batch) const;
   void note_unbalance(const Batch& batch, std::size_t i, Fate& fate) const;
@@ -107,7 +118,7 @@ class StartRunner : public Runner {
   Sampler sampler_;
   Discovery discovery_;  // of one rotor
   std::optional<StudyFamily> family_;
-  FamilyMesh mesh_;  // of many
+  FamilyMesh mesh_;             // of many
   Catalogue catalogue_;         // grows by list(), while run() reads the one that was discovered
   std::vector<KnownEnd> ends_;  // by identifier, of the attractors known beforehand; for transients only
 };

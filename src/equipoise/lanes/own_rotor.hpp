@@ -9,6 +9,8 @@
 
 namespace equipoise {
 
+struct KnownFeatures;
+
 /// Of the same kind as the task's: as many balls, a state of the same size and section, a motor or none.
 struct OwnRotor {
   model::System system;                                  ///< over the piece of the drive that the task is about
@@ -25,6 +27,8 @@ struct OwnRotor {
   std::vector<double> shifts{};
   /// Of each chaos that ends for some rotors: whether it was seen to last for all others beside this one.
   std::vector<char> chaos_lasts{};
+  /// Motions of this very rotor that the rule does not list, or null: the first has the attractor -1, the next -2, ...
+  const std::vector<KnownFeatures>* met = nullptr;
 };
 
 /// In the last piece of its drive from time 0 on, psi = `psi` there where it is prescribed.

@@ -80,12 +80,21 @@ StudyFamily family_of(const PlaneMap& map) {
           }};
 }
 
+// Of a map whose lines have one rotor each and are long enough to look along: whether these are its columns.
+std::optional<bool> lines_are_columns(const PlaneMap& map) {
+  const bool start_along_x = is_start(map.study, map.x.key);
+  if (start_along_x == is_start(map.study, map.y.key)) return std::nullopt;
+  if (!LineMotions::pays(start_along_x ? map.x.pixels : map.y.pixels)) return std::nullopt;
+  return !start_along_x;
+}
+
 std::unique_ptr<StartRunner> runner_of(const PlaneMap& map, const RunOptions& options, Notes* notes) {
   const DiscoverySettings settings{
       .threads = map.threads, .stop = options.stop, .progress = options.progress, .notes = notes};
   if (maps_starts(map)) return std::make_unique<StartRunner>(map.study, settings);
-  const double pixels = static_cast<double>(map.x.pixels) * map.y.pixels;
-  return std::make_unique<StartRunner>(map.study, family_of(map), pixels, settings);
+  FamilyStarts starts{static_cast<double>(map.x.pixels) * map.y.pixels};
+  if (const auto columns = lines_are_columns(map)) starts.rotors = *columns ? map.x.pixels : map.y.pixels;
+  return std::make_unique<StartRunner>(map.study, family_of(map), starts, settings);
 }
 
 }  // namespace
@@ -101,6 +110,7 @@ StartPixels::StartPixels(const PlaneMap& map, const RunOptions& options, const s
                          const Discovered& discovered, Notes* notes)
     : map_(map), options_(options), discovered_(discovered), runner_(runner_of(map, options, notes)) {
   if (runner_->stopped()) return;
+  if (const auto columns = lines_are_columns(map)) lines_.emplace(map, *columns, *runner_, notes);
   for (const Attractor& a : runner_->catalogue().attractors()) listed_.insert(a.id);
   for (const std::vector<double>& state : of_family() ? std::vector<std::vector<double>>{} : met) {
     const std::optional<UnlistedStart> start = runner_->follow(state);
@@ -112,6 +122,8 @@ StartPixels::StartPixels(const PlaneMap& map, const RunOptions& options, const s
 
 bool StartPixels::compute(const std::vector<std::uint32_t>& positions, const TakePixels& take) {
   if (unread_ || runner_->stopped()) return false;
+  const auto start_at = [&](std::uint32_t position) { return family_start(position); };
+  if (lines_ && !lines_->look_along(positions, start_at, options_)) return false;
   const ChunkWork work{
       .decide = [&](Chunk& chunk) { return decide(positions, chunk); }, .threads = map_.threads, .stop = options_.stop};
   const std::atomic<bool> finished{false};
@@ -156,7 +168,11 @@ FamilyStart StartPixels::family_start(std::uint32_t position) const {
 bool StartPixels::decide(const std::vector<std::uint32_t>& positions, Chunk& chunk) const {
   if (of_family()) {
     std::vector<FamilyStart> starts;
-    for (std::size_t i = 0; i < chunk.count; ++i) starts.push_back(family_start(positions[chunk.first + i]));
+    for (std::size_t i = 0; i < chunk.count; ++i) {
+      const std::uint32_t position = positions[chunk.first + i];
+      starts.push_back(family_start(position));
+      if (lines_) starts.back().met = &lines_->at(position);
+    }
     return runner_->run_family(std::move(starts), chunk.fates, chunk.unlisted);
   }
   std::vector<InitialState> starts;

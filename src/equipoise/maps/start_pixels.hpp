@@ -14,6 +14,7 @@
 #include "equipoise/base/run_options.hpp"
 #include "equipoise/basins/chunks.hpp"
 #include "equipoise/fates/start_runner.hpp"
+#include "equipoise/maps/line_motions.hpp"
 #include "equipoise/maps/map_pixel.hpp"
 #include "equipoise/results/plane_map.hpp"
 
@@ -58,6 +59,7 @@ class StartPixels {
   const RunOptions& options_;
   Discovered discovered_;
   std::unique_ptr<StartRunner> runner_;
+  std::optional<LineMotions> lines_;                        // where lines have one rotor
   bool unread_ = false;                                     // stopped before all of `met` were listed
   std::set<int> listed_;                                    // attractors known beforehand, or told
   std::map<int, std::unique_ptr<const MotionName>> names_;  // of attractors
