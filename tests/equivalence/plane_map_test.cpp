@@ -209,40 +209,70 @@ TEST(PlaneMap, WhatPixelsOfALineTellOneAnotherIsWhatTheyComeToAlone) {
   }
 }
 
-// Balls that are captured, each in its own way, are what the mesh of so few starts does not list.
-TEST(PlaneMap, LooksAlongLinesThatAreLongEnoughToPay) {
-  PlaneMap map;
-  map.study = with_horizon(rotor());
-  map.x = {"rotor.eccentricity", 0.0462, 0.0470, 2};
-  map.y = {"initial.phi_1", 0.0, two_pi, 64};
-  map.threads = 2;
-  const StudyFamily family({{[](double f) { return 0.0462 + 0.0008 * f; }}},
-                           [&](std::span<const double> v) { return study_with(map.study, map.x.key, v[0]); });
-  const StartRunner runner(map.study, family, {128.0, 2.0}, {});
-  const auto start = [&](std::uint32_t position) {
-    const double value = map.x.centre(static_cast<int>(position % 2));
+// Two columns of 64 pixels, eccentricity and one angle, and a runner for them.
+struct Lines {
+  Lines(double low, double high)
+      : map(plane(low, high)), family(range(low, high)), runner(map.study, family, {128.0, 2.0}, {}) {}
+
+  static PlaneMap plane(double low, double high) {
+    PlaneMap map;
+    map.study = with_horizon(rotor());
+    map.x = {"rotor.eccentricity", low, high, 2};
+    map.y = {"initial.phi_1", 0.0, two_pi, 64};
+    map.threads = 2;
+    return map;
+  }
+  StudyFamily range(double low, double high) const {
+    return {{{[=](double f) { return (1.0 - f) * low + f * high; }}},
+            [study = map.study](std::span<const double> v) { return study_with(study, "rotor.eccentricity", v[0]); }};
+  }
+  FamilyStart start(std::uint32_t position) const {
+    const double value = map.x.centre(static_cast<int>(position % 2)), angle = two_pi * (position / 2u) / map.y.pixels;
     FamilyStart s;
     s.own.study = family.at(std::vector{value});
-    const double angle = two_pi * (position / 2u) / map.y.pixels;
-    s.own.study.initial.phi[0] = angle;
-    s.own.study.initial.phi[1] = angle + pi;
+    s.own.study.initial.phi = {angle, angle + pi};
     s.own.start = s.own.study.initial;
     s.fractions = {(value - map.x.low) / (map.x.high - map.x.low)};
     return s;
-  };
+  }
+  bool look_along(LineMotions& lines, const RunOptions& options = {}) const {
+    return lines.look_along(
+        {0, 1}, [&](std::uint32_t position) { return start(position); }, options);
+  }
+
+  const PlaneMap map;
+  const StudyFamily family;
+  const StartRunner runner;
+};
+
+// Balls that are captured, each in its own way, are what the mesh of so few starts does not list.
+TEST(PlaneMap, LooksAlongLinesThatAreLongEnoughToPay) {
   EXPECT_FALSE(LineMotions::pays(31));
   EXPECT_TRUE(LineMotions::pays(32));
-  LineMotions lines(map, true, runner, nullptr);
-  EXPECT_TRUE(lines.look_along({0, 1}, start, {}));
+  const Lines captured(0.0462, 0.0470);
+  LineMotions lines(captured.map, true, captured.runner, nullptr);
+  EXPECT_TRUE(captured.look_along(lines));
   for (const std::uint32_t position : {0u, 1u}) {
     ASSERT_FALSE(lines.at(position).motions.empty());
     for (const Motion& motion : lines.at(position).motions)
-      EXPECT_EQ(motion_name(start(position).own.study.parameters, motion).name, "both captured");
+      EXPECT_EQ(motion_name(captured.start(position).own.study.parameters, motion).name, "both captured");
   }
   StopFlag stop{true};
   RunOptions stopped;
   stopped.stop = &stop;
-  EXPECT_FALSE(LineMotions(map, true, runner, nullptr).look_along({0}, start, stopped));
+  LineMotions none(captured.map, true, captured.runner, nullptr);
+  EXPECT_FALSE(captured.look_along(none, stopped));
+}
+
+// Near no eccentricity balance comes slowly but surely; at 0.0705 most starts are on chaos long after the horizon.
+TEST(PlaneMap, FollowsOnBeyondTheHorizonWhereALineComesToSomething) {
+  for (const auto& [eccentricity, comes] : {std::pair{0.0010, true}, {0.0705, false}}) {
+    const Lines line(eccentricity, eccentricity + 1e-6);
+    LineMotions lines(line.map, true, line.runner, nullptr);
+    EXPECT_TRUE(line.look_along(lines));
+    EXPECT_EQ(lines.at(0).follows_open, comes) << eccentricity;
+    EXPECT_EQ(lines.at(1).follows_open, comes) << eccentricity;
+  }
 }
 
 TEST(PlaneMap, LongAccurateTrajectoriesShakeAsTheMapSays) {

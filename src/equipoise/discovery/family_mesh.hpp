@@ -24,7 +24,6 @@ struct FamilyCell {
   bool follows_open = true;
   /// So much longer than to the horizon those are followed together then, before one is alone.
   static constexpr double further = motion_patience;
-  double beyond_horizon() const { return follows_open ? further : 0.0; }
 
   int id(int own) const { return own > 0 ? ids[static_cast<std::size_t>(own)] : own; }
 };

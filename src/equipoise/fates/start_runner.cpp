@@ -394,8 +394,13 @@ bool StartRunner::begin_family(std::vector<FamilyStart> given, bool watched, Bat
   batch.own = std::move(given);
   if (!spin_up_own(starts, stop_, batch.starts, watched ? &batch.table : nullptr)) return false;
   for (std::size_t i = 0; i < starts.size(); ++i)
-    batch.starts.rotors[i].end += mesh_.cells[batch.cell[i]].beyond_horizon();
+    if (follows_open(batch, i)) batch.starts.rotors[i].end += FamilyCell::further;
   return true;
+}
+
+bool StartRunner::follows_open(const Batch& batch, std::size_t i) const {
+  const MetMotions* met = batch.own[i].met;
+  return mesh_.cells[batch.cell[i]].follows_open && (!met || met->follows_open);
 }
 
 // One after the other, so that each motion is followed once.
@@ -404,28 +409,40 @@ bool StartRunner::meet(std::vector<FamilyStart> given, std::span<const std::size
   Batch batch;
   batch.records.emplace();
   if (!begin_family(std::move(given), false, batch) || !decide(batch)) return false;
-  const int balls = study_.parameters.balls;
-  std::vector<char> restless(met.size());  // one of the rotor's starts comes to nothing
+  std::vector<int> late(met.size()), settled(met.size());  // of those that the horizon left open
+  std::vector<char> restless(met.size());                  // one of the rotor's starts comes to nothing
   for (std::size_t i = 0; i < batch.fates.size(); ++i) {
     const Fate& fate = batch.fates[i];
-    const PilotRecord& record = (*batch.records)[i];
-    const bool stationary = fate.outcome == Outcome::attracted && fate.attractor == 0;
-    const bool open = fate.outcome == Outcome::undecided && !batch.starts.is_over(i) && !restless[rotor[i]];
-    if (!(stationary || open) || !record.finished_window) continue;
-    const Features& shown = record.features;
-    auto& [known, motions] = met[rotor[i]];
-    if (nearest_met(shown, known, balls, mesh_.cells[batch.cell[i]].discovery.rule.sameness)) continue;
-    const std::optional<UnlistedStart> start = unlisted_start(batch, i, fate.time, lasting_chaos);
-    if (!start) return false;
-    restless[rotor[i]] = open && !start->motion;
-    // Balls that dry friction holds stay each where they are.
-    if (!start->motion || !start->motion->stable || start->motion->set_valued) continue;
-    motions.push_back(*start->motion);
-    const MotionKind kind = start->motion->kind;
-    const bool never_quite_repeats = kind == MotionKind::quasi_periodic || kind == MotionKind::chaotic;
-    known.push_back(
-        {.features = shown, .attractor = -static_cast<int>(motions.size()), .chaotic = never_quite_repeats});
+    const std::size_t r = rotor[i];
+    const bool was_open = fate.time >= source_->settled() + *batch.study(*this, i).numerics.horizon;
+    late[r] += was_open;
+    if (fate.outcome == Outcome::undecided ? batch.starts.is_over(i) || restless[r] : fate.attractor != 0) {
+      settled[r] += was_open && fate.outcome != Outcome::undecided;
+      continue;
+    }
+    const bool comes = meet(batch, i, met[r]);
+    if (is_set(stop_)) return false;
+    settled[r] += was_open && comes;
+    restless[r] = fate.outcome == Outcome::undecided && !comes;
   }
+  for (std::size_t r = 0; r < met.size(); ++r) met[r].follows_open = 2 * settled[r] >= late[r];
+  return true;
+}
+
+// Adds what a start comes to, unless that has been met. False if it comes to nothing, or stopped.
+bool StartRunner::meet(const Batch& batch, std::size_t i, MetMotions& met) const {
+  const PilotRecord& record = (*batch.records)[i];
+  if (!record.finished_window) return false;
+  const double sameness = mesh_.cells[batch.cell[i]].discovery.rule.sameness;
+  if (nearest_met(record.features, met.known, study_.parameters.balls, sameness)) return true;
+  const std::optional<UnlistedStart> start = unlisted_start(batch, i, batch.fates[i].time, lasting_chaos);
+  if (!start || !start->motion || !start->motion->stable) return false;
+  if (start->motion->set_valued) return true;  // balls that dry friction holds stay each where they are
+  met.motions.push_back(*start->motion);
+  const MotionKind kind = start->motion->kind;
+  met.known.push_back({.features = record.features,
+                       .attractor = -static_cast<int>(met.motions.size()),
+                       .chaotic = kind == MotionKind::quasi_periodic || kind == MotionKind::chaotic});
   return true;
 }
 
@@ -468,7 +485,7 @@ bool StartRunner::finish(Batch& batch, std::vector<Fate>& fates, std::vector<Unl
     const model::System& system = batch.system(*this, i);
     // At the horizon a rotor of its own is not undecided for want of a list that holds for it.
     const bool open = family_ && fate.outcome == Outcome::undecided && !batch.starts.is_over(i) &&
-                      fate.time >= batch.end(*this, i) && mesh_.cells[batch.cell[i]].follows_open;
+                      fate.time >= batch.end(*this, i) && follows_open(batch, i);
     if (open) fate.outcome = Outcome::attracted;
     const bool attracted = fate.outcome == Outcome::attracted;
     std::optional<MotionFigures> end;

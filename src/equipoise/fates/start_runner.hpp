@@ -38,10 +38,11 @@ struct DrawnStart {
   std::uint64_t number = 0;
   std::vector<double> fractions;
 };
-/// Motions of one rotor of a family that the mesh does not list.
+/// What starts of one rotor of a family came to.
 struct MetMotions {
-  std::vector<KnownFeatures> known;  ///< as OwnRotor::met
+  std::vector<KnownFeatures> known;  ///< as OwnRotor::met: motions that the mesh does not list
   std::vector<Motion> motions;
+  bool follows_open = true;  ///< as FamilyCell::follows_open, of this rotor
 };
 /// A start whose study is its own, and where that lies in the family (discovery/study_family.hpp).
 struct FamilyStart {
@@ -95,6 +96,8 @@ class StartRunner : public Runner {
                     std::vector<TransientRow>* rows) const;
   static FamilyMesh mesh_of(const Study& study, const StudyFamily& family, const DiscoverySettings& settings);
   struct Batch;
+  bool follows_open(const Batch& batch, std::size_t i) const;
+  bool meet(const Batch& batch, std::size_t i, MetMotions& met) const;
   bool begin_family(std::vector<FamilyStart> given, bool watched, Batch& batch) const;
   bool decide(Batch& batch) const;
   bool decide_some(Batch& batch, const std::vector<std::size_t>& places, const DecisionRule& rule) const;

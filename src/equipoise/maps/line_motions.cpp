@@ -12,7 +12,7 @@ namespace equipoise {
 
 template <class Bytes, Like<MetMotions> T>
 void members(Bytes& b, T& m) {
-  b(m.known, m.motions);
+  b(m.known, m.motions, m.follows_open);
 }
 
 namespace {
