@@ -234,8 +234,8 @@ const KnownFeatures* WindowTracker::known_by(const Features& f) const {
 int WindowTracker::chaos_in(const Features& f, const KnownFeatures* known) const {
   constexpr double other_rotor = 0.3;  // as that of one rotor looks beside that of another
   const bool has_lasted = rule_->chaos_lasts > 0.0 && elapsed_ >= rule_->chaos_lasts;
-  const bool alone = !own_ || !own_->met;
-  if (!known && has_lasted && alone && repeats_ == 0)
+  const bool knows_its_own = own_ && own_->met;
+  if (!known && has_lasted && !knows_its_own && repeats_ == 0)
     known = nearest_known(f, rule_->known, rule_->balls, shifts_of(own_), other_rotor);
   return known && known->chaotic && !may_end(known->chaos) ? known->attractor : 0;
 }

@@ -292,7 +292,6 @@ bool StartRunner::decide_some(Batch& batch, const std::vector<std::size_t>& plac
   for (std::size_t k = 0; k < places.size(); ++k) decided[k].met = starts.fates[places[k]].met;
   std::vector<PilotRecord> records(batch.records ? places.size() : 0);
   if (!decide_lanes(task, rule, decided, batch.records ? &records : nullptr)) return false;
-  if (batch.records) batch.records->resize(starts.size());
   for (std::size_t k = 0; k < places.size(); ++k) {
     const std::size_t i = places[k];
     batch.fates[i] = decided[k];
@@ -407,23 +406,26 @@ bool StartRunner::follows_open(const Batch& batch, std::size_t i) const {
 bool StartRunner::meet(std::vector<FamilyStart> given, std::span<const std::size_t> rotor,
                        std::span<MetMotions> met) const {
   Batch batch;
-  batch.records.emplace();
+  batch.records.emplace(given.size());
   if (!begin_family(std::move(given), false, batch) || !decide(batch)) return false;
   std::vector<int> late(met.size()), settled(met.size());  // of those that the horizon left open
   std::vector<char> restless(met.size());                  // one of the rotor's starts comes to nothing
   for (std::size_t i = 0; i < batch.fates.size(); ++i) {
     const Fate& fate = batch.fates[i];
     const std::size_t r = rotor[i];
-    const bool was_open = fate.time >= source_->settled() + *batch.study(*this, i).numerics.horizon;
+    const double further = follows_open(batch, i) ? FamilyCell::further : 0.0;
+    const bool was_open = fate.time >= batch.end(*this, i) - further;
     late[r] += was_open;
-    if (fate.outcome == Outcome::undecided ? batch.starts.is_over(i) || restless[r] : fate.attractor != 0) {
-      settled[r] += was_open && fate.outcome != Outcome::undecided;
+    const bool open = fate.outcome == Outcome::undecided;
+    const bool unlisted = fate.outcome == Outcome::attracted && fate.attractor == 0;
+    if (!unlisted && !(open && !batch.starts.is_over(i) && !restless[r])) {
+      settled[r] += was_open && !open;
       continue;
     }
     const bool comes = meet(batch, i, met[r]);
     if (is_set(stop_)) return false;
     settled[r] += was_open && comes;
-    restless[r] = fate.outcome == Outcome::undecided && !comes;
+    restless[r] |= open && !comes;
   }
   for (std::size_t r = 0; r < met.size(); ++r) met[r].follows_open = 2 * settled[r] >= late[r];
   return true;

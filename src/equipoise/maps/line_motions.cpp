@@ -2,7 +2,6 @@
 #include "equipoise/maps/line_motions.hpp"
 
 #include <algorithm>
-#include <atomic>
 
 #include "equipoise/base/parallel.hpp"
 #include "equipoise/base/stage_progress.hpp"
@@ -57,6 +56,7 @@ bool LineMotions::look_along(const std::vector<std::uint32_t>& positions, const 
   std::vector<std::size_t> open;
   for (std::size_t g = 0; g < groups_.size(); ++g)
     if (asked[g] && groups_[g].empty()) open.push_back(g);
+  if (open.empty()) return true;
   StageProgress progress("looking for attractors", options.progress);
   progress.begin("motions along the lines of the map", open.size());
   in_parallel(map_.threads, open.size(), [&](std::size_t k) {
