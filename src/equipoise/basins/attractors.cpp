@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <map>
 
-#include "equipoise/fates/start_runner.hpp"
+#include "equipoise/fates/checks.hpp"
 
 namespace equipoise {
 

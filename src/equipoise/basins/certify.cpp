@@ -9,7 +9,7 @@
 #include <fmt/format.h>
 
 #include "equipoise/base/reporting.hpp"
-#include "equipoise/fates/start_runner.hpp"
+#include "equipoise/fates/checks.hpp"
 #include "equipoise/model/balanced_state.hpp"
 #include "equipoise/orbits/continuum_draws.hpp"
 #include "equipoise/proof/member_certificate.hpp"

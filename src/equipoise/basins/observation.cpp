@@ -12,7 +12,7 @@
 #include "equipoise/base/parallel.hpp"
 #include "equipoise/base/reporting.hpp"
 #include "equipoise/basins/basin.hpp"
-#include "equipoise/fates/start_runner.hpp"
+#include "equipoise/fates/checks.hpp"
 #include "equipoise/kernels/lane_kernels.hpp"
 #include "equipoise/lanes/radius_windows.hpp"
 #include "equipoise/sampling/starts.hpp"

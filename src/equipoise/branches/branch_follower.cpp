@@ -85,7 +85,7 @@ bool may_be_locked(const Motion& motion) {
 }
 
 bool is_restless(const Motion& motion) {
-  return motion.kind == MotionKind::quasi_periodic || motion.kind == MotionKind::chaotic || motion.eventful;
+  return never_repeats(motion.kind) || motion.eventful;
 }
 
 std::string family_of(const model::Parameters& p, const Motion& motion) {

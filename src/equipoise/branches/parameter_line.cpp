@@ -8,7 +8,7 @@
 #include <fmt/format.h>
 
 #include "equipoise/base/error.hpp"
-#include "equipoise/fates/start_runner.hpp"
+#include "equipoise/fates/checks.hpp"
 #include "equipoise/study/given_value.hpp"
 #include "equipoise/study/toml_tree.hpp"
 

@@ -43,7 +43,7 @@ inline constexpr double known_tolerance = 0.05;
 const KnownFeatures* nearest_known(const Features& f, const std::vector<KnownFeatures>& known, int balls,
                                    const double* shifts = nullptr, double tolerance = known_tolerance);
 
-/// The same of motions of the very rotor that shows them: such as repeat themselves have to do so to `sameness`.
+/// The same among motions of the very rotor that shows `f`. A regular one has to agree to `sameness`.
 const KnownFeatures* nearest_met(const Features& f, const std::vector<KnownFeatures>& met, int balls, double sameness);
 
 /// What a trajectory's windows say.
@@ -79,8 +79,8 @@ class WindowTracker {
   WindowVerdict finish_long_window();
   // Whether this chaos (KnownFeatures::chaos) has yet to show that it lasts.
   bool may_end(int chaos) const;
-  // What long-window features show; null if nothing known. Where motions of this very rotor are, these are believed
-  // before those of others that look about the same.
+  // What long-window features show; null if nothing known. Where the rotor's own motions are known (OwnRotor::met), the
+  // rule's, which may be a neighbour's, are not asked.
   const KnownFeatures* known_by(const Features& f) const;
   // The chaotic motion among these; or one of another rotor, if what they show has lasted; 0 if none.
   int chaos_in(const Features& f, const KnownFeatures* known) const;

@@ -1,4 +1,5 @@
 // Which runner follows a study's starts; how an unlisted one is named.
+#include "equipoise/fates/checks.hpp"
 #include "equipoise/fates/runner.hpp"
 
 #include <stdexcept>

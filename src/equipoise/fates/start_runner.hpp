@@ -23,16 +23,6 @@
 
 namespace equipoise {
 
-/// Throws InputError for invalid studies and those whose starts cannot be decided.
-void check_decidable(const Study& study);
-/// Throws InputError for a study that asks for decisions by proof where there are none.
-void check_proof(const Study& study);
-
-/// Throws InputError for a spin-up with the balls held that is too long to look for peaks in.
-void check_watchable(const Study& study);
-/// Throws InputError for invalid studies, and those whose system lacks what the answer needs (model/capability.hpp).
-void check_offers(const Study& study, model::Answer answer);
-
 /// A start and the fractions that its uncertain values are quantiles of.
 struct DrawnStart {
   std::uint64_t number = 0;
@@ -57,7 +47,7 @@ class StartRunner : public Runner {
   /// Spins up and discovers the attractors. The study has passed check_runnable(). Ask stopped() afterwards.
   /// `transients`: run() can be asked for rows.
   StartRunner(const Study& study, const DiscoverySettings& settings, bool transients = false);
-  /// Of such starts of a family, by run_family(); `study` is one of it, in whose units fates are.
+  /// Of these starts of a family, by run_family(); `study` is one of it, in whose units fates are.
   StartRunner(const Study& study, StudyFamily family, const FamilyStarts& starts, const DiscoverySettings& settings);
 
   bool run(std::uint64_t first, std::size_t count, std::vector<double>& phi, std::vector<Fate>& fates,

@@ -48,7 +48,7 @@ class MapStore : public PixelStore {
   /// Of a map that is not complete, only what was computed.
   void read_rows(int first, int rows, MapPixel* pixels) const override;
 
-  /// Has `write` write the results to the path that it is given. Then removes the unfinished part, but for the search
+  /// `write` gets a path and writes the results there. Then removes the unfinished part, but for the search
   /// of a map that is not `complete`. Throws RunError, with everything kept as it was, if the disk cannot take them.
   void finish(const std::function<void(const std::string& path)>& write, bool complete);
 

@@ -18,7 +18,7 @@
 #include "equipoise/base/reporting.hpp"
 #include "equipoise/basins/basin.hpp"
 #include "equipoise/discovery/horizon.hpp"
-#include "equipoise/fates/start_runner.hpp"
+#include "equipoise/fates/checks.hpp"
 #include "equipoise/kernels/cpu_target.hpp"
 #include "equipoise/maps/map_assembly.hpp"
 #include "equipoise/maps/map_names.hpp"

@@ -20,6 +20,10 @@ namespace equipoise {
 enum class MotionKind { equilibrium, periodic, quasi_periodic, chaotic, measured };
 /// "equilibrium", "periodic", "quasi-periodic", "chaotic", "measured".
 const char* name_of(MotionKind kind);
+/// Tori and chaos: no two stretches of them are quite the same.
+constexpr bool never_repeats(MotionKind kind) {
+  return kind == MotionKind::quasi_periodic || kind == MotionKind::chaotic;
+}
 
 /// What turns the rotor along a motion under a motor, and what that takes. Units as in docs/equations.md.
 struct MotorLoad {

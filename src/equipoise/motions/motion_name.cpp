@@ -53,7 +53,7 @@ struct Topology {
 // "", ", period m", ", quasi-periodic" or ", chaotic": what tells a motion from its plain, once-around form. Strobed
 // motions that come back are told by the strobes they take.
 std::string suffix(const Motion& motion, int turns) {
-  if (motion.kind == MotionKind::quasi_periodic || motion.kind == MotionKind::chaotic)
+  if (never_repeats(motion.kind))
     return fmt::format(", {}", name_of(motion.kind));
   if (motion.strobed) return fmt::format(", back after {} strobe{}", motion.strobes, motion.strobes > 1 ? "s" : "");
   return turns > 1 ? fmt::format(", period {}", turns) : "";

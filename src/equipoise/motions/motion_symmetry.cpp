@@ -176,7 +176,7 @@ bool same_motion(const model::Parameters& p, const Motion& a, const Motion& b) {
     return a.set_valued && b.set_valued && motion_name(p, a).name == motion_name(p, b).name;
   if (a.eventful != b.eventful) return false;
   const auto measured = [](const Motion& m) {
-    return m.kind == MotionKind::quasi_periodic || m.kind == MotionKind::chaotic;
+    return never_repeats(m.kind);
   };
   if (a.kind != b.kind && !(measured(a) && measured(b))) return false;
   if (a.kind == MotionKind::periodic && std::fabs(a.period - b.period) > same_point * a.period) return false;

@@ -12,7 +12,7 @@ namespace equipoise {
 
 /// Progress is in pixels of a map, then in starts of a sample.
 struct OpenQuestionSettings : RunOptions {
-  int map_pixels = 64;           ///< along each side of both maps; a pixel takes 2 to 25 ms on the mean
+  int map_pixels = 64;           ///< along each side of both maps; a pixel takes 7 to 25 ms on the mean
   std::uint64_t starts = 20000;  ///< a sample, two samples a speed
   std::uint64_t seed = 1;
   std::string folder;  ///< an existing folder for per-start results of the samples (NetCDF), resumed; empty: none

@@ -1,0 +1,109 @@
+// What is asked of a study before any work, and the key that stands in the way.
+#include "equipoise/fates/checks.hpp"
+
+#include <array>
+#include <cmath>
+#include <optional>
+#include <string>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "equipoise/base/error.hpp"
+#include "equipoise/discovery/cost.hpp"
+#include "equipoise/model/system.hpp"
+#include "equipoise/transients/clamped_transients.hpp"
+
+namespace equipoise {
+
+namespace {
+
+const char* final_speed_key(const Study& study) {
+  const Profile profile = study.speed.profile;
+  return profile == Profile::constant ? "speed.speed" : profile == Profile::points ? "speed.speeds" : "speed.final";
+}
+
+// What sets the time of release.
+const char* release_key(const Study& study) {
+  if (study.release.speed) return "release.speed";
+  if (study.release.time) return "release.time";
+  const Profile profile = study.speed.profile;
+  return profile == Profile::trapezoid ? "speed.rise_until"
+         : profile == Profile::points  ? "speed.times"
+                                       : "speed.duration";
+}
+
+// A key of the study in which a need is not met, and its value.
+std::pair<const char*, std::string> blamed(const Study& study, model::Need need) {
+  using model::Need;
+  const model::Parameters& p = study.parameters;
+  const auto number = [](double v) { return fmt::format("{}", v); };
+  const auto pair = [](const std::array<double, 2>& v) { return fmt::format("[{}, {}]", v[0], v[1]); };
+  const auto supports = [&]() -> std::pair<const char*, std::string> {
+    if (p.stiffness[0] != p.stiffness[1]) return {"rotor.stiffness", pair(p.stiffness)};
+    return {"rotor.damping", pair(p.damping)};
+  };
+  switch (need) {
+    case Need::prescribed_speed:
+      return {"speed.profile", "torque"};
+    case Need::passing_balls:
+      return {"balancer.contact_angle", number(p.contact_angle)};
+    case Need::sliding_balls:
+      if (p.rolling[0] > 0.0) return {"balancer.rolling", number(p.rolling[0])};
+      return {"balancer.stiction", number(p.stiction[0])};
+    case Need::centred_race:
+      return {"balancer.race_offset", pair(p.race_offset)};
+    case Need::equal_supports:
+      return supports();
+    case Need::no_gravity:
+      return {"rotor.gravity", number(p.gravity)};
+    case Need::turning:
+      return {final_speed_key(study), "0"};
+    default:
+      return {"speed.torque", "0 in the end"};
+  }
+}
+
+void reject_if_lacking(const Study& study, model::Answer answer) {
+  const auto lack = model::lacking(study.system(), answer);
+  if (!lack) return;
+  const auto [key, value] = blamed(study, lack->need);
+  throw InputError(study.name, key, value, lack->reason);
+}
+
+}  // namespace
+
+void check_watchable(const Study& study) {
+  const double release = study.release_time();
+  const double points = clamped_grid_points(study.parameters, model::segments(study.speed_profile(), release));
+  if (points <= most_clamped_grid_points) return;
+  throw InputError(study.name, release_key(study), fmt::format("{:.6g}", study.release.speed.value_or(release)),
+                   fmt::format("holds the balls until t = {:.6g}, too long to watch for transients; must be release by "
+                               "about t = {:.3g}, or a study without [limits], its transients not asked for",
+                               release, release * (most_clamped_grid_points / points)));
+}
+
+void check_decidable(const Study& study) {
+  check(study);
+  check_cost(study);
+  const double speed = study.speed_profile().final_speed();
+  if (std::fabs(speed) > fastest_speed)
+    throw InputError(
+        study.name, final_speed_key(study), fmt::format("{:.6g}", speed),
+        fmt::format("basin and attractors take final speeds from -{0:g} to {0:g} critical speeds", fastest_speed));
+  check_proof(study);
+  reject_if_lacking(study, model::Answer::shares);
+}
+
+void check_proof(const Study& study) {
+  if (study.numerics.decide != DecideMode::proof) return;
+  if (const auto lack = model::lacking(study.system(), model::Answer::proofs))
+    throw InputError(study.name, "numerics.decide", "proof", lack->reason + "; must be \"validated\" or \"horizon\"");
+}
+
+void check_offers(const Study& study, model::Answer answer) {
+  check(study);
+  reject_if_lacking(study, answer);
+}
+
+}  // namespace equipoise
