@@ -13,7 +13,7 @@ endif()
 foreach(header
     equipoise.hpp base/error.hpp base/run_options.hpp base/stop_flag.hpp
     model/balance_grade.hpp model/balanced_state.hpp model/energy.hpp model/machine.hpp model/motor.hpp
-    model/parameters.hpp model/scales.hpp model/speed.hpp model/system.hpp integrate/status.hpp
+    model/parameters.hpp model/scales.hpp model/speed.hpp model/state_layout.hpp model/system.hpp integrate/status.hpp
     statistics/quantile.hpp statistics/share.hpp statistics/sobol_indices.hpp sampling/jittered_grid.hpp sampling/sampling.hpp
     study/ball_details.hpp study/overrides.hpp study/physical_echo.hpp study/study.hpp study/study_value.hpp study/uncertain.hpp study/units.hpp
     transients/transient_table.hpp deciding/decision_rule.hpp deciding/fate.hpp deciding/trap_set.hpp

@@ -120,8 +120,7 @@ py::array_t<double> cross(const StudyEquations& e, std::size_t piece, const Stat
 
 py::list components(const StudyEquations& e) {
   py::list list;
-  for (const StudyEquations::Component& c : e.components())
-    list.append(py::make_tuple(c.name, c.unit, c.long_name, c.angle));
+  for (const model::StateVariable& c : e.variables()) list.append(py::make_tuple(c.name, c.unit, c.long_name, c.angle));
   return list;
 }
 

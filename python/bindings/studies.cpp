@@ -68,8 +68,8 @@ py::dict parameters_of(const Study& uncertain) {
 py::dict initial_of(const PyStudy& s) {
   const InitialState& start = s.study.initial;
   py::dict initial;
-  for (const auto& [name, number] : {std::pair{"x", start.x}, {"y", start.y}, {"x_dot", start.x_dot},
-                                     {"y_dot", start.y_dot}, {"psi", start.psi}})
+  for (const auto& [name, number] :
+       {std::pair{"x", start.x}, {"y", start.y}, {"x_dot", start.x_dot}, {"y_dot", start.y_dot}, {"psi", start.psi}})
     initial[name] = number;
   initial["phi_dot"] = std::vector<double>(start.phi_dot.begin(), start.phi_dot.begin() + s.study.parameters.balls);
   return initial;
@@ -84,8 +84,8 @@ std::optional<double> final_speed_of(const PyStudy& s) {
 
 // Where psi, psi_dot and speed_error_integral stand in a motion's state; -1: nowhere.
 py::tuple places_of(const PyStudy& s) {
-  const model::DrivePlaces places = with_medians(s.study).system().places();
-  return py::make_tuple(places.psi, places.speed, places.error);
+  const model::StateLayout layout = with_medians(s.study).system().layout();
+  return py::make_tuple(layout.psi, layout.speed, layout.error);
 }
 
 bool angle_matters(const PyStudy& s) { return !with_medians(s.study).system().autonomous(); }

@@ -173,12 +173,12 @@ class Followers {
   // The rotor's angle: as prescribed, part of the state, or by the mean of the speeds at both ends of a step between
   // samples, in which the speed hardly changes.
   void turn(std::size_t i, double time) {
-    if (task_.speed_place() < 0)
+    if (task_.layout().speed < 0)
       psi_[i] = (starts_.rotors.empty() ? task_.segment : starts_.rotors[i].segment).psi_at(time);
-    else if (task_.psi_place() >= 0)
-      psi_[i] = state(i)[task_.psi_place()];
+    else if (task_.layout().psi >= 0)
+      psi_[i] = state(i)[task_.layout().psi];
     else
-      psi_[i] += state(i)[task_.speed_place()] * (time - now_[i]);
+      psi_[i] += state(i)[task_.layout().speed] * (time - now_[i]);
     now_[i] = time;
   }
 

@@ -15,6 +15,7 @@
 #include "equipoise/model/flow-inl.hpp"
 #include "equipoise/model/frames.hpp"
 #include "equipoise/model/smooth_flow-inl.hpp"
+#include "equipoise/model/state_layout.hpp"
 #include "equipoise/trajectory/simulate.hpp"
 #include "lagrangian.hpp"
 
@@ -185,7 +186,7 @@ INSTANTIATE_TEST_SUITE_P(Case, EnergyBalance, testing::ValuesIn(cases::all()),
 // A motor, gravity, a race off its centre; its state, psi and psi', and the works of motor, supports and ball drag.
 class DrivenAndWork {
  public:
-  static constexpr int dimension = model::machine_dimension(model::max_balls) + 2;  // the largest size
+  static constexpr int dimension = model::largest_state + 2;  // the largest size
 
   explicit DrivenAndWork(const model::System& s) : system_(s), flow_(s, 0.0), state(s.dimension()) {}
 
@@ -194,7 +195,7 @@ class DrivenAndWork {
   void operator()(double t, const double* z, double* dz) const {
     flow_(t, z, dz);
     const model::Parameters& p = system_.parameters();
-    const double psi = z[system_.psi_place()], w = z[system_.speed_place()];
+    const double psi = z[system_.layout().psi], w = z[system_.layout().speed];
     dz[state] = system_.drive().motor.torque(0.0, w, 0.0) * w;
     const auto [Xd, Yd] = model::in_fixed_axes(std::cos(psi), std::sin(psi), z[2], z[3]);
     dz[state + 1] = p.damping[0] * Xd * Xd + p.damping[1] * Yd * Yd;
@@ -239,7 +240,7 @@ TEST(EnergyBalanceOfMotors, closes_over_a_long_time) {
     const double before = model::machine_energy(p, z.data());
     kernels::AdaptiveIntegrator<DrivenAndWork, DrivenAndWork::dimension> integrator(flow, scale, flow.size());
     ASSERT_EQ(integrator.advance(0.0, 1e4, z.data(), [](auto&&...) {}), equipoise::IntegrationStatus::done);
-    EXPECT_GT(z[system.speed_place()], 2.0);
+    EXPECT_GT(z[system.layout().speed], 2.0);
     const int state = system.dimension();
     const double change = model::machine_energy(p, z.data()) - before;
     RecordProperty(rolls ? "rolls" : "slides",

@@ -159,7 +159,7 @@ TEST_P(StuckForGood, no_ball_ever_moves_again) {
   for (std::uint64_t k = 0; k < 24; ++k) {
     VectorXd z = VectorXd::Zero(system.dimension());
     start_angles(7, k, 2, z.data() + model::index::phi(0));
-    if (which == "motor") z[system.speed_place()] = 2.8;
+    if (which == "motor") z[system.layout().speed] = 2.8;
     std::optional<StuckEnd> end;
     for (int i = 0; i < 100 && !end; ++i) {
       EventLog log;

@@ -12,6 +12,7 @@
 #include "equipoise/kernels/lane_kernels.hpp"
 #include "equipoise/model/ball_count.hpp"
 #include "equipoise/model/energy.hpp"
+#include "equipoise/model/state_layout.hpp"
 #include "equipoise/spin_up/initial_state.hpp"
 
 namespace {
@@ -32,8 +33,8 @@ class Balance {
 
   // Senses are those of the rates: between events no ball changes its own.
   Powers powers(double t, const double* z) {
-    using namespace model::machine_index;
-    const double w = z[speed(n)], c = std::cos(z[psi(n)]), s = std::sin(z[psi(n)]);
+    const model::StateLayout at = model::machine_layout(n);
+    const double w = z[at.speed], c = std::cos(z[at.psi]), s = std::sin(z[at.psi]);
     const double X = z[2] * c - z[3] * s, Y = z[2] * s + z[3] * c;
     model::BallMode mode;
     for (int i = 0; i < n; ++i) {
@@ -56,7 +57,7 @@ class Balance {
 
   // Of an impact of two balls: their relative rate before it, and all that takes part, in coordinates X, Y, psi, theta.
   double taken_by_impact(const double* z) const {
-    const double psi = z[model::machine_index::psi(n)], lambda = p.eccentricity;
+    const double psi = z[model::machine_layout(n).psi], lambda = p.eccentricity;
     Eigen::MatrixXd mass = Eigen::MatrixXd::Zero(5, 5);
     mass(0, 0) = mass(1, 1) = 1.0 + p.total_mass();
     mass(2, 2) = p.inertia + lambda * lambda;
@@ -158,8 +159,8 @@ TEST(HybridEnergy, OfElasticBallsIsKeptOnLanes) {
     std::vector<double> states(count * size);
     const auto energy = [&](const double* y) {
       std::vector<double> z(y, y + model::dimension(balls));
-      z.push_back(y[system.psi_place()]);
-      z.push_back(y[system.speed_place()]);
+      z.push_back(y[system.layout().psi]);
+      z.push_back(y[system.layout().speed]);
       z.push_back(0.0);
       return model::machine_energy(study.parameters, z.data());
     };
@@ -167,8 +168,8 @@ TEST(HybridEnergy, OfElasticBallsIsKeptOnLanes) {
     for (std::size_t i = 0; i < count; ++i) {
       double* state = &states[i * size];
       initial_state(start_of(study, 1, i), balls, 2.0, state);
-      state[system.psi_place()] = 0.0;
-      state[system.speed_place()] = 2.0;
+      state[system.layout().psi] = 0.0;
+      state[system.layout().speed] = 2.0;
       before.push_back(energy(state));
     }
     LaneTask task = lane_task(system);

@@ -8,6 +8,7 @@
 
 #include "equipoise/integrate/machine_trajectory-inl.hpp"
 #include "equipoise/model/ball_count.hpp"
+#include "equipoise/model/state_layout.hpp"
 #include "equipoise/spin_up/initial_state.hpp"
 
 namespace lanes {
@@ -54,11 +55,9 @@ inline Reference one_by_one(const Study& study, std::uint64_t index, double unti
   const bool held = machine.clamped();
   EXPECT_EQ(machine.advance(until, [](auto&&...) { return false; }), IntegrationStatus::done);
   const double* end = machine.state();
-  std::vector<double> state(end, end + model::dimension(p.balls));
-  const model::System system = study.system();
-  if (system.psi_place() >= 0) state.push_back(end[model::machine_index::psi(p.balls)]);
-  if (system.speed_place() >= 0) state.push_back(end[model::machine_index::speed(p.balls)]);
-  if (system.error_place() >= 0) state.push_back(end[model::machine_index::error_integral(p.balls)]);
+  const model::StateLayout layout = study.system().layout();
+  std::vector<double> state(static_cast<std::size_t>(layout.size));
+  model::copy_state(model::machine_layout(p.balls), end, layout, state.data());
   return {state, machine.released(), machine.events() - held};
 }
 

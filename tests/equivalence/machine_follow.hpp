@@ -10,6 +10,7 @@
 
 #include "equipoise/base/angles.hpp"
 #include "equipoise/model/ball_count.hpp"
+#include "equipoise/model/state_layout.hpp"
 #include "equipoise/model/strobe.hpp"
 #include "equipoise/spin_up/initial_state.hpp"
 #include "machine_scale.hpp"
@@ -46,7 +47,7 @@ inline Seen follow(const equipoise::Study& study, std::uint64_t index, double un
   const auto watch = [&](double t, double to, auto&& state_at) {
     double at[Machine::dimension];
     state_at.roughly(to, at);
-    const double sag = model::static_sag(p), psi = at[model::machine_index::psi(n)];
+    const double sag = model::static_sag(p), psi = at[model::machine_layout(n).psi];
     const double x = at[0] - sag * std::sin(psi), y = at[1] - sag * std::cos(psi), r2 = x * x + y * y;
     square += (to - t) * r2;
     if (t > begin + 0.95 * until) last_square += (to - t) * r2;
@@ -61,7 +62,7 @@ inline Seen follow(const equipoise::Study& study, std::uint64_t index, double un
   };
   seen.lost = seen.lost || machine.advance(begin + until, watch) != IntegrationStatus::done;
   const double time = machine.time() - from;
-  seen.speed = (machine.state()[model::machine_index::psi(n)] - before[model::machine_index::psi(n)]) / time;
+  seen.speed = (machine.state()[model::machine_layout(n).psi] - before[model::machine_layout(n).psi]) / time;
   seen.r = std::sqrt(square / time);
   seen.last_r = std::sqrt(last_square / (0.05 * until));
   for (int i = 0; i < n; ++i) seen.turned[i] = machine.state()[4 + i] - before[4 + i];

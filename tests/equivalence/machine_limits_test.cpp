@@ -13,6 +13,7 @@
 #include "equipoise/base/angles.hpp"
 #include "equipoise/basins/basin.hpp"
 #include "equipoise/model/energy.hpp"
+#include "equipoise/model/state_layout.hpp"
 #include "equipoise/trajectory/simulate.hpp"
 
 namespace {
@@ -71,7 +72,7 @@ std::vector<double> energies(const Study& study, const Trajectory& run) {
   const int n = study.parameters.balls;
   std::vector<double> result;
   for (std::size_t k = 0; k < run.t.size(); ++k) {
-    std::vector<double> z(machine_dimension(n));
+    std::vector<double> z(machine_layout(n).size);
     const double w = run.psi_dot[k];
     z[index::x] = run.x[k];
     z[index::y] = run.y[k];
@@ -81,8 +82,8 @@ std::vector<double> energies(const Study& study, const Trajectory& run) {
       z[index::phi(i)] = run.phi[i][k];
       z[index::q(i, n)] = run.phi_dot[i][k];
     }
-    z[machine_index::psi(n)] = run.psi[k];
-    z[machine_index::speed(n)] = w;
+    z[machine_layout(n).psi] = run.psi[k];
+    z[machine_layout(n).speed] = w;
     result.push_back(machine_energy(study.parameters, z.data()));
   }
   return result;
@@ -159,9 +160,10 @@ TEST(MachineLimits, stiction_leaves_a_residual_unbalance) {
 
 TEST(MachineEnsemble, a_weak_motor_stalls_and_a_strong_one_does_not) {
   const auto outcomes = [](double stall) {
-    std::string text =
-        study_text("inertia = 1.0", "",
-                   fmt::format("profile = \"torque\"\ntorque = {{ stall = {}, no_load_speed = 3.0 }}\n[sampling]\nstarts = 12", stall));
+    std::string text = study_text(
+        "inertia = 1.0", "",
+        fmt::format("profile = \"torque\"\ntorque = {{ stall = {}, no_load_speed = 3.0 }}\n[sampling]\nstarts = 12",
+                    stall));
     text.replace(text.find("eccentricity = 0.01"), 19, "eccentricity = 0.05");
     text.replace(text.find("damping = 0.5"), 13, "damping = 0.1");
     const Study study = parse_study(text, "motor");

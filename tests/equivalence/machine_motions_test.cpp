@@ -59,7 +59,7 @@ model::DrivePiece motor_for(double speed, double gain) { return motor(gain * spe
 VectorXd at_rest(const System& system, std::vector<double> angles, double speed) {
   VectorXd y = VectorXd::Zero(system.dimension());
   for (int i = 0; i < system.balls(); ++i) y[model::index::phi(i)] = angles[i];
-  if (system.speed_place() >= 0) y[system.speed_place()] = speed;
+  if (system.layout().speed >= 0) y[system.layout().speed] = speed;
   return y;
 }
 
@@ -220,7 +220,7 @@ TEST(MachineMotions, ARotorThatCannotLiftItsUnbalanceIsStalled) {
   EXPECT_EQ(name_of(system, *motion), "stalled");
   EXPECT_TRUE(motion->stable);
   EXPECT_EQ(motion->kind, MotionKind::equilibrium);
-  const double psi = motion->state[system.psi_place()];
+  const double psi = motion->state[system.layout().psi];
   EXPECT_NEAR(std::cos(psi) * p.eccentricity * p.gravity, 0.006, 1e-14);
   for (int i = 0; i < 2; ++i)  // balls at the bottom
     EXPECT_NEAR(wrapped(psi + motion->state[model::index::phi(i)] + 0.5 * pi), 0.0, 1e-12);
@@ -371,7 +371,7 @@ time = 0.0
   const VectorXd& y = motion->orbit.nodes.front();
   const double w = system.speed(y);
   study.speed.initial = w;
-  study.initial.psi = y[system.psi_place()];
+  study.initial.psi = y[system.layout().psi];
   study.initial.x = y[0];
   study.initial.y = y[1];
   study.initial.x_dot = y[2] + w * y[1];

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "equipoise/integrate/machine_trajectory-inl.hpp"
+#include "equipoise/model/state_layout.hpp"
 
 namespace equipoise {
 
@@ -14,7 +15,7 @@ typename HWY_NAMESPACE::MachineTrajectory<room>::Scale ensemble_scale(const mode
   for (int i = 0; i < 4; ++i) scale.floor[i] = p.all_unbalances();
   scale.absolute.fill(true);
   for (int i = 0; i < p.balls; ++i) scale.angle[model::index::phi(i)] = true;
-  scale.angle[model::machine_index::psi(p.balls)] = true;
+  scale.angle[model::machine_layout(p.balls).psi] = true;
   return scale;
 }
 

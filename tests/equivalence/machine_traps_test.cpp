@@ -148,7 +148,7 @@ TEST(MachineTraps, CyclesUnderAMotorAreToldByTheRotorsAngle) {
     VectorXd start = VectorXd::Zero(system.dimension());
     start[4] = 1.5;
     start[5] = 4.6;
-    start[system.speed_place()] = 0.95 * system.pace();
+    start[system.layout().speed] = 0.95 * system.pace();
     const auto motion = motion_from(system, start);
     ASSERT_TRUE(motion);
     ASSERT_EQ(motion->kind, MotionKind::periodic);
@@ -180,7 +180,7 @@ TEST(MachineTraps, ValidatedLevelsLeadToTheirMotion) {
     VectorXd start = VectorXd::Zero(system.dimension());
     start[4] = turns ? 1.5 : 1.0;
     start[5] = turns ? 4.6 : 1.0;
-    if (system.speed_place() >= 0) start[system.speed_place()] = 2.9;
+    if (system.layout().speed >= 0) start[system.layout().speed] = 2.9;
     const auto motion = motion_from(system, start);
     ASSERT_TRUE(motion);
     ASSERT_EQ(motion->kind, MotionKind::periodic);

@@ -164,7 +164,7 @@ TEST_P(Equations, HaveTheirOwnSlopesForAJacobian) {
     equations.jacobian(piece, t, y.data(), matrix.data());
     for (std::size_t k = 0; k < size; ++k) {
       // Balls that are held have no rate that could be another.
-      if (equations.pieces()[piece].held && equations.components()[k].name.starts_with("phi_dot")) continue;
+      if (equations.pieces()[piece].held && equations.variables()[k].name.starts_with("phi_dot")) continue;
       constexpr double h = 1e-5;
       State moved = y;
       moved[k] = y[k] + h;
@@ -173,7 +173,7 @@ TEST_P(Equations, HaveTheirOwnSlopesForAJacobian) {
       equations.rhs(piece, t, moved.data(), below.data());
       for (std::size_t i = 0; i < size; ++i)
         EXPECT_NEAR(matrix[i * size + k], (above[i] - below[i]) / (2.0 * h), 1e-8)
-            << equations.components()[i].name << " by " << equations.components()[k].name;
+            << equations.variables()[i].name << " by " << equations.variables()[k].name;
     }
   });
 }
@@ -195,11 +195,11 @@ TEST_P(Equations, ChangeTheEnergyByTheirPowers) {
 }
 
 TEST_P(Equations, TellStatesAsTrajectoriesDoAndTakeThemBack) {
-  EXPECT_EQ(equations.components().size(), static_cast<std::size_t>(equations.dimension()));
+  EXPECT_EQ(equations.variables().size(), static_cast<std::size_t>(equations.dimension()));
   in_every_piece([&](std::size_t piece, double t, const State& y) {
     const MotionState m = equations.motion(piece, t, y.data());
     const State again = equations.state(piece, t, m);
-    for (std::size_t i = 0; i < y.size(); ++i) EXPECT_NEAR(again[i], y[i], 1e-15) << equations.components()[i].name;
+    for (std::size_t i = 0; i < y.size(); ++i) EXPECT_NEAR(again[i], y[i], 1e-15) << equations.variables()[i].name;
     EXPECT_EQ(equations.piece_at(t), piece);
     Trajectory row;
     equations.append(t, y.data(), row);

@@ -72,12 +72,12 @@ TEST(GravityWell, EndsAtTheLowerTop) {
       const std::complex<double> rest = std::polar(1.0, -by) * std::complex<double>(state[0], state[1]);
       state[0] = rest.real();
       state[1] = rest.imag();
-      state[system.psi_place()] += by;
+      state[system.layout().psi] += by;
       for (int i = 0; i < p.balls; ++i) {
         state[model::index::phi(i)] -= by;
         state[model::index::q(i, p.balls)] = -speed;
       }
-      state[system.speed_place()] = speed;
+      state[system.layout().speed] = speed;
       return state;
     };
     EXPECT_TRUE(well->holds(turned(0.999 * to_top, 0.0).data()));
@@ -104,8 +104,8 @@ TEST(GravityWell, HoldsForGood) {
       ++held;
       const auto end = follow_derivative(system, state, 2000.0, 1e-9);
       ASSERT_TRUE(end);
-      EXPECT_LT(std::fabs(end->end[system.psi_place()] - state[system.psi_place()]), two_pi);
-      EXPECT_LT(std::fabs(end->end[system.speed_place()]), 1e-4);  // the slowest rate is 0.005
+      EXPECT_LT(std::fabs(end->end[system.layout().psi] - state[system.layout().psi]), two_pi);
+      EXPECT_LT(std::fabs(end->end[system.layout().speed]), 1e-4);  // the slowest rate is 0.005
       EXPECT_TRUE(well->holds(end->end.data()));
     }
     EXPECT_EQ(held, 8);
@@ -128,8 +128,8 @@ TEST(GravityWell, OfHeldBallsDependsOnWhereTheyAre) {
     VectorXd state = GravityWell::of(system)->bottom();
     state[model::index::phi(0)] = first;
     state[model::index::phi(1)] = second;
-    state[system.speed_place()] = speed;
-    std::array<double, model::machine_dimension(1)> held{};
+    state[system.layout().speed] = speed;
+    std::array<double, model::machine_layout(1).size> held{};
     model::hold_balls(system, state.data(), held.data());
     return model::held_in_well(system, held.data(), asked);
   };

@@ -81,7 +81,7 @@ VectorXd some_state(const System& s) {
   for (int i = 0; i < y.size(); ++i) y[i] = std::sin(1.0 + 1.7 * i);
   y.head(4) *= 0.1;
   for (int i = 0; i < s.balls(); ++i) y[model::index::q(i, s.balls())] *= 0.3;
-  if (s.speed_place() >= 0) y[s.speed_place()] = 1.9;
+  if (s.layout().speed >= 0) y[s.layout().speed] = 1.9;
   return y;
 }
 
@@ -90,19 +90,19 @@ TEST(System, SectionAndStateFollowFromParametersAndDrive) {
       driven(rotor(2), motor(0.0));
   EXPECT_EQ(plain.section(), Section::none);
   EXPECT_EQ(plain.dimension(), 8);
-  EXPECT_EQ(plain.speed_place(), -1);
+  EXPECT_EQ(plain.layout().speed, -1);
   EXPECT_EQ(strobed.section(), Section::strobe);
   EXPECT_EQ(strobed.dimension(), 8);
   EXPECT_DOUBLE_EQ(strobed.strobe_period(), two_pi / 2.0);
   EXPECT_EQ(driven.section(), Section::none);
   EXPECT_EQ(driven.dimension(), 9);
-  EXPECT_EQ(driven.speed_place(), 8);
-  EXPECT_EQ(driven.error_place(), -1);
+  EXPECT_EQ(driven.layout().speed, 8);
+  EXPECT_EQ(driven.layout().error, -1);
   EXPECT_EQ(turning.section(), Section::turn);
   EXPECT_EQ(turning.dimension(), 11);
-  EXPECT_EQ(turning.psi_place(), 8);
-  EXPECT_EQ(turning.speed_place(), 9);
-  EXPECT_EQ(turning.error_place(), 10);
+  EXPECT_EQ(turning.layout().psi, 8);
+  EXPECT_EQ(turning.layout().speed, 9);
+  EXPECT_EQ(turning.layout().error, 10);
   EXPECT_EQ(turning.angles().size(), 3u);
   EXPECT_EQ(turning.angles().back().place, 8);
 
@@ -186,8 +186,8 @@ TEST(System, FlowsAreWhatSimulateFollows) {
         y[model::index::q(i, 2)] = path.phi_dot[i][k];
       }
       if (driven) {
-        y[s.psi_place()] = path.psi[k];
-        y[s.speed_place()] = w;
+        y[s.layout().psi] = path.psi[k];
+        y[s.layout().speed] = w;
       }
       return y;
     };

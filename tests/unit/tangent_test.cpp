@@ -30,7 +30,7 @@ class Tangents : public testing::TestWithParam<Kind> {
     Eigen::VectorXd z(system_.dimension());
     for (Eigen::Index i = 0; i < z.size(); ++i) z[i] = 0.1 * std::sin(1.0 + 2.0 * static_cast<double>(i));
     for (int i = 0; i < system_.balls(); ++i) z[4 + i] = 0.4 + 1.3 * i;
-    if (system_.speed_place() >= 0) z[system_.speed_place()] = 2.2;
+    if (system_.layout().speed >= 0) z[system_.layout().speed] = 2.2;
     return z;
   }
 };

@@ -7,6 +7,7 @@
 #include "equipoise/discovery/horizon.hpp"
 #include "equipoise/fates/transient_tally.hpp"
 #include "equipoise/kernels/lane_kernels.hpp"
+#include "equipoise/model/state_layout.hpp"
 #include "equipoise/model/system.hpp"
 #include "equipoise/spin_up/initial_state.hpp"
 
@@ -41,10 +42,8 @@ BasinFileHeader basin_file_header(const Study& study, bool angles, bool transien
   header.driven = study.speed.driven();
   header.touches = study.parameters.balls_collide();
   header.sticks = balls_may_stick(study);
-  const model::System system = study.system();
-  if (system.psi_place() >= 0) header.drive_components.emplace_back("psi");
-  if (system.speed_place() >= 0) header.drive_components.emplace_back("psi_dot");
-  if (system.error_place() >= 0) header.drive_components.emplace_back("speed_error_integral");
+  for (const model::StateVariable& v : model::state_variables(study.system().layout()))
+    header.variables.push_back(v.name);
   for (const UncertainValue& value : study.uncertain.values) {
     header.drawn.push_back(value.key);
     header.drawn_units.push_back(value.unit.empty() ? "1" : value.unit);

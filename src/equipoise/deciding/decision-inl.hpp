@@ -45,8 +45,8 @@ class DecideFate {
         rule_(rule),
         task_(task),
         size_(task.dimension()),
-        psi_place_(task.psi_place()),
-        speed_place_(task.speed_place()),
+        psi_place_(task.layout().psi),
+        speed_place_(task.layout().speed),
         fates_(fates),
         pilot_(pilot),
         trackers_(groups * lanes),
@@ -253,8 +253,7 @@ class DecideFate {
       for (int i = 0; i < 4; ++i) near = near & (away(g, k, i, z) < Pack(trap.reach[i]));
       for (int i = 4 + n; i < size(); ++i) near = near & (away(g, k, i, z) < Pack(trap.reach[i]));
       if (!any(near)) continue;
-      const unsigned inside =
-          lane_bits(near & (balanced_value(g, k, z) < Pack(trap.level))) & accepted_bits & ~caught;
+      const unsigned inside = lane_bits(near & (balanced_value(g, k, z) < Pack(trap.level))) & accepted_bits & ~caught;
       if (inside) caught |= mark(g, inside, {trap.by, balanced_id});
     }
     if (rule_.blind) watch_values(g, accepted, z);

@@ -29,7 +29,7 @@ class HoldBalls {
   HoldBalls(const LaneTask& task, const HoldRule& rule, LaneWatch* watch, std::vector<HeldEnd>& ends)
       : task_(task),
         size_(task.dimension()),
-        speed_place_(task.speed_place()),
+        speed_place_(task.layout().speed),
         sign_(rule.rising ? 1.0 : -1.0),
         rule_(rule),
         release_(sign_ * rule.release_speed),

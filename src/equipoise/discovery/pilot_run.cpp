@@ -51,7 +51,7 @@ SpunUp PilotRun::free_at_speeds(std::size_t first, std::size_t count) const {
     start_angles(pilot_seed, first + i, system_.balls(), state + model::index::phi(0));
     if (system.events().contact) make_room(system.parameters(), state + model::index::phi(0));
     const double speed = fastest * (static_cast<double>(i % speeds) + 0.5) / speeds;
-    state[system_.speed_place()] = speed;
+    state[system_.layout().speed] = speed;
     // At rest under its weight.
     const std::array<double, 2> rest = model::rest_position(system.parameters(), 0.0);
     std::copy(rest.begin(), rest.end(), state);

@@ -16,7 +16,7 @@ constexpr int watched_parts = 32;
 
 std::vector<double> mean_speeds_from(LaneTask task, std::vector<double> states, double now, std::vector<OwnRotor> own) {
   const auto size = static_cast<std::size_t>(task.dimension());
-  const auto place = static_cast<std::size_t>(task.places().speed);
+  const auto place = static_cast<std::size_t>(task.layout().speed);
   const std::size_t count = states.size() / size;
   std::vector<double> begins(count, now), mean(count, 0.0);
   const std::vector<const OwnRotor*> rotors = pointers_to(own);

@@ -440,7 +440,7 @@ bool StartRunner::note_last_speeds(Batch& batch) const {
     Fate& fate = batch.fates[i];
     if (fate.outcome != Outcome::undecided || batch.starts.is_over(i)) continue;
     const double* state = batch.state(*this, i);
-    fate.mean_speed = static_cast<float>(state[task.places().speed]);
+    fate.mean_speed = static_cast<float>(state[task.layout().speed]);
     if (fate.time < batch.end(*this, i)) continue;
     places.push_back(i);
     states.insert(states.end(), state, state + size);
@@ -463,7 +463,7 @@ void StartRunner::note_unbalance(const Batch& batch, std::size_t i, Fate& fate) 
 // speed it has in balance, and else ends without any.
 double StartRunner::mean_speed(const Batch& batch, std::size_t i, const Fate& fate) const {
   if (system_.prescribed()) return fate.mean_speed;
-  if (system_.coasts()) return fate.attractor == balanced_id ? batch.state(*this, i)[system_.speed_place()] : 0.0;
+  if (system_.coasts()) return fate.attractor == balanced_id ? batch.state(*this, i)[system_.layout().speed] : 0.0;
   if (family_ && fate.attractor == balanced_id)
     return model::balanced_speed(batch.system(*this, i)).value_or(fate.mean_speed);
   // What windows tell has turned at its speed for long, what a trap has caught may still be on its way up to it.

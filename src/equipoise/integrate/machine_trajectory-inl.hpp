@@ -21,6 +21,7 @@
 #include "equipoise/integrate/first_time.hpp"
 #include "equipoise/model/frames.hpp"
 #include "equipoise/model/hybrid_flow-inl.hpp"
+#include "equipoise/model/state_layout.hpp"
 
 HWY_BEFORE_NAMESPACE();
 namespace equipoise {
@@ -30,7 +31,7 @@ template <int room>
 class MachineTrajectory {
  public:
   using Flow = HybridFlow<double, room>;
-  static constexpr int dimension = Flow::dimension;  // the largest size, in the state of model/machine.hpp
+  static constexpr int dimension = Flow::dimension;  // the largest size, laid out as model::machine_layout()
   using Scale = ErrorScale<dimension>;
 
   // `z`: dimension(n) numbers at t = 0 (model/parameters.hpp). `error`: the integral of the speed error there.
@@ -44,9 +45,9 @@ class MachineTrajectory {
         flow_(p, drive.pieces.front(), &modes_),
         balls_(p, flow_, modes_) {
     std::copy(z, z + model::dimension(n), state_.begin());
-    state_[model::machine_index::psi(n)] = drive.psi;
-    state_[model::machine_index::speed(n)] = drive.speed;
-    state_[model::machine_index::error_integral(n)] = error;
+    state_[layout().psi] = drive.psi;
+    state_[layout().speed] = drive.speed;
+    state_[layout().error] = error;
     if (drive.release_speed) rising_ = *drive.release_speed > drive.speed;
     clamped_ = drive.release_time > 0.0 && !(drive.release_speed && *drive.release_speed == drive.speed);
     if (clamped_)
@@ -102,16 +103,17 @@ class MachineTrajectory {
 
  private:
   const model::DrivePiece& piece() const { return drive_.pieces[piece_]; }
+  const model::StateLayout& layout() const { return flow_.layout(); }
 
   // Into the next piece of the drive; psi' may jump there if it is prescribed.
   void cross() {
     ++piece_;
     flow_.enter(piece());
     if (piece().driven()) return;
-    double& speed = state_[model::machine_index::speed(n)];
+    double& speed = state_[layout().speed];
     model::apply_speed_jump(piece().speed - speed, state_.data());
     speed = piece().speed;
-    state_[model::machine_index::psi(n)] = piece().psi;
+    state_[layout().psi] = piece().psi;
   }
 
   void release() {
@@ -126,7 +128,7 @@ class MachineTrajectory {
   }
 
   bool may_release(const double* z) const {
-    const double speed = z[model::machine_index::speed(n)];
+    const double speed = z[layout().speed];
     return rising_ ? speed >= *drive_.release_speed : speed <= *drive_.release_speed;
   }
 

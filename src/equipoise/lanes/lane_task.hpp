@@ -9,6 +9,7 @@
 #include "equipoise/model/held_state.hpp"
 #include "equipoise/model/parameters.hpp"
 #include "equipoise/model/speed.hpp"
+#include "equipoise/model/state_layout.hpp"
 #include "equipoise/model/strobe.hpp"
 #include "equipoise/model/system.hpp"
 
@@ -51,7 +52,7 @@ struct LaneTask {
   /// Every trajectory's own rotor, `count` of them; null: all have the task's, which says what is common to them.
   const OwnRotor* const* own = nullptr;
   char* met = nullptr;  ///< if given, `count` flags: set to 1 for a trajectory on which balls touch
-  bool held = false;  ///< of a driven rotor: its balls are held; states are those of model/held_state.hpp
+  bool held = false;    ///< of a driven rotor: its balls are held; states are those of model/held_state.hpp
   // What is gathered on the way, if given; one of the two at most.
   TransientTable* transients = nullptr;  ///< one row a trajectory; what is decided is followed on until its end is seen
   const RadiusWindows* radius = nullptr;  ///< how far the centre of the race was out
@@ -67,18 +68,12 @@ struct LaneTask {
     if (system) return system->smooth() ? LaneKind::smooth : LaneKind::hybrid;
     return model::is_strobed(*parameters) || parameters->rolls ? LaneKind::turning : LaneKind::plain;
   }
-  /// Of a state.
-  int dimension() const {
-    if (!system) return model::dimension(parameters->balls);
-    return held ? model::held_dimension(*system) : system->dimension();
+  /// Of the states.
+  model::StateLayout layout() const {
+    if (!system) return model::StateLayout::of(parameters->balls, false, false, false);
+    return held ? model::held_layout(*system) : system->layout();
   }
-  /// Places in a state, -1 for what is no part of it.
-  model::DrivePlaces places() const {
-    if (!system) return {};
-    return held ? model::held_places(*system) : system->places();
-  }
-  int psi_place() const { return places().psi; }
-  int speed_place() const { return places().speed; }
+  int dimension() const { return layout().size; }
 };
 
 /// Trajectories of any system in the last piece of its drive, from time 0 on; where psi is prescribed it is

@@ -170,11 +170,11 @@ Eigen::VectorXd balanced_state(const System& system, double speed, const double*
   Eigen::VectorXd y = Eigen::VectorXd::Zero(system.dimension());
   if (!p.race_is_centred()) y.head(4) << -e[0], -e[1], speed * e[1], -speed * e[0];
   for (int i = 0; i < p.balls; ++i) y[index::phi(i)] = phi[i];
-  if (system.speed_place() >= 0) y[system.speed_place()] = speed;
+  if (system.layout().speed >= 0) y[system.layout().speed] = speed;
   // The integral holds the torque that gain alone would leave.
   const DriveSegment& m = system.drive().motor;
-  if (system.error_place() >= 0)
-    y[system.error_place()] = (damping_torque(p) * speed - m.constant - m.slope * speed) / m.integral;
+  if (system.layout().error >= 0)
+    y[system.layout().error] = (damping_torque(p) * speed - m.constant - m.slope * speed) / m.integral;
   return y;
 }
 

@@ -11,6 +11,7 @@
 #include <type_traits>
 
 #include "equipoise/model/equations-inl.hpp"
+#include "equipoise/model/state_layout.hpp"
 #include "equipoise/model/strobe.hpp"
 #include "equipoise/model/system.hpp"
 
@@ -76,20 +77,20 @@ HWY_INLINE MotorState<Pack> motor_state(const MotorLanes& motor, const Pack& ela
   return result;
 }
 
-// Over one piece of a drive, in study time. Rotor angle, speed and speed error stand at `places`; `begin`: of the
-// piece, and `psi` the angle there, where it is no part of the state.
+// Over one piece of a drive, in study time. Rotor angle, speed and speed error stand where `layout` says; `begin`: of
+// the piece, and `psi` the angle there, where it is no part of the state.
 template <class T>
 class RotorDrive {
  public:
-  RotorDrive(const model::Parameters& p, const model::DrivePiece& piece, model::DrivePlaces places, double begin,
+  RotorDrive(const model::Parameters& p, const model::DrivePiece& piece, const model::StateLayout& layout, double begin,
              double psi)
-      : places_(places), turning_(model::is_strobed(p)), motor_(piece.motor) {
+      : layout_(layout), turning_(model::is_strobed(p)), motor_(piece.motor) {
     enter(piece, begin, psi);
   }
 
   void enter(const model::DrivePiece& piece) { enter(piece, piece.begin, piece.psi); }
 
-  // Lane `lane` gets the drive of `from`: its kind and places must be the same.
+  // Lane `lane` gets the drive of `from`: its kind and layout must be the same.
   void take_lane(const RotorDrive& from, int lane) {
     using D = RotorDrive;
     take_lane_of(*this, from, lane, &D::begin_, &D::psi_, &D::speed_, &D::acceleration_);
@@ -97,15 +98,15 @@ class RotorDrive {
   }
 
   bool driven() const { return driven_; }
-  const model::DrivePlaces& places() const { return places_; }
+  const model::StateLayout& layout() const { return layout_; }
 
   HWY_INLINE RotorMotion<T> rotor(const T& t, const T* y) const {
     const T elapsed = t - begin_;
     const T prescribed = speed_ + acceleration_ * elapsed;
-    RotorMotion<T> rotor{places_.speed < 0 ? prescribed : y[places_.speed], acceleration_, T(0.0), T(1.0)};
+    RotorMotion<T> rotor{layout_.speed < 0 ? prescribed : y[layout_.speed], acceleration_, T(0.0), T(1.0)};
     if (!turning_) return rotor;
     const T mean = T(0.5) * (speed_ + prescribed);
-    const T angle = places_.psi < 0 ? psi_ + mean * elapsed : y[places_.psi];
+    const T angle = layout_.psi < 0 ? psi_ + mean * elapsed : y[layout_.psi];
     sin_cos(angle, rotor.sin_psi, rotor.cos_psi);
     return rotor;
   }
@@ -113,13 +114,13 @@ class RotorDrive {
   // Of a driven rotor.
   HWY_INLINE MotorState<T> motor(const T& t, const RotorMotion<T>& rotor, const T* y) const {
     if (!driven()) return {};
-    return motor_state(motor_, t - begin_, rotor.speed, places_.error < 0 ? T(0.0) : y[places_.error]);
+    return motor_state(motor_, t - begin_, rotor.speed, layout_.error < 0 ? T(0.0) : y[layout_.error]);
   }
 
   HWY_INLINE void rates(const RotorMotion<T>& rotor, const T& acceleration, const T& error_rate, T* dy) const {
-    if (places_.psi >= 0) dy[places_.psi] = rotor.speed;
-    if (places_.speed >= 0) dy[places_.speed] = acceleration;
-    if (places_.error >= 0) dy[places_.error] = error_rate;
+    if (layout_.psi >= 0) dy[layout_.psi] = rotor.speed;
+    if (layout_.speed >= 0) dy[layout_.speed] = acceleration;
+    if (layout_.error >= 0) dy[layout_.error] = error_rate;
   }
 
  private:
@@ -134,7 +135,7 @@ class RotorDrive {
 
   using Motor = std::conditional_t<std::is_same_v<T, Pack>, MotorLanes, model::DriveSegment>;
 
-  model::DrivePlaces places_;
+  model::StateLayout layout_;
   bool turning_, driven_ = false;
   Motor motor_;
   T begin_, psi_, speed_, acceleration_;

@@ -7,6 +7,7 @@
 #include "equipoise/model/energy-inl.hpp"
 #include "equipoise/model/equations-inl.hpp"
 #include "equipoise/model/frames.hpp"
+#include "equipoise/model/state_layout.hpp"
 
 namespace equipoise::model {
 
@@ -29,8 +30,8 @@ double energy(const Parameters& p, double inertia, const Segment& segment, doubl
 }
 
 double machine_energy(const Parameters& p, const double* z) {
-  const double psi = z[machine_index::psi(p.balls)];
-  return kernels::RotorEnergy<double>(p).stored({z[machine_index::speed(p.balls)], 0.0, std::sin(psi), std::cos(psi)},
+  const double psi = z[machine_layout(p.balls).psi];
+  return kernels::RotorEnergy<double>(p).stored({z[machine_layout(p.balls).speed], 0.0, std::sin(psi), std::cos(psi)},
                                                 z);
 }
 

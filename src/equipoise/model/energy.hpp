@@ -23,7 +23,7 @@ double energy(const Parameters& p, double inertia, const Segment& segment, doubl
 /// Powers at the same instant, with the segment's clamp respected.
 Powers powers(const Parameters& p, double inertia, const Segment& segment, double t, const double* z);
 
-/// Energy of a machine in state `z` (machine_dimension(balls) numbers), with its own inertia and race.
+/// Energy of a machine in state `z` (machine_layout(balls).size numbers), with its own inertia and race.
 double machine_energy(const Parameters& p, const double* z);
 
 /// Force of springs and dampers on the support in fixed axes, zeta X' + kappa X, as {X, Y}, at rotor angle `psi`.

@@ -9,6 +9,7 @@
 #include "equipoise/model/energy.hpp"
 #include "equipoise/model/held_state.hpp"
 #include "equipoise/model/machine.hpp"
+#include "equipoise/model/state_layout.hpp"
 #include "equipoise/model/strobe.hpp"
 #include "equipoise/model/unbalance.hpp"
 
@@ -27,7 +28,7 @@ bool holds_against(std::complex<double> moment, double torque) { return std::abs
 // Two balls in place of all that are held: as heavy, their centre and moment of inertia the same.
 struct Twin {
   Parameters parameters;
-  std::array<double, machine_dimension(2)> state{};
+  std::array<double, machine_layout(2).size> state{};
 };
 
 Twin twin_of(const System& system, const double* held) {
@@ -44,9 +45,7 @@ Twin twin_of(const System& system, const double* held) {
   std::copy_n(held, 4, twin.state.begin());
   twin.state[index::phi(0)] = std::arg(sum) + apart;
   twin.state[index::phi(1)] = std::arg(sum) - apart;
-  const DrivePlaces places = held_places(system);
-  twin.state[machine_index::psi(2)] = held[places.psi];
-  twin.state[machine_index::speed(2)] = held[places.speed];
+  copy_drive(held_layout(system), held, machine_layout(2), twin.state.data());
   return twin;
 }
 
@@ -74,9 +73,9 @@ std::optional<GravityWell> GravityWell::of(const System& system) {
 
 double GravityWell::level(const double* state) const {
   const Parameters& p = system_.parameters();
-  std::array<double, machine_dimension(max_balls)> reduced{};
-  std::copy_n(state, machine_index::speed(p.balls) + 1, reduced.begin());
-  double& psi = reduced[machine_index::psi(p.balls)];
+  std::array<double, largest_state> reduced{};
+  copy_state(system_.layout(), state, machine_layout(p.balls), reduced.data());
+  double& psi = reduced[machine_layout(p.balls).psi];
   psi -= two_pi * (1.0 + std::floor((psi + std::arg(moment_) - angle_) / two_pi));
   return machine_energy(p, reduced.data()) - torque_ * psi;
 }
@@ -97,7 +96,7 @@ Eigen::VectorXd GravityWell::bottom() const {
   const auto rest = rest_position(p, psi);
   std::copy(rest.begin(), rest.end(), state.begin());
   state.segment(index::phi(0), p.balls).setConstant(-0.5 * pi - psi);
-  state[system_.psi_place()] = psi;
+  state[system_.layout().psi] = psi;
   return system_.with_angles_reduced(state);
 }
 
@@ -108,11 +107,11 @@ bool held_in_well(const System& system, const double* held, double speed) {
   const std::complex<double> moment = twin.parameters.gravity * unbalance(twin.parameters, &twin.state[index::phi(0)]);
   if (!holds_against(moment, *torque)) return false;
   const GravityWell well(System(twin.parameters, system.drive()), moment, *torque, 0.0);
-  std::array<double, machine_dimension(2)> lowest{};
+  std::array<double, machine_layout(2).size> lowest{};
   const Eigen::VectorXd bottom = well.bottom();
   std::copy_n(bottom.begin(), 4, lowest.begin());
   std::copy_n(&twin.state[index::phi(0)], 2, &lowest[index::phi(0)]);
-  lowest[machine_index::psi(2)] = bottom[machine_index::psi(2)];
+  lowest[machine_layout(2).psi] = bottom[machine_layout(2).psi];
   const double left = well.level(twin.state.data()) - well.level(lowest.data());
   return well.holds(twin.state.data()) && 2.0 * left < twin.parameters.inertia * speed * speed;
 }

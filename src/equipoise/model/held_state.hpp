@@ -10,17 +10,7 @@
 
 namespace equipoise::model {
 
-/// What stands behind the balls in a state of the system stands so much further on in that with its balls held.
-inline int held_shift(const System& system) { return dimension(1) - dimension(system.balls()); }
-
-inline int held_dimension(const System& system) { return system.dimension() + held_shift(system); }
-
-inline DrivePlaces held_places(const System& system) {
-  DrivePlaces places = system.places();
-  for (int* place : {&places.psi, &places.speed, &places.error})
-    if (*place >= 0) *place += held_shift(system);
-  return places;
-}
+inline StateLayout held_layout(const System& system) { return system.layout().with_balls(1); }
 
 /// From a state of the system to that with its balls held.
 inline void hold_balls(const System& system, const double* state, double* held) {
@@ -30,7 +20,7 @@ inline void hold_balls(const System& system, const double* state, double* held) 
   const std::complex<double> all = unbalance(p, state + index::phi(0));
   held[4] = all.real() - p.eccentricity - mass * p.race_offset[0];
   held[5] = all.imag() - mass * p.race_offset[1];
-  std::copy(state + dimension(p.balls), state + system.dimension(), held + dimension(1));
+  copy_drive(system.layout(), state, held_layout(system), held);
 }
 
 /// Back again, the balls at rest; `state` holds their angles.
@@ -38,7 +28,7 @@ inline void release_balls(const System& system, const double* held, double* stat
   const int balls = system.balls();
   std::copy(held, held + 4, state);
   std::fill_n(state + index::q(0, balls), balls, 0.0);
-  std::copy(held + dimension(1), held + held_dimension(system), state + dimension(balls));
+  copy_drive(held_layout(system), held, system.layout(), state);
 }
 
 }  // namespace equipoise::model

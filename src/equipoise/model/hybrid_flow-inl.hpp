@@ -12,6 +12,7 @@
 #include "equipoise/model/drive-inl.hpp"
 #include "equipoise/model/equations-inl.hpp"
 #include "equipoise/model/machine.hpp"
+#include "equipoise/model/state_layout.hpp"
 #include "equipoise/model/system.hpp"
 
 HWY_BEFORE_NAMESPACE();
@@ -121,17 +122,14 @@ class HybridFlow {
   // Over the piece of a drive that the system holds, in study time. `segment` says when that begins, and with which
   // angle if the rotor turns as prescribed. `modes` may be said later.
   HybridFlow(const model::System& s, const model::Segment& segment, const Modes* modes = nullptr)
-      : HybridFlow(s.parameters(), s.drive(), s.places(), s.dimension(), segment.begin, segment.psi, modes) {}
+      : HybridFlow(s.parameters(), s.drive(), s.layout(), segment.begin, segment.psi, modes) {}
 
   // The state of model/machine.hpp, over any piece of a drive.
   HybridFlow(const model::Parameters& p, const model::DrivePiece& piece, const Modes* modes)
-      : HybridFlow(p, piece,
-                   {model::machine_index::psi(p.balls), model::machine_index::speed(p.balls),
-                    model::machine_index::error_integral(p.balls)},
-                   model::machine_dimension(p.balls), piece.begin, piece.psi, modes) {}
+      : HybridFlow(p, piece, model::machine_layout(p.balls), piece.begin, piece.psi, modes) {}
 
   int size() const { return size_; }
-  const model::DrivePlaces& places() const { return drive_.places(); }
+  const model::StateLayout& layout() const { return drive_.layout(); }
   HybridFlow with(const Modes& modes) const {
     HybridFlow result = *this;
     result.modes_ = &modes;
@@ -211,16 +209,16 @@ class HybridFlow {
     for (int i = 0; i < size_; ++i) change[i] = T(0.0);
     for (int i : {model::index::u, model::index::v}) change[i] = after[i] - before[i];
     for (int i = 0; i < n; ++i) change[4 + n + i] = after[4 + n + i] - before[4 + n + i];
-    if (drive_.driven()) change[places().speed] = a1 - a0;
+    if (drive_.driven()) change[layout().speed] = a1 - a0;
   }
 
  private:
-  HybridFlow(const model::Parameters& p, const model::DrivePiece& piece, model::DrivePlaces places, int size,
-             double begin, double psi, const Modes* modes)
+  HybridFlow(const model::Parameters& p, const model::DrivePiece& piece, const model::StateLayout& layout, double begin,
+             double psi, const Modes* modes)
       : n(p.balls),
         balancer_(p),
-        drive_(p, piece, places, begin, psi),
-        size_(size),
+        drive_(p, piece, layout, begin, psi),
+        size_(layout.size),
         resists_(p.balls_stick()),
         modes_(modes) {
     for (int i = 0; i < n; ++i) {

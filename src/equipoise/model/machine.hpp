@@ -1,23 +1,13 @@
-// The state of a machine, and what moves its rotor between two events.
+// What moves a rotor, piece by piece of time, and when it lets go of its balls.
 #pragma once
 
 #include <optional>
 #include <vector>
 
 #include "equipoise/model/motor.hpp"
-#include "equipoise/model/parameters.hpp"
 #include "equipoise/model/speed.hpp"
 
 namespace equipoise::model {
-
-/// The state of parameters.hpp, then psi, psi' and the integral of a speed control's error.
-constexpr int machine_dimension(int balls) { return dimension(balls) + 3; }
-
-namespace machine_index {
-constexpr int psi(int balls) { return dimension(balls); }
-constexpr int speed(int balls) { return dimension(balls) + 1; }
-constexpr int error_integral(int balls) { return dimension(balls) + 2; }
-}  // namespace machine_index
 
 /// What drives the rotor on one piece of time.
 struct DrivePiece {

@@ -31,7 +31,7 @@ class SmoothFlow {
   // angle if the rotor turns as prescribed.
   SmoothFlow(const model::System& s, const model::Segment& segment) : SmoothFlow(s, segment.begin, segment.psi) {}
 
-  int size() const { return size_; }
+  int size() const { return drive_.layout().size; }
 
   HWY_INLINE void operator()(const T& t, const T* y, T* dy) const {
     const RotorMotion<T> rotor = drive_.rotor(t, y);
@@ -48,11 +48,10 @@ class SmoothFlow {
 
  private:
   SmoothFlow(const model::System& s, double begin, double psi)
-      : balancer_(s.parameters()), drive_(s.parameters(), s.drive(), s.places(), begin, psi), size_(s.dimension()) {}
+      : balancer_(s.parameters()), drive_(s.parameters(), s.drive(), s.layout(), begin, psi) {}
 
   BallBalancer<T, room, Terms{true, true, true, true}> balancer_;
   RotorDrive<T> drive_;
-  int size_;
 };
 
 // A rotor whose balls are held: one body, whose unbalance is part of the state and stays what it is. State: x, y, u, v;
@@ -65,8 +64,7 @@ class HeldFlow {
   // Over the piece of a drive that the system holds, in study time.
   explicit HeldFlow(const model::System& s)
       : balancer_(s.parameters()),
-        drive_(s.parameters(), s.drive(), model::held_places(s), s.drive().begin, s.drive().psi),
-        size_(model::held_dimension(s)) {
+        drive_(s.parameters(), s.drive(), model::held_layout(s), s.drive().begin, s.drive().psi) {
     const model::Parameters& p = s.parameters();
     const double x = p.eccentricity - p.race_offset[0], y = -p.race_offset[1];
     double inertia = p.inertia + x * x + y * y;
@@ -75,7 +73,7 @@ class HeldFlow {
     rotor_ = {{T(x), T(y)}, T(1.0 + p.total_mass()), T(inertia)};
   }
 
-  int size() const { return size_; }
+  int size() const { return drive_.layout().size; }
 
   HWY_INLINE void operator()(const T& t, const T* y, T* dy) const {
     const RotorMotion<T> rotor = drive_.rotor(t, y);
@@ -97,7 +95,6 @@ class HeldFlow {
  private:
   BallBalancer<T, 0, Terms{true, true, true, true}> balancer_;
   RotorDrive<T> drive_;
-  int size_;
   Body<T> rotor_;
 };
 

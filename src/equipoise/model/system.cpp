@@ -18,9 +18,11 @@ Section section_of(const Parameters& p, bool prescribed) {
 System::System(const Parameters& p, double speed) : System(p, DrivePiece{.prescribed = true, .speed = speed}) {}
 
 System::System(const Parameters& p, const DrivePiece& last)
-    : p_(p), drive_(last), section_(section_of(p, last.prescribed)), dimension_(model::dimension(p.balls)) {
-  if (!last.prescribed) dimension_ += 1 + (section_ == Section::turn ? 1 : 0) + (has_error_integral() ? 1 : 0);
-}
+    : p_(p),
+      drive_(last),
+      section_(section_of(p, last.prescribed)),
+      layout_(StateLayout::of(p.balls, section_ == Section::turn, last.driven(),
+                              last.driven() && last.motor.integral != 0.0)) {}
 
 std::optional<double> System::no_load_speed() const {
   if (prescribed()) return std::nullopt;
@@ -42,7 +44,7 @@ bool System::runs_away(double speed) const {
 
 double System::torque(const Eigen::VectorXd& y) const {
   if (prescribed()) return 0.0;
-  return drive_.motor.torque(drive_.motor.begin, speed(y), error_place() < 0 ? 0.0 : y[error_place()]);
+  return drive_.motor.torque(drive_.motor.begin, speed(y), layout_.error < 0 ? 0.0 : y[layout_.error]);
 }
 
 double System::strobe_angle() const { return model::strobe_angle(p_); }
@@ -52,7 +54,7 @@ double System::strobe_period() const { return model::strobe_period(p_, drive_.sp
 std::vector<System::Angle> System::angles() const {
   std::vector<Angle> result;
   for (int i = 0; i < p_.balls; ++i) result.push_back({index::phi(i), two_pi});
-  if (psi_place() >= 0) result.push_back({psi_place(), strobe_angle()});
+  if (layout_.psi >= 0) result.push_back({layout_.psi, strobe_angle()});
   return result;
 }
 
@@ -68,7 +70,7 @@ Eigen::VectorXd state_scale(const Parameters& p) {
 }
 
 Eigen::VectorXd System::scale() const {
-  Eigen::VectorXd result = Eigen::VectorXd::Ones(dimension_);
+  Eigen::VectorXd result = Eigen::VectorXd::Ones(dimension());
   result.head(model::dimension(p_.balls)) = state_scale(p_);
   return result;
 }

@@ -9,6 +9,7 @@
 
 #include "equipoise/model/machine.hpp"
 #include "equipoise/model/parameters.hpp"
+#include "equipoise/model/state_layout.hpp"
 
 namespace equipoise::model {
 
@@ -26,11 +27,6 @@ struct Events {
   bool any() const { return contact || stick; }
 };
 
-/// Where the rotor's angle psi, its speed psi' and the integral of a speed error stand in a state; -1: nowhere.
-struct DrivePlaces {
-  int psi = -1, speed = -1, error = -1;
-};
-
 /// Size of each component of the state of parameters.hpp that counts as one when components of different units are
 /// compared: lambda + sum mu_i (what r is of the order of) for the rotor's, 1 for the balls'.
 Eigen::VectorXd state_scale(const Parameters& p);
@@ -38,8 +34,8 @@ Eigen::VectorXd state_scale(const Parameters& p);
 /// Nothing that a rotor meets holds it any more when it turns thirty times as fast as it resonates.
 inline constexpr double out_of_reach = 30.0;
 
-/// The state is that of parameters.hpp, then, of a driven rotor and in the order of machine.hpp: psi on section turn,
-/// psi', and the integral of the speed error if the motor's control has one.
+/// The state is layout()'s. Of a driven rotor psi', on section turn psi, and where the motor's control integrates the
+/// speed error that integral, are part of it.
 class System {
  public:
   /// At a prescribed constant speed, psi = 0 at time 0.
@@ -62,16 +58,12 @@ class System {
   /// Plain and smooth: nothing happens but at the corners of its drive.
   bool simple() const { return plain() && smooth(); }
 
-  int dimension() const { return dimension_; }
-  /// Places in the state, -1 for what is no part of it.
-  int psi_place() const { return section_ == Section::turn ? model::dimension(p_.balls) : -1; }
-  int speed_place() const { return prescribed() ? -1 : model::dimension(p_.balls) + (psi_place() < 0 ? 0 : 1); }
-  int error_place() const { return has_error_integral() ? dimension_ - 1 : -1; }
-  DrivePlaces places() const { return {psi_place(), speed_place(), error_place()}; }
+  const StateLayout& layout() const { return layout_; }
+  int dimension() const { return layout_.size; }
 
   /// The prescribed psi', not 0 where states are strobed; of a driven rotor that of a state.
   double speed() const { return drive_.speed; }
-  double speed(const Eigen::VectorXd& y) const { return prescribed() ? drive_.speed : y[speed_place()]; }
+  double speed(const Eigen::VectorXd& y) const { return prescribed() ? drive_.speed : y[layout_.speed]; }
   /// The speed that steps in time and rates of change are measured by: the prescribed psi'; of a driven rotor that at
   /// which its motor gives no torque, 0 if there is none.
   double pace() const { return prescribed() ? drive_.speed : no_load_speed().value_or(0.0); }
@@ -106,12 +98,10 @@ class System {
   bool alike(int i, int k) const { return p_.alike(i, k); }
 
  private:
-  bool has_error_integral() const { return !prescribed() && drive_.motor.integral != 0.0; }
-
   Parameters p_;
   DrivePiece drive_;
   Section section_;
-  int dimension_;
+  StateLayout layout_;
 };
 
 }  // namespace equipoise::model

@@ -241,7 +241,7 @@ class EventJourney : Stretches {
     else
       follow_events(system_, z, orbit.period, 1e-12, log, &statistics);
     describe_statistics(system_, statistics, motion);
-    const int turns = system_.psi_place() < 0 ? 0 : std::abs(orbit.winding[p_.balls]);
+    const int turns = system_.layout().psi < 0 ? 0 : std::abs(orbit.winding[p_.balls]);
     if (orbit.imposed || turns > 0) {
       motion.strobed = true;
       motion.strobes = orbit.imposed ? static_cast<int>(std::lround(orbit.period / strobe())) : turns;

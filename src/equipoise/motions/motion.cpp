@@ -207,12 +207,13 @@ std::optional<Motion> Journey::creep() {
 std::optional<Motion> Journey::rest() {
   // Faster than this no equilibrium is near: it swings at a rate of order one, so it would be as far away.
   Eigen::VectorXd rate = model::rate(system_, state_);
-  if (system_.psi_place() >= 0) rate[system_.psi_place()] = 0.0;
+  if (system_.layout().psi >= 0) rate[system_.layout().psi] = 0.0;
   if (!strobed() && difference_.length(rate) > in_reach) return std::nullopt;
   if (model::balanced_freedom(system_) > 0)
     if (auto motion = continuum()) return motion;
   if (strobed()) return creep();  // what rests else comes back after every strobe
-  if (system_.psi_place() >= 0 && std::fabs(system_.speed(state_)) > in_reach) return std::nullopt;  // after every turn
+  if (system_.layout().psi >= 0 && std::fabs(system_.speed(state_)) > in_reach)
+    return std::nullopt;  // after every turn
   const auto equilibrium = refine_equilibrium(system_, state_);
   if (!equilibrium || !attracts(equilibrium->eigenvalues, 0)) return std::nullopt;
   const bool comes = approaches(equilibrium->eigenvalues[0].real(),

@@ -189,7 +189,7 @@ void describe_rest(const model::System& system, Motion& motion) {
 }
 
 double r_at_rest(const model::System& system, const Eigen::VectorXd& state) {
-  const int place = system.psi_place();
+  const int place = system.layout().psi;
   const auto rest = place < 0 ? std::array{0.0, 0.0} : model::rest_position(system.parameters(), state[place]);
   return std::hypot(state[0] - rest[0], state[1] - rest[1]);
 }
@@ -236,7 +236,7 @@ Motion describe_orbit(const model::System& system, const PeriodicOrbit& orbit) {
       follow(system, state, arc, tolerance, &statistics);
     describe_statistics(system, statistics, motion);
   }
-  const int turns = system.psi_place() < 0 ? 0 : std::abs(orbit.winding[system.balls()]);
+  const int turns = system.layout().psi < 0 ? 0 : std::abs(orbit.winding[system.balls()]);
   if (orbit.imposed || turns > 0) {
     motion.strobed = true;
     motion.strobes = orbit.imposed ? static_cast<int>(orbit.nodes.size()) : turns;

@@ -40,7 +40,7 @@ TransientSettings one_window() {
 
 // The rotor's angle is 0 where the motion's state holds, unless it is part of it.
 TransientSample sample_of(const model::System& system, double t, const double* z) {
-  const double psi = system.psi_place() < 0 ? system.speed() * t : z[system.psi_place()];
+  const double psi = system.layout().psi < 0 ? system.speed() * t : z[system.layout().psi];
   return transient_sample(system.parameters(), psi, t, z);
 }
 

@@ -71,7 +71,7 @@ class Gatherer {
         flow_(flow),
         sag_(model::static_sag(system.parameters())),
         statistics_(statistics),
-        last_(n, system.speed_place()) {
+        last_(n, system.layout().speed) {
     std::copy(z, z + system.dimension(), last_.z);
     complete(last_);
     const bool fresh = statistics.duration == 0.0;
@@ -128,7 +128,7 @@ class Gatherer {
     at.x = at.z[0];
     at.y = at.z[1];
     if constexpr (Source::sags) {
-      const double psi = system_.psi_place() < 0 ? system_.speed() * at.t : at.z[system_.psi_place()];
+      const double psi = system_.layout().psi < 0 ? system_.speed() * at.t : at.z[system_.layout().psi];
       at.x -= sag_ * std::sin(psi);
       at.y -= sag_ * std::cos(psi);
     }
@@ -192,13 +192,13 @@ class Gatherer {
   }
   // On equal supports at whatever angle.
   double support_power(const Instant& at) const {
-    const double psi = system_.psi_place() < 0 ? 0.0 : at.z[system_.psi_place()];
+    const double psi = system_.layout().psi < 0 ? 0.0 : at.z[system_.layout().psi];
     const auto [X, Y] = model::in_fixed_axes(std::cos(psi), std::sin(psi), at.z[2], at.z[3]);
     const auto& damping = system_.parameters().damping;
     return damping[0] * X * X + damping[1] * Y * Y;
   }
   double torque(const Instant& at) const {
-    const int error = system_.error_place();
+    const int error = system_.layout().error;
     const model::DriveSegment& motor = system_.drive().motor;
     return motor.torque(motor.begin, at.z[at.speed], error < 0 ? 0.0 : at.z[error]);
   }

@@ -66,7 +66,7 @@ std::optional<BalancedMember> nearest_balanced(const model::System& system, cons
   for (int i = 0; i < system.balls(); ++i) phi[i] = state[model::index::phi(i)];
   if (!model::project_to_balanced(system, *speed, phi)) return std::nullopt;
   Eigen::VectorXd centre = model::balanced_state(system, *speed, phi);
-  if (system.psi_place() >= 0) centre[system.psi_place()] = state[system.psi_place()];
+  if (system.layout().psi >= 0) centre[system.layout().psi] = state[system.layout().psi];
   switch (system.section()) {
     case model::Section::strobe:
       return strobed_member(system, centre, reach);

@@ -119,7 +119,7 @@ bool hangs_for_good(const model::System& system, const Eigen::VectorXd& y) {
 
 // Nor with its balls stuck where they are.
 bool hangs_while_stuck(const model::System& system, const Eigen::VectorXd& y) {
-  std::array<double, model::machine_dimension(1)> held{};
+  std::array<double, model::machine_layout(1).size> held{};
   model::hold_balls(system, y.data(), held.data());
   return model::held_in_well(system, held.data(), std::numeric_limits<double>::infinity());
 }

@@ -20,13 +20,13 @@ double rounding_of_rates(const model::System& system, const VectorXd& state) {
   double size = 1.0 + speed * speed;
   if (!system.prescribed()) {
     const model::DriveSegment& m = system.drive().motor;
-    const double error = system.error_place() < 0 ? 0.0 : state[system.error_place()];
+    const double error = system.layout().error < 0 ? 0.0 : state[system.layout().error];
     model::DrivePiece idle = system.drive(), pushed = idle;
     idle.motor = {.begin = m.begin, .end = m.end};
     pushed.motor = {.begin = m.begin, .end = m.end, .constant = 1.0};
     const auto acceleration = [&](const model::DrivePiece& drive) {
       const model::System other(system.parameters(), drive);
-      return model::rate(other, VectorXd(state.head(other.dimension())))[other.speed_place()];
+      return model::rate(other, VectorXd(state.head(other.dimension())))[other.layout().speed];
     };
     size += (std::fabs(m.constant) + std::fabs(m.slope * speed) + std::fabs(m.integral * error)) *
             std::fabs(acceleration(pushed) - acceleration(idle));

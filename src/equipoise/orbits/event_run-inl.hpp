@@ -12,40 +12,12 @@
 #include "equipoise/integrate/machine_trajectory-inl.hpp"
 #include "equipoise/model/ball_count.hpp"
 #include "equipoise/model/hybrid_flow-inl.hpp"
+#include "equipoise/model/state_layout.hpp"
 #include "equipoise/model/system.hpp"
 #include "equipoise/orbits/ball_events.hpp"
 
 namespace equipoise {
 namespace HWY_NAMESPACE {
-
-// Where the components of a system's state stand in a machine's.
-class MachineLayout {
- public:
-  static constexpr int dimension = HybridFlow<double, model::any_count>::dimension;
-
-  MachineLayout(const model::System& system, double psi)
-      : balls_(model::dimension(system.balls())),
-        psi_(psi),
-        speed_(system.speed()),
-        places_{system.psi_place(), system.speed_place(), system.error_place()} {}
-
-  void to_system(const double* z, double* y) const {
-    std::copy(z, z + balls_, y);
-    for (int k = 0; k < 3; ++k)
-      if (places_[k] >= 0) y[places_[k]] = z[balls_ + k];
-  }
-  void to_machine(double t, const double* y, double* z) const {
-    std::copy(y, y + balls_, z);
-    z[balls_] = places_[0] < 0 ? psi_ + speed_ * t : y[places_[0]];
-    z[balls_ + 1] = places_[1] < 0 ? speed_ : y[places_[1]];
-    z[balls_ + 2] = places_[2] < 0 ? 0.0 : y[places_[2]];
-  }
-
- private:
-  int balls_;
-  double psi_, speed_;
-  std::array<int, 3> places_;  // psi, psi', error
-};
 
 // The equations of a system as long as its balls do what they do.
 class ModeEquations {
@@ -93,10 +65,10 @@ class EventRun {
   // rounding touch.
   EventRun(const model::System& system, const double* y, double psi, const typename Machine::Scale& scale)
       : system_(system),
-        layout_(system, psi),
-        begin_(beginning(y)),
+        machine_layout_(model::machine_layout(n())),
+        begin_(beginning(y, psi)),
         drive_(drive(system)),
-        machine_(system_.parameters(), drive_, scale, begin_.data(), begin_[model::machine_index::error_integral(n())]),
+        machine_(system_.parameters(), drive_, scale, begin_.data(), begin_[machine_layout_.error]),
         equations_(system_, psi, machine_.mode()) {}
   EventRun(const EventRun&) = delete;
   EventRun& operator=(const EventRun&) = delete;
@@ -110,16 +82,16 @@ class EventRun {
           const auto at = [&](double t, double* y) {
             double z[dimension];
             state_at(t, z);
-            layout_.to_system(z, y);
+            model::copy_state(machine_layout_, z, system_.layout(), y);
           };
           return observe(from, to, at);
         },
         stop);
   }
 
-  void state(double* y) const { layout_.to_system(machine_.state(), y); }
+  void state(double* y) const { model::copy_state(machine_layout_, machine_.state(), system_.layout(), y); }
   double time() const { return machine_.time(); }
-  double psi() const { return machine_.state()[model::machine_index::psi(n())]; }
+  double psi() const { return machine_.state()[machine_layout_.psi]; }
   long events() const { return machine_.events(); }
   const model::BallMode& mode() const { return machine_.mode(); }
   // The equations in the present mode.
@@ -138,10 +110,12 @@ class EventRun {
   int n() const { return system_.balls(); }
 
   // The machine's state, with what touches but for errors of integration exactly so.
-  std::array<double, dimension> beginning(const double* y) const {
+  std::array<double, dimension> beginning(const double* y, double psi) const {
     constexpr double touching = 1e-7, together = 1e-8;
     std::array<double, dimension> z{};
-    layout_.to_machine(0.0, y, z.data());
+    z[machine_layout_.psi] = psi;
+    z[machine_layout_.speed] = system_.speed();
+    model::copy_state(system_.layout(), y, machine_layout_, z.data());
     const model::Parameters& p = system_.parameters();
     if (!p.balls_collide() || n() < 2) return z;
     std::array<int, model::max_balls> order{};
@@ -161,8 +135,8 @@ class EventRun {
 
   model::Drive drive(const model::System& system) const {
     model::Drive result;
-    result.psi = begin_[model::machine_index::psi(n())];
-    result.speed = begin_[model::machine_index::speed(n())];
+    result.psi = begin_[machine_layout_.psi];
+    result.speed = begin_[machine_layout_.speed];
     model::DrivePiece piece = system.drive();
     piece.begin = 0.0;
     piece.end = std::numeric_limits<double>::infinity();
@@ -172,7 +146,7 @@ class EventRun {
   }
 
   const model::System system_;
-  const MachineLayout layout_;
+  const model::StateLayout machine_layout_;
   const std::array<double, dimension> begin_;
   const model::Drive drive_;
   Machine machine_;
@@ -184,8 +158,8 @@ inline EventRun::Machine::Scale event_scale(const model::System& system, double 
   EventRun::Machine::Scale scale;
   scale.tolerance = tolerance;
   set_state_scale(system.parameters(), 1, scale);
-  const int n = system.balls(), psi = model::machine_index::psi(n);
-  for (int i = psi; i < model::machine_dimension(n); ++i) scale.floor[i] = smallest_share;
+  const int n = system.balls(), psi = model::machine_layout(n).psi;
+  for (int i = psi; i < model::machine_layout(n).size; ++i) scale.floor[i] = smallest_share;
   scale.floor[psi] = 1.0;
   scale.absolute[psi] = scale.angle[psi] = true;
   return scale;

@@ -29,7 +29,7 @@ double least_share(const model::System& system) { return system.prescribed() ? 0
 // States of one share of gravity and anisotropy as those of another.
 std::vector<VectorXd> hung_anew(const model::System& from, const model::System& to, std::vector<VectorXd> states) {
   for (VectorXd& z : states)
-    model::hang_anew(from.parameters(), to.parameters(), to.psi_place() < 0 ? 0.0 : z[to.psi_place()], z.data());
+    model::hang_anew(from.parameters(), to.parameters(), to.layout().psi < 0 ? 0.0 : z[to.layout().psi], z.data());
   return states;
 }
 
@@ -75,9 +75,9 @@ std::optional<PeriodicOrbit> continued(const model::System& system, PeriodicOrbi
 
 // A state of the system when nothing depends on its rotor's angle.
 VectorXd without_angle(const model::System& system, const VectorXd& state) {
-  if (system.psi_place() < 0) return state;
+  if (system.layout().psi < 0) return state;
   VectorXd result(state.size() - 1);
-  const Eigen::Index before = system.psi_place();
+  const Eigen::Index before = system.layout().psi;
   result << state.head(before), state.tail(state.size() - before - 1);
   return result;
 }

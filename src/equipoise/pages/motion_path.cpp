@@ -51,9 +51,9 @@ MotionPath followed_path(const model::System& system, const Motion& motion, doub
   int next = 0;
   // Of a motor whose supports are alike all round, the rotor's angle is no part of the state: it is summed up.
   const auto turn_on = [&] {
-    const double now = system.prescribed() ? system.speed() : y[static_cast<std::size_t>(system.speed_place())];
-    if (system.psi_place() >= 0)
-      psi = y[static_cast<std::size_t>(system.psi_place())];
+    const double now = system.prescribed() ? system.speed() : y[static_cast<std::size_t>(system.layout().speed)];
+    if (system.layout().psi >= 0)
+      psi = y[static_cast<std::size_t>(system.layout().psi)];
     else if (next > 0)
       psi += 0.5 * step * (speed + now);
     speed = now;

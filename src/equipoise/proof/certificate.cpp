@@ -200,8 +200,8 @@ double level_at_limit(const model::System& system, const double* phi, const Eige
   if (system.prescribed() || !std::isfinite(system.drive().motor.limit)) return std::numeric_limits<double>::infinity();
   const model::DriveSegment& m = system.drive().motor;
   Eigen::VectorXd slope = Eigen::VectorXd::Zero(system.dimension());
-  slope[system.speed_place()] = m.slope;
-  if (system.error_place() >= 0) slope[system.error_place()] = m.integral;
+  slope[system.layout().speed] = m.slope;
+  if (system.layout().error >= 0) slope[system.layout().error] = m.integral;
   const double speed = *model::balanced_speed(system);
   const double room = m.limit - std::fabs(system.torque(model::balanced_state(system, speed, phi)));
   return room * room / slope.dot(dense::inverse(form) * slope);

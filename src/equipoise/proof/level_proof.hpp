@@ -127,7 +127,7 @@ class LevelProof {
 template <class F>
 decltype(auto) with_proof_kind(const model::System& system, F&& f) {
   const auto of = [&]<int n>(std::integral_constant<int, n>) {
-    const bool integral = system.error_place() >= 0;
+    const bool integral = system.layout().error >= 0;
     if (system.plain()) {
       if (system.parameters().rolls) return f(std::integral_constant<ProofKind, ProofKind{n, true}>{});
       return f(std::integral_constant<ProofKind, ProofKind{n}>{});

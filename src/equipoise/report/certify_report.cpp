@@ -8,6 +8,7 @@
 #include <nlohmann/json.hpp>
 
 #include "equipoise/base/version.hpp"
+#include "equipoise/model/state_layout.hpp"
 #include "equipoise/model/system.hpp"
 
 namespace equipoise {
@@ -17,12 +18,8 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 std::vector<std::string> variable_names(const model::System& system) {
-  const int balls = system.balls();
-  std::vector<std::string> names{"x", "y", "u", "v"};
-  for (int i = 1; i <= balls; ++i) names.push_back(fmt::format("phi_{}", i));
-  for (int i = 1; i <= balls; ++i) names.push_back(fmt::format("q_{}", i));
-  if (system.speed_place() >= 0) names.push_back("speed");
-  if (system.error_place() >= 0) names.push_back("error_integral");
+  std::vector<std::string> names;
+  for (const model::StateVariable& v : model::state_variables(system.layout())) names.push_back(v.name);
   return names;
 }
 

@@ -134,9 +134,9 @@ void MotorSource::add(const Machine& machine, const InitialState& start, SpunUp&
   starts.states.resize(starts.states.size() + static_cast<std::size_t>(system.dimension()));
   double* state = &*starts.states.end() - system.dimension();
   initial_state(start, system.balls(), machine.drive.speed, state);
-  if (system.psi_place() >= 0) state[system.psi_place()] = start.psi;
-  state[system.speed_place()] = machine.drive.speed;
-  if (system.error_place() >= 0) state[system.error_place()] = 0.0;
+  if (system.layout().psi >= 0) state[system.layout().psi] = start.psi;
+  state[system.layout().speed] = machine.drive.speed;
+  if (system.layout().error >= 0) state[system.layout().error] = 0.0;
 }
 
 bool MotorSource::make(std::uint64_t seed, std::uint64_t first, std::size_t count, SpunUp& starts,
@@ -247,7 +247,7 @@ double MotorSource::until(std::size_t i, std::size_t k) const {
 
 // Held balls over piece k of the drive, until they are let go.
 bool MotorSource::hold(std::size_t k, Fleet& fleet) const {
-  const std::size_t size = model::held_dimension(machines_.front().systems[k]);
+  const std::size_t size = model::held_layout(machines_.front().systems[k]).size;
   SpunUp& starts = fleet.starts;
   for (;;) {
     const auto places = fleet.which([&](std::size_t i) { return fleet.held[i] && starts.begins[i] < until(i, k); });
@@ -304,7 +304,7 @@ void MotorSource::end_hold(std::size_t k, std::size_t i, const HeldEnd& end, dou
   const bool steady_now = fate.outcome == Outcome::attracted || hold.windows.at_horizon;
   if (hangs) fate.mean_speed = 0.0F;
   // A window of the run-up tells how fast it turned then.
-  if (to_the_end) fate.mean_speed = static_cast<float>(fleet.state(i)[m.systems[k].places().speed]);
+  if (to_the_end) fate.mean_speed = static_cast<float>(fleet.state(i)[m.systems[k].layout().speed]);
   const bool slow = std::fabs(fate.mean_speed) < m.study.stall_speed();
   if (fate.outcome == Outcome::attracted) fate.outcome = Outcome::undecided;
   if (fate.outcome == Outcome::undecided && steady_now && slow) fate.outcome = Outcome::stalled;

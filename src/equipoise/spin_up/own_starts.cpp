@@ -116,7 +116,7 @@ class PrescribedGroup {
       if (transients_) table_.rows.emplace_back();
     }
     if (group_.front()->free == 0) return true;
-    const std::size_t held_size = model::held_dimension(group_.front()->systems.front());
+    const std::size_t held_size = model::held_layout(group_.front()->systems.front()).size;
     std::vector<double> held(group_.size() * held_size);
     for (std::size_t j = 0; j < group_.size(); ++j)
       model::hold_balls(group_[j]->systems.front(), &states[j * size], &held[j * held_size]);

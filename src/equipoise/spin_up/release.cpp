@@ -32,7 +32,7 @@ kernels::ErrorScale<Flow::dimension> scale_of(const model::System& system) {
 
 std::optional<double> find_release(const model::System& system, const HoldRule& rule, double from, double to,
                                    double* state) {
-  const int place = model::held_places(system).speed;
+  const int place = model::held_layout(system).speed;
   const auto come = [&](const double* y) {
     return rule.rising ? y[place] >= rule.release_speed : y[place] <= rule.release_speed;
   };

@@ -53,10 +53,7 @@ struct BasinFile::State {
   std::optional<store::Journal> journal;
   std::unique_ptr<Notes> notes;
 
-  std::size_t state_size() const {
-    if (!header.drawn.empty()) return 1;
-    return 4 + 2 * static_cast<std::size_t>(header.balls) + header.drive_components.size();
-  }
+  std::size_t state_size() const { return header.drawn.empty() ? header.variables.size() : 1; }
   std::size_t column(const char* name) const;
   void require_same(const std::string& there, const std::string& identity) const;
   void open_results();

@@ -29,8 +29,7 @@ struct BasinFileHeader {
   bool driven = false;     ///< a motor turns the rotor: each start has a mean speed of its own
   bool touches = false;    ///< balls collide: whether they did is said of each start
   bool sticks = false;     ///< dry friction may hold balls anywhere: each start has an unbalance left of its own
-  /// What states of discoveries have beside the centre and the balls, by name: of driven rotors.
-  std::vector<std::string> drive_components;
+  std::vector<std::string> variables;  ///< of the states of discoveries, by name
   /// Uncertain values that each start draws, by key, and their units. Of a motion the number of the start that met it
   /// is then kept, for starts have rotors of their own.
   std::vector<std::string> drawn, drawn_units;

@@ -187,12 +187,7 @@ class BasinWriter {
   }
 
   std::vector<std::string> components() const {
-    if (!c_.header.drawn.empty()) return {"start"};
-    std::vector<std::string> names{"x", "y", "u", "v"};
-    for (const char* part : {"phi", "phi_dot"})
-      for (int i = 1; i <= c_.header.balls; ++i) names.push_back(fmt::format("{}_{}", part, i));
-    names.insert(names.end(), c_.header.drive_components.begin(), c_.header.drive_components.end());
-    return names;
+    return c_.header.drawn.empty() ? c_.header.variables : std::vector<std::string>{"start"};
   }
 
   void write_coordinates() {

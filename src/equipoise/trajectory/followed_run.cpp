@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "equipoise/base/error.hpp"
+#include "equipoise/model/state_layout.hpp"
 #include "equipoise/trajectory/machine_run.hpp"
 #include "equipoise/trajectory/record.hpp"
 
@@ -41,10 +42,9 @@ IntegrationStatus FollowedRun::advance(double until) {
 }
 
 void FollowedRun::record(Trajectory& out) const {
-  using namespace model::machine_index;
-  const int n = state_->study.parameters.balls;
+  const model::StateLayout layout = model::machine_layout(state_->study.parameters.balls);
   const double* at = state_->run.machine().state();
-  equipoise::record(out, state_->study.parameters, at[psi(n)], at[speed(n)], time(), at);
+  equipoise::record(out, state_->study.parameters, at[layout.psi], at[layout.speed], time(), at);
 }
 
 bool FollowedRun::held() const { return state_->run.machine().clamped(); }

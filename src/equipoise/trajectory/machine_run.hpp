@@ -10,6 +10,7 @@
 #include "equipoise/base/error.hpp"
 #include "equipoise/integrate/machine_trajectory-inl.hpp"
 #include "equipoise/model/ball_count.hpp"
+#include "equipoise/model/state_layout.hpp"
 #include "equipoise/spin_up/initial_state.hpp"
 #include "equipoise/study/study.hpp"
 
@@ -47,13 +48,12 @@ class MachineRun {
 
  private:
   static Machine::Scale scale_of(const Study& study) {
-    using namespace model::machine_index;
-    const int n = study.parameters.balls;
+    const model::StateLayout layout = model::machine_layout(study.parameters.balls);
     Machine::Scale scale;
     scale.tolerance = study.numerics.tolerance.value_or(default_simulate_tolerance);
     set_state_scale(study.parameters, 1, scale);
-    scale.floor[psi(n)] = scale.floor[speed(n)] = scale.floor[error_integral(n)] = 1.0;
-    scale.absolute[psi(n)] = scale.angle[psi(n)] = true;
+    scale.floor[layout.psi] = scale.floor[layout.speed] = scale.floor[layout.error] = 1.0;
+    scale.absolute[layout.psi] = scale.angle[layout.psi] = true;
     return scale;
   }
   static std::array<double, Machine::dimension> first_state(const Study& study, const model::Drive& drive) {

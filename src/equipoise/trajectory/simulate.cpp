@@ -15,6 +15,7 @@
 #include "equipoise/model/ball_count.hpp"
 #include "equipoise/model/flow-inl.hpp"
 #include "equipoise/model/frames.hpp"
+#include "equipoise/model/state_layout.hpp"
 #include "equipoise/model/strobe.hpp"
 #include "equipoise/model/system.hpp"
 #include "equipoise/spin_up/initial_state.hpp"
@@ -112,14 +113,13 @@ void simulate_free(const Task& task, const std::vector<model::Segment>& segments
 // A machine's trajectory: from event to event.
 void simulate_machine(const Task& task, Trajectory& out) {
   using Machine = kernels::MachineRun::Machine;
-  using namespace model::machine_index;
   const std::vector<double>& times = task.times;
   const model::Parameters& p = task.study.parameters;
-  const int n = p.balls;
+  const model::StateLayout layout = model::machine_layout(p.balls);
   kernels::MachineRun run(task.study);
   Machine& machine = run.machine();
   std::size_t next = 0;
-  const auto take = [&](double t, const double* at) { record(out, p, at[psi(n)], at[speed(n)], t, at); };
+  const auto take = [&](double t, const double* at) { record(out, p, at[layout.psi], at[layout.speed], t, at); };
   if (times.empty()) return;
   out.status = machine.advance(
       times.back(),

@@ -21,9 +21,8 @@ namespace equipoise {
 
 namespace {
 namespace kernels = HWY_NAMESPACE;
-using namespace model::machine_index;
 
-constexpr int most = model::machine_dimension(model::max_balls);
+constexpr int most = model::largest_state;
 using Flow = kernels::HybridFlow<double, model::any_count>;
 using SlopeFlow = kernels::HybridFlow<Dual<most>, model::any_count>;
 
@@ -46,19 +45,9 @@ void check_has_equations(const Study& study) {
   }
 }
 
-std::vector<StudyEquations::Component> components_of(int balls, bool driven, bool error) {
-  std::vector<StudyEquations::Component> c{{"x", "R", "centre O of the shaft, along the rotating x axis"},
-                                           {"y", "R", "centre O of the shaft, along the rotating y axis"},
-                                           {"u", "R omega_c", "inertial velocity of O along the rotating x axis"},
-                                           {"v", "R omega_c", "inertial velocity of O along the rotating y axis"}};
-  for (int i = 1; i <= balls; ++i)
-    c.push_back({fmt::format("phi_{}", i), "rad", fmt::format("angle of ball {} in the rotating frame", i), true});
-  for (int i = 1; i <= balls; ++i)
-    c.push_back({fmt::format("phi_dot_{}", i), "omega_c", fmt::format("rate of ball {} in the rotating frame", i)});
-  if (driven) c.push_back({"psi", "rad", "angle of the rotor", true});
-  if (driven) c.push_back({"psi_dot", "omega_c", "speed of the rotor"});
-  if (error) c.push_back({"speed_error_integral", "rad", "integral of what the speed lacks of the control's target"});
-  return c;
+bool integrates_error(const model::Drive& drive) {
+  return std::any_of(drive.pieces.begin(), drive.pieces.end(),
+                     [](const model::DrivePiece& p) { return p.driven() && p.motor.integral != 0.0; });
 }
 
 }  // namespace
@@ -66,25 +55,23 @@ std::vector<StudyEquations::Component> components_of(int balls, bool driven, boo
 struct StudyEquations::State {
   explicit State(const Study& of) : State(of, of.drive()) {}
   State(const Study& of, model::Drive how)
-      : study(of), drive(std::move(how)), free(of.parameters), held(of.parameters) {
+      : study(of),
+        drive(std::move(how)),
+        machine(model::machine_layout(of.parameters.balls)),
+        own(model::StateLayout::of(of.parameters.balls, of.speed.driven(), of.speed.driven(), integrates_error(drive))),
+        variables(model::state_variables(own)),
+        free(of.parameters),
+        held(of.parameters) {
     const int n = balls();
     if (std::isfinite(drive.release_time)) drive.release_speed.reset();
     for (int i = 0; i < n; ++i) clamped.held[i] = true;
     held.set(clamped);
-    for (int i = 0; i < model::dimension(n); ++i) places.push_back(i);
-    const bool driven = study.speed.driven();
-    bool error = false;
-    for (const model::DrivePiece& p : drive.pieces) error = error || (p.driven() && p.motor.integral != 0.0);
-    if (driven) places.insert(places.end(), {psi(n), speed(n)});
-    if (error) places.push_back(error_integral(n));
-    components = components_of(n, driven, error);
     cut();
   }
   State(const State&) = delete;
   State& operator=(const State&) = delete;
 
   int balls() const { return study.parameters.balls; }
-  int size() const { return static_cast<int>(places.size()); }
 
   const model::DrivePiece& drive_at(std::size_t piece) const { return drive.pieces[drive_of[piece]]; }
   template <class T>
@@ -93,21 +80,21 @@ struct StudyEquations::State {
     return {study.parameters, drive_at(piece), &m};
   }
 
-  // The state of model/machine.hpp.
-  void whole(std::size_t piece, double t, const double* y, double* z) const {
-    const int n = balls();
+  // The state laid out as `machine`.
+  template <class T>
+  void whole(std::size_t piece, double t, const T* y, T* z) const {
     const model::DrivePiece& p = drive_at(piece);
     const double elapsed = t - p.begin;
-    z[psi(n)] = p.psi + (p.speed + 0.5 * p.acceleration * elapsed) * elapsed;
-    z[speed(n)] = p.speed + p.acceleration * elapsed;
-    z[error_integral(n)] = 0.0;
-    for (int i = 0; i < size(); ++i) z[places[i]] = y[i];
+    z[machine.psi] = T(p.psi + (p.speed + 0.5 * p.acceleration * elapsed) * elapsed);
+    z[machine.speed] = T(p.speed + p.acceleration * elapsed);
+    z[machine.error] = T(0.0);
+    model::copy_state(own, y, machine, z);
   }
 
   Study study;
   model::Drive drive;
-  std::vector<int> places;  // of a state's components in that of model/machine.hpp
-  std::vector<Component> components;
+  model::StateLayout machine, own;
+  std::vector<model::StateVariable> variables;
   std::vector<Piece> pieces;
   std::vector<std::size_t> drive_of;  // pieces
   model::BallMode clamped;
@@ -143,8 +130,8 @@ StudyEquations& StudyEquations::operator=(const StudyEquations&) = default;
 StudyEquations::~StudyEquations() = default;
 
 const Study& StudyEquations::study() const { return state_->study; }
-int StudyEquations::dimension() const { return state_->size(); }
-const std::vector<StudyEquations::Component>& StudyEquations::components() const { return state_->components; }
+int StudyEquations::dimension() const { return state_->own.size; }
+const std::vector<model::StateVariable>& StudyEquations::variables() const { return state_->variables; }
 const std::vector<StudyEquations::Piece>& StudyEquations::pieces() const { return state_->pieces; }
 
 std::size_t StudyEquations::piece_at(double t) const {
@@ -197,21 +184,22 @@ void StudyEquations::rhs(std::size_t piece, double t, const double* y, double* d
   double z[Flow::dimension], dz[Flow::dimension];
   state_->whole(piece, t, y, z);
   state_->flows[piece](t, z, dz);
-  for (int i = 0; i < dimension(); ++i) dy[i] = dz[state_->places[i]];
+  model::copy_state(state_->machine, dz, state_->own, dy);
 }
 
 void StudyEquations::jacobian(std::size_t piece, double t, const double* y, double* matrix) const {
-  double values[Flow::dimension];
-  state_->whole(piece, t, y, values);
   kernels::ModeTable<Dual<most>, model::any_count> modes(study().parameters);
   if (pieces()[piece].held) modes.set(state_->clamped);
-  Dual<most> z[SlopeFlow::dimension], dz[SlopeFlow::dimension];
-  for (int i = 0; i < model::machine_dimension(state_->balls()); ++i) z[i] = values[i];
+  Dual<most> variables[most], rates[most], z[SlopeFlow::dimension], dz[SlopeFlow::dimension];
   const int size = dimension();
-  for (int k = 0; k < size; ++k) z[state_->places[k]].slope[k] = 1.0;
+  for (int k = 0; k < size; ++k) {
+    variables[k] = y[k];
+    variables[k].slope[k] = 1.0;
+  }
+  state_->whole(piece, t, variables, z);
   state_->flow(piece, modes)(Dual<most>(t), z, dz);
-  for (int i = 0; i < size; ++i)
-    for (int k = 0; k < size; ++k) matrix[i * size + k] = dz[state_->places[i]].slope[k];
+  model::copy_state(state_->machine, dz, state_->own, rates);
+  for (int i = 0; i < size; ++i) std::copy_n(rates[i].slope, size, matrix + i * size);
 }
 
 void StudyEquations::cross(std::size_t piece, double* y) const {
@@ -229,11 +217,11 @@ double StudyEquations::energy(std::size_t piece, double t, const double* y) cons
 }
 
 model::Powers StudyEquations::powers(std::size_t piece, double t, const double* y) const {
-  const int n = state_->balls();
+  const model::StateLayout& at = state_->machine;
   double z[Flow::dimension], dz[Flow::dimension];
   state_->whole(piece, t, y, z);
   state_->flows[piece](t, z, dz);
-  const model::Segment now{t, t, z[psi(n)], z[speed(n)], dz[speed(n)], pieces()[piece].held};
+  const model::Segment now{t, t, z[at.psi], z[at.speed], dz[at.speed], pieces()[piece].held};
   return model::powers(study().parameters, study().parameters.inertia, now, t, z);
 }
 
@@ -242,9 +230,9 @@ MotionState StudyEquations::motion(std::size_t piece, double t, const double* y)
   double z[Flow::dimension];
   state_->whole(piece, t, y, z);
   MotionState m;
-  m.psi = z[psi(n)];
-  m.psi_dot = z[speed(n)];
-  m.speed_error_integral = z[error_integral(n)];
+  m.psi = z[state_->machine.psi];
+  m.psi_dot = z[state_->machine.speed];
+  m.speed_error_integral = z[state_->machine.error];
   m.x = z[model::index::x];
   m.y = z[model::index::y];
   const auto velocity = model::rotating_velocity(m.psi_dot, z);
@@ -260,16 +248,16 @@ MotionState StudyEquations::motion(std::size_t piece, double t, const double* y)
 std::vector<double> StudyEquations::state(std::size_t piece, double t, const MotionState& motion) const {
   const int n = state_->balls();
   double z[Flow::dimension];
-  z[psi(n)] = motion.psi;
-  z[speed(n)] = motion.psi_dot;
-  z[error_integral(n)] = motion.speed_error_integral;
+  z[state_->machine.psi] = motion.psi;
+  z[state_->machine.speed] = motion.psi_dot;
+  z[state_->machine.error] = motion.speed_error_integral;
   const model::DrivePiece& p = state_->drive_at(piece);
   const double speed_now = p.driven() ? motion.psi_dot : p.speed + p.acceleration * (t - p.begin);
   equipoise::initial_state(motion, n, speed_now, z);
   if (pieces()[piece].held)
     for (int i = 0; i < n; ++i) z[model::index::q(i, n)] = 0.0;
-  std::vector<double> y;
-  for (const int place : state_->places) y.push_back(z[place]);
+  std::vector<double> y(static_cast<std::size_t>(dimension()));
+  model::copy_state(state_->machine, z, state_->own, y.data());
   return y;
 }
 
@@ -279,7 +267,7 @@ void StudyEquations::append(double t, const double* y, Trajectory& trajectory) c
   state_->whole(piece_at(t), t, y, z);
   trajectory.phi.resize(static_cast<std::size_t>(n));
   trajectory.phi_dot.resize(static_cast<std::size_t>(n));
-  record(trajectory, study().parameters, z[psi(n)], z[speed(n)], t, z);
+  record(trajectory, study().parameters, z[state_->machine.psi], z[state_->machine.speed], t, z);
 }
 
 }  // namespace equipoise

@@ -5,10 +5,10 @@
 #include <limits>
 #include <memory>
 #include <optional>
-#include <string>
 #include <vector>
 
 #include "equipoise/model/energy.hpp"
+#include "equipoise/model/state_layout.hpp"
 #include "equipoise/results/trajectory.hpp"
 #include "equipoise/study/study.hpp"
 
@@ -24,14 +24,8 @@ struct MotionState : InitialState {
 /// dy/dt = f(t, y) for all of a study: spin-up, balls held and let go, motor or prescribed speed. Time in 1/omega_c,
 /// all else as in docs/equations.md and model/parameters.hpp.
 ///
-/// State y, `dimension()` numbers:
-///
-///     x, y                the centre O of the shaft, rotating frame
-///     u, v                its inertial velocity in rotating components: u = x' - psi' y, v = y' + psi' x
-///     phi_1 .. phi_n      ball angles in the rotating frame, unwrapped
-///     phi_dot_1 .. n      their rates
-///     psi, psi_dot        of a driven rotor: its angle and speed
-///     speed_error_integral  of a driven rotor whose control has one
+/// State y: the `dimension()` numbers that variables() names (model/state_layout.hpp). psi and psi_dot are among them
+/// where a motor drives the rotor, speed_error_integral where its control has one.
 ///
 /// Time is cut into pieces on which f is smooth; an integrator has to end a step where a piece ends, pass the state
 /// through cross(), and begin anew. A piece is asked by its number, for at its end two hold; without number, the one
@@ -51,13 +45,7 @@ class StudyEquations {
 
   const Study& study() const;
   int dimension() const;
-  struct Component {
-    std::string name;  ///< "x", "phi_1", "phi_dot_1", "psi_dot"
-    std::string unit;  ///< what a dimensionless 1 is: "R", "R omega_c", "rad", "omega_c"
-    std::string long_name;
-    bool angle = false;  ///< 2 pi more is the same
-  };
-  const std::vector<Component>& components() const;
+  const std::vector<model::StateVariable>& variables() const;
 
   struct Piece {
     double begin = 0.0, end = std::numeric_limits<double>::infinity();

@@ -39,12 +39,11 @@ class WatchedRotor {
         rotor_(of_rotor(p)),
         turns_(model::is_strobed(p)),
         held_(task.held),
-        psi_place_(task.psi_place()),
-        speed_place_(task.speed_place()),
+        psi_place_(task.layout().psi),
+        speed_place_(task.layout().speed),
         sag_(model::static_sag(p)) {
     for (int i = 0; i < model::max_balls; ++i) mass_[i] = Pack(p.mass[i]);
-    if (settings.work == WorkSource::motor)
-      motor_.emplace(p, system->drive(), task.places(), segment.begin, 0.0);
+    if (settings.work == WorkSource::motor) motor_.emplace(p, system->drive(), task.layout(), segment.begin, 0.0);
   }
 
   // Lane `lane` gets the rotor of `from`.

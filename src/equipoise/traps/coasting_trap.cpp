@@ -9,6 +9,7 @@
 #include "equipoise/deciding/decision_rule.hpp"
 #include "equipoise/model/energy.hpp"
 #include "equipoise/model/machine.hpp"
+#include "equipoise/model/state_layout.hpp"
 #include "equipoise/model/unbalance.hpp"
 #include "equipoise/motions/event_motion.hpp"
 #include "equipoise/motions/nearest_balanced.hpp"
@@ -57,17 +58,15 @@ CoastingTrap::CoastingTrap(const model::System& system, double stall_speed, doub
   const model::CentredTwin twin = model::centred_twin(p, stall_speed > 0.0 ? stall_speed : 1.0);
   balances_ = model::balanced_states(twin.parameters).kind != model::BalancedStates::Kind::none;
   exact_ = p.gravity == 0.0 && p.race_is_centred() && !system.events().stick;
-  std::array<double, model::machine_dimension(model::max_balls)> state{};
-  state[model::machine_index::speed(p.balls)] = stall_speed;
+  std::array<double, model::largest_state> state{};
+  state[model::machine_layout(p.balls).speed] = stall_speed;
   least_energy_ += model::machine_energy(at_speed, state.data());
 }
 
 double CoastingTrap::energy(const double* state) const {
   const model::Parameters& p = system_.parameters();
-  std::array<double, model::machine_dimension(model::max_balls)> all{};
-  std::copy_n(state, model::dimension(p.balls), all.begin());
-  if (system_.psi_place() >= 0) all[model::machine_index::psi(p.balls)] = state[system_.psi_place()];
-  all[model::machine_index::speed(p.balls)] = state[system_.speed_place()];
+  std::array<double, model::largest_state> all{};
+  model::copy_state(system_.layout(), state, model::machine_layout(p.balls), all.data());
   return model::machine_energy(p, all.data());
 }
 
@@ -76,7 +75,7 @@ bool CoastingTrap::stalls(const double* state) const { return energy(state) < le
 // Asked often: what is far from balance shows it in the balls.
 bool CoastingTrap::is_near(const double* state) const {
   const model::Parameters& p = system_.parameters();
-  const double speed = state[system_.speed_place()];
+  const double speed = state[system_.layout().speed];
   if (!balances_ || speed == 0.0) return false;
   const model::CentredTwin twin = model::centred_twin(p, speed);
   const std::complex<double> rest =
@@ -119,7 +118,7 @@ CoastingTrap::Answer CoastingTrap::balances(const double* state, const StopFlag*
 
 CoastingTrap::Held CoastingTrap::held_at_present_speed(const Eigen::VectorXd& state) const {
   const model::System held(system_.parameters(), system_.speed(state));
-  return {held, state.head(held.dimension()), system_.psi_place() < 0 ? 0.0 : state[system_.psi_place()]};
+  return {held, state.head(held.dimension()), system_.layout().psi < 0 ? 0.0 : state[system_.layout().psi]};
 }
 
 std::optional<Motion> CoastingTrap::lasting_motion(const Eigen::VectorXd& state, const StopFlag* stop) const {

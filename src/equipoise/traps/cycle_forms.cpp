@@ -151,7 +151,7 @@ std::optional<Arcs> arcs_over_strobes(const model::System& system, const Periodi
 // From `z`, on a motion along which the rotor's angle grows or falls all the way, to where that is `psi`; with the
 // derivative. Newton's method on the time.
 std::optional<TangentFlight> follow_to_angle(const model::System& system, const VectorXd& z, double psi) {
-  const int place = system.psi_place();
+  const int place = system.layout().psi;
   double time = (psi - z[place]) / system.speed(z);
   for (int k = 0; k < 20; ++k) {
     if (!(time >= 0.0)) return std::nullopt;
@@ -168,7 +168,7 @@ std::optional<TangentFlight> follow_to_angle(const model::System& system, const 
 // motion to where it does not.
 std::optional<Arcs> arcs_over_turns(const model::System& system, const Motion& motion, const VectorXd& unit,
                                     int turns) {
-  const int place = system.psi_place(), size = system.dimension(), cells = cells_a_strobe * turns;
+  const int place = system.layout().psi, size = system.dimension(), cells = cells_a_strobe * turns;
   const double turn = motion.speed < 0.0 ? -system.strobe_angle() : system.strobe_angle(), step = turn / cells_a_strobe;
   const VectorXd& first = motion.orbit.nodes.front();
   const auto start = follow_to_angle(system, first, turn * std::ceil(first[place] / turn));
@@ -231,7 +231,7 @@ std::vector<CycleTrap> traps_by_rotor(const model::System& system, const Motion&
   if (motion.motor && !(motion.motor->speed_min * motion.motor->speed_max > 0.0)) return {};
   CycleTrap trap;
   trap.attractor = attractor;
-  trap.phase_place = system.psi_place();
+  trap.phase_place = system.layout().psi;
   trap.turns = motion.strobes;
   trap.cells = cells_a_strobe;
   trap.unit = system.scale();

@@ -33,7 +33,7 @@ std::vector<int> order_of(const model::System& system, const double* state) {
   std::array<double, model::max_balls> from_below{};
   std::vector<int> order;
   for (int i = 0; i < n; ++i) {
-    from_below[i] = wrapped(state[system.psi_place()] + state[model::index::phi(i)] + 0.5 * pi);
+    from_below[i] = wrapped(state[system.layout().psi] + state[model::index::phi(i)] + 0.5 * pi);
     order.push_back(i);
   }
   std::sort(order.begin(), order.end(), [&](int a, int b) { return from_below[a] < from_below[b]; });
