@@ -11,6 +11,8 @@
 
 #include <fmt/format.h>
 
+#include "../support/refusals.hpp"
+#include "../support/studies.hpp"
 #include "equipoise/base/error.hpp"
 #include "equipoise/basins/certify.hpp"
 #include "equipoise/math/lyapunov.hpp"
@@ -69,27 +71,41 @@ void expect_proved(const Case& c) {
   EXPECT_TRUE(check.proved) << check.reason;
 }
 
-TEST(Certificate, proves_every_stable_case_of_table_1) {
+struct Row {
+  double drag, speed;
+};
+class CertificateOf : public testing::TestWithParam<Row> {};
+TEST_P(CertificateOf, ARowOfThePaperIsProved) { expect_proved(case_of(balancer(GetParam().drag), GetParam().speed)); }
+
+std::vector<Row> stable_cases_of_table_1() {
+  std::vector<Row> rows;
   for (double beta : {0.01, 0.05, 0.1, 0.25})
     for (double speed : {1.5, 2.0, 3.0, 4.0, 5.0, 6.0})
-      if (!(beta == 0.01 && speed <= 2.0) && !(beta == 0.05 && speed == 1.5))
-        expect_proved(case_of(balancer(beta), speed));
+      if (!(beta == 0.01 && speed <= 2.0) && !(beta == 0.05 && speed == 1.5)) rows.push_back({beta, speed});
+  return rows;
 }
+INSTANTIATE_TEST_SUITE_P(Table1, CertificateOf, testing::ValuesIn(stable_cases_of_table_1()));
 
-TEST(Certificate, proves_every_row_of_table_2) {
-  for (int k = 0; k <= 15; ++k) expect_proved(case_of(balancer(0.05), 2.0 + 0.2 * k));
+std::vector<Row> rows_of_table_2() {
+  std::vector<Row> rows;
+  for (int k = 0; k <= 15; ++k) rows.push_back({0.05, 2.0 + 0.2 * k});
+  return rows;
 }
+INSTANTIATE_TEST_SUITE_P(Table2, CertificateOf, testing::ValuesIn(rows_of_table_2()));
 
-TEST(Certificate, proves_both_states_of_equal_and_of_unequal_balls_and_the_state_of_one_ball) {
+TEST(Certificate, ProvesTheOtherStateTheStateOfOneBallAndTurningBackwards) {
   expect_proved(case_of(balancer(0.05), 2.4, 1));
-  model::Parameters unequal = balancer(0.05, {0.03, 0.034});
-  unequal.drag[1] = 0.08;
-  for (std::size_t state : {0, 1}) expect_proved(case_of(unequal, 2.4, state));
   expect_proved(case_of(balancer(0.05, {0.01}), 3.0));
   expect_proved(case_of(balancer(0.05), -3.0));
 }
 
-TEST(Certificate, proves_balls_that_roll_and_is_not_one_of_balls_that_slide) {
+TEST(Certificate, ProvesBothStatesOfUnequalBalls) {
+  model::Parameters unequal = balancer(0.05, {0.03, 0.034});
+  unequal.drag[1] = 0.08;
+  for (std::size_t state : {0, 1}) expect_proved(case_of(unequal, 2.4, state));
+}
+
+TEST(Certificate, ProvesBallsThatRollAndIsNotOneOfBallsThatSlide) {
   model::Parameters rolling = balancer(0.05);
   rolling.rolls = true;
   for (double speed : {2.4, 5.0}) expect_proved(case_of(rolling, speed));
@@ -100,7 +116,7 @@ TEST(Certificate, proves_balls_that_roll_and_is_not_one_of_balls_that_slide) {
   EXPECT_FALSE(check_certificate(one).proved);
 }
 
-TEST(Certificate, sets_hold_no_point_where_v_grows) {
+TEST(Certificate, SetsHoldNoPointWhereVGrows) {
   for (const auto& [beta, speed] : {std::pair{0.01, 3.0}, {0.05, 2.0}, {0.05, 2.4}, {0.25, 4.0}}) {
     const Case c = case_of(balancer(beta), speed);
     const Certificate found = largest_certificate({c.p, speed}, c.phi.data(), c.form, c.critical);
@@ -125,7 +141,7 @@ TEST(Certificate, sets_hold_no_point_where_v_grows) {
   }
 }
 
-TEST(Certificate, is_refused_above_the_sampled_critical_level) {
+TEST(Certificate, IsRefusedAboveTheSampledCriticalLevel) {
   for (const auto& [beta, speed] : {std::pair{0.01, 3.0}, {0.05, 2.4}, {0.25, 2.0}}) {
     const Case c = case_of(balancer(beta), speed);
     Certificate certificate;
@@ -140,7 +156,7 @@ TEST(Certificate, is_refused_above_the_sampled_critical_level) {
 
 // Overdamped balls on damped supports: rates from 1e-3 to 5, so that level sets are narrow and 20 000 random rays find
 // a level several times too high. The form's mirror image asks other directions of the same V.
-TEST(CriticalLevel, does_not_depend_on_the_sense_of_turning) {
+TEST(CriticalLevel, DoesNotDependOnTheSenseOfTurning) {
   for (const std::vector<double>& masses : {std::vector{0.00434, 0.00434}, {0.00434, 0.005}, {0.0083}}) {
     model::Parameters p = balancer(5.2, masses, 0.0083);
     p.damping = {0.883, 0.883};
@@ -165,7 +181,7 @@ TEST(CriticalLevel, does_not_depend_on_the_sense_of_turning) {
   }
 }
 
-TEST(Certificate, is_refused_for_forms_that_are_wrong) {
+TEST(Certificate, IsRefusedForFormsThatAreWrong) {
   const Case c = case_of(balancer(0.05), 2.4);
   const auto reason = [&](const Eigen::MatrixXd& form, double level) {
     Certificate certificate;
@@ -186,7 +202,7 @@ TEST(Certificate, is_refused_for_forms_that_are_wrong) {
   EXPECT_EQ(reason(c.form, 1e9), "the level set reaches around the race");
 }
 
-TEST(Certificate, is_refused_with_a_reason_where_there_is_nothing_to_prove) {
+TEST(Certificate, IsRefusedWithAReasonWhereThereIsNothingToProve) {
   const auto reason = [](const model::Parameters& p, double speed, std::array<double, 3> phi) {
     Certificate certificate;
     const int size = model::dimension(p.balls);
@@ -209,7 +225,7 @@ TEST(Certificate, is_refused_with_a_reason_where_there_is_nothing_to_prove) {
   EXPECT_NE(reason(p, 3.0, {1.67096, -1.67096}).find("gravity"), std::string::npos);
 }
 
-TEST(Certificate, is_refuted_once_anything_in_it_is_changed) {
+TEST(Certificate, IsRefutedOnceAnythingInItIsChanged) {
   const Case c = case_of(balancer(0.05), 2.4);
   Certificate good;
   ASSERT_TRUE(prove(c, 0.9, good).proved);
@@ -249,7 +265,7 @@ TEST(Certificate, is_refuted_once_anything_in_it_is_changed) {
   EXPECT_TRUE(refuted([](Certificate& b) { b.parameters.balls = 3; }));
 }
 
-TEST(Certificate, order_of_boxes_is_free) {
+TEST(Certificate, OrderOfBoxesIsFree) {
   const Case c = case_of(balancer(0.05), 2.4);
   Certificate certificate;
   ASSERT_TRUE(prove(c, 0.9, certificate).proved);
@@ -257,7 +273,7 @@ TEST(Certificate, order_of_boxes_is_free) {
   EXPECT_TRUE(check_certificate(certificate).proved);
 }
 
-TEST(Certificate, covers_the_trap_that_a_program_tests_in_doubles) {
+TEST(Certificate, CoversTheTrapThatAProgramTestsInDoubles) {
   // The program's V, from a rounded factor about rounded angles, against the exact form's: apart by far less than
   // level_slack.
   const Case c = case_of(balancer(0.01), 6.0);
@@ -280,7 +296,7 @@ TEST(Certificate, covers_the_trap_that_a_program_tests_in_doubles) {
   }
 }
 
-TEST(CertificateJson, gives_the_same_bits_back) {
+TEST(CertificateJson, GivesTheSameBitsBack) {
   std::vector<Certificate> written(2);
   ASSERT_TRUE(prove(case_of(balancer(0.05), 2.4), 0.9, written[0]).proved);
   ASSERT_TRUE(prove(case_of(balancer(0.05, {0.01}), 3.0), 0.9, written[1]).proved);
@@ -303,24 +319,14 @@ TEST(CertificateJson, gives_the_same_bits_back) {
   }
 }
 
-TEST(CertificateJson, names_what_does_not_fit) {
+TEST(CertificateJson, NamesWhatDoesNotFit) {
   std::vector<Certificate> one(1);
   ASSERT_TRUE(prove(case_of(balancer(0.05, {0.01}), 3.0), 0.9, one[0]).proved);
   const std::string good = certificates_json(one);
-  const auto complaint = [](const std::string& text) -> std::string {
-    try {
-      certificates_from_json(text, "file");
-    } catch (const InputError& e) {
-      return e.what();
-    }
-    return "";
+  const auto complaint = [](const std::string& text) {
+    return refusal_text([&] { certificates_from_json(text, "file"); });
   };
-  const auto with = [&](const std::string& from, const std::string& to) {
-    std::string text = good;
-    const auto place = text.find(from);
-    EXPECT_NE(place, std::string::npos) << from;
-    return text.replace(place, from.size(), to);
-  };
+  const auto with = [&](const char* from, const char* to) { return equipoise::with(good, from, to); };
   EXPECT_EQ(complaint(good), "");
   EXPECT_NE(complaint("").find("is not JSON"), std::string::npos);
   EXPECT_NE(complaint(good.substr(0, good.size() / 2)).find("is not JSON"), std::string::npos);
@@ -335,10 +341,8 @@ TEST(CertificateJson, names_what_does_not_fit) {
   EXPECT_NE(complaint(with("\"boxes\": [", "\"boxes\": [[1],")).find("boxes"), std::string::npos);
 }
 
-TEST(Certify, proves_a_study_and_says_why_it_does_not) {
-  const std::string text =
-      "[rotor]\neccentricity = 0.01\ndamping = 0.5\n[balancer]\nballs = 2\nmass = 0.05\ndrag = 0.05\n"
-      "[speed]\nprofile = \"constant\"\nspeed = 2.4\n";
+TEST(Certify, ProvesAStudyAndSaysWhyItDoesNot) {
+  const std::string& text = constant_speed;
   const CertifyResult result = certify(parse_study(text, "study"));
   EXPECT_TRUE(result.proved());
   ASSERT_EQ(result.states.size(), 1u);
