@@ -8,14 +8,26 @@
 #include <vector>
 
 #include "equipoise/basins/basin.hpp"
+#include "equipoise/basins/ensemble_runner.hpp"
 #include "equipoise/discovery/discovery.hpp"
 #include "equipoise/motions/catalogue.hpp"
 #include "equipoise/sweeps/cell_desk.hpp"
-#include "equipoise/sweeps/cell_help.hpp"
 
 namespace equipoise {
 
 namespace {
+
+// What is asked of a cell's ensemble, whoever works on it; for as long as `start` is there.
+BasinOptions cell_options(const SweepPlan& plan, const CellStart& start) {
+  BasinOptions options;
+  options.half_width = plan.request().half_width;
+  options.limit_given = plan.request().limit_given;
+  options.transients = plan.transients();
+  options.seeds = start.seeds;
+  options.informed = start.informed;
+  options.hints = &start.hints;
+  return options;
+}
 
 SweepOutcome outcome_of(const AttractorShare& a, const Catalogue& catalogue, int balls) {
   SweepOutcome outcome;
@@ -131,6 +143,13 @@ bool run_block(const SweepPlan& plan, std::size_t block, const std::function<con
     deliver(index, *before);
   }
   return true;
+}
+
+EnsembleHelper helper_for(const SweepPlan& plan, const CellAtWork& at, int threads, const StopFlag* stop) {
+  BasinOptions options = cell_options(plan, at.start);
+  options.threads = threads;
+  options.stop = stop;
+  return EnsembleHelper(plan.study_of(at.cell), options, at.method);
 }
 
 }  // namespace equipoise
