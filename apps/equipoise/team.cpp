@@ -124,7 +124,7 @@ T answer_from(const Bytes& bytes) {
 }
 
 SweepCell cell_in(const CellBytes& bytes) {
-  auto cell = store::cell_from(bytes.data(), bytes.size());
+  auto cell = store::cell_from(bytes);
   if (!cell) throw RunError("a message between processes holds no cell");
   return std::move(*cell);
 }
