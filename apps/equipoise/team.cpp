@@ -1,5 +1,5 @@
-// The processes of a job: the first gives blocks of cells to whoever asks for work, with what is known of them, and
-// takes cells in; whom it has no block for it sends to another, to decide blocks of starts of the cell at work there.
+// The processes of a job: the first gives blocks of cells to whoever asks for work, and takes cells in; whom it has no
+// block for it sends to another, to decide blocks of starts of the cell at work there.
 #include "team.hpp"
 
 #include <algorithm>
@@ -8,7 +8,6 @@
 #include <cstdint>
 #include <functional>
 #include <future>
-#include <map>
 #include <optional>
 #include <string>
 #include <thread>
@@ -60,19 +59,14 @@ constexpr std::chrono::milliseconds rest{2};    // between two looks for message
 constexpr std::chrono::milliseconds pause{10};  // of who has nothing to do
 constexpr std::chrono::seconds patience{3};     // with others that are to come home
 
-// The first is asked for work, and to take a cell; whoever has a cell at work for starts of it.
-enum class Asked : std::uint8_t { for_work, to_take_cell, for_starts };
+// The first is asked for work and for cells that are known, and told of those that are done; whoever has a cell at work
+// is asked for starts of it.
+enum class Asked : std::uint8_t { for_work, for_cell, to_take_cell, for_starts };
 
 using CellBytes = std::vector<std::uint8_t>;
-struct KnownCell {
-  std::size_t index = 0;
-  CellBytes bytes;
-};
 struct Work {
   enum class Kind : std::uint8_t { none, later, block, help } kind = Kind::none;
-  std::size_t block = 0;
-  std::vector<KnownCell> known;  // of the block
-  int whom = 0;                  // to help
+  std::size_t which = 0;  // block, or process
 };
 // Of a task, which is to be got ready for first.
 struct Starts {
@@ -82,14 +76,6 @@ struct Starts {
 };
 constexpr std::uint64_t no_task = 0, no_loan = 0;
 
-template <class B, Like<KnownCell> T>
-void members(B& b, T& t) {
-  b(t.index, t.bytes);
-}
-template <class B, Like<Work> T>
-void members(B& b, T& t) {
-  b(t.kind, t.block, t.known, t.whom);
-}
 template <class B, Like<Starts> T>
 void members(B& b, T& t) {
   b(t.kind, t.task.number, t.task.at, t.loan);
@@ -143,9 +129,9 @@ class Member {
           post_.ask(0, bytes_of(Asked::for_work, std::vector<char>(target.begin(), target.end()), is_set(stop_))));
       if (given.kind == Work::Kind::none) return;
       if (given.kind == Work::Kind::block)
-        compute(given);
+        compute(given.which);
       else if (given.kind == Work::Kind::help)
-        help(given.whom);
+        help(static_cast<int>(given.which));
       if (given.kind != Work::Kind::block) std::this_thread::sleep_for(pause);
     }
   }
@@ -161,17 +147,17 @@ class Member {
   }
 
  private:
-  void compute(const Work& given) {
-    std::map<std::size_t, SweepCell> there;
-    for (const KnownCell& cell : given.known) there.emplace(cell.index, cell_in(cell.bytes));
-    const auto known = [&there](std::size_t index) -> const SweepCell* {
-      const auto cell = there.find(index);
-      return cell == there.end() ? nullptr : &cell->second;
+  void compute(std::size_t block) {
+    std::optional<SweepCell> there;
+    const auto known = [&](std::size_t index) -> const SweepCell* {
+      const auto bytes = answer_from<CellBytes>(post_.ask(0, bytes_of(Asked::for_cell, index)));
+      there = bytes.empty() ? std::nullopt : std::optional(cell_in(bytes));
+      return there ? &*there : nullptr;
     };
     const auto deliver = [this](std::size_t index, const SweepCell& cell) {
       post_.ask(0, bytes_of(Asked::to_take_cell, index, store::bytes_of(cell)));
     };
-    run_block(plan_, given.block, known, deliver, {.threads = threads_, .desk = &desk_, .stop = stop_});
+    run_block(plan_, block, known, deliver, {.threads = threads_, .desk = &desk_, .stop = stop_});
   }
 
   Starts starts_of(int whom, std::uint64_t ready, std::uint64_t loan = no_loan, const Chunk& made = {}) {
@@ -218,8 +204,8 @@ class Member {
 class Queue {
  public:
   // `left`: of the others, those that may ask again.
-  Queue(int size, int& left, const SweepPlan& plan, SweepWork& work, const StopFlag* stop)
-      : left_(left), plan_(plan), work_(work), stop_(stop), all_(static_cast<std::size_t>(size)) {
+  Queue(int size, int& left, SweepWork& work, const StopFlag* stop)
+      : left_(left), work_(work), stop_(stop), all_(static_cast<std::size_t>(size)) {
     all_[0].target = cpu_target();
   }
 
@@ -229,23 +215,19 @@ class Queue {
     one.doing = Doing::nothing;
     one.target = std::move(target);
     stopped = stopped || is_set(stop_);
-    Work work;
     if (const auto block = stopped ? std::nullopt : work_.next_block()) {
       one.doing = Doing::block;
-      work.kind = Work::Kind::block;
-      work.block = *block;
-      for (const std::size_t index : plan_.cells_of(*block))
-        if (const SweepCell* cell = work_.known(index)) work.known.push_back({index, store::bytes_of(*cell)});
-    } else if (std::none_of(all_.begin(), all_.end(), [](const Process& p) { return p.doing != Doing::nothing; })) {
-      left_ -= rank > 0;
-    } else if (const auto whom = stopped ? std::nullopt : least_helped(one.target)) {
-      one.doing = Doing::helps;
-      one.helped = work.whom = *whom;
-      work.kind = Work::Kind::help;
-    } else {
-      work.kind = Work::Kind::later;
+      return {Work::Kind::block, *block};
     }
-    return work;
+    if (std::none_of(all_.begin(), all_.end(), [](const Process& p) { return p.doing != Doing::nothing; })) {
+      left_ -= rank > 0;
+      return {};
+    }
+    const auto whom = stopped ? std::nullopt : least_helped(one.target);
+    if (!whom) return {Work::Kind::later, 0};
+    one.doing = Doing::helps;
+    one.helped = *whom;
+    return {Work::Kind::help, *whom};
   }
 
  private:
@@ -253,16 +235,15 @@ class Queue {
   struct Process {
     Doing doing = Doing::block;  // until it asks
     std::string target;          // its instruction set
-    int helped = 0;              // which one, while it helps
+    std::size_t helped = 0;      // which one, while it helps
   };
 
   // Of its own kind: others' bits may differ.
-  std::optional<int> least_helped(const std::string& target) const {
-    std::optional<int> found;
+  std::optional<std::size_t> least_helped(const std::string& target) const {
+    std::optional<std::size_t> found;
     std::ptrdiff_t fewest = 0;
-    for (int rank = 0; rank < static_cast<int>(all_.size()); ++rank) {
-      const Process& one = all_[static_cast<std::size_t>(rank)];
-      if (one.doing != Doing::block || one.target != target) continue;
+    for (std::size_t rank = 0; rank < all_.size(); ++rank) {
+      if (all_[rank].doing != Doing::block || all_[rank].target != target) continue;
       const auto helpers = std::count_if(
           all_.begin(), all_.end(), [rank](const Process& p) { return p.doing == Doing::helps && p.helped == rank; });
       if (found && helpers >= fewest) continue;
@@ -273,7 +254,6 @@ class Queue {
   }
 
   int& left_;
-  const SweepPlan& plan_;
   SweepWork& work_;
   const StopFlag* stop_;
   std::vector<Process> all_;  // by rank
@@ -360,7 +340,7 @@ bool Team::agree(bool good) {
 
 void Team::lead(const SweepPlan& plan, SweepWork& work, int threads, const StopFlag* stop) {
   Member own(*post_, plan, work.desk(), threads, stop);
-  Queue queue(size_, left_, plan, work, stop);
+  Queue queue(size_, left_, work, stop);
   const Post::Answer answer = [&](int from, const Bytes& question) {
     BytesIn in(question);
     const Asked what = asked_in(in);
@@ -372,10 +352,16 @@ void Team::lead(const SweepPlan& plan, SweepWork& work, int threads, const StopF
       require_whole(in);
       return bytes_of(queue.work_for(from, {target.begin(), target.end()}, stopped));
     }
-    KnownCell cell;
+    std::size_t index = 0;
+    in(index);
+    if (what == Asked::for_cell) {
+      const SweepCell* cell = work.known(index);
+      return bytes_of(cell ? store::bytes_of(*cell) : CellBytes{});
+    }
+    CellBytes cell;
     in(cell);
     require_whole(in);
-    work.deliver(cell.index, cell_in(cell.bytes));
+    work.deliver(index, cell_in(cell));
     return bytes_of(true);
   };
   Beside beside(*post_, [&] {
