@@ -1,5 +1,5 @@
-// The processes of a job: the first gives blocks to whoever asks, with what is known of them, and takes cells in; whom
-// it has no block for it sends to help another.
+// The processes of a job: the first gives blocks of cells to whoever asks for work, and takes cells in; whom it has no
+// block for it sends to another, to decide blocks of starts of the cell at work there.
 #include "team.hpp"
 
 #include <algorithm>
@@ -8,8 +8,6 @@
 #include <cstdint>
 #include <functional>
 #include <future>
-#include <map>
-#include <mutex>
 #include <optional>
 #include <string>
 #include <thread>
@@ -17,13 +15,38 @@
 #include <vector>
 
 #include "commands.hpp"
+#include "equipoise/base/bytes.hpp"
 #include "equipoise/base/error.hpp"
+#include "equipoise/base/parallel.hpp"
+#include "equipoise/basins/ensemble_runner.hpp"
 #include "equipoise/kernels/cpu_target.hpp"
+#include "equipoise/store/sweep_cells.hpp"
 #include "equipoise/sweeps/cell_desk.hpp"
 #include "equipoise/sweeps/sweep_cell.hpp"
 #include "job.hpp"
-#include "team_help.hpp"
-#include "team_messages.hpp"
+#include "post.hpp"
+
+#ifdef EQUIPOISE_MPI
+
+namespace equipoise {
+
+template <class Bytes, Like<CellAtWork> T>
+void members(Bytes& b, T& t) {
+  b(t.cell, t.start.seeds, t.start.informed, t.start.hints.levels, t.start.hints.weights, t.method);
+}
+// Where it was left: whoever asked for it follows it on.
+template <class Bytes, Like<UnlistedStart> T>
+void members(Bytes& b, T& t) {
+  b(t.place, t.state);
+}
+template <class Bytes, Like<Chunk> T>
+void members(Bytes& b, T& t) {
+  b(t.fates, t.transients, t.unlisted);
+}
+
+}  // namespace equipoise
+
+#endif
 
 namespace equipoise::app {
 
@@ -31,115 +54,198 @@ namespace equipoise::app {
 
 namespace {
 
-enum class Gift : std::uint8_t { nothing, block, other };  // a block's cells to compute, or a process to help
-
 using Clock = std::chrono::steady_clock;
-constexpr std::chrono::milliseconds rest{2};  // between two looks for messages
-constexpr std::chrono::seconds patience{3};   // with others that are to come home
+constexpr std::chrono::milliseconds rest{2};    // between two looks for messages
+constexpr std::chrono::milliseconds pause{10};  // of who has nothing to do
+constexpr std::chrono::seconds patience{3};     // with others that are to come home
 
-Bytes gift(Gift what) {
-  Bytes bytes;
-  put(bytes, what);
-  return bytes;
+// The first is asked for work and for cells that are known, and told of those that are done; whoever has a cell at work
+// is asked for starts of it.
+enum class Asked : std::uint8_t { for_work, for_cell, to_take_cell, for_starts };
+
+using CellBytes = std::vector<std::uint8_t>;
+struct Work {
+  enum class Kind : std::uint8_t { none, later, block, help } kind = Kind::none;
+  std::size_t which = 0;  // block, or process
+};
+// Of a task, which is to be got ready for first.
+struct Starts {
+  enum class Kind : std::uint8_t { none, later, get_ready, decide } kind = Kind::none;
+  CellDesk::Task task;
+  CellDesk::Loan loan;
+};
+constexpr std::uint64_t no_task = 0, no_loan = 0;
+
+template <class B, Like<Starts> T>
+void members(B& b, T& t) {
+  b(t.kind, t.task.number, t.task.at, t.loan);
 }
 
-// The first process' view of all.
-class Leader {
- public:
-  Leader(Mail& mail, int size, int& left, const SweepPlan& plan, SweepWork& work, int threads, const StopFlag* stop)
-      : mail_(mail),
-        left_(left),
-        plan_(plan),
-        work_(work),
-        stop_(stop),
-        help_(mail, plan, work.desk(), threads, stop),
-        others_(static_cast<std::size_t>(size)) {
-    others_[0].target = cpu_target();
-  }
+template <class... T>
+Bytes bytes_of(const T&... values) {
+  BytesOut out;
+  out(values...);
+  return out.take();
+}
 
-  // Until all the others have gone, or do not go although they should.
-  void run() {
-    std::optional<Clock::time_point> stopped;
-    while (left_ > 0) {
-      const auto message = mail_.next();
-      if (message) take(*message);
-      others_[0].doing = !work_.idle() ? Doing::block : help_.helping() ? Doing::helps : Doing::nothing;
-      help_.step(!work_.idle());
-      assign();
-      if (message) continue;
-      if (is_set(stop_) && !stopped) stopped = Clock::now();
-      if (stopped && Clock::now() - *stopped > patience) return;
-      std::this_thread::sleep_for(rest);
+void require_whole(const BytesIn& in) {
+  if (!in.whole()) throw RunError("a message between processes was cut short");
+}
+
+Asked asked_in(BytesIn& question) {
+  Asked what{};
+  question(what);
+  return what;
+}
+
+// A default one where the post is closed.
+template <class T>
+T answer_from(const Bytes& bytes) {
+  T answer;
+  if (bytes.empty()) return answer;
+  BytesIn in(bytes);
+  in(answer);
+  require_whole(in);
+  return answer;
+}
+
+SweepCell cell_in(const CellBytes& bytes) {
+  auto cell = store::cell_from(bytes);
+  if (!cell) throw RunError("a message between processes holds no cell");
+  return std::move(*cell);
+}
+
+// What any process does: blocks, one at a time, and starts of others' cells.
+class Member {
+ public:
+  Member(Post& post, const SweepPlan& plan, CellDesk& desk, int threads, const StopFlag* stop)
+      : post_(post), plan_(plan), desk_(desk), threads_(threads), stop_(stop) {}
+
+  // Until there is nothing more for anybody.
+  void work() {
+    const std::string target = cpu_target();
+    for (;;) {
+      const Work given = answer_from<Work>(
+          post_.ask(0, bytes_of(Asked::for_work, std::vector<char>(target.begin(), target.end()), is_set(stop_))));
+      if (given.kind == Work::Kind::none) return;
+      if (given.kind == Work::Kind::block)
+        compute(given.which);
+      else if (given.kind == Work::Kind::help)
+        help(static_cast<int>(given.which));
+      if (given.kind != Work::Kind::block) std::this_thread::sleep_for(pause);
     }
   }
 
+  // For one who is ready for this task: takes back what it has made of a loan, and looks for more.
+  Starts lend(std::uint64_t ready, std::uint64_t loan, Chunk made) {
+    if (loan != no_loan) desk_.give_back(loan, std::move(made));
+    if (const auto lent = desk_.lend(ready)) return {Starts::Kind::decide, {}, *lent};
+    const auto task = desk_.newest();
+    if (!task) return {};
+    if (task->number == ready) return {Starts::Kind::later, {}, {}};
+    return {Starts::Kind::get_ready, *task, {}};
+  }
+
  private:
-  enum class Doing { nothing, block, helps, gone };
-  struct Other {
+  void compute(std::size_t block) {
+    std::optional<SweepCell> there;
+    const auto known = [&](std::size_t index) -> const SweepCell* {
+      const auto bytes = answer_from<CellBytes>(post_.ask(0, bytes_of(Asked::for_cell, index)));
+      there = bytes.empty() ? std::nullopt : std::optional(cell_in(bytes));
+      return there ? &*there : nullptr;
+    };
+    const auto deliver = [this](std::size_t index, const SweepCell& cell) {
+      post_.ask(0, bytes_of(Asked::to_take_cell, index, store::bytes_of(cell)));
+    };
+    run_block(plan_, block, known, deliver, {.threads = threads_, .desk = &desk_, .stop = stop_});
+  }
+
+  Starts starts_of(int whom, std::uint64_t ready, std::uint64_t loan = no_loan, const Chunk& made = {}) {
+    return answer_from<Starts>(post_.ask(whom, bytes_of(Asked::for_starts, ready, loan, made)));
+  }
+
+  // Until it has no cell at work. The search for a cell's attractors is made while that one makes it, too.
+  void help(int whom) {
+    for (Starts next = starts_of(whom, no_task); next.kind == Starts::Kind::get_ready && !is_set(stop_);
+         next = starts_of(whom, no_task)) {
+      const EnsembleHelper ensemble = helper_for(plan_, next.task.at, threads_, stop_);
+      if (ensemble.stopped()) return;
+      in_parallel(threads_, static_cast<std::size_t>(threads_),
+                  [&](std::size_t) { decide_starts(whom, next.task.number, ensemble); });
+    }
+  }
+
+  // Until another task is to be got ready for. What could not be decided goes back as it came.
+  void decide_starts(int whom, std::uint64_t task, const EnsembleHelper& ensemble) {
+    Starts next = starts_of(whom, task);
+    while (next.kind == Starts::Kind::later || next.kind == Starts::Kind::decide) {
+      if (next.kind == Starts::Kind::later) {
+        if (is_set(stop_)) return;
+        std::this_thread::sleep_for(rest);
+        next = starts_of(whom, task);
+        continue;
+      }
+      Chunk chunk;
+      chunk.first = next.loan.first;
+      chunk.count = next.loan.count;
+      const bool decided = !is_set(stop_) && ensemble.decide(chunk);
+      next = starts_of(whom, decided ? task : no_task, next.loan.number, decided ? chunk : Chunk{});
+    }
+  }
+
+  Post& post_;
+  const SweepPlan& plan_;
+  CellDesk& desk_;
+  const int threads_;
+  const StopFlag* stop_;
+};
+
+// The first process' view of all.
+class Queue {
+ public:
+  // `left`: of the others, those that may ask again.
+  Queue(int size, int& left, SweepWork& work, const StopFlag* stop)
+      : left_(left), work_(work), stop_(stop), all_(static_cast<std::size_t>(size)) {
+    all_[0].target = cpu_target();
+  }
+
+  // Who has nothing to do helps the one at work that has the fewest helpers. Once nobody is at work all go home.
+  Work work_for(int rank, std::string target, bool stopped) {
+    Process& one = all_[static_cast<std::size_t>(rank)];
+    one.doing = Doing::nothing;
+    one.target = std::move(target);
+    stopped = stopped || is_set(stop_);
+    if (const auto block = stopped ? std::nullopt : work_.next_block()) {
+      one.doing = Doing::block;
+      return {Work::Kind::block, *block};
+    }
+    if (std::none_of(all_.begin(), all_.end(), [](const Process& p) { return p.doing != Doing::nothing; })) {
+      left_ -= rank > 0;
+      return {};
+    }
+    const auto whom = stopped ? std::nullopt : least_helped(one.target);
+    if (!whom) return {Work::Kind::later, 0};
+    one.doing = Doing::helps;
+    one.helped = *whom;
+    return {Work::Kind::help, *whom};
+  }
+
+ private:
+  enum class Doing { nothing, block, helps };
+  struct Process {
     Doing doing = Doing::block;  // until it asks
     std::string target;          // its instruction set
     std::size_t helped = 0;      // which one, while it helps
   };
 
-  void take(const Message& message) {
-    Reader reader(message.bytes);
-    Other& other = others_[static_cast<std::size_t>(message.from)];
-    if (message.tag == brings) {
-      auto [index, cell] = take_cell(reader);
-      work_.deliver(index, std::move(cell));
-    } else if (message.tag == asks) {
-      const std::vector<char> target = reader.take_list<char>();
-      other.target.assign(target.begin(), target.end());
-      const auto block = work_.next_block();
-      other.doing = block ? Doing::block : Doing::nothing;
-      if (block) give(message.from, *block);
-    } else if (message.tag == leaves) {
-      other.doing = Doing::gone;
-      --left_;
-    } else {
-      help_.take(message);
-    }
-  }
-
-  void give(int to, std::size_t block) {
-    Bytes bytes = gift(Gift::block);
-    put(bytes, block);
-    for (const std::size_t index : plan_.cells_of(block))
-      if (const SweepCell* cell = work_.known(index)) put_cell(bytes, index, *cell);
-    mail_.send(std::move(bytes), to, gives);
-  }
-
-  // Who has nothing to do helps the one at work that has the fewest helpers, of its own kind: others' bits may differ.
-  // Once nobody is at work all go home.
-  void assign() {
-    const auto any = [this](Doing doing) {
-      return std::any_of(others_.begin(), others_.end(), [doing](const Other& o) { return o.doing == doing; });
-    };
-    const bool over = (!any(Doing::block) && !any(Doing::helps)) || is_set(stop_);
-    for (std::size_t rank = 0; rank < others_.size(); ++rank) {
-      if (others_[rank].doing != Doing::nothing) continue;
-      if (over)
-        dismiss(rank);
-      else if (const auto helped = least_helped(others_[rank].target))
-        send_to(rank, *helped);
-    }
-  }
-
-  void dismiss(std::size_t rank) {
-    if (rank == 0) return;
-    mail_.send(gift(Gift::nothing), static_cast<int>(rank), gives);
-    others_[rank].doing = Doing::gone;
-    --left_;
-  }
-
+  // Of its own kind: others' bits may differ.
   std::optional<std::size_t> least_helped(const std::string& target) const {
     std::optional<std::size_t> found;
     std::ptrdiff_t fewest = 0;
-    for (std::size_t rank = 0; rank < others_.size(); ++rank) {
-      if (others_[rank].doing != Doing::block || others_[rank].target != target) continue;
-      const auto helpers = std::count_if(others_.begin(), others_.end(), [rank](const Other& o) {
-        return o.doing == Doing::helps && o.helped == rank;
-      });
+    for (std::size_t rank = 0; rank < all_.size(); ++rank) {
+      if (all_[rank].doing != Doing::block || all_[rank].target != target) continue;
+      const auto helpers = std::count_if(
+          all_.begin(), all_.end(), [rank](const Process& p) { return p.doing == Doing::helps && p.helped == rank; });
       if (found && helpers >= fewest) continue;
       found = rank;
       fewest = helpers;
@@ -147,120 +253,37 @@ class Leader {
     return found;
   }
 
-  void send_to(std::size_t rank, std::size_t helped) {
-    others_[rank].doing = Doing::helps;
-    others_[rank].helped = helped;
-    if (rank == 0) return help_.help(static_cast<int>(helped));
-    Bytes bytes = gift(Gift::other);
-    put(bytes, static_cast<int>(helped));
-    mail_.send(std::move(bytes), static_cast<int>(rank), gives);
-  }
-
-  Mail& mail_;
   int& left_;
-  const SweepPlan& plan_;
   SweepWork& work_;
   const StopFlag* stop_;
-  TeamHelp help_;
-  std::vector<Other> others_;  // by rank; the first is this process
+  std::vector<Process> all_;  // by rank
 };
 
-// Any other process: one block at a time on a thread of its own, beside the messages.
-class Follower {
- public:
-  Follower(Mail& mail, const SweepPlan& plan, int threads, const StopFlag* stop)
-      : mail_(mail), plan_(plan), threads_(threads), stop_(stop), help_(mail, plan, desk_, threads, stop) {}
+Bytes starts_answer(Member& own, BytesIn& question) {
+  std::uint64_t ready = no_task, loan = no_loan;
+  Chunk made;
+  question(ready, loan, made);
+  require_whole(question);
+  return bytes_of(own.lend(ready, loan, std::move(made)));
+}
 
-  void run() {
-    ask();
-    while (!home_) {
-      const auto message = mail_.next();
-      if (message) take(*message);
-      send_cells();
-      end_block();
-      help_.step(block_.valid());
-      end_help();
-      if (waits_ && is_set(stop_)) leave();
-      if (!message) std::this_thread::sleep_for(rest);
-    }
+// A process' own work, beside the messages; it waits for no answer once this goes.
+class Beside {
+ public:
+  Beside(Post& post, const std::function<void()>& work) : post_(post), work_(std::async(std::launch::async, work)) {}
+  ~Beside() { post_.close(); }
+  Beside(const Beside&) = delete;
+  Beside& operator=(const Beside&) = delete;
+
+  // Throws what the work threw.
+  bool over() {
+    if (work_.valid() && work_.wait_for(std::chrono::seconds(0)) == std::future_status::ready) work_.get();
+    return !work_.valid();
   }
 
  private:
-  void ask() {
-    Bytes bytes;
-    const std::string target = cpu_target();
-    put_list(bytes, std::vector<char>(target.begin(), target.end()));
-    mail_.send(std::move(bytes), 0, asks);
-    waits_ = true;
-  }
-
-  void leave() {
-    mail_.send({}, 0, leaves);
-    home_ = true;
-  }
-
-  void take(const Message& message) {
-    if (message.tag != gives) return help_.take(message);
-    waits_ = false;
-    Reader reader(message.bytes);
-    const auto what = reader.take<Gift>();
-    home_ = what == Gift::nothing;
-    helps_ = what == Gift::other;
-    if (helps_) help_.help(reader.take<int>());
-    if (what == Gift::block) begin_block(reader);
-  }
-
-  void begin_block(Reader& reader) {
-    const auto block = reader.take<std::size_t>();
-    std::map<std::size_t, SweepCell> there;
-    while (!reader.at_end()) there.insert(take_cell(reader));
-    block_ = std::async(std::launch::async, [this, block, there = std::move(there)] {
-      const auto known = [&there](std::size_t index) -> const SweepCell* {
-        const auto cell = there.find(index);
-        return cell == there.end() ? nullptr : &cell->second;
-      };
-      const auto deliver = [this](std::size_t index, const SweepCell& cell) {
-        Bytes bytes;
-        put_cell(bytes, index, cell);
-        const std::lock_guard guard(delivering_);
-        delivered_.push_back(std::move(bytes));
-      };
-      return run_block(plan_, block, known, deliver, {.threads = threads_, .desk = &desk_, .stop = stop_});
-    });
-  }
-
-  void send_cells() {
-    const std::lock_guard guard(delivering_);
-    for (Bytes& cell : delivered_) mail_.send(std::move(cell), 0, brings);
-    delivered_.clear();
-  }
-
-  void end_block() {
-    if (!block_.valid() || block_.wait_for(std::chrono::seconds(0)) != std::future_status::ready) return;
-    const bool whole = block_.get();
-    send_cells();  // the last may have come since
-    if (whole)
-      ask();
-    else
-      leave();
-  }
-
-  void end_help() {
-    if (!helps_ || help_.helping()) return;
-    helps_ = false;
-    ask();
-  }
-
-  Mail& mail_;
-  const SweepPlan& plan_;
-  const int threads_;
-  const StopFlag* stop_;
-  CellDesk desk_;
-  TeamHelp help_;
-  bool home_ = false, waits_ = false, helps_ = false;
-  std::mutex delivering_;
-  std::vector<Bytes> delivered_;
-  std::future<bool> block_;  // whether it was not stopped
+  Post& post_;
+  std::future<void> work_;
 };
 
 }  // namespace
@@ -275,7 +298,7 @@ std::string mpi_text() {
 
 bool has_mpi() { return true; }
 
-Team::Team() : mail_(std::make_unique<Mail>()) {
+Team::Team() : post_(std::make_unique<Post>()) {
   if (!job_of_environment().variable) return;
   int provided = 0;
   MPI_Init_thread(nullptr, nullptr, MPI_THREAD_SERIALIZED, &provided);
@@ -289,7 +312,7 @@ Team::Team() : mail_(std::make_unique<Mail>()) {
 Team::~Team() {
   if (!joined_) return;
   if (left_ == 0) {
-    mail_->see_off();
+    post_->see_off();
     MPI_Finalize();
   } else {
     MPI_Abort(MPI_COMM_WORLD, interrupted);
@@ -316,30 +339,74 @@ bool Team::agree(bool good) {
 }
 
 void Team::lead(const SweepPlan& plan, SweepWork& work, int threads, const StopFlag* stop) {
-  Leader(*mail_, size_, left_, plan, work, threads, stop).run();
-}
-
-void Team::dismiss() {
-  const Clock::time_point begin = Clock::now();
-  while (left_ > 0 && Clock::now() - begin < patience) {
-    const auto message = mail_->next();
-    if (!message) {
-      std::this_thread::sleep_for(rest);
-      continue;
+  Member own(*post_, plan, work.desk(), threads, stop);
+  Queue queue(size_, left_, work, stop);
+  const Post::Answer answer = [&](int from, const Bytes& question) {
+    BytesIn in(question);
+    const Asked what = asked_in(in);
+    if (what == Asked::for_starts) return starts_answer(own, in);
+    if (what == Asked::for_work) {
+      std::vector<char> target;
+      bool stopped = false;
+      in(target, stopped);
+      require_whole(in);
+      return bytes_of(queue.work_for(from, {target.begin(), target.end()}, stopped));
     }
-    if (message->tag == asks) mail_->send(gift(Gift::nothing), message->from, gives);
-    if (message->tag == asks || message->tag == leaves) --left_;
+    std::size_t index = 0;
+    in(index);
+    if (what == Asked::for_cell) {
+      const SweepCell* cell = work.known(index);
+      return bytes_of(cell ? store::bytes_of(*cell) : CellBytes{});
+    }
+    CellBytes cell;
+    in(cell);
+    require_whole(in);
+    work.deliver(index, cell_in(cell));
+    return bytes_of(true);
+  };
+  Beside beside(*post_, [&] {
+    while (!work.idle() && !post_->closed()) std::this_thread::sleep_for(pause);
+    own.work();
+  });
+  std::optional<Clock::time_point> stopped;
+  while (left_ > 0) {
+    beside.over();
+    if (post_->step(answer)) continue;
+    if (is_set(stop) && !stopped) stopped = Clock::now();
+    if (stopped && Clock::now() - *stopped > patience) return;
+    std::this_thread::sleep_for(rest);
   }
 }
 
 void Team::follow(const SweepPlan& plan, int threads, const StopFlag* stop) {
-  Follower(*mail_, plan, threads, stop).run();
+  CellDesk desk;
+  Member own(*post_, plan, desk, threads, stop);
+  const Post::Answer answer = [&](int, const Bytes& question) {
+    BytesIn in(question);
+    asked_in(in);  // for starts
+    return starts_answer(own, in);
+  };
+  Beside beside(*post_, [&] { own.work(); });
+  while (!beside.over())
+    if (!post_->step(answer)) std::this_thread::sleep_for(rest);
   left_ = 0;
+}
+
+// Everybody gets the empty answer: there is nothing more.
+void Team::dismiss() {
+  const Clock::time_point begin = Clock::now();
+  const Post::Answer answer = [&](int, const Bytes& question) {
+    BytesIn in(question);
+    left_ -= asked_in(in) == Asked::for_work;
+    return Bytes{};
+  };
+  while (left_ > 0 && Clock::now() - begin < patience)
+    if (!post_->step(answer)) std::this_thread::sleep_for(rest);
 }
 
 #else
 
-class Mail {};
+class Post {};
 
 std::string mpi_text() { return "not built in"; }
 bool has_mpi() { return false; }

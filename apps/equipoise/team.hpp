@@ -14,7 +14,7 @@ std::string mpi_text();
 /// Whether this program is built with MPI.
 bool has_mpi();
 
-class Mail;
+class Post;
 
 class Team {
  public:
@@ -44,7 +44,7 @@ class Team {
  private:
   int rank_ = 0, size_ = 1, left_ = 0;  // left_: of the others, those that may ask again
   bool joined_ = false;
-  std::unique_ptr<Mail> mail_;
+  std::unique_ptr<Post> post_;
 };
 
 }  // namespace equipoise::app

@@ -75,8 +75,8 @@ TEST(Chunks, AreSharedWithIdleThreads) {
   std::thread helper([&] {
     while (!over) helped += desk.help();
   });
-  const auto help = desk.help_for({});
-  const Outcome outcome = compute({number_slowly, 1, nullptr, help.get()});
+  CellDesk::Place place(desk, {});
+  const Outcome outcome = compute({number_slowly, 1, nullptr, &place});
   over = true;
   helper.join();
   EXPECT_GT(helped, 0);
@@ -106,15 +106,15 @@ TEST(Chunks, AreLentAndTakenBack) {
       desk.give_back(loan->number, std::move(made));
     }
   });
-  const auto help = desk.help_for(cell);
-  const Outcome outcome = compute({number_slowly, 2, nullptr, help.get()});
+  auto place = std::make_unique<CellDesk::Place>(desk, cell);
+  const Outcome outcome = compute({number_slowly, 2, nullptr, place.get()});
   over = true;
   other.join();
   EXPECT_GT(outcome.row.from_elsewhere, 0u);
   EXPECT_FALSE(outcome.lost);
   EXPECT_EQ(outcome.row.first_wrong(limit), std::nullopt);
   desk.give_back(1, {});  // too late: nothing happens
-  desk.retract(cell.cell);
+  place.reset();
   EXPECT_FALSE(desk.newest());
 }
 

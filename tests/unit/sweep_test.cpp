@@ -167,7 +167,7 @@ TEST(SweepCells, ReadBackToTheSameBits) {
   cell.hints.levels = {{1, false, 64.0 / 3.0}, {3, true, 0.0}};
   cell.hints.weights = {{-0.1, 1.0 / 3.0, 2.8}};
   const std::vector<std::uint8_t> bytes = store::bytes_of(cell);
-  const auto back = store::cell_from(bytes.data(), bytes.size());
+  const auto back = store::cell_from(bytes);
   ASSERT_TRUE(back);
   EXPECT_EQ(store::bytes_of(*back), bytes);
   EXPECT_EQ(back->starts, cell.starts);
@@ -182,7 +182,7 @@ TEST(SweepCells, ReadBackToTheSameBits) {
   EXPECT_EQ(back->note, cell.note);
   EXPECT_EQ(back->hints, cell.hints);
   for (std::size_t cut : {std::size_t{0}, bytes.size() / 2, bytes.size() - 1})
-    EXPECT_FALSE(store::cell_from(bytes.data(), cut)) << cut;
+    EXPECT_FALSE(store::cell_from({bytes.begin(), bytes.begin() + static_cast<std::ptrdiff_t>(cut)})) << cut;
 }
 
 TEST(CapacityTrials, ReadBackToTheSameBits) {

@@ -2,12 +2,12 @@
 #include "equipoise/branches/parameter_line.hpp"
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 
 #include <fmt/format.h>
 
 #include "equipoise/base/error.hpp"
+#include "equipoise/base/stepped_values.hpp"
 #include "equipoise/fates/checks.hpp"
 #include "equipoise/study/given_value.hpp"
 #include "equipoise/study/toml_tree.hpp"
@@ -20,15 +20,6 @@ constexpr const char* allowed =
     "must be KEY=FROM:TO:STEP with three numbers, e.g. speed.final=1.4:6.5:0.05; in a study with units also "
     "quantities, "
     "e.g. \"speed.final=900 rpm:4000 rpm:50 rpm\"";
-
-// Twelve digits: so 1.4 + 20 * 0.05 is 2.4.
-double rounded(double value, double unit) { return std::round(value / unit * 1e12) * unit / 1e12; }
-double shortest(double value, double largest) {
-  const double unit = std::pow(10.0, std::ceil(std::log10(std::max(largest, 1e-300))));
-  const std::string text = fmt::format("{:.12g}", rounded(value, unit));
-  std::from_chars(text.data(), text.data() + text.size(), value);
-  return value;
-}
 
 }  // namespace
 
@@ -54,7 +45,7 @@ void ParameterLine::check_at(double value, const std::string& where) const {
 std::optional<double> ParameterLine::half_way(std::size_t value) const {
   if (value + 1 >= values_.size()) return std::nullopt;
   const double largest = std::max(std::fabs(values_.front()), std::fabs(values_.back()));
-  const double middle = shortest(0.5 * (values_[value] + values_[value + 1]), largest);
+  const double middle = to_twelve_digits(0.5 * (values_[value] + values_[value + 1]), largest);
   try {
     check_at(middle, "");
   } catch (const InputError&) {
@@ -83,16 +74,9 @@ void ParameterLine::parse(const std::string& text, const std::string& where) {
   if ((table != "rotor" && table != "balancer" && table != "speed") || table == key_ || key_ == "balancer.balls")
     reject("KEY must be a key of rotor, balancer or speed that takes a number, or speed.final; " +
            std::string(allowed));
-  const double from = parts[0], to = parts[1], step = parts[2];
-  if (step == 0.0 || (to - from) * step < 0.0)
-    reject(fmt::format("STEP = {} does not lead from {} to {}; it must not be 0 and must have the sign of TO - FROM",
-                       step, from, to));
-  const double steps = std::floor((to - from) / step * (1.0 + 1e-12) + 1e-9);
-  if (!(steps < most_line_values))
-    reject(fmt::format("has {:.6g} values; must have at most {}", steps + 1.0, most_line_values));
-  const double largest = std::max(std::fabs(from), std::fabs(to));
-  for (std::size_t k = 0; k <= static_cast<std::size_t>(steps); ++k)
-    values_.push_back(shortest(from + static_cast<double>(k) * step, largest));
+  const double step = parts[2];
+  if (const std::string problem = stepped_values(parts[0], parts[1], step, most_line_values, values_); !problem.empty())
+    reject(problem);
   if (step < 0.0) std::reverse(values_.begin(), values_.end());
   step_ = std::fabs(step);
 }

@@ -4,16 +4,17 @@
 #include <cstdint>
 #include <functional>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
+#include "equipoise/base/notes.hpp"
+#include "equipoise/files/journal.hpp"
 #include "equipoise/results/plane_map.hpp"
 #include "equipoise/store/map_netcdf.hpp"
 #include "equipoise/maps/pixel_store.hpp"
 
 namespace equipoise {
-
-class Notes;
 
 /// Two files, as BasinFile has them: the results, `path`, in NetCDF (map_file.hpp), written whole; and while a run goes
 /// on `path`.part with what is new.
@@ -22,29 +23,25 @@ class MapStore : public PixelStore {
   /// Opens what both hold of the same study, axes, version and arithmetic, or begins anew. Throws InputError if they
   /// cannot be written, are in use, damaged, or hold something else: which, it says.
   MapStore(const std::string& path, const store::MapFileHeader& header);
-  ~MapStore() override;
-  MapStore(const MapStore&) = delete;
-  MapStore& operator=(const MapStore&) = delete;
 
   /// Whether `path` holds the whole map.
-  bool complete() const;
+  bool complete() const { return file_ && file_->complete(); }
   /// Whether something is not in `path` yet.
-  bool unfinished() const;
+  bool unfinished() const { return !pieces_.empty(); }
   /// Pixels that were computed, in any order and some perhaps twice.
   void for_each_known(const std::function<void(std::uint32_t position, short code)>& visit) const;
   /// The codes that those of motions have; some are perhaps there twice.
-  const std::vector<MapCode>& codes() const;
+  const std::vector<MapCode>& codes() const { return codes_; }
   /// States on motions that were first met during earlier runs, in the order of starts: enough to name them again.
-  const std::vector<std::vector<double>>& discoveries() const;
+  const std::vector<std::vector<double>>& discoveries() const { return discoveries_; }
 
-  /// On disk within about a second of work. Throws
-  /// RunError, with all before them kept, if the disk cannot take them.
+  /// On disk within about a second of work. Throws RunError, with all before them kept, if the disk cannot take them.
   void append(const std::vector<std::uint32_t>& positions, const std::vector<MapPixel>& pixels) override;
   /// A code that pixels have from now on.
   void append_code(const MapCode& code);
   void append_discovery(const std::vector<double>& state);
   /// Of the search for attractors, as far as runs came that did not finish. Not of a map that is complete.
-  Notes& notes();
+  Notes& notes() { return *notes_; }
   /// Of a map that is not complete, only what was computed.
   void read_rows(int first, int rows, MapPixel* pixels) const override;
 
@@ -53,8 +50,30 @@ class MapStore : public PixelStore {
   void finish(const std::function<void(const std::string& path)>& write, bool complete);
 
  private:
-  struct State;
-  std::unique_ptr<State> state_;
+  // Pixels of a record of the journal; between the first and the last one there may be others.
+  struct Piece {
+    std::uint32_t first = 0, last = 0;
+    store::Journal::Record record;
+  };
+
+  void require_same(const std::string& there, const std::string& of) const;
+  void open_results();
+  void take(const store::Journal::Record& record);
+  void take_name(const store::Journal::Record& record);
+  void take_pixels(const store::Journal::Record& record);
+  [[noreturn]] void refuse_part() const;
+  void keep(store::Journal::Record record, const void* payload, std::size_t bytes);
+  void visit(const Piece& piece, const std::function<void(std::uint32_t, const MapPixel&)>& visit) const;
+
+  const std::string path_;
+  const store::MapFileHeader header_;
+  const std::uint64_t size_;  // of the map, in pixels
+  store::Journal journal_;
+  std::optional<store::MapReader> file_;
+  std::vector<MapCode> codes_;
+  std::vector<std::vector<double>> discoveries_;
+  std::vector<Piece> pieces_;
+  std::unique_ptr<Notes> notes_;
 };
 
 }  // namespace equipoise

@@ -1,7 +1,7 @@
 // Where the pixels of a map are kept while it is computed: in memory, or in a file.
 #pragma once
 
-#include <algorithm>
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <vector>
@@ -22,46 +22,37 @@ class PixelStore {
 /// For maps that fit.
 class PixelMemory : public PixelStore {
  public:
-  /// `one_rotor`: balance_margin and balance_growth are not kept.
-  PixelMemory(int columns, int rows, bool one_rotor) : columns_(static_cast<std::size_t>(columns)) {
-    const std::size_t size = columns_ * static_cast<std::size_t>(rows);
-    const MapPixel none;
-    code_.assign(size, none.code);
-    time_.assign(size, none.time);
-    r_max_.assign(size, none.r_max);
-    if (one_rotor) return;
-    margin_.assign(size, none.balance_margin);
-    growth_.assign(size, none.balance_growth);
+  /// `one_rotor`: numbers that are the rotor's are not kept.
+  PixelMemory(int columns, int rows, bool one_rotor)
+      : columns_(static_cast<std::size_t>(columns)),
+        one_rotor_(one_rotor),
+        code_(columns_ * static_cast<std::size_t>(rows), not_computed_code) {
+    visit_pixel_numbers(
+        one_rotor, [&](std::size_t k, float MapPixel::*value) { numbers_[k].assign(code_.size(), MapPixel{}.*value); });
   }
 
   void append(const std::vector<std::uint32_t>& positions, const std::vector<MapPixel>& pixels) override {
     for (std::size_t k = 0; k < positions.size(); ++k) {
-      const std::size_t at = positions[k];
-      code_[at] = pixels[k].code;
-      time_[at] = pixels[k].time;
-      r_max_[at] = pixels[k].r_max;
-      if (margin_.empty()) continue;
-      margin_[at] = pixels[k].balance_margin;
-      growth_[at] = pixels[k].balance_growth;
+      code_[positions[k]] = pixels[k].code;
+      visit_pixel_numbers(one_rotor_,
+                          [&](std::size_t n, float MapPixel::*value) { numbers_[n][positions[k]] = pixels[k].*value; });
     }
   }
 
   void read_rows(int first, int rows, MapPixel* pixels) const override {
-    const std::size_t begin = static_cast<std::size_t>(first) * columns_;
-    const std::size_t count = static_cast<std::size_t>(rows) * columns_;
-    for (std::size_t k = 0; k < count; ++k) {
-      const std::size_t at = begin + k;
-      pixels[k] = {code_[at], code_[at] != not_computed_code, time_[at], r_max_[at]};
-      if (margin_.empty()) continue;
-      pixels[k].balance_margin = margin_[at];
-      pixels[k].balance_growth = growth_[at];
+    std::size_t at = static_cast<std::size_t>(first) * columns_;
+    for (std::size_t k = 0; k < static_cast<std::size_t>(rows) * columns_; ++k, ++at) {
+      pixels[k] = {code_[at], code_[at] != not_computed_code};
+      visit_pixel_numbers(one_rotor_,
+                          [&](std::size_t n, float MapPixel::*value) { pixels[k].*value = numbers_[n][at]; });
     }
   }
 
  private:
   std::size_t columns_;
+  bool one_rotor_;
   std::vector<short> code_;
-  std::vector<float> time_, r_max_, margin_, growth_;
+  std::array<std::vector<float>, pixel_numbers.size()> numbers_;
 };
 
 }  // namespace equipoise

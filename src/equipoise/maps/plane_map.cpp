@@ -149,8 +149,8 @@ class Mapper {
                basin_file_header(map_.study, true, false).arithmetic,
                starts_};
     if (!starts_) return;
-    header_.balance_margin = map_.balance_margin.front();
-    header_.balance_growth = map_.balance_growth.front();
+    header_.rotor.balance_margin = map_.balance_margin.front();
+    header_.rotor.balance_growth = map_.balance_growth.front();
   }
 
   void open() {

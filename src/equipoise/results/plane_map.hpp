@@ -1,6 +1,7 @@
 // A plane of starts or parameters with the outcome of one start at every pixel.
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <limits>
@@ -52,6 +53,28 @@ struct MapPixel {
   float r_max = time;                                    ///< of the final motion
   float balance_margin = time, balance_growth = time;    ///< as in PlaneMap, where they differ from pixel to pixel
 };
+
+/// The numbers of a pixel, as files name them.
+struct PixelNumber {
+  const char* name;
+  float MapPixel::*value;
+  bool of_rotor;  ///< the same at all pixels that share a rotor
+  const char* meaning;
+};
+inline constexpr std::array<PixelNumber, 4> pixel_numbers{
+    {{"decision_time", &MapPixel::time, false, "study time at which the outcome was known, in 1/omega_c"},
+     {"r_max", &MapPixel::r_max, false,
+      "largest distance of the rotor's centre from the axis on the final motion, in race radii"},
+     {"balance_margin", &MapPixel::balance_margin, true,
+      "lambda + sum mu_i - 2 max(lambda, mu_i): a balanced state exists where this is 0 or more"},
+     {"balance_growth", &MapPixel::balance_growth, true,
+      "largest real part of an eigenvalue at the balanced state, in omega_c: stable where negative"}}};
+/// visit(k, number) for those that differ from pixel to pixel.
+template <class Visit>
+void visit_pixel_numbers(bool one_rotor, const Visit& visit) {
+  for (std::size_t k = 0; k < pixel_numbers.size(); ++k)
+    if (!one_rotor || !pixel_numbers[k].of_rotor) visit(k, pixel_numbers[k].value);
+}
 
 /// Rows follow y, pixels within a row x. What is not a number has no value there.
 struct PlaneMap {

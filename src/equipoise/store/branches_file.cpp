@@ -2,6 +2,9 @@
 #include "equipoise/store/branches_file.hpp"
 
 #include <limits>
+#include <string>
+#include <utility>
+#include <vector>
 
 #include <fmt/format.h>
 #include <netcdf.h>
@@ -12,6 +15,33 @@
 namespace equipoise {
 
 namespace {
+
+// What is told of a motion by a number; none is written where it has none.
+struct MotionColumn {
+  const char* name;
+  const char* meaning;
+  double (*value)(const Motion&);
+};
+constexpr double no_number = std::numeric_limits<double>::quiet_NaN();
+constexpr MotionColumn of_all[]{
+    {"period", "period of a periodic motion, in 1/omega_c",
+     [](const Motion& m) { return m.kind == MotionKind::periodic ? m.period : no_number; }},
+    {"r_min", "smallest distance of the rotor's centre from the axis, in race radii",
+     [](const Motion& m) { return m.r_min; }},
+    {"r_mean", "mean distance of the rotor's centre from the axis, in race radii",
+     [](const Motion& m) { return m.r_mean; }},
+    {"r_max", "largest distance of the rotor's centre from the axis, in race radii",
+     [](const Motion& m) { return m.r_max; }},
+    {"multiplier", "largest modulus of a Floquet multiplier but the shift in time",
+     [](const Motion& m) { return largest_multiplier(m); }},
+    {"growth_rate", "growth rate of the slowest deviation, in omega_c; negative where it dies out",
+     [](const Motion& m) { return growth_rate(m); }}};
+constexpr MotionColumn of_driven[]{
+    {"speed", "mean speed of the rotor, in omega_c", [](const Motion& m) { return m.motor ? m.speed : no_number; }},
+    {"torque", "mean torque of the motor, in M R^2 omega_c^2",
+     [](const Motion& m) { return m.motor ? m.motor->torque : no_number; }},
+    {"power", "mean power of the motor, in M R^2 omega_c^3",
+     [](const Motion& m) { return m.motor ? m.motor->power : no_number; }}};
 
 class BranchesWriter {
  public:
@@ -72,30 +102,23 @@ class BranchesWriter {
     id_ = f.variable("id", NC_INT, {attractor}, "1", "identifier, the same along the whole range");
     name_ = f.text_variable("name", attractor, names_, "name of the attractor");
     alias_ = f.text_variable("alias", attractor, aliases_, "name that Wright and Peng (2019) give it");
-    const auto number = [&](const char* name, const char* units, const char* meaning) {
-      return filled(name, {value, attractor}, units, meaning);
+    const auto add = [&](const auto& columns) {
+      for (const MotionColumn& column : columns)
+        columns_.emplace_back(filled(column.name, {value, attractor}, column.meaning), column.value);
     };
     const signed char none = -1;
     kind_ = f.variable("kind", NC_BYTE, {value, attractor}, "1", "kind of motion");
     f.fill(kind_, &none);
     f.attribute(kind_, "flag_values", std::vector<signed char>{0, 1, 2, 3});
     f.attribute(kind_, "flag_meanings", "equilibrium periodic quasi-periodic chaotic");
-    sresult_ = f.variable("stable", NC_BYTE, {value, attractor}, "1", "whether the motion attracts its neighbourhood");
-    f.fill(sresult_, &none);
-    f.attribute(sresult_, "flag_values", std::vector<signed char>{0, 1});
-    f.attribute(sresult_, "flag_meanings", "unstable stable");
-    period_ = number("period", "1", "period of a periodic motion, in 1/omega_c");
-    r_min_ = number("r_min", "1", "smallest distance of the rotor's centre from the axis, in race radii");
-    r_mean_ = number("r_mean", "1", "mean distance of the rotor's centre from the axis, in race radii");
-    r_max_ = number("r_max", "1", "largest distance of the rotor's centre from the axis, in race radii");
-    multiplier_ = number("multiplier", "1", "largest modulus of a Floquet multiplier but the shift in time");
-    rate_ = number("growth_rate", "1", "growth rate of the slowest deviation, in omega_c; negative where it dies out");
-    drift_ = filled("drift", {value, attractor, ball}, "1",
-                    "mean rate of a ball in the rotating frame, radians times omega_c");
-    if (!result_.study.speed.driven()) return;
-    speed_ = number("speed", "1", "mean speed of the rotor, in omega_c");
-    torque_ = number("torque", "1", "mean torque of the motor, in M R^2 omega_c^2");
-    power_ = number("power", "1", "mean power of the motor, in M R^2 omega_c^3");
+    stable_ = f.variable("stable", NC_BYTE, {value, attractor}, "1", "whether the motion attracts its neighbourhood");
+    f.fill(stable_, &none);
+    f.attribute(stable_, "flag_values", std::vector<signed char>{0, 1});
+    f.attribute(stable_, "flag_meanings", "unstable stable");
+    add(of_all);
+    drift_ =
+        filled("drift", {value, attractor, ball}, "mean rate of a ball in the rotating frame, radians times omega_c");
+    if (result_.study.speed.driven()) add(of_driven);
   }
 
   void define_events() {
@@ -108,10 +131,9 @@ class BranchesWriter {
     event_high_ = f.variable("event_high", NC_DOUBLE, {event}, "1", "it happens below this value of the parameter");
   }
 
-  int filled(const char* name, const std::vector<int>& dimensions, const char* units, const char* meaning) {
-    const double none = std::numeric_limits<double>::quiet_NaN();
-    const int variable = file_.variable(name, NC_DOUBLE, dimensions, units, meaning);
-    file_.fill(variable, &none);
+  int filled(const char* name, const std::vector<int>& dimensions, const char* meaning) {
+    const int variable = file_.variable(name, NC_DOUBLE, dimensions, "1", meaning);
+    file_.fill(variable, &no_number);
     return variable;
   }
 
@@ -127,18 +149,9 @@ class BranchesWriter {
   void put_point(const BranchPoint& point, std::size_t b) {
     const Motion& m = point.motion;
     put(kind_, point, b, static_cast<signed char>(m.kind));
-    put(sresult_, point, b, static_cast<signed char>(m.stable ? 1 : 0));
-    if (m.kind == MotionKind::periodic) put(period_, point, b, m.period);
-    put(r_min_, point, b, m.r_min);
-    put(r_mean_, point, b, m.r_mean);
-    put(r_max_, point, b, m.r_max);
-    put(multiplier_, point, b, largest_multiplier(m));
-    put(rate_, point, b, growth_rate(m));
+    put(stable_, point, b, static_cast<signed char>(m.stable ? 1 : 0));
+    for (const auto& [variable, value] : columns_) put(variable, point, b, value(m));
     file_.write(drift_, {point.at, b, 0}, {1, 1, balls_}, m.drift.data());
-    if (!m.motor) return;
-    put(speed_, point, b, m.speed);
-    put(torque_, point, b, m.motor->torque);
-    put(power_, point, b, m.motor->power);
   }
 
   void put_event(const BranchEvent& e, std::size_t at) {
@@ -151,9 +164,8 @@ class BranchesWriter {
   store::NetcdfFile& file_;
   std::size_t balls_;
   std::vector<std::string> names_, aliases_, changes_, types_;
-  int value_ = -1, id_ = -1, name_ = -1, alias_ = -1, kind_ = -1, sresult_ = -1, period_ = -1;
-  int r_min_ = -1, r_mean_ = -1, r_max_ = -1, multiplier_ = -1, rate_ = -1, drift_ = -1;
-  int speed_ = -1, torque_ = -1, power_ = -1;  // of driven rotors
+  std::vector<std::pair<int, double (*)(const Motion&)>> columns_;
+  int value_ = -1, id_ = -1, name_ = -1, alias_ = -1, kind_ = -1, stable_ = -1, drift_ = -1;
   int event_id_ = -1, event_change_ = -1, event_type_ = -1, event_low_ = -1, event_high_ = -1;
 };
 

@@ -8,7 +8,6 @@
 #include <netcdf.h>
 
 #include "equipoise/files/netcdf.hpp"
-#include "equipoise/store/cell_file.hpp"
 #include "equipoise/store/cell_netcdf.hpp"
 #include "equipoise/store/sweep_cells.hpp"
 
@@ -16,18 +15,7 @@ namespace equipoise {
 
 namespace {
 
-using Trials = std::vector<std::vector<CapacityTrial>>;  // by cell
-
-constexpr store::CellFileKind capacity_kind{"capacity", store::Journal::Kind::trial, "results of this capacity",
-                                            "must be a new file, or results of the same capacity",
-                                            "holds no capacity; must be what \"capacity -o\" wrote"};
-
-store::CellFile::Take kept_in(Trials& trials) {
-  return [&trials](std::size_t cell, const std::vector<std::uint8_t>& record) {
-    for (CapacityTrial& trial : store::trials_from(record).value_or(std::vector<CapacityTrial>{}))
-      trials[cell].push_back(std::move(trial));
-  };
-}
+constexpr store::CellFileKind capacity_kind{"capacity", store::Journal::Kind::trial};
 
 class CapacityWriter {
  public:
@@ -114,39 +102,28 @@ class CapacityWriter {
 
 }  // namespace
 
-struct CapacityFile::State {
-  Trials trials;
-  store::CellFile file;
-};
+namespace store {
 
-CapacityFile::CapacityFile(const std::string& path, const std::string& identity, std::size_t cells) {
-  Trials there(cells);
-  store::CellFile file(capacity_kind, path, identity, cells, kept_in(there));
-  state_ = std::make_unique<State>(State{std::move(there), std::move(file)});
-}
-
-CapacityFile::~CapacityFile() = default;
-
-std::vector<std::vector<CapacityTrial>> CapacityFile::take_trials() { return std::move(state_->trials); }
-
-void CapacityFile::append(std::size_t cell, const CapacityTrial& trial) {
-  state_->file.append(cell, store::bytes_of(std::vector{trial}));
-}
-
-Notes& CapacityFile::notes() { return state_->file.notes(); }
-
-void CapacityFile::finish(const CapacityResult& result) {
-  const auto write = [&](const std::string& path, const std::string& identity) {
-    const store::CellRecords records(result.cells.size(), [&](std::size_t index) {
-      const auto& cell = result.cells[index];
-      return cell ? store::bytes_of(cell->trials) : std::vector<std::uint8_t>{};
-    });
-    store::write_netcdf_file(
-        path, [&](store::NetcdfFile& file) { CapacityWriter(file, identity, result, records).write(); },
-        records.mode());
+std::unique_ptr<CellFile> open_capacity_file(const std::string& path, const std::string& identity,
+                                             std::vector<std::vector<CapacityTrial>>& trials) {
+  const auto take = [&trials](std::size_t cell, const std::vector<std::uint8_t>& record) {
+    for (CapacityTrial& trial : trials_from(record).value_or(std::vector<CapacityTrial>{}))
+      trials[cell].push_back(std::move(trial));
   };
-  // Trials of cells that are missing stand in the unfinished part alone.
-  state_->file.finish(write, result.complete() ? store::CellFile::Rest::nothing : store::CellFile::Rest::all);
+  return std::make_unique<CellFile>(capacity_kind, path, identity, trials.size(), take);
 }
 
+void finish_capacity_file(CellFile& file, const CapacityResult& result) {
+  const auto write = [&](const std::string& path, const std::string& identity) {
+    const CellRecords records(result.cells.size(), [&](std::size_t index) {
+      const auto& cell = result.cells[index];
+      return cell ? bytes_of(cell->trials) : std::vector<std::uint8_t>{};
+    });
+    write_netcdf_file(
+        path, [&](NetcdfFile& netcdf) { CapacityWriter(netcdf, identity, result, records).write(); }, records.mode());
+  };
+  file.finish(write, result.complete() ? CellFile::Rest::nothing : CellFile::Rest::all);
+}
+
+}  // namespace store
 }  // namespace equipoise

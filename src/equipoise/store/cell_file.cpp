@@ -16,6 +16,18 @@ namespace equipoise::store {
 
 namespace {
 
+std::string same_results(const CellFileKind& kind) {
+  return fmt::format("must be a new file, or results of the same {}", kind.name);
+}
+
+[[noreturn]] void refuse(const CellFileKind& kind, const std::string& path, const std::string& problem) {
+  throw InputError(path, "", "", fmt::format("{}; {}", problem, same_results(kind)));
+}
+
+void require_these(const CellFileKind& kind, const std::string& there, const std::string& here, const std::string& of) {
+  require_same(there, here, of, fmt::format("results of this {}", kind.name), same_results(kind));
+}
+
 void read_results(const CellFileKind& kind, const std::string& path, const NetcdfFile& file,
                   const CellFile::Take& take) {
   const std::size_t cells = file.length("cell"), size = file.length("record_byte");
@@ -25,7 +37,7 @@ void read_results(const CellFileKind& kind, const std::string& path, const Netcd
   std::size_t begin = 0;
   for (std::size_t cell = 0; cell < cells; ++cell) {
     const auto end = static_cast<std::size_t>(ends[cell]);
-    if (end < begin || end > size) throw InputError(path, "", "", fmt::format("is damaged; {}", kind.same_results));
+    if (end < begin || end > size) refuse(kind, path, "is damaged");
     if (end == begin) continue;
     std::vector<std::uint8_t> record(end - begin);
     file.read(records, {begin}, {record.size()}, record.data());
@@ -38,8 +50,7 @@ void read_journal(const CellFileKind& kind, const std::string& path, const Journ
                   const CellFile::Take& take) {
   for (const Journal::Record& record : journal.records()) {
     if (record.kind == Journal::Kind::note) continue;
-    if (record.kind != kind.record)
-      throw InputError(path, "", "", fmt::format("is of something else; {}", kind.same_results));
+    if (record.kind != kind.record) refuse(kind, path, "is of something else");
     std::vector<std::uint8_t> bytes(record.bytes);
     journal.read(record, 0, bytes.size(), bytes.data());
     take(record.first, bytes);
@@ -47,29 +58,28 @@ void read_journal(const CellFileKind& kind, const std::string& path, const Journ
 }
 
 void require_whole(const CellFileKind& kind, const std::string& path) {
-  if (const std::string damage = why_not_whole(path); !damage.empty())
-    throw InputError(path, "", "", fmt::format("{}; {}", damage, kind.same_results));
+  if (const std::string damage = why_not_whole(path); !damage.empty()) refuse(kind, path, damage);
 }
 
 }  // namespace
 
 CellFile::CellFile(const CellFileKind& kind, const std::string& path, const std::string& identity, std::size_t cells,
                    const Take& take)
-    : kind_(kind), path_(results_path(path, kind.same_results)), identity_(identity) {
+    : kind_(kind), path_(results_path(path, same_results(kind))), identity_(identity) {
   const std::string part = path_ + ".part";
   journal_ = std::make_unique<Journal>(part, path_, identity);
   if (std::filesystem::exists(path_)) {
     require_whole(kind, path_);
     const NetcdfFile file(path_, NetcdfFile::Mode::read);
-    require_same(file.attribute("identity"), identity, path_, kind.these_results, kind.same_results);
+    require_these(kind, file.attribute("identity"), identity, path_);
     if (const std::size_t there = file.length("cell"); there != cells)
-      throw InputError(path_, "", "", fmt::format("holds {} cells; {}", there, kind.same_results));
+      refuse(kind, path_, fmt::format("holds {} cells", there));
     read_results(kind, path_, file, take);
   }
-  require_same(journal_->identity(), identity, part, kind.these_results, kind.same_results);
+  require_these(kind, journal_->identity(), identity, part);
   for (const Journal::Record& record : journal_->records()) {
     if (record.kind == Journal::Kind::note) continue;
-    if (record.first >= cells) throw InputError(part, "", "", fmt::format("holds other cells; {}", kind.same_results));
+    if (record.first >= cells) refuse(kind, part, "holds other cells");
     changed_ = true;
   }
   read_journal(kind, part, *journal_, take);
@@ -98,7 +108,8 @@ std::string read_cell_file(const CellFileKind& kind, const std::string& path, co
   }
   require_whole(kind, path);
   const NetcdfFile file(path, NetcdfFile::Mode::read);
-  if (file.attribute("kind") != kind.kind) throw InputError(path, "", "", kind.holds_none);
+  if (file.attribute("kind") != kind.name)
+    throw InputError(path, "", "", fmt::format("holds no {0}; must be what \"{0} -o\" wrote", kind.name));
   read_results(kind, path, file, take);
   return file.attribute("identity");
 }

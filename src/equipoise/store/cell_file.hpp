@@ -13,13 +13,10 @@
 
 namespace equipoise::store {
 
-/// What is kept in such a file, and how messages call it.
+/// What is kept in such a file.
 struct CellFileKind {
-  const char* kind;           ///< attribute of the finished file: "sweep"
-  Journal::Kind record;       ///< of the unfinished one
-  const char* these_results;  ///< "results of this sweep"
-  const char* same_results;   ///< "must be a new file, or results of the same sweep"
-  const char* holds_none;     ///< "holds no sweep; must be what \"sweep -o\" wrote"
+  const char* name;      ///< "sweep": attribute of the finished file, and of messages
+  Journal::Kind record;  ///< of the unfinished one
 };
 
 /// Two files, as of an ensemble (basin_file.hpp). The results, `path`, are NetCDF, sealed, and hold beside what others

@@ -8,67 +8,17 @@
 
 #include <fmt/format.h>
 #include <netcdf.h>
-#include <nlohmann/json.hpp>
 
 #include "equipoise/files/netcdf.hpp"
-#include "equipoise/store/cell_file.hpp"
 #include "equipoise/store/cell_netcdf.hpp"
 
 namespace equipoise {
 
 namespace {
 
-using DesignJson = nlohmann::json;
+constexpr store::CellFileKind design_kind{"design", store::Journal::Kind::ensemble};
 
-constexpr store::CellFileKind design_kind{"design", store::Journal::Kind::ensemble, "results of this design",
-                                          "must be a new file, or results of the same design",
-                                          "holds no design; must be what \"design -o\" wrote"};
-
-using KeptSample = std::pair<std::string, DesignSample>;  // its name first
 using KeptSamples = std::map<std::uint64_t, KeptSample>;
-
-// JSON has no number for what has no end.
-DesignJson number_json(double v) {
-  if (std::isnan(v)) return nullptr;
-  return std::isfinite(v) ? DesignJson(v) : DesignJson(v > 0.0 ? "inf" : "-inf");
-}
-double number_from(const DesignJson& j) {
-  if (j.is_number()) return j.get<double>();
-  if (j.is_null()) return std::numeric_limits<double>::quiet_NaN();
-  return j.get<std::string>() == "inf" ? std::numeric_limits<double>::infinity()
-                                       : -std::numeric_limits<double>::infinity();
-}
-DesignJson estimate_json(const DesignEstimate& e) {
-  return {number_json(e.value), number_json(e.low), number_json(e.high)};
-}
-DesignEstimate estimate_from(const DesignJson& j) {
-  return {number_from(j.at(0)), number_from(j.at(1)), number_from(j.at(2))};
-}
-
-std::vector<std::uint8_t> bytes_of_sample(const std::string& name, const DesignSample& sample) {
-  DesignJson figures = DesignJson::array();
-  for (const DesignEstimate& e : sample.figures) figures.push_back(estimate_json(e));
-  return DesignJson::to_cbor({{"name", name},
-                              {"starts", sample.starts},
-                              {"figures", figures},
-                              {"undecided", estimate_json(sample.undecided)},
-                              {"note", sample.note}});
-}
-
-// A record that is no such thing counts for none.
-std::optional<KeptSample> sample_from(const std::vector<std::uint8_t>& record) {
-  try {
-    const DesignJson json = DesignJson::from_cbor(record);
-    KeptSample kept{json.at("name"), {}};
-    kept.second.starts = json.at("starts");
-    for (const DesignJson& e : json.at("figures")) kept.second.figures.push_back(estimate_from(e));
-    kept.second.undecided = estimate_from(json.at("undecided"));
-    kept.second.note = json.at("note");
-    return kept;
-  } catch (const DesignJson::exception&) {
-    return std::nullopt;
-  }
-}
 
 std::string variable_of(const std::string& figure) {
   std::string name;
@@ -88,8 +38,8 @@ class DesignWriter {
     std::vector<std::string> names;
     std::vector<const DesignSample*> all, front;
     for (const auto& [number, kept] : samples_) {
-      names.push_back(kept.first);
-      all.push_back(&kept.second);
+      names.push_back(kept.name);
+      all.push_back(&kept.sample);
     }
     names.resize(count);
     const int candidate = file_.text_variable("candidate", ensemble, names, "starts, seed and values of the candidate");
@@ -153,46 +103,35 @@ class DesignWriter {
 
 }  // namespace
 
-struct DesignFile::State {
-  std::size_t most;
-  KeptSamples samples;
-  store::CellFile file;
-};
-
-DesignFile::DesignFile(const std::string& path, const std::string& identity, std::size_t most) {
-  KeptSamples there;
-  store::CellFile file(design_kind, path, identity, most,
-                       [&](std::size_t number, const std::vector<std::uint8_t>& record) {
-                         if (auto kept = sample_from(record)) there[number] = std::move(*kept);
-                       });
-  state_ = std::make_unique<State>(State{most, std::move(there), std::move(file)});
-}
-
-DesignFile::~DesignFile() = default;
+// A record that is no ensemble counts for none.
+DesignFile::DesignFile(const std::string& path, const std::string& identity, std::size_t most)
+    : most_(most),
+      file_(design_kind, path, identity, most, [this](std::size_t number, const std::vector<std::uint8_t>& record) {
+        if (auto kept = store::sample_from(record)) samples_[number] = std::move(*kept);
+      }) {}
 
 std::optional<DesignSample> DesignFile::sample(std::uint64_t number, const std::string& name) const {
-  const auto at = state_->samples.find(number);
-  if (at == state_->samples.end() || at->second.first != name) return std::nullopt;
-  return at->second.second;
+  const auto at = samples_.find(number);
+  if (at == samples_.end() || at->second.name != name) return std::nullopt;
+  return at->second.sample;
 }
 
 void DesignFile::append(std::uint64_t number, const std::string& name, const DesignSample& sample) {
-  state_->file.append(number, bytes_of_sample(name, sample));
-  state_->samples[number] = {name, sample};
+  const KeptSample& kept = samples_[number] = {name, sample};
+  file_.append(number, store::bytes_of(kept));
 }
 
 void DesignFile::finish(const DesignResult& result) {
   const auto write = [&](const std::string& path, const std::string& identity) {
-    const store::CellRecords records(state_->most, [&](std::size_t number) {
-      const auto at = state_->samples.find(number);
-      return at == state_->samples.end() ? std::vector<std::uint8_t>{}
-                                         : bytes_of_sample(at->second.first, at->second.second);
+    const store::CellRecords records(most_, [&](std::size_t number) {
+      const auto at = samples_.find(number);
+      return at == samples_.end() ? std::vector<std::uint8_t>{} : store::bytes_of(at->second);
     });
     store::write_netcdf_file(
-        path, [&](store::NetcdfFile& file) { DesignWriter(file, identity, result, state_->samples, records).write(); },
+        path, [&](store::NetcdfFile& file) { DesignWriter(file, identity, result, samples_, records).write(); },
         records.mode());
   };
-  state_->file.finish(write, result.partial ? store::CellFile::Rest::all : store::CellFile::Rest::nothing);
+  file_.finish(write, result.partial ? store::CellFile::Rest::all : store::CellFile::Rest::nothing);
 }
 
 }  // namespace equipoise

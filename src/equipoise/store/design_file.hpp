@@ -3,15 +3,16 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <memory>
+#include <map>
 #include <optional>
 #include <string>
 
-#include "equipoise/results/design_result.hpp"
+#include "equipoise/store/cell_file.hpp"
+#include "equipoise/store/sweep_cells.hpp"
 
 namespace equipoise {
 
-/// Two files, as of a sweep (sweep_file.hpp). The results, `path`, are NetCDF (classic, 64-bit offsets), sealed: by
+/// A CellFile, whose records are ensembles. The results, `path`, are NetCDF (classic, 64-bit offsets), sealed: by
 /// ensemble its starts, its figures with their intervals and its candidate as text; by member of the front its figures
 /// on the held-out starts. While the search goes on, `path`.part holds every ensemble that the results do not.
 class DesignFile {
@@ -19,9 +20,6 @@ class DesignFile {
   /// Opens what there is of the same design, or begins anew. `most`: ensembles that there may be. Throws InputError if
   /// it cannot be written, is in use, damaged, or holds something else: which, it says.
   DesignFile(const std::string& path, const std::string& identity, std::size_t most);
-  ~DesignFile();
-  DesignFile(const DesignFile&) = delete;
-  DesignFile& operator=(const DesignFile&) = delete;
 
   /// Of the `number`-th question, if what was kept is the answer to it.
   std::optional<DesignSample> sample(std::uint64_t number, const std::string& name) const;
@@ -31,8 +29,9 @@ class DesignFile {
   void finish(const DesignResult& result);
 
  private:
-  struct State;
-  std::unique_ptr<State> state_;
+  std::size_t most_;
+  std::map<std::uint64_t, KeptSample> samples_;
+  store::CellFile file_;
 };
 
 }  // namespace equipoise

@@ -1,7 +1,9 @@
 // Dimensions, variables and attributes of a map; its rows as they come, and as they are asked for.
+#include <algorithm>
 #include <charconv>
 #include <limits>
 #include <system_error>
+#include <type_traits>
 #include <utility>
 
 #include <fmt/format.h>
@@ -67,9 +69,9 @@ MapWriter::MapWriter(const std::string& path, const MapFileHeader& header, const
   file_.write_texts(alias_, aliases_);
   for (std::size_t k = 0; k < discoveries.size(); ++k)
     file_.write(discovery_, {k, 0}, {1, discoveries[k].size()}, discoveries[k].data());
-  if (!header.one_rotor) return;
-  file_.write(margin_, {}, {}, &header.balance_margin);
-  file_.write(growth_, {}, {}, &header.balance_growth);
+  for (std::size_t k = 0; k < numbers_.size(); ++k)
+    if (header.one_rotor && pixel_numbers[k].of_rotor)
+      file_.write(numbers_[k], {}, {}, &(header.rotor.*pixel_numbers[k].value));
 }
 
 void MapWriter::define(const std::vector<MapCode>& codes, const std::vector<std::vector<double>>& discoveries,
@@ -115,19 +117,12 @@ void MapWriter::define_pixels(int y, int x, const std::vector<MapCode>& codes) {
     file_.attribute(computed_, "flag_meanings", "filled_in computed");
   }
   const float none = std::numeric_limits<float>::quiet_NaN();
-  const auto number = [&](const char* name, bool one, const char* meaning) {
-    const std::vector<int> dimensions = one ? std::vector<int>{} : std::vector<int>{y, x};
-    const int variable = file_.variable(name, NC_FLOAT, dimensions, "1", meaning);
-    file_.fill(variable, &none);
-    return variable;
-  };
-  time_ = number("decision_time", false, "study time at which the outcome was known, in 1/omega_c");
-  r_max_ =
-      number("r_max", false, "largest distance of the rotor's centre from the axis on the final motion, in race radii");
-  margin_ = number("balance_margin", header_.one_rotor,
-                   "lambda + sum mu_i - 2 max(lambda, mu_i): a balanced state exists where this is 0 or more");
-  growth_ = number("balance_growth", header_.one_rotor,
-                   "largest real part of an eigenvalue at the balanced state, in omega_c: stable where negative");
+  for (std::size_t k = 0; k < numbers_.size(); ++k) {
+    const PixelNumber& n = pixel_numbers[k];
+    const bool one = header_.one_rotor && n.of_rotor;
+    numbers_[k] = file_.variable(n.name, NC_FLOAT, one ? std::vector<int>{} : std::vector<int>{y, x}, "1", n.meaning);
+    file_.fill(numbers_[k], &none);
+  }
 }
 
 void MapWriter::define_attributes(bool complete) {
@@ -161,24 +156,21 @@ void MapWriter::write_axis(int variable, const MapAxis& axis) {
   file_.write(variable, {0}, {centres.size()}, centres.data());
 }
 
-template <class T, class Value>
-void MapWriter::write_column(int variable, int first, int rows, const MapPixel* pixels, const Value& value) {
+// A pixel's `computed` takes a byte.
+template <class T>
+void MapWriter::write_column(int variable, int first, int rows, const MapPixel* pixels, T MapPixel::*value) {
   const std::size_t columns = static_cast<std::size_t>(header_.x.pixels);
-  std::vector<T> column(columns * static_cast<std::size_t>(rows));
-  for (std::size_t k = 0; k < column.size(); ++k) column[k] = value(pixels[k]);
+  std::vector<std::conditional_t<std::is_same_v<T, bool>, signed char, T>> column;
+  for (std::size_t k = 0; k < columns * static_cast<std::size_t>(rows); ++k) column.push_back(pixels[k].*value);
   file_.write(variable, {static_cast<std::size_t>(first), 0}, {static_cast<std::size_t>(rows), columns}, column.data());
 }
 
 void MapWriter::write_rows(int first, int rows, const MapPixel* pixels) {
-  write_column<short>(outcome_, first, rows, pixels, [](const MapPixel& p) { return p.code; });
-  if (computed_ >= 0)
-    write_column<signed char>(computed_, first, rows, pixels,
-                              [](const MapPixel& p) { return static_cast<signed char>(p.computed); });
-  write_column<float>(time_, first, rows, pixels, [](const MapPixel& p) { return p.time; });
-  write_column<float>(r_max_, first, rows, pixels, [](const MapPixel& p) { return p.r_max; });
-  if (header_.one_rotor) return;
-  write_column<float>(margin_, first, rows, pixels, [](const MapPixel& p) { return p.balance_margin; });
-  write_column<float>(growth_, first, rows, pixels, [](const MapPixel& p) { return p.balance_growth; });
+  write_column(outcome_, first, rows, pixels, &MapPixel::code);
+  if (computed_ >= 0) write_column(computed_, first, rows, pixels, &MapPixel::computed);
+  visit_pixel_numbers(header_.one_rotor, [&](std::size_t k, float MapPixel::*value) {
+    write_column(numbers_[k], first, rows, pixels, value);
+  });
 }
 
 void MapWriter::finish(const std::vector<MapCode>& codes) {
@@ -194,12 +186,11 @@ MapReader::MapReader(const std::string& path) : file_(whole_map_file(path), Netc
     y_ = read_axis("y");
     const std::vector<std::size_t> plane{static_cast<std::size_t>(y_.pixels), static_cast<std::size_t>(x_.pixels)};
     outcome_ = file_.variable("outcome", NC_SHORT, plane);
-    time_ = file_.variable("decision_time", NC_FLOAT, plane);
-    r_max_ = file_.variable("r_max", NC_FLOAT, plane);
     if (!file_.attribute("refine").starts_with("no")) computed_ = file_.variable("computed", NC_BYTE, plane);
-    if (file_.dimensions("balance_margin") == 0) return;
-    margin_ = file_.variable("balance_margin", NC_FLOAT, plane);
-    growth_ = file_.variable("balance_growth", NC_FLOAT, plane);
+    one_rotor_ = file_.dimensions("balance_margin") == 0;
+    visit_pixel_numbers(one_rotor_, [&](std::size_t k, float MapPixel::*) {
+      numbers_[k] = file_.variable(pixel_numbers[k].name, NC_FLOAT, plane);
+    });
   } catch (const RunError&) {
     throw InputError(path, "", "", fmt::format("holds no map; {}", allowed_map));
   }
@@ -240,26 +231,25 @@ std::vector<std::vector<double>> MapReader::discoveries() const {
   return states;
 }
 
-template <class T, class Put>
-void MapReader::read_column(int variable, int first, int rows, const Put& put) const {
+template <class T>
+void MapReader::read_column(int variable, int first, int rows, MapPixel* pixels, T MapPixel::*value) const {
   const std::size_t columns = static_cast<std::size_t>(x_.pixels);
-  std::vector<T> column(columns * static_cast<std::size_t>(rows));
+  std::vector<std::conditional_t<std::is_same_v<T, bool>, signed char, T>> column(columns *
+                                                                                  static_cast<std::size_t>(rows));
   file_.read(variable, {static_cast<std::size_t>(first), 0}, {static_cast<std::size_t>(rows), columns}, column.data());
-  for (std::size_t k = 0; k < column.size(); ++k) put(k, column[k]);
+  for (std::size_t k = 0; k < column.size(); ++k) pixels[k].*value = column[k];
 }
 
 void MapReader::read_rows(int first, int rows, MapPixel* pixels) const {
-  read_column<short>(outcome_, first, rows, [&](std::size_t k, short code) {
-    pixels[k] = MapPixel{code, code != not_computed_code};
-  });
-  if (computed_ >= 0)
-    read_column<signed char>(computed_, first, rows,
-                             [&](std::size_t k, signed char computed) { pixels[k].computed = computed != 0; });
-  read_column<float>(time_, first, rows, [&](std::size_t k, float value) { pixels[k].time = value; });
-  read_column<float>(r_max_, first, rows, [&](std::size_t k, float value) { pixels[k].r_max = value; });
-  if (margin_ < 0) return;
-  read_column<float>(margin_, first, rows, [&](std::size_t k, float value) { pixels[k].balance_margin = value; });
-  read_column<float>(growth_, first, rows, [&](std::size_t k, float value) { pixels[k].balance_growth = value; });
+  std::fill_n(pixels, static_cast<std::size_t>(x_.pixels) * static_cast<std::size_t>(rows), MapPixel{});
+  read_column(outcome_, first, rows, pixels, &MapPixel::code);
+  if (computed_ >= 0) {
+    read_column(computed_, first, rows, pixels, &MapPixel::computed);
+  } else {
+    for (int k = 0; k < x_.pixels * rows; ++k) pixels[k].computed = pixels[k].code != not_computed_code;
+  }
+  visit_pixel_numbers(
+      one_rotor_, [&](std::size_t k, float MapPixel::*value) { read_column(numbers_[k], first, rows, pixels, value); });
 }
 
 }  // namespace equipoise::store
@@ -271,8 +261,8 @@ void write_map_file(const std::string& path, const PlaneMap& map) {
   store::MapFileHeader header{to_toml(map.study), map.x, map.y, map.links, map.block, "of " + map.cpu_target};
   header.one_rotor = map.balance_margin.size() != size || size == 1;
   if (header.one_rotor) {
-    header.balance_margin = map.balance_margin.front();
-    header.balance_growth = map.balance_growth.front();
+    header.rotor.balance_margin = map.balance_margin.front();
+    header.rotor.balance_growth = map.balance_growth.front();
   }
   store::MapWriter writer(path, header, map.codes, {}, map.complete);
   std::vector<MapPixel> row(static_cast<std::size_t>(map.x.pixels));

@@ -1,6 +1,7 @@
 // The NetCDF file of a map, written and read some rows at a time.
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <string>
 #include <vector>
@@ -16,10 +17,10 @@ struct MapFileHeader {
   std::string study;  ///< resolved, as TOML
   MapAxis x, y;
   std::vector<AngleLink> links;
-  int block = 0;                                       ///< PlaneMap::block
-  std::string arithmetic;                              ///< BasinFileHeader::arithmetic
-  bool one_rotor = true;                               ///< balance's margin and growth are the same at all pixels
-  float balance_margin = 0.0f, balance_growth = 0.0f;  ///< if so
+  int block = 0;           ///< PlaneMap::block
+  std::string arithmetic;  ///< BasinFileHeader::arithmetic
+  bool one_rotor = true;
+  MapPixel rotor{};  ///< if so, its numbers
 };
 
 /// All that decides what stands in a pixel but its place, and that with the places; a key a line as in a study.
@@ -43,15 +44,16 @@ class MapWriter {
   void define_pixels(int y, int x, const std::vector<MapCode>& codes);
   void define_attributes(bool complete);
   void write_axis(int variable, const MapAxis& axis);
-  template <class T, class Value>
-  void write_column(int variable, int first, int rows, const MapPixel* pixels, const Value& value);
+  template <class T>
+  void write_column(int variable, int first, int rows, const MapPixel* pixels, T MapPixel::*value);
 
   const MapFileHeader header_;
   std::string path_;
   Replacement place_;
   NetcdfFile file_;
   std::vector<std::string> names_, aliases_;
-  int x_ = -1, y_ = -1, outcome_ = -1, computed_ = -1, time_ = -1, r_max_ = -1, margin_ = -1, growth_ = -1;
+  int x_ = -1, y_ = -1, outcome_ = -1, computed_ = -1;
+  std::array<int, pixel_numbers.size()> numbers_{};
   int code_ = -1, name_ = -1, alias_ = -1, share_ = -1, discovery_ = -1;
 };
 
@@ -73,12 +75,14 @@ class MapReader {
 
  private:
   MapAxis read_axis(const std::string& letter) const;
-  template <class T, class Put>
-  void read_column(int variable, int first, int rows, const Put& put) const;
+  template <class T>
+  void read_column(int variable, int first, int rows, MapPixel* pixels, T MapPixel::*value) const;
 
   NetcdfFile file_;
   MapAxis x_, y_;
-  int outcome_ = -1, computed_ = -1, time_ = -1, r_max_ = -1, margin_ = -1, growth_ = -1;
+  int outcome_ = -1, computed_ = -1;
+  std::array<int, pixel_numbers.size()> numbers_{};
+  bool one_rotor_ = true;
 };
 
 }  // namespace equipoise::store

@@ -1,218 +1,182 @@
-// SweepCell and CapacityTrial to CBOR and back: a map of the members by name.
+// Records of cells to CBOR and back: a map of the members by name.
 #include "equipoise/store/sweep_cells.hpp"
+
+#include <array>
+#include <cmath>
+#include <limits>
+#include <memory>
 
 #include <nlohmann/json.hpp>
 
+#include "equipoise/base/bytes.hpp"
+
 namespace equipoise {
+
+// One function names the members for both ways.
+
+template <class Record, Like<Share> T>
+void named_members(Record& r, T& s) {
+  r("count", s.count, "total", s.total, "share", s.share, "low", s.low, "high", s.high, "by", s.by);
+  r("error", s.standard_error, "effective", s.effective_starts, "least", s.least, "most", s.most);
+}
+
+template <class Record, Like<QuantileEstimate> T>
+void named_members(Record& r, T& q) {
+  r("value", q.value, "low", q.low, "high", q.high);
+}
+
+template <class Record, Like<SampleSummary> T>
+void named_members(Record& r, T& s) {
+  r("count", s.count, "open", s.open, "mean", s.mean, "mean_low", s.mean_low, "mean_high", s.mean_high);
+  r("largest", s.largest, "quantiles", s.quantiles, "exact", s.exact);
+}
+
+template <class Record, Like<TransientGroup> T>
+void named_members(Record& r, T& g) {
+  r("name", g.name, "id", g.id, "starts", g.starts, "mean_speed", g.mean_speed, "lasting", g.lasting);
+  r("never", g.never, "figures", g.figures, "exceeded", g.exceeded);
+}
+
+template <class Record, Like<SweepOutcome> T>
+void named_members(Record& r, T& o) {
+  r("id", o.id, "own_id", o.own_id, "name", o.name, "alias", o.alias, "kind", o.kind, "share", o.share);
+  r("mean_time", o.mean_time, "r_min", o.r_min, "r_mean", o.r_mean, "r_max", o.r_max, "period", o.period);
+  r("drift", o.drift, "left_unbalance", o.left_unbalance, "state", o.state);
+}
+
+template <class Record, Like<LevelHint> T>
+void named_members(Record& r, T& h) {
+  r("attractor", h.attractor, "torus", h.torus, "level", h.level);
+}
+
+template <class Record, Like<ModeWeight> T>
+void named_members(Record& r, T& w) {
+  r("re", w.re, "im", w.im, "weight", w.weight);
+}
+
+template <class Record, Like<SweepCell> T>
+void named_members(Record& r, T& c) {
+  r("starts", c.starts, "outcomes", c.outcomes, "undecided", c.undecided, "diverged", c.diverged, "failed", c.failed);
+  r("stalled", c.stalled, "passed", c.passed, "transients", c.transients, "balanced_stable", c.balanced_stable);
+  r("note", c.note, "levels", c.hints.levels, "weights", c.hints.weights);
+}
+
+template <class Record, Like<CapacityTrial> T>
+void named_members(Record& r, T& t) {
+  r("value", t.value, "balanced", t.balanced, "undecided", t.undecided, "unstable", t.unstable, "states", t.states);
+}
+
+template <class Record, Like<KeptSample> T>
+void named_members(Record& r, T& k) {
+  r("name", k.name, "starts", k.sample.starts, "figures", k.sample.figures, "undecided", k.sample.undecided);
+  r("note", k.sample.note);
+}
 
 namespace {
 
 using Json = nlohmann::json;
 
-// One function names the members for both ways.
-class Writer {
+template <class T>
+inline constexpr bool is_list = false;
+template <class T>
+inline constexpr bool is_list<std::vector<T>> = true;
+template <class T, std::size_t n>
+inline constexpr bool is_list<std::array<T, n>> = true;
+template <class T>
+inline constexpr bool is_optional = false;
+template <class T>
+inline constexpr bool is_optional<std::optional<T>> = true;
+template <class T>
+inline constexpr bool is_shared = false;
+template <class T>
+inline constexpr bool is_shared<std::shared_ptr<T>> = true;
+
+// Of designs; what has no end is written as a word, for JSON has no number for it.
+Json number_json(double v) {
+  if (std::isnan(v)) return nullptr;
+  return std::isfinite(v) ? Json(v) : Json(v > 0.0 ? "inf" : "-inf");
+}
+double number_from(const Json& j) {
+  constexpr double infinite = std::numeric_limits<double>::infinity();
+  if (j.is_null()) return std::numeric_limits<double>::quiet_NaN();
+  return j.is_number() ? j.get<double>() : j.get<std::string>() == "inf" ? infinite : -infinite;
+}
+
+class RecordOut {
  public:
-  template <class T>
-  void operator()(const char* name, const T& value) {
+  template <class T, class... More>
+  void operator()(const char* name, const T& value, const More&... more) {
     json_[name] = encode(value);
+    if constexpr (sizeof...(more) > 0) (*this)(more...);
   }
-  Json take() { return std::move(json_); }
 
   template <class T>
-  static Json encode(const T& value);
+  static Json encode(const T& value) {
+    if constexpr (is_optional<T> || is_shared<T>) {
+      return value ? encode(*value) : Json(nullptr);
+    } else if constexpr (is_list<T>) {
+      Json list = Json::array();
+      for (const auto& item : value) list.push_back(encode(item));
+      return list;
+    } else if constexpr (std::is_enum_v<T>) {
+      return static_cast<int>(value);
+    } else if constexpr (std::is_same_v<T, DesignEstimate>) {
+      return {number_json(value.value), number_json(value.low), number_json(value.high)};
+    } else if constexpr (std::is_arithmetic_v<T> || std::is_same_v<T, std::string>) {
+      return value;
+    } else {
+      RecordOut record;
+      named_members(record, value);
+      return std::move(record.json_);
+    }
+  }
 
  private:
   Json json_ = Json::object();
 };
 
-class Reader {
+class RecordIn {
  public:
-  explicit Reader(const Json& json) : json_(json) {}
-  template <class T>
-  void operator()(const char* name, T& value) {
+  explicit RecordIn(const Json& json) : json_(json) {}
+  template <class T, class... More>
+  void operator()(const char* name, T& value, More&&... more) {
     decode(json_.at(name), value);
+    if constexpr (sizeof...(more) > 0) (*this)(more...);
   }
 
   template <class T>
-  static void decode(const Json& json, T& value);
+  static void decode(const Json& json, T& value) {
+    if constexpr (is_shared<T>) {
+      auto content = json.is_null() ? nullptr : std::make_shared<std::remove_const_t<typename T::element_type>>();
+      if (content) decode(json, *content);
+      value = std::move(content);
+    } else if constexpr (is_optional<T>) {
+      value.reset();
+      if (!json.is_null()) decode(json, value.emplace());
+    } else if constexpr (is_list<T>) {
+      if constexpr (requires { value.resize(0); }) value.resize(json.size());
+      for (std::size_t i = 0; i < value.size(); ++i) decode(json.at(i), value[i]);
+    } else if constexpr (std::is_enum_v<T>) {
+      value = static_cast<T>(json.get<int>());
+    } else if constexpr (std::is_same_v<T, DesignEstimate>) {
+      value = {number_from(json.at(0)), number_from(json.at(1)), number_from(json.at(2))};
+    } else if constexpr (std::is_arithmetic_v<T> || std::is_same_v<T, std::string>) {
+      value = json.get<T>();
+    } else {
+      RecordIn record(json);
+      named_members(record, value);
+    }
+  }
 
  private:
   const Json& json_;
 };
 
-template <class Visitor, class S>
-requires std::is_same_v<std::remove_const_t<S>, Share>
-void visit_members(Visitor&& v, S& s) {
-  v("count", s.count);
-  v("total", s.total);
-  v("share", s.share);
-  v("low", s.low);
-  v("high", s.high);
-  v("by", s.by);
-  v("error", s.standard_error);
-  v("effective", s.effective_starts);
-  v("least", s.least);
-  v("most", s.most);
-}
-
-template <class Visitor, class S>
-requires std::is_same_v<std::remove_const_t<S>, QuantileEstimate>
-void visit_members(Visitor&& v, S& s) {
-  v("value", s.value);
-  v("low", s.low);
-  v("high", s.high);
-}
-
-template <class Visitor, class S>
-requires std::is_same_v<std::remove_const_t<S>, SampleSummary>
-void visit_members(Visitor&& v, S& s) {
-  v("count", s.count);
-  v("open", s.open);
-  v("mean", s.mean);
-  v("mean_low", s.mean_low);
-  v("mean_high", s.mean_high);
-  v("largest", s.largest);
-  v("quantiles", s.quantiles);
-  v("exact", s.exact);
-}
-
-template <class Visitor, class S>
-requires std::is_same_v<std::remove_const_t<S>, TransientGroup>
-void visit_members(Visitor&& v, S& s) {
-  v("name", s.name);
-  v("id", s.id);
-  v("starts", s.starts);
-  v("mean_speed", s.mean_speed);
-  v("lasting", s.lasting);
-  v("never", s.never);
-  v("figures", s.figures);
-  v("exceeded", s.exceeded);
-}
-
-template <class Visitor, class S>
-requires std::is_same_v<std::remove_const_t<S>, SweepOutcome>
-void visit_members(Visitor&& v, S& s) {
-  v("id", s.id);
-  v("own_id", s.own_id);
-  v("name", s.name);
-  v("alias", s.alias);
-  v("kind", s.kind);
-  v("share", s.share);
-  v("mean_time", s.mean_time);
-  v("r_min", s.r_min);
-  v("r_mean", s.r_mean);
-  v("r_max", s.r_max);
-  v("period", s.period);
-  v("drift", s.drift);
-  v("left_unbalance", s.left_unbalance);
-  v("state", s.state);
-}
-
-template <class Visitor, class S>
-requires std::is_same_v<std::remove_const_t<S>, LevelHint>
-void visit_members(Visitor&& v, S& s) {
-  v("attractor", s.attractor);
-  v("torus", s.torus);
-  v("level", s.level);
-}
-
-template <class Visitor, class S>
-requires std::is_same_v<std::remove_const_t<S>, ModeWeight>
-void visit_members(Visitor&& v, S& s) {
-  v("re", s.re);
-  v("im", s.im);
-  v("weight", s.weight);
-}
-
-template <class Visitor, class S>
-requires std::is_same_v<std::remove_const_t<S>, SweepCell>
-void visit_members(Visitor&& v, S& s) {
-  v("starts", s.starts);
-  v("outcomes", s.outcomes);
-  v("undecided", s.undecided);
-  v("diverged", s.diverged);
-  v("failed", s.failed);
-  v("stalled", s.stalled);
-  v("passed", s.passed);
-  v("transients", s.transients);
-  v("balanced_stable", s.balanced_stable);
-  v("note", s.note);
-  v("levels", s.hints.levels);
-  v("weights", s.hints.weights);
-}
-
-template <class Visitor, class S>
-requires std::is_same_v<std::remove_const_t<S>, CapacityTrial>
-void visit_members(Visitor&& v, S& s) {
-  v("value", s.value);
-  v("balanced", s.balanced);
-  v("undecided", s.undecided);
-  v("unstable", s.unstable);
-  v("states", s.states);
-}
-
 template <class T>
-struct IsList : std::false_type {};
-template <class T>
-struct IsList<std::vector<T>> : std::true_type {};
-template <class T, std::size_t n>
-struct IsList<std::array<T, n>> : std::true_type {};
-template <class T>
-struct IsOptional : std::false_type {};
-template <class T>
-struct IsOptional<std::optional<T>> : std::true_type {};
-template <class T>
-struct IsShared : std::false_type {};
-template <class T>
-struct IsShared<std::shared_ptr<T>> : std::true_type {};
-
-template <class T>
-Json Writer::encode(const T& value) {
-  if constexpr (IsOptional<T>::value || IsShared<T>::value) {
-    return value ? encode(*value) : Json(nullptr);
-  } else if constexpr (IsList<T>::value) {
-    Json list = Json::array();
-    for (const auto& item : value) list.push_back(encode(item));
-    return list;
-  } else if constexpr (std::is_enum_v<T>) {
-    return static_cast<int>(value);
-  } else if constexpr (std::is_arithmetic_v<T> || std::is_same_v<T, std::string>) {
-    return value;
-  } else {
-    Writer members;
-    visit_members(members, value);
-    return members.take();
-  }
-}
-
-template <class T>
-void Reader::decode(const Json& json, T& value) {
-  if constexpr (IsShared<T>::value) {
-    auto content = json.is_null() ? nullptr : std::make_shared<std::remove_const_t<typename T::element_type>>();
-    if (content) decode(json, *content);
-    value = std::move(content);
-  } else if constexpr (IsOptional<T>::value) {
-    if (json.is_null())
-      value.reset();
-    else
-      decode(json, value.emplace());
-  } else if constexpr (IsList<T>::value) {
-    if constexpr (requires { value.resize(0); }) value.resize(json.size());
-    for (std::size_t i = 0; i < value.size(); ++i) decode(json.at(i), value[i]);
-  } else if constexpr (std::is_enum_v<T>) {
-    value = static_cast<T>(json.get<int>());
-  } else if constexpr (std::is_arithmetic_v<T> || std::is_same_v<T, std::string>) {
-    value = json.get<T>();
-  } else {
-    visit_members(Reader(json), value);
-  }
-}
-
-template <class T>
-std::optional<T> read_as(const std::uint8_t* bytes, std::size_t count) {
+std::optional<T> record_from(const std::vector<std::uint8_t>& bytes) {
   try {
     T value;
-    Reader::decode(Json::from_cbor(bytes, bytes + count), value);
+    RecordIn::decode(Json::from_cbor(bytes), value);
     return value;
   } catch (const Json::exception&) {
     return std::nullopt;
@@ -223,19 +187,17 @@ std::optional<T> read_as(const std::uint8_t* bytes, std::size_t count) {
 
 namespace store {
 
-std::vector<std::uint8_t> bytes_of(const SweepCell& cell) { return Json::to_cbor(Writer::encode(cell)); }
-
-std::optional<SweepCell> cell_from(const std::uint8_t* bytes, std::size_t count) {
-  return read_as<SweepCell>(bytes, count);
-}
-
+std::vector<std::uint8_t> bytes_of(const SweepCell& cell) { return Json::to_cbor(RecordOut::encode(cell)); }
 std::vector<std::uint8_t> bytes_of(const std::vector<CapacityTrial>& trials) {
-  return Json::to_cbor(Writer::encode(trials));
+  return Json::to_cbor(RecordOut::encode(trials));
 }
+std::vector<std::uint8_t> bytes_of(const KeptSample& sample) { return Json::to_cbor(RecordOut::encode(sample)); }
 
+std::optional<SweepCell> cell_from(const std::vector<std::uint8_t>& bytes) { return record_from<SweepCell>(bytes); }
 std::optional<std::vector<CapacityTrial>> trials_from(const std::vector<std::uint8_t>& bytes) {
-  return read_as<std::vector<CapacityTrial>>(bytes.data(), bytes.size());
+  return record_from<std::vector<CapacityTrial>>(bytes);
 }
+std::optional<KeptSample> sample_from(const std::vector<std::uint8_t>& bytes) { return record_from<KeptSample>(bytes); }
 
 }  // namespace store
 }  // namespace equipoise

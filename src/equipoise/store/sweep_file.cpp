@@ -13,45 +13,18 @@ namespace equipoise {
 
 namespace {
 
-constexpr store::CellFileKind sweep_kind{"sweep", store::Journal::Kind::cell, "results of this sweep",
-                                         "must be a new file, or results of the same sweep",
-                                         "holds no sweep; must be what \"sweep -o\" wrote"};
+constexpr store::CellFileKind sweep_kind{"sweep", store::Journal::Kind::cell};
 
 // The last record of a cell counts.
 store::CellFile::Take taken_into(SweepCells& cells) {
   return [&cells](std::size_t index, const std::vector<std::uint8_t>& record) {
     if (cells.size() <= index) cells.resize(index + 1);
-    std::optional<SweepCell> cell = store::cell_from(record.data(), record.size());
+    std::optional<SweepCell> cell = store::cell_from(record);
     cells[index] = cell ? std::make_shared<SweepCell>(std::move(*cell)) : nullptr;
   };
 }
 
 }  // namespace
-
-struct SweepFile::State {
-  SweepCells cells;
-  store::CellFile file;
-};
-
-SweepFile::SweepFile(const std::string& path, const std::string& identity, std::size_t cells) {
-  SweepCells there(cells);
-  store::CellFile file(sweep_kind, path, identity, cells, taken_into(there));
-  state_ = std::make_unique<State>(State{std::move(there), std::move(file)});
-}
-
-SweepFile::~SweepFile() = default;
-
-SweepCells SweepFile::take_cells() { return std::move(state_->cells); }
-
-void SweepFile::append(std::size_t index, const SweepCell& cell) { state_->file.append(index, store::bytes_of(cell)); }
-
-Notes& SweepFile::notes() { return state_->file.notes(); }
-
-void SweepFile::finish(const SweepResult& result) {
-  state_->file.finish(
-      [&](const std::string& path, const std::string& identity) { store::write_sweep_netcdf(path, identity, result); },
-      result.complete() ? store::CellFile::Rest::nothing : store::CellFile::Rest::notes);
-}
 
 void write_sweep_file(const std::string& path, const SweepResult& result) {
   store::write_sweep_netcdf(store::path_for_whole_results(path), result.identity, result);
@@ -63,4 +36,16 @@ StoredSweep read_sweep(const std::string& path) {
   return sweep;
 }
 
+namespace store {
+
+std::unique_ptr<CellFile> open_sweep_file(const std::string& path, const std::string& identity, SweepCells& cells) {
+  return std::make_unique<CellFile>(sweep_kind, path, identity, cells.size(), taken_into(cells));
+}
+
+void finish_sweep_file(CellFile& file, const SweepResult& result) {
+  file.finish([&](const std::string& path, const std::string& identity) { write_sweep_netcdf(path, identity, result); },
+              result.complete() ? CellFile::Rest::nothing : CellFile::Rest::notes);
+}
+
+}  // namespace store
 }  // namespace equipoise

@@ -5,13 +5,11 @@
 #include <atomic>
 #include <chrono>
 #include <cmath>
-#include <exception>
 #include <functional>
 #include <limits>
 #include <map>
 #include <memory>
 #include <mutex>
-#include <thread>
 #include <utility>
 
 #include <fmt/format.h>
@@ -26,6 +24,7 @@
 #include "equipoise/kernels/cpu_target.hpp"
 #include "equipoise/motions/catalogue.hpp"
 #include "equipoise/store/capacity_file.hpp"
+#include "equipoise/store/sweep_cells.hpp"
 #include "equipoise/sweeps/sweep_axis.hpp"
 #include "equipoise/traps/balanced_analysis.hpp"
 
@@ -210,19 +209,15 @@ class CapacityRun {
     check();
     known_.resize(plan_.cells());
     if (!options_.output.empty()) {
-      file_ = std::make_unique<CapacityFile>(options_.output, capacity_identity(plan_, options_), plan_.cells());
-      known_ = file_->take_trials();
+      file_ = store::open_capacity_file(options_.output, capacity_identity(plan_, options_), known_);
       for (const auto& trials : known_) result_.resumed_trials += trials.size();
     }
     const std::size_t at_once = std::min<std::size_t>(plan_.cells(), static_cast<std::size_t>(result_.threads));
-    std::vector<std::thread> workers;
-    for (std::size_t k = 0; k < at_once; ++k)
-      workers.emplace_back([&] { work_along(result_.threads / static_cast<int>(at_once)); });
-    for (std::thread& worker : workers) worker.join();
-    if (failure_) std::rethrow_exception(failure_);
+    in_parallel(static_cast<int>(at_once), at_once,
+                [&](std::size_t) { work_along(result_.threads / static_cast<int>(at_once)); });
     result_.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
     result_.cpu_seconds = cpu_seconds() - cpu_begin;
-    if (file_) file_->finish(result_);
+    if (file_) store::finish_capacity_file(*file_, result_);
     return std::move(result_);
   }
 
@@ -239,7 +234,7 @@ class CapacityRun {
         const auto keep = [this, cell](const CapacityTrial& trial) {
           const std::lock_guard guard(taking_);
           ++result_.trials;
-          if (file_) file_->append(cell, trial);
+          if (file_) file_->append(cell, store::bytes_of(std::vector{trial}));
         };
         const auto stopped = [this] { return failed_ || is_set(options_.stop); };
         Boundary boundary(plan_, options_, threads,
@@ -253,22 +248,20 @@ class CapacityRun {
         if (options_.progress) options_.progress({done_, plan_.cells(), "cells", std::nullopt});
       }
     } catch (...) {
-      const std::lock_guard guard(taking_);
-      if (!failure_) failure_ = std::current_exception();  // what is done is kept beside the output
-      failed_ = true;
+      failed_ = true;  // what is done is kept beside the output
+      throw;
     }
   }
 
   const SweepPlan& plan_;
   const CapacityOptions& options_;
   CapacityResult result_;
-  std::unique_ptr<CapacityFile> file_;
+  std::unique_ptr<store::CellFile> file_;
   std::vector<std::vector<CapacityTrial>> known_;
   std::atomic<std::size_t> next_{0};
   std::atomic<bool> failed_{false};
   std::uint64_t done_ = 0;
   std::mutex taking_;
-  std::exception_ptr failure_;
 };
 
 }  // namespace

@@ -4,7 +4,6 @@
 #include <condition_variable>
 #include <cstddef>
 #include <cstdint>
-#include <functional>
 #include <map>
 #include <memory>
 #include <mutex>
@@ -40,11 +39,29 @@ class CellDesk {
   CellDesk(const CellDesk&) = delete;
   CellDesk& operator=(const CellDesk&) = delete;
 
-  /// Says that a cell is at work, so that others get ready, until retract().
-  void announce(const CellAtWork& cell);
-  void retract(std::size_t cell);
-  /// What brings an ensemble's chunks to the desk, and announces it; it must not outlive the desk.
-  std::unique_ptr<ChunkHelp> help_for(CellAtWork cell);
+  /// Where a cell at work stands, so that others get ready; it brings an ensemble's chunks to the desk, which it must
+  /// not outlive.
+  class Place final : public ChunkHelp {
+   public:
+    Place(CellDesk& desk, CellAtWork at);
+    ~Place() override;
+    Place(const Place&) = delete;
+    Place& operator=(const Place&) = delete;
+
+    const CellAtWork& at() const { return at_; }
+    void open(ChunkQueue& queue) override;
+    void close() override;
+
+   private:
+    friend class CellDesk;
+    bool work_off(std::unique_lock<std::mutex>& lock);
+
+    CellDesk& desk_;
+    const CellAtWork at_;
+    std::uint64_t number_;
+    ChunkQueue* queue_ = nullptr;  // while it is open
+    int inside_ = 0;               // others at one of its chunks
+  };
 
   /// Decides a chunk of some cell's starts. False if there is none to be had now.
   bool help();
@@ -53,7 +70,7 @@ class CellDesk {
     std::uint64_t number = 0;
     CellAtWork at;
   };
-  /// The one announced last.
+  /// Of the place taken last.
   std::optional<Task> newest();
   /// A chunk that goes elsewhere.
   struct Loan {
@@ -65,7 +82,6 @@ class CellDesk {
   void give_back(std::uint64_t loan, Chunk made);
 
  private:
-  class Place;
   struct Lent {
     Place* place;
     std::shared_ptr<Chunk> chunk;
@@ -73,9 +89,8 @@ class CellDesk {
 
   std::mutex mutex_;
   std::condition_variable left_;
-  std::vector<Place*> places_;  // of the cells at work
-  std::size_t turn_ = 0;        // they are helped one after the other
-  std::map<std::uint64_t, CellAtWork> tasks_;
+  std::vector<Place*> places_;
+  std::size_t turn_ = 0;  // they are helped one after the other
   std::map<std::uint64_t, Lent> lent_;
   std::uint64_t last_number_ = 0;  // of tasks and loans
 };

@@ -9,7 +9,9 @@
 
 #include "equipoise/base/error.hpp"
 #include "equipoise/kernels/cpu_target.hpp"
+#include "equipoise/store/cell_file.hpp"
 #include "equipoise/store/result_identity.hpp"
+#include "equipoise/store/sweep_cells.hpp"
 #include "equipoise/store/sweep_file.hpp"
 #include "equipoise/sweeps/attractor_labels.hpp"
 #include "equipoise/sweeps/sweep_axis.hpp"
@@ -53,20 +55,19 @@ SweepResult merge_sweeps(const std::vector<std::string>& files, const std::strin
   if (files.empty()) throw InputError("merge", "", "", "must be at least one file of a sweep");
   const std::string identity = read_sweep(files.front()).identity;
   SweepResult result = asked_for(identity, files.front());
-  SweepFile into(output, identity, result.cells.size());
-  result.cells = into.take_cells();
+  const auto into = store::open_sweep_file(output, identity, result.cells);
   for (const std::string& path : files) {
     const StoredSweep part = read_sweep(path);
     if (const std::string how = store::difference(part.identity, identity); !how.empty())
       throw InputError(path, "", "", fmt::format("is of another sweep than {}: {}", files.front(), how));
     for (std::size_t k = 0; k < part.cells.size() && k < result.cells.size(); ++k) {
       if (!part.cells[k] || result.cells[k]) continue;
-      into.append(k, *part.cells[k]);
+      into->append(k, store::bytes_of(*part.cells[k]));
       result.cells[k] = part.cells[k];
     }
   }
   label_attractors(result.axes, result.cells);
-  into.finish(result);
+  store::finish_sweep_file(*into, result);
   return result;
 }
 

@@ -9,6 +9,7 @@
 
 #include "equipoise/base/display_text.hpp"
 #include "equipoise/base/error.hpp"
+#include "equipoise/base/stepped_values.hpp"
 
 namespace equipoise {
 
@@ -46,28 +47,6 @@ bool read_token(const std::string& text, Token& token) {
   return true;
 }
 
-// Twelve digits, so that 1.5 + 9 * 0.1 is 2.4.
-double shortest(double value, double largest) {
-  const double unit = std::pow(10.0, std::ceil(std::log10(std::max(largest, 1e-300))) - 12.0);
-  const std::string text = fmt::format("{:.12g}", std::round(value / unit) * unit);
-  std::from_chars(text.data(), text.data() + text.size(), value);
-  return value;
-}
-
-// FROM:TO:STEP; what is wrong with it, if anything.
-std::string steps_of(double from, double to, double step, std::vector<double>& values) {
-  if (step == 0.0 || (to - from) * step < 0.0)
-    return fmt::format("STEP = {} does not lead from {} to {}; it must not be 0 and must have the sign of TO - FROM",
-                       step, from, to);
-  const double steps = std::floor((to - from) / step * (1.0 + 1e-12) + 1e-9);
-  if (!(steps < most_sweep_cells))
-    return fmt::format("has {:.6g} values; must have at most {}", steps + 1.0, most_sweep_cells);
-  const double largest = std::max(std::fabs(from), std::fabs(to));
-  for (std::size_t k = 0; k <= static_cast<std::size_t>(steps); ++k)
-    values.push_back(shortest(from + static_cast<double>(k) * step, largest));
-  return "";
-}
-
 bool has_repeats(std::vector<double> values) {
   std::sort(values.begin(), values.end());
   return std::adjacent_find(values.begin(), values.end()) != values.end();
@@ -94,7 +73,7 @@ SweepParameter sweep_parameter(const std::string& text, const std::string& optio
   }
   if (range) {
     if (numbers.size() != 3) reject(form);
-    const std::string problem = steps_of(numbers[0], numbers[1], numbers[2], parameter.values);
+    const std::string problem = stepped_values(numbers[0], numbers[1], numbers[2], most_sweep_cells, parameter.values);
     if (!problem.empty()) reject(problem);
   } else {
     parameter.values = numbers;

@@ -8,14 +8,26 @@
 #include <vector>
 
 #include "equipoise/basins/basin.hpp"
+#include "equipoise/basins/ensemble_runner.hpp"
 #include "equipoise/discovery/discovery.hpp"
 #include "equipoise/motions/catalogue.hpp"
 #include "equipoise/sweeps/cell_desk.hpp"
-#include "equipoise/sweeps/cell_help.hpp"
 
 namespace equipoise {
 
 namespace {
+
+// What is asked of a cell's ensemble, whoever works on it; for as long as `start` is there.
+BasinOptions cell_options(const SweepPlan& plan, const CellStart& start) {
+  BasinOptions options;
+  options.half_width = plan.request().half_width;
+  options.limit_given = plan.request().limit_given;
+  options.transients = plan.transients();
+  options.seeds = start.seeds;
+  options.informed = start.informed;
+  options.hints = &start.hints;
+  return options;
+}
 
 SweepOutcome outcome_of(const AttractorShare& a, const Catalogue& catalogue, int balls) {
   SweepOutcome outcome;
@@ -78,21 +90,6 @@ class Chain {
   std::string subject_;
 };
 
-// A cell is at the desk no longer than it is at work.
-class AtDesk {
- public:
-  AtDesk(CellDesk* desk, std::size_t cell) : desk_(desk), cell_(cell) {}
-  ~AtDesk() {
-    if (desk_) desk_->retract(cell_);
-  }
-  AtDesk(const AtDesk&) = delete;
-  AtDesk& operator=(const AtDesk&) = delete;
-
- private:
-  CellDesk* desk_;
-  std::size_t cell_;
-};
-
 }  // namespace
 
 bool run_block(const SweepPlan& plan, std::size_t block, const std::function<const SweepCell*(std::size_t)>& known,
@@ -113,15 +110,16 @@ bool run_block(const SweepPlan& plan, std::size_t block, const std::function<con
     options.stop = workers.stop;
     options.discoveries = &discoveries;
     options.notes = workers.notes;
-    std::vector<std::unique_ptr<ChunkHelp>> help;  // one a sample
-    const AtDesk at_desk(workers.desk, index);
-    if (workers.desk)
-      options.help = [&](SamplingMethod method) {
-        return help.emplace_back(workers.desk->help_for({index, chain.start(), method})).get();
-      };
+    std::vector<std::unique_ptr<CellDesk::Place>> places;  // one a way of sampling
+    const auto place_for = [&](SamplingMethod method) {
+      for (const auto& place : places)
+        if (place->at().method == method) return place.get();
+      const CellAtWork at{index, chain.start(), method};
+      return places.emplace_back(std::make_unique<CellDesk::Place>(*workers.desk, at)).get();
+    };
+    if (workers.desk) options.help = place_for;
     // While the search goes on, which others then make too.
-    if (workers.desk && options.half_width == 0.0)
-      workers.desk->announce({index, chain.start(), study.sampling.method.value_or(SamplingMethod::random)});
+    if (workers.desk && options.half_width == 0.0) place_for(study.sampling.method.value_or(SamplingMethod::random));
     Catalogue catalogue;
     TrapHints hints;
     const BasinResult result = basin(study, options, &catalogue, &hints);
@@ -131,6 +129,13 @@ bool run_block(const SweepPlan& plan, std::size_t block, const std::function<con
     deliver(index, *before);
   }
   return true;
+}
+
+EnsembleHelper helper_for(const SweepPlan& plan, const CellAtWork& at, int threads, const StopFlag* stop) {
+  BasinOptions options = cell_options(plan, at.start);
+  options.threads = threads;
+  options.stop = stop;
+  return EnsembleHelper(plan.study_of(at.cell), options, at.method);
 }
 
 }  // namespace equipoise

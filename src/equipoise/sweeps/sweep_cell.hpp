@@ -10,7 +10,9 @@
 
 namespace equipoise {
 
+struct CellAtWork;
 class CellDesk;
+class EnsembleHelper;
 class Notes;
 
 /// Who works on a block. No result depends on it.
@@ -26,5 +28,9 @@ struct BlockWorkers {
 /// done earlier, or null; `deliver`: takes each new one. False if stopped.
 bool run_block(const SweepPlan& plan, std::size_t block, const std::function<const SweepCell*(std::size_t)>& known,
                const std::function<void(std::size_t, SweepCell)>& deliver, const BlockWorkers& workers);
+
+/// Decides starts of a cell that another process works on (sweeps/cell_desk.hpp). It searches as that one does, from
+/// where that began, and so finds the same. Ask stopped() of it.
+EnsembleHelper helper_for(const SweepPlan& plan, const CellAtWork& at, int threads, const StopFlag* stop);
 
 }  // namespace equipoise

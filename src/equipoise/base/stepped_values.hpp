@@ -1,0 +1,37 @@
+// FROM:TO:STEP: values in equal steps.
+#pragma once
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <cstddef>
+#include <string>
+#include <vector>
+
+#include <fmt/format.h>
+
+namespace equipoise {
+
+/// To twelve digits of the largest: so 1.4 + 20 * 0.05 is 2.4.
+inline double to_twelve_digits(double value, double largest) {
+  const double unit = std::pow(10.0, std::ceil(std::log10(std::max(largest, 1e-300))) - 12.0);
+  const std::string text = fmt::format("{:.12g}", std::round(value / unit) * unit);
+  std::from_chars(text.data(), text.data() + text.size(), value);
+  return value;
+}
+
+/// Adds the values, at most so many; returns what is wrong with them, if anything.
+inline std::string stepped_values(double from, double to, double step, std::size_t most, std::vector<double>& values) {
+  if (step == 0.0 || (to - from) * step < 0.0)
+    return fmt::format("STEP = {} does not lead from {} to {}; it must not be 0 and must have the sign of TO - FROM",
+                       step, from, to);
+  const double steps = std::floor((to - from) / step * (1.0 + 1e-12) + 1e-9);
+  if (!(steps < static_cast<double>(most)))
+    return fmt::format("has {:.6g} values; must have at most {}", steps + 1.0, most);
+  const double largest = std::max(std::fabs(from), std::fabs(to));
+  for (std::size_t k = 0; k <= static_cast<std::size_t>(steps); ++k)
+    values.push_back(to_twelve_digits(from + static_cast<double>(k) * step, largest));
+  return "";
+}
+
+}  // namespace equipoise
