@@ -8,6 +8,7 @@
 
 #include <gtest/gtest.h>
 
+#include "../support/parameters.hpp"
 #include "equipoise/basins/attractors.hpp"
 #include "equipoise/trajectory/simulate.hpp"
 
@@ -15,12 +16,7 @@ namespace equipoise {
 namespace {
 
 Study rotor(double drag, double speed, std::uint64_t starts) {
-  Study study;
-  study.name = "rotor";
-  study.parameters.mass = {0.05, 0.05};
-  study.parameters.drag = {drag, drag};
-  study.speed.profile = Profile::constant;
-  study.speed.speed = speed;
+  Study study = study_of(base_rotor(2, drag), speed);
   study.sampling.starts = starts;
   return study;
 }

@@ -8,6 +8,7 @@
 
 #include <gtest/gtest.h>
 
+#include "../support/files.hpp"
 #include "equipoise/basins/basin.hpp"
 #include "equipoise/basins/sampling_choice.hpp"
 #include "equipoise/kernels/lane_kernels.hpp"
@@ -22,12 +23,6 @@ Study row(std::optional<SamplingMethod> method, std::uint64_t starts) {
   study.sampling.method = method;
   study.sampling.starts = starts;
   return study;
-}
-
-std::string scratch_file(const std::string& name) {
-  const std::string path = testing::TempDir() + "equipoise_" + std::to_string(getpid()) + name;
-  std::filesystem::remove(path);
-  return path;
 }
 
 void expect_same(const Share& a, const Share& b) {

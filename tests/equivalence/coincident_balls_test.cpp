@@ -10,6 +10,7 @@
 #include <cmath>
 #include <complex>
 
+#include "../support/parameters.hpp"
 #include "equipoise/base/angles.hpp"
 #include "equipoise/integrate/adaptive-inl.hpp"
 #include "equipoise/model/linearisation.hpp"
@@ -23,13 +24,7 @@ using Eigen::VectorXd;
 
 constexpr double beta = 0.05;
 
-model::Parameters rotor(int balls) {
-  model::Parameters p;  // lambda = 0.01, zeta = 0.5
-  p.balls = balls;
-  p.mass.fill(0.1 / balls);
-  p.drag.fill(beta);
-  return p;
-}
+model::Parameters rotor(int balls) { return equipoise::base_rotor(balls, beta, 0.1 / balls); }
 
 // State and the derivative of the state with respect to where it started.
 template <int n>

@@ -16,7 +16,7 @@
 #include "equipoise/base/error.hpp"
 #include "equipoise/branches/branch_follower.hpp"
 #include "equipoise/report/branches_report.hpp"
-#include "../machine_study.hpp"
+#include "../support/studies.hpp"
 
 namespace {
 

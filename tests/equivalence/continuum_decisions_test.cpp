@@ -5,7 +5,8 @@
 
 #include <gtest/gtest.h>
 
-#include "../sanitized.hpp"
+#include "../support/parameters.hpp"
+#include "../support/sanitized.hpp"
 #include "equipoise/basins/attractors.hpp"
 #include "equipoise/deciding/decision_rule.hpp"
 #include "equipoise/fates/start_runner.hpp"
@@ -16,13 +17,7 @@ namespace equipoise {
 namespace {
 
 Study rotor(int balls) {
-  Study study;
-  study.name = "rotor";
-  study.parameters.balls = balls;
-  study.parameters.mass.fill(0.05);
-  study.parameters.drag.fill(0.05);
-  study.speed.profile = Profile::constant;
-  study.speed.speed = 2.4;
+  Study study = study_of(base_rotor(balls), 2.4);
   study.numerics.horizon = 3000.0;  // the same for both ways of deciding
   return study;
 }

@@ -9,6 +9,7 @@
 #include <gtest/gtest.h>
 #include <oneapi/tbb/parallel_for.h>
 
+#include "../support/parameters.hpp"
 #include "equipoise/fates/start_runner.hpp"
 #include "equipoise/kernels/lane_kernels.hpp"
 #include "equipoise/spin_up/start_source.hpp"
@@ -21,12 +22,7 @@ struct Row {
 };
 
 Study study_of(const Row& row) {
-  Study study;
-  study.name = "row";
-  study.parameters.mass = {0.05, 0.05};
-  study.parameters.drag = {row.drag, row.drag};
-  study.speed.profile = Profile::constant;
-  study.speed.speed = row.speed;
+  Study study = equipoise::study_of(base_rotor(2, row.drag), row.speed);
   study.numerics.horizon = 3000.0;  // what is decided by then is followed for as long again
   return study;
 }

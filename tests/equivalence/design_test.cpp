@@ -10,7 +10,8 @@
 
 #include <gtest/gtest.h>
 
-#include "../base_study.hpp"
+#include "../support/files.hpp"
+#include "../support/studies.hpp"
 #include "equipoise/basins/basin.hpp"
 #include "equipoise/design/design.hpp"
 #include "equipoise/design/ensembles.hpp"
@@ -44,11 +45,6 @@ std::string without_times(const DesignResult& result) {
         line.find("\"resumed\"") == line.npos)
       kept += line + "\n";
   return kept;
-}
-
-std::string content(const std::string& path) {
-  std::ifstream file(path, std::ios::binary);
-  return {std::istreambuf_iterator<char>(file), {}};
 }
 
 class Folder {

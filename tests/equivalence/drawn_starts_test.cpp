@@ -8,6 +8,9 @@
 
 #include <gtest/gtest.h>
 
+#include "../support/files.hpp"
+#include "../support/refusals.hpp"
+#include "../support/studies.hpp"
 #include "equipoise/base/error.hpp"
 #include "equipoise/basins/basin.hpp"
 #include "equipoise/basins/sensitivity.hpp"
@@ -18,20 +21,8 @@ namespace equipoise {
 namespace {
 
 // Half of its starts balance, half co-drift; both are told within a few hundred units of time.
-const std::string rotor = R"([rotor]
-eccentricity = 0.01
-damping = 0.5
-[balancer]
-balls = 2
-mass = 0.05
-drag = 0.05
-[speed]
-profile = "ramp"
-final = 1.8
-duration = 20.0
-[sampling]
-starts = 120
-)";
+const std::string rotor =
+    rotor_and_balancer + "[speed]\nprofile = \"ramp\"\nfinal = 1.8\nduration = 20.0\n[sampling]\nstarts = 120\n";
 
 Study study_with(const std::vector<std::string>& overrides) { return parse_study(rotor, "study", overrides); }
 
@@ -115,8 +106,7 @@ TEST(DrawnStarts, AreTheSameWithAnyThreadsResumedAndReplayed) {
   options.threads = 1;
   const Ensemble one = run(study, options);
   options.threads = 2;
-  const std::string path = (std::filesystem::temp_directory_path() / "equipoise-drawn-starts.nc").string();
-  std::filesystem::remove(path);
+  const std::string path = scratch_file("drawn-starts.nc");
   options.output = path;
   Study part = study;
   part.sampling.starts = 25;
@@ -174,13 +164,8 @@ starts = 4
 }
 
 TEST(DrawnStarts, AreRefusedUpFrontWhereAnEndCannotBeDecided) {
-  const auto message = [](const std::vector<std::string>& overrides) -> std::string {
-    try {
-      basin(study_with(overrides));
-    } catch (const InputError& e) {
-      return e.what();
-    }
-    return "";
+  const auto message = [](const std::vector<std::string>& overrides) {
+    return refusal_text([&] { basin(study_with(overrides)); });
   };
   EXPECT_NE(
       message({"rotor.eccentricity={uniform=[0.0, 0.1]}", "numerics.decide=horizon"}).find("must be \"validated\""),

@@ -7,7 +7,7 @@
 
 #include <gtest/gtest.h>
 
-#include "../base_study.hpp"
+#include "../support/studies.hpp"
 #include "equipoise/basins/basin.hpp"
 #include "equipoise/fates/transient_tally.hpp"
 #include "equipoise/kernels/lane_kernels.hpp"

@@ -14,7 +14,7 @@
 #include "equipoise/model/linearisation.hpp"
 #include "equipoise/orbits/orbit.hpp"
 #include "equipoise/orbits/variational.hpp"
-#include "../base_parameters.hpp"
+#include "../support/parameters.hpp"
 
 namespace {
 

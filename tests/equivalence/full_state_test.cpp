@@ -16,7 +16,7 @@
 #include "equipoise/motions/motion.hpp"
 #include "equipoise/spin_up/initial_state.hpp"
 #include "equipoise/spin_up/start_source.hpp"
-#include "../base_study.hpp"
+#include "../support/studies.hpp"
 
 namespace equipoise {
 namespace {

@@ -5,6 +5,8 @@
 
 #include <gtest/gtest.h>
 
+#include "../support/parameters.hpp"
+#include "../support/refusals.hpp"
 #include "equipoise/basins/attractors.hpp"
 #include "equipoise/basins/basin.hpp"
 #include "equipoise/discovery/cost.hpp"
@@ -17,13 +19,7 @@ namespace equipoise {
 namespace {
 
 Study rotor(int balls, double drag, double speed) {
-  Study study;
-  study.name = "rotor";
-  study.parameters.balls = balls;
-  study.parameters.mass.fill(0.05);
-  study.parameters.drag.fill(drag);
-  study.speed.profile = Profile::constant;
-  study.speed.speed = speed;
+  Study study = study_of(base_rotor(balls, drag), speed);
   study.sampling.starts = 1000;
   return study;
 }
@@ -131,15 +127,11 @@ TEST(SlowRotors, ListNothingOnWhichNoStartSettles) {
 TEST(StiffStudies, AreRefusedBeforeTheyBeginWithWhatIsAllowed) {
   for (const double drag : {100.0, 1000.0}) {
     const Study study = rotor(2, drag, 2.4);
-    try {
-      basin(study);
-      FAIL() << drag;
-    } catch (const InputError& error) {
-      EXPECT_EQ(error.key(), "balancer.drag");
-      EXPECT_EQ(std::stod(error.value()), drag);
-      EXPECT_NE(error.problem().find("stiff"), std::string::npos) << error.what();
-      EXPECT_NE(error.problem().find("take up to"), std::string::npos) << error.what();
-    }
+    const InputError error = refused([&] { basin(study); });
+    EXPECT_EQ(error.key(), "balancer.drag");
+    EXPECT_EQ(std::stod(error.value()), drag);
+    EXPECT_NE(error.problem().find("stiff"), std::string::npos) << error.what();
+    EXPECT_NE(error.problem().find("take up to"), std::string::npos) << error.what();
     bool warned = false;
     for (const std::string& warning : explain(study).warnings) warned = warned || warning.rfind("stiff", 0) == 0;
     EXPECT_TRUE(warned);

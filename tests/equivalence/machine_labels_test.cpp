@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-#include "../sanitized.hpp"
+#include "../support/sanitized.hpp"
 #include "equipoise/basins/basin.hpp"
 #include "equipoise/explain/explain.hpp"
 #include "equipoise/fates/runner.hpp"

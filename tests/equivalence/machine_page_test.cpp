@@ -7,8 +7,7 @@
 
 #include <gtest/gtest.h>
 
-#include "../base_study.hpp"
-#include "../machine_study.hpp"
+#include "../support/studies.hpp"
 #include "equipoise/basins/attractors.hpp"
 #include "equipoise/orbits/orbit.hpp"
 #include "equipoise/pages/machine_html.hpp"

@@ -16,7 +16,7 @@
 #include "equipoise/motions/motion.hpp"
 #include "equipoise/motions/motion_statistics.hpp"
 #include "equipoise/orbits/variational.hpp"
-#include "../base_parameters.hpp"
+#include "../support/parameters.hpp"
 
 namespace {
 

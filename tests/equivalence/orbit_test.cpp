@@ -11,6 +11,7 @@
 #include <complex>
 #include <limits>
 
+#include "../support/parameters.hpp"
 #include "equipoise/base/angles.hpp"
 #include "equipoise/model/balanced_state.hpp"
 #include "equipoise/model/linearisation.hpp"
@@ -29,11 +30,7 @@ namespace model = equipoise::model;
 using Found = std::optional<PeriodicOrbit>;
 
 model::Parameters rotor(int balls = 2, double drag = 0.05, double total_mass = 0.1) {
-  model::Parameters p;
-  p.balls = balls;
-  p.mass.fill(total_mass / balls);
-  p.drag.fill(drag);
-  return p;
+  return equipoise::base_rotor(balls, drag, total_mass / balls);
 }
 
 // Where the trajectory from a centred rotor with resting balls is after `time`.

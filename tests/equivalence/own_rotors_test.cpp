@@ -18,7 +18,7 @@
 #include "equipoise/model/linearisation.hpp"
 
 #include "lane_studies.hpp"
-#include "../sanitized.hpp"
+#include "../support/sanitized.hpp"
 
 namespace {
 

@@ -8,7 +8,7 @@
 #include <Eigen/Dense>
 #include <gtest/gtest.h>
 
-#include "../sanitized.hpp"
+#include "../support/sanitized.hpp"
 #include "equipoise/base/angles.hpp"
 #include "equipoise/basins/basin.hpp"
 #include "equipoise/fates/start_runner.hpp"

@@ -12,7 +12,8 @@
 #include "equipoise/base/error.hpp"
 #include "equipoise/trajectory/simulate.hpp"
 #include "equipoise/trajectory/study_equations.hpp"
-#include "../base_study.hpp"
+#include "../support/refusals.hpp"
+#include "../support/studies.hpp"
 
 namespace equipoise {
 namespace {
@@ -249,13 +250,8 @@ TEST(EquationsOfARelease, AtASpeedGoOnFromWhereItIsReached) {
 }
 
 TEST(EquationsOfAStudy, SayWhatTheyDoNotHave) {
-  const auto key_of = [](const std::vector<std::string>& overrides) -> std::string {
-    try {
-      StudyEquations{parse_study(constant_speed, "study", overrides)};
-    } catch (const InputError& e) {
-      return e.key();
-    }
-    return "";
+  const auto key_of = [](const std::vector<std::string>& overrides) {
+    return refused_key([&] { StudyEquations{parse_study(constant_speed, "study", overrides)}; });
   };
   EXPECT_EQ(key_of({"balancer.contact_angle=0.2"}), "balancer.contact_angle");
   EXPECT_EQ(key_of({"balancer.rolling=0.01"}), "balancer.rolling");

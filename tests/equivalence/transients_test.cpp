@@ -8,7 +8,7 @@
 
 #include <gtest/gtest.h>
 
-#include "../base_study.hpp"
+#include "../support/studies.hpp"
 #include "equipoise/basins/basin.hpp"
 #include "equipoise/discovery/discovery.hpp"
 #include "equipoise/fates/transient_tally.hpp"

@@ -13,7 +13,7 @@
 #include "equipoise/trajectory/followed_run.hpp"
 #include "equipoise/trajectory/simulate.hpp"
 #include "equipoise/trajectory/study_equations.hpp"
-#include "../base_study.hpp"
+#include "../support/studies.hpp"
 
 namespace equipoise {
 namespace {

@@ -16,7 +16,7 @@
 
 #include "equipoise/base/error.hpp"
 #include "equipoise/study/study.hpp"
-#include "../unit/study_difference.hpp"
+#include "../support/study_difference.hpp"
 
 namespace {
 

@@ -6,8 +6,7 @@
 
 #include <gtest/gtest.h>
 
-#include "../base_study.hpp"
-#include "../machine_study.hpp"
+#include "../support/studies.hpp"
 #include "equipoise/drawing/svg.hpp"
 #include "equipoise/pages/given_keys.hpp"
 #include "equipoise/pages/quantities.hpp"
@@ -16,13 +15,7 @@
 namespace equipoise {
 namespace {
 
-const std::string machine = machine_rotor + R"([speed]
-profile = "constant"
-speed = "2000 rpm"
-[limits]
-displacement = "5 mm"
-velocity = "4.5 mm/s"
-)";
+const std::string machine = constant_machine + "[limits]\ndisplacement = \"5 mm\"\nvelocity = \"4.5 mm/s\"\n";
 
 BasinResult result_of(const std::string& text, std::uint64_t starts, std::uint64_t balanced,
                       std::uint64_t undecided = 0) {

@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "../base_parameters.hpp"
+#include "../support/parameters.hpp"
 #include "equipoise/deciding/decision_rule.hpp"
 #include "equipoise/reproduction/reproduction_words.hpp"
 #include "equipoise/store/basin_file.hpp"

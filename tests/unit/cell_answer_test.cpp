@@ -3,8 +3,7 @@
 
 #include <stdexcept>
 
-#include "../base_study.hpp"
-#include "../machine_study.hpp"
+#include "../support/studies.hpp"
 #include "equipoise/deciding/decision_rule.hpp"
 #include "equipoise/drawing/chart_svg.hpp"
 #include "equipoise/drawing/plot_parts.hpp"
@@ -17,18 +16,8 @@
 namespace equipoise {
 namespace {
 
-constexpr const char* drawn_rotor = R"(
-[rotor]
-eccentricity = { uniform = [0.005, 0.015] }
-damping = 0.5
-[balancer]
-balls = 2
-mass = 0.05
-drag = { values = [0.04, 0.06] }
-[speed]
-profile = "constant"
-speed = 2.4
-)";
+const std::string drawn_rotor = with(with(constant_speed, "= 0.01", "= { uniform = [0.005, 0.015] }"), "drag = 0.05",
+                                     "drag = { values = [0.04, 0.06] }");
 
 SweepAxis speeds(const std::vector<std::string>& given) {
   SweepParameter p{"speed.final", "", {}, given};
@@ -111,7 +100,7 @@ TEST(SweepLayers, AreOfAllCellsInOrder) {
 
 CapacityResult capacity_of(const std::vector<CapacityCell>& cells) {
   CapacityResult r;
-  r.study = parse_study(machine_rotor + "[speed]\nprofile = \"constant\"\nspeed = \"2000 rpm\"\n", "m.toml");
+  r.study = parse_study(constant_machine, "m.toml");
   r.key = "rotor.unbalance";
   r.unit = "g mm";
   r.from = 20.0;

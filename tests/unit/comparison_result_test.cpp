@@ -11,7 +11,7 @@
 #include "equipoise/base/error.hpp"
 #include "equipoise/report/comparison_report.hpp"
 #include "equipoise/store/basin_file.hpp"
-#include "../base_study.hpp"
+#include "../support/studies.hpp"
 
 namespace equipoise {
 namespace {

@@ -12,7 +12,7 @@
 #include "equipoise/orbits/balanced_continuum.hpp"
 #include "equipoise/orbits/orbit.hpp"
 #include "equipoise/orbits/variational.hpp"
-#include "../base_parameters.hpp"
+#include "../support/parameters.hpp"
 
 namespace equipoise {
 namespace {

@@ -14,28 +14,11 @@
 #include "equipoise/report/explain_report.hpp"
 #include "equipoise/report/grade_text.hpp"
 #include "equipoise/trajectory/simulate.hpp"
-#include "../base_study.hpp"
-#include "../explained.hpp"
+#include "../support/studies.hpp"
+#include "../support/explained.hpp"
 
 namespace equipoise {
 namespace {
-
-// Six balls of 20 mm in a race of 40 mm: points would cancel 7.84 kg mm, these 5.22.
-const std::string crowded = R"([rotor]
-mass = "10 kg"
-stiffness = "20 kN/m"
-damping_ratio = 0.1
-unbalance = "4000 g mm"
-[balancer]
-balls = 6
-ball_diameter = "20 mm"
-race_radius = "40 mm"
-ball_density = "7800 kg/m3"
-drag = "2e-3 N m s"
-[speed]
-profile = "constant"
-speed = "3000 rpm"
-)";
 
 // Of a start that is `off` balance: the rate at which the difference between one strobe and the next changes, from
 // `from` to `to` strobes, each the largest within a period of the slow oscillation.
@@ -89,8 +72,7 @@ TEST(ExplainedBalance, InstabilityUnderGravityIsTold) {
   const Explanation e = explained(constant_speed, unstable);
   EXPECT_NEAR(e.motion->slowest_rate, 0.0218, 5e-5);  // gravity this weak leaves the published digits
   EXPECT_GT(measured_rate(e, 1e-4, 0, 120), 0.2 * e.motion->slowest_rate);  // until it is far away
-  EXPECT_TRUE(
-      warned(e, "balance is unstable at the final speed: the balls do not stay there; more drag makes it less so"));
+  EXPECT_TRUE(warned(e, "balance is unstable at the final speed"));
   EXPECT_TRUE(holds(explain_text(e), "can balance           yes, but balance is not stable at the final speed\n"));
   EXPECT_EQ(rule(e, "drag").kept, false);
   const Explanation stable = explained(constant_speed, {unstable[0]});
@@ -138,8 +120,7 @@ TEST(ExplainedBalance, SaysWhatLinearTheoryLeavesOut) {
   EXPECT_EQ(uneven.motion->less, "");
   EXPECT_EQ(uneven.motion->eigenvalues.size(), 12u - 2u);
   // 9.81 m/s2 = R omega^2 at 172.7 rpm: below that balls fall.
-  const Explanation falls =
-      explained(machine_rotor + "[speed]\nprofile = \"constant\"\nspeed = \"170 rpm\"\n", {"rotor.gravity=9.81 m/s2"});
+  const Explanation falls = explained(constant_machine, {"speed.speed=170 rpm", "rotor.gravity=9.81 m/s2"});
   EXPECT_EQ(falls.motion->less, "without gravity");
 }
 
@@ -163,42 +144,24 @@ TEST(ExplainedBalance, GravityMayLeaveNoBalancedMotion) {
   EXPECT_FALSE(holds(verdict_text(explained(constant_speed, {"rotor.gravity=0.05"})), "no balanced motion"));
 }
 
-TEST(ExplainedBalance, WarnsOfSpringsThatNoMachineHas) {
-  const auto with = [](const char* gravity) {
-    return explained(constant_speed, {std::string("rotor.gravity=") + gravity});
-  };
-  // (1 + 0.1) G.
-  EXPECT_TRUE(warned(with("0.92"), "more than the race's radius, 1: no suspension is as soft as that"));
-  EXPECT_FALSE(warned(with("0.9"), "race's radius"));
-}
-
 TEST(ExplainedBalance, BallsCancelWhatTheyHaveRoomFor) {
-  const Explanation fits = explained(crowded);
+  const Explanation fits = explained(crowded_machine);
   const double unit = 10.0 * 0.04;  // kg m
   EXPECT_NEAR(fits.largest_unbalance * unit, 5.2198e-3, 1e-6);
-  EXPECT_EQ(verdict_text(fits), "yes");
   EXPECT_TRUE(holds(explain_text(fits), "these balls cancel from 0 kg mm (0) to 5.2198 kg mm (0.013049) side by side"));
-  EXPECT_FALSE(warned(fits, "within 10 %"));
-  EXPECT_TRUE(
-      warned(explained(crowded, {"rotor.unbalance=5000 g mm"}), "within 10 % of the most that all balls side by side"));
-  const Explanation more = explained(crowded, {"rotor.unbalance=6000 g mm"});
-  EXPECT_EQ(verdict_text(more), "no: balls of this size, side by side, cancel less than the unbalance");
+  const Explanation more = explained(crowded_machine, {"rotor.unbalance=6000 g mm"});
   EXPECT_EQ(rule(more, "ball_mass").kept, false);
   EXPECT_FALSE(more.motion.has_value());
-  EXPECT_TRUE(warned(more, "the unbalance is 1.15 times what all balls side by side can cancel"));
   EXPECT_FALSE(nlohmann::json::parse(explain_json(more))["can_balance"]);
   // The same masses without a size can.
-  const std::string points = machine_rotor + "[speed]\nprofile = \"constant\"\nspeed = \"2000 rpm\"\n";
+  const std::string& points = constant_machine;
   EXPECT_EQ(verdict_text(explained(points)), "yes");
-  EXPECT_TRUE(holds(verdict_text(explained(points, {"balancer.ball_diameter=50 mm"})), "no: balls of this size"));
-  EXPECT_TRUE(holds(verdict_text(explained(crowded, {"balancer.ball_diameter=45 mm", "balancer.contact=false"})),
-                    "no: the balls do not fit"));
   EXPECT_FALSE(holds(explain_text(explained(points)), "side by side\n"));
 }
 
 TEST(ExplainedBalance, TheStateShownHasRoom) {
   for (const char* unbalance : {"100 g mm", "1000 g mm", "4000 g mm", "5200 g mm"}) {
-    const Explanation e = explained(crowded, {std::string("rotor.unbalance=") + unbalance});
+    const Explanation e = explained(crowded_machine, {std::string("rotor.unbalance=") + unbalance});
     ASSERT_TRUE(e.motion.has_value()) << unbalance;
     for (std::size_t i = 0; i < 6; ++i)
       for (std::size_t k = 0; k < i; ++k)
@@ -209,12 +172,7 @@ TEST(ExplainedBalance, TheStateShownHasRoom) {
 }
 
 TEST(ExplainedBalance, OneBallIsNotSeveral) {
-  const Explanation e = explained(constant_speed, {"balancer.balls=1"});
-  EXPECT_TRUE(warned(e, "one ball cancels 0.05 and no other unbalance; this one is 0.01"));
-  for (const char* words : {"these unequal balls", "these balls can", "within 10 %"})
-    EXPECT_FALSE(warned(e, words)) << words;
   const Explanation just = explained(constant_speed, {"balancer.balls=1", "rotor.eccentricity=0.05"});
-  EXPECT_FALSE(warned(just, "one ball"));
   // One ball has one way out of balance, and that brings it back.
   EXPECT_FALSE(holds(rule(just, "drag").words, "nothing brings"));
   EXPECT_TRUE(just.motion->stable);

@@ -10,8 +10,8 @@
 #include "equipoise/report/explain_report.hpp"
 #include "equipoise/report/text.hpp"
 #include "equipoise/trajectory/simulate.hpp"
-#include "../base_study.hpp"
-#include "../explained.hpp"
+#include "../support/studies.hpp"
+#include "../support/explained.hpp"
 
 namespace equipoise {
 namespace {

@@ -7,14 +7,12 @@
 
 #include "equipoise/base/error.hpp"
 #include "equipoise/pages/form.hpp"
-#include "../base_study.hpp"
-#include "../machine_study.hpp"
+#include "../support/studies.hpp"
 
 namespace equipoise {
 namespace {
 
-const std::string machine =
-    machine_rotor + "[speed]\nprofile = \"ramp\"\ninitial = \"0 rpm\"\nfinal = \"1500 rpm\"\nduration = \"10 s\"\n";
+const std::string machine = with(ramp_machine, "final = \"3000 rpm\"", "initial = \"0 rpm\"\nfinal = \"1500 rpm\"");
 
 const FormField* find(const std::vector<FormField>& form, const std::string& key) {
   const auto at = std::find_if(form.begin(), form.end(), [&](const FormField& f) { return f.key == key; });
@@ -85,8 +83,7 @@ TEST(Form, OffersDefaultsThatStandBesideWhatIsWritten) {
   EXPECT_FALSE(gravity->given);
   EXPECT_EQ(gravity->value, "0");
   // The unbalance that is written is not offered again as an eccentricity.
-  const std::string unbalanced = machine.substr(0, machine.find("eccentricity")) + "unbalance = \"2400 g mm\"\n" +
-                                 machine.substr(machine.find("[balancer]"));
+  const std::string unbalanced = with(machine, "eccentricity = \"0.2 mm\"", "unbalance = \"2400 g mm\"");
   EXPECT_FALSE(find(form_of(unbalanced, "machine"), "rotor.eccentricity"));
   EXPECT_TRUE(find(form_of(unbalanced, "machine"), "rotor.unbalance"));
 }

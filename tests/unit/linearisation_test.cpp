@@ -13,7 +13,7 @@
 
 #include "equipoise/base/angles.hpp"
 #include "equipoise/model/balanced_state.hpp"
-#include "../base_parameters.hpp"
+#include "../support/parameters.hpp"
 
 namespace {
 

@@ -14,7 +14,7 @@
 #include "equipoise/maps/map_axis.hpp"
 #include "equipoise/model/balanced_state.hpp"
 #include "equipoise/store/basin_file.hpp"
-#include "../base_study.hpp"
+#include "../support/studies.hpp"
 
 namespace equipoise {
 namespace {

@@ -8,7 +8,7 @@
 #include <utility>
 #include <vector>
 
-#include "../base_parameters.hpp"
+#include "../support/parameters.hpp"
 #include "equipoise/discovery/discovery.hpp"
 #include "equipoise/discovery/drawn_source.hpp"
 #include "equipoise/fates/start_runner.hpp"

@@ -10,7 +10,7 @@
 #include <gtest/gtest.h>
 #include <unistd.h>
 
-#include "../base_study.hpp"
+#include "../support/studies.hpp"
 #include "equipoise/deciding/pilot.hpp"
 #include "equipoise/discovery/discovery.hpp"
 #include "equipoise/discovery/family_mesh.hpp"

@@ -7,6 +7,7 @@
 #include <charconv>
 #include <cstdint>
 #include <random>
+#include <sstream>
 #include <string>
 
 #include <fmt/format.h>
@@ -25,51 +26,11 @@ void expect_same(const std::string& text) {
 }
 
 TEST(ReadNumber, TakesWhatFromCharsTakes) {
-  for (const char* text : {"",
-                           "-",
-                           "+1",
-                           " 1",
-                           "1",
-                           "-1",
-                           "1.",
-                           ".5",
-                           ".",
-                           "-.5",
-                           "1.5mm",
-                           "1e3",
-                           "1e",
-                           "1e+",
-                           "1e-3x",
-                           "1e+3",
-                           "1E5",
-                           "12 kg",
-                           "0x10",
-                           "1..2",
-                           "inf",
-                           "-inf",
-                           "INF",
-                           "infin",
-                           "Infinity",
-                           "nan",
-                           "NaN",
-                           "nan(abc)",
-                           "nan(",
-                           "in",
-                           "1e400",
-                           "-1e400",
-                           "1e-400",
-                           "5e-324",
-                           "2.4e-324",
-                           "1.7976931348623157e308",
-                           "1.7976931348623159e308",
-                           "0.1",
-                           "0e999",
-                           "00012",
-                           "9007199254740993",
-                           "2.2250738585072014e-308",
-                           "1e-310",
-                           "- 1"})
-    expect_same(text);
+  std::istringstream texts(
+      "|-|+1| 1|1|-1|1.|.5|.|-.5|1.5mm|1e3|1e|1e+|1e-3x|1e+3|1E5|12 kg|0x10|1..2|inf|-inf|INF|infin|Infinity|nan|"
+      "NaN|nan(abc)|nan(|in|1e400|-1e400|1e-400|5e-324|2.4e-324|1.7976931348623157e308|1.7976931348623159e308|0.1|"
+      "0e999|00012|9007199254740993|2.2250738585072014e-308|1e-310|- 1");
+  for (std::string text; std::getline(texts, text, '|');) expect_same(text);
 }
 
 TEST(ReadNumber, RoundsToNearest) {

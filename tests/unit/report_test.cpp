@@ -9,8 +9,7 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
-#include "../base_study.hpp"
-#include "../machine_study.hpp"
+#include "../support/studies.hpp"
 #include "equipoise/basins/tally.hpp"
 #include "equipoise/fates/transient_tally.hpp"
 #include "equipoise/report/attractors_report.hpp"
@@ -29,12 +28,7 @@
 namespace equipoise {
 namespace {
 
-const std::string machine = machine_rotor + R"([speed]
-profile = "constant"
-speed = "2000 rpm"
-[limits]
-velocity = "4.5 mm/s"
-)";
+const std::string machine = constant_machine + "[limits]\nvelocity = \"4.5 mm/s\"\n";
 
 Fate fate(Outcome outcome, int attractor = 0) {
   return {outcome, outcome == Outcome::attracted ? DecidedBy::validated : DecidedBy::nothing,

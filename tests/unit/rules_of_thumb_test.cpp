@@ -14,8 +14,8 @@
 #include "equipoise/explain/drag_scan.hpp"
 #include "equipoise/explain/rules_of_thumb.hpp"
 #include "equipoise/report/explain_report.hpp"
-#include "../base_study.hpp"
-#include "../explained.hpp"
+#include "../support/studies.hpp"
+#include "../support/explained.hpp"
 
 namespace equipoise {
 namespace {

@@ -5,7 +5,7 @@
 
 #include <gtest/gtest.h>
 
-#include "../base_parameters.hpp"
+#include "../support/parameters.hpp"
 #include "equipoise/discovery/discovery.hpp"
 #include "equipoise/discovery/pilot_run.hpp"
 

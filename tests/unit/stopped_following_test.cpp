@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-#include "../base_study.hpp"
+#include "../support/studies.hpp"
 #include "equipoise/fates/runner.hpp"
 #include "equipoise/motions/motion.hpp"
 #include "equipoise/orbits/orbit.hpp"

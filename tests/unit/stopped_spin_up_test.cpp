@@ -5,7 +5,7 @@
 
 #include <gtest/gtest.h>
 
-#include "../base_study.hpp"
+#include "../support/studies.hpp"
 #include "equipoise/base/error.hpp"
 #include "equipoise/fates/runner.hpp"
 #include "equipoise/fates/transient_tally.hpp"

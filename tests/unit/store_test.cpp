@@ -11,6 +11,8 @@
 #include <sys/resource.h>
 #include <unistd.h>
 
+#include "../support/refusals.hpp"
+#include "../support/files.hpp"
 #include "equipoise/base/error.hpp"
 #include "equipoise/files/checksum.hpp"
 #include "equipoise/files/journal.hpp"
@@ -23,11 +25,6 @@ namespace equipoise {
 namespace {
 
 namespace fs = std::filesystem;
-
-std::string content(const std::string& path) {
-  std::ifstream file(path, std::ios::binary);
-  return {std::istreambuf_iterator<char>(file), {}};
-}
 
 void overwrite(const std::string& path, const std::string& text) {
   std::ofstream(path, std::ios::binary | std::ios::trunc) << text;
@@ -119,12 +116,7 @@ std::vector<OutcomeSummary> summary_of(std::uint64_t count) {
 }
 
 std::string refusal(const std::string& path, const BasinFileHeader& header) {
-  try {
-    BasinFile file(path, header);
-    return {};
-  } catch (const InputError& e) {
-    return e.what();
-  }
+  return refusal_text([&] { BasinFile file(path, header); });
 }
 
 TEST(Checksum, SeesEveryChangeOfASingleByteWhateverThePieces) {

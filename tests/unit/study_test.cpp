@@ -15,13 +15,13 @@
 #include "equipoise/base/angles.hpp"
 #include "equipoise/base/error.hpp"
 #include "equipoise/study/study.hpp"
-#include "../base_study.hpp"
-#include "study_difference.hpp"
+#include "../support/studies.hpp"
+#include "../support/study_difference.hpp"
 
 namespace equipoise {
 namespace {
 
-const std::string ramp = rotor_and_balancer + "[speed]\nprofile = \"ramp\"\nfinal = 2.4\nduration = 500.0\n";
+const std::string& ramp = ramp_speed;
 const std::string trapezoid = rotor_and_balancer + R"([speed]
 profile = "trapezoid"
 peak = 3.0

@@ -12,6 +12,9 @@
 #include <string>
 #include <vector>
 
+#include "../support/studies.hpp"
+#include "../support/refusals.hpp"
+#include "../support/files.hpp"
 #include "equipoise/base/error.hpp"
 #include "equipoise/store/result_identity.hpp"
 #include "equipoise/store/sweep_cells.hpp"
@@ -26,18 +29,7 @@ namespace {
 
 using namespace equipoise;
 
-constexpr const char* rotor = R"(
-[rotor]
-eccentricity = 0.01
-damping = 0.5
-[balancer]
-balls = 2
-mass = 0.05
-drag = 0.05
-[speed]
-profile = "constant"
-speed = 2.4
-)";
+const std::string& rotor = constant_speed;
 
 TEST(SweepAxis, StepsAreTheNumbersThatPeopleMean) {
   const SweepParameter p = sweep_parameter("speed.final=1.5:6:0.1", "--over");
@@ -96,12 +88,10 @@ TEST(SweepPlan, BlocksHoldEveryCellOnceAndNeighboursInARow) {
 }
 
 TEST(SweepPlan, RefusesACellThatIsNoStudy) {
-  try {
+  const std::string text = refusal_text([] {
     SweepPlan({rotor, "study", {}}, sweep_axes({"balancer.drag=0.05,-0.1"}, false, "--over"), {}, "--over");
-    FAIL();
-  } catch (const InputError& e) {
-    EXPECT_NE(std::string(e.what()).find("balancer.drag = -0.1"), std::string::npos) << e.what();
-  }
+  });
+  EXPECT_NE(text.find("balancer.drag = -0.1"), std::string::npos) << text;
 }
 
 SweepOutcome outcome(int id, const char* name, double r, double drift) {
@@ -226,29 +216,23 @@ TEST(IdentityLines, TakeApartWhatAPlanPutTogether) {
   EXPECT_EQ(to_toml(parse_study(lines.study, "again")), to_toml(plan.study()));
 }
 
-std::string content(const std::string& path) {
-  std::ifstream file(path, std::ios::binary);
-  return {std::istreambuf_iterator<char>(file), {}};
-}
-
 // Byte for byte: what is in a file of results does not hang on when it was written.
 TEST(SweepFile, IsTheSameFromMemory) {
-  const std::string folder = testing::TempDir() + "equipoise_" + std::to_string(getpid());
   const auto axes = sweep_axes({"balancer.drag=0.05,0.1"}, false, "test");
   const SweepPlan plan({rotor, "rotor.toml", {"sampling.starts=20"}}, axes, {}, "test");
   SweepOptions options;
-  options.output = folder + "direct.nc";
+  options.output = scratch_file("direct.nc");
   const SweepResult direct = sweep(plan, options);
-  const std::string path = folder + "memory.nc";
+  const std::string path = scratch_file("memory.nc"), bytes = content(options.output);
+  std::filesystem::remove(options.output);
   write_sweep_file(path, direct);
-  EXPECT_EQ(content(path), content(options.output));
-  EXPECT_NE(content(path), "");
+  EXPECT_EQ(content(path), bytes);
+  EXPECT_NE(bytes, "");
   options.output = path;
   EXPECT_EQ(sweep(plan, options).resumed_cells, 2u);
   write_sweep_file(path, stored_sweep(path));
-  EXPECT_EQ(content(path), content(folder + "direct.nc"));
+  EXPECT_EQ(content(path), bytes);
   std::filesystem::remove(path);
-  std::filesystem::remove(folder + "direct.nc");
 }
 
 }  // namespace

@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-#include "../base_study.hpp"
+#include "../support/studies.hpp"
 #include "equipoise/kernels/cpu_target.hpp"
 #include "equipoise/orbits/variational.hpp"
 #include "equipoise/study/study.hpp"

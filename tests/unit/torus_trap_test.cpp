@@ -7,7 +7,7 @@
 #include <utility>
 #include <vector>
 
-#include "../base_parameters.hpp"
+#include "../support/parameters.hpp"
 #include "equipoise/discovery/discovery.hpp"
 #include "equipoise/kernels/lane_kernels.hpp"
 #include "equipoise/model/balanced_state.hpp"

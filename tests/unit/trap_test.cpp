@@ -13,7 +13,7 @@
 #include "equipoise/traps/balanced_trap.hpp"
 #include "equipoise/traps/cycle_forms.hpp"
 #include "equipoise/traps/trials.hpp"
-#include "../base_parameters.hpp"
+#include "../support/parameters.hpp"
 
 namespace equipoise {
 namespace {

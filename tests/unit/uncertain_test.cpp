@@ -10,12 +10,12 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
-#include "../base_study.hpp"
+#include "../support/studies.hpp"
 #include "equipoise/base/angles.hpp"
 #include "equipoise/base/error.hpp"
 #include "equipoise/spin_up/initial_state.hpp"
 #include "equipoise/study/study.hpp"
-#include "study_difference.hpp"
+#include "../support/study_difference.hpp"
 
 namespace equipoise {
 namespace {
@@ -64,15 +64,6 @@ Moments moments(const std::vector<double>& values) {
 
 // Four standard errors of a mean of so many draws; of a deviation they are no larger for all laws here.
 double four_errors(double deviation) { return 4.0 * deviation / std::sqrt(static_cast<double>(draws)); }
-
-std::string refusal(const std::string& text, const std::vector<std::string>& overrides) {
-  try {
-    parse_study(text, "study", overrides);
-  } catch (const InputError& e) {
-    return e.what();
-  }
-  return "";
-}
 
 TEST(Uncertain, UniformDrawsHaveItsMomentsAndBounds) {
   const auto values = drawn(study_with({"rotor.eccentricity={uniform=[0.005, 0.015]}"}));
@@ -222,43 +213,6 @@ TEST(Uncertain, WhatIsSampledAndFollowedMayChangeAfterReading) {
   EXPECT_NO_THROW(check(study));
   study.parameters.eccentricity *= 2.0;  // its draws would not show it
   EXPECT_THROW(check(study), InputError);
-}
-
-TEST(Uncertain, SaysWhatIsWrongWithADistribution) {
-  struct Case {
-    std::string text, override, wanted;
-  };
-  const std::vector<Case> cases{
-      {constant_speed, "rotor.eccentricity={lognormal=[1, 2]}",
-       "is a table; must be a finite number at least 0, or a distribution, { uniform"},
-      {constant_speed, "rotor.eccentricity={uniform=[2, 1]}", "bounds out of order"},
-      {constant_speed, "rotor.eccentricity={uniform=[1]}", "has 1 entries; must have two, [low, high]"},
-      {constant_speed, "rotor.eccentricity={uniform=[0, 1], normal=[0, 1]}", "has two distributions"},
-      {constant_speed, "rotor.eccentricity={uniform=[0, 1], width=2}", "has an unknown entry \"width\""},
-      {constant_speed, "rotor.eccentricity={uniform=[0, 1], between=[0, 1]}", "between goes with normal alone"},
-      {constant_speed, "rotor.eccentricity={normal=[0.1, -1]}", "the standard deviation must be 0 or more"},
-      {constant_speed, "rotor.eccentricity={normal=[1, 0.1], between=[9, 10]}", "within 20 standard deviations"},
-      {constant_speed, "rotor.eccentricity={values=[]}", "values must be an array of numbers"},
-      {constant_speed, "rotor.eccentricity={values=[true]}", "values entry 1 is no number"},
-      {constant_speed, "balancer.drag={loguniform=[-1, 1]}", "loguniform bounds must be greater than 0"},
-      {constant_speed, "balancer.drag={uniform=[-1, 1]}", "with -1: must be a finite number at least 0"},
-      {constant_speed, "balancer.drag={normal=[0.05, 0.02]}", "with -0.05: must be"},
-      {constant_speed, "balancer.balls={values=[2, 3]}", "must be a whole number"},
-      {constant_speed, "speed.profile={values=[2, 3]}", "must be one of"},
-      {constant_speed, "balancer.race_offset={values=[0.1]}", "must be an array"},
-      {constant_speed, "release.speed={uniform=[2.4, 2.5]}", "never reaches it"},
-      {machine, "rotor.unbalance={uniform=[\"1 g mm\", \"2 kg mm\"]}", "must be all in one unit"},
-      {machine, "rotor.unbalance={uniform=[\"1 s\", \"2 s\"]}", "does not measure that"},
-      {machine, "rotor.unbalance={uniform=[1, 2]}", "is a plain number and rotor.mass makes this"},
-      {machine, "rotor.unbalance={uniform=[\"g mm\", \"2 g mm\"]}", "does not begin with a number"},
-      {machine, "rotor.unbalance={uniform=[\"1\", \"2\"]}", "has no unit"},
-  };
-  for (const Case& c : cases) {
-    const std::string message = refusal(c.text, {c.override});
-    EXPECT_NE(message.find(c.wanted), std::string::npos) << c.override << "\n" << message;
-    const std::string key = c.override.substr(0, c.override.find('='));
-    EXPECT_NE(message.find(key), std::string::npos) << message;
-  }
 }
 
 }  // namespace

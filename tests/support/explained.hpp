@@ -8,9 +8,26 @@
 
 #include "equipoise/explain/explain.hpp"
 #include "equipoise/study/study.hpp"
-#include "machine_study.hpp"
+#include "studies.hpp"
 
 namespace equipoise {
+
+/// Six balls of 20 mm in a race of 40 mm: points would cancel 7.84 kg mm, these 5.22.
+inline const std::string crowded_machine = R"([rotor]
+mass = "10 kg"
+stiffness = "20 kN/m"
+damping_ratio = 0.1
+unbalance = "4000 g mm"
+[balancer]
+balls = 6
+ball_diameter = "20 mm"
+race_radius = "40 mm"
+ball_density = "7800 kg/m3"
+drag = "2e-3 N m s"
+[speed]
+profile = "constant"
+speed = "3000 rpm"
+)";
 
 inline Explanation explained(const std::string& text, const std::vector<std::string>& overrides = {}) {
   return explain(parse_study(text, "m.toml", overrides), parse_ball_details(text, "m.toml", overrides));

@@ -1,0 +1,98 @@
+// Whether two studies ask the same, member by member; for the tests of the study reader and its fuzz target.
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <string>
+#include <type_traits>
+#include <vector>
+
+#include "equipoise/study/study.hpp"
+
+namespace equipoise {
+
+/// To the bit, or numbers to a part of the first.
+struct SameStudy {
+  double within = 0.0;
+
+  template <class T>
+  bool operator()(const T& a, const T& b) const {
+    if constexpr (std::is_same_v<T, double>)
+      return a == b || std::fabs(a - b) <= within * std::fabs(a);
+    else if constexpr (requires { a.has_value(); })
+      return a.has_value() == b.has_value() && (!a || (*this)(*a, *b));
+    else if constexpr (requires { a.low; })
+      return (*this)(a.low, b.low) && (*this)(a.high, b.high);
+    else if constexpr (requires { a.begin()->key; })
+      return std::equal(a.begin(), a.end(), b.begin(), b.end(), [](const auto& u, const auto& v) {
+        return u.key == v.key && u.kind == v.kind && u.numbers == v.numbers && u.between == v.between &&
+               u.unit == v.unit;
+      });
+    else if constexpr (requires { *a.begin() - *b.begin(); } && !std::is_same_v<T, std::string>)
+      return std::equal(a.begin(), a.end(), b.begin(), b.end(), *this);
+    else
+      return a == b;
+  }
+};
+
+/// The first member that differs, or empty. Not the name, nor what the profile does not use.
+inline std::string first_difference(const Study& a, const Study& b, double within = 0.0) {
+  const SameStudy same{within};
+  const SamplingMethod random = SamplingMethod::random;  // what an unset method says in the echo
+#define COMPARED(member) \
+  if (!same(a.member, b.member)) return #member
+  COMPARED(parameters.balls);
+  COMPARED(parameters.eccentricity);
+  COMPARED(parameters.damping);
+  COMPARED(parameters.stiffness);
+  COMPARED(parameters.gravity);
+  COMPARED(parameters.inertia);
+  COMPARED(parameters.mass);
+  COMPARED(parameters.drag);
+  COMPARED(parameters.race_offset);
+  COMPARED(parameters.contact_angle);
+  COMPARED(parameters.restitution);
+  COMPARED(parameters.rolling);
+  COMPARED(parameters.stiction);
+  COMPARED(parameters.rolls);
+  COMPARED(parameters.ball_radius);
+  COMPARED(speed.profile);
+  COMPARED(speed.law);
+  COMPARED(speed.stalled_below);
+  COMPARED(speed_profile().times);
+  COMPARED(speed_profile().speeds);
+  COMPARED(release_time());
+  COMPARED(release.speed);
+  COMPARED(release.time);
+  COMPARED(initial.psi);
+  COMPARED(initial.x);
+  COMPARED(initial.y);
+  COMPARED(initial.x_dot);
+  COMPARED(initial.y_dot);
+  COMPARED(initial.phi);
+  COMPARED(initial.phi_dot);
+  COMPARED(sampling.starts);
+  COMPARED(sampling.seed);
+  COMPARED(sampling.method.value_or(random));
+  for (const auto& [key, side] : box_sides)
+    if (!same(a.sampling.box.*side, b.sampling.box.*side)) return key;
+  COMPARED(numerics.tolerance);
+  COMPARED(numerics.horizon);
+  COMPARED(numerics.decide);
+  COMPARED(limits.displacement);
+  COMPARED(limits.force);
+  COMPARED(limits.velocity);
+  COMPARED(limits.settled);
+  if (a.scales.has_value() != b.scales.has_value()) return "scales";
+  if (a.scales) {
+    COMPARED(scales->mass);
+    COMPARED(scales->length);
+    COMPARED(scales->frequency);
+  }
+  COMPARED(uncertain.values);
+#undef COMPARED
+  return "";
+}
+
+}  // namespace equipoise
