@@ -8,21 +8,14 @@ import io
 import json
 import os
 import shutil
-import signal
-import subprocess
 import sys
 import tempfile
 import time
 import unittest
 
-PROGRAM, STUDIES = os.path.abspath(sys.argv[1]), os.path.abspath(sys.argv[2])
-ROW = os.path.join(STUDIES, "paper", "table-2-omega-2.4.toml")
+from program import ROW, Case, interrupted, run, started
+
 LINE = "speed.final=2.9:2.95:0.05"
-
-
-def run(*arguments, **options):
-    return subprocess.run([PROGRAM, "attractors", ROW, *arguments], capture_output=True, text=True, timeout=300,
-                          check=False, **options)
 
 
 class Results(unittest.TestCase):
@@ -31,7 +24,7 @@ class Results(unittest.TestCase):
         cls.folder = tempfile.TemporaryDirectory()
         cls.csv, cls.picture = (os.path.join(cls.folder.name, name) for name in ("out.csv", "out.svg"))
         plot = ("--plot", cls.picture) if shutil.which("gnuplot") else ()
-        cls.done = run("--along", LINE, "--json", "--quiet", "-o", cls.csv, *plot)
+        cls.done = run("attractors", ROW, "--along", LINE, "--json", "--quiet", "-o", cls.csv, *plot)
         cls.answer = json.loads(cls.done.stdout)
 
     @classmethod
@@ -72,69 +65,38 @@ class Results(unittest.TestCase):
             self.assertIn(word, text)
 
 
-class Files(unittest.TestCase):
+class Files(Case):
     def test_netcdf_and_table(self):
-        with tempfile.TemporaryDirectory() as folder:
-            path = os.path.join(folder, "out.nc")
-            done = run("--along", "speed.speed=3:3:0.1", "--quiet", "-o", path)
-            self.assertEqual((done.returncode, done.stderr), (0, ""))
-            for word in ("along speed.speed", "exists", "attracts", "one captured (V3)", "event", "2000 random starts"):
-                self.assertIn(word, done.stdout)
-            with open(path, "rb") as file:
-                self.assertEqual(file.read(4), b"CDF\x02")
+        path = self.path("out.nc")
+        done = run("attractors", ROW, "--along", "speed.speed=3:3:0.1", "--quiet", "-o", path)
+        self.assertEqual((done.returncode, done.stderr), (0, ""))
+        for word in ("along speed.speed", "exists", "attracts", "one captured (V3)", "event", "2000 random starts"):
+            self.assertIn(word, done.stdout)
+        with open(path, "rb") as file:
+            self.assertEqual(file.read(4), b"CDF\x02")
 
     def test_interrupted_run_is_written_and_marked_partial(self):
-        with tempfile.TemporaryDirectory() as folder:
-            path = os.path.join(folder, "out.csv")
-            process = subprocess.Popen([PROGRAM, "attractors", ROW, "--along", "speed.final=2.6:6:0.01", "--json", "--quiet",
-                                        "-o", path], stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
-            time.sleep(6)
-            process.send_signal(signal.SIGINT)
-            out, _ = process.communicate(timeout=60)
-            self.assertEqual(process.returncode, 130)
-            answer = json.loads(out)
-            self.assertTrue(answer["partial"])
-            for branch in answer["branches"]:  # what was not followed to its end is not said to end
-                at_line = [branch["exists"][0] == answer["values"][0], branch["exists"][1] == answer["values"][-1]]
-                changes = {e["change"] for e in answer["events"] if e["id"] == branch["id"]}
-                ends = [at_line[0] or "birth" in changes, at_line[1] or "death" in changes]
-                self.assertEqual(branch["ends_known"], ends, branch["name"])
-            with open(path, encoding="utf-8") as file:
-                self.assertIn("PARTIAL", file.readline())
+        path = self.path("out.csv")
+        process = started("attractors", ROW, "--along", "speed.final=2.6:6:0.01", "--json", "--quiet", "-o", path)
+        time.sleep(6)
+        out, _, code = interrupted(process)
+        self.assertEqual(code, 130)
+        found = json.loads(out)
+        self.assertTrue(found["partial"])
+        for branch in found["branches"]:  # what was not followed to its end is not said to end
+            at_line = [branch["exists"][0] == found["values"][0], branch["exists"][1] == found["values"][-1]]
+            changes = {e["change"] for e in found["events"] if e["id"] == branch["id"]}
+            ends = [at_line[0] or "birth" in changes, at_line[1] or "death" in changes]
+            self.assertEqual(branch["ends_known"], ends, branch["name"])
+        with open(path, encoding="utf-8") as file:
+            self.assertIn("PARTIAL", file.readline())
 
 
-class Errors(unittest.TestCase):
-    def refused(self, arguments, *words, **options):
-        with tempfile.TemporaryDirectory() as folder:
-            done = run(*arguments, cwd=folder, **options)
-            self.assertEqual((done.returncode, done.stdout), (2, ""), done.stderr)
-            self.assertEqual(os.listdir(folder), [], "nothing may be written")
-        self.assertEqual(len(done.stderr.strip().splitlines()), 1, done.stderr)
-        for word in words:
-            self.assertIn(word, done.stderr)
-
-    def test_bad_options_are_one_line_naming_option_value_and_form(self):
-        for arguments, words in (
-            (["--along", "speed.final"], ("--along", "speed.final", "KEY=FROM:TO:STEP")),
-            (["--along", "speed.final=2:3"], ("--along", "2:3", "KEY=FROM:TO:STEP")),
-            (["--along", "speed.final=2:x:1"], ("--along", "2:x:1", "three numbers")),
-            (["--along", "speed.final=2:3:0"], ("--along", "2:3:0", "must not be 0")),
-            (["--along", "speed.final=2:3:-0.1"], ("--along", "-0.1", "sign of TO - FROM")),
-            (["--along", "speed.final=2:3:0.0001"], ("--along", "10001 values", "at most 2000")),
-            (["--along", "balancer.dragg=1:2:1"], ("--along", "balancer.dragg", "unknown key", "drag")),
-            (["--along", "numerics.horizon=1:2:1"], ("--along", "numerics.horizon", "rotor, balancer or speed")),
-            (["--along", "balancer.mass=-0.05:0.05:0.01"], ("--along", "balancer.mass", "-0.05", "greater than 0")),
-            (["--along", LINE, "-o", "out.txt"], ("--output", "out.txt", ".csv or .nc")),
-            (["--along", LINE, "--plot", "out.pdf"], ("--plot", "out.pdf", ".png or .svg")),
-            (["--along", LINE, "-o", "/nowhere/out.nc"], ("--output", "/nowhere/out.nc", "cannot be written")),
-            (["--along", LINE, "--state", "1,2"], ("--state", "1,2", "8 numbers")),
-            (["-o", "out.csv"], ("--output", "out.csv", "--along")),
-        ):
-            with self.subTest(arguments=arguments):
-                self.refused(arguments, *words)
-
+class Errors(Case):
     def test_missing_gnuplot_is_told_before_the_work(self):
-        self.refused(["--along", LINE, "--plot", "out.png"], "--plot", "gnuplot-nox", env={**os.environ, "PATH": "/nowhere"})
+        self.refused("attractors", ROW, "--along", LINE, "--plot", self.path("out.png"), words=["--plot", "gnuplot-nox"],
+                     env={**os.environ, "PATH": "/nowhere"})
+        self.assertEqual(os.listdir(self.folder), [])
 
 
 if __name__ == "__main__":

@@ -5,30 +5,14 @@
 """
 import json
 import os
-import signal
-import subprocess
 import sys
-import tempfile
 import time
 import unittest
 
-PROGRAM, STUDIES = os.path.abspath(sys.argv[1]), os.path.abspath(sys.argv[2])
-ROW = os.path.join(STUDIES, "paper", "table-2-omega-2.4.toml")
+from program import ROW, STUDIES, Case, answer, interrupted, run, started, text_of
 
 
-def run(*arguments):
-    return subprocess.run([PROGRAM, *arguments], capture_output=True, text=True, timeout=300, check=False)
-
-
-def refused(test, arguments, *words):
-    done = run(*arguments)
-    test.assertEqual((done.returncode, done.stdout), (2, ""), done.stderr)
-    test.assertEqual(len(done.stderr.strip().splitlines()), 1, done.stderr)
-    for word in words:
-        test.assertIn(word, done.stderr)
-
-
-class Attractors(unittest.TestCase):
+class Attractors(Case):
     @classmethod
     def setUpClass(cls):
         cls.done = run("attractors", ROW, "--starts", "3000", "--json", "--quiet")
@@ -72,19 +56,16 @@ drag = "1.79e-6 N m s"
 profile = "constant"
 speed = "1250 rpm"
 """
-        with tempfile.TemporaryDirectory() as folder:
-            path = os.path.join(folder, "light.toml")
-            with open(path, "w", encoding="utf-8") as file:
-                file.write(study)
-            (motion,) = json.loads(run("attractors", path, "--starts", "50", "--json", "--quiet").stdout)["attractors"]
-            text = run("attractors", path, "--starts", "50", "--quiet").stdout
+        path = self.file("light.toml", study)
+        (motion,) = answer("attractors", path, "--starts", "50")["attractors"]
+        text = run("attractors", path, "--starts", "50", "--quiet").stdout
         self.assertEqual((motion["name"], motion["kind"], motion["stable"]), ("balanced", "measured", True))
         self.assertEqual(motion["radial"], {"min": None, "mean": None, "max": None})
         self.assertIn("starts come to it, by windows of time", text)
         self.assertNotIn("UNSTABLE", text)
 
     def test_shares_are_those_of_basin(self):
-        basin = json.loads(run("basin", ROW, "--starts", "3000", "--json", "--quiet").stdout)
+        basin = answer("basin", ROW, "--starts", "3000")
         self.assertEqual([(a["id"], a["starts"], a["share"]) for a in self.answer["attractors"]],
                          [(o["id"], o["count"], o["share"]) for o in basin["outcomes"]])
         self.assertEqual(self.answer["starts"], 3000)
@@ -102,36 +83,28 @@ speed = "1250 rpm"
                                ",".join(map(repr, state))).stdout)
         self.assertIn((3, "drifting apart"), [(a["id"], a["name"]) for a in again["attractors"]])
 
-    def test_bad_options(self):
-        refused(self, ["attractors", ROW, "--state", "1,2,3"], "--state", "1,2,3", "8 numbers")
-        refused(self, ["attractors", ROW, "--state", "1,2,3,4,5,6,7,up"], "--state", "up", "8 numbers")
-        refused(self, ["attractors", ROW, "--starts", "0"], "--starts", "0")
-        refused(self, ["attractors", "nowhere.toml"], "nowhere.toml", "cannot be read")
-
     def test_interrupted_search_says_so(self):
-        process = subprocess.Popen([PROGRAM, "attractors", ROW, "--starts", "100000000", "--json"],
-                                   stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
+        process = started("attractors", ROW, "--starts", "100000000", "--json")
         for line in process.stderr:  # a line of progress: the search has begun
             if "searched" in line:
                 break
         time.sleep(0.2)
-        process.send_signal(signal.SIGINT)
-        out, _ = process.communicate(timeout=60)
-        self.assertEqual(process.returncode, 130)
+        out, _, code = interrupted(process)
+        self.assertEqual(code, 130)
         self.assertTrue(json.loads(out)["partial"])
 
 
-class Deciding(unittest.TestCase):
+class Deciding(Case):
     def test_three_ways_agree_start_by_start(self):
         shares, grounds, times = [], [], []
         for how in ("validated", "proof", "horizon"):
-            answer = json.loads(run("basin", ROW, "--starts", "1000", "--json", "--quiet", "--decide", how,
-                                    "--set", "numerics.horizon=3000").stdout)
-            self.assertEqual(answer["study"]["numerics"]["decide"], how)
-            shares.append([(o["id"], o["count"]) for o in answer["outcomes"]])
-            grounds.append({k: sum(o["decided_by"][k] for o in answer["outcomes"]) for k in
+            found = answer("basin", ROW, "--starts", "1000", "--decide", how,
+                                    "--set", "numerics.horizon=3000")
+            self.assertEqual(found["study"]["numerics"]["decide"], how)
+            shares.append([(o["id"], o["count"]) for o in found["outcomes"]])
+            grounds.append({k: sum(o["decided_by"][k] for o in found["outcomes"]) for k in
                             ("proof", "validated", "windows", "horizon")})
-            times.append(answer["outcomes"][0]["mean_time"])
+            times.append(found["outcomes"][0]["mean_time"])
         self.assertEqual(shares[0], shares[1])
         self.assertEqual(shares[0], shares[2])
         balanced = shares[0][0][1]
@@ -141,41 +114,32 @@ class Deciding(unittest.TestCase):
         self.assertLess(times[0], times[1])
         self.assertLess(times[1], times[2])
 
-    def test_bad_way(self):
-        refused(self, ["basin", ROW, "--decide", "guess"], "--decide", "guess", "validated")
 
-
-class Certify(unittest.TestCase):
+class Certify(Case):
     def test_certificate_is_written_and_holds_until_it_is_changed(self):
-        with tempfile.TemporaryDirectory() as folder:
-            path = os.path.join(folder, "proof.json")
-            done = run("certify", ROW, "-o", path, "--json")
-            self.assertEqual((done.returncode, done.stderr), (0, ""))
-            answer = json.loads(done.stdout)
-            self.assertTrue(answer["proved"])
-            self.assertGreater(answer["states"][0]["share_of_critical"], 0.85)
-            self.assertIn("proved", run("certify", "--check", path).stdout)
-            text = open(path, encoding="utf-8").read()
-            certificates = json.loads(text)
-            certificates["certificates"][0]["level"] *= 1.2
-            with open(path, "w", encoding="utf-8") as file:
-                json.dump(certificates, file)
-            done = run("certify", "--check", path, "--json")
-            self.assertEqual(done.returncode, 3)
-            self.assertFalse(json.loads(done.stdout)["proved"])
-            with open(path, "w", encoding="utf-8") as file:
-                file.write(text[:200])
-            refused(self, ["certify", "--check", path], path)
+        path = self.path("proof.json")
+        done = run("certify", ROW, "-o", path, "--json")
+        self.assertEqual((done.returncode, done.stderr), (0, ""))
+        found = json.loads(done.stdout)
+        self.assertTrue(found["proved"])
+        self.assertGreater(found["states"][0]["share_of_critical"], 0.85)
+        self.assertIn("proved", run("certify", "--check", path).stdout)
+        text = text_of(path)
+        certificates = json.loads(text)
+        certificates["certificates"][0]["level"] *= 1.2
+        with open(path, "w", encoding="utf-8") as file:
+            json.dump(certificates, file)
+        done = run("certify", "--check", path, "--json")
+        self.assertEqual(done.returncode, 3)
+        self.assertFalse(json.loads(done.stdout)["proved"])
+        with open(path, "w", encoding="utf-8") as file:
+            file.write(text[:200])
+        self.refused("certify", "--check", path, words=[path])
 
     def test_an_unstable_state_is_not_proved(self):
         done = run("certify", os.path.join(STUDIES, "paper", "table-1-beta-0.01-omega-1.5.toml"))
         self.assertEqual(done.returncode, 3)
         self.assertIn("unstable", done.stdout)
-
-    def test_bad_options(self):
-        refused(self, ["certify"], "either a study or --check")
-        refused(self, ["certify", "--check", "nowhere.json"], "nowhere.json", "cannot be read")
-        refused(self, ["certify", ROW, "-o", "/nowhere/proof.json"], "/nowhere/proof.json", "cannot be written")
 
 
 if __name__ == "__main__":

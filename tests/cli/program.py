@@ -1,19 +1,86 @@
-"""The program under test, the studies, and its answers."""
+"""The program under test, the studies, its answers, and what tests of it share."""
+import csv
 import json
 import os
+import signal
 import subprocess
 import sys
+import tempfile
+import unittest
 
 PROGRAM, STUDIES = os.path.abspath(sys.argv[1]), os.path.abspath(sys.argv[2])
 ROW = os.path.join(STUDIES, "paper", "table-2-omega-2.4.toml")
+WASHER, DRIVE, GRINDER = (os.path.join(STUDIES, "examples", name + ".toml")
+                          for name in ("washing-machine", "optical-drive", "angle-grinder"))
+SNAPSHOTS = os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "snapshots")
 
 
 def run(*arguments, **options):
     return subprocess.run([PROGRAM, *arguments], capture_output=True, text=True, timeout=600, check=False, **options)
 
 
-def answer(*arguments):
-    done = run(*arguments, "--json", "--quiet")
+def answer(*arguments, quiet=True):
+    done = run(*arguments, "--json", *(["--quiet"] if quiet else []))
     if done.returncode != 0 or done.stderr:
         raise AssertionError(f"{arguments}: exit {done.returncode}, {done.stderr}")
     return json.loads(done.stdout)
+
+
+def started(*arguments):
+    return subprocess.Popen([PROGRAM, *arguments], stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
+
+
+def interrupted(process):
+    """Standard output and error of a process that is told to stop, and its exit code."""
+    process.send_signal(signal.SIGINT)
+    return *process.communicate(timeout=120), process.returncode
+
+
+def content(path):
+    with open(path, "rb") as file:
+        return file.read()
+
+
+def text_of(path):
+    return content(path).decode()
+
+
+def rows_of(path):
+    """Of a table, without its comments."""
+    return list(csv.DictReader(line for line in text_of(path).splitlines() if not line.startswith("#")))
+
+
+def with_xarray(script, *arguments):
+    """What a script that uses xarray prints as JSON."""
+    python = next((p for p in (sys.executable, "/usr/bin/python3") if os.path.exists(p) and subprocess.run(
+        [p, "-c", "import xarray"], capture_output=True, check=False).returncode == 0), None)
+    if not python:
+        raise unittest.SkipTest("needs python3-xarray")
+    done = subprocess.run([python, "-c", script, *arguments], capture_output=True, text=True, check=False, timeout=120)
+    if done.returncode != 0:
+        raise AssertionError(done.stderr)
+    return json.loads(done.stdout)
+
+
+class Case(unittest.TestCase):
+    """A test with a folder of its own."""
+
+    def setUp(self):
+        folder = tempfile.TemporaryDirectory()
+        self.addCleanup(folder.cleanup)
+        self.folder = folder.name
+
+    def path(self, name):
+        return os.path.join(self.folder, name)
+
+    def file(self, name, text):
+        with open(self.path(name), "w", encoding="utf-8") as file:
+            file.write(text)
+        return self.path(name)
+
+    def refused(self, *arguments, words=(), **options):
+        """In one line, before any work."""
+        done = run(*arguments, **options)
+        self.assertEqual((done.returncode, done.stdout, done.stderr.count("\n")), (2, "", 1), (arguments, done.stderr))
+        for word in words:
+            self.assertIn(word, done.stderr)

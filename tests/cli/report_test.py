@@ -7,8 +7,6 @@ import base64
 import json
 import os
 import re
-import signal
-import subprocess
 import sys
 import tempfile
 import time
@@ -16,13 +14,7 @@ import unittest
 import zlib
 from html.parser import HTMLParser
 
-PROGRAM, STUDIES = os.path.abspath(sys.argv[1]), os.path.abspath(sys.argv[2])
-ROW = os.path.join(STUDIES, "paper", "table-2-omega-2.4.toml")
-WASHING = os.path.join(STUDIES, "examples", "washing-machine.toml")
-
-
-def run(*arguments, **options):
-    return subprocess.run([PROGRAM, *arguments], capture_output=True, text=True, timeout=300, check=False, **options)
+from program import ROW, WASHER, Case, answer, content, interrupted, run, started, text_of
 
 
 class Page(HTMLParser):
@@ -31,8 +23,7 @@ class Page(HTMLParser):
     def __init__(self, path):
         super().__init__()
         self.open, self.wrong, self.tags, self.loads, self.cells, self.lead = [], [], {}, [], [], ""
-        with open(path, encoding="utf-8") as file:
-            self.text = file.read()
+        self.text = text_of(path)
         self.feed(self.text)
 
     def handle_starttag(self, tag, attributes):
@@ -55,19 +46,18 @@ class Page(HTMLParser):
             self.lead += data
 
 
-class HeldBalls(unittest.TestCase):
+class HeldBalls(Case):
     def test_every_page_begins_with_until_when_balls_are_held(self):
         ramp = "speed={profile='ramp', final=2.4, duration=8.0}"
-        with tempfile.TemporaryDirectory() as folder:
-            file = os.path.join(folder, "page.html")
-            for command in (["basin", ROW, "--starts", "50"], ["sweep", ROW, "--over", "balancer.drag=0.05", "--starts", "20"],
-                            ["map", ROW, "--size", "2x2"]):
-                for release, said in (("{}", True), ("{time=0.0}", False)):
-                    with self.subTest(command=command[0], release=release):
-                        done = run(*command, "--quiet", "--set", ramp, "--set", f"release={release}", "--report", file)
-                        self.assertEqual(done.returncode, 0, done.stderr)
-                        words = "Balls held until t = 8, the end of the ramp."
-                        self.assertEqual(words in Page(file).text.split("<h2")[0], said)
+        file = self.path("page.html")
+        for command in (["basin", ROW, "--starts", "50"], ["sweep", ROW, "--over", "balancer.drag=0.05", "--starts", "20"],
+                        ["map", ROW, "--size", "2x2"]):
+            for release, said in (("{}", True), ("{time=0.0}", False)):
+                with self.subTest(command=command[0], release=release):
+                    done = run(*command, "--quiet", "--set", ramp, "--set", f"release={release}", "--report", file)
+                    self.assertEqual(done.returncode, 0, done.stderr)
+                    words = "Balls held until t = 8, the end of the ramp."
+                    self.assertEqual(words in Page(file).text.split("<h2")[0], said)
 
 
 class Report(unittest.TestCase):
@@ -96,15 +86,15 @@ class Report(unittest.TestCase):
         self.assertNotRegex(self.page.text, r"\bnan\b")
 
     def test_sentence_and_shares_are_those_of_basin(self):
-        answer = json.loads(run("basin", ROW, "--starts", "1500", "--transients", "--json", "--quiet").stdout)
-        balanced = answer["outcomes"][0]
+        found = answer("basin", ROW, "--starts", "1500", "--transients")
+        balanced = found["outcomes"][0]
         low, high = 100 * balanced["low"], 100 * balanced["high"]
         self.assertEqual(self.page.lead,
                          f"The rotor ends balanced in {low:.1f} to {high:.1f} % of starts (95 % confidence).")
         self.assertEqual(self.done.stdout, self.page.lead + "\n")
-        for outcome in answer["outcomes"]:
+        for outcome in found["outcomes"]:
             self.assertIn(str(outcome["count"]), self.page.cells)
-        peak = answer["transients"]["groups"][0]["figures"]["peak_radial"]
+        peak = found["transients"]["groups"][0]["figures"]["peak_radial"]
         self.assertIn(f"{peak['quantiles'][0]['value']:.3g} R", self.page.cells)
         self.assertIn(f"{peak['largest']:.3g} R", self.page.cells)
 
@@ -113,53 +103,46 @@ class Report(unittest.TestCase):
             self.assertIn(words, self.page.text)
 
 
-class Machines(unittest.TestCase):
+class Machines(Case):
     def test_a_machine_speaks_its_units_and_limits(self):
-        with tempfile.TemporaryDirectory() as folder:
-            path = os.path.join(folder, "wash.html")
-            done = run("report", WASHING, "--starts", "60", "-o", path, "--quiet")
-            self.assertEqual((done.returncode, done.stderr), (0, ""))
-            page = Page(path)
-            self.assertIn("15 mm is exceeded on the way in", page.lead)
-            for words in ("mass 40 kg", "unbalance 100 kg mm", "limit 15 mm", "displacement, mm", "speed, rpm",
-                          "G 314 (within grade G 630) without balls", ">G 0<"):
-                self.assertIn(words, page.text)
-            self.assertEqual(page.loads, [])
+        path = self.path("wash.html")
+        done = run("report", WASHER, "--starts", "60", "-o", path, "--quiet")
+        self.assertEqual((done.returncode, done.stderr), (0, ""))
+        page = Page(path)
+        self.assertIn("15 mm is exceeded on the way in", page.lead)
+        for words in ("mass 40 kg", "unbalance 100 kg mm", "limit 15 mm", "displacement, mm", "speed, rpm",
+                      "G 314 (within grade G 630) without balls", ">G 0<"):
+            self.assertIn(words, page.text)
+        self.assertEqual(page.loads, [])
 
     def test_basin_writes_the_same_page_beside_its_table(self):
-        with tempfile.TemporaryDirectory() as folder:
-            page, table = os.path.join(folder, "b.html"), os.path.join(folder, "b.nc")
-            done = run("basin", ROW, "--starts", "300", "--report", page, "-o", table, "--quiet", "--json")
-            answer = json.loads(done.stdout)
-            self.assertEqual(answer["starts"], 300)
-            self.assertIn("transients", answer)
-            first = Page(page).lead
-            # From the file alone, without a start computed anew.
-            again = run("basin", ROW, "--starts", "300", "--report", page, "-o", table, "--quiet", "--json")
-            self.assertEqual(json.loads(again.stdout)["resumed_from"], 300)
-            self.assertEqual(Page(page).lead, first)
+        page, table = self.path("b.html"), self.path("b.nc")
+        done = run("basin", ROW, "--starts", "300", "--report", page, "-o", table, "--quiet", "--json")
+        found = json.loads(done.stdout)
+        self.assertEqual(found["starts"], 300)
+        self.assertIn("transients", found)
+        first = Page(page).lead
+        # From the file alone, without a start computed anew.
+        again = run("basin", ROW, "--starts", "300", "--report", page, "-o", table, "--quiet", "--json")
+        self.assertEqual(json.loads(again.stdout)["resumed_from"], 300)
+        self.assertEqual(Page(page).lead, first)
 
     def test_interrupted_it_says_so(self):
-        with tempfile.TemporaryDirectory() as folder:
-            path = os.path.join(folder, "page.html")
-            process = subprocess.Popen([PROGRAM, "report", ROW, "--starts", "100000000", "-o", path, "--quiet"],
-                                       stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
-            time.sleep(6.0)  # the search for attractors takes one or two
-            process.send_signal(signal.SIGINT)
-            process.communicate(timeout=60)
-            self.assertEqual(process.returncode, 130)
-            self.assertIn("Stopped before all starts were done", Page(path).text)
+        path = self.path("page.html")
+        process = started("report", ROW, "--starts", "100000000", "-o", path, "--quiet")
+        time.sleep(6.0)  # the search for attractors takes one or two
+        self.assertEqual(interrupted(process)[2], 130)
+        self.assertIn("Stopped before all starts were done", Page(path).text)
 
 
-class OtherPages(unittest.TestCase):
+class OtherPages(Case):
     """Of sweeps, capacities and maps."""
 
     def page_of(self, *arguments):
-        with tempfile.TemporaryDirectory() as folder:
-            path = os.path.join(folder, "page.html")
-            done = run(*arguments, "--report", path, "--json", "--quiet")
-            self.assertEqual((done.returncode, done.stderr), (0, ""), arguments)
-            page = Page(path)
+        path = self.path("page.html")
+        done = run(*arguments, "--report", path, "--json", "--quiet")
+        self.assertEqual((done.returncode, done.stderr), (0, ""), arguments)
+        page = Page(path)
         self.assertEqual((page.wrong, page.open), ([], []))
         self.assertEqual([load for load in page.loads if not load.startswith("data:image/png;base64,")], [])
         for outside in ("http:", "https:", "@import", "url(", "<script", "<link", ">nan", ">inf"):
@@ -171,22 +154,22 @@ class OtherPages(unittest.TestCase):
         return page, json.loads(done.stdout)
 
     def test_of_a_sweep_along_a_parameter(self):
-        page, answer = self.page_of("sweep", ROW, "--over", "speed.final=2.4,2.6", "--starts", "200", "--transients")
-        first, second = ({o["id"]: o for o in c["outcomes"]}[1] for c in answer["cells"])
+        page, found = self.page_of("sweep", ROW, "--over", "speed.final=2.4,2.6", "--starts", "200", "--transients")
+        first, second = ({o["id"]: o for o in c["outcomes"]}[1] for c in found["cells"])
         self.assertEqual(page.lead, f"The rotor ends balanced most often at final speed 2.6 ω_c: in {words_of(second)} of starts; "
                                     f"least often at final speed 2.4 ω_c: in {words_of(first)} (95 % confidence in each cell).")
         self.assertEqual(page.tags["svg"], 2)  # stacked shares, peaks
-        for cell in answer["cells"]:
+        for cell in found["cells"]:
             self.assertIn(str(cell["at"]["speed.final"]), page.cells)
         for text in ("final speed 2.4, 2.6", "2 cells with 200 starts each (400 in all) at random ball angles", "drifting apart"):
             self.assertIn(text, page.text)
 
     def test_of_a_sweep_over_two_and_three_parameters(self):
         at = ["--over", "speed.final=2.4,2.6", "--over", "balancer.drag=0.1,0.25", "--starts", "40"]
-        page, answer = self.page_of("sweep", ROW, *at)
+        page, found = self.page_of("sweep", ROW, *at)
         self.assertEqual(page.tags["svg"], 1)
         self.assertEqual(page.text.count(">balanced: 0 %<"), 1)
-        for cell in answer["cells"]:  # in the picture as a number
+        for cell in found["cells"]:  # in the picture as a number
             share = {o["id"]: o for o in cell["outcomes"]}[1]["share"]
             self.assertIn(f">{100 * share:.0f}</text>", page.text)
         page, _ = self.page_of("sweep", ROW, *at, "--over", "rotor.damping=0.5,0.6")
@@ -194,20 +177,19 @@ class OtherPages(unittest.TestCase):
         self.assertIn("final speed 2.6 ω_c</p>", page.text)
 
     def test_of_merged_files(self):
-        with tempfile.TemporaryDirectory() as folder:
-            nc, merged = os.path.join(folder, "s.nc"), os.path.join(folder, "m.nc")
-            of_sweep, _ = self.page_of("sweep", ROW, "--over", "speed.final=2.6,2.8", "--starts", "40", "-o", nc)
-            path = os.path.join(folder, "page.html")
-            done = run("merge", nc, "-o", merged, "--report", path)
-            self.assertEqual((done.returncode, done.stderr), (0, ""))
-            page = Page(path)
-            self.assertEqual((page.lead, page.cells[:4]), (of_sweep.lead, of_sweep.cells[:4]))
-            for text in ("<h1>Ball balancer: s</h1>", "2 cells with 40 starts each (80 in all)"):
-                self.assertIn(text, page.text)
+        nc, merged = self.path("s.nc"), self.path("m.nc")
+        of_sweep, _ = self.page_of("sweep", ROW, "--over", "speed.final=2.6,2.8", "--starts", "40", "-o", nc)
+        path = self.path("page.html")
+        done = run("merge", nc, "-o", merged, "--report", path)
+        self.assertEqual((done.returncode, done.stderr), (0, ""))
+        page = Page(path)
+        self.assertEqual((page.lead, page.cells[:4]), (of_sweep.lead, of_sweep.cells[:4]))
+        for text in ("<h1>Ball balancer: s</h1>", "2 cells with 40 starts each (80 in all)"):
+            self.assertIn(text, page.text)
 
     def test_of_a_machine(self):
-        page, answer = self.page_of("sweep", WASHING, "--over", "rotor.unbalance=50 kg mm,100 kg mm", "--starts", "40")
-        above = [c["transients"]["exceeded"]["displacement"]["share"] for c in answer["cells"]]
+        page, found = self.page_of("sweep", WASHER, "--over", "rotor.unbalance=50 kg mm,100 kg mm", "--starts", "40")
+        above = [c["transients"]["exceeded"]["displacement"]["share"] for c in found["cells"]]
         self.assertIn(f"15 mm is exceeded on the way in {100 * min(above):.3g} to {100 * max(above):.3g} %", page.lead)
         for text in ("unbalance, kg mm", "above 15 mm", "mass 40 kg", "peak displacement, mm", "limit"):
             self.assertIn(text, page.text)
@@ -215,22 +197,22 @@ class OtherPages(unittest.TestCase):
     def test_of_a_capacity(self):
         quick = ["capacity", ROW, "--set", "speed.speed=5", "--set", "balancer.drag=0.2", "--at-least", "0.9", "--between",
                  "0.08:0.14", "--precision", "0.1", "--starts", "200"]
-        page, answer = self.page_of(*quick)
-        cell = answer["cells"][0]
+        page, found = self.page_of(*quick)
+        cell = found["cells"][0]
         self.assertEqual(page.lead, f"Up to eccentricity {cell['value']:.4g} R, 90 % of starts end balanced: surely up to "
                                     f"{cell['low']:.4g}, surely fewer from {cell['high']:.4g} on (95 % confidence).")
         self.assertEqual(page.tags["svg"], 1)
         for trial in cell["trials"]:
             self.assertIn(f"{trial['value']:.6g}", page.cells)
         self.assertIn("no balanced state attracts", page.text)
-        page, answer = self.page_of(*quick, "--over", "rotor.damping=0.5,0.6")
+        page, found = self.page_of(*quick, "--over", "rotor.damping=0.5,0.6")
         self.assertIn("The largest eccentricity at which 90 % of starts end balanced is", page.lead)
-        for cell in answer["cells"]:
+        for cell in found["cells"]:
             self.assertIn(f"{cell['low']:.4g} and {cell['high']:.4g}", page.cells)
 
     def test_of_a_map(self):
-        page, answer = self.page_of("map", ROW, "--size", "24x16")
-        balanced = answer["outcomes"][0]
+        page, found = self.page_of("map", ROW, "--size", "24x16")
+        balanced = found["outcomes"][0]
         self.assertTrue(page.lead.startswith("Of 384 points over initial angle of ball 1 and initial angle of ball 2, "), page.lead)
         self.assertIn(str(balanced["pixels"]), page.cells)
         self.assertEqual(png_size(page.text), (24, 16))
@@ -274,29 +256,6 @@ def png_size(text):
     width, height = (int.from_bytes(chunks[b"IHDR"][k:k + 4], "big") for k in (0, 4))
     assert len(zlib.decompress(chunks[b"IDAT"])) == height * (1 + (width * chunks[b"IHDR"][8] + 7) // 8)
     return width, height
-
-
-class Errors(unittest.TestCase):
-    def test_bad_options_are_one_line_naming_option_value_and_form(self):
-        for arguments, words in (
-            (["report", ROW, "-o", "page.pdf"], ("--output", "page.pdf", ".html")),
-            (["report", ROW, "-o", "/nowhere/page.html"], ("--output", "/nowhere/page.html", "cannot be written")),
-            (["report", ROW, "-o", "page.html", "--starts", "0"], ("--starts", "0", "1 to")),
-            (["report", ROW], ("FILE.html is missing", "must be a page")),
-            (["basin", ROW, "--report", "page.txt"], ("--report", "page.txt", ".html")),
-            (["map", ROW, "--report", "page.txt"], ("--report", "page.txt", ".html")),
-            (["capacity", ROW, "--report", "/nowhere/page.html"], ("--report", "/nowhere/page.html", "cannot be written")),
-            (["sweep", ROW, "--over", "speed.final=2,3", "--report", "page.txt"], ("--report", "page.txt", ".html")),
-            (["basin", ROW, "--report", "/nowhere/page.html"], ("--report", "/nowhere/page.html", "cannot be written")),
-            (["basin", ROW, "--report", "page.html", "--start-index", "3"], ("--report", "--start-index")),
-        ):
-            with self.subTest(arguments=arguments), tempfile.TemporaryDirectory() as folder:
-                done = run(*arguments, cwd=folder)
-                self.assertEqual((done.returncode, done.stdout), (2, ""), done.stderr)
-                self.assertEqual(os.listdir(folder), [], "nothing may be written")
-                self.assertEqual(len(done.stderr.strip().splitlines()), 1, done.stderr)
-                for word in words:
-                    self.assertIn(word, done.stderr)
 
 
 if __name__ == "__main__":

@@ -14,11 +14,7 @@ import tempfile
 import time
 import unittest
 
-PROGRAM, STUDIES = os.path.abspath(sys.argv[1]), os.path.abspath(sys.argv[2])
-
-
-def run(*arguments):
-    return subprocess.run([PROGRAM, *arguments], capture_output=True, text=True, timeout=500, check=False)
+from program import PROGRAM, STUDIES, Case, answer, run, text_of
 
 
 def answers(folder, *arguments):
@@ -56,17 +52,17 @@ class Tables(unittest.TestCase):
     def test_shares_are_those_of_basin(self):
         row = self.answer["tables"][0]["rows"][0]
         for law in ("published", "kinematic"):
-            basin = json.loads(run("basin", os.path.join(STUDIES, "paper", row["study"]), "--starts", "600", "--set",
-                                   f"speed.law={law}", "--json", "--quiet").stdout)
+            basin = answer("basin", os.path.join(STUDIES, "paper", row["study"]), "--starts", "600", "--set",
+                                   f"speed.law={law}")
             self.assertEqual([(o["name"], o["count"]) for o in row[law + "_law"]["outcomes"]],
                              [(o["name"], o["count"]) for o in basin["outcomes"]])
 
     def test_a_second_run_takes_all_from_the_folder(self):
         begin = time.monotonic()
-        done, answer = answers(self.folder, "table-5", "--starts", "600")
+        done, found = answers(self.folder, "table-5", "--starts", "600")
         self.assertEqual(done.returncode, 0)
-        self.assertEqual(numbers(answer), numbers(self.answer))
-        self.assertEqual(answer["cpu_seconds"], self.answer["cpu_seconds"])  # what they cost when they were computed
+        self.assertEqual(numbers(found), numbers(self.answer))
+        self.assertEqual(found["cpu_seconds"], self.answer["cpu_seconds"])  # what they cost when they were computed
         self.assertLess(time.monotonic() - begin, 30)
 
     def test_pictures_are_kept(self):
@@ -83,7 +79,7 @@ class Tables(unittest.TestCase):
         self.assertEqual(len(early[2]["published_law"]["differences"]), 5)
 
 
-class Interruption(unittest.TestCase):
+class Interruption(Case):
     def test_what_was_interrupted_is_resumed_to_the_same_numbers(self):
         with tempfile.TemporaryDirectory() as folder, tempfile.TemporaryDirectory() as whole:
             arguments = ["table-3", "--law", "published", "--starts", "3000"]
@@ -97,43 +93,39 @@ class Interruption(unittest.TestCase):
             self.assertEqual(process.returncode, 130)
             self.assertIn("PARTIAL", out)
             self.assertLess(len(os.listdir(ensembles)), 13)
-            resumed, answer = answers(folder, *arguments)
+            resumed, found = answers(folder, *arguments)
             self.assertEqual(resumed.returncode, 0)
-            self.assertEqual(numbers(answer), numbers(answers(whole, *arguments)[1]))
+            self.assertEqual(numbers(found), numbers(answers(whole, *arguments)[1]))
 
 
-class Reports(unittest.TestCase):
+class Reports(Case):
     def test_one_page_and_markdown(self):
-        with tempfile.TemporaryDirectory() as folder:
-            page, text = os.path.join(folder, "paper.html"), os.path.join(folder, "paper.md")
-            what = ["table-7", "figure-transients", "--starts", "200"]
-            self.assertEqual(run("reproduce", *what, "--report", page, "--quiet").returncode, 0)
-            self.assertEqual(run("reproduce", *what, "--report", text, "--quiet").returncode, 0)
-            with open(page, encoding="utf-8") as file:
-                html = file.read()
-            body = re.sub(r"<script.*?</script>", "", html, flags=re.S)
-            self.assertNotRegex(body, r'(src|href)="(?!data:image|#)')
-            for words in ("Table 7", "best lead", "Transients after ramps", "kinematic law", "--starts 200"):
-                self.assertIn(words, body)
-            with open(text, encoding="utf-8") as file:
-                markdown = file.read()
-            for picture in re.findall(r"!\[[^]]*]\(([^)]*)\)", markdown):
-                self.assertTrue(os.path.exists(os.path.join(folder, picture)), picture)
-            self.assertIn("figure-transients.png", markdown)
-            self.assertEqual(sorted(os.listdir(folder)), ["paper-pictures", "paper.html", "paper.md"])
+        page, text = self.path("paper.html"), self.path("paper.md")
+        what = ["table-7", "figure-transients", "--starts", "200"]
+        self.assertEqual(run("reproduce", *what, "--report", page, "--quiet").returncode, 0)
+        self.assertEqual(run("reproduce", *what, "--report", text, "--quiet").returncode, 0)
+        html = text_of(page)
+        body = re.sub(r"<script.*?</script>", "", html, flags=re.S)
+        self.assertNotRegex(body, r'(src|href)="(?!data:image|#)')
+        for words in ("Table 7", "best lead", "Transients after ramps", "kinematic law", "--starts 200"):
+            self.assertIn(words, body)
+        markdown = text_of(text)
+        for picture in re.findall(r"!\[[^]]*]\(([^)]*)\)", markdown):
+            self.assertTrue(os.path.exists(os.path.join(self.folder, picture)), picture)
+        self.assertIn("figure-transients.png", markdown)
+        self.assertEqual(sorted(os.listdir(self.folder)), ["paper-pictures", "paper.html", "paper.md"])
 
     def test_rows_lead_to_their_settings_in_the_explorer(self):
-        with tempfile.TemporaryDirectory() as folder:
-            page = os.path.join(folder, "paper.html")
-            done = run("reproduce", "table-3", "--starts", "20", "--report", page, "--explorer", "web/index.html", "--quiet")
-            self.assertEqual(done.returncode, 0, done.stderr)
-            with open(page, encoding="utf-8") as file:
-                links = re.findall(r'<a href="([^"]*)">(table-3-[^<]*)</a>', file.read())
-            self.assertEqual(len(links) % 2, 0)  # under both laws
-            self.assertGreater(len(links), 2)
-            for address, study in links:
-                self.assertRegex(address, rf"^web/index\.html#study={re.escape(study)}&amp;set=speed\.law%3D(published|kinematic)$")
-                self.assertTrue(os.path.exists(os.path.join(STUDIES, "paper", study + ".toml")), study)
+        page = self.path("paper.html")
+        done = run("reproduce", "table-3", "--starts", "20", "--report", page, "--explorer", "web/index.html", "--quiet")
+        self.assertEqual(done.returncode, 0, done.stderr)
+        with open(page, encoding="utf-8") as file:
+            links = re.findall(r'<a href="([^"]*)">(table-3-[^<]*)</a>', file.read())
+        self.assertEqual(len(links) % 2, 0)  # under both laws
+        self.assertGreater(len(links), 2)
+        for address, study in links:
+            self.assertRegex(address, rf"^web/index\.html#study={re.escape(study)}&amp;set=speed\.law%3D(published|kinematic)$")
+            self.assertTrue(os.path.exists(os.path.join(STUDIES, "paper", study + ".toml")), study)
 
     def test_markdown_has_its_pictures_beside_it_whatever_the_folder_of_results(self):
         with tempfile.TemporaryDirectory() as folder, tempfile.TemporaryDirectory() as results:
@@ -146,46 +138,25 @@ class Reports(unittest.TestCase):
                 self.assertIn("](paper-pictures/figure-transients.png)", file.read())
 
     def test_open_questions_as_pictures_and_netcdf(self):
-        with tempfile.TemporaryDirectory() as folder:
-            done, answer = answers(folder, "future", "--starts", "64", "--pixels", "4")
-            self.assertEqual(done.returncode, 0)
-            names = set(os.listdir(os.path.join(folder, "pictures")))
-            for stem in ("future-eccentricity-angle", "future-eccentricity-mass"):
-                self.assertLessEqual({stem + ".png", stem + ".svg", stem + ".nc"}, names)
-            self.assertEqual([m["pixels"] for m in answer["open_questions"]["maps"]], [[4, 4], [4, 4]])
-            self.assertEqual([b["box"]["starts"] for b in answer["open_questions"]["boxes"]], [64] * 6)
-            self.assertIn("box-speed-2.4.nc", os.listdir(os.path.join(folder, "ensembles")))
+        done, found = answers(self.folder, "future", "--starts", "64", "--pixels", "4")
+        self.assertEqual(done.returncode, 0)
+        names = set(os.listdir(self.path("pictures")))
+        for stem in ("future-eccentricity-angle", "future-eccentricity-mass"):
+            self.assertLessEqual({stem + ".png", stem + ".svg", stem + ".nc"}, names)
+        self.assertEqual([m["pixels"] for m in found["open_questions"]["maps"]], [[4, 4], [4, 4]])
+        self.assertEqual([b["box"]["starts"] for b in found["open_questions"]["boxes"]], [64] * 6)
+        self.assertIn("box-speed-2.4.nc", os.listdir(self.path("ensembles")))
 
 
-class Refusals(unittest.TestCase):
-    def refused(self, *arguments, words):
-        done = run("reproduce", *arguments)
-        self.assertEqual((done.returncode, done.stdout), (2, ""), done.stderr)
-        for word in words:
-            self.assertIn(word, done.stderr)
-
-    def test_bad_usage_is_refused_before_any_work(self):
-        self.refused("table-8", words=["table-8", "table-7", "figure-attractors", "future"])
-        self.refused("table-1", "--starts", "0", words=["--starts", "0", "from 1"])
-        self.refused("table-1", "--explorer", "web/index.html", words=["--explorer", "web/index.html", "--report"])
-        self.refused("table-1", "--law", "real", words=["--law", "published"])
-        self.refused("table-1", "--report", "x.pdf", words=["--report", "x.pdf", ".html or .md"])
-        self.refused("table-1", "--report", "/nowhere/x.html", words=["--report", "/nowhere/x.html"])
-        self.refused("table-1", "-o", "/proc/x", words=["/proc/x", "folder"])
-        self.refused("future", "--pixels", "1", words=["--pixels", "1", "from 2"])
-        with tempfile.TemporaryDirectory() as folder:
-            self.refused("all", "--pixels", "1", "-o", folder, words=["--pixels", "1", "from 2"])
-            self.assertEqual(os.listdir(folder), [])
-
+class Refusals(Case):
     def test_a_folder_of_other_results_is_refused(self):
-        with tempfile.TemporaryDirectory() as folder:
-            self.assertEqual(run("reproduce", "table-7", "--law", "kinematic", "--starts", "50", "-o", folder,
-                                 "--quiet").returncode, 0)
-            ensembles = os.path.join(folder, "ensembles")
-            os.rename(os.path.join(ensembles, "table-7-t0-50-t1-400-t2-500-kinematic.nc"),
-                      os.path.join(ensembles, "table-7-t0-100-t1-300-t2-500-kinematic.nc"))
-            self.refused("table-7", "--law", "kinematic", "--starts", "50", "-o", folder, "--quiet",
-                         words=["table-7-t0-100-t1-300", "something other"])
+        self.assertEqual(run("reproduce", "table-7", "--law", "kinematic", "--starts", "50", "-o", self.folder,
+                             "--quiet").returncode, 0)
+        ensembles = self.path("ensembles")
+        os.rename(os.path.join(ensembles, "table-7-t0-50-t1-400-t2-500-kinematic.nc"),
+                  os.path.join(ensembles, "table-7-t0-100-t1-300-t2-500-kinematic.nc"))
+        self.refused("reproduce", "table-7", "--law", "kinematic", "--starts", "50", "-o", self.folder, "--quiet",
+                     words=["table-7-t0-100-t1-300", "something other"])
 
 
 if __name__ == "__main__":

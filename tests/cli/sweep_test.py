@@ -3,20 +3,14 @@
 
     sweep_test.py PROGRAM STUDIES
 """
-import csv
-import json
 import os
 import shutil
 import subprocess
 import sys
-import tempfile
 import time
 import unittest
 
-from program import PROGRAM, ROW, STUDIES, answer, run
-
-WASHER = os.path.join(STUDIES, "examples", "washing-machine.toml")
-
+from program import PROGRAM, ROW, WASHER, Case, answer, content, rows_of, run, text_of, with_xarray
 
 XARRAY = """
 import json, sys, xarray
@@ -34,7 +28,7 @@ def counts(outcomes):
     return {o["name"]: o["count"] for o in outcomes if o["count"] > 0}
 
 
-class Sweep(unittest.TestCase):
+class Sweep(Case):
     def test_a_cell_is_what_basin_says_of_it(self):
         sweep = answer("sweep", ROW, "--over", "speed.final=2.2:2.6:0.2", "--over", "balancer.drag=0.05,0.1", "--starts", "800")
         self.assertEqual([o["key"] for o in sweep["over"]], ["speed.final", "balancer.drag"])
@@ -70,21 +64,13 @@ class Sweep(unittest.TestCase):
                                                             {"speed.final": 2.6, "balancer.drag": 0.25}])
 
     def test_a_study_says_what_is_swept(self):
-        with tempfile.TemporaryDirectory() as folder:
-            study = os.path.join(folder, "study.toml")
-            with open(ROW, encoding="utf-8") as row, open(study, "w", encoding="utf-8") as file:
-                file.write(row.read() + '\n[sweep]\nover = ["balancer.drag=0.1,0.25", "speed.final=2.4,2.6"]\nzip = true\n')
-            sweep = answer("sweep", study, "--starts", "50")
-            self.assertEqual([c["at"] for c in sweep["cells"]], [{"balancer.drag": 0.1, "speed.final": 2.4},
-                                                                {"balancer.drag": 0.25, "speed.final": 2.6}])
-            self.assertEqual(len(answer("sweep", study, "--over", "balancer.drag=0.25", "--starts", "50")["cells"]), 1)
-            self.assertEqual(run("basin", study, "--starts", "50", "--quiet").returncode, 0)
-            bad = run("sweep", study, "--set", "sweep.over=3")
-            self.assertEqual((bad.returncode, bad.stderr.count("\n")), (2, 1))
-            self.assertIn("sweep.over", bad.stderr)
-        done = run("sweep", ROW)
-        self.assertEqual((done.returncode, done.stderr.count("\n")), (2, 1))
-        self.assertIn("[sweep]", done.stderr)
+        study = self.file("study.toml", text_of(ROW) +
+                          '\n[sweep]\nover = ["balancer.drag=0.1,0.25", "speed.final=2.4,2.6"]\nzip = true\n')
+        sweep = answer("sweep", study, "--starts", "50")
+        self.assertEqual([c["at"] for c in sweep["cells"]], [{"balancer.drag": 0.1, "speed.final": 2.4},
+                                                            {"balancer.drag": 0.25, "speed.final": 2.6}])
+        self.assertEqual(len(answer("sweep", study, "--over", "balancer.drag=0.25", "--starts", "50")["cells"]), 1)
+        self.assertEqual(run("basin", study, "--starts", "50", "--quiet").returncode, 0)
 
     def test_every_cell_is_sampled_to_its_half_width(self):
         sweep = answer("sweep", ROW, "--over", "speed.final=2.4,2.6", "--half-width", "0.01")
@@ -94,59 +80,44 @@ class Sweep(unittest.TestCase):
         self.assertGreater(sweep["cells"][0]["starts"], sweep["cells"][1]["starts"])  # 60 % takes more than 99.5 %
 
     def test_quantities_and_transients_of_a_machine(self):
-        with tempfile.TemporaryDirectory() as folder:
-            path = os.path.join(folder, "washer.nc")
-            sweep = answer("sweep", WASHER, "--over", "rotor.unbalance=50 kg mm:100 kg mm:50 kg mm", "--starts", "60", "-o", path)
-            self.assertEqual(sweep["over"][0]["unit"], "kg mm")
-            light, heavy = (c["transients"] for c in sweep["cells"])
-            # Twice the unbalance shakes more on the way through resonance.
-            self.assertGreater(heavy["peak_radial"]["quantiles"][0]["low"], light["peak_radial"]["quantiles"][0]["high"])
-            self.assertIn("displacement", heavy["exceeded"])
+        path = self.path("washer.nc")
+        sweep = answer("sweep", WASHER, "--over", "rotor.unbalance=50 kg mm:100 kg mm:50 kg mm", "--starts", "60", "-o", path)
+        self.assertEqual(sweep["over"][0]["unit"], "kg mm")
+        light, heavy = (c["transients"] for c in sweep["cells"])
+        # Twice the unbalance shakes more on the way through resonance.
+        self.assertGreater(heavy["peak_radial"]["quantiles"][0]["low"], light["peak_radial"]["quantiles"][0]["high"])
+        self.assertIn("displacement", heavy["exceeded"])
 
     def test_files_are_whole_and_read_back(self):
-        with tempfile.TemporaryDirectory() as folder:
-            nc, table, picture = (os.path.join(folder, name) for name in ("s.nc", "s.csv", "s.png"))
-            command = ["sweep", ROW, "--over", "speed.final=2.4,2.6", "--starts", "200", "-o", nc, "--csv", table]
-            first = answer(*command)
-            again = answer(*command)
-            self.assertEqual(again["resumed_cells"], 2)
-            self.assertEqual(first["cells"], again["cells"])
-            with open(table, encoding="utf-8") as file:
-                rows = list(csv.DictReader(line for line in file if not line.startswith("#")))
-            for cell in first["cells"]:
-                of_cell = [r for r in rows if float(r["speed.final"]) == cell["at"]["speed.final"]]
-                self.assertEqual(sum(int(r["count"]) for r in of_cell), 200)
-            if shutil.which("gnuplot"):
-                done = run(*command, "--plot", picture, "--quiet")
-                self.assertEqual(done.returncode, 0, done.stderr)
-                with open(picture, "rb") as file:
-                    self.assertEqual(file.read(4), b"\x89PNG")
-            inspected = answer_of_inspect(nc)
-            self.assertEqual((inspected["kind"], inspected["complete"], inspected["damage"]), ("sweep", True, ""))
-            self.assertIn({"name": "cells done", "value": "2 of 2"}, inspected["facts"])
+        nc, table, picture = (self.path(name) for name in ("s.nc", "s.csv", "s.png"))
+        command = ["sweep", ROW, "--over", "speed.final=2.4,2.6", "--starts", "200", "-o", nc, "--csv", table]
+        first = answer(*command)
+        again = answer(*command)
+        self.assertEqual(again["resumed_cells"], 2)
+        self.assertEqual(first["cells"], again["cells"])
+        rows = rows_of(table)
+        for cell in first["cells"]:
+            of_cell = [r for r in rows if float(r["speed.final"]) == cell["at"]["speed.final"]]
+            self.assertEqual(sum(int(r["count"]) for r in of_cell), 200)
+        if shutil.which("gnuplot"):
+            done = run(*command, "--plot", picture, "--quiet")
+            self.assertEqual(done.returncode, 0, done.stderr)
+            self.assertEqual(content(picture)[:4], b"\x89PNG")
+        inspected = answer("inspect", nc, quiet=False)
+        self.assertEqual((inspected["kind"], inspected["complete"], inspected["damage"]), ("sweep", True, ""))
+        self.assertIn({"name": "cells done", "value": "2 of 2"}, inspected["facts"])
 
     def test_xarray_opens_the_file_with_names_and_units(self):
-        python = next((p for p in (sys.executable, "/usr/bin/python3") if os.path.exists(p) and subprocess.run(
-            [p, "-c", "import xarray"], capture_output=True, check=False).returncode == 0), None)
-        if not python:
-            self.skipTest("needs python3-xarray")
-        with tempfile.TemporaryDirectory() as folder:
-            nc = os.path.join(folder, "s.nc")
-            sweep = answer("sweep", ROW, "--over", "speed.final=2.4,2.6", "--over", "balancer.drag=0.1,0.25", "--starts", "100",
-                           "--transients", "-o", nc)
-            done = subprocess.run([python, "-c", XARRAY, nc], capture_output=True, text=True, check=False, timeout=120)
-            self.assertEqual(done.returncode, 0, done.stderr)
-            seen = json.loads(done.stdout)
-            self.assertEqual(seen["speeds"], [2.4, 2.6])
-            self.assertEqual(seen["balanced"], sweep["cells"][3]["outcomes"][0]["share"])
-            self.assertEqual(seen["median"], sweep["cells"][0]["transients"]["peak_radial"]["quantiles"][0]["value"])
-            self.assertEqual(seen["without_words"], [])
+        nc = self.path("s.nc")
+        sweep = answer("sweep", ROW, "--over", "speed.final=2.4,2.6", "--over", "balancer.drag=0.1,0.25", "--starts", "100",
+                       "--transients", "-o", nc)
+        seen = with_xarray(XARRAY, nc)
+        self.assertEqual(seen["speeds"], [2.4, 2.6])
+        self.assertEqual(seen["balanced"], sweep["cells"][3]["outcomes"][0]["share"])
+        self.assertEqual(seen["median"], sweep["cells"][0]["transients"]["peak_radial"]["quantiles"][0]["value"])
+        self.assertEqual(seen["without_words"], [])
 
     def test_what_dry_friction_leaves_is_in_the_file(self):
-        python = next((p for p in (sys.executable, "/usr/bin/python3") if os.path.exists(p) and subprocess.run(
-            [p, "-c", "import xarray"], capture_output=True, check=False).returncode == 0), None)
-        if not python:
-            self.skipTest("needs python3-xarray")
         look = """
 import json, sys, xarray
 with xarray.open_dataset(sys.argv[1], decode_times=False) as data:
@@ -154,54 +125,21 @@ with xarray.open_dataset(sys.argv[1], decode_times=False) as data:
     print(json.dumps([[v.sel(outcome=1).values.tolist() for v in left], [list(v.dims) for v in left],
                       [v.attrs["units"] + v.attrs["long_name"] for v in left]]))
 """
-        with tempfile.TemporaryDirectory() as folder:
-            nc, parts = os.path.join(folder, "s.nc"), os.path.join(folder, "p.nc")
-            common = ["sweep", ROW, "--set", "balancer.rolling=1e-3", "--over", "balancer.stiction=2e-3,4e-3"]
-            sweep = answer(*common, "--starts", "60", "-o", nc)
-            done = subprocess.run([python, "-c", look, nc], capture_output=True, text=True, check=False, timeout=120)
-            self.assertEqual(done.returncode, 0, done.stderr)
-            values, dimensions, words = json.loads(done.stdout)
-            for q in range(4):
-                self.assertEqual(values[q], [c["outcomes"][0]["left_unbalance"]["unbalance"][q] for c in sweep["cells"]])
-                self.assertEqual(dimensions[q], ["balancer_stiction", "outcome"])
-                self.assertIn("dry friction", words[q])
-            answer(*common, "--starts", "60", "--shard", "1/2", "-o", parts)
-            self.assertEqual(answer(*common, "--starts", "60", "-o", parts)["cells"], sweep["cells"])
-            with open(nc, "rb") as one, open(parts, "rb") as other:
-                self.assertEqual(one.read(), other.read())
-
-    def test_bad_input_is_one_line_before_any_work(self):
-        for arguments, words in (
-            (["--over", "speed.fnal=1:2:1"], ("--over", "speed.fnal", "unknown key")),
-            (["--over", "speed.final=1:2"], ("--over", "FROM:TO:STEP")),
-            (["--over", "speed.final=1:2:-0.5"], ("STEP = -0.5",)),
-            (["--over", "speed.final=2,2"], ("twice",)),
-            (["--over", "speed.final=2 rpm,3 Hz"], ("mixes the units",)),
-            (["--over", "speed.final=2,3", "--over", "speed.final=4,5"], ("speed.final", "varied twice")),
-            (["--over", "speed.final=2,3", "--over", "balancer.drag=0.1", "--zip"], ("balancer.drag", "as many each")),
-            (["--over", "speed.final=0:1000:0.001", "--over", "balancer.drag=0.1,0.2"], ("100000",)),
-            (["--over", "balancer.drag=0.1,-1"], ("balancer.drag", "in the cell balancer.drag = -1")),
-            (["--over", "balancer.drag=0.1", "--shard", "3/2"], ("--shard", "3/2", "I from 1 to N")),
-            (["--over", "balancer.drag=0.1", "--shard", "1/2"], ("--shard", "needs -o")),
-            (["--over", "balancer.drag=0.1", "-o", "/nowhere/x.nc"], ("/nowhere",)),
-            (["--over", "balancer.drag=0.1", "-o", "x.txt"], ("--output", ".nc")),
-        ):
-            done = run("sweep", ROW, *arguments)
-            self.assertEqual((done.returncode, done.stdout), (2, ""), arguments)
-            self.assertEqual(done.stderr.count("\n"), 1, done.stderr)
-            for word in words:
-                self.assertIn(word, done.stderr)
-
-
-def answer_of_inspect(path):
-    done = run("inspect", path, "--json")
-    if done.returncode != 0:
-        raise AssertionError(done.stderr)
-    return json.loads(done.stdout)
+        nc, parts = self.path("s.nc"), self.path("p.nc")
+        common = ["sweep", ROW, "--set", "balancer.rolling=1e-3", "--over", "balancer.stiction=2e-3,4e-3"]
+        sweep = answer(*common, "--starts", "60", "-o", nc)
+        values, dimensions, words = with_xarray(look, nc)
+        for q in range(4):
+            self.assertEqual(values[q], [c["outcomes"][0]["left_unbalance"]["unbalance"][q] for c in sweep["cells"]])
+            self.assertEqual(dimensions[q], ["balancer_stiction", "outcome"])
+            self.assertIn("dry friction", words[q])
+        answer(*common, "--starts", "60", "--shard", "1/2", "-o", parts)
+        self.assertEqual(answer(*common, "--starts", "60", "-o", parts)["cells"], sweep["cells"])
+        self.assertEqual(content(nc), content(parts))
 
 
 @unittest.skipUnless(shutil.which("mpirun") and "MPI: not built in" not in run("--version").stdout, "needs MPI")
-class Job(unittest.TestCase):
+class Job(Case):
     """Processes of one job share one part."""
 
     def started(self, shard, folder):
@@ -211,48 +149,39 @@ class Job(unittest.TestCase):
                               capture_output=True, text=True, timeout=120, check=False, env={**os.environ, **allowed})
 
     def test_of_different_parts_none_is_left_out_silently(self):
-        with tempfile.TemporaryDirectory() as folder:
-            done = self.started("$((OMPI_COMM_WORLD_RANK + 1))/2", folder)
-            self.assertNotEqual(done.returncode, 0)
-            self.assertEqual(done.stderr.count("must be the same for all"), 1, done.stderr)
-            self.assertEqual(os.listdir(folder), [])
+        done = self.started("$((OMPI_COMM_WORLD_RANK + 1))/2", self.folder)
+        self.assertNotEqual(done.returncode, 0)
+        self.assertEqual(done.stderr.count("must be the same for all"), 1, done.stderr)
+        self.assertEqual(os.listdir(self.folder), [])
 
     def test_of_the_same_part_the_first_writes_it(self):
-        with tempfile.TemporaryDirectory() as folder:
-            done = self.started("1/2", folder)
-            self.assertEqual(done.returncode, 0, done)
-            self.assertEqual(os.listdir(folder), ["0.nc"])
+        done = self.started("1/2", self.folder)
+        self.assertEqual(done.returncode, 0, done)
+        self.assertEqual(os.listdir(self.folder), ["0.nc"])
 
 
-class Inspect(unittest.TestCase):
+class Inspect(Case):
     def test_every_kind_of_file_is_told(self):
-        with tempfile.TemporaryDirectory() as folder:
-            path = os.path.join(folder, "x.nc")
-            for kind, command in (
-                ("basin", ["basin", ROW, "--starts", "50", "--quiet"]),
-                ("map", ["map", ROW, "--size", "8x8", "--quiet"]),
-                ("trajectory", ["simulate", ROW, "--every", "1", "--until", "5", "--set", "initial.phi=[1.0, 2.0]"]),
-            ):
-                done = run(*command, "-o", path)
-                self.assertEqual(done.returncode, 0, done.stderr)
-                inspected = answer_of_inspect(path)
-                self.assertEqual((inspected["kind"], inspected["damage"]), (kind, ""))
-                self.assertIn("[balancer]", inspected["study"])
-                with open(path, "r+b") as file:
-                    file.seek(500)
-                    byte = file.read(1)
-                    file.seek(500)
-                    file.write(bytes([byte[0] ^ 4]))
-                damaged = run("inspect", path)
-                self.assertEqual(damaged.returncode, 3)
-                self.assertIn("DAMAGE", damaged.stdout)
-                os.remove(path)
-
-    def test_what_is_no_result_is_refused(self):
-        for path in (ROW, "/nowhere.nc", os.path.dirname(ROW)):
-            done = run("inspect", path)
-            self.assertEqual((done.returncode, done.stdout), (2, ""), path)
-            self.assertEqual(done.stderr.count("\n"), 1)
+        path = self.path("x.nc")
+        for kind, command in (
+            ("basin", ["basin", ROW, "--starts", "50", "--quiet"]),
+            ("map", ["map", ROW, "--size", "8x8", "--quiet"]),
+            ("trajectory", ["simulate", ROW, "--every", "1", "--until", "5", "--set", "initial.phi=[1.0, 2.0]"]),
+        ):
+            done = run(*command, "-o", path)
+            self.assertEqual(done.returncode, 0, done.stderr)
+            inspected = answer("inspect", path, quiet=False)
+            self.assertEqual((inspected["kind"], inspected["damage"]), (kind, ""))
+            self.assertIn("[balancer]", inspected["study"])
+            with open(path, "r+b") as file:
+                file.seek(500)
+                byte = file.read(1)
+                file.seek(500)
+                file.write(bytes([byte[0] ^ 4]))
+            damaged = run("inspect", path)
+            self.assertEqual(damaged.returncode, 3)
+            self.assertIn("DAMAGE", damaged.stdout)
+            os.remove(path)
 
 
 if __name__ == "__main__":
