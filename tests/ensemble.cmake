@@ -14,6 +14,8 @@ equipoise_test(report_test unit unit/report_test.cpp LIBRARIES nlohmann_json::nl
 equipoise_test(answer_test unit unit/answer_test.cpp unit/cell_answer_test.cpp LIBRARIES nlohmann_json::nlohmann_json)
 equipoise_test(machine_page_test equivalence equivalence/machine_page_test.cpp)
 equipoise_test(window_test unit unit/window_test.cpp)
+equipoise_test(window_sampling_test equivalence equivalence/window_sampling_test.cpp)
+equipoise_test(stopped_search_test equivalence equivalence/stopped_search_test.cpp)
 equipoise_test(feature_trends_test unit unit/feature_trends_test.cpp)
 equipoise_test(pilot_test unit unit/pilot_test.cpp)
 equipoise_test(smooth_lanes_test equivalence equivalence/smooth_lanes_test.cpp)

@@ -9,7 +9,9 @@
 #include "../support/refusals.hpp"
 #include "../support/files.hpp"
 #include "../support/sanitized.hpp"
+#include "../support/studies.hpp"
 #include "equipoise/basins/basin.hpp"
+#include "equipoise/basins/comparison.hpp"
 #include "equipoise/fates/start_runner.hpp"
 #include "equipoise/kernels/lane_kernels.hpp"
 #include "equipoise/store/basin_file.hpp"
@@ -297,6 +299,19 @@ TEST(Basin, ChecksStudiesFilledInByCode) {
   study.parameters.mass[1] = 0.05;
   study.parameters.balls = 9;
   EXPECT_THROW(basin(study), InputError);
+}
+
+// Counted as basin() counts.
+TEST(Comparison, KeepsWhatBasinDecides) {
+  Study study = parse_study(constant_speed, "rotor");
+  study.sampling.starts = 3000;
+  const BasinOutcomes o = basin_outcomes(study, {});
+  const BasinResult r = basin(study);
+  ASSERT_EQ(o.outcome.size(), r.starts);
+  for (const AttractorShare& a : r.attractors)
+    EXPECT_EQ(static_cast<std::uint64_t>(std::count(o.outcome.begin(), o.outcome.end(), static_cast<short>(a.id))),
+              a.share.count)
+        << a.name;
 }
 
 }  // namespace

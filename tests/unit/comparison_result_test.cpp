@@ -120,18 +120,5 @@ TEST(Comparison, RefusesGrids) {
   EXPECT_NO_THROW(check_comparable(first.study));
 }
 
-// Counted as basin() counts.
-TEST(Comparison, KeepsWhatBasinDecides) {
-  Study study = parse_study(constant_speed, "rotor");
-  study.sampling.starts = 3000;
-  const BasinOutcomes o = basin_outcomes(study, {});
-  const BasinResult r = basin(study);
-  ASSERT_EQ(o.outcome.size(), r.starts);
-  for (const AttractorShare& a : r.attractors)
-    EXPECT_EQ(static_cast<std::uint64_t>(std::count(o.outcome.begin(), o.outcome.end(), static_cast<short>(a.id))),
-              a.share.count)
-        << a.name;
-}
-
 }  // namespace
 }  // namespace equipoise

@@ -69,15 +69,16 @@ Coverage coverage(SamplingMethod method, bool exchange, std::uint64_t starts, co
 // % and the mean of so many claimed ones, of 15 degrees of freedom each, to 2.1 %: five errors of the ratio are 42 %.
 constexpr int trials = 300;
 
-TEST(EvenShares, SobolIntervalsCoverADiscAsOftenAsTheySay) {
-  for (const double area : {0.5, 0.1}) {
-    const Coverage c = coverage(SamplingMethod::sobol, false, 4096, disc(area), area, trials);
-    EXPECT_EQ(c.by_spread, trials);
-    EXPECT_NEAR(c.covered, 0.95, 0.063) << area;
-    EXPECT_NEAR(c.claimed / c.error, 1.0, 0.42) << area;
-    EXPECT_LT(c.error, 0.6 * area * (1.0 - area) / 4096) << area;  // better than random: measured 0.25 to 0.35
-  }
+class SobolIntervals : public testing::TestWithParam<double> {};
+TEST_P(SobolIntervals, CoverADiscAsOftenAsTheySay) {
+  const double area = GetParam();
+  const Coverage c = coverage(SamplingMethod::sobol, false, 4096, disc(area), area, trials);
+  EXPECT_EQ(c.by_spread, trials);
+  EXPECT_NEAR(c.covered, 0.95, 0.063);
+  EXPECT_NEAR(c.claimed / c.error, 1.0, 0.42);
+  EXPECT_LT(c.error, 0.6 * area * (1.0 - area) / 4096);  // better than random: measured 0.25 to 0.35
 }
+INSTANTIATE_TEST_SUITE_P(Area, SobolIntervals, testing::Values(0.5, 0.1));
 
 // Sobol points of a partial last round: replicates differ by a start.
 TEST(EvenShares, SobolIntervalsCoverForAnyNumberOfStarts) {
@@ -88,29 +89,37 @@ TEST(EvenShares, SobolIntervalsCoverForAnyNumberOfStarts) {
 
 // Wilson's interval is for binomial counts, whose variance rare sets nearly have: coverage of 95 % or more, but for
 // what a discrete count takes away (1.5 points) and five errors of 1.8 points for 150 trials.
-TEST(EvenShares, RareOutcomesAreCovered) {
-  constexpr int rare = 150;
-  for (const double area : {0.0002, 0.002, 0.01}) {  // 0.8, 8 and 41 of 4096 starts
-    EXPECT_GT(coverage(SamplingMethod::sobol, false, 4096, disc(area), area, rare).covered, 0.84) << area;
-    EXPECT_GT(coverage(SamplingMethod::grid, false, 4096, disc(area), area, rare).covered, 0.84) << area;
-    EXPECT_GT(coverage(SamplingMethod::grid, true, 4096, mirrored_discs(area), area, rare).covered, 0.84) << area;
-  }
-  // Where the two intervals meet, near 80 starts, either is taken.
+class RareShares : public testing::TestWithParam<double> {};  // 0.8, 8 and 41 of 4096 starts
+constexpr int rare = 150;
+TEST_P(RareShares, AreCoveredBySobolIntervals) {
+  EXPECT_GT(coverage(SamplingMethod::sobol, false, 4096, disc(GetParam()), GetParam(), rare).covered, 0.84);
+}
+TEST_P(RareShares, AreCoveredByGridIntervals) {
+  EXPECT_GT(coverage(SamplingMethod::grid, false, 4096, disc(GetParam()), GetParam(), rare).covered, 0.84);
+}
+TEST_P(RareShares, AreCoveredByFoldedGridIntervals) {
+  EXPECT_GT(coverage(SamplingMethod::grid, true, 4096, mirrored_discs(GetParam()), GetParam(), rare).covered, 0.84);
+}
+INSTANTIATE_TEST_SUITE_P(Area, RareShares, testing::Values(0.0002, 0.002, 0.01));
+
+// Where the two intervals meet, near 80 starts, either is taken.
+TEST(EvenShares, EitherIntervalIsTakenWhereTheyMeet) {
   const Coverage meeting = coverage(SamplingMethod::sobol, false, 4096, disc(0.0195), 0.0195, trials);
   EXPECT_GT(meeting.by_spread, trials / 10);
   EXPECT_LT(meeting.by_spread, trials - trials / 10);
   EXPECT_NEAR(meeting.covered, 0.95, 0.063);
 }
 
-TEST(EvenShares, GridIntervalsCoverADiscAsOftenAsTheySay) {
-  const Coverage plain = coverage(SamplingMethod::grid, false, 8192, disc(0.3), 0.3, trials);
-  const Coverage folded = coverage(SamplingMethod::grid, true, 8192, mirrored_discs(0.2), 0.2, trials);
-  for (const Coverage& c : {plain, folded}) {
-    EXPECT_EQ(c.by_spread, trials);
-    EXPECT_NEAR(c.covered, 0.95, 0.063);
-    EXPECT_NEAR(c.claimed / c.error, 1.0, 0.42);
-    EXPECT_LT(c.error, 0.25 * 0.21 / 8192);  // measured a tenth of the binomial variance
-  }
+void expect_covered_by_a_grid(bool folded, const Set& inside, double area) {
+  const Coverage c = coverage(SamplingMethod::grid, folded, 8192, inside, area, trials);
+  EXPECT_EQ(c.by_spread, trials);
+  EXPECT_NEAR(c.covered, 0.95, 0.063);
+  EXPECT_NEAR(c.claimed / c.error, 1.0, 0.42);
+  EXPECT_LT(c.error, 0.25 * 0.21 / 8192);  // measured a tenth of the binomial variance
+}
+TEST(EvenShares, GridIntervalsCoverADiscAsOftenAsTheySay) { expect_covered_by_a_grid(false, disc(0.3), 0.3); }
+TEST(EvenShares, FoldedGridIntervalsCoverDiscsAsOftenAsTheySay) {
+  expect_covered_by_a_grid(true, mirrored_discs(0.2), 0.2);
 }
 
 // The set of a half turn has a share that every replicate meets exactly: the interval stays open by the rule of

@@ -3,14 +3,15 @@
 #include <gtest/gtest.h>
 
 #include <array>
+#include <cctype>
 #include <cmath>
-#include <map>
 #include <random>
 #include <string>
 #include <vector>
 
 #include <Eigen/Dense>
 
+#include "../support/studies.hpp"
 #include "equipoise/basins/certify.hpp"
 #include "equipoise/model/balanced_state.hpp"
 #include "equipoise/model/linearisation.hpp"
@@ -98,13 +99,6 @@ Proved largest(const model::System& system) {
   return {c, critical};
 }
 
-// Each is looked for once.
-const Proved& of(const Case& c) {
-  static std::map<std::string, Proved> found;
-  const auto known = found.find(c.name);
-  return known != found.end() ? known->second : found.emplace(c.name, largest(c.system)).first->second;
-}
-
 // States on V = share^2 level, about the balanced state in doubles.
 class States {
  public:
@@ -126,33 +120,35 @@ class States {
   std::normal_distribution<double> normal_;
 };
 
-TEST(MachineCertificate, is_found_checked_and_read_back) {
-  for (const Case& c : cases()) {
-    const auto& [certificate, critical] = of(c);
-    EXPECT_GE(certificate.level, c.promised * critical) << c.name;
-    EXPECT_LT(certificate.level, critical) << c.name;
-    EXPECT_TRUE(check_certificate(certificate).proved) << c.name << ": " << check_certificate(certificate).reason;
-    const std::string text = certificates_json({certificate});
-    const std::vector<Certificate> read = certificates_from_json(text, "file");
-    EXPECT_EQ(certificates_json(read), text) << c.name;
-    EXPECT_TRUE(check_certificate(read.at(0)).proved) << c.name;
+class MachineCertificateOf : public testing::TestWithParam<Case> {};
+
+TEST_P(MachineCertificateOf, ACaseIsFoundCheckedReadBackAndHoldsNoStateWhereVGrows) {
+  const Case& c = GetParam();
+  const auto [certificate, critical] = largest(c.system);
+  EXPECT_GE(certificate.level, c.promised * critical);
+  EXPECT_LT(certificate.level, critical);
+  EXPECT_TRUE(check_certificate(certificate).proved) << check_certificate(certificate).reason;
+  const std::string text = certificates_json({certificate});
+  const std::vector<Certificate> read = certificates_from_json(text, "file");
+  EXPECT_EQ(certificates_json(read), text);
+  EXPECT_TRUE(check_certificate(read.at(0)).proved);
+
+  States states(certificate);
+  double worst = -INFINITY;
+  for (int i = 0; i < 20000; ++i) {
+    // On the surface, half way in, and close to the centre.
+    const Eigen::VectorXd d = states.deviation(i % 3 == 0 ? 1.0 : i % 3 == 1 ? 0.5 : 0.05);
+    const Eigen::VectorXd rate = model::rate(c.system, Eigen::VectorXd(states.centre() + d));
+    worst = std::max(worst, d.dot(certificate.form * rate) / d.dot(certificate.form * d));
   }
+  EXPECT_LT(worst, 0.0);
 }
 
-TEST(MachineCertificate, holds_no_state_where_v_grows) {
-  for (const Case& c : cases()) {
-    const Certificate& certificate = of(c).certificate;
-    States states(certificate);
-    double worst = -INFINITY;
-    for (int i = 0; i < 20000; ++i) {
-      // On the surface, half way in, and close to the centre.
-      const Eigen::VectorXd d = states.deviation(i % 3 == 0 ? 1.0 : i % 3 == 1 ? 0.5 : 0.05);
-      const Eigen::VectorXd rate = model::rate(c.system, Eigen::VectorXd(states.centre() + d));
-      worst = std::max(worst, d.dot(certificate.form * rate) / d.dot(certificate.form * d));
-    }
-    EXPECT_LT(worst, 0.0) << c.name;
-  }
-}
+INSTANTIATE_TEST_SUITE_P(Systems, MachineCertificateOf, testing::ValuesIn(cases()), [](const auto& test) {
+  std::string name = test.param.name;
+  std::erase_if(name, [](char c) { return !std::isalnum(static_cast<unsigned char>(c)); });
+  return name;
+});
 
 // Where the limit is what bounds the level, states on it come near to the limit and none reaches it.
 TEST(MachineCertificate, stays_below_the_limit_of_the_motor) {
@@ -219,10 +215,9 @@ TEST(MachineCertificate, is_refused_where_there_is_nothing_to_prove) {
 }
 
 TEST(MachineCertificate, of_a_study_says_which_variables) {
-  const CertifyResult result = certify(parse_study(
-      "[rotor]\neccentricity = 0.01\ndamping = 0.5\ninertia = 0.6\n[balancer]\nballs = 2\nmass = 0.05\ndrag = 0.05\n"
-      "[speed]\nprofile = \"torque\"\ninitial = 0.0\ntorque = { stall = 0.2, no_load_speed = 2.4 }\n",
-      "study"));
+  const CertifyResult result =
+      certify(parse_study(constant_speed, "study",
+                          {"rotor.inertia=0.6", "speed={profile='torque', torque={stall=0.2, no_load_speed=2.4}}"}));
   EXPECT_TRUE(result.proved());
   EXPECT_NE(certify_text(result).find(", speed 0.0"), std::string::npos);
 }

@@ -15,7 +15,7 @@ namespace {
 // The discovery of a rotor, and how many of each thing its stages counted in all.
 struct Search {
   Search(const model::Parameters& p, double speed) {
-    DiscoverySettings settings;
+    DiscoverySettings settings{.threads = 2};
     settings.progress = [this](const Progress& at) {
       const std::string stage = at.what.substr(at.what.find(": ") + 2);
       if (stage != last_) totals[last_] += now_;

@@ -1,76 +1,15 @@
-// Windows of time: how densely they are sampled, features, stationarity.
+// Windows of time: features, stationarity. (How densely they are sampled: window_sampling_test.cpp.)
 #include <algorithm>
 #include <cmath>
 #include <vector>
 
 #include <gtest/gtest.h>
 
-#include "equipoise/base/angles.hpp"
-#include "equipoise/basins/attractors.hpp"
 #include "equipoise/deciding/window_features.hpp"
-#include "equipoise/lanes/lane_block-inl.hpp"
 #include "equipoise/lanes/own_rotor.hpp"
-#include "equipoise/model/flow-inl.hpp"
-#include "equipoise/study/study.hpp"
 
 namespace equipoise {
 namespace {
-
-namespace kernels = HWY_NAMESPACE;
-
-// Remembers the longest accepted step after a time.
-struct StepWatch : kernels::NoObserver {
-  double after = 0.0, longest = 0.0;
-
-  unsigned step(int, unsigned, kernels::Mask accepted, kernels::Pack t, kernels::Pack h, const kernels::Pack*) {
-    const double time = reinterpret_cast<const double*>(&t)[0];
-    if ((kernels::lane_bits(accepted) & 1u) && time > after)
-      longest = std::max(longest, reinterpret_cast<const double*>(&h)[0]);
-    return 0;
-  }
-};
-
-double longest_step(const model::Parameters& p, double speed, const Eigen::VectorXd& begin) {
-  std::vector<double> state(begin.data(), begin.data() + begin.size());
-  LaneTask task;
-  task.parameters = &p;
-  task.segment = {0.0, 1e300, 0.0, speed, 0.0, false};
-  task.end = 400.0;
-  task.tolerance = default_basin_tolerance;
-  task.count = 1;
-  task.states = state.data();
-  StepWatch watch;
-  watch.after = 100.0;
-  using Flow = kernels::FreeFlow<kernels::Pack, 2, kernels::paper_terms(false)>;
-  const Flow flow(p, task.segment);
-  kernels::LaneBlock<Flow, StepWatch, 1> block(task, flow, watch);
-  EXPECT_TRUE(block.run());
-  return watch.longest;
-}
-
-// Of every attractor at both ends of the drags and speeds studied: a period, or a turn of the fastest ball where there
-// is none.
-TEST(Windows, AreSampledEightTimesAPeriodOfEveryMotion) {
-  for (const auto& [drag, speed] : {std::pair{0.01, 6.0}, {0.05, 2.2}, {0.05, 6.0}}) {
-    Study study;
-    study.parameters.mass = {0.05, 0.05};
-    study.parameters.drag = {drag, drag};
-    study.speed.speed = speed;
-    AttractorsOptions options;
-    options.starts = 1;
-    const auto known = attractors(study, options).catalogue;
-    EXPECT_GE(known.attractors().size(), 2u);
-    for (const Attractor& a : known.attractors()) {
-      const Motion& m = a.motion;
-      if (m.kind == MotionKind::equilibrium) continue;
-      const double fastest = std::max({-m.rate_min[0], -m.rate_min[1], m.rate_max[0], m.rate_max[1]});
-      const double period = m.kind == MotionKind::periodic ? std::min(m.period, two_pi / fastest) : two_pi / fastest;
-      // Samples sit at 1/3, 0.6 and 1 of every step: the widest gap is 0.4 of it.
-      EXPECT_GE(period / (0.4 * longest_step(study.parameters, speed, m.state)), 8.0)
-          << a.name << ", drag " << drag << ", speed " << speed;
-    }
-  }
-}
 
 WindowSums circling(double rate, double r) {
   WindowSums sums;

@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <map>
 #include <memory>
 #include <string>
 #include <utility>
@@ -27,9 +28,11 @@ Study study_with_eccentricity(double eccentricity) {
   return study;
 }
 
-// The motions of a name that a search finds beyond balance.
+// The motion of a name that a search finds; each rotor is searched once.
 Motion found(const Study& study, const std::string& name) {
-  const Discovery all = discover(study, {.threads = 2});
+  static std::map<double, Discovery> searched;
+  Discovery& all = searched[study.parameters.eccentricity];
+  if (all.catalogue.attractors().empty()) all = discover(study, {.threads = 2});
   for (const Attractor& a : all.catalogue.attractors())
     if (a.name == name) return a.motion;
   return {};

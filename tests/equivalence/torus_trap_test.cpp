@@ -34,8 +34,13 @@ struct Found {
   std::shared_ptr<const TorusTrap> trap;
 };
 
+const Found& torus() {
+  static const Found found;
+  return found;
+}
+
 TEST(TorusTrap, SurroundsTheTorusAndNothingElse) {
-  const Found found;
+  const Found& found = torus();
   ASSERT_TRUE(found.trap);
   const TorusTrap& trap = *found.trap;
   EXPECT_EQ(trap.attractor(), 3);
@@ -58,7 +63,7 @@ TEST(TorusTrap, SurroundsTheTorusAndNothingElse) {
 }
 
 TEST(TorusTrap, LetsNothingOut) {
-  const Found found;
+  const Found& found = torus();
   ASSERT_TRUE(found.trap);
   const TorusTrap& trap = *found.trap;
   Directions directions(8);
@@ -85,7 +90,7 @@ Fate decided(const Found& found, Eigen::VectorXd state, const DecisionRule& rule
 }
 
 TEST(TorusTrap, IsWatchedInAudits) {
-  const Found found;
+  const Found& found = torus();
   ASSERT_TRUE(found.trap);
   DecisionRule rule = rule_of_traps(found.system);
   rule.window = 16.0;
@@ -108,7 +113,7 @@ TEST(TorusTrap, IsWatchedInAudits) {
 }
 
 TEST(TorusTrap, TellsWhatDoesNotBalance) {
-  const Found found;
+  const Found& found = torus();
   ASSERT_TRUE(found.trap);
   DecisionRule rule = rule_of_traps(found.system);
   rule.balanced = analyse_balanced(found.system).traps;
@@ -121,7 +126,7 @@ TEST(TorusTrap, TellsWhatDoesNotBalance) {
 }
 
 TEST(TorusTrap, IsForToriOnly) {
-  const Found found;
+  const Found& found = torus();
   Motion chaotic = found.motion, unstable = found.motion, slow = found.motion;
   chaotic.kind = MotionKind::chaotic;
   unstable.stable = false;

@@ -1,0 +1,77 @@
+// A search for attractors that is stopped, and the same one that is not.
+#include <map>
+#include <utility>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include "../support/studies.hpp"
+#include "equipoise/base/notes.hpp"
+#include "equipoise/discovery/discovery.hpp"
+#include "equipoise/discovery/horizon.hpp"
+#include "equipoise/motions/motion_bytes.hpp"
+#include "equipoise/study/study.hpp"
+
+namespace equipoise {
+namespace {
+
+template <class T>
+std::vector<char> bytes_of(const T& value) {
+  BytesOut out;
+  out(value);
+  return out.take();
+}
+
+// Everything that a search finds, as far as the lanes and the catalogue show it.
+void expect_same(const Discovery& a, const Discovery& b) {
+  EXPECT_EQ(a.seeds, b.seeds);
+  EXPECT_EQ(a.hints, b.hints);
+  ASSERT_EQ(a.catalogue.attractors().size(), b.catalogue.attractors().size());
+  for (std::size_t k = 0; k < a.catalogue.attractors().size(); ++k)
+    EXPECT_EQ(bytes_of(a.catalogue.attractors()[k].motion), bytes_of(b.catalogue.attractors()[k].motion));
+  ASSERT_EQ(a.rule.known.size(), b.rule.known.size());
+  for (std::size_t k = 0; k < a.rule.known.size(); ++k) EXPECT_EQ(a.rule.known[k].features, b.rule.known[k].features);
+  ASSERT_EQ(a.rule.boxes.size(), b.rule.boxes.size());
+  for (std::size_t k = 0; k < a.rule.boxes.size(); ++k) {
+    EXPECT_EQ(a.rule.boxes[k].low, b.rule.boxes[k].low);
+    EXPECT_EQ(a.rule.boxes[k].high, b.rule.boxes[k].high);
+    EXPECT_EQ(a.rule.boxes[k].hits_needed, b.rule.boxes[k].hits_needed);
+  }
+  ASSERT_EQ(a.rule.balanced.size(), b.rule.balanced.size());
+  for (std::size_t k = 0; k < a.rule.balanced.size(); ++k)
+    EXPECT_EQ(a.rule.balanced[k].level, b.rule.balanced[k].level);
+}
+
+// A search that is stopped again and again, each time a little later, ends as one that is not; what it has noted by
+// then is all that it asks for.
+TEST(Notes, BringAStoppedSearchToTheSameEnd) {
+  Study study = with_horizon(parse_study(constant_speed, "notes.toml"));
+  const Discovery whole = discover(study, {});
+  std::map<std::pair<std::uint64_t, std::uint64_t>, std::vector<char>> kept;  // by page and number
+  int cut = 0;
+  for (;; ++cut) {
+    ASSERT_LT(cut, 2000);
+    StopFlag stop{false};
+    const std::size_t enough = kept.size() + 8;
+    Notes notes([&](std::uint64_t page, std::uint64_t number, const std::vector<char>& answer) {
+      kept[{page, number}] = answer;
+      stop = kept.size() >= enough;
+    });
+    for (const auto& [where, answer] : kept) notes.know(where.first, where.second, answer);
+    const Discovery found = discover(study, {.stop = &stop, .notes = &notes});
+    if (found.stopped) continue;
+    expect_same(found, whole);
+    break;
+  }
+  EXPECT_GT(cut, 3);
+  const std::size_t all = kept.size();
+  Notes complete([&](std::uint64_t page, std::uint64_t number, const std::vector<char>& answer) {
+    kept[{page, number}] = answer;
+  });
+  for (const auto& [where, answer] : kept) complete.know(where.first, where.second, answer);
+  expect_same(discover(study, {.notes = &complete}), whole);
+  EXPECT_EQ(kept.size(), all);
+}
+
+}  // namespace
+}  // namespace equipoise
