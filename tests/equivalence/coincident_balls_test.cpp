@@ -125,7 +125,7 @@ struct Recorded {
 
 class CoincidentBalls : public testing::TestWithParam<Recorded> {};
 
-TEST_P(CoincidentBalls, move_on_the_recorded_orbit_and_obey_the_transverse_law) {
+TEST_P(CoincidentBalls, MoveOnTheRecordedOrbitAndObeyTheTransverseLaw) {
   const Recorded& recorded = GetParam();
   const double w = recorded.speed;
   const Orbit orbit = find_orbit(w);

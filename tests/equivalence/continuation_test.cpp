@@ -60,7 +60,7 @@ std::vector<double> coincident_at_4_4() {
   return {orbit.nodes[0].data(), orbit.nodes[0].data() + 8};
 }
 
-TEST(Branches, one_captured_is_born_in_a_fold_at_2_9043) {
+TEST(Branches, OneCapturedIsBornInAFoldAt29043) {
   const BranchesResult result = along("speed.final=2.85:2.95:0.05");
   const Branch* b = branch(result, 4);
   ASSERT_TRUE(b);
@@ -87,7 +87,7 @@ TEST(Branches, one_captured_is_born_in_a_fold_at_2_9043) {
   EXPECT_EQ(isola->points.size(), 3u);
 }
 
-TEST(Branches, lose_stability_where_they_did_before) {
+TEST(Branches, LoseStabilityWhereTheyDidBefore) {
   const BranchesResult result =
       along("speed.final=4.4:4.45:0.05", {coincident_at_4_4(), {0, 0, 0, 0, 1.17174, 1.00534, 0, 0}});
   const Branch* coincident = branch(result, 2);
@@ -112,7 +112,7 @@ TEST(Branches, lose_stability_where_they_did_before) {
 }
 
 // A torus at 2.45, chaotic at 2.5, locked at 2.52, a torus again at 2.53, gone at 2.6: one motion with one identifier.
-TEST(Branches, torus_that_turns_chaotic_and_locks_keeps_its_identifier) {
+TEST(Branches, TorusThatTurnsChaoticAndLocksKeepsItsIdentifier) {
   const BranchesResult result = along("speed.final=2.45:2.55:0.05");
   const Branch* b = branch(result, 3);
   ASSERT_TRUE(b);
@@ -138,7 +138,7 @@ TEST(Branches, torus_that_turns_chaotic_and_locks_keeps_its_identifier) {
 
 // With little drag the torus has a thin basin. It attracts from 2 (4.4 % of 3000 starts) through 2.0156 (0.4 %) to
 // beyond 2.0234 (1.8 % of 15 000), and one trajectory carried over 0.0125 leaves it.
-TEST(Branches, thin_basin_of_a_torus_is_followed_through) {
+TEST(Branches, ThinBasinOfATorusIsFollowedThrough) {
   Study s = study();
   s.parameters.drag.fill(0.01);
   ContinuationOptions options;
@@ -160,14 +160,14 @@ TEST(Branches, thin_basin_of_a_torus_is_followed_through) {
 }
 
 // Pair drift attracts a little around 1.81 (0.9 % of 3000 starts there, none at 1.8 and 1.82).
-TEST(Branches, motion_that_lives_between_two_values_is_found_half_way) {
+TEST(Branches, MotionThatLivesBetweenTwoValuesIsFoundHalfWay) {
   const BranchesResult result = along("speed.final=1.805:1.815:0.01");
   EXPECT_TRUE(std::any_of(result.branches.begin(), result.branches.end(),
                           [](const Branch& b) { return b.name.starts_with("pair drift"); }));
 }
 
 // An end without a cause is no death.
-TEST(Branches, range_that_was_not_followed_to_its_end_says_so) {
+TEST(Branches, RangeThatWasNotFollowedToItsEndSaysSo) {
   BranchesResult result;
   result.study = study();
   result.key = "speed.final";
@@ -197,7 +197,7 @@ TEST(Branches, range_that_was_not_followed_to_its_end_says_so) {
 }
 
 // What is stable at two neighbouring values may not be so between.
-TEST(Branches, stability_lost_and_gained_between_two_values_makes_two_ranges) {
+TEST(Branches, StabilityLostAndGainedBetweenTwoValuesMakesTwoRanges) {
   Branch b;
   Motion motion;
   motion.stable = true;
@@ -222,7 +222,7 @@ TEST(Branches, stability_lost_and_gained_between_two_values_makes_two_ranges) {
 
 // At 1.775 the drift of this torus is measured to be of two rates, and it has another name there: 14 % of 6000 starts
 // come to it, as 13 % do at 1.7765 and 12 % at 1.779, where it is pair drift.
-TEST(Branches, torus_named_otherwise_at_one_value_is_still_the_same) {
+TEST(Branches, TorusNamedOtherwiseAtOneValueIsStillTheSame) {
   const model::Parameters p = study().parameters;
   Motion pair;
   pair.kind = MotionKind::quasi_periodic;
@@ -247,7 +247,7 @@ TEST(Branches, torus_named_otherwise_at_one_value_is_still_the_same) {
 }
 
 // Pair drift is a torus at 1.812, periodic from 1.8145 on, and ends in a fold before the line's next value.
-TEST(Branches, torus_that_becomes_periodic_is_followed_to_its_fold) {
+TEST(Branches, TorusThatBecomesPeriodicIsFollowedToItsFold) {
   const BranchesResult result = along("speed.final=1.812:1.832:0.02");
   const Branch* b = branch(result, 6);
   ASSERT_TRUE(b);
@@ -259,13 +259,13 @@ TEST(Branches, torus_that_becomes_periodic_is_followed_to_its_fold) {
   EXPECT_NEAR(death->middle(), 1.8183334, 1e-6);  // 2^-16 of the step, twice; as in the run with steps of 0.005
 }
 
-TEST(Branches, do_not_depend_on_threads) {
+TEST(Branches, DoNotDependOnThreads) {
   const BranchesResult one = along("speed.final=2.9:2.95:0.05", {}, 1), two = along("speed.final=2.9:2.95:0.05", {}, 2);
   EXPECT_EQ(branches_csv(one), branches_csv(two));
 }
 
 // No motion is on two branches; events of a branch lie in its order.
-TEST(Branches, are_disjoint_and_ordered) {
+TEST(Branches, AreDisjointAndOrdered) {
   const BranchesResult result = along("balancer.drag=0.05:0.1:0.05");
   ASSERT_GE(result.values.size(), 2u);  // and 0.075, if something lives there only
   EXPECT_EQ(result.values.front(), 0.05);
@@ -284,7 +284,7 @@ TEST(Branches, are_disjoint_and_ordered) {
   }
 }
 
-TEST(ParameterLine, has_decimal_values_whichever_way_it_is_given) {
+TEST(ParameterLine, HasDecimalValuesWhicheverWayItIsGiven) {
   const ParameterLine line(study(), "speed.final=1.4:6.5:0.05"), back(study(), "speed.final=6.5:1.4:-0.05");
   ASSERT_EQ(line.values().size(), 103u);
   EXPECT_EQ(line.values()[20], 2.4);
@@ -294,7 +294,7 @@ TEST(ParameterLine, has_decimal_values_whichever_way_it_is_given) {
   EXPECT_EQ(ParameterLine(study(), "balancer.drag=0.1:0.1:1").system_at(0.1).parameters().drag[1], 0.1);
 }
 
-TEST(ParameterLine, takes_quantities_where_the_study_has_units) {
+TEST(ParameterLine, TakesQuantitiesWhereTheStudyHasUnits) {
   const Study machine =
       parse_study(machine_rotor + "[speed]\nprofile = \"ramp\"\nfinal = \"2000 rpm\"\nduration = \"10 s\"\n", "m.toml");
   const double omega_c = machine.scales->frequency;
@@ -317,7 +317,7 @@ TEST(ParameterLine, takes_quantities_where_the_study_has_units) {
   EXPECT_THROW(ParameterLine(unequal, "balancer.drag=1e-4 N m s:2e-4 N m s:1e-4 N m s"), InputError);
 }
 
-TEST(ParameterLine, refuses_what_it_cannot_follow) {
+TEST(ParameterLine, RefusesWhatItCannotFollow) {
   for (const char* text :
        {"", "speed.final", "=1:2:1", "speed.final=1:2", "speed.final=1:2:3:4", "speed.final=a:2:1", "speed.final=1:2:0",
         "speed.final=1:2:-0.1", "speed.final=2:1:0.1", "speed.final=1:nan:0.1", "speed.final=0:1:0.5",

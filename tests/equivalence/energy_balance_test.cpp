@@ -119,7 +119,7 @@ void walk(const Case& c, const At& at, const Jump& jump) {
 
 class EnergyBalance : public testing::TestWithParam<Case> {};
 
-TEST_P(EnergyBalance, closes_along_the_trajectory) {
+TEST_P(EnergyBalance, ClosesAlongTheTrajectory) {
   const Case& c = GetParam();
   const model::Parameters& p = c.study.parameters;
   const int state = model::dimension(p.balls);
@@ -150,7 +150,7 @@ TEST_P(EnergyBalance, closes_along_the_trajectory) {
   EXPECT_LT(residual, 1e-10 * size);
 }
 
-TEST_P(EnergyBalance, agrees_with_energy_and_powers_in_fixed_axes) {
+TEST_P(EnergyBalance, AgreesWithEnergyAndPowersInFixedAxes) {
   const Case& c = GetParam();
   const model::Parameters& p = c.study.parameters;
   double difference = 0.0, size = 0.0;
@@ -212,7 +212,7 @@ class DrivenAndWork {
 };
 
 // Over ten thousand units, through resonance and on.
-TEST(EnergyBalanceOfMotors, closes_over_a_long_time) {
+TEST(EnergyBalanceOfMotors, ClosesOverALongTime) {
   for (const bool rolls : {false, true}) {
     model::Parameters p;
     p.balls = 3;
@@ -254,7 +254,7 @@ constexpr double gauss_nodes[] = {0.046910077030668, 0.2307653449471585, 0.5, 0.
 constexpr double gauss_weights[] = {0.118463442528095, 0.2393143352496832, 0.2844444444444444, 0.2393143352496832,
                                     0.118463442528095};
 
-TEST(EnergyBalanceOfSimulate, closes_over_its_samples) {
+TEST(EnergyBalanceOfSimulate, ClosesOverItsSamples) {
   for (const Case& c : cases::all()) {
     if (c.name.find("everything_3") == std::string::npos) continue;
     const model::Parameters& p = c.study.parameters;

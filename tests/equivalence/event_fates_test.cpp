@@ -62,7 +62,7 @@ BasinResult run(Study study, std::uint64_t starts) {
 
 class EventFates : public testing::TestWithParam<Case> {};
 
-TEST_P(EventFates, hold_twenty_times_later) {
+TEST_P(EventFates, HoldTwentyTimesLater) {
   constexpr std::uint64_t starts = 24;  // three blocks of the widest lanes; 240 in all
   Study study = parse_study(GetParam().toml, GetParam().name);
   const BasinResult early = run(study, starts);
@@ -85,7 +85,7 @@ TEST_P(EventFates, hold_twenty_times_later) {
 INSTANTIATE_TEST_SUITE_P(Of, EventFates, testing::ValuesIn(cases()), [](const auto& info) { return info.param.name; });
 
 // Every start followed by itself, in doubles, until its balls rest.
-TEST(UnbalanceLeft, has_the_quantiles_of_a_direct_run) {
+TEST(UnbalanceLeft, HasTheQuantilesOfADirectRun) {
   const Study study = parse_study(heavy + two + sticks + constant, "stuck");
   constexpr std::uint64_t starts = 120;
   const BasinResult result = run(study, starts);
@@ -116,7 +116,7 @@ TEST(UnbalanceLeft, has_the_quantiles_of_a_direct_run) {
 }
 
 // Attractors along a parameter: contact ends where balls become small, stuck balls stay one motion.
-TEST(BranchesWithEvents, follow_what_touches_and_what_sticks) {
+TEST(BranchesWithEvents, FollowWhatTouchesAndWhatSticks) {
   const Study study = parse_study(heavy + two + sticks + constant, "along");
   ContinuationOptions options;
   options.threads = 1;

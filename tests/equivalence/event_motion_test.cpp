@@ -80,7 +80,7 @@ MatrixXd saltation(const model::System& passing, const model::Parameters& p, con
   return reset + (behind - reset * before) * gap.transpose() / gap.dot(before);
 }
 
-TEST(MultipliersThroughImpacts, are_those_of_saltation_matrices) {
+TEST(MultipliersThroughImpacts, AreThoseOfSaltationMatrices) {
   const Study study = study_of("balls = 2\nmass = 0.03\ndrag = [0.05, 0.1]\ncontact_angle = 0.5\n",
                                "profile = \"constant\"\nspeed = 2.0");
   const model::System system = study.system(), passing = without_events(system);
@@ -130,7 +130,7 @@ TEST(MultipliersThroughImpacts, are_those_of_saltation_matrices) {
 }
 
 // Where nothing touches, the motion is that of balls that pass each other, to the last bit.
-TEST(MotionsWithoutTouch, are_those_of_passing_balls) {
+TEST(MotionsWithoutTouch, AreThoseOfPassingBalls) {
   const Study study =
       study_of("balls = 2\nmass = 0.05\ndrag = 0.05\ncontact_angle = 0.3\n", "profile = \"constant\"\nspeed = 2.4");
   const model::System system = study.system();
@@ -146,7 +146,7 @@ TEST(MotionsWithoutTouch, are_those_of_passing_balls) {
 class StuckForGood : public testing::TestWithParam<std::string> {};
 
 // From the first time that balls are said to be stuck none moves for 3000 units more, some hundred decay times.
-TEST_P(StuckForGood, no_ball_ever_moves_again) {
+TEST_P(StuckForGood, NoBallEverMovesAgain) {
   const std::string motor = "profile = \"torque\"\ninitial = 0.0\ntorque = { constant = 0.3, slope = -0.1 }";
   const std::string constant = "profile = \"constant\"\nspeed = 2.4";
   const std::string which = GetParam();

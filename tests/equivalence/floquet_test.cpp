@@ -56,7 +56,7 @@ class Orbits : public testing::TestWithParam<Case> {
   PeriodicOrbit orbit;
 };
 
-TEST_P(Orbits, have_the_monodromy_matrix_that_differences_of_trajectories_give) {
+TEST_P(Orbits, HaveTheMonodromyMatrixThatDifferencesOfTrajectoriesGive) {
   const VectorXd z = orbit.nodes[0];
   const auto flight = equipoise::follow_derivative({p, speed}, z, orbit.period, 1e-12);
   ASSERT_TRUE(flight);
@@ -83,7 +83,7 @@ TEST_P(Orbits, have_the_monodromy_matrix_that_differences_of_trajectories_give) 
     EXPECT_LT((values.array() - multiplier).abs().minCoeff(), 1e-9);  // steps of 1e-12, times the values' condition
 }
 
-TEST_P(Orbits, contract_volume_by_the_integral_of_the_divergence) {
+TEST_P(Orbits, ContractVolumeByTheIntegralOfTheDivergence) {
   // A periodic integrand: the trapezoidal rule converges faster than any power.
   const auto states = equipoise::sample_orbit({p, speed}, orbit, 512);
   double integral = 0.0;
@@ -95,7 +95,7 @@ TEST_P(Orbits, contract_volume_by_the_integral_of_the_divergence) {
   RecordProperty("relative_difference", fmt::format("{:.2g}", relative));
 }
 
-TEST_P(Orbits, sampled_states_close_and_repeat) {
+TEST_P(Orbits, SampledStatesCloseAndRepeat) {
   const auto states = equipoise::sample_orbit({p, speed}, orbit, 37);
   ASSERT_EQ(states.size(), 37u);
   VectorXd end = *advance_state({p, speed}, states.back(), orbit.period / 37);
@@ -103,7 +103,7 @@ TEST_P(Orbits, sampled_states_close_and_repeat) {
   EXPECT_LT((end - states.front()).cwiseAbs().maxCoeff(), 1e-10);  // steps of 1e-12 and the residual
 }
 
-TEST_P(Orbits, deviations_shrink_in_the_frame_at_its_rates) {
+TEST_P(Orbits, DeviationsShrinkInTheFrameAtItsRates) {
   constexpr int count = 96;
   const auto frame = equipoise::floquet_frame({p, speed}, orbit, count);
   ASSERT_TRUE(frame);
@@ -140,7 +140,7 @@ TEST_P(Orbits, deviations_shrink_in_the_frame_at_its_rates) {
   RecordProperty("largest_difference", fmt::format("{:.2g}", largest));
 }
 
-TEST_P(Orbits, have_exponents_that_are_the_multipliers_logarithms) {
+TEST_P(Orbits, HaveExponentsThatAreTheMultipliersLogarithms) {
   const double duration = 300.0 * orbit.period;  // whole periods: what remains is that vectors turn within the frame
   const auto exponents = lyapunov_exponents({p, speed}, orbit.nodes[0], duration, 8);
   ASSERT_EQ(exponents.size(), 8u);
@@ -151,7 +151,7 @@ TEST_P(Orbits, have_exponents_that_are_the_multipliers_logarithms) {
 
 INSTANTIATE_TEST_SUITE_P(Case, Orbits, testing::ValuesIn(cases), [](const auto& info) { return info.param.name; });
 
-TEST(LyapunovExponents, of_an_equilibrium_are_its_eigenvalues_real_parts) {
+TEST(LyapunovExponents, OfAnEquilibriumAreItsEigenvaluesRealParts) {
   const model::Parameters p = base_rotor();
   for (double speed : {1.5, 2.4, 5.0}) {  // unstable at 1.5
     const auto angles = model::balanced_states(p).angles[0];
@@ -165,7 +165,7 @@ TEST(LyapunovExponents, of_an_equilibrium_are_its_eigenvalues_real_parts) {
   }
 }
 
-TEST(LyapunovExponents, of_few_vectors_are_the_largest_of_all) {
+TEST(LyapunovExponents, OfFewVectorsAreTheLargestOfAll) {
   const model::Parameters p = base_rotor();
   const VectorXd z = settled(2.4, 1.0, 1.0, 400.0);
   const auto all = lyapunov_exponents({p, 2.4}, z, 1000.0, 8), few = lyapunov_exponents({p, 2.4}, z, 1000.0, 3);
@@ -174,7 +174,7 @@ TEST(LyapunovExponents, of_few_vectors_are_the_largest_of_all) {
 }
 
 // V2, both balls drifting: quasi-periodic, two zero exponents. Recorded with an earlier, independent code.
-TEST(LyapunovExponents, of_the_drifting_torus_are_the_recorded_ones) {
+TEST(LyapunovExponents, OfTheDriftingTorusAreTheRecordedOnes) {
   struct Row {
     double speed, phi1, phi2, third, fourth;
   };
@@ -192,7 +192,7 @@ TEST(LyapunovExponents, of_the_drifting_torus_are_the_recorded_ones) {
   }
 }
 
-TEST(LyapunovExponents, at_2_5_show_chaos_and_agree_with_two_neighbouring_trajectories) {
+TEST(LyapunovExponents, At25ShowChaosAndAgreeWithTwoNeighbouringTrajectories) {
   const model::Parameters p = base_rotor();
   const VectorXd start = settled(2.5, 2.0488, 1.7810, 2000.0);
   const auto found = lyapunov_exponents({p, 2.5}, start, 4e4, 2);

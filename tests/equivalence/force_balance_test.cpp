@@ -118,7 +118,7 @@ void expect_same(const Instant& at, const Answer& a, const Answer& b) {
   RC_ASSERT(std::fabs(a.torque - b.torque) < rounding * (1.0 + std::fabs(b.torque)));
 }
 
-RC_GTEST_PROP(ForceBalance, of_free_balls_is_that_of_a_machine_without_options_and_of_lagrange, ()) {
+RC_GTEST_PROP(ForceBalance, OfFreeBallsIsThatOfAMachineWithoutOptionsAndOfLagrange, ()) {
   const Instant at = drawn(false);
   const Answer reference = in_fixed_axes(at), machine = of_machine(at);
   expect_same(at, machine, reference);
@@ -132,7 +132,7 @@ RC_GTEST_PROP(ForceBalance, of_free_balls_is_that_of_a_machine_without_options_a
   expect_same(at, body, machine);
 }
 
-RC_GTEST_PROP(ForceBalance, of_held_balls_is_that_of_one_body_and_of_lagrange, ()) {
+RC_GTEST_PROP(ForceBalance, OfHeldBallsIsThatOfOneBodyAndOfLagrange, ()) {
   const Instant at = drawn(true);
   const Answer machine = of_machine(at);
   expect_same(at, machine, in_fixed_axes(at));
@@ -148,7 +148,7 @@ RC_GTEST_PROP(ForceBalance, of_held_balls_is_that_of_one_body_and_of_lagrange, (
 }
 
 // Under the torque that a prescribed motion needs, a motor moves the rotor just so.
-RC_GTEST_PROP(ForceBalance, under_the_torque_of_a_prescribed_motion_is_that_motion, ()) {
+RC_GTEST_PROP(ForceBalance, UnderTheTorqueOfAPrescribedMotionIsThatMotion, ()) {
   const Instant at = drawn(*rc::gen::arbitrary<bool>());
   const Answer prescribed = of_machine(at);
   double acceleration = 0.0;
@@ -158,7 +158,7 @@ RC_GTEST_PROP(ForceBalance, under_the_torque_of_a_prescribed_motion_is_that_moti
 }
 
 // Balls that move as one: in closed form, and with pushes between neighbours solved for such that their rates agree.
-RC_GTEST_PROP(ForceBalance, of_joined_balls_is_that_with_the_pushes_that_keep_their_rates_equal, ()) {
+RC_GTEST_PROP(ForceBalance, OfJoinedBallsIsThatWithThePushesThatKeepTheirRatesEqual, ()) {
   const Instant at = drawn(false);
   const int n = at.p.balls;
   const Machine machine(at.p);

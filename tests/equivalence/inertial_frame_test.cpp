@@ -80,7 +80,7 @@ Deviations compare(const Trajectory& run, const std::vector<FixedState>& referen
 
 class InertialFrame : public testing::TestWithParam<Case> {};
 
-TEST_P(InertialFrame, gives_the_same_trajectory) {
+TEST_P(InertialFrame, GivesTheSameTrajectory) {
   const Case& c = GetParam();
   const auto times = output_times();
   EXPECT_NEAR(c.study.release_time(), c.release, 1e-13);  // one division and one product away from the table's numbers
@@ -98,7 +98,7 @@ TEST_P(InertialFrame, gives_the_same_trajectory) {
 INSTANTIATE_TEST_SUITE_P(Case, InertialFrame, testing::ValuesIn(cases::all()),
                          [](const auto& info) { return info.param.name; });
 
-TEST(InertialFrameReference, does_not_change_with_its_step) {
+TEST(InertialFrameReference, DoesNotChangeWithItsStep) {
   const auto times = output_times();
   for (const Case& c : cases::all()) {
     if (c.name.find("everything_3") == std::string::npos && c.name.find("gravity") == std::string::npos) continue;

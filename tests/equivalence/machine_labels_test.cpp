@@ -118,7 +118,7 @@ std::vector<Case> cases() {
 
 class MachineLabels : public testing::TestWithParam<Case> {};
 
-TEST_P(MachineLabels, hold_ten_times_later) {
+TEST_P(MachineLabels, HoldTenTimesLater) {
   const Case& c = GetParam();
   const Study study = parse_study(c.toml, c.name);
   constexpr std::size_t starts = equipoise::sized(10, 3);
@@ -157,7 +157,7 @@ INSTANTIATE_TEST_SUITE_P(Case, MachineLabels, testing::ValuesIn(cases()),
                          [](const auto& info) { return info.param.name; });
 
 // Four balls on a machine in kilograms: the last ball's drift takes long to die, and is no capture. Whatever the motor.
-TEST(SlowBalance, is_not_taken_for_capture) {
+TEST(SlowBalance, IsNotTakenForCapture) {
   for (const char* stall : {"1 N m", "2 N m", "4 N m"}) {
     const Study study = parse_study(
         fmt::format(
@@ -173,7 +173,7 @@ TEST(SlowBalance, is_not_taken_for_capture) {
 
 // The mirror image of a motor that turns backwards, with every ball's angle mirrored, is one that turns forwards: the
 // balanced shares of one sample each differ by chance only.
-TEST(Backwards, is_the_mirror_image) {
+TEST(Backwards, IsTheMirrorImage) {
   const auto count = [](const char* law) {
     const Study study = parse_study(
         text("damping = 0.5\ninertia = 0.5\n", "balls = 2\nmass = 0.05\ndrag = 0.05\n", motor(law)), "mirror");
@@ -190,7 +190,7 @@ TEST(Backwards, is_the_mirror_image) {
 
 // Balls that friction holds are told alike, however long starts are followed: three balls next to a member of the
 // continuum that hardly attracts.
-TEST(DryFriction, is_judged_alike_at_every_horizon) {
+TEST(DryFriction, IsJudgedAlikeAtEveryHorizon) {
   for (const char* horizon : {"9000", "50000"}) {
     const Study study = parse_study(
         std::string("[rotor]\neccentricity = 0.0042\ndamping = 0.391\n[balancer]\nballs = 3\nmass = 0.00234\n"
@@ -203,7 +203,7 @@ TEST(DryFriction, is_judged_alike_at_every_horizon) {
 }
 
 // A motor that does not come to the speed at which the balls are let go: given up, and said.
-TEST(Release, that_is_never_reached_is_said) {
+TEST(Release, ThatIsNeverReachedIsSaid) {
   const auto answer = [](const std::string& law, double release) {
     const Study study =
         parse_study(text("damping = 0.5\ninertia = 0.5\n", "balls = 2\nmass = 0.05\ndrag = 0.05\n", motor(law)) +
@@ -232,7 +232,7 @@ TEST(Release, that_is_never_reached_is_said) {
 }
 
 // What undecided machines do.
-TEST(UndecidedMachines, say_what_they_do) {
+TEST(UndecidedMachines, SayWhatTheyDo) {
   const std::string two = "balls = 2\nmass = 0.05\ndrag = 0.05\n", heavy = "damping = 0.5\ninertia = 0.5\n";
   const auto note = [&](const std::string& law, const std::string& more) {
     return equipoise::basin(parse_study(text(heavy, two, motor(law)) + "[sampling]\nstarts = 20\n" + more, "undecided"))
@@ -252,7 +252,7 @@ TEST(UndecidedMachines, say_what_they_do) {
 }
 
 // What is said of balance is its linear stability.
-TEST(BalanceNote, is_about_stability) {
+TEST(BalanceNote, IsAboutStability) {
   const auto note = [](const std::string& toml) {
     const Study study = parse_study(toml, "note");
     const auto found = equipoise::analyse_balanced(study.system());
@@ -357,7 +357,7 @@ TEST(Passed, MeansTheResonance) {
 }
 
 // Came through or not is told by each start's own mean speed, from the file as from the run.
-TEST(Passed, has_bounds_and_survives_the_file) {
+TEST(Passed, HasBoundsAndSurvivesTheFile) {
   const std::string path = (std::filesystem::temp_directory_path() / "equipoise_machine_passed.nc").string();
   std::filesystem::remove(path);
   Study study = parse_study(text("damping = 0.5\ninertia = 0.5\n", "balls = 2\nmass = 0.05\ndrag = 0.05\n",

@@ -43,7 +43,7 @@ double largest_difference(const Trajectory& a, const Trajectory& b) {
 
 // EQUATIONS: tau = iota a0 with iota to infinity is the prescribed ramp; what the rotor's shaking does to its speed
 // falls as 1/iota.
-TEST(MachineLimits, a_heavy_rotor_turns_as_prescribed) {
+TEST(MachineLimits, AHeavyRotorTurnsAsPrescribed) {
   const auto times = times_until(60.0, 60);
   const std::string release = "\n[release]\nspeed = 1.2\n";
   const Study ramp =
@@ -88,7 +88,7 @@ std::vector<double> energies(const Study& study, const Trajectory& run) {
   return result;
 }
 
-TEST(MachineLimits, energy_without_a_motor_never_grows) {
+TEST(MachineLimits, EnergyWithoutAMotorNeverGrows) {
   struct Option {
     const char* name;
     std::string balancer;
@@ -125,7 +125,7 @@ TEST(MachineLimits, energy_without_a_motor_never_grows) {
   }
 }
 
-TEST(MachineLimits, balls_that_collide_never_overlap) {
+TEST(MachineLimits, BallsThatCollideNeverOverlap) {
   for (const double restitution : {0.0, 0.5, 1.0}) {
     std::string text = study_text("", fmt::format("contact_angle = 0.4\nrestitution = {}", restitution),
                                   "profile = \"constant\"\nspeed = 2.0");
@@ -145,7 +145,7 @@ TEST(MachineLimits, balls_that_collide_never_overlap) {
 }
 
 // Stiction holds the balls where the force that still moves them is below it: the rotor is left with a residual.
-TEST(MachineLimits, stiction_leaves_a_residual_unbalance) {
+TEST(MachineLimits, StictionLeavesAResidualUnbalance) {
   const std::string constant = "profile = \"constant\"\nspeed = 2.4";
   const auto residual = [&](const std::string& balancer) {
     const Study study = parse_study(study_text("", balancer, constant), "stiction");
@@ -157,7 +157,7 @@ TEST(MachineLimits, stiction_leaves_a_residual_unbalance) {
   EXPECT_GT(large, small);
 }
 
-TEST(MachineEnsemble, a_weak_motor_stalls_and_a_strong_one_does_not) {
+TEST(MachineEnsemble, AWeakMotorStallsAndAStrongOneDoesNot) {
   const auto outcomes = [](double stall) {
     std::string text =
         study_text("inertia = 1.0", "",

@@ -110,7 +110,7 @@ std::vector<Case> cases() {
 
 class Machine : public testing::TestWithParam<Case> {};
 
-TEST_P(Machine, moves_as_mass_points_do) {
+TEST_P(Machine, MovesAsMassPointsDo) {
   const Case& c = GetParam();
   const Study study = parse_study(c.toml, c.name);
   std::vector<double> times;

@@ -96,7 +96,7 @@ void expect_shape(const Found& orbit, double speed, double period, double period
   EXPECT_NEAR(std::abs(orbit->multipliers[0] - 1.0), 0.0, 1e-11) << speed;  // steps of 1e-12
 }
 
-TEST(CoincidentOrbit, has_the_recorded_shape_and_obeys_the_transverse_law) {
+TEST(CoincidentOrbit, HasTheRecordedShapeAndObeysTheTransverseLaw) {
   struct Row {
     double speed, period, r_min, r_max, multiplier;
   };
@@ -123,7 +123,7 @@ TEST(CoincidentOrbit, has_the_recorded_shape_and_obeys_the_transverse_law) {
   }
 }
 
-TEST(CoincidentOrbit, loses_stability_in_a_pitchfork_between_4_40_and_4_50) {
+TEST(CoincidentOrbit, LosesStabilityInAPitchforkBetween440And450) {
   const Found orbit = continued(coincident(3.4), 3.4, 4.5, 0.1);
   expect_shape(orbit, 4.5, 1.7752, 1e-4, .1809, .2031);
   ASSERT_TRUE(orbit);
@@ -134,7 +134,7 @@ TEST(CoincidentOrbit, loses_stability_in_a_pitchfork_between_4_40_and_4_50) {
 }
 
 // One ball of the whole mass is the same motion; so are four or eight in one place, with more transverse pairs.
-TEST(CoincidentOrbit, is_one_for_every_number_of_balls) {
+TEST(CoincidentOrbit, IsOneForEveryNumberOfBalls) {
   const double speed = 2.4;
   const Found two = coincident(speed);
   ASSERT_TRUE(two);
@@ -152,7 +152,7 @@ TEST(CoincidentOrbit, is_one_for_every_number_of_balls) {
   }
 }
 
-TEST(CapturedOrbit, has_the_recorded_shape_and_multipliers) {
+TEST(CapturedOrbit, HasTheRecordedShapeAndMultipliers) {
   struct Row {
     double speed, period, period_digit, r_min, r_max, first, first_digit, next, next_digit;
   };
@@ -187,7 +187,7 @@ TEST(CapturedOrbit, has_the_recorded_shape_and_multipliers) {
   EXPECT_TRUE(far->stable());
 }
 
-TEST(CapturedOrbit, has_an_exchange_copy) {
+TEST(CapturedOrbit, HasAnExchangeCopy) {
   const model::Parameters p = rotor();
   const Found orbit = captured();
   ASSERT_TRUE(orbit);
@@ -221,7 +221,7 @@ Fold fold_below(Found orbit, double speed, double step) {
   return {speed, orbit->multipliers[1]};
 }
 
-TEST(CapturedOrbit, is_born_in_a_saddle_node_between_2_90_and_2_95) {
+TEST(CapturedOrbit, IsBornInASaddleNodeBetween290And295) {
   const Found orbit = continued(captured(), captured_speed, 2.95, 0.05);
   ASSERT_TRUE(orbit);
   const Fold fold = fold_below(orbit, 2.95, 0.01);
@@ -229,7 +229,7 @@ TEST(CapturedOrbit, is_born_in_a_saddle_node_between_2_90_and_2_95) {
   EXPECT_LT(std::abs(fold.multiplier - 1.0), 0.01);  // falls like the square root of the distance, here 0.6 times it
 }
 
-TEST(PeriodFourOrbit, is_where_three_recorded_starts_end) {
+TEST(PeriodFourOrbit, IsWhereThreeRecordedStartsEnd) {
   const model::Parameters p = rotor();
   for (const auto& phi : {std::array{5.54933, 5.46019}, std::array{1.17174, 1.00534}, std::array{.84736, .92647}}) {
     // The slowest rate is -0.00061: what 6000 units leave of a deviation of 1 is a good guess.
@@ -258,7 +258,7 @@ TEST(PeriodFourOrbit, is_where_three_recorded_starts_end) {
   }
 }
 
-TEST(PeriodFourOrbit, ends_in_a_saddle_node_below_and_a_period_doubling_above) {
+TEST(PeriodFourOrbit, EndsInASaddleNodeBelowAndAPeriodDoublingAbove) {
   const model::Parameters p = rotor();
   const Found orbit = refine_orbit({p, 4.4}, settled(p, 4.4, {1.17174, 1.00534}, 6000.0), 16.25);
   ASSERT_TRUE(orbit);
@@ -288,7 +288,7 @@ TEST(PeriodFourOrbit, ends_in_a_saddle_node_below_and_a_period_doubling_above) {
   EXPECT_TRUE(doubled->stable());
 }
 
-TEST(RefineOrbit, returns_the_smallest_period) {
+TEST(RefineOrbit, ReturnsTheSmallestPeriod) {
   const model::Parameters p = rotor();
   const Found once = captured();
   ASSERT_TRUE(once);
@@ -300,7 +300,7 @@ TEST(RefineOrbit, returns_the_smallest_period) {
   }
 }
 
-TEST(RefineOrbit, rejects_equilibria) {
+TEST(RefineOrbit, RejectsEquilibria) {
   const model::Parameters p = rotor();
   const auto angles = model::balanced_states(p).angles[0];
   VectorXd z = model::centred_state(p, angles.data());
@@ -311,7 +311,7 @@ TEST(RefineOrbit, rejects_equilibria) {
 }
 
 // Real part of the leading eigenvalue; the table of all is in unit/linearisation_test.cpp.
-TEST(RefineEquilibrium, finds_balanced_states_and_their_stability) {
+TEST(RefineEquilibrium, FindsBalancedStatesAndTheirStability) {
   struct Row {
     double drag, speed, rate;
   };
@@ -337,7 +337,7 @@ TEST(RefineEquilibrium, finds_balanced_states_and_their_stability) {
   }
 }
 
-TEST(RefineEquilibrium, reaches_families_where_the_jacobian_is_singular) {
+TEST(RefineEquilibrium, ReachesFamiliesWhereTheJacobianIsSingular) {
   for (int n : {3, 4, 5, 8}) {
     const model::Parameters p = rotor(n);
     std::array<double, model::max_balls> phi{};

@@ -121,14 +121,14 @@ void expect_orders(const std::string& what, const std::vector<double>& errors, d
   testing::Test::RecordProperty("orders_of_" + what, fmt::format("{:.2f}", fmt::join(orders(errors), " ")));
 }
 
-TEST(Dop853, has_a_solution_of_order_8_on_a_known_problem) {
+TEST(Dop853, HasASolutionOfOrder8OnAKnownProblem) {
   std::vector<double> errors;
   for (int steps : {8, 16, 32})
     errors.push_back(distance(integrate<4>(Known{}, 0.5, 1.5, steps, Known::solution(0.5)), Known::solution(1.5)));
   expect_orders("solution", errors, 8.0, 0.4, 0.4);  // finer steps would meet rounding, 1e-13 for states of 150
 }
 
-TEST(Dop853, has_a_solution_of_order_8_on_the_balancer) {
+TEST(Dop853, HasASolutionOfOrder8OnTheBalancer) {
   const Balancer f;
   const auto reference = integrate<8>(f, 0.0, 12.0, 800, Balancer::start());
   std::vector<double> errors;
@@ -137,7 +137,7 @@ TEST(Dop853, has_a_solution_of_order_8_on_the_balancer) {
   expect_orders("solution", errors, 8.0, 0.5, 0.5);
 }
 
-TEST(Dop853, has_error_estimates_of_orders_5_and_3_that_combine_to_8) {
+TEST(Dop853, HasErrorEstimatesOfOrders5And3ThatCombineTo8) {
   const Balancer f;
   std::vector<double> error5, error3, combined;
   for (double h : {0.2, 0.1, 0.05}) {
@@ -152,14 +152,14 @@ TEST(Dop853, has_error_estimates_of_orders_5_and_3_that_combine_to_8) {
   expect_orders("combined", combined, 8.0, 0.5, 0.5);
 }
 
-TEST(Dop853, overestimates_the_error_of_a_step) {
+TEST(Dop853, OverestimatesTheErrorOfAStep) {
   for (double h : {0.1, 0.05}) {
     const auto step = take_step<4>(Known{}, 0.7, h, Known::solution(0.7));
     EXPECT_GT(step.combined, distance(step.end, Known::solution(0.7 + h)));
   }
 }
 
-TEST(Dop853, has_dense_output_of_order_7) {
+TEST(Dop853, HasDenseOutputOfOrder7) {
   const auto largest = [](double h) {
     const auto step = take_step<4>(Known{}, 0.7, h, Known::solution(0.7));
     double error = 0.0;
@@ -171,7 +171,7 @@ TEST(Dop853, has_dense_output_of_order_7) {
   expect_orders("dense_output", {largest(0.16), largest(0.08), largest(0.04)}, 8.0, 0.5, 0.5);
 }
 
-TEST(Dop853, has_dense_output_that_joins_smoothly) {
+TEST(Dop853, HasDenseOutputThatJoinsSmoothly) {
   const auto first = take_step<4>(Known{}, 0.7, 0.1, Known::solution(0.7));
   EXPECT_EQ(distance(first.at(0.0), first.begin), 0.0);
   EXPECT_LT(distance(first.at(1.0), first.end), 1e-15 * 10.0);  // rounding; states reach 10
@@ -189,7 +189,7 @@ struct Power {
   void operator()(double t, const double*, double* dy) const { dy[0] = (k + 1) * std::pow(t, k); }
 };
 
-TEST(Dop853, integrates_polynomials_exactly_up_to_its_order) {
+TEST(Dop853, IntegratesPolynomialsExactlyUpToItsOrder) {
   const auto step = [](int k) { return take_step<1>(Power{k}, 0.0, 1.0, State<1>{0.25}); };
   // Weights as large as 500 cancel in the sums: rounding of 1e-13; the weights' digits give the same.
   constexpr double exact = 2e-13, wrong = 1e-6;
@@ -205,7 +205,7 @@ TEST(Dop853, integrates_polynomials_exactly_up_to_its_order) {
   EXPECT_GT(std::fabs(step(7).at(0.5)[0] - 0.25 - std::pow(0.5, 8)), wrong);
 }
 
-TEST(Dop853, evaluates_every_stage_at_the_time_its_weights_add_up_to) {
+TEST(Dop853, EvaluatesEveryStageAtTheTimeItsWeightsAddUpTo) {
   for (int row = 1; row < tableau::dense_stages; ++row) {
     double sum = 0.0;
     for (double weight : tableau::a[row]) sum += weight;
@@ -213,7 +213,7 @@ TEST(Dop853, evaluates_every_stage_at_the_time_its_weights_add_up_to) {
   }
 }
 
-TEST(AdaptiveIntegrator, keeps_errors_in_proportion_to_its_tolerance) {
+TEST(AdaptiveIntegrator, KeepsErrorsInProportionToItsTolerance) {
   const Known f;
   for (double tolerance : {1e-6, 1e-8, 1e-10, 1e-12}) {
     kernels::ErrorScale<4> scale;

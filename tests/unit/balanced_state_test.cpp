@@ -47,7 +47,7 @@ void expect_isolated(const Parameters& p, std::size_t count) {
   for (const auto& phi : states.angles) EXPECT_LT(unbalance(p, phi.data()), 1e-15 * (count == 2 ? 1.0 : 10.0));
 }
 
-TEST(BalancedStates, of_one_ball_exist_only_if_it_weighs_what_the_unbalance_does) {
+TEST(BalancedStates, OfOneBallExistOnlyIfItWeighsWhatTheUnbalanceDoes) {
   expect_isolated(rotor(0.01, {0.01}), 1);
   EXPECT_EQ(balanced_states(rotor(0.01, {0.01})).angles[0][0], pi);
   expect_none(rotor(0.01, {0.02}));
@@ -55,7 +55,7 @@ TEST(BalancedStates, of_one_ball_exist_only_if_it_weighs_what_the_unbalance_does
   expect_none(rotor(0.0, {0.01}));
 }
 
-TEST(BalancedStates, of_two_equal_balls_are_mirror_images) {
+TEST(BalancedStates, OfTwoEqualBallsAreMirrorImages) {
   const Parameters p = rotor(0.01, {0.05, 0.05});
   expect_isolated(p, 2);
   const auto states = balanced_states(p);
@@ -68,7 +68,7 @@ TEST(BalancedStates, of_two_equal_balls_are_mirror_images) {
   EXPECT_EQ(states.angles[1][1], -states.angles[0][1]);
 }
 
-TEST(BalancedStates, of_two_unequal_balls_satisfy_the_law_of_cosines) {
+TEST(BalancedStates, OfTwoUnequalBallsSatisfyTheLawOfCosines) {
   const Parameters p = rotor(0.03, {0.05, 0.04});
   expect_isolated(p, 2);
   for (const auto& phi : balanced_states(p).angles) {
@@ -79,14 +79,14 @@ TEST(BalancedStates, of_two_unequal_balls_satisfy_the_law_of_cosines) {
   }
 }
 
-TEST(BalancedStates, of_two_balls_merge_where_the_triangle_is_flat) {
+TEST(BalancedStates, OfTwoBallsMergeWhereTheTriangleIsFlat) {
   expect_isolated(rotor(0.1, {0.06, 0.04}), 1);   // together opposite the heavy side
   expect_isolated(rotor(0.01, {0.05, 0.04}), 1);  // on one line, the lighter one on the heavy side
   expect_isolated(rotor(0.01, {0.04, 0.05}), 1);
   expect_isolated(rotor(0.1, {0.05, 0.05}), 1);
 }
 
-TEST(BalancedStates, are_ruled_out_by_the_polygon_inequality) {
+TEST(BalancedStates, AreRuledOutByThePolygonInequality) {
   expect_none(rotor(0.11, {0.05, 0.05}));
   expect_none(rotor(0.01, {0.05, 0.03}));  // heavy enough together, yet ball 1 outweighs the rest
   expect_none(rotor(0.2, {0.05, 0.05, 0.05}));
@@ -94,27 +94,27 @@ TEST(BalancedStates, are_ruled_out_by_the_polygon_inequality) {
   expect_none(rotor(0.01, {0.05, 0.05, 0.05, 0.05, 0.3}));
 }
 
-TEST(BalancedStates, without_unbalance_form_a_family_if_the_balls_balance_each_other) {
+TEST(BalancedStates, WithoutUnbalanceFormAFamilyIfTheBallsBalanceEachOther) {
   EXPECT_EQ(balanced_states(rotor(0.0, {0.05, 0.05})).kind, Kind::family);
   EXPECT_EQ(balanced_states(rotor(0.0, {0.05, 0.06, 0.07})).kind, Kind::family);
   expect_none(rotor(0.0, {0.05, 0.04}));
   expect_none(rotor(0.0, {0.2, 0.05, 0.06}));
 }
 
-TEST(BalancedStates, do_not_exist_under_gravity) {
+TEST(BalancedStates, DoNotExistUnderGravity) {
   Parameters p = rotor(0.01, {0.05, 0.05});
   p.gravity = 1e-3;
   expect_none(p);
 }
 
-TEST(BalancedStates, do_not_depend_on_the_supports) {
+TEST(BalancedStates, DoNotDependOnTheSupports) {
   Parameters p = rotor(0.01, {0.05, 0.05});
   p.stiffness = {1.0, 2.0};
   p.damping = {0.1, 0.7};
   expect_isolated(p, 2);
 }
 
-TEST(BalancedStates, of_three_balls_or_more_are_found_near_any_generic_start) {
+TEST(BalancedStates, OfThreeBallsOrMoreAreFoundNearAnyGenericStart) {
   for (int n = 3; n <= 8; ++n) {
     Parameters p = rotor(0.01, {});
     p.balls = n;
@@ -128,7 +128,7 @@ TEST(BalancedStates, of_three_balls_or_more_are_found_near_any_generic_start) {
   }
 }
 
-TEST(ProjectionToBalanced, moves_a_balanced_state_not_at_all_and_a_neighbour_little) {
+TEST(ProjectionToBalanced, MovesABalancedStateNotAtAllAndANeighbourLittle) {
   const Parameters p = rotor(0.01, {0.05, 0.05, 0.06});
   double phi[] = {0.3, 2.4, 4.4};
   ASSERT_TRUE(equipoise::model::project_to_balanced(p, phi));
@@ -141,7 +141,7 @@ TEST(ProjectionToBalanced, moves_a_balanced_state_not_at_all_and_a_neighbour_lit
   EXPECT_LT(std::hypot(near[0] - phi[0] - 1e-3, near[1] - phi[1] + 1e-3, near[2] - phi[2] - 2e-3), 2.45e-3);
 }
 
-TEST(ProjectionToBalanced, finds_the_same_member_however_often_balls_have_turned) {
+TEST(ProjectionToBalanced, FindsTheSameMemberHoweverOftenBallsHaveTurned) {
   const Parameters p = rotor(0.01, {0.05, 0.05, 0.06});
   double phi[] = {0.3, 2.4, 4.4}, turned[] = {0.3 - 2e4 * pi, 2.4 + 2e3 * pi, 4.4};
   ASSERT_TRUE(equipoise::model::project_to_balanced(p, phi));
@@ -151,7 +151,7 @@ TEST(ProjectionToBalanced, finds_the_same_member_however_often_balls_have_turned
   EXPECT_NEAR(turned[1] - 2e3 * pi, phi[1], 1e-11);
 }
 
-TEST(ProjectionToBalanced, gives_up_where_there_is_no_balanced_state) {
+TEST(ProjectionToBalanced, GivesUpWhereThereIsNoBalancedState) {
   double phi[] = {0.1, 2.0, 4.0};
   EXPECT_FALSE(equipoise::model::project_to_balanced(rotor(0.2, {0.05, 0.05, 0.05}), phi));
 }

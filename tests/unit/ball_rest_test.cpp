@@ -35,7 +35,7 @@ bool pushes_exist(const std::vector<Ball>& balls) {
   return low <= 0.0;  // none is handed on by the last
 }
 
-TEST(RestingRow, stays_if_pushes_can_be_found_that_let_friction_hold) {
+TEST(RestingRow, StaysIfPushesCanBeFoundThatLetFrictionHold) {
   std::mt19937_64 random(7);
   int stayed = 0, of_several = 0;
   for (int draw = 0; draw < 20000; ++draw) {
@@ -54,7 +54,7 @@ TEST(RestingRow, stays_if_pushes_can_be_found_that_let_friction_hold) {
 }
 
 // No accelerations that do not run into each other come nearer to what the forces ask for.
-TEST(RestingRow, goes_as_least_resistance_has_it) {
+TEST(RestingRow, GoesAsLeastResistanceHasIt) {
   std::mt19937_64 random(8);
   std::uniform_real_distribution<double> even(-1.0, 1.0);
   for (int draw = 0; draw < 2000; ++draw) {

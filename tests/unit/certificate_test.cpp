@@ -105,7 +105,7 @@ TEST(Certificate, ProvesBothStatesOfUnequalBalls) {
   for (std::size_t state : {0, 1}) expect_proved(case_of(unequal, 2.4, state));
 }
 
-TEST(Certificate, proves_balls_that_roll_and_is_not_one_of_balls_that_slide) {
+TEST(Certificate, ProvesBallsThatRollAndIsNotOneOfBallsThatSlide) {
   model::Parameters rolling = balancer(0.05);
   rolling.rolls = true;
   for (double speed : {2.4, 5.0}) expect_proved(case_of(rolling, speed));
@@ -116,7 +116,7 @@ TEST(Certificate, proves_balls_that_roll_and_is_not_one_of_balls_that_slide) {
   EXPECT_FALSE(check_certificate(one).proved);
 }
 
-TEST(Certificate, sets_hold_no_point_where_v_grows) {
+TEST(Certificate, SetsHoldNoPointWhereVGrows) {
   for (const auto& [beta, speed] : {std::pair{0.01, 3.0}, {0.05, 2.0}, {0.05, 2.4}, {0.25, 4.0}}) {
     const Case c = case_of(balancer(beta), speed);
     const Certificate found = largest_certificate({c.p, speed}, c.phi.data(), c.form, c.critical);
@@ -141,7 +141,7 @@ TEST(Certificate, sets_hold_no_point_where_v_grows) {
   }
 }
 
-TEST(Certificate, is_refused_above_the_sampled_critical_level) {
+TEST(Certificate, IsRefusedAboveTheSampledCriticalLevel) {
   for (const auto& [beta, speed] : {std::pair{0.01, 3.0}, {0.05, 2.4}, {0.25, 2.0}}) {
     const Case c = case_of(balancer(beta), speed);
     Certificate certificate;
@@ -156,7 +156,7 @@ TEST(Certificate, is_refused_above_the_sampled_critical_level) {
 
 // Overdamped balls on damped supports: rates from 1e-3 to 5, so that level sets are narrow and 20 000 random rays find
 // a level several times too high. The form's mirror image asks other directions of the same V.
-TEST(CriticalLevel, does_not_depend_on_the_sense_of_turning) {
+TEST(CriticalLevel, DoesNotDependOnTheSenseOfTurning) {
   for (const std::vector<double>& masses : {std::vector{0.00434, 0.00434}, {0.00434, 0.005}, {0.0083}}) {
     model::Parameters p = balancer(5.2, masses, 0.0083);
     p.damping = {0.883, 0.883};
@@ -181,7 +181,7 @@ TEST(CriticalLevel, does_not_depend_on_the_sense_of_turning) {
   }
 }
 
-TEST(Certificate, is_refused_for_forms_that_are_wrong) {
+TEST(Certificate, IsRefusedForFormsThatAreWrong) {
   const Case c = case_of(balancer(0.05), 2.4);
   const auto reason = [&](const Eigen::MatrixXd& form, double level) {
     Certificate certificate;
@@ -202,7 +202,7 @@ TEST(Certificate, is_refused_for_forms_that_are_wrong) {
   EXPECT_EQ(reason(c.form, 1e9), "the level set reaches around the race");
 }
 
-TEST(Certificate, is_refused_with_a_reason_where_there_is_nothing_to_prove) {
+TEST(Certificate, IsRefusedWithAReasonWhereThereIsNothingToProve) {
   const auto reason = [](const model::Parameters& p, double speed, std::array<double, 3> phi) {
     Certificate certificate;
     const int size = model::dimension(p.balls);
@@ -225,7 +225,7 @@ TEST(Certificate, is_refused_with_a_reason_where_there_is_nothing_to_prove) {
   EXPECT_NE(reason(p, 3.0, {1.67096, -1.67096}).find("gravity"), std::string::npos);
 }
 
-TEST(Certificate, is_refuted_once_anything_in_it_is_changed) {
+TEST(Certificate, IsRefutedOnceAnythingInItIsChanged) {
   const Case c = case_of(balancer(0.05), 2.4);
   Certificate good;
   ASSERT_TRUE(prove(c, 0.9, good).proved);
@@ -265,7 +265,7 @@ TEST(Certificate, is_refuted_once_anything_in_it_is_changed) {
   EXPECT_TRUE(refuted([](Certificate& b) { b.parameters.balls = 3; }));
 }
 
-TEST(Certificate, order_of_boxes_is_free) {
+TEST(Certificate, OrderOfBoxesIsFree) {
   const Case c = case_of(balancer(0.05), 2.4);
   Certificate certificate;
   ASSERT_TRUE(prove(c, 0.9, certificate).proved);
@@ -273,7 +273,7 @@ TEST(Certificate, order_of_boxes_is_free) {
   EXPECT_TRUE(check_certificate(certificate).proved);
 }
 
-TEST(Certificate, covers_the_trap_that_a_program_tests_in_doubles) {
+TEST(Certificate, CoversTheTrapThatAProgramTestsInDoubles) {
   // The program's V, from a rounded factor about rounded angles, against the exact form's: apart by far less than
   // level_slack.
   const Case c = case_of(balancer(0.01), 6.0);
@@ -296,7 +296,7 @@ TEST(Certificate, covers_the_trap_that_a_program_tests_in_doubles) {
   }
 }
 
-TEST(CertificateJson, gives_the_same_bits_back) {
+TEST(CertificateJson, GivesTheSameBitsBack) {
   std::vector<Certificate> written(2);
   ASSERT_TRUE(prove(case_of(balancer(0.05), 2.4), 0.9, written[0]).proved);
   ASSERT_TRUE(prove(case_of(balancer(0.05, {0.01}), 3.0), 0.9, written[1]).proved);
@@ -319,7 +319,7 @@ TEST(CertificateJson, gives_the_same_bits_back) {
   }
 }
 
-TEST(CertificateJson, names_what_does_not_fit) {
+TEST(CertificateJson, NamesWhatDoesNotFit) {
   std::vector<Certificate> one(1);
   ASSERT_TRUE(prove(case_of(balancer(0.05, {0.01}), 3.0), 0.9, one[0]).proved);
   const std::string good = certificates_json(one);
@@ -341,7 +341,7 @@ TEST(CertificateJson, names_what_does_not_fit) {
   EXPECT_NE(complaint(with("\"boxes\": [", "\"boxes\": [[1],")).find("boxes"), std::string::npos);
 }
 
-TEST(Certify, proves_a_study_and_says_why_it_does_not) {
+TEST(Certify, ProvesAStudyAndSaysWhyItDoesNot) {
   const std::string& text = constant_speed;
   const CertifyResult result = certify(parse_study(text, "study"));
   EXPECT_TRUE(result.proved());

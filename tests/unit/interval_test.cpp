@@ -43,7 +43,7 @@ class Random {
   std::mt19937_64 engine_{1};
 };
 
-TEST(Interval, arithmetic_holds_the_exact_result_and_little_more) {
+TEST(Interval, ArithmeticHoldsTheExactResultAndLittleMore) {
   Random random;
   for (int i = 0; i < 20000; ++i) {
     const double a = random.wide(), b = i % 2 ? random.wide() : random.nudged(-a);
@@ -61,7 +61,7 @@ TEST(Interval, arithmetic_holds_the_exact_result_and_little_more) {
   }
 }
 
-TEST(Interval, arithmetic_holds_the_results_of_all_points) {
+TEST(Interval, ArithmeticHoldsTheResultsOfAllPoints) {
   Random random;
   for (int i = 0; i < 5000; ++i) {
     Interval a(random.uniform(-2.0, 2.0)), b(random.uniform(-2.0, 2.0));
@@ -81,7 +81,7 @@ TEST(Interval, arithmetic_holds_the_results_of_all_points) {
   }
 }
 
-TEST(Interval, knows_no_bound_rather_than_a_wrong_one) {
+TEST(Interval, KnowsNoBoundRatherThanAWrongOne) {
   const Interval whole = Interval::whole(), zero(0.0), huge(1e308);
   for (const Interval& r : {Interval(1.0) / zero, Interval(1.0) / Interval(-1.0, 1.0), whole * zero, whole - whole,
                             Interval(0.0, 1.0) * whole, Interval(std::nan("")) + Interval(1.0)})
@@ -150,7 +150,7 @@ T sample_function(const T& x, const T& y) {
   return (s * c2 - x * y * y) / (T(3.0) + c * c - s2 * y) - (-c) * y;
 }
 
-TEST(AffineForm, holds_the_function_on_the_box_and_its_remainder_is_of_second_order) {
+TEST(AffineForm, HoldsTheFunctionOnTheBoxAndItsRemainderIsOfSecondOrder) {
   Random random;
   using Form = AffineForm<2>;
   for (int i = 0; i < 200; ++i) {
@@ -179,7 +179,7 @@ TEST(AffineForm, holds_the_function_on_the_box_and_its_remainder_is_of_second_or
   }
 }
 
-TEST(AffineForm, keeps_the_error_of_what_goes_in) {
+TEST(AffineForm, KeepsTheErrorOfWhatGoesIn) {
   const Interval third = Interval(1.0) / Interval(3.0);
   const AffineForm<1> f =
       AffineForm<1>(Constant(third)) * Constant(third) * AffineForm<1>(Constant(Interval(2.0, 2.5)));
@@ -189,7 +189,7 @@ TEST(AffineForm, keeps_the_error_of_what_goes_in) {
   EXPECT_FALSE(pole.radius < INFINITY);
 }
 
-TEST(Gradient, of_intervals_holds_the_derivatives_over_a_box) {
+TEST(Gradient, OfIntervalsHoldsTheDerivativesOverABox) {
   Random random;
   using Slope = equipoise::Gradient<Interval, 2>;
   for (int i = 0; i < 500; ++i) {
@@ -205,7 +205,7 @@ TEST(Gradient, of_intervals_holds_the_derivatives_over_a_box) {
   }
 }
 
-TEST(Expansion, multiplies_polynomials_and_reports_those_beyond_its_reach) {
+TEST(Expansion, MultipliesPolynomialsAndReportsThoseBeyondItsReach) {
   using E = equipoise::Expansion<equipoise::Gradient<double, 2>, 2>;
   const E q1 = E::variable(4), q2 = E::variable(5), x = E::variable(0);
   const E f = (E(3.0) + q1) * (E(2.0) * q1 - E(1.0)) + x * E(5.0) - q2 / E(4.0);
@@ -223,7 +223,7 @@ TEST(Expansion, multiplies_polynomials_and_reports_those_beyond_its_reach) {
   EXPECT_TRUE((E(1.0) + (q1 * q2) * E(2.0)).beyond);
 }
 
-TEST(Krawczyk, finds_the_one_zero_near_and_none_where_there_is_none) {
+TEST(Krawczyk, FindsTheOneZeroNearAndNoneWhereThereIsNone) {
   using P = equipoise::PlaneGradient;
   const auto circle_and_line = [](const std::array<P, 2>& x) {
     return std::array<P, 2>{x[0] * x[0] + x[1] * x[1] - P(2.0), x[0] - P(2.0) * x[1]};
@@ -238,7 +238,7 @@ TEST(Krawczyk, finds_the_one_zero_near_and_none_where_there_is_none) {
   EXPECT_FALSE(equipoise::enclose_zero(nowhere, {0.0, 0.0}, 1e-10, zero));
 }
 
-TEST(PositiveDefinite, is_never_said_of_a_matrix_that_is_not) {
+TEST(PositiveDefinite, IsNeverSaidOfAMatrixThatIsNot) {
   using Matrix = std::array<std::array<Interval, 3>, 3>;
   const auto matrix = [](double shift, double radius) {  // eigenvalues 0, 0, 3 moved by shift
     Matrix a;

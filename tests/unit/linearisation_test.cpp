@@ -85,7 +85,7 @@ MatrixXd jacobian_at(const model::Parameters& p, double w, const std::vector<dou
   return model::jacobian(p, w, model::centred_state(p, phi.data()).data());
 }
 
-TEST(Jacobian, equals_the_second_order_form_at_balanced_states) {
+TEST(Jacobian, EqualsTheSecondOrderFormAtBalancedStates) {
   double largest = 0.0;
   for (int n : {1, 2, 3, 4, 5, 8}) {
     for (double w : {0.0, 0.8, 1.5, 2.4, 6.0}) {
@@ -113,7 +113,7 @@ TEST(Jacobian, equals_the_second_order_form_at_balanced_states) {
   RecordProperty("largest_relative_difference", fmt::format("{:.2g}", largest));
 }
 
-TEST(Jacobian, equals_differences_of_the_derivative_anywhere) {
+TEST(Jacobian, EqualsDifferencesOfTheDerivativeAnywhere) {
   double largest = 0.0;
   for (int n : {1, 2, 3, 8}) {
     model::Parameters p = base_rotor(n, 0.3, 0.04);
@@ -173,7 +173,7 @@ constexpr Leading leading[] = {{.01, 1.5, .02182, .4892, 1e-5, 1e-4},  {.01, 1.5
                                {.25, 4.0, -.12396, .004, 1e-5, 1e-3},  {.25, 5.0, -.12399, .090, 1e-5, 1e-3},
                                {.25, 6.0, -.12400, .135, 1e-5, 1e-3}};
 
-TEST(Eigenvalues, are_the_recorded_ones_of_two_balls) {
+TEST(Eigenvalues, AreTheRecordedOnesOfTwoBalls) {
   for (const Leading& row : leading) {
     const model::Parameters p = base_rotor(2, row.drag, 0.05);
     for (int state = 0; state < 2; ++state) {
@@ -191,7 +191,7 @@ TEST(Eigenvalues, are_the_recorded_ones_of_two_balls) {
   }
 }
 
-TEST(Eigenvalues, vanish_once_for_every_ball_beyond_two) {
+TEST(Eigenvalues, VanishOnceForEveryBallBeyondTwo) {
   for (int n : {2, 3, 4, 5, 8}) {
     model::Parameters p = base_rotor(n);
     for (int i = 0; i < n; ++i) p.mass[i] += 0.003 * i;
@@ -208,7 +208,7 @@ TEST(Eigenvalues, vanish_once_for_every_ball_beyond_two) {
   }
 }
 
-TEST(Eigenvalues, vanish_along_the_family_of_balanced_states) {
+TEST(Eigenvalues, VanishAlongTheFamilyOfBalancedStates) {
   model::Parameters p = base_rotor(3);
   p.mass[2] = 0.07;
   const auto phi = balanced_angles(p);
@@ -222,7 +222,7 @@ TEST(Eigenvalues, vanish_along_the_family_of_balanced_states) {
   EXPECT_LT((jacobian_at(p, 2.4, phi) * along).norm(), 1e-14);
 }
 
-TEST(Derivative, vanishes_at_balanced_states) {
+TEST(Derivative, VanishesAtBalancedStates) {
   for (int n : {1, 2, 3, 4, 5, 8}) {
     model::Parameters p = base_rotor(n, 0.05, n == 1 ? 0.01 : 0.05);
     const auto phi = balanced_angles(p);

@@ -151,7 +151,7 @@ INSTANTIATE_TEST_SUITE_P(Systems, MachineCertificateOf, testing::ValuesIn(cases(
 });
 
 // Where the limit is what bounds the level, states on it come near to the limit and none reaches it.
-TEST(MachineCertificate, stays_below_the_limit_of_the_motor) {
+TEST(MachineCertificate, StaysBelowTheLimitOfTheMotor) {
   const model::System system = driven(balancer(), control(0.05, 0.02));
   const Certificate certificate = largest(system).certificate;
   States states(certificate);
@@ -165,7 +165,7 @@ TEST(MachineCertificate, stays_below_the_limit_of_the_motor) {
   EXPECT_NE(check_certificate(weaker).reason.find("reaches its limit"), std::string::npos);
 }
 
-TEST(MachineCertificate, is_refuted_once_anything_in_it_is_changed) {
+TEST(MachineCertificate, IsRefutedOnceAnythingInItIsChanged) {
   const model::System system = driven(off_centre(balancer()), control(0.05));
   const Certificate good = largest(system).certificate;
   const auto refuted = [&](auto&& change) {
@@ -191,7 +191,7 @@ TEST(MachineCertificate, is_refuted_once_anything_in_it_is_changed) {
   EXPECT_TRUE(refuted([](Certificate& b) { b.form(8, 9) *= 1.001; }));
 }
 
-TEST(MachineCertificate, is_refused_where_there_is_nothing_to_prove) {
+TEST(MachineCertificate, IsRefusedWhereThereIsNothingToProve) {
   const auto reason = [](const model::System& system) {
     const Eigen::MatrixXd one = Eigen::MatrixXd::Identity(system.dimension(), system.dimension());
     const std::array<double, 2> phi{1.67096, -1.67096};
@@ -214,7 +214,7 @@ TEST(MachineCertificate, is_refused_where_there_is_nothing_to_prove) {
   EXPECT_NE(reason(driven(sticky, plain_motor())).find("without rolling resistance or stiction"), std::string::npos);
 }
 
-TEST(MachineCertificate, of_a_study_says_which_variables) {
+TEST(MachineCertificate, OfAStudySaysWhichVariables) {
   const CertifyResult result =
       certify(parse_study(constant_speed, "study",
                           {"rotor.inertia=0.6", "speed={profile='torque', torque={stall=0.2, no_load_speed=2.4}}"}));

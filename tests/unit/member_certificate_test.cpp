@@ -71,7 +71,7 @@ double worst(const MemberCertificate& c) {
   return result;
 }
 
-TEST(MemberCertificate, agrees_with_linear_theory_and_holds_in_the_equations) {
+TEST(MemberCertificate, AgreesWithLinearTheoryAndHoldsInTheEquations) {
   struct Case {
     int balls;
     bool unlike;
@@ -104,7 +104,7 @@ TEST(MemberCertificate, agrees_with_linear_theory_and_holds_in_the_equations) {
 }
 
 // What is proved to attract does, and what is proved unstable is left: followed in small steps of the classical method.
-TEST(MemberCertificate, says_where_trajectories_go) {
+TEST(MemberCertificate, SaysWhereTrajectoriesGo) {
   const model::Parameters p = balancer(4);
   ContinuumDraws draws(p);
   std::array<double, model::max_balls> phi{};
@@ -143,7 +143,7 @@ TEST(MemberCertificate, says_where_trajectories_go) {
   EXPECT_GE(seen[1], 2);
 }
 
-TEST(MemberCertificate, is_refuted_once_anything_in_it_is_changed) {
+TEST(MemberCertificate, IsRefutedOnceAnythingInItIsChanged) {
   const model::Parameters p = balancer(4);
   ContinuumDraws draws(p);
   std::array<double, model::max_balls> phi{};
@@ -175,7 +175,7 @@ TEST(MemberCertificate, is_refuted_once_anything_in_it_is_changed) {
   EXPECT_TRUE(refuted(attracting, [](auto& c) { c.speed = 1.2; }));
 }
 
-TEST(MemberCertificate, of_a_study_is_written_and_read_back) {
+TEST(MemberCertificate, OfAStudyIsWrittenAndReadBack) {
   const std::string text =
       "[rotor]\neccentricity = 0.01\ndamping = 0.5\n[balancer]\nballs = 4\nmass = 0.05\ndrag = 0.05\n"
       "[speed]\nprofile = \"constant\"\nspeed = 2.4\n";

@@ -58,7 +58,7 @@ std::vector<double> times_in(const Segment& s) {
   return {s.begin, s.begin + 0.25 * length, s.begin + 0.5 * length, s.begin + 0.9 * length};
 }
 
-TEST(Segments, follow_each_other_without_gaps_up_to_infinity) {
+TEST(Segments, FollowEachOtherWithoutGapsUpToInfinity) {
   for (const auto& profile : profiles())
     for (double release : releases) {
       const auto all = segments(profile, release);
@@ -71,7 +71,7 @@ TEST(Segments, follow_each_other_without_gaps_up_to_infinity) {
     }
 }
 
-TEST(Segments, are_cut_at_corners_and_at_the_release_only) {
+TEST(Segments, AreCutAtCornersAndAtTheReleaseOnly) {
   for (const auto& profile : profiles())
     for (double release : releases) {
       std::vector<double> expected = profile.times;
@@ -83,13 +83,13 @@ TEST(Segments, are_cut_at_corners_and_at_the_release_only) {
     }
 }
 
-TEST(Segments, are_clamped_exactly_until_the_release) {
+TEST(Segments, AreClampedExactlyUntilTheRelease) {
   for (const auto& profile : profiles())
     for (double release : releases)
       for (const auto& s : segments(profile, release)) EXPECT_EQ(s.clamped, s.begin < release);
 }
 
-TEST(Segments, have_a_continuous_angle_that_starts_where_told) {
+TEST(Segments, HaveAContinuousAngleThatStartsWhereTold) {
   for (const auto& profile : profiles())
     for (double release : releases) {
       const auto all = segments(profile, release);
@@ -98,7 +98,7 @@ TEST(Segments, have_a_continuous_angle_that_starts_where_told) {
     }
 }
 
-TEST(Segments, have_speed_and_acceleration_that_are_the_derivatives_of_the_angle) {
+TEST(Segments, HaveSpeedAndAccelerationThatAreTheDerivativesOfTheAngle) {
   for (const auto& profile : profiles())
     for (double release : releases)
       for (const auto& s : segments(profile, release))
@@ -111,7 +111,7 @@ TEST(Segments, have_speed_and_acceleration_that_are_the_derivatives_of_the_angle
         }
 }
 
-TEST(KinematicLaw, turns_the_rotor_at_the_ramp_function) {
+TEST(KinematicLaw, TurnsTheRotorAtTheRampFunction) {
   for (const auto& profile : profiles())
     if (profile.law == SpeedLaw::kinematic)
       for (double release : releases)
@@ -122,7 +122,7 @@ TEST(KinematicLaw, turns_the_rotor_at_the_ramp_function) {
           }
 }
 
-TEST(KinematicLaw, has_no_jump_of_speed) {
+TEST(KinematicLaw, HasNoJumpOfSpeed) {
   for (const auto& profile : profiles())
     if (profile.law == SpeedLaw::kinematic)
       for (double release : releases) {
@@ -132,7 +132,7 @@ TEST(KinematicLaw, has_no_jump_of_speed) {
       }
 }
 
-TEST(PublishedLaw, has_angle_t_times_the_ramp_function) {
+TEST(PublishedLaw, HasAngleTTimesTheRampFunction) {
   for (const auto& profile : profiles())
     if (profile.law == SpeedLaw::published)
       for (double release : releases)
@@ -144,7 +144,7 @@ TEST(PublishedLaw, has_angle_t_times_the_ramp_function) {
           }
 }
 
-TEST(PublishedLaw, jumps_at_corners_by_t_times_the_change_of_slope_and_nowhere_else) {
+TEST(PublishedLaw, JumpsAtCornersByTTimesTheChangeOfSlopeAndNowhereElse) {
   for (const auto& profile : profiles())
     if (profile.law == SpeedLaw::published)
       for (double release : releases) {
@@ -158,7 +158,7 @@ TEST(PublishedLaw, jumps_at_corners_by_t_times_the_change_of_slope_and_nowhere_e
       }
 }
 
-TEST(PublishedLaw, doubles_a_ramp_from_rest_and_drops_at_its_end) {
+TEST(PublishedLaw, DoublesARampFromRestAndDropsAtItsEnd) {
   const SpeedProfile ramp{{0.0, 50.0}, {0.4, 2.4}, SpeedLaw::published, 0.0};
   const auto all = segments(ramp, 50.0);
   ASSERT_EQ(all.size(), 2u);
@@ -167,7 +167,7 @@ TEST(PublishedLaw, doubles_a_ramp_from_rest_and_drops_at_its_end) {
   EXPECT_EQ(all[1].acceleration, 0.0);
 }
 
-TEST(PublishedLaw, reverses_the_rotor_in_the_paper_s_trapezoid) {
+TEST(PublishedLaw, ReversesTheRotorInThePapersTrapezoid) {
   const SpeedProfile trapezoid{{0.0, 50.0, 400.0, 500.0}, {0.0, 3.0, 3.0, 2.0}, SpeedLaw::published, 0.0};
   const auto all = segments(trapezoid, 50.0);
   ASSERT_EQ(all.size(), 4u);
@@ -175,7 +175,7 @@ TEST(PublishedLaw, reverses_the_rotor_in_the_paper_s_trapezoid) {
   EXPECT_NEAR(all[2].speed_at(500.0), -3.0, rounding);
 }
 
-TEST(SpeedProfile, has_the_ramp_function_of_its_points) {
+TEST(SpeedProfile, HasTheRampFunctionOfItsPoints) {
   for (const auto& profile : profiles())
     for (double t = 0.0; t < 130.0; t += 0.7) EXPECT_NEAR(profile.ramp_function(t), omega(profile, t), rounding);
   const SpeedProfile ramp{{0.0, 50.0}, {0.0, 2.4}, SpeedLaw::kinematic, 0.0};
@@ -186,7 +186,7 @@ TEST(SpeedProfile, has_the_ramp_function_of_its_points) {
   EXPECT_EQ(ramp.settled_time(), 50.0);
 }
 
-TEST(FirstTimeAt, is_the_first_time_the_ramp_function_has_the_speed) {
+TEST(FirstTimeAt, IsTheFirstTimeTheRampFunctionHasTheSpeed) {
   const SpeedProfile p{{0.0, 10.0, 20.0, 30.0}, {1.0, 3.0, 2.0, 2.5}, SpeedLaw::kinematic, 0.0};
   EXPECT_EQ(p.first_time_at(1.0), 0.0);
   EXPECT_EQ(p.first_time_at(2.0), 5.0);  // on the way up, not on the way down

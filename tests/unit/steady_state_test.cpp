@@ -46,7 +46,7 @@ const std::vector<double> late{320.0, 323.7, 351.2, 399.0};
 // simulate() is good to 1e-9 relative over 100 time units; here the start is forgotten and errors do not add up.
 constexpr double allowed = 1e-11;
 
-TEST(ClampedSteadyResponse, is_the_closed_form_on_isotropic_supports) {
+TEST(ClampedSteadyResponse, IsTheClosedFormOnIsotropicSupports) {
   double largest = 0.0;
   for (double w : {-2.4, 0.3, 0.8, 0.945, 1.0, 1.5, 2.4, 5.0}) {
     const Study s = clamped_rotor(w);
@@ -67,7 +67,7 @@ TEST(ClampedSteadyResponse, is_the_closed_form_on_isotropic_supports) {
   RecordProperty("largest_relative_error", fmt::format("{:.2g}", largest));
 }
 
-TEST(ClampedSteadyResponse, is_the_closed_form_on_anisotropic_supports_under_gravity) {
+TEST(ClampedSteadyResponse, IsTheClosedFormOnAnisotropicSupportsUnderGravity) {
   double largest = 0.0;
   for (double w : {0.6, 1.1, 2.4}) {
     Study s = clamped_rotor(w);
@@ -121,7 +121,7 @@ std::vector<Synchronous> synchronous_states(const model::Parameters& p, double w
   return result;
 }
 
-TEST(OneBall, is_at_rest_at_the_closed_form_synchronous_states) {
+TEST(OneBall, IsAtRestAtTheClosedFormSynchronousStates) {
   model::Parameters p;
   p.balls = 1;
   p.drag[0] = 0.1;
@@ -142,7 +142,7 @@ TEST(OneBall, is_at_rest_at_the_closed_form_synchronous_states) {
   RecordProperty("largest_rate", fmt::format("{:.2g}", largest));
 }
 
-TEST(OneBall, stays_at_a_stable_synchronous_state) {
+TEST(OneBall, StaysAtAStableSynchronousState) {
   Study s;
   s.parameters.balls = 1;
   s.parameters.mass[0] = 0.008;
@@ -163,7 +163,7 @@ TEST(OneBall, stays_at_a_stable_synchronous_state) {
   EXPECT_EQ(stable, 1);
 }
 
-TEST(BalancedBalls, do_not_move_and_hold_the_rotor_centred) {
+TEST(BalancedBalls, DoNotMoveAndHoldTheRotorCentred) {
   Study s;
   s.parameters.balls = 2;
   s.parameters.mass.fill(0.05);

@@ -91,7 +91,7 @@ double difference(const std::vector<double>& a, const std::vector<double>& b, do
   return result;
 }
 
-RC_GTEST_PROP(Trajectories, are_exchanged_when_equal_balls_are, ()) {
+RC_GTEST_PROP(Trajectories, AreExchangedWhenEqualBallsAre, ()) {
   Study s = random_study();
   auto& p = s.parameters;
   p.balls = std::max(p.balls, 2);
@@ -115,7 +115,7 @@ RC_GTEST_PROP(Trajectories, are_exchanged_when_equal_balls_are, ()) {
   }
 }
 
-RC_GTEST_PROP(Trajectories, shift_one_angle_only_when_a_ball_starts_a_turn_further, ()) {
+RC_GTEST_PROP(Trajectories, ShiftOneAngleOnlyWhenABallStartsATurnFurther, ()) {
   Study s = random_study();
   const int shifted = *rc::gen::inRange(0, s.parameters.balls);
   const Trajectory a = equipoise::simulate(s, times);
@@ -129,7 +129,7 @@ RC_GTEST_PROP(Trajectories, shift_one_angle_only_when_a_ball_starts_a_turn_furth
   }
 }
 
-RC_GTEST_PROP(Trajectories, do_not_depend_on_where_the_rotor_starts_on_isotropic_supports_without_gravity, ()) {
+RC_GTEST_PROP(Trajectories, DoNotDependOnWhereTheRotorStartsOnIsotropicSupportsWithoutGravity, ()) {
   Study s = random_study(true);
   const Trajectory a = equipoise::simulate(s, times);
   const double turn = between(-3.0, 3.0);
@@ -141,7 +141,7 @@ RC_GTEST_PROP(Trajectories, do_not_depend_on_where_the_rotor_starts_on_isotropic
   for (int k = 0; k < s.parameters.balls; ++k) RC_ASSERT(difference(a.phi[k], b.phi[k]) < same);
 }
 
-RC_GTEST_PROP(Trajectories, are_mirrored_when_everything_turns_the_other_way, ()) {
+RC_GTEST_PROP(Trajectories, AreMirroredWhenEverythingTurnsTheOtherWay, ()) {
   Study s = random_study(true);
   const Trajectory a = equipoise::simulate(s, times);
   for (double* value :
@@ -156,7 +156,7 @@ RC_GTEST_PROP(Trajectories, are_mirrored_when_everything_turns_the_other_way, ()
   for (int k = 0; k < s.parameters.balls; ++k) RC_ASSERT(difference(a.phi[k], b.phi[k], 0.0, -1.0) < same);
 }
 
-RC_GTEST_PROP(Trajectories, turn_with_their_start_if_the_rotor_has_no_unbalance, ()) {
+RC_GTEST_PROP(Trajectories, TurnWithTheirStartIfTheRotorHasNoUnbalance, ()) {
   Study s = random_study(true);
   s.parameters.eccentricity = 0.0;
   const Trajectory a = equipoise::simulate(s, times);
@@ -180,7 +180,7 @@ RC_GTEST_PROP(Trajectories, turn_with_their_start_if_the_rotor_has_no_unbalance,
   for (int k = 0; k < s.parameters.balls; ++k) RC_ASSERT(difference(a.phi[k], b.phi[k], angle) < same);
 }
 
-RC_GTEST_PROP(Trajectories, are_the_same_from_a_ramp_and_from_points_with_its_corners, ()) {
+RC_GTEST_PROP(Trajectories, AreTheSameFromARampAndFromPointsWithItsCorners, ()) {
   Study s = random_study();
   if (coin()) {
     s.speed.profile = Profile::ramp;
@@ -206,7 +206,7 @@ RC_GTEST_PROP(Trajectories, are_the_same_from_a_ramp_and_from_points_with_its_co
   RC_ASSERT(a.phi == b.phi);
 }
 
-RC_GTEST_PROP(Energy, changes_at_the_rate_its_powers_say_in_any_state, ()) {
+RC_GTEST_PROP(Energy, ChangesAtTheRateItsPowersSayInAnyState, ()) {
   const model::Parameters p = random_rotor(false);
   const double inertia = between(0.0, 1.0), t = between(0.0, 5.0);
   const model::Segment segment{0.0, 10.0, between(-3.0, 3.0), between(-4.0, 4.0), between(-0.5, 0.5), coin()};
@@ -257,7 +257,7 @@ void expect_the_same_with_room_for_any(const model::Segment& segment, double t) 
   for (int i = 0; i < model::dimension(n); ++i) RC_ASSERT(exact[i] == any[i]);
 }
 
-RC_GTEST_PROP(Equations, have_the_same_bits_compiled_for_a_count_and_for_any, ()) {
+RC_GTEST_PROP(Equations, HaveTheSameBitsCompiledForACountAndForAny, ()) {
   const double t = between(0.0, 5.0);
   const model::Segment segment{0.0, 10.0, between(-3.0, 3.0), between(-4.0, 4.0), between(-0.5, 0.5), false};
   expect_the_same_with_room_for_any<1>(segment, t);
@@ -274,7 +274,7 @@ struct ClampedFlow {
   void operator()(double t, const double* z, double* dz) const { body.derivative(motion.at(t), unbalance, z, dz); }
 };
 
-RC_GTEST_PROP(ClampedSuperposition, equals_direct_integration, ()) {
+RC_GTEST_PROP(ClampedSuperposition, EqualsDirectIntegration, ()) {
   Study s = random_study();
   const model::Parameters& p = s.parameters;
   const double release = between(1.0, 15.0);
