@@ -9,6 +9,7 @@
 #include "../support/refusals.hpp"
 #include "../support/files.hpp"
 #include "../support/sanitized.hpp"
+#include "../support/studies.hpp"
 #include "equipoise/basins/basin.hpp"
 #include "equipoise/basins/comparison.hpp"
 #include "equipoise/fates/start_runner.hpp"

@@ -22,7 +22,7 @@ struct Row {
 };
 
 Study study_of(const Row& row) {
-  Study study = study_of(base_rotor(2, row.drag), row.speed);
+  Study study = equipoise::study_of(base_rotor(2, row.drag), row.speed);
   study.numerics.horizon = 3000.0;  // what is decided by then is followed for as long again
   return study;
 }
