@@ -253,11 +253,8 @@ const Key* find_quantity(std::string_view table, std::string_view name) {
 }
 
 Range quantity_range(const Key& key) {
-  const auto& [low, high, low_open, high_open] = key.range;
-  const std::string_view name = key.name;
-  if (name == "gain" || name == "integral" || name == "no_load_speed") return any_number;
-  if (name == "limit") return not_negative;
-  return low < 0.0 ? any_number : low > 0.0 || low_open ? positive : not_negative;
+  const double low = key.range.low;
+  return low < 0.0 ? any_number : low > 0.0 || key.range.low_open ? positive : not_negative;
 }
 
 unsigned variant_of(Profile profile) {

@@ -1,6 +1,5 @@
 // Every key of a study, described once: the reader, its messages and suggestions, the echo, units, forms and the
-// guide's reference follow from it. A new key is a line in keys.cpp (tests/unit/study_keys_test.cpp checks what lists
-// keys too).
+// guide's reference follow from it. A new key is a line in keys.cpp.
 #pragma once
 
 #include <array>

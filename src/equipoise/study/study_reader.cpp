@@ -24,18 +24,14 @@ namespace equipoise {
 namespace {
 using namespace study;
 
-// The keys that a table has in these variants; `after` sees each once it is read.
-template <class After>
-void read_keys(TableReader& reader, const char* table, unsigned variants, Study& study, After&& after) {
-  for (const Key& key : key_table(table).of(variants, false)) {
-    read_key(reader, key, study);
-    after(std::string_view(key.name));
-  }
+// The keys that a table has in these variants.
+void read_keys(TableReader& reader, const char* table, unsigned variants, Study& study) {
+  for (const Key& key : key_table(table).of(variants, false)) read_key(reader, key, study);
 }
 
 void read_table(const Document& document, const char* table, Study& study) {
   TableReader reader(document, table);
-  read_keys(reader, table, all_variants, study, [](std::string_view) {});
+  read_keys(reader, table, all_variants, study);
   reader.finish();
 }
 
@@ -74,7 +70,7 @@ void read_ramp(TableReader& reader, const char* table, Study& study) {
     if (!(time > earlier))
       reader.fail(key, fmt::format("must be greater than {}, {}", before, reader.time_text(earlier)));
   };
-  read_keys(reader, table, variant_of(ramp.profile), study, [](std::string_view) {});
+  read_keys(reader, table, variant_of(ramp.profile), study);
   if (ramp.profile == Profile::trapezoid) {
     check_after("hold_until", ramp.hold_until, "rise_until", ramp.rise_until);
     check_after("fall_until", ramp.fall_until, "hold_until", ramp.hold_until);
@@ -104,7 +100,7 @@ void read_torque(const Document& document, Study& study) {
     torque.kind = Kind::table;
   else if (reader.has("gain") || reader.has("integral") || reader.has("target"))
     torque.kind = Kind::control;
-  read_keys(reader, "speed.torque", variants_of(torque), study, [](std::string_view) {});
+  read_keys(reader, "speed.torque", variants_of(torque), study);
   if (torque.kind == Kind::table) check_times(reader, torque.times, "values", torque.values);
   if (torque.kind == Kind::control) {
     if (!reader.has("target")) reader.fail("target", "missing; must be a table like { profile = \"ramp\", ... }");
@@ -144,7 +140,7 @@ void read_initial(const Document& document, Study& study) {
   TableReader reader(document, "initial");
   study.initial.phi = even_angles(study.parameters.balls);
   study.angles_stated = reader.has("phi");
-  read_keys(reader, "initial", all_variants, study, [](std::string_view) {});
+  read_keys(reader, "initial", all_variants, study);
   if (study.release_time() > 0.0)
     for (double rate : study.initial.phi_dot)
       if (rate != 0.0) reader.fail("phi_dot", "must be 0: the balls are clamped until their release");
@@ -154,24 +150,26 @@ void read_initial(const Document& document, Study& study) {
 void read_box(const Document& document, Study& study) {
   TableReader reader(document, "sampling.box");
   const double release = study.release_time();
-  read_keys(reader, "sampling.box", all_variants, study, [&](std::string_view name) {
-    const std::string key(name);
-    if (release > 0.0 && reader.has(key))
-      reader.fail(key,
+  for (const Key& key : key_table("sampling.box").keys) {
+    read_key(reader, key, study);
+    if (release > 0.0 && reader.has(key.name))
+      reader.fail(key.name,
                   fmt::format("needs balls that are free from t = 0, but their release is at t = {} (clamped balls "
                               "share one spin-up); set release.time = 0 or leave [sampling.box] out",
                               reader.time_text(release)));
-  });
+  }
   reader.finish();
 }
 
 void read_sampling(const Document& document, Study& study) {
   TableReader reader(document, "sampling");
-  read_keys(reader, "sampling", all_variants, study, [&](std::string_view name) {
-    if (name == "box" && reader.has("box")) read_box(document, study);
-    if (name == "starts" && study.sampling.method == SamplingMethod::grid && study.sampling.starts < 2)
+  if (reader.has("box")) read_box(document, study);
+  for (const Key& key : key_table("sampling").keys) {
+    read_key(reader, key, study);
+    if (key.name == std::string_view("starts") && study.sampling.method == SamplingMethod::grid &&
+        study.sampling.starts < 2)
       reader.fail("starts", "must be 2 or more: a grid has two starts in every cell");
-  });
+  }
   reader.finish();
 }
 
