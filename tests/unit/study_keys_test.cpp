@@ -186,12 +186,13 @@ std::string guide_table(const KeyTable& table, bool physical) {
   const bool quantities =
       !physical && !study::is_machine(table.name) &&
       std::any_of(table.keys.begin(), table.keys.end(), [](const Key& key) { return key.dimension.has_value(); });
-  std::string text = physical     ? "| key | for example | meaning |\n|---|---|---|\n"
+  std::string text = physical     ? "| key | quantity, such as | meaning |\n|---|---|---|\n"
                      : quantities ? "| key | meaning | range | default | in physical units |\n|---|---|---|---|---|\n"
                                   : "| key | meaning | range | default |\n|---|---|---|---|\n";
   for (const Key& key : table.keys) {
     if (!key.in_form(physical)) continue;
-    const std::string example = key.dimension ? fmt::format("`\"{}\"`", study::words(*key.dimension).example) : "";
+    const auto quantity = [](const study::DimensionWords& w) { return fmt::format("{}, `\"{}\"`", w.name, w.example); };
+    const std::string example = key.dimension ? quantity(study::words(*key.dimension)) : "";
     const std::string meaning = profiles_of(table, key) + key.sentence;
     text += physical
                 ? fmt::format("| `{}` | {} | {}{} |\n", key.name, example, meaning,
