@@ -15,7 +15,8 @@ foreach(header
     model/balance_grade.hpp model/balanced_state.hpp model/energy.hpp model/machine.hpp model/motor.hpp
     model/parameters.hpp model/scales.hpp model/speed.hpp model/state_layout.hpp model/system.hpp integrate/status.hpp
     statistics/quantile.hpp statistics/share.hpp statistics/sobol_indices.hpp sampling/jittered_grid.hpp sampling/sampling.hpp
-    study/ball_details.hpp study/overrides.hpp study/physical_echo.hpp study/study.hpp study/study_value.hpp study/uncertain.hpp study/units.hpp
+    study/ball_details.hpp study/keys.hpp study/overrides.hpp study/physical_echo.hpp study/study.hpp study/study_value.hpp
+    study/table_reader.hpp study/uncertain.hpp study/units.hpp
     transients/transient_table.hpp deciding/decision_rule.hpp deciding/fate.hpp deciding/trap_set.hpp
     model/ball_mode.hpp orbits/balanced_continuum.hpp orbits/ball_events.hpp orbits/orbit.hpp motions/catalogue.hpp
     motions/motion.hpp proof/certificate.hpp proof/member_certificate.hpp traps/trap_hints.hpp

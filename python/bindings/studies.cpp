@@ -6,6 +6,7 @@
 #include "equipoise/drawing/plot_parts.hpp"
 #include "equipoise/explain/explain.hpp"
 #include "equipoise/report/explain_report.hpp"
+#include "equipoise/study/keys.hpp"
 #include "equipoise/study/overrides.hpp"
 #include "equipoise/study/physical_echo.hpp"
 #include "py_study.hpp"
@@ -29,38 +30,23 @@ py::object scales_of(const Study& study) {
   return scales;
 }
 
+// The values of a table's keys; None where none is set. One a ball as a list, without the room for more of them.
+void add_values(const char* table, const Study& study, py::dict& values) {
+  for (const study::Key& key : study::key_table(table).of(study::all_variants, false)) {
+    const auto value = study::value_of(key, study);
+    values[key.name] = value ? to_python(*value) : py::none();
+  }
+}
+
 py::dict limits_of(const Study& study) {
   py::dict limits;
-  limits["displacement"] = study.limits.displacement;
-  limits["force"] = study.limits.force;
-  limits["velocity"] = study.limits.velocity;
-  limits["settled"] = study.limits.settled;
+  add_values("limits", study, limits);
   return limits;
 }
 
-// One a ball as a list, without the room for more of them.
 py::dict parameters_of(const Study& uncertain) {
-  const Study study = with_medians(uncertain);
-  const model::Parameters& p = study.parameters;
-  const auto by_ball = [&](const std::array<double, model::max_balls>& values) {
-    return std::vector<double>(values.begin(), values.begin() + p.balls);
-  };
   py::dict parameters;
-  parameters["balls"] = p.balls;
-  parameters["eccentricity"] = p.eccentricity;
-  parameters["damping"] = p.damping;
-  parameters["stiffness"] = p.stiffness;
-  parameters["gravity"] = p.gravity;
-  parameters["inertia"] = p.inertia;
-  parameters["mass"] = by_ball(p.mass);
-  parameters["drag"] = by_ball(p.drag);
-  parameters["race_offset"] = p.race_offset;
-  parameters["rolling"] = by_ball(p.rolling);
-  parameters["stiction"] = by_ball(p.stiction);
-  parameters["contact_angle"] = p.contact_angle;
-  parameters["restitution"] = p.restitution;
-  parameters["rolls"] = p.rolls;
-  parameters["ball_radius"] = by_ball(p.ball_radius);
+  for (const char* table : {"rotor", "balancer"}) add_values(table, with_medians(uncertain), parameters);
   return parameters;
 }
 

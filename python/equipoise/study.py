@@ -177,13 +177,13 @@ class Study:
 
     @property
     def limits(self) -> dict[str, Optional[float]]:
-        """[limits], dimensionless: displacement, force, velocity, settled."""
+        """[limits], dimensionless, by key; None where there is none."""
         return self._core.limits
 
     @property
     def parameters(self) -> dict[str, Any]:
-        """What the equations are computed with, dimensionless, whatever the units of the study: eccentricity, damping and
-        stiffness [x, y], gravity, mass, drag and ball_radius one a ball, and so on. Uncertain values at their medians."""
+        """What the equations are computed with: the keys of [rotor] and [balancer], dimensionless whatever the units of
+        the study; pairs [x, y], or lists with one a ball. Uncertain values at their medians."""
         return self._core.parameters
 
     @property

@@ -1,8 +1,8 @@
 // A stand-alone driver for LLVMFuzzerTestOneInput, for compilers without libFuzzer: seeded mutations of seed files.
 //
-// Input number i depends on the seed, on i and on the seed files alone, so any input can be made again by itself.
+// Input number i depends on the seed, on i, on the seed files and on the keys of a study, so any input can be made again
+// by itself.
 #include <algorithm>
-#include <array>
 #include <chrono>
 #include <csignal>
 #include <cstdint>
@@ -18,6 +18,8 @@
 #include <string_view>
 #include <utility>
 #include <vector>
+
+#include "equipoise/study/keys.hpp"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size);
 // Present where a sanitizer is linked in.
@@ -89,7 +91,15 @@ std::vector<std::string> read_dictionary(const std::string& path) {
 class Mutator {
  public:
   Mutator(std::vector<std::string> seeds, std::vector<std::string> tokens)
-      : seeds_(std::move(seeds)), tokens_(std::move(tokens)) {}
+      : seeds_(std::move(seeds)), tokens_(std::move(tokens)) {
+    for (const equipoise::study::KeyTable& table : equipoise::study::key_tables()) {
+      keys_.push_back(table.name);
+      for (const equipoise::study::Key& key : table.keys) {
+        tokens_.push_back(key.name);
+        keys_.push_back(table.name + "." + key.name);
+      }
+    }
+  }
 
   std::string input(std::uint64_t seed, std::uint64_t index) {
     std::seed_seq words{seed, seed >> 32, index, index >> 32};
@@ -162,17 +172,10 @@ class Mutator {
   }
 
   void add_override(std::string& text, const std::string& value) {
-    static constexpr std::array<const char*, 24> keys{
-        "rotor.eccentricity", "rotor.damping",    "rotor.stiffness", "rotor.gravity",
-        "balancer.balls",     "balancer.mass",    "balancer.drag",   "speed.speed",
-        "speed.initial",      "speed.final",      "speed.duration",  "speed.peak",
-        "speed.rise_until",   "speed.law",        "release.speed",   "release.time",
-        "initial.psi",        "initial.x",        "initial.y_dot",   "initial.phi",
-        "sampling.starts",    "numerics.horizon", "speed",           "numerics.tolerance"};
-    text += std::string("\n#--set ") + (below(6) == 0 ? pick(tokens_) : keys[below(keys.size())]) + "=" + value + "\n";
+    text += "\n#--set " + pick(below(6) == 0 ? tokens_ : keys_) + "=" + value + "\n";
   }
 
-  std::vector<std::string> seeds_, tokens_;
+  std::vector<std::string> seeds_, tokens_, keys_;
   std::mt19937_64 random_;
 };
 

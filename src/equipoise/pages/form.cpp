@@ -9,21 +9,16 @@
 
 #include "equipoise/base/error.hpp"
 #include "equipoise/base/read_number.hpp"
+#include "equipoise/pages/given_keys.hpp"
 #include "equipoise/pages/quantities.hpp"
+#include "equipoise/study/keys.hpp"
 #include "equipoise/study/physical_echo.hpp"
-#include "equipoise/study/table_reader.hpp"
 #include "equipoise/study/toml_tree.hpp"
-#include "equipoise/study/units.hpp"
 
 namespace equipoise {
 
 namespace {
 using study::Dimension;
-
-constexpr std::array<std::string_view, 8> form_tables{"rotor",   "balancer", "speed",    "release",
-                                                      "initial", "limits",   "sampling", "numerics"};
-// Tables within tables; any other is a distribution, which is one value.
-constexpr std::array<std::string_view, 3> inner_tables{"speed.torque", "speed.torque.target", "sampling.box"};
 
 std::vector<std::string> usual_units(Dimension d) {
   switch (d) {
@@ -93,20 +88,14 @@ std::string plain(const StudyValue& value) {
 
 // Without its table, which a form says above it.
 std::string label_of(const std::string& key) {
-  constexpr std::array<std::pair<std::string_view, const char*>, 8> own{{{"initial.psi", "rotor angle"},
-                                                                         {"initial.phi", "ball angles"},
-                                                                         {"initial.phi_dot", "ball rates"},
-                                                                         {"sampling.box.phi_dot", "ball rates"},
-                                                                         {"speed.initial", "initial speed"},
-                                                                         {"speed.peak", "peak speed"},
-                                                                         {"release.speed", "at speed"},
-                                                                         {"release.time", "at time"}}};
-  for (const auto& [name, words] : own)
-    if (key == name) return words;
+  const std::size_t dot = key.rfind('.');
+  const study::KeyTable* table = study::find_keys(key.substr(0, dot));
+  const study::Key* known = table ? table->find(key.substr(dot + 1), false) : nullptr;
+  if (known && known->label) return known->label;
   const std::string words = key_words(key);
-  const std::size_t last = key.rfind('.') + 1;
-  const bool generic = words.size() == key.size() && words.compare(last, words.npos, key_words(key.substr(last))) == 0;
-  return generic ? words.substr(last) : words;
+  const bool generic =
+      words.size() == key.size() && words.compare(dot + 1, words.npos, key_words(key.substr(dot + 1))) == 0;
+  return generic ? words.substr(dot + 1) : words;
 }
 
 // A value as TOML writes it.
@@ -133,9 +122,10 @@ class Form {
   }
 
   std::vector<FormField> fields() {
-    for (const std::string_view table : form_tables) {
-      add(std::string(table), given_.find(table), true);
-      add(std::string(table), all_.find(table), false);
+    for (const char* table : told_tables) {
+      if (std::string_view(table) == "units") continue;
+      add(table, given_.find(table), true);
+      add(table, all_.find(table), false);
     }
     return std::move(fields_);
   }
@@ -145,7 +135,7 @@ class Form {
     if (!table || !table->table()) return;
     for (const auto& [key, value] : *table->table()) {
       const std::string dotted = prefix + "." + key;
-      if (std::find(inner_tables.begin(), inner_tables.end(), dotted) != inner_tables.end())
+      if (study::find_keys(dotted))  // any other table is a distribution, which is one value
         add(dotted, &value, given);
       else if (given || may_be_written(dotted, value))
         fields_.push_back(field(dotted, value, given));

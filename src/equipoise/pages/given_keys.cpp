@@ -39,8 +39,7 @@ std::string value_words(const StudyValue& value) {
 
 std::vector<GivenTable> tables_of(const StudyValue& root) {
   std::vector<GivenTable> tables;
-  for (const char* name :
-       {"rotor", "balancer", "speed", "release", "initial", "limits", "sampling", "numerics", "units"}) {
+  for (const char* name : told_tables) {
     const StudyValue* table = root.find(name);
     if (!table || !table->table() || table->table()->empty()) continue;
     GivenTable given{name, {}};

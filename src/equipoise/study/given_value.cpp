@@ -6,7 +6,7 @@
 #include <system_error>
 
 #include "equipoise/base/read_number.hpp"
-#include "equipoise/study/physical_keys.hpp"
+#include "equipoise/study/keys.hpp"
 
 namespace equipoise::study {
 
@@ -16,19 +16,15 @@ std::optional<ValueUnit> unit_of(const Study& study, Dimension dimension) {
 }
 
 std::optional<ValueUnit> unit_of(const Study& study, const std::string& key) {
-  for (const auto& [table, name, dimension] : rotor_and_balancer)
-    if (key == std::string(table) + "." + name) return unit_of(study, dimension);
+  const std::size_t dot = std::min(key.rfind('.'), key.size());
+  const Key* quantity = find_quantity(key.substr(0, dot), key.substr(std::min(dot + 1, key.size())));
+  if (!quantity) return std::nullopt;
+  auto unit = unit_of(study, *quantity->dimension);
+  if (key != "balancer.drag" || !unit) return unit;
   const model::Parameters& p = study.parameters;
-  const auto last = p.mass.begin() + p.balls;
-  if (key == "balancer.drag" && std::equal(p.mass.begin() + 1, last, p.mass.begin())) {
-    auto unit = unit_of(study, Dimension::gain);  // D = beta m R^2 omega_c
-    if (unit) unit->scale *= p.mass.front();
-    return unit;
-  }
-  for (const QuantityTable& table : quantity_tables())
-    for (const QuantityKey& entry : table.keys)
-      if (key == table.name + "." + entry.key) return unit_of(study, entry.dimension);
-  return std::nullopt;
+  if (!std::equal(p.mass.begin() + 1, p.mass.begin() + p.balls, p.mass.begin())) return std::nullopt;
+  unit->scale *= p.mass.front();  // D = beta m R^2 omega_c
+  return unit;
 }
 
 GivenValue read_given(const std::string& text, const std::optional<ValueUnit>& unit) {

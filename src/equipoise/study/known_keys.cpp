@@ -1,14 +1,14 @@
-// Lists of keys, and the nearest names.
+// Keys that nobody has, and the nearest names.
 #include "equipoise/study/known_keys.hpp"
 
 #include <algorithm>
-#include <array>
 #include <numeric>
-#include <utility>
+#include <sstream>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include "equipoise/study/keys.hpp"
 #include "equipoise/study/printable.hpp"
 
 namespace equipoise::study {
@@ -20,103 +20,32 @@ using Names = std::vector<std::string>;
 // A misspelling is this close to what was meant.
 constexpr std::size_t nearest_distance = 2;
 
-struct KeyList {
-  std::string table;
-  Names keys;
-  Names elsewhere = {};  // of other profiles: left behind when the profile changes, not misspelt
-};
-
-Names joined(Names first, const Names& more) {
-  first.insert(first.end(), more.begin(), more.end());
-  return first;
+Names names_in(const std::vector<Key>& keys) {
+  Names names;
+  for (const Key& key : keys) names.emplace_back(key.name);
+  return names;
 }
 
-const Names every_speed_key{"speed",      "initial",    "final", "duration", "peak",          "rise_until",
-                            "hold_until", "fall_until", "times", "speeds",   "stalled_below", "torque"};
-
-// Of a profile that there is none of, or that is not said, all of them.
-Names keys_of_profile(const std::string& profile) {
-  if (profile == "constant") return {"speed"};
-  if (profile == "ramp") return {"initial", "final", "duration"};
-  if (profile == "trapezoid") return {"initial", "peak", "final", "rise_until", "hold_until", "fall_until"};
-  if (profile == "points") return {"times", "speeds"};
-  if (profile == "torque") return {"initial", "stalled_below", "torque"};
-  return every_speed_key;
-}
-
-std::string profile_in(const Document& document, const std::string& table) {
-  const StudyValue* profile = document.root.find_path(table + ".profile");
-  return profile && profile->string() ? *profile->string() : "";
-}
-
-std::vector<KeyList> key_lists(const Document& document, bool physical) {
-  const Names state{"psi", "x", "y", "x_dot", "y_dot", "phi", "phi_dot"};
-  const Names race{"race_offset", "rolling", "stiction", "rolls", "ball_radius", "contact_angle", "restitution"};
-  return {
-      {"rotor", physical ? Names{"mass", "stiffness", "damping", "damping_ratio", "eccentricity", "unbalance",
-                                 "gravity", "inertia"}
-                         : Names{"eccentricity", "damping", "stiffness", "gravity", "inertia"}},
-      {"balancer",
-       physical ? joined({"balls", "race_radius", "ball_diameter", "mass", "ball_density", "drag", "oil_viscosity",
-                          "oil_density", "channel_diameter", "contact"},
-                         race)
-                : joined({"balls", "mass", "drag"}, race)},
-      {"speed", joined({"profile", "law"}, keys_of_profile(profile_in(document, "speed"))), every_speed_key},
-      {"speed.torque",
-       {"stall", "no_load_speed", "times", "values", "gain", "integral", "limit", "target", "constant", "slope",
-        "until"}},
-      {"speed.torque.target", joined({"profile"}, keys_of_profile(profile_in(document, "speed.torque.target"))),
-       every_speed_key},
-      {"release", {"speed", "time"}},
-      {"initial", state},
-      {"sampling", {"box", "method", "starts", "seed"}},
-      {"sampling.box", {"x", "y", "x_dot", "y_dot", "phi_dot"}},
-      {"numerics", {"tolerance", "horizon", "decide"}},
-      {"limits", {"displacement", "force", "velocity", "settled"}},
-      {"sweep", {"over", "zip"}},
-      {"units", {"mass", "length", "frequency"}},
-  };
+// What the table may hold; with a profile that there is none of, or that is not said, the keys of all of them.
+Names names_in(const Document& document, const KeyTable& table, bool physical) {
+  const StudyValue* profile =
+      table.find("profile", false) ? document.root.find_path(table.name + ".profile") : nullptr;
+  const auto at = std::find(profile_names.begin(), profile_names.end(),
+                            profile && profile->string() ? std::string_view(*profile->string()) : "");
+  const auto said = static_cast<Profile>(at - profile_names.begin());
+  return names_in(table.of(at == profile_names.end() ? all_variants : variant_of(said), physical));
 }
 
 // What people call things that have another name here.
-constexpr std::array<std::array<const char*, 2>, 36> other_names{{
-    {"ball_count", "balls"},
-    {"number_of_balls", "balls"},
-    {"n_balls", "balls"},
-    {"count", "balls"},
-    {"ball_mass", "mass"},
-    {"ball_drag", "drag"},
-    {"damping_coefficient", "drag"},
-    {"viscosity", "oil_viscosity"},
-    {"radius", "race_radius"},
-    {"diameter", "ball_diameter"},
-    {"density", "ball_density"},
-    {"ball_size", "ball_diameter"},
-    {"friction", "rolling"},
-    {"natural_frequency", "stiffness"},
-    {"critical_speed", "stiffness"},
-    {"spring", "stiffness"},
-    {"k", "stiffness"},
-    {"m", "mass"},
-    {"c", "damping"},
-    {"zeta", "damping_ratio"},
-    {"zeta", "damping"},
-    {"damping_factor", "damping_ratio"},
-    {"damping_ratio", "damping"},
-    {"imbalance", "unbalance"},
-    {"imbalance", "eccentricity"},
-    {"unbalance", "eccentricity"},
-    {"offset", "eccentricity"},
-    {"moment_of_inertia", "inertia"},
-    {"speed", "final"},
-    {"final_speed", "final"},
-    {"final", "speed"},
-    {"start", "initial"},
-    {"time", "duration"},
-    {"free_speed", "no_load_speed"},
-    {"stall_torque", "stall"},
-    {"balls", "balancer"},
-}};
+constexpr std::string_view other_names =
+    "ball_count balls, number_of_balls balls, n_balls balls, count balls, ball_mass mass, ball_drag drag, "
+    "damping_coefficient drag, viscosity oil_viscosity, radius race_radius, diameter ball_diameter, "
+    "density ball_density, ball_size ball_diameter, friction rolling, natural_frequency stiffness, "
+    "critical_speed stiffness, spring stiffness, k stiffness, m mass, c damping, zeta damping_ratio, "
+    "zeta damping, damping_factor damping_ratio, damping_ratio damping, imbalance unbalance, "
+    "imbalance eccentricity, unbalance eccentricity, offset eccentricity, moment_of_inertia inertia, "
+    "speed final, final_speed final, final speed, start initial, time duration, free_speed no_load_speed, "
+    "stall_torque stall, balls balancer";
 
 bool holds(const Names& names, std::string_view name) {
   return std::find(names.begin(), names.end(), name) != names.end();
@@ -148,7 +77,8 @@ std::string meant(std::string_view key, const Names& known) {
     return edit_distance(key.substr(0, longest_shown), a) < edit_distance(key.substr(0, longest_shown), b);
   });
   if (nearest != known.end() && nearly_same(key, *nearest)) return *nearest;
-  for (const auto& [said, name] : other_names)
+  std::istringstream others{std::string(other_names)};
+  for (std::string said, name; others >> said && std::getline(others >> std::ws, name, ',');)
     if (key == said && holds(known, name)) return name;
   for (const std::string& name : known)
     if (extends(key, name) || extends(name, key)) return name;
@@ -169,21 +99,30 @@ std::string unknown_key(std::string_view table, std::string_view key, const Name
                      fmt::join(known, ", "));
 }
 
+void check_tables(const Document& document) {
+  Names tables;
+  for (const KeyTable& table : key_tables())
+    if (!table.is_inner()) tables.push_back(table.name);
+  for (const auto& [name, value] : *document.root.table())
+    if (!holds(tables, name))
+      throw InputError(document.where(name, &value), printable(name), document.value_text("", value),
+                       unknown_key("", name, tables));
+}
+
 void check_keys(const Document& document, bool physical) {
-  const std::vector<KeyList> lists = key_lists(document, physical);
-  for (const KeyList& list : lists) {
-    const StudyValue* table = document.root.find_path(list.table);
-    if (!table || !table->table()) continue;
-    for (const auto& entry : *table->table()) {
-      const std::string& name = entry.key;
-      const StudyValue& value = entry.value;
-      if (holds(list.keys, name) || holds(list.elsewhere, name)) continue;
-      const std::string dotted = list.table + "." + name;
-      std::string problem = unknown_key(list.table, name, list.keys);
-      const auto home = std::find_if(lists.begin(), lists.end(), [&](const KeyList& l) { return holds(l.keys, name); });
-      if (home != lists.end() && problem.find("did you mean") == std::string::npos)
-        problem += fmt::format("; [{}] has a key of this name", home->table);
-      throw InputError(document.where(dotted, &value), list.table + "." + printable(name),
+  for (const KeyTable& list : key_tables()) {
+    const StudyValue* table = document.root.find_path(list.name);
+    if (!table || !table->table() || list.keys.empty()) continue;
+    for (const auto& [name, value] : *table->table()) {
+      if (list.find(name, physical)) continue;
+      const std::string dotted = list.name + "." + name;
+      std::string problem = unknown_key(list.name, name, names_in(document, list, physical));
+      const auto home = std::find_if(key_tables().begin(), key_tables().end(), [&, key = name](const KeyTable& other) {
+        return holds(names_in(document, other, physical), key);
+      });
+      if (home != key_tables().end() && problem.find("did you mean") == std::string::npos)
+        problem += fmt::format("; [{}] has a key of this name", home->name);
+      throw InputError(document.where(dotted, &value), list.name + "." + printable(name),
                        document.value_text(dotted, value), problem);
     }
   }

@@ -16,6 +16,9 @@ bool nearly_same(std::string_view a, std::string_view b);
 /// empty; `known` are the keys that this may hold.
 std::string unknown_key(std::string_view table, std::string_view key, const std::vector<std::string>& known);
 
+/// Throws for the first table that no study has.
+void check_tables(const Document& document);
+
 /// Throws for the first key that no study of this kind and profile has in its table: before anything is read, so that a
 /// misspelt key is not reported as another one that is missing.
 void check_keys(const Document& document, bool physical);

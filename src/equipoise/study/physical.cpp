@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <map>
 #include <utility>
 
 #include <fmt/format.h>
@@ -11,49 +12,61 @@
 #include "equipoise/base/angles.hpp"
 #include "equipoise/model/ball_drag.hpp"
 #include "equipoise/model/parameters.hpp"
-#include "equipoise/study/physical_keys.hpp"
 #include "equipoise/study/quantity_reader.hpp"
 
 namespace equipoise::study {
 
 namespace {
 
-// A key of a dimensionless table: its values, and the physical key that they come from.
+using Values = std::vector<double>;
+
+// A key of a dimensionless table: its values, the physical key that they come from, and what they measure, if they are
+// not dimensionless yet.
 struct Derived {
   std::string key, from;
-  std::vector<double> values;
+  Values values;
+  std::optional<Dimension> dimension = std::nullopt;
 };
 
+Values over(Values values, double scale) {
+  for (double& v : values) v /= scale;
+  return values;
+}
+
 struct Rotor {
-  double mass = 0.0;                       // M, kg
-  std::vector<double> stiffness;           // N/m, x and y
-  double mean_stiffness = 0.0;             // k
-  std::vector<double> damping_ratio;       // c/(2 sqrt(k M)) of each direction, if given so
-  std::vector<double> damping;             // N s/m, if given so
-  std::optional<double> unbalance;         // kg m, if given so
-  std::optional<double> eccentricity;      // m
-  std::optional<double> gravity, inertia;  // m/s^2, kg m^2
+  double mass = 0.0;            // M, kg
+  double mean_stiffness = 0.0;  // k, N/m
+  std::vector<Derived> derived;
 };
 
 Rotor read_rotor(const Document& document) {
   QuantityReader reader(document, "rotor");
   const std::string direction = "direction (x, y)";
   Rotor r;
-  r.mass = reader.quantity("mass", Dimension::mass, positive);
-  if (!reader.has("stiffness")) reader.quantity("stiffness", Dimension::stiffness, positive);  // says what is missing
-  r.stiffness = reader.one_or_each("stiffness", {Dimension::stiffness}, positive, 2, direction);
-  r.mean_stiffness = r.stiffness[0] + 0.5 * (r.stiffness[1] - r.stiffness[0]);  // of equal ones exactly their value
+  r.mass = reader.quantity("mass");
+  if (!reader.has("stiffness")) reader.quantity("stiffness");  // says what is missing
+  const Values stiffness = reader.one_or_each("stiffness", 2, direction);
+  r.mean_stiffness = stiffness[0] + 0.5 * (stiffness[1] - stiffness[0]);  // of equal ones exactly their value
+  const Values kappa = over(stiffness, r.mean_stiffness);
+  r.derived.push_back({"stiffness", "stiffness", kappa});
   reader.exactly_one("damping", "a damping coefficient of 0 or more, such as \"200 N s/m\"", "damping_ratio",
                      "a plain number, c/(2 sqrt(k M))");
-  r.damping = reader.one_or_each("damping", {Dimension::damping}, not_negative, 2, direction);
-  if (reader.has("damping_ratio"))
-    r.damping_ratio = reader.one_or_each("damping_ratio", {0.0, largest_si}, 2, direction);
+  if (reader.has("damping_ratio")) {
+    const Range range = key_table("rotor").find("damping_ratio", true)->range;
+    Values zeta = reader.TableReader::one_or_each("damping_ratio", range, 2, direction);
+    for (std::size_t i = 0; i < 2; ++i) zeta[i] = 2.0 * zeta[i] * std::sqrt(kappa[i]);
+    r.derived.push_back({"damping", "damping_ratio", zeta});
+  } else {
+    r.derived.push_back({"damping", "damping", reader.one_or_each("damping", 2, direction), Dimension::damping});
+  }
   reader.exactly_one("eccentricity", "a length of 0 or more, such as \"0.2 mm\"", "unbalance",
                      "mass times eccentricity, such as \"300 g mm\"");
-  r.eccentricity = reader.optional_quantity("eccentricity", Dimension::length, not_negative);
-  r.unbalance = reader.optional_quantity("unbalance", Dimension::unbalance, not_negative);
-  r.gravity = reader.optional_quantity("gravity", Dimension::acceleration, not_negative);
-  r.inertia = reader.optional_quantity("inertia", Dimension::inertia, positive);
+  const bool unbalance = reader.has("unbalance");
+  const char* from = unbalance ? "unbalance" : "eccentricity";
+  r.derived.push_back(
+      {"eccentricity", from, {reader.quantity(from)}, unbalance ? Dimension::unbalance : Dimension::length});
+  for (const auto& [key, values] : reader.others(0))
+    r.derived.push_back({key, key, values, find_quantity("rotor", key)->dimension});
   reader.finish();
   return r;
 }
@@ -63,7 +76,7 @@ struct Balancer {
   double radius = 0.0;         // R, m
   std::vector<double> mass;    // kg
   std::vector<double> torque;  // N m s: drag torque for a rate relative to the race
-  std::vector<double> race_offset;
+  std::map<std::string, Values> others;
   bool rolls = false;
   std::vector<double> radius_of_balls;  // m, if they roll
   BallDetails details;
@@ -77,16 +90,15 @@ class BalancerReader {
 
   Balancer read() {
     b_.balls = static_cast<int>(reader_.integer("balls", 1, model::max_balls));
-    b_.radius = reader_.quantity("race_radius", Dimension::length, positive);
-    diameter_ = reader_.one_or_each("ball_diameter", {Dimension::length}, positive, b_.balls, "ball");
+    b_.radius = reader_.quantity("race_radius");
+    diameter_ = reader_.one_or_each("ball_diameter", b_.balls, "ball");
     for (const double d : diameter_)
       if (d >= 2.0 * b_.radius) reader_.fail("ball_diameter", "must be less than twice balancer.race_radius");
     read_mass();
     read_drag();
     read_rolls();
     read_contact();
-    b_.race_offset = reader_.one_or_each("race_offset", {Dimension::length}, any_number, 2, "direction (x, y)");
-    for (const char* plain : {"rolling", "stiction", "restitution"}) reader_.has(plain);  // as in any study
+    b_.others = reader_.others(b_.balls);
     reader_.finish();
     b_.details.diameter = diameter_;
     return std::move(b_);
@@ -100,10 +112,10 @@ class BalancerReader {
   void read_mass() {
     reader_.exactly_one("mass", "a mass greater than 0, such as \"5 g\"", "ball_density",
                         "with balancer.ball_diameter");
-    b_.mass = reader_.one_or_each("mass", {Dimension::mass}, positive, b_.balls, "ball");
+    b_.mass = reader_.one_or_each("mass", b_.balls, "ball");
     b_.mass_from = reader_.has("mass") ? "mass" : "ball_density";
     if (reader_.has("mass")) return;
-    b_.mass = reader_.one_or_each("ball_density", {Dimension::density}, positive, b_.balls, "ball");
+    b_.mass = reader_.one_or_each("ball_density", b_.balls, "ball");
     need_diameter("ball_density");
     for (std::size_t i = 0; i < b_.mass.size(); ++i)
       b_.mass[i] *= pi / 6.0 * diameter_[i] * diameter_[i] * diameter_[i];
@@ -116,8 +128,7 @@ class BalancerReader {
                         "oil_viscosity", "with balancer.ball_diameter");
     b_.drag_from = reader_.has("drag") ? "drag" : "oil_viscosity";
     Dimension measured{};
-    b_.torque =
-        reader_.one_or_each("drag", {Dimension::gain, Dimension::damping}, not_negative, b_.balls, "ball", &measured);
+    b_.torque = reader_.one_or_each("drag", b_.balls, "ball", Dimension::damping, &measured);
     if (!b_.torque.empty() && measured == Dimension::damping)
       for (double& d : b_.torque) d *= b_.radius * b_.radius;
     if (b_.torque.empty())
@@ -129,9 +140,9 @@ class BalancerReader {
 
   std::vector<double> drag_in_oil() {
     Dimension measured{};
-    const std::vector<Dimension> viscosities{Dimension::viscosity, Dimension::kinematic_viscosity};
-    double viscosity = reader_.one_or_each("oil_viscosity", viscosities, positive, 1, "balancer", &measured).front();
-    const auto density = reader_.optional_quantity("oil_density", Dimension::density, positive);
+    double viscosity =
+        reader_.one_or_each("oil_viscosity", 1, "balancer", Dimension::kinematic_viscosity, &measured).front();
+    const auto density = reader_.optional_quantity("oil_density");
     if (measured == Dimension::kinematic_viscosity) {
       if (!density)
         reader_.fail("oil_viscosity", "is a kinematic viscosity and needs balancer.oil_density, such as \"900 kg/m3\"");
@@ -140,7 +151,7 @@ class BalancerReader {
     b_.details.oil_viscosity = viscosity;
     b_.details.oil_density = density;
     need_diameter("oil_viscosity");
-    const auto channel = reader_.optional_quantity("channel_diameter", Dimension::length, positive);
+    const auto channel = reader_.optional_quantity("channel_diameter");
     std::vector<double> torque;
     for (const double d : diameter_) {
       if (channel && !(d <= model::widest_ball_in_channel * *channel))
@@ -161,7 +172,7 @@ class BalancerReader {
       if (reader_.has("ball_radius")) reader_.fail("ball_radius", "has a meaning only with balancer.rolls = true");
       return;
     }
-    b_.radius_of_balls = reader_.one_or_each("ball_radius", {Dimension::length}, not_negative, b_.balls, "ball");
+    b_.radius_of_balls = reader_.one_or_each("ball_radius", b_.balls, "ball");
     b_.rolls_from = b_.radius_of_balls.empty() ? "ball_diameter" : "ball_radius";
     if (b_.radius_of_balls.empty()) {
       need_diameter("rolls");
@@ -182,7 +193,7 @@ class BalancerReader {
     if (reader_.has("contact_angle")) {
       if (reader_.has("contact"))
         reader_.fail("contact", "give either balancer.contact_angle or balancer.contact, not both");
-      b_.contact_angle = reader_.optional_quantity("contact_angle", Dimension::angle, not_negative);
+      b_.contact_angle = reader_.optional_quantity("contact_angle");
       b_.contact_from = "contact_angle";
       return;
     }
@@ -218,36 +229,20 @@ void put(Document& document, StudyValue& table, const std::string& prefix, const
     table.set(d.key, d.values.front());
 }
 
-// Puts the `derived` keys into a table and takes the `physical` ones out.
-void replace(Document& document, const std::string& name, const std::vector<Derived>& derived,
-             std::initializer_list<const char*> physical) {
-  StudyValue& table = *document.root.find(name);
-  for (const Derived& d : derived) put(document, table, name, d, d.values.size() > 1);
-  for (const char* key : physical)
-    if (std::none_of(derived.begin(), derived.end(), [&](const Derived& d) { return d.key == key; })) table.erase(key);
+// Whether no dimensionless study has the key.
+bool physical_alone(const KeyTable& table, const Key& key) {
+  return key.has(Key::physical) && !table.find(key.name, false);
 }
 
-void replace_rotor(Document& document, const Rotor& r, const model::Scales& s) {
-  const auto over = [](std::vector<double> values, double scale) {
-    for (double& v : values) v /= scale;
-    return values;
-  };
-  const std::vector<double> kappa = over(r.stiffness, r.mean_stiffness);
-  std::vector<Derived> derived{{"stiffness", "stiffness", kappa}};
-  if (r.damping_ratio.empty())
-    derived.push_back({"damping", "damping", over(r.damping, s.damping())});
-  else
-    derived.push_back(
-        {"damping",
-         "damping_ratio",
-         {2.0 * r.damping_ratio[0] * std::sqrt(kappa[0]), 2.0 * r.damping_ratio[1] * std::sqrt(kappa[1])}});
-  if (r.unbalance)
-    derived.push_back({"eccentricity", "unbalance", {*r.unbalance / s.unbalance()}});
-  else
-    derived.push_back({"eccentricity", "eccentricity", {*r.eccentricity / s.length}});
-  if (r.gravity) derived.push_back({"gravity", "gravity", {*r.gravity / s.acceleration()}});
-  if (r.inertia) derived.push_back({"inertia", "inertia", {*r.inertia / s.inertia()}});
-  replace(document, "rotor", derived, {"mass", "damping_ratio", "unbalance"});
+// Puts the `derived` keys, over their scales, into a table and takes out those of physical studies alone.
+void replace(Document& document, const std::string& name, std::vector<Derived> derived, const model::Scales& s) {
+  StudyValue& table = *document.root.find(name);
+  for (Derived& d : derived) {
+    if (d.dimension) d.values = over(d.values, scale_of(*d.dimension, s));
+    put(document, table, name, d, d.values.size() > 1);
+  }
+  for (const Key& key : key_table(name).keys)
+    if (physical_alone(key_table(name), key)) table.erase(key.name);
 }
 
 void replace_balancer(Document& document, const Balancer& b, const model::Scales& s) {
@@ -257,51 +252,51 @@ void replace_balancer(Document& document, const Balancer& b, const model::Scales
     beta.push_back(b.torque[i] / s.ball_drag(b.mass[i]));
   }
   std::vector<Derived> derived{{"mass", b.mass_from, mu}, {"drag", b.drag_from, beta}};
-  if (!b.race_offset.empty())
-    derived.push_back({"race_offset", "race_offset", {b.race_offset[0] / s.length, b.race_offset[1] / s.length}});
+  for (const auto& [key, values] : b.others)
+    derived.push_back({key, key, values, find_quantity("balancer", key)->dimension});
   if (b.contact_angle) derived.push_back({"contact_angle", b.contact_from, {*b.contact_angle}});
   if (b.rolls) {
     document.root.find("balancer")->set("rolls", true);
-    std::vector<double> radius = b.radius_of_balls;
-    for (double& r : radius) r /= s.length;
-    derived.push_back({"ball_radius", b.rolls_from, std::move(radius)});
+    derived.push_back({"ball_radius", b.rolls_from, b.radius_of_balls, Dimension::length});
   }
-  replace(
-      document, "balancer", derived,
-      {"race_radius", "ball_diameter", "ball_density", "oil_viscosity", "oil_density", "channel_diameter", "contact"});
+  replace(document, "balancer", derived, s);
 }
 
-void replace_quantities(Document& document, const QuantityTable& quantities, const model::Scales& s) {
-  StudyValue* table = find_table(document.root, quantities.name);
+void replace_quantities(Document& document, const KeyTable& keys, const model::Scales& s) {
+  StudyValue* table = find_table(document.root, keys.name);
   if (!table) return;  // absent, or not a table: the study reader says so
-  TableReader reader(document, quantities.name);
-  for (const auto& [key, dimension, range] : quantities.keys) {
+  TableReader reader(document, keys.name);
+  for (const Key& line : keys.keys) {
+    if (!line.dimension) continue;
+    const std::string key = line.name;
+    const Range range = quantity_range(line);
     const StudyValue* value = table->find(key);
     if (!value) continue;
-    const double scale = scale_of(dimension, s);
+    const double scale = scale_of(*line.dimension, s);
     Derived derived{key, key, {}};
     const StudyValue::Array* array = value->array();
     if (!array) {
-      const auto reject = [&, name = key](const std::string& problem) { reader.fail(name, problem); };
-      derived.values.push_back(measure_value(*value, {dimension}, range, reject).value / scale);
+      const auto reject = [&](const std::string& problem) { reader.fail(key, problem); };
+      derived.values.push_back(measure_value(*value, {*line.dimension}, range, reject).value / scale);
     } else {
       for (const StudyValue& entry : *array) {
-        const auto reject = [&, name = key](const std::string& problem) {
-          reader.fail(name, fmt::format("entry {} {}", derived.values.size() + 1, problem));
+        const auto reject = [&](const std::string& problem) {
+          reader.fail(key, fmt::format("entry {} {}", derived.values.size() + 1, problem));
         };
-        derived.values.push_back(measure_value(entry, {dimension}, range, reject).value / scale);
+        derived.values.push_back(measure_value(entry, {*line.dimension}, range, reject).value / scale);
       }
     }
-    put(document, *table, quantities.name, derived, array != nullptr);
+    put(document, *table, keys.name, derived, array != nullptr);
   }
 }
 
 // The first key that only a study in physical units has; empty if there is none.
 std::string physical_key(const Document& document) {
-  for (const char* key : {"rotor.mass", "rotor.damping_ratio", "rotor.unbalance", "balancer.race_radius",
-                          "balancer.ball_diameter", "balancer.ball_density", "balancer.oil_viscosity",
-                          "balancer.oil_density", "balancer.channel_diameter", "balancer.contact"})
-    if (document.root.find_path(key)) return key;
+  for (const KeyTable& table : key_tables())
+    for (const Key& key : table.keys)
+      if (const std::string dotted = table.name + "." + key.name;
+          physical_alone(table, key) && document.root.find_path(dotted))
+        return dotted;
   return "";
 }
 
@@ -318,6 +313,7 @@ void check_horizon(const Document& document, const model::Scales& s) {
   TableReader numerics(document, "numerics");
   if (!numerics.has("horizon")) return;
   const double horizon = numerics.number("horizon", any_number);
+  const Range horizon_range = key_table("numerics").find("horizon", false)->range;
   if (!horizon_range.contains(horizon))
     numerics.fail("horizon", fmt::format("must be a time from {:.6g} s to {:.6g} s ({} to {} times 1/omega_c)",
                                          horizon_range.low * s.time(), horizon_range.high * s.time(), horizon_range.low,
@@ -343,9 +339,10 @@ void make_dimensionless(Document& document) {
   const Rotor rotor = read_rotor(document);
   const Balancer balancer = BalancerReader(document).read();
   const model::Scales scales = model::Scales::of(rotor.mass, balancer.radius, rotor.mean_stiffness);
-  replace_rotor(document, rotor, scales);
+  replace(document, "rotor", rotor.derived, scales);
   replace_balancer(document, balancer, scales);
-  for (const QuantityTable& table : quantity_tables()) replace_quantities(document, table, scales);
+  for (const KeyTable& table : key_tables())
+    if (!is_machine(table.name)) replace_quantities(document, table, scales);
   document.scales = scales;
   check_horizon(document, scales);
 }

@@ -7,9 +7,6 @@
 
 namespace equipoise::study {
 
-/// numerics.horizon, in 1/omega_c.
-inline constexpr Range horizon_range{1.0, 1e7};
-
 /// Whether the study states a rotor in physical units. What only such a study has tells: rotor.mass,
 /// balancer.race_radius and their like.
 bool is_physical(const Document& document);

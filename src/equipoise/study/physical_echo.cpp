@@ -5,7 +5,7 @@
 
 #include <fmt/format.h>
 
-#include "equipoise/study/physical_keys.hpp"
+#include "equipoise/study/keys.hpp"
 #include "equipoise/study/toml_tree.hpp"
 
 namespace equipoise {
@@ -30,20 +30,20 @@ void multiply(StudyValue& table, const std::string& key, Dimension dimension, co
 }
 
 void make_physical(StudyValue& root, const model::Parameters& p, const model::Scales& s) {
-  StudyValue& rotor = *find_table(root, "rotor");
-  const auto scaled = [&](StudyValue& table, const char* key, Dimension dimension) {
-    if (dimension != Dimension::angle) multiply(table, key, dimension, {scale_of(dimension, s)});
-  };
-  rotor.set("mass", quantity_text(s.mass, Dimension::mass));
-  StudyValue& balancer = *find_table(root, "balancer");
-  balancer.set("race_radius", quantity_text(s.length, Dimension::length));
-  std::vector<double> drag;  // D_i = beta_i m_i R^2 omega_c
-  for (int i = 0; i < p.balls; ++i) drag.push_back(p.mass[static_cast<std::size_t>(i)] * scale_of(Dimension::gain, s));
-  multiply(balancer, "drag", Dimension::gain, drag);
-  for (const auto& [table, key, dimension] : rotor_and_balancer) scaled(*find_table(root, table), key, dimension);
-  for (const QuantityTable& quantities : quantity_tables())
-    if (StudyValue* table = find_table(root, quantities.name))
-      for (const auto& [key, dimension, range] : quantities.keys) scaled(*table, key, dimension);
+  find_table(root, "rotor")->set("mass", quantity_text(s.mass, Dimension::mass));
+  find_table(root, "balancer")->set("race_radius", quantity_text(s.length, Dimension::length));
+  for (const KeyTable& keys : key_tables()) {
+    StudyValue* table = find_table(root, keys.name);
+    for (const Key& key : keys.keys) {
+      if (!table || !key.in_form(false) || !key.dimension || key.dimension == Dimension::angle) continue;
+      std::vector<double> scale{scale_of(*key.dimension, s)};
+      if (is_machine(keys.name) && key.name == std::string_view("drag")) {  // D_i = beta_i m_i R^2 omega_c
+        scale.resize(static_cast<std::size_t>(p.balls), scale[0]);
+        for (std::size_t i = 0; i < scale.size(); ++i) scale[i] *= p.mass[i];
+      }
+      multiply(*table, key.name, *key.dimension, scale);
+    }
+  }
   root.erase("units");
 }
 

@@ -31,8 +31,8 @@ Measured measure_value(const StudyValue& value, const std::vector<Dimension>& di
   if (!range.contains(result.value)) reject("must be " + wanted_quantity({result.dimension}, range));
   const double size = std::abs(result.value);
   if (size > largest_si || (size < smallest_si && (size > 0.0 || range.low_open)))
-    reject(fmt::format("must be {}; in SI units from {} to {} in size", wanted_quantity({result.dimension}, range), smallest_si,
-                       largest_si));
+    reject(fmt::format("must be {}; in SI units from {} to {} in size", wanted_quantity({result.dimension}, range),
+                       smallest_si, largest_si));
   return result;
 }
 
@@ -43,21 +43,24 @@ std::function<void(const std::string&)> QuantityReader::refusal(const std::strin
   return [this, key, more](const std::string& problem) { fail(key, problem + more); };
 }
 
-double QuantityReader::quantity(const std::string& key, Dimension dimension, const Range& range) {
-  require(key, wanted_quantity({dimension}, range));
-  return *optional_quantity(key, dimension, range);
+const Key& QuantityReader::line(const std::string& key) const { return *key_table(prefix_).find(key, true); }
+
+double QuantityReader::quantity(const std::string& key) {
+  require(key, wanted_quantity({*line(key).dimension}, quantity_range(line(key))));
+  return *optional_quantity(key);
 }
 
-std::optional<double> QuantityReader::optional_quantity(const std::string& key, Dimension dimension,
-                                                        const Range& range) {
+std::optional<double> QuantityReader::optional_quantity(const std::string& key) {
   const StudyValue* value = find(key);
   if (!value) return std::nullopt;
-  return measure_value(*value, {dimension}, range, refusal(key, *value)).value;
+  return measure_value(*value, {*line(key).dimension}, quantity_range(line(key)), refusal(key, *value)).value;
 }
 
-std::vector<double> QuantityReader::one_or_each(const std::string& key, const std::vector<Dimension>& dimensions,
-                                                const Range& range, int count, const std::string& each,
-                                                Dimension* measured) {
+std::vector<double> QuantityReader::one_or_each(const std::string& key, int count, const std::string& each,
+                                                std::optional<Dimension> other, Dimension* measured) {
+  std::vector<Dimension> dimensions{*line(key).dimension};
+  if (other) dimensions.push_back(*other);
+  const Range range = quantity_range(line(key));
   const StudyValue* value = find(key);
   if (!value) return {};
   Dimension ignored{};
@@ -78,6 +81,22 @@ std::vector<double> QuantityReader::one_or_each(const std::string& key, const st
     const Measured one = measure_value(entry, allowed, range, reject);
     dimension = one.dimension;
     values.push_back(one.value);
+  }
+  return values;
+}
+
+std::map<std::string, std::vector<double>> QuantityReader::others(int balls) {
+  std::map<std::string, std::vector<double>> values;
+  Study any;
+  for (const Key& key : key_table(prefix_).of(all_variants, true)) {
+    const Member member = key.member(any);
+    if (has_asked(key.name) || !has(key.name) || !key.dimension) continue;
+    if (std::holds_alternative<double*>(member) || std::holds_alternative<std::monostate>(member))
+      values[key.name] = {*optional_quantity(key.name)};
+    else if (std::holds_alternative<std::array<double, 2>*>(member))
+      values[key.name] = one_or_each(key.name, 2, "direction (x, y)");
+    else
+      values[key.name] = one_or_each(key.name, balls, "ball");
   }
   return values;
 }

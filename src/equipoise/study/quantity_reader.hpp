@@ -7,8 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "equipoise/study/table_reader.hpp"
-#include "equipoise/study/units.hpp"
+#include "equipoise/study/keys.hpp"
 
 namespace equipoise::study {
 
@@ -16,22 +15,25 @@ namespace equipoise::study {
 /// that is not 0.
 inline constexpr double largest_si = 1e30, smallest_si = 1e-30;
 
-/// One table of a physical study. Values are in SI units; a plain number is an error.
+/// One table of a physical study, whose keys say what they measure. Values are in SI units; a plain number is an error.
 class QuantityReader : public TableReader {
  public:
   using TableReader::TableReader;
 
-  double quantity(const std::string& key, Dimension dimension, const Range& range);
-  std::optional<double> optional_quantity(const std::string& key, Dimension dimension, const Range& range);
+  double quantity(const std::string& key);
+  std::optional<double> optional_quantity(const std::string& key);
   /// One quantity, or an array with one an `each`: always `count` values, or none if the key is absent. All measure
-  /// the same one of `dimensions`, which is returned in `measured`.
-  std::vector<double> one_or_each(const std::string& key, const std::vector<Dimension>& dimensions, const Range& range,
-                                  int count, const std::string& each, Dimension* measured = nullptr);
+  /// the key's dimension or all the `other` one; which, `measured` returns.
+  std::vector<double> one_or_each(const std::string& key, int count, const std::string& each,
+                                  std::optional<Dimension> other = std::nullopt, Dimension* measured = nullptr);
   using TableReader::one_or_each;
+  /// The quantities that no call has asked for, and which are read alike; plain numbers stay as they are.
+  std::map<std::string, std::vector<double>> others(int balls);
   /// Throws unless exactly one of the two keys is there, saying what each would be.
   void exactly_one(const std::string& a, const std::string& a_words, const std::string& b, const std::string& b_words);
 
  private:
+  const Key& line(const std::string& key) const;
   std::function<void(const std::string&)> refusal(const std::string& key, const StudyValue& value) const;
 
   std::map<std::string, std::string> alternatives_;  // by key: what may be given in its place

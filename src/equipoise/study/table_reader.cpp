@@ -9,9 +9,9 @@
 #include <fmt/ranges.h>
 
 #include "equipoise/base/angles.hpp"
+#include "equipoise/study/keys.hpp"
 #include "equipoise/study/known_keys.hpp"
 #include "equipoise/study/overrides.hpp"
-#include "equipoise/study/physical_keys.hpp"
 #include "equipoise/study/quantity_reader.hpp"
 #include "equipoise/study/printable.hpp"
 #include "equipoise/study/text_guard.hpp"
@@ -176,7 +176,7 @@ Document document_of(StudyValue tree, const std::string& name, const std::vector
 }
 
 TableReader::TableReader(const Document& document, std::string prefix)
-    : document_(document), prefix_(std::move(prefix)) {
+    : prefix_(std::move(prefix)), document_(document) {
   const StudyValue* value = document.root.find_path(prefix_);
   if (!value) return;
   table_ = value->table() ? value : nullptr;
@@ -187,8 +187,12 @@ TableReader::TableReader(const Document& document, std::string prefix)
 
 std::string TableReader::dotted(const std::string& key) const { return prefix_ + "." + key; }
 
+bool TableReader::has_asked(const std::string& key) const {
+  return std::find(known_.begin(), known_.end(), key) != known_.end();
+}
+
 const StudyValue* TableReader::find(const std::string& key) {
-  if (std::find(known_.begin(), known_.end(), key) == known_.end()) known_.push_back(key);
+  if (!has_asked(key)) known_.push_back(key);
   return table_ ? table_->find(key) : nullptr;
 }
 
@@ -196,17 +200,16 @@ bool TableReader::has(const std::string& key) { return find(key) != nullptr; }
 
 // What the key holds in a study in physical units; empty if it is no quantity there.
 std::string TableReader::quantity_wanted(const std::string& key) const {
-  if (document_.scales)
-    for (const QuantityTable& table : quantity_tables())
-      for (const QuantityKey& quantity : table.keys)
-        if (table.name == prefix_ && quantity.key == key) return wanted_quantity({quantity.dimension}, quantity.range);
+  if (document_.scales && !is_machine(prefix_))
+    if (const Key* quantity = find_quantity(prefix_, key))
+      return wanted_quantity({*quantity->dimension}, quantity_range(*quantity));
   return "";
 }
 
 const StudyValue& TableReader::require(const std::string& key, const std::string& number) {
   if (const StudyValue* value = find(key)) return *value;
   const std::string quantity = quantity_wanted(key);
-  const std::string wanted = quantity.empty()                ? number
+  const std::string wanted = quantity.empty()                 ? number
                              : number.starts_with("an array") ? "an array, each entry " + quantity
                                                               : quantity;
   std::string hint;
@@ -268,10 +271,6 @@ double TableReader::number(const std::string& key, const Range& range) {
   return as_number(key, require(key, range.text()), range);
 }
 
-double TableReader::number(const std::string& key, const Range& range, double fallback) {
-  return optional_number(key, range).value_or(fallback);
-}
-
 std::optional<double> TableReader::optional_number(const std::string& key, const Range& range) {
   const StudyValue* value = find(key);
   if (!value) return std::nullopt;
@@ -328,8 +327,7 @@ std::vector<std::string> TableReader::texts(const std::string& key) {
 }
 
 std::vector<double> TableReader::one_or_each(const std::string& key, const Range& range, int count,
-                                             const std::string& each, std::optional<double> fallback) {
-  if (fallback && !has(key)) return std::vector<double>(count, *fallback);
+                                             const std::string& each) {
   const StudyValue& value = require(key, fmt::format("{}, or an array of {}, one a {}", range.text(), count, each));
   if (!value.array()) return std::vector<double>(count, as_number(key, value, range));
   std::vector<double> result = numbers(key, range);
@@ -342,16 +340,9 @@ std::vector<double> TableReader::one_or_each(const std::string& key, const Range
 void TableReader::finish() const {
   if (!table_) return;
   for (const auto& [name, value] : *table_->table())
-    if (std::find(known_.begin(), known_.end(), name) == known_.end())
+    if (!has_asked(name))
       throw InputError(document_.where(dotted(name), &value), dotted(printable(name)),
                        document_.value_text(dotted(name), value), unknown_key(prefix_, name, known_));
-}
-
-void check_tables(const Document& document, std::initializer_list<std::string_view> tables) {
-  const std::vector<std::string> known(tables.begin(), tables.end());
-  for (const auto& [name, value] : *document.root.table())
-    if (std::find(known.begin(), known.end(), name) == known.end())
-      throw InputError(document.where(name, &value), printable(name), shown(value), unknown_key("", name, known));
 }
 
 }  // namespace equipoise::study

@@ -3,7 +3,6 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <initializer_list>
 #include <map>
 #include <optional>
 #include <set>
@@ -65,7 +64,6 @@ class TableReader {
 
   bool has(const std::string& key);
   double number(const std::string& key, const Range& range);
-  double number(const std::string& key, const Range& range, double fallback);
   std::optional<double> optional_number(const std::string& key, const Range& range);
   std::int64_t integer(const std::string& key, std::int64_t low, std::int64_t high);
   std::int64_t integer(const std::string& key, std::int64_t low, std::int64_t high, std::int64_t fallback);
@@ -80,8 +78,7 @@ class TableReader {
   /// An array of strings; empty if it is not there.
   std::vector<std::string> texts(const std::string& key);
   /// `count` numbers from an array of that length, or one number repeated.
-  std::vector<double> one_or_each(const std::string& key, const Range& range, int count, const std::string& each,
-                                  std::optional<double> fallback = std::nullopt);
+  std::vector<double> one_or_each(const std::string& key, const Range& range, int count, const std::string& each);
   /// Throws for the first key that no read asked for.
   void finish() const;
 
@@ -93,6 +90,7 @@ class TableReader {
   std::string speed_text(double speed) const;
 
  protected:
+  bool has_asked(const std::string& key) const;
   const StudyValue* find(const std::string& key);
   const StudyValue& require(const std::string& key, const std::string& number);
   double as_number(const std::string& key, const StudyValue& value, const Range& range,
@@ -101,18 +99,16 @@ class TableReader {
   /// "a number", "a string": what a value is, for a message.
   static std::string kind(const StudyValue& value);
 
+  const std::string prefix_;
+
  private:
   bool states_units() const;
   std::string quantity_wanted(const std::string& key) const;
   std::size_t place_among(const std::string& key, std::span<const char* const> names);
 
   const Document& document_;
-  std::string prefix_;
   const StudyValue* table_ = nullptr;
   std::vector<std::string> known_;
 };
-
-/// Throws for a top-level key that is not one of `tables`.
-void check_tables(const Document& document, std::initializer_list<std::string_view> tables);
 
 }  // namespace equipoise::study

@@ -12,14 +12,12 @@
 
 #include "equipoise/base/error.hpp"
 #include "equipoise/base/read_number.hpp"
-#include "equipoise/study/physical_keys.hpp"
+#include "equipoise/study/keys.hpp"
 #include "equipoise/study/printable.hpp"
 
 namespace equipoise::study {
 
 namespace {
-
-constexpr std::array uncertain_tables{"rotor", "balancer", "speed", "speed.torque", "speed.torque.target", "release"};
 
 bool names_distribution(const StudyValue& table) {
   return std::any_of(distribution_names.begin(), distribution_names.end(),
@@ -131,13 +129,15 @@ class DistributionReader {
 }  // namespace
 
 bool takes_distributions(const std::string& dotted) {
-  return std::find(uncertain_tables.begin(), uncertain_tables.end(), dotted) != uncertain_tables.end();
+  return std::any_of(key_tables().begin(), key_tables().end(),
+                     [&](const KeyTable& table) { return table.drawn() && table.name == dotted; });
 }
 
 std::vector<UncertainValue> take_uncertain(Document& document) {
   std::vector<UncertainValue> values;
-  for (const std::string name : uncertain_tables) {
-    StudyValue* table = find_table(document.root, name);
+  for (const KeyTable& keys : key_tables()) {
+    const std::string& name = keys.name;
+    StudyValue* table = keys.drawn() ? find_table(document.root, name) : nullptr;
     if (!table) continue;
     for (const auto& [key, value] : *table->table()) {
       const std::string dotted = name + "." + key;

@@ -1,0 +1,112 @@
+// A key's value on its way from a study's text into its member, and back.
+#include <algorithm>
+#include <limits>
+#include <type_traits>
+
+#include <fmt/format.h>
+
+#include "equipoise/study/keys.hpp"
+
+namespace equipoise::study {
+
+namespace {
+
+template <class T>
+concept Enumeration = std::is_enum_v<T>;
+
+struct KeyReading {
+  TableReader& reader;
+  const Key& key;
+  int balls;
+
+  void operator()(std::monostate) const {}
+  void operator()(double* v) const { *v = reader.number(key.name, key.range); }
+  void operator()(std::optional<double>* v) const { *v = reader.optional_number(key.name, key.range); }
+  void operator()(std::vector<double>* v) const { *v = reader.numbers(key.name, key.range); }
+  void operator()(std::vector<std::string>* v) const { *v = reader.texts(key.name); }
+  void operator()(bool* v) const { *v = reader.flag(key.name, *v); }
+  void operator()(std::array<double, 2>* v) const {
+    put(key.has(Key::pair) ? two("[x, y]") : reader.one_or_each(key.name, key.range, 2, "direction (x, y)"), *v);
+  }
+  void operator()(std::array<double, model::max_balls>* v) const {
+    put(reader.one_or_each(key.name, key.range, balls, "ball"), *v);
+  }
+  void operator()(std::optional<SamplingBox::Side>* v) const {
+    const std::vector<double> bounds = two("[low, high]");
+    if (!(bounds[0] <= bounds[1]))
+      reader.fail(key.name, "bounds out of order; must be [low, high] with low at most high");
+    *v = {bounds[0], bounds[1]};
+  }
+  template <std::integral T>
+  void operator()(T* v) const {
+    constexpr auto largest = std::numeric_limits<std::int64_t>::max();  // of a TOML integer
+    const std::int64_t high = key.range.high < 0x1p63 ? static_cast<std::int64_t>(key.range.high) : largest;
+    *v = static_cast<T>(reader.integer(key.name, static_cast<std::int64_t>(key.range.low), high));
+  }
+  template <Enumeration T>
+  void operator()(T* v) const {
+    *v = reader.choice<T>(key.name, names_of(T{}));
+  }
+  template <Enumeration T>
+  void operator()(std::optional<T>* v) const {
+    *v = reader.choice<T>(key.name, names_of(T{}));
+  }
+
+  std::vector<double> two(const char* form) const {
+    std::vector<double> entries = reader.numbers(key.name, key.range);
+    if (entries.size() != 2)
+      reader.fail(key.name, fmt::format("has {} entries; must be two finite numbers, {}", entries.size(), form));
+    return entries;
+  }
+  template <std::size_t n>
+  static void put(const std::vector<double>& from, std::array<double, n>& to) {
+    std::copy(from.begin(), from.end(), to.begin());
+  }
+};
+
+struct KeyEcho {
+  int balls;
+  using Value = std::optional<StudyValue>;
+
+  Value operator()(std::monostate) const { return {}; }
+  Value operator()(const std::vector<std::string>*) const { return {}; }  // of [sweep], which is not echoed
+  Value operator()(const std::array<double, 2>* v) const { return std::vector<double>(v->begin(), v->end()); }
+  // As long as a study may have balls, whatever it says.
+  Value operator()(const std::array<double, model::max_balls>* v) const {
+    return std::vector<double>(v->begin(), v->begin() + std::clamp(balls, 0, model::max_balls));
+  }
+  Value operator()(const std::optional<SamplingBox::Side>* v) const {
+    return *v ? Value(std::vector<double>{(*v)->low, (*v)->high}) : Value();
+  }
+  Value operator()(const std::optional<double>* v) const { return *v ? Value(**v) : Value(); }
+  template <Enumeration T>
+  Value operator()(const std::optional<T>* v) const {
+    const T value = v->value_or(T{});  // what the unset one means
+    return operator()(&value);
+  }
+  // Of a value that code made up, its number, which no reader takes.
+  template <Enumeration T>
+  Value operator()(const T* v) const {
+    const auto index = static_cast<std::size_t>(*v);
+    if (index < names_of(*v).size()) return names_of(*v)[index];
+    return StudyValue::Other{"a number", std::to_string(static_cast<long long>(*v))};
+  }
+  template <class T>
+  Value operator()(const T* v) const {
+    return StudyValue(*v);
+  }
+};
+
+}  // namespace
+
+void read_key(TableReader& reader, const Key& key, Study& study) {
+  if (reader.has(key.name) || key.has(Key::required))
+    std::visit(KeyReading{reader, key, study.parameters.balls}, key.member(study));
+}
+
+std::optional<StudyValue> value_of(const Key& key, const Study& study) {
+  const Member member = key.member(const_cast<Study&>(study));  // only read here
+  return std::visit([&](const auto& v) { return KeyEcho{study.parameters.balls}(v); }, member);
+}
+
+}  // namespace equipoise::study

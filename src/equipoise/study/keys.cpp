@@ -1,0 +1,274 @@
+// The table of keys.
+#include "equipoise/study/keys.hpp"
+
+#include <algorithm>
+
+#include "equipoise/base/angles.hpp"
+
+namespace equipoise::study {
+
+namespace {
+using enum Key::Trait;
+using D = Dimension;
+using P = model::Parameters;
+using R = RampSetting;
+using S = SpeedSetting;
+using T = TorqueSetting;
+using W = ReleaseSetting;
+using I = InitialState;
+using A = Sampling;
+using B = SamplingBox;
+using N = Numerics;
+using L = Limits;
+constexpr auto par = &Study::parameters;
+constexpr auto speed = &Study::speed;
+constexpr auto torque = &SpeedSetting::torque;
+constexpr auto release = &Study::release;
+constexpr auto start = &Study::initial;
+constexpr auto draws = &Study::sampling;
+constexpr auto box = &Sampling::box;
+constexpr auto num = &Study::numerics;
+constexpr auto lim = &Study::limits;
+
+template <auto... path>
+Member at(Study& study) {
+  return &(study.*....*path);
+}
+template <auto scale>
+Member scale_at(Study& study) {
+  return &((*study.scales).*scale);
+}
+Member nowhere(Study&) { return {}; }
+
+constexpr Range up_to_one{0.0, 1.0}, below_one{0.0, 1.0, false, true}, below_turn{0.0, two_pi, false, true};
+constexpr Range tolerances{1e-14, 1e-2}, horizons{1.0, 1e7};
+constexpr Range ratio{0.0, 1e30}, si_size{1e-30, 1e30};  // products of three such sizes stay finite
+constexpr Range any = any_number;
+constexpr std::nullopt_t bare = std::nullopt;  // no quantity
+
+// Of race and balls only what is on is echoed: a rotor without them reads as it always did.
+bool has_inertia(const Study& study) { return study.parameters.inertia != 0.0; }
+bool off_centre(const Study& study) { return !study.parameters.race_is_centred(); }
+bool resisted(const Study& study) {
+  const P& p = study.parameters;
+  const auto on = [](double v) { return v != 0.0; };
+  const auto balls = std::clamp(p.balls, 0, model::max_balls);
+  return std::any_of(p.rolling.begin(), p.rolling.begin() + balls, on) ||
+         std::any_of(p.stiction.begin(), p.stiction.begin() + balls, on);
+}
+bool rolls(const Study& study) { return study.parameters.rolls; }
+bool touches(const Study& study) { return study.parameters.contact_angle != 0.0; }
+bool rebounds(const Study& study) { return touches(study) || study.parameters.restitution != P{}.restitution; }
+
+std::vector<Key> all_keys() {
+  return {
+      // Supports and rotor, dimensionless and in physical units.
+      {"rotor.eccentricity", at<par, &P::eccentricity>, not_negative, D::length, required | plain, "lambda = eps/R"},
+      {"rotor.damping", at<par, &P::damping>, not_negative, D::damping, required | plain, "zeta = c/sqrt(k M)"},
+      {"rotor.stiffness", at<par, &P::stiffness>, positive, D::stiffness, plain, "kappa, in k"},
+      {"rotor.gravity", at<par, &P::gravity>, not_negative, D::acceleration, plain, "G = g/(R omega_c^2), along -Y"},
+      {"rotor.inertia", at<par, &P::inertia>, not_negative, D::inertia, plain,
+       "iota = I_C/(M R^2), about the centre of mass; for motors, and the work of a change of speed", nullptr,
+       has_inertia},
+      {"rotor.mass", nowhere, positive, D::mass, required | physical, "M: all that vibrates, without the balls"},
+      {"rotor.stiffness", nowhere, positive, D::stiffness, required | physical, "of the supports; k is the mean"},
+      {"rotor.damping", nowhere, not_negative, D::damping, physical, "of the supports"},
+      {"rotor.damping_ratio", nowhere, ratio, bare, physical,
+       "or this: c/(2 sqrt(k M)) with each direction's own stiffness; half of zeta"},
+      {"rotor.eccentricity", nowhere, not_negative, D::length, physical, "of the rotor's centre of mass"},
+      {"rotor.unbalance", nowhere, not_negative, D::unbalance, physical, "or this: M times the eccentricity"},
+      {"rotor.gravity", nowhere, not_negative, D::acceleration, physical, "across the shaft"},
+      {"rotor.inertia", nowhere, positive, D::inertia, physical, "as in a dimensionless study"},
+      {"balancer.balls", at<par, &P::balls>, {1.0, model::max_balls}, bare, required, "n, how many"},
+      {"balancer.race_radius", nowhere, positive, D::length, required | physical, "R: of the circle of ball centres"},
+      {"balancer.ball_diameter", nowhere, positive, D::length, physical, "balls whose size is given roll, and touch"},
+      {"balancer.mass", at<par, &P::mass>, positive, D::mass, required | plain, "mu = m/M"},
+      {"balancer.mass", nowhere, positive, D::mass, physical, "of a ball"},
+      {"balancer.ball_density", nowhere, positive, D::density, physical, "or this, with `ball_diameter`"},
+      {"balancer.drag", at<par, &P::drag>, not_negative, D::gain, required | plain, "beta = D/(m R^2 omega_c)"},
+      {"balancer.drag", nowhere, not_negative, D::gain, physical,
+       "torque for a rate relative to the race, or force for a speed along it (`\"0.01 N s/m\"`)"},
+      {"balancer.oil_viscosity", nowhere, positive, D::viscosity, physical,
+       "or this, of the oil in the race (`\"100 cSt\"` with `oil_density`); needs `ball_diameter`"},
+      {"balancer.oil_density", nowhere, positive, D::density, physical,
+       "for kinematic viscosities and the Reynolds number of `explain`"},
+      {"balancer.channel_diameter", nowhere, positive, D::length, physical,
+       "of the race's cross-section, for the drag of its walls; balls of at most 0.6 of it"},
+      {"balancer.contact", nowhere, any, bare, physical,
+       "`false`: balls pass through each other; by default two or more of one `ball_diameter` touch"},
+      {"balancer.race_offset", at<par, &P::race_offset>, any, D::length, pair,
+       "e/R, the race's centre from the shaft's, in the rotating frame", nullptr, off_centre},
+      {"balancer.rolling", at<par, &P::rolling>, not_negative, bare, none,
+       "resistance of a moving ball over its normal force", nullptr, resisted},
+      {"balancer.stiction", at<par, &P::stiction>, not_negative, bare, none,
+       "the largest at rest: `rolling` (default) or more", nullptr, resisted},
+      {"balancer.rolls", at<par, &P::rolls>, any, bare, none,
+       "balls are solid spheres that do not slip; else point masses that slide, as in Wright and Peng", nullptr, rolls},
+      {"balancer.ball_radius", at<par, &P::ball_radius>, below_one, D::length, none,
+       "of a ball that rolls, over R; plays a part only while the speed changes", nullptr, rolls},
+      {"balancer.contact_angle", at<par, &P::contact_angle>, below_turn, D::angle, none,
+       "between touching balls, below 2 pi/n; 0: balls pass each other", nullptr, touches},
+      {"balancer.restitution", at<par, &P::restitution>, up_to_one, bare, none, "of ball on ball", nullptr,
+       rebounds},  // The variants of [speed] are its profiles, those of speed.torque the laws of motors.
+      {"speed.profile", at<speed, &R::profile>, any, bare, required, "names the ramp function Omega(t)"},
+      {"speed.law", at<speed, &S::law>, any, bare, none, "how the rotor follows it"},
+      {"speed.speed", at<speed, &R::speed>, any, D::speed, required | constant, "Omega"},
+      {"speed.initial", at<speed, &R::initial>, any, D::speed, ramp | trapezoid | driven, "at t = 0", "initial speed"},
+      {"speed.peak", at<speed, &R::peak>, any, D::speed, required | trapezoid, "from `rise_until` to `hold_until`",
+       "peak speed"},
+      {"speed.final", at<speed, &R::final>, any, D::speed, required | ramp | trapezoid, "at last"},
+      {"speed.duration", at<speed, &R::duration>, positive, D::time, required | ramp, "of the ramp"},
+      {"speed.rise_until", at<speed, &R::rise_until>, positive, D::time, required | trapezoid, "T0"},
+      {"speed.hold_until", at<speed, &R::hold_until>, positive, D::time, required | trapezoid, "T1, after T0"},
+      {"speed.fall_until", at<speed, &R::fall_until>, positive, D::time, required | trapezoid, "T2, after T1"},
+      {"speed.times", at<speed, &R::times>, not_negative, D::time, required | points, "increasing, the first 0"},
+      {"speed.speeds", at<speed, &R::speeds>, any, D::speed, required | points, "one a time"},
+      {"speed.stalled_below", at<speed, &S::stalled_below>, any, D::speed, driven, "a mean speed that is stalled"},
+      {"speed.torque", nowhere, any, bare, driven, "a table: the motor"},
+      {"speed.torque.stall", at<speed, torque, &T::stall>, any, D::torque, required | stall, "torque at rest"},
+      {"speed.torque.no_load_speed", at<speed, torque, &T::no_load_speed>, positive, D::speed, required | stall,
+       "where it has fallen to 0"},
+      {"speed.torque.times", at<speed, torque, &T::times>, not_negative, D::time, required | curve, "increasing"},
+      {"speed.torque.values", at<speed, torque, &T::values>, any, D::torque, required | curve, "one a time"},
+      {"speed.torque.gain", at<speed, torque, &T::gain>, not_negative, D::gain, required | control,
+       "torque for a speed error of 1"},
+      {"speed.torque.integral", at<speed, torque, &T::integral>, not_negative, D::torque, control,
+       "torque a unit of time for a speed error of 1"},
+      {"speed.torque.limit", at<speed, torque, &T::limit>, positive, D::torque, control, "of the torque, either way"},
+      {"speed.torque.target", nowhere, any, bare, control, "a table as `[speed]`: a ramp function"},
+      {"speed.torque.constant", at<speed, torque, &T::constant>, any, D::torque, required | linear, "torque at rest"},
+      {"speed.torque.slope", at<speed, torque, &T::slope>, any, D::gain, linear, "torque for a speed, added"},
+      {"speed.torque.until", at<speed, torque, &T::until>, not_negative, D::time, linear, "no torque from then on"},
+      {"release.speed", at<release, &W::speed>, any, D::speed, none, "when it is first reached", "at speed"},
+      {"release.time", at<release, &W::time>, not_negative, D::time, none, "at this time", "at time"},
+      {"initial.psi", at<start, &I::psi>, any, D::angle, none, "of the rotor", "rotor angle"},
+      {"initial.x", at<start, &I::x>, any, D::length, none, "of the rotor, in the rotating frame"},
+      {"initial.y", at<start, &I::y>, any, D::length, none, "likewise"},
+      {"initial.x_dot", at<start, &I::x_dot>, any, D::velocity, none, "rate of `x`"},
+      {"initial.y_dot", at<start, &I::y_dot>, any, D::velocity, none, "rate of `y`"},
+      {"initial.phi", at<start, &I::phi>, any, D::angle, none, "by default spread evenly, the first at 0",
+       "ball angles", states_angles},
+      {"initial.phi_dot", at<start, &I::phi_dot>, any, D::speed, none, "0 where balls are clamped at first",
+       "ball rates"},
+      {"sampling.box", nowhere, any, bare, none, "a table: what is drawn beside ball angles"},
+      {"sampling.method", at<draws, &A::method>, any, bare, none, "how starts are drawn"},
+      {"sampling.starts", at<draws, &A::starts>, {1.0, 1e12}, bare, none, "how many; of a grid 2 or more"},
+      {"sampling.seed", at<draws, &A::seed>, {0.0, 0x1p63}, bare, none, "of the random numbers"},
+      {"sampling.box.x", at<draws, box, &B::x>, any, D::length, none, "as in `[initial]`"},
+      {"sampling.box.y", at<draws, box, &B::y>, any, D::length, none, "as in `[initial]`"},
+      {"sampling.box.x_dot", at<draws, box, &B::x_dot>, any, D::velocity, none, "as in `[initial]`"},
+      {"sampling.box.y_dot", at<draws, box, &B::y_dot>, any, D::velocity, none, "as in `[initial]`"},
+      {"sampling.box.phi_dot", at<draws, box, &B::phi_dot>, any, D::speed, none, "of every ball", "ball rates"},
+      {"numerics.tolerance", at<num, &N::tolerance>, tolerances, bare, none,
+       "error allowed a step; by default 1e-6 for `basin`, 1e-12 for `simulate`"},
+      {"numerics.horizon", at<num, &N::horizon>, horizons, D::time, none,
+       "time after the last branch begins (and release) until a start counts as undecided; by default chosen"},
+      {"numerics.decide", at<num, &N::decide>, any, bare, none, "grounds on which a fate is known early"},
+      {"limits.displacement", at<lim, &L::displacement>, positive, D::length, none,
+       "radial, of the rotor from where it rests under its weight, in R"},
+      {"limits.force", at<lim, &L::force>, positive, D::force, none,
+       "on the supports, the weight included, in M R omega_c^2"},
+      {"limits.velocity", at<lim, &L::velocity>, positive, D::velocity, none,
+       "root mean square, of the centre of the race, in R omega_c"},
+      {"limits.settled", at<lim, &L::settled>, positive, D::length, none,
+       "displacement below which the rotor counts as settled, in R"},
+      {"sweep.over", at<&Study::sweep, &SweepSetting::over>, any, bare, none,
+       "as of `--over`: `[\"speed.final=1.5:6:0.1\", \"balancer.drag=0.01,0.05\"]`"},
+      {"sweep.zip", at<&Study::sweep, &SweepSetting::zip>, any, bare, none,
+       "they vary together, not in all combinations"},
+      {"design", nowhere, any, bare, none, "design/problem.cpp reads this table"},
+      {"units.mass", scale_at<&model::Scales::mass>, si_size, bare, required, "M, kg"},
+      {"units.length", scale_at<&model::Scales::length>, si_size, bare, required, "R, m"},
+      {"units.frequency", scale_at<&model::Scales::frequency>, si_size, bare, required, "omega_c, rad/s"},
+  };
+}
+
+std::vector<KeyTable> make_tables() {
+  std::vector<KeyTable> tables;
+  const auto table = [&](std::string_view name) -> KeyTable& {
+    const auto found = std::find_if(tables.begin(), tables.end(), [&](const KeyTable& t) { return t.name == name; });
+    return found == tables.end() ? tables.emplace_back(KeyTable{std::string(name), {}}) : *found;
+  };
+  for (Key key : all_keys()) {
+    const std::string_view dotted = key.name;
+    const std::size_t dot = std::min(dotted.rfind('.'), dotted.size());
+    KeyTable& home = table(dotted.substr(0, dot));
+    if (dot == dotted.size()) continue;
+    key.name += dot + 1;
+    home.keys.push_back(key);
+  }
+  // A motor's target is a ramp function as [speed] has it.
+  std::vector<Key> target = table("speed").keys;
+  std::erase_if(target, [](const Key& key) { return std::string_view(key.name) == "law"; });
+  for (Key& key : target) {
+    key.label = nullptr;
+    if (key.variants() == driven) key.dimension = {};  // which no target has
+  }
+  const auto after = std::find_if(tables.begin(), tables.end(), [](const KeyTable& t) { return t.name == "release"; });
+  tables.insert(after, {"speed.torque.target", std::move(target)});
+  return tables;
+}
+
+}  // namespace
+
+bool KeyTable::drawn() const {
+  return name == "rotor" || name == "balancer" || name == "release" || name.starts_with("speed");
+}
+
+const Key* KeyTable::find(std::string_view key, bool physical) const {
+  const auto found =
+      std::find_if(keys.begin(), keys.end(), [&](const Key& k) { return k.name == key && k.in_form(physical); });
+  return found == keys.end() ? nullptr : &*found;
+}
+
+std::vector<Key> KeyTable::of(unsigned variants, bool physical) const {
+  std::vector<Key> result;
+  const auto add = [&](unsigned variant) {
+    for (const Key& key : keys)
+      if (key.in_form(physical) && (variant ? key.variants() & variant : !key.variants()) &&
+          std::none_of(result.begin(), result.end(), [&](const Key& k) { return k.name == key.name; }))
+        result.push_back(key);
+  };
+  add(0);
+  for (unsigned variant = 1u << 8; variant <= driven; variant <<= 1)
+    if (variants & variant) add(variant);
+  return result;
+}
+
+const std::vector<KeyTable>& key_tables() {
+  static const std::vector<KeyTable> tables = make_tables();
+  return tables;
+}
+
+const KeyTable* find_keys(std::string_view name) {
+  for (const KeyTable& table : key_tables())
+    if (table.name == name) return &table;
+  return nullptr;
+}
+
+const Key* find_quantity(std::string_view table, std::string_view name) {
+  const KeyTable* keys = find_keys(table);
+  const Key* key = keys ? keys->find(name, false) : nullptr;
+  return key && key->dimension ? key : nullptr;
+}
+
+Range quantity_range(const Key& key) {
+  const double low = key.range.low;
+  return low < 0.0 ? any_number : low > 0.0 || key.range.low_open ? positive : not_negative;
+}
+
+unsigned variant_of(Profile profile) {
+  const auto index = static_cast<unsigned>(profile);
+  return index < profile_names.size() ? unsigned{constant} << index : unsigned{points};
+}
+
+unsigned variants_of(const TorqueSetting& torque) {
+  using Kind = model::MotorLaw::Kind;
+  // A motor that says it is of two kinds gets the keys of both, which no reader takes.
+  unsigned variants = torque.by_stall ? stall : 0u;
+  if (torque.kind == Kind::table) return variants | curve;
+  if (torque.kind == Kind::control) return variants | control;
+  return torque.by_stall ? variants : linear;
+}
+
+}  // namespace equipoise::study

@@ -1,0 +1,104 @@
+// Every key of a study, described once: the reader, its messages and suggestions, the echo, units, forms and the
+// guide's reference follow from it. A new key is a line in keys.cpp.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <variant>
+#include <vector>
+
+#include "equipoise/study/study.hpp"
+#include "equipoise/study/table_reader.hpp"
+#include "equipoise/study/units.hpp"
+
+namespace equipoise::study {
+
+/// Where a study keeps a value. The type says how it is read and written: one number, one a direction, one a ball.
+/// Nothing: a table, or what only a physical study has (physical.cpp reads that).
+using Member = std::variant<std::monostate, double*, std::optional<double>*, std::array<double, 2>*,
+                            std::array<double, model::max_balls>*, std::vector<double>*, std::vector<std::string>*,
+                            std::optional<SamplingBox::Side>*, bool*, int*, std::uint64_t*, Profile*, model::SpeedLaw*,
+                            std::optional<SamplingMethod>*, DecideMode*>;
+
+inline std::span<const char* const> names_of(Profile) { return profile_names; }
+inline std::span<const char* const> names_of(model::SpeedLaw) { return speed_law_names; }
+inline std::span<const char* const> names_of(SamplingMethod) { return sampling_method_names; }
+inline std::span<const char* const> names_of(DecideMode) { return decide_mode_names; }
+
+struct Key {
+  /// From the ninth bit on: the variants of its table that have the key, none of them if all do. Of [speed] and a
+  /// motor's target by profile, of speed.torque by law.
+  enum Trait : unsigned {
+    none = 0,
+    required = 1,
+    pair = 2,      ///< [x, y], never one for both
+    plain = 4,     ///< of dimensionless studies alone
+    physical = 8,  ///< of studies in physical units alone
+    constant = 1 << 8,
+    ramp = 1 << 9,
+    trapezoid = 1 << 10,
+    points = 1 << 11,
+    driven = 1 << 12,
+    stall = 1 << 8,
+    curve = 1 << 9,
+    control = 1 << 10,
+    linear = 1 << 11,
+  };
+
+  const char* name;
+  Member (*member)(Study&);
+  Range range;                         ///< of the dimensionless value; of what is physical alone in SI units
+  std::optional<Dimension> dimension;  ///< of what is a quantity in a physical study
+  unsigned traits;
+  const char* sentence;                    ///< for the guide
+  const char* label = nullptr;             ///< in a form, below the name of its table; null: the key in words
+  bool (*echoed)(const Study&) = nullptr;  ///< null: always, if it is set
+
+  bool has(Trait trait) const { return traits & trait; }
+  unsigned variants() const { return traits & ~0xffu; }
+  bool in_form(bool physical_study) const { return !has(physical_study ? plain : physical); }
+};
+
+struct KeyTable {
+  std::string name;  ///< dotted
+  std::vector<Key> keys;
+
+  bool drawn() const;  ///< whether its numbers may be distributions
+  const Key* find(std::string_view key, bool physical) const;
+  /// In the order in which they are read and named: those that every variant has, then variant by variant.
+  std::vector<Key> of(unsigned variants, bool physical) const;
+  bool is_inner() const { return name.find('.') != name.npos; }
+};
+inline constexpr unsigned all_variants = ~0xffu;
+
+/// In the order of the echo.
+const std::vector<KeyTable>& key_tables();
+const KeyTable* find_keys(std::string_view table);  ///< null: no table of a study has this dotted name
+inline const KeyTable& key_table(std::string_view name) { return *find_keys(name); }
+
+/// The key in this table that is a quantity in physical studies but a plain number here, or null.
+const Key* find_quantity(std::string_view table, std::string_view key);
+/// Of a quantity still in its unit: what holds in every unit, its sign.
+Range quantity_range(const Key& key);
+/// Whether physical.cpp reads the table's quantities, not replace_quantities().
+inline bool is_machine(std::string_view table) { return table == "rotor" || table == "balancer"; }
+
+unsigned variant_of(Profile profile);
+unsigned variants_of(const TorqueSetting& torque);
+
+/// Reads what stands in the table into the key's member, which otherwise keeps its value.
+void read_key(TableReader& reader, const Key& key, Study& study);
+/// The member as it is written; nothing if it is not set.
+std::optional<StudyValue> value_of(const Key& key, const Study& study);
+
+/// The table with this dotted name, or null.
+inline StudyValue* find_table(StudyValue& root, const std::string& name) {
+  StudyValue* table = root.find_path(name);
+  return table && table->table() ? table : nullptr;
+}
+
+}  // namespace equipoise::study

@@ -1,0 +1,327 @@
+// From TOML to a checked study: what keys.cpp cannot say of its keys, and the order of reading.
+#include "equipoise/study/never_reached.hpp"
+
+#include <algorithm>
+#include <optional>
+#include <span>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "equipoise/base/error.hpp"
+#include "equipoise/model/frames.hpp"
+#include "equipoise/model/strobe.hpp"
+#include "equipoise/model/system.hpp"
+#include "equipoise/study/keys.hpp"
+#include "equipoise/study/known_keys.hpp"
+#include "equipoise/study/physical.hpp"
+#include "equipoise/study/table_reader.hpp"
+#include "equipoise/study/toml_tree.hpp"
+#include "equipoise/study/uncertain_reader.hpp"
+
+namespace equipoise {
+
+namespace {
+using namespace study;
+
+// The keys that a table has in these variants.
+void read_keys(TableReader& reader, const char* table, unsigned variants, Study& study) {
+  for (const Key& key : key_table(table).of(variants, false)) read_key(reader, key, study);
+}
+
+void read_table(const Document& document, const char* table, Study& study) {
+  TableReader reader(document, table);
+  read_keys(reader, table, all_variants, study);
+  reader.finish();
+}
+
+void read_balancer(const Document& document, Study& study) {
+  TableReader reader(document, "balancer");
+  model::Parameters& p = study.parameters;
+  for (Key key : key_table("balancer").of(all_variants, false)) {
+    const std::string_view name = key.name;
+    if (name == "stiction") p.stiction = p.rolling;
+    if (name == "contact_angle") key.range.high /= p.balls;
+    if (name == "ball_radius" && !p.rolls && reader.has("ball_radius"))
+      reader.fail("ball_radius", "has a meaning only with balancer.rolls = true");
+    read_key(reader, key, study);
+    for (int i = 0; name == "stiction" && i < p.balls; ++i)
+      if (p.stiction[i] < p.rolling[i])
+        reader.fail("stiction",
+                    fmt::format("must be at least rolling, {}: a ball at rest resists no less", p.rolling[i]));
+  }
+  reader.finish();
+}
+
+// Increasing times and a value for each.
+void check_times(TableReader& reader, const std::vector<double>& times, const char* values_key,
+                 const std::vector<double>& values) {
+  for (std::size_t i = 1; i < times.size(); ++i)
+    if (!(times[i] > times[i - 1]))
+      reader.fail("times", fmt::format("times out of order: entry {} must be greater than {}", i + 1,
+                                       reader.time_text(times[i - 1])));
+  if (times.size() != values.size())
+    reader.fail(values_key, fmt::format("has {} entries; must have one a time, {}", values.size(), times.size()));
+}
+
+void read_ramp(TableReader& reader, const char* table, Study& study) {
+  const RampSetting& ramp = study.speed;
+  const auto check_after = [&](const char* key, double time, const char* before, double earlier) {
+    if (!(time > earlier))
+      reader.fail(key, fmt::format("must be greater than {}, {}", before, reader.time_text(earlier)));
+  };
+  read_keys(reader, table, variant_of(ramp.profile), study);
+  if (ramp.profile == Profile::trapezoid) {
+    check_after("hold_until", ramp.hold_until, "rise_until", ramp.rise_until);
+    check_after("fall_until", ramp.fall_until, "hold_until", ramp.hold_until);
+  } else if (ramp.profile == Profile::points) {
+    if (ramp.times.front() != 0.0) reader.fail("times", "the first time must be 0");
+    check_times(reader, ramp.times, "speeds", ramp.speeds);
+  }
+}
+
+void read_target(const Document& document, RampSetting& target) {
+  TableReader reader(document, "speed.torque.target");
+  Study study;
+  study.speed.profile = reader.choice<Profile>("profile", std::span(profile_names).first(ramp_functions));
+  read_ramp(reader, "speed.torque.target", study);
+  reader.finish();
+  target = study.speed;
+}
+
+// The keys that are there say which law it is.
+void read_torque(const Document& document, Study& study) {
+  using Kind = model::MotorLaw::Kind;
+  TableReader reader(document, "speed.torque");
+  TorqueSetting& torque = study.speed.torque;
+  if (reader.has("stall") || reader.has("no_load_speed"))
+    torque.by_stall = true;
+  else if (reader.has("times") || reader.has("values"))
+    torque.kind = Kind::table;
+  else if (reader.has("gain") || reader.has("integral") || reader.has("target"))
+    torque.kind = Kind::control;
+  read_keys(reader, "speed.torque", variants_of(torque), study);
+  if (torque.kind == Kind::table) check_times(reader, torque.times, "values", torque.values);
+  if (torque.kind == Kind::control) {
+    if (!reader.has("target")) reader.fail("target", "missing; must be a table like { profile = \"ramp\", ... }");
+    read_target(document, torque.target);
+  }
+  reader.finish();
+}
+
+void read_speed(const Document& document, Study& study) {
+  TableReader reader(document, "speed");
+  read_key(reader, *key_table("speed").find("profile", false), study);
+  read_ramp(reader, "speed", study);
+  if (study.speed.driven()) {
+    if (!reader.has("torque")) reader.fail("torque", "missing; must be a table, as { constant = 0.12, slope = -0.04 }");
+    read_torque(document, study);
+    if (study.speed.law != model::SpeedLaw::kinematic)
+      reader.fail("law", "must be \"kinematic\": the speed of a driven rotor follows from its motor");
+    if (!(study.parameters.inertia > 0.0)) {
+      TableReader rotor(document, "rotor");
+      rotor.fail("inertia", "must be a finite number greater than 0 for a driven rotor (profile \"torque\")");
+    }
+  }
+  reader.finish();
+}
+
+void read_release(const Document& document, Study& study) {
+  read_table(document, "release", study);
+  TableReader reader(document, "release");
+  if (study.release.speed && study.release.time)
+    reader.fail("time", "give either release.speed or release.time, not both");
+  const model::SpeedProfile profile = study.speed_profile();
+  if (study.release.speed && !study.speed.driven() && !profile.first_time_at(*study.release.speed))
+    reader.fail("speed", never_reached(profile, [&](double speed) { return reader.speed_text(speed); }));
+}
+
+void read_initial(const Document& document, Study& study) {
+  TableReader reader(document, "initial");
+  study.initial.phi = even_angles(study.parameters.balls);
+  study.angles_stated = reader.has("phi");
+  read_keys(reader, "initial", all_variants, study);
+  if (study.release_time() > 0.0)
+    for (double rate : study.initial.phi_dot)
+      if (rate != 0.0) reader.fail("phi_dot", "must be 0: the balls are clamped until their release");
+  reader.finish();
+}
+
+void read_box(const Document& document, Study& study) {
+  TableReader reader(document, "sampling.box");
+  const double release = study.release_time();
+  for (const Key& key : key_table("sampling.box").keys) {
+    read_key(reader, key, study);
+    if (release > 0.0 && reader.has(key.name))
+      reader.fail(key.name,
+                  fmt::format("needs balls that are free from t = 0, but their release is at t = {} (clamped balls "
+                              "share one spin-up); set release.time = 0 or leave [sampling.box] out",
+                              reader.time_text(release)));
+  }
+  reader.finish();
+}
+
+void read_sampling(const Document& document, Study& study) {
+  TableReader reader(document, "sampling");
+  if (reader.has("box")) read_box(document, study);
+  for (const Key& key : key_table("sampling").keys) {
+    read_key(reader, key, study);
+    if (key.name == std::string_view("starts") && study.sampling.method == SamplingMethod::grid &&
+        study.sampling.starts < 2)
+      reader.fail("starts", "must be 2 or more: a grid has two starts in every cell");
+  }
+  reader.finish();
+}
+
+// What a dimensionless study may say of its units, so that results can be shown in physical ones.
+void read_units(const Document& document, Study& study) {
+  study.scales = document.scales;
+  if (document.scales || !document.root.find("units")) return;
+  study.scales.emplace();
+  read_table(document, "units", study);
+}
+
+// Whether the study puts the rotor nowhere.
+bool states_no_place(const Document& document, const SamplingBox& box) {
+  TableReader initial(document, "initial");
+  const bool stated = initial.has("x") || initial.has("y") || initial.has("x_dot") || initial.has("y_dot");
+  return !stated && !box.x && !box.y && !box.x_dot && !box.y_dot;
+}
+
+// Such a rotor rests under its weight at first, not on slack springs.
+void rest_under_gravity(const Document& document, Study& study) {
+  if (study.parameters.gravity == 0.0 || !states_no_place(document, study.sampling.box)) return;
+  const model::Drive drive = study.drive();
+  const std::array<double, 2> rest = model::rest_position(study.parameters, drive.psi);
+  InitialState& s = study.initial;
+  s.x = 0.0 + rest[0];  // not -0
+  s.y = rest[1];
+  const double still[] = {s.x, s.y, 0.0, 0.0};  // in fixed axes
+  const std::array<double, 2> velocity = model::rotating_velocity(drive.speed, still);
+  s.x_dot = velocity[0];
+  s.y_dot = velocity[1];
+}
+
+enum class Source { asked, kept };  // kept: the study of a result
+
+Study read(Document document, Source source = Source::asked);
+
+// Each value alone at either end: what lies between makes a study if both ends do.
+void check_ends(const Document& document, const StudyValue& medians, const std::vector<UncertainValue>& values) {
+  for (const UncertainValue& value : values)
+    for (const double end : value.ends()) {
+      StudyValue tree = medians;
+      put_value(tree, value, end);
+      try {
+        read(document_of(std::move(tree), document.name, {}));
+      } catch (const InputError& e) {
+        fail_at_end(document, value, end, e);
+      }
+    }
+}
+
+// A real race has no latch: in the units of a machine nothing holds the balls unless the study says so, and results say
+// that it does not. A dimensionless study keeps the paper's way. With a motor balls are free in any case.
+void free_balls_of_machine(Document& document) {
+  if (!is_physical(document)) return;
+  const StudyValue* profile = document.root.find_path("speed.profile");
+  if (profile && profile->string() && *profile->string() == profile_names[static_cast<std::size_t>(Profile::torque)])
+    return;
+  StudyValue* release = document.root.find("release");
+  if (!release) release = &document.root.set("release", StudyValue());
+  if (release->table() && release->table()->empty()) release->set("time", "0 s");
+}
+
+Study read(Document document, Source source) {
+  check_tables(document);
+  check_keys(document, is_physical(document));
+  if (source == Source::asked) free_balls_of_machine(document);
+  Uncertainty uncertain;
+  if (is_physical(document)) uncertain.physical = document.root;
+  uncertain.values = take_uncertain(document);
+  const StudyValue medians = uncertain.empty() ? StudyValue() : document.root;
+  make_dimensionless(document);
+  Study result;
+  result.name = document.name;
+  read_table(document, "rotor", result);
+  read_balancer(document, result);
+  read_speed(document, result);
+  read_release(document, result);
+  read_initial(document, result);
+  read_sampling(document, result);
+  rest_under_gravity(document, result);
+  for (const char* table : {"numerics", "limits", "sweep"}) read_table(document, table, result);
+  read_units(document, result);
+  if (uncertain.empty()) return result;
+  check_ends(document, medians, uncertain.values);
+  if (uncertain.physical) uncertain.horizon = result.numerics.horizon;
+  const bool weighs = std::any_of(uncertain.values.begin(), uncertain.values.end(),
+                                  [](const UncertainValue& v) { return v.key == "rotor.gravity"; });
+  uncertain.rests = (weighs || result.parameters.gravity != 0.0) && states_no_place(document, result.sampling.box);
+  result.uncertain = std::move(uncertain);
+  return result;
+}
+
+}  // namespace
+
+Study parse_study(const std::string& toml_text, const std::string& name, const std::vector<std::string>& overrides) {
+  return read(parse_document(toml_text, name, overrides));
+}
+
+Study parse_kept_study(const std::string& toml_text, const std::string& name) {
+  return read(parse_document(toml_text, name, {}), Source::kept);
+}
+
+Study study_from(const StudyValue& tree, const std::string& name, const std::vector<std::string>& overrides) {
+  return read(document_of(tree, name, overrides));
+}
+
+namespace {
+BallDetails ball_details_of(Document document) {
+  check_keys(document, is_physical(document));  // whichever is asked first speaks of typing errors first
+  take_uncertain(document);
+  return ball_details(document);
+}
+}  // namespace
+
+BallDetails parse_ball_details(const std::string& toml_text, const std::string& name,
+                               const std::vector<std::string>& overrides) {
+  return ball_details_of(parse_document(toml_text, name, overrides));
+}
+
+BallDetails ball_details_from(const StudyValue& tree, const std::string& name,
+                              const std::vector<std::string>& overrides) {
+  return ball_details_of(document_of(tree, name, overrides));
+}
+
+Study with_medians(Study study) {
+  study.uncertain = {};
+  return study;
+}
+
+Study drawn_study(const Study& study, std::span<const double> values) {
+  StudyValue tree = to_tree(study);
+  for (std::size_t k = 0; k < study.uncertain.values.size(); ++k) put_value(tree, study.uncertain.values[k], values[k]);
+  return study_from(tree, study.name);
+}
+
+namespace {
+// What a study in physical units with uncertain values states as it was written, in dimensionless terms.
+std::string text_of_written(const Study& study) {
+  StudyValue tree = to_tree(with_medians(study));
+  for (const char* table : {"sampling", "numerics"}) tree.erase(table);
+  return toml_text(tree);
+}
+}  // namespace
+
+// One set of rules, whether a study comes from a file, a tree or code.
+void check(const Study& study) {
+  const std::string name = study.name.empty() ? "study" : study.name;
+  const Study again = read(document_of(to_tree(study), name, {}));
+  if (study.uncertain.physical && text_of_written(again) != text_of_written(study))
+    throw InputError(name, "", "",
+                     "was changed after it was read, which its draws in physical units would not show; must be changed "
+                     "by overrides, or after with_medians()");
+}
+
+}  // namespace equipoise

@@ -1,0 +1,230 @@
+// The table of keys, key by key: messages, suggestions, echo and units follow from it, and the guide's tables say it.
+#include <algorithm>
+#include <cstdlib>
+#include <fstream>
+#include <iterator>
+#include <map>
+#include <string>
+#include <vector>
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+#include <gtest/gtest.h>
+
+#include "equipoise/base/angles.hpp"
+#include "equipoise/base/error.hpp"
+#include "equipoise/study/keys.hpp"
+#include "../base_study.hpp"
+#include "../machine_study.hpp"
+
+namespace equipoise {
+namespace {
+
+using study::Key;
+using study::KeyTable;
+
+// A study of every profile and every law of motors, which has every key of a dimensionless study somewhere.
+std::vector<std::string> studies() {
+  const std::string free = rotor_and_balancer + "rolls = true\n[release]\ntime = 0.0\n[speed]\nprofile = ";
+  const std::string motor = free + "\"torque\"\n[speed.torque]\n";
+  const std::string with_units =
+      "[units]\nmass = 12.0\nlength = 0.1\nfrequency = 60.0\n[sampling.box]\nx = [0.0, 0.1]\n";
+  return {with_units + free + "\"constant\"\nspeed = 2.4\n",
+          free + "\"ramp\"\nfinal = 2.4\nduration = 500.0\n",
+          free + "\"trapezoid\"\npeak = 3.0\nfinal = 2.0\nrise_until = 50.0\nhold_until = 400.0\nfall_until = 500.0\n",
+          free + "\"points\"\ntimes = [0.0, 10.0]\nspeeds = [1.0, 3.0]\n",
+          motor + "stall = 0.1\nno_load_speed = 2.4\n",
+          motor + "times = [0.0, 10.0]\nvalues = [0.1, 0.0]\n",
+          motor + "constant = 0.1\nslope = -0.04\n",
+          motor + "gain = 0.1\ntarget = { profile = \"ramp\", final = 2.4, duration = 100.0 }\n"};
+}
+
+Study read(const std::string& text, const std::vector<std::string>& overrides = {}) {
+  std::vector<std::string> all{"rotor.inertia=0.5"};
+  all.insert(all.end(), overrides.begin(), overrides.end());
+  return parse_study(text, "study", all);
+}
+
+// Calls `visit` with every dimensionless key and the studies that have it.
+template <class Visit>
+void for_each_key(Visit&& visit) {
+  for (const std::string& text : studies()) {
+    const Study base = read(text);
+    for (const KeyTable& table : study::key_tables()) {
+      if (table.name == "units" && !base.scales) continue;
+      if (table.name.starts_with("speed.torque") && !base.speed.driven()) continue;
+      const auto& torque = base.speed.torque;
+      if (table.name == "speed.torque.target" && torque.kind != model::MotorLaw::Kind::control) continue;
+      const unsigned variants = table.name == "speed"          ? study::variant_of(base.speed.profile)
+                                : table.name == "speed.torque" ? study::variants_of(torque)
+                                                               : study::variant_of(torque.target.profile);
+      for (const Key& key : table.of(variants, false)) visit(text, base, table, key);
+    }
+  }
+}
+
+std::string dotted(const KeyTable& table, const Key& key) { return table.name + "." + key.name; }
+bool is_table(const Key& key) {
+  Study any;
+  any.scales.emplace();
+  return std::holds_alternative<std::monostate>(key.member(any));
+}
+
+TEST(StudyKeys, EachSaysWhatItMayBe) {
+  for_each_key([](const std::string& text, const Study&, const KeyTable& table, const Key& key) {
+    if (is_table(key)) return;
+    try {
+      read(text, {dotted(table, key) + "=\"?\""});
+      ADD_FAILURE() << dotted(table, key) << " takes a word";
+    } catch (const InputError& e) {
+      EXPECT_EQ(e.key(), dotted(table, key)) << e.what();
+      EXPECT_NE(e.problem().find("must be"), std::string::npos) << e.what();
+    }
+  });
+}
+
+TEST(StudyKeys, EachIsMeantByItsMisspelling) {
+  for_each_key([](const std::string& text, const Study&, const KeyTable& table, const Key& key) {
+    const std::string name = key.name;
+    if (name.size() < 5) return;
+    try {
+      read(text, {table.name + "." + name.substr(0, name.size() - 1) + "=1"});
+    } catch (const InputError& e) {
+      EXPECT_NE(e.problem().find("did you mean \"" + name + "\"?"), std::string::npos) << e.what();
+    }
+  });
+}
+
+// Of numbers, one at either end that the range has and one in it; what other keys forbid is not asked.
+TEST(StudyKeys, EachIsEchoedAsItWasRead) {
+  std::map<std::string, int> taken;
+  for_each_key([&](const std::string& text, const Study&, const KeyTable& table, const Key& key) {
+    if (table.name == "speed.torque.target" || table.name == "sweep") return;
+    for (const char* value : {"0.25", "3", "true", "[0.25, 0.75]", "\"sobol\"", "\"proof\"", "\"published\"", "450",
+                              "600", "2.4", "1e-6", "0", "[0, 5]"}) {
+      Study study;
+      try {
+        const std::string given = key.name + std::string(" = ") + value;
+        study = read(text, {table.name == "release" ? "release={" + given + "}" : table.name + "." + given});
+      } catch (const InputError&) {
+        continue;
+      }
+      ++taken[dotted(table, key)];
+      const Study again = parse_study(to_toml(study), "echo");
+      EXPECT_EQ(to_toml(again), to_toml(study));
+      const auto there = study::value_of(key, study), back = study::value_of(key, again);
+      ASSERT_TRUE(there && back) << dotted(table, key);
+      EXPECT_EQ(to_toml(StudyValue{{"t", {{"v", *there}}}}), to_toml(StudyValue{{"t", {{"v", *back}}}}));
+    }
+    const bool asked = !is_table(key) && std::string(key.name) != "profile";
+    EXPECT_TRUE(!asked || taken[dotted(table, key)]) << dotted(table, key) << " takes none of the values";
+  });
+}
+
+TEST(StudyKeys, QuantitiesAreOfTheirDimension) {
+  const std::string machine = machine_rotor + "[speed]\nprofile = \"constant\"\nspeed = \"900 rpm\"\n";
+  for (const KeyTable& table : study::key_tables())
+    for (const Key& key : table.of(study::all_variants, true)) {
+      if (!key.dimension || table.name.starts_with("speed")) continue;
+      try {
+        parse_study(machine, "machine", {dotted(table, key) + "=0.25"});
+        EXPECT_EQ(*key.dimension, study::Dimension::angle) << dotted(table, key);
+      } catch (const InputError& e) {
+        if (e.problem().find("a plain number") == std::string::npos) continue;  // another key is in its way
+        EXPECT_NE(e.problem().find(study::words(*key.dimension).example), std::string::npos) << e.what();
+      }
+    }
+}
+
+// The guide's tables.
+
+std::string range_words(const Key& key, const study::Member& member) {
+  if (std::holds_alternative<std::monostate>(member)) return "";
+  if (std::holds_alternative<bool*>(member)) return "`true`, `false`";
+  if (std::holds_alternative<std::vector<std::string>*>(member)) return "texts";
+  if (std::holds_alternative<Profile*>(member)) return fmt::format("`{}`", fmt::join(profile_names, "`, `"));
+  if (std::holds_alternative<model::SpeedLaw*>(member)) return fmt::format("`{}`", fmt::join(speed_law_names, "`, `"));
+  if (std::holds_alternative<DecideMode*>(member)) return fmt::format("`{}`", fmt::join(decide_mode_names, "`, `"));
+  if (std::holds_alternative<std::optional<SamplingMethod>*>(member))
+    return fmt::format("`{}`", fmt::join(sampling_method_names, "`, `"));
+  const study::Range& r = key.range;
+  const std::string high = r.high == two_pi ? "2 pi" : fmt::format("{}", r.high);
+  std::string words = r.low < 0.0                 ? "finite"
+                      : r.high < study::unbounded ? fmt::format("{} to {}{}", r.low, r.high_open ? "below " : "", high)
+                      : r.low_open                ? "greater than 0"
+                                                  : "0 or more";
+  if (r.high == 0x1p63) words = "0 or more";
+  if (std::holds_alternative<std::vector<double>*>(member)) words += ", a list";
+  if (std::holds_alternative<std::optional<SamplingBox::Side>*>(member)) words += ", `[low, high]`";
+  if (std::holds_alternative<std::array<double, 2>*>(member))
+    words += key.has(Key::pair) ? ", `[x, y]`" : "; or `[x, y]`";
+  if (std::holds_alternative<std::array<double, model::max_balls>*>(member)) words += "; or one a ball";
+  return words;
+}
+
+std::string default_words(const Key& key, const Study& defaults) {
+  if (key.has(Key::required)) return "required";
+  const auto value = study::value_of(key, defaults);
+  if (!value || std::string(key.sentence).find("default") != std::string::npos) return "";
+  if (value->string()) return fmt::format("`{}`", *value->string());
+  if (value->array()) return fmt::format("{}", value->array()->empty() ? 0.0 : value->array()->front().number());
+  return value->boolean() ? (*value->boolean() ? "`true`" : "`false`") : fmt::format("{}", value->number());
+}
+
+// "`ramp`, `trapezoid`: ": the variants of [speed] that have the key.
+std::string profiles_of(const KeyTable& table, const Key& key) {
+  std::string names;
+  for (std::size_t k = 0; table.name == "speed" && k < profile_names.size(); ++k)
+    if (key.variants() & study::variant_of(static_cast<Profile>(k)))
+      names += fmt::format("{}`{}`", names.empty() ? "" : ", ", profile_names[k]);
+  return names.empty() ? "" : names + ": ";
+}
+
+std::string guide_table(const KeyTable& table, bool physical) {
+  Study defaults;
+  defaults.scales.emplace();
+  const bool quantities =
+      !physical && !study::is_machine(table.name) &&
+      std::any_of(table.keys.begin(), table.keys.end(), [](const Key& key) { return key.dimension.has_value(); });
+  std::string text = physical     ? "| key | quantity, such as | meaning |\n|---|---|---|\n"
+                     : quantities ? "| key | meaning | range | default | in physical units |\n|---|---|---|---|---|\n"
+                                  : "| key | meaning | range | default |\n|---|---|---|---|\n";
+  for (const Key& key : table.keys) {
+    if (!key.in_form(physical)) continue;
+    const auto quantity = [](const study::DimensionWords& w) { return fmt::format("{}, `\"{}\"`", w.name, w.example); };
+    const std::string example = key.dimension ? quantity(study::words(*key.dimension)) : "";
+    const std::string meaning = profiles_of(table, key) + key.sentence;
+    text += physical
+                ? fmt::format("| `{}` | {} | {}{} |\n", key.name, example, meaning,
+                              key.has(Key::required) ? "; required" : "")
+                : fmt::format("| `{}` | {} | {} | {} |{}\n", key.name, meaning, range_words(key, key.member(defaults)),
+                              default_words(key, defaults), quantities ? fmt::format(" {} |", example) : "");
+  }
+  return text;
+}
+
+// Between "<!-- keys of NAME -->" and "<!-- end of keys -->"; EQUIPOISE_RENEW=1 in the environment writes them anew.
+TEST(StudyKeys, StandInTheGuide) {
+  const std::string path = EQUIPOISE_SOURCE_DIR "/docs/guide/study-file.md";
+  std::ifstream file(path);
+  const std::string guide{std::istreambuf_iterator<char>(file), {}};
+  std::string renewed = guide;
+  for (const KeyTable& table : study::key_tables())
+    for (const bool physical : {false, true}) {
+      if (table.keys.empty() || table.name == "speed.torque.target" || (physical && !study::is_machine(table.name)))
+        continue;
+      const std::string begin = fmt::format("<!-- keys of {}{} -->\n", table.name, physical ? ", physical" : "");
+      const std::size_t at = renewed.find(begin);
+      ASSERT_NE(at, std::string::npos) << path << " lacks " << begin;
+      const std::size_t from = at + begin.size(), to = renewed.find("<!-- end of keys -->", from);
+      renewed.replace(from, to - from, guide_table(table, physical));
+    }
+  if (std::getenv("EQUIPOISE_RENEW"))
+    std::ofstream(path) << renewed;
+  else
+    EXPECT_EQ(guide, renewed) << "EQUIPOISE_RENEW=1 "
+                              << "study_test writes the tables anew";
+}
+
+}  // namespace
+}  // namespace equipoise
