@@ -127,7 +127,7 @@ TEST(Comparison, KeepsWhatBasinDecides) {
   const BasinOutcomes o = basin_outcomes(study, {});
   const BasinResult r = basin(study);
   ASSERT_EQ(o.outcome.size(), r.starts);
-  for (const AttractorShare& a : r.attractors)
+  for (const OutcomeShare& a : r.attractors)
     EXPECT_EQ(static_cast<std::uint64_t>(std::count(o.outcome.begin(), o.outcome.end(), static_cast<short>(a.id))),
               a.share.count)
         << a.name;

@@ -14,6 +14,7 @@
 #include "equipoise/drawing/map_words.hpp"
 #include "equipoise/drawing/plot_parts.hpp"
 #include "equipoise/drawing/zero_line.hpp"
+#include "equipoise/results/outcome_share.hpp"
 
 namespace equipoise {
 
@@ -99,11 +100,10 @@ std::string map_plot_script(const PlaneMap& whole, const std::string& title, con
   const auto add = [&](const std::string& item) { items += ", \\\n  " + item; };
   for (const MapCode& c : map.codes) {
     if (c.share.count == 0) continue;
-    const std::string name = c.alias.empty() ? c.name : fmt::format("{}: {}", c.alias, c.name);
     add(
         fmt::format("keyentry with filledcurves fillcolor rgb '{}' fillstyle solid 1.0 border linecolor rgb '#444444' "
                     "title {}",
-                    colour_of(c.code), quoted(fmt::format("{}, {}", name, share_text(c.share)))));
+                    colour_of(c.code), quoted(fmt::format("{}, {}", legend_of(c), share_text(c.share)))));
   }
   const auto add_border = [&](const std::string& name, const auto& pieces, const char* dash, const char* meaning) {
     if (pieces.empty()) return;

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cstddef>
 
-#include "equipoise/deciding/fate.hpp"
+#include "equipoise/deciding/outcomes.hpp"
 #include "equipoise/maps/plane_map.hpp"
 #include "equipoise/store/basin_file.hpp"
 
@@ -21,11 +21,11 @@ std::vector<MapCode> map_codes(const std::map<short, MapCode>& seen, const Study
   std::vector<MapCode> codes;
   for (const auto& [given, code] : seen) codes.push_back(code);
   std::sort(codes.begin(), codes.end(), [](const MapCode& a, const MapCode& b) { return a.code < b.code; });
-  codes.push_back({undecided_code, name_of(Outcome::undecided), "", {}});
-  codes.push_back({diverged_code, name_of(Outcome::diverged), "", {}});
-  const bool touch = study.parameters.balls_collide();
-  codes.push_back({failed_code, touch ? "balls would overlap, or failed" : name_of(Outcome::failed), "", {}});
-  if (study.speed.driven()) codes.push_back({stalled_code, name_of(Outcome::stalled), "", {}});
+  for (const NoAttractor& n : no_attractors)
+    if (n.outcome != Outcome::stalled || study.speed.driven()) {
+      const bool overlap = n.outcome == Outcome::failed && study.parameters.balls_collide();
+      codes.push_back({n.code, overlap ? "balls would overlap, or failed" : n.name, "", {}});
+    }
   return codes;
 }
 

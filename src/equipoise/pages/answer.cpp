@@ -26,7 +26,7 @@ std::string surely(const Share& s) {
 }
 
 std::string balance_words(const BasinResult& r) {
-  const AttractorShare& balanced = r.attractors.front();
+  const OutcomeShare& balanced = r.attractors.front();
   const Share& s = balanced.share;
   if (s.count == 0)
     return fmt::format("Not one of {} starts ends balanced: {}{} would (95 % confidence)", r.starts, share_words(s),
@@ -93,8 +93,7 @@ std::string answer_sentence(const BasinResult& r) {
   if (r.stalled && r.stalled->count > 0) text += fmt::format("; {} never come up to speed", share_words(*r.stalled));
   text += limit_words(r);
   if (r.undecided.count > 0) text += fmt::format("; {} stay undecided", point_words(r.undecided));
-  const std::uint64_t lost = r.diverged.count + r.failed.count;
-  if (lost > 0)
+  if (const std::uint64_t lost = r.lost(); lost > 0)
     text += fmt::format("; {} could not be followed to an end", lost == 1 ? "1 start" : fmt::format("{} starts", lost));
   return after_what_is_drawn(drawn_keys(r.study), text + ".");
 }

@@ -9,7 +9,7 @@
 #include "equipoise/pages/answer.hpp"
 #include "equipoise/pages/quantities.hpp"
 #include "equipoise/report/text.hpp"
-#include "equipoise/store/basin_file.hpp"
+#include "equipoise/deciding/fate.hpp"
 
 namespace equipoise {
 

@@ -10,7 +10,6 @@
 #include "equipoise/pages/drawings.hpp"
 #include "equipoise/pages/quantities.hpp"
 #include "equipoise/report/text.hpp"
-#include "equipoise/store/basin_file.hpp"
 
 namespace equipoise {
 
@@ -19,23 +18,6 @@ using study::Dimension;
 
 constexpr SvgPoint top_left{52.0, 16.0}, bottom_right{334.0, 158.0};
 constexpr double plot_width = 342.0, plot_height = 196.0;
-
-struct BarLine {
-  int code;
-  std::string name;
-  Share share;
-};
-
-std::vector<BarLine> bar_lines(const BasinResult& r) {
-  std::vector<BarLine> lines;
-  for (const AttractorShare& a : r.attractors) lines.push_back({a.id, a.name, a.share});
-  if (r.stalled) lines.push_back({stalled_code, name_of(Outcome::stalled), *r.stalled});
-  for (const auto& [code, outcome, share] :
-       {std::tuple{undecided_code, Outcome::undecided, &r.undecided},
-        std::tuple{diverged_code, Outcome::diverged, &r.diverged}, std::tuple{failed_code, Outcome::failed, &r.failed}})
-    if (share->count > 0) lines.push_back({code, name_of(outcome), *share});
-  return lines;
-}
 
 struct FigureWords {
   float TransientRow::*figure;
@@ -69,19 +51,19 @@ const char* figure_name(float TransientRow::*figure) { return words_of(figure).n
 const char* run_colour(std::size_t place) { return place == 0 ? "var(--typical)" : "var(--worst)"; }
 
 std::string shares_svg(const MachinePage& page) {
-  const std::vector<BarLine> lines = bar_lines(page.basin);
+  const std::vector<OutcomeShare> lines = page.basin.outcomes_met();
   constexpr double row = 34.0, left = 4.0, right = 330.0, thick = 12.0;
   Svg svg(plot_width, row * static_cast<double>(lines.size()) + 6.0,
           "Shares of starts by outcome, with their intervals");
   const auto place = [&](double share) { return left + share * (right - left); };
   for (std::size_t k = 0; k < lines.size(); ++k) {
-    const BarLine& line = lines[k];
+    const OutcomeShare& line = lines[k];
     const double top = row * static_cast<double>(k) + 17.0, middle = top + 0.5 * thick;
     svg.text({left, top - 4.0}, line.name);
     svg.text({right, top - 4.0}, percent(line.share.share, line.share.count == 0 ? 0 : digits_for(line.share)),
              SvgAnchor::end);
     svg.rectangle({left, top}, right - left, thick, {"", "var(--rule)", 1.0, 0.45});
-    svg.rectangle({left, top}, place(line.share.share) - left, thick, {"", colour_of(line.code)});
+    svg.rectangle({left, top}, place(line.share.share) - left, thick, {"", colour_of(line.id)});
     // The whisker stands out on its bar and beside it.
     const double low = place(line.share.low), high = place(line.share.high);
     for (const SvgPen& pen : {SvgPen{"var(--paper)", "", 4.0}, SvgPen{ink, "", 1.6}}) {

@@ -19,7 +19,6 @@
 #include "equipoise/report/sampling_text.hpp"
 #include "equipoise/report/text.hpp"
 #include "equipoise/report/transient_report.hpp"
-#include "equipoise/store/basin_file.hpp"
 
 namespace equipoise {
 
@@ -60,10 +59,10 @@ class MachineDocument {
  private:
   void add(Block block) { document_.blocks.push_back(std::move(block)); }
 
-  const TransientGroup* group(int id, const std::string& name) const {
+  const TransientGroup* group(const OutcomeShare& o) const {
     if (!basin_.transients) return nullptr;
     for (const TransientGroup& g : basin_.transients->groups)
-      if (g.starts > 0 && g.id == id && (id != 0 || g.name == name)) return &g;
+      if (g.starts > 0 && g.id == std::max(o.id, 0) && (o.id > 0 || g.name == o.name)) return &g;
     return nullptr;
   }
 
@@ -74,8 +73,8 @@ class MachineDocument {
     row.drawings.push_back({"", shares_svg(page_), "", ""});
     for (const DrawnMotion& motion : page_.motions)
       if (!motion.x.empty())
-        row.drawings.push_back({motion.alias.empty() ? motion.name : fmt::format("{} ({})", motion.name, motion.alias),
-                                motion_svg(page_, motion), motion_words(motion), colour_of(motion.id)});
+        row.drawings.push_back(
+            {title_of(motion), motion_svg(page_, motion), motion_words(motion), colour_of(motion.id)});
     row.caption =
         "Bars: shares of starts with their 95 % intervals. Drawings: left the balls in the race as who turns with the "
         "rotor sees them, the wedge at its heavy side, arrows where balls run; right the way of the rotor's centre as "
@@ -124,27 +123,6 @@ class MachineDocument {
     return text;
   }
 
-  struct EndLine {
-    const std::string name;
-    const Share& share;
-    const TransientGroup* group;
-  };
-
-  std::vector<EndLine> end_lines() const {
-    std::vector<EndLine> lines;
-    for (const AttractorShare& a : basin_.attractors)
-      lines.push_back(
-          {a.alias.empty() ? a.name : fmt::format("{} ({})", a.name, a.alias), a.share, group(a.id, a.name)});
-    const auto of = [&](Outcome outcome, const Share& share) {
-      lines.push_back({name_of(outcome), share, group(0, name_of(outcome))});
-    };
-    if (basin_.stalled) of(Outcome::stalled, *basin_.stalled);
-    if (basin_.undecided.count > 0) of(Outcome::undecided, basin_.undecided);
-    if (basin_.diverged.count > 0) of(Outcome::diverged, basin_.diverged);
-    if (basin_.failed.count > 0) of(Outcome::failed, basin_.failed);
-    return lines;
-  }
-
   DocumentTable ends_table() const {
     const bool open = basin_.undecided.count > 0, graded = study_.scales.has_value();
     DocumentTable table;
@@ -153,18 +131,19 @@ class MachineDocument {
     table.header.insert(table.header.end(), {"starts", "displacement", "RMS velocity"});
     if (graded) table.header.push_back("balance quality");
     table.spare = {open ? 4u : 3u, open ? 6u : 5u};
-    for (const EndLine& line : end_lines()) {
-      const Share& s = line.share;
-      std::vector<DocumentCell> cells{{line.name}, share_cell(s), number_cell(interval(s))};
-      if (open) cells.push_back(number_cell(&s == &basin_.undecided ? "-" : bounds_text(s)));
+    for (const OutcomeShare& o : basin_.outcomes_met()) {
+      const Share& s = o.share;
+      const TransientGroup* of = group(o);
+      std::vector<DocumentCell> cells{{title_of(o)}, share_cell(s), number_cell(interval(s))};
+      if (open) cells.push_back(number_cell(o.id == undecided_code ? "-" : bounds_text(s)));
       cells.push_back(number_cell(fmt::format("{}", s.count)));
       const auto mean = [&](float TransientRow::*value, Dimension d) {
-        return number_cell(line.group ? shown_.text(figure_of(*line.group, value).mean, d) : "-");
+        return number_cell(of ? shown_.text(figure_of(*of, value).mean, d) : "-");
       };
       cells.push_back(mean(&TransientRow::peak_radial_at_end, Dimension::length));
       cells.push_back(mean(&TransientRow::rms_velocity, Dimension::velocity));
       if (graded) {
-        const auto grade = line.group ? left_grade(*line.group, study_) : std::nullopt;
+        const auto grade = of ? left_grade(*of, study_) : std::nullopt;
         cells.push_back(number_cell(grade ? grade_text(*grade) : "-"));
       }
       table.rows.push_back(std::move(cells));

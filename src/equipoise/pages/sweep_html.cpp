@@ -31,7 +31,7 @@ class SweepDocument {
       most_starts_ = std::max(most_starts_, cell->starts);
       open_ = open_ || cell->undecided.count > 0;
       stalls_ = stalls_ || (cell->stalled && cell->stalled->count > 0);
-      lost_ += cell->diverged.count + cell->failed.count;
+      lost_ += cell->lost();
     }
   }
 

@@ -22,9 +22,9 @@ std::string amount_text(double unbalance, const Study& study) {
 
 }  // namespace
 
-std::string left_unbalance_text(const std::vector<AttractorShare>& attractors, const Study& study) {
+std::string left_unbalance_text(const std::vector<OutcomeShare>& attractors, const Study& study) {
   std::string text;
-  for (const AttractorShare& a : attractors) {
+  for (const OutcomeShare& a : attractors) {
     if (a.unbalance.empty()) continue;
     text += fmt::format("Unbalance left, {}: ", a.name);
     for (std::size_t k = 0; k < a.unbalance.size(); ++k) {
@@ -38,7 +38,7 @@ std::string left_unbalance_text(const std::vector<AttractorShare>& attractors, c
   return text;
 }
 
-nlohmann::ordered_json left_unbalance_json(const AttractorShare& a, const Study& study) {
+nlohmann::ordered_json left_unbalance_json(const OutcomeShare& a, const Study& study) {
   if (a.unbalance.empty()) return nullptr;
   nlohmann::ordered_json json = {{"probability", unbalance_quantiles}, {"unbalance", a.unbalance}};
   if (!study.scales) return json;

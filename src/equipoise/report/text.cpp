@@ -58,8 +58,7 @@ std::string motor_text(const Study& study) {
   else
     law = fmt::format("torque {}, {} a unit of speed{}", torque(t.constant), shown(t.slope, Dimension::gain),
                       t.until ? fmt::format(", until t = {}", shown(*t.until, Dimension::time)) : "");
-  if (model::speeds_up_for_ever(study.system()))
-    law += std::string("; the ") + model::holds_no_speed;
+  if (model::speeds_up_for_ever(study.system())) law += std::string("; the ") + model::holds_no_speed;
   return fmt::format("driven from {}: {}", speed(study.speed.initial), law);
 }
 
@@ -162,6 +161,13 @@ const char* name_of(model::SpeedLaw law) { return speed_law_names[static_cast<st
 
 nlohmann::ordered_json share_json(const Share& s) {
   return {{"count", s.count}, {"share", s.share}, {"low", s.low}, {"high", s.high}};
+}
+
+nlohmann::ordered_json sure_share_json(const Share& s) {
+  nlohmann::ordered_json json = share_json(s);
+  json["least"] = s.least;
+  json["most"] = s.most;
+  return json;
 }
 
 namespace {

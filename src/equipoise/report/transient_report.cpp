@@ -230,11 +230,7 @@ nlohmann::ordered_json transient_json(const TransientResult& r, const Study& stu
     }
     one["exceeded"] = Json::object();
     for (std::size_t k = 0; k < limits.size(); ++k)
-      if (const auto& share = group.exceeded[k]) {
-        Json& exceeded = one["exceeded"][transient_limit_names[k]] = share_json(*share);
-        exceeded["least"] = share->least;
-        exceeded["most"] = share->most;
-      }
+      if (const auto& share = group.exceeded[k]) one["exceeded"][transient_limit_names[k]] = sure_share_json(*share);
     const std::optional<double> grade = left_grade(group, study);
     if (grade) one["balance_grade"] = *grade;
     if (group.mean_speed) one["mean_speed"] = *group.mean_speed;

@@ -21,7 +21,7 @@ using Json = nlohmann::ordered_json;
 Json ensemble_json(const std::optional<EnsembleResult>& e) {
   if (!e) return nullptr;
   Json outcomes = Json::array();
-  for (const EnsembleResult::Line& line : e->attractors) {
+  for (const OutcomeShare& line : e->attractors) {
     Json one{{"name", line.name}, {"alias", line.alias}};
     one.update(share_json(line.share));
     outcomes.push_back(one);

@@ -224,8 +224,8 @@ void open_questions(const Reproduction& r, Document& d) {
                             picture_of(r, "future-box")});
   DocumentTable table{{"Ω", "motion", "box, %", "95 % interval", "at rest, %", "95 % interval"}, {}, "", false, {3, 5}};
   for (const BoxShares& b : r.open->boxes)
-    for (const AttractorShare& a : b.box.attractors) {
-      const auto same = [&](const AttractorShare& other) { return other.name == a.name; };
+    for (const OutcomeShare& a : b.box.attractors) {
+      const auto same = [&](const OutcomeShare& other) { return other.name == a.name; };
       const auto at = std::find_if(b.rest.attractors.begin(), b.rest.attractors.end(), same);
       const Share rest = at == b.rest.attractors.end() ? wilson_share(0, b.rest.starts) : at->share;
       table.rows.push_back(

@@ -40,10 +40,7 @@ struct BallOnMotion {
 };
 
 /// A motion in which starts end.
-struct DrawnMotion {
-  int id = 0;  ///< attractor, or stalled_code
-  std::string name, alias, kind;
-  Share share;
+struct DrawnMotion : OutcomeShare {
   std::vector<double> x, y;  ///< of its path
   std::vector<BallOnMotion> balls;
   double r_min = 0.0, r_mean = 0.0, r_max = 0.0;

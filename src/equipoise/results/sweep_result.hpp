@@ -8,8 +8,8 @@
 #include <string>
 #include <vector>
 
+#include "equipoise/results/outcome_share.hpp"
 #include "equipoise/results/transient_result.hpp"
-#include "equipoise/statistics/share.hpp"
 #include "equipoise/study/study.hpp"
 #include "equipoise/traps/trap_hints.hpp"
 
@@ -30,26 +30,20 @@ struct SweepAxis {
 };
 
 /// An attractor in one cell.
-struct SweepOutcome {
-  int id = 0;      ///< the same for the same motion in all cells
-  int own_id = 0;  ///< as basin() numbers it in this cell
-  std::string name, alias, kind;
-  Share share;
-  double mean_time = 0.0;
+struct SweepOutcome : OutcomeShare {  // id: the same for the same motion in all cells
+  int own_id = 0;                     ///< as basin() numbers it in this cell
   /// Of the motion: distance of the centre from the axis, period (0: none), mean rates of the balls; none where it is
   /// told by its windows alone.
-  std::optional<double> r_min, r_mean, r_max;
+  std::optional<double> r_min{}, r_mean{}, r_max{};
   double period = 0.0;
-  std::vector<double> drift;
-  std::vector<double> left_unbalance;  ///< as AttractorShare::unbalance
-  std::vector<double> state;           ///< on it; empty: none
+  std::vector<double> drift{};
+  std::vector<double> state{};  ///< on it; empty: none
 };
 
-struct SweepCell {
+struct SweepCell : OtherShares {
   std::uint64_t starts = 0;
-  std::vector<SweepOutcome> outcomes;  ///< by own_id; balanced first
-  Share undecided, diverged, failed;
-  std::optional<Share> stalled, passed;              ///< of driven rotors
+  std::vector<SweepOutcome> outcomes;                ///< by own_id; balanced first
+  std::optional<Share> passed;                       ///< of driven rotors
   std::shared_ptr<const TransientGroup> transients;  ///< of all starts, if they are gathered
   bool balanced_stable = false;
   std::string note;

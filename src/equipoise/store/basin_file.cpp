@@ -309,21 +309,21 @@ void BasinFile::State::read_share(std::size_t k, Share& share) const {
       share.effective_starts > 0.0 ? std::sqrt(share.share * (1.0 - share.share) / share.effective_starts) : 0.0;
 }
 
-std::vector<OutcomeSummary> BasinFile::summary() const {
+std::vector<OutcomeShare> BasinFile::summary() const {
   if (!state_->file) return {};
   const store::NetcdfFile& f = *state_->file;
-  std::vector<OutcomeSummary> lines(f.length("outcome_kind"));
+  std::vector<OutcomeShare> lines(f.length("outcome_kind"));
   const bool few = state_->finished <= static_cast<std::uint64_t>(std::numeric_limits<int>::max());
   const int codes = f.variable("kind_code", NC_SHORT, {lines.size()});
   const int counts = f.variable("kind_count", few ? NC_INT : NC_DOUBLE, {lines.size()});
   for (std::size_t k = 0; k < lines.size(); ++k) {
-    OutcomeSummary& s = lines[k];
+    OutcomeShare& s = lines[k];
     short code = 0;
     int small = 0;
     double large = 0.0;
     f.read(codes, {k}, {1}, &code);
     f.read(counts, {k}, {1}, few ? static_cast<void*>(&small) : &large);
-    s.code = code;
+    s.id = code;
     s.name = f.read_text("kind_name", k);
     s.alias = f.read_text("kind_alias", k);
     s.share =
@@ -335,7 +335,7 @@ std::vector<OutcomeSummary> BasinFile::summary() const {
 
 RunTime BasinFile::time() const { return state_->time; }
 
-void BasinFile::finish(const std::string& resolved_study, const std::vector<OutcomeSummary>& summary, bool complete,
+void BasinFile::finish(const std::string& resolved_study, const std::vector<OutcomeShare>& summary, bool complete,
                        const RunTime& time) {
   State& s = *state_;
   if (s.stored == 0) return;

@@ -12,7 +12,6 @@
 #include "equipoise/files/netcdf.hpp"
 #include "equipoise/files/replacement.hpp"
 #include "equipoise/files/sealed_file.hpp"
-#include "equipoise/results/basin_result.hpp"
 #include "equipoise/sampling/scrambled_sobol.hpp"
 #include "equipoise/store/result_identity.hpp"
 
@@ -27,7 +26,7 @@ class BasinWriter {
  public:
   BasinWriter(NetcdfFile& file, const BasinContents& contents)
       : file_(file), c_(contents), random_(contents.header.method == SamplingMethod::random) {
-    for (const OutcomeSummary& s : c_.summary) {
+    for (const OutcomeShare& s : c_.summary) {
       names_.push_back(s.name);
       aliases_.push_back(s.alias);
       intervals_.emplace_back(interval_names[static_cast<std::size_t>(s.share.by)]);
@@ -96,8 +95,8 @@ class BasinWriter {
   void describe_outcomes(int variable) {
     std::vector<short> codes;
     std::string words;
-    for (const OutcomeSummary& s : c_.summary) {
-      codes.push_back(static_cast<short>(s.code));
+    for (const OutcomeShare& s : c_.summary) {
+      codes.push_back(static_cast<short>(s.id));
       words += (words.empty() ? "" : " ") + flag_word(s.name);
     }
     file_.attribute(variable, "flag_values", codes);
@@ -236,8 +235,8 @@ class BasinWriter {
 
   void write_summary() {
     for (std::size_t k = 0; k < c_.summary.size(); ++k) {
-      const OutcomeSummary& s = c_.summary[k];
-      const short code = static_cast<short>(s.code);
+      const OutcomeShare& s = c_.summary[k];
+      const short code = static_cast<short>(s.id);
       const int few = static_cast<int>(s.share.count);
       const double many = static_cast<double>(s.share.count);
       file_.write(kind_code_, {k}, {1}, &code);

@@ -104,7 +104,7 @@ void visit_members(Visitor&& v, S& s) {
   v("r_max", s.r_max);
   v("period", s.period);
   v("drift", s.drift);
-  v("left_unbalance", s.left_unbalance);
+  v("left_unbalance", s.unbalance);
   v("state", s.state);
 }
 

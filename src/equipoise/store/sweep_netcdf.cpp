@@ -10,8 +10,6 @@
 #include <netcdf.h>
 
 #include "equipoise/files/netcdf.hpp"
-#include "equipoise/results/basin_result.hpp"
-#include "equipoise/store/basin_file.hpp"
 #include "equipoise/store/cell_netcdf.hpp"
 #include "equipoise/store/sweep_cells.hpp"
 
@@ -25,17 +23,13 @@ class SweepWriter {
  public:
   SweepWriter(NetcdfFile& file, const std::string& identity, const SweepResult& result, const CellRecords& records)
       : file_(file), identity_(identity), result_(result), table_(file, result.axes, records) {
-    const auto note = [&](int code, const std::string& name, const std::string& alias) {
-      kinds_.try_emplace(code, name, alias);
-    };
+    const auto note = [&](const OutcomeShare& o) { kinds_.try_emplace(o.id, o.name, o.alias); };
+    for (const OutcomeShare& o : SweepCell{}.others()) note(o);
     for (const auto& cell : result.cells) {
       if (!cell) continue;
-      for (const SweepOutcome& o : cell->outcomes) note(o.id, o.name, o.alias);
-      if (cell->stalled) note(stalled_code, "stalled", "");
+      for (const SweepOutcome& o : cell->outcomes) note(o);
+      for (const OutcomeShare& o : cell->others()) note(o);
     }
-    note(undecided_code, "undecided", "");
-    note(diverged_code, "diverged", "");
-    note(failed_code, "failed", "");
     for (const auto& [code, names] : kinds_) codes_.push_back(code);
     // Attractors first, as people list them.
     std::stable_partition(codes_.begin(), codes_.end(), [](int code) { return code > 0; });
@@ -103,10 +97,7 @@ class SweepWriter {
 
   // Null: the cell does not have it.
   static const Share* share_of(const SweepCell& cell, int code) {
-    if (code == undecided_code) return &cell.undecided;
-    if (code == diverged_code) return &cell.diverged;
-    if (code == failed_code) return &cell.failed;
-    if (code == stalled_code) return cell.stalled ? &*cell.stalled : nullptr;
+    if (code <= 0) return cell.of(code);
     for (const SweepOutcome& o : cell.outcomes)
       if (o.id == code) return &o.share;
     return nullptr;
@@ -138,7 +129,7 @@ class SweepWriter {
   // Only where dry friction leaves any.
   void define_left_unbalance() {
     const auto leaves = [](const auto& cell) {
-      const auto some = [](const SweepOutcome& o) { return !o.left_unbalance.empty(); };
+      const auto some = [](const SweepOutcome& o) { return !o.unbalance.empty(); };
       return cell && std::any_of(cell->outcomes.begin(), cell->outcomes.end(), some);
     };
     if (std::none_of(result_.cells.begin(), result_.cells.end(), leaves)) return;
@@ -153,8 +144,8 @@ class SweepWriter {
           codes_.size(),
           [this, q](const SweepCell& cell, double* values) {
             for (const SweepOutcome& o : cell.outcomes)
-              if (!o.left_unbalance.empty())
-                values[std::find(codes_.begin(), codes_.end(), o.id) - codes_.begin()] = o.left_unbalance[q];
+              if (!o.unbalance.empty())
+                values[std::find(codes_.begin(), codes_.end(), o.id) - codes_.begin()] = o.unbalance[q];
           },
           outcome_);
     }
