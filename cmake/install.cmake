@@ -23,7 +23,7 @@ foreach(header
     results/certify_result.hpp results/comparison_result.hpp results/design_result.hpp results/explanation.hpp results/inspection.hpp
     results/machine_page.hpp results/map_figures.hpp results/outcome_share.hpp results/plane_map.hpp results/sensitivity_result.hpp
     results/start_arrays.hpp results/sweep_result.hpp results/trajectory.hpp
-    results/transient_result.hpp
+    results/transient_figures.hpp results/transient_result.hpp
     store/basin_file.hpp store/basin_outcomes.hpp store/branches_file.hpp store/inspection.hpp store/map_file.hpp store/start_columns.hpp store/sweep_file.hpp
     store/trajectory_file.hpp
     basins/attractors.hpp basins/basin.hpp basins/certify.hpp basins/comparison.hpp basins/mapper.hpp basins/observation.hpp basins/sensitivity.hpp

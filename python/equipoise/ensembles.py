@@ -28,7 +28,7 @@ if TYPE_CHECKING:
     from .model import Mapper
 
 #: Codes of starts that came to no attractor.
-NO_ATTRACTOR = {0: "undecided", -1: "diverged", -2: "failed", -3: "stalled"}
+NO_ATTRACTOR: dict[int, str] = _core.no_attractors()
 
 _most_undecided = 0.01
 
@@ -233,8 +233,9 @@ class BasinResult(Result):
             if values is not None:
                 values = values.reshape(self.starts, -1) if len(dimensions) == 2 else values
                 data[name] = (dimensions, values, {"units": unit, "long_name": long_name})
+        titles = {name: title for name, title, *_ in _core.figures_of_transients()}
         for name, values in (self.transients or {}).items():
-            data[name] = (("start",), values, {"units": "dimensionless", "long_name": name.replace("_", " ")})
+            data[name] = (("start",), values, {"units": "dimensionless", "long_name": titles[name]})
         codes = sorted(self.names)
         data["outcome"][2].update(flag_values=codes, flag_meanings=" ".join(self.names[c].replace(" ", "_") for c in codes))
         coordinates: dict[str, Any] = {"ball": np.arange(1, self.study.balls + 1)}

@@ -54,15 +54,13 @@ void TransientTally::add(const Fate& fate, const TransientRow& row) {
 }
 
 void TransientTally::count_exceeding(const Fate& fate, const TransientRow& row, double weight, Line& line) const {
-  const std::array<std::pair<float, std::optional<double>>, 3> asked{
-      {{row.peak_radial, limits_.displacement}, {row.peak_force, limits_.force}, {row.rms_velocity, limits_.velocity}}};
-  constexpr std::size_t at_end = 2;  // the others are peaks: what has been exceeded stays so
-  for (std::size_t k = 0; k < asked.size(); ++k) {
-    const bool beyond = asked[k].first > asked[k].second.value_or(exceeds_nothing);
+  for (std::size_t k = 0; k < transient_limits.size(); ++k) {
+    const TransientLimit& l = transient_limits[k];
+    const bool beyond = row.*l.value > (limits_.*l.limit).value_or(exceeds_nothing);
     if (beyond) line.exceeding[k].add(weight);
     if (fate.outcome != Outcome::undecided) continue;
     if (!beyond) line.undecided_within[k].add(weight);
-    if (beyond && k == at_end) line.undecided_beyond[k].add(weight);
+    if (beyond && l.at_end) line.undecided_beyond[k].add(weight);
   }
 }
 
@@ -103,9 +101,8 @@ TransientGroup TransientTally::group(const Line& line) const {
   result.lasting = line.lasting;
   result.never = line.never;
   for (std::size_t k = 0; k < line.figures.size(); ++k) result.figures[k] = line.figures[k].summary();
-  const std::array<std::optional<double>, 3> limits{limits_.displacement, limits_.force, limits_.velocity};
-  for (std::size_t k = 0; k < limits.size(); ++k)
-    if (limits[k]) result.exceeded[k] = exceeded(line, k);
+  for (std::size_t k = 0; k < transient_limits.size(); ++k)
+    if (limits_.*transient_limits[k].limit) result.exceeded[k] = exceeded(line, k);
   return result;
 }
 

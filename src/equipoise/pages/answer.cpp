@@ -16,7 +16,6 @@
 namespace equipoise {
 
 namespace {
-using study::Dimension;
 
 // Bounds that hold whatever undecided starts come to, where those could move the interval.
 std::string surely(const Share& s) {
@@ -66,14 +65,10 @@ std::vector<std::string> drawn_keys(const Study& study, const std::vector<std::s
 
 std::vector<ToldLimit> told_limits(const Study& study) {
   const PageQuantities shown(study);
-  const Limits& limits = study.limits;
   std::vector<ToldLimit> told;
-  const auto tell = [&](std::size_t place, const std::optional<double>& limit, Dimension d, const char* words) {
-    if (limit) told.push_back({place, shown.text(*limit, d) + words});
-  };
-  tell(0, limits.displacement, Dimension::length, " is exceeded on the way");
-  tell(1, limits.force, Dimension::force, " on the supports is exceeded on the way");
-  tell(2, limits.velocity, Dimension::velocity, " RMS in the end is exceeded");
+  for (std::size_t k = 0; k < transient_limits.size(); ++k)
+    if (const TransientLimit& l = transient_limits[k]; study.limits.*l.limit)
+      told.push_back({k, shown.text(*(study.limits.*l.limit), l.figure().dimension) + l.exceeded});
   return told;
 }
 

@@ -19,23 +19,6 @@ using study::Dimension;
 constexpr SvgPoint top_left{52.0, 16.0}, bottom_right{334.0, 158.0};
 constexpr double plot_width = 342.0, plot_height = 196.0;
 
-struct FigureWords {
-  float TransientRow::*figure;
-  const char* name;
-  Dimension dimension;
-  std::optional<double> Limits::*limit;
-};
-constexpr std::array<FigureWords, 3> figure_words{{
-    {&TransientRow::peak_radial, "peak displacement", Dimension::length, &Limits::displacement},
-    {&TransientRow::peak_force, "peak force on the supports", Dimension::force, &Limits::force},
-    {&TransientRow::rms_velocity, "RMS velocity in the end", Dimension::velocity, &Limits::velocity},
-}};
-
-const FigureWords& words_of(float TransientRow::*figure) {
-  return *std::find_if(figure_words.begin(), figure_words.end(),
-                       [&](const FigureWords& w) { return w.figure == figure; });
-}
-
 double end_of(const ShownRun& run) { return run.t.back(); }
 
 AxisExtent time_extent(const MachinePage& page) {
@@ -45,8 +28,6 @@ AxisExtent time_extent(const MachinePage& page) {
 }
 
 }  // namespace
-
-const char* figure_name(float TransientRow::*figure) { return words_of(figure).name; }
 
 const char* run_colour(std::size_t place) { return place == 0 ? "var(--typical)" : "var(--worst)"; }
 
@@ -76,16 +57,16 @@ std::string shares_svg(const MachinePage& page) {
 
 std::string distribution_svg(const MachinePage& page, const FigureDistribution& d) {
   const Study& study = page.basin.study;
-  const FigureWords& words = words_of(d.figure);
+  const TransientFigure& figure = d.limited->figure();
   const PageQuantities shown(study);
   const std::size_t bins = d.outcomes.empty() ? 0 : d.outcomes.front().bins.size();
   std::vector<double> height(bins, 0.0);
   for (const auto& outcome : d.outcomes)
     for (std::size_t k = 0; k < bins; ++k) height[k] += outcome.bins[k];
   const double highest = bins == 0 ? 1.0 : *std::max_element(height.begin(), height.end());
-  Svg svg(plot_width, plot_height, fmt::format("Distribution of the {}", words.name));
+  Svg svg(plot_width, plot_height, fmt::format("Distribution of the {}", figure.page_title));
   SvgAxes axes(svg, top_left, bottom_right, {d.low, d.high}, {0.0, 1.08 * highest},
-               shown.axis(words.name, d.high, words.dimension), {"starts, %", 100.0});
+               shown.axis(figure.page_title, d.high, figure.dimension), {"starts, %", 100.0});
   std::fill(height.begin(), height.end(), 0.0);
   const double width = (d.high - d.low) / static_cast<double>(std::max<std::size_t>(bins, 1));
   for (const auto& outcome : d.outcomes)
@@ -95,8 +76,7 @@ std::string distribution_svg(const MachinePage& page, const FigureDistribution& 
       axes.bar(from, from + 0.92 * width, height[k], height[k] + outcome.bins[k], {"", colour_of(outcome.code)});
       height[k] += outcome.bins[k];
     }
-  if (const auto& limit = study.limits.*words.limit)
-    axes.limit_up(*limit, "limit " + shown.text(*limit, words.dimension));
+  if (const auto& limit = study.limits.*d.limited->limit) axes.limit_up(*limit, "limit " + shown.text(*limit, figure.dimension));
   return svg.str();
 }
 

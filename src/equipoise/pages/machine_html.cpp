@@ -32,12 +32,6 @@ std::string on_one_line(std::string text) {
   return text;
 }
 
-const SampleSummary& figure_of(const TransientGroup& group, float TransientRow::*value) {
-  std::size_t k = 0;
-  while (transient_columns[k].value != value) ++k;
-  return group.figures[k];
-}
-
 class MachineDocument {
  public:
   explicit MachineDocument(const MachinePage& page)
@@ -138,7 +132,7 @@ class MachineDocument {
       if (open) cells.push_back(number_cell(o.id == undecided_code ? "-" : bounds_text(s)));
       cells.push_back(number_cell(fmt::format("{}", s.count)));
       const auto mean = [&](float TransientRow::*value, Dimension d) {
-        return number_cell(of ? shown_.text(figure_of(*of, value).mean, d) : "-");
+        return number_cell(of ? shown_.text(of->figure(value).mean, d) : "-");
       };
       cells.push_back(mean(&TransientRow::peak_radial_at_end, Dimension::length));
       cells.push_back(mean(&TransientRow::rms_velocity, Dimension::velocity));
@@ -160,7 +154,7 @@ class MachineDocument {
     DrawingRow row;
     row.large = true;
     for (const FigureDistribution& d : page_.peaks)
-      row.drawings.push_back({capital(figure_name(d.figure)) + ", all starts", distribution_svg(page_, d), "", ""});
+      row.drawings.push_back({capital(d.limited->figure().page_title) + ", all starts", distribution_svg(page_, d), "", ""});
     if (!page_.runs.empty()) {
       row.drawings.push_back({"Displacement over time", displacement_svg(page_), runs_words(), ""});
       row.drawings.push_back({"Speed over time", speed_svg(page_), "", ""});
@@ -202,31 +196,27 @@ class MachineDocument {
       table.header.insert(table.header.end(), {"limit", "exceeded by"});
       table.spare.push_back(4);
     }
-    // `open`: of times that have no end.
-    const auto row = [&](const char* name, float TransientRow::*value, Dimension d, const char* open,
-                         const std::optional<double>& limit, const std::optional<Share>& exceeded) {
-      const SampleSummary& s = figure_of(all, value);
-      const auto figure = [&](double v) { return number_cell(std::isfinite(v) ? shown_.text(v, d) : open); };
-      table.rows.push_back({{name, Tone::plain, false, true},
+    for (std::size_t k = 0; k < transient_figures.size(); ++k) {
+      const TransientFigure& f = transient_figures[k];
+      const SampleSummary& s = all.figures[k];
+      const bool asked = f.needs ? (limits.*f.needs).has_value() : f.value != &TransientRow::energy || s.count > 0;
+      if (!f.page_title || !asked) continue;
+      const char* open = !f.needs ? "" : all.for_good(f) > 0 ? f.open[1] : f.open[2];
+      const auto figure = [&](double v) { return number_cell(std::isfinite(v) ? shown_.text(v, f.dimension) : open); };
+      table.rows.push_back({{f.page_title, Tone::plain, false, true},
                             figure(s.quantiles[0].value),
                             figure(s.quantiles[1].value),
                             figure(s.largest)});
-      if (!limited) return;
-      table.rows.back().push_back(number_cell(limit ? shown_.text(*limit, d) : "-"));
-      table.rows.back().push_back(number_cell(exceeded ? share_words(*exceeded) : "-"));
-    };
-    const auto& e = all.exceeded;
-    row("peak displacement", &TransientRow::peak_radial, Dimension::length, "", limits.displacement, e[0]);
-    row("peak force on the supports", &TransientRow::peak_force, Dimension::force, "", limits.force, e[1]);
-    row("RMS velocity in the end", &TransientRow::rms_velocity, Dimension::velocity, "", limits.velocity, e[2]);
-    if (limits.displacement)
-      row("time above the limit", &TransientRow::time_above, Dimension::time, all.lasting > 0 ? "for good" : "not over",
-          std::nullopt, std::nullopt);
-    if (limits.settled)
-      row("settled after release", &TransientRow::settling_time, Dimension::time, all.never > 0 ? "never" : "not yet",
-          std::nullopt, std::nullopt);
-    if (figure_of(all, &TransientRow::energy).count > 0)
-      row("work of the drive", &TransientRow::energy, Dimension::energy, "", std::nullopt, std::nullopt);
+      if (!limited) continue;
+      DocumentCell limit = number_cell("-"), exceeded = number_cell("-");
+      for (std::size_t l = 0; l < transient_limits.size(); ++l) {
+        if (transient_limits[l].value != f.value) continue;
+        if (const auto& stated = limits.*transient_limits[l].limit)
+          limit = number_cell(shown_.text(*stated, f.dimension));
+        if (all.exceeded[l]) exceeded = number_cell(share_words(*all.exceeded[l]));
+      }
+      table.rows.back().insert(table.rows.back().end(), {limit, exceeded});
+    }
     if (limits.settled)
       table.caption = fmt::format("Settled: displacement below {}.", shown_.text(*limits.settled, Dimension::length));
     if (page_.explanation.sag > 0.0)

@@ -152,19 +152,16 @@ class PageMaker {
   }
 
   void distributions() {
-    const Limits& limits = page_.basin.study.limits;
-    add_distribution(&TransientRow::peak_radial, limits.displacement);
-    if (limits.force) add_distribution(&TransientRow::peak_force, limits.force);
-    if (limits.velocity) add_distribution(&TransientRow::rms_velocity, limits.velocity);
+    for (const TransientLimit& l : transient_limits)
+      if (l.value == &TransientRow::peak_radial || page_.basin.study.limits.*l.limit) add_distribution(l);
   }
 
-  void add_distribution(float TransientRow::*figure, const std::optional<double>& limit) {
+  void add_distribution(const TransientLimit& l) {
     constexpr std::size_t bins = 36;
-    const std::vector<float>* values = nullptr;
-    for (std::size_t k = 0; k < transient_columns.size(); ++k)
-      if (transient_columns[k].value == figure) values = &starts_.transients[k];
+    const std::vector<float>* values = &starts_.transients[figure_place(l.value)];
+    const std::optional<double>& limit = page_.basin.study.limits.*l.limit;
     FigureDistribution d;
-    d.figure = figure;
+    d.limited = &l;
     bool some = false;
     for (const float v : *values) {
       if (!std::isfinite(v)) continue;

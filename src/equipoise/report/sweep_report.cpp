@@ -162,8 +162,8 @@ Json transients_json(const TransientGroup& group) {
                                      {"low", s.quantiles[q].low},
                                      {"high", s.quantiles[q].high}});
   }
-  for (std::size_t k = 0; k < transient_limit_names.size(); ++k)
-    if (group.exceeded[k]) transients["exceeded"][transient_limit_names[k]] = share_json(*group.exceeded[k]);
+  for (std::size_t k = 0; k < transient_limits.size(); ++k)
+    if (group.exceeded[k]) transients["exceeded"][transient_limits[k].name] = share_json(*group.exceeded[k]);
   return transients;
 }
 

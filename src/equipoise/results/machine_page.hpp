@@ -9,7 +9,6 @@
 #include "equipoise/model/parameters.hpp"
 #include "equipoise/results/basin_result.hpp"
 #include "equipoise/results/explanation.hpp"
-#include "equipoise/transients/transient_table.hpp"
 
 namespace equipoise {
 
@@ -51,8 +50,8 @@ struct DrawnMotion : OutcomeShare {
 
 /// How often a figure of transients was how large: starts (of a grid weighted) by equal bins and by outcome.
 struct FigureDistribution {
-  float TransientRow::*figure = nullptr;
-  double low = 0.0, high = 0.0;  ///< outer edges
+  const TransientLimit* limited = nullptr;  ///< the figure, and its limit
+  double low = 0.0, high = 0.0;                    ///< outer edges
   struct Outcome {
     int code = 0;
     std::string name;

@@ -170,8 +170,8 @@ class SweepWriter {
       of_quantiles("_low", "lower end of its 95 % interval: ", &QuantileEstimate::low);
       of_quantiles("_high", "upper end of its 95 % interval: ", &QuantileEstimate::high);
     }
-    for (std::size_t k = 0; k < transient_limit_names.size(); ++k) {
-      const std::string limit = transient_limit_names[k];
+    for (std::size_t k = 0; k < transient_limits.size(); ++k) {
+      const std::string limit = transient_limits[k].name;
       const auto exceeded = [&](const std::string& name, const std::string& words, double Share::*part) {
         column(name, "1", words, 1, [k, part](const SweepCell& cell, double* value) {
           if (cell.transients && cell.transients->exceeded[k]) *value = *cell.transients->exceeded[k].*part;
