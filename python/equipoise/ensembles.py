@@ -220,7 +220,7 @@ class BasinResult(Result):
             "rotor_state": (("start", "rotor_component"), "R, R omega_c", "initial x, y, x_dot, y_dot"),
             "drawn": (("start", "uncertain_value"), "", "uncertain values that the start drew"),
             "weight": (("start",), "1", "cells that the start stands for"),
-            "outcome": (("start",), "1", "attractor of the start; 0 undecided, -1 diverged, -2 failed, -3 stalled"),
+            "outcome": (("start",), "1", "attractor of the start; " + ", ".join(f"{c} {n}" for c, n in NO_ATTRACTOR.items())),
             "decision_time": (("start",), "1/omega_c", "study time at which the outcome was known"),
             "decided_by": (("start",), "1", "grounds of decision: " + ", ".join(self.decided_by_names)),
             "mean_speed": (("start",), "omega_c", "mean rotor speed in the end"),

@@ -135,8 +135,6 @@ std::string what_else(const SweepResult& r) {
   return lost > 0 ? fmt::format("{} starts diverged or failed.\n", lost) + text : text;
 }
 
-std::string csv_optional(const std::optional<double>& value) { return value ? csv_number(*value) : ""; }
-
 Json outcome_json(const SweepOutcome& o) {
   const auto optional = [](const std::optional<double>& v) { return v ? Json(*v) : Json(nullptr); };
   Json outcome = {{"id", o.id}, {"name", o.name}, {"alias", o.alias}, {"kind", o.kind}};
@@ -224,20 +222,24 @@ std::string sweep_csv(const SweepResult& r) {
   std::string text =
       fmt::format("# equipoise {}: sweep{}\n", version_string, r.complete() ? "" : ", PARTIAL: cells are missing");
   text += csv_study(r.study) + csv_titles(r.axes);
-  text += "starts,id,name,alias,kind,count,share,low,high,mean_time,r_min,r_mean,r_max,period\n";
+  text += "starts,id,name,alias,kind,count,share,low,high";
+  for (const MotionColumn& c : motion_columns) text += std::string(",") + c.name;
+  text += "\n";
   for (std::size_t index = 0; index < r.cells.size(); ++index) {
     if (!r.cells[index]) continue;
     const SweepCell& cell = *r.cells[index];
     const std::string at = csv_values(r.axes, index);
     const auto line = [&](const OutcomeShare& o, const std::string& motion) {
       const Share& s = o.share;
-      text += fmt::format("{}{},{},{},{},{},{},{},{},{},{}\n", at, cell.starts, o.id, csv_text(o.name), o.alias, o.kind,
+      text += fmt::format("{}{},{},{},{},{},{},{},{},{}{}\n", at, cell.starts, o.id, csv_text(o.name), o.alias, o.kind,
                           s.count, s.share, s.low, s.high, motion);
     };
-    for (const SweepOutcome& o : cell.outcomes)
-      line(o, fmt::format("{},{},{},{},{}", o.share.count > 0 ? csv_number(o.mean_time) : "", csv_optional(o.r_min),
-                          csv_optional(o.r_mean), csv_optional(o.r_max), o.period > 0.0 ? csv_number(o.period) : ""));
-    for (const OutcomeShare& o : cell.others()) line(o, ",,,,");
+    for (const SweepOutcome& o : cell.outcomes) {
+      std::string motion;
+      for (const MotionColumn& c : motion_columns) motion += "," + csv_number(c.value(o).value_or(NAN));
+      line(o, motion);
+    }
+    for (const OutcomeShare& o : cell.others()) line(o, std::string(motion_columns.size(), ','));
   }
   return text;
 }

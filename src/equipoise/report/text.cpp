@@ -170,8 +170,6 @@ nlohmann::ordered_json sure_share_json(const Share& s) {
   return json;
 }
 
-namespace {
-
 nlohmann::ordered_json tree_json(const StudyValue& value) {
   using nlohmann::ordered_json;
   if (const auto* table = value.table()) {
@@ -189,8 +187,6 @@ nlohmann::ordered_json tree_json(const StudyValue& value) {
   if (const auto* number = value.real()) return *number;
   return value.string() ? ordered_json(*value.string()) : ordered_json(value.other()->text);
 }
-
-}  // namespace
 
 nlohmann::ordered_json study_json(const Study& study) { return tree_json(to_tree(study)); }
 

@@ -123,7 +123,7 @@ std::string table_text(const ReproducedTable& t) {
     for (const auto* e : {&row.by_published_law, &row.by_kinematic_law})
       if (*e) {
         undecided += (*e)->undecided.count;
-        lost += (*e)->diverged.count + (*e)->failed.count;
+        lost += (*e)->lost();
         starts += (*e)->starts;
       }
   }

@@ -251,7 +251,7 @@ void figures(const Reproduction& r, Document& d) {
 void ensemble_row(DocumentTable& table, const ReproducedRow& row, const std::optional<EnsembleResult>& e, bool ramps,
                   const char* law, const std::string& explorer) {
   if (!e) return;
-  const auto lost = e->diverged.count + e->failed.count;
+  const auto lost = e->lost();
   DocumentCell study = text(row.published->study);
   // As the explorer writes its own address (web/src/setting/setting.ts).
   if (!explorer.empty())

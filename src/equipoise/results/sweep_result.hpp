@@ -1,6 +1,7 @@
 // What a sweep over parameters answered: an ensemble a cell.
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <memory>
@@ -39,6 +40,25 @@ struct SweepOutcome : OutcomeShare {  // id: the same for the same motion in all
   std::vector<double> drift{};
   std::vector<double> state{};  ///< on it; empty: none
 };
+
+/// A number that files and tables tell of an outcome's motion in a cell; none where it has none.
+struct MotionColumn {
+  const char* name;
+  const char* long_name;
+  std::optional<double> (*value)(const SweepOutcome&);
+};
+inline constexpr std::array<MotionColumn, 5> motion_columns{{
+    {"mean_time", "mean time to the decision, in 1/omega_c",
+     [](const SweepOutcome& o) { return o.share.count > 0 ? std::optional(o.mean_time) : std::nullopt; }},
+    {"r_min", "smallest distance of the rotor's centre from the axis, in race radii",
+     [](const SweepOutcome& o) { return o.r_min; }},
+    {"r_mean", "mean distance of the rotor's centre from the axis, in race radii",
+     [](const SweepOutcome& o) { return o.r_mean; }},
+    {"r_max", "largest distance of the rotor's centre from the axis, in race radii",
+     [](const SweepOutcome& o) { return o.r_max; }},
+    {"period", "period of a periodic motion, in 1/omega_c",
+     [](const SweepOutcome& o) { return o.period > 0.0 ? std::optional(o.period) : std::nullopt; }},
+}};
 
 struct SweepCell : OtherShares {
   std::uint64_t starts = 0;

@@ -20,6 +20,7 @@
 #include "equipoise/files/sealed_file.hpp"
 #include "equipoise/store/basin_netcdf.hpp"
 #include "equipoise/store/result_identity.hpp"
+#include "equipoise/store/share_columns.hpp"
 #include "equipoise/store/start_columns.hpp"
 
 namespace equipoise {
@@ -292,15 +293,11 @@ bool BasinFile::complete() const {
 // What a count does not tell.
 void BasinFile::State::read_share(std::size_t k, Share& share) const {
   const std::size_t kinds = file->length("outcome_kind");
-  const auto get = [&](const char* name, double& value) {
-    file->read(file->variable(name, NC_DOUBLE, {kinds}), {k}, {1}, &value);
+  const auto get = [&](const std::string& name, double& value) {
+    file->read(file->variable("kind_" + name, NC_DOUBLE, {kinds}), {k}, {1}, &value);
   };
-  get("kind_share", share.share);
-  get("kind_share_low", share.low);
-  get("kind_share_high", share.high);
-  get("kind_share_least", share.least);
-  get("kind_share_most", share.most);
-  get("kind_effective_starts", share.effective_starts);
+  for (const store::ShareColumn& c : store::share_columns) get(c.name, share.*c.value);
+  get("effective_starts", share.effective_starts);
   const std::string by = file->read_text("kind_interval", k);
   const auto found = std::find(interval_names.begin(), interval_names.end(), by);
   if (found == interval_names.end()) throw RunError(fmt::format("{}: kind_interval {} is none", path, by));

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstring>
 
+#include <fmt/format.h>
 #include <netcdf.h>
 
 #include "equipoise/deciding/outcomes.hpp"
@@ -36,9 +37,10 @@ std::vector<StartColumn> start_columns(const BasinFileHeader& header) {
   if (header.transients)
     for (const TransientColumn& c : transient_columns)
       columns.push_back({c.name, NC_FLOAT, 4, 1, "", "1", c.long_name});
-  columns.push_back(
-      {"outcome", NC_SHORT, 2, 1, "", "1",
-       "attractor that the start came to (kind_code), or 0 undecided, -1 diverged, -2 failed, -3 stalled"});
+  std::string others;
+  for (const NoAttractor& n : no_attractors)
+    others += fmt::format("{}{} {}", others.empty() ? "" : ", ", n.code, n.name);
+  columns.push_back({"outcome", NC_SHORT, 2, 1, "", "1", "attractor that the start came to (kind_code), or " + others});
   columns.push_back(
       {"decision_time", NC_DOUBLE, 8, 1, "", "1", "study time at which the outcome was known, in 1/omega_c"});
   if (header.driven)

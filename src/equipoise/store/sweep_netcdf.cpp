@@ -11,6 +11,7 @@
 
 #include "equipoise/files/netcdf.hpp"
 #include "equipoise/store/cell_netcdf.hpp"
+#include "equipoise/store/share_columns.hpp"
 #include "equipoise/store/sweep_cells.hpp"
 
 namespace equipoise::store {
@@ -78,7 +79,8 @@ class SweepWriter {
   }
 
   void define_shares() {
-    const auto of_outcomes = [&](const char* name, const char* meaning, double (*value)(const Share&)) {
+    const auto of_outcomes = [&](const char* name, const char* meaning,
+                                 const std::function<double(const Share&)>& value) {
       column(
           name, "1", meaning, codes_.size(),
           [this, value](const SweepCell& cell, double* values) {
@@ -88,11 +90,8 @@ class SweepWriter {
           outcome_);
     };
     of_outcomes("count", "starts with the outcome", [](const Share& s) { return static_cast<double>(s.count); });
-    of_outcomes("share", "share of the starts", [](const Share& s) { return s.share; });
-    of_outcomes("share_low", "lower end of its 95 % interval", [](const Share& s) { return s.low; });
-    of_outcomes("share_high", "upper end of its 95 % interval", [](const Share& s) { return s.high; });
-    of_outcomes("share_least", "lower bound whatever undecided starts come to", [](const Share& s) { return s.least; });
-    of_outcomes("share_most", "upper bound whatever undecided starts come to", [](const Share& s) { return s.most; });
+    for (const ShareColumn& c : share_columns)
+      of_outcomes(c.name, c.of_cell, [value = c.value](const Share& s) { return s.*value; });
   }
 
   // Null: the cell does not have it.
@@ -104,26 +103,16 @@ class SweepWriter {
   }
 
   void define_motions() {
-    const auto of_motions = [&](const char* name, const char* meaning, double (*value)(const SweepOutcome&)) {
+    for (const MotionColumn& c : motion_columns) {
+      if (&c == &motion_columns.back()) define_left_unbalance();
       column(
-          name, "1", meaning, codes_.size(),
-          [this, value](const SweepCell& cell, double* values) {
+          c.name, "1", c.long_name, codes_.size(),
+          [this, &c](const SweepCell& cell, double* values) {
             for (const SweepOutcome& o : cell.outcomes)
-              values[std::find(codes_.begin(), codes_.end(), o.id) - codes_.begin()] = value(o);
+              values[std::find(codes_.begin(), codes_.end(), o.id) - codes_.begin()] = c.value(o).value_or(none);
           },
           outcome_);
-    };
-    of_motions("mean_time", "mean time to the decision, in 1/omega_c",
-               [](const SweepOutcome& o) { return o.share.count > 0 ? o.mean_time : none; });
-    of_motions("r_min", "smallest distance of the rotor's centre from the axis, in race radii",
-               [](const SweepOutcome& o) { return o.r_min.value_or(none); });
-    of_motions("r_mean", "mean distance of the rotor's centre from the axis, in race radii",
-               [](const SweepOutcome& o) { return o.r_mean.value_or(none); });
-    of_motions("r_max", "largest distance of the rotor's centre from the axis, in race radii",
-               [](const SweepOutcome& o) { return o.r_max.value_or(none); });
-    define_left_unbalance();
-    of_motions("period", "period of a periodic motion, in 1/omega_c",
-               [](const SweepOutcome& o) { return o.period > 0.0 ? o.period : none; });
+    }
   }
 
   // Only where dry friction leaves any.
