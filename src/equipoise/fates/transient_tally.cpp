@@ -4,6 +4,8 @@
 #include <cmath>
 #include <limits>
 
+#include "equipoise/deciding/outcomes.hpp"
+
 namespace equipoise {
 
 namespace {
@@ -114,9 +116,10 @@ TransientResult TransientTally::result(const Catalogue& catalogue) const {
   result.groups.back().name = "all";
   for (const auto& [key, line] : lines_) {
     TransientGroup one = group(line);
-    one.id = key.second;
+    const auto outcome = static_cast<Outcome>(key.first);
     const Attractor* a = key.second > 0 ? catalogue.find(key.second) : nullptr;
-    one.name = a ? a->name : name_of(static_cast<Outcome>(key.first));
+    one.id = outcome == Outcome::attracted ? key.second : told_of(outcome).code;
+    one.name = a ? a->name : name_of(outcome);
     result.groups.push_back(one);
   }
   return result;

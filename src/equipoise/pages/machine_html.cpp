@@ -56,7 +56,7 @@ class MachineDocument {
   const TransientGroup* group(const OutcomeShare& o) const {
     if (!basin_.transients) return nullptr;
     for (const TransientGroup& g : basin_.transients->groups)
-      if (g.starts > 0 && g.id == std::max(o.id, 0) && (o.id > 0 || g.name == o.name)) return &g;
+      if (g.starts > 0 && g.id == o.id) return &g;
     return nullptr;
   }
 
@@ -154,7 +154,8 @@ class MachineDocument {
     DrawingRow row;
     row.large = true;
     for (const FigureDistribution& d : page_.peaks)
-      row.drawings.push_back({capital(d.limited->figure().page_title) + ", all starts", distribution_svg(page_, d), "", ""});
+      row.drawings.push_back(
+          {capital(d.limited->figure().page_title) + ", all starts", distribution_svg(page_, d), "", ""});
     if (!page_.runs.empty()) {
       row.drawings.push_back({"Displacement over time", displacement_svg(page_), runs_words(), ""});
       row.drawings.push_back({"Speed over time", speed_svg(page_), "", ""});

@@ -12,6 +12,7 @@
 
 #include "equipoise/model/balance_grade.hpp"
 #include "equipoise/model/strobe.hpp"
+#include "equipoise/deciding/outcomes.hpp"
 #include "equipoise/report/text.hpp"
 
 namespace equipoise {
@@ -76,7 +77,7 @@ std::string figure_line(const TransientFigure& f, const SampleSummary& s, const 
 }
 
 std::string group_text(const TransientGroup& group, const TransientResult& r, const Study& study) {
-  const std::string name = group.name == "all" ? "all outcomes" : group.name;
+  const std::string name = group.id ? group.name : "all outcomes";
   if (group.starts < fewest_for_figures)
     return fmt::format("{}: too few starts ({}) for figures\n", name, group.starts);
   std::string text = fmt::format("{}, {} starts\n", name, group.starts);
@@ -103,10 +104,10 @@ std::string group_text(const TransientGroup& group, const TransientResult& r, co
     const TransientLimit& l = transient_limits[k];
     const Share& s = *group.exceeded[k];
     const Unit unit = unit_of(study, l);
-    text += fmt::format("  {} {} above {:.4g} {}: {} ({}){}\n", l.at_end ? "RMS" : "peak", l.name,
-                        *(study.limits.*l.limit) * unit.size, unit.name,
-                        percent(s.share, s.count == 0 ? 0 : digits_for(s)), interval(s),
-                        group.id != 0 && (s.least < s.low || s.most > s.high) ? "; surely " + bounds_text(s) : "");
+    text += fmt::format(
+        "  {} {} above {:.4g} {}: {} ({}){}\n", l.at_end ? "RMS" : "peak", l.name, *(study.limits.*l.limit) * unit.size,
+        unit.name, percent(s.share, s.count == 0 ? 0 : digits_for(s)), interval(s),
+        group.id != undecided_code && (s.least < s.low || s.most > s.high) ? "; surely " + bounds_text(s) : "");
   }
   const std::optional<double> grade = left_grade(group, study);
   if (grade)
@@ -152,10 +153,11 @@ std::string transient_text(const TransientResult& r, const Study& study) {
                                  "90 % of starts below", "99 % of starts below");
   for (const TransientGroup& group : r.groups)
     // A single outcome says all.
-    if (group.starts > 0 && !(group.name == "all" && r.groups.size() == 2)) text += group_text(group, r, study);
+    if (group.starts > 0 && !(!group.id && r.groups.size() == 2)) text += group_text(group, r, study);
   if (r.settings.watches_settling())
     text += fmt::format("Settled: displacement below {:.4g} {}.\n", r.settings.settled * length.size, length.name);
-  const bool undecided = std::any_of(r.groups.begin(), r.groups.end(), [](const auto& g) { return g.id == 0; });
+  const bool undecided =
+      std::any_of(r.groups.begin(), r.groups.end(), [](const auto& g) { return g.id == undecided_code; });
   text += fmt::format("\n\"At the end\": of the steady motion that a start comes to{}.\n",
                       undecided ? fmt::format("; of an undecided start in its last window of {:.4g} {}",
                                               r.settings.window * time.size, time.name)
@@ -189,7 +191,7 @@ nlohmann::ordered_json transient_json(const TransientResult& r, const Study& stu
   json["lost"] = r.lost;
   json["groups"] = Json::array();
   for (const TransientGroup& group : r.groups) {
-    Json one = {{"name", group.name}, {"id", group.id < 0 ? Json(nullptr) : Json(group.id)}, {"starts", group.starts}};
+    Json one = {{"name", group.name}, {"id", group.id ? Json(*group.id) : Json(nullptr)}, {"starts", group.starts}};
     for (std::size_t k = 0; k < transient_figures.size(); ++k) {
       const TransientFigure& f = transient_figures[k];
       if (!applies(f, r.settings, study)) continue;

@@ -15,8 +15,8 @@ namespace equipoise {
 
 /// The starts of one outcome, or all.
 struct TransientGroup {
-  std::string name;  ///< "all" or the outcome's
-  int id = -1;       ///< attractor; 0: undecided or stalled; -1: all
+  std::string name;       ///< "all" or the outcome's
+  std::optional<int> id;  ///< attractor, or undecided_code and its like; none: of all
   std::uint64_t starts = 0;
   std::optional<double> mean_speed;  ///< of driven rotors: |psi'| in the end, mean over starts
   std::uint64_t lasting = 0;         ///< of these, whose motion exceeds limits.displacement for good
