@@ -66,7 +66,7 @@ struct MapStore::State {
   std::string path;
   store::MapFileHeader header;
   std::uint64_t size = 0;  // of the map, in pixels
-  std::vector<MapCode> codes;
+  std::vector<OutcomeShare> codes;
   std::vector<std::vector<double>> discoveries;
   std::vector<Piece> pieces;
   std::optional<store::MapReader> file;
@@ -187,7 +187,7 @@ bool MapStore::complete() const { return state_->file && state_->file->complete(
 
 bool MapStore::unfinished() const { return !state_->pieces.empty(); }
 
-const std::vector<MapCode>& MapStore::codes() const { return state_->codes; }
+const std::vector<OutcomeShare>& MapStore::codes() const { return state_->codes; }
 
 const std::vector<std::vector<double>>& MapStore::discoveries() const { return state_->discoveries; }
 
@@ -228,11 +228,10 @@ void MapStore::append(const std::vector<std::uint32_t>& positions, const std::ve
   s.pieces.push_back({*first, *last, places, s.journal->records().back()});
 }
 
-void MapStore::append_code(const MapCode& code) {
+void MapStore::append_code(const OutcomeShare& code) {
   const std::string text = code.name + "\n" + code.alias;
-  state_->append(
-      {.kind = store::Journal::Kind::outcome_name, .first = static_cast<std::uint64_t>(code.code), .count = 1},
-      text.data(), text.size());
+  state_->append({.kind = store::Journal::Kind::outcome_name, .first = static_cast<std::uint64_t>(code.id), .count = 1},
+                 text.data(), text.size());
 }
 
 void MapStore::append_discovery(const std::vector<double>& state) {

@@ -13,7 +13,6 @@
 #include "equipoise/pages/map_drawing.hpp"
 #include "equipoise/pages/page_parts.hpp"
 #include "equipoise/report/text.hpp"
-#include "equipoise/results/outcome_share.hpp"
 
 namespace equipoise {
 
@@ -57,8 +56,8 @@ class MapDocument {
 
   void outcomes() {
     DocumentTable table{{"outcome", "of the points", "95 % interval", "points"}, {}, "", false, {3}};
-    for (const MapCode& c : map_.codes) {
-      if (c.share.count == 0 && c.code < undecided_code) continue;
+    for (const OutcomeShare& c : map_.codes) {
+      if (c.share.count == 0 && c.id < undecided_code) continue;
       table.rows.push_back({{title_of(c)},
                             share_cell(c.share),
                             number_cell(interval(c.share)),

@@ -15,7 +15,6 @@
 #include "equipoise/report/computed.hpp"
 #include "equipoise/report/start_text.hpp"
 #include "equipoise/report/text.hpp"
-#include "equipoise/results/outcome_share.hpp"
 
 namespace equipoise {
 
@@ -119,8 +118,8 @@ std::string map_text(const PlaneMap& map) {
   text += starts_text(map);
   text += fmt::format("\n{:>5}  {:<44}{:>10}{}\n", "code", "outcome", "pixels",
                       map.complete ? "  of the map" : "    of the map");
-  for (const MapCode& c : map.codes)
-    text += fmt::format("{:>5}  {:<44}{:>10}{}\n", c.code, title_of(c), c.share.count, part_of_map(map, c.share));
+  for (const OutcomeShare& c : map.codes)
+    text += fmt::format("{:>5}  {:<44}{:>10}{}\n", c.id, title_of(c), c.share.count, part_of_map(map, c.share));
   const std::string figures =
       figure_text("box dimension", f.box_dimension) + figure_text("uncertainty exponent", f.uncertainty_exponent) +
       figure_text("basin entropy", f.basin_entropy) + figure_text("boundary basin entropy", f.boundary_basin_entropy) +
@@ -149,9 +148,9 @@ std::string map_json(const PlaneMap& map) {
   for (const AngleLink& link : map.links)
     json["ties"].push_back({{"ball", link.ball}, {"of", link.of}, {"offset", link.offset}});
   json["outcomes"] = MapJson::array();
-  for (const MapCode& c : map.codes)
+  for (const OutcomeShare& c : map.codes)
     json["outcomes"].push_back(
-        {{"id", c.code}, {"name", c.name}, {"alias", c.alias}, {"pixels", c.share.count}, {"share", c.share.share}});
+        {{"id", c.id}, {"name", c.name}, {"alias", c.alias}, {"pixels", c.share.count}, {"share", c.share.share}});
   std::string text = json.dump();
   text.back() = ',';
   text += "\"outcome\":";

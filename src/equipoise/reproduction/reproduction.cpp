@@ -74,7 +74,7 @@ Json table_json(const ReproducedTable& t) {
 
 Json map_json(const PlaneMap& map) {
   Json codes = Json::array();
-  for (const MapCode& c : map.codes) {
+  for (const OutcomeShare& c : map.codes) {
     Json one{{"name", c.name}, {"alias", c.alias}};
     one.update(share_json(c.share));
     codes.push_back(one);
