@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include "equipoise/report/engineering.hpp"
+#include "equipoise/report/grade_text.hpp"
 #include "equipoise/results/left_grade.hpp"
 
 namespace equipoise {
@@ -43,11 +44,8 @@ nlohmann::ordered_json left_unbalance_json(const OutcomeShare& a, const Study& s
   nlohmann::ordered_json json = {{"probability", unbalance_quantiles}, {"unbalance", a.unbalance}};
   if (!study.scales) return json;
   for (const double u : a.unbalance) {
-    const double grade = left_balance_grade(u, study);
-    const auto met = model::standard_grade_met(grade);
     json["unbalance_si"].push_back(u * study.scales->unbalance());
-    json["balance_grade"].push_back(
-        {{"mm_per_s", grade}, {"standard", met ? nlohmann::ordered_json(*met) : nlohmann::ordered_json(nullptr)}});
+    json["balance_grade"].push_back(grade_json(left_balance_grade(u, study)));
   }
   return json;
 }

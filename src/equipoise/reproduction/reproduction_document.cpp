@@ -228,9 +228,8 @@ void open_questions(const Reproduction& r, Document& d) {
       const auto same = [&](const OutcomeShare& other) { return other.name == a.name; };
       const auto at = std::find_if(b.rest.attractors.begin(), b.rest.attractors.end(), same);
       const Share rest = at == b.rest.attractors.end() ? wilson_share(0, b.rest.starts) : at->share;
-      table.rows.push_back(
-          {number(fmt::format("{}", b.speed)), text(a.alias.empty() ? a.name : fmt::format("{} ({})", a.name, a.alias)),
-           number(percentage(a.share)), number(interval(a.share)), number(percentage(rest)), number(interval(rest))});
+      table.rows.push_back({number(fmt::format("{}", b.speed)), text(title_of(a)), number(percentage(a.share)),
+                            number(interval(a.share)), number(percentage(rest)), number(interval(rest))});
     }
   if (!r.open->boxes.empty())
     table.caption = fmt::format("{} starts a sample; undecided: {}.", r.open->boxes.front().box.starts,
