@@ -17,14 +17,14 @@ foreach(header
     statistics/quantile.hpp statistics/share.hpp statistics/sobol_indices.hpp sampling/jittered_grid.hpp sampling/sampling.hpp
     study/ball_details.hpp study/keys.hpp study/overrides.hpp study/physical_echo.hpp study/study.hpp study/study_value.hpp
     study/table_reader.hpp study/uncertain.hpp study/units.hpp
-    transients/transient_table.hpp deciding/decision_rule.hpp deciding/fate.hpp deciding/trap_set.hpp
+    transients/transient_table.hpp deciding/decision_rule.hpp deciding/fate.hpp deciding/outcomes.hpp deciding/trap_set.hpp
     model/ball_mode.hpp orbits/balanced_continuum.hpp orbits/ball_events.hpp orbits/orbit.hpp motions/catalogue.hpp
     motions/motion.hpp proof/certificate.hpp proof/member_certificate.hpp traps/trap_hints.hpp
     results/attractors_result.hpp results/basin_result.hpp results/branch.hpp results/branches_result.hpp results/basin_cost.hpp results/capacity_result.hpp
     results/certify_result.hpp results/comparison_result.hpp results/design_result.hpp results/explanation.hpp results/inspection.hpp
-    results/machine_page.hpp results/map_figures.hpp results/plane_map.hpp results/sensitivity_result.hpp
+    results/machine_page.hpp results/map_figures.hpp results/outcome_share.hpp results/plane_map.hpp results/sensitivity_result.hpp
     results/start_arrays.hpp results/sweep_result.hpp results/trajectory.hpp
-    results/transient_result.hpp
+    results/transient_figures.hpp results/transient_result.hpp
     store/basin_file.hpp store/basin_outcomes.hpp store/branches_file.hpp store/inspection.hpp store/map_file.hpp store/start_columns.hpp store/sweep_file.hpp
     store/trajectory_file.hpp
     basins/attractors.hpp basins/basin.hpp basins/certify.hpp basins/comparison.hpp basins/mapper.hpp basins/observation.hpp basins/sensitivity.hpp

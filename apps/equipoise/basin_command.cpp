@@ -43,11 +43,9 @@ std::vector<std::string> overrides_from(const BasinArguments& a) {
 
 std::string transients_text(const Study& study, const TransientRow& row) {
   std::string text;
-  for (const TransientColumn& column : transient_columns) {
-    const bool asked = column.value == &TransientRow::time_above      ? study.limits.displacement.has_value()
-                       : column.value == &TransientRow::settling_time ? study.limits.settled.has_value()
-                       : column.value == &TransientRow::energy        ? !std::isnan(row.energy)
-                                                                      : true;
+  for (const TransientFigure& column : transient_figures) {
+    const bool asked = column.needs ? (study.limits.*column.needs).has_value()
+                                    : column.value != &TransientRow::energy || !std::isnan(row.energy);
     if (asked) text += fmt::format("{} = {}\n", column.name, row.*column.value);
   }
   return text;

@@ -90,6 +90,29 @@ py::object arrays_of(const Basin& kept) {
   return arrays;
 }
 
+// How the figures of transients are told; the limits that bound them, and without which they are not watched, by key.
+py::list figures_of_transients() {
+  constexpr std::array<std::pair<const char*, std::optional<double> Limits::*>, 4> keys{
+      {{"displacement", &Limits::displacement},
+       {"force", &Limits::force},
+       {"velocity", &Limits::velocity},
+       {"settled", &Limits::settled}}};
+  const auto key_of = [&](std::optional<double> Limits::*limit) {
+    for (const auto& [key, member] : keys)
+      if (member == limit) return key;
+    return "";
+  };
+  py::list figures;
+  for (const TransientFigure& f : transient_figures) {
+    const std::string dimension = study::words(f.told_in()).name;  // with its article
+    const auto bound = std::find_if(transient_limits.begin(), transient_limits.end(),
+                                    [&](const TransientLimit& l) { return l.value == f.value; });
+    figures.append(py::make_tuple(f.name, f.title, dimension.substr(dimension.find(' ') + 1),
+                                  bound == transient_limits.end() ? "" : bound->name, key_of(f.needs)));
+  }
+  return figures;
+}
+
 py::list grounds_of_decision() {
   py::list names;
   for (const char* name : decided_by_names) names.append(name);
@@ -126,6 +149,12 @@ void bind_ensembles(py::module_& module) {
   module.def("basin", &run_basin, py::arg("study"), py::arg("half_width"), py::arg("limit_given"),
              py::arg("transients"), py::arg("output"), py::arg("keep"), py::arg("initial"), py::arg("sensitivity_rows"),
              py::arg("mapper").none(true), py::arg("settings"));
+  module.def("figures_of_transients", &figures_of_transients);
+  module.def("no_attractors", [] {
+    py::dict names;
+    for (const NoAttractor& n : no_attractors) names[py::int_(n.code)] = n.name;
+    return names;
+  });
   module.def("grounds_of_decision", &grounds_of_decision);
   bind_kept<ComparisonResult>(module, "Comparison", &comparison_text, &comparison_json)
       .def("verdict", [](const Compared& c) { return verdict(c.result); });

@@ -81,8 +81,8 @@ py::dict summary_of(const Map& kept) {
   const PlaneMap& map = kept.result;
   py::dict summary, figures;
   py::list codes;
-  for (const MapCode& c : map.codes)
-    codes.append(py::make_tuple(c.code, c.name, c.alias, c.share.share, c.share.low, c.share.high, c.share.count));
+  for (const OutcomeShare& c : map.codes)
+    codes.append(py::make_tuple(c.id, c.name, c.alias, c.share.share, c.share.low, c.share.high, c.share.count));
   figures["box_dimension"] = figure(map.figures.box_dimension);
   figures["uncertainty_exponent"] = figure(map.figures.uncertainty_exponent);
   figures["basin_entropy"] = figure(map.figures.basin_entropy);

@@ -28,7 +28,7 @@ if TYPE_CHECKING:
     from .model import Mapper
 
 #: Codes of starts that came to no attractor.
-NO_ATTRACTOR = {0: "undecided", -1: "diverged", -2: "failed", -3: "stalled"}
+NO_ATTRACTOR: dict[int, str] = _core.no_attractors()
 
 _most_undecided = 0.01
 
@@ -220,7 +220,7 @@ class BasinResult(Result):
             "rotor_state": (("start", "rotor_component"), "R, R omega_c", "initial x, y, x_dot, y_dot"),
             "drawn": (("start", "uncertain_value"), "", "uncertain values that the start drew"),
             "weight": (("start",), "1", "cells that the start stands for"),
-            "outcome": (("start",), "1", "attractor of the start; 0 undecided, -1 diverged, -2 failed, -3 stalled"),
+            "outcome": (("start",), "1", "attractor of the start; " + ", ".join(f"{c} {n}" for c, n in NO_ATTRACTOR.items())),
             "decision_time": (("start",), "1/omega_c", "study time at which the outcome was known"),
             "decided_by": (("start",), "1", "grounds of decision: " + ", ".join(self.decided_by_names)),
             "mean_speed": (("start",), "omega_c", "mean rotor speed in the end"),
@@ -233,8 +233,9 @@ class BasinResult(Result):
             if values is not None:
                 values = values.reshape(self.starts, -1) if len(dimensions) == 2 else values
                 data[name] = (dimensions, values, {"units": unit, "long_name": long_name})
+        titles = {name: title for name, title, *_ in _core.figures_of_transients()}
         for name, values in (self.transients or {}).items():
-            data[name] = (("start",), values, {"units": "dimensionless", "long_name": name.replace("_", " ")})
+            data[name] = (("start",), values, {"units": "dimensionless", "long_name": titles[name]})
         codes = sorted(self.names)
         data["outcome"][2].update(flag_values=codes, flag_meanings=" ".join(self.names[c].replace(" ", "_") for c in codes))
         coordinates: dict[str, Any] = {"ball": np.arange(1, self.study.balls + 1)}

@@ -154,7 +154,7 @@ TEST(HalfWidth, ChoosesSobolStartsWhereTheyAreCheaper) {
   // 0.605 x 0.395 (1.96 / 0.004)^2 = 57 370 random starts; the share itself is known to 0.4 points.
   EXPECT_NEAR(a.choice->random_starts, 57370, 500);
   EXPECT_LT(static_cast<double>(a.starts), 0.8 * a.choice->random_starts);
-  for (const AttractorShare& s : a.attractors) EXPECT_LE(s.share.half_width(), 0.004);
+  for (const OutcomeShare& s : a.attractors) EXPECT_LE(s.share.half_width(), 0.004);
   // The file is one of Sobol starts, as if asked for: the same command reads it, and more of them extend it.
   EXPECT_EQ(basin(study, two).resumed_from, b.starts);
   BasinOptions longer;

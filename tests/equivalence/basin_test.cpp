@@ -176,7 +176,7 @@ TEST(Basin, SamplesUntilTheIntervalIsAsNarrowAsAsked) {
   const BasinResult a = basin(study, one), b = basin(study, two);
   EXPECT_EQ(a.starts, b.starts);
   EXPECT_FALSE(a.partial);
-  for (const AttractorShare& s : a.attractors) EXPECT_LE(s.share.half_width(), 0.01);
+  for (const OutcomeShare& s : a.attractors) EXPECT_LE(s.share.half_width(), 0.01);
   EXPECT_LT(a.starts, 11000u);  // 0.605 x 0.395 (1.96/0.01)^2 = 9180, rounded up to a checkpoint of 1024
   EXPECT_GE(a.starts, 9180u);
 }
@@ -215,7 +215,7 @@ void expect_consistent(const std::string& path, const Study& study, std::uint64_
   EXPECT_EQ(file.unfinished(), 0u);
   EXPECT_EQ(file.complete(), complete);
   std::uint64_t counted = 0;
-  for (const OutcomeSummary& line : file.summary()) counted += line.share.count;
+  for (const OutcomeShare& line : file.summary()) counted += line.share.count;
   EXPECT_EQ(counted, starts);
 }
 

@@ -72,8 +72,8 @@ TEST(DrawnStarts, OfOneRotorHaveThatRotorsFatesAndTransients) {
 TEST(DrawnStarts, OfHardlyDifferentRotorsHaveTheSharesOfOne) {
   const BasinResult plain = run(study_with({})).result;
   const BasinResult drawn = run(study_with({"rotor.eccentricity={uniform=[0.01, 0.01000000001]}"})).result;
-  for (const AttractorShare& a : plain.attractors)
-    for (const AttractorShare& b : drawn.attractors) {
+  for (const OutcomeShare& a : plain.attractors)
+    for (const OutcomeShare& b : drawn.attractors) {
       if (a.name != b.name) continue;
       EXPECT_LE(b.share.low, a.share.share) << a.name;
       EXPECT_GE(b.share.high, a.share.share) << a.name;

@@ -89,8 +89,8 @@ TEST(UnbalanceLeft, HasTheQuantilesOfADirectRun) {
   const Study study = parse_study(heavy + two + sticks + constant, "stuck");
   constexpr std::uint64_t starts = 120;
   const BasinResult result = run(study, starts);
-  const auto balanced = std::find_if(result.attractors.begin(), result.attractors.end(),
-                                     [](const AttractorShare& a) { return a.id == 1; });
+  const auto balanced =
+      std::find_if(result.attractors.begin(), result.attractors.end(), [](const OutcomeShare& a) { return a.id == 1; });
   ASSERT_NE(balanced, result.attractors.end());
   EXPECT_EQ(balanced->name, "balanced, stuck");
   ASSERT_EQ(balanced->unbalance.size(), unbalance_quantiles.size());

@@ -36,7 +36,7 @@ phi_dot = [-2.4, 2.4]
 
 std::vector<std::uint64_t> counts(const BasinResult& r) {
   std::vector<std::uint64_t> result;
-  for (const AttractorShare& a : r.attractors) result.push_back(a.share.count);
+  for (const OutcomeShare& a : r.attractors) result.push_back(a.share.count);
   result.push_back(r.undecided.count);
   return result;
 }

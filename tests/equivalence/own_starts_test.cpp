@@ -148,7 +148,7 @@ TEST_P(OwnStarts, AreMappedAsTheEnsembleDecidesThem) {
   };
   for (std::size_t i = 0; i < starts.size(); ++i) expect_one(i, together[i]);
   for (const std::size_t i : {starts.size() - 1, starts.size() / 2}) expect_one(i, mapper(starts[i]));
-  for (const AttractorShare& a : own.attractors)
+  for (const OutcomeShare& a : own.attractors)
     if (a.share.count > 0) {
       EXPECT_EQ(mapper.name(a.id), a.name);
     }

@@ -75,8 +75,8 @@ Study pixel(const PlaneMap& map, int column, int row) {
 }
 
 std::string name_of(const PlaneMap& map, std::size_t at) {
-  for (const MapCode& c : map.codes)
-    if (c.code == map.code[at]) return c.name;
+  for (const OutcomeShare& c : map.codes)
+    if (c.id == map.code[at]) return c.name;
   return "";
 }
 
@@ -304,10 +304,10 @@ TEST(PlaneMap, CountsEveryPixelOnce) {
   const PlaneMap map = plane_map(rotor(), angle_plane(3, 3));
   std::uint64_t sum = 0;
   std::set<short> codes;
-  for (const MapCode& c : map.codes) {
+  for (const OutcomeShare& c : map.codes) {
     sum += c.share.count;
-    EXPECT_TRUE(codes.insert(c.code).second);
-    if (c.code > 0) {
+    EXPECT_TRUE(codes.insert(c.id).second);
+    if (c.id > 0) {
       EXPECT_GT(c.share.count, 0u);
     }
   }
@@ -318,7 +318,7 @@ TEST(PlaneMap, CountsEveryPixelOnce) {
 // A grid of pixels is a sample of starts too: where its boundary is fractal, of chance.
 TEST(PlaneMap, OverBothAnglesHasTheSharesOfBasin) {
   const PlaneMap map = plane_map(rotor(), both_angles(128, 128));
-  ASSERT_EQ(map.codes.front().code, balanced_id);
+  ASSERT_EQ(map.codes.front().id, balanced_id);
   // 60.40 %, known to 0.1 %; 16 384 random pixels have an error of 0.4 %.
   EXPECT_NEAR(map.codes.front().share.share, 0.604, 0.012);
 }
@@ -354,7 +354,7 @@ TEST(PlaneMap, OverParametersDrawsAStartAtEveryPixel) {
   const PlaneMap map = plane_map(parse_study(constant_speed, "rotor"), one_rotor(24, 20));
   EXPECT_TRUE(draws_starts(map));
   // Shares of the rotor between: 60.4 % balanced, 3.9 % co-drifting; four standard errors of 480 random starts.
-  for (const MapCode& c : map.codes) {
+  for (const OutcomeShare& c : map.codes) {
     if (c.name == "balanced") {
       EXPECT_NEAR(c.share.share, 0.604, 4.0 * 0.0223);
     } else if (c.name == "co-drifting") {
@@ -584,7 +584,7 @@ TEST(PlaneMap, LargeOnesNeedAFile) {
 TEST(PlaneMap, PictureNamesWhatItShows) {
   const PlaneMap map = plane_map(rotor(), mass_plane(4, 4));
   const std::string script = map_plot_script(map, "Where the rotor ends", "map.png");
-  for (const MapCode& c : map.codes)
+  for (const OutcomeShare& c : map.codes)
     EXPECT_EQ(script.find("'" + (c.alias.empty() ? "" : c.alias + ": ") + c.name) != script.npos, c.share.count > 0);
   EXPECT_NE(script.find("balance ends to exist"), script.npos);
   EXPECT_NE(script.find("eccentricity λ"), script.npos);

@@ -23,7 +23,7 @@ BasinResult result_of(const std::string& text, std::uint64_t starts, std::uint64
   r.study = parse_study(text, "m.toml");
   r.starts = starts;
   r.attractors.push_back(
-      {balanced_id, "balanced", "", "equilibrium", open_share(balanced, balanced + undecided, starts), 50.0, {}, {}});
+      {balanced_id, "balanced", "", open_share(balanced, balanced + undecided, starts), "equilibrium", 50.0});
   r.undecided = wilson_share(undecided, starts);
   r.diverged = r.failed = wilson_share(0, starts);
   return r;

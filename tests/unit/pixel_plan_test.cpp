@@ -136,9 +136,9 @@ TEST(MapNames, OthersThanTheUsualHaveCodesInTheOrderOfPixels) {
   names.see(late, 40);
   const auto whole = names.seen(true);
   EXPECT_EQ(whole.size(), 3u);  // balanced was seen nowhere
-  EXPECT_EQ(whole.at(early).code + 1, whole.at(late).code);
-  EXPECT_EQ(whole.at(usual).code, usual);
-  EXPECT_EQ(names.seen(false).at(late).code, late);
+  EXPECT_EQ(whole.at(early).id + 1, whole.at(late).id);
+  EXPECT_EQ(whole.at(usual).id, usual);
+  EXPECT_EQ(names.seen(false).at(late).id, late);
 }
 
 TEST(ReusedPixels, AreThoseWithTheSameCentre) {

@@ -72,7 +72,7 @@ EnsembleResult ensemble(std::uint64_t starts, double balanced) {
   e.starts = starts;
   e.complete = true;
   const auto count = static_cast<std::uint64_t>(std::llround(balanced * static_cast<double>(starts)));
-  e.attractors.push_back({"balanced", "", wilson_share(count, starts)});
+  e.attractors.push_back({1, "balanced", "", wilson_share(count, starts)});
   e.balanced.assign(starts, false);
   std::fill_n(e.balanced.begin(), count, true);
   return e;
@@ -87,7 +87,8 @@ ReproducedTable as_printed(int number, Change change) {
     ReproducedRow r{&row, ensemble(20000, row.cells.front().share.share), {}, {}, {}, {}};
     for (std::size_t k = 1; k < row.cells.size(); ++k) {
       const auto count = static_cast<std::uint64_t>(std::llround(20000 * row.cells[k].share.share));
-      r.by_published_law->attractors.push_back({"named otherwise", row.cells[k].attractor, wilson_share(count, 20000)});
+      r.by_published_law->attractors.push_back(
+          {2, "named otherwise", row.cells[k].attractor, wilson_share(count, 20000)});
     }
     change(r);
     table.rows.push_back(r);

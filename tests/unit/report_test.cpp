@@ -60,12 +60,9 @@ TEST(SweepText, TellsMotionsApartAndSaysWhatOthersAre) {
     const char *name, *alias;
     std::array<std::uint64_t, 2> count;
   };
-  const std::vector<Came> came{{1, "balanced", "", {500, 500}},
-                               {3, "drifting apart", "V2", {300, 300}},
-                               {8, "drifting apart (2)", "V2", {100, 0}},
-                               {9, "drifting apart (3)", "V2", {60, 60}},
-                               {2, "co-drifting", "V1", {40, 90}},
-                               {4, "one captured", "V3", {0, 50}}};
+  const std::vector<Came> came{{1, "balanced", "", {500, 500}},           {3, "drifting apart", "V2", {300, 300}},
+                               {8, "drifting apart (2)", "V2", {100, 0}}, {9, "drifting apart (3)", "V2", {60, 60}},
+                               {2, "co-drifting", "V1", {40, 90}},        {4, "one captured", "V3", {0, 50}}};
   for (std::size_t k = 0; k < 2; ++k) {
     auto cell = std::make_shared<SweepCell>();
     cell->starts = 1000;
@@ -151,7 +148,7 @@ BasinResult result_of(const std::string& text, std::uint64_t balanced, std::uint
   r.study = parse_study(text, "m.toml");
   r.starts = balanced + undecided;
   r.seconds = 1.0;
-  AttractorShare share;
+  OutcomeShare share;
   share.id = balanced_id;
   share.name = "balanced";
   share.kind = "equilibrium";
@@ -184,16 +181,17 @@ torque = { stall = "2 N m", no_load_speed = "3000 rpm" }
 )",
                         "m.toml", {"rotor.inertia=0.02 kg m2"});
   r.starts = 100;
-  r.attractors.push_back({1, "balanced", "", "equilibrium", wilson_share(50, 100), 1.0, {}, {}});
+  r.attractors.push_back({1, "balanced", "", wilson_share(50, 100), "equilibrium", 1.0});
   r.stalled = wilson_share(20, 100);
   r.undecided = wilson_share(30, 100);
   r.diverged = r.failed = wilson_share(0, 100);
   r.passed = open_share(60, 80, 100);
   r.not_passed = open_share(20, 40, 100);
   const std::string text = basin_text(r);
-  for (const char* part : {"Came through the resonance: 60.0 % of all starts (50.2 to 69.1 %), turning faster than ",
-                           " rpm in their motion or when last seen; held below: 20.0 % (13.3 to 28.9 %); not known yet: 20 %, "
-                           "undecided and slower when last seen; surely through: 50.2 to 86.7 %.\n"})
+  for (const char* part :
+       {"Came through the resonance: 60.0 % of all starts (50.2 to 69.1 %), turning faster than ",
+        " rpm in their motion or when last seen; held below: 20.0 % (13.3 to 28.9 %); not known yet: 20 %, "
+        "undecided and slower when last seen; surely through: 50.2 to 86.7 %.\n"})
     EXPECT_NE(text.find(part), std::string::npos) << text;
   r.study.speed.initial = 100.0;
   EXPECT_NE(basin_text(r).find("Above the resonance in the end: 60.0 %"), std::string::npos);
@@ -209,10 +207,11 @@ TEST(BasinText, OfNoStartHasNoShares) {
   BasinResult r;
   r.study = parse_study(machine, "m.toml");
   r.partial = true;
-  r.attractors.push_back({1, "balanced", "", "equilibrium", Share{}, 0.0, {}, {}});
+  r.attractors.push_back({1, "balanced", "", Share{}, "equilibrium"});
   r.passed = r.not_passed = open_share(0, 0, 0);
   const std::string text = basin_text(r);
-  EXPECT_NE(text.find("PARTIAL: stopped before the first start was decided; there are no shares.\n"), std::string::npos);
+  EXPECT_NE(text.find("PARTIAL: stopped before the first start was decided; there are no shares.\n"),
+            std::string::npos);
   for (const char* word : {"outcome", "balanced", " % "}) EXPECT_EQ(text.find(word), std::string::npos) << text;
 }
 

@@ -111,7 +111,7 @@ void expect_starts(const BasinFile& file, std::uint64_t count) {
   }
 }
 
-std::vector<OutcomeSummary> summary_of(std::uint64_t count) {
+std::vector<OutcomeShare> summary_of(std::uint64_t count) {
   return {{1, "balanced", "", wilson_share(count / 2, count)}, {0, "undecided", "", wilson_share(count / 5, count)}};
 }
 
@@ -237,7 +237,7 @@ TEST_F(Files, ResultsAreFinishedExtendedAndReadAgain) {
   EXPECT_EQ(again.cpu_targets(), (std::vector<std::string>{"AVX2", "AVX-512"}));
   // This run's own second, and the quarter that its last record says of the one before that was not finished.
   EXPECT_EQ(again.time().seconds, 1.0 + 0.25 + 1.0);
-  const std::vector<OutcomeSummary> summary = again.summary();
+  const std::vector<OutcomeShare> summary = again.summary();
   ASSERT_EQ(summary.size(), 2u);
   EXPECT_EQ(summary[1].name, "undecided");
   EXPECT_EQ(summary[0].share.count, 75u);

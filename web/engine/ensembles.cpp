@@ -14,6 +14,7 @@
 #include "calls.hpp"
 #include "equipoise/basins/comparison.hpp"
 #include "equipoise/basins/ensemble.hpp"
+#include "equipoise/deciding/outcomes.hpp"
 #include "equipoise/drawing/plot_parts.hpp"
 #include "equipoise/pages/motion_path.hpp"
 #include "equipoise/report/comparison_report.hpp"
@@ -62,12 +63,9 @@ Json outcome_json(int code, const std::string& name, const std::string& alias) {
 Json outcomes_json(const Ensemble& ensemble) {
   Json list = Json::array();
   for (const Attractor& a : ensemble.catalogue().attractors()) list.push_back(outcome_json(a.id, a.name, a.alias));
-  for (const Outcome outcome : {Outcome::undecided, Outcome::diverged, Outcome::failed, Outcome::stalled}) {
-    if (outcome == Outcome::stalled && !ensemble.study().speed.driven()) continue;
-    Fate fate;
-    fate.outcome = outcome;
-    list.push_back(outcome_json(code_of(fate), name_of(outcome), ""));
-  }
+  for (const NoAttractor& n : no_attractors)
+    if (n.outcome != Outcome::stalled || ensemble.study().speed.driven())
+      list.push_back(outcome_json(n.code, n.name, ""));
   return list;
 }
 
@@ -154,12 +152,14 @@ Json ensemble(const Json& args, Bulk& bulk) {
     toml += "\n# seed " + std::to_string(study.sampling.seed);
   }
   Ensemble& e = kept(toml, study, options.value("peaks", false));
-  return fates_json(e, first, [&] { return e.starts(first, count); }, bulk);
+  return fates_json(
+      e, first, [&] { return e.starts(first, count); }, bulk);
 }
 
 Json states(const Json& args, Bulk& bulk) {
   Ensemble& e = kept(args.at(0).get<std::string>(), study_of(args.at(0)), false);
-  return fates_json(e, 0, [&] { return e.at_angles(numbers_of<double>(args.at(1))); }, bulk);
+  return fates_json(
+      e, 0, [&] { return e.at_angles(numbers_of<double>(args.at(1))); }, bulk);
 }
 
 Json shares(const Json& args) {

@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING, Any, Optional
 
 import numpy as np
 
+from .. import _core
 from . import parts
 
 if TYPE_CHECKING:
@@ -96,18 +97,7 @@ class Column:
     needs: str = ""
 
 
-_COLUMNS: dict[str, Column] = {
-    "peak_radial": Column("peak displacement", "length", "displacement"),
-    "peak_radial_after_release": Column("peak displacement after release", "length", "displacement"),
-    "peak_radial_at_end": Column("peak displacement at the end", "length", "displacement"),
-    "peak_force": Column("peak bearing force", "force", "force"),
-    "rms_force": Column("RMS bearing force at the end", "force"),
-    "rms_velocity": Column("RMS velocity at the end", "velocity", "velocity"),
-    "residual_unbalance": Column("residual unbalance $U/M$", "length"),
-    "time_above": Column("time above the displacement limit", "time", needs="displacement"),
-    "settling_time": Column("settling time", "time", needs="settled"),
-    "energy": Column("work of the drive", "energy"),
-}
+_COLUMNS: dict[str, Column] = {name: Column(*told) for name, *told in _core.figures_of_transients()}
 
 
 def transients(
@@ -125,7 +115,7 @@ def transients(
         Of `equipoise.basin` with transients gathered: ``transients=True``, or a study with ``[limits]``.
     column : str
         One of "peak_radial", "peak_radial_after_release", "peak_radial_at_end", "peak_force", "rms_force",
-        "rms_velocity", "residual_unbalance", "time_above", "settling_time", "energy".
+        "rms_velocity", "residual_unbalance", "time_above", "settling_time", "energy", "followed_until".
     bins : int
         Bars from the least to the largest figure.
     limit : float, optional

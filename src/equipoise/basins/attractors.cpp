@@ -31,10 +31,9 @@ AttractorsResult attractors(const Study& asked, const AttractorsOptions& options
   result.basin = basin(study, search, &result.catalogue);
   auto& shares = result.basin.attractors;
   for (const Attractor& a : result.catalogue.attractors()) {
-    const auto same = [&](const AttractorShare& s) { return s.id == a.id; };
+    const auto same = [&](const OutcomeShare& s) { return s.id == a.id; };
     if (std::any_of(shares.begin(), shares.end(), same)) continue;
-    shares.push_back(
-        {a.id, a.name, a.alias, name_of(a.motion.kind), wilson_share(stalled[a.id], result.basin.starts), 0.0, {}, {}});
+    shares.push_back({a.id, a.name, a.alias, wilson_share(stalled[a.id], result.basin.starts), name_of(a.motion.kind)});
   }
   return result;
 }

@@ -208,8 +208,8 @@ class BasinRun {
                                         basin_file_header(result_.study, options_.store_angles, gathers_, own));
   }
 
-  std::vector<AttractorShare> attractor_shares(const Tally& tally) const {
-    std::vector<AttractorShare> shares;
+  std::vector<OutcomeShare> attractor_shares(const Tally& tally) const {
+    std::vector<OutcomeShare> shares;
     if (!runner_->catalogue().find(balanced_id)) {
       Attractor none{balanced_id, "balanced", "", {}, {}};
       shares.push_back(tally.share(none));
@@ -218,7 +218,7 @@ class BasinRun {
       // Whose rotor does not come up to speed is counted among the stalled.
       if (a.id != balanced_id && std::fabs(a.motion.speed) < stall_speed_ && a.motion.kind != MotionKind::measured)
         continue;
-      AttractorShare share = tally.share(a);
+      OutcomeShare share = tally.share(a);
       // Kinds of motion that a machine might come to are told only if one did.
       if (share.share.count > 0 || a.id == balanced_id || a.motion.kind != MotionKind::measured)
         shares.push_back(std::move(share));

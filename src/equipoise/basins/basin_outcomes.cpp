@@ -1,6 +1,5 @@
 // An ensemble of which nothing but outcomes is kept.
 #include "equipoise/basins/comparison.hpp"
-#include "equipoise/deciding/fate.hpp"
 
 namespace equipoise {
 
@@ -13,12 +12,8 @@ BasinOutcomes basin_outcomes(const Study& study, const RunOptions& options) {
   const BasinResult result = basin(study, run);
   outcomes.study = result.study;
   outcomes.partial = result.partial;
-  for (const AttractorShare& a : result.attractors) outcomes.names[static_cast<short>(a.id)] = {a.name, a.alias};
-  const auto add = [&](short code, Outcome outcome) { outcomes.names[code] = {name_of(outcome), ""}; };
-  add(undecided_code, Outcome::undecided);
-  add(diverged_code, Outcome::diverged);
-  add(failed_code, Outcome::failed);
-  if (result.stalled) add(stalled_code, Outcome::stalled);
+  for (const OutcomeShare& a : result.attractors) outcomes.names[static_cast<short>(a.id)] = {a.name, a.alias};
+  for (const OutcomeShare& o : result.others()) outcomes.names[static_cast<short>(o.id)] = {o.name, ""};
   return outcomes;
 }
 

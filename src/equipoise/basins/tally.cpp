@@ -116,8 +116,8 @@ std::vector<double> quantiles_of(const std::map<float, double>& weights) {
 }
 }  // namespace
 
-AttractorShare Tally::share(const Attractor& a) const {
-  AttractorShare result{a.id, a.name, a.alias, name_of(a.motion.kind), share(Outcome::attracted, a.id), 0.0, {}, {}};
+OutcomeShare Tally::share(const Attractor& a) const {
+  OutcomeShare result{a.id, a.name, a.alias, share(Outcome::attracted, a.id), name_of(a.motion.kind)};
   if (const auto at = lines_.find(key_of(Outcome::attracted, a.id)); at != lines_.end()) {
     result.mean_time = at->second.time / at->second.counted;
     result.decided_by = at->second.by;

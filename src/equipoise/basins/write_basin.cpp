@@ -1,6 +1,7 @@
 // The arrays of a result as the columns of a file.
 #include "equipoise/basins/write_basin.hpp"
 
+#include <algorithm>
 #include <cstddef>
 #include <cstring>
 #include <filesystem>
@@ -65,20 +66,13 @@ void check_whole(const BasinResult& result) {
 
 }  // namespace
 
-std::vector<OutcomeSummary> outcome_summary(const BasinResult& result) {
-  std::vector<OutcomeSummary> lines;
-  for (const AttractorShare& a : result.attractors) {
-    lines.push_back({a.id, a.name, a.alias, a.share, a.unbalance});
+std::vector<OutcomeShare> outcome_summary(const BasinResult& result) {
+  std::vector<OutcomeShare> lines = result.attractors, others = result.others();
+  for (OutcomeShare& a : lines)
     if (result.study.scales)
-      for (const double u : a.unbalance) lines.back().grade.push_back(left_balance_grade(u, result.study));
-  }
-  const auto add = [&](int code, Outcome outcome, const Share& share) {
-    lines.push_back({code, name_of(outcome), "", share});
-  };
-  add(undecided_code, Outcome::undecided, result.undecided);
-  add(diverged_code, Outcome::diverged, result.diverged);
-  add(failed_code, Outcome::failed, result.failed);
-  if (result.stalled) add(stalled_code, Outcome::stalled, *result.stalled);
+      for (const double u : a.unbalance) a.grade.push_back(left_balance_grade(u, result.study));
+  std::sort(others.begin(), others.end(), [](const auto& a, const auto& b) { return a.id > b.id; });
+  lines.insert(lines.end(), others.begin(), others.end());
   return lines;
 }
 

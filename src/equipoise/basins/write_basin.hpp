@@ -16,6 +16,6 @@ namespace equipoise {
 void write_basin_file(const std::string& path, const BasinResult& result);
 
 /// The outcomes of an ensemble as its file lists them.
-std::vector<OutcomeSummary> outcome_summary(const BasinResult& result);
+std::vector<OutcomeShare> outcome_summary(const BasinResult& result);
 
 }  // namespace equipoise

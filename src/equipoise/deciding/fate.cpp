@@ -1,37 +1,14 @@
-// Words for what became of a start.
+// Words and codes for what became of a start.
 #include "equipoise/deciding/fate.hpp"
+
+#include "equipoise/deciding/outcomes.hpp"
 
 namespace equipoise {
 
-const char* name_of(Outcome outcome) {
-  switch (outcome) {
-    case Outcome::attracted:
-      return "attracted";
-    case Outcome::undecided:
-      return "undecided";
-    case Outcome::diverged:
-      return "diverged";
-    case Outcome::stalled:
-      return "stalled";
-    case Outcome::failed:
-      break;
-  }
-  return "failed";
-}
+const char* name_of(Outcome outcome) { return outcome == Outcome::attracted ? "attracted" : told_of(outcome).name; }
 
 short code_of(const Fate& fate) {
-  switch (fate.outcome) {
-    case Outcome::attracted:
-      return fate.attractor;
-    case Outcome::undecided:
-      return undecided_code;
-    case Outcome::diverged:
-      return diverged_code;
-    case Outcome::stalled:
-      return stalled_code;
-    default:
-      return failed_code;
-  }
+  return fate.outcome == Outcome::attracted ? fate.attractor : told_of(fate.outcome).code;
 }
 
 }  // namespace equipoise

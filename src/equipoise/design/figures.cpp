@@ -23,12 +23,6 @@ using study::Dimension;
 
 constexpr double no_end = std::numeric_limits<double>::infinity();
 
-// By transient_columns.
-constexpr std::array<Dimension, transient_columns.size()> column_dimensions{
-    Dimension::length, Dimension::length,   Dimension::length,    Dimension::force,
-    Dimension::force,  Dimension::velocity, Dimension::unbalance, Dimension::time,
-    Dimension::time,   Dimension::energy,   Dimension::time};
-
 std::string column_names() {
   std::string names = "time_to_balance";
   for (const TransientColumn& c : transient_columns) names += fmt::format(", {}", c.name);
@@ -62,7 +56,7 @@ std::optional<FigureSource> quantile_source(const std::string& name, const Study
   } else if (at != transient_columns.end()) {
     source.kind = FigureKind::transient;
     source.column = static_cast<std::size_t>(at - transient_columns.begin());
-    source.dimension = column_dimensions[source.column];
+    source.dimension = transient_figures[source.column].dimension;
   } else {
     return std::nullopt;
   }

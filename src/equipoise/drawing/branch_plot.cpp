@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include "equipoise/drawing/plot_parts.hpp"
+#include "equipoise/results/outcome_share.hpp"
 
 namespace equipoise {
 
@@ -75,7 +76,7 @@ std::string branch_plot_script(const BranchesResult& r, const std::string& path)
                                : stretch.stable ? "linewidth 2.2"
                                                 : "linewidth 1.4 dashtype (12,8)"));
     }
-    const std::string title = b.alias.empty() ? b.name : fmt::format("{}: {}", b.alias, b.name);
+    const std::string title = legend_of(b);
     add(keys, fmt::format("keyentry with filledcurves fillcolor rgb '{}' fillstyle transparent solid 0.55 border "
                           "linecolor rgb '{}' title {}",
                           colour, colour, quoted(title)));

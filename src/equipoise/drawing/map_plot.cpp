@@ -97,13 +97,12 @@ std::string map_plot_script(const PlaneMap& whole, const std::string& title, con
       "with rgbimage notitle",
       map.x.centre(0), map.x.step(), map.y.centre(0), map.y.step());
   const auto add = [&](const std::string& item) { items += ", \\\n  " + item; };
-  for (const MapCode& c : map.codes) {
+  for (const OutcomeShare& c : map.codes) {
     if (c.share.count == 0) continue;
-    const std::string name = c.alias.empty() ? c.name : fmt::format("{}: {}", c.alias, c.name);
     add(
         fmt::format("keyentry with filledcurves fillcolor rgb '{}' fillstyle solid 1.0 border linecolor rgb '#444444' "
                     "title {}",
-                    colour_of(c.code), quoted(fmt::format("{}, {}", name, share_text(c.share)))));
+                    colour_of(c.id), quoted(fmt::format("{}, {}", legend_of(c), share_text(c.share)))));
   }
   const auto add_border = [&](const std::string& name, const auto& pieces, const char* dash, const char* meaning) {
     if (pieces.empty()) return;

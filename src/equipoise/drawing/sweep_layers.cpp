@@ -7,7 +7,6 @@
 
 #include "equipoise/deciding/decision_rule.hpp"
 #include "equipoise/drawing/plot_parts.hpp"
-#include "equipoise/store/basin_file.hpp"
 
 namespace equipoise {
 
@@ -23,12 +22,12 @@ std::vector<SweepLayer> sweep_layers(const SweepResult& r) {
       layer.share[k] = share;
     };
     for (const SweepOutcome& o : cell.outcomes)
-      if (o.share.count > 0 || o.id == balanced_id)
-        add(o.id, o.alias.empty() ? o.name : o.alias + ": " + o.name, o.id, o.share.share);
-    if (cell.stalled && cell.stalled->count > 0) add(last, "stalled", stalled_code, cell.stalled->share);
-    if (cell.undecided.count > 0) add(last + 1, "undecided", undecided_code, cell.undecided.share);
-    if (cell.diverged.count + cell.failed.count > 0)
-      add(last + 2, "diverged or failed", diverged_code, cell.diverged.share + cell.failed.share);
+      if (o.share.count > 0 || o.id == balanced_id) add(o.id, legend_of(o), o.id, o.share.share);
+    for (const auto& [outcome, order] : {std::pair{Outcome::stalled, last}, {Outcome::undecided, last + 1}}) {
+      const NoAttractor& n = told_of(outcome);
+      if (const Share* s = cell.of(n.code); s && s->count > 0) add(order, n.name, n.code, s->share);
+    }
+    if (cell.lost() > 0) add(last + 2, "diverged or failed", diverged_code, cell.diverged.share + cell.failed.share);
   }
   std::vector<SweepLayer> list;
   for (auto& [order, layer] : layers) list.push_back(std::move(layer));

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <limits>
 
+#include "equipoise/deciding/outcomes.hpp"
+
 namespace equipoise {
 
 namespace {
@@ -54,15 +56,13 @@ void TransientTally::add(const Fate& fate, const TransientRow& row) {
 }
 
 void TransientTally::count_exceeding(const Fate& fate, const TransientRow& row, double weight, Line& line) const {
-  const std::array<std::pair<float, std::optional<double>>, 3> asked{
-      {{row.peak_radial, limits_.displacement}, {row.peak_force, limits_.force}, {row.rms_velocity, limits_.velocity}}};
-  constexpr std::size_t at_end = 2;  // the others are peaks: what has been exceeded stays so
-  for (std::size_t k = 0; k < asked.size(); ++k) {
-    const bool beyond = asked[k].first > asked[k].second.value_or(exceeds_nothing);
+  for (std::size_t k = 0; k < transient_limits.size(); ++k) {
+    const TransientLimit& l = transient_limits[k];
+    const bool beyond = row.*l.value > (limits_.*l.limit).value_or(exceeds_nothing);
     if (beyond) line.exceeding[k].add(weight);
     if (fate.outcome != Outcome::undecided) continue;
     if (!beyond) line.undecided_within[k].add(weight);
-    if (beyond && k == at_end) line.undecided_beyond[k].add(weight);
+    if (beyond && l.at_end) line.undecided_beyond[k].add(weight);
   }
 }
 
@@ -103,9 +103,8 @@ TransientGroup TransientTally::group(const Line& line) const {
   result.lasting = line.lasting;
   result.never = line.never;
   for (std::size_t k = 0; k < line.figures.size(); ++k) result.figures[k] = line.figures[k].summary();
-  const std::array<std::optional<double>, 3> limits{limits_.displacement, limits_.force, limits_.velocity};
-  for (std::size_t k = 0; k < limits.size(); ++k)
-    if (limits[k]) result.exceeded[k] = exceeded(line, k);
+  for (std::size_t k = 0; k < transient_limits.size(); ++k)
+    if (limits_.*transient_limits[k].limit) result.exceeded[k] = exceeded(line, k);
   return result;
 }
 
@@ -117,9 +116,10 @@ TransientResult TransientTally::result(const Catalogue& catalogue) const {
   result.groups.back().name = "all";
   for (const auto& [key, line] : lines_) {
     TransientGroup one = group(line);
-    one.id = key.second;
+    const auto outcome = static_cast<Outcome>(key.first);
     const Attractor* a = key.second > 0 ? catalogue.find(key.second) : nullptr;
-    one.name = a ? a->name : name_of(static_cast<Outcome>(key.first));
+    one.id = outcome == Outcome::attracted ? key.second : told_of(outcome).code;
+    one.name = a ? a->name : name_of(outcome);
     result.groups.push_back(one);
   }
   return result;

@@ -49,7 +49,7 @@ class TransientTally {
     std::array<Distribution, transient_columns.size()> figures;
     std::uint64_t lasting = 0;  ///< whose motion exceeds limits.displacement for good
     std::uint64_t never = 0;    ///< whose motion exceeds limits.settled for good
-    std::array<Exceeding, 3> exceeding{}, undecided_within{}, undecided_beyond{};
+    std::array<Exceeding, transient_limits.size()> exceeding{}, undecided_within{}, undecided_beyond{};
 
     void merge(const Line& other);
   };

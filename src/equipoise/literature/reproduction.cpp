@@ -65,7 +65,7 @@ const char* name_of(ConclusionResult::Answer answer) {
 }
 
 Share EnsembleResult::share_of(const std::string& attractor) const {
-  for (const Line& line : attractors)
+  for (const OutcomeShare& line : attractors)
     if (line.alias == attractor || line.name == attractor) return line.share;
   return wilson_share(0, starts);
 }

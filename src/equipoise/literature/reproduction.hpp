@@ -9,19 +9,15 @@
 
 #include "equipoise/literature/conclusions.hpp"
 #include "equipoise/literature/published_tables.hpp"
+#include "equipoise/results/outcome_share.hpp"
 #include "equipoise/statistics/comparison.hpp"
 
 namespace equipoise {
 
 /// One row's starts under one law.
-struct EnsembleResult {
+struct EnsembleResult : OtherShares {
   std::uint64_t starts = 0, seed = 0;
-  struct Line {
-    std::string name, alias;  ///< alias: V1 to V4
-    Share share;
-  };
-  std::vector<Line> attractors;
-  Share undecided, diverged, failed;
+  std::vector<OutcomeShare> attractors;
   std::vector<bool> balanced;               ///< start by start, for comparisons on common starts
   double seconds = 0.0, cpu_seconds = 0.0;  ///< of all runs that it took
   bool complete = false;
@@ -46,7 +42,7 @@ struct ReproducedRow {
   std::optional<EnsembleResult> by_published_law, by_kinematic_law;  ///< at constant speed only the first is set
   std::vector<ReproducedCell> cells;                                 ///< judged under the published law
   std::optional<ShareDifference> law_difference;  ///< balanced share, kinematic minus published, 99 %, common starts
-  std::string follow_up;  ///< why more starts than asked were taken; empty if not
+  std::string follow_up;                          ///< why more starts than asked were taken; empty if not
 };
 
 struct ReproducedTable {

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cstddef>
 
-#include "equipoise/deciding/fate.hpp"
+#include "equipoise/deciding/outcomes.hpp"
 #include "equipoise/maps/plane_map.hpp"
 #include "equipoise/store/basin_file.hpp"
 
@@ -17,20 +17,20 @@ constexpr int fewest_band_rows = 64;
 
 }  // namespace
 
-std::vector<MapCode> map_codes(const std::map<short, MapCode>& seen, const Study& study) {
-  std::vector<MapCode> codes;
+std::vector<OutcomeShare> map_codes(const std::map<short, OutcomeShare>& seen, const Study& study) {
+  std::vector<OutcomeShare> codes;
   for (const auto& [given, code] : seen) codes.push_back(code);
-  std::sort(codes.begin(), codes.end(), [](const MapCode& a, const MapCode& b) { return a.code < b.code; });
-  codes.push_back({undecided_code, name_of(Outcome::undecided), "", {}});
-  codes.push_back({diverged_code, name_of(Outcome::diverged), "", {}});
-  const bool touch = study.parameters.balls_collide();
-  codes.push_back({failed_code, touch ? "balls would overlap, or failed" : name_of(Outcome::failed), "", {}});
-  if (study.speed.driven()) codes.push_back({stalled_code, name_of(Outcome::stalled), "", {}});
+  std::sort(codes.begin(), codes.end(), [](const OutcomeShare& a, const OutcomeShare& b) { return a.id < b.id; });
+  for (const NoAttractor& n : no_attractors)
+    if (n.outcome != Outcome::stalled || study.speed.driven()) {
+      const bool overlap = n.outcome == Outcome::failed && study.parameters.balls_collide();
+      codes.push_back({n.code, overlap ? "balls would overlap, or failed" : n.name, "", {}});
+    }
   return codes;
 }
 
 MapAssembly::MapAssembly(PlaneMap& map, const PixelStore& store, const PixelPlan* plan,
-                         const std::map<short, MapCode>& seen)
+                         const std::map<short, OutcomeShare>& seen)
     : map_(map), store_(store), plan_(plan), seen_(seen), figures_(map), one_rotor_(!map.balance_margin.empty()) {
   map_.codes = map_codes(seen, map.study);
   map_.pixels = static_cast<std::uint64_t>(map.x.pixels) * static_cast<std::uint64_t>(map.y.pixels);
@@ -68,10 +68,10 @@ void MapAssembly::run(const Write& write) {
 }
 
 void MapAssembly::give_codes(std::vector<MapPixel>& pixels) const {
-  const bool same = std::all_of(seen_.begin(), seen_.end(), [](const auto& s) { return s.first == s.second.code; });
+  const bool same = std::all_of(seen_.begin(), seen_.end(), [](const auto& s) { return s.first == s.second.id; });
   if (same) return;
   for (MapPixel& pixel : pixels)
-    if (pixel.code > 0) pixel.code = seen_.at(pixel.code).code;
+    if (pixel.code > 0) pixel.code = static_cast<short>(seen_.at(pixel.code).id);
 }
 
 void MapAssembly::add_row(int row, const MapPixel* pixels) {
@@ -105,7 +105,8 @@ void MapAssembly::hold(const MapPixel* pixels) {
 void MapAssembly::finish() {
   const std::uint64_t missing = counts_[not_computed_code];
   map_.complete = missing == 0;
-  for (MapCode& code : map_.codes) code.share = wilson_share(counts_[code.code], map_.pixels - missing);
+  for (OutcomeShare& code : map_.codes)
+    code.share = wilson_share(counts_[static_cast<short>(code.id)], map_.pixels - missing);
   if (map_.complete && !draws_starts(map_)) map_.figures = figures_.figures();
   map_.x = thinned(map_.x, every_);
   map_.y = thinned(map_.y, every_);

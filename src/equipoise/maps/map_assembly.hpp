@@ -15,7 +15,7 @@ namespace equipoise {
 
 /// All of a map's codes and no shares yet: attractors seen, under the codes that they have in the whole map, then
 /// undecided and its like.
-std::vector<MapCode> map_codes(const std::map<short, MapCode>& seen, const Study& study);
+std::vector<OutcomeShare> map_codes(const std::map<short, OutcomeShare>& seen, const Study& study);
 
 /// Reads all rows of `store` in order, fills in what `plan` (if any) says, gives codes by `seen`, counts, and adds to
 /// `map`, whose axes are those of the whole map: pixels (every so many-th, if it is large), shares, figures. `write`,
@@ -24,7 +24,7 @@ class MapAssembly {
  public:
   using Write = std::function<void(int first, int rows, const MapPixel* pixels)>;
 
-  MapAssembly(PlaneMap& map, const PixelStore& store, const PixelPlan* plan, const std::map<short, MapCode>& seen);
+  MapAssembly(PlaneMap& map, const PixelStore& store, const PixelPlan* plan, const std::map<short, OutcomeShare>& seen);
   void run(const Write& write);
 
  private:
@@ -37,7 +37,7 @@ class MapAssembly {
   PlaneMap& map_;
   const PixelStore& store_;
   const PixelPlan* plan_;
-  const std::map<short, MapCode>& seen_;
+  const std::map<short, OutcomeShare>& seen_;
   MapFigureCount figures_;
   std::map<short, std::uint64_t> counts_;
   bool one_rotor_;

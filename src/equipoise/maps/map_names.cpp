@@ -21,7 +21,7 @@ constexpr short first_other = static_cast<short>(first_free_id + usual_names.siz
 }  // namespace
 
 bool MapNames::listed(short code) const {
-  return std::any_of(codes_.begin(), codes_.end(), [&](const MapCode& c) { return c.code == code; });
+  return std::any_of(codes_.begin(), codes_.end(), [&](const OutcomeShare& c) { return c.id == code; });
 }
 
 short MapNames::code(const MotionName& m) {
@@ -31,18 +31,18 @@ short MapNames::code(const MotionName& m) {
     return code;
   }
   const auto known = std::find_if(codes_.begin(), codes_.end(),
-                                  [&](const MapCode& c) { return c.code >= first_free_id && c.name == m.name; });
-  if (known != codes_.end()) return known->code;
+                                  [&](const OutcomeShare& c) { return c.id >= first_free_id && c.name == m.name; });
+  if (known != codes_.end()) return static_cast<short>(known->id);
   const auto usual = std::find(usual_names.begin(), usual_names.end(), m.name);
   short code = static_cast<short>(first_free_id + (usual - usual_names.begin()));
   if (usual == usual_names.end())
-    for (const MapCode& c : codes_) code = std::max<short>(code, static_cast<short>(c.code + 1));
+    for (const OutcomeShare& c : codes_) code = std::max<short>(code, static_cast<short>(c.id + 1));
   codes_.push_back({code, m.name, m.alias, {}});
   return code;
 }
 
-void MapNames::know(const MapCode& code) {
-  if (!listed(code.code)) codes_.push_back(code);
+void MapNames::know(const OutcomeShare& code) {
+  if (!listed(static_cast<short>(code.id))) codes_.push_back(code);
 }
 
 // Pixels come in long rows of one code.
@@ -54,22 +54,22 @@ void MapNames::see(short code, std::uint32_t position) {
   last_first_ = entry->second;
 }
 
-std::map<short, MapCode> MapNames::seen(bool whole) const {
-  std::map<short, MapCode> result;
-  std::vector<std::pair<std::uint32_t, const MapCode*>> others;
-  for (const MapCode& c : codes_) {
-    const auto at = first_.find(c.code);
+std::map<short, OutcomeShare> MapNames::seen(bool whole) const {
+  std::map<short, OutcomeShare> result;
+  std::vector<std::pair<std::uint32_t, const OutcomeShare*>> others;
+  for (const OutcomeShare& c : codes_) {
+    const auto at = first_.find(c.id);
     if (at == first_.end()) continue;
-    if (c.code < first_other || !whole)
-      result.emplace(c.code, c);
+    if (c.id < first_other || !whole)
+      result.emplace(c.id, c);
     else
       others.emplace_back(at->second, &c);
   }
   std::sort(others.begin(), others.end());
   for (std::size_t k = 0; k < others.size(); ++k) {
-    MapCode c = *others[k].second;
-    c.code = static_cast<short>(first_other + static_cast<short>(k));
-    result.emplace(others[k].second->code, c);
+    OutcomeShare c = *others[k].second;
+    c.id = static_cast<short>(first_other + static_cast<short>(k));
+    result.emplace(others[k].second->id, c);
   }
   return result;
 }

@@ -20,20 +20,20 @@ class MapNames {
   /// Its code, a new one if it is met for the first time.
   short code(const MotionName& motion);
   /// As it was given by an earlier run.
-  void know(const MapCode& code);
+  void know(const OutcomeShare& code);
   /// In the order in which they were met.
-  const std::vector<MapCode>& codes() const { return codes_; }
+  const std::vector<OutcomeShare>& codes() const { return codes_; }
 
   /// A pixel that was computed.
   void see(short code, std::uint32_t position);
   /// What was seen of pixels, by the codes given so far. In a whole map codes that were given freely become others, in
   /// the order of pixels.
-  std::map<short, MapCode> seen(bool whole) const;
+  std::map<short, OutcomeShare> seen(bool whole) const;
 
  private:
   bool listed(short code) const;
 
-  std::vector<MapCode> codes_;
+  std::vector<OutcomeShare> codes_;
   std::map<short, std::uint32_t> first_;  // positions
   short last_ = not_computed_code;        // seen, and before it
   std::uint32_t last_first_ = 0;

@@ -152,9 +152,9 @@ void MapStore::append(const std::vector<std::uint32_t>& positions, const std::ve
   pieces_.push_back({*first, *last, journal_.records().back()});
 }
 
-void MapStore::append_code(const MapCode& code) {
+void MapStore::append_code(const OutcomeShare& code) {
   const std::string text = code.name + "\n" + code.alias;
-  keep({.kind = store::Journal::Kind::outcome_name, .first = static_cast<std::uint64_t>(code.code), .count = 1},
+  keep({.kind = store::Journal::Kind::outcome_name, .first = static_cast<std::uint64_t>(code.id), .count = 1},
        text.data(), text.size());
 }
 

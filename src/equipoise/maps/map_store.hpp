@@ -31,14 +31,14 @@ class MapStore : public PixelStore {
   /// Pixels that were computed, in any order and some perhaps twice.
   void for_each_known(const std::function<void(std::uint32_t position, short code)>& visit) const;
   /// The codes that those of motions have; some are perhaps there twice.
-  const std::vector<MapCode>& codes() const { return codes_; }
+  const std::vector<OutcomeShare>& codes() const { return codes_; }
   /// States on motions that were first met during earlier runs, in the order of starts: enough to name them again.
   const std::vector<std::vector<double>>& discoveries() const { return discoveries_; }
 
   /// On disk within about a second of work. Throws RunError, with all before them kept, if the disk cannot take them.
   void append(const std::vector<std::uint32_t>& positions, const std::vector<MapPixel>& pixels) override;
   /// A code that pixels have from now on.
-  void append_code(const MapCode& code);
+  void append_code(const OutcomeShare& code);
   void append_discovery(const std::vector<double>& state);
   /// Of the search for attractors, as far as runs came that did not finish. Not of a map that is complete.
   Notes& notes() { return *notes_; }
@@ -70,7 +70,7 @@ class MapStore : public PixelStore {
   const std::uint64_t size_;  // of the map, in pixels
   store::Journal journal_;
   std::optional<store::MapReader> file_;
-  std::vector<MapCode> codes_;
+  std::vector<OutcomeShare> codes_;
   std::vector<std::vector<double>> discoveries_;
   std::vector<Piece> pieces_;
   std::unique_ptr<Notes> notes_;

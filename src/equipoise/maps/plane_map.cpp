@@ -158,15 +158,15 @@ class Mapper {
       auto file = std::make_unique<MapStore>(settings_.output, header_);
       file_ = file.get();
       store_ = std::move(file);
-      for (const MapCode& code : file_->codes()) names_.know(code);
+      for (const OutcomeShare& code : file_->codes()) names_.know(code);
     } else {
       store_ = std::make_unique<PixelMemory>(map_.x.pixels, map_.y.pixels, starts_);
     }
   }
 
   void read_whole() {
-    std::map<short, MapCode> codes;
-    for (const MapCode& c : names_.codes()) codes.emplace(c.code, c);
+    std::map<short, OutcomeShare> codes;
+    for (const OutcomeShare& c : names_.codes()) codes.emplace(c.id, c);
     MapAssembly(map_, *store_, nullptr, codes).run({});
     map_.pixels_kept = map_.pixels_computed;
     map_.read_whole = true;

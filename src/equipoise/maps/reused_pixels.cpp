@@ -39,7 +39,7 @@ void reused_pixels(const std::string& from, const store::MapFileHeader& header, 
                                  "the same quantities",
                                  how));
   std::map<short, MotionName> names;
-  for (const MapCode& c : there.codes()) names[c.code] = {c.name, c.alias, c.code < first_free_id ? c.code : 0};
+  for (const OutcomeShare& c : there.codes()) names[c.id] = {c.name, c.alias, c.id < first_free_id ? c.id : 0};
   const std::vector<int> columns = same_centres(header.x, there.x()), rows = same_centres(header.y, there.y());
   std::vector<MapPixel> row(static_cast<std::size_t>(there.x().pixels));
   for (int y = 0; y < header.y.pixels; ++y) {

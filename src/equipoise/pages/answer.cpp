@@ -16,7 +16,6 @@
 namespace equipoise {
 
 namespace {
-using study::Dimension;
 
 // Bounds that hold whatever undecided starts come to, where those could move the interval.
 std::string surely(const Share& s) {
@@ -26,7 +25,7 @@ std::string surely(const Share& s) {
 }
 
 std::string balance_words(const BasinResult& r) {
-  const AttractorShare& balanced = r.attractors.front();
+  const OutcomeShare& balanced = r.attractors.front();
   const Share& s = balanced.share;
   if (s.count == 0)
     return fmt::format("Not one of {} starts ends balanced: {}{} would (95 % confidence)", r.starts, share_words(s),
@@ -66,14 +65,10 @@ std::vector<std::string> drawn_keys(const Study& study, const std::vector<std::s
 
 std::vector<ToldLimit> told_limits(const Study& study) {
   const PageQuantities shown(study);
-  const Limits& limits = study.limits;
   std::vector<ToldLimit> told;
-  const auto tell = [&](std::size_t place, const std::optional<double>& limit, Dimension d, const char* words) {
-    if (limit) told.push_back({place, shown.text(*limit, d) + words});
-  };
-  tell(0, limits.displacement, Dimension::length, " is exceeded on the way");
-  tell(1, limits.force, Dimension::force, " on the supports is exceeded on the way");
-  tell(2, limits.velocity, Dimension::velocity, " RMS in the end is exceeded");
+  for (std::size_t k = 0; k < transient_limits.size(); ++k)
+    if (const TransientLimit& l = transient_limits[k]; study.limits.*l.limit)
+      told.push_back({k, shown.text(*(study.limits.*l.limit), l.figure().dimension) + l.exceeded});
   return told;
 }
 
@@ -93,8 +88,7 @@ std::string answer_sentence(const BasinResult& r) {
   if (r.stalled && r.stalled->count > 0) text += fmt::format("; {} never come up to speed", share_words(*r.stalled));
   text += limit_words(r);
   if (r.undecided.count > 0) text += fmt::format("; {} stay undecided", point_words(r.undecided));
-  const std::uint64_t lost = r.diverged.count + r.failed.count;
-  if (lost > 0)
+  if (const std::uint64_t lost = r.lost(); lost > 0)
     text += fmt::format("; {} could not be followed to an end", lost == 1 ? "1 start" : fmt::format("{} starts", lost));
   return after_what_is_drawn(drawn_keys(r.study), text + ".");
 }

@@ -9,7 +9,7 @@
 #include "equipoise/pages/answer.hpp"
 #include "equipoise/pages/quantities.hpp"
 #include "equipoise/report/text.hpp"
-#include "equipoise/store/basin_file.hpp"
+#include "equipoise/deciding/fate.hpp"
 
 namespace equipoise {
 
@@ -152,10 +152,10 @@ std::string answer_sentence(const CapacityResult& r) {
 
 std::string answer_sentence(const PlaneMap& map) {
   const auto with = [&](short code) {
-    return std::find_if(map.codes.begin(), map.codes.end(), [&](const MapCode& c) { return c.code == code; });
+    return std::find_if(map.codes.begin(), map.codes.end(), [&](const OutcomeShare& c) { return c.id == code; });
   };
   const auto of_all =
-      std::find_if(map.codes.begin(), map.codes.end(), [](const MapCode& c) { return c.share.total > 0; });
+      std::find_if(map.codes.begin(), map.codes.end(), [](const OutcomeShare& c) { return c.share.total > 0; });
   if (of_all == map.codes.end()) return "Nothing is known: stopped before any pixel was done.";
   const std::uint64_t points = of_all->share.total;
   const std::string plane = fmt::format("{} points over {} and {}", points, key_words(map.x.key), key_words(map.y.key));

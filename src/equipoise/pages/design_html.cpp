@@ -158,18 +158,13 @@ class DesignDocument {
         {"varied alone", "chosen", "may go from", "to", "near it", "what fails beyond"}, {}, "", false, {}};
     for (const DesignMargin& m : r_.margins) {
       const std::string unit = m.unit.empty() ? "" : " " + m.unit;
-      std::string fails;
-      if (!m.fails_below.empty()) fails = "below: " + m.fails_below;
-      if (!m.fails_above.empty()) fails += (fails.empty() ? "above: " : "; above: ") + m.fails_above;
       const bool ordered = has_order(m);  // choices have no ends
       table.rows.push_back({{key_words(margin_name(m.key)), Tone::plain, false, true},
                             number_cell(fmt::format("{:.4g}{}", m.value, unit)),
                             number_cell(ordered ? fmt::format("{:.4g}", m.keeps_from) : "-"),
                             number_cell(ordered ? fmt::format("{:.4g}", m.keeps_to) : "-"),
                             number_cell(estimate_text(first, m.effect)),
-                            {!ordered        ? "other choices: see the drawing"
-                             : fails.empty() ? "nothing that was tried"
-                                             : fails}});
+                            {ordered ? fails_text(m) : "other choices: see the drawing"}});
     }
     table.caption = fmt::format(
         "{} Near it: by how much {} changes at most within a tenth of the range; what matters most comes first.",

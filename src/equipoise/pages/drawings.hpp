@@ -25,7 +25,4 @@ std::string speed_svg(const MachinePage& page);
 /// Of a shown run, by its place.
 const char* run_colour(std::size_t place);
 
-/// "peak displacement" and its like.
-const char* figure_name(float TransientRow::*figure);
-
 }  // namespace equipoise

@@ -10,7 +10,6 @@
 #include "equipoise/pages/drawings.hpp"
 #include "equipoise/pages/quantities.hpp"
 #include "equipoise/report/text.hpp"
-#include "equipoise/store/basin_file.hpp"
 
 namespace equipoise {
 
@@ -19,40 +18,6 @@ using study::Dimension;
 
 constexpr SvgPoint top_left{52.0, 16.0}, bottom_right{334.0, 158.0};
 constexpr double plot_width = 342.0, plot_height = 196.0;
-
-struct BarLine {
-  int code;
-  std::string name;
-  Share share;
-};
-
-std::vector<BarLine> bar_lines(const BasinResult& r) {
-  std::vector<BarLine> lines;
-  for (const AttractorShare& a : r.attractors) lines.push_back({a.id, a.name, a.share});
-  if (r.stalled) lines.push_back({stalled_code, name_of(Outcome::stalled), *r.stalled});
-  for (const auto& [code, outcome, share] :
-       {std::tuple{undecided_code, Outcome::undecided, &r.undecided},
-        std::tuple{diverged_code, Outcome::diverged, &r.diverged}, std::tuple{failed_code, Outcome::failed, &r.failed}})
-    if (share->count > 0) lines.push_back({code, name_of(outcome), *share});
-  return lines;
-}
-
-struct FigureWords {
-  float TransientRow::*figure;
-  const char* name;
-  Dimension dimension;
-  std::optional<double> Limits::*limit;
-};
-constexpr std::array<FigureWords, 3> figure_words{{
-    {&TransientRow::peak_radial, "peak displacement", Dimension::length, &Limits::displacement},
-    {&TransientRow::peak_force, "peak force on the supports", Dimension::force, &Limits::force},
-    {&TransientRow::rms_velocity, "RMS velocity in the end", Dimension::velocity, &Limits::velocity},
-}};
-
-const FigureWords& words_of(float TransientRow::*figure) {
-  return *std::find_if(figure_words.begin(), figure_words.end(),
-                       [&](const FigureWords& w) { return w.figure == figure; });
-}
 
 double end_of(const ShownRun& run) { return run.t.back(); }
 
@@ -64,24 +29,22 @@ AxisExtent time_extent(const MachinePage& page) {
 
 }  // namespace
 
-const char* figure_name(float TransientRow::*figure) { return words_of(figure).name; }
-
 const char* run_colour(std::size_t place) { return place == 0 ? "var(--typical)" : "var(--worst)"; }
 
 std::string shares_svg(const MachinePage& page) {
-  const std::vector<BarLine> lines = bar_lines(page.basin);
+  const std::vector<OutcomeShare> lines = page.basin.outcomes_met();
   constexpr double row = 34.0, left = 4.0, right = 330.0, thick = 12.0;
   Svg svg(plot_width, row * static_cast<double>(lines.size()) + 6.0,
           "Shares of starts by outcome, with their intervals");
   const auto place = [&](double share) { return left + share * (right - left); };
   for (std::size_t k = 0; k < lines.size(); ++k) {
-    const BarLine& line = lines[k];
+    const OutcomeShare& line = lines[k];
     const double top = row * static_cast<double>(k) + 17.0, middle = top + 0.5 * thick;
     svg.text({left, top - 4.0}, line.name);
     svg.text({right, top - 4.0}, percent(line.share.share, line.share.count == 0 ? 0 : digits_for(line.share)),
              SvgAnchor::end);
     svg.rectangle({left, top}, right - left, thick, {"", "var(--rule)", 1.0, 0.45});
-    svg.rectangle({left, top}, place(line.share.share) - left, thick, {"", colour_of(line.code)});
+    svg.rectangle({left, top}, place(line.share.share) - left, thick, {"", colour_of(line.id)});
     // The whisker stands out on its bar and beside it.
     const double low = place(line.share.low), high = place(line.share.high);
     for (const SvgPen& pen : {SvgPen{"var(--paper)", "", 4.0}, SvgPen{ink, "", 1.6}}) {
@@ -94,16 +57,16 @@ std::string shares_svg(const MachinePage& page) {
 
 std::string distribution_svg(const MachinePage& page, const FigureDistribution& d) {
   const Study& study = page.basin.study;
-  const FigureWords& words = words_of(d.figure);
+  const TransientFigure& figure = d.limited->figure();
   const PageQuantities shown(study);
   const std::size_t bins = d.outcomes.empty() ? 0 : d.outcomes.front().bins.size();
   std::vector<double> height(bins, 0.0);
   for (const auto& outcome : d.outcomes)
     for (std::size_t k = 0; k < bins; ++k) height[k] += outcome.bins[k];
   const double highest = bins == 0 ? 1.0 : *std::max_element(height.begin(), height.end());
-  Svg svg(plot_width, plot_height, fmt::format("Distribution of the {}", words.name));
+  Svg svg(plot_width, plot_height, fmt::format("Distribution of the {}", figure.page_title));
   SvgAxes axes(svg, top_left, bottom_right, {d.low, d.high}, {0.0, 1.08 * highest},
-               shown.axis(words.name, d.high, words.dimension), {"starts, %", 100.0});
+               shown.axis(figure.page_title, d.high, figure.dimension), {"starts, %", 100.0});
   std::fill(height.begin(), height.end(), 0.0);
   const double width = (d.high - d.low) / static_cast<double>(std::max<std::size_t>(bins, 1));
   for (const auto& outcome : d.outcomes)
@@ -113,8 +76,7 @@ std::string distribution_svg(const MachinePage& page, const FigureDistribution& 
       axes.bar(from, from + 0.92 * width, height[k], height[k] + outcome.bins[k], {"", colour_of(outcome.code)});
       height[k] += outcome.bins[k];
     }
-  if (const auto& limit = study.limits.*words.limit)
-    axes.limit_up(*limit, "limit " + shown.text(*limit, words.dimension));
+  if (const auto& limit = study.limits.*d.limited->limit) axes.limit_up(*limit, "limit " + shown.text(*limit, figure.dimension));
   return svg.str();
 }
 

@@ -19,7 +19,6 @@
 #include "equipoise/report/sampling_text.hpp"
 #include "equipoise/report/text.hpp"
 #include "equipoise/report/transient_report.hpp"
-#include "equipoise/store/basin_file.hpp"
 
 namespace equipoise {
 
@@ -31,12 +30,6 @@ std::string on_one_line(std::string text) {
   std::replace(text.begin(), text.end(), '\n', ' ');
   while (text.ends_with(' ')) text.pop_back();
   return text;
-}
-
-const SampleSummary& figure_of(const TransientGroup& group, float TransientRow::*value) {
-  std::size_t k = 0;
-  while (transient_columns[k].value != value) ++k;
-  return group.figures[k];
 }
 
 class MachineDocument {
@@ -60,10 +53,10 @@ class MachineDocument {
  private:
   void add(Block block) { document_.blocks.push_back(std::move(block)); }
 
-  const TransientGroup* group(int id, const std::string& name) const {
+  const TransientGroup* group(const OutcomeShare& o) const {
     if (!basin_.transients) return nullptr;
     for (const TransientGroup& g : basin_.transients->groups)
-      if (g.starts > 0 && g.id == id && (id != 0 || g.name == name)) return &g;
+      if (g.starts > 0 && g.id == o.id) return &g;
     return nullptr;
   }
 
@@ -74,8 +67,8 @@ class MachineDocument {
     row.drawings.push_back({"", shares_svg(page_), "", ""});
     for (const DrawnMotion& motion : page_.motions)
       if (!motion.x.empty())
-        row.drawings.push_back({motion.alias.empty() ? motion.name : fmt::format("{} ({})", motion.name, motion.alias),
-                                motion_svg(page_, motion), motion_words(motion), colour_of(motion.id)});
+        row.drawings.push_back(
+            {title_of(motion), motion_svg(page_, motion), motion_words(motion), colour_of(motion.id)});
     row.caption =
         "Bars: shares of starts with their 95 % intervals. Drawings: left the balls in the race as who turns with the "
         "rotor sees them, the wedge at its heavy side, arrows where balls run; right the way of the rotor's centre as "
@@ -124,27 +117,6 @@ class MachineDocument {
     return text;
   }
 
-  struct EndLine {
-    const std::string name;
-    const Share& share;
-    const TransientGroup* group;
-  };
-
-  std::vector<EndLine> end_lines() const {
-    std::vector<EndLine> lines;
-    for (const AttractorShare& a : basin_.attractors)
-      lines.push_back(
-          {a.alias.empty() ? a.name : fmt::format("{} ({})", a.name, a.alias), a.share, group(a.id, a.name)});
-    const auto of = [&](Outcome outcome, const Share& share) {
-      lines.push_back({name_of(outcome), share, group(0, name_of(outcome))});
-    };
-    if (basin_.stalled) of(Outcome::stalled, *basin_.stalled);
-    if (basin_.undecided.count > 0) of(Outcome::undecided, basin_.undecided);
-    if (basin_.diverged.count > 0) of(Outcome::diverged, basin_.diverged);
-    if (basin_.failed.count > 0) of(Outcome::failed, basin_.failed);
-    return lines;
-  }
-
   DocumentTable ends_table() const {
     const bool open = basin_.undecided.count > 0, graded = study_.scales.has_value();
     DocumentTable table;
@@ -153,18 +125,19 @@ class MachineDocument {
     table.header.insert(table.header.end(), {"starts", "displacement", "RMS velocity"});
     if (graded) table.header.push_back("balance quality");
     table.spare = {open ? 4u : 3u, open ? 6u : 5u};
-    for (const EndLine& line : end_lines()) {
-      const Share& s = line.share;
-      std::vector<DocumentCell> cells{{line.name}, share_cell(s), number_cell(interval(s))};
-      if (open) cells.push_back(number_cell(&s == &basin_.undecided ? "-" : bounds_text(s)));
+    for (const OutcomeShare& o : basin_.outcomes_met()) {
+      const Share& s = o.share;
+      const TransientGroup* of = group(o);
+      std::vector<DocumentCell> cells{{title_of(o)}, share_cell(s), number_cell(interval(s))};
+      if (open) cells.push_back(number_cell(o.id == undecided_code ? "-" : bounds_text(s)));
       cells.push_back(number_cell(fmt::format("{}", s.count)));
       const auto mean = [&](float TransientRow::*value, Dimension d) {
-        return number_cell(line.group ? shown_.text(figure_of(*line.group, value).mean, d) : "-");
+        return number_cell(of ? shown_.text(of->figure(value).mean, d) : "-");
       };
       cells.push_back(mean(&TransientRow::peak_radial_at_end, Dimension::length));
       cells.push_back(mean(&TransientRow::rms_velocity, Dimension::velocity));
       if (graded) {
-        const auto grade = line.group ? left_grade(*line.group, study_) : std::nullopt;
+        const auto grade = of ? left_grade(*of, study_) : std::nullopt;
         cells.push_back(number_cell(grade ? grade_text(*grade) : "-"));
       }
       table.rows.push_back(std::move(cells));
@@ -181,7 +154,8 @@ class MachineDocument {
     DrawingRow row;
     row.large = true;
     for (const FigureDistribution& d : page_.peaks)
-      row.drawings.push_back({capital(figure_name(d.figure)) + ", all starts", distribution_svg(page_, d), "", ""});
+      row.drawings.push_back(
+          {capital(d.limited->figure().page_title) + ", all starts", distribution_svg(page_, d), "", ""});
     if (!page_.runs.empty()) {
       row.drawings.push_back({"Displacement over time", displacement_svg(page_), runs_words(), ""});
       row.drawings.push_back({"Speed over time", speed_svg(page_), "", ""});
@@ -223,31 +197,27 @@ class MachineDocument {
       table.header.insert(table.header.end(), {"limit", "exceeded by"});
       table.spare.push_back(4);
     }
-    // `open`: of times that have no end.
-    const auto row = [&](const char* name, float TransientRow::*value, Dimension d, const char* open,
-                         const std::optional<double>& limit, const std::optional<Share>& exceeded) {
-      const SampleSummary& s = figure_of(all, value);
-      const auto figure = [&](double v) { return number_cell(std::isfinite(v) ? shown_.text(v, d) : open); };
-      table.rows.push_back({{name, Tone::plain, false, true},
+    for (std::size_t k = 0; k < transient_figures.size(); ++k) {
+      const TransientFigure& f = transient_figures[k];
+      const SampleSummary& s = all.figures[k];
+      const bool asked = f.needs ? (limits.*f.needs).has_value() : f.value != &TransientRow::energy || s.count > 0;
+      if (!f.page_title || !asked) continue;
+      const char* open = !f.needs ? "" : all.for_good(f) > 0 ? f.open[1] : f.open[2];
+      const auto figure = [&](double v) { return number_cell(std::isfinite(v) ? shown_.text(v, f.dimension) : open); };
+      table.rows.push_back({{f.page_title, Tone::plain, false, true},
                             figure(s.quantiles[0].value),
                             figure(s.quantiles[1].value),
                             figure(s.largest)});
-      if (!limited) return;
-      table.rows.back().push_back(number_cell(limit ? shown_.text(*limit, d) : "-"));
-      table.rows.back().push_back(number_cell(exceeded ? share_words(*exceeded) : "-"));
-    };
-    const auto& e = all.exceeded;
-    row("peak displacement", &TransientRow::peak_radial, Dimension::length, "", limits.displacement, e[0]);
-    row("peak force on the supports", &TransientRow::peak_force, Dimension::force, "", limits.force, e[1]);
-    row("RMS velocity in the end", &TransientRow::rms_velocity, Dimension::velocity, "", limits.velocity, e[2]);
-    if (limits.displacement)
-      row("time above the limit", &TransientRow::time_above, Dimension::time, all.lasting > 0 ? "for good" : "not over",
-          std::nullopt, std::nullopt);
-    if (limits.settled)
-      row("settled after release", &TransientRow::settling_time, Dimension::time, all.never > 0 ? "never" : "not yet",
-          std::nullopt, std::nullopt);
-    if (figure_of(all, &TransientRow::energy).count > 0)
-      row("work of the drive", &TransientRow::energy, Dimension::energy, "", std::nullopt, std::nullopt);
+      if (!limited) continue;
+      DocumentCell limit = number_cell("-"), exceeded = number_cell("-");
+      for (std::size_t l = 0; l < transient_limits.size(); ++l) {
+        if (transient_limits[l].value != f.value) continue;
+        if (const auto& stated = limits.*transient_limits[l].limit)
+          limit = number_cell(shown_.text(*stated, f.dimension));
+        if (all.exceeded[l]) exceeded = number_cell(share_words(*all.exceeded[l]));
+      }
+      table.rows.back().insert(table.rows.back().end(), {limit, exceeded});
+    }
     if (limits.settled)
       table.caption = fmt::format("Settled: displacement below {}.", shown_.text(*limits.settled, Dimension::length));
     if (page_.explanation.sag > 0.0)

@@ -12,7 +12,6 @@
 #include "equipoise/pages/given_keys.hpp"
 #include "equipoise/pages/motion_path.hpp"
 #include "equipoise/pages/shown_runs.hpp"
-#include "equipoise/store/basin_file.hpp"
 
 namespace equipoise {
 
@@ -74,17 +73,14 @@ void draw_end(const Study& study, const StartArrays& starts, std::uint64_t index
   drawn.one_start = true;
 }
 
-DrawnMotion drawn_of(const Attractor& a, const Study& study) {
-  DrawnMotion drawn;
+void draw_motion(const Attractor& a, const Study& study, DrawnMotion& drawn) {
   const Motion& m = a.motion;
-  drawn.kind = name_of(m.kind);
   drawn.r_min = m.r_min;
   drawn.r_mean = m.r_mean;
   drawn.r_max = m.r_max;
   drawn.speed = m.speed;
   drawn.continuum = a.continuum.has_value() || m.set_valued;
   draw_path(system_of(study.parameters, m), m, drawn);
-  return drawn;
 }
 
 class PageMaker {
@@ -121,9 +117,9 @@ class PageMaker {
   }
 
   void name_outcomes() {
-    for (const AttractorShare& a : page_.basin.attractors) add_name(a.id, a.name);
-    if (page_.basin.stalled) add_name(stalled_code, name_of(Outcome::stalled));
-    add_name(undecided_code, name_of(Outcome::undecided));
+    for (const OutcomeShare& a : page_.basin.attractors) add_name(a.id, a.name);
+    for (const OutcomeShare& o : page_.basin.others())
+      if (o.id == stalled_code || o.id == undecided_code) add_name(o.id, o.name);
   }
   void add_name(int code, const std::string& name) {
     names_[code] = name;
@@ -132,10 +128,8 @@ class PageMaker {
 
   void motions() {
     std::vector<DrawnMotion>& drawn = page_.motions;
-    for (const AttractorShare& a : page_.basin.attractors)
-      if (a.share.count > 0) drawn.push_back({a.id, a.name, a.alias, a.kind, a.share, {}, {}, {}});
-    if (const auto& stalled = page_.basin.stalled; stalled && stalled->count > 0)
-      drawn.push_back({stalled_code, names_[stalled_code], "", "", *stalled, {}, {}, {}});
+    for (const OutcomeShare& o : page_.basin.outcomes_met())
+      if (o.share.count > 0 && (o.id > 0 || o.id == stalled_code)) drawn.push_back({o, {}, {}, {}});
     std::stable_sort(drawn.begin(), drawn.end(),
                      [](const DrawnMotion& a, const DrawnMotion& b) { return a.share.share > b.share.share; });
     if (drawn.size() > most_motions_drawn) {
@@ -149,15 +143,8 @@ class PageMaker {
     const Attractor* a = one.id > 0 ? catalogue_.find(one.id) : nullptr;
     // With uncertain values each start has a motion of its own rotor.
     const bool common = page_.basin.study.uncertain.empty();
-    if (a && common && a->motion.kind != MotionKind::measured && a->motion.state.size() > 0) {
-      DrawnMotion drawn = drawn_of(*a, page_.basin.study);
-      drawn.id = one.id;
-      drawn.name = one.name;
-      drawn.alias = one.alias;
-      drawn.share = one.share;
-      one = std::move(drawn);
-      return;
-    }
+    if (a && common && a->motion.kind != MotionKind::measured && a->motion.state.size() > 0)
+      return draw_motion(*a, page_.basin.study, one);
     const auto found = std::find(starts_.outcome.begin(), starts_.outcome.end(), static_cast<short>(one.id));
     if (found == starts_.outcome.end()) return;
     draw_end(page_.basin.study, starts_, static_cast<std::uint64_t>(found - starts_.outcome.begin()), options_.stop,
@@ -165,19 +152,16 @@ class PageMaker {
   }
 
   void distributions() {
-    const Limits& limits = page_.basin.study.limits;
-    add_distribution(&TransientRow::peak_radial, limits.displacement);
-    if (limits.force) add_distribution(&TransientRow::peak_force, limits.force);
-    if (limits.velocity) add_distribution(&TransientRow::rms_velocity, limits.velocity);
+    for (const TransientLimit& l : transient_limits)
+      if (l.value == &TransientRow::peak_radial || page_.basin.study.limits.*l.limit) add_distribution(l);
   }
 
-  void add_distribution(float TransientRow::*figure, const std::optional<double>& limit) {
+  void add_distribution(const TransientLimit& l) {
     constexpr std::size_t bins = 36;
-    const std::vector<float>* values = nullptr;
-    for (std::size_t k = 0; k < transient_columns.size(); ++k)
-      if (transient_columns[k].value == figure) values = &starts_.transients[k];
+    const std::vector<float>* values = &starts_.transients[figure_place(l.value)];
+    const std::optional<double>& limit = page_.basin.study.limits.*l.limit;
     FigureDistribution d;
-    d.figure = figure;
+    d.limited = &l;
     bool some = false;
     for (const float v : *values) {
       if (!std::isfinite(v)) continue;

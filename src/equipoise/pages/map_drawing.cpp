@@ -65,10 +65,9 @@ std::string map_svg(const PlaneMap& map) {
   constexpr SvgPoint top_left{58.0, 10.0}, bottom_right{58.0 + frame, 10.0 + frame};
   constexpr double below = bottom_right.y + 42.0;
   std::vector<LegendEntry> entries;
-  for (const MapCode& c : map.codes)
+  for (const OutcomeShare& c : map.codes)
     if (c.share.count > 0)
-      entries.emplace_back(colour_of(c.code), fmt::format("{}{}, {}", c.alias.empty() ? "" : c.alias + ": ", c.name,
-                                                          percent(c.share.share, 1)));
+      entries.emplace_back(colour_of(c.id), fmt::format("{}, {}", legend_of(c), percent(c.share.share, 1)));
   Svg svg(drawing_width, below + legend_height(entries), "Outcome of the start at every point of the plane");
   const SvgAxes axes(svg, top_left, bottom_right, {map.x.low, map.x.high}, {map.y.low, map.y.high},
                      words_for(map.study, map.x), words_for(map.study, map.y));

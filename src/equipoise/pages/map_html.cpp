@@ -13,7 +13,6 @@
 #include "equipoise/pages/map_drawing.hpp"
 #include "equipoise/pages/page_parts.hpp"
 #include "equipoise/report/text.hpp"
-#include "equipoise/store/basin_file.hpp"
 
 namespace equipoise {
 
@@ -57,9 +56,9 @@ class MapDocument {
 
   void outcomes() {
     DocumentTable table{{"outcome", "of the points", "95 % interval", "points"}, {}, "", false, {3}};
-    for (const MapCode& c : map_.codes) {
-      if (c.share.count == 0 && c.code < undecided_code) continue;
-      table.rows.push_back({{c.alias.empty() ? c.name : fmt::format("{} ({})", c.name, c.alias)},
+    for (const OutcomeShare& c : map_.codes) {
+      if (c.share.count == 0 && c.id < undecided_code) continue;
+      table.rows.push_back({{title_of(c)},
                             share_cell(c.share),
                             number_cell(interval(c.share)),
                             number_cell(fmt::format("{}", c.share.count))});

@@ -36,9 +36,7 @@ std::vector<std::size_t> cells_along(const SweepResult& r) {
 
 // Of a cell's peak displacements, with ends that can be drawn: of few starts an interval ends at the largest.
 QuantileEstimate peak_quantile(const SweepResult& r, std::size_t cell, std::size_t quantile) {
-  std::size_t peak = 0;
-  while (transient_columns[peak].value != &TransientRow::peak_radial) ++peak;
-  const SampleSummary& figure = r.cells[cell]->transients->figures[peak];
+  const SampleSummary& figure = r.cells[cell]->transients->figure(&TransientRow::peak_radial);
   QuantileEstimate estimate = figure.quantiles[quantile];
   if (!std::isfinite(estimate.high)) estimate.high = figure.largest;
   return estimate;
@@ -158,9 +156,10 @@ std::optional<Chart> peak_chart(const SweepResult& r) {
   if (!r.transients || r.axes.size() != 1) return std::nullopt;
   const std::vector<std::size_t> cells = cells_along(r);
   const SweepParameter& p = r.axes.front().parameters.front();
+  const TransientFigure& figure = transient_figures[figure_place(&TransientRow::peak_radial)];
   double largest = r.study.limits.displacement.value_or(0.0);
   for (const std::size_t cell : cells) largest = std::max(largest, peak_quantile(r, cell, 1).high);
-  const AxisWords words = PageQuantities(r.study).axis("peak displacement", largest, study::Dimension::length);
+  const AxisWords words = PageQuantities(r.study).axis(figure.page_title, largest, figure.dimension);
   Chart chart{"", sweep_axis_label(p), words.label, false, false, true, {}};
   const auto add = [&](std::size_t quantile, const char* name, const char* colour) {
     ChartSeries series{name, colour, ChartSeries::Style::line, {}, {}, {}, {}};

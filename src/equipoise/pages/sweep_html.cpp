@@ -31,7 +31,7 @@ class SweepDocument {
       most_starts_ = std::max(most_starts_, cell->starts);
       open_ = open_ || cell->undecided.count > 0;
       stalls_ = stalls_ || (cell->stalled && cell->stalled->count > 0);
-      lost_ += cell->diverged.count + cell->failed.count;
+      lost_ += cell->lost();
     }
   }
 
@@ -121,11 +121,8 @@ class SweepDocument {
     table.header.push_back("undecided");
     if (stalls_) table.header.push_back("stalled");
     const PageQuantities shown(r_.study);
-    const Limits& limits = r_.study.limits;
-    if (r_.transients && limits.displacement)
-      table.header.push_back("above " + shown.text(*limits.displacement, study::Dimension::length));
-    if (r_.transients && limits.force)
-      table.header.push_back("above " + shown.text(*limits.force, study::Dimension::force));
+    for (const TransientLimit& l : transient_limits)
+      if (shows(l)) table.header.push_back("above " + shown.text(*(r_.study.limits.*l.limit), l.figure().dimension));
     table.spare.push_back(table.header.size());
     table.header.push_back("starts");
     if (open_) table.caption = "Surely within: whatever undecided starts would come to.";
@@ -133,6 +130,9 @@ class SweepDocument {
       if (r_.cells[k]) table.rows.push_back(row_of(k));
     add_cell_table(document_, std::move(table), "the CSV file holds all of them");
   }
+
+  // Of the limits those of what happens on the way.
+  bool shows(const TransientLimit& l) const { return r_.transients && !l.at_end && r_.study.limits.*l.limit; }
 
   std::vector<DocumentCell> row_of(std::size_t index) const {
     const SweepCell& cell = *r_.cells[index];
@@ -143,10 +143,9 @@ class SweepDocument {
     if (open_) row.push_back(number_cell(bounds_text(balanced)));
     row.push_back(share_cell(cell.undecided));
     if (stalls_) row.push_back(cell.stalled ? share_cell(*cell.stalled) : number_cell("-"));
-    for (const auto& [asked, k] :
-         {std::pair{r_.study.limits.displacement.has_value(), 0}, {r_.study.limits.force.has_value(), 1}})
-      if (r_.transients && asked) {
-        const auto& exceeded = cell.transients->exceeded[static_cast<std::size_t>(k)];
+    for (std::size_t k = 0; k < transient_limits.size(); ++k)
+      if (shows(transient_limits[k])) {
+        const auto& exceeded = cell.transients->exceeded[k];
         row.push_back(exceeded ? share_cell(*exceeded) : number_cell("-"));
       }
     row.push_back(number_cell(fmt::format("{}", cell.starts)));

@@ -14,6 +14,7 @@
 #include "equipoise/base/angles.hpp"
 #include "equipoise/base/version.hpp"
 #include "equipoise/model/strobe.hpp"
+#include "equipoise/report/computed.hpp"
 #include "equipoise/report/left_unbalance.hpp"
 #include "equipoise/report/motion_words.hpp"
 #include "equipoise/report/text.hpp"
@@ -33,11 +34,11 @@ constexpr double least_miss = 1e-9;
 
 std::uint64_t decided_starts(const AttractorsResult& r) {
   std::uint64_t count = 0;
-  for (const AttractorShare& a : r.basin.attractors) count += a.share.count;
+  for (const OutcomeShare& a : r.basin.attractors) count += a.share.count;
   return count;
 }
 
-Json attractor_json(const Attractor& a, const AttractorShare& share, const Study& study) {
+Json attractor_json(const Attractor& a, const OutcomeShare& share, const Study& study) {
   const Motion& m = a.motion;
   Json json = motion_json(a, study);
   if (!share.unbalance.empty()) json["left_unbalance"] = left_unbalance_json(share, study);
@@ -48,9 +49,9 @@ Json attractor_json(const Attractor& a, const AttractorShare& share, const Study
   return json;
 }
 
-const AttractorShare& share_of(const AttractorsResult& r, int id) {
+const OutcomeShare& share_of(const AttractorsResult& r, int id) {
   return *std::find_if(r.basin.attractors.begin(), r.basin.attractors.end(),
-                       [&](const AttractorShare& s) { return s.id == id; });
+                       [&](const OutcomeShare& s) { return s.id == id; });
 }
 
 using Row = std::vector<std::string>;
@@ -154,8 +155,8 @@ std::string attractors_text(const AttractorsResult& r) {
     for (int i = 0; i < balls; ++i) drift += fmt::format("{}{:.4f}", i ? ", " : "", m.drift[i] * units.speed + 0.0);
     const bool measured = m.kind == MotionKind::measured;  // of which no state is known
     const auto r_text = [&](double value) { return measured ? "-" : fmt::format("{:.4f}", value * units.length); };
-    rows.push_back({fmt::format("{}", a.id), a.alias.empty() ? a.name : fmt::format("{} ({})", a.name, a.alias),
-                    name_of(m.kind), share.total ? percent(share.share, share.count == 0 ? 0 : digits_for(share)) : "-",
+    rows.push_back({fmt::format("{}", a.id), title_of(a), name_of(m.kind),
+                    share.total ? percent(share.share, share.count == 0 ? 0 : digits_for(share)) : "-",
                     a.continuum || measured ? "-" : fmt::format("{}", m.copies),
                     m.kind == MotionKind::periodic ? fmt::format("{:.5f}", m.period * units.time) : "-",
                     r_text(m.r_min), r_text(m.r_mean), r_text(m.r_max), measured ? "-" : drift,
@@ -171,9 +172,8 @@ std::string attractors_text(const AttractorsResult& r) {
     text += fmt::format("PARTIAL: stopped after {} of {} starts; the search had not ended: there may be others.\n",
                         r.basin.starts, r.basin.asked);
   text += search_text(r);
-  text += fmt::format("seed {}; {:.2f} s, {:.2f} s CPU on {} thread{} ({}); equipoise {}\n",
-                      r.basin.study.sampling.seed, r.basin.seconds, r.basin.cpu_seconds, r.basin.threads,
-                      r.basin.threads == 1 ? "" : "s", r.basin.cpu_target, version_string);
+  text +=
+      fmt::format("seed {}; {}; equipoise {}\n", r.basin.study.sampling.seed, computed_text(r.basin), version_string);
   return text;
 }
 
@@ -185,9 +185,8 @@ std::string attractors_json(const AttractorsResult& r) {
   json["starts"] = r.basin.starts;
   json["partial"] = r.basin.partial;
   json["decided"] = decided_starts(r);
-  json["undecided"] = r.basin.undecided.share;
-  json["diverged"] = r.basin.diverged.share;
-  json["failed"] = r.basin.failed.share;
+  for (const OutcomeShare& o : r.basin.others())
+    if (o.id != stalled_code) json[o.name] = o.share.share;
   const std::uint64_t decided = decided_starts(r);
   json["detection"] = {{"share", decided > 0 ? Json(detection_limit(decided, least_miss)) : Json(nullptr)},
                        {"of", "decided starts"},

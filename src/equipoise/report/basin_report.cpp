@@ -27,7 +27,7 @@ using Json = nlohmann::ordered_json;
 std::string decided_text(const BasinResult& r) {
   if (r.starts == 0) return "";
   std::array<std::uint64_t, decided_by_count> counts{};
-  for (const AttractorShare& a : r.attractors)
+  for (const OutcomeShare& a : r.attractors)
     for (int k = 0; k < decided_by_count; ++k) counts[k] += a.decided_by[k];
   std::string text;
   for (int k = 1; k < decided_by_count; ++k)
@@ -37,22 +37,18 @@ std::string decided_text(const BasinResult& r) {
   return text.empty() ? "" : fmt::format("Decided by: {} of all starts.\n", text);
 }
 
-std::string title_of(const AttractorShare& a) {
-  return a.alias.empty() ? a.name : fmt::format("{} ({})", a.name, a.alias);
-}
-
 // Which starts came through the resonance, which did not, and of which that is not known.
 std::string passage_text(const BasinResult& r) {
   const Share &passed = *r.passed, &held = *r.not_passed;
   const double above = r.study.passed_speed();
   const bool from_above = std::fabs(r.study.speed.initial) >= above;
   const auto part = [](const Share& s) { return fmt::format("{} ({})", percent(s.share, digits_for(s)), interval(s)); };
-  std::string text = fmt::format("{}: {} of all starts ({}), turning faster than {} in their motion or when last seen",
-                     from_above ? "Above the resonance in the end" : "Came through the resonance",
-                     percent(passed.share, digits_for(passed)), interval(passed), rotor_speed_text(r.study, above));
+  std::string text =
+      fmt::format("{}: {} of all starts ({}), turning faster than {} in their motion or when last seen",
+                  from_above ? "Above the resonance in the end" : "Came through the resonance",
+                  percent(passed.share, digits_for(passed)), interval(passed), rotor_speed_text(r.study, above));
   if (held.count > 0) text += fmt::format("; held below: {}", part(held));
-  const std::uint64_t lost = r.diverged.count + r.failed.count;
-  const std::uint64_t open = passed.total - passed.count - held.count - lost;
+  const std::uint64_t open = passed.total - passed.count - held.count - r.lost();
   if (open > 0)
     text += fmt::format("; not known yet: {}, undecided and slower when last seen",
                         percent_text(static_cast<double>(open) / static_cast<double>(passed.total)));
@@ -62,7 +58,8 @@ std::string passage_text(const BasinResult& r) {
 
 // Whether it mattered that balls collide.
 std::string contact_text(const Share& met) {
-  if (met.count == 0) return "Contact: in no start did balls touch before its fate was known, so contact decided none.\n";
+  if (met.count == 0)
+    return "Contact: in no start did balls touch before its fate was known, so contact decided none.\n";
   return fmt::format("Contact: balls touched in {} of all starts ({}) before the fate was known.\n",
                      percent(met.share, digits_for(met)), interval(met));
 }
@@ -74,8 +71,7 @@ std::string stopped_basin_text(const BasinResult& r) {
 
 std::string run_text(const BasinResult& r) {
   const std::string seed = r.own_starts ? "" : fmt::format(", seed {}", r.study.sampling.seed);
-  return fmt::format("{} starts{}; {:.2f} s, {:.2f} s CPU on {} thread{} ({}), {:.0f} starts/s; equipoise {}\n",
-                     r.starts, seed, r.seconds, r.cpu_seconds, r.threads, r.threads == 1 ? "" : "s", r.cpu_target,
+  return fmt::format("{} starts{}; {}, {:.0f} starts/s; equipoise {}\n", r.starts, seed, computed_text(r),
                      static_cast<double>(r.starts - r.resumed_from) / r.seconds, version_string);
 }
 
@@ -89,7 +85,7 @@ std::string basin_text(const BasinResult& r) {
   const bool open = r.undecided.count > 0;
   const double second = r.study.scales ? r.study.scales->time() : 1.0;
   std::size_t width = 28;
-  for (const AttractorShare& a : r.attractors) width = std::max(width, title_of(a).size());
+  for (const OutcomeShare& a : r.attractors) width = std::max(width, title_of(a).size());
   const auto row = [&](const std::string& name, const std::string& share, const std::string& within,
                        const std::string& bounds, const std::string& starts, const std::string& time,
                        const std::string& as_good) {
@@ -99,16 +95,15 @@ std::string basin_text(const BasinResult& r) {
   };
   row("outcome", "share", "95 % interval", "surely within", "starts", r.study.scales ? "mean time, s" : "mean time",
       "as good as");
-  const auto line = [&](const std::string& name, const Share& s, const std::string& time) {
+  const auto line = [&](const std::string& name, const OutcomeShare& o, const std::string& time) {
+    const Share& s = o.share;
     row(name, s.total == 0 ? "-" : percent(s.share, s.count == 0 ? 0 : digits_for(s)), interval(s),
-        &s == &r.undecided ? "-" : bounds_text(s), fmt::format("{}", s.count), time, as_good_as(s));
+        o.id == undecided_code ? "-" : bounds_text(s), fmt::format("{}", s.count), time, as_good_as(s));
   };
-  for (const AttractorShare& a : r.attractors)
-    line(title_of(a), a.share, a.share.count == 0 ? "-" : fmt::format("{:.4g}", a.mean_time * second));
-  if (r.stalled) line("stalled below " + rotor_speed_text(r.study, r.study.stall_speed()), *r.stalled, "-");
-  line(name_of(Outcome::undecided), r.undecided, "-");
-  line(name_of(Outcome::diverged), r.diverged, "-");
-  line(name_of(Outcome::failed), r.failed, "-");
+  for (const OutcomeShare& a : r.attractors)
+    line(title_of(a), a, a.share.count == 0 ? "-" : fmt::format("{:.4g}", a.mean_time * second));
+  for (const OutcomeShare& o : r.others())
+    line(o.id == stalled_code ? "stalled below " + rotor_speed_text(r.study, r.study.stall_speed()) : o.name, o, "-");
   text += "\n";
   if (open) text += "Surely within: with 95 % confidence, whatever the undecided starts would come to.\n";
   text += fmt::format("Mean time: from the begin of the last branch, and release, to the decision{}.\n\n",
@@ -132,15 +127,13 @@ std::string basin_json(const BasinResult& r) {
   json["partial"] = r.partial;
   json["sampling"] = sampling_json(r);
   const auto share = [&](const Share& s) {
-    Json one = share_json(s);
-    one["least"] = s.least;
-    one["most"] = s.most;
+    Json one = sure_share_json(s);
     if (r.study.sampling.method.value_or(SamplingMethod::random) != SamplingMethod::random)
       one.update(precision_json(s));
     return one;
   };
   json["outcomes"] = Json::array();
-  for (const AttractorShare& a : r.attractors) {
+  for (const OutcomeShare& a : r.attractors) {
     Json outcome = {{"id", a.id}, {"name", a.name}, {"alias", a.alias}, {"kind", a.kind}};
     outcome.update(share(a.share));
     outcome["mean_time"] = a.mean_time;
@@ -149,18 +142,16 @@ std::string basin_json(const BasinResult& r) {
     if (!a.unbalance.empty()) outcome["left_unbalance"] = left_unbalance_json(a, r.study);
     json["outcomes"].push_back(outcome);
   }
-  if (r.stalled) {
-    json["stalled"] = share(*r.stalled);
-    json["stalled"]["below"] = r.study.stall_speed();
+  for (const OutcomeShare& o : r.others()) {
+    json[o.name] = share(o.share);
+    if (o.id != stalled_code) continue;
+    json[o.name]["below"] = r.study.stall_speed();
     if (r.passed) {
       json["passed"] = share(*r.passed);
       json["passed"]["above"] = r.study.passed_speed();
       json["not_passed"] = share(*r.not_passed);
     }
   }
-  json["undecided"] = share(r.undecided);
-  json["diverged"] = share(r.diverged);
-  json["failed"] = share(r.failed);
   json["confidence"] = 0.95;
   json["units"] = {{"mean_time", "1/omega_c"}};
   if (r.study.scales) json["units"]["mean_time_si"] = "s";

@@ -11,14 +11,13 @@
 #include "equipoise/report/csv.hpp"
 #include "equipoise/report/computed.hpp"
 #include "equipoise/report/text.hpp"
+#include "equipoise/results/outcome_share.hpp"
 
 namespace equipoise {
 
 namespace {
 
 using Json = nlohmann::ordered_json;
-
-std::string title(const Branch& b) { return b.alias.empty() ? b.name : fmt::format("{} ({})", b.name, b.alias); }
 
 int digits_of(double width) { return std::clamp(static_cast<int>(std::ceil(-std::log10(width))), 0, 12); }
 
@@ -134,7 +133,7 @@ std::string branches_text(const BranchesResult& r) {
     text += fmt::format("{:>3}  {:<44}{:<{}}{}\n", id, name, exists, width + 2, attracts);
   };
   add_row("id", "attractor", "exists", "attracts");
-  for (const Branch& b : r.branches) add_row(b.id, title(b), existence_text(r, b), stable_text(b, ranges_of(b)));
+  for (const Branch& b : r.branches) add_row(b.id, title_of(b), existence_text(r, b), stable_text(b, ranges_of(b)));
   constexpr const char* line = "{:>12}  {:<26}{:>3}  {:<44}{:<18}{}\n";
   text += "\n" + fmt::format(line, "at", "between", "id", "attractor", "event", "type");
   std::vector<std::pair<const BranchEvent*, const Branch*>> events;
@@ -143,8 +142,8 @@ std::string branches_text(const BranchesResult& r) {
   std::stable_sort(events.begin(), events.end(),
                    [](const auto& a, const auto& b) { return a.first->middle() < b.first->middle(); });
   for (const auto& [e, b] : events)
-    text += fmt::format(line, event_text(*e), bracket_text(*e), e->id, title(*b), name_of(e->change),
-                        name_of(e->cause));
+    text +=
+        fmt::format(line, event_text(*e), bracket_text(*e), e->id, title_of(*b), name_of(e->change), name_of(e->cause));
   if (events.empty()) text += "  none\n";
   text += fmt::format(
       "\nA range that begins at {:.12g} or ends at {:.12g} may go on beyond. At every value and half-way between, {} "
@@ -152,8 +151,7 @@ std::string branches_text(const BranchesResult& r) {
       "values only, is not listed; states of one's own are followed too.\n",
       r.values.front(), r.values.back(), r.starts);
   if (r.partial)
-    text +=
-        "PARTIAL: stopped before every branch was followed to its ends; there may be others, and events beyond.\n";
+    text += "PARTIAL: stopped before every branch was followed to its ends; there may be others, and events beyond.\n";
   text += fmt::format("{:.1f} s on {} thread{} ({}); equipoise {}\n", r.seconds, r.threads, r.threads == 1 ? "" : "s",
                       r.cpu_target, version_string);
   return text;

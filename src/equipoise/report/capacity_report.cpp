@@ -70,14 +70,12 @@ std::string capacity_text(const CapacityResult& r) {
       "between two of the values tried and recovers is not seen.\n",
       in_unit(r, four_digits(r.precision * (r.to - r.from))));
   if (!r.complete())
-    text += "PARTIAL: stopped before all cells were done. Of an open one the capacity is not known between the two "
-            "values; ?: no value tried says so.\n";
+    text +=
+        "PARTIAL: stopped before all cells were done. Of an open one the capacity is not known between the two "
+        "values; ?: no value tried says so.\n";
   if (r.resumed_trials > 0) text += fmt::format("{} trials from an earlier run. ", r.resumed_trials);
-  return text + fmt::format(
-                    "{} starts a trial, seed {}, the same ones in all; {:.2f} s, {:.2f} s CPU on {} thread{} "
-                    "({}); equipoise {}\n",
-                    r.starts, r.study.sampling.seed, r.seconds, r.cpu_seconds, r.threads, r.threads == 1 ? "" : "s",
-                    r.cpu_target, version_string);
+  return text + fmt::format("{} starts a trial, seed {}, the same ones in all; {}; equipoise {}\n", r.starts,
+                            r.study.sampling.seed, computed_text(r), version_string);
 }
 
 std::string capacity_json(const CapacityResult& r) {
@@ -120,9 +118,9 @@ std::string capacity_json(const CapacityResult& r) {
 }
 
 std::string capacity_csv(const CapacityResult& r) {
-  std::string text =
-      fmt::format("# equipoise {}: largest {} at which a share of {} of {} starts ends balanced, looked for from {}{}\n",
-                  version_string, r.key, r.at_least, r.starts, sought_text(r), r.complete() ? "" : ", PARTIAL");
+  std::string text = fmt::format(
+      "# equipoise {}: largest {} at which a share of {} of {} starts ends balanced, looked for from {}{}\n",
+      version_string, r.key, r.at_least, r.starts, sought_text(r), r.complete() ? "" : ", PARTIAL");
   text += csv_study(r.study) + csv_titles(r.axes) + csv_title(r.key, r.unit) + ",low,high,always,never,trials\n";
   for (std::size_t index = 0; index < r.cells.size(); ++index) {
     if (!r.cells[index]) continue;

@@ -7,6 +7,7 @@
 #include "equipoise/base/version.hpp"
 #include "equipoise/report/sensitivity_report.hpp"
 #include "equipoise/report/text.hpp"
+#include "equipoise/results/outcome_share.hpp"
 
 namespace equipoise {
 
@@ -40,8 +41,7 @@ std::string comparison_text(const ComparisonResult& r) {
                       "95 % interval, points");
   for (const ComparedShare& s : r.shares) {
     if (s.first.count == 0 && s.second.count == 0) continue;
-    text += fmt::format("{:<44}{:>10}{:>10}{:>12}  {}\n",
-                        s.alias.empty() ? s.name : fmt::format("{} ({})", s.name, s.alias), percent(s.first.share, 2),
+    text += fmt::format("{:<44}{:>10}{:>10}{:>12}  {}\n", title_of(s), percent(s.first.share, 2),
                         percent(s.second.share, 2), points(s.difference.difference), interval_text(s.difference));
   }
   text += "\n";

@@ -26,19 +26,6 @@ DesignOut estimate_out(const DesignEstimate& e) {
   return {{"value", number_out(e.value)}, {"low", number_out(e.low)}, {"high", number_out(e.high)}};
 }
 
-DesignOut value_out(const StudyValue& value) {
-  if (const auto* n = value.integer()) return *n;
-  if (const auto* v = value.real()) return *v;
-  if (const auto* text = value.string()) return *text;
-  if (const auto* truth = value.boolean()) return *truth;
-  DesignOut out;
-  if (const auto* array = value.array())
-    for (const StudyValue& entry : *array) out.push_back(value_out(entry));
-  if (const auto* table = value.table())
-    for (const auto& [key, entry] : *table) out[key] = value_out(entry);
-  return out;
-}
-
 bool keeps(const DesignLimit& limit, double value) {
   return !(limit.below && !(value < *limit.below)) && !(limit.above && !(value > *limit.above));
 }
@@ -47,7 +34,7 @@ DesignOut candidate_out(const DesignResult& r, const DesignCandidate& c) {
   const DesignSample& sample = c.best_known();
   DesignOut out{
       {"variables", DesignOut::object()}, {"objectives", DesignOut::object()}, {"constraints", DesignOut::object()}};
-  for (const DesignSetting& s : c.settings) out["variables"][s.key] = value_out(s.value);
+  for (const DesignSetting& s : c.settings) out["variables"][s.key] = tree_json(s.value);
   if (!sample.figures.empty()) {
     for (const std::size_t k : r.objectives) {
       out["objectives"][r.figures[k].name] = estimate_out(sample.figures[k]);
@@ -145,12 +132,8 @@ std::string margin_table(const DesignResult& r) {
   std::string text = fmt::format("{:<24}{:>{}}  {:<{}}  {:<14}{}\n", "varied alone", "chosen", chosen,
                                  "may go from .. to", range, "near it", "beyond that fails");
   for (const DesignMargin& m : r.margins) {
-    std::string fails;
-    if (!m.fails_below.empty()) fails = "below: " + m.fails_below;
-    if (!m.fails_above.empty()) fails += (fails.empty() ? "above: " : "; above: ") + m.fails_above;
     text += fmt::format("{:<24}{:>{}}  {:<{}}  {:<14}{}\n", m.key, chosen_of(m), chosen, range_of(m), range,
-                        estimate_text(r.figures[r.objectives.front()], m.effect),
-                        fails.empty() ? "nothing that was tried" : fails);
+                        estimate_text(r.figures[r.objectives.front()], m.effect), fails_text(m));
   }
   return text;
 }
@@ -196,6 +179,13 @@ std::string setting_text(const StudyValue& value) {
     text += fmt::format("{}{} at {}", k > 0 ? ", " : "", setting_text((*speeds->array())[k]),
                         setting_text((*times->array())[k]));
   return text;
+}
+
+std::string fails_text(const DesignMargin& m) {
+  std::string text;
+  if (!m.fails_below.empty()) text = "below: " + m.fails_below;
+  if (!m.fails_above.empty()) text += (text.empty() ? "above: " : "; above: ") + m.fails_above;
+  return text.empty() ? "nothing that was tried" : text;
 }
 
 std::string margin_name(const std::string& key) {
@@ -280,11 +270,9 @@ std::string design_text(const DesignResult& r) {
             r.figures[r.objectives.front()].name);
   if (r.partial) text += stopped_design_text(r);
   if (r.resumed > 0) text += fmt::format("\n{} ensembles from an earlier run. ", r.resumed);
-  return text +
-         fmt::format(
-             "\n{} candidates by {}, {} trajectories of {}; {:.2f} s, {:.2f} s CPU on {} thread{} ({}); equipoise {}\n",
-             r.candidates, design_method_names[static_cast<std::size_t>(r.method)], r.trajectories, r.budget, r.seconds,
-             r.cpu_seconds, r.threads, r.threads == 1 ? "" : "s", r.cpu_target, version_string);
+  return text + fmt::format("\n{} candidates by {}, {} trajectories of {}; {}; equipoise {}\n", r.candidates,
+                            design_method_names[static_cast<std::size_t>(r.method)], r.trajectories, r.budget,
+                            computed_text(r), version_string);
 }
 
 std::string design_json(const DesignResult& r) {

@@ -27,6 +27,8 @@ std::string limit_text(const DesignFigure& figure, const DesignLimit& limit);
 std::string setting_text(const StudyValue& value);
 /// "balancer.drag"; of a spin-up "speed of point 1", where it begins at point 0.
 std::string margin_name(const std::string& key);
+/// What fails where a margin ends; what was tried, if nothing does.
+std::string fails_text(const DesignMargin& margin);
 /// Whether what was varied has an order, and so ends that it may go to; choices have none.
 bool has_order(const DesignMargin& margin);
 /// By how much the search thought the chosen design better than the held-out starts say; empty if no different.

@@ -341,12 +341,9 @@ std::string explain_json(const Explanation& e) {
   json["run_up"] = e.run_up ? run_up_json(*e.run_up, scales) : Json(nullptr);
   json["cost"] = nullptr;
   if (e.cost)
-    json["cost"] = {{"cpu_seconds", e.cost->total()},
-                    {"search", e.cost->search},
-                    {"search_ended", e.cost->search_ended},
-                    {"a_start", e.cost->a_start},
-                    {"starts", e.cost->starts},
-                    {"measured", e.cost->measured}};
+    json["cost"] = {
+        {"cpu_seconds", e.cost->total()}, {"search", e.cost->search}, {"search_ended", e.cost->search_ended},
+        {"a_start", e.cost->a_start},     {"starts", e.cost->starts}, {"measured", e.cost->measured}};
   json["can_balance"] = e.balanced.kind != model::BalancedStates::Kind::none;
   json["reason"] = e.balanced.reason;
   json["static_sag"] = value_json(e.sag, Dimension::length, scales);
@@ -362,12 +359,9 @@ std::string explain_json(const Explanation& e) {
     json["without_balls"] = {{"displacement", pair_json(e.bare->displacement, Dimension::length, scales)},
                              {"force", pair_json(e.bare->force, Dimension::force, scales)}};
   json["balance_grade"] = nullptr;
-  if (scales && e.speed) {
-    const double grade =
-        model::balance_grade(e.study.parameters.eccentricity * scales->length, *e.speed * scales->frequency);
-    const auto met = model::standard_grade_met(grade);
-    json["balance_grade"] = {{"mm_per_s", grade}, {"standard", met ? Json(*met) : Json(nullptr)}};
-  }
+  if (scales && e.speed)
+    json["balance_grade"] = grade_json(
+        model::balance_grade(e.study.parameters.eccentricity * scales->length, *e.speed * scales->frequency));
   json["reynolds_number"] = e.reynolds ? Json(*e.reynolds) : Json(nullptr);
   json["advice"] = advice_json(e);
   json["warnings"] = e.warnings;

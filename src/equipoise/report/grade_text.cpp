@@ -2,6 +2,7 @@
 #include "equipoise/report/grade_text.hpp"
 
 #include <fmt/format.h>
+#include <nlohmann/json.hpp>
 
 #include "equipoise/model/balance_grade.hpp"
 
@@ -13,6 +14,12 @@ std::string grade_text(double grade_mm_s) {
   const auto met = model::standard_grade_met(grade_mm_s);
   return met ? fmt::format("G {:.3g} (within grade G {})", grade_mm_s, *met)
              : fmt::format("G {:.3g} (beyond grade G {})", grade_mm_s, model::standard_balance_grades.back());
+}
+
+nlohmann::ordered_json grade_json(double grade_mm_s) {
+  nlohmann::ordered_json json{{"mm_per_s", grade_mm_s}, {"standard", nullptr}};
+  if (const auto met = model::standard_grade_met(grade_mm_s)) json["standard"] = *met;
+  return json;
 }
 
 }  // namespace equipoise

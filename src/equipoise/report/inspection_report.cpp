@@ -15,8 +15,8 @@ std::string inspection_text(const Inspection& i) {
   text += "\n";
   if (!i.damage.empty()) text += fmt::format("DAMAGE: {}\n", i.damage);
   for (const auto& [name, value] : i.facts) text += fmt::format("  {:<14}{}\n", name, value);
-  for (const Inspection::Outcome& o : i.outcomes)
-    text += fmt::format("  {:>9.4f} %  {} ({})\n", 100.0 * o.share, o.name, o.code);
+  for (const OutcomeShare& o : i.outcomes)
+    text += fmt::format("  {:>9.4f} %  {} ({})\n", 100.0 * o.share.share, o.name, o.id);
   if (i.study.empty()) return text;
   text += "study:\n";
   std::istringstream lines(i.study);
@@ -31,8 +31,8 @@ std::string inspection_json(const Inspection& i) {
   json["facts"] = Json::array();
   for (const auto& [name, value] : i.facts) json["facts"].push_back({{"name", name}, {"value", value}});
   json["outcomes"] = Json::array();
-  for (const Inspection::Outcome& o : i.outcomes)
-    json["outcomes"].push_back({{"id", o.code}, {"name", o.name}, {"share", o.share}});
+  for (const OutcomeShare& o : i.outcomes)
+    json["outcomes"].push_back({{"id", o.id}, {"name", o.name}, {"share", o.share.share}});
   json["study"] = i.study;
   return json.dump(2) + "\n";
 }

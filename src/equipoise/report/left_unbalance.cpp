@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include "equipoise/report/engineering.hpp"
+#include "equipoise/report/grade_text.hpp"
 #include "equipoise/results/left_grade.hpp"
 
 namespace equipoise {
@@ -22,9 +23,9 @@ std::string amount_text(double unbalance, const Study& study) {
 
 }  // namespace
 
-std::string left_unbalance_text(const std::vector<AttractorShare>& attractors, const Study& study) {
+std::string left_unbalance_text(const std::vector<OutcomeShare>& attractors, const Study& study) {
   std::string text;
-  for (const AttractorShare& a : attractors) {
+  for (const OutcomeShare& a : attractors) {
     if (a.unbalance.empty()) continue;
     text += fmt::format("Unbalance left, {}: ", a.name);
     for (std::size_t k = 0; k < a.unbalance.size(); ++k) {
@@ -38,16 +39,13 @@ std::string left_unbalance_text(const std::vector<AttractorShare>& attractors, c
   return text;
 }
 
-nlohmann::ordered_json left_unbalance_json(const AttractorShare& a, const Study& study) {
+nlohmann::ordered_json left_unbalance_json(const OutcomeShare& a, const Study& study) {
   if (a.unbalance.empty()) return nullptr;
   nlohmann::ordered_json json = {{"probability", unbalance_quantiles}, {"unbalance", a.unbalance}};
   if (!study.scales) return json;
   for (const double u : a.unbalance) {
-    const double grade = left_balance_grade(u, study);
-    const auto met = model::standard_grade_met(grade);
     json["unbalance_si"].push_back(u * study.scales->unbalance());
-    json["balance_grade"].push_back(
-        {{"mm_per_s", grade}, {"standard", met ? nlohmann::ordered_json(*met) : nlohmann::ordered_json(nullptr)}});
+    json["balance_grade"].push_back(grade_json(left_balance_grade(u, study)));
   }
   return json;
 }

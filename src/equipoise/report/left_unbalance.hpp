@@ -11,8 +11,8 @@
 namespace equipoise {
 
 /// A line for every attractor that is a continuum which friction leaves; empty without any.
-std::string left_unbalance_text(const std::vector<AttractorShare>& attractors, const Study& study);
+std::string left_unbalance_text(const std::vector<OutcomeShare>& attractors, const Study& study);
 /// Null if the attractor is none.
-nlohmann::ordered_json left_unbalance_json(const AttractorShare& attractor, const Study& study);
+nlohmann::ordered_json left_unbalance_json(const OutcomeShare& attractor, const Study& study);
 
 }  // namespace equipoise

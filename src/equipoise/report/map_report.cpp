@@ -118,10 +118,8 @@ std::string map_text(const PlaneMap& map) {
   text += starts_text(map);
   text += fmt::format("\n{:>5}  {:<44}{:>10}{}\n", "code", "outcome", "pixels",
                       map.complete ? "  of the map" : "    of the map");
-  for (const MapCode& c : map.codes)
-    text += fmt::format("{:>5}  {:<44}{:>10}{}\n", c.code,
-                        c.alias.empty() ? c.name : fmt::format("{} ({})", c.name, c.alias), c.share.count,
-                        part_of_map(map, c.share));
+  for (const OutcomeShare& c : map.codes)
+    text += fmt::format("{:>5}  {:<44}{:>10}{}\n", c.id, title_of(c), c.share.count, part_of_map(map, c.share));
   const std::string figures =
       figure_text("box dimension", f.box_dimension) + figure_text("uncertainty exponent", f.uncertainty_exponent) +
       figure_text("basin entropy", f.basin_entropy) + figure_text("boundary basin entropy", f.boundary_basin_entropy) +
@@ -138,8 +136,7 @@ std::string map_text(const PlaneMap& map) {
     text += fmt::format("PARTIAL: stopped with {} of {} pixels open. Of the map: from none of those to all of them.\n",
                         open_pixels(map), map.pixels);
   const double now = static_cast<double>(map.pixels_computed - map.pixels_kept - map.pixels_reused);
-  return text + fmt::format("{} pixels; {:.2f} s, {:.2f} s CPU on {} thread{} ({}){}; equipoise {}\n", map.pixels,
-                            map.seconds, map.cpu_seconds, map.threads, map.threads == 1 ? "" : "s", map.cpu_target,
+  return text + fmt::format("{} pixels; {}{}; equipoise {}\n", map.pixels, computed_text(map),
                             now > 0.0 ? fmt::format(", {:.0f} pixels/s", now / std::max(map.seconds, 1e-9)) : "",
                             version_string);
 }
@@ -151,9 +148,9 @@ std::string map_json(const PlaneMap& map) {
   for (const AngleLink& link : map.links)
     json["ties"].push_back({{"ball", link.ball}, {"of", link.of}, {"offset", link.offset}});
   json["outcomes"] = MapJson::array();
-  for (const MapCode& c : map.codes)
+  for (const OutcomeShare& c : map.codes)
     json["outcomes"].push_back(
-        {{"id", c.code}, {"name", c.name}, {"alias", c.alias}, {"pixels", c.share.count}, {"share", c.share.share}});
+        {{"id", c.id}, {"name", c.name}, {"alias", c.alias}, {"pixels", c.share.count}, {"share", c.share.share}});
   std::string text = json.dump();
   text.back() = ',';
   text += "\"outcome\":";

@@ -62,10 +62,10 @@ std::string grid_text(const BasinResult& r) {
 }
 
 bool falls_back(const BasinResult& r) {
-  bool wilson = false;
-  for (const AttractorShare& a : r.attractors) wilson = wilson || a.share.by == IntervalBy::wilson;
-  for (const Share* s : {&r.undecided, &r.diverged, &r.failed}) wilson = wilson || s->by == IntervalBy::wilson;
-  return wilson;
+  const auto wilson = [](const OutcomeShare& o) { return o.share.by == IntervalBy::wilson; };
+  const std::vector<OutcomeShare> others = r.others();
+  return std::any_of(r.attractors.begin(), r.attractors.end(), wilson) ||
+         std::any_of(others.begin(), others.end(), [&](const auto& o) { return o.id != stalled_code && wilson(o); });
 }
 
 }  // namespace

@@ -16,7 +16,6 @@
 #include "equipoise/report/sensitivity_report.hpp"
 #include "equipoise/report/computed.hpp"
 #include "equipoise/report/text.hpp"
-#include "equipoise/results/basin_result.hpp"
 
 namespace equipoise {
 
@@ -130,30 +129,21 @@ std::string what_else(const SweepResult& r) {
   for (std::size_t index = 0; index < r.cells.size(); ++index) {
     if (!r.cells[index]) continue;
     const SweepCell& cell = *r.cells[index];
-    lost += cell.diverged.count + cell.failed.count;
+    lost += cell.lost();
     if (!cell.note.empty()) text += fmt::format("Note at {}: {}.\n", cell_title(r.axes, index), cell.note);
   }
   return lost > 0 ? fmt::format("{} starts diverged or failed.\n", lost) + text : text;
 }
 
-std::string csv_optional(const std::optional<double>& value) { return value ? csv_number(*value) : ""; }
-
-Json sure_json(const Share& s) {
-  Json one = share_json(s);
-  one["least"] = s.least;
-  one["most"] = s.most;
-  return one;
-}
-
 Json outcome_json(const SweepOutcome& o) {
   const auto optional = [](const std::optional<double>& v) { return v ? Json(*v) : Json(nullptr); };
   Json outcome = {{"id", o.id}, {"name", o.name}, {"alias", o.alias}, {"kind", o.kind}};
-  outcome.update(sure_json(o.share));
+  outcome.update(sure_share_json(o.share));
   outcome["mean_time"] = o.mean_time;
   outcome["radial"] = {{"min", optional(o.r_min)}, {"mean", optional(o.r_mean)}, {"max", optional(o.r_max)}};
   outcome["period"] = o.period > 0.0 ? Json(o.period) : Json(nullptr);
-  if (!o.left_unbalance.empty())
-    outcome["left_unbalance"] = {{"probability", unbalance_quantiles}, {"unbalance", o.left_unbalance}};
+  if (!o.unbalance.empty())
+    outcome["left_unbalance"] = {{"probability", unbalance_quantiles}, {"unbalance", o.unbalance}};
   return outcome;
 }
 
@@ -170,8 +160,8 @@ Json transients_json(const TransientGroup& group) {
                                      {"low", s.quantiles[q].low},
                                      {"high", s.quantiles[q].high}});
   }
-  for (std::size_t k = 0; k < transient_limit_names.size(); ++k)
-    if (group.exceeded[k]) transients["exceeded"][transient_limit_names[k]] = share_json(*group.exceeded[k]);
+  for (std::size_t k = 0; k < transient_limits.size(); ++k)
+    if (group.exceeded[k]) transients["exceeded"][transient_limits[k].name] = share_json(*group.exceeded[k]);
   return transients;
 }
 
@@ -182,11 +172,10 @@ Json cell_json(const SweepResult& r, std::size_t index) {
   one["starts"] = cell.starts;
   one["outcomes"] = Json::array();
   for (const SweepOutcome& o : cell.outcomes) one["outcomes"].push_back(outcome_json(o));
-  if (cell.stalled) one["stalled"] = sure_json(*cell.stalled);
-  if (cell.passed) one["passed"] = sure_json(*cell.passed);
-  one["undecided"] = sure_json(cell.undecided);
-  one["diverged"] = sure_json(cell.diverged);
-  one["failed"] = sure_json(cell.failed);
+  for (const OutcomeShare& o : cell.others()) {
+    if (o.id == undecided_code && cell.passed) one["passed"] = sure_share_json(*cell.passed);
+    one[o.name] = sure_share_json(o.share);
+  }
   if (cell.transients) one["transients"] = transients_json(*cell.transients);
   one["balanced_stable"] = cell.balanced_stable;
   one["note"] = cell.note;
@@ -210,9 +199,7 @@ std::string sweep_text(const SweepResult& r) {
   text +=
       fmt::format("{} cells, {} starts, seed {}, the same starts in every cell", done, starts, r.study.sampling.seed);
   if (r.resumed_cells > 0) text += fmt::format("; {} cells from an earlier run", r.resumed_cells);
-  if (r.seconds > 0.0)
-    text += fmt::format("; {:.2f} s, {:.2f} s CPU on {} thread{} ({})", r.seconds, r.cpu_seconds, r.threads,
-                        r.threads == 1 ? "" : "s", r.cpu_target);
+  if (r.seconds > 0.0) text += "; " + computed_text(r);
   return text + fmt::format("; equipoise {}\n", version_string);
 }
 
@@ -235,24 +222,24 @@ std::string sweep_csv(const SweepResult& r) {
   std::string text =
       fmt::format("# equipoise {}: sweep{}\n", version_string, r.complete() ? "" : ", PARTIAL: cells are missing");
   text += csv_study(r.study) + csv_titles(r.axes);
-  text += "starts,id,name,alias,kind,count,share,low,high,mean_time,r_min,r_mean,r_max,period\n";
+  text += "starts,id,name,alias,kind,count,share,low,high";
+  for (const MotionColumn& c : motion_columns) text += std::string(",") + c.name;
+  text += "\n";
   for (std::size_t index = 0; index < r.cells.size(); ++index) {
     if (!r.cells[index]) continue;
     const SweepCell& cell = *r.cells[index];
     const std::string at = csv_values(r.axes, index);
-    const auto line = [&](int id, const std::string& name, const Share& s, const SweepOutcome* o) {
-      text += fmt::format("{}{},{},{},{},{},{},{},{},{},", at, cell.starts, id, csv_text(name), o ? o->alias : "",
-                          o ? o->kind : "", s.count, s.share, s.low, s.high);
-      text +=
-          o ? fmt::format("{},{},{},{},{}\n", s.count > 0 ? csv_number(o->mean_time) : "", csv_optional(o->r_min),
-                          csv_optional(o->r_mean), csv_optional(o->r_max), o->period > 0.0 ? csv_number(o->period) : "")
-            : ",,,,\n";
+    const auto line = [&](const OutcomeShare& o, const std::string& motion) {
+      const Share& s = o.share;
+      text += fmt::format("{}{},{},{},{},{},{},{},{},{}{}\n", at, cell.starts, o.id, csv_text(o.name), o.alias, o.kind,
+                          s.count, s.share, s.low, s.high, motion);
     };
-    for (const SweepOutcome& o : cell.outcomes) line(o.id, o.name, o.share, &o);
-    if (cell.stalled) line(-3, "stalled", *cell.stalled, nullptr);
-    line(0, "undecided", cell.undecided, nullptr);
-    line(-1, "diverged", cell.diverged, nullptr);
-    line(-2, "failed", cell.failed, nullptr);
+    for (const SweepOutcome& o : cell.outcomes) {
+      std::string motion;
+      for (const MotionColumn& c : motion_columns) motion += "," + csv_number(c.value(o).value_or(NAN));
+      line(o, motion);
+    }
+    for (const OutcomeShare& o : cell.others()) line(o, std::string(motion_columns.size(), ','));
   }
   return text;
 }

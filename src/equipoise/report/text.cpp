@@ -58,8 +58,7 @@ std::string motor_text(const Study& study) {
   else
     law = fmt::format("torque {}, {} a unit of speed{}", torque(t.constant), shown(t.slope, Dimension::gain),
                       t.until ? fmt::format(", until t = {}", shown(*t.until, Dimension::time)) : "");
-  if (model::speeds_up_for_ever(study.system()))
-    law += std::string("; the ") + model::holds_no_speed;
+  if (model::speeds_up_for_ever(study.system())) law += std::string("; the ") + model::holds_no_speed;
   return fmt::format("driven from {}: {}", speed(study.speed.initial), law);
 }
 
@@ -164,7 +163,12 @@ nlohmann::ordered_json share_json(const Share& s) {
   return {{"count", s.count}, {"share", s.share}, {"low", s.low}, {"high", s.high}};
 }
 
-namespace {
+nlohmann::ordered_json sure_share_json(const Share& s) {
+  nlohmann::ordered_json json = share_json(s);
+  json["least"] = s.least;
+  json["most"] = s.most;
+  return json;
+}
 
 nlohmann::ordered_json tree_json(const StudyValue& value) {
   using nlohmann::ordered_json;
@@ -183,8 +187,6 @@ nlohmann::ordered_json tree_json(const StudyValue& value) {
   if (const auto* number = value.real()) return *number;
   return value.string() ? ordered_json(*value.string()) : ordered_json(value.other()->text);
 }
-
-}  // namespace
 
 nlohmann::ordered_json study_json(const Study& study) { return tree_json(to_tree(study)); }
 

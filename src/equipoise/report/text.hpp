@@ -26,6 +26,10 @@ std::string study_heading(const Study& study);
 const char* name_of(model::SpeedLaw law);
 /// count, share, low, high.
 nlohmann::ordered_json share_json(const Share& s);
+/// The same with least and most.
+nlohmann::ordered_json sure_share_json(const Share& s);
+/// A value of a study.
+nlohmann::ordered_json tree_json(const StudyValue& value);
 /// The resolved study.
 nlohmann::ordered_json study_json(const Study& study);
 

@@ -12,6 +12,7 @@
 
 #include "equipoise/model/balance_grade.hpp"
 #include "equipoise/model/strobe.hpp"
+#include "equipoise/deciding/outcomes.hpp"
 #include "equipoise/report/text.hpp"
 
 namespace equipoise {
@@ -19,67 +20,34 @@ namespace equipoise {
 namespace {
 
 using Json = nlohmann::ordered_json;
+using study::Dimension;
 
 struct Unit {
   const char* name;
   double size;  // in it, of the dimensionless unit
 };
-struct Units {
-  Unit displacement, force, velocity, time, energy;
-};
 
-Units units_of(const Study& study) {
-  if (!study.scales)
-    return {{"R", 1.0}, {"M R omega_c^2", 1.0}, {"R omega_c", 1.0}, {"1/omega_c", 1.0}, {"M R^2 omega_c^2", 1.0}};
-  const model::Scales& s = *study.scales;
-  return {
-      {"mm", 1000.0 * s.length}, {"N", s.force()}, {"mm/s", 1000.0 * s.velocity()}, {"s", s.time()}, {"J", s.torque()}};
+const char* dimensionless_unit(Dimension d) {
+  return d == Dimension::length     ? "R"
+         : d == Dimension::force    ? "M R omega_c^2"
+         : d == Dimension::velocity ? "R omega_c"
+         : d == Dimension::time     ? "1/omega_c"
+                                    : "M R^2 omega_c^2";
 }
 
-// How a column is told. `open`: words for a figure without end: of a motion that exceeds the limit for good, of a start
-// that had not come below it when it was last followed; `for_good` counts the former.
-struct Told {
-  float TransientRow::*value;
-  const char* title;
-  Unit Units::*unit;
-  std::array<const char*, 2> open{"?", "?"};
-  std::uint64_t TransientGroup::*for_good = nullptr;
-};
+Unit unit_of(const Study& study, Dimension d) {
+  if (!study.scales) return {dimensionless_unit(d), 1.0};
+  const double si = study::scale_of(d, *study.scales);
+  return {study::words(d).shown, d == Dimension::length || d == Dimension::velocity ? 1000.0 * si : si};
+}
+Unit unit_of(const Study& study, const TransientLimit& limit) { return unit_of(study, limit.figure().dimension); }
+
 constexpr const char* no_bound = "?";
-constexpr std::array<Told, transient_columns.size()> told{{
-    {&TransientRow::peak_radial, "peak displacement", &Units::displacement},
-    {&TransientRow::peak_radial_after_release, "  after release", &Units::displacement},
-    {&TransientRow::peak_radial_at_end, "  at the end", &Units::displacement},
-    {&TransientRow::peak_force, "peak bearing force", &Units::force},
-    {&TransientRow::rms_force, "RMS bearing force at the end", &Units::force},
-    {&TransientRow::rms_velocity, "RMS velocity at the end", &Units::velocity},
-    {&TransientRow::residual_unbalance, "residual unbalance U/M", &Units::displacement},
-    {&TransientRow::time_above,
-     "time above the limit",
-     &Units::time,
-     {"lasting", "not over"},
-     &TransientGroup::lasting},
-    {&TransientRow::settling_time, "settling time", &Units::time, {"never", "not yet"}, &TransientGroup::never},
-    {&TransientRow::energy, "work of the drive", &Units::energy},
-    {&TransientRow::followed_until, "followed until", &Units::time},
-}};
 
-std::size_t column_of(float TransientRow::*value) {
-  std::size_t k = 0;
-  while (transient_columns[k].value != value) ++k;
-  return k;
+bool applies(const TransientFigure& f, const TransientSettings& settings, const Study& study) {
+  if (f.value == &TransientRow::energy) return settings.work != WorkSource::none;
+  return !f.needs || study.limits.*f.needs;
 }
-
-bool applies(const Told& t, const TransientSettings& settings) {
-  if (t.value == &TransientRow::time_above) return std::isfinite(settings.displacement);
-  if (t.value == &TransientRow::energy) return settings.work != WorkSource::none;
-  return t.value != &TransientRow::settling_time || settings.watches_settling();
-}
-
-std::array<std::optional<double>, 3> limits_of(const Study& study) {
-  return {study.limits.displacement, study.limits.force, study.limits.velocity};
-}
-constexpr std::array<Unit Units::*, 3> limit_units{&Units::displacement, &Units::force, &Units::velocity};
 
 std::string number(double value, double size, const char* open) {
   return std::isfinite(value) ? fmt::format("{:.4g}", value * size) : open;
@@ -88,7 +56,7 @@ std::string number(double value, double size, const char* open) {
 // Fewest starts whose least and largest figure hold the median between them with 95 % confidence: 2^(1 - n) < .05.
 constexpr std::uint64_t fewest_for_figures = 6;
 
-std::string figure_line(const Told& t, const SampleSummary& s, const Unit& unit, const char* open_word) {
+std::string figure_line(const TransientFigure& f, const SampleSummary& s, const Unit& unit, const char* open_word) {
   const char* open = s.open > 0 ? open_word : no_bound;
   const auto with_interval = [&](double value, double low, double high) -> std::string {
     if (std::isinf(low)) return open;
@@ -96,7 +64,10 @@ std::string figure_line(const Told& t, const SampleSummary& s, const Unit& unit,
                        number(high, unit.size, open));
   };
   const std::size_t unit_width = std::max<std::size_t>(15, std::string_view(unit.name).size() + 1);
-  std::string line = fmt::format("  {:<{}}{:<{}}", t.title, 45 - unit_width, unit.name, unit_width);
+  constexpr std::string_view above = "peak displacement ";  // in the line before
+  std::string title = f.title;
+  if (title.starts_with(above)) title.replace(0, above.size(), "  ");
+  std::string line = fmt::format("  {:<{}}{:<{}}", title, 45 - unit_width, unit.name, unit_width);
   if (s.open == 0 && s.mean_low == s.mean_high)  // of one motion
     return line + fmt::format("{}, the same for all starts\n", number(s.mean, unit.size, open));
   line += fmt::format("{:<36}", s.open == s.count ? open : with_interval(s.mean, s.mean_low, s.mean_high));
@@ -105,36 +76,38 @@ std::string figure_line(const Told& t, const SampleSummary& s, const Unit& unit,
   return line + "\n";
 }
 
-std::string group_text(const TransientGroup& group, const TransientResult& r, const Study& study, const Units& units) {
-  const std::string name = group.name == "all" ? "all outcomes" : group.name;
+std::string group_text(const TransientGroup& group, const TransientResult& r, const Study& study) {
+  const std::string name = group.id ? group.name : "all outcomes";
   if (group.starts < fewest_for_figures)
     return fmt::format("{}: too few starts ({}) for figures\n", name, group.starts);
   std::string text = fmt::format("{}, {} starts\n", name, group.starts);
-  for (const Told& t : told) {
-    if (!applies(t, r.settings) || t.value == &TransientRow::followed_until) continue;
-    const SampleSummary& s = group.figures[column_of(t.value)];
+  for (std::size_t k = 0; k < transient_figures.size(); ++k) {
+    const TransientFigure& f = transient_figures[k];
+    if (!applies(f, r.settings, study) || f.value == &TransientRow::followed_until) continue;
+    const SampleSummary& s = group.figures[k];
+    const Unit unit = unit_of(study, f.told_in());
     if (s.open == 0) {
-      text += figure_line(t, s, units.*t.unit, no_bound);
+      text += figure_line(f, s, unit, no_bound);
       continue;
     }
-    const std::uint64_t for_good = group.*t.for_good, later = s.open - for_good;
-    text += figure_line(t, s, units.*t.unit, later == 0 ? t.open[0] : for_good == 0 ? t.open[1] : "no end seen");
+    const std::uint64_t for_good = group.for_good(f), later = s.open - for_good;
+    text += figure_line(f, s, unit, later == 0 ? f.open[0] : for_good == 0 ? f.open[2] : "no end seen");
     std::string words;
-    if (for_good > 0) words = fmt::format("{}: {} of {} starts", t.open[0], for_good, s.count);
+    if (for_good > 0) words = fmt::format("{}: {} of {} starts", f.open[0], for_good, s.count);
     if (later > 0)
       words +=
-          fmt::format("{}{} when last followed: {} of {} starts", words.empty() ? "" : "; ", t.open[1], later, s.count);
+          fmt::format("{}{} when last followed: {} of {} starts", words.empty() ? "" : "; ", f.open[2], later, s.count);
     text += fmt::format("    {}{}\n", words, s.open < s.count ? "; the mean is of the others" : "");
   }
-  const auto limits = limits_of(study);
-  for (std::size_t k = 0; k < limits.size(); ++k) {
+  for (std::size_t k = 0; k < transient_limits.size(); ++k) {
     if (!group.exceeded[k]) continue;
+    const TransientLimit& l = transient_limits[k];
     const Share& s = *group.exceeded[k];
-    const Unit& unit = units.*limit_units[k];
-    text +=
-        fmt::format("  {} {} above {:.4g} {}: {} ({}){}\n", k == 2 ? "RMS" : "peak", transient_limit_names[k],
-                    *limits[k] * unit.size, unit.name, percent(s.share, s.count == 0 ? 0 : digits_for(s)), interval(s),
-                    group.id != 0 && (s.least < s.low || s.most > s.high) ? "; surely " + bounds_text(s) : "");
+    const Unit unit = unit_of(study, l);
+    text += fmt::format(
+        "  {} {} above {:.4g} {}: {} ({}){}\n", l.at_end ? "RMS" : "peak", l.name, *(study.limits.*l.limit) * unit.size,
+        unit.name, percent(s.share, s.count == 0 ? 0 : digits_for(s)), interval(s),
+        group.id != undecided_code && (s.least < s.low || s.most > s.high) ? "; surely " + bounds_text(s) : "");
   }
   const std::optional<double> grade = left_grade(group, study);
   if (grade)
@@ -166,7 +139,7 @@ Json figure_json(const SampleSummary& s, const Unit& unit) {
 
 std::optional<double> left_grade(const TransientGroup& group, const Study& study) {
   if (!study.scales) return std::nullopt;
-  const double mean = group.figures[column_of(&TransientRow::residual_unbalance)].mean;
+  const double mean = group.figure(&TransientRow::residual_unbalance).mean;
   const std::optional<double> speed =
       study.speed.driven() ? group.mean_speed : std::optional(study.speed_profile().final_speed());
   if (!speed) return std::nullopt;
@@ -174,19 +147,20 @@ std::optional<double> left_grade(const TransientGroup& group, const Study& study
 }
 
 std::string transient_text(const TransientResult& r, const Study& study) {
-  const Units units = units_of(study);
+  const Unit length = unit_of(study, Dimension::length), time = unit_of(study, Dimension::time),
+             force = unit_of(study, Dimension::force);
   std::string text = fmt::format("  {:<45}{:<36}{:<36}{:<36}{}\n", "transients (95 % intervals)", "mean", "median",
                                  "90 % of starts below", "99 % of starts below");
   for (const TransientGroup& group : r.groups)
     // A single outcome says all.
-    if (group.starts > 0 && !(group.name == "all" && r.groups.size() == 2)) text += group_text(group, r, study, units);
+    if (group.starts > 0 && !(!group.id && r.groups.size() == 2)) text += group_text(group, r, study);
   if (r.settings.watches_settling())
-    text += fmt::format("Settled: displacement below {:.4g} {}.\n", r.settings.settled * units.displacement.size,
-                        units.displacement.name);
-  const bool undecided = std::any_of(r.groups.begin(), r.groups.end(), [](const auto& g) { return g.id == 0; });
+    text += fmt::format("Settled: displacement below {:.4g} {}.\n", r.settings.settled * length.size, length.name);
+  const bool undecided =
+      std::any_of(r.groups.begin(), r.groups.end(), [](const auto& g) { return g.id == undecided_code; });
   text += fmt::format("\n\"At the end\": of the steady motion that a start comes to{}.\n",
                       undecided ? fmt::format("; of an undecided start in its last window of {:.4g} {}",
-                                              r.settings.window * units.time.size, units.time.name)
+                                              r.settings.window * time.size, time.name)
                                 : "");
   text += "RMS velocity: of both directions together; one alone has about 0.71 of it.\n";
   const double sag = -model::static_sag(study.parameters);
@@ -195,46 +169,38 @@ std::string transient_text(const TransientResult& r, const Study& study) {
         "Displacements count from where the rotor rests, {:.4g} {} below slack springs; bearing forces hold its "
         "weight, "
         "{:.4g} {}.\n",
-        sag * units.displacement.size, units.displacement.name, sag * study.parameters.stiffness[1] * units.force.size,
-        units.force.name);
+        sag * length.size, length.name, sag * study.parameters.stiffness[1] * force.size, force.name);
   if (r.lost > 0) text += fmt::format("{} starts diverged or failed and are left out here.\n", r.lost);
   return text + "\n";
 }
 
 nlohmann::ordered_json transient_json(const TransientResult& r, const Study& study) {
-  const Units units = units_of(study);
+  const Unit length = unit_of(study, Dimension::length), time = unit_of(study, Dimension::time);
   Json json;
-  json["units"] = {{"displacement", units.displacement.name},
-                   {"force", units.force.name},
-                   {"velocity", units.velocity.name},
-                   {"time", units.time.name},
-                   {"energy", units.energy.name}};
-  json["window"] = r.settings.window * units.time.size;
+  for (const TransientLimit& l : transient_limits) json["units"][l.name] = unit_of(study, l).name;
+  json["units"]["time"] = time.name;
+  json["units"]["energy"] = unit_of(study, Dimension::energy).name;
+  json["window"] = r.settings.window * time.size;
   const double sag = 0.0 - model::static_sag(study.parameters);
-  json["static_sag"] = sag * units.displacement.size;
-  json["weight"] = sag * study.parameters.stiffness[1] * units.force.size;
+  json["static_sag"] = sag * length.size;
+  json["weight"] = sag * study.parameters.stiffness[1] * unit_of(study, Dimension::force).size;
   json["limits"] = Json::object();
-  const auto limits = limits_of(study);
-  for (std::size_t k = 0; k < limits.size(); ++k)
-    if (limits[k]) json["limits"][transient_limit_names[k]] = *limits[k] * (units.*limit_units[k]).size;
-  if (r.settings.watches_settling()) json["limits"]["settled"] = r.settings.settled * units.displacement.size;
+  for (const TransientLimit& l : transient_limits)
+    if (const auto& limit = study.limits.*l.limit) json["limits"][l.name] = *limit * unit_of(study, l).size;
+  if (r.settings.watches_settling()) json["limits"]["settled"] = r.settings.settled * length.size;
   json["lost"] = r.lost;
   json["groups"] = Json::array();
   for (const TransientGroup& group : r.groups) {
-    Json one = {{"name", group.name}, {"id", group.id < 0 ? Json(nullptr) : Json(group.id)}, {"starts", group.starts}};
-    for (const Told& t : told) {
-      const std::size_t k = column_of(t.value);
-      if (!applies(t, r.settings)) continue;
-      Json& figure = one["figures"][transient_columns[k].name] = figure_json(group.figures[k], units.*t.unit);
-      if (t.for_good) figure["for_good"] = group.*t.for_good;
+    Json one = {{"name", group.name}, {"id", group.id ? Json(*group.id) : Json(nullptr)}, {"starts", group.starts}};
+    for (std::size_t k = 0; k < transient_figures.size(); ++k) {
+      const TransientFigure& f = transient_figures[k];
+      if (!applies(f, r.settings, study)) continue;
+      Json& figure = one["figures"][f.name] = figure_json(group.figures[k], unit_of(study, f.told_in()));
+      if (f.needs) figure["for_good"] = group.for_good(f);
     }
     one["exceeded"] = Json::object();
-    for (std::size_t k = 0; k < limits.size(); ++k)
-      if (const auto& share = group.exceeded[k]) {
-        Json& exceeded = one["exceeded"][transient_limit_names[k]] = share_json(*share);
-        exceeded["least"] = share->least;
-        exceeded["most"] = share->most;
-      }
+    for (std::size_t k = 0; k < transient_limits.size(); ++k)
+      if (const auto& share = group.exceeded[k]) one["exceeded"][transient_limits[k].name] = sure_share_json(*share);
     const std::optional<double> grade = left_grade(group, study);
     if (grade) one["balance_grade"] = *grade;
     if (group.mean_speed) one["mean_speed"] = *group.mean_speed;

@@ -115,13 +115,13 @@ class TableRun {
     result.complete = true;
     result.seconds = file.time().seconds;
     result.cpu_seconds = file.time().cpu_seconds;
-    for (const OutcomeSummary& line : file.summary()) {
-      if (line.code > 0)
-        result.attractors.push_back({line.name, line.alias, line.share});
+    for (const OutcomeShare& line : file.summary()) {
+      if (line.id > 0)
+        result.attractors.push_back(line);
       else
-        (line.code == undecided_code  ? result.undecided
-         : line.code == diverged_code ? result.diverged
-                                      : result.failed) = line.share;
+        (line.id == undecided_code  ? result.undecided
+         : line.id == diverged_code ? result.diverged
+                                    : result.failed) = line.share;
     }
     constexpr std::uint64_t block = 65536;
     for (std::uint64_t first = 0; first < result.starts; first += block)
@@ -143,10 +143,8 @@ class TableRun {
     const BasinResult basin = equipoise::basin(study, options);
     result.starts = basin.starts;
     result.seed = study.sampling.seed;
-    for (const AttractorShare& a : basin.attractors) result.attractors.push_back({a.name, a.alias, a.share});
-    result.undecided = basin.undecided;
-    result.diverged = basin.diverged;
-    result.failed = basin.failed;
+    result.attractors = basin.attractors;
+    static_cast<OtherShares&>(result) = basin;
     result.complete = !basin.partial;
     RunTime time{basin.seconds, basin.cpu_seconds};
     if (!path.empty()) time = BasinFile(path, basin_file_header(study, false)).time();  // earlier parts included

@@ -21,7 +21,7 @@ using Json = nlohmann::ordered_json;
 Json ensemble_json(const std::optional<EnsembleResult>& e) {
   if (!e) return nullptr;
   Json outcomes = Json::array();
-  for (const EnsembleResult::Line& line : e->attractors) {
+  for (const OutcomeShare& line : e->attractors) {
     Json one{{"name", line.name}, {"alias", line.alias}};
     one.update(share_json(line.share));
     outcomes.push_back(one);
@@ -74,7 +74,7 @@ Json table_json(const ReproducedTable& t) {
 
 Json map_json(const PlaneMap& map) {
   Json codes = Json::array();
-  for (const MapCode& c : map.codes) {
+  for (const OutcomeShare& c : map.codes) {
     Json one{{"name", c.name}, {"alias", c.alias}};
     one.update(share_json(c.share));
     codes.push_back(one);
@@ -123,7 +123,7 @@ std::string table_text(const ReproducedTable& t) {
     for (const auto* e : {&row.by_published_law, &row.by_kinematic_law})
       if (*e) {
         undecided += (*e)->undecided.count;
-        lost += (*e)->diverged.count + (*e)->failed.count;
+        lost += (*e)->lost();
         starts += (*e)->starts;
       }
   }

@@ -224,13 +224,12 @@ void open_questions(const Reproduction& r, Document& d) {
                             picture_of(r, "future-box")});
   DocumentTable table{{"Ω", "motion", "box, %", "95 % interval", "at rest, %", "95 % interval"}, {}, "", false, {3, 5}};
   for (const BoxShares& b : r.open->boxes)
-    for (const AttractorShare& a : b.box.attractors) {
-      const auto same = [&](const AttractorShare& other) { return other.name == a.name; };
+    for (const OutcomeShare& a : b.box.attractors) {
+      const auto same = [&](const OutcomeShare& other) { return other.name == a.name; };
       const auto at = std::find_if(b.rest.attractors.begin(), b.rest.attractors.end(), same);
       const Share rest = at == b.rest.attractors.end() ? wilson_share(0, b.rest.starts) : at->share;
-      table.rows.push_back(
-          {number(fmt::format("{}", b.speed)), text(a.alias.empty() ? a.name : fmt::format("{} ({})", a.name, a.alias)),
-           number(percentage(a.share)), number(interval(a.share)), number(percentage(rest)), number(interval(rest))});
+      table.rows.push_back({number(fmt::format("{}", b.speed)), text(title_of(a)), number(percentage(a.share)),
+                            number(interval(a.share)), number(percentage(rest)), number(interval(rest))});
     }
   if (!r.open->boxes.empty())
     table.caption = fmt::format("{} starts a sample; undecided: {}.", r.open->boxes.front().box.starts,
@@ -251,7 +250,7 @@ void figures(const Reproduction& r, Document& d) {
 void ensemble_row(DocumentTable& table, const ReproducedRow& row, const std::optional<EnsembleResult>& e, bool ramps,
                   const char* law, const std::string& explorer) {
   if (!e) return;
-  const auto lost = e->diverged.count + e->failed.count;
+  const auto lost = e->lost();
   DocumentCell study = text(row.published->study);
   // As the explorer writes its own address (web/src/setting/setting.ts).
   if (!explorer.empty())

@@ -63,14 +63,13 @@ std::string summary_text(const Reproduction& r) {
 }
 
 std::string codes_text(const PlaneMap& map) {
-  std::vector<MapCode> codes = map.codes;
+  std::vector<OutcomeShare> codes = map.codes;
   std::stable_sort(codes.begin(), codes.end(),
-                   [](const MapCode& a, const MapCode& b) { return a.share.count > b.share.count; });
+                   [](const OutcomeShare& a, const OutcomeShare& b) { return a.share.count > b.share.count; });
   std::string list;
-  for (const MapCode& c : codes)
+  for (const OutcomeShare& c : codes)
     if (c.share.count > 0)
-      list += fmt::format("{}{}{} {:.1f} %", list.empty() ? "" : ", ", c.name,
-                          c.alias.empty() ? "" : " (" + c.alias + ")", 100.0 * c.share.share);
+      list += fmt::format("{}{} {:.1f} %", list.empty() ? "" : ", ", title_of(c), 100.0 * c.share.share);
   return list;
 }
 

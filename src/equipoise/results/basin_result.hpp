@@ -1,13 +1,12 @@
 // What an ensemble answered.
 #pragma once
 
-#include <array>
 #include <cstdint>
 #include <optional>
 #include <string>
 #include <vector>
 
-#include "equipoise/deciding/fate.hpp"
+#include "equipoise/results/outcome_share.hpp"
 #include "equipoise/results/sensitivity_result.hpp"
 #include "equipoise/results/start_arrays.hpp"
 #include "equipoise/results/transient_result.hpp"
@@ -16,19 +15,6 @@
 #include "equipoise/study/study.hpp"
 
 namespace equipoise {
-
-/// Starts that came to one attractor.
-struct AttractorShare {
-  int id = 0;
-  std::string name, alias, kind;
-  Share share;             ///< with its 95 % interval
-  double mean_time = 0.0;  ///< mean time from the last branch's begin (and release) to decision
-  std::array<std::uint64_t, decided_by_count> decided_by{};  ///< starts by the grounds of decision
-  /// Of a continuum that dry friction leaves: the unbalance that is left, over the starts that come there, at
-  /// unbalance_quantiles; empty of all others.
-  std::vector<double> unbalance;
-};
-inline constexpr std::array<double, 4> unbalance_quantiles{0.1, 0.5, 0.9, 1.0};
 
 /// What sampling to a half-width chose where the study did not.
 struct SamplingChoice {
@@ -39,22 +25,20 @@ struct SamplingChoice {
 };
 
 /// Everything a report needs.
-struct BasinResult {
+struct BasinResult : OtherShares {
   Study study;
-  std::uint64_t starts = 0;                ///< counted: starts 0 to starts - 1
-  std::uint64_t asked = 0;                 ///< starts wanted; 0: as many as a half-width takes
-  bool own_starts = false;                 ///< the caller's (BasinOptions::initial), not drawn
-  bool partial = false;                    ///< stopped before all requested starts were done
-  std::uint64_t resumed_from = 0;          ///< starts read from an earlier run's file
-  std::vector<AttractorShare> attractors;  ///< by identifier; balanced is always the first
-  Share undecided, diverged, failed;
-  std::optional<Share> stalled;  ///< of a driven rotor: its motor did not bring it to stall_speed()
-  /// Of a driven rotor: starts that turn faster than Study::passed_speed(), in the motion that they came to or, undecided,
-  /// when last seen; and those that came to something slower. Undecided ones that were slower when last seen may come
-  /// to either (least, most). Not of a grid.
+  std::uint64_t starts = 0;              ///< counted: starts 0 to starts - 1
+  std::uint64_t asked = 0;               ///< starts wanted; 0: as many as a half-width takes
+  bool own_starts = false;               ///< the caller's (BasinOptions::initial), not drawn
+  bool partial = false;                  ///< stopped before all requested starts were done
+  std::uint64_t resumed_from = 0;        ///< starts read from an earlier run's file
+  std::vector<OutcomeShare> attractors;  ///< by identifier; balanced is always the first
+  /// Of a driven rotor: starts that turn faster than Study::passed_speed(), in the motion that they came to or,
+  /// undecided, when last seen; and those that came to something slower. Undecided ones that were slower when last seen
+  /// may come to either (least, most). Not of a grid.
   std::optional<Share> passed, not_passed;
-  /// Of balls that collide: starts in which two touched before the fate was known. Had they passed through each other, all
-  /// others would have gone the same way. Not of a grid.
+  /// Of balls that collide: starts in which two touched before the fate was known. Had they passed through each other,
+  /// all others would have gone the same way. Not of a grid.
   std::optional<Share> met;
   std::optional<TransientResult> transients;  ///< if they were gathered
   std::optional<StartArrays> every_start;     ///< if they were kept
@@ -70,6 +54,13 @@ struct BasinResult {
   int threads = 0;
   std::string cpu_target;
   double seconds = 0.0, cpu_seconds = 0.0;  ///< of this run, discovery included
+
+  /// All attractors, and of the others those that some start came to (others_met()).
+  std::vector<OutcomeShare> outcomes_met() const {
+    std::vector<OutcomeShare> lines = attractors, others = others_met();
+    lines.insert(lines.end(), others.begin(), others.end());
+    return lines;
+  }
 };
 
 }  // namespace equipoise

@@ -7,6 +7,8 @@
 #include <utility>
 #include <vector>
 
+#include "equipoise/results/outcome_share.hpp"
+
 namespace equipoise {
 
 struct Inspection {
@@ -18,13 +20,8 @@ struct Inspection {
   std::string damage;                                      ///< in words that follow the file's name; empty: none
   std::optional<bool> complete;                            ///< if it says
   std::vector<std::pair<std::string, std::string>> facts;  ///< by name: starts, cells, what varies
-  struct Outcome {
-    int code = 0;
-    std::string name;
-    double share = 0.0;
-  };
-  std::vector<Outcome> outcomes;  ///< of an ensemble
-  std::string study;              ///< TOML; empty if nothing could be read
+  std::vector<OutcomeShare> outcomes;  ///< of an ensemble or a map; of their shares only the estimates
+  std::string study;                   ///< TOML; empty if nothing could be read
 };
 
 }  // namespace equipoise

@@ -9,7 +9,6 @@
 #include "equipoise/model/parameters.hpp"
 #include "equipoise/results/basin_result.hpp"
 #include "equipoise/results/explanation.hpp"
-#include "equipoise/transients/transient_table.hpp"
 
 namespace equipoise {
 
@@ -40,10 +39,7 @@ struct BallOnMotion {
 };
 
 /// A motion in which starts end.
-struct DrawnMotion {
-  int id = 0;  ///< attractor, or stalled_code
-  std::string name, alias, kind;
-  Share share;
+struct DrawnMotion : OutcomeShare {
   std::vector<double> x, y;  ///< of its path
   std::vector<BallOnMotion> balls;
   double r_min = 0.0, r_mean = 0.0, r_max = 0.0;
@@ -54,8 +50,8 @@ struct DrawnMotion {
 
 /// How often a figure of transients was how large: starts (of a grid weighted) by equal bins and by outcome.
 struct FigureDistribution {
-  float TransientRow::*figure = nullptr;
-  double low = 0.0, high = 0.0;  ///< outer edges
+  const TransientLimit* limited = nullptr;  ///< the figure, and its limit
+  double low = 0.0, high = 0.0;                    ///< outer edges
   struct Outcome {
     int code = 0;
     std::string name;

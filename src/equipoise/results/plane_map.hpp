@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "equipoise/results/map_figures.hpp"
-#include "equipoise/statistics/share.hpp"
+#include "equipoise/results/outcome_share.hpp"
 #include "equipoise/study/study.hpp"
 
 namespace equipoise {
@@ -33,13 +33,6 @@ struct MapAxis {
 struct AngleLink {
   int ball = 2, of = 1;
   double offset = 0.0;
-};
-
-/// What a code of a map stands for, and how much of the map has it.
-struct MapCode {
-  short code = 0;           ///< attractor's identifier, or undecided_code and its like
-  std::string name, alias;  ///< alias: V1 to V4 of Wright and Peng (2019)
-  Share share;              ///< of the computed pixels. They form a grid: the interval describes random ones
 };
 
 /// Marks pixels that a stopped run did not come to.
@@ -92,8 +85,10 @@ struct PlaneMap {
   /// Largest real part of an eigenvalue at the more stable of the isolated balanced states; not a number where there
   /// are none. One value where all pixels share a rotor.
   std::vector<float> balance_growth;
-  std::vector<MapCode> codes;  ///< attractors by identifier, then undecided, diverged, failed: of the whole map
-  MapFigures figures;          ///< of the whole map, if it is complete
+  /// Attractors by identifier, then undecided, diverged, failed: of the whole map. Shares are of the computed pixels,
+  /// which form a grid: their intervals describe random ones.
+  std::vector<OutcomeShare> codes;
+  MapFigures figures;  ///< of the whole map, if it is complete
   bool complete = true;
   bool read_whole = false;                        ///< nothing was computed: the output held all of it
   std::uint64_t pixels = 0, pixels_computed = 0;  ///< of the whole map

@@ -1,6 +1,7 @@
 // What a sweep over parameters answered: an ensemble a cell.
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <memory>
@@ -8,8 +9,8 @@
 #include <string>
 #include <vector>
 
+#include "equipoise/results/outcome_share.hpp"
 #include "equipoise/results/transient_result.hpp"
-#include "equipoise/statistics/share.hpp"
 #include "equipoise/study/study.hpp"
 #include "equipoise/traps/trap_hints.hpp"
 
@@ -30,26 +31,39 @@ struct SweepAxis {
 };
 
 /// An attractor in one cell.
-struct SweepOutcome {
-  int id = 0;      ///< the same for the same motion in all cells
-  int own_id = 0;  ///< as basin() numbers it in this cell
-  std::string name, alias, kind;
-  Share share;
-  double mean_time = 0.0;
+struct SweepOutcome : OutcomeShare {  // id: the same for the same motion in all cells
+  int own_id = 0;                     ///< as basin() numbers it in this cell
   /// Of the motion: distance of the centre from the axis, period (0: none), mean rates of the balls; none where it is
   /// told by its windows alone.
-  std::optional<double> r_min, r_mean, r_max;
+  std::optional<double> r_min{}, r_mean{}, r_max{};
   double period = 0.0;
-  std::vector<double> drift;
-  std::vector<double> left_unbalance;  ///< as AttractorShare::unbalance
-  std::vector<double> state;           ///< on it; empty: none
+  std::vector<double> drift{};
+  std::vector<double> state{};  ///< on it; empty: none
 };
 
-struct SweepCell {
+/// A number that files and tables tell of an outcome's motion in a cell; none where it has none.
+struct MotionColumn {
+  const char* name;
+  const char* long_name;
+  std::optional<double> (*value)(const SweepOutcome&);
+};
+inline constexpr std::array<MotionColumn, 5> motion_columns{{
+    {"mean_time", "mean time to the decision, in 1/omega_c",
+     [](const SweepOutcome& o) { return o.share.count > 0 ? std::optional(o.mean_time) : std::nullopt; }},
+    {"r_min", "smallest distance of the rotor's centre from the axis, in race radii",
+     [](const SweepOutcome& o) { return o.r_min; }},
+    {"r_mean", "mean distance of the rotor's centre from the axis, in race radii",
+     [](const SweepOutcome& o) { return o.r_mean; }},
+    {"r_max", "largest distance of the rotor's centre from the axis, in race radii",
+     [](const SweepOutcome& o) { return o.r_max; }},
+    {"period", "period of a periodic motion, in 1/omega_c",
+     [](const SweepOutcome& o) { return o.period > 0.0 ? std::optional(o.period) : std::nullopt; }},
+}};
+
+struct SweepCell : OtherShares {
   std::uint64_t starts = 0;
-  std::vector<SweepOutcome> outcomes;  ///< by own_id; balanced first
-  Share undecided, diverged, failed;
-  std::optional<Share> stalled, passed;              ///< of driven rotors
+  std::vector<SweepOutcome> outcomes;                ///< by own_id; balanced first
+  std::optional<Share> passed;                       ///< of driven rotors
   std::shared_ptr<const TransientGroup> transients;  ///< of all starts, if they are gathered
   bool balanced_stable = false;
   std::string note;

@@ -7,28 +7,27 @@
 #include <string>
 #include <vector>
 
+#include "equipoise/results/transient_figures.hpp"
 #include "equipoise/statistics/quantile.hpp"
 #include "equipoise/statistics/share.hpp"
-#include "equipoise/study/study.hpp"
-#include "equipoise/transients/transient_table.hpp"
 
 namespace equipoise {
 
-/// Limits whose exceedance is counted, in the order of TransientGroup::exceeded: peak_radial above
-/// limits.displacement, peak_force above limits.force, rms_velocity above limits.velocity.
-inline constexpr std::array<const char*, 3> transient_limit_names{"displacement", "force", "velocity"};
-
 /// The starts of one outcome, or all.
 struct TransientGroup {
-  std::string name;  ///< "all" or the outcome's
-  int id = -1;       ///< attractor; 0: undecided or stalled; -1: all
+  std::string name;       ///< "all" or the outcome's
+  std::optional<int> id;  ///< attractor, or undecided_code and its like; none: of all
   std::uint64_t starts = 0;
   std::optional<double> mean_speed;  ///< of driven rotors: |psi'| in the end, mean over starts
   std::uint64_t lasting = 0;         ///< of these, whose motion exceeds limits.displacement for good
   std::uint64_t never = 0;           ///< whose motion exceeds limits.settled for good
   std::array<SampleSummary, transient_columns.size()> figures{};  ///< by column
-  std::array<std::optional<Share>, 3> exceeded{};                 ///< of the starts of this group; none without a limit
+  std::array<std::optional<Share>, transient_limits.size()>
+      exceeded{};  ///< of the starts of this group; none without a limit
 
+  /// Of a figure that may have no end: starts of which it has none for good.
+  std::uint64_t for_good(const TransientFigure& f) const { return f.needs == &Limits::settled ? never : lasting; }
+  const SampleSummary& figure(float TransientRow::*value) const { return figures[figure_place(value)]; }
   /// Whether column `k` has figures: none of them does where it was not asked.
   bool tells(std::size_t k) const { return starts == 0 || figures[k].count > 0; }
 };

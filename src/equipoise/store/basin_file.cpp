@@ -20,6 +20,7 @@
 #include "equipoise/files/sealed_file.hpp"
 #include "equipoise/store/basin_netcdf.hpp"
 #include "equipoise/store/result_identity.hpp"
+#include "equipoise/store/share_columns.hpp"
 #include "equipoise/store/start_columns.hpp"
 
 namespace equipoise {
@@ -289,15 +290,11 @@ bool BasinFile::complete() const {
 // What a count does not tell.
 void BasinFile::State::read_share(std::size_t k, Share& share) const {
   const std::size_t kinds = file->length("outcome_kind");
-  const auto get = [&](const char* name, double& value) {
-    file->read(file->variable(name, NC_DOUBLE, {kinds}), {k}, {1}, &value);
+  const auto get = [&](const std::string& name, double& value) {
+    file->read(file->variable("kind_" + name, NC_DOUBLE, {kinds}), {k}, {1}, &value);
   };
-  get("kind_share", share.share);
-  get("kind_share_low", share.low);
-  get("kind_share_high", share.high);
-  get("kind_share_least", share.least);
-  get("kind_share_most", share.most);
-  get("kind_effective_starts", share.effective_starts);
+  for (const store::ShareColumn& c : store::share_columns) get(c.name, share.*c.value);
+  get("effective_starts", share.effective_starts);
   const std::string by = file->read_text("kind_interval", k);
   const auto found = std::find(interval_names.begin(), interval_names.end(), by);
   if (found == interval_names.end()) throw RunError(fmt::format("{}: kind_interval {} is none", path, by));
@@ -306,21 +303,21 @@ void BasinFile::State::read_share(std::size_t k, Share& share) const {
       share.effective_starts > 0.0 ? std::sqrt(share.share * (1.0 - share.share) / share.effective_starts) : 0.0;
 }
 
-std::vector<OutcomeSummary> BasinFile::summary() const {
+std::vector<OutcomeShare> BasinFile::summary() const {
   if (!state_->file) return {};
   const store::NetcdfFile& f = *state_->file;
-  std::vector<OutcomeSummary> lines(f.length("outcome_kind"));
+  std::vector<OutcomeShare> lines(f.length("outcome_kind"));
   const bool few = state_->finished <= static_cast<std::uint64_t>(std::numeric_limits<int>::max());
   const int codes = f.variable("kind_code", NC_SHORT, {lines.size()});
   const int counts = f.variable("kind_count", few ? NC_INT : NC_DOUBLE, {lines.size()});
   for (std::size_t k = 0; k < lines.size(); ++k) {
-    OutcomeSummary& s = lines[k];
+    OutcomeShare& s = lines[k];
     short code = 0;
     int small = 0;
     double large = 0.0;
     f.read(codes, {k}, {1}, &code);
     f.read(counts, {k}, {1}, few ? static_cast<void*>(&small) : &large);
-    s.code = code;
+    s.id = code;
     s.name = f.read_text("kind_name", k);
     s.alias = f.read_text("kind_alias", k);
     s.share =
@@ -332,7 +329,7 @@ std::vector<OutcomeSummary> BasinFile::summary() const {
 
 RunTime BasinFile::time() const { return state_->time; }
 
-void BasinFile::finish(const std::string& resolved_study, const std::vector<OutcomeSummary>& summary, bool complete,
+void BasinFile::finish(const std::string& resolved_study, const std::vector<OutcomeShare>& summary, bool complete,
                        const RunTime& time) {
   State& s = *state_;
   if (s.stored == 0) return;

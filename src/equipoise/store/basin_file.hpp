@@ -8,10 +8,9 @@
 #include <string>
 #include <vector>
 
-#include "equipoise/deciding/fate.hpp"
 #include "equipoise/model/scales.hpp"
+#include "equipoise/results/outcome_share.hpp"
 #include "equipoise/sampling/sampling.hpp"
-#include "equipoise/statistics/share.hpp"
 #include "equipoise/store/start_columns.hpp"
 #include "equipoise/transients/transient_table.hpp"
 
@@ -38,16 +37,6 @@ struct BasinFileHeader {
   SamplingMethod method = SamplingMethod::random;
   std::optional<TransientSettings> transients;  ///< if the file holds transients
   std::optional<model::Scales> scales;          ///< of a study in physical units; stated in files with transients
-};
-
-/// A line of the summary.
-struct OutcomeSummary {
-  int code = 0;  ///< attractor's identifier, or undecided_code and its like
-  std::string name, alias;
-  Share share;
-  /// Of a continuum that dry friction leaves, at unbalance_quantiles; empty of all others.
-  std::vector<double> unbalance{};
-  std::vector<double> grade{};  ///< of a study in physical units: their balance quality grades, mm/s
 };
 
 /// Time that all runs into a file took together.
@@ -101,11 +90,11 @@ class BasinFile {
   /// Writes the results: all that is stored, the summary of all of it, the resolved study; `complete` marks whether all
   /// requested starts are there. `time`: of this run; it is added to what earlier ones took. Nothing is written where
   /// nothing is stored. To be called last. Throws RunError, with everything kept as it was, if the disk cannot take it.
-  void finish(const std::string& resolved_study, const std::vector<OutcomeSummary>& summary, bool complete,
+  void finish(const std::string& resolved_study, const std::vector<OutcomeShare>& summary, bool complete,
               const RunTime& time);
   /// What the last run's finish() said; complete() is false if there was none.
   bool complete() const;
-  std::vector<OutcomeSummary> summary() const;
+  std::vector<OutcomeShare> summary() const;
   RunTime time() const;
 
  private:

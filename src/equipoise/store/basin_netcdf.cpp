@@ -12,9 +12,9 @@
 #include "equipoise/files/netcdf.hpp"
 #include "equipoise/files/replacement.hpp"
 #include "equipoise/files/sealed_file.hpp"
-#include "equipoise/results/basin_result.hpp"
 #include "equipoise/sampling/scrambled_sobol.hpp"
 #include "equipoise/store/result_identity.hpp"
+#include "equipoise/store/share_columns.hpp"
 
 namespace equipoise::store {
 
@@ -27,7 +27,7 @@ class BasinWriter {
  public:
   BasinWriter(NetcdfFile& file, const BasinContents& contents)
       : file_(file), c_(contents), random_(contents.header.method == SamplingMethod::random) {
-    for (const OutcomeSummary& s : c_.summary) {
+    for (const OutcomeShare& s : c_.summary) {
       names_.push_back(s.name);
       aliases_.push_back(s.alias);
       intervals_.emplace_back(interval_names[static_cast<std::size_t>(s.share.by)]);
@@ -96,8 +96,8 @@ class BasinWriter {
   void describe_outcomes(int variable) {
     std::vector<short> codes;
     std::string words;
-    for (const OutcomeSummary& s : c_.summary) {
-      codes.push_back(static_cast<short>(s.code));
+    for (const OutcomeShare& s : c_.summary) {
+      codes.push_back(static_cast<short>(s.id));
       words += (words.empty() ? "" : " ") + flag_word(s.name);
     }
     file_.attribute(variable, "flag_values", codes);
@@ -116,14 +116,9 @@ class BasinWriter {
     kind_name_ = file_.text_variable("kind_name", kind, names_, "name of the outcome");
     kind_alias_ = file_.text_variable("kind_alias", kind, aliases_, "name that Wright and Peng (2019) give it");
     kind_count_ = file_.variable("kind_count", count_type(), {kind}, "1", "starts with the outcome");
-    kind_share_ = file_.variable("kind_share", NC_DOUBLE, {kind}, "1", "share of the starts with the outcome");
-    kind_low_ = file_.variable("kind_share_low", NC_DOUBLE, {kind}, "1", "lower end of the 95 % interval of the share");
-    kind_high_ =
-        file_.variable("kind_share_high", NC_DOUBLE, {kind}, "1", "upper end of the 95 % interval of the share");
-    kind_least_ = file_.variable("kind_share_least", NC_DOUBLE, {kind}, "1",
-                                 "lower bound of the share whatever undecided starts would come to");
-    kind_most_ = file_.variable("kind_share_most", NC_DOUBLE, {kind}, "1",
-                                "upper bound of the share whatever undecided starts would come to");
+    for (std::size_t k = 0; k < share_columns.size(); ++k)
+      kind_share_[k] = file_.variable(std::string("kind_") + share_columns[k].name, NC_DOUBLE, {kind}, "1",
+                                      share_columns[k].of_ensemble);
     define_left_unbalance(kind);
     if (random_) return;  // those alone need no more than their counts
     kind_interval_ =
@@ -231,17 +226,14 @@ class BasinWriter {
 
   void write_summary() {
     for (std::size_t k = 0; k < c_.summary.size(); ++k) {
-      const OutcomeSummary& s = c_.summary[k];
-      const short code = static_cast<short>(s.code);
+      const OutcomeShare& s = c_.summary[k];
+      const short code = static_cast<short>(s.id);
       const int few = static_cast<int>(s.share.count);
       const double many = static_cast<double>(s.share.count);
       file_.write(kind_code_, {k}, {1}, &code);
       file_.write(kind_count_, {k}, {1}, counts_are_short() ? static_cast<const void*>(&few) : &many);
-      file_.write(kind_share_, {k}, {1}, &s.share.share);
-      file_.write(kind_low_, {k}, {1}, &s.share.low);
-      file_.write(kind_high_, {k}, {1}, &s.share.high);
-      file_.write(kind_least_, {k}, {1}, &s.share.least);
-      file_.write(kind_most_, {k}, {1}, &s.share.most);
+      for (std::size_t c = 0; c < share_columns.size(); ++c)
+        file_.write(kind_share_[c], {k}, {1}, &(s.share.*share_columns[c].value));
       if (!random_) file_.write(kind_effective_, {k}, {1}, &s.share.effective_starts);
     }
     if (quantile_ >= 0) write_left_unbalance();
@@ -269,8 +261,8 @@ class BasinWriter {
   std::vector<std::string> names_, aliases_, intervals_;
   std::vector<int> columns_;
   int start_ = -1, ball_ = -1, rotor_ = -1, component_ = -1, discovery_ = -1, value_ = -1, unit_ = -1;
-  int kind_code_ = -1, kind_name_ = -1, kind_alias_ = -1, kind_count_ = -1, kind_share_ = -1, kind_low_ = -1;
-  int kind_high_ = -1, kind_least_ = -1, kind_most_ = -1, kind_interval_ = -1, kind_effective_ = -1;
+  int kind_code_ = -1, kind_name_ = -1, kind_alias_ = -1, kind_count_ = -1, kind_interval_ = -1, kind_effective_ = -1;
+  std::array<int, share_columns.size()> kind_share_{};
   int quantile_ = -1, left_ = -1, grade_ = -1;
 };
 

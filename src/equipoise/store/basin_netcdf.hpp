@@ -20,7 +20,7 @@ struct BasinContents {
   std::function<void(std::size_t column, std::uint64_t first, std::size_t count, void* values)> read;
   std::vector<std::vector<double>> discoveries;
   std::vector<std::string> cpu_targets;
-  std::vector<OutcomeSummary> summary;
+  std::vector<OutcomeShare> summary;
   std::string study;
   bool complete = false;
   RunTime time;

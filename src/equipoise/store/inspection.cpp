@@ -43,10 +43,10 @@ void add_outcomes(const store::NetcdfFile& file, const std::string& before, Insp
             shares = file.variable(before + "share", NC_DOUBLE, {kinds});
   for (std::size_t k = 0; k < kinds; ++k) {
     short code = 0;
-    Inspection::Outcome outcome;
+    OutcomeShare outcome;
     file.read(codes, {k}, {1}, &code);
-    file.read(shares, {k}, {1}, &outcome.share);
-    outcome.code = code;
+    file.read(shares, {k}, {1}, &outcome.share.share);
+    outcome.id = code;
     outcome.name = file.read_text(before + "name", k);
     i.outcomes.push_back(outcome);
   }

@@ -28,9 +28,9 @@ const std::string& whole_map_file(const std::string& path) {
 }
 
 // flag_meanings are words with blanks between them.
-std::string map_flag_meanings(const std::vector<MapCode>& codes) {
+std::string map_flag_meanings(const std::vector<OutcomeShare>& codes) {
   std::string text;
-  for (const MapCode& c : codes) text += (text.empty() ? "" : " ") + flag_word(c.name);
+  for (const OutcomeShare& c : codes) text += (text.empty() ? "" : " ") + flag_word(c.name);
   return text;
 }
 
@@ -54,17 +54,20 @@ std::string identity_of(const MapFileHeader& h) {
                                      h.block == 0 ? "no" : fmt::format("blocks of {}", h.block));
 }
 
-MapWriter::MapWriter(const std::string& path, const MapFileHeader& header, const std::vector<MapCode>& codes,
+MapWriter::MapWriter(const std::string& path, const MapFileHeader& header, const std::vector<OutcomeShare>& codes,
                      const std::vector<std::vector<double>>& discoveries, bool complete)
     : header_(header), path_(path), place_(path, ".new"), file_(place_.file(), NetcdfFile::Mode::create, path) {
-  for (const MapCode& c : codes) {
+  for (const OutcomeShare& c : codes) {
     names_.push_back(c.name);
     aliases_.push_back(c.alias);
   }
   define(codes, discoveries, complete);
   write_axis(x_, header.x);
   write_axis(y_, header.y);
-  for (std::size_t k = 0; k < codes.size(); ++k) file_.write(code_, {k}, {1}, &codes[k].code);
+  for (std::size_t k = 0; k < codes.size(); ++k) {
+    const auto code = static_cast<short>(codes[k].id);
+    file_.write(code_, {k}, {1}, &code);
+  }
   file_.write_texts(name_, names_);
   file_.write_texts(alias_, aliases_);
   for (std::size_t k = 0; k < discoveries.size(); ++k)
@@ -74,7 +77,7 @@ MapWriter::MapWriter(const std::string& path, const MapFileHeader& header, const
       file_.write(numbers_[k], {}, {}, &(header.rotor.*pixel_numbers[k].value));
 }
 
-void MapWriter::define(const std::vector<MapCode>& codes, const std::vector<std::vector<double>>& discoveries,
+void MapWriter::define(const std::vector<OutcomeShare>& codes, const std::vector<std::vector<double>>& discoveries,
                        bool complete) {
   const int y = file_.dimension("y", static_cast<std::size_t>(header_.y.pixels));
   const int x = file_.dimension("x", static_cast<std::size_t>(header_.x.pixels));
@@ -102,11 +105,11 @@ void MapWriter::define(const std::vector<MapCode>& codes, const std::vector<std:
   file_.end_definitions();
 }
 
-void MapWriter::define_pixels(int y, int x, const std::vector<MapCode>& codes) {
+void MapWriter::define_pixels(int y, int x, const std::vector<OutcomeShare>& codes) {
   outcome_ = file_.variable("outcome", NC_SHORT, {y, x}, "1", "what the pixel's start comes to");
   file_.fill(outcome_, &not_computed_code);
   std::vector<short> values;
-  for (const MapCode& c : codes) values.push_back(c.code);
+  for (const OutcomeShare& c : codes) values.push_back(static_cast<short>(c.id));
   file_.attribute(outcome_, "flag_values", values);
   file_.attribute(outcome_, "flag_meanings", map_flag_meanings(codes));
   if (header_.block > 0) {
@@ -173,7 +176,7 @@ void MapWriter::write_rows(int first, int rows, const MapPixel* pixels) {
   });
 }
 
-void MapWriter::finish(const std::vector<MapCode>& codes) {
+void MapWriter::finish(const std::vector<OutcomeShare>& codes) {
   for (std::size_t k = 0; k < codes.size(); ++k) file_.write(share_, {k}, {1}, &codes[k].share.share);
   file_.close();
   seal(place_.file(), path_);
@@ -208,17 +211,14 @@ MapAxis MapReader::read_axis(const std::string& letter) const {
   return axis;
 }
 
-std::vector<MapCode> MapReader::codes() const {
-  std::vector<MapCode> codes;
+std::vector<OutcomeShare> MapReader::codes() const {
+  std::vector<OutcomeShare> codes;
   const std::size_t kinds = file_.length("outcome_kind");
   const int variable = file_.variable("code", NC_SHORT, {kinds});
   for (std::size_t k = 0; k < kinds; ++k) {
-    MapCode code;
-    file_.read(variable, {k}, {1}, &code.code);
-    if (code.code <= 0) continue;
-    code.name = file_.read_text("name", k);
-    code.alias = file_.read_text("alias", k);
-    codes.push_back(std::move(code));
+    short code = 0;
+    file_.read(variable, {k}, {1}, &code);
+    if (code > 0) codes.push_back({code, file_.read_text("name", k), file_.read_text("alias", k)});
   }
   return codes;
 }

@@ -32,16 +32,17 @@ class MapWriter {
  public:
   /// `codes`: all that pixels may have but not_computed_code; their shares are not known yet. Throws RunError if there
   /// is no room, as do all others.
-  MapWriter(const std::string& path, const MapFileHeader& header, const std::vector<MapCode>& codes,
+  MapWriter(const std::string& path, const MapFileHeader& header, const std::vector<OutcomeShare>& codes,
             const std::vector<std::vector<double>>& discoveries, bool complete);
   /// Every row once.
   void write_rows(int first, int rows, const MapPixel* pixels);
   /// Codes as before, with shares.
-  void finish(const std::vector<MapCode>& codes);
+  void finish(const std::vector<OutcomeShare>& codes);
 
  private:
-  void define(const std::vector<MapCode>& codes, const std::vector<std::vector<double>>& discoveries, bool complete);
-  void define_pixels(int y, int x, const std::vector<MapCode>& codes);
+  void define(const std::vector<OutcomeShare>& codes, const std::vector<std::vector<double>>& discoveries,
+              bool complete);
+  void define_pixels(int y, int x, const std::vector<OutcomeShare>& codes);
   void define_attributes(bool complete);
   void write_axis(int variable, const MapAxis& axis);
   template <class T>
@@ -69,7 +70,7 @@ class MapReader {
   const MapAxis& x() const { return x_; }
   const MapAxis& y() const { return y_; }
   /// Attractors alone.
-  std::vector<MapCode> codes() const;
+  std::vector<OutcomeShare> codes() const;
   std::vector<std::vector<double>> discoveries() const;
   void read_rows(int first, int rows, MapPixel* pixels) const;
 

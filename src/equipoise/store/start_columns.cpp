@@ -5,8 +5,10 @@
 #include <cmath>
 #include <cstring>
 
+#include <fmt/format.h>
 #include <netcdf.h>
 
+#include "equipoise/deciding/outcomes.hpp"
 #include "equipoise/store/basin_file.hpp"
 
 namespace equipoise::store {
@@ -35,21 +37,24 @@ std::vector<StartColumn> start_columns(const BasinFileHeader& header) {
   if (header.transients)
     for (const TransientColumn& c : transient_columns)
       columns.push_back({c.name, NC_FLOAT, 4, 1, "", "1", c.long_name});
-  columns.push_back(
-      {"outcome", NC_SHORT, 2, 1, "", "1",
-       "attractor that the start came to (kind_code), or 0 undecided, -1 diverged, -2 failed, -3 stalled"});
+  std::string others;
+  for (const NoAttractor& n : no_attractors)
+    others += fmt::format("{}{} {}", others.empty() ? "" : ", ", n.code, n.name);
+  columns.push_back({"outcome", NC_SHORT, 2, 1, "", "1", "attractor that the start came to (kind_code), or " + others});
   columns.push_back(
       {"decision_time", NC_DOUBLE, 8, 1, "", "1", "study time at which the outcome was known, in 1/omega_c"});
   if (header.driven)
-    columns.push_back({"mean_speed", NC_FLOAT, 4, 1, "", "1",
-                       "mean rotor speed in the motion that the start came to, of an undecided one when it was last seen, in "
-                       "omega_c; missing where never measured"});
+    columns.push_back(
+        {"mean_speed", NC_FLOAT, 4, 1, "", "1",
+         "mean rotor speed in the motion that the start came to, of an undecided one when it was last seen, in "
+         "omega_c; missing where never measured"});
   if (header.sticks)
     columns.push_back({"left_unbalance", NC_FLOAT, 4, 1, "", "1",
                        "unbalance that is left where dry friction holds the balls, in rotor masses times race radii; "
                        "missing where it holds none"});
   if (header.touches)
-    columns.push_back({"balls_met", NC_BYTE, 1, 1, "", "1", "1 where balls touched before the outcome was known, else 0"});
+    columns.push_back(
+        {"balls_met", NC_BYTE, 1, 1, "", "1", "1 where balls touched before the outcome was known, else 0"});
   columns.push_back({"decided_by", NC_BYTE, 1, 1, "", "1", "grounds on which the outcome was decided"});
   return columns;
 }
@@ -114,12 +119,10 @@ std::vector<char> pack(const std::vector<StartColumn>& columns, const StartBatch
 }
 
 bool fate_from(short code, signed char by, double time, Fate& fate) {
-  if (code < stalled_code || by < 0 || by >= decided_by_count) return false;
-  fate.outcome = code == undecided_code  ? Outcome::undecided
-                 : code == diverged_code ? Outcome::diverged
-                 : code == stalled_code  ? Outcome::stalled
-                 : code == failed_code   ? Outcome::failed
-                                         : Outcome::attracted;
+  const auto none =
+      std::find_if(no_attractors.begin(), no_attractors.end(), [&](const auto& n) { return n.code == code; });
+  if ((code <= 0 && none == no_attractors.end()) || by < 0 || by >= decided_by_count) return false;
+  fate.outcome = code > 0 ? Outcome::attracted : none->outcome;
   fate.attractor = std::max<short>(code, 0);
   fate.by = static_cast<DecidedBy>(by);
   fate.time = time;

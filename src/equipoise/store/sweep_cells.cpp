@@ -41,7 +41,7 @@ template <class Record, Like<SweepOutcome> T>
 void named_members(Record& r, T& o) {
   r("id", o.id, "own_id", o.own_id, "name", o.name, "alias", o.alias, "kind", o.kind, "share", o.share);
   r("mean_time", o.mean_time, "r_min", o.r_min, "r_mean", o.r_mean, "r_max", o.r_max, "period", o.period);
-  r("drift", o.drift, "left_unbalance", o.left_unbalance, "state", o.state);
+  r("drift", o.drift, "left_unbalance", o.unbalance, "state", o.state);
 }
 
 template <class Record, Like<LevelHint> T>

@@ -10,9 +10,8 @@
 #include <netcdf.h>
 
 #include "equipoise/files/netcdf.hpp"
-#include "equipoise/results/basin_result.hpp"
-#include "equipoise/store/basin_file.hpp"
 #include "equipoise/store/cell_netcdf.hpp"
+#include "equipoise/store/share_columns.hpp"
 #include "equipoise/store/sweep_cells.hpp"
 
 namespace equipoise::store {
@@ -25,17 +24,13 @@ class SweepWriter {
  public:
   SweepWriter(NetcdfFile& file, const std::string& identity, const SweepResult& result, const CellRecords& records)
       : file_(file), identity_(identity), result_(result), table_(file, result.axes, records) {
-    const auto note = [&](int code, const std::string& name, const std::string& alias) {
-      kinds_.try_emplace(code, name, alias);
-    };
+    const auto note = [&](const OutcomeShare& o) { kinds_.try_emplace(o.id, o.name, o.alias); };
+    for (const OutcomeShare& o : SweepCell{}.others()) note(o);
     for (const auto& cell : result.cells) {
       if (!cell) continue;
-      for (const SweepOutcome& o : cell->outcomes) note(o.id, o.name, o.alias);
-      if (cell->stalled) note(stalled_code, "stalled", "");
+      for (const SweepOutcome& o : cell->outcomes) note(o);
+      for (const OutcomeShare& o : cell->others()) note(o);
     }
-    note(undecided_code, "undecided", "");
-    note(diverged_code, "diverged", "");
-    note(failed_code, "failed", "");
     for (const auto& [code, names] : kinds_) codes_.push_back(code);
     // Attractors first, as people list them.
     std::stable_partition(codes_.begin(), codes_.end(), [](int code) { return code > 0; });
@@ -84,7 +79,8 @@ class SweepWriter {
   }
 
   void define_shares() {
-    const auto of_outcomes = [&](const char* name, const char* meaning, double (*value)(const Share&)) {
+    const auto of_outcomes = [&](const char* name, const char* meaning,
+                                 const std::function<double(const Share&)>& value) {
       column(
           name, "1", meaning, codes_.size(),
           [this, value](const SweepCell& cell, double* values) {
@@ -94,51 +90,35 @@ class SweepWriter {
           outcome_);
     };
     of_outcomes("count", "starts with the outcome", [](const Share& s) { return static_cast<double>(s.count); });
-    of_outcomes("share", "share of the starts", [](const Share& s) { return s.share; });
-    of_outcomes("share_low", "lower end of its 95 % interval", [](const Share& s) { return s.low; });
-    of_outcomes("share_high", "upper end of its 95 % interval", [](const Share& s) { return s.high; });
-    of_outcomes("share_least", "lower bound whatever undecided starts come to", [](const Share& s) { return s.least; });
-    of_outcomes("share_most", "upper bound whatever undecided starts come to", [](const Share& s) { return s.most; });
+    for (const ShareColumn& c : share_columns)
+      of_outcomes(c.name, c.of_cell, [value = c.value](const Share& s) { return s.*value; });
   }
 
   // Null: the cell does not have it.
   static const Share* share_of(const SweepCell& cell, int code) {
-    if (code == undecided_code) return &cell.undecided;
-    if (code == diverged_code) return &cell.diverged;
-    if (code == failed_code) return &cell.failed;
-    if (code == stalled_code) return cell.stalled ? &*cell.stalled : nullptr;
+    if (code <= 0) return cell.of(code);
     for (const SweepOutcome& o : cell.outcomes)
       if (o.id == code) return &o.share;
     return nullptr;
   }
 
   void define_motions() {
-    const auto of_motions = [&](const char* name, const char* meaning, double (*value)(const SweepOutcome&)) {
+    for (const MotionColumn& c : motion_columns) {
+      if (&c == &motion_columns.back()) define_left_unbalance();
       column(
-          name, "1", meaning, codes_.size(),
-          [this, value](const SweepCell& cell, double* values) {
+          c.name, "1", c.long_name, codes_.size(),
+          [this, &c](const SweepCell& cell, double* values) {
             for (const SweepOutcome& o : cell.outcomes)
-              values[std::find(codes_.begin(), codes_.end(), o.id) - codes_.begin()] = value(o);
+              values[std::find(codes_.begin(), codes_.end(), o.id) - codes_.begin()] = c.value(o).value_or(none);
           },
           outcome_);
-    };
-    of_motions("mean_time", "mean time to the decision, in 1/omega_c",
-               [](const SweepOutcome& o) { return o.share.count > 0 ? o.mean_time : none; });
-    of_motions("r_min", "smallest distance of the rotor's centre from the axis, in race radii",
-               [](const SweepOutcome& o) { return o.r_min.value_or(none); });
-    of_motions("r_mean", "mean distance of the rotor's centre from the axis, in race radii",
-               [](const SweepOutcome& o) { return o.r_mean.value_or(none); });
-    of_motions("r_max", "largest distance of the rotor's centre from the axis, in race radii",
-               [](const SweepOutcome& o) { return o.r_max.value_or(none); });
-    define_left_unbalance();
-    of_motions("period", "period of a periodic motion, in 1/omega_c",
-               [](const SweepOutcome& o) { return o.period > 0.0 ? o.period : none; });
+    }
   }
 
   // Only where dry friction leaves any.
   void define_left_unbalance() {
     const auto leaves = [](const auto& cell) {
-      const auto some = [](const SweepOutcome& o) { return !o.left_unbalance.empty(); };
+      const auto some = [](const SweepOutcome& o) { return !o.unbalance.empty(); };
       return cell && std::any_of(cell->outcomes.begin(), cell->outcomes.end(), some);
     };
     if (std::none_of(result_.cells.begin(), result_.cells.end(), leaves)) return;
@@ -153,8 +133,8 @@ class SweepWriter {
           codes_.size(),
           [this, q](const SweepCell& cell, double* values) {
             for (const SweepOutcome& o : cell.outcomes)
-              if (!o.left_unbalance.empty())
-                values[std::find(codes_.begin(), codes_.end(), o.id) - codes_.begin()] = o.left_unbalance[q];
+              if (!o.unbalance.empty())
+                values[std::find(codes_.begin(), codes_.end(), o.id) - codes_.begin()] = o.unbalance[q];
           },
           outcome_);
     }
@@ -179,8 +159,8 @@ class SweepWriter {
       of_quantiles("_low", "lower end of its 95 % interval: ", &QuantileEstimate::low);
       of_quantiles("_high", "upper end of its 95 % interval: ", &QuantileEstimate::high);
     }
-    for (std::size_t k = 0; k < transient_limit_names.size(); ++k) {
-      const std::string limit = transient_limit_names[k];
+    for (std::size_t k = 0; k < transient_limits.size(); ++k) {
+      const std::string limit = transient_limits[k].name;
       const auto exceeded = [&](const std::string& name, const std::string& words, double Share::*part) {
         column(name, "1", words, 1, [k, part](const SweepCell& cell, double* value) {
           if (cell.transients && cell.transients->exceeded[k]) *value = *cell.transients->exceeded[k].*part;

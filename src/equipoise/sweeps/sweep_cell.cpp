@@ -29,15 +29,8 @@ BasinOptions cell_options(const SweepPlan& plan, const CellStart& start) {
   return options;
 }
 
-SweepOutcome outcome_of(const AttractorShare& a, const Catalogue& catalogue, int balls) {
-  SweepOutcome outcome;
-  outcome.id = outcome.own_id = a.id;
-  outcome.name = a.name;
-  outcome.alias = a.alias;
-  outcome.kind = a.kind;
-  outcome.share = a.share;
-  outcome.mean_time = a.mean_time;
-  outcome.left_unbalance = a.unbalance;
+SweepOutcome outcome_of(const OutcomeShare& a, const Catalogue& catalogue, int balls) {
+  SweepOutcome outcome{a, a.id};
   const Attractor* attractor = catalogue.find(a.id);
   if (!attractor || attractor->motion.state.size() == 0) return outcome;
   const Motion& m = attractor->motion;
@@ -53,12 +46,9 @@ SweepOutcome outcome_of(const AttractorShare& a, const Catalogue& catalogue, int
 SweepCell cell_of(const BasinResult& result, const Catalogue& catalogue) {
   SweepCell cell;
   cell.starts = result.starts;
-  for (const AttractorShare& a : result.attractors)
+  for (const OutcomeShare& a : result.attractors)
     cell.outcomes.push_back(outcome_of(a, catalogue, result.study.parameters.balls));
-  cell.undecided = result.undecided;
-  cell.diverged = result.diverged;
-  cell.failed = result.failed;
-  cell.stalled = result.stalled;
+  static_cast<OtherShares&>(cell) = result;
   cell.passed = result.passed;
   if (result.transients) cell.transients = std::make_shared<TransientGroup>(result.transients->groups.front());
   cell.balanced_stable = result.balanced_stable;

@@ -1,0 +1,71 @@
+// Where the starts of an ensemble end: one line for every attractor, and for what came to none; the same in all
+// results.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "equipoise/deciding/outcomes.hpp"
+#include "equipoise/statistics/share.hpp"
+
+namespace equipoise {
+
+/// Starts that came to one attractor, or to none in one way.
+struct OutcomeShare {
+  int id = 0;                   ///< the attractor's identifier, or undecided_code and its like
+  std::string name{}, alias{};  ///< alias: V1 to V4 of Wright and Peng (2019)
+  Share share{};                ///< with its 95 % interval
+  std::string kind{};           ///< of the attractor's motion
+  double mean_time = 0.0;       ///< mean time from the last branch's begin (and release) to decision
+  std::array<std::uint64_t, decided_by_count> decided_by{};  ///< starts by the grounds of decision
+  /// Of a continuum that dry friction leaves: the unbalance that is left, over the starts that come there, at
+  /// unbalance_quantiles; empty of all others.
+  std::vector<double> unbalance{};
+  std::vector<double> grade{};  ///< of a study in physical units: their balance quality grades, mm/s
+};
+inline constexpr std::array<double, 4> unbalance_quantiles{0.1, 0.5, 0.9, 1.0};
+
+/// "co-drifting (V1)".
+template <class Named>
+std::string title_of(const Named& o) {
+  return o.alias.empty() ? o.name : o.name + " (" + o.alias + ")";
+}
+/// "V1: co-drifting".
+template <class Named>
+std::string legend_of(const Named& o) {
+  return o.alias.empty() ? o.name : o.alias + ": " + o.name;
+}
+
+/// Shares of the starts that came to no attractor.
+struct OtherShares {
+  Share undecided, diverged, failed;
+  std::optional<Share> stalled;  ///< of a driven rotor: its motor did not bring it to stall_speed()
+
+  std::uint64_t lost() const { return diverged.count + failed.count; }
+  /// Null for what cannot be: only driven rotors stall.
+  const Share* of(int code) const {
+    return code == undecided_code  ? &undecided
+           : code == diverged_code ? &diverged
+           : code == failed_code   ? &failed
+                                   : (stalled ? &*stalled : nullptr);
+  }
+  /// As people are told of them: starts that stalled come to something, and stand first.
+  std::vector<OutcomeShare> others() const {
+    std::vector<OutcomeShare> lines;
+    for (const NoAttractor& n : no_attractors)
+      if (const Share* share = of(n.code))
+        lines.insert(n.code == stalled_code ? lines.begin() : lines.end(), {n.code, n.name, "", *share});
+    return lines;
+  }
+  /// Those that some start came to; of a driven rotor always whether any stalled.
+  std::vector<OutcomeShare> others_met() const {
+    std::vector<OutcomeShare> lines = others();
+    std::erase_if(lines, [](const OutcomeShare& o) { return o.share.count == 0 && o.id != stalled_code; });
+    return lines;
+  }
+};
+
+}  // namespace equipoise
