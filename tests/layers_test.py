@@ -17,46 +17,46 @@ ROOMS = {
     "base": "",
     "math": "",
     "model": "math",
-    "integrate": "model",
+    "types": "model",
+    "integrate": "model types",
     "statistics": "",
     "sampling": "model",
     "study": "model statistics sampling",
-    "lanes": "model integrate",
-    "transients": "model integrate lanes",
-    "deciding": "model lanes",
-    "kernels": "model lanes transients deciding",
-    "orbits": "math model integrate",
-    "motions": "math model integrate transients deciding orbits",
+    "lanes": "model types integrate",
+    "transients": "model types integrate lanes",
+    "deciding": "model types lanes",
+    "kernels": "model types lanes transients deciding",
+    "orbits": "math model types integrate",
+    "motions": "math model types integrate transients orbits",
     "proof": "math model",
-    "traps": "math model lanes deciding kernels orbits motions",
-    "results": "model integrate statistics sampling study transients deciding motions proof traps",
+    "traps": "math model types lanes deciding kernels orbits motions",
+    "results": "model types statistics sampling study proof",
     "files": "",
-    "store": "model statistics sampling study transients deciding results files",
-    "spin_up": "model integrate sampling study lanes transients deciding kernels orbits results files",
-    "discovery": "math model sampling study lanes deciding kernels orbits motions proof traps spin_up",
+    "store": "model types statistics sampling study results files",
+    "spin_up": "model types integrate sampling study lanes transients deciding kernels orbits results files",
+    "discovery": "math model types sampling study lanes deciding kernels orbits motions proof traps spin_up",
     "fates":
-        "model statistics sampling study lanes transients deciding kernels orbits motions results "
-        "spin_up discovery",
+        "model types statistics sampling study lanes transients deciding kernels orbits motions results spin_up "
+        "discovery",
     "basins":
-        "model statistics sampling study lanes transients deciding kernels orbits motions proof "
-        "traps results store spin_up discovery fates",
-    "branches": "model study deciding kernels orbits motions results fates basins",
+        "model types statistics sampling study lanes kernels orbits motions proof traps results store spin_up "
+        "discovery fates",
+    "branches": "model types study kernels orbits motions results fates basins",
     "maps":
-        "math model statistics study deciding kernels orbits motions results files store spin_up "
-        "discovery fates basins branches",
-    "sweeps": "study kernels motions traps results store discovery fates basins",
-    "design": "statistics study transients kernels motions traps results store discovery fates basins sweeps",
-    "trajectory": "math model integrate study results spin_up",
-    "drawing": "study deciding results store",
-    "report": "model statistics sampling study deciding motions proof results drawing",
+        "math model types statistics study kernels orbits motions results files store spin_up discovery fates "
+        "basins branches",
+    "sweeps": "types study kernels motions traps results store discovery fates basins",
+    "design": "types statistics study kernels motions traps results store discovery fates basins sweeps",
+    "trajectory": "math model types integrate study results spin_up",
+    "shown": "model study orbits motions results spin_up basins trajectory",
+    "drawing": "types study results store",
+    "report": "model types statistics sampling study proof results drawing",
     "explain": "math model study orbits motions results spin_up discovery report",
-    "pages":
-        "model statistics sampling study deciding orbits motions results store spin_up basins "
-        "trajectory drawing report explain",
+    "pages": "model types statistics sampling study results store drawing report explain",
     "literature": "model statistics study",
     "reproduction":
-        "model statistics sampling study deciding kernels motions results store discovery basins "
-        "maps trajectory drawing report literature",
+        "model types statistics sampling study kernels motions results store discovery basins maps trajectory "
+        "drawing report literature",
 }
 MAY_INCLUDE = {room: {"base", room, *rooms.split()} for room, rooms in ROOMS.items()}
 SOURCES = {".hpp", ".h", ".cpp", ".cc", ".cu", ".in"}

@@ -5,7 +5,6 @@
 
 #include "../base_study.hpp"
 #include "../machine_study.hpp"
-#include "equipoise/deciding/decision_rule.hpp"
 #include "equipoise/drawing/chart_svg.hpp"
 #include "equipoise/drawing/plot_parts.hpp"
 #include "equipoise/drawing/raster.hpp"
@@ -13,6 +12,7 @@
 #include "equipoise/pages/answer.hpp"
 #include "equipoise/pages/quantities.hpp"
 #include "equipoise/store/basin_file.hpp"
+#include "equipoise/types/fate.hpp"
 
 namespace equipoise {
 namespace {

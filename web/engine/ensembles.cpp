@@ -15,9 +15,9 @@
 #include "equipoise/basins/comparison.hpp"
 #include "equipoise/basins/ensemble.hpp"
 #include "equipoise/drawing/plot_parts.hpp"
-#include "equipoise/pages/motion_path.hpp"
 #include "equipoise/report/comparison_report.hpp"
 #include "equipoise/report/motion_words.hpp"
+#include "equipoise/shown/motion_path.hpp"
 
 namespace equipoise::web {
 
@@ -154,12 +154,14 @@ Json ensemble(const Json& args, Bulk& bulk) {
     toml += "\n# seed " + std::to_string(study.sampling.seed);
   }
   Ensemble& e = kept(toml, study, options.value("peaks", false));
-  return fates_json(e, first, [&] { return e.starts(first, count); }, bulk);
+  return fates_json(
+      e, first, [&] { return e.starts(first, count); }, bulk);
 }
 
 Json states(const Json& args, Bulk& bulk) {
   Ensemble& e = kept(args.at(0).get<std::string>(), study_of(args.at(0)), false);
-  return fates_json(e, 0, [&] { return e.at_angles(numbers_of<double>(args.at(1))); }, bulk);
+  return fates_json(
+      e, 0, [&] { return e.at_angles(numbers_of<double>(args.at(1))); }, bulk);
 }
 
 Json shares(const Json& args) {

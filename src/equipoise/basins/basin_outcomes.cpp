@@ -1,6 +1,6 @@
 // An ensemble of which nothing but outcomes is kept.
 #include "equipoise/basins/comparison.hpp"
-#include "equipoise/deciding/fate.hpp"
+#include "equipoise/types/fate.hpp"
 
 namespace equipoise {
 

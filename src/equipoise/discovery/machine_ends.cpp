@@ -5,7 +5,7 @@
 
 #include <Eigen/Core>
 
-#include "equipoise/deciding/decision_rule.hpp"
+#include "equipoise/types/fate.hpp"
 #include "equipoise/lanes/own_rotor.hpp"
 #include "equipoise/motions/stuck.hpp"
 

@@ -5,9 +5,9 @@
 
 #include <fmt/format.h>
 
-#include "equipoise/deciding/decision_rule.hpp"
 #include "equipoise/drawing/plot_parts.hpp"
 #include "equipoise/store/basin_file.hpp"
+#include "equipoise/types/fate.hpp"
 
 namespace equipoise {
 

@@ -18,10 +18,10 @@
 #include <utility>
 
 #include "equipoise/integrate/dop853-inl.hpp"
-#include "equipoise/integrate/status.hpp"
 #include "equipoise/lanes/lane_events-inl.hpp"
 #include "equipoise/lanes/lane_task.hpp"
 #include "equipoise/lanes/step_control-inl.hpp"
+#include "equipoise/types/status.hpp"
 
 HWY_BEFORE_NAMESPACE();
 namespace equipoise {
@@ -133,8 +133,7 @@ class LaneBlock {
       const OwnRotor& rotor = *task_.own[start];
       flow_[g].take_lane(rotors_.make(rotor), lane);
       element(end_[g], lane) = task_.end_of(start);
-      for (int i = 0; i < size_; ++i)
-        element(inverse_scale_[g][i], lane) = inverse_scale(rotor.system.parameters(), i);
+      for (int i = 0; i < size_; ++i) element(inverse_scale_[g][i], lane) = inverse_scale(rotor.system.parameters(), i);
       if constexpr (Events::happen) events_.take_rotor(lane, rotor);
     }
   }
@@ -182,7 +181,8 @@ class LaneBlock {
   HWY_INLINE void finish_step(const Flow& flow, int g) {
     Pack z[dimension], error5[dimension], error3[dimension], k_end[dimension];
     with_size([&](auto size) HWY_ATTR { dop853::step_end(step_[g], y_[g], k_[g], z, error5, error3, size); });
-    const Pack error2 = dop853::squared_error<Pack, dimension>(step_[g], error5, error3, inverse_scale_[own ? g : 0], size_);
+    const Pack error2 =
+        dop853::squared_error<Pack, dimension>(step_[g], error5, error3, inverse_scale_[own ? g : 0], size_);
     Mask accepted = error2 <= Pack(1.0);  // false for not-a-number
     // The last step lands on the end exactly.
     const Pack t_try = t_[g] + step_[g];

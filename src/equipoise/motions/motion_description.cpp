@@ -134,21 +134,6 @@ bool attracts(const Eigen::VectorXcd& eigenvalues, int zeros_allowed) {
   return zeros <= zeros_allowed;
 }
 
-const char* name_of(MotionKind kind) {
-  switch (kind) {
-    case MotionKind::equilibrium:
-      return "equilibrium";
-    case MotionKind::periodic:
-      return "periodic";
-    case MotionKind::quasi_periodic:
-      return "quasi-periodic";
-    case MotionKind::chaotic:
-      return "chaotic";
-    default:
-      return "measured";
-  }
-}
-
 namespace {
 
 // Of a motion that rests in the rotating frame: nothing but the angles between balls.

@@ -7,7 +7,7 @@
 
 #include <Eigen/Core>
 
-#include "equipoise/integrate/status.hpp"
+#include "equipoise/types/status.hpp"
 #include "equipoise/model/system.hpp"
 #include "equipoise/motions/motion.hpp"
 #include "equipoise/orbits/recurrence.hpp"

@@ -4,12 +4,12 @@
 
 #include <fmt/format.h>
 
-#include "equipoise/deciding/decision_rule.hpp"
-#include "equipoise/pages/answer_parts.hpp"
 #include "equipoise/pages/answer.hpp"
+#include "equipoise/pages/answer_parts.hpp"
 #include "equipoise/pages/quantities.hpp"
 #include "equipoise/report/text.hpp"
 #include "equipoise/store/basin_file.hpp"
+#include "equipoise/types/fate.hpp"
 
 namespace equipoise {
 

@@ -7,13 +7,13 @@
 #include <string>
 #include <vector>
 
-#include "equipoise/deciding/fate.hpp"
 #include "equipoise/results/sensitivity_result.hpp"
 #include "equipoise/results/start_arrays.hpp"
 #include "equipoise/results/transient_result.hpp"
 #include "equipoise/sampling/sampling.hpp"
 #include "equipoise/statistics/share.hpp"
 #include "equipoise/study/study.hpp"
+#include "equipoise/types/fate.hpp"
 
 namespace equipoise {
 
@@ -49,12 +49,12 @@ struct BasinResult {
   std::vector<AttractorShare> attractors;  ///< by identifier; balanced is always the first
   Share undecided, diverged, failed;
   std::optional<Share> stalled;  ///< of a driven rotor: its motor did not bring it to stall_speed()
-  /// Of a driven rotor: starts that turn faster than Study::passed_speed(), in the motion that they came to or, undecided,
-  /// when last seen; and those that came to something slower. Undecided ones that were slower when last seen may come
-  /// to either (least, most). Not of a grid.
+  /// Of a driven rotor: starts that turn faster than Study::passed_speed(), in the motion that they came to or,
+  /// undecided, when last seen; and those that came to something slower. Undecided ones that were slower when last seen
+  /// may come to either (least, most). Not of a grid.
   std::optional<Share> passed, not_passed;
-  /// Of balls that collide: starts in which two touched before the fate was known. Had they passed through each other, all
-  /// others would have gone the same way. Not of a grid.
+  /// Of balls that collide: starts in which two touched before the fate was known. Had they passed through each other,
+  /// all others would have gone the same way. Not of a grid.
   std::optional<Share> met;
   std::optional<TransientResult> transients;  ///< if they were gathered
   std::optional<StartArrays> every_start;     ///< if they were kept

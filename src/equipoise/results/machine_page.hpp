@@ -9,7 +9,7 @@
 #include "equipoise/model/parameters.hpp"
 #include "equipoise/results/basin_result.hpp"
 #include "equipoise/results/explanation.hpp"
-#include "equipoise/transients/transient_table.hpp"
+#include "equipoise/types/transient_table.hpp"
 
 namespace equipoise {
 

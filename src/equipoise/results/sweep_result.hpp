@@ -11,7 +11,7 @@
 #include "equipoise/results/transient_result.hpp"
 #include "equipoise/statistics/share.hpp"
 #include "equipoise/study/study.hpp"
-#include "equipoise/traps/trap_hints.hpp"
+#include "equipoise/types/trap_hints.hpp"
 
 namespace equipoise {
 

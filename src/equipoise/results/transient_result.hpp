@@ -10,7 +10,7 @@
 #include "equipoise/statistics/quantile.hpp"
 #include "equipoise/statistics/share.hpp"
 #include "equipoise/study/study.hpp"
-#include "equipoise/transients/transient_table.hpp"
+#include "equipoise/types/transient_table.hpp"
 
 namespace equipoise {
 

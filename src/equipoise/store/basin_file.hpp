@@ -8,12 +8,12 @@
 #include <string>
 #include <vector>
 
-#include "equipoise/deciding/fate.hpp"
 #include "equipoise/model/scales.hpp"
 #include "equipoise/sampling/sampling.hpp"
 #include "equipoise/statistics/share.hpp"
 #include "equipoise/store/start_columns.hpp"
-#include "equipoise/transients/transient_table.hpp"
+#include "equipoise/types/fate.hpp"
+#include "equipoise/types/transient_table.hpp"
 
 namespace equipoise {
 

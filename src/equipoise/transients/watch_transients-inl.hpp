@@ -16,7 +16,7 @@
 #include "equipoise/model/strobe.hpp"
 #include "equipoise/model/unbalance-inl.hpp"
 #include "equipoise/transients/gather_transients-inl.hpp"
-#include "equipoise/transients/transient_table.hpp"
+#include "equipoise/types/transient_table.hpp"
 
 HWY_BEFORE_NAMESPACE();
 namespace equipoise {
@@ -43,8 +43,7 @@ class WatchedRotor {
         speed_place_(task.speed_place()),
         sag_(model::static_sag(p)) {
     for (int i = 0; i < model::max_balls; ++i) mass_[i] = Pack(p.mass[i]);
-    if (settings.work == WorkSource::motor)
-      motor_.emplace(p, system->drive(), task.places(), segment.begin, 0.0);
+    if (settings.work == WorkSource::motor) motor_.emplace(p, system->drive(), task.places(), segment.begin, 0.0);
   }
 
   // Lane `lane` gets the rotor of `from`.

@@ -6,7 +6,6 @@
 #include <cmath>
 #include <complex>
 
-#include "equipoise/deciding/decision_rule.hpp"
 #include "equipoise/model/energy.hpp"
 #include "equipoise/model/machine.hpp"
 #include "equipoise/model/unbalance.hpp"
@@ -17,6 +16,7 @@
 #include "equipoise/orbits/recurrence.hpp"
 #include "equipoise/orbits/return_map.hpp"
 #include "equipoise/orbits/stroboscopic.hpp"
+#include "equipoise/types/fate.hpp"
 
 namespace equipoise {
 

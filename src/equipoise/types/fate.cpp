@@ -1,5 +1,5 @@
 // Words for what became of a start.
-#include "equipoise/deciding/fate.hpp"
+#include "equipoise/types/fate.hpp"
 
 namespace equipoise {
 
