@@ -13,13 +13,13 @@ endif()
 foreach(header
     equipoise.hpp base/error.hpp base/run_options.hpp base/stop_flag.hpp
     model/balance_grade.hpp model/balanced_state.hpp model/energy.hpp model/machine.hpp model/motor.hpp
-    model/parameters.hpp model/scales.hpp model/speed.hpp model/state_layout.hpp model/system.hpp integrate/status.hpp
+    model/parameters.hpp model/scales.hpp model/speed.hpp model/state_layout.hpp model/system.hpp
+    types/attractor.hpp types/ball_events.hpp types/fate.hpp types/motion.hpp types/outcomes.hpp types/periodic_orbit.hpp types/status.hpp
+    types/transient_table.hpp types/trap_hints.hpp
     statistics/quantile.hpp statistics/share.hpp statistics/sobol_indices.hpp sampling/jittered_grid.hpp sampling/sampling.hpp
     study/ball_details.hpp study/keys.hpp study/overrides.hpp study/physical_echo.hpp study/study.hpp study/study_value.hpp
     study/table_reader.hpp study/uncertain.hpp study/units.hpp
-    transients/transient_table.hpp deciding/decision_rule.hpp deciding/fate.hpp deciding/outcomes.hpp deciding/trap_set.hpp
-    model/ball_mode.hpp orbits/balanced_continuum.hpp orbits/ball_events.hpp orbits/orbit.hpp motions/catalogue.hpp
-    motions/motion.hpp proof/certificate.hpp proof/member_certificate.hpp traps/trap_hints.hpp
+    model/ball_mode.hpp motions/catalogue.hpp proof/certificate.hpp proof/member_certificate.hpp
     results/attractors_result.hpp results/basin_result.hpp results/branch.hpp results/branches_result.hpp results/basin_cost.hpp results/capacity_result.hpp
     results/certify_result.hpp results/comparison_result.hpp results/design_result.hpp results/explanation.hpp results/inspection.hpp
     results/machine_page.hpp results/map_figures.hpp results/outcome_share.hpp results/plane_map.hpp results/sensitivity_result.hpp
@@ -37,8 +37,8 @@ foreach(header
     report/capacity_report.hpp report/comparison_report.hpp report/design_report.hpp report/inspection_report.hpp report/map_report.hpp
     report/sweep_report.hpp
     explain/explain.hpp
-    pages/answer.hpp pages/capacity_html.hpp pages/design_html.hpp pages/given_keys.hpp pages/given_machine.hpp pages/machine_html.hpp pages/machine_page.hpp
-    pages/map_html.hpp pages/motion_path.hpp pages/sweep_html.hpp
+    pages/answer.hpp pages/capacity_html.hpp pages/design_html.hpp pages/given_keys.hpp pages/given_machine.hpp pages/machine_html.hpp shown/machine_page.hpp
+    pages/map_html.hpp shown/motion_path.hpp pages/sweep_html.hpp
     paper.hpp literature/conclusions.hpp literature/paper_figure.hpp literature/published_tables.hpp
     literature/reproduction.hpp statistics/comparison.hpp reproduction/open_questions.hpp
     reproduction/open_questions_result.hpp reproduction/paper_figures.hpp reproduction/reproduce.hpp

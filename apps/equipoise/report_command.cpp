@@ -9,7 +9,7 @@
 #include "commands.hpp"
 #include "equipoise/base/display_text.hpp"
 #include "equipoise/pages/answer.hpp"
-#include "equipoise/pages/given_keys.hpp"
+#include "equipoise/pages/given_machine.hpp"
 #include "equipoise/pages/machine_html.hpp"
 #include "options.hpp"
 #include "progress.hpp"
@@ -21,11 +21,7 @@ namespace equipoise::app {
 MachinePage write_machine_page(const std::string& study_text, const std::string& name,
                                const std::vector<std::string>& overrides, const Study& study,
                                const BasinOptions& options, const std::string& path) {
-  MachinePageOptions page_options;
-  static_cast<BasinOptions&>(page_options) = options;
-  page_options.balls = parse_ball_details(study_text, name, overrides);
-  page_options.given = given_tables(study_text, name, overrides);
-  MachinePage page = machine_page(study, page_options);
+  MachinePage page = machine_page(study, given_machine(study_text, name, overrides), options);
   write_file(path, machine_html(page));
   return page;
 }

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "equipoise/pages/machine_page.hpp"
+#include "equipoise/shown/machine_page.hpp"
 
 namespace equipoise::app {
 

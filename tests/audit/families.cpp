@@ -35,20 +35,17 @@ class KnownRotor {
   explicit KnownRotor(const Study& study) : runner_(study, {}) {}
 
   std::string kind(const InitialState& start) {
-    std::vector<Fate> fates;
-    std::vector<UnlistedStart> unlisted;
-    runner_.run_from({&start, 1}, fates, unlisted);
-    return settled(fates, unlisted).front();
+    Decided decided;
+    runner_.run_from({&start, 1}, decided);
+    return settled(decided).front();
   }
 
   // Of starts that no other rotor is asked about.
   Shares shares(std::uint64_t rotor) {
-    std::vector<double> phi;
-    std::vector<Fate> fates;
-    std::vector<UnlistedStart> unlisted;
-    runner_.run(rotor * starts_of_rotor, starts_of_rotor, phi, fates, unlisted);
+    Decided decided;
+    runner_.run(rotor * starts_of_rotor, starts_of_rotor, decided);
     Shares shares;
-    for (const std::string& kind : settled(fates, unlisted)) shares[kind] += 1.0 / starts_of_rotor;
+    for (const std::string& kind : settled(decided)) shares[kind] += 1.0 / starts_of_rotor;
     return shares;
   }
 
@@ -66,10 +63,10 @@ class KnownRotor {
   }
 
  private:
-  std::vector<std::string> settled(std::vector<Fate>& fates, const std::vector<UnlistedStart>& unlisted) {
-    for (const UnlistedStart& u : unlisted) settle(runner_, u, fates[u.place]);
+  std::vector<std::string> settled(Decided& decided) {
+    runner_.settle(decided);
     std::vector<std::string> kinds;
-    for (const Fate& fate : fates) {
+    for (const Fate& fate : decided.fates) {
       const Attractor* a = fate.outcome == Outcome::attracted ? runner_.catalogue().find(fate.attractor) : nullptr;
       kinds.push_back(a ? kind_of_name(a->name) : name_of(fate.outcome));
     }
@@ -96,8 +93,7 @@ void compare(const Ensemble& drawn, const std::vector<Shares>& rotors, FamilyAud
     }
     const double mean = sum / m;
     // What none of the rotors showed may be all that a few others do.
-    const double between =
-        sum > 0.0 ? std::max(0.0, squares / m - mean * mean) / std::max(1.0, m - 1.0) : share / m;
+    const double between = sum > 0.0 ? std::max(0.0, squares / m - mean * mean) / std::max(1.0, m - 1.0) : share / m;
     // A kind that one of the two never showed has an error all the same.
     const double least = 1.0 / n, error = std::sqrt(between + std::max(share * (1.0 - share), least) / n);
     const double deviation = (share - mean) / error;

@@ -1,6 +1,7 @@
 // The search for attractors: what is found unaided, what states given by hand add, and that it depends on nothing else.
 #include <unistd.h>
 
+#include <algorithm>
 #include <cmath>
 #include <filesystem>
 #include <string>
@@ -36,6 +37,12 @@ struct Case {
 
 void PrintTo(const Case& c, std::ostream* out) { *out << c.label; }
 
+const Attractor* find(const AttractorsResult& result, int id) {
+  const auto is_it = [&](const Attractor& a) { return a.id == id; };
+  const auto at = std::find_if(result.attractors.begin(), result.attractors.end(), is_it);
+  return at == result.attractors.end() ? nullptr : &*at;
+}
+
 AttractorsOptions searching(std::uint64_t starts) {
   AttractorsOptions options;
   options.starts = starts;
@@ -50,7 +57,7 @@ TEST_P(Attractors, AreFoundUnaided) {
   const Case& c = GetParam();
   const AttractorsResult result = attractors(rotor(c.drag, c.speed, 3000), searching(3000));
   std::vector<const Attractor*> met;  // tiny ones besides may or may not be met
-  for (const Attractor& a : result.catalogue.attractors())
+  for (const Attractor& a : result.attractors)
     for (const Expected& e : c.attractors)
       if (a.id == e.id) met.push_back(&a);
   ASSERT_EQ(met.size(), c.attractors.size());
@@ -111,7 +118,7 @@ TEST(AttractorsGiven, StatesBringRareAttractorsIntoTheList) {
   AttractorsOptions options = searching(500);
   options.seeds = {near_v4, near_period_20};
   const AttractorsResult result = attractors(rotor(0.05, 4.4, 500), options);
-  const Attractor* v4 = result.catalogue.find(5);
+  const Attractor* v4 = find(result, 5);
   ASSERT_TRUE(v4);
   EXPECT_EQ(v4->name, "one captured, period 4");
   EXPECT_EQ(v4->alias, "V4");
@@ -121,7 +128,7 @@ TEST(AttractorsGiven, StatesBringRareAttractorsIntoTheList) {
   EXPECT_NEAR(std::abs(v4->motion.spectrum[1]), 0.9901, 5e-5);
   EXPECT_NEAR(v4->motion.spectrum[1].real(), -0.877, 5e-4);
   EXPECT_NEAR(std::fabs(v4->motion.spectrum[1].imag()), 0.459, 5e-4);
-  const Attractor* beside = result.catalogue.find(first_free_id);
+  const Attractor* beside = find(result, first_free_id);
   ASSERT_TRUE(beside);
   EXPECT_EQ(beside->name, "one captured, period 20");
   EXPECT_NEAR(beside->motion.period, 81.2408, 5e-5);
@@ -148,9 +155,9 @@ TEST(AttractorsGiven, ResultsDoNotDependOnThreads) {
   const AttractorsResult one = attractors(study, options);
   options.threads = 2;
   const AttractorsResult two = attractors(study, options);
-  ASSERT_EQ(one.catalogue.attractors().size(), two.catalogue.attractors().size());
-  for (std::size_t k = 0; k < one.catalogue.attractors().size(); ++k) {
-    const Attractor &a = one.catalogue.attractors()[k], &b = two.catalogue.attractors()[k];
+  ASSERT_EQ(one.attractors.size(), two.attractors.size());
+  for (std::size_t k = 0; k < one.attractors.size(); ++k) {
+    const Attractor &a = one.attractors[k], &b = two.attractors[k];
     EXPECT_EQ(a.id, b.id);
     EXPECT_EQ(a.name, b.name);
     EXPECT_EQ(a.motion.state, b.motion.state);

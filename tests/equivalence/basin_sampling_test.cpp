@@ -10,6 +10,7 @@
 
 #include "../support/files.hpp"
 #include "equipoise/basins/basin.hpp"
+#include "equipoise/basins/basin_header.hpp"
 #include "equipoise/basins/sampling_choice.hpp"
 #include "equipoise/kernels/lane_kernels.hpp"
 #include "equipoise/spin_up/initial_state.hpp"

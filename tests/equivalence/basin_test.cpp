@@ -11,6 +11,7 @@
 #include "../support/sanitized.hpp"
 #include "../support/studies.hpp"
 #include "equipoise/basins/basin.hpp"
+#include "equipoise/basins/basin_header.hpp"
 #include "equipoise/basins/comparison.hpp"
 #include "equipoise/fates/start_runner.hpp"
 #include "equipoise/kernels/lane_kernels.hpp"
@@ -51,18 +52,16 @@ class SameBits : public testing::TestWithParam<const char*> {};
 
 TEST_P(SameBits, HoweverTheStartsAreCut) {
   const StartRunner runner(paper_row(GetParam(), 600), {.threads = 2});
-  std::vector<double> phi;
-  std::vector<Fate> whole, joined;
-  std::vector<UnlistedStart> unlisted;
-  ASSERT_TRUE(runner.run(0, 600, phi, whole, unlisted));
+  Decided whole, part;
+  std::vector<Fate> joined;
+  ASSERT_TRUE(runner.run(0, 600, whole));
   std::uint64_t first = 0;
   for (std::size_t size : {1, 2, 5, 23, 24, 25, 120, 400}) {
-    std::vector<Fate> part;
-    ASSERT_TRUE(runner.run(first, size, phi, part, unlisted));
-    joined.insert(joined.end(), part.begin(), part.end());
+    ASSERT_TRUE(runner.run(first, size, part));
+    joined.insert(joined.end(), part.fates.begin(), part.fates.end());
     first += size;
   }
-  expect_same(whole, joined);
+  expect_same(whole.fates, joined);
 }
 
 TEST_P(SameBits, ForOneThreadAndTwoAndForAStartAlone) {
@@ -308,7 +307,7 @@ TEST(Comparison, KeepsWhatBasinDecides) {
   const BasinOutcomes o = basin_outcomes(study, {});
   const BasinResult r = basin(study);
   ASSERT_EQ(o.outcome.size(), r.starts);
-  for (const AttractorShare& a : r.attractors)
+  for (const OutcomeShare& a : r.attractors)
     EXPECT_EQ(static_cast<std::uint64_t>(std::count(o.outcome.begin(), o.outcome.end(), static_cast<short>(a.id))),
               a.share.count)
         << a.name;

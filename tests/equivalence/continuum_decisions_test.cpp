@@ -24,15 +24,10 @@ Study rotor(int balls) {
 
 std::vector<Fate> fates_of(const Study& study, std::size_t count) {
   StartRunner runner(study, {.threads = 2});
-  std::vector<double> phi;
-  std::vector<Fate> fates;
-  std::vector<UnlistedStart> unlisted;
-  EXPECT_TRUE(runner.run(0, count, phi, fates, unlisted));
-  for (const UnlistedStart& u : unlisted) {
-    fates[u.place].attractor = static_cast<short>(runner.list(u));
-    if (fates[u.place].attractor == 0) fates[u.place].outcome = Outcome::undecided;
-  }
-  return fates;
+  Decided decided;
+  EXPECT_TRUE(runner.run(0, count, decided));
+  runner.settle(decided);
+  return decided.fates;
 }
 
 bool is_balanced(const Fate& fate) { return fate.outcome == Outcome::attracted && fate.attractor == balanced_id; }
@@ -95,8 +90,8 @@ TEST(ContinuumDecisions, BalanceIsNotToldByWindows) {
   }
 }
 
-// Supports that differ turn the motions of four balls into slow tori, and leave balance a continuum: the horizon that is
-// chosen waits for the ones, a level set catches the other. (By 3000 two thirds are decided by nothing.)
+// Supports that differ turn the motions of four balls into slow tori, and leave balance a continuum: the horizon that
+// is chosen waits for the ones, a level set catches the other. (By 3000 two thirds are decided by nothing.)
 TEST(ContinuumDecisions, UnequalSupportsLeaveNextToNothingUndecided) {
   Study study = rotor(4);
   study.parameters.stiffness = {1.0, 1.48};
@@ -115,9 +110,9 @@ TEST(ContinuumDecisions, UnequalSupportsLeaveNextToNothingUndecided) {
 }
 
 // Three balls on supports that differ, whose ways into balance are long and chaotic (every other kernel, every other
-// tolerance takes some of the starts elsewhere): a rule that decides nothing changes no bit of them, and from the states
-// in which they were caught they come to rest on the axis. What is followed here is accurate enough that only its
-// rounding is left of the deviations, and they began at up to a radian.
+// tolerance takes some of the starts elsewhere): a rule that decides nothing changes no bit of them, and from the
+// states in which they were caught they come to rest on the axis. What is followed here is accurate enough that only
+// its rounding is left of the deviations, and they began at up to a radian.
 TEST(ContinuumDecisions, WhatIsCaughtComesToRest) {
   Study study = rotor(3);
   study.parameters.eccentricity = 0.035;

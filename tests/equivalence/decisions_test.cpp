@@ -44,11 +44,12 @@ struct Verdicts {
 // decides nothing before.
 Verdicts compare(const Study& study, std::size_t count, double end) {
   const StartRunner runner(study, {.threads = 2});
-  std::vector<double> phi, states;
-  std::vector<Fate> early, late(count);
-  std::vector<UnlistedStart> unlisted;
-  EXPECT_TRUE(runner.run(0, count, phi, early, unlisted));
-  EXPECT_TRUE(StartSource(study, nullptr).follow(phi, states, late));
+  std::vector<double> states;
+  std::vector<Fate> late(count);
+  Decided decided;
+  EXPECT_TRUE(runner.run(0, count, decided));
+  const std::vector<Fate>& early = decided.fates;
+  EXPECT_TRUE(StartSource(study, nullptr).follow(decided.phi, states, late));
   DecisionRule rule = runner.rule();
   rule.at_horizon = true;
   const model::Parameters& p = study.parameters;
@@ -68,7 +69,7 @@ Verdicts compare(const Study& study, std::size_t count, double end) {
     std::copy(fates.begin(), fates.end(), late.begin() + static_cast<std::ptrdiff_t>(first));
   });
   Verdicts v;
-  v.unlisted = unlisted.size();
+  v.unlisted = decided.unlisted.size();
   for (std::size_t i = 0; i < count; ++i) {
     const bool balanced = at_balance(&states[i * size], p.balls);
     const int attractor = early[i].attractor;
@@ -155,12 +156,10 @@ TEST(DecisionsFor, OverdampedBallsTakeAsLongEitherWayRound) {
     study.parameters.damping = {0.883, 0.883};
     study.parameters.mass = {0.00434, 0.00434};
     const StartRunner runner(study, {.threads = 2});
-    std::vector<double> phi;
-    std::vector<Fate> fates;
-    std::vector<UnlistedStart> unlisted;
-    EXPECT_TRUE(runner.run(0, count, phi, fates, unlisted));
+    Decided decided;
+    EXPECT_TRUE(runner.run(0, count, decided));
     double sum = 0.0;
-    for (const Fate& fate : fates) sum += fate.time;
+    for (const Fate& fate : decided.fates) sum += fate.time;
     return sum / count;
   };
   // Times scatter by about their mean: of two samples of 256 the means differ by 9 % at random. Without the descent

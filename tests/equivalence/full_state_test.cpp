@@ -58,16 +58,14 @@ TEST(FullState, StartsComeToWhatTheirTrajectoriesComeToAlone) {
   const Study study = boxed(1);
   const StartRunner runner(study, {.threads = 2});
   constexpr std::size_t count = 40;
-  std::vector<double> phi;
-  std::vector<Fate> fates;
-  std::vector<UnlistedStart> unlisted;
-  ASSERT_TRUE(runner.run(0, count, phi, fates, unlisted));
-  ASSERT_TRUE(unlisted.empty());
+  Decided decided;
+  ASSERT_TRUE(runner.run(0, count, decided));
+  ASSERT_TRUE(decided.unlisted.empty());
   for (std::size_t i = 0; i < count; ++i) {
     Eigen::VectorXd state(model::dimension(2));
     initial_state(start_of(study, study.sampling.seed, i), 2, 2.4, state.data());
     const auto motion = motion_from({study.parameters, 2.4}, state);
-    const Attractor* attractor = runner.catalogue().find(fates[i].attractor);
+    const Attractor* attractor = runner.catalogue().find(decided.fates[i].attractor);
     ASSERT_TRUE(motion && attractor) << i;
     EXPECT_EQ(attractor->name, motion_name(study.parameters, *motion).name) << i;
   }

@@ -9,6 +9,7 @@
 #include "../support/refusals.hpp"
 #include "equipoise/basins/attractors.hpp"
 #include "equipoise/basins/basin.hpp"
+#include "equipoise/basins/basin_header.hpp"
 #include "equipoise/discovery/cost.hpp"
 #include "equipoise/discovery/horizon.hpp"
 #include "equipoise/discovery/undecided.hpp"
@@ -117,7 +118,7 @@ TEST(SlowRotors, ListNothingOnWhichNoStartSettles) {
     AttractorsOptions options;
     options.starts = 100;
     const AttractorsResult r = attractors(study, options);
-    for (const Attractor& a : r.catalogue.attractors()) EXPECT_EQ(a.id, balanced_id) << a.name << " at " << speed;
+    for (const Attractor& a : r.attractors) EXPECT_EQ(a.id, balanced_id) << a.name << " at " << speed;
     if (r.basin.undecided.share > 0.2) {
       EXPECT_NE(r.basin.note.find("creeping"), std::string::npos) << r.basin.note;
     }

@@ -50,11 +50,9 @@ seed = 26
 
 // What start `index` is told to come to: the identifier; 0 if it is to be followed on.
 int told(const StartRunner& runner, std::uint64_t index) {
-  std::vector<double> phi;
-  std::vector<Fate> fates;
-  std::vector<UnlistedStart> unlisted;
-  EXPECT_TRUE(runner.run(index, 1, phi, fates, unlisted));
-  return fates[0].attractor;
+  Decided decided;
+  EXPECT_TRUE(runner.run(index, 1, decided));
+  return decided.fates[0].attractor;
 }
 
 // Where the very same trajectory is at `end`, nothing being decided before.

@@ -12,10 +12,10 @@
 #include "../support/sanitized.hpp"
 #include "equipoise/basins/basin.hpp"
 #include "equipoise/explain/explain.hpp"
-#include "equipoise/fates/runner.hpp"
+#include "equipoise/fates/start_runner.hpp"
 #include "equipoise/report/basin_report.hpp"
-#include "equipoise/traps/balanced_analysis.hpp"
 #include "equipoise/trajectory/simulate.hpp"
+#include "equipoise/traps/balanced_analysis.hpp"
 #include "machine_follow.hpp"
 
 namespace {
@@ -106,7 +106,8 @@ std::vector<Case> cases() {
       // Drifts apart for thousands of time units, chaotically, on its way to pair drift; some do until the horizon.
       {"contact_with_a_long_transient",
        "[rotor]\neccentricity = 0.0025\ndamping = 1.48\n[balancer]\nballs = 2\nmass = [0.00363, 0.00355]\n"
-       "drag = [0.0166, 0.0159]\ncontact_angle = 0.205\nrestitution = 0.3\n[speed]\n" + constant(3.36) + "\n",
+       "drag = [0.0166, 0.0159]\ncontact_angle = 0.205\nrestitution = 0.3\n[speed]\n" +
+           constant(3.36) + "\n",
        true, 3},
       {"rolling", text(heavy, two + "rolling = 1e-3\n", linear), false},
       {"a_weak_motor",
@@ -275,8 +276,8 @@ TEST(BalanceNote, IsAboutStability) {
   const auto speeding = note(text(heavy, two, motor("{ constant = 0.1 }")));
   EXPECT_FALSE(speeding.stable);
   EXPECT_NE(speeding.note.find("never vanishes"), std::string::npos) << speeding.note;
-  const Study coasting = parse_study(
-      text(heavy, two, motor("{ constant = 0.1, until = 20 }")) + "[sampling]\nstarts = 4\n", "coasting");
+  const Study coasting =
+      parse_study(text(heavy, two, motor("{ constant = 0.1, until = 20 }")) + "[sampling]\nstarts = 4\n", "coasting");
   EXPECT_NE(equipoise::basin(coasting).note.find("which speed the rotor keeps is not known"), std::string::npos);
 }
 
@@ -323,14 +324,17 @@ torque = { stall = "0.006 N m", no_load_speed = "3000 rpm" }
     EXPECT_EQ(r.passed->most, 1.0);
     EXPECT_EQ(passed, horizon < 20000.0 ? 0u : horizon > 35000.0 ? 3u : passed);
     const std::string told = equipoise::basin_text(r);
-    EXPECT_NE(told.find(passed == 3 ? "resonance: 100.0 %" : passed == 0 ? "resonance: 0.0 %" : "resonance: "),
+    EXPECT_NE(told.find(passed == 3   ? "resonance: 100.0 %"
+                        : passed == 0 ? "resonance: 0.0 %"
+                                      : "resonance: "),
               std::string::npos)
         << told;
     EXPECT_EQ(told.find("not known yet") == std::string::npos, passed == 3) << told;
     EXPECT_NE(told.find("whose rotor still speeds up (at "), std::string::npos) << told;
     // What explain says of the same motor, 7860 s: three e-foldings of the way to its no-load speed.
     const double run_up = *equipoise::explain(study).run_up->shaken * study.scales->time();
-    EXPECT_NE(told.find(fmt::format(" of 3000 rpm that the motor aims at; a run-up to 2850 rpm takes about {:.0f} s", run_up)),
+    EXPECT_NE(told.find(fmt::format(" of 3000 rpm that the motor aims at; a run-up to 2850 rpm takes about {:.0f} s",
+                                    run_up)),
               std::string::npos)
         << told << run_up;
     EXPECT_EQ(told.find("longer than they were followed") != std::string::npos,

@@ -1,5 +1,5 @@
 // What the page shows against what is known otherwise: paths of motions, runs, distributions.
-#include "equipoise/pages/machine_page.hpp"
+#include "equipoise/shown/machine_page.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -10,8 +10,9 @@
 #include "../support/studies.hpp"
 #include "equipoise/basins/attractors.hpp"
 #include "equipoise/orbits/orbit.hpp"
+#include "equipoise/pages/given_machine.hpp"
 #include "equipoise/pages/machine_html.hpp"
-#include "equipoise/pages/motion_path.hpp"
+#include "equipoise/shown/motion_path.hpp"
 #include "equipoise/store/basin_file.hpp"
 
 namespace equipoise {
@@ -23,7 +24,7 @@ const MachinePage& paper_page() {
   static const MachinePage page = [] {
     Study study = parse_study(constant_speed + "[limits]\ndisplacement = 0.2\n", "paper.toml");
     study.sampling.starts = starts;
-    return machine_page(study);
+    return machine_page(study, given_machine(study));
   }();
   return page;
 }
@@ -32,9 +33,8 @@ TEST(MotionPath, IsTheRefinedOrbit) {
   AttractorsOptions options;
   options.starts = 64;
   const AttractorsResult found = attractors(parse_study(constant_speed, "paper.toml"), options);
-  const Attractor* together = found.catalogue.find(2);
-  ASSERT_TRUE(together);
-  const Motion& m = together->motion;
+  ASSERT_EQ(found.attractors.at(1).id, 2);  // together
+  const Motion& m = found.attractors.at(1).motion;
   ASSERT_EQ(m.kind, MotionKind::periodic);
   const model::System system = system_of(found.basin.study.parameters, m);
   constexpr int count = 64;
@@ -130,11 +130,12 @@ displacement = "1 mm"
 )",
                             "machine.toml");
   study.sampling.starts = 60;
-  const std::string page = machine_html(machine_page(study));
+  const std::string page = machine_html(machine_page(study, given_machine(study)));
   for (const char* words :
        {"2000 rpm", "displacement, mm", "speed, rpm", "time, s", "12 kg", "60 starts", "balance quality"})
     EXPECT_TRUE(holds(page, words)) << words;
-  for (const char* words : {"<script", "http", ">nan", " nan", ">inf", " inf "}) EXPECT_FALSE(holds(page, words)) << words;
+  for (const char* words : {"<script", "http", ">nan", " nan", ">inf", " inf "})
+    EXPECT_FALSE(holds(page, words)) << words;
 }
 
 TEST(MachinePage, FollowsOneStartWhereNoMotionIsKnown) {
@@ -153,7 +154,7 @@ torque = { constant = 0.05, slope = -0.02, until = 200.0 }
 )",
                             "coasting.toml");
   study.sampling.starts = 8;
-  const MachinePage page = machine_page(study);
+  const MachinePage page = machine_page(study, given_machine(study));
   ASSERT_FALSE(page.motions.empty());
   EXPECT_TRUE(page.motions[0].one_start);
   EXPECT_GT(page.motions[0].x.size(), 50u);

@@ -86,20 +86,18 @@ INSTANTIATE_TEST_SUITE_P(MotionTrap, OfOneRotor, testing::Values("locked", "both
 TEST(MotionTrap, CatchesWhatComesToTheMotionWhenFollowed) {
   const Study study = study_with_eccentricity(0.11);
   const StartRunner runner(study, {.threads = 2});
-  std::vector<double> phi;
-  std::vector<Fate> fates;
-  std::vector<UnlistedStart> unlisted;
+  Decided decided;
   constexpr std::size_t count = 80;
-  ASSERT_TRUE(runner.run(0, count, phi, fates, unlisted));
+  ASSERT_TRUE(runner.run(0, count, decided));
   int caught = 0;
   for (std::size_t i = 0; i < count; ++i) {
-    const Attractor* a = runner.catalogue().find(fates[i].attractor);
+    const Attractor* a = runner.catalogue().find(decided.fates[i].attractor);
     ASSERT_TRUE(a) << i;
     if (a->name != "locked" && a->name != "both captured") continue;
-    caught += fates[i].by == DecidedBy::validated && fates[i].time < 400.0;
+    caught += decided.fates[i].by == DecidedBy::validated && decided.fates[i].time < 400.0;
     Eigen::VectorXd state = Eigen::VectorXd::Zero(8);
-    state[4] = phi[2 * i];
-    state[5] = phi[2 * i + 1];
+    state[4] = decided.phi[2 * i];
+    state[5] = decided.phi[2 * i + 1];
     const auto motion = motion_from(study.system(), state);
     ASSERT_TRUE(motion) << i;
     EXPECT_EQ(motion_name(study.parameters, *motion).name, a->name) << i;

@@ -37,12 +37,10 @@ Study paper_rotor(double gravity, std::array<double, 2> stiffness) {
 }
 
 std::vector<Fate> fates_of(StartRunner& runner, std::size_t count) {
-  std::vector<double> phi;
-  std::vector<Fate> fates;
-  std::vector<UnlistedStart> unlisted;
-  EXPECT_TRUE(runner.run(0, count, phi, fates, unlisted));
-  for (const UnlistedStart& start : unlisted) fates[start.place].attractor = static_cast<short>(runner.list(start));
-  return fates;
+  Decided decided;
+  EXPECT_TRUE(runner.run(0, count, decided));
+  runner.settle(decided);
+  return decided.fates;
 }
 
 // Names without what tells a modulated motion from its plain form: "co-drifting, quasi-periodic" is what gravity makes
@@ -204,7 +202,7 @@ TEST(Stroboscopic, DecidedStartsHaveTheSameBitsOnAnyNumberOfThreadsAndAlone) {
       EXPECT_EQ(one[i].time, shared[i].time) << i;
       EXPECT_EQ(one[i].by, shared[i].by) << i;
     }
-    EXPECT_GE(decided, one.size() * 9 / 10);  // bits of what is undecided say nothing of decisions
+    EXPECT_GE(decided, one.size() * 9 / 10);         // bits of what is undecided say nothing of decisions
     constexpr std::uint64_t index = sized(311, 31);  // of the middle: each start alone costs another search
     const StartReplay alone = replay_start(study, index);
     EXPECT_EQ(alone.fate.attractor, one[index].attractor);

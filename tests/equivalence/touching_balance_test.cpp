@@ -101,17 +101,15 @@ TEST(TouchingBalance, StartsComeToItAsSimulateDoes) {
   constexpr std::size_t count = 16;
   StartRunner runner(study, {2, nullptr, {}});
   EXPECT_EQ(runner.balance().note, "");
-  std::vector<double> phi;
-  std::vector<Fate> fates;
-  std::vector<UnlistedStart> unlisted;
-  ASSERT_TRUE(runner.run(0, count, phi, fates, unlisted));
-  EXPECT_TRUE(unlisted.empty());
-  for (const Fate& fate : fates) {
+  Decided decided;
+  ASSERT_TRUE(runner.run(0, count, decided));
+  EXPECT_TRUE(decided.unlisted.empty());
+  for (const Fate& fate : decided.fates) {
     EXPECT_EQ(fate.outcome, Outcome::attracted);
     EXPECT_EQ(fate.attractor, balanced_id);
   }
   for (std::size_t i = 0; i < 2; ++i) {
-    std::copy_n(&phi[i * 6], 6, study.initial.phi.begin());
+    std::copy_n(&decided.phi[i * 6], 6, study.initial.phi.begin());
     study.numerics.tolerance = 1e-9;
     const Trajectory path = simulate(study, {0.0, 1.0, 300.0});
     EXPECT_GT(path.radial[1], 0.1 * study.parameters.eccentricity);

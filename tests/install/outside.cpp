@@ -125,9 +125,9 @@ void motions(const equipoise::Study& study) {
   equipoise::AttractorsOptions search;
   search.starts = 500;
   const auto known = equipoise::attractors(study, search);
-  for (const equipoise::Attractor& a : known.catalogue.attractors())
+  for (const equipoise::Attractor& a : known.attractors)
     std::printf("%d %s, r up to %.4f\n", a.id, a.name.c_str(), a.motion.r_max);
-  expect(known.catalogue.attractors().size() >= 2, "there are attractors besides balance");
+  expect(known.attractors.size() >= 2, "there are attractors besides balance");
 
   const equipoise::ParameterLine line(study, "speed.final=2.6:2.65:0.05");
   equipoise::ContinuationOptions following;

@@ -10,7 +10,7 @@
 #include "equipoise/drawing/svg.hpp"
 #include "equipoise/pages/given_keys.hpp"
 #include "equipoise/pages/quantities.hpp"
-#include "equipoise/pages/shown_runs.hpp"
+#include "equipoise/shown/shown_runs.hpp"
 
 namespace equipoise {
 namespace {

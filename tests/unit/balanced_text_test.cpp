@@ -4,9 +4,9 @@
 #include <string>
 
 #include "../support/parameters.hpp"
-#include "equipoise/deciding/decision_rule.hpp"
 #include "equipoise/reproduction/reproduction_words.hpp"
 #include "equipoise/store/basin_file.hpp"
+#include "equipoise/types/fate.hpp"
 
 namespace equipoise {
 namespace {

@@ -4,7 +4,6 @@
 #include <stdexcept>
 
 #include "../support/studies.hpp"
-#include "equipoise/deciding/decision_rule.hpp"
 #include "equipoise/drawing/chart_svg.hpp"
 #include "equipoise/drawing/plot_parts.hpp"
 #include "equipoise/drawing/raster.hpp"
@@ -12,6 +11,7 @@
 #include "equipoise/pages/answer.hpp"
 #include "equipoise/pages/quantities.hpp"
 #include "equipoise/store/basin_file.hpp"
+#include "equipoise/types/fate.hpp"
 
 namespace equipoise {
 namespace {

@@ -5,11 +5,11 @@
 #include <gtest/gtest.h>
 
 #include "../support/studies.hpp"
-#include "equipoise/fates/runner.hpp"
+#include "equipoise/fates/start_runner.hpp"
 #include "equipoise/motions/motion.hpp"
 #include "equipoise/orbits/orbit.hpp"
 #include "equipoise/orbits/variational.hpp"
-#include "equipoise/pages/motion_path.hpp"
+#include "equipoise/shown/motion_path.hpp"
 #include "equipoise/study/study.hpp"
 
 namespace equipoise {
@@ -55,13 +55,13 @@ TEST_F(StoppedFollowing, ListsNoStart) {
   Study study = study_;
   study.numerics.horizon = 3000.0;
   StopFlag stop{false};
-  const auto runner = make_runner(study, {.stop = &stop}, false);
+  const StartRunner runner(study, {.stop = &stop});
   const std::vector<double> state(motion_->state.begin(), motion_->state.end());
-  const auto followed = runner->follow(state);
+  const auto followed = runner.follow(state);
   ASSERT_TRUE(followed.has_value());
   EXPECT_TRUE(followed->motion.has_value());
   stop = true;
-  EXPECT_FALSE(runner->follow(state).has_value());
+  EXPECT_FALSE(runner.follow(state).has_value());
 }
 
 }  // namespace

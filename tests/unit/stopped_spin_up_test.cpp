@@ -7,7 +7,7 @@
 
 #include "../support/studies.hpp"
 #include "equipoise/base/error.hpp"
-#include "equipoise/fates/runner.hpp"
+#include "equipoise/fates/checks.hpp"
 #include "equipoise/fates/transient_tally.hpp"
 #include "equipoise/spin_up/start_source.hpp"
 #include "equipoise/study/study.hpp"

@@ -14,8 +14,7 @@
 #include "equipoise/base/angles.hpp"
 #include "equipoise/base/error.hpp"
 #include "equipoise/study/keys.hpp"
-#include "../base_study.hpp"
-#include "../machine_study.hpp"
+#include "../support/studies.hpp"
 
 namespace equipoise {
 namespace {

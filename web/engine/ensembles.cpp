@@ -14,11 +14,11 @@
 #include "calls.hpp"
 #include "equipoise/basins/comparison.hpp"
 #include "equipoise/basins/ensemble.hpp"
-#include "equipoise/deciding/outcomes.hpp"
+#include "equipoise/types/outcomes.hpp"
 #include "equipoise/drawing/plot_parts.hpp"
-#include "equipoise/pages/motion_path.hpp"
 #include "equipoise/report/comparison_report.hpp"
 #include "equipoise/report/motion_words.hpp"
+#include "equipoise/shown/motion_path.hpp"
 
 namespace equipoise::web {
 

@@ -10,9 +10,9 @@
 #include "calls.hpp"
 #include "equipoise/base/error.hpp"
 #include "equipoise/basins/basin.hpp"
-#include "equipoise/integrate/status.hpp"
 #include "equipoise/spin_up/initial_state.hpp"
 #include "equipoise/trajectory/followed_run.hpp"
+#include "equipoise/types/status.hpp"
 
 namespace equipoise::web {
 

@@ -12,7 +12,7 @@
 #include "equipoise/base/embedded.hpp"
 #include "equipoise/base/error.hpp"
 #include "equipoise/explain/explain.hpp"
-#include "equipoise/fates/runner.hpp"
+#include "equipoise/fates/checks.hpp"
 #include "equipoise/model/strobe.hpp"
 #include "equipoise/pages/form.hpp"
 #include "equipoise/report/explain_report.hpp"

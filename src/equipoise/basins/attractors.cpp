@@ -6,6 +6,7 @@
 #include <map>
 
 #include "equipoise/fates/checks.hpp"
+#include "equipoise/motions/catalogue.hpp"
 
 namespace equipoise {
 
@@ -28,9 +29,11 @@ AttractorsResult attractors(const Study& asked, const AttractorsOptions& options
     if (fate.outcome == Outcome::stalled) ++stalled[fate.attractor];
     if (options.fate) options.fate(fate);
   };
-  result.basin = basin(study, search, &result.catalogue);
+  Catalogue catalogue;
+  result.basin = basin(study, search, &catalogue);
+  result.attractors = catalogue.attractors();
   auto& shares = result.basin.attractors;
-  for (const Attractor& a : result.catalogue.attractors()) {
+  for (const Attractor& a : result.attractors) {
     const auto same = [&](const OutcomeShare& s) { return s.id == a.id; };
     if (std::any_of(shares.begin(), shares.end(), same)) continue;
     shares.push_back({a.id, a.name, a.alias, wilson_share(stalled[a.id], result.basin.starts), name_of(a.motion.kind)});

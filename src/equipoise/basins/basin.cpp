@@ -13,20 +13,22 @@
 #include <utility>
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include "equipoise/base/cpu_time.hpp"
 #include "equipoise/base/parallel.hpp"
-#include "equipoise/base/percent_text.hpp"
 #include "equipoise/base/reporting.hpp"
+#include "equipoise/basins/basin_header.hpp"
 #include "equipoise/basins/chunks.hpp"
 #include "equipoise/basins/ensemble_runner.hpp"
+#include "equipoise/basins/open_starts.hpp"
 #include "equipoise/basins/sampling_choice.hpp"
 #include "equipoise/basins/start_arrays.hpp"
+#include "equipoise/basins/stored_starts.hpp"
 #include "equipoise/basins/tally.hpp"
 #include "equipoise/basins/write_basin.hpp"
 #include "equipoise/discovery/horizon.hpp"
-#include "equipoise/fates/runner.hpp"
+#include "equipoise/fates/checks.hpp"
+#include "equipoise/fates/start_runner.hpp"
 #include "equipoise/fates/transient_tally.hpp"
 #include "equipoise/kernels/lane_kernels.hpp"
 #include "equipoise/model/system.hpp"
@@ -48,10 +50,7 @@ class BasinRun {
         threads_(thread_count(options.threads)),
         discoveries_(options.discoveries ? *options.discoveries : own_discoveries_) {
     result_.study = study;
-    if (study.speed.driven()) {
-      stall_speed_ = study.stall_speed();
-      passed_speed_ = study.passed_speed();
-    }
+    if (study.speed.driven()) passed_speed_ = study.passed_speed();
     result_.threads = threads_;
     result_.cpu_target = cpu_target();
     result_.half_width = options.half_width;
@@ -73,7 +72,7 @@ class BasinRun {
     const BalanceNote balance = runner_->balance();
     result_.balanced_stable = balance.stable;
     result_.note = balance.note;
-    explain_undecided();
+    note_open_starts(result_, horizon_, look_at_these(undecided_), look_at_these(stalled_));
     const RunTime time = time_so_far();
     result_.seconds = time.seconds;
     result_.cpu_seconds = time.cpu_seconds;
@@ -106,20 +105,24 @@ class BasinRun {
     if (result_.own_starts) return options_.initial[index];
     return drawn_start_of(result_.study, *sampler_, result_.study.sampling.seed, index);
   }
-  std::vector<InitialState> starts(const std::vector<std::uint64_t>& indices) const {
-    std::vector<InitialState> result;
-    for (const std::uint64_t index : indices) result.push_back(start(index));
-    return result;
+  // What these starts do in the end; asked only if it is wanted.
+  LookAt look_at_these(const std::vector<std::uint64_t>& indices) const {
+    return [&] {
+      if (runner_->stopped() || is_set(options_.stop)) return std::vector<UndecidedEnd>{};
+      std::vector<InitialState> starts;
+      for (const std::uint64_t index : indices) starts.push_back(start(index));
+      return runner_->look_at(starts);
+    };
   }
 
   // Thread-safe.
   bool decide(Chunk& c) const {
-    if (!result_.own_starts) return decide_chunk(*runner_, gathers_, c);
+    if (!result_.own_starts) return decide_chunk(*runner_, c);
     const std::span<const InitialState> given(&options_.initial[c.first], c.count);
     c.phi.clear();
     for (const InitialState& s : given)
       c.phi.insert(c.phi.end(), s.phi.begin(), s.phi.begin() + result_.study.parameters.balls);
-    return runner_->run_from(given, c.fates, c.unlisted, gathers_ ? &c.transients : nullptr);
+    return runner_->run_from(given, c);
   }
 
   void sample() {
@@ -163,7 +166,7 @@ class BasinRun {
     const Study& study = result_.study;
     DiscoverySettings search = search_settings(options_, &discoveries_);
     if (file_) search.notes = &file_->notes();
-    runner_ = equipoise::make_runner(study, search, gathers_);
+    runner_ = std::make_unique<StartRunner>(study, search, gathers_);
     tally_.emplace(*sampler_, study.sampling.seed, runner_->settled());
     transients_.emplace(study, *sampler_);
     filed_.clear();
@@ -195,7 +198,7 @@ class BasinRun {
   void try_chunk(const std::shared_ptr<Chunk>& chunk, Tally& tally) {
     lost_ = lost_ || !chunk->complete;
     if (lost_) return;
-    for (const UnlistedStart& start : chunk->unlisted) settle(*runner_, start, chunk->fates[start.place]);
+    runner_->settle(*chunk);
     for (const Fate& fate : chunk->fates) tally.add(fate);
     pilot_.push_back(chunk);
     report(tally, 0);
@@ -208,34 +211,8 @@ class BasinRun {
                                         basin_file_header(result_.study, options_.store_angles, gathers_, own));
   }
 
-  std::vector<OutcomeShare> attractor_shares(const Tally& tally) const {
-    std::vector<OutcomeShare> shares;
-    if (!runner_->catalogue().find(balanced_id)) {
-      Attractor none{balanced_id, "balanced", "", {}, {}};
-      shares.push_back(tally.share(none));
-    }
-    for (const Attractor& a : runner_->catalogue().attractors()) {
-      // Whose rotor does not come up to speed is counted among the stalled.
-      if (a.id != balanced_id && std::fabs(a.motion.speed) < stall_speed_ && a.motion.kind != MotionKind::measured)
-        continue;
-      OutcomeShare share = tally.share(a);
-      // Kinds of motion that a machine might come to are told only if one did.
-      if (share.share.count > 0 || a.id == balanced_id || a.motion.kind != MotionKind::measured)
-        shares.push_back(std::move(share));
-    }
-    return shares;
-  }
-
-  void count(const Tally& tally, BasinResult& result) const {
-    result.attractors = attractor_shares(tally);
-    result.undecided = tally.share(Outcome::undecided);
-    result.diverged = tally.share(Outcome::diverged);
-    result.failed = tally.share(Outcome::failed);
-    if (result_.study.speed.driven()) result.stalled = tally.share(Outcome::stalled);
-  }
-
   void count_all() {
-    count(*tally_, result_);
+    tally_->count(runner_->catalogue(), result_);
     if (result_.study.speed.driven()) {
       // A grid's starts weigh differently, and are not counted here.
       if (!result_.grid) {
@@ -259,12 +236,13 @@ class BasinRun {
     const bool all = tally_->total() == file_->stored();
     if (file_->unfinished() == 0 && (!all || !finished_ || file_->complete())) return;
     Tally whole = *tally_;
-    for_each_stored(tally_->total(), file_->stored(), [&](const Fate& fate, const TransientRow*) { whole.add(fate); });
+    for_each_stored(*file_, tally_->total(), file_->stored(), false,
+                    [&](const Fate& fate, const TransientRow*) { whole.add(fate); });
     Study study = result_.study;
     if (finished_ && !sampler_->grid()) study.sampling.starts = file_->stored();
     BasinResult told;
     told.study = study;
-    count(whole, told);
+    whole.count(runner_->catalogue(), told);
     file_->finish(to_toml(study), outcome_summary(told), finished_, time);
   }
 
@@ -279,51 +257,17 @@ class BasinRun {
         if (options_.keep_starts) result_.discoveries.push_back(state);
       }
     const std::uint64_t stored = file_ ? std::min(file_->stored(), limit_) : 0;
-    for_each_stored(0, stored, [&](const Fate& fate, const TransientRow* row) {
-      if (!finished_) take(fate, row);
-    });
+    if (file_)
+      for_each_stored(*file_, 0, stored, gathers_, [&](const Fate& fate, const TransientRow* row) {
+        if (!finished_) take(fate, row);
+      });
     result_.resumed_from = tally_->total();
-    if (stored > 0 && !finished_ && !runner_->stopped()) check_stored(stored);
-  }
-
-  // Starts of the file are decided again before any are added: a program built otherwise, or another instruction set,
-  // that gives other bits would make a file of two kinds. Few suffice: where arithmetic differs, the times of decision
-  // of most starts do.
-  void check_stored(std::uint64_t stored) {
-    const auto& targets = file_->cpu_targets();
-    const bool known = std::find(targets.begin(), targets.end(), result_.cpu_target) != targets.end();
-    const std::uint64_t each = std::min<std::uint64_t>(known ? 4 : 64, stored);
-    for (const std::uint64_t first : {std::uint64_t{0}, stored - each}) {
-      Chunk chunk;
-      chunk.first = first;
-      chunk.count = each;
-      if (!decide(chunk)) return;  // stopped
-      for (const UnlistedStart& start : chunk.unlisted) settle(*runner_, start, chunk.fates[start.place]);
-      const std::vector<Fate> fates = file_->read(first, each);
-      for (std::size_t i = 0; i < each; ++i)
-        if (!same(fates[i], chunk.fates[i]))
-          throw InputError(
-              options_.output, "", "",
-              fmt::format("start {}, computed with {}, comes out otherwise in this program with {}; must be "
-                          "a new file, or one that this program and instruction set made",
-                          first + i, fmt::join(targets, ", "), result_.cpu_target));
-    }
-  }
-
-  static bool same(const Fate& a, const Fate& b) {
-    return a.outcome == b.outcome && a.attractor == b.attractor && a.by == b.by && a.time == b.time;
-  }
-
-  template <class Visit>
-  void for_each_stored(std::uint64_t begin, std::uint64_t end, const Visit& visit) const {
-    constexpr std::size_t block = 65536;
-    for (std::uint64_t first = begin; first < end; first += block) {
-      const std::size_t count = std::min<std::uint64_t>(block, end - first);
-      const std::vector<Fate> fates = file_->read(first, count);
-      const std::vector<TransientRow> rows =
-          gathers_ ? file_->read_transients(first, count) : std::vector<TransientRow>{};
-      for (std::size_t i = 0; i < count; ++i) visit(fates[i], rows.empty() ? nullptr : &rows[i]);
-    }
+    if (stored > 0 && !finished_ && !runner_->stopped())
+      check_stored(*file_, options_.output, stored, result_.cpu_target, [&](Chunk& chunk) {
+        if (!decide(chunk)) return false;
+        runner_->settle(chunk);
+        return true;
+      });
   }
 
   void take(const Fate& fate, const TransientRow* row) {
@@ -359,27 +303,8 @@ class BasinRun {
       ++held_below_;
   }
 
-  // Many undecided starts are no answer: the note then says why there are so many. That balls are never let go is said
-  // of any.
-  void explain_undecided() {
-    const double share = result_.undecided.share;
-    const bool many = result_.starts > 0 && share > undecided_worth_a_word;
-    const bool stopped = runner_->stopped() || is_set(options_.stop);
-    const bool may_hold = !stopped && result_.study.speed.driven() && result_.study.release.speed;
-    const std::vector<UndecidedEnd> ends =
-        !stopped && (many || may_hold) ? runner_->look_at(starts(undecided_)) : std::vector<UndecidedEnd>{};
-    const std::string held = held_text(ends),
-                      held_stalled = may_hold ? held_text(runner_->look_at(starts(stalled_))) : "";
-    if (many)
-      add_note(fmt::format("{} are undecided: {}", percent_text(share), why_undecided(result_.study, horizon_, ends)));
-    if (!many && !held.empty()) add_note("balls of undecided starts are never let go: " + held);
-    if (!held_stalled.empty()) add_note("balls of stalled starts are never let go: " + held_stalled);
-  }
-
-  void add_note(const std::string& words) { result_.note += (result_.note.empty() ? "" : "; ") + words; }
-
   void compute(std::uint64_t first, std::uint64_t limit, const ChunkSink& sink) {
-    // What starts with rotors of their own came to is not told in a few words, nor are starts of the caller's own.
+    // Fates of starts with individual rotors are too large to send, and so are starts of the caller's own.
     const bool helped = options_.help && !file_ && result_.study.uncertain.empty() && !result_.own_starts;
     const ChunkWork work{.decide = [&](Chunk& c) { return decide(c); },
                          .threads = threads_,
@@ -412,39 +337,16 @@ class BasinRun {
       take(fate, chunk.row(taken));
       ++taken;
     }
-    if (file_) store(chunk, begin, taken);
+    if (file_)
+      append_starts(
+          *file_, result_.study, *sampler_, chunk, {begin, taken}, result_.own_starts,
+          [&](std::uint64_t index) { return start(index); }, time_so_far());
     report(*tally_, options_.half_width > 0.0 ? 0 : limit_);
-  }
-
-  // Starts are functions of their index, so what they drew besides angles is made again for the file alone.
-  void store(const Chunk& chunk, std::size_t begin, std::size_t end) {
-    const Study& study = result_.study;
-    std::vector<double> rotor, phi_dot, psi, weight, drawn;
-    for (std::size_t i = begin; i < end; ++i) {
-      if (sampler_->grid()) weight.push_back(sampler_->weight(study.sampling.seed, chunk.first + i));
-      for (const double v : drawn_values(study, *sampler_, study.sampling.seed, chunk.first + i)) drawn.push_back(v);
-      if (study.sampling.box.empty() && !result_.own_starts) continue;
-      const InitialState s = start(chunk.first + i);
-      psi.push_back(s.psi);
-      rotor.insert(rotor.end(), {s.x, s.y, s.x_dot, s.y_dot});
-      phi_dot.insert(phi_dot.end(), s.phi_dot.begin(), s.phi_dot.begin() + study.parameters.balls);
-    }
-    const std::size_t balls = static_cast<std::size_t>(study.parameters.balls);
-    file_->append({.count = end - begin,
-                   .phi = chunk.phi.data() + begin * balls,
-                   .fates = chunk.fates.data() + begin,
-                   .rotor = rotor.data(),
-                   .phi_dot = phi_dot.data(),
-                   .psi = psi.data(),
-                   .weight = weight.data(),
-                   .rows = chunk.row(begin),
-                   .drawn = drawn.data()},
-                  time_so_far());
   }
 
   // A stationary motion that the rule does not list: what it is decides, whenever it was first met.
   void name_fate(Fate& fate, const UnlistedStart& start) {
-    const int id = settle(*runner_, start, fate);
+    const int id = runner_->settle(start, fate);
     if (id == 0 || !filed_.insert(id).second) return;
     if (file_) file_->append_discovery(start.state);
     if (options_.keep_starts) result_.discoveries.push_back(start.state);
@@ -461,13 +363,13 @@ class BasinRun {
   std::uint64_t limit_ = 0;
   std::unique_ptr<BasinFile> file_;
   std::optional<Sampler> sampler_;
-  std::unique_ptr<Runner> runner_;
+  std::unique_ptr<StartRunner> runner_;
   std::optional<Tally> tally_;
   std::optional<TransientTally> transients_;
   std::vector<std::shared_ptr<Chunk>> pilot_;
   std::uint64_t passed_ = 0, held_below_ = 0, below_ = 0;  // the resonance; for good, or when last seen
   std::uint64_t met_ = 0;                                  // starts whose balls touched
-  double stall_speed_ = 0.0, passed_speed_ = 0.0;
+  double passed_speed_ = 0.0;
   std::set<int> filed_;  // motions known before the first start, or met and kept
   std::atomic<bool> finished_{false}, lost_{false};
   bool unread_ = false;  // stopped before the motions that the file names were listed

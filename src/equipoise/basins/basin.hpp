@@ -10,12 +10,10 @@
 
 #include "equipoise/base/error.hpp"
 #include "equipoise/base/run_options.hpp"
-#include "equipoise/deciding/fate.hpp"
-#include "equipoise/kernels/cpu_target.hpp"
 #include "equipoise/results/basin_result.hpp"
 #include "equipoise/statistics/share.hpp"
-#include "equipoise/store/basin_file.hpp"
 #include "equipoise/study/study.hpp"
+#include "equipoise/types/fate.hpp"
 
 namespace equipoise {
 
@@ -65,11 +63,6 @@ struct BasinOptions : RunOptions {
 
 /// Whether a run with these options gathers transients.
 bool gathers_transients(const Study& study, const BasinOptions& options);
-
-/// What the output file of a basin() says of its run.
-/// `own_starts`: of the caller's starts (checksum_of()), empty if they are drawn; `target`: the CPU target of the run.
-BasinFileHeader basin_file_header(const Study& study, bool angles, bool transients = false,
-                                  const std::string& own_starts = {}, const std::string& target = cpu_target());
 
 /// What start `index` (any, also beyond study.sampling.starts; on a grid below its number) begins with at t = 0.
 InitialState start_of(const Study& study, std::uint64_t index);

@@ -2,15 +2,14 @@
 #include "equipoise/basins/basin_cost.hpp"
 
 #include <algorithm>
-#include <memory>
-#include <vector>
 
 #include "equipoise/base/cpu_time.hpp"
 #include "equipoise/base/deadline.hpp"
 #include "equipoise/base/reporting.hpp"
 #include "equipoise/basins/basin.hpp"
 #include "equipoise/discovery/horizon.hpp"
-#include "equipoise/fates/runner.hpp"
+#include "equipoise/fates/checks.hpp"
+#include "equipoise/fates/start_runner.hpp"
 #include "equipoise/kernels/cpu_target.hpp"
 
 namespace equipoise {
@@ -36,18 +35,14 @@ BasinCost measure_cost(const Study& asked, const RunOptions& options, double pat
     StopFlag stop{is_set(o.stop)};
     const Deadline deadline(stop, patience);
     const double begin = cpu_seconds();
-    const std::unique_ptr<Runner> runner =
-        make_runner(study, {.threads = 1, .stop = &stop, .progress = o.progress}, gathers);
+    const StartRunner runner(study, {.threads = 1, .stop = &stop, .progress = o.progress}, gathers);
     cost.search = cpu_seconds() - begin;
-    cost.search_ended = !runner->stopped();
+    cost.search_ended = !runner.stopped();
     const double searched = cpu_seconds();
     for (std::uint64_t next = first_starts; cost.search_ended && cost.measured < std::min(cost.starts, most_starts);) {
       const std::uint64_t count = std::min(next, std::min(cost.starts, most_starts) - cost.measured);
-      std::vector<double> phi;
-      std::vector<Fate> fates;
-      std::vector<UnlistedStart> unlisted;
-      std::vector<TransientRow> rows;
-      if (!runner->run(cost.measured, count, phi, fates, unlisted, gathers ? &rows : nullptr)) break;
+      Decided decided;
+      if (!runner.run(cost.measured, count, decided)) break;
       cost.measured += count;
       const double taken = cpu_seconds() - searched;
       cost.a_start = taken / static_cast<double>(cost.measured);

@@ -1,8 +1,6 @@
-// What the output file of an ensemble says of its run.
-#include <optional>
-#include <string>
+// Which programs' results are the same to the bit; what of a study decides the fate of a start.
+#include "equipoise/basins/basin_header.hpp"
 
-#include "equipoise/basins/basin.hpp"
 #include "equipoise/basins/start_arrays.hpp"
 #include "equipoise/discovery/horizon.hpp"
 #include "equipoise/fates/transient_tally.hpp"

@@ -13,19 +13,16 @@
 
 #include "equipoise/base/error.hpp"
 #include "equipoise/basins/chunk_size.hpp"
-#include "equipoise/fates/runner.hpp"
+#include "equipoise/fates/start_runner.hpp"
 
 namespace equipoise {
 
-struct Chunk {
+struct Chunk : Decided {
   std::uint64_t first = 0;
   std::size_t count = 0;
   bool complete = false;
-  bool from_elsewhere = false;  ///< decided by another process: of unlisted starts place and state are all there is
-  std::vector<double> phi;      ///< none from elsewhere
-  std::vector<Fate> fates;
-  std::vector<UnlistedStart> unlisted;
-  std::vector<TransientRow> transients;  // none unless asked for
+  /// Decided by another process: of unlisted starts place and state are all there is, and there are no angles.
+  bool from_elsewhere = false;
 
   const TransientRow* row(std::size_t place) const { return transients.empty() ? nullptr : &transients[place]; }
 };

@@ -9,10 +9,9 @@
 #include <utility>
 
 #include "equipoise/base/error.hpp"
-#include "equipoise/deciding/decision_rule.hpp"
-#include "equipoise/deciding/fate.hpp"
-#include "equipoise/fates/runner.hpp"
+#include "equipoise/fates/checks.hpp"
 #include "equipoise/motions/catalogue.hpp"
+#include "equipoise/types/fate.hpp"
 
 namespace equipoise {
 

@@ -9,9 +9,9 @@
 #include <fmt/format.h>
 
 #include "equipoise/base/error.hpp"
-#include "equipoise/base/parallel.hpp"
 #include "equipoise/base/reporting.hpp"
 #include "equipoise/basins/ensemble_runner.hpp"
+#include "equipoise/fates/checks.hpp"
 #include "equipoise/kernels/cpu_target.hpp"
 #include "equipoise/orbits/return_map.hpp"
 #include "equipoise/spin_up/given_starts.hpp"
@@ -37,23 +37,9 @@ Ensemble::Ensemble(const Study& study, const EnsembleOptions& options) : gathers
   check_runnable(study, gathers_);
   study_ = as_sampled(study, study.sampling.method.value_or(SamplingMethod::random));
   DiscoveryCache own;
-  DiscoveryCache& found = options.discoveries ? *options.discoveries : own;
-  // Whoever wishes to stop this call is gone when starts are decided: what is found here the runner finds again.
-  const bool stopped = reported(static_cast<const RunOptions&>(options), [&](const RunOptions& o) {
-    const bool searches = study_.uncertain.empty();
-    const DiscoverySettings search{
-        .threads = thread_count(o.threads), .stop = o.stop, .cache = &found, .progress = o.progress};
-    return searches && discover(study_, search).stopped;
+  runner_ = reported(static_cast<const RunOptions&>(options), [&](const RunOptions& o) {
+    return lasting_runner(study_, o, gathers_, options.discoveries ? *options.discoveries : own);
   });
-  if (stopped) throw RunError("stopped before the attractors were known");
-  BasinOptions quiet;
-  quiet.threads = options.threads;
-  quiet.transients = gathers_;
-  runner_ = ensemble_runner(study_, quiet, found);
-}
-
-void Ensemble::settle_all(const std::vector<UnlistedStart>& unlisted, std::vector<Fate>& fates) {
-  for (const UnlistedStart& start : unlisted) settle(*runner_, start, fates[start.place]);
 }
 
 Ensemble::Ended Ensemble::starts(std::uint64_t first, std::size_t count) {
@@ -61,12 +47,10 @@ Ensemble::Ended Ensemble::starts(std::uint64_t first, std::size_t count) {
   if (sampler.grid() && (first > sampler.grid()->starts() || count > sampler.grid()->starts() - first))
     throw InputError(study_.name, "start index", fmt::format("{}", first + count),
                      fmt::format("must be at most {}, the starts of this grid", sampler.grid()->starts()));
-  Chunk chunk;
-  chunk.first = first;
-  chunk.count = count;
-  if (!decide_chunk(*runner_, gathers_, chunk)) throw RunError("stopped before the starts were decided");
-  settle_all(chunk.unlisted, chunk.fates);
-  return {std::move(chunk.phi), std::move(chunk.fates), std::move(chunk.transients)};
+  Ended ended;
+  if (!runner_->run(first, count, ended)) throw RunError("stopped before the starts were decided");
+  runner_->settle(ended);
+  return ended;
 }
 
 Ensemble::Ended Ensemble::at_angles(const std::vector<double>& phi) {
@@ -83,18 +67,16 @@ Ensemble::Ended Ensemble::at_angles(const std::vector<double>& phi) {
     given.push_back(start);
     places.push_back(i);
   }
-  std::vector<Fate> fates;
-  std::vector<UnlistedStart> unlisted;
-  std::vector<TransientRow> rows;
-  if (!given.empty()) runner_->run_from(given, fates, unlisted, gathers_ ? &rows : nullptr);
-  settle_all(unlisted, fates);
+  Decided those;
+  if (!given.empty()) runner_->run_from(given, those);
+  runner_->settle(those);
   Fate none;
   none.outcome = Outcome::failed;
   none.time = std::numeric_limits<double>::quiet_NaN();
-  Ended ended{phi, std::vector<Fate>(count, none), std::vector<TransientRow>(gathers_ ? count : 0)};
+  Ended ended{phi, std::vector<Fate>(count, none), {}, std::vector<TransientRow>(gathers_ ? count : 0)};
   for (std::size_t k = 0; k < places.size(); ++k) {
-    ended.fates[places[k]] = fates[k];
-    if (gathers_) ended.transients[places[k]] = rows[k];
+    ended.fates[places[k]] = those.fates[k];
+    if (gathers_) ended.transients[places[k]] = those.transients[k];
   }
   return ended;
 }

@@ -7,11 +7,11 @@
 #include <vector>
 
 #include "equipoise/base/run_options.hpp"
-#include "equipoise/deciding/fate.hpp"
 #include "equipoise/discovery/discovery.hpp"
-#include "equipoise/fates/runner.hpp"
+#include "equipoise/fates/start_runner.hpp"
 #include "equipoise/study/study.hpp"
-#include "equipoise/transients/transient_table.hpp"
+#include "equipoise/types/fate.hpp"
+#include "equipoise/types/transient_table.hpp"
 
 namespace equipoise {
 
@@ -31,11 +31,8 @@ class Ensemble {
   /// RunError if stopped.
   explicit Ensemble(const Study& study, const EnsembleOptions& options = {});
 
-  struct Ended {
-    std::vector<double> phi;  ///< initial ball angles, `balls` a start
-    std::vector<Fate> fates;
-    std::vector<TransientRow> transients;  ///< if they are gathered
-  };
+  /// All of them settled.
+  using Ended = Decided;
   /// Starts first .. first + count - 1, also beyond study().sampling.starts. Throws InputError beyond the end of a
   /// grid.
   Ended starts(std::uint64_t first, std::size_t count);
@@ -50,11 +47,9 @@ class Ensemble {
   BalanceNote balance() const { return runner_->balance(); }
 
  private:
-  void settle_all(const std::vector<UnlistedStart>& unlisted, std::vector<Fate>& fates);
-
   Study study_;
   bool gathers_;
-  std::unique_ptr<Runner> runner_;
+  std::unique_ptr<StartRunner> runner_;
 };
 
 }  // namespace equipoise

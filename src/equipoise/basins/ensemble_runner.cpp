@@ -29,14 +29,25 @@ DiscoverySettings search_settings(const BasinOptions& options, DiscoveryCache* d
           .notes = options.notes};
 }
 
-std::unique_ptr<Runner> ensemble_runner(const Study& study, const BasinOptions& options, DiscoveryCache& discoveries) {
-  return make_runner(study, search_settings(options, &discoveries), gathers_transients(study, options));
+std::unique_ptr<StartRunner> ensemble_runner(const Study& study, const BasinOptions& options,
+                                             DiscoveryCache& discoveries) {
+  return std::make_unique<StartRunner>(study, search_settings(options, &discoveries),
+                                       gathers_transients(study, options));
 }
 
-bool decide_chunk(const Runner& runner, bool gathers, Chunk& chunk) {
-  if (!chunk.from_elsewhere)
-    return runner.run(chunk.first, chunk.count, chunk.phi, chunk.fates, chunk.unlisted,
-                      gathers ? &chunk.transients : nullptr);
+std::unique_ptr<StartRunner> lasting_runner(const Study& study, const RunOptions& options, bool transients,
+                                            DiscoveryCache& found) {
+  const int threads = thread_count(options.threads);
+  const DiscoverySettings search{
+      .threads = threads, .stop = options.stop, .cache = &found, .progress = options.progress};
+  const bool searches = study.uncertain.empty();
+  if ((searches && discover(study, search).stopped) || is_set(options.stop))
+    throw RunError("stopped before the attractors were known");
+  return std::make_unique<StartRunner>(study, DiscoverySettings{.threads = threads, .cache = &found}, transients);
+}
+
+bool decide_chunk(const StartRunner& runner, Chunk& chunk) {
+  if (!chunk.from_elsewhere) return runner.run(chunk.first, chunk.count, chunk);
   for (UnlistedStart& start : chunk.unlisted) {
     std::optional<UnlistedStart> followed = runner.follow(start.state);
     if (!followed) return false;
@@ -46,8 +57,7 @@ bool decide_chunk(const Runner& runner, bool gathers, Chunk& chunk) {
   return true;
 }
 
-EnsembleHelper::EnsembleHelper(Study study, const BasinOptions& options, SamplingMethod method)
-    : gathers_(gathers_transients(study, options)) {
+EnsembleHelper::EnsembleHelper(Study study, const BasinOptions& options, SamplingMethod method) {
   DiscoveryCache discoveries;
   runner_ = ensemble_runner(as_sampled(std::move(study), method), options, discoveries);
 }

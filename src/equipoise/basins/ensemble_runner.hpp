@@ -6,7 +6,7 @@
 #include "equipoise/basins/basin.hpp"
 #include "equipoise/basins/chunks.hpp"
 #include "equipoise/discovery/discovery.hpp"
-#include "equipoise/fates/runner.hpp"
+#include "equipoise/fates/start_runner.hpp"
 #include "equipoise/study/study.hpp"
 
 namespace equipoise {
@@ -18,10 +18,16 @@ Study as_sampled(Study study, SamplingMethod method);
 DiscoverySettings search_settings(const BasinOptions& options, DiscoveryCache* discoveries);
 
 /// The study has its horizon and its method of sampling. Of the options those of the search and of transients count.
-std::unique_ptr<Runner> ensemble_runner(const Study& study, const BasinOptions& options, DiscoveryCache& discoveries);
+std::unique_ptr<StartRunner> ensemble_runner(const Study& study, const BasinOptions& options,
+                                             DiscoveryCache& discoveries);
+
+/// One that goes on deciding when whoever might have stopped its search is gone: what is found here it finds again, in
+/// `found`. The study as above. Throws RunError if stopped.
+std::unique_ptr<StartRunner> lasting_runner(const Study& study, const RunOptions& options, bool transients,
+                                            DiscoveryCache& found);
 
 /// Fills a chunk in, or completes one from elsewhere. Thread-safe; false if stopped early.
-bool decide_chunk(const Runner& runner, bool gathers, Chunk& chunk);
+bool decide_chunk(const StartRunner& runner, Chunk& chunk);
 
 /// Decides chunks of basin(study, options) with the very bits that it would give them.
 class EnsembleHelper {
@@ -30,11 +36,10 @@ class EnsembleHelper {
   EnsembleHelper(Study study, const BasinOptions& options, SamplingMethod method);
   bool stopped() const { return runner_->stopped(); }
   /// Thread-safe; false if stopped early.
-  bool decide(Chunk& chunk) const { return decide_chunk(*runner_, gathers_, chunk); }
+  bool decide(Chunk& chunk) const { return decide_chunk(*runner_, chunk); }
 
  private:
-  bool gathers_;
-  std::unique_ptr<Runner> runner_;
+  std::unique_ptr<StartRunner> runner_;
 };
 
 }  // namespace equipoise

@@ -5,7 +5,7 @@
 
 #include "equipoise/base/display_text.hpp"
 #include "equipoise/base/error.hpp"
-#include "equipoise/fates/runner.hpp"
+#include "equipoise/fates/checks.hpp"
 #include "equipoise/store/result_identity.hpp"
 
 namespace equipoise {

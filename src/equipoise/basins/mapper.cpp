@@ -12,8 +12,10 @@
 #include "equipoise/base/reporting.hpp"
 #include "equipoise/basins/basin.hpp"
 #include "equipoise/basins/chunks.hpp"
+#include "equipoise/basins/ensemble_runner.hpp"
 #include "equipoise/discovery/horizon.hpp"
-#include "equipoise/fates/runner.hpp"
+#include "equipoise/fates/checks.hpp"
+#include "equipoise/fates/start_runner.hpp"
 #include "equipoise/kernels/cpu_target.hpp"
 #include "equipoise/spin_up/given_starts.hpp"
 
@@ -21,14 +23,14 @@ namespace equipoise {
 
 struct Mapper::State {
   Study study;
-  std::unique_ptr<Runner> runner;
+  std::unique_ptr<StartRunner> runner;
   DiscoveryCache found;
   std::string target;
   mutable std::mutex listing;  // of motions
 
-  void settle_all(const std::vector<UnlistedStart>& unlisted, std::vector<Fate>& fates) {
+  void settle(Decided& decided) {
     const std::lock_guard guard(listing);
-    for (const UnlistedStart& start : unlisted) settle(*runner, start, fates[start.place]);
+    runner->settle(decided);
   }
 };
 
@@ -40,12 +42,7 @@ Mapper::Mapper(const Study& study, const RunOptions& options) {
     auto state = std::make_unique<State>();
     state->study = with_horizon(study);
     state->target = cpu_target();
-    // Whoever wishes to stop this call is gone when states are decided: what is found here the runner finds again.
-    DiscoveryCache& found = state->found;
-    const int threads = thread_count(o.threads);
-    const DiscoverySettings search{.threads = threads, .stop = o.stop, .cache = &found, .progress = o.progress};
-    if (discover(state->study, search).stopped || is_set(o.stop)) throw RunError("stopped before the attractors were known");
-    state->runner = make_runner(state->study, {.threads = threads, .cache = &found}, false);
+    state->runner = lasting_runner(state->study, o, false, state->found);
     return state;
   });
 }
@@ -57,27 +54,28 @@ Mapper& Mapper::operator=(Mapper&&) noexcept = default;
 Fate Mapper::operator()(const InitialState& start) const {
   const std::span<const InitialState> alone(&start, 1);
   check_given_starts(state_->study, alone);
-  std::vector<Fate> fates;
-  std::vector<UnlistedStart> unlisted;
-  state_->runner->run_from(alone, fates, unlisted);
-  state_->settle_all(unlisted, fates);
-  return fates.front();
+  Decided decided;
+  state_->runner->run_from(alone, decided);
+  state_->settle(decided);
+  return decided.fates.front();
 }
 
 std::vector<Fate> Mapper::operator()(const std::vector<InitialState>& starts, const RunOptions& options) const {
   check_given_starts(state_->study, starts);
   const ChosenCpuTarget chosen(options.cpu_target);
   return reported(options, [&](const RunOptions& o) {
-    const Runner& runner = *state_->runner;
-    const auto decide = [&](Chunk& c) { return runner.run_from({&starts[c.first], c.count}, c.fates, c.unlisted); };
-    const ChunkWork work{.decide = decide,
+    const StartRunner& runner = *state_->runner;
+    const ChunkWork work{.decide =
+                             [&](Chunk& c) {
+                               return runner.run_from({&starts[c.first], c.count}, c);
+                             },
                          .threads = thread_count(o.threads),
                          .stop = o.stop};
     const std::atomic<bool> finished{false};
     std::atomic<bool> lost{false};
     std::vector<Fate> fates;
     compute_chunks(work, 0, starts.size(), finished, lost, [&](const std::shared_ptr<Chunk>& chunk) {
-      state_->settle_all(chunk->unlisted, chunk->fates);
+      state_->settle(*chunk);
       fates.insert(fates.end(), chunk->fates.begin(), chunk->fates.end());
       if (o.progress) o.progress({fates.size(), starts.size(), "starts", {}});
     });

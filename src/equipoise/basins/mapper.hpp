@@ -6,9 +6,9 @@
 #include <vector>
 
 #include "equipoise/base/run_options.hpp"
-#include "equipoise/deciding/fate.hpp"
 #include "equipoise/motions/catalogue.hpp"
 #include "equipoise/study/study.hpp"
+#include "equipoise/types/fate.hpp"
 
 namespace equipoise {
 

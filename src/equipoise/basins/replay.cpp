@@ -1,5 +1,4 @@
 // One start of an ensemble decided alone.
-#include <memory>
 #include <vector>
 
 #include <fmt/format.h>
@@ -7,7 +6,8 @@
 #include "equipoise/base/reporting.hpp"
 #include "equipoise/basins/basin.hpp"
 #include "equipoise/basins/ensemble_runner.hpp"
-#include "equipoise/fates/runner.hpp"
+#include "equipoise/fates/checks.hpp"
+#include "equipoise/fates/start_runner.hpp"
 #include "equipoise/kernels/cpu_target.hpp"
 #include "equipoise/spin_up/given_starts.hpp"
 #include "equipoise/spin_up/initial_state.hpp"
@@ -33,21 +33,14 @@ StartReplay replayed(const Study& study, std::uint64_t index, const BasinOptions
   if (own) check_own(study, index, options.initial);
   replay.start = own ? options.initial[index] : start_of(study, index);
   replay.drawn = drawn_values(study, sampler_of(study), study.sampling.seed, index);
-  const std::unique_ptr<Runner> runner = make_runner(study, search_settings(options, options.discoveries), gathers);
-  std::vector<double> phi;
-  std::vector<Fate> fates;
-  std::vector<UnlistedStart> unlisted;
-  std::vector<TransientRow> rows;
-  const auto decide = [&] {
-    std::vector<TransientRow>* wanted = gathers ? &rows : nullptr;
-    return own ? runner->run_from({&replay.start, 1}, fates, unlisted, wanted)
-               : runner->run(index, 1, phi, fates, unlisted, wanted);
-  };
-  if (runner->stopped() || !decide()) throw RunError("stopped before the start was decided");
-  replay.fate = fates.front();
-  if (!rows.empty()) replay.transients = rows.front();
-  if (!unlisted.empty()) settle(*runner, unlisted.front(), replay.fate);
-  if (const Attractor* a = runner->catalogue().find(replay.fate.attractor)) replay.name = a->name;
+  StartRunner runner(study, search_settings(options, options.discoveries), gathers);
+  Decided one;
+  if (runner.stopped() || !(own ? runner.run_from({&replay.start, 1}, one) : runner.run(index, 1, one)))
+    throw RunError("stopped before the start was decided");
+  runner.settle(one);
+  replay.fate = one.fates.front();
+  if (gathers) replay.transients = one.transients.front();
+  if (const Attractor* a = runner.catalogue().find(replay.fate.attractor)) replay.name = a->name;
   return replay;
 }
 

@@ -11,6 +11,7 @@
 #include "equipoise/base/reporting.hpp"
 #include "equipoise/basins/basin.hpp"
 #include "equipoise/basins/chunks.hpp"
+#include "equipoise/fates/checks.hpp"
 #include "equipoise/fates/start_runner.hpp"
 #include "equipoise/kernels/cpu_target.hpp"
 
@@ -21,7 +22,9 @@ namespace {
 class PickFreeze {
  public:
   PickFreeze(const Study& study, const SensitivityOptions& options)
-      : options_(options), runner_(at_random(study), {.threads = thread_count(options.threads), .stop = options.stop}), keys_(study.uncertain.values.size() + 1) {
+      : options_(options),
+        runner_(at_random(study), {.threads = thread_count(options.threads), .stop = options.stop}),
+        keys_(study.uncertain.values.size() + 1) {
     rows_.inputs = keys_;
   }
 
@@ -60,7 +63,7 @@ class PickFreeze {
       }
       drawn.push_back({b, of_a});
     }
-    if (runner_.stopped() || !runner_.run_drawn(drawn, chunk.phi, chunk.fates, chunk.unlisted)) return false;
+    if (runner_.stopped() || !runner_.run_drawn(drawn, chunk)) return false;
     for (const UnlistedStart& u : chunk.unlisted)
       if (u.motion && u.motion->stable) chunk.fates[u.place].attractor = static_cast<short>(u.name.id);
     return true;

@@ -1,10 +1,10 @@
 // The arrays of an ensemble's starts, filled as the starts are counted.
 #pragma once
 
-#include "equipoise/deciding/fate.hpp"
 #include "equipoise/results/start_arrays.hpp"
 #include "equipoise/sampling/sampling.hpp"
 #include "equipoise/study/study.hpp"
+#include "equipoise/types/fate.hpp"
 
 namespace equipoise {
 

@@ -126,6 +126,25 @@ OutcomeShare Tally::share(const Attractor& a) const {
   return result;
 }
 
+void Tally::count(const Catalogue& catalogue, BasinResult& result) const {
+  const bool driven = result.study.speed.driven();
+  const double stall_speed = driven ? result.study.stall_speed() : 0.0;
+  result.attractors.clear();
+  if (!catalogue.find(balanced_id)) result.attractors.push_back(share(Attractor{balanced_id, "balanced", "", {}, {}}));
+  for (const Attractor& a : catalogue.attractors()) {
+    // Whose rotor does not come up to speed is counted among the stalled.
+    const bool measured = a.motion.kind == MotionKind::measured;
+    if (a.id != balanced_id && std::fabs(a.motion.speed) < stall_speed && !measured) continue;
+    OutcomeShare one = share(a);
+    // Kinds of motion that a machine might come to are told only if one did.
+    if (one.share.count > 0 || a.id == balanced_id || !measured) result.attractors.push_back(std::move(one));
+  }
+  result.undecided = share(Outcome::undecided);
+  result.diverged = share(Outcome::diverged);
+  result.failed = share(Outcome::failed);
+  if (driven) result.stalled = share(Outcome::stalled);
+}
+
 std::vector<Share> Tally::shares() const {
   std::vector<Share> all;
   for (const auto& [key, line] : lines_) all.push_back(interval(line));

@@ -7,12 +7,12 @@
 #include <utility>
 #include <vector>
 
-#include "equipoise/deciding/fate.hpp"
 #include "equipoise/motions/catalogue.hpp"
 #include "equipoise/results/basin_result.hpp"
 #include "equipoise/sampling/sampling.hpp"
 #include "equipoise/sampling/scrambled_sobol.hpp"
 #include "equipoise/statistics/share.hpp"
+#include "equipoise/types/fate.hpp"
 
 namespace equipoise {
 
@@ -28,6 +28,8 @@ class Tally {
   /// 95 % interval by what the method of sampling allows, and bounds that hold whatever the undecided come to.
   Share share(Outcome outcome, int attractor = 0) const;
   OutcomeShare share(const Attractor& attractor) const;
+  /// All of them into `result`, whose study is that of the starts.
+  void count(const Catalogue& catalogue, BasinResult& result) const;
   /// Every outcome that was met, and last one that was not.
   std::vector<Share> shares() const;
 

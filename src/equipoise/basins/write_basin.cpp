@@ -10,6 +10,7 @@
 
 #include "equipoise/base/error.hpp"
 #include "equipoise/basins/basin.hpp"
+#include "equipoise/basins/basin_header.hpp"
 #include "equipoise/results/left_grade.hpp"
 #include "equipoise/spin_up/given_starts.hpp"
 #include "equipoise/store/basin_netcdf.hpp"

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <complex>
 
+#include "equipoise/motions/motion.hpp"
 #include "equipoise/orbits/recurrence.hpp"
 
 namespace equipoise {

@@ -9,8 +9,9 @@
 #include <fmt/format.h>
 
 #include "equipoise/branches/branch_follower.hpp"
-#include "equipoise/deciding/decision_rule.hpp"
 #include "equipoise/motions/catalogue.hpp"
+#include "equipoise/motions/motion.hpp"
+#include "equipoise/types/fate.hpp"
 
 namespace equipoise {
 

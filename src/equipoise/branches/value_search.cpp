@@ -13,8 +13,7 @@ ValueSearch attractors_at(const Study& study, std::uint64_t starts, const std::v
   search.seeds = seeds;
   search.stop = stop;
   ValueSearch result;
-  const Catalogue catalogue = attractors(study, search).catalogue;
-  for (const Attractor& a : catalogue.attractors()) {
+  for (const Attractor& a : attractors(study, search).attractors) {
     if (a.motion.stable || a.name == "balanced") result.motions.push_back(a.motion);
     if (a.id < first_free_id) result.named.push_back(a.motion);
   }

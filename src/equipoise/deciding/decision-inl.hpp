@@ -15,13 +15,13 @@
 
 #include "equipoise/base/pack-inl.hpp"
 #include "equipoise/deciding/decision_rule.hpp"
-#include "equipoise/deciding/fate.hpp"
 #include "equipoise/deciding/traps-inl.hpp"
 #include "equipoise/deciding/window_features.hpp"
 #include "equipoise/lanes/lane_task.hpp"
 #include "equipoise/model/ball_count.hpp"
 #include "equipoise/model/speed.hpp"
 #include "equipoise/model/unbalance.hpp"
+#include "equipoise/types/fate.hpp"
 
 HWY_BEFORE_NAMESPACE();
 namespace equipoise {

@@ -6,27 +6,11 @@
 
 #include "equipoise/deciding/trap_set.hpp"
 #include "equipoise/model/parameters.hpp"
+#include "equipoise/types/fate.hpp"
 
 namespace equipoise {
 
 struct OwnRotor;
-
-/// Of the state of any system (model/system.hpp): a driven rotor's angle, speed and speed error come last.
-inline constexpr int max_dimension = model::dimension(model::max_balls) + 3;
-
-/// On what grounds a fate was decided. The numbers are stored in result files.
-enum class DecidedBy : signed char {
-  nothing = 0,
-  proof = 1,      ///< inside a level set proved to lead to the attractor only
-  validated = 2,  ///< inside a level set from the edge of one of twice the level every one of a thousand tried states
-                  ///< or more came to the attractor
-  windows = 3,    ///< features of successive windows of time
-  horizon = 4,    ///< there at the horizon
-  followed = 5,   ///< stationary by its windows in a way that the rule did not know; then followed to its motion
-};
-inline constexpr int decided_by_count = 6;
-inline constexpr std::array<const char*, decided_by_count> decided_by_names{"nothing", "proof",   "validated",
-                                                                            "windows", "horizon", "followed"};
 
 /// A linearly stable balanced state and a level set of a Lyapunov function around it.
 struct BalancedTrap {
@@ -104,8 +88,8 @@ struct FamilyTrap {
   Traps traps;
 };
 
-/// Of motions of a system whose rotor's angle does not matter, one state at a time: asked where half a short window ends
-/// that has stayed within these bounds of r^2 and of all q.
+/// Of motions of a system whose rotor's angle does not matter, one state at a time: asked where half a short window
+/// ends that has stayed within these bounds of r^2 and of all q.
 struct WindowTraps {
   Traps traps;
   double r2_low = 0.0, r2_high = 1e300, q_low = -1e300, q_high = 1e300;
@@ -149,7 +133,14 @@ struct DecisionRule {
   std::vector<KnownFeatures> known;  ///< attractors by their long windows
 };
 
-/// The identifier of the balanced state in every catalogue.
-inline constexpr int balanced_id = 1;
+/// What the pilot keeps of a trajectory: the features of its last long window, the range of that window's short ones,
+/// for every box of the rule the longest run of windows inside, and how near it came to balance.
+struct PilotRecord {
+  Features features{};
+  FeatureBox range;
+  bool finished_window = false;  ///< features and range hold something
+  std::array<int, most_boxes> longest_run{};
+  double least_value = 1e300;  ///< smallest V of any balanced trap along the way; known in audits (DecisionRule::blind)
+};
 
 }  // namespace equipoise

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "equipoise/deciding/decision_rule.hpp"
-#include "equipoise/deciding/fate.hpp"
+#include "equipoise/types/fate.hpp"
 
 namespace equipoise {
 
@@ -13,7 +13,7 @@ namespace equipoise {
 struct HoldRule {
   double release_speed = std::numeric_limits<double>::infinity();  ///< infinite: at no speed
   std::vector<double> own_speeds{};  ///< of each trajectory, where rotors are their own; empty: the same of all
-  bool rising = true;    ///< they are let go from that speed on; else from that speed down
+  bool rising = true;                ///< they are let go from that speed on; else from that speed down
   DecisionRule windows;  ///< says by its windows, all else empty, when a rotor that did not come there is steady
 };
 

@@ -6,7 +6,7 @@
 
 #include "equipoise/base/bytes.hpp"
 #include "equipoise/deciding/decision_rule.hpp"
-#include "equipoise/deciding/fate.hpp"
+#include "equipoise/types/fate.hpp"
 
 namespace equipoise {
 

@@ -9,8 +9,8 @@
 #include <vector>
 
 #include "equipoise/deciding/decision_rule.hpp"
-#include "equipoise/deciding/fate.hpp"
 #include "equipoise/model/parameters.hpp"
+#include "equipoise/types/fate.hpp"
 
 namespace equipoise {
 

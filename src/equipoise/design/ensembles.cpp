@@ -13,7 +13,7 @@
 #include "equipoise/basins/basin.hpp"
 #include "equipoise/design/search.hpp"
 #include "equipoise/design/settings.hpp"
-#include "equipoise/fates/runner.hpp"
+#include "equipoise/fates/checks.hpp"
 #include "equipoise/motions/catalogue.hpp"
 #include "equipoise/traps/balanced_analysis.hpp"
 

@@ -14,7 +14,7 @@
 #include "equipoise/discovery/discovery.hpp"
 #include "equipoise/results/design_result.hpp"
 #include "equipoise/store/design_file.hpp"
-#include "equipoise/traps/trap_hints.hpp"
+#include "equipoise/types/trap_hints.hpp"
 
 namespace equipoise {
 

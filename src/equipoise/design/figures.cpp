@@ -12,7 +12,7 @@
 #include "equipoise/design/settings.hpp"
 #include "equipoise/fates/transient_tally.hpp"
 #include "equipoise/statistics/quantile.hpp"
-#include "equipoise/transients/transient_table.hpp"
+#include "equipoise/types/transient_table.hpp"
 
 namespace equipoise {
 

@@ -11,11 +11,12 @@
 
 #include "equipoise/base/error.hpp"
 #include "equipoise/basins/basin.hpp"
+#include "equipoise/basins/basin_header.hpp"
 #include "equipoise/design/search.hpp"
 #include "equipoise/design/settings.hpp"
 #include "equipoise/design/spin_up_shape.hpp"
 #include "equipoise/design/variable_reader.hpp"
-#include "equipoise/fates/runner.hpp"
+#include "equipoise/fates/checks.hpp"
 #include "equipoise/store/result_identity.hpp"
 #include "equipoise/study/table_reader.hpp"
 #include "equipoise/study/unit_library.hpp"

@@ -19,7 +19,7 @@
 #include "equipoise/traps/balanced_analysis.hpp"
 #include "equipoise/traps/balanced_family.hpp"
 #include "equipoise/traps/coasting_trap.hpp"
-#include "equipoise/traps/trap_hints.hpp"
+#include "equipoise/types/trap_hints.hpp"
 
 namespace equipoise {
 

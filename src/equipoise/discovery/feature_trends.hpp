@@ -17,13 +17,13 @@ struct ShownFeatures {
   Features features{};
 };
 
-/// A motion's windows look otherwise for every rotor. What they look like is a polynomial of the coordinates, so that one
-/// entry of a rule, brought back to the part's middle, tells the motion of all.
+/// A motion's windows look otherwise for every rotor. What they look like is a polynomial of the coordinates, so that
+/// one entry of a rule, brought back to the part's middle, tells the motion of all.
 class FeatureTrends {
  public:
-  /// Fits the trend of an attractor: `first` is what it surely shows, `others` what rotors showed that began there, some
-  /// of which went elsewhere. `agreement`: how well windows of such a motion agree (same_motion()). Returns the row of
-  /// OwnRotor::shifts that it fills; -1: too few stayed.
+  /// Fits the trend of an attractor: `first` is what it surely shows, `others` what rotors showed that began there,
+  /// some of which went elsewhere. `agreement`: how well windows of such a motion agree (same_motion()). Returns the
+  /// row of OwnRotor::shifts that it fills; -1: too few stayed.
   int add(int attractor, int balls, double agreement, const ShownFeatures& first, std::vector<ShownFeatures> others);
   /// One rotor's chaos: whether it lasts for a rotor with these coordinates.
   struct Lasting {

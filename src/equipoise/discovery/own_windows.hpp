@@ -5,10 +5,10 @@
 
 #include "equipoise/base/error.hpp"
 #include "equipoise/deciding/decision_rule.hpp"
-#include "equipoise/deciding/fate.hpp"
 #include "equipoise/lanes/own_rotor.hpp"
 #include "equipoise/model/system.hpp"
 #include "equipoise/motions/motion.hpp"
+#include "equipoise/types/fate.hpp"
 
 namespace equipoise {
 

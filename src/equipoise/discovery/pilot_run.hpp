@@ -11,10 +11,10 @@
 #include "equipoise/base/stage_progress.hpp"
 #include "equipoise/base/stop_flag.hpp"
 #include "equipoise/deciding/decision_rule.hpp"
-#include "equipoise/deciding/fate.hpp"
 #include "equipoise/discovery/drawn_source.hpp"
 #include "equipoise/model/system.hpp"
 #include "equipoise/spin_up/spin_up.hpp"
+#include "equipoise/types/fate.hpp"
 
 namespace equipoise {
 

@@ -129,19 +129,15 @@ std::string held_text(const std::vector<UndecidedEnd>& ends) {
 }
 
 std::string why_undecided(const Study& study, const Horizon& horizon, const std::vector<UndecidedEnd>& ends) {
-  constexpr std::array<const char*, restlessness_kinds> words{
-      "{} near balance",
-      "{} creeping, all balls nearly at rest",
-      "{} wandering chaotically",
-      "{} in motions whose windows of time do not repeat yet",
-      "{} whose balls are never let go",
-      "{} whose motor speeds the rotor up without end",
-      "{} whose rotor still speeds up",
-      "{} whose rotor still changes its mean speed",
-      "{} that still change from one part of time to the next",
-      "{} whose balls drift too little, or too seldom, to tell their motion from another",
-      "{} in motions that never quite repeat themselves, which must last longer",
-      "{} watched for too short a time to compare its parts"};
+  constexpr std::array<const char*, restlessness_kinds> words{"{} near balance",
+                                                              "{} creeping, all balls nearly at rest",
+                                                              "{} wandering chaotically",
+                                                              "{} in motions whose windows of time do not repeat yet",
+                                                              "{} whose balls are never let go",
+                                                              "{} whose motor speeds the rotor up without end",
+                                                              "{} whose rotor still speeds up",
+                                                              "{} whose rotor still changes its mean speed",
+                                                              "{} watched for too short a time to compare its parts"};
   std::vector<std::string> parts;
   std::size_t hopeless = 0;  // to whom time makes no difference
   for (std::size_t k = 0; k < words.size(); ++k) {

@@ -29,16 +29,13 @@ enum class Restlessness {
   running_away,    ///< a motor whose torque never vanishes speeds it up without end
   speeding_up,     ///< its mean speed still rises
   changing_speed,  ///< its mean speed is not steady
-  changing,        ///< something grows or shrinks from one part of time to the next
-  between_kinds,   ///< what its balls do is not told from something else yet (a slow drift from none)
-  unrepeated,      ///< it never quite repeats itself, and was not watched for long
   hardly_seen,     ///< not even eight parts of time
 };
-constexpr std::size_t restlessness_kinds = 12;
+constexpr std::size_t restlessness_kinds = 9;
 
 struct UndecidedEnd {
   Restlessness what = Restlessness::regular;
-  double exponent = 0.0;              ///< chaotic only
+  double exponent = 0.0;  ///< chaotic only
   /// Held: the nearest speed to release.speed, and that. Speeding up: `reached` is the speed when it was last seen.
   double reached = 0.0, asked = 0.0;
 };

@@ -8,7 +8,7 @@
 
 #include <fmt/format.h>
 
-#include "equipoise/deciding/fate.hpp"
+#include "equipoise/types/fate.hpp"
 
 namespace equipoise {
 

@@ -5,7 +5,6 @@
 
 #include <fmt/format.h>
 
-#include "equipoise/deciding/decision_rule.hpp"
 #include "equipoise/drawing/plot_parts.hpp"
 
 namespace equipoise {

@@ -6,11 +6,13 @@
 #include <optional>
 #include <string>
 #include <utility>
+#include <vector>
 
 #include <fmt/format.h>
 
 #include "equipoise/base/error.hpp"
 #include "equipoise/discovery/cost.hpp"
+#include "equipoise/discovery/study_family.hpp"
 #include "equipoise/model/system.hpp"
 #include "equipoise/transients/clamped_transients.hpp"
 
@@ -64,6 +66,40 @@ std::pair<const char*, std::string> blamed(const Study& study, model::Need need)
   }
 }
 
+std::string words(const Uncertainty& uncertain, const std::vector<double>& values) {
+  std::string text;
+  for (std::size_t k = 0; k < values.size(); ++k)
+    text += fmt::format("{}{} = {}", k ? ", " : "", uncertain.values[k].key, uncertain.values[k].text(values[k]));
+  return text;
+}
+
+void check_corner(const Study& study, const std::vector<double>& values, bool transients) {
+  const std::string with = "; with " + words(study.uncertain, values);
+  try {
+    check_runnable(drawn_study(study, values), transients);
+  } catch (const InputError& e) {
+    throw InputError(e.place(), e.key(), e.value(), e.problem() + with);
+  }
+}
+
+// Throws InputError for a study with uncertain values whose starts cannot be decided, at its medians or where all
+// values are at one of their ends.
+void check_drawable(const Study& study, bool transients) {
+  check(study);
+  if (study.numerics.decide != DecideMode::validated)
+    throw InputError(
+        study.name, "numerics.decide", decide_mode_names[static_cast<std::size_t>(study.numerics.decide)],
+        "with uncertain values every start is followed to a motion of its own rotor; must be \"validated\"");
+  check_runnable(with_medians(study), transients);
+  const std::vector<UncertainValue>& uncertain = study.uncertain.values;
+  if (uncertain.size() > most_tried_together) return;  // the reader has tried each end by itself
+  for (std::size_t corner = 0; corner < std::size_t{1} << uncertain.size(); ++corner) {
+    std::vector<double> values;
+    for (std::size_t k = 0; k < uncertain.size(); ++k) values.push_back(uncertain[k].ends()[(corner >> k) & 1]);
+    check_corner(study, values, transients);
+  }
+}
+
 void reject_if_lacking(const Study& study, model::Answer answer) {
   const auto lack = model::lacking(study.system(), answer);
   if (!lack) return;
@@ -104,6 +140,12 @@ void check_proof(const Study& study) {
 void check_offers(const Study& study, model::Answer answer) {
   check(study);
   reject_if_lacking(study, answer);
+}
+
+void check_runnable(const Study& study, bool transients) {
+  if (!study.uncertain.empty()) return check_drawable(study, transients);
+  check_decidable(study);
+  if (transients && !study.speed.driven()) check_watchable(study);
 }
 
 }  // namespace equipoise

@@ -8,6 +8,9 @@ namespace equipoise {
 
 /// Throws InputError for invalid studies and those whose starts cannot be decided.
 void check_decidable(const Study& study);
+/// The same with uncertain values or without, at the medians and at the ends of those; if `transients` are gathered,
+/// also for those that cannot be watched.
+void check_runnable(const Study& study, bool transients);
 /// Throws InputError for a study that asks for decisions by proof where there are none.
 void check_proof(const Study& study);
 

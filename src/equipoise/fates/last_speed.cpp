@@ -3,8 +3,8 @@
 
 #include <cstddef>
 
-#include "equipoise/deciding/fate.hpp"
 #include "equipoise/kernels/lane_kernels.hpp"
+#include "equipoise/types/fate.hpp"
 
 namespace equipoise {
 

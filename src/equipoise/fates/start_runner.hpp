@@ -5,23 +5,48 @@
 #include <memory>
 #include <optional>
 #include <span>
+#include <string>
+#include <utility>
 #include <vector>
 
 #include "equipoise/base/error.hpp"
-#include "equipoise/deciding/fate.hpp"
 #include "equipoise/discovery/discovery.hpp"
 #include "equipoise/discovery/family_mesh.hpp"
 #include "equipoise/discovery/study_family.hpp"
-#include "equipoise/fates/runner.hpp"
-#include "equipoise/model/capability.hpp"
+#include "equipoise/discovery/undecided.hpp"
 #include "equipoise/model/system.hpp"
+#include "equipoise/motions/catalogue.hpp"
+#include "equipoise/motions/motion.hpp"
 #include "equipoise/sampling/sampling.hpp"
 #include "equipoise/spin_up/own_starts.hpp"
 #include "equipoise/spin_up/spin_up.hpp"
 #include "equipoise/study/study.hpp"
-#include "equipoise/transients/transient_table.hpp"
+#include "equipoise/types/fate.hpp"
+#include "equipoise/types/transient_table.hpp"
 
 namespace equipoise {
+
+/// A start that came to a stationary motion which the catalogue does not list.
+struct UnlistedStart {
+  std::size_t place = 0;         ///< among the starts of the call
+  std::vector<double> state;     ///< when it was found stationary (at the next strobe, with anisotropy or gravity)
+  std::optional<Motion> motion;  ///< what it settles on; none if it is not steady after all
+  MotionName name = {};          ///< of that, where starts have rotors of their own; `state` is then the start's number
+};
+
+/// What is known of the balanced state before any start is followed.
+struct BalanceNote {
+  bool stable = false;  ///< a linearly stable balanced state exists at the final speed
+  std::string note;     ///< why no start can end balanced, if so
+};
+
+/// What became of starts, one after the other.
+struct Decided {
+  std::vector<double> phi;  ///< initial ball angles, `balls` a start; none of starts that were given
+  std::vector<Fate> fates;
+  std::vector<UnlistedStart> unlisted;   ///< their fates have the attractor 0 and wait for StartRunner::list()
+  std::vector<TransientRow> transients;  ///< of every start, if the runner gathers them
+};
 
 /// A start and the fractions that its uncertain values are quantiles of.
 struct DrawnStart {
@@ -42,39 +67,53 @@ struct FamilyStart {
 };
 
 /// Everything about a study that all its starts share; of one with uncertain values, about all rotors that they draw.
-class StartRunner : public Runner {
+class StartRunner {
  public:
   /// Spins up and discovers the attractors. The study has passed check_runnable(). Ask stopped() afterwards.
-  /// `transients`: run() can be asked for rows.
+  /// `transients`: gathers those of every start.
   StartRunner(const Study& study, const DiscoverySettings& settings, bool transients = false);
   /// Of these starts of a family, by run_family(); `study` is one of it, in whose units fates are.
   StartRunner(const Study& study, StudyFamily family, const FamilyStarts& starts, const DiscoverySettings& settings);
 
-  bool run(std::uint64_t first, std::size_t count, std::vector<double>& phi, std::vector<Fate>& fates,
-           std::vector<UnlistedStart>& unlisted, std::vector<TransientRow>* rows = nullptr) const override;
-  bool run_from(std::span<const InitialState> given, std::vector<Fate>& fates, std::vector<UnlistedStart>& unlisted,
-                std::vector<TransientRow>* rows = nullptr) const override;
-  int list(const UnlistedStart& start) override;
-  std::optional<UnlistedStart> follow(const std::vector<double>& state) const override;
-  std::vector<UndecidedEnd> look_at(const std::vector<InitialState>& undecided) const override;
+  /// Decides starts first .. first + count - 1. Thread-safe, as is all that is const. False if stopped early.
+  bool run(std::uint64_t first, std::size_t count, Decided& decided) const;
+  /// The same for starts given (spin_up/given_starts.hpp), where they do not draw their rotors too.
+  bool run_from(std::span<const InitialState> given, Decided& decided) const;
+  /// The identifier of what an unlisted start settles on, which is listed if need be; 0 if that is nothing stable.
+  /// Not thread-safe: called in the order of starts, so that identifiers do not depend on threads.
+  int list(const UnlistedStart& start);
+  /// What it turned out to have come to, written into its fate: one of nothing steady is undecided. As list().
+  int settle(const UnlistedStart& start, Fate& fate);
+  /// The same of all, in their order.
+  void settle(Decided& decided);
+  /// An unlisted start from its state when it was found stationary, as an earlier run kept it. Empty if
+  /// stopped early.
+  std::optional<UnlistedStart> follow(const std::vector<double>& state) const;
+  /// What some starts that are undecided do at the horizon: one for each, or none where only the horizon can be blamed.
+  std::vector<UndecidedEnd> look_at(const std::vector<InitialState>& undecided) const;
 
   /// Of a study with uncertain values: what start `number` draws, and the fates of draws.
   std::vector<double> fractions_of(std::uint64_t number) const;
-  bool run_drawn(std::span<const DrawnStart> drawn, std::vector<double>& phi, std::vector<Fate>& fates,
-                 std::vector<UnlistedStart>& unlisted, std::vector<TransientRow>* rows = nullptr) const;
+  bool run_drawn(std::span<const DrawnStart> drawn, Decided& decided) const {
+    return run_drawn(drawn, decided, gathers_);
+  }
 
   /// Fates of starts of rotors that the study's family holds.
-  bool run_family(std::vector<FamilyStart> given, std::vector<Fate>& fates, std::vector<UnlistedStart>& unlisted,
-                  std::vector<TransientRow>* rows = nullptr) const;
+  bool run_family(std::vector<FamilyStart> given, Decided& decided) const {
+    return run_family(std::move(given), decided, gathers_);
+  }
   /// What such starts come to that the mesh does not list; `rotor`: of each start the place of its rotor's motions in
   /// `met`. Starts with one rotor only; no rotors that coast. False if stopped.
   bool meet(std::vector<FamilyStart> given, std::span<const std::size_t> rotor, std::span<MetMotions> met) const;
 
-  const Catalogue& catalogue() const override { return catalogue_; }
-  BalanceNote balance() const override;
-  TrapHints hints() const override { return family_ ? mesh_.hints() : discovery_.hints; }
-  double settled() const override { return source_->settled(); }
-  bool stopped() const override { return discovery_.stopped || mesh_.stopped; }
+  const Catalogue& catalogue() const { return catalogue_; }
+  BalanceNote balance() const;
+  /// What the search for attractors found that a neighbour's may begin with.
+  TrapHints hints() const { return family_ ? mesh_.hints() : discovery_.hints; }
+  /// Study time from which decision times are counted.
+  double settled() const { return source_->settled(); }
+  /// Stopped before it could begin.
+  bool stopped() const { return discovery_.stopped || mesh_.stopped; }
 
   const StudyFamily* family() const { return family_ ? &*family_ : nullptr; }
   const FamilyMesh& mesh() const { return mesh_; }
@@ -82,17 +121,18 @@ class StartRunner : public Runner {
   const DecisionRule& rule() const { return discovery_.rule; }
 
  private:
-  bool run_coasting(std::span<const FamilyStart> given, std::vector<Fate>& fates, std::vector<UnlistedStart>& unlisted,
-                    std::vector<TransientRow>* rows) const;
+  bool run_drawn(std::span<const DrawnStart> drawn, Decided& decided, bool watched) const;
+  bool run_family(std::vector<FamilyStart> given, Decided& decided, bool watched) const;
+  bool run_coasting(std::span<const FamilyStart> given, Decided& decided, bool watched) const;
   static FamilyMesh mesh_of(const Study& study, const StudyFamily& family, const DiscoverySettings& settings);
   struct Batch;
+  Batch new_batch(bool watched) const;
   bool follows_open(const Batch& batch, std::size_t i) const;
   bool meet(const Batch& batch, std::size_t i, MetMotions& met) const;
-  bool begin_family(std::vector<FamilyStart> given, bool watched, Batch& batch) const;
+  bool begin_family(std::vector<FamilyStart> given, Batch& batch) const;
   bool decide(Batch& batch) const;
   bool decide_some(Batch& batch, const std::vector<std::size_t>& places, const DecisionRule& rule) const;
-  bool finish(Batch& batch, std::vector<Fate>& fates, std::vector<UnlistedStart>& unlisted,
-              std::vector<TransientRow>* rows) const;
+  bool finish(Batch& batch, Decided& decided) const;
   std::optional<UnlistedStart> unlisted_start(const Batch& batch, std::size_t i, double now, double patience) const;
   UnlistedStart met_again(const Batch& batch, std::size_t i, const Fate& fate) const;
   double mean_speed(const Batch& batch, std::size_t i, const Fate& fate) const;
@@ -104,6 +144,7 @@ class StartRunner : public Runner {
   KnownEnd end_of(int attractor) const;
 
   Study study_;
+  bool gathers_ = false;  // transients
   const StopFlag* stop_;
   const model::System system_;
   TransientSettings transients_;

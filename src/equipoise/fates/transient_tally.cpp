@@ -4,7 +4,7 @@
 #include <cmath>
 #include <limits>
 
-#include "equipoise/deciding/outcomes.hpp"
+#include "equipoise/types/outcomes.hpp"
 
 namespace equipoise {
 

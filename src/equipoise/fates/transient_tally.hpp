@@ -6,13 +6,13 @@
 #include <map>
 #include <utility>
 
-#include "equipoise/deciding/fate.hpp"
 #include "equipoise/motions/catalogue.hpp"
 #include "equipoise/results/transient_result.hpp"
 #include "equipoise/sampling/sampling.hpp"
 #include "equipoise/statistics/quantile.hpp"
 #include "equipoise/study/study.hpp"
-#include "equipoise/transients/transient_table.hpp"
+#include "equipoise/types/fate.hpp"
+#include "equipoise/types/transient_table.hpp"
 
 namespace equipoise {
 

@@ -15,8 +15,8 @@
 
 #include "equipoise/base/stop_flag.hpp"
 #include "equipoise/integrate/dop853-inl.hpp"
-#include "equipoise/integrate/status.hpp"
 #include "equipoise/model/parameters.hpp"
+#include "equipoise/types/status.hpp"
 
 HWY_BEFORE_NAMESPACE();
 namespace equipoise {

@@ -7,9 +7,9 @@
 #include <vector>
 
 #include "equipoise/base/stop_flag.hpp"
-#include "equipoise/integrate/status.hpp"
 #include "equipoise/model/parameters.hpp"
 #include "equipoise/model/speed.hpp"
+#include "equipoise/types/status.hpp"
 
 namespace equipoise {
 

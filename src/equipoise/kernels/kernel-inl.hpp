@@ -11,7 +11,6 @@
 #include <vector>
 
 #include "equipoise/deciding/decision-inl.hpp"
-#include "equipoise/deciding/fate.hpp"
 #include "equipoise/deciding/follow_on-inl.hpp"
 #include "equipoise/kernels/lane_job.hpp"
 #include "equipoise/lanes/lane_block-inl.hpp"
@@ -21,6 +20,7 @@
 #include "equipoise/model/hybrid_flow-inl.hpp"
 #include "equipoise/model/smooth_flow-inl.hpp"
 #include "equipoise/transients/watch_transients-inl.hpp"
+#include "equipoise/types/fate.hpp"
 
 HWY_BEFORE_NAMESPACE();
 namespace equipoise {

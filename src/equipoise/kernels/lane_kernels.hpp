@@ -5,10 +5,10 @@
 #include <vector>
 
 #include "equipoise/deciding/decision_rule.hpp"
-#include "equipoise/deciding/fate.hpp"
 #include "equipoise/deciding/held.hpp"
 #include "equipoise/kernels/cpu_target.hpp"
 #include "equipoise/lanes/lane_task.hpp"
+#include "equipoise/types/fate.hpp"
 
 namespace equipoise {
 

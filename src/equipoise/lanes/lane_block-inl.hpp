@@ -18,10 +18,10 @@
 #include <utility>
 
 #include "equipoise/integrate/dop853-inl.hpp"
-#include "equipoise/integrate/status.hpp"
 #include "equipoise/lanes/lane_events-inl.hpp"
 #include "equipoise/lanes/lane_task.hpp"
 #include "equipoise/lanes/step_control-inl.hpp"
+#include "equipoise/types/status.hpp"
 
 HWY_BEFORE_NAMESPACE();
 namespace equipoise {

@@ -4,9 +4,9 @@
 #include <algorithm>
 #include <cstddef>
 
-#include "equipoise/deciding/outcomes.hpp"
 #include "equipoise/maps/plane_map.hpp"
 #include "equipoise/store/basin_file.hpp"
+#include "equipoise/types/fate.hpp"
 
 namespace equipoise {
 

@@ -9,10 +9,10 @@
 #include <utility>
 
 #include "equipoise/base/angles.hpp"
-#include "equipoise/deciding/decision_rule.hpp"
 #include "equipoise/model/balanced_state.hpp"
 #include "equipoise/statistics/distributions.hpp"
 #include "equipoise/store/basin_file.hpp"
+#include "equipoise/types/fate.hpp"
 
 namespace equipoise {
 

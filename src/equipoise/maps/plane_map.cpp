@@ -17,15 +17,16 @@
 #include "equipoise/base/parallel.hpp"
 #include "equipoise/base/reporting.hpp"
 #include "equipoise/basins/basin.hpp"
+#include "equipoise/basins/basin_header.hpp"
 #include "equipoise/discovery/horizon.hpp"
 #include "equipoise/fates/checks.hpp"
 #include "equipoise/kernels/cpu_target.hpp"
 #include "equipoise/maps/map_assembly.hpp"
 #include "equipoise/maps/map_names.hpp"
+#include "equipoise/maps/map_store.hpp"
 #include "equipoise/maps/pixel_plan.hpp"
 #include "equipoise/maps/reused_pixels.hpp"
 #include "equipoise/maps/start_pixels.hpp"
-#include "equipoise/maps/map_store.hpp"
 
 namespace equipoise {
 

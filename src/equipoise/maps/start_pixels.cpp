@@ -173,18 +173,18 @@ bool StartPixels::decide(const std::vector<std::uint32_t>& positions, Chunk& chu
       starts.push_back(family_start(position));
       if (lines_) starts.back().met = &lines_->at(position);
     }
-    return runner_->run_family(std::move(starts), chunk.fates, chunk.unlisted);
+    return runner_->run_family(std::move(starts), chunk);
   }
   std::vector<InitialState> starts;
   for (std::size_t i = 0; i < chunk.count; ++i) starts.push_back(start(positions[chunk.first + i]));
-  return runner_->run_from(starts, chunk.fates, chunk.unlisted);
+  return runner_->run_from(starts, chunk);
 }
 
 // In order.
 void StartPixels::hand_on(const std::vector<std::uint32_t>& positions, Chunk& chunk, const TakePixels& take) {
   std::map<std::size_t, double> followed;  // largest r of what starts were followed to
   for (const UnlistedStart& u : chunk.unlisted) {
-    const int id = settle(*runner_, u, chunk.fates[u.place]);
+    const int id = runner_->settle(u, chunk.fates[u.place]);
     if (id > 0 && listed_.insert(id).second && !of_family()) discovered_(u.state);
     if (u.motion) followed[u.place] = u.motion->r_max;
   }

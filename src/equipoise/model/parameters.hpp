@@ -80,3 +80,10 @@ constexpr int q(int i, int balls) { return 4 + balls + i; }
 }  // namespace index
 
 }  // namespace equipoise::model
+
+namespace equipoise {
+
+/// Of the state of any system (model/system.hpp): a driven rotor's angle, speed and speed error come last.
+inline constexpr int max_dimension = model::dimension(model::max_balls) + 3;
+
+}  // namespace equipoise

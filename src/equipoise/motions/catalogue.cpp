@@ -7,7 +7,8 @@
 
 #include <fmt/format.h>
 
-#include "equipoise/deciding/decision_rule.hpp"
+#include "equipoise/motions/motion.hpp"
+#include "equipoise/types/fate.hpp"
 
 namespace equipoise {
 

@@ -5,21 +5,9 @@
 #include <string>
 #include <vector>
 
-#include "equipoise/motions/motion.hpp"
-#include "equipoise/orbits/balanced_continuum.hpp"
+#include "equipoise/types/attractor.hpp"
 
 namespace equipoise {
-
-struct Attractor {
-  int id = 0;               ///< from 1; the same for the same motion wherever a motion has an identifier of its own
-  std::string name, alias;  ///< alias: V1 to V4, as Wright and Peng (2019) call them
-  Motion motion;
-  /// Of the balanced states of three balls or more; `motion` then describes one of them, an attracting one if any does.
-  std::optional<ContinuumPart> continuum = {};
-};
-
-/// First identifier for motions without one of their own (motion_name()).
-inline constexpr int first_free_id = 8;
 
 class Catalogue {
  public:

@@ -94,9 +94,6 @@ class EventJourney : Stretches {
       result.time = elapsed_ + ahead_;
       return result;
     }
-    result.status = status_;
-    result.speed = system_.speed(state_);
-    result.time = elapsed_;
     return result;
   }
 
@@ -108,15 +105,15 @@ class EventJourney : Stretches {
   bool travel(Eigen::VectorXd& z, double duration, EventLog& log, MotionStatistics* statistics,
               std::vector<Eigen::VectorXd>* samples) {
     if (!strobed()) {
-      status_ = follow_events(system_, z, duration, follow_tolerance, log, statistics, samples, stop_);
-      return status_ == IntegrationStatus::done;
+      return follow_events(system_, z, duration, follow_tolerance, log, statistics, samples, stop_) ==
+             IntegrationStatus::done;
     }
     if (samples) samples->assign(1, z);
     EventLog all;
     for (long k = 0; k < std::lround(duration / strobe()); ++k) {
       EventLog one;
-      status_ = follow_events(system_, z, strobe(), follow_tolerance, one, statistics, nullptr, stop_);
-      if (status_ != IntegrationStatus::done) return false;
+      const auto status = follow_events(system_, z, strobe(), follow_tolerance, one, statistics, nullptr, stop_);
+      if (status != IntegrationStatus::done) return false;
       if (k == 0) all.begin = one.begin;
       for (BallEvent e : one.events) {
         e.time += static_cast<double>(k) * strobe();
@@ -153,7 +150,7 @@ class EventJourney : Stretches {
     const bool free = log_.count == 0 && !any_joined(log_.end, p_.balls);
     if (system_.events().stick || !free) return std::nullopt;
     const model::System passing = without_events(system_);
-    Settling settling = equipoise::settle(passing, state_, std::max(patience() - elapsed_, elapsed_), {}, stop_);
+    Settling settling = equipoise::settle(passing, state_, std::max(patience() - elapsed_, elapsed_), stop_);
     if (!settling.motion || !settling.motion->stable || !stays_clear(system_, *settling.motion)) return std::nullopt;
     // Nor on the way there.
     Eigen::VectorXd z = state_;
@@ -329,7 +326,6 @@ class EventJourney : Stretches {
   MotionStatistics previous_, last_;
   EventLog log_;  // of the last part of the stretch
   int repeats_ = 0;
-  IntegrationStatus status_ = IntegrationStatus::done;
 };
 
 }  // namespace

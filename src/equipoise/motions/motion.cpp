@@ -55,18 +55,22 @@ constexpr double clear_zero = 3e-4;
 // Farther than this from a stable motion nothing is concluded yet.
 constexpr double in_reach = 0.5;
 
+// A stable periodic orbit that was met.
+struct KnownOrbit {
+  PeriodicOrbit orbit;
+  OrbitCurve curve;
+};
+
 // A trajectory with its past.
 class Journey : Stretches {
  public:
-  Journey(const model::System& system, const Eigen::VectorXd& state, double patience,
-          const std::vector<KnownOrbit>& known, const StopFlag* stop)
+  Journey(const model::System& system, const Eigen::VectorXd& state, double patience, const StopFlag* stop)
       : Stretches(system, patience),
         system_(system),
         p_(system_.parameters()),
         difference_(system),
         state_(state),
-        stop_(stop),
-        known_(known) {}
+        stop_(stop) {}
 
   Settling settle();
 
@@ -78,8 +82,7 @@ class Journey : Stretches {
   bool travel_stretch(double duration);
   bool travel(Eigen::VectorXd& z, double duration, MotionStatistics* statistics = nullptr,
               std::vector<Eigen::VectorXd>* samples = nullptr) {
-    status_ = follow_whole(z, duration, statistics, samples);
-    return status_ == IntegrationStatus::done;
+    return follow_whole(z, duration, statistics, samples) == IntegrationStatus::done;
   }
   IntegrationStatus follow_whole(Eigen::VectorXd& z, double duration, MotionStatistics* statistics = nullptr,
                                  std::vector<Eigen::VectorXd>* samples = nullptr) const;
@@ -109,15 +112,12 @@ class Journey : Stretches {
   std::vector<Eigen::VectorXd> samples_;  // of the last part of the stretch
   MotionStatistics previous_, last_;      // of the last two stretches
   int repeats_ = 0;                       // stretches in a row that repeated the one before
-  const std::vector<KnownOrbit>& known_;
-  std::vector<KnownOrbit> orbits_;  // further stable ones met so far
-  std::vector<Return> tried_;       // Newton's method did not find the motion from these
+  std::vector<KnownOrbit> orbits_;        // met so far
+  std::vector<Return> tried_;             // Newton's method did not find the motion from these
   // What exponents said last. They are measured for longer than a journey lasts, so that a periodic motion stays one;
   // chaos, which may end, is only believed in the end.
   bool periodic_ = false, chaotic_ = false;
-  IntegrationStatus status_ = IntegrationStatus::done;
   double ahead_ = 0.0;  // how far the last approach was followed beyond elapsed_
-  bool recognised_ = false;
 };
 
 IntegrationStatus Journey::follow_whole(Eigen::VectorXd& z, double duration, MotionStatistics* statistics,
@@ -224,23 +224,15 @@ std::optional<Motion> Journey::rest() {
 
 std::optional<Motion> Journey::recurrence() {
   const auto accepted = [&](const KnownOrbit& known) {
-    return approaches(known.orbit.slowest_rate(), [&](const Eigen::VectorXd& z) { return known.curve->distance(z); });
+    return approaches(known.orbit.slowest_rate(), [&](const Eigen::VectorXd& z) { return known.curve.distance(z); });
   };
-  const auto described = [&](const KnownOrbit& known) {
-    return known.motion ? *known.motion : describe_orbit(system_, known.orbit);
-  };
-  for (const KnownOrbit& known : known_) {
-    if (!accepted(known)) continue;
-    recognised_ = true;
-    return described(known);
-  }
   for (const KnownOrbit& known : orbits_)
-    if (accepted(known)) return described(known);
+    if (accepted(known)) return describe_orbit(system_, known.orbit);
   for (const Return& now : returns_to_last(system_, samples_, spacing(), difference_, most_returns, in_reach)) {
     const auto orbit = orbit_of(now);
     if (!orbit || !orbit->stable()) continue;
-    orbits_.push_back(known_orbit(system_, *orbit));
-    if (accepted(orbits_.back())) return described(orbits_.back());
+    orbits_.push_back({*orbit, {system_, *orbit}});
+    if (accepted(orbits_.back())) return describe_orbit(system_, *orbit);
   }
   return std::nullopt;
 }
@@ -378,51 +370,21 @@ Settling Journey::settle() {
     if (!result.motion && creeps()) break;
     if (!result.motion) continue;
     result.time = elapsed_ + ahead_;
-    result.known = recognised_;
     return result;
   }
-  result.status = status_;
-  result.speed = system_.speed(state_);
-  result.time = elapsed_;
   return result;
 }
 
 }  // namespace
 
-KnownOrbit known_orbit(const model::System& system, const PeriodicOrbit& orbit) {
-  return {orbit, std::make_shared<const OrbitCurve>(system, orbit), nullptr};
-}
-
-KnownOrbit known_orbit(const model::System& system, const Motion& motion) {
-  KnownOrbit result = known_orbit(system, motion.orbit);
-  result.motion = std::make_shared<const Motion>(motion);
-  return result;
-}
-
-Settling settle(const model::System& system, const Eigen::VectorXd& state, double patience,
-                const std::vector<KnownOrbit>& known, const StopFlag* stop) {
+Settling settle(const model::System& system, const Eigen::VectorXd& state, double patience, const StopFlag* stop) {
   if (!system.smooth()) return settle_with_events(system, state, patience, stop);
-  return Journey(system, state, patience, known, stop).settle();
-}
-
-std::optional<Motion> refined_motion(const model::System& system, const Motion& guess, const StopFlag* stop) {
-  // Where equations begin to depend on the rotor's angle, or cease to, motions become others.
-  if (guess.state.size() != system.dimension()) return std::nullopt;
-  std::optional<Motion> motion;
-  if (guess.orbit.nodes.empty()) {
-    if (system.section() == model::Section::strobe) return std::nullopt;
-    if (const auto found = refine_equilibrium(system, guess.state)) motion = describe_equilibrium(system, *found);
-  } else if (guess.orbit.imposed == (system.section() == model::Section::strobe)) {
-    const auto found =
-        refine_orbit(system, guess.orbit.nodes, guess.orbit.period, std::numeric_limits<double>::infinity(), stop);
-    if (found) motion = describe_orbit(system, *found);
-  }
-  return motion && stays_clear(system, *motion) ? motion : std::nullopt;
+  return Journey(system, state, patience, stop).settle();
 }
 
 std::optional<Motion> motion_from(const model::System& system, const Eigen::VectorXd& state, double patience,
                                   const StopFlag* stop) {
-  return settle(system, state, patience, {}, stop).motion;
+  return settle(system, state, patience, stop).motion;
 }
 
 }  // namespace equipoise

@@ -6,11 +6,14 @@
 #include <complex>
 #include <cstdlib>
 #include <functional>
+#include <limits>
 
 #include "equipoise/base/angles.hpp"
 #include "equipoise/model/balanced_state.hpp"
 #include "equipoise/model/strobe.hpp"
+#include "equipoise/motions/event_motion.hpp"
 #include "equipoise/motions/motion_symmetry.hpp"
+#include "equipoise/orbits/orbit.hpp"
 #include "equipoise/orbits/stroboscopic.hpp"
 
 namespace equipoise {
@@ -134,21 +137,6 @@ bool attracts(const Eigen::VectorXcd& eigenvalues, int zeros_allowed) {
   return zeros <= zeros_allowed;
 }
 
-const char* name_of(MotionKind kind) {
-  switch (kind) {
-    case MotionKind::equilibrium:
-      return "equilibrium";
-    case MotionKind::periodic:
-      return "periodic";
-    case MotionKind::quasi_periodic:
-      return "quasi-periodic";
-    case MotionKind::chaotic:
-      return "chaotic";
-    default:
-      return "measured";
-  }
-}
-
 namespace {
 
 // Of a motion that rests in the rotating frame: nothing but the angles between balls.
@@ -263,6 +251,21 @@ Motion describe_creep(const model::System& system, const Eigen::VectorXd& state,
   motion.drift.fill(0.0);
   motion.drift_group.fill(0);
   return motion;
+}
+
+std::optional<Motion> refined_motion(const model::System& system, const Motion& guess, const StopFlag* stop) {
+  // Where equations begin to depend on the rotor's angle, or cease to, motions become others.
+  if (guess.state.size() != system.dimension()) return std::nullopt;
+  std::optional<Motion> motion;
+  if (guess.orbit.nodes.empty()) {
+    if (system.section() == model::Section::strobe) return std::nullopt;
+    if (const auto found = refine_equilibrium(system, guess.state)) motion = describe_equilibrium(system, *found);
+  } else if (guess.orbit.imposed == (system.section() == model::Section::strobe)) {
+    const auto found =
+        refine_orbit(system, guess.orbit.nodes, guess.orbit.period, std::numeric_limits<double>::infinity(), stop);
+    if (found) motion = describe_orbit(system, *found);
+  }
+  return motion && stays_clear(system, *motion) ? motion : std::nullopt;
 }
 
 }  // namespace equipoise

@@ -9,9 +9,6 @@
 
 namespace equipoise {
 
-/// Zero eigenvalues of a continuum of balanced states are zero to rounding; the slowest others seen are 1e-4.
-inline constexpr double zero_eigenvalue = 1e-8;
-
 /// Fills what follows from statistics: r, rates, speed, drift and what the balls do. Kind, period and winding must be
 /// there.
 void describe_statistics(const model::System& system, const MotionStatistics& statistics, Motion& motion);

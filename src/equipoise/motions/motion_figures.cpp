@@ -7,7 +7,6 @@
 #include <limits>
 
 #include "equipoise/base/angles.hpp"
-#include "equipoise/deciding/decision_rule.hpp"
 #include "equipoise/integrate/adaptive-inl.hpp"
 #include "equipoise/model/ball_count.hpp"
 #include "equipoise/model/flow-inl.hpp"
@@ -16,6 +15,7 @@
 #include "equipoise/orbits/event_run-inl.hpp"
 #include "equipoise/orbits/tangent_flow-inl.hpp"
 #include "equipoise/transients/transient_watch.hpp"
+#include "equipoise/types/fate.hpp"
 
 namespace equipoise {
 

@@ -5,7 +5,7 @@
 #include "equipoise/model/parameters.hpp"
 #include "equipoise/motions/catalogue.hpp"
 #include "equipoise/motions/motion.hpp"
-#include "equipoise/transients/transient_table.hpp"
+#include "equipoise/types/transient_table.hpp"
 
 namespace equipoise {
 

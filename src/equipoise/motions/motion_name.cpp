@@ -53,8 +53,7 @@ struct Topology {
 // "", ", period m", ", quasi-periodic" or ", chaotic": what tells a motion from its plain, once-around form. Strobed
 // motions that come back are told by the strobes they take.
 std::string suffix(const Motion& motion, int turns) {
-  if (never_repeats(motion.kind))
-    return fmt::format(", {}", name_of(motion.kind));
+  if (never_repeats(motion.kind)) return fmt::format(", {}", name_of(motion.kind));
   if (motion.strobed) return fmt::format(", back after {} strobe{}", motion.strobes, motion.strobes > 1 ? "s" : "");
   return turns > 1 ? fmt::format(", period {}", turns) : "";
 }
@@ -156,7 +155,8 @@ std::string of_the_rotor(const model::Parameters& p, const Motion& motion) {
 }
 
 MotionName name_by_balls(const model::Parameters& p, const Motion& motion) {
-  if (motion.stuck) return motion.balanced ? MotionName{"balanced, stuck", "", balanced} : MotionName{"locked, stuck", "", locked};
+  if (motion.stuck)
+    return motion.balanced ? MotionName{"balanced, stuck", "", balanced} : MotionName{"locked, stuck", "", locked};
   if (motion.strobed && motion.balanced) return {"balanced", "", balanced};
   if (motion.kind == MotionKind::equilibrium) return name_at_rest(p, motion);
   if (keeps_step(p, motion)) return {"locked", "", locked};

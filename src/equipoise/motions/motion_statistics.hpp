@@ -10,10 +10,10 @@
 
 #include "equipoise/base/angles.hpp"
 #include "equipoise/base/stop_flag.hpp"
-#include "equipoise/integrate/status.hpp"
 #include "equipoise/model/system.hpp"
 #include "equipoise/motions/mean_rate.hpp"
-#include "equipoise/orbits/ball_events.hpp"
+#include "equipoise/types/ball_events.hpp"
+#include "equipoise/types/status.hpp"
 
 namespace equipoise {
 
@@ -73,7 +73,7 @@ IntegrationStatus follow(const model::System& system, Eigen::VectorXd& state, do
 struct EventLog {
   std::vector<BallEvent> events;  ///< the first thousand
   long count = 0;                 ///< all of them, and what else changed without having a name
-  model::BallMode begin, end;            ///< modes
+  model::BallMode begin, end;     ///< modes
   bool reverses = false;          ///< some free ball's rate changed sign
 };
 

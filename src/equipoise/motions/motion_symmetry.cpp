@@ -175,9 +175,7 @@ bool same_motion(const model::Parameters& p, const Motion& a, const Motion& b) {
   if (a.set_valued || b.set_valued)
     return a.set_valued && b.set_valued && motion_name(p, a).name == motion_name(p, b).name;
   if (a.eventful != b.eventful) return false;
-  const auto measured = [](const Motion& m) {
-    return never_repeats(m.kind);
-  };
+  const auto measured = [](const Motion& m) { return never_repeats(m.kind); };
   if (a.kind != b.kind && !(measured(a) && measured(b))) return false;
   if (a.kind == MotionKind::periodic && std::fabs(a.period - b.period) > same_point * a.period) return false;
   const double share = a.kind != b.kind ? same_torus : sameness(a);

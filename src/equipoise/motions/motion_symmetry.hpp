@@ -17,8 +17,8 @@ using BallOrder = std::array<int, model::max_balls>;
 /// state, 0: the balls' own of model/parameters.hpp.
 Eigen::VectorXi exchanged_components(int balls, const BallOrder& order, Eigen::Index size = 0);
 
-/// Of a periodic motion or an equilibrium: one order for each of the Motion::copies that exchange of like balls makes of it, its own
-/// first.
+/// Of a periodic motion or an equilibrium: one order for each of the Motion::copies that exchange of like balls makes
+/// of it, its own first.
 std::vector<BallOrder> exchange_images(const model::System& system, const Motion& motion);
 
 /// Motion::copies of a motion described in all else.

@@ -1,30 +1,17 @@
 // How a trajectory comes to its motion: what motion_from() knows besides the motion.
 #pragma once
 
-#include <memory>
 #include <optional>
-#include <vector>
 
 #include <Eigen/Core>
 
-#include "equipoise/integrate/status.hpp"
 #include "equipoise/model/system.hpp"
 #include "equipoise/motions/motion.hpp"
-#include "equipoise/orbits/recurrence.hpp"
 
 namespace equipoise {
 
-/// A stable periodic orbit of the system at hand, ready to be recognised.
-struct KnownOrbit {
-  PeriodicOrbit orbit;
-  std::shared_ptr<const OrbitCurve> curve;
-  std::shared_ptr<const Motion> motion;  ///< its description, if there is one already
-};
-
-KnownOrbit known_orbit(const model::System& system, const PeriodicOrbit& orbit);
-KnownOrbit known_orbit(const model::System& system, const Motion& motion);
-
-/// Is a trajectory steady? is first asked after about this time, the longest a quick attractor takes to pull a start in.
+/// Is a trajectory steady? is first asked after about this time, the longest a quick attractor takes to pull a start
+/// in.
 inline constexpr double first_stretch = 100.0;
 
 /// The stretches in which a trajectory is followed until it is steady, each as long as all before: as many as a time of
@@ -48,18 +35,11 @@ class Stretches {
 };
 
 struct Settling {
-  std::optional<Motion> motion;                        ///< empty if the trajectory did not become steady
-  IntegrationStatus status = IntegrationStatus::done;  ///< else the trajectory was lost
-  double time = 0.0;                                   ///< after which the motion was recognised, or all that was
-                                                       ///< followed
-  double speed = 0.0;                                  ///< of the rotor, without a motion, when it was last seen
-  bool known = false;                                  ///< the motion is one of those that were known
+  std::optional<Motion> motion;  ///< empty if the trajectory did not become steady
+  double time = 0.0;             ///< after which it was recognised
 };
 
-/// What motion_from() does and answers, with more detail. `known`: orbits of this very system; a trajectory that
-/// approaches one of them is not searched for others. The same tests decide in both cases. Once `stop` is set there is
-/// no motion, and nothing else said is worth anything.
-Settling settle(const model::System& system, const Eigen::VectorXd& state, double patience,
-                const std::vector<KnownOrbit>& known = {}, const StopFlag* stop = nullptr);
+/// What motion_from() does and answers, and when. Once `stop` is set there is no motion.
+Settling settle(const model::System& system, const Eigen::VectorXd& state, double patience, const StopFlag* stop);
 
 }  // namespace equipoise

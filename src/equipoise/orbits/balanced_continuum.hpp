@@ -12,6 +12,7 @@
 #include "equipoise/model/balanced_state.hpp"
 #include "equipoise/model/parameters.hpp"
 #include "equipoise/model/system.hpp"
+#include "equipoise/types/attractor.hpp"
 
 namespace equipoise {
 
@@ -33,15 +34,7 @@ struct ContinuumMember {
   Eigen::VectorXd creep;  ///< velocity along the continuum (size 0: none): what gravity leaves of it is not at rest
 };
 
-/// Which part of a continuum attracts: members drawn evenly among all ball angles that balance.
-struct ContinuumPart {
-  int drawn = 0, stable = 0;                      ///< stable across the continuum
-  double slowest_rate = 0.0, fastest_rate = 0.0;  ///< range of the slowest rate of stable members (negative)
-  double least_growth = 0.0, most_growth = 0.0;   ///< range of the growth rates of the others
-  double share() const { return drawn ? static_cast<double>(stable) / drawn : 0.0; }
-};
-
-/// The same with the members themselves.
+/// A part of a continuum with its members.
 struct ContinuumSurvey : ContinuumPart {
   bool attracts() const { return !members.empty(); }
   /// Stable ones, the slowest first. Where few or none of those drawn are stable, more were sought.

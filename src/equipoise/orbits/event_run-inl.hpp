@@ -14,7 +14,7 @@
 #include "equipoise/model/hybrid_flow-inl.hpp"
 #include "equipoise/model/state_layout.hpp"
 #include "equipoise/model/system.hpp"
-#include "equipoise/orbits/ball_events.hpp"
+#include "equipoise/types/ball_events.hpp"
 
 namespace equipoise {
 namespace HWY_NAMESPACE {

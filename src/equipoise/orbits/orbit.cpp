@@ -26,8 +26,6 @@ using Eigen::VectorXd;
 constexpr double tolerance = 1e-12;
 // States this close, in units of their scale, are the same: far above any residual, far below any motion's size.
 constexpr double same_state = 1e-7;
-// Multipliers of a continuum are 1 to integration errors; the slowest others seen differ from it by 1e-4.
-constexpr double on_circle = 1e-7;
 // Matrices of shooting with an imposed period whose condition is worse belong to a continuum.
 constexpr double singular = 1e-8;
 constexpr double longest_arc = 2.0;  // of a node's share of the period, where the guess does not say
@@ -301,24 +299,6 @@ std::optional<PeriodicOrbit> refine(const model::System& system, Shooting s, dou
 }
 
 }  // namespace
-
-bool contracts(const Eigen::VectorXcd& multipliers, int units_allowed) {
-  int units = 0;
-  for (const std::complex<double>& m : multipliers) {
-    if (units_allowed > 0 && std::abs(m - 1.0) < on_circle)
-      ++units;
-    else if (!(std::abs(m) < 1.0))
-      return false;
-  }
-  return units <= units_allowed;
-}
-
-bool PeriodicOrbit::stable() const { return contracts(decays()); }
-
-double PeriodicOrbit::slowest_rate() const {
-  const Eigen::VectorXcd all = decays();
-  return all.size() > 0 ? std::log(std::max(1e-300, std::abs(all[0]))) / period : -1.0;
-}
 
 std::optional<PeriodicOrbit> refine_orbit(const model::System& system, const std::vector<VectorXd>& guess,
                                           double period, double reach, const StopFlag* stop) {

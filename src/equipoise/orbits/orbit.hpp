@@ -2,7 +2,6 @@
 // and of systems that are seen at strobes only (model::Section).
 #pragma once
 
-#include <array>
 #include <limits>
 #include <optional>
 #include <vector>
@@ -11,6 +10,7 @@
 
 #include "equipoise/base/stop_flag.hpp"
 #include "equipoise/model/system.hpp"
+#include "equipoise/types/periodic_orbit.hpp"
 
 namespace equipoise {
 
@@ -24,35 +24,6 @@ struct Equilibrium {
 /// Newton's method from `guess` with the exact Jacobian, where nothing depends on the rotor's angle. Empty if it does
 /// not converge.
 std::optional<Equilibrium> refine_equilibrium(const model::System& system, const Eigen::VectorXd& guess);
-
-/// Whole turns of each angle of a system in one period, with sign, in the order of model::System::angles().
-using Winding = std::array<int, model::max_balls + 1>;
-
-/// A motion that repeats itself after `period`, angles taken modulo their turns.
-struct PeriodicOrbit {
-  double period = 0.0;
-  Winding winding{};
-  /// States at the times k period / nodes.size(), k = 0, 1, ...; angles unwrapped along the orbit. Of a strobed system
-  /// the states at successive strobes.
-  std::vector<Eigen::VectorXd> nodes;
-  /// Floquet multipliers: eigenvalues of the monodromy matrix. Errors are about 1e-12 of the largest. Where the period
-  /// is free, the first is the one that belongs to a shift in time (1 but for errors); the others follow with falling
-  /// modulus.
-  Eigen::VectorXcd multipliers;
-  double residual = 0.0;  ///< largest mismatch of any component where one node's arc meets the next node
-  /// The period is a number of strobes: every multiplier counts, and an equilibrium is an orbit like any other.
-  bool imposed = false;
-
-  /// All multipliers but that of a shift in time.
-  Eigen::VectorXcd decays() const { return multipliers.tail(multipliers.size() - (imposed ? 0 : 1)); }
-  /// All of them lie inside the unit circle.
-  bool stable() const;
-  /// At which the deviation that shrinks slowest does so, negative if it shrinks.
-  double slowest_rate() const;
-};
-
-/// Whether at most `units_allowed` multipliers lie on the unit circle, at 1, and all others inside.
-bool contracts(const Eigen::VectorXcd& multipliers, int units_allowed = 0);
 
 /// Multiple shooting by Newton's method on all nodes, and on the period where it is free, with exact derivatives
 /// (variational equations from the model on dual numbers). `guess`: states at equally spaced times of one period,

@@ -6,8 +6,8 @@
 #include <Eigen/Core>
 
 #include "equipoise/model/system.hpp"
-#include "equipoise/orbits/ball_events.hpp"
 #include "equipoise/orbits/orbit.hpp"
+#include "equipoise/types/ball_events.hpp"
 
 namespace equipoise {
 

@@ -4,12 +4,11 @@
 
 #include <fmt/format.h>
 
-#include "equipoise/deciding/decision_rule.hpp"
-#include "equipoise/pages/answer_parts.hpp"
 #include "equipoise/pages/answer.hpp"
+#include "equipoise/pages/answer_parts.hpp"
 #include "equipoise/pages/quantities.hpp"
 #include "equipoise/report/text.hpp"
-#include "equipoise/deciding/fate.hpp"
+#include "equipoise/types/fate.hpp"
 
 namespace equipoise {
 

@@ -148,7 +148,7 @@ std::string attractors_text(const AttractorsResult& r) {
     insert(rows.front(), {"speed" + units.drift, "+-", "torque" + units.moment, "power" + units.watts});
     alignment.insert(alignment.begin() + motor_column, 4, right);
   }
-  for (const Attractor& a : r.catalogue.attractors()) {
+  for (const Attractor& a : r.attractors) {
     const Motion& m = a.motion;
     const Share& share = share_of(r, a.id).share;
     std::string drift;
@@ -165,7 +165,7 @@ std::string attractors_text(const AttractorsResult& r) {
   }
   text += aligned(rows, alignment) + "\n";
   text += strobe_text(r.basin.study, units);
-  for (const Attractor& a : r.catalogue.attractors()) text += events_text(a, balls);
+  for (const Attractor& a : r.attractors) text += events_text(a, balls);
   text += left_unbalance_text(r.basin.attractors, r.basin.study);
   if (!r.basin.note.empty()) text += fmt::format("Note: {}.\n", r.basin.note);
   if (r.basin.partial)
@@ -180,7 +180,7 @@ std::string attractors_text(const AttractorsResult& r) {
 std::string attractors_json(const AttractorsResult& r) {
   Json json;
   json["attractors"] = Json::array();
-  for (const Attractor& a : r.catalogue.attractors())
+  for (const Attractor& a : r.attractors)
     json["attractors"].push_back(attractor_json(a, share_of(r, a.id), r.basin.study));
   json["starts"] = r.basin.starts;
   json["partial"] = r.basin.partial;

@@ -7,8 +7,8 @@
 #include <nlohmann/json.hpp>
 
 #include "equipoise/model/scales.hpp"
-#include "equipoise/motions/catalogue.hpp"
 #include "equipoise/study/study.hpp"
+#include "equipoise/types/attractor.hpp"
 
 namespace equipoise {
 

@@ -10,11 +10,10 @@
 #include <nlohmann/json.hpp>
 
 #include "equipoise/base/version.hpp"
-#include "equipoise/deciding/decision_rule.hpp"
 #include "equipoise/report/cell_text.hpp"
+#include "equipoise/report/computed.hpp"
 #include "equipoise/report/csv.hpp"
 #include "equipoise/report/sensitivity_report.hpp"
-#include "equipoise/report/computed.hpp"
 #include "equipoise/report/text.hpp"
 
 namespace equipoise {

@@ -12,7 +12,7 @@
 
 #include "equipoise/model/balance_grade.hpp"
 #include "equipoise/model/strobe.hpp"
-#include "equipoise/deciding/outcomes.hpp"
+#include "equipoise/types/outcomes.hpp"
 #include "equipoise/report/text.hpp"
 
 namespace equipoise {

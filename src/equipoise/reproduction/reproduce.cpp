@@ -9,6 +9,7 @@
 #include "equipoise/base/error.hpp"
 #include "equipoise/base/reporting.hpp"
 #include "equipoise/basins/basin.hpp"
+#include "equipoise/basins/basin_header.hpp"
 #include "equipoise/discovery/discovery.hpp"
 #include "equipoise/kernels/cpu_target.hpp"
 #include "equipoise/report/text.hpp"

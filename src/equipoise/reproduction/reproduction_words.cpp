@@ -8,8 +8,8 @@
 
 #include <fmt/format.h>
 
-#include "equipoise/deciding/decision_rule.hpp"
 #include "equipoise/store/basin_file.hpp"
+#include "equipoise/types/fate.hpp"
 
 namespace equipoise {
 

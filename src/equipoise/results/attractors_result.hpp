@@ -3,15 +3,16 @@
 
 #include <cmath>
 #include <cstdint>
+#include <vector>
 
-#include "equipoise/motions/catalogue.hpp"
 #include "equipoise/results/basin_result.hpp"
+#include "equipoise/types/attractor.hpp"
 
 namespace equipoise {
 
 struct AttractorsResult {
-  Catalogue catalogue;
-  BasinResult basin;  ///< shares of the starts that were searched
+  std::vector<Attractor> attractors;  ///< by identifier
+  BasinResult basin;                  ///< shares of the starts that were searched
 };
 
 /// Probability with which a search of `starts` independent starts misses an attractor of this share.

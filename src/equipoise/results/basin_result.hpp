@@ -13,6 +13,7 @@
 #include "equipoise/sampling/sampling.hpp"
 #include "equipoise/statistics/share.hpp"
 #include "equipoise/study/study.hpp"
+#include "equipoise/types/fate.hpp"
 
 namespace equipoise {
 

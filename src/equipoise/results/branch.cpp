@@ -5,8 +5,6 @@
 #include <cmath>
 #include <limits>
 
-#include "equipoise/motions/motion_description.hpp"
-
 namespace equipoise {
 
 const char* name_of(BranchChange change) {

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "equipoise/motions/motion.hpp"
+#include "equipoise/types/motion.hpp"
 
 namespace equipoise {
 

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "equipoise/deciding/decision_rule.hpp"
+#include "equipoise/model/parameters.hpp"
 #include "equipoise/proof/certificate.hpp"
 #include "equipoise/proof/member_certificate.hpp"
 #include "equipoise/study/study.hpp"

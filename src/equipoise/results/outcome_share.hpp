@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "equipoise/deciding/outcomes.hpp"
+#include "equipoise/types/outcomes.hpp"
 #include "equipoise/statistics/share.hpp"
 
 namespace equipoise {

@@ -6,7 +6,7 @@
 #include <string_view>
 #include <vector>
 
-#include "equipoise/transients/transient_table.hpp"
+#include "equipoise/types/transient_table.hpp"
 
 namespace equipoise {
 

@@ -12,7 +12,7 @@
 #include "equipoise/results/outcome_share.hpp"
 #include "equipoise/results/transient_result.hpp"
 #include "equipoise/study/study.hpp"
-#include "equipoise/traps/trap_hints.hpp"
+#include "equipoise/types/trap_hints.hpp"
 
 namespace equipoise {
 

@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "equipoise/integrate/status.hpp"
+#include "equipoise/types/status.hpp"
 
 namespace equipoise {
 

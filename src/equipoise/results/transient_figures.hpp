@@ -8,7 +8,7 @@
 
 #include "equipoise/study/study.hpp"
 #include "equipoise/study/units.hpp"
-#include "equipoise/transients/transient_table.hpp"
+#include "equipoise/types/transient_table.hpp"
 
 namespace equipoise {
 

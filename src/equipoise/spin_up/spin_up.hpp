@@ -8,10 +8,10 @@
 #include <vector>
 
 #include "equipoise/base/stop_flag.hpp"
-#include "equipoise/deciding/fate.hpp"
 #include "equipoise/lanes/lane_task.hpp"
 #include "equipoise/study/study.hpp"
-#include "equipoise/transients/transient_table.hpp"
+#include "equipoise/types/fate.hpp"
+#include "equipoise/types/transient_table.hpp"
 
 namespace equipoise {
 

@@ -7,7 +7,6 @@
 #include <vector>
 
 #include "equipoise/base/error.hpp"
-#include "equipoise/deciding/fate.hpp"
 #include "equipoise/integrate/clamped.hpp"
 #include "equipoise/lanes/lane_task.hpp"
 #include "equipoise/model/speed.hpp"
@@ -16,6 +15,7 @@
 #include "equipoise/spin_up/spin_up.hpp"
 #include "equipoise/study/study.hpp"
 #include "equipoise/transients/clamped_transients.hpp"
+#include "equipoise/types/fate.hpp"
 
 namespace equipoise {
 

@@ -12,7 +12,8 @@
 #include "equipoise/results/outcome_share.hpp"
 #include "equipoise/sampling/sampling.hpp"
 #include "equipoise/store/start_columns.hpp"
-#include "equipoise/transients/transient_table.hpp"
+#include "equipoise/types/fate.hpp"
+#include "equipoise/types/transient_table.hpp"
 
 namespace equipoise {
 

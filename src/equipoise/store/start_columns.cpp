@@ -8,7 +8,7 @@
 #include <fmt/format.h>
 #include <netcdf.h>
 
-#include "equipoise/deciding/outcomes.hpp"
+#include "equipoise/types/outcomes.hpp"
 #include "equipoise/store/basin_file.hpp"
 
 namespace equipoise::store {

@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
-#include "equipoise/deciding/fate.hpp"
-#include "equipoise/transients/transient_table.hpp"
+#include "equipoise/types/fate.hpp"
+#include "equipoise/types/transient_table.hpp"
 
 namespace equipoise {
 

@@ -20,7 +20,7 @@
 #include "equipoise/base/parallel.hpp"
 #include "equipoise/base/reporting.hpp"
 #include "equipoise/basins/basin.hpp"
-#include "equipoise/fates/runner.hpp"
+#include "equipoise/fates/checks.hpp"
 #include "equipoise/kernels/cpu_target.hpp"
 #include "equipoise/motions/catalogue.hpp"
 #include "equipoise/store/capacity_file.hpp"

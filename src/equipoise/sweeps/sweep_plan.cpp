@@ -8,7 +8,8 @@
 
 #include "equipoise/base/error.hpp"
 #include "equipoise/basins/basin.hpp"
-#include "equipoise/fates/runner.hpp"
+#include "equipoise/basins/basin_header.hpp"
+#include "equipoise/fates/checks.hpp"
 #include "equipoise/store/result_identity.hpp"
 #include "equipoise/study/physical.hpp"
 #include "equipoise/study/table_reader.hpp"
@@ -51,9 +52,8 @@ SweepPlan::SweepPlan(StudySource source, std::vector<SweepAxis> axes, const Cell
 
 std::vector<std::string> SweepPlan::overrides_of(std::size_t cell) const {
   std::vector<std::string> overrides;
-  visit_parameters(axes_, cell, [&](const SweepParameter& p, std::size_t k) {
-    overrides.push_back(p.key + "=" + p.given[k]);
-  });
+  visit_parameters(axes_, cell,
+                   [&](const SweepParameter& p, std::size_t k) { overrides.push_back(p.key + "=" + p.given[k]); });
   return overrides;
 }
 

@@ -3,9 +3,9 @@
 
 #include <memory>
 
-#include "equipoise/integrate/status.hpp"
 #include "equipoise/results/trajectory.hpp"
 #include "equipoise/study/study.hpp"
+#include "equipoise/types/status.hpp"
 
 namespace equipoise {
 

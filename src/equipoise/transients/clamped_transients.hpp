@@ -12,7 +12,7 @@
 #include "equipoise/integrate/clamped.hpp"
 #include "equipoise/model/parameters.hpp"
 #include "equipoise/model/speed.hpp"
-#include "equipoise/transients/transient_table.hpp"
+#include "equipoise/types/transient_table.hpp"
 
 namespace equipoise {
 

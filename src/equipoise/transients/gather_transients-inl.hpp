@@ -13,7 +13,7 @@
 
 #include "equipoise/model/equations-inl.hpp"
 #include "equipoise/transients/transient_step-inl.hpp"
-#include "equipoise/transients/transient_table.hpp"
+#include "equipoise/types/transient_table.hpp"
 
 HWY_BEFORE_NAMESPACE();
 namespace equipoise {

@@ -15,7 +15,7 @@
 
 #include "equipoise/model/parameters.hpp"
 #include "equipoise/transients/gather_transients-inl.hpp"
-#include "equipoise/transients/transient_table.hpp"
+#include "equipoise/types/transient_table.hpp"
 
 namespace equipoise {
 

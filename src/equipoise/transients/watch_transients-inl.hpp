@@ -16,7 +16,7 @@
 #include "equipoise/model/strobe.hpp"
 #include "equipoise/model/unbalance-inl.hpp"
 #include "equipoise/transients/gather_transients-inl.hpp"
-#include "equipoise/transients/transient_table.hpp"
+#include "equipoise/types/transient_table.hpp"
 
 HWY_BEFORE_NAMESPACE();
 namespace equipoise {

@@ -11,7 +11,7 @@
 #include "equipoise/model/system.hpp"
 #include "equipoise/motions/motion.hpp"
 #include "equipoise/orbits/balanced_continuum.hpp"
-#include "equipoise/traps/trap_hints.hpp"
+#include "equipoise/types/trap_hints.hpp"
 
 namespace equipoise {
 

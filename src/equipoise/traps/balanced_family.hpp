@@ -8,7 +8,7 @@
 
 #include "equipoise/deciding/decision_rule.hpp"
 #include "equipoise/lanes/own_rotor.hpp"
-#include "equipoise/traps/trap_hints.hpp"
+#include "equipoise/types/trap_hints.hpp"
 
 namespace equipoise {
 
@@ -18,8 +18,8 @@ class BalancedFamily {
  public:
   BalancedFamily() = default;
   /// Fits the forms of `rotors`, the first of which `traps` are made for, and gives the traps the level that holds for
-  /// all of `tried`: half the least at which V was seen to grow for one of them, by a few hundred rays each. `traps` are
-  /// none afterwards if there is no such level. `weights`: of modes, as balanced_trap() found them.
+  /// all of `tried`: half the least at which V was seen to grow for one of them, by a few hundred rays each. `traps`
+  /// are none afterwards if there is no such level. `weights`: of modes, as balanced_trap() found them.
   BalancedFamily(std::vector<BalancedTrap>& traps, std::span<const OwnRotor> rotors, std::span<const OwnRotor> tried,
                  const std::vector<ModeWeight>& weights);
 

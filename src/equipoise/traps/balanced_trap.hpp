@@ -8,7 +8,7 @@
 
 #include "equipoise/deciding/decision_rule.hpp"
 #include "equipoise/model/system.hpp"
-#include "equipoise/traps/trap_hints.hpp"
+#include "equipoise/types/trap_hints.hpp"
 
 namespace equipoise {
 

@@ -6,7 +6,6 @@
 #include <cmath>
 #include <complex>
 
-#include "equipoise/deciding/decision_rule.hpp"
 #include "equipoise/model/energy.hpp"
 #include "equipoise/model/machine.hpp"
 #include "equipoise/model/state_layout.hpp"
@@ -18,6 +17,7 @@
 #include "equipoise/orbits/recurrence.hpp"
 #include "equipoise/orbits/return_map.hpp"
 #include "equipoise/orbits/stroboscopic.hpp"
+#include "equipoise/types/fate.hpp"
 
 namespace equipoise {
 

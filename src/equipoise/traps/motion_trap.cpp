@@ -43,13 +43,16 @@ constexpr int highest_degree = 6;
 // Where a motion is about to end it attracts ever more slowly: by this share of what it does where it was found.
 constexpr double barely = 0.2;
 // Where a polynomial does not hold for all rotors, so many of the nearest are tried alone.
-constexpr double nearer = 0.7;
+constexpr double nearer_ones = 0.7;
 constexpr int most_shrunk = 3;
 // From one rotor's motion to the next one's, in System::scale().
 constexpr double farthest_neighbour = 8.0;
 constexpr double tolerance = 1e-10;
 // V of own motions beyond which tries have no level to pass.
 constexpr double highest_floor = 0.02, good_floor = 2e-4, floor_margin = 4.0;
+
+double apart(const OwnRotor& a, const OwnRotor& b) { return squared_distance(a.coordinates, b.coordinates); }
+bool nearer(const OwnRotor& to, const OwnRotor& a, const OwnRotor& b) { return apart(to, a) < apart(to, b); }
 
 // Of a family's rotors: the more, the more values differ.
 std::size_t first_looked_at(const OwnRotor& own) { return std::min(most_looked_at, 8 + 8 * own.coordinates.size()); }
@@ -64,6 +67,15 @@ bool normalise(std::vector<MatrixXd>& forms, const VectorXd& scale, int free_dir
   if (!(least > 0.0) || !std::isfinite(least)) return false;
   for (MatrixXd& form : forms) form /= least;
   return true;
+}
+
+// Down to levels that leave tries room to come inside.
+WindowTries tries_above(double floor) {
+  constexpr double room = 32.0;
+  WindowTries tries{.highest = highest_level};
+  if (floor > 0.0)
+    tries.halvings = std::clamp(static_cast<int>(std::log2(highest_level / (room * floor))), 1, tries.halvings);
+  return tries;
 }
 
 }  // namespace
@@ -187,33 +199,27 @@ bool MotionTrap::follow_rotors(const Motion& motion, const std::vector<const Own
   for (std::size_t k = 0; k < rotors.size() && tried.size() < most_looked_at; ++k) {
     const OwnRotor& own = *rotors[k];
     if (k >= at_first && (all.empty() || all.size() >= at_first / 2)) break;
-    const auto nearer_to_it = [&](const Tried& a, const Tried& b) {
-      return squared_distance(a.coordinates, own.coordinates) < squared_distance(b.coordinates, own.coordinates);
-    };
+    const auto nearer_to_it = [&](const auto& a, const auto& b) { return nearer(own, *a.own, *b.own); };
     if (k >= at_first && !std::min_element(tried.begin(), tried.end(), nearer_to_it)->has) continue;
-    const auto near = std::min_element(all.begin(), all.end(), [&](const There& a, const There& b) {
-      return squared_distance(a.own->coordinates, own.coordinates) <
-             squared_distance(b.own->coordinates, own.coordinates);
-    });
+    const auto near = std::min_element(all.begin(), all.end(), nearer_to_it);
     auto there =
         noted(notes, "a rotor's motion", stop, [&] { return found(own, near == all.end() ? first : *near, stop); });
     if (is_set(stop)) return false;
     if (there) there->own = &own;
-    tried.push_back({own.coordinates, there.has_value()});
+    tried.push_back({&own, there.has_value()});
     if (there) all.push_back(*std::move(there));
   }
   for (int shrunk = 0; all.size() < fewest || !fit(all); ++shrunk) {
     if (all.size() < fewest || shrunk == most_shrunk) return false;
-    all.resize(std::min(all.size() - 1, static_cast<std::size_t>(nearer * static_cast<double>(all.size()))));
-    for (Tried& t : tried)
-      t.has = std::any_of(all.begin(), all.end(), [&](const There& a) { return a.own->coordinates == t.coordinates; });
+    all.resize(std::min(all.size() - 1, static_cast<std::size_t>(nearer_ones * static_cast<double>(all.size()))));
+    for (Tried& t : tried) t.has = std::any_of(all.begin(), all.end(), [&](const There& a) { return a.own == t.own; });
   }
   for (const There& there : all) rate_ = std::max(rate_, there.rate);
   for (const Tried& t : tried) {
     if (t.has) continue;
     double square = infinite;
-    for (const There& there : all) square = std::min(square, squared_distance(there.own->coordinates, t.coordinates));
-    lacking_.push_back({t.coordinates, square});
+    for (const There& there : all) square = std::min(square, apart(*there.own, *t.own));
+    lacking_.push_back({t.own->coordinates, square});
   }
   return true;
 }
@@ -371,19 +377,6 @@ std::shared_ptr<MotionTrap> MotionTrap::around(const model::System& system, cons
   return trap;
 }
 
-namespace {
-
-// Down to levels that leave tries room to come inside.
-WindowTries tries_above(double floor) {
-  constexpr double room = 32.0;
-  WindowTries tries{.highest = highest_level};
-  if (floor > 0.0)
-    tries.halvings = std::clamp(static_cast<int>(std::log2(highest_level / (room * floor))), 1, tries.halvings);
-  return tries;
-}
-
-}  // namespace
-
 std::shared_ptr<const MotionTrap> motion_trap(const model::System& system, const Motion& motion, int attractor,
                                               const TrialSettings& settings, const OwnRotor* own, double near) {
   std::vector<const OwnRotor*> rotors;
@@ -391,10 +384,7 @@ std::shared_ptr<const MotionTrap> motion_trap(const model::System& system, const
   if (own)  // of the first ones, which hold the part's corners, the nearest first
     std::stable_sort(rotors.begin(),
                      rotors.begin() + static_cast<std::ptrdiff_t>(std::min(rotors.size(), first_looked_at(*own))),
-                     [&](const OwnRotor* a, const OwnRotor* b) {
-                       return squared_distance(a->coordinates, own->coordinates) <
-                              squared_distance(b->coordinates, own->coordinates);
-                     });
+                     [&](const OwnRotor* a, const OwnRotor* b) { return nearer(*own, *a, *b); });
   const auto trap = MotionTrap::around(system, motion, attractor, rotors, settings.stop, settings.notes);
   if (!trap) return nullptr;
   TrialSettings of_those = settings;

@@ -59,7 +59,7 @@ class MotionTrap final : public WindowTrap {
     b(t.rest, t.orbit, t.rate, t.places, t.between);
   }
   struct Tried {
-    std::vector<double> coordinates;
+    const OwnRotor* own;
     bool has = false;
   };
   // A rotor without the motion, and how far from it the nearest is that has it.

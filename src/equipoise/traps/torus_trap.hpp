@@ -6,10 +6,10 @@
 
 #include <Eigen/Core>
 
-#include "equipoise/deciding/decision_rule.hpp"
 #include "equipoise/model/system.hpp"
 #include "equipoise/motions/motion.hpp"
 #include "equipoise/traps/window_trap.hpp"
+#include "equipoise/types/fate.hpp"
 
 namespace equipoise {
 

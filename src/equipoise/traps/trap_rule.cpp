@@ -12,6 +12,7 @@
 #include "equipoise/model/balanced_state.hpp"
 #include "equipoise/model/unbalance.hpp"
 #include "equipoise/motions/event_motion.hpp"
+#include "equipoise/motions/stuck.hpp"
 #include "equipoise/orbits/stroboscopic.hpp"
 #include "equipoise/traps/balanced_family.hpp"
 
@@ -134,6 +135,22 @@ class Strobed final : public TrapSet {
   std::optional<StrobedContinuum> continuum_;
 };
 
+class StuckBalls final : public TrapSet {
+ public:
+  StuckBalls(const model::System& system, const Catalogue& listed) : system_(system), listed_(listed) {}
+
+  Caught ask(const double* state, double psi, const OwnRotor* own) const override {
+    const model::System& rotor = own ? own->system : system_;
+    const Eigen::Map<const Eigen::VectorXd> y(state, system_.dimension());
+    const auto end = stuck_for_good(rotor, y, psi);
+    return {end ? listed_.find(rotor.parameters(), describe_stuck(rotor, *end)) : 0};
+  }
+
+ private:
+  model::System system_;
+  Catalogue listed_;
+};
+
 }  // namespace
 
 void set_traps(DecisionRule& rule, const model::System& system, const CycleTraps& cycles,
@@ -153,6 +170,10 @@ void set_traps(DecisionRule& rule, const model::System& system, const CycleTraps
     rule.family = {continuum->reach, std::make_shared<const Continuum>(system, *continuum)};
   else
     rule.strobed = std::make_shared<const Strobed>(system, CycleTraps{}, continuum, std::nullopt, rule.window);
+}
+
+Traps stuck_balls(const model::System& system, const Catalogue& listed) {
+  return std::make_shared<const StuckBalls>(system, listed);
 }
 
 }  // namespace equipoise

@@ -7,6 +7,7 @@
 
 #include "equipoise/deciding/decision_rule.hpp"
 #include "equipoise/model/system.hpp"
+#include "equipoise/motions/catalogue.hpp"
 #include "equipoise/traps/continuum_trap.hpp"
 #include "equipoise/traps/cycle_trap.hpp"
 #include "equipoise/traps/stalled_trap.hpp"
@@ -20,5 +21,8 @@ using CycleTraps = std::vector<std::shared_ptr<const CycleTrap>>;
 /// state at a time and with that angle, where half a window ends. Traps of balanced states stay as they are.
 void set_traps(DecisionRule& rule, const model::System& system, const CycleTraps& cycles,
                const std::optional<ContinuumTrap>& continuum, const std::optional<StalledTrap>& stalled = {});
+
+/// Dry friction holds all balls for good where they stick; which of `listed` that is, its catalogue says.
+Traps stuck_balls(const model::System& system, const Catalogue& listed);
 
 }  // namespace equipoise

@@ -8,9 +8,9 @@
 #include <utility>
 
 #include "equipoise/base/parallel.hpp"
-#include "equipoise/deciding/fate.hpp"
 #include "equipoise/kernels/lane_kernels.hpp"
 #include "equipoise/model/balanced_state.hpp"
+#include "equipoise/types/fate.hpp"
 
 namespace equipoise {
 

@@ -3,7 +3,7 @@
 
 #include <array>
 
-#include "equipoise/deciding/fate.hpp"
+#include "equipoise/types/fate.hpp"
 
 namespace equipoise {
 

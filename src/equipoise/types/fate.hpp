@@ -1,11 +1,8 @@
-// What became of one start.
+// What became of one start, on what grounds, and how that is told in numbers and words.
 #pragma once
 
 #include <array>
 #include <limits>
-#include <vector>
-
-#include "equipoise/deciding/decision_rule.hpp"
 
 namespace equipoise {
 
@@ -18,6 +15,23 @@ enum class Outcome : signed char {
   stalled = 4,    ///< a driven rotor whose motor did not bring it up to speed (Sommerfeld capture)
 };
 
+/// On what grounds a fate was decided. The numbers are stored in result files.
+enum class DecidedBy : signed char {
+  nothing = 0,
+  proof = 1,      ///< inside a level set proved to lead to the attractor only
+  validated = 2,  ///< inside a level set from the edge of one of twice the level every one of a thousand tried states
+                  ///< or more came to the attractor
+  windows = 3,    ///< features of successive windows of time
+  horizon = 4,    ///< there at the horizon
+  followed = 5,   ///< stationary by its windows in a way that the rule did not know; then followed to its motion
+};
+inline constexpr int decided_by_count = 6;
+inline constexpr std::array<const char*, decided_by_count> decided_by_names{"nothing", "proof",   "validated",
+                                                                            "windows", "horizon", "followed"};
+
+/// The identifier of the balanced state in every catalogue.
+inline constexpr int balanced_id = 1;
+
 /// What stands for those that no attractor's identifier stands for, in files and arrays.
 inline constexpr short undecided_code = 0, diverged_code = -1, failed_code = -2, stalled_code = -3;
 
@@ -29,7 +43,7 @@ struct Fate {
   /// Identifier in the catalogue, from 1; 0: none, or stationary in a way the rule does not list. Below 0, until its
   /// motion is listed: of OwnRotor::met.
   short attractor = 0;
-  double time = 0.0;    ///< study time at which it was known
+  double time = 0.0;  ///< study time at which it was known
   /// Of a driven rotor: mean psi' of the motion it came to, or, of an undecided start, when it was last seen; signed.
   /// NaN where it was never measured, and for all others.
   float mean_speed = std::numeric_limits<float>::quiet_NaN();
@@ -43,15 +57,5 @@ struct Fate {
 
 /// The attractor's identifier, or undecided_code and its like.
 short code_of(const Fate& fate);
-
-/// What the pilot keeps of a trajectory: the features of its last long window, the range of that window's short ones,
-/// for every box of the rule the longest run of windows inside, and how near it came to balance.
-struct PilotRecord {
-  Features features{};
-  FeatureBox range;
-  bool finished_window = false;  ///< features and range hold something
-  std::array<int, most_boxes> longest_run{};
-  double least_value = 1e300;  ///< smallest V of any balanced trap along the way; known in audits (DecisionRule::blind)
-};
 
 }  // namespace equipoise

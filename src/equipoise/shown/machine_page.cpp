@@ -1,17 +1,16 @@
 // An ensemble, its motions, the distribution of its peaks and two of its runs, side by side.
-#include "equipoise/pages/machine_page.hpp"
+#include "equipoise/shown/machine_page.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <map>
 #include <optional>
+#include <utility>
 
 #include "equipoise/base/angles.hpp"
-#include "equipoise/explain/explain.hpp"
 #include "equipoise/motions/catalogue.hpp"
-#include "equipoise/pages/given_keys.hpp"
-#include "equipoise/pages/motion_path.hpp"
-#include "equipoise/pages/shown_runs.hpp"
+#include "equipoise/shown/motion_path.hpp"
+#include "equipoise/shown/shown_runs.hpp"
 
 namespace equipoise {
 
@@ -85,9 +84,8 @@ void draw_motion(const Attractor& a, const Study& study, DrawnMotion& drawn) {
 
 class PageMaker {
  public:
-  PageMaker(const Study& study, const MachinePageOptions& options) : options_(options) {
-    page_.given = options.given.empty() ? given_tables(study) : options.given;
-    page_.explanation = explain(study, options.balls);
+  PageMaker(const Study& study, GivenMachine given, const BasinOptions& options) : options_(options) {
+    static_cast<GivenMachine&>(page_) = std::move(given);
     BasinOptions run = options;
     run.keep_starts = true;
     const bool grid = study.sampling.method == SamplingMethod::grid;  // its first starts are no fair sample
@@ -195,7 +193,7 @@ class PageMaker {
     page_.peaks.push_back(std::move(d));
   }
 
-  const MachinePageOptions& options_;
+  const BasinOptions& options_;
   MachinePage page_;
   Catalogue catalogue_;
   StartArrays starts_;
@@ -205,8 +203,8 @@ class PageMaker {
 
 }  // namespace
 
-MachinePage machine_page(const Study& study, const MachinePageOptions& options) {
-  return PageMaker(study, options).make();
+MachinePage machine_page(const Study& study, GivenMachine given, const BasinOptions& options) {
+  return PageMaker(study, std::move(given), options).make();
 }
 
 }  // namespace equipoise

@@ -1,5 +1,5 @@
 // The figures that sums come to.
-#include "equipoise/transients/transient_table.hpp"
+#include "equipoise/types/transient_table.hpp"
 
 #include <algorithm>
 #include <cmath>

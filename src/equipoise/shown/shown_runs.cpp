@@ -1,5 +1,5 @@
 // Two starts chosen, followed, and reduced to as many stretches of time as a picture has pixels.
-#include "equipoise/pages/shown_runs.hpp"
+#include "equipoise/shown/shown_runs.hpp"
 
 #include <algorithm>
 #include <cmath>

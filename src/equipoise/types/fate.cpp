@@ -1,7 +1,7 @@
 // Words and codes for what became of a start.
-#include "equipoise/deciding/fate.hpp"
+#include "equipoise/types/fate.hpp"
 
-#include "equipoise/deciding/outcomes.hpp"
+#include "equipoise/types/outcomes.hpp"
 
 namespace equipoise {
 

@@ -1,5 +1,5 @@
 // Modes and events in words.
-#include "equipoise/orbits/ball_events.hpp"
+#include "equipoise/types/ball_events.hpp"
 
 #include <algorithm>
 #include <array>

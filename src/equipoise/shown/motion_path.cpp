@@ -1,5 +1,5 @@
 // Any system's motion is followed as a machine's, events or none: a drawing needs few of them.
-#include "equipoise/pages/motion_path.hpp"
+#include "equipoise/shown/motion_path.hpp"
 
 #include <algorithm>
 #include <array>
