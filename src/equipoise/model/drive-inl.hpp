@@ -1,5 +1,5 @@
-// What drives the rotor at one instant, for every number type: psi', psi'' or the motor's torque, and their rates where
-// they are part of the state. Included once per CPU target.
+// The rotor's drive at one instant, for every number type: psi', psi'' or the motor's torque, and the rates of those
+// that the state holds. Included once per CPU target.
 #if defined(EQUIPOISE_MODEL_DRIVE_INL) == defined(HWY_TARGET_TOGGLE)
 #ifdef EQUIPOISE_MODEL_DRIVE_INL
 #undef EQUIPOISE_MODEL_DRIVE_INL
@@ -18,7 +18,7 @@ HWY_BEFORE_NAMESPACE();
 namespace equipoise {
 namespace HWY_NAMESPACE {
 
-// A motor's torque and the rate of the integral of its speed error, `elapsed` after its piece of the law began.
+// A motor's torque and the rate of its speed error's integral, `elapsed` after the piece of its law began.
 template <class T>
 struct MotorState {
   T torque, error_rate;
@@ -30,7 +30,7 @@ inline MotorState<double> motor_state(const model::DriveSegment& motor, const do
   return {motor.torque(t, speed, error), motor.error_rate(t, speed, error)};
 }
 
-// Of dual numbers, with their slopes; where the torque is cut at the motor's limit it has none.
+// For dual numbers, with their slopes; a torque cut at the motor's limit has slope 0.
 template <class T>
 requires(!std::is_same_v<T, double> && std::is_same_v<decltype(T::value), double>)
     MotorState<T> motor_state(const model::DriveSegment& motor, const T& elapsed, const T& speed, const T& error) {
@@ -42,7 +42,7 @@ requires(!std::is_same_v<T, double> && std::is_same_v<decltype(T::value), double
   return result;
 }
 
-// A motor's law in every lane.
+// One motor law per lane.
 struct MotorLanes {
   explicit MotorLanes(const model::DriveSegment& m)
       : constant(m.constant),
@@ -76,8 +76,8 @@ HWY_INLINE MotorState<Pack> motor_state(const MotorLanes& motor, const Pack& ela
   return result;
 }
 
-// Over one piece of a drive, in study time. Rotor angle, speed and speed error stand at `places`; `begin`: of the
-// piece, and `psi` the angle there, where it is no part of the state.
+// One piece of a drive, in study time. `places`: where the state holds rotor angle, speed and speed error. `begin`: of
+// the piece; `psi`: the angle there, unless the state holds it.
 template <class T>
 class RotorDrive {
  public:
@@ -89,7 +89,7 @@ class RotorDrive {
 
   void enter(const model::DrivePiece& piece) { enter(piece, piece.begin, piece.psi); }
 
-  // Lane `lane` gets the drive of `from`: its kind and places must be the same.
+  // Copies the drive of `from`, of the same kind and with the same places, into lane `lane`.
   void take_lane(const RotorDrive& from, int lane) {
     using D = RotorDrive;
     take_lane_of(*this, from, lane, &D::begin_, &D::psi_, &D::speed_, &D::acceleration_);
@@ -110,7 +110,7 @@ class RotorDrive {
     return rotor;
   }
 
-  // Of a driven rotor.
+  // Meaningful only if driven().
   HWY_INLINE MotorState<T> motor(const T& t, const RotorMotion<T>& rotor, const T* y) const {
     if (!driven()) return {};
     return motor_state(motor_, t - begin_, rotor.speed, places_.error < 0 ? T(0.0) : y[places_.error]);

@@ -1,5 +1,5 @@
-// States of driven rotors whose balls are held, as lanes follow them: x, y, u, v; sum mu_i e^{i phi_i} of the balls,
-// which stays; then what the system's state has of psi, psi' and the speed error.
+// States of driven rotors whose balls are held: x, y, u, v; the constant sum mu_i e^{i phi_i} of the balls; then psi,
+// psi' and the speed error, as far as the system's state holds them.
 #pragma once
 
 #include <algorithm>
@@ -10,7 +10,7 @@
 
 namespace equipoise::model {
 
-/// What stands behind the balls in a state of the system stands so much further on in that with its balls held.
+/// Shift of the components after the balls, from the system's state to the held state.
 inline int held_shift(const System& system) { return dimension(1) - dimension(system.balls()); }
 
 inline int held_dimension(const System& system) { return system.dimension() + held_shift(system); }
@@ -22,7 +22,7 @@ inline DrivePlaces held_places(const System& system) {
   return places;
 }
 
-/// From a state of the system to that with its balls held.
+/// From a state of the system to its held state.
 inline void hold_balls(const System& system, const double* state, double* held) {
   const Parameters& p = system.parameters();
   std::copy(state, state + 4, held);
@@ -33,7 +33,7 @@ inline void hold_balls(const System& system, const double* state, double* held) 
   std::copy(state + dimension(p.balls), state + system.dimension(), held + dimension(1));
 }
 
-/// Back again, the balls at rest; `state` holds their angles.
+/// The reverse, with the balls at rest; `state` already holds their angles.
 inline void release_balls(const System& system, const double* held, double* state) {
   const int balls = system.balls();
   std::copy(held, held + 4, state);
