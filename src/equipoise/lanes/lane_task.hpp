@@ -47,7 +47,7 @@ struct LaneTask {
   const model::System* system = nullptr;
   /// When each trajectory begins; null: all with the segment. After release under a motor they differ.
   const double* begins = nullptr;
-  /// Every trajectory's own rotor, `count` of them; the task's says what they have in common. Null: all have the task's.
+  /// The rotor of each of `count` trajectories; the task's says what they have in common. Null: all have the task's.
   const OwnRotor* const* own = nullptr;
   char* met = nullptr;  ///< if given, `count` flags: set to 1 for a trajectory on which balls touch
   bool held = false;  ///< of a driven rotor: its balls are held; states are those of model/held_state.hpp
