@@ -1,4 +1,4 @@
-// Words for what became of a start.
+// Names and codes of outcomes.
 #include "equipoise/deciding/fate.hpp"
 
 namespace equipoise {
