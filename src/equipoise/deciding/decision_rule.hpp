@@ -52,8 +52,7 @@ struct BalancedTrap {
 /// A trap around a stable periodic orbit (traps/cycle_trap.hpp), in the form that lanes evaluate at every step. Its
 /// phase is the angle of one ball, the clock. A table over that angle holds the orbit, with chords between its states,
 /// and one quadratic form a cell. Columns of a row, with D = dimension - 1 (all but the clock's angle, in the order of
-/// the state): D values where the cell begins, D changes across the cell, D (D + 1) / 2 entries of the upper triangular
-/// F.
+/// the state): D values where the cell begins, D changes across it, D (D + 1) / 2 entries of the upper triangle of F.
 struct CycleTable {
   int attractor = 0;
   int clock = 0;                                           ///< ball whose angle tells the phase

@@ -57,8 +57,8 @@ class WindowTracker {
  public:
   /// `own`: the rotor's own, or null; it outlives the windows.
   void begin(const DecisionRule& rule, const OwnRotor* own = nullptr);
-  /// Adds a finished half window. Decides when hits_needed short windows in a row lie in one box, or repeats_needed long
-  /// windows in a row repeat the one before (a chaotic transient matches once in 10^5) or show a known chaotic motion.
+  /// Adds a finished half window. Decides when hits_needed short windows in a row lie in one box, or repeats_needed
+  /// long ones repeat the one before (a chaotic transient matches once in 10^5) or show a known chaotic motion.
   WindowVerdict add(const WindowSums& half);
   /// So far: features of the last long window, range of its short ones, longest runs inside boxes.
   PilotRecord record() const;
