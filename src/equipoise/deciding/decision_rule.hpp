@@ -55,7 +55,7 @@ struct BalancedTrap {
 /// the state): D values where the cell begins, D changes across it, D (D + 1) / 2 entries of the upper triangle of F.
 struct CycleTable {
   int attractor = 0;
-  int clock = 0;                                           ///< ball whose angle tells the phase
+  int clock = 0;                                           ///< ball whose angle is the phase
   int turns = 1;                                           ///< of the clock in one period
   int cells = 0;                                           ///< of the table in one turn
   std::vector<double> table;                               ///< turns x cells rows, in order of the clock's angle
@@ -98,7 +98,7 @@ struct KnownFeatures {
 
 /// A continuum of balanced states (three balls or more).
 struct FamilyTrap {
-  double reach = 0.0;  ///< asked only when all velocities, x, y and imbalance are below this
+  double reach = 0.0;  ///< asked only when all velocities, x, y and unbalance are below this
   Traps traps;
 };
 

@@ -53,7 +53,7 @@ HWY_INLINE T trap_value(const CycleTable& trap, model::BallCount<room> n, Size d
   for (int i = 0, k = 0; i < dimension; ++i)
     if (i != 4 + trap.clock) place[k++] = z[i];
   const T turn = z[4 + trap.clock] * T(1.0 / two_pi);
-  // In cells, from 0 to trap.cells. The last one also takes what rounds to a whole turn.
+  // In cells, from 0 to trap.cells. The last one also takes angles that round to a whole turn.
   const T along = (turn - nearest_integer(turn - T(0.5))) * T(double(trap.cells));
   const T cell = minimum(maximum(nearest_integer(along - T(0.5)), T(0.0)), T(double(trap.cells - 1)));
   const T fraction = along - cell;

@@ -1,4 +1,4 @@
-// Features of a trajectory over windows of time, and what they say about stationarity.
+// Features of a trajectory over windows of time, and whether they show it to be stationary.
 //
 // Short windows are compared with boxes around known motions; long windows, each twice as long as the one before, with
 // each other. Both decide only after several windows agree, never by one threshold.

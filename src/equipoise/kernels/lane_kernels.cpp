@@ -121,7 +121,7 @@ std::vector<std::string> cpu_targets() {
 }
 
 bool use_cpu_target(const std::string& name) {
-  hwy::SetSupportedTargetsForTest(0);  // back to what the machine has
+  hwy::SetSupportedTargetsForTest(0);  // back to all that this computer has
   hwy::GetChosenTarget().DeInit();
   if (name.empty()) return true;
   for (const std::int64_t target : all_targets())

@@ -1,4 +1,4 @@
-// What a lane block works on: many trajectories over one segment of a rotor's motion, or one piece of its drive.
+// The work of a lane block: many trajectories over one segment of a rotor's motion, or one piece of its drive.
 #pragma once
 
 #include <cstddef>

@@ -10,7 +10,7 @@
 
 namespace equipoise::model {
 
-/// What may be asked about a system.
+/// The kinds of answer about a system.
 enum class Answer {
   trajectory,
   shares,
@@ -22,7 +22,7 @@ enum class Answer {
   torus_traps
 };
 
-/// What an answer may need.
+/// Properties of a system that an answer may need.
 enum class Need {
   prescribed_speed,
   passing_balls,

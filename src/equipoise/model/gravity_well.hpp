@@ -20,7 +20,7 @@ class GravityWell {
   static std::optional<GravityWell> of(const System& system);
 
   bool holds(const double* state) const;
-  /// Of a state that it holds: whether no ball will ever pass above the shaft either.
+  /// Whether, in a state that it holds, no ball will ever pass above the shaft either.
   bool holds_balls(const double* state) const;
   /// The state at rest with every ball below the shaft: the final state if balls pass each other and do not stick.
   Eigen::VectorXd bottom() const;

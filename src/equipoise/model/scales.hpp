@@ -1,4 +1,4 @@
-// What one dimensionless unit is worth in a physical machine (docs/equations.md, "Units").
+// The physical units of a machine: one dimensionless unit of each quantity in SI (docs/equations.md, "Units").
 #pragma once
 
 #include <cmath>
