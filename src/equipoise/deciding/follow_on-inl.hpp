@@ -1,5 +1,5 @@
-// Observer of a lane block made of two: one that tells fates and, where a task asks for it, a watch. A trajectory whose
-// fate is known goes on until the watch has seen its end. Included once per CPU target.
+// Observer of a lane block that combines one that decides fates with an optional watch. A decided trajectory goes on
+// until the watch has seen its final motion. Included once per CPU target.
 #if defined(EQUIPOISE_DECIDING_FOLLOW_ON_INL) == defined(HWY_TARGET_TOGGLE)
 #ifdef EQUIPOISE_DECIDING_FOLLOW_ON_INL
 #undef EQUIPOISE_DECIDING_FOLLOW_ON_INL
@@ -15,12 +15,9 @@ HWY_BEFORE_NAMESPACE();
 namespace equipoise {
 namespace HWY_NAMESPACE {
 
-// `Fates` tells by attractor_of(slot) what it has just decided; one without that function never decides. Its fates are
-// those it would give alone: it sees nothing of a lane after its decision. `watch`: may be none; fates are then all
-// there is.
-//
-// A decided trajectory leaves when its watch has seen enough of where it ends. Tasks without a watch are the many, and
-// registers are given out for them.
+// `Fates` says by attractor_of(slot) what it has just decided; one without that function never decides. It sees nothing
+// of a lane after its decision, so that a watch changes no fate. `watch` may be null; most tasks have none, and
+// HWY_UNLIKELY keeps registers for those.
 template <class Fates, int groups>
 class FollowOn {
  public:
@@ -67,7 +64,7 @@ class FollowOn {
     for (int i = 0; i < size_; ++i) kept[i] = z[i];
   }
 
-  // Of the lanes decided before whose window has just ended (`full`), those that may leave; notes the `fresh` ones.
+  // Of lanes decided earlier whose window has just ended (`full`), those that may leave. Notes the `fresh` decisions.
   HWY_INLINE unsigned leaving(int g, unsigned full, unsigned fresh, Pack t) {
     if constexpr (requires(Fates f) { f.attractor_of(0); }) {
       if (fresh) note(g, fresh, t);

@@ -1,4 +1,4 @@
-// Driven rotors whose balls are held until the rotor comes to a speed: what they are asked, and how they end.
+// Driven rotors whose balls are held until the rotor reaches a speed: the rule of release, and how trajectories end.
 #pragma once
 
 #include <limits>
@@ -9,7 +9,7 @@
 
 namespace equipoise {
 
-/// When balls that are held are let go, or given up.
+/// When held balls are released, or the trajectory is given up.
 struct HoldRule {
   double release_speed = std::numeric_limits<double>::infinity();  ///< infinite: at no speed
   std::vector<double> own_speeds{};  ///< of each trajectory, where rotors are their own; empty: the same of all
@@ -18,13 +18,13 @@ struct HoldRule {
 };
 
 struct HeldEnd {
-  /// Undecided at the task's end; attracted where it is steady, or undecided before the end where it runs away.
+  /// Attracted if it is steady; undecided at the task's end, or before it if the rotor runs away.
   Fate fate;
-  /// It came to release_speed in the step from `fate.time` to `crossed_by`, or seemed to: its state is that at
+  /// It reached release_speed in the step from `fate.time` to `crossed_by`, or seemed to. Its state is that at
   /// `fate.time`.
   bool crossing = false;
   double crossed_by = 0.0;
-  double nearest = 0.0;  ///< of all speeds that it had the one nearest to release_speed
+  double nearest = 0.0;  ///< the speed nearest to release_speed that it had
 };
 
 }  // namespace equipoise

@@ -1,5 +1,5 @@
-// The observer of a lane block of driven rotors whose balls are held: it ends those that come to the speed at which
-// balls are let go, just before they do, and those that are steady without. Included once per CPU target.
+// The observer of a lane block of driven rotors whose balls are held. It ends trajectories just before they reach the
+// release speed, and those that are steady without reaching it. Included once per CPU target.
 #if defined(EQUIPOISE_DECIDING_HOLD_BALLS_INL) == defined(HWY_TARGET_TOGGLE)
 #ifdef EQUIPOISE_DECIDING_HOLD_BALLS_INL
 #undef EQUIPOISE_DECIDING_HOLD_BALLS_INL
@@ -19,9 +19,9 @@ HWY_BEFORE_NAMESPACE();
 namespace equipoise {
 namespace HWY_NAMESPACE {
 
-// Hooks: see NoObserver in lanes/lane_block-inl.hpp; one group of lanes. A rotor has come to the speed where it has it
-// at two stages of a step or at its end; where in the step is found out elsewhere, by dense output. `watch`: may be
-// none; it does not see the step in which balls are let go.
+// Hooks: see NoObserver in lanes/lane_block-inl.hpp; one group of lanes. A rotor has reached the speed if it has at one
+// of two stages of a step or at its end; dense output locates the time elsewhere. `watch` may be null; it does not see
+// the step in which balls are released.
 class HoldBalls {
  public:
   static constexpr int lanes = static_cast<int>(pack_lanes);

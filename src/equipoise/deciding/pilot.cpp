@@ -1,4 +1,4 @@
-// Groups of like motions, boxes around them, and how far those can be trusted.
+// Groups of like motions, boxes around them, and how many windows in a box decide.
 #include "equipoise/deciding/pilot.hpp"
 
 #include <algorithm>
@@ -10,15 +10,15 @@ namespace equipoise {
 
 namespace {
 
-// Least margin of a box, relative to the largest r or rate: what is this close to a stable motion in every feature for
-// several windows does not leave it again (no such case among 300 000 starts followed to t = 3000).
+// Least margin of a box, relative to the largest r or rate. A trajectory this close to a stable motion in every feature
+// for several windows does not leave it again (no exception among 300 000 starts followed to t = 3000).
 constexpr double box_floor = 0.02;
 constexpr int fewest_hits = 3;
-// Beyond so many half windows, long windows decide as soon.
+// Beyond this many half windows, long windows decide as soon.
 constexpr int most_hits = 80;
-// So many that a box would have told, all rightly, bound the share that it tells wrongly to 3 % (95 % confidence) by
-// themselves; that it asks for twice the longest wrong run of as large a sample leaves far fewer. What is rarer is met
-// by 2.4 % of a pilot's starts at most, so that to follow it for longer costs little.
+// This many trajectories that a box would have decided, all rightly, bound its share of errors to 3 % (95 % confidence)
+// by themselves. Asking for twice the longest wrong run of as large a sample leaves far fewer. At most 2.4 % of a
+// pilot's starts come to a rarer motion, so that following these for longer costs little.
 constexpr int least_evidence = 100;
 
 bool admits_balance(const FeatureBox& box, int balls) {

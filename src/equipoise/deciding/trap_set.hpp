@@ -1,4 +1,4 @@
-// What lanes ask of regions that no trajectory leaves again and that are no level set of a table.
+// The interface through which lanes ask trapping regions that no table of level sets describes. `traps` implements it.
 #pragma once
 
 #include <memory>
@@ -8,11 +8,11 @@ namespace equipoise {
 struct OwnRotor;
 
 struct Caught {
-  int attractor = 0;  ///< its identifier, 0 if there is none
-  double wait = 0.0;  ///< if so, how long it is not worth asking again
+  int attractor = 0;  ///< its identifier; 0: not caught
+  double wait = 0.0;  ///< if not caught: for how long asking again is useless
 };
 
-/// Says of one state at a time which attractor has caught it.
+/// Says which attractor has caught a state.
 class TrapSet {
  public:
   virtual ~TrapSet() = default;

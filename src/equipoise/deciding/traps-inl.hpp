@@ -1,4 +1,4 @@
-// How deep inside a trap a state lies, for any number type. Included once per CPU target.
+// The Lyapunov functions of traps at a state, for any number type. Included once per CPU target.
 #if defined(EQUIPOISE_DECIDING_TRAPS_INL) == defined(HWY_TARGET_TOGGLE)
 #ifdef EQUIPOISE_DECIDING_TRAPS_INL
 #undef EQUIPOISE_DECIDING_TRAPS_INL
@@ -23,11 +23,11 @@ HWY_INLINE T shortest_turn(T angle) {
   return angle - T(two_pi) * nearest_integer(angle * T(1.0 / two_pi));
 }
 
-// Room for a state whose size is `Size`: a constant where balls are all there is, else of any system with these balls.
+// Room for a state of type `Size`: with a constant size balls are all there is; else any system with these balls.
 template <int room, class Size>
 inline constexpr int largest_state = model::dimension(room) + (std::is_same_v<Size, int> ? 3 : 0);
 
-// V of a balanced trap at state z of n balls, of `dimension` components; `place`: where its centre is; `factor`: F.
+// V of a balanced trap at state z of n balls and `dimension` components; `place`: the trap's centre; `factor`: F.
 template <int room, class T, class Number, class Size>
 HWY_INLINE T balanced_trap_value(const Number* place, const Number* factor, model::BallCount<room> n, Size dimension,
                                  const T* z) {
@@ -53,7 +53,7 @@ HWY_INLINE T trap_value(const CycleTable& trap, model::BallCount<room> n, Size d
   for (int i = 0, k = 0; i < dimension; ++i)
     if (i != 4 + trap.clock) place[k++] = z[i];
   const T turn = z[4 + trap.clock] * T(1.0 / two_pi);
-  // In cells, from 0 to trap.cells. The last one also takes what rounds to a whole turn.
+  // In cells, from 0 to trap.cells. The last one also takes angles that round to a whole turn.
   const T along = (turn - nearest_integer(turn - T(0.5))) * T(double(trap.cells));
   const T cell = minimum(maximum(nearest_integer(along - T(0.5)), T(0.0)), T(double(trap.cells - 1)));
   const T fraction = along - cell;

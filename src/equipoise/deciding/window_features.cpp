@@ -14,8 +14,7 @@ namespace equipoise {
 
 namespace {
 
-// Below this a ball counts as at rest when rates are compared: a hundredth of a radian in half a time unit of the
-// rotor.
+// A ball slower than this counts as at rest when rates are compared: a hundredth of a radian in half a time unit.
 constexpr double rest_rate = 0.02;
 
 void extend(WindowSums& whole, const WindowSums& part, int balls, bool fresh) {
@@ -118,7 +117,7 @@ const KnownFeatures* nearest_known(const Features& own, const std::vector<KnownF
   for (const KnownFeatures& k : known) {
     const Features f = brought_back(own, k.trend, shifts, balls);
     if (!same_motion(k.features, f, balls, tolerance)) continue;
-    // Of rotors that differ two motions that look alike may be one before and after it bifurcates.
+    // If rotors differ, two motions that look alike may be one motion before and after a bifurcation.
     if (shifts && tolerance <= known_tolerance && first && first != k.attractor) return nullptr;
     first = k.attractor;
     double distance = 0.0;
@@ -232,7 +231,7 @@ const KnownFeatures* WindowTracker::known_by(const Features& f) const {
 }
 
 int WindowTracker::chaos_in(const Features& f, const KnownFeatures* known) const {
-  constexpr double other_rotor = 0.3;  // as that of one rotor looks beside that of another
+  constexpr double other_rotor = 0.3;  // how far chaos of two rotors may differ
   const bool has_lasted = rule_->chaos_lasts > 0.0 && elapsed_ >= rule_->chaos_lasts;
   const bool knows_its_own = own_ && own_->met;
   if (!known && has_lasted && !knows_its_own && repeats_ == 0)

@@ -29,14 +29,14 @@ struct ErrorScale {
   double tolerance = 1e-12;
   std::array<double, dimension> floor{};
   std::array<bool, dimension> absolute{};
-  std::array<bool, dimension> angle{};  // may grow without limit: no sign of divergence
+  std::array<bool, dimension> angle{};  // may grow without being a sign of divergence
 };
 
 // Below this share of a variable's size its error is absolute.
 inline constexpr double smallest_share = 0.01;
 
-// The scale of free balls' state, for every `stride`-th component: relative, but absolute for angles and for all that
-// is small.
+// The scale of a state with free balls, for every `stride`-th component: relative, but absolute for angles and small
+// values.
 template <int dimension>
 void set_state_scale(const model::Parameters& p, int stride, ErrorScale<dimension>& scale) {
   for (int i = 0; i < model::dimension(p.balls); ++i) {
@@ -56,8 +56,8 @@ class AdaptiveIntegrator {
 
   // Integrates `y` from `begin` to exactly `end`. After each accepted step calls
   // observe(t_old, t_new, state_at), where state_at(t, out) is the dense output within the step. Returns early, as
-  // `done`, once `stop` is set. If observe answers a time before t_new, integration ends there: with a step of that
-  // length, not with the dense output, so that what follows starts as accurately as every other step ends.
+  // `done`, once `stop` is set. If observe returns a time before t_new, integration ends there, with a step of that
+  // length: dense output would be less accurate.
   template <class Observe>
   IntegrationStatus advance(double begin, double end, double* y, Observe&& observe, const StopFlag* stop = nullptr) {
     double t = begin, previous_error = 1.0;
@@ -108,7 +108,7 @@ class AdaptiveIntegrator {
     return IntegrationStatus::done;
   }
 
-  // The time that advance() came to.
+  // The time that advance() reached.
   double reached() const { return reached_; }
 
  private:
@@ -131,7 +131,7 @@ class AdaptiveIntegrator {
       dop853::dense_state<double, dimension>((time - t) / h, y, rows, out, owner.size_);
     }
 
-    // A cubic through both ends, for looks that need no more: no evaluation of the system.
+    // Cubic Hermite interpolation, for rough checks: it needs no evaluation of the system.
     void roughly(double time, double* out) const {
       const double s = (time - t) / h, r = 1.0 - s;
       for (int i = 0; i < owner.size_; ++i)
@@ -145,7 +145,7 @@ class AdaptiveIntegrator {
     }
   };
 
-  // The state at `until` within the step just tried from t, whose stages other than the first are given up.
+  // The state at `until` within the step just tried from t; overwrites the step's stages other than the first.
   void finish_at(double t, double until, double* y) {
     reached_ = until;
     if (!(until > t)) return;

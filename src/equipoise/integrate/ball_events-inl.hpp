@@ -1,5 +1,5 @@
-// What happens to balls that cannot pass each other or stick: impacts, balls that stay together and part, stops and
-// starts. Included once per CPU target.
+// Events of balls that collide or stick: impacts, joining and parting, stops and starts. One trajectory and lanes both
+// use them. Included once per CPU target.
 #if defined(EQUIPOISE_INTEGRATE_BALL_EVENTS_INL) == defined(HWY_TARGET_TOGGLE)
 #ifdef EQUIPOISE_INTEGRATE_BALL_EVENTS_INL
 #undef EQUIPOISE_INTEGRATE_BALL_EVENTS_INL
@@ -21,16 +21,16 @@ HWY_BEFORE_NAMESPACE();
 namespace equipoise {
 namespace HWY_NAMESPACE {
 
-// What has come to happen at a state.
+// The events found at a state.
 template <int room>
 struct Happened {
-  std::array<bool, room> pair{};  // meets, or pulls instead of pressing
+  std::array<bool, room> pair{};  // meets, or is joined and pulls
   std::array<bool, room> ball{};  // has stopped
   bool any = false;               // one of these, or friction no longer holds a ball
 };
 
 // Events of one trajectory in doubles. Pair k: the ball in place k around the race and the next one. Its gap is the
-// angle between them beyond touching. The mode is a function of the state, found by enter(); between events it stays.
+// angle between them beyond touching. The mode, a function of the state, is found by enter() and holds between events.
 template <int room>
 class BallEvents {
  public:
@@ -38,7 +38,7 @@ class BallEvents {
   using Modes = ModeTable<double, room>;
   static constexpr int dimension = Flow::dimension;
 
-  // `flow` looks at `modes`, which follow the mode of this.
+  // `flow` reads `modes`, which this class keeps equal to its own mode.
   BallEvents(const model::Parameters& p, Flow& flow, Modes& modes)
       : n(p.balls), pairs_(p.balls_collide() && n > 1 ? n : 0), p_(p), flow_(flow), modes_(modes) {}
 
@@ -55,7 +55,7 @@ class BallEvents {
     modes_.set(mode_);
   }
 
-  // The mode at a state; rates that are equal but for rounding are made so.
+  // Finds the mode at a state, and makes rates equal that differ only by rounding.
   void enter(double t, double* z) {
     put_in_order(z);
     for (int k = 0; k < pairs_; ++k) mode_.joined[k] = touches(k, z) && std::fabs(gap_rate(k, z)) < joined_rate;
@@ -67,8 +67,8 @@ class BallEvents {
   }
   double gap_rate(int k, const double* z) const { return z[4 + n + ahead(k)] - z[4 + n + mode_.order[k]]; }
 
-  // Whether pairs can meet, or joined ones part, in a step between two states: apart by more than both rates allow,
-  // with a margin of three for what they do in between, they cannot.
+  // Whether pairs may meet, or joined ones part, in a step between two states. A pair cannot meet if its gap exceeds
+  // what both rates allow, with a factor of three for rates in between.
   bool may_meet(double h, const double* from, const double* to) const {
     for (int k = 0; k < pairs_; ++k) {
       const double rates = std::fabs(gap_rate(k, from)) + std::fabs(gap_rate(k, to));
@@ -77,8 +77,8 @@ class BallEvents {
     return false;
   }
 
-  // The first time in a step at which something happens, or nothing; all times from `origin` on. `by_forces`: they may
-  // be what it comes from, and not gaps and rates alone. `share`: see first_time().
+  // The time of the first event in a step; empty if there is none. Times count from `origin`. `by_forces`: whether
+  // forces can cause events too, not only gaps and rates. `share`: see first_time().
   template <class StateAt>
   std::optional<double> first(double from, double to, StateAt&& state_at, bool by_forces = true, double origin = 0.0,
                               double share = 0.0) {
@@ -95,11 +95,11 @@ class BallEvents {
   }
   const Happened<room>& happened() const { return happened_; }
 
-  // For first(): by this share more than its force friction holds balls at rest.
+  // For first(): the share by which friction holds balls at rest beyond its limit.
   void hold_on(double share) { hold_on_ = share; }
 
-  // What first() found happens at `z`. `hold`: share of its force with which friction still holds; other than 1 where
-  // it would hold and let go for ever. False if it was an event by rounding alone, and nothing has changed.
+  // Carries out at `z` the event that first() found. `hold`: factor on friction's limit, other than 1 where friction
+  // would hold and let go for ever. False if nothing has changed: it was an event by rounding alone.
   bool pass(double t, double* z, const Happened<room>& now, double hold = 1.0) {
     const model::BallMode before = mode_;
     std::array<bool, room> touching{};
@@ -118,8 +118,8 @@ class BallEvents {
   }
 
  private:
-  // Rebounds slower than this end a series of ever shorter ones: the balls stay together. In omega_c; the balls would
-  // rise less than 1e-10 rad apart.
+  // A rebound slower than this, in omega_c, ends a series of ever shorter ones: the balls stay together. They would
+  // part by less than 1e-10 rad.
   static constexpr double joining_rate = 1e-6;
   static constexpr double joined_rate = 1e-9, touching_gap = 1e-9;
 
@@ -174,7 +174,7 @@ class BallEvents {
       });
   }
 
-  // Between two times: the one at which a pair that turns round is nearest, if it is nearer than touching.
+  // The time between two at which an approaching pair turns back, if it overlaps there.
   template <class StateAt>
   std::optional<double> nearest(double low, double high, StateAt& state_at, double width) const {
     double from[dimension], to[dimension], z[dimension];
@@ -197,15 +197,14 @@ class BallEvents {
     return first;
   }
 
-  // A ball whose rate has come to 0, and those that move as one with it.
+  // Stops ball i and those that move as one with it.
   void stop(int i, double* z) const {
     z[4 + n + i] = 0.0;
     for (int j = 0; j < n; ++j)
       if (modes_.together[i][j] != 0.0) z[4 + n + j] = 0.0;
   }
 
-  // Impacts run through a row of touching balls; each takes energy away, and late ones are taken as plastic.
-  // False if there were none.
+  // Impacts run through a row of touching balls. Each loses energy; late ones count as plastic. False without any.
   bool collide(double t, const std::array<bool, room>& touching, double* z) const {
     const int most_impacts = 64 * n;
     for (int impact = 0; impact < 2 * most_impacts; ++impact) {
@@ -229,9 +228,9 @@ class BallEvents {
     if (restitution == 0.0) z[4 + n + ahead(k)] = z[4 + n + mode_.order[k]];  // exactly, not only to rounding
   }
 
-  // From rates and from who touches whom: who is held, and who moves as one.
+  // Finds from rates and contacts which balls are held and which move as one.
   void settle_all(double t, double* z, double hold) {
-    for (int k = 0; k < pairs_; ++k)  // what does not move touches nothing that moves
+    for (int k = 0; k < pairs_; ++k)  // a resting and a moving ball are never joined
       mode_.joined[k] = mode_.joined[k] && (!p_.balls_stick() || rests(mode_.order[k], z) == rests(ahead(k), z));
     put_together(z);
     for (int i = 0; i < n; ++i) {
@@ -245,11 +244,11 @@ class BallEvents {
     part_those_that_pull(t, z);
   }
 
-  // Joined balls have one rate, and touch.
+  // Gives joined balls one rate and makes them touch.
   void put_together(double* z) const {
     for (int first = 0; first < pairs_; ++first) {
       if (!mode_.joined[first] || mode_.joined[(first + n - 1) % n]) continue;
-      std::array<double, room> away{};  // of each ball from where it would touch the one before
+      std::array<double, room> away{};  // of each ball from its place in a row that touches
       double mass = 0.0, rate = 0.0, shift = 0.0;
       int size = 0;
       for (int k = first;; k = (k + 1) % n) {
@@ -269,7 +268,7 @@ class BallEvents {
     }
   }
 
-  // Rows of held balls that touch, each from behind.
+  // Calls f with every row of held balls that touch, the rearmost ball first.
   template <class F>
   void each_row(F&& f) const {
     const auto linked = [&](int k) { return pairs_ > 0 && mode_.joined[k] && mode_.held[mode_.order[k]]; };
@@ -296,7 +295,7 @@ class BallEvents {
     return row;
   }
 
-  // Lets balls go that friction does not hold; what they leave is a little different. False if there is none.
+  // Lets balls go that friction does not hold, which changes the forces on the rest. False if there are none.
   bool let_go(double t, const double* z, double hold) {
     double dz[dimension];
     BallForces<double, room> forces;

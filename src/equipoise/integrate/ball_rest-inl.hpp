@@ -1,4 +1,4 @@
-// Which of the balls at rest that touch each other stay so, by dry friction. Included once per CPU target.
+// Which balls of a touching row at rest dry friction keeps at rest. Included once per CPU target.
 #if defined(EQUIPOISE_INTEGRATE_BALL_REST_INL) == defined(HWY_TARGET_TOGGLE)
 #ifdef EQUIPOISE_INTEGRATE_BALL_REST_INL
 #undef EQUIPOISE_INTEGRATE_BALL_REST_INL
@@ -12,10 +12,10 @@ HWY_BEFORE_NAMESPACE();
 namespace equipoise {
 namespace HWY_NAMESPACE {
 
-// A row of balls at rest, each touching the next, ball by ball from behind. What would set a ball moving may be taken
-// up by its own friction and by its neighbours, who push and do not pull: the row falls into groups that stay or go as
-// one. Accelerations that grow along the row and come nearest to what forces less friction ask for are those in which
-// groups that would run into the one ahead are pooled with it (docs/equations.md, "Contact and friction together").
+// A row of touching balls at rest, added from behind. A ball's own friction and its neighbours, which push but cannot
+// pull, take up the force on it. The row splits into groups that stay or go as one: a group that would run into the one
+// ahead is pooled with it. The accelerations then grow along the row and are the closest to those that force less
+// friction would give each ball (docs/equations.md, "Contact and friction together").
 template <int room>
 class RestingRow {
  public:
@@ -23,14 +23,14 @@ class RestingRow {
     int first, last;  // places in the row
     double force, hold, mass;
 
-    // What friction leaves of the force, over the mass.
+    // Acceleration: what friction leaves of the force, over the mass.
     double goes() const {
       const double left = force > hold ? force - hold : force < -hold ? force + hold : 0.0;
       return left / mass;
     }
   };
 
-  // The next ball ahead: the force on it along the race, and the largest that friction takes up.
+  // Adds the next ball ahead. `force`: on it along the race; `hold`: the most that friction takes up.
   void add(double force, double hold, double mass) {
     groups_[size_++] = {balls_, balls_, force, hold, mass};
     ++balls_;

@@ -25,7 +25,7 @@ struct ClampedBasis {
 using ClampedObserver = std::function<void(double t, const model::Segment& segment, const ClampedBasis& basis)>;
 
 /// Integrates from t = 0 with (x, y, u, v) = `initial` through all clamped segments; `basis` ends as it is at release,
-/// any jump of psi' there included. `times` (increasing): where `observe` is called, those before release only. Returns
+/// after any jump of psi' there. Calls `observe` at those of `times` (increasing) that lie before release. Returns
 /// early, as `done`, at `until` or once `stop` is set.
 IntegrationStatus integrate_clamped(const model::Parameters& p, const std::vector<model::Segment>& segments,
                                     const std::array<double, 4>& initial, double tolerance, ClampedBasis& basis,

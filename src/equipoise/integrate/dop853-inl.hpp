@@ -22,9 +22,9 @@ namespace tableau = ::equipoise::dop853;
 // Stages 1 to 4 carry no weight in the solution, its error estimates and the dense output.
 inline constexpr int first_of_solution = 5;
 
-// The rows of the tableau without their zeros, as data: rows are walked by one short loop, so that all stages share one
-// copy of the code around it. (With a copy of the equations unrolled into every stage the code no longer fits the
-// processor's cache of decoded instructions: 1.4 times slower where this was measured.)
+// The rows of the tableau without their zeros, as data: one short loop walks a row, so that all stages share one copy
+// of the code. (With the equations unrolled into every stage the code no longer fits the processor's cache of decoded
+// instructions: 1.4 times slower where this was measured.)
 struct SparseRows {
   static constexpr int rows = tableau::dense_stages;
   int begin[rows + 1] = {};
@@ -53,8 +53,7 @@ constexpr int components_at_a_time(int size, int most) {
   return most;
 }
 
-// States have room for `room` components, of which the first `size` are there: all of them, as a constant, unless a
-// number says otherwise.
+// Arrays have room for `room` components, of which the first `size` are used: by default all, as a constant.
 template <int room>
 using Full = std::integral_constant<int, room>;
 
@@ -93,7 +92,7 @@ HWY_INLINE void stage_state(int row, const T& h, const T* y, const T (*k)[room],
   });
 }
 
-// Evaluates stages 1 to 11. k[0] = f(t, y) must be there.
+// Evaluates stages 1 to 11. k[0] = f(t, y) must be set.
 template <class System, class T, int room, class Size = Full<room>>
 HWY_INLINE void evaluate_stages(const System& f, const T& t, const T& h, const T* y, T (*k)[room], Size size = {}) {
   T state[room];
@@ -104,8 +103,8 @@ HWY_INLINE void evaluate_stages(const System& f, const T& t, const T& h, const T
   }
 }
 
-// What stages 0 to 11 lead to: the state at the step's end, and over h its differences from the embedded solutions of
-// orders 5 and 3. The latter differs from the solution in the weights of three stages only.
+// From stages 0 to 11: the state at the step's end, and over h its differences from the embedded solutions of orders 5
+// and 3. The latter differs from the solution in the weights of three stages only.
 template <class T, int room, class Size = Full<room>>
 HWY_INLINE void step_end(const T& h, const T* y, const T (*k)[room], T* end, T* error5, T* error3, Size size = {}) {
   constexpr int last = tableau::stages;
@@ -147,7 +146,7 @@ HWY_INLINE T squared_error(const T& h, const T* error5, const T* error3, const T
     sum5 = multiply_add(e5, e5, sum5);
     sum3 = multiply_add(e3, e3, sum3);
   }
-  // The tiny number keeps 0/0 away where both estimates vanish (a rotor at rest).
+  // The tiny number avoids 0/0 where both estimates vanish (a rotor at rest).
   const T denominator = T(double(size)) * multiply_add(T(0.01), sum3, sum5) + T(1e-300);
   return h * h * sum5 * sum5 / denominator;
 }
@@ -161,7 +160,7 @@ HWY_INLINE T dense_sum(int row, const T (*k)[room], int component) {
   return sum;
 }
 
-// The seven coefficient rows of the dense output; stages 12 to 15 of k are needed.
+// The seven coefficient rows of the dense output, from all stages of k, 12 to 15 included.
 template <class T, int room, class Size = Full<room>>
 HWY_INLINE void dense_coefficients(const T& h, const T* y, const T* end, const T (*k)[room], T (*rows)[room],
                                    Size size = {}) {
@@ -177,7 +176,7 @@ HWY_INLINE void dense_coefficients(const T& h, const T* y, const T* end, const T
   }
 }
 
-// The same of a step from (t, y) whose stages 0 to 12 are there: evaluates the others.
+// The same for a step from (t, y) of which stages 0 to 12 are set: evaluates the others.
 template <class T, int room, class System, class Size = Full<room>>
 HWY_INLINE void prepare_dense(const System& f, const T& t, const T& h, const T* y, const T* end, T (*k)[room],
                               T (*rows)[room], Size size = {}) {

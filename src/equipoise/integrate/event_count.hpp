@@ -1,4 +1,4 @@
-// Events that do not come to an end.
+// Detects series of events at one time that never end.
 #pragma once
 
 #include <algorithm>
@@ -8,7 +8,7 @@ namespace equipoise {
 
 class EventCount {
  public:
-  /// An event at `time`. False if there were so many at once that what the balls do then has no solution of this kind:
+  /// Counts an event at `time`. False after too many at one time: no sequence of events then describes the balls, and
   /// the trajectory is given up.
   bool add(double time) {
     at_once_ = time - last_ > 1e-12 * std::max(1.0, time) ? 0 : at_once_ + 1;
@@ -16,8 +16,7 @@ class EventCount {
     return at_once_ <= most_at_once;
   }
 
-  /// Of friction that holds and lets go by turns at one time the share with which it still holds: all, but for
-  /// rounding.
+  /// Factor on friction's limit: 1, but less by rounding where friction holds and lets go by turns at one time.
   double hold() const { return at_once_ == 0 ? 1.0 : 1.0 - std::ldexp(1e-14, std::min(at_once_, 20)); }
 
  private:

@@ -1,13 +1,13 @@
-// When in a step something first happens.
+// The first time in a step at which a condition holds.
 #pragma once
 
 #include <optional>
 
 namespace equipoise {
 
-/// The first time in (from, to] at which `happened` answers true; empty if it does at none of the four places that are
-/// looked at, nor at those that between(low, high) names, one at most from place to place. To rounding, or to `share`
-/// of the way from `from` to `to`. happened(t) is last true where the answer lies.
+/// The first time in (from, to] at which `happened` is true, to rounding or to `share` of to - from. It is tried at
+/// four times and at those that between(low, high) names, at most one in each interval; empty if it is true at none of
+/// them. happened(t) is last true at the result.
 template <class Happened, class Between>
 std::optional<double> first_time(double from, double to, Happened&& happened, Between&& between, double share = 0.0) {
   constexpr int looks = 4;

@@ -61,20 +61,20 @@ class MachineTrajectory {
   double time() const { return t_; }
   const double* state() const { return state_.data(); }
   bool clamped() const { return clamped_; }
-  // When the balls were let go; infinite before.
+  // When the balls were released; infinite before.
   double released() const { return released_; }
   // Events that changed what the balls do, release included.
   long events() const { return events_; }
-  // What the balls do in the present step.
+  // The mode of the balls in the present step.
   const model::BallMode& mode() const { return balls_.mode(); }
 
-  // Past the end of a piece of the drive, if the time is there: psi' may jump.
+  // Enters the next piece of the drive if its time has come; psi' may jump.
   void enter() {
     while (t_ >= piece().end) cross();
   }
 
-  // Goes on to `end`, or until observe(from, to, state_at) answers true, which it is asked after each step; state_at(t,
-  // out) is the state within. Ends early, as `done`, once `stop` is set.
+  // Advances to `end`, or until observe(from, to, state_at), called after each step, returns true; state_at(t, out)
+  // gives the state within the step. Returns early, as `done`, once `stop` is set.
   template <class Observe>
   IntegrationStatus advance(double end, Observe&& observe, const StopFlag* stop = nullptr) {
     bool ended = false;
@@ -90,7 +90,7 @@ class MachineTrajectory {
           [&](double from, double to, auto&& state_at) {
             const double last = first_event(from, to, state_at);
             ended = observe(from, last, state_at);
-            // Before the step's end, even if by nothing that matters, is where the integrator stops.
+            // The integrator stops only at a time before the step's end, even if by one rounding.
             return ended || event_ ? std::min(last, std::nextafter(to, from)) : to;
           },
           stop);
@@ -105,7 +105,7 @@ class MachineTrajectory {
   const model::DrivePiece& piece() const { return drive_.pieces[piece_]; }
   const model::StateLayout& layout() const { return flow_.layout(); }
 
-  // Into the next piece of the drive; psi' may jump there if it is prescribed.
+  // Enters the next piece of the drive; psi' may jump if it is prescribed there.
   void cross() {
     ++piece_;
     flow_.enter(piece());
@@ -134,8 +134,8 @@ class MachineTrajectory {
 
   bool watches() const { return clamped_ ? drive_.release_speed.has_value() : p_.balls_collide() || p_.balls_stick(); }
 
-  // The end of the step, or the time in it at which something first happens. Looked for at four places of a step, which
-  // the tolerance keeps to a small part of any ball's swing.
+  // The time of the first event in the step, or the step's end. Four times in the step are checked: the tolerance keeps
+  // a step to a small part of any ball's swing.
   template <class StateAt>
   double first_event(double from, double to, StateAt&& state_at) {
     if (!watches()) return to;
@@ -155,7 +155,7 @@ class MachineTrajectory {
     return first.value_or(to);
   }
 
-  // False if events do not come to an end at this time.
+  // False if events at this time never end.
   bool pass_event() {
     if (!count_.add(t_)) return false;
     if (clamped_) {

@@ -14,14 +14,14 @@ std::vector<std::string> cpu_targets();
 /// Not to be called while kernels run.
 bool use_cpu_target(const std::string& name);
 
-/// The same for a name given at `where`, under `key`: throws InputError that names both, and leaves everything as it
-/// was, if it is not among cpu_targets().
+/// The same for a name given at `where`, under `key`. If it is not among cpu_targets(), changes nothing and throws an
+/// InputError that names both.
 void require_cpu_target(const std::string& name, const std::string& where, const std::string& key);
 
-/// A call's own choice, for as long as this lives.
+/// The CPU target of one call, for the lifetime of this object.
 class ChosenCpuTarget {
  public:
-  /// An empty name leaves everything as it is. Throws InputError, naming RunOptions, if this machine does not have it.
+  /// An empty name changes nothing. Throws InputError, naming RunOptions, if this machine does not have it.
   explicit ChosenCpuTarget(const std::string& name);
   ~ChosenCpuTarget();
   ChosenCpuTarget(const ChosenCpuTarget&) = delete;

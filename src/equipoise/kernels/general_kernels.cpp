@@ -1,5 +1,5 @@
-// Kernels of every rotor at a prescribed speed with its race centred for every CPU target: compiled once per
-// instruction set by Highway's foreach_target.
+// Kernels for rotors at a prescribed speed with a centred race, with all terms (LaneKind::turning). Highway's
+// foreach_target compiles this file once per CPU target.
 #include "equipoise/kernels/lane_job.hpp"
 
 #undef HWY_TARGET_INCLUDE

@@ -1,5 +1,5 @@
-// Kernels of every system with contact or dry friction for every CPU target: compiled once per instruction set by
-// Highway's foreach_target.
+// Kernels for systems with contact or dry friction (LaneKind::hybrid). Highway's foreach_target compiles this file once
+// per CPU target.
 #include "equipoise/kernels/lane_job.hpp"
 
 #undef HWY_TARGET_INCLUDE

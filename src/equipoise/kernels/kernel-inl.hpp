@@ -1,5 +1,5 @@
-// The kernel: equations, integrator, lane block and observers bound together, once for all its kinds. Included once per
-// CPU target by each of the sources that compile some kinds.
+// The kernel: one template binds equations, integrator, lane block and observers for all kinds of system. Included once
+// per CPU target by each source that compiles a kind.
 #if defined(EQUIPOISE_KERNELS_KERNEL_INL) == defined(HWY_TARGET_TOGGLE)
 #ifdef EQUIPOISE_KERNELS_KERNEL_INL
 #undef EQUIPOISE_KERNELS_KERNEL_INL
@@ -31,7 +31,7 @@ namespace HWY_NAMESPACE {
 template <int room, LaneKind kind = LaneKind::plain>
 inline constexpr int lane_groups = room <= 2 && pack_lanes == 8 && kind < LaneKind::smooth ? most_lane_groups : 1;
 
-// Records trajectories that are lost on the way; the others simply arrive.
+// Records trajectories lost on the way.
 class WatchForLoss : public NoObserver {
  public:
   explicit WatchForLoss(std::vector<Fate>& fates) : fates_(fates) {}
@@ -44,7 +44,7 @@ class WatchForLoss : public NoObserver {
   std::vector<Fate>& fates_;
 };
 
-// Rotors' own or not: what is watched takes no notice of it. None for a task that asks for none.
+// The watch that a task asks for; null if none.
 inline std::unique_ptr<LaneWatch> watch_of(const LaneTask& task) {
   if (task.transients) return std::make_unique<WatchTransients>(task, *task.transients);
   if (task.radius) return std::make_unique<WatchRadius>(*task.radius);
@@ -105,8 +105,8 @@ bool decide_balls(const LaneJob& job) {
   return run(own_rotors<room, kind, false>());
 }
 
-// What plain rotors do unwatched is compiled without the question for a watch, which would cost 3 % here, and without
-// acceleration where there is none; deciding does not feel that question.
+// Unwatched runs of plain rotors are compiled apart, without acceleration where there is none and without the test for
+// a watch. That test would cost 3 % here; deciding does not slow down by it.
 template <int room, LaneKind kind>
 bool advance_balls(const LaneJob& job) {
   constexpr int groups = lane_groups<room, kind>;
@@ -132,7 +132,7 @@ bool advance_balls(const LaneJob& job) {
 template <LaneKind kind>
 bool run_job(const LaneJob& job) {
   const int balls = job.task.parameters->balls;
-  // Deciding takes most of the time: unrolled for five and six balls too, evaluations take 22 and 9 % less.
+  // Deciding takes most of the time. Unrolling it for five and six balls too makes evaluations 22 and 9 % cheaper.
   constexpr int most = kind == LaneKind::hybrid ? 0 : kind == LaneKind::smooth ? 4 : 6;
   if (job.rule) return model::with_ball_count<most>(balls, [&](auto room) { return decide_balls<room, kind>(job); });
   return model::with_ball_count < most < 4 ? most

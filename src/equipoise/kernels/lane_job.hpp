@@ -1,5 +1,5 @@
-// What is to be made of a task's trajectories, and the compiled kernels that make it: chosen by advance_lanes() and
-// decide_lanes(), see kernels/lane_kernels.hpp.
+// A task with its rule and fates, and the compiled kernels, among which advance_lanes() and decide_lanes() choose
+// (kernels/lane_kernels.hpp).
 #pragma once
 
 #include <vector>
@@ -14,22 +14,21 @@ namespace equipoise {
 struct LaneJob {
   const LaneTask& task;
   std::vector<Fate>& fates;
-  const DecisionRule* rule = nullptr;         ///< none: trajectories are taken to the task's end
-  std::vector<PilotRecord>* pilot = nullptr;  ///< with a rule, if wanted
+  const DecisionRule* rule = nullptr;         ///< null: trajectories are taken to the task's end
+  std::vector<PilotRecord>* pilot = nullptr;  ///< optional, with a rule
 };
 
-/// Of rotors at a prescribed speed, their race centred, for whose equations the rotor's angle is nothing (isotropic
-/// supports, no gravity), with balls that slide.
+/// Rotors at a prescribed speed with a centred race, isotropic supports, no gravity, and balls that slide.
 bool run_plain_lanes(const LaneJob& job);
-/// Of all such rotors.
+/// Rotors at a prescribed speed with a centred race.
 bool run_general_lanes(const LaneJob& job);
-/// Of every smooth system.
+/// Every smooth system.
 bool run_smooth_lanes(const LaneJob& job);
-/// Of every system with contact or dry friction.
+/// Every system with contact or dry friction.
 bool run_hybrid_lanes(const LaneJob& job);
-/// Of rotors whose balls are held, to the task's end.
+/// Driven rotors whose balls are held, to the task's end.
 bool advance_held_lanes(const LaneJob& job);
-/// Of driven rotors whose balls are held.
+/// Driven rotors whose balls are held, until `rule` ends them.
 bool run_held_lanes(const LaneTask& task, const HoldRule& rule, std::vector<HeldEnd>& ends);
 
 }  // namespace equipoise

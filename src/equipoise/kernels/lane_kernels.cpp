@@ -1,5 +1,5 @@
-// Which kernel a task takes, the equations alone for benchmarks, and CPU targets. Compiled once per instruction set by
-// Highway's foreach_target.
+// The choice of a task's kernel, the equations alone for benchmarks, and CPU targets. Highway's foreach_target compiles
+// this file once per CPU target.
 #include "equipoise/kernels/lane_kernels.hpp"
 
 #include <cstdint>
@@ -59,7 +59,7 @@ HWY_EXPORT(evaluate_target);
 HWY_EXPORT(target_code);
 
 namespace {
-// The names people know: Highway calls AVX-512 "AVX3".
+// The usual names: Highway calls AVX-512 "AVX3".
 std::string name_of(std::int64_t target) {
   return target == HWY_AVX3 ? "AVX-512" : target == HWY_SCALAR ? "scalar" : hwy::TargetName(target);
 }
@@ -78,7 +78,7 @@ bool run_kind(const LaneJob& job) {
   }
 }
 
-// Balls that touched once have touched, in whatever piece of the drive.
+// Carries Fate::met over from one piece of the drive to the next: balls that touched once have touched.
 bool run_lanes(const LaneJob& job) {
   if (!job.task.parameters->balls_collide() || job.task.held) return run_kind(job);
   std::vector<char> met(job.task.count);
@@ -108,7 +108,7 @@ int evaluate_derivatives(const model::Parameters& p, double speed, long count, d
 
 std::string cpu_target() { return name_of(HWY_DYNAMIC_DISPATCH(target_code)()); }
 
-// Those that there are, found before the first choice: a choice hides all others from Highway.
+// Found before the first choice, since a choice hides all other targets from Highway.
 static const std::vector<std::int64_t>& all_targets() {
   static const std::vector<std::int64_t> targets = hwy::SupportedAndGeneratedTargets();
   return targets;
@@ -121,7 +121,7 @@ std::vector<std::string> cpu_targets() {
 }
 
 bool use_cpu_target(const std::string& name) {
-  hwy::SetSupportedTargetsForTest(0);  // back to what the machine has
+  hwy::SetSupportedTargetsForTest(0);  // back to all that this computer has
   hwy::GetChosenTarget().DeInit();
   if (name.empty()) return true;
   for (const std::int64_t target : all_targets())

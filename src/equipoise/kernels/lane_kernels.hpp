@@ -18,16 +18,16 @@ namespace equipoise {
 bool advance_lanes(const LaneTask& task, std::vector<Fate>& fates);
 
 /// Decides every trajectory of a task over the last segment, or piece of a drive; fates[i] and states are set. `pilot`,
-/// if given, receives what is known of each stationary motion. False if stopped early.
+/// if given, receives one record per trajectory. False if stopped early.
 bool decide_lanes(const LaneTask& task, const DecisionRule& rule, std::vector<Fate>& fates,
                   std::vector<PilotRecord>* pilot);
 
-/// Follows driven rotors whose balls are held (task.held) until they come to the speed of release, are steady without,
-/// or to task.end; ends[i] and states are set. False if stopped early.
+/// Follows driven rotors whose balls are held (task.held) until they reach the release speed, are steady without
+/// reaching it, or to task.end; ends[i] and states are set. False if stopped early.
 bool hold_lanes(const LaneTask& task, const HoldRule& rule, std::vector<HeldEnd>& ends);
 
-/// Derivative evaluations alone, for benchmarks: evaluates the equations of `balls` balls `count` times in every lane,
-/// each from the result of the one before. Returns the number of lanes.
+/// Derivative evaluations alone, for benchmarks: evaluates the equations `count` times in every lane, each from the
+/// result of the one before. Returns the number of lanes.
 int evaluate_derivatives(const model::Parameters& p, double speed, long count, double* checksum);
 
 }  // namespace equipoise

@@ -1,5 +1,5 @@
-// Kernels of rotors without preferred direction for every CPU target: compiled once per instruction set by Highway's
-// foreach_target.
+// Kernels for rotors whose equations do not depend on the rotor's angle (LaneKind::plain). Highway's foreach_target
+// compiles this file once per CPU target.
 #include "equipoise/kernels/lane_job.hpp"
 
 #undef HWY_TARGET_INCLUDE

@@ -1,5 +1,5 @@
-// Kernels of every smooth system, and of driven rotors whose balls are held, for every CPU target: compiled once per
-// instruction set by Highway's foreach_target.
+// Kernels for smooth systems (LaneKind::smooth) and for driven rotors whose balls are held. Highway's foreach_target
+// compiles this file once per CPU target.
 #include "equipoise/kernels/lane_job.hpp"
 
 #undef HWY_TARGET_INCLUDE
@@ -21,14 +21,14 @@ const auto held_rotors = [] {
   return OwnRotors<decltype(make)>{make};
 }();
 
-// However many balls are held: they are one body.
+// One kernel for any number of balls: with the rotor they are one body.
 bool run_held_target(const LaneTask& task, const HoldRule& rule, std::vector<HeldEnd>& ends) {
   const auto watch = watch_of(task);
   const auto observer = std::make_unique<HoldBalls>(task, rule, watch.get(), ends);
   return run_block<HeldFlow<Pack>, 1>(task, HeldFlow<Pack>(*task.system), *observer, held_rotors);
 }
 
-// Taken to the task's end, whatever the rotor does.
+// To the task's end, without a rule.
 bool advance_held_target(const LaneJob& job) {
   WatchForLoss fates(job.fates);
   return run_watched<HeldFlow<Pack>, 1>(job.task, HeldFlow<Pack>(*job.task.system), fates, held_rotors);

@@ -2,7 +2,7 @@
 // trajectories end. Included once per CPU target.
 //
 // Several groups may take each stage in turn, so that one group's chain of dependent operations hides behind another's.
-// The loops over groups and stages stay rolled: what they would become unrolled no longer fits the instruction caches.
+// The loops over groups and stages stay rolled: unrolled, the code no longer fits the instruction caches.
 #if defined(EQUIPOISE_LANES_LANE_BLOCK_INL) == defined(HWY_TARGET_TOGGLE)
 #ifdef EQUIPOISE_LANES_LANE_BLOCK_INL
 #undef EQUIPOISE_LANES_LANE_BLOCK_INL
@@ -27,12 +27,12 @@ HWY_BEFORE_NAMESPACE();
 namespace equipoise {
 namespace HWY_NAMESPACE {
 
-// An observer of a lane block. Bound by the composing layer; this one sees every hook and does nothing.
+// An observer of a lane block, bound to it in kernels/kernel-inl.hpp. This one has every hook and does nothing.
 //   begin(slot, start, t, z)   trajectory `start` enters lane `slot` in state z (scalars)
 //   stage(row, group, z)       state at stage `row` of the step being tried
-//   step(group, active, accepted, t, h, z) -> bits of lanes to end now, called after every step tried; t, z: where it
-//                              leads; active: bits of lanes that hold a trajectory
-//   corner(slot, t, z)         an event has happened to lane `slot`: its state jumps to z, or what acts on it
+//   step(group, active, accepted, t, h, z) -> bits of lanes to end now, called after every step tried; t, z: at the
+//                              step's end; active: bits of lanes that hold a trajectory
+//   corner(slot, t, z)         after an event in lane `slot`: its state has jumped to z, or its rates have
 //   end(slot, start, how, t, z)    trajectory leaves
 struct NoObserver {
   void begin(int, std::size_t, double, const double*) {}
@@ -42,12 +42,11 @@ struct NoObserver {
   void end(int, std::size_t, LaneEnd, double, const double*) {}
 };
 
-// Lanes whose trajectories have rotors of their own have a flow a group; where all have one rotor it is a constant of
-// the loop, and steps are a little faster.
+// All lanes have one rotor: its flow is a constant of the loop, and steps are a little faster.
 struct OneRotor {
   static constexpr bool own = false;
 };
-// Makes the flow of a trajectory's rotor.
+// Trajectories have their own rotors, and every group of lanes its own flow. `make` makes the flow of a rotor.
 template <class Make>
 struct OwnRotors {
   static constexpr bool own = true;
@@ -82,7 +81,7 @@ class LaneBlock {
     for (int g = 0; g < groups; ++g) {
       active_[g] = 0;
       for (int i = 0; i < dimension; ++i) y_[g][i] = Pack(0.0);
-      // Components that no state has, where sums take an even number of them, stay 0.
+      // Components beyond the state, where sums take an even number of them, stay 0.
       for (auto& stage : k_[g])
         for (int i = 0; i < dimension; ++i) stage[i] = Pack(0.0);
       t_[g] = end(g);
@@ -98,7 +97,7 @@ class LaneBlock {
         advance([this](int g) HWY_ATTR -> const Flow& { return flow_[g]; });
       }
     } else {
-      const Flow flow = flow_[0];  // one that no store can change: what is constant in it is computed once
+      const Flow flow = flow_[0];  // a local copy, which no store can change: its constants are computed once
       while (working_ > 0) {
         if (is_set(task_.stop)) return false;
         advance([&flow](int) HWY_ATTR -> const Flow& { return flow; });
@@ -138,7 +137,7 @@ class LaneBlock {
     }
   }
 
-  // Calls f with the size as a constant, whatever the flow makes of it: what walks the tableau keeps its sums in
+  // Calls f with the size as a constant, even if the flow knows it only at run time: sums over the tableau then stay in
   // registers.
   template <class F>
   HWY_INLINE void with_size(F&& f) const {
@@ -148,7 +147,7 @@ class LaneBlock {
       with_even_size<Flow::least_size>(f);
   }
 
-  // The size or, as sums walk few components at a time of some odd numbers, the next even one.
+  // The size, rounded up to an even number: some odd ones leave sums only few components at a time.
   template <int size, class F>
   HWY_INLINE void with_even_size(F&& f) const {
     static_assert(size % 2 == 0 && dimension % 2 == 0);
@@ -227,8 +226,8 @@ class LaneBlock {
       flow(t, z, dz);
   }
 
-  // Lets lanes whose step was interrupted repeat it, and passes the events of those that stand at one. Bits of lanes
-  // whose events come to no end.
+  // Makes interrupted lanes repeat their step, and carries out the events of lanes that have reached one. Returns the
+  // bits of lanes whose events never end.
   HWY_NOINLINE unsigned pass_events(int g, unsigned interrupted) {
     unsigned failed = 0;
     for (int lane = 0; lane < lanes; ++lane) {
@@ -296,7 +295,7 @@ class LaneBlock {
     return 1u << lane;
   }
 
-  // A cautious first step from the fastest rate around: the controller opens it within a few steps.
+  // A cautious first step from the fastest rate; the controller lengthens it within a few steps.
   double first_step(std::size_t start, const double* row) const {
     const model::Segment& segment = task_.own ? task_.own[start]->segment : task_.segment;
     const double begin = task_.begin_of(start), end = task_.end_of(start);
@@ -310,7 +309,7 @@ class LaneBlock {
   }
 
   // f at the states of the lanes just filled, or after an event. Lanes under way keep theirs: the compiler may round
-  // this copy of the equations differently, and a trajectory must not feel when its neighbours are replaced.
+  // this copy of the equations differently, and a trajectory must not depend on when its neighbours are replaced.
   HWY_NOINLINE void start_rates(int g, unsigned filled) {
     Pack k_start[dimension];
     flow_[own ? g : 0](t_[g], y_[g], k_start);

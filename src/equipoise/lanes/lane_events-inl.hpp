@@ -1,5 +1,4 @@
-// Events in lanes: what happens to balls within a step is found one lane at a time, and the step is made to end there.
-// Included once per CPU target.
+// Events in lanes: located one lane at a time; the lane's step is then made to end there. Included once per CPU target.
 #if defined(EQUIPOISE_LANES_LANE_EVENTS_INL) == defined(HWY_TARGET_TOGGLE)
 #ifdef EQUIPOISE_LANES_LANE_EVENTS_INL
 #undef EQUIPOISE_LANES_LANE_EVENTS_INL
@@ -22,7 +21,7 @@ HWY_BEFORE_NAMESPACE();
 namespace equipoise {
 namespace HWY_NAMESPACE {
 
-// Of flows in whose steps nothing happens.
+// For flows without events.
 template <class Flow>
 class LaneEvents {
  public:
@@ -41,10 +40,9 @@ struct TriedLanes {
   const Pack* end;
 };
 
-// Of balls that collide or stick. A step is taken first as if nothing happened in it. Sums of the whole group say in
-// which lanes something may have: there dense output in doubles finds when. That lane's step is then rejected and
-// repeated with the length that ends it there, so that whoever watches lanes sees steps like all others, and at its end
-// the event is passed. What a lane does depends on that lane alone.
+// For balls that collide or stick. A step is first tried as if there were no events. Bounds over the whole group say in
+// which lanes one may have occurred; there dense output in doubles locates it. That lane's step is rejected and
+// repeated to end at the event, which is then carried out: observers see ordinary steps. No lane depends on another.
 template <int room>
 class LaneEvents<HybridFlow<Pack, room>> {
  public:
@@ -59,7 +57,7 @@ class LaneEvents<HybridFlow<Pack, room>> {
         size_(flow.size()),
         pairs_(task.parameters->balls_collide() && n > 1 ? n : 0) {
     for (auto& one : ones_) one.emplace(*task.system, task.segment);
-    // In every lane: those that nothing enters look at pairs too.
+    // In every lane: lanes that no trajectory enters check pairs too.
     for (int k = 0; k < pairs_; ++k)
       for (int lane = 0; lane < lanes; ++lane) set_pair(k, lane, k, (k + 1) % n, far);
   }
@@ -68,13 +66,13 @@ class LaneEvents<HybridFlow<Pack, room>> {
 
   Flow bind(const Flow& flow) const { return flow.with(modes_); }
 
-  // The rotor of the trajectory that enters lane `lane` next.
+  // Sets the rotor of the trajectory that enters lane `lane` next.
   void take_rotor(int lane, const OwnRotor& rotor) {
     modes_.take_balls(rotor.system.parameters(), lane);
     ones_[lane].emplace(rotor.system, rotor.segment);
   }
 
-  // The modes with which a trajectory enters a lane in state z, where joined balls may be put together.
+  // Sets the mode of a trajectory that enters a lane in state z; joined balls in z may be put together.
   void enter(int lane, double t, double* z) {
     ones_[lane]->balls.enter(t, z);
     keep(lane);
@@ -87,10 +85,10 @@ class LaneEvents<HybridFlow<Pack, room>> {
   void begin_step() { margins_ = {Pack(far), Pack(far)}; }
   EventMargins<Pack>& margins() { return margins_; }
 
-  // Bits of the accepted lanes whose step is not to be: it is repeated, or nothing happens before the event.
+  // Bits of accepted lanes whose step is rejected: it is to be repeated up to the event, or the event is at its start.
   unsigned look(unsigned accepted, const Tried& tried) {
     const unsigned due = waiting_ & accepted;
-    waiting_ = 0;  // where the step was not accepted it is looked for anew
+    waiting_ = 0;  // lanes whose step was not accepted are searched again
     ready_ = due;
     const unsigned by_forces = lane_bits(margins_.forces < Pack(0.0));
     unsigned candidates = by_forces | lane_bits(margins_.rates < Pack(0.0));
@@ -102,12 +100,12 @@ class LaneEvents<HybridFlow<Pack, room>> {
     return rejected;
   }
 
-  // Of rejected lanes: the step to repeat; 0 where the event is now.
+  // Length of the step that a rejected lane repeats; 0 if the event is at its start.
   double step(int lane) const { return cut_[lane]; }
-  // Bits of the lanes whose event is at the state where they stand.
+  // Bits of the lanes that have reached their event.
   unsigned ready() const { return ready_; }
 
-  // The event of a lane that stands at z. False if events do not come to an end.
+  // Carries out the event of a lane in state z. False if events never end.
   bool pass(int lane, double t, double* z) {
     if (!count_[lane].add(t)) return false;
     BallEvents<room>& balls = ones_[lane]->balls;
@@ -122,19 +120,19 @@ class LaneEvents<HybridFlow<Pack, room>> {
   }
   // Whether balls of a lane's trajectory have touched.
   bool met(int lane) const { return met_[lane]; }
-  // Of all lanes, that changed what balls do.
+  // Number of events, in all lanes, that changed what balls do.
   std::uint64_t passed() const { return passed_; }
-  // With which step it goes on: that which was interrupted.
+  // The step with which a lane goes on: the one that was interrupted.
   double step_after(int lane) const { return whole_[lane]; }
 
  private:
   static constexpr double far = 1e300;
-  // Of a step, to which events are located: dense output errs by more.
+  // Events are located to this share of a step; dense output errs by more.
   static constexpr double share = 0x1p-30;
-  // Where a rotor changes its speed slowly a ball stays at the edge of what friction holds: the errors of steps let it
-  // go and stop it thousands of times a turn, and each time nothing has changed. With every such event friction is
-  // given by so much more of its force, as a share, what it holds of this trajectory, so that what lets go moves on
-  // visibly: at 1e-5 balls creep at 1e-6, and rates err by 1e-7 within steps.
+  // While a rotor slowly changes its speed, a ball stays at the limit of friction, and the errors of steps let it go
+  // and stop it thousands of times a turn without any effect. Each such event raises the share by which friction holds
+  // this trajectory's balls beyond its limit, so that a ball that is let go moves visibly: at 1e-5 balls creep at 1e-6,
+  // and rates err by 1e-7 within steps.
   static constexpr double least_hold_on = 1e-9, most_hold_on = 1e-4;
 
   void keep(int lane) {
@@ -159,9 +157,9 @@ class LaneEvents<HybridFlow<Pack, room>> {
     element(apart_[k], lane) = apart;
   }
 
-  // Below 0 where a pair may meet in the step: the cubic through gaps and their rates at both ends stays above the
-  // least of its four control points; what it leaves out of a gap's own curve is less than a tenth of the way that the
-  // rates give, and than a thousandth of what a force of 1 gives.
+  // Below 0 where a pair may meet in the step. The cubic through gaps and rates at both ends stays above the least of
+  // its four control points. The gap itself differs from it by less than a tenth of the way that the rates give plus a
+  // thousandth of what a force of 1 gives.
   HWY_NOINLINE Pack may_meet(const Tried& s) const {
     const auto between = [&](const Pack* state, int from, int k) {
       const double* base = reinterpret_cast<const double*>(state + from);
@@ -178,7 +176,7 @@ class LaneEvents<HybridFlow<Pack, room>> {
     return least;
   }
 
-  // Looks for an event in a lane's step; its bit if the step is rejected. `by_forces`: they may be what it comes from.
+  // Looks for an event in a lane's step; the lane's bit if the step is rejected. `by_forces`: forces may cause it.
   HWY_NOINLINE unsigned locate(int lane, bool by_forces, const Tried& s) {
     const unsigned bit = 1u << lane;
     const double h = element(s.h, lane), end = element(s.t, lane), begin = end - h;
@@ -235,7 +233,7 @@ class LaneEvents<HybridFlow<Pack, room>> {
   std::array<std::optional<One>, lanes> ones_;
   const int size_, pairs_;
   EventMargins<Pack> margins_;
-  Pack behind_[room], ahead_[room], apart_[room];  // of pairs: their balls' places in rows of lanes, and turns
+  Pack behind_[room], ahead_[room], apart_[room];  // of pairs: places of both balls to gather from; turns less contact
   model::BallMode mode_[lanes];
   Happened<room> happened_[lanes];
   EventCount count_[lanes];
@@ -244,7 +242,7 @@ class LaneEvents<HybridFlow<Pack, room>> {
   double cut_[lanes] = {}, whole_[lanes] = {};
   double k_[dop853::tableau::dense_stages][dimension] = {};
   std::uint64_t passed_ = 0;
-  unsigned waiting_ = 0, ready_ = 0;  // bits: the step ends with an event; it has
+  unsigned waiting_ = 0, ready_ = 0;  // bits of lanes: the step will end at an event; it has
 };
 
 }  // namespace HWY_NAMESPACE

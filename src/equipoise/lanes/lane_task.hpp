@@ -1,4 +1,4 @@
-// What a lane block works on: many trajectories over one segment of a rotor's motion, or one piece of its drive.
+// The work of a lane block: many trajectories over one segment of a rotor's motion, or one piece of its drive.
 #pragma once
 
 #include <cstddef>
@@ -28,28 +28,27 @@ struct LaneWork {
   std::uint64_t evaluations(std::uint64_t trajectories) const { return 12 * steps + trajectories; }
 };
 
-/// Which equations a task needs: those of a centred race at a prescribed speed, without and with anisotropic supports,
-/// gravity and balls that roll, those of any smooth system, or those of any with contact or dry friction, hybrid:
-/// smooth between events.
+/// Which equations a task needs. Plain and turning: a prescribed speed and a centred race; turning adds anisotropic
+/// supports, gravity and balls that roll. Smooth: any smooth system. Hybrid: any with contact or dry friction, smooth
+/// between events.
 enum class LaneKind { plain, turning, smooth, hybrid };
 
-/// Trajectories from segment.begin to `end`. A trajectory's result depends on its own initial state and on nothing else
-/// here: not on its place, its neighbours or `count`.
+/// Trajectories from segment.begin to `end`. The result of one depends neither on its place nor on its neighbours.
 struct LaneTask {
   const model::Parameters* parameters = nullptr;
   model::Segment segment{};
   double end = 0.0;          ///< finite, after segment.begin
   double tolerance = 1e-6;   ///< error allowed a step, in units of lane_error_scale()
   std::size_t count = 0;     ///< trajectories
-  double* states = nullptr;  ///< count rows of dimension() numbers; states at their beginnings in, final states out
+  double* states = nullptr;  ///< count rows of dimension() numbers: initial states in, final states out
   const StopFlag* stop = nullptr;
   LaneWork* work = nullptr;  ///< if given, the work done is added to it
-  /// Of what is not simple (model/system.hpp): its equations over the piece of its drive that it holds, which `segment`
-  /// repeats in so far as it is prescribed. Else null: the segment says how the rotor turns.
+  /// Set unless the system is simple (model/system.hpp): gives equations and drive; `segment` repeats what is
+  /// prescribed of the drive. Null: `segment` alone says how the rotor turns.
   const model::System* system = nullptr;
-  /// When each trajectory begins; null: all with the segment. Those of a motor's release may differ.
+  /// When each trajectory begins; null: all with the segment. After release under a motor they differ.
   const double* begins = nullptr;
-  /// Every trajectory's own rotor, `count` of them; null: all have the task's, which says what is common to them.
+  /// The rotor of each of `count` trajectories; the task's says what they have in common. Null: all have the task's.
   const OwnRotor* const* own = nullptr;
   char* met = nullptr;  ///< if given, `count` flags: set to 1 for a trajectory on which balls touch
   bool held = false;    ///< of a driven rotor: its balls are held; states are those of model/held_state.hpp
@@ -58,7 +57,7 @@ struct LaneTask {
   const RadiusWindows* radius = nullptr;  ///< how far the centre of the race was out
 
   bool watched() const { return transients || radius; }
-  /// When trajectory `start` begins, and its last moment.
+  /// When trajectory `start` begins and ends.
   double begin_of(std::size_t start) const {
     if (begins) return begins[start];
     return own ? own[start]->segment.begin : segment.begin;
@@ -76,8 +75,8 @@ struct LaneTask {
   int dimension() const { return layout().size; }
 };
 
-/// Trajectories of any system in the last piece of its drive, from time 0 on; where psi is prescribed it is
-/// `psi` there. The system must outlive the task.
+/// Trajectories of any system in the last piece of its drive, from time 0 on, where a prescribed angle is `psi`. The
+/// system must outlive the task.
 inline LaneTask lane_task(const model::System& system, double psi = 0.0) {
   LaneTask task;
   task.parameters = &system.parameters();
@@ -94,8 +93,8 @@ enum class LaneEnd {
   failed,  ///< the step size vanished
 };
 
-/// Size of an error that counts as one: ball angles and rates 1, the rotor's position and velocity the displacement
-/// that eccentricity and balls together can make. Constant, so that step control costs no comparison per component.
+/// Unit of the error of a component: lambda + sum mu_i for the rotor's position and velocity, 1 for all others.
+/// Constant, so that step control costs no comparison per component.
 inline double lane_error_scale(const model::Parameters& p, int component) {
   return component < 4 ? p.all_unbalances() : 1.0;
 }

@@ -1,5 +1,5 @@
-// What may watch lanes on their way, beside the observer that tells their fates: bound at run time and asked once a
-// step, so that no kernel is compiled anew for it. Included once per CPU target.
+// A second observer of lanes, beside the one that decides fates. It is bound at run time and called once a step, so
+// that no kernel is compiled anew for it. Included once per CPU target.
 #if defined(EQUIPOISE_LANES_LANE_WATCH_INL) == defined(HWY_TARGET_TOGGLE)
 #ifdef EQUIPOISE_LANES_LANE_WATCH_INL
 #undef EQUIPOISE_LANES_LANE_WATCH_INL
@@ -21,7 +21,7 @@ struct TriedStep {
   int group;
   unsigned active;  // bits of the lanes that hold a trajectory
   Mask accepted;
-  Pack t, h;           // t: where it leads
+  Pack t, h;           // t: at its end
   const Pack* z;       // the state there
   const Pack* first;   // and at first_sampled_stage
   const Pack* second;  // and at second_sampled_stage
@@ -30,26 +30,25 @@ struct TriedStep {
 // Stages of DOP853 at 1/3 and 0.6 of a step: with its ends, samples 0.4 apart at most.
 inline constexpr int first_sampled_stage = 5, second_sampled_stage = 9;
 
-// Of any system (model/system.hpp).
+// Size of the largest state of any system (model/system.hpp).
 inline constexpr int watched_state = model::dimension(model::max_balls) + 3;
 
-// A watch has places for this many groups.
+// A watch has room for this many groups.
 inline constexpr int most_lane_groups = 3;
 
-// Hooks as of NoObserver. Windows of time are those that tell how far a decided trajectory is to be followed: a watch
-// that has none lets it go.
+// Hooks as in NoObserver. A decided trajectory may leave only at the end of one of the watch's windows of time.
 class LaneWatch {
  public:
   virtual ~LaneWatch() = default;
   virtual void begin(int slot, std::size_t start, double t, const double* z) = 0;
   // Bits of the lanes whose window has just ended.
   virtual unsigned step(const TriedStep& step) = 0;
-  // The state jumps to z, or what acts on it.
+  // The state has jumped to z, or its rates have.
   virtual void corner(int slot, double t, const double* z) = 0;
   virtual void end(int slot, std::size_t start, LaneEnd how, double t) = 0;
-  // Begins the windows of a lane anew at `t`: what went before is not of its trajectory's end.
+  // Restarts the windows of a lane at `t`: nothing before belongs to the trajectory's final motion.
   virtual void restart(int slot, double t) = 0;
-  // Whether a trajectory restarted when it was decided for `attractor` may end with the window that has just ended.
+  // Whether a trajectory decided for `attractor` may leave with the window that has just ended.
   virtual bool seen_enough(int slot, int attractor) const = 0;
 };
 

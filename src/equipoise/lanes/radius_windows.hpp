@@ -1,4 +1,4 @@
-// What an observer of displacement writes: the largest and the last r^2 of every trajectory in windows of time.
+// A record of displacement: the largest and the last r^2 of every trajectory in windows of time.
 #pragma once
 
 #include <cstddef>
@@ -9,7 +9,7 @@ namespace equipoise {
 /// segments of one motion may share them: a window's largest r^2 only grows, and a lost trajectory's stay infinite.
 struct RadiusWindows {
   double width = 0.0;       ///< > 0
-  std::size_t windows = 0;  ///< per trajectory; what comes later is not recorded
+  std::size_t windows = 0;  ///< per trajectory; later ones are not recorded
   float* largest = nullptr;
   float* at_end = nullptr;
 };

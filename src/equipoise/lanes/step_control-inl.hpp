@@ -13,7 +13,7 @@ namespace equipoise {
 namespace HWY_NAMESPACE {
 
 // log2 of a positive normal number, linear in the mantissa: exact at powers of two, up to 0.0861 too small between.
-// As good as exact for a step size (a tenth of it enters an exponent) and a few integer operations on every target.
+// Accurate enough for a step size (a tenth of it enters an exponent), at a few integer operations on every target.
 HWY_INLINE Pack coarse_log2(Pack a) {
   const PackTag d;
   const hn::RebindToSigned<PackTag> di;
@@ -29,12 +29,12 @@ HWY_INLINE Pack coarse_exp2(Pack a) {
 
 struct StepChange {
   Pack factor;     // next step over this step
-  Pack log_error;  // to be remembered if the step is accepted
+  Pack log_error;  // to keep if the step is accepted
 };
 
-// `error2`: square of the error norm of this step; `log_error`: what the last accepted step left. Exponents in units of
-// 1/8 (the order of the estimate): proportional 0.4, integral 0.4; the safety factor 0.9, the bounds 0.2 and 6. A
-// rejected step, error2 > 1, is judged by its own error alone.
+// `error2`: square of the error norm of this step; `log_error`: of the last accepted step. Exponents in units of 1/8
+// (the order of the estimate): proportional 0.4, integral 0.4; safety factor 0.9; bounds 0.2 and 6. A rejected step,
+// error2 > 1, is judged by its own error alone.
 HWY_INLINE StepChange step_change(Pack error2, Pack log_error) {
   const Mask usable = error2 < Pack(1e60);  // false for not-a-number
   const Pack bounded = maximum(select(usable, error2, Pack(1e60)), Pack(1e-12));

@@ -1,4 +1,4 @@
-// Balanced states: closed forms for one and two balls, Newton's method on the family for more.
+// Balanced states: closed forms for one and two balls, Newton's method on the continuum for more.
 #include "equipoise/model/balanced_state.hpp"
 
 #include <algorithm>
@@ -41,7 +41,7 @@ BalancedStates balanced_states(const Parameters& p) {
     }
   }
   if (lambda > 0.0 && slack <= equal_within * (lambda + total)) {
-    // Equality: one state, all on a line. The largest balances the rest: lambda at angle 0, or one ball at pi.
+    // Equality: a single state, all on one line. The largest balances the rest: lambda at angle 0, or one ball at pi.
     result.kind = BalancedStates::Kind::isolated;
     std::array<double, max_balls> phi{};
     for (int i = 0; i < p.balls; ++i) phi[i] = lambda == largest || p.mass[i] == largest ? pi : 0.0;
@@ -78,8 +78,8 @@ bool project_within_a_turn(const Parameters& p, double* phi) {
       b -= s * c;
       d += c * c;
     }
-    // Least change: the pseudo-inverse of the 2 x 2 matrix J J^T, whose smaller eigenvalue vanishes where all balls lie
-    // on one line through the centre. What is left along that line is of second order and shrinks by itself.
+    // Least change: the pseudo-inverse of the 2 x 2 matrix J J^T. Its smaller eigenvalue vanishes if all balls lie on
+    // one line through the centre; the residual in that direction is of second order and shrinks by itself.
     const double mean = 0.5 * (a + d), half = std::hypot(0.5 * (a - d), b);
     const double angle = 0.5 * std::atan2(b, 0.5 * (a - d));  // of the larger eigenvalue's direction
     const double ex = std::cos(angle), ey = std::sin(angle);
@@ -121,7 +121,7 @@ CentredTwin centred_twin(const Parameters& p, double speed) {
 }
 
 namespace {
-// What the supports' dampers ask of the motor in balance, over psi'.
+// Torque that the supports' dampers take in balance, over psi'.
 double damping_torque(const Parameters& p) {
   const auto& e = p.race_offset;
   return 0.5 * (p.damping[0] + p.damping[1]) * (e[0] * e[0] + e[1] * e[1]);
@@ -136,7 +136,7 @@ std::optional<double> balanced_speed(const System& system) {
   if (m.slope == damping) return std::nullopt;
   const double speed = m.constant / (damping - m.slope);
   if (std::fabs(damping * speed) <= m.limit) return speed;
-  return std::copysign(m.limit / damping, m.constant);  // the limit is all that the motor gives
+  return std::copysign(m.limit / damping, m.constant);  // the motor gives its limit
 }
 
 BalancedStates balanced_states(const System& system, double coasting) {

@@ -13,7 +13,7 @@
 
 namespace equipoise::model {
 
-/// Of a motor whose torque acts for good at every speed. What shakes may be held by that; what is balanced may not.
+/// Reason for a motor whose torque never vanishes. Vibration can absorb that torque; a balanced rotor cannot.
 inline constexpr const char* no_speed_is_held =
     "a balanced rotor needs no torque, and the motor's never vanishes: balanced, it would speed up without end";
 
@@ -37,9 +37,9 @@ BalancedStates balanced_states(const Parameters& p);
 /// not converge, in which case `phi` is left somewhere on the way. Whole turns stay, however many.
 bool project_to_balanced(const Parameters& p, double* phi);
 
-// The same of any system, as it is without gravity and with the means of unequal supports. Balls that rest balance a
-// race off its centre by bringing the race's own centre to the axis of rotation, which leaves the shaft off it by the
-// race's offset, and the supports' damper with work to do (docs/equations.md, "An off-centre race").
+// The same for any system, without its gravity and with the means of unequal supports. With an off-centre race, balls
+// at rest bring the race's centre to the axis of rotation. The shaft then circles at the race's offset, and the
+// supports' dampers dissipate (docs/equations.md, "An off-centre race").
 
 /// The rotor with a centred race whose balls balance at the same angles less `turn`.
 struct CentredTwin {
@@ -48,20 +48,19 @@ struct CentredTwin {
 };
 CentredTwin centred_twin(const Parameters& p, double speed);
 
-/// psi' in balance: as prescribed, or where the motor gives what the dampers take. Empty where there is none, and where
-/// any will do (System::coasts()).
+/// psi' in balance: the prescribed speed, or the one at which the motor supplies what the dampers take. Empty if there
+/// is none, or if any speed will do (System::coasts()).
 std::optional<double> balanced_speed(const System& system);
-/// At that speed; of systems that have none of their own at `coasting`.
+/// Balanced states at that speed; at `coasting` if the system coasts.
 BalancedStates balanced_states(const System& system, double coasting = 0.0);
-/// As above, at `speed`.
+/// As for Parameters, at `speed`.
 bool project_to_balanced(const System& system, double speed, double* phi);
-/// The balanced state with the balls at these angles, at `speed` and, where that is part of it, psi = 0.
+/// The balanced state with these ball angles at `speed`; psi, if part of the state, is 0.
 Eigen::VectorXd balanced_state(const System& system, double speed, const double* phi);
-/// Of the race's centre from where it is when the balls balance, the rotor resting in its frame.
+/// Distance of the race's centre from the axis of rotation, where it lies in balance. (x, y): centre O.
 double off_balance(const Parameters& p, double x, double y);
-/// Directions in which a balanced state may be moved without any force: along the continuum of three balls or more, and
-/// in speed if nothing holds it. None where gravity acts, or unequal supports on a race off its centre: they leave no
-/// state at rest.
+/// Number of directions in which a balanced state can be moved without any force: along the continuum, and in speed if
+/// the rotor coasts. 0 with gravity, or with an off-centre race on unequal supports: no state is then at rest.
 int balanced_freedom(const System& system);
 
 }  // namespace equipoise::model

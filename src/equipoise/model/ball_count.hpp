@@ -1,4 +1,4 @@
-// How many balls templates are compiled for.
+// The numbers of balls that templates are compiled for. Raising the counts below lengthens the build of every kernel.
 #pragma once
 
 #include <type_traits>
@@ -8,15 +8,15 @@
 
 namespace equipoise::model {
 
-/// A template over balls has room for some number of them. With room for `any_count` it runs over as many as a number
-/// says that is known at run time; with less room, over exactly that many, in loops that unroll.
+/// Templates take the number of balls, `room`, as a parameter, so that loops over balls unroll. With room for
+/// `any_count` the number is known only at run time.
 inline constexpr int any_count = max_balls;
 
-/// The least number of state variables that code with such room is taken for by with_ball_count().
+/// The fewest state variables for which with_ball_count() picks code with this room.
 template <int room>
 inline constexpr int least_dimension = dimension(room == any_count ? 5 : room);
 
-/// The count itself: a constant where it is compiled in.
+/// The number of balls: a constant unless `room` is any_count.
 template <int room>
 class BallCount {
  public:
@@ -37,9 +37,8 @@ class BallCount<any_count> {
   int balls_;
 };
 
-/// Calls `f(std::integral_constant<int, room>{})` with the room that kernels take for `balls`, 1 to max_balls (checked
-/// where a study is read): the same number up to `most`, any_count above, where one loop serves nearly as well as
-/// unrolled code and all other counts are compiled at once.
+/// Calls `f(std::integral_constant<int, room>{})` for `balls` from 1 to max_balls (checked when a study is read):
+/// `room` is `balls` up to `most` and any_count above, where a loop is nearly as fast and one kernel serves all counts.
 template <int most = 4, class F>
 decltype(auto) with_ball_count(int balls, F&& f) {
   if constexpr (most == 0) {

@@ -7,13 +7,13 @@
 
 namespace equipoise::model {
 
-/// Force for a velocity (N s/m) on a sphere of `diameter` (m) in unbounded liquid of `viscosity` (Pa s).
+/// Drag force over velocity (N s/m) of a sphere of `diameter` (m) in unbounded liquid of `viscosity` (Pa s).
 inline double stokes_drag(double viscosity, double diameter) { return 3.0 * pi * viscosity * diameter; }
 
-/// The approximation below is within 6 % of the exact solution up to this ratio, and soon leaves it beyond.
+/// The approximation below is within 6 % of the exact solution up to this ratio and soon departs from it beyond.
 inline constexpr double widest_ball_in_channel = 0.6;
 
-/// By how much walls multiply the drag; `ratio`: of the diameters of ball and channel, 0 to widest_ball_in_channel.
+/// Factor by which walls raise the drag. `ratio`: ball diameter over channel diameter, 0 to widest_ball_in_channel.
 inline double wall_correction(double ratio) {
   const double a = ratio, a3 = a * a * a, a5 = a3 * a * a;
   return (1.0 - 0.75857 * a5) / (1.0 - 2.1050 * a + 2.0865 * a3 - 1.7068 * a5 + 0.72603 * a5 * a);

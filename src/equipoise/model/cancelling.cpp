@@ -1,5 +1,5 @@
-// The most that balls in one order cancel is made by a row of touching balls. The least is found by turning groups of
-// neighbours, one group after the other, to where it makes the sum smallest.
+// In a given order, a row of touching balls cancels the most. The least is found by descent: each group of neighbours
+// in turn moves to where the sum is smallest.
 #include "equipoise/model/cancelling.hpp"
 
 #include <algorithm>
@@ -19,11 +19,11 @@ struct Ring {
   std::vector<double> mass, width;
 
   int size() const { return static_cast<int>(mass.size()); }
-  double apart(int i) const { return 0.5 * (width[i] + width[(i + 1) % size()]); }  // ball i from the next, touching
+  double apart(int i) const { return 0.5 * (width[i] + width[(i + 1) % size()]); }  // of ball i and the next, touching
   double spare() const { return two_pi - std::accumulate(width.begin(), width.end(), 0.0); }
 };
 
-// Angles of touching balls, ball `first` the first of the row.
+// Angles of a row of touching balls that begins with `first`.
 std::vector<double> row(const Ring& ring, int first) {
   const int n = ring.size();
   std::vector<double> phi(n);
@@ -43,14 +43,14 @@ double most_of(const Ring& ring) {
   return most;
 }
 
-// Balls of one order on their way to the least sum.
+// The descent to the least sum in one order.
 class Turning {
  public:
   Turning(const Ring& ring, std::vector<double> phi) : ring_(ring), phi_(std::move(phi)) {
     for (int i = 0; i < ring_.size(); ++i) arms_.push_back(std::polar(ring_.mass[i], phi_[i]));
   }
 
-  // At a place where no group gains, nothing does: every way to move balls that touch is made of turns of groups.
+  // Where no group can lower the sum, no move can: every move of touching balls is made up of turns of groups.
   double least(double nothing) {
     constexpr int most_rounds = 200;
     for (int round = 0; round < most_rounds; ++round) {
@@ -69,12 +69,13 @@ class Turning {
   }
 
  private:
-  // Room between ball i and the next. Angles grow along the ring, and begin anew after its last ball.
+  // Free angle between ball i and the next. Angles grow along the ring and wrap round after its last ball.
   double gap(int i) const {
     return std::max(0.0, wrapped_positive(phi_[(i + 1) % ring_.size()] - phi_[i]) - ring_.apart(i));
   }
 
-  // Turns `count` balls from `first` on, which make `group`, as far as their neighbours let them and the sum shrinks.
+  // Turns the `count` balls from `first` on, whose arms sum to `group`, within their gaps to where the total is least.
+  // Returns the rotation.
   std::complex<double> turn(int first, int count, std::complex<double> group) {
     const int n = ring_.size();
     const std::complex<double> others = sum_ - group;
@@ -105,7 +106,7 @@ class Turning {
   std::complex<double> sum_;
 };
 
-// From balls with even gaps, and from rows where these fill more than half the race: the sum may have a minimum at one.
+// Starts from even gaps; if the balls fill more than half the race, from rows too: the sum may have a minimum at one.
 double least_of(const Ring& ring, double nothing) {
   const int n = ring.size();
   std::vector<double> even(static_cast<std::size_t>(n));
@@ -116,8 +117,7 @@ double least_of(const Ring& ring, double nothing) {
   return least > nothing ? least : 0.0;
 }
 
-// Every order of the balls round the race, once for all its turns and mirror images; balls that are alike exchanged
-// make no other.
+// Every order of the balls round the race, up to rotation, reflection and exchange of alike balls.
 std::vector<Ring> all_orders(const Parameters& p, const std::vector<double>& width) {
   std::vector<int> kind(static_cast<std::size_t>(p.balls));
   for (int i = 0; i < p.balls; ++i) {
@@ -166,22 +166,22 @@ const char* Cancelling::why_not(double unbalance) const {
 }
 
 Cancelling cancelling(const Parameters& p, const std::vector<double>& width) {
-  constexpr double equal_within = 1e-12, turned_within = 1e-6;  // roundings; what turning groups leaves of a sum
+  constexpr double equal_within = 1e-12, turned_within = 1e-6;  // rounding; residual of the descent
   const double total = p.total_mass(), heaviest = *std::max_element(p.mass.begin(), p.mass.begin() + p.balls);
-  const double least = std::max(0.0, 2.0 * heaviest - total);  // of balls without a size
+  const double least = std::max(0.0, 2.0 * heaviest - total);  // for balls without size
   Cancelling result;
   result.uncertain = (width.empty() ? equal_within : turned_within) * total;
   if (width.empty()) {
     result.ranges = {{least, total}};
     return result;
   }
-  constexpr double rounding = 1e-12;  // of widths that fill the race
+  constexpr double rounding = 1e-12;  // allows widths that exactly fill the race
   if (std::accumulate(width.begin(), width.end(), 0.0) > two_pi * (1.0 + rounding)) return result;
   std::vector<Ring> orders = all_orders(p, width);
   std::stable_sort(orders.begin(), orders.end(), [](const Ring& a, const Ring& b) { return most_of(a) > most_of(b); });
   for (const Ring& ring : orders) {
     result.ranges.push_back({least_of(ring, result.uncertain), most_of(ring)});
-    // The first order makes the most; one that makes the least, too, leaves nothing to be found.
+    // The first order reaches the most. If it also reaches the least, the other orders add nothing.
     if (result.ranges.size() == 1 && result.ranges[0][0] <= least + result.uncertain) break;
   }
   result.ranges = joined(std::move(result.ranges), result.uncertain);

@@ -1,4 +1,4 @@
-// Which unbalances balls can cancel: by their masses and, where they have a size, by the room beside each other.
+// Which unbalances a set of balls can cancel, given their masses and, if they collide, their sizes.
 #pragma once
 
 #include <array>
@@ -8,26 +8,25 @@
 
 namespace equipoise::model {
 
-/// The sums |sum mu_i e^{i phi_i}| that balls can make without overlapping. Balls keep their order in the race; of one
-/// order all values between two ends can be made, and the ranges of all orders are joined here.
+/// The values of |sum mu_i e^{i phi_i}| that balls can reach without overlapping. Balls keep their order in the race.
+/// Each order reaches one whole range; here are the ranges of all orders, merged.
 struct Cancelling {
-  /// By growing values, apart from each other; mostly one. None: the balls do not fit into the race.
+  /// Disjoint and increasing; usually one. Empty if the balls do not fit into the race.
   std::vector<std::array<double, 2>> ranges;
 
   bool fit() const { return !ranges.empty(); }
   double least() const { return fit() ? ranges.front()[0] : 0.0; }
   double most() const { return fit() ? ranges.back()[1] : 0.0; }
   bool cancels(double unbalance) const;
-  /// Why not, where they do not cancel it: words that follow a colon.
+  /// Why they cannot cancel it, as text to follow a colon.
   const char* why_not(double unbalance) const;
-  double uncertain = 0.0;  ///< of the ends: 1e-6 of all masses; of balls without a size roundings
+  double uncertain = 0.0;  ///< error of the ends: 1e-6 of all masses; rounding for balls without size
 };
 
-/// `width`: part of the race that each ball takes, an angle seen from the race's centre; none where balls pass each
-/// other.
+/// `width`: the angle that each ball takes up, seen from the race's centre; empty if balls pass each other.
 Cancelling cancelling(const Parameters& p, const std::vector<double>& width);
 
-/// The same of balls as they are: where they collide, with the angle at which they touch.
+/// The same for the balls of `p`; if they collide, with their contact angle.
 Cancelling cancelling(const Parameters& p);
 
 }  // namespace equipoise::model

@@ -1,4 +1,4 @@
-// What systems offer, and the words for what they do not.
+// Which needs a system meets, and the words for those it does not.
 #include "equipoise/model/capability.hpp"
 
 #include <cstddef>
@@ -54,7 +54,7 @@ const char* words(Need need) {
 
 namespace {
 
-// "simulate, basin and attractors": the commands that do without.
+// "simulate, basin and attractors": the commands without this need.
 std::string commands_without(Need need) {
   std::string text;
   std::size_t left = 0;

@@ -1,4 +1,4 @@
-// What each answer needs of a system, in one table, and why a system does not have it.
+// What each kind of answer needs of a system, in one table. Commands and their errors read it; so does the guide.
 #pragma once
 
 #include <array>
@@ -10,7 +10,7 @@
 
 namespace equipoise::model {
 
-/// What may be asked about a system.
+/// The kinds of answer about a system.
 enum class Answer {
   trajectory,
   shares,
@@ -22,7 +22,7 @@ enum class Answer {
   torus_traps
 };
 
-/// What an answer may need.
+/// Properties of a system that an answer may need.
 enum class Need {
   prescribed_speed,
   passing_balls,
@@ -30,8 +30,8 @@ enum class Need {
   centred_race,
   equal_supports,
   no_gravity,
-  turning,        ///< a speed other than 0 in the end, where the rotor's angle matters
-  lasting_drive,  ///< a speed, or a torque that does not vanish for good
+  turning,        ///< a final speed other than 0 if the equations depend on the rotor's angle
+  lasting_drive,  ///< a prescribed speed, or a torque that does not vanish for good
 };
 inline constexpr std::array all_needs{Need::prescribed_speed, Need::passing_balls,  Need::sliding_balls,
                                       Need::centred_race,     Need::equal_supports, Need::no_gravity,
@@ -50,12 +50,12 @@ class Needs {
 
 struct Capability {
   Answer answer;
-  const char* name;     ///< of the answer, as errors call it
-  const char* command;  ///< that gives it to any system which has what it needs; empty if it is no command of its own
+  const char* name;     ///< of the answer, in errors
+  const char* command;  ///< that gives it to every system meeting the needs; empty if there is no such command
   Needs needs;
 };
 
-/// One line an answer, in the order of Answer. docs/guide/command-line.md shows it.
+/// One row per answer, in the order of Answer. docs/guide/command-line.md shows it.
 inline constexpr std::array<Capability, 8> capabilities{{
     {Answer::trajectory, "trajectories", "simulate", {}},
     {Answer::shares, "shares", "basin", {Need::turning}},
@@ -78,16 +78,16 @@ inline constexpr std::array<Capability, 8> capabilities{{
 }};
 constexpr const Capability& capability(Answer answer) { return capabilities[static_cast<std::size_t>(answer)]; }
 
-/// "a prescribed speed": what a need asks for.
+/// A need in words: "a prescribed speed".
 const char* words(Need need);
 
-/// What a system lacks for an answer, and one line that says so.
+/// A need that a system does not meet, and one line that says so.
 struct Lack {
   Need need;
   std::string reason;
 };
 
-/// The first need, in the order of Need, that the system does not meet; empty if it has all.
+/// The first need, in the order of Need, that the system does not meet; empty if it meets all.
 std::optional<Lack> lacking(const System& system, Answer answer);
 
 }  // namespace equipoise::model

@@ -1,4 +1,4 @@
-// Alike balls in one place: no real pair stays there, but equal numbers do.
+// Alike balls in the same state: a real pair would separate, equal numbers stay equal.
 #pragma once
 
 #include <cmath>
@@ -8,16 +8,16 @@
 
 namespace equipoise::model {
 
-/// Nearer than this, in angle and rate, balls count as coincident; so far, and a little more, they are set apart.
+/// Balls nearer than this in angle and rate count as coincident. They are set apart by small multiples of it.
 inline constexpr double parting = 1e-9;
 
-/// Whether balls i and k are alike and move as one. In exact arithmetic of equal operations they would do so for ever,
-/// even where that is unstable.
+/// Whether balls i and k are alike and move as one. Equal operations on equal numbers would keep them so for ever, even
+/// where that is unstable.
 inline bool coincide(const Parameters& p, int i, int k, const double* phi, const double* rate) {
   return p.alike(i, k) && std::fabs(wrapped(phi[i] - phi[k])) < parting && std::fabs(rate[i] - rate[k]) < parting;
 }
 
-/// Sets such balls apart, so that an unstable companionship breaks up. Whether there were any.
+/// Sets coincident balls apart, so that an unstable pair separates. Returns whether there were any.
 inline bool part_coincident(const Parameters& p, double* phi, const double* rate) {
   bool any = false;
   for (int i = 0; i < p.balls; ++i)

@@ -1,5 +1,5 @@
-// What drives the rotor at one instant, for every number type: psi', psi'' or the motor's torque, and their rates where
-// they are part of the state. Included once per CPU target.
+// The rotor's drive at one instant, for every number type: psi', psi'' or the motor's torque, and the rates of those
+// that the state holds. Included once per CPU target.
 #if defined(EQUIPOISE_MODEL_DRIVE_INL) == defined(HWY_TARGET_TOGGLE)
 #ifdef EQUIPOISE_MODEL_DRIVE_INL
 #undef EQUIPOISE_MODEL_DRIVE_INL
@@ -19,7 +19,7 @@ HWY_BEFORE_NAMESPACE();
 namespace equipoise {
 namespace HWY_NAMESPACE {
 
-// A motor's torque and the rate of the integral of its speed error, `elapsed` after its piece of the law began.
+// A motor's torque and the rate of its speed error's integral, `elapsed` after the piece of its law began.
 template <class T>
 struct MotorState {
   T torque, error_rate;
@@ -31,7 +31,7 @@ inline MotorState<double> motor_state(const model::DriveSegment& motor, const do
   return {motor.torque(t, speed, error), motor.error_rate(t, speed, error)};
 }
 
-// Of dual numbers, with their slopes; where the torque is cut at the motor's limit it has none.
+// For dual numbers, with their slopes; a torque cut at the motor's limit has slope 0.
 template <class T>
 requires(!std::is_same_v<T, double> && std::is_same_v<decltype(T::value), double>)
     MotorState<T> motor_state(const model::DriveSegment& motor, const T& elapsed, const T& speed, const T& error) {
@@ -43,7 +43,7 @@ requires(!std::is_same_v<T, double> && std::is_same_v<decltype(T::value), double
   return result;
 }
 
-// A motor's law in every lane.
+// One motor law per lane.
 struct MotorLanes {
   explicit MotorLanes(const model::DriveSegment& m)
       : constant(m.constant),
@@ -111,7 +111,7 @@ class RotorDrive {
     return rotor;
   }
 
-  // Of a driven rotor.
+  // Meaningful only if driven().
   HWY_INLINE MotorState<T> motor(const T& t, const RotorMotion<T>& rotor, const T* y) const {
     if (!driven()) return {};
     return motor_state(motor_, t - begin_, rotor.speed, layout_.error < 0 ? T(0.0) : y[layout_.error]);

@@ -1,4 +1,4 @@
-// Mechanical energy, and what dampers and drag take of it, for every number type (docs/equations.md, "Energy").
+// Mechanical energy, and the powers of dampers and drag, for every number type (docs/equations.md, "Energy").
 // Included once per CPU target.
 #if defined(EQUIPOISE_MODEL_ENERGY_INL) == defined(HWY_TARGET_TOGGLE)
 #ifdef EQUIPOISE_MODEL_ENERGY_INL
@@ -14,8 +14,8 @@ HWY_BEFORE_NAMESPACE();
 namespace equipoise {
 namespace HWY_NAMESPACE {
 
-// Of rotor and balls in states z as in model/parameters.hpp; sin and cos of psi are read only where supports are
-// anisotropic or gravity acts.
+// For states z of rotor and balls (model/parameters.hpp). sin and cos of psi are read only with anisotropic supports or
+// gravity.
 template <class T>
 class RotorEnergy {
  public:
@@ -37,14 +37,14 @@ class RotorEnergy {
     }
   }
 
-  // Lane `lane` gets the rotor of `from`.
+  // Copies the rotor of `from` into lane `lane`.
   void take_lane(const RotorEnergy& from, int lane) {
     using E = RotorEnergy;
     take_lane_of(*this, from, lane, &E::lambda_, &E::offset_, &E::inertia_, &E::stiffness_, &E::damping_, &E::gravity_,
                  &E::mass_, &E::drag_force_, &E::radius_);
   }
 
-  // Kinetic, of the supports' springs, and of gravity.
+  // Kinetic energy, and the potential energies of springs and gravity.
   HWY_INLINE T stored(const RotorMotion<T>& rotor, const T* z) const {
     using namespace model::index;
     const T w = rotor.speed, half(0.5);
@@ -63,7 +63,7 @@ class RotorEnergy {
       if (heavy_)
         one = one + gravity_ * (place.y + rotor.sin_psi * (ox + c) + rotor.cos_psi * (oy + s));
       if (rolls_) {
-        const T rim = radius_[i] * w - own;  // radius times spin, from where it touches
+        const T rim = radius_[i] * w - own;  // radius times spin: the ball rolls without slip
         one = one + half * T(model::sphere_inertia.value()) * rim * rim;
       }
       e = e + mass_[i] * one;
@@ -71,13 +71,13 @@ class RotorEnergy {
     return e;
   }
 
-  // What the supports' dampers take in a unit of time.
+  // Power dissipated in the supports' dampers.
   HWY_INLINE T taken_by_supports(const RotorMotion<T>& rotor, const T* z) const {
     const Vector2<T> rate = in_fixed_axes(rotor, z[model::index::u], z[model::index::v]);
     return damping_.x * rate.x * rate.x + damping_.y * rate.y * rate.y;
   }
 
-  // And the drag of balls that run free.
+  // Power dissipated by the drag of free balls.
   HWY_INLINE T taken_by_drag(const T* z) const {
     T sum(0.0);
     for (int i = 0; i < balls_; ++i) {
@@ -88,7 +88,7 @@ class RotorEnergy {
   }
 
  private:
-  // Their squares alone matter where no direction is preferred.
+  // On isotropic supports only squares matter: no rotation is needed.
   HWY_INLINE Vector2<T> in_fixed_axes(const RotorMotion<T>& rotor, const T& x, const T& y) const {
     if (!turning_) return {x, y};
     return {x * rotor.cos_psi - y * rotor.sin_psi, x * rotor.sin_psi + y * rotor.cos_psi};

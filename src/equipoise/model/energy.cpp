@@ -1,4 +1,4 @@
-// Energy balance beside the equations: its residual along a trajectory is the sharpest check on both.
+// Energy and its balance: the residual along a trajectory is the sharpest check on energy and equations alike.
 #include "equipoise/model/energy.hpp"
 
 #include <cmath>

@@ -1,4 +1,4 @@
-// A fan that opens until it cancels no more than it has to.
+// The gap of a fan, by bisection.
 #include "equipoise/model/fan.hpp"
 
 #include <algorithm>

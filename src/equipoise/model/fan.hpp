@@ -8,9 +8,9 @@
 
 namespace equipoise::model {
 
-/// Ball angles in a fan, the heaviest in the middle, with equal gaps between them such that they cancel p.eccentricity
-/// to rounding, which must lie between what they cancel with no gaps and with gaps all round. `width`: the angle that
-/// each ball takes.
+/// Ball angles of a fan: the heaviest ball in the middle, equal gaps such that the balls cancel p.eccentricity to
+/// rounding. It must lie between what they cancel without gaps and with gaps all round. `width`: the angle that each
+/// ball takes up.
 std::array<double, max_balls> fan(const Parameters& p, const std::vector<double>& width);
 
 }  // namespace equipoise::model

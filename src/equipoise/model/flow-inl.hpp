@@ -1,4 +1,4 @@
-// The equations as autonomous-looking systems (t, z) -> dz/dt over one segment of the rotor's motion.
+// The equations as flows (t, z) -> dz/dt over one segment of the rotor's prescribed motion.
 // Included once per CPU target.
 #if defined(EQUIPOISE_MODEL_FLOW_INL) == defined(HWY_TARGET_TOGGLE)
 #ifdef EQUIPOISE_MODEL_FLOW_INL
@@ -14,7 +14,7 @@ HWY_BEFORE_NAMESPACE();
 namespace equipoise {
 namespace HWY_NAMESPACE {
 
-// psi', psi'' and, where the terms need it, sin psi and cos psi at a time within one segment.
+// psi', psi'' and, if the terms need them, sin psi and cos psi at a time within one segment.
 template <class T, Terms terms>
 class SegmentMotion {
  public:
@@ -55,12 +55,12 @@ class FreeFlow {
 
   FreeFlow(const model::Parameters& p, const model::Segment& s) : balls_(p.balls), balancer_(p), motion_(s) {}
 
-  // Of a state: a constant unless there is room for any count of balls.
+  // Size of a state: a constant unless `room` is any_count.
   HWY_INLINE auto size() const { return balls_.size(); }
 
   HWY_INLINE void operator()(const T& t, const T* z, T* dz) const { balancer_.free_derivative(motion_.at(t), z, dz); }
 
-  // Lane `lane` gets the rotor and the segment of `from`.
+  // Copies the rotor and the segment of `from` into lane `lane`.
   void take_lane(const FreeFlow& from, int lane) {
     balancer_.take_lane(from.balancer_, lane);
     motion_.take_lane(from.motion_, lane);
@@ -72,7 +72,7 @@ class FreeFlow {
   SegmentMotion<T, terms> motion_;
 };
 
-// Balls clamped: with the rotor they are one body, and their angles matter by its unbalance alone.
+// Balls clamped: rotor and balls are one body, and ball angles enter only through its unbalance.
 class ClampedBody {
  public:
   ClampedBody(const model::Parameters& p, double gravity)

@@ -1,4 +1,4 @@
-// Between fixed axes and those that turn with the rotor, and between the velocities that are seen from them.
+// Conversions between fixed axes and axes that turn with the rotor, and between the velocities seen in each.
 #pragma once
 
 #include <array>
@@ -7,12 +7,12 @@
 
 namespace equipoise::model {
 
-/// Fixed axes' components of what has (x, y) along axes at rotor angle psi.
+/// Components in fixed axes of the vector with components (x, y) in axes at rotor angle psi.
 inline std::array<double, 2> in_fixed_axes(double cos_psi, double sin_psi, double x, double y) {
   return {x * cos_psi - y * sin_psi, x * sin_psi + y * cos_psi};
 }
 
-/// (x', y') of a state z that holds the inertial velocity, at psi' = w.
+/// (x', y') of a state z, which holds the inertial velocity, at psi' = w.
 inline std::array<double, 2> rotating_velocity(double w, const double* z) {
   return {z[index::u] + w * z[index::y], z[index::v] - w * z[index::x]};
 }

@@ -10,35 +10,35 @@
 
 namespace equipoise::model {
 
-/// E - tau psi, tau the motor's torque at rest, never grows if the torque falls as the speed grows: dampers, drag,
-/// friction and impacts only take. A rotor that has less of it than the lower of the two tops beside its well never
-/// leaves that again, and comes to rest there. Nothing of this is linear or tried.
+/// E - tau psi, with tau the motor's torque at rest, never grows if the torque does not rise with the speed: dampers,
+/// drag, friction and impacts only dissipate. A rotor with less of it than the lower of the two tops beside its well
+/// never leaves the well and comes to rest in it. This is exact: nothing is linearised or sampled.
 class GravityWell {
  public:
-  /// Of a rotor whose balls run free. Empty where gravity does not hold it, where the motor's torque rises with the
-  /// speed, and for a control with an integral, whose torque at rest is not known beforehand.
+  /// For a rotor whose balls run free. Empty if gravity does not hold it, if the motor's torque rises with the speed,
+  /// or for a control with an integral: its torque at rest is not known beforehand.
   static std::optional<GravityWell> of(const System& system);
 
   bool holds(const double* state) const;
-  /// Nor will any ball ever pass above the shaft, of a state that it holds.
+  /// Whether, in a state that it holds, no ball will ever pass above the shaft either.
   bool holds_balls(const double* state) const;
-  /// At rest, every ball below the shaft: where all ends if the balls can pass each other and nothing makes them stick.
+  /// The state at rest with every ball below the shaft: the final state if balls pass each other and do not stick.
   Eigen::VectorXd bottom() const;
 
  private:
   friend bool held_in_well(const System& system, const double* held, double speed);
   GravityWell(const System& system, std::complex<double> moment, double torque, double balls);
-  double level(const double* state) const;  // E - tau psi, psi taken into the well
+  double level(const double* state) const;  // E - tau psi, with psi reduced to the well
 
   System system_;
-  std::complex<double> moment_;  // gravity's on what turns with the rotor: Re(moment e^{i psi}), against the torque
+  std::complex<double> moment_;  // of gravity on what turns with the rotor: Re(moment e^{i psi}) opposes the torque
   double torque_;
-  double angle_;      // psi + arg(moment) is less than this, by a turn at most; minus this where the rotor rests
-  double top_ = 0.0;  // E - tau psi there
+  double angle_;      // psi + arg(moment) lies within a turn below this; it is minus this where the rotor rests
+  double top_ = 0.0;  // E - tau psi at the lower top
 };
 
-/// The same of a rotor with its balls held, in a state of model/held_state.hpp: it is in such a well, and will never
-/// again be as fast as `speed`.
+/// Whether a rotor with its balls held, in a state of model/held_state.hpp, is in such a well and will never again be
+/// as fast as `speed`.
 bool held_in_well(const System& system, const double* held, double speed);
 
 }  // namespace equipoise::model

@@ -1,4 +1,4 @@
-// The same state of rotors that hang differently.
+// Carries a state from one rotor to another that sags differently.
 #pragma once
 
 #include "equipoise/model/parameters.hpp"
@@ -6,8 +6,8 @@
 
 namespace equipoise::model {
 
-/// Moves the centre in a state of one rotor, when it has turned by `psi`, to where that of another is, as far from
-/// where that one rests. A soft rotor sags by more than it ever shakes.
+/// Shifts the centre of a state, at rotor angle `psi`, so that it is as far from the rest position of `to` as it was
+/// from that of `from`. A soft rotor sags by more than it ever vibrates.
 inline void hang_anew(const Parameters& from, const Parameters& to, double psi, double* state) {
   const auto before = rest_position(from, psi), after = rest_position(to, psi);
   state[index::x] += after[0] - before[0];

@@ -8,8 +8,8 @@
 
 namespace equipoise::model {
 
-/// balanced_speed() of a motor that holds it: it gives less as the rotor turns faster. None of one that coasts, and of
-/// one whose last torque speeds the rotor up for ever.
+/// balanced_speed() if a motor holds it. Empty at a prescribed speed, for a rotor that coasts, and for a motor whose
+/// last torque speeds the rotor up for ever.
 inline std::optional<double> held_speed(const System& system) {
   if (system.prescribed() || system.coasts()) return std::nullopt;
   const DriveSegment& m = system.drive().motor;
@@ -18,11 +18,11 @@ inline std::optional<double> held_speed(const System& system) {
   return holds ? speed : std::nullopt;
 }
 
-/// What is said of such a motor, after "the" or "the motor's".
+/// Message about a motor that holds none, to follow "the" or "the motor's".
 inline constexpr const char* holds_no_speed =
     "last torque acts for ever, and a balanced rotor needs none: no speed is held";
 
-/// The motor's last torque acts for good and holds no speed: in balance the rotor speeds up without end.
+/// Whether the motor's last torque acts for good and holds no speed: a balanced rotor then speeds up without end.
 inline bool speeds_up_for_ever(const System& system) {
   return !system.prescribed() && !system.coasts() && !held_speed(system);
 }

@@ -1,5 +1,5 @@
-// States of driven rotors whose balls are held, as lanes follow them: x, y, u, v; sum mu_i e^{i phi_i} of the balls,
-// which stays; then what the system's state has of psi, psi' and the speed error.
+// States of driven rotors whose balls are held: x, y, u, v; the constant sum mu_i e^{i phi_i} of the balls; then psi,
+// psi' and the speed error, as far as the system's state holds them.
 #pragma once
 
 #include <algorithm>
@@ -12,7 +12,7 @@ namespace equipoise::model {
 
 inline StateLayout held_layout(const System& system) { return system.layout().with_balls(1); }
 
-/// From a state of the system to that with its balls held.
+/// From a state of the system to its held state.
 inline void hold_balls(const System& system, const double* state, double* held) {
   const Parameters& p = system.parameters();
   std::copy(state, state + 4, held);
@@ -23,7 +23,7 @@ inline void hold_balls(const System& system, const double* state, double* held) 
   copy_drive(system.layout(), state, held_layout(system), held);
 }
 
-/// Back again, the balls at rest; `state` holds their angles.
+/// The reverse, with the balls at rest; `state` already holds their angles.
 inline void release_balls(const System& system, const double* held, double* state) {
   const int balls = system.balls();
   std::copy(held, held + 4, state);

@@ -1,5 +1,5 @@
-// The equations of any system with contact or dry friction between two events, for every number type: (t, y) -> dy/dt,
-// the modes of the balls being given. Included once per CPU target.
+// The equations of any system with contact or dry friction between two events, for every number type: (t, y) -> dy/dt
+// for given modes of the balls. Included once per CPU target.
 #if defined(EQUIPOISE_MODEL_HYBRID_FLOW_INL) == defined(HWY_TARGET_TOGGLE)
 #ifdef EQUIPOISE_MODEL_HYBRID_FLOW_INL
 #undef EQUIPOISE_MODEL_HYBRID_FLOW_INL
@@ -19,7 +19,7 @@ HWY_BEFORE_NAMESPACE();
 namespace equipoise {
 namespace HWY_NAMESPACE {
 
-// Modes of balls as the equations take them, each lane of T its own.
+// Modes of balls in the form that the equations take, one mode per lane of T.
 template <class T, int room>
 class ModeTable {
  public:
@@ -34,7 +34,7 @@ class ModeTable {
     }
   }
 
-  // Lane `lane` gets the balls of these parameters.
+  // Copies the balls of `p` into lane `lane`.
   void take_balls(const model::Parameters& p, int lane) {
     for (int i = 0; i < n; ++i) element(mass_[i], lane) = p.mass[i];
   }
@@ -59,9 +59,9 @@ class ModeTable {
     if (joins) set_groups(mode, lane);
   }
 
-  // In any lane.
+  // Whether any lane holds a ball.
   bool any_held() const { return held_ != 0; }
-  // Balls move joined.
+  // Whether balls move joined in any lane.
   bool any_joined() const { return joined_ != 0; }
 
   T held[room];            // 1 or 0
@@ -72,7 +72,7 @@ class ModeTable {
  private:
   static double& element(T& value, int lane) { return reinterpret_cast<double*>(&value)[lane]; }
 
-  // Joined balls that are held need no pushes to stay together.
+  // Joined balls that are held stay together without pushes.
   bool moves_joined(const model::BallMode& mode, int k) const { return mode.joined[k] && !mode.held[mode.order[k]]; }
   bool any_moving_pair(const model::BallMode& mode) const {
     for (int k = 0; k < n; ++k)
@@ -103,28 +103,28 @@ class ModeTable {
   unsigned held_ = 0, joined_ = 0;  // bits of lanes
 };
 
-// What is 0 or more as long as nothing happens: rates of balls along their senses; of forces what is left of friction's
-// hold on balls at rest, and pressures between joined ones.
+// Event functions: 0 or more until an event. `rates`: rates of balls along their senses. `forces`: friction's reserve
+// on balls at rest, and pressures between joined balls.
 template <class T>
 struct EventMargins {
   T rates, forces;
 };
 
-// State: that of a system, or that of model/machine.hpp.
+// The state is that of the system or that of model/machine.hpp.
 template <class T, int room>
 class HybridFlow {
  public:
-  static constexpr int dimension = model::dimension(room) + 4;  // of the largest state, and one to make it even
+  static constexpr int dimension = model::dimension(room) + 4;  // of the largest state, padded to an even number
   static constexpr int least_size = model::dimension(room == model::any_count ? 1 : room);
   using Modes = ModeTable<T, room>;
   using Forces = BallForces<T, room>;
 
-  // Over the piece of a drive that the system holds, in study time. `segment` says when that begins, and with which
-  // angle if the rotor turns as prescribed. `modes` may be said later.
+  // For the system's piece of its drive, in study time. `segment` says when the piece begins and, if the rotor turns as
+  // prescribed, at which angle. `modes` may be given later: with().
   HybridFlow(const model::System& s, const model::Segment& segment, const Modes* modes = nullptr)
       : HybridFlow(s.parameters(), s.drive(), s.layout(), segment.begin, segment.psi, modes) {}
 
-  // The state of model/machine.hpp, over any piece of a drive.
+  // For any piece of a drive, in the state of model/machine.hpp.
   HybridFlow(const model::Parameters& p, const model::DrivePiece& piece, const Modes* modes)
       : HybridFlow(p, piece, model::machine_layout(p.balls), piece.begin, piece.psi, modes) {}
 
@@ -136,7 +136,7 @@ class HybridFlow {
     return result;
   }
 
-  // Lane `lane` gets the rotor and the piece of a drive of `from`, in a state of the same size.
+  // Copies rotor and drive of `from`, with a state of the same size, into lane `lane`.
   void take_lane(const HybridFlow& from, int lane) {
     using F = HybridFlow;
     balancer_.take_lane(from.balancer_, lane);
@@ -145,14 +145,14 @@ class HybridFlow {
     resists_ = resists_ || from.resists_;
   }
 
-  // Over the next piece of a drive, as of model/machine.hpp.
+  // Enters the next piece of the drive, in the state of model/machine.hpp.
   void enter(const model::DrivePiece& piece) { drive_.enter(piece); }
 
   void operator()(const T& t, const T* y, T* dy) const {
     Forces forces;
     evaluate(t, y, dy, forces);
   }
-  // The same, and margins sink to what is left until something happens, if it is less.
+  // The same; lowers `margins` to their values here where those are less.
   void operator()(const T& t, const T* y, T* dy, EventMargins<T>& margins) const {
     Forces forces;
     evaluate(t, y, dy, forces);
@@ -164,7 +164,8 @@ class HybridFlow {
       for (int i = 0; i < n; ++i) margins.forces = minimum(margins.forces, pressure(i, forces));
   }
 
-  // `forces` are known where balls resist or move joined. One copy for all that ask: no two are rounded differently.
+  // `forces` are set only if balls resist or move joined. One copy of the code serves all callers, so that all get the
+  // same rounding.
   HWY_NOINLINE BodyResult<T> evaluate(const T& t, const T* y, T* dy, Forces& forces) const {
     const RotorMotion<T> rotor = drive_.rotor(t, y);
     const MotorState<T> motor = drive_.motor(t, rotor, y);
@@ -178,7 +179,7 @@ class HybridFlow {
         actions.resistance[i] = modes_->sense[i] * rolling_[i];
       }
     BodyResult<T> result;
-    // The sense of a normal force is taken for outward; where a ball presses on the inner wall, friction follows.
+    // Normal forces are first taken to point outward. Where a ball presses on the inner wall, friction changes sign.
     for (int attempt = 0; attempt < 2; ++attempt) {
       result = balancer_.machine_derivative(rotor, actions, drive_.driven() ? &motor.torque : nullptr, y, dy);
       if (attempt > 0 || !resists_ || !turn_inward(forces, actions)) break;
@@ -187,7 +188,7 @@ class HybridFlow {
     return result;
   }
 
-  // Force by which ball i presses on the next one, with which it moves joined; 0 if there is none.
+  // Force with which ball i presses on the next one, if it moves joined with it; else 0.
   HWY_INLINE T pressure(int i, const Forces& forces) const {
     T sum(0.0);
     for (int j = 0; j < n; ++j) sum = sum - modes_->behind[i][j] * mass_[j] * forces.push[j];
@@ -195,8 +196,8 @@ class HybridFlow {
   }
 
   // Change of the velocities u, v, q_1..q_n, and psi' under a motor (as entries of `change`, shaped like a state) for a
-  // unit impulse that drives balls `first` and `second` apart along the race. All balls are free: what dry friction
-  // does in no time is nothing.
+  // unit impulse that drives balls `first` and `second` apart along the race. All balls count as free: dry friction
+  // does nothing in no time.
   void impulse_response(const T& t, const T* y, int first, int second, T* change) const {
     const RotorMotion<T> rotor = drive_.rotor(t, y);
     BallActions<T, room> actions;
@@ -228,7 +229,7 @@ class HybridFlow {
     }
   }
 
-  // Of a ball that is held; 0 for others.
+  // Friction's reserve on a held ball; 0 for others.
   HWY_INLINE T left_of_hold(int i, const Forces& forces) const {
     const T left = stiction_[i] * absolute(forces.normal[i]) - absolute(forces.tangential[i]);
     return select(T(0.5) < modes_->held[i], left, T(0.0));
@@ -252,7 +253,7 @@ class HybridFlow {
   RotorDrive<T> drive_;
   int size_;
   bool resists_;
-  T mass_[room]{}, rolling_[room]{}, stiction_[room]{};  // mass: what resists a push
+  T mass_[room]{}, rolling_[room]{}, stiction_[room]{};  // mass_: inertia along the race
   const Modes* modes_;
 };
 

@@ -12,11 +12,11 @@ namespace equipoise::model {
 /// derivative, from the equations run on dual numbers. Variables as in parameters.hpp.
 Eigen::MatrixXd jacobian(const Parameters& p, double speed, const double* z);
 
-/// dz/dt of the same equations; with anisotropic supports or gravity where the rotor's angle is `psi`.
+/// dz/dt of the same equations; with anisotropic supports or gravity, at rotor angle `psi`.
 Eigen::VectorXd derivative(const Parameters& p, double speed, const double* z, double psi = 0.0);
 
 /// dy/dt of a smooth system at state `y`, and its exact derivative with respect to y. `psi`: the rotor's angle on
-/// section strobe, where it is no part of the state.
+/// section strobe, where the state does not hold it.
 Eigen::VectorXd rate(const System& system, const Eigen::VectorXd& y, double psi = 0.0);
 Eigen::MatrixXd jacobian(const System& system, const Eigen::VectorXd& y, double psi = 0.0);
 

@@ -23,7 +23,7 @@ struct MotorLaw {
   std::optional<double> limit;
   SpeedProfile target;
 
-  /// The speed at which an unloaded rotor would end up: where the torque vanishes for good; none if there is no such.
+  /// The speed at which an unloaded rotor ends up: where the torque vanishes for good. Empty if there is none.
   std::optional<double> final_speed() const;
 };
 

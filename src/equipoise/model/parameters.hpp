@@ -1,4 +1,5 @@
-// The dimensionless parameters of a rotor with a ball balancer (length R, time 1/omega_c, mass M).
+// The dimensionless parameters of a rotor with a ball balancer (length R, time 1/omega_c, mass M), and the layout of
+// its state. Everything depends on both.
 #pragma once
 
 #include <array>
@@ -7,7 +8,7 @@ namespace equipoise::model {
 
 inline constexpr int max_balls = 8;
 
-/// A number that number types round, or enclose, for themselves.
+/// A rational number that each number type rounds, or encloses, by itself.
 struct Ratio {
   double over, under;
   constexpr double value() const { return over / under; }
@@ -15,8 +16,8 @@ struct Ratio {
 /// Moment of inertia of a solid sphere about its centre, over its mass and the square of its radius.
 inline constexpr Ratio sphere_inertia{2.0, 5.0};
 
-/// Rotor, supports and balls. Constant while anything moves.
-/// Symbols as in Wright and Peng (2019) and docs/equations.md; ranges are checked where a study is read.
+/// Rotor, supports and balls; constant in time. Symbols as in Wright and Peng (2019) and docs/equations.md. Ranges are
+/// checked when a study is read.
 struct Parameters {
   int balls = 2;                              ///< n, 1 to 8
   double eccentricity = 0.01;                 ///< lambda = eps/R, >= 0
@@ -42,10 +43,9 @@ struct Parameters {
     for (int i = 0; i < balls; ++i) sum += mass[i];
     return sum;
   }
-  /// lambda + sum mu_i: the most that rotor and balls could make together, and what r and the rotor's velocity are of
-  /// the order of.
+  /// lambda + sum mu_i: the largest possible unbalance, and the order of magnitude of r and of the rotor's velocity.
   double all_unbalances() const { return eccentricity + total_mass(); }
-  /// What resists a force on a ball along the race, over the ball's mass: of one that rolls its spin's inertia too.
+  /// Inertia of a ball along the race over its mass; a rolling ball adds its spin's.
   double inertia_along_race() const { return rolls ? 1.0 + sphere_inertia.value() : 1.0; }
   bool isotropic() const { return damping[0] == damping[1] && stiffness[0] == stiffness[1]; }
   /// Exchanging these two balls makes no difference.

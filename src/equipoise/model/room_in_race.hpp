@@ -1,4 +1,4 @@
-// The room that balls of a size leave each other.
+// Room in the race for balls that collide.
 #pragma once
 
 #include <cmath>
@@ -8,8 +8,8 @@
 
 namespace equipoise::model {
 
-/// From angles drawn evenly to angles of balls that do not overlap, drawn evenly among all such: the gaps beyond
-/// touching are those of the angles drawn, shrunk to the room that the balls leave.
+/// Maps uniformly drawn angles to angles without overlap, uniform among all such: the drawn gaps, shrunk to the room
+/// that the balls leave, become the gaps beyond touching.
 inline void make_room(const Parameters& p, double* phi) {
   const double room = (two_pi - p.balls * p.contact_angle) / two_pi;
   int place[max_balls];
@@ -22,7 +22,7 @@ inline void make_room(const Parameters& p, double* phi) {
     phi[i] = wrapped_positive(phi[0] + wrapped_positive(phi[i] - phi[0]) * room + place[i] * p.contact_angle);
 }
 
-/// Whether balls at these angles have room beside each other. Balls that touch have, up to rounding.
+/// Whether balls at these angles do not overlap. Balls that touch, up to rounding, do not.
 inline bool has_room(const Parameters& p, const double* phi) {
   constexpr double rounding = 1e-9;
   if (!p.balls_collide()) return true;

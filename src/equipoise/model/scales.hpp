@@ -1,11 +1,11 @@
-// What one dimensionless unit is worth in a physical machine (docs/equations.md, "Units").
+// The physical units of a machine: one dimensionless unit of each quantity in SI (docs/equations.md, "Units").
 #pragma once
 
 #include <cmath>
 
 namespace equipoise::model {
 
-/// The three units of a rotor: all others are made of them.
+/// The three base units of a rotor, and the units derived from them.
 struct Scales {
   double mass = 1.0;       ///< M in kg
   double length = 1.0;     ///< R in m
@@ -22,9 +22,9 @@ struct Scales {
   double damping() const { return mass * frequency; }                     ///< N s/m
   double unbalance() const { return mass * length; }                      ///< kg m
 
-  /// Of a rotor of `mass` on supports of `stiffness` (N/m), the mean of both directions, with a race of `radius`.
+  /// For a rotor of `mass` (kg) and a race of `radius` (m). `stiffness` (N/m): mean of both directions.
   static Scales of(double mass, double radius, double stiffness) { return {mass, radius, std::sqrt(stiffness / mass)}; }
-  /// Drag torque for a rate, N m s, of a ball of `mass` (kg) with beta = 1.
+  /// Drag torque over rate (N m s) of a ball of `ball_mass` (kg) with beta = 1.
   double ball_drag(double ball_mass) const { return Scales{ball_mass, length, frequency}.gain(); }
 };
 

@@ -1,6 +1,6 @@
-// The equations of any smooth system (t, y) -> dy/dt in the state of model/system.hpp: a motor or a prescribed speed,
-// the race off the shaft's centre or not. Rotors at a prescribed speed whose race is centred have FreeFlow, which costs
-// less. Included once per CPU target.
+// The equations of any smooth system (t, y) -> dy/dt in the state of model/system.hpp: with a motor or a prescribed
+// speed, with a centred or an off-centre race. At a prescribed speed with a centred race FreeFlow costs less. Included
+// once per CPU target.
 #if defined(EQUIPOISE_MODEL_SMOOTH_FLOW_INL) == defined(HWY_TARGET_TOGGLE)
 #ifdef EQUIPOISE_MODEL_SMOOTH_FLOW_INL
 #undef EQUIPOISE_MODEL_SMOOTH_FLOW_INL
@@ -21,14 +21,14 @@ namespace HWY_NAMESPACE {
 template <class T, int room>
 class SmoothFlow {
  public:
-  static constexpr int dimension = model::dimension(room) + 4;  // of the largest state, and one to make it even
+  static constexpr int dimension = model::dimension(room) + 4;  // of the largest state, padded to an even number
   static constexpr int least_size = model::least_dimension<room>;
 
-  // In the last piece of the drive, which no more depends on time. `psi`: the rotor's angle at time 0, where it is no
-  // part of the state.
+  // For the last piece of the drive, which no longer depends on time. `psi`: the rotor's angle at time 0, unless the
+  // state holds it.
   SmoothFlow(const model::System& s, double psi) : SmoothFlow(s, 0.0, psi) {}
-  // Over the piece of a drive that the system holds, in study time. `segment` says when that begins, and with which
-  // angle if the rotor turns as prescribed.
+  // For the system's piece of its drive, in study time. `segment` says when the piece begins and, if the rotor turns as
+  // prescribed, at which angle.
   SmoothFlow(const model::System& s, const model::Segment& segment) : SmoothFlow(s, segment.begin, segment.psi) {}
 
   int size() const { return drive_.layout().size; }
@@ -40,7 +40,7 @@ class SmoothFlow {
     drive_.rates(rotor, result.acceleration, motor.error_rate, dy);
   }
 
-  // Lane `lane` gets the rotor and the piece of a drive of `from`, in a state of the same size.
+  // Copies rotor and drive of `from`, with a state of the same size, into lane `lane`.
   void take_lane(const SmoothFlow& from, int lane) {
     balancer_.take_lane(from.balancer_, lane);
     drive_.take_lane(from.drive_, lane);
@@ -54,14 +54,13 @@ class SmoothFlow {
   RotorDrive<T> drive_;
 };
 
-// A rotor whose balls are held: one body, whose unbalance is part of the state and stays what it is. State: x, y, u, v;
-// sum mu_i e^{i phi_i} of the balls, x and y; then what the system has of psi, psi' and the speed error.
+// A rotor whose balls are held: one body, whose constant unbalance is part of the state (model/held_state.hpp).
 template <class T>
 class HeldFlow {
  public:
   static constexpr int dimension = model::dimension(1) + 4, least_size = model::dimension(1);
 
-  // Over the piece of a drive that the system holds, in study time.
+  // For the system's piece of its drive, in study time.
   explicit HeldFlow(const model::System& s)
       : balancer_(s.parameters()),
         drive_(s.parameters(), s.drive(), model::held_layout(s), s.drive().begin, s.drive().psi) {

@@ -52,7 +52,7 @@ std::vector<Segment> segments(const SpeedProfile& profile, double release_time) 
     const double end = last ? std::numeric_limits<double>::infinity() : cuts[i + 1];
     const double omega = profile.ramp_function(begin);
     const double slope =
-        branch_at(profile, begin).slope;  // of the whole branch: a short piece of it has no digits to lose
+        branch_at(profile, begin).slope;  // of the whole branch: over a short piece digits would cancel
     Segment segment{begin, end, psi, omega, slope, begin < release_time};
     if (profile.law == SpeedLaw::published) {  // psi = t Omega(t): psi' = Omega + t Omega', psi'' = 2 Omega'
       segment.psi = profile.initial_angle + begin * omega;

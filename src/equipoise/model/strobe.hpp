@@ -1,4 +1,4 @@
-// Rotors whose equations at constant speed repeat themselves with the rotor's angle: anisotropic supports, gravity.
+// Rotors whose equations at constant speed are periodic in the rotor's angle: anisotropic supports, gravity.
 #pragma once
 
 #include <array>
@@ -9,14 +9,13 @@
 
 namespace equipoise::model {
 
-/// The equations in the rotating frame depend on psi.
+/// Whether the equations in the rotating frame depend on psi.
 inline bool is_strobed(const Parameters& p) { return !p.isotropic() || p.gravity != 0.0; }
 
-/// The rotor turns by this before the equations are what they were: anisotropic supports look the same after half a
-/// turn, gravity does not.
+/// Period of the equations in psi: half a turn for anisotropic supports, a whole turn with gravity.
 inline double strobe_angle(const Parameters& p) { return p.gravity != 0.0 ? two_pi : pi; }
 
-/// The same rotor with gravity and anisotropy at a share of what they are; the means of damping and stiffness stay.
+/// The same rotor with gravity and anisotropy scaled by `share`; the means of damping and stiffness stay.
 inline Parameters weakened(Parameters p, double share) {
   for (auto* pair : {&p.damping, &p.stiffness}) {
     const double mean = 0.5 * ((*pair)[0] + (*pair)[1]), half = 0.5 * ((*pair)[0] - (*pair)[1]);
@@ -26,7 +25,7 @@ inline Parameters weakened(Parameters p, double share) {
   return p;
 }
 
-/// The time that takes at constant `speed`, not 0.
+/// The time in which the rotor turns by strobe_angle() at constant `speed`, not 0.
 inline double strobe_period(const Parameters& p, double speed) { return strobe_angle(p) / std::fabs(speed); }
 
 /// Where the centre rests under the weight of rotor and balls: Y in fixed axes (X = 0). Zero without gravity.
@@ -34,7 +33,7 @@ inline double static_sag(const Parameters& p) {
   return p.gravity == 0.0 ? 0.0 : -(1.0 + p.total_mass()) * p.gravity / p.stiffness[1];
 }
 
-/// The same in the rotating frame, as x and y, with the rotor at angle `psi`.
+/// The same in the rotating frame, as (x, y), at rotor angle `psi`.
 inline std::array<double, 2> rest_position(const Parameters& p, double psi) {
   if (p.gravity == 0.0) return {0.0, 0.0};
   return {static_sag(p) * std::sin(psi), static_sag(p) * std::cos(psi)};

@@ -1,5 +1,5 @@
-// What every question is about: a rotor, its supports and balls, and the last piece of what drives it, as one dynamical
-// system.
+// The dynamical system that every question is about: rotor, supports, balls and the last piece of the drive. All rooms
+// above `model` ask it for its state and section; what an answer needs of it stands in capability.hpp.
 #pragma once
 
 #include <optional>
@@ -13,17 +13,17 @@
 
 namespace equipoise::model {
 
-/// Where the states of a motion are taken before they are compared.
+/// Where the states of a motion are taken for comparison.
 enum class Section {
   none,    ///< nothing depends on the rotor's angle: anywhere
   strobe,  ///< gravity or unequal supports at a prescribed speed: whenever the rotor has turned by strobe_angle()
   turn,    ///< the same with a motor: anywhere, but the rotor's angle, modulo strobe_angle(), is part of the state
 };
 
-/// What interrupts an otherwise smooth motion.
+/// Events that interrupt an otherwise smooth motion.
 struct Events {
   bool contact = false;  ///< balls collide
-  bool stick = false;    ///< balls come to rest, and leave it, by dry friction
+  bool stick = false;    ///< dry friction stops balls and lets them go
   bool any() const { return contact || stick; }
 };
 
@@ -31,7 +31,7 @@ struct Events {
 /// compared: lambda + sum mu_i (what r is of the order of) for the rotor's, 1 for the balls'.
 Eigen::VectorXd state_scale(const Parameters& p);
 
-/// Nothing that a rotor meets holds it any more when it turns thirty times as fast as it resonates.
+/// Speed, in critical speeds, above which no resonance can hold a rotor.
 inline constexpr double out_of_reach = 30.0;
 
 /// The state is layout()'s. Of a driven rotor psi', on section turn psi, and where the motor's control integrates the
@@ -53,15 +53,15 @@ class System {
   bool autonomous() const { return section_ == Section::none; }
   Events events() const { return {p_.balls_collide(), p_.balls_stick()}; }
   bool smooth() const { return !events().any(); }
-  /// A prescribed speed, and the race centred: FreeFlow (flow-inl.hpp) is all its equations.
+  /// A prescribed speed and a centred race: FreeFlow (flow-inl.hpp) has all the equations.
   bool plain() const { return prescribed() && p_.race_is_centred(); }
-  /// Plain and smooth: nothing happens but at the corners of its drive.
+  /// Plain and smooth: no events but the corners of the drive.
   bool simple() const { return plain() && smooth(); }
 
   const StateLayout& layout() const { return layout_; }
   int dimension() const { return layout_.size; }
 
-  /// The prescribed psi', not 0 where states are strobed; of a driven rotor that of a state.
+  /// The prescribed psi' (not 0 on section strobe), or that of state `y` if the rotor is driven.
   double speed() const { return drive_.speed; }
   double speed(const Eigen::VectorXd& y) const { return prescribed() ? drive_.speed : y[layout_.speed]; }
   /// The speed that steps in time and rates of change are measured by: the prescribed psi'; of a driven rotor that at
@@ -71,19 +71,19 @@ class System {
   // Of motors.
   /// Where the torque vanishes; empty if nowhere or everywhere.
   std::optional<double> no_load_speed() const;
-  /// No torque acts for good: what is balanced keeps any speed.
+  /// No torque acts in the end: a balanced rotor keeps any speed.
   bool coasts() const;
-  /// Nothing holds a rotor that turns as fast as that, far above all resonances: its motor's torque does not fall as
-  /// the rotor turns faster.
+  /// Nothing holds a rotor at this speed: it is far above all resonances, and the motor's torque does not fall as the
+  /// speed grows.
   bool runs_away(double speed) const;
-  /// Of a state.
+  /// The motor's torque in a state.
   double torque(const Eigen::VectorXd& y) const;
 
-  /// Section strobe: the rotor turns by this, in this time, before the equations are what they were.
+  /// Section strobe: period of the equations, as an angle of the rotor and as a time.
   double strobe_angle() const;
   double strobe_period() const;
 
-  /// A component that is an angle, and the turn after which it is what it was. The balls' come first.
+  /// A component that is an angle, and its period. The balls' come first.
   struct Angle {
     int place;
     double turn;
@@ -91,7 +91,7 @@ class System {
   std::vector<Angle> angles() const;
   /// The same state with its angles in [0, turn).
   Eigen::VectorXd with_angles_reduced(Eigen::VectorXd y) const;
-  /// state_scale(), and 1 for all others.
+  /// state_scale(), then 1 for the drive's components.
   Eigen::VectorXd scale() const;
 
   /// Exchanging these two balls makes no difference.

@@ -12,7 +12,7 @@ HWY_BEFORE_NAMESPACE();
 namespace equipoise {
 namespace HWY_NAMESPACE {
 
-// sum mu_i e^{i phi_i} of n balls, and that of the rotor.
+// `of_rotor` plus sum mu_i e^{i phi_i} over n balls.
 template <class T>
 HWY_INLINE Vector2<T> sum_of_unbalances(Vector2<T> of_rotor, int n, const T* mass, const T* phi) {
   for (int i = 0; i < n; ++i) {

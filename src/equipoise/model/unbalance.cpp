@@ -1,4 +1,4 @@
-// The one sum, in doubles.
+// The sum of unbalance-inl.hpp, in doubles.
 #include "equipoise/model/unbalance.hpp"
 
 #include "equipoise/model/unbalance-inl.hpp"

@@ -9,7 +9,7 @@ namespace equipoise {
 /// Outcomes of a start.
 enum class Outcome : signed char {
   attracted = 0,  ///< came to an attractor; Fate::attractor says which
-  undecided = 1,  ///< to none by the horizon
+  undecided = 1,  ///< came to none by the horizon
   diverged = 2,   ///< left every motion a balancer can make (divergence_limit)
   failed = 3,     ///< the integrator's step size vanished
   stalled = 4,    ///< a driven rotor whose motor did not bring it up to speed (Sommerfeld capture)
@@ -35,27 +35,27 @@ inline constexpr int balanced_id = 1;
 /// What stands for those that no attractor's identifier stands for, in files and arrays.
 inline constexpr short undecided_code = 0, diverged_code = -1, failed_code = -2, stalled_code = -3;
 
-const char* name_of(Outcome outcome);  ///< its one word, as results and files have it: "undecided"
+const char* name_of(Outcome outcome);  ///< the word in results and files: "undecided"
 
 struct Fate {
   Outcome outcome = Outcome::undecided;
   DecidedBy by = DecidedBy::nothing;
-  /// Identifier in the catalogue, from 1; 0: none, or stationary in a way the rule does not list. Below 0, until its
-  /// motion is listed: of OwnRotor::met.
+  /// Identifier in the catalogue, from 1; 0: none, or a stationary motion that the rule does not list. Below 0: one of
+  /// OwnRotor::met, until it is listed.
   short attractor = 0;
   double time = 0.0;  ///< study time at which it was known
   /// Of a driven rotor: mean psi' of the motion it came to, or, of an undecided start, when it was last seen; signed.
   /// NaN where it was never measured, and for all others.
   float mean_speed = std::numeric_limits<float>::quiet_NaN();
-  /// Of balls that dry friction holds: what unbalance they leave (model/unbalance.hpp); NaN for all others, and of
-  /// starts that are read from a file.
+  /// Unbalance left by balls that dry friction holds (model/unbalance.hpp); NaN for all others, and for starts read
+  /// from a file.
   float unbalance = std::numeric_limits<float>::quiet_NaN();
   /// The largest r over the last window of time that ended before the fate was known; NaN if none did.
   float radius = std::numeric_limits<float>::quiet_NaN();
-  bool met = false;  ///< of balls that touch: two of them did before the fate was known
+  bool met = false;  ///< balls that collide: two of them touched before the fate was known
 };
 
-/// The attractor's identifier, or undecided_code and its like.
+/// The attractor's identifier, or the code of another outcome.
 short code_of(const Fate& fate);
 
 }  // namespace equipoise
