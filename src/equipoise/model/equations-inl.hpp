@@ -127,7 +127,7 @@ class BallBalancer {
     for (int i = 0; i < n; ++i) {
       mu_[i] = T(p.mass[i]);
       beta_[i] = T(p.drag[i]);
-      if constexpr (terms.rolls) split(i, p);
+      if constexpr (terms.rolls) split_rolling_ball(i, p);
       drag_force_[i] = mu_[i] * beta_[i];
       mass = mass + sliding_mass(i);
     }
@@ -139,7 +139,8 @@ class BallBalancer {
     using B = BallBalancer;
     take_lane_of(*this, from, lane, &B::rotor_, &B::zeta_mean_, &B::zeta_half_, &B::kappa_mean_, &B::kappa_half_,
                  &B::gravity_, &B::inertia_sum_, &B::mu_, &B::beta_, &B::drag_force_, &B::offset_, &B::share_,
-                 &B::sliding_mass_, &B::carried_, &B::lever_, &B::lag_, &B::inertia_along_, &B::yield_);
+                 &B::sliding_mass_, &B::carried_, &B::effective_arm_, &B::euler_factor_, &B::inertia_along_,
+                 &B::inverse_inertia_);
     sizes_differ_ = sizes_differ_ || from.sizes_differ_;
   }
 
@@ -206,18 +207,18 @@ class BallBalancer {
 
   // A ball into what slides and what is fixed to the race, which is made part of the rotor here. One that does not roll
   // slides as a whole; the numbers that say so are exact.
-  void split(int i, const model::Parameters& p) {
+  void split_rolling_ball(int i, const model::Parameters& p) {
     const T sphere = T(model::sphere_inertia.over) / T(model::sphere_inertia.under);
     const T spin = p.rolls ? sphere : T(0.0), radius(p.ball_radius[i]);
     share_ = T(1.0) / (T(1.0) + spin);
     sliding_mass_[i] = share_ * mu_[i];
     beta_[i] = share_ * beta_[i];
-    lever_[i] = T(1.0) - spin * radius;
-    lag_[i] = share_ * lever_[i];
+    effective_arm_[i] = T(1.0) - spin * radius;
+    euler_factor_[i] = share_ * effective_arm_[i];
     const T fixed_mass = spin * sliding_mass_[i], surface = T(1.0) + radius;
     carried_[i] = fixed_mass * surface;
     inertia_along_[i] = mu_[i] / share_;
-    yield_[i] = share_ / mu_[i];
+    inverse_inertia_[i] = share_ / mu_[i];
     sizes_differ_ = sizes_differ_ || (p.rolls && p.ball_radius[i] != p.ball_radius[0]);
     rotor_.mass = rotor_.mass + fixed_mass;
     rotor_.inertia = rotor_.inertia + carried_[i] * surface;
@@ -237,11 +238,11 @@ class BallBalancer {
     T resisting_y;           // taken from Fy with the first ball
     T inertia_y, coupling;   // of M: yy, and xy = yx
     // Of bodies.
-    T inertia_sum;       // xx + yy
-    T moment;            // about O', of balls and supports on the body
-    Vector2<T> grip;     // sum of resistance times radial direction: what A takes from the moment
-    Vector2<T> carried;  // unbalance of what free balls have fixed to the race
-    T joined_inertia;    // what joined balls of different size add to the body's
+    T inertia_sum;            // xx + yy
+    T moment;                 // about O', of balls and supports on the body
+    Vector2<T> friction_arm;  // sum of resistance times radial direction: what A takes from the moment
+    Vector2<T> carried;       // unbalance of what free balls have fixed to the race
+    T joined_inertia;         // what joined balls of different size add to the body's
   };
 
   // M's inverse is times_divisor() over divisor(); where no ball is free M is the body's mass.
@@ -264,8 +265,8 @@ class BallBalancer {
     return rotor;
   }
 
-  // dz/dt from M A + arm psi'' = F and, of bodies, (arm + grip) A + J psi'' = torque + moment. Moments are about O',
-  // so that the normal force of a ball has none.
+  // dz/dt from M A + arm psi'' = F and, of bodies, (arm + friction_arm) A + J psi'' = torque + moment. Moments are
+  // about O', so that the normal force of a ball has none.
   HWY_INLINE auto balance(const RotorMotion<T>& rotor, const Body<T>& body, const BallActions<T, room>* actions,
                           const T* torque, const T* z, Sums& sums, T* dz) const {
     const Vector2<T> f = bearing_force(rotor, z);
@@ -283,12 +284,12 @@ class BallBalancer {
     const T inverse = T(1.0) / divisor(m);
     Vector2<T> solved = times_divisor(m, {sums.force_x, sums.force_y});
     if constexpr (terms.body) {
-      const BodyResult<T> result = turn(rotor, body, torque, sums, m, inverse, solved);
+      const BodyResult<T> result = solve_rotation(rotor, body, torque, sums, m, inverse, solved);
       const T w2 = rotor.speed * rotor.speed, a = result.acceleration;
       const T along = along_race(inverse);
       for (int i = 0; i < n; ++i) ball_rates(i, a, z, sums, solved, along, dz);
       if constexpr (terms.actions)
-        for (int i = 0; i < n; ++i) act(i, rotor, *actions, result, z, sums, dz);
+        for (int i = 0; i < n; ++i) apply_contact_and_friction(i, rotor, *actions, result, z, sums, dz);
       if constexpr (terms.actions)
         if (actions->together) move_together(*actions, dz);
       move_centre(rotor, z,
@@ -340,7 +341,7 @@ class BallBalancer {
     sums.coupling = sums.coupling + mass_sine * c;
     if constexpr (terms.body) {
       sums.inertia_sum = sums.inertia_sum + sliding;
-      sums.moment = sums.moment + at_lever(i, drag);
+      sums.moment = sums.moment + times_arm(i, drag);
       if constexpr (terms.rolls) {
         const T carried = if_free(actions, i, carried_[i]);
         sums.carried = {sums.carried.x + carried * c, sums.carried.y + carried * s};
@@ -359,7 +360,7 @@ class BallBalancer {
       body.unbalance.x = body.unbalance.x + mass * sums.c[i];
       body.unbalance.y = body.unbalance.y + mass * sums.s[i];
       body.mass = body.mass + sliding;
-      body.inertia = body.inertia + at_lever(i, at_lever(i, sliding));
+      body.inertia = body.inertia + times_arm(i, times_arm(i, sliding));
     }
     return body;
   }
@@ -373,9 +374,9 @@ class BallBalancer {
   }
 
   // Of such a share of ball i: what it is to the race's turning.
-  HWY_INLINE T at_lever(int i, const T& v) const {
+  HWY_INLINE T times_arm(int i, const T& v) const {
     if constexpr (terms.rolls)
-      return v * lever_[i];
+      return v * effective_arm_[i];
     else
       return v;
   }
@@ -388,37 +389,38 @@ class BallBalancer {
     const T k = mu_[i] * actions.resistance[i];
     const T total = rotor.speed + z[4 + n + i];
     const T pull = k * total * total;
-    const T along = along_race(actions.push[i] - pull), tilt = along_race(k), grip = at_lever(i, tilt);
+    const T along = along_race(actions.push[i] - pull), tilt = along_race(k), friction_arm = times_arm(i, tilt);
     sums.force_x = sums.force_x + along * s;
     sums.force_y = sums.force_y - along * c;
-    sums.moment = sums.moment + at_lever(i, along_race(pull));
+    sums.moment = sums.moment + times_arm(i, along_race(pull));
     m.xx = m.xx - tilt * s * c;
     m.xy = m.xy - tilt * s * s;
     m.yx = m.yx + tilt * c * c;
     m.yy = m.yy + tilt * c * s;
-    sums.grip.x = sums.grip.x + grip * c;
-    sums.grip.y = sums.grip.y + grip * s;
+    sums.friction_arm.x = sums.friction_arm.x + friction_arm * c;
+    sums.friction_arm.y = sums.friction_arm.y + friction_arm * s;
     // Pushes sum to 0, and have a moment only where balls of different size spin them away.
-    if constexpr (terms.rolls) sums.moment = sums.moment + actions.push[i] * (T(1.0) - lag_[i]);
+    if constexpr (terms.rolls) sums.moment = sums.moment + actions.push[i] * (T(1.0) - euler_factor_[i]);
   }
 
   // Balls joined to others push each other until their rates are equal: ball i feels mu_i d_i, where d_i is the mean of
-  // its group's q' without pushes, by mass, less its own. Those rates are rest + g A - lag psi''; what of d_i is known
-  // goes to the forces, what A and psi'' make of it to their factors.
+  // its group's q' without pushes, by mass, less its own. Those rates are rest + g A - (Euler factor) psi''; what of
+  // d_i is known goes to the forces, what A and psi'' make of it to their factors.
   HWY_INLINE void join(const RotorMotion<T>& rotor, const BallActions<T, room>& actions, const T* z, Sums& sums,
                        Matrix2<T>& m) const {
     T rest[places], gx[places], gy[places];
     for (int i = 0; i < n; ++i) {
       const T s = sums.s[i], c = sums.c[i], k = actions.resistance[i];
       const T q = z[4 + n + i], total = rotor.speed + q;
-      rest[i] =
-          actions.push[i] * yield_[i] - along_race(k * total * total) - beta_[i] * q - lag_[i] * rotor.acceleration;
+      rest[i] = actions.push[i] * inverse_inertia_[i] - along_race(k * total * total) - beta_[i] * q -
+                euler_factor_[i] * rotor.acceleration;
       gx[i] = along_race(s + k * c);
       gy[i] = along_race(k * s - c);
     }
     for (int i = 0; i < n; ++i) {
       const T* share = actions.together[i];
-      const T d = mean(share, rest) - rest[i], dx = mean(share, gx) - gx[i], dy = mean(share, gy) - gy[i];
+      const T d = group_mean(share, rest) - rest[i], dx = group_mean(share, gx) - gx[i],
+              dy = group_mean(share, gy) - gy[i];
       const T mass_sine = mu_[i] * sums.s[i], mass_cosine = mu_[i] * sums.c[i];
       sums.force_x = sums.force_x + mass_sine * d;
       sums.force_y = sums.force_y - mass_cosine * d;
@@ -428,15 +430,17 @@ class BallBalancer {
       m.yy = m.yy + mass_cosine * dy;
       if (!sizes_differ_) continue;
       // Their spins take part of what they are pushed by, and the rotor feels the difference.
-      const T lag = mean(share, lag_) - lag_[i], spin = inertia_along_[i] * (T(1.0) - lag_[i]);
-      sums.moment = sums.moment + spin * (d + lag * rotor.acceleration);  // what is of psi'' is in joined_inertia
-      sums.joined_inertia = sums.joined_inertia + spin * lag;
-      sums.carried = {sums.carried.x - mass_cosine * lag, sums.carried.y - mass_sine * lag};
-      sums.grip = {sums.grip.x - spin * dx - mass_sine * lag, sums.grip.y - spin * dy + mass_cosine * lag};
+      const T euler = group_mean(share, euler_factor_) - euler_factor_[i],
+              spin = inertia_along_[i] * (T(1.0) - euler_factor_[i]);
+      sums.moment = sums.moment + spin * (d + euler * rotor.acceleration);  // what is of psi'' is in joined_inertia
+      sums.joined_inertia = sums.joined_inertia + spin * euler;
+      sums.carried = {sums.carried.x - mass_cosine * euler, sums.carried.y - mass_sine * euler};
+      sums.friction_arm = {sums.friction_arm.x - spin * dx - mass_sine * euler,
+                           sums.friction_arm.y - spin * dy + mass_cosine * euler};
     }
   }
 
-  HWY_INLINE T mean(const T* share, const T* values) const {
+  HWY_INLINE T group_mean(const T* share, const T* values) const {
     T sum = share[0] * values[0];
     for (int j = 1; j < n; ++j) sum = sum + share[j] * values[j];
     return sum;
@@ -446,25 +450,26 @@ class BallBalancer {
     T own[places];
     for (int i = 0; i < n; ++i) own[i] = dz[4 + n + i];
     for (int i = 0; i < n; ++i) {
-      dz[4 + n + i] = mean(actions.together[i], own);
+      dz[4 + n + i] = group_mean(actions.together[i], own);
       if (actions.forces) actions.forces->push[i] = dz[4 + n + i] - own[i];
     }
   }
 
   // psi'' under a torque, or the torque that the prescribed one needs. `solved` was without psi'' where it is solved
   // for, and is with it afterwards.
-  HWY_INLINE BodyResult<T> turn(const RotorMotion<T>& rotor, const Body<T>& body, const T* torque, const Sums& sums,
-                                const Matrix2<T>& m, const T& inverse, Vector2<T>& solved) const {
+  HWY_INLINE BodyResult<T> solve_rotation(const RotorMotion<T>& rotor, const Body<T>& body, const T* torque,
+                                          const Sums& sums, const Matrix2<T>& m, const T& inverse,
+                                          Vector2<T>& solved) const {
     const Vector2<T> arm{-(body.unbalance.y + sums.carried.y), body.unbalance.x + sums.carried.x};
     const auto row = [&](const Vector2<T>& v) {
-      return ((arm.x + sums.grip.x) * v.x + (arm.y + sums.grip.y) * v.y) * inverse;
+      return ((arm.x + sums.friction_arm.x) * v.x + (arm.y + sums.friction_arm.y) * v.y) * inverse;
     };
     T a = rotor.acceleration, inertia = body.inertia;
     if constexpr (terms.actions) inertia = inertia + sums.joined_inertia;
     if (torque) {
-      const Vector2<T> lag = times_divisor(m, arm);
-      a = (*torque + sums.moment - row(solved)) / (inertia - row(lag));
-      solved = {solved.x - a * lag.x, solved.y - a * lag.y};
+      const Vector2<T> response = times_divisor(m, arm);
+      a = (*torque + sums.moment - row(solved)) / (inertia - row(response));
+      solved = {solved.x - a * response.x, solved.y - a * response.y};
     }
     return {{solved.x * inverse, solved.y * inverse}, a, torque ? *torque : inertia * a + row(solved) - sums.moment};
   }
@@ -475,7 +480,7 @@ class BallBalancer {
     const T q = z[4 + n + i];
     T resisting = beta_[i] * q;
     if constexpr (terms.acceleration && terms.rolls)
-      resisting = resisting + acceleration * lag_[i];
+      resisting = resisting + acceleration * euler_factor_[i];
     else if constexpr (terms.acceleration)
       resisting = resisting + acceleration;
     dz[4 + i] = q;
@@ -483,20 +488,21 @@ class BallBalancer {
   }
 
   // What actions change in the rates of ball i.
-  HWY_INLINE void act(int i, const RotorMotion<T>& rotor, const BallActions<T, room>& actions,
-                      const BodyResult<T>& result, const T* z, const Sums& sums, T* dz) const {
+  HWY_INLINE void apply_contact_and_friction(int i, const RotorMotion<T>& rotor, const BallActions<T, room>& actions,
+                                             const BodyResult<T>& result, const T* z, const Sums& sums, T* dz) const {
     const Vector2<T>& race = result.race;
     const T total = rotor.speed + z[4 + n + i];
     const T normal = total * total - race.x * sums.c[i] - race.y * sums.s[i];
     if (actions.acted_on)
-      dz[4 + n + i] = dz[4 + n + i] + actions.push[i] * yield_[i] - along_race(actions.resistance[i] * normal);
+      dz[4 + n + i] =
+          dz[4 + n + i] + actions.push[i] * inverse_inertia_[i] - along_race(actions.resistance[i] * normal);
     if (any(actions.held[i])) {
       dz[4 + i] = select(actions.held[i], T(0.0), dz[4 + i]);
       dz[4 + n + i] = select(actions.held[i], T(0.0), dz[4 + n + i]);
     }
     if (!actions.forces) return;
     actions.forces->normal[i] = normal;
-    actions.forces->tangential[i] = race.x * sums.s[i] - race.y * sums.c[i] - lever_[i] * result.acceleration;
+    actions.forces->tangential[i] = race.x * sums.s[i] - race.y * sums.c[i] - effective_arm_[i] * result.acceleration;
     actions.forces->push[i] = T(0.0);
   }
 
@@ -519,11 +525,11 @@ class BallBalancer {
   T zeta_mean_, zeta_half_, kappa_mean_, kappa_half_, gravity_, inertia_sum_;
   T mu_[places]{}, beta_[places]{}, drag_force_[places]{};  // beta_i: what it slows a ball by
   Vector2<T> offset_{};                                     // of bodies: O' from O
-  // Of balls that may roll; see split().
+  // Of balls that may roll; see split_rolling_ball().
   T share_ = T(1.0);
-  T sliding_mass_[places]{}, carried_[places]{};  // carried: the fixed mass times its distance from O'
-  T lever_[places]{}, lag_[places]{};             // lag: how far a ball stays behind a race that speeds up
-  T inertia_along_[places]{}, yield_[places]{};   // what resists a force along the race, and one over it
+  T sliding_mass_[places]{}, carried_[places]{};           // carried: the fixed mass times its distance from O'
+  T effective_arm_[places]{}, euler_factor_[places]{};     // Euler: psi'' times it is what a ball lags behind the race
+  T inertia_along_[places]{}, inverse_inertia_[places]{};  // what resists a force along the race, and one over it
   bool sizes_differ_ = false;
 };
 
