@@ -48,7 +48,7 @@ ROOMS = {
     "sweeps": "types study kernels motions traps results store discovery fates basins",
     "design": "types statistics study kernels motions traps results store discovery fates basins sweeps",
     "trajectory": "math model types integrate study results spin_up",
-    "shown": "model study orbits motions results spin_up basins trajectory",
+    "shown": "model types study orbits motions results spin_up basins trajectory",
     "drawing": "types study results store",
     "report": "model types statistics sampling study proof results drawing",
     "explain": "math model study orbits motions results spin_up discovery report",

@@ -15,6 +15,7 @@
 #include "equipoise/base/angles.hpp"
 #include "equipoise/base/error.hpp"
 #include "equipoise/branches/branch_follower.hpp"
+#include "equipoise/motions/motion.hpp"
 #include "equipoise/report/branches_report.hpp"
 #include "../support/studies.hpp"
 

@@ -9,6 +9,7 @@
 
 #include "../support/studies.hpp"
 #include "equipoise/basins/attractors.hpp"
+#include "equipoise/motions/motion.hpp"
 #include "equipoise/orbits/orbit.hpp"
 #include "equipoise/pages/given_machine.hpp"
 #include "equipoise/pages/machine_html.hpp"

@@ -9,6 +9,7 @@
 
 #include "equipoise/base/angles.hpp"
 #include "equipoise/motions/catalogue.hpp"
+#include "equipoise/motions/motion.hpp"
 #include "equipoise/shown/motion_path.hpp"
 #include "equipoise/shown/shown_runs.hpp"
 

@@ -2,9 +2,9 @@
 #pragma once
 
 #include "equipoise/base/run_options.hpp"
-#include "equipoise/motions/motion.hpp"
 #include "equipoise/results/machine_page.hpp"
 #include "equipoise/results/trajectory.hpp"
+#include "equipoise/types/motion.hpp"
 
 namespace equipoise {
 
