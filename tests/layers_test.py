@@ -53,7 +53,7 @@ ROOMS = {
     "report": "model types statistics sampling study proof results drawing",
     "explain": "math model study orbits motions results spin_up discovery report",
     "pages": "model types statistics sampling study results store drawing report explain",
-    "literature": "model statistics study",
+    "literature": "model results statistics study",
     "reproduction":
         "model types statistics sampling study kernels motions results store discovery basins maps trajectory "
         "drawing report literature",

@@ -17,13 +17,13 @@ namespace equipoise {
 namespace {
 
 // What is told of a motion by a number; none is written where it has none.
-struct MotionColumn {
+struct BranchColumn {
   const char* name;
   const char* meaning;
   double (*value)(const Motion&);
 };
 constexpr double no_number = std::numeric_limits<double>::quiet_NaN();
-constexpr MotionColumn of_all[]{
+constexpr BranchColumn of_all[]{
     {"period", "period of a periodic motion, in 1/omega_c",
      [](const Motion& m) { return m.kind == MotionKind::periodic ? m.period : no_number; }},
     {"r_min", "smallest distance of the rotor's centre from the axis, in race radii",
@@ -36,7 +36,7 @@ constexpr MotionColumn of_all[]{
      [](const Motion& m) { return largest_multiplier(m); }},
     {"growth_rate", "growth rate of the slowest deviation, in omega_c; negative where it dies out",
      [](const Motion& m) { return growth_rate(m); }}};
-constexpr MotionColumn of_driven[]{
+constexpr BranchColumn of_driven[]{
     {"speed", "mean speed of the rotor, in omega_c", [](const Motion& m) { return m.motor ? m.speed : no_number; }},
     {"torque", "mean torque of the motor, in M R^2 omega_c^2",
      [](const Motion& m) { return m.motor ? m.motor->torque : no_number; }},
@@ -103,7 +103,7 @@ class BranchesWriter {
     name_ = f.text_variable("name", attractor, names_, "name of the attractor");
     alias_ = f.text_variable("alias", attractor, aliases_, "name that Wright and Peng (2019) give it");
     const auto add = [&](const auto& columns) {
-      for (const MotionColumn& column : columns)
+      for (const BranchColumn& column : columns)
         columns_.emplace_back(filled(column.name, {value, attractor}, column.meaning), column.value);
     };
     const signed char none = -1;
