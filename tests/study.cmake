@@ -23,8 +23,10 @@ if(Python3_FOUND)
     COMMAND Python3::Interpreter ${PROJECT_SOURCE_DIR}/studies/paper/generate.py --check)
   add_test(NAME docs.sentences_name_tests_that_exist
     COMMAND Python3::Interpreter ${CMAKE_CURRENT_SOURCE_DIR}/sentences_doc_test.py ${PROJECT_SOURCE_DIR})
+  add_test(NAME docs.way_of_a_start_is_where_it_says
+    COMMAND Python3::Interpreter ${CMAKE_CURRENT_SOURCE_DIR}/way_of_a_start_test.py ${PROJECT_SOURCE_DIR})
   set_tests_properties(layers.include_leftwards_only layers.faults_are_found studies.of_the_paper_are_as_generated
-    docs.sentences_name_tests_that_exist
+    docs.sentences_name_tests_that_exist docs.way_of_a_start_is_where_it_says
     PROPERTIES LABELS unit TIMEOUT 60)
   # The same sources: whether all of them are built (of folders that are meant to build all).
   if(EQUIPOISE_BUILD_PROGRAM AND EQUIPOISE_BUILD_PYTHON AND EQUIPOISE_BUILD_BENCHMARKS AND CMAKE_GENERATOR STREQUAL "Ninja")
