@@ -55,9 +55,9 @@ TEST(Windows, AreSampledEightTimesAPeriodOfEveryMotion) {
     study.speed.speed = speed;
     AttractorsOptions options;
     options.starts = 1;
-    const auto known = attractors(study, options).catalogue;
-    EXPECT_GE(known.attractors().size(), 2u);
-    for (const Attractor& a : known.attractors()) {
+    const std::vector<Attractor> known = attractors(study, options).attractors;
+    EXPECT_GE(known.size(), 2u);
+    for (const Attractor& a : known) {
       const Motion& m = a.motion;
       if (m.kind == MotionKind::equilibrium) continue;
       const double fastest = std::max({-m.rate_min[0], -m.rate_min[1], m.rate_max[0], m.rate_max[1]});

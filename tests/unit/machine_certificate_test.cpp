@@ -219,7 +219,7 @@ TEST(MachineCertificate, OfAStudySaysWhichVariables) {
       certify(parse_study(constant_speed, "study",
                           {"rotor.inertia=0.6", "speed={profile='torque', torque={stall=0.2, no_load_speed=2.4}}"}));
   EXPECT_TRUE(result.proved());
-  EXPECT_NE(certify_text(result).find(", speed 0.0"), std::string::npos);
+  EXPECT_NE(certify_text(result).find(", psi_dot 0.0"), std::string::npos);
 }
 
 }  // namespace

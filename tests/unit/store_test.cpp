@@ -72,6 +72,7 @@ BasinFileHeader header_of(const std::string& drag = "0.05") {
   header.study = "[balancer]\nballs = 2\ndrag = " + drag + "\n\n[sampling]\nseed = 1\n";
   header.cpu_target = "AVX2";
   header.arithmetic = "fused";
+  header.variables = {"x", "y", "u", "v", "phi_1", "phi_2", "phi_dot_1", "phi_dot_2"};
   return header;
 }
 
