@@ -19,7 +19,7 @@ foreach(header
     statistics/quantile.hpp statistics/share.hpp statistics/sobol_indices.hpp sampling/jittered_grid.hpp sampling/sampling.hpp
     study/ball_details.hpp study/keys.hpp study/overrides.hpp study/physical_echo.hpp study/study.hpp study/study_value.hpp
     study/table_reader.hpp study/uncertain.hpp study/units.hpp
-    model/ball_mode.hpp motions/catalogue.hpp proof/certificate.hpp proof/member_certificate.hpp
+    model/ball_mode.hpp motions/catalogue.hpp motions/motion.hpp orbits/orbit.hpp proof/certificate.hpp proof/member_certificate.hpp
     results/attractors_result.hpp results/basin_result.hpp results/branch.hpp results/branches_result.hpp results/basin_cost.hpp results/capacity_result.hpp
     results/certify_result.hpp results/comparison_result.hpp results/design_result.hpp results/explanation.hpp results/inspection.hpp
     results/machine_page.hpp results/map_figures.hpp results/outcome_share.hpp results/plane_map.hpp results/sensitivity_result.hpp

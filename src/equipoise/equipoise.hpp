@@ -34,6 +34,7 @@
 #include "equipoise/maps/plane_map.hpp"
 #include "equipoise/model/balanced_state.hpp"
 #include "equipoise/model/energy.hpp"
+#include "equipoise/motions/motion.hpp"
 #include "equipoise/pages/answer.hpp"
 #include "equipoise/pages/capacity_html.hpp"
 #include "equipoise/pages/design_html.hpp"
