@@ -10,16 +10,15 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <type_traits>
 #include <vector>
 
 #include "equipoise/base/pack-inl.hpp"
 #include "equipoise/deciding/decision_rule.hpp"
 #include "equipoise/deciding/traps-inl.hpp"
 #include "equipoise/deciding/window_features.hpp"
+#include "equipoise/deciding/window_samples-inl.hpp"
 #include "equipoise/lanes/lane_task.hpp"
 #include "equipoise/model/ball_count.hpp"
-#include "equipoise/model/speed.hpp"
 #include "equipoise/model/unbalance.hpp"
 #include "equipoise/types/fate.hpp"
 
@@ -27,9 +26,7 @@ HWY_BEFORE_NAMESPACE();
 namespace equipoise {
 namespace HWY_NAMESPACE {
 
-// Hooks: see NoObserver in lanes/lane_block-inl.hpp. Windows are sampled at two stages inside each step and at its
-// end (at 1/3, 0.6 and 1 of it, 0.4 apart at most), so that no motion is seen fewer than eight times a period at the
-// steps the tolerance allows; tests/unit/window_test.cpp measures it.
+// Hooks: see NoObserver in lanes/lane_block-inl.hpp.
 //
 // Of all but plain ones the rotor's angle is known, r is measured from where gravity lets the rotor sag to, and
 // DecisionRule::strobed is asked, if it has an answer. Plain rotors feel no operation of that.
@@ -47,20 +44,20 @@ class DecideFate {
         size_(task.dimension()),
         psi_place_(task.layout().psi),
         speed_place_(task.layout().speed),
+        samples_(task, rule),
         fates_(fates),
         pilot_(pilot),
         trackers_(groups * lanes),
         family_reach_(groups * lanes),
         windowed_asked_from_(groups * lanes),
         window_catch_(groups * lanes) {
-    for (int g = 0; g < groups; ++g) set_segment(g, task.segment, rule.sag);
     for (const BalancedTrap& trap : rule.balanced) centres_.push_back(trap.place(n));
   }
 
   void begin(int slot, std::size_t start, double t, const double* z) {
     start_[slot] = start;
     if (task_.own) take_rotor(slot, *task_.own[start]);
-    open_window(slot / lanes, slot % lanes, t, z + 4);
+    samples_.open(slot / lanes, slot % lanes, t, z + 4);
     verdict_[slot] = {};
     trackers_[slot].begin(rule_, own(slot));
     family_reach_[slot] = rule_.family.reach;
@@ -69,20 +66,17 @@ class DecideFate {
     element(least_value_[slot / lanes], slot % lanes) = 1e300;
   }
 
-  HWY_INLINE void stage(int row, int g, const Pack* z) {
-    if (row == first_sample) take(first_[g], z);
-    if (row == second_sample) take(second_[g], z);
-  }
+  HWY_INLINE void stage(int row, int g, const Pack* z) { samples_.stage(row, g, z); }
 
   HWY_INLINE unsigned step(int g, unsigned active, Mask accepted, Pack t, Pack h, const Pack* z) {
-    gather_samples(g, accepted, t, h, z);
+    samples_.gather(g, accepted, t, h, z);
     const unsigned accepted_bits = lane_bits(accepted) & active;
     unsigned done = caught_by_traps(g, accepted, accepted_bits, z);
     if (rule_.at_horizon)
       done = 0;
     else if (rule_.family.traps)
       done |= caught_by_family(g, accepted_bits & ~done, z);
-    const unsigned full = accepted_bits & ~lane_bits(t < window_end_[g]) & ~done;
+    const unsigned full = accepted_bits & samples_.ended(g, t) & ~done;
     if (full) done |= close_windows(g, full, t, z);
     return done;
   }
@@ -125,20 +119,6 @@ class DecideFate {
   }
 
  private:
-  // Stages at c = 1/3 and c = 0.6.
-  static constexpr int first_sample = 5, second_sample = 9;
-
-  struct Sample {
-    Pack r2, q[room];
-  };
-  struct PlacedSample : Sample {
-    Pack x, y;
-  };
-  struct SmoothSample : PlacedSample {
-    Pack psi, speed;
-  };
-  using Taken = std::conditional_t<smooth, SmoothSample, std::conditional_t<angle_known, PlacedSample, Sample>>;
-
   // As a constant where nothing but balls is in the state.
   HWY_INLINE auto size() const {
     if constexpr (smooth)
@@ -158,84 +138,14 @@ class DecideFate {
     return (rotor ? rotor->segment : task_.segment).psi_at(t);
   }
 
-  void set_segment(int g, const model::Segment& segment, double sag) {
-    segment_speed_[g] = Pack(segment.speed);
-    segment_begin_[g] = Pack(segment.begin);
-    segment_psi_[g] = Pack(segment.psi);
-    sag_[g] = Pack(sag);
-  }
-
   void take_rotor(int slot, const OwnRotor& rotor) {
     const int g = slot / lanes, lane = slot % lanes;
-    element(segment_speed_[g], lane) = rotor.segment.speed;
-    element(segment_begin_[g], lane) = rotor.segment.begin;
-    element(segment_psi_[g], lane) = rotor.segment.psi;
-    element(sag_[g], lane) = model::static_sag(rotor.system.parameters());
+    samples_.take_rotor(g, lane, rotor);
     const std::size_t row = static_cast<std::size_t>(size_), square = row * row;
     for (std::size_t k = 0; k < rule_.balanced.size(); ++k) {
       for (std::size_t i = 0; i < row; ++i) element(places_[g][k][i], lane) = rotor.places[k * row + i];
       for (std::size_t i = 0; i < square; ++i) element(factors_[g][k][i], lane) = rotor.factors[k * square + i];
     }
-  }
-
-  HWY_INLINE void take(Taken& sample, const Pack* z) const {
-    if constexpr (smooth) {
-      if (psi_place_ >= 0) sample.psi = z[psi_place_];
-      sample.speed = speed_place_ >= 0 ? z[speed_place_] : Pack(0.0);
-    }
-    if constexpr (angle_known) {
-      sample.x = z[0];
-      sample.y = z[1];
-    } else {
-      sample.r2 = z[0] * z[0] + z[1] * z[1];
-    }
-    for (int i = 0; i < n; ++i) sample.q[i] = z[4 + n + i];
-  }
-
-  // r^2 of a sample taken at time t, from where the rotor would rest.
-  HWY_INLINE void measure(int g, Taken& sample, Pack t) const {
-    Pack sine(0.0), cosine(1.0);
-    Pack psi = multiply_add(segment_speed_[g], t - segment_begin_[g], segment_psi_[g]);
-    if constexpr (smooth)
-      if (psi_place_ >= 0) psi = sample.psi;
-    if (!smooth || rule_.sag != 0.0) sin_cos(psi, sine, cosine);
-    const Pack x = sample.x - sag_[g] * sine, y = sample.y - sag_[g] * cosine;
-    sample.r2 = x * x + y * y;
-  }
-
-  // Adds the samples of an accepted step to the windows of its lanes.
-  HWY_INLINE void gather_samples(int g, Mask accepted, [[maybe_unused]] Pack t, Pack h, const Pack* z) {
-    Taken last;
-    take(last, z);
-    if constexpr (angle_known) {
-      measure(g, first_[g], t - Pack(2.0 / 3) * h);
-      measure(g, second_[g], t - Pack(0.4) * h);
-      measure(g, last, t);
-    }
-    const Pack low = minimum(minimum(first_[g].r2, second_[g].r2), last.r2);
-    const Pack high = maximum(maximum(first_[g].r2, second_[g].r2), last.r2);
-    r2_min_[g] = select(accepted, minimum(r2_min_[g], low), r2_min_[g]);
-    r2_max_[g] = select(accepted, maximum(r2_max_[g], high), r2_max_[g]);
-    const Pack integral = multiply_add(h * Pack(1.0 / 3), first_[g].r2 + second_[g].r2 + last.r2, r2_integral_[g]);
-    r2_integral_[g] = select(accepted, integral, r2_integral_[g]);
-    for (int i = 0; i < n; ++i) {
-      const Pack slow = minimum(minimum(first_[g].q[i], second_[g].q[i]), last.q[i]);
-      const Pack fast = maximum(maximum(first_[g].q[i], second_[g].q[i]), last.q[i]);
-      q_min_[g][i] = select(accepted, minimum(q_min_[g][i], slow), q_min_[g][i]);
-      q_max_[g][i] = select(accepted, maximum(q_max_[g][i], fast), q_max_[g][i]);
-    }
-    if constexpr (smooth)
-      if (speed_place_ >= 0) gather_speed(g, accepted, h, last.speed);
-  }
-
-  // psi' like a ball's rate; psi by the quadrature of Radau, whose nodes are among the samples.
-  HWY_INLINE void gather_speed(int g, Mask accepted, Pack h, Pack last) {
-    const Pack &first = first_[g].speed, &second = second_[g].speed;
-    const Pack slow = minimum(minimum(first, second), last), fast = maximum(maximum(first, second), last);
-    speed_min_[g] = select(accepted, minimum(speed_min_[g], slow), speed_min_[g]);
-    speed_max_[g] = select(accepted, maximum(speed_max_[g], fast), speed_max_[g]);
-    const Pack turned = multiply_add(h, Pack(0.75) * first + Pack(0.25) * last, rotor_turned_[g]);
-    rotor_turned_[g] = select(accepted, turned, rotor_turned_[g]);
   }
 
   struct Verdict {
@@ -332,28 +242,13 @@ class DecideFate {
       if (!(full & (1u << lane))) continue;
       const double now = element(t, lane);
       double phi[room];
-      WindowSums sums;
-      sums.duration = now - (element(window_end_[g], lane) - 0.5 * rule_.window);
-      sums.r2_min = element(r2_min_[g], lane);
-      sums.r2_max = element(r2_max_[g], lane);
-      sums.r2_integral = element(r2_integral_[g], lane);
-      for (int i = 0; i < n; ++i) {
-        phi[i] = element(z[4 + i], lane);
-        sums.turned[i] = phi[i] - element(phi_start_[g][i], lane);
-        sums.q_min[i] = element(q_min_[g][i], lane);
-        sums.q_max[i] = element(q_max_[g][i], lane);
-      }
-      if constexpr (smooth) {
-        if (speed_place_ >= 0) {
-          sums.rotor_turned = element(rotor_turned_[g], lane);
-          sums.speed_min = element(speed_min_[g], lane);
-          sums.speed_max = element(speed_max_[g], lane);
-        }
+      for (int i = 0; i < n; ++i) phi[i] = element(z[4 + i], lane);
+      const WindowSums sums = samples_.sums(g, lane, now, phi);
+      if constexpr (smooth)
         if (std::fabs(sums.rotor_turned) > rule_.fastest * sums.duration) {
           verdict_[g * lanes + lane].runs_away = true;
           decided |= 1u << lane;
         }
-      }
       WindowVerdict verdict = trackers_[g * lanes + lane].add(sums);
       DecidedBy by = DecidedBy::windows;
       if constexpr (angle_known)
@@ -370,7 +265,7 @@ class DecideFate {
         verdict_[g * lanes + lane] = {by, verdict.attractor};
         decided |= 1u << lane;
       }
-      open_window(g, lane, now, phi);
+      samples_.open(g, lane, now, phi);
     }
     return decided;
   }
@@ -406,36 +301,15 @@ class DecideFate {
     return rule_.strobed->ask(state, angle(slot, now, state), own(slot)).attractor;
   }
 
-  void open_window(int g, int lane, double t, const double* phi) {
-    element(window_end_[g], lane) = t + 0.5 * rule_.window;
-    element(r2_min_[g], lane) = 1e300;
-    element(r2_max_[g], lane) = 0.0;
-    element(r2_integral_[g], lane) = 0.0;
-    for (int i = 0; i < n; ++i) {
-      element(phi_start_[g][i], lane) = phi[i];
-      element(q_min_[g][i], lane) = 1e300;
-      element(q_max_[g][i], lane) = -1e300;
-    }
-    if constexpr (smooth) {
-      element(rotor_turned_[g], lane) = 0.0;
-      element(speed_min_[g], lane) = 1e300;
-      element(speed_max_[g], lane) = -1e300;
-    }
-  }
-
   const model::BallCount<room> n;
   const DecisionRule& rule_;
   const LaneTask& task_;
   const int size_, psi_place_, speed_place_;
+  WindowSamples<room, groups, kind> samples_;
   std::vector<Fate>& fates_;
   std::vector<PilotRecord>* pilot_;
-  Taken first_[groups], second_[groups];
   Pack least_value_[groups];
-  Pack r2_min_[groups], r2_max_[groups], r2_integral_[groups], window_end_[groups];
-  Pack q_min_[groups][room], q_max_[groups][room], phi_start_[groups][room];
-  Pack rotor_turned_[groups], speed_min_[groups], speed_max_[groups];
   // Of each lane's rotor.
-  Pack segment_speed_[groups], segment_begin_[groups], segment_psi_[groups], sag_[groups];
   Pack places_[groups][most_balanced][dimension], factors_[groups][most_balanced][dimension * dimension];
   std::vector<std::array<double, max_dimension>> centres_;  // of balanced traps of the task's rotor
   std::size_t start_[groups * lanes] = {};

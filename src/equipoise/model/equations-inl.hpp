@@ -11,86 +11,11 @@
 
 #include <type_traits>
 
-#include "equipoise/base/pack-inl.hpp"
-#include "equipoise/model/ball_count.hpp"
-#include "equipoise/model/parameters.hpp"
+#include "equipoise/model/equation_constants-inl.hpp"
 
 HWY_BEFORE_NAMESPACE();
 namespace equipoise {
 namespace HWY_NAMESPACE {
-
-// Terms beyond the isotropic horizontal rotor at constant speed with balls that slide. A term that is off leaves no
-// operation behind.
-struct Terms {
-  bool acceleration = true;
-  bool anisotropy = true;
-  bool gravity = true;
-  bool body = false;     // any body in the rotor's place: a race off its centre, balls that are part of it; a motor
-  bool actions = false;  // balls may be held, resist rolling or push each other
-  bool rolls = true;     // balls roll if the parameters say so
-};
-
-// Of the paper's rotor: isotropic and horizontal, its balls slide.
-constexpr Terms paper_terms(bool acceleration) {
-  return {.acceleration = acceleration, .anisotropy = false, .gravity = false, .rolls = false};
-}
-
-// The rotor at one instant: psi' and psi''; sin and cos of psi are read only with anisotropy or gravity.
-template <class T>
-struct RotorMotion {
-  T speed, acceleration, sin_psi, cos_psi;
-};
-
-// Components along the rotating axes.
-template <class T>
-struct Vector2 {
-  T x, y;
-};
-
-template <class T>
-struct Matrix2 {
-  T xx, xy, yx, yy;
-
-  HWY_INLINE T determinant() const { return xx * yy - xy * yx; }
-  // Determinant times inverse, times v.
-  HWY_INLINE Vector2<T> adjugate(const Vector2<T>& v) const { return {yy * v.x - xy * v.y, xx * v.y - yx * v.x}; }
-};
-
-// What turns as one with the rotor: itself, and balls that are held.
-template <class T>
-struct Body {
-  Vector2<T> unbalance;  // mass times place of the centre of mass, from the race's centre O'
-  T mass, inertia;       // inertia: moment about O'
-};
-
-// What balls feel, each over its mass.
-template <class T, int room>
-struct BallForces {
-  T normal[room];      // by which it presses on the race, outward positive
-  T tangential[room];  // that would set it moving if it were at rest and alone
-  T push[room];        // by which those that it is joined with change its rate; 0 for all others
-};
-
-// What acts on the balls of a machine at one instant.
-template <class T, int room>
-struct BallActions {
-  MaskOf<T> held[room] = {};  // turns with the rotor: clamped, or at rest by stiction
-  bool acted_on = true;       // else the next two are 0 for all balls
-  T resistance[room] = {};    // rolling resistance over normal force, with the sign of the ball's rate
-  T push[room] = {};          // along phi_i, from other balls: mu_i phi_i'' for a ball alone; they sum to 0
-  // Of balls that touch and move as one; null: none do. Row i: of each ball of the group of ball i its share of the
-  // group's mass; of a ball by itself, 1 for itself.
-  const T (*together)[room] = nullptr;
-  BallForces<T, room>* forces = nullptr;  // receives what balls feel, if given
-};
-
-// What a body's equations are solved for besides rates.
-template <class T>
-struct BodyResult {
-  Vector2<T> race;  // acceleration of the race's centre, plus gravity
-  T acceleration;   // psi''
-  T torque;         // on the rotor: the motor's, or the one that the prescribed motion needs
-};
 
 // n balls: as many as there is room for, or with room for any_count those of the parameters (model/ball_count.hpp).
 // With no room no ball runs free.
@@ -98,51 +23,14 @@ struct BodyResult {
 // One balance of forces holds for all of them: M A + arm psi'' = F at the race's centre O', summed over a body and the
 // balls that are free to run around it. Rotor and free balls, rotor and balls as one body, bodies that a motor turns:
 // they differ in what the sums run over.
-//
-// A ball that rolls resists accelerations as two masses do: 2/7 of it fixed to the race's surface, where they touch,
-// and 5/7 that slides (docs/equations.md, "Balls that roll"). The race's centre feels the centrifugal force of the
-// whole.
 template <class T, int room, Terms terms>
-class BallBalancer {
+class BallBalancer : public BalancerConstants<T, room, terms> {
+  using Constants = BalancerConstants<T, room, terms>;
+
  public:
   static constexpr int dimension = model::dimension(room);
 
-  explicit BallBalancer(const model::Parameters& p)
-      : n(p.balls),
-        zeta_mean_(0.5 * (p.damping[0] + p.damping[1])),
-        zeta_half_(0.5 * (p.damping[0] - p.damping[1])),
-        kappa_mean_(0.5 * (p.stiffness[0] + p.stiffness[1])),
-        kappa_half_(0.5 * (p.stiffness[0] - p.stiffness[1])),
-        gravity_(p.gravity) {
-    // Sums and products of parameters are formed in T: where T is an interval they are bounded like all that follows,
-    // where it is a double they have the same bits as ever. The means above are exact where supports are isotropic.
-    rotor_.unbalance.x = T(p.eccentricity);
-    rotor_.mass = T(1.0);
-    if constexpr (terms.body) {
-      offset_ = {T(p.race_offset[0]), T(p.race_offset[1])};
-      rotor_.unbalance = {rotor_.unbalance.x - offset_.x, -offset_.y};
-      rotor_.inertia = T(p.inertia) + rotor_.unbalance.x * rotor_.unbalance.x + rotor_.unbalance.y * rotor_.unbalance.y;
-    }
-    T mass(0.0);
-    for (int i = 0; i < n; ++i) {
-      mu_[i] = T(p.mass[i]);
-      beta_[i] = T(p.drag[i]);
-      if constexpr (terms.rolls) split_rolling_ball(i, p);
-      drag_force_[i] = mu_[i] * beta_[i];
-      mass = mass + sliding_mass(i);
-    }
-    inertia_sum_ = T(2.0) * rotor_.mass + mass;
-  }
-
-  // Lane `lane` gets the rotor of `from`: of like terms, with as many balls.
-  void take_lane(const BallBalancer& from, int lane) {
-    using B = BallBalancer;
-    take_lane_of(*this, from, lane, &B::rotor_, &B::zeta_mean_, &B::zeta_half_, &B::kappa_mean_, &B::kappa_half_,
-                 &B::gravity_, &B::inertia_sum_, &B::mu_, &B::beta_, &B::drag_force_, &B::offset_, &B::share_,
-                 &B::sliding_mass_, &B::carried_, &B::effective_arm_, &B::euler_factor_, &B::inertia_along_,
-                 &B::inverse_inertia_);
-    sizes_differ_ = sizes_differ_ || from.sizes_differ_;
-  }
+  using Constants::Constants;
 
   // What springs and dampers exert on the support, in rotating components (fx, fy).
   HWY_INLINE Vector2<T> bearing_force(const RotorMotion<T>& rotor, const T* z) const {
@@ -186,7 +74,11 @@ class BallBalancer {
   }
 
  private:
-  static constexpr int places = room > 0 ? room : 1;  // arrays are never empty
+  using Constants::n, Constants::places, Constants::rotor_, Constants::zeta_mean_, Constants::zeta_half_,
+      Constants::kappa_mean_, Constants::kappa_half_, Constants::gravity_, Constants::inertia_sum_, Constants::mu_,
+      Constants::beta_, Constants::drag_force_, Constants::offset_, Constants::carried_, Constants::effective_arm_,
+      Constants::euler_factor_, Constants::inertia_along_, Constants::inverse_inertia_, Constants::sizes_differ_,
+      Constants::sliding_mass, Constants::along_race, Constants::times_arm;
   // What is done for one lane and not for another is done for both and told apart afterwards.
   static constexpr bool masked = terms.actions && !std::is_same_v<MaskOf<T>, bool>;
 
@@ -203,32 +95,6 @@ class BallBalancer {
       return select(actions->held[i], T(0.0), v);
     else
       return v;
-  }
-
-  // A ball into what slides and what is fixed to the race, which is made part of the rotor here. One that does not roll
-  // slides as a whole; the numbers that say so are exact.
-  void split_rolling_ball(int i, const model::Parameters& p) {
-    const T sphere = T(model::sphere_inertia.over) / T(model::sphere_inertia.under);
-    const T spin = p.rolls ? sphere : T(0.0), radius(p.ball_radius[i]);
-    share_ = T(1.0) / (T(1.0) + spin);
-    sliding_mass_[i] = share_ * mu_[i];
-    beta_[i] = share_ * beta_[i];
-    effective_arm_[i] = T(1.0) - spin * radius;
-    euler_factor_[i] = share_ * effective_arm_[i];
-    const T fixed_mass = spin * sliding_mass_[i], surface = T(1.0) + radius;
-    carried_[i] = fixed_mass * surface;
-    inertia_along_[i] = mu_[i] / share_;
-    inverse_inertia_[i] = share_ / mu_[i];
-    sizes_differ_ = sizes_differ_ || (p.rolls && p.ball_radius[i] != p.ball_radius[0]);
-    rotor_.mass = rotor_.mass + fixed_mass;
-    rotor_.inertia = rotor_.inertia + carried_[i] * surface;
-  }
-
-  HWY_INLINE const T& sliding_mass(int i) const {
-    if constexpr (terms.rolls)
-      return sliding_mass_[i];
-    else
-      return mu_[i];
   }
 
   // What acts on O', and what it has to move.
@@ -363,22 +229,6 @@ class BallBalancer {
       body.inertia = body.inertia + times_arm(i, times_arm(i, sliding));
     }
     return body;
-  }
-
-  // Of a force along the race, or of what it gives a ball: the share that does not go into spin.
-  HWY_INLINE T along_race(const T& v) const {
-    if constexpr (terms.rolls)
-      return v * share_;
-    else
-      return v;
-  }
-
-  // Of such a share of ball i: what it is to the race's turning.
-  HWY_INLINE T times_arm(int i, const T& v) const {
-    if constexpr (terms.rolls)
-      return v * effective_arm_[i];
-    else
-      return v;
   }
 
   // Pushes on a ball, and rolling resistance, which pulls the race along (-s, c) by k times the normal force
@@ -519,18 +369,6 @@ class BallBalancer {
       dz[3] = dz[3] - gravity_ * rotor.cos_psi;
     }
   }
-
-  const model::BallCount<room> n;  // named as in the equations
-  Body<T> rotor_{};
-  T zeta_mean_, zeta_half_, kappa_mean_, kappa_half_, gravity_, inertia_sum_;
-  T mu_[places]{}, beta_[places]{}, drag_force_[places]{};  // beta_i: what it slows a ball by
-  Vector2<T> offset_{};                                     // of bodies: O' from O
-  // Of balls that may roll; see split_rolling_ball().
-  T share_ = T(1.0);
-  T sliding_mass_[places]{}, carried_[places]{};           // carried: the fixed mass times its distance from O'
-  T effective_arm_[places]{}, euler_factor_[places]{};     // Euler: psi'' times it is what a ball lags behind the race
-  T inertia_along_[places]{}, inverse_inertia_[places]{};  // what resists a force along the race, and one over it
-  bool sizes_differ_ = false;
 };
 
 }  // namespace HWY_NAMESPACE
