@@ -4,11 +4,26 @@
 
 #include <cstdint>
 #include <string>
+#include <vector>
 
 #include "equipoise/base/run_options.hpp"
-#include "equipoise/reproduction/open_questions_result.hpp"
+#include "equipoise/results/basin_result.hpp"
+#include "equipoise/results/plane_map.hpp"
 
 namespace equipoise {
+
+/// Shares at one speed: of starts all over the box, and of starts at rest with the same ball angles.
+struct BoxShares {
+  double speed = 0.0;
+  BasinResult box, rest;
+};
+
+struct OpenQuestions {
+  PlaneMap eccentricity_and_angle;  ///< lambda and phi_1, the balls opposite one another
+  PlaneMap eccentricity_and_mass;   ///< lambda and mu, the balls at -pi/2 and pi/2
+  std::vector<BoxShares> boxes;     ///< by rising speed
+  bool complete = true;             ///< false: stopped; what is there counts
+};
 
 /// Progress is in pixels of a map, then in starts of a sample.
 struct OpenQuestionSettings : RunOptions {

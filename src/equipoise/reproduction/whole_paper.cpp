@@ -1,11 +1,11 @@
 // The paper from its first table to the questions it leaves open: what is asked for, done in its order and added up.
 #include <algorithm>
 #include <chrono>
-#include <ctime>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include "equipoise/base/cpu_time.hpp"
 #include "equipoise/base/display_text.hpp"
 #include "equipoise/base/error.hpp"
 #include "equipoise/base/parallel.hpp"
@@ -59,7 +59,7 @@ class WholePaper {
     if (options_.future && !stopped()) r.open = future();
     r.partial = stopped();
     r.run_seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
-    r.run_cpu_seconds = static_cast<double>(std::clock()) / CLOCKS_PER_SEC;
+    r.run_cpu_seconds = cpu_seconds();
     total(r);
     return r;
   }
