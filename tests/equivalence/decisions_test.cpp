@@ -48,11 +48,14 @@ struct Verdicts {
 // decides nothing before.
 Verdicts compare(const Study& study, std::size_t count, double end) {
   const StartRunner runner(study, {.threads = 2});
-  std::vector<double> phi, states;
-  std::vector<Fate> early, late(count);
+  std::vector<double> phi;
+  std::vector<Fate> early;
   std::vector<UnlistedStart> unlisted;
   EXPECT_TRUE(runner.run(0, count, phi, early, unlisted));
-  EXPECT_TRUE(StartSource(study, nullptr).follow(phi, states, late));
+  SpunUp starts;
+  EXPECT_TRUE(StartSource(study, nullptr).make(study.sampling.seed, 0, count, starts));
+  std::vector<double>& states = starts.states;
+  std::vector<Fate>& late = starts.fates;
   DecisionRule rule = runner.rule();
   rule.at_horizon = true;
   const model::Parameters& p = study.parameters;
