@@ -74,7 +74,7 @@ class WholePaper {
   void lead_on_table_7(Reproduction& r) const {
     const std::uint64_t starts = options_.starts > 0 ? std::min(options_.starts, lead_starts) : lead_starts;
     try {
-      for (const ObservationReading& reading : observe_table_7(table_7_lead(), starts, options_.threads, options_.stop))
+      for (const LeadReading& reading : observe_table_7_lead(starts, options_.threads, options_.stop))
         r.table_7_lead.push_back({fmt::format("{}, {}, {}", reading.row.t0, reading.row.t1, reading.row.t2),
                                   reading.row.printed, reading.balanced});
     } catch (const RunError&) {
