@@ -11,10 +11,9 @@ namespace equipoise {
 /// `counts[r]` of `totals[r]` starts of replicate r; replicates are independent and alike, and their totals differ by
 /// one start at most. Student's t interval over the replicates' means, with one degree of freedom less than replicates.
 ///
-/// Wilson's interval instead where fewer than fewest_for_spread starts have the outcome, or lack it. It holds for as
-/// many random starts; scrambled points are about as good at worst. (Owen's bound, a constant times the binomial
-/// variance for any function, SIAM J. Numer. Anal. 34 (1997) 1884, is far from what rare sets show; statistics tests
-/// measure them.)
+/// Wilson's interval instead where fewer than fewest_for_spread starts have the outcome, or lack it: scrambled points
+/// are at worst about as good as random ones (statistics tests measure that; Owen's bound, SIAM J. Numer. Anal. 34
+/// (1997) 1884, is far from what rare sets show).
 ///
 /// The width is never zero. If all k replicates agree to the last start, the share may still lie between two multiples
 /// of one start in `totals`: its distance f from the common count has f <= 1 - (1 - confidence)^(1/k) at the stated

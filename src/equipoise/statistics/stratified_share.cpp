@@ -21,8 +21,7 @@ Share stratified_share(const PairedCounts& counts, bool complete, double confide
   // The sum of weights over starts is twice that over cells.
   const double p = result.share;
   result.standard_error = std::sqrt(counts.split_squared) / counts.weight;
-  const double half =
-      result.standard_error * students_t_half_width(static_cast<double>(counts.split), confidence);
+  const double half = result.standard_error * students_t_half_width(static_cast<double>(counts.split), confidence);
   result.least = result.low = std::max(0.0, p - half);
   result.most = result.high = std::min(1.0, p + half);
   result.by = IntervalBy::pairs;

@@ -16,14 +16,13 @@ struct PairedCounts {
   double split_squared = 0.0;                 ///< sum of their squared weights
 };
 
-/// Weighted share. In a cell of weight w whose starts y_1, y_2 are independent, w^2 (y_1 - y_2)^2 / 4 estimates the
-/// variance of its mean without bias, so that the sum over cells is that of the whole (S. Haber, Math. Comp. 21 (1967)
-/// 388). The more cells are split, the better that is known: Student's t with `split` degrees of freedom, fewer than
-/// the 2 `split` of a sum of so many rare terms.
+/// Weighted share. In a cell of weight w with independent starts y_1, y_2, w^2 (y_1 - y_2)^2 / 4 estimates the variance
+/// of its mean without bias, and the sum over cells that of the whole (S. Haber, Math. Comp. 21 (1967) 388). Student's
+/// t with `split` degrees of freedom, fewer than the 2 `split` of a sum of so many rare terms.
 ///
-/// Wilson's interval instead if `complete` is false (the cells that were taken are then a sample of all), where fewer
-/// than fewest_for_spread starts have the outcome or lack it, or where fewer than 10 cells are split. A jittered grid's
-/// variance is never above that of as many random starts of these weights, so that this errs on the wide side.
+/// Wilson's interval instead if `complete` is false (the cells are then a sample), or where fewer than
+/// fewest_for_spread starts have the outcome or lack it, or fewer than 10 cells are split. It is too wide, if anything:
+/// a jittered grid's variance is never above that of as many random starts.
 Share stratified_share(const PairedCounts& counts, bool complete, double confidence = 0.95);
 
 }  // namespace equipoise
