@@ -2,6 +2,7 @@
 #include "equipoise/reproduction/reproduction_document.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cctype>
 
 #include <fmt/format.h>
@@ -34,10 +35,8 @@ Tone tone_of(Verdict verdict) {
 }
 
 Tone tone_of(Answer answer) {
-  return answer == Answer::holds          ? Tone::good
-         : answer == Answer::reversed     ? Tone::bad
-         : answer == Answer::contradicted ? Tone::open
-                                          : Tone::plain;
+  constexpr std::array tones{Tone::good, Tone::bad, Tone::open, Tone::plain, Tone::plain};
+  return tones[static_cast<std::size_t>(answer)];
 }
 
 void verdicts(const Reproduction& r, Document& d) {

@@ -33,10 +33,9 @@ struct LeadReading {
   Share balanced;  ///< starts that pass the test
 };
 
-/// The best lead, not a claim: kinematic law, balls released when the ramp reaches 2.2, balanced if r stays below
-/// 0.00134 from t = 630 to 730. The release was chosen among 96 protocols, time and tolerance were FITTED to the four
-/// printed shares; none is in the paper's text. From starts 0 .. starts - 1 of seed 1. Throws RunError if stopped
-/// early.
+/// The best lead, not a claim: kinematic law, balls released at 2.2, balanced if r stays below 0.00134 from t = 630 to
+/// 730. The release was chosen among 96 protocols, time and tolerance were FITTED to the printed shares; none is in the
+/// paper's text. From starts 0 .. starts - 1 of seed 1. Throws RunError if stopped early.
 std::vector<LeadReading> observe_table_7_lead(std::uint64_t starts, int threads = 0, const StopFlag* stop = nullptr);
 
 }  // namespace equipoise
