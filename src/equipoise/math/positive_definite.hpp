@@ -30,8 +30,7 @@ bool factorise(std::array<std::array<double, rows>, rows>& a, int count) {
 
 /// A Cholesky factorisation in doubles proves `a` positive definite if it succeeds after this is taken off the
 /// diagonal: (k + 1) u / (1 - (k + 1) u) times the trace, k rows (Rump, "Verification of positive definiteness", BIT 46
-/// (2006) 433). 2^-46 is 128 u, enough for thirty rows and for products with a pivot's inverse, which cost another u a
-/// row.
+/// (2006) 433). 2^-46 is 128 u: thirty rows, and products with a pivot's inverse, which cost another u a row.
 template <std::size_t rows>
 double trace_slack(const std::array<std::array<double, rows>, rows>& a) {
   double trace = 0.0;

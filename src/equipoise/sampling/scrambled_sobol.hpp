@@ -16,8 +16,7 @@ inline constexpr int most_sobol_dimensions = 24;
 /// Writes coordinates first .. first + count - 1 of start `index`, each uniform on [0, 1): Sobol's sequence with the
 /// direction numbers of Joe and Kuo (SIAM J. Sci. Comput. 30 (2008) 2635, from Boost.Random) under nested uniform
 /// scrambling (A. B. Owen, in: Monte Carlo and Quasi-Monte Carlo Methods (1995) 299): a bit is flipped by a random bit
-/// that Philox draws from (seed, replicate, coordinate, bits before). first + count <= most_sobol_dimensions, index <
-/// 2^52.
+/// that Philox draws from (seed, replicate, coordinate, bits before). index < 2^52.
 void sobol_fractions(std::uint64_t seed, std::uint64_t index, int first, int count, double* fractions);
 
 }  // namespace equipoise
