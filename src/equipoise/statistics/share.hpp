@@ -9,8 +9,8 @@ namespace equipoise {
 /// Where an interval comes from.
 enum class IntervalBy {
   wilson,      ///< the binomial law
-  replicates,  ///< the spread of independent replicates (replicated_share.hpp)
-  pairs,       ///< the differences within pairs of starts of one cell (stratified_share.hpp)
+  replicates,  ///< the spread of independent replicates (even_share.hpp)
+  pairs,       ///< the differences within pairs of starts of one cell (even_share.hpp)
 };
 
 inline constexpr std::array<const char*, 3> interval_names{"wilson", "replicates", "pairs"};
