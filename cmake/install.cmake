@@ -39,9 +39,9 @@ foreach(header
     explain/explain.hpp
     pages/answer.hpp pages/capacity_html.hpp pages/design_html.hpp pages/given_keys.hpp pages/given_machine.hpp pages/machine_html.hpp shown/machine_page.hpp
     pages/map_html.hpp shown/motion_path.hpp pages/sweep_html.hpp
-    paper.hpp literature/conclusions.hpp literature/paper_figure.hpp literature/published_tables.hpp
+    paper.hpp literature/conclusions.hpp literature/published_tables.hpp
     literature/reproduction.hpp statistics/comparison.hpp reproduction/open_questions.hpp
-    reproduction/open_questions_result.hpp reproduction/paper_figures.hpp reproduction/reproduce.hpp
+    reproduction/paper_figures.hpp reproduction/reproduce.hpp
     reproduction/reproduction.hpp)
   get_filename_component(folder ${header} DIRECTORY)
   install(FILES ${PROJECT_SOURCE_DIR}/src/equipoise/${header} DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/equipoise/${folder})

@@ -47,7 +47,7 @@ equipoise_test(observation_test equivalence equivalence/observation_test.cpp)
 equipoise_test(library_face_test equivalence equivalence/library_face_test.cpp LIBRARIES equipoise_paper)
 equipoise_test(transients_test equivalence equivalence/transients_test.cpp)
 equipoise_test(drive_work_test equivalence equivalence/drive_work_test.cpp)
-equipoise_test(table_7_test equivalence equivalence/table_7_test.cpp LIBRARIES equipoise_paper)
+equipoise_test(table_7_test equivalence equivalence/table_7_test.cpp literature/table_7_protocol.cpp LIBRARIES equipoise_paper)
 if(EQUIPOISE_SANITIZE)  # instrumented kernels run at a hundredth of the speed
   target_compile_definitions(decisions_test PRIVATE DECISION_STARTS=40 BALL_COUNT_STARTS=20)
 else()
@@ -56,7 +56,7 @@ endif()
 
 # The search for table 7's protocol: minutes to hours, run by hand (docs/table-7.md).
 add_executable(table_7_evidence literature/table_7_evidence.cpp literature/table_7_elsewhere.cpp
-  literature/table_7_fit.cpp literature/table_7_variants.cpp)
+  literature/table_7_fit.cpp literature/table_7_protocol.cpp literature/table_7_variants.cpp)
 target_compile_options(table_7_evidence PRIVATE -Wall -Wextra)
 target_link_libraries(table_7_evidence PRIVATE equipoise_paper fmt::fmt)
 

@@ -1,7 +1,6 @@
 # Wright and Peng (2019): what they printed, and everything of it computed again; and what both libraries carry inside.
 add_library(equipoise_paper
   literature/conclusions.cpp literature/published_tables.cpp literature/reproduction.cpp
-    literature/table_7_candidates.cpp
   reproduction/open_questions.cpp reproduction/paper_figures.cpp reproduction/reproduce.cpp
     reproduction/reproduction.cpp reproduction/reproduction_charts.cpp reproduction/reproduction_document.cpp
     reproduction/reproduction_words.cpp reproduction/table_7.cpp reproduction/whole_paper.cpp

@@ -123,9 +123,10 @@ TEST(ContinuumDecisions, WhatIsCaughtComesToRest) {
   constexpr std::size_t count = sized(12, 4);
   const StartRunner runner(study, {.threads = 2});
   const StartSource source(study, nullptr);
-  std::vector<double> phi, begin;
-  std::vector<Fate> fates(count);
-  ASSERT_TRUE(source.make(study.sampling.seed, 0, count, phi, begin, fates));
+  SpunUp starts;
+  ASSERT_TRUE(source.make(study.sampling.seed, 0, count, starts));
+  const std::vector<double>& begin = starts.states;
+  std::vector<Fate>& fates = starts.fates;
   std::vector<double> caught = begin;
   LaneTask task = source.task(0, caught);
   task.end = 3000.0;
@@ -147,7 +148,7 @@ TEST(ContinuumDecisions, WhatIsCaughtComesToRest) {
     // The last step ends at the decision's time, which rounding may put beside where the step before ended.
     for (std::size_t k = 0; k < size; ++k) EXPECT_NEAR(again[k], state[k], 1e-10) << i;
     alone = source.task(0, later);
-    alone.segment.psi = source.last_segment().psi_at(fates[i].time);
+    alone.segment.psi = source.segments().back().psi_at(fates[i].time);
     alone.end = 3000.0;
     alone.tolerance = 1e-9;
     ASSERT_TRUE(decide_lanes(alone, never, open, nullptr));

@@ -44,12 +44,13 @@ struct Verdicts {
 // decides nothing before.
 Verdicts compare(const Study& study, std::size_t count, double end) {
   const StartRunner runner(study, {.threads = 2});
-  std::vector<double> states;
-  std::vector<Fate> late(count);
   Decided decided;
   EXPECT_TRUE(runner.run(0, count, decided));
   const std::vector<Fate>& early = decided.fates;
-  EXPECT_TRUE(StartSource(study, nullptr).follow(decided.phi, states, late));
+  SpunUp starts;
+  EXPECT_TRUE(StartSource(study, nullptr).make(study.sampling.seed, 0, count, starts));
+  std::vector<double>& states = starts.states;
+  std::vector<Fate>& late = starts.fates;
   DecisionRule rule = runner.rule();
   rule.at_horizon = true;
   const model::Parameters& p = study.parameters;

@@ -97,16 +97,15 @@ TEST_P(DriveWorkOfSpeeds, IsThatOfTheTorqueThatTheyNeed) {
   StartSource source(study, nullptr);
   source.watch(asked);
   TransientTable table{asked, {}, {}};
-  std::vector<double> phi, states;
-  std::vector<Fate> fates;
-  ASSERT_TRUE(source.make(study.sampling.seed, 0, 4, phi, states, fates, &table));
-  LaneTask task = source.task(source.segments().size() - 1, states);
+  SpunUp starts;
+  ASSERT_TRUE(source.make(study.sampling.seed, 0, 4, starts, &table));
+  LaneTask task = source.task(source.segments().size() - 1, starts.states);
   task.end = task.segment.begin + horizon;
   task.transients = &table;
   DecisionRule rule;
   rule.balls = study.parameters.balls;
   rule.at_horizon = true;
-  ASSERT_TRUE(decide_lanes(task, rule, fates, nullptr));
+  ASSERT_TRUE(decide_lanes(task, rule, starts.fates, nullptr));
   for (std::size_t i = 0; i < table.rows.size(); ++i) {
     start_angles(study.sampling.seed, i, study.parameters.balls, study.initial.phi.data());
     const Work work = torque_work(study, source.settled() + horizon);

@@ -46,12 +46,11 @@ TEST(FullState, ABoxWithoutExtentIsNoBox) {
   plain.sampling.box = {};
   point.sampling.box = {};
   point.sampling.box.x = point.sampling.box.y_dot = point.sampling.box.phi_dot = {0.0, 0.0};
-  std::vector<double> phi, states, same_phi, same_states;
-  std::vector<Fate> fates;
-  ASSERT_TRUE(StartSource(point, nullptr).make(1, 0, 100, phi, states, fates));
-  ASSERT_TRUE(StartSource(plain, nullptr).make(1, 0, 100, same_phi, same_states, fates));
-  EXPECT_EQ(phi, same_phi);
-  EXPECT_EQ(states, same_states);
+  SpunUp starts, same;
+  ASSERT_TRUE(StartSource(point, nullptr).make(1, 0, 100, starts));
+  ASSERT_TRUE(StartSource(plain, nullptr).make(1, 0, 100, same));
+  EXPECT_EQ(starts.phi, same.phi);
+  EXPECT_EQ(starts.states, same.states);
 }
 
 TEST(FullState, StartsComeToWhatTheirTrajectoriesComeToAlone) {

@@ -58,20 +58,19 @@ int told(const StartRunner& runner, std::uint64_t index) {
 // Where the very same trajectory is at `end`, nothing being decided before.
 int comes_to(const Study& study, const StartRunner& runner, std::uint64_t index, double end) {
   const StartSource source(study, nullptr);
-  std::vector<double> phi, states;
-  std::vector<Fate> fates;
-  EXPECT_TRUE(source.make(study.sampling.seed, index, 1, phi, states, fates));
+  SpunUp starts;
+  EXPECT_TRUE(source.make(study.sampling.seed, index, 1, starts));
   DecisionRule rule = runner.rule();
   rule.at_horizon = true;
   LaneTask task;
   task.parameters = &study.parameters;
-  task.segment = source.last_segment();
+  task.segment = source.segments().back();
   task.end = end;
   task.tolerance = source.tolerance();
   task.count = 1;
-  task.states = states.data();
-  EXPECT_TRUE(decide_lanes(task, rule, fates, nullptr));
-  return fates[0].attractor;
+  task.states = starts.states.data();
+  EXPECT_TRUE(decide_lanes(task, rule, starts.fates, nullptr));
+  return starts.fates[0].attractor;
 }
 
 // Nothing is told by features that its motion does not show: a trajectory seemed stationary by these where it was not

@@ -146,13 +146,13 @@ TEST(Stroboscopic, DecisionsHoldMuchLater) {
     EXPECT_TRUE(balanced->motion.stable);
     EXPECT_EQ(balanced->motion.kind, study.parameters.gravity == 0.0 ? MotionKind::equilibrium : MotionKind::periodic);
     const auto early = fates_of(runner, count);
-    std::vector<double> phi, states;
-    std::vector<Fate> late(count);
     StartSource source(study, nullptr);
-    ASSERT_TRUE(source.make(study.sampling.seed, 0, count, phi, states, late));
+    SpunUp starts;
+    ASSERT_TRUE(source.make(study.sampling.seed, 0, count, starts));
+    std::vector<Fate>& late = starts.fates;
     DecisionRule rule = runner.rule();
     rule.at_horizon = true;
-    LaneTask task = source.task(0, states);
+    LaneTask task = source.task(0, starts.states);
     task.end = 2000.0;
     ASSERT_TRUE(decide_lanes(task, rule, late, nullptr));
     std::size_t decided = 0, confirmed = 0, contradicted = 0;

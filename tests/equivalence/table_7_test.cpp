@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-#include "equipoise/reproduction/table_7.hpp"
+#include "../literature/table_7_protocol.hpp"
 
 namespace equipoise {
 namespace {
@@ -43,7 +43,7 @@ TEST(Table7, CallsBalancedWhatStaysBelowInEveryWindow) {
 }
 
 TEST(Table7, LeadIsReadFromAsManyStartsAsAsked) {
-  const auto one = observe_table_7(table_7_lead(), 300, 1), two = observe_table_7(table_7_lead(), 300, 2);
+  const auto one = observe_table_7_lead(300, 1), two = observe_table_7_lead(300, 2);
   ASSERT_EQ(one.size(), table_7_rows.size());
   for (std::size_t row = 0; row < one.size(); ++row) {
     EXPECT_EQ(one[row].balanced.total, 300u);

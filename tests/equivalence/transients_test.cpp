@@ -35,7 +35,9 @@ TransientSample sample_at(const Study& study, const Trajectory& one, std::size_t
   // From where the rotor rests: a point in fixed axes, so that u, v are the rates of both.
   const double sag = -(1.0 + study.parameters.total_mass()) * study.parameters.gravity / study.parameters.stiffness[1];
   const double rx = x - sag * std::sin(one.psi[k]), ry = y - sag * std::cos(one.psi[k]);
-  return {one.t[k], rx * rx + ry * ry, 2.0 * (rx * u + ry * v), fx * fx + fy * fy, u * u + v * v, std::hypot(ux, uy)};
+  return {{rx * rx + ry * ry, 2.0 * (rx * u + ry * v), fx * fx + fy * fy, u * u + v * v, 0.0, 0.0},
+          one.t[k],
+          std::hypot(ux, uy)};
 }
 
 // The figures from samples so dense (200 a unit of time) that what lies between them is below 1e-4 of a peak.
@@ -76,16 +78,15 @@ std::vector<TransientRow> gathered(const Study& study, const TransientSettings& 
   StartSource source(study, nullptr);
   source.watch(asked);
   TransientTable table{asked, {}, {}};
-  std::vector<double> phi, states;
-  std::vector<Fate> fates;
-  EXPECT_TRUE(source.make(study.sampling.seed, 0, count, phi, states, fates, &table));
-  LaneTask task = source.task(source.segments().size() - 1, states);
+  SpunUp starts;
+  EXPECT_TRUE(source.make(study.sampling.seed, 0, count, starts, &table));
+  LaneTask task = source.task(source.segments().size() - 1, starts.states);
   task.end = task.segment.begin + horizon;
   task.transients = &table;
   DecisionRule rule;
   rule.balls = study.parameters.balls;
   rule.at_horizon = true;
-  EXPECT_TRUE(decide_lanes(task, rule, fates, nullptr));
+  EXPECT_TRUE(decide_lanes(task, rule, starts.fates, nullptr));
   std::vector<TransientRow> rows;
   for (const TransientSums& sums : table.rows) rows.push_back(transient_row(asked, sums, false));
   return rows;
@@ -192,7 +193,7 @@ struct Fading {
 
   TransientSample at(double t) const {
     const double fading = std::exp(-rate * t), r = own + fading;
-    return {t, r * r, -2.0 * rate * fading * r, r * r, r * r, r};
+    return {{r * r, -2.0 * rate * fading * r, r * r, r * r, 0.0, 0.0}, t, r};
   }
   TransientRow left(const TransientSettings& asked, const KnownEnd& end) const {
     TransientWatch watch(asked);

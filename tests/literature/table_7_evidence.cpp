@@ -102,7 +102,7 @@ int search(const Options& options) {
 
 int lead(const Options& options) {
   double chi2 = 0.0;
-  for (const ObservationReading& r : observe_table_7(table_7_lead(), options.starts)) {
+  for (const LeadReading& r : observe_table_7_lead(options.starts)) {
     const double part = deviance(r.balanced.count, r.balanced.total, r.row.printed, table_7_printed_starts);
     chi2 += part;
     fmt::print("T0 {}, T1 {}, T2 {}: printed {}, {:.3f} ({:.3f} to {:.3f}), chi2 {:.1f}\n", r.row.t0, r.row.t1,

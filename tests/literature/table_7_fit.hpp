@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "equipoise/reproduction/table_7.hpp"
+#include "table_7_protocol.hpp"
 
 namespace equipoise::table_7 {
 

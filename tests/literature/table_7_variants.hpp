@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "equipoise/reproduction/table_7.hpp"
+#include "table_7_protocol.hpp"
 
 namespace equipoise::table_7 {
 

@@ -10,8 +10,7 @@
 #include "equipoise/basins/sampling_choice.hpp"
 #include "equipoise/basins/tally.hpp"
 #include "equipoise/sampling/jittered_grid.hpp"
-#include "equipoise/statistics/replicated_share.hpp"
-#include "equipoise/statistics/stratified_share.hpp"
+#include "equipoise/statistics/even_share.hpp"
 
 namespace equipoise {
 namespace {

@@ -8,7 +8,6 @@
 #include <gtest/gtest.h>
 
 #include "equipoise/literature/reproduction.hpp"
-#include "equipoise/literature/table_7_candidates.hpp"
 
 namespace equipoise {
 namespace {

@@ -106,19 +106,18 @@ TEST(SamplingBox, TakesFurtherCoordinatesOfTheSameSobolPoint) {
 TEST(SamplingBox, SourcePlacesTheDrawnState) {
   const Study study = parse(free_balls + box);
   const StartSource source(study, nullptr);
-  std::vector<double> phi, states;
-  std::vector<Fate> fates;
-  ASSERT_TRUE(source.make(1, 7, 2, phi, states, fates));
+  SpunUp starts;
+  ASSERT_TRUE(source.make(1, 7, 2, starts));
   for (int i = 0; i < 2; ++i) {
     const InitialState s = start_of(study, 1, 7 + i);
-    const double* z = &states[8 * i];
+    const double* z = &starts.states[8 * i];
     EXPECT_EQ(z[0], s.x);
     EXPECT_EQ(z[1], s.y);
     // Inertial velocity from the rotating frame's derivatives: one product and one sum, a rounding each.
     EXPECT_DOUBLE_EQ(z[2], s.x_dot - 2.4 * s.y);
     EXPECT_DOUBLE_EQ(z[3], s.y_dot + 2.4 * s.x);
     for (int k = 0; k < 2; ++k) {
-      EXPECT_EQ(phi[2 * i + k], s.phi[k]);
+      EXPECT_EQ(starts.phi[2 * i + k], s.phi[k]);
       EXPECT_EQ(z[4 + k], s.phi[k]);
       EXPECT_EQ(z[6 + k], s.phi_dot[k]);
     }

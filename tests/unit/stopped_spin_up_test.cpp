@@ -34,11 +34,10 @@ TEST(StoppedSpinUp, MakesNoStarts) {
   StopFlag stop{false};
   const Study study = ramp("1e3");
   StartSource source(study, &stop);
-  std::vector<double> phi, states;
-  std::vector<Fate> fates;
-  EXPECT_TRUE(source.make(1, 0, 10, phi, states, fates));
+  SpunUp starts;
+  EXPECT_TRUE(source.make(1, 0, 10, starts));
   stop = true;
-  EXPECT_FALSE(source.make(1, 0, 10, phi, states, fates));
+  EXPECT_FALSE(source.make(1, 0, 10, starts));
 }
 
 // The grid of times at which transients are watched: 64 points a turn, a hundred thousand turns' worth of sums.

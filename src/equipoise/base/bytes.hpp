@@ -1,4 +1,4 @@
-// Values as bytes and back to the same bits: what a process keeps for itself, on the machine that it runs on.
+// Values as bytes and back, for use on the same machine.
 #pragma once
 
 #include <array>
@@ -13,12 +13,12 @@
 
 namespace equipoise {
 
-/// One function names the members of a struct for both ways: `template <class Bytes, Like<S> T> void members(Bytes& b,
-/// T& s) { b(s.first, s.second); }`.
+/// A struct lists its members once, for both ways: `template <class Bytes, Like<S> T> void members(Bytes& b, T& s) {
+/// b(s.first, s.second); }`.
 template <class T, class S>
 concept Like = std::same_as<std::remove_const_t<T>, S>;
 
-/// An array of numbers whose last ones are mostly 0: these are left out.
+/// An array of numbers without its last zeros.
 template <class Array>
 struct Trimmed {
   Array& numbers;
@@ -102,7 +102,7 @@ class BytesIn {
   void operator()(T&&... values) {
     (get(values), ...);
   }
-  /// What was asked for was there, and nothing else was.
+  /// All bytes were read, and no more were asked for.
   bool whole() const { return good_ && at_ == bytes_.size(); }
 
  private:

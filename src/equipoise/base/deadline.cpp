@@ -33,7 +33,7 @@ Deadline::Deadline(StopFlag& stop, double seconds) : stop_(stop), begin_(Clock::
   clock_ = std::thread([this, end] {
     std::unique_lock lock(mutex_);
     if (changed_.wait_until(lock, end, [this] { return cancelled_; })) return;
-    // Set before the flag, whose reader may ask at once whether it was the time.
+    // Before the flag, whose reader may ask at once why it is set.
     over_ = !is_set(&stop_);
     stop_ = true;
   });

@@ -1,4 +1,4 @@
-// A limit to the time that a call may take: one more reason for its stop flag.
+// A time limit that sets a call's stop flag.
 #pragma once
 
 #include <atomic>
@@ -12,8 +12,7 @@
 
 namespace equipoise {
 
-/// Seconds of a time as it is written: "90", "60s", "10 min", "1.5h". Throws InputError, naming `option`, for anything
-/// else.
+/// "90", "60s", "10 min", "1.5h" in seconds. Throws InputError, naming `option`, for anything else.
 double read_time_limit(const std::string& option, const std::string& text);
 
 /// Sets the flag once so many seconds have passed, unless it is destroyed before.
@@ -26,7 +25,7 @@ class Deadline {
 
   /// The time was over before anything else had set the flag.
   bool over() const { return over_; }
-  /// Half of it is: for the first of two works that only count together.
+  /// For the first of two works that only count together.
   bool half_over() const;
 
  private:

@@ -1,19 +1,14 @@
 // UTF-8 as RFC 3629 has it: shortest forms only, no surrogates, at most U+10FFFF.
 #include "equipoise/base/display_text.hpp"
 
+#include <fmt/format.h>
+
 namespace equipoise {
 
 namespace {
 
 unsigned char byte_at(std::string_view text, std::size_t at) {
   return at < text.size() ? static_cast<unsigned char>(text[at]) : 0;
-}
-
-void append_escaped(std::string& text, unsigned char control) {
-  constexpr const char* digits = "0123456789ABCDEF";
-  text += "\\u00";
-  text += digits[control >> 4];
-  text += digits[control & 15];
 }
 
 }  // namespace
@@ -40,9 +35,9 @@ std::string display_text(std::string_view text) {
     if (length == 0)
       shown += "\xEF\xBF\xBD";
     else if (length == 1 && (lead < 0x20 || lead == 0x7F))
-      append_escaped(shown, lead);
+      shown += fmt::format("\\u{:04X}", lead);
     else if (length == 2 && lead == 0xC2 && next < 0xA0)  // control characters again
-      append_escaped(shown, next);
+      shown += fmt::format("\\u{:04X}", next);
     else
       shown += text.substr(at, length);
     at += length == 0 ? 1 : length;

@@ -1,4 +1,4 @@
-// Names from outside (of files) in a form that any output can hold.
+// Names from outside, such as files', made fit for any output.
 #pragma once
 
 #include <cstddef>
@@ -7,7 +7,7 @@
 
 namespace equipoise {
 
-/// `text` as valid UTF-8 on one line: what is no UTF-8 becomes U+FFFD, control characters become \u001B and their like.
+/// Valid UTF-8 on one line: other bytes become U+FFFD, control characters \u001B and the like.
 std::string display_text(std::string_view text);
 
 /// Bytes of the UTF-8 character that begins at `at`; 0 if none does.

@@ -20,12 +20,11 @@ struct Place {
   std::string text() const;  ///< "study.toml:12"
 };
 
-/// Unusable input: a study, an option or a file. Thrown before any work starts.
-/// what() is one line that names the place (file and line, or option), the key, the value and what is allowed.
+/// Unusable input: a study, an option or a file. Thrown before any work starts. what() is one line that names place,
+/// key, value and what is allowed.
 class InputError : public std::runtime_error {
  public:
-  /// `key`: dotted key, may be empty; `value`: as given, may be empty; `problem`: what is wrong and what is allowed, as
-  /// "has 3 entries; must be a number" or, where the value is merely not among those, "must be a number".
+  /// `key` (dotted) and `value` may be empty; `problem`: "has 3 entries; must be a number", or only "must be a number".
   InputError(Place place, std::string key, std::string value, std::string problem);
 
   const Place& place() const noexcept { return place_; }

@@ -1,4 +1,4 @@
-// What long work has found out step by step, so that the same work goes on where it was stopped.
+// Intermediate results of long work, so that it can go on where it was stopped.
 #pragma once
 
 #include <chrono>
@@ -16,15 +16,15 @@
 
 namespace equipoise {
 
-/// Answers that earlier runs worked out, by page and number; new ones are handed on to be kept. The work has to ask the
-/// same questions in the same order whenever it is done.
+/// Answers of earlier runs, by page and number; new ones are handed on to be kept. The work must ask the same questions
+/// in the same order every time.
 class Notes {
  public:
   /// Called from any thread, never from two at once. What it throws comes out of the work.
   using Keep = std::function<void(std::uint64_t page, std::uint64_t number, const std::vector<char>& answer)>;
 
   Notes() = default;
-  /// `worth`: a page's answers are kept once its work has taken so many seconds, or when it is given up.
+  /// A page's answers are kept once its work has taken `worth` seconds, or when it is given up.
   explicit Notes(Keep keep, double worth = 0.0) : keep_(std::move(keep)), worth_(worth) {}
 
   /// Of an earlier run. To be called before the work begins.
@@ -53,23 +53,22 @@ class Notes {
 /// The notes of one piece of work, which is given up if the page goes before finish().
 class NotePage {
  public:
-  /// `subject`: all that the work depends on. `notes` may be null: none are taken then, and every answer is worked out.
+  /// `subject`: all that the work depends on. Without `notes` every answer is worked out.
   NotePage(Notes* notes, const std::string& subject);
   ~NotePage();
   NotePage(const NotePage&) = delete;
   NotePage& operator=(const NotePage&) = delete;
 
-  /// The work is done: answers that were not worth keeping until now never will be.
+  /// The work is done: answers not kept by now are dropped.
   void finish() { waiting_.clear(); }
 
-  /// What `work` gives, which is as it was noted, or is worked out and noted, unless `stop` is set by then. `question`:
-  /// which one it answers.
+  /// The noted answer to `question`, or what `work` gives, which is noted unless `stop` is set by then.
   template <class Work>
   auto answer(const char* question, const StopFlag* stop, const Work& work) {
     return answer_at(reserve(1), question, stop, work);
   }
 
-  /// The first of so many numbers for answers that are asked for side by side, from any thread.
+  /// The first of `count` numbers for answers asked for in parallel.
   std::uint64_t reserve(std::size_t count) { return std::exchange(next_, next_ + count); }
   template <class Work>
   auto answer_at(std::uint64_t number, const char* question, const StopFlag* stop, const Work& work) {

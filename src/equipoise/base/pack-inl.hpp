@@ -1,11 +1,11 @@
 // The number types of the equations: SIMD lanes (Pack), with the same small vocabulary for double.
 //
 // Included once per CPU target (see Highway's foreach_target), hence the unusual include guard. Everything lives in
-// equipoise::HWY_NAMESPACE, so code for one instruction set can never be linked in place of another's.
+// equipoise::HWY_NAMESPACE, so that code for one instruction set never links in place of another's.
 //
 // A number type T for the equations needs: + - * / and unary -, construction from double, and in its namespace (or in
-// std) multiply_add, sin_cos, square_root, minimum, maximum, absolute. Pack and double are here; dual.hpp adds dual
-// numbers.
+// std) multiply_add, sin_cos, square_root, minimum, maximum, absolute. Pack and double are here; math/gradient.hpp adds
+// numbers with derivatives.
 #if defined(EQUIPOISE_BASE_PACK_INL) == defined(HWY_TARGET_TOGGLE)
 #ifdef EQUIPOISE_BASE_PACK_INL
 #undef EQUIPOISE_BASE_PACK_INL
@@ -94,11 +94,10 @@ HWY_INLINE unsigned lane_bits(Mask m) {
   return bytes[0];
 }
 
-// sin and cos of every lane. |a| <= 1e8: absolute errors below 6e-14, tested against the C library with these numbers;
-// outside, or for NaN and infinity, meaningless but finite time.
-// The nearest multiple k of pi is taken off (in parts of pi, so that nothing is lost), both results take the sign
-// (-1)^k, and minimax polynomials on [-pi/2, pi/2] found by the Remez exchange do the rest (sin to degree 13: 5.0e-14,
-// cos to degree 14: 2.1e-15). A reduction by pi/2 would save a coefficient or two and cost an exchange of sin and cos.
+// For |a| <= 1e8 absolute errors are below 6e-14, tested against the C library; outside results are meaningless. The
+// nearest multiple k of pi is taken off in parts of pi, so that nothing is lost; both results take the sign (-1)^k;
+// minimax polynomials on [-pi/2, pi/2] by the Remez exchange do the rest (sin to degree 13: 5.0e-14, cos to degree 14:
+// 2.1e-15). A reduction by pi/2 would save a coefficient or two and cost an exchange of sin and cos.
 HWY_INLINE void sin_cos(Pack a, Pack& sine, Pack& cosine) {
   const PackTag d;
   const hn::RebindToSigned<PackTag> di;
@@ -134,7 +133,7 @@ HWY_INLINE void sin_cos(Pack a, Pack& sine, Pack& cosine) {
   cosine = Pack(hn::Xor(c.v, sign));
 }
 
-// One lane of numbers that each lane has its own of: of single ones, and of all of an aggregate of packs.
+// One lane of a pack, and of all packs of an aggregate.
 HWY_INLINE double& element(Pack& a, int lane) { return reinterpret_cast<double*>(&a)[lane]; }
 HWY_INLINE double element(const Pack& a, int lane) { return reinterpret_cast<const double*>(&a)[lane]; }
 template <class Packs>

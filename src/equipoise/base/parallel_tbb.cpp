@@ -17,9 +17,8 @@ namespace {
 
 using Arena = std::unique_ptr<tbb::task_arena>;
 
-// Those of the process that nobody works in, by their number of threads. oneTBB 2021.8 keeps some kilobytes of every
-// arena that was destroyed (its issue 967), a dozen arenas a search for attractors: they are lent again instead.
-// Never destroyed, since threads may still be at work while the process ends.
+// By their number of threads. oneTBB 2021.8 leaks kilobytes of every destroyed arena (its issue 967), so arenas are
+// used again. Never destroyed, since threads may still work while the process ends.
 class IdleArenas {
  public:
   static IdleArenas& all() {

@@ -16,11 +16,10 @@ RandomWords random_words(const std::array<std::uint64_t, 2>& key, const RandomWo
 /// The upper 53 bits of a word as a number on [0, 1).
 constexpr double fraction(std::uint64_t word) { return static_cast<double>(word >> 11) * 0x1p-53; }
 
-/// Numbers one after the other, for searches whose number of draws is not known before. The stream of a seed shares no
-/// counter with the starts of any seed.
+/// A stream for searches whose number of draws is not known before. It shares no counter with the starts of any seed.
 class RandomStream {
  public:
-  /// The default is any fixed number: the same study has the same traps.
+  /// A fixed default, so that the same study has the same traps.
   explicit RandomStream(std::uint64_t seed = 20190614) : seed_(seed) {}
 
   double uniform();  ///< on [0, 1)

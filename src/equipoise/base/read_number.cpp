@@ -1,4 +1,4 @@
-// The standard library's way where it has one, and the C library's, on a text cut to what is a number.
+// std::from_chars() where there is one, else strtod() on a text cut to the number.
 #include "equipoise/base/read_number.hpp"
 
 #include <cerrno>

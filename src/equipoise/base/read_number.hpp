@@ -14,7 +14,7 @@ struct NumberRead {
 /// sign before; rounded to nearest. `value` is left as it is where there is an error.
 NumberRead read_number(const char* begin, const char* end, double& value);
 
-/// The same by the C library, which is what read_number() comes to where the standard library has no other.
+/// The same by the C library, for standard libraries without std::from_chars() of a double.
 NumberRead read_number_by_c(const char* begin, const char* end, double& value);
 
 }  // namespace equipoise

@@ -31,7 +31,7 @@ void Reporting::heed_stop() {
 void Reporting::answer(std::unique_lock<std::mutex>& lock) {
   lock.unlock();
   guarded([&] { asked_.progress(*told_); });
-  heed_stop();  // as the callback may have wished
+  heed_stop();  // the callback may have set it
   lock.lock();
   told_ = nullptr;
   answered_.notify_one();

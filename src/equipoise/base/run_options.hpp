@@ -19,16 +19,14 @@ struct Progress {
   bool preparing = false;  ///< a stage of what comes before: a search for attractors, before any start is counted
 };
 
-/// The callbacks are called on the thread that made the call, and on no other, while the work goes on elsewhere: they
-/// may use what belongs to that thread (an interpreter, a window). Work waits for `progress` to return. What a callback
-/// throws ends the work, and the call throws it.
+/// Callbacks run on the thread that made the call, so they may use what belongs to it (an interpreter, a window). Work
+/// waits for `progress` to return. What a callback throws ends the work, and the call throws it.
 struct RunOptions {
   int threads = 0;                   ///< 0: all cores. No result depends on it
   const StopFlag* stop = nullptr;    ///< once it is true the work ends soon; what is done is returned, marked partial
   std::function<bool()> stop_asked;  ///< the same for those who would rather be asked, some twenty times a second
   std::function<void(const Progress&)> progress;  ///< called in order
-  /// One of cpu_targets() for this call, instead of the one in use. That is the whole process's choice: calls that run
-  /// at the same time must not name different ones.
+  /// One of cpu_targets(). The choice is the process's: simultaneous calls must not name different ones.
   std::string cpu_target;
 };
 

@@ -1,4 +1,4 @@
-// How far the stages of a preparation have come, told in order by whichever thread has done something.
+// Progress of the stages of a preparation, reported in order from any thread.
 #pragma once
 
 #include <cstdint>
@@ -17,7 +17,7 @@ class StageProgress {
   StageProgress(std::string work, std::function<void(const Progress&)> tell)
       : work_(std::move(work)), tell_(std::move(tell)) {}
 
-  /// A stage that counts up to `total`; 0: nobody knows. One that goes on under the same name goes on counting.
+  /// A stage that counts up to `total`, 0 if unknown. A stage of the same name goes on counting.
   void begin(const std::string& stage, std::uint64_t total = 0) {
     if (!tell_) return;
     const std::lock_guard lock(mutex_);

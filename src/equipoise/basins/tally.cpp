@@ -5,8 +5,7 @@
 #include <bit>
 #include <cmath>
 
-#include "equipoise/statistics/replicated_share.hpp"
-#include "equipoise/statistics/stratified_share.hpp"
+#include "equipoise/statistics/even_share.hpp"
 
 namespace equipoise {
 

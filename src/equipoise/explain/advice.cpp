@@ -1,5 +1,5 @@
-// What each rule of thumb says of a study, beside what linear theory knows.
-#include "equipoise/explain/advice.hpp"
+// Each rule of thumb applied to a study, beside what linear theory gives.
+#include "equipoise/explain/parts.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -125,8 +125,7 @@ RuleOfThumb room(const Explanation& e) {
   add(rule, "", "angle between touching balls, 2 asin(d/(2 R))", widest, Dimension::angle);
   add(rule, "", "balls of this size that fit", std::floor(two_pi / widest * (1.0 + 1e-12)), std::nullopt);
   add(rule, "", "part of the race that they fill", all / two_pi, std::nullopt);
-  // Of three balls and more there are many balanced states, and among them such with room whenever rule ball_mass
-  // holds.
+  // Three balls or more have many balanced states, some of them with room whenever rule ball_mass holds.
   const auto spacing = spacing_in_balance(e);
   if (!spacing) return rule;
   add(rule, "", "angle between them in balance", *spacing, Dimension::angle);
@@ -137,7 +136,6 @@ RuleOfThumb room(const Explanation& e) {
   return rule;
 }
 
-// Factors from a drag to the quantities that are shown of it.
 void add_drag(RuleOfThumb& rule, const Explanation& e, const std::string& name, double beta) {
   add(rule, "beta", name, beta, std::nullopt);
   if (e.study.scales && e.study.parameters.equal_balls())
@@ -182,7 +180,7 @@ RuleOfThumb drag(const Explanation& e) {
                : own > to   ? "too much: the balls creep into balance at less than a quarter of the fastest rate"
                             : "balance settles at a quarter of its fastest rate or more";
   rule.words += near->less;
-  // What was left out there may decide.
+  // Linear theory leaves less out.
   if (rule.kept == true && e.motion && !e.motion->stable) {
     rule.kept = false;
     rule.words += ", with which it is unstable";
@@ -218,7 +216,7 @@ RuleOfThumb settling(const Explanation& e) {
   return rule;
 }
 
-// What the motor gives at this speed while it still speeds up; none if the study does not bound it.
+// The motor's torque at this speed during run-up; none if the study does not bound it.
 std::optional<double> torque_at(const Study& study, double speed) {
   const TorqueSetting& t = study.speed.torque;
   using Kind = model::MotorLaw::Kind;
@@ -270,8 +268,8 @@ RuleOfThumb torque(const Explanation& e) {
       Dimension::torque);
   const double quiet = rules::quiet_speed(p), through = e.speed ? std::min(quiet, 0.99 * std::abs(*e.speed)) : quiet;
   const auto arrives = [&](double unbalance) { return rotor_alone(e.study, unbalance, through).arrived; };
-  // A torque that lasts for a time only has to bring the rotor through within it. And strong dampers take most above
-  // the critical speed, where balls no longer are on the heavy side.
+  // A torque of limited duration must bring the rotor through in time. Strong dampers take most above the critical
+  // speed, where balls have left the heavy side.
   const bool with_all = passing ? arrives(p.all_unbalances()) : *given >= together && arrives(p.eccentricity);
   const bool by_itself = passing ? arrives(p.eccentricity) : *given >= alone;
   if (with_all) {

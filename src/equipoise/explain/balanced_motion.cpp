@@ -22,17 +22,15 @@ namespace {
 
 using Angles = std::array<double, model::max_balls>;
 
-// What linear theory says of one balanced motion.
 struct Linear {
   std::vector<std::complex<double>> rates;  // slowest first
   std::optional<double> left;
 };
 
-// The rotor itself, or as much of it as linear theory knows.
+// As much of the rotor as linear theory knows.
 struct LinearRotor {
   model::Parameters parameters;
   double speed;
-  bool family;
   std::string less;
 
   model::System system() const { return {parameters, speed}; }
@@ -44,7 +42,7 @@ struct LinearRotor {
 };
 
 LinearRotor linear_rotor(const Explanation& e, bool family) {
-  LinearRotor rotor{without_events(model::System(e.study.parameters, *e.speed)).parameters(), *e.speed, family, ""};
+  LinearRotor rotor{without_events(model::System(e.study.parameters, *e.speed)).parameters(), *e.speed, ""};
   model::Parameters& p = rotor.parameters;
   // Multipliers are integrated over a turn: not over one that takes for ever, nor of equations that are stiff.
   constexpr double slowest = 0.05;
@@ -63,7 +61,7 @@ LinearRotor linear_rotor(const Explanation& e, bool family) {
   return rotor;
 }
 
-// Of the race's centre, from where it rests: what the balls' rocking leaves.
+// How far the race's centre moves from where it rests while the balls rock.
 double farthest(const model::System& system, const PeriodicOrbit& orbit) {
   constexpr int looks = 64;
   const auto& offset = system.parameters().race_offset;
@@ -95,7 +93,7 @@ std::optional<Linear> strobed(const model::System& system, const Angles& phi, in
     multipliers = orbit->multipliers;
     linear.left = farthest(system, *orbit);
   }
-  // What has died out within a turn is known to that only.
+  // Multipliers below the noise are known to be no larger, and nothing else.
   const double noise = error * std::max(1.0, multipliers.cwiseAbs().maxCoeff());
   const Eigen::VectorXcd rates = multipliers.unaryExpr(
       [&](std::complex<double> m) { return std::log(std::abs(m) > noise ? m : std::complex<double>(noise)) / turn; });

@@ -48,7 +48,7 @@ double DragScan::slowest(double factor) const {
 }
 
 std::optional<DragScan::Range> DragScan::range(double share, double low, double high) const {
-  // Twenty a decade: the fastest drag is a kink of the curve, which has few others and none so near.
+  // Twenty a decade, finer than the distance of the curve's kinks, one of which is the fastest drag.
   constexpr double grid = 1.122018454301963;
   double best = low, rate = slowest(low);
   for (double factor = low * grid; factor <= high; factor *= grid) {

@@ -13,11 +13,10 @@
 
 namespace equipoise {
 
-/// Rounding moves an eigenvalue by about 1e-15; that of a double zero, as continua have them without drag, by the
-/// square root of that.
+/// Rounding moves an eigenvalue by about 1e-15, a double zero, as continua have without drag, by its square root.
 inline constexpr double zero_rate = 1e-7;
 
-/// Slowest first, the continuum's own `freedom` zeros left out; of a continuum what is no larger than `zero` is 0.
+/// Slowest first, without the continuum's own `freedom` zeros; of a continuum, rates up to `zero` become 0.
 std::vector<std::complex<double>> without_continuum(const Eigen::VectorXcd& rates, int freedom, double zero);
 
 /// Rates near one balanced state as all drags are multiplied by one factor.
@@ -29,8 +28,8 @@ class DragScan {
   /// Largest real part of an eigenvalue, the continuum's own zeros left out.
   double slowest(double factor) const;
 
-  /// The factors around the best one within which balls settle at `share` of its rate or faster. None if no factor
-  /// from `low` to `high` makes balance stable; ends that are not within these are these.
+  /// The factors within [low, high] at which balls settle at `share` of the fastest rate or faster. None if no factor
+  /// makes balance stable.
   struct Range {
     double low, best, high;
   };

@@ -4,12 +4,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include "equipoise/explain/advice.hpp"
 #include "equipoise/explain/balanced_motion.hpp"
-#include "equipoise/explain/final_speed.hpp"
-#include "equipoise/explain/quantity_table.hpp"
+#include "equipoise/explain/parts.hpp"
 #include "equipoise/explain/rules_of_thumb.hpp"
-#include "equipoise/explain/warnings.hpp"
 #include "equipoise/model/ball_drag.hpp"
 #include "equipoise/model/cancelling.hpp"
 #include "equipoise/model/strobe.hpp"
@@ -29,7 +26,7 @@ BareVibration bare_vibration(const model::Parameters& p, double speed) {
   return v;
 }
 
-// Whether the balls can balance the rotor where it turns in the end: by their masses, and by the room that they need.
+// Whether the balls can balance the rotor at its final speed, by their masses and by their room.
 void balance(Explanation& e) {
   using Kind = model::BalancedStates::Kind;
   model::Parameters p = e.study.parameters;
@@ -55,10 +52,7 @@ Explanation explain(const Study& study, const BallDetails& balls) {
   e.quantities = quantity_table(study);
   for (std::size_t i = 0; i < 2; ++i) e.critical_alone[i] = std::sqrt(p.stiffness[i]);
   e.critical_with_balls = rules::critical_speeds(p);
-  const FinalSpeed last = final_speed(study);
-  e.speed = last.speed;
-  e.speed_words = last.words;
-  e.speeds_up = last.speeds_up;
+  put_final_speed(e);
   if (study.speed.driven() && e.speed) e.run_up = run_up(study, *e.speed);
   e.spin_up = study.speed.driven() ? last_time(study.speed.torque.target) : last_time(study.speed);
   e.ball_width = ball_widths(study, balls);
@@ -67,7 +61,7 @@ Explanation explain(const Study& study, const BallDetails& balls) {
   if (p.gravity > 0.0 && e.speed && *e.speed != 0.0) e.gravity_ratio = p.gravity / (*e.speed * *e.speed);
   linearise(e);
   if (e.speed) e.bare = bare_vibration(p, *e.speed);
-  // Undamped at its critical speed the rotor has none: it shakes more and more.
+  // An undamped rotor at its critical speed shakes more and more.
   if (e.bare && !std::isfinite(e.bare->displacement[0] + e.bare->displacement[1])) e.bare.reset();
   if (e.speed && study.scales && balls.oil_viscosity && balls.oil_density) {
     const double slip =

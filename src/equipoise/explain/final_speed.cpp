@@ -1,6 +1,5 @@
 // Prescribed speeds, and where a motor's torque and what balance takes are equal.
-#include "equipoise/explain/final_speed.hpp"
-
+#include "equipoise/explain/parts.hpp"
 #include "equipoise/model/held_speed.hpp"
 #include "equipoise/model/system.hpp"
 #include "equipoise/spin_up/run_up.hpp"
@@ -14,20 +13,22 @@ std::optional<double> last_time(const RampSetting& s) {
   return std::nullopt;
 }
 
-FinalSpeed final_speed(const Study& study) {
-  const model::System system = study.system();
-  if (system.prescribed()) return {.speed = system.speed(), .words = ""};
-  if (system.coasts())
-    return {.speed = rotor_alone(study, 0.0, std::nullopt).speed,
-            .words = "which the rotor has when its motor lets go if nothing has braked it; then nothing holds it"};
-  if (const auto speed = model::held_speed(system))
-    return {.speed = *speed,
-            .words = system.parameters().race_is_centred()
-                         ? "where the motor's torque vanishes: a balanced rotor needs none"
-                         : "where the motor gives what the supports' dampers take in balance"};
-  return {.speed = std::nullopt,
-          .words = std::string("the motor's ") + model::holds_no_speed,
-          .speeds_up = true};
+void put_final_speed(Explanation& e) {
+  const model::System system = e.study.system();
+  if (system.prescribed()) {
+    e.speed = system.speed();
+  } else if (system.coasts()) {
+    e.speed = rotor_alone(e.study, 0.0, std::nullopt).speed;
+    e.speed_words = "which the rotor has when its motor lets go if nothing has braked it; then nothing holds it";
+  } else if (const auto held = model::held_speed(system)) {
+    e.speed = *held;
+    e.speed_words = system.parameters().race_is_centred()
+                        ? "where the motor's torque vanishes: a balanced rotor needs none"
+                        : "where the motor gives what the supports' dampers take in balance";
+  } else {
+    e.speed_words = std::string("the motor's ") + model::holds_no_speed;
+    e.speeds_up = true;
+  }
 }
 
 }  // namespace equipoise

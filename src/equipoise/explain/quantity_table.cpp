@@ -1,5 +1,5 @@
 // Every number of a study by symbol and name.
-#include "equipoise/explain/quantity_table.hpp"
+#include "equipoise/explain/parts.hpp"
 
 #include <algorithm>
 #include <array>
@@ -105,8 +105,8 @@ class QuantityTable {
       add("T_1", "held until", s.hold_until, Dimension::time);
     }
     add("Omega", "final " + name, s.final, Dimension::speed);
-    add(s.profile == Profile::trapezoid ? "T_2" : "T_0", "reached at",
-        s.profile == Profile::trapezoid ? s.fall_until : s.duration, Dimension::time);
+    const bool falls = s.profile == Profile::trapezoid;
+    add(falls ? "T_2" : "T_0", "reached at", falls ? s.fall_until : s.duration, Dimension::time);
   }
 
   void motor() {

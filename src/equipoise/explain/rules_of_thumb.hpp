@@ -16,13 +16,12 @@ using model::shaking_torque;
 /// Where a rotor whose balls are held shakes most in a direction; none if damping leaves it no such speed.
 std::optional<double> speed_of_largest_vibration(const model::Parameters& p, int direction);
 
-/// The drag below which all balls together may stay at the lowest critical speed while the rotor turns at `speed`:
-/// shaking takes from them there what drag gives. Mean of the balls by mass. `speed` is above that critical speed.
+/// The drag below which all balls together may stay at the lowest critical speed while the rotor turns at a higher
+/// `speed`: shaking there takes what drag gives. Mean of the balls by mass.
 double drag_against_capture(const model::Parameters& p, double speed);
 
-/// Balls near balance as pendulums in the field that a rotor above its critical speed makes them: stiffness of the
-/// slower one of their two ways, over the ball's mass. Not above 0 at or below the critical speed. `phi`: of a
-/// balanced state. Means of supports that differ.
+/// Near balance above the critical speed, balls behave as pendulums: stiffness of the slower of their two modes, over
+/// the ball's mass. Not above 0 at or below the critical speed. `phi`: of a balanced state. Mean of unequal supports.
 double ball_stiffness(const model::Parameters& p, double speed, const double* phi);
 
 /// The drag with which that pendulum is damped critically.
@@ -30,8 +29,8 @@ double settling_drag(const model::Parameters& p, double stiffness);
 /// From half of settling_drag() to twice it such a pendulum settles at no less than a quarter of its fastest rate.
 inline constexpr double least_of_settling_drag = 0.5, most_of_settling_drag = 2.0, settling_share = 0.25;
 
-/// Time in which a deviation from balance falls to 1/e: of that pendulum or of the rotor on its supports, the longer
-/// one. Infinite without any damping.
+/// Time in which a deviation from balance falls to 1/e, of that pendulum or of the rotor on its supports, whichever is
+/// longer. Infinite without any damping.
 double settling_time(const model::Parameters& p, double stiffness);
 
 /// sum mu_i beta_i / N.

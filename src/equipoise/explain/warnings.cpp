@@ -1,5 +1,5 @@
-// What each warning takes: a comparison of numbers that explain() has.
-#include "equipoise/explain/warnings.hpp"
+// Warnings compare numbers that explain() has.
+#include "equipoise/explain/parts.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -135,7 +135,6 @@ class Warnings {
       warn("the balls are overdamped{}{}", less, remedy(m));
   }
 
-  // What drag does about a slow balance; the rotor's own way to rest hardly depends on it.
   static const char* remedy(const BalancedMotion& m) {
     return m.more_drag() > 0   ? "; more drag would bring balance sooner"
            : m.more_drag() < 0 ? "; less drag would bring balance sooner"
@@ -147,7 +146,6 @@ class Warnings {
     return found == e_.advice.end() ? nullptr : &*found;
   }
 
-  // What a motor has too little of.
   void torque() {
     const RuleOfThumb* torque = rule("torque");
     constexpr std::size_t with_the_motors = 3;  // figures: what is taken, by two unbalances, and what is given
@@ -163,12 +161,10 @@ class Warnings {
     if (r.alone && *r.alone - r.last_piece > horizon)
       warn(
           "without any losses the motor takes {} to bring the rotor to {}, longer than starts are followed, {}: they "
-          "may "
-          "stay undecided",
+          "may stay undecided",
           text(*r.alone, Dimension::time), text(r.speed, Dimension::speed), text(horizon, Dimension::time));
   }
 
-  // What basin and attractors will make of it.
   void patience() {
     const StartCost cost = start_cost(e_.study);
     const char* key = cost.by_drag ? "balancer.drag" : "rotor.damping";
@@ -180,7 +176,7 @@ class Warnings {
       warn("{}: of starts that are followed for {:.6g} many may stay undecided", slowness_text(horizon), horizon.time);
   }
 
-  // Whether a motor comes to the speed at which the balls are let go depends on where they are held: some are tried.
+  // Whether a motor reaches the release speed depends on where the balls are held: some starts are tried.
   void release() {
     const Study& study = e_.study;
     if (!study.speed.driven() || !study.release.speed) return;
@@ -191,8 +187,7 @@ class Warnings {
     for (std::size_t i = 0; i < starts.size(); ++i)
       if (starts.is_over(i) && !starts.nearest.empty() && std::isfinite(starts.nearest[i]))
         held.push_back({.what = Restlessness::held, .reached = starts.nearest[i], .asked = *study.release.speed});
-    if (!held.empty())
-      warn("of {} starts tried {} never let their balls go: {}", tried, held.size(), held_text(held));
+    if (!held.empty()) warn("of {} starts tried {} never let their balls go: {}", tried, held.size(), held_text(held));
   }
 
   void room() {

@@ -7,8 +7,8 @@
 
 namespace equipoise::store {
 
-/// 64 bits over bytes handed in one piece after the other. Every step maps the sum so far one to one, so two texts of
-/// one length that differ in a single word of 8 bytes never have the same sum; others do by chance, once in 2^64.
+/// 64 bits over bytes. Every step is one to one in the sum so far, so texts of one length that differ in a single word
+/// of 8 bytes never have the same sum; others by chance, once in 2^64.
 class Checksum {
  public:
   void add(const void* data, std::size_t size) {

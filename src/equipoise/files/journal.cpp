@@ -21,7 +21,7 @@ namespace equipoise::store {
 
 namespace {
 
-// Numbers are the machine's own: the first word, read back on a machine of another order of bytes, is none of ours.
+// Numbers are in the machine's byte order; on a machine of the other order the mark does not match.
 constexpr std::uint64_t file_mark = 0x314C4E524A505145, record_mark = 0x3144524F43455245;
 
 struct FileHeader {
@@ -35,8 +35,8 @@ struct RecordHeader {
 };
 constexpr std::size_t summed = sizeof(RecordHeader) - sizeof(std::uint64_t);
 
-// Between two calls that bring the file to disk: short against what anybody would mind to compute again, and so long
-// that they take a hundredth of the time.
+// Between two syncs: short against what anybody would mind to compute again; syncs take a hundredth of the time at
+// most.
 constexpr std::chrono::seconds sync_every{1};
 constexpr int sync_rest = 100;
 
@@ -88,8 +88,7 @@ Journal::~Journal() {
   close(file_);
 }
 
-// The lock goes with the process, however it ends. A file that its last owner removed before the lock was had is
-// nobody's any more.
+// The lock ends with the process. A file that its last owner removed before it was locked must be opened anew.
 void Journal::open_locked(const std::string& output) {
   for (;;) {
     file_ = open(path_.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0666);
@@ -127,7 +126,7 @@ void Journal::read_header(const std::string& identity, std::uint64_t size) {
   end_ = sizeof header + header.bytes;
 }
 
-// The file and its name are on disk before any result relies on them.
+// Puts the file and its name on disk before any result relies on them.
 void Journal::write_header() {
   Checksum sum;
   sum.add(identity_.data(), identity_.size());
@@ -184,7 +183,7 @@ void Journal::append(Record record, const void* payload, std::size_t bytes) {
   if (std::chrono::steady_clock::now() - synced_ >= rest) sync();
 }
 
-// What is not written whole is taken back.
+// A partial write is taken back.
 void Journal::write(const std::vector<char>& bytes) {
   int error = 0;
   if (spoilt_ && ftruncate(file_, static_cast<off_t>(end_)) != 0) error = errno;

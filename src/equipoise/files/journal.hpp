@@ -10,9 +10,8 @@
 
 namespace equipoise::store {
 
-/// A header that says whose results these are, then records, each with the checksum of all it holds. A record is
-/// written in one piece behind the last; what a kill or a full disk cut off, or a disk spoilt, fails its checksum, and
-/// the journal ends before it. While a Journal is open no other process can open the same.
+/// A header that says whose results these are, then records with checksums. A record is appended in one write; one that
+/// was cut off or damaged fails its checksum, and the journal ends before it. An open Journal is locked.
 class Journal {
  public:
   /// What kind of thing a record holds; values are those in the file.
@@ -47,18 +46,17 @@ class Journal {
   const std::string& identity() const { return identity_; }
   /// Those that are whole.
   const std::vector<Record>& records() const { return records_; }
-  /// So many bytes of the file are whole; 0: not even its header.
+  /// Length of the undamaged part; 0: not even the header.
   std::uint64_t whole_bytes() const { return end_; }
   /// Part of a record's payload.
   void read(const Record& record, std::uint64_t offset, std::size_t bytes, void* data) const;
 
-  /// Behind the whole records; what was spoilt behind them is cut off. It is in the system's hands at once, where a
-  /// killed process cannot lose it, and on disk within about a second of work. Throws RunError, with the records before
-  /// it as they were, if the disk is full. Thread-safe.
+  /// Cuts off what is damaged behind the whole records. The record survives a kill at once, and is on disk within about
+  /// a second of work. Throws RunError, keeping the records before it, if the disk is full. Thread-safe.
   void append(Record record, const void* payload, std::size_t bytes);
   /// Removes the file: all that it holds is elsewhere.
   void remove();
-  /// Leaves it with the records of this kind, for all others are elsewhere; removes it if there is none.
+  /// Drops all records but those of this kind; removes the file if there is none.
   void keep_only(Kind kind);
 
  private:

@@ -1,4 +1,4 @@
-// A record a note: its page and number where other records say which results they hold.
+// One record per note, with page and number as `first` and `count`.
 #include "equipoise/files/kept_notes.hpp"
 
 #include <utility>
@@ -10,7 +10,7 @@ namespace equipoise::store {
 
 namespace {
 
-// A second or two of work nobody minds to see done again, and a sweep has it a thousand times.
+// Less work nobody minds to see done again, and a sweep has it a thousand times.
 constexpr double worth_keeping = 2.0;
 
 }  // namespace

@@ -1,4 +1,4 @@
-// Notes that are kept beside an output, among its unfinished results.
+// Notes kept in an output's journal.
 #pragma once
 
 #include <memory>
@@ -8,12 +8,11 @@
 
 namespace equipoise::store {
 
-/// What earlier runs into this journal noted, and where new notes go: those of work that takes some seconds, and of all
-/// work that is given up. The journal outlives them. A disk that cannot take a note ends no work; from then on none is
-/// kept.
+/// The notes of earlier runs; new ones are kept of work that takes some seconds, and of all work that is given up.
+/// After a write error no more are kept, and work goes on. The journal outlives the notes.
 std::unique_ptr<Notes> notes_kept_in(Journal& journal);
 
-/// Those that work on incomplete results goes on with stay, as notes alone; of complete ones nothing does.
+/// Notes of incomplete results stay; of complete ones nothing does.
 void leave_notes(Journal& journal, bool complete);
 
 }  // namespace equipoise::store

@@ -40,8 +40,8 @@ NetcdfFile::NetcdfFile(const std::string& path, Mode mode, const std::string& na
           "cannot be written");
 }
 
-// A file that cannot be closed is given up, so that its descriptor is not lost. One whose definitions could not be
-// written must not be closed: the library would give it up by itself, but still know its number.
+// nc_abort() frees the descriptor of a file that cannot be closed. nc_close() of one with unwritten definitions would
+// free it too, but leave its number known to the library.
 NetcdfFile::~NetcdfFile() {
   if (id_ >= 0 && (defining_ || call(nc_close, id_) != NC_NOERR)) call(nc_abort, id_);
 }

@@ -1,11 +1,9 @@
 // A thin, owning wrapper around the NetCDF C library: every call is checked, every failure an exception.
 //
-// That library is not made for threads. All calls of it are in here, under one lock: files of different threads do not
-// meet, though each file is one thread's at a time.
+// That library is not thread-safe: all calls of it are in here, under one lock. Each file is one thread's at a time.
 //
-// Files are of the classic kind with 64-bit offsets, for which the library uses plain calls of the system. HDF5, in
-// which NetCDF-4 files are kept, loses a file to a full disk, ends the process when it closes such a file at exit, and
-// reads damaged files at the process's peril.
+// Files are classic ones with 64-bit offsets. HDF5, behind NetCDF-4, loses a file to a full disk, ends the process when
+// it closes such a file at exit, and may crash on damaged files.
 #pragma once
 
 #include <cstddef>
@@ -37,10 +35,10 @@ class NetcdfFile {
   /// Throws RunError unless the variable is there with just this type and shape.
   int variable(const std::string& name, int type, const std::vector<std::size_t>& shape) const;
   int dimensions(const std::string& variable) const;  ///< how many it has
-  /// Texts along a dimension, in characters; they are `texts`, written by write_texts() after the definitions.
+  /// With room for `texts`, which write_texts() writes after the definitions.
   int text_variable(const std::string& name, int dimension, const std::vector<std::string>& texts,
                     const std::string& long_name);
-  /// What stands where nothing was written, of the variable's type; also its attribute _FillValue.
+  /// _FillValue; `value` is of the variable's type.
   void fill(int variable, const void* value);
   /// Every value is written: nothing stands anywhere before.
   void leave_unfilled();
@@ -69,8 +67,7 @@ class NetcdfFile {
 /// A name as one word for the attribute flag_meanings.
 std::string flag_word(const std::string& name);
 
-/// Writes `path` anew by `define_and_write`, sealed (sealed_file.hpp); what was there is replaced once all is written.
-/// Throws RunError.
+/// Replaces `path` once `define_and_write` has written all, sealed (sealed_file.hpp). Throws RunError.
 void write_netcdf_file(const std::string& path, const std::function<void(NetcdfFile&)>& define_and_write,
                        NetcdfFile::Mode mode = NetcdfFile::Mode::create);
 

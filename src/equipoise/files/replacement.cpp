@@ -27,7 +27,7 @@ std::string folder_of(const std::string& path) {
 
 std::string own_ending() { return fmt::format(".new-{}", getpid()); }
 
-// /dev/stdout and its like: whoever opened it waits for what is written, not for a new file of the same name.
+// Such as /dev/stdout, which must be written to, not replaced.
 bool names_open_file(const std::string& path) {
   return path.starts_with("/dev/std") || path.starts_with("/dev/fd/") || path.starts_with("/proc/");
 }

@@ -5,8 +5,7 @@
 
 namespace equipoise::store {
 
-/// Why no file can be written at `path`, in words that follow the path ("the folder a/b does not exist"); empty if one
-/// can. Nothing is left behind.
+/// Why no file can be written at `path` ("the folder a/b does not exist"); empty if one can. Leaves nothing behind.
 std::string why_not_writable(const std::string& path);
 
 /// The path that a file is kept at in the end: symbolic links followed, so that replacing it does not break them.
@@ -18,13 +17,11 @@ std::string error_text(int error);
 /// Brings a file, or what a folder lists, to disk. False, with errno set, where that fails.
 bool to_disk(const std::string& path);
 
-/// A new file beside `path` that takes its place whole, on disk, once it is complete: whoever reads `path` sees the old
-/// content or the new, also if the machine stops in between, and a full disk costs nothing that was there. What is no
-/// regular file (a terminal, a pipe) is written to as it is.
+/// A new file beside `path` that replaces it atomically, on disk, once complete: readers see the old content or the
+/// new, even after a crash or on a full disk. What is no regular file (a terminal, a pipe) is written to directly.
 class Replacement {
  public:
-  /// Throws RunError if there is no room for it. `ending`: of the name of the file beside; one that tells processes
-  /// apart by default.
+  /// Throws RunError if there is no room for it. `ending` of the new file's name; by default unique to the process.
   explicit Replacement(const std::string& path, const std::string& ending = {});
   ~Replacement();
   Replacement(const Replacement&) = delete;

@@ -1,10 +1,11 @@
-// The printed tables, read from their CSV files.
+// The printed tables and the fitted readings, read from their CSV files.
 #include "equipoise/literature/published_tables.hpp"
 
 #include <cmath>
 #include <cstdlib>
 #include <map>
 #include <sstream>
+#include <utility>
 
 #include <fmt/format.h>
 
@@ -21,31 +22,45 @@ namespace {
 
 using Line = std::map<std::string, std::string>;
 
-std::string_view required(const std::string& name) {
+std::string text_of(const std::string& name) {
   const std::string_view text = embedded::paper_files.find(name);
   if (text.empty()) throw RunError(name + ": the library was built without it");
-  return text;
+  return std::string(text);
 }
 
-std::vector<Line> lines_of(int table) {
-  std::istringstream file{std::string(required(fmt::format("published/table-{}.csv", table)))};
+std::vector<std::string> cells_of(const std::string& line) {
+  std::vector<std::string> cells(1);
+  bool quoted = false;
+  for (const char c : line) {
+    if (c == '"')
+      quoted = !quoted;
+    else if (c == ',' && !quoted)
+      cells.emplace_back();
+    else
+      cells.back() += c;
+  }
+  return cells;
+}
+
+// Of a CSV file with the columns' names in its first line.
+std::vector<Line> lines_of(const std::string& name) {
+  std::istringstream file(text_of(name));
   std::vector<std::string> names;
   std::vector<Line> lines;
   for (std::string text; std::getline(file, text);) {
     if (text.empty() || text.front() == '#') continue;
-    std::istringstream cells(text);
-    std::vector<std::string> values;
-    for (std::string cell; std::getline(cells, cell, ',');) values.push_back(cell);
+    const std::vector<std::string> values = cells_of(text);
     if (names.empty()) {
       names = values;
       continue;
     }
-    Line line;
+    Line& line = lines.emplace_back();
     for (std::size_t i = 0; i < names.size(); ++i) line[names[i]] = values.at(i);
-    lines.push_back(line);
   }
   return lines;
 }
+
+std::vector<Line> lines_of(int table) { return lines_of(fmt::format("published/table-{}.csv", table)); }
 
 double value_of(const std::string& text) { return std::strtod(text.c_str(), nullptr); }
 
@@ -82,6 +97,7 @@ std::string slip_of(const std::vector<PublishedCell>& cells) {
   return fmt::format("the printed row sums to {:.2f}", 100.0 * sum);
 }
 
+// A row that is one ensemble, with a cell an attractor.
 PublishedRow row_of(const std::string& study, const std::string& label, double parameter, const Line& line,
                     std::uint64_t starts) {
   PublishedRow row{study, label, "", parameter, {}, ""};
@@ -92,54 +108,35 @@ PublishedRow row_of(const std::string& study, const std::string& label, double p
   return row;
 }
 
-// A column that is an ensemble of its own.
-PublishedRow column_of(const std::string& study, const std::string& label, const std::string& series, double parameter,
-                       const std::string& printed, std::uint64_t starts) {
-  return {study, label, series, parameter, {cell("balanced", printed, starts)}, ""};
+// A row's parameter as its study's name has it.
+std::pair<const char*, std::string> named(const std::string& column, const Line& line) {
+  if (column == "T0") return {"t0", plain(line.at(column))};
+  return {"omega", line.at(column)};
 }
 
-PublishedTable table_1() {
-  PublishedTable table{1, "constant speed, four values of the balls' drag", "Omega", false, "", {}};
-  for (const char* beta : {"0.01", "0.05", "0.1", "0.25"})
-    for (const Line& line : lines_of(1)) {
-      const std::string omega = line.at("Omega");
-      table.rows.push_back(column_of(fmt::format("table-1-beta-{}-omega-{}", beta, omega),
-                                     fmt::format("Omega = {}, beta = {}", omega, beta), fmt::format("beta = {}", beta),
-                                     value_of(omega), line.at(fmt::format("balanced_beta_{}", beta)), 300000));
-    }
-  return table;
-}
-
-PublishedTable table_by_speed(int number, const std::string& title, const char* column, bool ramps,
-                              std::uint64_t starts) {
+PublishedTable table_of_rows(int number, const std::string& title, const std::string& column, bool ramps,
+                             std::uint64_t starts) {
   PublishedTable table{number, title, column, ramps, "", {}};
   for (const Line& line : lines_of(number)) {
-    const std::string omega = line.at(column);
-    table.rows.push_back(row_of(fmt::format("table-{}-omega-{}", number, omega), fmt::format("{} = {}", column, omega),
-                                value_of(omega), line, starts));
+    const auto [key, value] = named(column, line);
+    table.rows.push_back(row_of(fmt::format("table-{}-{}-{}", number, key, value),
+                                fmt::format("{} = {}", column, value), value_of(value), line, starts));
   }
   return table;
 }
 
-PublishedTable table_by_duration(int number, const std::string& title) {
-  PublishedTable table{number, title, "T0", true, "", {}};
-  for (const Line& line : lines_of(number)) {
-    const std::string t0 = plain(line.at("T0"));
-    table.rows.push_back(
-        row_of(fmt::format("table-{}-t0-{}", number, t0), fmt::format("T0 = {}", t0), value_of(t0), line, 100000));
-  }
-  return table;
-}
-
-PublishedTable table_6() {
-  PublishedTable table{6, "ramp 0 to 5 in T0, balls released at 2 or at 3", "T0", true, "", {}};
-  for (const char* release : {"2", "3"})
-    for (const Line& line : lines_of(6)) {
-      const std::string t0 = plain(line.at("T0"));
-      table.rows.push_back(column_of(fmt::format("table-6-release-{}-t0-{}", release, t0),
-                                     fmt::format("T0 = {}, release at {}", t0, release),
-                                     fmt::format("release at {}", release), value_of(t0),
-                                     line.at(fmt::format("balanced_Omega_r_{}", release)), 300000));
+// Every cell is an ensemble of its own; what `study`, `series` and `column` begin with, one of `values` completes.
+PublishedTable table_of_columns(PublishedTable table, const std::vector<const char*>& values, const char* study,
+                                const std::string& series, const std::string& column) {
+  for (const char* value : values)
+    for (const Line& line : lines_of(table.number)) {
+      const auto [key, parameter] = named(table.parameter, line);
+      table.rows.push_back({fmt::format("table-{}-{}-{}-{}-{}", table.number, study, value, key, parameter),
+                            fmt::format("{} = {}, {}{}", table.parameter, parameter, series, value),
+                            series + value,
+                            value_of(parameter),
+                            {cell("balanced", line.at(column + value), 300000)},
+                            ""});
     }
   return table;
 }
@@ -159,23 +156,48 @@ PublishedTable table_7() {
   return table;
 }
 
+Table7Candidate candidate(const Line& line) {
+  const auto number = [&](const char* column) { return value_of(line.at(column)); };
+  const std::string &origin = line.at("test_origin"), &offset = line.at("test_offset"), &span = line.at("span");
+  const std::string when = origin == "t" ? "t = " + offset : origin + " " + offset;
+  Table7Candidate c;
+  c.protocol = line.at("protocol");
+  c.test = fmt::format("r < {:.3g} ", number("tolerance")) +
+           (number("span") > 0.0 ? fmt::format("for {} up to {}", span, when) : "at " + when);
+  c.percent = {number("share_1"), number("share_2"), number("share_3"), number("share_4")};
+  c.starts = static_cast<std::uint64_t>(number("starts"));
+  c.chi_squared = number("chi2");
+  c.fitted = static_cast<int>(number("fitted_numbers"));
+  c.free_cells = static_cast<int>(number("free_cells"));
+  c.best = line.at("role") == "best lead";
+  return c;
+}
+
 }  // namespace
 
 const std::vector<PublishedTable>& published_tables() {
   static const std::vector<PublishedTable> tables = {
-      table_1(),
-      table_by_speed(2, "constant speed", "Omega", false, 300000),
-      table_by_duration(3, "ramp 0 to 2.4 in T0, balls released at 2.4"),
-      table_by_speed(4, "ramp 0 to Omega_f in T0 = 500, balls released at Omega_f", "Omega_f", true, 100000),
-      table_by_duration(5, "ramp 0 to 2.4 in T0, balls released at 2.2"),
-      table_6(),
+      table_of_columns({1, "constant speed, four values of the balls' drag", "Omega", false, "", {}},
+                       {"0.01", "0.05", "0.1", "0.25"}, "beta", "beta = ", "balanced_beta_"),
+      table_of_rows(2, "constant speed", "Omega", false, 300000),
+      table_of_rows(3, "ramp 0 to 2.4 in T0, balls released at 2.4", "T0", true, 100000),
+      table_of_rows(4, "ramp 0 to Omega_f in T0 = 500, balls released at Omega_f", "Omega_f", true, 100000),
+      table_of_rows(5, "ramp 0 to 2.4 in T0, balls released at 2.2", "T0", true, 100000),
+      table_of_columns({6, "ramp 0 to 5 in T0, balls released at 2 or at 3", "T0", true, "", {}}, {"2", "3"}, "release",
+                       "release at ", "balanced_Omega_r_"),
       table_7()};
   return tables;
 }
 
+std::vector<Table7Candidate> table_7_candidates() {
+  std::vector<Table7Candidate> list;
+  for (const Line& line : lines_of("evidence/table-7-candidates.csv")) list.push_back(candidate(line));
+  return list;
+}
+
 Study study_of(const PublishedRow& row, model::SpeedLaw law) {
   const std::string name = row.study + ".toml";
-  Study study = parse_study(std::string(required("studies/" + name)), "studies/paper/" + name);
+  Study study = parse_study(text_of("studies/" + name), "studies/paper/" + name);
   if (study.speed.profile != Profile::constant) study.speed.law = law;
   return study;
 }

@@ -1,7 +1,8 @@
-// The seven tables of Wright and Peng (2019) as data: what was printed, for which study, and what is wrong with the
-// print.
+// The seven tables of Wright and Peng (2019) as data: what was printed, for which study, what is wrong with the print;
+// and readings that were fitted to the seventh.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <string>
 #include <vector>
@@ -43,6 +44,19 @@ const std::vector<PublishedTable>& published_tables();
 
 /// The study of a row: the file in studies/paper, its ramp under `law`.
 Study study_of(const PublishedRow& row, model::SpeedLaw law);
+
+/// A reading of table 7 that was fitted to its printed shares (docs/table-7.md has the search).
+struct Table7Candidate {
+  std::string protocol;             ///< laws of rise and fall, release
+  std::string test;                 ///< when a start was called balanced
+  std::array<double, 4> percent{};  ///< shares it gives
+  std::uint64_t starts = 0;         ///< a row
+  double chi_squared = 0.0;         ///< deviance from the printed shares
+  int fitted = 0, free_cells = 0;   ///< numbers fitted; cells less those
+  bool best = false;
+};
+/// From docs/evidence/table-7-candidates.csv. Throws RunError if the library was built without it.
+std::vector<Table7Candidate> table_7_candidates();
 
 /// Where the numbers come from.
 extern const char* const published_citation;

@@ -52,16 +52,12 @@ ConclusionResult ask(const Conclusion& conclusion, const ByName& rows, model::Sp
 }  // namespace
 
 const char* name_of(Verdict verdict) {
-  return verdict == Verdict::agrees ? "agrees" : verdict == Verdict::differs ? "differs" : "not comparable";
+  return std::array{"agrees", "differs", "not comparable"}[static_cast<std::size_t>(verdict)];
 }
 
 const char* name_of(ConclusionResult::Answer answer) {
-  using Answer = ConclusionResult::Answer;
-  return answer == Answer::holds          ? "holds"
-         : answer == Answer::reversed     ? "reversed"
-         : answer == Answer::contradicted ? "does not hold"
-         : answer == Answer::open         ? "not shown"
-                                          : "not asked";
+  constexpr std::array names{"holds", "reversed", "does not hold", "not shown", "not asked"};
+  return names[static_cast<std::size_t>(answer)];
 }
 
 Share EnsembleResult::share_of(const std::string& attractor) const {

@@ -1,4 +1,4 @@
-// The tables computed again: every number beside the printed one, judged, under either speed law.
+// The tables computed again and judged, under either speed law.
 #pragma once
 
 #include <array>

@@ -6,9 +6,8 @@
 // needs round-to-nearest and no -ffast-math. Method: Comba and Stolfi, "Affine arithmetic and its applications to
 // computer graphics", SIBGRAPI (1993), here with the box's own variables as the only symbols.
 //
-// Rounding: u = 2^-53 bounds the relative error of an operation. Each formula for a radius adds 2u (`unit`) times the
-// magnitudes that were rounded; the radius itself is a sum of at most a dozen non-negative terms, whose own rounding
-// the factor `grown` outweighs, and `least` outweighs underflow.
+// Rounding: each radius adds 2u = 2^-52 (`unit`) times the magnitudes that were rounded; `grown` outweighs the rounding
+// of the radius itself, a sum of at most a dozen non-negative terms, and `least` outweighs underflow.
 #pragma once
 
 #include <cmath>

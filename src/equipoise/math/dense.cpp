@@ -7,7 +7,6 @@
 #include <Eigen/Eigenvalues>
 #include <Eigen/LU>
 #include <Eigen/QR>
-#include <Eigen/SVD>
 
 namespace equipoise::dense {
 
@@ -68,10 +67,5 @@ MatrixXd Cholesky::solve_upper(const MatrixXd& b) const {
 }
 
 MatrixXd pivoted_orthogonal_factor(const MatrixXd& a) { return Eigen::ColPivHouseholderQR<MatrixXd>(a).householderQ(); }
-
-Svd svd(const MatrixXd& a) {
-  const Eigen::JacobiSVD<MatrixXd> all(a, Eigen::ComputeFullU | Eigen::ComputeFullV);
-  return {all.matrixU(), all.matrixV(), all.singularValues()};
-}
 
 }  // namespace equipoise::dense

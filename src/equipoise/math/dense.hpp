@@ -1,5 +1,4 @@
-// Decompositions of dense matrices behind plain functions. Eigen's are templates, and each takes its file longer to
-// compile than all else in it: they are compiled once, in dense.cpp.
+// Decompositions of dense matrices, compiled once, in dense.cpp: Eigen's templates are slow to compile.
 #pragma once
 
 #include <memory>
@@ -72,12 +71,5 @@ class Cholesky {
 
 /// Q of A P = Q R with columns pivoted: its last columns span what A's do not.
 Eigen::MatrixXd pivoted_orthogonal_factor(const Eigen::MatrixXd& a);
-
-/// A = U diag(values) V^T with square U and V.
-struct Svd {
-  Eigen::MatrixXd u, v;
-  Eigen::VectorXd values;  ///< falling
-};
-Svd svd(const Eigen::MatrixXd& a);
 
 }  // namespace equipoise::dense

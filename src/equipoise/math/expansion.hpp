@@ -1,11 +1,9 @@
-// The equations' dependence on the motion beside the ball angles, read off the equations themselves: polynomials in
-// (x, y, u, v, q_1..q_n) of first degree plus the squares q_i^2, with coefficients of any number type. Of a driven
-// rotor its speed is one variable more, and so is the integral of a speed control's error: then products of the speed
-// with any variable, itself too, are terms besides.
+// Polynomials in (x, y, u, v, q_1..q_n) of first degree plus the squares q_i^2, with coefficients of any number type. A
+// driven rotor's speed and its control's error integral are variables too, and then products of the speed with any
+// variable are terms.
 //
-// A number type of the equations (see base/pack-inl.hpp for what that asks). Run on it, the equations of motion return
-// their own coefficients, without cancellation; a product that leaves this set of polynomials, which the equations as
-// they are never form, is reported by `beyond`, so nothing is assumed of them.
+// A number type of the equations (see base/pack-inl.hpp for what that asks): run on it, they return their own
+// coefficients. `beyond` reports a product that leaves this set, which the equations as they are never form.
 #pragma once
 
 namespace equipoise {

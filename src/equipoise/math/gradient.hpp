@@ -1,6 +1,10 @@
-// A value with its partial derivatives in n directions, over any number type: on intervals, bounds on a derivative over
-// a whole box. A number type of the equations (see pack-inl.hpp for what that asks).
+// A value with its partial derivatives in n directions, over any number type: run the equations on it and the slopes
+// are exact derivatives; on intervals, bounds on a derivative over a whole box. A number type of the equations (see
+// pack-inl.hpp for what that asks).
 #pragma once
+
+#include <cmath>
+#include <type_traits>
 
 namespace equipoise {
 
@@ -35,20 +39,37 @@ struct Gradient {
   friend Gradient operator/(const Gradient& a, const Gradient& b) {
     Gradient r;
     r.value = a.value / b.value;
-    for (int k = 0; k < n; ++k) r.slope[k] = (a.slope[k] - r.value * b.slope[k]) / b.value;
+    if constexpr (std::is_same_v<T, double>) {
+      const double inverse = 1.0 / b.value;
+      for (int k = 0; k < n; ++k) r.slope[k] = (a.slope[k] - r.value * b.slope[k]) * inverse;
+    } else {  // the inverse of an interval would widen the result
+      for (int k = 0; k < n; ++k) r.slope[k] = (a.slope[k] - r.value * b.slope[k]) / b.value;
+    }
     return r;
   }
+  // By their values: which branch of the equations holds.
+  friend bool operator<(const Gradient& a, const Gradient& b) { return a.value < b.value; }
+  friend Gradient select(bool m, const Gradient& yes, const Gradient& no) { return m ? yes : no; }
+  friend Gradient absolute(const Gradient& a) { return a.value < 0.0 ? -a : a; }
+  friend Gradient minimum(const Gradient& a, const Gradient& b) { return b < a ? b : a; }
+  friend Gradient multiply_add(const Gradient& a, const Gradient& b, const Gradient& c) { return a * b + c; }
 };
+
+inline void sin_cos(double a, double& sine, double& cosine) {
+  sine = std::sin(a);
+  cosine = std::cos(a);
+}
 
 template <class T, int n>
 void sin_cos(const Gradient<T, n>& a, Gradient<T, n>& sine, Gradient<T, n>& cosine) {
+  const Gradient<T, n> from = a;  // `a` may be one of the results
   T s, c;
-  sin_cos(a.value, s, c);
+  sin_cos(from.value, s, c);
   sine.value = s;
   cosine.value = c;
   for (int k = 0; k < n; ++k) {
-    sine.slope[k] = c * a.slope[k];
-    cosine.slope[k] = -(s * a.slope[k]);
+    sine.slope[k] = c * from.slope[k];
+    cosine.slope[k] = -(s * from.slope[k]);
   }
 }
 

@@ -1,10 +1,9 @@
 // Intervals that surely contain the exact result: the number type of machine-checked proofs.
 //
 // A number type of the equations (see pack-inl.hpp for what that asks). Every operation is computed to nearest, then
-// moved outwards by at least the spacing of doubles there: a relative 2^-52 and an absolute 2^-1074, twice the largest
-// rounding error. The factor of two makes the result independent of contraction into fused multiply-adds, which round
-// once where two roundings were allowed for. Needs round-to-nearest and no -ffast-math. What is not a number (an
-// infinity minus itself, a division by an interval that holds 0) becomes the whole line, never an empty promise.
+// moved outwards by a relative 2^-52 and an absolute 2^-1074, twice the largest rounding error, so that contraction
+// into fused multiply-adds is harmless. Needs round-to-nearest and no -ffast-math. What is not a number (a division by
+// an interval that holds 0) becomes the whole line.
 #pragma once
 
 #include <algorithm>

@@ -14,8 +14,8 @@ Eigen::MatrixXd solve_lyapunov(const Eigen::MatrixXd& a, const Eigen::MatrixXd& 
 /// inside the unit circle.
 std::optional<Eigen::MatrixXd> solve_stein(Eigen::MatrixXd m, Eigen::MatrixXd q);
 
-/// P = sum_k weight_k Re(conj(w_k) w_k^T) over A's left eigenvectors w_k (unit length; one weight an eigenvalue, in the
-/// order of `rates`). V = z^T P z then falls at the rate 2 Re(rate_k) in every mode.
+/// P = sum_k weight_k Re(conj(w_k) w_k^T) over A's left eigenvectors w_k of unit length, in the order of `rates`.
+/// V = z^T P z falls at the rate 2 Re(rate_k) in every mode.
 struct Modes {
   Eigen::VectorXcd rates;
   Eigen::MatrixXcd left;  ///< columns w_k

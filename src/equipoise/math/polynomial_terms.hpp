@@ -9,8 +9,7 @@
 
 namespace equipoise {
 
-/// Products of Chebyshev polynomials of 2 x - 1 in each coordinate x from 0 to 1, of all degrees up to `degree`
-/// together.
+/// Products of Chebyshev polynomials of 2 x - 1 in each coordinate x from 0 to 1, of total degree up to `degree`.
 inline Eigen::VectorXd polynomial_terms(const std::vector<double>& coordinates, int degree) {
   std::vector<double> terms;
   const auto add = [&](const auto& self, std::size_t k, int left, double product) -> void {

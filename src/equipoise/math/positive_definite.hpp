@@ -28,10 +28,9 @@ bool factorise(std::array<std::array<double, rows>, rows>& a, int count) {
   return true;
 }
 
-/// What must be taken off the diagonal so that a Cholesky factorisation in doubles that runs to its end proves `a`
-/// positive definite: (k + 1) u / (1 - (k + 1) u) times the trace, k rows (Rump, "Verification of positive
-/// definiteness", BIT 46 (2006) 433). 2^-46 is 128 u, for thirty rows at most; the division by a pivot's root as a
-/// product with its inverse costs another u a row, and the subtraction itself one.
+/// A Cholesky factorisation in doubles proves `a` positive definite if it succeeds after this is taken off the
+/// diagonal: (k + 1) u / (1 - (k + 1) u) times the trace, k rows (Rump, "Verification of positive definiteness", BIT 46
+/// (2006) 433). 2^-46 is 128 u: thirty rows, and products with a pivot's inverse, which cost another u a row.
 template <std::size_t rows>
 double trace_slack(const std::array<std::array<double, rows>, rows>& a) {
   double trace = 0.0;

@@ -21,9 +21,8 @@ struct QuadraticOnBall {
 
 enum class Multiplier { proves, too_small, too_large };
 
-/// Whether `multiplier` >= 0 proves it, rounding included. If not, on which side the multipliers are that do, if any:
-/// beyond `bound`. (The form's Schur complement at 1 is a convex function of the multiplier; its tangent gives the
-/// bound. The bound is rounded and serves the search only.)
+/// Whether `multiplier` >= 0 proves it, rounding included. If not, those that do, if any, lie beyond `bound`, where the
+/// tangent of the form's Schur complement at 1, a convex function of the multiplier, vanishes; it guides the search.
 template <std::size_t side>
 Multiplier judge(const QuadraticOnBall<side>& f, double multiplier, double& bound) {
   constexpr std::size_t one = side - 1;

@@ -1,5 +1,5 @@
-// Dual numbers (math/dual.hpp) whose slopes lie side by side in registers: the same results, to the bit where products
-// and sums are not fused. Included once per CPU target.
+// Dual numbers (math/gradient.hpp over double) whose slopes lie side by side in registers: the same results, to the bit
+// where products and sums are not fused. Included once per CPU target.
 #if defined(EQUIPOISE_MATH_WIDE_DUAL_INL) == defined(HWY_TARGET_TOGGLE)
 #ifdef EQUIPOISE_MATH_WIDE_DUAL_INL
 #undef EQUIPOISE_MATH_WIDE_DUAL_INL

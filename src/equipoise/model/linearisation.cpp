@@ -1,7 +1,7 @@
 // Jacobians by running the one set of equations on dual numbers.
 #include "equipoise/model/linearisation.hpp"
 
-#include "equipoise/math/dual.hpp"
+#include "equipoise/math/gradient.hpp"
 #include "equipoise/model/ball_count.hpp"
 #include "equipoise/model/flow-inl.hpp"
 #include "equipoise/model/smooth_flow-inl.hpp"
@@ -18,14 +18,15 @@ Segment constant_speed(double speed) { return {0.0, 0.0, 0.0, speed, 0.0, false}
 
 Eigen::MatrixXd jacobian(const Parameters& p, double speed, const double* z) {
   constexpr int most = dimension(max_balls);
+  using Dual = Gradient<double, most>;
   const int size = dimension(p.balls);
-  const kernels::FreeFlow<Dual<most>, any_count, autonomous> flow(p, constant_speed(speed));
-  Dual<most> state[most], rate[most];
+  const kernels::FreeFlow<Dual, any_count, autonomous> flow(p, constant_speed(speed));
+  Dual state[most], rate[most];
   for (int i = 0; i < size; ++i) {
-    state[i] = Dual<most>(z[i]);
+    state[i] = Dual(z[i]);
     state[i].slope[i] = 1.0;
   }
-  flow(Dual<most>(0.0), state, rate);
+  flow(Dual(0.0), state, rate);
   Eigen::MatrixXd result(size, size);
   for (int i = 0; i < size; ++i)
     for (int column = 0; column < size; ++column) result(i, column) = rate[i].slope[column];
@@ -55,13 +56,14 @@ Eigen::VectorXd rate(const System& system, const Eigen::VectorXd& y, double psi)
 Eigen::MatrixXd jacobian(const System& system, const Eigen::VectorXd& y, double psi) {
   if (system.plain() && system.autonomous()) return jacobian(system.parameters(), system.speed(), y.data());
   constexpr int most = kernels::SmoothFlow<double, any_count>::dimension;
+  using Dual = Gradient<double, most>;
   const int size = system.dimension();
-  Dual<most> z[most], dz[most];
+  Dual z[most], dz[most];
   for (int i = 0; i < size; ++i) {
-    z[i] = Dual<most>(y[i]);
+    z[i] = Dual(y[i]);
     z[i].slope[i] = 1.0;
   }
-  kernels::SmoothFlow<Dual<most>, any_count>(system, psi)(Dual<most>(0.0), z, dz);
+  kernels::SmoothFlow<Dual, any_count>(system, psi)(Dual(0.0), z, dz);
   Eigen::MatrixXd result(size, size);
   for (int i = 0; i < size; ++i)
     for (int column = 0; column < size; ++column) result(i, column) = dz[i].slope[column];

@@ -20,15 +20,13 @@ namespace {
 
 using Box = Certificate::Box;
 
-// Halvings of the disc in each direction after which a box that cannot be proved shows that the level cannot be.
+// Halvings in each direction after which an unproved box means that the level cannot be proved.
 constexpr int deepest = 11;
 
-// A level is worth proving from this share of the sampled critical one; the search ends when it knows the largest share
-// to within `finest`.
+// Shares of the sampled critical level: the least worth proving, and the resolution of the search.
 constexpr double least_share = 0.3, finest = 0.01;
 
-// The square around the unit disc, a little larger than the slack makes it. A power of two plus another, so that all
-// halvings are exact.
+// The square around the unit disc with room for the slack; its bounds make all halvings exact.
 template <ProofKind kind>
 Box root() {
   Box box;
@@ -39,7 +37,7 @@ Box root() {
   return box;
 }
 
-// Both halves of a box, across its longest side. Search and verification must split alike.
+// Search and verification must split boxes alike: across the longest side.
 template <ProofKind kind>
 std::pair<Box, Box> halves(const Box& box) {
   int axis = 0;
@@ -127,7 +125,7 @@ std::string refusal(const model::System& system) {
   return "";
 }
 
-// What rules a proof out before any box is tried: in doubles, for a reason that helps more than a failed inequality.
+// Checks in doubles before any box is tried: their reasons help more than a failed inequality.
 std::string hopeless(const model::System& system, double speed, const double* phi, const Eigen::MatrixXd& form,
                      double level) {
   const int size = system.dimension();

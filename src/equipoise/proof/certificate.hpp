@@ -40,24 +40,21 @@ struct Certificate {
   model::System system() const;
 };
 
-/// What the proof covers beyond `level`, relative: a program may test V < level with rounded angles of the balanced
-/// state, a rounded factor of P and rounding in V itself, whose sum is far below this.
+/// The proof covers so much more than `level`, relatively: rounding in a program's test V < level is far below it.
 inline constexpr double level_slack = 1e-9;
 
 /// Boxes tried for one level.
 inline constexpr long default_budget = 20000;
 
-/// What check_certificate() or prove_level() found.
 struct CertificateResult {
   bool proved = false;
   std::string reason;  ///< why not, in one sentence
 };
 
-/// Tries to prove the given level around the balanced state at ball angles `phi`. On success `certificate` is complete.
-/// Works for one or two balls with isolated balanced states, isotropic supports, no gravity, at a prescribed speed or
-/// under a motor that does not reach its limit on the level set, in a race off its centre or not; refuses (with the
-/// reason) otherwise, for forms that are not positive definite and for states that are not linearly stable. `budget`:
-/// most boxes to try. A stopped search proves nothing.
+/// Tries to prove the given level around the balanced state at ball angles `phi`; on success completes `certificate`.
+/// For one or two balls with isolated, linearly stable balanced states, isotropic supports, no gravity, at a prescribed
+/// speed or under a motor below its limit all over the level set; refuses else, with the reason. `budget`: most boxes
+/// to try. A stopped search proves nothing.
 CertificateResult prove_level(const model::System& system, const double* phi, const Eigen::MatrixXd& form, double level,
                               Certificate& certificate, long budget = default_budget, const StopFlag* stop = nullptr);
 

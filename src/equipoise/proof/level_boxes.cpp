@@ -48,9 +48,9 @@ std::array<Interval, LevelProof<kind>::thetas> LevelProof<kind>::speeds(const Bo
   return q;
 }
 
-// Around the balanced state dV/dt is of second order in d, so no margin of zeroth order can prove it. There f(d) = S d
-// with a slope S enclosed over the box (it holds the centre, and the ray to each of its points), and the symmetric part
-// of G S D must be negative definite.
+// Near the balanced state dV/dt is of second order in d, so bounds on its value prove nothing. But f(d) = S d with a
+// slope S enclosed over the box, which holds the ray to each point: the symmetric part of G S D must be negative
+// definite.
 template <ProofKind kind>
 bool LevelProof<kind>::holds_around_centre(const Box& box, double spare) const {
   const auto delta = deviation(box);
@@ -142,9 +142,8 @@ typename LevelProof<kind>::Slice LevelProof<kind>::slice(const Box& box) const {
       for (int v = 0; v < etas; ++v) along[a][j] = along[a][j] + by_w[v] * Constant(frame_[row_of(v)][j]);
   }
 
-  // The form in (eta, 1) of (eta; tau)^T (linear (eta; tau) + remainder). Linear terms are exactly affine in tau but
-  // for tau^T X tau, which lies below its tangent at the middle where X is negative definite (corners() adds what
-  // else).
+  // The form in (eta, 1) of (eta; tau)^T (linear (eta; tau) + remainder). Linear terms are affine in tau but for
+  // tau^T X tau, which lies below its tangent at the middle if X is negative definite (else see at_corners()).
   const auto fill = [&](Square<Affine>& form, const Rows<Interval, size>& x, const std::array<Affine, size>& rest,
                         const auto& slope) {
     Affine& corner = form[one][one];

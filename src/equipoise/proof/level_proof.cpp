@@ -13,7 +13,6 @@ namespace equipoise {
 
 namespace {
 
-// The equations of a kind of system.
 template <class Flow>
 Flow flow_of(const model::System& system) {
   if constexpr (std::is_constructible_v<Flow, const model::System&, double>)
@@ -134,8 +133,7 @@ bool LevelProof<kind>::check_frame(const Certificate& c) {
   return fault_.empty();
 }
 
-// The balanced state in doubles, as programs know it, in place of the exact one moves V by less than the slack: sqrt V
-// differs by at most sqrt(V(shift of the centre)).
+// Programs use the balanced state in doubles: that moves sqrt V by at most sqrt(V(shift)), less than the slack.
 template <ProofKind kind>
 bool LevelProof<kind>::check_centre(const Certificate& c) {
   constexpr double shift = 1e-11;

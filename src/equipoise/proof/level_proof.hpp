@@ -53,8 +53,7 @@ class LevelProof {
   bool outside(const Box& box) const;
   /// Proves dV/dt < 0 wherever V <= level and tau is in the box, except at the balanced state, with its multipliers.
   bool holds(const Box& box) const;
-  /// The same, changing multipliers until they prove it, with a little to spare: another compiler's rounding must not
-  /// refute what is found here.
+  /// The same, searching for multipliers, with a margin for another compiler's rounding.
   bool find(Box& box) const;
 
  private:

@@ -1,6 +1,5 @@
-// For fixed ball angles and q_i^2 read as theta_i q_i the equations are h' = A h exactly: what is left at rest is the
-// force of the unbalance, which acts as the supports' does. An interval matrix A over a box of angles proves what holds
-// in it.
+// At fixed ball angles, with q_i^2 read as theta_i q_i, the equations are exactly h' = A h. An interval matrix A over a
+// box of angles proves what holds all over it.
 #include "equipoise/proof/member_certificate.hpp"
 
 #include <algorithm>
@@ -26,7 +25,7 @@ using E = Expansion<Interval, most>;
 using Flow =
     HWY_NAMESPACE::FreeFlow<E, model::any_count, HWY_NAMESPACE::Terms{false, false, false, false, false, true}>;
 
-// By so much more than the check asks a search must succeed: another compiler's rounding must not refute it.
+// A search succeeds with this margin, so that another compiler's rounding does not refute it.
 constexpr double spare_in_search = 1e-11;
 
 // Of h, or less where fewer balls than there is room for run.
@@ -104,8 +103,8 @@ bool bounded_below(const MemberCertificate& c) {
   return c.least > 0.0 && certainly_positive(form, 0.0);
 }
 
-// A balanced state with all angles in the box: those but two are as given, and those two, which turn the unbalance most
-// independently, are found. So nearby angles leave any small unbalance whatever.
+// Whether the box holds a balanced state: all angles but two are as given, and the two that turn the unbalance most
+// independently are solved for. So nearby angles leave any small unbalance whatever.
 bool holds_balance(const MemberCertificate& c) {
   const model::Parameters& p = c.parameters;
   int first = 0, second = 1;

@@ -1,5 +1,4 @@
-// Proofs about single members of a continuum of balanced states (three balls or more): that what comes close to one
-// ends balanced, or that it is unstable.
+// Proofs that a member of a continuum of balanced states (three balls or more) attracts or is unstable.
 #pragma once
 
 #include <array>
@@ -34,8 +33,8 @@ struct MemberCertificate {
   Eigen::VectorXd escape;
 };
 
-/// Tries to prove one or the other of the member of the continuum near ball angles `phi`; radius 0 if neither can be.
-/// At a prescribed speed, in a centred race, on equal supports, without gravity.
+/// Proves one or the other near ball angles `phi`; radius 0 if neither succeeds. Needs a prescribed speed, a centred
+/// race, equal supports, no gravity.
 MemberCertificate prove_member(const model::Parameters& p, double speed, const double* phi);
 
 /// The largest real part of a rate across the continuum at its member, by linear theory in doubles.

@@ -35,11 +35,12 @@ SamplingBox stated_box() {
   return box;
 }
 
-
-// What a part reports, under the part's name.
-std::function<void(const Progress&)> renamed(const OpenQuestionSettings& settings, const std::string& part) {
-  if (!settings.progress) return {};
-  return [&settings, part](Progress p) {
+// A part's progress is reported under the part's name.
+void use(const OpenQuestionSettings& settings, const std::string& part, RunOptions& options) {
+  options.threads = settings.threads;
+  options.stop = settings.stop;
+  if (!settings.progress) return;
+  options.progress = [&settings, part](Progress p) {
     p.what = p.preparing ? part + ", " + p.what : part;
     settings.progress(p);
   };
@@ -51,9 +52,7 @@ PlaneMap mapped(const Study& study, const OpenQuestionSettings& settings, const 
   map.x = x;
   map.y = y;
   map.links = links;
-  map.threads = settings.threads;
-  map.stop = settings.stop;
-  map.progress = renamed(settings, part);
+  use(settings, part, map);
   return plane_map(study, map);
 }
 
@@ -63,18 +62,12 @@ BasinResult sampled(Study study, const SamplingBox& box, const OpenQuestionSetti
   study.sampling.seed = settings.seed;
   study.sampling.box = box;
   BasinOptions options;
-  options.threads = settings.threads;
-  options.stop = settings.stop;
+  use(settings, part, options);
   options.discoveries = &discoveries;
   if (!settings.folder.empty())
     options.output = fmt::format("{}/{}-speed-{}.nc", settings.folder, file, study.speed.speed);
-  options.progress = renamed(settings, part);
   return basin(study, options);
 }
-
-}  // namespace
-
-namespace {
 
 OpenQuestions answered(const OpenQuestionSettings& settings) {
   const int pixels = settings.map_pixels;

@@ -4,11 +4,26 @@
 
 #include <cstdint>
 #include <string>
+#include <vector>
 
 #include "equipoise/base/run_options.hpp"
-#include "equipoise/reproduction/open_questions_result.hpp"
+#include "equipoise/results/basin_result.hpp"
+#include "equipoise/results/plane_map.hpp"
 
 namespace equipoise {
+
+/// Shares at one speed: of starts all over the box, and of starts at rest with the same ball angles.
+struct BoxShares {
+  double speed = 0.0;
+  BasinResult box, rest;
+};
+
+struct OpenQuestions {
+  PlaneMap eccentricity_and_angle;  ///< lambda and phi_1, the balls opposite one another
+  PlaneMap eccentricity_and_mass;   ///< lambda and mu, the balls at -pi/2 and pi/2
+  std::vector<BoxShares> boxes;     ///< by rising speed
+  bool complete = true;             ///< false: stopped; what is there counts
+};
 
 /// Progress is in pixels of a map, then in starts of a sample.
 struct OpenQuestionSettings : RunOptions {
@@ -20,10 +35,9 @@ struct OpenQuestionSettings : RunOptions {
 
 /// The rotor of the paper's section 4 (zeta = 0.5, mu = beta = 0.05, lambda = 0.01) at constant speed 2.4, balls free
 /// and all at rest in the rotating frame, unless a question varies it. The box of the third question: |x|, |y| <= 0.2,
-/// |x'|, |y'| <= 0.5, |phi_i'| <= 2.4, any ball angles. The paper names no set of states, and the whole space has no
-/// uniform distribution. The box takes in the motions that starts at rest come to at these speeds (r up to 0.15, x' to
-/// 0.25, ball rates to -2.38), rotors held further out, and balls from rest in the fixed frame at speed 2.4 to as fast
-/// again ahead of the rotor. Shares depend on it.
+/// |x'|, |y'| <= 0.5, |phi_i'| <= 2.4, any ball angles. The paper names none, and shares depend on it; this one takes
+/// in the motions that starts at rest come to (r up to 0.15, x' to 0.25, ball rates to -2.38), rotors held further out,
+/// and balls from rest in the fixed frame at speed 2.4 to as fast again ahead of the rotor.
 OpenQuestions open_questions(const OpenQuestionSettings& settings = {});
 
 }  // namespace equipoise

@@ -4,10 +4,12 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <numbers>
+#include <tuple>
 
 #include <fmt/format.h>
 
+#include "equipoise/base/angles.hpp"
+#include "equipoise/base/error.hpp"
 #include "equipoise/literature/paper_rotor.hpp"
 #include "equipoise/model/frames.hpp"
 #include "equipoise/motions/motion.hpp"
@@ -20,7 +22,8 @@ namespace equipoise {
 namespace {
 
 using model::SpeedLaw;
-constexpr double quarter = 0.5 * std::numbers::pi;
+constexpr double quarter = 0.5 * pi;
+constexpr std::array both_laws{SpeedLaw::published, SpeedLaw::kinematic};
 constexpr double sampling = 0.1;             // at least fifteen samples in the fastest oscillation of r
 constexpr std::size_t longest_curve = 1800;  // points of a curve in a picture
 constexpr double omitted_duration = 500.0;   // T0 where a caption does not say it
@@ -91,23 +94,17 @@ std::optional<Eigen::VectorXd> state_on(const std::string& alias, const model::P
 }
 
 FigurePanel attractor_panel(const std::string& alias, double speed, double until, const StopFlag* stop) {
-  Study study = paper_rotor(0.5, 0.05);
+  Study study = paper_rotor();
   study.name = "figure";
   study.speed.speed = speed;
   FigurePanel panel{fmt::format("{}, Ω = {}", alias, speed), {}};
   const auto z = state_on(alias, study.parameters, speed, stop);
   if (!z) return panel;
   using namespace model::index;
+  const auto velocity = model::rotating_velocity(speed, z->data());
   InitialState& s = study.initial;
-  s.x = (*z)[x];
-  s.y = (*z)[y];
-  const std::array<double, 2> velocity = model::rotating_velocity(speed, z->data());
-  s.x_dot = velocity[0];
-  s.y_dot = velocity[1];
-  for (int i = 0; i < 2; ++i) {
-    s.phi[i] = (*z)[phi(i)];
-    s.phi_dot[i] = (*z)[q(i, 2)];
-  }
+  std::tie(s.x, s.y, s.x_dot, s.y_dot) = std::tuple((*z)[x], (*z)[y], velocity[0], velocity[1]);
+  for (int i = 0; i < 2; ++i) std::tie(s.phi[i], s.phi_dot[i]) = std::tuple((*z)[phi(i)], (*z)[q(i, 2)]);
   panel.series.push_back(curve(study, alias, until, stop));
   return panel;
 }
@@ -120,7 +117,6 @@ PaperFigure attractors_figure(const StopFlag* stop) {
       "V1: balls coincident; V2: a torus, never quite repeating; V3: one ball captured; V4: the same with four times "
       "the period.",
       "",
-      false,
       {}};
   for (const auto& [alias, speed] : {std::pair{"V1", 2.2}, {"V2", 2.2}, {"V3", 4.4}, {"V4", 4.4}})
     figure.panels.push_back(attractor_panel(alias, speed, 50.0, stop));
@@ -134,29 +130,28 @@ PaperFigure transients_figure(const StopFlag* stop) {
       "r against time: ramp 0 to 2.4 in T0, balls clamped at φ = −π/2, π/2 and released at 2.4; β = 0.05, ζ = 0.5.",
       "The caption starts both balls at −π and π, which is one point; −π/2 and π/2, as in the later figures, makes "
       "them opposite, as the text says.",
-      true,
       {}};
   for (const double duration : {1e-4, 0.1, 5.0, 50.0, 100.0, 300.0}) {
     FigurePanel panel{fmt::format("T0 = {}", duration), {}};
-    for (const SpeedLaw law : {SpeedLaw::published, SpeedLaw::kinematic})
+    for (const SpeedLaw law : both_laws)
       panel.series.push_back(curve(ramp_study(0.5, 0.05, 2.4, duration, 2.4, law), "", duration + 200.0, stop));
     figure.panels.push_back(std::move(panel));
   }
   return figure;
 }
 
-// One panel a law, one curve a release speed.
-FigurePanel release_panel(const std::string& title, double zeta, double beta, double final, double first, double second,
-                          SpeedLaw law, double until, const StopFlag* stop) {
-  FigurePanel panel{title, {}};
-  int roman = 0;
-  for (const double release : {first, second})
-    panel.series.push_back(curve(ramp_study(zeta, beta, final, omitted_duration, release, law),
-                                 fmt::format("({}) released at {}", ++roman == 1 ? "i" : "ii", release), until, stop));
-  return panel;
+// Of balls released at the end of the ramp and at `early`: one panel a law, one curve a release speed.
+void add_releases(PaperFigure& figure, const std::string& title, double zeta, double beta, double final, double early,
+                  double until, const StopFlag* stop) {
+  for (const SpeedLaw law : both_laws) {
+    FigurePanel panel{fmt::format("{}{} law", title, name_of(law)), {}};
+    for (const double release : {final, early})
+      panel.series.push_back(curve(ramp_study(zeta, beta, final, omitted_duration, release, law),
+                                   fmt::format("({}) released at {}", release == final ? "i" : "ii", release), until,
+                                   stop));
+    figure.panels.push_back(std::move(panel));
+  }
 }
-
-std::string law_title(SpeedLaw law) { return fmt::format("{} law", name_of(law)); }
 
 PaperFigure ball_lag_figure(const StopFlag* stop) {
   PaperFigure figure{"figure-ball-lag",
@@ -164,10 +159,8 @@ PaperFigure ball_lag_figure(const StopFlag* stop) {
                      "r against time: ramp 0 to 5, balls at φ = −π/2, π/2 released at 5 (i) and at 2 (ii); β = 0.01, "
                      "ζ = 0.02. Balls released early lag behind the rotor while it speeds up.",
                      omitted_reason,
-                     true,
                      {}};
-  for (const SpeedLaw law : {SpeedLaw::published, SpeedLaw::kinematic})
-    figure.panels.push_back(release_panel(law_title(law), 0.02, 0.01, 5.0, 5.0, 2.0, law, 1500.0, stop));
+  add_releases(figure, "", 0.02, 0.01, 5.0, 2.0, 1500.0, stop);
   return figure;
 }
 
@@ -178,12 +171,9 @@ PaperFigure release_figure(const StopFlag* stop) {
       "r against time: ramp 0 to 2.4, balls at φ = −π/2, π/2 released at 2.4 (i) and at 2.2 (ii), for four pairs of "
       "external and internal damping.",
       omitted_reason,
-      true,
       {}};
   for (const auto& [zeta, beta] : {std::pair{0.02, 0.01}, {0.02, 0.25}, {0.5, 0.05}, {0.5, 0.25}})
-    for (const SpeedLaw law : {SpeedLaw::published, SpeedLaw::kinematic})
-      figure.panels.push_back(release_panel(fmt::format("ζ = {}, β = {}: {}", zeta, beta, law_title(law)), zeta, beta,
-                                            2.4, 2.4, 2.2, law, 900.0, stop));
+    add_releases(figure, fmt::format("ζ = {}, β = {}: ", zeta, beta), zeta, beta, 2.4, 2.2, 900.0, stop);
   return figure;
 }
 

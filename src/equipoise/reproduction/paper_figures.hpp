@@ -4,10 +4,26 @@
 #include <string>
 #include <vector>
 
-#include "equipoise/base/error.hpp"
-#include "equipoise/literature/paper_figure.hpp"
+#include "equipoise/base/stop_flag.hpp"
+#include "equipoise/model/speed.hpp"
 
 namespace equipoise {
+
+struct FigureSeries {
+  std::string label;
+  model::SpeedLaw law = model::SpeedLaw::published;
+  std::vector<double> t, r;
+  std::string study;  ///< resolved, as TOML
+};
+struct FigurePanel {
+  std::string title;
+  std::vector<FigureSeries> series;
+};
+struct PaperFigure {
+  std::string id, title, caption;
+  std::string choice;  ///< what the paper's caption leaves open and how it was settled here; empty if nothing
+  std::vector<FigurePanel> panels;
+};
 
 /// "figure-attractors", "figure-transients", "figure-ball-lag", "figure-release".
 const std::vector<std::string>& paper_figure_ids();

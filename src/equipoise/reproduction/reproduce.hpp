@@ -21,8 +21,7 @@ struct ReproduceOptions : RunOptions {
   std::vector<int> tables;  ///< 1 to 7
   LawChoice laws = LawChoice::both;
   std::uint64_t starts = 0;  ///< a row; 0: as many as the paper used
-  /// Folder for every ensemble's per-start outcomes (one NetCDF file each); empty: none. Finished ensembles found there
-  /// are not computed again, unfinished ones are resumed.
+  /// Folder for a NetCDF file of every ensemble's outcomes; empty: none. Ensembles found there are used or resumed.
   std::string folder;
   // For reproduce() alone.
   std::vector<std::string> figures;  ///< of paper_figure_ids()

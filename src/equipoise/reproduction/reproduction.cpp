@@ -18,14 +18,16 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
+Json with_share(Json json, const Share& share) {
+  json.update(share_json(share));
+  return json;
+}
+
 Json ensemble_json(const std::optional<EnsembleResult>& e) {
   if (!e) return nullptr;
   Json outcomes = Json::array();
-  for (const OutcomeShare& line : e->attractors) {
-    Json one{{"name", line.name}, {"alias", line.alias}};
-    one.update(share_json(line.share));
-    outcomes.push_back(one);
-  }
+  for (const OutcomeShare& line : e->attractors)
+    outcomes.push_back(with_share({{"name", line.name}, {"alias", line.alias}}, line.share));
   return {{"starts", e->starts},
           {"seed", e->seed},
           {"complete", e->complete},
@@ -74,11 +76,7 @@ Json table_json(const ReproducedTable& t) {
 
 Json map_json(const PlaneMap& map) {
   Json codes = Json::array();
-  for (const OutcomeShare& c : map.codes) {
-    Json one{{"name", c.name}, {"alias", c.alias}};
-    one.update(share_json(c.share));
-    codes.push_back(one);
-  }
+  for (const OutcomeShare& c : map.codes) codes.push_back(with_share({{"name", c.name}, {"alias", c.alias}}, c.share));
   return {{"x", map.x.key}, {"y", map.y.key}, {"pixels", {map.x.pixels, map.y.pixels}}, {"outcomes", codes}};
 }
 
@@ -97,15 +95,10 @@ Json answer_json(const ConclusionResult& c) {
 }
 
 std::string cell_line(const ReproducedRow& row, const ReproducedCell& c, bool first) {
-  const auto& computed = row.by_published_law;
-  const std::string kinematic = row.by_kinematic_law && row.by_kinematic_law->starts > 0
-                                    ? percentage(row.by_kinematic_law->share_of(c.published->attractor))
-                                    : "";
-  const bool known = computed && computed->starts > 0;
+  const CellWords words = cell_words(row, c);
   return fmt::format("{:<26}{:<9}{:>9} {:>9}  {:<20}{:>8}{:>10}  {}\n", first ? row.published->label : "",
-                     c.published->attractor, printed_percentage(*c.published), known ? percentage(c.computed) : "-",
-                     known ? interval(c.computed) : "-", known ? p_value_text(c.p_value) : "-", kinematic,
-                     c.verdict == Verdict::agrees ? "" : verdict_text(c));
+                     c.published->attractor, words.printed, words.computed, words.interval, words.p_value,
+                     words.kinematic, c.verdict == Verdict::agrees ? "" : verdict_text(c));
 }
 
 std::string table_text(const ReproducedTable& t) {
@@ -116,7 +109,7 @@ std::string table_text(const ReproducedTable& t) {
   for (const ReproducedRow& row : t.rows) {
     bool first = true;
     for (const ReproducedCell& c : row.cells) {
-      if (c.published->share.share == 0.0 && c.computed.count == 0 && c.published->attractor != "balanced") continue;
+      if (is_idle(c)) continue;
       text += cell_line(row, c, first);
       first = false;
     }
@@ -209,11 +202,8 @@ std::string reproduction_json(const Reproduction& r) {
                            {"kinematic_law", answer_json(c.kinematic)}});
   for (const Picture& p : r.pictures) pictures.push_back({{"id", p.id}, {"title", p.title}, {"path", p.path}});
   Json lead = Json::array();
-  for (const LeadRow& row : r.table_7_lead) {
-    Json one{{"row", row.label}, {"printed", row.printed}};
-    one.update(share_json(row.balanced));
-    lead.push_back(one);
-  }
+  for (const LeadRow& row : r.table_7_lead)
+    lead.push_back(with_share({{"row", row.label}, {"printed", row.printed}}, row.balanced));
   const Json json{{"command", r.command},
                   {"version", version_string},
                   {"citation", published_citation},

@@ -6,9 +6,9 @@
 #include <string>
 #include <vector>
 
-#include "equipoise/literature/paper_figure.hpp"
 #include "equipoise/literature/reproduction.hpp"
-#include "equipoise/reproduction/open_questions_result.hpp"
+#include "equipoise/reproduction/open_questions.hpp"
+#include "equipoise/reproduction/paper_figures.hpp"
 
 namespace equipoise {
 

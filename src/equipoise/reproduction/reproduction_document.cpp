@@ -2,12 +2,12 @@
 #include "equipoise/reproduction/reproduction_document.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cctype>
 
 #include <fmt/format.h>
 
 #include "equipoise/base/version.hpp"
-#include "equipoise/literature/table_7_candidates.hpp"
 #include "equipoise/report/text.hpp"
 #include "equipoise/reproduction/reproduction_charts.hpp"
 #include "equipoise/reproduction/reproduction_words.hpp"
@@ -35,10 +35,8 @@ Tone tone_of(Verdict verdict) {
 }
 
 Tone tone_of(Answer answer) {
-  return answer == Answer::holds          ? Tone::good
-         : answer == Answer::reversed     ? Tone::bad
-         : answer == Answer::contradicted ? Tone::open
-                                          : Tone::plain;
+  constexpr std::array tones{Tone::good, Tone::bad, Tone::open, Tone::plain, Tone::plain};
+  return tones[static_cast<std::size_t>(answer)];
 }
 
 void verdicts(const Reproduction& r, Document& d) {
@@ -142,12 +140,6 @@ void table_7_evidence(const Reproduction& r, Document& d) {
   d.blocks.push_back(std::move(table));
 }
 
-std::string kinematic_cell(const ReproducedRow& row, const PublishedCell& cell) {
-  if (!row.by_kinematic_law || row.by_kinematic_law->starts == 0) return "";
-  const Share s = row.by_kinematic_law->share_of(cell.attractor);
-  return percentage(s);
-}
-
 void table_section(const Reproduction& r, const ReproducedTable& t, Document& d) {
   d.blocks.push_back(
       Heading{2, fmt::format("Table {}", t.published->number), fmt::format("table-{}", t.published->number)});
@@ -171,16 +163,13 @@ void table_section(const Reproduction& r, const ReproducedTable& t, Document& d)
   for (const ReproducedRow& row : t.rows) {
     bool first = true;
     for (const ReproducedCell& c : row.cells) {
-      const bool idle =
-          c.published->share.share == 0.0 && c.computed.count == 0 && c.published->attractor != "balanced";
-      if (idle && c.verdict == Verdict::agrees) continue;
-      const bool known = row.by_published_law && row.by_published_law->starts > 0;
+      if (is_idle(c) && c.verdict == Verdict::agrees) continue;
+      const CellWords words = cell_words(row, c);
       table.rows.push_back({label(first ? row.published->label : ""), text(c.published->attractor),
-                            number(printed_percentage(*c.published)), number(known ? percentage(c.computed) : "-"),
-                            number(known ? interval(c.computed) : "-"), number(known ? p_value_text(c.p_value) : "-"),
-                            text(name_of(c.verdict), tone_of(c.verdict))});
+                            number(words.printed), number(words.computed), number(words.interval),
+                            number(words.p_value), text(name_of(c.verdict), tone_of(c.verdict))});
       if (kinematic) {
-        table.rows.back().push_back(number(kinematic_cell(row, *c.published)));
+        table.rows.back().push_back(number(words.kinematic));
         const bool balanced = c.published->attractor == "balanced";
         table.rows.back().push_back(number(balanced && row.law_difference ? difference_text(*row.law_difference) : ""));
       }

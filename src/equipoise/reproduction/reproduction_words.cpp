@@ -8,6 +8,7 @@
 
 #include <fmt/format.h>
 
+#include "equipoise/report/text.hpp"
 #include "equipoise/store/basin_file.hpp"
 #include "equipoise/types/fate.hpp"
 
@@ -19,14 +20,22 @@ std::string percentage(const Share& s) {
   return fmt::format("{:.{}f}", value, digits);
 }
 
-std::string printed_percentage(const PublishedCell& cell) {
-  const double value = 100.0 * cell.share.share;
-  if (!cell.fraction) return value > 0.0 && value < 0.01 ? fmt::format("{:.3f}", value) : fmt::format("{:.2f}", value);
-  return fmt::format("{:.2g}*", value);
+CellWords cell_words(const ReproducedRow& row, const ReproducedCell& cell) {
+  const double printed = 100.0 * cell.published->share.share, p = cell.p_value;
+  CellWords words{fmt::format("{:.{}f}", printed, printed > 0.0 && printed < 0.01 ? 3 : 2), "-", "-", "-", ""};
+  if (cell.published->fraction) words.printed = fmt::format("{:.2g}*", printed);
+  if (row.by_published_law && row.by_published_law->starts > 0) {
+    words.computed = percentage(cell.computed);
+    words.interval = interval(cell.computed);
+    words.p_value = p < 1e-12 ? "< 1e-12" : p < 1e-4 ? fmt::format("{:.0e}", p) : fmt::format("{:.4f}", p);
+  }
+  if (row.by_kinematic_law && row.by_kinematic_law->starts > 0)
+    words.kinematic = percentage(row.by_kinematic_law->share_of(cell.published->attractor));
+  return words;
 }
 
-std::string p_value_text(double p) {
-  return p < 1e-12 ? "< 1e-12" : p < 1e-4 ? fmt::format("{:.0e}", p) : fmt::format("{:.4f}", p);
+bool is_idle(const ReproducedCell& c) {
+  return c.published->share.share == 0.0 && c.computed.count == 0 && c.published->attractor != "balanced";
 }
 
 std::string verdict_text(const ReproducedCell& cell) {

@@ -9,9 +9,14 @@ namespace equipoise {
 
 /// A share in percent without the sign, with the digits that the print has or that small counts need: "60.40".
 std::string percentage(const Share& s);
-/// The printed number as a percentage: fractions of one are converted and marked.
-std::string printed_percentage(const PublishedCell& cell);
-std::string p_value_text(double p);
+/// What tables show of a cell: "-" or nothing where it was not computed. Of what was printed fractions of one are
+/// converted to percentages and marked.
+struct CellWords {
+  std::string printed, computed, interval, p_value, kinematic;
+};
+CellWords cell_words(const ReproducedRow& row, const ReproducedCell& cell);
+/// An attractor other than balance that was neither printed nor found.
+bool is_idle(const ReproducedCell& cell);
 /// "differs", "not comparable: the printed row sums to 100.07".
 std::string verdict_text(const ReproducedCell& cell);
 /// "+19.8 (19.4 to 20.2)": points.

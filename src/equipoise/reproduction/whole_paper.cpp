@@ -1,11 +1,11 @@
 // The paper from its first table to the questions it leaves open: what is asked for, done in its order and added up.
 #include <algorithm>
 #include <chrono>
-#include <ctime>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include "equipoise/base/cpu_time.hpp"
 #include "equipoise/base/display_text.hpp"
 #include "equipoise/base/error.hpp"
 #include "equipoise/base/parallel.hpp"
@@ -59,7 +59,7 @@ class WholePaper {
     if (options_.future && !stopped()) r.open = future();
     r.partial = stopped();
     r.run_seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
-    r.run_cpu_seconds = static_cast<double>(std::clock()) / CLOCKS_PER_SEC;
+    r.run_cpu_seconds = cpu_seconds();
     total(r);
     return r;
   }
@@ -74,7 +74,7 @@ class WholePaper {
   void lead_on_table_7(Reproduction& r) const {
     const std::uint64_t starts = options_.starts > 0 ? std::min(options_.starts, lead_starts) : lead_starts;
     try {
-      for (const ObservationReading& reading : observe_table_7(table_7_lead(), starts, options_.threads, options_.stop))
+      for (const LeadReading& reading : observe_table_7_lead(starts, options_.threads, options_.stop))
         r.table_7_lead.push_back({fmt::format("{}, {}, {}", reading.row.t0, reading.row.t1, reading.row.t2),
                                   reading.row.printed, reading.balanced});
     } catch (const RunError&) {

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <bit>
 #include <cmath>
+#include <ranges>
 
 #include "equipoise/base/angles.hpp"
 #include "equipoise/base/random.hpp"
@@ -15,7 +16,7 @@ namespace equipoise {
 
 namespace {
 
-// Ways to choose k of n; once above `limit`, any number above it (so that nothing overflows).
+// Ways to choose k of n; any number above `limit` once it exceeds that, so that nothing overflows.
 std::uint64_t choose(std::uint64_t n, int k, std::uint64_t limit) {
   if (n < static_cast<std::uint64_t>(k)) return 0;
   const std::uint64_t fewer = std::min(static_cast<std::uint64_t>(k), n - static_cast<std::uint64_t>(k));
@@ -51,6 +52,12 @@ std::uint64_t shuffled(std::uint64_t seed, std::uint64_t place, std::uint64_t co
   return place;
 }
 
+// The last number from `begin` - 1 to `end` - 1 of which `holds`, which it does of the first ones.
+template <class Holds>
+std::uint64_t last_of(std::uint64_t begin, std::uint64_t end, const Holds& holds) {
+  return *std::ranges::partition_point(std::views::iota(begin, end), holds) - 1;
+}
+
 }  // namespace
 
 JitteredGrid::JitteredGrid(int balls, bool exchange, std::uint64_t starts) : balls_(balls), exchange_(exchange) {
@@ -58,17 +65,14 @@ JitteredGrid::JitteredGrid(int balls, bool exchange, std::uint64_t starts) : bal
   const auto fits = [&](std::uint64_t side) { return count_cells(side, balls, exchange, limit) <= limit; };
   std::uint64_t above = 2;
   while (fits(above)) above *= 2;
-  while (above - side_ > 1) {
-    const std::uint64_t middle = side_ + (above - side_) / 2;
-    (fits(middle) ? side_ : above) = middle;
-  }
+  side_ = last_of(2, above, fits);
   cells_ = count_cells(side_, balls, exchange, limit);
 }
 
 double JitteredGrid::all_cells() const { return std::pow(static_cast<double>(side_), balls_); }
 
-// Without exchange the coordinates are the digits of a rank; with it, d_k = c_k + k (k from 0) increase strictly and
-// rank = sum of C(d_k, k + 1), the combinatorial number system.
+// Without exchange coordinates are the digits of a rank; with it, d_k = c_k + k increase strictly and the rank is the
+// sum of C(d_k, k + 1): the combinatorial number system.
 void JitteredGrid::cell(std::uint64_t seed, std::uint64_t index, std::uint64_t* coordinates) const {
   std::uint64_t rank = shuffled(seed, index / 2, cells_);
   if (!exchange_) {
@@ -77,13 +81,8 @@ void JitteredGrid::cell(std::uint64_t seed, std::uint64_t index, std::uint64_t* 
   }
   for (int k = balls_ - 1; k >= 0; --k) {
     const std::uint64_t shift = static_cast<std::uint64_t>(k);
-    std::uint64_t low = 0, above = side_;
-    while (above - low > 1) {
-      const std::uint64_t middle = low + (above - low) / 2;
-      (choose(middle + shift, k + 1, rank) <= rank ? low : above) = middle;
-    }
-    coordinates[k] = low;
-    rank -= choose(low + shift, k + 1, cells_);
+    coordinates[k] = last_of(1, side_, [&](std::uint64_t c) { return choose(c + shift, k + 1, rank) <= rank; });
+    rank -= choose(coordinates[k] + shift, k + 1, cells_);
   }
 }
 

@@ -5,11 +5,10 @@
 
 namespace equipoise {
 
-/// Stratified sampling of the torus of ball angles: m^n equal cells, m to a turn, two independent uniform starts in
-/// each, so that the differences within cells give the variance without bias (S. Haber, Math. Comp. 21 (1967) 388).
-/// With `exchange` (balls that can be exchanged without changing any outcome's probability) only cells c_1 <= ... <=
-/// c_n are evaluated, each in place of all its mirror images: the jitter of those is mirrored with them. Cells come in
-/// an order shuffled by the seed, so that a prefix of the starts is a fair sample too.
+/// Stratified sampling of ball angles: m^n equal cells, m to a turn, with two independent uniform starts each, whose
+/// differences give the variance without bias (S. Haber, Math. Comp. 21 (1967) 388). With `exchange` (balls whose
+/// exchange changes no outcome's probability) only cells c_1 <= ... <= c_n are evaluated, each for all its mirror
+/// images. The seed shuffles the cells, so that a prefix of the starts is a fair sample too.
 class JitteredGrid {
  public:
   /// The largest grid that `starts` starts can fill. starts >= 2.

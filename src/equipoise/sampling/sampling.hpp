@@ -25,12 +25,11 @@ class Sampler {
 
   /// Writes the ball angles of start `index`, each uniform on [0, 2 pi).
   void angles(std::uint64_t seed, std::uint64_t index, double* phi) const;
-  /// Writes further numbers of start `index`, uniform on [0, 1): for `count` quantities, of which `drawn` says which
-  /// are wanted. Further coordinates of the same Sobol point, taken up by those wanted alone; else independent numbers.
+  /// Writes further numbers of start `index`, uniform on [0, 1), for `count` quantities. Of a Sobol point only those
+  /// that are `drawn` take up coordinates.
   void fractions(std::uint64_t seed, std::uint64_t index, int count, const bool* drawn, double* fractions) const;
-  /// A number of start `index` for a value called `name`, the `place`-th that is drawn beside ball angles and
-  /// fractions(), of which it takes `wanted`: the next coordinate of its Sobol point if there is one, else an
-  /// independent number that does not depend on the place.
+  /// A number of start `index` for a value called `name`, the `place`-th drawn beside ball angles and `wanted`
+  /// fractions(): the next coordinate of its Sobol point if there is one, else independent of the place.
   double named(std::uint64_t seed, std::uint64_t index, int wanted, int place, std::string_view name) const;
   /// What start `index` counts: 1, but on a grid that uses exchange symmetry.
   double weight(std::uint64_t seed, std::uint64_t index) const;

@@ -15,8 +15,8 @@ namespace {
 constexpr int index_bits = 48;
 using Directions = std::array<std::array<std::uint64_t, index_bits>, most_sobol_dimensions>;
 
-// What each bit of a point's number adds to its coordinates. Boost's engine goes through the sequence in the order of
-// Gray's code and leaves out point 0: its output number 2^(j+1) - 2 has the code 2^j, so it is direction j itself.
+// Boost's engine runs in the order of Gray's code without point 0: its output number 2^(j+1) - 2 has the code 2^j, so
+// it is direction j.
 Directions direction_numbers() {
   Directions result;
   boost::random::sobol engine(most_sobol_dimensions);
@@ -35,8 +35,8 @@ std::uint64_t sobol_point(std::uint64_t number, int dimension) {
   return point;
 }
 
-// Eight bits of the point at a time: the 255 random bits that one of them may need are those of a tree eight levels
-// deep, numbered as in a heap from 1, and one call of the generator makes 256. 53 bits of the result are used.
+// Eight bits at a time: their random bits form a tree of 255 nodes, numbered as a heap, for which one call of the
+// generator suffices. 53 bits of the result are used.
 std::uint64_t scrambled(std::uint64_t seed, std::uint64_t replicate, int dimension, std::uint64_t point) {
   const std::uint64_t tree = replicate << 32 | static_cast<std::uint64_t>(dimension);
   std::uint64_t flips = 0;

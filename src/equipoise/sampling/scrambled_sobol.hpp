@@ -5,20 +5,18 @@
 
 namespace equipoise {
 
-/// Independent scramblings. Start i belongs to replicate i mod 16 and is its point i / 16, so that every prefix of the
-/// starts is spread evenly over the replicates. With errors that shrink like n^-3/4 a sample split into R replicates
-/// has a confidence interval as wide as t(R - 1) R^(1/4): least for R = 8, 7 % more for 16, whose standard error is
-/// known better (to 18 % instead of 27 %).
+/// Independent scramblings. Start i is point i / 16 of replicate i mod 16, so that every prefix is spread evenly. With
+/// errors like n^-3/4, R replicates give an interval as wide as t(R - 1) R^(1/4): least for R = 8, 7 % more for 16,
+/// whose standard error is known better (to 18 % instead of 27 %).
 inline constexpr int sobol_replicates = 16;
 
 /// Coordinates that points have: ball angles first, since the sequence is most even in its first ones.
 inline constexpr int most_sobol_dimensions = 24;
 
-/// Writes coordinates first .. first + count - 1 of start `index`, each uniform on [0, 1). Sobol's sequence with the
-/// direction numbers of Joe and Kuo (SIAM J. Sci. Comput. 30 (2008) 2635, as Boost.Random has them) under nested
-/// uniform scrambling (A. B. Owen, in: Monte Carlo and Quasi-Monte Carlo Methods (1995) 299): every bit is flipped or
-/// not by a random bit that belongs to all the bits before it, drawn by Philox from (seed, replicate, coordinate, bits
-/// before). first + count <= most_sobol_dimensions, index < 2^52.
+/// Writes coordinates first .. first + count - 1 of start `index`, each uniform on [0, 1): Sobol's sequence with the
+/// direction numbers of Joe and Kuo (SIAM J. Sci. Comput. 30 (2008) 2635, from Boost.Random) under nested uniform
+/// scrambling (A. B. Owen, in: Monte Carlo and Quasi-Monte Carlo Methods (1995) 299): a bit is flipped by a random bit
+/// that Philox draws from (seed, replicate, coordinate, bits before). index < 2^52.
 void sobol_fractions(std::uint64_t seed, std::uint64_t index, int first, int count, double* fractions);
 
 }  // namespace equipoise

@@ -1,4 +1,4 @@
-// Who draws what from the counter-based generator: every purpose has counters of its own.
+// Every purpose draws from counters of its own.
 #pragma once
 
 #include <cstdint>

@@ -6,14 +6,13 @@
 
 namespace equipoise {
 
-/// Writes the ball angles of start `index`: independent, uniform on [0, 2 pi), by random_words() with the seed as key and
-/// the index as counter.
+/// Writes the ball angles of start `index`: independent, uniform on [0, 2 pi).
 void start_angles(std::uint64_t seed, std::uint64_t index, int balls, double* phi);
 
 /// Writes `count` further numbers of start `index`, independent of its angles and of each other, uniform on [0, 1).
 void start_fractions(std::uint64_t seed, std::uint64_t index, int count, double* fractions);
 
-/// A number of start `index` that belongs to `name`, uniform on [0, 1): it is the same whatever else is drawn.
+/// A number of start `index` for `name`, uniform on [0, 1), independent of what else is drawn.
 double start_fraction(std::uint64_t seed, std::uint64_t index, std::string_view name);
 
 }  // namespace equipoise

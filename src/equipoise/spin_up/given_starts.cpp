@@ -1,4 +1,4 @@
-// What no start can be is said before any is followed.
+// Starts are checked before any is followed.
 #include "equipoise/spin_up/given_starts.hpp"
 
 #include <cmath>
@@ -14,6 +14,16 @@ namespace equipoise {
 
 namespace {
 
+struct Quantity {
+  const char* key;
+  double InitialState::*value;
+};
+constexpr Quantity rotor[] = {{"psi", &InitialState::psi},
+                              {"x", &InitialState::x},
+                              {"y", &InitialState::y},
+                              {"x_dot", &InitialState::x_dot},
+                              {"y_dot", &InitialState::y_dot}};
+
 class GivenStart {
  public:
   GivenStart(const Study& study, const InitialState& state, std::size_t number)
@@ -23,15 +33,11 @@ class GivenStart {
     check_numbers();
     const InitialState& common = study_.initial;
     const bool held = study_.release_time() > 0.0, prescribed = !study_.speed.driven();
-    const char* prescribed_psi = "where the rotor turns as prescribed, and its angle matters";
-    if (prescribed && model::is_strobed(study_.parameters)) require("psi", s_.psi, common.psi, prescribed_psi);
-    if (held && prescribed) {
-      const char* why = "where the rotor turns as prescribed until the balls are let go";
-      require("x", s_.x, common.x, why);
-      require("y", s_.y, common.y, why);
-      require("x_dot", s_.x_dot, common.x_dot, why);
-      require("y_dot", s_.y_dot, common.y_dot, why);
-    }
+    if (prescribed && model::is_strobed(study_.parameters))
+      require("psi", s_.psi, common.psi, "where the rotor turns as prescribed, and its angle matters");
+    if (held && prescribed)
+      for (const Quantity& q : std::span(rotor).subspan(1))
+        require(q.key, s_.*q.value, common.*q.value, "where the rotor turns as prescribed until the balls are let go");
     for (int i = 0; held && i < study_.parameters.balls; ++i)
       if (s_.phi_dot[i] != 0.0)
         fail("phi_dot", s_.phi_dot[i], "must be 0: the balls are clamped until their release", i);
@@ -43,11 +49,7 @@ class GivenStart {
 
  private:
   void check_numbers() const {
-    finite("psi", s_.psi);
-    finite("x", s_.x);
-    finite("y", s_.y);
-    finite("x_dot", s_.x_dot);
-    finite("y_dot", s_.y_dot);
+    for (const Quantity& q : rotor) finite(q.key, s_.*q.value);
     for (int i = 0; i < model::max_balls; ++i) {
       finite("phi", s_.phi[i], i);
       finite("phi_dot", s_.phi_dot[i], i);
@@ -93,7 +95,7 @@ std::string checksum_of(const Study& study, std::span<const InitialState> given)
   const std::size_t angles = static_cast<std::size_t>(study.parameters.balls) * sizeof(double);
   store::Checksum sum;
   for (const InitialState& s : given) {
-    for (const double* part : {&s.psi, &s.x, &s.y, &s.x_dot, &s.y_dot}) sum.add(part, sizeof(double));
+    for (const Quantity& q : rotor) sum.add(&(s.*q.value), sizeof(double));
     sum.add(s.phi.data(), angles);
     sum.add(s.phi_dot.data(), angles);
   }

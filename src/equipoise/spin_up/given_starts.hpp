@@ -1,4 +1,4 @@
-// Starts of the caller's own, in place of drawn ones.
+// Initial states given by the caller.
 #pragma once
 
 #include <cstddef>
@@ -9,15 +9,14 @@
 
 namespace equipoise {
 
-/// Throws InputError for a study whose starts draw their rotors too.
+/// Throws InputError for a study with uncertain values.
 void check_takes_starts(const Study& study);
 
-/// Throws InputError, naming the first of them, for states that no start of the study can have at t = 0: numbers that
-/// are not finite, angles or rates of balls that there are not, or what starts of this study have in common (see
-/// BasinOptions::initial); balls that overlap. `study` has passed check().
+/// Throws InputError, naming the start, for numbers that are not finite, values of balls that the study lacks, values
+/// that all starts of the study share (see BasinOptions::initial), and balls that overlap. `study` has passed check().
 void check_given_starts(const Study& study, std::span<const InitialState> given);
 
-/// Of all that they are, to the bit.
+/// Bitwise checksum of the complete initial states.
 std::string checksum_of(const Study& study, std::span<const InitialState> given);
 
 }  // namespace equipoise

@@ -31,20 +31,18 @@ inline void initial_state(const InitialState& s, int balls, double speed, double
   }
 }
 
-/// The start as everything that follows it does: alike balls in one place are set a few 1e-9 apart.
+/// Sets alike balls in one place a few 1e-9 apart, as all simulations do.
 inline InitialState parted(const model::Parameters& p, InitialState s) {
   model::part_coincident(p, s.phi.data(), s.phi_dot.data());
   return s;
 }
-/// The same of many.
 inline std::vector<InitialState> parted(const model::Parameters& p, std::span<const InitialState> given) {
   std::vector<InitialState> starts(given.begin(), given.end());
   for (InitialState& s : starts) model::part_coincident(p, s.phi.data(), s.phi_dot.data());
   return starts;
 }
 
-/// Whether exchanging balls changes no start's probability and no start's fate but for the balls' names: equal balls,
-/// which start alike. Their angles, and rates in a box, are drawn alike in any case.
+/// Whether exchanging balls changes no start's probability and no fate: equal balls that start alike.
 inline bool balls_exchange(const Study& study) {
   const auto& rates = study.initial.phi_dot;
   bool alike = study.parameters.equal_balls();
@@ -52,14 +50,12 @@ inline bool balls_exchange(const Study& study) {
   return alike;
 }
 
-/// What draws the starts of `study`.
 inline Sampler sampler_of(const Study& study) {
   return {study.sampling.method.value_or(SamplingMethod::random), study.parameters.balls, study.sampling.starts,
           balls_exchange(study)};
 }
 
-/// [initial] of `study` with the ball angles of start `index` of `seed`, and what [sampling.box] asks for. `sampler` is
-/// sampler_of(study).
+/// Start `index` of `seed`: [initial] with drawn ball angles and the values drawn for [sampling.box].
 inline InitialState start_of(const Study& study, const Sampler& sampler, std::uint64_t seed, std::uint64_t index) {
   const int balls = study.parameters.balls;
   const SamplingBox& box = study.sampling.box;
@@ -91,7 +87,7 @@ inline std::vector<InitialState> starts_of(const Study& study, const Sampler& sa
   for (std::size_t i = 0; i < count; ++i) starts.push_back(start_of(study, sampler, seed, first + i));
   return starts;
 }
-/// The fractions from 0 to 1 that start `index` draws for the uncertain values, whose quantiles they are.
+/// The quantiles, from 0 to 1, that start `index` draws for the uncertain values.
 inline std::vector<double> drawn_fractions(const Study& study, const Sampler& sampler, std::uint64_t seed,
                                            std::uint64_t index) {
   const SamplingBox& box = study.sampling.box;
@@ -109,7 +105,7 @@ inline std::vector<double> drawn_values(const Study& study, const Sampler& sampl
   for (std::size_t k = 0; k < values.size(); ++k) values[k] = study.uncertain.values[k].at(values[k]);
   return values;
 }
-/// start_of() with the uncertain values that the start draws; of values that make no study with the medians.
+/// start_of() with the uncertain values that the start draws; with medians where those make no valid study.
 inline InitialState drawn_start_of(const Study& study, const Sampler& sampler, std::uint64_t seed,
                                    std::uint64_t index) {
   if (study.uncertain.empty()) return start_of(study, sampler, seed, index);

@@ -1,4 +1,4 @@
-// Driven rotors on lanes: their balls held, each start on its own way, and free.
+// Driven rotors on lanes, first with their balls held, then free.
 #include "equipoise/spin_up/motor_source.hpp"
 
 #include <algorithm>
@@ -22,12 +22,11 @@ namespace equipoise {
 
 namespace {
 
-// Held balls and a rotor are a damped oscillator with a motor: windows of its speed that differ by less, each twice as
-// long as the one before, approach what they come to.
+// A rotor with held balls is steady once windows of its speed, each twice as long as the last, differ by less.
 constexpr double steady = 1e-3;
-// The motion, in the rule's words, of a rotor that never lets its balls go.
+// What the rule calls the motion of a rotor that never releases its balls.
 constexpr int held_for_good = 1;
-// A speed that comes this near to the one at which balls are let go, as a share of it, may reach it yet.
+// A speed this near to the release speed, relatively, may still reach it.
 constexpr double nearly_let_go = 1e-3;
 
 HoldRule hold_rule(const model::Parameters& p, const model::Drive& drive) {
@@ -57,7 +56,6 @@ class HeldInWell final : public TrapSet {
 
 }  // namespace
 
-// Starts on their way.
 struct MotorSource::Fleet {
   SpunUp& starts;
   TransientTable* transients;
@@ -69,7 +67,6 @@ struct MotorSource::Fleet {
     held[i] = 0;
     starts.released[i] = time;
   }
-  // Those of which `wanted` holds and which are not over.
   template <class Wanted>
   std::vector<std::size_t> which(Wanted&& wanted) const {
     std::vector<std::size_t> result;
@@ -77,29 +74,6 @@ struct MotorSource::Fleet {
       if (!starts.is_over(i) && wanted(i)) result.push_back(i);
     return result;
   }
-  // A table with the rows of these alone, and back.
-  TransientTable rows_of(const std::vector<std::size_t>& places) const {
-    TransientTable table{transients->settings, {}, transients->ends};
-    for (const std::size_t i : places) {
-      table.rows.push_back(transients->rows[i]);
-      if (!transients->own.empty()) table.own.push_back(transients->own[i]);
-    }
-    return table;
-  }
-  void put_rows(const std::vector<std::size_t>& places, const TransientTable& table) const {
-    for (std::size_t k = 0; k < places.size(); ++k) transients->rows[places[k]] = table.rows[k];
-  }
-};
-
-// Of these starts over piece k, where each has its own.
-struct MotorSource::OwnRotors {
-  OwnRotors(const MotorSource& source, std::size_t k, const std::vector<std::size_t>& places) {
-    if (!source.are_own()) return;
-    for (const std::size_t i : places) rotors.push_back(source.of(i).rotor(k));
-    pointers = pointers_to(rotors);
-  }
-  std::vector<OwnRotor> rotors;
-  std::vector<const OwnRotor*> pointers;
 };
 
 MotorSource::Machine::Machine(const Study& given)
@@ -192,7 +166,6 @@ bool MotorSource::follow_own(std::span<const OwnStart> starts, const StopFlag* s
   return true;
 }
 
-// From time 0 to where states are wanted.
 bool MotorSource::advance(SpunUp& starts, TransientTable* transients) const {
   const Machine& one = machines_.front();
   const std::size_t size = one.systems.front().dimension(), count = starts.states.size() / size;
@@ -226,7 +199,7 @@ LaneTask MotorSource::task(std::size_t k) const {
 
 LaneTask MotorSource::last_task() const { return task(machines_.front().systems.size() - 1); }
 
-// Where a time lets the balls go, or the torque still changes, a rotor that is steady is no end.
+// While the release time or a change of torque is still to come, a steady rotor is no end.
 HoldRule MotorSource::rule_over(std::size_t k, const std::vector<std::size_t>& places) const {
   const Machine& one = machines_.front();
   HoldRule rule = one.hold;
@@ -234,15 +207,44 @@ HoldRule MotorSource::rule_over(std::size_t k, const std::vector<std::size_t>& p
     if (are_own()) rule.own_speeds.push_back(of(i).hold.release_speed);
   if (!one.drive.release_speed || k + 1 < one.systems.size())
     rule.windows.first_long_window = std::numeric_limits<double>::infinity();
-  else if (!are_own())  // which speed lets go of its balls a rotor of its own does not say
+  else if (!are_own())  // the trap knows one release speed only
     rule.windows.strobed = std::make_shared<const HeldInWell>(one.systems[k], rule.release_speed);
   return rule;
 }
 
-// How long balls are held over piece k at most.
 double MotorSource::until(std::size_t i, std::size_t k) const {
   const Machine& m = of(i);
   return std::min({m.drive.pieces[k].end, m.drive.release_time, m.settled() + m.horizon});
+}
+
+// Runs these starts side by side over piece k; false if stopped early.
+template <class Run>
+bool MotorSource::side_by_side(std::size_t k, bool held, const std::vector<std::size_t>& places,
+                               std::vector<double>& states, const Fleet& fleet, Run&& run) const {
+  LaneTask task = this->task(k);
+  if (held) task.end = until(places.front(), k);
+  std::vector<double> begins;
+  std::vector<OwnRotor> rotors;
+  TransientTable table;
+  if (fleet.transients) table = {fleet.transients->settings, {}, fleet.transients->ends};
+  for (const std::size_t i : places) {
+    begins.push_back(fleet.starts.begins[i]);
+    if (are_own()) rotors.push_back(of(i).rotor(k));
+    if (are_own() && held) rotors.back().end = until(i, k);
+    if (!fleet.transients) continue;
+    table.rows.push_back(fleet.transients->rows[i]);
+    if (!fleet.transients->own.empty()) table.own.push_back(fleet.transients->own[i]);
+  }
+  const std::vector<const OwnRotor*> own = pointers_to(rotors);
+  if (are_own()) task.own = own.data();
+  if (fleet.transients) task.transients = &table;
+  task.count = places.size();
+  task.states = states.data();
+  task.begins = begins.data();
+  task.held = held;
+  if (!run(task)) return false;
+  for (std::size_t j = 0; j < table.rows.size(); ++j) fleet.transients->rows[places[j]] = table.rows[j];
+  return true;
 }
 
 // Held balls over piece k of the drive, until they are let go.
@@ -253,29 +255,15 @@ bool MotorSource::hold(std::size_t k, Fleet& fleet) const {
     const auto places = fleet.which([&](std::size_t i) { return fleet.held[i] && starts.begins[i] < until(i, k); });
     if (places.empty()) break;
     const HoldRule rule = rule_over(k, places);
-    std::vector<double> states(places.size() * size), begins;
-    for (std::size_t j = 0; j < places.size(); ++j) {
+    std::vector<double> states(places.size() * size);
+    for (std::size_t j = 0; j < places.size(); ++j)
       model::hold_balls(of(places[j]).systems[k], fleet.state(places[j]), &states[j * size]);
-      begins.push_back(starts.begins[places[j]]);
-    }
-    LaneTask held = task(k);
-    held.end = until(places.front(), k);
-    OwnRotors own(*this, k, places);
-    for (std::size_t j = 0; j < own.rotors.size(); ++j) own.rotors[j].end = until(places[j], k);
-    if (are_own()) held.own = own.pointers.data();
-    held.count = places.size();
-    held.states = states.data();
-    held.begins = begins.data();
-    held.held = true;
-    TransientTable rows;
-    if (fleet.transients) rows = fleet.rows_of(places);
-    if (fleet.transients) held.transients = &rows;
     std::vector<HeldEnd> ends(places.size());
-    if (!hold_lanes(held, rule, ends)) return false;
-    if (fleet.transients) fleet.put_rows(places, rows);
+    if (!side_by_side(k, true, places, states, fleet, [&](LaneTask& task) { return hold_lanes(task, rule, ends); }))
+      return false;
     for (std::size_t j = 0; j < places.size(); ++j) end_hold(k, places[j], ends[j], &states[j * size], fleet);
   }
-  // Balls whose time of release is the end of this piece, or was.
+  // Balls whose release time is at or before the end of this piece.
   for (const std::size_t i : fleet.which([&](std::size_t i) { return fleet.held[i] != 0; }))
     if (starts.begins[i] >= of(i).drive.release_time) fleet.let_go(i, starts.begins[i]);
   return true;
@@ -303,7 +291,7 @@ void MotorSource::end_hold(std::size_t k, std::size_t i, const HeldEnd& end, dou
   if (fate.outcome == Outcome::attracted && may_come && !hangs) return;  // goes on, with new windows
   const bool steady_now = fate.outcome == Outcome::attracted || hold.windows.at_horizon;
   if (hangs) fate.mean_speed = 0.0F;
-  // A window of the run-up tells how fast it turned then.
+  // A window of the run-up has the mean speed of that time, not of the end.
   if (to_the_end) fate.mean_speed = static_cast<float>(fleet.state(i)[m.systems[k].layout().speed]);
   const bool slow = std::fabs(fate.mean_speed) < m.study.stall_speed();
   if (fate.outcome == Outcome::attracted) fate.outcome = Outcome::undecided;
@@ -319,24 +307,15 @@ bool MotorSource::run_free(std::size_t k, Fleet& fleet) const {
   const auto end = [&](std::size_t i) { return of(i).drive.pieces[k].end; };
   const auto places = fleet.which([&](std::size_t i) { return !fleet.held[i] && starts.begins[i] < end(i); });
   if (places.empty()) return true;
-  std::vector<double> states, begins;
-  for (const std::size_t i : places) {
-    states.insert(states.end(), fleet.state(i), fleet.state(i) + fleet.size);
-    begins.push_back(starts.begins[i]);
-  }
-  LaneTask free = task(k);
-  free.count = places.size();
-  free.states = states.data();
-  free.begins = begins.data();
-  const OwnRotors own(*this, k, places);
-  if (are_own()) free.own = own.pointers.data();
-  TransientTable rows;
-  if (fleet.transients) rows = fleet.rows_of(places);
-  if (fleet.transients) free.transients = &rows;
+  std::vector<double> states;
   std::vector<Fate> fates(places.size());
-  for (std::size_t j = 0; j < places.size(); ++j) fates[j].met = starts.fates[places[j]].met;
-  if (!advance_lanes(free, fates)) return false;
-  if (fleet.transients) fleet.put_rows(places, rows);
+  for (std::size_t j = 0; j < places.size(); ++j) {
+    const double* state = fleet.state(places[j]);
+    states.insert(states.end(), state, state + fleet.size);
+    fates[j].met = starts.fates[places[j]].met;
+  }
+  if (!side_by_side(k, false, places, states, fleet, [&](LaneTask& task) { return advance_lanes(task, fates); }))
+    return false;
   for (std::size_t j = 0; j < places.size(); ++j) {
     const std::size_t i = places[j];
     std::copy_n(&states[j * fleet.size], fleet.size, fleet.state(i));

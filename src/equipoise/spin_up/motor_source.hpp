@@ -1,5 +1,4 @@
-// From a start's index to its state in the last piece of a motor's law: pieces of the law, release at a time or a
-// speed.
+// From a start's index to its state in the last piece of a motor's law.
 #pragma once
 
 #include <cstdint>
@@ -18,7 +17,7 @@ namespace equipoise {
 
 class MotorSource final : public SpinUp {
  public:
-  /// The study's horizon is filled in: balls that are not let go by then are not followed further.
+  /// The study's horizon is filled in; balls held until then are not followed further.
   MotorSource(const Study& study, const StopFlag* stop);
 
   void watch(const TransientSettings&) override {}
@@ -29,12 +28,11 @@ class MotorSource final : public SpinUp {
   double settled() const override { return machines_.front().drive.pieces.back().begin; }
   double tolerance() const override { return tolerance_; }
 
-  /// Starts whose motors and rotors are their own: see spin_up_own().
+  /// See spin_up_own().
   static bool follow_own(std::span<const OwnStart> starts, const StopFlag* stop, SpunUp& spun,
                          TransientTable* transients);
 
  private:
-  // A rotor with its motor.
   struct Machine {
     explicit Machine(const Study& given);
 
@@ -49,16 +47,18 @@ class MotorSource final : public SpinUp {
     OwnRotor rotor(std::size_t k) const;
   };
   struct Fleet;
-  struct OwnRotors;
 
   MotorSource(std::vector<Machine> machines, const StopFlag* stop);
-  // Of a start: all have the one machine, or each its own.
+  // All starts share one machine, or each has its own.
   const Machine& of(std::size_t i) const { return machines_[machines_.size() == 1 ? 0 : i]; }
   bool are_own() const { return machines_.size() > 1; }
   double until(std::size_t i, std::size_t k) const;
   void add(const Machine& machine, const InitialState& start, SpunUp& starts) const;
   bool advance(SpunUp& starts, TransientTable* transients) const;
   HoldRule rule_over(std::size_t k, const std::vector<std::size_t>& places) const;
+  template <class Run>
+  bool side_by_side(std::size_t k, bool held, const std::vector<std::size_t>& places, std::vector<double>& states,
+                    const Fleet& fleet, Run&& run) const;
   bool hold(std::size_t k, Fleet& fleet) const;
   bool run_free(std::size_t k, Fleet& fleet) const;
   void end_hold(std::size_t k, std::size_t i, const HeldEnd& end, double* state, Fleet& fleet) const;

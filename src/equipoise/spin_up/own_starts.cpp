@@ -15,7 +15,6 @@ namespace equipoise {
 
 namespace {
 
-// One start of a rotor that turns as prescribed.
 struct Prescribed {
   std::size_t place;  // among all
   const OwnStart* own;
@@ -28,10 +27,8 @@ struct Prescribed {
   OwnRotor rotor(std::size_t k) const { return {systems[k], segments[k], segments[k].end}; }
 };
 
-// What tells drives apart that cannot go side by side.
-using Shape = std::pair<std::size_t, std::size_t>;  // pieces, and clamped ones
+using Shape = std::pair<std::size_t, std::size_t>;  // pieces, and clamped ones: alike in starts that go side by side
 
-// Takes rows of states over a segment of each rotor's own.
 bool advance(std::vector<Prescribed*>& group, std::size_t k, bool held, std::vector<double>& states,
              std::vector<Fate>& fates, TransientTable* table, const StopFlag* stop) {
   std::vector<OwnRotor> rotors;
@@ -91,7 +88,7 @@ class PrescribedGroup {
     spun_.rotors[p.place].end = p.settled() + *p.own->study.numerics.horizon;
   }
 
-  // What happens while the balls are held is watched by superposition, one rotor at a time.
+  // Transients of held balls come from superposition, one rotor at a time.
   bool run_watched() {
     for (const Prescribed* p : group_) {
       const std::size_t size = p->systems.front().dimension();
@@ -107,7 +104,7 @@ class PrescribedGroup {
     return true;
   }
 
-  // The states in which the balls are let go.
+  // Up to the release.
   bool set_off(std::vector<double>& states) {
     const std::size_t size = group_.front()->systems.front().dimension();
     for (std::size_t j = 0; j < group_.size(); ++j) {
@@ -129,7 +126,6 @@ class PrescribedGroup {
     return true;
   }
 
-  // Between segment k and the next one.
   void cross(std::size_t j, std::size_t k, double* state) {
     const std::vector<model::Segment>& segments = group_[j]->segments;
     model::apply_speed_jump(segments[k + 1].speed - segments[k].speed_at(segments[k].end), state);

@@ -1,4 +1,4 @@
-// Starts with rotors of their own, brought to the last piece of their drives side by side.
+// Spin-up of starts whose rotors differ.
 #pragma once
 
 #include <span>
@@ -16,9 +16,8 @@ struct OwnStart {
   InitialState start;
 };
 
-/// As SpinUp::follow(), each start in the units of its own study; SpunUp::rotors are theirs. Their last systems ride
-/// together (lanes/own_rotor.hpp). `transients`, if given, holds the settings of each (TransientTable::own). False if
-/// stopped early.
+/// As SpinUp::follow(), each start in the units of its own study; fills SpunUp::rotors. The last systems must fit
+/// together (lanes/own_rotor.hpp). `transients`, if given, holds the settings of each (TransientTable::own).
 bool spin_up_own(std::span<const OwnStart> starts, const StopFlag* stop, SpunUp& spun,
                  TransientTable* transients = nullptr);
 

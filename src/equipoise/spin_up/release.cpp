@@ -15,7 +15,7 @@ namespace kernels = HWY_NAMESPACE;
 
 using Flow = kernels::HeldFlow<double>;
 
-// A step or two of what took thousands: tight costs nothing.
+// A step or two: a tight tolerance costs nothing.
 constexpr double tolerance = 1e-10;
 
 kernels::ErrorScale<Flow::dimension> scale_of(const model::System& system) {
@@ -47,7 +47,7 @@ std::optional<double> find_release(const model::System& system, const HoldRule& 
     });
     if (!first) return end;
     found = first;  // kept in the step that ends there, of which it is asked again
-    // Before the step's end, even if by nothing that matters, is where the integrator stops.
+    // The integrator stops only at times before the step's end.
     return std::fmin(*first, std::nextafter(end, begin));
   };
   integrator.advance(from, to, state, look);

@@ -1,4 +1,4 @@
-// The time in a step at which a driven rotor comes to the speed where its balls are let go.
+// When a driven rotor reaches the release speed of its balls.
 #pragma once
 
 #include <optional>
@@ -8,9 +8,8 @@
 
 namespace equipoise {
 
-/// From `state` (model/held_state.hpp) at time `from` on, to `to` at the latest, over the piece of a drive that the
-/// system holds; `state` is then that at the time answered. Empty if the rotor does not come to rule.release_speed, or
-/// is lost: `state` is then that at `to`.
+/// Follows `state` (model/held_state.hpp) from `from` until the rotor reaches rule.release_speed, or to `to`. Empty if
+/// it does not, or is lost. `state` ends at the time answered, else at `to`.
 std::optional<double> find_release(const model::System& system, const HoldRule& rule, double from, double to,
                                    double* state);
 

@@ -35,9 +35,9 @@ struct TurningBody {
 }  // namespace
 
 SpeedRun rotor_alone(const Study& study, double unbalance, std::optional<double> to) {
-  // Longer than any run-up that somebody waits for; a motor that still pushes then never comes to rest.
+  // Longer than anybody waits.
   constexpr double longest = 1e9;
-  // Of the largest acceleration so far: what is left when the rotor comes to rest below its speed.
+  // A rotor below its speed is at rest once its acceleration falls to this share of the largest so far.
   constexpr double rests = 1e-6;
   const model::Parameters& p = study.parameters;
   const auto pieces = model::drive_segments(study.motor());
@@ -50,8 +50,7 @@ SpeedRun rotor_alone(const Study& study, double unbalance, std::optional<double>
     const TurningBody body{p, inertia, unbalance, model::quiet_speed(p), piece};
     kernels::ErrorScale<2> scale;
     scale.tolerance = 1e-8;  // a time to more digits than anybody reads
-    // A control's error integral stops and goes at the motor's limit, at every step: what that does to the speed
-    // counts, and the speed has its own error.
+    // The error integral stops and goes at the motor's limit: only its effect on the speed counts.
     scale.floor = {1e-3, 1e6};
     kernels::AdaptiveIntegrator<TurningBody, 2> integrator(body, scale);
     const auto watch = [&](double t_old, double t_new, auto state_at) {

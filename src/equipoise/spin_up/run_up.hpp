@@ -1,4 +1,4 @@
-// A motor bringing its rotor to speed, the rotor and its balls as one body.
+// A motor brings its rotor to speed, rotor and balls as one body.
 #pragma once
 
 #include <optional>
@@ -15,12 +15,11 @@ struct SpeedRun {
 };
 
 /// (I_C + M eps^2 + N) psi'' = tau less model::shaking_torque() of `unbalance`, from rest or the initial speed: balls
-/// turn with the rotor, and up to model::quiet_speed(), from where balls cancel what they can, the rotor shakes at each
-/// speed as it would if it stayed there. Until |psi'| is `to`, or to
-/// where the rotor comes to rest at less; without `to` up to the last piece of the motor's law.
+/// turn with the rotor, which up to model::quiet_speed() shakes at each speed as if it stayed there. Until |psi'| is
+/// `to` or the rotor settles below it; without `to` up to the last piece of the motor's law.
 SpeedRun rotor_alone(const Study& study, double unbalance, std::optional<double> to);
 
-/// Of a motor, to 95 % of `final_speed`: it comes closer for ever. None if it is there from the beginning.
+/// To 95 % of `final_speed`, which a motor only approaches. None if it is there from the beginning.
 std::optional<RunUp> run_up(const Study& study, double final_speed);
 
 }  // namespace equipoise

@@ -1,4 +1,4 @@
-// Starts brought to the last piece of their drive, their balls free: what discovery and runners ask of whoever does it.
+// Starts brought to the last piece of their drive, their balls free.
 #pragma once
 
 #include <cstddef>
@@ -41,16 +41,15 @@ class SpinUp {
 
   /// Prepares make() for tables with these settings.
   virtual void watch(const TransientSettings& settings) = 0;
-  /// Starts first .. first + count - 1 of `seed`. False if stopped early. `transients`, if given, receives a row for
-  /// each start up to where its state holds; its settings are those of watch().
+  /// Starts first .. first + count - 1 of `seed`. False if stopped early. `transients`, with the settings of watch(),
+  /// receives a row for each start up to the time of its state.
   virtual bool make(std::uint64_t seed, std::uint64_t first, std::size_t count, SpunUp& starts,
                     TransientTable* transients = nullptr) const = 0;
-  /// The same for given starts (given_starts.hpp). Of a prescribed speed with the balls held at first their angles
-  /// alone count: where the rotor is when they are let go follows from [initial].
+  /// The same for given starts (given_starts.hpp). Where the speed is prescribed and the balls are held at first, only
+  /// their angles count.
   virtual bool follow(std::span<const InitialState> given, SpunUp& starts,
                       TransientTable* transients = nullptr) const = 0;
-  /// What goes on from there, over the last piece of the drive. Trajectories, their end and what is gathered are still
-  /// to be said.
+  /// The task over the last piece of the drive, without trajectories, end and what is gathered.
   virtual LaneTask last_task() const = 0;
   /// When the last piece begins and, of a rotor that turns as prescribed, the balls are free.
   virtual double settled() const = 0;

@@ -24,21 +24,22 @@ StartSource::StartSource(const Study& study, std::vector<model::Segment> segment
       systems_.emplace_back(study.parameters, piece);
   while (segments_[first_free_].clamped) ++first_free_;
   if (first_free_ == 0) return;
-  double z[max_dimension];
-  initial_state(study.initial, study.parameters.balls, segments_.front().speed, z);
-  // The spin-up is shared by all starts, so its accuracy costs nothing: as tight as a single trajectory's.
-  const auto status =
-      integrate_clamped(study.parameters, segments_, {z[0], z[1], z[2], z[3]}, default_simulate_tolerance, basis_, {},
-                        {}, std::numeric_limits<double>::infinity(), stop);
+  // All starts share the spin-up: a tight tolerance costs nothing.
+  const auto status = integrate_clamped(study.parameters, segments_, origin(), default_simulate_tolerance, basis_, {},
+                                        {}, std::numeric_limits<double>::infinity(), stop);
   if (status != IntegrationStatus::done) throw RunError("the clamped spin-up could not be integrated");
+}
+
+// x, y, u, v of [initial].
+std::array<double, 4> StartSource::origin() const {
+  double z[max_dimension];
+  initial_state(study_.initial, study_.parameters.balls, segments_.front().speed, z);
+  return {z[0], z[1], z[2], z[3]};
 }
 
 void StartSource::watch(const TransientSettings& settings) {
   if (first_free_ == 0) return;
-  double z[max_dimension];
-  initial_state(study_.initial, study_.parameters.balls, segments_.front().speed, z);
-  clamped_ = ClampedTransients(study_.parameters, segments_, {z[0], z[1], z[2], z[3]}, default_simulate_tolerance,
-                               settings, stop_);
+  clamped_ = ClampedTransients(study_.parameters, segments_, origin(), default_simulate_tolerance, settings, stop_);
 }
 
 // The state when the balls become free.
@@ -47,38 +48,33 @@ void StartSource::place(const InitialState& start, double* state) const {
   if (first_free_ > 0) basis_.centre(study_.parameters, start.phi.data(), state);
 }
 
-bool StartSource::make(std::uint64_t seed, std::uint64_t first, std::size_t count, std::vector<double>& phi,
-                       std::vector<double>& states, std::vector<Fate>& fates, TransientTable* transients) const {
-  return set_off(starts_of(study_, sampler_, seed, first, count), phi, states, fates, transients);
-}
-
 bool StartSource::make(std::uint64_t seed, std::uint64_t first, std::size_t count, SpunUp& starts,
                        TransientTable* transients) const {
   return follow(starts_of(study_, sampler_, seed, first, count), starts, transients);
 }
 
 bool StartSource::follow(std::span<const InitialState> given, SpunUp& starts, TransientTable* transients) const {
-  for (auto* none : {&starts.begins, &starts.released, &starts.nearest}) none->clear();
-  starts.over.clear();
-  return set_off(given, starts.phi, starts.states, starts.fates, transients);
-}
-
-// From t = 0 to settled().
-bool StartSource::set_off(std::span<const InitialState> given, std::vector<double>& phi, std::vector<double>& states,
-                          std::vector<Fate>& fates, TransientTable* transients) const {
-  const int balls = study_.parameters.balls, size = model::dimension(balls);
-  phi.clear();
+  const std::size_t size = model::dimension(study_.parameters.balls);
+  starts = {};
   if (transients) transients->rows.clear();
-  states.assign(given.size() * static_cast<std::size_t>(size), 0.0);
+  starts.states.resize(given.size() * size);
   for (std::size_t i = 0; i < given.size(); ++i) {
     if (is_set(stop_)) return false;  // a start may take a million sums
-    const InitialState& start = given[i];
-    phi.insert(phi.end(), start.phi.begin(), start.phi.begin() + balls);
-    place(start, &states[i * static_cast<std::size_t>(size)]);
-    if (transients) transients->rows.push_back(clamped_.sums(study_.parameters, start.phi.data()));
+    const double* phi = given[i].phi.data();
+    starts.phi.insert(starts.phi.end(), phi, phi + study_.parameters.balls);
+    place(given[i], &starts.states[i * size]);
+    if (transients) transients->rows.push_back(clamped_.sums(study_.parameters, phi));
   }
   if (transients && first_free_ > 0) end_piece(first_free_ - 1, *transients);
-  return advance(states, fates, transients);
+  starts.fates.resize(given.size());
+  for (std::size_t k = first_free_; k + 1 < segments_.size(); ++k) {
+    LaneTask branch = task(k, starts.states);
+    branch.transients = transients;
+    if (!advance_lanes(branch, starts.fates)) return false;
+    cross(k, starts.states);
+    if (transients) end_piece(k, *transients);
+  }
+  return true;
 }
 
 // Between segment k and the next one.
@@ -120,24 +116,6 @@ void StartSource::cross(std::size_t k, std::vector<double>& states) const {
   const double jump = segments_[k + 1].speed - segments_[k].speed_at(segments_[k].end);
   const std::size_t size = model::dimension(study_.parameters.balls);
   for (std::size_t at = 0; at < states.size(); at += size) model::apply_speed_jump(jump, &states[at]);
-}
-
-bool StartSource::follow(const std::vector<double>& phi, std::vector<double>& states, std::vector<Fate>& fates) const {
-  release(phi, states);
-  return advance(states, fates);
-}
-
-// From where the balls become free to settled().
-bool StartSource::advance(std::vector<double>& states, std::vector<Fate>& fates, TransientTable* transients) const {
-  fates.assign(states.size() / model::dimension(study_.parameters.balls), Fate{});
-  for (std::size_t k = first_free_; k + 1 < segments_.size(); ++k) {
-    LaneTask branch = task(k, states);
-    branch.transients = transients;
-    if (!advance_lanes(branch, fates)) return false;
-    cross(k, states);
-    if (transients) end_piece(k, *transients);
-  }
-  return true;
 }
 
 }  // namespace equipoise

@@ -1,7 +1,7 @@
-// From a start's index to its state when the final speed is reached, of rotors that turn as prescribed: spin-up,
-// release, remaining branches.
+// From a start's index to its state at the final speed, of rotors that turn as prescribed.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <span>
 #include <vector>
@@ -19,32 +19,23 @@
 
 namespace equipoise {
 
-/// Makes states of starts. Thread-safe once made.
+/// Thread-safe once made.
 class StartSource : public SpinUp {
  public:
   /// Integrates the clamped spin-up, which all starts share.
   StartSource(const Study& study, const StopFlag* stop);
-  /// Prepares make() for tables with these settings.
-  void watch(const TransientSettings& settings) override;
-  /// The same for a rotor that moves by `segments` instead of the study's [speed] and [release]: contiguous from 0, the
+  /// For a rotor that moves by `segments` instead of the study's [speed] and [release]: contiguous from 0, the
   /// clamped ones first, the last one free and without end.
   StartSource(const Study& study, std::vector<model::Segment> segments, const StopFlag* stop);
 
-  /// Starts first .. first + count - 1 of `seed`: ball angles into `phi`, states at settled() into `states`, both
-  /// row-major; fates[i] says which were lost on the way. False if stopped early. `transients`, if given, receives a
-  /// row for each start up to there; its settings are those of watch().
-  bool make(std::uint64_t seed, std::uint64_t first, std::size_t count, std::vector<double>& phi,
-            std::vector<double>& states, std::vector<Fate>& fates, TransientTable* transients = nullptr) const;
+  void watch(const TransientSettings& settings) override;
   bool make(std::uint64_t seed, std::uint64_t first, std::size_t count, SpunUp& starts,
             TransientTable* transients = nullptr) const override;
   bool follow(std::span<const InitialState> given, SpunUp& starts, TransientTable* transients = nullptr) const override;
-  /// The same for given ball angles, all else as in [initial]: phi.size() / balls starts.
-  bool follow(const std::vector<double>& phi, std::vector<double>& states, std::vector<Fate>& fates) const;
 
   /// The states in which given ball angles are released, row-major.
   void release(const std::vector<double>& phi, std::vector<double>& states) const;
-  /// All that an ensemble's task over free segment `k` has in common: the states enter at its beginning. For k other
-  /// than the last it ends with the segment.
+  /// An ensemble's task over free segment `k`, from its begin to its end.
   LaneTask task(std::size_t k, std::vector<double>& states) const;
   LaneTask last_task() const override;
   /// Takes states at the end of segment `k`, not the last, across the jump of psi' that follows.
@@ -55,15 +46,12 @@ class StartSource : public SpinUp {
 
   /// When the last branch has begun and the balls are free.
   double settled() const override { return segments_.back().begin; }
-  const model::Segment& last_segment() const { return segments_.back(); }
   double tolerance() const override { return tolerance_; }
 
  private:
   void place(const InitialState& start, double* state) const;
-  bool set_off(std::span<const InitialState> given, std::vector<double>& phi, std::vector<double>& states,
-               std::vector<Fate>& fates, TransientTable* transients) const;
+  std::array<double, 4> origin() const;
   void end_piece(std::size_t k, TransientTable& transients) const;
-  bool advance(std::vector<double>& states, std::vector<Fate>& fates, TransientTable* transients = nullptr) const;
 
   Study study_;
   Sampler sampler_;

@@ -15,9 +15,9 @@ struct PublishedShare {
   std::uint64_t starts = 0;
 };
 
-/// Probability of a difference at least this large if `count` of `starts` and the published share are two samples of
-/// one probability: normal approximation with pooled variance where both expect ten or more of each kind, else the
-/// exact test given the sum of both counts. The rounding is granted first: the printed value nearest to ours counts.
+/// Probability of a difference at least this large between two samples of one probability: normal approximation with
+/// pooled variance where both expect ten or more of each kind, else the exact test given the sum of both counts. Of the
+/// values that round to the printed one, the nearest to ours counts.
 double agreement_p_value(std::uint64_t count, std::uint64_t starts, const PublishedShare& published);
 
 /// A difference of two shares, second minus first, with its interval.

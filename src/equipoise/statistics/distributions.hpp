@@ -8,13 +8,11 @@ namespace equipoise {
 /// z such that a standard normal variable lies between -z and z with probability `confidence` (0 < confidence < 1).
 double normal_half_width(double confidence);
 
-/// The value below which a standard normal variable lies with `probability` (0 < probability < 1), and the probability
-/// with which it lies below a value.
+/// Of a standard normal variable; 0 < probability < 1.
 double normal_quantile(double probability);
 double normal_up_to(double value);
 
-/// The same as normal_half_width() of Student's t with `freedom` > 0 degrees of freedom, not necessarily a whole
-/// number.
+/// normal_half_width() of Student's t; `freedom` > 0 need not be a whole number.
 double students_t_half_width(double freedom, double confidence);
 
 /// How many of `trials` succeed if each does with `probability`.

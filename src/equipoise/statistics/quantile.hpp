@@ -12,8 +12,7 @@ namespace equipoise {
 /// Quantiles that are reported.
 inline constexpr std::array<double, 3> reported_quantiles{0.5, 0.9, 0.99};
 
-/// A quantile with its interval. `low` may be 0 and `high` infinite where there are too few starts for a bound: the
-/// least and the largest figure possible.
+/// A quantile with its interval; with too few starts `low` is 0 or `high` infinite.
 struct QuantileEstimate {
   double value = 0.0, low = 0.0, high = 0.0;
 };
@@ -37,11 +36,11 @@ struct SampleSummary {
   bool exact = true;  ///< quantiles are values of the sample; else middles of bins (Distribution::bins_per_octave)
 };
 
-/// Figures >= 0, infinite ones included, in single precision. The first `exact` ones are kept as they are; with more,
-/// all are counted in bins. What is told depends on the figures and their order alone, not on how they came together.
+/// Figures >= 0, also infinite, in single precision. Up to `exact` of them are kept; more are counted in bins.
+/// Summaries depend on the figures and their order alone.
 class Distribution {
  public:
-  /// A bin is 2^(1/128), 0.54 %, wide, so that a quantile is told to 0.27 %.
+  /// A bin is 2^(1/128), 0.54 %, wide: quantiles are good to 0.27 %.
   static constexpr double bins_per_octave = 128.0;
 
   explicit Distribution(std::size_t exact = std::size_t{1} << 18) : exact_(exact) {}

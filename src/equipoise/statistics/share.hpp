@@ -9,14 +9,13 @@ namespace equipoise {
 /// Where an interval comes from.
 enum class IntervalBy {
   wilson,      ///< the binomial law
-  replicates,  ///< the spread of independent replicates (replicated_share.hpp)
-  pairs,       ///< the differences within pairs of starts of one cell (stratified_share.hpp)
+  replicates,  ///< the spread of independent replicates (even_share.hpp)
+  pairs,       ///< the differences within pairs of starts of one cell (even_share.hpp)
 };
 
 inline constexpr std::array<const char*, 3> interval_names{"wilson", "replicates", "pairs"};
 
-/// Estimate of a probability from `count` of `total` starts, with its interval. For zero counts the interval starts at
-/// 0 and its end is an upper bound.
+/// A probability estimated from `count` of `total` starts, with its interval; for zero counts an upper bound.
 struct Share {
   std::uint64_t count = 0, total = 0;
   double share = 0.0;  ///< count/total, or the weighted mean where starts have weights; 0 if total is 0
@@ -48,10 +47,9 @@ inline Share share_between(Share sure, const Share& with_open) {
 /// Wilson's, of `sure` starts that count and up to `possible` that may; sure <= possible <= total.
 Share open_share(std::uint64_t sure, std::uint64_t possible, std::uint64_t total, double confidence = 0.95);
 
-/// Fewest starts with an outcome, and without it, for which a normal law of its share's error is believed, where the
-/// spread of an even sample is measured. The skewness of a Poisson count of 80 is 1/9, by which a symmetric 95 %
-/// interval misses more often on one side than on the other, but hardly more often in all. A set that so few starts hit
-/// is little wider than their spacing: even sampling gains little there, and Wilson's interval is on the safe side.
+/// Fewest starts with an outcome, and without it, for which the measured spread of an even sample gives the interval.
+/// The skewness of a Poisson count of 80 is 1/9: a symmetric 95 % interval misses more often on one side, but hardly
+/// more often in all. Even sampling gains little for rarer outcomes, and Wilson's interval is on the safe side.
 inline constexpr std::uint64_t fewest_for_spread = 80;
 
 }  // namespace equipoise

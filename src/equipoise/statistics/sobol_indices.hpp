@@ -24,16 +24,15 @@ struct IndexEstimate {
   double value = 0.0, low = 0.0, high = 0.0;
 };
 
-/// Of one input: the part of the outcome's variance that goes away on average if it is known, and the part that is left
-/// if all others are.
+/// The part of the outcome's variance that goes away on average if one input is known, and the part left if all others
+/// are.
 struct SobolIndices {
   IndexEstimate first, total;
 };
 
-/// Sobol's indices of every input: first order by A. Janon, T. Klein, A. Lagnoux, M. Nodet and C. Prieur (ESAIM: Prob.
-/// Stat. 18 (2014) 342), total by M. J. W. Jansen (Comput. Phys. Commun. 117 (1999) 35). Intervals: quantiles over
-/// bootstrap samples of the rows, drawn by `seed` alone. Empty where the outcome does not vary: nothing then depends on
-/// anything. An index near 0 may come out below it, and its interval reach there.
+/// First order by A. Janon, T. Klein, A. Lagnoux, M. Nodet and C. Prieur (ESAIM: Prob. Stat. 18 (2014) 342), total by
+/// M. J. W. Jansen (Comput. Phys. Commun. 117 (1999) 35). Intervals: quantiles over bootstrap samples of the rows,
+/// drawn by `seed`. Empty where the outcome does not vary. An index near 0 may come out below it.
 std::vector<SobolIndices> sobol_indices(const PickFreezeRows& rows, std::uint64_t seed = 1);
 
 }  // namespace equipoise

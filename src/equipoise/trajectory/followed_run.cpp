@@ -1,4 +1,4 @@
-// Any study is followed as a machine is, from event to event, with events or without.
+// Every study runs as a machine, from event to event.
 #include "equipoise/trajectory/followed_run.hpp"
 
 #include <cmath>

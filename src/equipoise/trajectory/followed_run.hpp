@@ -1,4 +1,4 @@
-// One trajectory followed as far as it is asked for, again and again: for those who watch it.
+// One trajectory, advanced on demand: for players that draw it as it goes.
 #pragma once
 
 #include <memory>
@@ -9,12 +9,11 @@
 
 namespace equipoise {
 
-/// The motion that simulate() samples, with its equations, events and tolerance. A step of the integrator ends wherever
-/// it is asked to, so that how often it is asked moves it within the tolerance.
+/// The motion that simulate() samples. Each advance() ends a step of the integrator, so their number moves the motion
+/// within the tolerance.
 class FollowedRun {
  public:
-  /// From the study's [initial], or from `start` instead. Throws InputError for invalid studies, and for balls that
-  /// overlap.
+  /// From [initial] or from `start`. Throws InputError for invalid studies and for balls that overlap.
   explicit FollowedRun(const Study& study);
   FollowedRun(const Study& study, const InitialState& start);
   ~FollowedRun();
@@ -22,7 +21,7 @@ class FollowedRun {
   FollowedRun& operator=(const FollowedRun&) = delete;
 
   double time() const;
-  /// Goes on to `until`, or stays where it is if that is past.
+  /// Stays where it is if `until` is past.
   IntegrationStatus advance(double until);
   /// Appends the present state.
   void record(Trajectory& out) const;

@@ -1,4 +1,4 @@
-// A study's trajectory as a machine's: its drive, its error scale and its state at t = 0.
+// A study as a machine's trajectory: drive, error scale and state at t = 0.
 #pragma once
 
 #include <array>
@@ -18,7 +18,6 @@ HWY_BEFORE_NAMESPACE();
 namespace equipoise {
 namespace HWY_NAMESPACE {
 
-// Balls that overlap have no motion.
 inline void check_overlap(const Study& study) {
   const model::Parameters& p = study.parameters;
   if (!p.balls_collide()) return;

@@ -1,4 +1,4 @@
-// The grid of output times.
+// An even grid of output times.
 #include "equipoise/trajectory/output_times.hpp"
 
 #include <algorithm>
@@ -11,24 +11,17 @@
 
 namespace equipoise {
 
-namespace {
-
-double last_branch(const Study& study) {
-  const model::Drive drive = study.drive();
-  return std::max(drive.pieces.back().begin, study.speed.driven() ? 0.0 : drive.release_time);
-}
-
-}  // namespace
-
 std::vector<double> output_times(const Study& study, std::optional<double> asked_until,
                                  std::optional<double> asked_every) {
   check(study);
   const auto reject = [](const char* key, double value, const std::string& problem) {
     throw InputError("output times", key, fmt::format("{}", value), problem);
   };
-  const double until = asked_until ? *asked_until : last_branch(study) + 100.0;
+  const model::Drive drive = study.drive();
+  const double last_branch = std::max(drive.pieces.back().begin, study.speed.driven() ? 0.0 : drive.release_time);
+  const double until = asked_until.value_or(last_branch + 100.0);
   if (!(until >= 0.0 && until <= last_output_time)) reject("until", until, "must be a number from 0 to 1e9");
-  const double every = asked_every ? *asked_every : until > 0.0 ? until / 100.0 : 1.0;
+  const double every = asked_every.value_or(until > 0.0 ? until / 100.0 : 1.0);
   if (!(every > 0.0 && every <= last_output_time))
     reject("every", every, "must be a number greater than 0, at most 1e9");
   if (until / every > most_output_rows)

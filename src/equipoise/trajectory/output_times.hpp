@@ -1,4 +1,4 @@
-// When to look at a trajectory, where nobody says.
+// Default times at which a trajectory is sampled.
 #pragma once
 
 #include <optional>
@@ -8,7 +8,7 @@
 
 namespace equipoise {
 
-/// Later than that a double does not know the rotor's angle.
+/// Later, a double no longer resolves the rotor's angle.
 inline constexpr double last_output_time = 1e9;
 inline constexpr double most_output_rows = 1e8;
 

@@ -1,4 +1,4 @@
-// What a state says of everything that a trajectory tells.
+// A trajectory's quantities computed from a state.
 #include "equipoise/trajectory/record.hpp"
 
 #include <array>

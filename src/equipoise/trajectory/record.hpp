@@ -6,8 +6,7 @@
 
 namespace equipoise {
 
-/// Appends state `z` (dimension(balls) numbers) at `t`, where the rotor has turned to `psi` and turns at `w`, to every
-/// array.
+/// Appends state `z` (dimension(balls) numbers) at time `t`, rotor angle `psi` and speed `w` to every array.
 void record(Trajectory& out, const model::Parameters& p, double psi, double w, double t, const double* z);
 
 }  // namespace equipoise

@@ -42,21 +42,16 @@ void record(Trajectory& out, const model::Parameters& p, const model::Segment& s
   record(out, p, segment.psi_at(t), segment.speed_at(t), t, z);
 }
 
-// Tells how many rows there are: seldom, for rows take microseconds.
+// Reports seldom, for rows take microseconds.
 class RowCount {
  public:
   RowCount(const RunOptions& options, std::size_t total) : options_(options), total_(total) {}
 
-  void now(std::size_t rows) {
-    if (!options_.progress) return;
+  void report(std::size_t rows, bool last = false) {
     constexpr std::chrono::milliseconds interval{50};
-    const auto time = std::chrono::steady_clock::now();
-    if (time - last_ < interval) return;
-    last_ = time;
+    if (!options_.progress || (!last && std::chrono::steady_clock::now() - last_ < interval)) return;
+    last_ = std::chrono::steady_clock::now();
     options_.progress({rows, total_, "rows", {}});
-  }
-  void end(std::size_t rows) const {
-    if (options_.progress) options_.progress({rows, total_, "rows", {}});
   }
 
  private:
@@ -65,7 +60,6 @@ class RowCount {
   std::chrono::steady_clock::time_point last_ = std::chrono::steady_clock::now();
 };
 
-// What is asked of one trajectory.
 struct Task {
   const Study& study;
   double tolerance;
@@ -100,7 +94,7 @@ void simulate_free(const Task& task, const std::vector<model::Segment>& segments
             state_at(times[next], at);
             record(out, p, segment, times[next], at);
           }
-          task.rows.now(out.t.size());
+          task.rows.report(out.t.size());
         },
         task.stop);
     out.stopped = task.stopped();
@@ -110,7 +104,6 @@ void simulate_free(const Task& task, const std::vector<model::Segment>& segments
   }
 }
 
-// A machine's trajectory: from event to event.
 void simulate_machine(const Task& task, Trajectory& out) {
   using Machine = kernels::MachineRun::Machine;
   const std::vector<double>& times = task.times;
@@ -129,7 +122,7 @@ void simulate_machine(const Task& task, Trajectory& out) {
           state_at(times[next], at);
           take(times[next], at);
         }
-        task.rows.now(out.t.size());
+        task.rows.report(out.t.size());
         return false;
       },
       task.stop);
@@ -189,7 +182,7 @@ Trajectory simulate(const Study& study, const std::vector<double>& times, const 
     RowCount rows(o, times.size());
     Trajectory out =
         followed({study, study.numerics.tolerance.value_or(default_simulate_tolerance), times, o.stop, rows});
-    rows.end(out.t.size());
+    rows.report(out.t.size(), true);
     return out;
   });
 }

@@ -9,10 +9,9 @@
 
 namespace equipoise {
 
-/// Integrates `study` from its initial state and samples it by dense output at `times` (increasing, >= 0).
-/// Tolerance: study.numerics.tolerance, else default_simulate_tolerance, per step, relative to each variable's size.
-/// Progress is in rows. One thread does all; no CPU target is chosen.
-/// Throws InputError for times out of order or an invalid study.
+/// Samples `study` by dense output at `times` (increasing, >= 0). Tolerance: study.numerics.tolerance, else
+/// default_simulate_tolerance, per step, relative to each variable's size. Progress is in rows. One thread does all; no
+/// CPU target is chosen. Throws InputError for times out of order or an invalid study.
 Trajectory simulate(const Study& study, const std::vector<double>& times, const RunOptions& options = {});
 
 }  // namespace equipoise

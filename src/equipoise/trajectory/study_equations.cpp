@@ -1,4 +1,4 @@
-// The one set of equations asked over a study's whole drive.
+// The equations of motion over a study's whole drive.
 #include "equipoise/trajectory/study_equations.hpp"
 
 #include <algorithm>
@@ -9,7 +9,7 @@
 #include <fmt/format.h>
 
 #include "equipoise/base/error.hpp"
-#include "equipoise/math/dual.hpp"
+#include "equipoise/math/gradient.hpp"
 #include "equipoise/model/ball_count.hpp"
 #include "equipoise/model/frames.hpp"
 #include "equipoise/model/hybrid_flow-inl.hpp"
@@ -24,7 +24,8 @@ namespace kernels = HWY_NAMESPACE;
 
 constexpr int most = model::largest_state;
 using Flow = kernels::HybridFlow<double, model::any_count>;
-using SlopeFlow = kernels::HybridFlow<Dual<most>, model::any_count>;
+using Dual = Gradient<double, most>;
+using SlopeFlow = kernels::HybridFlow<Dual, model::any_count>;
 
 void check_has_equations(const Study& study) {
   check(study);
@@ -72,6 +73,12 @@ struct StudyEquations::State {
   State& operator=(const State&) = delete;
 
   int balls() const { return study.parameters.balls; }
+
+  // Throws if no speed decides when the balls are let go.
+  double deciding_speed() const {
+    if (drive.release_speed) return *drive.release_speed;
+    throw InputError(study.name, "release.speed", "", "is not what lets the balls go; must be that of a driven rotor");
+  }
 
   const model::DrivePiece& drive_at(std::size_t piece) const { return drive.pieces[drive_of[piece]]; }
   template <class T>
@@ -152,19 +159,13 @@ double StudyEquations::release_time() const { return state_->drive.release_time;
 std::optional<double> StudyEquations::release_speed() const { return state_->drive.release_speed; }
 
 double StudyEquations::release_distance(const double* y) const {
-  const model::Drive& drive = state_->drive;
-  if (!drive.release_speed)
-    throw InputError(study().name, "release.speed", "",
-                     "is not what lets the balls go; must be that of a driven rotor");
-  const double speed = y[model::dimension(state_->balls()) + 1], beyond = speed - *drive.release_speed;
-  return *drive.release_speed > drive.speed ? beyond : -beyond;
+  const double release = state_->deciding_speed(), speed = y[model::dimension(state_->balls()) + 1];
+  return release > state_->drive.speed ? speed - release : -(speed - release);
 }
 
 StudyEquations StudyEquations::released_at(double t) const {
+  state_->deciding_speed();
   model::Drive drive = state_->drive;
-  if (!drive.release_speed)
-    throw InputError(study().name, "release.speed", "",
-                     "is not what lets the balls go; must be that of a driven rotor");
   if (!std::isfinite(t) || t < 0.0)
     throw InputError("release", "time", fmt::format("{}", t), "must be a finite number, 0 or more");
   drive.release_speed.reset();
@@ -188,16 +189,13 @@ void StudyEquations::rhs(std::size_t piece, double t, const double* y, double* d
 }
 
 void StudyEquations::jacobian(std::size_t piece, double t, const double* y, double* matrix) const {
-  kernels::ModeTable<Dual<most>, model::any_count> modes(study().parameters);
+  kernels::ModeTable<Dual, model::any_count> modes(study().parameters);
   if (pieces()[piece].held) modes.set(state_->clamped);
-  Dual<most> variables[most], rates[most], z[SlopeFlow::dimension], dz[SlopeFlow::dimension];
+  Dual variables[most], rates[most], z[SlopeFlow::dimension], dz[SlopeFlow::dimension];
   const int size = dimension();
-  for (int k = 0; k < size; ++k) {
-    variables[k] = y[k];
-    variables[k].slope[k] = 1.0;
-  }
+  for (int k = 0; k < size; ++k) variables[k] = Dual(y[k], k);
   state_->whole(piece, t, variables, z);
-  state_->flow(piece, modes)(Dual<most>(t), z, dz);
+  state_->flow(piece, modes)(Dual(t), z, dz);
   model::copy_state(state_->machine, dz, state_->own, rates);
   for (int i = 0; i < size; ++i) std::copy_n(rates[i].slope, size, matrix + i * size);
 }

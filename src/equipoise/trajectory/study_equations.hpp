@@ -27,13 +27,12 @@ struct MotionState : InitialState {
 /// State y: the `dimension()` numbers that variables() names (model/state_layout.hpp). psi and psi_dot are among them
 /// where a motor drives the rotor, speed_error_integral where its control has one.
 ///
-/// Time is cut into pieces on which f is smooth; an integrator has to end a step where a piece ends, pass the state
-/// through cross(), and begin anew. A piece is asked by its number, for at its end two hold; without number, the one
-/// that begins there is meant. f has one more corner, in time unknown beforehand, where a motor's torque reaches its
-/// limit (speed.torque.limit).
+/// Time is cut into pieces on which f is smooth; an integrator must end a step where a piece ends, pass the state
+/// through cross(), and begin anew. Functions without a piece's number take the later one at a breakpoint. f has one
+/// more corner where a motor's torque reaches its limit (speed.torque.limit).
 ///
-/// A driven rotor may let go of its balls at a speed: its pieces then are those with the balls held, release_distance()
-/// is what to find the zero of, and released_at() has the equations from then on. Thread-safe.
+/// Where a driven rotor's speed lets the balls go, the pieces are those with the balls held; the zero of
+/// release_distance() is the release, and released_at() has the equations from then on. Thread-safe.
 class StudyEquations {
  public:
   /// Throws InputError for invalid studies, uncertain values, and contact or dry friction: balls that meet or stick
@@ -60,8 +59,8 @@ class StudyEquations {
   /// When the balls are let go; 0: free from the first; infinite if a speed decides.
   double release_time() const;
   std::optional<double> release_speed() const;
-  /// How much psi_dot is beyond release_speed(), in the sense in which it is first approached: the balls are let go
-  /// where this first reaches 0 from below. Throws InputError if there is none.
+  /// psi_dot beyond release_speed(), in the direction of approach: its first zero from below releases the balls. Throws
+  /// InputError if there is no such speed.
   double release_distance(const double* y) const;
   /// The same study whose balls are let go at `t`, of one that lets go at a speed.
   StudyEquations released_at(double t) const;

@@ -25,7 +25,7 @@ double points_in(const model::Parameters& p, const model::Segment& s) {
   return std::ceil((s.end - s.begin) * 64.0 * fastest / (2.0 * std::numbers::pi));
 }
 
-// Segment by segment, both its ends included as far as a time just before an end can be.
+// Of every clamped segment, from its begin to just before its end.
 std::vector<double> grid_of(const model::Parameters& p, const std::vector<model::Segment>& segments) {
   std::vector<double> times;
   for (const model::Segment& s : segments) {
@@ -64,7 +64,7 @@ double ClampedTransients::Squares::at(const Monomials& m, std::size_t k) const {
   return sum;
 }
 
-// Eight maxima side by side, which compilers turn into vector instructions.
+// Eight maxima side by side let compilers use vector instructions.
 double ClampedTransients::Squares::largest(const Monomials& m) const {
   constexpr std::size_t width = 8;
   std::array<double, width> most{};
@@ -115,8 +115,7 @@ ClampedTransients::ClampedTransients(const model::Parameters& p, const std::vect
   force_peak_ = force_.largest(one);
 }
 
-// Power straight between the times of the grid: it oscillates at twice the rotor's speed or the supports' frequency, 32
-// times or more a period, so that all but the ends of a segment cancels.
+// Trapezoidal rule: power oscillates with 32 grid times or more a period, so errors cancel but at a segment's ends.
 void ClampedTransients::lose(const model::Parameters& p, double t, const model::Segment& segment,
                              const ClampedBasis& basis) {
   std::array<std::array<double, 2>, 3> rate;

@@ -1,5 +1,5 @@
-// The sums of transients, once for SIMD lanes and for double: peaks, integrals, times above limits, and windows of time
-// whose last one tells how a trajectory ends. Where samples come from is the caller's. Included once per CPU target.
+// The sums of transients, for SIMD lanes and for double: peaks, integrals, times above limits, and windows of time whose
+// last one gives the figures at the end. Included once per CPU target.
 #if defined(EQUIPOISE_TRANSIENTS_GATHER_TRANSIENTS_INL) == defined(HWY_TARGET_TOGGLE)
 #ifdef EQUIPOISE_TRANSIENTS_GATHER_TRANSIENTS_INL
 #undef EQUIPOISE_TRANSIENTS_GATHER_TRANSIENTS_INL
@@ -40,8 +40,7 @@ struct Sample {
   T stored;             // read at the ends of steps only
 };
 
-// Of state z of a rotor that would rest at `rest`. The slope needs no derivative of the state, since the rotation of
-// the frame drops out.
+// `rest`: where the rotor would rest. The slope needs no derivative of the state: the frame's rotation drops out.
 template <class T>
 HWY_INLINE Sample<T> sample_of(const Vector2<T>& rest, const Vector2<T>& force, const T* z) {
   using namespace model::index;
@@ -54,7 +53,6 @@ HWY_INLINE Sample<T> sample_of(const Vector2<T>& rest, const Vector2<T>& force, 
           T(0.0)};
 }
 
-// What is asked of every trajectory, in numbers of the time loop.
 template <class T>
 struct Limits {
   explicit Limits(const TransientSettings& s)
@@ -74,7 +72,7 @@ struct Limits {
   T displacement2, settled2, window;
 };
 
-// What as many trajectories as T has lanes have come to, each with its own time.
+// As many trajectories as T has lanes, each at its own time.
 template <class T>
 class GatherTransients {
  public:
@@ -125,11 +123,11 @@ class GatherTransients {
     element(work_, lane) = -element(from_.stored, lane);
   }
 
-  // What the drive does from here on is not asked.
+  // The drive's work counts no further.
   void end_work(int lane) { known_work_[lane] = work_of(lane); }
 
-  // Adds, where it was accepted, a step of length h from `begin` to t; `at`: at the two nodes within it and at its end,
-  // `unbalance`: at its end. Returns the bits of the `active` lanes whose window it ends.
+  // Adds an accepted step of length h from `begin` to t, sampled `at` its two nodes and its end; `unbalance`: at its end.
+  // Returns the bits of the `active` lanes whose window it ends.
   HWY_INLINE unsigned add(const Limits<T>& limits, unsigned active, Flags accepted, T begin, T t, T h,
                           const Sample<T> (&at)[3], T unbalance) {
     const StepSamples<T> samples = samples_of(at);
@@ -169,7 +167,6 @@ class GatherTransients {
   // Largest r^2 since load().
   double peak(int lane) const { return element(peak_, lane); }
 
-  // The sums of a trajectory at its present time.
   void store(int lane, double t, TransientSums& row, bool free = true) const {
     row.end = t;
     (free ? row.free_peak : row.clamped_peak) = element(peak_, lane);
@@ -225,7 +222,6 @@ class GatherTransients {
     }
   }
 
-  // The work of a lane up to its present time.
   DriveWork work_of(int lane) const {
     DriveWork work = work_before_[lane];
     work.stored = element(from_.stored, lane);
@@ -235,7 +231,6 @@ class GatherTransients {
     return work;
   }
 
-  // What the open window of a lane holds at time `t`.
   TransientWindow open_window(int lane, double t) const {
     return {t - element(window_begin_, lane), element(window_peak_, lane), element(window_force_, lane),
             element(window_velocity_, lane), element(window_unbalance_, lane)};

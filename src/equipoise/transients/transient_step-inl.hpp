@@ -1,8 +1,8 @@
 // Peaks, integrals and times above a limit within one step, for SIMD lanes and for double. Included once per CPU
 // target.
 //
-// r^2 is known with its slope at the step's ends and at two places between, hence a cubic on each of three pieces; the
-// squares of force and velocity are known at the same four places, hence one cubic over the step.
+// r^2 is known with its slope at the step's ends and at two places between: a cubic on each of three pieces. The
+// squares of force and velocity are known at the same four places: one cubic over the step.
 #if defined(EQUIPOISE_TRANSIENTS_TRANSIENT_STEP_INL) == defined(HWY_TARGET_TOGGLE)
 #ifdef EQUIPOISE_TRANSIENTS_TRANSIENT_STEP_INL
 #undef EQUIPOISE_TRANSIENTS_TRANSIENT_STEP_INL
@@ -80,8 +80,7 @@ struct Cubic {
   }
 };
 
-// The fraction of a stretch, along which something runs straight from one excess over a limit to another, that lies
-// above the limit.
+// The fraction of a stretch above a limit, where the excess over it runs straight.
 template <class T>
 HWY_INLINE T share_above(T from, T to) {
   const T size = absolute(from) + absolute(to) + T(1e-300);
@@ -133,8 +132,8 @@ class SquaredRadiusOfStep {
   T upper_, lower_;
 };
 
-// The larger of `peak` and what `curve` reaches. What it could reach is asked first, and where that is not more than
-// `peak` the peak stays, so that no lane feels whether another one made the work necessary.
+// The larger of `peak` and what `curve` reaches. Lanes whose upper bound is not above `peak` keep it, so that no lane
+// feels whether another one made the work necessary.
 template <class T, class Curve>
 HWY_INLINE T raised(T peak, const Curve& curve) {
   const auto higher = peak < curve.upper();

@@ -1,4 +1,4 @@
-// The statistics of transients without lanes.
+// Transients of one trajectory without lanes.
 #include "equipoise/transients/transient_watch.hpp"
 
 #include <complex>
@@ -11,16 +11,12 @@ namespace equipoise {
 
 namespace {
 namespace kernels = HWY_NAMESPACE::transient;
-
-kernels::Sample<double> place(const TransientSample& s) {
-  return {s.r2, s.r2_slope, s.force2, s.velocity2, s.power, s.stored};
-}
 }  // namespace
 
 TransientSample transient_sample(const model::Parameters& p, double psi, double t, const double* z) {
   const std::array<double, 2> rest = model::rest_position(p, psi), force = model::bearing_force(p, psi, z);
   const auto s = kernels::sample_of<double>({rest[0], rest[1]}, {force[0], force[1]}, z);
-  return {t, s.r2, s.slope, s.force2, s.velocity2, std::abs(model::unbalance(p, z + model::index::phi(0)))};
+  return {s, t, std::abs(model::unbalance(p, z + model::index::phi(0)))};
 }
 
 TransientWatch::TransientWatch(const TransientSettings& settings, const TransientSums& sums)
@@ -35,8 +31,8 @@ void TransientWatch::begin(const TransientSample& first, bool free) {
     free_ = free;
   }
   limits_.settling = free && settings_.watches_settling();
-  if (!begun_) gathered_.resume(0, sums_, first.t, place(first));
-  gathered_.stand(0, place(first), first.unbalance);
+  if (!begun_) gathered_.resume(0, sums_, first.t, first);
+  gathered_.stand(0, first, first.unbalance);
   t_ = first.t;
   if (!begun_) gathered_.restart(0, t_);
   begun_ = true;
@@ -45,7 +41,7 @@ void TransientWatch::begin(const TransientSample& first, bool free) {
 void TransientWatch::step(const std::array<TransientSample, 3>& samples) {
   const double begin = t_;
   t_ = samples[2].t;
-  const kernels::Sample<double> at[3] = {place(samples[0]), place(samples[1]), place(samples[2])};
+  const kernels::Sample<double> at[3] = {samples[0], samples[1], samples[2]};
   const bool full = gathered_.add(limits_, 1, true, begin, t_, t_ - begin, at, samples[2].unbalance);
   if (full && decided_)
     may_leave_ = gathered_.seen_enough(0, settings_, end_, free_ ? gathered_.peak(0) : sums_.free_peak);

@@ -1,13 +1,5 @@
 // The statistics of transients for one trajectory in double precision: the sums that SIMD lanes gather
 // (transients/gather_transients-inl.hpp), for time loops without lanes.
-//
-//     TransientWatch watch(settings, sums);        // sums: of the clamped spin-up, or TransientSums{}
-//     watch.begin(transient_sample(p, psi, t, z)); // again wherever u, v or the force jumps
-//     for each step to t:
-//       watch.step_to(t, [&](double at) { return the sample there; });
-//       if (its outcome has just been decided) watch.decided({figures of the motion that it comes to, if known});
-//       if (watch.may_leave()) stop;
-//     transient_row(settings, watch.sums(), lost, figures);
 #pragma once
 
 #include <array>
@@ -19,22 +11,15 @@
 
 namespace equipoise {
 
-/// The motion at one time. Frame invariant: rotating or fixed components give the same.
-struct TransientSample {
+/// The motion at one time.
+struct TransientSample : HWY_NAMESPACE::transient::Sample<double> {
   double t = 0.0;          ///< study time
-  double r2 = 0.0;         ///< squared distance of O from where the rotor rests under its weight
-  double r2_slope = 0.0;   ///< its derivative: twice that distance times (u, v)
-  double force2 = 0.0;     ///< |f|^2 of the bearing force
-  double velocity2 = 0.0;  ///< u^2 + v^2
   double unbalance = 0.0;  ///< |lambda + sum mu_i e^{i phi_i}|; read at step ends only
-  double power = 0.0;      ///< whose integral, with the change of `stored`, is the work of the drive; 0: not asked
-  double stored = 0.0;     ///< read at step ends only
 };
 
 /// Of rotor and balls in state `z` at time `t`, with the rotor at angle `psi`; z: as many numbers as dimension(balls).
 TransientSample transient_sample(const model::Parameters& p, double psi, double t, const double* z);
 
-/// Peaks, integrals and times of one trajectory.
 class TransientWatch {
  public:
   /// Where within a step, from 0 to 1, the samples of step() lie.
@@ -42,7 +27,7 @@ class TransientWatch {
 
   explicit TransientWatch(const TransientSettings& settings, const TransientSums& sums = {});
 
-  /// The motion goes on from here; `free`: the balls have been released (from settings.release on).
+  /// The motion goes on from here, at first and wherever u, v or the force jumps; `free`: the balls have been released.
   void begin(const TransientSample& first, bool free = true);
   /// A step from the last sample on.
   void step(const std::array<TransientSample, 3>& samples);
@@ -62,7 +47,6 @@ class TransientWatch {
   /// Whether a decided trajectory has been followed far enough (seen_enough()).
   bool may_leave() const { return may_leave_; }
 
-  /// All of it, up to the end of the last step.
   TransientSums sums() const;
 
  private:

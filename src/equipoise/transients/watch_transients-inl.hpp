@@ -22,7 +22,6 @@ HWY_BEFORE_NAMESPACE();
 namespace equipoise {
 namespace HWY_NAMESPACE {
 
-// A rotor as its watch needs it, in every lane.
 class WatchedRotor {
  public:
   WatchedRotor(const model::Parameters& p, const model::Segment& segment, const LaneTask& task,
@@ -89,8 +88,7 @@ class WatchedRotor {
     return {Pack(p.eccentricity + balls * p.race_offset[0]), Pack(balls * p.race_offset[1])};
   }
 
-  // Speed always; sin and cos of psi where they are asked for: the force of isotropic supports does not ask where the
-  // rotor points, and only gravity lets it sag.
+  // sin and cos of psi only where forces or sag depend on them.
   HWY_INLINE RotorMotion<Pack> rotor_at(Pack t, const Pack* z) const {
     RotorMotion<Pack> rotor{};
     if (turns_ && psi_place_ < 0) return motion_.at(t);
@@ -114,8 +112,8 @@ class WatchedRotor {
   Pack sag_;
 };
 
-// The rows of the table go on growing from one task to the next. One code for every rotor and any number of balls: it
-// runs once a step, where the equations run twelve times.
+// Rows go on growing from one task to the next. One code for every rotor and number of balls: it runs once a step, the
+// equations twelve times.
 class WatchTransients final : public LaneWatch {
  public:
   WatchTransients(const LaneTask& task, TransientTable& table)

@@ -1,4 +1,4 @@
-// The figures that sums come to.
+// Figures computed from sums.
 #include "equipoise/types/transient_table.hpp"
 
 #include <algorithm>

@@ -1,4 +1,4 @@
-// What the time loop gathers of every trajectory for the statistics of transients, and the figures it comes to.
+// Sums that the time loop gathers of every trajectory, and the figures of transients they give.
 #pragma once
 
 #include <array>
@@ -10,8 +10,7 @@
 
 namespace equipoise {
 
-/// What the drive's work is made of: nothing that is asked; of a prescribed speed energy stored and taken; of a motor
-/// its torque times psi'.
+/// How the drive's work is computed: of a prescribed speed by an energy balance; of a motor from torque and speed.
 enum class WorkSource { none, balance, motor };
 
 /// What is asked of every trajectory. Dimensionless.
@@ -21,8 +20,7 @@ struct TransientSettings {
   /// Radial displacement below which a rotor has settled; 0: settling is not watched.
   double settled = 0.0;
   double release = 0.0;  ///< study time at which the balls are let go
-  /// Length of the windows of time in which a trajectory is watched once its outcome is known. Many turns of the rotor,
-  /// and several of the slow turns of balls about it.
+  /// Length of time windows once the outcome is known: many turns of the rotor, several slow turns of balls about it.
   double window = 16.0;
   WorkSource work = WorkSource::none;  ///< of the drive
 
@@ -44,7 +42,7 @@ inline TransientWindow last_windows(const TransientWindow& before, const Transie
           before.velocity + last.velocity, before.unbalance + last.unbalance};
 }
 
-/// A steady motion's own figures: what every start that comes to it ends with. All zero: exact balance.
+/// A steady motion's own figures. All zero: exact balance.
 struct MotionFigures {
   double radial = 0.0;      ///< largest r
   double peak_force = 0.0;  ///< largest |f|
@@ -58,17 +56,15 @@ struct KnownEnd {
   double wait = 0.0;                     ///< without figures: time after which what is left of the way there is small
 };
 
-/// Whether a trajectory whose outcome is known may end with the window `last`: what is still to come adds nothing to
-/// its figures. `before`: the windows before `last`, the nearest first, empty where there is none since the decision;
-/// `windows`: how many since then, `last` included; `peak`: largest r^2 from release on.
+/// Whether a trajectory whose outcome is known may end with the window `last`: its figures change no more. `before`:
+/// the windows before `last` since the decision, the nearest first; `windows`: their number, with `last`; `peak`:
+/// largest r^2 from release on.
 ///
-/// With known figures the end needs no measuring. The way there is over when r has stayed, throughout a window, in the
-/// nearer half of the way from the motion's own largest r to every limit above that, since a deviation that dies out
-/// does not come back to twice its size, and a tenth of that way below the peak so far.
+/// With known figures, once r stays for a window in the nearer half of the way from the motion's own largest r to every
+/// limit above that, since a deviation that dies out does not double again, and a tenth of that way below the peak.
 ///
 /// Else two windows must agree to 2 % in peak and root mean square velocity, and a third must show that they do not
-/// creep: of differences that shrink from d1 to d2 there are d2^2/(d1 - d2) to come. A chaotic motion's windows need
-/// not agree: 32 are enough.
+/// creep: differences that shrink from d1 to d2 leave d2^2/(d1 - d2) to come. Of chaos 32 windows are enough.
 inline bool seen_enough(const TransientSettings& settings, const KnownEnd& end,
                         const std::array<TransientWindow, 2>& before, const TransientWindow& last, int windows,
                         double peak) {
@@ -98,8 +94,7 @@ inline bool seen_enough(const TransientSettings& settings, const KnownEnd& end,
   return steady(before[1].peak, before[0].peak, last.peak) && steady(mean(before[1]), mean(before[0]), mean(last));
 }
 
-/// The work of what drives a rotor. What it takes back while it brakes is lost: of each piece of the drive what it gave
-/// in all counts, if that is more than nothing.
+/// The work of a drive. Energy taken back by braking is lost: the sum of each piece counts if it is positive.
 struct DriveWork {
   double before = 0.0;  ///< of the pieces that are over
   double piece = 0.0;   ///< of the one under way, less what was taken back
@@ -114,8 +109,7 @@ struct DriveWork {
   double total() const { return before + (piece > 0.0 ? piece : 0.0); }
 };
 
-/// What one trajectory has come to so far; grows over spin-up, release and branches. Squares, so that no root is taken
-/// in the time loop.
+/// Of one trajectory so far. Squares, so that the time loop takes no root.
 struct TransientSums {
   double end = 0.0;           ///< study time up to which all this holds
   double clamped_peak = 0.0;  ///< largest r^2 before release
@@ -179,8 +173,7 @@ inline constexpr std::array<TransientColumn, 11> transient_columns{{
     {"followed_until", "study time up to which the start was followed, in 1/omega_c", &TransientRow::followed_until},
 }};
 
-/// The sums of the trajectories of a task, by their place in it. Filled with spin_up or begun() rows, then handed to
-/// one task after another.
+/// The sums of a task's trajectories, by place, handed on from one task to the next.
 struct TransientTable {
   TransientSettings settings;
   std::vector<TransientSums> rows;
@@ -197,8 +190,7 @@ struct TransientTable {
   }
 };
 
-/// The figures of sums that are complete; `lost`: of a trajectory that diverged or failed. `end`: of the motion that it
-/// came to, if known.
+/// The figures of complete sums; `lost`: the trajectory diverged or failed; `end`: figures of its motion, if known.
 TransientRow transient_row(const TransientSettings& settings, const TransientSums& sums, bool lost,
                            const std::optional<MotionFigures>& end = std::nullopt);
 
