@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <bit>
 #include <cmath>
-#include <ranges>
 
 #include "equipoise/base/angles.hpp"
 #include "equipoise/base/random.hpp"
@@ -55,7 +54,14 @@ std::uint64_t shuffled(std::uint64_t seed, std::uint64_t place, std::uint64_t co
 // The last number from `begin` - 1 to `end` - 1 of which `holds`, which it does of the first ones.
 template <class Holds>
 std::uint64_t last_of(std::uint64_t begin, std::uint64_t end, const Holds& holds) {
-  return *std::ranges::partition_point(std::views::iota(begin, end), holds) - 1;
+  while (begin < end) {  // by hand, for the browser's library has no std::ranges yet
+    const std::uint64_t middle = begin + (end - begin) / 2;
+    if (holds(middle))
+      begin = middle + 1;
+    else
+      end = middle;
+  }
+  return begin - 1;
 }
 
 }  // namespace

@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <ranges>
 
 #include "equipoise/statistics/distributions.hpp"
 
@@ -26,11 +25,23 @@ RankInterval quantile_ranks(std::uint64_t count, double probability, double conf
   if (count == 0) return {0, 1};
   const double tail = 0.5 * (1.0 - confidence);
   const Binomial law{static_cast<double>(count), probability};
-  // The largest l with P(K < l) <= tail, and the smallest u with P(K >= u) <= tail.
-  const auto ranks = std::views::iota(std::uint64_t{1}, count + 1);
-  const auto low = std::ranges::partition_point(ranks, [&](std::uint64_t l) { return law.up_to(l - 1) <= tail; });
-  const auto high = std::ranges::partition_point(ranks, [&](std::uint64_t u) { return law.above(u - 1) > tail; });
-  return {*low - 1, *high};
+  // The largest l with P(K < l) <= tail, by bisection: true for `from`, false for `to`.
+  std::uint64_t from = 0, to = count + 1;
+  while (to - from > 1) {
+    const std::uint64_t l = from + (to - from) / 2;
+    (law.up_to(l - 1) <= tail ? from : to) = l;
+  }
+  RankInterval result;
+  result.low = from;
+  // The smallest u with P(K >= u) <= tail: false for `from`, true for `to`.
+  from = 0;
+  to = count + 1;
+  while (to - from > 1) {
+    const std::uint64_t u = from + (to - from) / 2;
+    (law.above(u - 1) <= tail ? to : from) = u;
+  }
+  result.high = to;
+  return result;
 }
 
 int Distribution::bin_of(float value) {
