@@ -262,13 +262,13 @@ unsigned variant_of(Profile profile) {
   return index < profile_names.size() ? unsigned{constant} << index : unsigned{points};
 }
 
-unsigned variants_of(const TorqueSetting& torque) {
+unsigned variants_of(const TorqueSetting& motor) {
   using Kind = model::MotorLaw::Kind;
   // A motor that says it is of two kinds gets the keys of both, which no reader takes.
-  unsigned variants = torque.by_stall ? stall : 0u;
-  if (torque.kind == Kind::table) return variants | curve;
-  if (torque.kind == Kind::control) return variants | control;
-  return torque.by_stall ? variants : linear;
+  unsigned variants = motor.by_stall ? stall : 0u;
+  if (motor.kind == Kind::table) return variants | curve;
+  if (motor.kind == Kind::control) return variants | control;
+  return motor.by_stall ? variants : linear;
 }
 
 }  // namespace equipoise::study
