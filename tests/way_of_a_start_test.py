@@ -33,7 +33,7 @@ def main():
     if "--renew" in sys.argv:
         page.write_text(renewed)
     elif wrong:
-        raise SystemExit("\n".join([*wrong, "way_of_a_start_test.py SOURCE_DIR --renew writes the lines anew"]))
+        raise SystemExit("\n".join([*wrong, "./dev snapshots writes the lines anew"]))
     print(f"{count} stops stand where CONTRIBUTING says")
 
 

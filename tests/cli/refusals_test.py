@@ -27,7 +27,7 @@ class Refusals(Case):
                     self.assertEqual((done.returncode, done.stdout, done.stderr.count("\n")), (2, "", 1))
                     self.assertTrue(done.stderr.startswith("equipoise: "))
                     self.assertEqual(sorted(os.listdir(self.folder)), ["row.toml", "washer.toml"], "nothing may be written")
-        if "EQUIPOISE_RENEW_SNAPSHOTS" in os.environ:
+        if "EQUIPOISE_RENEW" in os.environ:
             with open(path, "w", encoding="utf-8") as file:
                 file.write(said)
             before = said

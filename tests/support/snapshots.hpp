@@ -22,7 +22,7 @@ inline std::string snapshot_path(const std::string& name) { return EQUIPOISE_SOU
 
 /// tests/snapshots/NAME is `text`.
 inline void expect_snapshot(const std::string& name, const std::string& text) {
-  if (std::getenv("EQUIPOISE_RENEW_SNAPSHOTS")) std::ofstream(snapshot_path(name), std::ios::binary) << text;
+  if (std::getenv("EQUIPOISE_RENEW")) std::ofstream(snapshot_path(name), std::ios::binary) << text;
   EXPECT_EQ(content(snapshot_path(name)), text) << "if tests/snapshots/" << name << " is to say this: ./dev snapshots";
 }
 

@@ -202,7 +202,7 @@ std::string guide_table(const KeyTable& table, bool physical) {
   return text;
 }
 
-// Between "<!-- keys of NAME -->" and "<!-- end of keys -->"; EQUIPOISE_RENEW=1 in the environment writes them anew.
+// Between "<!-- keys of NAME -->" and "<!-- end of keys -->"; `./dev snapshots` writes them anew.
 TEST(StudyKeys, StandInTheGuide) {
   const std::string path = EQUIPOISE_SOURCE_DIR "/docs/guide/study-file.md";
   std::ifstream file(path);
@@ -221,8 +221,7 @@ TEST(StudyKeys, StandInTheGuide) {
   if (std::getenv("EQUIPOISE_RENEW"))
     std::ofstream(path) << renewed;
   else
-    EXPECT_EQ(guide, renewed) << "EQUIPOISE_RENEW=1 "
-                              << "study_test writes the tables anew";
+    EXPECT_EQ(guide, renewed) << "./dev snapshots writes the tables anew";
 }
 
 }  // namespace

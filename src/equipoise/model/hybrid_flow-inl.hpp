@@ -110,7 +110,7 @@ struct EventMargins {
   T rates, forces;
 };
 
-// The state is that of the system or that of model/machine.hpp.
+// The state is that of the system or model::machine_layout().
 template <class T, int room>
 class HybridFlow {
  public:
@@ -124,7 +124,7 @@ class HybridFlow {
   HybridFlow(const model::System& s, const model::Segment& segment, const Modes* modes = nullptr)
       : HybridFlow(s.parameters(), s.drive(), s.layout(), segment.begin, segment.psi, modes) {}
 
-  // For any piece of a drive, in the state of model/machine.hpp.
+  // For any piece of a drive, laid out as model::machine_layout().
   HybridFlow(const model::Parameters& p, const model::DrivePiece& piece, const Modes* modes)
       : HybridFlow(p, piece, model::machine_layout(p.balls), piece.begin, piece.psi, modes) {}
 
@@ -145,7 +145,7 @@ class HybridFlow {
     resists_ = resists_ || from.resists_;
   }
 
-  // Enters the next piece of the drive, in the state of model/machine.hpp.
+  // Enters the next piece of the drive, laid out as model::machine_layout().
   void enter(const model::DrivePiece& piece) { drive_.enter(piece); }
 
   void operator()(const T& t, const T* y, T* dy) const {
