@@ -1,5 +1,5 @@
-// The processes of a job: the first gives blocks of cells to whoever asks for work, and takes cells in; whom it has no
-// block for it sends to another, to decide blocks of starts of the cell at work there.
+// The processes of a job: rank 0 gives out blocks of cells and takes finished cells in. A process that gets no block is
+// sent to another one, to decide blocks of starts of the cell at work there.
 #include "team.hpp"
 
 #include <algorithm>
@@ -34,7 +34,7 @@ template <class Bytes, Like<CellAtWork> T>
 void members(Bytes& b, T& t) {
   b(t.cell, t.start.seeds, t.start.informed, t.start.hints.levels, t.start.hints.weights, t.method);
 }
-// Where it was left: whoever asked for it follows it on.
+// The state it was left in: the process that lent the start follows it on.
 template <class Bytes, Like<UnlistedStart> T>
 void members(Bytes& b, T& t) {
   b(t.place, t.state);
@@ -59,8 +59,8 @@ constexpr std::chrono::milliseconds rest{2};    // between two looks for message
 constexpr std::chrono::milliseconds pause{10};  // of who has nothing to do
 constexpr std::chrono::seconds patience{3};     // with others that are to come home
 
-// The first is asked for work and for cells that are known, and told of those that are done; whoever has a cell at work
-// is asked for starts of it.
+// Rank 0 answers for work and known cells, and takes finished cells. Every process with a cell at work answers for its
+// starts.
 enum class Asked : std::uint8_t { for_work, for_cell, to_take_cell, for_starts };
 
 using CellBytes = std::vector<std::uint8_t>;

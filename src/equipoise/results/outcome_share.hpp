@@ -15,7 +15,7 @@ namespace equipoise {
 
 /// Starts that came to one attractor, or to none in one way.
 struct OutcomeShare {
-  int id = 0;                   ///< the attractor's identifier, or undecided_code and its like
+  int id = 0;                   ///< the attractor's identifier, or a code of no_attractors
   std::string name{}, alias{};  ///< alias: V1 to V4 of Wright and Peng (2019)
   Share share{};                ///< with its 95 % interval
   std::string kind{};           ///< of the attractor's motion

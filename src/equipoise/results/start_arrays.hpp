@@ -20,7 +20,7 @@ struct StartArrays {
   std::vector<double> phi_dot;      ///< with a sampling box, or the caller's own: `balls` a start
   std::vector<double> drawn;        ///< with uncertain values: what the start drew of each, in its own unit
   std::vector<double> weight;       ///< on a grid: cells that the start's cell stands for
-  std::vector<short> outcome;       ///< attractor's identifier, or undecided_code and its like
+  std::vector<short> outcome;       ///< attractor's identifier, or a code of no_attractors
   std::vector<double> decision_time;    ///< study time at which the outcome was known
   std::vector<signed char> decided_by;  ///< a DecidedBy
   std::vector<float> mean_speed;        ///< of a driven rotor; not-a-number where never measured

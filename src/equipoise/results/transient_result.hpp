@@ -16,7 +16,7 @@ namespace equipoise {
 /// The starts of one outcome, or all.
 struct TransientGroup {
   std::string name;       ///< "all" or the outcome's
-  std::optional<int> id;  ///< attractor, or undecided_code and its like; none: of all
+  std::optional<int> id;  ///< attractor, or a code of no_attractors; none: of all
   std::uint64_t starts = 0;
   std::optional<double> mean_speed;  ///< of driven rotors: |psi'| in the end, mean over starts
   std::uint64_t lasting = 0;         ///< of these, whose motion exceeds limits.displacement for good

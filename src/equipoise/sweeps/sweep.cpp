@@ -1,4 +1,4 @@
-// Blocks given out to threads and to whoever helps; cells taken in, kept and told.
+// Gives blocks to threads and helping processes; takes cells in, keeps and reports them.
 #include "equipoise/sweeps/sweep.hpp"
 
 #include <algorithm>

@@ -14,7 +14,7 @@ namespace equipoise {
 
 class CellDesk;
 
-/// Work that is shared out: blocks to whoever asks, cells from whoever has done them. From any thread.
+/// Work to share: gives out blocks of cells and takes finished cells. Callable from any thread.
 class SweepWork {
  public:
   virtual ~SweepWork() = default;

@@ -17,7 +17,7 @@ namespace equipoise {
 
 namespace {
 
-// What is asked of a cell's ensemble, whoever works on it; for as long as `start` is there.
+// Options of a cell's ensemble, the same for all that work on it. They refer to `start`.
 BasinOptions cell_options(const SweepPlan& plan, const CellStart& start) {
   BasinOptions options;
   options.half_width = plan.request().half_width;
