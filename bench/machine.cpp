@@ -14,7 +14,7 @@
 #endif
 
 #include "equipoise/base/version.hpp"
-#include "equipoise/kernels/lane_kernels.hpp"
+#include "equipoise/kernels/batch_kernels.hpp"
 #include "rivals/rival.hpp"
 #include "table.hpp"
 

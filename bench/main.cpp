@@ -11,8 +11,8 @@
 #include <fmt/ranges.h>
 
 #include "equipoise/base/error.hpp"
-#include "equipoise/base/parallel.hpp"
-#include "equipoise/basins/basin.hpp"
+#include "equipoise/running/parallel.hpp"
+#include "equipoise/ensembles/basin.hpp"
 #include "machine.hpp"
 #include "table.hpp"
 #include "works/works.hpp"
@@ -23,8 +23,8 @@ namespace {
 
 constexpr int failed = 1, bad_usage = 2;
 
-const std::vector<std::string> all_works{"full",    "decided", "ramped", "kernel",
-                                         "targets", "threads", "balls",  "starts",  "machines", "uncertain"};
+const std::vector<std::string> all_works{"full",    "decided", "ramped", "kernel",   "targets",
+                                         "threads", "balls",   "starts", "machines", "uncertain"};
 
 const char* const footer =
     "Works:\n"

@@ -11,38 +11,55 @@ endif()
 
 # The public interface: equipoise/equipoise.hpp and equipoise/paper.hpp, and what they include. Templates and kernels stay inside.
 foreach(header
-    equipoise.hpp base/error.hpp base/run_options.hpp base/stop_flag.hpp
-    model/balance_grade.hpp model/balanced_state.hpp model/energy.hpp model/machine.hpp model/motor.hpp
-    model/parameters.hpp model/scales.hpp model/speed.hpp model/state_layout.hpp model/system.hpp
-    types/attractor.hpp types/ball_events.hpp types/fate.hpp types/motion.hpp types/outcomes.hpp types/periodic_orbit.hpp types/status.hpp
-    types/transient_table.hpp types/trap_hints.hpp
-    statistics/quantile.hpp statistics/share.hpp statistics/sobol_indices.hpp sampling/jittered_grid.hpp sampling/sampling.hpp
-    study/ball_details.hpp study/keys.hpp study/overrides.hpp study/physical_echo.hpp study/study.hpp study/study_value.hpp
-    study/table_reader.hpp study/uncertain.hpp study/units.hpp
-    model/ball_mode.hpp motions/catalogue.hpp motions/motion.hpp orbits/orbit.hpp proof/certificate.hpp proof/member_certificate.hpp
-    results/attractors_result.hpp results/basin_result.hpp results/branch.hpp results/branches_result.hpp results/basin_cost.hpp results/capacity_result.hpp
-    results/certify_result.hpp results/comparison_result.hpp results/design_result.hpp results/explanation.hpp results/inspection.hpp
-    results/machine_page.hpp results/map_figures.hpp results/outcome_share.hpp results/plane_map.hpp results/sensitivity_result.hpp
-    results/start_arrays.hpp results/sweep_result.hpp results/trajectory.hpp
-    results/transient_figures.hpp results/transient_result.hpp
-    store/basin_file.hpp store/basin_outcomes.hpp store/branches_file.hpp store/inspection.hpp store/map_file.hpp store/start_columns.hpp store/sweep_file.hpp
-    store/trajectory_file.hpp
-    basins/attractors.hpp basins/basin.hpp basins/certify.hpp basins/comparison.hpp basins/mapper.hpp basins/observation.hpp basins/sensitivity.hpp
-    basins/write_basin.hpp
-    branches/continuation.hpp branches/parameter_line.hpp kernels/cpu_target.hpp
-    maps/map_axis.hpp maps/map_figures.hpp maps/plane_map.hpp sweeps/capacity.hpp sweeps/merge.hpp sweeps/sweep.hpp sweeps/sweep_axis.hpp sweeps/sweep_cell.hpp sweeps/sweep_plan.hpp
+    equipoise.hpp paper.hpp
+    base/error.hpp base/stop_flag.hpp
+    running/run_options.hpp
+    drives/full_state.hpp drives/motor.hpp drives/speed.hpp
+    model/ball_mode.hpp model/parameters.hpp model/scales.hpp model/state_layout.hpp model/system.hpp
+    types/attractor.hpp types/ball_events.hpp types/fate.hpp types/motion.hpp types/outcomes.hpp
+      types/periodic_orbit.hpp types/status.hpp types/transient_table.hpp types/warm_start_levels.hpp
+    mechanics/balance_grade.hpp mechanics/balanced_state.hpp mechanics/energy.hpp
+    statistics/comparison.hpp statistics/quantile.hpp statistics/share.hpp statistics/sobol_indices.hpp
+    sampling/jittered_grid.hpp sampling/sampling.hpp
+    units/units.hpp
+    toml/overrides.hpp toml/study_value.hpp
+    study/ball_details.hpp study/keys.hpp study/physical_echo.hpp study/study.hpp study/table_reader.hpp
+      study/uncertain.hpp
+    kernels/cpu_target.hpp
+    periodic_orbits/orbit.hpp
+    attractors/catalogue.hpp attractors/motion.hpp
+    proof/certificate.hpp proof/member_certificate.hpp
+    results/attractors_result.hpp results/basin_result.hpp results/basin_slice.hpp
+      results/branch.hpp results/branches_result.hpp results/capacity_result.hpp results/certify_result.hpp
+      results/comparison_result.hpp results/design_result.hpp results/explanation.hpp results/inspection.hpp
+      results/machine_page.hpp results/outcome_share.hpp results/sensitivity_result.hpp results/slice_figures.hpp
+      results/start_arrays.hpp results/sweep_result.hpp results/trajectory.hpp results/transient_figures.hpp
+      results/transient_result.hpp
+    result_files/basin_file.hpp result_files/basin_outcomes.hpp result_files/branches_file.hpp
+      result_files/inspection.hpp result_files/slice_file.hpp result_files/start_columns.hpp
+      result_files/trajectory_file.hpp
+    cell_files/sweep_file.hpp
+    ensembles/basin.hpp ensembles/write_basin.hpp
+    analyses/attractors.hpp analyses/certify.hpp analyses/comparison.hpp analyses/mapper.hpp
+      analyses/observation.hpp analyses/sensitivity.hpp
+    continuation/continuation.hpp continuation/parameter_line.hpp
+    basin_slices/basin_slice.hpp basin_slices/slice_axis.hpp basin_slices/slice_figures.hpp
+    sweeps/capacity.hpp sweeps/merge.hpp sweeps/sweep.hpp sweeps/sweep_axis.hpp sweeps/sweep_cell.hpp
+      sweeps/sweep_plan.hpp
     design/design.hpp design/figures.hpp design/problem.hpp
-    trajectory/output_times.hpp trajectory/simulate.hpp trajectory/study_equations.hpp drawing/map_plot.hpp drawing/plot_parts.hpp drawing/sweep_plot.hpp
-    report/attractors_report.hpp report/basin_report.hpp report/branches_report.hpp report/certificate_json.hpp report/certify_report.hpp report/explain_report.hpp
-    report/capacity_report.hpp report/comparison_report.hpp report/design_report.hpp report/inspection_report.hpp report/map_report.hpp
-    report/sweep_report.hpp
+    trajectory/output_times.hpp trajectory/simulate.hpp trajectory/study_equations.hpp
+    shown/machine_page.hpp shown/motion_path.hpp
+    drawing/plot_parts.hpp
+    reports/attractors_report.hpp reports/basin_report.hpp reports/branches_report.hpp reports/capacity_report.hpp
+      reports/certificate_json.hpp reports/certify_report.hpp reports/comparison_report.hpp reports/design_report.hpp
+      reports/explain_report.hpp reports/inspection_report.hpp reports/map_report.hpp reports/sweep_report.hpp
+    plots/map_plot.hpp plots/sweep_plot.hpp
     explain/explain.hpp
-    pages/answer.hpp pages/capacity_html.hpp pages/design_html.hpp pages/given_keys.hpp pages/given_machine.hpp pages/machine_html.hpp shown/machine_page.hpp
-    pages/map_html.hpp shown/motion_path.hpp pages/sweep_html.hpp
-    paper.hpp literature/conclusions.hpp literature/published_tables.hpp
-    literature/reproduction.hpp statistics/comparison.hpp reproduction/open_questions.hpp
-    reproduction/paper_figures.hpp reproduction/reproduce.hpp
-    reproduction/reproduction.hpp)
+    html/answer.hpp html/capacity_html.hpp html/design_html.hpp html/given_keys.hpp html/given_machine.hpp
+      html/machine_html.hpp html/map_html.hpp html/sweep_html.hpp
+    literature/conclusions.hpp literature/published_tables.hpp literature/reproduction.hpp
+    reproduction/open_questions.hpp reproduction/paper_figures.hpp reproduction/reproduce.hpp
+      reproduction/reproduction.hpp)
   get_filename_component(folder ${header} DIRECTORY)
   install(FILES ${PROJECT_SOURCE_DIR}/src/equipoise/${header} DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/equipoise/${folder})
 endforeach()

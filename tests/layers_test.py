@@ -15,48 +15,76 @@ from pathlib import Path
 # Whoever adds a room to a line says in CONTRIBUTING.md why.
 ROOMS = {
     "base": "",
+    "running": "",
     "math": "",
-    "model": "math",
+    "drives": "",
+    "model": "drives",
     "types": "model",
-    "integrate": "model types",
+    "mechanics": "math drives model",
+    "integrate": "drives model types mechanics",
     "statistics": "",
     "sampling": "model",
-    "study": "model statistics sampling",
-    "lanes": "model types integrate",
-    "transients": "model types integrate lanes",
-    "deciding": "model types lanes",
-    "kernels": "model types lanes transients deciding",
-    "orbits": "math model types integrate",
-    "motions": "math model types integrate transients orbits",
-    "proof": "math model",
-    "traps": "math model types lanes deciding kernels orbits motions",
-    "results": "model types statistics sampling study proof",
-    "files": "",
-    "store": "model types statistics sampling study results files",
-    "spin_up": "model types integrate sampling study lanes transients deciding kernels orbits results files",
-    "discovery": "math model types sampling study lanes deciding kernels orbits motions proof traps spin_up",
-    "fates":
-        "model types statistics sampling study lanes transients deciding kernels orbits motions results spin_up "
-        "discovery",
-    "basins":
-        "model types statistics sampling study lanes kernels orbits motions proof traps results store spin_up "
-        "discovery fates",
-    "branches": "model types study kernels orbits motions results fates basins",
-    "maps":
-        "math model types statistics study kernels orbits motions results files store spin_up discovery fates "
-        "basins branches",
-    "sweeps": "types study kernels motions traps results store discovery fates basins",
-    "design": "types statistics study kernels motions traps results store discovery fates basins sweeps",
-    "trajectory": "math model types integrate study results spin_up",
-    "shown": "model types study orbits motions results spin_up basins trajectory",
-    "drawing": "types study results store",
-    "report": "model types statistics sampling study proof results drawing",
-    "explain": "math model study orbits motions results spin_up discovery report",
-    "pages": "model types statistics sampling study results store drawing report explain",
-    "literature": "model results statistics study",
+    "units": "model",
+    "toml": "",
+    "study": "drives model mechanics statistics sampling units toml",
+    "batch": "drives model types integrate",
+    "transients": "drives model types mechanics integrate batch",
+    "classification": "drives model types batch",
+    "kernels": "model types batch transients classification",
+    "periodic_orbits": "math model types mechanics integrate",
+    "attractors": "math model types mechanics integrate transients periodic_orbits",
+    "proof": "math drives model mechanics",
+    "balanced_regions": "math model types mechanics batch classification periodic_orbits attractors",
+    "trapping_regions":
+        "running math drives model types mechanics batch classification kernels periodic_orbits attractors "
+        "balanced_regions",
+    "results": "model types mechanics statistics sampling units toml study proof",
+    "io": "running",
+    "result_files": "running model types statistics sampling study results io",
+    "cell_files": "running results io result_files",
+    "spin_up":
+        "drives model types mechanics integrate sampling study batch transients classification kernels "
+        "periodic_orbits results io",
+    "rotor_family": "math model mechanics sampling study periodic_orbits attractors spin_up",
+    "attractor_search":
+        "running math model types mechanics sampling study batch classification kernels periodic_orbits "
+        "attractors proof balanced_regions trapping_regions spin_up rotor_family",
+    "start_runs":
+        "model types mechanics statistics sampling study batch transients classification kernels "
+        "periodic_orbits attractors results spin_up rotor_family attractor_search",
+    "ensembles":
+        "running model types statistics sampling study kernels attractors results result_files spin_up "
+        "rotor_family attractor_search start_runs",
+    "analyses":
+        "running drives types mechanics sampling study batch kernels periodic_orbits attractors proof "
+        "balanced_regions results result_files spin_up rotor_family attractor_search start_runs ensembles",
+    "continuation":
+        "running model types mechanics toml study kernels periodic_orbits attractors results start_runs "
+        "analyses",
+    "basin_slices":
+        "running math types mechanics statistics study kernels periodic_orbits attractors results io "
+        "result_files spin_up rotor_family start_runs ensembles continuation",
+    "sweeps":
+        "running types study kernels attractors balanced_regions results result_files cell_files "
+        "attractor_search start_runs ensembles",
+    "design":
+        "running types statistics units toml study kernels attractors balanced_regions results result_files "
+        "cell_files attractor_search start_runs ensembles sweeps",
+    "trajectory": "running math drives model types mechanics integrate study results spin_up",
+    "shown":
+        "running model types mechanics study periodic_orbits attractors results spin_up ensembles trajectory",
+    "drawing": "types study",
+    "text": "model types mechanics statistics sampling units study results",
+    "reports": "model mechanics proof results text",
+    "plots": "units study results drawing text reports",
+    "explain":
+        "math model mechanics study periodic_orbits attractors results spin_up rotor_family attractor_search "
+        "start_runs text",
+    "html": "types mechanics statistics sampling toml study results drawing text reports plots explain",
+    "literature": "statistics study results",
     "reproduction":
-        "model types statistics sampling study kernels motions results store discovery basins maps trajectory "
-        "drawing report literature",
+        "running drives types mechanics statistics sampling kernels attractors results result_files "
+        "attractor_search ensembles analyses basin_slices trajectory drawing text reports literature",
 }
 MAY_INCLUDE = {room: {"base", room, *rooms.split()} for room, rooms in ROOMS.items()}
 SOURCES = {".hpp", ".h", ".cpp", ".cc", ".cu", ".in"}
@@ -125,21 +153,21 @@ class FaultsAreFound(unittest.TestCase):
     def test_named_rooms_and_base_are_allowed(self):
         self.assertEqual(self.faults_of({
             "src/equipoise/base/error.hpp": "#include <string>\n",
-            "src/equipoise/model/speed.hpp": '#include "equipoise/base/error.hpp"\n#include "hwy/highway.h"\n',
-            "src/equipoise/model/speed.cpp": '#include "equipoise/model/speed.hpp"\n',
+            "src/equipoise/drives/speed.hpp": '#include "equipoise/base/error.hpp"\n#include "hwy/highway.h"\n',
+            "src/equipoise/drives/speed.cpp": '#include "equipoise/drives/speed.hpp"\n',
             "src/equipoise/trajectory/simulate.cpp": '#define HWY_TARGET_INCLUDE "equipoise/trajectory/simulate.cpp"\n',
             "apps/equipoise/main.cpp": '#include "equipoise/trajectory/simulate.hpp"\n#include "options.hpp"\n',
             "apps/equipoise/options.hpp": "",
         }), [])
 
     def test_message_says_what_is_allowed(self):
-        found = self.faults_of({"src/equipoise/model/speed.cpp": '#include "equipoise/study/study.hpp"\n'})
+        found = self.faults_of({"src/equipoise/drives/speed.cpp": '#include "equipoise/study/study.hpp"\n'})
         self.assertEqual(len(found), 1)
-        self.assertIn("model may include only base, math", found[0])
+        self.assertIn("drives may include only base", found[0])
 
     def test_every_way_of_writing_an_include_is_seen(self):
-        for line in ('# include "equipoise/maps/a.hpp"', "  #include <equipoise/maps/a.hpp>",
-                     '#include"equipoise/maps/a.hpp"', '#define HWY_TARGET_INCLUDE "equipoise/maps/a.hpp"',
+        for line in ('# include "equipoise/design/a.hpp"', "  #include <equipoise/design/a.hpp>",
+                     '#include"equipoise/design/a.hpp"', '#define HWY_TARGET_INCLUDE "equipoise/design/a.hpp"',
                      '#include "../maps/a.hpp"'):
             self.assertEqual(len(self.faults_of({"src/equipoise/base/a-inl.hpp": line + "\n"})), 1, line)
 
@@ -155,17 +183,17 @@ class FaultsAreFound(unittest.TestCase):
                 self.assertEqual(len(found), 0 if other in ("base", room, *ROOMS[room].split()) else 1)
 
     def test_header_without_a_room_is_a_fault(self):
-        self.assertEqual(len(self.faults_of({"src/equipoise/maps/a.cpp": '#include "equipoise/equipoise.hpp"\n'})), 1)
+        self.assertEqual(len(self.faults_of({"src/equipoise/design/a.cpp": '#include "equipoise/equipoise.hpp"\n'})), 1)
 
     def test_include_that_skips_the_project_name_is_a_fault(self):
-        self.assertEqual(len(self.faults_of({"src/equipoise/maps/a.cpp": '#include "a.hpp"\n',
-                                             "src/equipoise/maps/a.hpp": ""})), 1)
+        self.assertEqual(len(self.faults_of({"src/equipoise/design/a.cpp": '#include "a.hpp"\n',
+                                             "src/equipoise/design/a.hpp": ""})), 1)
 
     def test_unknown_folder_is_a_fault(self):
         self.assertEqual(len(self.faults_of({"src/equipoise/helpers/a.hpp": ""})), 1)
 
     def test_including_a_program_is_a_fault(self):
-        program = {"apps/equipoise/options.hpp": "", "src/equipoise/maps/a.hpp": ""}
+        program = {"apps/equipoise/options.hpp": "", "src/equipoise/design/a.hpp": ""}
         for line in ('#include "options.hpp"', '#include "apps/equipoise/options.hpp"',
                      '#include "../apps/equipoise/options.hpp"'):
             self.assertEqual(len(self.faults_of({**program, "tests/a.cpp": line + "\n"})), 1, line)

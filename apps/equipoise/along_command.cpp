@@ -2,10 +2,10 @@
 #include "along_command.hpp"
 
 #include "commands.hpp"
-#include "equipoise/branches/continuation.hpp"
-#include "equipoise/drawing/branch_plot.hpp"
-#include "equipoise/report/branches_report.hpp"
-#include "equipoise/store/branches_file.hpp"
+#include "equipoise/continuation/continuation.hpp"
+#include "equipoise/plots/branch_plot.hpp"
+#include "equipoise/reports/branches_report.hpp"
+#include "equipoise/result_files/branches_file.hpp"
 #include "gnuplot.hpp"
 #include "options.hpp"
 #include "progress.hpp"
@@ -25,11 +25,11 @@ int run_along(const Study& study, const AlongArguments& a) {
   ContinuationOptions options;
   options.threads = a.threads;
   options.starts = a.starts;
-  options.seeds = a.states;
+  options.warm_start_states = a.states;
   options.stop = &stop_flag();
   ProgressLine progress(a.quiet);
   options.progress = progress.listener();
-  const BranchesResult result = follow_attractors(study, line, options);
+  const ContinuationResult result = follow_attractors(study, line, options);
   progress.finish();
   put(a.json ? branches_json(result) : branches_text(result));
   if (a.output.ends_with(".csv")) write_file(a.output, branches_csv(result));

@@ -8,8 +8,8 @@
 
 #include "along_command.hpp"
 #include "commands.hpp"
-#include "equipoise/basins/attractors.hpp"
-#include "equipoise/report/attractors_report.hpp"
+#include "equipoise/analyses/attractors.hpp"
+#include "equipoise/reports/attractors_report.hpp"
 #include "options.hpp"
 #include "progress.hpp"
 #include "streams.hpp"
@@ -68,7 +68,8 @@ int run_attractors(const AttractorsArguments& a) {
   AttractorsOptions options;
   if (a.starts) options.starts = study.sampling.starts;
   options.threads = threads_option(a.threads);
-  for (const std::string& text : a.states) options.seeds.push_back(parse_state(text, study.parameters.balls));
+  for (const std::string& text : a.states)
+    options.warm_start_states.push_back(parse_state(text, study.parameters.balls));
   options.stop = &stop_flag();
   ProgressLine progress(a.quiet);
   options.progress = progress.listener();

@@ -10,9 +10,9 @@
 
 #include "commands.hpp"
 #include "equipoise/base/display_text.hpp"
-#include "equipoise/basins/basin.hpp"
-#include "equipoise/basins/sensitivity.hpp"
-#include "equipoise/report/basin_report.hpp"
+#include "equipoise/ensembles/basin.hpp"
+#include "equipoise/analyses/sensitivity.hpp"
+#include "equipoise/reports/basin_report.hpp"
 #include "options.hpp"
 #include "progress.hpp"
 #include "report_command.hpp"
@@ -35,7 +35,7 @@ std::vector<std::string> overrides_from(const BasinArguments& a) {
   std::vector<std::string> overrides = a.overrides;
   override_starts(a.starts, a.seed, overrides);
   if (a.decide) {
-    option_choice<DecideMode>("--decide", *a.decide, decide_mode_names);
+    option_choice<ClassificationMode>("--decide", *a.decide, classification_mode_names);
     overrides.push_back("numerics.decide=" + *a.decide);
   }
   return overrides;

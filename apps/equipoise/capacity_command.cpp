@@ -8,10 +8,10 @@
 
 #include "commands.hpp"
 #include "equipoise/drawing/chart.hpp"
-#include "equipoise/pages/capacity_html.hpp"
-#include "equipoise/pages/given_machine.hpp"
-#include "equipoise/report/capacity_charts.hpp"
-#include "equipoise/report/capacity_report.hpp"
+#include "equipoise/html/capacity_html.hpp"
+#include "equipoise/html/given_machine.hpp"
+#include "equipoise/plots/capacity_charts.hpp"
+#include "equipoise/reports/capacity_report.hpp"
 #include "equipoise/sweeps/capacity.hpp"
 #include "equipoise/sweeps/sweep_axis.hpp"
 #include "options.hpp"
@@ -85,8 +85,7 @@ int run_capacity(const CapacityArguments& a) {
   if (result.complete()) return done;
   WorkLeft left{result.resumed_trials + result.trials, result.most_trials, "trials (at most)"};
   if (result.trials > 0)
-    left.seconds =
-        result.seconds / static_cast<double>(result.trials) * static_cast<double>(left.total - left.done);
+    left.seconds = result.seconds / static_cast<double>(result.trials) * static_cast<double>(left.total - left.done);
   return ended_early(left, kept_by_output, a.output);
 }
 
@@ -95,9 +94,10 @@ int run_capacity(const CapacityArguments& a) {
 Command add_capacity(CLI::App& app) {
   const auto a = std::make_shared<CapacityArguments>();
   app.add_option("study", a->study, "study file (TOML)")->required()->type_name("STUDY");
-  app.add_option("--of", a->of,
-                 "what is to be as large as possible, any key that --set takes (default: rotor.unbalance where the study "
-                 "states it, else rotor.eccentricity)")
+  app.add_option(
+         "--of", a->of,
+         "what is to be as large as possible, any key that --set takes (default: rotor.unbalance where the study "
+         "states it, else rotor.eccentricity)")
       ->type_name("KEY");
   app.add_option("--between", a->between,
                  "where it is looked for, e.g. 0.001:0.1 or \"20 g mm:400 g mm\" (default for an "

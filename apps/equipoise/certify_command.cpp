@@ -10,9 +10,9 @@
 
 #include "commands.hpp"
 #include "equipoise/base/display_text.hpp"
-#include "equipoise/basins/certify.hpp"
-#include "equipoise/report/certificate_json.hpp"
-#include "equipoise/report/certify_report.hpp"
+#include "equipoise/analyses/certify.hpp"
+#include "equipoise/reports/certificate_json.hpp"
+#include "equipoise/reports/certify_report.hpp"
 #include "options.hpp"
 #include "progress.hpp"
 #include "streams.hpp"

@@ -5,11 +5,11 @@
 #include <vector>
 
 #include "commands.hpp"
-#include "equipoise/base/deadline.hpp"
+#include "equipoise/running/deadline.hpp"
 #include "equipoise/base/display_text.hpp"
-#include "equipoise/basins/basin_cost.hpp"
+#include "equipoise/analyses/basin_cost.hpp"
 #include "equipoise/explain/explain.hpp"
-#include "equipoise/report/explain_report.hpp"
+#include "equipoise/reports/explain_report.hpp"
 #include "options.hpp"
 #include "streams.hpp"
 

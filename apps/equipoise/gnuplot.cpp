@@ -10,7 +10,7 @@
 #include <unistd.h>
 
 #include "equipoise/base/error.hpp"
-#include "equipoise/files/replacement.hpp"
+#include "equipoise/io/replacement.hpp"
 
 namespace equipoise::app {
 
@@ -41,7 +41,7 @@ bool is_whole(const std::string& path) {
 }  // namespace
 
 void draw(const std::string& path, const std::function<std::string(const std::string&)>& script_for) {
-  store::Replacement place(path, ".new" + path.substr(path.rfind('.')));
+  io::Replacement place(path, ".new" + path.substr(path.rfind('.')));
   const std::string script = script_for(place.file());
   std::signal(SIGPIPE, SIG_IGN);  // a gnuplot that gives up is told by its exit code
   std::FILE* gnuplot = popen("gnuplot", "w");

@@ -3,8 +3,8 @@
 #include <string>
 
 #include "commands.hpp"
-#include "equipoise/report/inspection_report.hpp"
-#include "equipoise/store/inspection.hpp"
+#include "equipoise/reports/inspection_report.hpp"
+#include "equipoise/result_files/inspection.hpp"
 #include "streams.hpp"
 
 namespace equipoise::app {

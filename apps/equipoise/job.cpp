@@ -42,10 +42,11 @@ bool repeats_work() {
   }
   throw InputError(
       job.variable, "", "",
-      fmt::format("says that {} processes were started, but this program is built without MPI: each would do the whole "
-                  "work. Install an MPI library (Debian: apt-get install libopenmpi-dev) and build again (./dev run, or "
-                  "cmake), or give each process a part with --shard I/N, or start one process",
-                  job.size));
+      fmt::format(
+          "says that {} processes were started, but this program is built without MPI: each would do the whole "
+          "work. Install an MPI library (Debian: apt-get install libopenmpi-dev) and build again (./dev run, or "
+          "cmake), or give each process a part with --shard I/N, or start one process",
+          job.size));
 }
 
 }  // namespace equipoise::app

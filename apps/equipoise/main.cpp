@@ -17,7 +17,7 @@
 #include "equipoise/base/version.hpp"
 #include "equipoise/design/search.hpp"
 #include "equipoise/kernels/cpu_target.hpp"
-#include "equipoise/study/overrides.hpp"
+#include "equipoise/toml/overrides.hpp"
 #include "streams.hpp"
 #include "team.hpp"
 #include "usage.hpp"
@@ -50,9 +50,10 @@ void ask_to_stop(int signal) {
 
 std::string version_text() {
   return fmt::format(
-      "equipoise {}\ncompiler: {}\nCPU targets here: {}; using {}\nreports: {}\noptimisers: {}\nMPI: {}\n", version_string, __VERSION__,
-      fmt::join(cpu_targets(), ", "), cpu_target(),
-      embedded::page_files.find("plotly.js").empty() ? "pictures only" : "interactive charts and pictures", optimisers_version(), mpi_text());
+      "equipoise {}\ncompiler: {}\nCPU targets here: {}; using {}\nreports: {}\noptimisers: {}\nMPI: {}\n",
+      version_string, __VERSION__, fmt::join(cpu_targets(), ", "), cpu_target(),
+      embedded::page_files.find("plotly.js").empty() ? "pictures only" : "interactive charts and pictures",
+      optimisers_version(), mpi_text());
 }
 
 // "help basin" is "basin --help"; of a command that there is none of the name remains, to be told so.

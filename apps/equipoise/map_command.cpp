@@ -9,12 +9,12 @@
 #include <fmt/format.h>
 
 #include "commands.hpp"
-#include "equipoise/drawing/map_plot.hpp"
-#include "equipoise/maps/map_axis.hpp"
-#include "equipoise/maps/plane_map.hpp"
-#include "equipoise/pages/given_machine.hpp"
-#include "equipoise/pages/map_html.hpp"
-#include "equipoise/report/map_report.hpp"
+#include "equipoise/plots/map_plot.hpp"
+#include "equipoise/basin_slices/slice_axis.hpp"
+#include "equipoise/basin_slices/basin_slice.hpp"
+#include "equipoise/html/given_machine.hpp"
+#include "equipoise/html/map_html.hpp"
+#include "equipoise/reports/map_report.hpp"
 #include "options.hpp"
 #include "progress.hpp"
 #include "result_forms.hpp"
@@ -39,13 +39,13 @@ int block_option(const std::string& text) {
   return block;
 }
 
-void put_map(const ResultForms& a, const PlaneMap& map, const std::function<GivenMachine()>& machine) {
+void put_map(const ResultForms& a, const BasinSlice& map, const std::function<GivenMachine()>& machine) {
   put_forms(a, {[&] { return map_text(map); },
                 [&] { return map_json(map); },
                 {},
                 [&](const std::string& file) {
                   return map_plot_script(map, display_text(std::filesystem::path(map.study.name).filename().string()),
-                                         file, map.block > 0 ? MapShading::none : MapShading::decision_time);
+                                         file, map.block > 0 ? SliceShading::none : SliceShading::decision_time);
                 },
                 [&] { return map_html(map, machine()); }});
 }
@@ -55,10 +55,10 @@ int run_map(const MapArguments& a) {
   choose_cpu(a.cpu);
   const std::string text = read_study_text(a.study), name = display_text(a.study);
   const Study study = at_medians(parse_study(text, name, a.overrides));
-  const MapSize size = map_size(a.size, "--size");
-  PlaneMapSettings settings;
-  settings.x = map_axis(study, a.x, a.x_range, size.width, "--x-range");
-  settings.y = map_axis(study, a.y, a.y_range, size.height, "--y-range");
+  const SliceSize size = map_size(a.size, "--size");
+  BasinSliceSettings settings;
+  settings.x = slice_axis(study, a.x, a.x_range, size.width, "--x-range");
+  settings.y = slice_axis(study, a.y, a.y_range, size.height, "--y-range");
   for (const std::string& tie : a.ties) settings.links.push_back(angle_link(tie, "--tie"));
   if (a.refine) settings.block = block_option(*a.refine);
   require_ending("--from", a.from, ".nc");
@@ -69,7 +69,7 @@ int run_map(const MapArguments& a) {
   settings.stop = &stop_flag();
   ProgressLine progress(a.quiet);
   settings.progress = progress.listener();
-  const PlaneMap map = plane_map(study, settings);
+  const BasinSlice map = basin_slice(study, settings);
   progress.finish();
   if (map.read_whole) say("read from {}", a.output);
   put_map(a, map, [&] { return given_machine(text, name, a.overrides); });

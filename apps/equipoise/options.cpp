@@ -8,7 +8,7 @@
 #include <oneapi/tbb/global_control.h>
 #include <oneapi/tbb/info.h>
 
-#include "equipoise/files/replacement.hpp"
+#include "equipoise/io/replacement.hpp"
 #include "equipoise/kernels/cpu_target.hpp"
 #include "equipoise/study/given_value.hpp"
 #include "streams.hpp"
@@ -67,7 +67,7 @@ Study at_medians(Study study) {
 
 void require_writable(const char* option, const std::string& path) {
   if (path.empty()) return;
-  if (const std::string problem = store::why_not_writable(path); !problem.empty())
+  if (const std::string problem = io::why_not_writable(path); !problem.empty())
     throw InputError(option, "", path, "cannot be written: " + problem + "; must be a file in a folder that exists");
 }
 
@@ -78,7 +78,7 @@ void require_ending(const char* option, const std::string& path, const char* fir
       fmt::format("must be a file name that ends in {}{}", first, second ? fmt::format(" or {}", second) : ""));
 }
 
-void write_file(const std::string& path, const std::string& text) { store::write_whole(path, text); }
+void write_file(const std::string& path, const std::string& text) { io::write_whole(path, text); }
 
 void add_overrides(CLI::App& app, std::vector<std::string>& overrides) {
   app.add_option("--set", overrides, "override a study key, e.g. speed.final=2.6; may be repeated")

@@ -7,7 +7,7 @@
 #include <optional>
 #include <string>
 
-#include "equipoise/base/run_options.hpp"
+#include "equipoise/running/run_options.hpp"
 
 namespace equipoise::app {
 

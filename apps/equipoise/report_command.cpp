@@ -8,9 +8,9 @@
 
 #include "commands.hpp"
 #include "equipoise/base/display_text.hpp"
-#include "equipoise/pages/answer.hpp"
-#include "equipoise/pages/given_machine.hpp"
-#include "equipoise/pages/machine_html.hpp"
+#include "equipoise/html/answer.hpp"
+#include "equipoise/html/given_machine.hpp"
+#include "equipoise/html/machine_html.hpp"
 #include "options.hpp"
 #include "progress.hpp"
 #include "streams.hpp"

@@ -37,7 +37,7 @@ struct ReproduceArguments {
 ReproduceOptions options_from(const ReproduceArguments& a) {
   ReproduceOptions options = options_for(a.what);
   if (a.pixels)
-    options.map_pixels = option_number<int>("--pixels", *a.pixels, 2, 4096, "a whole number from 2 to 4096");
+    options.slice_pixels = option_number<int>("--pixels", *a.pixels, 2, 4096, "a whole number from 2 to 4096");
   options.threads = threads_option(a.threads);
   if (a.starts)
     options.starts =

@@ -7,11 +7,11 @@
 #include <fmt/format.h>
 
 #include "equipoise/base/error.hpp"
-#include "equipoise/drawing/map_plot.hpp"
-#include "equipoise/files/replacement.hpp"
+#include "equipoise/plots/map_plot.hpp"
+#include "equipoise/io/replacement.hpp"
 #include "equipoise/reproduction/reproduction_charts.hpp"
 #include "equipoise/reproduction/reproduction_document.hpp"
-#include "equipoise/store/map_file.hpp"
+#include "equipoise/result_files/slice_file.hpp"
 #include "gnuplot.hpp"
 #include "options.hpp"
 
@@ -22,7 +22,7 @@ namespace fs = std::filesystem;
 namespace {
 
 void copy_whole(const fs::path& from, const fs::path& to, std::error_code& error) {
-  store::Replacement place(to.string());
+  io::Replacement place(to.string());
   fs::copy_file(from, place.file(), fs::copy_options::overwrite_existing, error);
   if (!error) place.commit();
 }
@@ -66,7 +66,7 @@ void picture(Reproduction& r, const PictureFolder& folder, const std::string& id
 }
 
 void map_picture(Reproduction& r, const PictureFolder& folder, const std::string& id, const std::string& title,
-                 const PlaneMap& map) {
+                 const BasinSlice& map) {
   picture(r, folder, id, title, [&](const std::string& path) { return map_plot_script(map, title, path); });
   if (!folder.temporary()) write_map_file(folder.path() + "/" + id + ".nc", map);
 }

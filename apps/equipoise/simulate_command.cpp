@@ -9,8 +9,8 @@
 #include <fmt/format.h>
 
 #include "commands.hpp"
-#include "equipoise/report/start_text.hpp"
-#include "equipoise/store/trajectory_file.hpp"
+#include "equipoise/text/start_text.hpp"
+#include "equipoise/result_files/trajectory_file.hpp"
 #include "equipoise/trajectory/output_times.hpp"
 #include "equipoise/trajectory/simulate.hpp"
 #include "options.hpp"

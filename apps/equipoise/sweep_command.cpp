@@ -13,11 +13,11 @@
 #include <unistd.h>
 
 #include "commands.hpp"
-#include "equipoise/drawing/sweep_plot.hpp"
-#include "equipoise/pages/given_machine.hpp"
-#include "equipoise/pages/sweep_html.hpp"
-#include "equipoise/report/sweep_report.hpp"
-#include "equipoise/report/text.hpp"
+#include "equipoise/plots/sweep_plot.hpp"
+#include "equipoise/html/given_machine.hpp"
+#include "equipoise/html/sweep_html.hpp"
+#include "equipoise/reports/sweep_report.hpp"
+#include "equipoise/text/text.hpp"
 #include "equipoise/sweeps/merge.hpp"
 #include "equipoise/sweeps/sweep.hpp"
 #include "equipoise/sweeps/sweep_axis.hpp"

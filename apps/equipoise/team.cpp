@@ -17,10 +17,10 @@
 #include "commands.hpp"
 #include "equipoise/base/bytes.hpp"
 #include "equipoise/base/error.hpp"
-#include "equipoise/base/parallel.hpp"
-#include "equipoise/basins/ensemble_runner.hpp"
+#include "equipoise/running/parallel.hpp"
+#include "equipoise/ensembles/ensemble_runner.hpp"
 #include "equipoise/kernels/cpu_target.hpp"
-#include "equipoise/store/sweep_cells.hpp"
+#include "equipoise/cell_files/sweep_cells.hpp"
 #include "equipoise/sweeps/cell_desk.hpp"
 #include "equipoise/sweeps/sweep_cell.hpp"
 #include "job.hpp"
@@ -32,7 +32,8 @@ namespace equipoise {
 
 template <class Bytes, Like<CellAtWork> T>
 void members(Bytes& b, T& t) {
-  b(t.cell, t.start.seeds, t.start.informed, t.start.hints.levels, t.start.hints.weights, t.method);
+  b(t.cell, t.start.warm_start_states, t.start.warm_start, t.start.warm_start_levels.levels,
+    t.start.warm_start_levels.weights, t.method);
 }
 // The state it was left in: the process that lent the start follows it on.
 template <class Bytes, Like<UnlistedStart> T>
@@ -110,7 +111,7 @@ T answer_from(const Bytes& bytes) {
 }
 
 SweepCell cell_in(const CellBytes& bytes) {
-  auto cell = store::cell_from(bytes);
+  auto cell = io::cell_from(bytes);
   if (!cell) throw RunError("a message between processes holds no cell");
   return std::move(*cell);
 }
@@ -155,7 +156,7 @@ class Member {
       return there ? &*there : nullptr;
     };
     const auto deliver = [this](std::size_t index, const SweepCell& cell) {
-      post_.ask(0, bytes_of(Asked::to_take_cell, index, store::bytes_of(cell)));
+      post_.ask(0, bytes_of(Asked::to_take_cell, index, io::bytes_of(cell)));
     };
     run_block(plan_, block, known, deliver, {.threads = threads_, .desk = &desk_, .stop = stop_});
   }
@@ -356,7 +357,7 @@ void Team::lead(const SweepPlan& plan, SweepWork& work, int threads, const StopF
     in(index);
     if (what == Asked::for_cell) {
       const SweepCell* cell = work.known(index);
-      return bytes_of(cell ? store::bytes_of(*cell) : CellBytes{});
+      return bytes_of(cell ? io::bytes_of(*cell) : CellBytes{});
     }
     CellBytes cell;
     in(cell);

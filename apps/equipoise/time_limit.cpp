@@ -5,7 +5,7 @@
 
 #include <fmt/format.h>
 
-#include "equipoise/base/deadline.hpp"
+#include "equipoise/running/deadline.hpp"
 #include "streams.hpp"
 
 namespace equipoise::app {

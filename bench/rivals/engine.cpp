@@ -3,8 +3,8 @@
 
 #include <fmt/format.h>
 
-#include "equipoise/kernels/lane_kernels.hpp"
-#include "equipoise/lanes/lane_task.hpp"
+#include "equipoise/kernels/batch_kernels.hpp"
+#include "equipoise/batch/batch_task.hpp"
 #include "rival.hpp"
 
 namespace equipoise::bench {
@@ -25,8 +25,8 @@ class Engine : public Rival {
   Cost run(const Problem& problem, std::vector<double>& states, int threads) override {
     const std::size_t size = model::dimension(problem.parameters.balls);
     return in_parallel(states.size() / size, threads, [&](std::size_t first, std::size_t count) {
-      LaneWork work;
-      LaneTask task;
+      BatchWork work;
+      BatchTask task;
       task.parameters = &problem.parameters;
       task.segment = problem.segment;
       task.end = problem.end;
@@ -35,7 +35,7 @@ class Engine : public Rival {
       task.states = states.data() + first * size;
       task.work = &work;
       std::vector<Fate> fates(count);
-      advance_lanes(task, fates);
+      advance_batch(task, fates);
       for (std::size_t i = 0; i < count; ++i)
         if (fates[i].outcome != Outcome::undecided) task.states[i * size] = std::numeric_limits<double>::quiet_NaN();
       return work.evaluations(count);

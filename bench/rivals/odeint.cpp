@@ -18,8 +18,7 @@ using State = std::array<double, 8>;
 
 template <class Stepper, bool accelerating>
 std::uint64_t follow(const Problem& problem, double* states, std::size_t count) {
-  const kernels::FreeFlow<double, 2, kernels::paper_terms(accelerating)> flow(problem.parameters,
-                                                                                      problem.segment);
+  const kernels::FreeFlow<double, 2, kernels::paper_terms(accelerating)> flow(problem.parameters, problem.segment);
   std::uint64_t evaluations = 0;
   const auto system = [&](const State& z, State& dz, double t) {
     ++evaluations;

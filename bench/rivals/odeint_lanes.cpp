@@ -47,8 +47,7 @@ using Controlled = odeint::controlled_runge_kutta<Stepper, WorstLane>;
 
 template <bool accelerating>
 std::uint64_t follow(const Problem& problem, double* states, std::size_t count) {
-  const kernels::FreeFlow<Pack, 2, kernels::paper_terms(accelerating)> flow(problem.parameters,
-                                                                                    problem.segment);
+  const kernels::FreeFlow<Pack, 2, kernels::paper_terms(accelerating)> flow(problem.parameters, problem.segment);
   std::uint64_t calls = 0, evaluations = 0;
   const auto system = [&](const State& z, State& dz, double t) {
     ++calls;

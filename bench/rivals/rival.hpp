@@ -9,8 +9,8 @@
 #include <vector>
 
 #include "../timing.hpp"
+#include "equipoise/drives/speed.hpp"
 #include "equipoise/model/parameters.hpp"
-#include "equipoise/model/speed.hpp"
 
 namespace equipoise::bench {
 
@@ -41,7 +41,7 @@ class Rival {
 
 using RivalPointer = std::unique_ptr<Rival>;
 
-/// This engine: advance_lanes() of kernels/lane_kernels.hpp.
+/// This engine: advance_batch() of kernels/batch_kernels.hpp.
 RivalPointer engine(double tolerance = 1e-6);
 RivalPointer odeint_dopri5();
 RivalPointer odeint_fehlberg78();

@@ -1,11 +1,11 @@
-// Ensembles as a user runs them: discovery, spin-up, traps and all.
+// Ensembles as a user runs them: discovery, spin-up, trapping regions and all.
 #include <algorithm>
 
 #include <fmt/format.h>
 
 #include "../problems.hpp"
 #include "../table.hpp"
-#include "equipoise/basins/basin.hpp"
+#include "equipoise/ensembles/basin.hpp"
 #include "works.hpp"
 
 namespace equipoise::bench {
@@ -15,18 +15,18 @@ namespace {
 struct Row {
   const char* study;
   const char* label;
-  DecideMode mode;
+  ClassificationMode mode;
   bool repeated;  // in every round; the others take long and run once unless --long
 };
 
 constexpr Row rows[] = {
-    {"table-2-omega-2.4", "0.05, 2.4", DecideMode::validated, true},
-    {"table-2-omega-2.4", "0.05, 2.4", DecideMode::proof, true},
-    {"table-1-beta-0.01-omega-3.0", "0.01, 3.0", DecideMode::validated, false},
-    {"table-1-beta-0.01-omega-4.0", "0.01, 4.0", DecideMode::validated, false},
-    {"table-1-beta-0.01-omega-5.0", "0.01, 5.0", DecideMode::validated, false},
-    {"table-1-beta-0.01-omega-6.0", "0.01, 6.0", DecideMode::validated, false},
-    {"table-1-beta-0.01-omega-4.0", "0.01, 4.0", DecideMode::proof, false},
+    {"table-2-omega-2.4", "0.05, 2.4", ClassificationMode::validated, true},
+    {"table-2-omega-2.4", "0.05, 2.4", ClassificationMode::proof, true},
+    {"table-1-beta-0.01-omega-3.0", "0.01, 3.0", ClassificationMode::validated, false},
+    {"table-1-beta-0.01-omega-4.0", "0.01, 4.0", ClassificationMode::validated, false},
+    {"table-1-beta-0.01-omega-5.0", "0.01, 5.0", ClassificationMode::validated, false},
+    {"table-1-beta-0.01-omega-6.0", "0.01, 6.0", ClassificationMode::validated, false},
+    {"table-1-beta-0.01-omega-4.0", "0.01, 4.0", ClassificationMode::proof, false},
 };
 
 struct Outcome {
@@ -65,7 +65,7 @@ Json decided(const Options& options, const Json& full) {
       study.numerics.decide = rows[k].mode;
       if (options.quick) study.sampling.starts = 1000;
       say(fmt::format("decided: beta, Omega = {}, {}, round {} of {}", rows[k].label,
-                      decide_mode_names[static_cast<std::size_t>(rows[k].mode)], round + 1, options.rounds));
+                      classification_mode_names[static_cast<std::size_t>(rows[k].mode)], round + 1, options.rounds));
       BasinOptions how;
       how.threads = options.threads;
       const Stopwatch watch;
@@ -90,7 +90,7 @@ Json decided(const Options& options, const Json& full) {
     const Spread wall = spread(outcomes[k].wall), cpu = spread(outcomes[k].cpu);
     const Share& balanced = r.attractors.front().share;
     const auto starts = static_cast<double>(r.starts);
-    const char* mode = decide_mode_names[static_cast<std::size_t>(rows[k].mode)];
+    const char* mode = classification_mode_names[static_cast<std::size_t>(rows[k].mode)];
     table.row({rows[k].label, mode, count(starts), fmt::format("{}", outcomes[k].wall.size()), figure(wall.median),
                range(wall.least, wall.most), figure(cpu.median), figure(starts / wall.median),
                fmt::format("{:.2f} ({:.2f}-{:.2f})", 100 * balanced.share, 100 * balanced.low, 100 * balanced.high),

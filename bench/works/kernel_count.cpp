@@ -3,7 +3,7 @@
 
 #include <memory>
 
-#include "equipoise/lanes/lane_block-inl.hpp"
+#include "equipoise/batch/batch_block-inl.hpp"
 #include "equipoise/model/ball_count.hpp"
 #include "equipoise/model/flow-inl.hpp"
 
@@ -33,8 +33,8 @@ FlopCount count_right_hand_side(const model::Parameters& p) {
 
 double count_step(const model::Parameters& p, double speed, double* state, double end) {
   using Flow = counting::FreeFlow<Pack, 2, terms>;
-  LaneWork work;
-  LaneTask task;
+  BatchWork work;
+  BatchTask task;
   task.parameters = &p;
   task.segment = {0.0, end, 0.0, speed, 0.0, false};
   task.end = end;
@@ -43,7 +43,7 @@ double count_step(const model::Parameters& p, double speed, double* state, doubl
   task.work = &work;
   counting::NoObserver observer;
   const auto block =
-      std::make_unique<counting::LaneBlock<Flow, counting::NoObserver, 1>>(task, Flow(p, task.segment), observer);
+      std::make_unique<counting::BatchBlock<Flow, counting::NoObserver, 1>>(task, Flow(p, task.segment), observer);
   operations() = {};
   block->run();
   return static_cast<double>(operations().flops()) / static_cast<double>(work.steps);

@@ -10,8 +10,8 @@
 #include "../child.hpp"
 #include "../table.hpp"
 #include "equipoise/base/error.hpp"
-#include "equipoise/basins/basin.hpp"
-#include "equipoise/discovery/discovery.hpp"
+#include "equipoise/ensembles/basin.hpp"
+#include "equipoise/attractor_search/attractor_search.hpp"
 #include "works.hpp"
 
 namespace equipoise::bench {
@@ -45,7 +45,7 @@ const std::vector<Machine> list_of_machines{
 std::string path_of(const Machine& m) { return fmt::format("{}/../studies/{}", EQUIPOISE_BENCH_SOURCE_DIR, m.study); }
 
 // Processor time of an ensemble's run, in seconds; without the search for attractors where `known` has it.
-double here(const Machine& m, std::uint64_t starts, const Options& options, DiscoveryCache& known,
+double here(const Machine& m, std::uint64_t starts, const Options& options, AttractorSearchCache& known,
             BasinResult* result = nullptr) {
   Study study = read_study(path_of(m), m.overrides);
   study.sampling.starts = starts;
@@ -128,7 +128,7 @@ Json machines(const Options& options) {
   for (const Machine& m : list_of_machines) {
     say(fmt::format("machines: {}", m.label));
     BasinResult result;
-    DiscoveryCache known;
+    AttractorSearchCache known;
     const StartCost now =
         cost_of(options, few, false, [&](std::uint64_t starts) { return here(m, starts, options, known, &result); });
     std::vector<std::string> cells{m.label, count(static_cast<double>(result.starts)),

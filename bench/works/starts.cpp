@@ -7,7 +7,7 @@
 #include "../problems.hpp"
 #include "../table.hpp"
 #include "equipoise/base/error.hpp"
-#include "equipoise/basins/basin.hpp"
+#include "equipoise/ensembles/basin.hpp"
 #include "works.hpp"
 
 namespace equipoise::bench {

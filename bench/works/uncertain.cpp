@@ -6,9 +6,9 @@
 #include <fmt/format.h>
 
 #include "../table.hpp"
-#include "equipoise/basins/basin.hpp"
-#include "equipoise/discovery/discovery.hpp"
-#include "equipoise/discovery/family_mesh.hpp"
+#include "equipoise/ensembles/basin.hpp"
+#include "equipoise/attractor_search/attractor_search.hpp"
+#include "equipoise/attractor_search/family_mesh.hpp"
 #include "works.hpp"
 
 namespace equipoise::bench {
@@ -22,9 +22,7 @@ struct Pair {
 };
 
 const std::vector<Pair> pairs{
-    {"row 2.4, eccentricity",
-     "paper/table-2-omega-2.4.toml",
-     {"rotor.eccentricity={ uniform = [0.005, 0.015] }"}},
+    {"row 2.4, eccentricity", "paper/table-2-omega-2.4.toml", {"rotor.eccentricity={ uniform = [0.005, 0.015] }"}},
     {"row 2.4, five values",
      "paper/table-2-omega-2.4.toml",
      {"rotor.eccentricity={ uniform = [0.008, 0.012] }", "rotor.damping={ uniform = [0.4, 0.6] }",
@@ -42,7 +40,7 @@ struct Costs {
 
 Costs costs_of(const Study& given, std::uint64_t starts, const Options& options) {
   Study study = given;
-  DiscoveryCache found;
+  AttractorSearchCache found;
   BasinOptions how;
   how.threads = options.threads;
   how.discoveries = &found;

@@ -7,8 +7,8 @@
 
 #include <pybind11/pybind11.h>
 
-#include "equipoise/base/deadline.hpp"
-#include "equipoise/base/run_options.hpp"
+#include "equipoise/running/deadline.hpp"
+#include "equipoise/running/run_options.hpp"
 
 namespace equipoise::python {
 
@@ -17,7 +17,8 @@ namespace py = pybind11;
 /// One call. Its callbacks run on the thread that made it, with the interpreter's lock taken back for as long.
 class Call {
  public:
-  /// `settings`: "threads", "cpu", "within" (a time as --within takes it, from now on) and "progress" (a callable or None), each may be left out.
+  /// `settings`: "threads", "cpu", "within" (a time as --within takes it, from now on) and "progress" (a callable or
+  /// None), each may be left out.
   explicit Call(const py::dict& settings);
 
   void set(RunOptions& options);

@@ -4,14 +4,14 @@
 #include "bindings.hpp"
 #include "call.hpp"
 #include "convert.hpp"
-#include "equipoise/basins/basin.hpp"
-#include "equipoise/basins/comparison.hpp"
-#include "equipoise/basins/mapped_search.hpp"
-#include "equipoise/basins/sensitivity.hpp"
-#include "equipoise/basins/write_basin.hpp"
+#include "equipoise/ensembles/basin.hpp"
+#include "equipoise/analyses/comparison.hpp"
+#include "equipoise/analyses/mapped_search.hpp"
+#include "equipoise/analyses/sensitivity.hpp"
+#include "equipoise/ensembles/write_basin.hpp"
 #include "equipoise/kernels/cpu_target.hpp"
-#include "equipoise/report/basin_report.hpp"
-#include "equipoise/report/comparison_report.hpp"
+#include "equipoise/reports/basin_report.hpp"
+#include "equipoise/reports/comparison_report.hpp"
 #include "kept.hpp"
 #include "py_study.hpp"
 #include "starts.hpp"
@@ -33,7 +33,7 @@ Basin run_basin(const PyStudy& s, double half_width, bool limit_given, std::opti
   options.transients = transients;
   options.output = output;
   options.keep_starts = keep;
-  DiscoveryCache searched;
+  AttractorSearchCache searched;
   if (mapper) {
     const ChosenCpuTarget chosen(options.cpu_target);
     searched = mapped_search(*mapper, s.study, cpu_target());

@@ -4,7 +4,7 @@
 #include "bindings.hpp"
 #include "call.hpp"
 #include "equipoise/base/error.hpp"
-#include "equipoise/basins/mapper.hpp"
+#include "equipoise/analyses/mapper.hpp"
 #include "py_study.hpp"
 #include "starts.hpp"
 

@@ -4,15 +4,15 @@
 #include "bindings.hpp"
 #include "call.hpp"
 #include "convert.hpp"
-#include "equipoise/basins/attractors.hpp"
-#include "equipoise/basins/certify.hpp"
-#include "equipoise/branches/continuation.hpp"
-#include "equipoise/report/attractors_report.hpp"
-#include "equipoise/report/branches_report.hpp"
-#include "equipoise/report/certificate_json.hpp"
-#include "equipoise/report/certify_report.hpp"
+#include "equipoise/analyses/attractors.hpp"
+#include "equipoise/analyses/certify.hpp"
+#include "equipoise/continuation/continuation.hpp"
+#include "equipoise/reports/attractors_report.hpp"
+#include "equipoise/reports/branches_report.hpp"
+#include "equipoise/reports/certificate_json.hpp"
+#include "equipoise/reports/certify_report.hpp"
 #include "equipoise/shown/motion_path.hpp"
-#include "equipoise/store/branches_file.hpp"
+#include "equipoise/result_files/branches_file.hpp"
 #include "kept.hpp"
 #include "py_study.hpp"
 
@@ -34,7 +34,7 @@ Kept<AttractorsResult> find_attractors(const PyStudy& s, std::optional<std::uint
   AttractorsOptions options;
   call.set(options);
   if (starts) options.starts = *starts;
-  options.seeds = seeds_from(study, states);
+  options.warm_start_states = seeds_from(study, states);
   AttractorsResult result = Call::run([&] { return attractors(study, options); });
   return {std::move(result), call.interrupted()};
 }
@@ -59,7 +59,7 @@ py::dict path_of(const PyStudy& s, const std::vector<double>& state, double dura
   return result;
 }
 
-using Branches = Kept<BranchesResult>;
+using Branches = Kept<ContinuationResult>;
 
 Branches follow(const PyStudy& s, const std::string& along, std::uint64_t starts,
                 const std::optional<py::array>& states, const py::dict& settings) {
@@ -69,8 +69,8 @@ Branches follow(const PyStudy& s, const std::string& along, std::uint64_t starts
   ContinuationOptions options;
   call.set(options);
   options.starts = starts;
-  options.seeds = seeds_from(study, states);
-  BranchesResult result = Call::run([&] { return follow_attractors(study, line, options); });
+  options.warm_start_states = seeds_from(study, states);
+  ContinuationResult result = Call::run([&] { return follow_attractors(study, line, options); });
   return {std::move(result), call.interrupted()};
 }
 
@@ -91,7 +91,7 @@ void bind_motions(py::module_& module) {
              py::arg("settings"));
   module.def("motion_path", &path_of, py::arg("study"), py::arg("state"), py::arg("duration"), py::arg("count"),
              py::arg("settings"));
-  bind_kept<BranchesResult>(module, "Branches", &branches_text, &branches_json)
+  bind_kept<ContinuationResult>(module, "Branches", &branches_text, &branches_json)
       .def("csv", [](const Branches& b) { return branches_csv(b.result); })
       .def("save", [](const Branches& b, const std::string& path) { write_branches_file(path, b.result); });
   module.def("follow", &follow, py::arg("study"), py::arg("along"), py::arg("starts"), py::arg("states"),

@@ -32,13 +32,13 @@ PyStudy paper_study(const std::string& name, const std::string& law) {
 }
 
 Reproduced run_reproduce(const std::vector<std::string>& what, std::uint64_t starts, const std::string& law,
-                         const std::string& folder, int map_pixels, const py::dict& settings) {
+                         const std::string& folder, int slice_pixels, const py::dict& settings) {
   Call call(settings);
   ReproduceOptions options = options_for(what);
   call.set(options);
   options.starts = starts;
   options.folder = folder;
-  options.map_pixels = map_pixels;
+  options.slice_pixels = slice_pixels;
   bool known = false;
   for (std::size_t k = 0; k < law_choice_names.size(); ++k)
     if (law == law_choice_names[k]) {

@@ -4,13 +4,13 @@
 #include "bindings.hpp"
 #include "call.hpp"
 #include "convert.hpp"
-#include "equipoise/maps/map_axis.hpp"
-#include "equipoise/maps/plane_map.hpp"
-#include "equipoise/report/capacity_report.hpp"
-#include "equipoise/report/map_report.hpp"
-#include "equipoise/report/sweep_report.hpp"
-#include "equipoise/store/map_file.hpp"
-#include "equipoise/store/sweep_file.hpp"
+#include "equipoise/basin_slices/slice_axis.hpp"
+#include "equipoise/basin_slices/basin_slice.hpp"
+#include "equipoise/reports/capacity_report.hpp"
+#include "equipoise/reports/map_report.hpp"
+#include "equipoise/reports/sweep_report.hpp"
+#include "equipoise/result_files/slice_file.hpp"
+#include "equipoise/cell_files/sweep_file.hpp"
 #include "equipoise/sweeps/capacity.hpp"
 #include "equipoise/sweeps/sweep.hpp"
 #include "equipoise/sweeps/sweep_axis.hpp"
@@ -21,7 +21,7 @@ namespace equipoise::python {
 
 namespace {
 
-using Map = Kept<PlaneMap>;
+using Map = Kept<BasinSlice>;
 
 /// An axis as Python gives it: key, range as text (empty: a whole turn), pixels.
 struct AxisRequest {
@@ -37,28 +37,28 @@ Map draw_map(const PyStudy& s, const py::tuple& x, const py::tuple& y, const std
              const std::string& output, const std::string& from, const py::dict& settings) {
   const Study study = with_medians(s.study);
   Call call(settings);
-  PlaneMapSettings how;
+  BasinSliceSettings how;
   call.set(how);
   const AxisRequest across = axis_request(x), up = axis_request(y);
   map_size(std::to_string(across.pixels) + "x" + std::to_string(up.pixels), "size");
-  how.x = map_axis(study, across.key, across.range, across.pixels, "x_range");
-  how.y = map_axis(study, up.key, up.range, up.pixels, "y_range");
+  how.x = slice_axis(study, across.key, across.range, across.pixels, "x_range");
+  how.y = slice_axis(study, up.key, up.range, up.pixels, "y_range");
   for (const std::string& tie : ties) how.links.push_back(angle_link(tie, "tie"));
   how.block = block;
   how.output = output;
   how.from = from;
-  PlaneMap map = Call::run([&] { return plane_map(study, how); });
+  BasinSlice map = Call::run([&] { return basin_slice(study, how); });
   return {std::move(map), call.interrupted()};
 }
 
-py::array_t<double> centres(const MapAxis& axis) {
+py::array_t<double> centres(const SliceAxis& axis) {
   std::vector<double> values;
   for (int k = 0; k < axis.pixels; ++k) values.push_back(axis.centre(k));
   return array_of(std::move(values));
 }
 
 py::dict arrays_of(const Map& kept) {
-  const PlaneMap& map = kept.result;
+  const BasinSlice& map = kept.result;
   const std::vector<py::ssize_t> shape{map.y.pixels, map.x.pixels};
   py::dict arrays;
   arrays["x"] = centres(map.x);
@@ -73,12 +73,12 @@ py::dict arrays_of(const Map& kept) {
   return arrays;
 }
 
-py::object figure(const std::optional<MapFigure>& f) {
+py::object figure(const std::optional<SliceFigure>& f) {
   return f ? py::object(py::make_tuple(f->value, f->low, f->high)) : py::none();
 }
 
 py::dict summary_of(const Map& kept) {
-  const PlaneMap& map = kept.result;
+  const BasinSlice& map = kept.result;
   py::dict summary, figures;
   py::list codes;
   for (const OutcomeShare& c : map.codes)
@@ -150,7 +150,7 @@ Capacity find_capacity(const PyStudy& s, const std::string& of, const std::strin
 }  // namespace
 
 void bind_planes(py::module_& module) {
-  bind_kept<PlaneMap>(module, "Map", &map_text, &map_json)
+  bind_kept<BasinSlice>(module, "Map", &map_text, &map_json)
       .def("arrays", &arrays_of)
       .def("summary", &summary_of)
       .def("save", [](const Map& m, const std::string& path) { write_map_file(path, m.result); });

@@ -5,9 +5,9 @@
 #include "convert.hpp"
 #include "equipoise/drawing/plot_parts.hpp"
 #include "equipoise/explain/explain.hpp"
-#include "equipoise/report/explain_report.hpp"
+#include "equipoise/reports/explain_report.hpp"
 #include "equipoise/study/keys.hpp"
-#include "equipoise/study/overrides.hpp"
+#include "equipoise/toml/overrides.hpp"
 #include "equipoise/study/physical_echo.hpp"
 #include "py_study.hpp"
 

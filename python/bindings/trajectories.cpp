@@ -4,7 +4,7 @@
 #include "bindings.hpp"
 #include "call.hpp"
 #include "convert.hpp"
-#include "equipoise/store/trajectory_file.hpp"
+#include "equipoise/result_files/trajectory_file.hpp"
 #include "equipoise/trajectory/output_times.hpp"
 #include "equipoise/trajectory/simulate.hpp"
 #include "py_study.hpp"

@@ -12,11 +12,11 @@
 
 #include "claims.hpp"
 #include "equipoise/base/error.hpp"
-#include "equipoise/discovery/discovery.hpp"
-#include "equipoise/kernels/lane_kernels.hpp"
-#include "equipoise/model/strobe.hpp"
+#include "equipoise/attractor_search/attractor_search.hpp"
+#include "equipoise/kernels/batch_kernels.hpp"
+#include "equipoise/model/stroboscopic_section.hpp"
 #include "equipoise/model/system.hpp"
-#include "equipoise/report/basin_report.hpp"
+#include "equipoise/reports/basin_report.hpp"
 #include "equipoise/spin_up/initial_state.hpp"
 #include "equipoise/trajectory/simulate.hpp"
 #include "figures.hpp"
@@ -189,7 +189,7 @@ class StudyChecks {
   }
 
   void check_proof() {
-    if (is_machine() || model::is_strobed(study_.parameters) || study_.parameters.balls > 2) return;
+    if (is_machine() || model::depends_on_rotor_angle(study_.parameters) || study_.parameters.balls > 2) return;
     const Study by_proof = parse_study(to_toml(study_), study_.name, {"numerics.decide=proof"});
     same_starts(Column::proof, run_ensemble(by_proof, starts_, options()), 0, "decided by proof", "--decide proof");
   }
@@ -220,7 +220,7 @@ class StudyChecks {
   // Without gravity and with equal supports nothing depends on the rotor's angle. On lanes not even a bit; a machine's
   // angle is a state, whose rounding is another.
   void check_rotation() {
-    if (model::is_strobed(study_.parameters)) return;
+    if (model::depends_on_rotor_angle(study_.parameters)) return;
     Study turned = study_;
     turned.initial.psi += 2.1;
     const Ensemble other = run_ensemble(turned, starts_, options());
@@ -347,7 +347,7 @@ class StudyChecks {
   Study study_;
   double begin_;
   std::uint64_t starts_ = 0;
-  DiscoveryCache discoveries_;
+  AttractorSearchCache discoveries_;
   Ensemble base_;
   StudyAudit audit_;
 };

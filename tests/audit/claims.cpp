@@ -8,8 +8,8 @@
 
 #include <fmt/format.h>
 
+#include "equipoise/attractors/stuck.hpp"
 #include "equipoise/base/angles.hpp"
-#include "equipoise/motions/stuck.hpp"
 
 namespace equipoise::audit {
 

@@ -6,9 +6,9 @@
 #include <string>
 #include <vector>
 
-#include "equipoise/base/cpu_time.hpp"
-#include "equipoise/basins/basin.hpp"
-#include "equipoise/motions/catalogue.hpp"
+#include "equipoise/attractors/catalogue.hpp"
+#include "equipoise/ensembles/basin.hpp"
+#include "equipoise/running/cpu_time.hpp"
 
 namespace equipoise::audit {
 

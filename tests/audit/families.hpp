@@ -15,12 +15,12 @@ struct FamilyAudit {
   std::uint64_t open = 0;      ///< undecided in one of the two
   std::uint64_t boundary = 0;  ///< otherwise, where the known rotor's starts beside it end otherwise too
   std::uint64_t different = 0;
-  std::uint64_t rotors = 0;      ///< whose mean shares are compared with those over all values
-  double deviation = 0.0;        ///< of the kind that differs most, in standard errors of the difference
-  std::string kind;              ///< which that is,
+  std::uint64_t rotors = 0;         ///< whose mean shares are compared with those over all values
+  double deviation = 0.0;           ///< of the kind that differs most, in standard errors of the difference
+  std::string kind;                 ///< which that is,
   double drawn = 0.0, known = 0.0;  ///< its share over all values, and the rotors' mean
-  double seconds = 0.0;          ///< of CPU time
-  std::string first;             ///< the first that is different; empty if none is
+  double seconds = 0.0;             ///< of CPU time
+  std::string first;                ///< the first that is different; empty if none is
 };
 
 /// Beyond this a share is wrong: one of a hundred comparisons is as far off once in two hundred audits.

@@ -1,5 +1,5 @@
 // Reads the JSON and the text that people and programs get.
-#include "equipoise/report/basin_report.hpp"
+#include "equipoise/reports/basin_report.hpp"
 #include "figures.hpp"
 
 #include <cmath>

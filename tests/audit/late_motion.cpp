@@ -10,10 +10,10 @@
 #include <oneapi/tbb/parallel_for.h>
 #include <oneapi/tbb/task_arena.h>
 
-#include "equipoise/discovery/horizon.hpp"
-#include "equipoise/kernels/lane_kernels.hpp"
-#include "equipoise/model/strobe.hpp"
+#include "equipoise/kernels/batch_kernels.hpp"
+#include "equipoise/model/stroboscopic_section.hpp"
 #include "equipoise/model/system.hpp"
+#include "equipoise/rotor_family/horizon.hpp"
 #include "equipoise/spin_up/initial_state.hpp"
 #include "equipoise/spin_up/spin_up.hpp"
 
@@ -92,8 +92,8 @@ std::vector<std::pair<double, bool>> sample_times(const LookTimes& times) {
 // Of the ensemble's kernels: others round otherwise, and where the way to an attractor is chaotic that is soon another
 // way, to another attractor as well. Up to the first look the steps are the ensemble's own too, so that what was
 // decided is followed on from the very state it was decided in.
-DecisionRule rule_that_never_decides(int balls) {
-  DecisionRule rule;
+ClassificationRule rule_that_never_decides(int balls) {
+  ClassificationRule rule;
   rule.balls = balls;
   rule.window = rule.first_long_window = 1e9;
   return rule;
@@ -161,7 +161,7 @@ class Followers {
     task_.begins = begins.data();
     if (!own.empty()) task_.own = own.data();
     std::vector<Fate> fates(places.size());
-    decide_lanes(task_, rule_, fates, nullptr);
+    classify_batch(task_, rule_, fates, nullptr);
     for (std::size_t k = 0; k < places.size(); ++k) {
       const std::size_t i = places[k];
       std::copy_n(&states[k * size_], size_, state(i));
@@ -191,8 +191,8 @@ class Followers {
   std::vector<Looker> lookers_;
   std::vector<double> now_, psi_;
   std::size_t size_;
-  LaneTask task_;
-  const DecisionRule rule_;
+  BatchTask task_;
+  const ClassificationRule rule_;
 };
 
 }  // namespace

@@ -6,7 +6,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "equipoise/discovery/study_family.hpp"
+#include "equipoise/rotor_family/study_family.hpp"
 #include "equipoise/spin_up/own_starts.hpp"
 #include "equipoise/study/study.hpp"
 

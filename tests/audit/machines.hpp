@@ -13,10 +13,10 @@ struct MachineAudit {
   std::string label;
   std::uint64_t starts = 0, decided = 0, wrong = 0;
   double undecided_share = 0.0;
-  double usual = 0.0;   ///< nine in ten of the decided are decided after this time
-  double looked = 0.0;  ///< when they were looked at again
+  double usual = 0.0;    ///< nine in ten of the decided are decided after this time
+  double looked = 0.0;   ///< when they were looked at again
   double seconds = 0.0;  ///< of CPU time
-  std::string first;    ///< what contradicts the first wrong one; empty if there is none
+  std::string first;     ///< what contradicts the first wrong one; empty if there is none
 };
 
 /// How many machines there are.

@@ -132,7 +132,8 @@ std::string torque_text(const TorqueSetting& t, const model::Scales& u) {
     text +=
         "gain = " + quantity(t.gain, gain, "N m s") + "\nintegral = " + quantity(t.integral, u.torque(), "N m") + "\n";
     if (t.limit) text += "limit = " + quantity(*t.limit, u.torque(), "N m") + "\n";
-    return text + "[speed.torque.target]\nprofile = \"" + name_of(profile_names, t.target.profile) + "\"\n" + ramp_text(t.target, u);
+    return text + "[speed.torque.target]\nprofile = \"" + name_of(profile_names, t.target.profile) + "\"\n" +
+           ramp_text(t.target, u);
   }
   text +=
       "constant = " + quantity(t.constant, u.torque(), "N m") + "\nslope = " + quantity(t.slope, gain, "N m s") + "\n";

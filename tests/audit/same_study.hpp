@@ -19,7 +19,8 @@ Study reversed(const Study& study);
 /// machines in physical units have.
 std::optional<std::string> physical_text(const Study& study, const model::Scales& scales);
 
-/// Empty if both studies, with their releases stated, hold the same numbers but for 1e-12, units apart; else the first line that differs.
+/// Empty if both studies, with their releases stated, hold the same numbers but for 1e-12, units apart; else the first
+/// line that differs.
 std::string numbers_differ(const Study& a, const Study& b);
 
 }  // namespace equipoise::audit

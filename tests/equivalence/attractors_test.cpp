@@ -10,7 +10,7 @@
 #include <gtest/gtest.h>
 
 #include "../support/parameters.hpp"
-#include "equipoise/basins/attractors.hpp"
+#include "equipoise/analyses/attractors.hpp"
 #include "equipoise/trajectory/simulate.hpp"
 
 namespace equipoise {
@@ -116,7 +116,7 @@ const std::vector<double> near_period_20{0.0305819, -0.0883728, 0.3280828,  0.14
 
 TEST(AttractorsGiven, StatesBringRareAttractorsIntoTheList) {
   AttractorsOptions options = searching(500);
-  options.seeds = {near_v4, near_period_20};
+  options.warm_start_states = {near_v4, near_period_20};
   const AttractorsResult result = attractors(rotor(0.05, 4.4, 500), options);
   const Attractor* v4 = find(result, 5);
   ASSERT_TRUE(v4);

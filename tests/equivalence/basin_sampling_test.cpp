@@ -9,12 +9,12 @@
 #include <gtest/gtest.h>
 
 #include "../support/files.hpp"
-#include "equipoise/basins/basin.hpp"
-#include "equipoise/basins/basin_header.hpp"
-#include "equipoise/basins/sampling_choice.hpp"
-#include "equipoise/kernels/lane_kernels.hpp"
+#include "equipoise/ensembles/basin.hpp"
+#include "equipoise/ensembles/basin_header.hpp"
+#include "equipoise/ensembles/sampling_choice.hpp"
+#include "equipoise/kernels/batch_kernels.hpp"
+#include "equipoise/result_files/basin_file.hpp"
 #include "equipoise/spin_up/initial_state.hpp"
-#include "equipoise/store/basin_file.hpp"
 
 namespace equipoise {
 namespace {

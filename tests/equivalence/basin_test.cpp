@@ -10,12 +10,12 @@
 #include "../support/files.hpp"
 #include "../support/sanitized.hpp"
 #include "../support/studies.hpp"
-#include "equipoise/basins/basin.hpp"
-#include "equipoise/basins/basin_header.hpp"
-#include "equipoise/basins/comparison.hpp"
-#include "equipoise/fates/start_runner.hpp"
-#include "equipoise/kernels/lane_kernels.hpp"
-#include "equipoise/store/basin_file.hpp"
+#include "equipoise/analyses/comparison.hpp"
+#include "equipoise/ensembles/basin.hpp"
+#include "equipoise/ensembles/basin_header.hpp"
+#include "equipoise/kernels/batch_kernels.hpp"
+#include "equipoise/result_files/basin_file.hpp"
+#include "equipoise/start_runs/start_runner.hpp"
 
 namespace equipoise {
 namespace {
@@ -87,8 +87,8 @@ TEST_P(SameBits, ForOneThreadAndTwoAndForAStartAlone) {
 INSTANTIATE_TEST_SUITE_P(Rows, SameBits,
                          testing::Values("table-2-omega-2.4", "table-1-beta-0.01-omega-4.0", "table-5-t0-300"));
 
-// A start alone is decided with all that its ensemble was: traps that a neighbour's search found are others, and their
-// starts enter them at other times.
+// A start alone is decided with all that its ensemble was: trapping regions that a neighbour's search found are others,
+// and their starts enter them at other times.
 TEST(Basin, AReplayedStartKnowsTheTrapsThatItsEnsembleKnew) {
   const auto at_speed = [](double speed) {
     Study study = paper_row("table-2-omega-2.4", 300);
@@ -96,11 +96,11 @@ TEST(Basin, AReplayedStartKnowsTheTrapsThatItsEnsembleKnew) {
     return study;
   };
   Catalogue catalogue;
-  TrapHints hints;
-  basin(at_speed(2.6), {}, &catalogue, &hints);
+  WarmStartLevels warm_start_levels;
+  basin(at_speed(2.6), {}, &catalogue, &warm_start_levels);
   BasinOptions hinted, plain;
-  hinted.hints = &hints;
-  DiscoveryCache searched;  // one search for all that follow
+  hinted.warm_start_levels = &warm_start_levels;
+  AttractorSearchCache searched;  // one search for all that follow
   hinted.discoveries = &searched;
   hinted.keep_starts = plain.keep_starts = true;
   const Study study = at_speed(2.4);
@@ -114,9 +114,9 @@ TEST(Basin, EveryGroundOfDecisionGivesTheSameFates) {
   Study study = paper_row("table-2-omega-2.4", 2000);
   study.numerics.horizon = 3000.0;  // all are decided by then, and one of three runs goes on to the end
   const BasinResult validated = basin(study);
-  study.numerics.decide = DecideMode::proof;
+  study.numerics.decide = ClassificationMode::proof;
   const BasinResult proof = basin(study);
-  study.numerics.decide = DecideMode::horizon;
+  study.numerics.decide = ClassificationMode::horizon;
   const BasinResult horizon = basin(study);
   expect_same_shares(validated, proof);
   expect_same_shares(validated, horizon);
@@ -277,7 +277,7 @@ TEST(Basin, AFileOfResultsThatComeOutOtherwiseHereIsRefusedBeforeAnyAreAdded) {
 // What depends on the rotor's angle, and machines, have no proofs.
 TEST(Basin, RefusesWhatItCannotDecide) {
   Study study = paper_row("table-2-omega-2.4", 10);
-  study.numerics.decide = DecideMode::proof;
+  study.numerics.decide = ClassificationMode::proof;
   const auto refuses = [](const Study& s, const std::string& key) { EXPECT_EQ(refused_key([&] { basin(s); }), key); };
   Study vertical = study, uneven = study, colliding = study;
   vertical.parameters.gravity = 0.1;
@@ -286,7 +286,7 @@ TEST(Basin, RefusesWhatItCannotDecide) {
   refuses(uneven, "numerics.decide");
   colliding.parameters.contact_angle = 0.1;
   refuses(colliding, "numerics.decide");
-  vertical.numerics.decide = DecideMode::validated;
+  vertical.numerics.decide = ClassificationMode::validated;
   vertical.speed.speed = 0.0;  // never comes round again
   refuses(vertical, "speed.speed");
 }

@@ -13,7 +13,7 @@
 #include "../support/parameters.hpp"
 #include "equipoise/base/angles.hpp"
 #include "equipoise/integrate/adaptive-inl.hpp"
-#include "equipoise/model/linearisation.hpp"
+#include "equipoise/mechanics/linearisation.hpp"
 
 namespace {
 

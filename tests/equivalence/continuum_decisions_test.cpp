@@ -7,11 +7,11 @@
 
 #include "../support/parameters.hpp"
 #include "../support/sanitized.hpp"
-#include "equipoise/basins/attractors.hpp"
-#include "equipoise/deciding/decision_rule.hpp"
-#include "equipoise/fates/start_runner.hpp"
-#include "equipoise/kernels/lane_kernels.hpp"
+#include "equipoise/analyses/attractors.hpp"
+#include "equipoise/classification/classification_rule.hpp"
+#include "equipoise/kernels/batch_kernels.hpp"
 #include "equipoise/spin_up/start_source.hpp"
+#include "equipoise/start_runs/start_runner.hpp"
 
 namespace equipoise {
 namespace {
@@ -38,7 +38,7 @@ TEST(ContinuumDecisions, AreQuickAndHold) {
   Study study = rotor(4);
   constexpr std::size_t count = sized(100, 16);
   const std::vector<Fate> early = fates_of(study, count);
-  study.numerics.decide = DecideMode::horizon;
+  study.numerics.decide = ClassificationMode::horizon;
   const std::vector<Fate> late = fates_of(study, count);
   double sum = 0.0;
   int balanced = 0;
@@ -60,14 +60,14 @@ TEST(ContinuumDecisions, AreQuickAndHold) {
 // The state that stands for the continuum is one that attracts wherever any does.
 TEST(ContinuumDecisions, TheCatalogueListsAnAttractingMember) {
   for (const int balls : {4, sized(6, 4)}) {
-    const Discovery discovery = discover(rotor(balls), {.threads = 2});
+    const AttractorSearch discovery = search_attractors(rotor(balls), {.threads = 2});
     const Attractor* a = discovery.catalogue.find(balanced_id);
     ASSERT_TRUE(a) << balls;
     EXPECT_TRUE(a->motion.stable) << balls;
     ASSERT_TRUE(a->continuum) << balls;
     EXPECT_GT(a->continuum->share(), 0.0) << balls;
     EXPECT_LT(a->continuum->share(), 1.0) << balls;
-    EXPECT_TRUE(discovery.rule.family.traps) << balls;
+    EXPECT_TRUE(discovery.rule.continuum.regions) << balls;
   }
 }
 
@@ -77,7 +77,7 @@ TEST(ContinuumDecisions, BalanceIsNotToldByWindows) {
     Study study = rotor(2);
     study.parameters.gravity = gravity;
     study.parameters.stiffness = {1.0, 1.3};
-    const Discovery discovery = discover(study, {.threads = 2});
+    const AttractorSearch discovery = search_attractors(study, {.threads = 2});
     for (const FeatureBox& box : discovery.rule.boxes) EXPECT_NE(box.attractor, balanced_id);
     for (const KnownFeatures& known : discovery.rule.known) EXPECT_NE(known.attractor, balanced_id);
     int balanced = 0;
@@ -128,10 +128,10 @@ TEST(ContinuumDecisions, WhatIsCaughtComesToRest) {
   const std::vector<double>& begin = starts.states;
   std::vector<Fate>& fates = starts.fates;
   std::vector<double> caught = begin;
-  LaneTask task = source.task(0, caught);
+  BatchTask task = source.task(0, caught);
   task.end = 3000.0;
-  ASSERT_TRUE(decide_lanes(task, runner.rule(), fates, nullptr));
-  DecisionRule never;
+  ASSERT_TRUE(classify_batch(task, runner.rule(), fates, nullptr));
+  ClassificationRule never;
   never.balls = 3;
   never.window = never.first_long_window = 1e9;
   const std::size_t size = model::dimension(3);
@@ -142,16 +142,16 @@ TEST(ContinuumDecisions, WhatIsCaughtComesToRest) {
     const std::vector<double> state(&caught[i * size], &caught[i * size] + size);
     std::vector<double> again(&begin[i * size], &begin[i * size] + size), later = state;
     std::vector<Fate> open(1);
-    LaneTask alone = source.task(0, again);
+    BatchTask alone = source.task(0, again);
     alone.end = fates[i].time;
-    ASSERT_TRUE(decide_lanes(alone, never, open, nullptr));
+    ASSERT_TRUE(classify_batch(alone, never, open, nullptr));
     // The last step ends at the decision's time, which rounding may put beside where the step before ended.
     for (std::size_t k = 0; k < size; ++k) EXPECT_NEAR(again[k], state[k], 1e-10) << i;
     alone = source.task(0, later);
     alone.segment.psi = source.segments().back().psi_at(fates[i].time);
     alone.end = 3000.0;
     alone.tolerance = 1e-9;
-    ASSERT_TRUE(decide_lanes(alone, never, open, nullptr));
+    ASSERT_TRUE(classify_batch(alone, never, open, nullptr));
     for (std::size_t k = 0; k < size; ++k) {
       if (k < 4 || k >= 7)
         EXPECT_NEAR(later[k], 0.0, 1e-6) << i;

@@ -1,5 +1,5 @@
 // V as members near by tell it, against V of the member that a state comes to.
-#include "equipoise/traps/continuum_estimate.hpp"
+#include "equipoise/trapping_regions/continuum_estimate.hpp"
 
 #include <utility>
 #include <vector>
@@ -8,7 +8,7 @@
 
 #include "equipoise/model/parameters.hpp"
 #include "equipoise/study/study.hpp"
-#include "equipoise/traps/trials.hpp"
+#include "equipoise/trapping_regions/trials.hpp"
 
 namespace equipoise {
 namespace {
@@ -24,7 +24,7 @@ model::System grinder() {
 
 TEST(ContinuumEstimate, NeverErrsByTwiceWhatItSays) {
   const model::System system = grinder();
-  const BalancedContinuum continuum(system);
+  const ContinuumOfEquilibria continuum(system);
   const ContinuumSurvey survey = continuum.survey();
   ASSERT_EQ(survey.stable, survey.drawn);
   std::vector<ContinuumMember> known, others;
@@ -38,7 +38,7 @@ TEST(ContinuumEstimate, NeverErrsByTwiceWhatItSays) {
   Directions draw(continuum.directions());
   int seen = 0;
   for (const ContinuumMember& m : others) {
-    const double level = BalancedContinuum::level(m, factor);
+    const double level = ContinuumOfEquilibria::level(m, factor);
     const Eigen::VectorXd state = continuum.state_at(m, level, draw.next());
     const auto depth = estimate.depth(state, factor);
     if (!depth) continue;

@@ -10,9 +10,9 @@
 #include <oneapi/tbb/parallel_for.h>
 
 #include "../support/parameters.hpp"
-#include "equipoise/fates/start_runner.hpp"
-#include "equipoise/kernels/lane_kernels.hpp"
+#include "equipoise/kernels/batch_kernels.hpp"
 #include "equipoise/spin_up/start_source.hpp"
+#include "equipoise/start_runs/start_runner.hpp"
 
 namespace equipoise {
 namespace {
@@ -51,14 +51,14 @@ Verdicts compare(const Study& study, std::size_t count, double end) {
   EXPECT_TRUE(StartSource(study, nullptr).make(study.sampling.seed, 0, count, starts));
   std::vector<double>& states = starts.states;
   std::vector<Fate>& late = starts.fates;
-  DecisionRule rule = runner.rule();
+  ClassificationRule rule = runner.rule();
   rule.at_horizon = true;
   const model::Parameters& p = study.parameters;
   constexpr std::size_t chunk = 256;
   const int size = model::dimension(p.balls);
   tbb::parallel_for(std::size_t{0}, (count + chunk - 1) / chunk, [&](std::size_t k) {
     const std::size_t first = k * chunk, length = std::min(chunk, count - first);
-    LaneTask task;
+    BatchTask task;
     task.parameters = &p;
     task.segment = {0.0, 1e300, 0.0, study.speed.speed, 0.0, false};
     task.end = end;
@@ -66,7 +66,7 @@ Verdicts compare(const Study& study, std::size_t count, double end) {
     task.count = length;
     task.states = &states[first * size];
     std::vector<Fate> fates(length);
-    EXPECT_TRUE(decide_lanes(task, rule, fates, nullptr));
+    EXPECT_TRUE(classify_batch(task, rule, fates, nullptr));
     std::copy(fates.begin(), fates.end(), late.begin() + static_cast<std::ptrdiff_t>(first));
   });
   Verdicts v;

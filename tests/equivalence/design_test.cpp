@@ -12,11 +12,11 @@
 
 #include "../support/files.hpp"
 #include "../support/studies.hpp"
-#include "equipoise/basins/basin.hpp"
 #include "equipoise/design/design.hpp"
 #include "equipoise/design/ensembles.hpp"
 #include "equipoise/design/search.hpp"
-#include "equipoise/report/design_report.hpp"
+#include "equipoise/ensembles/basin.hpp"
+#include "equipoise/reports/design_report.hpp"
 
 namespace equipoise {
 namespace {

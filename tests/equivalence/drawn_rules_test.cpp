@@ -63,7 +63,7 @@ TEST(RulesOfThumb, AreRightAsOftenAsTheirPageSays) {
     const model::BalancedStates states = model::balanced_states(p);
     const auto angles = balanced_angles(states, p);
     ASSERT_TRUE(angles.has_value());
-    const DragScan scan(p, speed, *angles, states.kind == model::BalancedStates::Kind::family);
+    const DragScan scan(p, speed, *angles, states.kind == model::BalancedStates::Kind::continuum);
     const double stiffness = rules::ball_stiffness(p, speed, angles->data()), rate = scan.slowest(1.0);
     if (rate < -least_rate) {
       ++stable;

@@ -11,10 +11,10 @@
 #include "../support/files.hpp"
 #include "../support/refusals.hpp"
 #include "../support/studies.hpp"
+#include "equipoise/analyses/sensitivity.hpp"
+#include "equipoise/attractors/catalogue.hpp"
 #include "equipoise/base/error.hpp"
-#include "equipoise/basins/basin.hpp"
-#include "equipoise/basins/sensitivity.hpp"
-#include "equipoise/motions/catalogue.hpp"
+#include "equipoise/ensembles/basin.hpp"
 #include "equipoise/spin_up/initial_state.hpp"
 
 namespace equipoise {

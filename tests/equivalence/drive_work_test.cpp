@@ -8,12 +8,12 @@
 #include <gtest/gtest.h>
 
 #include "../support/studies.hpp"
-#include "equipoise/basins/basin.hpp"
-#include "equipoise/fates/transient_tally.hpp"
-#include "equipoise/kernels/lane_kernels.hpp"
-#include "equipoise/model/energy.hpp"
+#include "equipoise/ensembles/basin.hpp"
+#include "equipoise/kernels/batch_kernels.hpp"
+#include "equipoise/mechanics/energy.hpp"
 #include "equipoise/sampling/starts.hpp"
 #include "equipoise/spin_up/start_source.hpp"
+#include "equipoise/start_runs/transient_tally.hpp"
 #include "equipoise/trajectory/simulate.hpp"
 
 namespace equipoise {
@@ -99,13 +99,13 @@ TEST_P(DriveWorkOfSpeeds, IsThatOfTheTorqueThatTheyNeed) {
   TransientTable table{asked, {}, {}};
   SpunUp starts;
   ASSERT_TRUE(source.make(study.sampling.seed, 0, 4, starts, &table));
-  LaneTask task = source.task(source.segments().size() - 1, starts.states);
+  BatchTask task = source.task(source.segments().size() - 1, starts.states);
   task.end = task.segment.begin + horizon;
   task.transients = &table;
-  DecisionRule rule;
+  ClassificationRule rule;
   rule.balls = study.parameters.balls;
   rule.at_horizon = true;
-  ASSERT_TRUE(decide_lanes(task, rule, starts.fates, nullptr));
+  ASSERT_TRUE(classify_batch(task, rule, starts.fates, nullptr));
   for (std::size_t i = 0; i < table.rows.size(); ++i) {
     start_angles(study.sampling.seed, i, study.parameters.balls, study.initial.phi.data());
     const Work work = torque_work(study, source.settled() + horizon);

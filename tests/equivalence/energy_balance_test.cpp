@@ -11,9 +11,9 @@
 #include "cases.hpp"
 #include "equipoise/integrate/adaptive-inl.hpp"
 #include "equipoise/model/ball_count.hpp"
-#include "equipoise/model/energy.hpp"
+#include "equipoise/mechanics/energy.hpp"
 #include "equipoise/model/flow-inl.hpp"
-#include "equipoise/model/frames.hpp"
+#include "equipoise/mechanics/frames.hpp"
 #include "equipoise/model/smooth_flow-inl.hpp"
 #include "equipoise/model/state_layout.hpp"
 #include "equipoise/trajectory/simulate.hpp"
@@ -237,12 +237,12 @@ TEST(EnergyBalanceOfMotors, ClosesOverALongTime) {
     scale.floor.fill(0.01);
     std::vector<double> z(DrivenAndWork::dimension, 0.0);
     for (int i = 0; i < p.balls; ++i) z[model::index::phi(i)] = 1.0 + 2.0 * i;
-    const double before = model::machine_energy(p, z.data());
+    const double before = model::full_energy(p, z.data());
     kernels::AdaptiveIntegrator<DrivenAndWork, DrivenAndWork::dimension> integrator(flow, scale, flow.size());
     ASSERT_EQ(integrator.advance(0.0, 1e4, z.data(), [](auto&&...) {}), equipoise::IntegrationStatus::done);
     EXPECT_GT(z[system.layout().speed], 2.0);
     const int state = system.dimension();
-    const double change = model::machine_energy(p, z.data()) - before;
+    const double change = model::full_energy(p, z.data()) - before;
     RecordProperty(rolls ? "rolls" : "slides",
                    fmt::format("{:.2g}", std::fabs(change - (z[state] - z[state + 1] - z[state + 2])) / z[state]));
     // Of the work done, what machines are promised to keep to; steps are good to 1e-13 each, and errors of both signs.

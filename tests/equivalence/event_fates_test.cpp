@@ -9,13 +9,13 @@
 #include <string>
 #include <vector>
 
-#include "equipoise/basins/attractors.hpp"
-#include "equipoise/basins/basin.hpp"
-#include "equipoise/branches/continuation.hpp"
-#include "equipoise/branches/parameter_line.hpp"
+#include "equipoise/analyses/attractors.hpp"
+#include "equipoise/attractors/motion.hpp"
+#include "equipoise/attractors/motion_statistics.hpp"
+#include "equipoise/continuation/continuation.hpp"
+#include "equipoise/continuation/parameter_line.hpp"
+#include "equipoise/ensembles/basin.hpp"
 #include "equipoise/model/unbalance.hpp"
-#include "equipoise/motions/motion.hpp"
-#include "equipoise/motions/motion_statistics.hpp"
 #include "equipoise/sampling/sampling.hpp"
 #include "equipoise/spin_up/initial_state.hpp"
 
@@ -69,7 +69,7 @@ TEST_P(EventFates, HoldTwentyTimesLater) {
   double longest = 0.0;
   for (std::size_t i = 0; i < starts; ++i)
     if (early.every_start->outcome[i] > 0) longest = std::max(longest, early.every_start->decision_time[i]);
-  study.numerics.decide = DecideMode::horizon;
+  study.numerics.decide = ClassificationMode::horizon;
   study.numerics.horizon = std::min(20.0 * std::max(longest, 200.0), 60000.0);
   const BasinResult late = run(study, starts);
   int undecided = 0;
@@ -120,7 +120,7 @@ TEST(BranchesWithEvents, FollowWhatTouchesAndWhatSticks) {
   const Study study = parse_study(heavy + two + sticks + constant, "along");
   ContinuationOptions options;
   options.threads = 1;
-  const BranchesResult result =
+  const ContinuationResult result =
       follow_attractors(study, ParameterLine(study, "balancer.stiction=0.002:0.003:0.0005"), options);
   ASSERT_FALSE(result.branches.empty());
   bool stuck = false;

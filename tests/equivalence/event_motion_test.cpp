@@ -9,15 +9,15 @@
 #include <string>
 #include <vector>
 
+#include "equipoise/attractors/event_motion.hpp"
+#include "equipoise/attractors/motion.hpp"
+#include "equipoise/attractors/motion_statistics.hpp"
+#include "equipoise/attractors/stuck.hpp"
 #include "equipoise/base/angles.hpp"
-#include "equipoise/model/linearisation.hpp"
+#include "equipoise/mechanics/linearisation.hpp"
 #include "equipoise/model/unbalance.hpp"
-#include "equipoise/motions/event_motion.hpp"
-#include "equipoise/motions/motion.hpp"
-#include "equipoise/motions/motion_statistics.hpp"
-#include "equipoise/motions/stuck.hpp"
-#include "equipoise/orbits/return_map.hpp"
-#include "equipoise/orbits/variational.hpp"
+#include "equipoise/periodic_orbits/return_map.hpp"
+#include "equipoise/periodic_orbits/variational.hpp"
 #include "equipoise/sampling/starts.hpp"
 #include "equipoise/study/study.hpp"
 
@@ -154,7 +154,7 @@ TEST_P(StuckForGood, NoBallEverMovesAgain) {
   const Study study = study_of("balls = 2\nmass = 0.05\ndrag = 0.05\nrolling = 1e-3\nstiction = 2e-3\n",
                                which == "motor" ? motor : constant, more);
   const model::System system = study.system();
-  const double step = system.section() == model::Section::strobe ? system.strobe_period() : 3.0;
+  const double step = system.section() == model::Section::stroboscopic ? system.section_period() : 3.0;
   int stuck = 0;
   for (std::uint64_t k = 0; k < 24; ++k) {
     VectorXd z = VectorXd::Zero(system.dimension());

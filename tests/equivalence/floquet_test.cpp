@@ -10,10 +10,10 @@
 #include <complex>
 
 #include "equipoise/base/angles.hpp"
-#include "equipoise/model/balanced_state.hpp"
-#include "equipoise/model/linearisation.hpp"
-#include "equipoise/orbits/orbit.hpp"
-#include "equipoise/orbits/variational.hpp"
+#include "equipoise/mechanics/balanced_state.hpp"
+#include "equipoise/mechanics/linearisation.hpp"
+#include "equipoise/periodic_orbits/orbit.hpp"
+#include "equipoise/periodic_orbits/variational.hpp"
 #include "../support/parameters.hpp"
 
 namespace {

@@ -98,7 +98,7 @@ Answer of_machine(const Instant& at, const double* torque = nullptr, double* acc
   Motion motion = at.motion();
   if (torque) motion.acceleration = 17.0;  // not to be read
   Answer answer;
-  const auto result = Machine(at.p).machine_derivative(motion, actions, torque, at.z.data(), answer.rate.data());
+  const auto result = Machine(at.p).full_derivative(motion, actions, torque, at.z.data(), answer.rate.data());
   if (acceleration) *acceleration = result.acceleration;
   answer.torque = result.torque;
   return answer;
@@ -181,7 +181,7 @@ RC_GTEST_PROP(ForceBalance, OfJoinedBallsIsThatWithThePushesThatKeepTheirRatesEq
   for (int i = 0; i < n; ++i)
     if (actions.held[i]) z[4 + n + i] = 0.0;
   const auto rates = [&](const kernels::BallActions<double, room>& a, Answer& answer) {
-    return machine.machine_derivative(at.motion(), a, motor, z.data(), answer.rate.data());
+    return machine.full_derivative(at.motion(), a, motor, z.data(), answer.rate.data());
   };
 
   // Each push changes all rates in proportion.

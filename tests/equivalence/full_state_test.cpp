@@ -9,13 +9,13 @@
 #include <Eigen/Dense>
 #include <gtest/gtest.h>
 
-#include "equipoise/basins/basin.hpp"
-#include "equipoise/fates/start_runner.hpp"
-#include "equipoise/files/netcdf.hpp"
-#include "equipoise/motions/catalogue.hpp"
-#include "equipoise/motions/motion.hpp"
+#include "equipoise/attractors/catalogue.hpp"
+#include "equipoise/attractors/motion.hpp"
+#include "equipoise/ensembles/basin.hpp"
+#include "equipoise/io/netcdf.hpp"
 #include "equipoise/spin_up/initial_state.hpp"
 #include "equipoise/spin_up/start_source.hpp"
+#include "equipoise/start_runs/start_runner.hpp"
 #include "../support/studies.hpp"
 
 namespace equipoise {
@@ -72,7 +72,7 @@ TEST(FullState, StartsComeToWhatTheirTrajectoriesComeToAlone) {
 
 void expect_whole_starts(const std::string& path, const Study& study) {
   const std::size_t count = study.sampling.starts;
-  const store::NetcdfFile file(path, store::NetcdfFile::Mode::read);
+  const io::NetcdfFile file(path, io::NetcdfFile::Mode::read);
   std::vector<double> rotor(4 * count), rates(2 * count), phi(2 * count);
   file.read(file.variable("rotor_state"), {0, 0}, {count, 4}, rotor.data());
   file.read(file.variable("phi_dot"), {0, 0}, {count, 2}, rates.data());
@@ -98,7 +98,7 @@ TEST(FullState, FileHoldsWholeStartsResumesAndEarlyDecisionsAgreeWithThoseAtTheH
   EXPECT_EQ(early.resumed_from, 300u);
   expect_whole_starts(path, study);
   std::filesystem::remove(path);
-  study.numerics.decide = DecideMode::horizon;
+  study.numerics.decide = ClassificationMode::horizon;
   study.numerics.horizon = 3000.0;
   EXPECT_EQ(counts(early), counts(basin(study)));
   EXPECT_EQ(early.diverged.count + early.failed.count, 0u);

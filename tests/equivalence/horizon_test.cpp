@@ -7,14 +7,14 @@
 
 #include "../support/parameters.hpp"
 #include "../support/refusals.hpp"
-#include "equipoise/basins/attractors.hpp"
-#include "equipoise/basins/basin.hpp"
-#include "equipoise/basins/basin_header.hpp"
-#include "equipoise/discovery/cost.hpp"
-#include "equipoise/discovery/horizon.hpp"
-#include "equipoise/discovery/undecided.hpp"
+#include "equipoise/analyses/attractors.hpp"
+#include "equipoise/attractor_search/cost.hpp"
+#include "equipoise/ensembles/basin.hpp"
+#include "equipoise/ensembles/basin_header.hpp"
 #include "equipoise/explain/explain.hpp"
 #include "equipoise/results/basin_result.hpp"
+#include "equipoise/rotor_family/horizon.hpp"
+#include "equipoise/start_runs/undecided.hpp"
 
 namespace equipoise {
 namespace {

@@ -8,10 +8,10 @@
 #include <string>
 #include <vector>
 
-#include "equipoise/integrate/machine_trajectory-inl.hpp"
-#include "equipoise/kernels/lane_kernels.hpp"
+#include "equipoise/integrate/event_trajectory-inl.hpp"
+#include "equipoise/kernels/batch_kernels.hpp"
+#include "equipoise/mechanics/energy.hpp"
 #include "equipoise/model/ball_count.hpp"
-#include "equipoise/model/energy.hpp"
 #include "equipoise/model/state_layout.hpp"
 #include "equipoise/spin_up/initial_state.hpp"
 
@@ -19,7 +19,7 @@ namespace {
 
 using namespace equipoise;
 namespace kernels = HWY_NAMESPACE;
-using Machine = kernels::MachineTrajectory<model::any_count>;
+using Machine = kernels::EventTrajectory<model::any_count>;
 using Flow = kernels::HybridFlow<double, model::any_count>;
 
 // What is taken from a rotor in one unit of time, from forces that this file writes down itself but for accelerations.
@@ -113,7 +113,7 @@ void balances(const std::string& more, double drag) {
   double work = 0.0, taken = 0.0, impacts = 0.0;
   double last[Machine::dimension];
   std::copy(machine.state(), machine.state() + Machine::dimension, last);
-  const double before = model::machine_energy(p, last);
+  const double before = model::full_energy(p, last);
   const auto watch = [&](double from, double to, auto&& state_at) {
     double at[Machine::dimension];
     state_at(from, at);
@@ -129,7 +129,7 @@ void balances(const std::string& more, double drag) {
     return false;
   };
   ASSERT_EQ(machine.advance(1e4, watch), IntegrationStatus::done);
-  const double stored = model::machine_energy(p, machine.state()) - before;
+  const double stored = model::full_energy(p, machine.state()) - before;
   // Rounding and steps' errors of 1e-12 each, of about 1e5 steps that do not all err to one side.
   EXPECT_NEAR(work, taken + impacts + stored, 1e-9 * work);
   EXPECT_GT(machine.events(), 100);
@@ -162,7 +162,7 @@ TEST(HybridEnergy, OfElasticBallsIsKeptOnLanes) {
       z.push_back(y[system.layout().psi]);
       z.push_back(y[system.layout().speed]);
       z.push_back(0.0);
-      return model::machine_energy(study.parameters, z.data());
+      return model::full_energy(study.parameters, z.data());
     };
     std::vector<double> before;
     for (std::size_t i = 0; i < count; ++i) {
@@ -172,15 +172,15 @@ TEST(HybridEnergy, OfElasticBallsIsKeptOnLanes) {
       state[system.layout().speed] = 2.0;
       before.push_back(energy(state));
     }
-    LaneTask task = lane_task(system);
-    LaneWork work;
+    BatchTask task = batch_task(system);
+    BatchWork work;
     task.end = 300.0;
     task.tolerance = 1e-12;
     task.count = count;
     task.states = states.data();
     task.work = &work;
     std::vector<Fate> fates(count);
-    ASSERT_TRUE(advance_lanes(task, fates));
+    ASSERT_TRUE(advance_batch(task, fates));
     EXPECT_GT(work.events, 50 * count);
     // Some thousand steps of 1e-12 each, of energies about 8.
     for (std::size_t i = 0; i < count; ++i) EXPECT_NEAR(energy(&states[i * size]), before[i], 1e-9 * before[i]) << i;

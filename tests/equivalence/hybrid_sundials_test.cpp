@@ -10,7 +10,7 @@
 #include <stdexcept>
 #include <vector>
 
-#include "equipoise/kernels/lane_kernels.hpp"
+#include "equipoise/kernels/batch_kernels.hpp"
 #include "equipoise/spin_up/initial_state.hpp"
 #include "lagrangian.hpp"
 
@@ -68,16 +68,16 @@ std::vector<double> on_lanes(const Study& study, double end, std::uint64_t& even
   const model::System system = study.system();
   std::vector<double> z(system.dimension());
   initial_state(study.initial, system.balls(), system.speed(), z.data());
-  LaneTask task = lane_task(system);
-  LaneWork work;
+  BatchTask task = batch_task(system);
+  BatchWork work;
   task.end = end;
   task.tolerance = 1e-11;
   task.count = 1;
   task.states = z.data();
   task.work = &work;
   std::vector<Fate> fates(1);
-  EXPECT_EQ(task.kind(), LaneKind::hybrid);
-  EXPECT_TRUE(advance_lanes(task, fates));
+  EXPECT_EQ(task.kind(), BatchKind::hybrid);
+  EXPECT_TRUE(advance_batch(task, fates));
   events = work.events;
   return z;
 }

@@ -65,7 +65,8 @@ Deviations compare(const Trajectory& run, const std::vector<FixedState>& referen
     d.add("Y", run.x[k] * s + run.y[k] * c, r.Y);
     d.add("X'", u * c - v * s, r.X_dot);
     d.add("Y'", u * s + v * c, r.Y_dot);
-    const double sag = -(1.0 + p.total_mass()) * p.gravity / p.stiffness[1];  // radial is from where weight alone puts it
+    const double sag =
+        -(1.0 + p.total_mass()) * p.gravity / p.stiffness[1];  // radial is from where weight alone puts it
     d.add("r", run.radial[k], std::hypot(r.X, r.Y - sag));
     d.add("bearing X", run.bearing_x[k], p.damping[0] * r.X_dot + p.stiffness[0] * r.X);
     d.add("bearing Y", run.bearing_y[k], p.damping[1] * r.Y_dot + p.stiffness[1] * r.Y);

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "equipoise/integrate/machine_trajectory-inl.hpp"
+#include "equipoise/integrate/event_trajectory-inl.hpp"
 #include "equipoise/model/ball_count.hpp"
 #include "equipoise/model/state_layout.hpp"
 #include "equipoise/spin_up/initial_state.hpp"
@@ -14,7 +14,7 @@
 namespace lanes {
 
 using namespace equipoise;
-using Machine = HWY_NAMESPACE::MachineTrajectory<model::any_count>;
+using Machine = HWY_NAMESPACE::EventTrajectory<model::any_count>;
 
 constexpr std::size_t starts = 19;  // more than two groups of lanes, and no multiple of their number
 

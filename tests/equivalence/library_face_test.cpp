@@ -15,16 +15,16 @@
 
 #include <gtest/gtest.h>
 
-#include "equipoise/basins/attractors.hpp"
-#include "equipoise/basins/basin.hpp"
-#include "equipoise/basins/certify.hpp"
-#include "equipoise/basins/observation.hpp"
-#include "equipoise/branches/continuation.hpp"
-#include "equipoise/files/netcdf.hpp"
+#include "equipoise/analyses/attractors.hpp"
+#include "equipoise/analyses/certify.hpp"
+#include "equipoise/analyses/observation.hpp"
+#include "equipoise/basin_slices/basin_slice.hpp"
+#include "equipoise/continuation/continuation.hpp"
+#include "equipoise/ensembles/basin.hpp"
+#include "equipoise/io/netcdf.hpp"
 #include "equipoise/kernels/cpu_target.hpp"
-#include "equipoise/maps/plane_map.hpp"
 #include "equipoise/reproduction/reproduce.hpp"
-#include "equipoise/store/start_columns.hpp"
+#include "equipoise/result_files/start_columns.hpp"
 #include "equipoise/trajectory/output_times.hpp"
 #include "equipoise/trajectory/simulate.hpp"
 #include "../support/refusals.hpp"
@@ -62,10 +62,10 @@ std::map<std::string, std::function<void(const RunOptions&)>> long_calls() {
            }},
           {"plane_map",
            [=](const RunOptions& o) {
-             PlaneMapSettings settings = with(PlaneMapSettings{}, o);
+             BasinSliceSettings settings = with(BasinSliceSettings{}, o);
              settings.x = {"rotor.eccentricity", 0.0, 0.02, 2};
              settings.y = {"initial.phi_1", 0.0, 6.0, 2};
-             plane_map(rotor(1), settings);
+             basin_slice(rotor(1), settings);
            }},
           {"follow_attractors",
            [=](const RunOptions& o) {
@@ -221,13 +221,13 @@ TEST(CpuTarget, MayBeChosenForOneCall) {
 // Figures as a file has them: what is not finite is missing there.
 std::vector<float> stored_form(std::vector<float> figures) {
   for (float& figure : figures)
-    if (!std::isfinite(figure)) figure = store::missing_figure;
+    if (!std::isfinite(figure)) figure = io::missing_figure;
   return figures;
 }
 
 // A column of a file.
 template <class T>
-std::vector<T> column(const store::NetcdfFile& file, const std::string& name, std::size_t starts, std::size_t width) {
+std::vector<T> column(const io::NetcdfFile& file, const std::string& name, std::size_t starts, std::size_t width) {
   std::vector<T> values(starts * width);
   std::vector<std::size_t> begin{0}, count{starts};
   if (width > 1) begin.push_back(0), count.push_back(width);
@@ -242,7 +242,7 @@ void expect_same(const std::vector<T>& a, const std::vector<T>& b, const char* n
 }
 
 void expect_as_in_file(const StartArrays& arrays, const std::string& path, const Study& study, bool transients) {
-  const store::NetcdfFile file(path, store::NetcdfFile::Mode::read);
+  const io::NetcdfFile file(path, io::NetcdfFile::Mode::read);
   const std::size_t n = arrays.starts, balls = static_cast<std::size_t>(study.parameters.balls);
   ASSERT_EQ(file.length("start"), n);
   expect_same(arrays.phi, column<double>(file, "phi", n, balls), "phi");

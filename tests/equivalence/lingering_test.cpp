@@ -6,9 +6,9 @@
 
 #include <gtest/gtest.h>
 
-#include "equipoise/fates/start_runner.hpp"
-#include "equipoise/kernels/lane_kernels.hpp"
+#include "equipoise/kernels/batch_kernels.hpp"
 #include "equipoise/spin_up/start_source.hpp"
+#include "equipoise/start_runs/start_runner.hpp"
 
 namespace equipoise {
 namespace {
@@ -60,16 +60,16 @@ int comes_to(const Study& study, const StartRunner& runner, std::uint64_t index,
   const StartSource source(study, nullptr);
   SpunUp starts;
   EXPECT_TRUE(source.make(study.sampling.seed, index, 1, starts));
-  DecisionRule rule = runner.rule();
+  ClassificationRule rule = runner.rule();
   rule.at_horizon = true;
-  LaneTask task;
+  BatchTask task;
   task.parameters = &study.parameters;
   task.segment = source.segments().back();
   task.end = end;
   task.tolerance = source.tolerance();
   task.count = 1;
   task.states = starts.states.data();
-  EXPECT_TRUE(decide_lanes(task, rule, starts.fates, nullptr));
+  EXPECT_TRUE(classify_batch(task, rule, starts.fates, nullptr));
   return starts.fates[0].attractor;
 }
 

@@ -11,7 +11,7 @@
 #include "equipoise/base/angles.hpp"
 #include "equipoise/model/ball_count.hpp"
 #include "equipoise/model/state_layout.hpp"
-#include "equipoise/model/strobe.hpp"
+#include "equipoise/model/stroboscopic_section.hpp"
 #include "equipoise/spin_up/initial_state.hpp"
 #include "machine_scale.hpp"
 
@@ -28,7 +28,7 @@ struct Seen {
 
 inline Seen follow(const equipoise::Study& study, std::uint64_t index, double until) {
   using namespace equipoise;
-  using Machine = HWY_NAMESPACE::MachineTrajectory<model::any_count>;
+  using Machine = HWY_NAMESPACE::EventTrajectory<model::any_count>;
   const model::Parameters& p = study.parameters;
   const int n = p.balls;
   const model::Drive drive = study.drive();

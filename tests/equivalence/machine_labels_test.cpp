@@ -10,12 +10,12 @@
 #include <vector>
 
 #include "../support/sanitized.hpp"
-#include "equipoise/basins/basin.hpp"
+#include "equipoise/ensembles/basin.hpp"
 #include "equipoise/explain/explain.hpp"
-#include "equipoise/fates/start_runner.hpp"
-#include "equipoise/report/basin_report.hpp"
+#include "equipoise/start_runs/start_runner.hpp"
+#include "equipoise/reports/basin_report.hpp"
 #include "equipoise/trajectory/simulate.hpp"
-#include "equipoise/traps/balanced_analysis.hpp"
+#include "equipoise/balanced_regions/balanced_analysis.hpp"
 #include "machine_follow.hpp"
 
 namespace {

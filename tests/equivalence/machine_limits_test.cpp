@@ -11,8 +11,8 @@
 #include <vector>
 
 #include "equipoise/base/angles.hpp"
-#include "equipoise/basins/basin.hpp"
-#include "equipoise/model/energy.hpp"
+#include "equipoise/ensembles/basin.hpp"
+#include "equipoise/mechanics/energy.hpp"
 #include "equipoise/model/state_layout.hpp"
 #include "equipoise/trajectory/simulate.hpp"
 
@@ -84,7 +84,7 @@ std::vector<double> energies(const Study& study, const Trajectory& run) {
     }
     z[machine_layout(n).psi] = run.psi[k];
     z[machine_layout(n).speed] = w;
-    result.push_back(machine_energy(study.parameters, z.data()));
+    result.push_back(full_energy(study.parameters, z.data()));
   }
   return result;
 }

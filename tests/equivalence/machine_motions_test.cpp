@@ -12,12 +12,12 @@
 
 #include <Eigen/Dense>
 
+#include "equipoise/attractors/motion.hpp"
 #include "equipoise/base/angles.hpp"
-#include "equipoise/model/balanced_state.hpp"
-#include "equipoise/model/linearisation.hpp"
-#include "equipoise/motions/motion.hpp"
-#include "equipoise/orbits/stroboscopic.hpp"
-#include "equipoise/orbits/variational.hpp"
+#include "equipoise/mechanics/balanced_state.hpp"
+#include "equipoise/mechanics/linearisation.hpp"
+#include "equipoise/periodic_orbits/stroboscopic_section.hpp"
+#include "equipoise/periodic_orbits/variational.hpp"
 #include "equipoise/study/study.hpp"
 #include "equipoise/trajectory/simulate.hpp"
 
@@ -127,8 +127,8 @@ TEST(MachineMotions, AStrongMotorTendsToThePrescribedSpeedUnderGravityToo) {
       ASSERT_TRUE(orbit);
       const Motion motion = describe_orbit(system, *orbit);
       EXPECT_TRUE(motion.balanced);
-      EXPECT_TRUE(motion.strobed);
-      EXPECT_EQ(motion.strobes, 1);
+      EXPECT_TRUE(motion.depends_on_angle);
+      EXPECT_EQ(motion.sections, 1);
       EXPECT_EQ(name_of(system, motion), "balanced");
       // The motor has 3e-5 to give, and the speed wavers by less: over the gain.
       EXPECT_NEAR(motion.r_max, at_speed.r_max, 1e-3 / gain);

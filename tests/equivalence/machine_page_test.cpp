@@ -8,13 +8,13 @@
 #include <gtest/gtest.h>
 
 #include "../support/studies.hpp"
-#include "equipoise/basins/attractors.hpp"
-#include "equipoise/motions/motion.hpp"
-#include "equipoise/orbits/orbit.hpp"
-#include "equipoise/pages/given_machine.hpp"
-#include "equipoise/pages/machine_html.hpp"
+#include "equipoise/analyses/attractors.hpp"
+#include "equipoise/attractors/motion.hpp"
+#include "equipoise/html/given_machine.hpp"
+#include "equipoise/html/machine_html.hpp"
+#include "equipoise/periodic_orbits/orbit.hpp"
+#include "equipoise/result_files/basin_file.hpp"
 #include "equipoise/shown/motion_path.hpp"
-#include "equipoise/store/basin_file.hpp"
 
 namespace equipoise {
 namespace {

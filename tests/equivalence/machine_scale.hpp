@@ -1,15 +1,15 @@
 // The errors allowed a machine's steps in ensembles.
 #pragma once
 
-#include "equipoise/integrate/machine_trajectory-inl.hpp"
+#include "equipoise/integrate/event_trajectory-inl.hpp"
 #include "equipoise/model/state_layout.hpp"
 
 namespace equipoise {
 
-/// As on lanes (lane_error_scale()): absolute; angles and speeds of the rotor like those of balls.
+/// As on lanes (batch_error_scale()): absolute; angles and speeds of the rotor like those of balls.
 template <int room>
-typename HWY_NAMESPACE::MachineTrajectory<room>::Scale ensemble_scale(const model::Parameters& p, double tolerance) {
-  typename HWY_NAMESPACE::MachineTrajectory<room>::Scale scale;
+typename HWY_NAMESPACE::EventTrajectory<room>::Scale ensemble_scale(const model::Parameters& p, double tolerance) {
+  typename HWY_NAMESPACE::EventTrajectory<room>::Scale scale;
   scale.tolerance = tolerance;
   scale.floor.fill(1.0);
   for (int i = 0; i < 4; ++i) scale.floor[i] = p.all_unbalances();

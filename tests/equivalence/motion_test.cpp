@@ -10,12 +10,12 @@
 #include <string>
 #include <vector>
 
+#include "equipoise/attractors/motion.hpp"
+#include "equipoise/attractors/motion_statistics.hpp"
 #include "equipoise/base/angles.hpp"
-#include "equipoise/model/balanced_state.hpp"
-#include "equipoise/model/linearisation.hpp"
-#include "equipoise/motions/motion.hpp"
-#include "equipoise/motions/motion_statistics.hpp"
-#include "equipoise/orbits/variational.hpp"
+#include "equipoise/mechanics/balanced_state.hpp"
+#include "equipoise/mechanics/linearisation.hpp"
+#include "equipoise/periodic_orbits/variational.hpp"
 #include "../support/parameters.hpp"
 
 namespace {

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <string>
 
-#include "equipoise/branches/continuation.hpp"
+#include "equipoise/continuation/continuation.hpp"
 
 namespace equipoise {
 namespace {
@@ -49,11 +49,11 @@ TEST(MotorBranches, TheHangUpAtResonanceEndsWhereTheMotorsLineLeavesTheResonance
   const Study study = heavy_rotor();
   ContinuationOptions options;
   options.threads = 2;
-  const BranchesResult result =
+  const ContinuationResult result =
       follow_attractors(study, ParameterLine(study, "speed.torque.stall=0.02:0.036:0.004"), options);
   const auto named = [&](const std::string& name) {
-    const auto at = std::find_if(result.branches.begin(), result.branches.end(),
-                                 [&](const Branch& b) { return b.name == name; });
+    const auto at =
+        std::find_if(result.branches.begin(), result.branches.end(), [&](const Branch& b) { return b.name == name; });
     return at == result.branches.end() ? nullptr : &*at;
   };
   const Branch* running = named("locked");

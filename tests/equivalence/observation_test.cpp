@@ -5,8 +5,8 @@
 
 #include <gtest/gtest.h>
 
+#include "equipoise/analyses/observation.hpp"
 #include "equipoise/base/error.hpp"
-#include "equipoise/basins/observation.hpp"
 #include "equipoise/sampling/starts.hpp"
 #include "equipoise/trajectory/simulate.hpp"
 

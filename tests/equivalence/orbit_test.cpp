@@ -1,6 +1,6 @@
 // Periodic orbits, equilibria and exponents against figures recorded with an earlier, independent code
 // (two balls, mu = 0.05 each, lambda = 0.01, zeta = 0.5, beta = 0.05 unless said).
-#include "equipoise/orbits/orbit.hpp"
+#include "equipoise/periodic_orbits/orbit.hpp"
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>
@@ -13,9 +13,9 @@
 
 #include "../support/parameters.hpp"
 #include "equipoise/base/angles.hpp"
-#include "equipoise/model/balanced_state.hpp"
-#include "equipoise/model/linearisation.hpp"
-#include "equipoise/orbits/variational.hpp"
+#include "equipoise/mechanics/balanced_state.hpp"
+#include "equipoise/mechanics/linearisation.hpp"
+#include "equipoise/periodic_orbits/variational.hpp"
 
 namespace {
 

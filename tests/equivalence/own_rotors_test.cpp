@@ -1,21 +1,21 @@
-// Trajectories with rotors of their own, side by side on lanes, against each rotor by itself in doubles; what their starts
-// come to, against the same rotors known exactly.
+// Trajectories with rotors of their own, side by side on lanes, against each rotor by itself in doubles; what their
+// starts come to, against the same rotors known exactly.
 #include <cmath>
 #include <string>
 #include <vector>
 
 #include <gtest/gtest.h>
 
-#include "equipoise/basins/basin.hpp"
-#include "equipoise/discovery/direct_values.hpp"
-#include "equipoise/discovery/drawn_source.hpp"
-#include "equipoise/discovery/horizon.hpp"
-#include "equipoise/kernels/lane_kernels.hpp"
+#include "equipoise/balanced_regions/balanced_analysis.hpp"
+#include "equipoise/balanced_regions/balanced_region.hpp"
+#include "equipoise/balanced_regions/family_regions.hpp"
+#include "equipoise/ensembles/basin.hpp"
+#include "equipoise/kernels/batch_kernels.hpp"
+#include "equipoise/mechanics/linearisation.hpp"
+#include "equipoise/rotor_family/direct_values.hpp"
+#include "equipoise/rotor_family/drawn_source.hpp"
+#include "equipoise/rotor_family/horizon.hpp"
 #include "equipoise/spin_up/own_starts.hpp"
-#include "equipoise/traps/balanced_analysis.hpp"
-#include "equipoise/traps/balanced_family.hpp"
-#include "equipoise/traps/balanced_trap.hpp"
-#include "equipoise/model/linearisation.hpp"
 
 #include "lane_studies.hpp"
 #include "../support/sanitized.hpp"
@@ -49,11 +49,11 @@ std::vector<OwnStart> own_starts(const std::string& toml) {
   std::vector<OwnStart> result;
   for (std::size_t i = 0; i < starts; ++i) {
     const double share = static_cast<double>(i) / starts;
-    Study study = parse_study(toml, "study",
-                              {"rotor.eccentricity=" + std::to_string(0.015 + 0.01 * share),
-                               "rotor.damping=" + std::to_string(0.5 - 0.2 * share),
-                               "balancer.mass=" + std::to_string(0.03 + 0.01 * share),
-                               "balancer.drag=" + std::to_string(0.3 - 0.1 * share)});
+    Study study = parse_study(
+        toml, "study",
+        {"rotor.eccentricity=" + std::to_string(0.015 + 0.01 * share),
+         "rotor.damping=" + std::to_string(0.5 - 0.2 * share), "balancer.mass=" + std::to_string(0.03 + 0.01 * share),
+         "balancer.drag=" + std::to_string(0.3 - 0.1 * share)});
     const InitialState start = start_of(study, study.sampling.seed, i);
     result.push_back({std::move(study), start});
   }
@@ -64,7 +64,7 @@ std::vector<OwnStart> own_starts(const std::string& toml) {
 std::vector<double> states_of(std::span<const OwnStart> some, SpunUp& spun) {
   EXPECT_TRUE(spin_up_own(some, nullptr, spun));
   const model::System first = some.front().study.system();
-  LaneTask task = lane_task(first);
+  BatchTask task = batch_task(first);
   std::vector<const OwnRotor*> own;
   for (OwnRotor& rotor : spun.rotors) {
     rotor.end = until;
@@ -78,7 +78,7 @@ std::vector<double> states_of(std::span<const OwnStart> some, SpunUp& spun) {
   task.begins = spun.begins.data();
   task.own = own.data();
   std::vector<Fate> fates(some.size());
-  EXPECT_TRUE(advance_lanes(task, fates));
+  EXPECT_TRUE(advance_batch(task, fates));
   return spun.states;
 }
 
@@ -114,9 +114,10 @@ TEST_P(OwnRotors, GiveTheSameBitsAlone) {
 INSTANTIATE_TEST_SUITE_P(AllSystems, OwnRotors, testing::ValuesIn(cases()),
                          [](const auto& info) { return info.param.name; });
 
-const std::string drawing = "[rotor]\neccentricity = { uniform = [0.006, 0.014] }\ndamping = { uniform = [0.4, 0.6] }\n"
-                            "[balancer]\nballs = 2\nmass = 0.05\ndrag = 0.05\n"
-                            "[speed]\nprofile = \"constant\"\nspeed = 2.4\n";
+const std::string drawing =
+    "[rotor]\neccentricity = { uniform = [0.006, 0.014] }\ndamping = { uniform = [0.4, 0.6] }\n"
+    "[balancer]\nballs = 2\nmass = 0.05\ndrag = 0.05\n"
+    "[speed]\nprofile = \"constant\"\nspeed = 2.4\n";
 
 TEST(StudyFamily, FindsValuesThatStandAsTheyAre) {
   const Study study = with_horizon(parse_study(drawing, "study"));
@@ -136,21 +137,21 @@ TEST(StudyFamily, FindsValuesThatStandAsTheyAre) {
 }
 
 // V falls at every state within the level, for rotors that its fit has not seen.
-TEST(BalancedFamily, FallsForEveryRotorOfThePart) {
+TEST(FamilyRegions, FallsForEveryRotorOfThePart) {
   const StudyFamily family(with_horizon(parse_study(drawing, "study")));
   const FamilyBox box = family.parts().front();
   const DrawnSource source(family, box, nullptr);
   BalancedAnalysis balanced = analyse_balanced(source.middle().system());
-  ASSERT_EQ(balanced.traps.size(), 2u);
+  ASSERT_EQ(balanced.regions.size(), 2u);
   std::vector<OwnRotor> rotors = source.ends();
   for (std::uint64_t k = 0; k < 256; ++k) rotors.push_back(source.rotor(k));
-  const BalancedFamily traps(balanced.traps, rotors, std::span(rotors).first(64), balanced.weights);
-  ASSERT_EQ(balanced.traps.size(), 2u);
-  const double level = balanced.traps.front().level;
+  const FamilyRegions regions(balanced.regions, rotors, std::span(rotors).first(64), balanced.weights);
+  ASSERT_EQ(balanced.regions.size(), 2u);
+  const double level = balanced.regions.front().level;
   std::srand(7);
   for (std::uint64_t k = 1000; k < 1100; ++k) {
     OwnRotor rotor = source.rotor(k);
-    traps.place(balanced.traps, rotor);
+    regions.place(balanced.regions, rotor);
     const Eigen::VectorXd direction = Eigen::VectorXd::Random(8).normalized();
     for (const std::size_t number : {0u, 1u}) {
       const Eigen::VectorXd z = state_on_level(rotor, number, level, direction);
@@ -169,8 +170,8 @@ TEST(OwnRotorShares, AreTheMeanOfKnownRotors) {
   double mean = 0.0, variance = 0.0;
   for (int k = 0; k < rotors; ++k) {
     const double eccentricity = 0.006 + 0.008 * (k + 0.5) / rotors;
-    Study known = parse_study(drawing, "study",
-                              {"rotor.eccentricity=" + std::to_string(eccentricity), "rotor.damping=0.5"});
+    Study known =
+        parse_study(drawing, "study", {"rotor.eccentricity=" + std::to_string(eccentricity), "rotor.damping=0.5"});
     known.sampling.starts = each;
     known.sampling.seed = 100 + static_cast<std::uint64_t>(k);
     const double share = basin(known).attractors.front().share.share;

@@ -14,13 +14,13 @@
 
 #include <gtest/gtest.h>
 
+#include "equipoise/analyses/comparison.hpp"
+#include "equipoise/analyses/mapper.hpp"
+#include "equipoise/attractor_search/attractor_search.hpp"
 #include "equipoise/base/error.hpp"
-#include "equipoise/basins/basin.hpp"
-#include "equipoise/basins/comparison.hpp"
-#include "equipoise/basins/mapper.hpp"
-#include "equipoise/basins/write_basin.hpp"
-#include "equipoise/discovery/discovery.hpp"
-#include "equipoise/store/basin_outcomes.hpp"
+#include "equipoise/ensembles/basin.hpp"
+#include "equipoise/ensembles/write_basin.hpp"
+#include "equipoise/result_files/basin_outcomes.hpp"
 #include "../support/refusals.hpp"
 #include "../support/files.hpp"
 #include "../support/studies.hpp"
@@ -82,7 +82,7 @@ std::vector<InitialState> drawn(const Study& study) {
 }
 
 // What ensembles of one rotor end in is searched for once.
-DiscoveryCache discoveries;
+AttractorSearchCache discoveries;
 
 BasinResult with_starts(const Study& study, std::vector<InitialState> starts, int threads = 2) {
   BasinOptions options;

@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "equipoise/basins/basin.hpp"
+#include "equipoise/ensembles/basin.hpp"
 #include "machine_follow.hpp"
 
 namespace {

@@ -6,10 +6,10 @@
 #include <gtest/gtest.h>
 
 #include "../support/studies.hpp"
-#include "equipoise/base/notes.hpp"
-#include "equipoise/discovery/discovery.hpp"
-#include "equipoise/discovery/horizon.hpp"
-#include "equipoise/motions/motion_bytes.hpp"
+#include "equipoise/attractor_search/attractor_search.hpp"
+#include "equipoise/attractors/motion_bytes.hpp"
+#include "equipoise/rotor_family/horizon.hpp"
+#include "equipoise/running/search_log.hpp"
 #include "equipoise/study/study.hpp"
 
 namespace equipoise {
@@ -23,9 +23,9 @@ std::vector<char> bytes_of(const T& value) {
 }
 
 // Everything that a search finds, as far as the lanes and the catalogue show it.
-void expect_same(const Discovery& a, const Discovery& b) {
-  EXPECT_EQ(a.seeds, b.seeds);
-  EXPECT_EQ(a.hints, b.hints);
+void expect_same(const AttractorSearch& a, const AttractorSearch& b) {
+  EXPECT_EQ(a.warm_start_states, b.warm_start_states);
+  EXPECT_EQ(a.warm_start_levels, b.warm_start_levels);
   ASSERT_EQ(a.catalogue.attractors().size(), b.catalogue.attractors().size());
   for (std::size_t k = 0; k < a.catalogue.attractors().size(); ++k)
     EXPECT_EQ(bytes_of(a.catalogue.attractors()[k].motion), bytes_of(b.catalogue.attractors()[k].motion));
@@ -44,32 +44,32 @@ void expect_same(const Discovery& a, const Discovery& b) {
 
 // A search that is stopped again and again, each time a little later, ends as one that is not; what it has noted by
 // then is all that it asks for.
-TEST(Notes, BringAStoppedSearchToTheSameEnd) {
+TEST(SearchLog, BringAStoppedSearchToTheSameEnd) {
   Study study = with_horizon(parse_study(constant_speed, "notes.toml"));
-  const Discovery whole = discover(study, {});
+  const AttractorSearch whole = search_attractors(study, {});
   std::map<std::pair<std::uint64_t, std::uint64_t>, std::vector<char>> kept;  // by page and number
   int cut = 0;
   for (;; ++cut) {
     ASSERT_LT(cut, 2000);
     StopFlag stop{false};
     const std::size_t enough = kept.size() + 8;
-    Notes notes([&](std::uint64_t page, std::uint64_t number, const std::vector<char>& answer) {
+    SearchLog notes([&](std::uint64_t page, std::uint64_t number, const std::vector<char>& answer) {
       kept[{page, number}] = answer;
       stop = kept.size() >= enough;
     });
     for (const auto& [where, answer] : kept) notes.know(where.first, where.second, answer);
-    const Discovery found = discover(study, {.stop = &stop, .notes = &notes});
+    const AttractorSearch found = search_attractors(study, {.stop = &stop, .notes = &notes});
     if (found.stopped) continue;
     expect_same(found, whole);
     break;
   }
   EXPECT_GT(cut, 3);
   const std::size_t all = kept.size();
-  Notes complete([&](std::uint64_t page, std::uint64_t number, const std::vector<char>& answer) {
+  SearchLog complete([&](std::uint64_t page, std::uint64_t number, const std::vector<char>& answer) {
     kept[{page, number}] = answer;
   });
   for (const auto& [where, answer] : kept) complete.know(where.first, where.second, answer);
-  expect_same(discover(study, {.notes = &complete}), whole);
+  expect_same(search_attractors(study, {.notes = &complete}), whole);
   EXPECT_EQ(kept.size(), all);
 }
 

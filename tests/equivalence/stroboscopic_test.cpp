@@ -10,14 +10,14 @@
 
 #include "../support/sanitized.hpp"
 #include "equipoise/base/angles.hpp"
-#include "equipoise/basins/basin.hpp"
-#include "equipoise/fates/start_runner.hpp"
-#include "equipoise/kernels/lane_kernels.hpp"
-#include "equipoise/model/balanced_state.hpp"
-#include "equipoise/model/linearisation.hpp"
-#include "equipoise/model/strobe.hpp"
-#include "equipoise/orbits/stroboscopic.hpp"
+#include "equipoise/ensembles/basin.hpp"
+#include "equipoise/kernels/batch_kernels.hpp"
+#include "equipoise/mechanics/balanced_state.hpp"
+#include "equipoise/mechanics/linearisation.hpp"
+#include "equipoise/model/stroboscopic_section.hpp"
+#include "equipoise/periodic_orbits/stroboscopic_section.hpp"
 #include "equipoise/spin_up/start_source.hpp"
+#include "equipoise/start_runs/start_runner.hpp"
 #include "equipoise/trajectory/simulate.hpp"
 
 namespace equipoise {
@@ -76,7 +76,7 @@ double closure(const Study& study, const Motion& motion) {
 TEST(Stroboscopic, MultipliersOfTheBalancedStateAreThoseOfItsEigenvalues) {
   // Equal supports but for rounding: the general equations, and a motion whose multipliers are known otherwise.
   model::Parameters p = paper_rotor(0.0, {1.0, 1.0 + 1e-13}).parameters;
-  ASSERT_TRUE(model::is_strobed(p));
+  ASSERT_TRUE(model::depends_on_rotor_angle(p));
   model::Parameters isotropic = p;
   isotropic.stiffness = {1.0, 1.0};
   const auto phi = model::balanced_states(isotropic).angles.front();
@@ -86,7 +86,7 @@ TEST(Stroboscopic, MultipliersOfTheBalancedStateAreThoseOfItsEigenvalues) {
       model::jacobian(isotropic, 2.4, model::centred_state(isotropic, phi.data()).data()).eigenvalues();
   ASSERT_EQ(orbit->multipliers.size(), rates.size());
   for (const std::complex<double>& rate : rates) {
-    const std::complex<double> expected = std::exp(rate * model::strobe_period(p, 2.4));
+    const std::complex<double> expected = std::exp(rate * model::section_period(p, 2.4));
     double nearest = 1e300;
     for (const auto& m : orbit->multipliers) nearest = std::min(nearest, std::abs(m - expected));
     EXPECT_LT(nearest, 1e-9);  // integration at 1e-12 a step, some twenty steps
@@ -130,7 +130,7 @@ TEST(Stroboscopic, ADriftingMotionIsModulatedByGravity) {
   state[4] = state[5] = 1.0;  // balls together: they co-drift
   const auto motion = motion_from({study.parameters, 2.4}, state, 8000.0);
   ASSERT_TRUE(motion);
-  EXPECT_TRUE(motion->strobed);
+  EXPECT_TRUE(motion->depends_on_angle);
   EXPECT_EQ(motion->kind, MotionKind::quasi_periodic);
   EXPECT_EQ(motion_name(study.parameters, *motion).name.rfind("co-drifting", 0), 0u);
   EXPECT_NEAR(motion->exponents[0], 0.0, 2e-3);  // 8 / duration, as classified
@@ -150,11 +150,11 @@ TEST(Stroboscopic, DecisionsHoldMuchLater) {
     SpunUp starts;
     ASSERT_TRUE(source.make(study.sampling.seed, 0, count, starts));
     std::vector<Fate>& late = starts.fates;
-    DecisionRule rule = runner.rule();
+    ClassificationRule rule = runner.rule();
     rule.at_horizon = true;
-    LaneTask task = source.task(0, starts.states);
+    BatchTask task = source.task(0, starts.states);
     task.end = 2000.0;
-    ASSERT_TRUE(decide_lanes(task, rule, late, nullptr));
+    ASSERT_TRUE(classify_batch(task, rule, late, nullptr));
     std::size_t decided = 0, confirmed = 0, contradicted = 0;
     for (std::size_t i = 0; i < count; ++i) {
       if (early[i].attractor == 0) continue;

@@ -6,17 +6,17 @@
 
 #include <gtest/gtest.h>
 
-#include "equipoise/discovery/horizon.hpp"
-#include "equipoise/fates/start_runner.hpp"
-#include "equipoise/kernels/lane_kernels.hpp"
-#include "equipoise/model/balanced_state.hpp"
-#include "equipoise/model/room_in_race.hpp"
+#include "equipoise/balanced_regions/balanced_analysis.hpp"
+#include "equipoise/kernels/batch_kernels.hpp"
+#include "equipoise/mechanics/balanced_state.hpp"
+#include "equipoise/mechanics/room_in_race.hpp"
 #include "equipoise/model/unbalance.hpp"
-#include "equipoise/orbits/continuum_draws.hpp"
+#include "equipoise/periodic_orbits/continuum_draws.hpp"
+#include "equipoise/rotor_family/horizon.hpp"
 #include "equipoise/spin_up/initial_state.hpp"
 #include "equipoise/spin_up/spin_up.hpp"
+#include "equipoise/start_runs/start_runner.hpp"
 #include "equipoise/trajectory/simulate.hpp"
-#include "equipoise/traps/balanced_analysis.hpp"
 
 namespace equipoise {
 namespace {
@@ -46,14 +46,14 @@ Study crowded_rotor(double unbalance) {
 
 TEST(TouchingBalance, ExistsUpToARowSideBySide) {
   // Beside the share 1e-6 of all masses to which rows are told.
-  EXPECT_EQ(model::balanced_states(crowded_rotor(0.9999 * most).parameters).kind, Kind::family);
+  EXPECT_EQ(model::balanced_states(crowded_rotor(0.9999 * most).parameters).kind, Kind::continuum);
   const auto none = model::balanced_states(crowded_rotor(1.0001 * most).parameters);
   EXPECT_EQ(none.kind, Kind::none);
   EXPECT_EQ(none.reason, "balls of this size, side by side, cancel less than the unbalance");
   // Balls that pass each other cancel it.
   model::Parameters passing = crowded_rotor(1.0001 * most).parameters;
   passing.contact_angle = 0.0;
-  EXPECT_EQ(model::balanced_states(passing).kind, Kind::family);
+  EXPECT_EQ(model::balanced_states(passing).kind, Kind::continuum);
 }
 
 TEST(TouchingBalance, TwoBallsHaveRoomOrOverlap) {
@@ -72,7 +72,7 @@ TEST(TouchingBalance, TwoBallsHaveRoomOrOverlap) {
   EXPECT_EQ(heavy.kind, Kind::none);
   EXPECT_EQ(heavy.reason, "balls of this size have no room to cancel as little as the unbalance");
   p.mass[0] = 1.9 * ball;
-  EXPECT_EQ(model::balanced_states(p).kind, Kind::family);
+  EXPECT_EQ(model::balanced_states(p).kind, Kind::continuum);
 }
 
 TEST(TouchingBalance, MembersAreDrawnWithRoom) {
@@ -133,12 +133,12 @@ TEST(TouchingBalance, StartsWhoseBallsNeverMeetAreThoseOfBallsThatPass) {
     const auto source = make_spin_up(with_horizon(study), nullptr);
     SpunUp spun;
     EXPECT_TRUE(source->follow(begins, spun));
-    LaneTask task = source->last_task();
+    BatchTask task = source->last_task();
     task.end = 20.0;
     task.count = starts;
     task.states = spun.states.data();
     fates.assign(starts, Fate{});
-    EXPECT_TRUE(advance_lanes(task, fates));
+    EXPECT_TRUE(advance_batch(task, fates));
     return spun.states;
   };
   std::vector<Fate> fates, none;

@@ -9,12 +9,12 @@
 #include <gtest/gtest.h>
 
 #include "../support/studies.hpp"
-#include "equipoise/basins/basin.hpp"
-#include "equipoise/discovery/discovery.hpp"
-#include "equipoise/fates/transient_tally.hpp"
-#include "equipoise/kernels/lane_kernels.hpp"
+#include "equipoise/attractor_search/attractor_search.hpp"
+#include "equipoise/ensembles/basin.hpp"
+#include "equipoise/kernels/batch_kernels.hpp"
 #include "equipoise/sampling/starts.hpp"
 #include "equipoise/spin_up/start_source.hpp"
+#include "equipoise/start_runs/transient_tally.hpp"
 #include "equipoise/trajectory/simulate.hpp"
 #include "equipoise/transients/transient_watch.hpp"
 
@@ -80,13 +80,13 @@ std::vector<TransientRow> gathered(const Study& study, const TransientSettings& 
   TransientTable table{asked, {}, {}};
   SpunUp starts;
   EXPECT_TRUE(source.make(study.sampling.seed, 0, count, starts, &table));
-  LaneTask task = source.task(source.segments().size() - 1, starts.states);
+  BatchTask task = source.task(source.segments().size() - 1, starts.states);
   task.end = task.segment.begin + horizon;
   task.transients = &table;
-  DecisionRule rule;
+  ClassificationRule rule;
   rule.balls = study.parameters.balls;
   rule.at_horizon = true;
-  EXPECT_TRUE(decide_lanes(task, rule, starts.fates, nullptr));
+  EXPECT_TRUE(classify_batch(task, rule, starts.fates, nullptr));
   std::vector<TransientRow> rows;
   for (const TransientSums& sums : table.rows) rows.push_back(transient_row(asked, sums, false));
   return rows;
@@ -259,7 +259,7 @@ Study ensemble(std::uint64_t starts) {
 }
 
 BasinOptions options(int threads, const std::string& output = {}) {
-  static DiscoveryCache discoveries;  // all studies here end at one speed
+  static AttractorSearchCache discoveries;  // all studies here end at one speed
   BasinOptions o;
   o.discoveries = &discoveries;
   o.threads = threads;
@@ -349,7 +349,8 @@ TEST(BasinTransients, FiguresAtTheEndAreThoseOfTheMotionWhateverDecides) {
   study.limits.velocity = 0.01;
   study.limits.displacement = 0.01;
   std::vector<BasinResult> results;
-  for (const DecideMode mode : {DecideMode::validated, DecideMode::proof, DecideMode::horizon}) {
+  for (const ClassificationMode mode :
+       {ClassificationMode::validated, ClassificationMode::proof, ClassificationMode::horizon}) {
     study.numerics.decide = mode;
     results.push_back(basin(study, options(2)));
     const TransientGroup& balanced = results.back().transients->groups[1];

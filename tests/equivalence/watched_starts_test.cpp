@@ -7,9 +7,9 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
-#include "equipoise/basins/basin.hpp"
-#include "equipoise/basins/ensemble.hpp"
-#include "equipoise/basins/mapper.hpp"
+#include "equipoise/analyses/ensemble.hpp"
+#include "equipoise/analyses/mapper.hpp"
+#include "equipoise/ensembles/basin.hpp"
 #include "equipoise/trajectory/followed_run.hpp"
 #include "equipoise/trajectory/simulate.hpp"
 #include "equipoise/trajectory/study_equations.hpp"
@@ -157,8 +157,9 @@ TEST(CoincidentBalls, PartForWhoeverFollowsThem) {
 // Where the study says nothing balls of any size and number have room.
 TEST(Simulate, StartsFromTheDefaultsOfBallsThatTouch) {
   for (const char* contact : {"0.3", "0.78"}) {  // eight balls fill the race at 0.785
-    const Study study = parse_study(constant_speed, "rotor",
-                                    {"balancer.balls=8", "balancer.mass=0.01", fmt::format("balancer.contact_angle={}", contact)});
+    const Study study =
+        parse_study(constant_speed, "rotor",
+                    {"balancer.balls=8", "balancer.mass=0.01", fmt::format("balancer.contact_angle={}", contact)});
     EXPECT_EQ(simulate(study, {0.0, 1.0}).status, IntegrationStatus::done) << contact;
   }
 }

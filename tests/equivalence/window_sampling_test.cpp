@@ -4,9 +4,9 @@
 
 #include <gtest/gtest.h>
 
+#include "equipoise/analyses/attractors.hpp"
 #include "equipoise/base/angles.hpp"
-#include "equipoise/basins/attractors.hpp"
-#include "equipoise/lanes/lane_block-inl.hpp"
+#include "equipoise/batch/batch_block-inl.hpp"
 #include "equipoise/model/flow-inl.hpp"
 #include "equipoise/study/study.hpp"
 
@@ -29,7 +29,7 @@ struct StepWatch : kernels::NoObserver {
 
 double longest_step(const model::Parameters& p, double speed, const Eigen::VectorXd& begin) {
   std::vector<double> state(begin.data(), begin.data() + begin.size());
-  LaneTask task;
+  BatchTask task;
   task.parameters = &p;
   task.segment = {0.0, 1e300, 0.0, speed, 0.0, false};
   task.end = 400.0;
@@ -40,7 +40,7 @@ double longest_step(const model::Parameters& p, double speed, const Eigen::Vecto
   watch.after = 100.0;
   using Flow = kernels::FreeFlow<kernels::Pack, 2, kernels::paper_terms(false)>;
   const Flow flow(p, task.segment);
-  kernels::LaneBlock<Flow, StepWatch, 1> block(task, flow, watch);
+  kernels::BatchBlock<Flow, StepWatch, 1> block(task, flow, watch);
   EXPECT_TRUE(block.run());
   return watch.longest;
 }

@@ -133,7 +133,7 @@ void motions(const equipoise::Study& study) {
   equipoise::ContinuationOptions following;
   int reports = 0;
   following.progress = [&](const equipoise::Progress&) { ++reports; };
-  const equipoise::BranchesResult branches = equipoise::follow_attractors(study, line, following);
+  const equipoise::ContinuationResult branches = equipoise::follow_attractors(study, line, following);
   expect(reports >= 2 && branches.branches.size() >= 2 && branches.branches.front().points.size() == 2,
          "attractors are followed along a parameter");
   std::printf("%s", equipoise::branches_text(branches).c_str());
@@ -149,10 +149,10 @@ void trajectories(const equipoise::Study& study) {
   const auto trajectory = equipoise::simulate(study, equipoise::output_times(study, 400.0));
   std::printf("r(%g) = %.3g\n", trajectory.t.back(), trajectory.radial.back());
   expect(trajectory.t.size() == 101 && trajectory.radial.back() < 1e-3, "one trajectory comes to balance");
-  equipoise::PlaneMapSettings plane;
+  equipoise::BasinSliceSettings plane;
   plane.x = {"rotor.eccentricity", 0.0, 0.02, 2};
   plane.y = {"initial.phi_1", 0.0, 6.0, 2};
-  expect(equipoise::plane_map(study, plane).code.size() == 4, "a map of four pixels");
+  expect(equipoise::basin_slice(study, plane).code.size() == 4, "a map of four pixels");
 }
 
 }  // namespace

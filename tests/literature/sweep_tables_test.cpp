@@ -56,8 +56,7 @@ std::size_t cell_of(const SweepPlan& plan, const PublishedRow& row) {
 EnsembleResult ensemble_of(const SweepCell& cell) {
   EnsembleResult ensemble;
   ensemble.starts = cell.starts;
-  for (const SweepOutcome& outcome : cell.outcomes)
-    ensemble.attractors.push_back(outcome);
+  for (const SweepOutcome& outcome : cell.outcomes) ensemble.attractors.push_back(outcome);
   ensemble.complete = true;
   return ensemble;
 }

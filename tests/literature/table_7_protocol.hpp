@@ -4,7 +4,7 @@
 #include <array>
 #include <vector>
 
-#include "equipoise/model/speed.hpp"
+#include "equipoise/drives/speed.hpp"
 #include "equipoise/reproduction/table_7.hpp"
 #include "equipoise/study/study.hpp"
 

@@ -1,5 +1,5 @@
 // The page's sentence, its numbers and what its drawings are made of, from results made by hand.
-#include "equipoise/pages/answer.hpp"
+#include "equipoise/html/answer.hpp"
 
 #include <cmath>
 #include <limits>
@@ -8,8 +8,8 @@
 
 #include "../support/studies.hpp"
 #include "equipoise/drawing/svg.hpp"
-#include "equipoise/pages/given_keys.hpp"
-#include "equipoise/pages/quantities.hpp"
+#include "equipoise/html/given_keys.hpp"
+#include "equipoise/plots/quantities.hpp"
 #include "equipoise/shown/shown_runs.hpp"
 
 namespace equipoise {

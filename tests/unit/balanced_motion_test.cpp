@@ -6,11 +6,11 @@
 
 #include <gtest/gtest.h>
 
+#include "equipoise/balanced_regions/balanced_analysis.hpp"
 #include "equipoise/base/angles.hpp"
-#include "equipoise/model/strobe.hpp"
-#include "equipoise/orbits/stroboscopic.hpp"
+#include "equipoise/model/stroboscopic_section.hpp"
+#include "equipoise/periodic_orbits/stroboscopic_section.hpp"
 #include "equipoise/study/study.hpp"
-#include "equipoise/traps/balanced_analysis.hpp"
 #include "equipoise/trajectory/simulate.hpp"
 
 namespace equipoise {

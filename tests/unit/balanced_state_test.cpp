@@ -1,5 +1,5 @@
 // Existence and angles of balanced states: the polygon inequality and its edge cases (docs/equations.md, "Existence").
-#include "equipoise/model/balanced_state.hpp"
+#include "equipoise/mechanics/balanced_state.hpp"
 
 #include <gtest/gtest.h>
 
@@ -95,8 +95,8 @@ TEST(BalancedStates, AreRuledOutByThePolygonInequality) {
 }
 
 TEST(BalancedStates, WithoutUnbalanceFormAFamilyIfTheBallsBalanceEachOther) {
-  EXPECT_EQ(balanced_states(rotor(0.0, {0.05, 0.05})).kind, Kind::family);
-  EXPECT_EQ(balanced_states(rotor(0.0, {0.05, 0.06, 0.07})).kind, Kind::family);
+  EXPECT_EQ(balanced_states(rotor(0.0, {0.05, 0.05})).kind, Kind::continuum);
+  EXPECT_EQ(balanced_states(rotor(0.0, {0.05, 0.06, 0.07})).kind, Kind::continuum);
   expect_none(rotor(0.0, {0.05, 0.04}));
   expect_none(rotor(0.0, {0.2, 0.05, 0.06}));
 }
@@ -119,7 +119,7 @@ TEST(BalancedStates, OfThreeBallsOrMoreAreFoundNearAnyGenericStart) {
     Parameters p = rotor(0.01, {});
     p.balls = n;
     for (int i = 0; i < n; ++i) p.mass[i] = 0.03 + 0.002 * i;
-    EXPECT_EQ(balanced_states(p).kind, Kind::family);
+    EXPECT_EQ(balanced_states(p).kind, Kind::continuum);
     double phi[8];
     for (int i = 0; i < n; ++i) phi[i] = 2.0 * pi * i / n + 0.3 * std::sin(3.0 * i);
     ASSERT_TRUE(equipoise::model::project_to_balanced(p, phi)) << n << " balls";

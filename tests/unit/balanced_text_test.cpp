@@ -5,15 +5,15 @@
 
 #include "../support/parameters.hpp"
 #include "equipoise/reproduction/reproduction_words.hpp"
-#include "equipoise/store/basin_file.hpp"
+#include "equipoise/result_files/basin_file.hpp"
 #include "equipoise/types/fate.hpp"
 
 namespace equipoise {
 namespace {
 
 // A row of letters each: b balanced, u undecided, all others "locked".
-PlaneMap drawn(const std::string& y, const std::vector<std::string>& rows) {
-  PlaneMap map;
+BasinSlice drawn(const std::string& y, const std::vector<std::string>& rows) {
+  BasinSlice map;
   map.study = study_of(base_rotor(2), 2.4);  // mu = 0.05
   map.x = {"rotor.eccentricity", 0.0, 0.1, static_cast<int>(rows.front().size())};
   map.y = {y, 0.0, 0.1, static_cast<int>(rows.size())};
@@ -43,7 +43,7 @@ TEST(BalancedText, OfMassesSaysHowMuchOfWhatTheBallsCanCancel) {
 }
 
 TEST(BalancedText, SaysNothingOfAMapThatStopped) {
-  PlaneMap map = drawn("initial.phi_1", {"bb", "bb"});
+  BasinSlice map = drawn("initial.phi_1", {"bb", "bb"});
   map.complete = false;
   EXPECT_EQ(balanced_text(map), "");
 }

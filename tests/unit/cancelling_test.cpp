@@ -1,5 +1,5 @@
 // What balls with a size can cancel: by hand where there is a formula, and never less than balls drawn at random make.
-#include "equipoise/model/cancelling.hpp"
+#include "equipoise/mechanics/cancelling.hpp"
 
 #include <gtest/gtest.h>
 

@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-#include "equipoise/motions/catalogue.hpp"
+#include "equipoise/attractors/catalogue.hpp"
 
 namespace equipoise {
 namespace {
@@ -16,7 +16,7 @@ std::vector<int> numbers(const std::vector<Attractor>& attractors) {
   return result;
 }
 
-// Discovery makes a trap for each new attractor, and for none a second time.
+// AttractorSearch makes a trapping region for each new attractor, and for none a second time.
 TEST(Catalogue, TellsWhatIsNewWhereverItStands) {
   Catalogue list;
   for (const int id : {1, 9, 4}) list.add(attractor(id));

@@ -7,10 +7,10 @@
 #include "equipoise/drawing/chart_svg.hpp"
 #include "equipoise/drawing/plot_parts.hpp"
 #include "equipoise/drawing/raster.hpp"
-#include "equipoise/drawing/sweep_layers.hpp"
-#include "equipoise/pages/answer.hpp"
-#include "equipoise/pages/quantities.hpp"
-#include "equipoise/store/basin_file.hpp"
+#include "equipoise/html/answer.hpp"
+#include "equipoise/plots/quantities.hpp"
+#include "equipoise/plots/sweep_layers.hpp"
+#include "equipoise/result_files/basin_file.hpp"
 #include "equipoise/types/fate.hpp"
 
 namespace equipoise {
@@ -126,7 +126,7 @@ TEST(CapacityAnswer, TellsTheBoundaryOrWhatLiesBeyond) {
 }
 
 TEST(MapAnswer, TellsThePartThatBalances) {
-  PlaneMap map;
+  BasinSlice map;
   map.study = parse_study(constant_speed, "c.toml");
   map.x.key = "initial.phi_1";
   map.y.key = "initial.phi_2";

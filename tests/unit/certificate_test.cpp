@@ -13,15 +13,15 @@
 
 #include "../support/refusals.hpp"
 #include "../support/studies.hpp"
+#include "equipoise/analyses/certify.hpp"
+#include "equipoise/balanced_regions/balanced_analysis.hpp"
+#include "equipoise/balanced_regions/balanced_region.hpp"
+#include "equipoise/balanced_regions/critical_level.hpp"
 #include "equipoise/base/error.hpp"
-#include "equipoise/basins/certify.hpp"
 #include "equipoise/math/lyapunov.hpp"
-#include "equipoise/model/linearisation.hpp"
-#include "equipoise/report/certificate_json.hpp"
-#include "equipoise/report/certify_report.hpp"
-#include "equipoise/traps/balanced_analysis.hpp"
-#include "equipoise/traps/balanced_trap.hpp"
-#include "equipoise/traps/critical_level.hpp"
+#include "equipoise/mechanics/linearisation.hpp"
+#include "equipoise/reports/certificate_json.hpp"
+#include "equipoise/reports/certify_report.hpp"
 
 namespace {
 
@@ -46,11 +46,11 @@ struct Case {
 };
 
 Case case_of(const model::Parameters& p, double speed, std::size_t state = 0) {
-  const BalancedTrap trap = analyse_balanced({p, speed}).traps.at(state);
+  const BalancedRegion region = analyse_balanced({p, speed}).regions.at(state);
   const int size = model::dimension(p.balls);
   const Eigen::Map<const Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>> factor(
-      trap.factor.data(), size, size);
-  return {p, speed, trap.phi, factor.transpose() * factor, trap.level / level_margin};
+      region.factor.data(), size, size);
+  return {p, speed, region.phi, factor.transpose() * factor, region.level / level_margin};
 }
 
 CertificateResult prove(const Case& c, double share, Certificate& certificate) {
@@ -161,22 +161,22 @@ TEST(CriticalLevel, DoesNotDependOnTheSenseOfTurning) {
     model::Parameters p = balancer(5.2, masses, 0.0083);
     p.damping = {0.883, 0.883};
     const BalancedAnalysis forwards = analyse_balanced({p, 2.0}), backwards = analyse_balanced({p, -2.0});
-    ASSERT_FALSE(forwards.traps.empty());
-    ASSERT_EQ(forwards.traps.size(), backwards.traps.size());
+    ASSERT_FALSE(forwards.regions.empty());
+    ASSERT_EQ(forwards.regions.size(), backwards.regions.size());
     Eigen::VectorXd sign = -Eigen::VectorXd::Ones(model::dimension(p.balls));
     sign[model::index::x] = sign[model::index::u] = 1.0;
-    for (const BalancedTrap& trap : forwards.traps) {
+    for (const BalancedRegion& region : forwards.regions) {
       double nearest = 1.0;  // the computation is the same but for its last roundings
-      for (const BalancedTrap& other : backwards.traps)
-        nearest = std::min(nearest, std::fabs(other.level / trap.level - 1.0));
+      for (const BalancedRegion& other : backwards.regions)
+        nearest = std::min(nearest, std::fabs(other.level / region.level - 1.0));
       EXPECT_LT(nearest, 1e-9);
       std::array<double, model::max_balls> phi{};
-      for (int i = 0; i < p.balls; ++i) phi[i] = -trap.phi[i];
-      const Eigen::MatrixXd mirrored = sign.asDiagonal() * form_of(trap) * sign.asDiagonal();
+      for (int i = 0; i < p.balls; ++i) phi[i] = -region.phi[i];
+      const Eigen::MatrixXd mirrored = sign.asDiagonal() * form_of(region) * sign.asDiagonal();
       SearchVectors vectors(mirrored.rows());
       const double level = critical_level({p, -2.0}, model::centred_state(p, phi.data()), mirrored, 20000, vectors);
       // A tenth is what level_margin leaves for the search's error.
-      EXPECT_NEAR(level_margin * level / trap.level, 1.0, 0.1);
+      EXPECT_NEAR(level_margin * level / region.level, 1.0, 0.1);
     }
   }
 }
@@ -277,7 +277,7 @@ TEST(Certificate, CoversTheTrapThatAProgramTestsInDoubles) {
   // The program's V, from a rounded factor about rounded angles, against the exact form's: apart by far less than
   // level_slack.
   const Case c = case_of(balancer(0.01), 6.0);
-  const BalancedTrap trap = analyse_balanced({c.p, c.speed}).traps.front();
+  const BalancedRegion region = analyse_balanced({c.p, c.speed}).regions.front();
   const int size = 8;
   std::mt19937_64 random(11);
   std::normal_distribution<double> normal;
@@ -289,7 +289,7 @@ TEST(Certificate, CoversTheTrapThatAProgramTestsInDoubles) {
     double v = 0.0;
     for (int row = 0; row < size; ++row) {
       double sum = 0.0;
-      for (int k = row; k < size; ++k) sum += trap.factor[row * size + k] * d[k];
+      for (int k = row; k < size; ++k) sum += region.factor[row * size + k] * d[k];
       v += sum * sum;
     }
     EXPECT_NEAR(v, 1.0, 1e-2 * level_slack);

@@ -7,7 +7,7 @@
 #include <thread>
 #include <vector>
 
-#include "equipoise/basins/chunks.hpp"
+#include "equipoise/ensembles/chunks.hpp"
 #include "equipoise/sweeps/cell_desk.hpp"
 
 namespace equipoise {
@@ -88,7 +88,9 @@ TEST(Chunks, AreSharedWithIdleThreads) {
 // Some are lent and come back decided, some come back as they went, one comes back when all is over.
 TEST(Chunks, AreLentAndTakenBack) {
   CellDesk desk;
-  const CellAtWork cell{.cell = 3, .start = {.seeds = {{1.0}}, .informed = true, .hints = {}}, .method = SamplingMethod::random};
+  const CellAtWork cell{.cell = 3,
+                        .start = {.warm_start_states = {{1.0}}, .warm_start = true, .warm_start_levels = {}},
+                        .method = SamplingMethod::random};
   std::atomic<bool> over{false};
   std::thread other([&] {
     for (std::size_t k = 0; !over; ++k) {

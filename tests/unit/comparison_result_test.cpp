@@ -1,5 +1,5 @@
 // Two ensembles compared: pairs, names, bounds, what cannot be paired.
-#include "equipoise/basins/comparison.hpp"
+#include "equipoise/analyses/comparison.hpp"
 
 #include <algorithm>
 #include <string>
@@ -9,8 +9,8 @@
 #include <gtest/gtest.h>
 
 #include "equipoise/base/error.hpp"
-#include "equipoise/report/comparison_report.hpp"
-#include "equipoise/store/basin_file.hpp"
+#include "equipoise/reports/comparison_report.hpp"
+#include "equipoise/result_files/basin_file.hpp"
 #include "../support/studies.hpp"
 
 namespace equipoise {

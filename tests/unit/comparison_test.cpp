@@ -13,7 +13,7 @@ namespace {
 TEST(Agreement, LargeCountsUseThePooledNormalTest) {
   // 0.60 of 1000 against 0.65 of 2000: pooled 0.63333, z = 0.05 / 0.0186637 = 2.67900.
   EXPECT_NEAR(agreement_p_value(600, 1000, {0.65, 0.0, 2000}), 0.00738427, 1e-8);  // the digits given
-  EXPECT_NEAR(agreement_p_value(650, 1000, {0.65, 0.0, 2000}), 1.0, 1e-12);       // exact equality but for rounding
+  EXPECT_NEAR(agreement_p_value(650, 1000, {0.65, 0.0, 2000}), 1.0, 1e-12);        // exact equality but for rounding
 }
 
 TEST(Agreement, RoundingOfThePrintIsGrantedFirst) {

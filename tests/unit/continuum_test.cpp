@@ -7,11 +7,11 @@
 #include <Eigen/QR>
 #include <gtest/gtest.h>
 
-#include "equipoise/model/linearisation.hpp"
-#include "equipoise/model/strobe.hpp"
-#include "equipoise/orbits/balanced_continuum.hpp"
-#include "equipoise/orbits/orbit.hpp"
-#include "equipoise/orbits/variational.hpp"
+#include "equipoise/mechanics/linearisation.hpp"
+#include "equipoise/model/stroboscopic_section.hpp"
+#include "equipoise/periodic_orbits/continuum_of_equilibria.hpp"
+#include "equipoise/periodic_orbits/orbit.hpp"
+#include "equipoise/periodic_orbits/variational.hpp"
 #include "../support/parameters.hpp"
 
 namespace equipoise {
@@ -49,7 +49,7 @@ VectorXd random_direction(std::mt19937_64& random, Eigen::Index size) {
 // both along and across the continuum. An orthogonal projection on the range sees nothing of it.
 TEST(Continuum, DeviationsAcrossTheRangeAreNotOverlooked) {
   for (const Case& c : cases()) {
-    const BalancedContinuum continuum({c.p, c.speed});
+    const ContinuumOfEquilibria continuum({c.p, c.speed});
     const ContinuumSurvey survey = continuum.survey();
     ASSERT_TRUE(survey.attracts()) << c.name;
     const auto m = continuum.member(survey.typical.data());
@@ -80,7 +80,7 @@ TEST(Continuum, DeviationsAcrossTheRangeAreNotOverlooked) {
 TEST(Continuum, DestinationsAreWhereTrajectoriesEnd) {
   std::mt19937_64 random(3);
   for (const Case& c : cases()) {
-    const BalancedContinuum continuum({c.p, c.speed});
+    const ContinuumOfEquilibria continuum({c.p, c.speed});
     const ContinuumSurvey survey = continuum.survey();
     for (int k = 0; k < 4; ++k) {
       const auto m = continuum.member(survey.members[survey.members.size() * (k + 4) / 8].data());
@@ -90,7 +90,7 @@ TEST(Continuum, DestinationsAreWhereTrajectoriesEnd) {
           m->centre + away * model::state_scale(c.p).cwiseProduct(random_direction(random, m->centre.size()));
       const auto end = continuum.destination(state);
       ASSERT_TRUE(end) << c.name;
-      const double strobe = model::is_strobed(c.p) ? model::strobe_period(c.p, c.speed) : 1.0;
+      const double strobe = model::depends_on_rotor_angle(c.p) ? model::section_period(c.p, c.speed) : 1.0;
       const auto z = advance_state({c.p, c.speed}, state, strobe * std::ceil(12.0 / -m->rate / strobe));
       ASSERT_TRUE(z) << c.name;
       double moved = 0.0, off = 0.0;
@@ -108,7 +108,7 @@ TEST(Continuum, DestinationsAreWhereTrajectoriesEnd) {
 // on |sum e^{2 i phi}| and on nothing else.
 TEST(Continuum, StabilityOfEqualBallsDependsOnOneNumber) {
   const model::Parameters p = base_rotor(4);
-  const BalancedContinuum continuum({p, 2.4});
+  const ContinuumOfEquilibria continuum({p, 2.4});
   const ContinuumSurvey survey = continuum.survey();
   ASSERT_GT(survey.members.size(), 100u);
   std::vector<std::pair<double, double>> points;
@@ -131,16 +131,16 @@ TEST(Continuum, StabilityOfEqualBallsDependsOnOneNumber) {
 // Shares of stable members: of four balls 51 % by an independent program (600 members, standard error 2 %, 1.6 % here:
 // within three of both); of three and five none is stable at this speed, of eight 2 %.
 TEST(Continuum, SurveySaysWhichPartAttracts) {
-  const ContinuumSurvey four = BalancedContinuum({base_rotor(4), 2.4}).survey();
+  const ContinuumSurvey four = ContinuumOfEquilibria({base_rotor(4), 2.4}).survey();
   EXPECT_EQ(four.drawn, 1024);
   EXPECT_NEAR(four.share(), 0.51, 0.08);
   EXPECT_LT(four.fastest_rate, -0.02);
   for (const int balls : {3, 5}) {
-    const ContinuumSurvey none = BalancedContinuum({base_rotor(balls), 2.4}).survey();
+    const ContinuumSurvey none = ContinuumOfEquilibria({base_rotor(balls), 2.4}).survey();
     EXPECT_FALSE(none.attracts()) << balls;
     EXPECT_GT(none.least_growth, 0.0) << balls;
   }
-  const ContinuumSurvey eight = BalancedContinuum({base_rotor(8), 2.4}).survey();
+  const ContinuumSurvey eight = ContinuumOfEquilibria({base_rotor(8), 2.4}).survey();
   EXPECT_TRUE(eight.attracts());
   EXPECT_GT(eight.share(), 0.0);
   EXPECT_LT(eight.share(), 0.1);
@@ -155,7 +155,7 @@ TEST(Continuum, WhatNewtonsMethodLeavesIsNoMember) {
   p.gravity = 0.0385;
   p.rolls = true;
   p.ball_radius.fill(0.078);
-  const BalancedContinuum continuum({p, 1.817});
+  const ContinuumOfEquilibria continuum({p, 1.817});
   const ContinuumSurvey survey = continuum.survey();
   ASSERT_TRUE(survey.attracts());
   int members = 0;

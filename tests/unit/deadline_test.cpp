@@ -1,5 +1,5 @@
 // Times as they are written, and a flag that a clock sets.
-#include "equipoise/base/deadline.hpp"
+#include "equipoise/running/deadline.hpp"
 
 #include <chrono>
 #include <string>

@@ -7,8 +7,8 @@
 #include <gtest/gtest.h>
 
 #include "equipoise/base/angles.hpp"
-#include "equipoise/basins/sampling_choice.hpp"
-#include "equipoise/basins/tally.hpp"
+#include "equipoise/ensembles/sampling_choice.hpp"
+#include "equipoise/ensembles/tally.hpp"
 #include "equipoise/sampling/jittered_grid.hpp"
 #include "equipoise/statistics/even_share.hpp"
 

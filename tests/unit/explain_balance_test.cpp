@@ -10,9 +10,9 @@
 
 #include "equipoise/base/angles.hpp"
 #include "equipoise/explain/balanced_motion.hpp"
-#include "equipoise/model/strobe.hpp"
-#include "equipoise/report/explain_report.hpp"
-#include "equipoise/report/grade_text.hpp"
+#include "equipoise/model/stroboscopic_section.hpp"
+#include "equipoise/reports/explain_report.hpp"
+#include "equipoise/text/grade_text.hpp"
 #include "equipoise/trajectory/simulate.hpp"
 #include "../support/studies.hpp"
 #include "../support/explained.hpp"

@@ -7,8 +7,8 @@
 #include <nlohmann/json.hpp>
 
 #include "equipoise/base/angles.hpp"
-#include "equipoise/report/explain_report.hpp"
-#include "equipoise/report/text.hpp"
+#include "equipoise/reports/explain_report.hpp"
+#include "equipoise/text/text.hpp"
 #include "equipoise/trajectory/simulate.hpp"
 #include "../support/studies.hpp"
 #include "../support/explained.hpp"

@@ -8,7 +8,7 @@
 
 #include "equipoise/base/angles.hpp"
 #include "equipoise/base/error.hpp"
-#include "equipoise/report/explain_report.hpp"
+#include "equipoise/reports/explain_report.hpp"
 #include "../support/snapshots.hpp"
 #include "../support/studies.hpp"
 #include "../support/explained.hpp"

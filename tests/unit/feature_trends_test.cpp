@@ -1,12 +1,12 @@
 // What motions look like from rotor to rotor.
-#include "equipoise/discovery/feature_trends.hpp"
+#include "equipoise/attractor_search/feature_trends.hpp"
 
 #include <vector>
 
 #include <gtest/gtest.h>
 
-#include "equipoise/deciding/window_features.hpp"
-#include "equipoise/lanes/own_rotor.hpp"
+#include "equipoise/batch/own_rotor.hpp"
+#include "equipoise/classification/window_features.hpp"
 #include "equipoise/literature/paper_rotor.hpp"
 
 namespace equipoise {

@@ -6,7 +6,7 @@
 #include <gtest/gtest.h>
 
 #include "equipoise/base/error.hpp"
-#include "equipoise/pages/form.hpp"
+#include "equipoise/html/form.hpp"
 #include "../support/studies.hpp"
 
 namespace equipoise {

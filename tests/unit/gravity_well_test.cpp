@@ -12,10 +12,10 @@
 #include <Eigen/Core>
 
 #include "equipoise/base/angles.hpp"
-#include "equipoise/model/gravity_well.hpp"
+#include "equipoise/mechanics/gravity_well.hpp"
+#include "equipoise/mechanics/linearisation.hpp"
 #include "equipoise/model/held_state.hpp"
-#include "equipoise/model/linearisation.hpp"
-#include "equipoise/orbits/variational.hpp"
+#include "equipoise/periodic_orbits/variational.hpp"
 #include "equipoise/study/study.hpp"
 
 namespace equipoise {

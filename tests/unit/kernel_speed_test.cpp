@@ -9,7 +9,7 @@
 #include <gtest/gtest.h>
 
 #include "equipoise/integrate/adaptive-inl.hpp"
-#include "equipoise/kernels/lane_kernels.hpp"
+#include "equipoise/kernels/batch_kernels.hpp"
 #include "equipoise/literature/paper_rotor.hpp"
 #include "equipoise/model/flow-inl.hpp"
 #include "equipoise/sampling/starts.hpp"
@@ -36,10 +36,10 @@ double lane_nanoseconds() {
   constexpr int count = 256;
   std::vector<double> states = starts(count);
   std::vector<Fate> fates(count);
-  LaneWork work;
-  LaneTask task{&p, constant_speed, until, 1e-6, count, states.data(), nullptr, &work};
+  BatchWork work;
+  BatchTask task{&p, constant_speed, until, 1e-6, count, states.data(), nullptr, &work};
   const double begin = seconds();
-  EXPECT_TRUE(advance_lanes(task, fates));
+  EXPECT_TRUE(advance_batch(task, fates));
   const double spent = seconds() - begin;
   EXPECT_GT(work.accepted, 0u);
   return 1e9 * spent / static_cast<double>(work.evaluations(count));

@@ -1,6 +1,6 @@
 // The Jacobian against the second-order form M z'' + C z' + K z = 0 about balanced states (docs/equations.md,
 // "Linearisation"), against recorded eigenvalues and against differences.
-#include "equipoise/model/linearisation.hpp"
+#include "equipoise/mechanics/linearisation.hpp"
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>
@@ -12,7 +12,7 @@
 #include <vector>
 
 #include "equipoise/base/angles.hpp"
-#include "equipoise/model/balanced_state.hpp"
+#include "equipoise/mechanics/balanced_state.hpp"
 #include "../support/parameters.hpp"
 
 namespace {

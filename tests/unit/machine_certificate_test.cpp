@@ -12,14 +12,14 @@
 #include <Eigen/Dense>
 
 #include "../support/studies.hpp"
-#include "equipoise/basins/certify.hpp"
-#include "equipoise/model/balanced_state.hpp"
-#include "equipoise/model/linearisation.hpp"
+#include "equipoise/analyses/certify.hpp"
+#include "equipoise/balanced_regions/balanced_analysis.hpp"
+#include "equipoise/balanced_regions/balanced_region.hpp"
+#include "equipoise/mechanics/balanced_state.hpp"
+#include "equipoise/mechanics/linearisation.hpp"
 #include "equipoise/proof/certificate.hpp"
-#include "equipoise/report/certificate_json.hpp"
-#include "equipoise/report/certify_report.hpp"
-#include "equipoise/traps/balanced_analysis.hpp"
-#include "equipoise/traps/balanced_trap.hpp"
+#include "equipoise/reports/certificate_json.hpp"
+#include "equipoise/reports/certify_report.hpp"
 
 namespace {
 
@@ -91,10 +91,10 @@ struct Proved {
 };
 
 Proved largest(const model::System& system) {
-  const BalancedTrap trap = analyse_balanced(system).traps.at(0);
-  const double critical = trap.level / level_margin;
+  const BalancedRegion region = analyse_balanced(system).regions.at(0);
+  const double critical = region.level / level_margin;
   std::string reason;
-  const Certificate c = largest_certificate(system, trap.phi.data(), form_of(trap), critical, &reason);
+  const Certificate c = largest_certificate(system, region.phi.data(), form_of(region), critical, &reason);
   EXPECT_EQ(reason, "");
   return {c, critical};
 }

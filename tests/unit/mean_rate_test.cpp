@@ -5,8 +5,8 @@
 
 #include <gtest/gtest.h>
 
+#include "equipoise/attractors/mean_rate.hpp"
 #include "equipoise/base/angles.hpp"
-#include "equipoise/motions/mean_rate.hpp"
 
 namespace equipoise {
 namespace {
@@ -69,7 +69,7 @@ TEST(MeanRate, WeighsSlipsOfChaosAgainstTheirScatter) {
     // A tenth of the time does not tell.
     too_soon += drift_of(mean_rate(random_slips(seed, 2e3, 100.0, 0.5), false), false, 0.024) == Drift::none;
   }
-  EXPECT_LE(too_soon, 2u);  // three standard deviations are 0.042 there, which blocks know to 18 %
+  EXPECT_LE(too_soon, 2u);   // three standard deviations are 0.042 there, which blocks know to 18 %
   EXPECT_GE(captured, 38u);  // three standard deviations by Student's t with 15 degrees are exceeded by 1 in 110
 }
 

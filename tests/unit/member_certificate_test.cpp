@@ -8,12 +8,12 @@
 #include <random>
 #include <string>
 
-#include "equipoise/basins/certify.hpp"
+#include "equipoise/analyses/certify.hpp"
 #include "equipoise/math/dense.hpp"
-#include "equipoise/model/linearisation.hpp"
-#include "equipoise/orbits/continuum_draws.hpp"
-#include "equipoise/report/certificate_json.hpp"
-#include "equipoise/report/certify_report.hpp"
+#include "equipoise/mechanics/linearisation.hpp"
+#include "equipoise/periodic_orbits/continuum_draws.hpp"
+#include "equipoise/reports/certificate_json.hpp"
+#include "equipoise/reports/certify_report.hpp"
 
 namespace {
 

@@ -9,9 +9,9 @@
 #include <netcdf.h>
 #include <unistd.h>
 
-#include "equipoise/files/netcdf.hpp"
+#include "equipoise/io/netcdf.hpp"
 
-namespace equipoise::store {
+namespace equipoise::io {
 namespace {
 
 // A file that holds `number` a hundred times, and its text.
@@ -60,4 +60,4 @@ TEST(NetcdfFile, IsWrittenAndReadBySeveralThreads) {
 }
 
 }  // namespace
-}  // namespace equipoise::store
+}  // namespace equipoise::io

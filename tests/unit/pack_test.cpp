@@ -11,7 +11,7 @@
 #include "hwy/highway.h"
 
 #include "equipoise/base/pack-inl.hpp"
-#include "equipoise/lanes/step_control-inl.hpp"
+#include "equipoise/batch/step_control-inl.hpp"
 
 HWY_BEFORE_NAMESPACE();
 namespace equipoise {

@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-#include "equipoise/deciding/pilot.hpp"
+#include "equipoise/classification/pilot.hpp"
 
 namespace equipoise {
 namespace {

@@ -1,5 +1,5 @@
 // Which pixels of a painted map are computed, and what the others are filled with.
-#include "equipoise/maps/pixel_plan.hpp"
+#include "equipoise/basin_slices/pixel_plan.hpp"
 
 #include <cmath>
 #include <cstdint>
@@ -8,9 +8,9 @@
 
 #include <gtest/gtest.h>
 
-#include "equipoise/maps/map_names.hpp"
-#include "equipoise/maps/reused_pixels.hpp"
-#include "equipoise/store/basin_file.hpp"
+#include "equipoise/basin_slices/reused_pixels.hpp"
+#include "equipoise/basin_slices/slice_names.hpp"
+#include "equipoise/result_files/basin_file.hpp"
 
 namespace equipoise {
 namespace {
@@ -18,7 +18,7 @@ namespace {
 using Paint = std::function<short(int column, int row)>;
 
 struct Painted {
-  std::vector<MapPixel> pixels;
+  std::vector<SlicePixel> pixels;
   std::uint64_t computed = 0;
   bool twice = false;  // some pixel was asked for again
 };
@@ -30,7 +30,7 @@ Painted painted_by_plan(int columns, int rows, int block, const Paint& paint, st
   result.pixels.resize(plan.size());
   for (auto batch = plan.next(most); !batch.empty(); batch = plan.next(most))
     for (const std::uint32_t at : batch) {
-      MapPixel& pixel = result.pixels[at];
+      SlicePixel& pixel = result.pixels[at];
       result.twice = result.twice || pixel.computed;
       const int column = static_cast<int>(at) % columns, row = static_cast<int>(at) / columns;
       pixel = {paint(column, row), true, 1.0f};
@@ -124,8 +124,8 @@ TEST(PixelPlan, WhatIsKnownWithinABlockCounts) {
   EXPECT_GT(plan.known_count(), 17u * 17u - 15u * 15u + 1u);
 }
 
-TEST(MapNames, OthersThanTheUsualHaveCodesInTheOrderOfPixels) {
-  MapNames names;
+TEST(SliceNames, OthersThanTheUsualHaveCodesInTheOrderOfPixels) {
+  SliceNames names;
   const short late = names.code({"b", "", 0}), usual = names.code({"both captured", "", 0});
   const short early = names.code({"a", "", 0}), own = names.code({"balanced", "", 1});
   EXPECT_EQ(names.code({"b", "", 0}), late);
@@ -142,9 +142,9 @@ TEST(MapNames, OthersThanTheUsualHaveCodesInTheOrderOfPixels) {
 }
 
 TEST(ReusedPixels, AreThoseWithTheSameCentre) {
-  const MapAxis coarse{"speed.final", 1.7, 4.1, 8};
+  const SliceAxis coarse{"speed.final", 1.7, 4.1, 8};
   EXPECT_EQ(same_centres(coarse, coarse), (std::vector<int>{0, 1, 2, 3, 4, 5, 6, 7}));
-  const MapAxis finer{"speed.final", 1.7, 4.1, 24};
+  const SliceAxis finer{"speed.final", 1.7, 4.1, 24};
   const std::vector<int> thirds = same_centres(finer, coarse);
   for (int k = 0; k < 24; ++k) EXPECT_EQ(thirds[static_cast<std::size_t>(k)], k % 3 == 1 ? k / 3 : -1);
   for (const int place : same_centres({"speed.final", 1.7, 4.1, 16}, coarse)) EXPECT_EQ(place, -1);  // between
@@ -153,9 +153,9 @@ TEST(ReusedPixels, AreThoseWithTheSameCentre) {
 }
 
 TEST(ThinnedAxis, KeepsCentres) {
-  const MapAxis axis{"speed.final", -1.0, 2.0, 23};
+  const SliceAxis axis{"speed.final", -1.0, 2.0, 23};
   for (const int every : {1, 2, 3, 5, 23}) {
-    const MapAxis thin = thinned(axis, every);
+    const SliceAxis thin = thinned(axis, every);
     for (int k = 0; k < thin.pixels; ++k)
       EXPECT_NEAR(thin.centre(k), axis.centre(k * every + first_of(every)), 1e-14)
           << every;                                        // roundings of numbers near 1

@@ -20,7 +20,8 @@ TEST(Random, FractionsLieBelowOne) {
   EXPECT_EQ(fraction(~std::uint64_t{0}), 1.0 - 0x1p-53);
 }
 
-// Computed apart from this program, in whole numbers of any length: traps depend on them. Six are more than a block.
+// Computed apart from this program, in whole numbers of any length: trapping regions depend on them. Six are more than
+// a block.
 TEST(Random, StreamsBeginAsTheyAlwaysDid) {
   RandomStream even, bell;
   for (const double expected : {0.10497218847413847, 0.6931135233729437, 0.9764103069660157, 0.4221709537778485,

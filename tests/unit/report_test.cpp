@@ -10,20 +10,20 @@
 #include <nlohmann/json.hpp>
 
 #include "../support/studies.hpp"
-#include "equipoise/basins/tally.hpp"
-#include "equipoise/fates/transient_tally.hpp"
-#include "equipoise/report/attractors_report.hpp"
-#include "equipoise/report/basin_report.hpp"
-#include "equipoise/report/csv.hpp"
-#include "equipoise/report/sensitivity_report.hpp"
-#include "equipoise/report/start_text.hpp"
-#include "equipoise/report/sweep_report.hpp"
-#include "equipoise/report/text.hpp"
-#include "equipoise/report/transient_report.hpp"
+#include "equipoise/ensembles/tally.hpp"
+#include "equipoise/reports/attractors_report.hpp"
+#include "equipoise/reports/basin_report.hpp"
+#include "equipoise/reports/sweep_report.hpp"
 #include "equipoise/results/attractors_result.hpp"
 #include "equipoise/results/basin_result.hpp"
 #include "equipoise/results/sweep_result.hpp"
+#include "equipoise/start_runs/transient_tally.hpp"
 #include "equipoise/study/study.hpp"
+#include "equipoise/text/csv.hpp"
+#include "equipoise/text/sensitivity_report.hpp"
+#include "equipoise/text/start_text.hpp"
+#include "equipoise/text/text.hpp"
+#include "equipoise/text/transient_report.hpp"
 
 namespace equipoise {
 namespace {

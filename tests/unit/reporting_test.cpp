@@ -1,5 +1,5 @@
 // Work on other threads, callbacks on the caller's: order, stops, what is thrown on either side.
-#include "equipoise/base/reporting.hpp"
+#include "equipoise/running/reporting.hpp"
 
 #include <chrono>
 #include <cstdint>
@@ -11,7 +11,7 @@
 
 #include <gtest/gtest.h>
 
-#include "equipoise/base/stage_progress.hpp"
+#include "equipoise/running/stage_progress.hpp"
 
 namespace equipoise {
 namespace {

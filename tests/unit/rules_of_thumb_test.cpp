@@ -12,7 +12,7 @@
 #include "equipoise/explain/balanced_motion.hpp"
 #include "equipoise/explain/drag_scan.hpp"
 #include "equipoise/explain/rules_of_thumb.hpp"
-#include "equipoise/report/explain_report.hpp"
+#include "equipoise/reports/explain_report.hpp"
 #include "../support/studies.hpp"
 #include "../support/explained.hpp"
 

@@ -6,8 +6,8 @@
 #include <gtest/gtest.h>
 
 #include "../support/parameters.hpp"
-#include "equipoise/discovery/discovery.hpp"
-#include "equipoise/discovery/pilot_run.hpp"
+#include "equipoise/attractor_search/attractor_search.hpp"
+#include "equipoise/attractor_search/pilot_run.hpp"
 
 namespace equipoise {
 namespace {
@@ -15,17 +15,17 @@ namespace {
 // The discovery of a rotor, and how many of each thing its stages counted in all.
 struct Search {
   Search(const model::Parameters& p, double speed) {
-    DiscoverySettings settings{.threads = 2};
+    AttractorSearchSettings settings{.threads = 2};
     settings.progress = [this](const Progress& at) {
       const std::string stage = at.what.substr(at.what.find(": ") + 2);
       if (stage != last_) totals[last_] += now_;
       last_ = stage;
       now_ = at.total;
     };
-    found = discover(study_of(p, speed), settings);
+    found = search_attractors(study_of(p, speed), settings);
     totals[last_] += now_;
   }
-  Discovery found;
+  AttractorSearch found;
   std::map<std::string, std::uint64_t> totals;
 
  private:

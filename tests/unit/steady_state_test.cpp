@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "equipoise/base/angles.hpp"
-#include "equipoise/model/linearisation.hpp"
+#include "equipoise/mechanics/linearisation.hpp"
 #include "equipoise/trajectory/simulate.hpp"
 
 namespace {

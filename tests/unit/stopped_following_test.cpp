@@ -5,11 +5,11 @@
 #include <gtest/gtest.h>
 
 #include "../support/studies.hpp"
-#include "equipoise/fates/start_runner.hpp"
-#include "equipoise/motions/motion.hpp"
-#include "equipoise/orbits/orbit.hpp"
-#include "equipoise/orbits/variational.hpp"
+#include "equipoise/attractors/motion.hpp"
+#include "equipoise/periodic_orbits/orbit.hpp"
+#include "equipoise/periodic_orbits/variational.hpp"
 #include "equipoise/shown/motion_path.hpp"
+#include "equipoise/start_runs/start_runner.hpp"
 #include "equipoise/study/study.hpp"
 
 namespace equipoise {

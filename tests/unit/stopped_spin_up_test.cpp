@@ -7,9 +7,9 @@
 
 #include "../support/studies.hpp"
 #include "equipoise/base/error.hpp"
-#include "equipoise/fates/checks.hpp"
-#include "equipoise/fates/transient_tally.hpp"
 #include "equipoise/spin_up/start_source.hpp"
+#include "equipoise/start_runs/checks.hpp"
+#include "equipoise/start_runs/transient_tally.hpp"
 #include "equipoise/study/study.hpp"
 
 namespace equipoise {

@@ -14,12 +14,12 @@
 #include "../support/refusals.hpp"
 #include "../support/files.hpp"
 #include "equipoise/base/error.hpp"
-#include "equipoise/files/checksum.hpp"
-#include "equipoise/files/journal.hpp"
-#include "equipoise/files/netcdf.hpp"
-#include "equipoise/files/replacement.hpp"
-#include "equipoise/files/sealed_file.hpp"
-#include "equipoise/store/basin_file.hpp"
+#include "equipoise/io/checksum.hpp"
+#include "equipoise/io/journal.hpp"
+#include "equipoise/io/netcdf.hpp"
+#include "equipoise/io/replacement.hpp"
+#include "equipoise/io/sealed_file.hpp"
+#include "equipoise/result_files/basin_file.hpp"
 
 namespace equipoise {
 namespace {
@@ -123,10 +123,10 @@ std::string refusal(const std::string& path, const BasinFileHeader& header) {
 TEST(Checksum, SeesEveryChangeOfASingleByteWhateverThePieces) {
   std::string text(1000, '\0');
   for (std::size_t i = 0; i < text.size(); ++i) text[i] = static_cast<char>(i * 37);
-  store::Checksum whole;
+  io::Checksum whole;
   whole.add(text.data(), text.size());
   for (const std::size_t piece : {1, 3, 8, 13, 64}) {
-    store::Checksum sum;
+    io::Checksum sum;
     for (std::size_t at = 0; at < text.size(); at += piece)
       sum.add(text.data() + at, std::min(piece, text.size() - at));
     EXPECT_EQ(sum.value(), whole.value()) << piece;
@@ -134,11 +134,11 @@ TEST(Checksum, SeesEveryChangeOfASingleByteWhateverThePieces) {
   for (std::size_t at = 0; at < text.size(); ++at) {
     std::string other = text;
     other[at] ^= static_cast<char>(1 << (at % 8));
-    store::Checksum sum;
+    io::Checksum sum;
     sum.add(other.data(), other.size());
     EXPECT_NE(sum.value(), whole.value()) << at;
   }
-  store::Checksum longer = whole;
+  io::Checksum longer = whole;
   longer.add("", 1);  // one byte of 0
   EXPECT_NE(longer.value(), whole.value());
 }
@@ -169,7 +169,7 @@ TEST_F(Files, AJournalCutAnywhereIsReadOrRefused) {
   {
     BasinFile file(path_, header_of());
     append(file, 6);
-    file.append_discovery(std::vector<double>(8, 1.5));
+    file.append_attractor_search(std::vector<double>(8, 1.5));
     append(file, 6);
   }
   const std::string whole = content(part_);
@@ -188,7 +188,7 @@ TEST_F(Files, AJournalWithAnyByteSpoiltGivesNothingButWhatWasWritten) {
   {
     BasinFile file(path_, header_of());
     append(file, 6);
-    file.append_discovery(std::vector<double>(8, 1.5));
+    file.append_attractor_search(std::vector<double>(8, 1.5));
     append(file, 6);
   }
   const std::string whole = content(part_);
@@ -210,7 +210,7 @@ TEST_F(Files, ResultsAreFinishedExtendedAndReadAgain) {
   {
     BasinFile file(path_, header_of());
     append(file, 100);
-    file.append_discovery(std::vector<double>(8, 2.5));
+    file.append_attractor_search(std::vector<double>(8, 2.5));
     EXPECT_EQ(file.unfinished(), 100u);
     file.finish("starts = 100", summary_of(100), true, {1.0, 2.0});
   }
@@ -251,7 +251,7 @@ TEST_F(Files, AJournalThatIsNoLongerNeededAddsNothing) {
   {
     BasinFile file(path_, header_of());
     append(file, 10);
-    file.append_discovery(std::vector<double>(8, 2.5));
+    file.append_attractor_search(std::vector<double>(8, 2.5));
     append(file, 10);
     journal = content(part_);
     file.finish("", summary_of(20), true, {});
@@ -360,17 +360,17 @@ TEST_F(Files, AFullDiskKeepsWhatIsThere) {
 
 TEST_F(Files, AFileIsReplacedWholeOrNotAtAll) {
   const std::string text(5000, 'a');
-  store::write_whole(path_, "before");
+  io::write_whole(path_, "before");
   {
     const SmallDisk disk(1000);
-    EXPECT_THROW(store::write_whole(path_, text), RunError);
+    EXPECT_THROW(io::write_whole(path_, text), RunError);
   }
   EXPECT_EQ(content(path_), "before");
-  store::write_whole(path_, text);
+  io::write_whole(path_, text);
   EXPECT_EQ(content(path_), text);
   const std::string link = folder_ + "/link.nc";
   fs::create_symlink(path_, link);
-  store::write_whole(link, "through the link");
+  io::write_whole(link, "through the link");
   EXPECT_TRUE(fs::is_symlink(link));
   EXPECT_EQ(content(path_), "through the link");
   EXPECT_EQ(std::distance(fs::directory_iterator(folder_), {}), 2) << "nothing is left beside them";
@@ -378,7 +378,7 @@ TEST_F(Files, AFileIsReplacedWholeOrNotAtAll) {
 
 TEST_F(Files, ANetcdfFileThatCannotBeWrittenLeavesTheOldOne) {
   const auto write = [&](double value, std::size_t count) {
-    store::write_netcdf_file(path_, [&](store::NetcdfFile& file) {
+    io::write_netcdf_file(path_, [&](io::NetcdfFile& file) {
       const int n = file.dimension("n", count);
       const int variable = file.variable("v", 6 /* double */, {n}, "1", "values");
       file.end_definitions();
@@ -398,11 +398,11 @@ TEST_F(Files, ANetcdfFileThatCannotBeWrittenLeavesTheOldOne) {
 }
 
 TEST_F(Files, WhereNothingCanBeWrittenIsSaid) {
-  EXPECT_EQ(store::why_not_writable(path_), "");
-  EXPECT_EQ(store::why_not_writable(folder_), "is a folder");
-  EXPECT_EQ(store::why_not_writable(folder_ + "/a/b/c.nc"), "the folder " + folder_ + "/a/b does not exist");
+  EXPECT_EQ(io::why_not_writable(path_), "");
+  EXPECT_EQ(io::why_not_writable(folder_), "is a folder");
+  EXPECT_EQ(io::why_not_writable(folder_ + "/a/b/c.nc"), "the folder " + folder_ + "/a/b does not exist");
   overwrite(path_, "a file");
-  EXPECT_EQ(store::why_not_writable(path_ + "/c.nc"), path_ + " is not a folder");
+  EXPECT_EQ(io::why_not_writable(path_ + "/c.nc"), path_ + " is not a folder");
   EXPECT_EQ(std::distance(fs::directory_iterator(folder_), {}), 1);
 }
 

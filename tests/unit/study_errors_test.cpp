@@ -9,8 +9,8 @@
 #include "../support/refusals.hpp"
 #include "../support/snapshots.hpp"
 #include "../support/studies.hpp"
-#include "equipoise/study/overrides.hpp"
 #include "equipoise/study/study.hpp"
+#include "equipoise/toml/overrides.hpp"
 
 namespace equipoise {
 namespace {

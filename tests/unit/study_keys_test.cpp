@@ -143,7 +143,8 @@ std::string range_words(const Key& key, const study::Member& member) {
   if (std::holds_alternative<std::vector<std::string>*>(member)) return "texts";
   if (std::holds_alternative<Profile*>(member)) return fmt::format("`{}`", fmt::join(profile_names, "`, `"));
   if (std::holds_alternative<model::SpeedLaw*>(member)) return fmt::format("`{}`", fmt::join(speed_law_names, "`, `"));
-  if (std::holds_alternative<DecideMode*>(member)) return fmt::format("`{}`", fmt::join(decide_mode_names, "`, `"));
+  if (std::holds_alternative<ClassificationMode*>(member))
+    return fmt::format("`{}`", fmt::join(classification_mode_names, "`, `"));
   if (std::holds_alternative<std::optional<SamplingMethod>*>(member))
     return fmt::format("`{}`", fmt::join(sampling_method_names, "`, `"));
   const study::Range& r = key.range;

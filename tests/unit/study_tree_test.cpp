@@ -14,8 +14,8 @@
 #include <gtest/gtest.h>
 
 #include "equipoise/study/ball_details.hpp"
-#include "equipoise/study/overrides.hpp"
 #include "equipoise/study/study.hpp"
+#include "equipoise/toml/overrides.hpp"
 #include "../support/studies.hpp"
 #include "../support/refusals.hpp"
 #include "../support/study_difference.hpp"
@@ -161,7 +161,7 @@ TEST(Check, RefusesWhatNoTextCouldSay) {
   EXPECT_EQ(key_of([](Study& s) { s.parameters.balls = 9; }), "balancer.balls");
   EXPECT_EQ(key_of([](Study& s) { s.parameters.balls = -1000000; }), "balancer.balls");
   EXPECT_EQ(key_of([](Study& s) { s.sampling.method = static_cast<SamplingMethod>(7); }), "sampling.method");
-  EXPECT_EQ(key_of([](Study& s) { s.numerics.decide = static_cast<DecideMode>(-1); }), "numerics.decide");
+  EXPECT_EQ(key_of([](Study& s) { s.numerics.decide = static_cast<ClassificationMode>(-1); }), "numerics.decide");
   EXPECT_EQ(key_of([](Study& s) { s.sampling.seed = std::uint64_t{1} << 63; }), "sampling.seed");
   EXPECT_EQ(key_of([](Study& s) { s.parameters.rolling[1] = -0.1; }), "balancer.rolling");
   EXPECT_EQ(key_of([](Study& s) { s.parameters.contact_angle = -0.1; }), "balancer.contact_angle");
@@ -278,7 +278,7 @@ Study drawn_study(unsigned seed) {
   if (draw.below(4) == 0) s.sampling.box.x = SamplingBox::Side{draw.number(), 4.0};
   s.numerics.tolerance = draw.below(4) ? std::nullopt : std::optional(1e-3 * draw.number());
   s.numerics.horizon = draw.maybe();
-  s.numerics.decide = static_cast<DecideMode>(draw.below(3));
+  s.numerics.decide = static_cast<ClassificationMode>(draw.below(3));
   s.limits.force = draw.maybe();
   s.limits.settled = draw.maybe();
   if (draw.below(4) == 0) s.scales = model::Scales{draw.number(), draw.number(), draw.number()};

@@ -16,9 +16,9 @@
 #include "../support/refusals.hpp"
 #include "../support/files.hpp"
 #include "equipoise/base/error.hpp"
-#include "equipoise/store/result_identity.hpp"
-#include "equipoise/store/sweep_cells.hpp"
-#include "equipoise/store/sweep_file.hpp"
+#include "equipoise/cell_files/sweep_cells.hpp"
+#include "equipoise/cell_files/sweep_file.hpp"
+#include "equipoise/result_files/result_identity.hpp"
 #include "equipoise/sweeps/attractor_labels.hpp"
 #include "equipoise/sweeps/merge.hpp"
 #include "equipoise/sweeps/sweep.hpp"
@@ -164,12 +164,12 @@ TEST(SweepCells, ReadBackToTheSameBits) {
   group.exceeded[1] = wilson_share(2, 9);
   cell.transients = std::make_shared<TransientGroup>(group);
   cell.note = "ünïcode, \"quoted\"";
-  cell.hints.levels = {{1, false, 64.0 / 3.0}, {3, true, 0.0}};
-  cell.hints.weights = {{-0.1, 1.0 / 3.0, 2.8}};
-  const std::vector<std::uint8_t> bytes = store::bytes_of(cell);
-  const auto back = store::cell_from(bytes);
+  cell.warm_start_levels.levels = {{1, false, 64.0 / 3.0}, {3, true, 0.0}};
+  cell.warm_start_levels.weights = {{-0.1, 1.0 / 3.0, 2.8}};
+  const std::vector<std::uint8_t> bytes = io::bytes_of(cell);
+  const auto back = io::cell_from(bytes);
   ASSERT_TRUE(back);
-  EXPECT_EQ(store::bytes_of(*back), bytes);
+  EXPECT_EQ(io::bytes_of(*back), bytes);
   EXPECT_EQ(back->starts, cell.starts);
   EXPECT_EQ(back->outcomes[1].state, cell.outcomes[1].state);
   EXPECT_TRUE(std::signbit(back->outcomes[1].state[1]));
@@ -180,9 +180,9 @@ TEST(SweepCells, ReadBackToTheSameBits) {
   EXPECT_EQ(back->transients->figures[3].quantiles[1].high, std::numeric_limits<double>::infinity());
   EXPECT_FALSE(back->passed);
   EXPECT_EQ(back->note, cell.note);
-  EXPECT_EQ(back->hints, cell.hints);
+  EXPECT_EQ(back->warm_start_levels, cell.warm_start_levels);
   for (std::size_t cut : {std::size_t{0}, bytes.size() / 2, bytes.size() - 1})
-    EXPECT_FALSE(store::cell_from({bytes.begin(), bytes.begin() + static_cast<std::ptrdiff_t>(cut)})) << cut;
+    EXPECT_FALSE(io::cell_from({bytes.begin(), bytes.begin() + static_cast<std::ptrdiff_t>(cut)})) << cut;
 }
 
 TEST(CapacityTrials, ReadBackToTheSameBits) {
@@ -192,22 +192,22 @@ TEST(CapacityTrials, ReadBackToTheSameBits) {
   made.undecided = wilson_share(1, 9);
   made.states = {{1e-310, -0.0}, {}};
   unstable.unstable = true;
-  const std::vector<std::uint8_t> bytes = store::bytes_of(std::vector{made, unstable});
-  const auto back = store::trials_from(bytes);
+  const std::vector<std::uint8_t> bytes = io::bytes_of(std::vector{made, unstable});
+  const auto back = io::trials_from(bytes);
   ASSERT_TRUE(back);
   ASSERT_EQ(back->size(), 2u);
-  EXPECT_EQ(store::bytes_of(*back), bytes);
+  EXPECT_EQ(io::bytes_of(*back), bytes);
   EXPECT_EQ(back->front().value, made.value);
   EXPECT_EQ(back->front().states, made.states);
   EXPECT_EQ(back->front().most(), made.balanced.most);
   EXPECT_EQ(back->back().most(), 0.0);
-  EXPECT_FALSE(store::trials_from({bytes.begin(), bytes.end() - 1}));
+  EXPECT_FALSE(io::trials_from({bytes.begin(), bytes.end() - 1}));
 }
 
 TEST(IdentityLines, TakeApartWhatAPlanPutTogether) {
   const SweepPlan plan({rotor, "study", {}}, sweep_axes({"speed.final=2.4,2.6", "balancer.drag=0.1"}, false, "--over"),
                        {}, "--over");
-  const store::IdentityLines lines(plan.identity());
+  const io::IdentityLines lines(plan.identity());
   EXPECT_EQ(lines.over(), (std::vector<std::string>{"speed.final=2.4, 2.6", "balancer.drag=0.1"}));
   EXPECT_EQ(lines.value("sweep.axes"), "2");
   EXPECT_EQ(lines.value("transients"), "none");

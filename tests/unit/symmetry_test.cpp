@@ -13,8 +13,8 @@
 #include "equipoise/base/angles.hpp"
 #include "equipoise/integrate/adaptive-inl.hpp"
 #include "equipoise/integrate/clamped.hpp"
+#include "equipoise/mechanics/energy.hpp"
 #include "equipoise/model/ball_count.hpp"
-#include "equipoise/model/energy.hpp"
 #include "equipoise/model/flow-inl.hpp"
 #include "equipoise/trajectory/simulate.hpp"
 

@@ -12,11 +12,11 @@
 #include <Eigen/Dense>
 
 #include "equipoise/base/angles.hpp"
-#include "equipoise/model/capability.hpp"
-#include "equipoise/model/linearisation.hpp"
+#include "equipoise/mechanics/capability.hpp"
+#include "equipoise/mechanics/linearisation.hpp"
 #include "equipoise/model/smooth_flow-inl.hpp"
 #include "equipoise/model/system.hpp"
-#include "equipoise/orbits/variational.hpp"
+#include "equipoise/periodic_orbits/variational.hpp"
 #include "equipoise/study/study.hpp"
 #include "equipoise/trajectory/simulate.hpp"
 
@@ -91,9 +91,9 @@ TEST(System, SectionAndStateFollowFromParametersAndDrive) {
   EXPECT_EQ(plain.section(), Section::none);
   EXPECT_EQ(plain.dimension(), 8);
   EXPECT_EQ(plain.layout().speed, -1);
-  EXPECT_EQ(strobed.section(), Section::strobe);
+  EXPECT_EQ(strobed.section(), Section::stroboscopic);
   EXPECT_EQ(strobed.dimension(), 8);
-  EXPECT_DOUBLE_EQ(strobed.strobe_period(), two_pi / 2.0);
+  EXPECT_DOUBLE_EQ(strobed.section_period(), two_pi / 2.0);
   EXPECT_EQ(driven.section(), Section::none);
   EXPECT_EQ(driven.dimension(), 9);
   EXPECT_EQ(driven.layout().speed, 8);
@@ -108,7 +108,7 @@ TEST(System, SectionAndStateFollowFromParametersAndDrive) {
 
   model::Parameters level = rotor(2);
   level.stiffness = {1.0, 1.2};  // looks the same after half a turn
-  EXPECT_DOUBLE_EQ(System(level, 2.0).strobe_angle(), pi);
+  EXPECT_DOUBLE_EQ(System(level, 2.0).section_angle(), pi);
   EXPECT_DOUBLE_EQ(System(level, motor(0.0)).angles().back().turn, pi);
 
   model::Parameters eventful = rotor(2);
@@ -199,8 +199,8 @@ TEST(System, FlowsAreWhatSimulateFollows) {
 
 // Every answer but those that take anything refuses what it needs, with one line that says which commands do not.
 TEST(System, WhatAnAnswerLacksIsSaid) {
-  using model::Answer;
   using model::Need;
+  using model::ResultKind;
   const System plain(rotor(2), 2.0), strobed(rotor(2, false), 2.0), driven(rotor(2), motor(0.0)),
       off_centre(rotor(2, true, false), 2.0), still(rotor(2, false), 0.0), hanging(rotor(2, false), motor(0.0));
   model::Parameters sticky = rotor(2), crowd = rotor(3, false);
@@ -210,9 +210,9 @@ TEST(System, WhatAnAnswerLacksIsSaid) {
   idle.motor.slope = idle.motor.constant = 0.0;
   const System coasting(rotor(2), idle), touching(crowd, 2.0);
   for (const model::Capability& c : model::capabilities) {
-    const auto lacks = [&](const System& system) { return model::lacking(system, c.answer).has_value(); };
+    const auto lacks = [&](const System& system) { return model::lacking(system, c.result).has_value(); };
     EXPECT_FALSE(lacks(plain)) << c.name;
-    EXPECT_EQ(&model::capability(c.answer), &c) << c.name;
+    EXPECT_EQ(&model::capability(c.result), &c) << c.name;
     EXPECT_EQ(lacks(strobed), c.needs.has(Need::equal_supports)) << c.name;
     EXPECT_EQ(lacks(driven), c.needs.has(Need::prescribed_speed)) << c.name;
     EXPECT_EQ(lacks(off_centre), c.needs.has(Need::centred_race)) << c.name;
@@ -222,14 +222,14 @@ TEST(System, WhatAnAnswerLacksIsSaid) {
     EXPECT_EQ(lacks(hanging), c.needs.has(Need::prescribed_speed) || c.needs.has(Need::equal_supports)) << c.name;
     EXPECT_EQ(lacks(touching), c.needs.has(Need::passing_balls)) << c.name;
   }
-  EXPECT_EQ(model::lacking(strobed, Answer::proofs)->reason,
+  EXPECT_EQ(model::lacking(strobed, ResultKind::proofs)->reason,
             "proofs need equal values in x and y (simulate, basin, attractors and map take any)");
-  EXPECT_FALSE(model::lacking(driven, Answer::proofs));
-  EXPECT_EQ(model::lacking(driven, Answer::displacements)->reason,
+  EXPECT_FALSE(model::lacking(driven, ResultKind::proofs));
+  EXPECT_EQ(model::lacking(driven, ResultKind::displacements)->reason,
             "observed displacements need a prescribed speed (simulate, basin, attractors and map take any)");
-  EXPECT_EQ(model::lacking(coasting, Answer::maps)->reason,
+  EXPECT_EQ(model::lacking(coasting, ResultKind::maps)->reason,
             "maps need a rotor that something turns for good (simulate and basin take any)");
-  EXPECT_EQ(model::lacking(still, Answer::shares)->reason,
+  EXPECT_EQ(model::lacking(still, ResultKind::shares)->reason,
             "shares need a rotor that turns in the end (other than 0) where supports are unequal or gravity acts "
             "(simulate takes any)");
 }

@@ -6,7 +6,7 @@
 
 #include "../support/studies.hpp"
 #include "equipoise/kernels/cpu_target.hpp"
-#include "equipoise/orbits/variational.hpp"
+#include "equipoise/periodic_orbits/variational.hpp"
 #include "equipoise/study/study.hpp"
 
 namespace equipoise {

@@ -1,13 +1,13 @@
 // The table of usual units against UDUNITS-2, to the bit.
-#include "equipoise/study/unit_table.hpp"
+#include "equipoise/units/unit_table.hpp"
 
 #include <gtest/gtest.h>
 
 #include <string>
 #include <vector>
 
-#include "equipoise/study/unit_library.hpp"
-#include "equipoise/study/units.hpp"
+#include "equipoise/units/unit_library.hpp"
+#include "equipoise/units/units.hpp"
 
 namespace equipoise::study {
 namespace {

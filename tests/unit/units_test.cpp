@@ -9,10 +9,10 @@
 #include <udunits2.h>
 
 #include "equipoise/base/angles.hpp"
-#include "equipoise/model/balance_grade.hpp"
-#include "equipoise/model/ball_drag.hpp"
+#include "equipoise/mechanics/balance_grade.hpp"
+#include "equipoise/mechanics/ball_drag.hpp"
 #include "equipoise/study/study.hpp"
-#include "equipoise/study/units.hpp"
+#include "equipoise/units/units.hpp"
 
 namespace equipoise::study {
 namespace {

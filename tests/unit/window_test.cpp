@@ -5,8 +5,8 @@
 
 #include <gtest/gtest.h>
 
-#include "equipoise/deciding/window_features.hpp"
-#include "equipoise/lanes/own_rotor.hpp"
+#include "equipoise/batch/own_rotor.hpp"
+#include "equipoise/classification/window_features.hpp"
 
 namespace equipoise {
 namespace {
@@ -31,7 +31,7 @@ TEST(Windows, FeaturesDoNotDependOnTheOrderOfInterchangeableBalls) {
 }
 
 TEST(Windows, AMotionThatRepeatsIsStationaryAndOneThatShrinksIsNot) {
-  DecisionRule rule;
+  ClassificationRule rule;
   WindowTracker steady, shrinking;
   steady.begin(rule);
   shrinking.begin(rule);
@@ -45,7 +45,7 @@ TEST(Windows, AMotionThatRepeatsIsStationaryAndOneThatShrinksIsNot) {
 }
 
 TEST(Windows, ABoxNeedsSeveralHitsInARow) {
-  DecisionRule rule;
+  ClassificationRule rule;
   FeatureBox box;
   const Features centre = features(circling(-1.0, 0.1), 2, true);
   for (int i = 0; i < feature_count(2); ++i) {
@@ -62,7 +62,7 @@ TEST(Windows, ABoxNeedsSeveralHitsInARow) {
   for (int half = 0; half < 3; ++half) EXPECT_FALSE(hit().decided);
   EXPECT_FALSE(tracker.add(circling(-0.5, 0.1)).decided);
   for (int half = 0; half < 3; ++half) EXPECT_FALSE(hit().decided);
-  const WindowVerdict verdict = hit();
+  const WindowConclusion verdict = hit();
   EXPECT_TRUE(verdict.decided);
   EXPECT_EQ(verdict.attractor, 4);
   EXPECT_EQ(tracker.record().longest_run[0], 3);
@@ -88,7 +88,7 @@ TEST(Windows, OfRotorsThatDifferWhatLooksLikeTwoMotionsIsNeither) {
 
 // What other starts of the same rotor came to; a motion that repeats has to be that to the 2 % that count as no change.
 TEST(Windows, MotionsMetBeforeNameWhatTheRuleDoesNotList) {
-  const DecisionRule rule;
+  const ClassificationRule rule;
   const std::vector<KnownFeatures> met{{features(circling(-1.0, 0.1), 2, true), -1},
                                        {features(circling(-2.0, 0.1), 2, true), -2, true}};
   OwnRotor rotor{model::System(model::Parameters{}, {})};
@@ -96,7 +96,7 @@ TEST(Windows, MotionsMetBeforeNameWhatTheRuleDoesNotList) {
     WindowTracker tracker;
     tracker.begin(rule, &rotor);
     for (int k = 0; k < 400; ++k)
-      if (const WindowVerdict verdict = tracker.add(circling(rate, 0.1)); verdict.decided) return verdict.attractor;
+      if (const WindowConclusion verdict = tracker.add(circling(rate, 0.1)); verdict.decided) return verdict.attractor;
     return 99;
   };
   EXPECT_EQ(told(-1.01), 0);
@@ -108,7 +108,7 @@ TEST(Windows, MotionsMetBeforeNameWhatTheRuleDoesNotList) {
 }
 
 TEST(Windows, ChaosIsKnownByWindowsThatResembleItWithoutRepeating) {
-  DecisionRule rule;
+  ClassificationRule rule;
   rule.window = 16.0;
   rule.first_long_window = 64.0;
   rule.known = {{features(circling(-1.0, 0.1), 2, true), 9, true}};
@@ -117,7 +117,7 @@ TEST(Windows, ChaosIsKnownByWindowsThatResembleItWithoutRepeating) {
     tracker.begin(rule);
     double rate = -0.985;
     for (double t = 8.0, end = 64.0; t <= 1024.0; t += 8.0) {
-      const WindowVerdict verdict = tracker.add(circling(rate, 0.1));
+      const WindowConclusion verdict = tracker.add(circling(rate, 0.1));
       if (verdict.decided) return std::pair{t, verdict.attractor};
       if (t == end) {
         rate = rate == -0.985 ? -1.015 : -0.985;

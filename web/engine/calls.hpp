@@ -4,7 +4,7 @@
 #include <string>
 
 #include "bulk.hpp"
-#include "equipoise/base/run_options.hpp"
+#include "equipoise/running/run_options.hpp"
 #include "equipoise/study/study.hpp"
 
 namespace equipoise::web {
@@ -20,7 +20,7 @@ void tell(const Progress& progress);
 Json check_study(const Json& args);
 Json presets(const Json& args);
 
-Json discover(const Json& args, Bulk& bulk);
+Json search_attractors(const Json& args, Bulk& bulk);
 Json ensemble(const Json& args, Bulk& bulk);
 Json states(const Json& args, Bulk& bulk);
 Json shares(const Json& args);

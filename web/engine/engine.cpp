@@ -32,7 +32,7 @@ const std::map<std::string, Call>& calls() {
        }},
       {"check", plain(check_study)},
       {"presets", plain(presets)},
-      {"discover", discover},
+      {"discover", search_attractors},
       {"ensemble", ensemble},
       {"states", states},
       {"shares", plain(shares)},

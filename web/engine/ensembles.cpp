@@ -12,12 +12,12 @@
 #include <vector>
 
 #include "calls.hpp"
-#include "equipoise/basins/comparison.hpp"
-#include "equipoise/basins/ensemble.hpp"
+#include "equipoise/analyses/comparison.hpp"
+#include "equipoise/analyses/ensemble.hpp"
 #include "equipoise/types/outcomes.hpp"
 #include "equipoise/drawing/plot_parts.hpp"
-#include "equipoise/report/comparison_report.hpp"
-#include "equipoise/report/motion_words.hpp"
+#include "equipoise/reports/comparison_report.hpp"
+#include "equipoise/text/motion_words.hpp"
 #include "equipoise/shown/motion_path.hpp"
 
 namespace equipoise::web {
@@ -35,7 +35,7 @@ struct Kept {
 Ensemble& kept(const std::string& toml, const Study& study, bool transients, double* seconds = nullptr) {
   constexpr std::size_t most = 6, most_searches = 24;
   static std::list<Kept> all;
-  static DiscoveryCache discoveries;
+  static AttractorSearchCache discoveries;
   const auto same = [&](const Kept& k) { return k.toml == toml && k.transients == transients; };
   auto at = std::find_if(all.begin(), all.end(), same);
   if (at == all.end()) {
@@ -120,7 +120,7 @@ BasinOutcomes outcomes_of(const Json& side) {
 
 }  // namespace
 
-Json discover(const Json& args, Bulk&) {
+Json search_attractors(const Json& args, Bulk&) {
   const std::string toml = args.at(0).get<std::string>();
   double seconds = 0.0;
   const Ensemble& ensemble = kept(toml, study_of(args.at(0)), false, &seconds);

@@ -9,7 +9,7 @@
 
 #include "calls.hpp"
 #include "equipoise/base/error.hpp"
-#include "equipoise/basins/basin.hpp"
+#include "equipoise/ensembles/basin.hpp"
 #include "equipoise/spin_up/initial_state.hpp"
 #include "equipoise/trajectory/followed_run.hpp"
 #include "equipoise/types/status.hpp"

@@ -10,7 +10,8 @@ namespace equipoise {
 
 /// So many digits, and all that stand before the point.
 inline std::string plain_number(double value, int digits) {
-  return std::fabs(value) < std::pow(10.0, digits) ? fmt::format("{:.{}g}", value, digits) : fmt::format("{:.0f}", value);
+  return std::fabs(value) < std::pow(10.0, digits) ? fmt::format("{:.{}g}", value, digits)
+                                                   : fmt::format("{:.0f}", value);
 }
 
 }  // namespace equipoise

@@ -19,7 +19,7 @@ constexpr double fraction(std::uint64_t word) { return static_cast<double>(word 
 /// A stream for searches whose number of draws is not known before. It shares no counter with the starts of any seed.
 class RandomStream {
  public:
-  /// A fixed default, so that the same study has the same traps.
+  /// A fixed default, so that the same study has the same trapping regions.
   explicit RandomStream(std::uint64_t seed = 20190614) : seed_(seed) {}
 
   double uniform();  ///< on [0, 1)

@@ -7,17 +7,17 @@
 
 #include <fmt/format.h>
 
-#include "equipoise/base/cpu_time.hpp"
-#include "equipoise/base/parallel.hpp"
-#include "equipoise/base/reporting.hpp"
-#include "equipoise/basins/basin.hpp"
+#include "equipoise/cell_files/design_file.hpp"
 #include "equipoise/design/ensembles.hpp"
 #include "equipoise/design/margins.hpp"
 #include "equipoise/design/race.hpp"
 #include "equipoise/design/search.hpp"
 #include "equipoise/design/standing.hpp"
+#include "equipoise/ensembles/basin.hpp"
 #include "equipoise/kernels/cpu_target.hpp"
-#include "equipoise/store/design_file.hpp"
+#include "equipoise/running/cpu_time.hpp"
+#include "equipoise/running/parallel.hpp"
+#include "equipoise/running/reporting.hpp"
 
 namespace equipoise {
 

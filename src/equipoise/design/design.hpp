@@ -3,9 +3,9 @@
 
 #include <string>
 
-#include "equipoise/base/run_options.hpp"
 #include "equipoise/design/problem.hpp"
 #include "equipoise/results/design_result.hpp"
+#include "equipoise/running/run_options.hpp"
 
 namespace equipoise {
 

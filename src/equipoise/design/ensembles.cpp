@@ -8,21 +8,21 @@
 
 #include <fmt/format.h>
 
+#include "equipoise/attractors/catalogue.hpp"
+#include "equipoise/balanced_regions/balanced_analysis.hpp"
 #include "equipoise/base/error.hpp"
-#include "equipoise/base/parallel.hpp"
-#include "equipoise/basins/basin.hpp"
 #include "equipoise/design/search.hpp"
 #include "equipoise/design/settings.hpp"
-#include "equipoise/fates/checks.hpp"
-#include "equipoise/motions/catalogue.hpp"
-#include "equipoise/traps/balanced_analysis.hpp"
+#include "equipoise/ensembles/basin.hpp"
+#include "equipoise/running/parallel.hpp"
+#include "equipoise/start_runs/checks.hpp"
 
 namespace equipoise {
 
 namespace {
 
 // Discoveries that a thread keeps: spin-ups to one speed share one, other candidates come back to theirs soon or never.
-constexpr std::size_t most_discoveries = 16;
+constexpr std::size_t most_attractor_searches = 16;
 
 std::string name_of_sample(const WantedSample& w) {
   return fmt::format("{} starts, seed {}: {}", w.starts, w.seed, text_of(w.settings));
@@ -56,7 +56,7 @@ void DesignEnsembles::begin_with_study() {
 }
 
 bool DesignEnsembles::balances(const Study& study, Met& met) const {
-  const std::string subject = discovery_subject(study);
+  const std::string subject = attractor_search_subject(study);
   if (const auto at = met.balances.find(subject); at != met.balances.end()) return at->second;
   const bool stable = analyse_balanced(study.system(), options_.stop).stable;
   if (!stopped()) met.balances.emplace(subject, stable);
@@ -78,8 +78,8 @@ DesignSample DesignEnsembles::one(const WantedSample& wanted, int threads, Met& 
     complete = !stopped();
     return sample_without_balance(problem_.figures(), wanted.starts, *study, wanted.settings);
   }
-  if (met.discoveries.made.size() > most_discoveries) met.discoveries.made.clear();
-  if (met.balances.size() > most_discoveries) met.balances.clear();
+  if (met.discoveries.made.size() > most_attractor_searches) met.discoveries.made.clear();
+  if (met.balances.size() > most_attractor_searches) met.balances.clear();
   BasinOptions run;
   run.threads = threads;
   run.stop = options_.stop;
@@ -88,9 +88,9 @@ DesignSample DesignEnsembles::one(const WantedSample& wanted, int threads, Met& 
   run.discoveries = &met.discoveries;
   const std::size_t dimension = static_cast<std::size_t>(study->system().dimension());
   for (const std::vector<double>& seed : seeds_)
-    if (seed.size() == dimension) run.seeds.push_back(seed);
-  run.informed = !run.seeds.empty();
-  if (run.informed) run.hints = &hints_;
+    if (seed.size() == dimension) run.warm_start_states.push_back(seed);
+  run.warm_start = !run.warm_start_states.empty();
+  if (run.warm_start) run.warm_start_levels = &hints_;
   const BasinResult result = basin(*study, run);
   complete = !result.partial;
   return sample_of(problem_.figures(), result, *study, wanted.settings);

@@ -9,12 +9,12 @@
 #include <string>
 #include <vector>
 
-#include "equipoise/base/run_options.hpp"
+#include "equipoise/attractor_search/attractor_search.hpp"
+#include "equipoise/cell_files/design_file.hpp"
 #include "equipoise/design/problem.hpp"
-#include "equipoise/discovery/discovery.hpp"
 #include "equipoise/results/design_result.hpp"
-#include "equipoise/store/design_file.hpp"
-#include "equipoise/types/trap_hints.hpp"
+#include "equipoise/running/run_options.hpp"
+#include "equipoise/types/warm_start_levels.hpp"
 
 namespace equipoise {
 
@@ -45,8 +45,8 @@ class DesignEnsembles {
  private:
   // What a thread keeps of the final speeds it has met.
   struct Met {
-    DiscoveryCache discoveries;
-    std::map<std::string, bool> balances;  // by discovery_subject(): whether a balanced state attracts
+    AttractorSearchCache discoveries;
+    std::map<std::string, bool> balances;  // by attractor_search_subject(): whether a balanced state attracts
   };
   void begin_with_study();
   bool balances(const Study& study, Met& met) const;
@@ -61,7 +61,7 @@ class DesignEnsembles {
   int threads_;
   // Of the study as it is: where the searches of all candidates begin.
   std::vector<std::vector<double>> seeds_;
-  TrapHints hints_;
+  WarmStartLevels hints_;
   std::vector<Met> met_;  // one a thread
   std::map<std::string, DesignSample> known_;
   std::uint64_t asked_ = 0, trajectories_ = 0, resumed_ = 0;

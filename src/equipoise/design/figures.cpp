@@ -10,7 +10,7 @@
 #include <fmt/format.h>
 
 #include "equipoise/design/settings.hpp"
-#include "equipoise/fates/transient_tally.hpp"
+#include "equipoise/start_runs/transient_tally.hpp"
 #include "equipoise/statistics/quantile.hpp"
 #include "equipoise/types/transient_table.hpp"
 

@@ -8,7 +8,7 @@
 
 #include "equipoise/results/basin_result.hpp"
 #include "equipoise/results/design_result.hpp"
-#include "equipoise/study/units.hpp"
+#include "equipoise/units/units.hpp"
 
 namespace equipoise {
 

@@ -10,17 +10,17 @@
 #include <fmt/ranges.h>
 
 #include "equipoise/base/error.hpp"
-#include "equipoise/basins/basin.hpp"
-#include "equipoise/basins/basin_header.hpp"
 #include "equipoise/design/search.hpp"
 #include "equipoise/design/settings.hpp"
 #include "equipoise/design/spin_up_shape.hpp"
 #include "equipoise/design/variable_reader.hpp"
-#include "equipoise/fates/checks.hpp"
-#include "equipoise/store/result_identity.hpp"
+#include "equipoise/ensembles/basin.hpp"
+#include "equipoise/ensembles/basin_header.hpp"
+#include "equipoise/result_files/result_identity.hpp"
+#include "equipoise/start_runs/checks.hpp"
 #include "equipoise/study/table_reader.hpp"
-#include "equipoise/study/unit_library.hpp"
-#include "equipoise/study/units.hpp"
+#include "equipoise/units/unit_library.hpp"
+#include "equipoise/units/units.hpp"
 
 namespace equipoise {
 
@@ -254,7 +254,7 @@ void DesignProblem::check_one(const std::vector<DesignSetting>& settings, const 
 std::string DesignProblem::identity() const {
   BasinFileHeader header = basin_file_header(study_, false, transients());
   header.study = to_toml(tree_);
-  std::string text = store::identity_of(header) + "[design]\n";
+  std::string text = io::identity_of(header) + "[design]\n";
   for (const DesignVariable& v : variables_) {
     text += fmt::format("vary.{} = {} to {} {}{}{}", v.key, v.low, v.high, v.unit, v.logarithmic ? " log" : "",
                         v.whole ? " whole" : "");

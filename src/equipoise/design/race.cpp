@@ -10,7 +10,7 @@ namespace equipoise {
 
 namespace {
 
-constexpr std::uint64_t raise_by = 4;  // halves an interval
+constexpr std::uint64_t more_starts = 4;  // halves an interval
 constexpr int raises = 3;
 // A search among a few values comes to an end, though no budget is spent: after so many points in a row that were all
 // known. Batches are no measure: an optimiser that learns nothing new starts anew with ever larger ones.
@@ -87,7 +87,7 @@ std::vector<std::size_t> Race::might_win(const std::vector<std::size_t>& places)
 void Race::raise(std::vector<std::size_t> places) {
   std::uint64_t starts = problem_.first_look();
   for (int k = 0; k < raises; ++k) {
-    starts *= raise_by;
+    starts *= more_starts;
     std::vector<std::size_t> affordable;
     for (const std::size_t place : might_win(places)) {
       if (candidates_[place].search.starts >= starts) continue;

@@ -7,7 +7,7 @@
 
 #include <fmt/format.h>
 
-#include "equipoise/study/toml_tree.hpp"
+#include "equipoise/toml/toml_tree.hpp"
 
 namespace equipoise {
 

@@ -12,8 +12,8 @@
 #include "equipoise/design/problem.hpp"
 #include "equipoise/design/settings.hpp"
 #include "equipoise/design/spin_up_shape.hpp"
-#include "equipoise/study/printable.hpp"
-#include "equipoise/study/units.hpp"
+#include "equipoise/toml/printable.hpp"
+#include "equipoise/units/units.hpp"
 
 namespace equipoise {
 

@@ -7,11 +7,11 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
-#include "equipoise/drawing/page_files.hpp"
 #include "equipoise/base/error.hpp"
 #include "equipoise/drawing/base64.hpp"
 #include "equipoise/drawing/document.hpp"
 #include "equipoise/drawing/html_text.hpp"
+#include "equipoise/drawing/page_files.hpp"
 
 namespace equipoise {
 

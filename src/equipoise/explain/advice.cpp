@@ -12,7 +12,7 @@
 #include "equipoise/explain/balanced_motion.hpp"
 #include "equipoise/explain/drag_scan.hpp"
 #include "equipoise/explain/rules_of_thumb.hpp"
-#include "equipoise/model/strobe.hpp"
+#include "equipoise/model/stroboscopic_section.hpp"
 #include "equipoise/spin_up/run_up.hpp"
 
 namespace equipoise {
@@ -57,7 +57,7 @@ std::optional<NearBalance> near_balance(const Explanation& e, std::string& why_n
   if (own.gravity != 0.0) less += "; without gravity";
   if (!own.isotropic()) less += "; with the mean of x and y";
   if (!own.race_is_centred()) less += "; with a centred race";
-  return NearBalance{p, speed, *angles, states.kind == model::BalancedStates::Kind::family, less};
+  return NearBalance{p, speed, *angles, states.kind == model::BalancedStates::Kind::continuum, less};
 }
 
 RuleOfThumb ball_mass(const Explanation& e) {

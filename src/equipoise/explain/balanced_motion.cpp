@@ -5,16 +5,16 @@
 #include <cmath>
 #include <complex>
 
+#include "equipoise/attractor_search/cost.hpp"
+#include "equipoise/attractors/event_motion.hpp"
 #include "equipoise/base/angles.hpp"
-#include "equipoise/discovery/cost.hpp"
 #include "equipoise/explain/drag_scan.hpp"
 #include "equipoise/math/dense.hpp"
-#include "equipoise/model/fan.hpp"
-#include "equipoise/model/linearisation.hpp"
-#include "equipoise/model/strobe.hpp"
-#include "equipoise/motions/event_motion.hpp"
-#include "equipoise/orbits/stroboscopic.hpp"
-#include "equipoise/orbits/variational.hpp"
+#include "equipoise/mechanics/fan.hpp"
+#include "equipoise/mechanics/linearisation.hpp"
+#include "equipoise/model/stroboscopic_section.hpp"
+#include "equipoise/periodic_orbits/stroboscopic_section.hpp"
+#include "equipoise/periodic_orbits/variational.hpp"
 
 namespace equipoise {
 
@@ -69,7 +69,7 @@ double farthest(const model::System& system, const PeriodicOrbit& orbit) {
   double most = 0.0;
   int k = 0;
   for (const Eigen::VectorXd& z : sample_orbit(system, orbit, looks)) {
-    const auto rest = model::rest_position(system.parameters(), sense * system.strobe_angle() * k++ / looks);
+    const auto rest = model::rest_position(system.parameters(), sense * system.section_angle() * k++ / looks);
     most = std::max(most, std::hypot(z[0] + offset[0] - rest[0], z[1] + offset[1] - rest[1]));
   }
   return most;
@@ -78,7 +78,7 @@ double farthest(const model::System& system, const PeriodicOrbit& orbit) {
 std::optional<Linear> strobed(const model::System& system, const Angles& phi, int freedom) {
   // Errors of an integration over a turn; beside a multiple 1 their square root.
   constexpr double error = 1e-11, zero = 1e-5;
-  const double turn = system.strobe_period();
+  const double turn = system.section_period();
   const bool rests = system.parameters().gravity == 0.0 && system.parameters().race_is_centred();
   Linear linear;
   Eigen::VectorXcd multipliers;
@@ -141,7 +141,7 @@ void linearise(Explanation& e) {
   const model::CentredTwin twin = model::centred_twin(e.study.parameters, *e.speed);
   const auto angles = balanced_angles(e.balanced, twin.parameters, e.ball_width);
   if (!angles) return skip("no balanced state was found among the continuum of them");
-  const bool family = e.balanced.kind == model::BalancedStates::Kind::family;
+  const bool family = e.balanced.kind == model::BalancedStates::Kind::continuum;
   const LinearRotor rotor = linear_rotor(e, family);
   BalancedMotion motion;
   motion.angles = *angles;
@@ -153,7 +153,7 @@ void linearise(Explanation& e) {
                 (gravity && uneven ? " and " : "") + (uneven ? "unequal supports" : ""));
   }
   motion.less = rotor.less;
-  motion.strobe = rotor.system().autonomous() ? 0.0 : rotor.system().strobe_period();
+  motion.strobe = rotor.system().autonomous() ? 0.0 : rotor.system().section_period();
   motion.left = linear->left;
   motion.eigenvalues = linear->rates;
   motion.slowest_rate = motion.eigenvalues.front().real();

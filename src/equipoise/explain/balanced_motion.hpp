@@ -5,7 +5,7 @@
 #include <optional>
 #include <vector>
 
-#include "equipoise/model/balanced_state.hpp"
+#include "equipoise/mechanics/balanced_state.hpp"
 #include "equipoise/results/explanation.hpp"
 
 namespace equipoise {

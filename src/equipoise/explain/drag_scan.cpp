@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "equipoise/math/dense.hpp"
-#include "equipoise/model/linearisation.hpp"
+#include "equipoise/mechanics/linearisation.hpp"
 #include "equipoise/model/system.hpp"
 
 namespace equipoise {

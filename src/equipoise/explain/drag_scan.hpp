@@ -8,7 +8,7 @@
 
 #include <Eigen/Core>
 
-#include "equipoise/model/balanced_state.hpp"
+#include "equipoise/mechanics/balanced_state.hpp"
 #include "equipoise/results/explanation.hpp"
 
 namespace equipoise {

@@ -1,6 +1,6 @@
 // Prescribed speeds, and where a motor's torque and what balance takes are equal.
 #include "equipoise/explain/parts.hpp"
-#include "equipoise/model/held_speed.hpp"
+#include "equipoise/mechanics/held_speed.hpp"
 #include "equipoise/model/system.hpp"
 #include "equipoise/spin_up/run_up.hpp"
 

@@ -13,8 +13,8 @@ namespace equipoise {
 /// A study's quantities, in the order of its own tables.
 std::vector<ExplainedQuantity> quantity_table(const Study& study);
 
-/// Fills `e.speed` and what is said of it: of a motor, where a balanced rotor needs what the motor gives; of a motor that
-/// lets go, the speed then if nothing has braked the rotor.
+/// Fills `e.speed` and what is said of it: of a motor, where a balanced rotor needs what the motor gives; of a motor
+/// that lets go, the speed then if nothing has braked the rotor.
 void put_final_speed(Explanation& e);
 /// When a ramp function reaches its last speed; none if it is constant.
 std::optional<double> last_time(const RampSetting& s);

@@ -9,7 +9,7 @@
 
 #include <fmt/format.h>
 
-#include "equipoise/discovery/horizon.hpp"
+#include "equipoise/rotor_family/horizon.hpp"
 
 namespace equipoise {
 

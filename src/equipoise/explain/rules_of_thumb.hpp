@@ -4,8 +4,8 @@
 
 #include <optional>
 
+#include "equipoise/mechanics/forced_vibration.hpp"
 #include "equipoise/model/parameters.hpp"
-#include "equipoise/model/shaking.hpp"
 
 namespace equipoise::rules {
 

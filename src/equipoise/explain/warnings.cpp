@@ -7,13 +7,13 @@
 
 #include <fmt/format.h>
 
+#include "equipoise/attractor_search/cost.hpp"
 #include "equipoise/base/angles.hpp"
-#include "equipoise/discovery/cost.hpp"
-#include "equipoise/discovery/horizon.hpp"
-#include "equipoise/discovery/undecided.hpp"
 #include "equipoise/explain/drag_scan.hpp"
-#include "equipoise/report/engineering.hpp"
+#include "equipoise/rotor_family/horizon.hpp"
 #include "equipoise/spin_up/spin_up.hpp"
+#include "equipoise/start_runs/undecided.hpp"
+#include "equipoise/text/engineering.hpp"
 
 namespace equipoise {
 

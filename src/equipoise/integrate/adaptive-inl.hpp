@@ -1,5 +1,5 @@
 // One trajectory in double precision with step control and dense output: the accurate, unhurried integrator behind
-// `simulate` and the clamped spin-up. Ensembles use lanes/lane_block-inl.hpp.
+// `simulate` and the clamped spin-up. Ensembles use batch/batch_block-inl.hpp.
 #if defined(EQUIPOISE_INTEGRATE_ADAPTIVE_INL) == defined(HWY_TARGET_TOGGLE)
 #ifdef EQUIPOISE_INTEGRATE_ADAPTIVE_INL
 #undef EQUIPOISE_INTEGRATE_ADAPTIVE_INL

@@ -5,8 +5,8 @@
 #include <cstddef>
 
 #include "equipoise/integrate/adaptive-inl.hpp"
+#include "equipoise/mechanics/frames.hpp"
 #include "equipoise/model/flow-inl.hpp"
-#include "equipoise/model/frames.hpp"
 #include "equipoise/model/unbalance.hpp"
 
 namespace equipoise {

@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "equipoise/base/stop_flag.hpp"
+#include "equipoise/drives/speed.hpp"
 #include "equipoise/model/parameters.hpp"
-#include "equipoise/model/speed.hpp"
 #include "equipoise/types/status.hpp"
 
 namespace equipoise {

@@ -1,6 +1,6 @@
-// Kernels for rotors at a prescribed speed with a centred race, with all terms (LaneKind::turning). Highway's
+// Kernels for rotors at a prescribed speed with a centred race, with all terms (BatchKind::turning). Highway's
 // foreach_target compiles this file once per CPU target.
-#include "equipoise/kernels/lane_job.hpp"
+#include "equipoise/kernels/batch_job.hpp"
 
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "equipoise/kernels/general_kernels.cpp"
@@ -13,7 +13,7 @@ HWY_BEFORE_NAMESPACE();
 namespace equipoise {
 namespace HWY_NAMESPACE {
 
-bool run_general_target(const LaneJob& job) { return run_job<LaneKind::turning>(job); }
+bool run_general_target(const BatchJob& job) { return run_job<BatchKind::turning>(job); }
 
 }  // namespace HWY_NAMESPACE
 }  // namespace equipoise
@@ -24,7 +24,7 @@ namespace equipoise {
 
 HWY_EXPORT(run_general_target);
 
-bool run_general_lanes(const LaneJob& job) { return HWY_DYNAMIC_DISPATCH(run_general_target)(job); }
+bool run_general_batch(const BatchJob& job) { return HWY_DYNAMIC_DISPATCH(run_general_target)(job); }
 
 }  // namespace equipoise
 #endif

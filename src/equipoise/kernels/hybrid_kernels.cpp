@@ -1,6 +1,6 @@
-// Kernels for systems with contact or dry friction (LaneKind::hybrid). Highway's foreach_target compiles this file once
-// per CPU target.
-#include "equipoise/kernels/lane_job.hpp"
+// Kernels for systems with contact or dry friction (BatchKind::hybrid). Highway's foreach_target compiles this file
+// once per CPU target.
+#include "equipoise/kernels/batch_job.hpp"
 
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "equipoise/kernels/hybrid_kernels.cpp"
@@ -13,7 +13,7 @@ HWY_BEFORE_NAMESPACE();
 namespace equipoise {
 namespace HWY_NAMESPACE {
 
-bool run_hybrid_target(const LaneJob& job) { return run_job<LaneKind::hybrid>(job); }
+bool run_hybrid_target(const BatchJob& job) { return run_job<BatchKind::hybrid>(job); }
 
 }  // namespace HWY_NAMESPACE
 }  // namespace equipoise
@@ -24,7 +24,7 @@ namespace equipoise {
 
 HWY_EXPORT(run_hybrid_target);
 
-bool run_hybrid_lanes(const LaneJob& job) { return HWY_DYNAMIC_DISPATCH(run_hybrid_target)(job); }
+bool run_hybrid_batch(const BatchJob& job) { return HWY_DYNAMIC_DISPATCH(run_hybrid_target)(job); }
 
 }  // namespace equipoise
 #endif

@@ -10,11 +10,11 @@
 #include <memory>
 #include <vector>
 
-#include "equipoise/deciding/decision-inl.hpp"
-#include "equipoise/deciding/follow_on-inl.hpp"
-#include "equipoise/kernels/lane_job.hpp"
-#include "equipoise/lanes/lane_block-inl.hpp"
-#include "equipoise/lanes/watch_radius-inl.hpp"
+#include "equipoise/batch/batch_block-inl.hpp"
+#include "equipoise/batch/watch_radius-inl.hpp"
+#include "equipoise/classification/classify-inl.hpp"
+#include "equipoise/classification/follow_on-inl.hpp"
+#include "equipoise/kernels/batch_job.hpp"
 #include "equipoise/model/ball_count.hpp"
 #include "equipoise/model/flow-inl.hpp"
 #include "equipoise/model/hybrid_flow-inl.hpp"
@@ -28,16 +28,16 @@ namespace HWY_NAMESPACE {
 
 // Groups of lanes taken in turn. Eight lanes and 32 registers (AVX-512) profit from three for up to two balls; narrower
 // registers, more balls or the longer equations of smooth systems keep the processor busy with one.
-template <int room, LaneKind kind = LaneKind::plain>
-inline constexpr int lane_groups = room <= 2 && pack_lanes == 8 && kind < LaneKind::smooth ? most_lane_groups : 1;
+template <int room, BatchKind kind = BatchKind::plain>
+inline constexpr int batch_groups = room <= 2 && pack_lanes == 8 && kind < BatchKind::smooth ? most_batch_groups : 1;
 
 // Records trajectories lost on the way.
 class WatchForLoss : public NoObserver {
  public:
   explicit WatchForLoss(std::vector<Fate>& fates) : fates_(fates) {}
-  void end(int, std::size_t start, LaneEnd how, double t, const double*) {
-    if (how == LaneEnd::diverged) fates_[start] = {Outcome::diverged, DecidedBy::nothing, 0, t};
-    if (how == LaneEnd::failed) fates_[start] = {Outcome::failed, DecidedBy::nothing, 0, t};
+  void end(int, std::size_t start, BatchEnd how, double t, const double*) {
+    if (how == BatchEnd::diverged) fates_[start] = {Outcome::diverged, DecidedBy::nothing, 0, t};
+    if (how == BatchEnd::failed) fates_[start] = {Outcome::failed, DecidedBy::nothing, 0, t};
   }
 
  private:
@@ -45,46 +45,46 @@ class WatchForLoss : public NoObserver {
 };
 
 // The watch that a task asks for; null if none.
-inline std::unique_ptr<LaneWatch> watch_of(const LaneTask& task) {
+inline std::unique_ptr<BatchWatch> watch_of(const BatchTask& task) {
   if (task.transients) return std::make_unique<WatchTransients>(task, *task.transients);
   if (task.radius) return std::make_unique<WatchRadius>(*task.radius);
   return nullptr;
 }
 
 template <class Flow, int groups, class Observer, class Rotors>
-bool run_block(const LaneTask& task, const Flow& flow, Observer& observer, const Rotors& rotors) {
-  const auto block = std::make_unique<LaneBlock<Flow, Observer, groups, Rotors>>(task, flow, observer, rotors);
+bool run_block(const BatchTask& task, const Flow& flow, Observer& observer, const Rotors& rotors) {
+  const auto block = std::make_unique<BatchBlock<Flow, Observer, groups, Rotors>>(task, flow, observer, rotors);
   return block->run();
 }
 
 template <class Flow, int groups, class Fates, class Rotors>
-bool run_watched(const LaneTask& task, const Flow& flow, Fates& fates, const Rotors& rotors) {
+bool run_watched(const BatchTask& task, const Flow& flow, Fates& fates, const Rotors& rotors) {
   const auto watch = watch_of(task);
   const auto observer = std::make_unique<FollowOn<Fates, groups>>(fates, watch.get(), flow.size());
   return run_block<Flow, groups>(task, flow, *observer, rotors);
 }
 
 // The terms of a rotor at a prescribed speed whose race is centred.
-constexpr Terms terms_of(LaneKind kind, bool acceleration) {
-  return kind == LaneKind::plain ? paper_terms(acceleration) : Terms{.acceleration = acceleration};
+constexpr Terms terms_of(BatchKind kind, bool acceleration) {
+  return kind == BatchKind::plain ? paper_terms(acceleration) : Terms{.acceleration = acceleration};
 }
 
-template <int room, LaneKind kind, bool acceleration>
+template <int room, BatchKind kind, bool acceleration>
 auto flow_of(const model::Parameters& parameters, const model::System* system, const model::Segment& segment) {
-  if constexpr (kind == LaneKind::smooth)
+  if constexpr (kind == BatchKind::smooth)
     return SmoothFlow<Pack, room>(*system, segment);
-  else if constexpr (kind == LaneKind::hybrid)
+  else if constexpr (kind == BatchKind::hybrid)
     return HybridFlow<Pack, room>(*system, segment);
   else
     return FreeFlow<Pack, room, terms_of(kind, acceleration)>(parameters, segment);
 }
 
-template <int room, LaneKind kind, bool acceleration>
-auto flow_of(const LaneTask& task) {
+template <int room, BatchKind kind, bool acceleration>
+auto flow_of(const BatchTask& task) {
   return flow_of<room, kind, acceleration>(*task.parameters, task.system, task.segment);
 }
 
-template <int room, LaneKind kind, bool acceleration>
+template <int room, BatchKind kind, bool acceleration>
 auto own_rotors() {
   const auto make = [](const OwnRotor& own) {
     return flow_of<room, kind, acceleration>(own.system.parameters(), &own.system, own.segment);
@@ -92,24 +92,24 @@ auto own_rotors() {
   return OwnRotors<decltype(make)>{make};
 }
 
-template <int room, LaneKind kind>
-bool decide_balls(const LaneJob& job) {
-  using Fates = DecideFate<room, lane_groups<room, kind>, kind>;
+template <int room, BatchKind kind>
+bool classify_balls(const BatchJob& job) {
+  using Fates = ClassifyFate<room, batch_groups<room, kind>, kind>;
   const auto fates = std::make_unique<Fates>(job.task, *job.rule, job.fates, job.pilot);
   const auto flow = flow_of<room, kind, false>(job.task);
   const auto run = [&](const auto& rotors) {
-    return run_watched<std::remove_const_t<decltype(flow)>, lane_groups<room, kind>>(job.task, flow, *fates, rotors);
+    return run_watched<std::remove_const_t<decltype(flow)>, batch_groups<room, kind>>(job.task, flow, *fates, rotors);
   };
-  if constexpr (kind < LaneKind::smooth)
+  if constexpr (kind < BatchKind::smooth)
     if (!job.task.own) return run(OneRotor{});
   return run(own_rotors<room, kind, false>());
 }
 
 // Unwatched runs of plain rotors are compiled apart, without acceleration where there is none and without the test for
 // a watch. That test would cost 3 % here; deciding does not slow down by it.
-template <int room, LaneKind kind>
-bool advance_balls(const LaneJob& job) {
-  constexpr int groups = lane_groups<room, kind>;
+template <int room, BatchKind kind>
+bool advance_balls(const BatchJob& job) {
+  constexpr int groups = batch_groups<room, kind>;
   const auto run = [&]<bool acceleration, bool watched>(const auto& rotors) {
     WatchForLoss fates(job.fates);
     const auto flow = flow_of<room, kind, acceleration>(job.task);
@@ -119,22 +119,22 @@ bool advance_balls(const LaneJob& job) {
     else
       return run_block<Flow, groups>(job.task, flow, fates, rotors);
   };
-  if constexpr (kind == LaneKind::plain) {
+  if constexpr (kind == BatchKind::plain) {
     if (!job.task.own && !job.task.watched())
       return job.task.segment.acceleration == 0.0 ? run.template operator()<false, false>(OneRotor{})
                                                   : run.template operator()<true, false>(OneRotor{});
   }
-  if constexpr (kind < LaneKind::smooth)
+  if constexpr (kind < BatchKind::smooth)
     if (!job.task.own) return run.template operator()<true, true>(OneRotor{});
   return run.template operator()<true, true>(own_rotors<room, kind, true>());
 }
 
-template <LaneKind kind>
-bool run_job(const LaneJob& job) {
+template <BatchKind kind>
+bool run_job(const BatchJob& job) {
   const int balls = job.task.parameters->balls;
   // Deciding takes most of the time. Unrolling it for five and six balls too makes evaluations 22 and 9 % cheaper.
-  constexpr int most = kind == LaneKind::hybrid ? 0 : kind == LaneKind::smooth ? 4 : 6;
-  if (job.rule) return model::with_ball_count<most>(balls, [&](auto room) { return decide_balls<room, kind>(job); });
+  constexpr int most = kind == BatchKind::hybrid ? 0 : kind == BatchKind::smooth ? 4 : 6;
+  if (job.rule) return model::with_ball_count<most>(balls, [&](auto room) { return classify_balls<room, kind>(job); });
   return model::with_ball_count < most < 4 ? most
                                            : 4 > (
                                                      balls, [&](auto room) { return advance_balls<room, kind>(job); });

@@ -1,6 +1,6 @@
-// Kernels for rotors whose equations do not depend on the rotor's angle (LaneKind::plain). Highway's foreach_target
+// Kernels for rotors whose equations do not depend on the rotor's angle (BatchKind::plain). Highway's foreach_target
 // compiles this file once per CPU target.
-#include "equipoise/kernels/lane_job.hpp"
+#include "equipoise/kernels/batch_job.hpp"
 
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "equipoise/kernels/plain_kernels.cpp"
@@ -13,7 +13,7 @@ HWY_BEFORE_NAMESPACE();
 namespace equipoise {
 namespace HWY_NAMESPACE {
 
-bool run_plain_target(const LaneJob& job) { return run_job<LaneKind::plain>(job); }
+bool run_plain_target(const BatchJob& job) { return run_job<BatchKind::plain>(job); }
 
 }  // namespace HWY_NAMESPACE
 }  // namespace equipoise
@@ -24,7 +24,7 @@ namespace equipoise {
 
 HWY_EXPORT(run_plain_target);
 
-bool run_plain_lanes(const LaneJob& job) { return HWY_DYNAMIC_DISPATCH(run_plain_target)(job); }
+bool run_plain_batch(const BatchJob& job) { return HWY_DYNAMIC_DISPATCH(run_plain_target)(job); }
 
 }  // namespace equipoise
 #endif

@@ -1,20 +1,20 @@
-// Kernels for smooth systems (LaneKind::smooth) and for driven rotors whose balls are held. Highway's foreach_target
+// Kernels for smooth systems (BatchKind::smooth) and for driven rotors whose balls are held. Highway's foreach_target
 // compiles this file once per CPU target.
-#include "equipoise/kernels/lane_job.hpp"
+#include "equipoise/kernels/batch_job.hpp"
 
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "equipoise/kernels/smooth_kernels.cpp"
 #include "hwy/foreach_target.h"
 #include "hwy/highway.h"
 
-#include "equipoise/deciding/hold_balls-inl.hpp"
+#include "equipoise/classification/hold_balls-inl.hpp"
 #include "equipoise/kernels/kernel-inl.hpp"
 
 HWY_BEFORE_NAMESPACE();
 namespace equipoise {
 namespace HWY_NAMESPACE {
 
-bool run_smooth_target(const LaneJob& job) { return run_job<LaneKind::smooth>(job); }
+bool run_smooth_target(const BatchJob& job) { return run_job<BatchKind::smooth>(job); }
 
 const auto held_rotors = [] {
   const auto make = [](const OwnRotor& own) { return HeldFlow<Pack>(own.system); };
@@ -22,14 +22,14 @@ const auto held_rotors = [] {
 }();
 
 // One kernel for any number of balls: with the rotor they are one body.
-bool run_held_target(const LaneTask& task, const HoldRule& rule, std::vector<HeldEnd>& ends) {
+bool run_held_target(const BatchTask& task, const HoldRule& rule, std::vector<HeldEnd>& ends) {
   const auto watch = watch_of(task);
   const auto observer = std::make_unique<HoldBalls>(task, rule, watch.get(), ends);
   return run_block<HeldFlow<Pack>, 1>(task, HeldFlow<Pack>(*task.system), *observer, held_rotors);
 }
 
 // To the task's end, without a rule.
-bool advance_held_target(const LaneJob& job) {
+bool advance_held_target(const BatchJob& job) {
   WatchForLoss fates(job.fates);
   return run_watched<HeldFlow<Pack>, 1>(job.task, HeldFlow<Pack>(*job.task.system), fates, held_rotors);
 }
@@ -45,11 +45,11 @@ HWY_EXPORT(run_smooth_target);
 HWY_EXPORT(run_held_target);
 HWY_EXPORT(advance_held_target);
 
-bool run_smooth_lanes(const LaneJob& job) { return HWY_DYNAMIC_DISPATCH(run_smooth_target)(job); }
+bool run_smooth_batch(const BatchJob& job) { return HWY_DYNAMIC_DISPATCH(run_smooth_target)(job); }
 
-bool advance_held_lanes(const LaneJob& job) { return HWY_DYNAMIC_DISPATCH(advance_held_target)(job); }
+bool advance_held_batch(const BatchJob& job) { return HWY_DYNAMIC_DISPATCH(advance_held_target)(job); }
 
-bool run_held_lanes(const LaneTask& task, const HoldRule& rule, std::vector<HeldEnd>& ends) {
+bool run_held_batch(const BatchTask& task, const HoldRule& rule, std::vector<HeldEnd>& ends) {
   return HWY_DYNAMIC_DISPATCH(run_held_target)(task, rule, ends);
 }
 

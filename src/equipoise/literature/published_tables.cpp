@@ -9,8 +9,8 @@
 
 #include <fmt/format.h>
 
-#include "equipoise/literature/paper_files.hpp"
 #include "equipoise/base/error.hpp"
+#include "equipoise/literature/paper_files.hpp"
 
 namespace equipoise {
 

@@ -12,7 +12,7 @@
 
 #include "equipoise/model/equations-inl.hpp"
 #include "equipoise/model/state_layout.hpp"
-#include "equipoise/model/strobe.hpp"
+#include "equipoise/model/stroboscopic_section.hpp"
 #include "equipoise/model/system.hpp"
 
 HWY_BEFORE_NAMESPACE();
@@ -84,7 +84,7 @@ class RotorDrive {
  public:
   RotorDrive(const model::Parameters& p, const model::DrivePiece& piece, const model::StateLayout& layout, double begin,
              double psi)
-      : layout_(layout), turning_(model::is_strobed(p)), motor_(piece.motor) {
+      : layout_(layout), turning_(model::depends_on_rotor_angle(p)), motor_(piece.motor) {
     enter(piece, begin, psi);
   }
 

@@ -8,7 +8,7 @@
 #endif
 
 #include "equipoise/model/equations-inl.hpp"
-#include "equipoise/model/strobe.hpp"
+#include "equipoise/model/stroboscopic_section.hpp"
 
 HWY_BEFORE_NAMESPACE();
 namespace equipoise {
@@ -21,7 +21,7 @@ class RotorEnergy {
  public:
   explicit RotorEnergy(const model::Parameters& p)
       : balls_(p.balls),
-        turning_(model::is_strobed(p)),
+        turning_(model::depends_on_rotor_angle(p)),
         heavy_(p.gravity != 0.0),
         rolls_(p.rolls),
         lambda_(p.eccentricity),
@@ -60,8 +60,7 @@ class RotorEnergy {
       sin_cos(z[phi(i)], s, c);
       const T vx = z[u] - w * oy - rate * s, vy = z[v] + w * ox + rate * c;
       T one = half * (vx * vx + vy * vy);
-      if (heavy_)
-        one = one + gravity_ * (place.y + rotor.sin_psi * (ox + c) + rotor.cos_psi * (oy + s));
+      if (heavy_) one = one + gravity_ * (place.y + rotor.sin_psi * (ox + c) + rotor.cos_psi * (oy + s));
       if (rolls_) {
         const T rim = radius_[i] * w - own;  // radius times spin: the ball rolls without slip
         one = one + half * T(model::sphere_inertia.value()) * rim * rim;

@@ -65,8 +65,8 @@ class BallBalancer : public BalancerConstants<T, room, terms> {
   }
 
   // The same of a rotor whose balls are told what to do.
-  HWY_INLINE BodyResult<T> machine_derivative(const RotorMotion<T>& rotor, const BallActions<T, room>& actions,
-                                              const T* torque, const T* z, T* dz) const {
+  HWY_INLINE BodyResult<T> full_derivative(const RotorMotion<T>& rotor, const BallActions<T, room>& actions,
+                                           const T* torque, const T* z, T* dz) const {
     static_assert(terms.body && terms.actions);
     Sums sums{};
     const Body<T> body = with_held_balls(actions, z, sums);

@@ -7,8 +7,8 @@
 #define EQUIPOISE_MODEL_FLOW_INL
 #endif
 
+#include "equipoise/drives/speed.hpp"
 #include "equipoise/model/equations-inl.hpp"
-#include "equipoise/model/speed.hpp"
 
 HWY_BEFORE_NAMESPACE();
 namespace equipoise {

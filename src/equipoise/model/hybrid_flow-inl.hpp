@@ -7,11 +7,11 @@
 #define EQUIPOISE_MODEL_HYBRID_FLOW_INL
 #endif
 
+#include "equipoise/drives/full_state.hpp"
 #include "equipoise/model/ball_count.hpp"
 #include "equipoise/model/ball_mode.hpp"
 #include "equipoise/model/drive-inl.hpp"
 #include "equipoise/model/equations-inl.hpp"
-#include "equipoise/model/machine.hpp"
 #include "equipoise/model/state_layout.hpp"
 #include "equipoise/model/system.hpp"
 
@@ -181,7 +181,7 @@ class HybridFlow {
     BodyResult<T> result;
     // Normal forces are first taken to point outward. Where a ball presses on the inner wall, friction changes sign.
     for (int attempt = 0; attempt < 2; ++attempt) {
-      result = balancer_.machine_derivative(rotor, actions, drive_.driven() ? &motor.torque : nullptr, y, dy);
+      result = balancer_.full_derivative(rotor, actions, drive_.driven() ? &motor.torque : nullptr, y, dy);
       if (attempt > 0 || !resists_ || !turn_inward(forces, actions)) break;
     }
     drive_.rates(rotor, result.acceleration, motor.error_rate, dy);
@@ -203,10 +203,10 @@ class HybridFlow {
     BallActions<T, room> actions;
     T before[dimension], after[dimension];
     const T idle(0.0), *torque = drive_.driven() ? &idle : nullptr;
-    const T a0 = balancer_.machine_derivative(rotor, actions, torque, y, before).acceleration;
+    const T a0 = balancer_.full_derivative(rotor, actions, torque, y, before).acceleration;
     actions.push[first] = T(-1.0);
     actions.push[second] = T(1.0);
-    const T a1 = balancer_.machine_derivative(rotor, actions, torque, y, after).acceleration;
+    const T a1 = balancer_.full_derivative(rotor, actions, torque, y, after).acceleration;
     for (int i = 0; i < size_; ++i) change[i] = T(0.0);
     for (int i : {model::index::u, model::index::v}) change[i] = after[i] - before[i];
     for (int i = 0; i < n; ++i) change[4 + n + i] = after[4 + n + i] - before[4 + n + i];

@@ -4,14 +4,14 @@
 #include <cmath>
 
 #include "equipoise/base/angles.hpp"
-#include "equipoise/model/strobe.hpp"
+#include "equipoise/model/stroboscopic_section.hpp"
 
 namespace equipoise::model {
 
 namespace {
 Section section_of(const Parameters& p, bool prescribed) {
-  if (!is_strobed(p)) return Section::none;
-  return prescribed ? Section::strobe : Section::turn;
+  if (!depends_on_rotor_angle(p)) return Section::none;
+  return prescribed ? Section::stroboscopic : Section::turn;
 }
 }  // namespace
 
@@ -47,14 +47,14 @@ double System::torque(const Eigen::VectorXd& y) const {
   return drive_.motor.torque(drive_.motor.begin, speed(y), layout_.error < 0 ? 0.0 : y[layout_.error]);
 }
 
-double System::strobe_angle() const { return model::strobe_angle(p_); }
+double System::section_angle() const { return model::section_angle(p_); }
 
-double System::strobe_period() const { return model::strobe_period(p_, drive_.speed); }
+double System::section_period() const { return model::section_period(p_, drive_.speed); }
 
 std::vector<System::Angle> System::angles() const {
   std::vector<Angle> result;
   for (int i = 0; i < p_.balls; ++i) result.push_back({index::phi(i), two_pi});
-  if (layout_.psi >= 0) result.push_back({layout_.psi, strobe_angle()});
+  if (layout_.psi >= 0) result.push_back({layout_.psi, section_angle()});
   return result;
 }
 

@@ -7,7 +7,7 @@
 
 #include <Eigen/Core>
 
-#include "equipoise/model/machine.hpp"
+#include "equipoise/drives/full_state.hpp"
 #include "equipoise/model/parameters.hpp"
 #include "equipoise/model/state_layout.hpp"
 
@@ -15,9 +15,10 @@ namespace equipoise::model {
 
 /// Where the states of a motion are taken for comparison.
 enum class Section {
-  none,    ///< nothing depends on the rotor's angle: anywhere
-  strobe,  ///< gravity or unequal supports at a prescribed speed: whenever the rotor has turned by strobe_angle()
-  turn,    ///< the same with a motor: anywhere, but the rotor's angle, modulo strobe_angle(), is part of the state
+  none,          ///< nothing depends on the rotor's angle: anywhere
+  stroboscopic,  ///< gravity or unequal supports at a prescribed speed: whenever the rotor has turned by
+                 ///< section_angle()
+  turn,  ///< the same with a motor: anywhere, but the rotor's angle, modulo section_angle(), is part of the state
 };
 
 /// Events that interrupt an otherwise smooth motion.
@@ -80,8 +81,8 @@ class System {
   double torque(const Eigen::VectorXd& y) const;
 
   /// Section strobe: period of the equations, as an angle of the rotor and as a time.
-  double strobe_angle() const;
-  double strobe_period() const;
+  double section_angle() const;
+  double section_period() const;
 
   /// A component that is an angle, and its period. The balls' come first.
   struct Angle {

@@ -9,9 +9,9 @@
 #include <fmt/format.h>
 
 #include "equipoise/math/dense.hpp"
-#include "equipoise/model/balanced_state.hpp"
-#include "equipoise/model/capability.hpp"
-#include "equipoise/model/linearisation.hpp"
+#include "equipoise/mechanics/balanced_state.hpp"
+#include "equipoise/mechanics/capability.hpp"
+#include "equipoise/mechanics/linearisation.hpp"
 #include "equipoise/proof/level_proof.hpp"
 
 namespace equipoise {
@@ -117,10 +117,10 @@ std::string refusal(const model::System& system) {
   if (p.balls < 1 || p.balls > 2)
     return "three balls or more have a continuum of balanced states; proofs are for isolated ones";
   if (!std::isfinite(system.speed())) return "the speed must be a finite number";
-  if (const auto lack = model::lacking(system, model::Answer::proofs)) return lack->reason;
+  if (const auto lack = model::lacking(system, model::ResultKind::proofs)) return lack->reason;
   const model::BalancedStates states = model::balanced_states(system);
   if (states.kind == model::BalancedStates::Kind::none) return "no balanced state exists: " + states.reason;
-  if (states.kind == model::BalancedStates::Kind::family)
+  if (states.kind == model::BalancedStates::Kind::continuum)
     return "without unbalance there is a continuum of balanced states; proofs are for isolated ones";
   return "";
 }

@@ -9,7 +9,7 @@
 #include <Eigen/Core>
 
 #include "equipoise/base/stop_flag.hpp"
-#include "equipoise/model/motor.hpp"
+#include "equipoise/drives/motor.hpp"
 #include "equipoise/model/parameters.hpp"
 #include "equipoise/model/system.hpp"
 

@@ -8,13 +8,6 @@
 
 namespace equipoise {
 
-namespace {
-
-// Relative margin by which a search must succeed: far above rounding, far below what decides the share proved.
-constexpr double spare_in_search = 1e-11;
-
-}  // namespace
-
 template <ProofKind kind>
 bool LevelProof<kind>::outside(const Box& box) const {
   Interval distance(0.0);

@@ -6,7 +6,7 @@
 
 #include "equipoise/base/angles.hpp"
 #include "equipoise/math/krawczyk.hpp"
-#include "equipoise/model/balanced_state.hpp"
+#include "equipoise/mechanics/balanced_state.hpp"
 #include "equipoise/proof/level_rates.hpp"
 
 namespace equipoise {

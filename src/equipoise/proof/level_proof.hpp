@@ -16,6 +16,10 @@
 
 namespace equipoise {
 
+/// Relative margin by which a search must succeed: far above rounding, so that another compiler's does not refute it,
+/// and far below what decides the share proved.
+inline constexpr double spare_in_search = 1e-11;
+
 /// What a proof is compiled for. Without `body` the speed is prescribed and the race centred; `rolls` is then whether
 /// the balls roll, else that is looked up.
 struct ProofKind {

@@ -11,8 +11,9 @@
 #include "equipoise/math/krawczyk.hpp"
 #include "equipoise/math/lyapunov.hpp"
 #include "equipoise/math/positive_definite.hpp"
-#include "equipoise/model/balanced_state.hpp"
+#include "equipoise/mechanics/balanced_state.hpp"
 #include "equipoise/model/flow-inl.hpp"
+#include "equipoise/proof/level_proof.hpp"
 
 namespace equipoise {
 
@@ -24,9 +25,6 @@ using Matrix = std::array<std::array<Interval, most_rows>, most_rows>;
 using E = Expansion<Interval, most>;
 using Flow =
     HWY_NAMESPACE::FreeFlow<E, model::any_count, HWY_NAMESPACE::Terms{false, false, false, false, false, true}>;
-
-// A search succeeds with this margin, so that another compiler's rounding does not refute it.
-constexpr double spare_in_search = 1e-11;
 
 // Of h, or less where fewer balls than there is room for run.
 int rows_of(const model::Parameters& p) { return p.balls + 6; }

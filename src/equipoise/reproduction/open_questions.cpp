@@ -6,13 +6,13 @@
 
 #include <fmt/format.h>
 
+#include "equipoise/attractor_search/attractor_search.hpp"
 #include "equipoise/base/angles.hpp"
-#include "equipoise/base/reporting.hpp"
-#include "equipoise/basins/basin.hpp"
-#include "equipoise/discovery/discovery.hpp"
+#include "equipoise/basin_slices/basin_slice.hpp"
+#include "equipoise/ensembles/basin.hpp"
 #include "equipoise/kernels/cpu_target.hpp"
 #include "equipoise/literature/paper_rotor.hpp"
-#include "equipoise/maps/plane_map.hpp"
+#include "equipoise/running/reporting.hpp"
 
 namespace equipoise {
 
@@ -46,18 +46,18 @@ void use(const OpenQuestionSettings& settings, const std::string& part, RunOptio
   };
 }
 
-PlaneMap mapped(const Study& study, const OpenQuestionSettings& settings, const std::string& part, const MapAxis& x,
-                const MapAxis& y, const std::vector<AngleLink>& links) {
-  PlaneMapSettings map;
+BasinSlice mapped(const Study& study, const OpenQuestionSettings& settings, const std::string& part, const SliceAxis& x,
+                  const SliceAxis& y, const std::vector<AngleLink>& links) {
+  BasinSliceSettings map;
   map.x = x;
   map.y = y;
   map.links = links;
   use(settings, part, map);
-  return plane_map(study, map);
+  return basin_slice(study, map);
 }
 
 BasinResult sampled(Study study, const SamplingBox& box, const OpenQuestionSettings& settings,
-                    DiscoveryCache& discoveries, const std::string& file, const std::string& part) {
+                    AttractorSearchCache& discoveries, const std::string& file, const std::string& part) {
   study.sampling.starts = settings.starts;
   study.sampling.seed = settings.seed;
   study.sampling.box = box;
@@ -70,8 +70,8 @@ BasinResult sampled(Study study, const SamplingBox& box, const OpenQuestionSetti
 }
 
 OpenQuestions answered(const OpenQuestionSettings& settings) {
-  const int pixels = settings.map_pixels;
-  const MapAxis angle{"initial.phi_1", 0.0, two_pi, pixels};
+  const int pixels = settings.slice_pixels;
+  const SliceAxis angle{"initial.phi_1", 0.0, two_pi, pixels};
   OpenQuestions result;
   result.eccentricity_and_angle = mapped(rotor_at(2.4), settings, "map of eccentricity and angle",
                                          {"rotor.eccentricity", 0.0, 0.12, pixels}, angle, {{2, 1, pi}});
@@ -85,7 +85,7 @@ OpenQuestions answered(const OpenQuestionSettings& settings) {
   for (const double speed : speeds) {
     if (is_set(settings.stop)) break;
     BoxShares shares{speed, {}, {}};
-    DiscoveryCache discoveries;  // both samples end at one speed
+    AttractorSearchCache discoveries;  // both samples end at one speed
     shares.box =
         sampled(rotor_at(speed), stated_box(), settings, discoveries, "box", fmt::format("box at speed {}", speed));
     shares.rest =

@@ -6,9 +6,9 @@
 #include <string>
 #include <vector>
 
-#include "equipoise/base/run_options.hpp"
 #include "equipoise/results/basin_result.hpp"
-#include "equipoise/results/plane_map.hpp"
+#include "equipoise/results/basin_slice.hpp"
+#include "equipoise/running/run_options.hpp"
 
 namespace equipoise {
 
@@ -19,15 +19,15 @@ struct BoxShares {
 };
 
 struct OpenQuestions {
-  PlaneMap eccentricity_and_angle;  ///< lambda and phi_1, the balls opposite one another
-  PlaneMap eccentricity_and_mass;   ///< lambda and mu, the balls at -pi/2 and pi/2
-  std::vector<BoxShares> boxes;     ///< by rising speed
-  bool complete = true;             ///< false: stopped; what is there counts
+  BasinSlice eccentricity_and_angle;  ///< lambda and phi_1, the balls opposite one another
+  BasinSlice eccentricity_and_mass;   ///< lambda and mu, the balls at -pi/2 and pi/2
+  std::vector<BoxShares> boxes;       ///< by rising speed
+  bool complete = true;               ///< false: stopped; what is there counts
 };
 
 /// Progress is in pixels of a map, then in starts of a sample.
 struct OpenQuestionSettings : RunOptions {
-  int map_pixels = 64;           ///< along each side of both maps; a pixel takes 7 to 25 ms on the mean
+  int slice_pixels = 64;         ///< along each side of both maps; a pixel takes 7 to 25 ms on the mean
   std::uint64_t starts = 20000;  ///< a sample, two samples a speed
   std::uint64_t seed = 1;
   std::string folder;  ///< an existing folder for per-start results of the samples (NetCDF), resumed; empty: none

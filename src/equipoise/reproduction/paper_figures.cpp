@@ -8,13 +8,13 @@
 
 #include <fmt/format.h>
 
+#include "equipoise/attractors/motion.hpp"
 #include "equipoise/base/angles.hpp"
 #include "equipoise/base/error.hpp"
 #include "equipoise/literature/paper_rotor.hpp"
-#include "equipoise/model/frames.hpp"
-#include "equipoise/motions/motion.hpp"
-#include "equipoise/report/text.hpp"
+#include "equipoise/mechanics/frames.hpp"
 #include "equipoise/sampling/starts.hpp"
+#include "equipoise/text/text.hpp"
 #include "equipoise/trajectory/simulate.hpp"
 
 namespace equipoise {

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "equipoise/base/stop_flag.hpp"
-#include "equipoise/model/speed.hpp"
+#include "equipoise/drives/speed.hpp"
 
 namespace equipoise {
 

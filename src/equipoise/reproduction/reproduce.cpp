@@ -6,13 +6,13 @@
 
 #include <fmt/format.h>
 
+#include "equipoise/attractor_search/attractor_search.hpp"
 #include "equipoise/base/error.hpp"
-#include "equipoise/base/reporting.hpp"
-#include "equipoise/basins/basin.hpp"
-#include "equipoise/basins/basin_header.hpp"
-#include "equipoise/discovery/discovery.hpp"
+#include "equipoise/ensembles/basin.hpp"
+#include "equipoise/ensembles/basin_header.hpp"
 #include "equipoise/kernels/cpu_target.hpp"
-#include "equipoise/report/text.hpp"
+#include "equipoise/running/reporting.hpp"
+#include "equipoise/text/text.hpp"
 
 namespace equipoise {
 
@@ -169,7 +169,7 @@ class TableRun {
 
   const ReproduceOptions& options_;
   Progress progress_;
-  DiscoveryCache discoveries_;
+  AttractorSearchCache discoveries_;
   std::uint64_t before_ = 0;
 };
 

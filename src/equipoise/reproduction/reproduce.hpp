@@ -6,9 +6,9 @@
 #include <string>
 #include <vector>
 
-#include "equipoise/base/run_options.hpp"
 #include "equipoise/literature/reproduction.hpp"
 #include "equipoise/reproduction/reproduction.hpp"
+#include "equipoise/running/run_options.hpp"
 
 namespace equipoise {
 
@@ -26,7 +26,7 @@ struct ReproduceOptions : RunOptions {
   // For reproduce() alone.
   std::vector<std::string> figures;  ///< of paper_figure_ids()
   bool future = false;               ///< the open questions
-  int map_pixels = 64;               ///< along each side of their maps
+  int slice_pixels = 64;             ///< along each side of their maps
 };
 
 /// What there is to be reproduced: "table-1" to "table-7", the figures, "future", and "tables", "figures", "all".

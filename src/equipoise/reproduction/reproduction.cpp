@@ -8,9 +8,9 @@
 #include <nlohmann/json.hpp>
 
 #include "equipoise/base/version.hpp"
-#include "equipoise/report/basin_report.hpp"
-#include "equipoise/report/text.hpp"
+#include "equipoise/reports/basin_report.hpp"
 #include "equipoise/reproduction/reproduction_words.hpp"
+#include "equipoise/text/text.hpp"
 
 namespace equipoise {
 
@@ -74,7 +74,7 @@ Json table_json(const ReproducedTable& t) {
           {"rows", rows}};
 }
 
-Json map_json(const PlaneMap& map) {
+Json map_json(const BasinSlice& map) {
   Json codes = Json::array();
   for (const OutcomeShare& c : map.codes) codes.push_back(with_share({{"name", c.name}, {"alias", c.alias}}, c.share));
   return {{"x", map.x.key}, {"y", map.y.key}, {"pixels", {map.x.pixels, map.y.pixels}}, {"outcomes", codes}};

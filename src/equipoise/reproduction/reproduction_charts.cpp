@@ -7,7 +7,7 @@
 #include <fmt/format.h>
 
 #include "equipoise/drawing/plot_parts.hpp"
-#include "equipoise/report/text.hpp"
+#include "equipoise/text/text.hpp"
 
 namespace equipoise {
 

@@ -8,9 +8,9 @@
 #include <fmt/format.h>
 
 #include "equipoise/base/version.hpp"
-#include "equipoise/report/text.hpp"
 #include "equipoise/reproduction/reproduction_charts.hpp"
 #include "equipoise/reproduction/reproduction_words.hpp"
+#include "equipoise/text/text.hpp"
 
 namespace equipoise {
 
@@ -195,7 +195,7 @@ void open_questions(const Reproduction& r, Document& d) {
   d.blocks.push_back(
       Paragraph{"Three studies that the paper leaves to others. Base: Ω = 2.4, μ = 0.05, λ = 0.01, ζ = 0.5, β = 0.05, "
                 "constant speed, balls free, all at rest in the rotating frame. A pixel is one start of one rotor."});
-  const auto map = [&](const PlaneMap& m, const std::string& id, const std::string& title) {
+  const auto map = [&](const BasinSlice& m, const std::string& id, const std::string& title) {
     d.blocks.push_back(Heading{3, title, id});
     d.blocks.push_back(
         Figure{fmt::format("{} × {} pixels: {}.", m.x.pixels, m.y.pixels, codes_text(m)), {}, picture_of(r, id)});

@@ -8,8 +8,8 @@
 
 #include <fmt/format.h>
 
-#include "equipoise/report/text.hpp"
-#include "equipoise/store/basin_file.hpp"
+#include "equipoise/result_files/basin_file.hpp"
+#include "equipoise/text/text.hpp"
 #include "equipoise/types/fate.hpp"
 
 namespace equipoise {
@@ -71,7 +71,7 @@ std::string summary_text(const Reproduction& r) {
   return text;
 }
 
-std::string codes_text(const PlaneMap& map) {
+std::string codes_text(const BasinSlice& map) {
   std::vector<OutcomeShare> codes = map.codes;
   std::stable_sort(codes.begin(), codes.end(),
                    [](const OutcomeShare& a, const OutcomeShare& b) { return a.share.count > b.share.count; });
@@ -97,7 +97,7 @@ Stretches stretches(int pixels, const std::function<bool(int)>& holds) {
 }
 
 // "at lambda from 0.002 to 0.026 and from 0.09 to 0.1".
-std::string at_eccentricities(const MapAxis& x, const Stretches& stretches) {
+std::string at_eccentricities(const SliceAxis& x, const Stretches& stretches) {
   std::string text;
   for (const auto& [first, last] : stretches)
     text +=
@@ -105,7 +105,7 @@ std::string at_eccentricities(const MapAxis& x, const Stretches& stretches) {
   return text.empty() ? "at no λ" : text;
 }
 
-std::string balanced_by_angle(const PlaneMap& map) {
+std::string balanced_by_angle(const BasinSlice& map) {
   std::vector<int> balanced(static_cast<std::size_t>(map.x.pixels));
   for (int row = 0; row < map.y.pixels; ++row)
     for (int column = 0; column < map.x.pixels; ++column)
@@ -120,7 +120,7 @@ std::string balanced_by_angle(const PlaneMap& map) {
 }
 
 // How far, of what all balls together can cancel, and whether something balances beyond.
-std::string balanced_by_mass(const PlaneMap& map) {
+std::string balanced_by_mass(const BasinSlice& map) {
   const int balls = map.study.parameters.balls;
   std::vector<std::pair<double, double>> ends;  // of what they can cancel; mu
   int again = 0;
@@ -149,7 +149,7 @@ std::string balanced_by_mass(const PlaneMap& map) {
 
 }  // namespace
 
-std::string balanced_text(const PlaneMap& map) {
+std::string balanced_text(const BasinSlice& map) {
   if (!map.complete) return "";
   return map.y.angle() ? balanced_by_angle(map) : balanced_by_mass(map);
 }

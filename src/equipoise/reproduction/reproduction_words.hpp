@@ -27,9 +27,9 @@ std::string answer_text(const ConclusionResult& c);
 std::string summary_text(const Reproduction& r);
 
 /// Shares of the motions of a map, the largest first.
-std::string codes_text(const PlaneMap& map);
+std::string codes_text(const BasinSlice& map);
 /// What a map over lambda and a ball's angle, or over lambda and mu, says of the eccentricity that the balls balance.
 /// Values are those of pixels' centres. Empty of a map that is not complete.
-std::string balanced_text(const PlaneMap& map);
+std::string balanced_text(const BasinSlice& map);
 
 }  // namespace equipoise

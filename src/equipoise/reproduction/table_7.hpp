@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "equipoise/basins/observation.hpp"
+#include "equipoise/analyses/observation.hpp"
 #include "equipoise/statistics/share.hpp"
 
 namespace equipoise {

@@ -5,18 +5,18 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include "equipoise/base/cpu_time.hpp"
 #include "equipoise/base/display_text.hpp"
 #include "equipoise/base/error.hpp"
-#include "equipoise/base/parallel.hpp"
-#include "equipoise/base/reporting.hpp"
-#include "equipoise/basins/basin.hpp"
+#include "equipoise/ensembles/basin.hpp"
 #include "equipoise/kernels/cpu_target.hpp"
 #include "equipoise/literature/conclusions.hpp"
 #include "equipoise/reproduction/open_questions.hpp"
 #include "equipoise/reproduction/paper_figures.hpp"
 #include "equipoise/reproduction/reproduce.hpp"
 #include "equipoise/reproduction/table_7.hpp"
+#include "equipoise/running/cpu_time.hpp"
+#include "equipoise/running/parallel.hpp"
+#include "equipoise/running/reporting.hpp"
 
 namespace equipoise {
 
@@ -85,7 +85,7 @@ class WholePaper {
   OpenQuestions future() const {
     OpenQuestionSettings settings;
     static_cast<RunOptions&>(settings) = options_;
-    settings.map_pixels = options_.map_pixels;
+    settings.slice_pixels = options_.slice_pixels;
     if (options_.starts > 0) settings.starts = std::min(settings.starts, options_.starts);
     settings.folder = options_.folder;
     return open_questions(settings);

@@ -10,7 +10,7 @@
 
 namespace equipoise {
 
-struct BranchesResult {
+struct ContinuationResult {
   Study study;                 ///< as given; the parameter's own value in it plays no part
   std::string key;             ///< of the parameter
   std::vector<double> values;  ///< rising

@@ -38,8 +38,8 @@ struct CapacityCell {
   bool never = false;   ///< smaller from its begin on
 };
 
-/// What a stopped run knows of a cell's boundary, as CapacityCell::low and high: none where no value tried says so. More
-/// trials only bring the two closer.
+/// What a stopped run knows of a cell's boundary, as CapacityCell::low and high: none where no value tried says so.
+/// More trials only bring the two closer.
 struct OpenCapacity {
   std::optional<double> low, high;
   std::size_t trials = 0;

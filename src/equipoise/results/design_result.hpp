@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "equipoise/study/study.hpp"
-#include "equipoise/study/study_value.hpp"
+#include "equipoise/toml/study_value.hpp"
 
 namespace equipoise {
 

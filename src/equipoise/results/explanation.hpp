@@ -4,16 +4,27 @@
 
 #include <array>
 #include <complex>
+#include <cstdint>
 #include <optional>
 #include <string>
 #include <vector>
 
-#include "equipoise/model/balanced_state.hpp"
-#include "equipoise/results/basin_cost.hpp"
+#include "equipoise/mechanics/balanced_state.hpp"
 #include "equipoise/study/study.hpp"
-#include "equipoise/study/units.hpp"
+#include "equipoise/units/units.hpp"
 
 namespace equipoise {
+
+/// What an ensemble costs, in seconds of CPU, summed over threads, on the machine that measured them.
+struct BasinCost {
+  std::uint64_t starts = 0;    ///< that the study asks for
+  double search = 0.0;         ///< for attractors; if it was cut off, what it had taken by then
+  bool search_ended = false;   ///< else what starts take is not known
+  double a_start = 0.0;        ///< in the mean of those measured
+  std::uint64_t measured = 0;  ///< starts
+
+  double total() const { return search + static_cast<double>(starts) * a_start; }
+};
 
 /// One line of the table of quantities.
 struct ExplainedQuantity {
@@ -41,7 +52,7 @@ struct BalancedMotion {
   bool grows() const { return slowest_rate > least_rate; }
   /// What is said of it holds there: ", without gravity, in the state shown, one of a continuum"; empty: everywhere.
   std::string place(const model::BalancedStates& states) const {
-    const bool one_of_many = states.kind == model::BalancedStates::Kind::family;
+    const bool one_of_many = states.kind == model::BalancedStates::Kind::continuum;
     return (less.empty() ? "" : ", " + less) + (one_of_many ? ", in the state shown of a continuum" : "");
   }
   /// 1: more drag makes it die out sooner; -1: less drag does; 0: drag changes it by less than a hundredth of its own

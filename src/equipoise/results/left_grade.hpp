@@ -1,7 +1,7 @@
 // The balance quality grade of the unbalance that balls leave.
 #pragma once
 
-#include "equipoise/model/balance_grade.hpp"
+#include "equipoise/mechanics/balance_grade.hpp"
 #include "equipoise/model/system.hpp"
 #include "equipoise/study/study.hpp"
 

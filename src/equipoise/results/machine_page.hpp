@@ -51,7 +51,7 @@ struct DrawnMotion : OutcomeShare {
 /// How often a figure of transients was how large: starts (of a grid weighted) by equal bins and by outcome.
 struct FigureDistribution {
   const TransientLimit* limited = nullptr;  ///< the figure, and its limit
-  double low = 0.0, high = 0.0;                    ///< outer edges
+  double low = 0.0, high = 0.0;             ///< outer edges
   struct Outcome {
     int code = 0;
     std::string name;

@@ -8,8 +8,8 @@
 #include <string>
 #include <vector>
 
-#include "equipoise/types/outcomes.hpp"
 #include "equipoise/statistics/share.hpp"
+#include "equipoise/types/outcomes.hpp"
 
 namespace equipoise {
 

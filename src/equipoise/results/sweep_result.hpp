@@ -12,7 +12,7 @@
 #include "equipoise/results/outcome_share.hpp"
 #include "equipoise/results/transient_result.hpp"
 #include "equipoise/study/study.hpp"
-#include "equipoise/types/trap_hints.hpp"
+#include "equipoise/types/warm_start_levels.hpp"
 
 namespace equipoise {
 
@@ -67,7 +67,7 @@ struct SweepCell : OtherShares {
   std::shared_ptr<const TransientGroup> transients;  ///< of all starts, if they are gathered
   bool balanced_stable = false;
   std::string note;
-  TrapHints hints;  ///< what the next cell's search begins with besides the motions
+  WarmStartLevels warm_start_levels;  ///< what the next cell's search begins with besides the motions
 };
 
 /// By index: the last axis' values follow one another; null: not done. Pointers, for most of a large sweep's are.

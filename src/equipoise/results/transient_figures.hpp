@@ -7,8 +7,8 @@
 #include <optional>
 
 #include "equipoise/study/study.hpp"
-#include "equipoise/study/units.hpp"
 #include "equipoise/types/transient_table.hpp"
+#include "equipoise/units/units.hpp"
 
 namespace equipoise {
 

@@ -7,9 +7,9 @@
 #include <optional>
 #include <utility>
 
+#include "equipoise/attractors/catalogue.hpp"
+#include "equipoise/attractors/motion.hpp"
 #include "equipoise/base/angles.hpp"
-#include "equipoise/motions/catalogue.hpp"
-#include "equipoise/motions/motion.hpp"
 #include "equipoise/shown/motion_path.hpp"
 #include "equipoise/shown/shown_runs.hpp"
 

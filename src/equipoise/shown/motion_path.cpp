@@ -6,10 +6,10 @@
 #include <cmath>
 
 #include "equipoise/base/angles.hpp"
-#include "equipoise/base/reporting.hpp"
-#include "equipoise/model/frames.hpp"
-#include "equipoise/model/strobe.hpp"
-#include "equipoise/orbits/event_run-inl.hpp"
+#include "equipoise/mechanics/frames.hpp"
+#include "equipoise/model/stroboscopic_section.hpp"
+#include "equipoise/periodic_orbits/event_run-inl.hpp"
+#include "equipoise/running/reporting.hpp"
 
 namespace equipoise {
 

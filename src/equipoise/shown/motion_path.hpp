@@ -1,9 +1,9 @@
 // A stretch of a steady motion, for a drawing of it.
 #pragma once
 
-#include "equipoise/base/run_options.hpp"
 #include "equipoise/results/machine_page.hpp"
 #include "equipoise/results/trajectory.hpp"
+#include "equipoise/running/run_options.hpp"
 #include "equipoise/types/motion.hpp"
 
 namespace equipoise {

@@ -6,7 +6,7 @@
 #include <numeric>
 
 #include "equipoise/base/angles.hpp"
-#include "equipoise/basins/basin.hpp"
+#include "equipoise/ensembles/basin.hpp"
 #include "equipoise/spin_up/initial_state.hpp"
 #include "equipoise/trajectory/simulate.hpp"
 

@@ -6,9 +6,9 @@
 #include <fmt/format.h>
 
 #include "equipoise/base/error.hpp"
-#include "equipoise/files/checksum.hpp"
-#include "equipoise/model/strobe.hpp"
-#include "equipoise/orbits/return_map.hpp"
+#include "equipoise/io/checksum.hpp"
+#include "equipoise/model/stroboscopic_section.hpp"
+#include "equipoise/periodic_orbits/return_map.hpp"
 
 namespace equipoise {
 
@@ -33,7 +33,7 @@ class GivenStart {
     check_numbers();
     const InitialState& common = study_.initial;
     const bool held = study_.release_time() > 0.0, prescribed = !study_.speed.driven();
-    if (prescribed && model::is_strobed(study_.parameters))
+    if (prescribed && model::depends_on_rotor_angle(study_.parameters))
       require("psi", s_.psi, common.psi, "where the rotor turns as prescribed, and its angle matters");
     if (held && prescribed)
       for (const Quantity& q : std::span(rotor).subspan(1))
@@ -93,7 +93,7 @@ void check_given_starts(const Study& study, std::span<const InitialState> given)
 
 std::string checksum_of(const Study& study, std::span<const InitialState> given) {
   const std::size_t angles = static_cast<std::size_t>(study.parameters.balls) * sizeof(double);
-  store::Checksum sum;
+  io::Checksum sum;
   for (const InitialState& s : given) {
     for (const Quantity& q : rotor) sum.add(&(s.*q.value), sizeof(double));
     sum.add(s.phi.data(), angles);

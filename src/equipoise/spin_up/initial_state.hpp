@@ -10,9 +10,9 @@
 
 #include "equipoise/base/angles.hpp"
 #include "equipoise/base/error.hpp"
-#include "equipoise/model/coincident_balls.hpp"
-#include "equipoise/model/frames.hpp"
-#include "equipoise/model/room_in_race.hpp"
+#include "equipoise/mechanics/coincident_balls.hpp"
+#include "equipoise/mechanics/frames.hpp"
+#include "equipoise/mechanics/room_in_race.hpp"
 #include "equipoise/sampling/sampling.hpp"
 #include "equipoise/study/study.hpp"
 

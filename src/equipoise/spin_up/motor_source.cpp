@@ -10,10 +10,10 @@
 #include <utility>
 
 #include "equipoise/base/stop_flag.hpp"
-#include "equipoise/kernels/lane_kernels.hpp"
-#include "equipoise/model/gravity_well.hpp"
+#include "equipoise/kernels/batch_kernels.hpp"
+#include "equipoise/mechanics/gravity_well.hpp"
 #include "equipoise/model/held_state.hpp"
-#include "equipoise/model/strobe.hpp"
+#include "equipoise/model/stroboscopic_section.hpp"
 #include "equipoise/spin_up/initial_state.hpp"
 #include "equipoise/spin_up/release.hpp"
 #include "equipoise/spin_up/start_source.hpp"
@@ -41,7 +41,7 @@ HoldRule hold_rule(const model::Parameters& p, const model::Drive& drive) {
   return rule;
 }
 
-class HeldInWell final : public TrapSet {
+class HeldInWell final : public TrappingRegions {
  public:
   HeldInWell(const model::System& system, double release_speed) : system_(system), speed_(release_speed) {}
 
@@ -83,7 +83,7 @@ MotorSource::Machine::Machine(const Study& given)
       held_at_first(drive.release_time > 0.0 && !(drive.release_speed && *drive.release_speed == drive.speed)),
       horizon(*study.numerics.horizon) {
   for (const model::DrivePiece& piece : drive.pieces) systems.emplace_back(study.parameters, piece);
-  if (study.numerics.decide == DecideMode::horizon) hold.windows.at_horizon = true;
+  if (study.numerics.decide == ClassificationMode::horizon) hold.windows.at_horizon = true;
 }
 
 OwnRotor MotorSource::Machine::rotor(std::size_t k) const {
@@ -187,9 +187,9 @@ bool MotorSource::advance(SpunUp& starts, TransientTable* transients) const {
   return true;
 }
 
-LaneTask MotorSource::task(std::size_t k) const {
+BatchTask MotorSource::task(std::size_t k) const {
   const Machine& one = machines_.front();
-  LaneTask task = lane_task(one.systems[k]);
+  BatchTask task = batch_task(one.systems[k]);
   task.segment.begin = one.drive.pieces[k].begin;
   task.end = one.drive.pieces[k].end;
   task.tolerance = tolerance_;
@@ -197,7 +197,7 @@ LaneTask MotorSource::task(std::size_t k) const {
   return task;
 }
 
-LaneTask MotorSource::last_task() const { return task(machines_.front().systems.size() - 1); }
+BatchTask MotorSource::last_task() const { return task(machines_.front().systems.size() - 1); }
 
 // While the release time or a change of torque is still to come, a steady rotor is no end.
 HoldRule MotorSource::rule_over(std::size_t k, const std::vector<std::size_t>& places) const {
@@ -207,8 +207,8 @@ HoldRule MotorSource::rule_over(std::size_t k, const std::vector<std::size_t>& p
     if (are_own()) rule.own_speeds.push_back(of(i).hold.release_speed);
   if (!one.drive.release_speed || k + 1 < one.systems.size())
     rule.windows.first_long_window = std::numeric_limits<double>::infinity();
-  else if (!are_own())  // the trap knows one release speed only
-    rule.windows.strobed = std::make_shared<const HeldInWell>(one.systems[k], rule.release_speed);
+  else if (!are_own())  // the trapping region knows one release speed only
+    rule.windows.section_regions = std::make_shared<const HeldInWell>(one.systems[k], rule.release_speed);
   return rule;
 }
 
@@ -221,7 +221,7 @@ double MotorSource::until(std::size_t i, std::size_t k) const {
 template <class Run>
 bool MotorSource::side_by_side(std::size_t k, bool held, const std::vector<std::size_t>& places,
                                std::vector<double>& states, const Fleet& fleet, Run&& run) const {
-  LaneTask task = this->task(k);
+  BatchTask task = this->task(k);
   if (held) task.end = until(places.front(), k);
   std::vector<double> begins;
   std::vector<OwnRotor> rotors;
@@ -259,7 +259,7 @@ bool MotorSource::hold(std::size_t k, Fleet& fleet) const {
     for (std::size_t j = 0; j < places.size(); ++j)
       model::hold_balls(of(places[j]).systems[k], fleet.state(places[j]), &states[j * size]);
     std::vector<HeldEnd> ends(places.size());
-    if (!side_by_side(k, true, places, states, fleet, [&](LaneTask& task) { return hold_lanes(task, rule, ends); }))
+    if (!side_by_side(k, true, places, states, fleet, [&](BatchTask& task) { return hold_batch(task, rule, ends); }))
       return false;
     for (std::size_t j = 0; j < places.size(); ++j) end_hold(k, places[j], ends[j], &states[j * size], fleet);
   }
@@ -314,7 +314,7 @@ bool MotorSource::run_free(std::size_t k, Fleet& fleet) const {
     states.insert(states.end(), state, state + fleet.size);
     fates[j].met = starts.fates[places[j]].met;
   }
-  if (!side_by_side(k, false, places, states, fleet, [&](LaneTask& task) { return advance_lanes(task, fates); }))
+  if (!side_by_side(k, false, places, states, fleet, [&](BatchTask& task) { return advance_batch(task, fates); }))
     return false;
   for (std::size_t j = 0; j < places.size(); ++j) {
     const std::size_t i = places[j];

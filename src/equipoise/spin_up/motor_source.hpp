@@ -5,8 +5,8 @@
 #include <span>
 #include <vector>
 
-#include "equipoise/deciding/held.hpp"
-#include "equipoise/model/machine.hpp"
+#include "equipoise/classification/held.hpp"
+#include "equipoise/drives/full_state.hpp"
 #include "equipoise/model/system.hpp"
 #include "equipoise/sampling/sampling.hpp"
 #include "equipoise/spin_up/own_starts.hpp"
@@ -24,7 +24,7 @@ class MotorSource final : public SpinUp {
   bool make(std::uint64_t seed, std::uint64_t first, std::size_t count, SpunUp& starts,
             TransientTable* transients = nullptr) const override;
   bool follow(std::span<const InitialState> given, SpunUp& starts, TransientTable* transients = nullptr) const override;
-  LaneTask last_task() const override;
+  BatchTask last_task() const override;
   double settled() const override { return machines_.front().drive.pieces.back().begin; }
   double tolerance() const override { return tolerance_; }
 
@@ -62,7 +62,7 @@ class MotorSource final : public SpinUp {
   bool hold(std::size_t k, Fleet& fleet) const;
   bool run_free(std::size_t k, Fleet& fleet) const;
   void end_hold(std::size_t k, std::size_t i, const HeldEnd& end, double* state, Fleet& fleet) const;
-  LaneTask task(std::size_t k) const;
+  BatchTask task(std::size_t k) const;
 
   std::vector<Machine> machines_;
   Sampler sampler_;

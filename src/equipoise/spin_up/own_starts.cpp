@@ -5,7 +5,7 @@
 #include <map>
 #include <utility>
 
-#include "equipoise/kernels/lane_kernels.hpp"
+#include "equipoise/kernels/batch_kernels.hpp"
 #include "equipoise/model/held_state.hpp"
 #include "equipoise/spin_up/initial_state.hpp"
 #include "equipoise/spin_up/motor_source.hpp"
@@ -35,7 +35,7 @@ bool advance(std::vector<Prescribed*>& group, std::size_t k, bool held, std::vec
   for (const Prescribed* p : group) rotors.push_back(p->rotor(k));
   const std::vector<const OwnRotor*> own = pointers_to(rotors);
   const model::System& first = rotors.front().system;
-  LaneTask task;
+  BatchTask task;
   task.parameters = &first.parameters();
   task.segment = rotors.front().segment;
   task.end = rotors.front().end;
@@ -49,7 +49,7 @@ bool advance(std::vector<Prescribed*>& group, std::size_t k, bool held, std::vec
   task.own = own.data();
   task.transients = table;
   task.stop = stop;
-  return advance_lanes(task, fates);
+  return advance_batch(task, fates);
 }
 
 class PrescribedGroup {

@@ -17,7 +17,7 @@ struct OwnStart {
 };
 
 /// As SpinUp::follow(), each start in the units of its own study; fills SpunUp::rotors. The last systems must fit
-/// together (lanes/own_rotor.hpp). `transients`, if given, holds the settings of each (TransientTable::own).
+/// together (batch/own_rotor.hpp). `transients`, if given, holds the settings of each (TransientTable::own).
 bool spin_up_own(std::span<const OwnStart> starts, const StopFlag* stop, SpunUp& spun,
                  TransientTable* transients = nullptr);
 

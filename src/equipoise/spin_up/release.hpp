@@ -3,7 +3,7 @@
 
 #include <optional>
 
-#include "equipoise/deciding/held.hpp"
+#include "equipoise/classification/held.hpp"
 #include "equipoise/model/system.hpp"
 
 namespace equipoise {

@@ -6,9 +6,9 @@
 #include <limits>
 
 #include "equipoise/integrate/adaptive-inl.hpp"
-#include "equipoise/model/shaking.hpp"
+#include "equipoise/mechanics/forced_vibration.hpp"
+#include "equipoise/mechanics/turning_inertia.hpp"
 #include "equipoise/model/system.hpp"
-#include "equipoise/model/turning_inertia.hpp"
 
 namespace equipoise {
 

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "equipoise/base/stop_flag.hpp"
-#include "equipoise/lanes/lane_task.hpp"
+#include "equipoise/batch/batch_task.hpp"
 #include "equipoise/study/study.hpp"
 #include "equipoise/types/fate.hpp"
 #include "equipoise/types/transient_table.hpp"
@@ -50,7 +50,7 @@ class SpinUp {
   virtual bool follow(std::span<const InitialState> given, SpunUp& starts,
                       TransientTable* transients = nullptr) const = 0;
   /// The task over the last piece of the drive, without trajectories, end and what is gathered.
-  virtual LaneTask last_task() const = 0;
+  virtual BatchTask last_task() const = 0;
   /// When the last piece begins and, of a rotor that turns as prescribed, the balls are free.
   virtual double settled() const = 0;
   virtual double tolerance() const = 0;

@@ -5,7 +5,7 @@
 #include <limits>
 #include <utility>
 
-#include "equipoise/kernels/lane_kernels.hpp"
+#include "equipoise/kernels/batch_kernels.hpp"
 #include "equipoise/spin_up/initial_state.hpp"
 
 namespace equipoise {
@@ -68,9 +68,9 @@ bool StartSource::follow(std::span<const InitialState> given, SpunUp& starts, Tr
   if (transients && first_free_ > 0) end_piece(first_free_ - 1, *transients);
   starts.fates.resize(given.size());
   for (std::size_t k = first_free_; k + 1 < segments_.size(); ++k) {
-    LaneTask branch = task(k, starts.states);
+    BatchTask branch = task(k, starts.states);
     branch.transients = transients;
-    if (!advance_lanes(branch, starts.fates)) return false;
+    if (!advance_batch(branch, starts.fates)) return false;
     cross(k, starts.states);
     if (transients) end_piece(k, *transients);
   }
@@ -83,7 +83,7 @@ void StartSource::end_piece(std::size_t k, TransientTable& transients) const {
   for (TransientSums& row : transients.rows) row.work.end_piece();
 }
 
-LaneTask StartSource::last_task() const {
+BatchTask StartSource::last_task() const {
   std::vector<double> none;
   return task(segments_.size() - 1, none);
 }
@@ -99,8 +99,8 @@ void StartSource::release(const std::vector<double>& phi, std::vector<double>& s
   }
 }
 
-LaneTask StartSource::task(std::size_t k, std::vector<double>& states) const {
-  LaneTask task;
+BatchTask StartSource::task(std::size_t k, std::vector<double>& states) const {
+  BatchTask task;
   task.parameters = &study_.parameters;
   task.segment = segments_[k];
   if (!systems_.empty()) task.system = &systems_[k];

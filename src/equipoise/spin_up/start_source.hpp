@@ -7,9 +7,9 @@
 #include <vector>
 
 #include "equipoise/base/error.hpp"
+#include "equipoise/batch/batch_task.hpp"
+#include "equipoise/drives/speed.hpp"
 #include "equipoise/integrate/clamped.hpp"
-#include "equipoise/lanes/lane_task.hpp"
-#include "equipoise/model/speed.hpp"
 #include "equipoise/model/system.hpp"
 #include "equipoise/sampling/sampling.hpp"
 #include "equipoise/spin_up/spin_up.hpp"
@@ -36,8 +36,8 @@ class StartSource : public SpinUp {
   /// The states in which given ball angles are released, row-major.
   void release(const std::vector<double>& phi, std::vector<double>& states) const;
   /// An ensemble's task over free segment `k`, from its begin to its end.
-  LaneTask task(std::size_t k, std::vector<double>& states) const;
-  LaneTask last_task() const override;
+  BatchTask task(std::size_t k, std::vector<double>& states) const;
+  BatchTask last_task() const override;
   /// Takes states at the end of segment `k`, not the last, across the jump of psi' that follows.
   void cross(std::size_t k, std::vector<double>& states) const;
 

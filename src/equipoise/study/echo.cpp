@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "equipoise/study/keys.hpp"
-#include "equipoise/study/toml_tree.hpp"
+#include "equipoise/toml/toml_tree.hpp"
 
 namespace equipoise {
 

@@ -5,7 +5,7 @@
 #include <string>
 
 #include "equipoise/study/study.hpp"
-#include "equipoise/study/units.hpp"
+#include "equipoise/units/units.hpp"
 
 namespace equipoise::study {
 

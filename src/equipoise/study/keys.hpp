@@ -13,7 +13,7 @@
 
 #include "equipoise/study/study.hpp"
 #include "equipoise/study/table_reader.hpp"
-#include "equipoise/study/units.hpp"
+#include "equipoise/units/units.hpp"
 
 namespace equipoise::study {
 
@@ -22,12 +22,12 @@ namespace equipoise::study {
 using Member = std::variant<std::monostate, double*, std::optional<double>*, std::array<double, 2>*,
                             std::array<double, model::max_balls>*, std::vector<double>*, std::vector<std::string>*,
                             std::optional<SamplingBox::Side>*, bool*, int*, std::uint64_t*, Profile*, model::SpeedLaw*,
-                            std::optional<SamplingMethod>*, DecideMode*>;
+                            std::optional<SamplingMethod>*, ClassificationMode*>;
 
 inline std::span<const char* const> names_of(Profile) { return profile_names; }
 inline std::span<const char* const> names_of(model::SpeedLaw) { return speed_law_names; }
 inline std::span<const char* const> names_of(SamplingMethod) { return sampling_method_names; }
-inline std::span<const char* const> names_of(DecideMode) { return decide_mode_names; }
+inline std::span<const char* const> names_of(ClassificationMode) { return classification_mode_names; }
 
 struct Key {
   /// From the ninth bit on: the variants of its table that have the key, none of them if all do. Of [speed] and a

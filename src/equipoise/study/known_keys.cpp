@@ -9,7 +9,7 @@
 #include <fmt/ranges.h>
 
 #include "equipoise/study/keys.hpp"
-#include "equipoise/study/printable.hpp"
+#include "equipoise/toml/printable.hpp"
 
 namespace equipoise::study {
 
@@ -28,8 +28,7 @@ Names names_in(const std::vector<Key>& keys) {
 
 // What the table may hold; with a profile that there is none of, or that is not said, the keys of all of them.
 Names names_in(const Document& document, const KeyTable& table, bool physical) {
-  const StudyValue* profile =
-      table.find("profile", false) ? document.root.find_path(table.name + ".profile") : nullptr;
+  const StudyValue* profile = table.find("profile", false) ? document.root.find_path(table.name + ".profile") : nullptr;
   const auto at = std::find(profile_names.begin(), profile_names.end(),
                             profile && profile->string() ? std::string_view(*profile->string()) : "");
   const auto said = static_cast<Profile>(at - profile_names.begin());

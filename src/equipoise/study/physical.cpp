@@ -10,7 +10,7 @@
 #include <fmt/format.h>
 
 #include "equipoise/base/angles.hpp"
-#include "equipoise/model/ball_drag.hpp"
+#include "equipoise/mechanics/ball_drag.hpp"
 #include "equipoise/model/parameters.hpp"
 #include "equipoise/study/quantity_reader.hpp"
 
@@ -73,9 +73,9 @@ Rotor read_rotor(const Document& document) {
 
 struct Balancer {
   int balls = 0;
-  double radius = 0.0;         // R, m
-  std::vector<double> mass;    // kg
-  std::vector<double> torque;  // N m s: drag torque for a rate relative to the race
+  double radius = 0.0;              // R, m
+  std::vector<double> mass;         // kg
+  std::vector<double> drag_torque;  // N m s: drag torque for a rate relative to the race
   std::map<std::string, Values> others;
   bool rolls = false;
   std::vector<double> radius_of_balls;  // m, if they roll
@@ -128,11 +128,11 @@ class BalancerReader {
                         "oil_viscosity", "with balancer.ball_diameter");
     b_.drag_from = reader_.has("drag") ? "drag" : "oil_viscosity";
     Dimension measured{};
-    b_.torque = reader_.one_or_each("drag", b_.balls, "ball", Dimension::damping, &measured);
-    if (!b_.torque.empty() && measured == Dimension::damping)
-      for (double& d : b_.torque) d *= b_.radius * b_.radius;
-    if (b_.torque.empty())
-      b_.torque = drag_in_oil();
+    b_.drag_torque = reader_.one_or_each("drag", b_.balls, "ball", Dimension::damping, &measured);
+    if (!b_.drag_torque.empty() && measured == Dimension::damping)
+      for (double& d : b_.drag_torque) d *= b_.radius * b_.radius;
+    if (b_.drag_torque.empty())
+      b_.drag_torque = drag_in_oil();
     else
       for (const char* key : {"oil_density", "channel_diameter"})
         if (reader_.has(key)) reader_.fail(key, "has a meaning only with balancer.oil_viscosity");
@@ -152,17 +152,17 @@ class BalancerReader {
     b_.details.oil_density = density;
     need_diameter("oil_viscosity");
     const auto channel = reader_.optional_quantity("channel_diameter");
-    std::vector<double> torque;
+    std::vector<double> drag_torque;
     for (const double d : diameter_) {
       if (channel && !(d <= model::widest_ball_in_channel * *channel))
         reader_.fail("channel_diameter",
                      fmt::format("must be at least {:.6g} mm: the wall correction holds for balls up to {} of the "
                                  "channel; in a closer fit state the drag itself",
                                  1000.0 * d / model::widest_ball_in_channel, model::widest_ball_in_channel));
-      torque.push_back(model::stokes_drag(viscosity, d) * (channel ? model::wall_correction(d / *channel) : 1.0) *
-                       b_.radius * b_.radius);
+      drag_torque.push_back(model::stokes_drag(viscosity, d) * (channel ? model::wall_correction(d / *channel) : 1.0) *
+                            b_.radius * b_.radius);
     }
-    return torque;
+    return drag_torque;
   }
 
   // Balls whose size is given roll, unless the study says that they do not.
@@ -249,7 +249,7 @@ void replace_balancer(Document& document, const Balancer& b, const model::Scales
   std::vector<double> mu, beta;
   for (std::size_t i = 0; i < b.mass.size(); ++i) {
     mu.push_back(b.mass[i] / s.mass);
-    beta.push_back(b.torque[i] / s.ball_drag(b.mass[i]));
+    beta.push_back(b.drag_torque[i] / s.ball_drag(b.mass[i]));
   }
   std::vector<Derived> derived{{"mass", b.mass_from, mu}, {"drag", b.drag_from, beta}};
   for (const auto& [key, values] : b.others)

@@ -6,7 +6,7 @@
 #include <fmt/format.h>
 
 #include "equipoise/study/keys.hpp"
-#include "equipoise/study/toml_tree.hpp"
+#include "equipoise/toml/toml_tree.hpp"
 
 namespace equipoise {
 

@@ -11,8 +11,8 @@
 
 #include "equipoise/base/angles.hpp"
 #include "equipoise/base/error.hpp"
+#include "equipoise/drives/never_reached.hpp"
 #include "equipoise/model/system.hpp"
-#include "equipoise/study/never_reached.hpp"
 
 namespace equipoise {
 
@@ -73,7 +73,7 @@ double Study::release_time() const {
     const auto time = profile.first_time_at(*release.speed);
     if (!time)
       throw InputError(name, "release.speed", fmt::format("{}", *release.speed),
-                       study::never_reached(profile, [](double v) { return fmt::format("{}", v); }));
+                       model::never_reached(profile, [](double v) { return fmt::format("{}", v); }));
     return *time;
   }
   return speed.profile == Profile::trapezoid ? speed.rise_until : profile.settled_time();

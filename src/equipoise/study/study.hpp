@@ -9,14 +9,14 @@
 #include <string>
 #include <vector>
 
-#include "equipoise/model/machine.hpp"
-#include "equipoise/model/motor.hpp"
+#include "equipoise/drives/full_state.hpp"
+#include "equipoise/drives/motor.hpp"
+#include "equipoise/drives/speed.hpp"
 #include "equipoise/model/parameters.hpp"
 #include "equipoise/model/scales.hpp"
-#include "equipoise/model/speed.hpp"
 #include "equipoise/sampling/sampling.hpp"
-#include "equipoise/study/study_value.hpp"
 #include "equipoise/study/uncertain.hpp"
+#include "equipoise/toml/study_value.hpp"
 
 namespace equipoise {
 
@@ -119,20 +119,20 @@ struct Sampling {
 };
 
 /// On what grounds a start may be called decided.
-enum class DecideMode {
+enum class ClassificationMode {
   validated,  ///< as early as tried states allow
   proof,      ///< balanced only inside a level set proved to lead there
   horizon,    ///< every start is followed to the horizon
 };
-inline constexpr std::array<const char*, 3> decide_mode_names{"validated", "proof", "horizon"};
+inline constexpr std::array<const char*, 3> classification_mode_names{"validated", "proof", "horizon"};
 
 /// [numerics]: all optional.
 struct Numerics {
   std::optional<double> tolerance;  ///< per step; default_*_tolerance where unset
   /// Time after the last branch begins (and release) until a start is `undecided`. Unset: chosen when a run begins
-  /// (discovery/horizon.hpp), and stated in what it answers.
+  /// (rotor_family/horizon.hpp), and stated in what it answers.
   std::optional<double> horizon;
-  DecideMode decide = DecideMode::validated;
+  ClassificationMode decide = ClassificationMode::validated;
 };
 
 inline constexpr double default_simulate_tolerance = 1e-12;
@@ -207,8 +207,8 @@ Study read_study(const std::string& path, const std::vector<std::string>& overri
 Study parse_study(const std::string& toml_text, const std::string& name,
                   const std::vector<std::string>& overrides = {});
 
-/// The study that a result carries, as to_toml() wrote it. Versions up to 0.3.0 held the balls of machines to the end of
-/// their ramp and did not write that down; here such a study says so.
+/// The study that a result carries, as to_toml() wrote it. Versions up to 0.3.0 held the balls of machines to the end
+/// of their ramp and did not write that down; here such a study says so.
 Study parse_kept_study(const std::string& toml_text, const std::string& name);
 
 /// The same from a tree of values: tables and keys as in a study file.

@@ -1,5 +1,5 @@
 // From TOML to a checked study: what keys.cpp cannot say of its keys, and the order of reading.
-#include "equipoise/study/never_reached.hpp"
+#include "equipoise/drives/never_reached.hpp"
 
 #include <algorithm>
 #include <optional>
@@ -9,15 +9,15 @@
 #include <fmt/format.h>
 
 #include "equipoise/base/error.hpp"
-#include "equipoise/model/frames.hpp"
-#include "equipoise/model/strobe.hpp"
+#include "equipoise/mechanics/frames.hpp"
+#include "equipoise/model/stroboscopic_section.hpp"
 #include "equipoise/model/system.hpp"
 #include "equipoise/study/keys.hpp"
 #include "equipoise/study/known_keys.hpp"
 #include "equipoise/study/physical.hpp"
 #include "equipoise/study/table_reader.hpp"
-#include "equipoise/study/toml_tree.hpp"
 #include "equipoise/study/uncertain_reader.hpp"
+#include "equipoise/toml/toml_tree.hpp"
 
 namespace equipoise {
 
@@ -133,7 +133,7 @@ void read_release(const Document& document, Study& study) {
     reader.fail("time", "give either release.speed or release.time, not both");
   const model::SpeedProfile profile = study.speed_profile();
   if (study.release.speed && !study.speed.driven() && !profile.first_time_at(*study.release.speed))
-    reader.fail("speed", never_reached(profile, [&](double speed) { return reader.speed_text(speed); }));
+    reader.fail("speed", model::never_reached(profile, [&](double speed) { return reader.speed_text(speed); }));
 }
 
 void read_initial(const Document& document, Study& study) {

@@ -11,12 +11,12 @@
 #include "equipoise/base/angles.hpp"
 #include "equipoise/study/keys.hpp"
 #include "equipoise/study/known_keys.hpp"
-#include "equipoise/study/overrides.hpp"
 #include "equipoise/study/quantity_reader.hpp"
-#include "equipoise/study/printable.hpp"
-#include "equipoise/study/text_guard.hpp"
-#include "equipoise/study/toml_tree.hpp"
 #include "equipoise/study/uncertain_reader.hpp"
+#include "equipoise/toml/overrides.hpp"
+#include "equipoise/toml/printable.hpp"
+#include "equipoise/toml/text_guard.hpp"
+#include "equipoise/toml/toml_tree.hpp"
 
 namespace equipoise::study {
 

@@ -13,7 +13,7 @@
 
 #include "equipoise/base/error.hpp"
 #include "equipoise/model/scales.hpp"
-#include "equipoise/study/study_value.hpp"
+#include "equipoise/toml/study_value.hpp"
 
 namespace equipoise::study {
 

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "equipoise/study/study_value.hpp"
+#include "equipoise/toml/study_value.hpp"
 
 namespace equipoise {
 

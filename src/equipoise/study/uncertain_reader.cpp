@@ -13,7 +13,7 @@
 #include "equipoise/base/error.hpp"
 #include "equipoise/base/read_number.hpp"
 #include "equipoise/study/keys.hpp"
-#include "equipoise/study/printable.hpp"
+#include "equipoise/toml/printable.hpp"
 
 namespace equipoise::study {
 

@@ -10,7 +10,7 @@
 
 #include <fmt/format.h>
 
-#include "equipoise/motions/catalogue.hpp"
+#include "equipoise/attractors/catalogue.hpp"
 
 namespace equipoise {
 

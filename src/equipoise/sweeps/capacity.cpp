@@ -14,19 +14,19 @@
 
 #include <fmt/format.h>
 
-#include "equipoise/base/cpu_time.hpp"
+#include "equipoise/attractors/catalogue.hpp"
+#include "equipoise/balanced_regions/balanced_analysis.hpp"
 #include "equipoise/base/display_text.hpp"
 #include "equipoise/base/error.hpp"
-#include "equipoise/base/parallel.hpp"
-#include "equipoise/base/reporting.hpp"
-#include "equipoise/basins/basin.hpp"
-#include "equipoise/fates/checks.hpp"
+#include "equipoise/cell_files/capacity_file.hpp"
+#include "equipoise/cell_files/sweep_cells.hpp"
+#include "equipoise/ensembles/basin.hpp"
 #include "equipoise/kernels/cpu_target.hpp"
-#include "equipoise/motions/catalogue.hpp"
-#include "equipoise/store/capacity_file.hpp"
-#include "equipoise/store/sweep_cells.hpp"
+#include "equipoise/running/cpu_time.hpp"
+#include "equipoise/running/parallel.hpp"
+#include "equipoise/running/reporting.hpp"
+#include "equipoise/start_runs/checks.hpp"
 #include "equipoise/sweeps/sweep_axis.hpp"
-#include "equipoise/traps/balanced_analysis.hpp"
 
 namespace equipoise {
 
@@ -48,7 +48,7 @@ struct CellWork {
   const std::vector<CapacityTrial>& known;  ///< made by an earlier run
   std::function<void(const CapacityTrial&)> keep;
   std::function<bool()> stopped;
-  Notes* notes;  // of searches, or null
+  SearchLog* notes;  // of searches, or null
 };
 
 // One cell's trials, each search beginning with what the nearest earlier one found. Those of an earlier run are taken
@@ -122,8 +122,8 @@ class Boundary {
     run.stop = options_.stop;
     run.transients = false;
     run.notes = work_.notes;
-    if (const auto* near = nearest(value)) run.seeds = near->states;
-    run.informed = !run.seeds.empty();
+    if (const auto* near = nearest(value)) run.warm_start_states = near->states;
+    run.warm_start = !run.warm_start_states.empty();
     Catalogue catalogue;
     const BasinResult result = basin(study, run, &catalogue);
     if (result.partial) return std::nullopt;
@@ -209,7 +209,7 @@ class CapacityRun {
     check();
     known_.resize(plan_.cells());
     if (!options_.output.empty()) {
-      file_ = store::open_capacity_file(options_.output, capacity_identity(plan_, options_), known_);
+      file_ = io::open_capacity_file(options_.output, capacity_identity(plan_, options_), known_);
       for (const auto& trials : known_) result_.resumed_trials += trials.size();
     }
     const std::size_t at_once = std::min<std::size_t>(plan_.cells(), static_cast<std::size_t>(result_.threads));
@@ -217,7 +217,7 @@ class CapacityRun {
                 [&](std::size_t) { work_along(result_.threads / static_cast<int>(at_once)); });
     result_.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
     result_.cpu_seconds = cpu_seconds() - cpu_begin;
-    if (file_) store::finish_capacity_file(*file_, result_);
+    if (file_) io::finish_capacity_file(*file_, result_);
     return std::move(result_);
   }
 
@@ -234,7 +234,7 @@ class CapacityRun {
         const auto keep = [this, cell](const CapacityTrial& trial) {
           const std::lock_guard guard(taking_);
           ++result_.trials;
-          if (file_) file_->append(cell, store::bytes_of(std::vector{trial}));
+          if (file_) file_->append(cell, io::bytes_of(std::vector{trial}));
         };
         const auto stopped = [this] { return failed_ || is_set(options_.stop); };
         Boundary boundary(plan_, options_, threads,
@@ -256,7 +256,7 @@ class CapacityRun {
   const SweepPlan& plan_;
   const CapacityOptions& options_;
   CapacityResult result_;
-  std::unique_ptr<store::CellFile> file_;
+  std::unique_ptr<io::CellFile> file_;
   std::vector<std::vector<CapacityTrial>> known_;
   std::atomic<std::size_t> next_{0};
   std::atomic<bool> failed_{false};

@@ -10,17 +10,17 @@
 #include <optional>
 #include <vector>
 
-#include "equipoise/basins/chunks.hpp"
+#include "equipoise/ensembles/chunks.hpp"
 #include "equipoise/study/study.hpp"
-#include "equipoise/types/trap_hints.hpp"
+#include "equipoise/types/warm_start_levels.hpp"
 
 namespace equipoise {
 
 /// Where a cell's search begins: with what its neighbour has.
 struct CellStart {
-  std::vector<std::vector<double>> seeds;
-  bool informed = false;
-  TrapHints hints;
+  std::vector<std::vector<double>> warm_start_states;
+  bool warm_start = false;
+  WarmStartLevels warm_start_levels;
   bool operator==(const CellStart&) const = default;
 };
 

@@ -8,11 +8,11 @@
 #include <fmt/format.h>
 
 #include "equipoise/base/error.hpp"
+#include "equipoise/cell_files/cell_file.hpp"
+#include "equipoise/cell_files/sweep_cells.hpp"
+#include "equipoise/cell_files/sweep_file.hpp"
 #include "equipoise/kernels/cpu_target.hpp"
-#include "equipoise/store/cell_file.hpp"
-#include "equipoise/store/result_identity.hpp"
-#include "equipoise/store/sweep_cells.hpp"
-#include "equipoise/store/sweep_file.hpp"
+#include "equipoise/result_files/result_identity.hpp"
 #include "equipoise/sweeps/attractor_labels.hpp"
 #include "equipoise/sweeps/sweep_axis.hpp"
 
@@ -23,7 +23,7 @@ namespace {
 // The inverse of SweepPlan::identity(), as far as results need it.
 SweepResult asked_for(const std::string& identity, const std::string& path) {
   SweepResult result;
-  const store::IdentityLines lines(identity);
+  const io::IdentityLines lines(identity);
   const std::vector<std::string> over = lines.over();
   const std::size_t axes = std::strtoul(lines.value("sweep.axes").c_str(), nullptr, 10);
   if (over.empty() || axes == 0) throw InputError(path, "", "", "does not say which sweep it is of");
@@ -55,19 +55,19 @@ SweepResult merge_sweeps(const std::vector<std::string>& files, const std::strin
   if (files.empty()) throw InputError("merge", "", "", "must be at least one file of a sweep");
   const std::string identity = read_sweep(files.front()).identity;
   SweepResult result = asked_for(identity, files.front());
-  const auto into = store::open_sweep_file(output, identity, result.cells);
+  const auto into = io::open_sweep_file(output, identity, result.cells);
   for (const std::string& path : files) {
     const StoredSweep part = read_sweep(path);
-    if (const std::string how = store::difference(part.identity, identity); !how.empty())
+    if (const std::string how = io::difference(part.identity, identity); !how.empty())
       throw InputError(path, "", "", fmt::format("is of another sweep than {}: {}", files.front(), how));
     for (std::size_t k = 0; k < part.cells.size() && k < result.cells.size(); ++k) {
       if (!part.cells[k] || result.cells[k]) continue;
-      into->append(k, store::bytes_of(*part.cells[k]));
+      into->append(k, io::bytes_of(*part.cells[k]));
       result.cells[k] = part.cells[k];
     }
   }
   label_attractors(result.axes, result.cells);
-  store::finish_sweep_file(*into, result);
+  io::finish_sweep_file(*into, result);
   return result;
 }
 

@@ -13,15 +13,15 @@
 
 #include <fmt/format.h>
 
-#include "equipoise/base/cpu_time.hpp"
 #include "equipoise/base/error.hpp"
-#include "equipoise/base/parallel.hpp"
-#include "equipoise/base/reporting.hpp"
-#include "equipoise/basins/basin.hpp"
+#include "equipoise/cell_files/cell_file.hpp"
+#include "equipoise/cell_files/sweep_cells.hpp"
+#include "equipoise/cell_files/sweep_file.hpp"
+#include "equipoise/ensembles/basin.hpp"
 #include "equipoise/kernels/cpu_target.hpp"
-#include "equipoise/store/cell_file.hpp"
-#include "equipoise/store/sweep_cells.hpp"
-#include "equipoise/store/sweep_file.hpp"
+#include "equipoise/running/cpu_time.hpp"
+#include "equipoise/running/parallel.hpp"
+#include "equipoise/running/reporting.hpp"
 #include "equipoise/sweeps/attractor_labels.hpp"
 #include "equipoise/sweeps/cell_desk.hpp"
 #include "equipoise/sweeps/sweep_cell.hpp"
@@ -46,7 +46,7 @@ class SweepRun final : public SweepWork {
   SweepResult run() {
     const auto begin = std::chrono::steady_clock::now();
     const double cpu_begin = cpu_seconds();
-    if (!options_.output.empty()) file_ = store::open_sweep_file(options_.output, result_.identity, result_.cells);
+    if (!options_.output.empty()) file_ = io::open_sweep_file(options_.output, result_.identity, result_.cells);
     list_blocks();
     report();
     work();
@@ -54,7 +54,7 @@ class SweepRun final : public SweepWork {
     result_.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
     result_.cpu_seconds = cpu_seconds() - cpu_begin;
     if (failure_) std::rethrow_exception(failure_);  // what is done is kept beside the output
-    if (file_) store::finish_sweep_file(*file_, result_);
+    if (file_) io::finish_sweep_file(*file_, result_);
     return std::move(result_);
   }
 
@@ -72,7 +72,7 @@ class SweepRun final : public SweepWork {
   void deliver(std::size_t index, SweepCell cell) override {
     const std::lock_guard guard(taking_);
     if (result_.cells[index]) return;
-    if (file_) file_->append(index, store::bytes_of(cell));
+    if (file_) file_->append(index, io::bytes_of(cell));
     result_.cells[index] = std::make_shared<SweepCell>(std::move(cell));
     ++done_;
     if (options_.cell) options_.cell(index, *result_.cells[index]);
@@ -162,7 +162,7 @@ class SweepRun final : public SweepWork {
   const SweepPlan& plan_;
   const SweepOptions& options_;
   SweepResult result_;
-  std::unique_ptr<store::CellFile> file_;
+  std::unique_ptr<io::CellFile> file_;
   std::vector<std::size_t> blocks_;
   std::atomic<std::size_t> next_{0};
   std::atomic<int> working_{0}, idle_{0};  // those at blocks; threads without one

@@ -6,8 +6,8 @@
 #include <optional>
 #include <string>
 
-#include "equipoise/base/run_options.hpp"
 #include "equipoise/results/sweep_result.hpp"
+#include "equipoise/running/run_options.hpp"
 #include "equipoise/sweeps/sweep_plan.hpp"
 
 namespace equipoise {

@@ -7,10 +7,10 @@
 #include <utility>
 #include <vector>
 
-#include "equipoise/basins/basin.hpp"
-#include "equipoise/basins/ensemble_runner.hpp"
-#include "equipoise/discovery/discovery.hpp"
-#include "equipoise/motions/catalogue.hpp"
+#include "equipoise/attractor_search/attractor_search.hpp"
+#include "equipoise/attractors/catalogue.hpp"
+#include "equipoise/ensembles/basin.hpp"
+#include "equipoise/ensembles/ensemble_runner.hpp"
 #include "equipoise/sweeps/cell_desk.hpp"
 
 namespace equipoise {
@@ -23,9 +23,9 @@ BasinOptions cell_options(const SweepPlan& plan, const CellStart& start) {
   options.half_width = plan.request().half_width;
   options.limit_given = plan.request().limit_given;
   options.transients = plan.transients();
-  options.seeds = start.seeds;
-  options.informed = start.informed;
-  options.hints = &start.hints;
+  options.warm_start_states = start.warm_start_states;
+  options.warm_start = start.warm_start;
+  options.warm_start_levels = &start.warm_start_levels;
   return options;
 }
 
@@ -61,14 +61,14 @@ class Chain {
  public:
   // Before a cell's run, whether or not it is known already.
   void step(const Study& study, const SweepCell* before) {
-    const std::string subject = discovery_subject(study);
+    const std::string subject = attractor_search_subject(study);
     if (before && subject != subject_) {
       const auto size = static_cast<std::size_t>(study.system().dimension());
-      start_.seeds.clear();
+      start_.warm_start_states.clear();
       for (const SweepOutcome& outcome : before->outcomes)
-        if (outcome.state.size() == size) start_.seeds.push_back(outcome.state);
-      start_.informed = !start_.seeds.empty();
-      start_.hints = start_.informed ? before->hints : TrapHints{};
+        if (outcome.state.size() == size) start_.warm_start_states.push_back(outcome.state);
+      start_.warm_start = !start_.warm_start_states.empty();
+      start_.warm_start_levels = start_.warm_start ? before->warm_start_levels : WarmStartLevels{};
     }
     subject_ = subject;
   }
@@ -85,7 +85,7 @@ class Chain {
 bool run_block(const SweepPlan& plan, std::size_t block, const std::function<const SweepCell*(std::size_t)>& known,
                const std::function<void(std::size_t, SweepCell)>& deliver, const BlockWorkers& workers) {
   Chain chain;
-  DiscoveryCache discoveries;
+  AttractorSearchCache discoveries;
   std::optional<SweepCell> before;
   for (const std::size_t index : plan.cells_of(block)) {
     const Study study = plan.study_of(index);
@@ -111,11 +111,11 @@ bool run_block(const SweepPlan& plan, std::size_t block, const std::function<con
     // While the search goes on, which others then make too.
     if (workers.desk && options.half_width == 0.0) place_for(study.sampling.method.value_or(SamplingMethod::random));
     Catalogue catalogue;
-    TrapHints hints;
-    const BasinResult result = basin(study, options, &catalogue, &hints);
+    WarmStartLevels warm_start_levels;
+    const BasinResult result = basin(study, options, &catalogue, &warm_start_levels);
     if (result.partial) return false;
     before = cell_of(result, catalogue);
-    before->hints = std::move(hints);
+    before->warm_start_levels = std::move(warm_start_levels);
     deliver(index, *before);
   }
   return true;

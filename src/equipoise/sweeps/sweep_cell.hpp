@@ -4,8 +4,8 @@
 #include <cstddef>
 #include <functional>
 
-#include "equipoise/base/run_options.hpp"
 #include "equipoise/results/sweep_result.hpp"
+#include "equipoise/running/run_options.hpp"
 #include "equipoise/sweeps/sweep_plan.hpp"
 
 namespace equipoise {
@@ -13,7 +13,7 @@ namespace equipoise {
 struct CellAtWork;
 class CellDesk;
 class EnsembleHelper;
-class Notes;
+class SearchLog;
 
 /// Who works on a block. No result depends on it.
 struct BlockWorkers {
@@ -21,7 +21,7 @@ struct BlockWorkers {
   std::function<int()> idle{};  ///< threads that have nothing else to do when a cell's search begins; empty: none
   CellDesk* desk = nullptr;     ///< where others decide starts of its cells; null: nobody does
   const StopFlag* stop = nullptr;
-  Notes* notes = nullptr;  ///< of searches, or null
+  SearchLog* notes = nullptr;  ///< of searches, or null
 };
 
 /// Computes the cells of a block one after another, those that are known already left out. `known`: a cell that was

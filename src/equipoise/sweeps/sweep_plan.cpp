@@ -7,10 +7,10 @@
 #include <fmt/ranges.h>
 
 #include "equipoise/base/error.hpp"
-#include "equipoise/basins/basin.hpp"
-#include "equipoise/basins/basin_header.hpp"
-#include "equipoise/fates/checks.hpp"
-#include "equipoise/store/result_identity.hpp"
+#include "equipoise/ensembles/basin.hpp"
+#include "equipoise/ensembles/basin_header.hpp"
+#include "equipoise/result_files/result_identity.hpp"
+#include "equipoise/start_runs/checks.hpp"
 #include "equipoise/study/physical.hpp"
 #include "equipoise/study/table_reader.hpp"
 
@@ -79,7 +79,7 @@ std::vector<std::size_t> SweepPlan::cells_of(std::size_t block) const {
 std::string SweepPlan::identity() const {
   BasinFileHeader header = basin_file_header(study_, false, transients_);
   header.study = to_toml(study_);
-  std::string text = store::identity_of(header) + "[sweep]\n";
+  std::string text = io::identity_of(header) + "[sweep]\n";
   for (const SweepAxis& axis : axes_)
     for (const SweepParameter& p : axis.parameters)
       text += fmt::format("over.{} = {}\n", p.key, fmt::join(p.given, ", "));

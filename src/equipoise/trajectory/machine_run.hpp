@@ -8,7 +8,7 @@
 
 #include "equipoise/base/angles.hpp"
 #include "equipoise/base/error.hpp"
-#include "equipoise/integrate/machine_trajectory-inl.hpp"
+#include "equipoise/integrate/event_trajectory-inl.hpp"
 #include "equipoise/model/ball_count.hpp"
 #include "equipoise/model/state_layout.hpp"
 #include "equipoise/spin_up/initial_state.hpp"
@@ -34,7 +34,7 @@ inline void check_overlap(const Study& study) {
 
 class MachineRun {
  public:
-  using Machine = MachineTrajectory<model::any_count>;
+  using Machine = EventTrajectory<model::any_count>;
 
   // The study outlives it.
   explicit MachineRun(const Study& study)

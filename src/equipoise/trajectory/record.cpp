@@ -4,9 +4,9 @@
 #include <array>
 #include <cmath>
 
-#include "equipoise/model/energy.hpp"
-#include "equipoise/model/frames.hpp"
-#include "equipoise/model/strobe.hpp"
+#include "equipoise/mechanics/energy.hpp"
+#include "equipoise/mechanics/frames.hpp"
+#include "equipoise/model/stroboscopic_section.hpp"
 
 namespace equipoise {
 

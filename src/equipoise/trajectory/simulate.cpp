@@ -9,15 +9,15 @@
 #include <fmt/format.h>
 
 #include "equipoise/base/error.hpp"
-#include "equipoise/base/reporting.hpp"
 #include "equipoise/integrate/adaptive-inl.hpp"
 #include "equipoise/integrate/clamped.hpp"
+#include "equipoise/mechanics/frames.hpp"
 #include "equipoise/model/ball_count.hpp"
 #include "equipoise/model/flow-inl.hpp"
-#include "equipoise/model/frames.hpp"
 #include "equipoise/model/state_layout.hpp"
-#include "equipoise/model/strobe.hpp"
+#include "equipoise/model/stroboscopic_section.hpp"
 #include "equipoise/model/system.hpp"
+#include "equipoise/running/reporting.hpp"
 #include "equipoise/spin_up/initial_state.hpp"
 #include "equipoise/trajectory/machine_run.hpp"
 #include "equipoise/trajectory/record.hpp"

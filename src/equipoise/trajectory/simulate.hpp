@@ -3,8 +3,8 @@
 
 #include <vector>
 
-#include "equipoise/base/run_options.hpp"
 #include "equipoise/results/trajectory.hpp"
+#include "equipoise/running/run_options.hpp"
 #include "equipoise/study/study.hpp"
 
 namespace equipoise {

@@ -9,11 +9,11 @@
 #include <fmt/format.h>
 
 #include "equipoise/base/error.hpp"
+#include "equipoise/drives/full_state.hpp"
 #include "equipoise/math/gradient.hpp"
+#include "equipoise/mechanics/frames.hpp"
 #include "equipoise/model/ball_count.hpp"
-#include "equipoise/model/frames.hpp"
 #include "equipoise/model/hybrid_flow-inl.hpp"
-#include "equipoise/model/machine.hpp"
 #include "equipoise/spin_up/initial_state.hpp"
 #include "equipoise/trajectory/record.hpp"
 
@@ -211,7 +211,7 @@ void StudyEquations::cross(std::size_t piece, double* y) const {
 double StudyEquations::energy(std::size_t piece, double t, const double* y) const {
   double z[Flow::dimension];
   state_->whole(piece, t, y, z);
-  return model::machine_energy(study().parameters, z);
+  return model::full_energy(study().parameters, z);
 }
 
 model::Powers StudyEquations::powers(std::size_t piece, double t, const double* y) const {

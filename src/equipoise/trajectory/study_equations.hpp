@@ -7,7 +7,7 @@
 #include <optional>
 #include <vector>
 
-#include "equipoise/model/energy.hpp"
+#include "equipoise/mechanics/energy.hpp"
 #include "equipoise/model/state_layout.hpp"
 #include "equipoise/results/trajectory.hpp"
 #include "equipoise/study/study.hpp"

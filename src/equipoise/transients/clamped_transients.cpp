@@ -9,9 +9,9 @@
 
 #include "equipoise/base/error.hpp"
 #include "equipoise/integrate/clamped.hpp"
-#include "equipoise/model/energy.hpp"
-#include "equipoise/model/frames.hpp"
-#include "equipoise/model/strobe.hpp"
+#include "equipoise/mechanics/energy.hpp"
+#include "equipoise/mechanics/frames.hpp"
+#include "equipoise/model/stroboscopic_section.hpp"
 #include "equipoise/model/unbalance.hpp"
 #include "equipoise/transients/transient_step-inl.hpp"
 
@@ -83,7 +83,7 @@ ClampedTransients::ClampedTransients(const model::Parameters& p, const std::vect
                                      const std::array<double, 4>& initial, double tolerance,
                                      const TransientSettings& settings, const StopFlag* stop)
     : settings_(settings),
-      proportional_(!model::is_strobed(p) &&
+      proportional_(!model::depends_on_rotor_angle(p) &&
                     std::all_of(initial.begin(), initial.end(), [](double v) { return v == 0.0; })),
       times_(grid_of(p, segments)) {
   ClampedBasis at_release;

@@ -9,9 +9,9 @@
 #include <vector>
 
 #include "equipoise/base/error.hpp"
+#include "equipoise/drives/speed.hpp"
 #include "equipoise/integrate/clamped.hpp"
 #include "equipoise/model/parameters.hpp"
-#include "equipoise/model/speed.hpp"
 #include "equipoise/types/transient_table.hpp"
 
 namespace equipoise {

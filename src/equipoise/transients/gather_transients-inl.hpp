@@ -1,5 +1,5 @@
-// The sums of transients, for SIMD lanes and for double: peaks, integrals, times above limits, and windows of time whose
-// last one gives the figures at the end. Included once per CPU target.
+// The sums of transients, for SIMD lanes and for double: peaks, integrals, times above limits, and windows of time
+// whose last one gives the figures at the end. Included once per CPU target.
 #if defined(EQUIPOISE_TRANSIENTS_GATHER_TRANSIENTS_INL) == defined(HWY_TARGET_TOGGLE)
 #ifdef EQUIPOISE_TRANSIENTS_GATHER_TRANSIENTS_INL
 #undef EQUIPOISE_TRANSIENTS_GATHER_TRANSIENTS_INL
@@ -126,8 +126,8 @@ class GatherTransients {
   // The drive's work counts no further.
   void end_work(int lane) { known_work_[lane] = work_of(lane); }
 
-  // Adds an accepted step of length h from `begin` to t, sampled `at` its two nodes and its end; `unbalance`: at its end.
-  // Returns the bits of the `active` lanes whose window it ends.
+  // Adds an accepted step of length h from `begin` to t, sampled `at` its two nodes and its end; `unbalance`: at its
+  // end. Returns the bits of the `active` lanes whose window it ends.
   HWY_INLINE unsigned add(const Limits<T>& limits, unsigned active, Flags accepted, T begin, T t, T h,
                           const Sample<T> (&at)[3], T unbalance) {
     const StepSamples<T> samples = samples_of(at);

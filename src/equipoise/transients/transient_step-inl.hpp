@@ -24,7 +24,7 @@ HWY_INLINE bool any_of(bool m) { return m; }
 HWY_INLINE Mask both(Mask a, Mask b) { return a & b; }
 HWY_INLINE bool both(bool a, bool b) { return a && b; }
 
-// Where samples lie in a step from 0 to 1: stages of DOP853 sit at the inner two (lanes/lane_watch-inl.hpp).
+// Where samples lie in a step from 0 to 1: stages of DOP853 sit at the inner two (batch/batch_watch-inl.hpp).
 inline constexpr double node1 = 1.0 / 3, node2 = 0.6;
 inline constexpr double piece_length[3] = {node1, node2 - node1, 1.0 - node2};
 

@@ -3,8 +3,8 @@
 
 #include <complex>
 
-#include "equipoise/model/energy.hpp"
-#include "equipoise/model/strobe.hpp"
+#include "equipoise/mechanics/energy.hpp"
+#include "equipoise/model/stroboscopic_section.hpp"
 #include "equipoise/model/unbalance.hpp"
 
 namespace equipoise {

@@ -9,11 +9,11 @@
 #include <cstddef>
 #include <optional>
 
-#include "equipoise/lanes/lane_watch-inl.hpp"
+#include "equipoise/batch/batch_watch-inl.hpp"
 #include "equipoise/model/drive-inl.hpp"
 #include "equipoise/model/energy-inl.hpp"
 #include "equipoise/model/flow-inl.hpp"
-#include "equipoise/model/strobe.hpp"
+#include "equipoise/model/stroboscopic_section.hpp"
 #include "equipoise/model/unbalance-inl.hpp"
 #include "equipoise/transients/gather_transients-inl.hpp"
 #include "equipoise/types/transient_table.hpp"
@@ -24,7 +24,7 @@ namespace HWY_NAMESPACE {
 
 class WatchedRotor {
  public:
-  WatchedRotor(const model::Parameters& p, const model::Segment& segment, const LaneTask& task,
+  WatchedRotor(const model::Parameters& p, const model::Segment& segment, const BatchTask& task,
                const model::System* system, const TransientSettings& settings)
       : limits(settings),
         balls_(p.balls),
@@ -36,7 +36,7 @@ class WatchedRotor {
         acceleration_(segment.acceleration),
         begin_(segment.begin),
         rotor_(of_rotor(p)),
-        turns_(model::is_strobed(p)),
+        turns_(model::depends_on_rotor_angle(p)),
         held_(task.held),
         psi_place_(task.layout().psi),
         speed_place_(task.layout().speed),
@@ -114,14 +114,14 @@ class WatchedRotor {
 
 // Rows go on growing from one task to the next. One code for every rotor and number of balls: it runs once a step, the
 // equations twelve times.
-class WatchTransients final : public LaneWatch {
+class WatchTransients final : public BatchWatch {
  public:
-  WatchTransients(const LaneTask& task, TransientTable& table)
+  WatchTransients(const BatchTask& task, TransientTable& table)
       : task_(task),
         table_(table),
         size_(task.dimension()),
         rotors_{rotor_of(task, table), rotor_of(task, table), rotor_of(task, table)} {
-    static_assert(most_lane_groups == 3);
+    static_assert(most_batch_groups == 3);
   }
 
   void begin(int slot, std::size_t start, double t, const double* state) override {
@@ -155,7 +155,7 @@ class WatchTransients final : public LaneWatch {
     return groups_[s.group].add(rotor.limits, s.active, s.accepted, begin, s.t, s.h, at, rotor.unbalance(s.z));
   }
 
-  void end(int slot, std::size_t start, LaneEnd, double t) override {
+  void end(int slot, std::size_t start, BatchEnd, double t) override {
     groups_[slot / lanes].store(slot % lanes, t, table_.rows[start], !task_.held);
   }
 
@@ -174,7 +174,7 @@ class WatchTransients final : public LaneWatch {
   using Group = transient::GatherTransients<Pack>;
   static constexpr int lanes = Group::lanes;
 
-  static WatchedRotor rotor_of(const LaneTask& task, const TransientTable& table) {
+  static WatchedRotor rotor_of(const BatchTask& task, const TransientTable& table) {
     return {*task.parameters, task.segment, task, task.system, table.settings};
   }
   const WatchedRotor& rotor(int slot) const { return rotors_[slot / lanes]; }
@@ -192,12 +192,12 @@ class WatchTransients final : public LaneWatch {
             own(here.velocity2), own(here.power), own(rotor(slot).stored(Pack(t), z))};
   }
 
-  const LaneTask& task_;
+  const BatchTask& task_;
   TransientTable& table_;
   const int size_;
-  WatchedRotor rotors_[most_lane_groups];  // of each group's lanes
-  Group groups_[most_lane_groups];
-  std::size_t start_[most_lane_groups * lanes] = {};
+  WatchedRotor rotors_[most_batch_groups];  // of each group's lanes
+  Group groups_[most_batch_groups];
+  std::size_t start_[most_batch_groups * lanes] = {};
 };
 
 }  // namespace HWY_NAMESPACE

@@ -55,8 +55,8 @@ struct Motion {
   /// Of a rotor with anisotropic supports or gravity, whose equations depend on its angle, while it turns. r is
   /// measured from where the rotor rests under gravity; `spectrum` of an equilibrium too are multipliers, over one
   /// strobe. At a prescribed speed `state` holds where psi = 0, and every multiplier counts.
-  bool strobed = false;
-  int strobes = 0;  ///< strobed and periodic only: turns of the rotor, by strobe_angle(), in `period`
+  bool depends_on_angle = false;
+  int sections = 0;  ///< strobed and periodic only: turns of the rotor, by section_angle(), in `period`
   /// Strobed: gravity and anisotropy taken away gradually lead to a balanced state. Stuck or with events: it shakes
   /// less than half as much as the rotor would without balls (halves_the_shaking()).
   bool balanced = false;
@@ -66,7 +66,7 @@ struct Motion {
   model::BallMode mode;           ///< which balls touch and which stick, at `state`
   std::vector<BallEvent> events;  ///< in one period; of motions that do not come back, the last hundred
   bool eventful = false;          ///< balls touch or stick somewhere on it; else it is one of the system without events
-  bool stuck = false;  ///< stiction holds all balls for good, with what unbalance is left (motions/stuck.hpp)
+  bool stuck = false;  ///< stiction holds all balls for good, with what unbalance is left (attractors/stuck.hpp)
   /// It belongs to a continuum that dry friction makes: balls that stick may do so a little farther on.
   bool set_valued = false;
 

@@ -1,0 +1,170 @@
+// Outcomes matched by name, counted in pairs.
+#include "equipoise/analyses/comparison.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cstdint>
+#include <map>
+#include <optional>
+#include <utility>
+
+#include "equipoise/attractors/catalogue.hpp"
+#include "equipoise/base/error.hpp"
+#include "equipoise/start_runs/checks.hpp"
+#include "equipoise/types/fate.hpp"
+
+namespace equipoise {
+
+namespace {
+
+std::string why_not_common(const BasinOutcomes& first, const BasinOutcomes& second) {
+  const Study &a = first.study, &b = second.study;
+  const auto method = [](const Study& s) { return s.sampling.method.value_or(SamplingMethod::random); };
+  if (a.parameters.balls != b.parameters.balls) return "they have different numbers of balls";
+  if (first.own_starts != second.own_starts) return "they were not given the same starts";
+  if (a.sampling.seed != b.sampling.seed) return "their seeds differ";
+  if (method(a) != method(b)) return "their sampling methods differ";
+  if (a.parameters.contact_angle != b.parameters.contact_angle) return "their balls take different room";
+  for (const BoxSide& side : box_sides) {
+    const auto &left = a.sampling.box.*side.side, &right = b.sampling.box.*side.side;
+    if (left.has_value() != right.has_value() || (left && (left->low != right->low || left->high != right->high)))
+      return "their sampling boxes differ";
+  }
+  return "";
+}
+
+void refuse_grid(const Study& study) {
+  if (study.sampling.method == SamplingMethod::grid)
+    throw InputError(study.name, "sampling.method", "grid",
+                     "starts on a grid have weights; comparisons need \"random\" or \"sobol\"");
+}
+
+// The outcomes of both studies as one list: motions as the first has them, then those of the second alone, then what is
+// no motion. A motion with an identifier of its own is the same in both, whatever else it is called (balanced;
+// balanced, stuck); others are the same if their names are.
+class CommonNames {
+ public:
+  CommonNames(const BasinOutcomes& first, const BasinOutcomes& second) {
+    for (const bool motions : {true, false})
+      for (const int k : {0, 1})
+        for (const auto& [code, name] : (k ? second : first).names)
+          if ((code > 0) == motions) places_[k][code] = place_of(code, name);
+  }
+
+  std::size_t place(int study, short code) const { return places_[study].at(code); }
+  const std::vector<BasinOutcomes::Name>& all() const { return names_; }
+  /// Of what has an identifier of its own.
+  std::optional<std::size_t> place_of_own(short code) const {
+    const auto found = std::find(own_.begin(), own_.end(), code);
+    return found == own_.end() ? std::nullopt : std::optional<std::size_t>(found - own_.begin());
+  }
+
+ private:
+  std::size_t place_of(short code, const BasinOutcomes::Name& name) {
+    const short own = std::min<short>(code, first_free_id);
+    for (std::size_t k = 0; k < names_.size(); ++k) {
+      if (own_[k] != own || (own == first_free_id && names_[k].name != name.name)) continue;
+      if (names_[k].name != name.name) names_[k].name += " / " + name.name;
+      return k;
+    }
+    names_.push_back(name);
+    own_.push_back(own);
+    return names_.size() - 1;
+  }
+
+  std::vector<BasinOutcomes::Name> names_;
+  std::vector<short> own_;  // first_free_id: none of its own
+  std::array<std::map<short, std::size_t>, 2> places_;
+};
+
+class Comparison {
+ public:
+  Comparison(const BasinOutcomes& first, const BasinOutcomes& second) : names_(first, second) {
+    result_.first = first.study;
+    result_.second = second.study;
+    result_.partial = first.partial || second.partial;
+    result_.why_not_common = why_not_common(first, second);
+    result_.common = result_.why_not_common.empty();
+    result_.starts = std::min(first.outcome.size(), second.outcome.size());
+    first_ = places(0, first);
+    second_ = places(1, second);
+  }
+
+  ComparisonResult run() {
+    for (std::size_t k = 0; k < names_.all().size(); ++k) result_.shares.push_back(share_of(k));
+    bound_balanced();
+    if (result_.common) count_changes();
+    return std::move(result_);
+  }
+
+ private:
+  // Each start's outcome as a place in the common list: of common starts those that both have, else all.
+  std::vector<std::size_t> places(int study, const BasinOutcomes& o) const {
+    std::vector<std::size_t> result(result_.common ? result_.starts : o.outcome.size());
+    for (std::size_t i = 0; i < result.size(); ++i) result[i] = names_.place(study, o.outcome[i]);
+    return result;
+  }
+
+  static std::vector<bool> are(const std::vector<std::size_t>& places, std::size_t place) {
+    std::vector<bool> result(places.size());
+    for (std::size_t i = 0; i < result.size(); ++i) result[i] = places[i] == place;
+    return result;
+  }
+
+  static Share share(const std::vector<bool>& ended) {
+    return wilson_share(static_cast<std::uint64_t>(std::count(ended.begin(), ended.end(), true)), ended.size());
+  }
+
+  ComparedShare share_of(std::size_t place) const {
+    const std::vector<bool> before = are(first_, place), after = are(second_, place);
+    const BasinOutcomes::Name& name = names_.all()[place];
+    ComparedShare s{name.name, name.alias, share(before), share(after), {}};
+    s.difference =
+        result_.common ? paired_difference(compare_starts(before, after)) : independent_difference(s.first, s.second);
+    return s;
+  }
+
+  // Undecided starts of the first may all have come to balance, or those of the second.
+  void bound_balanced() {
+    const auto undecided = names_.place_of_own(undecided_code);
+    result_.balanced = names_.place_of_own(balanced_id);
+    if (!result_.balanced) return;
+    const ShareDifference& d = result_.shares[*result_.balanced].difference;
+    result_.surely_low = d.low - (undecided ? result_.shares[*undecided].first.share : 0.0);
+    result_.surely_high = d.high + (undecided ? result_.shares[*undecided].second.share : 0.0);
+  }
+
+  void count_changes() {
+    std::map<std::pair<std::size_t, std::size_t>, std::uint64_t> changes;
+    std::uint64_t changed = 0;
+    for (std::size_t i = 0; i < result_.starts; ++i)
+      if (first_[i] != second_[i]) {
+        ++changed;
+        ++changes[{first_[i], second_[i]}];
+      }
+    result_.changed = wilson_share(changed, result_.starts);
+    for (const auto& [ends, starts] : changes)
+      result_.changes.push_back({names_.all()[ends.first].name, names_.all()[ends.second].name, starts});
+    std::stable_sort(result_.changes.begin(), result_.changes.end(),
+                     [](const auto& a, const auto& b) { return a.starts > b.starts; });
+  }
+
+  CommonNames names_;
+  std::vector<std::size_t> first_, second_;
+  ComparisonResult result_;
+};
+
+}  // namespace
+
+void check_comparable(const Study& study) {
+  refuse_grid(study);
+  check_runnable(study, false);
+}
+
+ComparisonResult compare(const BasinOutcomes& first, const BasinOutcomes& second) {
+  refuse_grid(first.study);
+  refuse_grid(second.study);
+  return Comparison(first, second).run();
+}
+
+}  // namespace equipoise

@@ -1,0 +1,27 @@
+// Which uncertain value of a study decides whether a start ends balanced.
+#pragma once
+
+#include <cstdint>
+
+#include "equipoise/results/sensitivity_result.hpp"
+#include "equipoise/running/run_options.hpp"
+#include "equipoise/study/study.hpp"
+
+namespace equipoise {
+
+inline constexpr std::uint64_t sensitivity_rows = 512;
+
+/// Progress is in rows.
+struct SensitivityOptions : RunOptions {
+  std::uint64_t rows = sensitivity_rows;  ///< 2 or more; each takes as many starts as there are uncertain values, and 3
+};
+
+/// Throws InputError for a study without uncertain values, and for what basin() does not take.
+void check_sensitivity(const Study& study);
+
+/// First-order and total Sobol indices (statistics/sobol_indices.hpp) of the indicator "ends balanced" for every
+/// uncertain value and for where the start begins. Row i is of starts 2 i and 2 i + 1 of the study's seed, at random
+/// whatever its sampling.method, and of mixtures of the two: it depends on the study and i alone.
+SensitivityResult sensitivity(const Study& study, const SensitivityOptions& options = {});
+
+}  // namespace equipoise

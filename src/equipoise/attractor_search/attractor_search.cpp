@@ -1,0 +1,370 @@
+// From pilot starts to attractors: what they come to is grouped, followed, named and listed.
+#include "equipoise/attractor_search/attractor_search.hpp"
+
+#include <algorithm>
+#include <map>
+#include <memory>
+#include <optional>
+#include <utility>
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include "equipoise/attractor_search/search.hpp"
+#include "equipoise/attractor_search/search_regions.hpp"
+#include "equipoise/attractors/motion_bytes.hpp"
+#include "equipoise/classification/pilot.hpp"
+#include "equipoise/classification/window_features.hpp"
+#include "equipoise/running/parallel.hpp"
+#include "equipoise/spin_up/spin_up.hpp"
+
+namespace equipoise {
+
+namespace {
+
+// Groups that are followed, the largest first: more are the debris of a motion that does not settle.
+constexpr std::size_t most_groups = 24;
+// In a part of a family, beside what the whole had: its halves look again, and what is rare is followed start by start.
+constexpr std::size_t most_groups_beside = 8;
+// By so much longer, windows of chaos and of tori show what they are.
+constexpr double later_windows = 4.0;
+
+class Discoverer {
+ public:
+  Discoverer(const Study& study, const SpinUp& source, const AttractorSearchSettings& settings,
+             const std::string& subject, const DrawnSource* drawn = nullptr)
+      : s_(study, source, settings, subject, drawn) {}
+
+  AttractorSearch run() {
+    regions_.find_balanced();
+    if (s_.is_stopped() || (s_.settings.warm_start && !list_warm_start_states())) return stopped();
+    if (!s_.pilot.make()) return stopped();
+    for (OwnRotor& rotor : s_.pilot.rotors()) s_.result.place(rotor);
+    if (!follow_pilot(s_.pilot.scouts())) return stopped();
+    if (!list_found(s_.settings.warm_start ? WarmStartStates::listed : WarmStartStates::new_ones)) return stopped();
+    std::vector<Candidate> all = seeds_;
+    all.insert(all.end(), found_.begin(), found_.end());
+    make_boxes(s_, all);
+    if (!scouts_suffice(s_)) {
+      if (!follow_pilot(s_.pilot.size())) return stopped();
+      // Of rotors that differ few show what the first ones did, and what nobody has named bars every box.
+      if (s_.drawn && !list_found(WarmStartStates::listed)) return stopped();
+      audit_boxes(s_, found_);
+    }
+    regions_.level_balanced();
+    if (!list_found(WarmStartStates::listed)) return stopped();
+    if (s_.balance_box) ask_for_balance();
+    if (s_.drawn && !follow_chaos(s_, chaos_)) return stopped();
+    if (!s_.is_stopped()) s_.notes.finish();
+    s_.result.rule.blind = false;
+    s_.result.rule.at_horizon = s_.study.numerics.decide == ClassificationMode::horizon;
+    return std::move(s_.result);
+  }
+
+ private:
+  AttractorSearch stopped() {
+    s_.result.stopped = true;
+    return std::move(s_.result);
+  }
+
+  // Decides the first `count` of the pilot's starts by the rule as it stands.
+  bool follow_pilot(std::size_t count) {
+    const double horizon = std::min(*s_.study.numerics.horizon, pilot_windows * s_.result.rule.first_long_window);
+    return s_.pilot.follow(count, s_.result.rule, horizon, s_.settings.threads, s_.settings.stop, s_.stages, s_.notes);
+  }
+
+  enum class WarmStartStates { listed, new_ones };
+
+  // Lists what the pilot came to that the rule cannot name. Stationary motions come first: most of what wanders looks
+  // like one of them, a torus that had not repeated itself yet, and need not be followed.
+  bool list_found(WarmStartStates warm_start_states) {
+    find_candidates();
+    const auto wandering =
+        std::stable_partition(candidates_.begin(), candidates_.end(), [](const Candidate& c) { return c.stationary; });
+    std::vector<Candidate> later(wandering, candidates_.end());
+    candidates_.erase(wandering, candidates_.end());
+    if (warm_start_states == WarmStartStates::new_ones) add_seeds();
+    if (!refine_and_list()) return false;
+    found_ = std::move(candidates_);
+    candidates_.clear();
+    for (Candidate& c : later) (name_by_looks(c) ? found_ : candidates_).push_back(c);
+    if (!refine_and_list()) return false;
+    found_.insert(found_.end(), candidates_.begin(), candidates_.end());
+    return true;
+  }
+
+  // As what is listed and looks the same; boxes are made around what it did all the same.
+  bool name_by_looks(Candidate& c) {
+    const KnownFeatures* known = s_.known_as(c.features, c.own);
+    if (!known) return false;
+    c.attractor = known->attractor;
+    c.trend = known->trend;
+    c.shows_motion = true;
+    // One entry tells the motion of all rotors; chaos looks different in every window.
+    if (!s_.drawn || known->chaotic) add_known(c, known->chaotic);
+    return true;
+  }
+
+  void add_known(const Candidate& c, bool chaotic) {
+    // Until it is known for which rotors it lasts, chaos may end for all.
+    s_.result.rule.known.push_back(
+        {of_middle(s_, c, c.features, c.own), c.attractor, chaotic, chaotic && s_.drawn ? 0 : -1, c.trend});
+  }
+
+  // Groups of trajectories that the rule cannot name yet: stationary ones, and ones that neither settled nor came to
+  // balance.
+  void find_candidates() {
+    std::vector<std::size_t> stationary, wandering;
+    for (std::size_t i = 0; i < s_.pilot.followed(); ++i) {
+      const Fate& fate = s_.pilot.fates()[i];
+      if (fate.attractor == 0 && s_.shows_balance(i)) continue;
+      if (fate.outcome == Outcome::attracted && fate.attractor == 0) stationary.push_back(i);
+      if (fate.outcome == Outcome::undecided && s_.pilot.records()[i].finished_window &&
+          !s_.known_as(s_.pilot.records()[i].features, s_.pilot.rotor(i)))
+        wandering.push_back(i);
+    }
+    candidates_.clear();
+    for (const auto& [which, tolerance] : {std::pair{&stationary, grouping}, std::pair{&wandering, loose_grouping}}) {
+      auto groups = group_records(s_.pilot.records(), *which, s_.balls(), tolerance);
+      std::stable_sort(groups.begin(), groups.end(),
+                       [](const MotionGroup& a, const MotionGroup& b) { return a.members.size() > b.members.size(); });
+      groups.resize(std::min(groups.size(), s_.drawn && s_.settings.warm_start ? most_groups_beside : most_groups));
+      for (const MotionGroup& group : groups) {
+        candidates_.push_back({group.members, group.features, group.range,
+                               s_.pilot.state_on_section(group.members.front()),
+                               s_.pilot.rotor(group.members.front())});
+        candidates_.back().stationary = which == &stationary;
+      }
+    }
+    if (s_.balance_box) drop_balanced_candidates();
+    if (s_.settings.warm_start) recognise_candidates();
+  }
+
+  // What is on its slow way to balance is followed on lanes before it is followed to a motion, which it may never be
+  // on.
+  void drop_balanced_candidates() {
+    ClassificationRule only_balance = s_.result.rule;
+    only_balance.boxes = {*s_.balance_box};
+    only_balance.first_long_window = *s_.study.numerics.horizon;
+    const double time = 2.0 * s_.balance_box->hits_needed * 0.5 * s_.result.rule.window;
+    const std::vector<Fate> fates = s_.fates_of(candidates_, only_balance, time / only_balance.first_long_window);
+    std::vector<Candidate> others;
+    for (std::size_t k = 0; k < candidates_.size(); ++k)
+      if (fates[k].attractor != balanced_id) others.push_back(std::move(candidates_[k]));
+    candidates_ = std::move(others);
+  }
+
+  // Long windows, three of which tell what is stationary, leave it time: what creeps near balance looks the same in all
+  // of them, and would be followed to a motion that never comes back.
+  void ask_for_balance() {
+    ClassificationRule& rule = s_.result.rule;
+    rule.boxes.push_back(*s_.balance_box);
+    rule.first_long_window = std::max(rule.first_long_window, s_.balance_box->hits_needed * 0.5 * rule.window / 3.0);
+  }
+
+  // Whose later windows, which are longer, show a neighbour's motion, or that its trapping regions catch, need not be
+  // followed.
+  void recognise_candidates() {
+    ClassificationRule later = s_.result.rule;
+    later.first_long_window *= later_windows;
+    later.boxes.clear();
+    const std::vector<Fate> fates = s_.fates_of(candidates_, later, pilot_windows);
+    std::vector<Candidate> unknown;
+    for (std::size_t k = 0; k < candidates_.size(); ++k) {
+      if (fates[k].attractor == 0)
+        unknown.push_back(std::move(candidates_[k]));
+      else if (const KnownFeatures* known = looks_of(fates[k].attractor, candidates_[k])) {
+        candidates_[k].attractor = known->attractor;
+        candidates_[k].trend = known->trend;
+        add_known(candidates_[k], known->chaotic);
+      }
+    }
+    candidates_ = std::move(unknown);
+  }
+
+  const model::System& system_of(const Candidate& c) const { return c.own ? c.own->system : s_.system; }
+
+  // The attractor's, if they agree as well as two windows of it do.
+  const KnownFeatures* looks_of(int attractor, const Candidate& c) const {
+    const Attractor* a = s_.result.catalogue.find(attractor);
+    for (const KnownFeatures& k : s_.result.rule.known)
+      if (a && k.attractor == attractor &&
+          same_motion(k.features, brought_back(c.features, k.trend, shifts_of(c.own), s_.balls()), s_.balls(),
+                      agreement(a->motion.kind)))
+        return &k;
+    return nullptr;
+  }
+
+  void add_seeds() {
+    for (const std::vector<double>& seed : s_.settings.warm_start_states)
+      candidates_.push_back(
+          {{}, {}, {}, Eigen::Map<const Eigen::VectorXd>(seed.data(), static_cast<Eigen::Index>(seed.size()))});
+  }
+
+  // What a neighbour has comes first: the pilot's trajectories are then caught by its trapping regions, or told by what
+  // it looks like, and only what else they come to has to be followed.
+  bool list_warm_start_states() {
+    add_seeds();
+    if (!refine_and_list()) return false;
+    seeds_ = std::move(candidates_);
+    return true;
+  }
+
+  // Of rotors that differ a few at a time: most others are what these come to, as another rotor has it.
+  bool refine_and_list() {
+    if (!s_.drawn) return refine_candidates();
+    constexpr std::size_t at_once = 4;
+    const std::vector<Candidate> all = std::move(candidates_);
+    std::vector<Candidate> done;
+    for (auto next = all.begin(); next != all.end();) {
+      candidates_.clear();
+      for (; next != all.end() && candidates_.size() < at_once; ++next) {
+        Candidate c = *next;
+        (!c.members.empty() && name_by_looks(c) ? done : candidates_).push_back(std::move(c));
+      }
+      if (!refine_candidates()) return false;
+      done.insert(done.end(), candidates_.begin(), candidates_.end());
+    }
+    candidates_ = std::move(done);
+    return true;
+  }
+
+  // Chaos that goes on for so long counts as lasting for rotors that differ.
+  double patience() const {
+    return s_.drawn ? std::min(followed_for(s_.system), lasting_chaos) : followed_for(s_.system);
+  }
+
+  // The same state of the pilot is a candidate again if it came to no motion, or to one that looks different each time.
+  const Candidate* followed_before(const Candidate& c) const {
+    const auto at = std::find_if(followed_.begin(), followed_.end(),
+                                 [&](const Candidate& f) { return f.own == c.own && f.state == c.state; });
+    return at == followed_.end() ? nullptr : &*at;
+  }
+
+  // Follows the candidates until they are steady; lists those that become so, with what recognises them.
+  bool refine_candidates() {
+    s_.stages.begin("motions followed until they are steady", candidates_.size());
+    const std::uint64_t first = s_.notes.reserve(candidates_.size());
+    in_parallel(s_.settings.threads, candidates_.size(), [&](std::size_t k) {
+      if (s_.is_stopped()) return;
+      Candidate& c = candidates_[k];
+      const Candidate* before = followed_before(c);
+      c.motion = before ? before->motion : s_.notes.answer_at(first + k, "motion", s_.settings.stop, [&] {
+        return motion_from(system_of(c), c.state, patience(), s_.settings.stop);
+      });
+      s_.stages.add(1);
+    });
+    if (s_.is_stopped()) return false;
+    for (const Candidate& c : candidates_)
+      if (!followed_before(c)) followed_.push_back(c);
+    compare_with_motions();
+    const Catalogue before = s_.result.catalogue;
+    for (Candidate& c : candidates_)
+      if (c.motion && c.motion->stable) c.attractor = s_.result.catalogue.add(system_of(c).parameters(), *c.motion);
+    for (Candidate& c : candidates_) {
+      // Balance is never told by what it looks like: trapping regions know it, or the way to it is followed.
+      if (!c.motion || !c.motion->stable || !c.shows_motion || c.attractor == balanced_id) continue;
+      if (s_.drawn ? looks_known(c) : is_known(c.attractor)) {
+        if (c.members.empty()) c.shows_motion = false;  // another seed came to the same
+        if (!c.shows_motion) continue;
+      } else {
+        if (!add_trend(s_, c)) return false;
+        regions_.add_of_candidate(c);
+        s_.result.warm_start_states.emplace_back(c.motion->state.begin(), c.motion->state.end());
+      }
+      add_known(c, c.motion->kind == MotionKind::chaotic);
+      if (c.motion->kind == MotionKind::chaotic) chaos_.try_emplace(c.attractor, c.motion->state);
+    }
+    for (const Attractor& a : s_.result.catalogue.listed_since(before)) regions_.add_listed(a);
+    regions_.set_rule();
+    return !s_.is_stopped();
+  }
+
+  // Of rotors that differ several motions may have one name. Sees to it that a candidate that looks like what is known
+  // under its own has that one's trend.
+  bool looks_known(Candidate& c) const {
+    const KnownFeatures* known = s_.known_as(c.features, c.own);
+    if (!known || known->attractor != c.attractor) return false;
+    c.trend = known->trend;
+    return true;
+  }
+
+  bool is_known(int attractor) const {
+    const std::vector<KnownFeatures>& known = s_.result.rule.known;
+    return std::any_of(known.begin(), known.end(), [&](const KnownFeatures& k) { return k.attractor == attractor; });
+  }
+
+  // A trajectory may seem stationary near an unstable motion, or on chaos that ends, and come to a stable one in the
+  // end: what its windows showed is then not what recognises that one. A neighbour's motion is known by its own.
+  void compare_with_motions() {
+    std::vector<Candidate*> followed;
+    std::vector<const Motion*> motions;
+    std::vector<const OwnRotor*> own;
+    for (Candidate& c : candidates_) {
+      if (!c.motion || !c.motion->stable || (c.members.empty() && !s_.settings.warm_start)) continue;
+      followed.push_back(&c);
+      motions.push_back(&*c.motion);
+      if (s_.drawn) own.push_back(c.own ? c.own : &s_.rotors.front());
+    }
+    const std::vector<PilotRecord> windows = s_.windows_of(motions, own);
+    for (std::size_t k = 0; k < followed.size(); ++k) {
+      Candidate& c = *followed[k];
+      // Of a continuum that dry friction leaves every member looks its own way.
+      c.shows_motion = !c.motion->set_valued && windows[k].finished_window;
+      if (c.members.empty()) {
+        c.features = windows[k].features;
+        c.range = windows[k].range;
+        continue;
+      }
+      c.shows_motion =
+          c.shows_motion && same_motion(c.features, windows[k].features, s_.balls(), agreement(c.motion->kind));
+    }
+  }
+
+  Search s_;
+  SearchRegions regions_{s_};
+  std::map<int, Eigen::VectorXd> chaos_;  // by attractor: a state on one rotor's
+  // Being followed; all that were; what the pilot came to; a neighbour's.
+  std::vector<Candidate> candidates_, followed_, found_, seeds_;
+};
+
+}  // namespace
+
+AttractorSearch search_attractors(const StudyFamily& family, const FamilyBox& box,
+                                  const AttractorSearchSettings& settings) {
+  const DrawnSource source(family, box, settings.stop);
+  return Discoverer(source.middle(), source, settings, search_key(box, settings), &source).run();
+}
+
+double followed_for(const model::System& system) { return is_dear(system) ? 0.25 * motion_patience : motion_patience; }
+
+std::string attractor_search_subject(const Study& study) { return to_toml(at_final_speed(study)); }
+
+std::string search_key(const std::string& subject, const AttractorSearchSettings& settings) {
+  std::string key = fmt::format("{}\n{}\n{}", subject, settings.warm_start_states, settings.warm_start);
+  for (const WarmStartLevel& h : settings.warm_start_levels.levels)
+    key += fmt::format("\n{} {} {}", h.attractor, h.torus, h.level);
+  for (const ModeWeight& w : settings.warm_start_levels.weights) key += fmt::format("\n{} {} {}", w.re, w.im, w.weight);
+  return key;
+}
+
+std::string search_key(const FamilyBox& part, const AttractorSearchSettings& settings) {
+  return search_key(fmt::format("{}\n{} to {}", settings.family, part.low, part.high), settings);
+}
+
+AttractorSearch search_attractors(const Study& study, const AttractorSearchSettings& settings) {
+  const Study steady = at_final_speed(study);
+  const std::string key = search_key(to_toml(steady), settings);
+  const auto make = [&] {
+    if (steady.system().coasts()) return discover_coasting(steady, settings.stop);
+    const std::unique_ptr<SpinUp> source = make_spin_up(steady, settings.stop);
+    return Discoverer(steady, *source, settings, key).run();
+  };
+  if (!settings.cache) return make();
+  if (const auto at = settings.cache->made.find(key); at != settings.cache->made.end()) return at->second;
+  AttractorSearch discovery = make();
+  if (!discovery.stopped) settings.cache->made.emplace(key, discovery);
+  return discovery;
+}
+
+}  // namespace equipoise

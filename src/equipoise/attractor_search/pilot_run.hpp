@@ -1,0 +1,86 @@
+// The pilot's trajectories: their states at the final speed, made once, and what becomes of them under a rule.
+#pragma once
+
+#include <cstddef>
+#include <span>
+#include <vector>
+
+#include <Eigen/Core>
+
+#include "equipoise/base/stop_flag.hpp"
+#include "equipoise/classification/classification_rule.hpp"
+#include "equipoise/model/system.hpp"
+#include "equipoise/rotor_family/drawn_source.hpp"
+#include "equipoise/running/search_log.hpp"
+#include "equipoise/running/stage_progress.hpp"
+#include "equipoise/spin_up/spin_up.hpp"
+#include "equipoise/types/fate.hpp"
+
+namespace equipoise {
+
+/// Long windows end at 1, 2, 4, 8 and 16 times the first: four comparisons, of which two in a row must agree.
+inline constexpr double pilot_windows = 16.0;
+
+class PilotRun {
+ public:
+  /// Scouts find motions; with their trapping regions in place all of the pilot shows how far those and the boxes can
+  /// be trusted, and is followed only for that where it is dear.
+  static constexpr std::size_t random_scouts = 1024, coincident_scouts = 32, random_starts = 4096;
+
+  /// `initial`: what starts have that draw nothing else. `part`: of the random ones only every so many are made.
+  /// `drawn`: the source, if it draws rotors.
+  PilotRun(const model::System& system, const SpinUp& source, const InitialState& initial, std::size_t part = 1,
+           const DrawnSource* drawn = nullptr)
+      : system_(system), source_(source), drawn_(drawn), initial_(initial), part_(part), task_(source.last_task()) {}
+
+  /// Random starts, starts with all balls together, and more random ones. Of a driven rotor every other one is free
+  /// from the beginning, at speeds from rest to the one that the motor comes to without load: a slow rotor may stay
+  /// slow, and one that has passed resonance come back to it. False if stopped.
+  bool make();
+  /// How many of them are scouts.
+  std::size_t scouts() const { return scouts_; }
+  /// And how many of these, the first, were drawn: balls all in one place may stay on a motion that nothing else comes
+  /// to.
+  std::size_t random_ones() const { return random_ones_; }
+  /// Decides the first `count` of them by a rule, at `horizon` at the latest. False if stopped.
+  bool follow(std::size_t count, const ClassificationRule& rule, double horizon, int threads, const StopFlag* stop,
+              StageProgress& stages, NotePage& notes);
+
+  std::size_t size() const { return fates_.size(); }
+  /// Of so many of them fates and records are known.
+  std::size_t followed() const { return followed_; }
+  const std::vector<Fate>& fates() const { return fates_; }
+  const std::vector<PilotRecord>& records() const { return records_; }
+  /// Tells what became of an undecided one.
+  void name(std::size_t i, int attractor) { fates_[i].attractor = static_cast<short>(attractor); }
+  /// Where start `i` was when it was decided; the second where it may be followed on from without the rotor's angle: at
+  /// the next strobe, where that matters.
+  Eigen::Map<const Eigen::VectorXd> state(std::size_t i) const;
+  Eigen::VectorXd state_on_section(std::size_t i) const;
+  /// The system of start `i`, and its rotor where starts draw their own, else null.
+  const model::System& system(std::size_t i) const { return rotors_.empty() ? system_ : rotors_[i].system; }
+  const OwnRotor* rotor(std::size_t i) const { return rotors_.empty() ? nullptr : &rotors_[i]; }
+  /// Their rotors, to be prepared for the rule; none where all have the system's.
+  std::span<OwnRotor> rotors() { return rotors_; }
+
+ private:
+  bool add(std::size_t first, std::size_t count);
+  void append(const SpunUp& starts);
+  bool decide(std::size_t count, const ClassificationRule& rule, double horizon, int threads, const StopFlag* stop,
+              StageProgress& stages);
+  SpunUp free_at_speeds(std::size_t first, std::size_t count) const;
+
+  const model::System& system_;
+  const SpinUp& source_;
+  const DrawnSource* drawn_;
+  InitialState initial_;
+  const std::size_t part_;
+  const BatchTask task_;
+  std::vector<double> begin_, states_;
+  std::vector<OwnRotor> rotors_;  // each start's own, or none
+  std::vector<Fate> fates_;
+  std::vector<PilotRecord> records_;
+  std::size_t scouts_ = 0, random_ones_ = 0, followed_ = 0;
+};
+
+}  // namespace equipoise

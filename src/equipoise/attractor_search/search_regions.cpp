@@ -1,0 +1,184 @@
+// Around balance first; then around each motion that is listed, by the kind that suits it.
+#include "equipoise/attractor_search/search_regions.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <span>
+#include <utility>
+
+#include "equipoise/attractor_search/balance_box.hpp"
+#include "equipoise/attractor_search/balanced_levels.hpp"
+#include "equipoise/mechanics/capability.hpp"
+#include "equipoise/trapping_regions/orbit_forms.hpp"
+#include "equipoise/trapping_regions/path_region.hpp"
+#include "equipoise/trapping_regions/torus_region.hpp"
+#include "equipoise/trapping_regions/validated_level.hpp"
+
+namespace equipoise {
+
+namespace {
+
+// Of rotors that differ it takes a hundred times as long to ask about all places of a motion as to follow a start for a
+// unit of time.
+constexpr double rest_of_drawn = 0.25;
+
+// A weak motor brings a balanced rotor to its speed so slowly that tries of wider levels, which wait for that, would
+// take longer than starts do that have to come into the narrow one.
+constexpr double slowest_worth_widening = 1e-3;
+
+}  // namespace
+
+void SearchRegions::find_balanced() {
+  s_.stages.begin("balanced states");
+  BalancedAnalysis& balanced = s_.result.balanced;
+  balanced = analyse_balanced(s_.system, s_.settings.stop, s_.settings.warm_start_levels.weights);
+  if (s_.drawn) draw_rotors(balanced);
+  s_.result.warm_start_levels.weights = balanced.weights;
+  const auto part = balanced.continuum ? std::optional<ContinuumPart>(balanced.survey) : std::nullopt;
+  for (const Motion& motion : balanced.motions) s_.result.catalogue.add(s_.study.parameters, motion, part);
+  if (s_.is_stopped()) return;
+  s_.result.rule = first_rule(s_.study, balanced, s_.system);
+  s_.result.rule.blind = true;
+  if (s_.drawn) s_.result.rule.chaos_lasts = std::min(lasting_chaos, 0.25 * *s_.study.numerics.horizon);
+  s_.balance_box = balance_box(s_.system, balanced, s_.result.rule.window, *s_.study.numerics.horizon);
+  // Where balls touch, a continuum's level sets catch late what lies side by side in it, and each state that they are
+  // asked about costs as much as to follow it for a hundred turns.
+  if (!s_.balance_box || !s_.system.events().contact)
+    continuum_ = continuum_region(balanced.continuum, balanced.survey, s_.trials);
+  if (!s_.system.autonomous() && balanced.motions.empty() && (continuum_ || s_.balance_box)) list_member(part);
+  for (const Motion& motion : balanced.motions) add(motion, balanced_id);
+  if (s_.drawn && balanced.regions.empty()) balance_of_some();
+  find_stalled();
+  set_rule();
+}
+
+// Rotors for tries, and balanced trapping regions that hold for all of them.
+void SearchRegions::draw_rotors(BalancedAnalysis& balanced) {
+  constexpr std::size_t draws = 256, looked_at = 64;
+  s_.rotors = s_.drawn->ends();
+  for (std::size_t k = 0; k < draws; ++k) s_.rotors.push_back(s_.drawn->rotor(k));
+  const std::span<const OwnRotor> all(s_.rotors);
+  s_.result.family = FamilyRegions(balanced.regions, all, all.first(std::min(all.size(), looked_at)), balanced.weights);
+  for (OwnRotor& rotor : s_.rotors) s_.result.family.place(balanced.regions, rotor);
+  s_.trials.rotors = s_.rotors;
+}
+
+// Where a part holds rotors that do not balance, no trapping region holds for all: one around the balanced state of a
+// rotor at the part's ends that does, for those that do too.
+void SearchRegions::balance_of_some() {
+  if (!s_.system.autonomous() || s_.result.balanced.continuum) return;
+  const std::vector<OwnRotor> ends = s_.drawn->ends();
+  for (const OwnRotor& own : ends) {
+    const bool middle = &own == &ends.front();  // which has been analysed
+    const BalancedAnalysis there = middle ? s_.result.balanced : analyse_balanced(own.system, s_.settings.stop);
+    if (s_.is_stopped()) return;
+    if (!there.stable || there.motions.empty() || there.continuum) continue;
+    if (!s_.result.catalogue.find(balanced_id)) s_.result.catalogue.add(own.system.parameters(), there.motions.front());
+    if (add_path_region(own.system, there.motions.front(), balanced_id, &own)) return;
+  }
+}
+
+// Of the motions that a continuum leaves where nothing of it rests one stands for all: of the typical member where
+// that is known.
+void SearchRegions::list_member(const std::optional<ContinuumPart>& part) {
+  const BalancedAnalysis& balanced = s_.result.balanced;
+  const auto m = balanced.survey.attracts() ? balanced.continuum->member(balanced.survey.typical.data()) : std::nullopt;
+  if (m) {
+    s_.result.catalogue.add(s_.study.parameters, describe_creep(s_.system, m->centre, m->rate), part);
+  } else if (balanced.stable) {
+    s_.result.catalogue.add({balanced_id, "balanced", "", measured_motion(), {}});
+  }
+}
+
+// Where gravity holds the rotor against its motor it can rest.
+void SearchRegions::find_stalled() {
+  const auto well = model::GravityWell::of(s_.system);
+  if (!well) return;
+  stalled_ = StalledRegion{*well};
+  for (const Eigen::VectorXd& place : places_to_hang(s_.system, *well)) {
+    const auto motion = s_.motion_of_middle(place);
+    if (!motion || !motion->stable) continue;
+    const int id = s_.result.catalogue.add(s_.study.parameters, *motion);
+    stalled_->rests.push_back({order_of(s_.system, motion->state.data()), id});
+  }
+}
+
+void SearchRegions::set_rule() {
+  set_window_regions(s_.result.rule, windowed_);
+  if (s_.drawn) s_.result.rule.windowed.rest = rest_of_drawn;
+  if (!s_.system.events().stick) {
+    set_regions(s_.result.rule, s_.system, cycles_, continuum_, stalled_);
+    return;
+  }
+  s_.result.rule.section_regions = stuck_balls(s_.system, s_.result.catalogue);
+}
+
+// Proved or widened levels of the balanced trapping regions.
+void SearchRegions::level_balanced() {
+  if (s_.study.numerics.decide == ClassificationMode::proof)
+    prove_levels(s_.result.rule.balanced, s_.trials);
+  else if (s_.system.plain() || s_.result.balanced.slowest_rate < -slowest_worth_widening)
+    s_.result.warm_start_levels.levels.push_back(
+        {balanced_id, false,
+         widen_levels(s_.result.rule, s_.trials, s_.result.balanced.slowest_rate, s_.pilot,
+                      s_.settings.warm_start_levels.level(balanced_id, false))});
+}
+
+// Around a motion that every rotor has elsewhere, as one was found to have it.
+void SearchRegions::add_of_candidate(const Candidate& c) {
+  constexpr int most_failures = 2;
+  if (!s_.drawn || !s_.system.autonomous() || c.motion->eventful || without_[c.attractor] >= most_failures) return;
+  const OwnRotor& own = c.own ? *c.own : s_.rotors.front();
+  if (!add_path_region(own.system, *c.motion, c.attractor, &own)) ++without_[c.attractor];
+}
+
+// SharedRegions are made around the middle's motion, if it has that one.
+void SearchRegions::add_listed(const Attractor& a) {
+  if (!s_.drawn) return add(a.motion, a.id);
+  if (s_.system.autonomous()) return;  // each of its motions has been looked at
+  if (a.motion.eventful || a.motion.state.size() == 0) return;
+  const auto motion = s_.motion_of_middle(a.motion.state);
+  if (motion && motion->stable && s_.result.catalogue.find(s_.study.parameters, *motion) == a.id) add(*motion, a.id);
+}
+
+void SearchRegions::add(const Motion& motion, int id) {
+  if (motion.eventful) return;  // windows tell it
+  // The torus of another rotor lies beside this one, by more than the cloud that stands for it tells.
+  if (motion.kind == MotionKind::quasi_periodic && !s_.drawn &&
+      !model::lacking(s_.system, model::ResultKind::torus_regions))
+    add_torus(motion, id);
+  std::vector<OrbitRegion> regions = orbit_regions(s_.system, motion, id);
+  if (regions.empty()) {
+    if (id != balanced_id) add_path_region(s_.system, motion, id);
+    return;
+  }
+  const auto is_it = [&](const model::Parameters& p, const Motion& m) { return s_.result.catalogue.find(p, m) == id; };
+  const double floor = s_.drawn ? own_floor(regions.front(), s_.trials, motion, is_it) : 0.0;
+  if (!validate(regions, s_.trials, motion.orbit.slowest_rate(), s_.settings.warm_start_levels.level(id, false), floor))
+    return;
+  s_.result.warm_start_levels.levels.push_back({id, false, regions.front().level});
+  for (OrbitRegion& region : regions) cycles_.push_back(std::make_shared<OrbitRegion>(std::move(region)));
+}
+
+// `own`: the rotor whose motion it is, if tries have their own. False if there is none.
+bool SearchRegions::add_path_region(const model::System& system, const Motion& motion, int id, const OwnRotor* own) {
+  if (motion.state.size() != system.dimension()) return false;
+  for (const auto& region : windowed_)
+    if (region->attractor() == id && region->value(motion.state.data(), own) < region->level()) return true;
+  auto region = path_region(system, motion, id, s_.trials, own, s_.settings.warm_start_levels.level(id, false));
+  if (!region) return false;
+  s_.result.warm_start_levels.levels.push_back({id, false, region->level()});
+  windowed_.push_back(std::move(region));
+  return true;
+}
+
+// Where the neighbour's has none it is not looked for: that takes long, and windows tell the torus too.
+void SearchRegions::add_torus(const Motion& motion, int id) {
+  const WarmStartLevel* hint = s_.settings.warm_start_levels.find(id, true);
+  auto torus =
+      hint && hint->level == 0.0 ? nullptr : torus_region(s_.system, motion, id, s_.trials, hint ? hint->level : 0.0);
+  s_.result.warm_start_levels.levels.push_back({id, true, torus ? torus->level() : 0.0});
+  if (torus) windowed_.push_back(std::move(torus));
+}
+
+}  // namespace equipoise

@@ -1,0 +1,51 @@
+// The trapping regions of a search, made as motions are found.
+#pragma once
+
+#include <map>
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "equipoise/attractor_search/search.hpp"
+#include "equipoise/trapping_regions/continuum_region.hpp"
+#include "equipoise/trapping_regions/orbit_region.hpp"
+#include "equipoise/trapping_regions/region_rule.hpp"
+#include "equipoise/trapping_regions/stalled_region.hpp"
+#include "equipoise/trapping_regions/window_region.hpp"
+
+namespace equipoise {
+
+class SearchRegions {
+ public:
+  explicit SearchRegions(Search& search) : s_(search) {}
+
+  /// Analyses the balanced states, lists them, and makes the first rule with their trapping regions; of rotors that
+  /// differ draws those for tries.
+  void find_balanced();
+  /// Around a motion that every rotor has elsewhere, as one was found to have it.
+  void add_of_candidate(const Candidate& c);
+  /// Around what was listed last; of rotors that differ around the middle's motion, if it has that one.
+  void add_listed(const Attractor& a);
+  /// Hands them to the rule.
+  void set_rule();
+  /// Proves or widens the levels of the balanced trapping regions.
+  void level_balanced();
+
+ private:
+  void draw_rotors(BalancedAnalysis& balanced);
+  void balance_of_some();
+  void list_member(const std::optional<ContinuumPart>& part);
+  void find_stalled();
+  void add(const Motion& motion, int id);
+  bool add_path_region(const model::System& system, const Motion& motion, int id, const OwnRotor* own = nullptr);
+  void add_torus(const Motion& motion, int id);
+
+  Search& s_;
+  OrbitRegions cycles_;
+  std::vector<std::shared_ptr<const WindowRegion>> windowed_;
+  std::optional<ContinuumRegion> continuum_;
+  std::optional<StalledRegion> stalled_;
+  std::map<int, int> without_;  // by attractor: motions around which none was found
+};
+
+}  // namespace equipoise

@@ -1,0 +1,67 @@
+// Identifiers and names of a study's attractors.
+#include "equipoise/attractors/catalogue.hpp"
+
+#include <algorithm>
+#include <iterator>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "equipoise/attractors/motion.hpp"
+#include "equipoise/types/fate.hpp"
+
+namespace equipoise {
+
+const Attractor* Catalogue::find(int id) const {
+  const auto at = std::find_if(attractors_.begin(), attractors_.end(), [&](const Attractor& a) { return a.id == id; });
+  return at == attractors_.end() ? nullptr : &*at;
+}
+
+std::vector<Attractor> Catalogue::listed_since(const Catalogue& earlier) const {
+  std::vector<Attractor> added;
+  std::copy_if(attractors_.begin(), attractors_.end(), std::back_inserter(added),
+               [&](const Attractor& a) { return !earlier.find(a.id); });
+  return added;
+}
+
+int Catalogue::find(const model::Parameters& p, const Motion& motion) const {
+  const MotionName name = motion_name(p, motion);
+  const auto is_it = [&](const Attractor& a) {
+    if (name.id == balanced_id) return a.id == balanced_id;
+    if (by_name_) return name.id ? a.id == name.id : a.name == name.name;
+    return same_motion(p, a.motion, motion);
+  };
+  const auto at = std::find_if(attractors_.begin(), attractors_.end(), is_it);
+  return at == attractors_.end() ? 0 : at->id;
+}
+
+int Catalogue::add(const model::Parameters& p, const Motion& motion, const std::optional<ContinuumPart>& continuum) {
+  if (const int id = find(p, motion)) return id;
+  MotionName name = motion_name(p, motion);
+  const auto same_name = [&](const Attractor& a) { return a.name.substr(0, a.name.rfind(" (")) == name.name; };
+  const auto earlier = std::count_if(attractors_.begin(), attractors_.end(), same_name);
+  if (earlier > 0) name.name += fmt::format(" ({})", earlier + 1);
+  if (name.id == 0 || find(name.id)) {
+    name.id = first_free_id;
+    while (find(name.id)) ++name.id;
+  }
+  add({name.id, name.name, name.alias, motion, continuum});
+  return name.id;
+}
+
+int Catalogue::add(const MotionName& name, const Motion& motion, const std::optional<ContinuumPart>& continuum) {
+  for (const Attractor& a : attractors_)
+    if (name.id ? a.id == name.id : a.name == name.name) return a.id;
+  int id = name.id;
+  if (id == 0)
+    for (id = first_free_id; find(id);) ++id;
+  add({id, name.name, name.alias, motion, continuum});
+  return id;
+}
+
+void Catalogue::add(Attractor attractor) {
+  attractors_.push_back(std::move(attractor));
+  std::sort(attractors_.begin(), attractors_.end(), [](const Attractor& a, const Attractor& b) { return a.id < b.id; });
+}
+
+}  // namespace equipoise

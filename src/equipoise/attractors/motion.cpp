@@ -1,0 +1,381 @@
+// From a trajectory to the motion it settles on.
+//
+// The trajectory is followed over stretches, each as long as all before it together. After every stretch it is asked,
+// in this order: does it come to rest, does it come back (then Newton's method finds the periodic orbit long before the
+// trajectory reaches it), do its statistics repeat themselves. A steady motion is only believed when the trajectory is
+// seen to approach it, or, if it has none to approach, when it goes on as before for as long again.
+//
+// Of a strobed system all that is looked at once a strobe, and all times are whole numbers of strobes.
+#include "equipoise/attractors/motion.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+#include "equipoise/attractors/approach.hpp"
+#include "equipoise/attractors/event_motion.hpp"
+#include "equipoise/attractors/motion_description.hpp"
+#include "equipoise/attractors/motion_statistics.hpp"
+#include "equipoise/attractors/motion_symmetry.hpp"
+#include "equipoise/attractors/nearest_balanced.hpp"
+#include "equipoise/base/angles.hpp"
+#include "equipoise/math/dense.hpp"
+#include "equipoise/mechanics/balanced_state.hpp"
+#include "equipoise/mechanics/coincident_balls.hpp"
+#include "equipoise/mechanics/linearisation.hpp"
+#include "equipoise/periodic_orbits/continuum_of_equilibria.hpp"
+#include "equipoise/periodic_orbits/recurrence.hpp"
+#include "equipoise/periodic_orbits/stroboscopic_section.hpp"
+
+namespace equipoise {
+
+Stretches::Stretches(const model::System& system, double patience)
+    : section_period_(system.section() == model::Section::stroboscopic ? system.section_period() : 0.0) {
+  const double doublings = std::max(0.0, std::floor(std::log2(patience / first_stretch)));
+  first_ = whole(patience / std::exp2(doublings));
+  patience_ = first_ * std::exp2(doublings);
+}
+
+double Stretches::whole(double time) const {
+  return strobed() ? section_period_ * std::max(1.0, std::round(time / section_period_)) : time;
+}
+
+namespace {
+
+// Tori show their second exponent as zero to 2e-4 in 4000 time units.
+constexpr double clear_zero = 3e-4;
+
+// A stable periodic orbit that was met.
+struct KnownOrbit {
+  PeriodicOrbit orbit;
+  OrbitCurve curve;
+};
+
+// A trajectory with its past.
+class Journey : Stretches {
+ public:
+  Journey(const model::System& system, const Eigen::VectorXd& state, double patience, const StopFlag* stop)
+      : Stretches(system, patience),
+        system_(system),
+        p_(system_.parameters()),
+        difference_(system),
+        state_(state),
+        stop_(stop) {}
+
+  Approach settle();
+
+ private:
+  bool is_over() const { return are_over(elapsed_) || is_set(stop_); }
+  // Times between samples_.
+  double spacing() const { return strobed() ? strobe() : last_.spacing; }
+
+  bool travel_stretch(double duration);
+  bool travel(Eigen::VectorXd& z, double duration, MotionStatistics* statistics = nullptr,
+              std::vector<Eigen::VectorXd>* samples = nullptr) {
+    return follow_whole(z, duration, statistics, samples) == IntegrationStatus::done;
+  }
+  IntegrationStatus follow_whole(Eigen::VectorXd& z, double duration, MotionStatistics* statistics = nullptr,
+                                 std::vector<Eigen::VectorXd>* samples = nullptr) const;
+  template <class Distance>
+  bool approaches(double rate, const Distance& distance, double blur = 0.0);
+  std::optional<Motion> rest();
+  std::optional<Motion> continuum();
+  std::optional<Motion> creep();
+  std::optional<Motion> recurrence();
+  std::optional<Motion> persistence();
+  std::optional<PeriodicOrbit> orbit_of(const Return& now);
+  bool worth_trying(const Return& now);
+  std::optional<std::vector<double>> exponents_of(MotionKind& kind);
+  std::optional<Motion> restless(MotionKind kind, const std::vector<double>& exponents);
+  bool statistics_repeat(double share_of_extremes, double share_of_means) const;
+  bool comes_back() const;
+  bool creeps() const;
+  bool creeps_balanced(const Motion& motion) const;
+
+  const model::System system_;
+  const model::Parameters& p_;
+  const StateDifference difference_;
+  Eigen::VectorXd state_;
+  Eigen::VectorXd end_;  // of the last stretch: state_ with angles that count turns, as statistics do
+  double elapsed_ = 0.0;
+  const StopFlag* const stop_;
+  std::vector<Eigen::VectorXd> samples_;  // of the last part of the stretch
+  MotionStatistics previous_, last_;      // of the last two stretches
+  int repeats_ = 0;                       // stretches in a row that repeated the one before
+  std::vector<KnownOrbit> orbits_;        // met so far
+  std::vector<Return> tried_;             // Newton's method did not find the motion from these
+  // What exponents said last. They are measured for longer than a journey lasts, so that a periodic motion stays one;
+  // chaos, which may end, is only believed in the end.
+  bool periodic_ = false, chaotic_ = false;
+  double ahead_ = 0.0;  // how far the last approach was followed beyond elapsed_
+};
+
+IntegrationStatus Journey::follow_whole(Eigen::VectorXd& z, double duration, MotionStatistics* statistics,
+                                        std::vector<Eigen::VectorXd>* samples) const {
+  if (!strobed()) return follow(system_, z, duration, follow_tolerance, statistics, samples, stop_);
+  if (samples) samples->assign(1, z);
+  for (long k = std::lround(duration / strobe()); k > 0; --k) {
+    const auto status = follow(system_, z, strobe(), follow_tolerance, statistics, nullptr, stop_);
+    if (status != IntegrationStatus::done) return status;
+    if (samples) samples->push_back(z);
+  }
+  return IntegrationStatus::done;
+}
+
+bool Journey::travel_stretch(double duration) {
+  // A trajectory that others handed over may hold such balls (discovery's starts in one place do); whether they stay
+  // together is seen from the second stretch on.
+  if (elapsed_ > 0.0) model::part_coincident(p_, &state_[model::index::phi(0)], &state_[model::index::q(0, p_.balls)]);
+  previous_ = last_;
+  last_ = MotionStatistics();
+  const double memory = std::min(duration, whole(longest_memory));
+  elapsed_ += duration;
+  end_ = state_;
+  if (duration > memory && !travel(end_, duration - memory, &last_)) return false;
+  if (!travel(end_, memory, &last_, &samples_)) return false;
+  state_ = system_.with_angles_reduced(end_);
+  return true;
+}
+
+// Follows a copy of the trajectory that should come closer to a stable motion, whose slowest deviation shrinks at
+// `rate` (negative), and says whether it does. Where the motion is known to `blur` only, it comes no closer.
+template <class Distance>
+bool Journey::approaches(double rate, const Distance& distance, double blur) {
+  ahead_ = 0.0;
+  const double first = distance(state_);
+  if (first > in_reach || !(rate < 0.0)) return false;
+  if (first < std::max(1e-9, blur)) return true;
+  const double chunk = whole(std::max(1.0 / -rate, 1.0));
+  Eigen::VectorXd z = state_;
+  double left = patience() - elapsed_, now = first;
+  double& travelled = ahead_;
+  // Away from the linear regime the distance may grow for a while; a motion left behind is not approached again soon.
+  for (int k = 0; k < 40 && now < 2.0 * in_reach; ++k) {
+    const double duration = std::min(chunk, left);
+    if (duration <= 0.5 * strobe()) break;
+    if (follow_whole(z, duration) != IntegrationStatus::done) return false;
+    z = system_.with_angles_reduced(std::move(z));
+    left -= duration;
+    travelled += duration;
+    now = distance(z);
+    if (now < reached && now < 0.5 * first) return true;
+    if (now < std::max(1e-6, blur)) return true;
+  }
+  // Out of patience: what was seen must at least be half the decay that the linear theory promises.
+  return now < 0.1 * in_reach && now < first * std::exp(0.5 * rate * travelled) && travelled * -rate > 0.5;
+}
+
+std::optional<Motion> Journey::continuum() {
+  const auto balanced = nearest_balanced(system_, state_, in_reach);
+  if (!balanced || !balanced->attracts) return std::nullopt;
+  std::optional<BalancedMember> end;
+  const auto distance = [&](const Eigen::VectorXd& z) {
+    end = nearest_balanced(system_, z, in_reach);
+    return end ? difference_.distance(z, end->state) : std::numeric_limits<double>::infinity();
+  };
+  if (!approaches(balanced->rate, distance) || !end || !end->attracts) return std::nullopt;
+  return describe(system_, *end);
+}
+
+// Near what gravity leaves of a continuum of balanced states, and on its way along it.
+std::optional<Motion> Journey::creep() {
+  if (!strobed() || p_.gravity == 0.0 || p_.balls <= 2 || !ContinuumOfEquilibria::is_of(system_)) return std::nullopt;
+  const ContinuumOfEquilibria continuum(system_);
+  std::optional<ContinuumMember> end = continuum.destination(state_);
+  if (!end || !(end->rate < 0.0)) return std::nullopt;
+  const double rate = end->rate;
+  // What creeps lags behind the members that it passes.
+  const double lag = end->creep.norm() / -rate;
+  const auto distance = [&](const Eigen::VectorXd& z) {
+    end = continuum.destination(z);
+    return end ? difference_.distance(z, end->centre) : std::numeric_limits<double>::infinity();
+  };
+  if (!approaches(rate, distance, lag) || !end || !(end->rate < 0.0)) return std::nullopt;
+  return describe_creep(system_, end->centre, end->rate);
+}
+
+std::optional<Motion> Journey::rest() {
+  // Faster than this no equilibrium is near: it swings at a rate of order one, so it would be as far away.
+  Eigen::VectorXd rate = model::rate(system_, state_);
+  if (system_.layout().psi >= 0) rate[system_.layout().psi] = 0.0;
+  if (!strobed() && difference_.length(rate) > in_reach) return std::nullopt;
+  if (model::balanced_freedom(system_) > 0)
+    if (auto motion = continuum()) return motion;
+  if (strobed()) return creep();  // what rests else comes back after every strobe
+  if (system_.layout().psi >= 0 && std::fabs(system_.speed(state_)) > in_reach)
+    return std::nullopt;  // after every turn
+  const auto equilibrium = refine_equilibrium(system_, state_);
+  if (!equilibrium || !attracts(equilibrium->eigenvalues, 0)) return std::nullopt;
+  const bool comes = approaches(equilibrium->eigenvalues[0].real(),
+                                [&](const Eigen::VectorXd& z) { return difference_.distance(z, equilibrium->state); });
+  if (!comes) return std::nullopt;
+  return describe_equilibrium(system_, *equilibrium);
+}
+
+std::optional<Motion> Journey::recurrence() {
+  const auto accepted = [&](const KnownOrbit& known) {
+    return approaches(known.orbit.slowest_rate(), [&](const Eigen::VectorXd& z) { return known.curve.distance(z); });
+  };
+  for (const KnownOrbit& known : orbits_)
+    if (accepted(known)) return describe_orbit(system_, known.orbit);
+  for (const Return& now : returns_to_last(system_, samples_, spacing(), difference_, most_returns, in_reach)) {
+    const auto orbit = orbit_of(now);
+    if (!orbit || !orbit->stable()) continue;
+    orbits_.push_back({*orbit, {system_, *orbit}});
+    if (accepted(orbits_.back())) return describe_orbit(system_, *orbit);
+  }
+  return std::nullopt;
+}
+
+std::optional<PeriodicOrbit> Journey::orbit_of(const Return& now) {
+  if (!strobed()) return worth_trying(now) ? find_orbit(system_, state_, now.time, in_reach, stop_) : std::nullopt;
+  const long sections = std::lround(now.time / strobe());
+  return refine_orbit(system_, std::vector<Eigen::VectorXd>(samples_.end() - 1 - sections, samples_.end() - 1),
+                      now.time, in_reach, stop_);
+}
+
+// Newton's method that failed from a return is not asked again before the return has become twice as close: on the way
+// to a periodic motion it does, on a torus it does not.
+bool Journey::worth_trying(const Return& now) {
+  constexpr double same_time = 0.02;
+  for (Return& before : tried_) {
+    if (std::fabs(before.time - now.time) > same_time * now.time) continue;
+    if (now.distance > 0.5 * before.distance) return false;
+    before = now;
+    return true;
+  }
+  tried_.push_back(now);
+  return true;
+}
+
+bool Journey::statistics_repeat(double share_of_extremes, double share_of_means) const {
+  return previous_.duration > 0.0 && similar(previous_, last_, p_.balls, share_of_extremes, share_of_means);
+}
+
+// Whether all is so nearly at rest that the trajectory will not get anywhere in the time that is left: neither by its
+// rate of change nor by what grows.
+bool Journey::creeps() const {
+  if (strobed() || difference_.length(model::rate(system_, state_)) * patience() > in_reach) return false;
+  return dense::largest_real_part(model::jacobian(system_, state_)) * patience() < 1.0;
+}
+
+// Whether the trajectory, after it had been farthest from where it is now, came half as near again. What creeps has the
+// same statistics in every stretch and no positive exponent, and was never where it is.
+bool Journey::comes_back() const {
+  if (samples_.empty()) return false;
+  double farthest = 0.0;
+  bool back = false;
+  for (auto state = samples_.rbegin(); state != samples_.rend(); ++state) {
+    const double now = difference_.distance(*state, state_);
+    if (now > farthest) {
+      farthest = now;
+      back = false;
+    }
+    back = back || now < 0.5 * farthest;
+  }
+  return back;
+}
+
+// Under gravity a continuum of balanced states leaves a motion along it that never comes back.
+bool Journey::creeps_balanced(const Motion& motion) const {
+  if (!strobed() || p_.gravity == 0.0 || p_.balls <= 2 || motion.kind != MotionKind::quasi_periodic) return false;
+  const auto creeps = [&](double drift) { return std::fabs(drift) * motion.duration < 0.5 * pi; };
+  return std::all_of(motion.drift.begin(), motion.drift.begin() + p_.balls, creeps) &&
+         relaxes_to_balance(system_, motion.state);
+}
+
+// Lyapunov exponents along the trajectory from here, and the kind that they tell; empty if none goes on for ever.
+std::optional<std::vector<double>> Journey::exponents_of(MotionKind& kind) {
+  // A shift in time leaves one exponent of 0; strobes leave none.
+  const std::size_t next = strobed() ? 0 : 1;
+  const int count = std::min<int>(4, system_.dimension());
+  double duration = std::max(last_.duration, 4000.0);
+  std::vector<double> exponents = lyapunov_exponents(system_, state_, duration, count, stop_);
+  if (exponents.size() < 2) return std::nullopt;
+  // A slow way into a periodic motion looks like a torus for long: what is not clearly zero is measured again.
+  if (exponents[0] < 8.0 / duration && exponents[next] < -clear_zero && exponents[next] > -8.0 / duration) {
+    duration *= 8.0;
+    exponents = lyapunov_exponents(system_, state_, duration, count, stop_);
+    if (exponents.size() < 2) return std::nullopt;
+    periodic_ = duration >= patience() && exponents[next] < -8.0 / duration;
+  }
+  const double zero = 8.0 / duration;
+  if (exponents[0] > zero)
+    kind = MotionKind::chaotic;
+  else if (exponents[0] > -zero && exponents[next] > -zero)
+    kind = MotionKind::quasi_periodic;
+  else
+    return std::nullopt;
+  return exponents;
+}
+
+// The motion of that kind which the trajectory is on.
+std::optional<Motion> Journey::restless(MotionKind kind, const std::vector<double>& exponents) {
+  Motion motion;
+  motion.kind = kind;
+  motion.speed = system_.speed(state_);
+  motion.depends_on_angle = !system_.autonomous();
+  // A torus is measured afresh: the stretch that showed it may have begun before balls had quite joined.
+  MotionStatistics fresh;
+  const double duration = whole(last_.duration);
+  if (kind == MotionKind::quasi_periodic) {
+    end_ = state_;
+    if (!travel(end_, duration, &fresh)) return std::nullopt;
+  }
+  // Slips of chaotic motion average out like the root of time: whether they do is worth a few stretches more.
+  constexpr double longest = 16.0;
+  while (kind == MotionKind::chaotic && !drifts_are_known(p_, last_, motion) && last_.duration < longest * duration)
+    if (!travel(end_, duration, &last_)) return std::nullopt;
+  motion.state = system_.with_angles_reduced(end_);
+  motion.exponents = exponents;
+  motion.stable = true;
+  describe_statistics(system_, kind == MotionKind::quasi_periodic ? fresh : last_, motion);
+  motion.balanced = creeps_balanced(motion);
+  motion.copies = motion.balanced ? 1 : count_copies(system_, motion);
+  return motion;
+}
+
+std::optional<Motion> Journey::persistence() {
+  const bool tight = statistics_repeat(0.01, 0.005), loose = statistics_repeat(0.1, 0.05);
+  repeats_ = tight ? repeats_ + 1 : 0;
+  ahead_ = 0.0;
+  // What creeps along a continuum of balanced states under gravity does not come back either.
+  if (!strobed() && !comes_back()) return std::nullopt;
+  if (last_.duration < 1000.0 || !(repeats_ >= 2 || (is_over() && loose))) return std::nullopt;
+  if (periodic_ || (chaotic_ && !is_over())) return std::nullopt;
+  MotionKind kind;
+  const auto exponents = exponents_of(kind);
+  chaotic_ = exponents && kind == MotionKind::chaotic;
+  if (!exponents || (kind == MotionKind::chaotic ? !is_over() : repeats_ < 2)) return std::nullopt;
+  return restless(kind, *exponents);
+}
+
+Approach Journey::settle() {
+  Approach result;
+  for (double stretch = first(); !is_over(); stretch = elapsed_) {
+    if (!travel_stretch(stretch) || system_.runs_away(system_.speed(state_))) break;
+    result.motion = rest();
+    if (!result.motion) result.motion = recurrence();
+    if (!result.motion) result.motion = persistence();
+    if (!result.motion && creeps()) break;
+    if (!result.motion) continue;
+    result.time = elapsed_ + ahead_;
+    return result;
+  }
+  return result;
+}
+
+}  // namespace
+
+Approach settle(const model::System& system, const Eigen::VectorXd& state, double patience, const StopFlag* stop) {
+  if (!system.smooth()) return settle_with_events(system, state, patience, stop);
+  return Journey(system, state, patience, stop).settle();
+}
+
+std::optional<Motion> motion_from(const model::System& system, const Eigen::VectorXd& state, double patience,
+                                  const StopFlag* stop) {
+  return settle(system, state, patience, stop).motion;
+}
+
+}  // namespace equipoise

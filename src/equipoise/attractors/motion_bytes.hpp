@@ -1,0 +1,23 @@
+// The members of a motion, for notes.
+#pragma once
+
+#include "equipoise/attractors/motion.hpp"
+#include "equipoise/base/bytes.hpp"
+
+namespace equipoise {
+
+template <class Bytes, Like<PeriodicOrbit> T>
+void members(Bytes& b, T& o) {
+  b(o.period, o.winding, o.nodes, o.multipliers, o.residual, o.imposed);
+}
+
+template <class Bytes, Like<Motion> T>
+void members(Bytes& b, T& m) {
+  b(m.kind, m.speed, m.motor, m.state, m.period, m.winding, m.drift, m.rate_min, m.rate_max, m.r_min, m.r_mean,
+    m.r_max);
+  b(m.spectrum, m.exponents, m.stable, m.residual, m.orbit, m.depends_on_angle, m.sections, m.balanced, m.duration);
+  b(m.mode, m.events, m.eventful, m.stuck, m.set_valued);
+  b(m.cluster, m.together, m.oppositions_per_turn, m.drift_group, m.half_period_exchange, m.copies);
+}
+
+}  // namespace equipoise

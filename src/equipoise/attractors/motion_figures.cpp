@@ -1,0 +1,145 @@
+// A motion followed once round, and what the watch of transients makes of it.
+#include "equipoise/attractors/motion_figures.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+
+#include "equipoise/base/angles.hpp"
+#include "equipoise/integrate/adaptive-inl.hpp"
+#include "equipoise/model/ball_count.hpp"
+#include "equipoise/model/flow-inl.hpp"
+#include "equipoise/model/smooth_flow-inl.hpp"
+#include "equipoise/model/stroboscopic_section.hpp"
+#include "equipoise/periodic_orbits/event_run-inl.hpp"
+#include "equipoise/periodic_orbits/tangent_flow-inl.hpp"
+#include "equipoise/transients/transient_watch.hpp"
+#include "equipoise/types/fate.hpp"
+
+namespace equipoise {
+
+namespace {
+namespace kernels = HWY_NAMESPACE;
+
+constexpr double figure_tolerance = 1e-9;  // figures are stored in single precision, 6e-8
+constexpr double least_stretch = 2000;     // of a torus or of chaos
+constexpr double neutral_rate = 1e-9;      // exponents nearer to 0 are those of shifts
+
+MotionFigures figures_of(const TransientSums& sums) {
+  const TransientWindow& w = sums.window;
+  return {std::sqrt(sums.free_peak), std::sqrt(sums.force_peak), std::sqrt(w.force / w.length),
+          std::sqrt(w.velocity / w.length), w.unbalance / w.length};
+}
+
+TransientSettings one_window() {
+  TransientSettings settings;
+  settings.window = std::numeric_limits<double>::infinity();
+  return settings;
+}
+
+// The rotor's angle is 0 where the motion's state holds, unless it is part of it.
+TransientSample sample_of(const model::System& system, double t, const double* z) {
+  const double psi = system.layout().psi < 0 ? system.speed() * t : z[system.layout().psi];
+  return transient_sample(system.parameters(), psi, t, z);
+}
+
+template <class Flow>
+MotionFigures followed(const model::System& system, const Flow& flow, const Motion& motion, double duration) {
+  const auto sample = [&](double t, const double* z) { return sample_of(system, t, z); };
+  TransientWatch watch(one_window());
+  std::array<double, Flow::dimension> z;
+  std::copy_n(motion.state.data(), motion.state.size(), z.begin());
+  watch.begin(sample(0.0, z.data()));
+  if (duration > 0.0) {
+    kernels::ErrorScale<Flow::dimension> scale;
+    scale.tolerance = figure_tolerance;
+    kernels::set_system_scale(system, 1, scale);
+    kernels::AdaptiveIntegrator<Flow, Flow::dimension> integrator(flow, scale, system.dimension());
+    integrator.advance(0.0, duration, z.data(), [&](double, double to, auto&& state_at) {
+      watch.step_to(to, [&](double t) {
+        std::array<double, Flow::dimension> at;
+        state_at(t, at.data());
+        return sample(t, at.data());
+      });
+    });
+  }
+  return figures_of(watch.sums());
+}
+
+// Rates may jump at events.
+MotionFigures followed_with_events(const model::System& system, const Motion& motion, double duration) {
+  const auto sample = [&](double t, const double* z) { return sample_of(system, t, z); };
+  kernels::EventRun run(system, motion.state.data(), 0.0, kernels::event_scale(system, figure_tolerance));
+  TransientWatch watch(one_window());
+  long events = -1;
+  std::array<double, kernels::EventRun::dimension> z;
+  run.advance(duration, [&](double from, double to, auto& state_at) {
+    state_at(from, z.data());
+    if (events != run.events()) watch.begin(sample(from, z.data()));
+    events = run.events();
+    watch.step_to(to, [&](double t) {
+      state_at(t, z.data());
+      return sample(t, z.data());
+    });
+    return false;
+  });
+  return figures_of(watch.sums());
+}
+
+MotionFigures followed(const model::System& system, const Motion& motion, double duration) {
+  if (motion.eventful && duration > 0.0) return followed_with_events(system, motion, duration);
+  using PlainFlow = kernels::FreeFlow<double, model::any_count, kernels::Terms{}>;
+  using GeneralFlow = kernels::SmoothFlow<double, model::any_count>;
+  if (!system.plain()) return followed(system, GeneralFlow(system, 0.0), motion, duration);
+  const model::Segment segment{0.0, std::numeric_limits<double>::infinity(), 0.0, motion.speed, 0.0, false};
+  return followed(system, PlainFlow(system.parameters(), segment), motion, duration);
+}
+
+double stretch(const model::Parameters& p, const Motion& motion) {
+  switch (motion.kind) {
+    case MotionKind::equilibrium:
+      return model::depends_on_rotor_angle(p) ? two_pi / std::fabs(motion.speed) : 0.0;
+    case MotionKind::periodic:
+      return motion.period;
+    default:
+      return std::max(least_stretch, motion.duration);
+  }
+}
+
+// Nothing moves in fixed axes.
+bool balanced_exactly(const model::Parameters& p, const Motion& motion) {
+  if (motion.kind != MotionKind::equilibrium || p.gravity != 0.0) return false;
+  constexpr double rounding = 1e-10;  // refined equilibria are good to less
+  return motion.state.head(4).cwiseAbs().maxCoeff() < rounding;
+}
+}  // namespace
+
+MotionFigures motion_figures(const model::Parameters& p, const Motion& motion) {
+  if (balanced_exactly(p, motion)) return {};
+  MotionFigures figures = followed(system_of(p, motion), motion, stretch(p, motion));
+  figures.radial = std::max(figures.radial, motion.r_max);
+  return figures;
+}
+
+KnownEnd known_end(const model::Parameters& p, const Attractor& attractor) {
+  const Motion& motion = attractor.motion;
+  if (motion.set_valued) {  // each start's is its own
+    constexpr double time_constants = 5.0;
+    const double rate = motion.exponents.empty() ? 0.0 : -motion.exponents.back();
+    return {std::nullopt, rate > neutral_rate ? time_constants / rate : 0.0};
+  }
+  if (attractor.id == balanced_id && p.gravity == 0.0 && p.race_is_centred()) return {MotionFigures{}, 0.0};
+  if (motion.kind == MotionKind::measured || motion.state.size() == 0) return {};
+  // Members of a continuum around an off-centre race whirl alike.
+  const bool unique = attractor.id != balanced_id || p.balls == 1 || (p.balls == 2 && p.equal_balls()) ||
+                      (p.gravity == 0.0 && p.isotropic());
+  if (unique) return {motion_figures(p, motion), 0.0};
+  constexpr double time_constants = 5.0;  // what is left is below 1 %
+  double rate = 0.0;
+  for (const double exponent : motion.exponents)
+    if (exponent < -neutral_rate && (rate == 0.0 || exponent > -rate)) rate = -exponent;
+  return {std::nullopt, rate > 0.0 ? time_constants / rate : 0.0};
+}
+
+}  // namespace equipoise

@@ -1,0 +1,27 @@
+// The balanced state nearest to a state where balanced states form a continuum, refined as its system asks.
+#pragma once
+
+#include <optional>
+#include <variant>
+
+#include <Eigen/Core>
+
+#include "equipoise/attractors/motion.hpp"
+#include "equipoise/model/system.hpp"
+#include "equipoise/periodic_orbits/orbit.hpp"
+
+namespace equipoise {
+
+struct BalancedMember {
+  Eigen::VectorXd state;
+  std::variant<Equilibrium, PeriodicOrbit> refined;  ///< an orbit if the system is strobed
+  double rate = -1.0;                                ///< of the slowest deviation across the continuum
+  bool attracts = false;                             ///< in all directions but along it
+};
+
+/// Empty if there is none, or, of a strobed system, none within `reach` (in System::scale()) of where balance is exact.
+std::optional<BalancedMember> nearest_balanced(const model::System& system, const Eigen::VectorXd& state, double reach);
+
+Motion describe(const model::System& system, const BalancedMember& member);
+
+}  // namespace equipoise

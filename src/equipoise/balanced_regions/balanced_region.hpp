@@ -1,0 +1,47 @@
+// SharedRegions around isolated balanced states: how far a Lyapunov function reaches.
+#pragma once
+
+#include <array>
+#include <vector>
+
+#include <Eigen/Core>
+
+#include "equipoise/classification/classification_rule.hpp"
+#include "equipoise/model/system.hpp"
+#include "equipoise/types/warm_start_levels.hpp"
+
+namespace equipoise {
+
+/// The trapping region of the linearly stable balanced state at ball angles `phi` of a smooth system of section none.
+/// Its level is level_margin times the smallest value of V at which dV/dt >= 0 was found by sampling rays and
+/// descending from the worst. `weights`: what its modes weigh; those of a neighbouring parameter, or none, before.
+BalancedRegion balanced_region(const model::System& system, const std::array<double, model::max_balls>& phi,
+                               std::vector<ModeWeight>& weights);
+
+/// The trapping region of the other balanced state of two equal balls.
+BalancedRegion exchanged(const BalancedRegion& region);
+
+/// The modal form of a linearisation, its modes weighted as those nearest to them were.
+Eigen::MatrixXd weighted_form(const Eigen::MatrixXd& a, const std::vector<ModeWeight>& weights);
+
+/// F and P = F^T F of the trapping region's Lyapunov function V = |F d|^2 = d^T P d. The first is a view of the
+/// trapping region.
+Eigen::Map<const Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>> factor_of(
+    const BalancedRegion& region);
+Eigen::MatrixXd form_of(const BalancedRegion& region);
+
+/// Sets the level and with it the reach.
+void set_level(BalancedRegion& region, double level);
+
+/// V of a state.
+double value(const model::System& system, const BalancedRegion& region, const double* state);
+
+/// A state on the level `level`. `direction`: a unit vector of as many numbers.
+Eigen::VectorXd state_on_level(const model::System& system, const BalancedRegion& region, double level,
+                               const Eigen::VectorXd& direction);
+
+/// Share of the sampled critical level that is used: two independent searches agree to 1e-4 and the level enters
+/// decision times only through its logarithm, so a wide margin is cheap.
+inline constexpr double level_margin = 0.9;
+
+}  // namespace equipoise

@@ -1,0 +1,52 @@
+// The trapping regions of balanced states as functions of what differs from rotor to rotor: where they stand, and their
+// forms.
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include <Eigen/Core>
+
+#include "equipoise/batch/own_rotor.hpp"
+#include "equipoise/classification/classification_rule.hpp"
+#include "equipoise/types/warm_start_levels.hpp"
+
+namespace equipoise {
+
+/// The balanced state has a closed form, and the form P of its Lyapunov function V = d^T P d is a polynomial in
+/// OwnRotor::coordinates, fitted to the modal forms of many rotors.
+class FamilyRegions {
+ public:
+  FamilyRegions() = default;
+  /// Fits the forms of `rotors`, the first of which `trapping regions` are made for, and gives the trapping regions the
+  /// level that holds for all of `tried`: half the least at which V was seen to grow for one of them, by a few hundred
+  /// rays each. `trapping regions` are none afterwards if there is no such level. `weights`: of modes, as
+  /// balanced_region() found them.
+  FamilyRegions(std::vector<BalancedRegion>& regions, std::span<const OwnRotor> rotors, std::span<const OwnRotor> tried,
+                const std::vector<ModeWeight>& weights);
+
+  /// Fills in the rotor's places and factors for these trapping regions.
+  void place(const std::vector<BalancedRegion>& regions, OwnRotor& rotor) const;
+
+ private:
+  bool fit(const std::vector<BalancedRegion>& regions, std::span<const OwnRotor> rotors,
+           const std::vector<ModeWeight>& weights, bool modal);
+  Eigen::MatrixXd form(const OwnRotor& rotor) const;
+  double level(const std::vector<BalancedRegion>& regions, std::span<const OwnRotor> tried) const;
+
+  Eigen::Index size_ = 0;
+  Eigen::MatrixXd coefficients_;  // a column an entry of P's upper triangle, a row a term
+  int degree_ = 0;
+};
+
+/// From each balanced state of `system` to the same one of another rotor, as without gravity and with the means of
+/// unequal supports: what motions around them move by, to first order. None where states are not isolated.
+std::vector<Eigen::VectorXd> balanced_shifts(const model::System& other, const model::System& system);
+/// The one for the balanced state next to `state`; zero if there is none.
+Eigen::VectorXd balanced_shift(const model::System& other, const model::System& system, const Eigen::VectorXd& state);
+
+/// A state on `level` of trapping region `number` as it stands for a rotor that has been placed.
+Eigen::VectorXd state_on_level(const OwnRotor& rotor, std::size_t number, double level,
+                               const Eigen::VectorXd& direction);
+
+}  // namespace equipoise

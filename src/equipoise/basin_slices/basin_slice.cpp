@@ -1,0 +1,268 @@
+// From a study and two axes to a map: pixels asked for, computed, kept, put together.
+#include "equipoise/basin_slices/basin_slice.hpp"
+
+#include <algorithm>
+#include <bit>
+#include <chrono>
+#include <cmath>
+#include <limits>
+#include <memory>
+#include <optional>
+#include <string>
+
+#include <fmt/format.h>
+
+#include "equipoise/base/error.hpp"
+#include "equipoise/basin_slices/pixel_plan.hpp"
+#include "equipoise/basin_slices/reused_pixels.hpp"
+#include "equipoise/basin_slices/slice_assembly.hpp"
+#include "equipoise/basin_slices/slice_names.hpp"
+#include "equipoise/basin_slices/slice_store.hpp"
+#include "equipoise/basin_slices/start_pixels.hpp"
+#include "equipoise/ensembles/basin.hpp"
+#include "equipoise/ensembles/basin_header.hpp"
+#include "equipoise/kernels/cpu_target.hpp"
+#include "equipoise/rotor_family/horizon.hpp"
+#include "equipoise/running/cpu_time.hpp"
+#include "equipoise/running/parallel.hpp"
+#include "equipoise/running/reporting.hpp"
+#include "equipoise/start_runs/checks.hpp"
+
+namespace equipoise {
+
+namespace {
+
+// Unless the study says: pixels of a family whose rotors may settle slowly.
+constexpr double default_horizon = 3000.0;
+// Starts that are asked for at once: 16 MB of numbers, minutes of work.
+constexpr std::size_t most_starts_asked = std::size_t{1} << 22;
+
+void check(const BasinSlice& map) {
+  for (const SliceAxis* axis : {&map.x, &map.y}) {
+    const auto reject = [&](const std::string& value, const std::string& problem) {
+      throw InputError("map", axis->key, value, problem);
+    };
+    if (axis->pixels < 1 || axis->pixels > most_slice_pixels)
+      reject(fmt::format("{}", axis->pixels),
+             fmt::format("pixels; must be a whole number from 1 to {}", most_slice_pixels));
+    if (!std::isfinite(axis->low) || !std::isfinite(axis->high) || !(axis->low < axis->high))
+      reject(fmt::format("{} to {}", axis->low, axis->high), "must be two finite numbers, the first below the second");
+  }
+  if (map.x.key == map.y.key) throw InputError("map", map.x.key, "", "both axes vary the same key; must be two");
+  for (const AngleLink& link : map.links)
+    if (std::min(link.ball, link.of) < 1 || std::max(link.ball, link.of) > map.study.parameters.balls ||
+        link.ball == link.of)
+      throw InputError("map", "links", fmt::format("phi_{} = phi_{} + {}", link.ball, link.of, link.offset),
+                       fmt::format("must name two different balls from 1 to {}", map.study.parameters.balls));
+  for (std::size_t k = 0; k < map.links.size(); ++k) {
+    const AngleLink& link = map.links[k];
+    const auto moved = [&](const std::string& by) {
+      throw InputError("map", "links", fmt::format("phi_{} = phi_{} + {}", link.ball, link.of, link.offset),
+                       fmt::format("ball {} has its angle from {}; must be another ball", link.ball, by));
+    };
+    for (const SliceAxis* axis : {&map.x, &map.y})
+      if (axis->key == fmt::format("initial.phi_{}", link.ball)) moved("an axis");
+    for (std::size_t other = 0; other < k; ++other)
+      if (map.links[other].ball == link.ball) moved("another tie");
+  }
+  if (map.block != 0 && (map.block < 2 || map.block > largest_map_block || !std::has_single_bit(unsigned(map.block))))
+    throw InputError("map", "block", fmt::format("{}", map.block),
+                     fmt::format("must be 2, 4, 8, ... or {} pixels", largest_map_block));
+  if (map.block != 0 && draws_starts(map))
+    throw InputError("map", "block", fmt::format("{}", map.block),
+                     "every pixel draws its own ball angles, so edges do not tell what lies between them; must be left "
+                     "out, or initial.phi stated");
+  for (const int column : {0, map.x.pixels - 1})
+    for (const int row : {0, map.y.pixels - 1}) check_offers(study_at(map, column, row), model::ResultKind::maps);
+}
+
+// Along a parameter no rule is made that could go by other grounds.
+void check_decides(const Study& study) {
+  const ClassificationMode decide = study.numerics.decide;
+  if (decide != ClassificationMode::validated)
+    throw InputError(study.name, "numerics.decide", classification_mode_names[static_cast<std::size_t>(decide)],
+                     "along a parameter every pixel is followed until it is seen to approach a motion; must be "
+                     "\"validated\"");
+}
+
+// Another size numbers pixels otherwise, and so draws other starts.
+void check_reuse(const BasinSlice& map, const std::string& from) {
+  if (!from.empty() && draws_starts(map))
+    throw InputError("map", "from", from,
+                     "every pixel draws its own ball angles by its number; must be left out, or initial.phi stated");
+}
+
+void check_memory(const BasinSlice& map, const std::string& output) {
+  const std::uint64_t pixels = static_cast<std::uint64_t>(map.x.pixels) * static_cast<std::uint64_t>(map.y.pixels);
+  if (output.empty() && pixels > most_pixels_in_memory)
+    throw InputError("map", "size", fmt::format("{}x{}", map.x.pixels, map.y.pixels),
+                     fmt::format("pixels; more than {:.1f} million in all (4096x4096) must go to an output file",
+                                 1e-6 * static_cast<double>(most_pixels_in_memory)));
+}
+
+class Mapper {
+ public:
+  Mapper(const Study& study, const BasinSliceSettings& settings) : settings_(settings) {
+    map_.study = with_medians(study);
+    map_.x = settings.x;
+    map_.y = settings.y;
+    map_.links = settings.links;
+    map_.block = settings.block;
+  }
+
+  BasinSlice run() {
+    const auto begin = std::chrono::steady_clock::now();
+    const double cpu_begin = cpu_seconds();
+    check(map_);
+    check_memory(map_, settings_.output);
+    check_reuse(map_, settings_.from);
+    prepare();
+    open();
+    if (file_ && file_->complete()) {
+      read_whole();
+    } else {
+      compute();
+      put_together();
+    }
+    map_.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+    map_.cpu_seconds = cpu_seconds() - cpu_begin;
+    return std::move(map_);
+  }
+
+ private:
+  void prepare() {
+    map_.threads = thread_count(settings_.threads);
+    map_.cpu_target = cpu_target();
+    starts_ = maps_starts(map_);
+    if (starts_) {
+      map_.study = with_horizon(map_.study);
+      map_.balance_margin = {static_cast<float>(balance_margin(map_.study.parameters))};
+      map_.balance_growth = {static_cast<float>(balance_growth(map_.study.system()))};
+    } else {
+      check_decides(map_.study);
+      if (!map_.study.numerics.horizon) map_.study.numerics.horizon = default_horizon;
+    }
+    header_ = {to_toml(map_.study),
+               map_.x,
+               map_.y,
+               map_.links,
+               map_.block,
+               basin_file_header(map_.study, true, false).arithmetic,
+               starts_};
+    if (!starts_) return;
+    header_.rotor.balance_margin = map_.balance_margin.front();
+    header_.rotor.balance_growth = map_.balance_growth.front();
+  }
+
+  void open() {
+    if (!settings_.output.empty()) {
+      auto file = std::make_unique<SliceStore>(settings_.output, header_);
+      file_ = file.get();
+      store_ = std::move(file);
+      for (const OutcomeShare& code : file_->codes()) names_.know(code);
+    } else {
+      store_ = std::make_unique<PixelMemory>(map_.x.pixels, map_.y.pixels, starts_);
+    }
+  }
+
+  void read_whole() {
+    std::map<short, OutcomeShare> codes;
+    for (const OutcomeShare& c : names_.codes()) codes.emplace(c.id, c);
+    SliceAssembly(map_, *store_, nullptr, codes).run({});
+    map_.pixels_kept = map_.pixels_computed;
+    map_.read_whole = true;
+  }
+
+  void compute() {
+    plan_.emplace(map_.x.pixels, map_.y.pixels, map_.block);
+    if (file_)
+      file_->for_each_known([&](std::uint32_t position, short code) {
+        plan_->know(position, code);
+        names_.see(code, position);
+      });
+    map_.pixels_kept = plan_->known_count();
+    if (!settings_.from.empty()) reuse();
+    for (;;) {
+      const auto positions = plan_->next(most_starts_asked);
+      if (positions.empty() || !compute(positions)) break;
+    }
+    complete_ = plan_->settled() == plan_->size();
+    plan_->close();
+  }
+
+  void reuse() {
+    const std::uint64_t before = plan_->known_count();
+    reused_pixels(settings_.from, header_, *plan_, [&](const DonePixels& done) { take(done); });
+    map_.pixels_reused = plan_->known_count() - before;
+  }
+
+  bool compute(const std::vector<std::uint32_t>& positions) {
+    const TakePixels taken = [&](const DonePixels& done) { take(done); };
+    if (!start_pixels_) {
+      const auto discovered = [&](const std::vector<double>& state) {
+        if (file_) file_->append_attractor_search(state);
+      };
+      const auto met = file_ ? file_->discoveries() : std::vector<std::vector<double>>{};
+      start_pixels_.emplace(map_, settings_, met, discovered, file_ ? &file_->notes() : nullptr);
+    }
+    return start_pixels_->compute(positions, taken);
+  }
+
+  void take(const DonePixels& done) {
+    std::vector<SlicePixel> pixels = done.pixels;
+    const MotionName* last = nullptr;
+    short code = 0;
+    for (std::size_t k = 0; k < pixels.size(); ++k) {
+      const MotionName* const motion = done.motions[k];
+      if (motion && motion != last) code = code_of_motion(*motion);
+      last = motion ? motion : last;
+      if (motion) pixels[k].code = code;
+    }
+    store_->append(done.positions, pixels);
+    for (std::size_t k = 0; k < pixels.size(); ++k) {
+      plan_->know(done.positions[k], pixels[k].code);
+      names_.see(pixels[k].code, done.positions[k]);
+    }
+    if (settings_.progress) settings_.progress({plan_->settled(), plan_->size(), "pixels", {}});
+  }
+
+  // A name is in the file before its first pixel.
+  short code_of_motion(const MotionName& motion) {
+    const std::size_t before = names_.codes().size();
+    const short code = names_.code(motion);
+    if (file_ && names_.codes().size() > before) file_->append_code(names_.codes().back());
+    return code;
+  }
+
+  void put_together() {
+    const auto seen = names_.seen(complete_);  // what goes on must find the codes that it left
+    SliceAssembly assembly(map_, *store_, &*plan_, seen);
+    if (!file_ || !file_->unfinished()) return assembly.run({});
+    file_->finish(
+        [&](const std::string& path) {
+          io::SliceWriter writer(path, header_, map_.codes, file_->discoveries(), complete_);
+          assembly.run([&](int first, int rows, const SlicePixel* pixels) { writer.write_rows(first, rows, pixels); });
+          writer.finish(map_.codes);
+        },
+        complete_);
+  }
+
+  const BasinSliceSettings& settings_;
+  bool starts_ = false, complete_ = false;
+  BasinSlice map_;
+  io::SliceFileHeader header_;
+  std::unique_ptr<PixelStore> store_;
+  SliceStore* file_ = nullptr;  // the store, if it is one
+  SliceNames names_;
+  std::optional<PixelPlan> plan_;
+  std::optional<StartPixels> start_pixels_;
+};
+
+}  // namespace
+
+BasinSlice basin_slice(const Study& study, const BasinSliceSettings& settings) {
+  const ChosenCpuTarget chosen(settings.cpu_target);
+  return reported(settings, [&](const BasinSliceSettings& s) { return Mapper(study, s).run(); });
+}
+
+}  // namespace equipoise

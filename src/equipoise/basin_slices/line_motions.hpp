@@ -1,0 +1,46 @@
+// Motions that the pixels of a line of a map come to, found before all of them are decided.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <vector>
+
+#include "equipoise/results/basin_slice.hpp"
+#include "equipoise/running/run_options.hpp"
+#include "equipoise/running/search_log.hpp"
+#include "equipoise/start_runs/start_runner.hpp"
+
+namespace equipoise {
+
+/// Where one axis of a map is a parameter and the other an initial value, all pixels of a line have the same rotor.
+/// What a few of them come to that the mesh does not list names the rest, which then need not be followed one by one.
+class LineMotions {
+ public:
+  using StartAt = std::function<FamilyStart(std::uint32_t position)>;
+
+  /// Whether lines of so many pixels are long enough.
+  static bool pays(int pixels);
+  /// `columns`: these are the lines, else rows; they are long enough. `runner` outlives it. `notes`: may be null.
+  LineMotions(const BasinSlice& map, bool columns, const StartRunner& runner, SearchLog* notes);
+
+  /// Looks along the lines of these pixels, unless that is done. False if stopped.
+  bool look_along(const std::vector<std::uint32_t>& positions, const StartAt& start, const RunOptions& options);
+  /// Of a line that has been looked along.
+  const MetMotions& at(std::uint32_t position) const;
+
+ private:
+  std::size_t line_of(std::uint32_t position) const;
+  std::uint32_t pixel(std::size_t line, std::size_t along) const;
+  std::vector<MetMotions> look(std::size_t group, const StartAt& start) const;
+
+  const BasinSlice& map_;
+  const bool columns_;
+  const StartRunner& runner_;
+  const std::size_t lines_, length_, probes_;
+  NotePage page_;
+  std::uint64_t first_note_;
+  std::vector<std::vector<MetMotions>> groups_;  // of lines looked along together; empty: not yet
+};
+
+}  // namespace equipoise

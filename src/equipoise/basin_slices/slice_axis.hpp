@@ -1,0 +1,25 @@
+// Axes and ties of a map as people write them.
+#pragma once
+
+#include <string>
+
+#include "equipoise/results/basin_slice.hpp"
+
+namespace equipoise {
+
+/// `range`: LOW:HIGH in dimensionless numbers, also parts of pi ("0:2pi", "-pi/2:pi/2"), or in a study with scales in
+/// quantities ("900 rpm:4000 rpm"); empty: a whole turn for ball angles. `option` names it in errors. Throws
+/// InputError.
+SliceAxis slice_axis(const Study& study, const std::string& key, const std::string& range, int pixels,
+                     const std::string& option);
+
+/// "WIDTHxHEIGHT", each 1 to 20000.
+struct SliceSize {
+  int width = 512, height = 512;
+};
+SliceSize map_size(const std::string& text, const std::string& option);
+
+/// "phi_2=phi_1+pi", "phi_3=phi_1".
+AngleLink angle_link(const std::string& text, const std::string& option);
+
+}  // namespace equipoise

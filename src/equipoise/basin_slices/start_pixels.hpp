@@ -1,0 +1,68 @@
+// Pixels as starts: of one rotor, or of a family of rotors where an axis is one of their parameters.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <map>
+#include <memory>
+#include <optional>
+#include <set>
+#include <span>
+#include <vector>
+
+#include "equipoise/basin_slices/line_motions.hpp"
+#include "equipoise/basin_slices/slice_pixel.hpp"
+#include "equipoise/ensembles/chunks.hpp"
+#include "equipoise/results/basin_slice.hpp"
+#include "equipoise/running/run_options.hpp"
+#include "equipoise/start_runs/start_runner.hpp"
+
+namespace equipoise {
+
+/// Whether all pixels are starts of the same rotor: both axes are ball angles or, of balls that are free from the
+/// first, other initial values.
+bool maps_starts(const BasinSlice& map);
+
+double balance_margin(const model::Parameters& p);
+/// Of isolated balanced states where nothing depends on the rotor's angle and the race is centred; else not a number.
+double balance_growth(const model::System& system);
+
+/// The study of a pixel. Throws InputError if it is none.
+Study study_at(const BasinSlice& map, int column, int row);
+
+/// The pixels of a map, decided as basin() decides its starts.
+class StartPixels {
+ public:
+  using Discovered = std::function<void(const std::vector<double>& state)>;
+
+  /// Finds the attractors. `map`: its study has a horizon. `met`: states on motions that earlier runs met, which are
+  /// listed first; `discovered` is told new ones, before the pixels that came to them. `notes`: of the search, or null.
+  StartPixels(const BasinSlice& map, const RunOptions& options, const std::vector<std::vector<double>>& met,
+              const Discovered& discovered, SearchLog* notes);
+
+  /// Pixels at these positions, handed on in this order. False if stopped before all were done.
+  bool compute(const std::vector<std::uint32_t>& positions, const TakePixels& take);
+
+ private:
+  bool of_family() const { return runner_->family() != nullptr; }
+  InitialState start(std::uint32_t position) const;
+  FamilyStart family_start(std::uint32_t position) const;
+  bool decide(const std::vector<std::uint32_t>& positions, Chunk& chunk) const;
+  void hand_on(const std::vector<std::uint32_t>& positions, Chunk& chunk, const TakePixels& take);
+  // `own`: where rotors differ from pixel to pixel.
+  SlicePixel pixel_of(const std::optional<FamilyStart>& own, const Fate& fate, const MotionName*& motion);
+  static void add_balance(const Study& study, SlicePixel& pixel);
+  double largest_radius(std::span<const double> fractions, const Fate& fate, const Attractor& a) const;
+
+  const BasinSlice& map_;
+  const RunOptions& options_;
+  Discovered discovered_;
+  std::unique_ptr<StartRunner> runner_;
+  std::optional<LineMotions> lines_;                        // where lines have one rotor
+  bool unread_ = false;                                     // stopped before all of `met` were listed
+  std::set<int> listed_;                                    // attractors known beforehand, or told
+  std::map<int, std::unique_ptr<const MotionName>> names_;  // of attractors
+};
+
+}  // namespace equipoise

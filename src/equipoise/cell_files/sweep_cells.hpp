@@ -1,0 +1,35 @@
+// Cells of a sweep, trials of a capacity and ensembles of a design as bytes: what files keep and what processes send
+// each other.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "equipoise/results/capacity_result.hpp"
+#include "equipoise/results/design_result.hpp"
+#include "equipoise/results/sweep_result.hpp"
+
+namespace equipoise {
+
+/// An ensemble of a design's candidate, under the name of what was asked.
+struct KeptSample {
+  std::string name;
+  DesignSample sample;
+};
+
+namespace io {
+
+/// CBOR (RFC 8949): members by name; every number reads back to the same bits.
+std::vector<std::uint8_t> bytes_of(const SweepCell& cell);
+std::vector<std::uint8_t> bytes_of(const std::vector<CapacityTrial>& trials);  ///< of a cell, some or all
+std::vector<std::uint8_t> bytes_of(const KeptSample& sample);
+
+/// None if the bytes are no such thing.
+std::optional<SweepCell> cell_from(const std::vector<std::uint8_t>& bytes);
+std::optional<std::vector<CapacityTrial>> trials_from(const std::vector<std::uint8_t>& bytes);
+std::optional<KeptSample> sample_from(const std::vector<std::uint8_t>& bytes);
+
+}  // namespace io
+}  // namespace equipoise

@@ -1,0 +1,51 @@
+// Sweeps: one record a cell.
+#include "equipoise/cell_files/sweep_file.hpp"
+
+#include <optional>
+#include <utility>
+
+#include "equipoise/cell_files/cell_file.hpp"
+#include "equipoise/cell_files/sweep_cells.hpp"
+#include "equipoise/cell_files/sweep_netcdf.hpp"
+#include "equipoise/result_files/result_identity.hpp"
+
+namespace equipoise {
+
+namespace {
+
+constexpr io::CellFileKind sweep_kind{"sweep", io::Journal::Kind::cell};
+
+// The last record of a cell counts.
+io::CellFile::Take taken_into(SweepCells& cells) {
+  return [&cells](std::size_t index, const std::vector<std::uint8_t>& record) {
+    if (cells.size() <= index) cells.resize(index + 1);
+    std::optional<SweepCell> cell = io::cell_from(record);
+    cells[index] = cell ? std::make_shared<SweepCell>(std::move(*cell)) : nullptr;
+  };
+}
+
+}  // namespace
+
+void write_sweep_file(const std::string& path, const SweepResult& result) {
+  io::write_sweep_netcdf(io::path_for_whole_results(path), result.identity, result);
+}
+
+StoredSweep read_sweep(const std::string& path) {
+  StoredSweep sweep;
+  sweep.identity = io::read_cell_file(sweep_kind, path, taken_into(sweep.cells));
+  return sweep;
+}
+
+namespace io {
+
+std::unique_ptr<CellFile> open_sweep_file(const std::string& path, const std::string& identity, SweepCells& cells) {
+  return std::make_unique<CellFile>(sweep_kind, path, identity, cells.size(), taken_into(cells));
+}
+
+void finish_sweep_file(CellFile& file, const SweepResult& result) {
+  file.finish([&](const std::string& path, const std::string& identity) { write_sweep_netcdf(path, identity, result); },
+              result.complete() ? CellFile::Rest::nothing : CellFile::Rest::notes);
+}
+
+}  // namespace io
+}  // namespace equipoise

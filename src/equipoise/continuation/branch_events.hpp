@@ -1,0 +1,20 @@
+// What happens on a branch between two parameter values: where, and why.
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "equipoise/continuation/branch_follower.hpp"
+#include "equipoise/results/branch.hpp"
+
+namespace equipoise {
+
+/// Why a branch ends where `end` stopped; unresolved if nothing tells.
+BranchCause cause_of_end(const BranchContinuation& follower, const Advance& end);
+
+/// Changes of stability and of kind between two neighbouring points of a branch, in order of value, bracketed by
+/// bisection: to 1/256 of the line's step for equilibria and periodic motions, to 1/16 of it for tori and chaos.
+std::vector<BranchEvent> changes_between(const BranchContinuation& follower, const BranchPoint& low,
+                                         const BranchPoint& high);
+
+}  // namespace equipoise

@@ -1,0 +1,19 @@
+// Identifiers and names of branches.
+#pragma once
+
+#include <cstddef>
+#include <vector>
+
+#include "equipoise/continuation/parameter_line.hpp"
+#include "equipoise/results/branch.hpp"
+
+namespace equipoise {
+
+/// Gives every branch the name its motion has at most of its points, stable ones first, and the identifier that goes
+/// with it. Of several branches with one name the one with the most `votes` (then the one that attracts over most
+/// values) has the identifier, the others are numbered and get free ones. Events get their branch's identifier;
+/// branches are ordered by it. `systems`: by index of the value.
+void name_branches(const std::vector<model::System>& systems, const std::vector<std::size_t>& votes,
+                   std::vector<Branch>& branches);
+
+}  // namespace equipoise

@@ -1,0 +1,126 @@
+// Reading of KEY=FROM:TO:STEP, and the study at each value.
+#include "equipoise/continuation/parameter_line.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include "equipoise/base/error.hpp"
+#include "equipoise/base/stepped_values.hpp"
+#include "equipoise/start_runs/checks.hpp"
+#include "equipoise/study/given_value.hpp"
+#include "equipoise/toml/toml_tree.hpp"
+
+namespace equipoise {
+
+namespace {
+
+constexpr const char* allowed =
+    "must be KEY=FROM:TO:STEP with three numbers, e.g. speed.final=1.4:6.5:0.05; in a study with units also "
+    "quantities, "
+    "e.g. \"speed.final=900 rpm:4000 rpm:50 rpm\"";
+
+}  // namespace
+
+ParameterLine::ParameterLine(const Study& study, const std::string& text, const std::string& where)
+    : study_(with_medians(study)) {
+  parse(text, where);
+  for (const double value : values_) {
+    try {
+      check_at(value, where);
+    } catch (const InputError& e) {
+      throw InputError(fmt::format("{} {}", where, text), e.key(), e.value(), e.problem());
+    }
+  }
+}
+
+void ParameterLine::check_at(double value, const std::string& where) const {
+  const Study there = study_at(value);
+  check_offers(there, model::ResultKind::branches);
+  if (const model::System system = there.system(); system.prescribed() && system.speed() == 0.0)
+    throw InputError(where, key_, fmt::format("{}", value), "nothing turns; the final speed must not be 0");
+}
+
+std::optional<double> ParameterLine::half_way(std::size_t value) const {
+  if (value + 1 >= values_.size()) return std::nullopt;
+  const double largest = std::max(std::fabs(values_.front()), std::fabs(values_.back()));
+  const double middle = to_twelve_digits(0.5 * (values_[value] + values_[value + 1]), largest);
+  try {
+    check_at(middle, "");
+  } catch (const InputError&) {
+    return std::nullopt;
+  }
+  return middle;
+}
+
+void ParameterLine::parse(const std::string& text, const std::string& where) {
+  const auto reject = [&](const std::string& problem) { throw InputError(where, "", text, problem); };
+  const std::size_t equals = text.find('=');
+  if (equals == std::string::npos || equals == 0) reject(allowed);
+  key_ = text.substr(0, equals);
+  std::vector<double> parts;
+  const auto unit = study::unit_of(study_, key_);
+  for (std::size_t at = equals + 1; at <= text.size();) {
+    const std::size_t colon = std::min(text.find(':', at), text.size());
+    const study::GivenValue part = study::read_given(text.substr(at, colon - at), unit);
+    if (!part.problem.empty() || !std::isfinite(part.value))
+      reject((unit ? part.problem + "; " : std::string()) + allowed);
+    parts.push_back(part.value);
+    at = colon + 1;
+  }
+  if (parts.size() != 3) reject(allowed);
+  const std::string table = key_.substr(0, key_.find('.'));
+  if ((table != "rotor" && table != "balancer" && table != "speed") || table == key_ || key_ == "balancer.balls")
+    reject("KEY must be a key of rotor, balancer or speed that takes a number, or speed.final; " +
+           std::string(allowed));
+  const double step = parts[2];
+  if (const std::string problem = stepped_values(parts[0], parts[1], step, most_line_values, values_); !problem.empty())
+    reject(problem);
+  if (step < 0.0) std::reverse(values_.begin(), values_.end());
+  step_ = std::fabs(step);
+}
+
+double* initial_value(InitialState& start, int balls, const std::string& key) {
+  for (int i = 0; i < balls; ++i) {
+    const auto ball = static_cast<std::size_t>(i);
+    if (key == fmt::format("initial.phi_{}", i + 1)) return &start.phi[ball];
+    if (key == fmt::format("initial.phi_dot_{}", i + 1)) return &start.phi_dot[ball];
+  }
+  if (key == "initial.x") return &start.x;
+  if (key == "initial.y") return &start.y;
+  if (key == "initial.x_dot") return &start.x_dot;
+  if (key == "initial.y_dot") return &start.y_dot;
+  return key == "initial.psi" ? &start.psi : nullptr;
+}
+
+Study study_with(const Study& original, const std::string& key, double value) {
+  Study study = original;
+  if (key.starts_with("initial.phi_"))  // of one ball: no key of a study file
+    if (double* initial = initial_value(study.initial, study.parameters.balls, key)) {
+      *initial = value;
+      check(study);
+      return study;
+    }
+  if (key != "speed.final") {
+    StudyValue tree = to_tree(study);
+    // One takes the place of the other.
+    if (StudyValue* release = tree.find("release"); release && key.starts_with("release."))
+      release->erase(key == "release.speed" ? "time" : "speed");
+    return study_from(tree, study.name, {key + "=" + study::number_text(value)});
+  }
+  if (study.speed.profile == Profile::constant)
+    study.speed.speed = value;
+  else if (study.speed.profile == Profile::points)
+    study.speed.speeds.back() = value;
+  else
+    study.speed.final = value;
+  check(study);
+  return study;
+}
+
+Study ParameterLine::study_at(double value) const { return study_with(study_, key_, value); }
+
+model::System ParameterLine::system_at(double value) const { return study_at(value).system(); }
+
+}  // namespace equipoise

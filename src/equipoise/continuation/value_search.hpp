@@ -1,0 +1,22 @@
+// The attractors at one value of a parameter, found from pilot and random starts.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "equipoise/attractors/motion.hpp"
+#include "equipoise/base/stop_flag.hpp"
+#include "equipoise/study/study.hpp"
+
+namespace equipoise {
+
+struct ValueSearch {
+  std::vector<Motion> motions;  ///< stable ones, and balance
+  std::vector<Motion> named;    ///< those with the identifier of their name
+};
+
+/// What plain `attractors` finds with so many random starts, on one thread; `seeds`: states followed besides.
+ValueSearch attractors_at(const Study& study, std::uint64_t starts,
+                          const std::vector<std::vector<double>>& warm_start_states, const StopFlag* stop);
+
+}  // namespace equipoise

@@ -1,0 +1,57 @@
+// Which programs' results are the same to the bit; what of a study decides the fate of a start.
+#include "equipoise/ensembles/basin_header.hpp"
+
+#include "equipoise/ensembles/start_arrays.hpp"
+#include "equipoise/kernels/batch_kernels.hpp"
+#include "equipoise/model/state_layout.hpp"
+#include "equipoise/model/system.hpp"
+#include "equipoise/rotor_family/horizon.hpp"
+#include "equipoise/spin_up/initial_state.hpp"
+#include "equipoise/start_runs/transient_tally.hpp"
+
+namespace equipoise {
+
+namespace {
+
+// Kernels do the same operations in the same order on every instruction set of x86, but where it has fused
+// multiplications and additions, compilers use them: results are the same to the bit among those that have them (AVX2
+// and AVX-512), and among those that have not. Of other machines nothing is known.
+std::string arithmetic_of(const std::string& target) {
+  if (target == "AVX-512" || target == "AVX2") return "with fused multiply-add (AVX2, AVX-512)";
+#if defined(__x86_64__)
+  if (target == "SSE4" || target == "scalar") return "without fused multiply-add (SSE4, scalar)";
+#endif
+  return "of " + target;
+}
+
+}  // namespace
+
+BasinFileHeader basin_file_header(const Study& study, bool angles, bool transients, const std::string& own_starts,
+                                  const std::string& target) {
+  Study identity = with_horizon(study);  // all that decides the fate of start i
+  const Sampler sampler = sampler_of(study);
+  identity.sampling.starts = sampler.grid() ? sampler.grid()->starts() : 1;
+  BasinFileHeader header;
+  header.study = to_toml(identity);
+  header.balls = study.parameters.balls;
+  header.cpu_target = target;
+  header.arithmetic = arithmetic_of(target);
+  header.angles = angles;
+  header.driven = study.speed.driven();
+  header.touches = study.parameters.balls_collide();
+  header.sticks = balls_may_stick(study);
+  for (const model::StateVariable& v : model::state_variables(study.system().layout()))
+    header.variables.push_back(v.name);
+  for (const UncertainValue& value : study.uncertain.values) {
+    header.drawn.push_back(value.key);
+    header.drawn_units.push_back(value.unit.empty() ? "1" : value.unit);
+  }
+  header.full_starts = !study.sampling.box.empty() || !own_starts.empty();
+  header.own_starts = own_starts;
+  header.method = sampler.method();
+  header.scales = study.scales;
+  if (transients) header.transients = transient_settings(study);
+  return header;
+}
+
+}  // namespace equipoise

@@ -1,0 +1,65 @@
+// A runner with what an ensemble asks of its search.
+#include "equipoise/ensembles/ensemble_runner.hpp"
+
+#include <utility>
+
+#include "equipoise/rotor_family/horizon.hpp"
+#include "equipoise/running/parallel.hpp"
+
+namespace equipoise {
+
+Study as_sampled(Study study, SamplingMethod method) {
+  study.sampling.method = method;
+  return with_horizon(std::move(study));
+}
+
+bool gathers_transients(const Study& study, const BasinOptions& options) {
+  const Limits& limits = study.limits;
+  return options.transients.value_or(limits.displacement || limits.force || limits.velocity || limits.settled);
+}
+
+AttractorSearchSettings search_settings(const BasinOptions& options, AttractorSearchCache* discoveries) {
+  return {.threads = options.search_threads > 0 ? options.search_threads : thread_count(options.threads),
+          .stop = options.stop,
+          .warm_start_states = options.warm_start_states,
+          .cache = discoveries,
+          .progress = options.progress,
+          .warm_start = options.warm_start,
+          .warm_start_levels = options.warm_start_levels ? *options.warm_start_levels : WarmStartLevels{},
+          .notes = options.notes};
+}
+
+std::unique_ptr<StartRunner> ensemble_runner(const Study& study, const BasinOptions& options,
+                                             AttractorSearchCache& discoveries) {
+  return std::make_unique<StartRunner>(study, search_settings(options, &discoveries),
+                                       gathers_transients(study, options));
+}
+
+std::unique_ptr<StartRunner> lasting_runner(const Study& study, const RunOptions& options, bool transients,
+                                            AttractorSearchCache& found) {
+  const int threads = thread_count(options.threads);
+  const AttractorSearchSettings search{
+      .threads = threads, .stop = options.stop, .cache = &found, .progress = options.progress};
+  const bool searches = study.uncertain.empty();
+  if ((searches && search_attractors(study, search).stopped) || is_set(options.stop))
+    throw RunError("stopped before the attractors were known");
+  return std::make_unique<StartRunner>(study, AttractorSearchSettings{.threads = threads, .cache = &found}, transients);
+}
+
+bool classify_chunk(const StartRunner& runner, Chunk& chunk) {
+  if (!chunk.from_elsewhere) return runner.run(chunk.first, chunk.count, chunk);
+  for (UnlistedStart& start : chunk.unlisted) {
+    std::optional<UnlistedStart> followed = runner.follow(start.state);
+    if (!followed) return false;
+    followed->place = start.place;
+    start = *std::move(followed);
+  }
+  return true;
+}
+
+EnsembleHelper::EnsembleHelper(Study study, const BasinOptions& options, SamplingMethod method) {
+  AttractorSearchCache discoveries;
+  runner_ = ensemble_runner(as_sampled(std::move(study), method), options, discoveries);
+}
+
+}  // namespace equipoise

@@ -1,0 +1,166 @@
+// Counting of fates and where sampling may end.
+#include "equipoise/ensembles/tally.hpp"
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+
+#include "equipoise/statistics/even_share.hpp"
+
+namespace equipoise {
+
+namespace {
+// Fewest starts before sampling may end: with less, an interval of a rare outcome is narrow by luck.
+constexpr std::uint64_t fewest_starts = 4096;
+// Random starts are looked at after every so many.
+constexpr std::uint64_t checkpoint = 1024;
+
+// Replicates of 4, 5, 6 or 7 times a power of two points. Powers of two are best: the points are a net, one in every
+// elementary interval. Between them lie whole nets of a quarter of that size or more, for doubling alone would take
+// 44 % more starts than needed on average, quarters take 12 %; each look is one more chance to stop on a lucky narrow
+// interval, so there are no more than four an octave.
+bool ends_a_net(std::uint64_t points) {
+  const int quarter = std::bit_width(points) - 3;
+  return quarter >= 0 && (points >> quarter << quarter) == points;
+}
+}  // namespace
+
+Tally::Tally(const Sampler& sampler, std::uint64_t seed, double settled)
+    : sampler_(sampler), seed_(seed), settled_(settled) {}
+
+Tally::Key Tally::key_of(Outcome outcome, int attractor) {
+  return {static_cast<int>(outcome), outcome == Outcome::attracted ? attractor : 0};
+}
+
+void Tally::add(const Fate& fate) {
+  const Key key = key_of(fate.outcome, fate.attractor);
+  Line& line = lines_[key];
+  ++line.count;
+  const double weight = sampler_.weight(seed_, total_);
+  line.time += weight * (fate.time - settled_);
+  line.counted += weight;
+  if (!std::isnan(fate.unbalance)) line.unbalance[fate.unbalance] += weight;
+  ++line.by[static_cast<std::size_t>(fate.by)];
+  if (sampler_.method() == SamplingMethod::sobol) ++line.in_replicate[total_ % sobol_replicates];
+  if (sampler_.grid()) add_to_pair(key, line, weight);
+  ++total_;
+}
+
+void Tally::add_to_pair(Key key, Line& line, double w) {
+  weight_ += w;
+  weight_squared_ += w * w;
+  if (total_ % 2 == 1 && key != before_)
+    for (const Key& half : {key, before_}) {
+      Line& one = half == key ? line : lines_[before_];
+      const Key other = half == key ? before_ : key;
+      one.split.add(w);
+      if (other == key_of(Outcome::undecided, 0)) one.from_undecided.add(w);
+    }
+  before_ = key;
+}
+
+Share Tally::interval(const Line& line) const {
+  switch (sampler_.method()) {
+    case SamplingMethod::sobol: {
+      std::array<std::uint64_t, sobol_replicates> totals;
+      for (std::size_t r = 0; r < totals.size(); ++r)
+        totals[r] = (total_ + sobol_replicates - 1 - r) / sobol_replicates;
+      return replicated_share(line.in_replicate, totals);
+    }
+    case SamplingMethod::grid:
+      return stratified_share(
+          {line.count, total_, line.counted, weight_, weight_squared_, line.split.count, line.split.squared},
+          total_ == sampler_.grid()->starts());
+    default:
+      return wilson_share(line.count, total_);
+  }
+}
+
+// The starts of both as one outcome, for share(). A pair split between the two is not split any more.
+Tally::Line Tally::united(const Line& line, const Line& undecided) {
+  Line both = line;
+  both.count += undecided.count;
+  both.counted += undecided.counted;
+  for (std::size_t r = 0; r < both.in_replicate.size(); ++r) both.in_replicate[r] += undecided.in_replicate[r];
+  both.split.count += undecided.split.count - 2 * line.from_undecided.count;
+  both.split.squared += undecided.split.squared - 2.0 * line.from_undecided.squared;
+  return both;
+}
+
+Share Tally::share(Key key) const {
+  const Key open = key_of(Outcome::undecided, 0);
+  const auto at = lines_.find(key), undecided = lines_.find(open);
+  const Line line = at == lines_.end() ? Line{} : at->second;
+  const Share result = interval(line);
+  if (key == open || undecided == lines_.end()) return result;
+  return share_between(result, interval(united(line, undecided->second)));
+}
+
+Share Tally::share(Outcome outcome, int attractor) const { return share(key_of(outcome, attractor)); }
+
+namespace {
+// Values below which so much of all weight lies.
+std::vector<double> quantiles_of(const std::map<float, double>& weights) {
+  double total = 0.0;
+  for (const auto& [value, weight] : weights) total += weight;
+  std::vector<double> result;
+  double below = 0.0;
+  for (const auto& [value, weight] : weights) {
+    below += weight;
+    while (result.size() < unbalance_quantiles.size() &&
+           below >= unbalance_quantiles[result.size()] * total * (1.0 - 1e-12))
+      result.push_back(value);
+  }
+  return result;
+}
+}  // namespace
+
+OutcomeShare Tally::share(const Attractor& a) const {
+  OutcomeShare result{a.id, a.name, a.alias, share(Outcome::attracted, a.id), name_of(a.motion.kind)};
+  if (const auto at = lines_.find(key_of(Outcome::attracted, a.id)); at != lines_.end()) {
+    result.mean_time = at->second.time / at->second.counted;
+    result.decided_by = at->second.by;
+    result.unbalance = quantiles_of(at->second.unbalance);
+  }
+  return result;
+}
+
+void Tally::count(const Catalogue& catalogue, BasinResult& result) const {
+  const bool driven = result.study.speed.driven();
+  const double stall_speed = driven ? result.study.stall_speed() : 0.0;
+  result.attractors.clear();
+  if (!catalogue.find(balanced_id)) result.attractors.push_back(share(Attractor{balanced_id, "balanced", "", {}, {}}));
+  for (const Attractor& a : catalogue.attractors()) {
+    // Whose rotor does not come up to speed is counted among the stalled.
+    const bool measured = a.motion.kind == MotionKind::measured;
+    if (a.id != balanced_id && std::fabs(a.motion.speed) < stall_speed && !measured) continue;
+    OutcomeShare one = share(a);
+    // Kinds of motion that a machine might come to are told only if one did.
+    if (one.share.count > 0 || a.id == balanced_id || !measured) result.attractors.push_back(std::move(one));
+  }
+  result.undecided = share(Outcome::undecided);
+  result.diverged = share(Outcome::diverged);
+  result.failed = share(Outcome::failed);
+  if (driven) result.stalled = share(Outcome::stalled);
+}
+
+std::vector<Share> Tally::shares() const {
+  std::vector<Share> all;
+  for (const auto& [key, line] : lines_) all.push_back(interval(line));
+  all.push_back(interval(Line{}));
+  return all;
+}
+
+bool Tally::at_checkpoint() const {
+  if (total_ < fewest_starts) return false;
+  if (sampler_.method() == SamplingMethod::sobol)
+    return total_ % sobol_replicates == 0 && ends_a_net(total_ / sobol_replicates);
+  return total_ % checkpoint == 0;
+}
+
+bool Tally::narrow(double half_width) const {
+  const std::vector<Share> all = shares();
+  return std::all_of(all.begin(), all.end(), [&](const Share& s) { return s.half_width() <= half_width; });
+}
+
+}  // namespace equipoise

@@ -1,0 +1,96 @@
+// One sentence: how surely it balances, what is exceeded, what is not known.
+#include "equipoise/html/answer.hpp"
+
+#include <algorithm>
+#include <cctype>
+#include <optional>
+#include <vector>
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include "equipoise/html/answer_parts.hpp"
+#include "equipoise/plots/quantities.hpp"
+#include "equipoise/text/text.hpp"
+
+namespace equipoise {
+
+namespace {
+
+// Bounds that hold whatever undecided starts come to, where those could move the interval.
+std::string surely(const Share& s) {
+  const bool wider = s.least < s.low || s.most > s.high;
+  return wider ? fmt::format(", surely {:.{}f} to {}", 100.0 * s.least, digits_for(s), percent(s.most, digits_for(s)))
+               : "";
+}
+
+std::string balance_words(const BasinResult& r) {
+  const OutcomeShare& balanced = r.attractors.front();
+  const Share& s = balanced.share;
+  if (s.count == 0)
+    return fmt::format("Not one of {} starts ends balanced: {}{} would (95 % confidence)", r.starts, share_words(s),
+                       surely(s));
+  const bool plain = balanced.name == "balanced";  // else held by friction
+  return fmt::format("The rotor ends {} in {} of starts (95 % confidence{})",
+                     plain ? balanced.name : "\"" + balanced.name + "\"", share_words(s), surely(s));
+}
+
+std::string limit_words(const BasinResult& r) {
+  if (!r.transients || r.transients->groups.empty()) return "";
+  std::string text;
+  for (const ToldLimit& limit : told_limits(r.study))
+    if (const auto& exceeded = r.transients->groups.front().exceeded[limit.place])
+      text += fmt::format("; {} in {}", limit.words, share_words(*exceeded));
+  return text;
+}
+
+std::string point_words(const Share& s) { return percent(s.share, digits_for(s)); }
+
+}  // namespace
+
+std::string share_words(const Share& s) {
+  const int digits = digits_for(s);
+  if (s.total == 0) return "nobody knows how many";
+  if (s.count == 0) return "less than " + percent(s.high, digits);
+  if (s.count == s.total) return "more than " + percent(s.low, digits);
+  return interval(s);
+}
+
+std::vector<std::string> drawn_keys(const Study& study, const std::vector<std::string>& set) {
+  std::vector<std::string> keys;
+  for (const UncertainValue& value : study.uncertain.values)
+    if (std::find(set.begin(), set.end(), value.key) == set.end()) keys.push_back(value.key);
+  return keys;
+}
+
+std::vector<ToldLimit> told_limits(const Study& study) {
+  const PageQuantities shown(study);
+  std::vector<ToldLimit> told;
+  for (std::size_t k = 0; k < transient_limits.size(); ++k)
+    if (const TransientLimit& l = transient_limits[k]; study.limits.*l.limit)
+      told.push_back({k, shown.text(*(study.limits.*l.limit), l.figure().dimension) + l.exceeded});
+  return told;
+}
+
+std::string after_what_is_drawn(std::vector<std::string> keys, std::string sentence) {
+  if (keys.empty()) return sentence;
+  std::transform(keys.begin(), keys.end(), keys.begin(), key_words);
+  const std::string last = keys.back();
+  keys.pop_back();
+  sentence.front() = static_cast<char>(std::tolower(static_cast<unsigned char>(sentence.front())));
+  return fmt::format("With {}{}{} drawn anew for every start, {}", fmt::join(keys, ", "), keys.empty() ? "" : " and ",
+                     last, sentence);
+}
+
+std::string answer_sentence(const BasinResult& r) {
+  if (r.starts == 0 || r.attractors.empty()) return "Nothing is known: stopped before any start was decided.";
+  std::string text = balance_words(r);
+  if (r.stalled && r.stalled->count > 0) text += fmt::format("; {} never come up to speed", share_words(*r.stalled));
+  text += limit_words(r);
+  if (r.undecided.count > 0) text += fmt::format("; {} stay undecided", point_words(r.undecided));
+  if (const std::uint64_t lost = r.lost(); lost > 0)
+    text += fmt::format("; {} could not be followed to an end", lost == 1 ? "1 start" : fmt::format("{} starts", lost));
+  return after_what_is_drawn(drawn_keys(r.study), text + ".");
+}
+
+}  // namespace equipoise

@@ -1,0 +1,35 @@
+// What an ensemble, a sweep, a capacity or a map answers, in one sentence.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "equipoise/results/basin_result.hpp"
+#include "equipoise/results/basin_slice.hpp"
+#include "equipoise/results/capacity_result.hpp"
+#include "equipoise/results/sweep_result.hpp"
+
+namespace equipoise {
+
+/// "97.1 to 98.9 %", "less than 1.9 %", "more than 98.1 %": 95 % interval of a share.
+std::string share_words(const Share& share);
+
+/// "The rotor ends balanced in 97.1 to 98.9 % of starts (95 % confidence); 5 mm is exceeded on the way in 1.6 to 2.5
+/// %." Undecided starts are said, and bounds that hold whatever they come to; limits that the study does not have are
+/// not. Of a study with uncertain values it begins with what is drawn: "With unbalance drawn anew for every start,
+/// the rotor ends ...".
+std::string answer_sentence(const BasinResult& result);
+
+/// Where it balances most often and least often, how often at worst a limit is exceeded, what stays undecided at most.
+std::string answer_sentence(const SweepResult& result);
+
+/// The capacity with its interval, or the least and the largest and where they are.
+std::string answer_sentence(const CapacityResult& result);
+
+/// Which part of the map ends balanced.
+std::string answer_sentence(const BasinSlice& map);
+
+/// The study's uncertain values, but for those that are `set` otherwise.
+std::vector<std::string> drawn_keys(const Study& study, const std::vector<std::string>& set = {});
+
+}  // namespace equipoise

@@ -1,0 +1,135 @@
+// Words and tables around the boundary.
+#include "equipoise/html/capacity_html.hpp"
+
+#include <algorithm>
+#include <utility>
+#include <vector>
+
+#include <fmt/format.h>
+
+#include "equipoise/drawing/chart_svg.hpp"
+#include "equipoise/drawing/document.hpp"
+#include "equipoise/html/answer.hpp"
+#include "equipoise/html/cell_table.hpp"
+#include "equipoise/html/page_parts.hpp"
+#include "equipoise/plots/capacity_charts.hpp"
+#include "equipoise/plots/quantities.hpp"
+#include "equipoise/reports/capacity_report.hpp"
+#include "equipoise/text/cell_text.hpp"
+#include "equipoise/text/text.hpp"
+
+namespace equipoise {
+
+namespace {
+
+class CapacityDocument {
+ public:
+  CapacityDocument(const CapacityResult& result, const GivenMachine& machine) : r_(result), machine_(machine) {
+    for (const auto& cell : r_.cells) done_ += cell.has_value();
+  }
+
+  Document make() {
+    document_ = page_with(r_.study, answer_sentence(r_));
+    add_missing_cells(document_, done_, r_.cells.size());
+    if (done_ > 0) {
+      picture();
+      table();
+    }
+    add_machine(document_, machine_, "in the study, before anything is varied");
+    origin();
+    return std::move(document_);
+  }
+
+ private:
+  void add(Block block) { document_.blocks.push_back(std::move(block)); }
+
+  void picture() {
+    add(Heading{2, r_.axes.empty() ? "How often it balances" : "What it balances", ""});
+    DrawingRow row;
+    const std::vector<Chart> charts = capacity_charts(r_);
+    row.wide = charts.size() == 1;
+    row.large = !row.wide;
+    for (const Chart& chart : charts)
+      row.drawings.push_back({chart.title, chart_svg(chart, capacity_title(r_)), "", ""});
+    row.caption = r_.axes.empty()
+                      ? "Share of the starts that ends balanced at every value tried, with its 95 % interval."
+                      : fmt::format(
+                            "The largest {} at which {:.4g} % of starts end balanced; strokes: up to their lower "
+                            "end that is sure, from their upper end on it surely fails.",
+                            key_words(r_.key), 100.0 * r_.at_least);
+    add(std::move(row));
+  }
+
+  void table() { r_.axes.empty() ? table_of_trials() : table_of_cells(); }
+
+  void table_of_cells() {
+    DocumentTable table;
+    table.header = parameter_titles(r_.axes);
+    table.header.insert(table.header.end(),
+                        {column_title(key_words(r_.key), r_.unit), "surely between", "undecided at most", "trials"});
+    table.spare = {table.header.size() - 1};
+    table.caption =
+        "Surely between: up to the first value the share is as large with 95 % confidence, whatever undecided "
+        "starts would come to; at the second it is smaller.";
+    for (std::size_t k = 0; k < r_.cells.size(); ++k) {
+      if (!r_.cells[k]) continue;
+      const CapacityCell& cell = *r_.cells[k];
+      std::vector<DocumentCell> row = parameter_values(r_.axes, k);
+      const CapacityTrial& open = *std::max_element(
+          cell.trials.begin(), cell.trials.end(),
+          [](const CapacityTrial& a, const CapacityTrial& b) { return a.undecided.share < b.undecided.share; });
+      row.push_back(number_cell(capacity_value_text(r_, cell)));
+      row.push_back(number_cell(fmt::format("{:.4g} and {:.4g}", cell.low, cell.high)));
+      row.push_back(share_cell(open.undecided));
+      row.push_back(number_cell(fmt::format("{}", cell.trials.size())));
+      table.rows.push_back(std::move(row));
+    }
+    add_cell_table(document_, std::move(table), "the CSV file holds all of them");
+  }
+
+  void table_of_trials() {
+    DocumentTable table{
+        {column_title(key_words(r_.key), r_.unit), "balanced", "95 % interval", "undecided"}, {}, "", false, {}};
+    for (const CapacityTrial& t : r_.cells.front()->trials) {
+      std::vector<DocumentCell> row{number_cell(fmt::format("{:.6g}", t.value))};
+      if (t.unstable)
+        row.insert(row.end(), {number_cell("none"), {"no balanced state attracts"}, number_cell("-")});
+      else
+        row.insert(row.end(), {share_cell(t.balanced), number_cell(interval(t.balanced)), share_cell(t.undecided)});
+      table.rows.push_back(std::move(row));
+    }
+    table.caption = "All values that were tried.";
+    add_cell_table(document_, std::move(table), "the JSON answer tells all of them");
+  }
+
+  void origin() {
+    add(Heading{2, "How it was computed", ""});
+    std::vector<std::string> set = keys_of(r_.axes);
+    set.push_back(r_.key);
+    std::string text = fmt::format(
+        "Values of {} from {:.4g} to {:.4g}{} in steps of an eighth of that until one is surely too large, then halved "
+        "to "
+        "{:.3g}; a share that falls short between two of them and recovers is not seen. ",
+        key_words(r_.key), r_.from, r_.to, r_.unit.empty() ? "" : " " + r_.unit, r_.precision * (r_.to - r_.from));
+    if (!r_.axes.empty()) text += fmt::format("Varied: {}. ", varied_words(r_.axes));
+    text += fmt::format("{} starts a value {}, the same in all.", r_.starts,
+                        starts_words(r_.study, drawn_keys(r_.study, set)));
+    text += model_words(r_.study, {r_.cpu_target, r_.threads, r_.seconds, r_.cpu_seconds});
+    if (r_.resumed_trials > 0) text += fmt::format("; {} trials from an earlier run's file", r_.resumed_trials);
+    add(Paragraph{text + "."});
+    add_study(document_, r_.study);
+  }
+
+  const CapacityResult& r_;
+  const GivenMachine& machine_;
+  std::size_t done_ = 0;
+  Document document_;
+};
+
+}  // namespace
+
+std::string capacity_html(const CapacityResult& result, const GivenMachine& machine) {
+  return document_html(CapacityDocument(result, machine).make());
+}
+
+}  // namespace equipoise

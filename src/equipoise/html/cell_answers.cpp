@@ -1,0 +1,175 @@
+// One sentence about many cells: the best, the worst, what is not known.
+#include <algorithm>
+#include <vector>
+
+#include <fmt/format.h>
+
+#include "equipoise/html/answer.hpp"
+#include "equipoise/html/answer_parts.hpp"
+#include "equipoise/plots/quantities.hpp"
+#include "equipoise/text/text.hpp"
+#include "equipoise/types/fate.hpp"
+
+namespace equipoise {
+
+namespace {
+
+std::vector<std::size_t> done_cells(const SweepResult& r) {
+  std::vector<std::size_t> cells;
+  for (std::size_t k = 0; k < r.cells.size(); ++k)
+    if (r.cells[k]) cells.push_back(k);
+  return cells;
+}
+
+const Share& balanced_share(const SweepResult& r, std::size_t cell) { return r.cells[cell]->outcomes.front().share; }
+
+// "final speed 2.4 ω_c, ball drag 0.05".
+std::string cell_words(const std::vector<SweepAxis>& axes, std::size_t cell) {
+  std::string words;
+  visit_parameters(axes, cell, [&](const SweepParameter& p, std::size_t k) {
+    words += (words.empty() ? "" : ", ") + key_words(p.key) + " " + value_words(p.key, p.given[k]);
+  });
+  return words;
+}
+
+// "at final speed 2.4 ω_c", "in 3 of 12 cells, such as final speed 2.4 ω_c": those alike in their balanced share.
+std::string where(const SweepResult& r, const std::vector<std::size_t>& cells, std::size_t one) {
+  const auto alike = std::count_if(cells.begin(), cells.end(), [&](std::size_t cell) {
+    return balanced_share(r, cell).share == balanced_share(r, one).share;
+  });
+  const std::string title = cell_words(r.axes, one);
+  return alike == 1 ? "at " + title : fmt::format("in {} of {} cells, such as {}", alike, cells.size(), title);
+}
+
+std::string balance_over(const SweepResult& r, const std::vector<std::size_t>& cells) {
+  const auto less = [&](std::size_t a, std::size_t b) {
+    return balanced_share(r, a).share < balanced_share(r, b).share;
+  };
+  const std::size_t worst = *std::min_element(cells.begin(), cells.end(), less);
+  const std::size_t best = *std::max_element(cells.begin(), cells.end(), less);
+  const std::string most = share_words(balanced_share(r, best)), least = share_words(balanced_share(r, worst));
+  if (cells.size() == 1)
+    return fmt::format("At {} the rotor ends balanced in {} of starts (95 % confidence)", cell_words(r.axes, best),
+                       most);
+  if (!less(worst, best))
+    return fmt::format("In each of {} cells the rotor ends balanced in {} of starts (95 % confidence)", cells.size(),
+                       most);
+  return fmt::format(
+      "The rotor ends balanced most often {}: in {} of starts; least often {}: in {} (95 % confidence in each cell)",
+      where(r, cells, best), most, where(r, cells, worst), least);
+}
+
+// How often a limit is exceeded, from the best cell to the worst.
+std::string limits_over(const SweepResult& r, const std::vector<std::size_t>& cells) {
+  std::string text;
+  for (const ToldLimit& limit : told_limits(r.study)) {
+    double least = 1.0, most = 0.0;
+    for (const std::size_t cell : cells) {
+      const auto& transients = r.cells[cell]->transients;
+      if (!transients || !transients->exceeded[limit.place]) return text;
+      least = std::min(least, transients->exceeded[limit.place]->share);
+      most = std::max(most, transients->exceeded[limit.place]->share);
+    }
+    const std::string share = least < most ? fmt::format("{:.3g} to {:.3g} %", 100.0 * least, 100.0 * most)
+                                           : fmt::format("{:.3g} %", 100.0 * most);
+    text += fmt::format("; {} in {}", limit.words, share);
+  }
+  return text;
+}
+
+// "213.2 g mm".
+std::string sought_value(const CapacityResult& r, double value) {
+  return value_words(r.key, fmt::format("{:.4g}{}{}", value, r.unit.empty() ? "" : " ", r.unit));
+}
+
+// "213 g mm (surely between 201 and 220)".
+std::string capacity_words(const CapacityResult& r, const CapacityCell& cell) {
+  if (cell.never) return "less than " + sought_value(r, r.from);
+  if (cell.always) return "more than " + sought_value(r, r.to);
+  return fmt::format("{} (surely between {:.4g} and {:.4g})", sought_value(r, *cell.value), cell.low, cell.high);
+}
+
+// Orders also what lies beyond the range.
+double rank(const CapacityResult& r, const CapacityCell& cell) {
+  const double outside = r.to - r.from;
+  return cell.never ? r.from - outside : cell.always ? r.to + outside : *cell.value;
+}
+
+std::string lone_capacity(const CapacityResult& r, const CapacityCell& cell, const std::string& starts) {
+  const std::string what = key_words(r.key);
+  if (cell.never)
+    return fmt::format("Nowhere from {} {} on do {} end balanced: already there it is less", what,
+                       sought_value(r, r.from), starts);
+  if (cell.always)
+    return fmt::format("Up to {} {}, as far as was looked, {} end balanced", what, sought_value(r, r.to), starts);
+  return fmt::format("Up to {} {}, {} end balanced: surely up to {:.4g}, surely fewer from {:.4g} on", what,
+                     sought_value(r, *cell.value), starts, cell.low, cell.high);
+}
+
+}  // namespace
+
+std::string answer_sentence(const SweepResult& r) {
+  const std::vector<std::size_t> cells = done_cells(r);
+  if (cells.empty()) return "Nothing is known: stopped before any cell was done.";
+  const std::vector<std::string> keys = drawn_keys(r.study, keys_of(r.axes));
+  std::string text = balance_over(r, cells) + limits_over(r, cells);
+  const auto open = std::max_element(cells.begin(), cells.end(), [&](std::size_t a, std::size_t b) {
+    return r.cells[a]->undecided.share < r.cells[b]->undecided.share;
+  });
+  if (const Share& undecided = r.cells[*open]->undecided; undecided.count > 0)
+    text += fmt::format("; up to {} stay undecided, at {}", percent(undecided.share, digits_for(undecided)),
+                        cell_words(r.axes, *open));
+  return after_what_is_drawn(keys, text + ".");
+}
+
+std::string answer_sentence(const CapacityResult& r) {
+  std::vector<std::size_t> cells;
+  for (std::size_t k = 0; k < r.cells.size(); ++k)
+    if (r.cells[k]) cells.push_back(k);
+  if (cells.empty()) return "Nothing is known: stopped before any cell was done.";
+  std::vector<std::string> set = keys_of(r.axes);
+  set.push_back(r.key);
+  const std::vector<std::string> keys = drawn_keys(r.study, set);
+  const std::string starts = fmt::format("{:.4g} % of starts", 100.0 * r.at_least);
+  const auto title = [&](std::size_t cell) { return cell_words(r.axes, cell); };
+  if (cells.size() == 1) {
+    std::string text = lone_capacity(r, *r.cells[cells.front()], starts) + " (95 % confidence)";
+    if (!r.axes.empty()) text += ", at " + title(cells.front());
+    return after_what_is_drawn(keys, text + ".");
+  }
+  const auto less = [&](std::size_t a, std::size_t b) { return rank(r, *r.cells[a]) < rank(r, *r.cells[b]); };
+  const auto [worst, best] = std::minmax_element(cells.begin(), cells.end(), less);
+  if (!less(*worst, *best))
+    return after_what_is_drawn(
+        keys, fmt::format("The largest {} at which {} end balanced is {} in each of {} cells (95 % confidence).",
+                          key_words(r.key), starts, capacity_words(r, *r.cells[*best]), cells.size()));
+  return after_what_is_drawn(
+      keys, fmt::format("The largest {} at which {} end balanced is {} at {}; it is least at {}: {} (95 % confidence).",
+                        key_words(r.key), starts, capacity_words(r, *r.cells[*best]), title(*best), title(*worst),
+                        capacity_words(r, *r.cells[*worst])));
+}
+
+std::string answer_sentence(const BasinSlice& map) {
+  const auto with = [&](short code) {
+    return std::find_if(map.codes.begin(), map.codes.end(), [&](const OutcomeShare& c) { return c.id == code; });
+  };
+  const auto of_all =
+      std::find_if(map.codes.begin(), map.codes.end(), [](const OutcomeShare& c) { return c.share.total > 0; });
+  if (of_all == map.codes.end()) return "Nothing is known: stopped before any pixel was done.";
+  const std::uint64_t points = of_all->share.total;
+  const std::string plane = fmt::format("{} points over {} and {}", points, key_words(map.x.key), key_words(map.y.key));
+  const auto balanced = with(balanced_id);
+  std::string text = fmt::format("Not one of {} ends balanced", plane);
+  if (balanced != map.codes.end() && balanced->share.count > 0) {
+    const bool plain = balanced->name == "balanced";  // else held by friction
+    text = fmt::format("Of {}, {} end {} (95 % confidence, as of random ones)", plane, share_words(balanced->share),
+                       plain ? balanced->name : "\"" + balanced->name + "\"");
+  }
+  if (map.figures.balanced_radius && *map.figures.balanced_radius > 0.0)
+    text += fmt::format("; all within {:.3g} rad of balanced angles do", *map.figures.balanced_radius);
+  if (const auto open = with(undecided_code); open != map.codes.end() && open->share.count > 0)
+    text += fmt::format("; {} stay undecided", percent(open->share.share, digits_for(open->share)));
+  return text + ".";
+}
+
+}  // namespace equipoise

@@ -1,0 +1,236 @@
+// What a value may be is asked of the reader: it is offered one that no key takes, and answers with what the key does.
+#include "equipoise/html/form.hpp"
+
+#include <algorithm>
+#include <array>
+#include <string_view>
+
+#include <fmt/format.h>
+
+#include "equipoise/base/error.hpp"
+#include "equipoise/base/read_number.hpp"
+#include "equipoise/html/given_keys.hpp"
+#include "equipoise/plots/quantities.hpp"
+#include "equipoise/study/keys.hpp"
+#include "equipoise/study/physical_echo.hpp"
+#include "equipoise/toml/toml_tree.hpp"
+
+namespace equipoise {
+
+namespace {
+using study::Dimension;
+
+std::vector<std::string> usual_units(Dimension d) {
+  switch (d) {
+    case Dimension::mass:
+      return {"kg", "g", "mg"};
+    case Dimension::length:
+      return {"m", "mm", "um"};
+    case Dimension::time:
+      return {"s", "ms", "min"};
+    case Dimension::speed:
+      return {"rpm", "rad/s", "Hz"};
+    case Dimension::velocity:
+      return {"m/s", "mm/s"};
+    case Dimension::force:
+      return {"N", "kN"};
+    case Dimension::stiffness:
+      return {"N/m", "kN/m", "MN/m", "N/mm"};
+    case Dimension::torque:
+      return {"N m", "N mm"};
+    case Dimension::inertia:
+      return {"kg m2", "kg mm2", "g mm2"};
+    case Dimension::unbalance:
+      return {"kg m", "kg mm", "g mm"};
+    case Dimension::viscosity:
+      return {"Pa s", "mPa s"};
+    case Dimension::kinematic_viscosity:
+      return {"m2/s", "mm2/s", "cSt"};
+    case Dimension::angle:
+      return {"degree", "rad"};
+    default:
+      return {study::words(d).si};
+  }
+}
+
+struct Quantity {
+  std::string number, unit;
+};
+
+// "12 kg" in its parts; no unit: a text of another kind.
+Quantity parted(const std::string& text) {
+  const std::size_t sign = text.starts_with('+') ? 1 : 0;
+  double value = 0.0;
+  const char* end = text.data() + text.size();
+  const auto [after, error] = read_number(text.data() + sign, end, value);
+  if (error != std::errc()) return {text, ""};
+  std::string unit(after, end);
+  unit.erase(0, unit.find_first_not_of(' '));
+  return {std::string(text.data(), after), unit};
+}
+
+void add_units(const std::string& unit, FormField& f) {
+  std::vector<Dimension> all;
+  for (int k = 0; k <= static_cast<int>(Dimension::angle); ++k) all.push_back(static_cast<Dimension>(k));
+  const study::Measured one = study::measure("1 " + unit, all);
+  if (one.problem.empty()) f.units = usual_units(one.dimension);
+  if (std::find(f.units.begin(), f.units.end(), unit) == f.units.end()) f.units.insert(f.units.begin(), unit);
+  for (const std::string& other : f.units) f.worth.push_back(study::measure("1 " + other, {one.dimension}).value);
+}
+
+// A number or a text as it stands in a list.
+std::string plain(const StudyValue& value) {
+  if (const auto* text = value.string()) return *text;
+  if (const auto* whole = value.integer()) return fmt::format("{}", *whole);
+  if (const auto* truth = value.boolean()) return *truth ? "true" : "false";
+  return value.real() ? fmt::format("{}", *value.real()) : "";
+}
+
+// Without its table, which a form says above it.
+std::string label_of(const std::string& key) {
+  const std::size_t dot = key.rfind('.');
+  const study::KeyTable* table = study::find_keys(key.substr(0, dot));
+  const study::Key* known = table ? table->find(key.substr(dot + 1), false) : nullptr;
+  if (known && known->label) return known->label;
+  const std::string words = key_words(key);
+  const bool generic =
+      words.size() == key.size() && words.compare(dot + 1, words.npos, key_words(key.substr(dot + 1))) == 0;
+  return generic ? words.substr(dot + 1) : words;
+}
+
+// A value as TOML writes it.
+std::string toml_of(const StudyValue& value) {
+  const std::string text = study::toml_text(StudyValue{{"t", StudyValue{{"v", value}}}});
+  const std::size_t at = text.find("v = ");
+  std::string only = at == text.npos ? "" : text.substr(at + 4);
+  only.erase(only.find_last_not_of(" \n") + 1);
+  return only;
+}
+
+class Form {
+ public:
+  Form(const std::string& text, const std::string& name, const std::vector<std::string>& overrides)
+      : name_(name), given_(study::parse_document(text, name, overrides).root) {
+    const Study study = parse_study(text, name, overrides);  // for messages that know the text's lines
+    all_ = study.scales ? study::parse_toml(to_physical_toml(study)) : to_tree(study);
+    // A study's tree leaves out angles that nobody chose; a form offers them.
+    StudyValue& initial = *all_.find("initial");
+    if (!initial.find("phi")) {
+      const auto& phi = study.initial.phi;
+      initial.set("phi", std::vector<double>(phi.begin(), phi.begin() + study.parameters.balls));
+    }
+  }
+
+  std::vector<FormField> fields() {
+    for (const char* table : told_tables) {
+      if (std::string_view(table) == "units") continue;
+      add(table, given_.find(table), true);
+      add(table, all_.find(table), false);
+    }
+    return std::move(fields_);
+  }
+
+ private:
+  void add(const std::string& prefix, const StudyValue* table, bool given) {
+    if (!table || !table->table()) return;
+    for (const auto& [key, value] : *table->table()) {
+      const std::string dotted = prefix + "." + key;
+      if (study::find_keys(dotted))  // any other table is a distribution, which is one value
+        add(dotted, &value, given);
+      else if (given || may_be_written(dotted, value))
+        fields_.push_back(field(dotted, value, given));
+    }
+  }
+
+  // A default whose key stands beside all others: no second way to say what another key says.
+  bool may_be_written(const std::string& key, const StudyValue& value) const {
+    return !given_.find_path(key) && !refusal(key, toml_of(value));
+  }
+
+  // What the reader says to a value; nothing if it takes it.
+  std::optional<InputError> refusal(const std::string& key, const std::string& value) const {
+    try {
+      study_from(given_, name_, {key + "=" + value});
+    } catch (const InputError& e) {
+      return e;
+    }
+    return std::nullopt;
+  }
+
+  FormField field(const std::string& key, const StudyValue& value, bool given) const {
+    FormField f;
+    f.key = key;
+    f.label = label_of(key);
+    f.given = given;
+    if (const auto refused = refusal(key, "\"?\""); refused && refused->key() == key) f.allowed = refused->allowed();
+    constexpr std::string_view one_of = "one of: ";
+    if (f.allowed.starts_with(one_of)) {
+      for (std::size_t at = one_of.size(); at < f.allowed.size();) {
+        const std::size_t comma = std::min(f.allowed.find(", ", at), f.allowed.size());
+        f.choices.push_back(f.allowed.substr(at, comma - at));
+        at = comma + 2;
+      }
+    }
+    fill(value, f);
+    if (!f.unit.empty()) add_units(f.unit, f);
+    return f;
+  }
+
+  static void fill(const StudyValue& value, FormField& f) {
+    if (value.boolean()) {
+      f.kind = FormField::Kind::flag;
+      f.value = plain(value);
+    } else if (value.integer() || value.real()) {
+      f.kind =
+          value.integer() && f.allowed.starts_with("a whole number") ? FormField::Kind::whole : FormField::Kind::number;
+      f.value = plain(value);
+    } else if (const auto* text = value.string()) {
+      const Quantity q = parted(*text);
+      f.kind = !f.choices.empty() ? FormField::Kind::choice
+               : q.unit.empty()   ? FormField::Kind::text
+                                  : FormField::Kind::number;
+      f.value = f.kind == FormField::Kind::number ? q.number : *text;
+      f.unit = f.kind == FormField::Kind::number ? q.unit : "";
+    } else if (const auto* array = value.array()) {
+      fill_list(*array, f);
+    } else {
+      f.value = toml_of(value);
+    }
+  }
+
+  // Quantities in one unit are shown without it; of other lists all as it is written.
+  static void fill_list(const StudyValue::Array& array, FormField& f) {
+    f.kind = FormField::Kind::list;
+    std::vector<Quantity> parts;
+    for (const StudyValue& entry : array)
+      parts.push_back(entry.string() ? parted(*entry.string()) : Quantity{plain(entry), ""});
+    const bool alike =
+        std::all_of(parts.begin(), parts.end(), [&](const Quantity& q) { return q.unit == parts[0].unit; });
+    if (alike && !parts.empty()) f.unit = parts[0].unit;
+    for (const Quantity& q : parts)
+      f.value += (f.value.empty() ? "" : ", ") + (alike || q.unit.empty() ? q.number : q.number + " " + q.unit);
+  }
+
+  const std::string& name_;
+  StudyValue given_, all_;
+  std::vector<FormField> fields_;
+};
+
+}  // namespace
+
+const char* name_of(FormField::Kind kind) {
+  constexpr std::array names{"number", "whole", "list", "choice", "flag", "text"};
+  return names[static_cast<std::size_t>(kind)];
+}
+
+std::vector<FormField> form_of(const std::string& toml_text, const std::string& name,
+                               const std::vector<std::string>& overrides) {
+  return Form(toml_text, name, overrides).fields();
+}
+
+std::string with_overrides(const std::string& toml_text, const std::string& name,
+                           const std::vector<std::string>& overrides) {
+  return overrides.empty() ? toml_text : to_toml(study::parse_document(toml_text, name, overrides).root);
+}
+
+}  // namespace equipoise

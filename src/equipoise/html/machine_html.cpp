@@ -1,0 +1,254 @@
+// Words and tables around the drawings: what it does, what that costs, of which machine, and how that is known.
+#include "equipoise/html/machine_html.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <optional>
+
+#include <fmt/format.h>
+
+#include "equipoise/drawing/document.hpp"
+#include "equipoise/drawing/plot_parts.hpp"
+#include "equipoise/html/answer.hpp"
+#include "equipoise/html/page_parts.hpp"
+#include "equipoise/plots/drawings.hpp"
+#include "equipoise/plots/quantities.hpp"
+#include "equipoise/text/grade_text.hpp"
+#include "equipoise/text/left_unbalance.hpp"
+#include "equipoise/text/sampling_text.hpp"
+#include "equipoise/text/text.hpp"
+#include "equipoise/text/transient_report.hpp"
+
+namespace equipoise {
+
+namespace {
+using study::Dimension;
+
+// Spaces instead of the ends of lines that the terminal has.
+std::string on_one_line(std::string text) {
+  std::replace(text.begin(), text.end(), '\n', ' ');
+  while (text.ends_with(' ')) text.pop_back();
+  return text;
+}
+
+class MachineDocument {
+ public:
+  explicit MachineDocument(const MachinePage& page)
+      : page_(page), basin_(page.basin), study_(page.basin.study), shown_(page.basin.study) {}
+
+  Document make() {
+    document_ = page_with(study_, answer_sentence(basin_));
+    if (basin_.partial) add(Paragraph{"Stopped before all starts were done: this is of those that were.", Tone::bad});
+    if (!basin_.note.empty()) add(Paragraph{"Note: " + basin_.note + ".", Tone::open});
+    if (basin_.starts > 0) {
+      ends();
+      way();
+    }
+    add_machine(document_, page_, "in the study");
+    origin();
+    return std::move(document_);
+  }
+
+ private:
+  void add(Block block) { document_.blocks.push_back(std::move(block)); }
+
+  const TransientGroup* group(const OutcomeShare& o) const {
+    if (!basin_.transients) return nullptr;
+    for (const TransientGroup& g : basin_.transients->groups)
+      if (g.starts > 0 && g.id == o.id) return &g;
+    return nullptr;
+  }
+
+  // Where starts end.
+  void ends() {
+    add(Heading{2, "Where starts end", ""});
+    DrawingRow row;
+    row.drawings.push_back({"", shares_svg(page_), "", ""});
+    for (const DrawnMotion& motion : page_.motions)
+      if (!motion.x.empty())
+        row.drawings.push_back(
+            {title_of(motion), motion_svg(page_, motion), motion_words(motion), colour_of(motion.id)});
+    row.caption =
+        "Bars: shares of starts with their 95 % intervals. Drawings: left the balls in the race as who turns with the "
+        "rotor sees them, the wedge at its heavy side, arrows where balls run; right the way of the rotor's centre as "
+        "who stands beside it sees it, all to one scale";
+    row.caption += study_.limits.displacement ? ", the limit dashed if it is within." : ".";
+    if (page_.motions_left_out > 0) row.caption += fmt::format(" {} rarer not drawn.", page_.motions_left_out);
+    add(std::move(row));
+    add(ends_table());
+    if (const std::string left = left_unbalance_text(basin_.attractors, study_); !left.empty())
+      add(Paragraph{on_one_line(left)});
+  }
+
+  std::string motion_words(const DrawnMotion& m) const {
+    std::string text = m.r_max < 1e-9
+                           ? "The centre rests on the axis"
+                           : "The centre is " + shown_.range(m.r_min, m.r_max, Dimension::length) + " off the axis";
+    if (study_.speed.driven()) text += fmt::format(" at {}", shown_.text(m.speed, Dimension::speed));
+    text += "; " + ball_words(m);
+    text += ".";
+    if (m.one_start) text += " Drawn from the end of one start.";
+    if (m.continuum) text += " One of a continuum of such.";
+    return text;
+  }
+
+  // "the balls rest in the race"; "ball 1 rests, ball 2 falls behind by 0.9 ω_c".
+  std::string ball_words(const DrawnMotion& m) const {
+    constexpr double still = 0.01;  // rad: a race of 0.1 m has them move by a millimetre
+    std::vector<std::string> does;
+    for (const BallOnMotion& b : m.balls) {
+      const bool behind = b.drift * (m.speed < 0.0 ? -1.0 : 1.0) < 0.0;
+      does.push_back(b.drift != 0.0           ? fmt::format("{} by {}", behind ? "behind" : "ahead",
+                                                            shown_.text(std::fabs(b.drift), Dimension::speed))
+                     : b.high - b.low < still ? "rest"
+                                              : "swing");
+    }
+    const auto words = [](const std::string& what, bool one) {
+      if (what == "rest") return std::string(one ? "rests in the race" : "rest in the race");
+      if (what == "swing") return std::string(one ? "swings about its place" : "swing about their places");
+      return (what.starts_with("behind") ? one ? "falls " : "fall " : one ? "runs " : "run ") + what;
+    };
+    if (std::all_of(does.begin(), does.end(), [&](const std::string& one) { return one == does.front(); }))
+      return does.size() == 1 ? "the ball " + words(does[0], true) : "the balls " + words(does[0], false);
+    std::string text;
+    for (std::size_t i = 0; i < does.size(); ++i)
+      text += fmt::format("{}ball {} {}", i ? ", " : "", i + 1, words(does[i], true));
+    return text;
+  }
+
+  DocumentTable ends_table() const {
+    const bool open = basin_.undecided.count > 0, graded = study_.scales.has_value();
+    DocumentTable table;
+    table.header = {"outcome", "share", "95 % interval"};
+    if (open) table.header.push_back("surely within");
+    table.header.insert(table.header.end(), {"starts", "displacement", "RMS velocity"});
+    if (graded) table.header.push_back("balance quality");
+    table.spare = {open ? 4u : 3u, open ? 6u : 5u};
+    for (const OutcomeShare& o : basin_.outcomes_met()) {
+      const Share& s = o.share;
+      const TransientGroup* of = group(o);
+      std::vector<DocumentCell> cells{{title_of(o)}, share_cell(s), number_cell(interval(s))};
+      if (open) cells.push_back(number_cell(o.id == undecided_code ? "-" : bounds_text(s)));
+      cells.push_back(number_cell(fmt::format("{}", s.count)));
+      const auto mean = [&](float TransientRow::*value, Dimension d) {
+        return number_cell(of ? shown_.text(of->figure(value).mean, d) : "-");
+      };
+      cells.push_back(mean(&TransientRow::peak_radial_at_end, Dimension::length));
+      cells.push_back(mean(&TransientRow::rms_velocity, Dimension::velocity));
+      if (graded) {
+        const auto grade = of ? left_grade(*of, study_) : std::nullopt;
+        cells.push_back(number_cell(grade ? grade_text(*grade) : "-"));
+      }
+      table.rows.push_back(std::move(cells));
+    }
+    table.caption = "Displacement and velocity in the end, means over the starts of the outcome";
+    if (graded) table.caption += "; balance quality as ISO 21940-11 grades what unbalance is left, to compare by only";
+    table.caption += ".";
+    return table;
+  }
+
+  // What the way there costs.
+  void way() {
+    add(Heading{2, "On the way", ""});
+    DrawingRow row;
+    row.large = true;
+    for (const FigureDistribution& d : page_.peaks)
+      row.drawings.push_back(
+          {capital(d.limited->figure().page_title) + ", all starts", distribution_svg(page_, d), "", ""});
+    if (!page_.runs.empty()) {
+      row.drawings.push_back({"Displacement over time", displacement_svg(page_), runs_words(), ""});
+      row.drawings.push_back({"Speed over time", speed_svg(page_), "", ""});
+    }
+    if (page_.starts_drawn < basin_.starts)
+      row.caption = fmt::format("Drawn and chosen from the first {} starts.", page_.starts_drawn);
+    add(std::move(row));
+    if (basin_.transients && !basin_.transients->groups.empty() && basin_.transients->groups.front().starts > 0)
+      add(way_table(basin_.transients->groups.front()));
+  }
+
+  static std::string capital(std::string text) {
+    if (!text.empty() && text[0] >= 'a' && text[0] <= 'z') text[0] = static_cast<char>(text[0] - 'a' + 'A');
+    return text;
+  }
+
+  std::string runs_words() const {
+    const std::array<const char*, 2> who{"Typical (grey)", "worst (violet)"};
+    std::string text;
+    for (std::size_t k = 0; k < page_.runs.size(); ++k) {
+      const ShownRun& run = page_.runs[k];
+      const std::string name = page_.runs.size() == 1 ? "All alike" : who[k];
+      text += fmt::format("{}{}: start {}, peak {}, ends {}", k ? "; " : "", name, run.index,
+                          shown_.text(run.peak, Dimension::length), run.outcome);
+      // Starts near the border of two basins go another way if the last digit differs.
+      constexpr double alike = 0.02;
+      if (std::fabs(run.again - run.peak) > alike * run.peak)
+        text += fmt::format(" (followed again with smaller steps, {} within what is shown)",
+                            shown_.text(run.again, Dimension::length));
+    }
+    return text + ".";
+  }
+
+  DocumentTable way_table(const TransientGroup& all) const {
+    const Limits& limits = study_.limits;
+    const bool limited = limits.displacement || limits.force || limits.velocity;
+    DocumentTable table{{"all starts", "median", "90 % below", "largest"}, {}, "", false, {2}};
+    if (limited) {
+      table.header.insert(table.header.end(), {"limit", "exceeded by"});
+      table.spare.push_back(4);
+    }
+    for (std::size_t k = 0; k < transient_figures.size(); ++k) {
+      const TransientFigure& f = transient_figures[k];
+      const SampleSummary& s = all.figures[k];
+      const bool asked = f.needs ? (limits.*f.needs).has_value() : f.value != &TransientRow::energy || s.count > 0;
+      if (!f.page_title || !asked) continue;
+      const char* open = !f.needs ? "" : all.for_good(f) > 0 ? f.open[1] : f.open[2];
+      const auto figure = [&](double v) { return number_cell(std::isfinite(v) ? shown_.text(v, f.dimension) : open); };
+      table.rows.push_back({{f.page_title, Tone::plain, false, true},
+                            figure(s.quantiles[0].value),
+                            figure(s.quantiles[1].value),
+                            figure(s.largest)});
+      if (!limited) continue;
+      DocumentCell limit = number_cell("-"), exceeded = number_cell("-");
+      for (std::size_t l = 0; l < transient_limits.size(); ++l) {
+        if (transient_limits[l].value != f.value) continue;
+        if (const auto& stated = limits.*transient_limits[l].limit)
+          limit = number_cell(shown_.text(*stated, f.dimension));
+        if (all.exceeded[l]) exceeded = number_cell(share_words(*all.exceeded[l]));
+      }
+      table.rows.back().insert(table.rows.back().end(), {limit, exceeded});
+    }
+    if (limits.settled)
+      table.caption = fmt::format("Settled: displacement below {}.", shown_.text(*limits.settled, Dimension::length));
+    if (page_.explanation.sag > 0.0)
+      table.caption += fmt::format(
+          " Displacements count from where the rotor rests, {} below slack springs; forces hold its weight.",
+          shown_.text(page_.explanation.sag, Dimension::length));
+    return table;
+  }
+
+  // How that is known.
+  void origin() {
+    add(Heading{2, "How it was computed", ""});
+    std::string text = fmt::format("{} starts {}, each followed until it is known where it ends (undecided after {}). ",
+                                   basin_.starts, starts_words(study_, drawn_keys(study_)),
+                                   shown_.text(study_.numerics.horizon.value_or(0.0), Dimension::time));
+    text += on_one_line(sampling_text(basin_));
+    text += model_words(study_, {basin_.cpu_target, basin_.threads, basin_.seconds, basin_.cpu_seconds});
+    if (basin_.resumed_from > 0) text += fmt::format("; {} starts from an earlier run's file", basin_.resumed_from);
+    add(Paragraph{text + "."});
+    add_study(document_, study_);
+  }
+
+  const MachinePage& page_;
+  const BasinResult& basin_;
+  const Study& study_;
+  const PageQuantities shown_;
+  Document document_;
+};
+
+}  // namespace
+
+std::string machine_html(const MachinePage& page) { return document_html(MachineDocument(page).make()); }
+
+}  // namespace equipoise

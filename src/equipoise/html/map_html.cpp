@@ -1,0 +1,113 @@
+// Words and tables around a map.
+#include "equipoise/html/map_html.hpp"
+
+#include <optional>
+#include <utility>
+#include <vector>
+
+#include <fmt/format.h>
+
+#include "equipoise/drawing/document.hpp"
+#include "equipoise/html/answer.hpp"
+#include "equipoise/html/page_parts.hpp"
+#include "equipoise/plots/map_drawing.hpp"
+#include "equipoise/plots/map_words.hpp"
+#include "equipoise/text/text.hpp"
+
+namespace equipoise {
+
+namespace {
+
+constexpr int most_pixels_drawn = 640;  // along a side: as many as a page is wide
+
+class MapDocument {
+ public:
+  MapDocument(const BasinSlice& map, const GivenMachine& machine) : map_(map), machine_(machine) {}
+
+  Document make() {
+    document_ = page_with(map_.study, answer_sentence(map_));
+    if (!map_.complete)
+      add(Paragraph{"Stopped before all points were done: white ones are missing, shares are of the others.",
+                    Tone::bad});
+    picture();
+    outcomes();
+    figures();
+    add_machine(document_, machine_, "in the study; of what varies here its value plays no part");
+    origin();
+    return std::move(document_);
+  }
+
+ private:
+  void add(Block block) { document_.blocks.push_back(std::move(block)); }
+
+  void picture() {
+    const BasinSlice drawn = thinned(map_, most_pixels_drawn);
+    add(Heading{2, "Where starts end", ""});
+    DrawingRow row;
+    row.wide = true;
+    row.drawings.push_back({"", map_svg(drawn), "", ""});
+    row.caption = fmt::format("One start at every point: {}; {}{}.", slice_axis_words(map_.study, map_.x),
+                              slice_axis_words(map_.study, map_.y), fixed_angles_text(map_));
+    if (drawn.balance_margin.size() == drawn.code.size())
+      row.caption += " Lines: where balance ends to exist (dashed), where it changes stability.";
+    if (drawn.every > 1) row.caption += fmt::format(" One of {0} x {0} points is drawn.", drawn.every);
+    add(std::move(row));
+  }
+
+  void outcomes() {
+    DocumentTable table{{"outcome", "of the points", "95 % interval", "points"}, {}, "", false, {3}};
+    for (const OutcomeShare& c : map_.codes) {
+      if (c.share.count == 0 && c.id < undecided_code) continue;
+      table.rows.push_back({{title_of(c)},
+                            share_cell(c.share),
+                            number_cell(interval(c.share)),
+                            number_cell(fmt::format("{}", c.share.count))});
+    }
+    table.caption = "Points lie on a grid; the interval is that of as many random ones.";
+    add(std::move(table));
+  }
+
+  void figures() {
+    const SliceFigures& f = map_.figures;
+    DocumentTable table{{"how basins lie in each other", "", "95 % interval"}, {}, "", false, {}};
+    const auto row = [&](const char* name, const std::optional<SliceFigure>& figure) {
+      if (figure)
+        table.rows.push_back({{name},
+                              number_cell(fmt::format("{:.3f}", figure->value)),
+                              number_cell(fmt::format("{:.3f} to {:.3f}", figure->low, figure->high))});
+    };
+    row("box dimension of the boundary (1: smooth, 2: it fills the plane)", f.box_dimension);
+    row("uncertainty exponent (near 0: exact starts help little)", f.uncertainty_exponent);
+    row("basin entropy", f.basin_entropy);
+    row("boundary basin entropy (above 0.693: fractal)", f.boundary_basin_entropy);
+    if (!table.rows.empty()) add(std::move(table));
+  }
+
+  void origin() {
+    add(Heading{2, "How it was computed", ""});
+    std::string text = fmt::format("{} x {} points, a start each, followed until it is known where it ends.",
+                                   map_.x.pixels * map_.every, map_.y.pixels * map_.every);
+    if (map_.block > 0)
+      text += fmt::format(
+          " {} of {} points were followed, the rest filled in: blocks of {} first, divided where their "
+          "edges have more than one outcome.",
+          map_.pixels_computed, map_.pixels, map_.block);
+    text += model_words(map_.study, {map_.cpu_target, map_.threads, map_.seconds, map_.cpu_seconds});
+    if (map_.pixels_kept > 0) text += fmt::format("; {} points from an earlier run's file", map_.pixels_kept);
+    if (map_.pixels_reused > 0) text += fmt::format("; {} points from another map", map_.pixels_reused);
+    add(Paragraph{text + "."});
+    add_study(document_, map_.study);
+  }
+
+  const BasinSlice& map_;
+  const GivenMachine& machine_;
+  Document document_;
+};
+
+}  // namespace
+
+std::string map_html(const BasinSlice& map, const GivenMachine& machine) {
+  return document_html(MapDocument(map, machine).make());
+}
+
+}  // namespace equipoise

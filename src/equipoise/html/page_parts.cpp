@@ -1,0 +1,189 @@
+// Tables of the machine and words of the run.
+#include "equipoise/html/page_parts.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <string_view>
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include "equipoise/base/angles.hpp"
+#include "equipoise/base/version.hpp"
+#include "equipoise/mechanics/balance_grade.hpp"
+#include "equipoise/plots/quantities.hpp"
+#include "equipoise/reports/explain_report.hpp"
+#include "equipoise/sampling/sampling.hpp"
+#include "equipoise/study/physical_echo.hpp"
+#include "equipoise/text/grade_text.hpp"
+#include "equipoise/text/start_text.hpp"
+#include "equipoise/text/text.hpp"
+
+namespace equipoise {
+
+namespace {
+using study::Dimension;
+
+// "angle-grinder" of "studies/angle-grinder.toml"; of files of results likewise.
+std::string stem_of(const std::string& name) {
+  const std::size_t folder = name.find_last_of('/');
+  std::string stem = folder == std::string::npos ? name : name.substr(folder + 1);
+  for (const std::string_view ending : {".toml", ".nc"})
+    if (stem.ends_with(ending)) stem.erase(stem.size() - ending.size());
+  return stem.empty() ? "study" : stem;
+}
+
+// A rule of thumb's figures in one line.
+std::string figures_words(const RuleOfThumb& rule, const Study& study) {
+  const PageQuantities shown(study);
+  std::string text;
+  for (std::size_t k = 0; k < rule.figures.size(); ++k) {
+    const ExplainedQuantity& f = rule.figures[k];
+    if (k + 1 < rule.figures.size() && rule.figures[k + 1].name == f.name) continue;  // drag: the machine's own follows
+    const std::string value = !f.dimension                       ? page_number(f.value)
+                              : *f.dimension == Dimension::angle ? page_number(f.value * 180.0 / pi) + "°"
+                                                                 : shown.text(f.value, *f.dimension);
+    text += fmt::format("{}{}: {}", text.empty() ? "" : "; ", f.name, value);
+  }
+  return text;
+}
+
+DocumentTable advice_table(const Explanation& e) {
+  DocumentTable table{{"rule of thumb", "an estimate by a formula", "figures"},
+                      {},
+                      "docs/rules-of-thumb.md derives these formulas and says how often each is right.",
+                      false,
+                      {2}};
+  for (const RuleOfThumb& rule : e.advice)
+    table.rows.push_back({{rule.name, Tone::plain, false, true},
+                          {rule.words, !rule.kept   ? Tone::plain
+                                       : *rule.kept ? Tone::good
+                                                    : Tone::open},
+                          {figures_words(rule, e.study)}});
+  return table;
+}
+
+// What follows from a study without any simulation.
+class Derived {
+ public:
+  explicit Derived(const Explanation& explanation) : e_(explanation), study_(e_.study), shown_(e_.study) {}
+
+  std::vector<std::array<std::string, 2>> rows() const {
+    std::vector<std::array<std::string, 2>> rows{
+        {"critical speed", speeds()}, {"unbalance", unbalance()}, {"can balance", verdict_text(e_)}};
+    if (e_.bare)
+      rows.push_back({"without balls", fmt::format("shakes by {} at the final speed, {} on the supports",
+                                                   by_direction(e_.bare->displacement, Dimension::length),
+                                                   by_direction(e_.bare->force, Dimension::force))});
+    if (e_.motion)
+      rows.push_back({"way into balance",
+                      (e_.motion->stable ? fmt::format("stable, slowest time constant {}",
+                                                       shown_.text(-1.0 / e_.motion->slowest_rate, Dimension::time))
+                                         : "not stable by linear theory") +
+                          (e_.motion->less.empty() ? "" : ", " + e_.motion->less)});
+    return rows;
+  }
+
+ private:
+  std::string by_direction(const std::array<double, 2>& v, Dimension d) const {
+    return v[0] == v[1] ? shown_.text(v[0], d) : fmt::format("x {}, y {}", shown_.text(v[0], d), shown_.text(v[1], d));
+  }
+
+  std::string speeds() const {
+    std::string text = by_direction(e_.critical_alone, Dimension::speed) + " without balls, " +
+                       by_direction(e_.critical_with_balls, Dimension::speed) + " with them";
+    if (e_.speed)
+      text += fmt::format("; final speed {}, {:.3g} times that", shown_.text(*e_.speed, Dimension::speed),
+                          std::fabs(*e_.speed) / std::min(e_.critical_with_balls[0], e_.critical_with_balls[1]));
+    return text;
+  }
+
+  std::string unbalance() const {
+    std::string text = fmt::format("{}; the balls can cancel {}{}", shown_.text(e_.unbalance, Dimension::unbalance),
+                                   shown_.range(e_.least_unbalance, e_.largest_unbalance, Dimension::unbalance),
+                                   e_.ball_width.empty() ? "" : " side by side");
+    if (study_.scales && e_.speed)
+      text += fmt::format("; {} without balls",
+                          grade_text(model::balance_grade(study_.parameters.eccentricity * study_.scales->length,
+                                                          *e_.speed * study_.scales->frequency)));
+    return text;
+  }
+
+  const Explanation& e_;
+  const Study& study_;
+  const PageQuantities shown_;
+};
+
+}  // namespace
+
+DocumentCell share_cell(const Share& s) { return number_cell(percent(s.share, s.count == 0 ? 0 : digits_for(s))); }
+
+Document page_with(const Study& study, const std::string& answer) {
+  Document document;
+  document.title = "Ball balancer: " + stem_of(study.name);
+  document.sheet = true;
+  document.blocks.push_back(Paragraph{answer, Tone::plain, true});
+  if (std::string held = held_text(study); !held.empty()) {
+    held.front() = 'B';
+    document.blocks.push_back(Paragraph{held + "."});
+  }
+  return document;
+}
+
+void add_missing_cells(Document& document, std::size_t done, std::size_t cells) {
+  if (done < cells)
+    document.blocks.push_back(
+        Paragraph{fmt::format("{} of {} cells are done; the rest is missing.", done, cells), Tone::bad});
+}
+
+std::string starts_words(const Study& study, const std::vector<std::string>& drawn) {
+  const auto method = static_cast<std::size_t>(study.sampling.method.value_or(SamplingMethod::random));
+  const std::vector<std::string> instead = drawn_instead(study);
+  return fmt::format("at {} ball angles{}{}, seed {}{}", sampling_method_names[method],
+                     study.sampling.box.empty() ? "" : " and in the box of initial states",
+                     drawn.empty() ? "" : fmt::format(", with {} drawn anew for each", fmt::join(drawn, ", ")),
+                     study.sampling.seed,
+                     instead.empty() ? "" : fmt::format(" (not from {} of the study)", fmt::join(instead, ", ")));
+}
+
+std::string model_words(const Study& study, const RunWords& run) {
+  std::string text;
+  if (!study.speed.driven() && study.speed.profile != Profile::constant)
+    text = fmt::format(" Speed law: {}.", name_of(study.speed.law));
+  text += fmt::format(
+      " Intervals hold with 95 % confidence. The model: a rotor in a plane, docs/equations.md. equipoise {}, {}",
+      version_string, run.cpu_target);
+  constexpr double shown = 0.05;
+  if (run.seconds >= shown)
+    text += fmt::format(", {} thread{}, {:.1f} s ({:.1f} s CPU)", run.threads, run.threads == 1 ? "" : "s", run.seconds,
+                        run.cpu_seconds);
+  return text;
+}
+
+void add_machine(Document& document, const GivenMachine& machine, const std::string& given) {
+  const auto add = [&](Block block) { document.blocks.push_back(std::move(block)); };
+  add(Heading{2, "The machine", ""});
+  DocumentTable table{{"given", given}, {}, "", false, {}};
+  for (const GivenTable& of : machine.given) {
+    std::string text;
+    for (const auto& [key, value] : of.keys) text += fmt::format("{}{} {}", text.empty() ? "" : "; ", key, value);
+    table.rows.push_back({{of.name, Tone::plain, false, true}, {text}});
+  }
+  add(std::move(table));
+  DocumentTable facts{{"follows", "without any simulation"}, {}, "", false, {}};
+  for (const auto& [name, text] : Derived(machine.explanation).rows())
+    facts.rows.push_back({{name, Tone::plain, false, true}, {text}});
+  add(std::move(facts));
+  add(advice_table(machine.explanation));
+  for (const std::string& warning : machine.explanation.warnings)
+    add(Paragraph{"Beware: " + warning + ".", Tone::open});
+}
+
+void add_study(Document& document, const Study& study) {
+  if (study.scales) document.blocks.push_back(Listing{"The study in full, in physical units", to_physical_toml(study)});
+  document.blocks.push_back(
+      Listing{study.scales ? "The same without dimensions, as it was computed" : "The study in full", to_toml(study)});
+}
+
+}  // namespace equipoise

@@ -1,0 +1,238 @@
+// The journal's file: written with plain calls of the system, every one of them checked.
+#include "equipoise/io/journal.hpp"
+
+#include <algorithm>
+#include <cerrno>
+#include <cstring>
+#include <filesystem>
+
+#include <fcntl.h>
+#include <sys/file.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <fmt/format.h>
+
+#include "equipoise/base/error.hpp"
+#include "equipoise/io/checksum.hpp"
+#include "equipoise/io/replacement.hpp"
+
+namespace equipoise::io {
+
+namespace {
+
+// Numbers are in the machine's byte order; on a machine of the other order the mark does not match.
+constexpr std::uint64_t file_mark = 0x314C4E524A505145, record_mark = 0x3144524F43455245;
+
+struct FileHeader {
+  std::uint64_t mark = file_mark, bytes = 0, checksum = 0;
+};
+
+struct RecordHeader {
+  std::uint64_t mark = record_mark, kind = 0, first = 0, count = 0;
+  double seconds = 0.0, cpu_seconds = 0.0;
+  std::uint64_t bytes = 0, checksum = 0;  // the checksum: of all before it, and of the payload
+};
+constexpr std::size_t summed = sizeof(RecordHeader) - sizeof(std::uint64_t);
+
+// Between two syncs: short against what anybody would mind to compute again; syncs take a hundredth of the time at
+// most.
+constexpr std::chrono::seconds sync_every{1};
+constexpr int sync_rest = 100;
+
+// False at the end of the file or on an error.
+bool read_at(int file, std::uint64_t offset, void* data, std::size_t size) {
+  char* at = static_cast<char*>(data);
+  while (size > 0) {
+    const ssize_t got = pread(file, at, size, static_cast<off_t>(offset));
+    if (got < 0 && errno == EINTR) continue;
+    if (got <= 0) return false;
+    at += got;
+    offset += static_cast<std::uint64_t>(got);
+    size -= static_cast<std::size_t>(got);
+  }
+  return true;
+}
+
+bool add_to(Checksum& sum, int file, std::uint64_t offset, std::uint64_t size) {
+  std::vector<char> part(std::min<std::uint64_t>(size, 1 << 20));
+  for (std::uint64_t at = 0; at < size; at += part.size()) {
+    part.resize(std::min<std::uint64_t>(part.size(), size - at));
+    if (!read_at(file, offset + at, part.data(), part.size())) return false;
+    sum.add(part.data(), part.size());
+  }
+  return true;
+}
+
+}  // namespace
+
+Journal::Journal(const std::string& path, const std::string& output, const std::string& identity)
+    : path_(path), synced_(std::chrono::steady_clock::now()) {
+  open_locked(output);
+  struct stat now {};
+  try {
+    if (fstat(file_, &now) != 0) throw RunError(fmt::format("{}: cannot be read: {}", path_, error_text(errno)));
+    read_header(identity, static_cast<std::uint64_t>(now.st_size));
+    if (end_ > 0) read_records(static_cast<std::uint64_t>(now.st_size));
+  } catch (...) {
+    if (now.st_size == 0) unlink(path_.c_str());
+    close(file_);
+    throw;
+  }
+  spoilt_ = static_cast<std::uint64_t>(now.st_size) > end_;
+}
+
+Journal::~Journal() {
+  if (file_ < 0) return;
+  if (records_.empty()) unlink(path_.c_str());
+  close(file_);
+}
+
+// The lock ends with the process. A file that its last owner removed before it was locked must be opened anew.
+void Journal::open_locked(const std::string& output) {
+  for (;;) {
+    file_ = open(path_.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0666);
+    if (file_ < 0)
+      throw InputError("output", "", "",
+                       fmt::format("{}: {} (must be a file that can be written)", path_, error_text(errno)));
+    if (flock(file_, LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK) {  // other errors: no locks on this file system
+      close(file_);
+      throw InputError(output, "", "",
+                       "is being written by another process; must be a file that no other run writes to");
+    }
+    struct stat locked {
+    }, named{};
+    if (fstat(file_, &locked) == 0 && stat(path_.c_str(), &named) == 0 && locked.st_ino == named.st_ino) return;
+    close(file_);
+  }
+}
+
+void Journal::read_header(const std::string& identity, std::uint64_t size) {
+  FileHeader header;
+  const std::size_t there = std::min<std::uint64_t>(size, sizeof header);
+  if (!read_at(file_, 0, &header, there) || std::memcmp(&header, &file_mark, std::min(there, sizeof file_mark)) != 0)
+    throw InputError(path_, "", "", "is no file of unfinished results, or damaged; must be removed first");
+  const bool begun = there < sizeof header || (header.bytes == identity.size() && size - there < header.bytes);
+  if (begun) {  // new, or its writer was killed at once
+    identity_ = identity;
+    return;
+  }
+  identity_.resize(std::min(header.bytes, size - there));
+  Checksum sum;
+  const bool read = read_at(file_, sizeof header, identity_.data(), identity_.size());
+  sum.add(identity_.data(), identity_.size());
+  if (!read || identity_.size() != header.bytes || sum.value() != header.checksum)
+    throw InputError(path_, "", "", "is damaged where it says whose results it holds; must be removed first");
+  end_ = sizeof header + header.bytes;
+}
+
+// Puts the file and its name on disk before any result relies on them.
+void Journal::write_header() {
+  Checksum sum;
+  sum.add(identity_.data(), identity_.size());
+  const FileHeader header{file_mark, identity_.size(), sum.value()};
+  std::vector<char> bytes(sizeof header + identity_.size());
+  std::memcpy(bytes.data(), &header, sizeof header);
+  std::memcpy(bytes.data() + sizeof header, identity_.data(), identity_.size());
+  write(bytes);
+  sync();
+  (void)to_disk(std::filesystem::path(path_).parent_path().string());
+}
+
+void Journal::read_records(std::uint64_t size) {
+  RecordHeader header;
+  while (size > end_ && size - end_ >= sizeof header && read_at(file_, end_, &header, sizeof header)) {
+    const std::uint64_t payload = end_ + sizeof header;
+    if (header.mark != record_mark || header.bytes > size - payload) return;
+    Checksum sum;
+    sum.add(&header, summed);
+    if (!add_to(sum, file_, payload, header.bytes) || sum.value() != header.checksum) return;
+    records_.push_back({static_cast<Kind>(header.kind), header.first, header.count, header.seconds, header.cpu_seconds,
+                        payload, header.bytes});
+    end_ = payload + header.bytes;
+  }
+}
+
+void Journal::read(const Record& record, std::uint64_t offset, std::size_t bytes, void* data) const {
+  if (offset > record.bytes || bytes > record.bytes - offset || !read_at(file_, record.payload + offset, data, bytes))
+    throw RunError(path_ + ": cannot be read");
+}
+
+void Journal::append(Record record, const void* payload, std::size_t bytes) {
+  const std::lock_guard lock(appending_);
+  RecordHeader header;
+  header.kind = static_cast<std::uint64_t>(record.kind);
+  header.first = record.first;
+  header.count = record.count;
+  header.seconds = record.seconds;
+  header.cpu_seconds = record.cpu_seconds;
+  header.bytes = bytes;
+  Checksum sum;
+  sum.add(&header, summed);
+  sum.add(payload, bytes);
+  header.checksum = sum.value();
+  std::vector<char> text(sizeof header + bytes);
+  std::memcpy(text.data(), &header, sizeof header);
+  if (bytes > 0) std::memcpy(text.data() + sizeof header, payload, bytes);
+  if (end_ == 0) write_header();
+  record.payload = end_ + sizeof header;
+  record.bytes = bytes;
+  write(text);
+  records_.push_back(record);
+  const auto rest = std::max<std::chrono::steady_clock::duration>(sync_every, sync_rest * sync_took_);
+  if (std::chrono::steady_clock::now() - synced_ >= rest) sync();
+}
+
+// A partial write is taken back.
+void Journal::write(const std::vector<char>& bytes) {
+  int error = 0;
+  if (spoilt_ && ftruncate(file_, static_cast<off_t>(end_)) != 0) error = errno;
+  for (std::size_t at = 0; error == 0 && at < bytes.size();) {
+    const ssize_t written = pwrite(file_, bytes.data() + at, bytes.size() - at, static_cast<off_t>(end_ + at));
+    if (written >= 0)
+      at += static_cast<std::size_t>(written);
+    else if (errno != EINTR)
+      error = errno;
+  }
+  spoilt_ = false;
+  if (error == 0) {
+    end_ += bytes.size();
+    return;
+  }
+  (void)!ftruncate(file_, static_cast<off_t>(end_));
+  throw RunError(fmt::format("{}: cannot be written: {}", path_, error_text(error)));
+}
+
+void Journal::sync() {
+  const auto begin = std::chrono::steady_clock::now();
+  if (fdatasync(file_) != 0) throw RunError(fmt::format("{}: cannot be written: {}", path_, error_text(errno)));
+  synced_ = std::chrono::steady_clock::now();
+  sync_took_ = synced_ - begin;
+}
+
+void Journal::remove() {
+  unlink(path_.c_str());
+  close(file_);
+  file_ = -1;
+}
+
+void Journal::keep_only(Kind kind) {
+  std::vector<std::pair<Record, std::vector<char>>> kept;
+  for (const Record& record : records_) {
+    if (record.kind != kind) continue;
+    auto& [copy, payload] = kept.emplace_back(record, std::vector<char>(record.bytes));
+    read(copy, 0, payload.size(), payload.data());
+  }
+  if (kept.empty()) return remove();
+  records_.clear();
+  end_ = sizeof(FileHeader) + identity_.size();
+  spoilt_ = true;  // what stands behind the header goes with the first record
+  try {
+    for (const auto& [record, payload] : kept) append(record, payload.data(), payload.size());
+    sync();
+  } catch (const RunError&) {  // a full disk: what is lost had not been asked for
+    remove();
+  }
+}
+
+}  // namespace equipoise::io

@@ -1,0 +1,43 @@
+// Files that appear whole or not at all.
+#pragma once
+
+#include <string>
+
+namespace equipoise::io {
+
+/// Why no file can be written at `path` ("the folder a/b does not exist"); empty if one can. Leaves nothing behind.
+std::string why_not_writable(const std::string& path);
+
+/// The path that a file is kept at in the end: symbolic links followed, so that replacing it does not break them.
+std::string resolved(const std::string& path);
+
+/// The system's words for an error number.
+std::string error_text(int error);
+
+/// Brings a file, or what a folder lists, to disk. False, with errno set, where that fails.
+bool to_disk(const std::string& path);
+
+/// A new file beside `path` that replaces it atomically, on disk, once complete: readers see the old content or the
+/// new, even after a crash or on a full disk. What is no regular file (a terminal, a pipe) is written to directly.
+class Replacement {
+ public:
+  /// Throws RunError if there is no room for it. `ending` of the new file's name; by default unique to the process.
+  explicit Replacement(const std::string& path, const std::string& ending = {});
+  ~Replacement();
+  Replacement(const Replacement&) = delete;
+  Replacement& operator=(const Replacement&) = delete;
+
+  /// Where to write: an empty file.
+  const std::string& file() const { return file_; }
+  /// Puts it in place. Throws RunError, with the old content as it was, if it cannot be brought to disk.
+  void commit();
+
+ private:
+  std::string path_, file_;
+  bool beside_ = true, done_ = false;
+};
+
+/// Writes `text` to `path` so. Throws RunError.
+void write_whole(const std::string& path, const std::string& text);
+
+}  // namespace equipoise::io

@@ -1,0 +1,66 @@
+// Where the balls cancel the unbalance: existence and angles of the balanced states.
+#pragma once
+
+#include <array>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include <Eigen/Core>
+
+#include "equipoise/model/parameters.hpp"
+#include "equipoise/model/system.hpp"
+
+namespace equipoise::model {
+
+/// Reason for a motor whose torque never vanishes. Vibration can absorb that torque; a balanced rotor cannot.
+inline constexpr const char* no_speed_is_held =
+    "a balanced rotor needs no torque, and the motor's never vanishes: balanced, it would speed up without end";
+
+/// Solutions of lambda + sum mu_i e^{i phi_i} = 0, x = y = 0, all at rest in the rotating frame.
+struct BalancedStates {
+  enum class Kind {
+    none,       ///< the balls cannot cancel the unbalance (`reason` says why)
+    isolated,   ///< finitely many; `angles` lists them
+    continuum,  ///< a continuum (three balls or more, or no unbalance at all); balls in contact overlap in a part of it
+  };
+  Kind kind = Kind::none;
+  std::vector<std::array<double, max_balls>> angles;
+  std::string reason;
+};
+
+/// Exists if and only if 2 max(lambda, mu_1..mu_n) <= lambda + sum mu_i (polygon inequality), balls that collide have
+/// room for it (mechanics/cancelling.hpp), and there is no gravity.
+BalancedStates balanced_states(const Parameters& p);
+
+/// A member of the family near the ball angles `phi`: Newton's method with the least change of angles. False if it does
+/// not converge, in which case `phi` is left somewhere on the way. Whole turns stay, however many.
+bool project_to_balanced(const Parameters& p, double* phi);
+
+// The same for any system, without its gravity and with the means of unequal supports. With an off-centre race, balls
+// at rest bring the race's centre to the axis of rotation. The shaft then circles at the race's offset, and the
+// supports' dampers dissipate (docs/equations.md, "An off-centre race").
+
+/// The rotor with a centred race whose balls balance at the same angles less `turn`.
+struct CentredTwin {
+  Parameters parameters;
+  double turn = 0.0;
+};
+CentredTwin centred_twin(const Parameters& p, double speed);
+
+/// psi' in balance: the prescribed speed, or the one at which the motor supplies what the dampers take. Empty if there
+/// is none, or if any speed will do (System::coasts()).
+std::optional<double> balanced_speed(const System& system);
+/// Balanced states at that speed; at `coasting` if the system coasts.
+BalancedStates balanced_states(const System& system, double coasting = 0.0);
+/// As for Parameters, at `speed`.
+bool project_to_balanced(const System& system, double speed, double* phi);
+/// The balanced state with these ball angles at `speed`; psi, if part of the state, is 0.
+Eigen::VectorXd balanced_state(const System& system, double speed, const double* phi);
+/// Distance of the race's centre from the axis of rotation, where it lies in balance. (x, y): centre O.
+double off_balance(const Parameters& p, double x, double y);
+/// Number of directions in which a balanced state can be moved without any force: along the continuum, and in speed if
+/// the rotor coasts. 0 with gravity, or with an off-centre race on unequal supports: no state is then at rest.
+int balanced_freedom(const System& system);
+
+}  // namespace equipoise::model

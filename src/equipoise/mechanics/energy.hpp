@@ -1,0 +1,32 @@
+// Mechanical energy, the powers that change it, and the force on the supports.
+// Units: energy M R^2 omega_c^2, power M R^2 omega_c^3, force M R omega_c^2. docs/equations.md, "Energy".
+#pragma once
+
+#include "equipoise/drives/full_state.hpp"
+#include "equipoise/drives/speed.hpp"
+#include "equipoise/model/parameters.hpp"
+
+namespace equipoise::model {
+
+/// dE/dt = drive - supports - balls.
+struct Powers {
+  double drive;     ///< torque tau needed for the prescribed motion, times psi'
+  double supports;  ///< dissipated in the supports' dampers
+  double balls;     ///< dissipated by ball drag
+};
+
+/// Energy of rotor and balls at time `t` of `segment` in state `z` (dimension(balls) numbers).
+/// `inertia`: iota = I_C/(M R^2) about the centre of mass; for a prescribed motion it only adds iota psi'^2/2 here and
+/// the matching drive power.
+double energy(const Parameters& p, double inertia, const Segment& segment, double t, const double* z);
+
+/// Powers at the same instant, with the segment's clamp respected.
+Powers powers(const Parameters& p, double inertia, const Segment& segment, double t, const double* z);
+
+/// Energy of a machine in state `z` (machine_layout(balls).size numbers), with its own inertia and race.
+double full_energy(const Parameters& p, const double* z);
+
+/// Force of springs and dampers on the support in fixed axes, zeta X' + kappa X, as {X, Y}, at rotor angle `psi`.
+std::array<double, 2> bearing_force(const Parameters& p, double psi, const double* z);
+
+}  // namespace equipoise::model

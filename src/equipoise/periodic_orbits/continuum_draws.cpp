@@ -1,0 +1,54 @@
+// Angles without pattern, those kept that nearly balance.
+#include "equipoise/periodic_orbits/continuum_draws.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <complex>
+#include <cstddef>
+#include <vector>
+
+#include "equipoise/base/angles.hpp"
+#include "equipoise/mechanics/balanced_state.hpp"
+#include "equipoise/mechanics/fan.hpp"
+#include "equipoise/mechanics/room_in_race.hpp"
+#include "equipoise/model/unbalance.hpp"
+
+namespace equipoise {
+
+bool ContinuumDraws::balance(std::array<double, model::max_balls>& phi) const {
+  return model::project_to_balanced(p_, phi.data()) && model::has_room(p_, phi.data());
+}
+
+bool ContinuumDraws::next(std::array<double, model::max_balls>& phi) {
+  // Of balls that collide fewer: they have the walk.
+  const int most = p_.balls_collide() ? 10000 : 200000;
+  const double near = 0.05 * p_.all_unbalances();
+  for (int k = 0; k < most && !walking_; ++k) {
+    for (int i = 0; i < p_.balls; ++i) phi[i] = two_pi * random_.uniform();
+    if (p_.balls_collide()) model::make_room(p_, phi.data());
+    if (std::abs(model::unbalance(p_, phi.data())) < near && balance(phi)) return true;
+  }
+  if (!walking_) {
+    if (!p_.balls_collide()) return false;
+    place_ = model::fan(p_, std::vector<double>(static_cast<std::size_t>(p_.balls), p_.contact_angle));
+    if (!balance(place_)) return false;
+    walking_ = true;
+  }
+  // Strides shrink to what the room allows: half of them are taken.
+  constexpr int strides = 16;
+  for (int k = 0; k < strides; ++k) {
+    phi = place_;
+    const bool taken = beside(phi, stride_);
+    if (taken) place_ = phi;
+    stride_ = std::clamp(taken ? 1.4 * stride_ : 0.7 * stride_, 1e-7, 1.0);
+  }
+  phi = place_;
+  return true;
+}
+
+bool ContinuumDraws::beside(std::array<double, model::max_balls>& phi, double distance) {
+  for (int i = 0; i < p_.balls; ++i) phi[i] += distance * random_.normal();
+  return balance(phi);
+}
+
+}  // namespace equipoise

@@ -1,0 +1,138 @@
+// Returns of a trajectory, and distances from periodic orbits by cubic Hermite interpolation.
+#include "equipoise/periodic_orbits/recurrence.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <optional>
+
+#include "equipoise/base/angles.hpp"
+#include "equipoise/math/hermite.hpp"
+#include "equipoise/mechanics/linearisation.hpp"
+
+namespace equipoise {
+
+namespace {
+
+// A return farther off than this share of the trajectory's typical distance from its last state is none.
+constexpr double close_share = 0.3;
+// The longest recurrence known takes twenty turns of a ball (five times the period of V4, beside which it lives at
+// Omega = 4.4).
+constexpr double most_turns = 24.5, longest_multiple = 32.5;
+// Interpolation errs by rate^4 step^4/384 of a harmonic's size: 2e-8 at 0.05 rad a step.
+constexpr double radians_per_step = 0.05;
+constexpr int most_steps = 40000;
+
+}  // namespace
+
+StateDifference::StateDifference(const model::System& system)
+    : angles_(system.angles()), inverse_size_(system.scale().cwiseInverse()) {
+  inverse_size_.segment(2, 2).setConstant(1.0 / (system.scale()[0] * std::max(1.0, std::fabs(system.pace()))));
+}
+
+Eigen::VectorXd StateDifference::operator()(const Eigen::VectorXd& a, const Eigen::VectorXd& b) const {
+  Eigen::VectorXd d = (a - b).cwiseProduct(inverse_size_);
+  for (const auto& [place, turn] : angles_) d[place] = std::remainder(d[place], turn);
+  return d;
+}
+
+namespace {
+
+// The closest approach of a trajectory around step k: time and square of the distance, by a parabola through three of
+// these. Empty if the middle one is not the least.
+std::optional<Return> closest_around(const std::vector<double>& squares, std::size_t k, double spacing) {
+  if (k + 1 >= squares.size()) return std::nullopt;
+  const double before = squares[k - 1], here = squares[k], after = squares[k + 1];
+  if (here > before || here > after) return std::nullopt;
+  const double bend = before - 2.0 * here + after, slope = 0.5 * (after - before);
+  const double shift = bend > 0.0 ? -slope / bend : 0.0;
+  return Return{(static_cast<double>(k) + shift) * spacing, std::max(0.0, here + 0.5 * slope * shift)};
+}
+
+}  // namespace
+
+std::vector<Return> returns_to_last(const model::System& system, const std::vector<Eigen::VectorXd>& samples,
+                                    double spacing, const StateDifference& difference, int most, double reach) {
+  const bool stroboscopic = system.section() == model::Section::stroboscopic;
+  const Eigen::VectorXd& last = samples.back();
+  std::vector<double> squares;  // of the distance, by steps back
+  squares.reserve(samples.size());
+  double sum = 0.0;
+  for (auto at = samples.rbegin(); at != samples.rend(); ++at) {
+    squares.push_back(difference(*at, last).squaredNorm());
+    sum += squares.back();
+  }
+  const auto angles = system.angles();
+  const auto too_far = [&](const Eigen::VectorXd& then) {
+    return std::any_of(angles.begin(), angles.end(), [&](const auto& angle) {
+      return std::fabs(last[angle.place] - then[angle.place]) > most_turns * angle.turn;
+    });
+  };
+  double record = close_share * close_share * sum / static_cast<double>(squares.size());
+  std::vector<Return> returns;
+  for (std::size_t k = 1; k < squares.size() && static_cast<int>(returns.size()) < most; ++k) {
+    const auto now =
+        stroboscopic ? Return{static_cast<double>(k) * spacing, squares[k]} : closest_around(squares, k, spacing);
+    if (!now) continue;
+    const Eigen::VectorXd& then = samples[samples.size() - 1 - k];
+    if (stroboscopic ? std::fabs(system.speed()) * now->time > most_turns * two_pi : too_far(then)) break;
+    if (!stroboscopic && !returns.empty() && now->time > longest_multiple * returns.front().time) break;
+    const bool one_section = stroboscopic && k == 1 && now->distance < reach * reach;
+    if (!one_section && now->distance >= record) continue;
+    returns.push_back({now->time, std::sqrt(now->distance)});
+    record = std::min(record, 0.25 * now->distance);
+  }
+  return returns;
+}
+
+OrbitCurve::OrbitCurve(const model::System& system, const PeriodicOrbit& orbit) : difference_(system) {
+  if (orbit.imposed) {
+    states_ = orbit.nodes;
+    return;
+  }
+  double fastest = 1.0;
+  for (const Eigen::VectorXd& state : orbit.nodes) fastest = std::max(fastest, std::fabs(system.speed(state)));
+  const int count = static_cast<int>(
+      std::clamp(std::ceil(orbit.period * fastest / radians_per_step), 64.0, static_cast<double>(most_steps)));
+  step_ = orbit.period / count;
+  states_ = sample_orbit(system, orbit, count);
+  states_.push_back(states_.front());
+  const auto angles = system.angles();
+  for (std::size_t i = 0; i < angles.size(); ++i) states_.back()[angles[i].place] += angles[i].turn * orbit.winding[i];
+  for (const Eigen::VectorXd& state : states_) rates_.push_back(model::rate(system, state));
+}
+
+double OrbitCurve::distance(const Eigen::VectorXd& state) const {
+  const std::size_t count = rates_.empty() ? states_.size() : states_.size() - 1;
+  std::size_t nearest = 0;
+  double least = std::numeric_limits<double>::infinity();
+  for (std::size_t k = 0; k < count; ++k) {
+    const double d = difference_.distance(states_[k], state);
+    if (d < least) {
+      least = d;
+      nearest = k;
+    }
+  }
+  if (rates_.empty()) return least;
+  for (const std::size_t k : {nearest, (nearest + count - 1) % count})  // the arcs that meet there
+    least = std::min(least, distance_on_arc(k, state));
+  return least;
+}
+
+double OrbitCurve::distance_on_arc(std::size_t k, const Eigen::VectorXd& state) const {
+  const auto at = [&](double s) {
+    return difference_.distance(hermite(s, step_, states_[k], rates_[k], states_[k + 1], rates_[k + 1]), state);
+  };
+  double low = 0.0, high = 1.0;
+  for (int round = 0; round < 40; ++round) {  // thirds: the distance has one minimum on so short an arc
+    const double a = low + (high - low) / 3.0, b = high - (high - low) / 3.0;
+    if (at(a) < at(b))
+      high = b;
+    else
+      low = a;
+  }
+  return at(0.5 * (low + high));
+}
+
+}  // namespace equipoise

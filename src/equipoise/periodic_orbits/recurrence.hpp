@@ -1,0 +1,59 @@
+// When a trajectory comes back to where it was, and how far a state is from a periodic orbit.
+#pragma once
+
+#include <cstddef>
+#include <vector>
+
+#include <Eigen/Core>
+
+#include "equipoise/model/system.hpp"
+#include "equipoise/periodic_orbits/orbit.hpp"
+
+namespace equipoise {
+
+/// The difference of two states in natural sizes: lengths over lambda + sum mu_i, velocities over System::pace() times
+/// that, angles (modulo their turns) and rates as they are.
+class StateDifference {
+ public:
+  explicit StateDifference(const model::System& system);
+
+  Eigen::VectorXd operator()(const Eigen::VectorXd& a, const Eigen::VectorXd& b) const;
+  double distance(const Eigen::VectorXd& a, const Eigen::VectorXd& b) const { return (*this)(a, b).norm(); }
+  /// Length of a rate of change dz/dt.
+  double length(const Eigen::VectorXd& rate) const { return rate.cwiseProduct(inverse_size_).norm(); }
+
+ private:
+  std::vector<model::System::Angle> angles_;
+  Eigen::VectorXd inverse_size_;
+};
+
+/// A closest approach of a trajectory to its last state, so long before it.
+struct Return {
+  double time = 0.0, distance = 0.0;
+};
+
+/// Returns to the last of `samples` (equally spaced in time, of a strobed system at successive strobes; angles
+/// unwrapped), shortest first, each at least twice as close as all shorter ones and none longer than 24 turns of a ball
+/// (where its angle matters: of the rotor) or, of a flow, 32 times the first; `most` at most. One strobe always counts
+/// if it comes within `reach`: a trajectory on its way into a motion of that period need not show it as any nearer.
+std::vector<Return> returns_to_last(const model::System& system, const std::vector<Eigen::VectorXd>& samples,
+                                    double spacing, const StateDifference& difference, int most, double reach);
+
+/// A periodic orbit as a curve; of a strobed system, the points at its strobes.
+class OrbitCurve {
+ public:
+  OrbitCurve(const model::System& system, const PeriodicOrbit& orbit);
+
+  /// From `state` to the nearest point of the orbit; true to about 1e-7.
+  double distance(const Eigen::VectorXd& state) const;
+
+ private:
+  double distance_on_arc(std::size_t arc, const Eigen::VectorXd& state) const;
+
+  StateDifference difference_;
+  double step_ = 0.0;
+  // One more than a period holds, so that the curve closes; of points no rates.
+  std::vector<Eigen::VectorXd> states_, rates_;
+};
+
+}  // namespace equipoise

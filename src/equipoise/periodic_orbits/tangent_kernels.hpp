@@ -1,0 +1,22 @@
+// Tangent vectors along trajectories, on the CPU target in use.
+#pragma once
+
+#include <optional>
+
+#include "equipoise/periodic_orbits/variational.hpp"
+
+namespace equipoise {
+
+/// What one is asked for: follow_tangents() (periodic_orbits/variational.hpp) says what it means.
+struct TangentJob {
+  const model::System& system;
+  const Eigen::VectorXd& state;
+  const Eigen::MatrixXd& vectors;
+  double duration, tolerance, psi;
+  const StopFlag* stop;
+};
+
+/// The same bits on every target.
+std::optional<TangentFlight> run_tangents(const TangentJob& job);
+
+}  // namespace equipoise

@@ -1,0 +1,54 @@
+// Angles in parts of a turn; pixels that are missing, filled in or left out.
+#include "equipoise/plots/map_words.hpp"
+
+#include <cmath>
+#include <vector>
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include "equipoise/base/angles.hpp"
+
+namespace equipoise {
+
+namespace {
+
+// In quarter turns where it is some, else as a number.
+std::string angle_text(double angle) {
+  const double quarters = angle / (0.5 * pi);
+  if (std::fabs(quarters - std::round(quarters)) > 1e-9) return fmt::format("{:.4g}", angle);
+  const int n = static_cast<int>(std::round(quarters));
+  if (n == 0) return "0";
+  const std::string times = std::abs(n % 2 ? n : n / 2) == 1 ? "" : fmt::format("{}", std::abs(n % 2 ? n : n / 2));
+  return fmt::format("{}{}π{}", n < 0 ? "-" : "", times, n % 2 ? "/2" : "");
+}
+
+}  // namespace
+
+std::string fixed_angles_text(const BasinSlice& map) {
+  const int balls = map.study.parameters.balls;
+  const bool drawn = draws_starts(map);
+  std::string text = drawn ? ", ball angles drawn at every point" : "";
+  for (int i = 1; i <= balls; ++i) {
+    const std::string key = fmt::format("initial.phi_{}", i);
+    if (key == map.x.key || key == map.y.key) continue;
+    bool tied = false;
+    std::string value = angle_text(map.study.initial.phi[static_cast<std::size_t>(i - 1)]);
+    for (const AngleLink& link : map.links)
+      if (link.ball == i) tied = true, value = fmt::format("φ{} + {}", link.of, angle_text(link.offset));
+    if (tied || !drawn) text += fmt::format(", φ{} = {}", i, value);
+  }
+  return text;
+}
+
+std::string map_making_text(const BasinSlice& map) {
+  std::vector<std::string> parts;
+  if (!map.complete) parts.emplace_back("PARTIAL: stopped early");
+  if (map.block > 0)
+    parts.push_back(fmt::format("{:.0f} % of the pixels computed, the others filled in",
+                                100.0 * static_cast<double>(map.pixels_computed) / static_cast<double>(map.pixels)));
+  if (map.every > 1) parts.push_back(fmt::format("one of {0} x {0} pixels drawn", map.every));
+  return fmt::format("{}", fmt::join(parts, "; "));
+}
+
+}  // namespace equipoise

@@ -1,0 +1,117 @@
+// A motion in two views.
+#include <algorithm>
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include "equipoise/base/angles.hpp"
+#include "equipoise/drawing/plot_parts.hpp"
+#include "equipoise/plots/drawings.hpp"
+#include "equipoise/plots/quantities.hpp"
+
+namespace equipoise {
+
+namespace {
+
+constexpr SvgPoint race_centre{80.0, 84.0}, rest_place{246.0, 84.0};
+constexpr double race = 60.0, field = 66.0;  // radii
+
+// What the ring around the way of the centre stands for: enough for all motions, and for a fifth of the eccentricity,
+// below which a rotor counts as balanced in any drawing.
+double ring_radius(const MachinePage& page) {
+  double reach = 0.2 * page.basin.study.parameters.eccentricity;
+  for (const DrawnMotion& m : page.motions) reach = std::max(reach, m.r_max);
+  const double unit = page.basin.study.scales ? page.basin.study.scales->length : 1.0;
+  return round_up(std::max(reach, 1e-12) * unit) / unit;
+}
+
+// Of balls that have a size; of others one that is well seen.
+double ball_pixels(const model::Parameters& p, std::size_t i) {
+  double radius = 0.0;
+  if (p.ball_radius[i] > 0.0)
+    radius = p.ball_radius[i];
+  else if (p.balls_collide())
+    radius = std::sin(0.5 * p.contact_angle);
+  return radius > 0.0 ? std::clamp(radius * race, 4.0, 16.0) : 7.0;
+}
+
+SvgPoint on_race(double angle) {
+  return {race_centre.x + race * std::cos(angle), race_centre.y - race * std::sin(angle)};
+}
+
+void draw_race(Svg& svg) {
+  svg.circle(race_centre, race, {rule_colour, "", 5.0});
+  svg.line({race_centre.x - 4.0, race_centre.y}, {race_centre.x + 4.0, race_centre.y}, {quiet_ink, ""});
+  svg.line({race_centre.x, race_centre.y - 4.0}, {race_centre.x, race_centre.y + 4.0}, {quiet_ink, ""});
+  // The heavy side is to the right.
+  const double from = race_centre.x + 0.48 * race, to = race_centre.x + 0.72 * race;
+  svg.path({{to, race_centre.y}, {from, race_centre.y - 7.0}, {from, race_centre.y + 7.0}}, {"", quiet_ink}, true);
+}
+
+double place_of(const BallOnMotion& ball) { return ball.drift != 0.0 ? ball.place : 0.5 * (ball.low + ball.high); }
+
+bool coincide(const BallOnMotion& a, const BallOnMotion& b) {
+  constexpr double seen = 0.02;  // rad, a pixel on the race
+  return std::fabs(wrapped(place_of(a) - place_of(b))) < seen;
+}
+
+void draw_balls(Svg& svg, const MachinePage& page, const DrawnMotion& motion) {
+  const std::string colour = colour_of(motion.id);
+  const bool several = motion.balls.size() > 1;
+  for (const BallOnMotion& ball : motion.balls) {
+    constexpr double arrow = 1.0, least_way = 0.03;
+    if (ball.drift != 0.0)
+      svg.arc(race_centre, race, ball.place, ball.place + std::copysign(arrow, ball.drift), {colour, "", 3.0}, true);
+    else if (ball.high - ball.low > least_way)
+      svg.arc(race_centre, race, ball.low, ball.high, {colour, "", 6.0, 0.45});
+  }
+  for (std::size_t i = 0; i < motion.balls.size(); ++i) {
+    const double size = ball_pixels(page.basin.study.parameters, i);
+    const SvgPoint at = on_race(place_of(motion.balls[i]));
+    svg.circle(at, size, {"var(--paper)", colour, 1.2});
+    // Balls that travel as one carry all their numbers.
+    std::string number;
+    for (std::size_t k = 0; k < motion.balls.size(); ++k)
+      if (k == i || coincide(motion.balls[i], motion.balls[k]))
+        number += fmt::format("{}{}", number.empty() ? "" : "+", k + 1);
+    if (several && size >= 6.0)
+      svg.text({at.x, at.y + (number.size() > 1 ? 2.3 : 3.2)}, number, SvgAnchor::middle, "#ffffff",
+               number.size() > 1 ? 6.5 : 9.0);
+  }
+}
+
+void draw_centre(Svg& svg, const MachinePage& page, const DrawnMotion& motion) {
+  const double ring = ring_radius(page);
+  svg.circle(rest_place, field, {rule_colour, "", 1.0});
+  const auto& limit = page.basin.study.limits.displacement;
+  if (limit && *limit < ring) svg.circle(rest_place, field * *limit / ring, {limit_colour, "", 1.2, 1.0, true});
+  svg.line({rest_place.x - 3.0, rest_place.y}, {rest_place.x + 3.0, rest_place.y}, {quiet_ink, "", 0.8});
+  svg.line({rest_place.x, rest_place.y - 3.0}, {rest_place.x, rest_place.y + 3.0}, {quiet_ink, "", 0.8});
+  std::vector<SvgPoint> way;
+  double reach = 0.0;
+  for (std::size_t k = 0; k < motion.x.size(); ++k) {
+    way.push_back({rest_place.x + field * motion.x[k] / ring, rest_place.y - field * motion.y[k] / ring});
+    reach = std::max(reach, std::hypot(motion.x[k], motion.y[k]));
+  }
+  constexpr double dot = 2.5;  // pixels
+  if (reach / ring * field < dot)
+    svg.circle(rest_place, dot, {"", colour_of(motion.id)});
+  else
+    svg.path(way, {colour_of(motion.id), "", 1.1});
+  const PageQuantities shown(page.basin.study);
+  svg.text({rest_place.x, rest_place.y + field + 14.0}, "ring: " + shown.text(ring, study::Dimension::length),
+           SvgAnchor::middle, quiet_ink);
+}
+
+}  // namespace
+
+std::string motion_svg(const MachinePage& page, const DrawnMotion& motion) {
+  Svg svg(330.0, 170.0, motion.name + ": balls in the race and the way of the rotor's centre");
+  draw_race(svg);
+  draw_balls(svg, page, motion);
+  draw_centre(svg, page, motion);
+  svg.text({race_centre.x, rest_place.y + field + 14.0}, "race", SvgAnchor::middle, quiet_ink);
+  return svg.str();
+}
+
+}  // namespace equipoise

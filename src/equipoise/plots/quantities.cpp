@@ -1,0 +1,106 @@
+// One unit for whatever stands together.
+#include "equipoise/plots/quantities.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <string_view>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "equipoise/text/engineering.hpp"
+
+namespace equipoise {
+
+namespace {
+using study::Dimension;
+
+// What a dimensionless number is in; what is no number of these has none.
+const char* dimensionless_unit(Dimension d) {
+  switch (d) {
+    case Dimension::length:
+      return "R";
+    case Dimension::time:
+      return "/ω_c";  // closes up: "41.6/ω_c"
+    case Dimension::speed:
+      return "ω_c";
+    case Dimension::velocity:
+      return "R ω_c";
+    case Dimension::force:
+      return "M R ω_c²";
+    case Dimension::energy:
+      return "M R² ω_c²";
+    case Dimension::unbalance:
+      return "M R";
+    default:
+      return "";
+  }
+}
+
+// Engineers write 0.8 mm and 0.5 s rather than 800 um and 500 ms, but 0.8 N.
+double unit_room(Dimension d) { return d == Dimension::length || d == Dimension::time ? 10.0 : 1.0; }
+
+std::string with_unit(const std::string& number, const std::string& unit) {
+  return number + (unit.empty() || unit[0] == '/' ? "" : " ") + unit;
+}
+
+}  // namespace
+
+std::string page_number(double value) {
+  const double size = std::fabs(value);
+  if (!(size >= 1000.0 && size < 1e7)) return fmt::format("{:.3g}", value);
+  const double unit = std::pow(10.0, std::floor(std::log10(size)) - 3.0);
+  return fmt::format("{:.0f}", std::round(value / unit) * unit);
+}
+
+std::string key_words(const std::string& key) {
+  constexpr std::array<std::pair<const char*, const char*>, 7> known{{{"speed.final", "final speed"},
+                                                                      {"speed.speed", "final speed"},
+                                                                      {"rotor.unbalance", "unbalance"},
+                                                                      {"rotor.eccentricity", "eccentricity"},
+                                                                      {"balancer.mass", "ball mass"},
+                                                                      {"balancer.drag", "ball drag"},
+                                                                      {"balancer.balls", "balls"}}};
+  for (const auto& [name, words] : known)
+    if (key == name) return words;
+  constexpr std::string_view angle = "initial.phi_", rate = "initial.phi_dot_";
+  if (key.starts_with(rate)) return "initial rate of ball " + key.substr(rate.size());
+  if (key.starts_with(angle)) return "initial angle of ball " + key.substr(angle.size());
+  std::string words = key;
+  std::replace_if(
+      words.begin(), words.end(), [](char c) { return c == '.' || c == '_'; }, ' ');
+  return words;
+}
+
+std::string value_words(const std::string& key, const std::string& value) {
+  if (value.find(' ') != std::string::npos) return value;
+  if (key == "speed.final" || key == "speed.speed") return value + " ω_c";
+  return key == "rotor.eccentricity" ? value + " R" : value;
+}
+
+PageQuantities::Unit PageQuantities::unit(double value, Dimension d) const {
+  if (!scales_) return {dimensionless_unit(d), 1.0};
+  const double si = study::scale_of(d, *scales_);
+  const EngineeringUnit chosen = engineering_unit(value * si * unit_room(d), d);
+  return {chosen.name, si / chosen.si};
+}
+
+std::string PageQuantities::text(double value, Dimension d) const {
+  const Unit u = unit(value, d);
+  return with_unit(page_number(value * u.factor), u.name);
+}
+
+std::string PageQuantities::range(double low, double high, Dimension d) const {
+  const Unit u = unit(std::max(std::fabs(low), std::fabs(high)), d);
+  const std::string from = page_number(low * u.factor), to = page_number(high * u.factor);
+  return with_unit(from == to ? to : from + " to " + to, u.name);
+}
+
+AxisWords PageQuantities::axis(const std::string& name, double largest, Dimension d) const {
+  const Unit u = unit(largest, d);
+  const std::string shown = u.name.starts_with('/') ? "1" + u.name : u.name;
+  return {shown.empty() ? name : fmt::format("{}, {}", name, shown), u.factor};
+}
+
+}  // namespace equipoise

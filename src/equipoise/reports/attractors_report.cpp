@@ -1,0 +1,205 @@
+// Attractors as text and as JSON.
+#include "equipoise/reports/attractors_report.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <complex>
+#include <cstdint>
+#include <optional>
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include "equipoise/base/angles.hpp"
+#include "equipoise/base/version.hpp"
+#include "equipoise/model/stroboscopic_section.hpp"
+#include "equipoise/text/computed.hpp"
+#include "equipoise/text/left_unbalance.hpp"
+#include "equipoise/text/motion_words.hpp"
+#include "equipoise/text/text.hpp"
+
+namespace equipoise {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+// The smallest share that is missed with a probability of at most `miss`.
+double detection_limit(std::uint64_t starts, double miss) {
+  return starts == 0 ? 1.0 : -std::expm1(std::log(miss) / static_cast<double>(starts));
+}
+
+constexpr double least_miss = 1e-9;
+
+std::uint64_t decided_starts(const AttractorsResult& r) {
+  std::uint64_t count = 0;
+  for (const OutcomeShare& a : r.basin.attractors) count += a.share.count;
+  return count;
+}
+
+Json attractor_json(const Attractor& a, const OutcomeShare& share, const Study& study) {
+  const Motion& m = a.motion;
+  Json json = motion_json(a, study);
+  if (!share.unbalance.empty()) json["left_unbalance"] = left_unbalance_json(share, study);
+  json["share"] = share.share.share;
+  json["share_interval"] = {share.share.low, share.share.high};
+  json["starts"] = share.share.count;
+  json["state"] = std::vector<double>(m.state.data(), m.state.data() + m.state.size());
+  return json;
+}
+
+const OutcomeShare& share_of(const AttractorsResult& r, int id) {
+  return *std::find_if(r.basin.attractors.begin(), r.basin.attractors.end(),
+                       [&](const OutcomeShare& s) { return s.id == id; });
+}
+
+using Row = std::vector<std::string>;
+enum Alignment { left, right };
+
+// Columns as wide as their widest entry, two spaces apart.
+std::string aligned(const std::vector<Row>& rows, const std::vector<Alignment>& alignment) {
+  std::vector<std::size_t> width(alignment.size(), 0);
+  for (const Row& row : rows)
+    for (std::size_t k = 0; k < row.size(); ++k) width[k] = std::max(width[k], row[k].size());
+  std::string text;
+  for (const Row& row : rows) {
+    std::string line;
+    for (std::size_t k = 0; k < row.size(); ++k)
+      line += (k ? "  " : "") + (alignment[k] == right ? fmt::format("{:>{}}", row[k], width[k])
+                                                       : fmt::format("{:<{}}", row[k], width[k]));
+    text += line.substr(0, line.find_last_not_of(' ') + 1) + "\n";
+  }
+  return text;
+}
+
+// How rare an attractor may be and still be missed: only decided starts tell.
+std::string search_text(const AttractorsResult& r) {
+  const std::uint64_t decided = decided_starts(r), starts = r.basin.starts, undecided = r.basin.undecided.count;
+  std::string text = fmt::format("{} starts searched, {} decided", starts, decided);
+  if (decided > 0)
+    text += fmt::format(": an attractor with a share above {:.2g} of such starts is missed with probability below 1e-9",
+                        detection_limit(decided, least_miss));
+  text += ".\n";
+  if (undecided > 0)
+    text += fmt::format("{} of all starts stayed undecided: so much may go to attractors that are missing here.\n",
+                        percent(r.basin.undecided.share, digits_for(r.basin.undecided)));
+  return text;
+}
+
+}  // namespace
+
+namespace {
+
+// What a motor does on a motion: mean speed and how far it wavers to either side, torque, power.
+Row motor_cells(const Motion& m, const TableUnits& units) {
+  const MotorLoad& load = *m.motor;
+  const double waver = 0.5 * (load.speed_max - load.speed_min);
+  return {fmt::format("{:.5f}", m.speed * units.speed + 0.0), fmt::format("{:.5f}", waver * units.speed),
+          fmt::format("{:.5g}", load.torque * units.torque), fmt::format("{:.5g}", load.power * units.power)};
+}
+
+// "locked: 1|2 touch." or "drifting apart: 1|2 strike, 1|2 strike in one period."
+std::string events_text(const Attractor& a, int balls) {
+  const Motion& m = a.motion;
+  if (!m.eventful) return "";
+  constexpr std::size_t most = 12;
+  std::vector<BallEvent> first = m.events;
+  const bool periodic = m.kind == MotionKind::periodic;
+  if (first.size() > most) first.resize(most);
+  std::string text = text_of(m.mode, balls);
+  if (!first.empty())
+    text += fmt::format("{}{}{} {}", text.empty() ? "" : "; then ", text_of(first),
+                        first.size() < m.events.size() ? ", ..." : "",
+                        periodic ? "in one period" : "and so on, never the same again");
+  return text.empty() ? "" : fmt::format("{}: {}.\n", a.name, text);
+}
+
+// What the columns of a rotor whose equations depend on its angle mean.
+std::string section_text(const Study& study, const TableUnits& units) {
+  const model::System system = study.system();
+  if (system.autonomous()) return "";
+  const model::Parameters& p = study.parameters;
+  std::string text =
+      fmt::format("A strobe is {} of the rotor", p.gravity != 0.0 ? "a revolution" : "half a revolution");
+  if (system.prescribed())
+    text += fmt::format(", {:.5f}{}", system.section_period() * units.time, study.scales ? " s" : "");
+  if (p.gravity != 0.0)
+    text += fmt::format("; r is measured from where the rotor would rest, Y = {:.5g}{}",
+                        model::static_sag(p) * units.length, study.scales ? " mm" : "");
+  return text + "; multipliers are over the period, without one of 1.\n";
+}
+
+}  // namespace
+
+std::string attractors_text(const AttractorsResult& r) {
+  const int balls = r.basin.study.parameters.balls;
+  std::string text = study_heading(r.basin.study);
+  const TableUnits units(r.basin.study.scales);
+  std::vector<Row> rows{{"id", "attractor", "kind", "share", "copies", "period" + units.period, "r min" + units.r,
+                         "mean", "max", "drift of the balls" + units.drift, "stability"}};
+  std::vector<Alignment> alignment{right, left, left, right, right, right, right, right, right, left, left};
+  const bool driven = r.basin.study.speed.driven();
+  constexpr int motor_column = 9;  // behind r
+  const auto insert = [](Row& row, const Row& cells) {
+    row.insert(row.begin() + motor_column, cells.begin(), cells.end());
+  };
+  if (driven) {
+    insert(rows.front(), {"speed" + units.drift, "+-", "torque" + units.moment, "power" + units.watts});
+    alignment.insert(alignment.begin() + motor_column, 4, right);
+  }
+  for (const Attractor& a : r.attractors) {
+    const Motion& m = a.motion;
+    const Share& share = share_of(r, a.id).share;
+    std::string drift;
+    for (int i = 0; i < balls; ++i) drift += fmt::format("{}{:.4f}", i ? ", " : "", m.drift[i] * units.speed + 0.0);
+    const bool measured = m.kind == MotionKind::measured;  // of which no state is known
+    const auto r_text = [&](double value) { return measured ? "-" : fmt::format("{:.4f}", value * units.length); };
+    rows.push_back({fmt::format("{}", a.id), title_of(a), name_of(m.kind),
+                    share.total ? percent(share.share, share.count == 0 ? 0 : digits_for(share)) : "-",
+                    a.continuum || measured ? "-" : fmt::format("{}", m.copies),
+                    m.kind == MotionKind::periodic ? fmt::format("{:.5f}", m.period * units.time) : "-",
+                    r_text(m.r_min), r_text(m.r_mean), r_text(m.r_max), measured ? "-" : drift,
+                    stability_text(a, units)});
+    if (driven) insert(rows.back(), m.motor ? motor_cells(m, units) : Row(4, "-"));
+  }
+  text += aligned(rows, alignment) + "\n";
+  text += section_text(r.basin.study, units);
+  for (const Attractor& a : r.attractors) text += events_text(a, balls);
+  text += left_unbalance_text(r.basin.attractors, r.basin.study);
+  if (!r.basin.note.empty()) text += fmt::format("Note: {}.\n", r.basin.note);
+  if (r.basin.partial)
+    text += fmt::format("PARTIAL: stopped after {} of {} starts; the search had not ended: there may be others.\n",
+                        r.basin.starts, r.basin.asked);
+  text += search_text(r);
+  text +=
+      fmt::format("seed {}; {}; equipoise {}\n", r.basin.study.sampling.seed, computed_text(r.basin), version_string);
+  return text;
+}
+
+std::string attractors_json(const AttractorsResult& r) {
+  Json json;
+  json["attractors"] = Json::array();
+  for (const Attractor& a : r.attractors)
+    json["attractors"].push_back(attractor_json(a, share_of(r, a.id), r.basin.study));
+  json["starts"] = r.basin.starts;
+  json["partial"] = r.basin.partial;
+  json["decided"] = decided_starts(r);
+  for (const OutcomeShare& o : r.basin.others())
+    if (o.id != stalled_code) json[o.name] = o.share.share;
+  const std::uint64_t decided = decided_starts(r);
+  json["detection"] = {{"share", decided > 0 ? Json(detection_limit(decided, least_miss)) : Json(nullptr)},
+                       {"of", "decided starts"},
+                       {"miss_probability", least_miss},
+                       {"missing_at_most", r.basin.undecided.most}};
+  json["note"] = r.basin.note;
+  json["seconds"] = r.basin.seconds;
+  json["threads"] = r.basin.threads;
+  json["cpu_target"] = r.basin.cpu_target;
+  json["study_name"] = r.basin.study.name;
+  json["study"] = study_json(r.basin.study);
+  json["version"] = version_string;
+  return json.dump(2) + "\n";
+}
+
+}  // namespace equipoise

@@ -1,0 +1,175 @@
+// The answer of an ensemble as text and as JSON.
+#include "equipoise/reports/basin_report.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include "equipoise/base/percent_text.hpp"
+#include "equipoise/base/version.hpp"
+#include "equipoise/text/computed.hpp"
+#include "equipoise/text/left_unbalance.hpp"
+#include "equipoise/text/sampling_text.hpp"
+#include "equipoise/text/sensitivity_report.hpp"
+#include "equipoise/text/text.hpp"
+#include "equipoise/text/transient_report.hpp"
+
+namespace equipoise {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+// On what grounds the starts were decided, as shares of all starts.
+std::string decided_text(const BasinResult& r) {
+  if (r.starts == 0) return "";
+  std::array<std::uint64_t, decided_by_count> counts{};
+  for (const OutcomeShare& a : r.attractors)
+    for (int k = 0; k < decided_by_count; ++k) counts[k] += a.decided_by[k];
+  std::string text;
+  for (int k = 1; k < decided_by_count; ++k)
+    if (counts[k] > 0)
+      text += fmt::format("{}{} {:.2f} %", text.empty() ? "" : ", ", decided_by_names[k],
+                          100.0 * static_cast<double>(counts[k]) / static_cast<double>(r.starts));
+  return text.empty() ? "" : fmt::format("Decided by: {} of all starts.\n", text);
+}
+
+// Which starts came through the resonance, which did not, and of which that is not known.
+std::string passage_text(const BasinResult& r) {
+  const Share &passed = *r.passed, &held = *r.not_passed;
+  const double above = r.study.passed_speed();
+  const bool from_above = std::fabs(r.study.speed.initial) >= above;
+  const auto part = [](const Share& s) { return fmt::format("{} ({})", percent(s.share, digits_for(s)), interval(s)); };
+  std::string text =
+      fmt::format("{}: {} of all starts ({}), turning faster than {} in their motion or when last seen",
+                  from_above ? "Above the resonance in the end" : "Came through the resonance",
+                  percent(passed.share, digits_for(passed)), interval(passed), rotor_speed_text(r.study, above));
+  if (held.count > 0) text += fmt::format("; held below: {}", part(held));
+  const std::uint64_t open = passed.total - passed.count - held.count - r.lost();
+  if (open > 0)
+    text += fmt::format("; not known yet: {}, undecided and slower when last seen",
+                        percent_text(static_cast<double>(open) / static_cast<double>(passed.total)));
+  if (open > 0 && (passed.least > 0.0 || passed.most < 1.0)) text += "; surely through: " + bounds_text(passed);
+  return text + ".\n";
+}
+
+// Whether it mattered that balls collide.
+std::string contact_text(const Share& met) {
+  if (met.count == 0)
+    return "Contact: in no start did balls touch before its fate was known, so contact decided none.\n";
+  return fmt::format("Contact: balls touched in {} of all starts ({}) before the fate was known.\n",
+                     percent(met.share, digits_for(met)), interval(met));
+}
+
+std::string stopped_basin_text(const BasinResult& r) {
+  return fmt::format("PARTIAL: stopped after {}{} starts; the shares and intervals above are of those.\n", r.starts,
+                     r.asked > 0 ? fmt::format(" of {}", r.asked) : "");
+}
+
+std::string run_text(const BasinResult& r) {
+  const std::string seed = r.own_starts ? "" : fmt::format(", seed {}", r.study.sampling.seed);
+  return fmt::format("{} starts{}; {}, {:.0f} starts/s; equipoise {}\n", r.starts, seed, computed_text(r),
+                     static_cast<double>(r.starts - r.resumed_from) / r.seconds, version_string);
+}
+
+}  // namespace
+
+std::string basin_text(const BasinResult& r) {
+  std::string text = study_heading(r.study) + (r.own_starts ? "" : uncertain_text(r.study));
+  if (r.starts == 0)
+    return text + "PARTIAL: stopped before the first start was decided; there are no shares.\n" + run_text(r);
+  const bool even = r.study.sampling.method.value_or(SamplingMethod::random) != SamplingMethod::random;
+  const bool open = r.undecided.count > 0;
+  const double second = r.study.scales ? r.study.scales->time() : 1.0;
+  std::size_t width = 28;
+  for (const OutcomeShare& a : r.attractors) width = std::max(width, title_of(a).size());
+  const auto row = [&](const std::string& name, const std::string& share, const std::string& within,
+                       const std::string& bounds, const std::string& starts, const std::string& time,
+                       const std::string& as_good) {
+    text += fmt::format("{:<{}}{:>11}  {:<24}{}{:>11}{:>14}{}\n", name, width, share, within,
+                        open ? fmt::format("{:<24}", bounds) : "", starts, time,
+                        even ? fmt::format("{:>16}", as_good) : "");
+  };
+  row("outcome", "share", "95 % interval", "surely within", "starts", r.study.scales ? "mean time, s" : "mean time",
+      "as good as");
+  const auto line = [&](const std::string& name, const OutcomeShare& o, const std::string& time) {
+    const Share& s = o.share;
+    row(name, s.total == 0 ? "-" : percent(s.share, s.count == 0 ? 0 : digits_for(s)), interval(s),
+        o.id == undecided_code ? "-" : bounds_text(s), fmt::format("{}", s.count), time, as_good_as(s));
+  };
+  for (const OutcomeShare& a : r.attractors)
+    line(title_of(a), a, a.share.count == 0 ? "-" : fmt::format("{:.4g}", a.mean_time * second));
+  for (const OutcomeShare& o : r.others())
+    line(o.id == stalled_code ? "stalled below " + rotor_speed_text(r.study, r.study.stall_speed()) : o.name, o, "-");
+  text += "\n";
+  if (open) text += "Surely within: with 95 % confidence, whatever the undecided starts would come to.\n";
+  text += fmt::format("Mean time: from the begin of the last branch, and release, to the decision{}.\n\n",
+                      r.study.scales ? "" : ", in 1/omega_c");
+  if (r.transients) text += transient_text(*r.transients, r.study);
+  if (r.sensitivity) text += sensitivity_text(*r.sensitivity);
+  text += sampling_text(r);
+  text += decided_text(r);
+  text += left_unbalance_text(r.attractors, r.study);
+  if (r.passed) text += passage_text(r);
+  if (r.met) text += contact_text(*r.met);
+  if (!r.note.empty()) text += fmt::format("Note: {}.\n", r.note);
+  if (r.partial) text += stopped_basin_text(r);
+  return text + run_text(r);
+}
+
+std::string basin_json(const BasinResult& r) {
+  Json json;
+  json["starts"] = r.starts;
+  json["starts_asked"] = r.asked > 0 ? Json(r.asked) : Json(nullptr);
+  json["partial"] = r.partial;
+  json["sampling"] = sampling_json(r);
+  const auto share = [&](const Share& s) {
+    Json one = sure_share_json(s);
+    if (r.study.sampling.method.value_or(SamplingMethod::random) != SamplingMethod::random)
+      one.update(precision_json(s));
+    return one;
+  };
+  json["outcomes"] = Json::array();
+  for (const OutcomeShare& a : r.attractors) {
+    Json outcome = {{"id", a.id}, {"name", a.name}, {"alias", a.alias}, {"kind", a.kind}};
+    outcome.update(share(a.share));
+    outcome["mean_time"] = a.mean_time;
+    if (r.study.scales) outcome["mean_time_si"] = a.mean_time * r.study.scales->time();
+    for (int k = 1; k < decided_by_count; ++k) outcome["decided_by"][decided_by_names[k]] = a.decided_by[k];
+    if (!a.unbalance.empty()) outcome["left_unbalance"] = left_unbalance_json(a, r.study);
+    json["outcomes"].push_back(outcome);
+  }
+  for (const OutcomeShare& o : r.others()) {
+    json[o.name] = share(o.share);
+    if (o.id != stalled_code) continue;
+    json[o.name]["below"] = r.study.stall_speed();
+    if (r.passed) {
+      json["passed"] = share(*r.passed);
+      json["passed"]["above"] = r.study.passed_speed();
+      json["not_passed"] = share(*r.not_passed);
+    }
+  }
+  json["confidence"] = 0.95;
+  json["units"] = {{"mean_time", "1/omega_c"}};
+  if (r.study.scales) json["units"]["mean_time_si"] = "s";
+  if (r.stalled) json["units"]["below"] = "omega_c";
+  if (r.met) json["balls_met"] = share(*r.met);
+  if (r.passed) json["units"]["above"] = "omega_c";
+  if (r.transients) json["transients"] = transient_json(*r.transients, r.study);
+  if (r.sensitivity) {
+    json["sensitivity"] = sensitivity_json(*r.sensitivity);
+    json["sensitivity_design"] = sensitivity_design_json(*r.sensitivity);
+  }
+  json["balanced_stable"] = r.balanced_stable;
+  json["note"] = r.note;
+  json["starts_per_second"] = r.seconds > 0.0 ? static_cast<double>(r.starts - r.resumed_from) / r.seconds : 0.0;
+  json["resumed_from"] = r.resumed_from;
+  json["law"] = name_of(r.study.speed.law);
+  add_computed(json, r);
+  return json.dump(2) + "\n";
+}
+
+}  // namespace equipoise

@@ -1,0 +1,222 @@
+// Branches as text, JSON and CSV.
+#include "equipoise/reports/branches_report.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include "equipoise/base/version.hpp"
+#include "equipoise/results/outcome_share.hpp"
+#include "equipoise/text/computed.hpp"
+#include "equipoise/text/csv.hpp"
+#include "equipoise/text/text.hpp"
+
+namespace equipoise {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+int digits_of(double width) { return std::clamp(static_cast<int>(std::ceil(-std::log10(width))), 0, 12); }
+
+// The number with the fewest digits that lies between, but with as many as the bracket supports.
+std::string located(double low, double high) {
+  const double middle = 0.5 * (low + high);
+  if (!(high > low)) return fmt::format("{:.12g}", middle);
+  for (int digits = std::max(digits_of(high - low) - 1, 0); digits < 12; ++digits) {
+    std::string text = fmt::format("{:.{}f}", middle, digits);
+    if (const double value = std::stod(text); value >= low && value <= high) return text;
+  }
+  return fmt::format("{:.12f}", middle);
+}
+
+// Rounded down or up to these digits; what is a decimal number of as many stays.
+std::string rounded_down(double value, int digits) {
+  const double scale = std::pow(10.0, digits);
+  return fmt::format("{:.{}f}", std::floor(value * scale + 1e-6) / scale, digits);
+}
+std::string rounded_up(double value, int digits) {
+  const double scale = std::pow(10.0, digits);
+  return fmt::format("{:.{}f}", std::ceil(value * scale - 1e-6) / scale, digits);
+}
+
+std::string event_text(const BranchEvent& e) {
+  if (!(e.high > e.low)) return fmt::format("{:.12g}", e.middle());
+  const int digits = digits_of(e.high - e.low);
+  if (e.change == BranchChange::first_seen) return rounded_up(e.high, digits);
+  if (e.change == BranchChange::last_seen) return rounded_down(e.low, digits);
+  return located(e.low, e.high);
+}
+
+std::string bracket_text(const BranchEvent& e) {
+  if (!(e.high > e.low)) return fmt::format("{:.12g}", e.middle());
+  const int digits = std::min(digits_of(e.high - e.low) + 1, 12);
+  return fmt::format("{} and {}", rounded_down(e.low, digits), rounded_up(e.high, digits));
+}
+
+// Where the branch's range ends, told as well as it is known.
+std::string end_text(const Branch& branch, double value) {
+  for (const BranchEvent& e : branch.events)
+    if (e.place() == value) return event_text(e);
+  return fmt::format("{:.12g}", value);
+}
+
+std::string range_text(const Branch& branch, const ValueRange& range) {
+  if (range.begin == range.end) return end_text(branch, range.begin);
+  return fmt::format("{} to {}", end_text(branch, range.begin), end_text(branch, range.end));
+}
+
+bool has_event(const Branch& branch, BranchChange change) {
+  return std::any_of(branch.events.begin(), branch.events.end(),
+                     [&](const BranchEvent& e) { return e.change == change; });
+}
+
+// Whether the branch begins, or ends, for a known reason or where the line does.
+bool begin_is_known(const ContinuationResult& r, const Branch& branch) {
+  return has_event(branch, BranchChange::birth) ||
+         (branch.points.front().value == r.values.front() && !has_event(branch, BranchChange::first_seen));
+}
+bool end_is_known(const ContinuationResult& r, const Branch& branch) {
+  return has_event(branch, BranchChange::death) ||
+         (branch.points.back().value == r.values.back() && !has_event(branch, BranchChange::last_seen));
+}
+
+std::string existence_text(const ContinuationResult& r, const Branch& branch) {
+  const auto ranges = ranges_of(branch);
+  const ValueRange whole{ranges.front().begin, ranges.back().end, true};
+  const bool begin = begin_is_known(r, branch), end = end_is_known(r, branch);
+  if (begin && end) return range_text(branch, whole);
+  const char* where = begin ? " above" : end ? " below" : "";
+  return fmt::format("seen {}{}, not followed further{}", whole.begin == whole.end ? "at " : "from ",
+                     range_text(branch, whole), where);
+}
+
+std::string stable_text(const Branch& branch, const std::vector<ValueRange>& ranges) {
+  std::string text;
+  for (const ValueRange& range : ranges)
+    if (range.stable) text += (text.empty() ? "" : ", ") + range_text(branch, range);
+  return text.empty() ? "nowhere" : text;
+}
+
+Json number(double value) { return std::isfinite(value) ? Json(value) : Json(nullptr); }
+
+Json point_json(const BranchPoint& point, int balls) {
+  const Motion& m = point.motion;
+  Json json = {{"value", point.value},
+               {"kind", name_of(m.kind)},
+               {"stable", m.stable},
+               {"period", m.kind == MotionKind::periodic ? Json(m.period) : Json(nullptr)},
+               {"radial", {{"min", m.r_min}, {"mean", m.r_mean}, {"max", m.r_max}}},
+               {"multiplier", number(largest_multiplier(m))},
+               {"growth_rate", number(growth_rate(m))},
+               {"drift", std::vector<double>(m.drift.begin(), m.drift.begin() + balls)},
+               {"state", std::vector<double>(m.state.data(), m.state.data() + m.state.size())}};
+  if (!m.motor) return json;
+  json["speed"] = {{"min", m.motor->speed_min}, {"mean", m.speed}, {"max", m.motor->speed_max}};
+  json["torque"] = m.motor->torque;
+  json["power"] = m.motor->power;
+  return json;
+}
+
+}  // namespace
+
+std::string branches_text(const ContinuationResult& r) {
+  std::string text = study_heading(r.study);
+  text += fmt::format("along {} ({}): {:.12g} to {:.12g}, {} values\n\n", r.key, parameter_label(r.key),
+                      r.values.front(), r.values.back(), r.values.size());
+  std::size_t width = 22;
+  for (const Branch& b : r.branches) width = std::max(width, existence_text(r, b).size());
+  const auto add_row = [&](const auto& id, const std::string& name, const std::string& exists,
+                           const std::string& attracts) {
+    text += fmt::format("{:>3}  {:<44}{:<{}}{}\n", id, name, exists, width + 2, attracts);
+  };
+  add_row("id", "attractor", "exists", "attracts");
+  for (const Branch& b : r.branches) add_row(b.id, title_of(b), existence_text(r, b), stable_text(b, ranges_of(b)));
+  constexpr const char* line = "{:>12}  {:<26}{:>3}  {:<44}{:<18}{}\n";
+  text += "\n" + fmt::format(line, "at", "between", "id", "attractor", "event", "type");
+  std::vector<std::pair<const BranchEvent*, const Branch*>> events;
+  for (const Branch& b : r.branches)
+    for (const BranchEvent& e : b.events) events.emplace_back(&e, &b);
+  std::stable_sort(events.begin(), events.end(),
+                   [](const auto& a, const auto& b) { return a.first->middle() < b.first->middle(); });
+  for (const auto& [e, b] : events)
+    text +=
+        fmt::format(line, event_text(*e), bracket_text(*e), e->id, title_of(*b), name_of(e->change), name_of(e->cause));
+  if (events.empty()) text += "  none\n";
+  text += fmt::format(
+      "\nA range that begins at {:.12g} or ends at {:.12g} may go on beyond. At every value and half-way between, {} "
+      "random starts and the pilot were searched: an attractor to which fewer come, or that lives between two of these "
+      "values only, is not listed; states of one's own are followed too.\n",
+      r.values.front(), r.values.back(), r.starts);
+  if (r.partial)
+    text += "PARTIAL: stopped before every branch was followed to its ends; there may be others, and events beyond.\n";
+  text += fmt::format("{:.1f} s on {} thread{} ({}); equipoise {}\n", r.seconds, r.threads, r.threads == 1 ? "" : "s",
+                      r.cpu_target, version_string);
+  return text;
+}
+
+std::string branches_json(const ContinuationResult& r) {
+  const int balls = r.study.parameters.balls;
+  Json json = {{"parameter", r.key}, {"values", r.values}};
+  json["branches"] = Json::array();
+  json["events"] = Json::array();
+  for (const Branch& b : r.branches) {
+    const auto ranges = ranges_of(b);
+    Json stable = Json::array(), points = Json::array();
+    for (const ValueRange& range : ranges)
+      if (range.stable) stable.push_back({range.begin, range.end});
+    for (const BranchPoint& point : b.points) points.push_back(point_json(point, balls));
+    json["branches"].push_back({{"id", b.id},
+                                {"name", b.name},
+                                {"alias", b.alias},
+                                {"exists", {ranges.front().begin, ranges.back().end}},
+                                {"ends_known", {begin_is_known(r, b), end_is_known(r, b)}},
+                                {"stable", stable},
+                                {"points", points}});
+    for (const BranchEvent& e : b.events)
+      json["events"].push_back({{"id", e.id},
+                                {"change", name_of(e.change)},
+                                {"type", name_of(e.cause)},
+                                {"between", {e.low, e.high}},
+                                {"radial", {{"min", e.r_min}, {"mean", e.r_mean}, {"max", e.r_max}}}});
+  }
+  json["starts"] = r.starts;
+  json["partial"] = r.partial;
+  add_computed(json, r);
+  return json.dump(2) + "\n";
+}
+
+std::string branches_csv(const ContinuationResult& r) {
+  const int balls = r.study.parameters.balls;
+  std::string text = fmt::format("# equipoise {}: attractors along {}{}\n", version_string, r.key,
+                                 r.partial ? ", PARTIAL: stopped early" : "");
+  text += csv_study(r.study);
+  for (const Branch& b : r.branches)
+    for (const BranchEvent& e : b.events)
+      text += fmt::format("# event: id {}, {}, {}, between {} and {}\n", b.id, name_of(e.change), name_of(e.cause),
+                          e.low, e.high);
+  text += r.key + ",id,name,alias,kind,stable,period,r_min,r_mean,r_max,multiplier,growth_rate";
+  for (int i = 1; i <= balls; ++i) text += fmt::format(",drift_{}", i);
+  if (r.study.speed.driven()) text += ",speed,speed_min,speed_max,torque,power";
+  text += "\n";
+  for (std::size_t k = 0; k < r.values.size(); ++k) {
+    for (const Branch& b : r.branches) {
+      const auto at = std::find_if(b.points.begin(), b.points.end(), [&](const BranchPoint& p) { return p.at == k; });
+      if (at == b.points.end()) continue;
+      const Motion& m = at->motion;
+      text += fmt::format("{},{},{},{},{},{},{},{},{},{},{},{}", at->value, b.id, csv_text(b.name), b.alias,
+                          name_of(m.kind), m.stable ? 1 : 0, m.kind == MotionKind::periodic ? csv_number(m.period) : "",
+                          m.r_min, m.r_mean, m.r_max, csv_number(largest_multiplier(m)), csv_number(growth_rate(m)));
+      for (int i = 0; i < balls; ++i) text += fmt::format(",{}", m.drift[i] + 0.0);
+      if (m.motor)
+        text += fmt::format(",{},{},{},{},{}", m.speed, m.motor->speed_min, m.motor->speed_max, m.motor->torque,
+                            m.motor->power);
+      text += "\n";
+    }
+  }
+  return text;
+}
+
+}  // namespace equipoise

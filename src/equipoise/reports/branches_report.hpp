@@ -1,0 +1,19 @@
+// Attractors along a parameter, for people and for machines.
+#pragma once
+
+#include <string>
+
+#include "equipoise/results/branches_result.hpp"
+
+namespace equipoise {
+
+/// Tables of branches and events for the terminal.
+std::string branches_text(const ContinuationResult& result);
+
+/// One JSON object. docs/guide/command-line.md lists the keys.
+std::string branches_json(const ContinuationResult& result);
+
+/// One line a value and branch, after comment lines with the study and the version.
+std::string branches_csv(const ContinuationResult& result);
+
+}  // namespace equipoise

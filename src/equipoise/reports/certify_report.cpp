@@ -1,0 +1,188 @@
+// Proofs about balanced states as text and as JSON.
+#include "equipoise/reports/certify_report.hpp"
+
+#include <algorithm>
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+#include <nlohmann/json.hpp>
+
+#include "equipoise/base/version.hpp"
+#include "equipoise/model/state_layout.hpp"
+#include "equipoise/model/system.hpp"
+
+namespace equipoise {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+std::vector<std::string> variable_names(const model::System& system) {
+  std::vector<std::string> names;
+  for (const model::StateVariable& v : model::state_variables(system.layout())) names.push_back(v.name);
+  return names;
+}
+
+std::string state_text(const StateProof& s, const model::System& system) {
+  const Certificate& c = s.certificate;
+  const int balls = system.balls();
+  std::string angles;
+  for (int i = 0; i < balls; ++i) angles += fmt::format("{}phi_{} = {:.9f}", i ? ", " : "", i + 1, c.phi[i]);
+  std::string text = fmt::format("balanced state {}", angles);
+  if (s.copies > 1) text += "; its exchange copy (equal balls) has the same proof";
+  text += "\n";
+  if (c.level == 0.0) return text + fmt::format("  not proved: {}\n", s.check.reason);
+  text +=
+      fmt::format("  proved: V = d^T P d decreases on 0 < V <= c, c = {:.9g}: {:.1f} % of the sampled critical level\n",
+                  c.level, 100.0 * c.level / s.critical);
+  text += "  reach of V <= c:";
+  const std::vector<std::string> names = variable_names(system);
+  for (std::size_t i = 0; i < names.size(); ++i)
+    text += fmt::format(" {} {:.4g}{}", names[i], s.reach[i], i + 1 < names.size() ? "," : "\n");
+  text += fmt::format("  {} boxes, found in {:.3f} s; re-check in {:.3f} s: {}\n", c.boxes.size(), s.seconds,
+                      s.check_seconds, s.check.proved ? "holds" : "REFUTED, " + s.check.reason);
+  text += fmt::format("  P, variables {}:\n", fmt::join(names, ", "));
+  for (Eigen::Index i = 0; i < c.form.rows(); ++i) {
+    for (Eigen::Index j = 0; j < c.form.cols(); ++j) text += fmt::format("{:>14.6g}", c.form(i, j));
+    text += "\n";
+  }
+  return text;
+}
+
+std::string angles_text(const MemberCertificate& c) {
+  return fmt::format("phi = ({:.6f})", fmt::join(c.phi.begin(), c.phi.begin() + c.parameters.balls, ", "));
+}
+
+// Of what was proved one member each: the widest neighbourhood, the fastest growth.
+std::string members_text(const CertifyResult& r) {
+  if (r.members.empty()) return "";
+  const int drawn = static_cast<int>(r.members.size()), attracting = r.attracting(), unstable = r.unstable();
+  std::string text = fmt::format(
+      "the balanced states form a continuum; of {} members drawn evenly from it {} are proved to attract all that "
+      "comes "
+      "close, {} to be unstable, {} neither\n",
+      drawn, attracting, unstable, drawn - attracting - unstable);
+  const MemberProof *widest = nullptr, *fastest = nullptr;
+  for (const MemberProof& m : r.members) {
+    if (!m.check.proved) continue;
+    if (m.certificate.attracts && (!widest || m.certificate.level > widest->certificate.level)) widest = &m;
+    if (!m.certificate.attracts && (!fastest || m.growth > fastest->growth)) fastest = &m;
+  }
+  if (widest)
+    text += fmt::format(
+        "  attracts: {}; balls within {:.3g} rad of that and V <= {:.3g} lead to balance (rate {:.4g})\n",
+        angles_text(widest->certificate), 0.5 * widest->certificate.radius, widest->certificate.level, widest->growth);
+  if (fastest)
+    text += fmt::format("  unstable: {}; leads away from the set (growth rate {:.4g})\n",
+                        angles_text(fastest->certificate), fastest->growth);
+  return text + "  nothing is proved of members that were not drawn\n";
+}
+
+Json members_json(const CertifyResult& r) {
+  Json list = Json::array();
+  for (const MemberProof& m : r.members) {
+    const MemberCertificate& c = m.certificate;
+    list.push_back({{"proved", m.check.proved},
+                    {"reason", m.check.reason},
+                    {"attracts", c.attracts},
+                    {"phi", std::vector<double>(c.phi.begin(), c.phi.begin() + r.study.parameters.balls)},
+                    {"radius", c.radius},
+                    {"level", c.level},
+                    {"growth_rate", m.growth}});
+  }
+  return list;
+}
+
+}  // namespace
+
+std::string certify_text(const CertifyResult& r) {
+  std::string text = fmt::format("{}: speed {}\n", r.study.name, r.speed);
+  if (!r.note.empty()) text += fmt::format("{}{}\n", r.members.empty() ? "nothing proved: " : "", r.note);
+  for (const StateProof& s : r.states) text += state_text(s, r.study.system());
+  text += members_text(r);
+  if (r.partial) text += "PARTIAL: stopped; what is not proved above was not tried to the end.\n";
+  return text;
+}
+
+std::string certify_json(const CertifyResult& r) {
+  Json json;
+  json["proved"] = r.proved();
+  json["partial"] = r.partial;
+  json["note"] = r.note;
+  json["speed"] = r.speed;
+  json["states"] = Json::array();
+  const model::System system = r.study.system();
+  const int balls = system.balls();
+  const std::vector<std::string> names = variable_names(system);
+  for (const StateProof& s : r.states) {
+    const Certificate& c = s.certificate;
+    Json state;
+    state["proved"] = c.level > 0.0 && s.check.proved;
+    state["reason"] = s.check.reason;
+    state["phi"] = std::vector<double>(c.phi.begin(), c.phi.begin() + balls);
+    state["copies"] = s.copies;
+    state["level"] = c.level;
+    state["critical_level"] = s.critical;
+    state["share_of_critical"] = c.level / s.critical;
+    Json reach;
+    for (std::size_t i = 0; i < names.size(); ++i) reach[names[i]] = s.reach[i];
+    state["reach"] = reach;
+    Json form = Json::array();
+    for (Eigen::Index i = 0; i < c.form.rows(); ++i) {
+      const Eigen::VectorXd row = c.form.row(i);
+      form.push_back(std::vector<double>(row.begin(), row.end()));
+    }
+    state["form"] = form;
+    state["boxes"] = c.boxes.size();
+    state["seconds"] = s.seconds;
+    state["check_seconds"] = s.check_seconds;
+    json["states"].push_back(state);
+  }
+  if (!r.members.empty()) json["members"] = members_json(r);
+  json["study_name"] = r.study.name;
+  json["version"] = version_string;
+  return json.dump(2) + "\n";
+}
+
+std::string check_text(const CertificateFile& file) {
+  std::string text;
+  for (std::size_t i = 0; i < file.checks.size(); ++i) {
+    const Certificate& c = file.certificates[i];
+    const int balls = c.parameters.balls;
+    text += fmt::format("speed {}{}, {} ball{}, level {:.9g}, {} boxes: {}\n", c.speed, c.motor ? " by a motor" : "",
+                        balls, balls == 1 ? "" : "s", c.level, c.boxes.size(),
+                        file.checks[i].proved ? "proved" : "NOT proved, " + file.checks[i].reason);
+  }
+  for (std::size_t i = 0; i < file.member_checks.size(); ++i) {
+    const MemberCertificate& c = file.members[i];
+    text += fmt::format("speed {}, {} balls, member {}, {}: {}\n", c.speed, c.parameters.balls, angles_text(c),
+                        c.attracts ? "attracts" : "unstable",
+                        file.member_checks[i].proved ? "proved" : "NOT proved, " + file.member_checks[i].reason);
+  }
+  return text;
+}
+
+std::string check_json(const CertificateFile& file) {
+  Json json;
+  json["proved"] = file.proved();
+  json["file"] = file.path;
+  json["certificates"] = Json::array();
+  for (std::size_t i = 0; i < file.checks.size(); ++i) {
+    const Certificate& c = file.certificates[i];
+    json["certificates"].push_back({{"proved", file.checks[i].proved},
+                                    {"reason", file.checks[i].reason},
+                                    {"speed", c.speed},
+                                    {"level", c.level},
+                                    {"boxes", c.boxes.size()}});
+  }
+  for (std::size_t i = 0; i < file.member_checks.size(); ++i)
+    json["members"].push_back({{"proved", file.member_checks[i].proved},
+                               {"reason", file.member_checks[i].reason},
+                               {"attracts", file.members[i].attracts},
+                               {"speed", file.members[i].speed},
+                               {"level", file.members[i].level}});
+  json["version"] = version_string;
+  return json.dump(2) + "\n";
+}
+
+}  // namespace equipoise

@@ -1,0 +1,87 @@
+// Comparisons as text and JSON.
+#include "equipoise/reports/comparison_report.hpp"
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include "equipoise/base/version.hpp"
+#include "equipoise/results/outcome_share.hpp"
+#include "equipoise/text/sensitivity_report.hpp"
+#include "equipoise/text/text.hpp"
+
+namespace equipoise {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+std::string points(double difference) { return fmt::format("{:+.2f}", 100.0 * difference); }
+
+std::string interval_text(const ShareDifference& d) { return fmt::format("{} to {}", points(d.low), points(d.high)); }
+
+}  // namespace
+
+std::string verdict(const ComparisonResult& r) {
+  if (r.starts == 0) return "No start of both is done: there is nothing to compare (basin -o keeps what it has done).";
+  if (!r.balanced) return "No start of either ends balanced.";
+  const ShareDifference& d = r.shares[*r.balanced].difference;
+  const std::string by = fmt::format("by {} points ({})", points(d.difference), interval_text(d));
+  if (r.surely_low > 0.0) return fmt::format("The second balances more often, {}.", by);
+  if (r.surely_high < 0.0) return fmt::format("The second balances less often, {}.", by);
+  if (d.low > 0.0 || d.high < 0.0)
+    return fmt::format("Open: the difference is {}, but undecided starts could undo it ({} to {}).", by,
+                       points(r.surely_low), points(r.surely_high));
+  return fmt::format("No difference in balanced starts is shown: {} points.", interval_text(d));
+}
+
+std::string comparison_text(const ComparisonResult& r) {
+  std::string text = fmt::format("first\n{}second\n{}", study_heading(r.first) + uncertain_text(r.first),
+                                 study_heading(r.second) + uncertain_text(r.second));
+  text += fmt::format("{:<44}{:>10}{:>10}{:>12}  {}\n", "outcome", "first", "second", "difference",
+                      "95 % interval, points");
+  for (const ComparedShare& s : r.shares) {
+    if (s.first.count == 0 && s.second.count == 0) continue;
+    text += fmt::format("{:<44}{:>10}{:>10}{:>12}  {}\n", title_of(s), percent(s.first.share, 2),
+                        percent(s.second.share, 2), points(s.difference.difference), interval_text(s.difference));
+  }
+  text += "\n";
+  if (r.changed && r.starts > 0) {
+    text += fmt::format("{} of {} common starts end otherwise: {} ({})\n", r.changed->count, r.starts,
+                        percent(r.changed->share, digits_for(*r.changed)), interval(*r.changed));
+    for (const ChangedFate& c : r.changes) text += fmt::format("{:>10}  from {} to {}\n", c.starts, c.from, c.to);
+  } else if (!r.common) {
+    text += fmt::format("Compared as independent samples: {}.\n", r.why_not_common);
+  }
+  text += verdict(r) + "\n";
+  if (r.partial) text += "PARTIAL: stopped before all starts were done; what is said above is of those that were.\n";
+  return text + fmt::format("equipoise {}\n", version_string);
+}
+
+std::string comparison_json(const ComparisonResult& r) {
+  Json json;
+  json["differences"] = Json::array();
+  for (const ComparedShare& s : r.shares)
+    json["differences"].push_back({{"name", s.name},
+                                   {"alias", s.alias},
+                                   {"difference", s.difference.difference},
+                                   {"low", s.difference.low},
+                                   {"high", s.difference.high},
+                                   {"first", share_json(s.first)},
+                                   {"second", share_json(s.second)}});
+  json["common"] = r.common;
+  json["starts"] = r.starts;
+  json["changed"] = r.changed ? Json(r.changed->count) : Json(nullptr);
+  json["changed_share"] = r.changed ? share_json(*r.changed) : Json(nullptr);
+  json["changes"] = Json::array();
+  for (const ChangedFate& c : r.changes)
+    json["changes"].push_back({{"from", c.from}, {"to", c.to}, {"starts", c.starts}});
+  json["balanced_surely"] = {{"low", r.surely_low}, {"high", r.surely_high}};
+  json["verdict"] = verdict(r);
+  json["partial"] = r.partial;
+  json["first"] = study_json(r.first);
+  json["second"] = study_json(r.second);
+  json["version"] = version_string;
+  return json.dump(2) + "\n";
+}
+
+}  // namespace equipoise

@@ -1,0 +1,336 @@
+// Fronts, choices and margins in words and numbers.
+#include "equipoise/reports/design_report.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <string_view>
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include "equipoise/base/version.hpp"
+#include "equipoise/text/computed.hpp"
+#include "equipoise/text/csv.hpp"
+#include "equipoise/text/sensitivity_report.hpp"
+#include "equipoise/text/text.hpp"
+
+namespace equipoise {
+
+namespace {
+
+using DesignOut = nlohmann::ordered_json;
+
+DesignOut number_out(double v) { return std::isfinite(v) ? DesignOut(v) : DesignOut(nullptr); }
+
+DesignOut estimate_out(const DesignEstimate& e) {
+  return {{"value", number_out(e.value)}, {"low", number_out(e.low)}, {"high", number_out(e.high)}};
+}
+
+bool keeps(const DesignLimit& limit, double value) {
+  return !(limit.below && !(value < *limit.below)) && !(limit.above && !(value > *limit.above));
+}
+
+DesignOut candidate_out(const DesignResult& r, const DesignCandidate& c) {
+  const DesignSample& sample = c.best_known();
+  DesignOut out{
+      {"variables", DesignOut::object()}, {"objectives", DesignOut::object()}, {"constraints", DesignOut::object()}};
+  for (const DesignSetting& s : c.settings) out["variables"][s.key] = tree_json(s.value);
+  if (!sample.figures.empty()) {
+    for (const std::size_t k : r.objectives) {
+      out["objectives"][r.figures[k].name] = estimate_out(sample.figures[k]);
+      if (c.held_out) out["objectives"][r.figures[k].name]["on_search_starts"] = number_out(c.search.figures[k].value);
+    }
+    for (const DesignLimit& limit : r.limits) {
+      const DesignEstimate& e = sample.figures[limit.figure];
+      DesignOut one = estimate_out(e);
+      if (limit.below) one["below"] = *limit.below;
+      if (limit.above) one["above"] = *limit.above;
+      one["kept"] = keeps(limit, e.value);
+      one["surely"] = keeps(limit, e.low) && keeps(limit, e.high);
+      out["constraints"][r.figures[limit.figure].name] = one;
+    }
+  }
+  out["undecided"] = estimate_out(sample.undecided);
+  out["starts"] = sample.starts;
+  out["held_out"] = c.held_out.has_value();
+  return out;
+}
+
+DesignOut margin_out(const DesignResult& r, const DesignMargin& m) {
+  DesignOut points = DesignOut::array();
+  for (const DesignPoint& p : m.points) {
+    DesignOut figures = DesignOut::object();
+    for (std::size_t k = 0; k < p.sample.figures.size(); ++k)
+      figures[r.figures[k].name] = estimate_out(p.sample.figures[k]);
+    points.push_back({{"value", p.given}, {"figures", figures}, {"starts", p.sample.starts}});
+  }
+  return {{"unit", m.unit},
+          {"value", m.value},
+          {"keeps_from", m.keeps_from},
+          {"keeps_to", m.keeps_to},
+          {"fails_below", m.fails_below},
+          {"fails_above", m.fails_above},
+          {"effect", m.effect},
+          {"points", points}};
+}
+
+std::string front_table(const DesignResult& r) {
+  std::string text = "  ";
+  for (const std::size_t k : r.objectives) text += fmt::format("{:<34}", r.figures[k].name);
+  text += "variables\n";
+  for (std::size_t m = 0; m < r.front.size(); ++m) {
+    const DesignSample& sample = r.front[m].best_known();
+    text += r.chosen == m ? "* " : "  ";
+    for (const std::size_t k : r.objectives)
+      text +=
+          fmt::format("{:<34}", sample.figures.empty() ? "-" : estimate_with_interval(r.figures[k], sample.figures[k]));
+    std::string values;
+    for (const DesignSetting& s : r.front[m].settings)
+      values += fmt::format("{}{} = {}", values.empty() ? "" : "; ", s.key, setting_text(s.value));
+    text += values + "\n";
+  }
+  return text;
+}
+
+// The chosen design beside the study as it is, on the same starts.
+std::string comparison_table(const DesignResult& r, const DesignCandidate& best) {
+  std::size_t width = 10;
+  for (const DesignFigure& f : r.figures) width = std::max(width, f.name.size());
+  std::string text = fmt::format("{:<{}}  {:<34}{:<34}\n", "", width, r.before ? "as it is" : "", "chosen");
+  const DesignSample& now = best.best_known();
+  const auto line = [&](const DesignFigure& f, const DesignEstimate* before, const DesignEstimate& after,
+                        const std::string& note) {
+    text += fmt::format("{:<{}}  {:<34}{:<34}{}\n", f.name, width, before ? estimate_with_interval(f, *before) : "",
+                        estimate_with_interval(f, after), note);
+  };
+  for (std::size_t k = 0; k < now.figures.size(); ++k) {
+    std::string note;
+    for (const DesignLimit& limit : r.limits)
+      if (limit.figure == k) note = "must be " + limit_text(r.figures[k], limit);
+    line(r.figures[k], r.before && !r.before->figures.empty() ? &r.before->figures[k] : nullptr, now.figures[k], note);
+  }
+  const DesignFigure undecided{"undecided", "", false, true};
+  line(undecided, r.before ? &r.before->undecided : nullptr, now.undecided, "");
+  text +=
+      fmt::format("{} starts{}, seed {}", now.starts, best.held_out ? " that the search did not see" : " of the search",
+                  best.held_out ? r.held_out_seed : r.search_seed);
+  const std::string optimism = optimism_text(r);
+  return text + (optimism.empty() ? "" : "; " + optimism) + ".\n";
+}
+
+std::string margin_table(const DesignResult& r) {
+  const auto unit_of = [](const DesignMargin& m) { return m.unit.empty() ? "" : " " + m.unit; };
+  const auto chosen_of = [&](const DesignMargin& m) { return fmt::format("{:.4g}{}", m.value, unit_of(m)); };
+  const auto range_of = [&](const DesignMargin& m) {
+    return has_order(m) ? fmt::format("{:.4g} .. {:.4g}{}", m.keeps_from, m.keeps_to, unit_of(m)) : "-";
+  };
+  std::size_t chosen = 12, range = 24;
+  for (const DesignMargin& m : r.margins) {
+    chosen = std::max(chosen, chosen_of(m).size());
+    range = std::max(range, range_of(m).size());
+  }
+  std::string text = fmt::format("{:<24}{:>{}}  {:<{}}  {:<14}{}\n", "varied alone", "chosen", chosen,
+                                 "may go from .. to", range, "near it", "beyond that fails");
+  for (const DesignMargin& m : r.margins) {
+    text += fmt::format("{:<24}{:>{}}  {:<{}}  {:<14}{}\n", m.key, chosen_of(m), chosen, range_of(m), range,
+                        estimate_text(r.figures[r.objectives.front()], m.effect), fails_text(m));
+  }
+  return text;
+}
+
+}  // namespace
+
+std::string estimate_text(const DesignFigure& figure, double value) {
+  if (std::isnan(value)) return "not stated";
+  if (!std::isfinite(value)) return "no end";
+  if (figure.share) return fmt::format("{:.4g} %", 100.0 * value);
+  return fmt::format("{:.4g}{}", value, figure.unit.empty() ? "" : " " + figure.unit);
+}
+
+std::string estimate_with_interval(const DesignFigure& figure, const DesignEstimate& e) {
+  if (e.low == e.high || std::isnan(e.value)) return estimate_text(figure, e.value);
+  if (figure.share) {
+    Share share;  // of as many starts as tell none, some and all apart
+    share.total = 2;
+    share.count = e.value <= 0.0 ? 0 : e.value >= 1.0 ? 2 : 1;
+    share.low = e.low;
+    share.high = e.high;
+    return fmt::format("{} ({})", percent(e.value, digits_for(share)), interval(share));
+  }
+  const std::string high = std::isfinite(e.high) ? fmt::format("{:.4g}", e.high) : "no end";
+  return fmt::format("{} ({:.4g} to {})", estimate_text(figure, e.value), e.low, high);
+}
+
+std::string limit_text(const DesignFigure& figure, const DesignLimit& limit) {
+  std::string text;
+  if (limit.below) text = "below " + estimate_text(figure, *limit.below);
+  if (limit.above) text += (text.empty() ? "above " : " and above ") + estimate_text(figure, *limit.above);
+  return text;
+}
+
+std::string setting_text(const StudyValue& value) {
+  if (const auto* text = value.string()) return *text;
+  if (const auto* whole = value.integer()) return fmt::format("{}", *whole);
+  if (const auto* truth = value.boolean()) return *truth ? "true" : "false";
+  const StudyValue *times = value.find("times"), *speeds = value.find("speeds");
+  if (!times || !speeds) return fmt::format("{:.6g}", value.number());
+  std::string text;
+  for (std::size_t k = 0; k < times->array()->size(); ++k)
+    text += fmt::format("{}{} at {}", k > 0 ? ", " : "", setting_text((*speeds->array())[k]),
+                        setting_text((*times->array())[k]));
+  return text;
+}
+
+std::string fails_text(const DesignMargin& m) {
+  std::string text;
+  if (!m.fails_below.empty()) text = "below: " + m.fails_below;
+  if (!m.fails_above.empty()) text += (text.empty() ? "above: " : "; above: ") + m.fails_above;
+  return text.empty() ? "nothing that was tried" : text;
+}
+
+std::string margin_name(const std::string& key) {
+  const std::string_view times = "speed.times[", speeds = "speed.speeds[";
+  const auto place = [&](std::string_view of) { return key.substr(of.size(), key.size() - of.size() - 1); };
+  if (key.starts_with(times)) return "time of point " + place(times);
+  if (key.starts_with(speeds)) return "speed of point " + place(speeds);
+  return key;
+}
+
+bool has_order(const DesignMargin& m) {
+  return m.keeps_from != m.keeps_to || !m.fails_below.empty() || !m.fails_above.empty();
+}
+
+std::string optimism_text(const DesignResult& r) {
+  if (!r.chosen || !r.front[*r.chosen].held_out) return "";
+  const DesignCandidate& best = r.front[*r.chosen];
+  const std::size_t k = r.objectives.front();
+  if (best.search.figures.empty() || best.held_out->figures.empty()) return "";
+  const double search = best.search.figures[k].value, held_out = best.held_out->figures[k].value;
+  const double gain = r.figures[k].up ? search - held_out : held_out - search;
+  if (gain == 0.0 || !std::isfinite(gain)) return "";
+  return fmt::format("on the {} starts of the search {} was {}, {}", best.search.starts, r.figures[k].name,
+                     estimate_text(r.figures[k], search), gain > 0.0 ? "which was optimistic" : "no better");
+}
+
+std::string design_answer(const DesignResult& r) {
+  if (!r.chosen || r.front[*r.chosen].best_known().figures.empty())
+    return r.partial ? "PARTIAL: stopped before any candidate was known." : "No candidate was found.";
+  const DesignCandidate& best = r.front[*r.chosen];
+  const DesignSample& sample = best.best_known();
+  std::string text;
+  for (const std::size_t k : r.objectives)
+    text += fmt::format("{}{} {}", text.empty() ? "" : ", ", r.figures[k].name,
+                        estimate_with_interval(r.figures[k], sample.figures[k]));
+  std::string before;
+  if (r.before && !r.before->figures.empty())
+    before = fmt::format("; as it is {}{}", r.objectives.size() > 1 ? r.figures[r.objectives.front()].name + " " : "",
+                         estimate_text(r.figures[r.objectives.front()], r.before->figures[r.objectives.front()].value));
+  if (r.feasible) return fmt::format("{}{}{}.", r.limits.empty() ? "" : "All requirements are kept: ", text, before);
+  std::string missed;
+  for (const DesignLimit& limit : r.limits) {
+    const DesignEstimate& e = sample.figures[limit.figure];
+    if (keeps(limit, e.low) && keeps(limit, e.high)) continue;
+    missed += fmt::format("{}{} must be {} and is {}{}", missed.empty() ? "" : ", ", r.figures[limit.figure].name,
+                          limit_text(r.figures[limit.figure], limit),
+                          keeps(limit, e.value) ? "not surely, but likely: " : "at best ",
+                          estimate_with_interval(r.figures[limit.figure], e));
+  }
+  return fmt::format("No candidate keeps all requirements: {}. There {}{}.", missed, text, before);
+}
+
+namespace {
+
+std::string stopped_design_text(const DesignResult& r) {
+  std::string text = "\nPARTIAL: stopped; what the search had found by then, judged on its own starts. ";
+  if (r.trajectories >= r.budget) return text + "Some of its checks were still to be made.\n";
+  return text + fmt::format("{} of {} trajectories were left, for more candidates and for checks of the best.\n",
+                            r.budget - r.trajectories, r.budget);
+}
+
+}  // namespace
+
+std::string design_text(const DesignResult& r) {
+  std::string text = study_heading(r.study) + uncertain_text(r.study);
+  text += design_answer(r) + "\n\n";
+  if (r.front.empty()) return text;
+  text += fmt::format(
+      "{}, * the chosen one:\n",
+      r.front.size() == 1 ? "The best candidate" : fmt::format("{} candidates that no other beats", r.front.size()));
+  text += front_table(r) + "\n";
+  text += comparison_table(r, r.front[*r.chosen]);
+  if (!r.limited_by.empty()) {
+    text += "\nWhat limits it:\n";
+    for (const std::string& words : r.limited_by) text += "  " + words + "\n";
+  }
+  if (!r.margins.empty())
+    text +=
+        "\n" + margin_table(r) +
+        fmt::format(
+            "Near it: by how much {} changes at most within a tenth of the range; what matters most is told first.\n",
+            r.figures[r.objectives.front()].name);
+  if (r.partial) text += stopped_design_text(r);
+  if (r.resumed > 0) text += fmt::format("\n{} ensembles from an earlier run. ", r.resumed);
+  return text + fmt::format("\n{} candidates by {}, {} trajectories of {}; {}; equipoise {}\n", r.candidates,
+                            design_method_names[static_cast<std::size_t>(r.method)], r.trajectories, r.budget,
+                            computed_text(r), version_string);
+}
+
+std::string design_json(const DesignResult& r) {
+  DesignOut json{{"front", DesignOut::array()}, {"chosen", nullptr}, {"before", nullptr}};
+  for (const DesignCandidate& c : r.front) json["front"].push_back(candidate_out(r, c));
+  if (r.chosen) json["chosen"] = candidate_out(r, r.front[*r.chosen]);
+  if (r.before && !r.before->figures.empty()) {
+    DesignCandidate as_it_is;
+    as_it_is.search = *r.before;
+    json["before"] = candidate_out(r, as_it_is);
+    json["before"]["held_out"] = true;
+  }
+  json["feasible"] = r.feasible;
+  json["trajectories"] = r.trajectories;
+  json["budget"] = r.budget;
+  json["candidates"] = r.candidates;
+  json["method"] = design_method_names[static_cast<std::size_t>(r.method)];
+  json["units"] = DesignOut::object();
+  for (const DesignFigure& f : r.figures) json["units"][f.name] = f.unit;
+  json["margins"] = DesignOut::object();
+  for (const DesignMargin& m : r.margins) json["margins"][m.key] = margin_out(r, m);
+  json["limited_by"] = r.limited_by;
+  json["history"] = DesignOut::array();
+  for (const DesignStep& s : r.history)
+    json["history"].push_back(
+        {{"trajectories", s.trajectories}, {"violation", number_out(s.violation)}, {"value", number_out(s.value)}});
+  json["partial"] = r.partial;
+  json["confidence"] = 0.95;
+  json["search_seed"] = r.search_seed;
+  json["held_out_seed"] = r.held_out_seed;
+  json["resumed"] = r.resumed;
+  json["best_study"] = r.best_study;
+  add_computed(json, r);
+  return json.dump(2) + "\n";
+}
+
+std::string design_csv(const DesignResult& r) {
+  std::string text =
+      fmt::format("# equipoise {}: candidates that no other beats{}\n", version_string, r.partial ? ", PARTIAL" : "") +
+      csv_study(r.study);
+  std::string titles;
+  for (const DesignVariable& v : r.variables) titles += csv_text(v.key) + ",";
+  for (const DesignFigure& f : r.figures) {
+    const std::string name = f.unit.empty() ? f.name : fmt::format("{} ({})", f.name, f.unit);
+    titles += fmt::format("{0},{1}_low,{1}_high,", csv_text(name), f.name);
+  }
+  text += titles + "undecided,starts,held_out,chosen\n";
+  for (std::size_t m = 0; m < r.front.size(); ++m) {
+    const DesignSample& sample = r.front[m].best_known();
+    for (const DesignSetting& s : r.front[m].settings) text += csv_text(setting_text(s.value)) + ",";
+    for (std::size_t k = 0; k < r.figures.size(); ++k) {
+      const DesignEstimate e = sample.figures.empty() ? DesignEstimate{NAN, NAN, NAN} : sample.figures[k];
+      text += fmt::format("{},{},{},", csv_number(e.value), csv_number(e.low), csv_number(e.high));
+    }
+    text += fmt::format("{},{},{},{}\n", csv_number(sample.undecided.value), sample.starts, r.front[m].held_out ? 1 : 0,
+                        r.chosen == m ? 1 : 0);
+  }
+  return text;
+}
+
+}  // namespace equipoise

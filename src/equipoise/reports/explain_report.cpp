@@ -1,0 +1,374 @@
+// A study explained, as text and as JSON.
+#include "equipoise/reports/explain_report.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <complex>
+#include <vector>
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include "equipoise/base/angles.hpp"
+#include "equipoise/base/version.hpp"
+#include "equipoise/mechanics/balance_grade.hpp"
+#include "equipoise/text/engineering.hpp"
+#include "equipoise/text/grade_text.hpp"
+#include "equipoise/text/start_text.hpp"
+#include "equipoise/text/text.hpp"
+
+namespace equipoise {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+using model::Scales;
+using study::Dimension;
+
+double in_degrees(double angle) {
+  const double turn = std::fmod(angle * 180.0 / pi, 360.0);
+  return turn < 0.0 ? turn + 360.0 : turn;
+}
+
+std::string figure_text(const ExplainedQuantity& figure, const std::optional<Scales>& scales) {
+  const std::string plain = fmt::format("{}{:.5g}", figure.symbol == "beta" ? "beta = " : "", figure.value);
+  if (!figure.dimension) return plain;
+  if (*figure.dimension == Dimension::angle) return fmt::format("{:.4g} degree", figure.value * 180.0 / pi);
+  if (!scales) return plain;
+  return fmt::format("{} ({})",
+                     engineering(figure.value * study::scale_of(*figure.dimension, *scales), *figure.dimension), plain);
+}
+
+class Text {
+ public:
+  explicit Text(const Explanation& e) : e_(e), scales_(e.study.scales) {}
+
+  std::string all() {
+    const std::string held = held_text(e_.study);
+    text_ = e_.study.name + "\n" + (held.empty() ? "" : held + "\n") + "\n";
+    table();
+    speeds();
+    balance();
+    if (e_.motion) motion(*e_.motion);
+    if (e_.bare) bare(*e_.bare);
+    if (e_.reynolds)
+      item("Reynolds number", fmt::format("{:.3g} of a ball that keeps the critical speed while the rotor runs at its "
+                                          "final one",
+                                          *e_.reynolds));
+    rules();
+    if (e_.cost) cost(*e_.cost);
+    text_ += "\n";
+    for (const std::string& w : e_.warnings) text_ += "warning: " + w + "\n";
+    if (e_.warnings.empty()) text_ += "no warnings\n";
+    return text_;
+  }
+
+ private:
+  static constexpr int label_width = 22;
+
+  std::string physical(double value, Dimension d) const { return engineering(value * study::scale_of(d, *scales_), d); }
+  // In both forms where there are scales, else dimensionless.
+  std::string both(double value, Dimension d) const {
+    return scales_ ? fmt::format("{} ({:.5g})", physical(value, d), value) : fmt::format("{:.5g}", value);
+  }
+  std::string either(double value, Dimension d) const {
+    return scales_ ? physical(value, d) : fmt::format("{:.5g}", value);
+  }
+  void item(const std::string& label, const std::string& words) {
+    text_ += fmt::format("{:<{}}{}\n", label, label_width, words);
+  }
+  std::string by_direction(const std::array<double, 2>& values, Dimension d) const {
+    if (values[0] == values[1]) return both(values[0], d);
+    return fmt::format("x {}, y {}", both(values[0], d), both(values[1], d));
+  }
+
+  void table() {
+    std::size_t symbol = 0, name = 0;
+    for (const auto& q : e_.quantities) {
+      symbol = std::max(symbol, q.symbol.size());
+      name = std::max(name, q.name.size());
+    }
+    const auto line = [&](const std::string& a, const std::string& b, const std::string& c, const std::string& d) {
+      text_ += fmt::format("{:<{}}  {:<{}}  ", a, symbol, b, name);
+      if (scales_) text_ += fmt::format("{:>16}  ", c);
+      text_ += fmt::format("{:>14}\n", d);
+    };
+    line("symbol", "quantity", "physical", "dimensionless");
+    for (const auto& q : e_.quantities) {
+      if (!scales_ && (q.symbol == "M" || q.symbol == "R" || q.symbol == "omega_c" || q.symbol == "1/omega_c"))
+        continue;  // the units themselves
+      const bool plain = !q.dimension || (*q.dimension == Dimension::angle);
+      line(q.symbol, q.name, plain || !scales_ ? "" : physical(q.value, *q.dimension), fmt::format("{:.6g}", q.value));
+    }
+    text_ += "\n";
+  }
+
+  void speeds() {
+    item("critical speed", by_direction(e_.critical_alone, Dimension::speed) + " without balls, " +
+                               by_direction(e_.critical_with_balls, Dimension::speed) + " with the balls in the race");
+    if (!e_.speed) return item("final speed", "none: " + e_.speed_words);
+    const double lowest = std::min(e_.critical_with_balls[0], e_.critical_with_balls[1]);
+    item("final speed",
+         fmt::format("{}, {:.3g} times the {}critical speed with balls", either(*e_.speed, Dimension::speed),
+                     std::abs(*e_.speed) / lowest, e_.critical_alone[0] == e_.critical_alone[1] ? "" : "lower "));
+    if (!e_.speed_words.empty()) item("", e_.speed_words);
+    if (e_.run_up) run_up(*e_.run_up);
+  }
+
+  void cost(const BasinCost& c) {
+    constexpr double microseconds = 1e6;
+    if (!c.search_ended || c.measured == 0)
+      return item("basin takes", fmt::format("more than {:.2g} s of CPU: {} had not ended by then", c.total(),
+                                             c.search_ended ? "the first starts" : "the search for attractors"));
+    item("basin takes",
+         fmt::format("about {:.2g} s of CPU: {:.2g} s for the search for attractors, {:.2g} us for each of {} starts, "
+                     "by {} that were followed",
+                     c.total(), c.search, microseconds * c.a_start, c.starts, c.measured));
+  }
+
+  void run_up(const RunUp& r) {
+    const std::string to = either(r.speed, Dimension::speed);
+    item("run-up", r.alone ? fmt::format("{} to {}, 95 % of that, without losses; rotor and balls have {}",
+                                         either(*r.alone, Dimension::time), to, either(r.inertia, Dimension::inertia))
+                           : fmt::format("the motor does not bring the rotor to {}, 95 % of that", to));
+    if (!r.alone) return;
+    item("", r.shaken
+                 ? fmt::format("{} with what the rotor's own unbalance takes up to sqrt(2) critical speeds; what "
+                               "the balls add to that is left out",
+                               either(*r.shaken, Dimension::time))
+                 : fmt::format(
+                       "never with what the rotor's own unbalance takes up to sqrt(2) critical speeds: it stalls at {}",
+                       either(r.stalls_at, Dimension::speed)));
+  }
+
+  void balance() {
+    item("can balance", verdict_text(e_));
+    item("",
+         fmt::format("unbalance {}; these balls cancel from {} to {}{}", both(e_.unbalance, Dimension::unbalance),
+                     both(e_.least_unbalance, Dimension::unbalance), both(e_.largest_unbalance, Dimension::unbalance),
+                     e_.ball_width.empty() ? "" : " side by side"));
+    if (e_.unbalance != e_.study.parameters.eccentricity)
+      item("", fmt::format("the rotor's own is {}; the race off the shaft makes that of it at the final speed",
+                           both(e_.study.parameters.eccentricity, Dimension::unbalance)));
+    if (e_.sag > 0.0)
+      item("static sag",
+           fmt::format("{} under the weight of {}; displacements count from there, bearing forces hold it",
+                       both(e_.sag, Dimension::length),
+                       both(e_.sag * e_.study.parameters.stiffness[1], Dimension::force)));
+    if (e_.gravity_ratio)
+      item("gravity", fmt::format("{:.3g} of a ball's centrifugal force at the final speed", *e_.gravity_ratio));
+    if (!e_.motion) item("way into balance", "not linearised: " + e_.no_motion);
+  }
+
+  void motion(const BalancedMotion& m) {
+    std::string angles;
+    for (int i = 0; i < e_.study.parameters.balls; ++i)
+      angles += fmt::format("{}{:.1f}", i ? ", " : "", in_degrees(m.angles[static_cast<std::size_t>(i)]));
+    const bool family = e_.balanced.kind == model::BalancedStates::Kind::continuum;
+    item("balanced angles", fmt::format("{} degree from the heavy side{}", angles,
+                                        family                          ? " (one of a continuum)"
+                                        : e_.balanced.angles.size() > 1 ? " (and their mirror image)"
+                                                                        : ""));
+    const std::string where =
+        (e_.study.speed.driven() ? " at constant speed" : "") + (m.less.empty() ? "" : ", " + m.less);
+    const char* more_drag = m.more_drag() > 0 ? "shorter" : m.more_drag() < 0 ? "longer" : "hardly changed";
+    item("way into balance", m.stable ? fmt::format("stable{}; slowest time constant {}, {} with more drag", where,
+                                                    either(-1.0 / m.slowest_rate, Dimension::time), more_drag)
+                             : m.grows()
+                                 ? fmt::format("NOT stable{}: largest growth rate {:.3g}", where, m.slowest_rate)
+                                 : fmt::format("NOT stable{}: the largest rate is within 1e-9 of 0", where));
+    if (m.left)
+      item("", fmt::format("the balls rock as the rotor turns: the centre of the race keeps moving, by up to {}",
+                           both(*m.left, Dimension::length)));
+    if (m.slowest_if_sliding) item("", "if the balls slid instead of rolled: " + slowest(*m.slowest_if_sliding));
+    eigenvalues(m);
+  }
+
+  void eigenvalues(const BalancedMotion& m) {
+    // What rounding makes of a real double eigenvalue is no oscillation.
+    double largest = 0.0;
+    for (const auto& v : m.eigenvalues) largest = std::max(largest, std::abs(v));
+    const auto paired = [&](const std::complex<double>& v) {
+      return std::abs(v.imag()) > 1e-7 * largest;  // the square root of a rounding
+    };
+    const auto swings = [&](const std::complex<double>& v) { return m.strobe == 0.0 && paired(v); };
+    std::vector<std::array<std::string, 3>> rows{{m.strobe > 0.0 ? "rate, by multipliers" : "eigenvalue",
+                                                  "time constant", scales_ && m.strobe == 0.0 ? "oscillation" : ""}};
+    for (const auto& v : m.eigenvalues) {
+      if (paired(v) && v.imag() < 0.0) continue;  // the conjugate stands for both
+      rows.push_back(
+          {swings(v) ? fmt::format("{:.5g} +- {:.5g} i", v.real(), v.imag()) : fmt::format("{:.5g}", v.real()),
+           v.real() < -least_rate  ? either(-1.0 / v.real(), Dimension::time)
+           : v.real() > least_rate ? "grows"
+                                   : "stays",
+           scales_ && swings(v) ? fmt::format("{:.4g} Hz", v.imag() * scales_->frequency / (2.0 * pi)) : ""});
+    }
+    std::size_t first = 25, second = 18;  // wider for the few that are, with two spaces after each
+    for (const auto& row : rows) {
+      first = std::max(first, row[0].size() + 2);
+      second = std::max(second, row[1].size() + 2);
+    }
+    for (const auto& row : rows) {
+      std::string line = fmt::format("{:<{}}{:<{}}{}", row[0], first, row[1], second, row[2]);
+      line.erase(line.find_last_not_of(' ') + 1);
+      item("", line);
+    }
+  }
+
+  std::string slowest(double rate) const {
+    return rate < 0.0 ? either(-1.0 / rate, Dimension::time) : fmt::format("growth rate {:.3g}", rate);
+  }
+
+  void bare(const BareVibration& v) {
+    const double w = std::abs(*e_.speed);
+    item("without balls", by_direction(v.displacement, Dimension::length) + " amplitude at the final speed");
+    const std::array<double, 2> rms{v.displacement[0] * w / std::sqrt(2.0), v.displacement[1] * w / std::sqrt(2.0)};
+    item("", by_direction(rms, Dimension::velocity) + " rms velocity");
+    item("", by_direction(v.force, Dimension::force) + " amplitude of the force on the supports");
+    if (!scales_) return;
+    const double grade =
+        model::balance_grade(e_.study.parameters.eccentricity * scales_->length, *e_.speed * scales_->frequency);
+    item("balance quality",
+         grade_text(grade) + "; eps omega in mm/s as ISO 21940-11 grades it: a figure, not a certification");
+  }
+
+  void rules() {
+    text_ +=
+        "\nRules of thumb: estimates by formulas; docs/rules-of-thumb.md derives them and says how often each is "
+        "right\n";
+    for (const RuleOfThumb& rule : e_.advice) {
+      const char* verdict = !rule.kept ? "" : *rule.kept ? "kept: " : "NOT kept: ";
+      item(rule.name, verdict + rule.words);
+      std::size_t name = 0;
+      for (const ExplainedQuantity& f : rule.figures) name = std::max(name, f.name.size());
+      for (std::size_t k = 0; k < rule.figures.size(); ++k) {
+        const ExplainedQuantity& f = rule.figures[k];
+        std::string text = figure_text(f, scales_);
+        const bool second_form = k + 1 < rule.figures.size() && rule.figures[k + 1].name == f.name;
+        if (second_form) text += ", " + figure_text(rule.figures[++k], scales_);
+        item("", fmt::format("{:<{}}  {}", f.name, name, text));
+      }
+      item("", fmt::format("rule: {} [{}]", rule.formula, rule.source));
+    }
+  }
+
+  const Explanation& e_;
+  const std::optional<Scales>& scales_;
+  std::string text_;
+};
+
+// A value with its SI value and unit, where there are scales.
+Json value_json(double value, Dimension d, const std::optional<Scales>& scales) {
+  Json json{{"dimensionless", value}};
+  if (scales) {
+    json["si"] = value * study::scale_of(d, *scales);
+    json["unit"] = study::words(d).si;
+  }
+  return json;
+}
+
+Json pair_json(const std::array<double, 2>& values, Dimension d, const std::optional<Scales>& scales) {
+  return Json::array({value_json(values[0], d, scales), value_json(values[1], d, scales)});
+}
+
+Json quantity_json(const ExplainedQuantity& q, const std::optional<Scales>& scales) {
+  Json row{{"symbol", q.symbol}, {"name", q.name}};
+  row.update(q.dimension ? value_json(q.value, *q.dimension, scales) : Json{{"dimensionless", q.value}});
+  return row;
+}
+
+Json motion_json(const BalancedMotion& m, const Explanation& e) {
+  Json json{{"stable", m.stable},
+            {"angles", std::vector<double>(m.angles.begin(), m.angles.begin() + e.study.parameters.balls)}};
+  json["time_constant"] = m.stable ? value_json(-1.0 / m.slowest_rate, Dimension::time, e.study.scales) : Json(nullptr);
+  json["drag_sensitivity"] = m.drag_sensitivity;
+  json["left_out"] = m.less;
+  json["strobe"] = m.strobe > 0.0 ? value_json(m.strobe, Dimension::time, e.study.scales) : Json(nullptr);
+  json["displacement_left"] = m.left ? value_json(*m.left, Dimension::length, e.study.scales) : Json(nullptr);
+  if (m.slowest_if_sliding) json["slowest_rate_if_sliding"] = *m.slowest_if_sliding;
+  json["eigenvalues"] = Json::array();
+  for (const auto& v : m.eigenvalues) json["eigenvalues"].push_back({v.real(), v.imag()});
+  return json;
+}
+
+Json run_up_json(const RunUp& r, const std::optional<Scales>& scales) {
+  const auto time = [&](const std::optional<double>& t) {
+    return t ? value_json(*t, Dimension::time, scales) : Json(nullptr);
+  };
+  Json json{{"speed", value_json(r.speed, Dimension::speed, scales)}};
+  json["inertia"] = value_json(r.inertia, Dimension::inertia, scales);
+  json["without_losses"] = time(r.alone);
+  json["with_own_unbalance"] = time(r.shaken);
+  json["stalls_at"] = r.shaken ? Json(nullptr) : value_json(r.stalls_at, Dimension::speed, scales);
+  return json;
+}
+
+Json advice_json(const Explanation& e) {
+  Json rules = Json::array();
+  for (const RuleOfThumb& r : e.advice) {
+    Json rule{{"id", r.id}, {"name", r.name}, {"kept", r.kept ? Json(*r.kept) : Json(nullptr)}, {"words", r.words}};
+    rule["figures"] = Json::array();
+    for (const ExplainedQuantity& figure : r.figures) rule["figures"].push_back(quantity_json(figure, e.study.scales));
+    rule["formula"] = r.formula;
+    rule["source"] = r.source;
+    rules.push_back(rule);
+  }
+  return rules;
+}
+
+}  // namespace
+
+std::string verdict_text(const Explanation& e) {
+  if (e.balanced.kind == model::BalancedStates::Kind::none) return "no: " + e.balanced.reason;
+  if (e.motion && !e.motion->stable)
+    return "yes, but balance is not stable at the final speed" + e.motion->place(e.balanced);
+  if (!e.motion) return "yes by mass and room, but " + e.no_motion;
+  return e.study.parameters.gravity > 0.0 ? "yes, but for gravity" : "yes";
+}
+
+std::string explain_text(const Explanation& e) { return Text(e).all(); }
+
+std::string explain_json(const Explanation& e) {
+  const auto& scales = e.study.scales;
+  Json json;
+  json["quantities"] = Json::array();
+  for (const auto& q : e.quantities) json["quantities"].push_back(quantity_json(q, scales));
+  json["critical_speed"] = pair_json(e.critical_alone, Dimension::speed, scales);
+  json["critical_speed_with_balls"] = pair_json(e.critical_with_balls, Dimension::speed, scales);
+  json["final_speed"] = e.speed ? value_json(*e.speed, Dimension::speed, scales) : Json(nullptr);
+  json["final_speed_reason"] = e.speed_words;
+  json["run_up"] = e.run_up ? run_up_json(*e.run_up, scales) : Json(nullptr);
+  json["cost"] = nullptr;
+  if (e.cost)
+    json["cost"] = {
+        {"cpu_seconds", e.cost->total()}, {"search", e.cost->search}, {"search_ended", e.cost->search_ended},
+        {"a_start", e.cost->a_start},     {"starts", e.cost->starts}, {"measured", e.cost->measured}};
+  json["can_balance"] = e.balanced.kind != model::BalancedStates::Kind::none;
+  json["reason"] = e.balanced.reason;
+  json["static_sag"] = value_json(e.sag, Dimension::length, scales);
+  json["weight"] = value_json(e.sag * e.study.parameters.stiffness[1], Dimension::force, scales);
+  json["gravity_ratio"] = e.gravity_ratio ? Json(*e.gravity_ratio) : Json(nullptr);
+  json["unbalance"] = value_json(e.unbalance, Dimension::unbalance, scales);
+  json["least_unbalance"] = value_json(e.least_unbalance, Dimension::unbalance, scales);
+  json["largest_unbalance"] = value_json(e.largest_unbalance, Dimension::unbalance, scales);
+  json["balanced"] = e.motion ? motion_json(*e.motion, e) : Json(nullptr);
+  json["not_linearised"] = e.no_motion;
+  json["without_balls"] = nullptr;
+  if (e.bare)
+    json["without_balls"] = {{"displacement", pair_json(e.bare->displacement, Dimension::length, scales)},
+                             {"force", pair_json(e.bare->force, Dimension::force, scales)}};
+  json["balance_grade"] = nullptr;
+  if (scales && e.speed)
+    json["balance_grade"] = grade_json(
+        model::balance_grade(e.study.parameters.eccentricity * scales->length, *e.speed * scales->frequency));
+  json["reynolds_number"] = e.reynolds ? Json(*e.reynolds) : Json(nullptr);
+  json["advice"] = advice_json(e);
+  json["warnings"] = e.warnings;
+  json["study"] = study_json(e.study);
+  json["study_name"] = e.study.name;
+  json["version"] = version_string;
+  return json.dump(2) + "\n";
+}
+
+}  // namespace equipoise

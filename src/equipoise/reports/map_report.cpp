@@ -1,0 +1,190 @@
+// Maps as text and JSON.
+#include "equipoise/reports/map_report.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <iterator>
+#include <optional>
+#include <vector>
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include "equipoise/base/version.hpp"
+#include "equipoise/text/computed.hpp"
+#include "equipoise/text/start_text.hpp"
+#include "equipoise/text/text.hpp"
+
+namespace equipoise {
+
+namespace {
+
+using MapJson = nlohmann::ordered_json;
+
+std::string axis_text(const char* letter, const SliceAxis& a, int every) {
+  return fmt::format("{}: {} from {:.10g} to {:.10g}, {} pixels{}\n", letter, a.key, a.low, a.high, a.pixels,
+                     every > 1 ? fmt::format(" ({} apart; all are in the output)", every) : "");
+}
+
+std::string figure_text(const char* name, const std::optional<SliceFigure>& f) {
+  return f ? fmt::format("{:<25} {:.3f} ({:.3f} to {:.3f})\n", name, f->value, f->low, f->high) : "";
+}
+
+MapJson figure_json(const std::optional<SliceFigure>& f) {
+  return f ? MapJson{{"value", f->value}, {"low", f->low}, {"high", f->high}} : MapJson(nullptr);
+}
+
+MapJson axis_json(const SliceAxis& a) {
+  std::vector<double> values;
+  for (int k = 0; k < a.pixels; ++k) values.push_back(a.centre(k));
+  return {{"key", a.key}, {"values", values}};
+}
+
+// Rows of a map, as text: a tree of as many numbers would take ten times the room.
+template <class Cell>
+void add_rows(const BasinSlice& map, std::string& text, const Cell& cell) {
+  text += '[';
+  for (int row = 0; row < map.y.pixels; ++row) {
+    text += row == 0 ? "[" : ",[";
+    for (int column = 0; column < map.x.pixels; ++column) {
+      if (column > 0) text += ',';
+      cell(map.at(column, row));
+    }
+    text += ']';
+  }
+  text += ']';
+}
+
+template <class Number>
+void add_number(std::string& text, Number number) {
+  fmt::format_to(std::back_inserter(text), "{}", number);
+}
+
+// Where the balls start that no axis and no tie places.
+std::string starts_text(const BasinSlice& map) {
+  if (draws_starts(map))
+    return fmt::format("Every pixel draws its own ball angles (seed {}); state initial.phi to start them all alike.\n",
+                       map.study.sampling.seed);
+  std::string text;
+  for (int i = 1; i <= map.study.parameters.balls; ++i) {
+    const std::string key = fmt::format("initial.phi_{}", i);
+    const bool tied =
+        std::any_of(map.links.begin(), map.links.end(), [&](const AngleLink& link) { return link.ball == i; });
+    if (key != map.x.key && key != map.y.key && !tied)
+      text += fmt::format("{}phi_{} = {:.6g}", text.empty() ? "" : ", ", i,
+                          map.study.initial.phi[static_cast<std::size_t>(i - 1)]);
+  }
+  if (text.empty()) return text;
+  text = fmt::format("All pixels start with {}{}.\n", text, states_angles(map.study) ? "" : ", evenly spread");
+  const bool as_stated = map.links.empty() && !map.x.angle() && !map.y.angle();
+  const std::string together = as_stated ? coincident_text(map.study) : "";
+  return together.empty() ? text : text + "Note: " + together + ".\n";
+}
+
+// Those that a stopped run did not come to.
+std::uint64_t open_pixels(const BasinSlice& map) { return map.pixels - map.codes.front().share.total; }
+
+// Of a stopped run whatever the open pixels come to.
+std::string part_of_map(const BasinSlice& map, const Share& share) {
+  const double all = static_cast<double>(map.pixels), count = static_cast<double>(share.count);
+  const auto percents = [&](double pixels) { return 100.0 * pixels / all; };
+  if (map.complete) return fmt::format("{:>10.2f} %", percents(count));
+  return fmt::format("{:>10.2f} to {:.2f} %", percents(count), percents(count + static_cast<double>(open_pixels(map))));
+}
+
+// What the map was made of, beside one run that computes every pixel.
+std::string making_text(const BasinSlice& map) {
+  std::string text;
+  const double all = static_cast<double>(map.pixels);
+  if (map.block > 0)
+    text += fmt::format(
+        "{} pixels ({:.1f} %) computed, the rest filled in: blocks of {} first, divided where their edges "
+        "have more than one outcome.\n",
+        map.pixels_computed, 100.0 * static_cast<double>(map.pixels_computed) / all, map.block);
+  if (map.pixels_kept > 0)
+    text += fmt::format("{} pixels read from the output, where an earlier run left them.\n", map.pixels_kept);
+  if (map.pixels_reused > 0) text += fmt::format("{} pixels taken from another map.\n", map.pixels_reused);
+  return text;
+}
+
+}  // namespace
+
+std::string map_text(const BasinSlice& map) {
+  const SliceFigures& f = map.figures;
+  std::string text = study_heading(map.study) + axis_text("x", map.x, map.every) + axis_text("y", map.y, map.every);
+  for (const AngleLink& link : map.links)
+    text += fmt::format("phi_{} = phi_{} + {:.10g}\n", link.ball, link.of, link.offset);
+  text += starts_text(map);
+  text += fmt::format("\n{:>5}  {:<44}{:>10}{}\n", "code", "outcome", "pixels",
+                      map.complete ? "  of the map" : "    of the map");
+  for (const OutcomeShare& c : map.codes)
+    text += fmt::format("{:>5}  {:<44}{:>10}{}\n", c.id, title_of(c), c.share.count, part_of_map(map, c.share));
+  const std::string figures =
+      figure_text("box dimension", f.box_dimension) + figure_text("uncertainty exponent", f.uncertainty_exponent) +
+      figure_text("basin entropy", f.basin_entropy) + figure_text("boundary basin entropy", f.boundary_basin_entropy) +
+      (f.balanced_radius
+           ? fmt::format("{:<25} {:.3f} rad around balanced angles\n", "all balanced within", *f.balanced_radius)
+           : "");
+  text += "\n";
+  if (!figures.empty())
+    text += figures +
+            "95 % intervals: of the line through the scales, and of boxes of 5 x 5 pixels. Above log 2 = 0.693 the "
+            "boundary's entropy tells a fractal one.\n\n";
+  text += making_text(map);
+  if (!map.complete)
+    text += fmt::format("PARTIAL: stopped with {} of {} pixels open. Of the map: from none of those to all of them.\n",
+                        open_pixels(map), map.pixels);
+  const double now = static_cast<double>(map.pixels_computed - map.pixels_kept - map.pixels_reused);
+  return text + fmt::format("{} pixels; {}{}; equipoise {}\n", map.pixels, computed_text(map),
+                            now > 0.0 ? fmt::format(", {:.0f} pixels/s", now / std::max(map.seconds, 1e-9)) : "",
+                            version_string);
+}
+
+std::string map_json(const BasinSlice& map) {
+  const SliceFigures& f = map.figures;
+  MapJson json = {{"x", axis_json(map.x)}, {"y", axis_json(map.y)}};
+  json["ties"] = MapJson::array();
+  for (const AngleLink& link : map.links)
+    json["ties"].push_back({{"ball", link.ball}, {"of", link.of}, {"offset", link.offset}});
+  json["outcomes"] = MapJson::array();
+  for (const OutcomeShare& c : map.codes)
+    json["outcomes"].push_back(
+        {{"id", c.id}, {"name", c.name}, {"alias", c.alias}, {"pixels", c.share.count}, {"share", c.share.share}});
+  std::string text = json.dump();
+  text.back() = ',';
+  text += "\"outcome\":";
+  add_rows(map, text, [&](std::size_t at) {
+    if (map.code[at] == not_computed_code)
+      text += "null";
+    else
+      add_number(text, map.code[at]);
+  });
+  text += ",\"time\":";
+  add_rows(map, text, [&](std::size_t at) {
+    if (std::isfinite(map.time[at]))
+      add_number(text, map.time[at]);
+    else
+      text += "null";
+  });
+  json = MapJson::object();
+  json["figures"] = {{"box_dimension", figure_json(f.box_dimension)},
+                     {"uncertainty_exponent", figure_json(f.uncertainty_exponent)},
+                     {"basin_entropy", figure_json(f.basin_entropy)},
+                     {"boundary_basin_entropy", figure_json(f.boundary_basin_entropy)},
+                     {"balanced_radius", f.balanced_radius ? MapJson(*f.balanced_radius) : MapJson(nullptr)}};
+  json["partial"] = !map.complete;
+  json["pixels"] = map.pixels;
+  json["pixels_open"] = open_pixels(map);
+  json["pixels_computed"] = map.pixels_computed;
+  json["pixels_kept"] = map.pixels_kept;
+  json["pixels_reused"] = map.pixels_reused;
+  json["draws_starts"] = draws_starts(map);
+  json["refine"] = map.block > 0 ? MapJson(map.block) : MapJson(nullptr);
+  json["every"] = map.every;
+  add_computed(json, map);
+  const std::string rest = json.dump();
+  return text + "," + rest.substr(1) + "\n";
+}
+
+}  // namespace equipoise

@@ -1,0 +1,16 @@
+// A map for people and for machines.
+#pragma once
+
+#include <string>
+
+#include "equipoise/results/basin_slice.hpp"
+
+namespace equipoise {
+
+/// Shares and figures for the terminal.
+std::string map_text(const BasinSlice& map);
+
+/// One JSON object. docs/guide/command-line.md lists the keys.
+std::string map_json(const BasinSlice& map);
+
+}  // namespace equipoise

@@ -1,0 +1,246 @@
+// Sweeps as text, JSON and CSV.
+#include "equipoise/reports/sweep_report.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <vector>
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include "equipoise/base/version.hpp"
+#include "equipoise/text/cell_text.hpp"
+#include "equipoise/text/computed.hpp"
+#include "equipoise/text/csv.hpp"
+#include "equipoise/text/sensitivity_report.hpp"
+#include "equipoise/text/text.hpp"
+
+namespace equipoise {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+// Attractors with a column of their own in a terminal's table.
+constexpr std::size_t most_columns = 4;  // beside balanced
+
+struct SweepColumn {
+  int id = 0;
+  std::string title;
+  double sum = 0.0, largest = 0.0;  // of its shares in all cells, and in any
+  std::size_t cells = 0;            // in which starts came to it
+  std::size_t width() const { return std::max<std::size_t>(title.size(), 8); }
+};
+
+// "V2", and with its number the second motion of that alias: "V2 (2)".
+std::string column_name(const SweepOutcome& o) {
+  if (o.alias.empty()) return o.name;
+  const std::size_t number = o.name.rfind(" (");
+  return number == std::string::npos ? o.alias : o.alias + o.name.substr(number);
+}
+
+// Attractors that some start came to: balanced first, then by their shares over all cells; the rarest have no column.
+struct Columns {
+  explicit Columns(const SweepResult& r) {
+    std::map<int, SweepColumn> all;
+    for (const auto& cell : r.cells) {
+      if (!cell) continue;
+      if (cell->stalled && cell->stalled->count > 0) stalled = true;
+      for (const SweepOutcome& o : cell->outcomes) {
+        if (o.share.count == 0 || o.id == balanced_id) continue;
+        SweepColumn& column = all[o.id];
+        column = {o.id, column_name(o), column.sum + o.share.share, std::max(column.largest, o.share.share),
+                  column.cells + 1};
+      }
+    }
+    for (const auto& [id, column] : all) shown.push_back(column);
+    std::stable_sort(shown.begin(), shown.end(), [](const auto& a, const auto& b) { return a.sum > b.sum; });
+    tell_apart();
+    if (shown.size() <= most_columns) return;
+    others.assign(shown.begin() + most_columns, shown.end());
+    shown.resize(most_columns);
+  }
+
+  std::vector<SweepColumn> shown, others;
+  bool stalled = false;
+
+ private:
+  // Whatever motions are called, no two columns are called alike.
+  void tell_apart() {
+    std::map<std::string, int> titles;
+    for (const SweepColumn& column : shown) ++titles[column.title];
+    for (SweepColumn& column : shown)
+      if (titles[column.title] > 1) column.title += fmt::format(" #{}", column.id);
+  }
+};
+
+// Which motions the last column holds, and how much of any cell.
+std::string others_text(const Columns& columns) {
+  constexpr std::size_t most_named = 6;
+  if (columns.others.empty()) return "";
+  std::string text;
+  for (std::size_t k = 0; k < std::min(columns.others.size(), most_named); ++k) {
+    const SweepColumn& c = columns.others[k];
+    text += fmt::format("{}{}, {} at most, in {} cell{}", k ? "; " : "", c.title, percent(c.largest, 2), c.cells,
+                        c.cells == 1 ? "" : "s");
+  }
+  const std::size_t unnamed = columns.others.size() - std::min(columns.others.size(), most_named);
+  if (unnamed > 0) text += fmt::format("; {} more", unnamed);
+  return fmt::format("Others: {} motion{}: {}.\n", columns.others.size(), columns.others.size() == 1 ? "" : "s", text);
+}
+
+const SweepOutcome* find(const SweepCell& cell, int id) {
+  const auto at = std::find_if(cell.outcomes.begin(), cell.outcomes.end(), [&](const auto& o) { return o.id == id; });
+  return at == cell.outcomes.end() ? nullptr : &*at;
+}
+
+std::string header_line(const SweepResult& r, const Columns& columns) {
+  std::string line =
+      column_titles(r.axes) + fmt::format("{:>9}  {:>10}  {:<20}", "starts", "balanced", "95 % interval");
+  for (const SweepColumn& column : columns.shown) line += fmt::format("  {:>{}}", column.title, column.width());
+  return line + (columns.others.empty() ? "" : "    others") + (columns.stalled ? "   stalled" : "") + "  undecided\n";
+}
+
+std::string cell_line(const SweepResult& r, const Columns& columns, std::size_t index) {
+  const SweepCell& cell = *r.cells[index];
+  std::string line = column_values(r.axes, index);
+  const Share& balanced = cell.outcomes.front().share;
+  line += fmt::format("{:>9}  {:>10}  {:<20}", cell.starts, percent(balanced.share, digits_for(balanced)),
+                      interval(balanced));
+  const auto share_of = [&](const SweepColumn& column) {
+    const SweepOutcome* o = find(cell, column.id);
+    return o ? o->share.share : 0.0;
+  };
+  for (const SweepColumn& column : columns.shown)
+    line += fmt::format("  {:>{}}", find(cell, column.id) ? percent(share_of(column), 2) : "-", column.width());
+  double rest = 0.0;
+  for (const SweepColumn& column : columns.others) rest += share_of(column);
+  if (!columns.others.empty()) line += fmt::format("  {:>8}", rest > 0.0 ? percent(rest, 2) : "-");
+  if (columns.stalled) line += fmt::format("  {:>8}", cell.stalled ? percent(cell.stalled->share, 2) : "-");
+  return line + fmt::format("  {:>9}\n", percent(cell.undecided.share, 2));
+}
+
+// Lost starts, and what cells have to say.
+std::string what_else(const SweepResult& r) {
+  std::string text;
+  std::uint64_t lost = 0;
+  for (std::size_t index = 0; index < r.cells.size(); ++index) {
+    if (!r.cells[index]) continue;
+    const SweepCell& cell = *r.cells[index];
+    lost += cell.lost();
+    if (!cell.note.empty()) text += fmt::format("Note at {}: {}.\n", cell_title(r.axes, index), cell.note);
+  }
+  return lost > 0 ? fmt::format("{} starts diverged or failed.\n", lost) + text : text;
+}
+
+Json outcome_json(const SweepOutcome& o) {
+  const auto optional = [](const std::optional<double>& v) { return v ? Json(*v) : Json(nullptr); };
+  Json outcome = {{"id", o.id}, {"name", o.name}, {"alias", o.alias}, {"kind", o.kind}};
+  outcome.update(sure_share_json(o.share));
+  outcome["mean_time"] = o.mean_time;
+  outcome["radial"] = {{"min", optional(o.r_min)}, {"mean", optional(o.r_mean)}, {"max", optional(o.r_max)}};
+  outcome["period"] = o.period > 0.0 ? Json(o.period) : Json(nullptr);
+  if (!o.unbalance.empty())
+    outcome["left_unbalance"] = {{"probability", unbalance_quantiles}, {"unbalance", o.unbalance}};
+  return outcome;
+}
+
+Json transients_json(const TransientGroup& group) {
+  Json transients = Json::object();
+  for (std::size_t k = 0; k < transient_columns.size(); ++k) {
+    if (!group.tells(k)) continue;
+    const SampleSummary& s = group.figures[k];
+    Json& figure = transients[transient_columns[k].name];
+    figure = {{"mean", s.mean}, {"largest", s.largest}};
+    for (std::size_t q = 0; q < reported_quantiles.size(); ++q)
+      figure["quantiles"].push_back({{"at", reported_quantiles[q]},
+                                     {"value", s.quantiles[q].value},
+                                     {"low", s.quantiles[q].low},
+                                     {"high", s.quantiles[q].high}});
+  }
+  for (std::size_t k = 0; k < transient_limits.size(); ++k)
+    if (group.exceeded[k]) transients["exceeded"][transient_limits[k].name] = share_json(*group.exceeded[k]);
+  return transients;
+}
+
+Json cell_json(const SweepResult& r, std::size_t index) {
+  const SweepCell& cell = *r.cells[index];
+  Json one;
+  one["at"] = at_json(r.axes, index);
+  one["starts"] = cell.starts;
+  one["outcomes"] = Json::array();
+  for (const SweepOutcome& o : cell.outcomes) one["outcomes"].push_back(outcome_json(o));
+  for (const OutcomeShare& o : cell.others()) {
+    if (o.id == undecided_code && cell.passed) one["passed"] = sure_share_json(*cell.passed);
+    one[o.name] = sure_share_json(o.share);
+  }
+  if (cell.transients) one["transients"] = transients_json(*cell.transients);
+  one["balanced_stable"] = cell.balanced_stable;
+  one["note"] = cell.note;
+  return one;
+}
+
+}  // namespace
+
+std::string sweep_text(const SweepResult& r) {
+  const Columns columns(r);
+  std::string text = study_heading(r.study) + uncertain_text(r.study, keys_of(r.axes)) + header_line(r, columns);
+  for (std::size_t index = 0; index < r.cells.size(); ++index)
+    if (r.cells[index]) text += cell_line(r, columns, index);
+  text += "\n" + others_text(columns) + what_else(r);
+  std::size_t done = 0;
+  std::uint64_t starts = 0;
+  for (const auto& cell : r.cells)
+    if (cell) ++done, starts += cell->starts;
+  if (done < r.cells.size())
+    text += fmt::format("PARTIAL: {} of {} cells; the rest is missing.\n", done, r.cells.size());
+  text +=
+      fmt::format("{} cells, {} starts, seed {}, the same starts in every cell", done, starts, r.study.sampling.seed);
+  if (r.resumed_cells > 0) text += fmt::format("; {} cells from an earlier run", r.resumed_cells);
+  if (r.seconds > 0.0) text += "; " + computed_text(r);
+  return text + fmt::format("; equipoise {}\n", version_string);
+}
+
+std::string sweep_json(const SweepResult& r) {
+  Json json;
+  json["over"] = over_json(r.axes);
+  json["zipped"] = r.axes.size() == 1 && r.axes.front().parameters.size() > 1;
+  json["partial"] = !r.complete();
+  json["cells"] = Json::array();
+  for (std::size_t index = 0; index < r.cells.size(); ++index)
+    if (r.cells[index]) json["cells"].push_back(cell_json(r, index));
+  json["confidence"] = 0.95;
+  json["half_width"] = r.half_width;
+  json["resumed_cells"] = r.resumed_cells;
+  add_computed(json, r);
+  return json.dump(2) + "\n";
+}
+
+std::string sweep_csv(const SweepResult& r) {
+  std::string text =
+      fmt::format("# equipoise {}: sweep{}\n", version_string, r.complete() ? "" : ", PARTIAL: cells are missing");
+  text += csv_study(r.study) + csv_titles(r.axes);
+  text += "starts,id,name,alias,kind,count,share,low,high";
+  for (const MotionColumn& c : motion_columns) text += std::string(",") + c.name;
+  text += "\n";
+  for (std::size_t index = 0; index < r.cells.size(); ++index) {
+    if (!r.cells[index]) continue;
+    const SweepCell& cell = *r.cells[index];
+    const std::string at = csv_values(r.axes, index);
+    const auto line = [&](const OutcomeShare& o, const std::string& motion) {
+      const Share& s = o.share;
+      text += fmt::format("{}{},{},{},{},{},{},{},{},{}{}\n", at, cell.starts, o.id, csv_text(o.name), o.alias, o.kind,
+                          s.count, s.share, s.low, s.high, motion);
+    };
+    for (const SweepOutcome& o : cell.outcomes) {
+      std::string motion;
+      for (const MotionColumn& c : motion_columns) motion += "," + csv_number(c.value(o).value_or(NAN));
+      line(o, motion);
+    }
+    for (const OutcomeShare& o : cell.others()) line(o, std::string(motion_columns.size(), ','));
+  }
+  return text;
+}
+
+}  // namespace equipoise

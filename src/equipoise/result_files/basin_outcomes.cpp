@@ -1,0 +1,36 @@
+// Outcomes out of a file of results.
+#include "equipoise/result_files/basin_outcomes.hpp"
+
+#include <cstddef>
+
+#include <netcdf.h>
+
+#include "equipoise/base/error.hpp"
+#include "equipoise/io/netcdf.hpp"
+#include "equipoise/io/sealed_file.hpp"
+
+namespace equipoise {
+
+BasinOutcomes read_basin_outcomes(const std::string& path) {
+  if (const std::string problem = io::why_not_whole(path); !problem.empty())
+    throw InputError(path, "", "", problem + "; must be a result that \"basin -o\" finished");
+  const io::NetcdfFile file(path, io::NetcdfFile::Mode::read);
+  const std::size_t starts = file.length("start"), kinds = file.length("outcome_kind");
+  if (starts == 0 || kinds == 0)
+    throw InputError(path, "", "", "holds no starts; must be a result that \"basin -o\" finished");
+  BasinOutcomes result;
+  result.study = parse_kept_study(file.attribute("study"), path);
+  result.partial = file.attribute("complete") != "yes";
+  result.own_starts = file.attribute("own_starts");
+  result.outcome.resize(starts);
+  file.read(file.variable("outcome", NC_SHORT, {starts}), {0}, {starts}, result.outcome.data());
+  const int codes = file.variable("kind_code", NC_SHORT, {kinds});
+  for (std::size_t k = 0; k < kinds; ++k) {
+    short code = 0;
+    file.read(codes, {k}, {1}, &code);
+    result.names[code] = {file.read_text("kind_name", k), file.read_text("kind_alias", k)};
+  }
+  return result;
+}
+
+}  // namespace equipoise

@@ -1,0 +1,145 @@
+// Kinds of files by what stands in them.
+#include "equipoise/result_files/inspection.hpp"
+
+#include <array>
+#include <filesystem>
+#include <fstream>
+#include <set>
+#include <system_error>
+
+#include <fmt/format.h>
+#include <netcdf.h>
+
+#include "equipoise/base/error.hpp"
+#include "equipoise/io/journal.hpp"
+#include "equipoise/io/netcdf.hpp"
+#include "equipoise/io/sealed_file.hpp"
+#include "equipoise/result_files/result_identity.hpp"
+
+namespace equipoise {
+
+namespace {
+
+// What was varied and looked for.
+void add_question(const io::IdentityLines& identity, Inspection& i) {
+  for (const std::string& parameter : identity.over()) i.facts.emplace_back("over", parameter);
+  for (const char* key : {"of", "at_least", "from", "to", "unit"})
+    if (const std::string value = identity.value(std::string("capacity.") + key); !value.empty())
+      i.facts.emplace_back(key, value);
+}
+
+std::string kind_of(const io::NetcdfFile& file) {
+  if (const std::string kind = file.attribute("kind"); !kind.empty()) return kind;
+  if (file.length("start") > 0) return "basin";
+  if (file.length("x") > 0 && file.length("y") > 0) return "map";
+  if (!file.attribute("parameter").empty()) return "branches";
+  return file.length("t") > 0 || file.length("time") > 0 ? "trajectory" : "";
+}
+
+// `before`: what the names of their variables begin with.
+void add_outcomes(const io::NetcdfFile& file, const std::string& before, Inspection& i) {
+  const std::size_t kinds = file.length("outcome_kind");
+  const int codes = file.variable(before + "code", NC_SHORT, {kinds}),
+            shares = file.variable(before + "share", NC_DOUBLE, {kinds});
+  for (std::size_t k = 0; k < kinds; ++k) {
+    short code = 0;
+    OutcomeShare outcome;
+    file.read(codes, {k}, {1}, &code);
+    file.read(shares, {k}, {1}, &outcome.share.share);
+    outcome.id = code;
+    outcome.name = file.read_text(before + "name", k);
+    i.outcomes.push_back(outcome);
+  }
+}
+
+void count_cells(const io::NetcdfFile& file, Inspection& i) {
+  const std::size_t cells = file.length("cell");
+  std::vector<double> ends(cells);
+  file.read(file.variable("record_end", NC_DOUBLE, {cells}), {0}, {cells}, ends.data());
+  std::size_t done = 0;
+  for (std::size_t k = 0; k < cells; ++k) done += ends[k] > (k > 0 ? ends[k - 1] : 0.0);
+  i.facts.emplace_back("cells done", fmt::format("{} of {}", done, cells));
+}
+
+void read_results_file(Inspection& i) {
+  const io::NetcdfFile file(i.path, io::NetcdfFile::Mode::read);
+  i.kind = kind_of(file);
+  const std::string source = file.attribute("source"), identity = file.attribute("identity");
+  i.version = source.starts_with("equipoise ") ? source.substr(10) : "";
+  if (const std::string complete = file.attribute("complete"); !complete.empty()) i.complete = complete == "yes";
+  i.study = file.attribute("study");
+  constexpr std::array told{"start",     "x", "y",    "value",    "attractor", "event",
+                            "discovery", "t", "time", "ensemble", "front"};
+  for (const char* dimension : told)
+    if (const std::size_t length = file.length(dimension)) i.facts.emplace_back(dimension, fmt::format("{}", length));
+  if (i.kind == "sweep" || i.kind == "capacity") {
+    count_cells(file, i);
+    add_question(io::IdentityLines(identity), i);
+  }
+  if (i.kind == "basin") add_outcomes(file, "kind_", i);
+  if (i.kind == "map") add_outcomes(file, "", i);
+  for (const char* name : {"parameter", "axes", "links", "refine", "cpu_target", "seconds"})
+    if (const std::string value = file.attribute(name); !value.empty()) i.facts.emplace_back(name, value);
+}
+
+void read_unfinished(Inspection& i) {
+  const io::Journal journal(i.path, i.path, "");
+  const io::IdentityLines identity(journal.identity());
+  i.kind = "unfinished results";
+  i.complete = false;
+  i.version = identity.value("version");
+  i.study = identity.study;
+  add_question(identity, i);
+  std::uint64_t starts = 0, pixels = 0, trials = 0, ensembles = 0, notes = 0;
+  std::set<std::uint64_t> cells;
+  for (const io::Journal::Record& record : journal.records()) {
+    if (record.kind == io::Journal::Kind::starts) starts = std::max(starts, record.first + record.count);
+    if (record.kind == io::Journal::Kind::cell) cells.insert(record.first);
+    if (record.kind == io::Journal::Kind::pixels) pixels += record.count;
+    if (record.kind == io::Journal::Kind::trial) trials += record.count;
+    if (record.kind == io::Journal::Kind::ensemble) ensembles += record.count;
+    if (record.kind == io::Journal::Kind::note) ++notes;
+  }
+  if (starts > 0) i.facts.emplace_back("starts done", fmt::format("up to number {}", starts));
+  if (pixels > 0) i.facts.emplace_back("pixels done", fmt::format("{}", pixels));
+  if (trials > 0) i.facts.emplace_back("trials done", fmt::format("{}", trials));
+  if (ensembles > 0) i.facts.emplace_back("ensembles done", fmt::format("{}", ensembles));
+  if (!cells.empty()) i.facts.emplace_back("cells done", fmt::format("{}", cells.size()));
+  if (notes > 0) i.facts.emplace_back("steps of the search", fmt::format("{}", notes));
+  i.facts.emplace_back("sound records", fmt::format("{}", journal.records().size()));
+  if (const std::uint64_t end = journal.whole_bytes(); end > 0 && i.bytes > end)
+    i.damage = fmt::format("{} bytes at its end are cut off or damaged; all before them is sound and will be used",
+                           i.bytes - end);
+}
+
+bool is_netcdf(const std::string& path) {
+  std::array<char, 3> begin{};
+  std::ifstream(path, std::ios::binary).read(begin.data(), begin.size());
+  return std::string(begin.data(), begin.size()) == "CDF";
+}
+
+}  // namespace
+
+Inspection inspect_file(const std::string& path) {
+  Inspection i;
+  i.path = path;
+  std::error_code error;
+  i.bytes = std::filesystem::file_size(path, error);
+  if (error || !std::filesystem::is_regular_file(path))
+    throw InputError(path, "", "",
+                     "cannot be read; must be a file of results (.nc), or its unfinished part (.nc.part)");
+  if (!is_netcdf(path)) {
+    read_unfinished(i);
+    return i;
+  }
+  i.damage = io::why_not_whole(path);
+  if (!i.damage.empty()) return i;
+  try {
+    read_results_file(i);
+  } catch (const RunError& e) {
+    i.damage = e.what();
+  }
+  return i;
+}
+
+}  // namespace equipoise

@@ -1,0 +1,118 @@
+// A plane of starts or parameters with the outcome of one start at every pixel.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <string>
+#include <vector>
+
+#include "equipoise/results/outcome_share.hpp"
+#include "equipoise/results/slice_figures.hpp"
+#include "equipoise/study/study.hpp"
+
+namespace equipoise {
+
+inline constexpr int most_slice_pixels = 20000;  ///< along one side
+
+/// A quantity that varies along one side of a map.
+struct SliceAxis {
+  std::string key;  ///< of rotor, balancer, speed or initial that takes a number; initial.phi_1 for one ball's angle,
+                    ///< initial.phi_dot_1 for its rate
+  double low = 0.0, high = 1.0;  ///< where the outermost pixels end
+  int pixels = 1;
+
+  /// Whether it is a ball's initial angle.
+  bool angle() const { return key.starts_with("initial.phi_") && !key.starts_with("initial.phi_dot"); }
+  double step() const { return (high - low) / pixels; }
+  double centre(int pixel) const { return low + (pixel + 0.5) * step(); }
+};
+
+/// phi_ball = phi_of + offset in the initial state; balls count from 1.
+struct AngleLink {
+  int ball = 2, of = 1;
+  double offset = 0.0;
+};
+
+/// Marks pixels that a stopped run did not come to.
+inline constexpr short not_computed_code = -32768;
+
+/// What a pixel's start came to.
+struct SlicePixel {
+  short code = not_computed_code;
+  bool computed = false;                                 ///< followed, not filled in between others
+  float time = std::numeric_limits<float>::quiet_NaN();  ///< study time at which the outcome was known
+  float r_max = time;                                    ///< of the final motion
+  float balance_margin = time, balance_growth = time;    ///< as in BasinSlice, where they differ from pixel to pixel
+};
+
+/// The numbers of a pixel, as files name them.
+struct PixelNumber {
+  const char* name;
+  float SlicePixel::*value;
+  bool of_rotor;  ///< the same at all pixels that share a rotor
+  const char* meaning;
+};
+inline constexpr std::array<PixelNumber, 4> pixel_numbers{
+    {{"decision_time", &SlicePixel::time, false, "study time at which the outcome was known, in 1/omega_c"},
+     {"r_max", &SlicePixel::r_max, false,
+      "largest distance of the rotor's centre from the axis on the final motion, in race radii"},
+     {"balance_margin", &SlicePixel::balance_margin, true,
+      "lambda + sum mu_i - 2 max(lambda, mu_i): a balanced state exists where this is 0 or more"},
+     {"balance_growth", &SlicePixel::balance_growth, true,
+      "largest real part of an eigenvalue at the balanced state, in omega_c: stable where negative"}}};
+/// visit(k, number) for those that differ from pixel to pixel.
+template <class Visit>
+void visit_pixel_numbers(bool one_rotor, const Visit& visit) {
+  for (std::size_t k = 0; k < pixel_numbers.size(); ++k)
+    if (!one_rotor || !pixel_numbers[k].of_rotor) visit(k, pixel_numbers[k].value);
+}
+
+/// Rows follow y, pixels within a row x. What is not a number has no value there.
+struct BasinSlice {
+  Study study;     ///< as given; the values of the two keys in it play no part
+  SliceAxis x, y;  ///< of the pixels that are here
+  int every = 1;   ///< of a large map that is in a file only every so many-th row and column is here
+  std::vector<AngleLink> links;
+  int block = 0;  ///< side of the blocks that were computed first and filled in where their edges agree; 0: none were
+  std::vector<short> code;
+  std::vector<bool> computed;  ///< of a map with blocks: whether a pixel was computed; else empty
+  std::vector<float> time;     ///< study time at which the outcome was known; none where it was filled in
+  std::vector<float> r_max;    ///< of the final motion; likewise
+  /// lambda + sum mu_i - 2 max(lambda, mu_i): balance exists where >= 0. One value where all pixels share a rotor.
+  std::vector<float> balance_margin;
+  /// Largest real part of an eigenvalue at the more stable of the isolated balanced states; not a number where there
+  /// are none. One value where all pixels share a rotor.
+  std::vector<float> balance_growth;
+  /// Attractors by identifier, then undecided, diverged, failed: of the whole map. Shares are of the computed pixels,
+  /// which form a grid: their intervals describe random ones.
+  std::vector<OutcomeShare> codes;
+  SliceFigures figures;  ///< of the whole map, if it is complete
+  bool complete = true;
+  bool read_whole = false;                        ///< nothing was computed: the output held all of it
+  std::uint64_t pixels = 0, pixels_computed = 0;  ///< of the whole map
+  std::uint64_t pixels_kept = 0;                  ///< of those computed, how many earlier runs had left in the output
+  std::uint64_t pixels_reused = 0;                ///< and how many were taken from another map's file
+  int threads = 1;
+  double seconds = 0.0, cpu_seconds = 0.0;  ///< of this call
+  std::string cpu_target;                   ///< instruction set used
+
+  std::size_t at(int column, int row) const {
+    return static_cast<std::size_t>(row) * static_cast<std::size_t>(x.pixels) + static_cast<std::size_t>(column);
+  }
+};
+
+/// Whether every pixel draws its own start, by its number (row by row from 0) and the study's seed: where both axes are
+/// parameters and the study does not say where the balls start. One start at all pixels would stand for no other.
+bool draws_starts(const BasinSlice& map);
+
+/// The axis of every `every`-th pixel of another: their centres are where they were.
+SliceAxis thinned(const SliceAxis& axis, int every);
+/// The first of these pixels.
+inline int first_of(int every) { return every / 2; }
+
+/// As few of the rows and columns of a map, at even distances, as leave at most `most` along either side.
+BasinSlice thinned(const BasinSlice& map, int most);
+
+}  // namespace equipoise

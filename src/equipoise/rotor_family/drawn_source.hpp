@@ -1,0 +1,50 @@
+// Starts whose rotors are drawn from a part of a family: the spin-up of a search for what such starts come to.
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "equipoise/rotor_family/study_family.hpp"
+#include "equipoise/spin_up/own_starts.hpp"
+#include "equipoise/spin_up/spin_up.hpp"
+
+namespace equipoise {
+
+class DrawnSource final : public SpinUp {
+ public:
+  /// `family` and `box` outlive this. Studies are taken at_final_speed().
+  DrawnSource(const StudyFamily& family, const FamilyBox& box, const StopFlag* stop);
+
+  void watch(const TransientSettings&) override {}
+  bool make(std::uint64_t seed, std::uint64_t first, std::size_t count, SpunUp& starts,
+            TransientTable* transients = nullptr) const override;
+  /// The k-th given start has the rotor of draw k.
+  bool follow(std::span<const InitialState> given, SpunUp& starts, TransientTable* transients = nullptr) const override;
+  BatchTask last_task() const override { return middle_->last_task(); }
+  double settled() const override { return middle_->settled(); }
+  double tolerance() const override { return middle_->tolerance(); }
+
+  std::vector<double> place(std::uint64_t index) const { return family_.place(index); }
+  const Study& middle() const { return study_; }
+  /// The rotor of draw `index`.
+  OwnRotor rotor(std::uint64_t index) const;
+  /// Rotors of the box's middle, then of its corners (StudyFamily::ends()).
+  std::vector<OwnRotor> ends() const;
+
+ private:
+  StudyFamily::Placed drawn(std::uint64_t index) const;
+  // `places`: the coordinates of each start's rotor.
+  bool set_off(const std::vector<OwnStart>& own, std::vector<std::vector<double>> places, SpunUp& starts,
+               TransientTable* transients) const;
+
+  const StudyFamily& family_;
+  const FamilyBox& box_;
+  const StopFlag* stop_;
+  Study study_;
+  std::unique_ptr<SpinUp> middle_;
+};
+
+}  // namespace equipoise

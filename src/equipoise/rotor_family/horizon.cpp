@@ -1,0 +1,117 @@
+// From the rates of the linearised equations to a time.
+#include "equipoise/rotor_family/horizon.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <complex>
+#include <vector>
+
+#include "equipoise/attractors/motion_description.hpp"
+#include "equipoise/math/dense.hpp"
+#include "equipoise/mechanics/balanced_state.hpp"
+#include "equipoise/mechanics/linearisation.hpp"
+#include "equipoise/model/stroboscopic_section.hpp"
+#include "equipoise/model/system.hpp"
+#include "equipoise/periodic_orbits/continuum_draws.hpp"
+
+namespace equipoise {
+
+namespace {
+
+// A deviation that changes by e^10 in all has come from anywhere into a trapping region, or from a ten thousandth of
+// anything out of reach.
+constexpr double e_foldings = 10.0;
+// Chaotic transients and slow tori, whose rates nobody knows beforehand, take their time: of three balls with
+// beta = 0.05, Omega = 2.4 and gravity 0.01 12 % take more than 20 000, 1 % more than 50 000. Only undecided starts are
+// followed on, so that few pay for it.
+constexpr double shortest = 50000.0;
+// Where every start goes to the horizon all pay: no longer than rates ask, and as long as chaos commonly lasts.
+constexpr double shortest_for_all = 3000.0;
+// With events: balls that touch take longer to come to anything.
+constexpr double shortest_with_events = 24000.0;
+// What nobody waits for: 100 000 starts that never decide then take a quarter of an hour.
+constexpr double longest = 100000.0;
+// Rounding moves an eigenvalue by about 1e-15; beside the zeros of a continuum, by the square root of that.
+constexpr double zero = 1e-13, zero_in_continuum = 1e-7;
+constexpr int members = 32;
+
+// Largest real part of an eigenvalue at a balanced state, `free` of them belonging to the continuum that it lies in.
+double largest_rate(const model::Parameters& p, double speed, const double* phi, int free) {
+  const Eigen::VectorXcd all = dense::eigenvalues(model::jacobian(p, speed, model::centred_state(p, phi).data()));
+  std::vector<std::complex<double>> values(all.begin(), all.end());
+  std::sort(values.begin(), values.end(), [](auto a, auto b) { return std::abs(a) < std::abs(b); });
+  double largest = -1e300;
+  for (std::size_t k = static_cast<std::size_t>(free); k < values.size(); ++k)
+    largest = std::max(largest, values[k].real());
+  return largest;
+}
+
+std::vector<double> rates_along_continuum(const model::Parameters& p, double speed) {
+  const int free = model::balanced_freedom({p, speed});
+  ContinuumDraws draws(p);
+  std::array<double, model::max_balls> phi{};
+  std::vector<double> rates;
+  for (int k = 0; k < members && draws.next(phi); ++k) rates.push_back(largest_rate(p, speed, phi.data(), free));
+  return rates;
+}
+
+// Up to two digits: what a result states can be read, and does not hang on an eigenvalue's last bit.
+double rounded_up(double time) {
+  const double unit = std::pow(10.0, std::floor(std::log10(time)) - 1.0);
+  return std::ceil(time / unit - 1e-6) * unit;
+}
+
+// Of so many rates, all above 0: a quarter may be slower.
+double slow_quartile(std::vector<double> rates) {
+  if (rates.empty()) return 0.0;
+  std::sort(rates.begin(), rates.end());
+  return rates[rates.size() / 4];
+}
+
+}  // namespace
+
+double SettlingRates::slowest() const {
+  double least = drag;
+  for (const double rate : {approach, growth})
+    if (rate > 0.0) least = std::min(least, rate);
+  return least;
+}
+
+SettlingRates settling_rates(const model::Parameters& parameters, double speed) {
+  using Kind = model::BalancedStates::Kind;
+  const model::Parameters p = model::weakened(parameters, 0.0);
+  const model::BalancedStates states = model::balanced_states(p);
+  std::vector<double> found, approach, growth;
+  const double least = states.kind == Kind::continuum ? zero_in_continuum : zero;
+  if (states.kind == Kind::continuum) found = rates_along_continuum(p, speed);
+  if (states.kind == Kind::isolated)
+    for (const auto& phi : states.angles) found.push_back(largest_rate(p, speed, phi.data(), 0));
+  for (const double rate : found) {
+    if (rate < -least) approach.push_back(-rate);
+    if (rate > least) growth.push_back(rate);
+  }
+  const double drag = *std::min_element(p.drag.begin(), p.drag.begin() + p.balls) / p.inertia_along_race();
+  return {slow_quartile(approach), slow_quartile(growth), 0.5 * drag};
+}
+
+Horizon choose_horizon(const Study& study) {
+  Horizon horizon;
+  horizon.rates = settling_rates(study.parameters, study.speed_profile().final_speed());
+  horizon.asked = e_foldings / horizon.rates.slowest();
+  horizon.given = study.numerics.horizon.has_value();
+  // Where not even one e-folding fits, what waits for it is not decided at all, and the longest horizon gains nothing.
+  const bool hopeless = horizon.rates.slowest() * longest < 1.0;
+  const double for_all = study.system().smooth() ? shortest_for_all : shortest_with_events;
+  const double least = study.numerics.decide == ClassificationMode::horizon ? for_all : shortest;
+  horizon.time = hopeless ? least : std::clamp(rounded_up(horizon.asked), least, longest);
+  if (horizon.given) horizon.time = *study.numerics.horizon;
+  return horizon;
+}
+
+Study with_horizon(Study study) {
+  if (!study.numerics.horizon) study.numerics.horizon = choose_horizon(study).time;
+  return study;
+}
+
+}  // namespace equipoise

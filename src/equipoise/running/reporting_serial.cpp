@@ -1,0 +1,20 @@
+// Without threads work and callbacks take turns on the one there is: who wishes to stop is asked with every report.
+#include "equipoise/running/reporting.hpp"
+
+namespace equipoise {
+
+void Reporting::heed_stop() {
+  if (is_set(asked_.stop) || (asked_.stop_asked && asked_.stop_asked())) stop_ = true;
+}
+
+void Reporting::run(const std::function<void()>& work) {
+  heed_stop();
+  work();
+}
+
+void Reporting::tell(const Progress& progress) {
+  asked_.progress(progress);
+  heed_stop();
+}
+
+}  // namespace equipoise

@@ -1,0 +1,151 @@
+// What is asked of a study before any work, and the key that stands in the way.
+#include "equipoise/start_runs/checks.hpp"
+
+#include <array>
+#include <cmath>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include <fmt/format.h>
+
+#include "equipoise/attractor_search/cost.hpp"
+#include "equipoise/base/error.hpp"
+#include "equipoise/model/system.hpp"
+#include "equipoise/rotor_family/study_family.hpp"
+#include "equipoise/transients/clamped_transients.hpp"
+
+namespace equipoise {
+
+namespace {
+
+const char* final_speed_key(const Study& study) {
+  const Profile profile = study.speed.profile;
+  return profile == Profile::constant ? "speed.speed" : profile == Profile::points ? "speed.speeds" : "speed.final";
+}
+
+// What sets the time of release.
+const char* release_key(const Study& study) {
+  if (study.release.speed) return "release.speed";
+  if (study.release.time) return "release.time";
+  const Profile profile = study.speed.profile;
+  return profile == Profile::trapezoid ? "speed.rise_until"
+         : profile == Profile::points  ? "speed.times"
+                                       : "speed.duration";
+}
+
+// A key of the study in which a need is not met, and its value.
+std::pair<const char*, std::string> blamed(const Study& study, model::Need need) {
+  using model::Need;
+  const model::Parameters& p = study.parameters;
+  const auto number = [](double v) { return fmt::format("{}", v); };
+  const auto pair = [](const std::array<double, 2>& v) { return fmt::format("[{}, {}]", v[0], v[1]); };
+  const auto supports = [&]() -> std::pair<const char*, std::string> {
+    if (p.stiffness[0] != p.stiffness[1]) return {"rotor.stiffness", pair(p.stiffness)};
+    return {"rotor.damping", pair(p.damping)};
+  };
+  switch (need) {
+    case Need::prescribed_speed:
+      return {"speed.profile", "torque"};
+    case Need::passing_balls:
+      return {"balancer.contact_angle", number(p.contact_angle)};
+    case Need::sliding_balls:
+      if (p.rolling[0] > 0.0) return {"balancer.rolling", number(p.rolling[0])};
+      return {"balancer.stiction", number(p.stiction[0])};
+    case Need::centred_race:
+      return {"balancer.race_offset", pair(p.race_offset)};
+    case Need::equal_supports:
+      return supports();
+    case Need::no_gravity:
+      return {"rotor.gravity", number(p.gravity)};
+    case Need::turning:
+      return {final_speed_key(study), "0"};
+    default:
+      return {"speed.torque", "0 in the end"};
+  }
+}
+
+std::string words(const Uncertainty& uncertain, const std::vector<double>& values) {
+  std::string text;
+  for (std::size_t k = 0; k < values.size(); ++k)
+    text += fmt::format("{}{} = {}", k ? ", " : "", uncertain.values[k].key, uncertain.values[k].text(values[k]));
+  return text;
+}
+
+void check_corner(const Study& study, const std::vector<double>& values, bool transients) {
+  const std::string with = "; with " + words(study.uncertain, values);
+  try {
+    check_runnable(drawn_study(study, values), transients);
+  } catch (const InputError& e) {
+    throw InputError(e.place(), e.key(), e.value(), e.problem() + with);
+  }
+}
+
+// Throws InputError for a study with uncertain values whose starts cannot be decided, at its medians or where all
+// values are at one of their ends.
+void check_drawable(const Study& study, bool transients) {
+  check(study);
+  if (study.numerics.decide != ClassificationMode::validated)
+    throw InputError(
+        study.name, "numerics.decide", classification_mode_names[static_cast<std::size_t>(study.numerics.decide)],
+        "with uncertain values every start is followed to a motion of its own rotor; must be \"validated\"");
+  check_runnable(with_medians(study), transients);
+  const std::vector<UncertainValue>& uncertain = study.uncertain.values;
+  if (uncertain.size() > most_tried_together) return;  // the reader has tried each end by itself
+  for (std::size_t corner = 0; corner < std::size_t{1} << uncertain.size(); ++corner) {
+    std::vector<double> values;
+    for (std::size_t k = 0; k < uncertain.size(); ++k) values.push_back(uncertain[k].ends()[(corner >> k) & 1]);
+    check_corner(study, values, transients);
+  }
+}
+
+void reject_if_lacking(const Study& study, model::ResultKind answer) {
+  const auto lack = model::lacking(study.system(), answer);
+  if (!lack) return;
+  const auto [key, value] = blamed(study, lack->need);
+  throw InputError(study.name, key, value, lack->reason);
+}
+
+}  // namespace
+
+void check_watchable(const Study& study) {
+  const double release = study.release_time();
+  const double points = clamped_grid_points(study.parameters, model::segments(study.speed_profile(), release));
+  if (points <= most_clamped_grid_points) return;
+  throw InputError(study.name, release_key(study), fmt::format("{:.6g}", study.release.speed.value_or(release)),
+                   fmt::format("holds the balls until t = {:.6g}, too long to watch for transients; must be release by "
+                               "about t = {:.3g}, or a study without [limits], its transients not asked for",
+                               release, release * (most_clamped_grid_points / points)));
+}
+
+void check_decidable(const Study& study) {
+  check(study);
+  check_cost(study);
+  const double speed = study.speed_profile().final_speed();
+  if (std::fabs(speed) > fastest_speed)
+    throw InputError(
+        study.name, final_speed_key(study), fmt::format("{:.6g}", speed),
+        fmt::format("basin and attractors take final speeds from -{0:g} to {0:g} critical speeds", fastest_speed));
+  check_proof(study);
+  reject_if_lacking(study, model::ResultKind::shares);
+}
+
+void check_proof(const Study& study) {
+  if (study.numerics.decide != ClassificationMode::proof) return;
+  if (const auto lack = model::lacking(study.system(), model::ResultKind::proofs))
+    throw InputError(study.name, "numerics.decide", "proof", lack->reason + "; must be \"validated\" or \"horizon\"");
+}
+
+void check_offers(const Study& study, model::ResultKind answer) {
+  check(study);
+  reject_if_lacking(study, answer);
+}
+
+void check_runnable(const Study& study, bool transients) {
+  if (!study.uncertain.empty()) return check_drawable(study, transients);
+  check_decidable(study);
+  if (transients && !study.speed.driven()) check_watchable(study);
+}
+
+}  // namespace equipoise

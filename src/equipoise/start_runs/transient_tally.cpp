@@ -1,0 +1,128 @@
+// One distribution for every figure and outcome; what exceeds a limit is counted.
+#include "equipoise/start_runs/transient_tally.hpp"
+
+#include <cmath>
+#include <limits>
+
+#include "equipoise/types/outcomes.hpp"
+
+namespace equipoise {
+
+namespace {
+constexpr double exceeds_nothing = std::numeric_limits<double>::infinity();
+}  // namespace
+
+TransientSettings transient_settings(const Study& study) {
+  TransientSettings settings;
+  if (study.limits.displacement) settings.displacement = *study.limits.displacement;
+  if (study.limits.settled) settings.settled = *study.limits.settled;
+  settings.release = study.release_time();
+  if (knows_energy(study)) settings.work = study.speed.driven() ? WorkSource::motor : WorkSource::balance;
+  return settings;
+}
+
+// With contact or dry friction a balance would have to know what impacts and friction take.
+bool knows_energy(const Study& study) {
+  if (study.speed.driven()) return true;
+  const bool inertia_matters = study.speed.profile != Profile::constant;
+  return study.system().smooth() && (!inertia_matters || study.parameters.inertia > 0.0);
+}
+
+TransientTally::TransientTally(const Study& study, const Sampler& sampler)
+    : limits_(study.limits), settings_(transient_settings(study)), sampler_(sampler), seed_(study.sampling.seed) {}
+
+void TransientTally::add(const Fate& fate, const TransientRow& row) {
+  const double weight = sampler_.weight(seed_, total_++);
+  if (std::isnan(row.peak_radial)) {
+    ++lost_;
+    return;
+  }
+  const bool attracted = fate.outcome == Outcome::attracted;
+  Line& line = lines_[{static_cast<int>(fate.outcome), attracted ? fate.attractor : 0}];
+  ++line.count;
+  line.weight += weight;
+  line.weight_squared += weight * weight;
+  if (std::isfinite(fate.mean_speed)) {
+    line.speed += weight * std::fabs(fate.mean_speed);
+    line.speed_weight += weight;
+  }
+  for (std::size_t k = 0; k < transient_columns.size(); ++k)
+    if (const float value = row.*transient_columns[k].value; !std::isnan(value)) line.figures[k].add(value, weight);
+  // What a start goes on doing is known once its motion is.
+  const bool known = fate.outcome != Outcome::undecided;
+  if (known && row.peak_radial_at_end > settings_.displacement) ++line.lasting;
+  if (known && settings_.watches_settling() && row.peak_radial_at_end > settings_.settled) ++line.never;
+  count_exceeding(fate, row, weight, line);
+}
+
+void TransientTally::count_exceeding(const Fate& fate, const TransientRow& row, double weight, Line& line) const {
+  for (std::size_t k = 0; k < transient_limits.size(); ++k) {
+    const TransientLimit& l = transient_limits[k];
+    const bool beyond = row.*l.value > (limits_.*l.limit).value_or(exceeds_nothing);
+    if (beyond) line.exceeding[k].add(weight);
+    if (fate.outcome != Outcome::undecided) continue;
+    if (!beyond) line.undecided_within[k].add(weight);
+    if (beyond && l.at_end) line.undecided_beyond[k].add(weight);
+  }
+}
+
+void TransientTally::Line::merge(const Line& other) {
+  count += other.count;
+  weight += other.weight;
+  weight_squared += other.weight_squared;
+  speed += other.speed;
+  speed_weight += other.speed_weight;
+  lasting += other.lasting;
+  never += other.never;
+  for (std::size_t k = 0; k < figures.size(); ++k) figures[k].merge(other.figures[k]);
+  const auto add = [](auto& to, const auto& from) {
+    for (std::size_t k = 0; k < to.size(); ++k) to[k].add(from[k].weight, from[k].count);
+  };
+  add(exceeding, other.exceeding);
+  add(undecided_within, other.undecided_within);
+  add(undecided_beyond, other.undecided_beyond);
+}
+
+// With bounds that hold whatever the undecided starts of the group would do.
+Share TransientTally::exceeded(const Line& line, std::size_t limit) const {
+  const auto share = [&](std::uint64_t count, double counted) {
+    return wilson_share(count, line.count, counted, line.weight, line.weight_squared);
+  };
+  const Exceeding &all = line.exceeding[limit], &more = line.undecided_within[limit],
+                  &fewer = line.undecided_beyond[limit];
+  Share result = share(all.count, all.weight);
+  result.most = share(all.count + more.count, all.weight + more.weight).high;
+  result.least = share(all.count - fewer.count, all.weight - fewer.weight).low;
+  return result;
+}
+
+TransientGroup TransientTally::group(const Line& line) const {
+  TransientGroup result;
+  result.starts = line.count;
+  if (line.speed_weight > 0.0) result.mean_speed = line.speed / line.speed_weight;
+  result.lasting = line.lasting;
+  result.never = line.never;
+  for (std::size_t k = 0; k < line.figures.size(); ++k) result.figures[k] = line.figures[k].summary();
+  for (std::size_t k = 0; k < transient_limits.size(); ++k)
+    if (limits_.*transient_limits[k].limit) result.exceeded[k] = exceeded(line, k);
+  return result;
+}
+
+TransientResult TransientTally::result(const Catalogue& catalogue) const {
+  TransientResult result{settings_, lost_, {}};
+  Line all;
+  for (const auto& [key, line] : lines_) all.merge(line);
+  result.groups.push_back(group(all));
+  result.groups.back().name = "all";
+  for (const auto& [key, line] : lines_) {
+    TransientGroup one = group(line);
+    const auto outcome = static_cast<Outcome>(key.first);
+    const Attractor* a = key.second > 0 ? catalogue.find(key.second) : nullptr;
+    one.id = outcome == Outcome::attracted ? key.second : told_of(outcome).code;
+    one.name = a ? a->name : name_of(outcome);
+    result.groups.push_back(one);
+  }
+  return result;
+}
+
+}  // namespace equipoise

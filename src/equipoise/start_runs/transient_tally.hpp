@@ -1,0 +1,67 @@
+// Figures of transients counted in the order of starts, by outcome.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <map>
+#include <utility>
+
+#include "equipoise/attractors/catalogue.hpp"
+#include "equipoise/results/transient_result.hpp"
+#include "equipoise/sampling/sampling.hpp"
+#include "equipoise/statistics/quantile.hpp"
+#include "equipoise/study/study.hpp"
+#include "equipoise/types/fate.hpp"
+#include "equipoise/types/transient_table.hpp"
+
+namespace equipoise {
+
+/// What is asked of every trajectory of `study`.
+TransientSettings transient_settings(const Study& study);
+
+/// Whether the drive's work can be told: of a motor; of a prescribed speed without contact or dry friction, of which
+/// the rotor's inertia is stated where the speed changes.
+bool knows_energy(const Study& study);
+
+/// Takes starts in by index, from start 0 on.
+class TransientTally {
+ public:
+  TransientTally(const Study& study, const Sampler& sampler);
+
+  void add(const Fate& fate, const TransientRow& row);
+  TransientResult result(const Catalogue& catalogue) const;
+
+ private:
+  // Starts that exceed a limit, or that do not.
+  struct Exceeding {
+    std::uint64_t count = 0;
+    double weight = 0.0;
+
+    void add(double w, std::uint64_t n = 1) {
+      count += n;
+      weight += w;
+    }
+  };
+  struct Line {
+    std::uint64_t count = 0;
+    double weight = 0.0, weight_squared = 0.0;
+    double speed = 0.0, speed_weight = 0.0;  // of driven rotors: weighted |mean speed|, and the weight that has one
+    std::array<Distribution, transient_columns.size()> figures;
+    std::uint64_t lasting = 0;  ///< whose motion exceeds limits.displacement for good
+    std::uint64_t never = 0;    ///< whose motion exceeds limits.settled for good
+    std::array<Exceeding, transient_limits.size()> exceeding{}, undecided_within{}, undecided_beyond{};
+
+    void merge(const Line& other);
+  };
+  TransientGroup group(const Line& line) const;
+  void count_exceeding(const Fate& fate, const TransientRow& row, double weight, Line& line) const;
+  Share exceeded(const Line& line, std::size_t limit) const;
+
+  Limits limits_;
+  TransientSettings settings_;
+  Sampler sampler_;
+  std::uint64_t seed_, total_ = 0, lost_ = 0;
+  std::map<std::pair<int, int>, Line> lines_;  // by outcome and attractor
+};
+
+}  // namespace equipoise

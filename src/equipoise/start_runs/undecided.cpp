@@ -1,0 +1,162 @@
+// The diagnosis of undecided starts, and its words.
+#include "equipoise/start_runs/undecided.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include "equipoise/base/angles.hpp"
+#include "equipoise/base/plain_number.hpp"
+#include "equipoise/mechanics/held_speed.hpp"
+#include "equipoise/mechanics/linearisation.hpp"
+#include "equipoise/model/unbalance.hpp"
+#include "equipoise/periodic_orbits/orbit.hpp"
+#include "equipoise/spin_up/run_up.hpp"
+
+namespace equipoise {
+
+namespace {
+
+// In natural sizes: r and the unbalance of rotor and balls over the largest unbalance, rates over the rotor's speed.
+constexpr double near = 0.2;
+// An exponent is known to a bounded factor of the norms along a motion, as in motion.cpp, at e^8. Chaos may be a
+// transient: not much longer than it lasts.
+constexpr double exponent_time = 1500.0, zero_exponent = 8.0 / exponent_time;
+// Slower than this, in natural sizes, nothing swings: all rates of a swing are of the order of the speed or of drag.
+constexpr double creep = 1e-3;
+
+double fastest_ball(const model::Parameters& p, const Eigen::VectorXd& state) {
+  return state.segment(model::index::q(0, p.balls), p.balls).lpNorm<Eigen::Infinity>();
+}
+
+bool is_near_balance(const model::Parameters& p, double speed, const Eigen::VectorXd& state) {
+  const double near_axis = near * p.all_unbalances();
+  return state.head(2).norm() < near_axis &&
+         std::abs(model::unbalance(p, state.data() + model::index::phi(0))) < near_axis &&
+         fastest_ball(p, state) < near * std::max(1.0, std::fabs(speed));
+}
+
+double largest_exponent(const model::System& system, const Eigen::VectorXd& state) {
+  const std::vector<double> exponents = lyapunov_exponents(system, state, exponent_time, 1);
+  return exponents.empty() ? 0.0 : exponents.front();
+}
+
+std::string time_words(const Study& study, double time, int digits) {
+  return study.scales ? plain_number(time * study.scales->time(), digits) + " s" : plain_number(time, digits);
+}
+
+std::string speed_words(const Study& study, double speed) {
+  constexpr double rpm = pi / 30.0;
+  return study.scales ? plain_number(speed * study.scales->frequency / rpm, 3) + " rpm" : plain_number(speed, 3);
+}
+
+std::string horizon_text(const Study& study, const Horizon& h) {
+  const std::string followed = fmt::format("they were followed for {} ({})", time_words(study, h.time, 6),
+                                           h.given ? "numerics.horizon" : "chosen");
+  return h.long_enough() ? followed : slowness_text(h) + "; " + followed;
+}
+
+// As explain has it. Empty where the motor holds no speed, or the rotor has it from the beginning.
+std::string run_up_text(const Study& study, const Horizon& horizon) {
+  const auto aim = model::held_speed(study.system());
+  const auto run = aim ? run_up(study, *aim) : std::nullopt;
+  if (!run || !run->alone) return "";
+  if (!run->shaken)
+    return fmt::format("; by itself the rotor stalls at {} under what its own unbalance takes",
+                       speed_words(study, std::fabs(run->stalls_at)));
+  return fmt::format("; a run-up to {} takes about {} with what the rotor's own unbalance takes{}",
+                     speed_words(study, std::fabs(run->speed)), time_words(study, *run->shaken, 3),
+                     *run->shaken - run->last_piece > horizon.time ? ", longer than they were followed" : "");
+}
+
+// Of those that speed up: how far they have come, and how long it takes.
+std::string speeding_text(const Study& study, const Horizon& horizon, const std::vector<UndecidedEnd>& ends) {
+  double least = std::numeric_limits<double>::infinity(), most = 0.0;
+  for (const UndecidedEnd& e : ends) {
+    if (e.what != Restlessness::speeding_up) continue;
+    least = std::min(least, e.reached);
+    most = std::max(most, e.reached);
+  }
+  const std::string from = speed_words(study, least), to = speed_words(study, most);
+  std::string text = "at " + (from == to ? to : from + " to " + to);
+  if (const auto aim = study.motor().final_speed())
+    text += fmt::format(" when last seen, of {} that the motor aims at", speed_words(study, std::fabs(*aim)));
+  text += run_up_text(study, horizon);
+  return text;
+}
+
+}  // namespace
+
+std::string slowness_text(const Horizon& h) {
+  const double slowest = h.rates.slowest();
+  if (slowest == 0.0) return "balls without drag never settle";
+  const char* what = slowest == h.rates.drag     ? "drag damps the balls"
+                     : slowest == h.rates.growth ? "balance is left"
+                                                 : "balance is approached";
+  return fmt::format("{} at a rate of {:.2g}, which asks for a horizon of {:.2g}", what, slowest, h.asked);
+}
+
+UndecidedEnd look_at_undecided(const model::System& system, const Eigen::VectorXd& state) {
+  const model::Parameters& p = system.parameters();
+  const double speed = system.speed(state);
+  const double scale = std::max(1.0, std::fabs(speed));
+  if (system.runs_away(speed)) return {Restlessness::running_away, 0.0};
+  const Eigen::VectorXd rate = model::rate(system, state);
+  const bool still =
+      fastest_ball(p, state) < creep * std::fabs(speed) && fastest_ball(p, rate) < creep * std::fabs(speed) * scale;
+  if (is_near_balance(p, speed, state)) return {Restlessness::near_balance, 0.0};
+  if (still) return {Restlessness::creeping, 0.0};
+  const double exponent = largest_exponent(system, state);
+  if (exponent > zero_exponent) return {Restlessness::chaotic, exponent};
+  return {};
+}
+
+std::string held_text(const std::vector<UndecidedEnd>& ends) {
+  const UndecidedEnd* best = nullptr;
+  for (const UndecidedEnd& e : ends)
+    if (e.what == Restlessness::held &&
+        (!best || std::fabs(e.reached - e.asked) < std::fabs(best->reached - best->asked)))
+      best = &e;
+  if (!best) return "";
+  return best->asked == 0.0
+             ? fmt::format("the rotor keeps turning, at {:.2g} at least, and never comes to release.speed = 0",
+                           best->reached)
+             : fmt::format("the rotor comes to {:.2g} of release.speed at most", best->reached / best->asked);
+}
+
+std::string why_undecided(const Study& study, const Horizon& horizon, const std::vector<UndecidedEnd>& ends) {
+  constexpr std::array<const char*, restlessness_kinds> words{"{} near balance",
+                                                              "{} creeping, all balls nearly at rest",
+                                                              "{} wandering chaotically",
+                                                              "{} in motions whose windows of time do not repeat yet",
+                                                              "{} whose balls are never let go",
+                                                              "{} whose motor speeds the rotor up without end",
+                                                              "{} whose rotor still speeds up",
+                                                              "{} whose rotor still changes its mean speed",
+                                                              "{} watched for too short a time to compare its parts"};
+  std::vector<std::string> parts;
+  std::size_t hopeless = 0;  // to whom time makes no difference
+  for (std::size_t k = 0; k < words.size(); ++k) {
+    const auto what = static_cast<Restlessness>(k);
+    const auto count = static_cast<std::size_t>(
+        std::count_if(ends.begin(), ends.end(), [&](const UndecidedEnd& e) { return e.what == what; }));
+    if (count == 0) continue;
+    parts.push_back(fmt::format(fmt::runtime(words[k]), count));
+    if (what == Restlessness::speeding_up) parts.back() += " (" + speeding_text(study, horizon, ends) + ")";
+    if (what == Restlessness::held) parts.back() += " (" + held_text(ends) + ")";
+    if (what == Restlessness::held || what == Restlessness::running_away) hopeless += count;
+    if (what != Restlessness::chaotic) continue;
+    double sum = 0.0;
+    for (const UndecidedEnd& e : ends) sum += e.exponent;
+    parts.back() += fmt::format(" (largest Lyapunov exponent {:.2g})", sum / static_cast<double>(count));
+  }
+  if (parts.empty()) return horizon_text(study, horizon);
+  const std::string seen = fmt::format("of {} looked at: {}", ends.size(), fmt::join(parts, ", "));
+  return hopeless == ends.size() ? seen : seen + "; " + horizon_text(study, horizon);
+}
+
+}  // namespace equipoise

@@ -1,0 +1,68 @@
+// Columns, CSV and JSON of parameters.
+#include "equipoise/text/cell_text.hpp"
+
+#include <algorithm>
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include "equipoise/text/csv.hpp"
+
+namespace equipoise {
+
+std::string column_title(const std::string& key, const std::string& unit) {
+  return unit.empty() ? key : fmt::format("{}, {}", key, unit);
+}
+
+std::size_t column_width(const SweepParameter& p) {
+  return std::max<std::size_t>(column_title(p.key, p.unit).size(), 10);
+}
+
+std::string column_titles(const std::vector<SweepAxis>& axes) {
+  std::string line;
+  visit_parameters(axes, 0, [&](const SweepParameter& p, std::size_t) {
+    line += fmt::format("{:>{}}  ", column_title(p.key, p.unit), column_width(p));
+  });
+  return line;
+}
+
+std::string column_values(const std::vector<SweepAxis>& axes, std::size_t cell) {
+  std::string line;
+  visit_parameters(axes, cell, [&](const SweepParameter& p, std::size_t k) {
+    line += fmt::format("{:>{}.6g}  ", p.values[k], column_width(p));
+  });
+  return line;
+}
+
+std::string csv_title(const std::string& key, const std::string& unit) {
+  return csv_text(unit.empty() ? key : fmt::format("{} ({})", key, unit));
+}
+
+std::string csv_titles(const std::vector<SweepAxis>& axes) {
+  std::string line;
+  visit_parameters(axes, 0, [&](const SweepParameter& p, std::size_t) { line += csv_title(p.key, p.unit) + ","; });
+  return line;
+}
+
+std::string csv_values(const std::vector<SweepAxis>& axes, std::size_t cell) {
+  std::string line;
+  visit_parameters(axes, cell,
+                   [&](const SweepParameter& p, std::size_t k) { line += fmt::format("{},", p.values[k]); });
+  return line;
+}
+
+nlohmann::ordered_json over_json(const std::vector<SweepAxis>& axes) {
+  auto json = nlohmann::ordered_json::array();
+  visit_parameters(axes, 0, [&](const SweepParameter& p, std::size_t) {
+    json.push_back({{"key", p.key}, {"unit", p.unit}, {"values", p.values}});
+  });
+  return json;
+}
+
+nlohmann::ordered_json at_json(const std::vector<SweepAxis>& axes, std::size_t cell) {
+  auto json = nlohmann::ordered_json::object();
+  visit_parameters(axes, cell, [&](const SweepParameter& p, std::size_t k) { json[p.key] = p.values[k]; });
+  return json;
+}
+
+}  // namespace equipoise

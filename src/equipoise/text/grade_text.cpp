@@ -1,0 +1,25 @@
+// The figure itself, and the grade of the standard that it stays within.
+#include "equipoise/text/grade_text.hpp"
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include "equipoise/mechanics/balance_grade.hpp"
+
+namespace equipoise {
+
+std::string grade_text(double grade_mm_s) {
+  constexpr double nothing = 1e-3;  // mm/s: a micrometre a second, a four hundredth of the best grade
+  if (grade_mm_s < nothing) return "G 0";
+  const auto met = model::standard_grade_met(grade_mm_s);
+  return met ? fmt::format("G {:.3g} (within grade G {})", grade_mm_s, *met)
+             : fmt::format("G {:.3g} (beyond grade G {})", grade_mm_s, model::standard_balance_grades.back());
+}
+
+nlohmann::ordered_json grade_json(double grade_mm_s) {
+  nlohmann::ordered_json json{{"mm_per_s", grade_mm_s}, {"standard", nullptr}};
+  if (const auto met = model::standard_grade_met(grade_mm_s)) json["standard"] = *met;
+  return json;
+}
+
+}  // namespace equipoise

@@ -1,0 +1,131 @@
+// What a motion is, how fast it is come to, how far it shakes.
+#include "equipoise/text/motion_words.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <complex>
+#include <vector>
+
+#include <fmt/format.h>
+
+#include "equipoise/base/angles.hpp"
+#include "equipoise/base/percent_text.hpp"
+
+namespace equipoise {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+Json events_json(const Motion& m) {
+  constexpr std::array<const char*, 6> words{"strike", "press", "part", "stick", "slip", "turn"};
+  Json events = Json::array();
+  for (const BallEvent& e : m.events) {
+    Json one = {{"time", e.time}, {"kind", words[static_cast<std::size_t>(e.kind)]}, {"balls", {e.ball + 1}}};
+    if (e.other >= 0) one["balls"].push_back(e.other + 1);
+    events.push_back(one);
+  }
+  return events;
+}
+
+// Of a continuum each member has its own stability.
+std::string continuum_text(const ContinuumPart& part, const TableUnits& units) {
+  if (part.slowest_rate == 0.0)
+    return fmt::format("UNSTABLE, all of {} states drawn from the continuum, growth rates {:.5f} to {:.5f}{}",
+                       part.drawn, part.least_growth / units.time, part.most_growth / units.time, units.rate);
+  const std::string share = part.stable == part.drawn ? "all"
+                            : part.stable == 0        ? fmt::format("less than 1 in {}", part.drawn)
+                                                      : percent_text(part.share());
+  return fmt::format("stable in part: {} of the continuum, slowest rates {:.5f} to {:.5f}{}", share,
+                     part.fastest_rate / units.time, part.slowest_rate / units.time, units.rate);
+}
+
+}  // namespace
+
+std::string stability_text(const Attractor& a, const TableUnits& units) {
+  if (a.motion.set_valued) return "a continuum that dry friction holds";
+  if (a.continuum) return continuum_text(*a.continuum, units);
+  const Motion& m = a.motion;
+  if (m.kind == MotionKind::measured) return "starts come to it, by windows of time";
+  const char* verdict = m.stable ? "stable" : "UNSTABLE";
+  if (m.depends_on_angle && m.spectrum.size() > 0) {
+    double largest = 0.0;
+    const Eigen::VectorXcd decays = m.kind == MotionKind::periodic ? m.orbit.decays() : m.spectrum;
+    for (const std::complex<double>& value : decays) largest = std::max(largest, std::abs(value));
+    return fmt::format("{}, largest multiplier {:.4f}", verdict, largest);
+  }
+  if (m.kind == MotionKind::equilibrium && m.spectrum.size() > 0) {
+    double slowest = -1e300;
+    for (Eigen::Index k = 0; k < m.spectrum.size(); ++k) slowest = std::max(slowest, m.spectrum[k].real());
+    return fmt::format("{}, slowest rate {:.5f}{}", verdict, slowest / units.time, units.rate);
+  }
+  if (m.kind == MotionKind::periodic && m.spectrum.size() > 1)
+    return fmt::format("{}, largest multiplier {:.4f}", verdict, std::abs(m.spectrum[1]));
+  std::string text = fmt::format("{}, exponents", verdict);
+  for (std::size_t k = 0; k < std::min<std::size_t>(3, m.exponents.size()); ++k)
+    text += fmt::format(" {:.4f}", m.exponents[k] / units.time);
+  return text + units.rate;
+}
+
+TableUnits::TableUnits(const std::optional<model::Scales>& scales) {
+  if (!scales) return;
+  length = 1000.0 * scales->length;
+  time = scales->time();
+  speed = scales->frequency * 30.0 / pi;
+  torque = scales->torque();
+  power = scales->torque() * scales->frequency;
+  r = ", mm";
+  period = ", s";
+  drift = ", rpm";
+  moment = ", N m";
+  watts = ", W";
+  rate = " /s";
+}
+
+nlohmann::ordered_json motion_json(const Attractor& a, const Study& study) {
+  const int balls = study.parameters.balls;
+  const Motion& m = a.motion;
+  Json json = {{"id", a.id}, {"name", a.name}, {"alias", a.alias}, {"kind", name_of(m.kind)}, {"copies", m.copies}};
+  if (a.continuum)
+    json["continuum"] = {{"drawn", a.continuum->drawn},
+                         {"stable", a.continuum->stable},
+                         {"slowest_rate", {a.continuum->slowest_rate, a.continuum->fastest_rate}},
+                         {"growth_rate", {a.continuum->least_growth, a.continuum->most_growth}}};
+  if (m.kind == MotionKind::periodic) {
+    json["period"] = m.period;
+    json["winding"] = std::vector<int>(m.winding.begin(), m.winding.begin() + balls);
+    if (m.depends_on_angle) json["strobes"] = m.sections;
+  } else {
+    json["period"] = nullptr;
+    json["winding"] = Json::array();
+  }
+  const auto list = [&](const auto& values) { return std::vector<double>(values.begin(), values.begin() + balls); };
+  json["drift"] = list(m.drift);
+  json["rate"] = {{"min", list(m.rate_min)}, {"max", list(m.rate_max)}};
+  if (m.motor) {
+    json["speed"] = {{"min", m.motor->speed_min}, {"mean", m.speed}, {"max", m.motor->speed_max}};
+    json["torque"] = m.motor->torque;
+    json["power"] = {{"motor", m.motor->power}, {"supports", m.motor->support_power}};
+  }
+  const auto r = [&](double value) { return m.kind == MotionKind::measured ? Json(nullptr) : Json(value); };
+  json["radial"] = {{"min", r(m.r_min)}, {"mean", r(m.r_mean)}, {"max", r(m.r_max)}};
+  if (m.kind == MotionKind::equilibrium || m.kind == MotionKind::periodic) {
+    Json spectrum = Json::array();
+    for (Eigen::Index k = 0; k < m.spectrum.size(); ++k)
+      spectrum.push_back({m.spectrum[k].real(), m.spectrum[k].imag()});
+    json[m.kind == MotionKind::equilibrium && !m.depends_on_angle ? "eigenvalues" : "multipliers"] = spectrum;
+    json["residual"] = m.residual;
+  }
+  json["exponents"] = m.exponents;
+  json["stable"] = m.stable;
+  if (m.eventful) {
+    json["lasting"] = text_of(m.mode, balls);
+    json["events"] = events_json(m);
+    json["stuck"] = m.stuck;
+    json["continuum_of_friction"] = m.set_valued;
+  }
+  return json;
+}
+
+}  // namespace equipoise

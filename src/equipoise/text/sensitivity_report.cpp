@@ -1,0 +1,96 @@
+// Tables of indices.
+#include "equipoise/text/sensitivity_report.hpp"
+
+#include <algorithm>
+#include <cstddef>
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include "equipoise/text/start_text.hpp"
+#include "equipoise/text/text.hpp"
+
+namespace equipoise {
+
+namespace {
+
+std::string distribution_text(const UncertainValue& v) {
+  switch (v.kind) {
+    case DistributionKind::uniform:
+      return fmt::format("uniform, {} to {}", v.text(v.numbers[0]), v.text(v.numbers[1]));
+    case DistributionKind::loguniform:
+      return fmt::format("log-uniform, {} to {}", v.text(v.numbers[0]), v.text(v.numbers[1]));
+    case DistributionKind::normal: {
+      const std::string cut =
+          v.between ? fmt::format(", cut to {} to {}", v.text((*v.between)[0]), v.text((*v.between)[1])) : "";
+      return fmt::format("normal, mean {}, standard deviation {}{}", v.text(v.numbers[0]), v.text(v.numbers[1]), cut);
+    }
+    case DistributionKind::values:
+      break;
+  }
+  constexpr std::size_t most_shown = 6;
+  std::string text = "one of ";
+  for (std::size_t k = 0; k < std::min(v.numbers.size(), most_shown); ++k)
+    text += (k ? ", " : "") + v.text(v.numbers[k]);
+  return v.numbers.size() > most_shown ? fmt::format("{}, .. ({} values)", text, v.numbers.size()) : text;
+}
+
+std::string range_text(const IndexEstimate& e) { return fmt::format("{:.2f} to {:.2f}", e.low, e.high); }
+
+nlohmann::ordered_json estimate_json(const IndexEstimate& e) {
+  return {{"value", e.value}, {"low", e.low}, {"high", e.high}};
+}
+
+}  // namespace
+
+std::string uncertain_text(const Study& study, const std::vector<std::string>& set) {
+  std::string text;
+  for (const UncertainValue& v : study.uncertain.values)
+    if (std::find(set.begin(), set.end(), v.key) == set.end())
+      text += fmt::format("drawn with each start: {} {}\n", v.key, distribution_text(v));
+  text += drawn_instead_text(study);
+  return text.empty() ? text : text + "\n";
+}
+
+std::string sensitivity_text(const SensitivityResult& r) {
+  std::string text;
+  if (r.inputs.empty()) {
+    text = r.rows == 0 ? "What balance depends on: nothing was followed to the end.\n"
+                       : fmt::format("What balance depends on: nothing; of {} starts {} balanced.\n", 2 * r.rows,
+                                     r.balanced.count == 0 ? "none" : "all");
+  } else {
+    std::size_t width = 28;
+    for (const InputSensitivity& input : r.inputs) width = std::max(width, input.key.size() + 2);
+    text = fmt::format("{:<{}}{:>11}  {:<20}{:>8}  {:<20}\n", "balance depends on", width, "first order",
+                       "95 % interval", "total", "95 % interval");
+    for (const auto& [key, indices] : r.inputs)
+      text += fmt::format("{:<{}}{:>11.2f}  {:<20}{:>8.2f}  {:<20}\n",
+                          key == start_input ? "where the start begins" : key, width, indices.first.value,
+                          range_text(indices.first), indices.total.value, range_text(indices.total));
+    text +=
+        "\nFirst order: the part of the variance of \"ends balanced\" that goes away on average if this alone is "
+        "known;\n"
+        "total: the part that is left if all else is.\n";
+  }
+  text += fmt::format("{} starts in {} rows, {} of all pairs balanced ({})", r.evaluations, r.rows,
+                      percent(r.balanced.share, digits_for(r.balanced)), interval(r.balanced));
+  if (r.undecided > 0) text += fmt::format("; {} undecided ones count as not balanced", r.undecided);
+  return text + (r.partial ? ". PARTIAL: stopped before all rows were done.\n\n" : ".\n\n");
+}
+
+nlohmann::ordered_json sensitivity_json(const SensitivityResult& r) {
+  nlohmann::ordered_json json = nlohmann::ordered_json::array();
+  for (const auto& [key, indices] : r.inputs)
+    json.push_back({{"key", key}, {"first", estimate_json(indices.first)}, {"total", estimate_json(indices.total)}});
+  return json;
+}
+
+nlohmann::ordered_json sensitivity_design_json(const SensitivityResult& r) {
+  return {{"rows", r.rows},
+          {"evaluations", r.evaluations},
+          {"undecided", r.undecided},
+          {"partial", r.partial},
+          {"balanced", share_json(r.balanced)}};
+}
+
+}  // namespace equipoise

@@ -1,0 +1,193 @@
+// Numbers and studies as text.
+#include "equipoise/text/text.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include "equipoise/base/angles.hpp"
+#include "equipoise/mechanics/held_speed.hpp"
+#include "equipoise/text/engineering.hpp"
+#include "equipoise/text/start_text.hpp"
+
+namespace equipoise {
+
+namespace {
+
+using study::Dimension;
+
+// A number of the study, in physical units where it has them.
+class Shown {
+ public:
+  explicit Shown(const Study& study) : scales_(study.scales) {}
+
+  std::string operator()(double value, Dimension d) const {
+    return scales_ ? engineering(value * study::scale_of(d, *scales_), d) : fmt::format("{}", value);
+  }
+  // One for all, or one a ball; `factor` (in physical units only) times each value.
+  std::string list(const double* values, const double* factor, int count, bool same, Dimension d) const {
+    const auto entry = [&](int i) { return (*this)(scales_ && factor ? values[i] * factor[i] : values[i], d); };
+    if (same) return entry(0);
+    std::string text = "[";
+    for (int i = 0; i < count; ++i) text += (i ? ", " : "") + entry(i);
+    return text + "]";
+  }
+
+ private:
+  const std::optional<model::Scales>& scales_;
+};
+
+std::string motor_text(const Study& study) {
+  const TorqueSetting& t = study.speed.torque;
+  using Kind = model::MotorLaw::Kind;
+  const Shown shown(study);
+  const auto torque = [&](double value) { return shown(value, Dimension::torque); };
+  const auto speed = [&](double value) { return shown(value, Dimension::speed); };
+  std::string law;
+  if (t.by_stall)
+    law = fmt::format("torque {} at rest, none at {}", torque(t.stall), speed(t.no_load_speed));
+  else if (t.kind == Kind::table)
+    law = fmt::format("torque by {} points in time", t.times.size());
+  else if (t.kind == Kind::control)
+    law = fmt::format("speed control to {}, gain {}{}", speed(study.motor().target.final_speed()),
+                      shown(t.gain, Dimension::gain),
+                      t.limit ? fmt::format(", torque at most {}", torque(*t.limit)) : "");
+  else
+    law = fmt::format("torque {}, {} a unit of speed{}", torque(t.constant), shown(t.slope, Dimension::gain),
+                      t.until ? fmt::format(", until t = {}", shown(*t.until, Dimension::time)) : "");
+  if (model::speeds_up_for_ever(study.system())) law += std::string("; the ") + model::holds_no_speed;
+  return fmt::format("driven from {}: {}", speed(study.speed.initial), law);
+}
+
+// What goes beyond the isotropic, horizontal rotor with balls that meet nothing but drag; empty if nothing does.
+std::string more_text(const Study& study) {
+  const model::Parameters& p = study.parameters;
+  const Shown shown(study);
+  const auto both = [&](const std::array<double, 2>& v, Dimension d) {
+    return study.scales ? fmt::format("[{}, {}]", shown(v[0], d), shown(v[1], d))
+                        : fmt::format("[{:.6g}, {:.6g}]", v[0], v[1]);
+  };
+  std::string text;
+  const auto add = [&](const std::string& part) { text += (text.empty() ? "" : "; ") + part; };
+  if (p.stiffness[0] != p.stiffness[1]) add("stiffness " + both(p.stiffness, Dimension::stiffness));
+  if (p.damping[0] != p.damping[1]) add("damping " + both(p.damping, Dimension::damping));
+  if (p.gravity != 0.0)
+    add(study.scales ? "gravity " + shown(p.gravity, Dimension::acceleration)
+                     : fmt::format("gravity {:.6g}", p.gravity));
+  if (!p.race_is_centred()) add("race offset " + both(p.race_offset, Dimension::length));
+  if (p.rolls) {
+    const bool same = std::all_of(p.ball_radius.begin(), p.ball_radius.begin() + p.balls,
+                                  [&](double r) { return r == p.ball_radius[0]; });
+    add("balls roll, radius " + shown.list(p.ball_radius.data(), nullptr, p.balls, same, Dimension::length));
+  }
+  if (p.balls_collide())
+    add(fmt::format("balls touch at {:.6g} rad, restitution {:.6g}", p.contact_angle, p.restitution));
+  if (p.balls_stick()) add(fmt::format("rolling resistance {:.6g}, stiction {:.6g}", p.rolling[0], p.stiction[0]));
+  return text.empty() ? "" : text + "\n";
+}
+
+std::string speed_text(const Study& study) {
+  const SpeedSetting& s = study.speed;
+  const Shown shown(study);
+  const auto speed = [&](double value) { return shown(value, Dimension::speed); };
+  const auto time = [&](double value) { return shown(value, Dimension::time); };
+  std::string text;
+  if (s.driven())
+    text = motor_text(study);
+  else if (s.profile == Profile::constant)
+    text = fmt::format("constant speed {}", speed(s.speed));
+  else if (s.profile == Profile::ramp)
+    text = fmt::format("ramp {} to {} in {}", speed(s.initial), speed(s.final), time(s.duration));
+  else if (s.profile == Profile::trapezoid)
+    text = fmt::format("trapezoid {} to {} by {}, held to {}, to {} by {}", speed(s.initial), speed(s.peak),
+                       time(s.rise_until), time(s.hold_until), speed(s.final), time(s.fall_until));
+  else
+    text = fmt::format("{} speed points to {} at {}", s.times.size(), speed(s.speeds.back()), time(s.times.back()));
+  if (s.profile != Profile::constant && !s.driven())
+    text += s.law == model::SpeedLaw::published ? "; PUBLISHED speed law, psi = t Omega(t)"
+                                                : "; kinematic speed law, psi' = Omega(t)";
+  return text;
+}
+
+}  // namespace
+
+std::string percent(double share, int digits) { return fmt::format("{:.{}f} %", 100.0 * share, digits); }
+
+int digits_for(const Share& s) {
+  const double width = 100.0 * s.half_width();
+  return width >= 1.0 ? 1 : width >= 0.05 ? 2 : width >= 0.005 ? 3 : 4;
+}
+
+std::string interval(const Share& s) {
+  const int digits = digits_for(s);
+  if (s.total == 0) return "-";
+  if (s.count == 0) return "below " + percent(s.high, digits);
+  if (s.count == s.total) return "above " + percent(s.low, digits);
+  return fmt::format("{:.{}f} to {}", 100.0 * s.low, digits, percent(s.high, digits));
+}
+
+std::string bounds_text(const Share& s) {
+  Share bounds = s;
+  bounds.low = s.least;
+  bounds.high = s.most;
+  bounds.count = s.least <= 0.0 ? 0 : s.most >= 1.0 ? s.total : s.count;
+  return interval(bounds);
+}
+
+std::string study_heading(const Study& study) {
+  const model::Parameters& p = study.parameters;
+  std::string text = fmt::format("{}\n", study.name);
+  const Shown shown(study);
+  const bool same = p.equal_balls();
+  text += fmt::format("{} ball{}: mass {}, drag {}; rotor: eccentricity {}, damping {}\n", p.balls,
+                      p.balls == 1 ? "" : "s", shown.list(p.mass.data(), nullptr, p.balls, same, Dimension::mass),
+                      shown.list(p.drag.data(), p.mass.data(), p.balls, same, Dimension::gain),
+                      shown(p.eccentricity, Dimension::length), shown(p.damping[0], Dimension::damping));
+  if (study.scales)
+    text +=
+        fmt::format("critical speed {}, 1/omega_c = {}\n", shown(1.0, Dimension::speed), shown(1.0, Dimension::time));
+  const std::string held = held_text(study);
+  return text + more_text(study) + speed_text(study) + "\n" + (held.empty() ? "" : held + "\n") + "\n";
+}
+
+std::string rotor_speed_text(const Study& study, double speed) {
+  return study.scales ? Shown(study)(speed, Dimension::speed) : fmt::format("{:.6g}", speed);
+}
+
+const char* name_of(model::SpeedLaw law) { return speed_law_names[static_cast<std::size_t>(law)]; }
+
+nlohmann::ordered_json share_json(const Share& s) {
+  return {{"count", s.count}, {"share", s.share}, {"low", s.low}, {"high", s.high}};
+}
+
+nlohmann::ordered_json sure_share_json(const Share& s) {
+  nlohmann::ordered_json json = share_json(s);
+  json["least"] = s.least;
+  json["most"] = s.most;
+  return json;
+}
+
+nlohmann::ordered_json tree_json(const StudyValue& value) {
+  using nlohmann::ordered_json;
+  if (const auto* table = value.table()) {
+    ordered_json json = ordered_json::object();
+    for (const auto& [key, member] : *table) json[key] = tree_json(member);
+    return json;
+  }
+  if (const auto* array = value.array()) {
+    ordered_json json = ordered_json::array();
+    for (const StudyValue& entry : *array) json.push_back(tree_json(entry));
+    return json;
+  }
+  if (const auto* truth = value.boolean()) return *truth;
+  if (const auto* whole = value.integer()) return *whole;
+  if (const auto* number = value.real()) return *number;
+  return value.string() ? ordered_json(*value.string()) : ordered_json(value.other()->text);
+}
+
+nlohmann::ordered_json study_json(const Study& study) { return tree_json(to_tree(study)); }
+
+}  // namespace equipoise

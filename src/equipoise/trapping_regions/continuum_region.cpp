@@ -1,0 +1,176 @@
+// States on level sets around members of a continuum.
+#include "equipoise/trapping_regions/continuum_region.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <utility>
+#include <vector>
+
+#include <Eigen/Core>
+
+#include "equipoise/batch/own_rotor.hpp"
+#include "equipoise/mechanics/balanced_state.hpp"
+#include "equipoise/periodic_orbits/return_map.hpp"
+#include "equipoise/trapping_regions/region_rule.hpp"
+
+namespace equipoise {
+
+namespace {
+
+// A state of a continuum's trapping region falls to this share of its V: so much nearer, it is where linear theory
+// holds.
+constexpr double come_near = 0.03;
+// A state beside the slowest member that is tried may come to one a little slower.
+constexpr double slower = 0.5;
+
+// Slower ones would hold all levels down: errors of integration keep states about tolerance over rate away from them.
+double slowest_caught(const ContinuumPart& part) {
+  constexpr double share = 0.1, of_all = 2e-4;
+  return std::min(-of_all, share * part.fastest_rate);
+}
+
+// Members of a continuum to try levels around, and how far what gravity makes of them is from each other and from rest.
+struct Members {
+  std::vector<ContinuumMember> all;
+  Eigen::Vector4d place = Eigen::Vector4d::Zero();  // of the rotor, on average
+  double unit = 0.0, slowest_rate = 0.0, fastest_rate = 0.0, unrest = 0.0;
+  bool everywhere = false;  // catches_all()
+};
+
+Members members_to_try(const ContinuumOfEquilibria& continuum, const ContinuumSurvey& survey,
+                       const TrialSettings& settings) {
+  constexpr std::size_t most = 64;
+  Members result;
+  result.slowest_rate = slowest_caught(survey);
+  const auto first = static_cast<std::size_t>(
+      std::find_if(survey.rates.begin(), survey.rates.end(), [&](double r) { return r <= result.slowest_rate; }) -
+      survey.rates.begin());
+  result.everywhere = catches_all(survey);
+  const std::size_t count = survey.members.size() - first, taken = std::min(most, count);
+  const int balls = settings.system->balls();
+  for (std::size_t k = 0; k < taken && !is_set(settings.stop); ++k) {
+    auto m = continuum.member(survey.members[first + k * count / taken].data());
+    if (!m || m->form.size() == 0 || !(m->rate <= result.slowest_rate)) continue;
+    result.unit = std::max(result.unit, m->unit);
+    result.fastest_rate = std::min(result.fastest_rate, m->rate);
+    result.place += m->centre.head(4);
+    result.all.push_back(*std::move(m));
+  }
+  if (result.all.empty()) return result;
+  result.place /= static_cast<double>(result.all.size());
+  for (const ContinuumMember& m : result.all) {
+    result.unrest = std::max(result.unrest, (m.centre.head(4) - result.place).lpNorm<Eigen::Infinity>());
+    for (int i = 0; i < balls; ++i)
+      result.unrest = std::max(result.unrest, std::fabs(m.centre[model::index::q(i, balls)]));
+  }
+  return result;
+}
+
+double reach_of(const Members& members, double factor) {
+  return 1.5 * members.unrest + std::sqrt(std::min(factor * members.unit, 0.5));
+}
+
+// The trapping region at that factor.
+ContinuumRegion at_factor(ContinuumRegion region, const Members& members, double factor) {
+  region.factor = factor;
+  region.reach = reach_of(members, factor);
+  if (!region.estimate) return region;
+  constexpr double safety = 2.0;
+  const ContinuumEstimate::Errors errors = region.estimate->errors(*region.continuum, factor);
+  if (!(errors.shortfall > 0.0)) {
+    region.estimate.reset();
+    return region;
+  }
+  // Wherever a state comes to then, it is no farther than V tells, and what creeps from there comes to nothing else.
+  if (members.everywhere) region.deep = 1.0 / (safety * errors.shortfall);
+  // A state that is outside by mistake is only told a little later. If that is as soon as the estimate comes down to
+  // what is inside, V need not be computed at all.
+  region.far = safety * errors.floor < region.deep ? region.deep : std::max(errors.excess, safety * errors.floor);
+  return region;
+}
+
+// In that direction or the opposite one, where balls in contact do not overlap; else as far as they do not.
+Eigen::VectorXd state_with_room(const ContinuumRegion& region, const ContinuumMember& m, double value,
+                                const Eigen::VectorXd& direction, const model::System& system) {
+  constexpr int most = 64;
+  const bool collide = system.parameters().balls_collide();
+  for (int k = 0; k < most; ++k, value *= 0.5)
+    for (const double sign : {1.0, -1.0}) {
+      Eigen::VectorXd z = region.continuum->state_at(m, value, sign * direction);
+      if (!collide || least_gap(system.parameters(), z) > 0.0) return z;
+    }
+  return m.centre;
+}
+
+// From a member to the one beside it in the continuum of another rotor.
+Eigen::VectorXd moved_to(const model::System& other, const model::System& system, const ContinuumMember& m) {
+  std::array<double, model::max_balls> phi = m.phi;
+  const double speed = model::balanced_speed(system).value_or(0.0),
+               other_speed = model::balanced_speed(other).value_or(speed);
+  if (!model::project_to_balanced(other, other_speed, phi.data())) return Eigen::VectorXd::Zero(system.dimension());
+  return model::balanced_state(other, other_speed, phi.data()) - model::balanced_state(system, speed, m.phi.data());
+}
+
+// All states that are tried at `factor` times the members' units of V come near to the continuum.
+bool all_approach(const ContinuumRegion& region, const Members& members, DirectionTable& directions,
+                  const TrialSettings& settings, double factor, const TryRange& tries) {
+  const std::size_t count = members.all.size();
+  Trials trials;
+  trials.first = tries.first;
+  const auto member_of = [&](std::size_t i) -> const ContinuumMember& {
+    return members.all[(tries.first + i) * count / tries.of];
+  };
+  for (std::size_t i = 0; i < tries.count; ++i) {
+    const ContinuumMember& m = member_of(i);
+    Eigen::VectorXd z = state_with_room(region, m, factor * m.unit, directions[tries.first + i], *settings.system);
+    if (const OwnRotor* own = settings.rotor(tries.first + i)) z += moved_to(own->system, *settings.system, m);
+    trials.states.insert(trials.states.end(), z.begin(), z.end());
+  }
+  ContinuumRegion near = at_factor(region, members, come_near * factor);
+  near.slowest_rate *= slower;
+  trials.rule = rule_of_regions(*settings.system);
+  // Where half windows end: to tell what a state comes to costs more than to follow it until V has fallen by a factor
+  // of e, even of the member that attracts most.
+  trials.rule.window = std::max(trials.rule.window, 1.0 / -members.fastest_rate);
+  set_regions(trials.rule, *settings.system, {}, near);  // which asks by the window
+  trials.flight = [&](std::size_t first) {
+    const double rate = -member_of(first).rate;  // the slowest of the chunk
+    return Trials::Flight{2.0 * std::log(1.0 / come_near) / (2.0 * rate) + 500.0, 0.0};
+  };
+  return all_attracted(std::move(trials), settings);
+}
+
+}  // namespace
+
+bool catches_all(const ContinuumPart& part) {
+  return part.drawn > 0 && part.stable == part.drawn && part.slowest_rate <= slowest_caught(part);
+}
+
+bool ContinuumRegion::holds(const Eigen::VectorXd& state, const OwnRotor* own) const {
+  if (own)
+    return ContinuumOfEquilibria::is_of(own->system) &&
+           ContinuumOfEquilibria(own->system).holds(state, factor, slowest_rate);
+  const auto depth = estimate ? estimate->depth(state, factor) : std::nullopt;
+  if (depth && *depth < deep) return true;
+  return !(depth && *depth > far) && continuum->holds(state, factor, slowest_rate);
+}
+
+std::optional<ContinuumRegion> continuum_region(const std::shared_ptr<const ContinuumOfEquilibria>& continuum,
+                                                const ContinuumSurvey& survey, const TrialSettings& settings) {
+  if (!continuum || !survey.attracts()) return std::nullopt;
+  const Members members = members_to_try(*continuum, survey, settings);
+  if (members.all.empty()) return std::nullopt;
+  ContinuumRegion region{continuum,     0.0, members.slowest_rate,
+                         members.place, 0.0, std::make_shared<ContinuumEstimate>(*settings.system, members.all)};
+  // With anisotropic supports or gravity to tell what a state comes to is a flight of its own.
+  TrialCounts counts{.few = 128, .all = 1024};
+  if (!settings.system->autonomous()) counts = {counts.few / 4, counts.all / 4};
+  DirectionTable directions(continuum->directions());
+  const double factor = highest_good_level({0.5 / members.unit}, counts, [&](double level, const TryRange& tries) {
+    return all_approach(region, members, directions, settings, level, tries);
+  });
+  return factor > 0.0 ? std::optional(at_factor(std::move(region), members, factor)) : std::nullopt;
+}
+
+}  // namespace equipoise

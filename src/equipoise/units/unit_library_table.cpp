@@ -1,0 +1,33 @@
+// Units from the table, where there is no UDUNITS-2.
+#include <cmath>
+
+#include "equipoise/units/unit_library.hpp"
+#include "equipoise/units/unit_table.hpp"
+
+namespace equipoise::study {
+
+struct UnitLibraryUse::State {};  // a table is read by as many as like
+UnitLibraryUse::UnitLibraryUse() = default;
+UnitLibraryUse::~UnitLibraryUse() = default;
+
+struct Unit::Parts {
+  TableUnit unit;
+};
+
+Unit::Unit(const std::string& text) {
+  if (const auto unit = table_unit(text)) parts_ = std::make_unique<Parts>(Parts{*unit});
+}
+
+Unit::~Unit() = default;
+
+double Unit::worth_in(const Unit& other) const {
+  const TableUnit &a = parts_->unit, &b = other.parts_->unit;
+  const double one = a.si / b.si;
+  return a.same_kind(b) && one > 0.0 && std::isfinite(one) ? one : 0.0;
+}
+
+bool Unit::counts_radians() const { return parts_->unit.radian == 1; }
+
+const char* Unit::reader() { return "the table of usual units"; }
+
+}  // namespace equipoise::study

@@ -1,0 +1,81 @@
+// The one place that knows UDUNITS-2.
+#include <array>
+#include <cmath>
+#include <mutex>
+#include <string_view>
+
+#include <udunits2.h>
+
+#include "equipoise/base/error.hpp"
+#include "equipoise/units/unit_library.hpp"
+
+namespace equipoise::study {
+
+namespace {
+
+using UnitPointer = std::unique_ptr<ut_unit, decltype(&ut_free)>;
+using ConverterPointer = std::unique_ptr<cv_converter, decltype(&cv_free)>;
+
+std::mutex& library_mutex() {
+  static std::mutex mutex;
+  return mutex;
+}
+
+ut_system* unit_system() {
+  static const std::unique_ptr<ut_system, decltype(&ut_free_system)> system(ut_read_xml(nullptr), &ut_free_system);
+  if (!system) throw RunError("the unit database of UDUNITS-2 cannot be read (Debian package libudunits2-data)");
+  return system.get();
+}
+
+}  // namespace
+
+// It would print what it cannot read, which status and null pointers say as well; the handler of messages and the
+// status that the process has set are put back.
+struct UnitLibraryUse::State {
+  const std::lock_guard<std::mutex> lock{library_mutex()};
+  const ut_status status = ut_get_status();
+  const ut_error_message_handler handler = ut_set_error_message_handler(ut_ignore);
+};
+
+UnitLibraryUse::UnitLibraryUse() : state_(std::make_unique<State>()) {}
+
+UnitLibraryUse::~UnitLibraryUse() {
+  ut_set_error_message_handler(state_->handler);
+  ut_set_status(state_->status);
+}
+
+struct Unit::Parts {
+  UnitPointer unit;
+};
+
+Unit::Unit(const std::string& text) {
+  UnitPointer unit{ut_parse(unit_system(), text.c_str(), UT_UTF8), &ut_free};
+  if (unit) parts_ = std::make_unique<Parts>(Parts{std::move(unit)});
+}
+
+Unit::~Unit() = default;
+
+double Unit::worth_in(const Unit& other) const {
+  const ConverterPointer converter(ut_get_converter(parts_->unit.get(), other.parts_->unit.get()), &cv_free);
+  if (!converter) return 0.0;
+  const double one = cv_convert_double(converter.get(), 1.0);
+  // Reciprocal units (s for 1/s), offsets and logarithms convert too, but not in proportion.
+  return cv_convert_double(converter.get(), 0.0) != 0.0 || !(one > 0.0) || !std::isfinite(one) ? 0.0 : one;
+}
+
+// UDUNITS takes angles for pure numbers: that a unit has radians is seen in its definition, such as
+// "0.104719755 s-1.rad".
+bool Unit::counts_radians() const {
+  std::array<char, 256> text{};
+  const int length = ut_format(parts_->unit.get(), text.data(), text.size() - 1, UT_ASCII | UT_DEFINITION);
+  if (length < 0 || length >= static_cast<int>(text.size())) return false;
+  const std::string_view definition(text.data(), static_cast<std::size_t>(length));
+  const std::size_t at = definition.find("rad");
+  if (at == std::string_view::npos) return false;
+  const std::string_view after = definition.substr(at + 3);
+  return after.empty() || after.front() == '.' || after.front() == ' ';
+}
+
+const char* Unit::reader() { return "UDUNITS"; }
+
+}  // namespace equipoise::study
