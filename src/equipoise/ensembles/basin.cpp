@@ -1,4 +1,4 @@
-// The ensemble: chunks of starts taken in by index order, counted and stored; how it is sampled, resumed and ended.
+// Runs an ensemble: takes chunks of starts in by index order, counts and stores them; chooses sampling, resumes, ends.
 #include "equipoise/ensembles/basin.hpp"
 
 #include <algorithm>
@@ -100,12 +100,11 @@ class BasinRun {
     study.sampling.box = {};
   }
 
-  // What start `index` begins with.
   InitialState start(std::uint64_t index) const {
     if (result_.own_starts) return options_.initial[index];
     return drawn_start_of(result_.study, *sampler_, result_.study.sampling.seed, index);
   }
-  // What these starts do in the end; asked only if it is wanted.
+  // How these starts go on at the end. The work is done only when the result is called.
   LookAt look_at_these(const std::vector<std::uint64_t>& indices) const {
     return [&] {
       if (runner_->stopped() || is_set(options_.stop)) return std::vector<UndecidedEnd>{};
@@ -131,7 +130,7 @@ class BasinRun {
       choose_method();
     else
       set_method(given.value_or(SamplingMethod::random));
-    if (lost_) {  // interrupted before a method was chosen: no file is begun, what the pilot counted is told
+    if (lost_) {  // interrupted before a method was chosen: begin no file, report what the pilot counted
       for (auto& chunk : pilot_) commit(*chunk);
       return;
     }
@@ -173,7 +172,7 @@ class BasinRun {
     for (const Attractor& a : runner_->catalogue().attractors()) filed_.insert(a.id);
   }
 
-  // Pilot starts are the first ones of a Sobol sample, so that none is lost if it goes on.
+  // Pilot starts are the first of a Sobol sample, so none is wasted if the ensemble goes on with Sobol starts.
   void choose_method() {
     SamplingChoice choice;
     choice.random_starts = most_random_starts(options_.half_width);
@@ -214,7 +213,7 @@ class BasinRun {
   void count_all() {
     tally_->count(runner_->catalogue(), result_);
     if (result_.study.speed.driven()) {
-      // A grid's starts weigh differently, and are not counted here.
+      // A grid's starts have unequal weights, so these shares leave them out.
       if (!result_.grid) {
         result_.passed = open_share(passed_, passed_ + below_, tally_->total());
         result_.not_passed = open_share(held_below_, held_below_ + below_, tally_->total());
@@ -223,16 +222,16 @@ class BasinRun {
     if (result_.study.parameters.balls_collide() && !result_.grid)
       result_.met = open_share(met_, met_, tally_->total());
     if (gathers_) result_.transients = transients_->result(runner_->catalogue());
-    if (result_.choice && result_.choice->method == SamplingMethod::sobol)  // known better by now
+    if (result_.choice && result_.choice->method == SamplingMethod::sobol)  // a better estimate than the pilot's
       result_.choice->random_starts = random_starts_for(tally_->shares(), options_.half_width);
   }
 
-  // A file may hold more starts than were asked for now. Its summary is of all that it holds; one that says so already
-  // is left as it is.
+  // A file may hold more starts than this run asked for. Its summary covers all of them; a file that is already
+  // complete stays as it is.
   void finish_file(const RunTime& time) {
     if (file_->complete() && file_->unfinished() == 0 && (finished_ || file_->stored() >= limit_))
       return file_->forget_notes();
-    if (unread_ || runner_->stopped()) return;  // before it knew the attractors by which outcomes are named
+    if (unread_ || runner_->stopped()) return;  // the attractors that name the outcomes are not known yet
     const bool all = tally_->total() == file_->stored();
     if (file_->unfinished() == 0 && (!all || !finished_ || file_->complete())) return;
     Tally whole = *tally_;
@@ -246,7 +245,7 @@ class BasinRun {
     file_->finish(to_toml(study), outcome_summary(told), finished_, time);
   }
 
-  // Counts what an earlier run left in the file, once the motions that it met on its way are listed again.
+  // Counts what an earlier run left in the file. The motions that it met on the way are listed again first.
   void read_stored() {
     if (file_)
       for (const std::vector<double>& state : file_->discoveries()) {
@@ -274,7 +273,7 @@ class BasinRun {
     tally_->add(fate);
     if (result_.study.speed.driven()) count_passage(fate);
     if (row) transients_->add(fate, *row);
-    // What a pilot has decided counts, whether or not less would have done.
+    // Pilot starts all count, even if fewer would have been narrow enough.
     const std::uint64_t least = result_.choice ? result_.choice->pilot : 0;
     const bool may_end = options_.half_width > 0.0 && tally_->at_checkpoint() &&
                          (tally_->total() >= least || sampler_->method() == SamplingMethod::random);
@@ -291,7 +290,7 @@ class BasinRun {
     if (options_.fate) options_.fate(fate);
   }
 
-  // By the speed in the motion that a start came to, or when it was last seen.
+  // Judged by the speed of the motion that a start came to or, without one, by its last speed.
   void count_passage(const Fate& fate) {
     const bool lost = fate.outcome == Outcome::diverged || fate.outcome == Outcome::failed;
     const bool above = std::fabs(fate.mean_speed) >= passed_speed_;
@@ -304,7 +303,7 @@ class BasinRun {
   }
 
   void compute(std::uint64_t first, std::uint64_t limit, const ChunkSink& sink) {
-    // Fates of starts with individual rotors are too large to send, and so are starts of the caller's own.
+    // Starts with rotors of their own have fates too large to send; so have the caller's own starts.
     const bool helped = options_.help && !file_ && result_.study.uncertain.empty() && !result_.own_starts;
     const ChunkWork work{.decide = [&](Chunk& c) { return decide(c); },
                          .threads = threads_,
@@ -318,8 +317,8 @@ class BasinRun {
       options_.progress({tally.total(), limit, "starts", tally.share(Outcome::attracted, balanced_id).share});
   }
 
-  // Takes a chunk in, in order. After one that was not completed no later one counts: the result stays a prefix. What
-  // a file held already is left out.
+  // Takes chunks in, in order. No chunk after an incomplete one counts, so the result stays a prefix. Starts that the
+  // file already held are skipped.
   void commit(Chunk& chunk) {
     if (finished_) return;
     if (!chunk.complete || stop_counting_) {
@@ -344,7 +343,7 @@ class BasinRun {
     report(*tally_, options_.half_width > 0.0 ? 0 : limit_);
   }
 
-  // A stationary motion that the rule does not list: what it is decides, whenever it was first met.
+  // Names the fate of a start whose motion the rule does not list. The motion decides, whenever it was first met.
   void name_fate(Fate& fate, const UnlistedStart& start) {
     const int id = runner_->settle(start, fate);
     if (id == 0 || !filed_.insert(id).second) return;
@@ -367,15 +366,16 @@ class BasinRun {
   std::optional<Tally> tally_;
   std::optional<TransientTally> transients_;
   std::vector<std::shared_ptr<Chunk>> pilot_;
-  std::uint64_t passed_ = 0, held_below_ = 0, below_ = 0;  // the resonance; for good, or when last seen
+  std::uint64_t passed_ = 0, held_below_ = 0, below_ = 0;  // starts above resonance; below it for good; or when last
+                                                           // seen
   std::uint64_t met_ = 0;                                  // starts whose balls touched
   double passed_speed_ = 0.0;
-  std::set<int> filed_;  // motions known before the first start, or met and kept
+  std::set<int> filed_;  // motions known before the first start, or met and stored
   std::atomic<bool> finished_{false}, lost_{false};
   bool unread_ = false;  // stopped before the motions that the file names were listed
   bool stop_counting_ = false;
   Horizon horizon_;
-  std::vector<std::uint64_t> undecided_, stalled_;  // numbers of the first ones
+  std::vector<std::uint64_t> undecided_, stalled_;  // indices of the first few
 };
 
 }  // namespace

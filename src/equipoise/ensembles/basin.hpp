@@ -23,71 +23,69 @@ class SearchLog;
 struct AttractorSearchCache;
 struct WarmStartLevels;
 
-/// Progress is in stages of the search for attractors (Progress::preparing), then in starts decided, in order; the
-/// total is 0 while sampling until a half-width is reached.
+/// Progress counts stages of the attractor search (Progress::preparing), then decided starts, in order. The total is 0
+/// while sampling until a half-width is reached.
 struct BasinOptions : RunOptions {
-  double half_width = 0.0;  ///< > 0: sample until every outcome's interval is this narrow, at most
-                            ///< study.sampling.starts if limit_given, else at most 10^9. A study that leaves
-                            ///< sampling.method open gets the cheaper of random and Sobol starts
+  double half_width = 0.0;  ///< > 0: sample until every outcome's interval is this narrow: up to study.sampling.starts
+                            ///< if limit_given, else 10^9. A study without sampling.method gets the cheaper of random
+                            ///< and Sobol starts
   bool limit_given = false;
   std::string output;  ///< NetCDF file for per-start results; empty: none. An unfinished file of the same study is
                        ///< resumed, a finished one extended or simply read
   bool store_angles = true;  ///< in `output`
-  /// Gather the statistics of transients; `output` and `keep_starts` hold them too. Unset: if the study has [limits].
+  /// Gather statistics of transients, also for `output` and `keep_starts`. Unset: if the study has [limits].
   std::optional<bool> transients;
-  bool keep_starts = false;  ///< the result holds every start (BasinResult::every_start): 11 bytes a start and 8 a
-                             ///< ball, with transients 40 more
-  std::uint64_t keep_at_most = std::numeric_limits<std::uint64_t>::max();  ///< `keep_starts`: only so many, the first
-  /// Starts of the caller's own, followed in place of drawn ones: start i begins at t = 0 as initial[i] says, each a
-  /// whole state as [initial] has it. All of them are followed, whatever study.sampling says, and counted alike: an
-  /// interval is that of random starts, and speaks of whatever distribution they were drawn from. Where the rotor turns
-  /// as prescribed, psi is the study's if the rotor's angle matters (gravity, unequal supports), and while balls are
-  /// held at first all but their angles is. Not with a half-width, sampling.method "sobol" or "grid", or uncertain
-  /// values.
+  bool keep_starts = false;  ///< the result holds every start (BasinResult::every_start): 11 bytes a start, 8 more a
+                             ///< ball, and 40 more with transients
+  std::uint64_t keep_at_most = std::numeric_limits<std::uint64_t>::max();  ///< `keep_starts`: only the first ones
+  /// The caller's own starts, followed in place of drawn ones. Start i begins at t = 0 at initial[i], a whole state in
+  /// the form of [initial]. All of them are followed, whatever study.sampling says. All count alike: intervals are
+  /// those of random starts, for whatever distribution the caller drew them from. At a prescribed speed psi must be the
+  /// study's if the rotor's angle matters (gravity, anisotropic supports). If the balls are clamped at first,
+  /// everything but their angles must be the study's. Not allowed with a half-width, sampling.method "sobol" or "grid",
+  /// or uncertain values.
   std::vector<InitialState> initial;
-  /// States near motions known from elsewhere, each dimension(balls) numbers: rare attractors that pilot starts miss.
+  /// States near motions known from elsewhere (dimension(balls) numbers each): rare attractors that pilots miss.
   std::vector<std::vector<double>> warm_start_states;
-  bool warm_start =
-      false;  ///< the seeds are all of a neighbouring study's: a shorter search (AttractorSearchSettings::informed)
-  const WarmStartLevels* warm_start_levels = nullptr;  ///< and its trapping regions, or null
-  int search_threads = 0;                              ///< before the first start is decided; 0: as `threads`
-  /// Who helps to decide starts that are sampled so (ensembles/chunks.hpp), or null; asked before each sample.
+  bool warm_start = false;  ///< these states are all of a neighbouring study: a shorter search
+  const WarmStartLevels* warm_start_levels = nullptr;  ///< levels of its trapping regions, or null
+  int search_threads = 0;                              ///< for the attractor search; 0: as `threads`
+  /// The helpers for starts sampled by this method (ensembles/chunks.hpp), or null. Asked before each sample.
   std::function<ChunkHelp*(SamplingMethod)> help;
-  SearchLog* notes = nullptr;  ///< of the search, or null: of a run with `output` those that are kept there
-  AttractorSearchCache* discoveries = nullptr;  ///< shared by runs one after the other that end at the same speed;
-                                                ///< results do not depend on it
-  /// Every start counted, in order of index, those read from `output` included; from any thread, never from two at
-  /// once.
+  SearchLog* notes = nullptr;  ///< the search log, or null; a run with `output` keeps it in that file instead
+  AttractorSearchCache* discoveries = nullptr;  ///< shared by consecutive runs with the same final speed; results do
+                                                ///< not depend on it
+  /// Called for every counted start in index order, stored ones included; from any thread, but one at a time.
   std::function<void(const Fate&)> fate;
 };
 
-/// Whether a run with these options gathers transients.
 bool gathers_transients(const Study& study, const BasinOptions& options);
 
-/// What start `index` (any, also beyond study.sampling.starts; on a grid below its number) begins with at t = 0.
+/// The initial values of start `index` at t = 0. The index may exceed study.sampling.starts; on a grid it must be below
+/// the grid's number of starts.
 InitialState start_of(const Study& study, std::uint64_t index);
 
-/// One start replayed alone.
+/// One start decided by itself.
 struct StartReplay {
   std::uint64_t index = 0;
   InitialState start;         ///< state at t = 0
-  std::vector<double> drawn;  ///< uncertain values, in the order and the units of study.uncertain.values
+  std::vector<double> drawn;  ///< uncertain values, in the order and units of study.uncertain.values
   Fate fate;
-  std::string name;                        ///< of the attractor, empty if there is none
+  std::string name;                        ///< of the attractor, or empty
   std::optional<TransientRow> transients;  ///< if they are gathered
 };
 
-/// Runs the ensemble: study.sampling.starts starts, or as many as options.half_width asks for. The outcome of start i
+/// Runs the ensemble: study.sampling.starts starts, or as many as options.half_width needs. The outcome of start i
 /// depends on the study and i alone (for one CPU target; see docs/numerics.md).
-/// Throws InputError for studies that cannot be decided (see check_runnable()) and unusable output files,
+/// Throws InputError for studies that cannot be decided (see check_runnable()) and for unusable output files. Throws
 /// RunError if the output file fails later.
-/// `catalogue`, if given, receives the attractors found, refined and named, `hints` what is found about their trapping
-/// regions.
+/// `catalogue`, if given, receives the attractors found, refined and named; `warm_start_levels` the levels of their
+/// trapping regions.
 BasinResult basin(const Study& study, const BasinOptions& options = {}, Catalogue* catalogue = nullptr,
                   WarmStartLevels* warm_start_levels = nullptr);
 
-/// The fate of start `index` (any, also beyond study.sampling.starts; below the number of options.initial), with the
-/// very bits basin() would give it.
+/// The fate of start `index`, bit for bit as basin() gives it. The index may exceed study.sampling.starts, but must be
+/// below the number of options.initial, if any.
 StartReplay replay_start(const Study& study, std::uint64_t index, const BasinOptions& options = {});
 
 }  // namespace equipoise

@@ -1,4 +1,4 @@
-// Which programs' results are the same to the bit; what of a study decides the fate of a start.
+// Which programs give the same bits, and which part of a study decides the fates of its starts.
 #include "equipoise/ensembles/basin_header.hpp"
 
 #include "equipoise/ensembles/start_arrays.hpp"
@@ -13,9 +13,9 @@ namespace equipoise {
 
 namespace {
 
-// Kernels do the same operations in the same order on every instruction set of x86, but where it has fused
-// multiplications and additions, compilers use them: results are the same to the bit among those that have them (AVX2
-// and AVX-512), and among those that have not. Of other machines nothing is known.
+// On x86 kernels do the same operations in the same order on every instruction set. Where fused multiply-add exists,
+// compilers use it. So bits agree among the sets that have it (AVX2, AVX-512) and among those that lack it. Nothing is
+// known of other machines.
 std::string arithmetic_of(const std::string& target) {
   if (target == "AVX-512" || target == "AVX2") return "with fused multiply-add (AVX2, AVX-512)";
 #if defined(__x86_64__)
@@ -28,7 +28,7 @@ std::string arithmetic_of(const std::string& target) {
 
 BasinFileHeader basin_file_header(const Study& study, bool angles, bool transients, const std::string& own_starts,
                                   const std::string& target) {
-  Study identity = with_horizon(study);  // all that decides the fate of start i
+  Study identity = with_horizon(study);  // everything that decides the fate of start i
   const Sampler sampler = sampler_of(study);
   identity.sampling.starts = sampler.grid() ? sampler.grid()->starts() : 1;
   BasinFileHeader header;

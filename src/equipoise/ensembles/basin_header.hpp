@@ -1,4 +1,4 @@
-// What the output file of an ensemble says of its run.
+// The header of an ensemble's output file.
 #pragma once
 
 #include <string>
@@ -9,8 +9,8 @@
 
 namespace equipoise {
 
-/// What the output file of a basin() says of its run.
-/// `own_starts`: of the caller's starts (checksum_of()), empty if they are drawn; `target`: the CPU target of the run.
+/// Describes a run of basin() for its output file. `own_starts`: checksum_of() the caller's starts, empty if starts are
+/// drawn. `target`: the CPU target of the run.
 BasinFileHeader basin_file_header(const Study& study, bool angles, bool transients = false,
                                   const std::string& own_starts = {}, const std::string& target = cpu_target());
 

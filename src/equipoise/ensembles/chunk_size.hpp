@@ -8,8 +8,8 @@
 
 namespace equipoise {
 
-/// Large enough that lanes seldom wait for a chunk's last trajectory, small enough that every thread gets many and that
-/// none takes much longer than a second: what is complete is in the file soon. Results depend on none of this.
+/// Large enough that lanes seldom wait for a chunk's last trajectory. Small enough that every thread gets many chunks
+/// and none takes much over a second, so that finished starts soon reach the file. Results do not depend on it.
 class ChunkSize {
  public:
   ChunkSize(std::uint64_t starts, int threads)
@@ -24,7 +24,7 @@ class ChunkSize {
  private:
   static constexpr std::uint64_t least = 256;
   std::uint64_t most_;
-  std::atomic<double> pace_{0.0};  // seconds a start, of the chunk that ended last
+  std::atomic<double> pace_{0.0};  // seconds a start, in the last finished chunk
 };
 
 }  // namespace equipoise

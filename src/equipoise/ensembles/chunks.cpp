@@ -1,4 +1,5 @@
-// The queue: numbers given out, chunks decided side by side, passed on in order by whoever hands in the next one.
+// The queue: hands chunks out; they are decided side by side and passed on in order by the thread that has the next
+// one.
 #include "equipoise/ensembles/chunks.hpp"
 
 #include <algorithm>
@@ -10,7 +11,7 @@ namespace equipoise {
 
 namespace {
 
-// Chunks ahead of the first that is not passed on yet: two a thread, and room for others.
+// How many chunks may be ahead of the first one not passed on: two a thread, and room for helpers.
 std::size_t most_open(const ChunkWork& work) {
   constexpr std::size_t of_others = 64;
   return 2 * static_cast<std::size_t>(work.threads) + (work.help ? of_others : 0);
@@ -30,7 +31,7 @@ ChunkQueue::ChunkQueue(const ChunkWork& work, std::uint64_t first, std::uint64_t
       next_(first),
       passed_(first) {}
 
-// With the lock held: the next one, if there is one now.
+// With the lock held: the next chunk, if one can be had now.
 std::shared_ptr<Chunk> ChunkQueue::there(Taker taker) {
   std::shared_ptr<Chunk> chunk;
   if (!back_.empty() && !(taker == Taker::lending && back_.back()->from_elsewhere)) {
@@ -47,7 +48,7 @@ std::shared_ptr<Chunk> ChunkQueue::there(Taker taker) {
 }
 
 std::shared_ptr<Chunk> ChunkQueue::take(Taker taker) {
-  constexpr std::chrono::milliseconds until_a_look{20};  // at whether to stop: no one wakes us for that
+  constexpr std::chrono::milliseconds until_a_look{20};  // between checks for a stop, which wakes no thread
   std::unique_lock lock(mutex_);
   for (;;) {
     if (finished_ || lost_) return nullptr;
@@ -93,7 +94,7 @@ void ChunkQueue::hand_in(const std::shared_ptr<Chunk>& chunk) {
   changed_.notify_all();
 }
 
-// One thread at a time; what the others hand in meanwhile it passes on too.
+// One thread at a time passes chunks on, including those that other threads hand in meanwhile.
 void ChunkQueue::pass_on(std::unique_lock<std::mutex>& lock) {
   passing_ = true;
   while (!decided_.empty() && decided_.begin()->first == passed_) {
@@ -109,7 +110,7 @@ void ChunkQueue::pass_on(std::unique_lock<std::mutex>& lock) {
 
 namespace {
 
-// Helpers are gone before the queue is.
+// Makes helpers leave before the queue is destroyed.
 class Opened {
  public:
   Opened(ChunkHelp* help, ChunkQueue& queue) : help_(help) {

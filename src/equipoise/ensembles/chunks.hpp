@@ -1,4 +1,4 @@
-// Starts computed a chunk at a time, on all threads, and handed on in the order of their numbers.
+// Starts computed in chunks on all threads, and passed on in index order.
 #pragma once
 
 #include <atomic>
@@ -21,7 +21,7 @@ struct Chunk : Decided {
   std::uint64_t first = 0;
   std::size_t count = 0;
   bool complete = false;
-  /// Decided by another process: of unlisted starts place and state are all there is, and there are no angles.
+  /// Decided by another process: unlisted starts have only a place and a state, and there are no angles.
   bool from_elsewhere = false;
 
   const TransientRow* row(std::size_t place) const { return transients.empty() ? nullptr : &transients[place]; }
@@ -29,16 +29,15 @@ struct Chunk : Decided {
 
 class ChunkQueue;
 
-/// Others who decide chunks of an ensemble while it is at work.
+/// Helpers that decide chunks of a running ensemble.
 class ChunkHelp {
  public:
   virtual ~ChunkHelp() = default;
-  /// The queue may be asked for chunks until close() returns, which waits for those who are at one.
+  /// The helper may ask the queue for chunks until close() returns, which waits for those being decided.
   virtual void open(ChunkQueue& queue) = 0;
   virtual void close() = 0;
 };
 
-/// What chunks are computed with.
 struct ChunkWork {
   std::function<bool(Chunk&)> decide;  ///< fills a chunk in; thread-safe; false if stopped early
   int threads = 1;
@@ -48,20 +47,20 @@ struct ChunkWork {
 
 using ChunkSink = std::function<void(const std::shared_ptr<Chunk>&)>;
 
-/// The chunks of an ensemble: who takes one decides it and hands it in; they are passed on in order. From any thread.
+/// The chunks of an ensemble: threads take, decide and hand them in; they are passed on in index order. Thread-safe.
 class ChunkQueue {
  public:
   /// Starts first .. limit - 1, or fewer once `finished` or `lost` is set.
   ChunkQueue(const ChunkWork& work, std::uint64_t first, std::uint64_t limit, const std::atomic<bool>& finished,
              std::atomic<bool>& lost, const ChunkSink& sink);
 
-  /// Takes a chunk, decides it and hands it in. False if there is none to be had: with `wait`, none any more. What
-  /// deciding throws ends the work of all.
+  /// Takes a chunk, decides it and hands it in. False if there is no chunk now or, with `wait`, if no more will come.
+  /// An exception from deciding ends the work of all threads.
   bool work_off(bool wait);
 
-  /// For those who decide it elsewhere: a chunk that nobody has, or null.
+  /// Lends a chunk that nobody has to another process; null if there is none.
   std::shared_ptr<Chunk> lend();
-  /// Back from there: decided, or else (no fates) for somebody else to decide.
+  /// Returns a lent chunk: decided, or without fates for another thread to decide.
   void give_back(const std::shared_ptr<Chunk>& chunk);
 
   bool passed_all() const { return passed_ >= limit_; }
@@ -83,15 +82,15 @@ class ChunkQueue {
 
   std::mutex mutex_;
   std::condition_variable changed_;
-  std::uint64_t next_, passed_;                              // starts given out; starts passed on
-  std::size_t out_ = 0;                                      // chunks that somebody has
-  std::vector<std::shared_ptr<Chunk>> back_;                 // given back, and not handed in yet
-  std::map<std::uint64_t, std::shared_ptr<Chunk>> decided_;  // waiting for those before
+  std::uint64_t next_, passed_;                              // index of the next start to hand out; starts passed on
+  std::size_t out_ = 0;                                      // chunks handed out
+  std::vector<std::shared_ptr<Chunk>> back_;                 // given back undecided
+  std::map<std::uint64_t, std::shared_ptr<Chunk>> decided_;  // waiting for earlier chunks
   bool passing_ = false;
 };
 
-/// Decides starts first .. limit - 1, or fewer once `finished` or `lost` is set; `sink` gets the chunks in order. Sets
-/// `lost` where it ends before the limit without having finished.
+/// Decides starts first .. limit - 1, or fewer once `finished` or `lost` is set. `sink` gets the chunks in order. Sets
+/// `lost` if it ends before the limit without `finished`.
 void compute_chunks(const ChunkWork& work, std::uint64_t first, std::uint64_t limit, const std::atomic<bool>& finished,
                     std::atomic<bool>& lost, const ChunkSink& sink);
 

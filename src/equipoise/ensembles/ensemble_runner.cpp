@@ -1,4 +1,4 @@
-// A runner with what an ensemble asks of its search.
+// Runners for the starts of an ensemble.
 #include "equipoise/ensembles/ensemble_runner.hpp"
 
 #include <utility>

@@ -1,4 +1,4 @@
-// Whoever decides the starts of a basin(): itself, or another process on its behalf.
+// What decides the starts of basin(): its own process, or another that helps it.
 #pragma once
 
 #include <memory>
@@ -11,28 +11,28 @@
 
 namespace equipoise {
 
-/// Everything that basin() settles before it makes its runner.
+/// The study as basin() completes it before it makes its runner.
 Study as_sampled(Study study, SamplingMethod method);
 
-/// What the options of a basin() ask of the search for attractors. `discoveries`: or null.
+/// What the options of basin() ask of the attractor search. `discoveries` may be null.
 AttractorSearchSettings search_settings(const BasinOptions& options, AttractorSearchCache* discoveries);
 
-/// The study has its horizon and its method of sampling. Of the options those of the search and of transients count.
+/// The study must have its horizon and method. Of `options` those of the search and of transients count.
 std::unique_ptr<StartRunner> ensemble_runner(const Study& study, const BasinOptions& options,
                                              AttractorSearchCache& discoveries);
 
-/// One that goes on deciding when whoever might have stopped its search is gone: what is found here it finds again, in
-/// `found`. The study as above. Throws RunError if stopped.
+/// A runner that keeps deciding after the stop flag and callbacks of its search are gone. It searches with `options`
+/// first and finds the result again in `found`. Study as above. Throws RunError if stopped.
 std::unique_ptr<StartRunner> lasting_runner(const Study& study, const RunOptions& options, bool transients,
                                             AttractorSearchCache& found);
 
-/// Fills a chunk in, or completes one from elsewhere. Thread-safe; false if stopped early.
+/// Decides a chunk, or completes one from another process. Thread-safe; false if stopped early.
 bool classify_chunk(const StartRunner& runner, Chunk& chunk);
 
-/// Decides chunks of basin(study, options) with the very bits that it would give them.
+/// Decides chunks of basin(study, options) bit for bit as basin() does.
 class EnsembleHelper {
  public:
-  /// `method`: as it samples. Ask stopped() afterwards.
+  /// `method`: the one that basin() chose. Check stopped() afterwards.
   EnsembleHelper(Study study, const BasinOptions& options, SamplingMethod method);
   bool stopped() const { return runner_->stopped(); }
   /// Thread-safe; false if stopped early.

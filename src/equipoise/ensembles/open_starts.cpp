@@ -1,4 +1,4 @@
-// Words for starts that were looked at.
+// The words of the note about open starts.
 #include "equipoise/ensembles/open_starts.hpp"
 
 #include <string>

@@ -1,4 +1,4 @@
-// Why starts of an ensemble stay open, in its note.
+// The note that says why starts of an ensemble stay open.
 #pragma once
 
 #include <functional>
@@ -9,11 +9,11 @@
 
 namespace equipoise {
 
-/// What some starts do in the end; none once stopped.
+/// Looks at how some starts go on at the end; returns none once stopped.
 using LookAt = std::function<std::vector<UndecidedEnd>()>;
 
-/// Many undecided starts are no answer: the note then says why there are so many. That balls are never let go is said
-/// of any.
+/// Many undecided starts make an ensemble worthless, so the note then says why there are so many. Balls that are never
+/// let go are noted even if only one start has them.
 void note_open_starts(BasinResult& result, const Horizon& horizon, const LookAt& undecided, const LookAt& stalled);
 
 }  // namespace equipoise

@@ -1,4 +1,4 @@
-// One start of an ensemble decided alone.
+// Decides one start of an ensemble by itself.
 #include <vector>
 
 #include <fmt/format.h>

@@ -1,4 +1,4 @@
-// Needed numbers of starts from a pilot's intervals.
+// How many starts are needed, from a pilot's intervals.
 #include "equipoise/ensembles/sampling_choice.hpp"
 
 #include <algorithm>
@@ -7,7 +7,7 @@
 namespace equipoise {
 
 namespace {
-// 97.5 % quantile of the normal law.
+// 97.5 % quantile of the normal distribution.
 constexpr double z = 1.959963984540054;
 
 // Wilson's half-width is z sqrt(p q n + z^2/4) / (n + z^2); solved for n with b = z^2 / h^2.

@@ -1,4 +1,4 @@
-// Which way of sampling reaches a half-width with the fewest starts: what a pilot says.
+// Chooses from a pilot the sampling method that reaches a half-width with the fewest starts.
 #pragma once
 
 #include <cstdint>
@@ -12,13 +12,13 @@ namespace equipoise {
 /// Starts of the pilot: 16 replicates of 1024 scrambled Sobol points.
 inline constexpr std::uint64_t pilot_starts = 16384;
 
-/// Random starts after which no interval of a share is wider than +- half_width, whatever the shares.
+/// Random starts after which every share's interval is within +- half_width, whatever the shares are.
 double most_random_starts(double half_width);
-/// Random starts after which none of the intervals of these shares is.
+/// The same for these shares.
 double random_starts_for(const std::vector<Share>& shares, double half_width);
 
-/// What a pilot's shares (every outcome met, one unmet) say of `half_width`. Sobol starts are taken to gain only as 1 /
-/// sqrt(N) with their number, as random ones do, and the pilot's own count as taken: so the choice errs towards random.
+/// Chooses from a pilot's shares: every outcome met, and one not met. Sobol intervals are assumed to shrink only as 1 /
+/// sqrt(N), like random ones, and a change to random starts to lose the pilot. So the choice errs towards random.
 SamplingChoice choose_sampling(const std::vector<Share>& pilot, double half_width);
 
 }  // namespace equipoise

@@ -1,4 +1,4 @@
-// One start after another, as a file's columns have them.
+// Fills the arrays start by start, column by column as in a file.
 #include "equipoise/ensembles/start_arrays.hpp"
 
 #include <algorithm>

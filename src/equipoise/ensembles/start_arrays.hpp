@@ -8,12 +8,12 @@
 
 namespace equipoise {
 
-/// Adds the next start, which began as `start` and came to `fate`; `own`: it is the caller's; `row`: its transients, if
-/// any. What else it drew is made again: starts are functions of their index.
+/// Adds the next start, which began as `start` and has `fate`. `own`: the caller gave it. `row`: its transients, or
+/// null. Its other draws are made again: they are functions of its index.
 void add_start(const Study& study, const Sampler& sampler, const InitialState& start, bool own, const Fate& fate,
                const TransientRow* row, StartArrays& arrays);
 
-/// Dry friction may hold balls of the study, or of what its starts draw.
+/// Whether dry friction may hold balls, in the study or for values that its starts may draw.
 bool balls_may_stick(const Study& study);
 
 }  // namespace equipoise

@@ -1,4 +1,4 @@
-// Which starts are decided again; what starts drew besides angles.
+// Checks stored starts by deciding some again; appends starts with their draws.
 #include "equipoise/ensembles/stored_starts.hpp"
 
 #include <fmt/format.h>
@@ -17,7 +17,7 @@ bool same(const Fate& a, const Fate& b) {
 
 }  // namespace
 
-// Few suffice: where arithmetic differs, the times of decision of most starts do.
+// A few are enough: where arithmetic differs, most starts' decision times differ too.
 void check_stored(const BasinFile& file, const std::string& path, std::uint64_t stored, const std::string& target,
                   const std::function<bool(Chunk&)>& decide) {
   const auto& targets = file.cpu_targets();
@@ -38,7 +38,7 @@ void check_stored(const BasinFile& file, const std::string& path, std::uint64_t 
   }
 }
 
-// Starts are functions of their index: what they drew is made again for the file alone.
+// A chunk does not carry what its starts drew, which follows from their index, so the file makes the draws again.
 void append_starts(BasinFile& file, const Study& study, const Sampler& sampler, const Chunk& chunk,
                    std::pair<std::size_t, std::size_t> part, bool own,
                    const std::function<InitialState(std::uint64_t)>& start_of, const RunTime& so_far) {

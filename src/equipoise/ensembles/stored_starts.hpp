@@ -1,4 +1,4 @@
-// An ensemble's starts in its output file: read and checked before a run goes on, appended as they are decided.
+// An ensemble's starts in its output file: read and checked before a run resumes, appended as they are decided.
 #pragma once
 
 #include <algorithm>
@@ -16,7 +16,7 @@
 
 namespace equipoise {
 
-/// visit(fate, row) for starts begin .. end - 1 of a file; `row` is null without `transients`.
+/// Calls visit(fate, row) for starts begin .. end - 1 of a file; `row` is null without `transients`.
 template <class Visit>
 void for_each_stored(const BasinFile& file, std::uint64_t begin, std::uint64_t end, bool transients,
                      const Visit& visit) {
@@ -30,14 +30,14 @@ void for_each_stored(const BasinFile& file, std::uint64_t begin, std::uint64_t e
   }
 }
 
-/// A few of the first `stored` starts are decided again before any are added: a program built otherwise, or another
-/// instruction set, that gives other bits would make a file of two kinds. Throws InputError if they come out otherwise.
-/// `decide`: decides and settles a chunk; false if stopped.
+/// Decides a few of the first `stored` starts again before any is added. A different build or instruction set may give
+/// other bits, and the file would then mix two kinds. Throws InputError if a fate differs. `decide` decides and settles
+/// a chunk, and returns false if stopped.
 void check_stored(const BasinFile& file, const std::string& path, std::uint64_t stored, const std::string& target,
                   const std::function<bool(Chunk&)>& decide);
 
-/// Appends the starts of a chunk from its place part.first to before part.second. `start_of`: what a start begins with,
-/// by its index; `own`: they are the caller's.
+/// Appends the chunk's starts at places part.first .. part.second - 1. `start_of`: a start's initial values by its
+/// index. `own`: the caller gave them.
 void append_starts(BasinFile& file, const Study& study, const Sampler& sampler, const Chunk& chunk,
                    std::pair<std::size_t, std::size_t> part, bool own,
                    const std::function<InitialState(std::uint64_t)>& start_of, const RunTime& so_far);

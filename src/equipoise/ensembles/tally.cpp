@@ -1,4 +1,4 @@
-// Counting of fates and where sampling may end.
+// Counts fates, and says where sampling may end.
 #include "equipoise/ensembles/tally.hpp"
 
 #include <algorithm>
@@ -10,15 +10,15 @@
 namespace equipoise {
 
 namespace {
-// Fewest starts before sampling may end: with less, an interval of a rare outcome is narrow by luck.
+// Fewest starts before sampling may end: with fewer, a rare outcome's interval may be narrow by luck.
 constexpr std::uint64_t fewest_starts = 4096;
-// Random starts are looked at after every so many.
+// Random starts are checked each time this many more are counted.
 constexpr std::uint64_t checkpoint = 1024;
 
-// Replicates of 4, 5, 6 or 7 times a power of two points. Powers of two are best: the points are a net, one in every
-// elementary interval. Between them lie whole nets of a quarter of that size or more, for doubling alone would take
-// 44 % more starts than needed on average, quarters take 12 %; each look is one more chance to stop on a lucky narrow
-// interval, so there are no more than four an octave.
+// True for 4, 5, 6 or 7 times a power of two points in a replicate. Powers of two are best: their points form a net,
+// with one point in every elementary interval. Between them the points consist of whole nets of at least a quarter of
+// that size. Doubling alone would take 44 % more starts than needed on average; quarters take 12 % more. Every check is
+// one more chance to stop on a luckily narrow interval, so there are only four an octave.
 bool ends_a_net(std::uint64_t points) {
   const int quarter = std::bit_width(points) - 3;
   return quarter >= 0 && (points >> quarter << quarter) == points;
@@ -76,7 +76,7 @@ Share Tally::interval(const Line& line) const {
   }
 }
 
-// The starts of both as one outcome, for share(). A pair split between the two is not split any more.
+// Both lines as one outcome, for share(). A pair split between the two is no longer split.
 Tally::Line Tally::united(const Line& line, const Line& undecided) {
   Line both = line;
   both.count += undecided.count;
@@ -99,7 +99,7 @@ Share Tally::share(Key key) const {
 Share Tally::share(Outcome outcome, int attractor) const { return share(key_of(outcome, attractor)); }
 
 namespace {
-// Values below which so much of all weight lies.
+// The values below which the fractions unbalance_quantiles of all weight lie.
 std::vector<double> quantiles_of(const std::map<float, double>& weights) {
   double total = 0.0;
   for (const auto& [value, weight] : weights) total += weight;
@@ -131,11 +131,11 @@ void Tally::count(const Catalogue& catalogue, BasinResult& result) const {
   result.attractors.clear();
   if (!catalogue.find(balanced_id)) result.attractors.push_back(share(Attractor{balanced_id, "balanced", "", {}, {}}));
   for (const Attractor& a : catalogue.attractors()) {
-    // Whose rotor does not come up to speed is counted among the stalled.
+    // Starts whose rotor does not come up to speed count as stalled instead.
     const bool measured = a.motion.kind == MotionKind::measured;
     if (a.id != balanced_id && std::fabs(a.motion.speed) < stall_speed && !measured) continue;
     OutcomeShare one = share(a);
-    // Kinds of motion that a machine might come to are told only if one did.
+    // A measured kind of motion is reported only if a start came to it.
     if (one.share.count > 0 || a.id == balanced_id || !measured) result.attractors.push_back(std::move(one));
   }
   result.undecided = share(Outcome::undecided);

@@ -1,4 +1,4 @@
-// Fates counted in the order of starts, and the shares they give under each way of sampling.
+// Counts fates in index order and makes their shares, for each sampling method.
 #pragma once
 
 #include <array>
@@ -16,30 +16,30 @@
 
 namespace equipoise {
 
-/// Takes fates in by index, from start 0 on.
+/// Takes fates by index, from start 0 on.
 class Tally {
  public:
-  /// `settled`: study time at which the last branch has begun, from which decision times are counted.
+  /// `settled`: study time at which the last piece of the drive begins. Decision times count from there.
   Tally(const Sampler& sampler, std::uint64_t seed, double settled);
 
   void add(const Fate& fate);
 
   std::uint64_t total() const { return total_; }
-  /// 95 % interval by what the method of sampling allows, and bounds that hold whatever the undecided come to.
+  /// The 95 % interval that suits the sampling method, with bounds that hold whatever the undecided starts come to.
   Share share(Outcome outcome, int attractor = 0) const;
   OutcomeShare share(const Attractor& attractor) const;
-  /// All of them into `result`, whose study is that of the starts.
+  /// Fills in every share of `result`, whose study must be that of the starts.
   void count(const Catalogue& catalogue, BasinResult& result) const;
-  /// Every outcome that was met, and last one that was not.
+  /// The shares of every outcome met, and of one not met.
   std::vector<Share> shares() const;
 
-  /// Whether a half-width may be looked at now. Where sampling ends is part of the result, so this depends on the
-  /// starts counted and on nothing else.
+  /// Whether sampling may end here if a half-width is reached. The number of starts is part of the result, so this
+  /// depends on the starts counted alone.
   bool at_checkpoint() const;
   bool narrow(double half_width) const;
 
  private:
-  // Pairs of a grid's starts that differ.
+  // A grid's pairs of starts whose outcomes differ.
   struct Split {
     std::uint64_t count = 0;
     double squared = 0.0;  // sum of weights squared
@@ -52,10 +52,10 @@ class Tally {
   struct Line {
     std::uint64_t count = 0;
     double counted = 0.0, time = 0.0;   // weighted
-    std::map<float, double> unbalance;  // that is left, with weights
+    std::map<float, double> unbalance;  // residual unbalance and weight
     std::array<std::uint64_t, decided_by_count> by{};
     std::array<std::uint64_t, sobol_replicates> in_replicate{};  // for Sobol points
-    Split split, from_undecided;                                 // for a grid: from any other outcome; from that one
+    Split split, from_undecided;                                 // for a grid: from any outcome; from undecided
   };
   using Key = std::pair<int, int>;
   static Key key_of(Outcome outcome, int attractor);

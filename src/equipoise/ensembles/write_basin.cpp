@@ -1,4 +1,4 @@
-// The arrays of a result as the columns of a file.
+// Writes the arrays of a result as the columns of a file.
 #include "equipoise/ensembles/write_basin.hpp"
 
 #include <algorithm>
@@ -21,7 +21,7 @@ namespace equipoise {
 
 namespace {
 
-// The starts themselves, of arrays that hold them whole.
+// From arrays that hold starts with whole states.
 std::vector<InitialState> initial_states(const StartArrays& a) {
   const std::size_t balls = static_cast<std::size_t>(a.balls);
   std::vector<InitialState> starts(a.starts);
@@ -96,7 +96,7 @@ void write_basin_file(const std::string& path, const BasinResult& result) {
                                                      .weight = a.weight.data(),
                                                      .rows = rows.data(),
                                                      .drawn = a.drawn.data()});
-  std::vector<std::size_t> begins{0};  // of the columns, in `bytes`
+  std::vector<std::size_t> begins{0};  // where each column begins in `bytes`
   for (const io::StartColumn& c : columns) begins.push_back(begins.back() + a.starts * c.bytes());
   Study study = result.study;
   if (!result.partial && !result.grid) study.sampling.starts = result.starts;

@@ -1,4 +1,4 @@
-// An ensemble in memory as a file of results.
+// Writes an ensemble that is in memory to a file of results.
 #pragma once
 
 #include <string>
@@ -9,13 +9,13 @@
 
 namespace equipoise {
 
-/// Writes `path` anew: what basin() with that output and the same study would have left there, which goes on from it or
-/// reads it as its own (BasinFile). `result` has every start (BasinOptions::keep_starts). Throws InputError if it has
-/// not, or if another run's unfinished results stand beside `path`; RunError, with an old file as it was, if the disk
-/// cannot take it.
+/// Replaces `path` by the file that basin() with this output and study would have left, so that basin() can read or
+/// resume it (BasinFile). `result` must hold every start (BasinOptions::keep_starts). Throws InputError if it does not,
+/// or if another run's unfinished results stand beside `path`. Throws RunError if the disk cannot take the file; an old
+/// file then stays as it was.
 void write_basin_file(const std::string& path, const BasinResult& result);
 
-/// The outcomes of an ensemble as its file lists them.
+/// The outcomes as an ensemble's file lists them.
 std::vector<OutcomeShare> outcome_summary(const BasinResult& result);
 
 }  // namespace equipoise
