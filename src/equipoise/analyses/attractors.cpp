@@ -1,4 +1,4 @@
-// The search for attractors is an ensemble whose catalogue is kept.
+// A search for attractors: an ensemble whose catalogue is kept.
 #include "equipoise/analyses/attractors.hpp"
 
 #include <algorithm>
@@ -16,14 +16,14 @@ AttractorsResult attractors(const Study& asked, const AttractorsOptions& options
   study.sampling.starts = options.starts;
   AttractorsResult result;
   BasinOptions search = options;
-  search.transients = options.transients.value_or(false);  // [limits] play no part in which motions there are
+  search.transients = options.transients.value_or(false);  // [limits] do not affect the motions
   if (options.progress)
     search.progress = [&](Progress p) {
       if (!p.preparing) p.what = "starts searched";
       p.balanced.reset();
       options.progress(p);
     };
-  // An ensemble counts starts whose rotor does not come up to speed together, whatever their motion.
+  // An ensemble counts all starts whose rotor does not come up to speed as one outcome. Here they count by motion.
   std::map<int, std::uint64_t> stalled;
   search.fate = [&](const Fate& fate) {
     if (fate.outcome == Outcome::stalled) ++stalled[fate.attractor];

@@ -1,4 +1,4 @@
-// Which steady motions a balancer has at its final speed.
+// Finds the attractors that a study has at its final speed.
 #pragma once
 
 #include "equipoise/ensembles/basin.hpp"
@@ -6,16 +6,16 @@
 
 namespace equipoise {
 
-/// Starts after which an attractor with a share above 1e-3 has been missed with a probability below 1e-9.
+/// With this many starts, an attractor with a share above 1e-3 is missed with a probability below 1e-9.
 inline constexpr std::uint64_t search_starts = 20736;
 
 /// As for basin(); transients are gathered only if asked for.
 struct AttractorsOptions : BasinOptions {
-  std::uint64_t starts = search_starts;  ///< to search, whatever study.sampling.starts says
+  std::uint64_t starts = search_starts;  ///< to search with, whatever study.sampling.starts says
 };
 
-/// Every attractor of the study's final speed: found from random starts, from starts with coincident balls and from
-/// options.seeds, refined, named. Throws as basin() does.
+/// Finds, refines and names every attractor of the final speed: from random starts, starts with coincident balls, and
+/// options.warm_start_states. Throws as basin() does.
 AttractorsResult attractors(const Study& study, const AttractorsOptions& options = {});
 
 }  // namespace equipoise

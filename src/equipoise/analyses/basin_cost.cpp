@@ -1,4 +1,4 @@
-// A search and some hundred starts, timed.
+// Times an attractor search and some hundred starts.
 #include "equipoise/analyses/basin_cost.hpp"
 
 #include <algorithm>
@@ -16,8 +16,8 @@ namespace equipoise {
 
 namespace {
 
-// Of starts that a block of lanes takes at once, at first. A few that stay undecided may cost more than all others: so
-// many more are followed that a share of one in a thousand of such is met.
+// At first as many starts as a block of lanes takes at once. A few undecided starts may cost more than all others, so
+// the number then grows until shares of one in a thousand are met.
 constexpr std::uint64_t first_starts = 512, most_starts = 8192;
 constexpr double enough = 0.5;  // seconds of CPU on starts
 

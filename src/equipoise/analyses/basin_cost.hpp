@@ -1,4 +1,4 @@
-// What basin() of a study costs, measured on a piece of it.
+// Estimates the cost of basin() by running a part of it.
 #pragma once
 
 #include "equipoise/results/explanation.hpp"
@@ -7,12 +7,12 @@
 
 namespace equipoise {
 
-/// The clock's time that measure_cost() takes at most, where nobody says otherwise.
+/// The longest wall time of measure_cost() by default, in seconds.
 inline constexpr double cost_patience = 10.0;
 
-/// The search as basin() makes it, and the first starts by what it found, until their mean is known well enough; on one
-/// thread. What is not done after `patience` seconds, or once stopped, is cut off. Throws InputError for studies that
-/// basin() would not decide.
+/// Runs the search as basin() does, then the first starts until their mean cost is known well enough, all on one
+/// thread. Cuts off after `patience` seconds or when stopped. Throws InputError for studies that basin() would not
+/// decide.
 BasinCost measure_cost(const Study& study, const RunOptions& options, double patience = cost_patience);
 
 }  // namespace equipoise

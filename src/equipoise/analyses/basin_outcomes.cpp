@@ -1,4 +1,4 @@
-// An ensemble of which nothing but outcomes is kept.
+// Runs an ensemble and keeps only its outcomes.
 #include "equipoise/analyses/comparison.hpp"
 
 namespace equipoise {

@@ -1,4 +1,4 @@
-// Balanced states, one by one: form and sampled level from the trapping region analysis, proof, check.
+// Proves balanced states one by one: form and sampled level from the balanced analysis, then proof and check.
 #include "equipoise/analyses/certify.hpp"
 
 #include <array>
@@ -43,7 +43,7 @@ StateProof prove(const model::System& system, const BalancedRegion& region, cons
   return proof;
 }
 
-// Members of the continuum, drawn evenly among all ball angles that balance.
+// Members are drawn evenly over all ball angles that balance.
 void prove_members(const model::System& system, const RunOptions& options, CertifyResult& result) {
   constexpr std::size_t drawn = 64;
   const model::Parameters& p = system.parameters();

@@ -1,4 +1,4 @@
-// From a study to proofs about its balanced states.
+// Proofs about a study's balanced states.
 #pragma once
 
 #include "equipoise/results/certify_result.hpp"
@@ -7,11 +7,10 @@
 
 namespace equipoise {
 
-/// Proves, for each stable balanced state at the study's final speed, as large a level set as it can, and checks the
-/// finished certificate. What cannot be proved is no error: the result says why.
-/// Progress is in balanced states. After a stop the result is partial: states not done by then are not proved, and say
-/// so. One thread does all. Throws InputError for anisotropic supports and gravity, and for balls that collide or
-/// stick.
+/// Proves as large a level set as it can for each stable balanced state at the final speed, and checks the finished
+/// certificate. A failed proof is no error: the result says why. Progress counts balanced states. After a stop the
+/// result is partial: states not reached are not proved, and say so. Uses one thread. Throws InputError for anisotropic
+/// supports, gravity, and balls that collide or stick.
 CertifyResult certify(const Study& study, const RunOptions& options = {});
 
 }  // namespace equipoise

@@ -1,4 +1,4 @@
-// Outcomes matched by name, counted in pairs.
+// Matches outcomes by name and counts them in pairs.
 #include "equipoise/analyses/comparison.hpp"
 
 #include <algorithm>
@@ -39,9 +39,9 @@ void refuse_grid(const Study& study) {
                      "starts on a grid have weights; comparisons need \"random\" or \"sobol\"");
 }
 
-// The outcomes of both studies as one list: motions as the first has them, then those of the second alone, then what is
-// no motion. A motion with an identifier of its own is the same in both, whatever else it is called (balanced;
-// balanced, stuck); others are the same if their names are.
+// The outcomes of both studies as one list: motions of the first, those of the second alone, then outcomes without a
+// motion. A motion with a reserved identifier is the same in both, whatever its name (balanced; balanced, stuck).
+// Others are the same if their names are.
 class CommonNames {
  public:
   CommonNames(const BasinOutcomes& first, const BasinOutcomes& second) {
@@ -53,7 +53,7 @@ class CommonNames {
 
   std::size_t place(int study, short code) const { return places_[study].at(code); }
   const std::vector<BasinOutcomes::Name>& all() const { return names_; }
-  /// Of what has an identifier of its own.
+  /// The place of an outcome that has a reserved identifier.
   std::optional<std::size_t> place_of_own(short code) const {
     const auto found = std::find(own_.begin(), own_.end(), code);
     return found == own_.end() ? std::nullopt : std::optional<std::size_t>(found - own_.begin());
@@ -73,7 +73,7 @@ class CommonNames {
   }
 
   std::vector<BasinOutcomes::Name> names_;
-  std::vector<short> own_;  // first_free_id: none of its own
+  std::vector<short> own_;  // reserved identifiers; first_free_id: it has none
   std::array<std::map<short, std::size_t>, 2> places_;
 };
 
@@ -98,7 +98,7 @@ class Comparison {
   }
 
  private:
-  // Each start's outcome as a place in the common list: of common starts those that both have, else all.
+  // Each start's outcome as a place in the common list. With common starts, only for those that both studies have.
   std::vector<std::size_t> places(int study, const BasinOutcomes& o) const {
     std::vector<std::size_t> result(result_.common ? result_.starts : o.outcome.size());
     for (std::size_t i = 0; i < result.size(); ++i) result[i] = names_.place(study, o.outcome[i]);
@@ -124,7 +124,7 @@ class Comparison {
     return s;
   }
 
-  // Undecided starts of the first may all have come to balance, or those of the second.
+  // Undecided starts of one study or the other may all come to balance.
   void bound_balanced() {
     const auto undecided = names_.place_of_own(undecided_code);
     result_.balanced = names_.place_of_own(balanced_id);

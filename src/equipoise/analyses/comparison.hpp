@@ -1,4 +1,4 @@
-// Two ensembles compared, start by start where their starts are the same.
+// Compares two ensembles, start by start if they have the same starts.
 #pragma once
 
 #include <cstddef>
@@ -11,13 +11,13 @@
 
 namespace equipoise {
 
-/// Throws InputError for studies whose starts cannot be decided, or lie on a grid: these have weights.
+/// Throws InputError if starts cannot be decided, or lie on a grid: those have weights.
 void check_comparable(const Study& study);
 
-/// Runs basin() and keeps each start's outcome. Of `options` only those of a run count.
+/// Runs basin() and keeps each start's outcome.
 BasinOutcomes basin_outcomes(const Study& study, const RunOptions& options);
 
-/// What read_basin_outcomes() or basin_outcomes() gave, of each study. Throws InputError for starts on a grid.
+/// Takes results of read_basin_outcomes() or basin_outcomes(). Throws InputError for starts on a grid.
 ComparisonResult compare(const BasinOutcomes& first, const BasinOutcomes& second);
 
 }  // namespace equipoise

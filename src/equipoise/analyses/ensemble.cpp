@@ -1,4 +1,4 @@
-// A runner asked for starts in whatever order.
+// A runner whose starts can be asked for in any order.
 #include "equipoise/analyses/ensemble.hpp"
 
 #include <cmath>

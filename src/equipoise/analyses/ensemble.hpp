@@ -1,4 +1,4 @@
-// The starts of a study, any of them at any time: one search, then as many as one likes.
+// The starts of a study in any order, at any time, after one attractor search.
 #pragma once
 
 #include <cstdint>
@@ -16,33 +16,32 @@
 namespace equipoise {
 
 struct EnsembleOptions : RunOptions {
-  bool transients = false;                      ///< gather the figures of every start's transient
-  AttractorSearchCache* discoveries = nullptr;  ///< shared by ensembles one after the other that end at the same speed
+  bool transients = false;                      ///< gather every start's transient
+  AttractorSearchCache* discoveries = nullptr;  ///< shared by consecutive ensembles with the same final speed
 };
 
-/// Decides starts by their numbers, and states of the caller's own, with the very bits that basin() gives them. For
-/// those who show results as they come; basin() counts, keeps and resumes. One thread uses one of these.
+/// Decides starts by their indices, and the caller's own states, bit for bit as basin() does. For callers that show
+/// results as they come; basin() counts, stores and resumes. Use one from one thread only.
 ///
-/// A motion that the search had missed is listed once a start comes to it: where it has no identifier of its own
-/// (first_free_id) it gets the next free one, in the order in which starts are asked for.
+/// A motion that the search missed is listed once a start comes to it. Unless its identifier is reserved, it gets the
+/// next free one (from first_free_id), in the order in which starts are asked for.
 class Ensemble {
  public:
-  /// Searches for attractors: progress is that of basin(). Throws InputError for studies that basin() would not decide;
-  /// RunError if stopped.
+  /// Searches for attractors, with the progress of basin(). Throws InputError for studies that basin() would not
+  /// decide, RunError if stopped.
   explicit Ensemble(const Study& study, const EnsembleOptions& options = {});
 
-  /// All of them settled.
+  /// Fates that are final: unlisted motions have been listed.
   using Ended = Decided;
-  /// Starts first .. first + count - 1, also beyond study().sampling.starts. Throws InputError beyond the end of a
-  /// grid.
+  /// Decides starts first .. first + count - 1, even beyond study().sampling.starts. Throws InputError beyond a grid.
   Ended starts(std::uint64_t first, std::size_t count);
-  /// Starts that begin at [initial] of the study but with balls at these angles, `balls` a start. Balls that overlap
-  /// make no start: it has failed. Throws InputError for uncertain values and angles that are not finite.
+  /// Decides starts at the study's [initial], but with these ball angles, `balls` a start. A start with overlapping
+  /// balls has failed. Throws InputError for uncertain values, or angles that are not finite.
   Ended at_angles(const std::vector<double>& phi);
 
-  /// The study, its horizon and its way of sampling filled in.
+  /// The study, with its horizon and sampling method filled in.
   const Study& study() const { return study_; }
-  /// Those known so far.
+  /// The attractors known so far.
   const Catalogue& catalogue() const { return runner_->catalogue(); }
   BalanceNote balance() const { return runner_->balance(); }
 

@@ -1,4 +1,4 @@
-// Two studies' searches compared, key by key.
+// Compares two studies' searches key by key.
 #include "equipoise/analyses/mapped_search.hpp"
 
 #include <fmt/format.h>

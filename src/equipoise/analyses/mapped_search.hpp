@@ -1,4 +1,4 @@
-// A mapper's search, for an ensemble of the same rotor.
+// A mapper's attractor search, for an ensemble of the same rotor.
 #pragma once
 
 #include <string>
@@ -8,9 +8,9 @@
 
 namespace equipoise {
 
-/// What basin() of `study` on CPU target `target` takes in place of a search of its own (BasinOptions::discoveries), to
-/// the same bits. Throws InputError, naming what differs, unless the mapper's study has the same search
-/// (attractor_search_subject()) and its target is the same, and for studies whose starts are followed without a search.
+/// What basin() of `study` on CPU target `target` can use instead of its own search (BasinOptions::discoveries), with
+/// the same bits. The mapper's study must have the same search (attractor_search_subject()) and the same target;
+/// otherwise throws InputError that names the difference. Also throws for studies that are decided without a search.
 AttractorSearchCache mapped_search(const Mapper& mapper, const Study& study, const std::string& target);
 
 }  // namespace equipoise

@@ -1,4 +1,4 @@
-// One discovery, and states decided by it.
+// One attractor search, and states decided by it.
 #include "equipoise/analyses/mapper.hpp"
 
 #include <atomic>
@@ -26,7 +26,7 @@ struct Mapper::State {
   std::unique_ptr<StartRunner> runner;
   AttractorSearchCache found;
   std::string target;
-  mutable std::mutex listing;  // of motions
+  mutable std::mutex listing;  // while motions are listed
 
   void settle(Decided& decided) {
     const std::lock_guard guard(listing);

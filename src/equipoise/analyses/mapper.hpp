@@ -1,4 +1,4 @@
-// Any state to the attractor that it comes to: one search, then as many states as one likes.
+// Takes any state to the attractor that it comes to, after one attractor search.
 #pragma once
 
 #include <memory>
@@ -14,40 +14,40 @@ namespace equipoise {
 
 struct AttractorSearchCache;
 
-/// Decides states as basin() decides its starts, with the same bits. The attractors are searched for once, when it is
-/// made. Safe from several threads.
+/// Decides states as basin() decides starts, with the same bits. The constructor searches for the attractors.
+/// Thread-safe.
 ///
-/// A state may come to a motion that the search had missed. That motion is then listed, as basin() lists it: where it
-/// has no identifier of its own (first_free_id) it gets the next free one in the order in which motions are met: within
-/// one call that of the states, whatever the threads; between calls that go on at the same time, as it happens.
+/// A state may come to a motion that the search missed. It is then listed, as basin() lists it. Unless its identifier
+/// is reserved, it gets the next free one (from first_free_id) in the order in which motions are met. Within one call
+/// that is the order of the states, whatever the threads; between concurrent calls it is a matter of chance.
 class Mapper {
  public:
-  /// Searches for attractors; `options` are for that. [sampling] and [limits] of the study play no part, and [initial]
-  /// as far as starts have no say (BasinOptions::initial). Throws InputError for studies that basin() would not
-  /// decide, and those with uncertain values; RunError if stopped.
+  /// Searches for attractors with `options`. The study's [sampling] and [limits] are ignored, and so are values of
+  /// [initial] that starts set themselves (BasinOptions::initial). Throws InputError for studies that basin() would not
+  /// decide, and for uncertain values. Throws RunError if stopped.
   explicit Mapper(const Study& study, const RunOptions& options = {});
   ~Mapper();
   Mapper(Mapper&&) noexcept;
   Mapper& operator=(Mapper&&) noexcept;
 
-  /// What becomes of a start from this state at t = 0, taken through the study's spin-up and release. Throws InputError
-  /// for states that no start can have (BasinOptions::initial).
+  /// The fate of a start in this state at t = 0, taken through the study's spin-up and release. Throws InputError for
+  /// states that no start can have (BasinOptions::initial).
   Fate operator()(const InitialState& start) const;
-  /// Of many, side by side on lanes and threads: ten times and more as fast as one by one. Progress is in starts. Once
-  /// stopped, the fates of the first ones. On the CPU target in use, or options.cpu_target.
+  /// Many states, side by side on lanes and threads: at least ten times as fast as one by one. Progress counts starts.
+  /// Once stopped, returns the fates of the first ones. Uses the current CPU target, or options.cpu_target.
   std::vector<Fate> operator()(const std::vector<InitialState>& starts, const RunOptions& options = {}) const;
 
-  /// What its search found, empty where there is none, and the CPU target that found it (see mapped_search()).
+  /// The search's result, empty if there was none, and the CPU target that found it (see mapped_search()).
   const AttractorSearchCache& search() const;
   const std::string& target() const;
 
-  /// The study, its horizon filled in.
+  /// The study, with its horizon filled in.
   const Study& study() const;
-  /// Of an attractor; empty if there is none of that identifier.
+  /// An attractor's name; empty if no attractor has this identifier.
   std::string name(int attractor) const;
-  /// Of what a start came to: an attractor's name, or "undecided" and its like.
+  /// The name of a fate's attractor, or of its outcome, such as "undecided".
   std::string name(const Fate& fate) const;
-  /// Those known so far.
+  /// The attractors known so far.
   Catalogue attractors() const;
 
  private:

@@ -1,4 +1,4 @@
-// Displacement of an ensemble in windows of time: chunks of starts, each taken segment by segment to the end.
+// Records displacements of an ensemble in windows: chunks of starts are followed segment by segment.
 #include "equipoise/analyses/observation.hpp"
 
 #include <algorithm>
@@ -40,7 +40,7 @@ class Observer {
   Observer(const Study& study, const StartSource& source, const ObservationSettings& settings, Observation& result)
       : study_(study), source_(source), settings_(settings), result_(result) {}
 
-  // Starts at places place .. place + count - 1. False if stopped early.
+  // Follows starts at places place .. place + count - 1. False if stopped early.
   bool run(std::size_t place, std::size_t count) const {
     const std::size_t n = static_cast<std::size_t>(study_.parameters.balls);
     std::vector<double> phi(count * n), states;
@@ -70,7 +70,7 @@ class Observer {
   Observation& result_;
 };
 
-// Nothing seen yet: not-a-number before the release, 0 from it on.
+// Fills the tables before any window: not-a-number before the release, 0 from it on.
 void blank(const StartSource& source, Observation& result) {
   const double release = source.segments()[source.first_free()].begin;
   std::vector<float> row(result.windows, 0.0f);

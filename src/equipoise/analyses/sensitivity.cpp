@@ -1,4 +1,4 @@
-// Rows of a pick-freeze design as chunks of starts.
+// Runs the rows of a pick-freeze design as chunks of starts.
 #include "equipoise/analyses/sensitivity.hpp"
 
 #include <algorithm>
@@ -69,7 +69,7 @@ class PickFreeze {
     return true;
   }
 
-  // In order; after a chunk that was cut short none counts.
+  // Takes chunks in order. None counts after an incomplete one.
   void take(const Chunk& chunk) {
     if (!chunk.complete || !whole_) {
       whole_ = false;
@@ -97,7 +97,7 @@ class PickFreeze {
 
   const SensitivityOptions& options_;
   StartRunner runner_;
-  std::size_t keys_;  // inputs
+  std::size_t keys_;  // number of inputs
   PickFreezeRows rows_;
   SensitivityResult result_;
   std::uint64_t balanced_ = 0;
