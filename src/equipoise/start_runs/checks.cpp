@@ -1,4 +1,4 @@
-// What is asked of a study before any work, and the key that stands in the way.
+// The checks of a study before any work, and the key that an error names.
 #include "equipoise/start_runs/checks.hpp"
 
 #include <array>
@@ -25,7 +25,7 @@ const char* final_speed_key(const Study& study) {
   return profile == Profile::constant ? "speed.speed" : profile == Profile::points ? "speed.speeds" : "speed.final";
 }
 
-// What sets the time of release.
+// The key that sets the time of release.
 const char* release_key(const Study& study) {
   if (study.release.speed) return "release.speed";
   if (study.release.time) return "release.time";
@@ -35,7 +35,7 @@ const char* release_key(const Study& study) {
                                        : "speed.duration";
 }
 
-// A key of the study in which a need is not met, and its value.
+// The key that makes a study miss a need, and its value.
 std::pair<const char*, std::string> blamed(const Study& study, model::Need need) {
   using model::Need;
   const model::Parameters& p = study.parameters;
@@ -82,8 +82,8 @@ void check_corner(const Study& study, const std::vector<double>& values, bool tr
   }
 }
 
-// Throws InputError for a study with uncertain values whose starts cannot be decided, at its medians or where all
-// values are at one of their ends.
+// Tries a study with uncertain values at its medians, and with all values at their ends. Throws InputError if its
+// starts cannot be decided there.
 void check_drawable(const Study& study, bool transients) {
   check(study);
   if (study.numerics.decide != ClassificationMode::validated)
@@ -92,7 +92,7 @@ void check_drawable(const Study& study, bool transients) {
         "with uncertain values every start is followed to a motion of its own rotor; must be \"validated\"");
   check_runnable(with_medians(study), transients);
   const std::vector<UncertainValue>& uncertain = study.uncertain.values;
-  if (uncertain.size() > most_tried_together) return;  // the reader has tried each end by itself
+  if (uncertain.size() > most_tried_together) return;  // the study reader has tried each end by itself
   for (std::size_t corner = 0; corner < std::size_t{1} << uncertain.size(); ++corner) {
     std::vector<double> values;
     for (std::size_t k = 0; k < uncertain.size(); ++k) values.push_back(uncertain[k].ends()[(corner >> k) & 1]);

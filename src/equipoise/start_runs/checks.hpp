@@ -1,4 +1,4 @@
-// Whether a study can be answered at all.
+// Checks whether a study can be answered at all.
 #pragma once
 
 #include "equipoise/mechanics/capability.hpp"
@@ -6,18 +6,17 @@
 
 namespace equipoise {
 
-/// Throws InputError for invalid studies and those whose starts cannot be decided.
+/// Throws InputError for an invalid study, or one whose starts cannot be decided.
 void check_decidable(const Study& study);
-/// The same with uncertain values or without, at the medians and at the ends of those; if `transients` are gathered,
-/// also for those that cannot be watched.
+/// The same at the medians and ends of uncertain values, if there are any. With `transients`, also throws for a study
+/// whose transients cannot be watched.
 void check_runnable(const Study& study, bool transients);
-/// Throws InputError for a study that asks for decisions by proof where there are none.
+/// Throws InputError if a study asks for decisions by proof but proofs are not possible.
 void check_proof(const Study& study);
 
-/// Throws InputError for a spin-up with the balls held that is too long to look for peaks in.
+/// Throws InputError if the spin-up with held balls is too long to look for peaks in it.
 void check_watchable(const Study& study);
-/// Throws InputError for invalid studies, and those whose system lacks what the answer needs
-/// (mechanics/capability.hpp).
+/// Throws InputError for an invalid study, or a system that lacks what the result needs (mechanics/capability.hpp).
 void check_offers(const Study& study, model::ResultKind answer);
 
 }  // namespace equipoise

@@ -1,4 +1,4 @@
-// What becomes of a batch of starts: by the rule first, then, of each that it does not list, by its motion.
+// Decides a batch of starts: first by the rule, then each unlisted one by following it to its motion.
 #include <algorithm>
 #include <cmath>
 #include <optional>
@@ -17,7 +17,7 @@ namespace equipoise {
 
 namespace {
 
-// For what has been followed long beyond the horizon, and is at rest or repeats itself if it ever will.
+// Patience for a trajectory followed far beyond the horizon: it rests or repeats itself by now, or never will.
 constexpr double a_look = 1000.0;
 
 float unbalance_of(const model::System& system, const double* state) {
@@ -34,7 +34,7 @@ StartRunner::Batch StartRunner::new_batch(bool watched) const {
   return batch;
 }
 
-// What the rule says of all starts that are not over yet: those that are keep their fates.
+// Applies the rule to all starts that are not over; the others keep their fates.
 bool StartRunner::decide(Batch& batch) const {
   batch.fates = batch.starts.fates;
   std::vector<std::vector<std::size_t>> cells(family_ ? mesh_.cells.size() : 1);
@@ -103,7 +103,7 @@ bool StartRunner::finish(Batch& batch, Decided& decided) const {
   for (std::size_t i = 0; i < count; ++i) {
     Fate& fate = decided.fates[i];
     const model::System& system = batch.system(i);
-    // At the horizon a rotor of its own is not undecided for want of a list that holds for it.
+    // No list need hold for a rotor of the start's own, so it is followed beyond the horizon if that pays.
     const bool open = family_ && fate.outcome == Outcome::undecided && !batch.starts.is_over(i) &&
                       fate.time >= batch.end(i) && follows_open(batch, i);
     if (open) fate.outcome = Outcome::attracted;
@@ -128,7 +128,7 @@ bool StartRunner::finish(Batch& batch, Decided& decided) const {
       end = batch.table.end_of(fate.attractor).figures;
     }
     if (attracted && fate.attractor > 0) note_unbalance(batch, i, fate);
-    // Whatever its motion is called: what the study's motor was to do it did not.
+    // Whatever its motion is called, the motor did not bring the rotor up to speed.
     if (attracted && !system.prescribed() && std::fabs(fate.mean_speed) < batch.study(i).stall_speed())
       fate.outcome = Outcome::stalled;
     if (!batch.watched) continue;
@@ -138,7 +138,7 @@ bool StartRunner::finish(Batch& batch, Decided& decided) const {
   return true;
 }
 
-// Of starts whose fate the horizon left open. What runs away turns ever faster.
+// For starts whose fate is open at the horizon. A rotor that runs away turns ever faster.
 bool StartRunner::note_last_speeds(Batch& batch) const {
   if (system_.prescribed()) return true;
   const std::size_t size = system_.dimension();
@@ -163,33 +163,32 @@ bool StartRunner::note_last_speeds(Batch& batch) const {
   return !speeds.empty();
 }
 
-// Balls that dry friction holds leave each their own.
+// Balls held by dry friction leave a different unbalance after each start.
 void StartRunner::note_unbalance(const Batch& batch, std::size_t i, Fate& fate) const {
   const Attractor* a = catalogue_.find(fate.attractor);
   if (a && a->motion.set_valued) fate.unbalance = unbalance_of(batch.system(i), batch.state(i));
 }
 
-// Of a driven rotor, its attractor's own: a trapping region may catch it before it has turned for long. One that coasts
-// keeps what speed it has in balance, and else ends without any.
+// The mean speed of a driven rotor is its attractor's, for a trapping region may catch it before it has turned for
+// long. A coasting rotor keeps the speed that it has in balance; any other end is at rest.
 double StartRunner::mean_speed(const Batch& batch, std::size_t i, const Fate& fate) const {
   if (system_.prescribed()) return fate.mean_speed;
   if (system_.coasts()) return fate.attractor == balanced_id ? batch.state(i)[system_.layout().speed] : 0.0;
   if (family_ && fate.attractor == balanced_id) return model::balanced_speed(batch.system(i)).value_or(fate.mean_speed);
-  // What windows tell has turned at its speed for long, what a trapping region has caught may still be on its way up to
-  // it.
+  // A start decided by windows has long turned at its speed. One caught by a trapping region may still be speeding up.
   const bool seen = fate.by == DecidedBy::windows || fate.by == DecidedBy::horizon;
   const Attractor* a = family_ && seen && !std::isnan(fate.mean_speed) ? nullptr : catalogue_.find(fate.attractor);
   return a && a->motion.kind != MotionKind::measured ? a->motion.speed : fate.mean_speed;
 }
 
-// A motor lets go of each start's balls at a time of its own.
+// A motor releases the balls of each start at a different time.
 TransientSettings StartRunner::settings_of(const Batch& batch, std::size_t i) const {
   TransientSettings settings = batch.table.settings_of(i);
   if (!batch.starts.released.empty()) settings.release = batch.starts.released[i];
   return settings;
 }
 
-// `patience`: for a rotor of its own.
+// `patience` applies to a start with a rotor of its own.
 std::optional<UnlistedStart> StartRunner::unlisted_start(const Batch& batch, std::size_t i, double now,
                                                          double patience) const {
   const std::vector<double> state = when_recognised(batch, i, now);
@@ -212,8 +211,8 @@ UnlistedStart StartRunner::met_again(const Batch& batch, std::size_t i, const Fa
   return {i, {motion.state.begin(), motion.state.end()}, motion, motion_name(batch.system(i).parameters(), motion)};
 }
 
-// The state at time `now` as a start is followed further from it: at a prescribed speed with anisotropy or gravity one
-// at a strobe, so that it needs no angle beside it.
+// The state from which a start is followed on, from time `now`. With a stroboscopic section it lies on the next
+// section, so that it needs no rotor angle beside it.
 std::vector<double> StartRunner::when_recognised(const Batch& batch, std::size_t i, double now) const {
   const model::System& system = batch.system(i);
   const Eigen::Map<const Eigen::VectorXd> z(batch.state(i), system.dimension());

@@ -1,4 +1,4 @@
-// Starts with rotors of their own: drawn ones, given ones of a family, and what those of one rotor come to.
+// Starts with rotors of their own: drawn ones, given ones of a family, and the motions that one rotor's starts come to.
 #include <algorithm>
 #include <utility>
 #include <vector>
@@ -12,7 +12,7 @@ namespace equipoise {
 
 namespace {
 
-// From dimensionless figures of one rotor to those of another.
+// Converts dimensionless figures of one rotor to the units of another.
 void change_units(const model::Scales& from, const model::Scales& to, Fate& fate, TransientRow* row) {
   if (from.mass == to.mass && from.length == to.length && from.frequency == to.frequency) return;
   const double time = from.time() / to.time(), length = from.length / to.length, force = from.force() / to.force();
@@ -50,7 +50,7 @@ bool StartRunner::run_drawn(std::span<const DrawnStart> drawn, Decided& decided,
       const InitialState apart = parted(study.parameters, start);
       starts.push_back({{std::move(study), apart}, drawn[i].fractions});
       places.push_back(i);
-    } catch (const InputError&) {  // beyond the ends that were tried
+    } catch (const InputError&) {  // values beyond the ends that check_drawable() tried
       start = start_of(study_, sampler_, study_.sampling.seed, drawn[i].number);
     }
     decided.phi.insert(decided.phi.end(), start.phi.begin(), start.phi.begin() + balls);
@@ -73,7 +73,7 @@ bool StartRunner::run_drawn(std::span<const DrawnStart> drawn, Decided& decided,
   return true;
 }
 
-// Starts of the family's rotors, each in the units of the study's medians.
+// Decides starts with the family's rotors; results are in the units of the study's medians.
 bool StartRunner::run_family(std::vector<FamilyStart> given, Decided& decided, bool watched) const {
   if (system_.coasts()) return run_coasting(given, decided, watched);
   Batch batch = new_batch(watched);
@@ -103,13 +103,13 @@ bool StartRunner::follows_open(const Batch& batch, std::size_t i) const {
   return mesh_.cells[batch.cell[i]].follows_open && (!met || met->follows_open);
 }
 
-// One after the other, so that each motion is followed once.
+// Takes starts one by one, so that each motion is followed only once.
 bool StartRunner::meet(std::vector<FamilyStart> given, std::span<const std::size_t> rotor,
                        std::span<MetMotions> met) const {
   Batch batch = new_batch(false);
   batch.records.emplace(given.size());
   if (!begin_family(std::move(given), batch) || !decide(batch)) return false;
-  std::vector<int> late(met.size()), settled(met.size());  // of those that the horizon left open
+  std::vector<int> late(met.size()), settled(met.size());  // starts of the rotor that the horizon left open
   std::vector<char> restless(met.size());                  // one of the rotor's starts comes to nothing
   for (std::size_t i = 0; i < batch.fates.size(); ++i) {
     const Fate& fate = batch.fates[i];
@@ -132,7 +132,7 @@ bool StartRunner::meet(std::vector<FamilyStart> given, std::span<const std::size
   return true;
 }
 
-// Adds what a start comes to, unless that has been met. False if it comes to nothing, or stopped.
+// Adds the motion that a start comes to, unless it is already there. False if it comes to none, or if stopped.
 bool StartRunner::meet(const Batch& batch, std::size_t i, MetMotions& met) const {
   const PilotRecord& record = (*batch.records)[i];
   if (!record.finished_window) return false;
@@ -140,7 +140,7 @@ bool StartRunner::meet(const Batch& batch, std::size_t i, MetMotions& met) const
   if (nearest_met(record.features, met.known, study_.parameters.balls, sameness)) return true;
   const std::optional<UnlistedStart> start = unlisted_start(batch, i, batch.fates[i].time, lasting_chaos);
   if (!start || !start->motion || !start->motion->stable) return false;
-  if (start->motion->set_valued) return true;  // balls that dry friction holds stay each where they are
+  if (start->motion->set_valued) return true;  // each ball held by dry friction stays in its own place
   met.motions.push_back(*start->motion);
   met.known.push_back({.features = record.features,
                        .attractor = -static_cast<int>(met.motions.size()),

@@ -1,4 +1,4 @@
-// Speeds sampled on the way, by Simpson's rule.
+// Samples speeds and takes their mean by Simpson's rule.
 #include "equipoise/start_runs/last_speed.hpp"
 
 #include <cstddef>
@@ -9,8 +9,8 @@
 namespace equipoise {
 
 namespace {
-// Of last_turns, in parts of a quarter turn: gravity and unequal supports swing the speed twice a turn at most,
-// drifting balls more slowly.
+// Intervals within last_turns, a quarter turn each. Gravity and anisotropic supports make the speed swing twice a turn
+// at most, drifting balls more slowly.
 constexpr int watched_parts = 32;
 }  // namespace
 

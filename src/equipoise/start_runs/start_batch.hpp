@@ -1,4 +1,4 @@
-// Starts under way, and what is known of each: for the files of StartRunner alone.
+// Starts being decided, and what is known of each. Only for the files of StartRunner.
 #pragma once
 
 #include <optional>
@@ -11,12 +11,12 @@ namespace equipoise {
 struct StartRunner::Batch {
   const StartRunner* runner = nullptr;
   SpunUp starts;
-  std::vector<FamilyStart> own;   // each start's study, where they differ; else empty
-  std::vector<std::size_t> cell;  // of the mesh, of such
-  bool watched = false;           // transients are gathered, in:
+  std::vector<FamilyStart> own;   // each start's study if they differ, else empty
+  std::vector<std::size_t> cell;  // their cells of the mesh
+  bool watched = false;           // transients are gathered, in `table`
   TransientTable table;
   std::vector<Fate> fates;
-  std::optional<std::vector<PilotRecord>> records;  // of all starts, if wanted
+  std::optional<std::vector<PilotRecord>> records;  // of all starts, if requested
 
   const Study& study(std::size_t i) const { return own.empty() ? runner->study_ : own[i].own.study; }
   const model::System& system(std::size_t i) const { return own.empty() ? runner->system_ : starts.rotors[i].system; }

@@ -1,4 +1,4 @@
-// One study's starts, from index to fate.
+// Takes one study's starts from index to fate.
 #include "equipoise/start_runs/start_runner.hpp"
 
 #include <algorithm>
@@ -29,7 +29,7 @@ StartRunner::StartRunner(const Study& study, const AttractorSearchSettings& sett
     catalogue_ = discovery_.catalogue;
   } else {
     family_.emplace(study_);
-    // Rotors that coast have no attractors to search for: each is asked about its own balance.
+    // Coasting rotors have no attractors to search for: each start is tested against its own balance.
     catalogue_ = Catalogue(true);
     if (!system_.coasts()) {
       mesh_ = mesh_of(study_, *family_, settings);
@@ -44,7 +44,7 @@ StartRunner::StartRunner(const Study& study, const AttractorSearchSettings& sett
   }
 }
 
-// Of a study with uncertain values, made once for all runs that share a cache.
+// The mesh of a study with uncertain values, made once for all runs that share a cache.
 FamilyMesh StartRunner::mesh_of(const Study& study, const StudyFamily& family,
                                 const AttractorSearchSettings& settings) {
   Study subject = study;
@@ -72,7 +72,7 @@ StartRunner::StartRunner(const Study& study, StudyFamily family, const FamilySta
       mesh_(search_attractor_mesh(*family_, starts, settings)),
       catalogue_(mesh_.catalogue) {}
 
-// Of rotors that differ none is known beforehand but the end that is none: exact balance.
+// Where rotors differ, no end is known beforehand, except exact balance with its zero figures.
 KnownEnd StartRunner::end_of(int attractor) const {
   const KnownEnd end = known_end(study_.parameters, *catalogue_.find(attractor));
   if (!family_) return end;
@@ -143,8 +143,8 @@ std::vector<UndecidedEnd> StartRunner::look_at(const std::vector<InitialState>& 
   return ends;
 }
 
-// Of a driven rotor that is not chaotic: whether its speed when it was last seen is the mean of its last long window,
-// `before`; or that it was not watched for as many short ones as tell one from the next.
+// Compares a driven rotor's last speed with `before`, the mean over its last long window. For motions that are not
+// chaotic. hardly_seen: it was watched over too few short windows to tell one from the next.
 Restlessness StartRunner::restlessness(double before, const Fate& fate, double begin) const {
   constexpr double steady = 0.02;
   constexpr int fewest_windows = 8;
@@ -155,7 +155,7 @@ Restlessness StartRunner::restlessness(double before, const Fate& fate, double b
 }
 
 std::optional<UnlistedStart> StartRunner::follow(const std::vector<double>& state) const {
-  if (family_) {  // the number of a start
+  if (family_) {  // `state` is a start's number
     Decided decided;
     const auto number = static_cast<std::uint64_t>(state.front());
     const DrawnStart drawn{number, fractions_of(number)};

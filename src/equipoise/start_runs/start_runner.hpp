@@ -1,4 +1,4 @@
-// The starts of a system, many at a time on SIMD lanes, decided by attractors found beforehand.
+// Decides the starts of a system, many at a time on SIMD lanes, by attractors found beforehand.
 #pragma once
 
 #include <cstdint>
@@ -26,96 +26,95 @@
 
 namespace equipoise {
 
-/// A start that came to a stationary motion which the catalogue does not list.
+/// A start that came to a stationary motion that the catalogue does not list.
 struct UnlistedStart {
   std::size_t place = 0;         ///< among the starts of the call
-  std::vector<double> state;     ///< when it was found stationary (at the next strobe, with anisotropy or gravity)
-  std::optional<Motion> motion;  ///< what it settles on; none if it is not steady after all
-  MotionName name = {};          ///< of that, where starts have rotors of their own; `state` is then the start's number
+  std::vector<double> state;     ///< when found stationary (on the next stroboscopic section, if there is one)
+  std::optional<Motion> motion;  ///< the motion it came to; none if it is not steady after all
+  MotionName name = {};          ///< of that motion; set if starts have rotors of their own: `state` is then the index
 };
 
-/// What is known of the balanced state before any start is followed.
+/// What is known of the balanced state before starts are followed.
 struct BalanceNote {
   bool stable = false;  ///< a linearly stable balanced state exists at the final speed
-  std::string note;     ///< why no start can end balanced, if so
+  std::string note;     ///< if not, why no start can end balanced
 };
 
-/// What became of starts, one after the other.
+/// The fates of starts, in order.
 struct Decided {
-  std::vector<double> phi;  ///< initial ball angles, `balls` a start; none of starts that were given
+  std::vector<double> phi;  ///< initial ball angles, `balls` a start; empty for given starts
   std::vector<Fate> fates;
-  std::vector<UnlistedStart> unlisted;   ///< their fates have the attractor 0 and wait for StartRunner::list()
+  std::vector<UnlistedStart> unlisted;   ///< their fates have attractor 0 until StartRunner::settle()
   std::vector<TransientRow> transients;  ///< of every start, if the runner gathers them
 };
 
-/// A start and the fractions that its uncertain values are quantiles of.
+/// A start, and the fractions whose quantiles are its uncertain values.
 struct DrawnStart {
   std::uint64_t number = 0;
   std::vector<double> fractions;
 };
-/// What starts of one rotor of a family came to.
+/// The motions that starts of one rotor of a family came to.
 struct MetMotions {
   std::vector<KnownFeatures> known;  ///< as OwnRotor::met: motions that the mesh does not list
   std::vector<Motion> motions;
-  bool follows_open = true;  ///< as FamilyCell::follows_open, of this rotor
+  bool follows_open = true;  ///< FamilyCell::follows_open, of this rotor
 };
-/// A start whose study is its own, and where that lies in the family (rotor_family/study_family.hpp).
+/// A start with a study of its own, and the place of that study in the family (rotor_family/study_family.hpp).
 struct FamilyStart {
   OwnStart own;
   std::vector<double> fractions;
-  const MetMotions* met = nullptr;  ///< by other starts of its rotor, if that is known
+  const MetMotions* met = nullptr;  ///< by other starts of its rotor, or null if unknown
 };
 
-/// Everything about a study that all its starts share; of one with uncertain values, about all rotors that they draw.
+/// Everything that all starts of a study share or, with uncertain values, all rotors that they draw.
 class StartRunner {
  public:
-  /// Spins up and discovers the attractors. The study has passed check_runnable(). Ask stopped() afterwards.
+  /// Spins up and searches for attractors. The study must have passed check_runnable(). Check stopped() afterwards.
   /// `transients`: gathers those of every start.
   StartRunner(const Study& study, const AttractorSearchSettings& settings, bool transients = false);
-  /// Of these starts of a family, by run_family(); `study` is one of it, in whose units fates are.
+  /// For these starts of a family, by run_family(). `study` belongs to the family; fates are in its units.
   StartRunner(const Study& study, StudyFamily family, const FamilyStarts& starts,
               const AttractorSearchSettings& settings);
 
-  /// Decides starts first .. first + count - 1. Thread-safe, as is all that is const. False if stopped early.
+  /// Decides starts first .. first + count - 1. Thread-safe, like every const member. False if stopped early.
   bool run(std::uint64_t first, std::size_t count, Decided& decided) const;
-  /// The same for starts given (spin_up/given_starts.hpp), where they do not draw their rotors too.
+  /// The same for given starts (spin_up/given_starts.hpp), unless the study has uncertain values.
   bool run_from(std::span<const InitialState> given, Decided& decided) const;
-  /// The identifier of what an unlisted start settles on, which is listed if need be; 0 if that is nothing stable.
-  /// Not thread-safe: called in the order of starts, so that identifiers do not depend on threads.
+  /// The identifier of the motion that an unlisted start came to, listed if need be; 0 if it is not stable. Not
+  /// thread-safe: call it in the order of starts, so that identifiers do not depend on threads.
   int list(const UnlistedStart& start);
-  /// What it turned out to have come to, written into its fate: one of nothing steady is undecided. As list().
+  /// Writes the motion that it came to into its fate; without a steady one the start is undecided. Call it as list().
   int settle(const UnlistedStart& start, Fate& fate);
-  /// The same of all, in their order.
+  /// The same for all, in order.
   void settle(Decided& decided);
-  /// An unlisted start from its state when it was found stationary, as an earlier run kept it. Empty if
-  /// stopped early.
+  /// An unlisted start from its stored state when found stationary. Empty if stopped early.
   std::optional<UnlistedStart> follow(const std::vector<double>& state) const;
-  /// What some starts that are undecided do at the horizon: one for each, or none where only the horizon can be blamed.
+  /// How undecided starts go on at the horizon: an entry each, or none if only the horizon can be the cause.
   std::vector<UndecidedEnd> look_at(const std::vector<InitialState>& undecided) const;
 
-  /// Of a study with uncertain values: what start `number` draws, and the fates of draws.
+  /// With uncertain values: the fractions that start `number` draws, and the fates of draws.
   std::vector<double> fractions_of(std::uint64_t number) const;
   bool run_drawn(std::span<const DrawnStart> drawn, Decided& decided) const {
     return run_drawn(drawn, decided, gathers_);
   }
 
-  /// Fates of starts of rotors that the study's family holds.
+  /// Decides starts whose rotors belong to the study's family.
   bool run_family(std::vector<FamilyStart> given, Decided& decided) const {
     return run_family(std::move(given), decided, gathers_);
   }
-  /// What such starts come to that the mesh does not list; `rotor`: of each start the place of its rotor's motions in
-  /// `met`. Starts with one rotor only; no rotors that coast. False if stopped.
+  /// The motions that these starts come to and the mesh does not list. `rotor`: for each start the place of its rotor
+  /// in `met`. Not for coasting rotors. False if stopped.
   bool meet(std::vector<FamilyStart> given, std::span<const std::size_t> rotor, std::span<MetMotions> met) const;
 
   const Catalogue& catalogue() const { return catalogue_; }
   BalanceNote balance() const;
-  /// What the search for attractors found that a neighbour's may begin with.
+  /// What the search found that a neighbour's search may start from.
   WarmStartLevels warm_start_levels() const {
     return family_ ? mesh_.warm_start_levels() : discovery_.warm_start_levels;
   }
-  /// Study time from which decision times are counted.
+  /// Study time from which decision times count.
   double settled() const { return source_->settled(); }
-  /// Stopped before it could begin.
+  /// Whether it was stopped before it could begin.
   bool stopped() const { return discovery_.stopped || mesh_.stopped; }
 
   const StudyFamily* family() const { return family_ ? &*family_ : nullptr; }
@@ -147,17 +146,17 @@ class StartRunner {
   KnownEnd end_of(int attractor) const;
 
   Study study_;
-  bool gathers_ = false;  // transients
+  bool gathers_ = false;
   const StopFlag* stop_;
   const model::System system_;
   TransientSettings transients_;
-  std::unique_ptr<SpinUp> source_;  // of an uncertain study that of its medians
+  std::unique_ptr<SpinUp> source_;  // with uncertain values that of the medians
   Sampler sampler_;
-  AttractorSearch discovery_;  // of one rotor
+  AttractorSearch discovery_;  // for one rotor
   std::optional<StudyFamily> family_;
-  FamilyMesh mesh_;             // of many
-  Catalogue catalogue_;         // grows by list(), while run() reads the one that was discovered
-  std::vector<KnownEnd> ends_;  // by identifier, of the attractors known beforehand; for transients only
+  FamilyMesh mesh_;             // for many
+  Catalogue catalogue_;         // grows by list(), while run() reads that of the search
+  std::vector<KnownEnd> ends_;  // by identifier: attractors known beforehand; for transients only
 };
 
 }  // namespace equipoise

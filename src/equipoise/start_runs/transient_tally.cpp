@@ -1,4 +1,4 @@
-// One distribution for every figure and outcome; what exceeds a limit is counted.
+// Counts figures by outcome: a distribution for each, and the starts that exceed limits.
 #include "equipoise/start_runs/transient_tally.hpp"
 
 #include <cmath>
@@ -21,7 +21,7 @@ TransientSettings transient_settings(const Study& study) {
   return settings;
 }
 
-// With contact or dry friction a balance would have to know what impacts and friction take.
+// With contact or dry friction, the energy taken by impacts and friction is not known.
 bool knows_energy(const Study& study) {
   if (study.speed.driven()) return true;
   const bool inertia_matters = study.speed.profile != Profile::constant;
@@ -48,7 +48,7 @@ void TransientTally::add(const Fate& fate, const TransientRow& row) {
   }
   for (std::size_t k = 0; k < transient_columns.size(); ++k)
     if (const float value = row.*transient_columns[k].value; !std::isnan(value)) line.figures[k].add(value, weight);
-  // What a start goes on doing is known once its motion is.
+  // Whether a start exceeds a limit for good is known once its motion is.
   const bool known = fate.outcome != Outcome::undecided;
   if (known && row.peak_radial_at_end > settings_.displacement) ++line.lasting;
   if (known && settings_.watches_settling() && row.peak_radial_at_end > settings_.settled) ++line.never;
@@ -83,7 +83,7 @@ void TransientTally::Line::merge(const Line& other) {
   add(undecided_beyond, other.undecided_beyond);
 }
 
-// With bounds that hold whatever the undecided starts of the group would do.
+// Bounded by what the undecided starts of the group could still do.
 Share TransientTally::exceeded(const Line& line, std::size_t limit) const {
   const auto share = [&](std::uint64_t count, double counted) {
     return wilson_share(count, line.count, counted, line.weight, line.weight_squared);

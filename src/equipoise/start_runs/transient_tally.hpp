@@ -1,4 +1,4 @@
-// Figures of transients counted in the order of starts, by outcome.
+// Counts figures of transients in index order, by outcome.
 #pragma once
 
 #include <array>
@@ -16,14 +16,14 @@
 
 namespace equipoise {
 
-/// What is asked of every trajectory of `study`.
+/// The settings for every trajectory of `study`.
 TransientSettings transient_settings(const Study& study);
 
-/// Whether the drive's work can be told: of a motor; of a prescribed speed without contact or dry friction, of which
-/// the rotor's inertia is stated where the speed changes.
+/// Whether the drive's work can be computed: for a motor; or for a prescribed speed without contact and dry friction,
+/// if the rotor's inertia is given wherever the speed changes.
 bool knows_energy(const Study& study);
 
-/// Takes starts in by index, from start 0 on.
+/// Takes starts by index, from start 0 on.
 class TransientTally {
  public:
   TransientTally(const Study& study, const Sampler& sampler);
@@ -45,10 +45,10 @@ class TransientTally {
   struct Line {
     std::uint64_t count = 0;
     double weight = 0.0, weight_squared = 0.0;
-    double speed = 0.0, speed_weight = 0.0;  // of driven rotors: weighted |mean speed|, and the weight that has one
+    double speed = 0.0, speed_weight = 0.0;  // driven rotors: weighted |mean speed|, and the weights
     std::array<Distribution, transient_columns.size()> figures;
-    std::uint64_t lasting = 0;  ///< whose motion exceeds limits.displacement for good
-    std::uint64_t never = 0;    ///< whose motion exceeds limits.settled for good
+    std::uint64_t lasting = 0;  ///< starts whose motion exceeds limits.displacement
+    std::uint64_t never = 0;    ///< starts whose motion exceeds limits.settled
     std::array<Exceeding, transient_limits.size()> exceeding{}, undecided_within{}, undecided_beyond{};
 
     void merge(const Line& other);

@@ -1,4 +1,4 @@
-// The diagnosis of undecided starts, and its words.
+// Diagnoses undecided starts and words the result.
 #include "equipoise/start_runs/undecided.hpp"
 
 #include <algorithm>
@@ -21,12 +21,12 @@ namespace equipoise {
 
 namespace {
 
-// In natural sizes: r and the unbalance of rotor and balls over the largest unbalance, rates over the rotor's speed.
+// In natural sizes: r and the unbalance of rotor and balls over the largest unbalance; rates over the rotor's speed.
 constexpr double near = 0.2;
-// An exponent is known to a bounded factor of the norms along a motion, as in motion.cpp, at e^8. Chaos may be a
-// transient: not much longer than it lasts.
+// Norms along a motion grow by the exponent up to a bounded factor, e^8 as in motion.cpp. Chaos may be transient, so
+// the time is not much longer than such chaos lasts.
 constexpr double exponent_time = 1500.0, zero_exponent = 8.0 / exponent_time;
-// Slower than this, in natural sizes, nothing swings: all rates of a swing are of the order of the speed or of drag.
+// In natural sizes. Nothing swings more slowly: swings have rates of the order of the speed or of the drag.
 constexpr double creep = 1e-3;
 
 double fastest_ball(const model::Parameters& p, const Eigen::VectorXd& state) {
@@ -60,7 +60,7 @@ std::string horizon_text(const Study& study, const Horizon& h) {
   return h.long_enough() ? followed : slowness_text(h) + "; " + followed;
 }
 
-// As explain has it. Empty where the motor holds no speed, or the rotor has it from the beginning.
+// The run-up as `explain` has it. Empty if the motor holds no speed, or the rotor has it from the beginning.
 std::string run_up_text(const Study& study, const Horizon& horizon) {
   const auto aim = model::held_speed(study.system());
   const auto run = aim ? run_up(study, *aim) : std::nullopt;
@@ -73,7 +73,7 @@ std::string run_up_text(const Study& study, const Horizon& horizon) {
                      *run->shaken - run->last_piece > horizon.time ? ", longer than they were followed" : "");
 }
 
-// Of those that speed up: how far they have come, and how long it takes.
+// How far the rotors that speed up have come, and how long a run-up takes.
 std::string speeding_text(const Study& study, const Horizon& horizon, const std::vector<UndecidedEnd>& ends) {
   double least = std::numeric_limits<double>::infinity(), most = 0.0;
   for (const UndecidedEnd& e : ends) {
@@ -139,7 +139,7 @@ std::string why_undecided(const Study& study, const Horizon& horizon, const std:
                                                               "{} whose rotor still changes its mean speed",
                                                               "{} watched for too short a time to compare its parts"};
   std::vector<std::string> parts;
-  std::size_t hopeless = 0;  // to whom time makes no difference
+  std::size_t hopeless = 0;  // ends that more time would not change
   for (std::size_t k = 0; k < words.size(); ++k) {
     const auto what = static_cast<Restlessness>(k);
     const auto count = static_cast<std::size_t>(

@@ -1,4 +1,4 @@
-// Why many starts stay undecided: what some of them do at the end, and which known rate the horizon was too short for.
+// Explains why many starts stay undecided: how some go on at the end, and which known rate was too slow.
 #pragma once
 
 #include <optional>
@@ -13,44 +13,44 @@
 
 namespace equipoise {
 
-/// Above this share of undecided starts a result says why.
+/// A result with a larger share of undecided starts says why.
 inline constexpr double undecided_worth_a_word = 0.05;
-/// As many are looked at.
+/// How many of them are looked at.
 inline constexpr std::size_t undecided_looked_at = 8;
 
-/// What an undecided trajectory does at the horizon.
+/// How an undecided trajectory goes on at the horizon.
 enum class Restlessness {
   near_balance,  ///< it is near a balanced state
-  creeping,      ///< all is nearly at rest, and nothing near balance
+  creeping,      ///< everything is nearly at rest, but not near balance
   chaotic,       ///< its largest Lyapunov exponent is positive
   regular,       ///< it goes on in a way whose windows do not repeat yet
-  // Of machines:
-  held,            ///< a driven rotor never comes to the speed at which its balls are let go
-  running_away,    ///< a motor whose torque never vanishes speeds it up without end
+  // Driven rotors only:
+  held,            ///< the rotor never reaches the speed that releases its balls
+  running_away,    ///< its motor's torque never vanishes, so it speeds up without end
   speeding_up,     ///< its mean speed still rises
   changing_speed,  ///< its mean speed is not steady
-  hardly_seen,     ///< not even eight parts of time
+  hardly_seen,     ///< it was watched over fewer than eight windows
 };
 constexpr std::size_t restlessness_kinds = 9;
 
 struct UndecidedEnd {
   Restlessness what = Restlessness::regular;
   double exponent = 0.0;  ///< chaotic only
-  /// Held: the nearest speed to release.speed, and that. Speeding up: `reached` is the speed when it was last seen.
+  /// Held: the speed nearest to release.speed, and release.speed. Speeding up: `reached` is the last speed.
   double reached = 0.0, asked = 0.0;
 };
 
-/// `state`: where it is at the horizon; at a strobe if the rotor is strobed.
+/// `state`: the state at the horizon, or on the next stroboscopic section if there is one.
 UndecidedEnd look_at_undecided(const model::System& system, const Eigen::VectorXd& state);
 
 /// The slowest known rate and the horizon that it asks for.
 std::string slowness_text(const Horizon& horizon);
 
-/// Of those that are held: how near to release.speed they come at best. Empty if none is.
+/// How near held rotors come to release.speed at best. Empty if there are none.
 std::string held_text(const std::vector<UndecidedEnd>& ends);
 
-/// One line, without a full stop: how many of `ends` do what, and, where more time might help, what the horizon was
-/// against the slowest known rate, or against a run-up. Times and speeds are in the study's units.
+/// One line without a full stop: how many of `ends` go on in which way. Where more time might help, it also compares
+/// the horizon with the slowest known rate, or with a run-up. Times and speeds are in the study's units.
 std::string why_undecided(const Study& study, const Horizon& horizon, const std::vector<UndecidedEnd>& ends);
 
 }  // namespace equipoise
