@@ -1,4 +1,4 @@
-// Parameters as a list of numbers.
+// A study's parameters as a list of numbers, and the places that values take in it.
 #include "equipoise/rotor_family/direct_values.hpp"
 
 #include <array>

@@ -1,4 +1,4 @@
-// Values that stand among a study's parameters as they are: studies that differ in these alone need no reading.
+// Values that are themselves parameters of a study: studies that differ only in these need not be read anew.
 #pragma once
 
 #include <cstddef>
@@ -13,7 +13,7 @@ namespace equipoise {
 
 class DirectValues {
  public:
-  /// Compares the studies that `make` makes of some values with the first of them, its parameters replaced. Empty if
+  /// Compares the studies that `make` returns for some values with the first of them, its parameters replaced. Empty if
   /// they differ in anything else.
   static std::optional<DirectValues> of(const std::function<Study(std::span<const double>)>& make,
                                         const std::vector<std::vector<double>>& some);
@@ -22,7 +22,7 @@ class DirectValues {
 
  private:
   Study base_;
-  std::vector<std::vector<std::size_t>> places_;  // of each value, by the order of numbers_of()
+  std::vector<std::vector<std::size_t>> places_;  // where each value goes, in the order of numbers_of()
 };
 
 }  // namespace equipoise

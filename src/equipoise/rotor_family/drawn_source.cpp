@@ -1,4 +1,4 @@
-// Draws by number.
+// Draws rotors by index.
 #include "equipoise/rotor_family/drawn_source.hpp"
 
 #include <utility>
@@ -16,7 +16,7 @@ DrawnSource::DrawnSource(const StudyFamily& family, const FamilyBox& box, const 
       study_(at_final_speed(family.at(family.values_at(box.centre())))),
       middle_(make_spin_up(study_, stop)) {}
 
-// Draw `index`, or the middle where that makes no study that rides with it.
+// Draw `index`, or the middle if the draw is no study or cannot share lanes with it.
 StudyFamily::Placed DrawnSource::drawn(std::uint64_t index) const {
   try {
     Study study = at_final_speed(family_.draw(box_, index));

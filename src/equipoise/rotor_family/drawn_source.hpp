@@ -1,4 +1,4 @@
-// Starts whose rotors are drawn from a part of a family: the spin-up of a search for what such starts come to.
+// Starts with rotors drawn from a part of a family: the spin-up for a search over that part.
 #pragma once
 
 #include <cstdint>
@@ -15,13 +15,13 @@ namespace equipoise {
 
 class DrawnSource final : public SpinUp {
  public:
-  /// `family` and `box` outlive this. Studies are taken at_final_speed().
+  /// `family` and `box` must outlive this. Studies are taken at_final_speed().
   DrawnSource(const StudyFamily& family, const FamilyBox& box, const StopFlag* stop);
 
   void watch(const TransientSettings&) override {}
   bool make(std::uint64_t seed, std::uint64_t first, std::size_t count, SpunUp& starts,
             TransientTable* transients = nullptr) const override;
-  /// The k-th given start has the rotor of draw k.
+  /// Given start k has the rotor of draw k.
   bool follow(std::span<const InitialState> given, SpunUp& starts, TransientTable* transients = nullptr) const override;
   BatchTask last_task() const override { return middle_->last_task(); }
   double settled() const override { return middle_->settled(); }
@@ -29,14 +29,13 @@ class DrawnSource final : public SpinUp {
 
   std::vector<double> place(std::uint64_t index) const { return family_.place(index); }
   const Study& middle() const { return study_; }
-  /// The rotor of draw `index`.
   OwnRotor rotor(std::uint64_t index) const;
-  /// Rotors of the box's middle, then of its corners (StudyFamily::ends()).
+  /// The rotor at the box's centre, then those at its corners (StudyFamily::ends()).
   std::vector<OwnRotor> ends() const;
 
  private:
   StudyFamily::Placed drawn(std::uint64_t index) const;
-  // `places`: the coordinates of each start's rotor.
+  // `places`: coordinates of each start's rotor.
   bool set_off(const std::vector<OwnStart>& own, std::vector<std::vector<double>> places, SpunUp& starts,
                TransientTable* transients) const;
 

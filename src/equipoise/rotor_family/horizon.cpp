@@ -1,4 +1,4 @@
-// From the rates of the linearised equations to a time.
+// Turns the rates of the linearised equations into a time.
 #include "equipoise/rotor_family/horizon.hpp"
 
 #include <algorithm>
@@ -19,24 +19,24 @@ namespace equipoise {
 
 namespace {
 
-// A deviation that changes by e^10 in all has come from anywhere into a trapping region, or from a ten thousandth of
-// anything out of reach.
+// A deviation that changes by e^10 has come from anywhere into a trapping region, or from a ten thousandth of anything
+// out of reach.
 constexpr double e_foldings = 10.0;
-// Chaotic transients and slow tori, whose rates nobody knows beforehand, take their time: of three balls with
-// beta = 0.05, Omega = 2.4 and gravity 0.01 12 % take more than 20 000, 1 % more than 50 000. Only undecided starts are
-// followed on, so that few pay for it.
+// Chaotic transients and slow tori have rates that nobody knows beforehand. With three balls, beta = 0.05, Omega = 2.4
+// and gravity 0.01, 12 % take more than 20 000 and 1 % more than 50 000. Only undecided starts run that long, so few
+// pay for it.
 constexpr double shortest = 50000.0;
-// Where every start goes to the horizon all pay: no longer than rates ask, and as long as chaos commonly lasts.
+// Where every start runs to the horizon, all pay: no longer than the rates ask, or than chaos commonly lasts.
 constexpr double shortest_for_all = 3000.0;
-// With events: balls that touch take longer to come to anything.
+// With events: touching balls take longer to come to a motion.
 constexpr double shortest_with_events = 24000.0;
-// What nobody waits for: 100 000 starts that never decide then take a quarter of an hour.
+// A limit to patience: 100 000 starts that are never decided then take a quarter of an hour.
 constexpr double longest = 100000.0;
-// Rounding moves an eigenvalue by about 1e-15; beside the zeros of a continuum, by the square root of that.
+// Rounding moves an eigenvalue by about 1e-15; near the zeros of a continuum by the square root of that.
 constexpr double zero = 1e-13, zero_in_continuum = 1e-7;
 constexpr int members = 32;
 
-// Largest real part of an eigenvalue at a balanced state, `free` of them belonging to the continuum that it lies in.
+// Largest real part of the eigenvalues at a balanced state, without the `free` ones that belong to its continuum.
 double largest_rate(const model::Parameters& p, double speed, const double* phi, int free) {
   const Eigen::VectorXcd all = dense::eigenvalues(model::jacobian(p, speed, model::centred_state(p, phi).data()));
   std::vector<std::complex<double>> values(all.begin(), all.end());
@@ -56,13 +56,13 @@ std::vector<double> rates_along_continuum(const model::Parameters& p, double spe
   return rates;
 }
 
-// Up to two digits: what a result states can be read, and does not hang on an eigenvalue's last bit.
+// Rounds up to two digits. A result can then be read, and does not depend on the last bit of an eigenvalue.
 double rounded_up(double time) {
   const double unit = std::pow(10.0, std::floor(std::log10(time)) - 1.0);
   return std::ceil(time / unit - 1e-6) * unit;
 }
 
-// Of so many rates, all above 0: a quarter may be slower.
+// The rate that three quarters of these (all above 0) exceed.
 double slow_quartile(std::vector<double> rates) {
   if (rates.empty()) return 0.0;
   std::sort(rates.begin(), rates.end());
@@ -100,7 +100,7 @@ Horizon choose_horizon(const Study& study) {
   horizon.rates = settling_rates(study.parameters, study.speed_profile().final_speed());
   horizon.asked = e_foldings / horizon.rates.slowest();
   horizon.given = study.numerics.horizon.has_value();
-  // Where not even one e-folding fits, what waits for it is not decided at all, and the longest horizon gains nothing.
+  // If not even one e-folding fits, the longest horizon would decide nothing more.
   const bool hopeless = horizon.rates.slowest() * longest < 1.0;
   const double for_all = study.system().smooth() ? shortest_for_all : shortest_with_events;
   const double least = study.numerics.decide == ClassificationMode::horizon ? for_all : shortest;

@@ -14,9 +14,9 @@ namespace equipoise {
 
 namespace {
 
-// Rotors are drawn from a seed of their own: what is found does not depend on the study's.
+// A seed apart from the study's, on which the search then does not depend.
 constexpr std::uint64_t family_warm_start = 0xd1b54a32d192ed03;
-// Of values without ends so many at each side are told without trapping regions.
+// For values without ends: this fraction at each side is decided without trapping regions.
 constexpr double rare = 1e-4;
 
 std::vector<StudyFamily::Quantile> quantiles_of(const Study& study) {
@@ -55,7 +55,7 @@ StudyFamily::StudyFamily(const Study& study)
 }
 
 StudyFamily::StudyFamily(std::vector<Quantile> values, Make make) : values_(std::move(values)), make_(std::move(make)) {
-  // A few places all over the family tell whether its values stand in the study as they are.
+  // A few places all over the family show whether its values are parameters of the study.
   constexpr std::array places{0.5, 0.211, 0.833, 0.417};
   std::vector<std::vector<double>> some;
   for (std::size_t i = 0; i < places.size(); ++i) {
@@ -65,7 +65,7 @@ StudyFamily::StudyFamily(std::vector<Quantile> values, Make make) : values_(std:
   }
   try {
     direct_ = DirectValues::of(make_, some);
-  } catch (const InputError&) {  // not everywhere a study
+  } catch (const InputError&) {  // not a study everywhere
   }
 }
 
@@ -90,7 +90,7 @@ std::vector<FamilyBox> StudyFamily::parts() const {
 std::vector<double> StudyFamily::coordinates(const FamilyBox& box, std::span<const double> fractions) const {
   std::vector<double> result;
   for (std::size_t k = 0; k < size(); ++k) {
-    // Where a value jumps at the end of a box it is the one before.
+    // If a value jumps at the end of a box, the box ends before the jump.
     const double low = values_[k].at(box.low[k]), high = values_[k].at(std::nextafter(box.high[k], box.low[k]));
     result.push_back(high > low ? (values_[k].at(fractions[k]) - low) / (high - low) : 0.5);
   }
