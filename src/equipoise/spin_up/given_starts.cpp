@@ -1,4 +1,4 @@
-// Starts are checked before any is followed.
+// Checks the caller's starts before any is followed.
 #include "equipoise/spin_up/given_starts.hpp"
 
 #include <cmath>

@@ -1,4 +1,4 @@
-// Initial states given by the caller.
+// Starts given by the caller.
 #pragma once
 
 #include <cstddef>
@@ -13,10 +13,10 @@ namespace equipoise {
 void check_takes_starts(const Study& study);
 
 /// Throws InputError, naming the start, for numbers that are not finite, values of balls that the study lacks, values
-/// that all starts of the study share (see BasinOptions::initial), and balls that overlap. `study` has passed check().
+/// that all starts must share (see BasinOptions::initial), and overlapping balls. `study` must have passed check().
 void check_given_starts(const Study& study, std::span<const InitialState> given);
 
-/// Bitwise checksum of the complete initial states.
+/// Bitwise checksum of the initial states.
 std::string checksum_of(const Study& study, std::span<const InitialState> given);
 
 }  // namespace equipoise

@@ -1,4 +1,4 @@
-// From a study's initial values to a state of the equations; from a start's index to its initial values.
+// From a start's index to its initial values, and from those to a state of the equations.
 #pragma once
 
 #include <algorithm>
@@ -18,7 +18,7 @@
 
 namespace equipoise {
 
-/// Writes dimension(balls) numbers: the state `s` at rotor speed `speed` (psi' at t = 0).
+/// Writes dimension(balls) numbers: the state of `s` at rotor speed `speed` (psi' at t = 0).
 inline void initial_state(const InitialState& s, int balls, double speed, double* z) {
   z[model::index::x] = s.x;
   z[model::index::y] = s.y;
@@ -42,7 +42,7 @@ inline std::vector<InitialState> parted(const model::Parameters& p, std::span<co
   return starts;
 }
 
-/// Whether exchanging balls changes no start's probability and no fate: equal balls that start alike.
+/// Whether exchanging balls changes no start's probability and no fate: alike balls with equal rates.
 inline bool balls_exchange(const Study& study) {
   const auto& rates = study.initial.phi_dot;
   bool alike = study.parameters.equal_balls();
@@ -55,7 +55,7 @@ inline Sampler sampler_of(const Study& study) {
           balls_exchange(study)};
 }
 
-/// Start `index` of `seed`: [initial] with drawn ball angles and the values drawn for [sampling.box].
+/// Start `index` of `seed`: [initial] with drawn ball angles, and with values drawn from [sampling.box].
 inline InitialState start_of(const Study& study, const Sampler& sampler, std::uint64_t seed, std::uint64_t index) {
   const int balls = study.parameters.balls;
   const SamplingBox& box = study.sampling.box;
@@ -69,7 +69,7 @@ inline InitialState start_of(const Study& study, const Sampler& sampler, std::ui
   std::fill_n(drawn + 4, balls, box.phi_dot.has_value());
   sampler.fractions(seed, index, 4 + balls, drawn, fractions);
   const auto draw = [&](const std::optional<SamplingBox::Side>& side, int k, double& value) {
-    // A weighted mean: between the bounds also where their difference rounds.
+    // A weighted mean stays between the bounds even if their difference rounds.
     if (side) value = std::clamp((1.0 - fractions[k]) * side->low + fractions[k] * side->high, side->low, side->high);
   };
   draw(box.x, 0, s.x);
@@ -79,7 +79,6 @@ inline InitialState start_of(const Study& study, const Sampler& sampler, std::ui
   for (int i = 0; i < balls; ++i) draw(box.phi_dot, 4 + i, s.phi_dot[i]);
   return s;
 }
-/// Starts first .. first + count - 1 of `seed`.
 inline std::vector<InitialState> starts_of(const Study& study, const Sampler& sampler, std::uint64_t seed,
                                            std::uint64_t first, std::size_t count) {
   std::vector<InitialState> starts;
@@ -87,7 +86,7 @@ inline std::vector<InitialState> starts_of(const Study& study, const Sampler& sa
   for (std::size_t i = 0; i < count; ++i) starts.push_back(start_of(study, sampler, seed, first + i));
   return starts;
 }
-/// The quantiles, from 0 to 1, that start `index` draws for the uncertain values.
+/// The fractions, from 0 to 1, that start `index` draws for the uncertain values.
 inline std::vector<double> drawn_fractions(const Study& study, const Sampler& sampler, std::uint64_t seed,
                                            std::uint64_t index) {
   const SamplingBox& box = study.sampling.box;
@@ -105,7 +104,7 @@ inline std::vector<double> drawn_values(const Study& study, const Sampler& sampl
   for (std::size_t k = 0; k < values.size(); ++k) values[k] = study.uncertain.values[k].at(values[k]);
   return values;
 }
-/// start_of() with the uncertain values that the start draws; with medians where those make no valid study.
+/// start_of() with the uncertain values that the start draws; with medians if those make no valid study.
 inline InitialState drawn_start_of(const Study& study, const Sampler& sampler, std::uint64_t seed,
                                    std::uint64_t index) {
   if (study.uncertain.empty()) return start_of(study, sampler, seed, index);

@@ -1,4 +1,4 @@
-// Driven rotors on lanes, first with their balls held, then free.
+// Takes driven rotors on lanes through their drive, first with balls held, then free.
 #include "equipoise/spin_up/motor_source.hpp"
 
 #include <algorithm>
@@ -22,16 +22,16 @@ namespace equipoise {
 
 namespace {
 
-// A rotor with held balls is steady once windows of its speed, each twice as long as the last, differ by less.
+// A rotor with held balls is steady once its speeds in windows, each twice as long as the last, differ by less.
 constexpr double steady = 1e-3;
-// What the rule calls the motion of a rotor that never releases its balls.
+// The rule's identifier for the motion of a rotor that never releases its balls.
 constexpr int held_for_good = 1;
-// A speed this near to the release speed, relatively, may still reach it.
+// A speed this close to the release speed, relatively, may still reach it.
 constexpr double nearly_let_go = 1e-3;
 
 HoldRule hold_rule(const model::Parameters& p, const model::Drive& drive) {
   HoldRule rule;
-  rule.windows.balls = 1;  // one body
+  rule.windows.balls = 1;  // rotor and balls are one body
   rule.windows.sameness = steady;
   rule.windows.repeats_needed = 1;
   rule.windows.sag = model::static_sag(p);
@@ -125,7 +125,7 @@ bool MotorSource::follow(std::span<const InitialState> given, SpunUp& starts, Tr
   return !is_set(stop_) && advance(starts, transients);
 }
 
-// Machines whose drives have the same pieces go side by side.
+// Machines whose drives have the same pieces run side by side.
 bool MotorSource::follow_own(std::span<const OwnStart> starts, const StopFlag* stop, SpunUp& spun,
                              TransientTable* transients) {
   using Shape = std::tuple<std::size_t, bool, bool, bool>;
@@ -207,7 +207,7 @@ HoldRule MotorSource::rule_over(std::size_t k, const std::vector<std::size_t>& p
     if (are_own()) rule.own_speeds.push_back(of(i).hold.release_speed);
   if (!one.drive.release_speed || k + 1 < one.systems.size())
     rule.windows.first_long_window = std::numeric_limits<double>::infinity();
-  else if (!are_own())  // the trapping region knows one release speed only
+  else if (!are_own())  // the trapping region knows only one release speed
     rule.windows.section_regions = std::make_shared<const HeldInWell>(one.systems[k], rule.release_speed);
   return rule;
 }
@@ -247,7 +247,7 @@ bool MotorSource::side_by_side(std::size_t k, bool held, const std::vector<std::
   return true;
 }
 
-// Held balls over piece k of the drive, until they are let go.
+// Follows held balls over piece k of the drive, until their release.
 bool MotorSource::hold(std::size_t k, Fleet& fleet) const {
   const std::size_t size = model::held_layout(machines_.front().systems[k]).size;
   SpunUp& starts = fleet.starts;
@@ -263,7 +263,7 @@ bool MotorSource::hold(std::size_t k, Fleet& fleet) const {
       return false;
     for (std::size_t j = 0; j < places.size(); ++j) end_hold(k, places[j], ends[j], &states[j * size], fleet);
   }
-  // Balls whose release time is at or before the end of this piece.
+  // Releases balls whose release time comes by the end of this piece.
   for (const std::size_t i : fleet.which([&](std::size_t i) { return fleet.held[i] != 0; }))
     if (starts.begins[i] >= of(i).drive.release_time) fleet.let_go(i, starts.begins[i]);
   return true;
@@ -287,11 +287,11 @@ void MotorSource::end_hold(std::size_t k, std::size_t i, const HeldEnd& end, dou
   const bool to_the_end = fate.outcome == Outcome::undecided && now >= until(i, k);
   if (to_the_end && until(i, k) < m.settled() + m.horizon) return;
   const bool may_come = std::fabs(end.nearest - hold.release_speed) < nearly_let_go * std::fabs(hold.release_speed);
-  const bool hangs = fate.by == DecidedBy::validated;                    // for good
-  if (fate.outcome == Outcome::attracted && may_come && !hangs) return;  // goes on, with new windows
+  const bool hangs = fate.by == DecidedBy::validated;
+  if (fate.outcome == Outcome::attracted && may_come && !hangs) return;  // goes on with new windows
   const bool steady_now = fate.outcome == Outcome::attracted || hold.windows.at_horizon;
   if (hangs) fate.mean_speed = 0.0F;
-  // A window of the run-up has the mean speed of that time, not of the end.
+  // A window of the run-up has the mean speed of its time, not the last one.
   if (to_the_end) fate.mean_speed = static_cast<float>(fleet.state(i)[m.systems[k].layout().speed]);
   const bool slow = std::fabs(fate.mean_speed) < m.study.stall_speed();
   if (fate.outcome == Outcome::attracted) fate.outcome = Outcome::undecided;
@@ -301,7 +301,7 @@ void MotorSource::end_hold(std::size_t k, std::size_t i, const HeldEnd& end, dou
   starts.over[i] = 1;
 }
 
-// Free balls over piece k of the drive, which is not the last.
+// Follows free balls over piece k of the drive, not the last.
 bool MotorSource::run_free(std::size_t k, Fleet& fleet) const {
   SpunUp& starts = fleet.starts;
   const auto end = [&](std::size_t i) { return of(i).drive.pieces[k].end; };

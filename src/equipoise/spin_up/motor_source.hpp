@@ -1,4 +1,4 @@
-// From a start's index to its state in the last piece of a motor's law.
+// Takes a start of a driven rotor from its index to its state in the last piece of the drive.
 #pragma once
 
 #include <cstdint>
@@ -17,7 +17,7 @@ namespace equipoise {
 
 class MotorSource final : public SpinUp {
  public:
-  /// The study's horizon is filled in; balls held until then are not followed further.
+  /// The study must have its horizon; balls still held at the horizon are not followed further.
   MotorSource(const Study& study, const StopFlag* stop);
 
   void watch(const TransientSettings&) override {}
@@ -28,7 +28,7 @@ class MotorSource final : public SpinUp {
   double settled() const override { return machines_.front().drive.pieces.back().begin; }
   double tolerance() const override { return tolerance_; }
 
-  /// See spin_up_own().
+  /// Does spin_up_own() for driven rotors.
   static bool follow_own(std::span<const OwnStart> starts, const StopFlag* stop, SpunUp& spun,
                          TransientTable* transients);
 

@@ -1,4 +1,4 @@
-// Groups of starts whose drives have the same pieces, piece after piece on lanes.
+// Takes starts in groups whose drives have the same pieces, piece by piece on lanes.
 #include "equipoise/spin_up/own_starts.hpp"
 
 #include <algorithm>
@@ -16,18 +16,19 @@ namespace equipoise {
 namespace {
 
 struct Prescribed {
-  std::size_t place;  // among all
+  std::size_t place;  // among all starts
   const OwnStart* own;
   std::vector<model::Segment> segments;
-  std::vector<model::System> systems{};  // over each
-  std::size_t free = 0;                  // the first segment that is not clamped
+  std::vector<model::System> systems{};  // over each segment
+  std::size_t free = 0;                  // first segment that is not clamped
 
   double tolerance() const { return own->study.numerics.tolerance.value_or(default_basin_tolerance); }
   double settled() const { return segments.back().begin; }
   OwnRotor rotor(std::size_t k) const { return {systems[k], segments[k], segments[k].end}; }
 };
 
-using Shape = std::pair<std::size_t, std::size_t>;  // pieces, and clamped ones: alike in starts that go side by side
+using Shape = std::pair<std::size_t, std::size_t>;  // segments, and clamped ones: starts with equal numbers run side by
+                                                    // side
 
 bool advance(std::vector<Prescribed*>& group, std::size_t k, bool held, std::vector<double>& states,
              std::vector<Fate>& fates, TransientTable* table, const StopFlag* stop) {
@@ -41,7 +42,7 @@ bool advance(std::vector<Prescribed*>& group, std::size_t k, bool held, std::vec
   task.end = rotors.front().end;
   task.held = held;
   if (held || !first.simple()) task.system = &first;
-  // Held balls cost little, and where they are let go decides much.
+  // Held balls cost little to follow, and the state at release decides much.
   constexpr double held_tolerance = 1e-3;
   task.tolerance = group.front()->tolerance() * (held ? held_tolerance : 1.0);
   task.count = group.size();
@@ -104,7 +105,7 @@ class PrescribedGroup {
     return true;
   }
 
-  // Up to the release.
+  // Follows the group up to its release.
   bool set_off(std::vector<double>& states) {
     const std::size_t size = group_.front()->systems.front().dimension();
     for (std::size_t j = 0; j < group_.size(); ++j) {

@@ -10,7 +10,7 @@
 
 namespace equipoise {
 
-/// A start and the study that it is one of: nothing uncertain in it, its horizon filled in.
+/// A start and its study, without uncertain values and with its horizon.
 struct OwnStart {
   Study study;
   InitialState start;

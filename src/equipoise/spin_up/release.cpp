@@ -1,4 +1,4 @@
-// Dense output of a double precision trajectory, halved until the crossing is found.
+// Follows a double-precision trajectory; halves its dense output until the crossing is found.
 #include "equipoise/spin_up/release.hpp"
 
 #include <cmath>
@@ -15,7 +15,7 @@ namespace kernels = HWY_NAMESPACE;
 
 using Flow = kernels::HeldFlow<double>;
 
-// A step or two: a tight tolerance costs nothing.
+// Only a step or two are taken, so a tight tolerance costs nothing.
 constexpr double tolerance = 1e-10;
 
 kernels::ErrorScale<Flow::dimension> scale_of(const model::System& system) {
@@ -23,7 +23,7 @@ kernels::ErrorScale<Flow::dimension> scale_of(const model::System& system) {
   scale.tolerance = tolerance;
   scale.floor.fill(1.0);
   for (int i = 0; i < 4; ++i) scale.floor[i] = system.parameters().all_unbalances();
-  scale.angle.fill(true);  // what diverges is told by lanes
+  scale.angle.fill(true);  // lanes detect divergence
   scale.absolute.fill(true);
   return scale;
 }
@@ -46,7 +46,7 @@ std::optional<double> find_release(const model::System& system, const HoldRule& 
       return come(y);
     });
     if (!first) return end;
-    found = first;  // kept in the step that ends there, of which it is asked again
+    found = first;  // the step is cut here, and the crossing is looked up again
     // The integrator stops only at times before the step's end.
     return std::fmin(*first, std::nextafter(end, begin));
   };

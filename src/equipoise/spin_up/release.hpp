@@ -1,4 +1,4 @@
-// When a driven rotor reaches the release speed of its balls.
+// Finds when a driven rotor reaches the release speed of its balls.
 #pragma once
 
 #include <optional>
@@ -8,8 +8,8 @@
 
 namespace equipoise {
 
-/// Follows `state` (model/held_state.hpp) from `from` until the rotor reaches rule.release_speed, or to `to`. Empty if
-/// it does not, or is lost. `state` ends at the time answered, else at `to`.
+/// Follows `state` (model/held_state.hpp) from `from` until the rotor reaches rule.release_speed, but at most to `to`.
+/// Empty if it does not reach it, or is lost. `state` ends at the returned time, else at `to`.
 std::optional<double> find_release(const model::System& system, const HoldRule& rule, double from, double to,
                                    double* state);
 

@@ -1,4 +1,4 @@
-// The motor's law integrated piece by piece.
+// Integrates the drive of a motor piece by piece.
 #include "equipoise/spin_up/run_up.hpp"
 
 #include <algorithm>
@@ -35,9 +35,9 @@ struct TurningBody {
 }  // namespace
 
 SpeedRun rotor_alone(const Study& study, double unbalance, std::optional<double> to) {
-  // Longer than anybody waits.
+  // Beyond anybody's patience.
   constexpr double longest = 1e9;
-  // A rotor below its speed is at rest once its acceleration falls to this share of the largest so far.
+  // A rotor below its speed is at rest once its acceleration falls to this fraction of the largest so far.
   constexpr double rests = 1e-6;
   const model::Parameters& p = study.parameters;
   const auto pieces = model::drive_segments(study.motor());
@@ -50,7 +50,7 @@ SpeedRun rotor_alone(const Study& study, double unbalance, std::optional<double>
     const TurningBody body{p, inertia, unbalance, model::quiet_speed(p), piece};
     kernels::ErrorScale<2> scale;
     scale.tolerance = 1e-8;  // a time to more digits than anybody reads
-    // The error integral stops and goes at the motor's limit: only its effect on the speed counts.
+    // The error integral starts and stops at the motor's limit; only its effect on the speed counts.
     scale.floor = {1e-3, 1e6};
     kernels::AdaptiveIntegrator<TurningBody, 2> integrator(body, scale);
     const auto watch = [&](double t_old, double t_new, auto state_at) {
@@ -70,7 +70,7 @@ SpeedRun rotor_alone(const Study& study, double unbalance, std::optional<double>
         (std::fabs(at[0]) < *to ? early : late) = middle;
       }
       run.arrived = true;
-      return std::min(late, std::nextafter(t_new, t_old));  // what is not before the step's end does not end the run
+      return std::min(late, std::nextafter(t_new, t_old));  // only a time before the step's end ends the run
     };
     const double end = last ? piece.begin + longest : piece.end;
     const auto status = integrator.advance(piece.begin, end, y, watch);

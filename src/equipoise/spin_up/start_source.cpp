@@ -1,4 +1,4 @@
-// States of starts at the final speed.
+// The states of starts at a prescribed final speed.
 #include "equipoise/spin_up/start_source.hpp"
 
 #include <algorithm>
@@ -24,13 +24,12 @@ StartSource::StartSource(const Study& study, std::vector<model::Segment> segment
       systems_.emplace_back(study.parameters, piece);
   while (segments_[first_free_].clamped) ++first_free_;
   if (first_free_ == 0) return;
-  // All starts share the spin-up: a tight tolerance costs nothing.
+  // All starts share the spin-up, so a tight tolerance costs nothing.
   const auto status = integrate_clamped(study.parameters, segments_, origin(), default_simulate_tolerance, basis_, {},
                                         {}, std::numeric_limits<double>::infinity(), stop);
   if (status != IntegrationStatus::done) throw RunError("the clamped spin-up could not be integrated");
 }
 
-// x, y, u, v of [initial].
 std::array<double, 4> StartSource::origin() const {
   double z[max_dimension];
   initial_state(study_.initial, study_.parameters.balls, segments_.front().speed, z);
@@ -42,7 +41,6 @@ void StartSource::watch(const TransientSettings& settings) {
   clamped_ = ClampedTransients(study_.parameters, segments_, origin(), default_simulate_tolerance, settings, stop_);
 }
 
-// The state when the balls become free.
 void StartSource::place(const InitialState& start, double* state) const {
   initial_state(start, study_.parameters.balls, segments_.front().speed, state);
   if (first_free_ > 0) basis_.centre(study_.parameters, start.phi.data(), state);
@@ -77,9 +75,8 @@ bool StartSource::follow(std::span<const InitialState> given, SpunUp& starts, Tr
   return true;
 }
 
-// Between segment k and the next one.
 void StartSource::end_piece(std::size_t k, TransientTable& transients) const {
-  if (segments_[k].acceleration == segments_[k + 1].acceleration) return;  // cut apart by the release alone
+  if (segments_[k].acceleration == segments_[k + 1].acceleration) return;  // the release alone separates them
   for (TransientSums& row : transients.rows) row.work.end_piece();
 }
 

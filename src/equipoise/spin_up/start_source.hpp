@@ -1,4 +1,4 @@
-// From a start's index to its state at the final speed, of rotors that turn as prescribed.
+// Takes a start from its index to its state at the final speed, for rotors at a prescribed speed.
 #pragma once
 
 #include <array>
@@ -19,13 +19,13 @@
 
 namespace equipoise {
 
-/// Thread-safe once made.
+/// Thread-safe after construction and watch().
 class StartSource : public SpinUp {
  public:
   /// Integrates the clamped spin-up, which all starts share.
   StartSource(const Study& study, const StopFlag* stop);
-  /// For a rotor that moves by `segments` instead of the study's [speed] and [release]: contiguous from 0, the
-  /// clamped ones first, the last one free and without end.
+  /// With `segments` in place of the study's [speed] and [release]: contiguous from 0, clamped ones first, the last one
+  /// free and without end.
   StartSource(const Study& study, std::vector<model::Segment> segments, const StopFlag* stop);
 
   void watch(const TransientSettings& settings) override;
@@ -33,9 +33,9 @@ class StartSource : public SpinUp {
             TransientTable* transients = nullptr) const override;
   bool follow(std::span<const InitialState> given, SpunUp& starts, TransientTable* transients = nullptr) const override;
 
-  /// The states in which given ball angles are released, row-major.
+  /// The states, row-major, in which balls at these angles are released.
   void release(const std::vector<double>& phi, std::vector<double>& states) const;
-  /// An ensemble's task over free segment `k`, from its begin to its end.
+  /// An ensemble's task over the whole of free segment `k`.
   BatchTask task(std::size_t k, std::vector<double>& states) const;
   BatchTask last_task() const override;
   /// Takes states at the end of segment `k`, not the last, across the jump of psi' that follows.
@@ -44,7 +44,7 @@ class StartSource : public SpinUp {
   const std::vector<model::Segment>& segments() const { return segments_; }
   std::size_t first_free() const { return first_free_; }
 
-  /// When the last branch has begun and the balls are free.
+  /// When the last piece has begun and the balls are free.
   double settled() const override { return segments_.back().begin; }
   double tolerance() const override { return tolerance_; }
 
@@ -57,7 +57,7 @@ class StartSource : public SpinUp {
   Sampler sampler_;
   const StopFlag* stop_;
   std::vector<model::Segment> segments_;
-  std::vector<model::System> systems_;  // over each segment, of what is not simple (model/system.hpp); else empty
+  std::vector<model::System> systems_;  // over each segment, unless the system is simple (model/system.hpp); else empty
   std::size_t first_free_ = 0;
   ClampedBasis basis_;
   ClampedTransients clamped_;
