@@ -1,4 +1,4 @@
-// From pilot starts to attractors: what they come to is grouped, followed, named and listed.
+// Takes pilot starts to attractors: groups the motions that they come to, follows, names and lists them.
 #include "equipoise/attractor_search/attractor_search.hpp"
 
 #include <algorithm>
@@ -22,11 +22,12 @@ namespace equipoise {
 
 namespace {
 
-// Groups that are followed, the largest first: more are the debris of a motion that does not settle.
+// The largest groups are followed. More would be the debris of a motion that does not become steady.
 constexpr std::size_t most_groups = 24;
-// In a part of a family, beside what the whole had: its halves look again, and what is rare is followed start by start.
+// For a part of a family, besides the motions that the whole had. Its halves search again; rare motions are left to
+// their starts.
 constexpr std::size_t most_groups_beside = 8;
-// By so much longer, windows of chaos and of tori show what they are.
+// Windows longer by this factor show what chaos and tori are.
 constexpr double later_windows = 4.0;
 
 class Discoverer {
@@ -47,7 +48,7 @@ class Discoverer {
     make_boxes(s_, all);
     if (!scouts_suffice(s_)) {
       if (!follow_pilot(s_.pilot.size())) return stopped();
-      // Of rotors that differ few show what the first ones did, and what nobody has named bars every box.
+      // Where rotors differ, the scouts show little of the others, and an unnamed motion bars every box.
       if (s_.drawn && !list_found(WarmStartStates::listed)) return stopped();
       audit_boxes(s_, found_);
     }
@@ -67,7 +68,7 @@ class Discoverer {
     return std::move(s_.result);
   }
 
-  // Decides the first `count` of the pilot's starts by the rule as it stands.
+  // Decides the first `count` pilot starts by the current rule.
   bool follow_pilot(std::size_t count) {
     const double horizon = std::min(*s_.study.numerics.horizon, pilot_windows * s_.result.rule.first_long_window);
     return s_.pilot.follow(count, s_.result.rule, horizon, s_.settings.threads, s_.settings.stop, s_.stages, s_.notes);
@@ -75,8 +76,8 @@ class Discoverer {
 
   enum class WarmStartStates { listed, new_ones };
 
-  // Lists what the pilot came to that the rule cannot name. Stationary motions come first: most of what wanders looks
-  // like one of them, a torus that had not repeated itself yet, and need not be followed.
+  // Lists the motions that the pilot came to and the rule cannot name. Stationary ones come first: most wandering
+  // trajectories look like one of them, as tori that had not repeated yet, and need not be followed.
   bool list_found(WarmStartStates warm_start_states) {
     find_candidates();
     const auto wandering =
@@ -93,26 +94,25 @@ class Discoverer {
     return true;
   }
 
-  // As what is listed and looks the same; boxes are made around what it did all the same.
+  // Names a candidate after a listed attractor that looks the same. Boxes are made around its windows all the same.
   bool name_by_looks(Candidate& c) {
     const KnownFeatures* known = s_.known_as(c.features, c.own);
     if (!known) return false;
     c.attractor = known->attractor;
     c.trend = known->trend;
     c.shows_motion = true;
-    // One entry tells the motion of all rotors; chaos looks different in every window.
+    // One entry recognises the motion of all rotors, but chaos looks different in every window.
     if (!s_.drawn || known->chaotic) add_known(c, known->chaotic);
     return true;
   }
 
   void add_known(const Candidate& c, bool chaotic) {
-    // Until it is known for which rotors it lasts, chaos may end for all.
+    // Until follow_chaos() finds the rotors for which chaos lasts, it may end for all.
     s_.result.rule.known.push_back(
         {of_middle(s_, c, c.features, c.own), c.attractor, chaotic, chaotic && s_.drawn ? 0 : -1, c.trend});
   }
 
-  // Groups of trajectories that the rule cannot name yet: stationary ones, and ones that neither settled nor came to
-  // balance.
+  // Groups trajectories that the rule cannot name: stationary ones, and ones that neither became steady nor balanced.
   void find_candidates() {
     std::vector<std::size_t> stationary, wandering;
     for (std::size_t i = 0; i < s_.pilot.followed(); ++i) {
@@ -140,8 +140,7 @@ class Discoverer {
     if (s_.settings.warm_start) recognise_candidates();
   }
 
-  // What is on its slow way to balance is followed on lanes before it is followed to a motion, which it may never be
-  // on.
+  // Trajectories on a slow way to balance are followed on lanes first. To follow one to a motion may take for ever.
   void drop_balanced_candidates() {
     ClassificationRule only_balance = s_.result.rule;
     only_balance.boxes = {*s_.balance_box};
@@ -154,16 +153,16 @@ class Discoverer {
     candidates_ = std::move(others);
   }
 
-  // Long windows, three of which tell what is stationary, leave it time: what creeps near balance looks the same in all
-  // of them, and would be followed to a motion that never comes back.
+  // A trajectory that creeps near balance looks the same in all long windows, and would be followed to a motion that
+  // never comes back. Three long windows make it stationary, so they must leave the balance box time to decide.
   void ask_for_balance() {
     ClassificationRule& rule = s_.result.rule;
     rule.boxes.push_back(*s_.balance_box);
     rule.first_long_window = std::max(rule.first_long_window, s_.balance_box->hits_needed * 0.5 * rule.window / 3.0);
   }
 
-  // Whose later windows, which are longer, show a neighbour's motion, or that its trapping regions catch, need not be
-  // followed.
+  // A candidate need not be followed if its later, longer windows show a neighbour's motion, or its trapping regions
+  // catch it.
   void recognise_candidates() {
     ClassificationRule later = s_.result.rule;
     later.first_long_window *= later_windows;
@@ -184,7 +183,7 @@ class Discoverer {
 
   const model::System& system_of(const Candidate& c) const { return c.own ? c.own->system : s_.system; }
 
-  // The attractor's, if they agree as well as two windows of it do.
+  // The attractor's entry that the candidate agrees with, as well as two windows of that attractor agree; null if none.
   const KnownFeatures* looks_of(int attractor, const Candidate& c) const {
     const Attractor* a = s_.result.catalogue.find(attractor);
     for (const KnownFeatures& k : s_.result.rule.known)
@@ -201,8 +200,8 @@ class Discoverer {
           {{}, {}, {}, Eigen::Map<const Eigen::VectorXd>(seed.data(), static_cast<Eigen::Index>(seed.size()))});
   }
 
-  // What a neighbour has comes first: the pilot's trajectories are then caught by its trapping regions, or told by what
-  // it looks like, and only what else they come to has to be followed.
+  // A neighbour's motions come first. Their trapping regions or looks then decide most of the pilot, and only the rest
+  // need be followed.
   bool list_warm_start_states() {
     add_seeds();
     if (!refine_and_list()) return false;
@@ -210,7 +209,7 @@ class Discoverer {
     return true;
   }
 
-  // Of rotors that differ a few at a time: most others are what these come to, as another rotor has it.
+  // Where rotors differ, a few at a time are followed: most others are the same motions on another rotor.
   bool refine_and_list() {
     if (!s_.drawn) return refine_candidates();
     constexpr std::size_t at_once = 4;
@@ -229,19 +228,19 @@ class Discoverer {
     return true;
   }
 
-  // Chaos that goes on for so long counts as lasting for rotors that differ.
+  // Where rotors differ, chaos that lasts this long counts as lasting.
   double patience() const {
     return s_.drawn ? std::min(followed_for(s_.system), lasting_chaos) : followed_for(s_.system);
   }
 
-  // The same state of the pilot is a candidate again if it came to no motion, or to one that looks different each time.
+  // A state of the pilot becomes a candidate again if it came to no motion, or to one that looks different each time.
   const Candidate* followed_before(const Candidate& c) const {
     const auto at = std::find_if(followed_.begin(), followed_.end(),
                                  [&](const Candidate& f) { return f.own == c.own && f.state == c.state; });
     return at == followed_.end() ? nullptr : &*at;
   }
 
-  // Follows the candidates until they are steady; lists those that become so, with what recognises them.
+  // Follows candidates until they are steady. Lists those that become so, with the windows that recognise them.
   bool refine_candidates() {
     s_.stages.begin("motions followed until they are steady", candidates_.size());
     const std::uint64_t first = s_.notes.reserve(candidates_.size());
@@ -262,10 +261,10 @@ class Discoverer {
     for (Candidate& c : candidates_)
       if (c.motion && c.motion->stable) c.attractor = s_.result.catalogue.add(system_of(c).parameters(), *c.motion);
     for (Candidate& c : candidates_) {
-      // Balance is never told by what it looks like: trapping regions know it, or the way to it is followed.
+      // Looks never decide balance: a trapping region does, or the way to balance is followed.
       if (!c.motion || !c.motion->stable || !c.shows_motion || c.attractor == balanced_id) continue;
       if (s_.drawn ? looks_known(c) : is_known(c.attractor)) {
-        if (c.members.empty()) c.shows_motion = false;  // another seed came to the same
+        if (c.members.empty()) c.shows_motion = false;  // another given state came to the same motion
         if (!c.shows_motion) continue;
       } else {
         if (!add_trend(s_, c)) return false;
@@ -280,8 +279,8 @@ class Discoverer {
     return !s_.is_stopped();
   }
 
-  // Of rotors that differ several motions may have one name. Sees to it that a candidate that looks like what is known
-  // under its own has that one's trend.
+  // Where rotors differ, several motions may share a name. If the candidate looks like a known motion of its own name,
+  // it takes over that motion's trend.
   bool looks_known(Candidate& c) const {
     const KnownFeatures* known = s_.known_as(c.features, c.own);
     if (!known || known->attractor != c.attractor) return false;
@@ -294,8 +293,8 @@ class Discoverer {
     return std::any_of(known.begin(), known.end(), [&](const KnownFeatures& k) { return k.attractor == attractor; });
   }
 
-  // A trajectory may seem stationary near an unstable motion, or on chaos that ends, and come to a stable one in the
-  // end: what its windows showed is then not what recognises that one. A neighbour's motion is known by its own.
+  // A trajectory may seem stationary near an unstable motion, or on chaos that ends, and still come to a stable one.
+  // Its windows do not recognise that motion then. A neighbour's motion has no windows yet and gets its own.
   void compare_with_motions() {
     std::vector<Candidate*> followed;
     std::vector<const Motion*> motions;
@@ -309,7 +308,7 @@ class Discoverer {
     const std::vector<PilotRecord> windows = s_.windows_of(motions, own);
     for (std::size_t k = 0; k < followed.size(); ++k) {
       Candidate& c = *followed[k];
-      // Of a continuum that dry friction leaves every member looks its own way.
+      // Each member of a continuum that dry friction leaves looks different.
       c.shows_motion = !c.motion->set_valued && windows[k].finished_window;
       if (c.members.empty()) {
         c.features = windows[k].features;
@@ -323,8 +322,8 @@ class Discoverer {
 
   Search s_;
   SearchRegions regions_{s_};
-  std::map<int, Eigen::VectorXd> chaos_;  // by attractor: a state on one rotor's
-  // Being followed; all that were; what the pilot came to; a neighbour's.
+  std::map<int, Eigen::VectorXd> chaos_;  // by attractor: a state on one rotor's chaos
+  // Being followed; all followed so far; those of the pilot; those of a neighbour.
   std::vector<Candidate> candidates_, followed_, found_, seeds_;
 };
 

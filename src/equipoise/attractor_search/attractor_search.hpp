@@ -1,5 +1,5 @@
-// What a study's starts can come to: the attractors of the final speed, found by a pilot, refined, named, and the rule
-// that recognises them early.
+// Finds the attractors of a study's final speed with a pilot, refines and names them, and makes the rule that
+// recognises them early.
 #pragma once
 
 #include <functional>
@@ -29,72 +29,72 @@ struct FamilyMesh;
 struct AttractorSearchSettings {
   int threads = 1;
   const StopFlag* stop = nullptr;
-  /// States near motions known from elsewhere (a neighbouring parameter, an earlier run), as the system has them.
+  /// States near motions known from elsewhere (a neighbouring parameter, an earlier run), in the system's layout.
   std::vector<std::vector<double>> warm_start_states{};
   AttractorSearchCache* cache = nullptr;
-  /// Told of the stages, from any thread, never from two at once; Progress::preparing is set.
+  /// Called for each stage, from any thread but one at a time; Progress::preparing is set.
   std::function<void(const Progress&)> progress{};
-  /// The seeds are all that was found at a neighbouring parameter: a pilot of a quarter of the starts then looks for
-  /// what is new. What that misses is listed once a start comes to it, as ever.
+  /// warm_start_states are all that a neighbouring parameter has: a pilot of a quarter of the starts then looks for new
+  /// motions. One that it misses is listed once a start comes to it, as always.
   bool warm_start = false;
-  WarmStartLevels warm_start_levels = {};  ///< of the neighbour's search, if informed
-  SearchLog* notes = nullptr;              ///< of what searches find out step by step, or null
-  std::string family{};                    ///< what tells a family's notes from those of others
+  WarmStartLevels warm_start_levels = {};  ///< of the neighbour's search, with warm_start
+  SearchLog* notes = nullptr;              ///< log of the steps of searches, or null
+  std::string family{};                    ///< tells a family's notes from those of others
 };
 
-/// Everything found before the first start is decided. Depends on the rotor, its final speed, [numerics],
-/// settings.seeds, informed and hints alone (each state where the rotor's angle is 0, if that matters): not on how a
-/// prescribed speed is reached, so that all spin-ups to one speed share it. A driven rotor's depends on its whole
-/// spin-up.
+/// All that is found before the first start is decided. It depends on the rotor, its final speed, [numerics] and the
+/// settings' warm_start_states (each with rotor angle 0 if that matters), warm_start and warm_start_levels alone. How a
+/// prescribed speed is reached does not matter, so all spin-ups to it share a search. A driven rotor's search depends
+/// on its whole spin-up.
 struct AttractorSearch {
   BalancedAnalysis balanced;
   Catalogue catalogue;
   ClassificationRule rule;
-  FamilyRegions family;               ///< of a part of a family: where its balanced trapping regions stand
-  FeatureTrends trends;               ///< and how its motions' features change
+  FamilyRegions family;               ///< for a part of a family: where its balanced trapping regions are
+  FeatureTrends trends;               ///< and how the features of its motions change
   WarmStartLevels warm_start_levels;  ///< for a neighbour's search
-  std::vector<std::vector<double>> warm_start_states;  ///< for that too: a state on each motion that windows tell
-  std::shared_ptr<const CoastingRegion> coasting;      ///< of a rotor that coasts
+  std::vector<std::vector<double>> warm_start_states;  ///< also for that: a state on each motion that windows recognise
+  std::shared_ptr<const CoastingRegion> coasting;      ///< if the rotor coasts
   bool stopped = false;
 
-  /// Prepares a rotor of the part, whose coordinates are known, for the rule.
+  /// Prepares a rotor of the part, whose coordinates must be set, for the rule.
   void place(OwnRotor& rotor) const {
     family.place(rule.balanced, rotor);
     trends.place(rotor);
   }
 };
 
-/// Discoveries made so far, by what they depend on. Not to be used by two runs at once.
+/// Searches made so far, by everything that they depend on. Not to be used by two runs at once.
 struct AttractorSearchCache {
   std::map<std::string, AttractorSearch> made;
-  std::map<std::string, std::shared_ptr<const FamilyMesh>> meshes;  ///< of studies with uncertain values
+  std::map<std::string, std::shared_ptr<const FamilyMesh>> meshes;  ///< for studies with uncertain values
 };
 
-/// Of rotors that differ, chaos that ends, ends sooner than this for nearly all but those beside the one for which it
-/// no longer ends.
+/// Where rotors differ, transient chaos ends sooner than this for nearly all rotors, except those next to the one where
+/// it becomes lasting.
 inline constexpr double lasting_chaos = 10000.0;
 
-/// How long a trajectory is followed to its motion (motion_from()): where many balls touch it takes a hundred times as
-/// long, and a motion that does not come back is none the better known for it.
+/// How long a trajectory is followed to its motion (motion_from()). Many touching balls make each time unit a hundred
+/// times as costly, and patience with a motion that does not come back gains nothing.
 double followed_for(const model::System& system);
 
-/// The part of a study that its discovery depends on, as text: studies that agree in it share one.
+/// The part of a study that its search depends on, as text: studies that agree in it share one.
 std::string attractor_search_subject(const Study& study);
-/// What a search depends on in all: the key under which caches hold it.
+/// All that a search depends on: its key in caches.
 std::string search_key(const std::string& subject, const AttractorSearchSettings& settings);
-/// The same of a part of settings.family.
+/// The same for a part of settings.family.
 std::string search_key(const FamilyBox& part, const AttractorSearchSettings& settings);
 
-/// Analyses the balanced states; runs pilot starts, free from rest at the final
-/// speed (of a driven rotor see PilotRun::make()), and starts in the invariant subspace of coincident balls until they
-/// are stationary; follows, refines and names one of each group; makes trapping regions and boxes and tries them. With
-/// anisotropic supports or gravity motions are strobed ones. Starts that come to something else later are followed and
-/// listed by StartRunner. A rotor that coasts has no final speed, and nothing is searched: balance and the rotor that
-/// has stalled are listed, and starts are asked about both by CoastingRegion.
+/// Analyses the balanced states. Runs pilot starts, free from rest at the final speed (for a driven rotor see
+/// PilotRun::make()), and starts in the invariant subspace of coincident balls, until they are stationary. Follows,
+/// refines and names one of each group; makes trapping regions and boxes and tries them. With anisotropic supports or
+/// gravity, motions are those on the stroboscopic section. StartRunner later follows and lists any other motion that a
+/// start comes to. A coasting rotor has no final speed, so nothing is searched: balance and the stalled rotor are
+/// listed, and CoastingRegion tests starts for both.
 AttractorSearch search_attractors(const Study& study, const AttractorSearchSettings& settings);
-/// The same for all rotors of a part of a family at once: pilots and tries draw theirs from it, motions of one name are
-/// one, and trapping regions stand where each rotor has what they surround. Centres, forms and hints are those of the
-/// part's middle. settings.cache is not asked.
+/// The same for all rotors of a part of a family at once. Pilots and trials draw rotors from it, motions of one name
+/// are one, and trapping regions move with each rotor's motion. Centres, forms and levels are those of the part's
+/// middle. settings.cache is not used.
 AttractorSearch search_attractors(const StudyFamily& family, const FamilyBox& box,
                                   const AttractorSearchSettings& settings);
 

@@ -1,4 +1,4 @@
-// Bounds from the rotor alone; time from how fast deviations grow.
+// Bounds follow from the rotor alone, the time from how fast deviations grow.
 #include "equipoise/attractor_search/balance_box.hpp"
 
 #include <algorithm>
@@ -13,8 +13,8 @@ namespace equipoise {
 
 namespace {
 
-// What is called balanced has been so for this long: e^10 of what grows anywhere on the continuum or, where all of it
-// attracts, e^5 of what dies out slowest; no more than a quarter of all the time that there is.
+// How long balance must last: e^10 of the fastest growth anywhere on the continuum; or, if all of it attracts, e^5 of
+// the slowest decay. At most a quarter of the horizon.
 double lasting(const ContinuumSurvey& survey, double horizon) {
   constexpr double growing = 10.0, dying = 5.0, least = 200.0, long_enough = 1000.0;
   double asked = long_enough;
@@ -32,11 +32,12 @@ std::optional<FeatureBox> balance_box(const model::System& system, const Balance
   const auto speed = model::balanced_speed(system);
   if (system.autonomous() || system.events().stick || !speed || *speed == 0.0) return std::nullopt;
   if (balanced.states.kind != model::BalancedStates::Kind::continuum) return std::nullopt;
-  constexpr double of_speed = 0.05;  // by so much it may waver; as fast may balls swing, beside what their weight does
+  constexpr double of_speed = 0.05;  // share by which the speed may waver; balls may swing as fast, beyond what their
+                                     // weight does
   const model::Parameters& p = system.parameters();
   const double time = lasting(balanced.survey, horizon), turning = std::fabs(*speed);
   const double shaking = 0.5 * bare_response(p, *speed), swing = of_speed * turning + 2.0 * p.gravity / turning;
-  const double drift = pi / time;  // half a turn in all that time
+  const double drift = pi / time;  // half a turn in that time
   FeatureBox box;
   for (int k = 0; k < 3; ++k) box.high[k] = shaking;
   for (int i = 0; i < p.balls; ++i)

@@ -1,4 +1,4 @@
-// What balance looks like where nothing of a continuum of balanced states is at rest.
+// The box of balance, for a continuum of balanced states of which nothing is at rest.
 #pragma once
 
 #include <optional>
@@ -8,12 +8,11 @@
 
 namespace equipoise {
 
-/// Under gravity, and under a motor where the rotor's angle matters, balls creep along a continuum of balanced states,
-/// come to touch, and part again; no motion of theirs comes back for thousands of turns, and which member they are at
-/// is no matter to the rotor. Balanced is then what stays so: windows in which the rotor shakes at most half as much as
-/// it would without balls (halves_the_shaking()) and no ball drifts, for ten times as long as deviations take to grow
-/// e-fold or, where none does, for five times as long as they take to die out. Empty for all other systems, and where
-/// there is no balance.
+/// Under gravity, or under a motor if the rotor's angle matters, balls creep along a continuum of balanced states,
+/// touch and part again. Their motion does not come back for thousands of turns, and the member that they are at does
+/// not matter to the rotor. So balanced means that windows stay balanced: the rotor vibrates at most half as much as
+/// without balls (halves_the_shaking()), and no ball drifts. That must last for ten e-foldings of the fastest growth
+/// or, without growth, five of the slowest decay. Empty for all other systems, and if there is no balance.
 std::optional<FeatureBox> balance_box(const model::System& system, const BalancedAnalysis& balanced, double window,
                                       double horizon);
 

@@ -1,4 +1,4 @@
-// One level for states that are images of each other.
+// One level serves balanced states that are images of each other.
 #include "equipoise/attractor_search/balanced_levels.hpp"
 
 #include <algorithm>
@@ -13,8 +13,7 @@ namespace equipoise {
 
 namespace {
 
-// Calls level(trapping region) for each trapping region, or for the first if exchange of the balls makes the other one
-// from it.
+// Calls level(region) for each trapping region, or only for the first if an exchange of the balls maps it to the other.
 template <class Level>
 void level_each(std::vector<BalancedRegion>& regions, const model::Parameters& p, Level&& level) {
   const bool images = p.balls == 2 && p.equal_balls();
@@ -28,11 +27,11 @@ void level_each(std::vector<BalancedRegion>& regions, const model::Parameters& p
   }
 }
 
-// The smallest V on any of the pilot's trajectories that ended elsewhere. What is undecided is followed on: it may be
-// on its slow way to balance. Of these the ones that came nearest to balance are the first, and no more than tell.
+// The smallest V on pilot trajectories that ended elsewhere. Undecided ones may be on a slow way to balance, so they
+// are followed on, nearest first, until no other can be nearer than one that ended elsewhere.
 double nearest_elsewhere(const ClassificationRule& rule, const TrialSettings& settings, double slowest_rate,
                          const PilotRun& pilot) {
-  constexpr std::size_t together = 32;  // fill the lanes
+  constexpr std::size_t together = 32;  // they fill the lanes
   const auto least = [&](std::size_t i) { return pilot.records()[i].least_value; };
   double nearest = 1e300;
   std::vector<std::size_t> open;
@@ -70,7 +69,7 @@ void prove_levels(std::vector<BalancedRegion>& regions, const TrialSettings& set
   level_each(regions, system.parameters(), [&](BalancedRegion& region) {
     const Certificate certificate = largest_certificate(system, region.phi.data(), form_of(region),
                                                         region.level / level_margin, nullptr, settings.stop);
-    // What the kernels compute in place of V is off by rounding: a part in 10^13.
+    // The kernels' V is off by rounding, a part in 10^13.
     set_level(region, certificate.level * (1.0 - 1e-9));
     region.by = DecidedBy::proof;
   });
@@ -82,7 +81,7 @@ double widen_levels(ClassificationRule& rule, const TrialSettings& settings, dou
   if (regions.empty()) return 0.0;
   const std::vector<BalancedRegion> narrow = regions;
   double nearest_foreign = nearest_elsewhere(rule, settings, slowest_rate, pilot);
-  // Twice the level is tried, where no balls may overlap.
+  // Twice the level is tried, and no balls may overlap there.
   for (const BalancedRegion& region : narrow)
     nearest_foreign = std::min(nearest_foreign, touching_level(*settings.system, region));
   level_each(regions, settings.system->parameters(),

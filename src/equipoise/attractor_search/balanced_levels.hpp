@@ -1,5 +1,5 @@
-// Levels of the balanced trapping regions, beyond those inside which V decreases by sampling: proved, or widened as far
-// as tries and the pilot allow.
+// Levels of balanced trapping regions beyond those in which samples of V decrease: proved, or widened as far as trials
+// and the pilot allow.
 #pragma once
 
 #include <vector>
@@ -10,8 +10,8 @@
 namespace equipoise {
 
 void prove_levels(std::vector<BalancedRegion>& regions, const TrialSettings& settings);
-/// Those of `rule`, whose other trapping regions tell what does not balance. `slowest_rate`: at which balance is
-/// approached, negative. By how much the first one is widened, which `near` may be near to; 0: not known.
+/// Widens the balanced regions of `rule`, whose other regions decide trials that end elsewhere. `slowest_rate`: of the
+/// approach to balance, negative. `near`: a guess of the factor, or 0. Returns the first one's factor.
 double widen_levels(ClassificationRule& rule, const TrialSettings& settings, double slowest_rate, const PilotRun& pilot,
                     double near);
 

@@ -1,4 +1,4 @@
-// Rotors that coast: energy and short flights in place of a search.
+// Coasting rotors: energy and short flights replace a search.
 #include "equipoise/attractor_search/search.hpp"
 
 #include <algorithm>
@@ -28,7 +28,7 @@ class EndsOfCoasting final : public TrappingRegions {
   const StopFlag* stop_;
 };
 
-// Each start's motion is its own.
+// Both are measured: each start comes to a motion of its own.
 int list_ends(const model::System& system, Catalogue& catalogue) {
   Motion balanced = measured_motion();
   balanced.set_valued = system.events().stick;
@@ -46,7 +46,7 @@ AttractorSearch discover_coasting(const Study& study, const StopFlag* stop) {
   if (note.empty()) note = "no torque acts in the end, and which speed the rotor keeps is not known beforehand";
   ClassificationRule& rule = result.rule = first_rule(study, result.balanced, system);
   const double horizon = *study.numerics.horizon;
-  // Slow losses of speed are to show.
+  // Windows must be long enough to show slow losses of speed.
   rule.first_long_window = std::max(rule.first_long_window, horizon / 16.0);
   rule.at_horizon = study.numerics.decide == ClassificationMode::horizon;
   const auto region = std::make_shared<const CoastingRegion>(system, study.stall_speed(), horizon);

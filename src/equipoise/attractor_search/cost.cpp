@@ -1,4 +1,4 @@
-// Steps that stability leaves to an explicit method, times how long slow balls take.
+// Steps that an explicit method needs to be stable, times how long slow balls take.
 #include "equipoise/attractor_search/cost.hpp"
 
 #include <algorithm>
@@ -13,7 +13,7 @@ namespace equipoise {
 
 namespace {
 
-// DOP853 is stable on the negative real axis to about -6; its accuracy at 1e-6 asks for one or two steps a radian.
+// DOP853 is stable on the negative real axis to about -6. Its accuracy at 1e-6 needs one or two steps a radian.
 constexpr double stable_to = 6.0, steps_a_radian = 1.5;
 StartCost cost_of(const Study& study) {
   const model::Parameters& p = study.parameters;
@@ -25,7 +25,7 @@ StartCost cost_of(const Study& study) {
   cost.cause = cost.by_drag ? drag : damping;
   const Horizon horizon = choose_horizon(study);
   const double slowest = std::max(horizon.rates.approach, horizon.rates.growth);
-  // The horizon that is chosen ends what is too slow without deciding it, and is no limit to the work that is needed.
+  // A chosen horizon gives up slow starts undecided, so it does not limit the work that they need.
   cost.time = slowest > 0.0 ? 1.0 / slowest : horizon.time;
   if (horizon.given) cost.time = std::min(cost.time, horizon.time);
   const double turning = steps_a_radian * std::max(1.0, std::fabs(study.speed_profile().final_speed()));

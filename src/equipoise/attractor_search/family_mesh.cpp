@@ -1,4 +1,4 @@
-// Halving cells, a trial ensemble in each.
+// Halves cells and runs a trial ensemble in each.
 #include "equipoise/attractor_search/family_mesh.hpp"
 
 #include <algorithm>
@@ -18,32 +18,32 @@ namespace equipoise {
 
 namespace {
 
-// Starts by which cells are judged: their own, the same for all.
+// Starts that judge cells: from a seed of their own, the same for all cells.
 constexpr std::uint64_t judging_seed = 0xa0761d6478bd642f;
 constexpr std::size_t judged = 1024;
 constexpr int most_halvings = 10;
-// All in starts that are known at once, which take about so long each.
+// Costs are in starts that the rule knows at once, each of about this many time units.
 constexpr double soon = 200.0;
-// To follow a start that a cell's rule does not know; to search a cell.
+// The cost of a start that a cell's rule does not know, and of searching a cell.
 constexpr double dear = 2000.0, a_search = 3e5;
-// Of the starts of one rotor so many are followed so.
+// Of one rotor's starts, this many on average pay that cost.
 constexpr double met_by_a_rotor = 2.0;
-// Cells are halved while two searches more cost less than this part of all that their starts do.
+// Cells are halved while two more searches cost less than this share of what their starts cost.
 constexpr double worth_two_searches = 0.5;
-// Halves that are not better by so much are not kept, but at first: a part that knows next to nothing has to become
+// Halves must be better by this factor, except in the first halvings: a part that knows almost nothing must become
 // small before it knows more.
 constexpr double better = 0.85, much_to_gain = 25.0;
 constexpr int at_first = 3;
-// Of starts that the horizon leaves open so many are followed alone, for as long again but no longer than
-// lasting_chaos. If fewer than half come to something by then, they are left open. If not, so many are followed on
+// This many of the starts left open by the horizon are followed one by one, for the horizon's time again but at most
+// for lasting_chaos. If fewer than half come to a motion, all stay open. Otherwise followed_on starts are followed on
 // together.
 constexpr std::size_t looked_at = 8, followed_on = 64;
 
-// What a start costs in a cell, by halves of every axis too.
+// The mean cost of a start in a cell, and by halves of every axis.
 struct Judgement {
   double cost = 0.0;
-  std::vector<double> unlike;  // how much fates of its lower half differ from those of its upper half
-  bool follows_open = true;    // FamilyCell::follows_open
+  std::vector<double> unlike;  // how much costs of the lower and upper half differ
+  bool follows_open = true;    // see FamilyCell::follows_open
 };
 
 template <class Bytes, Like<Judgement> T>
@@ -100,7 +100,7 @@ class MeshMaker {
     return result;
   }
 
-  // Halves while it pays, along the axis whose halves differ most.
+  // Halves a cell while it pays, along the axis whose halves differ most.
   bool divide(Tried whole, int depth) {
     const double starts = starts_.count * volume(whole.cell.box), to_gain = starts * whole.judgement.cost / a_search;
     if (depth < most_halvings && 2.0 < worth_two_searches * to_gain) {
@@ -134,7 +134,7 @@ class MeshMaker {
     return static_cast<std::size_t>(std::max_element(unlike.begin(), unlike.end()) - unlike.begin());
   }
 
-  // Decides starts of the cell by its rule. If stopped, worth nothing.
+  // Decides starts of the cell by its rule. Worthless if stopped.
   Judgement judge(const FamilyCell& cell) const {
     Judgement judgement;
     const DrawnSource source(family_, cell.box, settings_.stop);
@@ -171,7 +171,7 @@ class MeshMaker {
     return judgement;
   }
 
-  // Whether starts that the horizon leaves open soon come to something, by the first of them.
+  // Whether starts left open by the horizon mostly come to a motion soon, judged by the first of them.
   bool settle(const SpunUp& starts, const std::vector<Fate>& fates, const std::vector<std::size_t>& open,
               double patience) const {
     const std::size_t count = std::min(open.size(), looked_at);
@@ -187,7 +187,7 @@ class MeshMaker {
     return 2 * std::count(settles.begin(), settles.end(), 1) >= static_cast<std::ptrdiff_t>(count);
   }
 
-  // Decides more of the starts that the horizon leaves open as the cell will.
+  // Follows open starts on, as the cell will.
   bool follow_on(BatchTask task, const std::vector<std::size_t>& open, const FamilyCell& cell, const SpunUp& starts,
                  std::vector<Fate>& fates) const {
     const std::size_t count = std::min(open.size(), followed_on), size = starts.states.size() / judged;
@@ -209,12 +209,12 @@ class MeshMaker {
     task.own = own.data();
     std::vector<Fate> later(count);
     if (!classify_batch(task, cell.discovery.rule, later, nullptr)) return false;
-    // What these come to stands for what the others do.
+    // These fates stand for those of all open starts.
     for (std::size_t k = 0; k < open.size(); ++k) fates[open[k]] = later[k % count];
     return true;
   }
 
-  // By the study's order of draws: which half of the box's axis `k` a start drew.
+  // How much the costs of starts in the two halves of axis `k` differ.
   static double unlikeness(const std::vector<double>& costs, const DrawnSource& source, std::size_t k) {
     std::array<double, 2> count{}, sum{};
     for (std::size_t i = 0; i < costs.size(); ++i) {
@@ -238,7 +238,7 @@ class MeshMaker {
   const StudyFamily& family_;
   const FamilyStarts starts_;
   AttractorSearchSettings settings_;
-  std::mutex telling_;  // two searches are under way at once
+  std::mutex telling_;  // for progress: two searches run at once
   FamilyMesh mesh_;
 };
 

@@ -1,4 +1,4 @@
-// Attractors as functions of what differs: parts of a family, each with the rule that holds for all of its rotors.
+// Attractors over a family: the family in parts, each with a rule that holds for all of its rotors.
 #pragma once
 
 #include <cstddef>
@@ -18,43 +18,43 @@ struct FamilyCell {
   FamilyBox box;
   model::System middle;
   AttractorSearch discovery;
-  /// Identifiers of its attractors in the mesh's catalogue, by those that they have in its own.
+  /// Identifiers in the mesh's catalogue, by those in its own.
   std::vector<int> ids;
-  /// Starts that the horizon leaves open mostly come to something soon if they are followed on.
+  /// Starts left open by the horizon mostly come to a motion soon if followed on.
   bool follows_open = true;
-  /// So much longer than to the horizon those are followed together then, before one is alone.
+  /// They are then followed together for this long beyond the horizon, before each goes on by itself.
   static constexpr double further = motion_patience;
 
   int id(int own) const { return own > 0 ? ids[static_cast<std::size_t>(own)] : own; }
 };
 
-/// Cells fill the unit cube of a family's fractions. One is halved while that makes its starts known much sooner, or
-/// leaves many fewer that come to something its list does not hold.
+/// Cells fill the unit cube of a family's fractions. A cell is halved if its starts are then decided much sooner, or if
+/// many fewer come to motions that its list lacks.
 struct FamilyMesh {
   std::vector<FamilyCell> cells;
   Catalogue catalogue{true};
   bool stopped = false;
 
-  /// For the search of a neighbouring family.
+  /// For a neighbouring family's search.
   WarmStartLevels warm_start_levels() const {
     return cells.empty() ? WarmStartLevels{} : cells.front().discovery.warm_start_levels;
   }
-  /// The number of the cell there.
+  /// The index of the cell that holds these fractions.
   std::size_t index(std::span<const double> fractions) const;
-  /// The largest r of an attractor of `catalogue` as the family's rotor there has it, to a few percent; none where only
-  /// that of another rotor is known.
+  /// The largest r of an attractor of `catalogue` on the rotor at these fractions, to a few percent; none if it is
+  /// known only for another rotor.
   std::optional<double> largest_radius(const StudyFamily& family, int attractor,
                                        std::span<const double> fractions) const;
 };
 
-/// For what a mesh is made.
+/// The starts that a mesh is made for.
 struct FamilyStarts {
-  /// Of a study with uncertain values always as many, however many are decided by its mesh in the end.
+  /// With uncertain values the same number always, however many starts the mesh decides in the end.
   double count = 1e5;
-  double rotors = count;  ///< where starts share one, what one comes to names what others do (FamilyStart::met)
+  double rotors = count;  ///< distinct ones: starts with one rotor share the motions met (FamilyStart::met)
 };
 
-/// As fine as pays for these starts. Depends on them, the family and settings.seeds alone.
+/// Makes a mesh as fine as pays for these starts. Depends on them, the family and settings.warm_start_states alone.
 FamilyMesh search_attractor_mesh(const StudyFamily& family, const FamilyStarts& starts,
                                  const AttractorSearchSettings& settings);
 

@@ -1,4 +1,4 @@
-// Fits that grow from what is sure to what agrees with it.
+// Fits that grow from sure examples to those that agree with them.
 #include "equipoise/attractor_search/feature_trends.hpp"
 
 #include <algorithm>
@@ -12,12 +12,12 @@ namespace equipoise {
 namespace {
 
 constexpr int highest_degree = 3;
-// As the nearest rotors look beside the first, before a trend can be told.
+// How far the nearest rotors may differ from the first, before a trend is known.
 constexpr double as_neighbours = 0.3;
 
 class Fit {
  public:
-  // Of the highest degree for which there are twice as many examples as terms; of degree 0 it is the first.
+  // Uses the highest degree with at least twice as many examples as terms. Degree 0 takes the first example.
   Fit(const std::vector<const ShownFeatures*>& used, int balls) : count_(feature_count(balls)) {
     while (degree_ < highest_degree && used.size() >= 2 * terms(*used.front(), degree_ + 1)) ++degree_;
     std::vector<Eigen::VectorXd> rows, values;
@@ -47,7 +47,7 @@ class Fit {
   Eigen::MatrixXd coefficients_;
 };
 
-// For all of the nearest that were tried: two on each side, were there one value alone, and twice as many a value more.
+// Whether chaos lasts for all of the nearest rotors tried: two on each side for one value, twice as many for each more.
 bool lasts_beside(const OwnRotor& rotor, const std::vector<FeatureTrends::Lasting>& tried) {
   const std::size_t asked =
       std::min(tried.size(), std::size_t{2} << std::min<std::size_t>(rotor.coordinates.size(), 20));
@@ -72,7 +72,7 @@ int FeatureTrends::add(int attractor, int balls, double agreement, const ShownFe
     const double tolerance = fit.degree() == 0 ? as_neighbours : agreement;
     if (same_motion(fit.at(s.coordinates), s.features, balls, tolerance)) used.push_back(&s);
   }
-  // What was taken in before the trend was clear is judged by it too.
+  // Examples accepted before the trend was clear are judged by it too.
   for (int round = 0; round < 3; ++round) {
     const Fit fit(used, balls);
     if (fit.degree() == 0) return -1;

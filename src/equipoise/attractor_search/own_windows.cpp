@@ -1,4 +1,4 @@
-// Motions followed on lanes.
+// Follows motions on lanes.
 #include "equipoise/attractor_search/own_windows.hpp"
 
 #include "equipoise/batch/batch_task.hpp"
@@ -8,7 +8,7 @@ namespace equipoise {
 
 namespace {
 
-// Rotors as they are over the same stretch of time.
+// Rotors that all run over the same stretch of time.
 struct Rotors {
   Rotors(const std::vector<const OwnRotor*>& own, const BatchTask& task) {
     for (const OwnRotor* given : own) {
@@ -24,7 +24,7 @@ struct Rotors {
 
 BatchTask task_from(const model::System& system, std::vector<double>& states, const ClassificationRule& rule,
                     double longest, double tolerance, const StopFlag* stop) {
-  BatchTask task = batch_task(system);                        // psi = 0 at first, where states of strobed motions are
+  BatchTask task = batch_task(system);                        // from psi = 0, as on a stroboscopic section
   task.end = longest * rule.first_long_window + rule.window;  // windows end with a step, a little late
   task.tolerance = tolerance;
   task.count = states.size() / static_cast<std::size_t>(system.dimension());

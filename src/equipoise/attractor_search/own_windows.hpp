@@ -1,4 +1,4 @@
-// What the windows of steady motions show, seen as an ensemble's starts are.
+// The windows of steady motions, seen as those of an ensemble's starts are.
 #pragma once
 
 #include <vector>
@@ -12,15 +12,15 @@
 
 namespace equipoise {
 
-/// A record of each of `motions`, all stable, followed from its own state as the pilot's trajectories are: over windows
-/// as long as those of `rule`, until they repeat themselves, or for `longest` times the first long one. `own`: their
-/// rotors, where they are not all motions of `system`. If stopped, records without a finished window.
+/// Follows each of `motions`, all stable, from its own state as the pilot's trajectories are. Windows are as long as
+/// those of `rule`, and end when they repeat, or after `longest` times the first long one. `own`: their rotors, unless
+/// all are motions of `system`. If stopped, records lack a finished window.
 std::vector<PilotRecord> own_windows(const model::System& system, const std::vector<const Motion*>& motions,
                                      std::vector<const OwnRotor*> own, const ClassificationRule& rule, double longest,
                                      double tolerance, const StopFlag* stop);
 
-/// What the rule says of trajectories from these states (at a strobe, where the rotor's angle matters) by its trapping
-/// regions and by windows alone, within the same time.
+/// Decides trajectories from these states by the rule's trapping regions and windows alone, within the same time. The
+/// states lie on a stroboscopic section, if there is one.
 std::vector<Fate> fates_by_windows(const model::System& system, std::vector<double> states,
                                    std::vector<const OwnRotor*> own, ClassificationRule rule, double longest,
                                    double tolerance, const StopFlag* stop);

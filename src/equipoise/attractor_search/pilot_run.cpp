@@ -1,4 +1,4 @@
-// Pilot starts on lanes.
+// Runs pilot starts on lanes.
 #include "equipoise/attractor_search/pilot_run.hpp"
 
 #include <algorithm>
@@ -19,14 +19,14 @@ namespace equipoise {
 
 namespace {
 
-// Pilot starts are drawn from a seed of their own, so the decision rule depends on the study but not on its seed.
+// A seed apart from the study's, on which the rule then does not depend.
 constexpr std::uint64_t pilot_seed = 0x9e3779b97f4a7c15;
 // Lanes seldom wait for the last start of a large chunk; several threads need several chunks.
 std::size_t chunk_for(int threads) { return threads == 1 ? PilotRun::random_starts : 256; }
 
 }  // namespace
 
-// Those whose way is not over. Nothing depends on time any more: all go on from when the last piece begins.
+// Adds starts that are not over. Time no longer matters to them: all go on from where the last piece begins.
 void PilotRun::append(const SpunUp& starts) {
   const std::size_t size = system_.dimension();
   for (std::size_t i = 0; i < starts.size(); ++i) {
@@ -38,7 +38,7 @@ void PilotRun::append(const SpunUp& starts) {
 
 SpunUp PilotRun::free_at_speeds(std::size_t first, std::size_t count) const {
   constexpr std::size_t speeds = 8;
-  constexpr double beyond_resonance = 3.0;  // as far as is looked where the motor has no speed of its own
+  constexpr double beyond_resonance = 3.0;  // range searched if the motor has no speed of its own
   SpunUp starts;
   for (std::size_t i = 0; drawn_ && i < count; ++i) starts.rotors.push_back(drawn_->rotor(first + i));
   starts.fates.assign(count, Fate{});
@@ -59,7 +59,7 @@ SpunUp PilotRun::free_at_speeds(std::size_t first, std::size_t count) const {
   return starts;
 }
 
-// `count` of the study's random starts from number `first` on.
+// Adds `count` random starts, from number `first` on.
 bool PilotRun::add(std::size_t first, std::size_t count) {
   const std::size_t own = system_.prescribed() ? count : count / 2;
   SpunUp starts;
@@ -91,7 +91,7 @@ bool PilotRun::make() {
 
 namespace {
 
-// What became of the first starts; states only of those that are not known by name, one after the other.
+// Fates of the first starts, one after the other; states only of those without a name.
 struct Followed {
   bool complete = false;
   std::vector<Fate> fates;

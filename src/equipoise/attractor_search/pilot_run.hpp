@@ -1,4 +1,4 @@
-// The pilot's trajectories: their states at the final speed, made once, and what becomes of them under a rule.
+// The pilot's trajectories: their states at the final speed, made once, and their fates under a rule.
 #pragma once
 
 #include <cstddef>
@@ -23,44 +23,44 @@ inline constexpr double pilot_windows = 16.0;
 
 class PilotRun {
  public:
-  /// Scouts find motions; with their trapping regions in place all of the pilot shows how far those and the boxes can
-  /// be trusted, and is followed only for that where it is dear.
+  /// Scouts find the motions. With trapping regions in place, the whole pilot then shows how far regions and boxes can
+  /// be trusted. Where starts are dear, the pilot runs on for that purpose alone.
   static constexpr std::size_t random_scouts = 1024, coincident_scouts = 32, random_starts = 4096;
 
-  /// `initial`: what starts have that draw nothing else. `part`: of the random ones only every so many are made.
-  /// `drawn`: the source, if it draws rotors.
+  /// `initial`: initial values that starts do not draw. `part`: only one in this many random starts is made. `drawn`:
+  /// the source, if it draws rotors.
   PilotRun(const model::System& system, const SpinUp& source, const InitialState& initial, std::size_t part = 1,
            const DrawnSource* drawn = nullptr)
       : system_(system), source_(source), drawn_(drawn), initial_(initial), part_(part), task_(source.last_task()) {}
 
-  /// Random starts, starts with all balls together, and more random ones. Of a driven rotor every other one is free
-  /// from the beginning, at speeds from rest to the one that the motor comes to without load: a slow rotor may stay
-  /// slow, and one that has passed resonance come back to it. False if stopped.
+  /// Makes random starts, starts with all balls together, and more random ones. With a motor every other start is free
+  /// from the beginning, at speeds from rest to the no-load speed: a slow rotor may stay slow, and one that has passed
+  /// resonance may return to it. False if stopped.
   bool make();
-  /// How many of them are scouts.
+  /// How many starts are scouts.
   std::size_t scouts() const { return scouts_; }
-  /// And how many of these, the first, were drawn: balls all in one place may stay on a motion that nothing else comes
+  /// How many scouts (the first ones) are random: balls all in one place may stay on a motion that nothing else comes
   /// to.
   std::size_t random_ones() const { return random_ones_; }
-  /// Decides the first `count` of them by a rule, at `horizon` at the latest. False if stopped.
+  /// Decides the first `count` by a rule, up to `horizon`. False if stopped.
   bool follow(std::size_t count, const ClassificationRule& rule, double horizon, int threads, const StopFlag* stop,
               StageProgress& stages, NotePage& notes);
 
   std::size_t size() const { return fates_.size(); }
-  /// Of so many of them fates and records are known.
+  /// How many fates and records are known.
   std::size_t followed() const { return followed_; }
   const std::vector<Fate>& fates() const { return fates_; }
   const std::vector<PilotRecord>& records() const { return records_; }
-  /// Tells what became of an undecided one.
+  /// Names the motion of an undecided start.
   void name(std::size_t i, int attractor) { fates_[i].attractor = static_cast<short>(attractor); }
-  /// Where start `i` was when it was decided; the second where it may be followed on from without the rotor's angle: at
-  /// the next strobe, where that matters.
+  /// Where start `i` was decided, and from where it can be followed on without the rotor's angle: on the next
+  /// stroboscopic section, if there is one.
   Eigen::Map<const Eigen::VectorXd> state(std::size_t i) const;
   Eigen::VectorXd state_on_section(std::size_t i) const;
-  /// The system of start `i`, and its rotor where starts draw their own, else null.
+  /// The system of start `i`, and its rotor if starts draw theirs, else null.
   const model::System& system(std::size_t i) const { return rotors_.empty() ? system_ : rotors_[i].system; }
   const OwnRotor* rotor(std::size_t i) const { return rotors_.empty() ? nullptr : &rotors_[i]; }
-  /// Their rotors, to be prepared for the rule; none where all have the system's.
+  /// Rotors to be prepared for the rule; none if all share the system's.
   std::span<OwnRotor> rotors() { return rotors_; }
 
  private:

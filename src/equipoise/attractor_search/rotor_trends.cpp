@@ -1,4 +1,4 @@
-// How motions change from rotor to rotor of a family's part: rotors all over it set off from one's motion.
+// How motions change within a part of a family: rotors all over it are started on one rotor's motion.
 #include "equipoise/attractor_search/search.hpp"
 
 #include <algorithm>
@@ -11,7 +11,7 @@ namespace equipoise {
 
 namespace {
 
-// Rotors that set off from one's motion: the more, the more values differ.
+// Rotors to start: more of them if more values differ.
 std::vector<const OwnRotor*> tried(const Search& s) {
   constexpr std::size_t most = 128;
   const std::size_t wanted = std::size_t{24} << std::min<std::size_t>(s.rotors.front().coordinates.size(), 3);
@@ -20,7 +20,7 @@ std::vector<const OwnRotor*> tried(const Search& s) {
   return own;
 }
 
-// What comes to another motion has ended; what becomes regular has kept its name.
+// Chaos has ended if the rotor comes to another motion; chaos that becomes regular keeps its name.
 std::vector<FeatureTrends::Lasting> lasting(Search& s, int attractor, const Eigen::VectorXd& state) {
   const std::vector<const OwnRotor*> own = tried(s);
   std::vector<double> states;

@@ -10,8 +10,8 @@ namespace equipoise {
 
 namespace {
 
-// A quarter is enough where a neighbour's motions are known. Where two balls touch a start costs thirty times what it
-// does where they pass each other, where many do fifty times.
+// One start in this many. A quarter is enough if a neighbour's motions are known. A start costs thirty times as much if
+// two balls touch as if they pass each other, and fifty times if many do.
 std::size_t pilot_part(const model::System& system, const AttractorSearchSettings& settings) {
   return is_dear(system) ? 16 : settings.warm_start || system.events().contact ? 4 : 1;
 }

@@ -1,4 +1,4 @@
-// Boxes: ranges brought back to the middle's rotor; what is undecided named by its last long window.
+// Boxes: ranges brought back to the middle's rotor; undecided starts named by their last long window.
 #include "equipoise/attractor_search/search.hpp"
 
 #include <algorithm>
@@ -12,11 +12,11 @@ namespace equipoise {
 
 namespace {
 
-// Boxes around what a motion does, widened by so many times its range: a wide one is entered sooner, and the audit
-// makes it ask for more hits. Whichever is satisfied first decides.
+// Boxes around a motion's windows, widened by these multiples of their range. A wide one is entered sooner, but its
+// audit asks for more hits. The first one satisfied decides.
 constexpr std::array box_widths{1.0, 2.0, 4.0};
 
-// Of all its members, as the middle's motion would show it.
+// The range of all members, as the middle's motion would show it.
 FeatureBox range_of(const Search& s, const Candidate& c) {
   if (c.members.empty() || c.trend < 0) return c.range;
   FeatureBox range;
@@ -32,7 +32,7 @@ FeatureBox range_of(const Search& s, const Candidate& c) {
   return range;
 }
 
-// Modulated by the rotor, a torus has a frequency more.
+// Modulated by the rotor, a torus has one frequency more.
 int loosely_known(const ClassificationRule& rule, const Features& features, const double* shifts) {
   for (const KnownFeatures& known : rule.known)
     if (same_motion(known.features, brought_back(features, known.trend, shifts, rule.balls), rule.balls,
@@ -41,7 +41,7 @@ int loosely_known(const ClassificationRule& rule, const Features& features, cons
   return 0;
 }
 
-// A torus or chaos may not repeat itself within the pilot's time; its last long window tells it all the same.
+// A torus or chaos may not repeat within the pilot's time, but its last long window identifies it.
 void name_undecided(Search& s, const std::vector<Candidate>& found) {
   for (const Candidate& c : found)
     for (const std::size_t i : c.members)
@@ -68,7 +68,7 @@ void make_boxes(Search& s, const std::vector<Candidate>& found) {
     for (const Candidate& c : found) {
       const Attractor* a = s.result.catalogue.find(c.attractor);
       if (!a || !c.shows_motion || c.attractor == balanced_id) continue;
-      // A refined orbit vouches for a lone member, and a motion for itself.
+      // A refined orbit vouches for a single member, and a given motion for itself.
       if (!c.members.empty() && c.members.size() < (a->motion.kind == MotionKind::periodic ? 1 : members_needed))
         continue;
       FeatureBox box = box_around(range_of(s, c), rule.balls, c.attractor, widths);

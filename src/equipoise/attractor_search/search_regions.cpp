@@ -1,4 +1,4 @@
-// Around balance first; then around each motion that is listed, by the kind that suits it.
+// Makes trapping regions: around balance first, then around each listed motion, by the kind that suits it.
 #include "equipoise/attractor_search/search_regions.hpp"
 
 #include <algorithm>
@@ -18,12 +18,12 @@ namespace equipoise {
 
 namespace {
 
-// Of rotors that differ it takes a hundred times as long to ask about all places of a motion as to follow a start for a
-// unit of time.
+// Where rotors differ, testing all places of a motion costs a hundred times as much as following a start for a unit of
+// time.
 constexpr double rest_of_drawn = 0.25;
 
-// A weak motor brings a balanced rotor to its speed so slowly that tries of wider levels, which wait for that, would
-// take longer than starts do that have to come into the narrow one.
+// A weak motor brings a balanced rotor to its speed so slowly that trials of wider levels, which wait for that, would
+// take longer than starts take to reach the narrow level.
 constexpr double slowest_worth_widening = 1e-3;
 
 }  // namespace
@@ -41,8 +41,8 @@ void SearchRegions::find_balanced() {
   s_.result.rule.blind = true;
   if (s_.drawn) s_.result.rule.chaos_lasts = std::min(lasting_chaos, 0.25 * *s_.study.numerics.horizon);
   s_.balance_box = balance_box(s_.system, balanced, s_.result.rule.window, *s_.study.numerics.horizon);
-  // Where balls touch, a continuum's level sets catch late what lies side by side in it, and each state that they are
-  // asked about costs as much as to follow it for a hundred turns.
+  // Where balls touch, the level sets of neighbouring members of a continuum catch late, and testing a state against
+  // them costs as much as following it for a hundred turns.
   if (!s_.balance_box || !s_.system.events().contact)
     continuum_ = continuum_region(balanced.continuum, balanced.survey, s_.trials);
   if (!s_.system.autonomous() && balanced.motions.empty() && (continuum_ || s_.balance_box)) list_member(part);
@@ -52,7 +52,7 @@ void SearchRegions::find_balanced() {
   set_rule();
 }
 
-// Rotors for tries, and balanced trapping regions that hold for all of them.
+// Draws rotors for trials, and makes balanced trapping regions that hold for all of them.
 void SearchRegions::draw_rotors(BalancedAnalysis& balanced) {
   constexpr std::size_t draws = 256, looked_at = 64;
   s_.rotors = s_.drawn->ends();
@@ -63,13 +63,13 @@ void SearchRegions::draw_rotors(BalancedAnalysis& balanced) {
   s_.trials.rotors = s_.rotors;
 }
 
-// Where a part holds rotors that do not balance, no trapping region holds for all: one around the balanced state of a
-// rotor at the part's ends that does, for those that do too.
+// If some rotors of a part do not balance, no region holds for all. This makes one around the balanced state of a rotor
+// at the part's ends, for the rotors that do balance.
 void SearchRegions::balance_of_some() {
   if (!s_.system.autonomous() || s_.result.balanced.continuum) return;
   const std::vector<OwnRotor> ends = s_.drawn->ends();
   for (const OwnRotor& own : ends) {
-    const bool middle = &own == &ends.front();  // which has been analysed
+    const bool middle = &own == &ends.front();  // it has been analysed
     const BalancedAnalysis there = middle ? s_.result.balanced : analyse_balanced(own.system, s_.settings.stop);
     if (s_.is_stopped()) return;
     if (!there.stable || there.motions.empty() || there.continuum) continue;
@@ -78,8 +78,8 @@ void SearchRegions::balance_of_some() {
   }
 }
 
-// Of the motions that a continuum leaves where nothing of it rests one stands for all: of the typical member where
-// that is known.
+// Where nothing of a continuum rests, one of the motions that it leaves is listed for all: the typical member's, if
+// known.
 void SearchRegions::list_member(const std::optional<ContinuumPart>& part) {
   const BalancedAnalysis& balanced = s_.result.balanced;
   const auto m = balanced.survey.attracts() ? balanced.continuum->member(balanced.survey.typical.data()) : std::nullopt;
@@ -90,7 +90,7 @@ void SearchRegions::list_member(const std::optional<ContinuumPart>& part) {
   }
 }
 
-// Where gravity holds the rotor against its motor it can rest.
+// Under gravity a rotor can rest against its motor.
 void SearchRegions::find_stalled() {
   const auto well = model::GravityWell::of(s_.system);
   if (!well) return;
@@ -113,7 +113,6 @@ void SearchRegions::set_rule() {
   s_.result.rule.section_regions = stuck_balls(s_.system, s_.result.catalogue);
 }
 
-// Proved or widened levels of the balanced trapping regions.
 void SearchRegions::level_balanced() {
   if (s_.study.numerics.decide == ClassificationMode::proof)
     prove_levels(s_.result.rule.balanced, s_.trials);
@@ -124,7 +123,7 @@ void SearchRegions::level_balanced() {
                       s_.settings.warm_start_levels.level(balanced_id, false))});
 }
 
-// Around a motion that every rotor has elsewhere, as one was found to have it.
+// Around a motion that each rotor has in its own place, as one rotor was found to have it.
 void SearchRegions::add_of_candidate(const Candidate& c) {
   constexpr int most_failures = 2;
   if (!s_.drawn || !s_.system.autonomous() || c.motion->eventful || without_[c.attractor] >= most_failures) return;
@@ -132,18 +131,18 @@ void SearchRegions::add_of_candidate(const Candidate& c) {
   if (!add_path_region(own.system, *c.motion, c.attractor, &own)) ++without_[c.attractor];
 }
 
-// SharedRegions are made around the middle's motion, if it has that one.
+// Regions are made around the middle's motion, if it has that one.
 void SearchRegions::add_listed(const Attractor& a) {
   if (!s_.drawn) return add(a.motion, a.id);
-  if (s_.system.autonomous()) return;  // each of its motions has been looked at
+  if (s_.system.autonomous()) return;  // add_of_candidate() has tried each of its motions
   if (a.motion.eventful || a.motion.state.size() == 0) return;
   const auto motion = s_.motion_of_middle(a.motion.state);
   if (motion && motion->stable && s_.result.catalogue.find(s_.study.parameters, *motion) == a.id) add(*motion, a.id);
 }
 
 void SearchRegions::add(const Motion& motion, int id) {
-  if (motion.eventful) return;  // windows tell it
-  // The torus of another rotor lies beside this one, by more than the cloud that stands for it tells.
+  if (motion.eventful) return;  // windows recognise it
+  // Another rotor's torus lies beside this one, by more than its cloud of points can resolve.
   if (motion.kind == MotionKind::quasi_periodic && !s_.drawn &&
       !model::lacking(s_.system, model::ResultKind::torus_regions))
     add_torus(motion, id);
@@ -160,7 +159,7 @@ void SearchRegions::add(const Motion& motion, int id) {
   for (OrbitRegion& region : regions) cycles_.push_back(std::make_shared<OrbitRegion>(std::move(region)));
 }
 
-// `own`: the rotor whose motion it is, if tries have their own. False if there is none.
+// `own`: the rotor that has this motion, if trials have their own. False if no region is found.
 bool SearchRegions::add_path_region(const model::System& system, const Motion& motion, int id, const OwnRotor* own) {
   if (motion.state.size() != system.dimension()) return false;
   for (const auto& region : windowed_)
@@ -172,7 +171,7 @@ bool SearchRegions::add_path_region(const model::System& system, const Motion& m
   return true;
 }
 
-// Where the neighbour's has none it is not looked for: that takes long, and windows tell the torus too.
+// If the neighbour's torus has no region, none is tried here: that takes long, and windows recognise a torus too.
 void SearchRegions::add_torus(const Motion& motion, int id) {
   const WarmStartLevel* hint = s_.settings.warm_start_levels.find(id, true);
   auto torus =

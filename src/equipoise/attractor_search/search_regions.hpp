@@ -19,14 +19,14 @@ class SearchRegions {
  public:
   explicit SearchRegions(Search& search) : s_(search) {}
 
-  /// Analyses the balanced states, lists them, and makes the first rule with their trapping regions; of rotors that
-  /// differ draws those for tries.
+  /// Analyses and lists the balanced states, and makes the first rule with their trapping regions. Where rotors differ,
+  /// draws those for trials.
   void find_balanced();
-  /// Around a motion that every rotor has elsewhere, as one was found to have it.
+  /// Around a motion that each rotor has in its own place, as one rotor was found to have it.
   void add_of_candidate(const Candidate& c);
-  /// Around what was listed last; of rotors that differ around the middle's motion, if it has that one.
+  /// Around the last listed motion; where rotors differ, around the middle's, if it has that one.
   void add_listed(const Attractor& a);
-  /// Hands them to the rule.
+  /// Hands the regions to the rule.
   void set_rule();
   /// Proves or widens the levels of the balanced trapping regions.
   void level_balanced();
@@ -45,7 +45,7 @@ class SearchRegions {
   std::vector<std::shared_ptr<const WindowRegion>> windowed_;
   std::optional<ContinuumRegion> continuum_;
   std::optional<StalledRegion> stalled_;
-  std::map<int, int> without_;  // by attractor: motions around which none was found
+  std::map<int, int> without_;  // by attractor: motions for which no region was found
 };
 
 }  // namespace equipoise
