@@ -1,4 +1,4 @@
-// Identifiers and names of a study's attractors.
+// Gives identifiers and names to a study's attractors.
 #include "equipoise/attractors/catalogue.hpp"
 
 #include <algorithm>

@@ -1,4 +1,4 @@
-// The attractors of one study: a list that gives every motion its identifier and its name.
+// The list of a study's attractors, which gives every motion its identifier and name.
 #pragma once
 
 #include <optional>
@@ -12,26 +12,26 @@ namespace equipoise {
 class Catalogue {
  public:
   Catalogue() = default;
-  /// `by_name`: motions of one name are one, as those of rotors that differ.
+  /// `by_name`: motions with one name are one, as where rotors differ.
   explicit Catalogue(bool by_name) : by_name_(by_name) {}
 
   const std::vector<Attractor>& attractors() const { return attractors_; }
   const Attractor* find(int id) const;
-  /// What `earlier`, a state that this list once had, did not hold. The list is kept by identifier: what is new in it
-  /// need not stand at its end.
+  /// The attractors that `earlier`, a former state of this list, lacked. The list is sorted by identifier, so new ones
+  /// need not come last.
   std::vector<Attractor> listed_since(const Catalogue& earlier) const;
   /// Identifier of the same motion, 0 if it is not listed. All balanced states are one motion.
   int find(const model::Parameters& p, const Motion& motion) const;
   /// Lists a motion unless it is listed, and returns its identifier. A second motion of the same name gets a free
-  /// identifier and a number behind its name.
+  /// identifier, and a number after its name.
   int add(const model::Parameters& p, const Motion& motion, const std::optional<ContinuumPart>& continuum = {});
-  /// The same of rotors that each have a motion of their own: all that have a name are one.
+  /// The same where rotors differ: all motions with one name are one.
   int add(const MotionName& name, const Motion& motion, const std::optional<ContinuumPart>& continuum = {});
-  /// Lists an attractor under the identifier that it brings, which must be free.
+  /// Lists an attractor under its own identifier, which must be free.
   void add(Attractor attractor);
 
  private:
-  std::vector<Attractor> attractors_;  // by identifier
+  std::vector<Attractor> attractors_;  // sorted by identifier
   bool by_name_ = false;
 };
 

@@ -1,7 +1,7 @@
-// From a trajectory with events to the motion it settles on, by recurrence.
+// Takes a trajectory with events to its motion, by recurrence.
 //
-// As in motion.cpp stretches double, and a motion is believed when the trajectory is seen to approach it. Newton's
-// method works on the return map; where it does not find an orbit, windows that repeat themselves tell the motion.
+// As in motion.cpp stretches double, and a motion is believed once the trajectory is seen to approach it. Newton's
+// method works on the return map. If it finds no orbit, windows that repeat themselves identify the motion.
 #include "equipoise/attractors/event_motion.hpp"
 
 #include <algorithm>
@@ -25,10 +25,10 @@ namespace equipoise {
 
 namespace {
 
-// Multipliers of the return map are good to 1e-6; one that dry friction leaves at 1 is taken for that.
+// Multipliers of the return map are good to 1e-6. With dry friction, one this close to 1 counts as 1.
 constexpr double neutral = 1e-3;
 
-// Multipliers, but for those at 1 of balls that may stick a little farther on.
+// All multipliers attract, except those at 1 of balls that may as well stick a little farther on.
 bool orbit_attracts(const model::System& system, const PeriodicOrbit& orbit) {
   const Eigen::VectorXcd decays = orbit.decays();
   return std::all_of(decays.begin(), decays.end(), [&](std::complex<double> m) {
@@ -36,7 +36,7 @@ bool orbit_attracts(const model::System& system, const PeriodicOrbit& orbit) {
   });
 }
 
-// The states of an orbit close enough together for chords.
+// States of an orbit, dense enough for chords between them.
 class OrbitTrack {
  public:
   OrbitTrack(const model::System& system, const PeriodicOrbit& orbit) : difference_(system) {
@@ -98,7 +98,7 @@ class EventJourney : Stretches {
   bool is_over() const { return are_over(elapsed_) || is_set(stop_); }
   double spacing() const { return strobed() ? strobe() : last_.spacing; }
 
-  // On section strobe in whole strobes, so that the rotor's angle is 0 where each begins.
+  // A stroboscopic section is followed in whole periods, so that each begins with rotor angle 0.
   bool travel(Eigen::VectorXd& z, double duration, EventLog& log, MotionStatistics* statistics,
               std::vector<Eigen::VectorXd>* samples) {
     if (!strobed()) {
@@ -142,14 +142,14 @@ class EventJourney : Stretches {
     return end ? std::optional(describe_stuck(system_, *end)) : std::nullopt;
   }
 
-  // Nothing touches any more.
+  // A motion without any more contact.
   std::optional<Motion> smooth() {
     const bool free = log_.count == 0 && !any_joined(log_.end, p_.balls);
     if (system_.events().stick || !free) return std::nullopt;
     const model::System passing = without_events(system_);
     Approach settling = equipoise::settle(passing, state_, std::max(patience() - elapsed_, elapsed_), stop_);
     if (!settling.motion || !settling.motion->stable || !stays_clear(system_, *settling.motion)) return std::nullopt;
-    // Nor on the way there.
+    // No contact on the way there, either.
     Eigen::VectorXd z = state_;
     EventLog log;
     if (!travel(z, whole(settling.time), log, nullptr, nullptr) || log.count > 0) return std::nullopt;
@@ -157,8 +157,8 @@ class EventJourney : Stretches {
     return settling.motion;
   }
 
-  // Follows a copy of the trajectory that should come closer to a stable motion, whose slowest deviation shrinks at
-  // `rate` (negative; 0 where what shrinks does so at once).
+  // Follows a copy of the trajectory, which should come closer to a stable motion. `rate`: of its slowest deviation,
+  // negative; 0 if deviations vanish at once.
   bool approaches(double rate, double least, const std::function<double(const Eigen::VectorXd&)>& distance) {
     ahead_ = 0.0;
     const double first = distance(state_);
@@ -260,8 +260,8 @@ class EventJourney : Stretches {
     motion.balanced = all_captured && motion.depends_on_angle && halves_the_shaking(p_, motion.speed, motion.r_mean);
   }
 
-  // Where gravity or friction let balls at rest move on by less than a quarter of a turn in all that was seen, no ball
-  // drifts.
+  // Gravity or friction may let resting balls creep. Balls that turned by less than a quarter turn in all that was seen
+  // do not drift.
   void capture_those_that_creep(Motion& motion) const {
     if (motion.kind == MotionKind::periodic || motion.kind == MotionKind::chaotic) return;
     for (int i = 0; i < p_.balls; ++i)
@@ -271,7 +271,7 @@ class EventJourney : Stretches {
     motion.set_valued = true;
   }
 
-  // What neither rests nor comes back, and goes on as before for as long again.
+  // A motion that neither rests nor comes back, and goes on as before for as long again.
   std::optional<Motion> persistence() {
     if (previous_.duration == 0.0 || last_.duration < 1000.0) return std::nullopt;
     const bool tight = similar(previous_, last_, p_.balls, 0.01, 0.005);
@@ -291,7 +291,7 @@ class EventJourney : Stretches {
     return motion;
   }
 
-  // At which two neighbours part, one brought back towards the other again and again (Benettin).
+  // The rate at which two neighbours part, when one is brought back towards the other repeatedly (Benettin).
   double separation_rate() const {
     constexpr double apart = 1e-7;
     const double step = whole(5.0), duration = std::min(last_.duration, 2000.0);
@@ -306,7 +306,7 @@ class EventJourney : Stretches {
       const double distance = std::max(difference_.distance(*next, *beside), 1e-14);
       a = *next;
       b = a + (*beside - a) * (apart / distance);
-      if (k < 4) continue;  // until the difference has turned into the direction that grows
+      if (k < 4) continue;  // the difference first turns into the growing direction
       sum += std::log(distance / apart);
       time += step;
     }
@@ -332,7 +332,7 @@ bool stays_clear(const model::System& system, const Motion& motion) {
   if (!p.balls_collide()) return true;
   if (!(least_gap(p, motion.state) > 0.0)) return false;
   if (motion.kind == MotionKind::equilibrium) return true;
-  // Deviations of an unstable one would grow, and balls touch after a while.
+  // Deviations from an unstable motion grow, and balls may touch after a while.
   const double once = motion.kind == MotionKind::periodic ? motion.period : std::max(motion.duration, first_stretch);
   Eigen::VectorXd z = motion.state;
   EventLog log;

@@ -10,14 +10,14 @@
 
 namespace equipoise {
 
-/// What settle() does of a system with events. A trajectory on which nothing touches or sticks any more is one of the
-/// system without contact, and its motion is refined there, if no balls touch on it. Else it is a rotor whose balls all
-/// stick (attractors/stuck.hpp), an equilibrium or a periodic orbit in which some balls touch or stick, or events recur
-/// (periodic_orbits/return_map.hpp), or else told by its statistics and the rate at which neighbours part.
+/// Does settle() for a system with events. If nothing touches or sticks any more, the motion belongs to the system
+/// without contact; it is refined there if no balls touch on it. Otherwise it is a rotor whose balls all stick
+/// (attractors/stuck.hpp); an equilibrium or periodic orbit on which balls touch or stick, or events recur
+/// (periodic_orbits/return_map.hpp); or it is identified by statistics and the rate at which neighbours part.
 Approach settle_with_events(const model::System& system, const Eigen::VectorXd& state, double patience,
                             const StopFlag* stop);
 
-/// Whether no balls touch on a motion that is one of the system without contact.
+/// Whether no balls touch on a motion of the system without contact.
 bool stays_clear(const model::System& system, const Motion& motion);
 
 /// The same system with balls that pass each other and do not stick.

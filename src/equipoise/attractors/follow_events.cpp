@@ -1,4 +1,4 @@
-// Following a trajectory from event to event; what the balls did at each.
+// Follows a trajectory from event to event, and records each one.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -18,7 +18,7 @@ struct EventSource {
   static constexpr bool sags = true;
 };
 
-// Tells events from what changed where the next step begins.
+// Infers events from the changes at the beginning of the next step.
 class EventRecorder {
  public:
   EventRecorder(const model::System& system, const kernels::EventRun& run, EventLog& log)
@@ -29,7 +29,7 @@ class EventRecorder {
 
   long seen() const { return seen_; }
   void end_step(const double* y) { std::copy_n(y, rate_.size(), rate_.begin()); }
-  // After which the state is `y`.
+  // Records the events at `t`, after which the state is `y`.
   void enter(double t, const double* y) {
     const model::BallMode mode = run_.mode();
     const auto senses = run_.senses();
@@ -72,7 +72,7 @@ class EventRecorder {
   const kernels::EventRun& run_;
   EventLog& log_;
   std::array<int, model::max_balls> senses_;
-  std::vector<double> rate_;  // the last step's last state
+  std::vector<double> rate_;  // last state of the last step
   long seen_ = 0;
 };
 

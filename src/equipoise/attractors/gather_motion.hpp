@@ -1,4 +1,4 @@
-// What the dense output of an integrator adds to statistics of a motion, for flows with events or without.
+// Adds an integrator's dense output to the statistics of a motion, for flows with or without events.
 #pragma once
 
 #include <algorithm>
@@ -17,19 +17,18 @@ namespace equipoise {
 
 inline constexpr int most_components = HWY_NAMESPACE::SmoothFlow<double, model::any_count>::dimension;
 
-// A state with its rate of change, and what is watched: r^2, the ball rates and a driven rotor's psi', each with its
-// derivative.
+// A state with its rate of change. Watched are r^2, the ball rates and a driven rotor's psi', each with its derivative.
 struct Instant {
   Instant(int balls, int speed_place) : n(balls), speed(speed_place) {}
 
-  int n;      // balls
+  int n;
   int speed;  // place of psi', -1 if it is prescribed
   double t = 0.0;
   double z[most_components], dz[most_components];
-  double x, y;  // position that r is the length of
+  double x, y;  // position whose length is r
 
-  // Of r^2 (0), of phi_i' (i + 1) or of psi' (n + 1). What r is measured from rests in fixed axes, so that (u, v) is
-  // its rate of change.
+  // Half the derivative of r^2 (0), or that of phi_i' (i + 1) or psi' (n + 1). The point from which r is measured rests
+  // in fixed axes, so (u, v) is its rate of change.
   double half_slope(int watched) const { return watched == 0 ? x * z[2] + y * z[3] : dz[rate_place(watched)]; }
   double value(int watched) const { return watched == 0 ? std::hypot(x, y) : z[rate_place(watched)]; }
   int rate_place(int watched) const { return watched <= n ? 4 + n + watched - 1 : speed; }
@@ -39,7 +38,7 @@ struct Instant {
   }
 };
 
-// `Source`: the flow, and whether r is measured from where gravity lets the rotor sag to.
+// `Source`: the flow, and whether r is measured from the sag under gravity.
 template <class Source>
 class Gatherer {
  public:
@@ -79,7 +78,7 @@ class Gatherer {
     }
   }
 
-  // What the equations and the rates are may have changed at the time `t`, where the next step begins.
+  // The equations and rates may have changed at time `t`, where the next step begins.
   template <class StateAt>
   void enter(double t, StateAt& state_at) {
     last_ = instant(t, state_at);
@@ -114,8 +113,8 @@ class Gatherer {
     }
   }
 
-  // Where a slope changes sign, by false position (Illinois): five evaluations leave the time uncertain by less than
-  // 1e-5, to which the extreme is insensitive in first order.
+  // Finds where a slope changes sign by false position (Illinois). Five evaluations leave the time uncertain by under
+  // 1e-5, which changes the extreme in second order only.
   template <class StateAt>
   Instant turning_point(int watched, const Instant& from, const Instant& to, StateAt& state_at) const {
     double a = from.t, b = to.t, fa = from.half_slope(watched), fb = to.half_slope(watched);
@@ -170,7 +169,7 @@ class Gatherer {
     drive.work += integral([&](const Instant& at) { return torque(at) * speed(at); });
     drive.support_work += integral([&](const Instant& at) { return support_power(at); });
   }
-  // On equal supports at whatever angle.
+  // With isotropic supports any angle will do.
   double support_power(const Instant& at) const {
     const double psi = system_.layout().psi < 0 ? 0.0 : at.z[system_.layout().psi];
     const auto [X, Y] = model::in_fixed_axes(std::cos(psi), std::sin(psi), at.z[2], at.z[3]);
@@ -183,7 +182,7 @@ class Gatherer {
     return motor.torque(motor.begin, at.z[at.speed], error < 0 ? 0.0 : at.z[error]);
   }
 
-  const int n;  // balls
+  const int n;
   const model::System& system_;
   const Flow& flow_;
   const double sag_;
@@ -218,12 +217,12 @@ class Recorder {
     ++statistics_.recorded;
   }
 
-  const int n;  // balls
+  const int n;
   const double spacing_, before_;
   MotionStatistics& statistics_;
 };
 
-// States at equal times from where it begins, if anybody wants them.
+// Takes states at equal times from the beginning of a stretch, if asked to.
 class Sampler {
  public:
   Sampler(const Eigen::VectorXd& z, double spacing, std::vector<Eigen::VectorXd>* samples)

@@ -1,4 +1,4 @@
-// Means of increments: smoothly weighted for regular motion, with errors from blocks for chaotic motion.
+// Means of increments: smoothly weighted for regular motion, plain with errors from blocks for chaos.
 #include "equipoise/attractors/mean_rate.hpp"
 
 #include <algorithm>
@@ -14,7 +14,7 @@ namespace {
 constexpr std::size_t most_angles = std::size_t{1} << 16;
 constexpr std::size_t blocks = 16;
 
-// Of the increments between values first and last, weighted by exp(-1 / (s (1 - s))), s from 0 to 1.
+// The mean increment between values first and last, weighted by exp(-1 / (s (1 - s))), s from 0 to 1.
 double weighted_mean(const AngleRecord& record, std::size_t first, std::size_t last) {
   const double count = static_cast<double>(last - first);
   double sum = 0.0, weights = 0.0;
@@ -27,7 +27,7 @@ double weighted_mean(const AngleRecord& record, std::size_t first, std::size_t l
   return sum / (weights * record.spacing());
 }
 
-// Three standard errors of the plain mean, from means of blocks.
+// Three standard errors of the plain mean, from the means of blocks.
 double error_from_blocks(const AngleRecord& record) {
   const std::size_t steps = (record.size() - 1) / blocks;
   const double duration = static_cast<double>(steps) * record.spacing();
@@ -50,7 +50,7 @@ void AngleRecord::add(double angle) {
     return;
   }
   angles_.push_back(angle);
-  if (angles_.size() > most_angles) {  // an odd number of values: the last one stays
+  if (angles_.size() > most_angles) {  // an odd number of values, so the last one stays
     for (std::size_t k = 0; 2 * k < angles_.size(); ++k) angles_[k] = angles_[2 * k];
     angles_.resize(most_angles / 2 + 1);
     stride_ *= 2;
@@ -71,7 +71,7 @@ MeanRate mean_rate(const AngleRecord& record, bool regular) {
   const std::size_t last = record.size() - 1;
   result.turned = record[last] - record[0];
   result.rate = result.turned / record.duration();
-  // Too short for blocks: nothing is known but that a turn may be missed.
+  // Too short for blocks: all that is known is that a turn may be missed.
   result.error = two_pi / record.duration();
   if (record.size() <= 4 * blocks) return result;
   if (!regular) {
@@ -79,7 +79,8 @@ MeanRate mean_rate(const AngleRecord& record, bool regular) {
     return result;
   }
   result.rate = weighted_mean(record, 0, last);
-  // What shorter stretches say differs by more than the whole is wrong by; two that agree may do so by chance.
+  // Means over parts differ from the whole's mean by more than that one's error. Several parts are used, as two may
+  // agree by chance.
   result.error = 0.0;
   const std::size_t quarter = last / 4;
   for (const auto& [from, to] : {std::pair{std::size_t{0}, 2 * quarter},
@@ -92,10 +93,11 @@ MeanRate mean_rate(const AngleRecord& record, bool regular) {
 }
 
 Drift drift_of(const MeanRate& mean, bool regular, double matters) {
-  // Trajectories are followed with errors of 1e-9 a unit of time, and still come nearer to their motion.
+  // Trajectories have errors of 1e-9 a unit of time, and are still coming closer to their motion.
   constexpr double noise = 1e-7;
   if (std::fabs(mean.rate) > mean.error + noise) return Drift::some;
-  // What comes and goes on a torus never gets a turn ahead: a turn is a slip, and slips of regular motion add up.
+  // On a torus an angle that only comes and goes never gains a whole turn. A turn is a slip, and slips of regular
+  // motion add up.
   if (regular) return std::fabs(mean.turned) > two_pi ? Drift::some : Drift::none;
   return mean.error <= matters ? Drift::none : Drift::unknown;
 }

@@ -1,11 +1,11 @@
-// From a trajectory to the motion it settles on.
+// Takes a trajectory to its motion.
 //
-// The trajectory is followed over stretches, each as long as all before it together. After every stretch it is asked,
-// in this order: does it come to rest, does it come back (then Newton's method finds the periodic orbit long before the
-// trajectory reaches it), do its statistics repeat themselves. A steady motion is only believed when the trajectory is
-// seen to approach it, or, if it has none to approach, when it goes on as before for as long again.
+// The trajectory is followed over stretches, each as long as all before it. After each one three tests follow in order.
+// Does it come to rest? Does it come back? (Newton's method then finds the periodic orbit long before the trajectory
+// reaches it.) Do its statistics repeat? A steady motion is believed only if the trajectory is seen to approach it or,
+// if it has none to approach, goes on as before for as long again.
 //
-// Of a strobed system all that is looked at once a strobe, and all times are whole numbers of strobes.
+// With a stroboscopic section all tests are made on the section, and all times are whole periods of it.
 #include "equipoise/attractors/motion.hpp"
 
 #include <algorithm>
@@ -43,10 +43,10 @@ double Stretches::whole(double time) const {
 
 namespace {
 
-// Tori show their second exponent as zero to 2e-4 in 4000 time units.
+// In 4000 time units the second exponent of a torus is zero to 2e-4.
 constexpr double clear_zero = 3e-4;
 
-// A stable periodic orbit that was met.
+// A stable periodic orbit met on the way.
 struct KnownOrbit {
   PeriodicOrbit orbit;
   OrbitCurve curve;
@@ -67,7 +67,7 @@ class Journey : Stretches {
 
  private:
   bool is_over() const { return are_over(elapsed_) || is_set(stop_); }
-  // Times between samples_.
+  // Time between samples_.
   double spacing() const { return strobed() ? strobe() : last_.spacing; }
 
   bool travel_stretch(double duration);
@@ -97,16 +97,16 @@ class Journey : Stretches {
   const model::Parameters& p_;
   const StateDifference difference_;
   Eigen::VectorXd state_;
-  Eigen::VectorXd end_;  // of the last stretch: state_ with angles that count turns, as statistics do
+  Eigen::VectorXd end_;  // end of the last stretch: state_ with angles that count turns, for statistics
   double elapsed_ = 0.0;
   const StopFlag* const stop_;
   std::vector<Eigen::VectorXd> samples_;  // of the last part of the stretch
   MotionStatistics previous_, last_;      // of the last two stretches
   int repeats_ = 0;                       // stretches in a row that repeated the one before
   std::vector<KnownOrbit> orbits_;        // met so far
-  std::vector<Return> tried_;             // Newton's method did not find the motion from these
-  // What exponents said last. They are measured for longer than a journey lasts, so that a periodic motion stays one;
-  // chaos, which may end, is only believed in the end.
+  std::vector<Return> tried_;             // Newton's method failed from these returns
+  // What the last exponents said. They are measured over a longer time than a journey, so a periodic motion stays one.
+  // Chaos may end, and is believed only when patience is over.
   bool periodic_ = false, chaotic_ = false;
   double ahead_ = 0.0;  // how far the last approach was followed beyond elapsed_
 };
@@ -124,8 +124,8 @@ IntegrationStatus Journey::follow_whole(Eigen::VectorXd& z, double duration, Mot
 }
 
 bool Journey::travel_stretch(double duration) {
-  // A trajectory that others handed over may hold such balls (discovery's starts in one place do); whether they stay
-  // together is seen from the second stretch on.
+  // A given trajectory may have coincident balls (as some starts of an attractor search do). Whether they stay together
+  // shows from the second stretch on.
   if (elapsed_ > 0.0) model::part_coincident(p_, &state_[model::index::phi(0)], &state_[model::index::q(0, p_.balls)]);
   previous_ = last_;
   last_ = MotionStatistics();
@@ -138,8 +138,8 @@ bool Journey::travel_stretch(double duration) {
   return true;
 }
 
-// Follows a copy of the trajectory that should come closer to a stable motion, whose slowest deviation shrinks at
-// `rate` (negative), and says whether it does. Where the motion is known to `blur` only, it comes no closer.
+// Follows a copy of the trajectory and says whether it comes closer to a stable motion. `rate`: of the slowest
+// deviation, negative. If the motion is known only up to `blur`, no approach below that is asked for.
 template <class Distance>
 bool Journey::approaches(double rate, const Distance& distance, double blur) {
   ahead_ = 0.0;
@@ -150,7 +150,7 @@ bool Journey::approaches(double rate, const Distance& distance, double blur) {
   Eigen::VectorXd z = state_;
   double left = patience() - elapsed_, now = first;
   double& travelled = ahead_;
-  // Away from the linear regime the distance may grow for a while; a motion left behind is not approached again soon.
+  // Outside the linear regime the distance may grow for a while. A motion left far behind is not approached again soon.
   for (int k = 0; k < 40 && now < 2.0 * in_reach; ++k) {
     const double duration = std::min(chunk, left);
     if (duration <= 0.5 * strobe()) break;
@@ -162,7 +162,7 @@ bool Journey::approaches(double rate, const Distance& distance, double blur) {
     if (now < reached && now < 0.5 * first) return true;
     if (now < std::max(1e-6, blur)) return true;
   }
-  // Out of patience: what was seen must at least be half the decay that the linear theory promises.
+  // Out of patience: at least half the decay of linear theory must have been seen.
   return now < 0.1 * in_reach && now < first * std::exp(0.5 * rate * travelled) && travelled * -rate > 0.5;
 }
 
@@ -178,14 +178,14 @@ std::optional<Motion> Journey::continuum() {
   return describe(system_, *end);
 }
 
-// Near what gravity leaves of a continuum of balanced states, and on its way along it.
+// Near the rest of a continuum of balanced states under gravity, and creeping along it.
 std::optional<Motion> Journey::creep() {
   if (!strobed() || p_.gravity == 0.0 || p_.balls <= 2 || !ContinuumOfEquilibria::is_of(system_)) return std::nullopt;
   const ContinuumOfEquilibria continuum(system_);
   std::optional<ContinuumMember> end = continuum.destination(state_);
   if (!end || !(end->rate < 0.0)) return std::nullopt;
   const double rate = end->rate;
-  // What creeps lags behind the members that it passes.
+  // A creeping state lags behind the members that it passes.
   const double lag = end->creep.norm() / -rate;
   const auto distance = [&](const Eigen::VectorXd& z) {
     end = continuum.destination(z);
@@ -196,15 +196,15 @@ std::optional<Motion> Journey::creep() {
 }
 
 std::optional<Motion> Journey::rest() {
-  // Faster than this no equilibrium is near: it swings at a rate of order one, so it would be as far away.
+  // If it moves faster, no equilibrium is near: swings have rates of order one, so the equilibrium is as far away.
   Eigen::VectorXd rate = model::rate(system_, state_);
   if (system_.layout().psi >= 0) rate[system_.layout().psi] = 0.0;
   if (!strobed() && difference_.length(rate) > in_reach) return std::nullopt;
   if (model::balanced_freedom(system_) > 0)
     if (auto motion = continuum()) return motion;
-  if (strobed()) return creep();  // what rests else comes back after every strobe
+  if (strobed()) return creep();  // all other rest shows as a return on the section
   if (system_.layout().psi >= 0 && std::fabs(system_.speed(state_)) > in_reach)
-    return std::nullopt;  // after every turn
+    return std::nullopt;  // it shows as a return after a turn
   const auto equilibrium = refine_equilibrium(system_, state_);
   if (!equilibrium || !attracts(equilibrium->eigenvalues, 0)) return std::nullopt;
   const bool comes = approaches(equilibrium->eigenvalues[0].real(),
@@ -235,8 +235,8 @@ std::optional<PeriodicOrbit> Journey::orbit_of(const Return& now) {
                       now.time, in_reach, stop_);
 }
 
-// Newton's method that failed from a return is not asked again before the return has become twice as close: on the way
-// to a periodic motion it does, on a torus it does not.
+// After Newton's method fails from a return, it is tried again once the return is twice as close. That happens on the
+// way to a periodic motion, but not on a torus.
 bool Journey::worth_trying(const Return& now) {
   constexpr double same_time = 0.02;
   for (Return& before : tried_) {
@@ -253,15 +253,15 @@ bool Journey::statistics_repeat(double share_of_extremes, double share_of_means)
   return previous_.duration > 0.0 && similar(previous_, last_, p_.balls, share_of_extremes, share_of_means);
 }
 
-// Whether all is so nearly at rest that the trajectory will not get anywhere in the time that is left: neither by its
-// rate of change nor by what grows.
+// Whether everything is so nearly at rest that the trajectory gets nowhere in the time left: neither by its rate of
+// change nor by growth of deviations.
 bool Journey::creeps() const {
   if (strobed() || difference_.length(model::rate(system_, state_)) * patience() > in_reach) return false;
   return dense::largest_real_part(model::jacobian(system_, state_)) * patience() < 1.0;
 }
 
-// Whether the trajectory, after it had been farthest from where it is now, came half as near again. What creeps has the
-// same statistics in every stretch and no positive exponent, and was never where it is.
+// Whether the trajectory came back: to half its farthest distance from where it is now, or closer. A creeping one
+// repeats its statistics and has no positive exponent, but never returns.
 bool Journey::comes_back() const {
   if (samples_.empty()) return false;
   double farthest = 0.0;
@@ -285,15 +285,16 @@ bool Journey::creeps_balanced(const Motion& motion) const {
          relaxes_to_balance(system_, motion.state);
 }
 
-// Lyapunov exponents along the trajectory from here, and the kind that they tell; empty if none goes on for ever.
+// Lyapunov exponents from here on, and the kind that they imply; empty if the motion does not last.
 std::optional<std::vector<double>> Journey::exponents_of(MotionKind& kind) {
-  // A shift in time leaves one exponent of 0; strobes leave none.
+  // A shift in time has exponent 0; on a stroboscopic section there is no such shift.
   const std::size_t next = strobed() ? 0 : 1;
   const int count = std::min<int>(4, system_.dimension());
   double duration = std::max(last_.duration, 4000.0);
   std::vector<double> exponents = lyapunov_exponents(system_, state_, duration, count, stop_);
   if (exponents.size() < 2) return std::nullopt;
-  // A slow way into a periodic motion looks like a torus for long: what is not clearly zero is measured again.
+  // A slow way into a periodic motion long looks like a torus, so exponents that are not clearly zero are measured
+  // again.
   if (exponents[0] < 8.0 / duration && exponents[next] < -clear_zero && exponents[next] > -8.0 / duration) {
     duration *= 8.0;
     exponents = lyapunov_exponents(system_, state_, duration, count, stop_);
@@ -310,7 +311,7 @@ std::optional<std::vector<double>> Journey::exponents_of(MotionKind& kind) {
   return exponents;
 }
 
-// The motion of that kind which the trajectory is on.
+// The motion of this kind that the trajectory is on.
 std::optional<Motion> Journey::restless(MotionKind kind, const std::vector<double>& exponents) {
   Motion motion;
   motion.kind = kind;
@@ -323,7 +324,7 @@ std::optional<Motion> Journey::restless(MotionKind kind, const std::vector<doubl
     end_ = state_;
     if (!travel(end_, duration, &fresh)) return std::nullopt;
   }
-  // Slips of chaotic motion average out like the root of time: whether they do is worth a few stretches more.
+  // Slips of chaotic motion average out like the square root of time; a few more stretches may settle whether they do.
   constexpr double longest = 16.0;
   while (kind == MotionKind::chaotic && !drifts_are_known(p_, last_, motion) && last_.duration < longest * duration)
     if (!travel(end_, duration, &last_)) return std::nullopt;
@@ -340,7 +341,7 @@ std::optional<Motion> Journey::persistence() {
   const bool tight = statistics_repeat(0.01, 0.005), loose = statistics_repeat(0.1, 0.05);
   repeats_ = tight ? repeats_ + 1 : 0;
   ahead_ = 0.0;
-  // What creeps along a continuum of balanced states under gravity does not come back either.
+  // A state that creeps along a continuum of balanced states under gravity does not come back either.
   if (!strobed() && !comes_back()) return std::nullopt;
   if (last_.duration < 1000.0 || !(repeats_ >= 2 || (is_over() && loose))) return std::nullopt;
   if (periodic_ || (chaotic_ && !is_over())) return std::nullopt;

@@ -1,4 +1,4 @@
-// From a trajectory, an equilibrium or an orbit to the steady motion that it is.
+// Takes a trajectory, an equilibrium or an orbit to its steady motion.
 #pragma once
 
 #include <optional>
@@ -13,29 +13,29 @@
 
 namespace equipoise {
 
-/// How long a trajectory is given to become steady.
+/// How long a trajectory may take to become steady.
 inline constexpr double motion_patience = 20000.0;
 
-/// Follows the trajectory from `state` (of a strobed system at a strobe) until it is steady, decides the kind, refines
-/// and describes. `patience`: the longest time to follow it. Empty if it does not become steady, or diverges, or once
-/// `stop` is set. Else deterministic.
+/// Follows the trajectory from `state` (on the stroboscopic section, if there is one) until it is steady; decides its
+/// kind, refines and describes it. `patience`: the longest time to follow. Empty if it does not become steady,
+/// diverges, or `stop` is set. Otherwise deterministic.
 std::optional<Motion> motion_from(const model::System& system, const Eigen::VectorXd& state,
                                   double patience = motion_patience, const StopFlag* stop = nullptr);
-/// What Newton's method makes of `guess`, a neighbouring system's motion, in this system: an equilibrium or a periodic
-/// motion, stable or not. Empty where it finds none, or one on which balls in contact would touch.
+/// Newton's method in this system from `guess`, a neighbouring system's motion: an equilibrium or periodic motion,
+/// stable or not. Empty if it finds none, or one on which balls in contact would touch.
 std::optional<Motion> refined_motion(const model::System& system, const Motion& guess, const StopFlag* stop = nullptr);
-/// The same as motion_from() says, of states already refined.
+/// Describe refined states as motion_from() does.
 Motion describe_equilibrium(const model::System& system, const Equilibrium& equilibrium);
 Motion describe_orbit(const model::System& system, const PeriodicOrbit& orbit);
 /// Balance under gravity with three balls or more: the motion along what gravity leaves of a continuum of balanced
-/// states, from `state` next to it; deviations across it die out at `rate`.
+/// states. `state` lies next to it; deviations across it die out at `rate`.
 Motion describe_creep(const model::System& system, const Eigen::VectorXd& state, double rate);
 
-/// The system that the motion is one of.
+/// The system that has this motion.
 model::System system_of(const model::Parameters& p, const Motion& motion);
 
-/// The same motion, up to a shift in time, whole turns and exchange of equal balls. Orbits and equilibria are compared
-/// as point sets to 1e-6, the others by their statistics.
+/// The same motion, up to a shift in time, whole turns and exchange of alike balls. Orbits and equilibria are compared
+/// as point sets to 1e-6, others by their statistics.
 bool same_motion(const model::Parameters& p, const Motion& a, const Motion& b);
 
 /// The name that follows from its topology.

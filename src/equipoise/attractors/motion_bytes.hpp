@@ -1,4 +1,4 @@
-// The members of a motion, for notes.
+// The members of a motion, for search logs.
 #pragma once
 
 #include "equipoise/attractors/motion.hpp"

@@ -1,4 +1,4 @@
-// Describing motions: statistics, what the balls do, symmetry.
+// Describes motions: statistics, what the balls do, symmetry.
 #include "equipoise/attractors/motion_description.hpp"
 
 #include <algorithm>
@@ -20,13 +20,13 @@ namespace equipoise {
 
 namespace {
 
-// Refined orbits are measured at this tolerance.
+// Tolerance for measuring refined orbits.
 constexpr double description_tolerance = 1e-12;
-// Balls whose angles differ by less all along move as one: above the errors of a refined orbit (1e-10), below any
-// distance that exchange could show.
+// Balls whose angles always differ by less move as one. Above the errors of a refined orbit (1e-10), below any distance
+// that an exchange could show.
 constexpr double coincident = 1e-6;
 
-// Drifts of chaotic motion below this part of the rotor's speed are not told from none.
+// Fraction of the rotor's speed below which a drift of chaotic motion counts as none.
 constexpr double least_drift = 0.01;
 
 Drift drift_of(const AngleRecord& angle, const Motion& motion) {
@@ -76,8 +76,8 @@ void describe_pairs(const model::Parameters& p, const MotionStatistics& statisti
                              : 0.5 * std::fabs(statistics.turned[0] + statistics.turned[1]) / two_pi;
     motion.oppositions_per_turn = static_cast<double>(statistics.pair[0][1].passed_pi) / turns;
   }
-  // Balls spread all around the race (three, a third of a turn apart) pass no opposite either, but no arc of half a
-  // turn holds the angles between them.
+  // Balls spread around the whole race (three, a third of a turn apart) pass no opposite places either, but no arc of
+  // half a turn holds the angles between them.
   bool one_side = clusters > 1 && !opposite && motion.kind != MotionKind::equilibrium;
   const auto ahead = [&](int i) {
     return wrapped(motion.state[model::index::phi(i)] - motion.state[model::index::phi(0)]);
@@ -139,7 +139,7 @@ bool attracts(const Eigen::VectorXcd& eigenvalues, int zeros_allowed) {
 
 namespace {
 
-// Of a motion that rests in the rotating frame: nothing but the angles between balls.
+// For a motion at rest in the rotating frame: only the angles between balls.
 void describe_rest(const model::Parameters& p, Motion& motion) {
   MotionStatistics statistics;
   for (int i = 0; i < p.balls; ++i)
@@ -148,8 +148,8 @@ void describe_rest(const model::Parameters& p, Motion& motion) {
   describe_pairs(p, statistics, motion);
 }
 
-// An orbit of a system that depends on the rotor's angle that is an equilibrium: gravity lets nothing rest, and
-// components of what rests are zero to rounding.
+// Whether an orbit of a system that depends on the rotor's angle is an equilibrium. Under gravity nothing rests. Where
+// something rests, its components are zero to rounding.
 bool is_at_rest(const model::System& system, const PeriodicOrbit& orbit) {
   constexpr double at_rest = 1e-9;
   const int n = system.balls();
@@ -158,7 +158,7 @@ bool is_at_rest(const model::System& system, const PeriodicOrbit& orbit) {
          z.segment(model::index::q(0, n), n).lpNorm<Eigen::Infinity>() <= at_rest;
 }
 
-// Of a motion whose speed does not change.
+// For a motion with constant speed.
 void describe_steady_drive(const model::System& system, Motion& motion) {
   motion.speed = system.speed(motion.state);
   if (system.prescribed()) return;
@@ -220,7 +220,7 @@ Motion describe_orbit(const model::System& system, const PeriodicOrbit& orbit) {
     motion.winding = orbit.winding;
     MotionStatistics statistics;
     const double arc = orbit.period / static_cast<double>(orbit.nodes.size());
-    for (Eigen::VectorXd state : orbit.nodes)  // arc by arc: an unstable orbit would not be followed for long
+    for (Eigen::VectorXd state : orbit.nodes)  // arc by arc: an unstable orbit cannot be followed for long
       follow(system, state, arc, description_tolerance, &statistics);
     describe_statistics(system, statistics, motion);
   }
@@ -254,7 +254,7 @@ Motion describe_creep(const model::System& system, const Eigen::VectorXd& state,
 }
 
 std::optional<Motion> refined_motion(const model::System& system, const Motion& guess, const StopFlag* stop) {
-  // Where equations begin to depend on the rotor's angle, or cease to, motions become others.
+  // Motions change if the equations begin or cease to depend on the rotor's angle.
   if (guess.state.size() != system.dimension()) return std::nullopt;
   std::optional<Motion> motion;
   if (guess.orbit.nodes.empty()) {

@@ -1,4 +1,4 @@
-// A motion followed once round, and what the watch of transients makes of it.
+// Follows a motion once round and applies the watch of transients to it.
 #include "equipoise/attractors/motion_figures.hpp"
 
 #include <algorithm>
@@ -23,8 +23,8 @@ namespace {
 namespace kernels = HWY_NAMESPACE;
 
 constexpr double figure_tolerance = 1e-9;  // figures are stored in single precision, 6e-8
-constexpr double least_stretch = 2000;     // of a torus or of chaos
-constexpr double neutral_rate = 1e-9;      // exponents nearer to 0 are those of shifts
+constexpr double least_stretch = 2000;     // for a torus or chaos
+constexpr double neutral_rate = 1e-9;      // exponents closer to 0 belong to shifts
 
 MotionFigures figures_of(const TransientSums& sums) {
   const TransientWindow& w = sums.window;
@@ -38,7 +38,7 @@ TransientSettings one_window() {
   return settings;
 }
 
-// The rotor's angle is 0 where the motion's state holds, unless it is part of it.
+// The rotor's angle is 0 at the motion's state, unless the state contains it.
 TransientSample sample_of(const model::System& system, double t, const double* z) {
   const double psi = system.layout().psi < 0 ? system.speed() * t : z[system.layout().psi];
   return transient_sample(system.parameters(), psi, t, z);
@@ -110,7 +110,7 @@ double stretch(const model::Parameters& p, const Motion& motion) {
 // Nothing moves in fixed axes.
 bool balanced_exactly(const model::Parameters& p, const Motion& motion) {
   if (motion.kind != MotionKind::equilibrium || p.gravity != 0.0) return false;
-  constexpr double rounding = 1e-10;  // refined equilibria are good to less
+  constexpr double rounding = 1e-10;  // refined equilibria are better than this
   return motion.state.head(4).cwiseAbs().maxCoeff() < rounding;
 }
 }  // namespace
@@ -124,7 +124,7 @@ MotionFigures motion_figures(const model::Parameters& p, const Motion& motion) {
 
 KnownEnd known_end(const model::Parameters& p, const Attractor& attractor) {
   const Motion& motion = attractor.motion;
-  if (motion.set_valued) {  // each start's is its own
+  if (motion.set_valued) {  // each start comes to its own
     constexpr double time_constants = 5.0;
     const double rate = motion.exponents.empty() ? 0.0 : -motion.exponents.back();
     return {std::nullopt, rate > neutral_rate ? time_constants / rate : 0.0};
@@ -135,7 +135,7 @@ KnownEnd known_end(const model::Parameters& p, const Attractor& attractor) {
   const bool unique = attractor.id != balanced_id || p.balls == 1 || (p.balls == 2 && p.equal_balls()) ||
                       (p.gravity == 0.0 && p.isotropic());
   if (unique) return {motion_figures(p, motion), 0.0};
-  constexpr double time_constants = 5.0;  // what is left is below 1 %
+  constexpr double time_constants = 5.0;  // less than 1 % is left
   double rate = 0.0;
   for (const double exponent : motion.exponents)
     if (exponent < -neutral_rate && (rate == 0.0 || exponent > -rate)) rate = -exponent;

@@ -1,5 +1,4 @@
-// The figures of vibration that every start ends with which comes to a motion: known beforehand, from the motion
-// itself.
+// Vibration figures of starts that come to a motion, known beforehand from the motion itself.
 #pragma once
 
 #include "equipoise/attractors/catalogue.hpp"
@@ -9,14 +8,14 @@
 
 namespace equipoise {
 
-/// Exactly zero for a balanced state without gravity and with the race centred. Of a periodic motion over its period,
-/// of a torus or of chaos over 2000 units of time or as long as its statistics took: a start's own windows would show
-/// its peaks too low. Not of motions that are known by their windows alone (MotionKind::measured).
+/// Exactly zero for a balanced state without gravity and with a centred race. A periodic motion is measured over its
+/// period; a torus or chaos over 2000 time units, or as long as its statistics took. A start's own windows would show
+/// too low peaks. Not for motions known by windows alone (MotionKind::measured).
 MotionFigures motion_figures(const model::Parameters& p, const Motion& motion);
 
-/// What is known of the end of starts that come to `attractor`. Under gravity balance is one motion for two equal balls
-/// (up to their exchange) or a single ball. Several that differ share the name otherwise: figures are then measured,
-/// after five time constants of the one at hand.
+/// What is known of the end of starts that come to `attractor`. Under gravity, balance is a single motion for one ball
+/// or two alike balls (up to their exchange). Otherwise different balanced motions share the name, so figures are
+/// measured, after five time constants of the motion at hand.
 KnownEnd known_end(const model::Parameters& p, const Attractor& attractor);
 
 }  // namespace equipoise

@@ -1,5 +1,5 @@
-// Names of motions, from topology alone: which balls wind, which move as one, and when the motion comes back.
-// The table is in docs/motions.md ("Names").
+// Names motions from topology alone: which balls drift, which move as one, and when the motion comes back. The table is
+// in docs/motions.md ("Names").
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
@@ -16,10 +16,10 @@ namespace equipoise {
 
 namespace {
 
-// Of a refined equilibrium that is balanced, off_balance(): the balls' exact cancellation leaves rounding only.
+// For off_balance() of a refined equilibrium: where balls cancel exactly, only rounding is left.
 constexpr double centred = 1e-9;
 
-// Two, less what counting over the hundred turns or more of a measured motion may miss. Exact values are rational.
+// Two, less what counting may miss over the hundred turns or more of a measured motion. Exact values are rational.
 constexpr double twice_a_turn = 1.95;
 
 enum Identifier { other = 0, balanced, co_drifting, drifting_apart, one_captured, period_four, pair_drift, locked };
@@ -27,10 +27,10 @@ enum Identifier { other = 0, balanced, co_drifting, drifting_apart, one_captured
 // What the name is made of.
 struct Topology {
   int balls = 0, captured = 0, drifting = 0;
-  int rates = 0;     // different mean rates among the drifting balls
-  int clusters = 0;  // groups that move as one, all balls
-  int turns = 0;     // of the fastest ball before the motion comes back; 0 if it does not, or if no ball winds
-  std::vector<int> captured_groups, drifting_groups;  // sizes of groups that move as one, two balls or more, falling
+  int rates = 0;     // different mean rates of drifting balls
+  int clusters = 0;  // groups that move as one, of all balls
+  int turns = 0;     // of the fastest ball before the motion comes back; 0 if it does not, or no ball drifts
+  std::vector<int> captured_groups, drifting_groups;  // sizes of groups of two or more that move as one, falling
 
   Topology(const model::Parameters& p, const Motion& motion) : balls(p.balls) {
     std::array<int, model::max_balls> size{};
@@ -50,8 +50,8 @@ struct Topology {
   }
 };
 
-// "", ", period m", ", quasi-periodic" or ", chaotic": what tells a motion from its plain, once-around form. Strobed
-// motions that come back are told by the strobes they take.
+// "", ", period m", ", quasi-periodic" or ", chaotic": the difference from the plain motion that closes after one turn.
+// On a stroboscopic section, the number of sections until the motion comes back.
 std::string suffix(const Motion& motion, int turns) {
   if (never_repeats(motion.kind)) return fmt::format(", {}", name_of(motion.kind));
   if (motion.depends_on_angle)
@@ -73,8 +73,8 @@ MotionName name_at_rest(const model::Parameters& p, const Motion& motion) {
                                                                            : MotionName{"locked", "", locked};
 }
 
-// Motions that keep step with the rotor: all balls captured, or all of them left behind by a turn every turn, at rest
-// in space but for what shakes them.
+// Motions in step with the rotor: all balls captured; or all left behind by a turn every turn, at rest in space except
+// for vibration.
 bool keeps_step(const model::Parameters& p, const Motion& motion) {
   if (!motion.depends_on_angle || motion.kind != MotionKind::periodic || motion.sections != 1) return false;
   return std::all_of(motion.winding.begin(), motion.winding.begin() + p.balls, [](int turns) { return turns == 0; });
@@ -105,7 +105,7 @@ MotionName name_of_two(const Motion& motion, const Topology& topology) {
   if (topology.clusters == 1 || motion.together)
     return ending.empty() ? MotionName{"co-drifting", "V1", co_drifting}
                           : MotionName{"co-drifting" + ending, "", other};
-  // A pair that swings once a turn or more often follows what the unbalance does to it.
+  // A pair that swings once a turn or more often follows the unbalance.
   if (motion.oppositions_per_turn > twice_a_turn)
     return motion.kind == MotionKind::chaotic ? MotionName{"pair drift" + ending, "", other}
                                               : MotionName{"pair drift", "", pair_drift};
@@ -133,12 +133,12 @@ namespace {
 
 // The rotor does not turn, or only to and fro.
 bool stalls(const Motion& motion) {
-  constexpr double standing = 1e-6;  // means of refined and of regular motions are truer than that
+  constexpr double standing = 1e-6;  // means of refined and of regular motions are more accurate
   return motion.motor && std::fabs(motion.speed) < standing;
 }
 
-// Sommerfeld's effect: the rotor hangs at the resonance of its supports, nearer to it (in ratio) than to the speed at
-// which the motor has nothing to do, and most of what the motor gives goes into shaking the supports.
+// Sommerfeld effect: the rotor hangs at the resonance of its supports, closer to it (in ratio) than to the motor's
+// no-load speed, and most of the motor's power goes into vibration of the supports.
 bool captured_at_resonance(const model::System& system, const Motion& motion) {
   const model::Parameters& p = system.parameters();
   const double meant = std::fabs(system.pace()), speed = std::fabs(motion.speed);
@@ -147,7 +147,7 @@ bool captured_at_resonance(const model::System& system, const Motion& motion) {
          motion.motor->support_power > 0.5 * motion.motor->power;
 }
 
-// What becomes of a driven rotor, where it is not what its motor is there for.
+// How a driven rotor turns, if not as its motor is meant to turn it.
 std::string of_the_rotor(const model::Parameters& p, const Motion& motion) {
   if (!motion.motor) return "";
   const model::System system = system_of(p, motion);

@@ -1,4 +1,4 @@
-// Following a trajectory by adaptive DOP853; two stretches compared.
+// Follows a trajectory by adaptive DOP853; compares two stretches.
 #include "equipoise/attractors/motion_statistics.hpp"
 
 #include <algorithm>
@@ -16,7 +16,7 @@ namespace equipoise {
 namespace {
 namespace kernels = HWY_NAMESPACE;
 
-// What a flow's source makes of a system: its equations, and their angle where it is no part of the state.
+// The equations of a system, and their angle if the state does not contain it.
 template <kernels::Terms terms>
 struct PlainFlow {
   using Flow = kernels::FreeFlow<double, model::any_count, terms>;

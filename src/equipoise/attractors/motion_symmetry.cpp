@@ -1,4 +1,4 @@
-// Comparison of motions under exchange of equal balls, shifts in time and whole turns.
+// Compares motions under exchange of alike balls, shifts in time and whole turns.
 #include "equipoise/attractors/motion_symmetry.hpp"
 
 #include <algorithm>
@@ -15,10 +15,10 @@ namespace equipoise {
 
 namespace {
 
-// Point sets are the same if they come this close. Refined motions are exact to 1e-10 or better and different ones that
-// a study meets lie much farther apart, but for those just born in a bifurcation.
+// Point sets this close are the same. Refined motions are exact to 1e-10 or better. Different ones lie much farther
+// apart, except those just born in a bifurcation.
 constexpr double same_point = 1e-6;
-// Measured statistics. On a torus extremes and means settle like 1/duration; chaotic ones scatter (Omega = 2.5,
+// For measured statistics. On a torus extremes and means settle like 1/duration. Those of chaos scatter (Omega = 2.5,
 // beta = 0.05: r_max by 10 % between stretches of 400).
 constexpr double same_torus = 0.02, same_chaos = 0.1;
 
@@ -51,7 +51,7 @@ double largest_rate(const Motion& m, int balls) {
   return rate;
 }
 
-// Ball k of `b` does what ball i of `a` does, to `share` of the largest rate.
+// Whether ball k of `b` does what ball i of `a` does, to `share` of the largest rate.
 bool same_ball(const Motion& a, int i, const Motion& b, int k, double share, double rate) {
   const double within = share * rate + 1e-9;
   return std::fabs(a.drift[i] - b.drift[k]) <= within && std::fabs(a.rate_min[i] - b.rate_min[k]) <= within &&
@@ -87,7 +87,7 @@ std::vector<BallOrder> exchange_images(const model::System& system, const Motion
   const StateDifference difference(system);
   const double rate = largest_rate(motion, n);
   std::vector<BallOrder> images;
-  // Two orders make the same motion if what leads from one to the other leaves the motion alone.
+  // Two orders make the same motion if the exchange between them leaves the motion alone.
   const auto makes_the_same = [&](const BallOrder& earlier, const BallOrder& order) {
     BallOrder between{};
     for (int i = 0; i < n; ++i) between[earlier[i]] = order[i];
@@ -114,9 +114,9 @@ bool is_half_period_exchange(const model::System& system, const PeriodicOrbit& o
 
 int count_copies(const model::System& system, const Motion& motion) {
   const int n = system.balls();
-  // All members of a continuum of balanced states are one motion, and so are its exchange images.
+  // All members of a continuum of balanced states are one motion, and so are their exchange images.
   if (is_balanced_continuum(system, motion)) return 1;
-  long images = 1;  // orders of equal balls ...
+  long images = 1;  // orders of alike balls ...
   for (int i = 0; i < n; ++i) {
     bool first = true;
     long size = 0;
@@ -130,8 +130,8 @@ int count_copies(const model::System& system, const Motion& motion) {
   long unchanged = 0;  // ... over those that change nothing
   const double rate = largest_rate(motion, n);
   if (motion.kind == MotionKind::periodic) {
-    // Equal balls that move as one may be exchanged at will: of all orders that differ by that only, the one that keeps
-    // them in rising order is tried, and counts for all.
+    // Alike balls that move as one may be exchanged at will. Of all orders that differ only in this, the one that keeps
+    // them rising is tried and counts for all.
     long within = 1;
     for (int i = 0; i < n; ++i) {
       int place = 1;
@@ -171,7 +171,7 @@ bool same_motion(const model::Parameters& p, const Motion& a, const Motion& b) {
   const model::System system = system_of(p, a);
   const int n = p.balls;
   if (a.motor.has_value() != b.motor.has_value()) return false;
-  // What dry friction leaves a continuum of is one motion, and is told by its name.
+  // The rest of a continuum under dry friction is one motion, identified by its name.
   if (a.set_valued || b.set_valued)
     return a.set_valued && b.set_valued && motion_name(p, a).name == motion_name(p, b).name;
   if (a.eventful != b.eventful) return false;
@@ -197,7 +197,7 @@ bool same_motion(const model::Parameters& p, const Motion& a, const Motion& b) {
       return difference.distance(exchanged(a.state, n, order), b.state) < same_point;
     });
   }
-  // One point in common is enough: orbits that meet are one orbit.
+  // One common point is enough: orbits that meet are one orbit.
   const OrbitCurve orbit(system, b.orbit);
   return any_order(n, may_replace,
                    [&](const BallOrder& order) { return orbit.distance(exchanged(a.state, n, order)) < same_point; });

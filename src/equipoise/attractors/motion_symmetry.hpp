@@ -1,4 +1,4 @@
-// Exchange of equal balls: which motions it leaves alone, which it makes from others.
+// Exchange of alike balls: which motions it leaves alone, and which it makes from others.
 #pragma once
 
 #include <array>
@@ -14,20 +14,19 @@ namespace equipoise {
 /// Ball i does what ball order[i] did.
 using BallOrder = std::array<int, model::max_balls>;
 /// Where the components of a state come from when balls are exchanged: exchanged = state(components). `size`: of the
-/// state, 0: the balls' own of model/parameters.hpp.
+/// state; 0: a plain state (model/parameters.hpp).
 Eigen::VectorXi exchanged_components(int balls, const BallOrder& order, Eigen::Index size = 0);
 
-/// Of a periodic motion or an equilibrium: one order for each of the Motion::copies that exchange of like balls makes
-/// of it, its own first.
+/// For a periodic motion or an equilibrium: one order for each of its Motion::copies under exchange of alike balls, its
+/// own first.
 std::vector<BallOrder> exchange_images(const model::System& system, const Motion& motion);
 
-/// Motion::copies of a motion described in all else.
+/// Motion::copies of a motion whose other members are set.
 int count_copies(const model::System& system, const Motion& motion);
 
-/// An equilibrium that is balanced: the race's centre rests on the axis of rotation.
+/// Whether an equilibrium is balanced: the race's centre rests on the axis of rotation.
 bool is_balanced(const model::System& system, const Motion& motion);
 
-/// Motion::half_period_exchange.
 bool is_half_period_exchange(const model::System& system, const PeriodicOrbit& orbit);
 
 }  // namespace equipoise

@@ -43,7 +43,7 @@ std::optional<BalancedMember> member_on_section(const model::System& system, con
   return orbit ? std::optional(orbit_member(system, *orbit)) : std::nullopt;
 }
 
-// Under a motor: only the rotor's angle changes. Exact, without gravity and with the race centred.
+// Under a motor: only the rotor's angle changes. Exact without gravity and with a centred race.
 std::optional<BalancedMember> turning_member(const model::System& system, const Eigen::VectorXd& centre) {
   const double speed = system.speed(centre);
   PeriodicOrbit orbit;

@@ -1,4 +1,4 @@
-// The balanced state nearest to a state where balanced states form a continuum, refined as its system asks.
+// The balanced state nearest to a state, where balanced states form a continuum; refined as its system needs.
 #pragma once
 
 #include <optional>
@@ -14,12 +14,13 @@ namespace equipoise {
 
 struct BalancedMember {
   Eigen::VectorXd state;
-  std::variant<Equilibrium, PeriodicOrbit> refined;  ///< an orbit if the system is strobed
+  std::variant<Equilibrium, PeriodicOrbit> refined;  ///< an orbit with a stroboscopic section
   double rate = -1.0;                                ///< of the slowest deviation across the continuum
-  bool attracts = false;                             ///< in all directions but along it
+  bool attracts = false;                             ///< in all directions across it
 };
 
-/// Empty if there is none, or, of a strobed system, none within `reach` (in System::scale()) of where balance is exact.
+/// Empty if there is none. With a stroboscopic section also if none is within `reach` (in System::scale()) of exact
+/// balance.
 std::optional<BalancedMember> nearest_balanced(const model::System& system, const Eigen::VectorXd& state, double reach);
 
 Motion describe(const model::System& system, const BalancedMember& member);

@@ -1,4 +1,4 @@
-// Forces on balls that are part of the rotor, and bounds on them while the rotor settles.
+// Forces on balls that are fixed to the rotor, and bounds on them while the rotor's own motion decays.
 #include "equipoise/attractors/stuck.hpp"
 
 #include <algorithm>
@@ -29,7 +29,7 @@ bool all_rest(const model::System& system, const Eigen::VectorXd& y) {
   return (y.segment(model::index::q(0, n), n).array() == 0.0).all();
 }
 
-// Of a rotor at a prescribed speed whose balls are fixed to it: a forced, linear oscillator on each axis.
+// A rotor at a prescribed speed with fixed balls: a forced linear oscillator on each axis.
 class PrescribedEnd {
  public:
   PrescribedEnd(const model::System& system, const Eigen::VectorXd& y)
@@ -43,13 +43,13 @@ class PrescribedEnd {
     against_ = 0.5 * std::conj(x - v);
   }
 
-  // x + i y, its rate in fixed axes as u + i v: in the end.
+  // x + i y in the end, and u + i v, its rate in fixed axes.
   Complex place(double psi) const { return with_ + against_ * std::polar(1.0, -2.0 * psi); }
   Complex velocity(double psi) const { return Complex(0.0, w_) * (with_ - against_ * std::polar(1.0, -2.0 * psi)); }
   double r_mean() const { return std::abs(with_); }
   double waver() const { return std::abs(against_); }
 
-  // No ball is torn off at any angle of the rotor, though the race accelerates by up to `more` besides.
+  // Whether no ball is torn off at any rotor angle, even if the race accelerates by up to `more` besides.
   bool holds_all(const Eigen::VectorXd& y, double more) const {
     const double counter = w_ * w_ * std::abs(against_);
     const int looks = counter + p_.gravity > 0.0 ? 128 : 1;
@@ -59,8 +59,8 @@ class PrescribedEnd {
     return true;
   }
 
-  // The largest acceleration that what is left of the rotor's own motion will still make. Of one axis with
-  // E = (1+N) v^2 + kappa x^2, which falls: |zeta v + kappa x| <= sqrt(E (zeta^2/(1+N) + kappa)).
+  // The largest acceleration that the rest of the rotor's own motion can still cause. On one axis E = (1+N) v^2 + kappa
+  // x^2 falls, so |zeta v + kappa x| <= sqrt(E (zeta^2/(1+N) + kappa)).
   double decaying(const Eigen::VectorXd& y, double psi) const {
     const auto rest = model::rest_position(p_, psi);
     const Complex turn = std::polar(1.0, psi);
@@ -111,21 +111,21 @@ std::optional<StuckEnd> prescribed_end(const model::System& system, const Eigen:
   return result;
 }
 
-// The rotor will not turn over any more, whatever its balls do.
+// Whether the rotor will never turn over again, whatever its balls do.
 bool hangs_for_good(const model::System& system, const Eigen::VectorXd& y) {
   const auto well = model::GravityWell::of(system);
   return well && well->holds(y.data());
 }
 
-// Nor with its balls stuck where they are.
+// The same with its balls stuck where they are.
 bool hangs_while_stuck(const model::System& system, const Eigen::VectorXd& y) {
   std::array<double, model::machine_layout(1).size> held{};
   model::hold_balls(system, y.data(), held.data());
   return model::held_in_well(system, held.data(), std::numeric_limits<double>::infinity());
 }
 
-// Around an equilibrium of the rotor and its motor V = d^T P d falls in the linear flow, so that a force of gradient g
-// stays within sqrt(g^T P^-1 g V).
+// Around an equilibrium of rotor and motor V = d^T P d falls in the linear flow. A force with gradient g then stays
+// within sqrt(g^T P^-1 g V).
 std::optional<StuckEnd> driven_end(const model::System& system, const Eigen::VectorXd& y) {
   const bool hangs = hangs_for_good(system, y);
   if (!system.autonomous() && !hangs && !hangs_while_stuck(system, y)) return std::nullopt;
@@ -133,7 +133,7 @@ std::optional<StuckEnd> driven_end(const model::System& system, const Eigen::Vec
   const double slowest = end ? end->eigenvalues[0].real() : 0.0;
   if (!(slowest < 0.0)) return std::nullopt;
   const double r = r_at_rest(system, end->state);
-  // Balls that come loose stop again, and all of that is one continuum.
+  // Balls that come loose stop again; all such ends are one continuum.
   if (hangs) return StuckEnd{end->state, r, r, r, slowest};
   const int n = system.balls();
   kernels::EventRun run(system, end->state.data(), 0.0, kernels::event_scale(system, 1e-9));
@@ -146,7 +146,7 @@ std::optional<StuckEnd> driven_end(const model::System& system, const Eigen::Vec
   // In natural sizes. Central differences; the equations are good to rounding.
   constexpr double share = 1e-5, safety = 2.0;
   Eigen::MatrixXd a(size, size), gradients(2 * n, size);
-  const auto forces = [&](const Eigen::VectorXd& at) {  // what is left to hold each ball, for both senses
+  const auto forces = [&](const Eigen::VectorXd& at) {  // friction left to hold each ball, in both senses
     Eigen::VectorXd left(2 * n);
     const auto f = equations.forces(at.data());
     for (int i = 0; i < n; ++i) {
@@ -183,8 +183,8 @@ double bare_response(const model::Parameters& p, double speed) {
 }
 
 bool halves_the_shaking(const model::Parameters& p, double speed, double r) {
-  constexpr double rounding = 1e-6;  // of a rotor that has no unbalance of its own
-  constexpr double standing = 1e-3;  // a rotor that hardly turns is balanced by nothing
+  constexpr double rounding = 1e-6;  // for a rotor without unbalance of its own
+  constexpr double standing = 1e-3;  // a rotor that hardly turns cannot be balanced
   return std::fabs(speed) > standing && r <= std::max(0.5 * bare_response(p, speed), rounding);
 }
 
