@@ -1,4 +1,4 @@
-// Angles without pattern, those kept that nearly balance.
+// Draws ball angles, and keeps those that nearly balance.
 #include "equipoise/periodic_orbits/continuum_draws.hpp"
 
 #include <algorithm>
@@ -20,7 +20,7 @@ bool ContinuumDraws::balance(std::array<double, model::max_balls>& phi) const {
 }
 
 bool ContinuumDraws::next(std::array<double, model::max_balls>& phi) {
-  // Of balls that collide fewer: they have the walk.
+  // Fewer if balls collide, as the walk can take over.
   const int most = p_.balls_collide() ? 10000 : 200000;
   const double near = 0.05 * p_.all_unbalances();
   for (int k = 0; k < most && !walking_; ++k) {
@@ -34,7 +34,7 @@ bool ContinuumDraws::next(std::array<double, model::max_balls>& phi) {
     if (!balance(place_)) return false;
     walking_ = true;
   }
-  // Strides shrink to what the room allows: half of them are taken.
+  // Strides adapt to the room between balls, so that half of them are accepted.
   constexpr int strides = 16;
   for (int k = 0; k < strides; ++k) {
     phi = place_;

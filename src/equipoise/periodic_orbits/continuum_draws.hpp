@@ -8,17 +8,17 @@
 
 namespace equipoise {
 
-/// Ball angles drawn evenly among those that balance to a twentieth of what balls and unbalance could make together,
-/// then balanced. Balls that collide have room beside each other; where hardly any angles leave them that, a random
-/// walk among those that do takes the place of draws. The same sequence for the same rotor.
+/// Draws ball angles evenly from those that balance to a twentieth of what balls and unbalance could add up to, and
+/// then balances them. Colliding balls must have room side by side; if hardly any angles leave that, a random walk
+/// among those that do replaces the draws. The sequence is the same for the same rotor.
 class ContinuumDraws {
  public:
-  /// `p` outlives this.
+  /// `p` must outlive this.
   explicit ContinuumDraws(const model::Parameters& p) : p_(p) {}
 
-  /// The next ones. False where hardly any angles balance, so that none were met.
+  /// The next angles. False if hardly any angles balance and none were found.
   bool next(std::array<double, model::max_balls>& phi);
-  /// Changes `phi` to others not farther away than about `distance`. False if none there balance.
+  /// Changes `phi` to other balanced angles, up to about `distance` away. False if there are none.
   bool beside(std::array<double, model::max_balls>& phi, double distance);
 
  private:

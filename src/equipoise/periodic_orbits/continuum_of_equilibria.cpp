@@ -1,4 +1,4 @@
-// Members of a continuum of balanced states, how they attract, and where states near by come to.
+// Members of a continuum of balanced states, whether they attract, and to which one nearby states come.
 #include "equipoise/periodic_orbits/continuum_of_equilibria.hpp"
 
 #include <algorithm>
@@ -24,13 +24,13 @@ using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
-// Share of the slowest rate that the form's decay is asked to reach: nearer to 1 it would be all slow directions.
+// Fraction of the slowest rate that the form's decay must reach: closer to 1 it would be all slow directions.
 constexpr double share_of_rate = 0.8;
-// Slower rates are not told from a continuum's zeros, which double precision leaves at 1e-8.
+// Slower rates cannot be told from a continuum's zeros, which double precision leaves at 1e-8.
 constexpr double least_rate = 1e-6;
-// Of the map over a strobe: what it is wanted for are its level sets.
+// For the map over one period of the section, of which only level sets are needed.
 constexpr double map_tolerance = 1e-9;
-// Level sets stay within this of balance, in state_scale(): V is |s|^2 or more.
+// Level sets stay this close to balance, in System::scale(), for V is |s|^2 or more.
 constexpr double widest = 0.7;
 
 model::System without_gravity(const model::System& system) {
@@ -45,7 +45,7 @@ model::System without_contact(const model::System& system) {
   return {p, system.drive()};
 }
 
-// The largest real part (of rates) or the rate of the largest multiplier, the `zeros` nearest to zero left out.
+// The largest real part (of rates), or the rate of the largest multiplier, without the `zeros` closest to zero.
 double slowest_of(const Eigen::VectorXcd& eigenvalues, Index zeros, double strobe) {
   std::vector<std::complex<double>> values(eigenvalues.begin(), eigenvalues.end());
   const double none = strobe > 0.0 ? 1.0 : 0.0;
@@ -70,9 +70,9 @@ ContinuumOfEquilibria::ContinuumOfEquilibria(const model::System& system)
       dimension_(std::max(system.balls() - 2, 1)),
       scale_(system.scale()) {}
 
-// Fills all but `phi` and the form. Gravity moves the centre off the balanced state: Newton's method across the
-// continuum, with the derivative at a guess, finds the state that one strobe moves along it only. The guess is the
-// balanced state, moved as far as a member beside this one is if that is known.
+// Fills everything except `phi` and the form. Gravity moves the centre off the balanced state. Newton's method across
+// the continuum, with the derivative at a guess, finds the state that one period of the section moves only along it.
+// The guess is the balanced state, moved by the offset of a neighbouring member if known.
 bool ContinuumOfEquilibria::settle(ContinuumMember& m, const VectorXd& offset) const {
   m.centre = model::balanced_state(system_, speed_, m.phi.data());
   if (offset.size() > 0) m.centre += offset;
@@ -80,7 +80,7 @@ bool ContinuumOfEquilibria::settle(ContinuumMember& m, const VectorXd& offset) c
   const auto scaled = [&](const MatrixXd& a) {
     return MatrixXd(scale_.cwiseInverse().asDiagonal() * a * scale_.asDiagonal());
   };
-  MatrixXd change;  // the flow's derivative, or the map's less one
+  MatrixXd change;  // the flow's derivative, or the map's minus one
   VectorXd miss = VectorXd::Zero(size);
   if (section_period_ > 0.0) {
     const auto flight = follow_derivative(system_, m.centre, section_period_, map_tolerance);
@@ -90,7 +90,7 @@ bool ContinuumOfEquilibria::settle(ContinuumMember& m, const VectorXd& offset) c
   } else {
     change = scaled(model::jacobian(system_, m.centre));
   }
-  // Range and kernel, of the transpose too, by rank-revealing QR: the zeros are semisimple where the member attracts.
+  // Range and kernel, of the transpose too, by rank-revealing QR: at an attracting member the zeros are semisimple.
   const MatrixXd q = dense::pivoted_orthogonal_factor(change);
   const MatrixXd kernel = dense::pivoted_orthogonal_factor(change.transpose());
   m.range = q.leftCols(across);
@@ -101,7 +101,7 @@ bool ContinuumOfEquilibria::settle(ContinuumMember& m, const VectorXd& offset) c
   const MatrixXd one = MatrixXd::Identity(across, across);
   if (!rests_) {
     constexpr int most = 8;
-    constexpr double converged = 1e-8;  // of the size of the rotor's deflections
+    constexpr double converged = 1e-8;  // in units of the rotor's deflections
     const dense::LinearSolver solver(m.across);
     for (int k = 0;; ++k) {
       const VectorXd part = m.range.transpose() * (miss - m.along * (m.left * miss));
@@ -120,7 +120,7 @@ bool ContinuumOfEquilibria::settle(ContinuumMember& m, const VectorXd& offset) c
   return m.left.allFinite() && std::isfinite(m.rate);
 }
 
-// Where nothing is damped enough Newton's steps may lead anywhere, to balls too fast to be followed for a strobe.
+// Without enough damping Newton's steps may lead anywhere, even to balls too fast to be followed for one period.
 bool ContinuumOfEquilibria::is_astray(const ContinuumMember& m) const {
   const int n = system_.balls();
   const VectorXd moved = (m.centre - model::balanced_state(system_, speed_, m.phi.data())).cwiseQuotient(scale_);
@@ -162,12 +162,12 @@ std::optional<Angles> ContinuumOfEquilibria::moved(Angles phi, const VectorXd& a
 
 std::optional<ContinuumMember> ContinuumOfEquilibria::destination(const VectorXd& state) const {
   constexpr int most = 5;
-  // What may be left along the continuum, of the deviation (V counts it) and of what centres are known to: a state that
-  // has long come to the continuum deviates by no more than that.
+  // What may be left along the continuum: a share of the deviation (which V counts), and the accuracy of centres. A
+  // state that has long come to the continuum deviates by no more than that.
   constexpr double across = 0.01, unknown = 1e-7;
   Angles phi{};
   for (int i = 0; i < system_.balls(); ++i) phi[i] = state[model::index::phi(i)];
-  // The form, which costs most, is wanted of the last one only.
+  // Only the last member needs the form, the most costly part.
   ContinuumMember m;
   m.phi = phi;
   if (!balance(m.phi.data())) return std::nullopt;
@@ -215,8 +215,7 @@ bool ContinuumOfEquilibria::holds(const VectorXd& state, double factor, double s
   return m && m->rate <= slowest_rate && value(*m, state) < level(*m, factor) && (rests_ || stays(*m, slowest_rate));
 }
 
-// What creeps farther than a radian may end on an orbit of its own, which is then listed and has its own trapping
-// region.
+// A member that creeps farther than a radian may end on an orbit, which is then listed and has its own trapping region.
 bool ContinuumOfEquilibria::stays(ContinuumMember m, double slowest_rate) const {
   constexpr double time = 2e4, step = 0.1;
   constexpr int most = 10;
@@ -233,7 +232,7 @@ bool ContinuumOfEquilibria::stays(ContinuumMember m, double slowest_rate) const 
   return false;
 }
 
-// The rate across at a balanced state without all the rest.
+// Only the rate across at a balanced state.
 double ContinuumOfEquilibria::rate_at(const double* phi) const {
   const VectorXd centre = model::balanced_state(balanced_, speed_, phi);
   if (section_period_ == 0.0)
@@ -243,7 +242,7 @@ double ContinuumOfEquilibria::rate_at(const double* phi) const {
 }
 
 ContinuumSurvey ContinuumOfEquilibria::survey(const StopFlag* stop) const {
-  // The share to 1.6 % (a map costs a hundred times a Jacobian: to 4 %), and members enough to try.
+  // Enough draws for the share to 1.6 % (a map costs a hundred Jacobians: to 4 %), and enough members to try.
   const int draws = section_period_ > 0.0 ? 128 : 1024;
   constexpr int enough = 32, seek = 256;
   ContinuumSurvey result;
@@ -269,7 +268,7 @@ ContinuumSurvey ContinuumOfEquilibria::survey(const StopFlag* stop) const {
     result.least_growth = std::max(0.0, found[static_cast<std::size_t>(result.stable)].first);
     result.most_growth = found.back().first;
   }
-  // Beside the most attracting ones, ever nearer to the best: where few are stable more, where none is perhaps one.
+  // Searches next to the most attracting ones, ever closer to the best: for more if few are stable, for one if none is.
   for (int k = 0; k < seek && result.stable < enough && going_on(); ++k) {
     const std::size_t from = static_cast<std::size_t>(k) % std::min<std::size_t>(8, found.size());
     phi = turned(found[from].second, -twin_.turn);

@@ -1,5 +1,5 @@
-// Continua of balanced states (three balls or more, or two equal balls without unbalance): which part of one attracts,
-// and which of its members a state near by comes to.
+// Continua of balanced states (three balls or more, or two alike balls without unbalance): which part of one attracts,
+// and to which member a nearby state comes.
 #pragma once
 
 #include <array>
@@ -16,48 +16,49 @@
 
 namespace equipoise {
 
-/// One member: the equilibrium, or of anisotropic supports the fixed point of the stroboscopic map. Gravity leaves
-/// slow motion along the continuum, and so do unequal supports of a race off its centre: the member is then the state
-/// at a strobe that the map moves along it only. Matrices in units of System::scale(). Deviations are split by the
-/// invariant subspaces of the linearised equations: d = along left d + range range^T (d - along left d).
+/// One member: the equilibrium or, with anisotropic supports, the fixed point of the map between sections. Gravity
+/// leaves slow motion along the continuum, and so do anisotropic supports of an off-centre race. The member is then the
+/// state on the section that the map moves only along the continuum. Matrices are in units of System::scale().
+/// Deviations are split by the invariant subspaces of the linearised equations: d = along left d + range range^T (d -
+/// along left d).
 struct ContinuumMember {
   std::array<double, model::max_balls> phi{};  ///< ball angles of the balanced state
   Eigen::VectorXd centre;
-  double rate = 0.0;  ///< largest real part across the continuum; stable across if negative
+  double rate = 0.0;  ///< largest real part across the continuum; negative: stable across
   Eigen::MatrixXd along,
-      left;                ///< the continuum's own directions, columns; left eigenvectors that belong to them, rows
+      left;                ///< directions of the continuum, columns; their left eigenvectors, rows
   Eigen::MatrixXd range;   ///< orthonormal basis of the invariant subspace across
-  Eigen::MatrixXd across;  ///< the linearised equations in it: d/dt, or of the map less one
-  Eigen::MatrixXd form;    ///< P on that; V falls at least as e^(1.6 rate t) near by, and is |s|^2 or more
-  /// Of V. Where terms of second order begin to matter goes like this from one member to another.
+  Eigen::MatrixXd across;  ///< the linearised equations in it: d/dt, or the map minus one
+  Eigen::MatrixXd form;    ///< P on that; V falls at least as e^(1.6 rate t) nearby, and is |s|^2 or more
+  /// Scale of V: from member to member, terms of second order begin to matter in proportion to it.
   double unit = 0.0;
-  Eigen::VectorXd creep;  ///< velocity along the continuum (size 0: none): what gravity leaves of it is not at rest
+  Eigen::VectorXd creep;  ///< velocity along the continuum, as gravity leaves none of it at rest; size 0: none
 };
 
-/// A part of a continuum with its members.
+/// A survey of a continuum: its stable part, with members.
 struct ContinuumSurvey : ContinuumPart {
   bool attracts() const { return !members.empty(); }
-  /// Stable ones, the slowest first. Where few or none of those drawn are stable, more were sought.
+  /// Stable members, the slowest first. If few or none of those drawn are stable, more were searched for.
   std::vector<std::array<double, model::max_balls>> members;
-  std::vector<double> rates;  ///< theirs
+  std::vector<double> rates;  ///< of these members
   std::array<double, model::max_balls>
-      typical{};  ///< of the stable ones the median by rate, of none the slowest to grow
+      typical{};  ///< median by rate of the stable ones; without any, the slowest to grow
 };
 
 class ContinuumOfEquilibria {
  public:
-  /// Of any system but of sections turn and of motors without torque. Balls pass each other on their way to balance,
-  /// but members that a survey draws have room.
+  /// For any system, except those with section `turn` and motors without torque. Balls pass each other on their way to
+  /// balance, but members that a survey draws have room.
   explicit ContinuumOfEquilibria(const model::System& system);
   static bool is_of(const model::System& system) {
     return system.section() != model::Section::turn && !system.coasts();
   }
 
-  /// The member at ball angles near `phi`. Empty where there is none or the linearisation has more zeros than the
+  /// The member at ball angles near `phi`. Empty if there is none, or if the linearisation has more zeros than the
   /// continuum explains. Without `form` if it is unstable across.
   std::optional<ContinuumMember> member(const double* phi) const;
-  /// The member that the trajectory from `state` comes to, to second order in the distance: deviations from it have no
-  /// part along the continuum. With anisotropic supports or gravity `state` is one at a strobe.
+  /// The member that the trajectory from `state` comes to, to second order in the distance: the deviation from it has
+  /// no part along the continuum. With a stroboscopic section `state` must lie on it.
   std::optional<ContinuumMember> destination(const Eigen::VectorXd& state) const;
 
   /// V of a state about a stable member.
@@ -68,8 +69,8 @@ class ContinuumOfEquilibria {
 
   /// The level that `factor` gives a member.
   static double level(const ContinuumMember& member, double factor);
-  /// The state's destination approaches at `slowest_rate` (negative) or faster, and V lies below its level. Under
-  /// gravity that holds all along the way that the destination creeps in 20 000 units of time.
+  /// Whether the state's destination attracts at `slowest_rate` (negative) or faster, and V lies below its level. Under
+  /// gravity that must hold as far as the destination creeps in 20 000 time units.
   bool holds(const Eigen::VectorXd& state, double factor, double slowest_rate) const;
 
   /// Short once `stop` is set.
@@ -88,7 +89,7 @@ class ContinuumOfEquilibria {
   Eigen::VectorXd deviation(const ContinuumMember& member, const Eigen::VectorXd& state) const;
 
   model::System system_, balanced_;  // as given; without gravity
-  model::CentredTwin twin_;          // whose balls balance at these angles but for a turn; they collide if those do
+  model::CentredTwin twin_;          // its balls balance at these angles, turned; they may collide too
   double speed_, section_period_;    // in balance; 0: nothing depends on the rotor's angle
   bool rests_;                       // members are at rest
   Eigen::Index dimension_;

@@ -1,4 +1,4 @@
-// Newton's method for equilibria, isolated ones and members of continua.
+// Newton's method for equilibria: isolated ones and members of continua.
 #include <algorithm>
 #include <cmath>
 
@@ -13,7 +13,7 @@ namespace {
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
-// Of dz/dt, whose terms are of size speed^2; of a motor's, which may cancel each other, times psi'' for a unit of
+// Rounding of dz/dt. Its terms are of size speed^2; a motor's terms, which may cancel, are scaled by psi'' per unit of
 // torque.
 double rounding_of_rates(const model::System& system, const VectorXd& state) {
   const double speed = system.speed(state);
@@ -37,8 +37,8 @@ double rounding_of_rates(const model::System& system, const VectorXd& state) {
 }  // namespace
 
 std::optional<Equilibrium> refine_equilibrium(const model::System& system, const VectorXd& guess) {
-  // Levenberg's and Marquardt's step with the damping |f|^2: as fast as Newton's near isolated equilibria and near
-  // continua alike, where it tends to the least-norm step (N. Yamashita, M. Fukushima, Computing Suppl. 15 (2001) 239).
+  // Levenberg-Marquardt steps with damping |f|^2. They are as fast as Newton's near isolated equilibria, and near
+  // continua too, where they tend to the least-norm step (N. Yamashita, M. Fukushima, Computing Suppl. 15 (2001) 239).
   constexpr int most_iterations = 100;
   const double target = rounding_of_rates(system, guess);
   VectorXd z = guess, rate = model::rate(system, z);
@@ -46,7 +46,7 @@ std::optional<Equilibrium> refine_equilibrium(const model::System& system, const
     if (!rate.allFinite()) return std::nullopt;
     const MatrixXd jacobian = model::jacobian(system, z);
     MatrixXd normal = jacobian.transpose() * jacobian;
-    // Where the damping has vanished, rounding would fill directions in which the Jacobian is singular.
+    // Without damping rounding would fill directions in which the Jacobian is singular.
     normal.diagonal().array() += std::max(rate.squaredNorm(), 1e-14 * normal.trace());
     const VectorXd change = -dense::solve_semidefinite(normal, jacobian.transpose() * rate);
     double share = 1.0;
@@ -56,7 +56,7 @@ std::optional<Equilibrium> refine_equilibrium(const model::System& system, const
       next_rate = model::rate(system, next);
       if (next_rate.norm() < rate.norm()) break;
     }
-    if (!(share > 1e-4)) break;  // rounding, or no equilibrium near
+    if (!(share > 1e-4)) break;  // rounding, or no equilibrium nearby
     z = next;
     rate = next_rate;
   }

@@ -1,4 +1,4 @@
-// One trajectory of a system with events, in the state of model/system.hpp: what EventTrajectory does in its own.
+// One trajectory of a system with events in the state of model/system.hpp; EventTrajectory uses a state of its own.
 #pragma once
 
 #include <algorithm>
@@ -19,13 +19,13 @@
 namespace equipoise {
 namespace HWY_NAMESPACE {
 
-// The equations of a system as long as its balls do what they do.
+// The equations of a system while its balls keep their mode.
 class ModeEquations {
  public:
   using Flow = HybridFlow<double, model::any_count>;
   static constexpr int dimension = Flow::dimension;
 
-  // `psi`: the rotor's angle at time 0, where it is no part of the state.
+  // `psi`: the rotor's angle at time 0, if the state does not contain it.
   ModeEquations(const model::System& system, double psi, const model::BallMode& mode)
       : mode_(mode),
         table_(system.parameters()),
@@ -61,8 +61,8 @@ class EventRun {
   using Machine = EventTrajectory<model::any_count>;
   static constexpr int dimension = Machine::dimension;
 
-  // From state `y` at time 0. `psi`: the rotor's angle there, where it is no part of the state. Balls that touch to
-  // rounding touch.
+  // From state `y` at time 0. `psi`: the rotor's angle there, if the state does not contain it. Balls that touch to
+  // within rounding are taken to touch.
   EventRun(const model::System& system, const double* y, double psi, const typename Machine::Scale& scale)
       : system_(system),
         machine_layout_(model::machine_layout(n())),
@@ -73,7 +73,7 @@ class EventRun {
   EventRun(const EventRun&) = delete;
   EventRun& operator=(const EventRun&) = delete;
 
-  // EventTrajectory's, but for the states that `observe` is given.
+  // EventTrajectory's, but `observe` gets states of the system.
   template <class Observe>
   IntegrationStatus advance(double end, Observe&& observe, const StopFlag* stop = nullptr) {
     return machine_.advance(
@@ -94,7 +94,6 @@ class EventRun {
   double psi() const { return machine_.state()[machine_layout_.psi]; }
   long events() const { return machine_.events(); }
   const model::BallMode& mode() const { return machine_.mode(); }
-  // The equations in the present mode.
   void operator()(double t, const double* y, double* dy) const {
     equations_.set(machine_.mode());
     equations_(t, y, dy);
@@ -109,7 +108,7 @@ class EventRun {
  private:
   int n() const { return system_.balls(); }
 
-  // The machine's state, with what touches but for errors of integration exactly so.
+  // The machine's state, in which balls that touch up to integration errors touch exactly.
   std::array<double, dimension> beginning(const double* y, double psi) const {
     constexpr double touching = 1e-7, together = 1e-8;
     std::array<double, dimension> z{};
@@ -150,10 +149,10 @@ class EventRun {
   const std::array<double, dimension> begin_;
   const model::Drive drive_;
   Machine machine_;
-  mutable ModeEquations equations_;  // follow the machine's mode
+  mutable ModeEquations equations_;  // keeps to the machine's mode
 };
 
-// Relative errors as set_system_scale() has them, for a machine's state.
+// Relative errors as in set_system_scale(), for a machine's state.
 inline EventRun::Machine::Scale event_scale(const model::System& system, double tolerance) {
   EventRun::Machine::Scale scale;
   scale.tolerance = tolerance;

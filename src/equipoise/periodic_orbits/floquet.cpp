@@ -1,7 +1,7 @@
-// Floquet theory on the deviations across the motion: at every state of the orbit an orthonormal basis of the
-// directions perpendicular to dz/dt, and the arcs' derivatives between these bases. What is left out, a shift in time,
-// is carried along unchanged; so the reduced matrices' product has all multipliers but that one, and left Floquet
-// vectors made from it vanish on dz/dt exactly.
+// Floquet theory for deviations across the motion. At every state of the orbit an orthonormal basis spans the
+// directions perpendicular to dz/dt; the arcs' derivatives act between these bases. The shift in time is left out and
+// carried along unchanged. So the product of the reduced matrices has all other multipliers, and left Floquet vectors
+// made from it vanish on dz/dt exactly.
 #include "equipoise/periodic_orbits/floquet.hpp"
 
 #include <algorithm>
@@ -23,7 +23,7 @@ using Eigen::MatrixXcd;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
-// Columns: an orthonormal basis of what is perpendicular to `direction`, from the reflection that takes it to an axis.
+// Columns: an orthonormal basis perpendicular to `direction`, from the reflection that maps it to an axis.
 MatrixXd basis_across(const VectorXd& direction) {
   VectorXd normal = direction.normalized();
   normal[0] += normal[0] < 0.0 ? -1.0 : 1.0;
@@ -39,7 +39,7 @@ std::vector<MatrixXd> bases_across(const model::System& system, const std::vecto
   return bases;
 }
 
-// The arcs between the bases.
+// Arcs' derivatives between the bases.
 std::vector<MatrixXd> arcs_across(const std::vector<MatrixXd>& bases, const std::vector<MatrixXd>& arcs) {
   std::vector<MatrixXd> result;
   for (std::size_t k = 0; k < arcs.size(); ++k)
@@ -83,8 +83,8 @@ Eigen::VectorXcd floquet_multipliers(const std::vector<MatrixXd>& arcs) {
 }
 
 std::optional<FloquetFrame> floquet_frame(const model::System& system, const PeriodicOrbit& orbit, int count) {
-  // Vectors are carried backward, where the slow modes grow into the fast ones; what double precision leaves of the
-  // fastest must still be worth something.
+  // Vectors are carried backward, where slow modes grow into fast ones. Double precision must leave something of the
+  // fastest.
   constexpr double widest_span = 1e-9, worst_condition = 1e9;
   constexpr double tolerance = 1e-12;
   if (count < 1) return std::nullopt;

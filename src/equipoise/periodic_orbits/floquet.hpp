@@ -9,12 +9,12 @@
 
 namespace equipoise {
 
-/// `arcs[k]`: derivative of the state at node k + 1 with respect to that at node k. First the multiplier of the shift
-/// in time, 1 but for errors, then the others with falling modulus. Their absolute accuracy is about 1e-12 times the
-/// norm of the product of all arcs (the integration's errors; a multiplier below that is noise).
+/// `arcs[k]`: derivative of the state at node k + 1 with respect to that at node k. First comes the multiplier of the
+/// shift in time, 1 up to errors, then the others with falling modulus. Absolute accuracy is about 1e-12 times the norm
+/// of the product of all arcs, by integration errors; a smaller multiplier is noise.
 Eigen::VectorXcd floquet_multipliers(const model::System& system, const std::vector<Eigen::VectorXd>& nodes,
                                      const std::vector<Eigen::MatrixXd>& arcs);
-/// The same where the period is imposed: all with falling modulus, none belongs to a shift in time.
+/// The same for an imposed period: all with falling modulus, as none belongs to a shift in time.
 Eigen::VectorXcd floquet_multipliers(const std::vector<Eigen::MatrixXd>& arcs);
 
 }  // namespace equipoise

@@ -26,7 +26,7 @@ double scattered(std::uint64_t& state) {
   return static_cast<double>((x ^ (x >> 31)) >> 11) * 0x1p-52 - 1.0;
 }
 
-// Makes the columns orthonormal by the modified Gram-Schmidt process and returns what was left of each one's length.
+// Makes the columns orthonormal by modified Gram-Schmidt, and returns the length left of each.
 VectorXd orthonormalise(MatrixXd& columns) {
   VectorXd lengths(columns.cols());
   for (Eigen::Index k = 0; k < columns.cols(); ++k) {
@@ -41,11 +41,11 @@ VectorXd orthonormalise(MatrixXd& columns) {
 
 std::vector<double> lyapunov_exponents(const model::System& system, const VectorXd& state, double duration, int count,
                                        const StopFlag* stop) {
-  // Exponents converge like 1 / duration, 1e-3 to 1e-5: a step error of 1e-6 is far below that, at four tenths of the
-  // cost of 1e-9. (The trajectory computed is then another one of the same motion, as it would be at any tolerance.)
+  // Exponents converge like 1 / duration, to 1e-3 to 1e-5. A step error of 1e-6 is far below that, at four tenths of
+  // the cost of 1e-9. (The computed trajectory is another one of the same motion, as at any tolerance.)
   constexpr double tolerance = 1e-6;
-  // Between reorthonormalisations the slowest vector may fall behind the fastest by this factor, no more: the digits
-  // by which they still differ.
+  // Between reorthonormalisations the slowest vector may fall behind the fastest by this factor, which costs as many
+  // digits of their difference.
   constexpr double too_skew = 1e6, hardly_skew = 1e2, shortest_leg = 1e-3, longest_leg = 16.0;
   const double alignment = 0.2 * duration;
 
@@ -62,7 +62,7 @@ std::vector<double> lyapunov_exponents(const model::System& system, const Vector
     const bool aligned = t >= alignment;
     const double end = aligned ? alignment + duration : alignment;
     const bool last = t + leg >= end;
-    const double psi = std::fmod(system.speed() * t, two_pi);  // matters where states are strobed
+    const double psi = std::fmod(system.speed() * t, two_pi);  // matters with a stroboscopic section
     auto flight = follow_tangents(system, here, vectors, last ? end - t : leg, tolerance, psi, stop);
     if (!flight) return {};
     const VectorXd growth = orthonormalise(flight->tangents);
@@ -73,7 +73,7 @@ std::vector<double> lyapunov_exponents(const model::System& system, const Vector
     }
     vectors = flight->tangents;
     here = flight->end;
-    for (const auto& [place, turn] : system.angles())  // whole turns off, so that angles keep their digits
+    for (const auto& [place, turn] : system.angles())  // whole turns come off, so that angles keep their digits
       here[place] = std::remainder(here[place], turn);
     if (aligned) sums += growth.array().log().matrix();
     t = last ? end : t + leg;

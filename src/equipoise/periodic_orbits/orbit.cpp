@@ -22,27 +22,27 @@ using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
-// Step error of every integration here: orbits are wanted to twelve digits.
+// Step error of every integration here, for orbits true to twelve digits.
 constexpr double orbit_tolerance = 1e-12;
 // States this close, in units of their scale, are the same: far above any residual, far below any motion's size.
 constexpr double same_state = 1e-7;
-// Matrices of shooting with an imposed period whose condition is worse belong to a continuum.
+// With an imposed period, a shooting matrix of worse condition belongs to a continuum.
 constexpr double singular_orbit = 1e-8;
-constexpr double longest_arc = 2.0;  // of a node's share of the period, where the guess does not say
+constexpr double longest_arc = 2.0;  // a node's part of the period, unless the guess sets it
 constexpr int fewest_nodes = 8, most_nodes = 32;
 
 int node_count(double period) {
   return static_cast<int>(std::clamp(std::ceil(period / longest_arc), double(fewest_nodes), double(most_nodes)));
 }
 
-// States at the increasing times `times` >= 0, each followed from the last of `states` (at equal shares of `period`)
-// or of those already found before it. Empty if an integration fails.
+// States at the increasing times `times` >= 0, each followed from the last of `states` (at equal parts of `period`) or
+// of those found before it. Empty if an integration fails.
 std::vector<VectorXd> states_at(const model::System& system, const std::vector<VectorXd>& states, double period,
                                 const std::vector<double>& times) {
   const double spacing = period / static_cast<double>(states.size());
   const double rounding = 1e-9 * spacing;  // a state this near in time is the one asked for
   std::vector<VectorXd> result;
-  double begin = -1.0;  // of `state`
+  double begin = -1.0;  // time of `state`
   VectorXd state;
   for (const double t : times) {
     const auto k = std::min(static_cast<std::size_t>((t + rounding) / spacing), states.size() - 1);
@@ -61,7 +61,7 @@ std::vector<VectorXd> states_at(const model::System& system, const std::vector<V
   return result;
 }
 
-// `count` states at equal shares of `span`. Empty if an integration fails.
+// `count` states at equal parts of `span`. Empty if an integration fails.
 std::vector<VectorXd> resample(const model::System& system, const std::vector<VectorXd>& states, double period,
                                double span, int count) {
   std::vector<double> times(std::max(count, 0));
@@ -69,16 +69,16 @@ std::vector<VectorXd> resample(const model::System& system, const std::vector<Ve
   return states_at(system, states, period, times);
 }
 
-// What multiple shooting solves for, and what one pass along all arcs gives.
+// The unknowns of multiple shooting, and the results of one pass along all arcs.
 struct Shooting {
   std::vector<VectorXd> nodes;
   double period = 0.0;
   bool imposed = false;  // the period is not solved for
-  // Of evaluate():
+  // From evaluate():
   std::vector<MatrixXd> arcs;   // derivative of each arc's end with respect to its node
   std::vector<VectorXd> rates;  // dz/dt at each arc's end
   VectorXd mismatch;            // arc ends minus next nodes, and 0 for the phase condition, in units of their scale
-  double residual = 0.0;        // largest component of it in its own unit
+  double residual = 0.0;        // its largest component, in that component's unit
 };
 
 class OrbitProblem {
@@ -123,8 +123,8 @@ class OrbitProblem {
     return true;
   }
 
-  // Derivative of the mismatch with respect to all nodes (in units of their scale) and, if it is free, the period (in
-  // units of itself). Last row then: no change along the motion, on the mean over the nodes, which fixes the phase.
+  // Derivative of the mismatch with respect to all nodes (in units of their scale) and to a free period (in units of
+  // itself). For a free period the last row fixes the phase: no change along the motion, on average over the nodes.
   MatrixXd matrix(const Shooting& s) const {
     const Index last = size_ * Index(nodes_);
     MatrixXd m = MatrixXd::Zero(unknowns(s), unknowns(s));
@@ -134,7 +134,7 @@ class OrbitProblem {
       m.block(row, next, size_, size_) -= MatrixXd::Identity(size_, size_);
       if (s.imposed) continue;
       m.block(row, last, size_, 1) = s.rates[k] * (s.period / double(nodes_));
-      // The rate at the end of the arc before is that at this node once converged.
+      // Once converged, the rate at the end of an arc is that at the next node.
       m.block(last, next, 1, size_) = s.rates[k].transpose();
     }
     return m;
@@ -149,10 +149,10 @@ class OrbitProblem {
     return result;
   }
 
-  // By how much more steps leave than elsewhere: a rotor that hangs far below its supports has large x and y.
+  // Factor on what steps leave: a rotor that hangs far below its supports has large x and y.
   double coarser() const { return std::max(1.0, std::fabs(model::static_sag(system_.parameters()))); }
 
-  // Of the nodes, the farthest moved by a change.
+  // How far a change moves the node that moves farthest.
   double farthest(const VectorXd& change) const {
     double result = 0.0;
     for (std::size_t k = 0; k < nodes_; ++k) result = std::max(result, change.segment(size_ * Index(k), size_).norm());
@@ -178,8 +178,8 @@ class OrbitProblem {
   Winding winding_{};
 };
 
-// Newton's steps. With an imposed period a singular matrix belongs to a continuum, whose nearest member is wanted: the
-// least step. With a free one it belongs to a bifurcation.
+// Newton's steps. With an imposed period a singular matrix belongs to a continuum, and the least step leads to its
+// nearest member. With a free period it belongs to a bifurcation.
 class NewtonSteps {
  public:
   NewtonSteps(const MatrixXd& m, bool imposed) : lu_(m) {
@@ -198,23 +198,23 @@ class NewtonSteps {
 struct Effort {
   double tolerance;         // step error of the integrations
   double converged;         // a full step this short is the last
-  double largest_residual;  // of a converged orbit whose period is free
-  double noise;             // what the integration leaves of a step
+  double largest_residual;  // of a converged orbit with a free period
+  double noise;             // error that the integration leaves in a step
   int most_iterations;
-  double shortest_share;  // of a step
+  double shortest_share;  // of a damped step
 };
-// Full steps this short square to rounding. The residual is what some hundred steps at that tolerance leave; where one
-// multiplier is near 1 it counts a hundredfold and more in the next step.
+// Full steps this short square to rounding. The residual is what some hundred steps leave at that tolerance. If a
+// multiplier is near 1, the next step magnifies it a hundredfold or more.
 constexpr Effort refining{orbit_tolerance, 1e-8, 1e-11, 1e-9, 40, 1.0 / 1024};
-// From a motion that the neighbour has and this system may lack: where few steps do not come to it, many rarely do.
+// From a neighbour's motion, which this system may lack: if few steps do not reach it, many seldom do.
 constexpr Effort continuing{orbit_tolerance, 1e-8, 1e-11, 1e-9, 10, 1.0 / 8};
-// Arcs from strobe to strobe are as long as they are.
+// Arcs between sections have their given length.
 constexpr double longer_arcs = 10.0;
 constexpr Effort searching{1e-9, 1e-4, 1e300, 1e-6, 10, 1.0};
 
 // Newton's method, damped by the natural monotonicity test (P. Deuflhard, Newton Methods for Nonlinear Problems, 2004,
-// section 3.3): a step is accepted if the next step, with the matrix kept, would be shorter. False if it does not
-// converge, or if a step is longer than `reach` or all of them together lead twice as far.
+// section 3.3): a step is accepted if the next step with the same matrix would be shorter. False if it does not
+// converge, if a step is longer than `reach`, or if all steps together lead twice as far.
 bool solve(const OrbitProblem& problem, Shooting& s, const Effort& effort, double reach) {
   if (!problem.evaluate(s)) return false;
   const Shooting first = s;
@@ -250,8 +250,8 @@ bool is_equilibrium(const model::System& system, const Shooting& s) {
   return fastest * s.period < same_state;
 }
 
-// A whole number by which the period and the winding can be divided, 1 if there is none. Of a flow none above 8 is
-// looked for; the nodes of a strobed orbit are all there is to compare.
+// A whole number by which the period and the winding can be divided, 1 if there is none. With a free period numbers up
+// to 8 are tried; on a stroboscopic section only nodes can be compared.
 int repeats(const model::System& system, const Shooting& s, const Winding& winding) {
   const auto angles = system.angles();
   const int nodes = static_cast<int>(s.nodes.size()), most = s.imposed ? nodes : 8;
@@ -267,7 +267,7 @@ int repeats(const model::System& system, const Shooting& s, const Winding& windi
   return 1;
 }
 
-// Makes one period of `times`. False if an integration fails.
+// Makes one period of `times` of them. False if an integration fails.
 bool shorten(const model::System& system, Shooting& s, int times) {
   const double once = s.period / times;
   if (s.imposed)
@@ -280,7 +280,7 @@ bool shorten(const model::System& system, Shooting& s, int times) {
 
 std::optional<PeriodicOrbit> refine(const model::System& system, Shooting s, double reach, const StopFlag* stop,
                                     const Effort& effort = refining) {
-  for (const auto& angle : system.angles()) {  // whole turns off, so that angles keep their digits
+  for (const auto& angle : system.angles()) {  // whole turns come off, so that angles keep their digits
     const double turns = angle.turn * std::floor(s.nodes[0][angle.place] / angle.turn);
     for (VectorXd& z : s.nodes) z[angle.place] -= turns;
   }

@@ -1,4 +1,4 @@
-// Returns of a trajectory, and distances from periodic orbits by cubic Hermite interpolation.
+// Returns of a trajectory; distances from periodic orbits by cubic Hermite interpolation.
 #include "equipoise/periodic_orbits/recurrence.hpp"
 
 #include <algorithm>
@@ -15,10 +15,10 @@ namespace equipoise {
 
 namespace {
 
-// A return farther off than this share of the trajectory's typical distance from its last state is none.
+// A return must be closer than this fraction of the trajectory's typical distance from its last state.
 constexpr double close_share = 0.3;
-// The longest recurrence known takes twenty turns of a ball (five times the period of V4, beside which it lives at
-// Omega = 4.4).
+// The longest recurrence known takes twenty turns of a ball: five periods of V4, next to which it exists at Omega =
+// 4.4.
 constexpr double most_turns = 24.5, longest_multiple = 32.5;
 // Interpolation errs by rate^4 step^4/384 of a harmonic's size: 2e-8 at 0.05 rad a step.
 constexpr double radians_per_step = 0.05;
@@ -39,8 +39,8 @@ Eigen::VectorXd StateDifference::operator()(const Eigen::VectorXd& a, const Eige
 
 namespace {
 
-// The closest approach of a trajectory around step k: time and square of the distance, by a parabola through three of
-// these. Empty if the middle one is not the least.
+// The closest approach of a trajectory around step k, by a parabola through three squared distances: time, and squared
+// distance. Empty if the middle one is not the least.
 std::optional<Return> closest_around(const std::vector<double>& squares, std::size_t k, double spacing) {
   if (k + 1 >= squares.size()) return std::nullopt;
   const double before = squares[k - 1], here = squares[k], after = squares[k + 1];
@@ -56,7 +56,7 @@ std::vector<Return> returns_to_last(const model::System& system, const std::vect
                                     double spacing, const StateDifference& difference, int most, double reach) {
   const bool stroboscopic = system.section() == model::Section::stroboscopic;
   const Eigen::VectorXd& last = samples.back();
-  std::vector<double> squares;  // of the distance, by steps back
+  std::vector<double> squares;  // of distances, by steps back
   squares.reserve(samples.size());
   double sum = 0.0;
   for (auto at = samples.rbegin(); at != samples.rend(); ++at) {
@@ -125,7 +125,7 @@ double OrbitCurve::distance_on_arc(std::size_t k, const Eigen::VectorXd& state) 
     return difference_.distance(hermite(s, step_, states_[k], rates_[k], states_[k + 1], rates_[k + 1]), state);
   };
   double low = 0.0, high = 1.0;
-  for (int round = 0; round < 40; ++round) {  // thirds: the distance has one minimum on so short an arc
+  for (int round = 0; round < 40; ++round) {  // thirds: on so short an arc the distance has one minimum
     const double a = low + (high - low) / 3.0, b = high - (high - low) / 3.0;
     if (at(a) < at(b))
       high = b;

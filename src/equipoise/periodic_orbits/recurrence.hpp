@@ -1,4 +1,4 @@
-// When a trajectory comes back to where it was, and how far a state is from a periodic orbit.
+// When a trajectory returns to where it was, and how far a state is from a periodic orbit.
 #pragma once
 
 #include <cstddef>
@@ -12,7 +12,7 @@
 namespace equipoise {
 
 /// The difference of two states in natural sizes: lengths over lambda + sum mu_i, velocities over System::pace() times
-/// that, angles (modulo their turns) and rates as they are.
+/// that; angles (modulo their turns) and rates as they are.
 class StateDifference {
  public:
   explicit StateDifference(const model::System& system);
@@ -27,19 +27,20 @@ class StateDifference {
   Eigen::VectorXd inverse_size_;
 };
 
-/// A closest approach of a trajectory to its last state, so long before it.
+/// A closest approach of a trajectory to its last state, and how long before it.
 struct Return {
   double time = 0.0, distance = 0.0;
 };
 
-/// Returns to the last of `samples` (equally spaced in time, of a strobed system at successive strobes; angles
-/// unwrapped), shortest first, each at least twice as close as all shorter ones and none longer than 24 turns of a ball
-/// (where its angle matters: of the rotor) or, of a flow, 32 times the first; `most` at most. One strobe always counts
-/// if it comes within `reach`: a trajectory on its way into a motion of that period need not show it as any nearer.
+/// Returns to the last of `samples`, at most `most`, shortest first. Samples are equally spaced in time, or lie on
+/// successive stroboscopic sections; angles are unwrapped. Each return is at least twice as close as all shorter ones,
+/// and takes at most 24 turns of a ball (or of the rotor, if its angle matters) and, for a flow, 32 times the first
+/// return. One section later always counts within `reach`: on its way to a motion of that period a trajectory may not
+/// be closer.
 std::vector<Return> returns_to_last(const model::System& system, const std::vector<Eigen::VectorXd>& samples,
                                     double spacing, const StateDifference& difference, int most, double reach);
 
-/// A periodic orbit as a curve; of a strobed system, the points at its strobes.
+/// A periodic orbit as a curve, or as its points on a stroboscopic section.
 class OrbitCurve {
  public:
   OrbitCurve(const model::System& system, const PeriodicOrbit& orbit);
@@ -52,7 +53,7 @@ class OrbitCurve {
 
   StateDifference difference_;
   double step_ = 0.0;
-  // One more than a period holds, so that the curve closes; of points no rates.
+  // One more than a period holds, so that the curve closes; points have no rates.
   std::vector<Eigen::VectorXd> states_, rates_;
 };
 

@@ -1,4 +1,4 @@
-// Newton's method in the coordinates of a mode.
+// Newton's method in the coordinates of a ball mode.
 #include "equipoise/periodic_orbits/return_map.hpp"
 
 #include <algorithm>
@@ -26,8 +26,8 @@ using Eigen::VectorXd;
 constexpr double return_tolerance = 1e-12;
 constexpr int most_iterations = 12;
 
-// A state by what is free in a mode: of balls that are joined the first one stands for all, held ones stay where they
-// are at `state`.
+// A state by what is free in a mode. The first of joined balls stands for all; held ones stay where they are in
+// `state`.
 class ModeCoordinates {
  public:
   ModeCoordinates(const model::System& system, const VectorXd& state, const model::BallMode& mode)
@@ -82,7 +82,7 @@ class ModeCoordinates {
   std::vector<model::System::Angle> angles_;
 };
 
-// Of component k of a state, so that differences of fourth order err by less than rounding.
+// Steps for which differences of fourth order err by less than rounding.
 VectorXd difference_steps(const model::System& system, const ModeCoordinates& coordinates, double share) {
   return coordinates.reduced(system.scale()) * share;
 }
@@ -140,7 +140,7 @@ class ReturnMap {
     for (int k = 0; k < most_iterations; ++k) {
       auto here = step_from(r, period, k == 0);
       if (!here || !(here->mismatch < 4.0 * last)) return std::nullopt;
-      // Differences of the map leave its derivative a millionth wrong, and every step so much of the mismatch.
+      // Differences make the map's derivative wrong by a millionth, and each step by that share of the mismatch.
       constexpr double converged = 1e-10;
       if (here->mismatch < converged) return orbit(r, period, *here);
       last = here->mismatch;
@@ -159,7 +159,7 @@ class ReturnMap {
   };
 
   std::optional<MatrixXd> derivative(const VectorXd& r, double period) const {
-    constexpr double share = 1e-6;  // of a component's size: impacts move kinks about, so that steps are small
+    constexpr double share = 1e-6;  // of a component's size; small, as impacts move kinks about
     MatrixXd result(r.size(), r.size());
     for (Index k = 0; k < r.size(); ++k) {
       VectorXd ends[2];
@@ -199,7 +199,7 @@ class ReturnMap {
       matrix.col(m).head(m) = rate;
       matrix.row(m).head(m) = rate.cwiseQuotient(scale_.cwiseAbs2()).transpose();
     }
-    // Balls that stick may stay anywhere: the least change.
+    // Balls that stick may stay anywhere, so the least change is taken.
     constexpr double singular = 1e-7;
     const VectorXd solution = dense::LeastNormSolver(matrix, singular).solve(right);
     step.change = solution.head(m);
@@ -250,7 +250,7 @@ model::BallMode mode_at(const model::System& system, const VectorXd& state) {
 
 namespace {
 
-// Between the balls' places on the race.
+// The least angle between two balls' places on the race.
 double least_angle(const model::Parameters& p, const double* phi) {
   double least = two_pi;
   for (int i = 0; i < p.balls; ++i)

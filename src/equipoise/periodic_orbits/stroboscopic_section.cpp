@@ -1,4 +1,4 @@
-// Continuation of orbits in gravity and anisotropy, and trajectories while these fade.
+// Continues orbits in gravity and anisotropy, and follows trajectories while these fade.
 #include "equipoise/periodic_orbits/stroboscopic_section.hpp"
 
 #include <algorithm>
@@ -23,21 +23,21 @@ model::System weakened(const model::System& system, double share) {
   return {model::weakened(system.parameters(), share), system.drive()};
 }
 
-// A driven rotor's angle is to stay part of the state: so much is left when all is switched off.
+// A driven rotor's angle must stay part of the state, so this much is left when gravity and anisotropy are off.
 double least_share(const model::System& system) { return system.prescribed() ? 0.0 : 1e-6; }
 
-// States of one share of gravity and anisotropy as those of another.
+// Converts states from one share of gravity and anisotropy to another.
 std::vector<VectorXd> hung_anew(const model::System& from, const model::System& to, std::vector<VectorXd> states) {
   for (VectorXd& z : states)
     model::hang_anew(from.parameters(), to.parameters(), to.layout().psi < 0 ? 0.0 : z[to.layout().psi], z.data());
   return states;
 }
 
-// The orbit of one strobe at a share near one at another share. At a prescribed speed the strobe stays what it is where
-// nothing is left to ask for it.
+// The orbit of one section at a share, close to an orbit at another share. At a prescribed speed the section stays even
+// if nothing depends on the rotor's angle any more.
 std::optional<PeriodicOrbit> orbit_at(const model::System& system, const PeriodicOrbit& near, double near_share,
                                       double share) {
-  // A branch moves less than this, in System::scale(), over one step; what moves more may be another branch.
+  // A branch moves less than this, in System::scale(), over one step; a larger move may lead to another branch.
   constexpr double farthest = 0.25;
   const model::System weak = weakened(system, share);
   const std::vector<VectorXd> nodes = hung_anew(weakened(system, near_share), weak, near.nodes);
@@ -49,8 +49,8 @@ std::optional<PeriodicOrbit> orbit_at(const model::System& system, const Periodi
   return captured ? found : std::nullopt;
 }
 
-// Follows an orbit of one strobe from `orbit` at share `from` to share `to`, in steps that are halved where they fail.
-// `reached`: the share to which it could be followed.
+// Continues an orbit of one section from share `from` to share `to`, in steps that are halved when they fail.
+// `reached`: the share that it came to.
 std::optional<PeriodicOrbit> continued(const model::System& system, PeriodicOrbit orbit, double from, double to,
                                        double* reached = nullptr) {
   constexpr double first_step = 0.25, smallest_step = 1.0 / 512;
@@ -73,7 +73,7 @@ std::optional<PeriodicOrbit> continued(const model::System& system, PeriodicOrbi
   return orbit;
 }
 
-// A state of the system when nothing depends on its rotor's angle.
+// The state without the rotor's angle, for when nothing depends on it.
 VectorXd without_angle(const model::System& system, const VectorXd& state) {
   if (system.layout().psi < 0) return state;
   VectorXd result(state.size() - 1);
@@ -90,7 +90,7 @@ std::optional<VectorXd> at_next_section(const model::System& system, const Vecto
   const double angle = system.section_angle(), speed = system.speed(), sense = speed < 0.0 ? -1.0 : 1.0;
   double ahead = std::fmod(-sense * psi, angle);
   if (ahead < 0.0) ahead += angle;
-  // Rounding of psi after 10^4 turns must not cost a whole one; what is this near a strobe is at it.
+  // Rounding of psi after 10^4 turns must not cost a whole section: this close to one counts as on it.
   if (ahead < 1e-9 || angle - ahead < 1e-9) return state;
   return advance_state(system, state, ahead / std::fabs(speed), psi, tolerance);
 }
@@ -112,7 +112,7 @@ std::optional<PeriodicOrbit> balanced_orbit(const model::System& system, const d
 }
 
 bool leads_to_balance(const model::System& system, const PeriodicOrbit& orbit) {
-  // Of lambda + sum mu_i: rounding and a small share of what continuation's Newton steps leave.
+  // For lambda + sum mu_i: rounding, and a small share of what continuation's Newton steps leave.
   constexpr double centred = 1e-7;
   const auto still = [](int turns) { return turns == 0; };
   if (!std::all_of(orbit.winding.begin(), orbit.winding.begin() + system.balls(), still)) return false;
@@ -120,7 +120,7 @@ bool leads_to_balance(const model::System& system, const PeriodicOrbit& orbit) {
   const auto end = continued(system, orbit, 1.0, least_share(system));
   if (!end) return false;
   VectorXd state = without_angle(system, end->nodes[0]);
-  if (!system.prescribed()) {  // what little was left of gravity and anisotropy
+  if (!system.prescribed()) {  // takes off the rest of gravity and anisotropy
     const auto rest = refine_equilibrium(weakened(system, 0.0), state);
     if (!rest || !((rest->state - state).lpNorm<Eigen::Infinity>() < 0.01)) return false;
     state = rest->state;
@@ -130,8 +130,7 @@ bool leads_to_balance(const model::System& system, const PeriodicOrbit& orbit) {
 
 bool relaxes_to_balance(const model::System& system, const VectorXd& state) {
   constexpr int fading = 400, settling = 400;
-  // In System::scale(): what is left of the switching, some e^-10, against motions that are not balanced (0.01 or
-  // more).
+  // In System::scale(): what the fading leaves, about e^-10, against motions that are not balanced (0.01 or more).
   constexpr double centred = 1e-3;
   VectorXd z = state;
   for (int k = 1; k <= fading + settling; ++k) {

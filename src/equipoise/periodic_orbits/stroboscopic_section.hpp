@@ -1,5 +1,5 @@
-// What is particular to systems that depend on the rotor's angle: the way from one strobe to the next, and which of
-// their orbits are balanced. The orbits themselves: periodic_orbits/orbit.hpp.
+// Systems that depend on the rotor's angle: the way to the next stroboscopic section, and which orbits are balanced.
+// The orbits themselves: periodic_orbits/orbit.hpp.
 #pragma once
 
 #include <optional>
@@ -11,25 +11,25 @@
 
 namespace equipoise {
 
-// Everywhere: states of section strobe without an angle beside them hold where psi = 0.
+// Throughout, states on a stroboscopic section without an angle belong to psi = 0.
 
-/// The state at the next strobe, from `state` when the rotor's angle is `psi`. A state at a strobe is left as it is,
-/// and so is any of another section. Empty if the integration fails.
+/// The state on the next section, from `state` at rotor angle `psi`. A state on the section stays as it is, and so does
+/// one of a system with another kind of section. Empty if the integration fails.
 std::optional<Eigen::VectorXd> at_next_section(const model::System& system, const Eigen::VectorXd& state, double psi,
                                                double tolerance = 1e-12);
 
 /// The orbit that a balanced state at ball angles `phi` becomes as gravity and anisotropy are switched on gradually.
-/// Empty if there is none: it may meet another one and vanish on the way. `reached`, if given: the share of both to
-/// which it could be followed.
+/// Empty if there is none: it may meet another orbit and vanish. `reached`: the share of both up to which it was
+/// continued.
 std::optional<PeriodicOrbit> balanced_orbit(const model::System& system, const double* phi, double* reached = nullptr);
 
-/// The same the other way round: as gravity and anisotropy are switched off gradually, the orbit becomes a balanced
-/// state (its centre comes to rest on the axis).
+/// Whether the orbit becomes a balanced state (its centre comes to rest on the axis) as gravity and anisotropy are
+/// switched off gradually.
 bool leads_to_balance(const model::System& system, const PeriodicOrbit& orbit);
 
-/// The same, on section strobe, for a motion that is no such orbit (along what gravity leaves of a continuum of
-/// balanced states balls creep for ever): while gravity and anisotropy fade over 400 strobes the trajectory from
-/// `state` comes to balance, and no ball passes a quarter of a turn.
+/// The same on a stroboscopic section for a motion that is no such orbit: along the rest of a continuum of balanced
+/// states under gravity, balls creep for ever. While gravity and anisotropy fade over 400 sections, the trajectory from
+/// `state` must come to balance, and no ball may pass a quarter turn.
 bool relaxes_to_balance(const model::System& system, const Eigen::VectorXd& state);
 
 }  // namespace equipoise

@@ -1,4 +1,4 @@
-// One trajectory of a smooth system, with and without tangent vectors, for the adaptive integrator. Included once per
+// One trajectory of a smooth system, with or without tangent vectors, for the adaptive integrator. Included once per
 // CPU target.
 #if defined(EQUIPOISE_PERIODIC_ORBITS_TANGENT_FLOW_INL) == defined(HWY_TARGET_TOGGLE)
 #ifdef EQUIPOISE_PERIODIC_ORBITS_TANGENT_FLOW_INL
@@ -24,7 +24,7 @@ HWY_BEFORE_NAMESPACE();
 namespace equipoise {
 namespace HWY_NAMESPACE {
 
-// Plain systems, which have terms only for what they are; for that many balls, or any number.
+// Plain systems, with only the terms that they need; for this number of balls, or any number.
 template <int room, Terms terms>
 struct PlainSource {
   static constexpr int dimension = model::dimension(room);
@@ -54,8 +54,8 @@ struct GeneralSource {
   }
 };
 
-// As many tangent vectors along a trajectory as asked for, `width` at most. Component (1 + vectors) i is variable i,
-// the next `vectors` are its tangents.
+// Tangent vectors along a trajectory, as many as asked for but at most `width`. Component (1 + vectors) i is variable
+// i, the next `vectors` are its tangents.
 template <class Source, int width>
 class TangentFlow {
  public:
@@ -96,7 +96,7 @@ void set_system_scale(const model::System& system, int stride, ErrorScale<dimens
   }
 }
 
-// With `vectors` tangents, of which those beyond `start`'s columns stay zero.
+// With `vectors` tangents; those beyond `start`'s columns stay zero.
 template <class Source, int width>
 std::optional<TangentFlight> follow_at_width(const model::System& system, const Eigen::VectorXd& state,
                                              const Eigen::MatrixXd& start, int vectors, double duration,
@@ -130,7 +130,7 @@ std::optional<TangentFlight> follow_at_width(const model::System& system, const 
   return flight;
 }
 
-// At the first of the rising widths that holds the vectors: slopes that are not used cost as much as those that are.
+// Uses the first of the rising widths that holds the vectors: unused slopes cost as much as used ones.
 template <class Source, int width, int... wider>
 std::optional<TangentFlight> follow_within(const model::System& system, const Eigen::VectorXd& state,
                                            const Eigen::MatrixXd& start, int vectors, double duration, double tolerance,
@@ -141,7 +141,7 @@ std::optional<TangentFlight> follow_within(const model::System& system, const Ei
   return follow_at_width<Source, width>(system, state, start, vectors, duration, tolerance, psi, stop);
 }
 
-// `widths`: for all tangents of the state. Few, as for the leading Lyapunov exponents, are carried at less cost.
+// `widths`: for all tangents of the state. A few vectors, as for the leading Lyapunov exponents, cost less.
 template <class Source, int... widths>
 std::optional<TangentFlight> follow(const model::System& system, const Eigen::VectorXd& state,
                                     const Eigen::MatrixXd& start, double duration, double tolerance, double psi,

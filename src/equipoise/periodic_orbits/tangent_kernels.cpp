@@ -18,7 +18,7 @@ std::optional<TangentFlight> run_source(const TangentJob& j) {
   return follow<Source, widths...>(j.system, j.state, j.vectors, j.duration, j.tolerance, j.psi, j.stop);
 }
 
-// Two balls are what most machines have.
+// Most machines have two balls.
 template <template <int room> class Source>
 std::optional<TangentFlight> run_plain(const TangentJob& j) {
   using model::dimension;

@@ -7,7 +7,7 @@
 
 namespace equipoise {
 
-/// What one is asked for: follow_tangents() (periodic_orbits/variational.hpp) says what it means.
+/// The arguments of follow_tangents() (periodic_orbits/variational.hpp).
 struct TangentJob {
   const model::System& system;
   const Eigen::VectorXd& state;

@@ -1,4 +1,4 @@
-// Which equations a trajectory is followed by.
+// Chooses the equations that a trajectory is followed by.
 #include "equipoise/periodic_orbits/variational.hpp"
 
 #include "equipoise/periodic_orbits/tangent_flow-inl.hpp"
