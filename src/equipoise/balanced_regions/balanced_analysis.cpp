@@ -1,4 +1,4 @@
-// Existence, by continuation where gravity acts, and stability, by eigenvalues or Floquet multipliers.
+// Which balanced motions exist, by continuation under gravity, and their stability, by eigenvalues or multipliers.
 #include "equipoise/balanced_regions/balanced_analysis.hpp"
 
 #include <algorithm>
@@ -26,13 +26,12 @@ using Angles = std::array<double, model::max_balls>;
 // Rounding moves an eigenvalue by about 1e-15; a rate this small would need a horizon of 1e9 to show.
 constexpr double least_rate = 1e-9;
 
-// What all that is said here needs of a system.
 struct Balance {
   const model::System& system;
-  double speed;  // psi'
+  double speed;  // psi' in balance
 };
 
-// `reached`: of gravity and of unequal supports, the share at which there still is one.
+// `reached`: the share of gravity and anisotropy up to which the motion exists.
 std::optional<Motion> balanced_motion(const Balance& at, const Angles& phi, double* reached = nullptr) {
   if (at.system.autonomous()) {
     const auto refined = refine_equilibrium(at.system, model::balanced_state(at.system, at.speed, phi.data()));
@@ -41,18 +40,18 @@ std::optional<Motion> balanced_motion(const Balance& at, const Angles& phi, doub
   const auto orbit = balanced_orbit(at.system, phi.data(), reached);
   if (!orbit) return std::nullopt;
   Motion motion = describe_orbit(at.system, *orbit);
-  motion.balanced = true;  // it was followed from there
+  motion.balanced = true;  // it was continued from a balanced state
   return motion;
 }
 
-// Of the deviation that dies out slowest, or grows fastest.
+// Rate of the deviation that dies out slowest, or grows fastest.
 double rate_of(const Balance& at, const Angles& phi, const Motion& motion) {
   if (!at.system.autonomous()) return motion.orbit.slowest_rate();
   return dense::largest_real_part(model::jacobian(at.system, model::balanced_state(at.system, at.speed, phi.data())));
 }
 
 void analyse_continuum(const Balance& at, const StopFlag* stop, BalancedAnalysis& result) {
-  // Whatever is balanced where nothing rests, or where linear theory has nothing to say, starts have to find.
+  // Where nothing rests, or linear theory has nothing to say, starts have to find the balanced motions.
   const bool rests = model::balanced_freedom(at.system) > 0;
   result.stable = true;
   if (!ContinuumOfEquilibria::is_of(at.system)) return;
@@ -70,7 +69,7 @@ void analyse_continuum(const Balance& at, const StopFlag* stop, BalancedAnalysis
   if (auto motion = balanced_motion(at, survey.typical)) result.motions.push_back(*std::move(motion));
 }
 
-// What keeps the balanced state from being one at rest, and how much of that the motion which it becomes can bear.
+// What keeps the balanced state from resting, and how much of that the motion that it becomes survives.
 std::string lost_motion(const model::Parameters& p, double reached) {
   const bool gravity = p.gravity != 0.0, unequal = !p.isotropic();
   return fmt::format(
@@ -94,7 +93,7 @@ void analyse_isolated(const Balance& at, const StopFlag* stop, const std::vector
   const model::Parameters& p = at.system.parameters();
   std::vector<Angles> angles = result.states.angles;
   const bool images = p.balls == 2 && p.equal_balls() && angles.size() == 2;
-  if (images) angles.pop_back();  // the other one by exchange of the balls
+  if (images) angles.pop_back();  // the other one follows by exchange of the balls
   double slowest = -std::numeric_limits<double>::infinity(), farthest = 0.0;
   for (std::size_t number = 0; number < angles.size(); ++number) {
     const Angles& phi = angles[number];
@@ -144,7 +143,7 @@ BalancedAnalysis analyse_balanced(const model::System& system, const StopFlag* s
   if (result.states.kind == Kind::none) {
     result.note = "no balanced state exists: " + result.states.reason;
   } else if (system.coasts()) {
-    result.stable = true;  // or not, by the speed that is left
+    result.stable = true;  // or not, depending on the speed that is left
   } else if (system.events().stick) {
     result.stable = true;  // near one: where balls stick, no single state attracts
   } else if (result.states.kind == Kind::continuum) {

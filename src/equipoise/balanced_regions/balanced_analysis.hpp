@@ -1,4 +1,4 @@
-// The balanced motions of a system: which there are, whether they are stable, and the trapping regions around them.
+// The balanced motions of a system, their stability, and the trapping regions around them.
 #pragma once
 
 #include <memory>
@@ -16,35 +16,39 @@
 namespace equipoise {
 
 struct BalancedAnalysis {
-  model::BalancedStates states;  ///< as without gravity and on supports that do not differ
-  bool stable = false;           ///< a balanced motion is there, or under gravity may be, and is linearly stable
-  double slowest_rate = 0.0;     ///< at which deviations from a stable one die out (negative), 0 if there is none; and
+  model::BalancedStates states;  ///< as without gravity and with isotropic supports
+  bool stable = false;           ///< a linearly stable balanced motion exists or, under gravity, may exist
+  double slowest_rate = 0.0;     ///< at which deviations from a stable one die out (negative); 0 if none is stable, and
                                  ///< along a continuum
-  double growth_rate = 0.0;      ///< fastest one of unstable ones, 0 if there is none
-  /// Stable ones first; of a continuum one member stands for all, and so does one of two states that differ by exchange
-  /// of like balls.
+  double growth_rate = 0.0;      ///< fastest growth at unstable ones, 0 if there are none
+  /// Stable ones first. One member stands for a continuum, and one state for two that differ by exchange of alike
+  /// balls.
   std::vector<Motion> motions;
-  /// Of each stable state where nothing depends on the rotor's angle and states are isolated. Elsewhere trapping
-  /// regions are those of the motions (trapping_regions/orbit_forms.hpp) or of the continuum.
+  /// Of each stable state, if states are isolated and nothing depends on the rotor's angle. Otherwise trapping regions
+  /// belong to the motions (trapping_regions/orbit_forms.hpp) or to the continuum.
   std::vector<BalancedRegion> regions;
-  std::vector<ModeWeight> weights;                         ///< of the modes of the first of these
+  std::vector<ModeWeight> weights;                         ///< of the modes of the first region
   std::shared_ptr<const ContinuumOfEquilibria> continuum;  ///< null: the states are isolated
-  ContinuumSurvey survey;                                  ///< of that
-  std::string note;  ///< one sentence for the reader when no start can end balanced, else empty
+  ContinuumSurvey survey;                                  ///< of the continuum
+  std::string note;  ///< one sentence for the reader if no start can end balanced, else empty
 };
 
-/// A driven rotor is balanced at the speed at which its motor gives what the supports' dampers take. Balls in a race
-/// off the shaft's centre bring the race's own centre to the axis of rotation, and leave the shaft off it by the
-/// offset. Supports that differ leave the balanced states of a centred race what they are, and change their stability.
-/// Gravity, and supports that differ under a race off its centre, make the balls rock once a revolution: the balanced
-/// motion is then the orbit of one strobe that a balanced state becomes as gravity and anisotropy are switched on
-/// gradually. Of a continuum of balanced states these leave single ones, which starts have to find (leads_to_balance()
-/// tells them), and so they have to under a motor where the rotor's angle matters. A motor without torque holds no
-/// speed: balance, if it comes to that, is at any. Balls in contact are balanced where they have room, and a trapping
-/// region's level is cut so that none touch on it (balanced_regions/touching.hpp). Where dry friction acts balls come
-/// to rest near balance, and there is no trapping region: what all of them being stuck is worth is told otherwise
-/// (attractors/stuck.hpp). Once `stop` is set the answer is worth nothing, and comes soon. `weights`: those of a
-/// neighbouring parameter, from which the search for the trapping regions' forms then begins.
+/// What counts as balanced:
+/// - A driven rotor balances at the speed at which its motor's power is what the supports' dampers take.
+/// - In an off-centre race, balls bring the race's own centre to the axis of rotation; the shaft stays off it by the
+/// offset.
+/// - Anisotropic supports leave the balanced states of a centred race as they are, but change their stability.
+/// - Gravity makes balls rock once a turn, and so do anisotropic supports under an off-centre race. The balanced motion
+/// is then the orbit of one section that a balanced state becomes as gravity and anisotropy are switched on gradually.
+/// - Of a continuum they leave single motions, which starts have to find (leads_to_balance() recognises them); likewise
+/// with a motor if the rotor's angle matters.
+/// - A motor without torque holds no speed: balance, if it comes, may be at any speed.
+/// - Balls in contact balance if they have room. Levels of trapping regions are cut so that no balls touch
+/// (balanced_regions/touching.hpp).
+/// - Under dry friction balls come to rest near balance, and there is no trapping region; attractors/stuck.hpp judges
+/// balls that are all stuck.
+/// Once `stop` is set the result comes soon and is unusable. `weights`: those of a neighbouring parameter, where the
+/// search for forms of trapping regions then begins.
 BalancedAnalysis analyse_balanced(const model::System& system, const StopFlag* stop = nullptr,
                                   const std::vector<ModeWeight>& weights = {});
 

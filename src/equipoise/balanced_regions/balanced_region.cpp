@@ -1,4 +1,4 @@
-// Forms and levels of the trapping regions around balanced states.
+// Forms and levels of trapping regions around balanced states.
 #include "equipoise/balanced_regions/balanced_region.hpp"
 
 #include <algorithm>
@@ -19,13 +19,13 @@ namespace equipoise {
 
 namespace {
 
-// While weighing, with random steps from the worst enough to rank weights; without them thousands mislead. Ranked by
-// the level that gradients find, weights of overdamped balls come out whose level sets can hardly be proved.
+// For weighing: with random steps from the worst, enough to rank weights; without them thousands mislead. Ranked by the
+// level that gradients find, weights of overdamped balls would give level sets that can hardly be proved.
 constexpr int rays_while_weighing = 300;
 constexpr int rays_for_level = 2000;  // plus descent: 300 and 20 000 agree to 1e-5
 
-// Mean time the linear flow needs from ball angles up to `spread` away from balance into the level set, the quantity
-// that a good choice of weights makes small. The spread is where the balls are when the last slow approach begins.
+// Mean time in which the linear flow takes ball angles up to `spread` away from balance into the level set. Good
+// weights make it small. The spread is where balls are when the last slow approach begins.
 class EntryTime {
  public:
   EntryTime(const Modes& modes, int balls) : modes_(modes) {
@@ -66,7 +66,7 @@ class EntryTime {
   std::vector<Eigen::VectorXd> amplitudes_;
 };
 
-// What the nearest eigenvalues weigh.
+// The weights of the nearest eigenvalues.
 Eigen::VectorXd weights_from(const std::vector<ModeWeight>& known, const Modes& modes) {
   Eigen::VectorXd weights(modes.rates.size());
   for (Eigen::Index k = 0; k < weights.size(); ++k) {
@@ -78,9 +78,9 @@ Eigen::VectorXd weights_from(const std::vector<ModeWeight>& known, const Modes& 
   return weights;
 }
 
-// The modal form whose weights make the entry time small: coordinate search over one weight a conjugate
-// pair. Unit weights on unit vectors are within a factor of two of the best in every row of the paper. Those of a
-// neighbour, where they are better, are good enough.
+// The modal form with the weights of the least entry time: coordinate search over one weight for each conjugate pair.
+// Unit weights on unit vectors are within a factor of two of the best in every row of the paper. A neighbour's weights
+// are good enough if they are better.
 Eigen::MatrixXd best_modal_form(const model::System& system, const Eigen::VectorXd& centre, const Eigen::MatrixXd& a,
                                 std::vector<ModeWeight>& known, SearchVectors& vectors) {
   const Modes modes = left_modes(a);
@@ -140,8 +140,8 @@ BalancedRegion make_region(const Angles& phi, const Centre& centre, const Eigen:
   return region;
 }
 
-// The form whose sampled level set is entered soonest, among modal ones and Lyapunov's for Q = 1 (where modes are
-// nearly defective the former degenerate).
+// The form whose sampled level set is entered soonest, among modal ones and Lyapunov's for Q = 1 (modal forms
+// degenerate if modes are nearly defective).
 BalancedRegion isolated_region(const model::System& system, const Angles& phi, double speed,
                                std::vector<ModeWeight>& weights) {
   const Eigen::VectorXd state = model::balanced_state(system, speed, phi.data());
@@ -165,7 +165,7 @@ BalancedRegion isolated_region(const model::System& system, const Angles& phi, d
   return make_region(phi, centre, form, level_margin * level);
 }
 
-// What mirrors a state: of the rotor that turns the other way.
+// Sign of a state's component in the mirror image, whose rotor turns the other way.
 double mirror_sign(int place) { return place == model::index::x || place == model::index::u ? 1.0 : -1.0; }
 
 model::System reflected(const model::System& system) {
@@ -198,13 +198,13 @@ BalancedRegion exchanged(const BalancedRegion& region) {
   return make_region({region.phi[1], region.phi[0]}, region.centre, form(from, from), region.level);
 }
 
-// What is searched for is searched for of the rotor that turns forwards, so that mirror images have the same level.
+// The search always runs for a rotor that turns forwards, so that mirror images have the same level.
 BalancedRegion balanced_region(const model::System& system, const Angles& phi, std::vector<ModeWeight>& weights) {
   const double speed = model::balanced_speed(system).value_or(0.0), forwards = std::fabs(speed);
   Angles angles = phi;
   const bool backwards = speed < 0.0, equal = system.balls() == 2 && system.parameters().equal_balls();
   for (int i = 0; backwards && i < system.balls(); ++i) angles[i] = -phi[i];
-  if (backwards && equal) std::swap(angles[0], angles[1]);  // of equal balls both states are made from the first
+  if (backwards && equal) std::swap(angles[0], angles[1]);  // with alike balls, both states are made from the first
   const BalancedRegion region = isolated_region(backwards ? reflected(system) : system, angles, forwards, weights);
   if (!backwards) return region;
   return reflected(system, equal ? exchanged(region) : region);

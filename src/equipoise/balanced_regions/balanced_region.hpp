@@ -1,4 +1,4 @@
-// SharedRegions around isolated balanced states: how far a Lyapunov function reaches.
+// Trapping regions around isolated balanced states: how far a Lyapunov function reaches.
 #pragma once
 
 #include <array>
@@ -12,36 +12,34 @@
 
 namespace equipoise {
 
-/// The trapping region of the linearly stable balanced state at ball angles `phi` of a smooth system of section none.
-/// Its level is level_margin times the smallest value of V at which dV/dt >= 0 was found by sampling rays and
-/// descending from the worst. `weights`: what its modes weigh; those of a neighbouring parameter, or none, before.
+/// The trapping region of the linearly stable balanced state at ball angles `phi`, for a smooth system with section
+/// `none`. Its level is level_margin times the smallest V at which dV/dt >= 0 was found, by sampling rays and
+/// descending from the worst. `weights`: of its modes; on entry those of a neighbouring parameter, or empty.
 BalancedRegion balanced_region(const model::System& system, const std::array<double, model::max_balls>& phi,
                                std::vector<ModeWeight>& weights);
 
-/// The trapping region of the other balanced state of two equal balls.
+/// The trapping region of the other balanced state of two alike balls.
 BalancedRegion exchanged(const BalancedRegion& region);
 
-/// The modal form of a linearisation, its modes weighted as those nearest to them were.
+/// The modal form of a linearisation; each mode takes the weight of the nearest one in `weights`.
 Eigen::MatrixXd weighted_form(const Eigen::MatrixXd& a, const std::vector<ModeWeight>& weights);
 
-/// F and P = F^T F of the trapping region's Lyapunov function V = |F d|^2 = d^T P d. The first is a view of the
-/// trapping region.
+/// F and P = F^T F of the region's Lyapunov function V = |F d|^2 = d^T P d. F is a view into the region.
 Eigen::Map<const Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>> factor_of(
     const BalancedRegion& region);
 Eigen::MatrixXd form_of(const BalancedRegion& region);
 
-/// Sets the level and with it the reach.
+/// Sets the level, and the reach with it.
 void set_level(BalancedRegion& region, double level);
 
-/// V of a state.
 double value(const model::System& system, const BalancedRegion& region, const double* state);
 
-/// A state on the level `level`. `direction`: a unit vector of as many numbers.
+/// A state on the level `level`. `direction`: a unit vector of the state's size.
 Eigen::VectorXd state_on_level(const model::System& system, const BalancedRegion& region, double level,
                                const Eigen::VectorXd& direction);
 
-/// Share of the sampled critical level that is used: two independent searches agree to 1e-4 and the level enters
-/// decision times only through its logarithm, so a wide margin is cheap.
+/// The share used of the sampled critical level. Two independent searches agree to 1e-4, and decision times depend on
+/// the level only through its logarithm, so a wide margin is cheap.
 inline constexpr double level_margin = 0.9;
 
 }  // namespace equipoise

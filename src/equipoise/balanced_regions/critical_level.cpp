@@ -1,4 +1,4 @@
-// Search for the level at which a Lyapunov function first fails to decrease.
+// Searches for the level at which a Lyapunov function first fails to decrease.
 #include "equipoise/balanced_regions/critical_level.hpp"
 
 #include <algorithm>
@@ -27,11 +27,11 @@ PlainFlow<room> plain_flow(const model::System& system) {
   return {system.parameters(), model::Segment{0.0, 0.0, 0.0, system.speed(), 0.0, false}};
 }
 
-// dV/dt along rays z* + s e of one balanced state, e of unit V.
+// dV/dt along rays z* + s e from one balanced state, with V(e) = 1.
 template <class Flow>
 class RaySearch {
  public:
-  // Sizes known at run time, storage at compile time.
+  // Sizes are known at run time, storage at compile time.
   static constexpr int most = Flow::dimension;
   using Vector = Eigen::Matrix<double, Eigen::Dynamic, 1, 0, most, 1>;
   using Matrix = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, 0, most, most>;
@@ -52,7 +52,7 @@ class RaySearch {
     Vector e, gradient;
   };
 
-  // Along a direction given in coordinates in which V is the squared length.
+  // For a direction in coordinates in which V is the squared length.
   Ray edge(const Vector& direction) const {
     Vector e = factor_.template triangularView<Eigen::Upper>().solve(direction.normalized());
     Vector gradient = form_ * e;
@@ -84,14 +84,14 @@ class RaySearch {
 
   bool grows(const Ray& ray, double s) const { return slope(ray, s) >= 0.0; }
 
-  // The direction in which dV/dt rises fastest at V^(1/2) = s along a direction; both as `edge` takes them.
+  // The direction in which dV/dt rises fastest at V^(1/2) = s along a direction; both in the coordinates of edge().
   Vector uphill(const Vector& direction, double s) const {
     const Vector d = s * edge(direction).e, z = centre_ + d;
     const Vector rise = form_ * rate(z) + model::jacobian(system_, z).transpose() * (form_ * d);
     return into_unit(rise).normalized();
   }
 
-  // Directions, as `edge` takes them, of the extremes of dV/dt close to balance.
+  // Directions, in the coordinates of edge(), of the extremes of dV/dt close to balance.
   Eigen::MatrixXd principal_directions() const {
     const Eigen::MatrixXd half = form_ * model::jacobian(system_, centre_);
     const Eigen::MatrixXd once = into_unit(half + half.transpose());
@@ -113,7 +113,7 @@ class RaySearch {
     return result;
   }
 
-  // Of gradients: into coordinates in which V is the squared length.
+  // Takes gradients into coordinates in which V is the squared length.
   Eigen::MatrixXd into_unit(const Eigen::MatrixXd& gradients) const {
     return factor_.transpose().template triangularView<Eigen::Lower>().solve(gradients);
   }
@@ -123,12 +123,12 @@ class RaySearch {
   const Flow flow_;
   Matrix form_, factor_;
   Vector centre_;
-  const bool closely_;  // the level is wanted, not only which form has the higher one
+  const bool closely_;  // to find the level, and not only the form with the higher one
 };
 
-// The least V^(1/2), below `limit`, with dV/dt >= 0 that is found by turning a direction to where dV/dt rises fastest:
-// on the critical level the gradients of V and dV/dt point the same way. Where level sets are narrow, of stiff rotors,
-// the directions in which V grows early are so few that random ones miss them.
+// The least V^(1/2) below `limit` with dV/dt >= 0 that is found by turning a direction to where dV/dt rises fastest: on
+// the critical level the gradients of V and dV/dt point the same way. Stiff rotors have narrow level sets, with so few
+// directions of early growth that random ones miss them.
 template <class Flow>
 double descend(const RaySearch<Flow>& search, typename RaySearch<Flow>::Vector direction, double limit) {
   using Vector = typename RaySearch<Flow>::Vector;
@@ -139,7 +139,7 @@ double descend(const RaySearch<Flow>& search, typename RaySearch<Flow>::Vector d
     const Vector turned = ((1.0 - part) * direction + part * search.uphill(direction, reach)).normalized();
     const auto before = search.edge(direction), after = search.edge(turned);
     const double shorter = search.first_growth(after, reach);
-    // On rays along which V falls all the way, how fast it still falls at their ends tells where to look.
+    // If V falls along the whole ray, the rate at its end shows where to look.
     const bool better = shorter < reach || (reach == limit && search.slope(after, limit) > search.slope(before, limit));
     part = better ? std::min(2.0 * part, 1.0) : 0.25 * part;
     if (!better) continue;
@@ -187,7 +187,7 @@ double sample(const RaySearch<Flow>& search, int size, int rays, SearchVectors& 
   return best;
 }
 
-// Least level of a search of `rays` rays, with a descent besides or not.
+// Least level of a search of `rays` rays, with or without a descent.
 template <class Flow>
 double least_level(const model::System& system, const Flow& flow, const Eigen::VectorXd& centre,
                    const Eigen::MatrixXd& form, int rays, SearchVectors& vectors, bool descending) {
@@ -205,7 +205,7 @@ double least_level(const model::System& system, const Flow& flow, const Eigen::V
 
 double least_level(const model::System& system, const Eigen::VectorXd& centre, const Eigen::MatrixXd& form, int rays,
                    SearchVectors& vectors, bool descending) {
-  constexpr int unrolled = 2;  // balls: above, balanced states form continua
+  constexpr int unrolled = 2;  // balls: with more, balanced states form continua
   if (system.plain())
     return model::with_ball_count<unrolled>(system.balls(), [&](auto room) {
       return least_level(system, plain_flow<room>(system), centre, form, rays, vectors, descending);

@@ -11,7 +11,7 @@
 
 namespace equipoise {
 
-/// The random vectors that all searches try in the same order: each is made once for all searches that share these.
+/// Random vectors that all searches try in the same order; each is made once for all searches that share them.
 class SearchVectors {
  public:
   explicit SearchVectors(Eigen::Index size) : size_(size) {}
@@ -23,15 +23,15 @@ class SearchVectors {
   std::deque<Eigen::VectorXd> made_;
 };
 
-/// Smallest V = d^T P d > 0 at which dV/dt >= 0 was found around the balanced state `centre` of a smooth system of
-/// section none, by sampling `rays` directions (fixed pseudo-random sequence), random steps from the worst of them, and
-/// a descent by gradients from the principal directions of dV/dt. The true one is below or equal; 0 if P is not
-/// positive definite or V grows at once.
+/// Smallest V = d^T P d > 0 with dV/dt >= 0 found around the balanced state `centre` of a smooth system with section
+/// `none`. It samples `rays` directions (a fixed pseudo-random sequence), takes random steps from the worst, and
+/// descends by gradients from the principal directions of dV/dt. The true one is below or equal; 0 if P is not positive
+/// definite or V grows at once.
 double critical_level(const model::System& system, const Eigen::VectorXd& centre, const Eigen::MatrixXd& form, int rays,
                       SearchVectors& vectors);
 
-/// The same by rays and random steps alone, each ray looked at in two places: to compare forms. Where level sets are
-/// narrow it is several times too high.
+/// The same by rays and random steps alone, each ray tested in two places: for comparing forms. For narrow level sets
+/// it is several times too high.
 double level_by_rays(const model::System& system, const Eigen::VectorXd& centre, const Eigen::MatrixXd& form, int rays,
                      SearchVectors& vectors);
 

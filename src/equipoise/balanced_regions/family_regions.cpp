@@ -1,4 +1,4 @@
-// Least squares over drawn rotors.
+// Fits forms by least squares over drawn rotors.
 #include "equipoise/balanced_regions/family_regions.hpp"
 
 #include <algorithm>
@@ -27,7 +27,7 @@ constexpr double margin = 0.5;
 
 Eigen::VectorXd terms_at(const OwnRotor& rotor, int degree) { return polynomial_terms(rotor.coordinates, degree); }
 
-// As high as a few hundred rotors can tell.
+// As high a degree as a few hundred rotors can determine.
 int degree_for(std::size_t values) { return values <= 1 ? 8 : values == 2 ? 5 : values == 3 ? 3 : 2; }
 
 std::optional<Eigen::VectorXd> balanced_place(const model::System& system, int number) {
@@ -45,7 +45,7 @@ FamilyRegions::FamilyRegions(std::vector<BalancedRegion>& regions, std::span<con
   if (regions.empty() || rotors.empty()) return;
   size_ = rotors.front().system.dimension();
   degree_ = degree_for(rotors.front().coordinates.size());
-  // Lyapunov's form for Q = 1 where modes come too near to each other.
+  // Lyapunov's form for Q = 1 is better if modes come too close to each other.
   double best = 0.0;
   Eigen::MatrixXd chosen;
   for (const bool modal : {true, false}) {
@@ -116,7 +116,7 @@ Eigen::MatrixXd FamilyRegions::form(const OwnRotor& rotor) const {
   return p;
 }
 
-// The least at which V was seen to grow; 0: at once, or there is no such state.
+// The least level at which V was seen to grow; 0: at once, or there is no such state.
 double FamilyRegions::level(const std::vector<BalancedRegion>& regions, std::span<const OwnRotor> tried) const {
   SearchVectors vectors(size_);
   double least = std::numeric_limits<double>::infinity();
@@ -134,7 +134,7 @@ void FamilyRegions::place(const std::vector<BalancedRegion>& regions, OwnRotor& 
   const auto size = static_cast<std::size_t>(size_), square = size * size;
   rotor.places.assign(regions.size() * size, none);
   rotor.factors.assign(regions.size() * square, 0.0);
-  // Beyond the part of the family that the forms were fitted to they are none.
+  // Outside the part of the family that they were fitted to, the forms do not hold.
   const auto outside = [](double c) { return !(c >= -1e-9 && c <= 1.0 + 1e-9); };
   if (regions.empty() || std::any_of(rotor.coordinates.begin(), rotor.coordinates.end(), outside)) return;
   const Eigen::MatrixXd first = form(rotor);

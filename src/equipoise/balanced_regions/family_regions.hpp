@@ -1,5 +1,4 @@
-// The trapping regions of balanced states as functions of what differs from rotor to rotor: where they stand, and their
-// forms.
+// Trapping regions of balanced states as functions of a family's coordinates: their centres and their forms.
 #pragma once
 
 #include <span>
@@ -13,19 +12,18 @@
 
 namespace equipoise {
 
-/// The balanced state has a closed form, and the form P of its Lyapunov function V = d^T P d is a polynomial in
+/// A balanced state has a closed form. The form P of its Lyapunov function V = d^T P d is a polynomial in
 /// OwnRotor::coordinates, fitted to the modal forms of many rotors.
 class FamilyRegions {
  public:
   FamilyRegions() = default;
-  /// Fits the forms of `rotors`, the first of which `trapping regions` are made for, and gives the trapping regions the
-  /// level that holds for all of `tried`: half the least at which V was seen to grow for one of them, by a few hundred
-  /// rays each. `trapping regions` are none afterwards if there is no such level. `weights`: of modes, as
-  /// balanced_region() found them.
+  /// Fits the forms of `rotors`; `regions` are made for the first of them. Then gives `regions` the level that holds
+  /// for all of `tried`: half the least at which V was seen to grow for one of them, by a few hundred rays each.
+  /// Empties `regions` if there is no such level. `weights`: of modes, as balanced_region() found them.
   FamilyRegions(std::vector<BalancedRegion>& regions, std::span<const OwnRotor> rotors, std::span<const OwnRotor> tried,
                 const std::vector<ModeWeight>& weights);
 
-  /// Fills in the rotor's places and factors for these trapping regions.
+  /// Sets the rotor's places and factors for these regions.
   void place(const std::vector<BalancedRegion>& regions, OwnRotor& rotor) const;
 
  private:
@@ -35,17 +33,17 @@ class FamilyRegions {
   double level(const std::vector<BalancedRegion>& regions, std::span<const OwnRotor> tried) const;
 
   Eigen::Index size_ = 0;
-  Eigen::MatrixXd coefficients_;  // a column an entry of P's upper triangle, a row a term
+  Eigen::MatrixXd coefficients_;  // a column each entry of P's upper triangle, a row each term
   int degree_ = 0;
 };
 
-/// From each balanced state of `system` to the same one of another rotor, as without gravity and with the means of
-/// unequal supports: what motions around them move by, to first order. None where states are not isolated.
+/// From each balanced state of `system` to the same one of another rotor, as without gravity and with the mean of
+/// anisotropic supports. To first order, motions around them move by as much. None if states are not isolated.
 std::vector<Eigen::VectorXd> balanced_shifts(const model::System& other, const model::System& system);
-/// The one for the balanced state next to `state`; zero if there is none.
+/// The shift of the balanced state next to `state`; zero if there is none.
 Eigen::VectorXd balanced_shift(const model::System& other, const model::System& system, const Eigen::VectorXd& state);
 
-/// A state on `level` of trapping region `number` as it stands for a rotor that has been placed.
+/// A state on `level` of trapping region `number` for a rotor whose places are set.
 Eigen::VectorXd state_on_level(const OwnRotor& rotor, std::size_t number, double level,
                                const Eigen::VectorXd& direction);
 

@@ -1,4 +1,4 @@
-// Gaps on level sets.
+// Gaps between balls on level sets.
 #include "equipoise/balanced_regions/touching.hpp"
 
 #include <algorithm>
@@ -15,7 +15,7 @@
 namespace equipoise {
 
 namespace {
-// Beyond touching, of balls i and k.
+// Of balls i and k, beyond touching.
 double gap(const model::Parameters& p, const std::array<double, model::max_balls>& phi, int i, int k) {
   return std::fabs(wrapped(phi[i] - phi[k])) - p.contact_angle;
 }

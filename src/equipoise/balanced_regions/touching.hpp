@@ -1,4 +1,4 @@
-// What contact leaves of trapping regions of balls that pass each other.
+// How contact limits trapping regions made for balls that pass each other.
 #pragma once
 
 #include "equipoise/classification/classification_rule.hpp"
@@ -6,12 +6,12 @@
 
 namespace equipoise {
 
-/// Angles between balls side by side, in contact angles: clear of what rounding makes of touching.
+/// Angle between balls side by side, in contact angles: clear of touching by more than rounding.
 inline constexpr double side_by_side = 1.0 + 1e-6;
 
-/// The level of a trapping region at which two balls could touch: on d^T P d = c the angle between two balls deviates
-/// by at most sqrt(c l^T P^-1 l), l the difference of their angles. Infinite where balls pass each other; 0 if they
-/// would overlap in balance itself.
+/// The level of a trapping region at which two balls could touch. On d^T P d = c the angle between two balls deviates
+/// by at most sqrt(c l^T P^-1 l), with l the difference of their angles. Infinite if balls pass each other; 0 if they
+/// would overlap in balance.
 double touching_level(const model::System& system, const BalancedRegion& region);
 
 }  // namespace equipoise
